@@ -31,12 +31,17 @@ SHARING = (
     # What is derived for the first is there for the others.
     (
         *("test_generated", "test_motion_subsets", "test_operations", "test_regroup", "test_blocks"),
+        *("test_kernel_tree", "test_kinematics_tree", "test_closed_form", "test_motion_equations"),
+        *("test_symbols", "test_casadi_functions"),
         *("test_kit", "test_kit_folder", "test_kit_use", "test_vectors", "test_language_kits", "test_stacks"),
     ),
+    ("test_wrong_constants", "test_bake", "test_rotor_kits"),
     ("test_noise",),
     ("test_along_path",),
     ("test_pictures",),
     ("test_reproduce",),
+    # One browser.
+    ("test_controls", "test_reports", "test_pixels"),
 )
 """Modules in which tests share what takes seconds and is made once a worker."""
 GROUPS = {module: group[0] for group in SHARING for module in group}
@@ -67,6 +72,11 @@ LONG = (
     "test_pictures",
     "test_noise",
     "test_worst_rounding",
+    "test_least_time",
+    "test_plan_command",
+    "test_wrong_constants",
+    "test_hostile_files",
+    "test_rotor",
     "test_misra",
     "test_readme",
     "test_packaging",

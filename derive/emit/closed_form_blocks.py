@@ -233,17 +233,18 @@ class Results:
         }
 
 
+def _in_lanes(i: int) -> t.Expression:
+    """One of the numbers of a lane."""
+    return t.Element(t.Name("number"), (t.Number(i) * t.Name("lanes") + lay.LANE,))
+
+
 def solve_in_lanes() -> dict[str, read.Given]:
     """Of ``written.motion.results.solve_inertia``."""
-
-    def number(i: int) -> t.Expression:
-        return t.Element(t.Name("number"), (t.Number(i) * t.Name("lanes") + lay.LANE,))
-
     return {
         **SIX,
         "weigh_pivot": texts.stored_pivot,
-        "inertia": inertia_at(lambda _, __, i: number(i)),
-        "right": lambda i: number(21 + i.value),
+        "inertia": inertia_at(lambda _, __, i: _in_lanes(i)),
+        "right": lambda i: _in_lanes(21 + i.value),
     }
 
 
@@ -254,15 +255,14 @@ def solve_of_one() -> dict[str, read.Given]:
 
 def _symmetric(first: int) -> tuple[t.Statement, ...]:
     """M, row by row, from its parts."""
-
-    def number(i: int) -> t.Expression:
-        return t.Element(t.Name("number"), (t.Number(i) * t.Name("lanes") + lay.LANE,))
-
     part = inertia_at(lambda _, __, i: t.Name(f"m_{i}"))
     cells = [(i, j) for i in range(_ROW) for j in range(_ROW)]
     return (
-        *(t.Let(f"m_{i}", number(first + i)) for i in range(21)),
-        *(t.Assign(number(_ROW * i + j), part(t.Number(min(i, j)), t.Number(max(i, j)))) for i, j in cells),
+        *(t.Let(f"m_{i}", _in_lanes(first + i)) for i in range(21)),
+        *(
+            t.Assign(_in_lanes(_ROW * i + j), part(t.Number(min(i, j)), t.Number(max(i, j))))
+            for i, j in cells
+        ),
     )
 
 

@@ -1,7 +1,9 @@
 """C99: what files of kernels have in common: headers of shared functions, beginnings and ends, sources."""
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from functools import cache
+from types import MappingProxyType
 
 from ..kernel.layouts import Written
 from ..kernel.shared import Shared, shared
@@ -25,10 +27,11 @@ _OF_BLOCKS = {**SIZES, POSES: "POSES", 9 * POSES: "9 * POSES"}
 """Names of dimensions; the forces' sources have blocks of their own size."""
 
 
-def shared_headers(version: str, about_tip: bool = True) -> dict[str, str]:
+@cache
+def shared_headers(version: str, about_tip: bool = True) -> Mapping[str, str]:
     """File name -> text; about_tip: of kernels whose moments are about platform point 1."""
     found = shared(about_tip)
-    return {
+    texts = {
         ARITHMETIC: filled("arithmetic.h", version=version),
         SOLVE: filled("solve.h", version=version, functions=_printed(found, found.solve)),
         LANES: filled(
@@ -40,6 +43,7 @@ def shared_headers(version: str, about_tip: bool = True) -> dict[str, str]:
         ),
         OUTPUTS: filled("outputs.h", version=version, functions=_printed(found, found.outputs)),
     }
+    return MappingProxyType(texts)
 
 
 def _printed(found: Shared, functions: tuple[t.Function, ...], more: str = "") -> str:

@@ -6,6 +6,7 @@ robot gives the same poses everywhere.
 
 import itertools
 import math
+from functools import lru_cache
 from typing import cast
 
 import numpy as np
@@ -48,6 +49,7 @@ _PACES = (0.0, 2.0, -1.0, 0.5, 3.0, -2.0, 1.5)
 _LOADS = (0.0, -1.0, 2.0, 0.5, -3.0)
 
 
+@lru_cache(maxsize=16)
 def sample(robot: Robot, formulation: str) -> tuple[Motion, Forces, float]:
     """The motion of the example, its forces and the condition number of H, moments over a length.
 

@@ -108,7 +108,7 @@ def of_run(robot: Robot, run: Trace, name: str = "simulated run") -> Instants:
     return _instants(robot, name, run.times, run.motion, path, run.times, {"run": run.F})
 
 
-def of_motion(robot: Robot, motion: Motion, times: object) -> Instants:
+def of_motion(robot: Robot, motion: Motion, times: object, name: str = "motion") -> Instants:
     """A motion of shape (n,) at times, s, (n,), increasing; without accelerations there are no forces."""
     time = np.arange(1.0) if times is None and motion.shape in ((), (1,)) else real_array(times, "times")
     if motion.shape == ():
@@ -118,7 +118,7 @@ def of_motion(robot: Robot, motion: Motion, times: object) -> Instants:
     if not np.isfinite(time).all() or np.any(np.diff(time) <= 0.0):
         raise ValueError("times: expected finite, increasing times")
     forces: Mapping[str, Array] | None = {} if motion.a is None else None
-    return _instants(robot, "motion", time, motion, _path_of(time, motion), time, forces)
+    return _instants(robot, name, time, motion, _path_of(time, motion), time, forces)
 
 
 def read_run(path: str | os.PathLike[str]) -> tuple[Array, Motion, Array]:

@@ -23,7 +23,8 @@ from stewart_sym.backend import native
 from stewart_sym.motion.motion import Motion
 from stewart_sym.studies.reports.workspace import grid, map_block, workspace_map
 
-WAIT = 25
+WAIT = 300
+"""Seconds after which a cluster that does not answer is given up; a busy machine may be slow."""
 CHUNK = 12_500
 AXES = (np.linspace(-0.2, 0.2, 50), np.linspace(-0.2, 0.2, 40), np.linspace(0.4, 0.8, 50))
 

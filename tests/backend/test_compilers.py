@@ -2,6 +2,7 @@
 
 import ctypes
 import os
+import select
 import shlex
 import subprocess
 import sys
@@ -171,19 +172,17 @@ def test_hanging_compiler_is_killed_with_its_children(
     alive = tmp_path / "alive"
     os.mkfifo(alive)
     reader = os.open(alive, os.O_RDONLY | os.O_NONBLOCK)
-    hang = f"(echo started; exec sleep 60) > {shlex.quote(str(alive))} & wait"
+    hang = f"(echo started; exec sleep 600) > {shlex.quote(str(alive))} & wait"
     logged = LoggedCompiler(tmp_path, before=f'case "$*" in *--version*) ;; *) {hang} ;; esac')
     monkeypatch.setenv("CC", str(logged.path))
-    monkeypatch.setattr(native, "COMPILE_TIMEOUT", 2.0)
-    with pytest.raises(native.CompilerError, match="took longer than 2 s to compile adder"):
+    monkeypatch.setattr(native, "COMPILE_TIMEOUT", 3.0)
+    with pytest.raises(native.CompilerError, match="took longer than 3 s to compile adder"):
         load_adder()
     assert list(cache.iterdir()) == []
     assert os.read(reader, 100) == b"started\n"
     # The pipe ends when the last process that holds it is gone; until then a read would block.
-    os.set_blocking(reader, True)
-    begin = time.monotonic()
+    assert select.select([reader], [], [], 300) == ([reader], [], [])
     assert os.read(reader, 100) == b""
-    assert time.monotonic() - begin < 30
     os.close(reader)
 
 
@@ -192,7 +191,7 @@ def test_compiler_has_no_standard_input(cache: Path, tmp_path: Path, monkeypatch
     monkeypatch.setenv("CC", str(logged.path))
     child = subprocess.Popen([sys.executable, "-c", CHILD], stdin=subprocess.PIPE, stdout=-1, stderr=-1)
     # The child's own input stays open until it is done: a compiler that shared it would wait for ever.
-    assert child.wait(timeout=120) == 0
+    assert child.wait(timeout=600) == 0
     child.communicate()
     assert (tmp_path / "input").read_bytes() == b""
 

@@ -145,7 +145,7 @@ def test_bound_holds_where_products_are_fused_into_sums(
     precision: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     defines = {"STEWART_FLOAT": 1} if precision == "float" else {}
-    fused = native.load("fused", c_sources("exact_bounds"), ("-ffp-contract=fast",), defines)
+    fused = native.load("fused", c_sources("exact_bounds"), ("-O1", "-ffp-contract=fast"), defines)
     monkeypatch.setattr(bounds, "function", lambda *names: getattr(fused, f"stewart_{names[0]}_{names[-1]}"))
     rng = np.random.default_rng(1)
     for number in range(20):

@@ -68,7 +68,7 @@ def holds(found: np.ndarray, precision: str) -> None:
 
 
 @needs_compiler
-@pytest.mark.parametrize("precision", PRECISIONS)
+@pytest.mark.parametrize("precision", ["float", pytest.param("double", marks=pytest.mark.slow)])
 def test_bound_is_above_the_worst_rounding_by_a_small_factor(precision: str) -> None:
     holds(ratios(precision, 24), precision)
 
@@ -159,9 +159,10 @@ def by_strain(pose: rounding.Pose, entry: int, mutant: int = -1) -> float:
 
 
 @needs_compiler
-def test_every_quantity_is_bounded_by_itself() -> None:
+@pytest.mark.parametrize("count", [2, pytest.param(4, marks=pytest.mark.slow)])
+def test_every_quantity_is_bounded_by_itself(count: int) -> None:
     seen = set()
-    for pose in poses(4):
+    for pose in poses(count):
         for group, name in enumerate(rounding.groups()):
             found = by_group(pose, group)
             if found is not None:

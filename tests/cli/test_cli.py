@@ -193,8 +193,8 @@ def test_derive_with_a_file_in_the_way_of_a_folder_leaves_no_trace(
 ) -> None:
     files = {"__init__.py": "", "assembly.py": "", "c/stewart.h": "", "exact.py": ""}
 
-    def derived(progress: Callable[[str], None]) -> dict[str, str]:
-        progress("deriving exact")
+    def derived(progress: Callable[[str, float, float], None], _processes: int) -> dict[str, str]:
+        progress("exact", 1.0, 1.0)
         return files
 
     monkeypatch.setattr("stewart_sym.derive.generate.generated_files", derived)
@@ -207,8 +207,8 @@ def test_derive_with_a_file_in_the_way_of_a_folder_leaves_no_trace(
     assert folder_state(tmp_path) == before
 
 
-def _two_files(progress: Callable[[str], None]) -> dict[str, str]:
-    progress("deriving exact")
+def _two_files(progress: Callable[[str, float, float], None], _processes: int) -> dict[str, str]:
+    progress("exact", 1.0, 1.0)
     counts = {"friction": {"total": (4, 3, 2, 1)}, "frictionless": {"total": (3, 2, 1, 0)}}
     return {"exact.py": f"OPERATIONS: dict = {counts}\n", "c/stewart_exact.c": "int x;\n"}
 
@@ -266,16 +266,15 @@ def test_generate_that_is_told_to_end_leaves_the_old_kit_whole(robot: Path) -> N
     target = robot.parent / "kit"
     command = [sys.executable, "-m", "stewart_sym.cli.main", "generate", str(robot), "-o", str(target)]
     states = []
-    for options in (["--scalar"], ["--bake"]):
+    kits = ([], ["--formulation", "paper"])
+    for options in kits:
         subprocess.run([*command, *options], check=True, capture_output=True)
         states.append(folder_state(target))
     started = time.monotonic()
-    subprocess.run([*command, "--scalar"], check=True, capture_output=True)
+    subprocess.run([*command, *kits[0]], check=True, capture_output=True)
     needed = time.monotonic() - started
     for turn in range(4):
-        process = subprocess.Popen(
-            [*command, "--bake" if turn % 2 else "--scalar"], stdout=subprocess.DEVNULL
-        )
+        process = subprocess.Popen([*command, *kits[turn % 2]], stdout=subprocess.DEVNULL)
         time.sleep(needed * (0.75 + 0.05 * turn))
         process.terminate()
         process.wait()

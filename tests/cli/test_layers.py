@@ -39,7 +39,7 @@ def statements(module: str, only_top: bool = False) -> Iterator[ast.Import | ast
         if isinstance(node, ast.Import | ast.ImportFrom):
             yield node
         if not (only_top and isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)):
-            waiting.extend(ast.iter_child_nodes(node))
+            waiting += [each for each in ast.iter_child_nodes(node) if not isinstance(each, ast.expr)]
 
 
 def targets(module: str, node: ast.Import | ast.ImportFrom) -> Iterator[str]:

@@ -43,7 +43,7 @@ def test_no_public_name_is_hidden_by_the_module_of_that_name() -> None:
 
 
 def run(code: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120)
+    return subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=600)
 
 
 def test_importing_the_package_imports_none_of_its_modules_and_no_numpy() -> None:

@@ -91,7 +91,7 @@ def _executed(folder: Path) -> Any:
     notebook = _committed()
     client = NotebookClient(
         notebook,
-        timeout=600,
+        timeout=3600,
         kernel_name="python3",
         record_timing=False,
         resources={"metadata": {"path": str(folder)}},

@@ -189,6 +189,7 @@ def test_a_machine_in_millimetres_that_hangs_has_the_volume_of_its_image_in_metr
     assert other.volume == pytest.approx(1e-9 * made.volume, rel=1e-3)
 
 
+@pytest.mark.slow
 def test_a_cluster_of_workers_gives_the_same_bits() -> None:
     robot = ss.robots.rubin_m2()
     limits = ss.PoseLimits(condition=10.0, clearance=0.01)

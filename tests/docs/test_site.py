@@ -59,6 +59,7 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
+@pytest.mark.slow
 def test_the_site_has_every_page_and_loads_nothing_from_elsewhere(site: Path) -> None:
     for page in PAGES[1:]:
         html = site / Path(page).relative_to(".docs").with_suffix(".html")
@@ -67,6 +68,7 @@ def test_the_site_has_every_page_and_loads_nothing_from_elsewhere(site: Path) ->
     assert not re.findall(r"(?:url\(|@import\s*)['\"]?(?:https?:)?//", sheets)
 
 
+@pytest.mark.slow
 def test_every_public_name_has_one_entry(site: Path) -> None:
     pages = (site / "reference" / "python").glob("*.html")
     entries = [name for page in pages for name in ENTRY.findall(page.read_text(encoding="utf-8"))]

@@ -41,10 +41,10 @@ def cases(seed: int, kind: str, count: int, deepest: float = 12.0) -> list[tuple
 
 
 @functools.cache
-def with_truth(seed: int, kind: str, index: int, *samples: int) -> tuple[tuple, Truth]:
+def with_truth(seed: int, kind: str, index: int) -> tuple[tuple, Truth]:
     """A case and its truth, which all backends share."""
     given = case(seed, kind, index)
-    return given, truth(*given, *samples)
+    return given, truth(*given, ENOUGH)
 
 
 def worst(given: tuple, true: Truth, backend: str) -> float:
@@ -62,7 +62,7 @@ def worst(given: tuple, true: Truth, backend: str) -> float:
 @pytest.mark.parametrize("kind", KINDS)
 def test_every_output_is_as_good_as_the_machine_allows(kind: str, backend: str) -> None:
     for index in range(1 if backend == "reference" else FEW):
-        assert worst(*with_truth(0, kind, index, ENOUGH), backend) <= MOST
+        assert worst(*with_truth(0, kind, index), backend) <= MOST
 
 
 @pytest.mark.parametrize(
@@ -87,7 +87,7 @@ def test_what_turns_and_moves_a_heavy_leg_leaves_a_light_platform_its_digits(
 @pytest.mark.parametrize("backend", FORMS)
 def test_what_several_pivots_of_M_lose_does_not_add_up(kind: str, index: int, backend: str) -> None:
     """Each pivot keeps more than a thirty-second of its diagonal entry, three or four of them a sixteenth."""
-    assert worst(*with_truth(1, kind, index, ENOUGH), backend) <= MOST / 4
+    assert worst(*with_truth(1, kind, index), backend) <= MOST / 4
 
 
 @pytest.mark.slow

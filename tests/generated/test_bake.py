@@ -79,7 +79,13 @@ LEVELS = ("general", "frictionless", "slender_friction", "point_masses", "massle
 """Each way that legs, friction and motion are left out; kits of every level, baked, prove themselves."""
 
 
-@pytest.mark.parametrize("level", LEVELS)
+@pytest.mark.parametrize(
+    "level",
+    [
+        pytest.param(level, marks=() if level in ("general", "massless_static") else pytest.mark.slow)
+        for level in LEVELS
+    ],
+)
 def test_baked_forces_are_those_of_the_prepared_kernel(level: str) -> None:
     for robot in (dasgupta(), random_robot(np.random.default_rng(3))):
         motion = motions(robot)
@@ -128,7 +134,13 @@ def test_a_constant_keeps_its_values() -> None:
     assert constants.values == {symbol: (mpf(2),)}
 
 
-@pytest.mark.parametrize("term", ["friction", "gravity", "flat base", "flat platform", "centred platform"])
+@pytest.mark.parametrize(
+    "term",
+    [
+        *("friction", "centred platform"),
+        *(pytest.param(term, marks=pytest.mark.slow) for term in ("gravity", "flat base", "flat platform")),
+    ],
+)
 def test_each_zero_saves_operations(term: str) -> None:
     robot = random_robot(np.random.default_rng(5))
     flat, nothing = np.array([1.0, 1.0, 0.0]), np.zeros(6)

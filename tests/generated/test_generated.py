@@ -11,8 +11,10 @@ import pytest
 from compiled_folder import c_folder
 
 from stewart_sym.backend.kernel import defines_of
+from stewart_sym.derive import generate
 from stewart_sym.derive.generate import generated_files
-from stewart_sym.derive.mechanics.formulation import FORMULATIONS
+from stewart_sym.derive.mechanics.formulation import EXACT, FORMULATIONS
+from stewart_sym.derive.mechanics.reduced_models import FIDELITIES
 from stewart_sym.generated.interface import HEADERS
 
 KERNELS = [form.kernel_name for form in FORMULATIONS]
@@ -20,19 +22,44 @@ STRICT = ["-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Wdouble-promotion",
 REPOSITORY = Path(__file__).parents[2]
 
 
+EXACT_ALONE = {
+    **dict.fromkeys(("FORMULATIONS", "WHOLE"), (EXACT,)),
+    "FIDELITIES": {name: FIDELITIES[name] for name in ("general", "massless_static")},
+    "DRIVE_FIDELITIES": {},
+}
+OF_ALL = ("interface.py", "fidelities.py")
+"""Files that list every kernel."""
+
+
 @pytest.fixture(scope="module")
 def regenerated() -> dict[str, str]:
     return generated_files()
 
 
-def test_committed_and_installed_files_are_what_the_derivation_writes(regenerated: dict[str, str]) -> None:
-    """Whatever the seed of hashes: here it is random as a rule, in ``.ci/newcomer`` another one."""
+def committed(files_of: dict[str, str]) -> None:
     installed = Path(str(files("stewart_sym.generated")))
     for root in (REPOSITORY / "generated", installed):
-        for name, text in regenerated.items():
+        for name, text in files_of.items():
             assert (root / name).read_text(encoding="utf-8") == text, f"{name}: run stewart-sym derive"
 
 
+def test_committed_files_of_the_exact_formulation_are_what_the_derivation_writes(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    for name, value in EXACT_ALONE.items():
+        monkeypatch.setattr(generate, name, value)
+    found = generated_files()
+    assert len(found) > 25
+    committed({name: text for name, text in found.items() if name not in OF_ALL})
+
+
+@pytest.mark.slow
+def test_committed_and_installed_files_are_what_the_derivation_writes(regenerated: dict[str, str]) -> None:
+    """Whatever the seed of hashes: here it is random as a rule, in ``.ci/newcomer`` another one."""
+    committed(regenerated)
+
+
+@pytest.mark.slow
 def test_no_generated_file_is_an_orphan(regenerated: dict[str, str]) -> None:
     root = REPOSITORY / "generated"
     present = {str(path.relative_to(root)) for path in root.rglob("*") if path.suffix in (".c", ".h", ".py")}
@@ -135,6 +162,8 @@ def test_lines_of_code_cite_the_equations(kernel: str) -> None:
     assert expected <= cited
 
 
-def test_generated_files_hold_no_date_and_no_path(regenerated: dict[str, str]) -> None:
-    for name, text in regenerated.items():
-        assert not re.search(r"\b20\d\d-\d\d|\d\d:\d\d|/(home|root|tmp|usr|work)/", text), name
+def test_generated_files_hold_no_date_and_no_path() -> None:
+    written = [path for path in (REPOSITORY / "generated").rglob("*.*") if path.suffix in (".c", ".h", ".py")]
+    for path in written:
+        text = path.read_text(encoding="utf-8")
+        assert not re.search(r"\b20\d\d-\d\d|\d\d:\d\d|/(home|root|tmp|usr|work)/", text), path

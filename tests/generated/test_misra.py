@@ -15,6 +15,7 @@ from builds import needed
 from sweeps import FULL
 
 import stewart_sym as ss
+from stewart_sym.derive.emit.header import common_header
 from stewart_sym.derive.generate import motion_files
 from stewart_sym.derive.package.deviations import DEVIATIONS, KINDS, deviations
 from stewart_sym.generated.interface import HEADERS
@@ -22,7 +23,9 @@ from stewart_sym.kit import Choice, kit
 
 MOTION = ("equations", "bias", "forward_dynamics", "joint_inertia")
 DERIVATIVES = ("derivatives", "linearisation")
-SLOW = ("forces", "forces baked", "forces scalar baked", "reactions", "motion", "derivatives")
+SLOW = (
+    *("forces", "forces baked", "forces scalar", "forces scalar baked", "reactions", "motion", "derivatives"),
+)
 PRECISIONS = ("-USTEWART_FLOAT", "-DSTEWART_FLOAT=1")
 ARITHMETIC = {"sqrt", "sqrtf", "fabs", "fabsf"}
 # What compilers make of copies of structs.
@@ -33,7 +36,10 @@ pytestmark = pytest.mark.filterwarnings("ignore:.*physically impossible")
 
 def committed(stem: str) -> dict[str, str]:
     names = (*HEADERS, f"{stem}.h", f"{stem}.c")
-    return {name: (attack_build.GENERATED / name).read_text() for name in names}
+    files = {name: (attack_build.GENERATED / name).read_text() for name in names}
+    if "_drive" in stem:
+        files["stewart.h"] = common_header("0", rotors=True)
+    return files
 
 
 def closed_form(functions: tuple[str, ...]) -> dict[str, str]:
@@ -57,16 +63,15 @@ SOURCES: dict[str, tuple[Callable[[], dict[str, str]], str]] = {
     "motion": (lambda: closed_form(MOTION), r"_motion\.c"),
     "derivatives": (lambda: closed_form(DERIVATIVES), r"_motion\.c"),
     "kinematics": (lambda: committed("stewart_kinematics"), r"_kinematics\.c"),
+    "torque": (lambda: committed("stewart_torque"), r"_torque\.c"),
+    "axial": (lambda: committed("stewart_exact_drive_axial"), r"_axial\.c"),
     "rotation": (lambda: committed("stewart_rotation"), r"_rotation\.c"),
     "robot": (lambda: of_kit(scalar=True), r"^stewart_robot\.c"),
 }
 """Kind of source -> how its files are made, and which of them is looked at."""
-ANY = [
-    pytest.param(name, marks=[pytest.mark.slow] if name in SLOW else [])
-    for name in SOURCES
-    # Printed as "motion" is, and the longest of all.
-    if FULL or name != "derivatives"
-]
+EVERY = [pytest.param(name, marks=[pytest.mark.slow] if name in SLOW else []) for name in SOURCES]
+# But for what is printed as "motion" is, and is the longest of all.
+ANY = [each for each in EVERY if FULL or each.values != ("derivatives",)]
 
 
 @pytest.fixture(scope="module")
@@ -191,7 +196,7 @@ def test_a_source_calls_square_roots_and_copies_alone(written, name: str) -> Non
         assert called <= ARITHMETIC | COPIES | model
 
 
-@pytest.mark.parametrize("name", SOURCES)
+@pytest.mark.parametrize("name", EVERY)
 def test_every_loop_counts_to_a_bound_and_nothing_jumps(written, name: str) -> None:
     text = re.sub(r"/\*.*?\*/", "", written(name).read_text(), flags=re.S)
     assert not re.search(r"\b(while|do|goto|setjmp|longjmp|malloc|calloc|realloc|free|alloca)\b", text)
@@ -203,7 +208,7 @@ def test_every_loop_counts_to_a_bound_and_nothing_jumps(written, name: str) -> N
     assert text.count("for (") == len(re.findall(r"for \((.*)\) {", text))
 
 
-@pytest.mark.parametrize("name", SOURCES)
+@pytest.mark.parametrize("name", EVERY)
 def test_no_comma_operator(written, name: str) -> None:
     needed("clang")
     source = written(name)

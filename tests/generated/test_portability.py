@@ -18,7 +18,8 @@ import pytest
 from sweeps import FULL
 
 import stewart_sym as ss
-from stewart_sym.kit import FUNCTIONS, Choice, Kit, kit, put
+from stewart_sym.kit import Choice, Kit, kit, put
+from stewart_sym.kit.choice import groups_of
 
 WARNINGS = ["-Wall", "-Wextra", "-pedantic", "-Wconversion", "-Wdouble-promotion", "-Wshadow", "-Wundef"]
 WARNINGS += ["-Wstrict-prototypes", "-Wold-style-definition", "-Wmissing-prototypes", "-Wvla", "-Werror"]
@@ -79,14 +80,16 @@ COVERING = [
     ("aarch64", "lanes", "-std=c11", "-O3", "float"),
 ]
 """Every target, and every pair of kernel, standard, level and precision."""
+QUICK = (("clang", "lanes"), ("gcc-sse", "scalar"), ("s390x", "scalar"))
+"""Those of the fast tests: both kernels and compilers, another width and another byte order."""
 
 
 @cache
 def made(layout: str, precision: str) -> Kit:
     """A kit of the forces in lanes or scalar; "all" holds every function."""
-    functions = FUNCTIONS if layout == "all" else ("forces",)
-    choice = Choice(functions, scalar=layout == "scalar", precision=precision)
-    return kit(ss.robots.dasgupta1998(), choice)
+    robot = ss.robots.dasgupta1998()
+    functions = groups_of(robot) if layout == "all" else ("forces",)
+    return kit(robot, Choice(functions, scalar=layout == "scalar", precision=precision))
 
 
 def need(target: Target, folder: Path) -> None:
@@ -114,7 +117,10 @@ def checked(kit: Path, target: Target, flags: Iterable[str], folder: Path) -> No
     program.unlink()
 
 
-@pytest.mark.parametrize(("name", "layout", "standard", "level", "precision"), COVERING)
+@pytest.mark.parametrize(
+    ("name", "layout", "standard", "level", "precision"),
+    [pytest.param(*each, marks=() if each[:2] in QUICK else pytest.mark.slow) for each in COVERING],
+)
 def test_a_kit_checks_itself(
     tmp_path: Path, name: str, layout: str, standard: str, level: str, precision: str
 ) -> None:

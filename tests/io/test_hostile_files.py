@@ -172,20 +172,25 @@ def repeated(line: bytes) -> bytes:
     return line * (10_000_000 // len(line))
 
 
+HUGE = {
+    "comments": repeated(b"#" + b"x" * 99 + b"\n"),
+    "tables": repeated(b"[[leg]]\n"),
+    "dotted": b"a" + repeated(b".a") + b" = 1\n",
+    "array": b"a = [" + repeated(b"1,") + b"]\n",
+    "header": b"time," + repeated(b"t_x,"),
+    "blank": POSES + repeated(b"\n"),
+    "digits": POSES + b"9," + b"1" * MILLIONS + b",0,0,0,0,0\n",
+    "rows": POSES + repeated(b"9,0,0,0,0,0,0\n"),
+    "quote": b'"' + b"x" * 2 * MILLIONS,
+}
+
+
 @pytest.mark.parametrize(
     "data",
     [
-        repeated(b"#" + b"x" * 99 + b"\n"),
-        repeated(b"[[leg]]\n"),
-        b"a" + repeated(b".a") + b" = 1\n",
-        b"a = [" + repeated(b"1,") + b"]\n",
-        b"time," + repeated(b"t_x,"),
-        POSES + repeated(b"\n"),
-        POSES + b"9," + b"1" * MILLIONS + b",0,0,0,0,0\n",
-        POSES + repeated(b"9,0,0,0,0,0,0\n"),
-        b'"' + b"x" * 2 * MILLIONS,
+        pytest.param(data, id=name, marks=() if name in ("tables", "digits") else pytest.mark.slow)
+        for name, data in HUGE.items()
     ],
-    ids=["comments", "tables", "dotted", "array", "header", "blank", "digits", "rows", "quote"],
 )
 def test_ten_megabytes_are_rejected_in_seconds_and_little_memory(data: bytes, tmp_path: Path) -> None:
     """Each reader in a process of its own with a gigabyte and 20 s of processor time."""
@@ -366,7 +371,7 @@ def spoilt_tables(draw: st.DrawFn) -> dict[str, Any]:
     return top
 
 
-@settings(derandomize=True, deadline=None, max_examples=240)
+@settings(derandomize=True, deadline=None, max_examples=share(240, 3))
 @given(spoilt_tables())
 def test_spoilt_tables_are_rejected_in_one_line_or_make_a_sound_robot(tables: dict[str, Any]) -> None:
     told = "robot: "

@@ -48,7 +48,8 @@ NAMES = {
     ("which", "formulation", "compiler"),
     [
         *(("random", "exact", compiler) for compiler in COMPILERS),
-        *(("dasgupta", "paper", "clang"), ("spherical", "exact", "g++")),
+        pytest.param("dasgupta", "paper", "clang", marks=pytest.mark.slow),
+        pytest.param("spherical", "exact", "g++", marks=pytest.mark.slow),
     ],
 )
 def test_kit_builds_silently_and_proves_itself(
@@ -92,10 +93,14 @@ class Wish:
         return True
 
 
+MACHINES = ("random", "spherical", "random drive", "random rotors", "spherical rotors")
+
+
 def wishes(rng: random.Random) -> Iterator[Wish]:
     while True:
         functions = tuple(name for name in FUNCTIONS if rng.random() < 0.5)
-        level = rng.choice([None, *fidelity.FIDELITIES])
+        which = rng.choice(MACHINES)
+        level = rng.choice([None, *fidelity.available(machine(which))])
         plain = not any(name in functions for name in ("forces",))
         made = Choice(
             functions,
@@ -106,7 +111,7 @@ def wishes(rng: random.Random) -> Iterator[Wish]:
             rng.choice(("double", "float")),
             not plain and rng.random() < 0.5,
         )
-        wish = Wish(rng.choice(("random", "spherical")), made)
+        wish = Wish(which, made)
         if wish.possible:
             yield wish
 
@@ -127,7 +132,7 @@ def covering() -> list[Wish]:
     return chosen
 
 
-KITS = 35 if FULL else 17
+KITS = 76 if FULL else 26
 """How many wishes cover the pairs."""
 
 
@@ -142,9 +147,12 @@ def test_every_two_options_together_give_a_kit_that_proves_itself(tmp_path: Path
 
 def test_covering_kits_hold_every_level_and_every_group() -> None:
     choices = [wish.choice for wish in covering()]
-    assert {choice.fidelity for choice in choices} == {None, *fidelity.FIDELITIES}
+    assert {choice.fidelity for choice in choices} == {
+        *(None, *fidelity.FIDELITIES, *fidelity.DRIVE_FIDELITIES)
+    }
+    assert {wish.which for wish in covering()} == set(MACHINES)
     assert {name for choice in choices for name in choice.functions} == set(FUNCTIONS)
-    assert len(choices) == KITS < 60
+    assert len(choices) == KITS < 80
 
 
 @pytest.mark.parametrize("precision", ["double", "float"])
@@ -227,16 +235,16 @@ def test_digest_follows_name_and_every_constant() -> None:
 
 
 def test_manifest_tells_options_version_and_every_file() -> None:
-    made = kit_of(choice=Choice(("kinematics", "forces"), bake=True, precision="float"))
+    made = kit_of(choice=Choice(("kinematics", "forces"), scalar=True))
     manifest = json.loads(made.files["manifest.json"])
     assert manifest["generator"].startswith("stewart-sym ")
     assert manifest["options"] == {
         "functions": ["forces", "kinematics"],
         "formulation": "exact",
         "fidelity": None,
-        "bake": True,
-        "scalar": False,
-        "precision": "float",
+        "bake": False,
+        "scalar": True,
+        "precision": "double",
         "fmu": False,
         "language": "c",
     }
@@ -271,6 +279,7 @@ def test_symbols_of_long_names_are_short_and_remain_different(length: int) -> No
     assert re.fullmatch(r"[a-z][a-z0-9_]*[a-z0-9]", robot_symbol("a b " * length))
 
 
+@pytest.mark.slow
 def test_a_kit_of_a_robot_with_a_long_name_builds_and_passes_its_self_test(tmp_path: Path) -> None:
     robot = dataclasses.replace(machines.random_robot(np.random.default_rng(3)), name="n" * 237)
     _, paths = write_kit(robot, tmp_path, Choice(bake=True, fmu=True))

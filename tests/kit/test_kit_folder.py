@@ -11,21 +11,33 @@ from pathlib import Path
 import pytest
 from kits import contents, kit_of, machine
 
-from stewart_sym.kit import FUNCTIONS, Choice, kit_names, put, write_kit
+from stewart_sym import robots
+from stewart_sym.kit import Choice, kit_names, put, write_kit
+from stewart_sym.kit.choice import groups_of
 
 # ---------------------------------------------------------------- the same bytes
 
 
-def test_same_robot_gives_the_same_bytes_in_any_folder_and_under_any_hash_seed(tmp_path: Path) -> None:
-    """All files of a kit of every function, its test vectors and a unit of FMI with a library among them."""
-    first = put(kit_of(choice=Choice(FUNCTIONS, fmu=True)), tmp_path / "a")
+@pytest.mark.parametrize(
+    "choice",
+    [
+        Choice(bake=True, scalar=True, fmu=True),
+        pytest.param(Choice(groups_of(robots.dasgupta1998()), fmu=True), marks=pytest.mark.slow),
+    ],
+    ids=["forces", "every function"],
+)
+def test_same_robot_gives_the_same_bytes_in_any_folder_and_under_any_hash_seed(
+    tmp_path: Path, choice: Choice
+) -> None:
+    """All files of a kit, its test vectors and a unit of FMI with a library among them."""
+    first = put(kit_of(choice=choice), tmp_path / "a")
     program = f"""
 import warnings
 from pathlib import Path
 from stewart_sym import robots
-from stewart_sym.kit import FUNCTIONS, Choice, write_kit
+from stewart_sym.kit import Choice, write_kit
 warnings.simplefilter("ignore")
-write_kit(robots.dasgupta1998(), Path({str(tmp_path / "b")!r}), Choice(FUNCTIONS, fmu=True))
+write_kit(robots.dasgupta1998(), Path({str(tmp_path / "b")!r}), {choice!r})
 """
     env = {**os.environ, "PYTHONHASHSEED": "12345", "TMPDIR": str(tmp_path)}
     subprocess.run([sys.executable, "-c", program], env=env, check=True)

@@ -6,12 +6,12 @@ import os
 import re
 import shlex
 import subprocess
-from functools import cache
 from pathlib import Path
 
 import machines
 import numpy as np
 import pytest
+from kits import kit_of, machine
 
 from stewart_sym.backend import c_kernel, kernel, native
 from stewart_sym.cli.main import main
@@ -27,9 +27,8 @@ GENERATED = Path(kernel.__file__).parent.parent / "generated"
 EVERYTHING = Choice(("forces", "reactions", "motion", "kinematics"), fmu=True)
 
 
-@cache
 def made(choice: Choice = EVERYTHING) -> Kit:
-    return kit(machines.dasgupta(), choice)
+    return kit_of(choice=choice)
 
 
 def compiled(folder: Path, *flags: str, source: str = "stewart_robot.c") -> str:
@@ -97,7 +96,7 @@ def test_the_sources_of_a_kit_are_a_library_without_a_main() -> None:
 
 
 def test_the_robot_file_of_a_kit_makes_the_same_kit(tmp_path: Path) -> None:
-    robot = machines.random_robot(np.random.default_rng(8), "spherical")
+    robot = machine("spherical")
     wish = Choice(scalar=True, precision="float")
     first = kit(robot, wish)
     (tmp_path / "robot.toml").write_bytes(first.files["robot.toml"])

@@ -163,7 +163,7 @@ def test_windows_of_an_even_log_share_their_matrices(
 
 def test_logs_of_any_length_are_smoothed() -> None:
     rng = np.random.default_rng(9)
-    for count in (*range(4, 40), 97, 98, 193, 289, 337, *rng.integers(400, 30_000, 12)):
+    for count in (*range(4, 40), 97, 98, 193, 289, 337, *rng.integers(400, 30_000, share(12, 4))):
         time = 1e-3 * np.arange(count)
         values = np.sin(np.outer(time, [9.0, 7.0])) + 1e-4 * rng.normal(size=(count, 2))
         for cutoff in (None, 20.0):

@@ -80,7 +80,7 @@ def test_a_leg_breaks_away_where_friction_can_hold_no_more(robot: ss.Robot, hold
     assert (found.L[-1] > found.L[0]).all()
 
 
-@pytest.mark.parametrize("rotor_inertia", [0.0, 2e-5])
+@pytest.mark.parametrize("rotor_inertia", [pytest.param(0.0, marks=pytest.mark.slow), 2e-5])
 def test_energy_is_work_less_what_friction_took(bare: ss.Robot, rotor_inertia: float) -> None:
     robot = dataclasses.replace(bare, drive=dataclasses.replace(DRIVE, rotor_inertia=rotor_inertia))
     found = ss.simulate(robot, HOME, swinging(bare), 0.2, rtol=1e-10)
@@ -110,6 +110,7 @@ def test_the_motors_of_a_simulated_motion_are_those_of_inverse_dynamics(bare: ss
     np.testing.assert_allclose(ss.drive_effort(robot, motion).force[slips], motors[slips], atol=0.01)
 
 
+@pytest.mark.slow
 def test_friction_that_is_smoothed_less_and_less_comes_to_the_same(bare: ss.Robot, robot: ss.Robot) -> None:
     law = swinging(bare)
 

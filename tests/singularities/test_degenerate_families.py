@@ -97,7 +97,7 @@ def test_no_kernel_of_the_sweep_answers_for_many_singular_machines() -> None:
 
 @pytest.mark.parametrize("family", FAMILIES)
 def test_no_backend_answers_for_a_singular_machine(family: str) -> None:
-    assert backends_that_answer(family, machines=2, poses=40) == {}
+    assert backends_that_answer(family, machines=1, poses=40) == {}
 
 
 @pytest.mark.slow
@@ -270,8 +270,9 @@ def test_other_backends_answer_the_good_poses_too(backend: Any) -> None:
 # --- near joint singularities, and out of proportion ----------------------------------------------
 
 
-@pytest.mark.parametrize("precision", PRECISIONS)
-@pytest.mark.parametrize("kind", [*NEAR_JOINT, *UNLIKE])
+@pytest.mark.parametrize(
+    ("kind", "precision"), [*((kind, "double") for kind in (*NEAR_JOINT, *UNLIKE)), (NEAR_JOINT[0], "float")]
+)
 def test_every_kernel_is_as_good_as_its_problem_allows(kind: str, precision: str) -> None:
     assert beyond(kind, precision, 40) == []
 
@@ -331,7 +332,7 @@ def beyond(kind: str, precision: str, cases: int) -> list[str]:
 
 @pytest.mark.parametrize("kind", [*NEAR_JOINT, *UNLIKE])
 def test_numpy_is_as_good_as_its_problem_allows(kind: str) -> None:
-    numbers, sizes, robots = machines_of(31, 6)
+    numbers, sizes, robots = machines_of(31, 6 if FULL else 3)
     worst: dict[str, float] = {}
     limits = {name: within(kind, oracle.CLOSED_KERNELS[part[0]]) for name, part in oracle.BLOCKS.items()}
     each = 4 if FULL else 2

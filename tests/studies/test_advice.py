@@ -106,7 +106,13 @@ def simple(level: str, seed: int) -> tuple[Robot, Motion]:
     return robot, random_motion(rng, robot, (6,))
 
 
-@pytest.mark.parametrize("level", ["frictionless", "axisymmetric", "slender", "axisymmetric_friction"])
+@pytest.mark.parametrize(
+    "level",
+    [
+        *("frictionless", "slender"),
+        *(pytest.param(level, marks=pytest.mark.slow) for level in ("axisymmetric", "axisymmetric_friction")),
+    ],
+)
 def test_a_machine_that_truly_is_simple_gets_the_simple_kernel(
     level: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -239,9 +245,10 @@ def test_terms_of_rotors_are_what_the_derivation_says() -> None:
 
 
 @pytest.mark.slow
-def test_rotors_get_the_cheapest_that_serves_and_a_reason() -> None:
+@pytest.mark.parametrize("machine", range(3))
+def test_rotors_get_the_cheapest_that_serves_and_a_reason(machine: int) -> None:
     """Every level in both precisions is tried on tolerances from coarse to fine."""
-    rng = np.random.default_rng(0)
+    rng = np.random.default_rng(machine)
     robot = with_random_rotors(rng, random_robot(rng))
     motion = random_motion(rng, robot, (8,))
     found = cost(robot, {"motion": motion}, rounds=1)
@@ -433,6 +440,7 @@ def test_chart_writes_tables_without_matplotlib(
     assert (output / "chart.txt").read_text() in capsys.readouterr().out
 
 
+@pytest.mark.slow
 def test_chart_of_the_papers_machine_needs_no_scene(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, found: CostAccuracy
 ) -> None:

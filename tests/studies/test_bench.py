@@ -174,7 +174,7 @@ def test_a_pass_with_wrong_forces_stops_the_run(number: int, monkeypatch: pytest
 # equations of motion and their baselines
 
 
-@pytest.mark.parametrize("seed", [7, 8])
+@pytest.mark.parametrize("seed", [pytest.param(7, marks=pytest.mark.slow), 8])
 def test_all_of_the_second_group_agree_on_any_machine(seed: int) -> None:
     rng = np.random.default_rng(seed)
     robot = random_robot(rng, friction=seed % 2 == 0)

@@ -34,10 +34,10 @@ PEERS = {"casadi": ["CasADi", "CasADi, closed form"], "pinocchio": ["Pinocchio"]
 VERSIONS = {"casadi": "casadi", "pinocchio": "pin", "mujoco": "mujoco"}
 SUBSETS = [
     ("casadi", "pinocchio", "pydrake"),
-    ("pydrake", "mujoco"),
+    pytest.param(("pydrake", "mujoco"), marks=pytest.mark.slow),
     pytest.param(tuple(NAMES), marks=pytest.mark.slow),
 ]
-"""Each package is there in one run and missing in the others; Drake, which is not everywhere, in none."""
+"""Each package is there in one run and missing in another; Drake, which is not everywhere, in none."""
 
 
 @pytest.fixture(scope="module", params=SUBSETS, ids="-".join)

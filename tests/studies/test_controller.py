@@ -1,8 +1,10 @@
 """One-pose kernels on emulated microcontrollers: right, small, quick, and alone."""
 
 import json
+import re
 import shutil
 import subprocess
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -14,6 +16,7 @@ from stewart_sym.backend.native import CompilerError
 from stewart_sym.cli.main import main
 from stewart_sym.io.json_text import json_text
 from stewart_sym.results import JOINT_SINGULAR
+from stewart_sym.robot.robot import Robot
 from stewart_sym.studies.microcontroller import measure, published, report, toolchain
 from stewart_sym.studies.microcontroller.measure import Figures, Study
 
@@ -23,23 +26,46 @@ AT_MOST = {False: 4500, True: 4000}
 """The same near joint singularities, of other levels, and at other flags."""
 FLASH = {"double": 24 * 1024, "float": 12 * 1024}
 STACK = 3 * 1024
+MEASURED = ("instructions", "near_singular_joints", "flash", "ram", "stack", "worst", "drive")
+DOCS = Path(__file__).parents[2] / ".docs"
 KITS = [(precision, baked) for precision in toolchain.CORES for baked in (False, True)]
+QUICK = ("float", False)
+"""The kit that is measured in the fast tests; the others take as long each."""
 
 pytestmark = pytest.mark.skipif(
     bool(toolchain.missing()), reason=toolchain.missing() or "all tools are there"
 )
 
 
-@pytest.fixture(scope="module")
-def found() -> Study:
-    return measure.study(dasgupta())
+@cache
+def measured(precision: str, baked: bool) -> Figures:
+    return measure.measured(dasgupta(), "general", baked, precision)
 
 
-@pytest.fixture(params=KITS, ids=lambda kit: f"{kit[0]}-{'baked' if kit[1] else 'general'}")
-def row(found: Study, request: pytest.FixtureRequest) -> Figures:
-    precision, baked = request.param
-    (only,) = [row for row in found.rows if (row.precision, row.baked) == (precision, baked)]
-    return only
+def study_of(kits: list[tuple[str, bool]]) -> Study:
+    rows = tuple(measured(*kit) for kit in kits)
+    return Study(dasgupta().name, "general", rows, toolchain.versions(), toolchain.FLAGS)
+
+
+@pytest.fixture(
+    scope="module", params=[[QUICK], pytest.param(KITS, marks=pytest.mark.slow)], ids=["one kit", "all kits"]
+)
+def found(request: pytest.FixtureRequest) -> Study:
+    return study_of(request.param)
+
+
+@pytest.fixture(
+    params=[
+        pytest.param(
+            kit,
+            id=f"{kit[0]}-{'baked' if kit[1] else 'general'}",
+            marks=() if kit == QUICK else pytest.mark.slow,
+        )
+        for kit in KITS
+    ]
+)
+def row(request: pytest.FixtureRequest) -> Figures:
+    return measured(*request.param)
 
 
 def test_answers_are_within_bounds_and_calls_without_an_answer_say_so(row: Figures) -> None:
@@ -58,7 +84,10 @@ def test_a_pose_takes_no_more_instructions_than_a_controller_has(row: Figures) -
         assert row.instructions < row.near_singular_joints <= AT_MOST[False]
 
 
-def test_float_takes_no_more_instructions_than_double(found: Study) -> None:
+@pytest.mark.slow
+def test_the_study_measures_every_kit_and_float_takes_no_more_instructions_than_double() -> None:
+    found = measure.study(dasgupta())
+    assert found == study_of(KITS)
     counts = {(row.precision, row.baked): row.instructions for row in found.rows}
     for baked in (False, True):
         assert counts["float", baked] <= counts["double", baked]
@@ -82,7 +111,7 @@ def test_objects_ask_for_no_heap_no_libm_and_no_double(row: Figures) -> None:
 
 def test_the_report_and_the_published_table_say_what_was_found(found: Study) -> None:
     text = report.report(found)
-    assert text.count("poses right") == len(KITS)
+    assert text.count("poses right") == len(found.rows)
     again = json.loads(json_text(report.full_report(found).data))
     said = published.tables(again)["controller"]
     for each in found.rows:
@@ -91,17 +120,45 @@ def test_the_report_and_the_published_table_say_what_was_found(found: Study) -> 
 
 
 def test_the_committed_figures_are_those_found_today_with_the_same_tools(found: Study) -> None:
-    path = Path(__file__).parents[2] / ".docs" / "controller.json"
+    agrees_with_the_committed(found, "controller.json")
+
+
+def agrees_with_the_committed(found: Study, name: str) -> None:
+    path = DOCS / name
     committed, today = json.loads(path.read_text(encoding="utf-8")), json.loads(json_text(found.as_json()))
     for name in ("units", "generator"):
         committed.pop(name, None)
+    shown = {(row["precision"], row["baked"]) for row in today["rows"]}
+    assert shown <= {(row["precision"], row["baked"]) for row in committed["rows"]}
+    committed["rows"] = [row for row in committed["rows"] if (row["precision"], row["baked"]) in shown]
     if committed["tools"] != today["tools"]:
         for each in (committed, today):
             for row in each["rows"]:
-                for name in ("instructions", "near_singular_joints", "flash", "ram", "stack", "worst"):
+                for name in MEASURED:
                     row.pop(name)
         del committed["tools"], today["tools"]
-    assert committed == today, "run `stewart-sym controller -o DIR` and copy controller.json to .docs"
+    assert committed == today, f"run `stewart-sym controller -o DIR` and copy its figures to .docs/{name}"
+
+
+@pytest.mark.slow
+def test_what_torques_take_is_measured_and_published(tmp_path: Path) -> None:
+    """Of the machine of the page on drives, whose legs have rotors."""
+    page = (DOCS / "howto" / "drives.md").read_text(encoding="utf-8")
+    (drive,) = re.findall(r"> driven\.toml <<'END'\n(.*?)END\n", page, re.DOTALL)
+    file = tmp_path / "driven.toml"
+    file.write_text(
+        (DOCS / "examples" / "hexapod.toml").read_text(encoding="utf-8") + drive, encoding="utf-8"
+    )
+    found = measure.study(Robot.from_toml(file))
+    assert all(each.right for each in found.rows)
+    said = published.drive_tables(json.loads(json_text(found.as_json())))["controller_drive"]
+    for each in found.rows:
+        # No more than the forces: what a controller adds to them.
+        assert 0 < each.drive["motor_torques"] < each.instructions
+        assert 0 < each.drive["axial_forces"] < each.instructions
+        assert f" {each.drive['motor_torques']:,} |" in said
+        assert f"{each.drive['motor_torques']:,}" in report.report(found)
+    agrees_with_the_committed(found, "controller_drive.json")
 
 
 # --- what the study must be able to find --------------------------------------------------------

@@ -16,7 +16,7 @@ from reduced_machines import at_rest
 
 import stewart_sym as ss
 from stewart_sym.backend import fidelity
-from stewart_sym.derive.mechanics.formulation import FORMULATIONS
+from stewart_sym.derive.mechanics.formulation import EXACT, EXACT_DRIVE, FORMULATIONS
 from stewart_sym.derive.mechanics.reduced_models import FIDELITIES
 from stewart_sym.generated.fidelities import FIDELITIES as TABLE
 from stewart_sym.motion.log_reader import read_csv
@@ -129,7 +129,15 @@ def test_a_pose_without_an_answer_is_named(scene: Path, capsys: pytest.CaptureFi
 # 50 digits
 
 
-@pytest.mark.parametrize("form", FORMULATIONS, ids=lambda form: form.kernel_name)
+@pytest.mark.parametrize(
+    "form",
+    [
+        pytest.param(
+            form, id=form.kernel_name, marks=() if form in (EXACT, EXACT_DRIVE) else pytest.mark.slow
+        )
+        for form in FORMULATIONS
+    ],
+)
 def test_forces_at_50_digits_are_those_of_the_elimination(form: Any) -> None:
     """Which has its own text of the sums over the legs, and its own solve."""
     rng = np.random.default_rng(5)

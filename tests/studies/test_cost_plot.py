@@ -105,7 +105,7 @@ def test_rows_hold_every_point_and_motion_with_all_digits() -> None:
     }
 
 
-@pytest.mark.parametrize("spread", [1.0, 0.05])
+@pytest.mark.parametrize("spread", [1.0, pytest.param(0.05, marks=pytest.mark.slow)])
 def test_all_points_are_named_inside_the_picture_and_no_names_overlap(spread: float, picture: Figure) -> None:
     found = made_up(spread)
     drawn = picture if spread == 1.0 else figure(found)
@@ -213,13 +213,18 @@ def test_too_many_names_are_rejected() -> None:
         crowd([(5.0, 5.0)] * 40, (2.0, 1.5))
 
 
-def test_pictures_are_written_as_png_and_svg_with_the_same_bytes(tmp_path: Path, picture: Figure) -> None:
+@pytest.mark.slow
+def test_pictures_of_the_same_figures_have_the_same_bytes(tmp_path: Path, picture: Figure) -> None:
     for name, made in (("one", picture), ("other", figure(made_up()))):
         draw(Picture(lambda made=made: made, SMALL, ("png", "svg")), tmp_path / name)  # type: ignore[misc]
     for kind in ("png", "svg"):
         assert (tmp_path / f"one.{kind}").read_bytes() == (tmp_path / f"other.{kind}").read_bytes()
-    pixels = matplotlib.image.imread(tmp_path / "one.png")
+
+
+def test_pictures_are_written_as_png_and_svg(tmp_path: Path, picture: Figure) -> None:
+    draw(Picture(lambda: picture, SMALL, ("png", "svg")), tmp_path / "all")
+    pixels = matplotlib.image.imread(tmp_path / "all.png")
     assert pixels.shape[1] > 1500
     assert pixels.std() > 0.05
-    drawing = (tmp_path / "one.svg").read_text()
+    drawing = (tmp_path / "all.svg").read_text()
     assert all(f">{point.name}<" in drawing for point in points(made_up()) if not point.beside)

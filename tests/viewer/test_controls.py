@@ -139,12 +139,13 @@ def test_keys_of_the_page_and_of_the_picture(opened: Opened) -> None:
 
 
 def test_the_mouse_and_two_fingers_move_the_eye(opened: Opened) -> None:
-    box = opened.page.locator("#scene").bounding_box()
+    scene = opened.page.locator("#scene")
+    scene.hover(position={"x": 100, "y": 100})
+    box = scene.bounding_box()
     assert box is not None
     x, y = box["x"] + 100, box["y"] + 100
     opened.drawn()
     eye, distance = opened.do("return [viewer.camera.azimuth, viewer.camera.distance]")
-    opened.page.mouse.move(x, y)
     opened.page.mouse.down()
     opened.page.mouse.move(x + 40, y)
     opened.page.mouse.up()

@@ -1,6 +1,7 @@
 """``--html``: one file with text, tables that sort, figures and the motion, that makes no request."""
 
 import dataclasses
+import json
 import shutil
 from pathlib import Path
 
@@ -48,6 +49,33 @@ def test_forces_have_their_motion_and_a_table_that_sorts(browser: Browser, folde
     inside.locator("#forward").click()
     assert page.said == []
     assert page.requests == [(folder / "forces.html").as_uri(), "about:srcdoc"][: len(page.requests)]
+    page.close()
+
+
+def test_size_has_its_needs_as_a_table_and_every_motion(folder: Path) -> None:
+    (folder / "other").mkdir()
+    shutil.copy(folder / "trajectory.csv", folder / "other")
+    given = ["trajectory.csv", "other/trajectory.csv", "-o", "size", "--no-pictures"]
+    assert main(["size", "hexapod.toml", *given, "--html", "size.html"]) == 0
+    text = (folder / "size.html").read_text(encoding="utf-8")
+    needs = (folder / "size" / "needs.csv").read_text(encoding="utf-8").splitlines()
+    assert f"needs: {len(needs) - 1} rows" in text
+    assert all(f'data-value="{number}"' in text for number in needs[4].split(",")[3:])
+    assert all(f"<h2>trajectory.csv, motion {n}</h2>" in text for n in (1, 2))
+    assert text.count("<iframe") == 2
+
+
+@pytest.mark.slow
+def test_a_plan_has_the_planned_motion(browser: Browser, folder: Path) -> None:
+    shutil.copy(EXAMPLES / "via.toml", folder)
+    assert main(["plan", "via.toml", "-o", "plan", "--no-pictures", "--html", "plan.html"]) == 0
+    found = json.loads((folder / "plan" / "report.json").read_text(encoding="utf-8"))
+    page = Opened(browser, folder / "plan.html", (1000, 800))
+    inside = page.page.frame_locator("iframe")
+    inside.locator("#time").press("End")
+    assert inside.locator("#at").inner_text().startswith(f"{found['duration_s']:.3f}"[:4])
+    assert page.page.locator("caption", has_text="legs").count() == 1
+    assert page.said == []
     page.close()
 
 

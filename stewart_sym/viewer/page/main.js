@@ -21,7 +21,7 @@ const sets = page.forces;
 const camera = new Camera(machine.up, machine.extent, machine.middle, machine.reach);
 const canvas = find("scene");
 const still = matchMedia("(prefers-reduced-motion: reduce)");
-const state = { shown: sets.slice(0, 1), skeleton: false, frames: true, ribbon: true, twist: null, wave: 0, dirty: true };
+const state = { shown: sets.slice(0, 1), skeleton: false, frames: true, ribbon: true, twist: null, wave: 0, wordy: true, dirty: true };
 const repaint = () => (state.dirty = true);
 
 // Forces and limits, infinite where the robot file states none
@@ -47,20 +47,32 @@ function beyond(set) {
 const limitText = (value, limit) =>
   Number.isFinite(limit) && limit > 0 ? `${shown((100 * Math.abs(value)) / limit, 3)} %` : "none";
 
-// Pace: where frames come slowly, as without a graphics processor, edges are smooth only at rest.
+// Pace: where frames come slowly, as without a graphics processor, edges are smooth only at rest, and while the clock
+// runs the words, tables and lines in the curves follow the machine ten times a second.
 
 const pace = {
   moved: -Infinity,
   gaps: [],
-  slow: false,
+  slow: true,
+  failed: false,
   drawnRough: false,
   moving: () => clock.playing || state.twist !== null || performance.now() - pace.moved < 150,
   rough: () => pace.slow && pace.moving(),
+  written: -Infinity,
+  writes() {
+    const now = performance.now();
+    const due = !pace.slow || !clock.playing || now - pace.written > 100;
+    if (due) pace.written = now;
+    return due;
+  },
+  // Rough until frames come fast; rough for good once smooth ones came slowly.
   count(gap) {
-    if (!pace.moving() || pace.slow) return;
+    if (!pace.moving() || pace.failed) return;
     pace.gaps.push(gap);
     if (pace.gaps.length < 12) return;
-    pace.slow = pace.gaps.sort((a, b) => a - b)[6] > 22;
+    const late = pace.gaps.sort((a, b) => a - b)[6] > 22;
+    pace.failed = late && !pace.slow;
+    pace.slow = late;
     pace.gaps = [];
   },
 };
@@ -126,7 +138,7 @@ function paint() {
     pen.draw(scene, picture, camera.matrix(picture.width / picture.height), { ...style, sun });
   });
   pen.end();
-  label(pose, parts);
+  if (state.wordy) label(pose, parts);
 }
 
 // Numbers of the legs and names of axes, as text over the picture.
@@ -318,6 +330,9 @@ slider.addEventListener("keydown", (event) => {
 
 let announced = "";
 clock.onChange((index) => {
+  repaint();
+  state.wordy = pace.writes();
+  if (!state.wordy) return;
   const time = motion.time[index];
   const text = clock.text(time);
   slider.value = String(time - motion.start);
@@ -330,7 +345,6 @@ clock.onChange((index) => {
   announced = text;
   for (const panel of panels) panel.follow(index);
   fillNow(index);
-  repaint();
 });
 
 const press = (name, action) => find(name).addEventListener("click", action);

@@ -53,7 +53,7 @@ def run_child(code: str = CHILD, setup: Callable[[], None] | None = None) -> Pat
         capture_output=True,
         text=True,
         encoding="utf-8",
-        timeout=120,
+        timeout=600,
         preexec_fn=setup,
     )
     assert done.returncode == 0, done.stderr

@@ -24,10 +24,14 @@ COMPILERS = {
 
 @cache
 def machine(which: str) -> Robot:
-    rng = np.random.default_rng(20)
+    """ "dasgupta", or a random one: "random", "spherical", and with "drive" or "rotors" after the joint."""
+    rng = np.random.default_rng(11)
     if which == "dasgupta":
         return machines.dasgupta()
-    return machines.random_robot(rng, "spherical" if which == "spherical" else "universal")
+    robot = machines.random_robot(rng, "spherical" if "spherical" in which else "universal")
+    if which.endswith(("drive", "rotors")):
+        return machines.with_random_drives(rng, robot, which.endswith("rotors"))
+    return robot
 
 
 @cache

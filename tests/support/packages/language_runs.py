@@ -13,9 +13,10 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
+import kits
 import numpy as np
 from kinematics_calls import library
-from machines import random_motion, random_robot
+from machines import random_motion
 
 import stewart_sym as ss
 from stewart_sym.backend.c_kernel import address
@@ -44,7 +45,7 @@ ENDS = [0, *np.cumsum([9 if name == "R" else 3 for name in MOTION]).tolist()]
 
 @functools.cache
 def machine() -> ss.Robot:
-    return random_robot(np.random.default_rng(61))
+    return kits.machine("random")
 
 
 @functools.cache

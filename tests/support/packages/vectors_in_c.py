@@ -3,7 +3,7 @@
 import ctypes
 from functools import cache
 
-import machines
+import kits
 import numpy as np
 from numpy.typing import NDArray
 
@@ -137,4 +137,4 @@ def ratios_in_c(
 
 @cache
 def machine(base_joint: str = "universal") -> Robot:
-    return machines.random_robot(np.random.default_rng(11), base_joint)
+    return kits.machine("random" if base_joint == "universal" else base_joint)
