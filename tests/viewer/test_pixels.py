@@ -102,9 +102,7 @@ def test_pixels_of_lines_have_the_colours_of_the_forces_and_end_at_the_joints(
 
 
 def test_lines_of_sliding_are_drawn_where_the_offsets_put_them(browser: Browser, tmp_path: Path) -> None:
-    robot = dataclasses.replace(
-        dasgupta(), offsets=ss.Offsets(cross=np.full(6, 0.1), across=np.full(6, 0.05))
-    )
+    robot = dataclasses.replace(dasgupta(), offsets=ss.Offsets(cross=np.full(6, 0.25)))
     rest = at_rest(np.eye(3)[None], np.array([[0.0, 0.0, 1.0]]))
     path = tmp_path / "offsets.html"
     view(robot, rest).save(path)
