@@ -4,10 +4,13 @@ The last step of ``derive``. The texts depend on this package and on SymPy's min
 no path, no order of a set. Does not depend on the runtime. A process derives each kernel once.
 """
 
-from collections.abc import Callable, Collection
-from dataclasses import replace
-from functools import cache, reduce
+from collections.abc import Callable, Collection, Iterator, Mapping
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass, field, replace
+from functools import cache, partial, reduce
 from importlib.metadata import version as installed_version
+from multiprocessing import get_context
+from time import perf_counter
 
 import sympy as sp
 
@@ -15,6 +18,7 @@ from .emit import arrays, bounds, c, lanes
 from .emit import closed_form as motion
 from .emit import kinematics as kinematics_text
 from .emit import regressor as regressor_text
+from .emit import torque as torque_text
 from .emit.header import common_header, layout
 from .emit.shared import shared_headers
 from .kernel import kinematics as search
@@ -24,6 +28,7 @@ from .kernel.outputs import FORCES, OUTPUTS, program, sums_used
 from .kernel.tree.nodes import Program, joined
 from .mechanics import closed_form
 from .mechanics.actuator_forces import ForceKernel, force_kernel, with_numbers
+from .mechanics.axial_forces import axial_block
 from .mechanics.formulation import EXACT, EXACT_DRIVE, FORMULATIONS, Formulation
 from .mechanics.inverse_dynamics import Kernel, kernel
 from .mechanics.kinematics import Kinematics, kinematics
@@ -58,6 +63,7 @@ def reduced_forces(form: Formulation, friction: bool = True) -> ForceKernel:
     return shared_blocks(force_kernel(form, friction))
 
 
+@cache
 def prepared_model(form: Formulation) -> ForceKernel:
     """The same with all constants that are prepared for it and, of ``WHOLE``, for the closed form."""
     kernel = force_kernel(form)
@@ -89,57 +95,126 @@ def reduced_kinematics() -> Kinematics:
 
 
 @cache
+def reduced_axial(form: Formulation) -> Block:
+    """The block of the axial forces of a formulation with rotors as it is emitted: derived, then shared."""
+    return share(axial_block(form))
+
+
+@cache
 def reduced_rotation() -> dict[str, Block]:
     """The blocks of an orientation and its rates as they are emitted, by what they are named in C."""
     return {"motion_from_rpy": share(rpy()), "motion_from_quaternion": share(quaternion())}
 
 
-def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[str, str]:
-    """Every file of ``generated/`` by its path relative to it; ``progress`` gets what is being derived."""
+@dataclass(frozen=True)
+class Made:
+    """What one unit of the derivation makes.
+
+    files: texts by their paths. models: how many numbers each kernel's prepared model holds. programs: of
+    kernels on arrays.
+    """
+
+    files: Mapping[str, str]
+    models: Mapping[str, int] = field(default_factory=dict)
+    programs: Mapping[str, Program] = field(default_factory=dict)
+
+
+_PLAIN = {"exact_drive": "exact", "exact_spherical_drive": "exact_spherical", "exact_offset": "exact"}
+"""Of a kernel of legs with rotors or offset joints the one without them, in whose module stands what both
+have on arrays."""
+
+
+Progress = Callable[[str, float, float], None]
+"""Takes the name of a unit that is made, the seconds that it took, and the share of all that is made."""
+
+
+def generated_files(progress: Progress = lambda *_: None, processes: int = 1) -> dict[str, str]:
+    """Every file of ``generated/`` by its path relative to it.
+
+    processes: how many derive side by side; the texts do not depend on it. One is this process; more are
+    started anew, so that a script calls this under ``if __name__ == "__main__"``.
+    """
     version = generator_version()
-    models: dict[str, int] = {}
-    headers = {"stewart.h": common_header(version), **shared_headers(version)}
-    files = _of_c(headers) | {
+    found: dict[str, Made] = {}
+    for name, (made, seconds) in zip(UNITS, derived(UNITS, processes), strict=True):
+        found[name] = made
+        progress(name, seconds, len(found) / len(UNITS))
+    models = {name: count for made in found.values() for name, count in made.models.items()}
+    headers = {"stewart.h": common_header(version)} | shared_headers(version)
+    files = {name: text for made in found.values() for name, text in made.files.items()}
+    return {
+        **_of_c(headers),
         "every_output.py": arrays.shared_module(version),
         "arithmetic.py": filled("shared.py", version=version, arithmetic=arrays.arithmetic()),
         "__init__.py": filled("package.py", version=version),
+        **files,
+        **_on_arrays({name: each for made in found.values() for name, each in made.programs.items()}),
+        "interface.py": layout(models, headers, version),
     }
-    for form in FORMULATIONS:
-        progress(f"deriving {form.kernel_name}")
-        built = reduced(form)
-        counts = kernel_operations(built), kernel_operations(reduced(form, friction=False))
-        files |= _of_c(c.files(built, *counts, version))
-        forces, smooth = prepared_model(form), reduced_forces(form, friction=False)
-        force_counts = force_operations(forces), force_operations(smooth)
-        files |= _of_c(lanes.files(forces, version, smooth))
-        models[form.kernel_name] = lanes.model_numbers(forces)
-        files[f"{form.kernel_name}.py"] = arrays.every_output(built, counts, force_counts, version)
-        found = output_program(form, OUTPUTS if form in WHOLE else (FORCES,))
-        files[f"{form.kernel_name}_arrays.py"] = arrays.module(found, arrays.imported(found), version)
-    progress("bounding the rounding errors of the forces")
-    for form in WHOLE:
-        bounded = BoundedForces(reduced_forces(form))
-        files |= _of_c(bounds.files(bounded, version))
-        models[f"{form.kernel_name}_bounds"] = bounded.model_numbers()
-    progress("deriving the fidelities")
-    files |= _fidelities(version, models)
-    progress("deriving exact_offset")
-    files |= _offset_joints(version, models)
-    progress("deriving exact_regressor")
-    columns = reduced_regressor()
-    files["exact_regressor.py"] = arrays.regressor(columns, version)
-    files |= _of_c(regressor_text.files(columns, version))
-    files["rotor_regressor.py"] = arrays.rotor_regressor(share(rotor_columns()), version)
-    progress("deriving the closed form")
-    for form in WHOLE:
+
+
+def _on_arrays(programs: Mapping[str, Program]) -> dict[str, str]:
+    """The modules on arrays."""
+    version = generator_version()
+    files = {}
+    for name, made in programs.items():
+        if plain := _PLAIN.get(name):
+            text = arrays.module_beside(programs[plain], plain, made, version)
+        else:
+            text = arrays.module(made, arrays.imported(made), version)
+        files[f"{name}_arrays.py"] = text
+    return files
+
+
+def derived(names: Collection[str], processes: int = 1) -> Iterator[tuple[Made, float]]:
+    """What some of ``UNITS`` make, in their order, and the seconds that each took."""
+    if processes == 1:
+        yield from map(_timed, names)
+    else:
+        with ProcessPoolExecutor(processes, get_context("spawn")) as pool:
+            yield from pool.map(_timed, names)
+
+
+def _timed(name: str) -> tuple[Made, float]:
+    """One of ``UNITS``, and the seconds that it took."""
+    start = perf_counter()
+    return UNITS[name](generator_version()), perf_counter() - start
+
+
+def _formulation(form: Formulation, version: str) -> Made:
+    """Every output and the forces of one formulation, the closed form, and the axial forces."""
+    built, forces, smooth = reduced(form), prepared_model(form), reduced_forces(form, friction=False)
+    counts = kernel_operations(built), kernel_operations(reduced(form, friction=False))
+    force_counts = force_operations(forces), force_operations(smooth)
+    found = output_program(form, OUTPUTS if form in WHOLE else (FORCES,))
+    files = _of_c(c.files(built, *counts, version) | lanes.files(forces, version, smooth)) | {
+        f"{form.kernel_name}.py": arrays.every_output(built, counts, force_counts, version),
+    }
+    if form in WHOLE:
         files |= _closed_form(form, version)
-    progress("deriving the kinematics")
-    blocks = reduced_kinematics()
+    if form.drive:
+        files |= _of_c(torque_text.axial_files(form, reduced_axial(form), version))
+    return Made(files, {form.kernel_name: lanes.model_numbers(forces)}, {form.kernel_name: found})
+
+
+def _bounds(form: Formulation, version: str) -> Made:
+    """The forces of one of ``WHOLE`` with bounds of their rounding errors."""
+    bounded = BoundedForces(reduced_forces(form))
+    models = {f"{form.kernel_name}_bounds": bounded.model_numbers()}
+    return Made(_of_c(bounds.files(bounded, version)), models)
+
+
+def _others(version: str) -> Made:
+    """The regressors, the kinematics and the motors' torques."""
+    columns, blocks = reduced_regressor(), reduced_kinematics()
     made = kinematics_text.kinematics_files(blocks, version) | kinematics_text.legs_files(blocks, version)
     made |= kinematics_text.rotation_files(reduced_rotation().values(), version)
-    files |= _of_c(made)
-    files["interface.py"] = layout(models, headers, version)
-    return files
+    files = {
+        "exact_regressor.py": arrays.regressor(columns, version),
+        "rotor_regressor.py": arrays.rotor_regressor(share(rotor_columns()), version),
+    }
+    made |= regressor_text.files(columns, version) | torque_text.torque_files(version)
+    return Made(files | _of_c(made))
 
 
 @cache
@@ -148,18 +223,15 @@ def reduced_offset(friction: bool = True) -> ForceKernel:
     return shared_blocks(offset_kernel(friction))
 
 
-def _offset_joints(version: str, models: dict[str, int]) -> dict[str, str]:
-    """Files of ``exact_offset``; what its model holds is added to ``models``."""
+def _offset_joints(version: str) -> Made:
+    """The forces of legs with offset joints."""
     built, smooth = reduced_offset(), reduced_offset(friction=False)
-    models[built.name] = lanes.model_numbers(built)
-    found = program(built)
-    on_arrays = arrays.module(found, arrays.imported(found), version)
     counts = {"friction": built, "frictionless": smooth}
     rows = [f'    "{name}": {force_operations(each).total.total},' for name, each in counts.items()]
-    return _of_c(lanes.files(built, version, smooth)) | {
-        f"{built.name}_arrays.py": on_arrays,
+    files = _of_c(lanes.files(built, version, smooth)) | {
         f"{built.name}_operations.py": filled("operations.py", version=version, rows="\n".join(rows)),
     }
+    return Made(files, {built.name: lanes.model_numbers(built)}, {built.name: program(built)})
 
 
 def _of_c(files: dict[str, str]) -> dict[str, str]:
@@ -173,9 +245,10 @@ def reduced_fidelity(level: Fidelity) -> ForceKernel:
     return shared_blocks(fidelity_kernel(EXACT if level.rotor == NONE else EXACT_DRIVE, level))
 
 
-def _fidelities(version: str, models: dict[str, int]) -> dict[str, str]:
-    """Files of the levels; what their models hold is added to ``models``."""
+def _fidelities(version: str) -> Made:
+    """The forces of the levels, and the table of them."""
     files: dict[str, str] = {}
+    models: dict[str, int] = {}
     kernels = {}
     for level in (*FIDELITIES.values(), *DRIVE_FIDELITIES.values()):
         built = reduced_fidelity(level)
@@ -184,7 +257,7 @@ def _fidelities(version: str, models: dict[str, int]) -> dict[str, str]:
             models[built.name] = lanes.model_numbers(built)
             files |= _of_c(lanes.files(built, version))
     files["fidelities.py"] = arrays.fidelities(kernels, version)
-    return files
+    return Made(files, models)
 
 
 def reduced_motion(
@@ -230,8 +303,8 @@ def motion_files(functions: Collection[str], form: Formulation = EXACT) -> dict[
 
 def _motion_files(model: ForceKernel, version: str, functions: Collection[str]) -> dict[str, str]:
     needed, form = motion.kernels_of(functions), model.formulation
-    built, plain = (reduced_motion(friction, needed, form) for friction in (True, False))
-    return motion.files(built, plain, model, version, functions)
+    plain = None if form.drive else reduced_motion(False, needed)
+    return motion.files(reduced_motion(True, needed, form), plain, model, version, functions)
 
 
 def _closed_form(form: Formulation, version: str) -> dict[str, str]:
@@ -242,3 +315,13 @@ def _closed_form(form: Formulation, version: str) -> dict[str, str]:
         f"{form.kernel_name}_operations.py": filled("operations.py", version=version, rows="\n".join(rows)),
         **_of_c(sources),
     }
+
+
+UNITS: Mapping[str, Callable[[str], Made]] = {
+    **{form.kernel_name: partial(_formulation, form) for form in FORMULATIONS},
+    **{f"{form.kernel_name}_bounds": partial(_bounds, form) for form in WHOLE},
+    "fidelities": _fidelities,
+    "exact_offset": _offset_joints,
+    "regressors, kinematics and torques": _others,
+}
+"""What is derived, by name, each from the version."""

@@ -51,6 +51,17 @@ STRUCTS: dict[str, dict[str, Shape]] = {
         "force": (6,),
         "speed": (6,),
     },
+    "drives": {
+        "turns": (6,),
+        "driving": (6,),
+        "driven": (6,),
+        "coulomb": (6,),
+        "viscous": (6,),
+        "stribeck": (6,),
+        "stribeck_speed": (6,),
+        "smoothing": (6,),
+        "torque_constant": (6,),
+    },
     "motion": {
         "R": (3, 3),
         "t": (3,),
@@ -171,6 +182,14 @@ OUTPUTS: dict[str, dict[str, Shape]] = {
     "forward_velocity": {
         "v": (3,),
         "omega": (3,),
+    },
+    "axial_forces": {
+        "axial": (6,),
+        "L_dot": (6,),
+    },
+    "motor_torques": {
+        "torque": (6,),
+        "current": (6,),
     },
     "motion_from_rpy": {
         "R": (9,),

@@ -1,6 +1,6 @@
 """Python on arrays: the modules of ``generated/``, and what they share with the kits in Python."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import replace
 
 import sympy as sp
@@ -9,7 +9,18 @@ from ..kernel.inverse_dynamics import arrays_program, regressor_program, rotor_p
 from ..kernel.operations import KernelOperations, force_operations
 from ..kernel.tree.constants import NAMES, PRECISIONS, STATUS, constants
 from ..kernel.tree.lower import expression
-from ..kernel.tree.nodes import Constant, Program, calls_in, parts_of
+from ..kernel.tree.nodes import (
+    Argument,
+    Constant,
+    Field,
+    Function,
+    Program,
+    Record,
+    Structure,
+    Variable,
+    calls_in,
+    parts_of,
+)
 from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel
 from ..mechanics.inverse_dynamics import Kernel
@@ -18,6 +29,7 @@ from ..mechanics.reduced_models import Fidelity
 from ..mechanics.regressor import LEG_PARAMETERS, PLATFORM_PARAMETERS, Regressor, dependencies, names_of
 from ..print.c import C
 from ..print.python import Python
+from ..print.spelling import WIDTH
 from ..print.template import filled
 from ..program.block import Block, Quantity, component_name
 from .c import operations_table, wrap_list
@@ -34,7 +46,7 @@ def every_output(kernel: Kernel, counts: Counts, force_counts: Counts, version: 
         name=kernel.formulation.kernel_name,
         version=version,
         operations=operations_table(*counts, ""),
-        imported=_imported(program),
+        imported=_imported(program, _shared_names(), "every_output"),
         table=_operations("OPERATIONS", counts),
         force_table=_operations("FORCE_OPERATIONS", force_counts),
         program=_own(program),
@@ -53,13 +65,36 @@ def _own(program: Program) -> str:
     return Python(program).source(_shared_names()).rstrip()
 
 
-def _imported(program: Program) -> str:
-    """The imports of such a module."""
-    shared = _shared_names()
-    own = [each for each in program.functions if each.name not in shared]
-    called = {call.function for each in own for call in calls_in(each.body)}
-    lines = [imported(replace(program, functions=tuple(own)))]
-    return "\n".join([*lines, f"from .every_output import {', '.join(sorted(called & shared))}"])
+def _imported(program: Program, shared: Collection[str], module: str) -> str:
+    """The imports of a program without what it shares with a module."""
+    structures = tuple(each for each in program.structures if each.name not in shared)
+    functions = tuple(each for each in program.functions if each.name not in shared)
+    used = {name for each in (*structures, *functions) for name in _needed(each)}
+    names = ", ".join(sorted(used.intersection(shared)))
+    line = f"from .{module} import {names}"
+    wrapped = f"from .{module} import (\n{wrap_list(f'    {names},', '    ')}\n)"
+    before = imported(replace(program, functions=functions))
+    return f"{before}\n{line if len(line) <= WIDTH else wrapped}"
+
+
+def _needed(part: Structure | Function) -> set[str]:
+    """Names of the structures that a part of a program makes, or checks its arguments by, and of the
+    functions that it calls."""
+    public = isinstance(part, Function) and part.public
+    kinds = Variable | Field | Argument if public else Variable | Field
+    made = (each for each in parts_of(part) if isinstance(each, kinds))
+    return {each.name for of in made for each in parts_of(of.type) if isinstance(each, Record)} | {
+        each.function for each in calls_in(part)
+    }
+
+
+def alike(program: Program, base: Program) -> set[str]:
+    """Names of what two programs have in common, all that it needs included."""
+    own, known = ({each.name: each for each in (*of.structures, *of.functions)} for of in (program, base))
+    found = {name for name, part in own.items() if known.get(name) == part}
+    while lost := {name for name in found if not _needed(own[name]).intersection(own) <= found}:
+        found -= lost
+    return found
 
 
 def _shared_names() -> set[str]:
@@ -73,7 +108,7 @@ def regressor(blocks: Regressor, version: str) -> str:
     return filled(
         "regressor.py",
         version=version,
-        imported=_imported(program),
+        imported=_imported(program, _shared_names(), "every_output"),
         leg_parameters=_literal("LEG_PARAMETERS", LEG_PARAMETERS),
         platform_parameters=_literal("PLATFORM_PARAMETERS", PLATFORM_PARAMETERS),
         dependent=_rows("DEPENDENT", [f'"{name}"' for name in dependencies()]),
@@ -100,16 +135,23 @@ def arithmetic(numbers: Mapping[str, tuple[int, str]] = STATUS) -> str:
     )
 
 
-def module(program: Program, names: str, version: str) -> str:
-    """A program as a module on arrays; names: text that defines or imports what ``arithmetic`` does."""
+def module(program: Program, names: str, version: str, without: Collection[str] = ()) -> str:
+    """A program as a module on arrays; names: text that defines or imports what ``arithmetic`` does, and
+    what the module is without."""
     has_pose = any(each.name == "Pose" for each in program.structures)
     return filled(
         "arrays.py",
         arithmetic=names,
-        program=Python(program).source(),
+        program=Python(program).source(without),
         version=version,
         poses=filled("pose.py") if has_pose else "",
     )
+
+
+def module_beside(base: Program, name: str, program: Program, version: str) -> str:
+    """The same of a program that takes what it has in common with another one from its module."""
+    shared = alike(program, base)
+    return module(program, _imported(program, shared, f"{name}_arrays"), version, shared)
 
 
 def imported(program: Program) -> str:

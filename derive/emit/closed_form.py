@@ -50,19 +50,19 @@ MODEL_ONLY = ("Leg", "Robot", "LegConstants", "Added", "Platform", "Model", "Mot
 
 def files(
     kernels: tuple[SumKernel, ...],
-    frictionless: tuple[SumKernel, ...],
+    frictionless: tuple[SumKernel, ...] | None,
     model: ForceKernel,
     version: str,
     functions: Collection[str] = FUNCTIONS,
 ) -> dict[str, str]:
     """``stewart_<kernel>_motion.h`` and ``.c``: the functions and what they need, nothing else.
 
-    kernels, frictionless: at least those of ``kernels_of``. functions: out of FUNCTIONS. Raises ValueError
-    for others and for none.
+    kernels: at least those of ``kernels_of``. frictionless: the same without friction, for their counts of
+    operations. functions: out of FUNCTIONS. Raises ValueError for others and for none.
     """
     asked = asked_for(functions)
     file = f"stewart_{model.formulation.kernel_name}_motion"
-    before = "\n".join([top(file, version, HEADER), filled("motion.c", aligned=filled("aligned.c"))])
+    before = "\n".join([top(file, version, HEADER), filled("motion.c")])
     made = _Source(kernels, model, asked)
     parts = [settled(each) if isinstance(each, t.Function) else each for each in made.parts()]
     texts = _header(made, kernels, frictionless, version)
@@ -70,14 +70,16 @@ def files(
 
 
 def _header(
-    made: "_Source", kernels: tuple[SumKernel, ...], frictionless: tuple[SumKernel, ...], version: str
+    made: "_Source", kernels: tuple[SumKernel, ...], frictionless: tuple[SumKernel, ...] | None, version: str
 ) -> dict[str, str]:
     """What is computed, its cost, its functions."""
     asked, public = made.asked, made.public
     own = {each for what in asked for each in o.sums_used((what,), deep=False)}
-    rows = [
-        f" * {kernel.name:17s} {sum_operations(kernel)!s:44s} {sum_operations(plain).total}"
-        for kernel, plain in zip(kernels, frictionless, strict=True)
+    without = {kernel.name: f" {sum_operations(kernel).total}" for kernel in frictionless or ()}
+    heads = f"{'Operations per pose before any solve':42s} with friction{'without':>39s}"
+    rows = [heads if without else heads.split("  ")[0]] + [
+        f"{kernel.name:17s} {sum_operations(kernel)!s:44s}{without.get(kernel.name, '')}".rstrip()
+        for kernel in kernels
         if kernel.name in own
     ]
     printer, structs = C(), [what for what in asked if what in STRUCTS]
@@ -91,7 +93,7 @@ def _header(
         included=f"stewart_{made.name}_forces.h",
         name=made.name,
         read="are read by\n * `derivatives` alone." if "derivatives" in asked else "are not read.",
-        operations="\n".join(rows),
+        operations="\n".join(f" * {row}" for row in rows),
         structs=printer.interface(*map(struct_of, structs), *arrays),
         one_pose="\n".join(line for what in asked for line in printer.declaration(public[what][0])),
         forced="F is [count][6]. " if set(asked) & set(o.FORCED) else "",

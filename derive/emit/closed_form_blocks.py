@@ -8,7 +8,7 @@ from typing import Any
 from ..kernel import batches
 from ..kernel import layouts as lay
 from ..kernel import outputs as o
-from ..kernel.batches import LOADS, MOTIONS, copied, copies, missing
+from ..kernel.batches import LOADS, MOTIONS, copied, copies, loaded_block, missing
 from ..kernel.model import STATUS_FIELD
 from ..kernel.outputs import SIX, inertia_at
 from ..kernel.tree import nodes as t
@@ -73,18 +73,7 @@ def offsets(summed: tuple[Quantity, ...]) -> dict[str, int]:
     return {q.name: place for place, (q, i) in enumerate(placed(summed)) if i == 0}
 
 
-def _transposed(q: Quantity) -> t.Statement:
-    """One quantity of eight poses, component by component; zeros where it is not given."""
-    pointer, to = t.of("motions", q.name), t.of("at", q.name)
-    width = t.As(t.Count(), t.Number(len(q.keys)))
-    whole = t.Call("whole", (pointer, width, t.Name("first"), t.Name("count"), t.Name("padded")))
-    spread = t.Do(t.Call("spread_matrix" if q == n.R else "spread_vector", (whole, to)))
-    if q not in (n.alpha, n.a, *LOADS):
-        return spread
-    return t.If(t.Binary("!=", pointer, t.Constant("NULL")), (spread,), (t.Do(t.Call("clear", (to,))),))
-
-
-LOADED = tuple(map(_transposed, n.MOTION))
+LOADED = tuple(loaded_block(q, t.As(t.Count(), t.Number(0))) for q in n.MOTION)
 """Motions of eight poses."""
 
 
@@ -244,17 +233,18 @@ class Results:
         }
 
 
+def _in_lanes(i: int) -> t.Expression:
+    """One of the numbers of a lane."""
+    return t.Element(t.Name("number"), (t.Number(i) * t.Name("lanes") + lay.LANE,))
+
+
 def solve_in_lanes() -> dict[str, read.Given]:
     """Of ``written.motion.results.solve_inertia``."""
-
-    def number(i: int) -> t.Expression:
-        return t.Element(t.Name("number"), (t.Number(i) * t.Name("lanes") + lay.LANE,))
-
     return {
         **SIX,
         "weigh_pivot": texts.stored_pivot,
-        "inertia": inertia_at(lambda _, __, i: number(i)),
-        "right": lambda i: number(21 + i.value),
+        "inertia": inertia_at(lambda _, __, i: _in_lanes(i)),
+        "right": lambda i: _in_lanes(21 + i.value),
     }
 
 
@@ -265,15 +255,14 @@ def solve_of_one() -> dict[str, read.Given]:
 
 def _symmetric(first: int) -> tuple[t.Statement, ...]:
     """M, row by row, from its parts."""
-
-    def number(i: int) -> t.Expression:
-        return t.Element(t.Name("number"), (t.Number(i) * t.Name("lanes") + lay.LANE,))
-
     part = inertia_at(lambda _, __, i: t.Name(f"m_{i}"))
     cells = [(i, j) for i in range(_ROW) for j in range(_ROW)]
     return (
-        *(t.Let(f"m_{i}", number(first + i)) for i in range(21)),
-        *(t.Assign(number(_ROW * i + j), part(t.Number(min(i, j)), t.Number(max(i, j)))) for i, j in cells),
+        *(t.Let(f"m_{i}", _in_lanes(first + i)) for i in range(21)),
+        *(
+            t.Assign(_in_lanes(_ROW * i + j), part(t.Number(min(i, j)), t.Number(max(i, j))))
+            for i, j in cells
+        ),
     )
 
 

@@ -13,7 +13,7 @@ _MATRICES = {q.name: q for q in (*OF_LEG, *PLATFORM, *MOTION) if len(q.shape) ==
 def common_header(version: str, precision: str = "double", rotors: bool = False) -> str:
     """``stewart.h``; precision: "float" where it defines float by itself, as that of a float kit does;
     rotors: where it defines by itself that legs have them."""
-    structs = {name: "\n".join(map(_member, members)) for name, members in STRUCTS.items()}
+    structs = {name: "\n".join(map(member_text, members)) for name, members in STRUCTS.items()}
     arrays = {f"{name}_arrays": _pointers(name) for name in ("forces", "reactions")}
     return filled(
         "stewart.h",
@@ -29,7 +29,8 @@ def common_header(version: str, precision: str = "double", rotors: bool = False)
     )
 
 
-def _member(member: Member) -> str:
+def member_text(member: Member) -> str:
+    """A member of a struct as C declares it, with unit and meaning."""
     quantity = _MATRICES.get(member.name) if len(member.stored) == 1 else None
     order = "" if quantity is None else ", order xx xy xz yy yz zz" if quantity.symmetric else ", row-major"
     return f"    stewart_real {member.name}{member.dims}; /* {member.unit}: {member.meaning}{order} */"

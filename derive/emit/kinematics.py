@@ -64,12 +64,16 @@ def _files(
 ) -> dict[str, str]:
     """Header and source by name; records: structures that a header has, by their names in the tree."""
     file = f"stewart_{name}"
+    text = source(file, program, records, version, brackets)
+    after = "" if program.functions[-1].public else f"\n{filled(f'{name}.c')}"
+    return header(f"{name}.h", file, version, **said) | {f"{file}.c": text + after}
+
+
+def source(file: str, program: Program, records: dict[str, str], version: str, brackets: bool = True) -> str:
+    """Structures and functions of a program; records: structures that a header has, as of ``_files``."""
     snake = {
         each.name: re.sub(r"(?<=[a-z])([A-Z])", r"_\1", each.name).lower() for each in program.structures
     }
     printer = C(program.functions, None, brackets, snake | records, program.structures, fused=False)
     own = (each for each in program.structures if each.name not in records)
-    before = top(file, version, ARITHMETIC)
-    after = [] if program.functions[-1].public else [filled(f"{name}.c")]
-    source = printer.source(before, *own, *program.functions, *after)
-    return header(f"{name}.h", file, version, **said) | {f"{file}.c": source}
+    return printer.source(top(file, version, ARITHMETIC), *own, *program.functions)

@@ -62,6 +62,15 @@ def loaded_one(quantities: Iterable[Quantity], optional: Collection[Quantity]) -
     return {"ONE": tuple(found)}
 
 
+def loaded_block(q: Quantity, stride: t.Expression) -> t.Statement:
+    """One quantity of the poses of a block, component by component; zeros where it may be null and is.
+
+    stride: of columns; 0 of one pose after the other.
+    """
+    places = (stride, t.Name("first"), t.Name("count"), t.of("at", q.name))
+    return t.Do(t.Call("load_matrix" if q.shape == (3, 3) else "load_vector", (_of_motions(q), *places)))
+
+
 def copies(to: str, counts: Mapping[str, int], rows: Collection[str] = ()) -> tuple[t.Statement, ...]:
     """What was found of a pose into arrays; counts: numbers of each; rows: those that are arrays of rows."""
     found = []

@@ -75,6 +75,17 @@ STRUCTS: dict[str, tuple[Member, ...]] = {
         _flat("force", (6,), "N", "largest magnitude of the actuator force"),
         _flat("speed", (6,), "m/s", "largest magnitude of the sliding velocity"),
     ),
+    "drives": (
+        _flat("turns", (6,), "rad/m", "turn of the motor per change of its leg's length, 2 pi / lead, not 0"),
+        _flat("driving", (6,), "1", "friction per axial force where the motor drives: 1 / efficiency - 1"),
+        _flat("driven", (6,), "1", "the same where the leg drives the motor: 1 - back_efficiency"),
+        _flat("coulomb", (6,), "N", "dry friction along the leg: screw_coulomb + |turns| motor_coulomb"),
+        _flat("viscous", (6,), "N s/m", "viscous friction: screw_viscous + turns^2 motor_viscous"),
+        _flat("stribeck", (6,), "N", "further dry friction at rest"),
+        _flat("stribeck_speed", (6,), "m/s", "rate of length in which it decays to 1/e"),
+        _flat("smoothing", (6,), "m/s", "rate of length within which the sign of a rate is smoothed"),
+        _flat("torque_constant", (6,), "N m/A", "torque per current, 0 where it is not known"),
+    ),
     "motion": tuple(map(_member, n.MOTION)),
     "pose": (_member(n.R), _member(n.t)),
     "forces": (
@@ -122,7 +133,7 @@ STRUCTS: dict[str, tuple[Member, ...]] = {
 
 Those of ``rotor`` end ``stewart_leg`` where STEWART_ROTORS is defined; those of ``platform`` end
 ``stewart_robot``, after its six legs; of ``legs`` there is ``stewart_legs_arrays``
-alone."""
+alone. ``drives`` stands in the header of the torques, the others in ``stewart.h``."""
 
 
 @dataclass(frozen=True)
@@ -175,12 +186,14 @@ class Argument:
 class Call:
     """How the functions of one stem are called.
 
-    says: what it does. has_batch: whether there is one for many poses too.
+    says: what it does. has_batch: whether there is one for many poses too; has_columns: and one whose arrays
+    have a column for each component.
     """
 
     says: str
     arguments: tuple[Argument, ...]
     has_batch: bool = False
+    has_columns: bool = False
 
     @property
     def motion(self) -> bool:
@@ -208,7 +221,7 @@ class Call:
         return sum(member.count for member in self.outputs)
 
     def prototypes(self, symbol: str, subject: str, batch: bool) -> list[str]:
-        """C declarations of ``symbol`` and, with ``batch``, of its batch.
+        """C declarations of ``symbol`` and, with ``batch``, of its batch and the one of columns.
 
         subject: the first parameter, "" for none.
         """
@@ -218,9 +231,11 @@ class Call:
             own = [text for each in self.arguments if (text := each.of_batch())]
             motions = [text for text in own if text.endswith("*motions")]
             rest = [text for text in own if text not in motions]
-            found.append(
-                _prototype(f"{symbol}_batch", [*first, "size_t count", *motions, *rest, "int *status"])
-            )
+            after = [*motions, *rest, "int *status"]
+            found.append(_prototype(f"{symbol}_batch", [*first, "size_t count", *after]))
+            if self.has_columns:
+                counts = ["size_t count", "size_t stride"]
+                found.append(_prototype(f"{symbol}_columns", [*first, *counts, *after]))
         return found
 
 
@@ -277,7 +292,7 @@ _POSE = Argument(
 )
 
 CALLS: dict[str, Call] = {
-    "forces": Call("Actuator forces of a motion, (37).", (_MOTION, _out(_F)), True),
+    "forces": Call("Actuator forces of a motion, (37).", (_MOTION, _out(_F)), True, True),
     "inverse_dynamics": Call(
         "Inverse dynamics with its terms D, K, H and c, (21) to (37).",
         (_MOTION, _struct("forces", "forces")),
@@ -351,6 +366,35 @@ CALLS: dict[str, Call] = {
             _in("L_dot", 6, "m/s", "rates of the legs"),
             _out(_flat("v", (3,), "m/s", "velocity of the reference point, base frame")),
             _out(_flat("omega", (3,), "rad/s", "angular velocity, base frame")),
+        ),
+    ),
+    "axial_forces": Call(
+        "Forces between the parts of legs with rotors, F less m_r L_ddot + j_r A.s that turns these, and "
+        "rates of the lengths, (5): what `motor_torques` takes.",
+        (
+            _MOTION,
+            _GIVEN_F,
+            _out(_flat("axial", (6,), "N", "forces that pass through the screws, positive when they extend")),
+            _out(_flat("L_dot", (6,), "m/s", "rates of the lengths; may be null")),
+        ),
+    ),
+    "motor_torques": Call(
+        "Torques and currents of the motors, from forces of the inverse dynamics and the legs' rates: "
+        "(F + friction) / turns, where friction = sgn(L_dot) (coulomb + stribeck exp(-(L_dot / "
+        "stribeck_speed)^2) + mu |axial|) + viscous L_dot, mu = driving where axial L_dot > 0, else driven.",
+        (
+            _GIVEN_F,
+            _in("axial", 6, "N", "forces that pass through the screws; may be null without rotors: F"),
+            _in("L_dot", 6, "m/s", "rates of the lengths, computed or measured"),
+            _out(
+                _flat(
+                    "torque",
+                    (6,),
+                    "N m",
+                    "torques; of a right-handed screw positive when they extend",
+                )
+            ),
+            _out(_flat("current", (6,), "A", "torque / torque_constant, 0 without one; may be null")),
         ),
     ),
     "motion_from_rpy": Call(

@@ -89,7 +89,7 @@ def _solve(name: str) -> tuple[Function, Function, int]:
 
 
 @cache
-def _fused_in_solve(name: str) -> int:
+def _fused_solve(name: str) -> int:
     """Products of a written solve that a sum takes with it."""
     return _fused(_solve(name)[1])
 
@@ -124,7 +124,7 @@ def force_operations(kernel: ForceKernel, scalar_text: bool = False) -> KernelOp
     given = {out.quantity for out in kernel.leg.outputs}
     sums = LEGS * sum(3 for quantity in (n.c_force, n.c_moment) if quantity in given)
     moments, shift = Operations(), Operations()
-    solved = "one pose" if scalar_text else "block about tip" if kernel.about_tip else "block"
+    solve = "one pose" if scalar_text else "block about tip" if kernel.about_tip else "block"
     arms = LEGS if scalar_text else LEGS - 1
     if kernel.about_tip:
         moments, shift = kernel.moments.operations(), kernel.shift.operations()
@@ -133,12 +133,12 @@ def force_operations(kernel: ForceKernel, scalar_text: bool = False) -> KernelOp
         leg=kernel.leg.operations(),
         platform=kernel.shared.operations() + shift,
         sum_c=Operations(add=sums),
-        solve=solve_operations(solved),
+        solve=solve_operations(solve),
         forces=Operations(add=LEGS if n.D in given else 0),
         moments=moments,
         arms=arms,
         fused=LEGS * _fused_in(kernel.leg)
         + _fused_in(kernel.shared)
         + (_fused_in(kernel.shift) + arms * _fused_in(kernel.moments) if kernel.about_tip else 0)
-        + _fused_in_solve(solved),
+        + _fused_solve(solve),
     )

@@ -440,20 +440,11 @@ def closed_leg(
     )
 
 
-def tip_motion(build: Builder, q: sp.Matrix) -> tuple[sp.Matrix, sp.Matrix]:
-    """S_dot and S_ddot, named, (4), (7)."""
-    S_dot = build.vector(
-        "S_dot", cross(n.omega.value, q) + n.v.value, "(4)", "velocity of the platform point"
-    )
-    S_ddot = build.vector("S_ddot", p.B.value * q + n.a.value, "(7)", "acceleration of the platform point")
-    return S_dot, S_ddot
-
-
 def joint_leg(friction: bool, near_singular: bool = False, rotor: Rotor = NONE) -> Block:
     """The general leg in the coordinates of its joints; ``near_singular``: measured along its third axis."""
     build = Builder()
     at = joint_frame(build, near_singular, rotor=rotor)
-    S_dot, S_ddot = tip_motion(build, at.q)
+    S_dot, S_ddot = p.tip_motion(build, at.q)
     rates = joint_rates(build, at, S_dot)
     accelerations = joint_accelerations(build, at, rates, S_ddot)
     D, K = tip_force(build, at, joint_forces(build, at, rates, accelerations, friction))

@@ -197,3 +197,12 @@ def prepare_platform(needed: Iterable[Quantity]) -> Block:
         (*n.PLATFORM, n.p_1, *ADDED),
         [(q, values[q]) for q in needed if q in values],
     )
+
+
+def tip_motion(build: Builder, q: sp.Matrix) -> tuple[sp.Matrix, sp.Matrix]:
+    """S_dot and S_ddot, named, (4), (7)."""
+    S_dot = build.vector(
+        "S_dot", cross(n.omega.value, q) + n.v.value, "(4)", "velocity of the platform point"
+    )
+    S_ddot = build.vector("S_ddot", B.value * q + n.a.value, "(7)", "acceleration of the platform point")
+    return S_dot, S_ddot

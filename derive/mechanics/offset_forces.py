@@ -37,7 +37,7 @@ def offset_leg(friction: bool) -> Block:
     build = Builder()
     leg = o.offset_frame(build)
     at = leg.at
-    S_dot, S_ddot = actuator_forces.tip_motion(build, at.q)
+    S_dot, S_ddot = p.tip_motion(build, at.q)
     rates, r_dot = o.offset_rates(build, leg, S_dot)
     accelerations = o.offset_accelerations(build, leg, rates, r_dot, S_ddot)
     forces = o.offset_forces(build, at, rates, accelerations, friction)

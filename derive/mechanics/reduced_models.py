@@ -213,7 +213,7 @@ def _constants(legs: str) -> dict[sp.Symbol, sp.Expr]:
 def _slender_leg(inertia: sp.Expr, rotor: Rotor) -> Block:
     build = Builder()
     at = axial_leg.axis(build)
-    D, K = axial_leg.tip_force(build, at, *actuator_forces.tip_motion(build, at.q), inertia, rotor.mass)
+    D, K = axial_leg.tip_force(build, at, *p.tip_motion(build, at.q), inertia, rotor.mass)
     meaning = "one slender leg: D, its column of H and its part of c"
     return actuator_forces.closed_leg(build, meaning, at.q, at.s, at.L, None, D, K, sp.zeros(3, 1))
 
@@ -229,7 +229,7 @@ def _massless_leg() -> Block:
 def _rotor_alone(rotor: Rotor) -> Block:
     build = Builder()
     at = axial_leg.axis(build)
-    S_dot, S_ddot = actuator_forces.tip_motion(build, at.q)
+    S_dot, S_ddot = p.tip_motion(build, at.q)
     L_dot = build.scalar("L_dot", at.s.dot(S_dot), "(5)", "rate of the length")
     turned = build.scalar("turned", (S_dot.dot(S_dot) - L_dot**2) * at.inv_L, "(8)", "L |s_dot|^2")
     D = build.scalar("D", rotor.mass * (at.s.dot(S_ddot) + turned), "(24)", "force that turns the motor")

@@ -9,15 +9,15 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 from ..kernel.interface import CALLS, STATUS, Argument
-from .functions import MODEL, NOTHING, ROBOT, Function
+from .functions import DRIVES, MODEL, NOTHING, ROBOT, Function
 from .words import template
 
 
 def wrapper(functions: Sequence[Function], version: str) -> str:
     """``stewart.hpp`` of a kit that holds these functions; version: of the generator.
 
-    A class for each model, robot function family and baked kernel, and ``forces_kernel``, ``motion_kernel``,
-    ``reactions_kernel`` and ``kinematics_kernel`` as other names of those that do such things.
+    A class for each model, robot function family and baked kernel, and names of ``_ALIASES`` for those that
+    do such things.
     Raises ValueError for a function that is not in ``interface.CALLS``.
     """
     for function in functions:
@@ -56,7 +56,12 @@ def _short(name: str) -> str:
     return name.removeprefix("stewart_")
 
 
-_CLASSES = {ROBOT: "class_of_robot", MODEL: "class_of_model", NOTHING: "class_of_nothing"}
+_CLASSES = {
+    ROBOT: "class_of_robot",
+    MODEL: "class_of_model",
+    DRIVES: "class_of_drives",
+    NOTHING: "class_of_nothing",
+}
 
 
 def _class(name: str, functions: Sequence[Function]) -> str:
@@ -81,7 +86,7 @@ def _call(function: Function) -> dict[str, str]:
     return {
         "symbol": function.symbol,
         "prepared": checked,
-        "subject": function.subject_argument("robot_", "&model_"),
+        "subject": function.subject_argument("robot_", "&model_", "drives_"),
     }
 
 
@@ -142,4 +147,6 @@ _ALIASES = {
     ),
     "reactions_kernel": ("inverse_dynamics", "joint_reactions"),
     "kinematics_kernel": ("inverse_kinematics", "forward_kinematics", "forward_velocity"),
+    "axial_kernel": ("axial_forces",),
+    "torque_kernel": ("motor_torques",),
 }

@@ -36,7 +36,7 @@ def example(
 
 
 def _shown(function: Function, case: Case, symbol: str) -> str:
-    subject = function.subject_argument(f"&{symbol}", "&model")
+    subject = function.subject_argument(f"&{symbol}", "&model", f"&{symbol}_drives")
     arguments = ", ".join(_handed(each) for each in function.call.arguments)
     made = f"    status = {function.symbol}({subject}{arguments});"
     if function.subject == MODEL:
@@ -110,6 +110,8 @@ _PRINTED: dict[str, tuple[tuple[str, str, int], ...]] = {
     "inverse_kinematics": (("L, m", "L", 6), ("L_dot, m/s", "L_dot", 6)),
     "forward_kinematics": (("R", "pose.R", 9), ("t, m", "pose.t", 3)),
     "forward_velocity": (("v, m/s", "v", 3), ("omega, rad/s", "omega", 3)),
+    "axial_forces": (("axial forces, N", "axial", 6), ("L_dot, m/s", "L_dot", 6)),
+    "motor_torques": (("torque, N m", "torque", 6), ("current, A", "current", 6)),
     "motion_from_rpy": _TURNED,
     "motion_from_quaternion": _TURNED,
 }

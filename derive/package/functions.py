@@ -5,14 +5,14 @@ from dataclasses import dataclass
 
 from ..kernel.interface import CALLS, Call
 
-ROBOT, MODEL, NOTHING = "robot", "model", ""
+ROBOT, MODEL, DRIVES, NOTHING = "robot", "model", "drives", ""
 
 
 @dataclass(frozen=True)
 class Function:
     """A function of a kit: its stem in ``interface.CALLS``, C name, header, what its first argument is.
 
-    subject: ROBOT, MODEL (``prefix`` + ``_model``, made by ``prefix`` + ``_prepare``) or NOTHING.
+    subject: ROBOT, MODEL (``prefix`` + ``_model``, made by ``prefix`` + ``_prepare``), DRIVES or NOTHING.
     operations: what a pose takes, in words. plain: C name without a robot's numbers in it. one_pose: whether
     the kernel computes one pose at a time.
     """
@@ -38,14 +38,15 @@ class Function:
 
     @property
     def prototypes(self) -> list[str]:
-        """Of the function and its batch, without what the header says of their results."""
-        types = {ROBOT: "stewart_robot", MODEL: f"{self.prefix}_model"}
+        """Of the function and its batches, without what the header says of their results."""
+        types = {ROBOT: "stewart_robot", DRIVES: "stewart_drives", MODEL: f"{self.prefix}_model"}
         subject = f"const {types[self.subject]} *{self.subject}" if self.subject else ""
         return self.call.prototypes(self.symbol, subject, self.batch)
 
-    def subject_argument(self, of_robot: str, of_model: str) -> str:
-        """The first argument of a call, given those of a robot and of a model, with the comma after it."""
-        return {ROBOT: f"{of_robot}, ", MODEL: f"{of_model}, ", NOTHING: ""}[self.subject]
+    def subject_argument(self, of_robot: str, of_model: str, of_drives: str) -> str:
+        """The first argument of a call, given those of a robot, model and drives, with the comma after it."""
+        subjects = {ROBOT: f"{of_robot}, ", MODEL: f"{of_model}, ", DRIVES: f"{of_drives}, ", NOTHING: ""}
+        return subjects[self.subject]
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from ..kernel.interface import STATUS
 from ..mechanics import quantities as n
 from . import licence
-from .functions import MODEL, Function, Part
+from .functions import DRIVES, MODEL, Function, Part
 from .words import in_markdown, shape, table, template
 
 
@@ -95,7 +95,7 @@ def _files(kit: Kit) -> list[tuple[str, str]]:
         [
             (
                 "stewart_robot.h`, `stewart_robot.c",
-                f"this robot's constants, `{kit.symbol}`, and limits, `{kit.symbol}_limits`",
+                f"this robot's constants, `{kit.symbol}`, and limits, `{kit.symbol}_limits`{_drives(kit)}",
             )
         ]
         if kit.has_robot
@@ -117,6 +117,12 @@ def _files(kit: Kit) -> list[tuple[str, str]]:
         ("manifest.json", "options, digests of robot and files, version"),
         *unit,
     ]
+
+
+def _drives(kit: Kit) -> str:
+    """What a kit with torques says of the constants that they take."""
+    of_drives = any(function.subject == DRIVES for part in kit.parts for function in part.functions)
+    return f", and the constants of its drives, `{kit.symbol}_drives`" if of_drives else ""
 
 
 def _stems(part: Part) -> str:

@@ -18,13 +18,18 @@ HEADER, SOURCE = "stewart_robot.h", "stewart_robot.c"
 
 
 def robot_files(
-    name: str, robot: Numbers, limits: Mapping[str, Sequence[float]], version: str
+    name: str,
+    robot: Numbers,
+    limits: Mapping[str, Sequence[float]],
+    version: str,
+    drives: Mapping[str, Sequence[float]] | None = None,
 ) -> dict[str, str]:
     """``stewart_robot.h`` and ``stewart_robot.c``: file name -> text.
 
     robot: fields of ``stewart_robot``, those of the legs with six rows, inertias (3, 3). limits: members of
-    ``stewart_limits``, six numbers each, infinite where there is none. Raises ValueError naming the field
-    that is missing, has another shape or is not finite.
+    ``stewart_limits``, six numbers each, infinite where there is none. drives: those of ``stewart_drives``,
+    None for a kit without torques. Raises ValueError naming the field that is missing, has another shape or
+    is not finite.
     """
     symbol = robot_symbol(name)
     values = {
@@ -32,11 +37,19 @@ def robot_files(
         "symbol": symbol,
         "guard": f"{symbol.upper()}_H",
         "version": version,
-        "digest": robot_digest(name, robot),
+        "digest": robot_digest(name, robot, drives),
         "robot": _initialiser(robot),
         "arithmetic": template("kit/arithmetic.h"),
-        "limits": "\n".join(_limit(each, limits[each.name]) for each in STRUCTS["limits"]),
+        "limits": _six(limits, "limits"),
+        "drives": "",
+        "declared": "",
+        "included": "stewart.h",
     }
+    if drives is not None:
+        of_drives = {"symbol": symbol, "numbers": _six(drives, "drives")}
+        values["drives"] = template("kit/stewart_drives.c", of_drives)
+        values["declared"] = template("kit/stewart_drives.h", of_drives)
+        values["included"] = "stewart_torque.h"
     return {name: template(f"kit/{name}", values) for name in (HEADER, SOURCE)}
 
 
@@ -45,9 +58,14 @@ def _limit(member: Member, limits: Sequence[float]) -> str:
     return f"    /* {member.name}, {member.unit} */\n    {braces(numbers, '    ')},"
 
 
-def robot_digest(name: str, robot: Numbers) -> str:
-    """SHA-256 of name and constants, as hexadecimal digits; raises as ``robot_files``."""
-    return hashlib.sha256(f"{name}\n{_initialiser(robot)}".encode()).hexdigest()
+def _six(numbers: Mapping[str, Sequence[float]], struct: str) -> str:
+    return "\n".join(_limit(each, numbers[each.name]) for each in STRUCTS[struct])
+
+
+def robot_digest(name: str, robot: Numbers, drives: Mapping[str, Sequence[float]] | None = None) -> str:
+    """SHA-256 of name and constants, as hexadecimal digits; arguments and errors as of ``robot_files``."""
+    of_drives = "" if drives is None else f"\n{_six(drives, 'drives')}"
+    return hashlib.sha256(f"{name}\n{_initialiser(robot)}{of_drives}".encode()).hexdigest()
 
 
 def _initialiser(robot: Numbers) -> str:

@@ -7,11 +7,14 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from ..kernel.interface import STRUCTS, Member
+from ..mechanics import quantities as n
 from . import robot as robot_text
 from .functions import MODEL, NOTHING, ROBOT, Function
 from .words import Numbers, in_comment, literal, motion_members, template
 
 PER_LINE = 4
+_ZERO = {q.name: [[0.0] * 3] * 3 if len(q.shape) == 2 else [0.0] * 3 for q in n.MOTION}
+"""What stands for a motion where no function reads one."""
 
 
 @dataclass(frozen=True)
@@ -37,6 +40,7 @@ def selftest(
     name: str,
     symbol: str,
     robot: Sequence[float],
+    drives: Numbers | None,
     functions: Sequence[Function],
     cases: Mapping[str, Sequence[Case]],
     rejected: Sequence[Rejected],
@@ -45,8 +49,8 @@ def selftest(
     """``selftest.c``.
 
     name: the robot's; symbol: its constants in C; robot: their numbers, flat, in the order of
-    ``stewart_robot``. cases: by the functions' stems. rejected: of the forces, where they are among the
-    functions.
+    ``stewart_robot``; drives: those of ``stewart_drives`` by member, None without torques. cases: by the
+    functions' stems. rejected: of the forces, where they are among the functions.
 
     Raises ValueError naming what is not a finite number.
     """
@@ -56,10 +60,10 @@ def selftest(
         "version": version,
         "arithmetic": template("kit/arithmetic.h"),
         "includes": "".join(f'#include "{file}"\n' for file in _headers(functions)),
-        "robot": _robot(symbol, robot) if _has_robot(functions) else "",
+        "robot": (_robot(symbol, robot) if _has_robot(functions) else "") + _drives(symbol, drives),
         "models": "".join(template("kit/selftest_model.c", {"prefix": p}) for p in _prefixes(functions)),
-        "motions": _initialisers(motions),
-        "motion_count": str(len(motions)),
+        "motions": _initialisers(motions or [_ZERO]),
+        "motion_count": str(len(motions or [_ZERO])),
         "pointers": template("kit/selftest_pointers.c") if any(f.batch for f in functions) else "",
         "calls": "\n".join(text for function in functions for text in (_call(function), _batch(function))),
         "vectors": "\n".join(_arrays(function, cases[function.stem], table) for function in functions),
@@ -111,6 +115,13 @@ def _robot(symbol: str, numbers: Sequence[float]) -> str:
     return template("kit/selftest_robot.c", {"symbol": symbol, "numbers": table})
 
 
+def _drives(symbol: str, drives: Numbers | None) -> str:
+    if drives is None:
+        return ""
+    table = _table("drives_numbers", "stewart_real", [drives[each.name] for each in STRUCTS["drives"]])
+    return template("kit/selftest_drives.c", {"symbol": symbol, "numbers": table})
+
+
 def _has_robot(functions: Sequence[Function]) -> bool:
     return any(function.subject != NOTHING for function in functions)
 
@@ -123,7 +134,7 @@ def _called(function: Function, suffix: str, declared: Iterable[str], body: Iter
 
 
 def _subject(function: Function) -> str:
-    return function.subject_argument("&robot_of.robot", f"&{function.prefix}_of")
+    return function.subject_argument("&robot_of.robot", f"&{function.prefix}_of", "&drives_of.drives")
 
 
 def _call(function: Function) -> str:
@@ -176,13 +187,14 @@ def _places(array: str, members: Iterable[Member]) -> dict[Member, str]:
 
 
 def _batch(function: Function) -> str:
-    """The function's batch, of one pose: other code than that of one pose."""
+    """The function's batches, of one pose: other code than that of one pose."""
     if not function.batch:
         return ""
     call = function.call
     (filled,) = (each for each in call.arguments if each.gives)
     lines = ["const stewart_motions poses = pointers_to(motion);"]
     lines += [f"stewart_{filled.struct}_arrays arrays;"] if filled.struct else []
+    lines += [f"stewart_real again[{call.count}];"] if call.has_columns else []
     lines += ["int status = -1;", "int first;", *([] if call.inputs else ["(void)in;"])]
     places = _places("out", call.outputs)
     lines += [f"arrays.{each.name} = {at};" for each, at in places.items()] if filled.struct else []
@@ -190,9 +202,21 @@ def _batch(function: Function) -> str:
     target = "&arrays" if filled.struct else "out"
     lines += [
         f"first = {function.symbol}_batch({_subject(function)}1, &poses, {further}{target}, &status);",
+        *(_columns(function) if call.has_columns else ()),
         "return first == status ? first : -1;",
     ]
     return _called(function, "batch", [], lines)
+
+
+def _columns(function: Function) -> list[str]:
+    """Of one pose columns and rows are the same, and so are the results."""
+    again = f"{function.symbol}_columns({_subject(function)}1, 1, &poses, again, NULL)"
+    return [
+        "(void)memcpy(again, out, sizeof again);",
+        f"if ({again} != first || memcmp(again, out, sizeof again) != 0) {{",
+        "    return -1;",
+        "}",
+    ]
 
 
 def _rejected_motions(rejected: Sequence[Rejected]) -> str:

@@ -7,7 +7,7 @@ notebook shows them. A block depends neither on the Stewart platform nor on a ta
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property, reduce
+from functools import cache, cached_property, reduce
 from operator import mul
 from typing import Any
 
@@ -308,6 +308,7 @@ def count(exprs: Iterable[sp.Expr]) -> Operations:
     return total
 
 
+@cache
 def common_factor(expr: sp.Add) -> sp.Integer:
     """The whole number by which all terms of a sum are multiplied, and programs the sum.
 
@@ -318,6 +319,7 @@ def common_factor(expr: sp.Add) -> sp.Integer:
     return found if found.is_Integer else sp.S.One
 
 
+@cache
 def _count(expr: sp.Expr) -> Operations:
     if expr.is_Atom:
         return Operations()

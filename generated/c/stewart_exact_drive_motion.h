@@ -11,11 +11,11 @@
  * Link with stewart_exact_drive_forces.c, whose prepared model is used; accelerations in the motion are read by
  * `derivatives` alone.
  *
- * Operations per pose before any solve       with friction                                without
- * equations         4760 (2691 mul, 2045 add, 12 div, 12 sqrt)   4415
- * bias              2163 (1281 mul, 858 add, 12 div, 12 sqrt)    1947
- * forward_dynamics  3081 (1779 mul, 1278 add, 12 div, 12 sqrt)   2865
- * derivatives       10910 (6036 mul, 4850 add, 12 div, 12 sqrt)  9267
+ * Operations per pose before any solve
+ * equations         4760 (2691 mul, 2045 add, 12 div, 12 sqrt)
+ * bias              2163 (1281 mul, 858 add, 12 div, 12 sqrt)
+ * forward_dynamics  3081 (1779 mul, 1278 add, 12 div, 12 sqrt)
+ * derivatives       10910 (6036 mul, 4850 add, 12 div, 12 sqrt)
  */
 #ifndef STEWART_EXACT_DRIVE_MOTION_H
 #define STEWART_EXACT_DRIVE_MOTION_H

@@ -65,3 +65,16 @@ def losses(drive: Drive) -> list[str]:
 def has_friction(drive: Drive) -> bool:
     """Whether anything is lost between force and motor."""
     return bool(losses(drive))
+
+
+def drive_numbers(drive: Drive) -> dict[str, Array]:
+    """Members of the C struct ``stewart_drives``: what torques are computed with, (6,) each."""
+    lumped = {
+        "turns": drive.turns,
+        "driving": 1.0 / drive.efficiency - 1.0,
+        "driven": 1.0 - drive.back_efficiency,
+        "coulomb": drive.screw_coulomb + np.abs(drive.turns) * drive.motor_coulomb,
+        "viscous": viscous(drive),
+    }
+    alone = ("stribeck", "stribeck_speed", "smoothing", "torque_constant")
+    return lumped | {name: np.asarray(getattr(drive, name)) for name in alone}

@@ -11,7 +11,9 @@ from ..io.arguments import option, shown
 from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot
 
-FUNCTIONS = ("forces", "reactions", "motion", "derivatives", "kinematics")
+TORQUE = "torque"
+"""The group of functions that needs a robot with a drive."""
+FUNCTIONS = ("forces", "reactions", "motion", "derivatives", "kinematics", TORQUE)
 """Groups of functions that a kit may hold, in the order in which it lists them."""
 
 STEMS: dict[str, tuple[str, ...]] = {
@@ -20,8 +22,15 @@ STEMS: dict[str, tuple[str, ...]] = {
     "motion": ("equations", "bias", "forward_dynamics", "joint_inertia"),
     "derivatives": ("derivatives", "linearisation"),
     "kinematics": ("inverse_kinematics", "forward_kinematics", "forward_velocity"),
+    TORQUE: ("axial_forces", "motor_torques"),
 }
-"""C functions of each group."""
+"""C functions of each group; of ``axial_forces`` there is only that of legs with rotors."""
+
+
+def groups_of(robot: Robot) -> tuple[str, ...]:
+    """Those of ``FUNCTIONS`` that a robot has with some formulation: torques where it has a drive."""
+    return tuple(name for name in FUNCTIONS if name != TORQUE or robot.drive is not None)
+
 
 PRECISIONS: dict[str, type] = {"double": np.float64, "float": np.float32}
 """Types of the numbers of a kit."""
@@ -78,6 +87,8 @@ def check(choice: Choice, robot: Robot) -> None:
         if name in _UNIVERSAL and (choice.formulation != "exact" or robot.base_joint != "universal"):
             what = f"{choice.formulation} with {robot.base_joint} base joints"
             raise ValueError(f"functions: {name}: expected exact with universal base joints, got {what}")
+    if TORQUE in choice.functions and robot.drive is None:
+        raise ValueError("functions: torque: expected a robot with a drive, got one without ([legs.drive])")
     for name in (*_OF_FORCES, "fmu"):
         if getattr(choice, name) and "forces" not in choice.functions:
             raise ValueError(f"{name}: applies to the function forces, got {', '.join(choice.functions)}")

@@ -26,6 +26,7 @@ from ..derive.package.readme import Kit as ReadmeKit
 from ..derive.package.robot import HEADER, SOURCE, robot_digest, robot_files, robot_toml
 from ..derive.package.selftest import Case, Rejected, selftest
 from ..derive.package.words import robot_symbol
+from ..drives.friction import drive_numbers
 from ..dynamics.home_pose import home_pose
 from ..io.array_types import Array
 from ..io.json_text import json_text
@@ -34,7 +35,7 @@ from ..motion.motion import Motion, at_rest
 from ..results import OK
 from ..robot.robot import Robot
 from . import languages
-from .choice import DEFAULT, PRECISIONS, Choice, check, options
+from .choice import DEFAULT, PRECISIONS, TORQUE, Choice, check, options
 from .fmu import UnitKernel, fmu_unit
 from .parts import Parts, generator, parts, robot_numbers
 from .poses import sample
@@ -90,6 +91,7 @@ def kit(robot: Robot, choice: Choice = DEFAULT, progress: Progress = silent) -> 
         robot.name,
         symbol,
         robot_values(robot, robot.has_rotors).tolist(),
+        _drives(robot, choice),
         tested,
         cases,
         unsolvable,
@@ -128,8 +130,16 @@ def _sources(robot: Robot, choice: Choice, made: Parts) -> dict[str, str]:
     """Kernels and constants."""
     texts = made.files
     if _has_robot(made):
-        texts |= robot_files(robot.name, robot_numbers(robot), _limits(robot), generator())
+        drives = _drives(robot, choice)
+        texts |= robot_files(robot.name, robot_numbers(robot), _limits(robot), generator(), drives)
     return texts
+
+
+def _drives(robot: Robot, choice: Choice) -> dict[str, list[float]] | None:
+    """Members of ``stewart_drives``, None of a kit without torques."""
+    if TORQUE not in choice.functions or robot.drive is None:
+        return None
+    return {name: numbers.tolist() for name, numbers in drive_numbers(robot.drive).items()}
 
 
 def _limits(robot: Robot) -> dict[str, list[float]]:
@@ -210,7 +220,7 @@ def _readme(robot: Robot, choice: Choice, made: Parts, found: Mapping[str, list[
         ReadmeKit(
             name=robot.name,
             symbol=robot_symbol(robot.name),
-            digest=robot_digest(robot.name, robot_numbers(robot)),
+            digest=robot_digest(robot.name, robot_numbers(robot), _drives(robot, choice)),
             parts=made.parts,
             figures=figures,
             options=options(choice),
@@ -272,7 +282,10 @@ def _stack() -> dict[str, Any]:
 def _manifest(robot: Robot, choice: Choice, files: Mapping[str, bytes]) -> bytes:
     found = {
         "generator": f"stewart-sym {generator_version()}",
-        "robot": {"name": robot.name, "sha256": robot_digest(robot.name, robot_numbers(robot))},
+        "robot": {
+            "name": robot.name,
+            "sha256": robot_digest(robot.name, robot_numbers(robot), _drives(robot, choice)),
+        },
         "options": asdict(choice) | {"functions": list(choice.groups)},
         "files": {name: hashlib.sha256(content).hexdigest() for name, content in sorted(files.items())},
     }

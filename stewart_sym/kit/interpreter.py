@@ -7,31 +7,42 @@ takes the motion of one pose as stored and returns what the C writes, flat, in t
 """
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache, cached_property, partialmethod
-from importlib.util import find_spec, module_from_spec
-from types import ModuleType, SimpleNamespace
+from types import FunctionType, ModuleType, SimpleNamespace
 from typing import Any
 
 import numpy as np
 
 from ..backend.kernel import kernel_name, module
-from ..derive.generate import reduced_kinematics, reduced_rotation
+from ..derive.generate import reduced_axial, reduced_kinematics, reduced_rotation
+from ..derive.kernel.drives.torque import axial_program, torque_program
 from ..derive.kernel.kinematics import PUBLIC, rotation_program, search_program
 from ..derive.kernel.outputs import FORCES, program
 from ..derive.kernel.tree.constants import constants
 from ..derive.kernel.tree.interpret import Arithmetic, Interpreter
 from ..derive.kernel.tree.nodes import Program
 from ..derive.mechanics import quantities as n
-from ..derive.mechanics.formulation import EXACT, EXACT_DRIVE
+from ..derive.mechanics.formulation import EXACT, EXACT_DRIVE, FORMULATIONS
 from ..formulas.trees import robot_structure, structure
 from ..generated.arithmetic import Arithmetic as OnArrays
 from ..io.array_types import Array
-from ..precision.truth import ON_DIGITS, number_of_digits
+from ..precision.truth import ON_DIGITS, digits, number_of_digits
 from ..results import OK
 from ..robot.robot import LEGS
 from .parts import plain_kernel
-from .running import HALF_UNIT, Objects, Running, array, errors, inverse_sizes, sizes, solve, solve_definite
+from .running import (
+    HALF_UNIT,
+    Objects,
+    Running,
+    array,
+    errors,
+    inverse_sizes,
+    sizes,
+    solve,
+    solve_definite,
+    values,
+)
 
 Numbers = Mapping[str, Array]
 Found = dict[str, Objects]
@@ -41,6 +52,8 @@ NEAR_JOINT_SINGULAR = constants("double")["NEAR_JOINT_SINGULAR"]
 
 # Rotations and axes are of length one only to rounding; other forms of the equations use that they are.
 _ORTHONORMAL = ("R", "k")
+# Of double: what errors are measured in.
+_UNIT = float(np.finfo(np.float64).eps)
 # What repeated turns and one rounding leave of R's orthonormality, in rounding units.
 _TURNED = 4.0
 
@@ -78,7 +91,8 @@ class KitInterpreter:
     """The functions of one robot in one formulation.
 
     robot: arrays of ``parts.fields``, as the C holds them. folded: the constants
-    are rounded after they were prepared and not before.
+    are rounded after they were prepared and not before. drives: arrays of ``stewart_drives``, of a robot that
+    has some.
     """
 
     robot: Numbers
@@ -86,6 +100,7 @@ class KitInterpreter:
     formulation: str = "exact"
     fidelity: str = "general"
     folded: bool = False
+    drives: Numbers = field(default_factory=dict)
 
     def forces(self, at: Numbers) -> Found:
         """F of (37), by the regrouped equations of the fidelity; those for legs near their joint singularity
@@ -153,6 +168,20 @@ class KitInterpreter:
         bound = np.array([[0, z, y], [z, 0, x], [y, x, 0]]) @ sizes(R) + _TURNED
         return _flat({"R": _with_errors(R, bound), "t": _with_errors(t, off[:3] + sizes(t))})
 
+    def axial_forces(self, at: Numbers) -> Found:
+        """axial and L_dot, (5), of forces F (6,) of ``at``."""
+        name = f"{kernel_name('exact', self.base_joint)}_drive"
+        return _flat(_axial(name).run("axial_forces", self._robot, _motion(at), list(array(at["F"]))))
+
+    def motor_torques(self, at: Numbers) -> Found:
+        """torque and current of F, axial and L_dot (6,) of ``at``: by the law, with errors of the C."""
+        drives = SimpleNamespace(**{name: list(array(of)) for name, of in self.drives.items()})
+        given = [list(array(at[name])) for name in ("F", "axial", "L_dot")]
+        found = _flat(Interpreter(torque_program(), ON).run("motor_torques", drives, *given))
+        law = torques_of_law(self.drives, at)
+        off = {name: abs(values(found[name] - law[name])) / _UNIT for name in law}
+        return {name: _with_errors(law[name], errors(found[name]) + off[name]) for name in law}
+
     def motion_from_rpy(self, at: Numbers) -> Found:
         """R, omega and alpha, (38), of sine, cosine, theta_dot, theta_ddot (3,) of ``at``."""
         return _rotated("motion_from_rpy", at)
@@ -201,6 +230,31 @@ class KitInterpreter:
         return robot_structure(SimpleNamespace(**self.robot), number)
 
 
+def torques_of_law(drives: Numbers, at: Numbers) -> Found:
+    """torque and current by the formulas of ``drives.friction``, at 50 digits.
+
+    drives: arrays of ``stewart_drives``. at: F, axial and L_dot (6,).
+    """
+    found: dict[str, list[Running]] = {"torque": [], "current": []}
+    for i in range(LEGS):
+        of = SimpleNamespace(**{name: digits.mpf(float(value[i])) for name, value in drives.items()})
+        F, axial, rate = (digits.mpf(float(at[name][i])) for name in ("F", "axial", "L_dot"))
+        x = max(-1, min(1, rate / of.smoothing)) if of.smoothing else digits.sign(rate)
+        sign = x * (3 - x**2) / 2
+        decay = digits.exp(-((rate / of.stribeck_speed) ** 2)) if of.stribeck else 0
+        dry = of.coulomb + of.stribeck * decay + (of.driving if axial * sign > 0 else of.driven) * abs(axial)
+        torque = (F + sign * dry + of.viscous * rate) / of.turns
+        found["torque"].append(Running(torque))
+        found["current"].append(Running(torque / of.torque_constant if of.torque_constant else 0))
+    return {name: array(each) for name, each in found.items()}
+
+
+@cache
+def _axial(name: str) -> Interpreter:
+    (form,) = (each for each in FORMULATIONS if each.kernel_name == name)
+    return Interpreter(axial_program(reduced_axial(form)), ON)
+
+
 @cache
 def _of_level(base_joint: str, formulation: str, fidelity: str, rotors: bool) -> Interpreter:
     found = program(plain_kernel(base_joint, formulation, fidelity, rotors), by_pivots=True)
@@ -223,18 +277,17 @@ def _kinematics() -> Interpreter:
 
 
 @cache
-def _closed_form(rotors: bool) -> ModuleType:
-    """A copy of the generated module of the closed form that solves by ``running``; forces are given."""
-    form = EXACT_DRIVE if rotors else EXACT
-    spec = find_spec(module(f"{form.kernel_name}_arrays").__name__)
-    assert spec is not None
-    assert spec.loader is not None
-    found = module_from_spec(spec)
-    spec.loader.exec_module(found)
-    instead = _solvers(vars(found)) | {"forces": lambda _, motion: motion.acting}
+def _closed_form(rotors: bool) -> SimpleNamespace:
+    """A copy of the generated functions of the closed form that solves by ``running``; forces are given."""
+    names: dict[str, Any] = {}
+    for form in (EXACT, EXACT_DRIVE) if rotors else (EXACT,):
+        names |= vars(module(f"{form.kernel_name}_arrays"))
+    functions = {name: each for name, each in names.items() if isinstance(each, FunctionType)}
+    names |= {name: FunctionType(each.__code__, names) for name, each in functions.items()}
+    instead = _solvers(functions) | {"forces": lambda _, motion: motion.acting}
     for name, function in instead.items():
-        setattr(found, name, lambda on, *given, function=function: function(*given))
-    return found
+        names[name] = lambda on, *given, function=function: function(*given)
+    return SimpleNamespace(**names)
 
 
 def _rotated(function: str, at: Numbers) -> Found:

@@ -14,9 +14,11 @@ from ..derive.emit import lanes, scalar
 from ..derive.emit.closed_form import FUNCTIONS as MOTION_FUNCTIONS
 from ..derive.emit.header import common_header
 from ..derive.emit.shared import ARITHMETIC, INCLUDED, LANES, OUTPUTS, SOLVE, shared_headers
+from ..derive.emit.torque import axial_name, axial_operations, torque_operations
 from ..derive.generate import (
     generator_version,
     motion_files,
+    reduced_axial,
     reduced_kinematics,
     reduced_rotation,
     shared_blocks,
@@ -26,13 +28,13 @@ from ..derive.kernel.operations import force_operations
 from ..derive.mechanics import quantities
 from ..derive.mechanics.actuator_forces import ForceKernel
 from ..derive.mechanics.baked_constants import baked
-from ..derive.mechanics.formulation import EXACT, EXACT_DRIVE
-from ..derive.package.functions import MODEL, NOTHING, ROBOT, Function, Part
+from ..derive.mechanics.formulation import EXACT, EXACT_DRIVE, FORMULATIONS
+from ..derive.package.functions import DRIVES, MODEL, NOTHING, ROBOT, Function, Part
 from ..derive.package.words import Numbers, robot_symbol
 from ..precision.truth import derived_kernel
 from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot
-from .choice import STEMS, Choice
+from .choice import STEMS, TORQUE, Choice
 
 _KINEMATICS = "kinematics"
 
@@ -100,6 +102,8 @@ def parts(robot: Robot, choice: Choice) -> Parts:
         found.append(_motion(robot, choice))
     if _KINEMATICS in choice.functions:
         found.append(_kinematics())
+    if TORQUE in choice.functions:
+        found += _torques(robot)
     found.append(_rotation())
     return Parts(tuple(found), before, after, choice.precision, robot.has_rotors)
 
@@ -227,6 +231,26 @@ def _kinematics() -> Part:
     ]
     says = "Inverse and forward kinematics: leg lengths and rates, the pose from them."
     return Part(file, _committed(file), tuple(functions), (_KINEMATICS,), says, INCLUDED[ARITHMETIC])
+
+
+def _torques(robot: Robot) -> list[Part]:
+    """Torques of the motors and, of legs with rotors, the axial forces that these take."""
+    found = []
+    if robot.has_rotors:
+        name = robot_kernel(robot, "exact")
+        (form,) = (each for each in FORMULATIONS if each.kernel_name == name)
+        file = axial_name(form)
+        count = f"{axial_operations(reduced_axial(form)).total:,}"
+        function = Function("axial_forces", f"{file}_forces", f"{file}.h", ROBOT, operations=count)
+        says = "Forces that pass through the screws, for the torques: F less what turns the rotors."
+        found.append(Part(file, _committed(file), (function,), ("axial",), says, INCLUDED[ARITHMETIC]))
+    file = "stewart_torque"
+    drive = robot.drive
+    assert drive is not None
+    count = f"{torque_operations(bool(np.any(drive.stribeck))).total:,}"
+    function = Function("motor_torques", "stewart_motor_torques", f"{file}.h", DRIVES, operations=count)
+    says = "Torques and currents of the motors, from forces of the legs and rates of their lengths."
+    return [*found, Part(file, _committed(file), (function,), (TORQUE,), says, INCLUDED[ARITHMETIC])]
 
 
 def _rotation() -> Part:

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from ..backend.kernel import MOTION
 from ..derive.mechanics.actuator_forces import ForceKernel
+from ..drives.friction import drive_numbers
 from ..io.array_types import Array
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
 from ..kinematics.inverse import inverse_kinematics, wrench_matrix
@@ -77,9 +78,9 @@ class Numbered:
     def of(cls, robot: Robot) -> Self:
         """The robot by its numbers, limits among them."""
         names = (*fields(robot.has_rotors), "length_limits")
-        return cls(
-            robot, tuple(np.asarray(getattr(robot, name)).tobytes() for name in names), robot.base_joint
-        )
+        numbers = [np.asarray(getattr(robot, name)) for name in names]
+        numbers += [] if robot.drive is None else [*drive_numbers(robot.drive).values()]
+        return cls(robot, tuple(each.tobytes() for each in numbers), robot.base_joint)
 
 
 @lru_cache(maxsize=64)

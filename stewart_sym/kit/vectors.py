@@ -16,6 +16,7 @@ import numpy as np
 
 from ..backend import fidelity as fidelities
 from ..backend.kernel import MOTION, need_representable
+from ..drives.friction import drive_numbers
 from ..io.array_types import Array
 from ..kinematics.conditioning import characteristic_length, moments_over
 from ..kinematics.forward import forward_kinematics
@@ -23,8 +24,8 @@ from ..kinematics.inverse import wrench_matrix
 from ..motion.motion import Motion
 from ..motion.rotation import orthonormal
 from ..results import JOINT_SINGULAR, SINGULAR, ZERO_LENGTH
-from ..robot.robot import Robot
-from .choice import PRECISIONS
+from ..robot.robot import LEGS, Robot
+from .choice import PRECISIONS, STEMS, TORQUE
 from .interpreter import Found, KitInterpreter, Numbers
 from .parts import fields as fields_of
 from .poses import neighbour, poses, rounded, significant
@@ -34,7 +35,10 @@ from .selection import Numbered, selection
 KINEMATICS = ("inverse_kinematics", "forward_kinematics", "forward_velocity")
 CLOSED_FORM = ("equations", "bias", "forward_dynamics", "joint_inertia", "derivatives", "linearisation")
 ROTATION = ("motion_from_rpy", "motion_from_quaternion")
-FUNCTIONS = ("forces", "inverse_dynamics", "joint_reactions", *CLOSED_FORM, *KINEMATICS, *ROTATION)
+FUNCTIONS = (
+    *("forces", "inverse_dynamics", "joint_reactions", *CLOSED_FORM),
+    *(*KINEMATICS, *STEMS[TORQUE], *ROTATION),
+)
 """Functions that there are vectors for."""
 
 FEW = 3
@@ -56,8 +60,8 @@ class Vector:
 
     function: its name without prefix. inputs: flat arrays by name, exactly representable in the precision:
     R (9,), t, omega, v, alpha, a, F_ext, M_ext (3,), the fields of ``stewart_motion``; where the function
-    needs them F, L, L_dot, bearing (6,), R_guess (9,), t_guess (3,), sine, cosine, theta_dot, theta_ddot
-    (3,), e, e_dot, e_ddot (4,). answers: flat arrays by member of the
+    needs them F, axial, L, L_dot, bearing (6,), R_guess (9,), t_guess (3,), sine, cosine, theta_dot,
+    theta_ddot (3,), e, e_dot, e_ddot (4,). answers: flat arrays by member of the
     C struct, in its order, of 50 digits rounded to the nearest double. bounds: of the same shapes, > 0, the
     largest error by rounding in rounding units: to be multiplied by the epsilon of the precision. ordinary:
     whether its motion is one that a machine may make.
@@ -112,7 +116,9 @@ def _made(
     }
     if not baked:
         constants = {name: rounded(value, kind) for name, value in constants.items()}
-    interpreter = KitInterpreter(constants, robot.base_joint, formulation, level, baked)
+    drives = {} if robot.drive is None else drive_numbers(robot.drive)
+    drives = {name: rounded(value, kind) for name, value in drives.items()}
+    interpreter = KitInterpreter(constants, robot.base_joint, formulation, level, baked, drives)
     every = poses(robot, formulation, count)
     ordinary = [_input(robot, every[i], kind) for i in range(every.shape[0])]
     made = partial(_vector, interpreter, robot, kind)
@@ -172,6 +178,10 @@ def _vector(interpreter: KitInterpreter, robot: Robot, kind: type, function: str
     elif function == "joint_reactions":
         L = values(interpreter.inverse_kinematics(motion)["L"])
         inputs["bearing"] = near(significant(L * np.linspace(0.3, 0.8, 6), 2))
+    elif function == "axial_forces":
+        inputs["F"] = near(significant(values(interpreter.forces(motion)["F"]), 4))
+    elif function == "motor_torques":
+        inputs = {name: near(value) for name, value in _torque_inputs(interpreter, motion).items()}
     elif function in ROTATION:
         inputs = {name: near(value) for name, value in _rotation_inputs(function, motion).items()}
     elif function in KINEMATICS:
@@ -197,6 +207,16 @@ def _kinematic_inputs(
     R, t = _guess(robot, pose["R"].reshape(3, 3), pose["t"], L)
     inputs = {"L": L, "R_guess": rounded(R.ravel(), kind), "t_guess": rounded(t, kind)}
     return inputs, {**pose, "L": L}
+
+
+def _torque_inputs(interpreter: KitInterpreter, motion: Numbers) -> dict[str, Array]:
+    """Forces of a motion, and rates beside those at which friction changes; half of the motors are driven."""
+    F = significant(values(interpreter.forces(motion)["F"]), 4)
+    L_dot = values(interpreter.inverse_kinematics(motion)["L_dot"])
+    at = np.array([interpreter.drives["smoothing"], interpreter.drives["stribeck_speed"], L_dot])
+    at = np.abs(np.where(at == 0.0, L_dot, at)[np.arange(LEGS) % len(at), np.arange(LEGS)])
+    way = np.where(F < 0.0, -0.6, 0.6) * np.repeat([1.0, -1.0], LEGS // 2)
+    return {"F": F, "axial": significant(0.9 * F, 4), "L_dot": significant(way * at, 4)}
 
 
 def _rotation_inputs(function: str, motion: Numbers) -> dict[str, Array]:

@@ -75,9 +75,7 @@ def rpy_from_rotation(R: ArrayLike) -> Array:
     R: rotations, (..., 3, 3).  Result: rad, (..., 3).  theta_x is read off Rz^T R, so the angles give R back
     to rounding through theta_y = +-pi/2 too, where only theta_x -+ theta_z is determined.
     """
-    R = real_array(R, "R", "real numbers of shape (..., 3, 3)")
-    if R.shape[-2:] != (3, 3):
-        raise ValueError(f"R: expected shape (..., 3, 3), got {R.shape}")
+    R = _rotations(R)
     theta = np.empty(R.shape[:-1])
     theta[..., 2] = np.arctan2(R[..., 1, 0], R[..., 0, 0])
     s, c = np.sin(theta[..., 2]), np.cos(theta[..., 2])
@@ -177,9 +175,7 @@ def quaternion_from_rotation(R: ArrayLike) -> Array:
 
     The largest eigenvector of a symmetric matrix linear in R: good to rounding at every rotation.
     """
-    R = real_array(R, "R", "real numbers of shape (..., 3, 3)")
-    if R.shape[-2:] != (3, 3):
-        raise ValueError(f"R: expected shape (..., 3, 3), got {R.shape}")
+    R = _rotations(R)
     skew = np.stack(
         [R[..., 2, 1] - R[..., 1, 2], R[..., 0, 2] - R[..., 2, 0], R[..., 1, 0] - R[..., 0, 1]], axis=-1
     )
@@ -354,6 +350,13 @@ def _rows(components: tuple[Array, Array, Array]) -> Array:
 
 def _split(vector: Array) -> tuple[Array, Array, Array]:
     return vector[..., 0], vector[..., 1], vector[..., 2]
+
+
+def _rotations(R: ArrayLike) -> Array:
+    R = real_array(R, "R", "real numbers of shape (..., 3, 3)")
+    if R.shape[-2:] != (3, 3):
+        raise ValueError(f"R: expected shape (..., 3, 3), got {R.shape}")
+    return R
 
 
 def _angles(value: ArrayLike, name: str) -> Array:

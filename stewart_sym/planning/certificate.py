@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..drives.effort import at_instants
 from ..dynamics.inverse import inverse_dynamics
 from ..io.arguments import instance
 from ..io.array_types import Array
@@ -48,7 +49,7 @@ class PlanCertificate:
     force : LegExtreme
         Greatest force of each leg, N, without its sign, and when.
     used : float
-        Largest share of any limit of force, speed or acceleration.
+        Largest share of any limit of force, speed, acceleration, jerk or of the motors.
     lengths_kept : bool
         Whether all legs stay within their lengths.
     active : float
@@ -91,11 +92,12 @@ def certify_plan(plan: TimedPath) -> PlanCertificate:
     """
     instance(plan, TimedPath, "plan")
     robot, profile = plan.robot, plan.profile
-    nodes = profile.phase.s
-    along = singularities_along(robot, plan.path, nodes)
+    nodes = profile.nodes
+    along = singularities_along(robot, plan.path, nodes.s)
     shares = (np.arange(FINER) + 0.5) / FINER
     s, square, second = (
-        np.append(x.ravel(), end) for x, end in zip(profile.inside(shares), _end(plan), strict=True)
+        np.append(x.ravel(), end)
+        for x, end in zip(profile.inside(shares), (nodes.s[-1], 0.0, nodes.second[-1]), strict=True)
     )
     parts = [slice(i, i + _BLOCK) for i in range(0, len(s), _BLOCK)]
     legs, forces, used = zip(*(_part(plan, s[p], square[p], second[p]) for p in parts), strict=True)
@@ -110,7 +112,7 @@ def certify_plan(plan: TimedPath) -> PlanCertificate:
         longest=_in_time(along.longest, plan),
         speed=_extreme(times, speed),
         force=_extreme(times, force),
-        used=float(most.max()),
+        used=max(float(most.max()), float(_jerk(plan, len(s)).max())),
         lengths_kept=bool((along.shortest.value >= low).all() and (along.longest.value <= high).all()),
         active=_active(plan),
         crossings=along.crossings,
@@ -121,13 +123,27 @@ def certify_plan(plan: TimedPath) -> PlanCertificate:
 def _active(plan: TimedPath) -> float:
     """Share of the time in which a limit is active."""
     place = plan.profile.at(np.linspace(0.0, plan.duration, _INSTANTS))
-    used = _part(plan, place.s, place.rate**2, place.second)[2]
+    used = np.maximum(_part(plan, place.s, place.rate**2, place.second)[2], _jerk(plan, _INSTANTS))
     return float(np.mean(used > 1.0 - _ACTIVE))
 
 
-def _end(plan: TimedPath) -> tuple[float, float, float]:
-    phase = plan.profile.phase
-    return float(phase.s[-1]), 0.0, float(phase.last[-1])
+def _jerk(plan: TimedPath, count: int) -> Array:
+    """Shares of the limits of jerk that are used up to each of count instants, by differences, (count,)."""
+    found = np.zeros(count)
+    if plan.limits.jerk is None:
+        return found
+    times = np.linspace(0.0, plan.duration, count)
+    parts = [slice(i, i + _BLOCK) for i in range(0, count, _BLOCK)]
+    seconds = np.concatenate([_leg_accelerations(plan, times[part]) for part in parts])
+    rates = np.abs(np.diff(seconds, axis=0)) / np.diff(times)[:, None]
+    found[1:] = (rates / np.array(plan.limits.jerk)).max(axis=-1)
+    return found
+
+
+def _leg_accelerations(plan: TimedPath, times: Array) -> Array:
+    found = inverse_kinematics(plan.robot, plan.sample(times)).L_ddot
+    assert found is not None
+    return found
 
 
 def _part(plan: TimedPath, s: Array, square: Array, second: Array) -> tuple[Array, Array, Array]:
@@ -138,6 +154,12 @@ def _part(plan: TimedPath, s: Array, square: Array, second: Array) -> tuple[Arra
     legs = inverse_kinematics(plan.robot, motion)
     speeds, allowed = leg_speeds(plan.robot, motion, legs.L_dot, plan.limits)
     used = [np.abs(F) / force_limits(plan.robot, plan.limits), speeds / allowed]
+    drive = plan.robot.drive
+    if drive is not None:
+        motors = at_instants(plan.robot, drive, motion, F, legs.L_dot)
+        used += [np.abs(motors.torque) / drive.torque_limit, np.abs(motors.power) / drive.power_limit]
+        if motors.current is not None:
+            used.append(np.nan_to_num(np.abs(motors.current) / drive.current_limit))
     if plan.limits.acceleration is not None:
         assert legs.L_ddot is not None
         used.append(np.abs(legs.L_ddot) / np.array(plan.limits.acceleration))
@@ -151,11 +173,11 @@ def _part(plan: TimedPath, s: Array, square: Array, second: Array) -> tuple[Arra
 
 
 def _time_of(plan: TimedPath, s: float) -> float:
-    return float(np.interp(s, plan.profile.phase.s, plan.profile.times))
+    return float(np.interp(s, plan.profile.nodes.s, plan.profile.times))
 
 
 def _in_time(found: LegExtreme, plan: TimedPath) -> LegExtreme:
-    return LegExtreme(np.interp(found.time, plan.profile.phase.s, plan.profile.times), found.value)
+    return LegExtreme(np.interp(found.time, plan.profile.nodes.s, plan.profile.times), found.value)
 
 
 def _extreme(times: Array, values: Array) -> LegExtreme:

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..io.array_types import Array
 from .path_terms import Terms
-from .phase_plane import Bounds, bounds_of
+from .phase_plane import Bounds, bounds_of, fastest
 from .profile import Profile
 
 Source = Callable[[Array], Terms]
@@ -28,15 +28,22 @@ _SECANTS = 5
 # Exceeded by more than this share between nodes, a limit is no matter of tightening alone.
 _ROUGH = 5e-4
 _APART = 0.05
+# Turns until rates are the same to this share of the largest.
+_TURNS = 12
+_SAME = 1e-3
 
 
 class Grid(NamedTuple):
-    """Nodes s, (n,), terms there, and shares by which limits are tightened, (n, m), those of speed last."""
+    """Nodes s, (n,), terms there, and shares by which limits are tightened, (n, m), those of speed last.
+
+    rate: s' of the motion found last, (n,), from which friction and limits of power are taken; 0 before.
+    """
 
     source: Source
     s: Array
     terms: Terms
     margin: Array
+    rate: Array
 
     @classmethod
     def of(cls, source: Source, s: Array) -> Grid:
@@ -52,13 +59,32 @@ class Grid(NamedTuple):
     def at(cls, source: Source, s: Array) -> Grid:
         """A grid of just these nodes."""
         terms = source(s)
-        return cls(source, s, terms, np.full((len(s), len(terms.limit) + 1), _MARGIN))
+        return cls(source, s, terms, np.full((len(s), terms.count), _MARGIN), np.zeros(len(s)))
+
+    def after(self, profile: Profile, share: float = 1.0) -> Grid:
+        """The grid with the rates of a motion along the path, times a share."""
+        return self._replace(rate=share * np.sqrt(np.interp(self.s, profile.phase.s, profile.phase.x)))
+
+    def fastest(self) -> tuple[Grid, Profile]:
+        """The fastest motion, in turns where bounds depend on its rates, and the grid with these."""
+        grid, motors = self, self.terms.motors
+        for _ in range(_TURNS):
+            profile = Profile.of(fastest(grid.s, grid.bounds()))
+            if motors is None:
+                break
+            rate = np.sqrt(profile.phase.x)
+            done = np.abs(rate - grid.rate).max() <= _SAME * rate.max()
+            # A limit of power has tangents from rates at which it is kept.
+            share = 1.0 if grid.rate.any() else motors.share_within_power(profile.phase.x, profile.second)
+            grid = grid.after(profile, share)
+            if done:
+                break
+        return grid, profile
 
     def bounds(self) -> Bounds:
         """What the tightened limits allow at the nodes."""
         room = 1.0 - self.margin
-        terms = self.terms._replace(caps=self.terms.caps * room[:, -1] ** 2)
-        return bounds_of(terms, terms.limit * room[:, :-1])
+        return bounds_of(self.terms.rows(self.rate, room), self.terms.caps * room[:, -1] ** 2)
 
     def divided(self, profile: Profile) -> Grid:
         """Cells in which a limit is exceeded, or none is active, in parts."""
@@ -79,24 +105,18 @@ class Grid(NamedTuple):
     def used(self, profile: Profile, shares: Array = _SHARES) -> Array:
         """Shares of the limits that are used in every cell, (cells, shares, m), that of speed last."""
         s, square, second = profile.inside(shares)
-        return used_of(self.source(s.ravel()), square.ravel(), second.ravel()).reshape(*s.shape, -1)
-
-
-def used_of(terms: Terms, square: Array, second: Array) -> Array:
-    """Shares of the limits that are used at s'^2 and s'', (n, m), that of speed last."""
-    values = np.abs(terms.values(square, second)) / terms.limit
-    return np.concatenate([values, np.sqrt(square / terms.caps)[:, None]], axis=-1)
+        return self.source(s.ravel()).used(square.ravel(), second.ravel()).reshape(*s.shape, -1)
 
 
 def _zeros(source: Source, s: Array) -> Array:
-    """Where a passes zero, between nodes."""
-    a = source(s).a
+    """Where the effect of s'' on a quantity or the rate of a leg with friction passes zero."""
+    a = source(s).crossings
     cell, row = np.nonzero(a[:-1] * a[1:] < 0.0)
     low, high = s[cell], s[cell + 1]
     below, above = a[cell, row], a[cell + 1, row]
     for _ in range(_SECANTS if len(cell) else 0):
         middle = low - below * (high - low) / (above - below)
-        value = source(middle).a[np.arange(len(row)), row]
+        value = source(middle).crossings[np.arange(len(row)), row]
         same = value * below > 0.0
         low, below = np.where(same, middle, low), np.where(same, value, below)
         high, above = np.where(same, high, middle), np.where(same, above, value)

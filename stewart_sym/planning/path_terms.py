@@ -25,7 +25,8 @@ from ..io.array_types import Array
 from ..io.tables import positive
 from ..kinematics.inverse import inverse_kinematics
 from ..motion.motion import Motion
-from ..robot.robot import Robot
+from ..robot.robot import LEGS, Robot
+from .motor_terms import MotorTerms, Rows
 
 Path = Callable[[Array], Motion]
 """Parameters s, (n,) -> motion of shape (n,) whose rates are derivatives by s, loads included."""
@@ -40,8 +41,9 @@ class Limits:
     force, speed : float or sequence of float, optional
         Of each actuator, N and m/s, one number or six; None: the robot's. The speed limit of a drive's motor
         counts beside it.
-    acceleration : float or sequence of float, optional
-        Of the leg lengths, m/s^2, one number or six.
+    acceleration, jerk : float or sequence of float, optional
+        Of the leg lengths, m/s^2 and m/s^3, one number or six. With a limit of jerk accelerations are 0 at
+        both ends.
     platform_speed, platform_turn_rate : float, optional
         Of the reference point, m/s, and of the platform's rotation, rad/s.
 
@@ -54,12 +56,13 @@ class Limits:
     force: object = None
     speed: object = None
     acceleration: object = None
+    jerk: object = None
     platform_speed: float | None = None
     platform_turn_rate: float | None = None
 
     def __post_init__(self) -> None:
         """Check every number."""
-        for name in ("force", "speed", "acceleration"):
+        for name in ("force", "speed", "acceleration", "jerk"):
             value = getattr(self, name)
             object.__setattr__(self, name, None if value is None else six_positive(value, name))
         for name in ("platform_speed", "platform_turn_rate"):
@@ -80,7 +83,8 @@ def six_positive(value: object, where: str) -> tuple[float, ...]:
 class Terms(NamedTuple):
     """Coefficients at n parameters of m limited quantities, (n, m) each, and their limits, (m,).
 
-    caps: largest s'^2 that the speed limits allow, (n,). names: of the quantities, for messages.
+    caps: largest s'^2 that the speed limits allow, (n,). names: of the quantities, for messages. motors: what
+    the path takes of the motors, where these have limits beside their speed.
     """
 
     a: Array
@@ -90,11 +94,39 @@ class Terms(NamedTuple):
     limit: Array
     caps: Array
     names: tuple[str, ...]
+    motors: MotorTerms | None
+
+    @property
+    def count(self) -> int:
+        """Of the limited quantities: those of the coefficients, of the motors, and speed."""
+        return len(self.limit) + (0 if self.motors is None else len(self.motors.names)) + 1
+
+    @property
+    def crossings(self) -> Array:
+        """What changes the bounds of s'' where it passes zero, (n, k)."""
+        return self.a if self.motors is None else np.concatenate([self.a, self.motors.crossings], axis=-1)
 
     def values(self, square: Array, second: Array) -> Array:
         """The quantities, (n, m), at s'^2 and s'', (n,)."""
         x = square[:, None]
         return np.asarray(self.a * second[:, None] + self.b * x + self.d * np.sqrt(x) + self.e)
+
+    def used(self, square: Array, second: Array) -> Array:
+        """Shares of the limits that are used at s'^2 and s'', (n, count), that of speed last."""
+        parts = [np.abs(self.values(square, second)) / self.limit]
+        if self.motors is not None:
+            parts.append(self.motors.used(square, second))
+        return np.concatenate([*parts, np.sqrt(square / self.caps)[:, None]], axis=-1)
+
+    def rows(self, rate: Array, room: Array) -> Rows:
+        """What bounds s'', limits times room, (n, count); rate: s' of the motion found last, (n,)."""
+        count = len(self.limit)
+        most = self.limit * room[:, :count]
+        own = Rows(self.a, self.b, self.d, self.e, -most, most)
+        if self.motors is None:
+            return own
+        parts = (own, self.motors.rows(rate, room[:, count:-1]))
+        return Rows(*(np.concatenate(each, axis=-1) for each in zip(*parts, strict=True)))
 
 
 def travelled(motion: Motion, rate: Array | float, second: Array | float) -> Motion:
@@ -114,10 +146,12 @@ def travelled(motion: Motion, rate: Array | float, second: Array | float) -> Mot
     )
 
 
-def terms_along(robot: Robot, path: Path, s: Array, limits: Limits, formulation: Formulation) -> Terms:
-    """Coefficients at parameters s, (n,): of forces, and of leg accelerations where they are limited.
+def terms_along(
+    robot: Robot, path: Path, s: Array, limits: Limits, formulation: Formulation, motors: bool = False
+) -> Terms:
+    """Coefficients at parameters s, (n,): of forces, of leg accelerations and motors where they are limited.
 
-    Raises ValueError at poses that have no forces.
+    motors: with those of the motors in any case. Raises ValueError at poses that have no forces.
     """
     motion = path(s)
 
@@ -136,7 +170,11 @@ def terms_along(robot: Robot, path: Path, s: Array, limits: Limits, formulation:
         limit.append(np.array(limits.acceleration))
         names += [f"acceleration of leg {leg + 1}" for leg in range(6)]
     a, b, d, e = (np.concatenate(each, axis=-1) for each in zip(*columns, strict=True))
-    return Terms(a, b, d, e, np.concatenate(limit), _caps(robot, motion, legs.L_dot, limits), tuple(names))
+    own = MotorTerms.of(robot, motion, np.stack([x[:, :LEGS] for x in (a, b, d, e)]), legs.L_dot)
+    caps = _caps(robot, motion, legs.L_dot, limits)
+    return Terms(
+        a, b, d, e, np.concatenate(limit), caps, tuple(names), own if own.limited or motors else None
+    )
 
 
 def force_limits(robot: Robot, limits: Limits) -> Array:

@@ -17,7 +17,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..io.array_types import Array
-from .path_terms import Terms
+from .motor_terms import Rows
 
 # A quantity on which s'' has less than this share of its largest effect along the path does not bound s''.
 _NO_EFFECT = 1e-9
@@ -47,27 +47,30 @@ class PhasePath(NamedTuple):
     stops: Array
 
 
-def bounds_of(terms: Terms, limit: Array) -> Bounds:
-    """Bounds of s'' at the nodes; ``limit``: of each quantity at each node, (n, m)."""
-    effect = np.abs(terms.a)
+def bounds_of(rows: Rows, caps: Array) -> Bounds:
+    """Bounds of s'' by rows, and of x by these and by caps, (n,)."""
+    effect = np.abs(rows.a)
     free = effect <= _NO_EFFECT * effect.max(axis=0)
-    a = np.where(free, 1.0, terms.a)
-    rest = -np.stack([terms.e, terms.b, terms.d], axis=-1) / a[..., None]
-    reach = np.where(free, np.inf, limit / np.abs(a))
+    a = np.where(free, 1.0, rows.a)
+    rest = -np.stack([rows.e, rows.b, rows.d], axis=-1) / a[..., None]
     low, high = rest.copy(), rest.copy()
-    low[..., 0] -= reach
-    high[..., 0] += reach
+    low[..., 0] += np.where(a > 0.0, rows.low, rows.high) / a
+    high[..., 0] += np.where(a > 0.0, rows.high, rows.low) / a
     low[free], high[free] = (-np.inf, 0.0, 0.0), (np.inf, 0.0, 0.0)
     # Quantities that s'' does not change bound x by themselves.
-    alone = [
-        np.where(free, first_root(sign * terms.e - limit, sign * terms.b, sign * terms.d), np.inf).min(
-            axis=-1
-        )
-        for sign in (1.0, -1.0)
-    ]
+    above = first_root(rows.e - rows.high, rows.b, rows.d)
+    below = first_root(rows.low - rows.e, -rows.b, -rows.d)
+    alone = np.where(free, np.minimum(above, below), np.inf).min(axis=-1)
+    low, high = (_bounding(side) for side in (low, high))
     gap = low[:, :, None, :] - high[:, None, :, :]
-    together = first_root(gap[..., 0], gap[..., 1], gap[..., 2]).min(axis=(1, 2))
-    return Bounds(low, high, np.minimum(terms.caps, np.minimum.reduce([*alone, together]) ** 2))
+    together = first_root(gap[..., 0], gap[..., 1], gap[..., 2]).min(axis=(1, 2), initial=np.inf)
+    return Bounds(low, high, np.minimum(caps, np.minimum(alone, together) ** 2))
+
+
+def _bounding(side: Array) -> Array:
+    """Bounds of quantities that bound s'' anywhere, or just one."""
+    kept = np.isfinite(side[..., 0]).any(axis=0)
+    return side[:, kept] if kept.any() else side[:, :1]
 
 
 def first_root(c_0: Array, c_1: Array, c_2: Array) -> Array:

@@ -21,6 +21,7 @@ from ..robot.robot import Robot
 from .path_terms import Limits, six_positive
 from .plan_path import PRICE, Objective, need_poses
 from .pose_costs import PathLimits
+from .time_path import LEAST, Least
 from .via_poses import COORDINATES, ViaPose
 
 SCHEMA = 1
@@ -34,6 +35,8 @@ _TOP_KEYS = (
     "objective",
     "price",
     "rate",
+    "least",
+    "duration",
     "limits",
     "load",
     "via",
@@ -45,6 +48,7 @@ _LIMIT_KEYS = (
     "force",
     "speed",
     "acceleration",
+    "jerk",
     "platform_speed",
     "platform_turn_rate",
 )
@@ -68,6 +72,8 @@ class PlanRequest:
     load: Array
     formulation: Formulation
     rate: float
+    least: Least
+    duration: float | None
     files: tuple[Path, ...]
 
 
@@ -92,6 +98,8 @@ def _request(d: Mapping[str, Any], source: str) -> PlanRequest:
     objective = tables.choice(top.get("objective", "mean"), ("mean", "peak"), f"{file}objective")
     price = tables.not_negative(top.get("price", PRICE), f"{file}price")
     rate = tables.positive(top.get("rate", RATE), f"{file}rate")
+    least = tables.choice(top.get("least", LEAST[0]), LEAST, f"{file}least")
+    duration = tables.positive(top["duration"], f"{file}duration") if "duration" in top else None
     path_limits, limits = _limits(top.get("limits", {}), f"{file}limits.")
     load = _load(top.get("load", {}), f"{file}load.")
     files = [Path(source), folder / tables.one_line(top["robot"], f"{file}robot")]
@@ -119,6 +127,8 @@ def _request(d: Mapping[str, Any], source: str) -> PlanRequest:
         load=load,
         formulation=cast(Formulation, formulation),
         rate=rate,
+        least=cast(Least, least),
+        duration=duration,
         files=tuple(files),
     )
 
@@ -127,7 +137,7 @@ def _limits(value: object, prefix: str) -> tuple[PathLimits, Limits]:
     table = tables.checked_table(value, prefix, _LIMIT_KEYS)
     found: dict[str, Any] = {}
     for key, given in table.items():
-        check = six_positive if key in ("force", "speed", "acceleration") else tables.positive
+        check = six_positive if key in ("force", "speed", "acceleration", "jerk") else tables.positive
         found[key] = check(given, prefix + key)
     own = {key: found.pop(key) for key in ("condition", "clearance") if key in found}
     try:

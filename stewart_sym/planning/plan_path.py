@@ -16,6 +16,7 @@ from ..io.array_types import Array
 from ..io.extras import needed_for
 from ..io.progress import Progress, silent
 from ..io.tables import not_negative
+from ..motion.motion import Motion
 from ..robot.robot import Robot
 from ..singularities.along_path import crossings
 from .path_spline import Family, by_coordinates, poses_of, scales
@@ -37,6 +38,7 @@ _STEPS = 60
 _STARTS = 12
 _SWING = 0.6
 _FINE = 2001
+_RESTS = 1e-6
 # Of the way from the straight spline to the best path.
 _SHARES = (1.0, 0.9, 0.75, 0.5, 0.25, 0.1, 0.03, 0.01, 0.0)
 
@@ -145,6 +147,7 @@ def plan_path(
         found = conditions_along(robot, path)
         if max(found.mean / at_first.mean, found.peak / at_first.peak) <= 1.0:
             break
+    need_passed(path, search.costs.length)
     passed = tuple(pose.moved(shift) for pose, shift in zip(poses, search.family.shifts(values), strict=True))
     return PlannedPath(path, straight, poses, passed, found, at_first)
 
@@ -162,13 +165,29 @@ def need_poses(poses: Sequence[ViaPose]) -> None:
             raise ValueError(f"via pose {number}: expected another pose than via pose {number - 1}")
 
 
+def need_passed(path: PosePath, length: float) -> None:
+    """Reject a path that turns back at a via pose, where it rests; length: the characteristic one."""
+    rates = _rates(path(np.concatenate([path.via, np.linspace(0.0, 1.0, _FINE)])), length)
+    for k in np.flatnonzero(rates[: len(path.via)] <= _RESTS * rates.max()).tolist():
+        raise ValueError(
+            f"via pose {k + 1}: expected a path through it, the one found turns back there; plan the way "
+            "to it and the way back apart, or move the via pose before or after it"
+        )
+
+
+def _rates(motion: Motion, length: float) -> Array:
+    """By the parameter, shifts over a length and angles taken together, (n,)."""
+    shift = np.sum((motion.v / length) ** 2, axis=-1)
+    return np.asarray(np.sqrt(shift + np.sum(motion.omega**2, axis=-1)))
+
+
 def conditions_along(robot: Robot, path: PosePath, count: int = _FINE) -> Conditions:
     """Condition numbers along a path, from evenly spaced parameters."""
     motion = path(np.linspace(0.0, 1.0, count))
     costs = PoseCosts(robot, PathLimits(), np.zeros(3), 1.0, 0.0)
     with np.errstate(divide="ignore", invalid="ignore"):
         values, signs = costs.plain_conditions(motion.R, motion.t)
-    weight = np.sqrt(np.sum((motion.v / costs.length) ** 2, axis=-1) + np.sum(motion.omega**2, axis=-1))
+    weight = _rates(motion, costs.length)
     weight[[0, -1]] *= 0.5
     crossed = bool((signs[1:] != signs[:-1]).any())
     mean = float(values @ weight / weight.sum())

@@ -18,21 +18,66 @@ class Place(NamedTuple):
     second: Array
 
 
+class Ease(NamedTuple):
+    """s from start to end as a polynomial of x from 0 to 1 whose first rates at both ends are 0.
+
+    A motion from rest has a rate of x above 0 everywhere: with two such rates s'' begins at 0 too.
+    """
+
+    start: float
+    end: float
+    rests: int
+
+    def __call__(self, x: Array, rate: Array, second: Array) -> Place:
+        """s, s' and s'' at x, x' and x''."""
+        way = self.end - self.start
+        if self.rests == 1:
+            share, by, twice = x * x * (3.0 - 2.0 * x), 6.0 * x * (1.0 - x), 6.0 - 12.0 * x
+        else:
+            share = x**3 * (10.0 - 15.0 * x + 6.0 * x * x)
+            by, twice = 30.0 * (x * (1.0 - x)) ** 2, 60.0 * x * (1.0 - x) * (1.0 - 2.0 * x)
+        s = np.clip(self.start + way * share, min(self.start, self.end), max(self.start, self.end))
+        return Place(s, way * by * rate, way * (twice * rate**2 + by * second))
+
+
 class Profile(NamedTuple):
-    """A path's parameter over time; times of the nodes, s, (n,), from 0."""
+    """A path's parameter over time; times of the nodes, s, (n,), from 0.
+
+    ease: the parameter as a function of that of the phase plane; None: they are the same.
+    """
 
     phase: PhasePath
     times: Array
+    ease: Ease | None = None
 
     @classmethod
-    def of(cls, phase: PhasePath) -> Profile:
+    def of(cls, phase: PhasePath, ease: Ease | None = None) -> Profile:
         """The profile of a path in the phase plane."""
-        return cls(phase, np.concatenate([[0.0], np.cumsum(durations(phase))]))
+        return cls(phase, np.concatenate([[0.0], np.cumsum(durations(phase))]), ease)
+
+    @property
+    def nodes(self) -> Place:
+        """s, s' and s'' at the nodes."""
+        return self._eased(self.phase.s, np.sqrt(self.phase.x), self.second)
+
+    def slowed(self, share: float) -> Profile:
+        """The same with all rates multiplied by a share."""
+        phase = self.phase
+        squared = {name: share**2 * getattr(phase, name) for name in ("x", "first", "last")}
+        return Profile.of(phase._replace(**squared), self.ease)
+
+    def _eased(self, x: Array, rate: Array, second: Array) -> Place:
+        return Place(x, rate, second) if self.ease is None else self.ease(x, rate, second)
 
     @property
     def duration(self) -> float:
         """Of the whole path, s."""
         return float(self.times[-1])
+
+    @property
+    def second(self) -> Array:
+        """s'' at the nodes, at the start of the cell after each."""
+        return np.append(self.phase.first, self.phase.last[-1])
 
     def at(self, times: Array) -> Place:
         """s, s' and s'' at times from 0 to the duration, s."""
@@ -44,7 +89,7 @@ class Profile(NamedTuple):
         cosine, sine, lift = _exponentials(slope * tau**2)
         moved = rate * tau * sine + second * tau**2 * lift
         moved = np.clip(moved, 0.0, np.diff(phase.s)[cell])
-        return Place(phase.s[cell] + moved, rate * cosine + second * tau * sine, second + slope * moved)
+        return self._eased(phase.s[cell] + moved, rate * cosine + second * tau * sine, second + slope * moved)
 
     def inside(self, shares: Array) -> tuple[Array, Array, Array]:
         """s, s'^2 and s'' at shares of every cell, (cells, shares)."""
@@ -53,7 +98,8 @@ class Profile(NamedTuple):
         step = h * shares
         second = phase.first[:, None] + slope * step
         square = phase.x[:-1, None] + (phase.first[:, None] + second) * step
-        return phase.s[:-1, None] + step, np.maximum(square, 0.0), second
+        place = self._eased(phase.s[:-1, None] + step, np.sqrt(np.maximum(square, 0.0)), second)
+        return place.s, place.rate**2, place.second
 
 
 def durations(phase: PhasePath) -> Array:

@@ -2,27 +2,37 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ..backend.kernel import FORMULATIONS
+from ..drives.friction import viscous
 from ..dynamics.inverse import Formulation
 from ..io.arguments import finite_array, instance, option, real_array, shown, whole_number
 from ..io.array_types import Array
+from ..io.extras import needed_for
 from ..io.progress import Progress, silent
+from ..io.tables import positive
 from ..motion.motion import Motion
 from ..robot.offsets import need_no_offsets
-from ..robot.robot import Robot
-from .grid import Grid
-from .path_terms import Limits, Path, Terms, terms_along, travelled
-from .phase_plane import fastest
-from .profile import Profile
+from ..robot.robot import LEGS, Robot
+from .grid import Grid, Source
+from .path_terms import Limits, Path, Terms, force_limits, terms_along, travelled
+from .profile import Ease, Profile
+from .smooth.energy_cost import EnergyCost
+from .smooth.smooth_time import SmoothPath, eased, length_rates
+
+Least = Literal["time", "energy", "peak-force"]
+LEAST = ("time", "energy", "peak-force")
+"""What a motion along a path can have least of."""
 
 CELLS = 1000
 """Cells of the first grid; those in which no limit is active, or one is exceeded, are divided."""
-
+SMOOTH_CELLS = 300
+"""At most, of the spline of a smooth motion."""
 
 _DIVISIONS = 3
 _ROUNDS = 15
@@ -30,6 +40,12 @@ _AT_ENDS = 20
 # A machine that can just about hold its own weight at a pose of the path takes for ever to pass it.
 _HOLD = 1.0 - 1e-6
 _RESTS = 1e-12
+_ROUGH_CELLS = 200
+# The least peak force that is looked for, over the largest force at rest, and to what share.
+_ABOVE_REST = 1.0 + 1e-3
+_SAME_FORCE = 1e-5
+# A duration so near the least time of smooth motions leaves nothing to choose.
+_NO_ROOM = 1e-3
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,11 +94,14 @@ def time_path(
     formulation: Formulation = "exact",
     cells: int = CELLS,
     progress: Progress = silent,
+    least: Least = "time",
+    duration: float | None = None,
 ) -> TimedPath:
-    """Find the fastest motion along a path, from rest to rest, within all limits.
+    """Find the best motion along a path, from rest to rest, within all limits: the fastest, or of a duration.
 
-    Forces are those of inverse dynamics, viscous friction included. Where a limit is exceeded between the
-    nodes of the grid it is tightened by as much, until none is.
+    Forces are those of inverse dynamics, viscous friction included; torque, speed, current and power of a
+    drive's motors are those of ``drive_effort``, all its friction included. Where a limit is exceeded between
+    the nodes of the grid it is tightened by as much, until none is.
 
     Parameters
     ----------
@@ -102,6 +121,14 @@ def time_path(
     progress : callable, optional
         Called with what is being done.
 
+    least : {"time", "energy", "peak-force"}, optional
+        What is made least. Energy: electrical, as ``drive_effort`` states it, work at the motors' shafts,
+        given back where it is negative, and heat of their windings; without a drive the work of the leg
+        forces. Peak force: the largest of any leg, of motions that may stop anywhere, so that it is no less
+        than at rest.
+    duration : float, optional
+        Of the motion, s; needed for least energy and peak force.
+
     Returns
     -------
     TimedPath
@@ -111,7 +138,7 @@ def time_path(
     ------
     ValueError
         Naming the argument, or the limit that stands in the way and where: the machine must be able to stand
-        still at every pose of the path.
+        still at every pose of the path. For a duration below the least time, which it names.
     """
     instance(robot, Robot, "robot")
     need_no_offsets(robot)
@@ -124,24 +151,138 @@ def time_path(
     limits = Limits() if limits is None else limits
     instance(limits, Limits, "limits")
     whole_number(cells, "cells", 10, "a whole number from 10 to 100,000", 100_000)
-
-    def source(s: Array) -> Terms:
-        return terms_along(robot, path, s, limits, formulation)
-
-    nodes = _first_nodes(float(ends[0]), float(ends[1]), cells)
-    need_bounded(source(nodes), nodes)
-    grid = Grid.of(source, nodes)
-    for turn in range(_ROUNDS):
-        progress("finding the fastest motion", turn / _ROUNDS)
-        profile = Profile.of(fastest(grid.s, grid.bounds()))
-        used = grid.used(profile)
-        if turn < _DIVISIONS:
-            grid = grid.divided(profile)
-        elif used.max() <= 1.0:
-            break
-        else:
-            grid = grid.tightened(used)
+    option(least, LEAST, "least")
+    if least == "time":
+        if duration is not None:
+            raise ValueError('duration: expected least = "energy" or "peak-force" beside it')
+    elif duration is None:
+        raise ValueError(f'duration: missing, expected beside least = "{least}"')
+    task = _Task(robot, path, (float(ends[0]), float(ends[1])), limits, formulation, cells, progress)
+    task.need_possible()
+    profile = task.fastest(limits)
+    if duration is not None:
+        given = positive(duration, "duration")
+        if given < profile.duration * (1.0 - 1e-9):
+            raise ValueError(
+                f"duration: expected at least the least time, {profile.duration:.6g} s, got {given:g}"
+            )
+        found = task.thriftiest(given) if least == "energy" else task.gentlest(profile, given)
+        slow = profile if found is None else found
+        profile = slow.slowed(slow.duration / given)
     return TimedPath(robot, path, limits, formulation, profile)
+
+
+class _Task(NamedTuple):
+    """What is to be timed; arguments of ``time_path``."""
+
+    robot: Robot
+    path: Path
+    span: tuple[float, float]
+    limits: Limits
+    formulation: Formulation
+    cells: int
+    progress: Progress
+
+    def source(self, limits: Limits) -> Source:
+        """Terms along the path."""
+        return lambda s: terms_along(self.robot, self.path, s, limits, self.formulation)
+
+    def need_possible(self) -> None:
+        """Reject a path that cannot be travelled, or as fast as one likes."""
+        nodes = _first_nodes(*self.span, self.cells)
+        need_bounded(self.source(self.limits)(nodes), nodes, self.limits.jerk is not None)
+
+    def fastest(self, limits: Limits) -> Profile:
+        """The fastest motion."""
+        if limits.jerk is not None:
+            smooth = self.smooth(limits)
+            return smooth.profile(smooth.fastest())
+        grid = Grid.of(self.source(limits), _first_nodes(*self.span, self.cells))
+        for turn in range(_ROUNDS):
+            self.progress("finding the fastest motion", turn / _ROUNDS)
+            grid, profile = grid.fastest()
+            used = grid.used(profile)
+            if turn < _DIVISIONS:
+                grid = grid.divided(profile).after(profile)
+            elif used.max() <= 1.0:
+                break
+            else:
+                grid = grid.tightened(used)
+        return profile
+
+    def smooth(self, limits: Limits) -> SmoothPath:
+        """The path, eased."""
+        cells = min(self.cells, SMOOTH_CELLS)
+        ease = Ease(*self.span, 1 if limits.jerk is None else 2)
+        path = eased(self.path, ease)
+
+        def source(x: Array) -> Terms:
+            return terms_along(self.robot, path, x, limits, self.formulation)
+
+        jerk = np.array(limits.jerk or [np.inf] * LEGS)
+        return SmoothPath.of(source, lambda x: length_rates(self.robot, path, x), ease, cells, jerk)
+
+    def thriftiest(self, duration: float) -> Profile | None:
+        """The motion of least energy in a duration; None where that is too short for a smooth one."""
+        need_losses(self.robot)
+        self.progress("finding the motion of least energy")
+        smooth = self.smooth(self.limits)
+        path = eased(self.path, smooth.ease)
+        terms = terms_along(self.robot, path, smooth.nodes, self.limits, self.formulation, motors=True)
+        assert terms.motors is not None
+        start = smooth.fastest()
+        if smooth.profile(start).duration > duration * (1.0 - _NO_ROOM):
+            return None
+        return smooth.profile(smooth.thriftiest(EnergyCost.of(terms.motors), start, duration))
+
+    def gentlest(self, quickest: Profile, duration: float) -> Profile:
+        """The motion of least peak force in a duration, a little faster, from the fastest of all."""
+        self.progress("finding the motion of least peak force")
+        with needed_for("a motion"):
+            from scipy.optimize import brentq
+        own, nodes = force_limits(self.robot, self.limits), quickest.nodes
+        terms = self.source(self.limits)(nodes.s)
+        held = float(np.abs(terms.e[:, :LEGS]).max())
+        highest = float(np.abs(terms.values(nodes.rate**2, nodes.second)[:, :LEGS]).max())
+
+        def limited(force: float) -> Limits:
+            return replace(self.limits, force=np.minimum(own, force))
+
+        def excess(force: float) -> float:
+            return self._replace(cells=_ROUGH_CELLS).roughly(limited(force)) ** -2 - duration**-2
+
+        lowest = min(held * _ABOVE_REST, highest)
+        # About 1 / time^2 grows with the force above what the machine takes at rest.
+        if excess(lowest) >= 0.0:
+            force = lowest
+        elif excess(highest) <= 0.0:
+            return quickest
+        else:
+            force = float(brentq(excess, lowest, highest, rtol=_SAME_FORCE))
+        while force < highest:
+            profile = self.fastest(limited(force))
+            if profile.duration <= duration:
+                return profile
+            force *= 1.0 + 2.0 * max(profile.duration / duration - 1.0, _SAME_FORCE)
+        return quickest
+
+    def roughly(self, limits: Limits) -> float:
+        """Least time on a coarse grid, s."""
+        if limits.jerk is not None:
+            return self.fastest(limits).duration
+        return Grid.at(self.source(limits), _first_nodes(*self.span, self.cells)).fastest()[1].duration
+
+
+def need_losses(robot: Robot) -> None:
+    """Reject a machine whose every motion takes the same energy."""
+    losses = [robot.C_u, robot.C_p, robot.C_s]
+    if robot.drive is not None:
+        losses += [robot.drive.resistance, viscous(robot.drive)]
+    if not any(np.any(loss) for loss in losses):
+        raise ValueError(
+            "robot: expected viscous friction or a resistance of windings, without them every motion along "
+            "the path takes the same energy"
+        )
 
 
 def _first_nodes(start: float, end: float, cells: int) -> Array:
@@ -151,9 +292,12 @@ def _first_nodes(start: float, end: float, cells: int) -> Array:
     return np.concatenate([even[:1], start + more, even[1:-1], end - more[::-1], even[-1:]])
 
 
-def need_bounded(terms: Terms, s: Array) -> None:
-    """Reject a path that no limit bounds or that rests, and poses at which the machine can't stand still."""
-    if not np.isfinite(terms.caps).all() and not np.isfinite(terms.limit).any():
+def need_bounded(terms: Terms, s: Array, bounded: bool) -> None:
+    """Reject a path that rests, one that no limit bounds, and poses at which the machine can't stand still.
+
+    bounded: by another limit than those of the terms.
+    """
+    if not (bounded or np.isfinite(terms.caps).all() or np.isfinite(terms.limit).any() or terms.motors):
         raise ValueError("limits: expected a limit of force, speed or acceleration, there is none")
     effect = np.abs(terms.a).max(axis=-1)
     if effect.min() <= _RESTS * effect.max():
@@ -165,4 +309,10 @@ def need_bounded(terms: Terms, s: Array) -> None:
         raise ValueError(
             f"limits: {terms.names[k]} is {abs(terms.e[i, k]):.6g} at rest at s = {s[i]:.6g} of the path, "
             f"expected less than its limit, {terms.limit[k]:.6g}"
+        )
+    if terms.motors is not None and (moved := terms.motors.at_rest()).max() >= _HOLD:
+        i, k = np.unravel_index(int(np.argmax(moved)), moved.shape)
+        raise ValueError(
+            f"limits: {terms.motors.names[k]} is {moved[i, k]:.4g} times its limit at rest or in slow motion "
+            f"at s = {s[i]:.6g} of the path"
         )

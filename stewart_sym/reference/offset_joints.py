@@ -30,6 +30,7 @@ from ..robot.offset_chains import (
     lower_motion,
     motor_motion,
     offsets_of,
+    swung,
     transposed,
     upper_motion,
 )
@@ -282,7 +283,7 @@ def _bodies(robot: Robot, at: Chains, rates: Array, seconds: Array) -> Iterator[
         yield _Body(
             m=mass[:, None],
             c=c,
-            a=a + _swung(omega, alpha, r),
+            a=a + swung(omega, alpha, r),
             spun=applied(I, alpha) + np.cross(omega, applied(I, omega)),
             v=v + np.cross(omega, r),
             I=I,
@@ -334,8 +335,3 @@ def _solved(robot: Robot, motion: Motion) -> tuple[Legs, Forces]:
 def _without_accelerations(motion: Motion) -> Motion:
     none = np.zeros_like(motion.t)
     return Motion.unchecked(motion.R, motion.t, motion.omega, motion.v, none, none)
-
-
-def _swung(omega: Array, alpha: Array, r: Array) -> Array:
-    """Acceleration of a point of a body against another of its points."""
-    return np.cross(alpha, r) + np.cross(omega, np.cross(omega, r))

@@ -83,7 +83,7 @@ def joint_motion(robot: Robot, motion: Motion) -> JointMotion:
     if motion.a is None or motion.alpha is None:
         return JointMotion(at, rates, None, J, inverse @ X)
     alpha = motion.alpha[..., None, :]
-    quick = motion.a[..., None, :] + _swung(omega, alpha, at.q)
+    quick = motion.a[..., None, :] + swung(omega, alpha, at.q)
     drift = motion_of_end(robot, at, rates, np.zeros_like(rates))
     return JointMotion(at, rates, applied(inverse, _with_turn(offsets, quick, alpha) - drift), J, inverse @ X)
 
@@ -221,7 +221,7 @@ def motion_of_end(robot: Robot, at: Chains, rates: Array, seconds: Array) -> Arr
     turn = rates[..., 4, None] * at.y_w
     omega = upper.omega + turn
     alpha = upper.alpha + seconds[..., 4, None] * at.y_w + np.cross(upper.omega, turn)
-    a = upper.a + _swung(omega, alpha, at.P - at.T)
+    a = upper.a + swung(omega, alpha, at.P - at.T)
     last = rates[..., 5, None] * at.k_w
     return np.concatenate([a, alpha + seconds[..., 5, None] * at.k_w + np.cross(omega, last)], axis=-1)
 
@@ -239,7 +239,7 @@ class Moving:
 def cross_motion(robot: Robot, at: Chains, rates: Array, seconds: Array) -> Moving:
     """Of the cross, and where o meets the moving axis."""
     omega, alpha = rates[..., 0, None] * robot.k, seconds[..., 0, None] * robot.k
-    return Moving(omega, alpha, np.cross(omega, at.A), _swung(omega, alpha, at.A))
+    return Moving(omega, alpha, np.cross(omega, at.A), swung(omega, alpha, at.A))
 
 
 def lower_motion(robot: Robot, at: Chains, rates: Array, seconds: Array) -> Moving:
@@ -255,7 +255,7 @@ def upper_motion(robot: Robot, at: Chains, rates: Array, seconds: Array) -> Movi
     lower = lower_motion(robot, at, rates, seconds)
     r, slide = at.T - at.A, rates[..., 2, None] * at.s
     v = lower.v + np.cross(lower.omega, r) + slide
-    a = lower.a + _swung(lower.omega, lower.alpha, r) + 2 * np.cross(lower.omega, slide)
+    a = lower.a + swung(lower.omega, lower.alpha, r) + 2 * np.cross(lower.omega, slide)
     a = a + seconds[..., 2, None] * at.s
     if at.y_w is None:
         return Moving(lower.omega, lower.alpha, v, a)
@@ -269,7 +269,7 @@ def offsets_of(robot: Robot) -> Offsets:
     return Offsets() if robot.offsets is None else robot.offsets
 
 
-def _swung(omega: Array, alpha: Array, r: Array) -> Array:
+def swung(omega: Array, alpha: Array, r: Array) -> Array:
     """Acceleration of a point of a body against another of its points."""
     return np.cross(alpha, r) + np.cross(omega, np.cross(omega, r))
 

@@ -25,6 +25,7 @@ STUDIES: dict[str, Callable[[Figures], dict[str, str]]] = {
     "chart": accuracy.tables,
     "control": control.tables,
     "controller": microcontroller.tables,
+    "controller_drive": microcontroller.drive_tables,
     "plan": planning.tables,
     "stability": robustness.tables,
 }

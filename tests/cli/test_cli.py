@@ -193,8 +193,8 @@ def test_derive_with_a_file_in_the_way_of_a_folder_leaves_no_trace(
 ) -> None:
     files = {"__init__.py": "", "assembly.py": "", "c/stewart.h": "", "exact.py": ""}
 
-    def derived(progress: Callable[[str], None]) -> dict[str, str]:
-        progress("deriving exact")
+    def derived(progress: Callable[[str, float, float], None], _processes: int) -> dict[str, str]:
+        progress("exact", 1.0, 1.0)
         return files
 
     monkeypatch.setattr("stewart_sym.derive.generate.generated_files", derived)
@@ -207,8 +207,8 @@ def test_derive_with_a_file_in_the_way_of_a_folder_leaves_no_trace(
     assert folder_state(tmp_path) == before
 
 
-def _two_files(progress: Callable[[str], None]) -> dict[str, str]:
-    progress("deriving exact")
+def _two_files(progress: Callable[[str, float, float], None], _processes: int) -> dict[str, str]:
+    progress("exact", 1.0, 1.0)
     counts = {"friction": {"total": (4, 3, 2, 1)}, "frictionless": {"total": (3, 2, 1, 0)}}
     return {"exact.py": f"OPERATIONS: dict = {counts}\n", "c/stewart_exact.c": "int x;\n"}
 

@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from kits import proves_itself
-from machines import random_robot, with_random_rotors
+from machines import random_robot, with_random_drives
 
 from stewart_sym.kit.choice import FUNCTIONS, Choice
 from stewart_sym.kit.files import kit_names
@@ -31,7 +31,7 @@ CHOICES = {
 def test_kits_with_rotors_prove_themselves(tmp_path: Path, name: str) -> None:
     rng = np.random.default_rng(0)
     joint = "spherical" if name == "spherical joints" else "universal"
-    robot = with_random_rotors(rng, random_robot(rng, joint))
+    robot = with_random_drives(rng, random_robot(rng, joint))
     made, _ = write_kit(robot, tmp_path / "kit", CHOICES[name])
     assert list(made.files) == kit_names(robot, CHOICES[name])
     assert "m_r" in made.files["stewart.h"].decode()

@@ -61,6 +61,20 @@ def test_random_cases_keep_the_contract(compiler: str, flags: list[str], cases: 
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
+    ("flags", "cases"),
+    [
+        pytest.param(["-O0", *SANITIZED], 2_000, id="double"),
+        pytest.param(["-O3", "-march=native", *FLOAT], share(100_000), id="as-shipped-float"),
+    ],
+)
+def test_kernels_of_legs_with_rotors_keep_the_contract(flags: list[str], cases: int, tmp_path: Path) -> None:
+    need(tmp_path, "gcc", flags)
+    program = attack_build.built(tmp_path, "gcc", flags, some=not FULL, rotors=True)
+    assert attack_build.ran([str(program), str(cases), "1"], tmp_path) == f"{cases} cases\n"
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
     ("precision", "runs"), [([], share(1_000_000)), (FLOAT, share(50_000))], ids=["double", "float"]
 )
 def test_fuzzing_finds_nothing(
@@ -94,15 +108,21 @@ def seeds() -> list[bytes]:
     return [bytes.fromhex(line.split("  ")[0]) for line in lines]
 
 
-def test_every_kernel_has_an_oracle() -> None:
-    attacked = attack_build.oracles()
-    assert {kind for _, kind in attacked.values()} == {
-        *("forces", "dynamics", "motion", "bounds", "kinematics", "legs", "regressor")
-    }
+@pytest.mark.parametrize("rotors", [False, True])
+def test_every_kernel_has_an_oracle(rotors: bool) -> None:
+    attacked = attack_build.oracles(rotors)
+    # What reads no mass of a leg serves legs with rotors as well.
+    without = {"kinematics", "legs", "regressor", "torque"}
+    kinds = {"forces", "dynamics", "motion", "bounds"} | ({"axial"} if rotors else without)
+    assert {kind for _, kind in attacked.values()} == kinds
+    assert set(attack_build.SOME_WITH_ROTORS if rotors else attack_build.SOME) <= set(attacked)
     for stem, (kernel, kind) in attacked.items():
         header = (attack_build.GENERATED / f"{stem}.h").read_text()
         entries = {"forces": "_prepare", "dynamics": "_joint_reactions_batch", "motion": "_bias"}
         entries |= {"bounds": "_forces_bounded_batch", "legs": "_batch", "regressor": "_regressor_batch"}
+        entries |= {"axial": "_axial_forces"}
+        if kind == "torque":
+            kernel, entries[kind] = "motor", "_torques"
         function = entries.get(kind)
         assert (f"stewart_{kernel}{function}(" if function else "stewart_forward_kinematics(") in header
 

@@ -15,6 +15,7 @@ from builds import needed
 from sweeps import FULL
 
 import stewart_sym as ss
+from stewart_sym.derive.emit.header import common_header
 from stewart_sym.derive.generate import motion_files
 from stewart_sym.derive.package.deviations import DEVIATIONS, KINDS, deviations
 from stewart_sym.generated.interface import HEADERS
@@ -35,7 +36,10 @@ pytestmark = pytest.mark.filterwarnings("ignore:.*physically impossible")
 
 def committed(stem: str) -> dict[str, str]:
     names = (*HEADERS, f"{stem}.h", f"{stem}.c")
-    return {name: (attack_build.GENERATED / name).read_text() for name in names}
+    files = {name: (attack_build.GENERATED / name).read_text() for name in names}
+    if "_drive" in stem:
+        files["stewart.h"] = common_header("0", rotors=True)
+    return files
 
 
 def closed_form(functions: tuple[str, ...]) -> dict[str, str]:
@@ -59,6 +63,8 @@ SOURCES: dict[str, tuple[Callable[[], dict[str, str]], str]] = {
     "motion": (lambda: closed_form(MOTION), r"_motion\.c"),
     "derivatives": (lambda: closed_form(DERIVATIVES), r"_motion\.c"),
     "kinematics": (lambda: committed("stewart_kinematics"), r"_kinematics\.c"),
+    "torque": (lambda: committed("stewart_torque"), r"_torque\.c"),
+    "axial": (lambda: committed("stewart_exact_drive_axial"), r"_axial\.c"),
     "rotation": (lambda: committed("stewart_rotation"), r"_rotation\.c"),
     "robot": (lambda: of_kit(scalar=True), r"^stewart_robot\.c"),
 }

@@ -18,7 +18,8 @@ import pytest
 from sweeps import FULL
 
 import stewart_sym as ss
-from stewart_sym.kit import FUNCTIONS, Choice, Kit, kit, put
+from stewart_sym.kit import Choice, Kit, kit, put
+from stewart_sym.kit.choice import groups_of
 
 WARNINGS = ["-Wall", "-Wextra", "-pedantic", "-Wconversion", "-Wdouble-promotion", "-Wshadow", "-Wundef"]
 WARNINGS += ["-Wstrict-prototypes", "-Wold-style-definition", "-Wmissing-prototypes", "-Wvla", "-Werror"]
@@ -86,9 +87,9 @@ QUICK = (("clang", "lanes"), ("gcc-sse", "scalar"), ("s390x", "scalar"))
 @cache
 def made(layout: str, precision: str) -> Kit:
     """A kit of the forces in lanes or scalar; "all" holds every function."""
-    functions = FUNCTIONS if layout == "all" else ("forces",)
-    choice = Choice(functions, scalar=layout == "scalar", precision=precision)
-    return kit(ss.robots.dasgupta1998(), choice)
+    robot = ss.robots.dasgupta1998()
+    functions = groups_of(robot) if layout == "all" else ("forces",)
+    return kit(robot, Choice(functions, scalar=layout == "scalar", precision=precision))
 
 
 def need(target: Target, folder: Path) -> None:

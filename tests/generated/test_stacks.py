@@ -27,7 +27,8 @@ REWRITE = "run `PYTHONPATH=tests/support python tests/generated/test_stacks.py`"
 
 def robots() -> list[Robot]:
     rng = np.random.default_rng(1)
-    return [machines.random_robot(rng, joint) for joint in ("universal", "spherical")]
+    plain = [machines.random_robot(rng, joint) for joint in ("universal", "spherical")]
+    return [*plain, *(machines.with_random_drives(rng, robot) for robot in plain)]
 
 
 @pytest.mark.slow
@@ -46,7 +47,8 @@ def test_every_function_of_a_kit_has_a_stack_in_the_table(every: bool) -> None:
     for robot in robots():
         closed = ("motion", "derivatives") if robot.base_joint == "universal" else ()
         # Levels and constants folded in are of the forces alone.
-        choices = [Choice((*closed, "reactions", "kinematics"))]
+        torque = () if robot.drive is None else ("torque",)
+        choices = [Choice((*closed, "reactions", "kinematics", *torque))]
         choices += [
             Choice(("forces",), "exact", level, bake)
             for level in fidelity.available(robot)[:: None if every else 7]

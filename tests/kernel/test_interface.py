@@ -16,7 +16,7 @@ from stewart_sym.derive.generate import generator_version
 from stewart_sym.derive.kernel.interface import CALLS, STATUS, STRUCTS
 from stewart_sym.derive.kernel.tree.constants import STATUS as OF_TREES
 from stewart_sym.derive.mechanics.formulation import FORMULATIONS
-from stewart_sym.derive.package.functions import MODEL, NOTHING, ROBOT, Function
+from stewart_sym.derive.package.functions import DRIVES, MODEL, NOTHING, ROBOT, Function
 from stewart_sym.generated import interface
 from stewart_sym.kit.choice import STEMS
 
@@ -42,6 +42,9 @@ def functions() -> list[Function]:
         prefix = f"stewart_{name}"
         found += [Function(stem, f"{prefix}_{stem}", f"{prefix}.h", ROBOT) for stem in STEMS["reactions"]]
         found.append(Function("forces", f"{prefix}_forces", f"{prefix}_forces.h", MODEL, prefix))
+    found.append(Function("motor_torques", "stewart_motor_torques", "stewart_torque.h", DRIVES))
+    for name in ("stewart_exact_drive_axial", "stewart_exact_spherical_drive_axial"):
+        found.append(Function("axial_forces", f"{name}_forces", f"{name}.h", ROBOT))
     return found + [
         Function(stem, f"stewart_{name}_{stem}", f"stewart_{name}_motion.h", MODEL, f"stewart_{name}")
         for name in ("exact", "exact_drive")
@@ -92,7 +95,7 @@ def test_the_package_reads_the_table_of_the_derivation() -> None:
     assert {name for name in STRUCTS if f"{name}_arrays" in str(headers())} == {
         name
         for name in interface.STRUCTS
-        if name not in ("leg", "rotor", "platform", "limits", "motion", "pose")
+        if name not in ("leg", "rotor", "platform", "limits", "drives", "motion", "pose")
     }
 
 

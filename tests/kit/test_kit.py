@@ -93,10 +93,14 @@ class Wish:
         return True
 
 
+MACHINES = ("random", "spherical", "random drive", "random rotors", "spherical rotors")
+
+
 def wishes(rng: random.Random) -> Iterator[Wish]:
     while True:
         functions = tuple(name for name in FUNCTIONS if rng.random() < 0.5)
-        level = rng.choice([None, *fidelity.FIDELITIES])
+        which = rng.choice(MACHINES)
+        level = rng.choice([None, *fidelity.available(machine(which))])
         plain = not any(name in functions for name in ("forces",))
         made = Choice(
             functions,
@@ -107,7 +111,7 @@ def wishes(rng: random.Random) -> Iterator[Wish]:
             rng.choice(("double", "float")),
             not plain and rng.random() < 0.5,
         )
-        wish = Wish(rng.choice(("random", "spherical")), made)
+        wish = Wish(which, made)
         if wish.possible:
             yield wish
 
@@ -128,7 +132,7 @@ def covering() -> list[Wish]:
     return chosen
 
 
-KITS = 35 if FULL else 17
+KITS = 76 if FULL else 26
 """How many wishes cover the pairs."""
 
 
@@ -143,9 +147,12 @@ def test_every_two_options_together_give_a_kit_that_proves_itself(tmp_path: Path
 
 def test_covering_kits_hold_every_level_and_every_group() -> None:
     choices = [wish.choice for wish in covering()]
-    assert {choice.fidelity for choice in choices} == {None, *fidelity.FIDELITIES}
+    assert {choice.fidelity for choice in choices} == {
+        *(None, *fidelity.FIDELITIES, *fidelity.DRIVE_FIDELITIES)
+    }
+    assert {wish.which for wish in covering()} == set(MACHINES)
     assert {name for choice in choices for name in choice.functions} == set(FUNCTIONS)
-    assert len(choices) == KITS < 60
+    assert len(choices) == KITS < 80
 
 
 @pytest.mark.parametrize("precision", ["double", "float"])

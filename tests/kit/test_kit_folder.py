@@ -11,7 +11,9 @@ from pathlib import Path
 import pytest
 from kits import contents, kit_of, machine
 
-from stewart_sym.kit import FUNCTIONS, Choice, kit_names, put, write_kit
+from stewart_sym import robots
+from stewart_sym.kit import Choice, kit_names, put, write_kit
+from stewart_sym.kit.choice import groups_of
 
 # ---------------------------------------------------------------- the same bytes
 
@@ -20,7 +22,7 @@ from stewart_sym.kit import FUNCTIONS, Choice, kit_names, put, write_kit
     "choice",
     [
         Choice(bake=True, scalar=True, fmu=True),
-        pytest.param(Choice(FUNCTIONS, fmu=True), marks=pytest.mark.slow),
+        pytest.param(Choice(groups_of(robots.dasgupta1998()), fmu=True), marks=pytest.mark.slow),
     ],
     ids=["forces", "every function"],
 )

@@ -1,6 +1,7 @@
 """One-pose kernels on emulated microcontrollers: right, small, quick, and alone."""
 
 import json
+import re
 import shutil
 import subprocess
 from functools import cache
@@ -15,6 +16,7 @@ from stewart_sym.backend.native import CompilerError
 from stewart_sym.cli.main import main
 from stewart_sym.io.json_text import json_text
 from stewart_sym.results import JOINT_SINGULAR
+from stewart_sym.robot.robot import Robot
 from stewart_sym.studies.microcontroller import measure, published, report, toolchain
 from stewart_sym.studies.microcontroller.measure import Figures, Study
 
@@ -24,6 +26,8 @@ AT_MOST = {False: 4500, True: 4000}
 """The same near joint singularities, of other levels, and at other flags."""
 FLASH = {"double": 24 * 1024, "float": 12 * 1024}
 STACK = 3 * 1024
+MEASURED = ("instructions", "near_singular_joints", "flash", "ram", "stack", "worst", "drive")
+DOCS = Path(__file__).parents[2] / ".docs"
 KITS = [(precision, baked) for precision in toolchain.CORES for baked in (False, True)]
 QUICK = ("float", False)
 """The kit that is measured in the fast tests; the others take as long each."""
@@ -116,7 +120,11 @@ def test_the_report_and_the_published_table_say_what_was_found(found: Study) -> 
 
 
 def test_the_committed_figures_are_those_found_today_with_the_same_tools(found: Study) -> None:
-    path = Path(__file__).parents[2] / ".docs" / "controller.json"
+    agrees_with_the_committed(found, "controller.json")
+
+
+def agrees_with_the_committed(found: Study, name: str) -> None:
+    path = DOCS / name
     committed, today = json.loads(path.read_text(encoding="utf-8")), json.loads(json_text(found.as_json()))
     for name in ("units", "generator"):
         committed.pop(name, None)
@@ -126,10 +134,31 @@ def test_the_committed_figures_are_those_found_today_with_the_same_tools(found: 
     if committed["tools"] != today["tools"]:
         for each in (committed, today):
             for row in each["rows"]:
-                for name in ("instructions", "near_singular_joints", "flash", "ram", "stack", "worst"):
+                for name in MEASURED:
                     row.pop(name)
         del committed["tools"], today["tools"]
-    assert committed == today, "run `stewart-sym controller -o DIR` and copy controller.json to .docs"
+    assert committed == today, f"run `stewart-sym controller -o DIR` and copy its figures to .docs/{name}"
+
+
+@pytest.mark.slow
+def test_what_torques_take_is_measured_and_published(tmp_path: Path) -> None:
+    """Of the machine of the page on drives, whose legs have rotors."""
+    page = (DOCS / "howto" / "drives.md").read_text(encoding="utf-8")
+    (drive,) = re.findall(r"> driven\.toml <<'END'\n(.*?)END\n", page, re.DOTALL)
+    file = tmp_path / "driven.toml"
+    file.write_text(
+        (DOCS / "examples" / "hexapod.toml").read_text(encoding="utf-8") + drive, encoding="utf-8"
+    )
+    found = measure.study(Robot.from_toml(file))
+    assert all(each.right for each in found.rows)
+    said = published.drive_tables(json.loads(json_text(found.as_json())))["controller_drive"]
+    for each in found.rows:
+        # No more than the forces: what a controller adds to them.
+        assert 0 < each.drive["motor_torques"] < each.instructions
+        assert 0 < each.drive["axial_forces"] < each.instructions
+        assert f" {each.drive['motor_torques']:,} |" in said
+        assert f"{each.drive['motor_torques']:,}" in report.report(found)
+    agrees_with_the_committed(found, "controller_drive.json")
 
 
 # --- what the study must be able to find --------------------------------------------------------

@@ -25,12 +25,12 @@ from stewart_sym.studies.microcontroller.toolchain import CORES, Core
 def stacks(
     robots: Iterable[Robot],
     progress: Progress = silent,
-    levels: Iterable[str] = fidelity.FIDELITIES,
+    levels: Iterable[str] = (*fidelity.FIDELITIES, *fidelity.DRIVE_FIDELITIES),
 ) -> dict[str, Any]:
     """Bytes by function and precision, and the compiler that they are of.
 
-    robots: one of each kind of base joint; their numbers do not count. levels: of fidelity. Raises
-    CompilerError where a tool is missing or fails.
+    robots: one of each kind of base joint, with rotors and without; their numbers do not count. levels: of
+    fidelity. Raises CompilerError where a tool is missing or fails.
     """
     if said := toolchain.missing():
         raise CompilerError(said)
@@ -48,8 +48,8 @@ def stacks(
 
 def _all_parts(robot: Robot, levels: Iterable[str]) -> Iterator[tuple[Parts, Choice]]:
     """Parts of choices that together hold every function for such a machine."""
-    for formulation in ("exact", "paper"):
-        functions = ["reactions", "kinematics"]
+    for formulation in ("exact",) if robot.has_rotors else ("exact", "paper"):
+        functions = ["reactions", "kinematics", *([] if robot.drive is None else ["torque"])]
         if (robot.base_joint, formulation) == ("universal", "exact"):
             functions += ["motion", "derivatives"]
         asked = [Choice(tuple(functions), formulation)]

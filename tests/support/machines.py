@@ -81,6 +81,36 @@ def with_random_rotors(rng: np.random.Generator, robot: Robot) -> Robot:
     return dataclasses.replace(robot, drive=Drive(lead=lead, rotor_inertia=inertia))
 
 
+def with_random_drives(rng: np.random.Generator, robot: Robot, rotors: bool = True) -> Robot:
+    """The machine with drives that have friction of every kind, half of them without Stribeck's, smoothing
+    or a torque constant; rotors: with rotors as well."""
+    mass = np.sum(robot.m_d + robot.m_u) + robot.M
+    rotor = with_random_rotors(rng, robot).drive
+    assert rotor is not None
+    force, speed = 10.0 * mass, np.sqrt(10.0 * machine_size(robot))
+    half = rng.permutation([0.0, 0.0, 0.0, 1.0, 1.0, 1.0])
+
+    def some(scale: float, share: Array | float = 1.0) -> Array:
+        return np.asarray(scale * share * rng.uniform(0.5, 1.5, 6))
+
+    turns = np.abs(rotor.turns)
+    drive = dataclasses.replace(
+        rotor,
+        rotor_inertia=rotor.rotor_inertia * rotors,
+        efficiency=rng.uniform(0.3, 0.95, 6),
+        back_efficiency=rng.uniform(-0.5, 0.9, 6),
+        screw_coulomb=some(0.05 * force),
+        screw_viscous=some(0.05 * force / speed),
+        motor_coulomb=some(0.05 * force) / turns,
+        motor_viscous=some(0.05 * force / speed) / turns**2,
+        stribeck=some(0.05 * force, half),
+        stribeck_speed=some(0.1 * speed),
+        smoothing=some(0.01 * speed, rng.permutation(half)),
+        torque_constant=some(0.1, rng.permutation(half)),
+    )
+    return dataclasses.replace(robot, drive=drive)
+
+
 def random_robot_of(rng: np.random.Generator, form: Formulation, friction: bool = True) -> Robot:
     """A machine with all that a formulation of the derivation has."""
     robot = random_robot(rng, form.base_joint, friction=friction)

@@ -1,6 +1,8 @@
 """``--html``: one file with text, tables that sort, figures and the motion, that makes no request."""
 
+import base64
 import dataclasses
+import json
 import shutil
 from pathlib import Path
 
@@ -48,6 +50,33 @@ def test_forces_have_their_motion_and_a_table_that_sorts(browser: Browser, folde
     inside.locator("#forward").click()
     assert page.said == []
     assert page.requests == [(folder / "forces.html").as_uri(), "about:srcdoc"][: len(page.requests)]
+    page.close()
+
+
+def test_size_has_its_needs_as_a_table_and_every_motion(folder: Path) -> None:
+    (folder / "other").mkdir()
+    shutil.copy(folder / "trajectory.csv", folder / "other")
+    given = ["trajectory.csv", "other/trajectory.csv", "-o", "size", "--no-pictures"]
+    assert main(["size", "hexapod.toml", *given, "--html", "size.html"]) == 0
+    text = (folder / "size.html").read_text(encoding="utf-8")
+    needs = (folder / "size" / "needs.csv").read_text(encoding="utf-8").splitlines()
+    assert f"needs: {len(needs) - 1} rows" in text
+    assert all(f'data-value="{number}"' in text for number in needs[4].split(",")[3:])
+    assert all(f"<h2>trajectory.csv, motion {n}</h2>" in text for n in (1, 2))
+    assert text.count("<iframe") == 2
+
+
+@pytest.mark.slow
+def test_a_plan_has_the_planned_motion(browser: Browser, folder: Path) -> None:
+    shutil.copy(EXAMPLES / "via.toml", folder)
+    assert main(["plan", "via.toml", "-o", "plan", "--no-pictures", "--html", "plan.html"]) == 0
+    found = json.loads((folder / "plan" / "report.json").read_text(encoding="utf-8"))
+    page = Opened(browser, folder / "plan.html", (1000, 800))
+    inside = page.page.frame_locator("iframe")
+    inside.locator("#time").press("End")
+    assert inside.locator("#at").inner_text().startswith(f"{found['duration_s']:.3f}"[:4])
+    assert page.page.locator("caption", has_text="legs").count() == 1
+    assert page.said == []
     page.close()
 
 
@@ -214,3 +243,34 @@ def test_with_z_down_the_same_is_shown_upside_down() -> None:
     assert np.allclose(one.instants.forces["paper"], other.instants.forces["paper"], rtol=1e-9)
     ups = [content(each.robot, each.instants)["machine"]["up"] for each in (one, other)]
     assert np.allclose(ups, [[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]])
+
+
+def test_the_chains_of_offset_joints_are_as_long_as_stated() -> None:
+    from stewart_sym.viewer.content import content
+
+    offsets = ss.Offsets(
+        platform_joint="universal",
+        platform_axis=np.tile([1.0, 0.0, 0.0], (6, 1)),
+        wrist=np.full(6, 0.03),
+        cross=np.linspace(0.01, 0.06, 6),
+    )
+    robot = dataclasses.replace(dasgupta(), offsets=offsets)
+    path, _ = ss.PATHS["I"]
+    time = np.linspace(0.0, 6.0, 7)
+    shown = ss.view(robot, path.sample(time), time).instants
+    assert list(shown.forces) == ["exact"]
+    columns = content(robot, shown)["columns"]
+    moving, foot, end, y = (
+        np.frombuffer(base64.b64decode(columns[name]["data"]), np.float32).reshape(7, 6, 3)
+        for name in ("moving", "foot", "end", "lower")
+    )
+    tips = shown.motion.t[:, None] + robot.p @ np.swapaxes(shown.motion.R, -1, -2)
+    for points, length in (
+        (moving - robot.b, offsets.cross),
+        (foot - moving, 0.0),
+        (end - foot, shown.L),
+        (tips - end, offsets.wrist),
+    ):
+        assert np.allclose(np.linalg.norm(points, axis=-1), length, atol=1e-6)
+    assert np.allclose(np.sum(y * robot.k, axis=-1), 0.0, atol=1e-6)
+    assert np.allclose(np.sum(y * (end - foot), axis=-1), 0.0, atol=1e-6)

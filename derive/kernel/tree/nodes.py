@@ -7,7 +7,7 @@ Other modules import this one as ``t``.
 """
 
 from collections.abc import Callable, Collection, Iterator
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass
 from typing import Any, dataclass_transform
 
 
@@ -398,7 +398,7 @@ def calls_in(node: Any) -> Iterator[Call]:
 
 def mapped(node: Any, change: Callable[[Any], Any]) -> Any:
     """A node with what its fields hold changed."""
-    return replace(node, **{each.name: change(getattr(node, each.name)) for each in fields(node)})
+    return type(node)(*(change(getattr(node, name)) for name in node.__match_args__))
 
 
 def parts_of(node: Any) -> Iterator[Any]:
@@ -406,8 +406,7 @@ def parts_of(node: Any) -> Iterator[Any]:
     waiting = [node]
     while waiting:
         each = waiting.pop()
-        if isinstance(each, tuple):
-            waiting.extend(reversed(each))
-        elif isinstance(each, Node):
+        if isinstance(each, Node):
             yield each
-            waiting.extend([getattr(each, name) for name in reversed(each.__dataclass_fields__)])
+            each = [getattr(each, name) for name in each.__match_args__]
+        waiting += [part for part in reversed(each) if isinstance(part, (Node, tuple))]

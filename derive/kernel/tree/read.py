@@ -52,6 +52,9 @@ _OPERATORS: Mapping[type[ast.AST], str] = {
     **{ast.Is: "==", ast.IsNot: "!=", ast.BitAnd: "&", ast.And: "&", ast.BitOr: "|", ast.Or: "|"},
 }
 
+_SETTLED = (ast.Constant, ast.Name, ast.BoolOp, ast.UnaryOp, ast.BinOp, ast.Compare, ast.IfExp)
+"""What an expression that is settled is made of."""
+
 LANES = 8
 POSES = 16
 """Poses of a block, of which C has fewer in double."""
@@ -237,14 +240,17 @@ class _Reader:
 
     def settled(self, node: ast.expr, counts: Mapping[str, int] = MappingProxyType({})) -> int | None:
         """A value that is known now, None where it is not; counts: names of dimensions and their values."""
-        names = {each.id for each in ast.walk(node) if isinstance(each, ast.Name)}
-        kinds = ast.Constant | ast.Name | ast.BoolOp | ast.UnaryOp | ast.BinOp | ast.Compare | ast.IfExp
-        parts = (each for each in ast.walk(node) if isinstance(each, ast.expr))
-        given = {**counts, **self.given}
-        known = {name: given[name] for name in names if isinstance(given.get(name), int)}
-        if (names and not known) or any(value is False for value in known.values()):
+        if isinstance(node, ast.Constant):
+            return node.value if isinstance(node.value, int) else None
+        if not isinstance(node, _SETTLED):
             return None
-        if not all(isinstance(each, kinds) for each in parts):
+        parts = [each for each in ast.walk(node) if isinstance(each, ast.expr)]
+        if not all(isinstance(each, _SETTLED) for each in parts):
+            return None
+        names = {each.id for each in parts if isinstance(each, ast.Name)}
+        given = {name: self.given.get(name, counts.get(name)) for name in names}
+        known = {name: value for name, value in given.items() if isinstance(value, int)}
+        if (names and not known) or any(value is False for value in known.values()):
             return None
         try:
             value = eval(ast.unparse(node), {"__builtins__": {}}, known)

@@ -71,10 +71,10 @@ def changed_names(
     for each in t.statements(body):
         if isinstance(each, t.Assign):
             found.add(root_of(each.target))
-        for call in t.calls_in(each):
-            arguments = functions[call.function].arguments if call.function in functions else ()
-            pairs = zip(call.arguments, arguments, strict=False)
-            found |= {root_of(value) for value, to in pairs if to.changed and not is_address(value)}
+    for call in t.calls_in(body):
+        arguments = functions[call.function].arguments if call.function in functions else ()
+        pairs = zip(call.arguments, arguments, strict=False)
+        found |= {root_of(value) for value, to in pairs if to.changed and not is_address(value)}
     return found
 
 

@@ -12,6 +12,7 @@ import sympy as sp
 from ...program.block import Builder
 from .. import lumped_constants as p
 from .. import quantities as n
+from .leg import leg_vector
 
 
 @dataclass(frozen=True)
@@ -26,11 +27,8 @@ class Axis:
 
 def axis(build: Builder) -> Axis:
     """(1)-(3)."""
-    q = build.vector("q", n.R.value * n.p.value, "(1)", "platform point from the reference point")
-    S = build.vector("S", q + n.t.value - n.b.value, "(1)", "leg vector")
-    L = build.scalar("L", sp.sqrt(S.dot(S)), "(2)", "leg length")
-    inv_L = build.scalar("inv_L", 1 / L)
-    return Axis(q, build.vector("s", S * inv_L, "(3)", "unit vector along the leg"), L, inv_L)
+    q, _, L, inv_L, s = leg_vector(build)
+    return Axis(q, s, L, inv_L)
 
 
 def tip_force(

@@ -13,7 +13,7 @@ import sympy as sp
 from ...program.block import Builder
 from .. import lumped_constants as p
 from .. import quantities as n
-from .leg import axes, cross
+from .leg import axes, cross, tip_vector
 from .rotor import NONE, Rotor
 
 HALF = sp.Rational(1, 2)
@@ -122,8 +122,7 @@ def joint_frame(
     axis does not wait for s; leaning: legs may be near their joint singularity all the same.
     """
     k = n.k.value
-    q = build.vector("q", n.R.value * n.p.value, "(1)", "platform point from the reference point")
-    S = build.vector("S", q + n.t.value - n.b.value, "(1)", "leg vector")
+    q, S = tip_vector(build)
     meaning = "leg vector along the fixed axis, and normal to both"
     zeta = build.scalar("zeta", k.dot(S), "(10)", meaning)
     normal = build.vector("k_cross_S", cross(k, S), "(10)", meaning)

@@ -105,10 +105,16 @@ def cross(p: sp.Matrix, q: sp.Matrix) -> sp.Matrix:
 # ---------------------------------------------------------------- position, velocity and acceleration of S
 
 
-def leg_vector(build: Builder) -> tuple[sp.Matrix, sp.Matrix, sp.Expr, sp.Expr, sp.Matrix]:
-    """q, S, L, 1/L and s of (1)-(3), base frame."""
+def tip_vector(build: Builder) -> tuple[sp.Matrix, sp.Matrix]:
+    """q and S of (1), base frame."""
     q = build.vector("q", n.R.value * n.p.value, "(1)", "platform point from the reference point")
     S = build.vector("S", q + n.t.value - n.b.value, "(1)", "leg vector")
+    return q, S
+
+
+def leg_vector(build: Builder) -> tuple[sp.Matrix, sp.Matrix, sp.Expr, sp.Expr, sp.Matrix]:
+    """q, S, L, 1/L and s of (1)-(3), base frame."""
+    q, S = tip_vector(build)
     L = build.scalar("L", sp.sqrt(S.dot(S)), "(2)", "leg length")
     inv_L = build.scalar("inv_L", 1 / L)
     s = build.vector("s", S * inv_L, "(3)", "unit vector along the leg")

@@ -22,7 +22,7 @@ from .joint_coordinates import (
     joint_forces,
     joint_inertia,
 )
-from .leg import cross
+from .leg import cross, tip_vector
 from .rotor import FULL
 
 # Constants of one leg beside those of ``quantities.LEG``.
@@ -60,8 +60,7 @@ class OffsetFrame:
 def offset_frame(build: Builder) -> OffsetFrame:
     """(1)-(3) and (10) of a leg with offsets."""
     k = n.k.value
-    q = build.vector("q", n.R.value * n.p.value, "(1)", "platform point from the reference point")
-    S = build.vector("S", q + n.t.value - n.b.value, "(1)", "leg vector")
+    q, S = tip_vector(build)
     meaning = "leg vector along the fixed axis, normal to both, and across the fixed axis"
     zeta = build.scalar("zeta", k.dot(S), "(10)", meaning)
     normal = build.vector("k_cross_S", cross(k, S), "(10)", meaning)

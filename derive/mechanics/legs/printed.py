@@ -22,10 +22,7 @@ def printed_leg(
     """
     q, _, L, inv_L, s = leg_vector(build)
     y, z, k3 = _frame(build, s, near_singular)
-    S_dot = build.vector(
-        "S_dot", cross(n.omega.value, q) + n.v.value, "(4)", "velocity of the platform point"
-    )
-    S_ddot = build.vector("S_ddot", p.B.value * q + n.a.value, "(7)", "acceleration of the platform point")
+    S_dot, S_ddot = p.tip_motion(build, q)
 
     def in_leg_frame(name: str, vector: sp.Matrix, equation: str, meaning: str) -> sp.Matrix:
         parts = sp.Matrix([axis.dot(vector) for axis in (s, y, z)])

@@ -1,7 +1,6 @@
 """``stewart-sym derive``: derive the kernels again and write them."""
 
 import argparse
-import time
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
@@ -65,23 +64,23 @@ def _generated_folder() -> Path:
 def _derived() -> tuple[list[dict[str, Any]], dict[str, str]]:
     """Derive every kernel: what each took and costs, and the texts of all files."""
     from ...derive.generate import generated_files
+    from ...dynamics.forces import CORES
 
-    starts: list[tuple[str, float]] = []
+    seconds: dict[str, float] = {}
     with progress_line() as progress:
 
-        def note(text: str, share: float | None = None) -> None:
-            progress(text, share)
-            starts.append((text.removeprefix("deriving "), time.perf_counter()))
+        def note(name: str, time_s: float, share: float) -> None:
+            progress(f"derived {name}", share)
+            seconds[name] = time_s
 
-        texts: dict[str, str] = generated_files(note)
-    ends = [start for _, start in starts[1:]] + [time.perf_counter()]
+        texts: dict[str, str] = generated_files(note, CORES)
     kernels = []
-    for (name, start), end in zip(starts, ends, strict=True):
+    for name, time_s in seconds.items():
         friction, without = _operations(texts.get(f"{name}.py", ""))
         kernels.append(
             {
                 "name": name,
-                "time_s": end - start,
+                "time_s": time_s,
                 "operations_per_pose_with_friction": friction,
                 "operations_per_pose_without_friction": without,
             }

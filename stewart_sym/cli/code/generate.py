@@ -31,7 +31,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         default="forces",
         help="some of forces, reactions (in C alone), motion (M, C, g, friction, bias, H, forward dynamics, "
         "inertia at the actuators), derivatives (of the forces; linearisation), kinematics (inverse, "
-        "forward, velocities), with commas; default: forces",
+        "forward, velocities), torque (of the motors of a robot with a drive, in C alone), with commas; "
+        "default: forces",
     )
     formulation(parser)
     parser.add_argument(

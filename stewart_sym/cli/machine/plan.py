@@ -6,7 +6,7 @@ from pathlib import Path
 
 from ...io.extras import need
 from ..inputs import warn_of_doubts
-from ..options import json_file, no_pictures, output
+from ..options import html_file, json_file, no_pictures, output, positive
 from ..results import need_drawing, results
 from ..terminal import progress_line
 
@@ -17,18 +17,27 @@ MORE = (
     "pitch, yaw, of the tool) and optionally free: how far x, y, z (m, base axes) and roll, pitch, yaw (rad, "
     "tool axes) may differ, as in free.yaw = [-0.5, 0.5]; or via_file, a CSV file of poses in order of time. "
     'Optionally objective ("mean" or "peak" of the condition number), price of a longer path, rate (Hz), '
-    "formulation; [limits]: condition, clearance (m), force (N), speed (m/s), acceleration (m/s^2) of the "
-    "legs, platform_speed, platform_turn_rate; [load]: F_ext, M_ext, platform frame. Writes the trajectory "
+    'formulation, least ("time", "energy" or "peak-force") with duration (s); [limits]: condition, clearance '
+    "(m), force (N), speed (m/s), acceleration (m/s^2), jerk (m/s^3) of the legs, platform_speed, "
+    "platform_turn_rate; [load]: F_ext, M_ext, platform frame. Writes the trajectory "
     "as `forces` reads it, a report with a certificate that limits hold between the samples too, and "
     "pictures. SI units."
 )
+_LEAST = ("time", "energy", "peak-force")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Arguments of ``plan``."""
     parser.add_argument("via", metavar="VIA.toml", type=Path, help="file of via poses, schema 1")
+    parser.add_argument(
+        "--least", choices=_LEAST, help="what is made least, in place of the file's least; default: time"
+    )
+    parser.add_argument(
+        "--duration", metavar="SECONDS", type=positive, help="of a motion of least energy or peak force"
+    )
     output(parser, "DIR", "folder to write to", Path("plan"))
     no_pictures(parser)
+    html_file(parser)
     json_file(parser)
 
 
@@ -58,7 +67,13 @@ def run(arguments: argparse.Namespace) -> int:
             progress,
         )
         timed = time_path(
-            robot, planned.path, limits=request.limits, formulation=request.formulation, progress=progress
+            robot,
+            planned.path,
+            limits=request.limits,
+            formulation=request.formulation,
+            progress=progress,
+            least=arguments.least or request.least,
+            duration=request.duration if arguments.duration is None else arguments.duration,
         )
         progress("checking the plan")
         found = plan.Plan(robot, planned, timed, certify_plan(timed), request.rate)

@@ -1,6 +1,7 @@
 """``stewart-sym size``: what motions and their loads need of every actuator and joint."""
 
 import argparse
+import dataclasses
 import warnings
 from pathlib import Path
 
@@ -8,6 +9,7 @@ from ..inputs import robot_of, trajectory_of
 from ..options import (
     finite,
     formulation,
+    html_file,
     json_file,
     log_options,
     no_pictures,
@@ -56,13 +58,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     start_pose(parser)
     log_options(parser)
     no_pictures(parser)
+    html_file(parser)
     json_file(parser)
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Run ``size``; returns the exit code."""
     from ...design.size import QUANTILES, checked_quantiles, exceeded, size
-    from ...studies.design.size import report
+    from ...studies.design.size import report, views
 
     need_drawing(arguments)
     quantiles = arguments.quantiles or QUANTILES
@@ -78,7 +81,8 @@ def run(arguments: argparse.Namespace) -> int:
 
             figures = pictures(robot, needs)
         names = [path.name for path in arguments.trajectories]
-        take(report(robot, names, needs, figures), progress)
+        found = report(robot, names, needs, figures)
+        take(dataclasses.replace(found, views=views(robot, names, read)), progress)
     for line in exceeded(robot, needs):
         warnings.warn(f"{arguments.robot}: {line}", stacklevel=2)
     return 0

@@ -14,9 +14,9 @@ MORE = (
     "Writes one-pose kernels, general and with the machine's numbers folded in, cross-compiles them for Arm "
     "Cortex-M7 (double) and Cortex-M4F (float) and runs them under QEMU: forces against 50-digit ones, "
     "statuses of invalid calls, executed instructions, stack; flash, and which library functions the "
-    "objects need. Needs arm-none-eabi-gcc with newlib and qemu-system-arm (Debian: gcc-arm-none-eabi, "
-    "libnewlib-arm-none-eabi, qemu-system-arm). Exit code 2 where anything is not right. Takes some ten "
-    "seconds."
+    "objects need; of a robot with a drive the motors' torques as well. Needs arm-none-eabi-gcc with newlib "
+    "and qemu-system-arm (Debian: gcc-arm-none-eabi, libnewlib-arm-none-eabi, qemu-system-arm). Exit code 2 "
+    "where anything is not right. Takes some ten seconds."
 )
 
 

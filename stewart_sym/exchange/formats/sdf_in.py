@@ -11,7 +11,7 @@ from ...robot.fields import direction
 from ..chain import WORLD, Body, Joint, Model
 from ..notes import parsed_notes
 from .sdf_out import NOTES
-from .xml_text import interval, largest, name_of, number, numbers, tensor
+from .xml_text import interval, joint_of, largest, name_of, number, numbers, tensor
 
 _KINDS = {
     "prismatic": "prismatic",
@@ -119,10 +119,7 @@ class _Reader:
         return Body(name, R, t, mass, center, inertia)
 
     def _joint(self, element: ET.Element) -> Joint:
-        name, kind = element.attrib["name"], element.get("type", "")
-        where = f"joint {name!r}"
-        if kind not in _KINDS:
-            raise ValueError(f"{where}: expected type {', '.join(_KINDS)}, got {kind!r}")
+        name, kind, where = joint_of(element, _KINDS)
         parent, child = _text(element, "parent"), _text(element, "child")
         for end in (parent, child):
             if end not in self.placed:

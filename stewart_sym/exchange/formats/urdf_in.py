@@ -12,7 +12,7 @@ from ...io.array_types import Array
 from ...motion.rotation import rotation_from_rpy
 from ...robot.fields import direction
 from ..chain import WORLD, Body, Joint, Model
-from .xml_text import interval, largest, name_of, number, numbers, tensor
+from .xml_text import interval, joint_of, largest, name_of, number, numbers, tensor
 
 _KINDS = {
     "prismatic": "prismatic",
@@ -119,10 +119,7 @@ def _tree(root: ET.Element) -> tuple[list[Body], list[Joint]]:
 
 def _carried(element: ET.Element, links: dict[str, ET.Element], parent: Body) -> tuple[Body, Joint]:
     """A link with the joint that carries it."""
-    name, kind = element.attrib["name"], element.get("type", "")
-    where = f"joint {name!r}"
-    if kind not in _KINDS:
-        raise ValueError(f"{where}: expected type {', '.join(_KINDS)}, got {kind!r}")
+    name, kind, where = joint_of(element, _KINDS)
     turn, place = _origin(element, where)
     still = np.array_equal(parent.R, np.eye(3))
     R, t = (turn, parent.t + place) if still else (parent.R @ turn, parent.placed(place))

@@ -2,7 +2,7 @@
 
 import math
 import xml.etree.ElementTree as ET
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from typing import Any
 from xml.parsers import expat
 
@@ -108,6 +108,15 @@ def tensor(
 def number(text: str | None, where: str, default: float | None = None) -> float:
     """One number, as ``numbers``."""
     return float(numbers(text, 1, where, None if default is None else [default])[0])
+
+
+def joint_of(element: ET.Element, kinds: Collection[str]) -> tuple[str, str, str]:
+    """Name and type of a joint, and how errors call it; ValueError for a type that is none of ``kinds``."""
+    name, kind = element.attrib["name"], element.get("type", "")
+    where = f"joint {name!r}"
+    if kind not in kinds:
+        raise ValueError(f"{where}: expected type {', '.join(kinds)}, got {kind!r}")
+    return name, kind, where
 
 
 def interval(low: str | None, high: str | None, where: str) -> tuple[float, float]:

@@ -1,13 +1,17 @@
 """A report as one HTML file: its text, tables that sort, figures, and its motions as in ``view``."""
 
 import base64
+import contextlib
+import csv
 import html
 import io
+import math
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any, TypeGuard
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...io.json_text import plain
 from ...io.progress import Progress, silent
@@ -26,8 +30,8 @@ _MOST_NUMBERS = 6
 def html_page(title: str, report: Report, progress: Progress = silent) -> str:
     """Return the whole file's text.
 
-    Lists of alike figures in the report's data become tables; columns over time become tables that are closed
-    at first.  Raises ImportError for figures without Matplotlib.
+    Lists of alike figures in the report's data and its tables of text become tables; columns over time become
+    tables that are closed at first.  Raises ImportError for figures without Matplotlib.
     """
     parts = [_section("Result", f"<pre>{_text(report.text)}</pre>")] if report.text else []
     for number, (name, view) in enumerate(report.views.items()):
@@ -40,8 +44,11 @@ def html_page(title: str, report: Report, progress: Progress = silent) -> str:
         _section(_words(name), _table(_words(name), rows)) for name, rows in _lists("", plain(report.data))
     ]
     for name, table in report.tables.items():
-        if isinstance(table, Mapping):
-            parts.append(_closed(f"{name}.csv", table))
+        parts.append(
+            _closed(f"{name}.csv", table)
+            if isinstance(table, Mapping)
+            else _section(_words(name), _rows_of(_words(name), table))
+        )
     values = {"title": _text(title), "parts": "\n".join(parts), "generator": _text(generator())}
     inner = ["main"] if report.views else []
     return document(title, filled("report.html", values), "sort", ("style.css", "report.css"), inner)
@@ -88,14 +95,38 @@ def _table(caption: str, rows: Sequence[Mapping[str, Any]]) -> str:
     return _filled_table(caption, map(_words, names), cells)
 
 
+def _rows_of(caption: str, text: str) -> str:
+    """CSV text as a table, of which a long one has some rows."""
+    names, *rows = csv.reader(io.StringIO(text))
+    shown = rows if len(rows) <= MOST_ROWS else [rows[i] for i in _some(len(rows))]
+    cells = ["".join(_cell(_number(text)) for text in row) for row in shown]
+    return _filled_table(_thinned(caption, len(shown), len(rows)), map(_words, names), cells)
+
+
+def _number(text: str) -> float | str:
+    with contextlib.suppress(ValueError):
+        number = float(text)
+        return number if math.isfinite(number) else text
+    return text
+
+
 def _closed(caption: str, columns: Mapping[str, Any]) -> str:
     """Columns over time; the file that the subcommand writes has all rows."""
     count = max(map(len, columns.values()), default=0)
-    some = np.unique(np.linspace(0, max(count - 1, 0), min(count, MOST_ROWS)).astype(np.int64))
+    some = _some(count)
     lists = [plain(np.asarray(column)[some]) for column in columns.values()]
     rows = ["".join(map(_cell, row)) for row in zip(*lists, strict=True)]
-    shown = f"{caption}: {count} rows" if len(some) == count else f"{caption}: {len(some)} of {count} rows"
+    shown = _thinned(caption, len(some), count)
     return filled("closed.html", {"title": _text(shown), "body": _filled_table(shown, columns, rows)})
+
+
+def _some(count: int) -> NDArray[np.int64]:
+    """Indices of the rows that a page has of as many."""
+    return np.unique(np.linspace(0, max(count - 1, 0), min(count, MOST_ROWS)).astype(np.int64))
+
+
+def _thinned(caption: str, shown: int, count: int) -> str:
+    return f"{caption}: {count} rows" if shown == count else f"{caption}: {shown} of {count} rows"
 
 
 def _filled_table(caption: str, names: Iterable[str], rows: Sequence[str]) -> str:
@@ -112,7 +143,7 @@ def _cell(value: object) -> str:
     if isinstance(value, list) and all(isinstance(each, int | float) for each in value):
         if len(value) > _MOST_NUMBERS:
             return f"<td>{len(value)} numbers, {min(value):.4g} to {max(value):.4g}</td>"
-        return f"<td>{', '.join(f'{each:.4g}' for each in value)}</td>"
+        return f"<td>{', '.join(f'{each + 0.0:.4g}' for each in value)}</td>"
     if isinstance(value, list):
         value = "; ".join(map(str, value))
     if isinstance(value, Mapping):

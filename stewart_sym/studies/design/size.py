@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+import functools
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
 from ...design.size import Needs, exceeded
 from ...io.array_types import Array
+from ...motion.trajectory import Trajectory
 from ...robot.robot import LEGS, Robot
+from ...viewer.instants import of_trajectory
+from ...viewer.view import View
 from ..common.output import csv_text
 from ..common.report import Picture, Report
 from ..common.table import aligned
@@ -22,6 +26,19 @@ def report(robot: Robot, sources: Sequence[str], needs: Needs, figures: Mapping[
     return Report(
         _text(robot, sources, needs), {"needs": _table(needs)}, _data(robot, sources, needs), figures
     )
+
+
+def views(robot: Robot, sources: Sequence[str], read: Sequence[Trajectory]) -> dict[str, Callable[[], View]]:
+    """What makes the view of each motion; files of the same name get numbers."""
+    made: dict[str, Callable[[], View]] = {}
+    for number, (source, trajectory) in enumerate(zip(sources, read, strict=True), 1):
+        name = f"{source}, motion {number}" if sources.count(source) > 1 else source
+        made[name] = functools.partial(_view, robot, trajectory)
+    return made
+
+
+def _view(robot: Robot, trajectory: Trajectory) -> View:
+    return View(robot, of_trajectory(robot, trajectory))
 
 
 def share_text(share: float) -> str:

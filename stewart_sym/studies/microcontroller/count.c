@@ -70,6 +70,41 @@ static int lean(void)
 }
 #endif
 
+#if defined(DRIVES)
+static stewart_real axial[6], rate[6], torque[6], current[6];
+
+static int torques(void)
+{
+    return stewart_motor_torques(&DRIVES, F, axial, rate, torque, current);
+}
+#if defined(AXIAL)
+static int axial_forces(void)
+{
+    return AXIAL(&ROBOT, &at, F, axial, rate);
+}
+#endif
+
+/* Instructions and stack of what is called after the forces, of motion i, at `at`. */
+static int32_t count_torques(int i)
+{
+    int32_t failed = forces() != STEWART_OK;
+    int j;
+    for (j = 0; j < 6; ++j) {
+        axial[j] = F[j];
+        rate[j] = rates[i][j];
+    }
+#if defined(AXIAL)
+    failed += axial_forces() != STEWART_OK;
+    board_print_number("ticks_axial_forces", (int32_t)board_ticks(axial_forces, TIMES));
+    board_print_number("stack_axial_forces", (int32_t)board_stack(axial_forces));
+#endif
+    failed += torques() != STEWART_OK;
+    board_print_number("ticks_motor_torques", (int32_t)board_ticks(torques, TIMES));
+    board_print_number("stack_motor_torques", (int32_t)board_stack(torques));
+    return failed;
+}
+#endif
+
 static void clear(void)
 {
     int i;
@@ -149,6 +184,9 @@ int main(void)
         board_print_number("ticks", (int32_t)board_ticks(forces, TIMES));
         depth = board_stack(forces);
         deepest = depth > deepest ? depth : deepest;
+#if defined(DRIVES)
+        failed += count_torques(i);
+#endif
     }
     board_print_number("times", TIMES);
 #if defined(NEAR_SINGULAR_JOINTS)

@@ -18,8 +18,10 @@ from ...derive.package.words import robot_symbol
 from ...io.progress import Progress, silent, tracked
 from ...kinematics.inverse import inverse_kinematics
 from ...kit import Choice, kit
+from ...kit.choice import STEMS, TORQUE
 from ...kit.poses import sample
 from ...kit.vectors import Vector, knows_axes, rejected, vectors
+from ...motion.motion import Motion
 from ...results import NOT_FINITE
 from ...robot.robot import Robot
 from . import toolchain
@@ -33,6 +35,8 @@ NEAR_JOINT_SINGULAR = 1e-3
 """Sine of a leg's angle to its fixed axis: below 1/32 the code path near the joint singularity is taken."""
 _SELFTEST = "selftest.c"
 _OWN = ("start.c", "count.c", "board.h", "link.ld")
+_OF_DRIVES = ("_axial", "_torque")
+"""With what names of sources of torques end."""
 _HEAP = frozenset({"malloc", "calloc", "realloc", "free", "_sbrk", "_malloc_r", "_free_r"})
 
 
@@ -50,7 +54,8 @@ class Figures:
     ``model``, which the caller holds. stack: bytes below the caller that a ``pose`` was seen to write, and
     that the preparation, ``prepare``, was; ``frames``: of all frames on the deepest way through a pose.
     foreign: what the objects need of libraries beyond square root, size and copies; double: of a float kit,
-    instructions and helpers for doubles.
+    instructions and helpers for doubles. drive: of a machine with a drive, instructions of ``motor_torques``
+    and, with rotors, of ``axial_forces``, their ``flash`` and, of the deeper of both, ``stack``.
     """
 
     precision: str
@@ -70,6 +75,7 @@ class Figures:
     stack: dict[str, int]
     foreign: tuple[str, ...]
     double: tuple[str, ...]
+    drive: dict[str, int]
 
     @property
     def right(self) -> bool:
@@ -161,7 +167,8 @@ class Cases:
 def measured(robot: Robot, level: str, bake: bool, precision: str) -> Figures:
     """Write, build, run and measure one kit. CompilerError if it does not build or does not end."""
     core = CORES[precision]
-    made = kit(robot, Choice(fidelity=level, bake=bake, precision=precision, scalar=True)).files
+    functions = ("forces",) if robot.drive is None else ("forces", TORQUE)
+    made = kit(robot, Choice(functions, "exact", level, bake, True, precision)).files
     cases = Cases.of(robot, level, bake, precision)
     with tempfile.TemporaryDirectory(prefix="stewart-sym-") as name:
         folder = Path(name)
@@ -171,10 +178,13 @@ def measured(robot: Robot, level: str, bake: bool, precision: str) -> Figures:
             shutil.copyfile(str(files(__package__) / file), folder / file)
         kernel = next(path.stem for path in folder.glob("stewart_*_pose.c"))
         symbol = "" if bake else robot_symbol(robot.name)
-        (folder / "cases.h").write_text(_cases_header(cases, kernel, symbol), encoding="utf-8")
+        torques = sorted(path.stem for path in folder.glob("*.c") if path.stem.endswith(_OF_DRIVES))
+        header = _cases_header(cases, kernel, symbol, torques)
+        (folder / "cases.h").write_text(header, encoding="utf-8")
         objects = [toolchain.compiled(core, folder / f"{kernel}.c")]
-        if not bake:
+        if symbol or torques:
             objects.append(toolchain.compiled(core, folder / "stewart_robot.c"))
+        objects += [toolchain.compiled(core, folder / f"{stem}.c") for stem in torques]
         start = toolchain.compiled(core, folder / "start.c", ["-Wno-pedantic"])
         # The test itself compares in double, on whatever processor.
         count = toolchain.compiled(core, folder / "count.c", ["-Wno-unused-parameter"])
@@ -208,14 +218,19 @@ def _figures(
     # An empty function took one instruction.
     counts = {
         name: max(round((ticks - said["empty"][0]) * per_call + 1) for ticks in said[name])
-        for name in ("ticks", "ticks_near_singular_joints")
+        for name in ("ticks", "ticks_near_singular_joints", *(f"ticks_{stem}" for stem in STEMS[TORQUE]))
         if name in said
     }
-    parts = [toolchain.sizes(path) for path in objects]
+    parts = [toolchain.sizes(path) for path in objects if not path.stem.endswith(_OF_DRIVES)]
+    torques = [toolchain.sizes(path) for path in objects if path.stem.endswith(_OF_DRIVES)]
+    drive = {stem: counts[f"ticks_{stem}"] for stem in STEMS[TORQUE] if f"ticks_{stem}" in counts}
+    if drive:
+        deepest = max(max(said[f"stack_{stem}"]) for stem in drive)
+        drive |= {"flash": sum(part["flash"] for part in torques), "stack": deepest - said["stack_empty"][0]}
     usage = [path.with_suffix(".su") for path in objects]
     frames = {"frames": toolchain.deepest_stack(image, usage, f"{kernel}_forces")}
     stack = {"pose": said["stack_forces"][0] - said["stack_empty"][0], **frames}
-    ram = {"kit": sum(part["ram"] for part in parts)}
+    ram = {"kit": sum(part["ram"] for part in (*parts, *torques))}
     if not bake:
         stack["prepare"] = said["stack_prepare"][0] - said["stack_empty"][0]
         ram["model"] = said["model_bytes"][0]
@@ -248,6 +263,7 @@ def _figures(
         stack=stack,
         foreign=tuple(sorted(foreign)),
         double=tuple(sorted(double)),
+        drive=drive,
     )
 
 
@@ -266,10 +282,10 @@ def _said(output: str) -> dict[str, list[int]]:
 # --- text of cases.h --------------------------------------------------------------------------
 
 
-def _cases_header(cases: Cases, kernel: str, symbol: str) -> str:
+def _cases_header(cases: Cases, kernel: str, symbol: str, torques: Sequence[str]) -> str:
     """The kernel's names, motions with forces and bounds, and unsolvable motions.
 
-    symbol: the robot's in C, empty where the kernel holds its numbers.
+    symbol: the robot's in C, empty where the kernel holds its numbers. torques: names of their sources.
     """
     epsilon = float(np.finfo(np.float32 if cases.precision == "float" else np.float64).eps)
     rejected = cases.rejected()
@@ -283,7 +299,12 @@ def _cases_header(cases: Cases, kernel: str, symbol: str) -> str:
             f"#define MODEL {kernel}_model",
             f"#define PREPARE {kernel}_prepare",
         ]
-        names.append(f"#define ROBOT {symbol}")
+    if symbol or torques:
+        names.append(f"#define ROBOT {robot_symbol(cases.robot.name)}")
+    if torques:
+        names += [f'#include "{stem}.h"' for stem in ("stewart_robot", *torques)]
+        names.append(f"#define DRIVES {robot_symbol(cases.robot.name)}_drives")
+        names += [f"#define AXIAL {stem}_forces" for stem in torques if stem.endswith("_axial")]
     axes = cases.near_singular_joints() if symbol else None
     codes = ", ".join(str(code) for _, code in rejected)
     given = _motions(test.inputs for test in cases.tests)
@@ -304,9 +325,19 @@ def _cases_header(cases: Cases, kernel: str, symbol: str) -> str:
             f"static const stewart_motion rejected_motions[REJECTED] = {without};",
             *([] if axes is None else ["#define NEAR_SINGULAR_JOINTS", _axes_text(axes)]),
             f"static const int rejected_status[REJECTED] = {{{codes}}};",
+            *([f"static const stewart_real rates[MOTIONS][6] = {_rates(cases)};"] if torques else []),
             "",
         ]
     )
+
+
+def _rates(cases: Cases) -> str:
+    """Rates of the legs of each test."""
+    rows = []
+    for test in cases.tests:
+        at = {name: test.inputs[name].reshape(shape) for name, shape in MOTION.items()}
+        rows.append(inverse_kinematics(cases.robot, Motion.unchecked(**at)).L_dot)
+    return _nested(np.array(rows), "REAL({})")
 
 
 def _axes_text(axes: Array) -> str:

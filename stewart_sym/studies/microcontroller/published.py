@@ -65,3 +65,27 @@ def remarks(rows: list[Figures]) -> str:
 def number(value: int | None) -> str:
     """A count, or nothing."""
     return "" if value is None else f"{value:,}"
+
+
+def drive_tables(found: Figures) -> dict[str, str]:
+    """The same of a machine with a drive, with what its torques take."""
+    rows = found["rows"]
+    said = paragraph(
+        f"The same of the robot `{found['robot']}` with the drive of the page on drives: instructions of the "
+        "forces with rotors, and of what is called after them, `axial_forces`, which legs with rotors need "
+        "alone, and `motor_torques`; flash and stack in bytes:"
+    )
+    header = (
+        *("kit", "processor", "forces", "near singularity", "axial", "torques"),
+        *("flash, forces", "flash, torques", "stack, forces", "stack, torques"),
+    )
+    return {"controller_drive": said + table(header, [drive_cells(row) for row in rows])}
+
+
+def drive_cells(row: Figures) -> tuple[str, ...]:
+    """Cells of a kit of a machine with a drive."""
+    kit, core, forces, near, flash, *_ = cells(row)
+    drive = row["drive"]
+    counts = (number(drive.get(name)) for name in ("axial_forces", "motor_torques"))
+    stacks = (cells(row)[7], number(drive["stack"]))
+    return (kit, core, forces, near, *counts, flash, number(drive["flash"]), *stacks)

@@ -19,7 +19,10 @@ HEADER = (
     *("RAM kit", "model", "stack pose", "frames", "prepare", "foreign symbols", "doubles"),
 )
 
+DRIVE_HEADER = ("kit", "core", "axial forces", "motor torques", "flash", "stack")
+
 _UNITS = {
+    "drive": "instructions per call, and bytes",
     "worst": "share of the bound",
     "instructions": "per call",
     "near_singular_joints": "instructions per call",
@@ -43,8 +46,16 @@ def report(study: Study) -> str:
         "painted and found again, and of all frames on its deepest way, as the compiler says; of the",
         "preparation as painted.",
     ]
-    table = aligned(HEADER, [cells(row) for row in study.rows], left=3)
-    return "\n".join(lines) + f"\n\n{table}"
+    tables = [aligned(HEADER, [cells(row) for row in study.rows], left=3)]
+    if any(row.drive for row in study.rows):
+        tables.append(aligned(DRIVE_HEADER, [drive_cells(row) for row in study.rows], left=2))
+    return "\n\n".join(["\n".join(lines), *tables])
+
+
+def drive_cells(row: Figures) -> list[str]:
+    """One line of the table of torques."""
+    names = ("axial_forces", "motor_torques", "flash", "stack")
+    return [row.name, row.core, *(f"{row.drive[name]:,}" if name in row.drive else "-" for name in names)]
 
 
 def cells(row: Figures) -> list[str]:

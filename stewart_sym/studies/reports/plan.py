@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...drives.effort import at_instants
+from ...drives.effort import at_instants, trapezoids
 from ...dynamics.inverse import inverse_dynamics
 from ...kinematics.conditioning import characteristic_length, scaled_condition_number
 from ...kinematics.inverse import inverse_kinematics, wrench_matrix
@@ -26,6 +26,8 @@ from ...planning.plan_path import Conditions, PlannedPath
 from ...planning.pose_path import PosePath
 from ...planning.time_path import TimedPath
 from ...robot.robot import Robot
+from ...viewer.instants import of_motion
+from ...viewer.view import View
 from ..common.output import Columns, of_axes, of_legs
 from ..common.report import Picture, Report
 from .drives import DriveDigest
@@ -59,6 +61,16 @@ class Plan:
         L_dot = inverse_kinematics(self.robot, motion).L_dot
         found.add(at_instants(self.robot, self.robot.drive, motion, F, L_dot), slice(None))
         return found
+
+    @cached_property
+    def energy(self) -> float:
+        """Electrical energy that the plan takes, J; without a drive the work of the leg forces."""
+        if self.motors is not None:
+            return float(self.motors.summary.energy.sum())
+        times = np.linspace(0.0, self.timed.duration, _INSTANTS)
+        motion = self.timed.sample(times)
+        F = inverse_dynamics(self.robot, motion, self.timed.formulation).F
+        return float(trapezoids(times) @ np.sum(F * inverse_kinematics(self.robot, motion).L_dot, axis=-1))
 
     @property
     def times(self) -> Array:
@@ -127,7 +139,13 @@ def report(plan: Plan, figures: Mapping[str, Picture]) -> Report:
         "path": along(plan, plan.times),
     }
     text = summary(plan) if plan.motors is None else f"{summary(plan)}\n\n{plan.motors.table()}"
-    return Report(text, tables, data(plan), figures)
+    return Report(text, tables, data(plan), figures, {"motion": lambda: planned_view(plan)})
+
+
+def planned_view(plan: Plan) -> View:
+    """The planned motion at the trajectory's instants, as ``view`` shows it."""
+    motion = plan.timed.sample(plan.times)
+    return View(plan.robot, of_motion(plan.robot, motion, plan.times, "planned motion"))
 
 
 def summary(plan: Plan) -> str:
@@ -143,6 +161,7 @@ def summary(plan: Plan) -> str:
         f"force      up to {found.force.value[leg]:.6g} N, leg {leg + 1} at {found.force.time[leg]:.6g} s",
         f"speed      up to {found.speed.value[fast]:.6g} m/s, leg {fast + 1} "
         f"at {found.speed.time[fast]:.6g} s",
+        f"energy     {plan.energy:.6g} J{'' if plan.motors is not None else ', work of the leg forces'}",
         f"length     {found.shortest.value.min():.6g} to {found.longest.value.max():.6g} m",
         f"limits     used to {100.0 * found.used:.5f} % at {found.instants:,} instants, "
         f"one is active in {100.0 * found.active:.4g} % of the time",
@@ -188,6 +207,7 @@ def data(plan: Plan) -> dict[str, Any]:
     limits = force_limits(plan.robot, plan.timed.limits)
     return {
         "duration_s": plan.timed.duration,
+        "energy_J": plan.energy,
         "rate_Hz": plan.rate,
         "condition": vars(planned.conditions),
         "straight_condition": vars(planned.straight_conditions),

@@ -65,19 +65,19 @@ def phase_figure(plan: Plan) -> Figure:
     """s' over s: the motion, where no acceleration is possible, from where it can stop."""
     figure = Figure(figsize=(8.0, 4.6), layout="constrained")
     axes = figure.subplots()
-    phase = plan.timed.profile.phase
-    top = 1.6 * float(np.sqrt(phase.x.max()))
-    curves = (
-        (phase.most, "no acceleration keeps the limits above", _GREY, (0, (4, 2))),
-        (phase.stops, "rest at the end is out of reach above", _RED, (0, (1, 1))),
-        (phase.x, "motion", _BLUE, "solid"),
-    )
-    for square, name, color, style in curves:
-        values = np.minimum(np.sqrt(square), 2.0 * top)
-        axes.plot(phase.s, values, color=color, linewidth=1.3, linestyle=style, label=name)
+    phase, nodes = plan.timed.profile.phase, plan.timed.profile.nodes
+    top = 1.6 * float(nodes.rate.max())
+    curves = [(nodes.rate, "motion", _BLUE, "solid")]
+    if plan.timed.profile.ease is None:
+        most, stops = np.sqrt(phase.most), np.sqrt(phase.stops)
+        curves.insert(0, (stops, "rest at the end is out of reach above", _RED, (0, (1, 1))))
+        curves.insert(0, (most, "no acceleration keeps the limits above", _GREY, (0, (4, 2))))
+    for rates, name, color, style in curves:
+        values = np.minimum(rates, 2.0 * top)
+        axes.plot(nodes.s, values, color=color, linewidth=1.3, linestyle=style, label=name)
     for s in plan.planned.path.via:
         axes.axvline(s, color=_GREY, linewidth=0.6, linestyle=(0, (4, 3)))
-    axes.set_xlim(phase.s[0], phase.s[-1])
+    axes.set_xlim(nodes.s[0], nodes.s[-1])
     axes.set_ylim(0.0, top)
     axes.set_xlabel("path parameter s; via poses dashed")
     axes.set_ylabel("its rate, 1/s")

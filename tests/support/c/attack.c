@@ -138,6 +138,10 @@ static void sound_robot(stewart_robot *robot)
         leg->C_u = (stewart_real)0.1;
         leg->C_p = (stewart_real)20.0;
         leg->C_s = (stewart_real)0.2;
+#if defined(STEWART_ROTORS)
+        leg->m_r = (stewart_real)(5.0 + wave(i + 2));
+        leg->j_r = (stewart_real)(0.02 * wave(i + 3));
+#endif
     }
     robot->M = (stewart_real)40.0;
     set(robot->R_0, 0.04, 0.03, -0.06);

@@ -1,7 +1,7 @@
 /* What an attack on the generated C is made of: a case decoded from bytes, and oracles that abort.
  *
- * attack.c turns bytes into a case and hands it to the oracle of one kernel. The oracles (attack_forces.c,
- * attack_bounds.c, attack_dynamics.c, attack_motion.c, attack_kinematics.c, attack_regressor.c) are compiled once for each kernel, with KERNEL its name and HEADER its
+ * attack.c turns bytes into a case and hands it to the oracle of one kernel. The oracles (attack_axial.c,
+ * attack_torque.c, attack_forces.c, attack_bounds.c, attack_dynamics.c, attack_motion.c, attack_kinematics.c, attack_regressor.c) are compiled once for each kernel, with KERNEL its name and HEADER its
  * header; they call every entry point and know the contract of stewart.h and of no equation.
  */
 #ifndef ATTACK_H

@@ -13,12 +13,15 @@ ATTACK = Path(__file__).parents[1] / "c"
 STRICT = ("-std=c99", "-ffp-contract=off", "-fno-math-errno", "-g")
 
 
-def oracles() -> dict[str, tuple[str, str]]:
-    """Source of generated/c, without suffix -> prefix of its functions and name of its oracle."""
+def oracles(rotors: bool = False) -> dict[str, tuple[str, str]]:
+    """Source of generated/c, without suffix -> prefix of its functions and name of its oracle.
+
+    rotors: of the sources for legs with rotors, whose robots have another layout; else of the others.
+    """
     found = {}
     for path in sorted(GENERATED.glob("*.c")):
         kernel = path.stem.removeprefix("stewart_")
-        if "_drive" in kernel:  # robots of another layout, by the same printers
+        if ("_drive" in kernel) != rotors:
             continue
         if kernel == "rotation":  # no pointer beyond its three vectors; held to ``Motion`` with the kits
             continue
@@ -28,7 +31,9 @@ def oracles() -> dict[str, tuple[str, str]]:
             found[path.stem] = (kernel.removesuffix("_regressor"), "regressor")
         elif kernel.endswith("_bounds"):
             found[path.stem] = (kernel.removesuffix("_bounds"), "bounds")
-        elif kernel in ("kinematics", "legs"):
+        elif kernel.endswith("_axial"):
+            found[path.stem] = (kernel.removesuffix("_axial"), "axial")
+        elif kernel in ("kinematics", "legs", "torque"):
             found[path.stem] = (kernel, kernel)
         elif kernel.endswith("_forces"):
             found[path.stem] = (kernel.removesuffix("_forces"), "forces")
@@ -39,10 +44,15 @@ def oracles() -> dict[str, tuple[str, str]]:
 
 SOME = (
     *("stewart_exact", "stewart_exact_motion", "stewart_exact_bounds", "stewart_kinematics"),
-    *("stewart_legs", "stewart_exact_regressor"),
+    *("stewart_legs", "stewart_exact_regressor", "stewart_torque"),
     *("stewart_exact_forces", "stewart_exact_massless_static_forces", "stewart_paper_spherical_forces"),
 )
 """One source of each printer and each way that it goes."""
+SOME_WITH_ROTORS = (
+    *("stewart_exact_drive", "stewart_exact_drive_forces", "stewart_exact_drive_reflected_massless_forces"),
+    *("stewart_exact_spherical_drive_forces", "stewart_exact_drive_axial"),
+)
+"""Of legs with rotors those whose text differs most from that without."""
 
 
 def built(
@@ -52,13 +62,16 @@ def built(
     main: str | None = "attack_driver.c",
     link: Sequence[str] = (),
     some: bool = False,
+    rotors: bool = False,
 ) -> Path:
     """The attack as a program in ``folder``; main: the file that holds it, None where a flag brings one.
 
-    flags: of every compilation; link: of the last alone. some: attack SOME of the sources. Raises
-    CalledProcessError with what was printed.
+    flags: of every compilation; link: of the last alone. some: attack SOME of the sources. rotors: of those
+    for legs with rotors. Raises CalledProcessError with what was printed.
     """
-    attacked = {stem: oracle for stem, oracle in oracles().items() if not some or stem in SOME}
+    chosen = SOME_WITH_ROTORS if rotors else SOME
+    attacked = {stem: oracle for stem, oracle in oracles(rotors).items() if not some or stem in chosen}
+    flags = [*flags, *(["-DSTEWART_ROTORS"] if rotors else [])]
     names = [f"ORACLE(attack_{kernel}_{oracle})" for kernel, oracle in attacked.values()]
     (folder / "attack_kernels.h").write_text("\n".join(names) + "\n")
     common = [compiler, *STRICT, *flags, f"-I{folder}", f"-I{GENERATED}", f"-I{ATTACK}", "-c"]

@@ -24,11 +24,14 @@ COMPILERS = {
 
 @cache
 def machine(which: str) -> Robot:
-    """The machines of most tests of kits, so that vectors of their forces are chosen once."""
+    """ "dasgupta", or a random one: "random", "spherical", and with "drive" or "rotors" after the joint."""
+    rng = np.random.default_rng(11)
     if which == "dasgupta":
         return machines.dasgupta()
-    joint = "spherical" if which == "spherical" else "universal"
-    return machines.random_robot(np.random.default_rng(11), joint)
+    robot = machines.random_robot(rng, "spherical" if "spherical" in which else "universal")
+    if which.endswith(("drive", "rotors")):
+        return machines.with_random_drives(rng, robot, which.endswith("rotors"))
+    return robot
 
 
 @cache

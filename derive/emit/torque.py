@@ -1,0 +1,73 @@
+"""C99: torques of the motors, and the axial forces that they take of legs with rotors; one pose at a time."""
+
+from random import Random
+
+from ..kernel.drives.torque import axial_program, torque_program
+from ..kernel.interface import STRUCTS
+from ..kernel.tree.counted import counted
+from ..kernel.tree.settle import of_one_pose
+from ..mechanics.formulation import SPHERICAL, Formulation
+from ..print.template import filled
+from ..program.block import Block, Operations
+from .header import member_text
+from .kinematics import source
+from .shared import header
+
+_OF_STEWART_H = {"Leg": "stewart_leg", "Robot": "stewart_robot", "Motion": "stewart_motion"}
+_STATUSES = {
+    True: "STEWART_NOT_FINITE, STEWART_ZERO_LENGTH",
+    False: "STEWART_NOT_FINITE, STEWART_ZERO_LENGTH, STEWART_JOINT_SINGULAR",
+}
+
+
+def torque_operations(stribeck: bool = True) -> Operations:
+    """Operations of six legs; stribeck: with friction of that name."""
+    draw = Random(1)
+    return counted(
+        torque_program(),
+        "motor_torques",
+        lambda name: 0.0 if name == "stribeck" and not stribeck else draw.uniform(0.5, 1.5),
+    )
+
+
+def torque_files(version: str) -> dict[str, str]:
+    """``stewart_torque``: torques and currents from forces and rates."""
+    file = "stewart_torque"
+    made = header(
+        "torque.h",
+        file,
+        version,
+        operations=torque_operations(),
+        without=torque_operations(stribeck=False),
+        drives="\n".join(map(member_text, STRUCTS["drives"])),
+    )
+    text = source(file, of_one_pose(torque_program()), {"Drives": "stewart_drives"}, version)
+    return made | {f"{file}.c": f"{text}\n{filled('torque.c')}"}
+
+
+def axial_name(form: Formulation) -> str:
+    """Of header and source of a formulation with rotors."""
+    return f"stewart_{form.kernel_name}_axial"
+
+
+def axial_operations(block: Block) -> Operations:
+    """Operations of six legs."""
+    return 6 * (block.operations() + Operations(add=1))
+
+
+def axial_files(form: Formulation, block: Block, version: str) -> dict[str, str]:
+    """``stewart_..._axial`` of a formulation with rotors; block: a leg's."""
+    file, spherical = axial_name(form), form.base_joint == SPHERICAL
+    made = header(
+        "axial.h",
+        file,
+        version,
+        rotors=True,
+        file=file,
+        symbol=f"{file}_forces",
+        read="b, p and m_r" if spherical else "b, p, k, m_r and j_r",
+        operations=axial_operations(block),
+        statuses=_STATUSES[spherical],
+    )
+    text = source(file, of_one_pose(axial_program(block)), _OF_STEWART_H, version)
+    return made | {f"{file}.c": f"{text}\n{filled('axial.c', symbol=f'{file}_forces')}"}

@@ -1,0 +1,1 @@
+"""Torques of the motors."""

@@ -1,0 +1,59 @@
+"""Torques of the motors, and the axial forces on which friction of a screw acts, as trees."""
+
+from dataclasses import replace
+
+from ...mechanics import quantities as n
+from ...program.block import Block
+from ..elimination import RETURNED
+from ..interface import STRUCTS
+from ..layouts import Written
+from ..model import STATUS_FIELD, machine_structures
+from ..tree import nodes as t
+from ..tree.lower import Arguments, block_function, structure
+from ..written import legs
+from . import written
+
+DRIVES = t.Structure(
+    "Drives",
+    "Constants of six drives.",
+    tuple(t.numbers(m.name, *m.stored, meaning=f"{m.unit}: {m.meaning}") for m in STRUCTS["drives"]),
+)
+_TORQUES = t.Structure(
+    "Torques",
+    "Torques and currents of six motors.",
+    (
+        t.numbers("torque", 6, meaning="N m: torques"),
+        t.numbers("current", 6, meaning="A: currents"),
+        STATUS_FIELD,
+    ),
+)
+_AXIAL = t.Structure(
+    "AxialLoads",
+    "Axial forces of six legs.",
+    (
+        t.numbers("axial", 6, meaning="N: forces between the parts of the legs"),
+        t.numbers("L_dot", 6, meaning="m/s: rates of the lengths, (5)"),
+        STATUS_FIELD,
+    ),
+)
+
+
+def torque_program() -> t.Program:
+    """``motor_torques``: torques and currents from forces and rates."""
+    made = Written({each.name: each for each in (DRIVES, _TORQUES)}, {}, {})
+    for text in (written.decay_of, written.sign_of, written.motor_torques):
+        made.function(text)
+    return t.Program("torque", (DRIVES, _TORQUES), tuple(made.functions.values()))
+
+
+def axial_program(block: Block) -> t.Program:
+    """``axial_forces`` of legs with rotors; block: a leg's, as ``mechanics.axial_forces`` makes it."""
+    read = replace(block, inputs=block.used_inputs())
+    of_leg: Arguments = {"leg": ("Leg", n.OF_LEG), "motion": ("Motion", n.MOTION)}
+    outputs = tuple(out.quantity for out in block.outputs)
+    held = (*machine_structures(drive=True), structure("RotorTerms", "A leg.", outputs), _AXIAL)
+    terms = block_function(read, "axial_terms", "RotorTerms", of_leg)
+    made = Written({each.name: each for each in held}, RETURNED, {terms.name: terms})
+    for text in (legs.largest_component, legs.reach_of, legs.fault_of, written.axial_forces):
+        made.function(text)
+    return t.Program("axial", held, tuple(made.functions.values()))

@@ -1,0 +1,44 @@
+"""The axial force between the parts of a leg: what is left of the motor's force when the rotor is turned.
+
+Efficiency and friction of a screw act on that force. What turns the rotor is m_r L_ddot + j_r A.s, (8), (9).
+"""
+
+import sympy as sp
+
+from ..program.block import Block, Builder, Quantity
+from . import quantities as n
+from .formulation import SPHERICAL, Formulation
+from .kinematics import L_dot
+from .legs.leg import LegFrameMotion, leg_frame, leg_vector, platform_point_motion, rotation
+from .legs.rotor import rotor_of
+
+F_rotor = Quantity("F_rotor", (), "N", "part of the actuator force that turns the leg's rotor")
+
+
+def axial_block(form: Formulation) -> Block:
+    """q, L, k3, 1 without a fixed axis, L_dot and F_rotor of one leg with a rotor."""
+    build = Builder()
+    rotor = rotor_of(form)
+    q, _, L, inv_L, s = leg_vector(build)
+    S_dot, S_ddot = platform_point_motion(build, q)
+    if form.base_joint == SPHERICAL:
+        k3 = sp.S.One
+        rate = build.scalar("rate", s.dot(S_dot), "(5)", "sliding velocity")
+        across = build.vector("across", S_dot - rate * s, "", "part of S_dot across the leg, of length L |W|")
+        second = build.scalar("second", s.dot(S_ddot) + across.dot(across) * inv_L, "(8)")
+        turned = rotor.mass * second
+    else:
+        T, k, inv_k3, kappa = leg_frame(build, s)
+        k3 = k[2]
+        none = sp.zeros(3, 1)
+        u = build.vector("u", T.T * S_dot, "(4), (5)", "velocity of the platform point, leg frame")
+        e = build.vector("e", T.T * S_ddot, "(7)", "acceleration of the platform point, leg frame")
+        motion = LegFrameMotion(L, inv_L, k, inv_k3, kappa, u=u, e=e, gamma=none, w=none)
+        rate, _, second, A = rotation(build, form, motion)
+        turned = rotor.mass * second + rotor.momentum * A[0]
+    return build.block(
+        "axial_terms",
+        "One leg's rate of length and the force that turns its rotor, (5), (8), (9)",
+        (*n.OF_LEG, *n.MOTION),
+        [(n.q, q), (n.L, L), (n.k3, k3), (L_dot, rate), (F_rotor, turned)],
+    )

@@ -1,0 +1,34 @@
+/* stewart_exact_spherical_drive_axial.h: forces that pass through the screws of legs with rotors.
+ *
+ * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ * SPDX-License-Identifier: 0BSD
+ *
+ * One pose at a time, for a controller: what stewart_motor_torques takes. Of the robot, b, p and m_r are read.
+ *
+ * Operations, six legs: 552 (282 mul, 258 add, 6 div, 6 sqrt).
+ */
+#ifndef STEWART_EXACT_SPHERICAL_DRIVE_AXIAL_H
+#define STEWART_EXACT_SPHERICAL_DRIVE_AXIAL_H
+
+#include "stewart.h"
+
+#if !defined(STEWART_ROTORS)
+#error "define STEWART_ROTORS for every source: the legs of this kernel have rotors (see stewart_leg)"
+#endif
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Axial forces, N, between the parts of the legs: F, N, of an inverse dynamics with rotors, less
+ * m_r L_ddot + j_r A.s that turns these; and rates of the lengths, m/s, (5), which may be null. F_ext and
+ * M_ext of the motion are not read. Returns a status, and writes only if it is STEWART_OK:
+ * STEWART_NOT_FINITE, STEWART_ZERO_LENGTH. */
+STEWART_NODISCARD int stewart_exact_spherical_drive_axial_forces(
+    const stewart_robot *robot, const stewart_motion *motion, const stewart_real F[6], stewart_real axial[6],
+    stewart_real L_dot[6]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

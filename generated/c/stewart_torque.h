@@ -1,0 +1,53 @@
+/* stewart_torque.h: torques and currents of the motors, from the forces of the legs.
+ *
+ * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ * SPDX-License-Identifier: 0BSD
+ *
+ * One pose at a time, for a controller. Friction and efficiency act between the force of a leg and its motor:
+ * the kernels of the forces have neither. From the rate of length L_dot and the axial force that passes
+ * through the screw, for each leg:
+ *     friction = sgn(L_dot) (coulomb + stribeck exp(-(L_dot / stribeck_speed)^2) + mu |axial|) + viscous L_dot
+ *     torque   = (F + friction) / turns
+ *     current  = torque / torque_constant
+ * mu is `driving` where the motor drives the leg, axial L_dot > 0, else `driven`. Within `smoothing` of zero,
+ * x = L_dot / smoothing, sgn is x (3 - x^2) / 2; without smoothing it has a step, and is 0 at rest.
+ *
+ * Operations, six legs
+ * with Stribeck's friction  352 (180 mul, 150 add, 22 div, 0 sqrt)
+ * without                   82 (42 mul, 24 add, 16 div, 0 sqrt)
+ */
+#ifndef STEWART_TORQUE_H
+#define STEWART_TORQUE_H
+
+#include "stewart.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Constants of six drives; of a right-handed screw `turns` is > 0. */
+typedef struct {
+    stewart_real turns[6]; /* rad/m: turn of the motor per change of its leg's length, 2 pi / lead, not 0 */
+    stewart_real driving[6]; /* 1: friction per axial force where the motor drives: 1 / efficiency - 1 */
+    stewart_real driven[6]; /* 1: the same where the leg drives the motor: 1 - back_efficiency */
+    stewart_real coulomb[6]; /* N: dry friction along the leg: screw_coulomb + |turns| motor_coulomb */
+    stewart_real viscous[6]; /* N s/m: viscous friction: screw_viscous + turns^2 motor_viscous */
+    stewart_real stribeck[6]; /* N: further dry friction at rest */
+    stewart_real stribeck_speed[6]; /* m/s: rate of length in which it decays to 1/e */
+    stewart_real smoothing[6]; /* m/s: rate of length within which the sign of a rate is smoothed */
+    stewart_real torque_constant[6]; /* N m/A: torque per current, 0 where it is not known */
+} stewart_drives;
+
+/* Torques, N m, and currents, A, of the motors. F, N: actuator forces of an inverse dynamics. axial, N: of
+ * stewart_..._axial_forces where legs have rotors; null where they have none: then it is F. L_dot, m/s: rates
+ * of the lengths, computed or measured. current may be null. Returns a status, and writes only if it is
+ * STEWART_OK: STEWART_NOT_FINITE if an input, a constant of the drives or a result is not finite. */
+STEWART_NODISCARD int stewart_motor_torques(
+    const stewart_drives *drives, const stewart_real F[6], const stewart_real axial[6],
+    const stewart_real L_dot[6], stewart_real torque[6], stewart_real current[6]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

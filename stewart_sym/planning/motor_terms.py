@@ -1,0 +1,218 @@
+"""What a path takes of the motors, as rows that are linear in s'': torque, current and power within limits.
+
+N times a motor's torque is rotor + F_t + friction, F_t = F - rotor what passes through the screw. Efficiency
+makes that the larger of two branches, and size(L_dot) over L_dot times it
+
+    G = max(G_p, G_q),    slopes p = 1 / eta where the motor drives the leg, q = eta' where the leg drives it.
+
+Each branch is linear in s'', s'^2 and s' but for the smoothed sign, Stribeck's part and the limit of torque
+that a limit of power is, P / L_dot. The first two are taken at the rates of the motion found last, the third
+as its tangent there, which is never above it. G <= limit is G_p <= limit and G_q <= limit, exactly;
+G >= -limit needs one of them: that which holds where F_t changes its sign.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ..drives.friction import constant_part, friction_force, load_share, losses, smooth_sign, viscous
+from ..io.array_types import Array
+from ..kinematics.inverse import leg_vectors
+from ..motion.motion import Motion
+from ..motion.rotation import cross
+from ..robot.drive import Drive
+from ..robot.robot import LEGS, Robot
+
+# A leg whose rate is less than this share of its largest along the path may move either way.
+_STILL = 1e-9
+_SLOWER, _SLOWEST = 0.85, 1e-3
+
+
+class Rows(NamedTuple):
+    """low <= a s'' + b s'^2 + d s' + e <= high at n parameters, (n, r) each."""
+
+    a: Array
+    b: Array
+    d: Array
+    e: Array
+    low: Array
+    high: Array
+
+
+class MotorTerms(NamedTuple):
+    """Coefficients at n parameters.
+
+    force: a, b, d, e of the leg forces, (4, n, 6). rotor: a, b of what turns the rotors, (2, n, 6).
+    rate: L_dot by s, (n, 6). effort: limits of N times torque, N, power: W, (6,) each.
+    """
+
+    drive: Drive
+    force: Array
+    rotor: Array
+    rate: Array
+    effort: Array
+    power: Array
+
+    @classmethod
+    def of(cls, robot: Robot, by_parameter: Motion, force: Array, rate: Array) -> MotorTerms:
+        """Of a motion by parameter; without a drive the motor's torque is the force of its leg."""
+        drive = Drive(lead=2.0 * np.pi) if robot.drive is None else robot.drive
+        by_current = np.where(drive.torque_constant > 0.0, drive.torque_constant, 1.0) * drive.current_limit
+        effort = np.abs(drive.turns) * np.minimum(drive.torque_limit, by_current)
+        return cls(drive, force, rotor_terms(drive, robot, by_parameter), rate, effort, drive.power_limit)
+
+    @property
+    def limited(self) -> bool:
+        """Whether any motor has a limit beside its speed."""
+        return bool(np.isfinite(self.effort).any() or np.isfinite(self.power).any())
+
+    @property
+    def names(self) -> list[str]:
+        """Of the limited quantities."""
+        return [
+            f"{what} of the motor of leg {leg + 1}" for what in ("torque", "power") for leg in range(LEGS)
+        ]
+
+    @property
+    def crossings(self) -> Array:
+        """What changes the rows where it passes zero, (n, k)."""
+        if not losses(self.drive):
+            return self.force[0]
+        slopes = [self.rotor[0] + x * (self.force[0] - self.rotor[0]) for x in self._slopes(np.array(1.0))]
+        return np.concatenate([self.rate, *slopes], axis=-1)
+
+    def efforts(self, square: Array, second: Array) -> Array:
+        """N times the torques, N, (n, 6), at s'^2 and s'', (n,), by the law of the drives."""
+        x, u = square[:, None], second[:, None]
+        a, b, d, e = self.force
+        F, rotor = a * u + b * x + d * np.sqrt(x) + e, self.rotor[0] * u + self.rotor[1] * x
+        return np.asarray(F + friction_force(self.drive, F - rotor, self.rate * np.sqrt(x)))
+
+    def used(self, square: Array, second: Array) -> Array:
+        """Shares of the limits that are used, (n, 12): of torque or current, of power."""
+        effort = np.abs(self.efforts(square, second))
+        power = effort * np.abs(self.rate) * np.sqrt(square)[:, None]
+        return np.concatenate([effort / self.effort, power / self.power], axis=-1)
+
+    def share_within_power(self, x: Array, second: Array) -> float:
+        """By which s' at nodes can be multiplied so that the limits of power are kept; x: s'^2."""
+        share = 1.0
+        while share > _SLOWEST and self.used(share**2 * x, share**2 * second)[:, LEGS:].max() > 1.0:
+            share *= _SLOWER
+        return share
+
+    def at_rest(self) -> Array:
+        """Shares of the limits of torque that are used where the motion is very slow, (n, 12)."""
+        F = self.force[3]
+        sign = np.sign(self.rate)
+        p, q = self._slopes(np.array(1.0))
+        dry = constant_part(self.drive, np.zeros(LEGS))
+        effort = np.maximum(np.abs(F), np.abs(np.where(F * sign > 0.0, p, q) * F + sign * dry))
+        return np.concatenate([effort / self.effort, np.zeros_like(effort)], axis=-1)
+
+    def rows(self, rate: Array, room: Array) -> Rows:
+        """Rows at s' of the motion found last, (n,); room: by which limits are multiplied, (n, 12)."""
+        side, size, still, dry, damping = self._friction(rate)
+        effort, power = self.effort * room[:, :LEGS], self.power * room[:, LEGS:]
+        most, slope = _tangent(power, np.abs(self.rate), rate[:, None], still)
+        branches = [self._branch(each, side, damping, dry * ~still) for each in self._slopes(size)]
+        kink = self._kink(rate[:, None], side, dry, damping)
+        below = kink < -np.minimum(effort, most - slope * rate[:, None])
+        lower = np.where(below, branches[0], branches[1])
+        upper = branches if self._lossy else branches[1:]
+        # Nothing but the kink is below the other where both branches rise from it.
+        free = ~below & (branches[0][0] * branches[1][0] < 0.0)
+        # Of a leg that moves neither way friction acts against either.
+        effort = np.where(still, effort - dry, effort)
+        rising = np.array([0.0, 0.0, 1.0, 0.0])[:, None, None] * slope
+        torque = _rows(upper, lower, effort, free)
+        tangents = _rows([branch + rising for branch in upper], lower - rising, most, free)
+        return Rows(*(np.concatenate(each, axis=-1) for each in zip(torque, tangents, strict=True)))
+
+    @property
+    def _lossy(self) -> bool:
+        """Whether the branches differ."""
+        return bool(np.any(self.drive.efficiency != 1.0) or np.any(self.drive.back_efficiency != 1.0))
+
+    def _slopes(self, size: Array) -> tuple[Array, Array]:
+        """p and q at sizes of the smoothed sign."""
+        one = np.ones(LEGS)
+        driving, driven = (load_share(self.drive, way * one, one) for way in (1.0, -1.0))
+        return 1.0 + size * driving, 1.0 - size * driven
+
+    def _friction(self, rate: Array) -> tuple[Array, Array, Array, Array, Array]:
+        """Sign of the rate and its smoothed size, which legs are still, dry and viscous friction; (n, 6)."""
+        still = np.abs(self.rate) <= _STILL * np.abs(self.rate).max()
+        # At rest the sign is that with which the motion begins or ends.
+        away = self.rate * np.maximum(rate, np.finfo(np.float64).tiny)[:, None]
+        size = np.where(still, 1.0, np.abs(smooth_sign(away, np.asarray(self.drive.smoothing))))
+        dry = size * constant_part(self.drive, self.rate * rate[:, None])
+        side = np.where(still, 1.0, np.sign(self.rate))
+        return side, size, still, dry, viscous(self.drive) * np.abs(self.rate)
+
+    def _branch(self, slope: Array, side: Array, damping: Array, dry: Array) -> Array:
+        """a, b, d, e of G with one slope, (4, n, 6)."""
+        rotor = np.concatenate([self.rotor, np.zeros_like(self.rotor)])
+        found = side * (rotor + slope * (self.force - rotor))
+        found[2] += damping
+        found[3] += dry
+        return np.asarray(found)
+
+    def _kink(self, z: Array, side: Array, dry: Array, damping: Array) -> Array:
+        """G where F_t changes its sign, N, (n, 6); NaN where s'' does not change F_t."""
+        (a, b, d, e), (r_a, r_b) = self.force, self.rotor
+        with np.errstate(divide="ignore", invalid="ignore"):
+            second = -((b - r_b) * z**2 + d * z + e) / (a - r_a)
+            return np.asarray(side * (r_a * second + r_b * z**2) + dry + damping * z)
+
+
+def _tangent(power: Array, speed: Array, rate: Array, still: Array) -> tuple[Array, Array]:
+    """most, slope: G <= most - slope s' is the tangent of G <= power / (speed s') at a rate; inf, 0: none."""
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        limit = power / (speed * rate)
+        slope = limit / rate
+    none = ~(np.isfinite(limit) & np.isfinite(slope)) | still
+    return np.where(none, np.inf, 2.0 * limit), np.where(none, 0.0, slope)
+
+
+def _rows(upper: list[Array], lower: Array, limit: Array, free: Array) -> Rows:
+    """Branches that are to stay below a limit, and one that is to stay above it unless it is free."""
+    none = np.full_like(limit, np.inf)
+    a, b, d, e = np.concatenate([*upper, lower], axis=-1)
+    high, low = [limit] * len(upper) + [none], [-none] * len(upper) + [np.where(free, -np.inf, -limit)]
+    return Rows(a, b, d, e, np.concatenate(low, axis=-1), np.concatenate(high, axis=-1))
+
+
+def rotor_terms(drive: Drive, robot: Robot, by_parameter: Motion) -> Array:
+    """a and b of the forces that turn the rotors, (2, n, 6), of a motion by parameter.
+
+    N J_r (N L_ddot + d(W.s)/dt), where a universal joint turns its leg about itself by
+    W.s = c k.(s x s_dot) / (1 - c^2), c = k.s.
+    """
+    if not np.any(drive.rotor_inertia):
+        return np.zeros((2, *by_parameter.shape, LEGS))
+    assert by_parameter.a is not None
+    assert by_parameter.alpha is not None
+    q, S, L = leg_vectors(robot, by_parameter.R, by_parameter.t)
+    omega, alpha = by_parameter.omega[:, None, :], by_parameter.alpha[:, None, :]
+    turned = cross(omega, q)
+    first = by_parameter.v[:, None, :] + turned
+    second = by_parameter.a[:, None, :] + cross(alpha, q) + cross(omega, turned)
+    s = S / L[..., None]
+    L_1 = np.sum(first * s, axis=-1)
+    s_1 = (first - L_1[..., None] * s) / L[..., None]
+    L_2 = np.sum(second * s + first * s_1, axis=-1)
+    s_2 = (second - 2.0 * L_1[..., None] * s_1 - L_2[..., None] * s) / L[..., None]
+    c, c_1 = (np.sum(robot.k * x, axis=-1) for x in (s, s_1))
+    turn, turn_1 = (np.sum(robot.k * cross(s, x), axis=-1) for x in (s_1, s_2))
+    sine = 1.0 - c * c
+    spin = c * turn / sine
+    spin_1 = (c_1 * turn + c * turn_1) / sine + 2.0 * c * c * c_1 * turn / sine**2
+    return np.stack(
+        [
+            drive.reflected_mass * L_1 + drive.momentum * spin,
+            drive.reflected_mass * L_2 + drive.momentum * spin_1,
+        ]
+    )

@@ -1,0 +1,86 @@
+"""What a motion along a path takes of energy, with derivatives by the spline of its rates."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...drives.friction import constant_part, load_share, viscous
+from ...io.array_types import Array
+from ...robot.robot import LEGS
+from ..motor_terms import MotorTerms
+from .rate_spline import WEIGHTS, in_cells
+
+# Share of the mean weight on a leg within which the kink of its torque, where efficiency changes, is rounded.
+_ROUNDED = 1e-2
+
+
+@dataclass(frozen=True, eq=False)
+class EnergyCost:
+    """Electrical energy, J, as ``drive_effort`` states it: work at the motors' shafts, heat of the windings.
+
+    With G = N times torque, counted along the motion: the integral of size(L_dot) G + heat G^2 over time. The
+    coefficients are those of the axial forces and of the rotors' part, so counted, by (x'', y, sqrt(y), 1).
+    """
+
+    axial: Array
+    rotor: Array
+    rate: Array
+    mean: Array
+    half: Array
+    dry: Array
+    damping: Array
+    heat: Array
+    rounded: Array
+
+    @classmethod
+    def of(cls, motors: MotorTerms) -> EnergyCost:
+        """Of terms at the edges and middles of cells; Stribeck's part is left out."""
+        drive, side = motors.drive, np.sign(motors.rate)
+        rotor = np.concatenate([motors.rotor, np.zeros_like(motors.rotor)])
+        axial = side * (motors.force - rotor)
+        one = np.ones(LEGS)
+        p, q = 1.0 + load_share(drive, one, one), 1.0 - load_share(drive, -one, one)
+        known = drive.torque_constant > 0.0
+        per_force = drive.turns * np.where(known, drive.torque_constant, np.inf)
+        still = np.full(LEGS, np.inf)
+        return cls(
+            axial=np.stack([in_cells(x) for x in axial]),
+            rotor=np.stack([in_cells(x) for x in side * rotor]),
+            rate=in_cells(np.abs(motors.rate)),
+            mean=0.5 * (p + q),
+            half=0.5 * (p - q),
+            dry=constant_part(drive, still),
+            damping=in_cells(viscous(drive) * np.abs(motors.rate)),
+            heat=drive.resistance / per_force**2,
+            rounded=_ROUNDED * np.abs(axial[3]).mean(axis=0) + np.finfo(np.float64).tiny,
+        )
+
+    def __call__(self, v: Array) -> tuple[float, Array, Array]:
+        """Energy and its first and second derivatives by y, y' and y'' at the samples; convex parts alone."""
+        y, y_1 = v[..., 0, None], v[..., 1, None]
+        root = np.sqrt(y)
+        a, b, d, e = self.axial
+        F = 0.5 * a * y_1 + b * y + d * root + e
+        size = np.sqrt(F * F + self.rounded**2)
+        slope = self.mean + self.half * F / size
+        r_a, r_b = self.rotor[:2]
+        G = 0.5 * r_a * y_1 + r_b * y + self.mean * F + self.half * size + self.dry + self.damping * root
+        F_v = np.stack([b + 0.5 * d / root, 0.5 * a], axis=-1)
+        G_v = slope[..., None] * F_v + np.stack([r_b + 0.5 * self.damping / root, 0.5 * r_a], axis=-1)
+        weight = (WEIGHTS / len(v))[:, None]
+        heat, work = weight * self.heat, weight * self.rate
+        value = float(np.sum(work * G + heat * G**2 / root))
+        by, twice = np.zeros_like(v), np.zeros((*v.shape, 3))
+        push = work + 2.0 * heat * G / root
+        by[..., :2] = np.einsum("ikl,ikla->ika", push, G_v)
+        by[..., 0] -= 0.5 * np.sum(heat * G**2, axis=-1) / y[..., 0] ** 1.5
+        kink = np.maximum(push, 0.0) * self.half * self.rounded**2 / size**3
+        twice[..., :2, :2] = np.einsum("ikl,ikla,iklb->ikab", kink, F_v, F_v)
+        twice[..., :2, :2] += np.einsum("ikl,ikla,iklb->ikab", 2.0 * heat / root, G_v, G_v)
+        mixed = -np.einsum("ikl,ikla->ika", heat * G / y**1.5, G_v)
+        twice[..., :2, 0] += mixed
+        twice[..., 0, :2] += mixed
+        twice[..., 0, 0] += 0.75 * np.sum(heat * G**2, axis=-1) / y[..., 0] ** 2.5
+        return value, by, twice

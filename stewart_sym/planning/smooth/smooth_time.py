@@ -1,0 +1,183 @@
+"""Smooth motions along a path within limits: least time with a limit of jerk, least energy in a given time.
+
+The path's parameter is eased, s = s(x), so that rest at the ends needs no rate 0 of x; y = x'^2 is a
+quadratic spline. Every limited quantity is then a sum of y, dy/dx, sqrt(y) and, for jerk, d2y/dx2.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...io.array_types import Array
+from ...kinematics.inverse import inverse_kinematics
+from ...motion.motion import Motion
+from ...robot.robot import Robot
+from ..path_terms import Path, Terms, travelled
+from ..profile import Ease, Profile
+from .interior_point import Cost, Rooms, duration, least
+from .rate_spline import RateSpline, in_cells
+
+Source = Callable[[Array], Terms]
+"""Parameters x, (n,) -> terms by x there."""
+
+_ROUNDS = 12
+_MARGIN = 2e-6
+_MORE = 1.2
+_BETWEEN = np.linspace(0.0, 1.0, 21)
+_TURNS = 3
+_ROOM, _SLOWER = 0.9, 0.9
+_SLOWEST = 1e-6
+_STEP = 1e-5
+
+
+@dataclass(frozen=True, eq=False)
+class SmoothPath:
+    """Terms of an eased path at samples and between; jerk: limits of the legs', m/s^3, (6,), or infinite.
+
+    legs: first to third derivatives of the lengths by x at samples, then between, (3, n, 6) each.
+    """
+
+    spline: RateSpline
+    nodes: Array
+    ease: Ease
+    at: Terms
+    between: Terms
+    legs: tuple[Array, Array]
+    jerk: Array
+
+    @classmethod
+    def of(
+        cls, source: Source, lengths: Callable[[Array], Array], ease: Ease, cells: int, jerk: Array
+    ) -> SmoothPath:
+        """Of a source and of ``lengths``, x -> derivatives of the legs' lengths by x."""
+        spline = RateSpline(cells)
+        nodes = np.linspace(0.0, 1.0, 2 * cells + 1)
+        fine = (spline.edges[:-1, None] + _BETWEEN / cells).ravel()
+        return cls(spline, nodes, ease, source(nodes), source(fine), (lengths(nodes), lengths(fine)), jerk)
+
+    def profile(self, c: Array) -> Profile:
+        """The motion of coefficients."""
+        return Profile.of(self.spline.phase(c), self.ease)
+
+    def used(self, c: Array) -> Array:
+        """Shares of the limits that are used in every cell, (cells, m): of the terms, then of jerk."""
+        v = self.spline.values(c, _BETWEEN).reshape(-1, 3)
+        parts = [self.between.used(v[:, 0], 0.5 * v[:, 1])]
+        if np.isfinite(self.jerk).any():
+            parts.append(np.abs(_jerk(self.legs[1], v)) / self.jerk)
+        return np.concatenate(parts, axis=-1).reshape(self.spline.cells, len(_BETWEEN), -1).max(axis=1)
+
+    def rooms(self, c: Array, margin: Array) -> Rooms:
+        """Limits at the samples, less a margin, (2 cells + 1, m), friction as at the rates of c."""
+        v = self.spline.values(c)
+        rate = np.sqrt(np.append(v[:, :2, 0].ravel(), v[-1, -1, 0]))
+        room, count = 1.0 - margin, self.at.count
+        rows = self.at.rows(rate, room[:, :count])
+        zero, parts = np.zeros_like(rows.a), []
+        for sign, bound in ((1.0, rows.high), (-1.0, rows.low)):
+            k = np.stack([bound - rows.e, -rows.d, zero, -rows.b, -0.5 * rows.a, zero], axis=-1)
+            parts.append(_bounded(sign * k, bound))
+        speed = np.zeros((len(rate), 1, 6))
+        speed[:, 0, 0], speed[:, 0, 3] = 1.0, -1.0 / (self.at.caps * room[:, count - 1] ** 2)
+        parts.append(speed)
+        if np.isfinite(self.jerk).any():
+            L_1, L_2, L_3 = self.legs[0]
+            limit = self.jerk * room[:, count:]
+            none = np.zeros_like(L_1)
+            for sign in (1.0, -1.0):
+                k = np.stack([none, none, limit, sign * L_3, sign * 1.5 * L_2, sign * 0.5 * L_1], axis=-1)
+                parts.append(_bounded(k, limit))
+        k = np.concatenate(parts, axis=1)
+        return Rooms(in_cells(k))
+
+    def fastest(self) -> Array:
+        """Coefficients of least time."""
+        share = 1.0
+        while share > _SLOWEST and self.used(share * np.ones(self.spline.cells + 2)).max() > _ROOM:
+            share *= _SLOWER
+        return self._settled(share * np.ones(self.spline.cells + 2), self._time, None)
+
+    def thriftiest(self, cost: Cost, start: Array, time: float) -> Array:
+        """Coefficients of least energy in a duration, from those of a faster motion."""
+        share = duration(self.spline, self.spline.values(start))[0] / time
+        return self._settled(share**2 * start, cost, time)
+
+    def _time(self, v: Array) -> tuple[float, Array, Array]:
+        return duration(self.spline, v)
+
+    def _settled(self, c: Array, cost: Cost, time: float | None) -> Array:
+        """Coefficients of least cost that keep all limits between the samples too."""
+        margin = np.full((len(self.at.caps), self.used(c).shape[1]), _MARGIN)
+        turns = 1 if self.at.motors is None else _TURNS
+        for turn in range(_ROUNDS):
+            rooms = self.rooms(c, margin)
+            c = least(self.spline, self._slowed(_ROOM * c, rooms), rooms, cost, time)
+            excess = np.maximum(self.used(c) - 1.0, 0.0)
+            if turn >= turns and not excess.any():
+                break
+            margin = margin + _MORE * _beside(excess)
+        return c
+
+    def _slowed(self, c: Array, rooms: Rooms) -> Array:
+        """Coefficients, slowed until all limits are kept."""
+        share = 1.0
+        while share > _SLOWEST:
+            if rooms.values(self.spline.values(share * c)).min() > 0.0:
+                return share * c
+            share *= _SLOWER
+        raise ValueError("limits: expected limits that some slow and smooth motion keeps, none was found")
+
+
+def _beside(excess: Array) -> Array:
+    """Of cells, (cells, m), at the samples, (2 cells + 1, m): at an edge the larger of both sides'."""
+    edges = np.pad(excess, ((1, 1), (0, 0)))
+    found = np.empty((2 * len(excess) + 1, excess.shape[1]))
+    found[::2], found[1::2] = np.maximum(edges[1:], edges[:-1]), excess
+    return found
+
+
+def _bounded(k: Array, limit: Array) -> Array:
+    """Rows over their limits, without those that no limit bounds anywhere; one that does not bound is 1."""
+    kept = np.isfinite(limit).any(axis=0)
+    k, limit = k[:, kept], limit[:, kept]
+    none = ~np.isfinite(limit)
+    scaled = k / np.where(none, 1.0, np.abs(limit))[..., None]
+    scaled[none] = (1.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    return np.asarray(scaled)
+
+
+def eased(path: Path, ease: Ease) -> Path:
+    """The path by the parameter of an ease."""
+
+    def by_x(x: Array) -> Motion:
+        s, rate, second = ease(x, np.ones_like(x), np.zeros_like(x))
+        return travelled(path(s), rate, second)
+
+    return by_x
+
+
+def length_rates(robot: Robot, path: Path, x: Array) -> Array:
+    """First to third derivatives of the legs' lengths by the parameter of an eased path, (3, n, 6)."""
+
+    def second(at: Array) -> Array:
+        found = inverse_kinematics(robot, path(at)).L_ddot
+        assert found is not None
+        return found
+
+    middle = np.clip(x, _STEP, 1.0 - _STEP)
+    before, at, after = (second(middle + step) for step in (-_STEP, 0.0, _STEP))
+    # Through three points: at the ends the derivative there, elsewhere at the middle one.
+    bend = ((x - middle) / _STEP**2)[:, None] * (after - 2.0 * at + before)
+    legs = inverse_kinematics(robot, path(x))
+    assert legs.L_ddot is not None
+    return np.stack([legs.L_dot, legs.L_ddot, 0.5 * (after - before) / _STEP + bend])
+
+
+def _jerk(legs: Array, v: Array) -> Array:
+    """Third derivatives of the lengths by time, m/s^3, (n, 6)."""
+    y, y_1, y_2 = v.T[..., None]
+    L_1, L_2, L_3 = legs
+    return np.asarray(np.sqrt(y) * (L_3 * y + 1.5 * L_2 * y_1 + 0.5 * L_1 * y_2))

@@ -1,0 +1,224 @@
+"""Torques that kits compute in C are those of ``drive_effort``, with rotors and without."""
+
+import ctypes
+import dataclasses
+import re
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+from kits import build, proves_itself, run
+from machines import dasgupta, random_motion, random_robot, with_random_drives
+from numpy.typing import NDArray
+
+import stewart_sym as ss
+from stewart_sym.backend import native
+from stewart_sym.backend.kernel import MOTION
+from stewart_sym.derive.kernel.interface import STRUCTS
+from stewart_sym.drives.effort import at_instants
+from stewart_sym.drives.friction import drive_numbers, losses
+from stewart_sym.kit import Choice, kit, write_kit
+from stewart_sym.kit.choice import check
+from stewart_sym.kit.files import kit_names
+from stewart_sym.kit.interpreter import KitInterpreter
+from stewart_sym.kit.parts import fields
+from stewart_sym.kit.running import values
+from stewart_sym.reference import newton_euler
+from stewart_sym.robot.drive import Drive
+from stewart_sym.robot.robot import Robot
+
+Array = NDArray[np.float64]
+Six = ctypes.c_double * 6
+EPSILON = np.finfo(np.float64).eps
+
+
+def machine(rotors: bool, joint: str = "universal") -> Robot:
+    rng = np.random.default_rng(5)
+    return with_random_drives(rng, random_robot(rng, joint), rotors)
+
+
+class Compiled:
+    """The torques of a kit."""
+
+    def __init__(self, robot: Robot) -> None:
+        files = kit(robot, Choice(("torque",))).files
+        sources = {name: text.decode() for name, text in files.items() if name.endswith((".c", ".h"))}
+        sources = {name: text for name, text in sources.items() if "/" not in name}
+        library = native.load("kit_torque", sources)
+        self.torques, symbol = library.stewart_motor_torques, f"stewart_robot_{robot.name.lower()}_drives"
+        count = sum(each.count for each in STRUCTS["drives"])
+        self.drives = (ctypes.c_double * count).in_dll(library, symbol)
+
+    def __call__(self, F: Array, axial: Array | None, L_dot: Array) -> tuple[int, Array, Array]:
+        torque, current = Six(), Six()
+        passed = None if axial is None else Six(*axial)
+        status = self.torques(self.drives, Six(*F), passed, Six(*L_dot), torque, current)
+        return status, np.array(torque), np.array(current)
+
+
+def robot_named(robot: Robot) -> Robot:
+    return dataclasses.replace(robot, name="turned")
+
+
+@pytest.fixture(scope="module", params=[(True, "universal"), (True, "spherical"), (False, "universal")])
+def case(request: pytest.FixtureRequest) -> tuple[Robot, Compiled]:
+    robot = robot_named(machine(*request.param))
+    return robot, Compiled(robot)
+
+
+def test_torques_are_those_of_the_python_layer(case: tuple[Robot, Compiled]) -> None:
+    robot, torques = case
+    drive = robot.drive
+    assert drive is not None
+    # Every kind of friction that a drive may have is in this test.
+    assert len(losses(drive)) == 7
+    motion = random_motion(np.random.default_rng(6), robot, (50,))
+    F, L_dot = ss.inverse_dynamics(robot, motion).F, ss.inverse_kinematics(robot, motion).L_dot
+    # From rates within the smoothing, where friction is as at rest, to those of the motion.
+    for slowness in (0.0, 1e-5, 1e-2, 0.1, 0.3, 1.0):
+        slow = dataclasses.replace(motion, v=slowness * motion.v, omega=slowness * motion.omega)
+        expected = at_instants(robot, drive, slow, F, slowness * L_dot)
+        size = np.abs(F) + np.abs(expected.friction) + np.abs(expected.rotor)
+        known = drive.torque_constant > 0.0
+        for i in range(50):
+            rates = slowness * L_dot[i]
+            status, torque, current = torques(F[i], F[i] - expected.rotor[i], rates)
+            assert status == 0
+            assert np.all(np.abs(torque - expected.torque[i]) * np.abs(drive.turns) <= 8 * EPSILON * size[i])
+            assert np.all(current[~known] == 0.0)
+            assert expected.current is not None
+            np.testing.assert_allclose(current[known], expected.current[i, known], rtol=1e-12)
+
+
+def test_stribecks_decay_is_the_exponential_to_rounding() -> None:
+    ones = np.ones(6)
+    robot = dataclasses.replace(
+        dasgupta(), name="turned", drive=Drive(2 * np.pi, stribeck=ones, stribeck_speed=ones)
+    )
+    torques = Compiled(robot)
+    ratios = np.concatenate([np.linspace(-9.0, 9.0, 3001), np.geomspace(1e-200, 1.0, 101)])
+    found = np.concatenate([torques(0 * ones, None, part)[1] for part in ratios.reshape(-1, 6)])
+    assert np.abs(found - np.sign(ratios) * np.exp(-(ratios**2))).max() <= 3 * EPSILON
+
+
+def test_without_axial_forces_they_are_those_of_the_motors() -> None:
+    torques = Compiled(robot_named(machine(False)))
+    F, L_dot = np.linspace(-900.0, 1300.0, 6), np.linspace(0.3, -0.2, 6)
+    np.testing.assert_array_equal(torques(F, None, L_dot)[1], torques(F, F, L_dot)[1])
+    assert np.any(torques(F, 0.5 * F, L_dot)[1] != torques(F, F, L_dot)[1])
+
+
+def test_torques_are_odd_in_force_and_rate_and_change_with_the_direction_of_power() -> None:
+    torques = Compiled(robot_named(machine(False)))
+    F, L_dot = np.full(6, 800.0), np.full(6, 0.25)
+    np.testing.assert_array_equal(torques(-F, -F, -L_dot)[1], -torques(F, F, L_dot)[1])
+    lifted, lowered = torques(F, F, L_dot)[1], torques(F, F, -L_dot)[1]
+    turns = machine(False).drive.turns  # type: ignore[union-attr]
+    assert np.all(turns * lifted > 800.0)
+    assert np.all(turns * lowered < 800.0)
+
+
+def test_bad_numbers_and_missing_arrays_leave_torques_as_they_were() -> None:
+    torques = Compiled(robot_named(machine(False)))
+    good = np.ones(6)
+    assert torques(good, None, good)[0] == 0
+    for i in range(3):
+        given = [good.copy(), good.copy(), good.copy()]
+        given[i][4] = np.nan
+        status, torque, current = torques(*given)
+        assert status == ss.results.NOT_FINITE
+        assert not torque.any()
+        assert not current.any()
+    assert torques.torques(None, Six(), None, Six(), Six(), None) == ss.results.BAD_ARGUMENT
+    assert torques.torques(torques.drives, Six(), None, None, Six(), None) == ss.results.BAD_ARGUMENT
+    assert torques.torques(torques.drives, Six(), None, Six(), Six(), None) == 0
+
+
+def test_constants_of_drives_are_in_the_order_of_the_struct() -> None:
+    robot = robot_named(machine(True))
+    assert robot.drive is not None
+    numbers = drive_numbers(robot.drive)
+    expected = np.concatenate([numbers[each.name] for each in STRUCTS["drives"]])
+    np.testing.assert_array_equal(np.array(Compiled(robot).drives), expected)
+    assert set(numbers) == {each.name for each in STRUCTS["drives"]}
+
+
+def test_torques_need_a_drive() -> None:
+    with pytest.raises(
+        ValueError, match=r"^functions: torque: expected a robot with a drive, got one without"
+    ):
+        check(Choice(("torque",)), dasgupta())
+    with pytest.raises(ValueError, match=r"^functions: python: expected some of forces.*got 'torque'"):
+        kit(machine(True), Choice(("torque",), language="python"))
+
+
+@pytest.mark.parametrize(
+    ("file", "good", "wrong"),
+    [
+        ("stewart_torque.c", r"REAL\(3\) -", "REAL(3.001) -"),
+        ("stewart_robot.c", r"(_drives = \{[^{]*\{)REAL\([^)]*\)", r"\1REAL(1.5)"),
+    ],
+)
+def test_the_self_test_finds_a_wrong_torque(tmp_path: Path, file: str, good: str, wrong: str) -> None:
+    robot, choice = robot_named(machine(False)), Choice(("torque",))
+    made, _ = write_kit(robot, tmp_path / "kit", choice)
+    assert list(made.files) == kit_names(robot, choice)
+    proves_itself(tmp_path / "kit", "gcc", "-O0")
+    path = tmp_path / "kit" / file
+    text, count = re.subn(good, wrong, path.read_text(encoding="utf-8"))
+    assert count == 1
+    path.write_text(text, encoding="utf-8")
+    code, said = run(build(tmp_path / "kit", "gcc", "-O0")["selftest"])
+    assert (code, "drives" in said) == (1, True)
+
+
+@pytest.mark.parametrize("joint", ["universal", "spherical"])
+def test_axial_forces_are_those_of_the_reference(joint: str) -> None:
+    robot = machine(True, joint)
+    motion = random_motion(np.random.default_rng(7), robot, (5,))
+    F = ss.inverse_dynamics(robot, motion).F
+    expected = F - newton_euler.rotor_force(robot, motion)
+    interpreter = KitInterpreter(
+        {name: np.asarray(getattr(robot, name)) for name in fields(True)}, robot.base_joint
+    )
+    for i in range(5):
+        at = {name: np.ravel(getattr(motion, name)[i]) for name in MOTION} | {"F": F[i]}
+        found = interpreter.axial_forces(at)
+        np.testing.assert_allclose(values(found["axial"]), expected[i], atol=1e-12 * np.abs(F).max())
+        rates = ss.inverse_kinematics(robot, motion[i]).L_dot
+        np.testing.assert_allclose(values(found["L_dot"]), rates, atol=1e-13 * np.abs(rates).max())
+
+
+CPP = """
+#include "stewart_robot.h"
+#include "stewart.hpp"
+int main()
+{{
+    const stewart::torque_kernel drives({symbol}_drives);
+    const std::array<stewart::real, 6> F{{100, 100, 100, 100, 100, 100}}, L_dot{{}};
+    std::array<stewart::real, 6> torque{{}}, current{{}};
+    const auto found = drives.motor_torques(F, F, L_dot, torque, current);
+    return found == stewart::status::ok && torque[3] != 0 ? 0 : 1;
+}}
+"""
+
+
+def test_torques_are_called_from_cpp(tmp_path: Path) -> None:
+    robot = robot_named(machine(False))
+    write_kit(robot, tmp_path / "kit", Choice(("torque",)))
+    user = tmp_path / "user.cpp"
+    user.write_text(CPP.format(symbol="stewart_robot_turned"), encoding="utf-8")
+    sources = [str(tmp_path / "kit" / f"stewart_{name}.c") for name in ("torque", "robot")]
+    command = ["g++", "-std=c++17", "-O0", f"-I{tmp_path / 'kit'}", str(user), "-x", "c++", *sources]
+    subprocess.run([*command, "-o", str(tmp_path / "user")], check=True)
+    subprocess.run([str(tmp_path / "user")], check=True)
+
+
+def test_the_readme_says_what_torques_take() -> None:
+    robot = robot_named(machine(True))
+    text = kit(robot, Choice(("torque",))).files["README.md"].decode()
+    assert "constants of its drives, `stewart_robot_turned_drives`" in text
+    assert "| `F` | in | [6] | N | actuator forces, positive when they extend the leg, (37) |" in text
+    assert "| `torque` | out | [6] | N m |" in text
+    assert "| `stewart_motor_torques` | 352 | " in text

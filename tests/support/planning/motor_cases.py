@@ -1,0 +1,52 @@
+"""Machines with drives whose limits bind along a path."""
+
+import dataclasses
+
+import numpy as np
+from via_cases import straight, via_case, with_limits
+
+from stewart_sym.drives.effort import drive_effort
+from stewart_sym.planning.pose_path import PosePath
+from stewart_sym.planning.time_path import time_path
+from stewart_sym.robot.drive import Drive
+from stewart_sym.robot.robot import Robot
+
+QUANTITIES = ("torque", "speed", "current", "power")
+
+
+def motor_case(seed: int, binding: tuple[str, ...] = QUANTITIES) -> tuple[Robot, PosePath]:
+    """A machine whose motors' limits are below what its fastest motion within limits of force takes."""
+    rng = np.random.default_rng(100 + seed)
+    robot, poses = via_case(seed)
+    path = straight(robot, poses)
+    robot = with_limits(robot, path)
+    force = robot.force_limit
+    lead = 0.01 * float(np.linalg.norm(robot.b, axis=-1).mean())
+    turns = 2.0 * np.pi / lead
+    mass = robot.m_u.mean() * rng.uniform(0.05, 0.3)
+    free = time_path(robot, path, cells=100)
+    speed = np.abs(free.sample(np.linspace(0.0, free.duration, 400)).v).max()
+    drive = Drive(
+        lead=lead * rng.permutation([1, 1, 1, -1, -1, -1]),
+        rotor_inertia=mass / turns**2,
+        efficiency=rng.uniform(0.6, 0.95, 6),
+        back_efficiency=rng.uniform(0.3, 0.9, 6),
+        screw_coulomb=0.02 * force,
+        motor_viscous=0.02 * force.mean() / speed / turns**2,
+        motor_coulomb=0.01 * force / turns,
+        stribeck=0.01 * force,
+        stribeck_speed=0.05 * speed,
+        smoothing=0.0 if seed % 2 else 0.02 * speed,
+        torque_constant=0.1,
+        resistance=0.2,
+    )
+    free = time_path(dataclasses.replace(robot, drive=drive), path, cells=100)
+    times = np.linspace(0.0, free.duration, 801)
+    found = drive_effort(dataclasses.replace(robot, drive=drive), free.sample(times), times)
+    weight = 2.0 * force / turns
+    shares = {"torque": 0.9, "current": 0.85, "speed": 0.8, "power": 0.6}
+    limits = {f"{name}_limit": shares[name] * getattr(found, f"peak_{name}") for name in binding}
+    for name, unit in (("torque", 1.0), ("current", 0.1)):
+        if name in binding:
+            limits[f"{name}_limit"] = np.maximum(limits[f"{name}_limit"], weight / unit / 2.5 * 1.1)
+    return dataclasses.replace(robot, drive=dataclasses.replace(drive, **limits)), path

@@ -1,0 +1,191 @@
+"""Motors' limits, jerk and motions of a given duration by CasADi with IPOPT.
+
+Forces and rotors come from the vector implementation, friction of drives is written anew. Motors and peak
+force: s'' constant in each cell of s. Jerk and energy: jerk of s constant in each step of time.
+"""
+
+import casadi
+import numpy as np
+from least_time_oracles import coefficients
+
+from stewart_sym.kinematics.inverse import inverse_kinematics
+from stewart_sym.planning.path_terms import Path, travelled
+from stewart_sym.planning.time_path import TimedPath
+from stewart_sym.reference.newton_euler import rotor_force
+from stewart_sym.robot.robot import Robot
+
+_OPTIONS = {"ipopt.print_level": 0, "print_time": False, "ipopt.tol": 1e-9, "ipopt.sb": "yes"}
+
+
+def _solved(problem: dict, **bounds: object) -> tuple[float, np.ndarray]:
+    solve = casadi.nlpsol("oracle", "ipopt", problem, _OPTIONS | {"ipopt.max_iter": 1000})
+    found = solve(**bounds)
+    assert solve.stats()["success"], solve.stats()["return_status"]
+    return float(found["f"]), np.array(found["x"])[:, 0]
+
+
+def _efforts(robot: Robot, path: Path, s: np.ndarray, side: np.ndarray):
+    """N times torque, by branch of the efficiency, of s'' and s'; side: sign of L_dot, (n, 6)."""
+    drive, motion = robot.drive, path(s)
+    a, b, d, e = coefficients(robot, path, s)
+    r_a, r_b = (rotor_force(robot, travelled(motion, rate, second)) for rate, second in ((0, 1), (1, 0)))
+    rate = inverse_kinematics(robot, motion).L_dot
+    n = 2.0 * np.pi / drive.lead
+    viscous = drive.screw_viscous + n**2 * drive.motor_viscous
+    dry = drive.screw_coulomb + np.abs(n) * drive.motor_coulomb
+
+    def found(u: casadi.MX, z: casadi.MX) -> tuple[casadi.MX, casadi.MX]:
+        u, z = casadi.repmat(u, 1, 6), casadi.repmat(z, 1, 6)
+        rotor = casadi.DM(r_a) * u + casadi.DM(r_b) * z**2
+        axial = casadi.DM(a - r_a) * u + casadi.DM(b - r_b) * z**2 + casadi.DM(d) * z + casadi.DM(e)
+        speed = casadi.DM(np.abs(rate)) * z
+        sign = casadi.DM(np.ones_like(rate))
+        within = np.broadcast_to(drive.smoothing, rate.shape)
+        if np.all(within > 0.0):
+            x = casadi.fmin(speed / casadi.DM(within), 1.0)
+            sign = 0.5 * x * (3.0 - x**2)
+        slow = casadi.exp(-((speed / casadi.DM(np.broadcast_to(drive.stribeck_speed, rate.shape))) ** 2))
+        loss = sign * (
+            casadi.DM(np.broadcast_to(dry, rate.shape))
+            + casadi.repmat(casadi.DM(drive.stribeck).T, len(s), 1) * slow
+        )
+        out = []
+        for share in (1.0 / drive.efficiency - 1.0, drive.back_efficiency - 1.0):
+            slope = 1.0 + sign * casadi.repmat(casadi.DM(share).T, len(s), 1)
+            out.append(
+                casadi.DM(side) * (rotor + slope * axial)
+                + loss
+                + casadi.repmat(casadi.DM(viscous).T, len(s), 1) * speed
+            )
+        return out[0], out[1]
+
+    return found
+
+
+def motor_duration(robot: Robot, path: Path, cells: int, start: np.ndarray) -> float:
+    """Least time within limits of force and of the motors, s; start: s' at the nodes to begin from."""
+    drive = robot.drive
+    s, h = np.linspace(0.0, 1.0, cells + 1), 1.0 / cells
+    z = casadi.MX.sym("z", cells + 1)
+    u = (z[1:] ** 2 - z[:-1] ** 2) / (2.0 * h)
+    n = np.abs(2.0 * np.pi / drive.lead)
+    torque = n * np.minimum(drive.torque_limit, drive.torque_constant * drive.current_limit)
+    middle = np.sign(inverse_kinematics(robot, path(0.5 * (s[1:] + s[:-1]))).L_dot)
+    rate = np.abs(inverse_kinematics(robot, path(s)).L_dot)
+    g, high = [], []
+    for rows in (slice(0, cells), slice(1, cells + 1)):
+        a, b, d, e = (casadi.DM(x / robot.force_limit) for x in coefficients(robot, path, s[rows]))
+        second, first = casadi.repmat(u, 1, 6), casadi.repmat(z[rows], 1, 6)
+        force = a * second + b * first**2 + d * first + e
+        p, q = _efforts(robot, path, s[rows], middle)(u, z[rows])
+        g += [force, -force]
+        high += [np.ones((cells, 6))] * 2
+        if np.isfinite(torque).all():
+            scale = casadi.DM(np.broadcast_to(torque, (cells, 6)))
+            g += [p / scale, q / scale, -q / scale]
+            high += [np.ones((cells, 6))] * 3
+        if np.isfinite(drive.power_limit).all():
+            speed = casadi.DM(rate[rows] / drive.power_limit) * first
+            g += [p * speed, q * speed, -q * speed]
+            high += [np.ones((cells, 6))] * 3
+    most = (drive.speed_limit / n / np.maximum(rate, 1e-300)).min(axis=1)
+    most[[0, -1]] = 0.0
+    problem = {
+        "x": z,
+        "f": casadi.sum1(2.0 * h / (z[1:] + z[:-1])),
+        "g": casadi.vertcat(*(casadi.vec(each) for each in g)),
+    }
+    bounds = {
+        "lbx": 0.0,
+        "ubx": np.minimum(most, 1e6),
+        "lbg": -casadi.inf,
+        "ubg": np.concatenate([x.T.ravel() for x in high]),
+    }
+    return _solved(problem, x0=start, **bounds)[0]
+
+
+def peak_force(robot: Robot, path: Path, cells: int, start: np.ndarray, duration: float) -> float:
+    """Least peak force of motions of a duration, N."""
+    s, h = np.linspace(0.0, 1.0, cells + 1), 1.0 / cells
+    z, peak = casadi.MX.sym("z", cells + 1), casadi.MX.sym("peak")
+    u = (z[1:] ** 2 - z[:-1] ** 2) / (2.0 * h)
+    limit = float(robot.force_limit.max())
+    coefs = [x / limit for x in coefficients(robot, path, s)]
+    g = [casadi.sum1(2.0 * h / (z[1:] + z[:-1])) / duration - 1.0]
+    for rows in (slice(0, cells), slice(1, cells + 1)):
+        a, b, d, e = (casadi.DM(x[rows]) for x in coefs)
+        second, first = casadi.repmat(u, 1, 6), casadi.repmat(z[rows], 1, 6)
+        force = casadi.vec(a * second + b * first**2 + d * first + e)
+        g += [force - peak, -force - peak]
+    top = np.full(cells + 2, 1e6)
+    top[[0, cells]] = 0.0
+    problem = {"x": casadi.vertcat(z, peak), "f": peak, "g": casadi.vertcat(*g)}
+    return limit * _solved(problem, x0=np.append(start, 1.0), lbx=0.0, ubx=top, lbg=-casadi.inf, ubg=0.0)[0]
+
+
+def smooth_optimum(
+    robot: Robot, plan: TimedPath, steps: int, jerk: float | None = None, duration: float | None = None
+) -> float:
+    """Least time within limits of force and jerk, s; with a duration the least work of the leg forces, J.
+
+    plan: to begin from.
+    """
+    path, fine = plan.path, np.linspace(0.0, 1.0, 2001)
+    legs = [inverse_kinematics(robot, path(np.clip(fine + h, 0.0, 1.0))) for h in (-1e-5, 0.0, 1e-5)]
+    third = (legs[2].L_ddot - legs[0].L_ddot) / 2e-5
+    third[[0, -1]] *= 2.0
+    rows = np.concatenate([*coefficients(robot, path, fine), legs[1].L_dot, legs[1].L_ddot, third], axis=1)
+    size = np.abs(rows).max(axis=0)
+    size[size == 0.0] = 1.0
+    table = casadi.interpolant("table", "bspline", [fine], (rows / size).ravel())
+    state, time = casadi.MX.sym("state", 3, steps + 1), casadi.MX.sym("time")
+    third_s = casadi.MX.sym("third", 1, steps)
+    h = time / steps
+    s, v, a = (state[i, :] for i in range(3))
+    g = [
+        s[1:] - s[:-1] - h * v[:-1] - h**2 / 2 * a[:-1] - h**3 / 6 * third_s,
+        v[1:] - v[:-1] - h * a[:-1] - h**2 / 2 * third_s,
+        a[1:] - a[:-1] - h * third_s,
+    ]
+    equal = 3 * steps
+    values = table.map(steps + 1)(s) * casadi.DM(size)
+    wide = [casadi.repmat(x, 6, 1) for x in (v, a)]
+    force = (
+        values[0:6, :] * wide[1]
+        + values[6:12, :] * wide[0] ** 2
+        + values[12:18, :] * wide[0]
+        + values[18:24, :]
+    )
+    g.append(casadi.vec(force / casadi.DM(robot.force_limit)).T)
+    one, two, three = values[24:30, :], values[30:36, :], values[36:42, :]
+    if jerk is not None:
+        for rows in (slice(0, steps), slice(1, steps + 1)):
+            rate, second = (casadi.repmat(x[rows], 6, 1) for x in (v, a))
+            each = (
+                one[:, rows] * casadi.repmat(third_s, 6, 1)
+                + 3.0 * two[:, rows] * rate * second
+                + three[:, rows] * rate**3
+            )
+            g.append(casadi.vec(each / jerk).T)
+    power = casadi.sum1(force * one * wide[0])
+    cost = time if duration is None else h * (casadi.sum2(power) - 0.5 * (power[0] + power[-1]))
+    x = casadi.vertcat(casadi.vec(state), casadi.vec(third_s), time)
+    times = np.linspace(0.0, plan.duration, steps + 1)
+    place = plan.profile.at(times)
+    begin = np.stack([place.s, place.rate, place.second])
+    x0 = np.concatenate([begin.T.ravel(), np.diff(place.second) / np.diff(times), [plan.duration]])
+    low, high = np.full(len(x0), -1e9), np.full(len(x0), 1e9)
+    low[: 3 * (steps + 1) : 3], high[: 3 * (steps + 1) : 3] = 0.0, 1.0
+    low[1 : 3 * (steps + 1) : 3] = 0.0
+    ends = [0, 1, 3 * steps, 3 * steps + 1] + ([2, 3 * steps + 2] if jerk is not None else [])
+    for i in ends:
+        low[i] = high[i] = 1.0 if i == 3 * steps else 0.0
+    low[-1], high[-1] = (
+        (duration, duration) if duration is not None else (1e-3 * plan.duration, 1e3 * plan.duration)
+    )
+    g = casadi.horzcat(*g)
+    bound = np.ones(g.shape[1])
+    bound[:equal] = 0.0
+    scale = cost if duration is None else cost / float(np.abs(robot.force_limit).max())
+    found = _solved({"x": x, "f": scale, "g": g.T}, x0=x0, lbx=low, ubx=high, lbg=-bound, ubg=bound)[0]
+    return found if duration is None else found * float(np.abs(robot.force_limit).max())
