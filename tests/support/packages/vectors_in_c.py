@@ -12,6 +12,7 @@ from stewart_sym.backend.c_kernel import address
 from stewart_sym.backend.kernel import MOTION, kernel_name, robot_numbers
 from stewart_sym.dynamics import closed_form
 from stewart_sym.dynamics.forces import prepare
+from stewart_sym.kit.choice import STEMS, TORQUE
 from stewart_sym.kit.vectors import CLOSED_FORM, FUNCTIONS, KINEMATICS, ROTATION, Vector, vectors
 from stewart_sym.robot.robot import Robot
 
@@ -22,9 +23,10 @@ WHOLE = ("inverse_dynamics", "joint_reactions")
 
 
 def functions_of(robot: Robot, formulation: str = "exact") -> tuple[str, ...]:
-    """All functions in C that there are for the machine."""
+    """All functions in C that there are for a machine without drives."""
     closed = formulation == "exact" and robot.base_joint == "universal"
-    return tuple(function for function in FUNCTIONS if closed or function not in CLOSED_FORM)
+    without = STEMS[TORQUE] if closed else (*STEMS[TORQUE], *CLOSED_FORM)
+    return tuple(function for function in FUNCTIONS if function not in without)
 
 
 @cache
