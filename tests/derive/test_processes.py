@@ -4,8 +4,7 @@ from stewart_sym.derive.generate import UNITS, derived
 
 
 def test_processes_side_by_side_make_what_one_makes() -> None:
-    names = ["exact_offset", "regressors, kinematics and torques"]
+    names = list(UNITS)[-2:]
     one, several = ([made for made, _ in derived(names, processes)] for processes in (1, 2))
-    assert set(names) < set(UNITS)
     assert several == one
     assert all(made.files for made in one)
