@@ -59,7 +59,7 @@ class Grid(NamedTuple):
     def at(cls, source: Source, s: Array) -> Grid:
         """A grid of just these nodes."""
         terms = source(s)
-        return cls(source, s, terms, np.full((len(s), terms.count), _MARGIN), np.zeros(len(s)))
+        return cls(source, s, terms, np.full((len(s), terms.quantities), _MARGIN), np.zeros(len(s)))
 
     def after(self, profile: Profile, share: float = 1.0) -> Grid:
         """The grid with the rates of a motion along the path, times a share."""
