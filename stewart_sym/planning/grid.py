@@ -16,7 +16,7 @@ Source = Callable[[Array], Terms]
 """Parameters s, (n,) -> terms there."""
 
 # By which all limits are tighter from the start, so that rounding exceeds none.
-_MARGIN = 1e-6
+_MARGIN = 3e-6
 IDLE = 1e-3
 """A limit is active from this share below it on."""
 # Denser to the ends, where friction grows as the root of the way.

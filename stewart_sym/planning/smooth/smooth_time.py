@@ -24,11 +24,14 @@ from .rate_spline import PARTS, RateSpline, in_cells
 _ROUNDS = 12
 _MARGIN = 5e-5
 _MORE, _KEPT = 1.2, 1e-7
+# Of a limit, at the instants between the samples that are looked at.
+_AIM = 1.0 - 2e-5
 _BETWEEN = np.linspace(0.0, 1.0, 21)
 _TURNS = 3
 _ROOM, _SLOWER = 0.9, 0.9
 _SLOWEST = 1e-6
 _STEP = 1e-5
+_NEARER = 0.01
 
 
 @dataclass(frozen=True, eq=False)
@@ -115,12 +118,27 @@ class SmoothPath:
             # From far within the limits: a motion of a duration from one that has it.
             begin = self._slowed(_ROOM * c if time is None else start, rooms)
             c = least(self.spline, begin, rooms, cost, time)
-            excess = np.maximum(self.used(c) - 1.0, 0.0)
+            excess = np.maximum(self.used(c) - _AIM, 0.0)
             now = duration(self.spline, self.spline.values(c))[0]
-            if turn >= turns and excess.max() <= _KEPT and abs(now - (time or now)) <= _KEPT * now:
+            if (
+                turn >= turns
+                and excess.max() <= 0.5 * (1.0 - _AIM)
+                and abs(now - (time or now)) <= _KEPT * now
+            ):
                 break
             margin = margin + _MORE * _beside(excess)
-        return c
+        return c if time is None else self._between(start, c, time)
+
+    def _between(self, start: Array, c: Array, time: float) -> Array:
+        """Coefficients as near to c as limits allow, towards those of a motion far within them."""
+        share = 0.0
+        while share < 1.0:
+            found = (1.0 - share) * c + share * start
+            found = found * (duration(self.spline, self.spline.values(found))[0] / time) ** 2
+            if self.used(found).max() <= 0.5 * (1.0 + _AIM):
+                return np.asarray(found)
+            share += _NEARER
+        return start
 
     def _slowed(self, c: Array, rooms: Rooms) -> Array:
         """Coefficients, slowed until all limits are kept."""
