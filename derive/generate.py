@@ -4,9 +4,8 @@ The last step of ``derive``. The texts depend on this package and on SymPy's min
 no path, no order of a set. Does not depend on the runtime. A process derives each kernel once.
 """
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from concurrent.futures import ProcessPoolExecutor
-from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from functools import cache, partial, reduce
 from importlib.metadata import version as installed_version
@@ -137,10 +136,9 @@ def generated_files(progress: Progress = lambda *_: None, processes: int = 1) ->
     """
     version = generator_version()
     found: dict[str, Made] = {}
-    with _pool(processes) as run:
-        for done, (name, (made, seconds)) in enumerate(zip(UNITS, run(_timed, UNITS), strict=True), start=1):
-            found[name] = made
-            progress(name, seconds, done / len(UNITS))
+    for name, (made, seconds) in zip(UNITS, derived(UNITS, processes), strict=True):
+        found[name] = made
+        progress(name, seconds, len(found) / len(UNITS))
     models = {name: count for made in found.values() for name, count in made.models.items()}
     headers = {"stewart.h": common_header(version)} | shared_headers(version)
     files = {name: text for made in found.values() for name, text in made.files.items()}
@@ -168,14 +166,13 @@ def _on_arrays(programs: Mapping[str, Program]) -> dict[str, str]:
     return files
 
 
-@contextmanager
-def _pool(processes: int) -> Iterator[Callable[..., Iterable[tuple[Made, float]]]]:
-    """What runs a function on each of several arguments and gives the results in their order."""
+def derived(names: Collection[str], processes: int = 1) -> Iterator[tuple[Made, float]]:
+    """What some of ``UNITS`` make, in their order, and the seconds that each took."""
     if processes == 1:
-        yield map
+        yield from map(_timed, names)
     else:
         with ProcessPoolExecutor(processes, get_context("spawn")) as pool:
-            yield pool.map
+            yield from pool.map(_timed, names)
 
 
 def _timed(name: str) -> tuple[Made, float]:

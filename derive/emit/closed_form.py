@@ -62,7 +62,7 @@ def files(
     """
     asked = asked_for(functions)
     file = f"stewart_{model.formulation.kernel_name}_motion"
-    before = "\n".join([top(file, version, HEADER), filled("motion.c", aligned=filled("aligned.c"))])
+    before = "\n".join([top(file, version, HEADER), filled("motion.c")])
     made = _Source(kernels, model, asked)
     parts = [settled(each) if isinstance(each, t.Function) else each for each in made.parts()]
     texts = _header(made, kernels, frictionless, version)

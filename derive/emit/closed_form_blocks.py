@@ -8,7 +8,7 @@ from typing import Any
 from ..kernel import batches
 from ..kernel import layouts as lay
 from ..kernel import outputs as o
-from ..kernel.batches import LOADS, MOTIONS, copied, copies, missing, transposed
+from ..kernel.batches import LOADS, MOTIONS, copied, copies, loaded_block, missing
 from ..kernel.model import STATUS_FIELD
 from ..kernel.outputs import SIX, inertia_at
 from ..kernel.tree import nodes as t
@@ -73,7 +73,7 @@ def offsets(summed: tuple[Quantity, ...]) -> dict[str, int]:
     return {q.name: place for place, (q, i) in enumerate(placed(summed)) if i == 0}
 
 
-LOADED = tuple(transposed(q, (n.alpha, n.a, *LOADS)) for q in n.MOTION)
+LOADED = tuple(loaded_block(q, t.As(t.Count(), t.Number(0))) for q in n.MOTION)
 """Motions of eight poses."""
 
 

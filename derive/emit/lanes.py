@@ -11,13 +11,12 @@ import sympy as sp
 
 from ..kernel import layouts as lay
 from ..kernel import prepare as p
-from ..kernel.batches import BATCH, LOADS, MOTIONS, loaded_one, missing, transposed
+from ..kernel.batches import BATCH, LOADS, MOTIONS, loaded_block, missing
 from ..kernel.operations import force_operations
 from ..kernel.shared import legs_in_lanes, shared
 from ..kernel.tree import nodes as t
 from ..kernel.tree.lower import expression, steps_of
 from ..kernel.tree.read import LANES, POSES, Given
-from ..kernel.written import batch
 from ..kernel.written import lanes as written
 from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel
@@ -133,6 +132,7 @@ class _Source(Source):
                 "motion_lanes",
                 "Motions of the poses of a block, component by component.",
                 tuple(lay.stored(q, POSES) for q in motion),
+                aligned=True,
             ),
             "SharedTerms": t.Structure(
                 "shared_terms",
@@ -146,6 +146,7 @@ class _Source(Source):
                     *(lay.stored(q, POSES) for q in self.of_pose if q not in lay.RIGHT_SIDE),
                     t.numbers("t_size", POSES, meaning="m: largest coordinate of t"),
                 ),
+                aligned=True,
             ),
             "LegLanes": t.Structure(
                 "leg_lanes",
@@ -168,11 +169,13 @@ class _Source(Source):
                     t.numbers("F", 6, POSES),
                     t.numbers("bad", POSES, meaning=bad),
                 ),
+                aligned=True,
             ),
             "LegBlock": t.Structure(
                 "leg_block",
                 "What a leg hands to the moments.",
                 tuple(lay.stored(q, POSES) for q in kept),
+                aligned=True,
             ),
         }
 
@@ -218,10 +221,12 @@ class _Source(Source):
         row = tuple(value for values in columns for value in (*values, values[-1], values[-1]))
         return t.Table("numbers", self.structures["Model"], (row,))
 
-    def _public(self, *needed: str, quantities: Iterable[Quantity] = ()) -> dict[str, Given]:
+    def _public(
+        self, *needed: str, quantities: Iterable[Quantity] = (), tests: Iterable[t.Expression] = ()
+    ) -> dict[str, Given]:
         """What the interface's functions reject, and that baked ones have no model."""
         pointers = needed if self.baked else ("model", *needed)
-        return missing(pointers, tuple(quantities)) | self._without()
+        return missing(pointers, tuple(quantities), *tests) | self._without()
 
     def _place(self, motion: str, *lane: t.Expression, leg: t.Expression | None = None) -> lay.Layout:
         """Where blocks find what they read.
@@ -356,24 +361,27 @@ class _Source(Source):
         given = kernel.used_motion()
         needed = [q for q in given if q not in LOADS]
         first = t.Binary("==", t.Name("i"), t.Number(0))
-        one: dict[str, Given] = {"load_pose": batch.load_pose, **loaded_one(given[1:], LOADS)}
+        one = tuple(
+            t.Assign(t.at(t.of("one", q.name), "i"), t.at(t.of("at", q.name), "i", "l")) for q in given[1:]
+        )
         of_block: dict[str, Given] = {
             "OWN": t.Select(first, t.Name("first"), t.Name("other")) if about_tip else False,
             "C": False if about_tip else t.at(t.of("out", "column"), 6),
             "KNOWN": t.at(t.of("out", "D"), "i") if has_d else False,
             "D": t.of("out", "D") if has_d else t.Constant("NULL"),
         }
-        loads = tuple(map(transposed, given))
+        stride = t.Name("stride")
         # Inlined, it leaves too few registers for the loops of the same function.
-        yield read(written.load_block, apart=True, given={"LOADS": loads})
-        yield read(written.forces_of_block, given=of_block)
-        yield read(written.forces_of, given=one | self._without())
         yield read(
-            written.forces_batch,
-            f"{name}_forces_batch",
-            public=True,
-            given=self._public("motions", "F", quantities=needed) | BATCH,
+            written.load_block, apart=True, given={"LOADS": tuple(loaded_block(q, stride) for q in given)}
         )
+        yield read(written.forces_of_block, given=of_block)
+        yield read(written.forces_of, given={"ONE": one} | self._without())
+        yield read(written.forces_of_poses, given=BATCH | self._without())
+        for many in (written.forces_batch, written.forces_columns):
+            short = [t.Binary("<", stride, t.Name("count"))] if many == written.forces_columns else []
+            public = self._public("motions", "F", quantities=needed, tests=short)
+            yield read(many, f"{name}_{many.__name__}", public=True, given=public)
 
     def _without(self) -> dict[str, Given]:
         """Of baked kernels no model is handed on."""

@@ -16,7 +16,6 @@ from ..kernel.written.motion import lanes as written
 from ..mechanics import quantities as n
 from ..mechanics.regressor import LEG_PARAMETERS, PLATFORM_PARAMETERS, Regressor, column, names_of
 from ..print.c import C
-from ..print.template import filled
 from ..program.block import Block, Quantity
 from .closed_form import CHECKS, LEGS, checks
 from .shared import SIZES, SOLVE, header, top
@@ -55,7 +54,7 @@ def files(blocks: Regressor, version: str) -> dict[str, str]:
         columns=_COUNTS["OF_ALL"],
         declarations=C(parts).interface(*parts),
     )
-    before = "\n".join([top(NAME, version, SOLVE), filled("aligned.c")])
+    before = top(NAME, version, SOLVE)
     source = C(shared().by_name.values(), SIZES).source(before, CHECKS, _COLUMNS, *parts)
     return texts | {f"{NAME}.c": source}
 

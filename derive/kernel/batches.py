@@ -62,15 +62,13 @@ def loaded_one(quantities: Iterable[Quantity], optional: Collection[Quantity]) -
     return {"ONE": tuple(found)}
 
 
-def transposed(q: Quantity, optional: Collection[Quantity] = LOADS) -> t.Statement:
-    """One quantity of a block of poses, component by component; zeros of what is optional and not given."""
-    pointer, to = _of_motions(q), t.of("at", q.name)
-    width = t.As(t.Count(), t.Number(len(q.keys)))
-    whole = t.Call("whole", (pointer, width, t.Name("first"), t.Name("count"), t.Name("padded")))
-    spread = t.Do(t.Call("spread_matrix" if q == n.R else "spread_vector", (whole, to)))
-    if q not in optional:
-        return spread
-    return t.If(t.Binary("!=", pointer, t.Constant("NULL")), (spread,), (t.Do(t.Call("clear", (to,))),))
+def loaded_block(q: Quantity, stride: t.Expression) -> t.Statement:
+    """One quantity of the poses of a block, component by component; zeros where it may be null and is.
+
+    stride: of columns; 0 of one pose after the other.
+    """
+    places = (stride, t.Name("first"), t.Name("count"), t.of("at", q.name))
+    return t.Do(t.Call("load_matrix" if q.shape == (3, 3) else "load_vector", (_of_motions(q), *places)))
 
 
 def copies(to: str, counts: Mapping[str, int], rows: Collection[str] = ()) -> tuple[t.Statement, ...]:

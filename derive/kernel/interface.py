@@ -186,12 +186,14 @@ class Argument:
 class Call:
     """How the functions of one stem are called.
 
-    says: what it does. has_batch: whether there is one for many poses too.
+    says: what it does. has_batch: whether there is one for many poses too; has_columns: and one whose arrays
+    have a column for each component.
     """
 
     says: str
     arguments: tuple[Argument, ...]
     has_batch: bool = False
+    has_columns: bool = False
 
     @property
     def motion(self) -> bool:
@@ -219,7 +221,7 @@ class Call:
         return sum(member.count for member in self.outputs)
 
     def prototypes(self, symbol: str, subject: str, batch: bool) -> list[str]:
-        """C declarations of ``symbol`` and, with ``batch``, of its batch.
+        """C declarations of ``symbol`` and, with ``batch``, of its batch and the one of columns.
 
         subject: the first parameter, "" for none.
         """
@@ -229,9 +231,11 @@ class Call:
             own = [text for each in self.arguments if (text := each.of_batch())]
             motions = [text for text in own if text.endswith("*motions")]
             rest = [text for text in own if text not in motions]
-            found.append(
-                _prototype(f"{symbol}_batch", [*first, "size_t count", *motions, *rest, "int *status"])
-            )
+            after = [*motions, *rest, "int *status"]
+            found.append(_prototype(f"{symbol}_batch", [*first, "size_t count", *after]))
+            if self.has_columns:
+                counts = ["size_t count", "size_t stride"]
+                found.append(_prototype(f"{symbol}_columns", [*first, *counts, *after]))
         return found
 
 
@@ -288,7 +292,7 @@ _POSE = Argument(
 )
 
 CALLS: dict[str, Call] = {
-    "forces": Call("Actuator forces of a motion, (37).", (_MOTION, _out(_F)), True),
+    "forces": Call("Actuator forces of a motion, (37).", (_MOTION, _out(_F)), True, True),
     "inverse_dynamics": Call(
         "Inverse dynamics with its terms D, K, H and c, (21) to (37).",
         (_MOTION, _struct("forces", "forces")),

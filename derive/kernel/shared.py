@@ -74,20 +74,18 @@ _NUMBERS = t.Pointer(t.Real())
 _VECTORS = t.Array(t.Real(), (3, POSES))
 
 
+_COUNTS = dict.fromkeys(("stride", "first", "count"), t.Count())
 _BLOCKS = (
+    t.signature("load_vector", changed=("to",), source=_NUMBERS, **_COUNTS, to=_VECTORS),
+    t.signature("load_matrix", changed=("to",), source=_NUMBERS, **_COUNTS, to=_VECTORS),
     t.signature(
-        "whole",
-        _NUMBERS,
-        ("padded",),
-        source=_NUMBERS,
-        width=t.Count(),
-        first=t.Count(),
-        count=t.Count(),
-        padded=_NUMBERS,
+        "store_forces",
+        changed=("to",),
+        F=_VECTORS,
+        bad=t.Array(t.Real(), (POSES,)),
+        **_COUNTS,
+        to=_NUMBERS,
     ),
-    t.signature("spread_vector", changed=("to",), source=_NUMBERS, to=_VECTORS),
-    t.signature("spread_matrix", changed=("to",), source=_NUMBERS, to=_VECTORS),
-    t.signature("clear", changed=("to",), to=_VECTORS),
 )
 FORCE = t.signature("STEWART_FORCE", t.Real(), D=t.Real(), x=t.Real())
 

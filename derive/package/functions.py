@@ -38,7 +38,7 @@ class Function:
 
     @property
     def prototypes(self) -> list[str]:
-        """Of the function and its batch, without what the header says of their results."""
+        """Of the function and its batches, without what the header says of their results."""
         types = {ROBOT: "stewart_robot", DRIVES: "stewart_drives", MODEL: f"{self.prefix}_model"}
         subject = f"const {types[self.subject]} *{self.subject}" if self.subject else ""
         return self.call.prototypes(self.symbol, subject, self.batch)

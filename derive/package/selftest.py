@@ -187,13 +187,14 @@ def _places(array: str, members: Iterable[Member]) -> dict[Member, str]:
 
 
 def _batch(function: Function) -> str:
-    """The function's batch, of one pose: other code than that of one pose."""
+    """The function's batches, of one pose: other code than that of one pose."""
     if not function.batch:
         return ""
     call = function.call
     (filled,) = (each for each in call.arguments if each.gives)
     lines = ["const stewart_motions poses = pointers_to(motion);"]
     lines += [f"stewart_{filled.struct}_arrays arrays;"] if filled.struct else []
+    lines += [f"stewart_real again[{call.count}];"] if call.has_columns else []
     lines += ["int status = -1;", "int first;", *([] if call.inputs else ["(void)in;"])]
     places = _places("out", call.outputs)
     lines += [f"arrays.{each.name} = {at};" for each, at in places.items()] if filled.struct else []
@@ -201,9 +202,21 @@ def _batch(function: Function) -> str:
     target = "&arrays" if filled.struct else "out"
     lines += [
         f"first = {function.symbol}_batch({_subject(function)}1, &poses, {further}{target}, &status);",
+        *(_columns(function) if call.has_columns else ()),
         "return first == status ? first : -1;",
     ]
     return _called(function, "batch", [], lines)
+
+
+def _columns(function: Function) -> list[str]:
+    """Of one pose columns and rows are the same, and so are the results."""
+    again = f"{function.symbol}_columns({_subject(function)}1, 1, &poses, again, NULL)"
+    return [
+        "(void)memcpy(again, out, sizeof again);",
+        f"if ({again} != first || memcmp(again, out, sizeof again) != 0) {{",
+        "    return -1;",
+        "}",
+    ]
 
 
 def _rejected_motions(rejected: Sequence[Rejected]) -> str:

@@ -30,7 +30,7 @@ typedef struct {
     stewart_real a[3][POSES];
     stewart_real F_ext[3][POSES];
     stewart_real M_ext[3][POSES];
-} motion_lanes;
+} STEWART_ALIGNED motion_lanes;
 
 /* What a pose has for all legs. */
 typedef struct {
@@ -43,7 +43,7 @@ typedef struct {
 typedef struct {
     stewart_real B[9][POSES];
     stewart_real t_size[POSES]; /* m: largest coordinate of t */
-} shared_lanes;
+} STEWART_ALIGNED shared_lanes;
 
 /* The legs of one pose. */
 typedef struct {
@@ -898,14 +898,14 @@ typedef struct {
     stewart_real D[6][POSES];
     stewart_real F[6][POSES];
     stewart_real bad[POSES]; /* 1 where a leg, a pivot or a force needs a closer look, else 0 */
-} block;
+} STEWART_ALIGNED block;
 
 /* What a leg hands to the moments. */
 typedef struct {
     stewart_real q[3][POSES];
     stewart_real c_force[3][POSES];
     stewart_real c_moment[3][POSES];
-} leg_block;
+} STEWART_ALIGNED leg_block;
 
 /* What each pose of a block has for all legs, and the platform's part of c. */
 static void shared_of_block(
@@ -1238,25 +1238,16 @@ static void scale_block(block *out, stewart_real per_length)
 
 /* Motions of the poses of a block, component by component. */
 STEWART_APART static void load_block(
-    const stewart_motions *motions, size_t first, size_t count, motion_lanes *at)
+    const stewart_motions *motions, size_t stride, size_t first, size_t count, motion_lanes *at)
 {
-    stewart_real padded[9 * POSES];
-    spread_matrix(whole(motions->R, 9U, first, count, padded), at->R);
-    spread_vector(whole(motions->t, 3U, first, count, padded), at->t);
-    spread_vector(whole(motions->omega, 3U, first, count, padded), at->omega);
-    spread_vector(whole(motions->v, 3U, first, count, padded), at->v);
-    spread_vector(whole(motions->alpha, 3U, first, count, padded), at->alpha);
-    spread_vector(whole(motions->a, 3U, first, count, padded), at->a);
-    if (motions->F_ext != NULL) {
-        spread_vector(whole(motions->F_ext, 3U, first, count, padded), at->F_ext);
-    } else {
-        clear(at->F_ext);
-    }
-    if (motions->M_ext != NULL) {
-        spread_vector(whole(motions->M_ext, 3U, first, count, padded), at->M_ext);
-    } else {
-        clear(at->M_ext);
-    }
+    load_matrix(motions->R, stride, first, count, at->R);
+    load_vector(motions->t, stride, first, count, at->t);
+    load_vector(motions->omega, stride, first, count, at->omega);
+    load_vector(motions->v, stride, first, count, at->v);
+    load_vector(motions->alpha, stride, first, count, at->alpha);
+    load_vector(motions->a, stride, first, count, at->a);
+    load_vector(motions->F_ext, stride, first, count, at->F_ext);
+    load_vector(motions->M_ext, stride, first, count, at->M_ext);
 }
 
 /* Forces of the poses of a block, and where a closer look is needed. */
@@ -1285,44 +1276,41 @@ static void forces_of_block(
     solve_block(out->column, out->D, model->arm_cube, out->F, out->bad);
 }
 
-/* Forces and status of one pose of a batch. */
+/* Forces and status of one pose of a block. */
 static int forces_of(
-    const stewart_exact_axisymmetric_friction_model *model, const stewart_motions *motions, size_t pose,
-    stewart_real *F)
+    const stewart_exact_axisymmetric_friction_model *model, const motion_lanes *at, int l,
+    stewart_real F[6])
 {
     int i;
     stewart_motion one;
     for (i = 0; i < 9; ++i) {
-        one.R[i] = motions->R[pose*9U + (size_t)i];
+        one.R[i] = at->R[i][l];
     }
     for (i = 0; i < 3; ++i) {
-        const size_t at = pose*3U + (size_t)i;
-        one.t[i] = motions->t[at];
-        one.omega[i] = motions->omega[at];
-        one.v[i] = motions->v[at];
-        one.alpha[i] = motions->alpha[at];
-        one.a[i] = motions->a[at];
-        one.F_ext[i] = motions->F_ext != NULL ? motions->F_ext[at] : REAL(0);
-        one.M_ext[i] = motions->M_ext != NULL ? motions->M_ext[at] : REAL(0);
+        one.t[i] = at->t[i][l];
+        one.omega[i] = at->omega[i][l];
+        one.v[i] = at->v[i][l];
+        one.alpha[i] = at->alpha[i][l];
+        one.a[i] = at->a[i][l];
+        one.F_ext[i] = at->F_ext[i][l];
+        one.M_ext[i] = at->M_ext[i][l];
     }
     return stewart_exact_axisymmetric_friction_forces(model, &one, F);
 }
 
-int stewart_exact_axisymmetric_friction_forces_batch(
-    const stewart_exact_axisymmetric_friction_model *model, size_t count, const stewart_motions *motions,
-    stewart_real *F, int *status)
+/* Block after block: of one pose after the other where stride is 0, else of columns. */
+static int forces_of_poses(
+    const stewart_exact_axisymmetric_friction_model *model, size_t count, size_t stride,
+    const stewart_motions *motions, stewart_real *F, int *status)
 {
     size_t first;
     int i, l;
     motion_lanes at;
     block done;
+    stewart_real found[6];
     int result = STEWART_OK;
-    if (model == NULL || motions == NULL || F == NULL || motions->R == NULL || motions->t == NULL || motions->omega == NULL
-        || motions->v == NULL || motions->alpha == NULL || motions->a == NULL) {
-        return STEWART_BAD_ARGUMENT;
-    }
     for (first = 0; first < count; first += (size_t)POSES) {
-        load_block(motions, first, count, &at);
+        load_block(motions, stride, first, count, &at);
         forces_of_block(model, &at, &done);
         for (l = 0; l < POSES; ++l) {
             if (!(first + (size_t)l < count)) {
@@ -1331,10 +1319,12 @@ int stewart_exact_axisymmetric_friction_forces_batch(
             const size_t pose = first + (size_t)l;
             int code = STEWART_OK;
             if (done.bad[l] > REAL(0)) {
-                code = forces_of(model, motions, pose, &F[pose*6U]);
-            } else {
-                for (i = 0; i < 6; ++i) {
-                    F[pose*6U + (size_t)i] = done.F[i][l];
+                code = forces_of(model, &at, l, found);
+                if (code == STEWART_OK) {
+                    done.bad[l] = REAL(0);
+                    for (i = 0; i < 6; ++i) {
+                        done.F[i][l] = found[i];
+                    }
                 }
             }
             if (status != NULL) {
@@ -1342,6 +1332,29 @@ int stewart_exact_axisymmetric_friction_forces_batch(
             }
             result = result == STEWART_OK ? code : result;
         }
+        store_forces(done.F, done.bad, stride, first, count, F);
     }
     return result;
+}
+
+int stewart_exact_axisymmetric_friction_forces_batch(
+    const stewart_exact_axisymmetric_friction_model *model, size_t count, const stewart_motions *motions,
+    stewart_real *F, int *status)
+{
+    if (model == NULL || motions == NULL || F == NULL || motions->R == NULL || motions->t == NULL || motions->omega == NULL
+        || motions->v == NULL || motions->alpha == NULL || motions->a == NULL) {
+        return STEWART_BAD_ARGUMENT;
+    }
+    return forces_of_poses(model, count, 0, motions, F, status);
+}
+
+int stewart_exact_axisymmetric_friction_forces_columns(
+    const stewart_exact_axisymmetric_friction_model *model, size_t count, size_t stride,
+    const stewart_motions *motions, stewart_real *F, int *status)
+{
+    if (model == NULL || motions == NULL || F == NULL || motions->R == NULL || motions->t == NULL || motions->omega == NULL
+        || motions->v == NULL || motions->alpha == NULL || motions->a == NULL || stride < count) {
+        return STEWART_BAD_ARGUMENT;
+    }
+    return forces_of_poses(model, count, stride, motions, F, status);
 }

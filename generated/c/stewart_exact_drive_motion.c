@@ -14,13 +14,6 @@
  * lose digits. */
 #define STEWART_LEANING ((stewart_real)0.125)
 
-/* Vectors load from what begins where they do: one across two lines of the cache takes twice as long. */
-#if defined(__GNUC__) && defined(__AVX__)
-#define STEWART_ALIGNED __attribute__((aligned(64)))
-#else
-#define STEWART_ALIGNED
-#endif
-
 /* What serves one pose and eight has a loop of one turn in the first case: each place has its own copy. */
 #if defined(__GNUC__)
 #define STEWART_INLINE inline __attribute__((always_inline))
@@ -7070,31 +7063,14 @@ static void spread_leg(
 /* Motions of eight poses, component by component. */
 static void load_motions(const stewart_motions *motions, size_t first, size_t count, motion_in_lanes *at)
 {
-    stewart_real padded[72];
-    spread_matrix(whole(motions->R, 9U, first, count, padded), at->R);
-    spread_vector(whole(motions->t, 3U, first, count, padded), at->t);
-    spread_vector(whole(motions->omega, 3U, first, count, padded), at->omega);
-    spread_vector(whole(motions->v, 3U, first, count, padded), at->v);
-    if (motions->alpha != NULL) {
-        spread_vector(whole(motions->alpha, 3U, first, count, padded), at->alpha);
-    } else {
-        clear(at->alpha);
-    }
-    if (motions->a != NULL) {
-        spread_vector(whole(motions->a, 3U, first, count, padded), at->a);
-    } else {
-        clear(at->a);
-    }
-    if (motions->F_ext != NULL) {
-        spread_vector(whole(motions->F_ext, 3U, first, count, padded), at->F_ext);
-    } else {
-        clear(at->F_ext);
-    }
-    if (motions->M_ext != NULL) {
-        spread_vector(whole(motions->M_ext, 3U, first, count, padded), at->M_ext);
-    } else {
-        clear(at->M_ext);
-    }
+    load_matrix(motions->R, 0U, first, count, at->R);
+    load_vector(motions->t, 0U, first, count, at->t);
+    load_vector(motions->omega, 0U, first, count, at->omega);
+    load_vector(motions->v, 0U, first, count, at->v);
+    load_vector(motions->alpha, 0U, first, count, at->alpha);
+    load_vector(motions->a, 0U, first, count, at->a);
+    load_vector(motions->F_ext, 0U, first, count, at->F_ext);
+    load_vector(motions->M_ext, 0U, first, count, at->M_ext);
 }
 
 /* Actuator forces of eight poses, leg by leg; past the end those of the last pose again. */

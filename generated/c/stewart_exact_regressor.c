@@ -7,13 +7,6 @@
 
 #include "stewart_solve.h"
 
-/* Vectors load from what begins where they do: one across two lines of the cache takes twice as long. */
-#if defined(__GNUC__) && defined(__AVX__)
-#define STEWART_ALIGNED __attribute__((aligned(64)))
-#else
-#define STEWART_ALIGNED
-#endif
-
 /* What tells whether a leg is fit to be computed; bad: 1 where it is not, else 0. */
 typedef struct {
     stewart_real L[LANES];

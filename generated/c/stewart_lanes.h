@@ -832,7 +832,7 @@ STEWART_SHARED const stewart_real *whole(
     return padded;
 }
 
-/* Vectors, matrices and zeros of the poses of a block, component by component. */
+/* Vectors, matrices and zeros, component by component. */
 STEWART_SHARED void spread_vector(
     const stewart_real *STEWART_RESTRICT from, stewart_real (*STEWART_RESTRICT to)[POSES])
 {
@@ -861,6 +861,84 @@ STEWART_SHARED void clear(stewart_real (*to)[POSES])
     for (i = 0; i < 3; ++i) {
         for (l = 0; l < POSES; ++l) {
             to[i][l] = REAL(0);
+        }
+    }
+}
+
+/* The same of columns, `stride` numbers from one to the next. */
+STEWART_SHARED void take_columns(
+    const stewart_real *from, int width, size_t stride, size_t first, size_t count,
+    stewart_real (*STEWART_RESTRICT to)[POSES])
+{
+    int i, l;
+    if (first + (size_t)POSES <= count) {
+        for (i = 0; i < width; ++i) {
+            const stewart_real *column = &from[(size_t)i * stride + first];
+            for (l = 0; l < POSES; ++l) {
+                to[i][l] = column[l];
+            }
+        }
+        return;
+    }
+    for (l = 0; l < POSES; ++l) {
+        const size_t pose = first + (size_t)l < count ? first + (size_t)l : count - 1U;
+        for (i = 0; i < width; ++i) {
+            to[i][l] = from[(size_t)i * stride + pose];
+        }
+    }
+}
+
+/* Vectors, zeros where there are none, and matrices of the poses of a block, component by component: of one pose
+ * after the other where stride is 0, else of columns. */
+STEWART_SHARED void load_vector(
+    const stewart_real *from, size_t stride, size_t first, size_t count, stewart_real (*to)[POSES])
+{
+    stewart_real padded[3 * POSES];
+    if (from == NULL) {
+        clear(to);
+    } else if (stride > 0U) {
+        take_columns(from, 3, stride, first, count, to);
+    } else {
+        spread_vector(whole(from, 3U, first, count, padded), to);
+    }
+}
+
+STEWART_SHARED void load_matrix(
+    const stewart_real *from, size_t stride, size_t first, size_t count, stewart_real (*to)[POSES])
+{
+    stewart_real padded[9 * POSES];
+    if (stride > 0U) {
+        take_columns(from, 9, stride, first, count, to);
+    } else {
+        spread_matrix(whole(from, 9U, first, count, padded), to);
+    }
+}
+
+/* Forces of those poses of a block that are not bad to where they belong. */
+STEWART_SHARED void store_forces(
+    stewart_real (*STEWART_RESTRICT F)[POSES], const stewart_real *STEWART_RESTRICT bad, size_t stride,
+    size_t first, size_t count, stewart_real *STEWART_RESTRICT to)
+{
+    int i, l;
+    const size_t by_pose = stride > 0U ? 1U : 6U, by_leg = stride > 0U ? stride : 1U;
+    stewart_real *const here = &to[first * by_pose];
+    stewart_real most = first + (size_t)POSES <= count ? REAL(0) : REAL(1);
+    for (l = 0; l < POSES; ++l) {
+        most = STEWART_LARGER(bad[l], most);
+    }
+    if (stride > 0U && most == REAL(0)) {
+        for (i = 0; i < 6; ++i) {
+            for (l = 0; l < POSES; ++l) {
+                here[(size_t)i * stride + (size_t)l] = F[i][l];
+            }
+        }
+        return;
+    }
+    for (l = 0; l < POSES && first + (size_t)l < count; ++l) {
+        if (bad[l] == REAL(0)) {
+            for (i = 0; i < 6; ++i) {
+                here[(size_t)l * by_pose + (size_t)i * by_leg] = F[i][l];
+            }
         }
     }
 }

@@ -186,7 +186,19 @@ def at_instants(robot: Robot, drive: Drive, motion: Motion, F: Array, L_dot: Arr
             rotor = offset_joints.rotor_force(robot, motion)
             L_dot = motor_rates(robot, drive, motion, L_dot)
     friction = friction_force(drive, F - rotor, L_dot)
-    force = F + friction
+    return _instants(drive, F + friction, friction, rotor, L_dot)
+
+
+def of_motor_forces(robot: Robot, drive: Drive, motion: Motion, force: Array, L_dot: Array) -> Instants:
+    """What each instant of a run takes whose forces are those of the motors, N times torque, N, (..., 6).
+
+    Such are the forces of a simulation. Friction and rotors' parts are not told apart: NaN.
+    """
+    unknown = np.full(np.shape(force), np.nan)
+    return _instants(drive, force, unknown, unknown, motor_rates(robot, drive, motion, L_dot))
+
+
+def _instants(drive: Drive, force: Array, friction: Array, rotor: Array, L_dot: Array) -> Instants:
     torque = force / drive.turns
     speed = drive.turns * L_dot
     power = electrical = torque * speed

@@ -5,13 +5,13 @@ import functools
 import itertools
 import math
 import os
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ..backend.c_kernel import address, function, prepared_model
 from ..backend.fidelity import force_kernel_name, model_numbers
@@ -23,6 +23,7 @@ from ..motion.motion import Motion
 from ..results import NOT_FINITE, OK, SINGULAR, UNREACHABLE
 from ..robot.offset_chains import codes
 from ..robot.robot import Robot
+from .columns import as_columns, stride_of
 from .inverse import Formulation, damped_terms, need_motion, report_faults
 
 Array = NDArray[Any]
@@ -128,8 +129,7 @@ class ForceKernel(Frozen):
         Raises ValueError naming the array whose type or layout is another.
         """
         wanted = np.dtype(self.dtype)
-        if not isinstance(status, np.ndarray) or status.dtype != np.int32 or not status.flags.carray:
-            raise ValueError("status: expected a writeable C-contiguous array of int32")
+        _need_status(status)
         if len(arrays) != len(MOTION):
             raise ValueError(f"arrays: expected {len(MOTION)}, {', '.join(MOTION)}, got {len(arrays)}")
         count = status.size
@@ -144,6 +144,79 @@ class ForceKernel(Frozen):
                 )
         if not F.flags.writeable:
             raise ValueError("F: expected a writeable array")
+        self._shared(count, threads, lambda *part: self._run(arrays, F, status, *part))
+
+    def columns_into(
+        self, arrays: Sequence[Array | None], F: Array, status: NDArray[np.int32], threads: int = 1
+    ) -> None:
+        """The same of arrays in columns, without a copy: each component's numbers one after the other.
+
+        arrays: R (9, n), row-major, t, omega, v, alpha, a, F_ext, M_ext (3, n), the last two None for no
+        load; F (6, n) and status (n,). Rows of all of them but status are equally far apart, at least n
+        numbers: parts ``[:, first:last]`` of longer arrays will do. All are of the kernel's ``dtype`` and
+        begin anywhere; rows that begin at multiples of 64 bytes, and not at multiples of 4096 bytes from each
+        other, are read fastest. Unsolvable poses keep the F they had; results are those of ``forces_into`` to
+        the last bit.
+
+        Raises ValueError naming the array whose type or layout is another.
+        """
+        _need_status(status)
+        count = status.size
+        stride = stride_of(arrays, F, count, self.dtype)
+        self._shared(count, threads, lambda *part: self._run_columns(arrays, F, status, stride, *part))
+
+    def forces_of_columns(
+        self,
+        R: ArrayLike,
+        t: ArrayLike,
+        omega: ArrayLike,
+        v: ArrayLike,
+        alpha: ArrayLike,
+        a: ArrayLike,
+        F_ext: ArrayLike | None = None,
+        M_ext: ArrayLike | None = None,
+        threads: int = 1,
+    ) -> tuple[Array, NDArray[np.int32]]:
+        """Actuator forces of motions in columns, for programs that keep each component by itself.
+
+        Nothing is transposed; arrays of another type, or in rows of different lengths, are copied.
+
+        Parameters
+        ----------
+        R : array_like, (3, 3, n) or (9, n)
+            Orientations, platform frame to base frame, row-major.
+        t, omega, v, alpha, a : array_like, (3, n)
+            Positions of the reference point, m; angular velocities, rad/s; velocities of the reference
+            point, m/s; angular accelerations, rad/s^2; accelerations, m/s^2; base frame.
+        F_ext, M_ext : array_like, (3, n), optional
+            External forces at the reference point, N, and moments about it, N m, platform frame.
+        threads : int, optional
+            How many share the work at most.
+
+        Returns
+        -------
+        F : ndarray, (6, n)
+            Actuator forces, N, positive when they extend the leg, (37); NaN where the status is not 0.
+        status : ndarray of int32, (n,)
+            Codes of ``results.STATUS_TEXT``; 1 where a number is not finite, and where a leg with offset
+            joints does not reach.
+
+        Raises
+        ------
+        ValueError
+            Naming the array of another shape.
+        """
+        arrays = as_columns((R, t, omega, v, alpha, a, F_ext, M_ext), self.dtype)
+        first = next(array for array in arrays if array is not None)
+        count = first.shape[-1]
+        stride = max(count, first.strides[0] // first.itemsize)
+        F = np.full((6, stride), np.nan, dtype=self.dtype)[:, :count]
+        status = np.zeros(count, dtype=np.int32)
+        self.columns_into(arrays, F, status, threads)
+        return F, status
+
+    def _shared(self, count: int, threads: int, run: Callable[[int, int], None]) -> None:
+        """Run parts of a batch, each given by its first pose and its length, on threads."""
         threads = min(
             whole_number(threads, "threads", 1, "a whole number of at least 1"), max(1, count // LEAST_SHARE)
         )
@@ -152,7 +225,7 @@ class ForceKernel(Frozen):
 
         def work() -> None:
             while (part := next(turn)) < len(parts):
-                self._run(arrays, F, status, *parts[part])
+                run(*parts[part])
 
         others = min(threads, len(parts), CORES) - 1 if threads > 1 else 0
         waiting = [_pool(others, os.getpid()).submit(work) for _ in range(others)]
@@ -194,6 +267,24 @@ class ForceKernel(Frozen):
             ctypes.c_size_t(count),
             (ctypes.c_void_p * len(pointers))(*pointers),
             address(F, start * 6),
+            address(status, start),
+        )
+
+    def _run_columns(
+        self,
+        arrays: Sequence[Array | None],
+        F: Array,
+        status: NDArray[np.int32],
+        stride: int,
+        start: int,
+        count: int,
+    ) -> None:
+        self.function("forces_columns")(
+            address(self.model),
+            ctypes.c_size_t(count),
+            ctypes.c_size_t(stride),
+            (ctypes.c_void_p * len(arrays))(*(address(array, start) for array in arrays)),
+            address(F, start),
             address(status, start),
         )
 
@@ -299,6 +390,11 @@ def _parts(count: int, threads: int) -> list[tuple[int, int]]:
 def _pool(threads: int, process: int) -> ThreadPoolExecutor:
     """Threads of a process that wait for work; starting them anew costs more than a small batch."""
     return ThreadPoolExecutor(threads, thread_name_prefix="stewart-sym")
+
+
+def _need_status(status: Any) -> None:
+    if not isinstance(status, np.ndarray) or status.dtype != np.int32 or not status.flags.carray:
+        raise ValueError("status: expected a writeable C-contiguous array of int32")
 
 
 def _lies_plainly(array: Array) -> bool:

@@ -51,8 +51,10 @@ def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
         "home": platform.t if level else None,
         **{key: [leg.values[key] for leg in legs] for key in legs[0].values},
     }
-    robot = Robot(**found, drive=_drive(legs, said))
-    robot, kept = with_notes(robot, model)
+    drive = _drive(legs)
+    robot, kept = with_notes(Robot(**found, drive=drive), model)
+    if drive is not None and robot.drive is drive:
+        said.append(f"armatures of the slides: rotors behind screws with a lead of {_LEAD:g} m")
     if robot.home is not None:
         lines.append("home: the pose in the file")
     elif not level:
@@ -66,12 +68,11 @@ def _who(machine: Machine) -> str:
     return f"legs in the order of the file: {legs}"
 
 
-def _drive(legs: Sequence["_Leg"], said: list[str]) -> Drive | None:
+def _drive(legs: Sequence["_Leg"]) -> Drive | None:
     """Drives whose rotors resist as the armatures of the slides do; None where there are none."""
     armature = np.array([leg.leg.slide.joint.armature for leg in legs])
     if not armature.any():
         return None
-    said.append(f"armatures of the slides: rotors behind screws with a lead of {_LEAD:g} m")
     return Drive(lead=np.full(len(legs), _LEAD), rotor_inertia=armature * (_LEAD / (2.0 * np.pi)) ** 2)
 
 

@@ -16,7 +16,7 @@ Source = Callable[[Array], Terms]
 """Parameters s, (n,) -> terms there."""
 
 # By which all limits are tighter from the start, so that rounding exceeds none.
-_MARGIN = 1e-6
+_MARGIN = 3e-6
 IDLE = 1e-3
 """A limit is active from this share below it on."""
 # Denser to the ends, where friction grows as the root of the way.
@@ -59,7 +59,7 @@ class Grid(NamedTuple):
     def at(cls, source: Source, s: Array) -> Grid:
         """A grid of just these nodes."""
         terms = source(s)
-        return cls(source, s, terms, np.full((len(s), terms.count), _MARGIN), np.zeros(len(s)))
+        return cls(source, s, terms, np.full((len(s), terms.quantities), _MARGIN), np.zeros(len(s)))
 
     def after(self, profile: Profile, share: float = 1.0) -> Grid:
         """The grid with the rates of a motion along the path, times a share."""

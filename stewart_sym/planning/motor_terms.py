@@ -18,7 +18,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..drives.friction import constant_part, friction_force, load_share, losses, smooth_sign, viscous
-from ..io.array_types import Array
+from ..io.array_types import Array, Flags
 from ..kinematics.inverse import leg_vectors
 from ..motion.motion import Motion
 from ..motion.rotation import cross
@@ -58,7 +58,7 @@ class MotorTerms(NamedTuple):
     @classmethod
     def of(cls, robot: Robot, by_parameter: Motion, force: Array, rate: Array) -> MotorTerms:
         """Of a motion by parameter; without a drive the motor's torque is the force of its leg."""
-        drive = Drive(lead=2.0 * np.pi) if robot.drive is None else robot.drive
+        drive = Drive(lead=np.array(2.0 * np.pi)) if robot.drive is None else robot.drive
         by_current = np.where(drive.torque_constant > 0.0, drive.torque_constant, 1.0) * drive.current_limit
         effort = np.abs(drive.turns) * np.minimum(drive.torque_limit, by_current)
         return cls(drive, force, rotor_terms(drive, robot, by_parameter), rate, effort, drive.power_limit)
@@ -79,7 +79,7 @@ class MotorTerms(NamedTuple):
     def crossings(self) -> Array:
         """What changes the rows where it passes zero, (n, k)."""
         if not losses(self.drive):
-            return self.force[0]
+            return np.asarray(self.force[0])
         slopes = [self.rotor[0] + x * (self.force[0] - self.rotor[0]) for x in self._slopes(np.array(1.0))]
         return np.concatenate([self.rate, *slopes], axis=-1)
 
@@ -142,9 +142,11 @@ class MotorTerms(NamedTuple):
         driving, driven = (load_share(self.drive, way * one, one) for way in (1.0, -1.0))
         return 1.0 + size * driving, 1.0 - size * driven
 
-    def _friction(self, rate: Array) -> tuple[Array, Array, Array, Array, Array]:
+    def _friction(self, rate: Array) -> tuple[Array, Array, Flags, Array, Array]:
         """Sign of the rate and its smoothed size, which legs are still, dry and viscous friction; (n, 6)."""
         still = np.abs(self.rate) <= _STILL * np.abs(self.rate).max()
+        # Where all are, an eased path begins or ends: friction there is that beside it.
+        still = still & ~still.all(axis=-1, keepdims=True)
         # At rest the sign is that with which the motion begins or ends.
         away = self.rate * np.maximum(rate, np.finfo(np.float64).tiny)[:, None]
         size = np.where(still, 1.0, np.abs(smooth_sign(away, np.asarray(self.drive.smoothing))))
@@ -168,7 +170,7 @@ class MotorTerms(NamedTuple):
             return np.asarray(side * (r_a * second + r_b * z**2) + dry + damping * z)
 
 
-def _tangent(power: Array, speed: Array, rate: Array, still: Array) -> tuple[Array, Array]:
+def _tangent(power: Array, speed: Array, rate: Array, still: Flags) -> tuple[Array, Array]:
     """most, slope: G <= most - slope s' is the tangent of G <= power / (speed s') at a rate; inf, 0: none."""
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         limit = power / (speed * rate)
@@ -177,7 +179,7 @@ def _tangent(power: Array, speed: Array, rate: Array, still: Array) -> tuple[Arr
     return np.where(none, np.inf, 2.0 * limit), np.where(none, 0.0, slope)
 
 
-def _rows(upper: list[Array], lower: Array, limit: Array, free: Array) -> Rows:
+def _rows(upper: list[Array], lower: Array, limit: Array, free: Flags) -> Rows:
     """Branches that are to stay below a limit, and one that is to stay above it unless it is free."""
     none = np.full_like(limit, np.inf)
     a, b, d, e = np.concatenate([*upper, lower], axis=-1)

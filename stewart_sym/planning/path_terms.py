@@ -97,7 +97,7 @@ class Terms(NamedTuple):
     motors: MotorTerms | None
 
     @property
-    def count(self) -> int:
+    def quantities(self) -> int:
         """Of the limited quantities: those of the coefficients, of the motors, and speed."""
         return len(self.limit) + (0 if self.motors is None else len(self.motors.names)) + 1
 
@@ -112,14 +112,14 @@ class Terms(NamedTuple):
         return np.asarray(self.a * second[:, None] + self.b * x + self.d * np.sqrt(x) + self.e)
 
     def used(self, square: Array, second: Array) -> Array:
-        """Shares of the limits that are used at s'^2 and s'', (n, count), that of speed last."""
+        """Shares of the limits that are used at s'^2 and s'', (n, quantities), that of speed last."""
         parts = [np.abs(self.values(square, second)) / self.limit]
         if self.motors is not None:
             parts.append(self.motors.used(square, second))
         return np.concatenate([*parts, np.sqrt(square / self.caps)[:, None]], axis=-1)
 
     def rows(self, rate: Array, room: Array) -> Rows:
-        """What bounds s'', limits times room, (n, count); rate: s' of the motion found last, (n,)."""
+        """What bounds s'', limits times room, (n, quantities); rate: s' of the motion found last, (n,)."""
         count = len(self.limit)
         most = self.limit * room[:, :count]
         own = Rows(self.a, self.b, self.d, self.e, -most, most)

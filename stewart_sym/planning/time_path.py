@@ -1,4 +1,4 @@
-"""The fastest motion along a path within the limits of forces, speeds and accelerations."""
+"""The best motion along a path within all limits: the fastest, or one of a duration."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from .smooth.energy_cost import EnergyCost
 from .smooth.smooth_time import SmoothPath, eased, length_rates
 
 Least = Literal["time", "energy", "peak-force"]
-LEAST = ("time", "energy", "peak-force")
+LEAST: tuple[Least, ...] = ("time", "energy", "peak-force")
 """What a motion along a path can have least of."""
 
 CELLS = 1000
@@ -46,6 +46,7 @@ _ABOVE_REST = 1.0 + 1e-3
 _SAME_FORCE = 1e-5
 # A duration so near the least time of smooth motions leaves nothing to choose.
 _NO_ROOM = 1e-3
+_SAME_TIME = 1e-12
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,9 +81,10 @@ class TimedPath:
     def sample(self, times: ArrayLike) -> Motion:
         """Return the motion at times from 0 to the duration, s, (n,); ValueError for times outside."""
         when = real_array(times, "times")
-        if when.size and not (when.min() >= 0.0 and when.max() <= self.duration):
+        # A duration that was asked for is kept to rounding.
+        if when.size and not (when.min() >= 0.0 and when.max() <= self.duration * (1.0 + _SAME_TIME)):
             raise ValueError(f"times: expected times in [0, {self.duration:.9g}] s")
-        place = self.profile.at(when)
+        place = self.profile.at(np.minimum(when, self.duration))
         return travelled(self.path(place.s), place.rate, place.second)
 
 

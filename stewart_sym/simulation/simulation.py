@@ -166,6 +166,11 @@ def simulate(
         reached=lambda time: None if progress is None else progress(time / duration),
     )
     if robot.drive is not None and has_friction(robot.drive):
+        if robot.offsets is not None:
+            raise ValueError(
+                "robot: expected offsets or friction of the drives, got both: legs that stick are simulated "
+                "without offsets"
+            )
         run.sticking = StickSlip(robot, robot.drive, run.accelerations, run._loaded)
     stop, pieces = run.through(start, float(duration), rate)
     times = output_times(pieces, stop.time, output_step)

@@ -16,6 +16,7 @@ from ..io.json_text import plain
 from ..kinematics.conditioning import characteristic_length
 from ..kinematics.mounting import platform_side, radius
 from ..motion.rotation import quaternion_from_rotation
+from ..robot.offset_chains import chains
 from ..robot.robot import Robot
 from .instants import Event, Instants
 
@@ -52,6 +53,7 @@ def content(robot: Robot, shown: Instants) -> dict[str, Any]:
         "L_dot": _column(shown.L_dot),
         "condition": _column(shown.condition),
         **{f"F_{name}": _column(F) for name, F in shown.forces.items()},
+        **_chain_columns(robot, shown),
     }
     return {
         "machine": _machine(robot, shown),
@@ -84,6 +86,21 @@ def _column(values: Array, kind: str = "f4") -> dict[str, str]:
     with np.errstate(over="ignore"):
         numbers = np.ascontiguousarray(values, dtype=f"<{kind}")
     return {"kind": kind, "data": base64.b64encode(numbers.tobytes()).decode()}
+
+
+def _chain_columns(robot: Robot, shown: Instants) -> dict[str, dict[str, str]]:
+    """Points and axes of the legs' chains, base frame, (n, 6, 3), of a robot with offset joints.
+
+    moving: where the moving axis meets the common normal; foot, end: of the line of sliding; lower, upper:
+    axes across the parts, which turn with them.
+    """
+    if robot.offsets is None:
+        return {}
+    with np.errstate(all="ignore"):
+        at = chains(robot, shown.motion)
+    points = {"moving": at.A, "foot": at.T - at.L * at.s, "end": at.T}
+    columns = {name: _column(robot.b + point) for name, point in points.items()}
+    return columns | {"lower": _column(at.y), "upper": _column(at.U[..., 1])}
 
 
 def _machine(robot: Robot, shown: Instants) -> dict[str, Any]:

@@ -23,7 +23,6 @@ from ..motion.rotation import rotation_from_rpy
 from ..motion.straight_line import StraightLinePath
 from ..motion.trajectory import PoseLog, Trajectory
 from ..results import OK
-from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot
 from ..simulation.trace import Simulation, Trace, leg_states
 from ..singularities.along_path import crossings
@@ -158,15 +157,15 @@ def _instants(
     forces: Mapping[str, Array] | None = None,
 ) -> Instants:
     """All of it; forces: None for those of the formulations. path, breaks: as ``crossings`` takes them."""
-    need_no_offsets(robot)
     with np.errstate(all="ignore"):
         legs = leg_states(robot, motion)
         length = characteristic_length(robot) or 1.0
         H = np.swapaxes(jacobian(robot, motion.R, motion.t), -1, -2)
         condition = scaled_condition_number(H, length)
     if forces is None:
-        # The paper's formulation has no rotors.
-        formulations = FORMULATIONS[:1] if robot.has_rotors else FORMULATIONS
+        # The paper's formulation has neither rotors nor offsets.
+        exact_alone = robot.has_rotors or robot.offsets is not None
+        formulations = FORMULATIONS[:1] if exact_alone else FORMULATIONS
         forces = {each: _forces(robot, motion, each) for each in formulations}
     events = _events(robot, time, motion, condition, path, breaks)
     return Instants(name, time, motion, legs.L, legs.L_dot, forces, condition, events)
@@ -180,6 +179,9 @@ def _forces(robot: Robot, motion: Motion, formulation: str) -> Array:
 def _events(
     robot: Robot, time: Array, motion: Motion, condition: Array, path: Path | None, breaks: Array | None
 ) -> tuple[Event, ...]:
+    if robot.offsets is not None:
+        # Singular poses are sought for legs whose axes meet.
+        return ()
     found = []
     if path is not None and breaks is not None and len(breaks) > 1:
         for each in crossings(robot, path, breaks):

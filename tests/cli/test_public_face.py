@@ -3,6 +3,7 @@
 import importlib
 import importlib.metadata
 import inspect
+import signal
 import subprocess
 import sys
 import types
@@ -42,8 +43,14 @@ def test_no_public_name_is_hidden_by_the_module_of_that_name() -> None:
     assert not modules & set(dir(ss))
 
 
+def interruptible() -> None:
+    """A job in the background has interrupts ignored, and so would its children."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
 def run(code: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=600)
+    command = [sys.executable, "-c", code]
+    return subprocess.run(command, capture_output=True, text=True, timeout=600, preexec_fn=interruptible)
 
 
 def test_importing_the_package_imports_none_of_its_modules_and_no_numpy() -> None:

@@ -210,6 +210,8 @@ def test_armatures_alone_become_rotors_that_resist_as_much(tmp_path: Path) -> No
     found = ss.import_model(written(without_notes(ss.export_model(robot, "mjcf")), tmp_path / "model"))
     np.testing.assert_allclose(found.robot.drive.reflected_mass, robot.drive.reflected_mass, rtol=1e-12)
     assert any("lead of 0.005 m" in line for line in found.assumptions)
+    noted = ss.import_model(written(ss.export_model(robot, "mjcf"), tmp_path / "noted"))
+    assert not any("lead" in line for line in noted.assumptions)
 
 
 def test_legs_whose_axes_do_not_meet_are_rejected() -> None:

@@ -113,6 +113,12 @@ int main()
     const stewart_motions poses{{R, t, zeros, zeros, zeros, zeros, nullptr, nullptr}};
     int each[3] = {{-1, -1, -1}};
     if (kernel.batch(2, poses, two, each) != status::ok || each[1] != 0 || two[0] != two[6]) return 16;
+    stewart::real apart[12], beside[18]{{}}, height[6]{{}};
+    for (int i : {{0, 1, 8, 9, 16, 17}}) beside[i] = 1;
+    height[4] = height[5] = motion.t[2];
+    const stewart_motions columns{{beside, height, zeros, zeros, zeros, zeros, nullptr, nullptr}};
+    if (kernel.columns(2, 2, columns, apart, each) != status::ok) return 20;
+    for (int i = 0; i < 6; ++i) if (apart[2 * i] != two[i] || apart[2 * i + 1] != two[i]) return 21;
 #if __cplusplus >= 202002L
     if (kernel.batch(poses, std::span(two).first(12), std::span(each).first(2)) != status::ok) return 17;
     if (kernel.batch(poses, two, std::span(each).first(2)) != status::bad_argument) return 18;

@@ -11,6 +11,7 @@ from pages import DOCS
 from stewart_sym.cli.main import main
 from stewart_sym.drives.effort import DriveLimitWarning, drive_effort
 from stewart_sym.dynamics.inverse import inverse_dynamics
+from stewart_sym.kinematics.inverse import inverse_kinematics
 from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.robot.robot import Robot
 
@@ -44,12 +45,13 @@ def test_the_example_is_planned_and_its_trajectory_keeps_the_limits(folder: Path
     assert np.abs(F).max() > 450.0
 
 
-def test_the_speed_limit_of_the_motors_bounds_the_plan_and_their_other_limits_are_checked(
+def test_limits_of_the_motors_bound_the_plan_and_their_rated_torque_is_checked(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     file = folder / "hexapod.toml"
     free = file.read_text()
-    drive = "\n[legs.drive]\nlead = -0.005\ntorque_constant = 0.5\nspeed_limit = 100.0\ntorque_limit = 0.1\n"
+    drive = "\n[legs.drive]\nlead = -0.005\ntorque_constant = 0.5\nspeed_limit = 100.0\ntorque_limit = 0.2\n"
+    drive += "rated_torque = 0.02\n"
     file.write_text(free + drive)
     out = folder / "out"
     assert main(["plan", via(folder), "-o", str(out), "--no-pictures"]) == 0
@@ -59,15 +61,52 @@ def test_the_speed_limit_of_the_motors_bounds_the_plan_and_their_other_limits_ar
     assert 99.0 < max(speeds) <= 100.0 * (1.0 + 1e-9)
     assert found["certificate"]["holds"]
     assert found["certificate"]["limit_used"] <= 1.0 + 1e-9
-    assert "warning: drive: drive.torque_limit exceeded by leg" in shown.err
-    assert "speed_limit exceeded" not in shown.err
-    assert " of 0.1 " in shown.out
+    assert "warning: drive: drive.rated_torque exceeded by leg" in shown.err
+    assert "_limit exceeded" not in shown.err
+    assert " of 0.2 " in shown.out
     log = read_csv(out / "trajectory.csv")
     with pytest.warns(DriveLimitWarning):
         effort = drive_effort(Robot.from_toml(file), log.motion, log.time)
     torques = [leg["motor_peak_torque_N_m"] for leg in found["legs"]]
     assert np.all(np.array(torques) >= effort.peak_torque * (1.0 - 1e-9))
     np.testing.assert_allclose(torques, effort.peak_torque, rtol=0.1)
+    assert 0.199 < max(torques) <= 0.2 * (1.0 + 1e-6)
+
+
+def test_a_duration_has_a_motion_of_least_energy_or_peak_force(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def found(*options: str, text: str = VIA) -> dict:
+        out = folder / "-".join(("out", *options))
+        assert main(["plan", via(folder, text), "-o", str(out), "--no-pictures", *options]) == 0
+        report = json.loads((out / "report.json").read_text())
+        assert report["certificate"]["holds"]
+        assert report["duration_s"] == pytest.approx(3.0)
+        return report
+
+    def peak(report: dict) -> float:
+        return max(leg["peak_force_N"] for leg in report["legs"])
+
+    thrifty = found("--least", "energy", "--duration", "3")
+    in_file = found(text='least = "peak-force"\nduration = 3.0\n' + VIA)
+    assert thrifty["energy_J"] < in_file["energy_J"]
+    assert peak(in_file) < peak(thrifty)
+    capsys.readouterr()
+    assert main(["plan", via(folder), "-o", str(folder / "x"), "--least", "energy", "--duration", "0.5"]) == 2
+    assert "error: duration: expected at least the least time, 1.129" in capsys.readouterr().err
+    assert not (folder / "x").exists()
+
+
+def test_a_limit_of_jerk_stands_beside_the_others(folder: Path) -> None:
+    text = VIA.replace("[limits]", "[limits]\njerk = 200.0")
+    assert main(["plan", via(folder, text), "-o", str(folder / "out"), "--no-pictures"]) == 0
+    found = json.loads((folder / "out" / "report.json").read_text())
+    assert found["certificate"]["holds"]
+    assert found["certificate"]["limit_used"] > 0.99
+    log = read_csv(folder / "out" / "trajectory.csv")
+    legs = inverse_kinematics(Robot.from_toml(folder / "hexapod.toml"), log.motion).L_ddot
+    assert np.abs(legs[0]).max() < 1e-6
+    assert np.abs(np.diff(legs, axis=0)).max() * 200.0 <= 200.0 * (1.0 + 1e-6)
 
 
 def test_via_poses_may_stand_in_a_csv_file(folder: Path) -> None:
@@ -113,6 +152,11 @@ SECOND = "[[via]]\nt = [0.1, 0.0, 0.65]\ntheta = [0.0, 0.0, 0.0]\n"
         (
             HEAD + FIRST + SECOND.replace("0.1", "9.0"),
             "via pose 2: out of reach, it breaks the limit of leg length of leg",
+        ),
+        (HEAD + FIRST + SECOND + FIRST, "via pose 2: expected a path through it, the one found turns back"),
+        (
+            'least = "energy"\n' + HEAD + FIRST + SECOND,
+            'duration: missing, expected beside least = "energy"',
         ),
         (HEAD + FIRST + FIRST, "via pose 2: expected another pose than via pose 1"),
         (HEAD + "[limits]\nforce = 10.0\n" + FIRST + SECOND, "at rest at s ="),

@@ -168,7 +168,7 @@ def test_no_picture_of_empty_axes(scene: Path, capsys: pytest.CaptureFixture[str
     limited = dataclasses.replace(robot, force_limit=np.ones(6))
     run = ss.simulate(limited, state, np.full(6, 2.0), 0.1)
     assert len(run.times) == 1
-    assert not report(run, np.ones(6), {}).figures
+    assert not report(limited, run, np.ones(6), {}).figures
     limit_forces(scene, 1e-3)
     scene.write_text(TRACK.replace('"saturate"', '"stop"'))
     assert main(["simulate", str(scene), "-o", str(scene.parent / "out")]) == 0

@@ -313,6 +313,16 @@ def test_labels_in_the_picture_do_not_overlap(run: tuple[Path, bench.Benchmark])
         assert all(canvas.bbox.x0 < box.x0 and box.x1 < canvas.bbox.x1 for box in boxes)
 
 
+def test_a_net_time_that_other_work_made_negative_does_not_stop_the_picture(
+    run: tuple[Path, bench.Benchmark],
+) -> None:
+    motion = run[1].motion
+    first, *others = motion.baselines
+    raw = (-30.0, -20.0, *first.raw[2:])
+    negative = dataclasses.replace(motion, baselines=(dataclasses.replace(first, raw=raw), *others))
+    motion_picture(dataclasses.replace(run[1], motion=negative)).draw_without_rendering()
+
+
 def test_the_command_takes_any_robot_file(figures: dict[str, Any], reduced: bench.Benchmark) -> None:
     assert (figures["robot"], reduced.robot) == ("mine", dasgupta().name)
 

@@ -179,3 +179,14 @@ def test_any_logarithmic_axis_has_two_numbers_or_more(low: float, high: float) -
     assert len(texts) >= 2
     assert not [text for text in texts if "times" in text]
     assert axes.get_yscale() == ("linear" if high < 10.0 * low else "log")
+
+
+def test_a_machine_whose_z_axis_points_down_is_drawn_standing() -> None:
+    up = ss.robots.unal()
+    Q = np.diag([1.0, -1.0, -1.0])
+    turned = {name: getattr(up, name) @ Q for name in ("g", "R_0", "b", "p", "k", "home")}
+    down = dataclasses.replace(up, **turned, I_p=Q @ up.I_p @ Q)
+    for robot in (up, down):
+        in_space, above = machine_plot.figure(robot, home_pose(robot)).axes
+        inverted = (in_space.zaxis_inverted(), in_space.yaxis_inverted(), above.yaxis_inverted())
+        assert inverted == (robot is down,) * 3

@@ -1,5 +1,6 @@
 """What is drawn is what was computed: legs have the colours of their forces and end where they project."""
 
+import dataclasses
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -12,6 +13,8 @@ from numpy.typing import NDArray
 from playwright.sync_api import Browser
 
 import stewart_sym as ss
+from stewart_sym.motion.motion import at_rest
+from stewart_sym.robot.offset_chains import chains
 from stewart_sym.robot.robot import Robot
 from stewart_sym.viewer.instants import Instants
 from stewart_sym.viewer.view import view
@@ -96,6 +99,29 @@ def test_pixels_of_lines_have_the_colours_of_the_forces_and_end_at_the_joints(
             assert np.abs(seen - wanted).max() <= 2, (i, leg)
             assert ends_off(picture, wanted, lines, leg) <= 1.0, (i, leg)
     opened.do(LINES)
+
+
+def test_lines_of_sliding_are_drawn_where_the_offsets_put_them(browser: Browser, tmp_path: Path) -> None:
+    robot = dataclasses.replace(dasgupta(), offsets=ss.Offsets(cross=np.full(6, 0.25)))
+    rest = at_rest(np.eye(3)[None], np.array([[0.0, 0.0, 1.0]]))
+    path = tmp_path / "offsets.html"
+    view(robot, rest).save(path)
+    opened = Opened(browser, path)
+    opened.do(STILL + LINES)
+    picture, at = opened.drawn(), chains(robot, rest)
+    F = ss.inverse_dynamics(robot, rest).F[0]
+    lines = robot.b[:, None] + np.stack([at.T - at.L * at.s, at.T], axis=-2)[0]
+    seen = pixels(lines.reshape(-1, 3), *eye(opened)).reshape(6, 2, 2)
+    straight = pixels(np.stack([robot.b, robot.p + rest.t[0]], axis=1).reshape(-1, 3), *eye(opened))
+    apart: list[float] = []
+    for leg, (line, plain) in enumerate(zip(seen, straight.reshape(6, 2, 2), strict=True)):
+        wanted = colour(float(F[leg]), float(np.abs(F).max()))
+        found = of_colour(picture, wanted)
+        there = found[off(found, line) < 1.5]
+        assert len(there) > DOTS * 0.5 * np.linalg.norm(line[1] - line[0])
+        apart.append(off(line[:1], plain)[0])
+    assert np.median(apart) > 4.0
+    opened.close()
 
 
 def of_colour(picture: NDArray[np.int64], wanted: Array) -> Array:

@@ -1,5 +1,6 @@
 """``--html``: one file with text, tables that sort, figures and the motion, that makes no request."""
 
+import base64
 import dataclasses
 import json
 import shutil
@@ -242,3 +243,34 @@ def test_with_z_down_the_same_is_shown_upside_down() -> None:
     assert np.allclose(one.instants.forces["paper"], other.instants.forces["paper"], rtol=1e-9)
     ups = [content(each.robot, each.instants)["machine"]["up"] for each in (one, other)]
     assert np.allclose(ups, [[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]])
+
+
+def test_the_chains_of_offset_joints_are_as_long_as_stated() -> None:
+    from stewart_sym.viewer.content import content
+
+    offsets = ss.Offsets(
+        platform_joint="universal",
+        platform_axis=np.tile([1.0, 0.0, 0.0], (6, 1)),
+        wrist=np.full(6, 0.03),
+        cross=np.linspace(0.01, 0.06, 6),
+    )
+    robot = dataclasses.replace(dasgupta(), offsets=offsets)
+    path, _ = ss.PATHS["I"]
+    time = np.linspace(0.0, 6.0, 7)
+    shown = ss.view(robot, path.sample(time), time).instants
+    assert list(shown.forces) == ["exact"]
+    columns = content(robot, shown)["columns"]
+    moving, foot, end, y = (
+        np.frombuffer(base64.b64decode(columns[name]["data"]), np.float32).reshape(7, 6, 3)
+        for name in ("moving", "foot", "end", "lower")
+    )
+    tips = shown.motion.t[:, None] + robot.p @ np.swapaxes(shown.motion.R, -1, -2)
+    for points, length in (
+        (moving - robot.b, offsets.cross),
+        (foot - moving, 0.0),
+        (end - foot, shown.L),
+        (tips - end, offsets.wrist),
+    ):
+        assert np.allclose(np.linalg.norm(points, axis=-1), length, atol=1e-6)
+    assert np.allclose(np.sum(y * robot.k, axis=-1), 0.0, atol=1e-6)
+    assert np.allclose(np.sum(y * (end - foot), axis=-1), 0.0, atol=1e-6)

@@ -319,9 +319,10 @@ def solve_block(
         pivots_of_lanes(column, D, F, bad, wanted)
 
 
-def load_block(motions: "Motions", first: "Count", count: "Count", at: "MotionLanes") -> None:
+def load_block(
+    motions: "Motions", stride: "Count", first: "Count", count: "Count", at: "MotionLanes"
+) -> None:
     """Motions of the poses of a block, component by component."""
-    padded = blank(array(9 * POSES))
     LOADS
 
 
@@ -349,27 +350,33 @@ def forces_of_block(model: "Model", at: "MotionLanes", out: "Block") -> None:
     solve_block(out.column, D, ARM_CUBE, out.F, out.bad)
 
 
-def forces_of(model: "Model", motions: "Motions", pose: "Count", F: "Pointer(Real)") -> "Integer":
-    """Forces and status of one pose of a batch."""
+def forces_of(model: "Model", at: "MotionLanes", l: "Integer", F: "array(6)") -> "Integer":
+    """Forces and status of one pose of a block."""
     one = blank(Motion)
-    load_pose(motions, pose, one)
+    for i in range(9):
+        one.R[i] = at.R[i][l]
+    for i in range(3):
+        ONE
     return forces(model, one, F)
 
 
-def forces_batch(
-    model: "Model", count: "Count", motions: "Motions", F: "Pointer(Real)", status: "Pointer(Integer)"
+def forces_of_poses(
+    model: "Model",
+    count: "Count",
+    stride: "Count",
+    motions: "Motions",
+    F: "Pointer(Real)",
+    status: "Pointer(Integer)",
 ) -> "Integer":
-    """Actuator forces F[count][6] of `count` poses. `status` takes one code for each pose; null: not wanted.
-    Returns the first code other than STEWART_OK, or STEWART_OK. No pose's result depends on the others."""
+    """Block after block: of one pose after the other where stride is 0, else of columns."""
     if BAKED:
         model = address(numbers)
     at = blank(MotionLanes)
     done = blank(Block)
+    found = blank(array(6))
     result = OK
-    if MISSING:
-        return BAD_ARGUMENT
     for first in range(0, count, POSES):
-        load_block(motions, first, count, at)
+        load_block(motions, stride, first, count, at)
         forces_of_block(model, at, done)
         for l in range(POSES):
             if not first + l < count:
@@ -377,12 +384,41 @@ def forces_batch(
             pose = first + l
             code = OK
             if done.bad[l] > 0.0:
-                if BAKED:
-                    code = forces_of(motions, pose, F[pose * 6 :])
+                if BAKED:  # noqa: SIM108
+                    code = forces_of(at, l, found)
                 else:
-                    code = forces_of(model, motions, pose, F[pose * 6 :])
-            else:
-                for i in range(6):
-                    F[pose * 6 + i] = done.F[i][l]
+                    code = forces_of(model, at, l, found)
+                if code == OK:
+                    done.bad[l] = 0.0
+                    for i in range(6):
+                        done.F[i][l] = found[i]
             note_status()
+        store_forces(done.F, done.bad, stride, first, count, F)
     return result
+
+
+def forces_batch(
+    model: "Model", count: "Count", motions: "Motions", F: "Pointer(Real)", status: "Pointer(Integer)"
+) -> "Integer":
+    """Actuator forces F[count][6] of `count` poses. `status` takes one code for each pose; null: not wanted.
+    Returns the first code other than STEWART_OK, or STEWART_OK. No pose's result depends on the others."""
+    if MISSING:
+        return BAD_ARGUMENT
+    return forces_of_poses(model, count, 0, motions, F, status)
+
+
+def forces_columns(
+    model: "Model",
+    count: "Count",
+    stride: "Count",
+    motions: "Motions",
+    F: "Pointer(Real)",
+    status: "Pointer(Integer)",
+) -> "Integer":
+    """The same, bit for bit, of columns: component i of pose j is number [i*stride + j] of its array, i from
+    0 to 8 of R and to 5 of F. STEWART_BAD_ARGUMENT where `stride` is less than `count`. Arrays may begin
+    anywhere; a block is one line of cache of each column where they begin at multiples of 64 bytes and
+    `stride` is one of 64 bytes, and not of 4096."""
+    if MISSING:
+        return BAD_ARGUMENT
+    return forces_of_poses(model, count, stride, motions, F, status)

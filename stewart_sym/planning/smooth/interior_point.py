@@ -14,7 +14,7 @@ from ...io.array_types import Array
 from ...io.extras import needed_for
 from .rate_spline import WEIGHTS, RateSpline
 
-_STEPS = 200
+_STEPS = 400
 _CENTRING = 0.15
 _KEPT = 0.99
 # Of the cost: what the limits' multipliers still hold back at the end.
@@ -22,18 +22,18 @@ GAP = 1e-7
 
 
 class Rooms(NamedTuple):
-    """r limits at the samples: k . (1, sqrt(y), 1 / sqrt(y), y, y', y'') >= 0, (cells, 3, r, 6)."""
+    """r limits at the samples: k . (1, sqrt(y), 1 / sqrt(y), y, y', y'') >= 0, (cells, 5, r, 6)."""
 
     k: Array
 
     def values(self, v: Array) -> Array:
-        """How far limits are, (cells, 3, r), at y and its derivatives, (cells, 3, 3)."""
+        """How far limits are, (cells, 5, r), at y and its derivatives, (cells, 5, 3)."""
         root = np.sqrt(v[..., 0])
         terms = np.stack([np.ones_like(root), root, 1.0 / root, *np.moveaxis(v, -1, 0)], axis=-1)
         return np.asarray(np.einsum("ikrt,ikt->ikr", self.k, terms))
 
     def rates(self, v: Array) -> tuple[Array, Array]:
-        """Their derivatives, (cells, 3, r, 3), and the second ones by y, (cells, 3, r)."""
+        """Their derivatives, (cells, 5, r, 3), and the second ones by y, (cells, 5, r)."""
         y = v[..., 0, None]
         found = self.k[..., 3:].copy()
         found[..., 0] += 0.5 * self.k[..., 1] * y**-0.5 - 0.5 * self.k[..., 2] * y**-1.5
@@ -41,7 +41,7 @@ class Rooms(NamedTuple):
 
 
 Cost = Callable[[Array], tuple[float, Array, Array]]
-"""y and its derivatives at the samples -> cost, derivatives (cells, 3, 3), second ones (cells, 3, 3, 3)."""
+"""y and its derivatives at the samples -> cost, derivatives (cells, 5, 3), second ones (cells, 5, 3, 3)."""
 
 
 def duration(spline: RateSpline, v: Array) -> tuple[float, Array, Array]:
@@ -92,7 +92,7 @@ def least(spline: RateSpline, c: Array, rooms: Rooms, cost: Cost, time: float | 
         gap = float(np.sum(multiplier * g))
         if gap <= GAP * abs(f) and np.abs(moved[..., 0] / v[..., 0]).max() < 1e-5:
             break
-        if share > 0.2:
+        if share > 0.5:
             mu = _CENTRING * gap / g.size
     return c
 

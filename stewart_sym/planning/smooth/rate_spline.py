@@ -12,10 +12,12 @@ import numpy as np
 from ...io.array_types import Array
 from ..phase_plane import PhasePath
 
-SHARES = np.array([0.0, 0.5, 1.0])
+PARTS = 4
+"""Of each cell, with samples at their ends: five in a cell."""
+SHARES = np.linspace(0.0, 1.0, PARTS + 1)
 """Of each cell, where samples are."""
-WEIGHTS = np.array([1.0, 4.0, 1.0]) / 6.0
-"""Of the samples of a cell in an integral over it, Simpson's rule."""
+WEIGHTS = np.array([7.0, 32.0, 12.0, 32.0, 7.0]) / 90.0
+"""Of the samples of a cell in an integral over it, Boole's rule."""
 _ACTIVE = 3
 
 
@@ -40,10 +42,10 @@ class RateSpline(NamedTuple):
     def values(self, c: Array, shares: Array = SHARES) -> Array:
         """y and its two derivatives at shares of every cell, (cells, k, 3)."""
         inside = np.lib.stride_tricks.sliding_window_view(c, _ACTIVE)
-        return np.einsum("kdj,ij->ikd", self.basis(shares), inside)
+        return np.asarray(np.einsum("kdj,ij->ikd", self.basis(shares), inside))
 
     def gradient(self, by_values: Array) -> Array:
-        """Derivative by the coefficients of one by values at the samples, (cells, 3, 3)."""
+        """Derivative by the coefficients of one by values at the samples, (cells, 5, 3)."""
         each = np.einsum("kdj,ikd->ij", self.basis(SHARES), by_values)
         found = np.zeros(self.cells + 2)
         for j in range(_ACTIVE):
@@ -51,7 +53,7 @@ class RateSpline(NamedTuple):
         return found
 
     def band(self, by_values: Array) -> Array:
-        """Second derivative by the coefficients of one by values, (cells, 3, 3, 3), as an upper band."""
+        """Second derivative by the coefficients of one by values, (cells, 5, 3, 3), as an upper band."""
         basis = self.basis(SHARES)
         each = np.einsum("kdj,ikde,kel->ijl", basis, by_values, basis, optimize=True)
         found = np.zeros((_ACTIVE, self.cells + 2))
@@ -69,5 +71,6 @@ class RateSpline(NamedTuple):
 
 
 def in_cells(nodes: Array) -> Array:
-    """Of the edges and middles of cells, (2 cells + 1, ...), at the samples, (cells, 3, ...)."""
-    return np.stack([nodes[:-2:2], nodes[1::2], nodes[2::2]], axis=1)
+    """Of the ends of all parts of cells, (4 cells + 1, ...), at the samples, (cells, 5, ...)."""
+    starts = [nodes[part:-1:PARTS] for part in range(PARTS)]
+    return np.stack([*starts, nodes[PARTS::PARTS]], axis=1)

@@ -15,22 +15,23 @@ from ...io.array_types import Array
 from ...kinematics.inverse import inverse_kinematics
 from ...motion.motion import Motion
 from ...robot.robot import Robot
+from ..grid import Source
 from ..path_terms import Path, Terms, travelled
 from ..profile import Ease, Profile
 from .interior_point import Cost, Rooms, duration, least
-from .rate_spline import RateSpline, in_cells
-
-Source = Callable[[Array], Terms]
-"""Parameters x, (n,) -> terms by x there."""
+from .rate_spline import PARTS, RateSpline, in_cells
 
 _ROUNDS = 12
-_MARGIN = 2e-6
-_MORE = 1.2
+_MARGIN = 5e-5
+_MORE, _KEPT = 1.2, 1e-7
+# Of a limit, at the instants between the samples that are looked at.
+_AIM = 1.0 - 2e-5
 _BETWEEN = np.linspace(0.0, 1.0, 21)
 _TURNS = 3
 _ROOM, _SLOWER = 0.9, 0.9
 _SLOWEST = 1e-6
 _STEP = 1e-5
+_NEARER = 0.01
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,7 +55,7 @@ class SmoothPath:
     ) -> SmoothPath:
         """Of a source and of ``lengths``, x -> derivatives of the legs' lengths by x."""
         spline = RateSpline(cells)
-        nodes = np.linspace(0.0, 1.0, 2 * cells + 1)
+        nodes = np.linspace(0.0, 1.0, PARTS * cells + 1)
         fine = (spline.edges[:-1, None] + _BETWEEN / cells).ravel()
         return cls(spline, nodes, ease, source(nodes), source(fine), (lengths(nodes), lengths(fine)), jerk)
 
@@ -71,10 +72,10 @@ class SmoothPath:
         return np.concatenate(parts, axis=-1).reshape(self.spline.cells, len(_BETWEEN), -1).max(axis=1)
 
     def rooms(self, c: Array, margin: Array) -> Rooms:
-        """Limits at the samples, less a margin, (2 cells + 1, m), friction as at the rates of c."""
+        """Limits at the samples, less a margin, (4 cells + 1, m), friction as at the rates of c."""
         v = self.spline.values(c)
-        rate = np.sqrt(np.append(v[:, :2, 0].ravel(), v[-1, -1, 0]))
-        room, count = 1.0 - margin, self.at.count
+        rate = np.sqrt(np.append(v[:, :-1, 0].ravel(), v[-1, -1, 0]))
+        room, count = 1.0 - margin, self.at.quantities
         rows = self.at.rows(rate, room[:, :count])
         zero, parts = np.zeros_like(rows.a), []
         for sign, bound in ((1.0, rows.high), (-1.0, rows.low)):
@@ -111,15 +112,33 @@ class SmoothPath:
     def _settled(self, c: Array, cost: Cost, time: float | None) -> Array:
         """Coefficients of least cost that keep all limits between the samples too."""
         margin = np.full((len(self.at.caps), self.used(c).shape[1]), _MARGIN)
-        turns = 1 if self.at.motors is None else _TURNS
+        turns, start = (1 if self.at.motors is None else _TURNS), c
         for turn in range(_ROUNDS):
             rooms = self.rooms(c, margin)
-            c = least(self.spline, self._slowed(_ROOM * c, rooms), rooms, cost, time)
-            excess = np.maximum(self.used(c) - 1.0, 0.0)
-            if turn >= turns and not excess.any():
+            # From far within the limits: a motion of a duration from one that has it.
+            begin = self._slowed(_ROOM * c if time is None else start, rooms)
+            c = least(self.spline, begin, rooms, cost, time)
+            excess = np.maximum(self.used(c) - _AIM, 0.0)
+            now = duration(self.spline, self.spline.values(c))[0]
+            if (
+                turn >= turns
+                and excess.max() <= 0.5 * (1.0 - _AIM)
+                and abs(now - (time or now)) <= _KEPT * now
+            ):
                 break
             margin = margin + _MORE * _beside(excess)
-        return c
+        return c if time is None else self._between(start, c, time)
+
+    def _between(self, start: Array, c: Array, time: float) -> Array:
+        """Coefficients as near to c as limits allow, towards those of a motion far within them."""
+        share = 0.0
+        while share < 1.0:
+            found = (1.0 - share) * c + share * start
+            found = found * (duration(self.spline, self.spline.values(found))[0] / time) ** 2
+            if self.used(found).max() <= 0.5 * (1.0 + _AIM):
+                return np.asarray(found)
+            share += _NEARER
+        return start
 
     def _slowed(self, c: Array, rooms: Rooms) -> Array:
         """Coefficients, slowed until all limits are kept."""
@@ -132,10 +151,10 @@ class SmoothPath:
 
 
 def _beside(excess: Array) -> Array:
-    """Of cells, (cells, m), at the samples, (2 cells + 1, m): at an edge the larger of both sides'."""
+    """Of cells, (cells, m), at the samples, (4 cells + 1, m): at an edge the larger of both sides'."""
     edges = np.pad(excess, ((1, 1), (0, 0)))
-    found = np.empty((2 * len(excess) + 1, excess.shape[1]))
-    found[::2], found[1::2] = np.maximum(edges[1:], edges[:-1]), excess
+    found = np.concatenate([np.repeat(excess, PARTS, axis=0), excess[-1:]])
+    found[::PARTS] = np.maximum(edges[1:], edges[:-1])
     return found
 
 

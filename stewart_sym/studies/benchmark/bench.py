@@ -7,6 +7,7 @@ timed. What the extra ``bench`` would bring is left out where it is missing.
 """
 
 import contextlib
+import ctypes
 import dataclasses
 import functools
 import os
@@ -51,7 +52,7 @@ from .called import Called
 from .figures import Benchmark, PassFigures
 from .poses import Poses, bench_poses
 from .processor import FUSED, Flags, Target, additions, multiply_add, targets, widest
-from .samples import BATCH, FLOAT, NAME, ONE_POSE, Figure, Peak, Speedup
+from .samples import BATCH, COLUMNS, FLOAT, NAME, ONE_POSE, Figure, Peak, Speedup
 
 Array = NDArray[np.float64]
 
@@ -89,14 +90,7 @@ def _batch(precision: forces.Precision, threads: int) -> Callable[[Poses, Flags]
     def make(poses: Poses, flags: Flags) -> Runner:
         defines = ("STEWART_FLOAT",) if precision == "float" else ()
         library = c_kernel.library(f"{NAME}_forces", defines, flags)
-
-        class Compiled(forces.ForceKernel):
-            """The kernel with these flags."""
-
-            def function(self, what: str) -> Any:
-                return getattr(library, f"stewart_{self.name}_{what}")
-
-        prepared = Compiled(poses.robot, NAME, precision)
+        prepared = _compiled(library, poses.robot, precision)
         arrays = [np.asarray(array, dtype=prepared.dtype) for array in poses.arrays]
         F = np.zeros((len(poses), 6), dtype=prepared.dtype)
         status = np.zeros(len(poses), dtype=np.int32)
@@ -108,6 +102,41 @@ def _batch(precision: forces.Precision, threads: int) -> Callable[[Poses, Flags]
         return repeated(lambda: prepared.forces_into(arrays, F, status, threads), found, library=library)
 
     return make
+
+
+def _columns(poses: Poses, flags: Flags) -> Runner:
+    """``stewart_exact_forces_columns`` of the same poses, which lie in columns already."""
+    library = c_kernel.library(f"{NAME}_forces", (), flags)
+    prepared = _compiled(library, poses.robot, "double")
+    arrays = [_in_columns(array.reshape(len(poses), -1).T) for array in poses.arrays]
+    F, status = _in_columns(np.zeros((6, len(poses)))), np.zeros(len(poses), dtype=np.int32)
+
+    def found() -> Array:
+        succeed(int(status.max()))
+        return F.T
+
+    return repeated(lambda: prepared.columns_into(arrays, F, status), found, library=library)
+
+
+def _in_columns(array: Array) -> Array:
+    """The rows of an array, each beginning where a line of the cache does, and elsewhere in a page."""
+    width, count = array.shape
+    stride = 8 * (-(-count // 8) | 1)
+    room = np.zeros(width * stride + 7)
+    first = -room.ctypes.data // 8 % 8
+    found = room[first : first + width * stride].reshape(width, stride)[:, :count]
+    found[...] = array
+    return found
+
+
+def _compiled(library: ctypes.CDLL, robot: Robot, precision: forces.Precision) -> forces.ForceKernel:
+    """The prepared kernel whose functions are those of a library."""
+
+    class Compiled(forces.ForceKernel):
+        def function(self, what: str) -> Any:
+            return getattr(library, f"stewart_{self.name}_{what}")
+
+    return Compiled(robot, NAME, precision)
 
 
 def _prepared_call(poses: Poses, _: Flags) -> Runner:
@@ -172,6 +201,15 @@ OURS = (
         sweep=True,
         operations=_force_operations,
         function=_BATCH,
+    ),
+    Candidate(
+        COLUMNS,
+        "C, F alone",
+        "batch",
+        LARGE,
+        _columns,
+        operations=_force_operations,
+        function=f"stewart_{NAME}_forces_columns",
     ),
     Candidate(
         ALL_CORES,

@@ -431,6 +431,11 @@ def _draw_row(axes: Axes, low: float, place: int, figure: Figure, color: str, sh
     )
 
 
+def _left_end(rows: Sequence[tuple[Figure, str, str]]) -> float:
+    """Where the axis begins: a net time that other work made negative has no place on a log axis."""
+    return 0.6 * min(figure.quartiles[0] for figure, _, _ in rows if figure.quartiles[0] > 0.0)
+
+
 def _name_rows(axes: Axes, low: float, rows: Sequence[tuple[Figure, str, str]]) -> None:
     """Labels of the rows, and a log axis with room for their numbers."""
     axes.set_yticks(range(len(rows)), [label for _, label, _ in rows])
@@ -481,7 +486,7 @@ def motion_picture(found: Benchmark) -> Canvas:
     canvas.set_layout_engine("constrained", w_pad=0.12, h_pad=0.06)
     axes = canvas.subplots()
     canvas.suptitle(f"Equations of motion, one pose, ns: {found.machine['processor']}", x=0.5)
-    low = 0.6 * min(figure.quartiles[0] for figure, _, _ in rows)
+    low = _left_end(rows)
     for place, (figure, _, color) in enumerate(rows):
         limit = MOST.get(figure.name)
         text = rf"   (target: $\times${limit[0]:g} at most)" if limit else ""

@@ -16,6 +16,8 @@ PLAIN, CLOSED = "CasADi", "CasADi, closed form"
 """What other figures are divided by, where CasADi is installed; first by the closed form, the stricter."""
 
 ONE_POSE, BATCH, FLOAT = "one pose", "batch, one core", "batch, float"
+COLUMNS = "batch, columns"
+"""Of arrays with a column for each component."""
 INVERSE, EQUATIONS, FORWARD = "inverse dynamics", "equations", "forward dynamics"
 DERIVATIVES, REGRESSOR = "derivatives", "regressor"
 

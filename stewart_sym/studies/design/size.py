@@ -10,7 +10,7 @@ import numpy as np
 
 from ...design.size import Needs, exceeded
 from ...io.array_types import Array
-from ...motion.trajectory import Trajectory
+from ...motion.trajectory import PoseLog, Trajectory
 from ...robot.robot import LEGS, Robot
 from ...viewer.instants import of_trajectory
 from ...viewer.view import View
@@ -28,7 +28,9 @@ def report(robot: Robot, sources: Sequence[str], needs: Needs, figures: Mapping[
     )
 
 
-def views(robot: Robot, sources: Sequence[str], read: Sequence[Trajectory]) -> dict[str, Callable[[], View]]:
+def views(
+    robot: Robot, sources: Sequence[str], read: Sequence[Trajectory | PoseLog]
+) -> dict[str, Callable[[], View]]:
     """What makes the view of each motion; files of the same name get numbers."""
     made: dict[str, Callable[[], View]] = {}
     for number, (source, trajectory) in enumerate(zip(sources, read, strict=True), 1):
@@ -37,7 +39,7 @@ def views(robot: Robot, sources: Sequence[str], read: Sequence[Trajectory]) -> d
     return made
 
 
-def _view(robot: Robot, trajectory: Trajectory) -> View:
+def _view(robot: Robot, trajectory: Trajectory | PoseLog) -> View:
     return View(robot, of_trajectory(robot, trajectory))
 
 

@@ -26,6 +26,8 @@ _DARK = "#3a3a3a"
 _MOST = 100.0
 # Condition numbers that differ by less are drawn with this ratio all the same.
 _LEAST_RATIO = 1.5
+# Width of the panels of a row together, inches, and the narrowest and the widest panel's width over height.
+_WIDTH, _SHAPES = 9.4, (0.4, 2.5)
 
 
 def pictures(name: str, found: Workspace, planes: list[Slice]) -> dict[str, Picture]:
@@ -35,9 +37,14 @@ def pictures(name: str, found: Workspace, planes: list[Slice]) -> dict[str, Pict
 
 def figure(name: str, found: Workspace, planes: list[Slice]) -> Figure:
     """A panel for each plane; ``name``: of the robot."""
-    rows = len(planes) // 3
-    drawn = Figure(figsize=(12.0, 0.9 + 3.7 * rows), layout="constrained")
-    panels = drawn.subplots(rows, 3, squeeze=False)
+    shapes = np.array([_shape(plane) for plane in planes]).reshape(-1, 3)
+    # As wide as the picture, and in a single row as high as each other.
+    widths = _WIDTH * shapes.mean(axis=0) / shapes.mean(axis=0).sum()
+    heights = (widths / shapes).max(axis=1)
+    drawn = Figure(figsize=(12.0, 1.6 + float(np.sum(heights + 0.6))), layout="constrained")
+    panels = drawn.subplots(
+        len(shapes), 3, squeeze=False, width_ratios=widths.tolist(), height_ratios=heights.tolist()
+    )
     norm = _norm(planes)
     mesh: Any = None
     for axes, plane in zip(panels.ravel(), planes, strict=True):
@@ -58,6 +65,11 @@ def figure(name: str, found: Workspace, planes: list[Slice]) -> Figure:
     if handles:
         legend_below(drawn, handles, title="first limit that breaks")
     return drawn
+
+
+def _shape(plane: Slice) -> float:
+    """Width over height of a panel, within what a picture has room for."""
+    return float(np.clip(np.ptp(plane.first) / np.ptp(plane.second), *_SHAPES))
 
 
 def _norm(planes: list[Slice]) -> LogNorm:

@@ -12,13 +12,15 @@ with needed_for("drawing"):
     from matplotlib.figure import Figure
 
 _COLORS = {"slow": "#1f4e9c", "fast": "#c1440e", "straight": "#8a8a8a", "planned": "#1f4e9c"}
+_SHADES = ("#8a8a8a", "#1f4e9c", "#c1440e")
 
 
 def pictures(found: dict[str, Any]) -> dict[str, Picture]:
-    """``plan_claim`` and ``plan_path_III``."""
+    """``plan_claim``, ``plan_path_III`` and ``plan_durations``."""
     return {
         "plan_claim": Picture(lambda: claim_figure(found["claim"]), SMALL),
         "plan_path_III": Picture(lambda: path_figure(found["path_III"]), SMALL),
+        "plan_durations": Picture(lambda: durations_figure(found["durations"]), SMALL),
     }
 
 
@@ -59,5 +61,23 @@ def path_figure(found: dict[str, Any]) -> Figure:
         axes.set_ylabel(label)
         axes.set_xlim(0.0, 6.0)
         log_numbers(axes.yaxis)
+    legend_below(figure)
+    return figure
+
+
+def durations_figure(found: dict[str, Any]) -> Figure:
+    """Rate of the parameter and largest force of three motions of one duration."""
+    figure = Figure(figsize=(9.0, 4.0), layout="constrained")
+    left, right = figure.subplots(1, 2)
+    for (name, values), color in zip(found["motions"].items(), _SHADES, strict=True):
+        label = f"{name}: {values['energy_J']:.4g} J, {max(values['force_N']):.4g} N"
+        left.plot(found["time_s"], values["rate_per_s"], color=color, linewidth=1.4, label=label)
+        right.plot(found["time_s"], values["force_N"], color=color, linewidth=1.4)
+    left.set_ylabel("rate of the path parameter, 1/s")
+    right.set_ylabel("largest leg force, N")
+    for axes in (left, right):
+        axes.set_xlabel("time, s")
+        axes.set_xlim(0.0, found["time_s"][-1])
+        axes.set_ylim(bottom=0.0)
     legend_below(figure)
     return figure

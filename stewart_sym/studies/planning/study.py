@@ -1,11 +1,11 @@
 """Condition numbers and forces along random paths, paths planned and straight, and Path III planned anew.
 
-``python -m stewart_sym.studies.planning.study DIR`` writes ``plan.json``, ``plan_claim.png`` and
-``plan_path_III.png``.
+``python -m stewart_sym.studies.planning.study DIR`` writes ``plan.json``, ``plan_claim.png``,
+``plan_path_III.png`` and ``plan_durations.png``.
 """
 
 import sys
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -17,14 +17,15 @@ from ...dynamics.inverse import inverse_dynamics
 from ...io.json_text import json_text
 from ...io.writing import replaced_file
 from ...kinematics.conditioning import characteristic_length, scaled_condition_number
-from ...kinematics.inverse import wrench_matrix
+from ...kinematics.inverse import inverse_kinematics, wrench_matrix
 from ...motion.motion import at_rest
 from ...motion.rotation import rotation_from_vector, vector_from_rotation
 from ...motion.straight_line import PATHS
 from ...planning.path_spline import Family
-from ...planning.path_terms import travelled
+from ...planning.path_terms import Limits, travelled
 from ...planning.plan_path import PlannedPath, conditions_along, plan_path
 from ...planning.pose_path import PosePath
+from ...planning.time_path import LEAST, time_path
 from ...planning.via_poses import ViaPose
 from ...robot.robot import Robot
 from ...robots import dasgupta1998
@@ -39,6 +40,8 @@ YAW = 0.3
 """By which the end of Path III may be turned about the platform's own axis, rad."""
 DURATION = 6.0
 """Of Path III, s."""
+FORCE_OVER_REST, LONGER = 1.5, 1.5
+"""Limit of force over the largest at rest, and a duration over the least time."""
 
 _SAMPLES = 201
 _MOST_CONDITION = 40.0
@@ -172,9 +175,42 @@ def planned_path_III() -> PlannedPath:
     return plan_path(dasgupta1998(), ends)
 
 
+def durations() -> dict[str, Any]:
+    """Path III planned anew, in one and a half times its least time: slowed, and with least of something."""
+    robot, path = dasgupta1998(), planned_path_III().path
+    weight = np.abs(inverse_dynamics(robot, at_rest(*_poses(path))).F).max()
+    limits = Limits(force=FORCE_OVER_REST * float(weight))
+    quick = time_path(robot, path, limits=limits)
+    duration = LONGER * quick.duration
+    slow = replace(quick, profile=quick.profile.slowed(1.0 / LONGER))
+    plans = {"least time, slowed": slow} | {
+        f"least {least.replace('-', ' ')}": time_path(
+            robot, path, limits=limits, least=least, duration=duration
+        )
+        for least in LEAST[1:]
+    }
+    time = np.linspace(0.0, duration, _SAMPLES)
+    found: dict[str, Any] = {"least_time_s": quick.duration, "time_s": time, "motions": {}}
+    for name, plan in plans.items():
+        motion = plan.sample(time)
+        F = inverse_dynamics(robot, motion).F
+        power = np.sum(F * inverse_kinematics(robot, motion).L_dot, axis=-1)
+        found["motions"][name] = {
+            "rate_per_s": plan.profile.at(time).rate,
+            "force_N": np.abs(F).max(axis=-1),
+            "energy_J": float(np.trapezoid(power, time)),
+        }
+    return found
+
+
+def _poses(path: PosePath) -> tuple[Array, Array]:
+    motion = path(np.linspace(0.0, 1.0, _SAMPLES))
+    return motion.R, motion.t
+
+
 def figures() -> dict[str, Any]:
     """All of the study."""
-    return {"claim": claim(), "gains": gains(), "path_III": path_III()}
+    return {"claim": claim(), "gains": gains(), "path_III": path_III(), "durations": durations()}
 
 
 def main(arguments: list[str]) -> int:

@@ -23,6 +23,8 @@ Array = NDArray[np.float64]
 
 BASE, PLATFORM, LEG, MARK, OFFSET = "#3a3a3a", "#1f4e9c", "#8a8a8a", "#c1440e", "#2a7f3f"
 
+# Share of gravity along z from which on a machine whose z axis points down is drawn with z down.
+_DOWN = 0.5
 # Length of axes and arrows beside the machine's size, and distance within which points are one.
 _AXIS, _SAME = 0.12, 1e-3
 
@@ -37,35 +39,43 @@ def figure(robot: Robot, home: HomePose) -> Figure:
     drawn = Figure(figsize=(12.0, 5.6), layout=ConstrainedLayoutEngine(w_pad=0.2, h_pad=0.1, wspace=0.08))
     tips = home.t + robot.p
     in_space: Any = drawn.add_subplot(1, 2, 1, projection="3d")
-    extent = draw_legs(in_space, robot.b, tips) + _marks_in_space(in_space, robot, home, tips)
-    frame(in_space, np.concatenate(extent))
+    z_down = bool(robot.g[2] > _DOWN * np.linalg.norm(robot.g))
+    extent = draw_legs(in_space, robot.b, tips, z_down) + _marks_in_space(in_space, robot, home, tips)
+    frame(in_space, np.concatenate(extent), z_down)
     above = drawn.add_subplot(1, 2, 2)
+    along = "z" if z_down else "-z"
     above.set_title(
-        f"{as_written(robot.name)}: home pose, seen along -z\nbase black, platform blue", fontsize=9.0
+        f"{as_written(robot.name)}: home pose, seen along {along}\nbase black, platform blue", fontsize=9.0
     )
     _from_above(above, robot, tips)
+    if z_down:
+        above.invert_yaxis()
     return drawn
 
 
-def draw_legs(axes: Axes3D, base: Array, tips: Array) -> list[Array]:
+def draw_legs(axes: Axes3D, base: Array, tips: Array, z_down: bool = False) -> list[Array]:
     """Draw both rings of points (6, 3) and the legs between them, numbered; returns what was drawn."""
     size = float(np.max(np.ptp(np.concatenate([base, tips]), axis=0)))
+    below = np.array([0.0, 0.0, 0.05 * size if z_down else -0.05 * size])
     for corners, color in ((base, BASE), (tips, PLATFORM)):
         ring = corners[_around(corners)]
         axes.plot(*np.concatenate([ring, ring[:1]]).T, color=color, linewidth=1.6)
     for leg in range(LEGS):
         axes.plot(*np.stack([base[leg], tips[leg]]).T, color=LEG, linewidth=1.4)
-        axes.text(*(base[leg] - [0.0, 0.0, 0.05 * size]), str(leg + 1), fontsize=8.0, ha="center", va="top")
+        axes.text(*(base[leg] + below), str(leg + 1), fontsize=8.0, ha="center", va="top")
     return [base, tips]
 
 
-def frame(axes: Axes3D, extent: Array) -> None:
-    """Limits and names of the axes for what is drawn, (n, 3)."""
+def frame(axes: Axes3D, extent: Array, z_down: bool = False) -> None:
+    """Limits and names of the axes for what is drawn, (n, 3); with z down, y is turned round as well."""
     low, high = extent.min(axis=0), extent.max(axis=0)
     pad = 0.04 * float(np.max(high - low))
     for name, a, b in zip("xyz", low - pad, high + pad, strict=True):
         getattr(axes, f"set_{name}lim")(a, b)
         getattr(axes, f"set_{name}label")(f"{name}, m", fontsize=8.0)
+    if z_down:
+        axes.invert_yaxis()
+        axes.invert_zaxis()
     axes.set_box_aspect(high - low + 2.0 * pad)
     axes.locator_params(nbins=4)
     axes.tick_params(labelsize=7.0, pad=0.0)

@@ -1,7 +1,10 @@
 """Pictures of a plan: condition numbers along the path, forces over their limits, the phase plane."""
 
+from typing import Any
+
 import numpy as np
 
+from ...io.array_types import Array
 from ...io.extras import needed_for
 from ...planning.path_terms import force_limits
 from ..common.drawing import legend_below, log_numbers
@@ -67,7 +70,7 @@ def phase_figure(plan: Plan) -> Figure:
     axes = figure.subplots()
     phase, nodes = plan.timed.profile.phase, plan.timed.profile.nodes
     top = 1.6 * float(nodes.rate.max())
-    curves = [(nodes.rate, "motion", _BLUE, "solid")]
+    curves: list[tuple[Array, str, str, Any]] = [(nodes.rate, "motion", _BLUE, "solid")]
     if plan.timed.profile.ease is None:
         most, stops = np.sqrt(phase.most), np.sqrt(phase.stops)
         curves.insert(0, (stops, "rest at the end is out of reach above", _RED, (0, (1, 1))))

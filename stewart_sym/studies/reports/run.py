@@ -6,14 +6,17 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...drives.effort import of_motor_forces
 from ...dynamics.inverse import Formulation
 from ...io.instants import least_step, time_text
 from ...motion.rotation import rpy_from_rotation
+from ...robot.robot import Robot
 from ...simulation.actuator_models import ForceLaw, LegSprings
-from ...simulation.trace import Simulation
+from ...simulation.trace import Simulation, leg_states
 from ..common.output import Columns, of_axes, of_legs
 from ..common.report import Picture, Report
 from . import energy_drift
+from .drives import DriveDigest
 from .energy_drift import Drift, drift_of, energy_scale
 
 if TYPE_CHECKING:
@@ -34,13 +37,16 @@ def run_columns(run: Simulation) -> Columns:
 
 
 def report(
-    run: Simulation, law: ForceLaw, drifts: Mapping[Formulation, Drift], pictures: bool = True
+    robot: Robot, run: Simulation, law: ForceLaw, drifts: Mapping[Formulation, Drift], pictures: bool = True
 ) -> Report:
     """Everything about a run; ``drifts``: of its energy, as ``energy_drift`` gives them, or none.
 
-    Without a picture of what has one instant alone.
+    Without a picture of what has one instant alone. Of a robot with a drive, the motors beside their limits.
     """
     text, figures = summary(run, law), {}
+    motors = motors_of(robot, run)
+    if motors is not None:
+        text = "\n".join([text, "", motors.table(), *motors.summary.exceeded()])
     if pictures and len(run.times) > 1:
         figures["run"] = Picture(lambda: figure(run, law))
     if drifts:
@@ -48,10 +54,22 @@ def report(
         if pictures and any(len(drift.times) > 1 for drift in drifts.values()):
             figures["energy_drift"] = Picture(lambda: energy_drift.figure(drifts))
     tables = {f"energy_drift_{name}": drift.columns() for name, drift in drifts.items()}
-    return Report(text, {"run": run_columns(run), **tables}, _data(run, law, drifts), figures)
+    return Report(text, {"run": run_columns(run), **tables}, _data(run, law, drifts, motors), figures)
 
 
-def _data(run: Simulation, law: ForceLaw, drifts: Mapping[Formulation, Drift]) -> dict[str, Any]:
+def motors_of(robot: Robot, run: Simulation) -> DriveDigest | None:
+    """What a run takes of the motors, at its instants; None without a drive."""
+    if robot.drive is None:
+        return None
+    found = DriveDigest(robot, run.times)
+    L_dot = leg_states(robot, run.motion).L_dot
+    found.add(of_motor_forces(robot, robot.drive, run.motion, run.F, L_dot), slice(None))
+    return found
+
+
+def _data(
+    run: Simulation, law: ForceLaw, drifts: Mapping[Formulation, Drift], motors: DriveDigest | None
+) -> dict[str, Any]:
     """What the summary says, for programs."""
     peaks = np.argmax(np.abs(run.F), axis=0)
     return {
@@ -66,6 +84,7 @@ def _data(run: Simulation, law: ForceLaw, drifts: Mapping[Formulation, Drift]) -
                 "greatest_length_m": run.L[:, leg].max(),
                 "saturated_s": run.saturation.time[leg],
                 "saturation_excess_N": run.saturation.excess[leg],
+                **({} if motors is None else motors.of_leg(leg)),
             }
             for leg, peak in enumerate(peaks)
         ],

@@ -45,11 +45,13 @@ export class Motion {
     return time - this.time[low] <= this.time[high] - time ? low : high;
   }
 
+  // Of legs with offsets the chains as well: at(name, leg) is one of their points or axes.
   pose(i) {
-    const { t, q } = this.columns;
+    const { t, q, moving } = this.columns;
     return {
       t: [t[3 * i], t[3 * i + 1], t[3 * i + 2]],
       R: rotationOf([q[4 * i], q[4 * i + 1], q[4 * i + 2], q[4 * i + 3]]),
+      at: moving && ((name, leg) => [...this.columns[name].subarray(18 * i + 3 * leg, 18 * i + 3 * leg + 3)]),
     };
   }
 

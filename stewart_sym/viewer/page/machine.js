@@ -4,13 +4,23 @@ import { add, along, column, cross, minus, product, rotationAbout, size, times, 
 
 // Frame of a leg at a pose: origin at the base point, x along the leg, y across the universal joint's fixed axis k,
 // as in the equations: y = (k x s) / |k x s|. Lower and upper part turn with it.
+// With offsets the line of sliding goes from the foot, base, to its end, tip; joint and point are the base point and the
+// platform point, moving is where the second axis is, up the direction across the upper part.
 export function legFrame(machine, pose, leg) {
+  if (pose.at) return chainFrame(machine, pose, leg);
   const base = machine.b[leg];
   const tip = add(pose.t, turn(pose.R, machine.p[leg]));
   const S = minus(tip, base);
   const x = unit(S);
   const y = unit(cross(machine.k[leg], x), column(pose.R, 1));
   return { base, tip, x, y, z: cross(x, y), length: size(S) };
+}
+
+function chainFrame(machine, pose, leg) {
+  const [base, tip, moving, y, up] = ["foot", "end", "moving", "lower", "upper"].map((name) => pose.at(name, leg));
+  const x = unit(minus(tip, base));
+  const [joint, point] = [machine.b[leg], add(pose.t, turn(pose.R, machine.p[leg]))];
+  return { base, tip, joint, point, moving, x, y, z: cross(x, y), up, length: size(minus(tip, base)) };
 }
 
 // Platform points at a pose in the order of their ring.

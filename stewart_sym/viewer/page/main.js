@@ -10,7 +10,7 @@ import { legFrame } from "./machine.js";
 import { shown } from "./numbers.js";
 import { Ribbon, sceneAt } from "./scene.js";
 import { legTable, peaks, words } from "./tables.js";
-import { add, along, column, minus, times, unit } from "./vectors.js";
+import { add, along, column, dot, minus, times, unit } from "./vectors.js";
 
 const find = (name) => document.getElementById(name);
 const page = readPage();
@@ -160,10 +160,13 @@ function label(pose, parts) {
     if (at && at[0] > picture.x + 4 && at[0] < picture.x + picture.width - 4) put(text, at, kind);
   };
   const middle = times(machine.b.reduce(add), 1 / 6);
+  const { back } = camera.axes();
   parts.forEach((picture, k) => {
     for (let leg = 0; leg < 6; leg++) {
-      const out = unit(minus(machine.b[leg], middle));
-      write(String(leg + 1), along(along(machine.b[leg], out, 3.2 * machine.thick), machine.up, -1.5 * machine.thick), picture, "leg");
+      const from = minus(machine.b[leg], middle);
+      const at = along(along(machine.b[leg], unit(from), 3.2 * machine.thick), machine.up, -1.5 * machine.thick);
+      // Numbers behind the machine are pale: what stands before them has its own.
+      write(String(leg + 1), at, picture, dot(from, back) < 0 ? "leg behind" : "leg");
     }
     if (state.frames)
       for (let i = 0; i < 3; i++) {

@@ -26,8 +26,24 @@ function bodies(scene, machine, pose, look) {
     upperPart(scene, machine, frame, leg, look);
     if (machine.universal) joint(scene, machine, frame, leg, colours);
     else knob(scene, frame.base, 1.25 * machine.thick, colours.joint);
-    knob(scene, frame.tip, 1.05 * machine.thick, colours.joint);
+    knob(scene, frame.point || frame.tip, 1.05 * machine.thick, colours.joint);
+    if (frame.point) offsets(scene, machine, frame, colours);
   }
+}
+
+// What joins axes that miss each other: from the base point to the moving axis, from there to the line of sliding, and
+// from its end to the platform point.
+function offsets(scene, machine, frame, colours) {
+  for (const [from, to] of [[frame.joint, frame.moving], [frame.moving, frame.base], [frame.tip, frame.point]])
+    strut(scene, from, to, 0.5 * machine.thick, colours.joint);
+}
+
+function strut(scene, from, to, radius, colour) {
+  const way = minus(to, from);
+  if (size(way) < 0.1 * radius) return;
+  const x = unit(way);
+  const y = unit(cross(x, Math.abs(x[0]) < 0.8 ? [1, 0, 0] : [0, 1, 0]));
+  tube(scene, from, { x, y, z: cross(x, y) }, size(way), radius, colour, 1);
 }
 
 function tube(scene, from, frame, length, radius, colour, lit) {
@@ -63,19 +79,21 @@ function lowerPart(scene, machine, frame, leg, look) {
 function upperPart(scene, machine, frame, leg, look) {
   const { thick } = machine;
   const length = Math.min(machine.upper[leg], frame.length - thick);
+  const turned = frame.up ? { x: frame.x, y: frame.up, z: cross(frame.x, frame.up) } : frame;
   tube(scene, along(frame.tip, frame.x, -length), frame, length, 0.55 * thick, look.force[leg], 0);
   if (machine.universal)
-    key(scene, along(frame.tip, frame.x, -length), frame, length - 1.1 * thick, 0.55 * thick, 0.14 * thick, look.colours.joint);
+    key(scene, along(frame.tip, frame.x, -length), turned, length - 1.1 * thick, 0.55 * thick, 0.14 * thick, look.colours.joint);
 }
 
-// The cross of a universal joint: one bar along the fixed axis k, one along y, which turns about it.
+// The cross of a universal joint: one bar along the fixed axis k, one along y, which turns about it, where that one is.
 function joint(scene, machine, frame, leg, colours) {
   const { thick } = machine;
   const k = machine.k[leg];
   for (const [axis, colour] of [[k, colours.fixed], [frame.y, colours.joint]]) {
     const side = unit(cross(axis, frame.x), frame.z);
     const bars = { x: axis, y: side, z: cross(axis, side) };
-    tube(scene, along(frame.base, axis, -1.9 * thick), bars, 3.8 * thick, 0.42 * thick, colour, 1);
+    const middle = axis === k ? frame.joint || frame.base : frame.moving || frame.base;
+    tube(scene, along(middle, axis, -1.9 * thick), bars, 3.8 * thick, 0.42 * thick, colour, 1);
   }
 }
 
@@ -103,7 +121,9 @@ function skeleton(scene, machine, pose, look) {
   outline(scene, ring(machine.b, machine.baseRing), colours.base, 2);
   outline(scene, ring(machine.p, machine.platformRing, pose), colours.platform, 2);
   for (let leg = 0; leg < 6; leg++) {
-    const { base, tip } = legFrame(machine, pose, leg);
+    const { base, tip, joint, moving, point } = legFrame(machine, pose, leg);
+    for (const [from, to] of point ? [[joint, moving], [moving, base], [tip, point]] : [])
+      scene.lines.push([...from, ...to, ...colours.joint, 2]);
     scene.lines.push([...base, ...tip, ...colours.ink, 5], [...base, ...tip, ...look.force[leg], 3]);
   }
 }

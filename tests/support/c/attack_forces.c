@@ -1,4 +1,4 @@
-/* Oracle of a force kernel: prepare, one pose and batch. See attack.h. */
+/* Oracle of a force kernel: prepare, one pose, batch and batch of columns. See attack.h. */
 #include "attack.h"
 #include HEADER
 
@@ -69,6 +69,48 @@ static void batch(
     free(block);
 }
 
+/* The same of columns, one after the other. */
+static void columns(const attack_case *it, const MODEL *model, stewart_real (*alone)[6], const int *expected)
+{
+    attack_arrays rows;
+    stewart_motions motions;
+    const stewart_real *from[ARRAYS], *to[ARRAYS];
+    void *block[ARRAYS + 1];
+    stewart_real *F = attack_array(it, it->count * 6, &block[ARRAYS]);
+    size_t pose, j;
+    int i, found;
+    attack_arrays_make(it, &rows);
+    memcpy(from, &rows.motions, sizeof from);
+    for (i = 0; i < ARRAYS; ++i) {
+        const size_t width = i == ARRAY_R ? 9 : 3;
+        stewart_real *numbers = attack_array(it, it->count * width, &block[i]);
+        for (j = 0; from[i] && j < it->count * width; ++j) {
+            numbers[j % width * it->count + j / width] = from[i][j];
+        }
+        to[i] = from[i] ? numbers : 0;
+    }
+    memcpy(&motions, to, sizeof to);
+    found = KERNEL_NAME(_forces_columns)(model, it->count, it->count, &motions, F, 0);
+    if (found == STEWART_BAD_ARGUMENT) {
+        EXPECT(attack_untouched(F, it->count * 6 * sizeof *F));
+    } else {
+        EXPECT(found == attack_first(expected, it->count));
+        for (pose = 0; pose < it->count; ++pose) {
+            for (j = 0; j < 6; ++j) {
+                EXPECT(memcmp(&alone[pose][j], &F[j * it->count + pose], sizeof *F) == 0);
+            }
+        }
+    }
+    if (it->count > 0) {
+        EXPECT(KERNEL_NAME(_forces_columns)(model, it->count, it->count - 1, &motions, F, 0) == STEWART_BAD_ARGUMENT);
+    }
+    EXPECT(KERNEL_NAME(_forces_columns)(0, it->count, it->count, &motions, F, 0) == STEWART_BAD_ARGUMENT);
+    for (i = 0; i <= ARRAYS; ++i) {
+        free(block[i]);
+    }
+    attack_arrays_free(&rows);
+}
+
 void JOINED(attack_, KERNEL, _forces)(const attack_case *it)
 {
     MODEL *model = prepared(it);
@@ -82,6 +124,7 @@ void JOINED(attack_, KERNEL, _forces)(const attack_case *it)
             expected[pose] = one_pose(it, model, pose, F[pose]);
         }
         batch(it, model, F, expected, status);
+        columns(it, model, F, expected);
         memset(F, ATTACK_UNTOUCHED, sizeof F);
         EXPECT(KERNEL_NAME(_forces)(0, &it->pose[0], F[0]) == STEWART_BAD_ARGUMENT);
         EXPECT(KERNEL_NAME(_forces)(model, 0, F[0]) == STEWART_BAD_ARGUMENT);

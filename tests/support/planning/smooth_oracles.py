@@ -116,7 +116,8 @@ def peak_force(robot: Robot, path: Path, cells: int, start: np.ndarray, duration
         a, b, d, e = (casadi.DM(x[rows]) for x in coefs)
         second, first = casadi.repmat(u, 1, 6), casadi.repmat(z[rows], 1, 6)
         force = casadi.vec(a * second + b * first**2 + d * first + e)
-        g += [force - peak, -force - peak]
+        own = np.repeat(robot.force_limit / limit, cells)
+        g += [force - peak, -force - peak, force - own, -force - own]
     top = np.full(cells + 2, 1e6)
     top[[0, cells]] = 0.0
     problem = {"x": casadi.vertcat(z, peak), "f": peak, "g": casadi.vertcat(*g)}

@@ -14,7 +14,6 @@ def spread_leg(model: "alone(Model)", leg: "Integer", to: "alone(Model)") -> Non
 
 def load_motions(motions: "Motions", first: "Count", count: "Count", at: "MotionLanes") -> None:
     """Motions of eight poses, component by component."""
-    padded = blank(array(72))
     LOADS
 
 

@@ -1,0 +1,193 @@
+"""Forces of motions in columns: the bits and statuses of the ordinary batch, at any length and layout."""
+
+import ctypes
+import dataclasses
+from typing import Any
+
+import numpy as np
+import pytest
+from machines import random_motion, random_robot
+from motion_fields import FIELDS
+from numpy.typing import NDArray
+from unsolvable_poses import semiregular
+
+import stewart_sym as ss
+from stewart_sym.backend.c_kernel import address, pointers
+from stewart_sym.backend.fidelity import FIDELITIES
+from stewart_sym.dynamics import forces
+from stewart_sym.dynamics.forces import ForceKernel
+from stewart_sym.motion.motion import Motion
+from stewart_sym.robot.robot import Robot
+
+Array = NDArray[Any]
+LOADS = ("F_ext", "M_ext")
+SIZES = (0, 1, 7, 8, 9, 1000)
+
+
+def flat(rng: np.random.Generator, base_joint: str = "universal") -> Robot:
+    """Of threefold symmetry: turned by 90 degrees about its axis, H is singular."""
+    turns = ([-12, 12, 108, 132, 228, 252], 1.0), ([-45, 45, 75, 165, 195, 285], 0.5)
+    base, plate = (semiregular(*each) for each in turns)
+    return dataclasses.replace(random_robot(rng, base_joint, scale=1.0), b=base, p=plate)
+
+
+def with_faults(rng: np.random.Generator, robot: Robot, count: int) -> Motion:
+    """Regular poses, and of every hundred some with each fault: NaN, infinity, length zero, near the joint
+    singularity and in it, H singular."""
+    motion = random_motion(rng, robot, (count,))
+    parts = {name: getattr(motion, name).copy() for name in FIELDS}
+    for i in range(0, count, 100):
+        for kind, place in enumerate(rng.permutation(min(100, count - i))[:7] + i):
+            reach = robot.b[2] - parts["R"][place] @ robot.p[2]
+            if kind == 0:
+                parts[FIELDS[i // 100 % len(FIELDS)]][place].flat[-1] = np.nan
+            elif kind == 1:
+                parts["a"][place, 1] = np.inf
+            elif kind == 5:
+                parts["R"][place], parts["t"][place] = [[0, -1, 0], [1, 0, 0], [0, 0, 1]], (0, 0, 1)
+            elif kind == 6:
+                parts["t"][place] = 1e200
+            else:
+                along = {2: np.zeros(3), 3: robot.k[2], 4: robot.k[2] + [0.01, 0.01, -0.01]}[kind]
+                parts["t"][place] = reach + along
+    return Motion.unchecked(**parts)
+
+
+def columns(motion: Motion, dtype: Any, stride: int | None = None) -> list[Array]:
+    """Arrays of a motion in columns, so far apart."""
+    found = []
+    with np.errstate(over="ignore"):
+        for name in FIELDS:
+            width = 9 if name == "R" else 3
+            array = getattr(motion, name).reshape(-1, width).astype(dtype)
+            room = np.empty((array.shape[1], max(stride or 0, len(array))), dtype=dtype)
+            room[:, : len(array)] = array.T
+            found.append(room[:, : len(array)])
+    return found
+
+
+def check(kernel: ForceKernel, motion: Motion, stride: int | None = None, threads: int = 1) -> None:
+    """The columns' bits and statuses are those of the ordinary batch."""
+    with np.errstate(over="ignore"):
+        F, status = kernel.forces_and_status(motion)
+    found, codes = kernel.forces_of_columns(*columns(motion, kernel.dtype, stride), threads=threads)
+    assert found.shape == (6, len(status))
+    assert (codes == status).all()
+    assert np.ascontiguousarray(found.T).tobytes() == F.tobytes()
+
+
+@pytest.mark.parametrize("precision", ["double", "float"])
+@pytest.mark.parametrize("count", SIZES)
+def test_columns_have_the_bits_and_statuses_of_the_batch(count: int, precision: forces.Precision) -> None:
+    rng = np.random.default_rng(160 + count)
+    robot = flat(rng)
+    motion = with_faults(rng, robot, count)
+    for formulation in ("exact", "paper"):
+        kernel = ss.prepare(robot, formulation, precision)
+        check(kernel, motion)
+        check(kernel, motion, stride=1024)
+    if count >= 100:
+        with np.errstate(over="ignore"):
+            codes = set(ss.prepare(robot, precision=precision).forces_and_status(motion)[1])
+        assert codes >= {0, 1, 2} | ({3, 4} if precision == "double" else set())
+
+
+@pytest.mark.parametrize("fidelity", [name for name in FIDELITIES if name != "general"])
+def test_columns_of_reduced_kernels_do_too(fidelity: str) -> None:
+    rng = np.random.default_rng(161)
+    robot = flat(rng)
+    check(ss.prepare(robot, fidelity=fidelity), with_faults(rng, robot, 109))
+
+
+def test_columns_of_other_base_joints_do_too() -> None:
+    rng = np.random.default_rng(162)
+    for formulation in ("exact", "paper"):
+        robot = flat(rng, "spherical")
+        check(ss.prepare(robot, formulation), with_faults(rng, robot, 109))
+
+
+@pytest.mark.parametrize("threads", [2, 3, 64])
+def test_threads_and_parts_of_longer_arrays_change_no_bit(
+    threads: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(forces, "LEAST_SHARE", 10)
+    rng = np.random.default_rng(163)
+    robot = flat(rng)
+    motion, kernel = with_faults(rng, robot, 203), ss.prepare(robot)
+    check(kernel, motion, threads=threads)
+    whole = columns(motion, np.float64)
+    F, status = kernel.forces_of_columns(*whole)
+    part, codes = kernel.forces_of_columns(*(array[:, 5:97] for array in whole))
+    assert part.tobytes() == np.ascontiguousarray(F[:, 5:97]).tobytes()
+    assert (codes == status[5:97]).all()
+
+
+def test_no_load_is_none_and_unsolvable_poses_keep_what_they_had() -> None:
+    rng = np.random.default_rng(164)
+    robot = flat(rng)
+    kernel, motion = ss.prepare(robot), with_faults(rng, robot, 19)
+    arrays: list[Array | None] = [*columns(motion, np.float64, 24)[:-2], None, None]
+    unloaded = Motion.unchecked(**{name: getattr(motion, name) for name in FIELDS if name not in LOADS})
+    expected, wanted = kernel.forces_and_status(unloaded)
+    F, status = np.full((6, 24), 7.5), np.full(19, -1, dtype=np.int32)
+    kernel.columns_into(arrays, F[:, :19], status)
+    assert (status == wanted).all()
+    assert status.any()
+    assert (F[:, :19][:, status == 0] == expected[status == 0].T).all()
+    assert (F[:, :19][:, status != 0] == 7.5).all()
+    assert (F[:, 19:] == 7.5).all()
+
+
+def test_matrices_lists_and_mixed_layouts_are_taken_as_well() -> None:
+    rng = np.random.default_rng(165)
+    robot = random_robot(rng)
+    kernel, motion = ss.prepare(robot), random_motion(rng, robot, (11,))
+    arrays = columns(motion, np.float64)
+    F, _ = kernel.forces_of_columns(*arrays)
+    mixed = [arrays[0].reshape(3, 3, 11), np.asfortranarray(arrays[1]), arrays[2].tolist(), *arrays[3:]]
+    assert (kernel.forces_of_columns(*mixed)[0] == F).all()
+
+
+def test_arrays_that_do_not_fit_are_named_in_one_line() -> None:
+    rng = np.random.default_rng(166)
+    robot = random_robot(rng)
+    kernel, motion = ss.prepare(robot), random_motion(rng, robot, (4,))
+    arrays = columns(motion, np.float64)
+    for place, name in enumerate(FIELDS[:-2]):
+        for bad in (arrays[place].T, arrays[place][:-1], arrays[place][:, 0], "forces", None):
+            with pytest.raises(ValueError, match=rf"^{name}: expected .*, got .*\Z"):
+                kernel.forces_of_columns(*arrays[:place], bad, *arrays[place + 1 :])
+    F, status = np.zeros((6, 4)), np.zeros(4, dtype=np.int32)
+    frozen = np.zeros((6, 4))
+    frozen.setflags(write=False)
+    wide = np.zeros((3, 8))[:, :4]
+    bad_ones: list[tuple[str, Any]] = [
+        ("R", ([None, *arrays[1:]], F, status)),
+        ("t", ([arrays[0], wide, *arrays[2:]], F, status)),
+        ("t", ([arrays[0], np.zeros((3, 8))[:, ::2], *arrays[2:]], F, status)),
+        ("a", ([*arrays[:5], arrays[5].astype(np.float32), *arrays[6:]], F, status)),
+        ("arrays", (arrays[:6], F, status)),
+        ("F", (arrays, F.T, status)),
+        ("F", (arrays, frozen, status)),
+        ("status", (arrays, F, np.zeros(4))),
+        ("threads", (arrays, F, status, 0)),
+    ]
+    for name, arguments in bad_ones:
+        with pytest.raises(ValueError, match=rf"^{name}: expected .*\Z"):
+            kernel.columns_into(*arguments)
+
+
+def test_c_rejects_null_and_strides_below_the_count() -> None:
+    rng = np.random.default_rng(167)
+    robot = random_robot(rng)
+    kernel, motion = ss.prepare(robot), random_motion(rng, robot, (3,))
+    arrays, F = columns(motion, np.float64), np.zeros((6, 3))
+
+    def code(count: int, stride: int, given: list[Any]) -> int:
+        call = kernel.function("forces_columns")
+        sizes = ctypes.c_size_t(count), ctypes.c_size_t(stride)
+        return int(call(address(kernel.model), *sizes, pointers(given), address(F), None))
+
+    assert code(3, 3, arrays) == 0
+    assert code(3, 2, arrays) == code(3, 3, [None, *arrays[1:]]) == 5
+    assert code(3, 3, [*arrays[:-2], None, None]) == 0

@@ -1,0 +1,191 @@
+"""Limits of jerk, least energy and least peak force in a duration: against IPOPT and simpler motions."""
+
+import dataclasses
+from functools import cache
+
+import numpy as np
+import pytest
+from smooth_oracles import peak_force, smooth_optimum
+from via_cases import planned_case, straight, via_case, with_limits
+
+from stewart_sym.drives.effort import drive_effort
+from stewart_sym.dynamics.inverse import inverse_dynamics
+from stewart_sym.kinematics.inverse import inverse_kinematics
+from stewart_sym.planning.certificate import certify_plan
+from stewart_sym.planning.path_terms import Limits, travelled
+from stewart_sym.planning.time_path import TimedPath, time_path
+from stewart_sym.robot.drive import Drive
+
+LONGER = 1.5
+"""Durations over the least time."""
+
+
+@cache
+def case(seed: int):
+    """A machine with limits of force, a path, and its least time."""
+    robot, poses = via_case(seed)
+    path = straight(robot, poses)
+    robot = with_limits(robot, path)
+    return robot, path, time_path(robot, path, cells=300)
+
+
+def jerk_of(seed: int) -> float:
+    """A limit of jerk that slows the motion, m/s^3."""
+    robot, _, quick = case(seed)
+    legs = inverse_kinematics(robot, quick.sample(np.linspace(0.0, quick.duration, 999)))
+    return float(np.abs(legs.L_ddot).max() / (0.1 * quick.duration))
+
+
+def work(plan: TimedPath, motion=None) -> float:
+    """Of the leg forces, J."""
+    times = np.linspace(0.0, plan.duration, 8001)
+    motion = plan.sample(times) if motion is None else motion
+    F = inverse_dynamics(plan.robot, motion, backend="reference").F
+    return float(np.trapezoid(np.sum(F * inverse_kinematics(plan.robot, motion).L_dot, axis=-1), times))
+
+
+def peak(plan: TimedPath) -> float:
+    return float(
+        np.abs(inverse_dynamics(plan.robot, plan.sample(np.linspace(0.0, plan.duration, 8001))).F).max()
+    )
+
+
+def simpler(plan: TimedPath, quick: TimedPath):
+    """Of the same duration: the least-time motion slowed, and s = 10 x^3 - 15 x^4 + 6 x^5."""
+    slow = dataclasses.replace(quick, profile=quick.profile.slowed(quick.duration / plan.duration))
+    x = np.linspace(0.0, 1.0, 8001)
+    s = x**3 * (10.0 - 15.0 * x + 6.0 * x**2)
+    rate, second = 30.0 * (x * (1.0 - x)) ** 2, 60.0 * x * (1.0 - x) * (1.0 - 2.0 * x)
+    quintic = travelled(plan.path(s), rate / plan.duration, second / plan.duration**2)
+    return slow.sample(x * slow.duration), quintic
+
+
+def check_jerk(seed: int) -> None:
+    robot, path, quick = case(seed)
+    jerk = jerk_of(seed)
+    plan = time_path(robot, path, limits=Limits(jerk=jerk))
+    assert plan.duration > quick.duration
+    assert plan.duration == pytest.approx(smooth_optimum(robot, plan, 300, jerk=jerk), rel=1e-3)
+
+
+def test_least_time_within_jerk_is_that_of_collocation() -> None:
+    check_jerk(0)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(1, 10))
+def test_least_time_within_jerk_is_that_of_collocation_on_more_machines(seed: int) -> None:
+    check_jerk(seed)
+
+
+def test_jerk_is_kept_and_reached_and_motions_begin_and_end_without_acceleration() -> None:
+    robot, path, _ = case(1)
+    jerk = jerk_of(1)
+    plan = time_path(robot, path, limits=Limits(jerk=jerk), cells=150)
+    proof = certify_plan(plan)
+    assert proof.holds
+    assert proof.used > 1.0 - 1e-3
+    times = np.linspace(0.0, plan.duration, 40_001)
+    seconds = inverse_kinematics(robot, plan.sample(times)).L_ddot
+    found = np.abs(np.diff(seconds, axis=0)).max() / times[1]
+    assert 0.99 * jerk < found <= (1.0 + 1e-6) * jerk
+    assert np.abs(seconds[[0, -1]]).max() < 1e-9 * np.abs(seconds).max()
+    faster = dataclasses.replace(plan, profile=plan.profile.slowed(1.001))
+    assert not certify_plan(faster).holds
+
+
+def check_energy(seed: int) -> None:
+    robot, path, quick = case(seed)
+    duration = LONGER * quick.duration
+    plan = time_path(robot, path, least="energy", duration=duration)
+    assert plan.duration == pytest.approx(duration, rel=1e-12)
+    expected = smooth_optimum(robot, plan, 600, duration=duration)
+    assert work(plan) == pytest.approx(expected, rel=1e-3)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(10))
+def test_least_energy_is_that_of_collocation(seed: int) -> None:
+    check_energy(seed)
+
+
+def test_least_energy_is_below_that_of_simpler_motions_and_all_limits_hold() -> None:
+    robot, path, quick = case(0)
+    plan = time_path(robot, path, least="energy", duration=LONGER * quick.duration, cells=150)
+    assert certify_plan(plan).holds
+    for motion in simpler(plan, quick):
+        assert work(plan) < 0.99 * work(plan, motion)
+
+
+def test_least_electrical_energy_has_friction_and_heat_of_windings_in_it() -> None:
+    robot, path, quick = case(2)
+    lead = 0.01 * float(np.linalg.norm(robot.b, axis=-1).mean())
+    force, duration = robot.force_limit, LONGER * quick.duration
+    drive = Drive(
+        lead=lead,
+        efficiency=0.8,
+        back_efficiency=0.7,
+        screw_coulomb=0.02 * force,
+        torque_constant=1e-3 * force * lead,
+        resistance=1e-4 * force * lead / duration,
+    )
+    robot = dataclasses.replace(robot, drive=drive)
+    plan = time_path(robot, path, least="energy", duration=duration, cells=150)
+    assert certify_plan(plan).holds
+    x = np.linspace(0.0, 1.0, 8001) * duration
+
+    def energy(motion) -> float:
+        return float(drive_effort(robot, motion, x).energy.sum())
+
+    own = energy(plan.sample(x))
+    for motion in simpler(plan, quick):
+        assert own < 0.995 * energy(motion)
+    free = dataclasses.replace(robot, drive=dataclasses.replace(drive, resistance=0.0, efficiency=1.0))
+    cold = time_path(free, path, least="energy", duration=duration, cells=150)
+    assert own < energy(cold.sample(x)) * (1.0 - 1e-4)
+
+
+def check_peak(seed: int) -> None:
+    robot, path, quick = case(seed)
+    duration = 1.2 * quick.duration
+    plan = time_path(robot, path, least="peak-force", duration=duration, cells=300)
+    assert plan.duration == pytest.approx(duration, rel=1e-12)
+    nodes = plan.profile.nodes
+    start = np.interp(np.linspace(0.0, 1.0, 1001), nodes.s, nodes.rate) + 1e-3
+    start[[0, -1]] = 0.0
+    assert peak(plan) == pytest.approx(peak_force(robot, path, 1000, start, duration), rel=1e-3)
+    for motion in simpler(plan, quick):
+        assert peak(plan) < np.abs(inverse_dynamics(robot, motion).F).max()
+    assert certify_plan(plan).holds
+
+
+def test_least_peak_force_is_that_of_collocation_and_below_that_of_simpler_motions() -> None:
+    check_peak(0)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(1, 10))
+def test_least_peak_force_is_that_of_collocation_on_more_machines(seed: int) -> None:
+    check_peak(seed)
+
+
+def test_the_least_time_is_named_where_a_duration_is_shorter() -> None:
+    robot, path, quick = case(0)
+    with pytest.raises(ValueError, match=f"duration: expected at least the least time, {quick.duration:.3g}"):
+        time_path(robot, path, least="energy", duration=0.5 * quick.duration, cells=300)
+
+
+def test_in_the_least_time_there_is_one_motion() -> None:
+    robot, path, quick = case(0)
+    plan = time_path(robot, path, least="energy", duration=quick.duration, cells=300)
+    assert work(plan) == pytest.approx(work(quick), rel=1e-6)
+
+
+def test_what_every_motion_takes_as_much_of_is_one_line() -> None:
+    robot, path = planned_case(0, friction=False)
+    with pytest.raises(ValueError, match="expected viscous friction or a resistance of windings"):
+        time_path(robot, path, least="energy", duration=1e3, cells=50)
+    with pytest.raises(ValueError, match="duration: missing"):
+        time_path(robot, path, least="energy")
+    with pytest.raises(ValueError, match='duration: expected least = "energy" or "peak-force" beside it'):
+        time_path(robot, path, duration=4.0)

@@ -1,0 +1,81 @@
+"""Least time within torque, speed, current and power of the motors: against IPOPT, and between the nodes."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+from motor_cases import QUANTITIES, motor_case
+from smooth_oracles import motor_duration
+
+from stewart_sym.drives.effort import drive_effort
+from stewart_sym.planning.certificate import certify_plan
+from stewart_sym.planning.motor_terms import rotor_terms
+from stewart_sym.planning.path_terms import Limits, terms_along, travelled
+from stewart_sym.planning.time_path import time_path
+from stewart_sym.reference.newton_euler import rotor_force
+
+ORACLE_CELLS = 1000
+
+
+def check_against_collocation(seed: int) -> None:
+    robot, path = motor_case(seed)
+    found = time_path(robot, path)
+    nodes = found.profile.nodes
+    start = 0.9 * np.interp(np.linspace(0.0, 1.0, ORACLE_CELLS + 1), nodes.s, nodes.rate) + 1e-3
+    start[[0, -1]] = 0.0
+    expected = motor_duration(robot, path, ORACLE_CELLS, start)
+    assert found.duration == pytest.approx(expected, rel=1e-3)
+
+
+def test_least_time_within_the_motors_limits_is_that_of_collocation() -> None:
+    check_against_collocation(1)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", [0, *range(2, 11)])
+def test_least_time_within_the_motors_limits_is_that_of_collocation_on_more_machines(seed: int) -> None:
+    check_against_collocation(seed)
+
+
+@pytest.mark.parametrize("quantity", QUANTITIES)
+def test_each_limit_of_the_motors_is_reached_and_kept_between_the_nodes(quantity: str) -> None:
+    robot, path = motor_case(1, (quantity,))
+    plan = time_path(robot, path, cells=200)
+    proof = certify_plan(plan)
+    assert proof.used <= 1.0 + 1e-6
+    assert proof.active >= 0.95
+    times = np.linspace(0.0, plan.duration, 4001)
+    found = drive_effort(robot, plan.sample(times), times)
+    share = getattr(found, f"peak_{quantity}") / getattr(robot.drive, f"{quantity}_limit")
+    assert 1.0 - 5e-3 < share.max() <= 1.0 + 1e-6
+
+
+def test_terms_give_the_torques_of_the_drives() -> None:
+    robot, path = motor_case(0)
+    s, rng = np.linspace(0.02, 0.98, 41), np.random.default_rng(0)
+    square, second = rng.uniform(0.0, 2.0, 41), rng.normal(size=41)
+    motion = travelled(path(s), np.sqrt(square), second)
+    terms = terms_along(robot, path, s, Limits(), "exact").motors
+    found = terms.efforts(square, second) / robot.drive.turns
+    torque = drive_effort(dataclasses.replace(robot, drive=free(robot)), motion).torque
+    np.testing.assert_allclose(found, torque, atol=1e-9 * np.abs(torque).max())
+    a, b = rotor_terms(robot.drive, robot, path(s))
+    rotor = rotor_force(robot, motion)
+    np.testing.assert_allclose(
+        a * second[:, None] + b * square[:, None], rotor, atol=1e-12 * np.abs(rotor).max()
+    )
+
+
+def free(robot):
+    """The drive without limits."""
+    none = {f"{name}_limit": np.inf for name in QUANTITIES}
+    return dataclasses.replace(robot.drive, **none)
+
+
+def test_a_motor_that_cannot_move_the_machine_slowly_is_named() -> None:
+    robot, path = motor_case(1, ("torque",))
+    drive = dataclasses.replace(robot.drive, torque_limit=0.3 * robot.drive.torque_limit)
+    with pytest.raises(
+        ValueError, match=r"limits: torque of the motor of leg \d is .* times its limit at rest"
+    ):
+        time_path(dataclasses.replace(robot, drive=drive), path)
