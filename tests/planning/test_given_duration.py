@@ -18,6 +18,8 @@ from stewart_sym.robot.drive import Drive
 
 LONGER = 1.5
 """Durations over the least time."""
+# s'' is constant in the oracle's cells, and its energy is a sum of trapezoids.
+ORACLE_CELLS, TRAPEZOIDS = 4000, 2e-3
 
 
 @cache
@@ -100,7 +102,7 @@ def check_energy(seed: int) -> None:
     plan = time_path(robot, path, least="energy", duration=duration)
     assert plan.duration == pytest.approx(duration, rel=1e-12)
     expected = smooth_optimum(robot, plan, 600, duration=duration)
-    assert work(plan) == pytest.approx(expected, rel=1e-3)
+    assert work(plan) == pytest.approx(expected, rel=TRAPEZOIDS)
 
 
 @pytest.mark.slow
@@ -151,21 +153,17 @@ def check_peak(seed: int) -> None:
     plan = time_path(robot, path, least="peak-force", duration=duration, cells=300)
     assert plan.duration == pytest.approx(duration, rel=1e-12)
     nodes = plan.profile.nodes
-    start = np.interp(np.linspace(0.0, 1.0, 1001), nodes.s, nodes.rate) + 1e-3
+    start = np.interp(np.linspace(0.0, 1.0, ORACLE_CELLS + 1), nodes.s, nodes.rate) + 1e-3
     start[[0, -1]] = 0.0
-    assert peak(plan) == pytest.approx(peak_force(robot, path, 1000, start, duration), rel=1e-3)
+    assert peak(plan) == pytest.approx(peak_force(robot, path, ORACLE_CELLS, start, duration), rel=1e-3)
     for motion in simpler(plan, quick):
         assert peak(plan) < np.abs(inverse_dynamics(robot, motion).F).max()
     assert certify_plan(plan).holds
 
 
-def test_least_peak_force_is_that_of_collocation_and_below_that_of_simpler_motions() -> None:
-    check_peak(0)
-
-
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", range(1, 10))
-def test_least_peak_force_is_that_of_collocation_on_more_machines(seed: int) -> None:
+@pytest.mark.parametrize("seed", range(10))
+def test_least_peak_force_is_that_of_collocation_and_below_that_of_simpler_motions(seed: int) -> None:
     check_peak(seed)
 
 

@@ -69,7 +69,8 @@ class SmoothPath:
         parts = [self.between.used(v[:, 0], 0.5 * v[:, 1])]
         if np.isfinite(self.jerk).any():
             parts.append(np.abs(_jerk(self.legs[1], v)) / self.jerk)
-        return np.concatenate(parts, axis=-1).reshape(self.spline.cells, len(_BETWEEN), -1).max(axis=1)
+        shares = np.concatenate(parts, axis=-1).reshape(self.spline.cells, len(_BETWEEN), -1)
+        return np.asarray(shares.max(axis=1))
 
     def rooms(self, c: Array, margin: Array) -> Rooms:
         """Limits at the samples, less a margin, (4 cells + 1, m), friction as at the rates of c."""
