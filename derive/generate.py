@@ -140,7 +140,7 @@ def generated_files(progress: Progress = lambda *_: None, processes: int = 1) ->
         found[name] = made
         progress(name, seconds, len(found) / len(UNITS))
     models = {name: count for made in found.values() for name, count in made.models.items()}
-    headers = {"stewart.h": common_header(version)} | shared_headers(version)
+    headers = {"stewart.h": common_header(version), **shared_headers(version)}
     files = {name: text for made in found.values() for name, text in made.files.items()}
     return {
         **_of_c(headers),

@@ -69,7 +69,8 @@ def _imported(program: Program, shared: Collection[str], module: str) -> str:
     """The imports of a program without what it shares with a module."""
     structures = tuple(each for each in program.structures if each.name not in shared)
     functions = tuple(each for each in program.functions if each.name not in shared)
-    used = {name for each in (*structures, *functions) for name in _needed(each)}
+    parts: tuple[Structure | Function, ...] = (*structures, *functions)
+    used = {name for each in parts for name in _needed(each)}
     names = ", ".join(sorted(used.intersection(shared)))
     line = f"from .{module} import {names}"
     wrapped = f"from .{module} import (\n{wrap_list(f'    {names},', '    ')}\n)"
@@ -88,9 +89,15 @@ def _needed(part: Structure | Function) -> set[str]:
     }
 
 
+def _by_name(program: Program) -> dict[str, Structure | Function]:
+    """Structures and functions of a program."""
+    parts: tuple[Structure | Function, ...] = (*program.structures, *program.functions)
+    return {each.name: each for each in parts}
+
+
 def alike(program: Program, base: Program) -> set[str]:
     """Names of what two programs have in common, all that it needs included."""
-    own, known = ({each.name: each for each in (*of.structures, *of.functions)} for of in (program, base))
+    own, known = map(_by_name, (program, base))
     found = {name for name, part in own.items() if known.get(name) == part}
     while lost := {name for name in found if not _needed(own[name]).intersection(own) <= found}:
         found -= lost

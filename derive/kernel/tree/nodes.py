@@ -408,5 +408,6 @@ def parts_of(node: Any) -> Iterator[Any]:
         each = waiting.pop()
         if isinstance(each, Node):
             yield each
-            each = [getattr(each, name) for name in each.__match_args__]
+            names: tuple[str, ...] = each.__match_args__
+            each = [getattr(each, name) for name in names]
         waiting += [part for part in reversed(each) if isinstance(part, (Node, tuple))]
