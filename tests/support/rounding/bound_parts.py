@@ -205,6 +205,7 @@ static Number operator-(Number a) { return Number(-a.v); }
 static bool operator<=(Number a, Number b) { return a.v <= b.v; }
 static bool operator>=(Number a, Number b) { return a.v >= b.v; }
 static bool operator>(Number a, Number b) { return a.v > b.v; }
+static bool operator==(Number a, Number b) { return a.v == b.v; }
 #define stewart_real Number
 #define REAL(value) Number(value)
 #define STEWART_FABS(value) Number(fabs((value).v))

@@ -352,6 +352,7 @@ static bool operator>(const Number &l, const Number &r) { return l.value > r.val
 static bool operator<(const Number &l, const Number &r) { return l.value < r.value; }
 static bool operator>=(const Number &l, const Number &r) { return l.value >= r.value; }
 static bool operator<=(const Number &l, const Number &r) { return l.value <= r.value; }
+static bool operator==(const Number &l, const Number &r) { return l.value == r.value; }
 static Number epsilon_here() { return Number(counted() ? 2 * unit : 0); }
 
 #define STEWART_REAL Number
