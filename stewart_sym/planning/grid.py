@@ -29,7 +29,7 @@ _SECANTS = 5
 _ROUGH = 5e-4
 _APART = 0.05
 # Turns until rates are the same to this share of the largest.
-_TURNS = 12
+TURNS = 12
 _SAME = 1e-3
 
 
@@ -65,10 +65,10 @@ class Grid(NamedTuple):
         """The grid with the rates of a motion along the path, times a share."""
         return self._replace(rate=share * np.sqrt(np.interp(self.s, profile.phase.s, profile.phase.x)))
 
-    def fastest(self) -> tuple[Grid, Profile]:
+    def fastest(self, turns: int = TURNS) -> tuple[Grid, Profile]:
         """The fastest motion, in turns where bounds depend on its rates, and the grid with these."""
         grid, motors = self, self.terms.motors
-        for _ in range(_TURNS):
+        for _ in range(turns):
             profile = Profile.of(fastest(grid.s, grid.bounds()))
             if motors is None:
                 break
@@ -100,7 +100,10 @@ class Grid(NamedTuple):
         excess = np.maximum(used.max(axis=1) - 1.0, 0.0)
         none = np.zeros((1, excess.shape[1]))
         beside = np.maximum(np.concatenate([excess, none]), np.concatenate([none, excess]))
-        return self._replace(margin=self.margin + _MORE * beside)
+        # At rest, where friction ends, a limit is exceeded by a jump: each round adds more.
+        again = np.where(beside > _ROUGH, self.margin, 0.0)
+        again[2:-2] = 0.0
+        return self._replace(margin=self.margin + _MORE * beside + again)
 
     def used(self, profile: Profile, shares: Array = _SHARES) -> Array:
         """Shares of the limits that are used in every cell, (cells, shares, m), that of speed last."""

@@ -89,7 +89,9 @@ class Profile(NamedTuple):
         cosine, sine, lift = _exponentials(slope * tau**2)
         moved = rate * tau * sine + second * tau**2 * lift
         moved = np.clip(moved, 0.0, np.diff(phase.s)[cell])
-        return self._eased(phase.s[cell] + moved, rate * cosine + second * tau * sine, second + slope * moved)
+        # Rounding makes no motion turn back where it ends: friction would be that of the other way.
+        rate = np.maximum(rate * cosine + second * tau * sine, 0.0)
+        return self._eased(phase.s[cell] + moved, rate, second + slope * moved)
 
     def inside(self, shares: Array) -> tuple[Array, Array, Array]:
         """s, s'^2 and s'' at shares of every cell, (cells, shares)."""

@@ -19,7 +19,7 @@ from ..io.tables import positive
 from ..motion.motion import Motion
 from ..robot.offsets import need_no_offsets
 from ..robot.robot import LEGS, Robot
-from .grid import Grid, Source
+from .grid import TURNS, Grid, Source
 from .path_terms import Limits, Path, Terms, force_limits, terms_along, travelled
 from .profile import Ease, Profile
 from .smooth.energy_cost import EnergyCost
@@ -36,6 +36,10 @@ SMOOTH_CELLS = 300
 
 _DIVISIONS = 3
 _ROUNDS = 15
+# A limit may be exceeded by this share between the nodes.
+_ENOUGH = 2e-7
+# Turns at friction and limits of power, once the motion is nearly that of the round before.
+_FEW_TURNS = 2
 _AT_ENDS = 20
 # A machine that can just about hold its own weight at a pose of the path takes for ever to pass it.
 _HOLD = 1.0 - 1e-6
@@ -202,11 +206,11 @@ class _Task(NamedTuple):
         grid = Grid.of(self.source(limits), _first_nodes(*self.span, self.cells))
         for turn in range(_ROUNDS):
             self.progress("finding the fastest motion", turn / _ROUNDS)
-            grid, profile = grid.fastest()
+            grid, profile = grid.fastest(TURNS if turn == 0 else _FEW_TURNS)
             used = grid.used(profile)
             if turn < _DIVISIONS:
                 grid = grid.divided(profile).after(profile)
-            elif used.max() <= 1.0:
+            elif used.max() <= 1.0 + _ENOUGH:
                 break
             else:
                 grid = grid.tightened(used)
