@@ -22,6 +22,9 @@ from ..robot.offset_chains import joint_motion, motor_motion
 from ..robot.robot import LEGS, Robot
 from .friction import friction_force
 
+# A motion planned at a limit exceeds it by its own rounding, no more than this share of it.
+_USED_UP = 1e-6
+
 
 class DriveLimitWarning(UserWarning):
     """A motion takes more of a motor than its limits allow."""
@@ -286,7 +289,7 @@ class Summary:
 
 
 def _line(name: str, values: Array, limits: Array, unit: str, when: list[str] | None) -> str:
-    over = np.flatnonzero(values > limits).tolist()
+    over = np.flatnonzero(values > limits * (1.0 + _USED_UP)).tolist()
     if not over:
         return ""
     worst = max(over, key=lambda leg: float(values[leg] / limits[leg]))
