@@ -922,18 +922,6 @@ STEWART_SHARED void store_forces(
     int i, l;
     const size_t by_pose = stride > 0U ? 1U : 6U, by_leg = stride > 0U ? stride : 1U;
     stewart_real *const here = &to[first * by_pose];
-    stewart_real most = first + (size_t)POSES <= count ? REAL(0) : REAL(1);
-    for (l = 0; l < POSES; ++l) {
-        most = STEWART_LARGER(bad[l], most);
-    }
-    if (stride > 0U && most == REAL(0)) {
-        for (i = 0; i < 6; ++i) {
-            for (l = 0; l < POSES; ++l) {
-                here[(size_t)i * stride + (size_t)l] = F[i][l];
-            }
-        }
-        return;
-    }
     for (l = 0; l < POSES && first + (size_t)l < count; ++l) {
         if (bad[l] == REAL(0)) {
             for (i = 0; i < 6; ++i) {

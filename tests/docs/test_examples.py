@@ -125,7 +125,7 @@ def test_pictures_are_those_of_a_page_of_a_study_or_of_the_drawing(tmp_path: Pat
         "machine.png",
         "exported_mujoco.png",
     }
-    made |= {"slices.png", "size.png"}
+    made |= {"slices.png", "size.png", "plan_durations.png"}
     made |= {f"{page.stem}.png" for page in (DOCS / "gallery").glob("*.md") if page.stem != "index"}
     assert {path.name for page in PAGES for path in pictures(page)} == {*made, *PICTURES}
     conventions_drawing.save(tmp_path / "conventions.png")

@@ -25,13 +25,13 @@ def test_a_line_gives_a_kernel_in_c_with_the_forces_of_such_a_machine(
     assert LEVEL.name not in FIDELITIES
     monkeypatch.setattr(generate, "FIDELITIES", {LEVEL.name: LEVEL})
     monkeypatch.setattr(generate, "DRIVE_FIDELITIES", {})
-    sizes: dict[str, int] = {}
-    files = generate._fidelities("test", sizes)
-    ((name, size),) = sizes.items()
+    made = generate._fidelities("test")
+    files = made.files
+    ((name, size),) = made.models.items()
     assert LEVEL.meaning in files["fidelities.py"]
 
-    made = {path.removeprefix("c/"): text for path, text in files.items() if path.startswith("c/")}
-    library = native.load(name, c_kernel.c_sources("exact") | made)
+    sources = {path.removeprefix("c/"): text for path, text in files.items() if path.startswith("c/")}
+    library = native.load(name, c_kernel.c_sources("exact") | sources)
     rng = np.random.default_rng(3)
     robot = as_simple_as(random_robot(rng), LEVEL)
     motion = random_motion(rng, robot)

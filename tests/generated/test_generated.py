@@ -101,7 +101,7 @@ def test_optimised_c_compiles_silently_and_calls_nothing_but_square_roots(
 def functions_on_plain_numbers(text: str) -> list[str]:
     """Static functions of a source in whose text no type of its own occurs."""
     defined = re.findall(r"^(?:\w+ )*static [^;{}=]*\)\n\{\n.*?^\}$", text, re.M | re.S)
-    types = [*re.findall(r"^\} (\w+);", text, re.M), r"stewart_\w+_(?:leg|model)"]
+    types = [*re.findall(r"^\} (?:STEWART_ALIGNED )?(\w+);", text, re.M), r"stewart_\w+_(?:leg|model)"]
     own = re.compile(rf"\b(?:{'|'.join(types)})\b")
     return [each for each in defined if not own.search(each)]
 

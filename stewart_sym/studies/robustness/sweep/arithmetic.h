@@ -35,6 +35,7 @@
 #define stewart_exact_prepare OWN(stewart_exact_prepare)
 #define stewart_exact_forces OWN(stewart_exact_forces)
 #define stewart_exact_forces_batch OWN(stewart_exact_forces_batch)
+#define stewart_exact_forces_columns OWN(stewart_exact_forces_columns)
 #define stewart_exact_equations OWN(stewart_exact_equations)
 #define stewart_exact_bias OWN(stewart_exact_bias)
 #define stewart_exact_forward_dynamics OWN(stewart_exact_forward_dynamics)
