@@ -81,8 +81,9 @@ def drive_tables(found: Figures) -> dict[str, str]:
         f"The same of the robot `{found['robot']}` with the drive of the page on drives: instructions of the "
         "forces with rotors, and of what is called after them, `axial_forces`, which legs with rotors need "
         f"alone, and `motor_torques`, {torque_operations(False).total} operations without Stribeck's "
-        f"friction, which this drive has none of, {torque_operations().total} with it, as `stewart_torque.h` says; "
-        "flash of torques is that of both functions, their stack the deeper one; in bytes:"
+        f"friction, which this drive has none of, {torque_operations().total} with it, as "
+        "`stewart_torque.h` says; flash of torques is that of both functions, their stack the "
+        "deeper one; in bytes:"
     )
     header = (
         *("kit", "processor", "forces", "near singularity", "axial", "torques"),
