@@ -32,7 +32,7 @@ from .mechanics.axial_forces import axial_block
 from .mechanics.formulation import EXACT, EXACT_DRIVE, FORMULATIONS, Formulation
 from .mechanics.inverse_dynamics import Kernel, kernel
 from .mechanics.kinematics import Kinematics, kinematics
-from .mechanics.legs.rotor import NONE, rotor_of
+from .mechanics.legs.rotor import NONE, REFLECTED, rotor_of
 from .mechanics.offset_forces import offset_kernel
 from .mechanics.orientation import quaternion, rpy
 from .mechanics.reduced_models import DRIVE_FIDELITIES, FIDELITIES, Fidelity, fidelity_kernel, level_of
@@ -95,9 +95,12 @@ def reduced_kinematics() -> Kinematics:
 
 
 @cache
-def reduced_axial(form: Formulation) -> Block:
-    """The block of the axial forces of a formulation with rotors as it is emitted: derived, then shared."""
-    return share(axial_block(form))
+def reduced_axial(form: Formulation, reflected: bool = False) -> Block:
+    """The block of the axial forces of a formulation with rotors as it is emitted: derived, then shared.
+
+    reflected: of forces that have the rotors' masses alone.
+    """
+    return share(axial_block(form, REFLECTED if reflected else None))
 
 
 @cache

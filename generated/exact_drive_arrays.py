@@ -44,7 +44,8 @@ class Leg:
         self.C_u: Any = 0.0  # N m s: viscous friction of the universal joint
         self.C_p: Any = 0.0  # N s/m: viscous friction of the prismatic joint
         self.C_s: Any = 0.0  # N m s: viscous friction of the spherical joint
-        self.m_r: Any = 0.0  # kg: reflected mass of the leg's rotor, J_r N^2 with N = 2 pi / lead
+        # kg: reflected mass of the leg's rotor, J_r N^2 with N its turn per length, rad/m
+        self.m_r: Any = 0.0
         self.j_r: Any = 0.0  # kg m: angular momentum of the leg's rotor per rate of length, J_r N
 
 
@@ -69,7 +70,8 @@ class LegConstants:
         self.k: Any = [0.0] * 3  # 1: unit vector along the fixed axis of the universal joint, base frame
         self.C_p: Any = 0.0  # N s/m: viscous friction of the prismatic joint
         self.C_s: Any = 0.0  # N m s: viscous friction of the spherical joint
-        self.m_r: Any = 0.0  # kg: reflected mass of the leg's rotor, J_r N^2 with N = 2 pi / lead
+        # kg: reflected mass of the leg's rotor, J_r N^2 with N its turn per length, rad/m
+        self.m_r: Any = 0.0
         self.j_r: Any = 0.0  # kg m: angular momentum of the leg's rotor per rate of length, J_r N
         self.h: Any = [0.0] * 3  # kg m: first moment of the upper part about the platform point, leg frame
         self.h2_x: Any = 0.0  # kg m: 2 h_x

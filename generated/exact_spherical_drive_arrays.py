@@ -34,7 +34,8 @@ class Leg:
         self.C_u: Any = 0.0  # N m s: viscous friction of the universal joint
         self.C_p: Any = 0.0  # N s/m: viscous friction of the prismatic joint
         self.C_s: Any = 0.0  # N m s: viscous friction of the spherical joint
-        self.m_r: Any = 0.0  # kg: reflected mass of the leg's rotor, J_r N^2 with N = 2 pi / lead
+        # kg: reflected mass of the leg's rotor, J_r N^2 with N its turn per length, rad/m
+        self.m_r: Any = 0.0
         self.j_r: Any = 0.0  # kg m: angular momentum of the leg's rotor per rate of length, J_r N
 
 
@@ -65,7 +66,8 @@ class LegConstants:
         self.C_u: Any = 0.0  # N m s: viscous friction of the universal joint
         self.C_p: Any = 0.0  # N s/m: viscous friction of the prismatic joint
         self.C_s: Any = 0.0  # N m s: viscous friction of the spherical joint
-        self.m_r: Any = 0.0  # kg: reflected mass of the leg's rotor, J_r N^2 with N = 2 pi / lead
+        # kg: reflected mass of the leg's rotor, J_r N^2 with N its turn per length, rad/m
+        self.m_r: Any = 0.0
         self.M_add: Any = 0.0  # kg: mass that is lumped with the platform
         self.h_add: Any = [0.0] * 3  # kg m: its first moment about platform point 1, platform frame
         self.J_add: Any = [0.0] * 6  # kg m^2: its inertia about platform point 1, platform frame

@@ -45,9 +45,9 @@ def torque_files(version: str) -> dict[str, str]:
     return made | {f"{file}.c": f"{text}\n{filled('torque.c')}"}
 
 
-def axial_name(form: Formulation) -> str:
-    """Of header and source of a formulation with rotors."""
-    return f"stewart_{form.kernel_name}_axial"
+def axial_name(form: Formulation, reflected: bool = False) -> str:
+    """Of header and source of a formulation with rotors; reflected: of forces with their masses alone."""
+    return f"stewart_{form.kernel_name}{'_reflected' if reflected else ''}_axial"
 
 
 def axial_operations(block: Block) -> Operations:
@@ -55,9 +55,9 @@ def axial_operations(block: Block) -> Operations:
     return 6 * (block.operations() + Operations(add=1))
 
 
-def axial_files(form: Formulation, block: Block, version: str) -> dict[str, str]:
-    """``stewart_..._axial`` of a formulation with rotors; block: a leg's."""
-    file, spherical = axial_name(form), form.base_joint == SPHERICAL
+def axial_files(form: Formulation, block: Block, version: str, reflected: bool = False) -> dict[str, str]:
+    """``stewart_..._axial`` of a formulation with rotors; block: a leg's; reflected: as ``axial_name``."""
+    file, masses = axial_name(form, reflected), reflected or form.base_joint == SPHERICAL
     made = header(
         "axial.h",
         file,
@@ -65,9 +65,10 @@ def axial_files(form: Formulation, block: Block, version: str) -> dict[str, str]
         rotors=True,
         file=file,
         symbol=f"{file}_forces",
-        read="b, p and m_r" if spherical else "b, p, k, m_r and j_r",
+        read="b, p and m_r" if masses else "b, p, k, m_r and j_r",
+        turns="m_r L_ddot" if masses else "m_r L_ddot + j_r A.s",
         operations=axial_operations(block),
-        statuses=_STATUSES[spherical],
+        statuses=_STATUSES[masses],
     )
     text = source(file, of_one_pose(axial_program(block)), _OF_STEWART_H, version)
     return made | {f"{file}.c": f"{text}\n{filled('axial.c', symbol=f'{file}_forces')}"}

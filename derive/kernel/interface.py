@@ -76,7 +76,9 @@ STRUCTS: dict[str, tuple[Member, ...]] = {
         _flat("speed", (6,), "m/s", "largest magnitude of the sliding velocity"),
     ),
     "drives": (
-        _flat("turns", (6,), "rad/m", "turn of the motor per change of its leg's length, 2 pi / lead, not 0"),
+        _flat(
+            "turns", (6,), "rad/m", "the motor's turn per length: 2 pi gear / lead or gear / radius, not 0"
+        ),
         _flat("driving", (6,), "1", "friction per axial force where the motor drives: 1 / efficiency - 1"),
         _flat("driven", (6,), "1", "the same where the leg drives the motor: 1 - back_efficiency"),
         _flat("coulomb", (6,), "N", "dry friction along the leg: screw_coulomb + |turns| motor_coulomb"),
@@ -243,14 +245,16 @@ def _prototype(symbol: str, parameters: Iterable[str]) -> str:
     return f"int {symbol}({', '.join(parameters)});"
 
 
-def _in(name: str, count: int, unit: str, meaning: str, shared: bool = False) -> Argument:
+def _in(
+    name: str, count: int, unit: str, meaning: str, shared: bool = False, optional: bool = False
+) -> Argument:
     """shared: one array for all poses, which may be null."""
     taken = (_flat(name, (count,), unit, meaning),)
-    return Argument(name, takes=taken, optional=shared, shared=shared)
+    return Argument(name, takes=taken, optional=shared or optional, shared=shared)
 
 
-def _out(member: Member) -> Argument:
-    return Argument(member.name, gives=(member,), written=True)
+def _out(member: Member, optional: bool = False) -> Argument:
+    return Argument(member.name, gives=(member,), written=True, optional=optional)
 
 
 def _struct(struct: str, name: str = "out") -> Argument:
@@ -369,13 +373,13 @@ CALLS: dict[str, Call] = {
         ),
     ),
     "axial_forces": Call(
-        "Forces between the parts of legs with rotors, F less m_r L_ddot + j_r A.s that turns these, and "
-        "rates of the lengths, (5): what `motor_torques` takes.",
+        "Forces between the parts of legs with rotors, F less what turns these, m_r L_ddot + j_r A.s (of the "
+        "fidelities `reflected` m_r L_ddot), and rates of the lengths, (5): what `motor_torques` takes.",
         (
             _MOTION,
             _GIVEN_F,
             _out(_flat("axial", (6,), "N", "forces that pass through the screws, positive when they extend")),
-            _out(_flat("L_dot", (6,), "m/s", "rates of the lengths; may be null")),
+            _out(_flat("L_dot", (6,), "m/s", "rates of the lengths; may be null"), optional=True),
         ),
     ),
     "motor_torques": Call(
@@ -384,7 +388,13 @@ CALLS: dict[str, Call] = {
         "stribeck_speed)^2) + mu |axial|) + viscous L_dot, mu = driving where axial L_dot > 0, else driven.",
         (
             _GIVEN_F,
-            _in("axial", 6, "N", "forces that pass through the screws; may be null without rotors: F"),
+            _in(
+                "axial",
+                6,
+                "N",
+                "forces that pass through the screws; may be null where F has no part of rotors: F",
+                optional=True,
+            ),
             _in("L_dot", 6, "m/s", "rates of the lengths, computed or measured"),
             _out(
                 _flat(
@@ -394,7 +404,10 @@ CALLS: dict[str, Call] = {
                     "torques; of a right-handed screw positive when they extend",
                 )
             ),
-            _out(_flat("current", (6,), "A", "torque / torque_constant, 0 without one; may be null")),
+            _out(
+                _flat("current", (6,), "A", "torque / torque_constant, 0 without one; may be null"),
+                optional=True,
+            ),
         ),
     ),
     "motion_from_rpy": Call(

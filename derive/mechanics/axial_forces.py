@@ -7,21 +7,24 @@ import sympy as sp
 
 from ..program.block import Block, Builder, Quantity
 from . import quantities as n
-from .formulation import SPHERICAL, Formulation
+from .formulation import Formulation
 from .kinematics import L_dot
 from .legs.leg import LegFrameMotion, leg_frame, leg_vector, platform_point_motion, rotation
-from .legs.rotor import rotor_of
+from .legs.rotor import Rotor, rotor_of
 
 F_rotor = Quantity("F_rotor", (), "N", "part of the actuator force that turns the leg's rotor")
 
 
-def axial_block(form: Formulation) -> Block:
-    """q, L, k3, 1 without a fixed axis, L_dot and F_rotor of one leg with a rotor."""
+def axial_block(form: Formulation, rotor: Rotor | None = None) -> Block:
+    """q, L, k3, 1 where no fixed axis is read, L_dot and F_rotor of one leg with a rotor.
+
+    rotor: what the forces have of it, None for all of it.
+    """
     build = Builder()
-    rotor = rotor_of(form)
+    rotor = rotor_of(form) if rotor is None else rotor
     q, _, L, inv_L, s = leg_vector(build)
     S_dot, S_ddot = platform_point_motion(build, q)
-    if form.base_joint == SPHERICAL:
+    if rotor.momentum == 0:
         k3 = sp.S.One
         rate = build.scalar("rate", s.dot(S_dot), "(5)", "sliding velocity")
         across = build.vector("across", S_dot - rate * s, "", "part of S_dot across the leg, of length L |W|")

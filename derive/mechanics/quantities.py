@@ -34,7 +34,9 @@ C_p = Quantity("C_p", (), "N s/m", "viscous friction of the prismatic joint")
 C_s = Quantity("C_s", (), "N m s", "viscous friction of the spherical joint")
 LEG = (b, p, k, m_d, r_d0, I_d0, m_u, r_u0, I_u0, C_u, C_p, C_s)
 FRICTION = (C_u, C_p, C_s)
-m_r = Quantity("m_r", (), "kg", "reflected mass of the leg's rotor, J_r N^2 with N = 2 pi / lead")
+m_r = Quantity(
+    "m_r", (), "kg", "reflected mass of the leg's rotor, J_r N^2 with N its turn per length, rad/m"
+)
 j_r = Quantity("j_r", (), "kg m", "angular momentum of the leg's rotor per rate of length, J_r N")
 ROTOR = (m_r, j_r)
 OF_LEG = (*LEG, *ROTOR)

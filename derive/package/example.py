@@ -3,6 +3,7 @@
 Takes the functions of a kit and one call of each.
 """
 
+import textwrap
 from collections.abc import Iterable, Mapping, Sequence
 
 from ..kernel.interface import Argument
@@ -49,7 +50,7 @@ def _shown(function: Function, case: Case, symbol: str) -> str:
     model = [f"    static {function.prefix}_model model;"] if function.subject == MODEL else []
     declared = [*model, *_declared(function, case.inputs), "    int status;"]
     text = [
-        f"/* {function.call.says} */",
+        *textwrap.wrap(f"/* {function.call.says} */", 108, subsequent_indent=" * ", break_long_words=False),
         f"static int show_{function.stem}(void)",
         "{",
         *declared,

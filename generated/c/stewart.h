@@ -79,7 +79,7 @@ typedef struct {
     stewart_real C_p; /* N s/m: viscous friction of the prismatic joint */
     stewart_real C_s; /* N m s: viscous friction of the spherical joint */
 #if defined(STEWART_ROTORS) /* for kernels named `drive`, in every source */
-    stewart_real m_r; /* kg: reflected mass of the leg's rotor, J_r N^2 with N = 2 pi / lead */
+    stewart_real m_r; /* kg: reflected mass of the leg's rotor, J_r N^2 with N its turn per length, rad/m */
     stewart_real j_r; /* kg m: angular momentum of the leg's rotor per rate of length, J_r N */
 #endif
 } stewart_leg;

@@ -74,8 +74,8 @@ STEWART_NODISCARD int stewart_exact_axisymmetric_friction_forces_batch(
 
 /* The same, bit for bit, of columns: component i of pose j is number [i*stride + j] of its array, i from
  * 0 to 8 of R and to 5 of F. STEWART_BAD_ARGUMENT where `stride` is less than `count`. Arrays may begin
- * anywhere; a block is one line of cache of each column where they begin at multiples of 64 bytes and
- * `stride` is one of 64 bytes, and not of 4096. */
+ * anywhere; eight poses, in float sixteen, are read at a time: fastest where arrays begin at multiples
+ * of 64 bytes and `stride` is a multiple of 64 bytes, and none of 4096. */
 STEWART_NODISCARD int stewart_exact_axisymmetric_friction_forces_columns(
     const stewart_exact_axisymmetric_friction_model *model, size_t count, size_t stride,
     const stewart_motions *motions, stewart_real *F, int *status);

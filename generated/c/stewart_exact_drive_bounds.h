@@ -31,7 +31,7 @@ typedef struct {
     stewart_real k_err[3];
     stewart_real C_p; /* N s/m: viscous friction of the prismatic joint */
     stewart_real C_s; /* N m s: viscous friction of the spherical joint */
-    stewart_real m_r; /* kg: reflected mass of the leg's rotor, J_r N^2 with N = 2 pi / lead */
+    stewart_real m_r; /* kg: reflected mass of the leg's rotor, J_r N^2 with N its turn per length, rad/m */
     stewart_real j_r; /* kg m: angular momentum of the leg's rotor per rate of length, J_r N */
     stewart_real h[3]; /* kg m: first moment of the upper part about the platform point, leg frame */
     stewart_real h_err[3];

@@ -35,7 +35,7 @@ extern "C" {
 typedef struct {
     stewart_real b[3][8]; /* m: base point, base frame */
     stewart_real p[3][8]; /* m: platform point, platform frame */
-    stewart_real m_r[8]; /* kg: reflected mass of the leg's rotor, J_r N^2 with N = 2 pi / lead */
+    stewart_real m_r[8]; /* kg: reflected mass of the leg's rotor, J_r N^2 with N its turn per length, rad/m */
     stewart_real M_P; /* kg: mass of the platform with the upper parts */
     stewart_real r_C[3]; /* m: its centre of mass, platform frame */
     stewart_real J_C[6]; /* kg m^2: its inertia about its centre of mass, platform frame */
@@ -66,8 +66,8 @@ STEWART_NODISCARD int stewart_exact_drive_reflected_massless_forces_batch(
 
 /* The same, bit for bit, of columns: component i of pose j is number [i*stride + j] of its array, i from
  * 0 to 8 of R and to 5 of F. STEWART_BAD_ARGUMENT where `stride` is less than `count`. Arrays may begin
- * anywhere; a block is one line of cache of each column where they begin at multiples of 64 bytes and
- * `stride` is one of 64 bytes, and not of 4096. */
+ * anywhere; eight poses, in float sixteen, are read at a time: fastest where arrays begin at multiples
+ * of 64 bytes and `stride` is a multiple of 64 bytes, and none of 4096. */
 STEWART_NODISCARD int stewart_exact_drive_reflected_massless_forces_columns(
     const stewart_exact_drive_reflected_massless_model *model, size_t count, size_t stride,
     const stewart_motions *motions, stewart_real *F, int *status);

@@ -38,7 +38,7 @@ typedef struct {
     stewart_real k[3][8]; /* 1: unit vector along the fixed axis of the universal joint, base frame */
     stewart_real C_p[8]; /* N s/m: viscous friction of the prismatic joint */
     stewart_real C_s[8]; /* N m s: viscous friction of the spherical joint */
-    stewart_real m_r[8]; /* kg: reflected mass of the leg's rotor, J_r N^2 with N = 2 pi / lead */
+    stewart_real m_r[8]; /* kg: reflected mass of the leg's rotor, J_r N^2 with N its turn per length, rad/m */
     stewart_real g_k[8]; /* m/s^2: gravity along the fixed axis */
     stewart_real g_x_k[3][8]; /* m/s^2: g x k, base frame */
     stewart_real C_us[8]; /* N m s: C_u + C_s */
@@ -76,8 +76,8 @@ STEWART_NODISCARD int stewart_exact_drive_reflected_slender_friction_forces_batc
 
 /* The same, bit for bit, of columns: component i of pose j is number [i*stride + j] of its array, i from
  * 0 to 8 of R and to 5 of F. STEWART_BAD_ARGUMENT where `stride` is less than `count`. Arrays may begin
- * anywhere; a block is one line of cache of each column where they begin at multiples of 64 bytes and
- * `stride` is one of 64 bytes, and not of 4096. */
+ * anywhere; eight poses, in float sixteen, are read at a time: fastest where arrays begin at multiples
+ * of 64 bytes and `stride` is a multiple of 64 bytes, and none of 4096. */
 STEWART_NODISCARD int stewart_exact_drive_reflected_slender_friction_forces_columns(
     const stewart_exact_drive_reflected_slender_friction_model *model, size_t count, size_t stride,
     const stewart_motions *motions, stewart_real *F, int *status);

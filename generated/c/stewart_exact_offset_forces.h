@@ -43,7 +43,7 @@ typedef struct {
     stewart_real C_u; /* N m s: viscous friction of the universal joint */
     stewart_real C_p; /* N s/m: viscous friction of the prismatic joint */
     stewart_real C_s; /* N m s: viscous friction of the spherical joint */
-    stewart_real m_r; /* kg: reflected mass of the leg's rotor, J_r N^2 with N = 2 pi / lead */
+    stewart_real m_r; /* kg: reflected mass of the leg's rotor, J_r N^2 with N its turn per length, rad/m */
     stewart_real j_r; /* kg m: angular momentum of the leg's rotor per rate of length, J_r N */
     stewart_real cross; /* m: from the fixed to the moving axis, along o = y x k */
     stewart_real along; /* m: from where o meets the moving axis to the line of sliding, along y */
@@ -69,7 +69,7 @@ typedef struct {
     stewart_real k[3][8]; /* 1: unit vector along the fixed axis of the universal joint, base frame */
     stewart_real C_p[8]; /* N s/m: viscous friction of the prismatic joint */
     stewart_real C_s[8]; /* N m s: viscous friction of the spherical joint */
-    stewart_real m_r[8]; /* kg: reflected mass of the leg's rotor, J_r N^2 with N = 2 pi / lead */
+    stewart_real m_r[8]; /* kg: reflected mass of the leg's rotor, J_r N^2 with N its turn per length, rad/m */
     stewart_real j_r[8]; /* kg m: angular momentum of the leg's rotor per rate of length, J_r N */
     stewart_real h[3][8]; /* kg m: first moment of the upper part about the platform point, leg frame */
     stewart_real h2_x[8]; /* kg m: 2 h_x */
@@ -119,8 +119,8 @@ STEWART_NODISCARD int stewart_exact_offset_forces_batch(
 
 /* The same, bit for bit, of columns: component i of pose j is number [i*stride + j] of its array, i from
  * 0 to 8 of R and to 5 of F. STEWART_BAD_ARGUMENT where `stride` is less than `count`. Arrays may begin
- * anywhere; a block is one line of cache of each column where they begin at multiples of 64 bytes and
- * `stride` is one of 64 bytes, and not of 4096. */
+ * anywhere; eight poses, in float sixteen, are read at a time: fastest where arrays begin at multiples
+ * of 64 bytes and `stride` is a multiple of 64 bytes, and none of 4096. */
 STEWART_NODISCARD int stewart_exact_offset_forces_columns(
     const stewart_exact_offset_model *model, size_t count, size_t stride, const stewart_motions *motions,
     stewart_real *F, int *status);

@@ -20,7 +20,7 @@ extern "C" {
 #endif
 
 /* Axial forces, N, between the parts of the legs: F, N, of an inverse dynamics with rotors, less
- * m_r L_ddot + j_r A.s that turns these; and rates of the lengths, m/s, (5), which may be null. F_ext and
+ * m_r L_ddot that turns these; and rates of the lengths, m/s, (5), which may be null. F_ext and
  * M_ext of the motion are not read. Returns a status, and writes only if it is STEWART_OK:
  * STEWART_NOT_FINITE, STEWART_ZERO_LENGTH. */
 STEWART_NODISCARD int stewart_exact_spherical_drive_axial_forces(

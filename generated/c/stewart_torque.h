@@ -10,7 +10,8 @@
  *     torque   = (F + friction) / turns
  *     current  = torque / torque_constant
  * mu is `driving` where the motor drives the leg, axial L_dot > 0, else `driven`. Within `smoothing` of zero,
- * x = L_dot / smoothing, sgn is x (3 - x^2) / 2; without smoothing it has a step, and is 0 at rest.
+ * x = L_dot / smoothing, sgn is x (3 - x^2) / 2; with smoothing <= 0 it has a step, and is 0 at rest. With
+ * stribeck_speed = 0 there is no Stribeck friction; with torque_constant <= 0, not known, a current is 0.
  *
  * Operations, six legs
  * with Stribeck's friction  352 (180 mul, 150 add, 22 div, 0 sqrt)
@@ -27,7 +28,7 @@ extern "C" {
 
 /* Constants of six drives; of a right-handed screw `turns` is > 0. */
 typedef struct {
-    stewart_real turns[6]; /* rad/m: turn of the motor per change of its leg's length, 2 pi / lead, not 0 */
+    stewart_real turns[6]; /* rad/m: the motor's turn per length: 2 pi gear / lead or gear / radius, not 0 */
     stewart_real driving[6]; /* 1: friction per axial force where the motor drives: 1 / efficiency - 1 */
     stewart_real driven[6]; /* 1: the same where the leg drives the motor: 1 - back_efficiency */
     stewart_real coulomb[6]; /* N: dry friction along the leg: screw_coulomb + |turns| motor_coulomb */
@@ -39,9 +40,11 @@ typedef struct {
 } stewart_drives;
 
 /* Torques, N m, and currents, A, of the motors. F, N: actuator forces of an inverse dynamics. axial, N: of
- * stewart_..._axial_forces where legs have rotors; null where they have none: then it is F. L_dot, m/s: rates
- * of the lengths, computed or measured. current may be null. Returns a status, and writes only if it is
- * STEWART_OK: STEWART_NOT_FINITE if an input, a constant of the drives or a result is not finite. */
+ * stewart_..._axial_forces where F turns rotors; null where legs have none, or F is of a fidelity that leaves
+ * them out: then it is F, and the torques lack what turns the rotors. L_dot, m/s: rates of the lengths,
+ * computed or measured. current may be null. Returns a status, and writes only if it is STEWART_OK:
+ * STEWART_BAD_ARGUMENT if another pointer is null, STEWART_NOT_FINITE if an input, a constant of the drives, a
+ * torque or a current, handed out or not, is not finite, as with turns = 0. */
 STEWART_NODISCARD int stewart_motor_torques(
     const stewart_drives *drives, const stewart_real F[6], const stewart_real axial[6],
     const stewart_real L_dot[6], stewart_real torque[6], stewart_real current[6]);

@@ -100,6 +100,13 @@ def meaning(fidelity: str, rotors: bool = False) -> str:
     return str((_DRIVE_TABLE if rotors else _TABLE)[_SAME.get(fidelity, fidelity)]["meaning"])
 
 
+def rotor_of(robot: Robot, fidelity: str) -> str:
+    """What the forces of a level have of the rotors: "all", their "mass" alone or "none"."""
+    if not robot.has_rotors or fidelity not in _WITH_ROTORS:
+        return "none"
+    return "all" if fidelity == _GENERAL else "mass"
+
+
 def knows_axes(robot: Robot, fidelity: str) -> bool:
     """Whether a level's kernel has the axes of universal joints."""
     return bool(_table(robot)[fidelity]["universal"])

@@ -88,8 +88,8 @@ def drive_effort(
 ) -> DriveEffort:
     """Torque, speed, current, power and energy of the motors along a motion; warns of limits exceeded.
 
-    With N = 2 pi / lead the motor's torque is (F + friction) / N. F turns the rotor too; what is left of it
-    passes through the screw, where efficiency and friction act.
+    With N its turn per length the motor's torque is (F + friction) / N. F turns the rotor too; what is left
+    of it passes through the screw, where efficiency and friction act.
 
     Parameters
     ----------

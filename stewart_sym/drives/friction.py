@@ -1,6 +1,7 @@
 """Friction of a drive: what the force at the motor exceeds that of the leg by, from the rate of length.
 
-Along the leg, with N = 2 pi / lead, F the axial force between the leg's parts and sgn the sign of L_dot:
+Along the leg, with N the motor's turn per length, F the axial force between the leg's parts and sgn the sign
+of L_dot:
 
     friction = sgn (f_c + f_s exp(-(L_dot / v_s)^2) + |N| tau_c + mu |F|) + (c + N^2 b) L_dot
 

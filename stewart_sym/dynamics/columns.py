@@ -15,6 +15,8 @@ Array = NDArray[Any]
 NAMES = (*MOTION, "F")
 _WIDTHS = (*(math.prod(shape) for shape in MOTION.values()), 6)
 _OPTIONAL = ("F_ext", "M_ext")
+_EXACTLY = 100_000
+"""Trials until two interleaved arrays are said to share memory."""
 
 
 def as_columns(values: Sequence[Any], dtype: Any) -> list[Array | None]:
@@ -36,7 +38,8 @@ def as_columns(values: Sequence[Any], dtype: Any) -> list[Array | None]:
             raise ValueError(f"{name}: expected an array {wanted}, got {array.shape}")
         count = array.shape[-1]
         found.append(array.reshape((width, count)))
-    if _stride([array for array in found if array is not None]) is None:
+    given = [array for array in found if array is not None]
+    if _stride(given) is None or not all(array.flags.aligned for array in given):
         return [None if array is None else np.ascontiguousarray(array) for array in found]
     return found
 
@@ -53,14 +56,14 @@ def stride_of(arrays: Sequence[Array | None], F: Array, count: int, dtype: Any) 
     for name, width, array in zip(NAMES, _WIDTHS, (*arrays, F), strict=True):
         if array is None and name in _OPTIONAL:
             continue
-        if not (isinstance(array, np.ndarray) and array.dtype == np.dtype(dtype)):
-            raise ValueError(f"{name}: expected an array of {np.dtype(dtype)}")
+        need_type(name, array, dtype)
         if array.shape != (width, count):
             raise ValueError(f"{name}: expected an array ({width}, {count}), got {array.shape}")
         given.append(array)
         if _stride(given) is None:
+            apart = "at least their length apart" if name == "R" else "as far apart as those of R"
             raise ValueError(
-                f"{name}: expected rows of numbers one after the other, as far apart as those of R, "
+                f"{name}: expected rows of numbers one after the other, {apart}, "
                 f"got strides of {array.strides} bytes"
             )
     if not F.flags.writeable:
@@ -68,12 +71,36 @@ def stride_of(arrays: Sequence[Array | None], F: Array, count: int, dtype: Any) 
     return _stride(given) or count
 
 
+def need_type(name: str, array: Any, dtype: Any) -> None:
+    """Raise ValueError for what is no array of this type that C can read."""
+    wanted = np.dtype(dtype)
+    if not isinstance(array, np.ndarray):
+        raise ValueError(f"{name}: expected an array of {wanted}, got {shown(array)}")
+    if array.dtype != wanted:
+        raise ValueError(f"{name}: expected an array of {wanted}, got one of {array.dtype}")
+    if not array.flags.aligned:
+        raise ValueError(f"{name}: expected an array at a multiple of {wanted.alignment} bytes, got another")
+
+
+def need_apart(arrays: Sequence[Array | None], F: Array, status: Array) -> None:
+    """Raise ValueError where what is written shares memory with another array.
+
+    arrays: in the order of ``MOTION``.
+    """
+    written = {"F": F, "status": status}
+    for place, (name, own) in enumerate(written.items()):
+        others = dict(zip(MOTION, arrays, strict=True)) | dict(list(written.items())[:place])
+        for other, array in others.items():
+            if array is not None and np.may_share_memory(own, array, _EXACTLY):
+                raise ValueError(f"{name}: expected memory of its own, got some of {other}")
+
+
 def _stride(arrays: Sequence[Array]) -> int | None:
     """Numbers from one column to the next, None where not all arrays are columns so far apart."""
     size, count = arrays[0].itemsize, arrays[0].shape[-1]
     stride = arrays[0].strides[0]
     for array in arrays:
-        plain = array.flags.aligned and (count < 2 or array.strides[1] == size)
+        plain = count < 2 or array.strides[1] == size
         if array.size and not (plain and array.strides[0] == stride >= count * size):
             return None
     return None if stride % size else max(stride // size, count)
@@ -81,10 +108,13 @@ def _stride(arrays: Sequence[Array]) -> int | None:
 
 def _numbers(name: str, value: Any, dtype: Any) -> Array:
     try:
-        with np.errstate(over="ignore"):
-            return np.asarray(value, dtype=dtype)
+        given = np.asarray(value)
+        if given.dtype.kind != "c":
+            with np.errstate(over="ignore"):
+                return given.astype(dtype, copy=False)
     except (TypeError, ValueError):
         raise ValueError(f"{name}: expected an array of numbers, got {shown(value)}") from None
+    raise ValueError(f"{name}: expected an array of real numbers, got one of {given.dtype}")
 
 
 def _named(count: int | None) -> str:

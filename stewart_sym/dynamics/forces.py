@@ -1,13 +1,13 @@
 """Actuator forces alone, from a robot prepared once: the fast path of the C kernels."""
 
 import ctypes
-import functools
 import itertools
 import math
 import os
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
+from functools import cache, partial
 from typing import Any, Literal
 
 import numpy as np
@@ -23,7 +23,7 @@ from ..motion.motion import Motion
 from ..results import NOT_FINITE, OK, SINGULAR, UNREACHABLE
 from ..robot.offset_chains import codes
 from ..robot.robot import Robot
-from .columns import as_columns, stride_of
+from .columns import as_columns, need_apart, need_type, stride_of
 from .inverse import Formulation, damped_terms, need_motion, report_faults
 
 Array = NDArray[Any]
@@ -128,6 +128,11 @@ class ForceKernel(Frozen):
 
         Raises ValueError naming the array whose type or layout is another.
         """
+        self._need_layout(arrays, F, status)
+        need_apart(arrays, F, status)
+        self._shared(status.size, threads, lambda *part: self._run(arrays, F, status, *part))
+
+    def _need_layout(self, arrays: Sequence[Array | None], F: Array, status: NDArray[np.int32]) -> None:
         wanted = np.dtype(self.dtype)
         _need_status(status)
         if len(arrays) != len(MOTION):
@@ -136,15 +141,17 @@ class ForceKernel(Frozen):
         for name, array, width in (*zip(MOTION, arrays, _WIDTHS, strict=True), ("F", F, 6)):
             if array is None and name in ("F_ext", "M_ext"):
                 continue
-            if not (isinstance(array, np.ndarray) and array.dtype == wanted and _lies_plainly(array)):
-                raise ValueError(f"{name}: expected a C-contiguous array of {wanted}")
+            need_type(name, array, wanted)
+            if not array.flags.c_contiguous:
+                raise ValueError(
+                    f"{name}: expected a C-contiguous array, got strides of {array.strides} bytes"
+                )
             if array.size != count * width or (count and array.shape[-1] not in (3, width)):
                 raise ValueError(
                     f"{name}: expected {width} numbers for each of {count} poses, got {array.size}"
                 )
         if not F.flags.writeable:
             raise ValueError("F: expected a writeable array")
-        self._shared(count, threads, lambda *part: self._run(arrays, F, status, *part))
 
     def columns_into(
         self, arrays: Sequence[Array | None], F: Array, status: NDArray[np.int32], threads: int = 1
@@ -161,8 +168,11 @@ class ForceKernel(Frozen):
         Raises ValueError naming the array whose type or layout is another.
         """
         _need_status(status)
+        if isinstance(F, np.ndarray) and F.shape[:-1] == (6,) and status.shape != F.shape[-1:]:
+            raise ValueError(f"status: expected an array {F.shape[-1:]} for F {F.shape}, got {status.shape}")
         count = status.size
         stride = stride_of(arrays, F, count, self.dtype)
+        need_apart(arrays, F, status)
         self._shared(count, threads, lambda *part: self._run_columns(arrays, F, status, stride, *part))
 
     def forces_of_columns(
@@ -240,7 +250,9 @@ class ForceKernel(Frozen):
         status = np.zeros(motion.shape, dtype=np.int32)
         for part in self._parts_to_convert(motion):
             arrays = [self._laid_out(getattr(motion, name), part) for name in MOTION]
-            self.forces_into(arrays, F[part], status[part], threads)
+            into = F[part], status[part]
+            self._need_layout(arrays, *into)
+            self._shared(into[1].size, threads, partial(self._run, arrays, *into))
         if self.robot.offsets is not None and (lost := status == NOT_FINITE).any():
             # Where no leg reaches, the kernel takes the root of a negative number.
             of_legs = codes(self.robot, motion[lost])
@@ -386,15 +398,16 @@ def _parts(count: int, threads: int) -> list[tuple[int, int]]:
     return [(start, min(share, count - start)) for start in range(0, count, share)]
 
 
-@functools.cache
+@cache
 def _pool(threads: int, process: int) -> ThreadPoolExecutor:
     """Threads of a process that wait for work; starting them anew costs more than a small batch."""
     return ThreadPoolExecutor(threads, thread_name_prefix="stewart-sym")
 
 
 def _need_status(status: Any) -> None:
-    if not isinstance(status, np.ndarray) or status.dtype != np.int32 or not status.flags.carray:
-        raise ValueError("status: expected a writeable C-contiguous array of int32")
+    need_type("status", status, np.int32)
+    if not status.flags.carray:
+        raise ValueError("status: expected a writeable C-contiguous array, got another")
 
 
 def _lies_plainly(array: Array) -> bool:

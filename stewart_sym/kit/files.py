@@ -35,7 +35,7 @@ from ..motion.motion import Motion, at_rest
 from ..results import OK
 from ..robot.robot import Robot
 from . import languages
-from .choice import DEFAULT, PRECISIONS, TORQUE, Choice, check, options
+from .choice import DEFAULT, PRECISIONS, STEMS, TORQUE, Choice, check, options
 from .fmu import UnitKernel, fmu_unit
 from .parts import Parts, generator, parts, robot_numbers
 from .poses import sample
@@ -156,11 +156,13 @@ def _has_robot(made: Parts) -> bool:
 def _vectors(robot: Robot, choice: Choice, made: Parts) -> dict[str, list[Vector]]:
     """Test vectors by function."""
     stems = tuple(function.stem for function in made.functions)
-    others = tuple(stem for stem in stems if stem != "forces")
+    torques = tuple(stem for stem in stems if stem in STEMS[TORQUE])
+    others = tuple(stem for stem in stems if stem not in ("forces", *torques))
     found: dict[str, list[Vector]] = {stem: [] for stem in stems}
     vectors_of = partial(vectors, robot, formulation=choice.formulation, precision=choice.precision)
     of_forces = vectors_of(("forces",), fidelity=choice.level, baked=choice.bake) if "forces" in stems else ()
-    for vector in (*of_forces, *(vectors_of(others) if others else ())):
+    of_torques = vectors_of(torques, fidelity=choice.level) if torques else ()
+    for vector in (*of_forces, *of_torques, *(vectors_of(others) if others else ())):
         found[vector.function].append(vector)
     return found
 

@@ -171,7 +171,8 @@ class KitInterpreter:
     def axial_forces(self, at: Numbers) -> Found:
         """axial and L_dot, (5), of forces F (6,) of ``at``."""
         name = f"{kernel_name('exact', self.base_joint)}_drive"
-        return _flat(_axial(name).run("axial_forces", self._robot, _motion(at), list(array(at["F"]))))
+        axial = _axial(name, self.fidelity != "general")
+        return _flat(axial.run("axial_forces", self._robot, _motion(at), list(array(at["F"]))))
 
     def motor_torques(self, at: Numbers) -> Found:
         """torque and current of F, axial and L_dot (6,) of ``at``: by the law, with errors of the C."""
@@ -250,9 +251,9 @@ def torques_of_law(drives: Numbers, at: Numbers) -> Found:
 
 
 @cache
-def _axial(name: str) -> Interpreter:
+def _axial(name: str, reflected: bool) -> Interpreter:
     (form,) = (each for each in FORMULATIONS if each.kernel_name == name)
-    return Interpreter(axial_program(reduced_axial(form)), ON)
+    return Interpreter(axial_program(reduced_axial(form, reflected)), ON)
 
 
 @cache

@@ -14,7 +14,7 @@ from ..derive.emit import lanes, scalar
 from ..derive.emit.closed_form import FUNCTIONS as MOTION_FUNCTIONS
 from ..derive.emit.header import common_header
 from ..derive.emit.shared import ARITHMETIC, INCLUDED, LANES, OUTPUTS, SOLVE, shared_headers
-from ..derive.emit.torque import axial_name, axial_operations, torque_operations
+from ..derive.emit.torque import axial_files, axial_name, axial_operations, torque_operations
 from ..derive.generate import (
     generator_version,
     motion_files,
@@ -103,7 +103,7 @@ def parts(robot: Robot, choice: Choice) -> Parts:
     if _KINEMATICS in choice.functions:
         found.append(_kinematics())
     if TORQUE in choice.functions:
-        found += _torques(robot)
+        found += _torques(robot, choice)
     found.append(_rotation())
     return Parts(tuple(found), before, after, choice.precision, robot.has_rotors)
 
@@ -233,23 +233,31 @@ def _kinematics() -> Part:
     return Part(file, _committed(file), tuple(functions), (_KINEMATICS,), says, INCLUDED[ARITHMETIC])
 
 
-def _torques(robot: Robot) -> list[Part]:
-    """Torques of the motors and, of legs with rotors, the axial forces that these take."""
+def _torques(robot: Robot, choice: Choice) -> list[Part]:
+    """Torques of the motors and, of forces that have rotors, the axial forces that these take."""
     found = []
-    if robot.has_rotors:
+    rotor = fidelity.rotor_of(robot, choice.level)
+    if rotor != "none":
         name = robot_kernel(robot, "exact")
         (form,) = (each for each in FORMULATIONS if each.kernel_name == name)
-        file = axial_name(form)
-        count = f"{axial_operations(reduced_axial(form)).total:,}"
+        reflected = rotor == "mass"
+        file, block = axial_name(form, reflected), reduced_axial(form, reflected)
+        made = axial_files(form, block, generator_version(), True) if reflected else _committed(file)
+        count = f"{axial_operations(block).total:,}"
         function = Function("axial_forces", f"{file}_forces", f"{file}.h", ROBOT, operations=count)
         says = "Forces that pass through the screws, for the torques: F less what turns the rotors."
-        found.append(Part(file, _committed(file), (function,), ("axial",), says, INCLUDED[ARITHMETIC]))
+        found.append(Part(file, made, (function,), ("axial",), says, INCLUDED[ARITHMETIC]))
     file = "stewart_torque"
     drive = robot.drive
     assert drive is not None
     count = f"{torque_operations(bool(np.any(drive.stribeck))).total:,}"
     function = Function("motor_torques", "stewart_motor_torques", f"{file}.h", DRIVES, operations=count)
     says = "Torques and currents of the motors, from forces of the legs and rates of their lengths."
+    if robot.has_rotors and rotor == "none":
+        says += (
+            f" The forces of fidelity {choice.level} leave the rotors out: the torques lack what turns "
+            "these, and `axial` is null."
+        )
     return [*found, Part(file, _committed(file), (function,), (TORQUE,), says, INCLUDED[ARITHMETIC])]
 
 

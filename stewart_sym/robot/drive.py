@@ -159,7 +159,7 @@ class Drive(Frozen):
 
     @property
     def turns(self) -> Array:
-        """N = 2 pi / lead: turn of the motor per change of length, rad/m, (6,)."""
+        """N, turn of the motor per change of length, rad/m, (6,): 2 pi / ``lead``."""
         return np.asarray(_ONE_TURN / self.lead)
 
     @property

@@ -2,6 +2,7 @@
 
 import ctypes
 import dataclasses
+import re
 from typing import Any
 
 import numpy as np
@@ -175,6 +176,43 @@ def test_arrays_that_do_not_fit_are_named_in_one_line() -> None:
     for name, arguments in bad_ones:
         with pytest.raises(ValueError, match=rf"^{name}: expected .*\Z"):
             kernel.columns_into(*arguments)
+
+
+def test_what_is_wrong_with_an_array_is_told() -> None:
+    rng = np.random.default_rng(168)
+    robot = random_robot(rng)
+    kernel, motion = ss.prepare(robot), random_motion(rng, robot, (4,))
+    arrays = columns(motion, np.float64)
+    F, status = np.zeros((6, 4)), np.zeros(4, dtype=np.int32)
+    moved = np.zeros(3 * 4 * 8 + 1, dtype=np.uint8)[1:].view(np.float64).reshape(3, 4)
+    halves = np.zeros((9, 8))
+    room = np.zeros((9, 4))
+    plain = [getattr(motion, name).copy() for name in FIELDS]
+    bad_ones: list[tuple[str, Any]] = [
+        ("status: expected an array (4,) for F (6, 4), got (3,)", (arrays, F, status[:3])),
+        ("status: expected an array of int32, got one of int64", (arrays, F, status.astype(np.int64))),
+        ("t: expected an array at a multiple of 8 bytes", ([arrays[0], moved, *arrays[2:]], F, status)),
+        ("R: expected rows .* at least their length apart", ([room.T.copy().T, *arrays[1:]], F, status)),
+        (
+            "a: expected an array of float64, got one of complex128",
+            ([*arrays[:5], 1j * arrays[5], *arrays[6:]], F, status),
+        ),
+        ("F: expected memory of its own, got some of R", ([room, *arrays[1:]], room[:6], status)),
+        ("status: expected memory of its own, got some of F", (arrays, F, F.view(np.int32)[0, :4])),
+    ]
+    for said, arguments in bad_ones:
+        pattern = re.escape(said).replace(r"\.\*", ".*")
+        with pytest.raises(ValueError, match=rf"^{pattern}.*\Z"):
+            kernel.columns_into(*arguments)
+    with pytest.raises(ValueError, match=r"^t: expected an array of real numbers, got one of complex128\Z"):
+        kernel.forces_of_columns(arrays[0], 1j * arrays[1], *arrays[2:])
+    with pytest.raises(ValueError, match=r"^F: expected memory of its own, got some of R\Z"):
+        kernel.forces_into(plain, plain[0].reshape(-1)[:24].reshape(4, 6), status)
+    # Interleaved rows share none.
+    halves[:, :4] = arrays[0]
+    others = [np.hstack([array, array])[:, :4] for array in arrays[1:]]
+    kernel.columns_into([halves[:, :4], *others], halves[:6, 4:], status)
+    assert (halves[:6, 4:] == kernel.forces_of_columns(*arrays)[0]).all()
 
 
 def test_c_rejects_null_and_strides_below_the_count() -> None:

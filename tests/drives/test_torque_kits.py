@@ -228,3 +228,32 @@ def test_kits_of_rotors_are_exact_whatever_they_hold() -> None:
     with pytest.raises(ValueError, match=r"^formulation: expected \"exact\" for a robot whose drive has"):
         check(Choice(("torque",), "paper"), machine(True))
     check(Choice(("torque",), "paper"), machine(False))
+
+
+@pytest.mark.parametrize("fidelity", ["no_rotor", "massless"])
+def test_torques_of_forces_without_rotors_take_these_themselves(fidelity: str) -> None:
+    choice = Choice(("forces", "torque"), fidelity=fidelity)
+    files = kit(robot_named(machine(True)), choice).files
+    assert not [name for name in files if "axial" in name]
+    assert not [name for name in files if name.endswith((".c", ".hpp")) and b"axial_forces" in files[name]]
+    assert f"fidelity {fidelity} leave the rotors out: the torques lack what turns" in " ".join(
+        files["README.md"].decode().split()
+    )
+
+
+def test_axial_forces_of_reflected_masses_leave_these_out_alone(tmp_path: Path) -> None:
+    robot, choice = robot_named(machine(True)), Choice(("forces", "torque"), fidelity="reflected_slender")
+    made, _ = write_kit(robot, tmp_path / "kit", choice)
+    assert "stewart_exact_drive_reflected_axial.c" in made.files
+    assert "stewart_exact_drive_axial.c" not in made.files
+    proves_itself(tmp_path / "kit", "gcc", "-O0")
+    assert robot.drive is not None
+    motion = random_motion(np.random.default_rng(8), robot, (3,))
+    F = ss.prepare(robot, fidelity="reflected_slender").forces(motion)
+    numbers = {name: np.asarray(getattr(robot, name)) for name in fields(True)}
+    interpreter = KitInterpreter(numbers, robot.base_joint, fidelity="reflected_slender")
+    expected = F - robot.drive.reflected_mass * ss.inverse_kinematics(robot, motion).L_ddot
+    for i in range(3):
+        at = {name: np.ravel(getattr(motion, name)[i]) for name in MOTION} | {"F": F[i]}
+        found = values(interpreter.axial_forces(at)["axial"])
+        np.testing.assert_allclose(found, expected[i], atol=1e-12 * np.abs(F).max())

@@ -205,7 +205,7 @@ def test_check_writes_a_range_below_zero_in_words(tmp_path: Path, capsys: pytest
         drive = ss.Drive(lead=lead * np.linspace(0.5, 1.0, 6))
         written(dataclasses.replace(sound(), drive=drive), tmp_path / "robot.toml")
         assert main(["check", str(tmp_path / "robot.toml")]) == 0
-        assert f"lead {told}, reflected mass 0 kg" in capsys.readouterr().out
+        assert f"{told} per turn of the motor, reflected mass 0 kg" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(("gravity", "stands", "hangs"), [(-9.81, "+z", "-z"), (9.81, "-z", "+z")])

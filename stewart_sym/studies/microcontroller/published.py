@@ -1,5 +1,6 @@
 """Table of the documentation from ``controller.json``: instructions and memory on two microcontrollers."""
 
+from ...derive.emit.torque import torque_operations
 from ..common.markdown import Figures, paragraph, table
 
 
@@ -17,10 +18,16 @@ def conditions(found: Figures) -> str:
     return paragraph(
         f"`stewart-sym controller` writes one-pose kernels for {found['robot']}, cross-compiles them with "
         f"{gcc}, `{' '.join(found['flags'])}` and {' or '.join(own.values())}, and runs them "
-        f"under QEMU {qemu}, which counts instructions. The most of {found['rows'][0]['poses']} poses, one "
+        f"under QEMU {qemu}, which counts instructions. The most of {poses(found['rows'])} poses, one "
         "of them with a leg near its joint singularity, all within the bounds of 50-digit forces; flash, RAM "
         "and stack in bytes:"
     )
+
+
+def poses(rows: list[Figures]) -> str:
+    """How many a kit tried: "17", or "15 to 17"."""
+    counts = sorted({row["poses"] for row in rows})
+    return " to ".join(str(count) for count in (counts[0], counts[-1])[: len(counts)])
 
 
 def figures(rows: list[Figures]) -> str:
@@ -73,7 +80,10 @@ def drive_tables(found: Figures) -> dict[str, str]:
     said = paragraph(
         f"The same of the robot `{found['robot']}` with the drive of the page on drives: instructions of the "
         "forces with rotors, and of what is called after them, `axial_forces`, which legs with rotors need "
-        "alone, and `motor_torques`; flash and stack in bytes:"
+        f"alone, and `motor_torques`, {torque_operations(False).total} operations without Stribeck's "
+        f"friction, which this drive has none of, {torque_operations().total} with it, as "
+        "`stewart_torque.h` says; flash of torques is that of both functions, their stack the "
+        "deeper one; in bytes:"
     )
     header = (
         *("kit", "processor", "forces", "near singularity", "axial", "torques"),

@@ -241,7 +241,7 @@ def _friction(robot: Robot) -> str:
 
 
 def _drives(drive: Drive, unit: _Unit) -> str:
-    parts = [f"lead {_range(drive.lead / unit.metres)} {unit.name}"]
+    parts = [f"{_range(drive.lead / unit.metres)} {unit.name} per turn of the motor"]
     parts.append(f"reflected mass {_short_range(drive.reflected_mass)} kg")
     parts.append(f"efficiency {_range(drive.efficiency)} driving, {_short_range(drive.back_efficiency)} back")
     if np.isfinite(drive.torque_limit).any():
