@@ -920,7 +920,8 @@ STEWART_SHARED void store_forces(
     size_t first, size_t count, stewart_real *STEWART_RESTRICT to)
 {
     int i, l;
-    const size_t by_pose = stride > 0U ? 1U : 6U, by_leg = stride > 0U ? stride : 1U;
+    const size_t by_pose = stride > 0U ? (size_t)1 : (size_t)6;
+    const size_t by_leg = stride > 0U ? stride : (size_t)1;
     stewart_real *const here = &to[first * by_pose];
     for (l = 0; l < POSES && first + (size_t)l < count; ++l) {
         if (bad[l] == REAL(0)) {
