@@ -15,7 +15,7 @@ Array = NDArray[Any]
 NAMES = (*MOTION, "F")
 _WIDTHS = (*(math.prod(shape) for shape in MOTION.values()), 6)
 _OPTIONAL = ("F_ext", "M_ext")
-_EXACTLY = 100_000
+_EXACTLY: Any = 100_000
 """Trials until two interleaved arrays are said to share memory."""
 
 
@@ -56,7 +56,7 @@ def stride_of(arrays: Sequence[Array | None], F: Array, count: int, dtype: Any) 
     for name, width, array in zip(NAMES, _WIDTHS, (*arrays, F), strict=True):
         if array is None and name in _OPTIONAL:
             continue
-        need_type(name, array, dtype)
+        array = need_type(name, array, dtype)
         if array.shape != (width, count):
             raise ValueError(f"{name}: expected an array ({width}, {count}), got {array.shape}")
         given.append(array)
@@ -71,8 +71,8 @@ def stride_of(arrays: Sequence[Array | None], F: Array, count: int, dtype: Any) 
     return _stride(given) or count
 
 
-def need_type(name: str, array: Any, dtype: Any) -> None:
-    """Raise ValueError for what is no array of this type that C can read."""
+def need_type(name: str, array: Any, dtype: Any) -> Array:
+    """The array; raises ValueError for what is none of this type that C can read."""
     wanted = np.dtype(dtype)
     if not isinstance(array, np.ndarray):
         raise ValueError(f"{name}: expected an array of {wanted}, got {shown(array)}")
@@ -80,6 +80,7 @@ def need_type(name: str, array: Any, dtype: Any) -> None:
         raise ValueError(f"{name}: expected an array of {wanted}, got one of {array.dtype}")
     if not array.flags.aligned:
         raise ValueError(f"{name}: expected an array at a multiple of {wanted.alignment} bytes, got another")
+    return array
 
 
 def need_apart(arrays: Sequence[Array | None], F: Array, status: Array) -> None:

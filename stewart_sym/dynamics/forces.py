@@ -141,7 +141,7 @@ class ForceKernel(Frozen):
         for name, array, width in (*zip(MOTION, arrays, _WIDTHS, strict=True), ("F", F, 6)):
             if array is None and name in ("F_ext", "M_ext"):
                 continue
-            need_type(name, array, wanted)
+            array = need_type(name, array, wanted)
             if not array.flags.c_contiguous:
                 raise ValueError(
                     f"{name}: expected a C-contiguous array, got strides of {array.strides} bytes"
