@@ -119,6 +119,7 @@ def test_least_energy_is_below_that_of_simpler_motions_and_all_limits_hold() -> 
         assert work(plan) < 0.99 * work(plan, motion)
 
 
+@pytest.mark.slow
 def test_least_electrical_energy_has_friction_and_heat_of_windings_in_it() -> None:
     robot, path, quick = case(2)
     lead = 0.01 * float(np.linalg.norm(robot.b, axis=-1).mean())

@@ -26,7 +26,7 @@ _MARGIN = 5e-5
 _MORE, _KEPT = 1.2, 1e-7
 # Of a limit, at the instants between the samples that are looked at.
 _AIM = 1.0 - 2e-5
-_BETWEEN = np.linspace(0.0, 1.0, 21)
+_BETWEEN = np.linspace(0.0, 1.0, 201)
 _TURNS = 3
 _ROOM, _SLOWER = 0.9, 0.9
 _SLOWEST = 1e-6
