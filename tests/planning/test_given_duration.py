@@ -20,6 +20,8 @@ LONGER = 1.5
 """Durations over the least time."""
 # s'' is constant in the oracle's cells, and its energy is a sum of trapezoids.
 ORACLE_CELLS, TRAPEZOIDS = 4000, 2e-3
+ABOVE_LEAST = 0.02
+"""Share by which a smooth motion may take more than the least energy."""
 
 
 @cache
@@ -102,7 +104,8 @@ def check_energy(seed: int) -> None:
     plan = time_path(robot, path, least="energy", duration=duration)
     assert plan.duration == pytest.approx(duration, rel=1e-12)
     expected = smooth_optimum(robot, plan, 600, duration=duration)
-    assert work(plan) == pytest.approx(expected, rel=TRAPEZOIDS)
+    found = work(plan)
+    assert -TRAPEZOIDS < (found - expected) / abs(expected) < ABOVE_LEAST
 
 
 @pytest.mark.slow
