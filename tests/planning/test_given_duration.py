@@ -6,6 +6,7 @@ from functools import cache
 import numpy as np
 import pytest
 from smooth_oracles import peak_force, smooth_optimum
+from sweeps import share
 from via_cases import planned_case, straight, via_case, with_limits
 
 from stewart_sym.drives.effort import drive_effort
@@ -77,7 +78,7 @@ def test_least_time_within_jerk_is_that_of_collocation() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", range(1, 10))
+@pytest.mark.parametrize("seed", range(1, 1 + share(9, 4)))
 def test_least_time_within_jerk_is_that_of_collocation_on_more_machines(seed: int) -> None:
     check_jerk(seed)
 
@@ -109,7 +110,7 @@ def check_energy(seed: int) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", range(10))
+@pytest.mark.parametrize("seed", range(share(10, 4)))
 def test_least_energy_is_that_of_collocation(seed: int) -> None:
     check_energy(seed)
 
@@ -167,7 +168,7 @@ def check_peak(seed: int) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", range(10))
+@pytest.mark.parametrize("seed", range(share(10, 4)))
 def test_least_peak_force_is_that_of_collocation_and_below_that_of_simpler_motions(seed: int) -> None:
     check_peak(seed)
 

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from motor_cases import QUANTITIES, motor_case
 from smooth_oracles import motor_duration
+from sweeps import share
 
 from stewart_sym.drives.effort import drive_effort
 from stewart_sym.planning.certificate import certify_plan
@@ -30,7 +31,7 @@ def check_against_collocation(seed: int) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", range(10))
+@pytest.mark.parametrize("seed", range(share(10, 4)))
 def test_least_time_within_the_motors_limits_is_that_of_collocation(seed: int) -> None:
     check_against_collocation(seed)
 
