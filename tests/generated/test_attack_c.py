@@ -127,14 +127,17 @@ def test_every_kernel_has_an_oracle(rotors: bool) -> None:
         assert (f"stewart_{kernel}{function}(" if function else "stewart_forward_kinematics(") in header
 
 
+PADDED = "if (first + (size_t)POSES <= count) {\n        return &from"
+
+
 @pytest.mark.parametrize(
     ("old", "new", "told"),
     [
         ("", "", None),
         ("if (!(STEWART_FABS(found[i]) <= STEWART_MAX)) {", "if (0) {", "attack_finite"),
-        ("if (first + (size_t)POSES <= count) {", "if (first < count) {", "heap-buffer-overflow"),
+        (PADDED, PADDED.replace("(size_t)POSES <=", "1U <="), "heap-buffer-overflow"),
         ("if (done.bad[l] > REAL(0)) {", "if (done.bad[l] > REAL(1)) {", "attack_first"),
-        ("|| motions->t == NULL) {", ") {", "null pointer"),
+        ("|| motions->R == NULL || motions->t == NULL) {", "|| motions->t == NULL) {", "null pointer"),
         ("int code = STEWART_OK;", "int code = 1 << (31 + (count > 8));", "left shift of 1"),
     ],
     ids=["sound", "not finite", "past the end", "batch", "null", "undefined"],
