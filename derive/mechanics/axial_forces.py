@@ -1,4 +1,4 @@
-"""The axial force between the parts of a leg: what is left of the motor's force when the rotor is turned.
+"""The axial force between the parts of a leg: the motor's force less that which accelerates the rotor.
 
 Efficiency and friction of a screw act on that force. What turns the rotor is m_r L_ddot + j_r A.s, (8), (9).
 """
