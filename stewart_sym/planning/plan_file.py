@@ -18,10 +18,10 @@ from ..kinematics.robot_logs import form_of
 from ..motion.log_reader import read_poses
 from ..motion.rotation import rotation_about_axes
 from ..robot.robot import Robot
-from .path_terms import Limits, six_positive
 from .plan_path import PRICE, Objective, need_poses
 from .pose_costs import PathLimits
 from .time_path import LEAST, Least
+from .timing.path_terms import Limits, six_positive
 from .via_poses import COORDINATES, ViaPose
 
 SCHEMA = 1

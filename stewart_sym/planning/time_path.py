@@ -19,11 +19,11 @@ from ..io.tables import positive
 from ..motion.motion import Motion
 from ..robot.offsets import need_no_offsets
 from ..robot.robot import LEGS, Robot
-from .grid import TURNS, Grid, Source
-from .path_terms import Limits, Path, Terms, force_limits, terms_along, travelled
-from .profile import Ease, Profile
 from .smooth.energy_cost import EnergyCost
 from .smooth.smooth_time import SmoothPath, eased, length_rates
+from .timing.grid import TURNS, Grid, Source
+from .timing.path_terms import Limits, Path, Terms, force_limits, terms_along, travelled
+from .timing.profile import Ease, Profile
 
 Least = Literal["time", "energy", "peak-force"]
 LEAST: tuple[Least, ...] = ("time", "energy", "peak-force")

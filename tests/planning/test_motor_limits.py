@@ -10,9 +10,9 @@ from sweeps import share
 
 from stewart_sym.drives.effort import drive_effort
 from stewart_sym.planning.certificate import certify_plan
-from stewart_sym.planning.motor_terms import rotor_terms
-from stewart_sym.planning.path_terms import Limits, terms_along, travelled
 from stewart_sym.planning.time_path import time_path
+from stewart_sym.planning.timing.motor_terms import rotor_terms
+from stewart_sym.planning.timing.path_terms import Limits, terms_along, travelled
 from stewart_sym.reference.newton_euler import rotor_force
 
 ORACLE_CELLS = 1000

@@ -15,9 +15,9 @@ from ...io.array_types import Array
 from ...kinematics.inverse import inverse_kinematics
 from ...motion.motion import Motion
 from ...robot.robot import Robot
-from ..grid import Source
-from ..path_terms import Path, Terms, travelled
-from ..profile import Ease, Profile
+from ..timing.grid import Source
+from ..timing.path_terms import Path, Terms, travelled
+from ..timing.profile import Ease, Profile
 from .interior_point import Cost, Rooms, duration, least
 from .rate_spline import PARTS, RateSpline, in_cells
 

@@ -9,8 +9,8 @@ import numpy as np
 from least_time_oracles import coefficients
 
 from stewart_sym.kinematics.inverse import inverse_kinematics
-from stewart_sym.planning.path_terms import Path, travelled
 from stewart_sym.planning.time_path import TimedPath
+from stewart_sym.planning.timing.path_terms import Path, travelled
 from stewart_sym.reference.newton_euler import rotor_force
 from stewart_sym.robot.robot import Robot
 

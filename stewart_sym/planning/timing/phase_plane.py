@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..io.array_types import Array
+from ...io.array_types import Array
 from .motor_terms import Rows
 
 # A quantity on which s'' has less than this share of its largest effect along the path does not bound s''.

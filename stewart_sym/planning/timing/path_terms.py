@@ -18,14 +18,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..drives.effort import motor_rates
-from ..dynamics.inverse import Formulation, inverse_dynamics
-from ..io.arguments import shown
-from ..io.array_types import Array
-from ..io.tables import positive
-from ..kinematics.inverse import inverse_kinematics
-from ..motion.motion import Motion
-from ..robot.robot import LEGS, Robot
+from ...drives.effort import motor_rates
+from ...dynamics.inverse import Formulation, inverse_dynamics
+from ...io.arguments import shown
+from ...io.array_types import Array
+from ...io.tables import positive
+from ...kinematics.inverse import inverse_kinematics
+from ...motion.motion import Motion
+from ...robot.robot import LEGS, Robot
 from .motor_terms import MotorTerms, Rows
 
 Path = Callable[[Array], Motion]

@@ -17,13 +17,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..drives.friction import constant_part, friction_force, load_share, losses, smooth_sign, viscous
-from ..io.array_types import Array, Flags
-from ..kinematics.inverse import leg_vectors
-from ..motion.motion import Motion
-from ..motion.rotation import cross
-from ..robot.drive import Drive
-from ..robot.robot import LEGS, Robot
+from ...drives.friction import constant_part, friction_force, load_share, losses, smooth_sign, viscous
+from ...io.array_types import Array, Flags
+from ...kinematics.inverse import leg_vectors
+from ...motion.motion import Motion
+from ...motion.rotation import cross
+from ...robot.drive import Drive
+from ...robot.robot import LEGS, Robot
 
 # A leg whose rate is less than this share of its largest along the path may move either way.
 _STILL = 1e-9

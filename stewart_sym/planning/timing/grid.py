@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..io.array_types import Array
+from ...io.array_types import Array
 from .path_terms import Terms
 from .phase_plane import Bounds, bounds_of, fastest
 from .profile import Profile
