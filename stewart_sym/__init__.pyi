@@ -91,7 +91,6 @@ from .planning.certificate import PlanCertificate as PlanCertificate
 from .planning.certificate import certify_plan as certify_plan
 from .planning.plan_path import PlannedPath as PlannedPath
 from .planning.plan_path import plan_path as plan_path
-from .planning.pose_costs import PathLimits as PathLimits
 from .planning.pose_path import PosePath as PosePath
 from .planning.time_path import TimedPath as TimedPath
 from .planning.time_path import time_path as time_path

@@ -11,6 +11,7 @@ from typing import Any, cast
 import numpy as np
 
 from ..backend.kernel import FORMULATIONS
+from ..design.pose_limits import PoseLimits
 from ..dynamics.inverse import Formulation
 from ..io import tables
 from ..io.array_types import Array
@@ -19,7 +20,6 @@ from ..motion.log_reader import read_poses
 from ..motion.rotation import rotation_about_axes
 from ..robot.robot import Robot
 from .plan_path import PRICE, Objective, need_poses
-from .pose_costs import PathLimits
 from .time_path import LEAST, Least
 from .timing.path_terms import Limits, six_positive
 from .via_poses import COORDINATES, ViaPose
@@ -65,7 +65,7 @@ class PlanRequest:
 
     robot: Robot
     poses: tuple[ViaPose, ...]
-    path_limits: PathLimits
+    path_limits: PoseLimits
     limits: Limits
     objective: Objective
     price: float
@@ -133,7 +133,7 @@ def _request(d: Mapping[str, Any], source: str) -> PlanRequest:
     )
 
 
-def _limits(value: object, prefix: str) -> tuple[PathLimits, Limits]:
+def _limits(value: object, prefix: str) -> tuple[PoseLimits, Limits]:
     table = tables.checked_table(value, prefix, _LIMIT_KEYS)
     found: dict[str, Any] = {}
     for key, given in table.items():
@@ -141,7 +141,7 @@ def _limits(value: object, prefix: str) -> tuple[PathLimits, Limits]:
         found[key] = check(given, prefix + key)
     own = {key: found.pop(key) for key in ("condition", "clearance") if key in found}
     try:
-        return PathLimits(**own), Limits(**found)
+        return PoseLimits(**own), Limits(**found)
     except ValueError as error:
         raise ValueError(f"{prefix}{error}") from None
 
