@@ -5,7 +5,7 @@ import dataclasses
 import numpy as np
 import pytest
 from motor_cases import QUANTITIES, motor_case
-from smooth_oracles import motor_duration
+from smooth_oracles import motor_duration, motor_nodes
 from sweeps import share
 
 from stewart_sym.drives.effort import drive_effort
@@ -24,9 +24,10 @@ def check_against_collocation(seed: int) -> None:
     robot, path = motor_case(seed)
     found = time_path(robot, path)
     nodes = found.profile.nodes
-    start = 0.9 * np.interp(np.linspace(0.0, 1.0, ORACLE_CELLS + 1), nodes.s, nodes.rate) + 1e-3
+    s = motor_nodes(robot, path, ORACLE_CELLS)
+    start = 0.9 * np.interp(s, nodes.s, nodes.rate) + 1e-3
     start[[0, -1]] = 0.0
-    expected = motor_duration(robot, path, ORACLE_CELLS, start)
+    expected = motor_duration(robot, path, s, start)
     assert -BELOW < found.duration / expected - 1.0 < ABOVE_LEAST
 
 
