@@ -15,9 +15,8 @@ from stewart_sym.planning.timing.motor_terms import rotor_terms
 from stewart_sym.planning.timing.path_terms import Limits, terms_along, travelled
 from stewart_sym.reference.newton_euler import rotor_force
 
-ORACLE_CELLS = 1000
-ABOVE_LEAST, BELOW = 0.02, 5e-3
-"""Shares: longer than the least time, and shorter than the oracle's, whose cells are coarse."""
+ORACLE_CELLS = 2000
+"""In each of which s'' is constant: with half as many the oracle's times are longer by 5e-4."""
 
 
 def check_against_collocation(seed: int) -> None:
@@ -28,11 +27,11 @@ def check_against_collocation(seed: int) -> None:
     start = 0.9 * np.interp(s, nodes.s, nodes.rate) + 1e-3
     start[[0, -1]] = 0.0
     expected = motor_duration(robot, path, s, start)
-    assert -BELOW < found.duration / expected - 1.0 < ABOVE_LEAST
+    assert found.duration == pytest.approx(expected, rel=1e-3)
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", range(share(10, 4)))
+@pytest.mark.parametrize("seed", range(share(10, 10)))
 def test_least_time_within_the_motors_limits_is_that_of_collocation(seed: int) -> None:
     check_against_collocation(seed)
 
