@@ -89,13 +89,12 @@ from .motion.straight_line import StraightLinePath as StraightLinePath
 from .motion.trajectory import Smoothing as Smoothing
 from .planning.certificate import PlanCertificate as PlanCertificate
 from .planning.certificate import certify_plan as certify_plan
-from .planning.path_terms import Limits as Limits
 from .planning.plan_path import PlannedPath as PlannedPath
 from .planning.plan_path import plan_path as plan_path
-from .planning.pose_costs import PathLimits as PathLimits
 from .planning.pose_path import PosePath as PosePath
 from .planning.time_path import TimedPath as TimedPath
 from .planning.time_path import time_path as time_path
+from .planning.timing.path_terms import Limits as Limits
 from .planning.via_poses import ViaPose as ViaPose
 from .results import EquationsOfMotion as EquationsOfMotion
 from .results import ForceDerivatives as ForceDerivatives

@@ -273,13 +273,11 @@ def weighted_quantiles(values: Array, weight: Array, shares: Array) -> Array:
 
 
 def exceeded(robot: Robot, needs: Needs) -> list[str]:
-    """One line for each limit of the robot that a need with its margin exceeds, legs numbered from 1."""
-    more = 1.0 + needs.margin
+    """One line for each limit of the robot that a need exceeds, legs numbered from 1."""
     lines = [
-        f"{name} of leg {i + 1}: {limit[i] * scale:.4g} {unit}, needed {need[i] * scale:.4g} {unit}, with "
-        f"the margin {need[i] * more * scale:.4g} {unit}"
+        f"{name} of leg {i + 1}: {limit[i] * scale:.4g} {unit}, needed {need[i] * scale:.4g} {unit}"
         for name, unit, scale, need, limit in _limited(robot, needs)
-        for i in np.flatnonzero(need * more > limit).tolist()
+        for i in np.flatnonzero(need > limit).tolist()
     ]
     low, high = robot.length_limits.T
     for i in np.flatnonzero((needs.length[:, 0] < low) | (needs.length[:, 1] > high)).tolist():
@@ -289,6 +287,17 @@ def exceeded(robot: Robot, needs: Needs) -> list[str]:
             f"{most:.4g} m"
         )
     return lines
+
+
+def margin_missing(robot: Robot, needs: Needs) -> list[str]:
+    """One line for each limit of the robot that suffices, but not with the margin, legs numbered from 1."""
+    more = 1.0 + needs.margin
+    return [
+        f"{name} of leg {i + 1}: {limit[i] * scale:.4g} {unit}, needed {need[i] * scale:.4g} {unit}, with "
+        f"the margin {need[i] * more * scale:.4g} {unit}"
+        for name, unit, scale, need, limit in _limited(robot, needs)
+        for i in np.flatnonzero((need <= limit) & (need * more > limit)).tolist()
+    ]
 
 
 def _limited(robot: Robot, needs: Needs) -> Iterator[tuple[str, str, float, Array, Array]]:

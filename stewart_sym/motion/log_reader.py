@@ -19,13 +19,13 @@ from .trajectory import (
     DERIVATIVES,
     LOADS,
     LONG_STEPS,
-    MOST_TURNS,
     POSE,
     JointTrajectory,
     Log,
     PoseLog,
     Smoothing,
     Trajectory,
+    turn_doubt,
 )
 
 # Of a CSV file; more than two million rows with everything in them.
@@ -149,12 +149,9 @@ _MOST_ACCELERATION, _LEAST_ACCELERATION = 1e5, 1e-4
 def _warn_of_angles(log: Log) -> None:
     """Warn of angles that no machine makes, and of quaternions whose scalar seems to come last."""
     if "theta" in log.written:
-        spans = np.ptp(log.vector("theta"), axis=0) / MOST_TURNS
-        axis = int(np.argmax(spans))
-        if spans[axis] > 1.0 + 1e-9:
-            span = np.ptp(log.vector("theta")[:, axis])
-            hint = "are angles in degrees (LogFormat(angle_unit='deg'))?"
-            text = f"theta_{'xyz'[axis]} over {span:.4g} rad: {hint}"
+        doubt = turn_doubt(log.vector("theta"))
+        if doubt is not None:
+            text = f"{doubt}: are angles in degrees (LogFormat(angle_unit='deg'))?"
             warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=6)
     if "q" in log.written:
         q = np.abs(log.vector("q"))

@@ -243,6 +243,16 @@ class Log:
 
 MOST_TURNS = (math.pi, math.pi, 2.0 * math.pi)
 """Tilts and turn beyond which no platform goes, rad."""
+
+
+def turn_doubt(theta: Array) -> str | None:
+    """What angles (n, 3), rad, span that no platform does, as ``theta_x over 30 rad``; None: nothing."""
+    spans = np.ptp(theta, axis=0)
+    axis = int(np.argmax(spans / MOST_TURNS))
+    over = spans[axis] > MOST_TURNS[axis] * (1.0 + 1e-9)
+    return f"theta_{'xyz'[axis]} over {spans[axis]:.4g} rad" if over else None
+
+
 LONG_STEPS = {"ms": 0.5, "us": 500.0}
 
 

@@ -13,8 +13,8 @@ from ..io.arguments import instance
 from ..io.array_types import Array
 from ..kinematics.inverse import inverse_kinematics
 from ..singularities.along_path import Crossing, LegExtreme, singularities_along
-from .path_terms import force_limits, leg_speeds, travelled
 from .time_path import TimedPath
+from .timing.path_terms import force_limits, leg_speeds, travelled
 
 FINER = 100
 """Instants in each cell of the plan's grid at which limits are checked."""

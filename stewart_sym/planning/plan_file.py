@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+import warnings
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, cast
@@ -11,17 +12,19 @@ from typing import Any, cast
 import numpy as np
 
 from ..backend.kernel import FORMULATIONS
+from ..design.pose_limits import PoseLimits
 from ..dynamics.inverse import Formulation
 from ..io import tables
 from ..io.array_types import Array
 from ..kinematics.robot_logs import form_of
 from ..motion.log_reader import read_poses
+from ..motion.noise_level import LogWarning
 from ..motion.rotation import rotation_about_axes
+from ..motion.trajectory import turn_doubt
 from ..robot.robot import Robot
-from .path_terms import Limits, six_positive
 from .plan_path import PRICE, Objective, need_poses
-from .pose_costs import PathLimits
 from .time_path import LEAST, Least
+from .timing.path_terms import Limits, six_positive
 from .via_poses import COORDINATES, ViaPose
 
 SCHEMA = 1
@@ -65,7 +68,7 @@ class PlanRequest:
 
     robot: Robot
     poses: tuple[ViaPose, ...]
-    path_limits: PathLimits
+    path_limits: PoseLimits
     limits: Limits
     objective: Objective
     price: float
@@ -110,6 +113,7 @@ def _request(d: Mapping[str, Any], source: str) -> PlanRequest:
     if given is None:
         poses = tuple(ViaPose(*pose) for pose in zip(*read_poses(files[2], form_of(robot)), strict=True))
     else:
+        _warn_of_angles(given, source)
         poses = tuple(
             ViaPose(rotation_about_axes(theta, robot.euler_order), t, *box) for t, theta, box in given
         )
@@ -133,7 +137,7 @@ def _request(d: Mapping[str, Any], source: str) -> PlanRequest:
     )
 
 
-def _limits(value: object, prefix: str) -> tuple[PathLimits, Limits]:
+def _limits(value: object, prefix: str) -> tuple[PoseLimits, Limits]:
     table = tables.checked_table(value, prefix, _LIMIT_KEYS)
     found: dict[str, Any] = {}
     for key, given in table.items():
@@ -141,7 +145,7 @@ def _limits(value: object, prefix: str) -> tuple[PathLimits, Limits]:
         found[key] = check(given, prefix + key)
     own = {key: found.pop(key) for key in ("condition", "clearance") if key in found}
     try:
-        return PathLimits(**own), Limits(**found)
+        return PoseLimits(**own), Limits(**found)
     except ValueError as error:
         raise ValueError(f"{prefix}{error}") from None
 
@@ -164,6 +168,15 @@ def _via_tables(value: object, where: str) -> list[tuple[Array, Array, tuple[Arr
         t, theta = (tables.vector(table[key], prefix + key) for key in ("t", "theta"))
         found.append((t, theta, _box(table.get("free", {}), f"{prefix}free.")))
     return found
+
+
+def _warn_of_angles(given: Sequence[tuple[Array, Array, tuple[Array, Array]]], source: str) -> None:
+    """Warn of angles that no machine makes; the level pose counts as one that it does."""
+    theta = [theta + shift[3:] for _, theta, box in given for shift in box]
+    doubt = turn_doubt(np.array([np.zeros(3), *theta]))
+    if doubt is not None:
+        text = f"{doubt}: are angles in degrees? Radians are expected"
+        warnings.warn(f"{source}: via: {text}", LogWarning, stacklevel=5)
 
 
 def _box(value: object, prefix: str) -> tuple[Array, Array]:

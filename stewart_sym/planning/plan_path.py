@@ -11,6 +11,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ..design.pose_limits import PoseLimits
 from ..io.arguments import finite_array, instance, option, shown
 from ..io.array_types import Array
 from ..io.extras import needed_for
@@ -20,7 +21,7 @@ from ..motion.motion import Motion
 from ..robot.robot import Robot
 from ..singularities.along_path import crossings
 from .path_spline import Family, by_coordinates, poses_of, scales
-from .pose_costs import ROOM, PathLimits, PoseCosts
+from .pose_costs import ROOM, PoseCosts
 from .pose_path import PosePath
 from .via_poses import ViaPose
 
@@ -89,7 +90,7 @@ class PlannedPath:
 def plan_path(
     robot: Robot,
     poses: Sequence[ViaPose],
-    limits: PathLimits | None = None,
+    limits: PoseLimits | None = None,
     objective: Objective = "mean",
     price: float = PRICE,
     load: ArrayLike = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
@@ -103,8 +104,9 @@ def plan_path(
         The machine with its leg lengths, joint angles and tool.
     poses : sequence of ViaPose
         At least two; each is passed in this order.
-    limits : PathLimits, optional
-        Largest condition number and clearance of the legs.
+    limits : PoseLimits, optional
+        Of leg lengths, joint angles, condition number and clearance. ``forces`` and ``load`` have no effect:
+        forces along a path are bounded by ``time_path``.
     objective : {"mean", "peak"}, optional
         What is made small: the condition number's mean or its peak. Neither rises above that of the straight
         spline where that one keeps the limits.
@@ -128,8 +130,8 @@ def plan_path(
     """
     instance(robot, Robot, "robot")
     option(objective, ("mean", "peak"), "objective")
-    limits = PathLimits() if limits is None else limits
-    instance(limits, PathLimits, "limits")
+    limits = PoseLimits() if limits is None else limits
+    instance(limits, PoseLimits, "limits")
     price = not_negative(price, "price")
     wrench = finite_array(load, (6,), "load")
     if not isinstance(poses, Sequence):
@@ -184,7 +186,7 @@ def _rates(motion: Motion, length: float) -> Array:
 def conditions_along(robot: Robot, path: PosePath, count: int = _FINE) -> Conditions:
     """Condition numbers along a path, from evenly spaced parameters."""
     motion = path(np.linspace(0.0, 1.0, count))
-    costs = PoseCosts(robot, PathLimits(), np.zeros(3), 1.0, 0.0)
+    costs = PoseCosts(robot, PoseLimits(), np.zeros(3), 1.0, 0.0)
     with np.errstate(divide="ignore", invalid="ignore"):
         values, signs = costs.plain_conditions(motion.R, motion.t)
     weight = _rates(motion, costs.length)
@@ -207,7 +209,7 @@ class _Search:
 
     @classmethod
     def of(
-        cls, robot: Robot, poses: tuple[ViaPose, ...], limits: PathLimits, objective: Objective, price: float
+        cls, robot: Robot, poses: tuple[ViaPose, ...], limits: PoseLimits, objective: Objective, price: float
     ) -> _Search:
         at = PoseCosts(robot, limits, robot.tool, 1.0, 0.0)
         family = Family.of(poses, at.length)

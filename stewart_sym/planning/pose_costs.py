@@ -10,10 +10,9 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from ..io.arguments import number_in
+from ..design.pose_limits import PoseLimits
 from ..io.array_types import Array
 from ..io.frozen import Frozen
-from ..io.tables import not_negative
 from ..kinematics.clearance import PAIRS, joined, nearest_shares
 from ..kinematics.conditioning import characteristic_length
 from ..kinematics.inverse import leg_vectors
@@ -29,33 +28,6 @@ _SAME = 1e-6
 _LEAST_SINE = 0.05
 
 
-@dataclass(frozen=True)
-class PathLimits:
-    """What the poses of a path keep to beside the robot's leg lengths and joint angles.
-
-    Attributes
-    ----------
-    condition : float, optional
-        Largest condition number of H with its moments over the characteristic length.
-    clearance : float, optional
-        Least distance between the centre lines of two legs, m; legs that share a joint are left out.
-
-    Raises
-    ------
-    ValueError
-        Naming the limit.
-    """
-
-    condition: float = math.inf
-    clearance: float = 0.0
-
-    def __post_init__(self) -> None:
-        """Check both numbers."""
-        if not (isinstance(self.condition, float) and self.condition == math.inf):
-            number_in(self.condition, "condition", "a number > 1", low=1.0)
-        not_negative(self.clearance, "clearance")
-
-
 @dataclass(frozen=True, eq=False)
 class PoseCosts(Frozen):
     """Costs of poses of one machine.
@@ -65,7 +37,7 @@ class PoseCosts(Frozen):
     """
 
     robot: Robot
-    limits: PathLimits
+    limits: PoseLimits
     tool: Array
     side: float
     least: float
@@ -127,10 +99,12 @@ class PoseCosts(Frozen):
         """By limit: its name, by how much each pose breaks it, (n, k), and derivatives, (n, k, 6)."""
         q, S, L = self.legs(R, t)
         s = S / L[..., None]
-        found = [("leg length", *part) for part in self._lengths(q, s, L)]
+        found: list[tuple[str, Array, Array]] = []
+        if self.limits.lengths:
+            found += [("leg length", *part) for part in self._lengths(q, s, L)]
         if self.robot.base_joint == "universal":
             found.append(("angle to the fixed axis of its universal joint", *self._axes(q, s, L)))
-        if np.isfinite(self.robot.joint_angle_limit).any():
+        if self.limits.joint_angles and np.isfinite(self.robot.joint_angle_limit).any():
             found += [("joint angle", *part) for part in self._angles(R, q, s, L)]
         if self.limits.clearance > 0.0:
             found.append(("leg clearance", *self._clearances(q, S)))

@@ -19,17 +19,17 @@ from ..io.tables import positive
 from ..motion.motion import Motion
 from ..robot.offsets import need_no_offsets
 from ..robot.robot import LEGS, Robot
-from .grid import TURNS, Grid, Source
-from .path_terms import Limits, Path, Terms, force_limits, terms_along, travelled
-from .profile import Ease, Profile
 from .smooth.energy_cost import EnergyCost
 from .smooth.smooth_time import SmoothPath, eased, length_rates
+from .timing.grid import Grid, Source
+from .timing.path_terms import Limits, Path, Terms, force_limits, terms_along, travelled
+from .timing.profile import Ease, Profile
 
 Least = Literal["time", "energy", "peak-force"]
 LEAST: tuple[Least, ...] = ("time", "energy", "peak-force")
 """What a motion along a path can have least of."""
 
-CELLS = 1000
+CELLS = 400
 """Cells of the first grid; those in which no limit is active, or one is exceeded, are divided."""
 SMOOTH_CELLS = 300
 """At most, of the spline of a smooth motion."""
@@ -204,9 +204,11 @@ class _Task(NamedTuple):
             smooth = self.smooth(limits)
             return smooth.profile(smooth.fastest())
         grid = Grid.of(self.source(limits), _first_nodes(*self.span, self.cells))
+        if grid.terms.motors is not None:
+            grid = grid.after(self._replace(cells=min(self.cells, _ROUGH_CELLS)).rough(limits))
         for turn in range(_ROUNDS):
             self.progress("finding the fastest motion", turn / _ROUNDS)
-            grid, profile = grid.fastest(TURNS if turn == 0 else _FEW_TURNS)
+            grid, profile = grid.fastest(_FEW_TURNS)
             used = grid.used(profile)
             if turn < _DIVISIONS:
                 grid = grid.divided(profile).after(profile)
@@ -255,7 +257,7 @@ class _Task(NamedTuple):
             return replace(self.limits, force=np.minimum(own, force))
 
         def excess(force: float) -> float:
-            return self._replace(cells=_ROUGH_CELLS).roughly(limited(force)) ** -2 - duration**-2
+            return self._replace(cells=_ROUGH_CELLS).rough(limited(force)).duration ** -2 - duration**-2
 
         lowest = min(held * _ABOVE_REST, highest)
         # About 1 / time^2 grows with the force above what the machine takes at rest.
@@ -272,11 +274,11 @@ class _Task(NamedTuple):
             force *= 1.0 + 2.0 * max(profile.duration / duration - 1.0, _SAME_FORCE)
         return quickest
 
-    def roughly(self, limits: Limits) -> float:
-        """Least time on a coarse grid, s."""
+    def rough(self, limits: Limits) -> Profile:
+        """The fastest motion on the first grid."""
         if limits.jerk is not None:
-            return self.fastest(limits).duration
-        return Grid.at(self.source(limits), _first_nodes(*self.span, self.cells)).fastest()[1].duration
+            return self.fastest(limits)
+        return Grid.at(self.source(limits), _first_nodes(*self.span, self.cells)).fastest()[1]
 
 
 def need_losses(robot: Robot) -> None:

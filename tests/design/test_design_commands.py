@@ -80,11 +80,14 @@ def test_sizes_are_written_and_limits_that_do_not_suffice_are_named(
     assert command("size", "hexapod.toml", "trajectory.csv", "trajectory.csv", "--quantile", 1) == 0
     assert results(folder / "size") == ["needs.csv", "report.json", "report.txt", "size.png"]
     captured = capsys.readouterr()
-    lines = captured.err.splitlines()
-    assert len(lines) == 2
-    assert lines[0].startswith("stewart-sym: warning: hexapod.toml: force_limit of leg 1: 150 N, needed 129")
+    (line,) = captured.err.splitlines()
+    assert line.startswith(
+        "stewart-sym: warning: hexapod.toml: limits exceeded: 0, limits without the margin: 2"
+    )
     data = json.loads((folder / "size" / "report.json").read_text())
-    assert data["exceeded"][0] in captured.out
+    assert data["exceeded"] == []
+    assert data["margin_missing"][0].startswith("force_limit of leg 1: 150 N, needed 129")
+    assert captured.out.count(f"Margin missing: {data['margin_missing'][0]}") == 1
     force = {row["need"]: row for row in read(folder / "size" / "needs.csv")}["force, peak"]
     robot = ss.Robot.from_toml("hexapod.toml")
     assert float(force["leg1"]) == data["force"][0][0] > robot.force_limit[0] / 1.25

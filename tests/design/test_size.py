@@ -9,7 +9,7 @@ from machines import path_period, random_motion, random_path, random_robot
 from scipy.integrate import trapezoid
 
 import stewart_sym as ss
-from stewart_sym.design.size import exceeded, weighted_quantiles
+from stewart_sym.design.size import exceeded, margin_missing, weighted_quantiles
 from stewart_sym.studies.design.size import report
 
 
@@ -76,10 +76,14 @@ def test_joint_angles_are_from_the_home_pose() -> None:
     np.testing.assert_allclose(needs.platform_angle, angles.platform.max(axis=0), rtol=1e-12)
 
 
-def test_limits_that_do_not_suffice_are_named() -> None:
+def names(lines: list[str]) -> list[str]:
+    return [line.partition(":")[0] for line in lines]
+
+
+def test_limits_that_are_exceeded_or_kept_without_the_margin_are_named() -> None:
     robot, time, motion = along(5)
     needs = ss.size(robot, [(time, motion)], margin=0.5)
-    assert exceeded(robot, needs) == []
+    assert exceeded(robot, needs) + margin_missing(robot, needs) == []
     enough, few = 1.5 * needs.force[-1], needs.length + np.array([-1e-9, 1e-9])
     limited = dataclasses.replace(
         robot,
@@ -89,12 +93,13 @@ def test_limits_that_do_not_suffice_are_named() -> None:
         length_limits=few,
         joint_angle_limit=np.full((6, 2), [np.pi, 1e-3]),
     )
-    lines = exceeded(limited, ss.size(limited, [(time, motion)], margin=0.5))
-    assert [line.partition(":")[0] for line in lines] == [
+    needs = ss.size(limited, [(time, motion)], margin=0.5)
+    over, short = (names(lines) for lines in (exceeded(limited, needs), margin_missing(limited, needs)))
+    assert over == [f"joint_angle_limit at the platform of leg {leg}" for leg in range(1, 7)]
+    assert short == [
         "force_limit of leg 3",
         "speed_limit of leg 5",
-        *(f"stroke of leg {leg}" for leg in range(1, 7)),
-        *(f"joint_angle_limit at the platform of leg {leg}" for leg in range(1, 7)),
+        *(f"stroke of leg {i}" for i in range(1, 7)),
     ]
     short = dataclasses.replace(robot, length_limits=needs.length + np.array([1e-3, 1.0]))
     assert any(line.startswith("length_limits of leg 6") for line in exceeded(short, needs))

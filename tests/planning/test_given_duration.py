@@ -13,8 +13,8 @@ from stewart_sym.drives.effort import drive_effort
 from stewart_sym.dynamics.inverse import inverse_dynamics
 from stewart_sym.kinematics.inverse import inverse_kinematics
 from stewart_sym.planning.certificate import certify_plan
-from stewart_sym.planning.path_terms import Limits, travelled
 from stewart_sym.planning.time_path import TimedPath, time_path
+from stewart_sym.planning.timing.path_terms import Limits, travelled
 from stewart_sym.robot.drive import Drive
 
 LONGER = 1.5

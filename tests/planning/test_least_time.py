@@ -10,8 +10,8 @@ from via_cases import planned_case, straight, via_case, with_limits
 from stewart_sym.dynamics.inverse import inverse_dynamics
 from stewart_sym.kinematics.inverse import inverse_kinematics
 from stewart_sym.planning.certificate import certify_plan
-from stewart_sym.planning.path_terms import Limits, terms_along
 from stewart_sym.planning.time_path import time_path
+from stewart_sym.planning.timing.path_terms import Limits, terms_along
 
 FEW, MANY = (1,), 50
 # Both oracles have s'' constant in each cell, so their durations are too long by about a cell's.

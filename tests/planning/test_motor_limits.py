@@ -5,14 +5,14 @@ import dataclasses
 import numpy as np
 import pytest
 from motor_cases import QUANTITIES, motor_case
-from smooth_oracles import motor_duration
+from smooth_oracles import motor_duration, motor_nodes
 from sweeps import share
 
 from stewart_sym.drives.effort import drive_effort
 from stewart_sym.planning.certificate import certify_plan
-from stewart_sym.planning.motor_terms import rotor_terms
-from stewart_sym.planning.path_terms import Limits, terms_along, travelled
 from stewart_sym.planning.time_path import time_path
+from stewart_sym.planning.timing.motor_terms import rotor_terms
+from stewart_sym.planning.timing.path_terms import Limits, terms_along, travelled
 from stewart_sym.reference.newton_euler import rotor_force
 
 ORACLE_CELLS = 1000
@@ -24,9 +24,10 @@ def check_against_collocation(seed: int) -> None:
     robot, path = motor_case(seed)
     found = time_path(robot, path)
     nodes = found.profile.nodes
-    start = 0.9 * np.interp(np.linspace(0.0, 1.0, ORACLE_CELLS + 1), nodes.s, nodes.rate) + 1e-3
+    s = motor_nodes(robot, path, ORACLE_CELLS)
+    start = 0.9 * np.interp(s, nodes.s, nodes.rate) + 1e-3
     start[[0, -1]] = 0.0
-    expected = motor_duration(robot, path, ORACLE_CELLS, start)
+    expected = motor_duration(robot, path, s, start)
     assert -BELOW < found.duration / expected - 1.0 < ABOVE_LEAST
 
 

@@ -109,6 +109,14 @@ def test_a_limit_of_jerk_stands_beside_the_others(folder: Path) -> None:
     assert np.abs(np.diff(legs, axis=0)).max() * 200.0 <= 200.0 * (1.0 + 1e-6)
 
 
+def test_angles_that_must_be_degrees_are_a_warning(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    text = VIA.replace("theta = [0.10, -0.10, 0.20]", "theta = [5.7, -5.7, 11.5]")
+    assert main(["plan", via(folder, text), "-o", str(folder / "out")]) == 2
+    warning, error = capsys.readouterr().err.splitlines()
+    assert "via.toml: via: theta_z over 12.05 rad: are angles in degrees?" in warning
+    assert "error: via pose 2: out of reach" in error
+
+
 def test_via_poses_may_stand_in_a_csv_file(folder: Path) -> None:
     rows = ["time,t_x,t_y,t_z,theta_x,theta_y,theta_z", "0,0,0,0.65,0,0,0", "1,0.1,0.05,0.7,0.1,-0.1,0.2"]
     (folder / "poses.csv").write_text("\n".join(rows) + "\n")

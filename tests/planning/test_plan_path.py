@@ -7,6 +7,7 @@ import pytest
 from machines import dasgupta, home_position, machine_size, random_robot
 from via_cases import via_case
 
+from stewart_sym.design.pose_limits import PoseLimits
 from stewart_sym.kinematics.clearance import leg_distances
 from stewart_sym.kinematics.conditioning import characteristic_length, scaled_condition_number
 from stewart_sym.kinematics.inverse import inverse_kinematics, wrench_matrix
@@ -14,7 +15,7 @@ from stewart_sym.motion.rotation import rotation_from_rpy, rotation_from_vector,
 from stewart_sym.motion.straight_line import PATHS
 from stewart_sym.planning.path_spline import Family, by_coordinates, poses_of
 from stewart_sym.planning.plan_path import plan_path
-from stewart_sym.planning.pose_costs import PathLimits, PoseCosts
+from stewart_sym.planning.pose_costs import PoseCosts
 from stewart_sym.planning.via_poses import ViaPose
 from stewart_sym.singularities.along_path import crossings
 
@@ -84,7 +85,7 @@ def test_costs_have_the_derivatives_of_their_values() -> None:
         length_limits=np.tile([2.0, 2.1], (6, 1)) * machine_size(robot),
     )
     family = Family.of(poses, characteristic_length(robot))
-    costs = PoseCosts(robot, PathLimits(condition=2.0, clearance=0.4), 0.1 * rng.normal(size=3), 1.0, 0.2)
+    costs = PoseCosts(robot, PoseLimits(condition=2.0, clearance=0.4), 0.1 * rng.normal(size=3), 1.0, 0.2)
     rows = family.rows + 0.02 * rng.normal(size=family.rows.shape)
     move, h = rng.normal(size=rows.shape), 1e-6
 
@@ -114,7 +115,7 @@ def crossed_pairs(count: int):
         poses = tuple(
             ViaPose(*pose) for pose in zip(rotation_from_vector(rng.normal(size=(2, 3))), t, strict=True)
         )
-        costs = PoseCosts(robot, PathLimits(), np.zeros(3), 1.0, 0.0)
+        costs = PoseCosts(robot, PoseLimits(), np.zeros(3), 1.0, 0.0)
         k, signs = costs.plain_conditions(np.array([pose.R for pose in poses]), t)
         if signs[0] == signs[1] and k.max() < 40.0:
             family = Family.of(poses, costs.length)
@@ -205,7 +206,7 @@ def test_limits_of_lengths_clearance_and_condition_are_kept() -> None:
     assert (L > tight[:, 1]).any()
     clearance = 0.9 * float(leg_distances(robot, via).min())
     highest = 1.02 * float(conditions(robot, via).max())
-    found = plan_path(limited, poses, PathLimits(condition=highest, clearance=clearance), price=0.0)
+    found = plan_path(limited, poses, PoseLimits(condition=highest, clearance=clearance), price=0.0)
     motion = found.path(S)
     L = inverse_kinematics(robot, motion).L
     assert (L >= tight[:, 0]).all()
@@ -263,10 +264,10 @@ def test_a_limit_that_stands_in_the_way_is_named() -> None:
     messages = []
     for robot, poses in crossed_pairs(2):
         R, t = np.array([pose.R for pose in poses]), np.array([pose.t for pose in poses])
-        costs = PoseCosts(robot, PathLimits(), np.zeros(3), 1.0, 0.0)
+        costs = PoseCosts(robot, PoseLimits(), np.zeros(3), 1.0, 0.0)
         highest = 1.01 * float(costs.plain_conditions(R, t)[0].max())
         try:
-            found = plan_path(robot, poses, PathLimits(condition=highest))
+            found = plan_path(robot, poses, PoseLimits(condition=highest))
         except ValueError as error:
             messages.append(str(error))
         else:

@@ -247,7 +247,6 @@ def calls() -> dict[str, Call]:
             {"R": motion.R, "t": motion.t, "low": np.zeros(6), "high": np.zeros(6)},
             other={"R": "pose", "t": "pose"},
         ),
-        "PathLimits": Call(ss.PathLimits, {"condition": 100.0, "clearance": 0.01}),
         "Limits": Call(
             ss.Limits,
             dict.fromkeys(("force", "speed", "acceleration", "platform_speed", "platform_turn_rate"), 1.0),

@@ -25,9 +25,9 @@ HELP = "which force, speed, power, stroke and joint angles motions need of every
 EXAMPLE = "stewart-sym size hexapod.toml trajectory.csv -o size --margin 0.3"
 MORE = (
     "Trajectories as for forces, with their loads; all of them count together. Peaks, what is not exceeded "
-    "for shares of the time, and the largest of each with a margin; a limit of the robot file that does not "
-    "suffice is named. Of a robot with drives: torque, speed and power of the motors as well. SI units, "
-    "degrees."
+    "for shares of the time, and the largest of each with a margin; limits of the robot file that are "
+    "exceeded, or kept without the margin, are named. Of a robot with drives: torque, speed and power of the "
+    "motors as well. SI units, degrees."
 )
 
 
@@ -64,7 +64,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Run ``size``; returns the exit code."""
-    from ...design.size import QUANTILES, checked_quantiles, exceeded, size
+    from ...design.size import QUANTILES, checked_quantiles, exceeded, margin_missing, size
     from ...studies.design.size import report, views
 
     need_drawing(arguments)
@@ -83,6 +83,8 @@ def run(arguments: argparse.Namespace) -> int:
         names = [path.name for path in arguments.trajectories]
         found = report(robot, names, needs, figures)
         take(dataclasses.replace(found, views=views(robot, names, read)), progress)
-    for line in exceeded(robot, needs):
-        warnings.warn(f"{arguments.robot}: {line}", stacklevel=2)
+    over, short = len(exceeded(robot, needs)), len(margin_missing(robot, needs))
+    if over or short:
+        told = f"limits exceeded: {over}, limits without the margin: {short}; the report names them"
+        warnings.warn(f"{arguments.robot}: {told}", stacklevel=2)
     return 0

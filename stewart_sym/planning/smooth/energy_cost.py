@@ -9,7 +9,7 @@ import numpy as np
 from ...drives.friction import constant_part, load_share, viscous
 from ...io.array_types import Array
 from ...robot.robot import LEGS
-from ..motor_terms import MotorTerms
+from ..timing.motor_terms import MotorTerms
 from .rate_spline import WEIGHTS, in_cells
 
 # Share of the mean weight on a leg within which the kink of its torque, where efficiency changes, is rounded.

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...io.array_types import Array
-from ..phase_plane import PhasePath
+from ..timing.phase_plane import PhasePath
 
 PARTS = 4
 """Of each cell, with samples at their ends: five in a cell."""

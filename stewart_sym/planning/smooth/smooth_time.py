@@ -15,9 +15,10 @@ from ...io.array_types import Array
 from ...kinematics.inverse import inverse_kinematics
 from ...motion.motion import Motion
 from ...robot.robot import Robot
-from ..grid import Source
-from ..path_terms import Path, Terms, travelled
-from ..profile import Ease, Profile
+from ..timing.grid import Source
+from ..timing.motor_terms import beside
+from ..timing.path_terms import Path, Terms, travelled
+from ..timing.profile import Ease, Profile
 from .interior_point import Cost, Rooms, duration, least
 from .rate_spline import PARTS, RateSpline, in_cells
 
@@ -77,10 +78,12 @@ class SmoothPath:
         v = self.spline.values(c)
         rate = np.sqrt(np.append(v[:, :-1, 0].ravel(), v[-1, -1, 0]))
         room, count = 1.0 - margin, self.at.quantities
-        rows = self.at.rows(rate, room[:, :count])
-        zero, parts = np.zeros_like(rows.a), []
+        second = 0.5 * np.append(v[:, :-1, 1].ravel(), v[-1, -1, 1])
+        rows = self.at.rows(rate, second, room[:, :count], beside(self.at.signs)[1])
+        a, b, d, e = rows.form_at(rate**2, second)
+        zero, parts = np.zeros_like(a), []
         for sign, bound in ((1.0, rows.high), (-1.0, rows.low)):
-            k = np.stack([bound - rows.e, -rows.d, zero, -rows.b, -0.5 * rows.a, zero], axis=-1)
+            k = np.stack([bound - e, -d, zero, -b, -0.5 * a, zero], axis=-1)
             parts.append(_bounded(sign * k, bound))
         speed = np.zeros((len(rate), 1, 6))
         speed[:, 0, 0], speed[:, 0, 3] = 1.0, -1.0 / (self.at.caps * room[:, count - 1] ** 2)

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ...design.size import Needs, exceeded
+from ...design.size import Needs, exceeded, margin_missing
 from ...io.array_types import Array
 from ...motion.trajectory import PoseLog, Trajectory
 from ...robot.robot import LEGS, Robot
@@ -83,7 +83,6 @@ def _text(robot: Robot, sources: Sequence[str], needs: Needs) -> str:
         for name, unit, values in rows(needs)
     ]
     legs = [f"leg {leg + 1}" for leg in range(LEGS)]
-    over = exceeded(robot, needs)
     neutral = "the home pose" if robot.home is not None else "the mean direction of each leg"
     lines = [
         f"robot   {robot.name}",
@@ -94,8 +93,9 @@ def _text(robot: Robot, sources: Sequence[str], needs: Needs) -> str:
         "",
         f"Joint angles are from {neutral}.",
     ]
-    verdict = [f"Beyond its limit: {line}" for line in over] or ["Every limit of the robot file suffices."]
-    return "\n".join([*lines, *verdict])
+    verdict = [f"Exceeded: {line}" for line in exceeded(robot, needs)]
+    verdict += [f"Margin missing: {line}" for line in margin_missing(robot, needs)]
+    return "\n".join([*lines, *(verdict or ["Every limit of the robot file suffices."])])
 
 
 def _data(robot: Robot, sources: Sequence[str], needs: Needs) -> dict[str, Any]:
@@ -115,6 +115,7 @@ def _data(robot: Robot, sources: Sequence[str], needs: Needs) -> dict[str, Any]:
         "quantiles": needs.quantiles,
         **kept,
         "exceeded": exceeded(robot, needs),
+        "margin_missing": margin_missing(robot, needs),
         "units": {name: units[name] for name in kept},
     }
 

@@ -21,10 +21,10 @@ from ...motion.rotation import (
     vector_from_rotation,
 )
 from ...planning.certificate import PlanCertificate
-from ...planning.path_terms import force_limits
 from ...planning.plan_path import Conditions, PlannedPath
 from ...planning.pose_path import PosePath
 from ...planning.time_path import TimedPath
+from ...planning.timing.path_terms import force_limits
 from ...robot.robot import Robot
 from ...viewer.instants import of_motion
 from ...viewer.view import View

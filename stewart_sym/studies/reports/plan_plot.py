@@ -6,7 +6,7 @@ import numpy as np
 
 from ...io.array_types import Array
 from ...io.extras import needed_for
-from ...planning.path_terms import force_limits
+from ...planning.timing.path_terms import force_limits
 from ..common.drawing import legend_below, log_numbers
 from ..common.report import Picture
 from .plan import Plan, along, path_conditions

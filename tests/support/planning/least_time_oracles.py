@@ -9,7 +9,7 @@ import toppra
 from toppra.constraint.linear_constraint import LinearConstraint, canlinear_colloc_to_interpolate
 
 from stewart_sym.dynamics.inverse import inverse_dynamics
-from stewart_sym.planning.path_terms import Path, travelled
+from stewart_sym.planning.timing.path_terms import Path, travelled
 from stewart_sym.robot.robot import Robot
 
 _NO_SPEED_LIMIT = 1e6

@@ -7,10 +7,11 @@ force: s'' constant in each cell of s. Jerk and energy: jerk of s constant in ea
 import casadi
 import numpy as np
 from least_time_oracles import coefficients
+from scipy.optimize import brentq
 
 from stewart_sym.kinematics.inverse import inverse_kinematics
-from stewart_sym.planning.path_terms import Path, travelled
 from stewart_sym.planning.time_path import TimedPath
+from stewart_sym.planning.timing.path_terms import Path, travelled
 from stewart_sym.reference.newton_euler import rotor_force
 from stewart_sym.robot.robot import Robot
 
@@ -62,12 +63,26 @@ def _efforts(robot: Robot, path: Path, s: np.ndarray, side: np.ndarray):
     return found
 
 
-def motor_duration(robot: Robot, path: Path, cells: int, start: np.ndarray) -> float:
-    """Least time within limits of force and of the motors, s; start: s' at the nodes to begin from."""
-    drive = robot.drive
-    s, h = np.linspace(0.0, 1.0, cells + 1), 1.0 / cells
+def motor_nodes(robot: Robot, path: Path, cells: int) -> np.ndarray:
+    """Even nodes, more in both end cells, where friction grows as the root of s, and where legs turn back."""
+    even = np.linspace(0.0, 1.0, cells + 1)
+    more = even[2] * np.linspace(0.0, 1.0, 40) ** 3
+
+    def rate(s: float, leg: int) -> float:
+        return float(inverse_kinematics(robot, path(np.array([s]))).L_dot[0, leg])
+
+    rates = inverse_kinematics(robot, path(even)).L_dot
+    found = np.argwhere(rates[1:] * rates[:-1] < 0.0)
+    turns = [brentq(rate, even[i], even[i + 1], args=(leg,), xtol=1e-14) for i, leg in found]
+    apart = np.abs(even[:, None] - turns).min(axis=1, initial=1.0) > 1e-3 / cells
+    return np.union1d(even[apart], [*more, *(1.0 - more), *turns])
+
+
+def motor_duration(robot: Robot, path: Path, s: np.ndarray, start: np.ndarray) -> float:
+    """Least time within limits of force and of the motors, s; start: s' at the nodes s to begin from."""
+    drive, cells, h = robot.drive, len(s) - 1, np.diff(s)
     z = casadi.MX.sym("z", cells + 1)
-    u = (z[1:] ** 2 - z[:-1] ** 2) / (2.0 * h)
+    u = (z[1:] ** 2 - z[:-1] ** 2) / casadi.DM(2.0 * h)
     n = np.abs(2.0 * np.pi / drive.lead)
     torque = n * np.minimum(drive.torque_limit, drive.torque_constant * drive.current_limit)
     middle = np.sign(inverse_kinematics(robot, path(0.5 * (s[1:] + s[:-1]))).L_dot)
@@ -92,7 +107,7 @@ def motor_duration(robot: Robot, path: Path, cells: int, start: np.ndarray) -> f
     most[[0, -1]] = 0.0
     problem = {
         "x": z,
-        "f": casadi.sum1(2.0 * h / (z[1:] + z[:-1])),
+        "f": casadi.sum1(casadi.DM(2.0 * h) / (z[1:] + z[:-1])),
         "g": casadi.vertcat(*(casadi.vec(each) for each in g)),
     }
     bounds = {

@@ -18,14 +18,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..drives.effort import motor_rates
-from ..dynamics.inverse import Formulation, inverse_dynamics
-from ..io.arguments import shown
-from ..io.array_types import Array
-from ..io.tables import positive
-from ..kinematics.inverse import inverse_kinematics
-from ..motion.motion import Motion
-from ..robot.robot import LEGS, Robot
+from ...drives.effort import motor_rates
+from ...dynamics.inverse import Formulation, inverse_dynamics
+from ...io.arguments import shown
+from ...io.array_types import Array, Indices
+from ...io.tables import positive
+from ...kinematics.inverse import inverse_kinematics
+from ...motion.motion import Motion
+from ...robot.robot import LEGS, Robot
 from .motor_terms import MotorTerms, Rows
 
 Path = Callable[[Array], Motion]
@@ -118,15 +118,28 @@ class Terms(NamedTuple):
             parts.append(self.motors.used(square, second))
         return np.concatenate([*parts, np.sqrt(square / self.caps)[:, None]], axis=-1)
 
-    def rows(self, rate: Array, room: Array) -> Rows:
-        """What bounds s'', limits times room, (n, quantities); rate: s' of the motion found last, (n,)."""
+    @property
+    def signs(self) -> Array:
+        """Signs of the rates of the legs, (n, 6), where these change bounds."""
+        return np.ones((len(self.a), LEGS)) if self.motors is None else self.motors.signs
+
+    def at(self, index: Indices) -> Terms:
+        """The terms at some of the parameters."""
+        nodes = {name: getattr(self, name)[index] for name in ("a", "b", "d", "e", "caps")}
+        return self._replace(**nodes, motors=None if self.motors is None else self.motors.at(index))
+
+    def rows(self, rate: Array, second: Array, room: Array, signs: Array) -> Rows:
+        """What bounds s'', limits times room, (n, quantities).
+
+        rate, second: s' and s'' of the motion found last, (n,). signs: of the rates of the legs, (n, 6), 0:
+        either.
+        """
         count = len(self.limit)
         most = self.limit * room[:, :count]
-        own = Rows(self.a, self.b, self.d, self.e, -most, most)
+        own = Rows.of_one_form((self.a, self.b, self.d, self.e), -most, most)
         if self.motors is None:
             return own
-        parts = (own, self.motors.rows(rate, room[:, count:-1]))
-        return Rows(*(np.concatenate(each, axis=-1) for each in zip(*parts, strict=True)))
+        return Rows.together([own, self.motors.rows(rate, second, room[:, count:-1], signs)])
 
 
 def travelled(motion: Motion, rate: Array | float, second: Array | float) -> Motion:

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..io.array_types import Array
+from ...io.array_types import Array
 from .phase_plane import PhasePath
 
 

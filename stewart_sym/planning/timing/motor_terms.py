@@ -7,23 +7,25 @@ makes that the larger of two branches, and size(L_dot) over L_dot times it
 
 Each branch is linear in s'', s'^2 and s' but for the smoothed sign, Stribeck's part and the limit of torque
 that a limit of power is, P / L_dot. The first two are taken at the rates of the motion found last, the third
-as its tangent there, which is never above it. G <= limit is G_p <= limit and G_q <= limit, exactly;
-G >= -limit needs one of them: that which holds where F_t changes its sign.
+as its tangent there, which is never above it. G <= limit is G_p <= limit and G_q <= limit; G >= -limit is
+G_p >= -limit or G_q >= -limit, two forms of one row. Where the rate of a leg passes zero the sign of dL/ds is
+that of either side, whatever the time: the bounds before it and after it are two.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 
-from ..drives.friction import constant_part, friction_force, load_share, losses, smooth_sign, viscous
-from ..io.array_types import Array, Flags
-from ..kinematics.inverse import leg_vectors
-from ..motion.motion import Motion
-from ..motion.rotation import cross
-from ..robot.drive import Drive
-from ..robot.robot import LEGS, Robot
+from ...drives.friction import constant_part, friction_force, load_share, losses, smooth_sign, viscous
+from ...io.array_types import Array, Flags, Indices
+from ...kinematics.inverse import leg_vectors
+from ...motion.motion import Motion
+from ...motion.rotation import cross
+from ...robot.drive import Drive
+from ...robot.robot import LEGS, Robot
 
 # A leg whose rate is less than this share of its largest along the path may move either way.
 _STILL = 1e-9
@@ -31,7 +33,10 @@ _SLOWER, _SLOWEST = 0.85, 1e-3
 
 
 class Rows(NamedTuple):
-    """low <= a s'' + b s'^2 + d s' + e <= high at n parameters, (n, r) each."""
+    """low <= a s'' + b s'^2 + d s' + e <= high at n parameters, in one of two forms.
+
+    a, b, d, e: (n, r, 2), low, high: (n, r). The forms differ where just low bounds.
+    """
 
     a: Array
     b: Array
@@ -39,6 +44,22 @@ class Rows(NamedTuple):
     e: Array
     low: Array
     high: Array
+
+    @classmethod
+    def of_one_form(cls, parts: Sequence[Array], low: Array, high: Array) -> Rows:
+        """Rows whose forms are the same; parts: a, b, d, e, (n, r) each."""
+        return cls(*(np.stack([part, part], axis=-1) for part in parts), low, high)
+
+    @classmethod
+    def together(cls, parts: Sequence[Rows]) -> Rows:
+        """All rows of several."""
+        return cls(*(np.concatenate(each, axis=1) for each in zip(*parts, strict=True)))
+
+    def form_at(self, square: Array, second: Array) -> tuple[Array, ...]:
+        """a, b, d, e, (n, r), of the form that is larger at s'^2 and s'', (n,)."""
+        x, u = square[:, None, None], second[:, None, None]
+        larger = np.argmax(self.a * u + self.b * x + self.d * np.sqrt(x) + self.e, axis=-1)[..., None]
+        return tuple(np.take_along_axis(part, larger, axis=-1)[..., 0] for part in self[:4])
 
 
 class MotorTerms(NamedTuple):
@@ -63,6 +84,11 @@ class MotorTerms(NamedTuple):
         effort = np.abs(drive.turns) * np.minimum(drive.torque_limit, by_current)
         return cls(drive, force, rotor_terms(drive, robot, by_parameter), rate, effort, drive.power_limit)
 
+    def at(self, index: Indices) -> MotorTerms:
+        """The terms at some of the parameters."""
+        parts = {name: getattr(self, name)[:, index] for name in ("force", "rotor")}
+        return self._replace(**parts, rate=self.rate[index])
+
     @property
     def limited(self) -> bool:
         """Whether any motor has a limit beside its speed."""
@@ -74,6 +100,11 @@ class MotorTerms(NamedTuple):
         return [
             f"{what} of the motor of leg {leg + 1}" for what in ("torque", "power") for leg in range(LEGS)
         ]
+
+    @property
+    def signs(self) -> Array:
+        """Signs of the rates of the legs, (n, 6), 0 of one that moves neither way."""
+        return np.where(np.abs(self.rate) <= _STILL * np.abs(self.rate).max(), 0.0, np.sign(self.rate))
 
     @property
     def crossings(self) -> Array:
@@ -112,24 +143,34 @@ class MotorTerms(NamedTuple):
         effort = np.maximum(np.abs(F), np.abs(np.where(F * sign > 0.0, p, q) * F + sign * dry))
         return np.concatenate([effort / self.effort, np.zeros_like(effort)], axis=-1)
 
-    def rows(self, rate: Array, room: Array) -> Rows:
-        """Rows at s' of the motion found last, (n,); room: by which limits are multiplied, (n, 12)."""
-        side, size, still, dry, damping = self._friction(rate)
+    def rows(self, rate: Array, second: Array, room: Array, signs: Array) -> Rows:
+        """Rows at s' and s'' of the motion found last, (n,), all 0 where there is none.
+
+        room: by which limits are multiplied, (n, 12). signs: of the rates of the legs, (n, 6); 0: either.
+        """
+        side, size, still, dry, damping = self._friction(rate, signs)
         effort, power = self.effort * room[:, :LEGS], self.power * room[:, LEGS:]
         most, slope = _tangent(power, np.abs(self.rate), rate[:, None], still)
         branches = [self._branch(each, side, damping, dry * ~still) for each in self._slopes(size)]
         kink = self._kink(rate[:, None], side, dry, damping)
         below = kink < -np.minimum(effort, most - slope * rate[:, None])
-        lower = np.where(below, branches[0], branches[1])
+        # Where both branches rise from the kink, what is below the limit there parts two ways, of which that
+        # of the last motion is taken.
+        opposite = branches[0][0] * branches[1][0] < 0.0
+        p, q = (
+            a * second[:, None] + b * rate[:, None] ** 2 + d * rate[:, None] + e for a, b, d, e in branches
+        )
+        lower = np.stack(
+            [np.where(opposite & (p < q), *branches[::-1]), np.where(opposite & (p >= q), *branches)], axis=-1
+        )
         upper = branches if self._lossy else branches[1:]
-        # Nothing but the kink is below the other where both branches rise from it.
-        free = ~below & (branches[0][0] * branches[1][0] < 0.0)
+        free = opposite & ~(below & rate.any())
         # Of a leg that moves neither way friction acts against either.
         effort = np.where(still, effort - dry, effort)
         rising = np.array([0.0, 0.0, 1.0, 0.0])[:, None, None] * slope
         torque = _rows(upper, lower, effort, free)
-        tangents = _rows([branch + rising for branch in upper], lower - rising, most, free)
-        return Rows(*(np.concatenate(each, axis=-1) for each in zip(torque, tangents, strict=True)))
+        tangents = _rows([branch + rising for branch in upper], lower - rising[..., None], most, free)
+        return Rows.together([torque, tangents])
 
     @property
     def _lossy(self) -> bool:
@@ -142,16 +183,17 @@ class MotorTerms(NamedTuple):
         driving, driven = (load_share(self.drive, way * one, one) for way in (1.0, -1.0))
         return 1.0 + size * driving, 1.0 - size * driven
 
-    def _friction(self, rate: Array) -> tuple[Array, Array, Flags, Array, Array]:
+    def _friction(self, rate: Array, signs: Array) -> tuple[Array, Array, Flags, Array, Array]:
         """Sign of the rate and its smoothed size, which legs are still, dry and viscous friction; (n, 6)."""
-        still = np.abs(self.rate) <= _STILL * np.abs(self.rate).max()
+        still = signs == 0.0
         # Where all are, an eased path begins or ends: friction there is that beside it.
         still = still & ~still.all(axis=-1, keepdims=True)
         # At rest the sign is that with which the motion begins or ends.
-        away = self.rate * np.maximum(rate, np.finfo(np.float64).tiny)[:, None]
-        size = np.where(still, 1.0, np.abs(smooth_sign(away, np.asarray(self.drive.smoothing))))
+        away = np.abs(self.rate * np.maximum(rate, np.finfo(np.float64).tiny)[:, None])
+        smoothed = smooth_sign(away, np.asarray(self.drive.smoothing))
+        size = np.where(still | (np.asarray(self.drive.smoothing) == 0.0), 1.0, smoothed)
         dry = size * constant_part(self.drive, self.rate * rate[:, None])
-        side = np.where(still, 1.0, np.sign(self.rate))
+        side = np.where(still, 1.0, signs)
         return side, size, still, dry, viscous(self.drive) * np.abs(self.rate)
 
     def _branch(self, slope: Array, side: Array, damping: Array, dry: Array) -> Array:
@@ -170,6 +212,13 @@ class MotorTerms(NamedTuple):
             return np.asarray(side * (r_a * second + r_b * z**2) + dry + damping * z)
 
 
+def beside(signs: Array) -> tuple[Array, Array]:
+    """Signs before and after each node, (n, m), of signs at nodes: where one is 0, that of the next node."""
+    padded = np.concatenate([signs[1:2], signs, signs[-2:-1]])
+    before, after = (np.where(signs == 0.0, part, signs) for part in (padded[:-2], padded[2:]))
+    return before, after
+
+
 def _tangent(power: Array, speed: Array, rate: Array, still: Flags) -> tuple[Array, Array]:
     """most, slope: G <= most - slope s' is the tangent of G <= power / (speed s') at a rate; inf, 0: none."""
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
@@ -180,11 +229,10 @@ def _tangent(power: Array, speed: Array, rate: Array, still: Flags) -> tuple[Arr
 
 
 def _rows(upper: list[Array], lower: Array, limit: Array, free: Flags) -> Rows:
-    """Branches that are to stay below a limit, and one that is to stay above it unless it is free."""
+    """Branches that are to stay below a limit, and two, one of which is to stay above it unless free."""
     none = np.full_like(limit, np.inf)
-    a, b, d, e = np.concatenate([*upper, lower], axis=-1)
-    high, low = [limit] * len(upper) + [none], [-none] * len(upper) + [np.where(free, -np.inf, -limit)]
-    return Rows(a, b, d, e, np.concatenate(low, axis=-1), np.concatenate(high, axis=-1))
+    below = [Rows.of_one_form(tuple(branch), -none, limit) for branch in upper]
+    return Rows.together([*below, Rows(*lower, np.where(free, -np.inf, -limit), none)])
 
 
 def rotor_terms(drive: Drive, robot: Robot, by_parameter: Motion) -> Array:

@@ -7,7 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..io.array_types import Array
+from ...io.array_types import Array
+from .motor_terms import beside
 from .path_terms import Terms
 from .phase_plane import Bounds, bounds_of, fastest
 from .profile import Profile
@@ -19,8 +20,9 @@ Source = Callable[[Array], Terms]
 _MARGIN = 3e-6
 IDLE = 1e-3
 """A limit is active from this share below it on."""
-# Denser to the ends, where friction grows as the root of the way.
-_SHARES = 0.5 - 0.5 * np.cos(np.linspace(0.0, np.pi, 25))
+# Denser to the ends, where friction grows as the root of the way, and within the cell: a node may be where
+# friction changes its sign.
+_SHARES = np.clip(0.5 - 0.5 * np.cos(np.linspace(0.0, np.pi, 25)), 1e-5, 1.0 - 1e-5)
 _PARTS = 4
 # Tightened by more than what was exceeded, so that few rounds do.
 _MORE = 1.2
@@ -36,7 +38,8 @@ _SAME = 1e-3
 class Grid(NamedTuple):
     """Nodes s, (n,), terms there, and shares by which limits are tightened, (n, m), those of speed last.
 
-    rate: s' of the motion found last, (n,), from which friction and limits of power are taken; 0 before.
+    rate, second: s' and s'' of the motion found last, (n,), 0 before; friction and limits of power are taken
+    from these.
     """
 
     source: Source
@@ -44,6 +47,7 @@ class Grid(NamedTuple):
     terms: Terms
     margin: Array
     rate: Array
+    second: Array
 
     @classmethod
     def of(cls, source: Source, s: Array) -> Grid:
@@ -59,11 +63,13 @@ class Grid(NamedTuple):
     def at(cls, source: Source, s: Array) -> Grid:
         """A grid of just these nodes."""
         terms = source(s)
-        return cls(source, s, terms, np.full((len(s), terms.quantities), _MARGIN), np.zeros(len(s)))
+        none = np.zeros(len(s))
+        return cls(source, s, terms, np.full((len(s), terms.quantities), _MARGIN), none, none)
 
     def after(self, profile: Profile, share: float = 1.0) -> Grid:
         """The grid with the rates of a motion along the path, times a share."""
-        return self._replace(rate=share * np.sqrt(np.interp(self.s, profile.phase.s, profile.phase.x)))
+        square, second = (np.interp(self.s, profile.phase.s, x) for x in (profile.phase.x, profile.second))
+        return self._replace(rate=share * np.sqrt(square), second=share**2 * second)
 
     def fastest(self, turns: int = TURNS) -> tuple[Grid, Profile]:
         """The fastest motion, in turns where bounds depend on its rates, and the grid with these."""
@@ -83,8 +89,13 @@ class Grid(NamedTuple):
 
     def bounds(self) -> Bounds:
         """What the tightened limits allow at the nodes."""
-        room = 1.0 - self.margin
-        return bounds_of(self.terms.rows(self.rate, room), self.terms.caps * room[:, -1] ** 2)
+        before, after = beside(self.terms.signs)
+        twice = np.flatnonzero((before != after).any(axis=-1))
+        index = np.append(np.arange(len(self.s)), twice)
+        room = 1.0 - self.margin[index]
+        terms = self.terms.at(index)
+        rows = terms.rows(self.rate[index], self.second[index], room, np.concatenate([after, before[twice]]))
+        return bounds_of(rows, terms.caps * room[:, -1] ** 2, twice)
 
     def divided(self, profile: Profile) -> Grid:
         """Cells in which a limit is exceeded, or none is active, in parts."""
@@ -105,8 +116,11 @@ class Grid(NamedTuple):
         again[2:-2] = 0.0
         return self._replace(margin=self.margin + _MORE * beside + again)
 
-    def used(self, profile: Profile, shares: Array = _SHARES) -> Array:
+    def used(self, profile: Profile) -> Array:
         """Shares of the limits that are used in every cell, (cells, shares, m), that of speed last."""
+        shares = np.tile(_SHARES, (len(self.s) - 1, 1))
+        # At rest itself, where there is no friction.
+        shares[0, 0], shares[-1, -1] = 0.0, 1.0
         s, square, second = profile.inside(shares)
         return self.source(s.ravel()).used(square.ravel(), second.ravel()).reshape(*s.shape, -1)
 

@@ -8,6 +8,7 @@ between the largest of the lower and the smallest of the upper bounds
 so every step is the first root of some quadratics in sqrt(x). Backward: the largest x from which the machine
 can still come to rest at the end. Forward: the largest x that it reaches below these. Without viscous
 friction the x that are possible at a node are one interval; with it there may be more, which are not used.
+Bounds may have two forms, one of which is to hold, and may jump at a node.
 """
 
 from __future__ import annotations
@@ -16,21 +17,28 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..io.array_types import Array
+from ...io.array_types import Array, Indices
 from .motor_terms import Rows
 
 # A quantity on which s'' has less than this share of its largest effect along the path does not bound s''.
 _NO_EFFECT = 1e-9
+# Nodes whose pairs of bounds are in memory at a time.
+_BLOCK = 64
 _SAMPLES = 65
 _ROUNDS = 4
 
 
 class Bounds(NamedTuple):
-    """At n nodes: s'' >= low, s'' <= high, of m quantities: (n, m, 3), by (1, x, sqrt(x)); x <= cap, (n,)."""
+    """At n nodes: s'' >= low, s'' <= high, x <= cap, (n,).
+
+    low, high: of m quantities in two forms, (n + j, m, 2, 3), by (1, x, sqrt(x)): after each node, then
+    before those j at which bounds jump. before: which of them end at the node, (n,).
+    """
 
     low: Array
     high: Array
     cap: Array
+    before: Indices
 
 
 class PhasePath(NamedTuple):
@@ -47,29 +55,52 @@ class PhasePath(NamedTuple):
     stops: Array
 
 
-def bounds_of(rows: Rows, caps: Array) -> Bounds:
-    """Bounds of s'' by rows, and of x by these and by caps, (n,)."""
-    effect = np.abs(rows.a)
+def bounds_of(rows: Rows, caps: Array, twice: Indices) -> Bounds:
+    """Bounds of s'' by rows, and of x by these and by caps, (n + j,).
+
+    twice: nodes at which bounds jump, (j,).
+    """
+    effect = np.abs(rows.a).max(axis=-1)
     free = effect <= _NO_EFFECT * effect.max(axis=0)
-    a = np.where(free, 1.0, rows.a)
+    a = np.where(free[..., None], 1.0, rows.a)
     rest = -np.stack([rows.e, rows.b, rows.d], axis=-1) / a[..., None]
     low, high = rest.copy(), rest.copy()
-    low[..., 0] += np.where(a > 0.0, rows.low, rows.high) / a
-    high[..., 0] += np.where(a > 0.0, rows.high, rows.low) / a
+    least, most = rows.low[..., None], rows.high[..., None]
+    low[..., 0] += np.where(a > 0.0, least, most) / a
+    high[..., 0] += np.where(a > 0.0, most, least) / a
     low[free], high[free] = (-np.inf, 0.0, 0.0), (np.inf, 0.0, 0.0)
     # Quantities that s'' does not change bound x by themselves.
-    above = first_root(rows.e - rows.high, rows.b, rows.d)
-    below = first_root(rows.low - rows.e, -rows.b, -rows.d)
+    above = first_root(rows.e - most, rows.b, rows.d).max(axis=-1)
+    below = first_root(least - rows.e, -rows.b, -rows.d).max(axis=-1)
     alone = np.where(free, np.minimum(above, below), np.inf).min(axis=-1)
     low, high = (_bounding(side) for side in (low, high))
-    gap = low[:, :, None, :] - high[:, None, :, :]
-    together = first_root(gap[..., 0], gap[..., 1], gap[..., 2]).min(axis=(1, 2), initial=np.inf)
-    return Bounds(low, high, np.minimum(caps, np.minimum(alone, together) ** 2))
+    blocks = [slice(i, i + _BLOCK) for i in range(0, len(caps), _BLOCK)]
+    together = np.concatenate([_first_contradiction(low[block], high[block]) for block in blocks])
+    cap = np.minimum(caps, np.minimum(alone, together) ** 2)
+    n = len(cap) - len(twice)
+    before = np.arange(n)
+    before[twice] = np.arange(n, len(cap))
+    return Bounds(low, high, np.minimum(cap[:n], cap[before]), before)
+
+
+def _first_contradiction(low: Array, high: Array) -> Array:
+    """Least z at which no s'' is above all lower and below all upper bounds, (n,)."""
+    low, high = _finite_first(low), _finite_first(high)
+    gap = low[:, :, None, :, None] - high[:, None, :, None, :]
+    roots = first_root(gap[..., 0], gap[..., 1], gap[..., 2])
+    return np.asarray(roots.max(axis=(-2, -1)).min(axis=(1, 2), initial=np.inf))
+
+
+def _finite_first(side: Array) -> Array:
+    """Bounds of each node, as many as there are finite ones at any; the others give no root."""
+    none = ~np.isfinite(side[..., 0, 0])
+    order = np.argsort(none, axis=1, kind="stable")[:, : int((~none).sum(axis=1).max(initial=0))]
+    return np.take_along_axis(side, order[..., None, None], axis=1)
 
 
 def _bounding(side: Array) -> Array:
     """Bounds of quantities that bound s'' anywhere, or just one."""
-    kept = np.isfinite(side[..., 0]).any(axis=0)
+    kept = np.isfinite(side[..., 0]).any(axis=(0, 2))
     return side[:, kept] if kept.any() else side[:, :1]
 
 
@@ -95,18 +126,22 @@ def _stops(step: Array, bounds: Bounds) -> Array:
     stops = np.zeros(len(bounds.cap))
     for i in range(len(step) - 1, -1, -1):
         h, low = step[i], bounds.low[i]
-        most = _most_left(h, bounds.low[i + 1], stops[i + 1])[1]
-        root = first_root(h * low[:, 0] - most, 1.0 + h * low[:, 1], h * low[:, 2]).min()
+        most = _most_left(h, bounds.low[bounds.before[i + 1]], stops[i + 1])[1]
+        root = _first_of_all(h * low[..., 0] - most, 1.0 + h * low[..., 1], h * low[..., 2])
         stops[i] = min(bounds.cap[i], root * root)
     return stops
+
+
+def _first_of_all(c_0: Array, c_1: Array, c_2: Array) -> float:
+    """Least root of any quantity; of its two forms, (m, 2), the greater."""
+    return float(first_root(c_0, c_1, c_2).max(axis=-1).min())
 
 
 def _most_left(h: float, low: Array, top: float) -> tuple[float, float]:
     """x in [0, top] at which x - h low(x) is largest, and that."""
 
     def left(z: Array) -> Array:
-        root = z[:, None]
-        return np.asarray(z * z - h * (low[:, 0] + low[:, 1] * root * root + low[:, 2] * root).max(axis=-1))
+        return np.asarray(z * z - h * lowest(low, z * z))
 
     z = float(np.sqrt(top))
     ends = left(np.array([z, z * (1.0 - 1e-6)]))
@@ -125,13 +160,14 @@ def _starts(step: Array, bounds: Bounds, stops: Array) -> Array:
     """Largest x at each node that is reached from rest and can be stopped from."""
     x = np.zeros(len(stops))
     for i, h in enumerate(step):
-        high = bounds.high[i + 1]
-        gained = x[i] + h * _value(bounds.high[i], x[i]).min()
-        root = first_root(-h * high[:, 0] - gained, 1.0 - h * high[:, 1], -h * high[:, 2]).min()
+        end = bounds.before[i + 1]
+        high, low = bounds.high[end], bounds.low[end]
+        gained = x[i] + h * float(highest(bounds.high[i], x[i]))
+        root = _first_of_all(-h * high[..., 0] - gained, 1.0 - h * high[..., 1], -h * high[..., 2])
         x[i + 1] = min(stops[i + 1], root * root)
-        needed = x[i] + h * _value(bounds.low[i], x[i]).max()
-        if x[i + 1] - h * _value(bounds.low[i + 1], x[i + 1]).max() < needed:
-            x[i + 1] = _least_above(h, bounds.low[i + 1], x[i + 1], needed)
+        needed = x[i] + h * float(lowest(bounds.low[i], x[i]))
+        if x[i + 1] - h * float(lowest(low, x[i + 1])) < needed:
+            x[i + 1] = _least_above(h, low, x[i + 1], needed)
     return x
 
 
@@ -141,27 +177,36 @@ def _least_above(h: float, low: Array, top: float, needed: float) -> float:
     bad = top
     for _ in range(50):
         x = 0.5 * (good + bad)
-        if x - h * _value(low, x).max() >= needed:
+        if x - h * float(lowest(low, x)) >= needed:
             good = x
         else:
             bad = x
     return good
 
 
-def _value(coefficients: Array, x: float) -> Array:
-    return np.asarray(coefficients[..., 0] + coefficients[..., 1] * x + coefficients[..., 2] * np.sqrt(x))
+def lowest(low: Array, x: Array | float) -> Array:
+    """What lower bounds, (..., m, 2, 3), leave of s'' at x: the easier form of each, the tightest of all."""
+    return np.asarray(_values(low, x).min(axis=-1).max(axis=-1))
+
+
+def highest(high: Array, x: Array | float) -> Array:
+    """What upper bounds leave of s'' at x, likewise."""
+    return np.asarray(_values(high, x).max(axis=-1).min(axis=-1))
+
+
+def _values(coefficients: Array, x: Array | float) -> Array:
+    at = np.asarray(x)[..., None, None]
+    return np.asarray(coefficients[..., 0] + coefficients[..., 1] * at + coefficients[..., 2] * np.sqrt(at))
 
 
 def _seconds(step: Array, bounds: Bounds, x: Array) -> tuple[Array, Array]:
     """s'' at the start and the end of each cell: the same share of what is possible at both nodes."""
-    column = x[:, None]
-    low, high = (
-        c[..., 0] + c[..., 1] * column + c[..., 2] * np.sqrt(column) for c in (bounds.low, bounds.high)
-    )
-    low, high = low.max(axis=-1), high.min(axis=-1)
+    start, end = slice(len(x) - 1), bounds.before[1:]
+    low = lowest(bounds.low[start], x[:-1]), lowest(bounds.low[end], x[1:])
+    high = highest(bounds.high[start], x[:-1]), highest(bounds.high[end], x[1:])
     total = np.diff(x) / step
-    width = (high - low)[:-1] + (high - low)[1:]
-    share = (total - low[:-1] - low[1:]) / np.where(width > 0.0, width, 1.0)
+    width = high[0] - low[0] + high[1] - low[1]
+    share = (total - low[0] - low[1]) / np.where(width > 0.0, width, 1.0)
     share = np.where(width > 0.0, share, 0.5)
-    first = low[:-1] + share * (high - low)[:-1]
+    first = low[0] + share * (high[0] - low[0])
     return first, total - first
