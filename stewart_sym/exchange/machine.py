@@ -18,7 +18,7 @@ _ROUNDING = 1e-9
 _LOWER, _UPPER, _POINT, _PLATE, _RIM = 0.03, 0.02, 0.035, 0.03, 1.1
 """Radii of parts and points, and the plates' thickness, over a leg; the plates' radius over the joints'."""
 _PART = 0.55
-"""Length of both parts over the longest leg, or over 1.4 times the leg at home where no limit is stated."""
+"""Of a part that states no length, over the longest leg, or 1.4 times the leg at home without a limit."""
 _REACH = 1.4
 _FAULTY, _THIN = 1e-2, 1e-6
 """Least second moment of mass over the largest, of impossible bodies and of those without a thickness."""
@@ -104,9 +104,11 @@ def _leg_frames(robot: Robot, s: Array) -> Array:
 
 
 def _parts(robot: Robot, i: int, frame: Array, length: float) -> tuple[Body, Body]:
-    longest = robot.length_limits[i, 1]
+    longest, start = robot.length_limits[i, 1], np.zeros(3)
     part = _short(_PART * (longest if np.isfinite(longest) else _REACH * length))
-    end, start = np.array([part, 0.0, 0.0]), np.zeros(3)
+    up, down = (
+        np.array([float(stated[i]) or part, 0.0, 0.0]) for stated in (robot.lower_length, robot.upper_length)
+    )
     lower = Body(
         f"lower_{i + 1}",
         frame,
@@ -114,7 +116,7 @@ def _parts(robot: Robot, i: int, frame: Array, length: float) -> tuple[Body, Bod
         float(robot.m_d[i]),
         robot.r_d0[i],
         robot.I_d0[i],
-        (Shape(_short(_LOWER * length), start, end),),
+        (Shape(_short(_LOWER * length), start, up),),
     )
     upper = Body(
         f"upper_{i + 1}",
@@ -123,7 +125,7 @@ def _parts(robot: Robot, i: int, frame: Array, length: float) -> tuple[Body, Bod
         float(robot.m_u[i]),
         robot.r_u0[i],
         robot.I_u0[i],
-        (Shape(_short(_UPPER * length), -end, start),),
+        (Shape(_short(_UPPER * length), -down, start),),
     )
     return lower, upper
 

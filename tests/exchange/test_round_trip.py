@@ -116,6 +116,7 @@ def test_bodies_and_joints_alone_give_the_robot_but_for_rounding(
     robot = ROBOTS[name]
     again = ss.import_model(written(without_notes(ss.export_model(robot, form)), tmp_path / "model")).robot
     unstated = {"mjcf": {"C_s", "speed_limit"}, "sdf": {"C_s"}, "urdf": set()}[form]
+    unstated |= {"lower_length", "upper_length"}
     unstated |= {"C_u"} if form == "sdf" and robot.base_joint == "spherical" else set()
     for field in set(differences(again, robot)) - unstated - {"home"}:
         value = np.asarray(getattr(robot, field))
@@ -212,6 +213,18 @@ def test_armatures_alone_become_rotors_that_resist_as_much(tmp_path: Path) -> No
     assert any("lead of 0.005 m" in line for line in found.assumptions)
     noted = ss.import_model(written(ss.export_model(robot, "mjcf"), tmp_path / "noted"))
     assert not any("lead" in line for line in noted.assumptions)
+
+
+def test_shapes_have_the_lengths_of_the_parts_that_the_robot_states(tmp_path: Path) -> None:
+    robot = dataclasses.replace(ROBOTS["hexapod"], lower_length=np.linspace(0.31, 0.36, 6))
+    model = mujoco.MjModel.from_xml_string(ss.export_model(robot, "mjcf").text)
+    for i, length in enumerate(robot.lower_length, 1):
+        geom = int(model.body(f"lower_{i}").geomadr[0])
+        assert 2.0 * model.geom_size[geom, 1] == pytest.approx(length, rel=1e-12)
+        assert model.geom_pos[geom] @ [1.0, 0.0, 0.0] == pytest.approx(0.5 * length, rel=1e-12)
+    for form in FORMATS:
+        again = ss.import_model(written(ss.export_model(robot, form), tmp_path / form)).robot
+        np.testing.assert_array_equal(again.lower_length, robot.lower_length)
 
 
 def test_legs_whose_axes_do_not_meet_are_rejected() -> None:
