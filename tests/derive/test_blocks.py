@@ -13,10 +13,10 @@ from stewart_sym.derive.kernel.tree.nodes import Program
 from stewart_sym.derive.mechanics.formulation import FORMULATIONS
 from stewart_sym.derive.mechanics.inverse_dynamics import kernel
 from stewart_sym.derive.print.python import Python
+from stewart_sym.derive.program import cse
 from stewart_sym.derive.program.block import Block, Builder, Operations, Quantity, count
-from stewart_sym.derive.program.cse import share
 
-derived = functools.cache(kernel)
+derived, share = functools.cache(kernel), functools.cache(cse.share)
 A, B, X = sp.symbols("a b x", real=True)
 
 
@@ -73,7 +73,7 @@ def random_values(block: Block, seed: int) -> dict[str, mp.mpf]:
 
 
 @pytest.mark.parametrize("form", FORMULATIONS, ids=lambda form: form.kernel_name)
-@pytest.mark.parametrize("friction", [True, False])
+@pytest.mark.parametrize("friction", [True, pytest.param(False, marks=pytest.mark.slow)])
 def test_sharing_keeps_every_output_and_costs_less(form, friction: bool) -> None:
     with mp.workdps(50):
         for block in derived(form, friction).blocks:

@@ -32,6 +32,7 @@ from stewart_sym.studies.common.output import csv_lines
 Array = NDArray[np.float64]
 
 EPSILON = np.finfo(np.float64).eps
+FAST_LEVELS = ("general", "slender", "massless_static")
 
 
 # the scene
@@ -150,7 +151,10 @@ def test_forces_at_50_digits_are_those_of_the_elimination(form: Any) -> None:
     np.testing.assert_allclose(found.astype(float), expected, rtol=0, atol=1e-13 * np.abs(expected).max())
 
 
-@pytest.mark.parametrize("level", FIDELITIES)
+@pytest.mark.parametrize(
+    "level",
+    [pytest.param(level, marks=() if level in FAST_LEVELS else pytest.mark.slow) for level in FIDELITIES],
+)
 def test_every_fidelity_is_within_rounding_of_its_own_truth(level: str) -> None:
     rng = np.random.default_rng(6)
     robot = random_robot(rng)
@@ -284,7 +288,7 @@ def test_a_machine_with_spherical_base_joints_has_fewer_candidates(monkeypatch: 
     assert made.entry("exact", "general", "double").model == 0.0
 
 
-@pytest.mark.parametrize("precision", ["double", "float"])
+@pytest.mark.parametrize("precision", ["double", pytest.param("float", marks=pytest.mark.slow)])
 def test_bytes_of_code_are_those_of_a_program_of_one_pose(precision: str) -> None:
     sizes = {
         level: study._text(dasgupta(), Candidate("exact", level, precision))
