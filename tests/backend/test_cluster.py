@@ -79,6 +79,7 @@ def cluster(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Cluster]:
             yield Cluster(client, log)
 
 
+@pytest.mark.slow
 def test_a_cold_cluster_maps_a_workspace_to_the_same_bits_and_compiles_at_most_once_a_worker(
     cluster: Cluster,
 ) -> None:
@@ -100,6 +101,7 @@ def test_a_cold_cluster_maps_a_workspace_to_the_same_bits_and_compiles_at_most_o
         assert all(same_bits(part, whole[:100]) for part, whole in zip(block, near, strict=True))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("precision", ["double", "float"])
 def test_a_prepared_kernel_runs_unchanged_under_map_blocks_and_apply_gufunc(
     cluster: Cluster, precision: str

@@ -9,6 +9,7 @@ import pytest
 from command_line import fails_in_one_line, folder_state
 from cost_figures import SCENE, hasty
 from fifty_digits import truth as eliminated
+from formulations import OF_EACH_FORMULATION
 from machines import dasgupta, random_motion, random_robot, random_robot_of
 from mpmath import mp
 from numpy.typing import NDArray
@@ -16,7 +17,6 @@ from reduced_machines import at_rest
 
 import stewart_sym as ss
 from stewart_sym.backend import fidelity
-from stewart_sym.derive.mechanics.formulation import EXACT, EXACT_DRIVE, FORMULATIONS
 from stewart_sym.derive.mechanics.reduced_models import FIDELITIES
 from stewart_sym.generated.fidelities import FIDELITIES as TABLE
 from stewart_sym.motion.log_reader import read_csv
@@ -130,15 +130,7 @@ def test_a_pose_without_an_answer_is_named(scene: Path, capsys: pytest.CaptureFi
 # 50 digits
 
 
-@pytest.mark.parametrize(
-    "form",
-    [
-        pytest.param(
-            form, id=form.kernel_name, marks=() if form in (EXACT, EXACT_DRIVE) else pytest.mark.slow
-        )
-        for form in FORMULATIONS
-    ],
-)
+@OF_EACH_FORMULATION
 def test_forces_at_50_digits_are_those_of_the_elimination(form: Any) -> None:
     """Which has its own text of the sums over the legs, and its own solve."""
     rng = np.random.default_rng(5)
