@@ -5,13 +5,15 @@ Everything drawn comes from the kinematics of a machine with few clear proportio
 """
 
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from stewart_sym.motion.rotation import rotation_from_rpy
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 Array = NDArray[np.float64]
 
@@ -37,8 +39,10 @@ def _machine() -> tuple[Array, Array, Array, Array]:
     return b, t + p @ R.T, R, t
 
 
-def figure() -> Figure:
+def figure() -> "Figure":
     """The drawing, 8 by 7.2 inches."""
+    from matplotlib.figure import Figure
+
     drawing = Figure(figsize=(8.0, 7.2))
     axes: Any = drawing.add_axes((0.0, 0.0, 1.0, 1.0), projection="3d")
     axes.set_axis_off()

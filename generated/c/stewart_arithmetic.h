@@ -115,6 +115,14 @@
 #define STEWART_ALIGNED
 #endif
 
+/* STEWART_ASK: has a line of the cache, which holds a number of each pose of a block, brought from memory, which
+ * takes as long as the forces of a block. */
+#if defined(__GNUC__)
+#define STEWART_ASK(address) __builtin_prefetch(address)
+#else
+#define STEWART_ASK(address) ((void)(address))
+#endif
+
 /* GCC writes short loops out before it looks for vectors, and then finds few. */
 #if defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 8
 #define STEWART_LOOP _Pragma("GCC unroll 1")

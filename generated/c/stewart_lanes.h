@@ -815,13 +815,27 @@ STEWART_SHARED STEWART_NO_COPY void solve_block(
     }
 }
 
-/* `width` numbers of each pose of a block; past the end, the last pose again. */
+/* Where `width` numbers of each pose of a whole block begin. Asks for those of the block after the next. */
+STEWART_SHARED const stewart_real *block_at(
+    const stewart_real *from, size_t width, size_t first, size_t count)
+{
+    size_t i;
+    const stewart_real *found = &from[first * width];
+    if (first + 3U * (size_t)POSES <= count) {
+        for (i = 2U * width; i < 3U * width; ++i) {
+            STEWART_ASK(&found[i * (size_t)POSES]);
+        }
+    }
+    return found;
+}
+
+/* The same of any block; past the end, the last pose again. */
 STEWART_SHARED const stewart_real *whole(
     const stewart_real *from, size_t width, size_t first, size_t count, stewart_real *padded)
 {
     size_t l, i;
     if (first + (size_t)POSES <= count) {
-        return &from[first * width];
+        return block_at(from, width, first, count);
     }
     for (l = 0; l < (size_t)POSES; ++l) {
         const size_t pose = first + l < count ? first + l : count - 1U;
@@ -871,6 +885,11 @@ STEWART_SHARED void take_columns(
     stewart_real (*STEWART_RESTRICT to)[POSES])
 {
     int i, l;
+    if (first + 3U * (size_t)POSES <= count) {
+        for (i = 0; i < width; ++i) {
+            STEWART_ASK(&from[(size_t)i * stride + first + 2U * (size_t)POSES]);
+        }
+    }
     if (first + (size_t)POSES <= count) {
         for (i = 0; i < width; ++i) {
             const stewart_real *column = &from[(size_t)i * stride + first];
@@ -923,6 +942,11 @@ STEWART_SHARED void store_forces(
     const size_t by_pose = stride > 0U ? (size_t)1 : (size_t)6;
     const size_t by_leg = stride > 0U ? stride : (size_t)1;
     stewart_real *const here = &to[first * by_pose];
+    if (first + 3U * (size_t)POSES <= count) {
+        for (i = 0; i < 6; ++i) {
+            STEWART_ASK(&here[2U * (size_t)POSES * by_pose + (size_t)i * (stride > 0U ? stride : (size_t)POSES)]);
+        }
+    }
     for (l = 0; l < POSES && first + (size_t)l < count; ++l) {
         if (bad[l] == REAL(0)) {
             for (i = 0; i < 6; ++i) {

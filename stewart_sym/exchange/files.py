@@ -11,7 +11,6 @@ import numpy as np
 from ..drives.friction import losses
 from ..io.arguments import instance, option, shown
 from ..io.tables import file_name, read_text
-from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot
 from .chain import Model
 from .formats import mjcf_in, mjcf_out, sdf_in, sdf_out, urdf_in, urdf_out, usd_out
@@ -92,13 +91,13 @@ def export_model(robot: Robot, format: str) -> ModelFile:  # noqa: A002 # the op
     Raises
     ------
     ValueError
-        In one line: legs whose axes do not meet or that lie along a fixed axis at home; an inertia that no
-        body can have, which all but URDF reject, unless the robot accepts it: then a warning says that the
-        nearest possible one is written.
+        In one line: legs whose upper parts turn in the lower ones or that lie along a fixed axis at home; an
+        inertia that no body can have, which all but URDF reject, unless the robot accepts it: then a warning
+        says that the nearest possible one is written.
     """
     instance(robot, Robot, "robot")
     option(format, tuple(PROGRAMS), "format")
-    need_no_offsets(robot)
+    _need_writable(robot, format)
     written = robot if format == "urdf" else possible(robot, PROGRAMS[format])
     model = model_of(written)
     _warn_of_losses(robot, format)
@@ -138,6 +137,15 @@ def import_model(path: str | os.PathLike[str]) -> ImportedModel:
         return ImportedModel(*robot_of(_parsed(text, loops)))
     except ValueError as error:
         raise ValueError(f"{source}: {error}") from None
+
+
+def _need_writable(robot: Robot, form: str) -> None:
+    """Reject U-C-U legs: no format has an actuator whose force turns what it pushes."""
+    if robot.offsets is not None and robot.offsets.spins:
+        raise ValueError(
+            f'{form}: offsets.platform_joint: expected "spherical", upper parts that turn in the lower ones '
+            "have no place there"
+        )
 
 
 def _warn_of_losses(robot: Robot, form: str) -> None:

@@ -10,15 +10,17 @@ from ..io.array_types import Array
 from ..plausibility.level_poses import level_home
 from ..robot.bodies import tensors_of_bodies
 from ..robot.fields import LEGS, legs_text
+from ..robot.offset_chains import Chains
 from ..robot.robot import PhysicalityWarning, Robot, impossible_inertias, inertia_fault
 from .chain import WORLD, Body, Joint, Model, Shape, frame_along
+from .offset_legs import base_joints, chains_at, cross_of, noted_offsets
 
 _LEAST_SINE = 1e-6
 _ROUNDING = 1e-9
 _LOWER, _UPPER, _POINT, _PLATE, _RIM = 0.03, 0.02, 0.035, 0.03, 1.1
 """Radii of parts and points, and the plates' thickness, over a leg; the plates' radius over the joints'."""
 _PART = 0.55
-"""Length of both parts over the longest leg, or over 1.4 times the leg at home where no limit is stated."""
+"""Of a part that states no length, over the longest leg, or 1.4 times the leg at home without a limit."""
 _REACH = 1.4
 _FAULTY, _THIN = 1e-2, 1e-6
 """Least second moment of mass over the largest, of impossible bodies and of those without a thickness."""
@@ -27,19 +29,22 @@ _FAULTY, _THIN = 1e-2, 1e-6
 def model_of(robot: Robot) -> Model:
     """The machine at its home pose, or at the level one where legs are near the middle of their lengths.
 
-    Raises ValueError where a leg lies along its fixed axis there.
+    Raises ValueError where a leg lies along its fixed axis there, or its offsets do not reach the pose.
     """
     t = level_home(robot)
+    at = None if robot.offsets is None else chains_at(robot, t)
     S = t + robot.p - robot.b
-    L = np.linalg.norm(S, axis=-1)
-    frames = _leg_frames(robot, S / L[:, None])
+    L = np.linalg.norm(S, axis=-1) if at is None else at.L[:, 0]
+    frames = _leg_frames(robot, S / L[:, None]) if at is None else at.U
     bodies = [Body(WORLD, shapes=_plate(robot.b, float(L.mean())))]
     joints, closures = [], []
     for i, (frame, length) in enumerate(zip(frames, L, strict=True)):
-        lower, upper = _parts(robot, i, frame, float(length))
+        lower, upper = _parts(robot, i, frame, float(length), at)
         base, actuator = _leg_joints(robot, i, frame, float(length))
+        if at is not None and robot.offsets is not None:
+            bodies.append(cross_of(robot, robot.offsets, i, at, _short(_LOWER * float(length))))
         bodies += [lower, upper]
-        joints += [base, actuator]
+        joints += [*([base] if at is None else base_joints(robot, i, at)), actuator]
         closures.append(
             Joint(
                 f"tip_{i + 1}",
@@ -54,7 +59,9 @@ def model_of(robot: Robot) -> Model:
     shapes = _plate(robot.p, float(L.mean()))
     bodies.append(Body("platform", np.eye(3), t, robot.M, robot.R_0, robot.I_p, shapes))
     joints.append(Joint("free", "free", WORLD, "platform"))
-    return Model(robot.name, robot.g, tuple(bodies), (*joints, *closures))
+    # Readers take axes that miss each other for offsets where a note says that they are meant to.
+    notes = {} if robot.offsets is None else {"offsets": noted_offsets(robot.offsets)}
+    return Model(robot.name, robot.g, tuple(bodies), (*joints, *closures), notes)
 
 
 def possible(robot: Robot, reader: str) -> Robot:
@@ -103,27 +110,31 @@ def _leg_frames(robot: Robot, s: Array) -> Array:
     return np.stack([s, y, np.cross(s, y)], axis=-1)
 
 
-def _parts(robot: Robot, i: int, frame: Array, length: float) -> tuple[Body, Body]:
-    longest = robot.length_limits[i, 1]
+def _parts(robot: Robot, i: int, frame: Array, length: float, at: Chains | None) -> tuple[Body, Body]:
+    longest, start = robot.length_limits[i, 1], np.zeros(3)
     part = _short(_PART * (longest if np.isfinite(longest) else _REACH * length))
-    end, start = np.array([part, 0.0, 0.0]), np.zeros(3)
+    up, down = (
+        np.array([float(stated[i]) or part, 0.0, 0.0]) for stated in (robot.lower_length, robot.upper_length)
+    )
+    if at is not None and robot.offsets is not None:
+        start = np.array([0.0, robot.offsets.along[i], robot.offsets.across[i]])
     lower = Body(
         f"lower_{i + 1}",
         frame,
-        robot.b[i],
+        robot.b[i] if at is None else robot.b[i] + at.A[i],
         float(robot.m_d[i]),
         robot.r_d0[i],
         robot.I_d0[i],
-        (Shape(_short(_LOWER * length), start, end),),
+        (Shape(_short(_LOWER * length), start, start + up),),
     )
     upper = Body(
         f"upper_{i + 1}",
         frame,
-        lower.placed(np.array([length, 0.0, 0.0])),
+        lower.placed(start + np.array([length, 0.0, 0.0])),
         float(robot.m_u[i]),
         robot.r_u0[i],
         robot.I_u0[i],
-        (Shape(_short(_UPPER * length), -end, start),),
+        (Shape(_short(_UPPER * length), -down, np.zeros(3)),),
     )
     return lower, upper
 

@@ -12,12 +12,15 @@ import numpy as np
 
 from ..io.json_text import json_text
 from ..robot.drive import Drive, drive_of_tables, drive_tables
+from ..robot.offsets import Offsets
 from ..robot.robot import Robot
 from .chain import Model
+from .offset_legs import noted_offsets, restored_offsets, same_offsets
 
 _ROUNDING = 1e-9
 _FIELDS = tuple(field.name for field in fields(Robot))
 _SILENT = ("name", "accept", "home", "tool", "euler_order", "lengths", "joint_angle_limit")
+_SILENT += ("lower_length", "upper_length")
 """Fields that no body or joint of a model says otherwise than a note."""
 _FROM_HOME = {"lengths": "absolute", "joint_angle_limit": np.inf}
 """Fields that need a home pose, as they are without one."""
@@ -52,11 +55,15 @@ def differences(robot: Robot, other: Robot) -> dict[str, Any]:
 
 def noted(found: Mapping[str, Any]) -> dict[str, Any]:
     """Fields as plain values, null for a limit that is missing."""
-    given = {
-        name: drive_tables(value) if isinstance(value, Drive) else value for name, value in found.items()
-    }
+    given = {name: _as_tables(value) for name, value in found.items()}
     plain: dict[str, Any] = json.loads(json_text(given))
     return plain
+
+
+def _as_tables(value: Any) -> Any:
+    if isinstance(value, Drive):
+        return drive_tables(value)
+    return noted_offsets(value) if isinstance(value, Offsets) else value
 
 
 def _arrays(one: object, two: object) -> bool:
@@ -71,7 +78,8 @@ def with_notes(robot: Robot, model: Model) -> tuple[Robot, list[str]]:
             raise ValueError(f"notes: {name!r}: expected a field of a robot")
         taken[name] = noted = _restored(name, noted)
         found = getattr(robot, name)
-        if name not in _SILENT and not _near(found, noted) and not _unstated(name, found):
+        near = same_offsets(robot, noted) if isinstance(noted, Offsets) else _near(found, noted)
+        if name not in _SILENT and not near and not _unstated(name, found):
             del taken[name]
             said.append(f"{name}: the model says otherwise than the note, the model is taken")
     if taken.get("home", robot.home) is None:
@@ -95,6 +103,8 @@ def _restored(name: str, noted: Any) -> Any:
         if not isinstance(noted, list):
             raise ValueError("notes: drive: expected a list")
         return drive_of_tables({}, [{"drive": table} for table in noted], "notes: ", float, False)
+    if name == "offsets":
+        return restored_offsets(noted)
     return tuple(noted) if name == "accept" and isinstance(noted, list) else noted
 
 

@@ -9,9 +9,11 @@ from ..io.arguments import printable
 from ..io.array_types import Array
 from ..robot.drive import Drive
 from ..robot.fields import DEFAULT_GRAVITY, legs_text
+from ..robot.offsets import Offsets
 from ..robot.robot import Robot
 from .chain import Body, Joint, Model, same_frame
 from .notes import with_notes
+from .offset_legs import OffsetLines
 from .topology import Leg, Machine, Step, machine_of
 
 _OPEN = 1e-3
@@ -27,7 +29,9 @@ def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
     """The robot and what was assumed, a line each; ValueError says what is no Stewart platform and where."""
     machine = machine_of(model)
     said: list[str] = []
-    legs = [_Leg(machine, leg, i, said) for i, leg in enumerate(machine.legs, 1)]
+    # Axes that miss each other are an error of the file unless it notes that they are meant to.
+    offset = "offsets" in model.notes
+    legs = [_Leg(machine, leg, i, said, offset) for i, leg in enumerate(machine.legs, 1)]
     kinds = [leg.base_joint for leg in legs]
     if len(set(kinds)) != 1:
         odd = [i for i, kind in enumerate(kinds) if kind != kinds[0]]
@@ -51,6 +55,8 @@ def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
         "home": platform.t if level else None,
         **{key: [leg.values[key] for leg in legs] for key in legs[0].values},
     }
+    if offset:
+        found["offsets"] = Offsets(**{key: [leg.offset[key] for leg in legs] for key in legs[0].offset})
     drive = _drive(legs)
     robot, kept = with_notes(Robot(**found, drive=drive), model)
     if drive is not None and robot.drive is drive:
@@ -84,7 +90,7 @@ def _need_mass(body: Body, what: str) -> None:
 class _Leg:
     """Fields of one leg of a robot, numbers from 1; lines of what was assumed are appended to ``said``."""
 
-    def __init__(self, machine: Machine, leg: Leg, number: int, said: list[str]) -> None:
+    def __init__(self, machine: Machine, leg: Leg, number: int, said: list[str], offset: bool) -> None:
         self.machine, self.leg, self.number, self.said = machine, leg, number, said
         self.lower, self.upper = machine.bodies[leg.lower], machine.bodies[leg.upper]
         for body in (self.lower, self.upper):
@@ -92,12 +98,11 @@ class _Leg:
         self.p = machine.point(leg.tip[-1], machine.platform)
         self.off = 0.0
         self.apart: list[tuple[float, Sequence[Step]]] = []
-        self.b, tip = self._common(leg.base), self._common(leg.tip)
-        S = tip - self.b
-        self.L = float(np.linalg.norm(S))
-        if not self.L > 0.0:
-            raise ValueError(f"leg {number}: expected a leg with a length, got 0 m")
-        self.s = S / self.L
+        self.tip = self._common(leg.tip)
+        self.lines = self._lines() if offset else None
+        self.b = self._common(leg.base) if self.lines is None else self.lines.b
+        self.foot = self.b if self.lines is None else self.lines.A
+        self.L, self.s = self._sliding()
         self._need_closed()
         k = self._axis()
         self.base_joint = "spherical" if k is None else "universal"
@@ -116,7 +121,31 @@ class _Leg:
             "force_limit": leg.slide.joint.effort,
             "speed_limit": leg.slide.joint.speed,
         }
+        self.offset: dict[str, Any] = {}
+        if self.lines is not None:
+            cross = machine.bodies[leg.crosses[0][0]]
+            self.offset = self.lines.offsets(self.s) | self.lines.cross(cross)
         self._say(leg)
+
+    def _lines(self) -> OffsetLines:
+        """Both axes at the base and the end of the line of sliding."""
+        base = self.leg.base
+        if [len(step.axes) for step in base] != [1, 1]:
+            raise self._error("expected two revolute joints at the base, since the notes state offsets")
+        points = np.array([self.machine.place(step) for step in base])
+        return OffsetLines.of(points, np.array([step.axes[0] for step in base]), self.tip)
+
+    def _sliding(self) -> tuple[float, Array]:
+        """Length of the leg, from its foot or along the line of sliding, and its direction, (3,)."""
+        S = self.tip - self.foot
+        L = float(np.linalg.norm(S))
+        if self.lines is not None:
+            (s,) = self.leg.slide.axes
+            s = -s if s @ S < 0.0 else s
+            L = float(s @ S)
+        if not L > 0.0:
+            raise self._error("expected a leg with a length, got 0 m")
+        return L, s if self.lines is not None else S / L
 
     def _error(self, text: str) -> ValueError:
         return ValueError(f"leg {self.number}: {text}")
@@ -191,7 +220,7 @@ class _Leg:
             if np.abs(own[:, 0] - self.s).max() < _ROUNDING:
                 return own
             k = np.eye(3)[np.argmin(np.abs(self.s))]
-        y = np.cross(k, self.s)
+        y = np.cross(k, self.s) if self.lines is None else self.lines.y
         sine = float(np.linalg.norm(y))
         if sine < _OPEN:
             raise self._error("expected a fixed axis across the leg in the file's pose, got one along it")
@@ -203,13 +232,15 @@ class _Leg:
         step = ends[-1] if part == "d" else ends[0]
         origin = self.machine.point(step, body.name) if len(ends) == 1 else None
         if origin is None:
-            origin = body.local(self.b if part == "d" else self.b + self.L * self.s)
+            origin = body.local(self.foot if part == "d" else self.tip)
             origin = np.where(np.abs(origin) < _ROUNDING * self.L, 0.0, origin)
         Q = body.R.T @ self.frame
         center, inertia = body.center - origin, body.inertia
         if not same_frame(Q, np.eye(3)):
             center, inertia = Q.T @ center, Q.T @ inertia @ Q
             inertia = 0.5 * (inertia + inertia.T)
+        if part == "d" and self.lines is not None:
+            return {"m_d": body.mass, "r_d0": center, "I_d0": inertia}
         if part == "d" and self.base_joint == "universal":
             inertia = inertia + self._crosses(crosses)
         elif any(self.machine.bodies[name].mass > 0.0 for name in crosses):

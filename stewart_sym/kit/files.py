@@ -309,6 +309,8 @@ def _unit(robot: Robot, choice: Choice, made: Parts, texts: Mapping[str, str]) -
     payload = None
     if forces.subject:
         needed |= {HEADER, SOURCE}
+        # The robot's header has the numbers of its drives as well.
+        needed |= {each.header for each in made.parts if TORQUE in each.kinds}
         numbers = robot_numbers(robot)
         payload = {quantity.name: numbers[quantity.name] for quantity in quantities.PLATFORM}
     return fmu_unit(

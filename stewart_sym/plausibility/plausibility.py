@@ -19,6 +19,7 @@ from ..robot.robot import LEGS, Robot, legs_text
 from .exchange import of_coincidence, of_exchange
 from .leg_order import of_order
 from .level_poses import Doubt, Home, centred_H, home_of, level_home, parts_of
+from .part_lengths import of_part_lengths
 
 MOST_GRAVITY = 50.0
 """m/s^2: twice Jupiter's; in mm/s^2 or cm/s^2 the Moon's is 1,620 or 162."""
@@ -351,6 +352,7 @@ def _of_home(robot: Robot, home: Home) -> Iterator[Doubt]:
         yield _of_limits(robot, home)
         return
     parts = list(_of_parts(robot, home)) or list(_of_overlap(robot, home))
+    parts = parts or list(of_part_lengths(robot, home))
     if parts:
         yield from parts
         return

@@ -40,14 +40,16 @@ class Body(NamedTuple):
 def body(value: object, where: str, metres: Metres, along: float | None) -> dict[str, Any]:
     """Mass, centre of mass and inertia, as far as given: by themselves, as a shape or as a list of parts.
 
+    Of a leg's part the length as well, m, from its joint to its other end: the key, or where its shapes end.
     metres: of lengths of the file. along: 1 or -1 for a leg's part, which lies along its x from the joint on
     that side; None for the platform, whose shapes are placed.
     """
     if isinstance(value, list | tuple):
         if not value:
             raise ValueError(f"{where}: expected a body or a list of parts, got []")
-        parts = [Body(**_one(part, f"{where} {i}: ", metres, along, True)) for i, part in enumerate(value, 1)]
-        return joined(parts)._asdict()
+        parts = [_one(part, f"{where} {i}: ", metres, along, True) for i, part in enumerate(value, 1)]
+        length = max(part.pop("length", 0.0) for part in parts)
+        return joined([Body(**part) for part in parts])._asdict() | ({"length": length} if along else {})
     return _one(value, f"{where}.", metres, along, False)
 
 
@@ -81,14 +83,15 @@ def _one(value: object, prefix: str, metres: Metres, along: float | None, whole:
     place = _PLACES["platform" if along is None else "leg"]
     of_shapes = (*dict.fromkeys(key for sizes in SHAPES.values() for key in sizes), "density", *place)
     table = tables.checked_table(value, prefix, (*INERTIA_KEYS, "shape", *of_shapes))
-    if "shape" in table or any(key in table for key in of_shapes):
-        return _by_shape(table, prefix, metres, along, place)._asdict()
+    own = () if along is None else ("length",)
+    if "shape" in table or any(key in table for key in of_shapes if key not in own):
+        return _by_shape(table, prefix, metres, along, place)
     return _by_inertia(table, prefix, metres, whole)
 
 
 def _by_shape(
     table: dict[str, Any], prefix: str, metres: Metres, along: float | None, place: tuple[str, ...]
-) -> Body:
+) -> dict[str, Any]:
     tables.require(table, ("shape",), prefix, "missing")
     shape = tables.choice(table["shape"], tuple(SHAPES), f"{prefix}shape")
     known = ("shape", *SHAPES[shape], *_MATTER, *place)
@@ -104,15 +107,12 @@ def _by_shape(
     else:
         length, volume, tensor = _cylinder(table, prefix, metres, _axis(table, prefix, along))
     mass = _mass(table, prefix, volume)
-    return Body(mass, _center(table, prefix, metres, along, length), mass * tensor)
-
-
-def _center(table: dict[str, Any], prefix: str, metres: Metres, along: float | None, length: float) -> Array:
-    """Middle of a shape."""
     if along is None:
-        return np.asarray(metres(tables.vector(table.get("center", (0.0, 0.0, 0.0)), f"{prefix}center")))
-    start = metres(tables.number(table.get("start", 0.0), f"{prefix}start"))
-    return np.array([along * (start + 0.5 * length), 0.0, 0.0])
+        center = metres(tables.vector(table.get("center", (0.0, 0.0, 0.0)), f"{prefix}center"))
+        return Body(mass, np.asarray(center), mass * tensor)._asdict()
+    start = float(metres(tables.number(table.get("start", 0.0), f"{prefix}start")))
+    center = np.array([along * (start + 0.5 * length), 0.0, 0.0])
+    return Body(mass, center, mass * tensor)._asdict() | {"length": max(0.0, start + length)}
 
 
 def _by_inertia(table: dict[str, Any], prefix: str, metres: Metres, whole: bool) -> dict[str, Any]:
@@ -127,6 +127,8 @@ def _by_inertia(table: dict[str, Any], prefix: str, metres: Metres, whole: bool)
         given, where = table["inertia"], f"{prefix}inertia"
         plain = isinstance(given, list | tuple) and not any(isinstance(row, list | tuple) for row in given)
         found["inertia"] = np.diag(tables.vector(given, where)) if plain else inertia(given, where)
+    if "length" in table:
+        found["length"] = float(metres(tables.positive(table["length"], f"{prefix}length")))
     return found
 
 

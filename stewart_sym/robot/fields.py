@@ -41,17 +41,20 @@ DOUBTS = (
         "overlap",
         "coincident",
     ),
-    *("home", "length-limits", "force-limit", "speed-limit", "drive-limit"),
+    *("home", "length-limits", "part-length", "force-limit", "speed-limit", "drive-limit"),
 )
 """Names of all warnings about a robot's numbers, as ``accept`` takes them: the first three are given on
 loading, the others by ``plausibility.doubts``."""
 
-NO_LIMITS = {
+UNSTATED = {
     "length_limits": (0.0, math.inf),
     "force_limit": math.inf,
     "speed_limit": math.inf,
     "joint_angle_limit": (math.inf, math.inf),
+    "lower.length": 0.0,
+    "upper.length": 0.0,
 }
+"""Values, by their paths in a leg's table, that say that a robot file has none."""
 
 
 def legs_text(legs: Sequence[int]) -> str:
@@ -105,14 +108,14 @@ def joint_angles(value: object, where: str, straight: float = math.pi) -> Array:
 
 def _limits_or_none(value: object, where: str) -> Array:
     row = value.tolist() if isinstance(value, np.ndarray) else value
-    if isinstance(row, list | tuple) and tuple(row) == NO_LIMITS["length_limits"]:
+    if isinstance(row, list | tuple) and tuple(row) == UNSTATED["length_limits"]:
         return np.array(row)
     return limits(row, where)
 
 
 def _angles_or_none(value: object, where: str) -> Array:
     row = value.tolist() if isinstance(value, np.ndarray) else value
-    if isinstance(row, list | tuple) and tuple(row) == NO_LIMITS["joint_angle_limit"]:
+    if isinstance(row, list | tuple) and tuple(row) == UNSTATED["joint_angle_limit"]:
         return np.array(row)
     return joint_angles(row, where)
 
@@ -207,6 +210,8 @@ LEG_FIELDS: dict[str, tuple[str, Check]] = {
     "force_limit": ("force_limit", _limit_or_none),
     "speed_limit": ("speed_limit", _limit_or_none),
     "joint_angle_limit": ("joint_angle_limit", _angles_or_none),
+    "lower_length": ("lower.length", tables.not_negative),
+    "upper_length": ("upper.length", tables.not_negative),
 }
 """The same of the fields with an entry for each leg, path in a leg's table."""
 

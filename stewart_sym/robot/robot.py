@@ -82,6 +82,9 @@ class Robot(Frozen):
     joint_angle_limit : ndarray, optional
         Largest angles between a leg and its direction at the home pose, in the base frame and in the platform
         frame, rad, (6, 2), pi for none at one end; a row (inf, inf) means no limit.
+    lower_length, upper_length : ndarray, optional
+        Of the parts, from the base point and from the platform point to the other end, m, (6,); 0 where not
+        stated. For drawings: forces do not depend on them.
     accept : tuple, optional
         Names, of ``DOUBTS``, of warnings that are known of this robot and not given.
     home : ndarray, optional
@@ -127,6 +130,8 @@ class Robot(Frozen):
     force_limit: Array = field(default_factory=lambda: np.full(LEGS, math.inf))
     speed_limit: Array = field(default_factory=lambda: np.full(LEGS, math.inf))
     joint_angle_limit: Array = field(default_factory=lambda: np.full((LEGS, 2), math.inf))
+    lower_length: Array = field(default_factory=lambda: np.zeros(LEGS))
+    upper_length: Array = field(default_factory=lambda: np.zeros(LEGS))
     accept: tuple[str, ...] = ()
     home: Array | None = None
     tool: Array = field(default_factory=lambda: np.zeros(3))
@@ -210,6 +215,7 @@ class Robot(Frozen):
         """
         plain = self.home is None and self.lengths == "absolute" and self.euler_order == "zyx"
         plain = plain and self.drive is None and self.offsets is None
+        plain = plain and not (self.lower_length.any() or self.upper_length.any())
         tables_of = schema_1.tables_of if plain and not self.tool.any() else schema_2.tables_of
         return tables_of(vars(self))
 

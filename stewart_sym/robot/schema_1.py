@@ -12,7 +12,7 @@ from .fields import (
     FIELDS,
     LEG_FIELDS,
     LEGS,
-    NO_LIMITS,
+    UNSTATED,
     accepted,
     base_joint,
     limits,
@@ -47,7 +47,7 @@ def values(d: object, file: str) -> dict[str, Any]:
     own = _values({"gravity": top.get("gravity", DEFAULT_GRAVITY), "platform": top["platform"]}, file)
     tables.require(own, [path for path, _ in FIELDS.values()], file, "missing")
     defaults = tables.checked_table(top.get("leg_defaults", {}), f"{file}leg_defaults.", _SHARED_KEYS)
-    shared = NO_LIMITS | _values(defaults, f"{file}leg_defaults.")
+    shared = UNSTATED | _values(defaults, f"{file}leg_defaults.")
     given = top["leg"]
     if not isinstance(given, list | tuple):
         raise ValueError(f"{file}leg: expected six [[leg]] tables, got {shown(given)}")
@@ -85,7 +85,8 @@ def leg_table(fields: Mapping[str, Any], i: int) -> dict[str, Any]:
     found = {path: fields[name][i] for name, (path, _) in LEG_FIELDS.items()}
     if fields["base_joint"] == "spherical":
         del found["universal_axis"]
-    return nested({path: value for path, value in found.items() if np.isfinite(value).all()})
+    stated = (path for path, value in found.items() if not np.array_equal(value, UNSTATED.get(path, np.nan)))
+    return nested({path: found[path] for path in stated})
 
 
 def nested(found: Mapping[str, Any]) -> dict[str, Any]:

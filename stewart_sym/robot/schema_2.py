@@ -20,8 +20,8 @@ from .fields import (
     DEFAULT_GRAVITY,
     LEG_FIELDS,
     LEGS,
-    NO_LIMITS,
     POSE_FIELDS,
+    UNSTATED,
     accepted,
     base_joint,
     joint_angles,
@@ -113,7 +113,7 @@ _SECTIONS |= {"home": "home", "tool": "trajectory", "g": "gravity"}
 def _need_finite(found: Mapping[str, Any], file: str) -> None:
     """Reject what is not finite any more after conversions and sums."""
     for name, value in found.items():
-        if name not in NO_LIMITS and isinstance(value, float | np.ndarray) and not np.all(np.isfinite(value)):
+        if name not in UNSTATED and isinstance(value, float | np.ndarray) and not np.all(np.isfinite(value)):
             where = f"{file}{_SECTIONS.get(name, 'legs')}"
             raise ValueError(f"{where}: expected numbers whose sums and squares are finite")
 
@@ -189,13 +189,13 @@ class _Legs:
             found[f"friction.{name}"] = self._friction(i, name)
         for name in ("force_limit", "speed_limit"):
             given = {**self.shared, **self.own[i]}
-            value = tables.positive(given[name], self._where(i, name)) if name in given else NO_LIMITS[name]
+            value = tables.positive(given[name], self._where(i, name)) if name in given else UNSTATED[name]
             found[name] = self.metres(value) if name == "speed_limit" else value
         angles = self._joint_angles(i, at_home)
         return found | {"length_limits": self._length_limits(i, at_home), "joint_angle_limit": angles}
 
     def _part(self, i: int, part: str) -> dict[str, Any]:
-        """Mass, centre of mass and inertia of the lower or upper part."""
+        """Mass, centre of mass, inertia and length of the lower or upper part."""
         side, shared, found, reason = _PARTS[part], self.shared.get(part), {}, "missing"
         if shared is not None:
             found = body(shared, f"{self.file}legs.{part}", self.metres, side)
@@ -209,7 +209,7 @@ class _Legs:
         elif shared is None:
             raise ValueError(f"{self.file}legs.{part}: missing")
         tables.require(found, INERTIA_KEYS, f"{self._where(i, part)}.", reason)
-        return found
+        return {"length": UNSTATED[f"{part}.length"]} | found
 
     def _friction(self, i: int, name: str) -> float:
         for table, prefix in ((self.own[i], f"{self.file}leg.{i + 1}."), (self.shared, f"{self.file}legs.")):
@@ -227,7 +227,7 @@ class _Legs:
                 return np.asarray(self.metres(limits(table["length_limits"], f"{prefix}length_limits")))
             if "stroke" in table:
                 return self._about_home(table["stroke"], f"{prefix}stroke", at_home)
-        return np.array(NO_LIMITS["length_limits"])
+        return np.array(UNSTATED["length_limits"])
 
     def need_no_stroke(self) -> None:
         """Reject limits about the length at home: with offsets that is not the distance of the joints."""
@@ -245,7 +245,7 @@ class _Legs:
         """Largest angles of both joints from the home pose, rad, (2,)."""
         given, where = {**self.shared, **self.own[i]}, self._where(i, "joint_angle_limit")
         if "joint_angle_limit" not in given:
-            return np.array(NO_LIMITS["joint_angle_limit"])
+            return np.array(UNSTATED["joint_angle_limit"])
         found = joint_angles(given["joint_angle_limit"], where, 180.0 if self.degrees else np.pi)
         if at_home is None:
             raise ValueError(f"{where}: is from the leg's direction at the home pose, expected a key home")

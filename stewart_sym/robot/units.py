@@ -21,7 +21,8 @@ from .robot import Robot
 Array = NDArray[Any]
 
 ROBOT: Mapping[str, tuple[int, int, int]] = {
-    **dict.fromkeys(("b", "p", "r_d0", "r_u0", "R_0", "length_limits", "home", "tool"), (1, 0, 0)),
+    **dict.fromkeys(("b", "p", "r_d0", "r_u0", "R_0", "home", "tool"), (1, 0, 0)),
+    **dict.fromkeys(("length_limits", "lower_length", "upper_length"), (1, 0, 0)),
     **dict.fromkeys(("M", "m_d", "m_u"), (0, 1, 0)),
     **dict.fromkeys(("I_p", "I_d0", "I_u0"), (2, 1, 0)),
     "g": (1, 0, -2),

@@ -24,10 +24,11 @@ from .instants import Event, Instants
 _THICK, _AXIS, _SWING = 0.028, 0.22, 0.25
 # Of the shortest leg, that the radius of a lower part is at most.
 _THICK_OF_LEG = 0.06
-# Share of the shortest leg that a lower part takes at most, and of the longest where that is less.
+# Of parts whose length is not stated: share of the shortest leg that a lower part takes at most, and of the
+# longest where that is less.
 _LOWER, _LOWER_OF_LONGEST = 0.9, 0.62
 # Of the shortest leg, that the upper part stays within the lower, and that it takes at most.
-_WITHIN, _UPPER = 0.15, 0.95
+_WITHIN, _UPPER = 0.15, 0.93
 # Where the largest force exceeds the quantile by this factor, as beside a singular pose, colours end there.
 _QUANTILE, _PEAK = 0.9, 4.0
 # Below which machines are shown in millimetres, m.
@@ -76,6 +77,15 @@ def data_text(data: dict[str, Any]) -> str:
     """Data as JSON that may stand in a block of HTML: nothing in it ends the block."""
     text = json.dumps(plain(data), ensure_ascii=True, allow_nan=False, separators=(",", ":"))
     return text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
+
+
+def parts_text(robot: Robot) -> str:
+    """Whether the legs' parts are drawn as long as they are, in words."""
+    stated = np.stack([robot.lower_length, robot.upper_length]) > 0.0
+    if stated.all():
+        return "The legs' parts have the lengths of the robot file."
+    which = "Some lengths" if stated.any() else "Lengths"
+    return f"{which} of the legs' parts are assumed: the robot file states none."
 
 
 # Parts
@@ -145,15 +155,16 @@ def _up(robot: Robot) -> Array:
 
 
 def _parts(robot: Robot, L: Array) -> tuple[Array, Array]:
-    """Lengths of lower and upper parts, m, (6,), that can slide into each other over all lengths."""
+    """Lengths of lower and upper parts, m, (6,): as stated, else such that they slide into each other."""
     with np.errstate(all="ignore"):
         shortest, longest = np.nanmin(L, axis=0), np.nanmax(L, axis=0)
     low, high = robot.length_limits.T
     shortest = np.where(low > 0.0, np.minimum(low, shortest), shortest)
     longest = np.where(np.isfinite(high), np.maximum(high, longest), longest)
-    lower = np.minimum(_LOWER * shortest, _LOWER_OF_LONGEST * longest)
-    upper = np.minimum(_UPPER * shortest, longest - lower + _WITHIN * shortest)
-    return lower, upper
+    assumed = np.minimum(_LOWER * shortest, _LOWER_OF_LONGEST * longest)
+    lower = np.where(robot.lower_length > 0.0, robot.lower_length, assumed)
+    assumed = np.minimum(_UPPER * shortest, longest - lower + _WITHIN * shortest)
+    return lower, np.where(robot.upper_length > 0.0, robot.upper_length, assumed)
 
 
 def _extent(robot: Robot, shown: Instants) -> Array:

@@ -17,7 +17,7 @@ from ..motion.straight_line import StraightLinePath
 from ..motion.trajectory import PoseLog, Trajectory
 from ..robot.robot import Robot
 from ..simulation.trace import Trace
-from .content import content, data_text, safe_text, units
+from .content import content, data_text, parts_text, safe_text, units
 from .instants import Instants, at_home, of_motion, of_path, of_run, of_trajectory
 from .page import document, filled, generator
 
@@ -56,6 +56,7 @@ class View:
                 "length": shown["lengthName"],
                 "moment": f"{(characteristic_length(self.robot) or 1.0) * shown['length']:.4g}",
                 "generator": html.escape(generator()),
+                "parts": parts_text(self.robot),
                 "data": data_text(content(self.robot, self.instants)),
             },
         )

@@ -11,11 +11,8 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
-import dask
-import dask.array as da
 import numpy as np
 import pytest
-from distributed import Client, LocalCluster
 from machines import dasgupta, random_motion, random_robot
 
 import stewart_sym as ss
@@ -32,10 +29,10 @@ AXES = (np.linspace(-0.2, 0.2, 50), np.linspace(-0.2, 0.2, 40), np.linspace(0.4,
 class Cluster:
     """A client of two workers, and a log of which process ran the compiler."""
 
-    def __init__(self, client: Client, log: Path) -> None:
+    def __init__(self, client: Any, log: Path) -> None:
         self.client, self._log = client, log
 
-    def compute(self, *arrays: da.Array) -> list[np.ndarray]:
+    def compute(self, *arrays: Any) -> list[np.ndarray]:
         futures = self.client.compute(list(arrays))
         return [future.result(timeout=WAIT) for future in futures]
 
@@ -49,6 +46,9 @@ class Cluster:
 
 @pytest.fixture(scope="module")
 def cluster(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Cluster]:
+    import dask
+    from distributed import Client, LocalCluster
+
     folder = tmp_path_factory.mktemp("cluster")
     log, cache, script = folder / "log", folder / "cache", folder / "cc"
     compiler = native.find_compiler()
@@ -79,6 +79,7 @@ def cluster(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Cluster]:
             yield Cluster(client, log)
 
 
+@pytest.mark.slow
 def test_a_cold_cluster_maps_a_workspace_to_the_same_bits_and_compiles_at_most_once_a_worker(
     cluster: Cluster,
 ) -> None:
@@ -100,10 +101,13 @@ def test_a_cold_cluster_maps_a_workspace_to_the_same_bits_and_compiles_at_most_o
         assert all(same_bits(part, whole[:100]) for part, whole in zip(block, near, strict=True))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("precision", ["double", "float"])
 def test_a_prepared_kernel_runs_unchanged_under_map_blocks_and_apply_gufunc(
     cluster: Cluster, precision: str
 ) -> None:
+    import dask.array as da
+
     rng = np.random.default_rng(30)
     robot = random_robot(rng)
     kernel = ss.prepare(robot, precision=precision)

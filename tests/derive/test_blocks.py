@@ -6,6 +6,7 @@ import random
 
 import pytest
 import sympy as sp
+from formulations import OF_EACH_FORMULATION
 from mpmath import mp
 
 from stewart_sym.derive.kernel.tree.lower import expression
@@ -13,10 +14,10 @@ from stewart_sym.derive.kernel.tree.nodes import Program
 from stewart_sym.derive.mechanics.formulation import FORMULATIONS
 from stewart_sym.derive.mechanics.inverse_dynamics import kernel
 from stewart_sym.derive.print.python import Python
+from stewart_sym.derive.program import cse
 from stewart_sym.derive.program.block import Block, Builder, Operations, Quantity, count
-from stewart_sym.derive.program.cse import share
 
-derived = functools.cache(kernel)
+derived, share = functools.cache(kernel), functools.cache(cse.share)
 A, B, X = sp.symbols("a b x", real=True)
 
 
@@ -72,8 +73,8 @@ def random_values(block: Block, seed: int) -> dict[str, mp.mpf]:
     return {name: mp.mpf(rng.uniform(0.5, 1.5)) for quantity in block.inputs for name in quantity.names}
 
 
-@pytest.mark.parametrize("form", FORMULATIONS, ids=lambda form: form.kernel_name)
-@pytest.mark.parametrize("friction", [True, False])
+@OF_EACH_FORMULATION
+@pytest.mark.parametrize("friction", [True, pytest.param(False, marks=pytest.mark.slow)])
 def test_sharing_keeps_every_output_and_costs_less(form, friction: bool) -> None:
     with mp.workdps(50):
         for block in derived(form, friction).blocks:
@@ -86,7 +87,7 @@ def test_sharing_keeps_every_output_and_costs_less(form, friction: bool) -> None
             assert shared.operations().total < block.operations().total
 
 
-@pytest.mark.parametrize("form", FORMULATIONS, ids=lambda form: form.kernel_name)
+@OF_EACH_FORMULATION
 def test_sharing_keeps_the_named_steps_and_their_order(form) -> None:
     for block in derived(form).blocks:
         names = [step.name for step in block.steps]
@@ -94,7 +95,7 @@ def test_sharing_keeps_the_named_steps_and_their_order(form) -> None:
         assert kept == names
 
 
-@pytest.mark.parametrize("form", FORMULATIONS, ids=lambda form: form.kernel_name)
+@OF_EACH_FORMULATION
 def test_every_step_uses_inputs_and_earlier_steps_only(form) -> None:
     for block in derived(form).blocks:
         for program in (block, share(block)):

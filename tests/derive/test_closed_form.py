@@ -72,6 +72,7 @@ def test_closed_form_is_the_elimination() -> None:
     assert vanishes(tip_force.by_closed_form() - tip_force.by_elimination(EXACT))
 
 
+@pytest.mark.slow
 def test_closed_form_is_lagranges_equations_of_two_bodies() -> None:
     assert vanishes(tip_force.by_closed_form() - tip_force.by_lagrange())
 
@@ -124,6 +125,7 @@ def whole(found: dict[str, sp.Matrix], name: str) -> sp.Matrix:
     return sp.Matrix(sp.BlockMatrix([[found[f"{name}_vv"], upper], [lower, found[f"{name}_ww"]]]))
 
 
+@pytest.mark.slow
 def test_platform_sees_the_leg_through_J_and_the_sum_stays_skew() -> None:
     (block,) = (kernel.leg for kernel in closed_form.kernels() if kernel.name == "equations")
     found = kept(block, "m", "C_tip", "q", "w_q")
@@ -167,6 +169,7 @@ def test_mass_at_the_platform_point_is_the_mass_lumped_with_it() -> None:
 # ---------------------------------------------------------------- derivatives
 
 
+@pytest.mark.slow
 def test_derivatives_at_the_tip_are_those_of_the_force() -> None:
     at, M = tip.gradients(), tip.inertia()
     raw = tip.torques(with_friction=True)

@@ -6,7 +6,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 from conventions_drawing import figure
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
@@ -33,6 +32,8 @@ def test_the_page_is_linked_where_a_new_user_looks(capsys: pytest.CaptureFixture
 
 
 def test_nothing_of_the_drawing_is_cut_off() -> None:
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+
     canvas = FigureCanvasAgg(figure())
     canvas.draw()
     ink = np.asarray(canvas.buffer_rgba())[..., :3].min(axis=-1) < 255

@@ -27,7 +27,7 @@ def small(difference: mp.matrix, beside: mp.matrix, tolerance: float = 1e-30) ->
 
 
 @pytest.mark.parametrize("friction", [True, False])
-@pytest.mark.parametrize("seed", range(2))
+@pytest.mark.parametrize("seed", [0, pytest.param(1, marks=pytest.mark.slow)])
 def test_equations_of_motion_are_those_of_the_elimination(friction: bool, seed: int) -> None:
     with mp.workdps(DIGITS):
         robot, motion, raw = case(seed, friction)
@@ -44,7 +44,7 @@ def test_equations_of_motion_are_those_of_the_elimination(friction: bool, seed: 
         assert small(short - right, right)
 
 
-@pytest.mark.parametrize("seed", range(2))
+@pytest.mark.parametrize("seed", [0, pytest.param(1, marks=pytest.mark.slow)])
 def test_rate_of_the_inertia_less_twice_the_coriolis_matrix_is_skew(seed: int) -> None:
     with mp.workdps(DIGITS):
         _, _, raw = case(seed, True)
@@ -74,7 +74,7 @@ def test_right_side_of_forward_dynamics_gives_the_accelerations_back(friction: b
 
 
 @pytest.mark.parametrize("friction", [True, False])
-@pytest.mark.parametrize("seed", range(2))
+@pytest.mark.parametrize("seed", [0, pytest.param(1, marks=pytest.mark.slow)])
 def test_derivatives_of_the_wrench_are_those_of_differences(friction: bool, seed: int) -> None:
     with mp.workdps(DIGITS):
         robot, motion, raw = case(seed, friction)

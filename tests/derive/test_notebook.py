@@ -12,10 +12,8 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
-import nbformat
 import pytest
 from installed import REPOSITORY, install
-from nbclient import NotebookClient
 
 from stewart_sym.io.extras import EXTRAS
 
@@ -83,11 +81,15 @@ def test_outputs_tell_nothing_of_the_machine_they_were_made_on() -> None:
 
 
 def _committed() -> Any:
+    import nbformat
+
     return nbformat.reads(NOTEBOOK.read_text("utf-8"), as_version=4)  # type: ignore[no-untyped-call]
 
 
 def _executed(folder: Path) -> Any:
     """The notebook after a run in ``folder``; CellExecutionError when a cell fails."""
+    from nbclient import NotebookClient
+
     notebook = _committed()
     client = NotebookClient(
         notebook,
@@ -121,6 +123,8 @@ def _shown(cell: Any) -> list[dict[str, str]]:
 
 
 def _rewrite() -> None:
+    import nbformat
+
     with TemporaryDirectory() as folder:
         notebook = _executed(Path(folder))
     notebook.metadata = METADATA

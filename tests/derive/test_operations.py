@@ -8,6 +8,7 @@ from string import Template
 import numpy as np
 import pytest
 from counting_c import COUNTING, REPORT
+from formulations import OF_EACH_FORMULATION
 from machines import dasgupta, random_motion, random_robot, random_robot_of
 
 from stewart_sym.backend.c_kernel import c_sources
@@ -95,7 +96,7 @@ def all_executed(
     return [line[1:] for line in found]
 
 
-@pytest.mark.parametrize("form", FORMULATIONS, ids=lambda form: form.kernel_name)
+@OF_EACH_FORMULATION
 def test_header_counts_are_the_operations_that_the_c_executes(form, tmp_path: Path) -> None:
     rng = np.random.default_rng(3)
     robot = random_robot_of(rng, form)
@@ -104,7 +105,7 @@ def test_header_counts_are_the_operations_that_the_c_executes(form, tmp_path: Pa
     assert counted == module(name).OPERATIONS["friction"]["total"]
 
 
-@pytest.mark.parametrize("form", FORMULATIONS, ids=lambda form: form.kernel_name)
+@OF_EACH_FORMULATION
 def test_header_counts_of_the_force_kernel_are_what_each_lane_executes(form, tmp_path: Path) -> None:
     rng = np.random.default_rng(4)
     robot = random_robot_of(rng, form)

@@ -34,6 +34,7 @@ from stewart_sym.studies.published import PICTURES
 
 RUNNING = [page for page in PAGES if any(block.language in ("python", "sh") for block in blocks(page))]
 SHELL = {page for page in RUNNING if any(block.language == "sh" for block in blocks(page))}
+LONG = {f".docs/gallery/{name}.md" for name in ("mpc", "computed-torque", "around-a-singularity")}
 NOT_RUN = ("sh .ci/setup ", "pip install ")
 """Beginnings of commands that change the environment: those of the README are run by ``.ci/run``."""
 SAME = 0.002
@@ -49,7 +50,7 @@ def test_an_excerpt_shows_where_lines_are_left_out() -> None:
 
 
 @pytest.mark.parametrize(
-    "page", [pytest.param(page, marks=pytest.mark.slow if page in SHELL else ()) for page in RUNNING]
+    "page", [pytest.param(page, marks=pytest.mark.slow if page in SHELL | LONG else ()) for page in RUNNING]
 )
 def test_examples_run_in_order_and_give_what_the_page_says(
     page: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

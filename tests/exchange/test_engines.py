@@ -8,13 +8,14 @@ import numpy as np
 import pytest
 from exported_mujoco import Exported
 from exported_pinocchio import accelerations
-from machines import random_motion, random_robot
+from machines import offset_case, random_motion, random_robot
 from numpy.typing import NDArray
 
 import stewart_sym as ss
 
 HEXAPOD = Path(__file__).parents[2] / ".docs" / "examples" / "hexapod.toml"
 SEEDS = range(60)
+OFFSET_SEEDS = range(24)
 NONE = np.zeros(6)
 MUJOCO, PINOCCHIO = 4e-6, 1e-9
 """Largest error over the pose's largest acceleration."""
@@ -55,6 +56,35 @@ def test_pinocchio_accelerates_the_exported_machine_as_we_do() -> None:
         robot, motion, F, truth = case(seed, **none)
         worst[seed] = off(accelerations(robot, motion, F), truth)
     assert max(worst.values()) < PINOCCHIO, worst
+
+
+def offset_machine(seed: int) -> Case:
+    """A random machine with offset joints, a pose, forces, and [a; alpha] under them by the reference."""
+    robot, motion = offset_case(seed)
+    robot = dataclasses.replace(robot, C_s=NONE)
+    F = ss.inverse_dynamics(robot, motion).F + robot.M * np.random.default_rng(seed).normal(size=6)
+    found = ss.forward_dynamics(robot, motion, F=F, backend="reference")
+    return robot, motion, F, np.concatenate(found[:2])
+
+
+def test_machines_with_offset_joints_accelerate_in_both_engines_as_in_the_reference() -> None:
+    worst = {}
+    for seed in OFFSET_SEEDS:
+        robot, motion, F, truth = offset_machine(seed)
+        worst[seed] = (
+            off(Exported(robot).accelerations(motion, F), truth),
+            off(accelerations(robot, motion, F), truth),
+        )
+    assert max(each for each, _ in worst.values()) < MUJOCO, worst
+    assert max(each for _, each in worst.values()) < PINOCCHIO, worst
+
+
+@pytest.mark.parametrize("name", ["cross", "along", "across", "cross_mass", "cross_center", "cross_inertia"])
+def test_other_offsets_are_found_out(name: str) -> None:
+    robot, motion, F, truth = offset_machine(3)
+    changed = dataclasses.replace(robot.offsets, **{name: 1.01 * getattr(robot.offsets, name)})
+    other = dataclasses.replace(robot, offsets=changed)
+    assert off(accelerations(other, motion, F), truth) > PINOCCHIO
 
 
 @pytest.mark.parametrize("seed", [1, 2])

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from machines import random_robot
+from machines import offset_case, random_robot
 from pxr import Usd, UsdGeom, UsdPhysics, UsdValidation
 from pydrake.multibody.parsing import Parser
 from pydrake.multibody.plant import MultibodyPlant
@@ -15,8 +15,14 @@ MACHINES = {
     "mathworks2002": ss.robots.mathworks2002,
     "tsai2000": ss.robots.tsai2000,
     "random": lambda: random_robot(np.random.default_rng(5)),
+    "offset joints": lambda: offset_case(2)[0],
 }
 pytestmark = pytest.mark.filterwarnings("ignore:.*expected no friction")
+
+
+def moving_mass(robot: ss.Robot) -> float:
+    crosses = 0.0 if robot.offsets is None else robot.offsets.cross_mass.sum()
+    return float(robot.M + robot.m_d.sum() + robot.m_u.sum() + crosses)
 
 
 def parsed(robot: ss.Robot, form: str) -> MultibodyPlant:
@@ -30,9 +36,11 @@ def test_the_parser_of_sdf_finds_the_machine(name: str) -> None:
     robot = MACHINES[name]()
     plant = parsed(robot, "sdf")
     kinds = [plant.get_joint(index).type_name() for index in plant.GetJointIndices()]
-    at_base = "universal" if robot.base_joint == "universal" else "ball_rpy"
+    at_base = ["universal"] if robot.base_joint == "universal" else ["ball_rpy"]
+    if robot.offsets is not None:
+        at_base = ["revolute", "revolute"]
     expected = {"prismatic": 6, "weld": 1}
-    for kind in (at_base, "ball_rpy"):
+    for kind in (*at_base, "ball_rpy"):
         expected[kind] = expected.get(kind, 0) + 6
     assert {kind: kinds.count(kind) for kind in set(kinds)} == expected
     for i in range(6):
@@ -61,7 +69,7 @@ def test_the_parser_of_urdf_finds_the_tree_and_its_mass(name: str) -> None:
     turns = 2 if robot.base_joint == "universal" else 3
     assert plant.num_velocities() == 6 * (turns + 1) + 6
     total = plant.CalcTotalMass(plant.CreateDefaultContext())
-    np.testing.assert_allclose(total, robot.M + robot.m_d.sum() + robot.m_u.sum())
+    np.testing.assert_allclose(total, moving_mass(robot))
 
 
 @pytest.fixture(params=MACHINES)
@@ -116,7 +124,7 @@ def test_usd_places_bodies_and_joints_where_the_machine_has_them(stage: tuple[ss
         for prim in opened.Traverse()
         if prim.HasAPI(UsdPhysics.MassAPI) and not prim.GetName().startswith("base")
     )
-    np.testing.assert_allclose(mass, robot.M + robot.m_d.sum() + robot.m_u.sum(), rtol=1e-6)
+    np.testing.assert_allclose(mass, moving_mass(robot), rtol=1e-6)
     scene = UsdPhysics.Scene(opened.GetPrimAtPath("/machine/physics"))
     g = scene.GetGravityMagnitudeAttr().Get() * np.array(scene.GetGravityDirectionAttr().Get())
     np.testing.assert_allclose(g, robot.g, rtol=0, atol=1e-5)

@@ -8,7 +8,7 @@ from pathlib import Path
 import mujoco
 import numpy as np
 import pytest
-from machines import random_robot, upside_down_in_millimetres
+from machines import offset_case, random_robot, upside_down_in_millimetres
 
 import stewart_sym as ss
 from stewart_sym.exchange.chain import Model
@@ -116,6 +116,7 @@ def test_bodies_and_joints_alone_give_the_robot_but_for_rounding(
     robot = ROBOTS[name]
     again = ss.import_model(written(without_notes(ss.export_model(robot, form)), tmp_path / "model")).robot
     unstated = {"mjcf": {"C_s", "speed_limit"}, "sdf": {"C_s"}, "urdf": set()}[form]
+    unstated |= {"lower_length", "upper_length"}
     unstated |= {"C_u"} if form == "sdf" and robot.base_joint == "spherical" else set()
     for field in set(differences(again, robot)) - unstated - {"home"}:
         value = np.asarray(getattr(robot, field))
@@ -214,10 +215,78 @@ def test_armatures_alone_become_rotors_that_resist_as_much(tmp_path: Path) -> No
     assert not any("lead" in line for line in noted.assumptions)
 
 
-def test_legs_whose_axes_do_not_meet_are_rejected() -> None:
-    offsets = ss.Offsets(cross=0.01)
-    with pytest.raises(ValueError, match="offsets: expected none"):
-        ss.export_model(dataclasses.replace(ROBOTS["mathworks2002"], offsets=offsets), "mjcf")
+def test_shapes_have_the_lengths_of_the_parts_that_the_robot_states(tmp_path: Path) -> None:
+    robot = dataclasses.replace(ROBOTS["hexapod"], lower_length=np.linspace(0.31, 0.36, 6))
+    model = mujoco.MjModel.from_xml_string(ss.export_model(robot, "mjcf").text)
+    for i, length in enumerate(robot.lower_length, 1):
+        geom = int(model.body(f"lower_{i}").geomadr[0])
+        assert 2.0 * model.geom_size[geom, 1] == pytest.approx(length, rel=1e-12)
+        assert model.geom_pos[geom] @ [1.0, 0.0, 0.0] == pytest.approx(0.5 * length, rel=1e-12)
+    for form in FORMATS:
+        again = ss.import_model(written(ss.export_model(robot, form), tmp_path / form)).robot
+        np.testing.assert_array_equal(again.lower_length, robot.lower_length)
+
+
+OFFSETS = {
+    "example": ss.Robot.from_toml(HEXAPOD.with_name("offset-joints.toml")),
+    "without crosses": dataclasses.replace(
+        ROBOTS["mathworks2002"], offsets=ss.Offsets(cross=0.01, across=-0.02)
+    ),
+    **{f"random {seed}": offset_case(seed)[0] for seed in range(4)},
+}
+
+
+@pytest.mark.parametrize("form", FORMATS)
+@pytest.mark.parametrize("name", OFFSETS)
+def test_offset_joints_come_back_and_are_exported_to_the_same_bytes(
+    name: str, form: str, tmp_path: Path
+) -> None:
+    robot = OFFSETS[name]
+    file = ss.export_model(robot, form)
+    found = ss.import_model(written(file, tmp_path / "model"))
+    assert set(differences(found.robot, robot)) == {"offsets"}
+    for each in dataclasses.fields(ss.Offsets):
+        np.testing.assert_array_equal(
+            getattr(found.robot.offsets, each.name), getattr(robot.offsets, each.name)
+        )
+    assert not any("says otherwise" in line for line in found.assumptions)
+    assert ss.export_model(found.robot, form) == file
+
+
+def test_offsets_of_the_model_count_where_its_note_says_otherwise(tmp_path: Path) -> None:
+    text = ss.export_model(OFFSETS["example"], "mjcf").text
+    lower = r'(name="lower_1" pos=")\S+'
+    # The loop is as much open as the axis was moved.
+    (tmp_path / "model.xml").write_text(re.sub(lower, r"\g<1>0.012", text), encoding="utf-8")
+    with pytest.raises(ValueError, match="leg 1: joint 'tip_1': expected a loop that is closed"):
+        ss.import_model(tmp_path / "model.xml")
+    (tmp_path / "model.xml").write_text(re.sub(lower, r"\g<1>0.0101", text), encoding="utf-8")
+    found = ss.import_model(tmp_path / "model.xml")
+    assert found.robot.offsets.cross[0] == pytest.approx(0.0101)
+    assert "offsets: the model says otherwise than the note, the model is taken" in found.assumptions
+
+
+@pytest.mark.parametrize("form", [*FORMATS, "usd"])
+def test_legs_whose_upper_parts_turn_are_rejected_by_the_formats_name(form: str) -> None:
+    robot, _ = offset_case(0, "universal")
+    with pytest.raises(
+        ValueError, match=rf'\A{form}: offsets.platform_joint: expected "spherical"'
+    ) as caught:
+        ss.export_model(robot, form)
+    assert "\n" not in str(caught.value)
+
+
+def test_a_note_of_offsets_that_is_none_is_rejected_in_one_line(tmp_path: Path) -> None:
+    text = ss.export_model(OFFSETS["example"], "mjcf").text
+    for note in (
+        "{&quot;offsets&quot;: 3}",
+        "{&quot;offsets&quot;: {&quot;legs&quot;: {}, &quot;leg&quot;: [{},{},{},{},{},{}]}}",
+    ):
+        changed = re.sub(r'(name="stewart_sym" data=")[^"]*"', lambda m, n=note: f'{m[1]}{n}"', text)
+        (tmp_path / "model.xml").write_text(changed, encoding="utf-8")
+        with pytest.raises(ValueError, match="notes: offsets: expected") as caught:
+            ss.import_model(tmp_path / "model.xml")
+        assert "\n" not in str(caught.value)
 
 
 def test_a_leg_along_its_fixed_axis_is_rejected() -> None:

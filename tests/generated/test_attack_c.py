@@ -5,6 +5,7 @@ on 0, one pose equal to the batch bit for bit, null pointers rejected, no byte b
 """
 
 import os
+from collections.abc import Sequence
 from pathlib import Path
 
 import attack_build
@@ -21,6 +22,7 @@ SANITIZED = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
 MEMORY = ["-fsanitize=memory", "-fno-sanitize-recover=all"]
 COVERAGE = ["-fsanitize-coverage=inline-8bit-counters,pc-table"]
 FLOAT = ["-DSTEWART_FLOAT"]
+SOME, SOME_WITH_ROTORS = (None, None) if FULL else (attack_build.SOME, attack_build.SOME_WITH_ROTORS)
 SEEDS = attack_build.ATTACK / "seeds.txt"
 
 
@@ -31,31 +33,35 @@ def need(folder: Path, compiler: str, flags: list[str]) -> None:
 
 
 @pytest.mark.parametrize(
-    ("compiler", "flags", "cases"),
+    ("compiler", "flags", "cases", "chosen"),
     [
-        pytest.param("gcc", ["-O0", *SANITIZED], 2_000, id="gcc-double"),
+        pytest.param("gcc", ["-O0", *SANITIZED], 2_000, attack_build.FEW, id="gcc-double-few"),
+        pytest.param("gcc", ["-O0", *SANITIZED], 2_000, SOME, id="gcc-double", marks=pytest.mark.slow),
         pytest.param(
-            "gcc", ["-O0", *SANITIZED, *FLOAT], share(20_000), id="gcc-float", marks=pytest.mark.slow
+            "gcc", ["-O0", *SANITIZED, *FLOAT], share(20_000), SOME, id="gcc-float", marks=pytest.mark.slow
         ),
         pytest.param(
-            "clang", ["-O1", *MEMORY], share(20_000), id="clang-uninitialised", marks=pytest.mark.slow
+            "clang", ["-O1", *MEMORY], share(20_000), SOME, id="clang-uninitialised", marks=pytest.mark.slow
         ),
         # What ships: vector instructions, where one pose and a batch take different ways to the same bits.
         pytest.param(
-            "gcc", ["-O3", "-march=native"], share(100_000), id="as-shipped", marks=pytest.mark.slow
+            "gcc", ["-O3", "-march=native"], share(100_000), SOME, id="as-shipped", marks=pytest.mark.slow
         ),
         pytest.param(
             "gcc",
             ["-O3", "-march=native", *FLOAT],
             share(100_000),
+            SOME,
             id="as-shipped-float",
             marks=pytest.mark.slow,
         ),
     ],
 )
-def test_random_cases_keep_the_contract(compiler: str, flags: list[str], cases: int, tmp_path: Path) -> None:
+def test_random_cases_keep_the_contract(
+    compiler: str, flags: list[str], cases: int, chosen: Sequence[str] | None, tmp_path: Path
+) -> None:
     need(tmp_path, compiler, flags)
-    program = attack_build.built(tmp_path, compiler, flags, some=not FULL)
+    program = attack_build.built(tmp_path, compiler, flags, chosen=chosen)
     assert attack_build.ran([str(program), str(cases), "1"], tmp_path) == f"{cases} cases\n"
 
 
@@ -69,7 +75,7 @@ def test_random_cases_keep_the_contract(compiler: str, flags: list[str], cases: 
 )
 def test_kernels_of_legs_with_rotors_keep_the_contract(flags: list[str], cases: int, tmp_path: Path) -> None:
     need(tmp_path, "gcc", flags)
-    program = attack_build.built(tmp_path, "gcc", flags, some=not FULL, rotors=True)
+    program = attack_build.built(tmp_path, "gcc", flags, chosen=SOME_WITH_ROTORS, rotors=True)
     assert attack_build.ran([str(program), str(cases), "1"], tmp_path) == f"{cases} cases\n"
 
 
@@ -82,7 +88,7 @@ def test_fuzzing_finds_nothing(
 ) -> None:
     need(tmp_path, "clang", [*SANITIZED, "-fsanitize=fuzzer"])
     program = attack_build.built(
-        tmp_path, "clang", ["-O1", *SANITIZED, *COVERAGE, *precision], None, ["-fsanitize=fuzzer"], not FULL
+        tmp_path, "clang", ["-O1", *SANITIZED, *COVERAGE, *precision], None, ["-fsanitize=fuzzer"], SOME
     )
     starts = []
     for number, seed in enumerate(seeds()):
@@ -133,14 +139,32 @@ PADDED = "if (first + (size_t)POSES <= count) {\n        return &from"
 @pytest.mark.parametrize(
     ("old", "new", "told"),
     [
-        ("", "", None),
-        ("if (!(STEWART_FABS(found[i]) <= STEWART_MAX)) {", "if (0) {", "attack_finite"),
-        (PADDED, PADDED.replace("(size_t)POSES <=", "1U <="), "heap-buffer-overflow"),
-        ("if (done.bad[l] > REAL(0)) {", "if (done.bad[l] > REAL(1)) {", "attack_first"),
-        ("|| motions->R == NULL || motions->t == NULL) {", "|| motions->t == NULL) {", "null pointer"),
-        ("int code = STEWART_OK;", "int code = 1 << (31 + (count > 8));", "left shift of 1"),
+        pytest.param("", "", None, id="sound"),
+        pytest.param(
+            PADDED, PADDED.replace("(size_t)POSES <=", "1U <="), "heap-buffer-overflow", id="past the end"
+        ),
+        *(
+            pytest.param(*case, id=name, marks=pytest.mark.slow)
+            for name, case in {
+                "not finite": (
+                    "if (!(STEWART_FABS(found[i]) <= STEWART_MAX)) {",
+                    "if (0) {",
+                    "attack_finite",
+                ),
+                "batch": ("if (done.bad[l] > REAL(0)) {", "if (done.bad[l] > REAL(1)) {", "attack_first"),
+                "null": (
+                    "|| motions->R == NULL || motions->t == NULL) {",
+                    "|| motions->t == NULL) {",
+                    "null pointer",
+                ),
+                "undefined": (
+                    "int code = STEWART_OK;",
+                    "int code = 1 << (31 + (count > 8));",
+                    "left shift of 1",
+                ),
+            }.items()
+        ),
     ],
-    ids=["sound", "not finite", "past the end", "batch", "null", "undefined"],
 )
 def test_the_oracles_tell_a_broken_kernel(old: str, new: str, told: str | None, tmp_path: Path) -> None:
     need(tmp_path, "gcc", SANITIZED)

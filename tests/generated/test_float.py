@@ -102,7 +102,9 @@ OTHERS += ["stewart_exact_drive_axial.c"]
 LONG = "stewart_exact_motion.c"
 BUILDS = [("gcc", FAST, source) for source in GENERAL if source != LONG]
 BUILDS += [("gcc", ["-O1", *FAST[1:]], source) for source in (*OTHERS, LONG)]
-# A double in a source is in every build of it; that builds add none of their own is a slow test.
+# A double in a source is in every build of it; that builds add none of their own is a slow test, and so are
+# long sources and those of the same printers.
+FAST_SOURCES = ("stewart_exact_forces.c", "stewart_kinematics.c", "stewart_exact_drive_axial.c")
 OTHER_BUILDS = [("gcc", FAST, LONG), *(("gcc", ["-O2"], source) for source in GENERAL)]
 OTHER_BUILDS += [("gcc", ["-O1", *FAST[1:]], f"{stem}.c") for stem in attack_build.SOME_WITH_ROTORS]
 OTHER_BUILDS += [
@@ -114,9 +116,12 @@ OTHER_BUILDS += [
 @pytest.mark.parametrize(
     ("compiler", "flags", "source"),
     [
-        pytest.param(*build, id=f"{build[2]}-{build[0]}{build[1][0]}", marks=marks)
-        for builds, marks in ((BUILDS, ()), (OTHER_BUILDS, pytest.mark.slow))
-        for build in builds
+        pytest.param(
+            *build,
+            id=f"{build[2]}-{build[0]}{build[1][0]}",
+            marks=() if build in BUILDS and build[2] in FAST_SOURCES else pytest.mark.slow,
+        )
+        for build in (*BUILDS, *OTHER_BUILDS)
     ],
 )
 def test_float_object_code_holds_no_double(
@@ -149,8 +154,14 @@ def test_the_reading_of_object_code_finds_double_arithmetic_and_a_single_promoti
     assert {"cvtss2sd", "mulsd", "cvtsd2ss"} <= double_instructions(disassembled(target))
 
 
-@pytest.mark.parametrize("compiler", COMPILERS)
-@pytest.mark.parametrize("flags", [FLOAT, []], ids=str)
+@pytest.mark.parametrize(
+    ("compiler", "flags"),
+    [
+        pytest.param(compiler, flags, marks=() if (compiler, flags) == ("gcc", FLOAT) else pytest.mark.slow)
+        for compiler in COMPILERS
+        for flags in (FLOAT, [])
+    ],
+)
 @pytest.mark.parametrize("source", ANY_FORCES)
 def test_every_arithmetic_compiles_without_a_silent_conversion(
     source: str, flags: list[str], compiler: str

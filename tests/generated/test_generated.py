@@ -73,7 +73,14 @@ def compiled_silently(compiler: str, precision: str, language: str, kernel: str,
     assert (done.returncode, done.stderr) == (0, "")
 
 
-@pytest.mark.parametrize(("compiler", "precision", "language", "kernel"), WAYS)
+# What one compiler takes in one language, and the other in the other.
+FAST_WAYS = {("gcc", "float", "c++"), ("clang", "double", "c99")}
+
+
+@pytest.mark.parametrize(
+    ("compiler", "precision", "language", "kernel"),
+    [pytest.param(*way, marks=() if way[:3] in FAST_WAYS else pytest.mark.slow) for way in WAYS],
+)
 def test_c_compiles_silently(compiler: str, precision: str, language: str, kernel: str) -> None:
     compiled_silently(compiler, precision, language, kernel, "-fsyntax-only")
 
@@ -81,7 +88,12 @@ def test_c_compiles_silently(compiler: str, precision: str, language: str, kerne
 OF_EACH_KIND = sorted({*KERNELS, *(stem.removeprefix("stewart_") for stem in attack_build.SOME)})
 
 
-@pytest.mark.parametrize("kernel", OF_EACH_KIND)
+SHORT = ("exact_forces", "exact_massless_static_forces", "kinematics", "legs", "torque")
+
+
+@pytest.mark.parametrize(
+    "kernel", [pytest.param(name, marks=() if name in SHORT else pytest.mark.slow) for name in OF_EACH_KIND]
+)
 def test_optimised_c_compiles_silently_and_calls_nothing_but_square_roots(
     kernel: str, tmp_path: Path
 ) -> None:

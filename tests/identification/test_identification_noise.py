@@ -9,7 +9,6 @@ import pytest
 from machines import dasgupta, path_period, random_path
 from noisy_experiments import NOISE, SAMPLES, Array, change, excited, experiment, robot, truth
 from pages import prose_of
-from scipy import stats
 from scipy.interpolate import make_interp_spline
 from sweeps import share
 
@@ -218,6 +217,8 @@ def test_joint_fit_has_the_slopes_of_its_residual() -> None:
 
 
 def test_tail_is_that_of_the_distributions() -> None:
+    from scipy import stats
+
     for freedom, other in ((30, np.inf), (120, 500.0), (1000, np.inf)):
         law = stats.chi2(freedom, scale=1 / freedom) if np.isinf(other) else stats.f(freedom, other)
         for p in (0.5, 0.05, 1e-3, 1e-4):

@@ -156,8 +156,15 @@ def wrapped(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFac
     return folder
 
 
-@pytest.mark.parametrize("standard", ["c++17", "c++20"])
-@pytest.mark.parametrize("compiler", ["g++", "clang++"])
+@pytest.mark.parametrize(
+    ("compiler", "standard"),
+    [
+        ("g++", "c++17"),
+        ("clang++", "c++20"),
+        pytest.param("g++", "c++20", marks=pytest.mark.slow),
+        pytest.param("clang++", "c++17", marks=pytest.mark.slow),
+    ],
+)
 def test_functions_are_called_from_cpp(wrapped: Path, compiler: str, standard: str) -> None:
     needed(compiler)
     program = f"{compiler}-{standard}"

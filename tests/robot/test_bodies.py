@@ -5,11 +5,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from stewart_sym.robot.bodies import Body, body, joined
+from stewart_sym.robot.bodies import INERTIA_KEYS, Body, body, joined
 
 
 def made(value: Any, along: float | None = None) -> Body:
-    return Body(**body(value, "part", lambda x: x, along))
+    found = body(value, "part", lambda x: x, along)
+    return Body(*(found[key] for key in INERTIA_KEYS))
 
 
 def points_of(shape: dict[str, Any], axis: np.ndarray) -> np.ndarray:

@@ -160,9 +160,29 @@ def test_a_robot_goes_through_tables_and_files_to_the_bit(joint: str, tmp_path: 
     assert same(Robot.from_dict(json.loads(json.dumps(found.to_dict()))), found)
     assert found.to_dict()["schema"] == 2
     assert same(Robot.from_toml(written(found, tmp_path / "again.toml")), found)
-    plain = dataclasses.replace(found, home=None, tool=np.zeros(3), euler_order="zyx", lengths="absolute")
+    none = {"lower_length": np.zeros(6), "upper_length": np.zeros(6), "home": None, "tool": np.zeros(3)}
+    plain = dataclasses.replace(found, **none, euler_order="zyx", lengths="absolute")
     assert plain.to_dict()["schema"] == 1
     assert same(Robot.from_dict(plain.to_dict()), plain)
+
+
+def test_parts_are_as_long_as_their_shapes_or_as_they_state(robot: Robot, tmp_path: Path) -> None:
+    # Leg 3 has a lower part by its inertia, without a length.
+    np.testing.assert_array_equal(robot.lower_length, [0.5, 0.5, 0.0, 0.5, 0.5, 0.5])
+    np.testing.assert_array_equal(robot.upper_length, np.full(6, 0.45))
+    stated = robot_of(TEXT.replace("lower = { mass = 9.0,", "lower = { length = 480, mass = 9.0,"), tmp_path)
+    assert stated.lower_length[2] == 0.48
+    two = "[{ shape = 'rod', radius = 20, length = 400, mass = 3 }, { shape = 'rod', radius = 30, "
+    two += "start = 400, length = 60, mass = 1 }]"
+    upper = '{ shape = "rod", radius = 20, length = 450, mass = 3.5 }'
+    assert set(robot_of(TEXT.replace(upper, two), tmp_path).upper_length) == {0.46}
+
+
+@pytest.mark.parametrize("length", ["0", "-1", '"long"'])
+def test_a_length_that_no_part_has_is_rejected(length: str, tmp_path: Path) -> None:
+    text = TEXT.replace("lower = { mass = 9.0,", f"lower = {{ length = {length}, mass = 9.0,")
+    with pytest.raises(ValueError, match=r"leg\.3\.lower\.length: expected"):
+        robot_of(text, tmp_path)
 
 
 def test_axes_by_name_are_what_the_name_says(tmp_path: Path) -> None:

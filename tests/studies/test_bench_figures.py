@@ -119,7 +119,7 @@ def test_json_has_every_candidate_with_positive_figures(figures: dict[str, Any])
     for entry in (*itertools.chain(*groups), figures["cycle"]):
         low, high = entry["quartiles"]
         assert len(entry["raw"]) == figures["rounds"] == 3
-        assert 0 < low <= entry["median"] <= high
+        assert low <= entry["median"] <= high > 0
         assert min(entry["raw"]) <= entry["median"] <= max(entry["raw"])
     swept = [(each.name, size) for each in bench.OURS if each.sweep for size in (8, 64)]
     assert [(entry["name"], entry["poses"]) for entry in figures["sweep"]] == swept
@@ -189,7 +189,7 @@ def test_text_is_of_the_functions_of_one_pose(figures: dict[str, Any], written: 
     assert f"{figures['text']['total']} bytes" in (written / "bench.txt").read_text()
 
 
-@pytest.mark.parametrize("command", ["gcc", "clang"])
+@pytest.mark.parametrize("command", ["gcc", pytest.param("clang", marks=pytest.mark.slow)])
 def test_text_is_found_with_either_compiler(command: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("CC", command)
     size = compile_times.text_size()
@@ -205,12 +205,15 @@ def test_text_is_left_out_where_the_tools_are_missing(monkeypatch: pytest.Monkey
     assert compile_times.text_size() is None
 
 
+@pytest.mark.slow
 def test_tables_without_passes_and_text_are_left_out(reduced: bench.Benchmark) -> None:
     assert reduced.as_json()["text"] is None
     assert "after the pass" not in report(reduced)
+    assert reduced.robot == dasgupta().name
     assert "bytes" not in report(reduced)
 
 
+@pytest.mark.slow
 def test_a_run_that_others_disturbed_says_so(
     reduced: bench.Benchmark, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -323,8 +326,8 @@ def test_a_net_time_that_other_work_made_negative_does_not_stop_the_picture(
     motion_picture(dataclasses.replace(run[1], motion=negative)).draw_without_rendering()
 
 
-def test_the_command_takes_any_robot_file(figures: dict[str, Any], reduced: bench.Benchmark) -> None:
-    assert (figures["robot"], reduced.robot) == ("mine", dasgupta().name)
+def test_the_command_takes_any_robot_file(figures: dict[str, Any]) -> None:
+    assert figures["robot"] == "mine"
 
 
 def test_without_matplotlib_one_line_says_what_to_install(tmp_path: Path) -> None:

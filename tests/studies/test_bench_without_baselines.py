@@ -33,9 +33,9 @@ NAMES = {"casadi": "CasADi", "pinocchio": "Pinocchio", "pydrake": "Drake", "mujo
 PEERS = {"casadi": ["CasADi", "CasADi, closed form"], "pinocchio": ["Pinocchio"], "mujoco": []}
 VERSIONS = {"casadi": "casadi", "pinocchio": "pin", "mujoco": "mujoco"}
 SUBSETS = [
-    ("casadi", "pinocchio", "pydrake"),
+    tuple(NAMES),
+    pytest.param(("casadi", "pinocchio", "pydrake"), marks=pytest.mark.slow),
     pytest.param(("pydrake", "mujoco"), marks=pytest.mark.slow),
-    pytest.param(tuple(NAMES), marks=pytest.mark.slow),
 ]
 """Each package is there in one run and missing in another; Drake, which is not everywhere, in none."""
 

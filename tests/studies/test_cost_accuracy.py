@@ -9,6 +9,7 @@ import pytest
 from command_line import fails_in_one_line, folder_state
 from cost_figures import SCENE, hasty
 from fifty_digits import truth as eliminated
+from formulations import OF_EACH_FORMULATION
 from machines import dasgupta, random_motion, random_robot, random_robot_of
 from mpmath import mp
 from numpy.typing import NDArray
@@ -16,7 +17,6 @@ from reduced_machines import at_rest
 
 import stewart_sym as ss
 from stewart_sym.backend import fidelity
-from stewart_sym.derive.mechanics.formulation import EXACT, EXACT_DRIVE, FORMULATIONS
 from stewart_sym.derive.mechanics.reduced_models import FIDELITIES
 from stewart_sym.generated.fidelities import FIDELITIES as TABLE
 from stewart_sym.motion.log_reader import read_csv
@@ -32,6 +32,7 @@ from stewart_sym.studies.common.output import csv_lines
 Array = NDArray[np.float64]
 
 EPSILON = np.finfo(np.float64).eps
+FAST_LEVELS = ("general", "slender", "massless_static")
 
 
 # the scene
@@ -129,15 +130,7 @@ def test_a_pose_without_an_answer_is_named(scene: Path, capsys: pytest.CaptureFi
 # 50 digits
 
 
-@pytest.mark.parametrize(
-    "form",
-    [
-        pytest.param(
-            form, id=form.kernel_name, marks=() if form in (EXACT, EXACT_DRIVE) else pytest.mark.slow
-        )
-        for form in FORMULATIONS
-    ],
-)
+@OF_EACH_FORMULATION
 def test_forces_at_50_digits_are_those_of_the_elimination(form: Any) -> None:
     """Which has its own text of the sums over the legs, and its own solve."""
     rng = np.random.default_rng(5)
@@ -150,7 +143,10 @@ def test_forces_at_50_digits_are_those_of_the_elimination(form: Any) -> None:
     np.testing.assert_allclose(found.astype(float), expected, rtol=0, atol=1e-13 * np.abs(expected).max())
 
 
-@pytest.mark.parametrize("level", FIDELITIES)
+@pytest.mark.parametrize(
+    "level",
+    [pytest.param(level, marks=() if level in FAST_LEVELS else pytest.mark.slow) for level in FIDELITIES],
+)
 def test_every_fidelity_is_within_rounding_of_its_own_truth(level: str) -> None:
     rng = np.random.default_rng(6)
     robot = random_robot(rng)
@@ -284,7 +280,7 @@ def test_a_machine_with_spherical_base_joints_has_fewer_candidates(monkeypatch: 
     assert made.entry("exact", "general", "double").model == 0.0
 
 
-@pytest.mark.parametrize("precision", ["double", "float"])
+@pytest.mark.parametrize("precision", ["double", pytest.param("float", marks=pytest.mark.slow)])
 def test_bytes_of_code_are_those_of_a_program_of_one_pose(precision: str) -> None:
     sizes = {
         level: study._text(dasgupta(), Candidate("exact", level, precision))

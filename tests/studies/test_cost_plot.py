@@ -26,6 +26,7 @@ from stewart_sym.studies.accuracy.cost_plot import (
     front,
     points,
 )
+from stewart_sym.studies.common import drawing
 from stewart_sym.studies.common.drawing import name_points
 from stewart_sym.studies.common.report import SMALL, Picture, draw
 
@@ -34,6 +35,12 @@ from stewart_sym.studies.common.report import SMALL, Picture, draw
 def picture() -> Figure:
     """The chart of the figures made up."""
     return figure(made_up())
+
+
+@pytest.fixture
+def unnamed(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Charts whose points have no names, which take long to place."""
+    monkeypatch.setattr(drawing, "name_points", lambda *_: None)
 
 
 def boxes(axes: Axes) -> dict[str, Bbox]:
@@ -127,6 +134,7 @@ def test_no_name_covers_a_point(picture: Figure) -> None:
                     assert not any(box.contains(x, y) for box in names.values())
 
 
+@pytest.mark.usefixtures("unnamed")
 def test_errors_of_zero_have_a_band_below_all_others() -> None:
     found = made_up()
     no_error = dict.fromkeys(found.peaks, Errors(0.0, 0.0, 0.0))
@@ -139,6 +147,7 @@ def test_errors_of_zero_have_a_band_below_all_others() -> None:
     assert any(none in line.get_ydata() for line in axes.get_lines())
 
 
+@pytest.mark.usefixtures("unnamed")
 def test_points_without_an_answer_are_drawn_above_all_others() -> None:
     found = made_up()
     float_ones = tuple(
@@ -169,13 +178,12 @@ def test_float_kernels_are_hollow_and_may_be_on_the_front(picture: Figure) -> No
     assert any(not point.beside for point in front(every))
 
 
+@pytest.mark.usefixtures("unnamed")
 def test_a_run_that_others_disturbed_says_so(picture: Figure) -> None:
     assert made_up().taken_by_others is None
     assert picture.get_suptitle().endswith("machine")
     for taken, said in ((0.01, "machine"), (0.42, "took 42 % of the cores' time, load 3.2")):
-        # A point alone, since the others are no part of the title and take long to name.
-        found = made_up()
-        given = dataclasses.replace(found, taken_by_others=taken, load=3.25, entries=found.entries[-2:])
+        given = dataclasses.replace(made_up(), taken_by_others=taken, load=3.25)
         title = figure(given).get_suptitle()
         assert title.count("\n") == (taken > 0.1)
         assert title.endswith(said)

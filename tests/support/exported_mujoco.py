@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 import stewart_sym as ss
 from stewart_sym.exchange.machine import model_of
 from stewart_sym.motion.rotation import quaternion_from_rotation, rotation_from_vector
+from stewart_sym.robot.offset_chains import JointMotion, joint_motion
 
 Array = NDArray[np.float64]
 
@@ -47,8 +48,12 @@ class Exported:
         robot, q = self.robot, motion.R @ self.robot.p.T
         S = motion.t + q.T - robot.b
         Sdot = motion.v + np.cross(motion.omega, q.T)
+        joints = None if robot.offsets is None else joint_motion(robot, motion)
         for i in range(6):
-            self._leg(i, S[i], Sdot[i])
+            if joints is None:
+                self._leg(i, S[i], Sdot[i])
+            else:
+                self._offset_leg(i, joints)
         where, rate = self._position("free"), self._dof("free")
         self.data.qpos[where : where + 7] = [*motion.t, *quaternion_from_rotation(motion.R)]
         self.data.qvel[rate : rate + 6] = [*motion.v, *motion.R.T @ motion.omega]
@@ -68,6 +73,13 @@ class Exported:
         joints = f"{name}_1", f"{name}_2", f"leg_{i + 1}"
         for joint, value, rate in zip(joints, (*angles, L), rates, strict=True):
             self._set(joint, value, rate)
+
+    def _offset_leg(self, i: int, joints: JointMotion) -> None:
+        at = joints.at
+        angles, _ = universal_angles(self.robot.k[i], self.frames[i], at.s[i], at.y[i])
+        names = f"base_{i + 1}_1", f"base_{i + 1}_2", f"leg_{i + 1}"
+        for joint, value, rate in zip(names, (*angles, at.L[i, 0]), joints.rates[i], strict=True):
+            self._set(joint, float(value), float(rate))
 
     def _set(self, joint: str, value: float, rate: float) -> None:
         self.data.qpos[self._position(joint)] = value
@@ -116,9 +128,11 @@ class Exported:
         return self.model.jnt_dofadr[self.model.joint(joint).id]
 
 
-def universal_angles(k: Array, frame: Array, s: Array) -> tuple[tuple[float, float], Array]:
+def universal_angles(
+    k: Array, frame: Array, s: Array, moving: Array | None = None
+) -> tuple[tuple[float, float], Array]:
     """Angles about both axes from the home pose, where the leg's frame is ``frame``, and the axes, (2, 3)."""
-    y = np.cross(k, s) / np.linalg.norm(np.cross(k, s))
+    y = np.cross(k, s) / np.linalg.norm(np.cross(k, s)) if moving is None else moving
     first = float(np.arctan2(k @ np.cross(frame[:, 1], y), frame[:, 1] @ y))
     along = rotation_from_vector(first * k) @ frame[:, 0]
     return (first, float(np.arctan2(y @ np.cross(along, s), along @ s))), np.array([k, y])

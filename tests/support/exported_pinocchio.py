@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 import stewart_sym as ss
 from stewart_sym.exchange.machine import model_of
 from stewart_sym.motion.rotation import quaternion_from_rotation, rotation_from_vector
+from stewart_sym.robot.offset_chains import joint_motion
 
 Array = NDArray[np.float64]
 
@@ -51,10 +52,14 @@ def _state(robot: ss.Robot, motion: ss.Motion, model: pin.Model) -> tuple[Array,
     arm = robot.p @ motion.R.T
     S, Sdot = motion.t + arm - robot.b, motion.v + np.cross(motion.omega, arm)
     L = np.linalg.norm(S, axis=-1)
+    joints = None if robot.offsets is None else joint_motion(robot, motion)
     for i in range(6):
         frame, length = home.body(f"lower_{i + 1}").R, home.body(f"upper_{i + 1}").t - robot.b[i]
         s = S[i] / L[i]
-        if robot.base_joint == "universal":
+        if joints is not None:
+            s, at = joints.at.s[i], joints.at
+            angles, rates = universal_angles(robot.k[i], frame, s, at.y[i])[0], joints.rates[i, :2]
+        elif robot.base_joint == "universal":
             angles, axes = universal_angles(robot.k[i], frame, s)
             rates = np.linalg.solve(np.stack([*np.cross(axes, S[i]), s], axis=-1), Sdot[i])[:2]
         else:
@@ -68,8 +73,11 @@ def _state(robot: ss.Robot, motion: ss.Motion, model: pin.Model) -> tuple[Array,
             q[joint.idx_q : joint.idx_q + joint.nq] = np.cos(angle), np.sin(angle)
             v[joint.idx_v] = rate
         slide = model.joints[model.getJointId(f"leg_{i + 1}")]
-        q[slide.idx_q] = L[i] - np.linalg.norm(length)
-        v[slide.idx_v] = s @ Sdot[i]
+        if joints is None:
+            q[slide.idx_q], v[slide.idx_v] = L[i] - np.linalg.norm(length), s @ Sdot[i]
+        else:
+            at_home = next(joint.position for joint in home.joints if joint.name == f"leg_{i + 1}")
+            q[slide.idx_q], v[slide.idx_v] = joints.at.L[i, 0] - at_home, joints.rates[i, 2]
     free = model.joints[model.getJointId("free")]
     q[free.idx_q : free.idx_q + 7] = [*motion.t, *np.roll(quaternion_from_rotation(motion.R), -1)]
     v[free.idx_v : free.idx_v + 6] = [*motion.R.T @ motion.v, *motion.R.T @ motion.omega]

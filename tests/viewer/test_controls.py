@@ -79,6 +79,12 @@ def test_a_hostile_name_is_shown_as_text(opened: Opened) -> None:
     assert opened.page.title() == f"{HOSTILE}: [U+202E]gnp.exe[U+2066] <i>"
 
 
+def test_the_button_says_what_it_does_next_also_while_words_wait(opened: Opened) -> None:
+    said = "const { textContent } = document.getElementById('play'); return textContent"
+    assert opened.do(f"viewer.clock.seek(0); viewer.clock.play(); {said}") == "Pause"
+    assert opened.do(f"viewer.clock.pause(); {said}") == "Play"
+
+
 def test_play_pause_and_step(opened: Opened) -> None:
     opened.page.click("#play")
     opened.page.wait_for_function("() => viewer.clock.index > 3")

@@ -124,6 +124,34 @@ def test_lines_of_sliding_are_drawn_where_the_offsets_put_them(browser: Browser,
     opened.close()
 
 
+def test_lower_parts_end_where_the_robot_states(browser: Browser, tmp_path: Path) -> None:
+    lengths = np.linspace(0.4, 0.65, 6)
+    robot = dataclasses.replace(dasgupta(), lower_length=lengths, upper_length=np.full(6, 0.6))
+    rest = at_rest(np.eye(3)[None], np.array([[0.0, 0.0, 1.0]]))
+    path = tmp_path / "parts.html"
+    view(robot, rest).save(path)
+    opened = Opened(browser, path)
+    opened.do(STILL)
+    picture, thick = opened.drawn(), opened.do("return viewer.page.machine.thick")
+    F = ss.inverse_dynamics(robot, rest).F[0]
+    S = robot.p + rest.t[0] - robot.b
+    s = S / np.linalg.norm(S, axis=-1, keepdims=True)
+    # The collar at the end is of another colour.
+    tips = robot.b + (lengths[:, None] - 0.7 * thick) * s
+    seen = pixels(np.stack([robot.b, tips], axis=1).reshape(-1, 3), *eye(opened)).reshape(6, 2, 2)
+    missed = []
+    for leg, line in enumerate(seen):
+        found = of_colour(picture, colour(float(F[leg]), float(np.abs(F).max())))
+        way = (line[1] - line[0]) / np.linalg.norm(line[1] - line[0])
+        far = np.abs((found - line[0]) @ np.array([-way[1], way[0]]))
+        far[off(found, np.stack([line[0], 2.0 * line[1] - line[0]])) > 12.0] = 0.0
+        wide = found[far > 0.8 * far.max()]
+        missed.append(float(((wide - line[1]) @ way).max()))
+    assert np.median(np.abs(missed)) < 3.0, missed
+    assert "lengths of the robot file" in opened.page.inner_text("footer")
+    opened.close()
+
+
 def of_colour(picture: NDArray[np.int64], wanted: Array) -> Array:
     """Middles of the dots of a colour, pixels, (n, 2)."""
     rows, columns = np.nonzero(np.abs(picture - wanted).max(axis=-1) <= 2)

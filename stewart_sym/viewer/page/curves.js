@@ -20,6 +20,7 @@ export class Panel {
     this.cursor = figure.querySelector(".cursor");
     this.tip = figure.querySelector(".tip");
     this.hidden = new Set();
+    this.measure();
     this.watch();
   }
 
@@ -44,8 +45,10 @@ export class Panel {
       });
   }
 
-  get width() {
-    return this.canvas.clientWidth - LEFT - RIGHT;
+  // Size of what the axes enclose, read once for a drawing: the browser may lay out the page anew for each reading.
+  measure() {
+    this.width = this.canvas.clientWidth - LEFT - RIGHT;
+    this.height = this.canvas.clientHeight - TOP - BOTTOM;
   }
 
   timeAt(x) {
@@ -80,12 +83,8 @@ export class Panel {
   }
 
   draw() {
-    const { canvas } = this;
-    const ratio = window.devicePixelRatio || 1;
-    canvas.width = Math.round(canvas.clientWidth * ratio);
-    canvas.height = Math.round(canvas.clientHeight * ratio);
-    const pen = canvas.getContext("2d");
-    pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+    this.measure();
+    const pen = sheet(this.canvas);
     const drawn = this.visible().map((each) => ({ ...each, columns: this.columns(each) }));
     this.choose(drawn);
     this.axes(pen);
@@ -99,45 +98,40 @@ export class Panel {
     this.follow(this.clock.index);
   }
 
-  get height() {
-    return this.canvas.clientHeight - TOP - BOTTOM;
-  }
-
   scaled(value) {
     return this.logarithmic ? Math.log10(Math.min(value, 1e16)) : value;
   }
 
-  // Column of pixels of each instant, found once for a width.
+  // Where each instant stands, and its column of pixels; found once for a width.
   places() {
-    if (this.placed?.width === this.width) return this.placed.at;
+    if (this.placed?.width === this.width) return this.placed;
     const { time, count } = this.motion;
-    const at = new Float32Array(count);
-    for (let i = 0; i < count; i++) at[i] = this.place(time[i]);
-    this.placed = { width: this.width, at };
-    return at;
+    const [at, pixels] = [new Float32Array(count), new Int32Array(count)];
+    for (let i = 0; i < count; i++) {
+      at[i] = this.place(time[i]);
+      pixels[i] = Math.round(at[i]);
+    }
+    this.placed = { width: this.width, at, pixels };
+    return this.placed;
   }
 
   // What is seen of a series in each column of pixels: its least and largest value, the first and the last, and
   // whether the curve begins there.
   columns(series) {
-    const at = this.places();
+    const { at, pixels } = this.places();
     const found = [];
     let last = null;
     let pixel = -1;
     for (let i = 0; i < at.length; i++) {
       const value = this.scaled(valueOf(series, i));
-      if (!Number.isFinite(value)) {
-        last = null;
-        continue;
-      }
-      const here = Math.round(at[i]);
-      if (last !== null && here === pixel) {
+      if (!Number.isFinite(value)) last = null;
+      else if (last !== null && pixels[i] === pixel) {
         if (value < last.low) last.low = value;
         if (value > last.high) last.high = value;
         last.end = value;
       } else {
         last = { x: at[i], low: value, high: value, first: value, end: value, begins: last === null };
-        pixel = here;
+        pixel = pixels[i];
         found.push(last);
       }
     }
@@ -263,14 +257,22 @@ function line(pen, x, y, right, low) {
   pen.stroke();
 }
 
-// The condition number along the time line, from the least to the largest, on a logarithmic scale.
-export function drawStrip(canvas, motion) {
+// An empty canvas as large as it is shown, in pixels of the page. Drawn by the processor: the graphics processor's
+// programs take longer to make than a few curves to draw.
+function sheet(canvas) {
   const ratio = window.devicePixelRatio || 1;
   const [wide, high] = [canvas.clientWidth, canvas.clientHeight];
   canvas.width = Math.round(wide * ratio);
   canvas.height = Math.round(high * ratio);
-  const pen = canvas.getContext("2d");
+  const pen = canvas.getContext("2d", { willReadFrequently: true });
   pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+  return pen;
+}
+
+// The condition number along the time line, from the least to the largest, on a logarithmic scale.
+export function drawStrip(canvas, motion) {
+  const [wide, high] = [canvas.clientWidth, canvas.clientHeight];
+  const pen = sheet(canvas);
   const heights = new Float64Array(Math.max(1, Math.ceil(wide))).fill(NaN);
   let [least, most] = [Infinity, -Infinity];
   for (let i = 0; i < motion.count; i++) {

@@ -334,6 +334,8 @@ slider.addEventListener("keydown", (event) => {
 let announced = "";
 clock.onChange((index) => {
   repaint();
+  const next = clock.playing ? "Pause" : "Play";
+  if (find("play").textContent !== next) find("play").textContent = next;
   state.wordy = pace.writes();
   if (!state.wordy) return;
   const time = motion.time[index];
@@ -342,7 +344,6 @@ clock.onChange((index) => {
   slider.setAttribute("aria-valuetext", `${text}, condition number ${shown(motion.condition(index), 4)}`);
   find("at").textContent = text;
   find("condition").textContent = shown(motion.condition(index), 5);
-  find("play").textContent = clock.playing ? "Pause" : "Play";
   const fixed = !clock.playing && text !== announced && announced !== "";
   if (fixed) find("said").textContent = `${text}, condition number ${shown(motion.condition(index), 4)}`;
   announced = text;

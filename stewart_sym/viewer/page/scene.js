@@ -75,12 +75,15 @@ function lowerPart(scene, machine, frame, leg, look) {
     key(scene, along(frame.base, frame.x, 2 * thick), frame, length - 3 * thick, thick, 0.22 * thick, look.colours.joint);
 }
 
-// The upper part: a rod down from the platform point, as long in every pose.
+// The upper part: a rod down from the platform point, as long in every pose; a thin one on where it ends before the lower
+// part, as both do where a robot file states bodies without what joins them.
 function upperPart(scene, machine, frame, leg, look) {
   const { thick } = machine;
-  const length = Math.min(machine.upper[leg], frame.length - thick);
+  const length = machine.upper[leg];
   const turned = frame.up ? { x: frame.x, y: frame.up, z: cross(frame.x, frame.up) } : frame;
   tube(scene, along(frame.tip, frame.x, -length), frame, length, 0.55 * thick, look.force[leg], 0);
+  const open = frame.length - length - machine.lower[leg];
+  if (open > 0) tube(scene, along(frame.base, frame.x, machine.lower[leg]), frame, open, 0.3 * thick, look.colours.joint, 1);
   if (machine.universal)
     key(scene, along(frame.tip, frame.x, -length), turned, length - 1.1 * thick, 0.55 * thick, 0.14 * thick, look.colours.joint);
 }

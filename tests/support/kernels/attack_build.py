@@ -48,6 +48,8 @@ SOME = (
     *("stewart_exact_forces", "stewart_exact_massless_static_forces", "stewart_paper_spherical_forces"),
 )
 """One source of each printer and each way that it goes."""
+FEW = ("stewart_exact", "stewart_exact_massless_static_forces", "stewart_kinematics", "stewart_torque")
+"""The shortest of these."""
 SOME_WITH_ROTORS = (
     *("stewart_exact_drive", "stewart_exact_drive_forces", "stewart_exact_drive_reflected_massless_forces"),
     *("stewart_exact_spherical_drive_forces", "stewart_exact_drive_axial"),
@@ -61,16 +63,16 @@ def built(
     flags: Sequence[str],
     main: str | None = "attack_driver.c",
     link: Sequence[str] = (),
-    some: bool = False,
+    chosen: Sequence[str] | None = None,
     rotors: bool = False,
 ) -> Path:
     """The attack as a program in ``folder``; main: the file that holds it, None where a flag brings one.
 
-    flags: of every compilation; link: of the last alone. some: attack SOME of the sources. rotors: of those
-    for legs with rotors. Raises CalledProcessError with what was printed.
+    flags: of every compilation; link: of the last alone. chosen: the sources to attack, None for all. rotors:
+    of those for legs with rotors. Raises CalledProcessError with what was printed.
     """
-    chosen = SOME_WITH_ROTORS if rotors else SOME
-    attacked = {stem: oracle for stem, oracle in oracles(rotors).items() if not some or stem in chosen}
+    every = oracles(rotors)
+    attacked = every if chosen is None else {stem: every[stem] for stem in chosen}
     flags = [*flags, *(["-DSTEWART_ROTORS"] if rotors else [])]
     names = [f"ORACLE(attack_{kernel}_{oracle})" for kernel, oracle in attacked.values()]
     (folder / "attack_kernels.h").write_text("\n".join(names) + "\n")

@@ -414,4 +414,10 @@ ABSURD: dict[str, tuple[Callable[[Robot], Robot], str, str]] = {
         "legs 1, 2 coincide",
     ),
     "parallel legs": (of(p=lambda p: ring(0.5, BASE)), "singular-everywhere", "similar hexagons"),
+    "lower part in centimetres": (of(lower_length=lambda _: np.full(6, 30.0)), "part-length", "another unit"),
+    "parts that do not meet": (
+        of(lower_length=lambda _: np.full(6, 0.1), upper_length=lambda _: np.full(6, 0.1)),
+        "part-length",
+        "not measured from its joint",
+    ),
 }

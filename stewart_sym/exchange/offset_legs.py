@@ -1,0 +1,142 @@
+"""Legs whose axes miss each other: their bodies and joints in a model, and their offsets found in one."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..io.array_types import Array
+from ..motion.motion import at_rest
+from ..robot.fields import LEGS, legs_text
+from ..robot.offset_chains import Chains, chains
+from ..robot.offset_tables import offset_tables, offsets_of_tables
+from ..robot.offsets import SHAPES, Offsets
+from ..robot.robot import Robot
+from .chain import WORLD, Body, Joint, Shape
+
+_LEAST = 1e-9
+"""Mass and inertia of a cross that has none over those of the lower part: simulators need some."""
+_SAME = 1e-9
+
+
+def chains_at(robot: Robot, t: Array) -> Chains:
+    """The legs' chains with the platform at rest at t, (3,); ValueError where the offsets do not reach it."""
+    with np.errstate(all="ignore"):
+        at = chains(robot, at_rest(np.eye(3), t))
+    lost = [i for i in range(LEGS) if not np.isfinite(at.U[i]).all()]
+    if lost:
+        raise ValueError(f"{legs_text(lost)}: expected a home pose that their offsets reach, got none")
+    return at
+
+
+def cross_of(robot: Robot, offsets: Offsets, i: int, at: Chains, radius: float) -> Body:
+    """The body between both axes of leg i, its frame o, y, k at the base point.
+
+    It turns about k alone, so that only its inertia about k counts, which stands for all three. Without a
+    mass it has a billionth of the lower part's where that rests.
+    """
+    frame = np.stack([at.o[i], at.y[i], robot.k[i]], axis=-1)
+    mass, inertia = float(offsets.cross_mass[i]), float(offsets.cross_inertia[i])
+    reach = np.array([float(offsets.cross[i]), 0.0, 0.0])
+    return Body(
+        f"cross_{i + 1}",
+        frame,
+        robot.b[i],
+        mass or _LEAST * float(robot.m_d[i]),
+        offsets.cross_center[i] if mass else np.zeros(3),
+        (inertia or _LEAST * float(np.trace(robot.I_d0[i]))) * np.eye(3),
+        (Shape(radius, np.zeros(3), reach),),
+    )
+
+
+def base_joints(robot: Robot, i: int, at: Chains) -> tuple[Joint, Joint]:
+    """Of leg i: about the fixed axis and about the moving one."""
+    ends, damping = (WORLD, f"cross_{i + 1}", f"lower_{i + 1}"), float(robot.C_u[i])
+    first, second = (
+        Joint(f"base_{i + 1}_{n + 1}", "revolute", *ends[n : n + 2], axes=axis[None], damping=damping)
+        for n, axis in enumerate((robot.k[i], at.y[i]))
+    )
+    return first, second
+
+
+@dataclass(frozen=True, eq=False)
+class OffsetLines:
+    """Both axes at the base and the line of sliding of a leg: the base point b, the point A where the common
+    normal o meets the moving axis, the axes' directions, and the line's end, (3,); world frame."""
+
+    b: Array
+    A: Array
+    k: Array
+    y: Array
+    tip: Array
+
+    @classmethod
+    def of(cls, points: Array, axes: Array, tip: Array) -> "OffsetLines":
+        """Of two axes at right angles, each by a point and a direction, (2, 3), the fixed one first."""
+        (first, second), (k, y) = points, axes
+        between = second - first
+        b, A = first + (between @ k) * k, second - (between @ y) * y
+        return cls(b, A, k, -y if np.cross(y, k) @ (tip - b) < 0.0 else y, tip)
+
+    def offsets(self, s: Array) -> dict[str, float]:
+        """Lengths of the offsets with the line of sliding along s, outward."""
+        r, o = self.tip - self.A, np.cross(self.y, self.k)
+        return {
+            "cross": float((self.A - self.b) @ o),
+            "along": float(r @ self.y),
+            "across": float(r @ np.cross(s, self.y)),
+        }
+
+    def cross(self, body: Body) -> dict[str, Any]:
+        """Mass, centre of mass from the base point along o, y, k, and inertia of what is between the axes."""
+        frame = np.stack([np.cross(self.y, self.k), self.y, self.k], axis=-1)
+        center = (body.placed(body.center) - self.b) @ frame
+        about = self.k @ body.R @ body.inertia @ body.R.T @ self.k
+        return {"cross_mass": body.mass, "cross_center": center, "cross_inertia": float(about)}
+
+
+def noted_offsets(offsets: Offsets) -> dict[str, Any]:
+    """Offsets as the tables of a robot file."""
+    shared, legs = offset_tables(offsets)
+    return {"legs": shared, "leg": legs}
+
+
+def restored_offsets(value: Any) -> Offsets:
+    """Undo ``noted_offsets``; ValueError of one line."""
+    legs = value.get("leg") if isinstance(value, Mapping) else None
+    shared = value.get("legs") if isinstance(value, Mapping) else None
+    if not isinstance(shared, Mapping) or not _tables(legs):
+        raise ValueError("notes: offsets: expected tables legs and leg")
+    found = offsets_of_tables(shared, legs, "notes: offsets: ", float_array)
+    if found is None:
+        raise ValueError("notes: offsets: expected offsets, got none")
+    return found
+
+
+def _tables(legs: object) -> bool:
+    return isinstance(legs, Sequence) and len(legs) == LEGS and all(isinstance(leg, Mapping) for leg in legs)
+
+
+def float_array(value: Any) -> Array:
+    """Lengths in m as they are."""
+    return np.asarray(value, dtype=np.float64)
+
+
+def same_offsets(robot: Robot, noted: Offsets) -> bool:
+    """Whether a robot has these offsets but for rounding, and for the least mass and inertia of a cross."""
+    found = robot.offsets
+    if found is None or found.platform_joint != noted.platform_joint:
+        return False
+    size = float(np.abs(robot.b - robot.b.mean(axis=0)).max())
+    heavy = noted.cross_mass > 0.0
+    near = dict.fromkeys(SHAPES, np.full(LEGS, _SAME * size))
+    near["cross_mass"] = 2.0 * _LEAST * robot.m_d
+    least = 2.0 * _LEAST * np.trace(robot.I_d0, axis1=1, axis2=2)
+    near["cross_inertia"] = least + _SAME * noted.cross_inertia
+    for name in SHAPES:
+        apart = np.abs(getattr(found, name) - getattr(noted, name)).reshape(LEGS, -1).max(axis=-1)
+        counts = heavy if name == "cross_center" else np.full(LEGS, True)
+        if np.any(apart[counts] > near[name][counts]):
+            return False
+    return True
