@@ -21,7 +21,7 @@ from ..robot.offsets import need_no_offsets
 from ..robot.robot import LEGS, Robot
 from .smooth.energy_cost import EnergyCost
 from .smooth.smooth_time import SmoothPath, eased, length_rates
-from .timing.grid import Grid, Source
+from .timing.grid import AIM, Grid, Source
 from .timing.path_terms import Limits, Path, Terms, force_limits, terms_along, travelled
 from .timing.profile import Ease, Profile
 
@@ -36,8 +36,6 @@ SMOOTH_CELLS = 300
 
 _DIVISIONS = 3
 _ROUNDS = 15
-# A limit may be exceeded by this share between the nodes.
-_ENOUGH = 2e-7
 # Turns at friction and limits of power, once the motion is nearly that of the round before.
 _FEW_TURNS = 2
 _AT_ENDS = 20
@@ -212,10 +210,10 @@ class _Task(NamedTuple):
             used = grid.used(profile)
             if turn < _DIVISIONS:
                 grid = grid.divided(profile).after(profile)
-            elif used.max() <= 1.0 + _ENOUGH:
+            elif used.max() <= 0.5 * (1.0 + AIM):
                 break
             else:
-                grid = grid.tightened(used)
+                grid = grid.tightened(used, turn + 1 - _DIVISIONS)
         return profile
 
     def smooth(self, limits: Limits) -> SmoothPath:

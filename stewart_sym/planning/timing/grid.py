@@ -16,8 +16,10 @@ from .profile import Profile
 Source = Callable[[Array], Terms]
 """Parameters s, (n,) -> terms there."""
 
-# By which all limits are tighter from the start, so that rounding exceeds none.
-_MARGIN = 3e-6
+# By which all limits are tighter from the start, so that neither rounding nor a kink exceeds one.
+_MARGIN = 1e-5
+AIM = 1.0 - 4e-6
+"""Of a limit, at the shares of a cell: between them a little more is used."""
 IDLE = 1e-3
 """A limit is active from this share below it on."""
 # Denser to the ends, where friction grows as the root of the way, and within the cell: a node may be where
@@ -25,7 +27,7 @@ IDLE = 1e-3
 _SHARES = np.clip(0.5 - 0.5 * np.cos(np.linspace(0.0, np.pi, 25)), 1e-5, 1.0 - 1e-5)
 _PARTS = 4
 # Tightened by more than what was exceeded, so that few rounds do.
-_MORE = 1.2
+_MORE = 1.25
 _SECANTS = 5
 # Exceeded by more than this share between nodes, a limit is no matter of tightening alone.
 _ROUGH = 5e-4
@@ -106,22 +108,23 @@ class Grid(NamedTuple):
         start, step = self.s[:-1][chosen, None], np.diff(self.s)[chosen, None]
         return Grid.at(self.source, np.union1d(self.s, start + step * inner))
 
-    def tightened(self, used: Array) -> Grid:
-        """Limits lower by what was exceeded in the cells beside each node."""
-        excess = np.maximum(used.max(axis=1) - 1.0, 0.0)
+    def tightened(self, used: Array, turn: int) -> Grid:
+        """Limits lower by what was exceeded beside each node, by more from turn to turn, from 1."""
+        excess = np.maximum(used.max(axis=1) - AIM, 0.0)
         none = np.zeros((1, excess.shape[1]))
         beside = np.maximum(np.concatenate([excess, none]), np.concatenate([none, excess]))
         # At rest, where friction ends, a limit is exceeded by a jump: each round adds more.
         again = np.where(beside > _ROUGH, self.margin, 0.0)
         again[2:-2] = 0.0
-        return self._replace(margin=self.margin + _MORE * beside + again)
+        return self._replace(margin=self.margin + _MORE**turn * beside + again)
 
     def used(self, profile: Profile) -> Array:
         """Shares of the limits that are used in every cell, (cells, shares, m), that of speed last."""
         shares = np.tile(_SHARES, (len(self.s) - 1, 1))
-        # At rest itself, where there is no friction.
+        # At rest itself, where there is no friction, whatever rounding leaves of the rate.
         shares[0, 0], shares[-1, -1] = 0.0, 1.0
         s, square, second = profile.inside(shares)
+        square[0, 0] = square[-1, -1] = 0.0
         return self.source(s.ravel()).used(square.ravel(), second.ravel()).reshape(*s.shape, -1)
 
 
