@@ -63,6 +63,6 @@ def ready_when(expr: sp.Expr, ready: Ready) -> int:
         return at
     if expr.is_Mul:
         return times[-1] + len(times) - 1
-    # Powers count from the start, as if their base were read: counted from their base, the terms that wait for
-    # roots move, shorter chains but more numbers kept, which took a batch 1 to 2 % longer.
+    # Powers count from the start, as if their base were read: counted from their base, terms that wait for
+    # roots come later, chains are shorter but more numbers are kept, and a batch took 1 to 2 % longer.
     return times[0] + {sp.Rational(1, 2): ROOT, sp.Integer(-1): QUOTIENT}.get(expr.exp, 1)
