@@ -19,8 +19,10 @@ from .offset_legs import noted_offsets, restored_offsets, same_offsets
 
 _ROUNDING = 1e-9
 _FIELDS = tuple(field.name for field in fields(Robot))
-_SILENT = ("name", "accept", "home", "tool", "euler_order", "lengths", "joint_angle_limit")
-_SILENT += ("lower_length", "upper_length")
+_SILENT = (
+    *("name", "accept", "home", "tool", "euler_order", "lengths", "joint_angle_limit"),
+    *("lower_length", "upper_length"),
+)
 """Fields that no body or joint of a model says otherwise than a note."""
 _FROM_HOME = {"lengths": "absolute", "joint_angle_limit": np.inf}
 """Fields that need a home pose, as they are without one."""

@@ -1,6 +1,6 @@
 """Legs whose axes miss each other: their bodies and joints in a model, and their offsets found in one."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -52,11 +52,9 @@ def cross_of(robot: Robot, offsets: Offsets, i: int, at: Chains, radius: float) 
 
 def base_joints(robot: Robot, i: int, at: Chains) -> tuple[Joint, Joint]:
     """Of leg i: about the fixed axis and about the moving one."""
-    ends, damping = (WORLD, f"cross_{i + 1}", f"lower_{i + 1}"), float(robot.C_u[i])
-    first, second = (
-        Joint(f"base_{i + 1}_{n + 1}", "revolute", *ends[n : n + 2], axes=axis[None], damping=damping)
-        for n, axis in enumerate((robot.k[i], at.y[i]))
-    )
+    cross, lower, damping = f"cross_{i + 1}", f"lower_{i + 1}", float(robot.C_u[i])
+    first = Joint(f"base_{i + 1}_1", "revolute", WORLD, cross, axes=robot.k[i][None], damping=damping)
+    second = Joint(f"base_{i + 1}_2", "revolute", cross, lower, axes=at.y[i][None], damping=damping)
     return first, second
 
 
@@ -104,21 +102,18 @@ def noted_offsets(offsets: Offsets) -> dict[str, Any]:
 
 def restored_offsets(value: Any) -> Offsets:
     """Undo ``noted_offsets``; ValueError of one line."""
-    legs = value.get("leg") if isinstance(value, Mapping) else None
-    shared = value.get("legs") if isinstance(value, Mapping) else None
-    if not isinstance(shared, Mapping) or not _tables(legs):
+    tables = value if isinstance(value, Mapping) else {}
+    shared, legs = tables.get("legs"), tables.get("leg")
+    good = isinstance(legs, list) and len(legs) == LEGS and all(isinstance(leg, Mapping) for leg in legs)
+    if not isinstance(shared, Mapping) or not isinstance(legs, list) or not good:
         raise ValueError("notes: offsets: expected tables legs and leg")
-    found = offsets_of_tables(shared, legs, "notes: offsets: ", float_array)
+    found = offsets_of_tables(shared, legs, "notes: offsets: ", _array)
     if found is None:
         raise ValueError("notes: offsets: expected offsets, got none")
     return found
 
 
-def _tables(legs: object) -> bool:
-    return isinstance(legs, Sequence) and len(legs) == LEGS and all(isinstance(leg, Mapping) for leg in legs)
-
-
-def float_array(value: Any) -> Array:
+def _array(value: Any) -> Array:
     """Lengths in m as they are."""
     return np.asarray(value, dtype=np.float64)
 

@@ -56,7 +56,8 @@ def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
         **{key: [leg.values[key] for leg in legs] for key in legs[0].values},
     }
     if offset:
-        found["offsets"] = Offsets(**{key: [leg.offset[key] for leg in legs] for key in legs[0].offset})
+        offsets: dict[str, Any] = {key: [leg.offset[key] for leg in legs] for key in legs[0].offset}
+        found["offsets"] = Offsets(**offsets)
     drive = _drive(legs)
     robot, kept = with_notes(Robot(**found, drive=drive), model)
     if drive is not None and robot.drive is drive:

@@ -46,7 +46,7 @@ DOUBTS = (
 """Names of all warnings about a robot's numbers, as ``accept`` takes them: the first three are given on
 loading, the others by ``plausibility.doubts``."""
 
-UNSTATED = {
+UNSTATED: dict[str, Any] = {
     "length_limits": (0.0, math.inf),
     "force_limit": math.inf,
     "speed_limit": math.inf,
