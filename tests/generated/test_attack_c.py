@@ -101,6 +101,8 @@ def test_fuzzing_finds_nothing(
         "-seed=1",
         "-max_len=96",
         "-entropic=0",
+        # The size it reads is that of the process which started it, too.
+        "-rss_limit_mb=0",
         f"-artifact_prefix={tmp_path}{os.sep}",
         # Not as a folder, into which every new case would be written.
         f"-seed_inputs={','.join(map(str, starts))}",

@@ -136,6 +136,7 @@ def test_float_object_code_holds_no_double(
         "stewart_exact_forces_batch",
         "sqrtf",
         "memcpy",
+        "memmove",
         "memset",
         "_GLOBAL_OFFSET_TABLE_",
     }

@@ -11,13 +11,14 @@ from sweeps import share
 from stewart_sym.drives.effort import drive_effort
 from stewart_sym.planning.certificate import certify_plan
 from stewart_sym.planning.time_path import time_path
+from stewart_sym.planning.timing.grid import Grid
 from stewart_sym.planning.timing.motor_terms import rotor_terms
 from stewart_sym.planning.timing.path_terms import Limits, terms_along, travelled
+from stewart_sym.planning.timing.phase_plane import highest, lowest
 from stewart_sym.reference.newton_euler import rotor_force
 
-ORACLE_CELLS = 1000
-ABOVE_LEAST, BELOW = 0.02, 5e-3
-"""Shares: longer than the least time, and shorter than the oracle's, whose cells are coarse."""
+ORACLE_CELLS = 2000
+"""In each of which s'' is constant: with half as many the oracle's times are longer by 5e-4."""
 
 
 def check_against_collocation(seed: int) -> None:
@@ -28,11 +29,11 @@ def check_against_collocation(seed: int) -> None:
     start = 0.9 * np.interp(s, nodes.s, nodes.rate) + 1e-3
     start[[0, -1]] = 0.0
     expected = motor_duration(robot, path, s, start)
-    assert -BELOW < found.duration / expected - 1.0 < ABOVE_LEAST
+    assert found.duration == pytest.approx(expected, rel=1e-3)
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", range(share(10, 4)))
+@pytest.mark.parametrize("seed", range(share(10, 10)))
 def test_least_time_within_the_motors_limits_is_that_of_collocation(seed: int) -> None:
     check_against_collocation(seed)
 
@@ -48,6 +49,30 @@ def test_each_limit_of_the_motors_is_reached_and_kept_between_the_nodes(quantity
     found = drive_effort(robot, plan.sample(times), times)
     share = getattr(found, f"peak_{quantity}") / getattr(robot.drive, f"{quantity}_limit")
     assert 1.0 - 5e-3 < share.max() <= 1.0 + 1e-6
+
+
+def test_bounds_where_a_leg_turns_back_are_those_of_either_side() -> None:
+    robot, path = motor_case(1, ("torque",))
+
+    def source(s: np.ndarray):
+        return terms_along(robot, path, s, Limits(), "exact")
+
+    def room(low: np.ndarray, high: np.ndarray, x: float) -> np.ndarray:
+        return np.array([lowest(low, x), highest(high, x)])
+
+    grid = Grid.of(source, np.linspace(0.0, 1.0, 101))
+    bounds = grid.bounds()
+    nodes = np.flatnonzero(bounds.before != np.arange(len(grid.s)))
+    assert len(nodes) > 5
+    jumps = []
+    for i in nodes:
+        x = 0.5 * bounds.cap[i]
+        at_node = [room(bounds.low[k], bounds.high[k], x) for k in (bounds.before[i], i)]
+        for shifts, k, found in zip(([-2e-7, -1e-7], [1e-7, 2e-7]), (1, 0), at_node, strict=True):
+            near = Grid.at(source, grid.s[i] + np.array(shifts)).bounds()
+            np.testing.assert_allclose(found, room(near.low[k], near.high[k], x), rtol=1e-3)
+        jumps.append(np.abs(at_node[0] - at_node[1]).max() / np.abs(at_node).max())
+    assert max(jumps) > 0.01
 
 
 def test_terms_give_the_torques_of_the_drives() -> None:

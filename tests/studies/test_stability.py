@@ -206,7 +206,7 @@ def test_too_few_cases_are_rejected_in_one_line(capsys: pytest.CaptureFixture[st
 
 @pytest.mark.slow
 def test_the_command_writes_the_study(tmp_path: Path) -> None:
-    assert main(["stability", "-o", str(tmp_path), "--cases", "60"]) == 0
+    assert main(["stability", "-o", str(tmp_path), "--cases", "90"]) == 0
     figures = json.loads((tmp_path / "stability.json").read_text(encoding="utf-8"))
     names = {family["name"] for family in figures["families"]}
     assert {path.stem for path in tmp_path.glob("*.csv")} == names

@@ -48,7 +48,8 @@ class Rows(NamedTuple):
     @classmethod
     def of_one_form(cls, parts: Sequence[Array], low: Array, high: Array) -> Rows:
         """Rows whose forms are the same; parts: a, b, d, e, (n, r) each."""
-        return cls(*(np.stack([part, part], axis=-1) for part in parts), low, high)
+        a, b, d, e = (np.stack([part, part], axis=-1) for part in parts)
+        return cls(a, b, d, e, low, high)
 
     @classmethod
     def together(cls, parts: Sequence[Rows]) -> Rows:
@@ -232,7 +233,8 @@ def _rows(upper: list[Array], lower: Array, limit: Array, free: Flags) -> Rows:
     """Branches that are to stay below a limit, and two, one of which is to stay above it unless free."""
     none = np.full_like(limit, np.inf)
     below = [Rows.of_one_form(tuple(branch), -none, limit) for branch in upper]
-    return Rows.together([*below, Rows(*lower, np.where(free, -np.inf, -limit), none)])
+    a, b, d, e = lower
+    return Rows.together([*below, Rows(a, b, d, e, np.where(free, -np.inf, -limit), none)])
 
 
 def rotor_terms(drive: Drive, robot: Robot, by_parameter: Motion) -> Array:

@@ -9,6 +9,7 @@ import numpy as np
 from least_time_oracles import coefficients
 from scipy.optimize import brentq
 
+from stewart_sym.dynamics.inverse import inverse_dynamics
 from stewart_sym.kinematics.inverse import inverse_kinematics
 from stewart_sym.planning.time_path import TimedPath
 from stewart_sym.planning.timing.path_terms import Path, travelled
@@ -142,7 +143,7 @@ def peak_force(robot: Robot, path: Path, cells: int, start: np.ndarray, duration
 def smooth_optimum(
     robot: Robot, plan: TimedPath, steps: int, jerk: float | None = None, duration: float | None = None
 ) -> float:
-    """Least time within limits of force and jerk, s; with a duration the least work of the leg forces, J.
+    """Least time within limits of force and jerk, s; with a duration the work of the motion of least, J.
 
     plan: to begin from.
     """
@@ -164,8 +165,12 @@ def smooth_optimum(
         a[1:] - a[:-1] - h * third_s,
     ]
     equal = 3 * steps
-    values = table.map(steps + 1)(s) * casadi.DM(size)
-    wide = [casadi.repmat(x, 6, 1) for x in (v, a)]
+    s_half = s[:-1] + h / 2 * v[:-1] + h**2 / 8 * a[:-1] + h**3 / 48 * third_s
+    v_half, a_half = v[:-1] + h / 2 * a[:-1] + h**2 / 8 * third_s, a[:-1] + h / 2 * third_s
+    # Limits hold, and power is taken, in the middle of each step too.
+    values = table.map(2 * steps + 1)(casadi.horzcat(s, s_half)) * casadi.DM(size)
+    both = [casadi.horzcat(v, v_half), casadi.horzcat(a, a_half)]
+    wide = [casadi.repmat(x, 6, 1) for x in both]
     force = (
         values[0:6, :] * wide[1]
         + values[6:12, :] * wide[0] ** 2
@@ -184,7 +189,8 @@ def smooth_optimum(
             )
             g.append(casadi.vec(each / jerk).T)
     power = casadi.sum1(force * one * wide[0])
-    cost = time if duration is None else h * (casadi.sum2(power) - 0.5 * (power[0] + power[-1]))
+    simpson = np.concatenate([[1.0], np.full(steps - 1, 2.0), [1.0], np.full(steps, 4.0)]) / 6.0
+    cost = time if duration is None else h * casadi.sum2(power * casadi.DM(simpson).T)
     x = casadi.vertcat(casadi.vec(state), casadi.vec(third_s), time)
     times = np.linspace(0.0, plan.duration, steps + 1)
     place = plan.profile.at(times)
@@ -203,5 +209,17 @@ def smooth_optimum(
     bound = np.ones(g.shape[1])
     bound[:equal] = 0.0
     scale = cost if duration is None else cost / float(np.abs(robot.force_limit).max())
-    found = _solved({"x": x, "f": scale, "g": g.T}, x0=x0, lbx=low, ubx=high, lbg=-bound, ubg=bound)[0]
-    return found if duration is None else found * float(np.abs(robot.force_limit).max())
+    found, x = _solved({"x": x, "f": scale, "g": g.T}, x0=x0, lbx=low, ubx=high, lbg=-bound, ubg=bound)
+    return found if duration is None else _work(robot, path, x, steps, duration)
+
+
+def _work(robot: Robot, path: Path, x: np.ndarray, steps: int, duration: float) -> float:
+    """Work of the leg forces, J, by finer sums than those that IPOPT makes least."""
+    (s, v, a), jerk = x[: 3 * (steps + 1)].reshape(-1, 3).T[..., None], x[3 * (steps + 1) : -1, None]
+    h = duration / steps
+    t = (np.arange(20) + 0.5) / 20 * h
+    place = s[:-1] + v[:-1] * t + a[:-1] * t**2 / 2 + jerk * t**3 / 6
+    rate, second = v[:-1] + a[:-1] * t + jerk * t**2 / 2, a[:-1] + jerk * t
+    motion = travelled(path(np.clip(place, 0.0, 1.0).ravel()), rate.ravel(), second.ravel())
+    F = inverse_dynamics(robot, motion, backend="reference").F
+    return float(np.sum(F * inverse_kinematics(robot, motion).L_dot) * h / 20)
