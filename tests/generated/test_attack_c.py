@@ -135,7 +135,7 @@ def test_every_kernel_has_an_oracle(rotors: bool) -> None:
         assert (f"stewart_{kernel}{function}(" if function else "stewart_forward_kinematics(") in header
 
 
-PADDED = "if (first + (size_t)POSES <= count) {\n        return &from"
+PADDED = "if (first + (size_t)POSES <= count) {\n        return block_at"
 
 
 @pytest.mark.parametrize(

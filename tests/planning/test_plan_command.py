@@ -73,6 +73,7 @@ def test_limits_of_the_motors_bound_the_plan_and_their_rated_torque_is_checked(
     assert 0.199 < max(torques) <= 0.2 * (1.0 + 1e-6)
 
 
+@pytest.mark.slow
 def test_a_duration_has_a_motion_of_least_energy_or_peak_force(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

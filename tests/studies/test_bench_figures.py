@@ -434,5 +434,6 @@ def test_a_coarse_clock_is_rejected(monkeypatch: pytest.MonkeyPatch) -> None:
         timing.time_source()
 
 
+@pytest.mark.slow
 def test_batches_that_do_not_fit_into_memory_are_left_out(reduced: bench.Benchmark) -> None:
     assert {figure.poses for figure in reduced.sweep} == {8}
