@@ -25,7 +25,7 @@ SERVED = {
     *("forward_velocity", "forward_acceleration", "motion_from_lengths", "array_kernel", "ArrayKernel"),
     *("prepare", "LegSprings", "LegSprings.balanced", "ComputedTorque", "simulate", "singularity"),
     *("force_deviations", "motor_angles", "pose_of_motors", "capability", "drive_effort", "motor_forces"),
-    "view",
+    *("view", "export_model"),
 }
 """Functions that compute offset joints."""
 OF_POINTS = {"up_direction", "characteristic_length"}
