@@ -33,7 +33,7 @@ STUDIES: dict[str, Callable[[Figures], dict[str, str]]] = {
 
 PICTURES = (
     *("bench.png", "bench_motion.png", "control.png"),
-    *("plan_claim.png", "plan_path_III.png"),
+    *("plan_claim.png", "plan_path_III.png", "plan_durations.png"),
     *("chart.png", "scales.png", "bounds.png", "singular_path_III.png"),
 )
 COMMAND = "python -m stewart_sym.studies.published"
