@@ -132,9 +132,9 @@ def address(array: NDArray[Any] | None, entries: int = 0) -> ctypes.c_void_p:
     """Where an entry of a contiguous array lies; null for None."""
     if array is None:
         return ctypes.c_void_p(None)
-    try:
+    if array.flags.carray and array.size > 0:
         # Far quicker than the array's interface, which has to serve where an array is read-only or empty.
         start = ctypes.addressof(ctypes.c_char.from_buffer(array))  # type: ignore[arg-type]
-    except (TypeError, ValueError):
+    else:
         start = array.__array_interface__["data"][0]
     return ctypes.c_void_p(start + entries * array.itemsize)

@@ -73,14 +73,14 @@ def stride_of(arrays: Sequence[Array | None], F: Array, count: int, dtype: Any) 
 
 def need_type(name: str, array: Any, dtype: Any) -> Array:
     """The array; raises ValueError for what is none of this type that C can read."""
+    if isinstance(array, np.ndarray) and array.dtype == dtype and array.flags.aligned:
+        return array
     wanted = np.dtype(dtype)
     if not isinstance(array, np.ndarray):
         raise ValueError(f"{name}: expected an array of {wanted}, got {shown(array)}")
     if array.dtype != wanted:
         raise ValueError(f"{name}: expected an array of {wanted}, got one of {array.dtype}")
-    if not array.flags.aligned:
-        raise ValueError(f"{name}: expected an array at a multiple of {wanted.alignment} bytes, got another")
-    return array
+    raise ValueError(f"{name}: expected an array at a multiple of {wanted.alignment} bytes, got another")
 
 
 def need_apart(arrays: Sequence[Array | None], F: Array, status: Array) -> None:
@@ -88,11 +88,11 @@ def need_apart(arrays: Sequence[Array | None], F: Array, status: Array) -> None:
 
     arrays: in the order of ``MOTION``.
     """
-    written = {"F": F, "status": status}
-    for place, (name, own) in enumerate(written.items()):
-        others = dict(zip(MOTION, arrays, strict=True)) | dict(list(written.items())[:place])
-        for other, array in others.items():
-            if array is not None and np.may_share_memory(own, array, _EXACTLY):
+    inputs = [array for array in arrays if array is not None]
+    for name, own, others in (("F", F, inputs), ("status", status, [*inputs, F])):
+        for array in others:
+            if np.may_share_memory(own, array, _EXACTLY):
+                other = next(key for key, given in zip(NAMES, (*arrays, F), strict=True) if given is array)
                 raise ValueError(f"{name}: expected memory of its own, got some of {other}")
 
 

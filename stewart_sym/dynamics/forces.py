@@ -7,7 +7,7 @@ import os
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
-from functools import cache, partial
+from functools import cache, cached_property, partial
 from typing import Any, Literal
 
 import numpy as np
@@ -230,6 +230,10 @@ class ForceKernel(Frozen):
         threads = min(
             whole_number(threads, "threads", 1, "a whole number of at least 1"), max(1, count // LEAST_SHARE)
         )
+        if threads == 1:
+            if count > 0:
+                run(0, count)
+            return
         parts = _parts(count, threads)
         turn = itertools.count()
 
@@ -237,7 +241,7 @@ class ForceKernel(Frozen):
             while (part := next(turn)) < len(parts):
                 run(*parts[part])
 
-        others = min(threads, len(parts), CORES) - 1 if threads > 1 else 0
+        others = min(threads, len(parts), CORES) - 1
         waiting = [_pool(others, os.getpid()).submit(work) for _ in range(others)]
         work()
         for other in waiting:
@@ -300,7 +304,7 @@ class ForceKernel(Frozen):
             address(status, start),
         )
 
-    @property
+    @cached_property
     def name(self) -> str:
         """Name of the generated kernel, as in ``stewart_<name>_forces.c``."""
         return force_kernel_name(self.robot, self.formulation, self.fidelity)
@@ -393,7 +397,7 @@ def _parts(count: int, threads: int) -> list[tuple[int, int]]:
 
     Several parts for each thread, so that one whose core is disturbed keeps nobody waiting for long.
     """
-    pieces = 1 if threads == 1 else max(threads, min(4 * threads, count // LEAST_SHARE))
+    pieces = max(threads, min(4 * threads, count // LEAST_SHARE))
     share = max(LANES, -(-count // (pieces * LANES)) * LANES)
     return [(start, min(share, count - start)) for start in range(0, count, share)]
 
