@@ -156,10 +156,11 @@ def _warn_of_losses(robot: Robot, form: str) -> None:
     """
     lost = [] if form == "urdf" else ["C_s"]
     lost += ["C_u"] if form in ("sdf", "usd") and robot.base_joint == "spherical" else []
-    names = " and ".join(name for name in lost if np.any(getattr(robot, name)))
+    found = [name for name in lost if np.any(getattr(robot, name))]
+    names = f"{' and '.join(found)} {'are' if len(found) > 1 else 'is'}"
     where = "left out" if form == "usd" else "noted only"
-    if names:
-        text = f"{form}: expected no friction in these spherical joints, {names} is {where}"
+    if found:
+        text = f"{form}: expected no friction in these spherical joints, {names} {where}"
         warnings.warn(text, stacklevel=3)
     if form == "sdf" and robot.drive is not None and np.any(robot.drive.rotor_inertia):
         warnings.warn(f"{form}: expected drives without rotors, their inertia is {where}", stacklevel=3)

@@ -174,11 +174,12 @@ def require(table: Mapping[str, Any], keys: Sequence[str], prefix: str, reason: 
 
 def one_line(value: object, where: str) -> str:
     """A text of one line that is not blank."""
-    if not isinstance(value, str) or not value.strip() or not value.isprintable():
-        what = (
-            "text that is not blank" if isinstance(value, str) and not value.strip() else "one line of text"
-        )
-        raise ValueError(f"{where}: expected {what}, got {shown(value)}")
+    if isinstance(value, str) and not value.strip():
+        raise ValueError(f"{where}: expected text that is not blank, got {shown(value)}")
+    if not isinstance(value, str) or not value.isprintable():
+        hidden = next((each for each in str(value) if not each.isprintable()), "")
+        having = f", which has U+{ord(hidden):04X}" if hidden else ""
+        raise ValueError(f"{where}: expected one line of text, got {shown(value)}{having}")
     return value
 
 

@@ -178,6 +178,7 @@ WRONG: list[tuple[tuple[str | int, ...], Any, str]] = [
     (("schema",), True, "schema: expected 1 or 2, got True"),
     (("name",), 5, "name: expected one line of text, got 5"),
     (("name",), "two\nlines", "name: expected one line of text"),
+    (("name",), "a\u202eb", "name: expected one line of text, got 'a\\u202eb', which has U+202E"),
     (("base_joint",), "cardan", 'base_joint: expected "universal" or "spherical"'),
     (("gravity",), [0.0, -9.81], "gravity: expected 3 finite numbers"),
     (("gravity",), [0.0, 0.0, math.inf], "gravity: expected 3 finite numbers, got inf"),

@@ -17,6 +17,7 @@ from .rate_spline import WEIGHTS, RateSpline
 _STEPS = 400
 _CENTRING = 0.15
 _KEPT = 0.99
+_SHORTEST = 1e-9
 # Of the cost: what the limits' multipliers still hold back at the end.
 GAP = 1e-7
 
@@ -83,6 +84,9 @@ def least(spline: RateSpline, c: Array, rooms: Rooms, cost: Cost, time: float | 
         moved = spline.values(step)
         change = mu / g - multiplier - multiplier / g * np.einsum("ikra,ika->ikr", slope, moved)
         share = _share(rooms, v, moved, g)
+        if share <= _SHORTEST:
+            # What rounding leaves of a room decides: nothing is gained any more.
+            break
         c, v = c + share * step, v + share * moved
         falling = change < 0.0
         dual = min(1.0, _KEPT * float(np.min(-multiplier[falling] / change[falling], initial=np.inf)))
@@ -101,6 +105,6 @@ def _share(rooms: Rooms, v: Array, moved: Array, g: Array) -> float:
     """Of a step, so that every limit is kept with a part of its room."""
     falling = moved[..., 0] < 0.0
     share = min(1.0, 0.9 * float(np.min(-v[..., 0][falling] / moved[..., 0][falling], initial=np.inf)))
-    while share > 1e-9 and np.any(rooms.values(v + share * moved) <= (1.0 - _KEPT) * g):
+    while share > _SHORTEST and np.any(rooms.values(v + share * moved) <= (1.0 - _KEPT) * g):
         share *= 0.8
     return share
