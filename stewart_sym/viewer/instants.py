@@ -13,6 +13,7 @@ from ..io.arguments import real_array
 from ..io.array_types import Array
 from ..io.tables import file_name, opened
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
+from ..kinematics.inverse import inverse_kinematics
 from ..kinematics.paths import PATHS, path_for
 from ..kinematics.pose_search import jacobian
 from ..motion.interpolation import Path, between
@@ -33,8 +34,10 @@ STEPS_PER_PATH = 600
 """Into which a path of the paper is divided at least."""
 _NAMES = {
     name: [f"{name}_{axis}" for axis in "xyz"] for name in ("t", "theta", "v", "omega")
-} | {"F": [f"F{leg}" for leg in range(1, 7)]}  # fmt: skip
+} | {name: [f"{name}{leg}" for leg in range(1, 7)] for name in "FL"}  # fmt: skip
 _MOST_BYTES = 1 << 31
+# Of the longest leg: by how much lengths of a run and those at its poses may differ.
+_SAME = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
@@ -120,8 +123,8 @@ def of_motion(robot: Robot, motion: Motion, times: object, name: str = "motion")
     return _instants(robot, name, time, motion, _path_of(time, motion), time, forces)
 
 
-def read_run(path: str | os.PathLike[str]) -> tuple[Array, Motion, Array]:
-    """Read ``run.csv`` of ``simulate``: times, s, (n,), states, (n,), and the forces that acted, N, (n, 6).
+def read_run(path: str | os.PathLike[str]) -> tuple[Array, Motion, Array, Array]:
+    """Read ``run.csv`` of ``simulate``: times, s, (n,), states, (n,), forces, N, and lengths, m, (n, 6).
 
     Raises ValueError of one line that names the file and the row or column.
     """
@@ -134,13 +137,21 @@ def read_run(path: str | os.PathLike[str]) -> tuple[Array, Motion, Array]:
 
     with opened(source, "run", _MOST_BYTES) as stream:
         columns, _ = read_columns(stream, source, check, PLAIN)
-    t, theta, v, omega, F = (np.stack([columns[c] for c in names], axis=-1) for names in _NAMES.values())
-    return columns["time"], Motion(rotation_from_rpy(theta), t, omega, v), F
+    t, theta, v, omega, F, L = (np.stack([columns[c] for c in names], axis=-1) for names in _NAMES.values())
+    return columns["time"], Motion(rotation_from_rpy(theta), t, omega, v), F, L
 
 
 def of_run_file(robot: Robot, path: str | os.PathLike[str]) -> Instants:
-    """A run as ``simulate`` wrote it into ``run.csv``."""
-    time, motion, F = read_run(path)
+    """A run as ``simulate`` wrote it into ``run.csv``; ValueError where its lengths are of another robot."""
+    time, motion, F, L = read_run(path)
+    own = inverse_kinematics(robot, motion).L
+    same = np.abs(own - L) <= _SAME * L.max(initial=0.0)
+    if not same.all():
+        row, leg = (int(found[0]) for found in np.nonzero(~same))
+        raise ValueError(
+            f"{file_name(path)}: expected a run of {robot.name}, got one of another machine: at "
+            f"{time[row]:g} s leg {leg + 1} is {own[row, leg]:.6g} m long, L{leg + 1} is {L[row, leg]:.6g} m"
+        )
     return _instants(robot, "simulated run", time, motion, _path_of(time, motion), time, {"run": F})
 
 

@@ -1,5 +1,6 @@
 """Scenes: what a file says is what is run; what is wrong with one is one line and leaves nothing behind."""
 
+import dataclasses
 import re
 import sys
 from pathlib import Path
@@ -7,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from command_line import fails_in_one_line, folder_state, read
-from robot_files import scene_of
+from robot_files import scene_of, written
 
 import stewart_sym as ss
 from stewart_sym.cli.machine.simulate import MORE
@@ -82,6 +83,28 @@ def test_a_scene_runs_as_the_library_does(scene: Path, capsys: pytest.CaptureFix
         assert [float(row[name]) for row in rows] == values.tolist()
     theta = [[float(row[f"theta_{axis}"]) for axis in "xyz"] for row in rows]
     np.testing.assert_array_equal(theta, rpy_from_rotation(run.R))
+
+
+def test_a_run_is_shown_on_its_own_machine_alone(scene: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    folder, robot = scene.parent, ss.Robot.from_toml(scene.parent / "robots" / "robot.toml")
+    other = written(dataclasses.replace(robot, p=1.01 * robot.p), folder / "other.toml")
+    assert main(["simulate", str(scene), "-o", str(folder / "out"), "--no-pictures"]) == 0
+    assert (
+        main(
+            [
+                "view",
+                str(folder / "robots" / "robot.toml"),
+                str(folder / "out"),
+                "-o",
+                str(folder / "own.html"),
+            ]
+        )
+        == 0
+    )
+    capsys.readouterr()
+    assert main(["view", str(other), str(folder / "out"), "-o", str(folder / "other.html")]) == 2
+    assert "got one of another machine: at 0 s leg 1 is " in capsys.readouterr().err
+    assert not (folder / "other.html").exists()
 
 
 def test_balanced_springs_hold_the_machine(scene: Path) -> None:
