@@ -177,7 +177,8 @@ def one_line(value: object, where: str) -> str:
     if isinstance(value, str) and not value.strip():
         raise ValueError(f"{where}: expected text that is not blank, got {shown(value)}")
     if not isinstance(value, str) or not value.isprintable():
-        hidden = next((each for each in str(value) if not each.isprintable()), "")
+        text = value if isinstance(value, str) else ""
+        hidden = next((each for each in text if not each.isprintable()), "")
         having = f", which has U+{ord(hidden):04X}" if hidden else ""
         raise ValueError(f"{where}: expected one line of text, got {shown(value)}{having}")
     return value
