@@ -5,16 +5,21 @@ universal also about s, about the axis on the upper part and about the one on th
 the motion's leading shape; a quantity of the legs is (..., 6, 3) as a vector and (..., 6, 1) as a scalar.
 """
 
+from __future__ import annotations
+
 import math
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..io.array_types import Array, Codes
-from ..motion.motion import Motion
 from ..results import JOINT_SINGULAR, NOT_FINITE, OK, UNREACHABLE, ZERO_LENGTH
 from .offsets import Offsets
-from .robot import Robot
+
+if TYPE_CHECKING:
+    from ..motion.motion import Motion
+    from .robot import Robot
 
 ROUNDING = 16 * np.finfo(np.float64).eps
 """Share at which a length (of the terms that it is the sum of) is rounding error and counts as zero."""
@@ -140,15 +145,19 @@ def chains(robot: Robot, motion: Motion) -> Chains:
     """Where the joints of every pose are; NaN where the offsets leave no solution."""
     offsets = offsets_of(robot)
     q = applied(motion.R[..., None, :, :], robot.p)
-    P = motion.t[..., None, :] + q - robot.b
-    if not offsets.spins:
-        return _lower(robot, offsets, q, P, P)
     k_w = applied(motion.R[..., None, :, :], offsets.platform_axis)
+    return chains_to(offsets, robot.k, k_w, q, motion.t[..., None, :] + q - robot.b)
+
+
+def chains_to(offsets: Offsets, k: Array, k_w: Array, q: Array, P: Array) -> Chains:
+    """The same by the joints' axes k and k_w, the latter in the base frame, and the platform points."""
+    if not offsets.spins:
+        return _lower(k, offsets, q, P, P)
     w = offsets.wrist[:, None]
     T, o_w = P, np.zeros_like(P)
     # Each step brings the end of the leg nearer by the wrist's share of the leg's length.
     for _ in range(_MOST_STEPS):
-        at = _lower(robot, offsets, q, P, T)
+        at = _lower(k, offsets, q, P, T)
         y_w = np.cross(k_w, at.s)
         y_w = y_w / np.sqrt(dot(y_w, y_w))
         o_w = np.cross(y_w, k_w)
@@ -158,15 +167,22 @@ def chains(robot: Robot, motion: Motion) -> Chains:
             break
         T = P - w * o_w
     else:
-        at = _lower(robot, offsets, q, P, np.where(moved, np.nan, T))
+        at = _lower(k, offsets, q, P, np.where(moved, np.nan, T))
     spin = np.arctan2(dot(at.z, y_w), dot(at.y, y_w))
     U = np.stack([at.s, y_w, np.cross(at.s, y_w)], axis=-1)
     return Chains(**{**vars(at), "spin": spin, "U": U, "y_w": y_w, "k_w": k_w, "o_w": o_w})
 
 
-def _lower(robot: Robot, offsets: Offsets, q: Array, P: Array, T: Array) -> Chains:
+def lengths_at_home(offsets: Offsets, k: Array, S: Array) -> Array:
+    """Lengths along the line of sliding, m, (6,), from base to platform points by S, both frames parallel."""
+    axes = k / np.linalg.norm(k, axis=-1, keepdims=True)
+    with np.errstate(all="ignore"):
+        return np.asarray(chains_to(offsets, axes, offsets.platform_axis, S, S).L[..., 0])
+
+
+def _lower(k: Array, offsets: Offsets, q: Array, P: Array, T: Array) -> Chains:
     """The lower part from the end T of the line of sliding: of the solutions, o towards T and s outward."""
-    k = np.broadcast_to(robot.k, T.shape)
+    k = np.broadcast_to(k, T.shape)
     a, d, e = (x[:, None] for x in (offsets.cross, offsets.across, offsets.along))
     zeta, normal = dot(k, T), np.cross(k, T)
     rho2 = dot(normal, normal)
