@@ -87,7 +87,7 @@ def _values(d: object, file: str) -> dict[str, Any]:
     if offsets is not None and joint == "spherical":
         raise ValueError(f'{file}legs.offsets: expected none when base_joint is "spherical"')
     drive = drive_of_tables(legs.shared, legs.own, file, metres, degrees)
-    return own | legs.values(*rings, offsets) | {"drive": drive, "offsets": offsets}
+    return own | legs.values(rings[0], rings[1], offsets) | {"drive": drive, "offsets": offsets}
 
 
 def _metres(unit: str) -> Metres:
