@@ -18,7 +18,6 @@ from ..io.progress import Progress, silent
 from ..kinematics.inverse import inverse_kinematics
 from ..kinematics.joint_angles import angles_between, neutral_directions
 from ..motion.motion import Motion
-from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot
 
 QUANTILES = (0.5, 0.9, 0.99, 1.0)
@@ -160,7 +159,6 @@ def size(
         Naming the argument; for no motion, and for unsolvable poses.
     """
     instance(robot, Robot, "robot")
-    need_no_offsets(robot)
     margin = number_in(margin, "margin", "a finite share >= 0", closed=True)
     shares = checked_quantiles(quantiles)
     given = _checked(robot, motions)

@@ -85,8 +85,8 @@ def _forces(robot: Robot, formulation: Formulation, backend: Backend) -> Callabl
     def full(motion: Motion) -> Array:
         return inverse_dynamics(robot, motion, formulation, backend, on_singular="nan").F
 
-    if not isinstance(backend, str) or backend != "c":
-        return full  # which checks the options
+    if not isinstance(backend, str) or backend != "c" or (robot.offsets is not None and robot.offsets.spins):
+        return full  # which checks the options, and computes what no kernel does
     kernel = with_compiler(lambda: prepare(robot, formulation), lambda: None)
     return full if kernel is None else lambda motion: kernel.forces_and_status(motion)[0]
 

@@ -27,6 +27,7 @@ from ..motion.rotation import rotation_from_vector
 from ..motion.smooth_motion import (
     WITHOUT_PERIOD,
     PoseNoise,
+    smoothed,
 )
 from ..robot.robot import LEGS, Robot
 from .base_parameters import BaseParameters, base_parameters
@@ -37,7 +38,7 @@ from .joint_fit import joint_fit
 from .linear_fit import Data, exact_fit
 from .parameters import inertial_parameters
 from .physical import POSSIBLE, possible_fit
-from .residual_test import EXACT, LEVEL, tested_estimate
+from .residual_test import EXACT, LEVEL, SMOOTHED, tested_estimate
 
 
 @dataclass(frozen=True, eq=False)
@@ -115,7 +116,8 @@ def identify(
     drive : sequence of str, optional
         Terms of the drives to seek as well, where F are forces of the motors, N times torque: some of
         "reflected_mass", "coulomb", "offset" and "viscous", which is the same as ``C_p`` where that is
-        sought. They need a motion that is known exactly; ``Estimate.drive`` has what is identifiable.
+        sought; ``Estimate.drive`` has what is identifiable. With ``noise`` the motion is then the smooth one
+        that explains the poses alone best, and the deviations hold the noise of the forces alone.
 
     Returns
     -------
@@ -145,22 +147,21 @@ def identify(
     forces = finite_array(F, (LEGS,), "F")
     if forces.shape != (*motion.shape, LEGS):
         raise ValueError(f"F: expected forces of shape {(*motion.shape, LEGS)}, got {forces.shape}")
+    if noise is not None:
+        instance(noise, PoseNoise, "noise")
     data = Data(robot, motion, forces, _deviations(sigma, forces.shape), base)
     if drive is not None:
-        data = _with_terms(data, noise, drive)
-    if noise is None:
-        found = tested_estimate(data, exact_fit(data, motion), EXACT)
-    else:
-        instance(noise, PoseNoise, "noise")
+        smooth = motion if noise is None else smoothed(motion, noise)
+        data = _with_terms(data._replace(motion=smooth), need_terms(drive))
+    if noise is not None and drive is None:
         found = tested_estimate(data, joint_fit(data, noise), ())
+    else:
+        found = tested_estimate(data, exact_fit(data, data.motion), EXACT if noise is None else SMOOTHED)
     return _possible(robot, found) if physical and found.verdict != "rejected" else found
 
 
-def _with_terms(data: Data, noise: PoseNoise | None, drive: Sequence[str]) -> Data:
+def _with_terms(data: Data, names: Sequence[str]) -> Data:
     """With terms of the drives, of which the motion tells what it can."""
-    names = need_terms(drive)
-    if noise is not None:
-        raise ValueError("noise: expected None beside drive, got the noise of poses")
     terms = drive_terms(data.robot, data.motion, names, data.base.shared is not None)
     A = force_regressor(data.robot, data.motion, data.base)
     return data._replace(terms=told_apart(terms, A, data.base.names))

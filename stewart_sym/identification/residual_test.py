@@ -21,6 +21,10 @@ _COSINES = 20
 # Length beside that of a cosine below which the fit explains it already.
 _NEW = 1e-8
 EXACT = ("motion: is taken as exact, expected its noise if its poses were measured",)
+SMOOTHED = (
+    "motion: is smoothed by its poses alone beside terms of drives, expected a smaller noise of the poses or "
+    "a motion that is slower beside it",
+)
 
 
 def tested_estimate(data: Data, fit: Fit, remedy: tuple[str, ...]) -> Estimate:

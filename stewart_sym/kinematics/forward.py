@@ -30,7 +30,7 @@ from ..results import (
 from ..robot.robot import Robot
 from .conditioning import condition_number, moments_over
 from .inverse import legs_or_overflow
-from .offset_legs import search, without_offsets
+from .offset_legs import without_offsets
 from .pose_search import (
     EPS,
     MOST_STARTS,
@@ -38,6 +38,7 @@ from .pose_search import (
     impossible_pairs,
     jacobian,
     nearest_found,
+    newton,
     platform_size,
     searched,
     solve,
@@ -161,8 +162,7 @@ def _with_offsets(robot: Robot, L: Array, *guess: Array) -> Found | None:
     if robot.offsets is None:
         return None
     R, t = guess or searched(without_offsets(robot), L)[:2]
-    R, t, found, residual, steps = search(robot, L, R, t)
-    return Found(R, t, residual, steps, found)
+    return newton(robot, L, R, t)
 
 
 def fault(robot: Robot, L: Array, status: int, guessed: bool) -> str:

@@ -8,9 +8,9 @@ import numpy as np
 
 from ..io.arguments import instance
 from ..io.array_types import Array
-from ..motion.motion import Motion
+from ..motion.motion import Motion, at_rest
 from ..robot.robot import Robot
-from .inverse import leg_vectors
+from .inverse import inverse_kinematics, leg_vectors
 
 
 @dataclass(frozen=True, eq=False)
@@ -20,7 +20,8 @@ class JointAngles:
     Attributes
     ----------
     base : ndarray
-        Of the joints at the base, (..., 6): between the leg and its neutral direction in the base frame.
+        Of the joints at the base, (..., 6): between the leg, with offsets its line of sliding, and its
+        neutral direction in the base frame.
     platform : ndarray
         Of the joints at the platform, (..., 6): between the leg and its neutral direction in the platform
         frame.
@@ -55,7 +56,7 @@ def joint_angles(robot: Robot, motion: Motion) -> JointAngles:
     instance(robot, Robot, "robot")
     instance(motion, Motion, "motion")
     neutral = neutral_directions(robot)
-    _, S, _ = leg_vectors(robot, motion.R, motion.t)
+    S = _along_legs(robot, motion)
     return JointAngles(angles_between(S, neutral), angles_between(S @ motion.R, neutral))
 
 
@@ -63,8 +64,15 @@ def neutral_directions(robot: Robot) -> Array:
     """Unit vectors of the legs at the home pose, (6, 3), in both frames; ValueError where none is stated."""
     if robot.home is None:
         raise ValueError("robot: home: joint angles are from the home pose, expected home")
-    S = robot.home + robot.p - robot.b
+    S = _along_legs(robot, at_rest(np.eye(3), robot.home))
     return np.asarray(S / np.linalg.norm(S, axis=-1, keepdims=True))
+
+
+def _along_legs(robot: Robot, motion: Motion) -> Array:
+    """Vectors along the legs, base frame, (..., 6, 3); with offsets along their lines of sliding."""
+    if robot.offsets is not None:
+        return inverse_kinematics(robot, motion).s
+    return leg_vectors(robot, motion.R, motion.t)[1]
 
 
 def angles_between(S: Array, directions: Array) -> Array:

@@ -19,7 +19,7 @@ from ..robot.robot import Robot
 from .conditioning import characteristic_length
 from .inverse import ROUNDING, leg_vectors, length_rows
 from .mounting import base_normal, upright
-from .offset_legs import length_jacobian
+from .offset_legs import length_jacobian, search
 
 Poses = tuple[Array, Array]
 EPS = float(np.finfo(np.float64).eps)
@@ -215,8 +215,12 @@ def newton(robot: Robot, L: Array, R: Array, t: Array, most: float = 1.0) -> Fou
 
     Each step is a twist: t <- t + dt, R <- exp([dphi]x) R.  It solves (J^T J + damping E) d = J^T (L - |S|),
     angles times the platform's size; damping falls with every step that brings the lengths nearer, until the
-    steps are Newton's own, and a step that does not is taken back and tried shorter.
+    steps are Newton's own, and a step that does not is taken back and tried shorter. With offset joints the
+    steps are those of ``offset_legs.search``.
     """
+    if robot.offsets is not None:
+        R, t, found, residual, steps = search(robot, L, R, t)
+        return Found(R, t, residual, steps, found)
     R, t = orthonormal(R), t.copy()
     length = platform_size(robot)
     damping = np.full(len(L), _FIRST_DAMPING)

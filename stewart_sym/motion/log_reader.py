@@ -3,6 +3,7 @@
 import math
 import os
 import warnings
+from collections.abc import Sequence
 from functools import partial
 
 import numpy as np
@@ -35,6 +36,8 @@ _LENGTHS = ("L",)
 _LENGTH_DERIVATIVES = ("L_dot", "L_ddot")
 FORCES = ("F1", "F2", "F3", "F4", "F5", "F6")
 """Columns of actuator forces."""
+CURRENTS = ("current1", "current2", "current3", "current4", "current5", "current6")
+"""Columns of the motors' currents."""
 # Columns in words.
 _KNOWN = (
     "time and either t_x t_y t_z with theta_x theta_y theta_z or q_w q_x q_y q_z, v_*, theta_dot_*, a_*, "
@@ -127,10 +130,24 @@ def read_forces_csv(path: str | os.PathLike[str], form: LogFormat = PLAIN) -> tu
     and names of the columns. Returns times (n,) and forces (n, 6). Raises ``ValueError`` of one line that
     names the file and the row or column.
     """
+    time, forces, _ = read_leg_columns(path, form, (FORCES,))
+    return time, forces
+
+
+def read_leg_columns(
+    path: str | os.PathLike[str], form: LogFormat, groups: Sequence[tuple[str, ...]]
+) -> tuple[Array, Array, tuple[str, ...]]:
+    """Read six columns over time as ``read_forces_csv`` does: those of the first group that the file has.
+
+    Returns times (n,), the columns (n, 6) and their names.
+    """
     source = file_name(path)
-    wanted = ["time", *FORCES]
+    group = groups[0]
 
     def check(header: list[str], source: str) -> None:
+        nonlocal group
+        group = next((each for each in groups if each[0] in header), group)
+        wanted = ["time", *group]
         _check_names(header, [*wanted, *header], source)
         for column in wanted:
             if column not in header:
@@ -138,7 +155,7 @@ def read_forces_csv(path: str | os.PathLike[str], form: LogFormat = PLAIN) -> tu
 
     with opened(source, "forces", _MOST_BYTES) as stream:
         columns, _ = read_columns(stream, source, check, form)
-    return columns["time"], np.stack([columns[name] for name in FORCES], axis=-1)
+    return columns["time"], np.stack([columns[name] for name in group], axis=-1), group
 
 
 # Accelerations that no platform has, m/s^2, or m/s^2 per metre of a log's lengths where these are larger; and

@@ -28,7 +28,9 @@ from .fields import (
     limits,
     need_axisymmetric,
 )
+from .offset_positions import lengths_at_home
 from .offset_tables import TABLES, offset_tables, offsets_of_tables
+from .offsets import Offsets
 from .points import RING_KEYS, axis, points
 
 SCHEMA = 2
@@ -84,10 +86,8 @@ def _values(d: object, file: str) -> dict[str, Any]:
     offsets = offsets_of_tables(legs.shared, legs.own, file, metres)
     if offsets is not None and joint == "spherical":
         raise ValueError(f'{file}legs.offsets: expected none when base_joint is "spherical"')
-    if offsets is not None:
-        legs.need_no_stroke()
     drive = drive_of_tables(legs.shared, legs.own, file, metres, degrees)
-    return own | legs.values(*rings) | {"drive": drive, "offsets": offsets}
+    return own | legs.values(rings[0], rings[1], offsets) | {"drive": drive, "offsets": offsets}
 
 
 def _metres(unit: str) -> Metres:
@@ -138,19 +138,25 @@ class _Legs:
         some = tables.checked_table(given, f"{file}leg.", _NUMBERS)
         self.own = [tables.checked_table(some.get(n, {}), f"{file}leg.{n}.", _LEG_KEYS) for n in _NUMBERS]
 
-    def values(self, base: Array | None, platform: Array | None) -> dict[str, Any]:
+    def values(self, base: Array | None, platform: Array | None, offsets: Offsets | None) -> dict[str, Any]:
         """Fields with an entry for each leg, from the points of both rings, None for those not given."""
         ends = [
             np.array([self._point(i, key, ring) for i in range(LEGS)])
             for key, ring in (("base_point", base), ("platform_point", platform))
         ]
         at_home = None if self.home is None else self.home + ends[1] - ends[0]
-        legs = [self._leg(i, None if at_home is None else at_home[i]) for i in range(LEGS)]
+        k = self._axes(ends[0], at_home)
+        lengths = None
+        if at_home is not None and offsets is not None:
+            lengths = lengths_at_home(offsets, k, at_home)
+        elif at_home is not None:
+            lengths = np.linalg.norm(at_home, axis=-1)
+        legs = [self._leg(i, None if lengths is None else float(lengths[i])) for i in range(LEGS)]
         paths = {name: path for name, (path, _) in LEG_FIELDS.items() if name not in "bpk"}
         found = {name: np.array([leg[path] for leg in legs]) for name, path in paths.items()}
         if self.joint == "spherical":
             need_axisymmetric(found, lambda i, name: self._where(i, paths[name].partition(".")[0]))
-        return {"b": ends[0], "p": ends[1], "k": self._axes(ends[0], at_home), **found}
+        return {"b": ends[0], "p": ends[1], "k": k, **found}
 
     def _where(self, i: int, key: str) -> str:
         """Place of a key that a leg, counted from 0, has of its own or shares."""
@@ -180,8 +186,8 @@ class _Legs:
             found.append(axis(given["universal_axis"], where, b[i], b.mean(axis=0), leg))
         return np.array(found)
 
-    def _leg(self, i: int, at_home: Array | None) -> dict[str, Any]:
-        """Values of a leg by path but its points and axis."""
+    def _leg(self, i: int, at_home: float | None) -> dict[str, Any]:
+        """Values of a leg by path but its points and axis; at_home: its length there, m."""
         found: dict[str, Any] = {}
         for part in _PARTS:
             found |= {f"{part}.{key}": value for key, value in self._part(i, part).items()}
@@ -218,7 +224,7 @@ class _Legs:
                 return tables.not_negative(given[name], f"{prefix}friction.{name}")
         return 0.0
 
-    def _length_limits(self, i: int, at_home: Array | None) -> Array:
+    def _length_limits(self, i: int, at_home: float | None) -> Array:
         """Shortest and longest leg, m, (2,), by themselves or about the length at the home pose."""
         for table, prefix in ((self.own[i], f"{self.file}leg.{i + 1}."), (self.shared, f"{self.file}legs.")):
             if "length_limits" in table and "stroke" in table:
@@ -229,19 +235,7 @@ class _Legs:
                 return self._about_home(table["stroke"], f"{prefix}stroke", at_home)
         return np.array(UNSTATED["length_limits"])
 
-    def need_no_stroke(self) -> None:
-        """Reject limits about the length at home: with offsets that is not the distance of the joints."""
-        for table, prefix in ((self.shared, "legs."), *zip(self.own, self._prefixes(), strict=True)):
-            if "stroke" in table:
-                raise ValueError(
-                    f"{self.file}{prefix}stroke: expected length_limits along the line of sliding, since the "
-                    "legs have offsets"
-                )
-
-    def _prefixes(self) -> list[str]:
-        return [f"leg.{n}." for n in _NUMBERS]
-
-    def _joint_angles(self, i: int, at_home: Array | None) -> Array:
+    def _joint_angles(self, i: int, at_home: float | None) -> Array:
         """Largest angles of both joints from the home pose, rad, (2,)."""
         given, where = {**self.shared, **self.own[i]}, self._where(i, "joint_angle_limit")
         if "joint_angle_limit" not in given:
@@ -251,13 +245,14 @@ class _Legs:
             raise ValueError(f"{where}: is from the leg's direction at the home pose, expected a key home")
         return np.radians(found) if self.degrees else found
 
-    def _about_home(self, value: object, where: str, at_home: Array | None) -> Array:
+    def _about_home(self, value: object, where: str, length: float | None) -> Array:
         stroke = self.metres(tables.numbers(value, (2,), where))
         if stroke[0] >= stroke[1]:
             raise ValueError(f"{where}: expected [least, most] with least < most, got {shown(value)}")
-        if at_home is None:
+        if length is None:
             raise ValueError(f"{where}: is about the length at the home pose, expected a key home")
-        length = float(np.linalg.norm(at_home))
+        if np.isnan(length):
+            raise ValueError(f"{where}: is about the length at the home pose, which the offsets cannot reach")
         if length + stroke[0] < 0.0:
             raise ValueError(
                 f"{where}: expected a leg that is longer at home than it can retract, {length:g} m, "

@@ -207,6 +207,9 @@ def _follow(
     for sample, reason in ((jump(L), JUMPED), (step_beyond_rates(time, L, L_dot, rates), OFF_RATES)):
         if sample is not None:
             raise LostError(sample, reason)
+    if robot.offsets is not None:
+        # Singular poses of legs with offsets are not foretold: each sample is approached from the last.
+        return at_rest(robot, first, L, progress)
     noise = _noise(time, L) if sigma is None else sigma
     R, t, twist, rate = (np.empty((len(L), *shape)) for shape in ((3, 3), (3,), (6,), (6,)))
     done, decided, sign, noisy = 0, len(L), first.sign[0], bool(noise.any())

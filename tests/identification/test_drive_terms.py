@@ -11,6 +11,7 @@ from robot_files import written
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
+from stewart_sym.motion.rotation import rotation_from_vector
 
 SIGMA = 2.0
 TERMS = ("reflected_mass", "coulomb", "offset")
@@ -153,15 +154,32 @@ def test_wrong_terms_are_named(robot: ss.Robot, excited: ss.Excitation) -> None:
             ValueError, match=r"\Adrive: expected some of reflected_mass, coulomb, offset, viscous"
         ):
             ss.identify(robot, excited.motion, F, SIGMA, excited.base, drive=wrong)
-    noise = ss.PoseNoise(excited.time, 1e-4, 1e-4, excited.path.period, 5)
-    with pytest.raises(ValueError, match="noise: expected None beside drive"):
-        ss.identify(robot, excited.motion, F, SIGMA, excited.base, noise, drive=TERMS)
+    with pytest.raises(ValueError, match=r"\Anoise: expected"):
+        ss.identify(robot, excited.motion, F, SIGMA, excited.base, 1e-4, drive=TERMS)  # type: ignore[arg-type]
 
 
-def test_the_command_seeks_terms_of_measured_forces(
-    robot: ss.Robot, excited: ss.Excitation, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+def test_noisy_poses_are_smoothed_and_terms_scatter_as_the_forces_noise_says(
+    robot: ss.Robot, excited: ss.Excitation
 ) -> None:
-    F = motor_forces(robot, excited.motion) + SIGMA * np.random.default_rng(1).normal(size=(120, 6))
+    exact, true, off = motor_forces(robot, excited.motion), np.concatenate(list(TRUE.values())), []
+    size, shape = 1e-5, (len(excited.time), 3)
+    noise = ss.PoseNoise(excited.time, size, size, excited.path.period, len(excited.path.sine))
+    for seed in range(20):
+        rng = np.random.default_rng((7, seed))
+        F = exact + SIGMA * rng.normal(size=exact.shape)
+        R = rotation_from_vector(size * rng.normal(size=shape)) @ excited.motion.R
+        none = np.zeros(shape)
+        measured = ss.Motion(R, excited.motion.t + size * rng.normal(size=shape), none, none)
+        found = ss.identify(robot, measured, F, SIGMA, excited.base, noise, drive=TERMS)
+        assert found.verdict == "consistent"
+        off.append(np.abs(found.drive.values - true) / found.drive.sigma)
+    for width, normal in ((1.0, 0.6827), (2.0, 0.9545), (3.0, 0.9973)):
+        share = float(np.mean(np.array(off) < width))
+        assert share == pytest.approx(normal, abs=4.0 * math.sqrt(normal * (1.0 - normal) / (18 * 20)))
+
+
+def tables(excited: ss.Excitation, folder: Path, measured: dict[str, np.ndarray]) -> list[str]:
+    """Files of an exact motion and of what was measured beside it, as options of ``identify``."""
     columns = {"time": excited.time}
     for (place, turn), x in zip(
         (("t", "theta"), ("v", "theta_dot"), ("a", "theta_ddot")),
@@ -170,21 +188,39 @@ def test_the_command_seeks_terms_of_measured_forces(
     ):
         columns |= {f"{place}_{axis}": x[:, i] for i, axis in enumerate("xyz")}
         columns |= {f"{turn}_{axis}": x[:, 3 + i] for i, axis in enumerate("xyz")}
-    for name, table in (
-        ("log", columns),
-        ("F", {"time": excited.time} | {f"F{i + 1}": F[:, i] for i in range(6)}),
-    ):
+    for name, table in (("log", columns), ("measured", {"time": excited.time} | measured)):
         rows = np.column_stack(list(table.values()))
-        np.savetxt(
-            tmp_path / f"{name}.csv", rows, delimiter=",", header=",".join(table), comments="", fmt="%.17g"
-        )
-    written(robot, tmp_path / "robot.toml")
-    command = [
-        "identify",
-        str(tmp_path / "robot.toml"),
-        "--measured",
-        *(str(tmp_path / f"{n}.csv") for n in ("log", "F")),
-    ]
+        head = ",".join(table)
+        np.savetxt(folder / f"{name}.csv", rows, delimiter=",", header=head, comments="", fmt="%.17g")
+    return ["--measured", str(folder / "log.csv"), str(folder / "measured.csv")]
+
+
+def test_the_command_takes_currents(
+    robot: ss.Robot, excited: ss.Excitation, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    drive = ss.Drive(lead=[5e-3, -5e-3, 4e-3, 4e-3, 1e-2, 1e-2], torque_constant=0.5, screw_coulomb=30.0)
+    machine = dataclasses.replace(robot, drive=drive)
+    noisy = ss.drive_effort(machine, excited.motion).current
+    noisy = noisy + 0.01 * np.random.default_rng(2).normal(size=noisy.shape)
+    given = tables(excited, tmp_path, {f"current{leg + 1}": noisy[:, leg] for leg in range(6)})
+    words = ["identify", str(written(machine, tmp_path / "robot.toml")), *given, "--drive", "coulomb"]
+    out = ["--sigma", "0.01", "--json", "-", "-o", str(tmp_path / "found")]
+    assert main([*words, *out]) == 0
+    found = json.loads(capsys.readouterr().out)
+    np.testing.assert_allclose(found["force_noise_N"], 0.01 * 0.5 * np.abs(drive.turns))
+    assert found["verdict"] == "consistent"
+    assert all(abs(row["estimated"] - 30.0) < 5.0 * row["sigma"] for row in found["drive"])
+    words[1] = str(written(robot, tmp_path / "plain.toml"))
+    assert main([*words, *out]) == 2
+    assert "expected a drive with a torque_constant of every leg" in capsys.readouterr().err
+
+
+def test_the_command_seeks_terms_of_measured_forces(
+    robot: ss.Robot, excited: ss.Excitation, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    F = motor_forces(robot, excited.motion) + SIGMA * np.random.default_rng(1).normal(size=(120, 6))
+    given = tables(excited, tmp_path, {f"F{leg + 1}": F[:, leg] for leg in range(6)})
+    command = ["identify", str(written(robot, tmp_path / "robot.toml")), *given]
     command += ["--sigma", str(SIGMA), "--json", "-", "-o", str(tmp_path / "found")]
     assert main([*command, "--drive", "coulomb,reflected_mass,viscous,offset"]) == 0
     found = {row["name"]: row for row in json.loads(capsys.readouterr().out)["drive"]}

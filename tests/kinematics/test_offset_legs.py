@@ -99,3 +99,22 @@ def test_the_effort_of_the_drives_is_of_the_motors_speed(joint: str) -> None:
     heavier = dataclasses.replace(robot.drive, rotor_inertia=2 * robot.drive.rotor_inertia)
     found = ss.drive_effort(dataclasses.replace(robot, drive=heavier), motion)
     np.testing.assert_allclose(found.rotor, 2 * effort.rotor, rtol=1e-11)
+
+
+@pytest.mark.parametrize("joint", PLATFORM_JOINTS)
+def test_a_moving_platform_comes_back_from_the_lengths_of_its_legs(joint: str) -> None:
+    robot, _ = offset_case(5, joint)
+    time = np.linspace(0.0, 0.4 * path_period(robot), 60)
+    motion, size = random_path(np.random.default_rng(5), robot, load=False)(time), machine_size(robot)
+    legs = ss.inverse_kinematics(robot, motion)
+    guess = (motion.R[0], motion.t[0] + 0.01 * size)
+    found = ss.motion_from_lengths(robot, legs.L, legs.L_dot, legs.L_ddot, guess, time=time)
+    np.testing.assert_allclose(found.R, motion.R, atol=1e-11)
+    np.testing.assert_allclose(found.t, motion.t, atol=1e-11 * size)
+    for name in ("v", "omega", "a", "alpha"):
+        expected = getattr(motion, name)
+        np.testing.assert_allclose(getattr(found, name), expected, atol=1e-8 * np.abs(expected).max())
+    jumped = legs.L.copy()
+    jumped[30:, 2] += 10.0 * size
+    with pytest.raises(ValueError, match=r"\AL\[30\]"):
+        ss.motion_from_lengths(robot, jumped, legs.L_dot, legs.L_ddot, guess, time=time)

@@ -16,6 +16,7 @@ from public_calls import calls
 import stewart_sym as ss
 from stewart_sym.backend.kernel import robot_numbers
 from stewart_sym.cli.main import main
+from stewart_sym.motion.rotation import rotation_from_rpy
 
 EXAMPLE = DOCS / "examples" / "offset-joints.toml"
 
@@ -25,7 +26,7 @@ SERVED = {
     *("forward_velocity", "forward_acceleration", "motion_from_lengths", "array_kernel", "ArrayKernel"),
     *("prepare", "LegSprings", "LegSprings.balanced", "ComputedTorque", "simulate", "singularity"),
     *("force_deviations", "motor_angles", "pose_of_motors", "capability", "drive_effort", "motor_forces"),
-    *("view", "export_model"),
+    *("view", "export_model", "joint_angles", "size"),
 }
 """Functions that compute offset joints."""
 OF_POINTS = {"up_direction", "characteristic_length"}
@@ -90,17 +91,44 @@ UNIVERSAL = {"platform_joint": "universal", "platform_axis": [0, 1, 0], "wrist":
         ("cross", {"mass": -1.0}, "legs.cross.mass: expected a number >= 0"),
         ("cross", {"inertia": [1, 1, 1]}, "legs.cross.inertia: expected a finite number"),
         ("cross", {"center_of_mass": [0.0, 1.0]}, "legs.cross.center_of_mass: expected 3 finite"),
-        ("stroke", [-1.0, 1.0], "legs.stroke: expected length_limits"),
+        ("stroke", [-1.0, 1.0], "legs.stroke: expected stroke or length_limits, got both"),
     ],
 )
 def test_bad_files_give_one_line_with_the_key(table: str, value: object, message: str) -> None:
     d = _example()
     d["legs"][table] = value
-    if table == "stroke":
-        del d["legs"]["length_limits"]
     with pytest.raises(ValueError, match=re.escape(f"robot: {message}")) as caught:
         ss.Robot.from_dict(d)
     assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("joint", [{}, UNIVERSAL], ids=["spherical", "universal"])
+def test_a_stroke_is_about_the_length_along_the_line_of_sliding(joint: dict[str, Any]) -> None:
+    d = _example()
+    d["legs"]["offsets"] |= joint
+    del d["legs"]["length_limits"]
+    d["legs"]["stroke"] = [-50.0, 30.0]
+    robot = ss.Robot.from_dict(d)
+    L = ss.inverse_kinematics(robot, ss.Motion(np.eye(3), robot.home, *np.zeros((2, 3)))).L
+    np.testing.assert_allclose(robot.length_limits, np.stack([L - 0.05, L + 0.03], axis=-1), rtol=1e-14)
+    plain = np.linalg.norm(robot.home + robot.p - robot.b, axis=-1)
+    assert np.abs(L - plain).min() > 1e-3
+    d["legs"]["offsets"]["across"] = 5000.0
+    with pytest.raises(ValueError, match=r"legs\.stroke: .* which the offsets cannot reach"):
+        ss.Robot.from_dict(d)
+
+
+def test_joints_swing_as_the_lines_of_sliding_do() -> None:
+    d = _example()
+    d["legs"]["offsets"] |= UNIVERSAL
+    robot = ss.Robot.from_dict(d)
+    R = rotation_from_rpy(np.array([0.1, -0.05, 0.2]))
+    home, away = (ss.Motion(turn, robot.home, *np.zeros((2, 3))) for turn in (np.eye(3), R))
+    s, neutral = (ss.inverse_kinematics(robot, pose).s for pose in (away, home))
+    found = ss.joint_angles(robot, away)
+    np.testing.assert_allclose(np.cos(found.base), np.sum(s * neutral, axis=-1), rtol=1e-12)
+    np.testing.assert_allclose(np.cos(found.platform), np.sum((s @ R) * neutral, axis=-1), rtol=1e-12)
+    assert ss.joint_angles(robot, home).base.max() < 1e-12
 
 
 def test_the_same_platform_joint_for_all_legs() -> None:
@@ -168,6 +196,13 @@ def test_subcommands_say_so_in_one_line(tmp_path: Path, capsys: pytest.CaptureFi
     out = capsys.readouterr().out
     assert "offsets      10 mm from the fixed to the moving axis, 4 mm across it" in out
     assert "crosses      0.15 kg" in out
+    lines = EXAMPLE.read_text(encoding="utf-8")
+    offsets = 'platform_joint = "universal"\nplatform_axis = [0, 1, 0]\nwrist = 3.0\n'
+    path = tmp_path / "turning.toml"
+    path.write_text(lines.replace("[legs.offsets]\n", f"[legs.offsets]\n{offsets}"), encoding="utf-8")
+    log = str(DOCS / "examples" / "trajectory.csv")
+    assert main(["forces", str(path), log, "-o", str(tmp_path / "F.csv"), "--reactions"]) == 0
+    capsys.readouterr()
     for words in (["generate"], ["controller"]):
         assert main([*words, str(EXAMPLE), "-o", str(tmp_path / words[0])]) == 2
         error = capsys.readouterr().err.strip().splitlines()

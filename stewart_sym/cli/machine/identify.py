@@ -47,11 +47,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         nargs=2,
         type=Path,
         metavar=("TRAJECTORY.csv", "FORCES.csv"),
-        help="the motion, as for forces, and columns time, F1 to F6 (N) at the same times; of the robot file "
-        "only geometry and gravity are used; --seed, --samples and --candidates are not used",
+        help="the motion, as for forces, and columns time, F1 to F6 (N) at the same times, or else current1 "
+        "to current6 (A), signed as the torque, of a machine whose drives have a torque_constant; of the "
+        "robot file only geometry, gravity and what makes forces of currents are used; --seed, --samples and "
+        "--candidates are not used",
     )
     parser.add_argument(
-        "--sigma", type=positive, default=1.0, help="standard deviation of measured forces, N; default: 1"
+        "--sigma",
+        type=positive,
+        default=1.0,
+        help="standard deviation of measured forces, N, or of measured currents, A; default: 1",
     )
     noise_options(
         parser,
@@ -90,8 +95,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--drive",
         metavar="TERM,...",
-        help="F1 to F6 are forces of the motors (N times torque): seek terms of the drives as well, some of "
-        "reflected_mass, coulomb, offset, viscous; needs exact poses",
+        help="F1 to F6 are forces of the motors (N times torque), as currents always are: seek terms of the "
+        "drives as well, some of reflected_mass, coulomb, offset, viscous; with noise of poses these are "
+        "smoothed first, and the deviations hold that of the forces alone",
     )
     parser.add_argument("--samples", type=whole, default=200, help="instants of one period; default: 200")
     parser.add_argument("--candidates", type=whole, default=50, help="random series to try; default: 50")
@@ -115,13 +121,17 @@ def run(arguments: argparse.Namespace) -> int:
 
 def _measured(arguments: argparse.Namespace, progress: Progress) -> "tuple[Report, Estimate]":
     """The report on measured forces, and the estimate."""
+    import numpy as np
+
+    from ...drives.effort import motor_forces
     from ...identification.drive_terms import need_terms
     from ...identification.physical import POSSIBLE
     from ...kinematics.robot_logs import trajectory_for
-    from ...motion.log_reader import FORCES, read_forces_csv
+    from ...motion.log_reader import CURRENTS, FORCES, read_leg_columns
     from ...motion.logs import HeaderError
     from ...motion.smooth_motion import WITHOUT_PERIOD, PoseNoise
     from ...motion.trajectory import Smoothing
+    from ...robot.robot import LEGS
     from ...studies.reports.identify import from_measurement, measured_report
 
     terms = None if arguments.drive is None else tuple(arguments.drive.split(","))
@@ -146,16 +156,19 @@ def _measured(arguments: argparse.Namespace, progress: Progress) -> "tuple[Repor
             "the two files of --measured look swapped"
         ) from None
     trajectory = cast("Trajectory", poses_of(robot, log, arguments.start, progress))
-    time, F = read_forces_csv(forces, dataclasses.replace(form, columns={}))
+    time, F, columns = read_leg_columns(forces, dataclasses.replace(form, columns={}), (FORCES, CURRENTS))
+    sigma = np.asarray(arguments.sigma)
+    if columns == CURRENTS:
+        F, sigma = motor_forces(robot, F), np.abs(motor_forces(robot, np.full(LEGS, arguments.sigma)))
     noise = None
     if noisy:
         series = (arguments.period, arguments.harmonics if arguments.period is not None else None)
         noise = PoseNoise(trajectory.time, *cast("tuple[float, float]", stated_noise(arguments)), *series)
     model = (not arguments.no_friction, arguments.physical)
     found = from_measurement(
-        robot, trajectory, time, F, arguments.sigma, str(forces), noise, *model, form, arguments.shared, terms
+        robot, trajectory, time, F, sigma, str(forces), noise, *model, form, arguments.shared, terms
     )
-    return measured_report(robot, found, arguments.sigma, noise), found
+    return measured_report(robot, found, sigma, noise), found
 
 
 def _simulated(arguments: argparse.Namespace, progress: Progress) -> "tuple[Report, Estimate]":

@@ -278,9 +278,9 @@ def _inertias(robot: Robot) -> str:
 
 
 def _range(values: Array) -> str:
-    low, high = float(np.min(values)), float(np.max(values))
-    between = " to " if low < 0.0 else "-"
-    return f"{low:g}" if low == high else f"{low:g}{between}{high:g}"
+    low, high = (f"{value:g}" for value in (np.min(values), np.max(values)))
+    between = " to " if low.startswith("-") else "-"
+    return low if low == high else f"{low}{between}{high}"
 
 
 def _short_range(values: Array) -> str:

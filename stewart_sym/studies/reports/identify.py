@@ -5,7 +5,7 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ...identification.base_parameters import BaseParameters, base_parameters
 from ...identification.drive_terms import DriveEstimate
@@ -64,7 +64,7 @@ def from_measurement(
     trajectory: Trajectory,
     time: Array,
     F: Array,
-    sigma: float,
+    sigma: ArrayLike,
     source: str,
     noise: PoseNoise | None = None,
     friction: bool = True,
@@ -75,8 +75,8 @@ def from_measurement(
 ) -> Estimate:
     """Identify what the motion of a trajectory excites from forces measured at the same times.
 
-    time, F: instants, s, (n,), and forces, N, (n, 6), as read from ``source``. noise, physical: as for
-    ``identify``, drive as well. friction, shared: as for ``base_parameters``. form: of the
+    time, F: instants, s, (n,), and forces, N, (n, 6), as read from ``source``. sigma, noise, physical, drive:
+    as for ``identify``. friction, shared: as for ``base_parameters``. form: of the
     trajectory's file, whose units doubts name. Raises ValueError naming the source for other times than those
     of the trajectory.
     """
@@ -152,7 +152,7 @@ def verdict(found: Estimate) -> list[str]:
     ]
 
 
-def measured_report(robot: Robot, found: Estimate, sigma: float, noise: PoseNoise | None) -> Report:
+def measured_report(robot: Robot, found: Estimate, sigma: ArrayLike, noise: PoseNoise | None) -> Report:
     """What follows from measured forces: parameters, and bodies if the fit kept to possible ones."""
     base = found.base
     departure, p = found.departure(robot)
@@ -240,7 +240,7 @@ _SHOWN = {
 """Title and digits of columns of the table in the text."""
 
 
-def _data(robot: Robot, found: Estimate, sigma: float, noise: PoseNoise | None) -> dict[str, Any]:
+def _data(robot: Robot, found: Estimate, sigma: ArrayLike, noise: PoseNoise | None) -> dict[str, Any]:
     """What the lines above the table say, for programs."""
     return {
         "robot": robot.name,
@@ -248,7 +248,7 @@ def _data(robot: Robot, found: Estimate, sigma: float, noise: PoseNoise | None) 
         "of_parameters": found.base.matrix.shape[1],
         "gap": found.base.gap,
         "shared": found.base.shared,
-        "force_noise_N": sigma,
+        "force_noise_N": np.asarray(sigma).tolist(),
         "position_noise_m": 0.0 if noise is None else noise.position,
         "angle_noise_rad": 0.0 if noise is None else noise.angle,
         "verdict": found.verdict,
@@ -268,9 +268,10 @@ def _data(robot: Robot, found: Estimate, sigma: float, noise: PoseNoise | None) 
     }
 
 
-def _noise(sigma: float, noise: PoseNoise | None) -> str:
+def _noise(sigma: ArrayLike, noise: PoseNoise | None) -> str:
     poses = "poses exact" if noise is None else f"{noise.position:g} m and {noise.angle:g} rad on each pose"
-    return f"noise: {sigma:g} N on each force, {poses}"
+    each = " to ".join(f"{value:.4g}" for value in np.unique([np.min(sigma), np.max(sigma)]))
+    return f"noise: {each} N on each force, {poses}"
 
 
 def simulated_report(robot: Robot, found: Experiment) -> Report:
