@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from ..io.arguments import printable
+from ..io.arguments import safe_text
 from ..io.array_types import Array
 from ..robot.drive import Drive
 from ..robot.fields import DEFAULT_GRAVITY
@@ -49,7 +49,7 @@ def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
     if model.gravity is None:
         lines.append("gravity: not in the file, (0, 0, -9.81) m/s^2 is taken")
     found: dict[str, Any] = {
-        "name": printable(model.name).strip() or "imported",
+        "name": safe_text(model.name).strip() or "imported",
         "base_joint": kinds[0],
         "g": np.array(DEFAULT_GRAVITY) if model.gravity is None else model.gravity,
         "M": platform.mass,

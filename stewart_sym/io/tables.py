@@ -12,12 +12,13 @@ import re
 import stat
 import tempfile
 import tomllib
+import unicodedata
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, BinaryIO
 
 import numpy as np
 
-from .arguments import option, shown
+from .arguments import option, safe_text, shown
 from .array_types import Array
 from .key_lines import key_text, line_of
 
@@ -172,16 +173,25 @@ def require(table: Mapping[str, Any], keys: Sequence[str], prefix: str, reason: 
 # Single values
 
 
+_CONTROL = {"Cc", "Cs", "Zl", "Zp"}
+"""Categories of characters that no line of text holds: control, halves of one, ends of lines."""
+
+
 def one_line(value: object, where: str) -> str:
     """A text of one line that is not blank."""
     if isinstance(value, str) and not value.strip():
         raise ValueError(f"{where}: expected text that is not blank, got {shown(value)}")
-    if not isinstance(value, str) or not value.isprintable():
-        text = value if isinstance(value, str) else ""
-        hidden = next((each for each in text if not each.isprintable()), "")
+    text = value if isinstance(value, str) else ""
+    hidden = next((each for each in text if unicodedata.category(each) in _CONTROL), "")
+    if not text or hidden:
         having = f", which has U+{ord(hidden):04X}" if hidden else ""
         raise ValueError(f"{where}: expected one line of text, got {shown(value)}{having}")
-    return value
+    return text
+
+
+def title(value: object, where: str) -> str:
+    """A text of one line to be shown anywhere, with the numbers of what is not seen, as ``safe_text``."""
+    return safe_text(one_line(value, where))
 
 
 def need_schema(value: object, known: Sequence[int], where: str) -> int:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import base64
 import json
-import unicodedata
 from typing import Any
 
 import numpy as np
@@ -33,14 +32,6 @@ _WITHIN, _UPPER = 0.15, 0.93
 _QUANTILE, _PEAK = 0.9, 4.0
 # Below which machines are shown in millimetres, m.
 _SMALL = 2.0
-_UNSEEN = {"Cc", "Cf", "Co", "Cs", "Zl", "Zp"}
-
-
-def safe_text(text: str) -> str:
-    """A name with marks that are not seen, such as those of direction, written as their number."""
-    return "".join(
-        f"[U+{ord(letter):04X}]" if unicodedata.category(letter) in _UNSEEN else letter for letter in text
-    )
 
 
 def content(robot: Robot, shown: Instants) -> dict[str, Any]:

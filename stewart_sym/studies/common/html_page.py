@@ -13,9 +13,9 @@ from typing import Any, TypeGuard
 import numpy as np
 from numpy.typing import NDArray
 
+from ...io.arguments import safe_text
 from ...io.json_text import plain
 from ...io.progress import Progress, silent
-from ...viewer.content import safe_text
 from ...viewer.page import document, filled, generator
 from ...viewer.view import frame
 from .report import Picture, Report, svg
