@@ -3,9 +3,11 @@
 
 import { ball, bar, tube } from "./shapes.js";
 
-// Of the screen's pixels in either direction, where time is short; and sides of tubes and balls then, and else.
+// Where time is short: share of the screen's pixels in either direction, if these are more than the page's; sides of
+// tubes and balls then, and else. Without a graphics processor triangles cost more than pixels.
 const ROUGH = 0.75;
-const [FEW, MANY] = [10, 18];
+const FEW = { tube: 8, ball: 12 };
+const MANY = { tube: 18, ball: 18 };
 
 const SOLID = `#version 300 es
 in vec3 position; in vec3 normal; in vec3 hull;
@@ -103,10 +105,10 @@ export class Pen {
     gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
   }
 
-  // Tube, ball and bar with a number of sides.
+  // Tube and ball with numbers of sides, and bar.
   shapes(sides) {
     const places = { position: [0, 3], normal: [3, 3], hull: [6, 3] };
-    const made = { tube: tube(sides), ball: ball(sides), bar: bar() };
+    const made = { tube: tube(sides.tube), ball: ball(sides.ball), bar: bar() };
     for (const [name, { numbers, corners }] of Object.entries(made))
       made[name] = this.instanced("solid", new Float32Array(numbers), 9, corners, places);
     return made;
@@ -128,10 +130,11 @@ export class Pen {
   }
 
   // Clears the whole canvas; the picture has as many pixels as the screen shows of it. smooth: with smooth edges;
-  // without, and with fewer pixels, drawing takes a third of the time.
+  // without, and with fewer sides and pixels, drawing takes a third of the time.
   begin(paper, smooth) {
     const { gl, canvas } = this;
-    const ratio = (window.devicePixelRatio || 1) * (smooth ? 1 : ROUGH);
+    const whole = window.devicePixelRatio || 1;
+    const ratio = smooth ? whole : Math.min(whole, Math.max(1, ROUGH * whole));
     const [wide, high] = [canvas.clientWidth, canvas.clientHeight].map((each) => Math.max(1, Math.round(each * ratio)));
     if (canvas.width !== wide || canvas.height !== high) Object.assign(canvas, { width: wide, height: high });
     this.isSmooth = smooth;
