@@ -141,6 +141,13 @@ def _parsed(text: str, source: str, what: str) -> dict[str, Any]:
     except RecursionError:
         raise ValueError(f"{source}: not valid TOML: nested too deeply") from None
     except ValueError as error:
+        first = text.lstrip().split("\n", 1)[0]
+        if first.count(",") > 1 and "=" not in first:
+            raise ValueError(
+                f"{source}: expected a {what}, got a table of values, as of a CSV file"
+            ) from None
+        if first.startswith(("{", "<")):
+            raise ValueError(f"{source}: expected a {what}, got {shown(first)}") from None
         raise ValueError(f"{source}: not valid TOML: {' '.join(str(error).split())}") from None
     found = [kind for kind, ways in _KINDS.items() if any(keys <= top.keys() for keys in ways)]
     if found and what not in found:

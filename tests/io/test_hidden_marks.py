@@ -1,4 +1,4 @@
-"""Names with marks of direction, of no width, tags and quotes: read, and shown as text wherever they are printed."""
+"""Names with marks of direction, of no width, tags and quotes are read, and shown as text everywhere."""
 
 import sys
 import unicodedata
@@ -11,7 +11,9 @@ import pytest
 import stewart_sym as ss
 from stewart_sym.cli.main import main
 
-MARKED = "\"quoted' </h1><b>&amp; */ ??/ \\ %s ]]> --> \u202egnp.exe\u2066\u200b\u00ad\ufeff\U000e0041\u00a0\u05d0"
+MARKED = (
+    "\"quoted' </h1><b>&amp; */ ??/ \\ %s ]]> --> \u202egnp.exe\u2066\u200b\u00ad\ufeff\U000e0041\u00a0\u05d0"
+)
 SHOWN = "[U+202E]gnp.exe[U+2066][U+200B][U+00AD][U+FEFF][U+E0041][U+00A0]\u05d0"
 HEXAPOD = Path(__file__).parents[2] / ".docs" / "examples" / "hexapod.toml"
 _UNSEEN = {"Cf", "Co", "Cs", "Zl", "Zp"}

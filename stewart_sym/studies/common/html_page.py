@@ -33,7 +33,11 @@ def html_page(title: str, report: Report, progress: Progress = silent) -> str:
     Lists of alike figures in the report's data and its tables of text become tables; columns over time become
     tables that are closed at first.  Raises ImportError for figures without Matplotlib.
     """
-    parts = [_section("Result", f"<pre>{_text(report.text)}</pre>")] if report.text else []
+    parts = (
+        [_section("Result", f'<pre class="wide" tabindex="0">{_text(report.text)}</pre>')]
+        if report.text
+        else []
+    )
     for number, (name, view) in enumerate(report.views.items()):
         progress(f"writing {name}", number / len(report.views))
         parts.append(_section(name, frame(view())))
