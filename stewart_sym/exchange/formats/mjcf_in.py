@@ -59,7 +59,8 @@ class _Reader:
         self.bodies: list[Body] = [Body(WORLD)]
         self.joints: list[Joint] = []
         self.sites: dict[str, tuple[str, Array]] = {}
-        self.left_out: list[str] = []
+        masses = ("settotalmass", "boundmass", "boundinertia", "balanceinertia")
+        self.left_out = [f"{key} of the compiler" for key in masses if key in compiler]
 
     def model(self) -> Model:
         for world in self.root.findall("worldbody"):
@@ -160,7 +161,7 @@ class _Reader:
                     got = shown(attributes["type"])
                     raise ValueError(f"{where}: type: expected hinge, slide, ball or free, got {got}")
                 found.append((attributes, kind))
-            elif each.tag == "frame" and any(inner.tag == "joint" for inner in each.iter()):
+            elif each.tag == "frame" and _has_joint(each):
                 raise ValueError(
                     f"body {name!r}: frame{at_line(each)}: expected no joint in a frame, got one"
                 )
@@ -318,6 +319,13 @@ class _Reader:
             else joint
             for joint in self.joints
         ]
+
+
+def _has_joint(frame: ET.Element) -> bool:
+    """Whether a frame, or one in it, has a joint of the body that it is in."""
+    return any(
+        each.tag in ("joint", "freejoint") or (each.tag == "frame" and _has_joint(each)) for each in frame
+    )
 
 
 def same(R: Array, t: Array, body: Body) -> bool:

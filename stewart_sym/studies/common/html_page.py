@@ -62,7 +62,9 @@ def html_page(title: str, report: Report, progress: Progress = silent) -> str:
 
 
 def _section(title: str, body: str) -> str:
-    return filled("section.html", {"title": _text(title), "body": body})
+    # The name of a file is left as it is.
+    head = title if "." in title else title[:1].upper() + title[1:]
+    return filled("section.html", {"title": _text(head), "body": body})
 
 
 def _figure(name: str, picture: Picture, progress: Progress) -> str:
