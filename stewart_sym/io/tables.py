@@ -142,7 +142,7 @@ def _parsed(text: str, source: str, what: str) -> dict[str, Any]:
         raise ValueError(f"{source}: not valid TOML: nested too deeply") from None
     except ValueError as error:
         first = text.lstrip().split("\n", 1)[0]
-        if first.count(",") > 1 and "=" not in first:
+        if first.count(",") > 1 and "=" not in first and first[0] not in "#[":
             raise ValueError(
                 f"{source}: expected a {what}, got a table of values, as of a CSV file"
             ) from None

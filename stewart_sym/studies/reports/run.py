@@ -131,7 +131,7 @@ def summary(run: Simulation, law: ForceLaw) -> str:
     ]
     drift = _drift(run, law)
     if drift is not None and isinstance(law, LegSprings):
-        lines.append(f"springs    {drift.text}{_taken(law)}")
+        lines.append(f"springs    {drift.text}{_taken(law) if drift.scale else ''}")
     return "\n".join(lines)
 
 
