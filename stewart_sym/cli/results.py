@@ -75,8 +75,8 @@ def results(
 
         yield take
     if str(arguments.json) != "-":
-        for line in "\n".join(lines).split("\n"):
-            print(safe_text(line))
+        for text in lines:
+            print(*map(safe_text, text.split("\n")), sep="\n")
 
 
 def _reject_json(output: Path, *inputs: Path) -> None:
