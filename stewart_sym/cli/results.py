@@ -7,6 +7,7 @@ import itertools
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
+from ..io.arguments import safe_text
 from ..io.extras import need
 from ..io.progress import Progress, silent
 from ..studies.common.report import Report, write
@@ -74,8 +75,8 @@ def results(
 
         yield take
     if str(arguments.json) != "-":
-        for line in lines:
-            print(line)
+        for text in lines:
+            print(*map(safe_text, text.split("\n")), sep="\n")
 
 
 def _reject_json(output: Path, *inputs: Path) -> None:

@@ -10,6 +10,7 @@ import warnings
 from collections.abc import Iterator
 from typing import TextIO
 
+from ..io.arguments import safe_text
 from ..io.progress import Progress, silent
 
 PROGRAM = "stewart-sym"
@@ -99,7 +100,7 @@ def one_line(error: object) -> str:
         text = error.strerror if error.filename is None else f"{error.filename}: {error.strerror}"
     else:
         text = str(error) or type(error).__name__
-    return _ARGUMENT.sub(_as_option, " ".join(text.split()))
+    return safe_text(_ARGUMENT.sub(_as_option, " ".join(text.split())))
 
 
 # How the library's messages name what a user of Python gives, and this command as an option of that name.

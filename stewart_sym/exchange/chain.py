@@ -14,6 +14,9 @@ from ..io.array_types import Array
 WORLD = "world"
 """Name of what does not move."""
 
+BETWEEN = ", joint "
+"""In the name of what stands between two joints that a file gives one body: a body's name, this, a number."""
+
 _COLORS = {"lower": (0.35, 0.4, 0.47), "upper": (0.75, 0.78, 0.8), "platform": (0.2, 0.45, 0.7)}
 _GRAY = (0.5, 0.5, 0.5)
 _ROUNDING = 4e-16

@@ -2,6 +2,7 @@
 
 import os
 import warnings
+import xml.etree.ElementTree as ET
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -14,7 +15,7 @@ from ..io.tables import file_name, read_text
 from ..robot.robot import Robot
 from .chain import Model
 from .formats import mjcf_in, mjcf_out, sdf_in, sdf_out, urdf_in, urdf_out, usd_out
-from .formats.xml_text import HEADER, parsed
+from .formats.xml_text import HEADER, at_line, line_named, parsed
 from .machine import model_of, possible
 from .notes import differences, noted
 from .robots import robot_of
@@ -104,7 +105,7 @@ def export_model(robot: Robot, format: str) -> ModelFile:  # noqa: A002 # the op
     if format == "usd":
         return ModelFile(*_WRITERS[format](model))
     # What is read back differently, by rounding or for want of a place, stands in the notes.
-    again, _ = robot_of(_parsed(*_WRITERS[format](model)))
+    again, _ = robot_of(_again(*_WRITERS[format](model)))
     return ModelFile(*_WRITERS[format](replace(model, notes=noted(differences(written, again)))))
 
 
@@ -134,9 +135,14 @@ def import_model(path: str | os.PathLike[str]) -> ImportedModel:
     text, beside = read_text(source, "model", _MOST_BYTES), loops_path(source)
     loops = read_text(str(beside), "loops", _MOST_BYTES) if beside.is_file() else None
     try:
-        return ImportedModel(*robot_of(_parsed(text, loops)))
+        root = parsed(text)
     except ValueError as error:
         raise ValueError(f"{source}: {error}") from None
+    try:
+        return ImportedModel(*robot_of(_read(root, loops)))
+    except ValueError as error:
+        line = line_named(str(error), root)
+        raise ValueError(f"{source}: {error}{'' if line is None else f' (at line {line})'}") from None
 
 
 def _need_writable(robot: Robot, form: str) -> None:
@@ -174,11 +180,14 @@ def loops_path(path: str | os.PathLike[str]) -> Path:
     return Path(path).with_suffix(LOOPS)
 
 
-def _parsed(text: str, loops: str | None) -> Model:
-    root = parsed(text)
+def _again(text: str, loops: str | None) -> Model:
+    """What a reader makes of what was written."""
+    return _read(parsed(text), loops)
+
+
+def _read(root: ET.Element, loops: str | None) -> Model:
     if root.tag not in _READERS:
-        raise ValueError(
-            f"expected MJCF, SDF or URDF with a root mujoco, sdf or robot, got {shown(root.tag)}"
-        )
+        expected = "expected MJCF, SDF or URDF with a root mujoco, sdf or robot"
+        raise ValueError(f"{expected}, got {shown(root.tag)}{at_line(root)}")
     with np.errstate(over="ignore", invalid="ignore"):
         return _READERS[root.tag](root, loops)

@@ -5,10 +5,10 @@ from typing import Any
 
 import numpy as np
 
-from ..io.arguments import printable
+from ..io.arguments import safe_text
 from ..io.array_types import Array
 from ..robot.drive import Drive
-from ..robot.fields import DEFAULT_GRAVITY, legs_text
+from ..robot.fields import DEFAULT_GRAVITY
 from ..robot.offsets import Offsets
 from ..robot.robot import Robot
 from .chain import Body, Joint, Model, same_frame
@@ -33,9 +33,12 @@ def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
     offset = "offsets" in model.notes
     legs = [_Leg(machine, leg, i, said, offset) for i, leg in enumerate(machine.legs, 1)]
     kinds = [leg.base_joint for leg in legs]
-    if len(set(kinds)) != 1:
-        odd = [i for i, kind in enumerate(kinds) if kind != kinds[0]]
-        raise ValueError(f"{legs_text(odd)}: expected a {kinds[0]} joint at the base as leg 1 has")
+    usual = max(kinds, key=kinds.count)
+    for leg in legs:
+        if leg.base_joint != usual:
+            where = f"leg {leg.number}: joint {leg.leg.base[0].joint.name!r}"
+            expected = f"expected a {usual} joint at the base as leg {kinds.index(usual) + 1} has"
+            raise ValueError(f"{where}: {expected}, got a {leg.base_joint} one")
     off = max(leg.off for leg in legs)
     if off > _SAID:
         said.insert(0, f"axes and loops are off by up to {off:.2g} rad or of a leg, taken as exact")
@@ -46,7 +49,7 @@ def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
     if model.gravity is None:
         lines.append("gravity: not in the file, (0, 0, -9.81) m/s^2 is taken")
     found: dict[str, Any] = {
-        "name": printable(model.name).strip() or "imported",
+        "name": safe_text(model.name).strip() or "imported",
         "base_joint": kinds[0],
         "g": np.array(DEFAULT_GRAVITY) if model.gravity is None else model.gravity,
         "M": platform.mass,

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from ..io.array_types import Array
 from ..robot import bodies
 from ..robot.fields import LEGS
-from .chain import WORLD, Body, Joint, Model
+from .chain import BETWEEN, WORLD, Body, Joint, Model
 
 _EXPECTED = (
     "a universal or spherical joint, a prismatic joint and a spherical joint from the base to the platform"
@@ -77,31 +77,32 @@ def machine_of(model: Model) -> Machine:
     for joint in joints:
         ends = members[joint.parent], members[joint.child]
         if ends[0] == ends[1]:
-            raise ValueError(f"joint {joint.name!r}: joins what is fixed together otherwise")
+            raise ValueError(
+                f"joint {joint.name!r}: expected one between two bodies, got {joint.parent!r} and "
+                f"{joint.child!r}, which are fixed together otherwise"
+            )
         for end in ends:
             around.setdefault(end, []).append(joint)
     for joint in model.joints:
         if joint.kind == "free" and WORLD not in (members[joint.parent], members[joint.child]):
-            raise ValueError(f"joint {joint.name!r}: expected a free joint to the base alone")
+            got = f"one between {joint.parent!r} and {joint.child!r}"
+            raise ValueError(f"joint {joint.name!r}: expected a free joint to the base alone, got {got}")
     first = around.get(WORLD, [])
     if not first:
-        raise ValueError("no joint at the base: expected legs on a base that is fixed to the world")
+        raise ValueError(_no_base(model))
     chains = [_chain(joint, members, around) for joint in first]
-    reached_by_all = {chain[-1].reached for chain in chains}
-    if len(chains) != LEGS or len(reached_by_all) != 1:
-        raise ValueError(
-            f"expected six legs from the base to one platform, got {_chains_text(chains, around)}"
-        )
-    (platform,) = reached_by_all
+    platform = _platform(chains, around)
     if len(around[platform]) != LEGS:
         names = sorted(
             {joint.name for joint in around[platform]} - {chain[-1].joint.name for chain in chains}
         )
-        raise ValueError(f"joint {names[0]!r}: expected nothing but six legs at the platform {platform!r}")
+        raise ValueError(
+            f"joint {names[0]!r}: expected nothing but six legs at the platform {platform!r}, got one more"
+        )
     reached = {WORLD, *(step.reached for chain in chains for step in chain)}
     loose = sorted(set(members.values()) - reached)
     if loose:
-        raise ValueError(f"body {loose[0]!r}: expected a part of a leg, the platform or the base")
+        raise ValueError(f"body {loose[0]!r}: expected a part of a leg, the platform or the base, got none")
     legs = tuple(_leg(chain, i + 1) for i, chain in enumerate(chains))
     placed = {body.name: body for body in model.bodies}
     return Machine(placed, _merged(model, members), members, platform, legs)
@@ -141,15 +142,53 @@ def _chain(first: Joint, members: Mapping[str, str], around: Mapping[str, Sequen
         joint = around[at][1] if around[at][0] is joint else around[at][0]
 
 
-def _chains_text(chains: Sequence[Sequence[Step]], around: Mapping[str, Sequence[Joint]]) -> str:
-    """What the chains are, shortly: how many reach which body."""
-    found: dict[str, int] = {}
-    for chain in chains:
-        end = chain[-1].reached
-        what = "back to the base" if end == WORLD else f"to {end!r}"
-        what = "that ends without one" if len(around[end]) == 1 else what
-        found[what] = found.get(what, 0) + 1
-    return ", ".join(f"{count} {what}" for what, count in found.items())
+def _no_base(model: Model) -> str:
+    """What to say of a model in which nothing is joined to the world."""
+    expected = "expected legs on a base that is fixed to the world"
+    free = [joint for joint in model.joints if joint.kind == "free"]
+    if free:
+        return f"joint {free[0].name!r}: {expected}, got body {free[0].child!r}, which is free"
+    bodies_ = [body.name for body in model.bodies if body.name != WORLD]
+    if bodies_:
+        return f"body {bodies_[0]!r}: {expected}, got what no joint moves"
+    return f"{expected}, got no body"
+
+
+def _platform(chains: Sequence[Sequence[Step]], around: Mapping[str, Sequence[Joint]]) -> str:
+    """The body that six chains lead to; ValueError names those that lead elsewhere, or are too many."""
+    ends = [chain[-1].reached for chain in chains]
+    reached = [end for end in ends if end != WORLD and ends.count(end) > 1]
+    if not reached:
+        got = "; ".join(_way(chain, around) for chain in chains[:LEGS])
+        more = f" and {len(chains) - LEGS} more" if len(chains) > LEGS else ""
+        raise ValueError(f"expected six legs from the base to one platform, got {len(chains)}: {got}{more}")
+    platform = max(reached, key=ends.count)
+    for number, chain in enumerate(chains, 1):
+        if ends[number - 1] != platform:
+            expected = "expected joints and closures from the base to the platform"
+            got = f"{_way(chain, around)}; other legs lead to {platform!r}"
+            raise ValueError(f"leg {number}: {expected}, got {got}")
+    if len(chains) != LEGS:
+        names = ", ".join(repr(_bodies(chain)[0]) for chain in chains)
+        raise ValueError(
+            f"body {platform!r}: expected six legs from the base, got {len(chains)}, which begin with {names}"
+        )
+    return platform
+
+
+def _way(chain: Sequence[Step], around: Mapping[str, Sequence[Joint]]) -> str:
+    """Where a chain leads."""
+    end, begin = chain[-1].reached, f"joint {chain[0].joint.name!r}"
+    where = f"body {end!r}"
+    if end == WORLD:
+        last = chain[-1].joint.name
+        return f"{begin} to joint {last!r}, which leads back to the base"
+    if len(around[end]) == 1:
+        return f"{begin} to {where}, where it ends"
+    if len(around[end]) == 2:
+        return f"{begin} to {where}"
+    on = ", ".join(repr(joint.name) for joint in around[end] if joint is not chain[-1].joint)
+    return f"{begin} to {where}, which joints {on} lead on from"
 
 
 def _leg(chain: Sequence[Step], number: int) -> Leg:
@@ -161,11 +200,15 @@ def _leg(chain: Sequence[Step], number: int) -> Leg:
         if _turns(base) in ("universal", "spherical") and _turns(tip) == "spherical":
             between = tuple(step.reached for step in base[:-1]), tuple(step.reached for step in tip[:-1])
             return Leg(base, chain[slide], tip, base[-1].reached, chain[slide].reached, between)
-    raise ValueError(f"leg {number}: expected {_EXPECTED}, got {_names(chain)}")
+    names = ", ".join(f"{step.joint.kind} {step.joint.name!r}" for step in chain)
+    through = ", ".join(map(repr, _bodies(chain)))
+    raise ValueError(f"leg {number}: expected {_EXPECTED}, got {names}, by way of {through}")
 
 
-def _names(chain: Sequence[Step]) -> str:
-    return ", ".join(f"{step.joint.kind} {step.joint.name!r}" for step in chain)
+def _bodies(chain: Sequence[Step]) -> list[str]:
+    """Bodies on a way, without those that stand between the joints of one body of a file."""
+    found = [step.reached for step in chain if BETWEEN not in step.reached]
+    return found or [chain[-1].reached]
 
 
 def _turns(steps: Sequence[Step]) -> str:

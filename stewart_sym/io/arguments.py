@@ -19,9 +19,12 @@ def shown(value: object) -> str:
     return text if len(text) <= 60 else text[:57] + "..."
 
 
-def printable(text: str) -> str:
-    """A text in one line, with an escape for each character that does not show as itself."""
-    return "".join(each if each.isprintable() else ascii(each)[1:-1] for each in text)
+def safe_text(text: str) -> str:
+    """A text in one line, with its number for each character that does not show as itself.
+
+    Such are marks of direction, of no width and of control.
+    """
+    return "".join(each if each.isprintable() else f"[U+{ord(each):04X}]" for each in text)
 
 
 def real_array(value: object, name: str, expected: str = "real numbers") -> NDArray[np.float64]:

@@ -12,12 +12,13 @@ import re
 import stat
 import tempfile
 import tomllib
+import unicodedata
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, BinaryIO
 
 import numpy as np
 
-from .arguments import option, shown
+from .arguments import option, safe_text, shown
 from .array_types import Array
 from .key_lines import key_text, line_of
 
@@ -140,6 +141,13 @@ def _parsed(text: str, source: str, what: str) -> dict[str, Any]:
     except RecursionError:
         raise ValueError(f"{source}: not valid TOML: nested too deeply") from None
     except ValueError as error:
+        first = text.lstrip().split("\n", 1)[0]
+        if first.count(",") > 1 and "=" not in first and first[0] not in "#[":
+            raise ValueError(
+                f"{source}: expected a {what}, got a table of values, as of a CSV file"
+            ) from None
+        if first.startswith(("{", "<")):
+            raise ValueError(f"{source}: expected a {what}, got {shown(first)}") from None
         raise ValueError(f"{source}: not valid TOML: {' '.join(str(error).split())}") from None
     found = [kind for kind, ways in _KINDS.items() if any(keys <= top.keys() for keys in ways)]
     if found and what not in found:
@@ -172,16 +180,25 @@ def require(table: Mapping[str, Any], keys: Sequence[str], prefix: str, reason: 
 # Single values
 
 
+_CONTROL = {"Cc", "Cs", "Zl", "Zp"}
+"""Categories of characters that no line of text holds: control, halves of one, ends of lines."""
+
+
 def one_line(value: object, where: str) -> str:
     """A text of one line that is not blank."""
     if isinstance(value, str) and not value.strip():
         raise ValueError(f"{where}: expected text that is not blank, got {shown(value)}")
-    if not isinstance(value, str) or not value.isprintable():
-        text = value if isinstance(value, str) else ""
-        hidden = next((each for each in text if not each.isprintable()), "")
+    text = value if isinstance(value, str) else ""
+    hidden = next((each for each in text if unicodedata.category(each) in _CONTROL), "")
+    if not text or hidden:
         having = f", which has U+{ord(hidden):04X}" if hidden else ""
         raise ValueError(f"{where}: expected one line of text, got {shown(value)}{having}")
-    return value
+    return text
+
+
+def title(value: object, where: str) -> str:
+    """A text of one line to be shown anywhere, with the numbers of what is not seen, as ``safe_text``."""
+    return safe_text(one_line(value, where))
 
 
 def need_schema(value: object, known: Sequence[int], where: str) -> int:

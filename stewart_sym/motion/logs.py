@@ -163,6 +163,8 @@ def _columns(
         if cells is None:
             raise ValueError(f"{source}: the file is empty, expected a header line that names the columns")
         written = [cell.strip() for cell in cells]
+        if written[0].startswith(("{", "[", "<")):
+            raise ValueError(f"{source}: expected a CSV file with a header line, got {shown(written[0])}")
         try:
             header = _expected_names(written, source, form)
             check_header([name for name in header if name is not None], source)

@@ -63,7 +63,8 @@ _VIA_KEYS = ("t", "theta", "free")
 class PlanRequest:
     """What is to be planned; names and units are those of ``plan_path`` and ``time_path``.
 
-    rate: of the trajectory, Hz. files: from which it was read.
+    rate: of the trajectory, Hz. files: from which it was read. doubt: what is doubtful about the via poses, a
+    line or nothing.
     """
 
     robot: Robot
@@ -78,6 +79,7 @@ class PlanRequest:
     least: Least
     duration: float | None
     files: tuple[Path, ...]
+    doubt: str = ""
 
 
 def read_plan(path: str | os.PathLike[str]) -> PlanRequest:
@@ -110,10 +112,13 @@ def _request(d: Mapping[str, Any], source: str) -> PlanRequest:
     if given is None:
         files.append(folder / tables.one_line(top["via_file"], f"{file}via_file"))
     robot = Robot.from_toml(files[1])
+    doubt = ""
     if given is None:
         poses = tuple(ViaPose(*pose) for pose in zip(*read_poses(files[2], form_of(robot)), strict=True))
     else:
-        _warn_of_angles(given, source)
+        doubt = _angle_doubt(given)
+        if doubt:
+            warnings.warn(f"{source}: via: {doubt}", LogWarning, stacklevel=4)
         poses = tuple(
             ViaPose(rotation_about_axes(theta, robot.euler_order), t, *box) for t, theta, box in given
         )
@@ -133,6 +138,7 @@ def _request(d: Mapping[str, Any], source: str) -> PlanRequest:
         rate=rate,
         least=cast(Least, least),
         duration=duration,
+        doubt=doubt,
         files=tuple(files),
     )
 
@@ -170,13 +176,11 @@ def _via_tables(value: object, where: str) -> list[tuple[Array, Array, tuple[Arr
     return found
 
 
-def _warn_of_angles(given: Sequence[tuple[Array, Array, tuple[Array, Array]]], source: str) -> None:
-    """Warn of angles that no machine makes; the level pose counts as one that it does."""
+def _angle_doubt(given: Sequence[tuple[Array, Array, tuple[Array, Array]]]) -> str:
+    """A line about angles that no machine makes, or nothing; the level pose counts as one that it does."""
     theta = [theta + shift[3:] for _, theta, box in given for shift in box]
     doubt = turn_doubt(np.array([np.zeros(3), *theta]))
-    if doubt is not None:
-        text = f"{doubt}: are angles in degrees? Radians are expected"
-        warnings.warn(f"{source}: via: {text}", LogWarning, stacklevel=5)
+    return "" if doubt is None else f"{doubt}: are angles in degrees? Radians are expected"
 
 
 def _box(value: object, prefix: str) -> tuple[Array, Array]:

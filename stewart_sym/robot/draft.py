@@ -5,7 +5,7 @@ from dataclasses import dataclass, fields
 from importlib.resources import files
 from string import Template
 
-from ..io.arguments import number_in, option
+from ..io.arguments import number_in, option, safe_text
 from ..io.tables import one_line
 from ..motion.logs import LENGTH_UNITS
 
@@ -82,7 +82,7 @@ class Draft:
         L = self.leg_length
         lower, upper = _LOWER_RADIUS * L, _UPPER_RADIUS * L
         return _text().substitute(
-            name=_quoted(self.name),
+            name=_quoted(safe_text(self.name)),
             unit=self.length_unit,
             height=_number(self.height),
             base_radius=_number(self.base_radius),

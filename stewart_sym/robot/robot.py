@@ -142,9 +142,9 @@ class Robot(Frozen):
 
     def __post_init__(self) -> None:
         """Check every field and freeze private float64 copies of the arrays."""
-        tables.one_line(self.name, "robot: name")
         base_joint(self.base_joint, "robot: base_joint")
-        checked: dict[str, Any] = {"accept": accepted(self.accept, "robot: accept")}
+        checked: dict[str, Any] = {"name": tables.title(self.name, "robot: name")}
+        checked["accept"] = accepted(self.accept, "robot: accept")
         for name, check in ({name: check for name, (_, check) in FIELDS.items()} | POSE_FIELDS).items():
             checked[name] = check(getattr(self, name), f"robot: {name}")
         spherical = self.base_joint == "spherical"

@@ -60,7 +60,7 @@ def values(d: object, file: str) -> dict[str, Any]:
     return {
         **{name: own[path] for name, (path, _) in FIELDS.items()},
         **found,
-        "name": tables.one_line(top["name"], f"{file}name"),
+        "name": tables.title(top["name"], f"{file}name"),
         "base_joint": joint,
         "accept": accepted(top.get("accept", ()), f"{file}accept"),
     }

@@ -66,7 +66,7 @@ def _values(d: object, file: str) -> dict[str, Any]:
     joint = base_joint(top.get("base_joint", "universal"), f"{file}base_joint")
     home = metres(tables.vector(top["home"], f"{file}home")) if "home" in top else None
     own = {
-        "name": tables.one_line(top["name"], f"{file}name"),
+        "name": tables.title(top["name"], f"{file}name"),
         "base_joint": joint,
         "g": tables.vector(top.get("gravity", DEFAULT_GRAVITY), f"{file}gravity"),
         "accept": accepted(top.get("accept", ()), f"{file}accept"),

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import base64
 import json
-import unicodedata
 from typing import Any
 
 import numpy as np
@@ -33,14 +32,6 @@ _WITHIN, _UPPER = 0.15, 0.93
 _QUANTILE, _PEAK = 0.9, 4.0
 # Below which machines are shown in millimetres, m.
 _SMALL = 2.0
-_UNSEEN = {"Cc", "Cf", "Co", "Cs", "Zl", "Zp"}
-
-
-def safe_text(text: str) -> str:
-    """A name with marks that are not seen, such as those of direction, written as their number."""
-    return "".join(
-        f"[U+{ord(letter):04X}]" if unicodedata.category(letter) in _UNSEEN else letter for letter in text
-    )
 
 
 def content(robot: Robot, shown: Instants) -> dict[str, Any]:
@@ -63,7 +54,7 @@ def content(robot: Robot, shown: Instants) -> dict[str, Any]:
         "scale": scale,
         "cut": cut,
         "columns": columns,
-        "events": [_event(event, least_step(shown.time)) for event in shown.events],
+        "events": [_event(event, least_step(shown.time), units(robot)) for event in shown.events],
     }
 
 
@@ -203,11 +194,12 @@ def _scale(shown: Instants) -> tuple[float, float | None]:
     return most or 1.0, None
 
 
-def _event(event: Event, step: float) -> dict[str, Any]:
-    at = event.at
+def _event(event: Event, step: float, units: dict[str, Any]) -> dict[str, Any]:
+    at, length, unit = event.at, units["length"], units["lengthName"]
     turns = bool(np.isfinite(at.pitch))
     screw = (
-        f"turn about {_triple(at.axis)} through {_triple(at.point)} m, pitch {float(at.pitch):.4g} m/rad"
+        f"turn about {_triple(at.axis)} through {_triple(length * at.point)} {unit}, "
+        f"pitch {length * float(at.pitch):.4g} {unit}/rad"
         if turns
         else f"translation along {_triple(at.axis)}"
     )

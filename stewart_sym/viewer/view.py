@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any, cast
 
 from ..dynamics.home_pose import home_pose
-from ..io.arguments import instance
+from ..io.arguments import instance, safe_text
 from ..io.writing import replaced_file
 from ..kinematics.conditioning import characteristic_length
 from ..motion.motion import Motion
@@ -17,7 +17,7 @@ from ..motion.straight_line import StraightLinePath
 from ..motion.trajectory import PoseLog, Trajectory
 from ..robot.robot import Robot
 from ..simulation.trace import Trace
-from .content import content, data_text, parts_text, safe_text, units
+from .content import content, data_text, parts_text, units
 from .instants import Instants, at_home, of_motion, of_path, of_run, of_trajectory
 from .page import document, filled, generator
 

@@ -20,6 +20,18 @@ FILE = '<!DOCTYPE mujoco [<!ENTITY a SYSTEM "file:///etc/passwd">]><mujoco>&a;</
 BARGE = '<body name="barge"><freejoint/><inertial mass="1" pos="0 0 0" diaginertia="1 1 1"/>'
 BOB = '<body name="bob"><joint name="swing"/><inertial mass="1" pos="0 0 1" diaginertia="1 1 1"/></body>'
 
+STILL = '<worldbody><body name="shelf"/></worldbody>'
+SVG = '<?xml version="1.0"?>\n<svg xmlns="http://www.w3.org/2000/svg"/>'
+INCLUDE = '<include><uri>model://x</uri></include><link name="base">'
+LEG_7 = (
+    '<body name="lower_7"><inertial mass="1" pos="0 0 0" diaginertia="1 1 1"/><joint name="base_7"/>'
+    '<joint axis="1 0 0"/><body name="upper_7"><inertial mass="1" pos="0 0 0" diaginertia="1 1 1"/>'
+    '<joint name="leg_7" type="slide"/></body></body></worldbody>'
+)
+TIP_3 = 'name="tip_3" site1="tip_3_a" site2="tip_3_b"'
+UPPER_3 = 'name="tip_3" body1="upper_3" '
+TIP_7 = '<connect name="tip_7" body1="upper_7" body2="platform" anchor="0 0 0"/></equality>'
+
 Change = Callable[[str], str]
 
 
@@ -60,21 +72,80 @@ BALL_AT_1 = both(
     to('"base_1_2" type="hinge" axis="0.0 1.0 0.0"', '"base_1_2" type="ball"'),
 )
 BROKEN: dict[str, tuple[str, Change, str]] = {
-    "empty": ("mjcf", instead(""), "not valid XML"),
-    "no XML": ("mjcf", instead("hello"), "not valid XML"),
-    "entities": ("mjcf", instead(BOMB), "document type declaration"),
-    "file of another": ("mjcf", instead(FILE), "document type declaration"),
-    "depth": ("mjcf", instead("<a>" * 5000), "nested too deeply"),
-    "HTML": ("mjcf", instead("<html/>"), "expected MJCF, SDF or URDF"),
-    "USD": ("usd", to("x", "x"), "not valid XML"),
-    "include": ("mjcf", to("<worldbody>", "<worldbody><include file='x.xml'/>"), "expected a flat model"),
-    "nothing": ("mjcf", instead("<mujoco/>"), "no joint at the base"),
-    "arm": ("mjcf", instead(ARM), "got 1 that ends without one"),
-    "five legs": ("mjcf", NO_LEG_6, "got 5 to 'platform'"),
-    "no closures": ("mjcf", without("<equality>", "</equality>"), "got 6 that ends without one"),
+    "empty": ("mjcf", instead(""), "the file is empty"),
+    "no XML": ("mjcf", instead("hello"), "not valid XML: expected an element, got 'hello'"),
+    "entities": ("mjcf", instead(BOMB), "line 1: expected XML without a document type"),
+    "file of another": ("mjcf", instead(FILE), "declaration, got one of 'mujoco'"),
+    "depth": ("mjcf", instead("<a>" * 5000), "line 1: element 'a': nested too deeply"),
+    "HTML": ("mjcf", instead("<html/>"), "expected MJCF, SDF or URDF with a root"),
+    "SVG": ("mjcf", instead(SVG), "got 'svg' at line 2"),
+    "JSON": ("mjcf", instead('{"a": 1}'), "not valid XML: expected an element"),
+    "USD": ("usd", to("x", "x"), "expected an element, got '#usda 1.0"),
+    "include": (
+        "mjcf",
+        to("<worldbody>", "<worldbody><include file='x.xml'/>"),
+        "line 20: expected a flat model, as",
+    ),
+    "nothing": ("mjcf", instead("<mujoco/>"), "a base that is fixed to the world, got no body"),
+    "nothing moves": ("mjcf", instead(f"<mujoco>{STILL}</mujoco>"), "body 'shelf': expected legs on a base"),
+    "one pendulum": (
+        "mjcf",
+        instead(f"<mujoco><worldbody>{BOB}</worldbody></mujoco>"),
+        "got 1: joint 'swing' to body 'bob', where it ends (at line 1)",
+    ),
+    "arm": ("mjcf", instead(ARM), "got 1: joint 'joint 1' to body 'b', where it ends"),
+    "five legs": ("mjcf", NO_LEG_6, "body 'platform': expected six legs from the base, got 5"),
+    "seven legs": (
+        "mjcf",
+        both(to("</worldbody>", LEG_7), to("</equality>", TIP_7)),
+        "got 7, which begin with 'lower_1', 'lower_2', 'lower_3', 'lower_4', 'lower_5', 'lower_6', 'lower_7'",
+    ),
+    "a leg over": ("mjcf", to("</worldbody>", LEG_7), "leg 7: expected joints and closures"),
+    "leg without an end": (
+        "mjcf",
+        without('<connect name="tip_3"', "/>"),
+        "to body 'upper_3', where it ends",
+    ),
+    "leg to the base": (
+        "mjcf",
+        to(TIP_3, UPPER_3 + "anchor='0 0 0'"),
+        "to joint 'tip_3', which leads back to the base",
+    ),
+    "legs of one another": ("mjcf", to('site2="tip_3_b"', 'site2="tip_4_a"'), "to body 'upper_4', which"),
+    "loop to nothing": (
+        "mjcf",
+        to(TIP_3, UPPER_3 + "body2='x' anchor='0 0 0'"),
+        "connect 'tip_3': body 'x': missing",
+    ),
+    "welded end": (
+        "mjcf",
+        to('<connect name="tip_3"', '<weld name="tip_3"'),
+        "by way of 'lower_3', 'upper_3'",
+    ),
+    "welded slide": ("mjcf", without('<joint name="leg_3"', "/>"), "revolute 'base_3_2', spherical 'tip_3'"),
+    "welded foot": ("mjcf", without('<joint name="base_3_1"', "/>"), "got revolute 'base_3_2', prismatic"),
+    "mesh": (
+        "mjcf",
+        to('<inertial mass="40', '<geom name="hull" type="mesh" mass="1" mesh="m"/><site name="40'),
+        "body 'platform': geom 'hull': expected an inertial of its body, got a mesh",
+    ),
+    "joint's type": ("mjcf", to('"leg_2" type="slide"', '"leg_2" type="screw"'), "'upper_2': joint 'leg_2'"),
+    "order of angles": ("mjcf", instead('<mujoco><compiler eulerseq="abc"/></mujoco>'), "got 'abc'"),
+    "no turn": (
+        "mjcf",
+        to('<body name="platform"', '<body name="platform" axisangle="0 0 0 9"'),
+        "body 'platform': axisangle",
+    ),
+    "zero quaternion": (
+        "mjcf",
+        to('"lower_2" pos="[^"]*"( quat="[^"]*")?', '"lower_2" quat="0 0 0 0"'),
+        "'lower_2': quat",
+    ),
+    "gear": ("mjcf", to('<motor name="leg_2"', '<motor name="leg_2" gear="x"'), "actuator 'leg_2': gear"),
+    "no closures": ("mjcf", without("<equality>", "</equality>"), "'base_6_1' to body 'upper_6', where"),
     "open loop": ("mjcf", to('"platform" pos="-0.0', '"platform" pos="0.1'), "leg 1: joint 'tip_1'"),
-    "no slide": ("mjcf", to('"leg_2" type="slide"', '"leg_2" type="hinge"'), "leg 2: expected a universal"),
-    "two slides": ("mjcf", to('<joint name="base_1_1"', '<joint type="slide"/><joint name="b"'), "leg 1"),
+    "no slide": ("mjcf", to('"leg_2" type="slide"', '"leg_2" type="hinge"'), "revolute 'leg_2'"),
+    "two slides": ("mjcf", to('<joint name="base_1_1"', '<joint type="slide"/><joint name="b"'), "'leg_1'"),
     "oblique slide": (
         "mjcf",
         to('"leg_2" type="slide" axis="1.0 0.0', '"leg_2" type="slide" axis="1.0 0.1'),
@@ -85,34 +156,54 @@ BROKEN: dict[str, tuple[str, Change, str]] = {
         to('axis="0.0 1.0 0.0"', 'axis="0.3 1.0 0.0"'),
         "leg 1: joint 'base_1_1': expected",
     ),
-    "offset axes": ("mjcf", to('name="base_1_2"', 'name="base_1_2" pos="0 0 0.05"'), "axes that meet"),
-    "one ball": ("mjcf", BALL_AT_1, "expected a spherical joint at the base as leg 1 has"),
+    "offset axes": ("mjcf", to('name="base_1_2"', 'name="base_1_2" pos="0 0 0.05"'), "joints 'base_1_1' and"),
+    "one ball": ("mjcf", BALL_AT_1, "leg 1: joint 'base_1_2': expected a universal joint at"),
     "number": ("mjcf", to('mass="3.0"', 'mass="3.0 kg"'), "'lower_1': inertial: mass: expected a number"),
-    "not finite": ("mjcf", to('mass="3.0"', 'mass="nan"'), "expected a number"),
+    "not finite": ("mjcf", to('mass="3.0"', 'mass="nan"'), "body 'lower_1': inertial"),
     "negative": ("mjcf", to('mass="3.0"', 'mass="-3.0"'), "leg 1: body 'lower_1': expected a mass > 0"),
     "no mass": ("mjcf", without('<inertial mass="40', "/>"), "the platform: body 'platform'"),
     "no site": ("mjcf", to('"tip_4_a" site2', '"tip_9" site2'), "connect 'tip_4': site 'tip_9': missing"),
     "free base": (
         "mjcf",
         both(to("<worldbody>", f"<worldbody>{BARGE}"), to("</worldbody>", "</body></worldbody>")),
-        "joint 'free'",
+        "got one between 'barge' and 'platform'",
     ),
     "pendulum": ("mjcf", to('<freejoint name="free" />', f"<freejoint />{BOB}"), "joint 'swing'"),
-    "names": ("mjcf", to('name="lower_2"', 'name="lower_1"'), "expected one body of that name, got 2"),
-    "limits": ("mjcf", to('range="0.55 0.95"', 'range="0.9 0.5"'), "leg 1: joint 'leg_1': expected limits"),
-    "class": ("mjcf", to('<joint name="base_1_1"', '<joint class="x" name="b"'), "class 'x': missing"),
+    "names": ("mjcf", to('name="lower_2"', 'name="lower_1"'), "body 'lower_1': expected one body of that"),
+    "limits": ("mjcf", to('range="0.55 0.95"', 'range="0.9 0.5"'), "leg 1: joint 'leg_1': expected"),
+    "class": (
+        "mjcf",
+        to('<joint name="base_1_1"', '<joint class="x" name="b"'),
+        "joint 'b': class 'x': missing",
+    ),
     "notes": ("mjcf", to("{&quot;", "[&quot;"), "custom: text 'stewart_sym': expected JSON"),
     "unknown note": ("mjcf", to("{&quot;k", "{&quot;spring"), "notes: 'spring'"),
     "screw": ("sdf", to('type="prismatic"', 'type="screw"'), "joint 'leg_1': expected type"),
     "no link": ("sdf", to("<parent>lower_1<", "<parent>lower_9<"), "joint 'leg_1': link 'lower_9': missing"),
-    "two models": ("sdf", to("</world>", "<model name='m'/></world>"), "expected one model, got 2"),
-    "no frame": ("sdf", to('expressed_in="__model__"', 'expressed_in="x"'), "frame 'x': missing"),
+    "two models": (
+        "sdf",
+        to("</world>", "<model name='m'/></world>"),
+        "expected one model, got 2: 'hexapod', 'm'",
+    ),
+    "no frame": ("sdf", to('expressed_in="__model__"', 'expressed_in="x"'), "joint 'base_1': xyz: frame 'x'"),
     "circle": (
         "sdf",
         to('lower_1">\n    <pose>', 'lower_1"><pose relative_to="lower_1">'),
-        "expected poses that depend on no circle",
+        "frame 'lower_1': expected poses that depend on no circle",
     ),
-    "static": ("sdf", to('<link name="base">', '<static>1</static><link name="base">'), "static"),
+    "static": ("sdf", to('<link name="base">', '<static>1</static><link name="base">'), "'hexapod': static"),
+    "no ball": ("sdf", without('<joint name="tip_3"', "</joint>"), "joint 'base_3' to body 'upper_3', where"),
+    "another's include": ("sdf", to('<link name="base">', INCLUDE), "include at line 10: expected a model"),
+    "no name": ("sdf", to('<link name="lower_2">', "<link>"), "model: link at line"),
+    "no inertia": ("sdf", without("<inertial>", "</inertial>"), "leg 1: body 'lower_1': expected a mass > 0"),
+    "two slides of a leg": (
+        "urdf",
+        to(r'name="base_1_1" type="\w+"', 'name="base_1_1" type="prismatic"'),
+        "leg 1: expected a universal or spherical joint",
+    ),
+    "carried by none": ("urdf", without('<joint name="leg_3"', "</joint>"), "got 'world', 'upper_3'"),
+    "carried by two": ("urdf", to('<child link="upper_3"', '<child link="upper_2"'), "'leg_2' and 'leg_3'"),
+    "no child": ("urdf", without('<child link="upper_3"', "/>"), "joint 'leg_3': child: its link: missing"),
     "two roots": ("urdf", to('<link name="base">', '<link name="x"/><link name="base">'), "got 'world', 'x'"),
     "no axis": ("urdf", to('xyz="1.0 0.0 0.0" />\n  <dyn', 'xyz="0 0 0" />\n  <dyn'), "joint 'leg_1': axis"),
 }

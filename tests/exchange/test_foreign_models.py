@@ -59,7 +59,9 @@ def model() -> str:
           <inertial mass="30" pos="0 0 0.05" diaginertia="2 1 2.5" euler="0 0 90"/>{sites}
           <body name="load" pos="0 0 0.2"><inertial mass="10" pos="0 0 0" diaginertia="1 1 1"/></body>
         </body>"""
-    legs = "".join(leg(i, top if i == 5 else "") for i in range(6))
+    legs = "".join(leg(i, "") for i in range(5))
+    # A body in frames of the base has its own joints; the frames have none.
+    legs += f'<frame euler="0 0 90"><frame euler="0 0 -90">{leg(5, top)}</frame></frame>'
     closures = "".join(f'<connect site1="end{i}" site2="top{i}"/>' for i in range(5))
     motors = "".join(f'<motor joint="slide{i}" gear="50" ctrlrange="-10 10"/>' for i in range(6))
     return f"""<mujoco model="foreign"><compiler angle="degree"/>

@@ -116,6 +116,7 @@ def test_angles_that_must_be_degrees_are_a_warning(folder: Path, capsys: pytest.
     warning, error = capsys.readouterr().err.splitlines()
     assert "via.toml: via: theta_z over 12.05 rad: are angles in degrees?" in warning
     assert "error: via pose 2: out of reach" in error
+    assert error.endswith("theta_z over 12.05 rad: are angles in degrees? Radians are expected")
 
 
 def test_via_poses_may_stand_in_a_csv_file(folder: Path) -> None:

@@ -124,7 +124,7 @@ def test_lists_within_rows_are_tables_of_their_own() -> None:
     data = {"families": [{"name": "scale", "methods": [{"method": "no pivoting", "worst": [1.0] * 9}]}]}
     text = html_page("t", Report("", data=data))
     assert text.count('<table class="sorts">') == 2
-    assert "<h2>families scale methods</h2>" in text
+    assert "<h2>Families scale methods</h2>" in text
     assert "9 numbers, 1 to 1" in text
 
 

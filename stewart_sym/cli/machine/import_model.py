@@ -27,7 +27,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Run ``import``; returns the exit code."""
     from ...exchange.files import import_model
-    from ...io.arguments import printable
+    from ...io.arguments import safe_text
     from ...io.toml_text import toml_text
     from ...io.writing import result_file
     from ...studies.common.report import Report
@@ -39,8 +39,8 @@ def run(arguments: argparse.Namespace) -> int:
     reject_inputs("-o", path, arguments.model)
     found = import_model(arguments.model)
     tables = found.robot.to_dict()
-    lines = [f"{_BEGINNING} from {printable(arguments.model.name)}."]
-    lines += [f"# {printable(line)}" for line in found.assumptions]
+    lines = [f"{_BEGINNING} from {safe_text(arguments.model.name)}."]
+    lines += [f"# {safe_text(line)}" for line in found.assumptions]
     with results(arguments) as take, result_file(path, [_BEGINNING], arguments.force) as stream:
         stream.write("\n".join(lines) + "\n" + toml_text(tables))
         warn_of_doubts(found.robot, path)

@@ -3,12 +3,18 @@
 import argparse
 import warnings
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from ...io.extras import need
+from ...io.progress import Progress
 from ..inputs import warn_of_doubts
 from ..options import html_file, json_file, no_pictures, output, positive
 from ..results import need_drawing, results
 from ..terminal import progress_line
+
+if TYPE_CHECKING:
+    from ...planning.plan_file import PlanRequest
+    from ...planning.plan_path import PlannedPath
 
 HELP = "a path through via poses with a low condition number, and the fastest motion along it"
 EXAMPLE = "stewart-sym plan via.toml -o plan"
@@ -46,7 +52,6 @@ def run(arguments: argparse.Namespace) -> int:
     from ...drives.effort import DriveLimitWarning
     from ...planning.certificate import certify_plan
     from ...planning.plan_file import read_plan
-    from ...planning.plan_path import plan_path
     from ...planning.time_path import time_path
     from ...studies.reports import plan
 
@@ -57,15 +62,7 @@ def run(arguments: argparse.Namespace) -> int:
     warn_of_doubts(robot, request.files[1])
     tables = ("trajectory.csv", "path.csv")
     with results(arguments, "report", *tables, read=request.files) as take, progress_line() as progress:
-        planned = plan_path(
-            robot,
-            request.poses,
-            request.path_limits,
-            request.objective,
-            request.price,
-            request.load,
-            progress,
-        )
+        planned = _planned(request, progress)
         timed = time_path(
             robot,
             planned.path,
@@ -88,3 +85,21 @@ def run(arguments: argparse.Namespace) -> int:
     if not found.certificate.holds:
         warnings.warn(f"{arguments.via}: the certificate does not hold, see the report", stacklevel=2)
     return 0
+
+
+def _planned(request: "PlanRequest", progress: Progress) -> "PlannedPath":
+    """The path; an error about via poses of doubtful angles ends with the doubt, its likely cause."""
+    from ...planning.plan_path import plan_path
+
+    try:
+        return plan_path(
+            request.robot,
+            request.poses,
+            request.path_limits,
+            request.objective,
+            request.price,
+            request.load,
+            progress,
+        )
+    except ValueError as error:
+        raise ValueError(f"{error}; {request.doubt}" if request.doubt else str(error)) from None

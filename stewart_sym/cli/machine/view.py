@@ -17,6 +17,7 @@ from ..terminal import progress_line
 if TYPE_CHECKING:
     from ...robot.robot import Robot
     from ...viewer.instants import Instants
+    from ...viewer.view import View
 
 HELP = "show a machine in motion: one HTML file for any browser, without a network"
 EXAMPLE = "stewart-sym view hexapod.toml trajectory.csv -o machine.html"
@@ -67,6 +68,8 @@ def run(arguments: argparse.Namespace) -> int:
         stream.write(shown.html)
         said = [] if str(path) == "-" else [f"{shown.title}", f"Written to {path}"]
         take(Report("\n".join(said), data=_data(shown.instants)))
+    for line in _exceeded(shown):
+        warnings.warn(line, stacklevel=2)
     if arguments.output is None and not _opened(path):
         print(f"No screen was found: open {path.resolve()} in a browser", file=sys.stderr)
     return 0
@@ -109,6 +112,17 @@ def _motion(robot: "Robot", arguments: argparse.Namespace, progress: Progress) -
     trajectory = trajectory_of(robot, path, arguments, progress)
     progress("computing forces and singular instants")
     return instants.of_trajectory(robot, trajectory)
+
+
+def _exceeded(shown: "View") -> list[str]:
+    """One line for each limit of the machine that the motion breaks."""
+    import numpy as np
+
+    from ...studies.reports.track import exceeded
+
+    at = shown.instants
+    F = next(iter(at.forces.values()), np.zeros_like(at.L))
+    return exceeded(shown.robot, at.time, F, at.L, at.L_dot)
 
 
 def _is_run(path: Path) -> bool:

@@ -27,7 +27,9 @@ def solid(given: Mapping[str, str], R: Array, center: Array, where: str) -> Body
     if kind == "plane":
         return None
     if kind not in _SIZES:
-        raise ValueError(f"{where}: expected an inertial of its body, its mass is not taken from a {kind}")
+        raise ValueError(
+            f"{where}: expected an inertial of its body, got a {kind}, whose mass is not computed"
+        )
     ends = numbers(given["fromto"], 6, f"{where}: fromto") if "fromto" in given else None
     size = numbers(given.get("size"), _SIZES[kind] - (ends is not None), f"{where}: size")
     if ends is not None:

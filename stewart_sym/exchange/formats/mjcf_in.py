@@ -8,14 +8,15 @@ from typing import Any
 
 import numpy as np
 
+from ...io.arguments import shown
 from ...io.array_types import Array
 from ...motion.rotation import rotation_from_quaternion, rotation_from_vector
 from ...robot.bodies import Body as Solid
 from ...robot.bodies import joined
 from ...robot.fields import direction
-from ..chain import WORLD, Body, Joint, Model, frame_along
+from ..chain import BETWEEN, WORLD, Body, Joint, Model, frame_along
 from .mjcf_geoms import solid
-from .xml_text import number, numbers
+from .xml_text import at_line, number, numbers
 
 _KINDS = {"hinge": "revolute", "slide": "prismatic", "ball": "spherical", "free": "free"}
 _ZERO = (0.0, 0.0, 0.0)
@@ -39,7 +40,9 @@ class _Reader:
     def __init__(self, root: ET.Element) -> None:
         for element in root.iter():
             if element.tag in ("include", "replicate", "attach", "composite", "flexcomp"):
-                raise ValueError(f"{element.tag}: expected a flat model, as mj_saveLastXML writes it")
+                where = f"{element.tag}{at_line(element)}"
+                got = shown(element.get("file") or element.get("name") or element.tag)
+                raise ValueError(f"{where}: expected a flat model, as mj_saveLastXML writes it, got {got}")
         self.root = root
         compiler = {key: value for each in root.iter("compiler") for key, value in each.attrib.items()}
         self.unit = 1.0 if compiler.get("angle", "degree") == "radian" else np.pi / 180.0
@@ -47,14 +50,17 @@ class _Reader:
         self.autolimits = compiler.get("autolimits", "true") == "true"
         self.from_geoms = compiler.get("inertiafromgeom", "auto") == "true"
         if compiler.get("coordinate", "local") != "local":
-            raise ValueError("compiler: coordinate: expected local")
+            raise ValueError(f"compiler: coordinate: expected local, got {shown(compiler['coordinate'])}")
+        if len(self.order) != 3 or not set(self.order.lower()) <= set("xyz"):
+            raise ValueError(f"compiler: eulerseq: expected three of x, y, z, got {shown(self.order)}")
         self.classes: dict[str, dict[str, dict[str, str]]] = {}
         for each in root.findall("default"):
             self._default(each, {}, "main")
         self.bodies: list[Body] = [Body(WORLD)]
         self.joints: list[Joint] = []
         self.sites: dict[str, tuple[str, Array]] = {}
-        self.left_out: list[str] = []
+        masses = ("settotalmass", "boundmass", "boundinertia", "balanceinertia")
+        self.left_out = [f"{key} of the compiler" for key in masses if key in compiler]
 
     def model(self) -> Model:
         for world in self.root.findall("worldbody"):
@@ -132,7 +138,7 @@ class _Reader:
         at = parent
         for number_, (attributes, kind) in enumerate(joints, 1):
             last = number_ == len(joints)
-            child = name if last else f"{name}, joint {number_}"
+            child = name if last else f"{name}{BETWEEN}{number_}"
             if not last:
                 self.bodies.append(Body(child, R, t))
             self.joints.append(self._joint(attributes, kind, at, child, R, where))
@@ -151,10 +157,14 @@ class _Reader:
                 attributes = self._of(each, inherited)
                 kind = _KINDS.get(attributes.get("type", "hinge"))
                 if kind is None:
-                    raise ValueError(f"body {name!r}: joint: expected hinge, slide, ball or free")
+                    where = f"body {name!r}: joint {attributes.get('name', '')!r}"
+                    got = shown(attributes["type"])
+                    raise ValueError(f"{where}: type: expected hinge, slide, ball or free, got {got}")
                 found.append((attributes, kind))
-            elif each.tag == "frame" and any(inner.tag == "joint" for inner in each.iter()):
-                raise ValueError(f"body {name!r}: frame: expected no joint in a frame")
+            elif each.tag == "frame" and _has_joint(each):
+                raise ValueError(
+                    f"body {name!r}: frame{at_line(each)}: expected no joint in a frame, got one"
+                )
         return found
 
     def _joint(self, given: Attributes, kind: str, parent: str, child: str, R: Array, where: str) -> Joint:
@@ -227,20 +237,22 @@ class _Reader:
 
     def _turn(self, given: Attributes, where: str) -> Array:
         if "quat" in given:
-            return rotation_from_quaternion(numbers(given["quat"], 4, f"{where}: quat"))
+            quaternion = numbers(given["quat"], 4, f"{where}: quat")
+            if not quaternion.any():
+                raise ValueError(f"{where}: quat: expected a quaternion with a length, got {given['quat']!r}")
+            return rotation_from_quaternion(quaternion)
         if "axisangle" in given:
             *axis, angle = numbers(given["axisangle"], 4, f"{where}: axisangle")
-            return rotation_from_vector(self.unit * angle * np.array(axis) / np.linalg.norm(axis))
+            return rotation_from_vector(self.unit * angle * direction(np.array(axis), f"{where}: axisangle"))
         if "euler" in given:
             return self._euler(self.unit * numbers(given["euler"], 3, f"{where}: euler"))
         if "xyaxes" in given:
             x, y = numbers(given["xyaxes"], 6, f"{where}: xyaxes").reshape(2, 3)
-            x = x / np.linalg.norm(x)
-            y = y - (x @ y) * x
-            y = y / np.linalg.norm(y)
+            x = direction(x, f"{where}: xyaxes")
+            y = direction(y - (x @ y) * x, f"{where}: xyaxes")
             return np.stack([x, y, np.cross(x, y)], axis=-1)
         if "zaxis" in given:
-            return frame_along(numbers(given["zaxis"], 3, f"{where}: zaxis"))
+            return frame_along(direction(numbers(given["zaxis"], 3, f"{where}: zaxis"), f"{where}: zaxis"))
         return np.eye(3)
 
     def _euler(self, angles: Array) -> Array:
@@ -266,7 +278,9 @@ class _Reader:
         if "site1" in element.attrib or "site2" in element.attrib:
             (one, here), (other, there) = (self._site(element.get(key), where) for key in ("site1", "site2"))
         else:
-            one, other = element.get("body1", ""), element.get("body2", WORLD)
+            if "body1" not in element.attrib:
+                raise ValueError(f"{where}: expected body1, or site1 and site2, got none")
+            one, other = element.attrib["body1"], element.get("body2", WORLD)
             placed = {body.name: body for body in self.bodies}
             for body in (one, other):
                 if body not in placed:
@@ -277,6 +291,8 @@ class _Reader:
         self.joints.append(Joint(name, kind, one, other, there, cut=True, parent_point=here))
 
     def _site(self, name: str | None, where: str) -> tuple[str, Array]:
+        if name is None:
+            raise ValueError(f"{where}: expected site1 and site2, got one")
         if name not in self.sites:
             raise ValueError(f"{where}: site {name!r}: missing")
         return self.sites[name]
@@ -290,7 +306,7 @@ class _Reader:
                 if "joint" not in given:
                     continue
                 where = f"actuator {given.get('name', '')!r}"
-                gear = abs(float((given.get("gear") or "1").split()[0]))
+                gear = abs(number(next(iter(given.get("gear", "1").split()), ""), f"{where}: gear"))
                 ranges = [
                     gear * float(np.abs(numbers(given[key], 2, f"{where}: {key}")).max())
                     for key in ("forcerange", "ctrlrange")
@@ -303,6 +319,13 @@ class _Reader:
             else joint
             for joint in self.joints
         ]
+
+
+def _has_joint(frame: ET.Element) -> bool:
+    """Whether a frame, or one in it, has a joint of the body that it is in."""
+    return any(
+        each.tag in ("joint", "freejoint") or (each.tag == "frame" and _has_joint(each)) for each in frame
+    )
 
 
 def same(R: Array, t: Array, body: Body) -> bool:

@@ -5,13 +5,14 @@ from dataclasses import replace
 
 import numpy as np
 
+from ...io.arguments import shown
 from ...io.array_types import Array
 from ...motion.rotation import rotation_from_quaternion, rotation_from_rpy
-from ...robot.fields import direction
+from ...robot.fields import LEGS, direction
 from ..chain import WORLD, Body, Joint, Model
 from ..notes import parsed_notes
 from .sdf_out import NOTES
-from .xml_text import interval, joint_of, largest, name_of, number, numbers, tensor
+from .xml_text import at_line, interval, joint_of, largest, name_of, number, numbers, tensor
 
 _KINDS = {
     "prismatic": "prismatic",
@@ -27,10 +28,13 @@ def model(root: ET.Element, loops: str | None = None) -> Model:
     """The model; ValueError of one line says what of the file can't be read, and where."""
     world = root.find("world")
     models = [*root.findall("model"), *root.findall("world/model")]
-    if root.find("include") is not None or root.find("world/include") is not None:
-        raise ValueError("include: expected a model in the file itself")
+    for tag in ("include", "world/include"):
+        for each in root.findall(tag):
+            got = shown(each.findtext("uri", "").strip())
+            raise ValueError(f"include{at_line(each)}: expected a model in the file itself, got {got}")
     if len(models) != 1:
-        raise ValueError(f"expected one model, got {len(models)}")
+        names = ", ".join(repr(each.get("name", "")) for each in models[:LEGS]) or "none"
+        raise ValueError(f"expected one model, got {len(models)}: {names}")
     gravity = None if world is None else world.findtext("gravity")
     found = _Reader(models[0])
     return Model(
@@ -48,8 +52,9 @@ class _Reader:
 
     def __init__(self, element: ET.Element) -> None:
         for tag in ("model", "include"):
-            if element.find(tag) is not None:
-                raise ValueError(f"{tag}: expected a model without models in it")
+            for each in element.findall(tag):
+                got = shown(each.get("name") or each.findtext("uri", "").strip())
+                raise ValueError(f"{tag}{at_line(each)}: expected a model without models in it, got {got}")
         self.element = element
         self.named = {
             name_of(each, "model"): each
@@ -65,7 +70,8 @@ class _Reader:
         self.placed = {body.name: body for body in self.bodies}
         static = (element.findtext("static") or "").strip() in ("true", "1")
         if static:
-            raise ValueError("static: expected a model that moves")
+            name = element.get("name", "")
+            raise ValueError(f"model {name!r}: static: expected a model that moves, got a static one")
         self.joints = [self._joint(each) for each in element.findall("joint")]
 
     def _own(self, element: ET.Element, where: str) -> tuple[Array, Array]:
@@ -85,9 +91,10 @@ class _Reader:
         if name in self.found:
             return self.found[name]
         if name not in self.named:
-            raise ValueError(f"frame {name!r}: missing")
+            where = f"{self.named[seen[-1]].tag} {seen[-1]!r}: " if seen else ""
+            raise ValueError(f"{where}frame {name!r}: missing")
         if name in seen or len(seen) > 100:
-            raise ValueError(f"frame {name!r}: expected poses that depend on no circle")
+            raise ValueError(f"frame {name!r}: expected poses that depend on no circle, got one")
         element = self.named[name]
         R, t = self._own(element, f"{element.tag} {name!r}")
         R, t = _after(self._pose(self._relative(element), (*seen, name)), R, t)
@@ -144,6 +151,8 @@ class _Reader:
             xyz = axis.find("xyz")
             frame = "" if xyz is None else xyz.get("expressed_in", "")
             local = numbers(None if xyz is None else xyz.text, 3, f"{where}: xyz", (0.0, 0.0, 1.0))
+            if frame and frame not in self.named and frame not in self.found:
+                raise ValueError(f"{where}: xyz: frame {frame!r}: missing")
             R, _ = self._pose(frame or joint.name)
             directions.append(R @ direction(local, f"{where}: xyz"))
             damping.append(number(axis.findtext("dynamics/damping"), f"{where}: damping", 0.0))
@@ -153,7 +162,8 @@ class _Reader:
             effort = largest(axis.findtext("limit/effort"), f"{where}: effort")
             speed = largest(axis.findtext("limit/velocity"), f"{where}: velocity")
         if max(damping) != min(damping):
-            raise ValueError(f"{where}: expected the same damping about both axes")
+            got = ", ".join(f"{each:g}" for each in damping)
+            raise ValueError(f"{where}: expected the same damping about both axes, got {got}")
         return replace(
             joint, axes=np.array(directions), damping=damping[0], limits=limits, effort=effort, speed=speed
         )

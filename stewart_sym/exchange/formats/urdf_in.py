@@ -87,10 +87,12 @@ def _tree(root: ET.Element) -> tuple[list[Body], list[Joint]]:
         name = name_of(each, "robot")
         for end in ("parent", "child"):
             if _end(each, end) not in links:
-                raise ValueError(f"joint {name!r}: {end}: link {_end(each, end)!r}: missing")
+                what = f"link {_end(each, end)!r}" if _end(each, end) else "its link"
+                raise ValueError(f"joint {name!r}: {end}: {what}: missing")
         child = _end(each, "child")
         if child in carried:
-            raise ValueError(f"link {child!r}: expected one joint that carries it, got two")
+            got = f"{carried[child].get('name')!r} and {name!r}"
+            raise ValueError(f"link {child!r}: expected one joint that carries it, got {got}")
         carried[child] = each
     roots = [name for name in links if name not in carried]
     if len(roots) != 1:

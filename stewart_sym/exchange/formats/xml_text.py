@@ -1,6 +1,7 @@
 """XML as elements: read without entities, external files or endless depth, and written with one header."""
 
 import math
+import re
 import xml.etree.ElementTree as ET
 from collections.abc import Callable, Collection
 from typing import Any
@@ -20,31 +21,45 @@ TENSOR = {"ixx": (0, 0), "ixy": (0, 1), "ixz": (0, 2), "iyy": (1, 1), "iyz": (1,
 NO_LIMIT = 1e16
 """A limit of this size in SDF and URDF, which need some, is none."""
 _DEEPEST = 100
+_NAMED = re.compile(r"(\w+) '([^']+)'")
+_TAGS = {"body": "link", "link": "body"}
+
+
+class Located(ET.Element):
+    """An element that says in which line of its file it begins."""
+
+    line = 0
 
 
 def parsed(text: str) -> ET.Element:
-    """The root of a document.
+    """The root of a document, of elements with their lines.
 
     Raises ValueError for what is no XML, is nested too deeply or declares a document type: entities, which
     can grow without bound or name other files, come from there alone.
     """
-    builder, parser, depth = ET.TreeBuilder(), expat.ParserCreate("utf-8"), 0
+    if not text.strip():
+        raise ValueError("expected XML, the file is empty")
+    if not text.lstrip().startswith("<"):
+        raise ValueError(f"not valid XML: expected an element, got {shown(text.lstrip()[:40])}")
+    builder, parser, depth = ET.TreeBuilder(Located), expat.ParserCreate("utf-8"), 0
 
     def start(tag: str, attributes: dict[str, str]) -> None:
         nonlocal depth
         depth += 1
         if depth > _DEEPEST:
-            raise ValueError(f"line {parser.CurrentLineNumber}: nested too deeply")
-        builder.start(tag, attributes)
+            raise ValueError(f"line {parser.CurrentLineNumber}: element {shown(tag)}: nested too deeply")
+        builder.start(tag, attributes).line = parser.CurrentLineNumber  # type: ignore[attr-defined]
 
     def end(tag: str) -> None:
         nonlocal depth
         depth -= 1
         builder.end(tag)
 
-    def doctype(*_: object) -> None:
+    def doctype(name: str, *_: object) -> None:
         where = f"line {parser.CurrentLineNumber}"
-        raise ValueError(f"{where}: expected XML without a document type declaration, got one")
+        raise ValueError(
+            f"{where}: expected XML without a document type declaration, got one of {shown(name)}"
+        )
 
     parser.StartElementHandler, parser.EndElementHandler = start, end
     parser.CharacterDataHandler, parser.StartDoctypeDeclHandler = builder.data, doctype
@@ -53,6 +68,16 @@ def parsed(text: str) -> ET.Element:
     except expat.ExpatError as error:
         raise ValueError(f"not valid XML: {error}") from None
     return builder.close()
+
+
+def line_named(text: str, root: ET.Element) -> int | None:
+    """Line of the element that a message names first, as in ``joint 'x'``; None where it names none."""
+    for kind, name in _NAMED.findall(text):
+        found = [each for each in root.iter() if each.get("name") == name]
+        exact = [each for each in found if each.tag in (kind, _TAGS.get(kind))]
+        if found:
+            return getattr((exact or found)[-1], "line", None)
+    return None
 
 
 def document(root: ET.Element) -> str:
@@ -135,9 +160,15 @@ def largest(text: str | None, where: str) -> float:
     return found if 0.0 < found < NO_LIMIT else math.inf
 
 
+def at_line(element: ET.Element) -> str:
+    """`` at line N``, of an element that a file has."""
+    line = getattr(element, "line", 0)
+    return f" at line {line}" if line else ""
+
+
 def name_of(element: ET.Element, where: str) -> str:
     """Attribute ``name``; ValueError without one."""
     found = element.get("name")
     if not found:
-        raise ValueError(f"{where}: {element.tag}: expected a name, got none")
+        raise ValueError(f"{where}: {element.tag}{at_line(element)}: expected a name, got none")
     return found

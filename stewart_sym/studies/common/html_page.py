@@ -13,9 +13,9 @@ from typing import Any, TypeGuard
 import numpy as np
 from numpy.typing import NDArray
 
+from ...io.arguments import safe_text
 from ...io.json_text import plain
 from ...io.progress import Progress, silent
-from ...viewer.content import safe_text
 from ...viewer.page import document, filled, generator
 from ...viewer.view import frame
 from .report import Picture, Report, svg
@@ -33,7 +33,11 @@ def html_page(title: str, report: Report, progress: Progress = silent) -> str:
     Lists of alike figures in the report's data and its tables of text become tables; columns over time become
     tables that are closed at first.  Raises ImportError for figures without Matplotlib.
     """
-    parts = [_section("Result", f"<pre>{_text(report.text)}</pre>")] if report.text else []
+    parts = (
+        [_section("Result", f'<pre class="wide" tabindex="0">{_text(report.text)}</pre>')]
+        if report.text
+        else []
+    )
     for number, (name, view) in enumerate(report.views.items()):
         progress(f"writing {name}", number / len(report.views))
         parts.append(_section(name, frame(view())))
@@ -58,7 +62,9 @@ def html_page(title: str, report: Report, progress: Progress = silent) -> str:
 
 
 def _section(title: str, body: str) -> str:
-    return filled("section.html", {"title": _text(title), "body": body})
+    # The name of a file is left as it is.
+    head = title if "." in title else title[:1].upper() + title[1:]
+    return filled("section.html", {"title": _text(head), "body": body})
 
 
 def _figure(name: str, picture: Picture, progress: Progress) -> str:

@@ -130,9 +130,17 @@ def summary(run: Simulation, law: ForceLaw) -> str:
         if run.saturation.excess[i] > 0.0
     ]
     drift = _drift(run, law)
-    if drift is not None:
-        lines.append(f"springs    {drift.text}")
+    if drift is not None and isinstance(law, LegSprings):
+        lines.append(f"springs    {drift.text}{_taken(law) if drift.scale else ''}")
     return "\n".join(lines)
+
+
+def _taken(law: LegSprings) -> str:
+    """What takes energy from a machine on springs, so that its change is no error, or nothing."""
+    robot = law.robot
+    friction = any(np.any(getattr(robot, name)) for name in ("C_u", "C_p", "C_s"))
+    takers = ["dampers"] * bool(np.any(getattr(law, "damping", 0.0))) + ["friction"] * friction
+    return f", which {' and '.join(takers)} {'take' if takers[0] == 'dampers' else 'takes'}" if takers else ""
 
 
 def figure(run: Simulation, law: ForceLaw) -> "Figure":

@@ -19,6 +19,8 @@ export class Panel {
     this.plot = figure.querySelector(".plot");
     this.cursor = figure.querySelector(".cursor");
     this.tip = figure.querySelector(".tip");
+    this.outside = document.createElement("small");
+    figure.querySelector("figcaption").append(" ", this.outside);
     this.hidden = new Set();
     this.measure();
     this.watch();
@@ -87,6 +89,7 @@ export class Panel {
     const pen = sheet(this.canvas);
     const drawn = this.visible().map((each) => ({ ...each, columns: this.columns(each) }));
     this.choose(drawn);
+    this.sayOutside();
     this.axes(pen);
     pen.save();
     pen.beginPath();
@@ -96,6 +99,17 @@ export class Panel {
     for (const each of drawn) this.curve(pen, each);
     pen.restore();
     this.follow(this.clock.index);
+  }
+
+  // Limits that are too far from the curves to be drawn, in words beside the heading.
+  sayOutside() {
+    const far = this.limits.filter((each) => this.scaled(each) < this.low || this.scaled(each) > this.high);
+    const texts = far.map((each) => {
+      if (!far.includes(-each)) return shown(each, 4);
+      return each > 0 ? `\u00b1${shown(each, 4)}` : null;
+    });
+    const words = texts.filter((each) => each !== null).join(", ");
+    this.outside.textContent = words && `limit ${words} ${this.unit}, outside the picture`;
   }
 
   scaled(value) {

@@ -3,8 +3,11 @@
 
 import { ball, bar, tube } from "./shapes.js";
 
-// Of the screen's pixels in either direction, where time is short.
+// Where time is short: share of the screen's pixels in either direction, if these are more than the page's; sides of
+// tubes and balls then, and else. Without a graphics processor triangles cost more than pixels.
 const ROUGH = 0.75;
+const FEW = { tube: 8, ball: 12 };
+const MANY = { tube: 18, ball: 18 };
 
 const SOLID = `#version 300 es
 in vec3 position; in vec3 normal; in vec3 hull;
@@ -88,13 +91,7 @@ export class Pen {
       surface: program(gl, SURFACE, PAINT),
       line: program(gl, LINE, PLAIN),
     };
-    this.shapes = {};
-    for (const [name, { numbers, corners }] of Object.entries({ tube: tube(), ball: ball(), bar: bar() }))
-      this.shapes[name] = this.instanced("solid", new Float32Array(numbers), 9, corners, {
-        position: [0, 3],
-        normal: [3, 3],
-        hull: [6, 3],
-      });
+    [this.fewSided, this.manySided] = [FEW, MANY].map((sides) => this.shapes(sides));
     const quad = new Float32Array([0, -1, 1, -1, 1, 1, 0, 1]);
     this.quad = this.instanced("line", quad, 2, [0, 1, 2, 0, 2, 3], { corner: [0, 2] });
     this.sheet = gl.createVertexArray();
@@ -106,6 +103,15 @@ export class Pen {
     this.smoothSize = "";
     gl.enable(gl.DEPTH_TEST);
     gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+  }
+
+  // Tube and ball with numbers of sides, and bar.
+  shapes(sides) {
+    const places = { position: [0, 3], normal: [3, 3], hull: [6, 3] };
+    const made = { tube: tube(sides.tube), ball: ball(sides.ball), bar: bar() };
+    for (const [name, { numbers, corners }] of Object.entries(made))
+      made[name] = this.instanced("solid", new Float32Array(numbers), 9, corners, places);
+    return made;
   }
 
   // Triangles that are drawn once for each instance of a buffer.
@@ -124,10 +130,11 @@ export class Pen {
   }
 
   // Clears the whole canvas; the picture has as many pixels as the screen shows of it. smooth: with smooth edges;
-  // without, and with fewer pixels, drawing takes a third of the time.
+  // without, and with fewer sides and pixels, drawing takes a third of the time.
   begin(paper, smooth) {
     const { gl, canvas } = this;
-    const ratio = (window.devicePixelRatio || 1) * (smooth ? 1 : ROUGH);
+    const whole = window.devicePixelRatio || 1;
+    const ratio = smooth ? whole : Math.min(whole, Math.max(1, ROUGH * whole));
     const [wide, high] = [canvas.clientWidth, canvas.clientHeight].map((each) => Math.max(1, Math.round(each * ratio)));
     if (canvas.width !== wide || canvas.height !== high) Object.assign(canvas, { width: wide, height: high });
     this.isSmooth = smooth;
@@ -175,7 +182,8 @@ export class Pen {
     gl.enable(gl.SCISSOR_TEST);
     gl.scissor(x, y, wide, high);
     const common = { eye, pixels: [wide, high], sun: style.sun, ink: style.ink, ratio };
-    for (const name of Object.keys(this.shapes)) this.solids(name, scene.solids[name] || [], common);
+    const shapes = this.isSmooth ? this.manySided : this.fewSided;
+    for (const [name, shape] of Object.entries(shapes)) this.solids(shape, scene.solids[name] || [], common);
     this.sheets(scene.sheets.filter((each) => !each.clear), common);
     if (scene.overlaid) gl.disable(gl.DEPTH_TEST);
     this.lines(scene.lines, common);
@@ -187,10 +195,9 @@ export class Pen {
     gl.disable(gl.BLEND);
   }
 
-  solids(name, instances, common) {
+  solids(shape, instances, common) {
     if (!instances.length) return;
     const gl = this.gl;
-    const shape = this.shapes[name];
     const use = this.uniforms("solid", common);
     fill(gl, shape.instances, instances);
     gl.bindVertexArray(shape.array);

@@ -149,11 +149,12 @@ function label(pose, parts) {
   const put = (text, at, kind) => {
     if (!spare[used]) labels.append((spare[used] = document.createElement("span")));
     const span = spare[used++];
-    span.textContent = text;
-    span.className = kind;
+    // What is as before is left alone: the browser paints anew what is written again.
+    if (span.textContent !== text) span.textContent = text;
+    if (span.className !== kind) span.className = kind;
     span.at = at;
     span.style.transform = `translate(${at[0].toFixed(1)}px, ${at[1].toFixed(1)}px) translate(-50%, -50%)`;
-    span.hidden = false;
+    if (span.hidden) span.hidden = false;
   };
   const write = (text, point, picture, kind) => {
     const at = camera.pixel(point, picture);
@@ -176,7 +177,7 @@ function label(pose, parts) {
       }
     if (parts.length > 1) put(state.shown[k], [picture.x + 40, picture.y + 18], "set");
   });
-  for (let i = used; i < spare.length; i++) spare[i].hidden = true;
+  for (const span of spare.slice(used)) if (!span.hidden) span.hidden = true;
 }
 
 // The leg under a point of the canvas, or null; and the set of forces of that part.

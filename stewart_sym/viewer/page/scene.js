@@ -4,7 +4,7 @@ import { add, along, column, cross, minus, size, times, unit } from "./vectors.j
 import { legFrame, moved, ring, toolPoint } from "./machine.js";
 import { placed } from "./shapes.js";
 
-const RIBBON_STEPS = 200;
+const RIBBON_STEPS = 100;
 
 // look: colours by name, force colours of the six legs, which of them are beyond a limit, and the options.
 export function sceneAt(machine, pose, look) {

@@ -1,7 +1,5 @@
 // Triangles of the few shapes that the machine is made of, each of size one: position, normal, and the direction in
-// which an outline lies. A tube and a bar reach from 0 to 1 along x.
-
-const AROUND = 18;
+// which an outline lies. A tube and a bar reach from 0 to 1 along x; around: sides of what is round.
 
 function shape() {
   return { numbers: [], corners: [] };
@@ -12,11 +10,11 @@ function vertex(found, position, normal, hull) {
   return found.numbers.length / 9 - 1;
 }
 
-export function tube() {
+export function tube(around) {
   const found = shape();
   const half = Math.SQRT1_2;
-  for (let i = 0; i <= AROUND; i++) {
-    const angle = (2 * Math.PI * i) / AROUND;
+  for (let i = 0; i <= around; i++) {
+    const angle = (2 * Math.PI * i) / around;
     const [y, z] = [Math.cos(angle), Math.sin(angle)];
     for (const [x, out] of [[0, -1], [1, 1]]) {
       vertex(found, [x, y, z], [0, y, z], [out * half, y * half, z * half]);
@@ -24,7 +22,7 @@ export function tube() {
     }
   }
   const ends = [0, 1].map((x) => vertex(found, [x, 0, 0], [2 * x - 1, 0, 0], [2 * x - 1, 0, 0]));
-  for (let i = 0; i < AROUND; i++) {
+  for (let i = 0; i < around; i++) {
     const [a, b] = [4 * i, 4 * (i + 1)];
     found.corners.push(a, b, a + 2, b, b + 2, a + 2);
     found.corners.push(ends[0], b + 1, a + 1, ends[1], a + 3, b + 3);
@@ -32,18 +30,18 @@ export function tube() {
   return found;
 }
 
-export function ball() {
+export function ball(around) {
   const found = shape();
-  const rows = AROUND / 2;
+  const rows = around / 2;
   for (let j = 0; j <= rows; j++)
-    for (let i = 0; i <= AROUND; i++) {
-      const [turn, tilt] = [(2 * Math.PI * i) / AROUND, (Math.PI * j) / rows];
+    for (let i = 0; i <= around; i++) {
+      const [turn, tilt] = [(2 * Math.PI * i) / around, (Math.PI * j) / rows];
       const at = [Math.sin(tilt) * Math.cos(turn), Math.sin(tilt) * Math.sin(turn), Math.cos(tilt)];
       vertex(found, at, at, at);
     }
   for (let j = 0; j < rows; j++)
-    for (let i = 0; i < AROUND; i++) {
-      const [a, b] = [j * (AROUND + 1) + i, (j + 1) * (AROUND + 1) + i];
+    for (let i = 0; i < around; i++) {
+      const [a, b] = [j * (around + 1) + i, (j + 1) * (around + 1) + i];
       found.corners.push(a, b, a + 1, b, b + 1, a + 1);
     }
   return found;

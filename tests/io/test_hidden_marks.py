@@ -1,0 +1,97 @@
+"""Names with marks of direction, of no width, tags and quotes are read, and shown as text everywhere."""
+
+import sys
+import unicodedata
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import stewart_sym as ss
+from stewart_sym.cli.main import main
+
+MARKED = (
+    "\"quoted' </h1><b>&amp; */ ??/ \\ %s ]]> --> \u202egnp.exe\u2066\u200b\u00ad\ufeff\U000e0041\u00a0\u05d0"
+)
+SHOWN = "[U+202E]gnp.exe[U+2066][U+200B][U+00AD][U+FEFF][U+E0041][U+00A0]\u05d0"
+HEXAPOD = Path(__file__).parents[2] / ".docs" / "examples" / "hexapod.toml"
+_UNSEEN = {"Cf", "Co", "Cs", "Zl", "Zp"}
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    text = HEXAPOD.read_text(encoding="utf-8").replace('"hexapod"', f"'''{MARKED}'''")
+    (tmp_path / "marked.toml").write_text(text, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def all_seen(text: str) -> bool:
+    return not any(unicodedata.category(each) in _UNSEEN for each in text)
+
+
+def written(folder: Path) -> dict[str, str]:
+    """Texts that were written in a folder and below, by name."""
+    paths = [path for path in folder.rglob("*") if path.is_file() and path.suffix != ".png"]
+    paths.remove(folder / "marked.toml")
+    return {str(path.relative_to(folder)): path.read_bytes().decode(errors="replace") for path in paths}
+
+
+def test_a_name_is_read_with_the_numbers_of_what_is_not_seen(folder: Path) -> None:
+    robot = ss.Robot.from_toml("marked.toml")
+    assert robot.name == MARKED[: MARKED.index("\u202e")] + SHOWN
+    assert ss.Robot.from_dict(robot.to_dict()).to_dict() == robot.to_dict()
+    tables = {**robot.to_dict(), "name": MARKED}
+    assert ss.Robot.from_dict(tables).name == robot.name
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["check", "marked.toml"],
+        ["check", "marked.toml", "--json", "-"],
+        ["view", "marked.toml", "-o", "out.html"],
+        ["view", "marked.toml", "log.csv", "-o", "out.html"],
+        ["forces", "marked.toml", "log.csv", "-o", "forces.csv", "--html", "out.html"],
+        ["export", "marked.toml", "--format", "mjcf", "-o", "out.xml"],
+        ["export", "marked.toml", "--format", "sdf", "-o", "out.sdf"],
+        ["export", "marked.toml", "--format", "urdf", "-o", "out.urdf"],
+        ["export", "marked.toml", "--format", "usd", "-o", "out.usda"],
+        ["generate", "marked.toml", "-o", "kit"],
+        ["size", "marked.toml", "log.csv", "-o", "out", "--html", "out.html"],
+    ],
+    ids=" ".join,
+)
+def test_a_marked_name_is_shown_as_text(
+    arguments: Sequence[str], folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    robot = ss.Robot.from_toml("marked.toml")
+    time = np.linspace(0.0, 1.0, 20)
+    turned = 0.01 * np.sin(time)[:, None] * np.ones(6)
+    home = np.concatenate([robot.home if robot.home is not None else np.zeros(3), np.zeros(3)])
+    rows = np.column_stack([time, turned + home])
+    header = "time,t_x,t_y,t_z,theta_x,theta_y,theta_z"
+    np.savetxt("log.csv", rows, delimiter=",", header=header, comments="")
+    assert main([*arguments]) == 0
+    out, err = capsys.readouterr()
+    texts = written(folder) | {"terminal": out, "warnings": err}
+    for name, text in texts.items():
+        assert all_seen(text), name
+    assert any("[U+202E]gnp.exe" in text for text in texts.values())
+    for name, text in texts.items():
+        assert "</h1><b>" not in text or not name.endswith((".html", ".svg", ".xml", ".sdf", ".urdf")), name
+
+
+def test_a_marked_name_of_a_file_is_shown_as_text(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (folder / "marked.toml").rename(folder / "a\u202elmot.toml")
+    assert main(["check", "a\u202elmot.toml"]) == 0
+    assert main(["export", "a\u202elmot.toml", "--format", "mjcf", "-o", "b\u202elmx.xml"]) == 0
+    assert main(["import", "b\u202elmx.xml", "-o", "c\u202e.toml"]) == 0
+    with pytest.raises(SystemExit):
+        sys.exit(main(["check", "no\u202ebody.toml"]))
+    out, err = capsys.readouterr()
+    assert all_seen(out + err)
+    assert "Written to c[U+202E].toml" in out
+    assert "no[U+202E]body.toml" in err
+    assert all_seen((folder / "c\u202e.toml").read_text(encoding="utf-8"))
