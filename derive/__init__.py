@@ -12,3 +12,9 @@ In the order of the flow; each folder imports only those before it:
 ``generate`` writes all of it; ``passes`` shows what each reduction is worth. ``derivation.ipynb`` reads
 this beside the paper.
 """
+
+import os
+
+# SymPy reads this when it is imported first. By itself it keeps a thousand results, and the derivation needs
+# most of them again once they are gone: a fifth of its time.
+os.environ.setdefault("SYMPY_CACHE_SIZE", "20000")
