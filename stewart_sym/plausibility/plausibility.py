@@ -19,6 +19,7 @@ from ..robot.robot import LEGS, Robot, legs_text
 from .exchange import of_coincidence, of_exchange
 from .leg_order import of_order
 from .level_poses import Doubt, Home, centred_H, home_of, level_home, parts_of
+from .motors import of_speeds, of_torques
 from .part_lengths import of_part_lengths
 
 MOST_GRAVITY = 50.0
@@ -109,6 +110,7 @@ def _of_numbers(robot: Robot) -> Iterator[Doubt]:
         yield from _of_masses(robot, size)
         yield from _of_friction(robot, size)
         yield from _of_rotors(robot)
+        yield from of_speeds(robot)
     fast = np.flatnonzero(np.isfinite(robot.speed_limit) & (robot.speed_limit > MOST_SPEED))
     if fast.size:
         yield Doubt(
@@ -366,30 +368,7 @@ def _of_home(robot: Robot, home: Home) -> Iterator[Doubt]:
             f"{abs(home.F[worst]):.4g} N hold the machine at rest at the home pose; likely cause: "
             "force_limit in kN, masses in grams, or actuators too weak",
         )
-    yield from _of_motors(robot, home)
-
-
-def _of_motors(robot: Robot, home: Home) -> Iterator[Doubt]:
-    """Motors that cannot hold the machine at rest, whatever friction does for them."""
-    drive = robot.drive
-    if drive is None:
-        return
-    turns = np.abs(drive.turns)
-    friction = drive.screw_coulomb + drive.stribeck + turns * drive.motor_coulomb
-    torque = (drive.back_efficiency * np.abs(home.F) - friction) / turns
-    for name in ("torque_limit", "rated_torque"):
-        limit = getattr(drive, name)
-        with np.errstate(invalid="ignore"):
-            weak = np.flatnonzero(torque > limit).tolist()
-        if weak:
-            worst = max(weak, key=lambda i: float(torque[i] / limit[i]))
-            yield Doubt(
-                "drive-limit",
-                f"{name} of the drives of {legs_text(weak)}: {limit[worst]:.4g} N m, but {torque[worst]:.4g} "
-                "N m hold the machine at rest at the home pose; likely cause: a gear left out, lead in "
-                "another unit, or motors too weak",
-            )
-            return
+    yield from of_torques(robot, home.F)
 
 
 def _of_axes(robot: Robot, home: Home) -> Iterator[Doubt]:

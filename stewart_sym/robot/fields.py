@@ -41,7 +41,7 @@ DOUBTS = (
         "overlap",
         "coincident",
     ),
-    *("home", "length-limits", "part-length", "force-limit", "speed-limit", "drive-limit"),
+    *("home", "length-limits", "part-length", "force-limit", "speed-limit", "drive-limit", "drive-speed"),
 )
 """Names of all warnings about a robot's numbers, as ``accept`` takes them: the first three are given on
 loading, the others by ``plausibility.doubts``."""

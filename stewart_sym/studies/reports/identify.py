@@ -33,6 +33,8 @@ NORMAL = (0.6827, 0.9545, 0.9973)
 _SAME_TIME = 1e-6
 # Of a parameter of the robot file from the identified one, in deviations, and of all: do not agree.
 _FAR, _FAR_LEVEL = 4.0, 1e-3
+# Deviations from zero below which a term may as well not be there.
+_TOLD = 2
 SI = LogFormat()
 _COORDINATES = (("t", "theta"), ("v", "theta_dot"), ("a", "theta_ddot"))
 
@@ -196,7 +198,10 @@ def drive_lines(found: DriveEstimate | None) -> list[str]:
         for row in _drive_rows(found)
         if row["identifiable"]
     ]
-    return ["", aligned(("drives", "unit", "estimated", "sigma"), rows, left=2), *found.confused]
+    unsure = found.identifiable & (np.abs(found.values) < _TOLD * found.sigma)
+    names = ", ".join(name for name, each in zip(found.names, unsure, strict=True) if each)
+    said = [f"within {_TOLD} sigma of zero, so that the motion does not tell them: {names}"] if names else []
+    return ["", aligned(("drives", "unit", "estimated", "sigma"), rows, left=2), *said, *found.confused]
 
 
 def _drive_rows(found: DriveEstimate) -> list[dict[str, Any]]:

@@ -363,6 +363,13 @@ ABSURD: dict[str, tuple[Callable[[Robot], Robot], str, str]] = {
         "drive-limit",
         "motors too weak",
     ),
+    "motors' speed in revolutions a minute": (
+        lambda robot: dataclasses.replace(
+            robot, speed_limit=np.full(6, 0.4), drive=ss.Drive(lead=0.005, speed_limit=np.radians(5000.0))
+        ),
+        "drive-speed",
+        "revolutions a minute",
+    ),
     "speed limit in mm/s": (of(speed_limit=lambda v: 1e3 * v), "speed-limit", "given in mm/s"),
     "parts that overlap": (
         lambda robot: dataclasses.replace(
