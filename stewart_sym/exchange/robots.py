@@ -44,8 +44,13 @@ def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
         said.insert(0, f"axes and loops are off by up to {off:.2g} rad or of a leg, taken as exact")
     platform = machine.bodies[machine.platform]
     _need_mass(platform, "the platform")
+    # A frame of its own is turned to that of the base, so that the pose in the file is a home pose.
     level = same_frame(platform.R, np.eye(3))
-    lines = [_who(machine), f"base frame: the world's; platform frame: that of {machine.platform!r}"]
+    R = np.eye(3) if level else platform.R
+    axes = "that" if level else "the origin"
+    lines = [_who(machine), f"base frame: the world's; platform frame: {axes} of {machine.platform!r}"]
+    if not level:
+        lines[-1] += ", its axes those of the base in the pose in the file"
     if model.gravity is None:
         lines.append("gravity: not in the file, (0, 0, -9.81) m/s^2 is taken")
     found: dict[str, Any] = {
@@ -53,10 +58,11 @@ def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
         "base_joint": kinds[0],
         "g": np.array(DEFAULT_GRAVITY) if model.gravity is None else model.gravity,
         "M": platform.mass,
-        "R_0": platform.center,
-        "I_p": platform.inertia,
-        "home": platform.t if level else None,
+        "R_0": R @ platform.center,
+        "I_p": R @ platform.inertia @ R.T,
+        "home": platform.t,
         **{key: [leg.values[key] for leg in legs] for key in legs[0].values},
+        "p": [R @ leg.p for leg in legs],
     }
     if offset:
         offsets: dict[str, Any] = {key: [leg.offset[key] for leg in legs] for key in legs[0].offset}
@@ -67,8 +73,6 @@ def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
         said.append(f"armatures of the slides: rotors behind screws with a lead of {_LEAD:g} m")
     if robot.home is not None:
         lines.append("home: the pose in the file")
-    elif not level:
-        lines.append("home: none, as the platform is not level in the file")
     left_out = [f"left out: {text}" for text in model.left_out]
     return robot, tuple(lines + said + left_out + kept)
 

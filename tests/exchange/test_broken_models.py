@@ -201,6 +201,11 @@ BROKEN: dict[str, tuple[str, Change, str]] = {
         to(r'name="base_1_1" type="\w+"', 'name="base_1_1" type="prismatic"'),
         "leg 1: expected a universal or spherical joint",
     ),
+    "not expanded": (
+        "urdf",
+        to('<link name="lower_1"', '<xacro:include filename="x"/><link name="lower_1"'),
+        "xacro:include at line",
+    ),
     "carried by none": ("urdf", without('<joint name="leg_3"', "</joint>"), "got 'world', 'upper_3'"),
     "carried by two": ("urdf", to('<child link="upper_3"', '<child link="upper_2"'), "'leg_2' and 'leg_3'"),
     "no child": ("urdf", without('<child link="upper_3"', "/>"), "joint 'leg_3': child: its link: missing"),

@@ -93,6 +93,24 @@ def test_points_axes_and_limits_are_found_whatever_the_frames(foreign: ss.Import
     np.testing.assert_allclose(robot.C_s, [0.0, 0.0, 0.0, 0.0, 0.0, 0.3])
 
 
+def test_a_machine_that_is_turned_in_its_file_has_its_home_there(
+    foreign: ss.ImportedModel, tmp_path: Path
+) -> None:
+    turned = model().replace('<body name="floor">', '<body name="floor" euler="0 0 90">')
+    (tmp_path / "turned.xml").write_text(turned, encoding="utf-8")
+    found = ss.import_model(tmp_path / "turned.xml")
+    assert "axes those of the base in the pose in the file" in "".join(found.assumptions)
+    robot, R = foreign.robot, np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
+    for name in ("b", "p", "home", "R_0"):
+        np.testing.assert_allclose(getattr(found.robot, name), getattr(robot, name) @ R.T, atol=1e-12)
+    np.testing.assert_allclose(found.robot.I_p, R @ robot.I_p @ R.T, atol=1e-12)
+    F = [
+        ss.inverse_dynamics(each, ss.Motion(np.eye(3), each.home, zero := np.zeros(3), zero, zero, zero)).F
+        for each in (robot, found.robot)
+    ]
+    np.testing.assert_allclose(F[1], F[0], rtol=1e-9)
+
+
 def test_masses_of_shapes_are_those_of_a_robot_file_with_the_same_shapes(foreign: ss.ImportedModel) -> None:
     robot = foreign.robot
     mass = 7850.0 * np.pi * THICK**2 * LONG

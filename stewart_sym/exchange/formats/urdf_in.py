@@ -12,7 +12,7 @@ from ...io.array_types import Array
 from ...motion.rotation import rotation_from_rpy
 from ...robot.fields import direction
 from ..chain import WORLD, Body, Joint, Model
-from .xml_text import interval, joint_of, largest, name_of, number, numbers, tensor
+from .xml_text import at_line, interval, joint_of, largest, name_of, number, numbers, tensor
 
 _KINDS = {
     "prismatic": "prismatic",
@@ -81,6 +81,10 @@ def _closure(given: object, number_: int, names: set[str]) -> Joint:
 
 def _tree(root: ET.Element) -> tuple[list[Body], list[Joint]]:
     """Bodies, each after what carries it, and joints; the root is the world, beside itself by name."""
+    for each in root.iter():
+        if each.tag.startswith("xacro:"):
+            where = f"{each.tag}{at_line(each)}"
+            raise ValueError(f"{where}: expected URDF as xacro expands it, got what it has to expand")
     links = {name_of(each, "robot"): each for each in root.findall("link")}
     carried: dict[str, ET.Element] = {}
     for each in root.findall("joint"):
