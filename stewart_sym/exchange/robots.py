@@ -47,10 +47,10 @@ def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
     # A frame of its own is turned to that of the base, so that the pose in the file is a home pose.
     level = same_frame(platform.R, np.eye(3))
     R = np.eye(3) if level else platform.R
-    axes = "that" if level else "the origin"
-    lines = [_who(machine), f"base frame: the world's; platform frame: {axes} of {machine.platform!r}"]
+    frame = f"that of {machine.platform!r}"
     if not level:
-        lines[-1] += ", its axes those of the base in the pose in the file"
+        frame = f"the origin of {machine.platform!r}, axes those of the base in the pose in the file"
+    lines = [_who(machine), f"base frame: the world's; platform frame: {frame}"]
     if model.gravity is None:
         lines.append("gravity: not in the file, (0, 0, -9.81) m/s^2 is taken")
     found: dict[str, Any] = {

@@ -76,7 +76,7 @@ def test_friction_and_dampers_take_the_energy_they_should() -> None:
     )
     lost = run.energy[0] - run.energy[-1]
     assert 0.25 * weights @ taken == pytest.approx(lost, rel=1e-7, abs=1e-8 * run.kinetic.max())
-    assert run_summary(run, springs).endswith("of the mean kinetic energy, which dampers and friction take")
+    assert run_summary(run, springs).endswith("of the mean kinetic energy, taken by dampers and friction")
 
 
 def test_a_still_machine_stays_still_under_the_forces_that_hold_it() -> None:

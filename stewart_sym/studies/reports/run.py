@@ -139,8 +139,9 @@ def _taken(law: LegSprings) -> str:
     """What takes energy from a machine on springs, so that its change is no error, or nothing."""
     robot = law.robot
     friction = any(np.any(getattr(robot, name)) for name in ("C_u", "C_p", "C_s"))
-    takers = ["dampers"] * bool(np.any(getattr(law, "damping", 0.0))) + ["friction"] * friction
-    return f", which {' and '.join(takers)} {'take' if takers[0] == 'dampers' else 'takes'}" if takers else ""
+    damped = bool(np.any(getattr(law, "damping", 0.0)))
+    takers = [name for name, takes in (("dampers", damped), ("friction", friction)) if takes]
+    return f", taken by {' and '.join(takers)}" if takers else ""
 
 
 def figure(run: Simulation, law: ForceLaw) -> "Figure":
