@@ -21,7 +21,7 @@ from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel, joined
 from ..mechanics.lumped_constants import q_1
 from ..print.template import filled
-from ..program.block import Block, Quantity, Step, rebuilt
+from ..program.block import Block, Quantity, Step, part_of
 from ..program.order import AS_DERIVED
 from .c import operations_table
 from .shared import SOLVE, Part, Source, header, top
@@ -50,7 +50,7 @@ def files(kernel: ForceKernel, before: ForceKernel | None, version: str) -> dict
         operations=operations_table(force_operations(kernel, scalar_text=True), None, " * "),
         declarations=made.declared(*(made.structures[name] for name in ("Leg", "Model") if before is None)),
     )
-    before_it = top(file, version, SOLVE) + filled("least_product.c")
+    before_it = top(file, version, SOLVE, filled("few_registers.c")) + filled("least_product.c")
     return texts | {f"{file}.c": made.printed(before_it, fused=False)}
 
 
@@ -131,7 +131,7 @@ class _Source(Source):
         yield self.structures["LegSizes"]
         yield read(written.leg_closely, apart=True, given=self._closely())
         yield read(written.short_status, apart=True)
-        yield read(written.shift_of, given={"SHIFT": self._shift()})
+        yield read(written.shift_of, given=self._shift())
         if kernel.leg_near_singular is not None:
             yield self._leg(kernel.leg_near_singular, near=True)
         yield self._leg(kernel.leg, near=False)
@@ -176,7 +176,7 @@ class _Source(Source):
         exprs = lay.exprs_of(kernel.leg)
         # In a baked kernel a coordinate of b that is zero for all legs is none of its inputs.
         around = [q for q in kernel.leg.inputs if q in (n.t, n.b) or q.name in n.b.names]
-        block = _columns(kernel)
+        block = part_of(joined(kernel.leg, kernel.moments), n.q, n.L, n.H_force, n.H_moment)
         given = lay.exprs_of(block)
         arms = [expression(e) - t.Name(f"q_1_{axis}") for e, axis in zip(given[n.q], "xyz", strict=True)]
         out = t.Name("out")
@@ -197,20 +197,27 @@ class _Source(Source):
             ),
         }
 
-    def _shift(self) -> tuple[t.Statement, ...]:
-        """What leg 1 does instead of adding moments."""
+    def _shift(self) -> dict[str, Given]:
+        """Platform point 1, which leg 1 makes once more, and what is moved there."""
         (moved,) = self.kernel.shift.outputs
+        block = part_of(self.kernel.leg, n.q)
+        (point,) = block.outputs
         c = [_at(i, 6) for i in range(6)]
-        q = [t.Element(t.Name("q"), (t.Number(i),)) for i in range(3)]
-        given = {q_1: q, n.c_force: c[:3], n.c_moment: c[3:]}
-        return (
-            *(
-                t.Let(*pair)
-                for each, places in given.items()
-                for pair in zip(each.names, places, strict=True)
+        given = {q_1: map(expression, point.exprs), n.c_force: c[:3], n.c_moment: c[3:]}
+        return {
+            "FIRST": (
+                *lay.lines(block, self._layout, ready=AS_DERIVED),
+                *lay.set_in_order(t.Member(t.Name("pose"), "q_1"), point.exprs),
             ),
-            *(t.Assign(_at(i + 3, 6), expression(e)) for i, e in enumerate(moved.exprs)),
-        )
+            "SHIFT": (
+                *(
+                    t.Let(*pair)
+                    for each, places in given.items()
+                    for pair in zip(each.names, places, strict=True)
+                ),
+                *(t.Assign(_at(i + 3, 6), expression(e)) for i, e in enumerate(moved.exprs)),
+            ),
+        }
 
     def _leg(self, own: Block, near: bool) -> t.Function:
         """One leg: its column of H and its D are stored, its part of c is added."""
@@ -218,19 +225,19 @@ class _Source(Source):
         block = joined(own, kernel.moments)
         exprs, used = lay.exprs_of(block), lay.names_used(block)
         before, after = _parted(own, (*exprs[n.L], *exprs.get(n.k3, ())))
+        loads = lay.loads((q for q in block.inputs if q != q_1), used, self._layout)
+        first, loads = lay.where_read(loads, steps_of(before, AS_DERIVED))
+        then, loads = lay.where_read(loads, steps_of(after, AS_DERIVED))
         alone = near or kernel.leg_near_singular is None
         given: dict[str, Given] = {
             "NEAR": int(near),
             "LENGTH": expression(exprs[n.L][0]),
             "SINE": expression(exprs[n.k3][0]) if n.k3 in exprs else 0,
             "LEAST_SINE": t.Name("STEWART_JOINT_SINGULAR_SINE" if alone else "STEWART_NEAR_JOINT_SINGULAR"),
-            "BEFORE": (
-                *lay.loads((q for q in block.inputs if q != q_1), used, self._layout),
-                *steps_of(before, AS_DERIVED),
-            ),
-            "AFTER": tuple(steps_of(after, AS_DERIVED)),
-            "FIRST": lay.set_in_order(t.Member(t.Name("pose"), "q_1"), exprs[n.q]),
+            "BEFORE": first,
+            "AFTER": then,
             "MOMENTS": (
+                *loads,
                 *lay.loads([q_1], used, self._layout),
                 *steps_of(block.steps[len(own.steps) :], AS_DERIVED),
                 *lay.assembled(exprs, lambda i: _at(i, t.Name("column")), lambda i: _at(i, 6)),
@@ -245,13 +252,6 @@ class _Source(Source):
 
 def _at(row: int, column: int | t.Expression) -> t.Element:
     return t.Element(A, (t.Number(row), t.Number(column) if isinstance(column, int) else column))
-
-
-def _columns(kernel: ForceKernel) -> Block:
-    """A leg's q, length and column of H, moments about platform point 1, and nothing else."""
-    leg = joined(kernel.leg, kernel.moments)
-    kept = [out for out in leg.outputs if out.quantity in (n.q, n.L, n.H_force, n.H_moment)]
-    return rebuilt(leg, leg.steps, kept, leg.inputs)
 
 
 def _parted(block: Block, wanted: Iterable[sp.Expr]) -> tuple[tuple[Step, ...], tuple[Step, ...]]:

@@ -60,6 +60,32 @@ def loads(quantities: Iterable[Quantity], used: set[str], layout: Layout) -> tup
     return tuple(found)
 
 
+def where_read(
+    loaded: Iterable[t.Statement], steps: Iterable[t.Statement]
+) -> tuple[tuple[t.Statement, ...], tuple[t.Statement, ...]]:
+    """Steps, each run of them after the loads that it is the first to read; and loads that none reads.
+
+    A run goes from comment to comment, and all components of a quantity are loaded together. Processors with
+    few registers would store and read again what is loaded long before it is used.
+    """
+    waiting: dict[t.Expression, list[t.Let]] = {}
+    for each in loaded:
+        assert isinstance(each, t.Let)
+        place = each.value.array if isinstance(each.value, t.Element) else each.value
+        waiting.setdefault(place, []).append(each)
+    runs: list[list[t.Statement]] = [[]]
+    for step in steps:
+        runs += [[]] if isinstance(step, t.Comment) else []
+        runs[-1].append(step)
+    found: list[t.Statement] = []
+    for run in runs:
+        read_here = {each.name for each in t.names_in(run)}
+        for place in [place for place, lets in waiting.items() if read_here & {each.name for each in lets}]:
+            found += waiting.pop(place)
+        found += run
+    return tuple(found), tuple(each for lets in waiting.values() for each in lets)
+
+
 def varies(statement: t.Statement) -> bool:
     """Whether a load is from a place with lanes."""
     return (

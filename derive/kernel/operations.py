@@ -14,7 +14,7 @@ from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel
 from ..mechanics.inverse_dynamics import Kernel
 from ..mechanics.lumped_constants import arm_c
-from ..program.block import Block, Operations
+from ..program.block import Block, Operations, part_of
 from .elimination import BY_POINTERS, ONCE, blocks_in_lanes, in_lanes
 from .shared import FORCE
 from .tree import read
@@ -119,19 +119,21 @@ def force_operations(kernel: ForceKernel, scalar_text: bool = False) -> KernelOp
     """Counts of a regrouped kernel as it is; ``platform`` holds what the pose has for all legs.
 
     What a leg does not have, its part of c or its D, costs nothing to add. scalar_text: of the function that
-    takes the legs one after the other: leg 1 as the others, and the product of the pivots.
+    takes the legs one after the other: leg 1 as the others, platform point 1 before them, and the product of
+    the pivots.
     """
     given = {out.quantity for out in kernel.leg.outputs}
     sums = LEGS * sum(3 for quantity in (n.c_force, n.c_moment) if quantity in given)
     moments, shift = Operations(), Operations()
     solve = "one pose" if scalar_text else "block about tip" if kernel.about_tip else "block"
     arms = LEGS if scalar_text else LEGS - 1
+    point = part_of(kernel.leg, n.q)
     if kernel.about_tip:
         moments, shift = kernel.moments.operations(), kernel.shift.operations()
         sums += arms * sum(3 for out in kernel.moments.outputs if out.quantity == arm_c)
     return KernelOperations(
         leg=kernel.leg.operations(),
-        platform=kernel.shared.operations() + shift,
+        platform=kernel.shared.operations() + shift + (point.operations() if scalar_text else NOTHING),
         sum_c=Operations(add=sums),
         solve=solve_operations(solve),
         forces=Operations(add=LEGS if n.D in given else 0),
@@ -140,5 +142,6 @@ def force_operations(kernel: ForceKernel, scalar_text: bool = False) -> KernelOp
         fused=LEGS * _fused_in(kernel.leg)
         + _fused_in(kernel.shared)
         + (_fused_in(kernel.shift) + arms * _fused_in(kernel.moments) if kernel.about_tip else 0)
+        + (_fused_in(point) if scalar_text else 0)
         + _fused_solve(solve),
     )

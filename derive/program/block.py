@@ -256,6 +256,12 @@ def rebuilt(
     )
 
 
+def part_of(block: Block, *quantities: Quantity) -> Block:
+    """What a block does to make some of its outputs."""
+    kept = [out for out in block.outputs if out.quantity in quantities]
+    return rebuilt(block, block.steps, kept, block.inputs)
+
+
 def _components(quantity: Quantity, value: sp.Expr | sp.Matrix) -> tuple[sp.Expr, ...]:
     if quantity.shape == ():
         return (sp.sympify(value),)

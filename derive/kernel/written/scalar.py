@@ -79,8 +79,9 @@ def short_status(model: "Model", leg: "Leg", at: "Motion", pose: "PoseTerms") ->
     return fault_of(sizes.L, 1.0, sizes.reach)
 
 
-def shift_of(q: "array(3)", A: "array(6, 7)") -> None:
-    """Leg 1: the platform's part of c moves to its platform point, about which moments are taken."""
+def shift_of(model: "Model", leg: "Leg", at: "Motion", pose: "PoseTerms", A: "array(6, 7)") -> None:
+    """Platform point 1, about which moments are taken; the platform's part of c moves there."""
+    FIRST
     SHIFT
 
 
@@ -108,9 +109,6 @@ def leg_of(
             else:
                 return fault_of(LENGTH, SINE, 0.0)
     AFTER
-    if column == 0:
-        FIRST
-        shift_of(pose.q_1, A)
     MOMENTS
     return OK
 
@@ -158,6 +156,7 @@ def pose_forces(model: "Model", motion: "Motion", F: "array(6)") -> "Integer":
             return BAD_ARGUMENT
     pose.close = 0
     pose_of(model, motion, pose, A)
+    shift_of(model, legs[0] if BAKED else model.leg[0], motion, pose, A)
     "A leg above this is long beside the vectors that it is the sum of."
     least = SHORTEST + SHORT_SHARE * (size(motion.t[0]) + size(motion.t[1]) + size(motion.t[2]) + SIZE)
     for i in range(6):
