@@ -304,18 +304,19 @@ class _Source(Source):
         kernel, exprs = self.kernel, self.given
         leg, about_tip = kernel.leg, kernel.about_tip
         more = reach_terms(kernel)[1][1:]
-        outside, inside = lay.parted(lay.loaded(leg, self._place("at", lay.LANE, leg=t.Name("leg")), *more))
+        loads = lay.loaded(leg, self._place("at", lay.LANE, leg=t.Name("leg")), *more)
+        steps, loads = lay.where_read(loads, steps_of(leg.steps))
         own = [out for out in leg.outputs if about_tip and out.quantity in (n.q, *lay.RIGHT_SIDE)]
         kept = {out.quantity for out in own}
         body = (
-            *inside,
-            *steps_of(leg.steps),
+            *steps,
+            *loads,
             *lay.assembled({q: e for q, e in exprs.items() if q not in kept}, _column, _c),
             *lay.stores(own, lambda q: lay.member("own", q, lay.LANE)),
             *(t.Assign(t.at("known", "l"), expression(e)) for e in exprs.get(n.D, ())),
         )
         least = "JOINT_SINGULAR_SINE" if kernel.leg_near_singular is None else "NEAR_JOINT_SINGULAR"
-        given: dict[str, Given] = {"OUTSIDE": outside, "BLOCK": body, "c" if about_tip else "own": False}
+        given: dict[str, Given] = {"BLOCK": body, "c" if about_tip else "own": False}
         given |= lay.checks(leg, (symbol for q in more for symbol in q.symbols), "SHORT_SHARE", least)
         given["LEAST_SHARE"] = t.Number(2.25) * t.Constant("SHORT_SHARE")
         given |= {} if n.D in exprs else {"known": False}

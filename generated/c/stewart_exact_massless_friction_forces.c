@@ -857,22 +857,16 @@ static void leg_of_block(
     stewart_real *STEWART_RESTRICT known, stewart_real *STEWART_RESTRICT bad)
 {
     int l;
-    const stewart_real b_x = model->b[0][leg], b_y = model->b[1][leg], b_z = model->b[2][leg];
-    const stewart_real p_x = model->p[0][leg], p_y = model->p[1][leg], p_z = model->p[2][leg];
-    const stewart_real k_x = model->k[0][leg], k_y = model->k[1][leg], k_z = model->k[2][leg];
-    const stewart_real C_p = model->C_p[leg];
-    const stewart_real C_s = model->C_s[leg];
-    const stewart_real C_us = model->C_us[leg];
     for (l = 0; l < POSES; ++l) {
+        const stewart_real p_x = model->p[0][leg], p_y = model->p[1][leg], p_z = model->p[2][leg];
         const stewart_real R_xx = at->R[0][l], R_xy = at->R[1][l], R_xz = at->R[2][l], R_yx = at->R[3][l],
             R_yy = at->R[4][l], R_yz = at->R[5][l], R_zx = at->R[6][l], R_zy = at->R[7][l], R_zz = at->R[8][l];
-        const stewart_real t_x = at->t[0][l], t_y = at->t[1][l], t_z = at->t[2][l];
-        const stewart_real omega_x = at->omega[0][l], omega_y = at->omega[1][l], omega_z = at->omega[2][l];
-        const stewart_real v_x = at->v[0][l], v_y = at->v[1][l], v_z = at->v[2][l];
         /* (1) platform point from the reference point */
         const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
         const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
         const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
+        const stewart_real b_x = model->b[0][leg], b_y = model->b[1][leg], b_z = model->b[2][leg];
+        const stewart_real t_x = at->t[0][l], t_y = at->t[1][l], t_z = at->t[2][l];
         /* (1) reference point from base point, base frame */
         const stewart_real t_b_x = t_x - b_x;
         const stewart_real t_b_y = t_y - b_y;
@@ -881,6 +875,7 @@ static void leg_of_block(
         const stewart_real S_x = t_b_x + q_x;
         const stewart_real S_y = t_b_y + q_y;
         const stewart_real S_z = t_b_z + q_z;
+        const stewart_real k_x = model->k[0][leg], k_y = model->k[1][leg], k_z = model->k[2][leg];
         /* (10) leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
@@ -904,6 +899,8 @@ static void leg_of_block(
         /* (10) k = (k1, 0, k3) in the leg frame */
         const stewart_real k1 = inv_L*zeta;
         const stewart_real k3 = inv_L*rho;
+        const stewart_real omega_x = at->omega[0][l], omega_y = at->omega[1][l], omega_z = at->omega[2][l];
+        const stewart_real v_x = at->v[0][l], v_y = at->v[1][l], v_z = at->v[2][l];
         /* (4) velocity of the platform point */
         const stewart_real S_dot_x = STEWART_FMA(-omega_z, q_y, STEWART_FMA(omega_y, q_z, v_x));
         const stewart_real S_dot_y = STEWART_FMA(-omega_x, q_z, STEWART_FMA(omega_z, q_x, v_y));
@@ -915,6 +912,8 @@ static void leg_of_block(
             S_dot_x*y_x));
         const stewart_real theta_dot = inv_rho*STEWART_FMA(-S_dot_z, k_z, STEWART_FMA(-S_dot_y, k_y,
             STEWART_FMA(-S_dot_x, k_x, L_dot*k1)));
+        const stewart_real C_s = model->C_s[leg];
+        const stewart_real C_us = model->C_us[leg];
         /* (20) generalised forces about y and about k */
         const stewart_real tau_y = STEWART_FMA(-C_s, STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y,
             omega_x*y_x)), C_us*theta_dot);
@@ -927,6 +926,7 @@ static void leg_of_block(
         const stewart_real K_x = STEWART_FMA(Q_k, k_x, Q_y*y_x);
         const stewart_real K_y = STEWART_FMA(Q_k, k_y, Q_y*y_y);
         const stewart_real K_z = STEWART_FMA(Q_k, k_z, Q_y*y_z);
+        const stewart_real C_p = model->C_p[leg];
         /* (24) known part of the actuator force, to match */
         const stewart_real D = STEWART_FMA(-Q_k, k1, C_p*L_dot);
         const stewart_real c1 = C_s*phi_dot;

@@ -984,46 +984,16 @@ static void leg_of_block(
     stewart_real *STEWART_RESTRICT known, stewart_real *STEWART_RESTRICT bad)
 {
     int l;
-    const stewart_real b_x = model->b[0][leg], b_y = model->b[1][leg], b_z = model->b[2][leg];
-    const stewart_real p_x = model->p[0][leg], p_y = model->p[1][leg], p_z = model->p[2][leg];
-    const stewart_real k_x = model->k[0][leg], k_y = model->k[1][leg], k_z = model->k[2][leg];
-    const stewart_real C_p = model->C_p[leg];
-    const stewart_real C_s = model->C_s[leg];
-    const stewart_real m_r = model->m_r[leg];
-    const stewart_real j_r = model->j_r[leg];
-    const stewart_real h_x = model->h[0][leg], h_y = model->h[1][leg], h_z = model->h[2][leg];
-    const stewart_real h2_x = model->h2_x[leg];
-    const stewart_real h2_y = model->h2_y[leg];
-    const stewart_real h2_z = model->h2_z[leg];
-    const stewart_real w_x = model->w[0][leg], w_y = model->w[1][leg], w_z = model->w[2][leg];
-    const stewart_real J_xx = model->J[0][leg], J_xy = model->J[1][leg], J_yy = model->J[3][leg], J_yz = model->J[4][leg];
-    const stewart_real J2_xz = model->J2_xz[leg];
-    const stewart_real dJ_zx = model->dJ_zx[leg];
-    const stewart_real g_k = model->g_k[leg];
-    const stewart_real g_x_k_x = model->g_x_k[0][leg], g_x_k_y = model->g_x_k[1][leg], g_x_k_z = model->g_x_k[2][leg];
-    const stewart_real C_us = model->C_us[leg];
-    const stewart_real cross = model->cross[leg];
-    const stewart_real along = model->along[leg];
-    const stewart_real across = model->across[leg];
-    const stewart_real across2 = model->across2[leg];
-    const stewart_real along2 = model->along2[leg];
-    const stewart_real cross2 = model->cross2[leg];
-    const stewart_real w_o = model->w_o[leg];
-    const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
     for (l = 0; l < POSES; ++l) {
+        const stewart_real p_x = model->p[0][leg], p_y = model->p[1][leg], p_z = model->p[2][leg];
         const stewart_real R_xx = at->R[0][l], R_xy = at->R[1][l], R_xz = at->R[2][l], R_yx = at->R[3][l],
             R_yy = at->R[4][l], R_yz = at->R[5][l], R_zx = at->R[6][l], R_zy = at->R[7][l], R_zz = at->R[8][l];
-        const stewart_real t_x = at->t[0][l], t_y = at->t[1][l], t_z = at->t[2][l];
-        const stewart_real omega_x = at->omega[0][l], omega_y = at->omega[1][l], omega_z = at->omega[2][l];
-        const stewart_real v_x = at->v[0][l], v_y = at->v[1][l], v_z = at->v[2][l];
-        const stewart_real a_x = at->a[0][l], a_y = at->a[1][l], a_z = at->a[2][l];
-        const stewart_real B_xx = shared->B[0][l], B_xy = shared->B[1][l], B_xz = shared->B[2][l], B_yx = shared->B[3][l],
-            B_yy = shared->B[4][l], B_yz = shared->B[5][l], B_zx = shared->B[6][l], B_zy = shared->B[7][l],
-            B_zz = shared->B[8][l];
         /* (1) platform point from the reference point */
         const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
         const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
         const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
+        const stewart_real b_x = model->b[0][leg], b_y = model->b[1][leg], b_z = model->b[2][leg];
+        const stewart_real t_x = at->t[0][l], t_y = at->t[1][l], t_z = at->t[2][l];
         /* (1) reference point from base point, base frame */
         const stewart_real t_b_x = t_x - b_x;
         const stewart_real t_b_y = t_y - b_y;
@@ -1032,6 +1002,7 @@ static void leg_of_block(
         const stewart_real S_x = t_b_x + q_x;
         const stewart_real S_y = t_b_y + q_y;
         const stewart_real S_z = t_b_z + q_z;
+        const stewart_real k_x = model->k[0][leg], k_y = model->k[1][leg], k_z = model->k[2][leg];
         /* (10) leg vector along the fixed axis, normal to both, and across the fixed axis */
         const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
@@ -1042,6 +1013,8 @@ static void leg_of_block(
         const stewart_real S_across_z = STEWART_FMA(-k_z, zeta, S_z);
         const stewart_real rho2 = STEWART_FMA(k_cross_S_z, k_cross_S_z, STEWART_FMA(k_cross_S_y,
             k_cross_S_y, k_cross_S_x*k_cross_S_x));
+        const stewart_real along = model->along[leg];
+        const stewart_real along2 = model->along2[leg];
         /* (10) distance of the tip from the fixed axis along o */
         const stewart_real r = STEWART_SQRT(rho2 - along2);
         const stewart_real inv_rho2 = REAL(1)/rho2;
@@ -1055,14 +1028,17 @@ static void leg_of_block(
         const stewart_real o_x = STEWART_FMA(-k_y, y_z, k_z*y_y);
         const stewart_real o_y = STEWART_FMA(-k_z, y_x, k_x*y_z);
         const stewart_real o_z = STEWART_FMA(-k_x, y_y, k_y*y_x);
+        const stewart_real cross = model->cross[leg];
         /* tip from the moving axis: along o, and squared */
         const stewart_real r_out = r - cross;
         const stewart_real reach2 = STEWART_FMA(zeta, zeta, r_out*r_out);
+        const stewart_real across2 = model->across2[leg];
         /* (2) leg length */
         const stewart_real L = STEWART_SQRT(reach2 - across2);
         const stewart_real inv_L = REAL(1)/L;
         const stewart_real inv_r = REAL(1)/r;
         const stewart_real inv_reach2 = REAL(1)/reach2;
+        const stewart_real across = model->across[leg];
         /* (10) k = (k1, 0, k3) in the leg frame */
         const stewart_real k1 = inv_reach2*STEWART_FMA(-across, r_out, L*zeta);
         const stewart_real k3 = inv_reach2*STEWART_FMA(across, zeta, L*r_out);
@@ -1082,10 +1058,16 @@ static void leg_of_block(
         const stewart_real column_z = STEWART_FMA(column_of_z, z_z, STEWART_FMA(column_of_y, y_z, s_z));
         /* (10) share of r in L; near the least distance the square of r is known to rounding, not r itself */
         const stewart_real sine = inv_L*r_share*r*r;
+        const stewart_real omega_x = at->omega[0][l], omega_y = at->omega[1][l], omega_z = at->omega[2][l];
+        const stewart_real v_x = at->v[0][l], v_y = at->v[1][l], v_z = at->v[2][l];
         /* (4) velocity of the platform point */
         const stewart_real S_dot_x = STEWART_FMA(-omega_z, q_y, STEWART_FMA(omega_y, q_z, v_x));
         const stewart_real S_dot_y = STEWART_FMA(-omega_x, q_z, STEWART_FMA(omega_z, q_x, v_y));
         const stewart_real S_dot_z = STEWART_FMA(-omega_y, q_x, STEWART_FMA(omega_x, q_y, v_z));
+        const stewart_real a_x = at->a[0][l], a_y = at->a[1][l], a_z = at->a[2][l];
+        const stewart_real B_xx = shared->B[0][l], B_xy = shared->B[1][l], B_xz = shared->B[2][l], B_yx = shared->B[3][l],
+            B_yy = shared->B[4][l], B_yz = shared->B[5][l], B_zx = shared->B[6][l], B_zy = shared->B[7][l],
+            B_zz = shared->B[8][l];
         /* (7) acceleration of the platform point */
         const stewart_real S_ddot_x = STEWART_FMA(B_xz, q_z, STEWART_FMA(B_xy, q_y, STEWART_FMA(B_xx, q_x,
             a_x)));
@@ -1118,6 +1100,12 @@ static void leg_of_block(
         const stewart_real theta_ddot = inv_L*STEWART_FMA(-REAL(2), c1, STEWART_FMA(-S_ddot_z, z_z,
             STEWART_FMA(-S_ddot_y, z_y, STEWART_FMA(-S_ddot_x, z_x, STEWART_FMA(-across, theta_dot2,
             k1*turning)))));
+        const stewart_real h_x = model->h[0][leg], h_y = model->h[1][leg], h_z = model->h[2][leg];
+        const stewart_real h2_x = model->h2_x[leg];
+        const stewart_real h2_z = model->h2_z[leg];
+        const stewart_real J_xx = model->J[0][leg], J_xy = model->J[1][leg], J_yy = model->J[3][leg], J_yz = model->J[4][leg];
+        const stewart_real J2_xz = model->J2_xz[leg];
+        const stewart_real dJ_zx = model->dJ_zx[leg];
         /* (8) accelerations of the joint coordinates */
         const stewart_real L_ddot = STEWART_FMA(-across, theta_ddot, STEWART_FMA(k3, turning,
             STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y, STEWART_FMA(S_ddot_x, s_x,
@@ -1133,6 +1121,9 @@ static void leg_of_block(
         const stewart_real M_theta = J_yy + L_h2;
         const stewart_real M_mixed = STEWART_FMA(a3, k1, J_yz*k3);
         const stewart_real k3_h = h_y*k3;
+        const stewart_real w_x = model->w[0][leg], w_y = model->w[1][leg], w_z = model->w[2][leg];
+        const stewart_real cross2 = model->cross2[leg];
+        const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
         /* (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta */
         const stewart_real M_phi_theta = STEWART_FMA(a1, k13, a2*(STEWART_HALF - k33));
         const stewart_real M_phi_L = STEWART_FMA(-h_z, k13, h_x*k33);
@@ -1147,12 +1138,18 @@ static void leg_of_block(
         const stewart_real M_mixed_theta_offset = STEWART_FMA(along, h_n, M_mixed_theta);
         const stewart_real bend = c1;
         const stewart_real c2 = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
+        const stewart_real j_r = model->j_r[leg];
+        const stewart_real g_x_k_x = model->g_x_k[0][leg], g_x_k_y = model->g_x_k[1][leg], g_x_k_z = model->g_x_k[2][leg];
         /* gravity along k x y and along y */
         const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
         const stewart_real gamma_y = c2;
         const stewart_real c3 = j_r*k3;
         const stewart_real c4 = c3*phi_dot;
         const stewart_real c5 = STEWART_FMA(j_r, k1, -k3_h);
+        const stewart_real C_s = model->C_s[leg];
+        const stewart_real h2_y = model->h2_y[leg];
+        const stewart_real g_k = model->g_k[leg];
+        const stewart_real C_us = model->C_us[leg];
         /* (20) generalised forces about y and about k */
         const stewart_real tau_y = STEWART_FMA(L_ddot, h_z, STEWART_FMA(M_theta, theta_ddot,
             STEWART_FMA(bend, h2_x, STEWART_FMA(L_dot, c4, STEWART_FMA(M_mixed_offset, phi_ddot,
@@ -1165,6 +1162,7 @@ static void leg_of_block(
             STEWART_FMA(-gamma_y, w_n, STEWART_FMA(-gamma_n, w_y, STEWART_FMA(C_us, phi_dot,
             STEWART_FMA(-C_s, STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y, k_x*omega_x)),
             M_mixed_theta_offset*theta_dot2))))))))));
+        const stewart_real w_o = model->w_o[leg];
         /* (20) */
         const stewart_real tau_k_offset = STEWART_FMA(-c2, w_o, tau_k);
         /* (21) K = Q_y y + Q_z z */
@@ -1174,6 +1172,8 @@ static void leg_of_block(
         const stewart_real K_x = STEWART_FMA(Q_y, y_x, Q_z*z_x);
         const stewart_real K_y = STEWART_FMA(Q_y, y_y, Q_z*z_y);
         const stewart_real K_z = STEWART_FMA(Q_y, y_z, Q_z*z_z);
+        const stewart_real C_p = model->C_p[leg];
+        const stewart_real m_r = model->m_r[leg];
         /* (24) known part of the actuator force */
         const stewart_real D = STEWART_FMA(L_ddot, m_r, STEWART_FMA(h_z, theta_ddot, STEWART_FMA(C_p, L_dot,
             STEWART_FMA(-c4, theta_dot, STEWART_FMA(-M_phi_L, phi_dot2, STEWART_FMA(-h_x, theta_dot2,

@@ -696,26 +696,16 @@ static void leg_of_block(
     stewart_real *STEWART_RESTRICT known, stewart_real *STEWART_RESTRICT bad)
 {
     int l;
-    const stewart_real b_x = model->b[0][leg], b_y = model->b[1][leg], b_z = model->b[2][leg];
-    const stewart_real p_x = model->p[0][leg], p_y = model->p[1][leg], p_z = model->p[2][leg];
-    const stewart_real h_s = model->h_s[leg];
-    const stewart_real w_s = model->w_s[leg];
-    const stewart_real J_m = model->J_m[leg];
-    const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
     for (l = 0; l < POSES; ++l) {
+        const stewart_real p_x = model->p[0][leg], p_y = model->p[1][leg], p_z = model->p[2][leg];
         const stewart_real R_xx = at->R[0][l], R_xy = at->R[1][l], R_xz = at->R[2][l], R_yx = at->R[3][l],
             R_yy = at->R[4][l], R_yz = at->R[5][l], R_zx = at->R[6][l], R_zy = at->R[7][l], R_zz = at->R[8][l];
-        const stewart_real t_x = at->t[0][l], t_y = at->t[1][l], t_z = at->t[2][l];
-        const stewart_real omega_x = at->omega[0][l], omega_y = at->omega[1][l], omega_z = at->omega[2][l];
-        const stewart_real v_x = at->v[0][l], v_y = at->v[1][l], v_z = at->v[2][l];
-        const stewart_real a_x = at->a[0][l], a_y = at->a[1][l], a_z = at->a[2][l];
-        const stewart_real B_xx = shared->B[0][l], B_xy = shared->B[1][l], B_xz = shared->B[2][l], B_yx = shared->B[3][l],
-            B_yy = shared->B[4][l], B_yz = shared->B[5][l], B_zx = shared->B[6][l], B_zy = shared->B[7][l],
-            B_zz = shared->B[8][l];
         /* (1) platform point from the reference point */
         const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
         const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
         const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
+        const stewart_real b_x = model->b[0][leg], b_y = model->b[1][leg], b_z = model->b[2][leg];
+        const stewart_real t_x = at->t[0][l], t_y = at->t[1][l], t_z = at->t[2][l];
         /* (1) reference point from base point, base frame */
         const stewart_real t_b_x = t_x - b_x;
         const stewart_real t_b_y = t_y - b_y;
@@ -731,10 +721,16 @@ static void leg_of_block(
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
         const stewart_real s_z = S_z*inv_L;
+        const stewart_real omega_x = at->omega[0][l], omega_y = at->omega[1][l], omega_z = at->omega[2][l];
+        const stewart_real v_x = at->v[0][l], v_y = at->v[1][l], v_z = at->v[2][l];
         /* (4) velocity of the platform point */
         const stewart_real S_dot_x = STEWART_FMA(-omega_z, q_y, STEWART_FMA(omega_y, q_z, v_x));
         const stewart_real S_dot_y = STEWART_FMA(-omega_x, q_z, STEWART_FMA(omega_z, q_x, v_y));
         const stewart_real S_dot_z = STEWART_FMA(-omega_y, q_x, STEWART_FMA(omega_x, q_y, v_z));
+        const stewart_real a_x = at->a[0][l], a_y = at->a[1][l], a_z = at->a[2][l];
+        const stewart_real B_xx = shared->B[0][l], B_xy = shared->B[1][l], B_xz = shared->B[2][l], B_yx = shared->B[3][l],
+            B_yy = shared->B[4][l], B_yz = shared->B[5][l], B_zx = shared->B[6][l], B_zy = shared->B[7][l],
+            B_zz = shared->B[8][l];
         /* (7) acceleration of the platform point */
         const stewart_real S_ddot_x = STEWART_FMA(B_xz, q_z, STEWART_FMA(B_xy, q_y, STEWART_FMA(B_xx, q_x,
             a_x)));
@@ -745,13 +741,17 @@ static void leg_of_block(
         const stewart_real inv_L2 = inv_L*inv_L;
         /* (5) rate of the length */
         const stewart_real L_dot = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
+        const stewart_real h_s = model->h_s[leg];
+        const stewart_real J_m = model->J_m[leg];
         /* (21) K = K_a S_ddot + K_v S_dot - K_g g, up to a part along s */
         const stewart_real K_a = inv_L2*STEWART_FMA(REAL(2)*L, h_s, J_m);
         /* 2 L_dot / L */
         const stewart_real L_share = REAL(2)*L_dot*inv_L;
+        const stewart_real w_s = model->w_s[leg];
         /* (21) K = K_a S_ddot + K_v S_dot - K_g g, up to a part along s */
         const stewart_real K_v = L_share*STEWART_FMA(h_s, inv_L, -K_a);
         const stewart_real K_g = inv_L*w_s;
+        const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
         /* (21) force at the spherical joint, base frame */
         const stewart_real K_x = STEWART_FMA(K_v, S_dot_x, STEWART_FMA(-K_g, g_x, K_a*S_ddot_x));
         const stewart_real K_y = STEWART_FMA(K_v, S_dot_y, STEWART_FMA(-K_g, g_y, K_a*S_ddot_y));

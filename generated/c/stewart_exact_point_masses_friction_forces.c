@@ -989,32 +989,16 @@ static void leg_of_block(
     stewart_real *STEWART_RESTRICT known, stewart_real *STEWART_RESTRICT bad)
 {
     int l;
-    const stewart_real b_x = model->b[0][leg], b_y = model->b[1][leg], b_z = model->b[2][leg];
-    const stewart_real p_x = model->p[0][leg], p_y = model->p[1][leg], p_z = model->p[2][leg];
-    const stewart_real k_x = model->k[0][leg], k_y = model->k[1][leg], k_z = model->k[2][leg];
-    const stewart_real C_p = model->C_p[leg];
-    const stewart_real C_s = model->C_s[leg];
-    const stewart_real g_k = model->g_k[leg];
-    const stewart_real g_x_k_x = model->g_x_k[0][leg], g_x_k_y = model->g_x_k[1][leg], g_x_k_z = model->g_x_k[2][leg];
-    const stewart_real C_us = model->C_us[leg];
-    const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
-    const stewart_real h_s = model->h_s[leg];
-    const stewart_real w_s = model->w_s[leg];
-    const stewart_real J_m = model->J_m[leg];
     for (l = 0; l < POSES; ++l) {
+        const stewart_real p_x = model->p[0][leg], p_y = model->p[1][leg], p_z = model->p[2][leg];
         const stewart_real R_xx = at->R[0][l], R_xy = at->R[1][l], R_xz = at->R[2][l], R_yx = at->R[3][l],
             R_yy = at->R[4][l], R_yz = at->R[5][l], R_zx = at->R[6][l], R_zy = at->R[7][l], R_zz = at->R[8][l];
-        const stewart_real t_x = at->t[0][l], t_y = at->t[1][l], t_z = at->t[2][l];
-        const stewart_real omega_x = at->omega[0][l], omega_y = at->omega[1][l], omega_z = at->omega[2][l];
-        const stewart_real v_x = at->v[0][l], v_y = at->v[1][l], v_z = at->v[2][l];
-        const stewart_real a_x = at->a[0][l], a_y = at->a[1][l], a_z = at->a[2][l];
-        const stewart_real B_xx = shared->B[0][l], B_xy = shared->B[1][l], B_xz = shared->B[2][l], B_yx = shared->B[3][l],
-            B_yy = shared->B[4][l], B_yz = shared->B[5][l], B_zx = shared->B[6][l], B_zy = shared->B[7][l],
-            B_zz = shared->B[8][l];
         /* (1) platform point from the reference point */
         const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
         const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
         const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
+        const stewart_real b_x = model->b[0][leg], b_y = model->b[1][leg], b_z = model->b[2][leg];
+        const stewart_real t_x = at->t[0][l], t_y = at->t[1][l], t_z = at->t[2][l];
         /* (1) reference point from base point, base frame */
         const stewart_real t_b_x = t_x - b_x;
         const stewart_real t_b_y = t_y - b_y;
@@ -1023,6 +1007,7 @@ static void leg_of_block(
         const stewart_real S_x = t_b_x + q_x;
         const stewart_real S_y = t_b_y + q_y;
         const stewart_real S_z = t_b_z + q_z;
+        const stewart_real k_x = model->k[0][leg], k_y = model->k[1][leg], k_z = model->k[2][leg];
         /* (10) leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
@@ -1048,10 +1033,16 @@ static void leg_of_block(
         const stewart_real k3 = inv_L*rho;
         /* (10) k1 / k3 */
         const stewart_real kappa = inv_rho*zeta;
+        const stewart_real omega_x = at->omega[0][l], omega_y = at->omega[1][l], omega_z = at->omega[2][l];
+        const stewart_real v_x = at->v[0][l], v_y = at->v[1][l], v_z = at->v[2][l];
         /* (4) velocity of the platform point */
         const stewart_real S_dot_x = STEWART_FMA(-omega_z, q_y, STEWART_FMA(omega_y, q_z, v_x));
         const stewart_real S_dot_y = STEWART_FMA(-omega_x, q_z, STEWART_FMA(omega_z, q_x, v_y));
         const stewart_real S_dot_z = STEWART_FMA(-omega_y, q_x, STEWART_FMA(omega_x, q_y, v_z));
+        const stewart_real a_x = at->a[0][l], a_y = at->a[1][l], a_z = at->a[2][l];
+        const stewart_real B_xx = shared->B[0][l], B_xy = shared->B[1][l], B_xz = shared->B[2][l], B_yx = shared->B[3][l],
+            B_yy = shared->B[4][l], B_yz = shared->B[5][l], B_zx = shared->B[6][l], B_zy = shared->B[7][l],
+            B_zz = shared->B[8][l];
         /* (7) acceleration of the platform point */
         const stewart_real S_ddot_x = STEWART_FMA(B_xz, q_z, STEWART_FMA(B_xy, q_y, STEWART_FMA(B_xx, q_x,
             a_x)));
@@ -1078,6 +1069,8 @@ static void leg_of_block(
         /* (8) accelerations of the joint coordinates */
         const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
             STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
+        const stewart_real h_s = model->h_s[leg];
+        const stewart_real J_m = model->J_m[leg];
         /* (9) accelerations of the joint coordinates */
         const stewart_real theta_ddot = STEWART_FMA(-theta_dot, L_share + rho_share,
             inv_rho*STEWART_FMA(-S_ddot_z, k_z, STEWART_FMA(-S_ddot_y, k_y, STEWART_FMA(-S_ddot_x, k_x,
@@ -1096,12 +1089,18 @@ static void leg_of_block(
         const stewart_real M_phi_theta = a1*k13;
         const stewart_real M_phi_L = h_s*k33;
         const stewart_real bend = L_dot*theta_dot;
+        const stewart_real g_x_k_x = model->g_x_k[0][leg], g_x_k_y = model->g_x_k[1][leg], g_x_k_z = model->g_x_k[2][leg];
+        const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
         /* gravity along k x y and along y */
         const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
         const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
+        const stewart_real w_s = model->w_s[leg];
         /* first moment along k and against k x y */
         const stewart_real w_k = k1*w_s;
         const stewart_real w_n = k3*w_s;
+        const stewart_real C_s = model->C_s[leg];
+        const stewart_real g_k = model->g_k[leg];
+        const stewart_real C_us = model->C_us[leg];
         /* (20) generalised forces about y and about k */
         const stewart_real tau_y = STEWART_FMA(M_theta, theta_ddot, STEWART_FMA(bend, c1, STEWART_FMA(-C_s,
             STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y, omega_x*y_x)), STEWART_FMA(C_us, theta_dot,
@@ -1116,6 +1115,7 @@ static void leg_of_block(
         const stewart_real K_x = STEWART_FMA(Q_k, k_x, Q_y*y_x);
         const stewart_real K_y = STEWART_FMA(Q_k, k_y, Q_y*y_y);
         const stewart_real K_z = STEWART_FMA(Q_k, k_z, Q_y*y_z);
+        const stewart_real C_p = model->C_p[leg];
         /* (24) known part of the actuator force, to match */
         const stewart_real D = STEWART_FMA(-Q_k, k1, STEWART_FMA(-M_phi_L, phi_dot2, STEWART_FMA(-h_s,
             theta_dot2, C_p*L_dot)));

@@ -804,33 +804,16 @@ static void leg_of_block(
     stewart_real *STEWART_RESTRICT known, stewart_real *STEWART_RESTRICT bad)
 {
     int l;
-    const stewart_real b_x = model->b[0][leg], b_y = model->b[1][leg], b_z = model->b[2][leg];
-    const stewart_real p_x = model->p[0][leg], p_y = model->p[1][leg], p_z = model->p[2][leg];
-    const stewart_real m_d = model->m_d[leg];
-    const stewart_real r_d0_x = model->r_d0[0][leg];
-    const stewart_real I_d0_yy = model->I_d0[3][leg];
-    const stewart_real m_u = model->m_u[leg];
-    const stewart_real r_u0_x = model->r_u0[0][leg];
-    const stewart_real I_u0_yy = model->I_u0[3][leg];
-    const stewart_real C_u = model->C_u[leg];
-    const stewart_real C_p = model->C_p[leg];
-    const stewart_real C_s = model->C_s[leg];
-    const stewart_real m_r = model->m_r[leg];
-    const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
     for (l = 0; l < POSES; ++l) {
+        const stewart_real p_x = model->p[0][leg], p_y = model->p[1][leg], p_z = model->p[2][leg];
         const stewart_real R_xx = at->R[0][l], R_xy = at->R[1][l], R_xz = at->R[2][l], R_yx = at->R[3][l],
             R_yy = at->R[4][l], R_yz = at->R[5][l], R_zx = at->R[6][l], R_zy = at->R[7][l], R_zz = at->R[8][l];
-        const stewart_real t_x = at->t[0][l], t_y = at->t[1][l], t_z = at->t[2][l];
-        const stewart_real omega_x = at->omega[0][l], omega_y = at->omega[1][l], omega_z = at->omega[2][l];
-        const stewart_real v_x = at->v[0][l], v_y = at->v[1][l], v_z = at->v[2][l];
-        const stewart_real a_x = at->a[0][l], a_y = at->a[1][l], a_z = at->a[2][l];
-        const stewart_real B_xx = shared->B[0][l], B_xy = shared->B[1][l], B_xz = shared->B[2][l], B_yx = shared->B[3][l],
-            B_yy = shared->B[4][l], B_yz = shared->B[5][l], B_zx = shared->B[6][l], B_zy = shared->B[7][l],
-            B_zz = shared->B[8][l];
         /* (1) platform point from the reference point */
         const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
         const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
         const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
+        const stewart_real b_x = model->b[0][leg], b_y = model->b[1][leg], b_z = model->b[2][leg];
+        const stewart_real t_x = at->t[0][l], t_y = at->t[1][l], t_z = at->t[2][l];
         /* (1) reference point from base point, base frame */
         const stewart_real t_b_x = t_x - b_x;
         const stewart_real t_b_y = t_y - b_y;
@@ -846,14 +829,20 @@ static void leg_of_block(
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
         const stewart_real s_z = S_z*inv_L;
+        const stewart_real omega_x = at->omega[0][l], omega_y = at->omega[1][l], omega_z = at->omega[2][l];
         /* (4) omega x q */
         const stewart_real w_q_x = STEWART_FMA(-omega_z, q_y, omega_y*q_z);
         const stewart_real w_q_y = STEWART_FMA(-omega_x, q_z, omega_z*q_x);
         const stewart_real w_q_z = STEWART_FMA(-omega_y, q_x, omega_x*q_y);
+        const stewart_real v_x = at->v[0][l], v_y = at->v[1][l], v_z = at->v[2][l];
         /* (4) velocity of the platform point */
         const stewart_real S_dot_x = v_x + w_q_x;
         const stewart_real S_dot_y = v_y + w_q_y;
         const stewart_real S_dot_z = v_z + w_q_z;
+        const stewart_real a_x = at->a[0][l], a_y = at->a[1][l], a_z = at->a[2][l];
+        const stewart_real B_xx = shared->B[0][l], B_xy = shared->B[1][l], B_xz = shared->B[2][l], B_yx = shared->B[3][l],
+            B_yy = shared->B[4][l], B_yz = shared->B[5][l], B_zx = shared->B[6][l], B_zy = shared->B[7][l],
+            B_zz = shared->B[8][l];
         /* (7) acceleration of the platform point */
         const stewart_real S_ddot_x = STEWART_FMA(B_xz, q_z, STEWART_FMA(B_xy, q_y, STEWART_FMA(B_xx, q_x,
             a_x)));
@@ -865,6 +854,7 @@ static void leg_of_block(
         const stewart_real e_x = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y, S_ddot_x*s_x));
         /* part of u along the leg */
         const stewart_real u_x = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
+        const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
         /* part of gamma along the leg */
         const stewart_real gamma_x = STEWART_FMA(g_z, s_z, STEWART_FMA(g_y, s_y, g_x*s_x));
         /* part of w along the leg */
@@ -888,12 +878,22 @@ static void leg_of_block(
         const stewart_real w_across_x = omega_x - c1;
         const stewart_real w_across_y = omega_y - c2;
         const stewart_real w_across_z = omega_z - c3;
+        const stewart_real m_u = model->m_u[leg];
+        const stewart_real r_u0_x = model->r_u0[0][leg];
         /* square of u across the leg */
         const stewart_real u_square = STEWART_FMA(u_across_z, u_across_z, STEWART_FMA(u_across_y,
             u_across_y, u_across_x*u_across_x));
         const stewart_real c4 = inv_L*inv_L;
         const stewart_real c5 = c4*u_square;
         const stewart_real c6 = m_u*r_u0_x;
+        const stewart_real m_d = model->m_d[leg];
+        const stewart_real r_d0_x = model->r_d0[0][leg];
+        const stewart_real I_d0_yy = model->I_d0[3][leg];
+        const stewart_real I_u0_yy = model->I_u0[3][leg];
+        const stewart_real C_u = model->C_u[leg];
+        const stewart_real C_p = model->C_p[leg];
+        const stewart_real C_s = model->C_s[leg];
+        const stewart_real m_r = model->m_r[leg];
         /* (24) known part of the actuator force */
         const stewart_real D = STEWART_FMA(e_x, m_u, STEWART_FMA(e_x, m_r, STEWART_FMA(C_p, u_x,
             STEWART_FMA(-gamma_x, m_u, STEWART_FMA(-c5, c6, L*c5*m_r)))));

@@ -993,32 +993,16 @@ static void leg_of_block(
     stewart_real *STEWART_RESTRICT bad)
 {
     int l;
-    const stewart_real b_x = model->b[0][leg], b_y = model->b[1][leg], b_z = model->b[2][leg];
-    const stewart_real p_x = model->p[0][leg], p_y = model->p[1][leg], p_z = model->p[2][leg];
-    const stewart_real k_x = model->k[0][leg], k_y = model->k[1][leg], k_z = model->k[2][leg];
-    const stewart_real C_p = model->C_p[leg];
-    const stewart_real C_s = model->C_s[leg];
-    const stewart_real h_x = model->h[0][leg], h_y = model->h[1][leg], h_z = model->h[2][leg];
-    const stewart_real w_x = model->w[0][leg], w_y = model->w[1][leg], w_z = model->w[2][leg];
-    const stewart_real J_xy = model->J[1][leg], J_xz = model->J[2][leg], J_yy = model->J[3][leg], J_yz = model->J[4][leg],
-        J_zz = model->J[5][leg];
-    const stewart_real C_us = model->C_us[leg];
-    const stewart_real m_L2 = model->m_L2[leg];
-    const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
     for (l = 0; l < POSES; ++l) {
+        const stewart_real p_x = model->p[0][leg], p_y = model->p[1][leg], p_z = model->p[2][leg];
         const stewart_real R_xx = at->R[0][l], R_xy = at->R[1][l], R_xz = at->R[2][l], R_yx = at->R[3][l],
             R_yy = at->R[4][l], R_yz = at->R[5][l], R_zx = at->R[6][l], R_zy = at->R[7][l], R_zz = at->R[8][l];
-        const stewart_real t_x = at->t[0][l], t_y = at->t[1][l], t_z = at->t[2][l];
-        const stewart_real omega_x = at->omega[0][l], omega_y = at->omega[1][l], omega_z = at->omega[2][l];
-        const stewart_real v_x = at->v[0][l], v_y = at->v[1][l], v_z = at->v[2][l];
-        const stewart_real a_x = at->a[0][l], a_y = at->a[1][l], a_z = at->a[2][l];
-        const stewart_real B_xx = shared->B[0][l], B_xy = shared->B[1][l], B_xz = shared->B[2][l], B_yx = shared->B[3][l],
-            B_yy = shared->B[4][l], B_yz = shared->B[5][l], B_zx = shared->B[6][l], B_zy = shared->B[7][l],
-            B_zz = shared->B[8][l];
         /* (1) platform point from the reference point */
         const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
         const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
         const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
+        const stewart_real b_x = model->b[0][leg], b_y = model->b[1][leg], b_z = model->b[2][leg];
+        const stewart_real t_x = at->t[0][l], t_y = at->t[1][l], t_z = at->t[2][l];
         /* (1) reference point from base point, base frame */
         const stewart_real t_b_x = t_x - b_x;
         const stewart_real t_b_y = t_y - b_y;
@@ -1034,6 +1018,7 @@ static void leg_of_block(
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
         const stewart_real s_z = S_z*inv_L;
+        const stewart_real k_x = model->k[0][leg], k_y = model->k[1][leg], k_z = model->k[2][leg];
         /* (10) normal to the fixed axis and the leg */
         const stewart_real k_cross_s_x = STEWART_FMA(-k_z, s_y, k_y*s_z);
         const stewart_real k_cross_s_y = STEWART_FMA(-k_x, s_z, k_z*s_x);
@@ -1050,10 +1035,16 @@ static void leg_of_block(
         const stewart_real z_x = STEWART_FMA(-s_z, y_y, s_y*y_z);
         const stewart_real z_y = STEWART_FMA(-s_x, y_z, s_z*y_x);
         const stewart_real z_z = STEWART_FMA(-s_y, y_x, s_x*y_y);
+        const stewart_real omega_x = at->omega[0][l], omega_y = at->omega[1][l], omega_z = at->omega[2][l];
+        const stewart_real v_x = at->v[0][l], v_y = at->v[1][l], v_z = at->v[2][l];
         /* (4) velocity of the platform point */
         const stewart_real S_dot_x = STEWART_FMA(-omega_z, q_y, STEWART_FMA(omega_y, q_z, v_x));
         const stewart_real S_dot_y = STEWART_FMA(-omega_x, q_z, STEWART_FMA(omega_z, q_x, v_y));
         const stewart_real S_dot_z = STEWART_FMA(-omega_y, q_x, STEWART_FMA(omega_x, q_y, v_z));
+        const stewart_real a_x = at->a[0][l], a_y = at->a[1][l], a_z = at->a[2][l];
+        const stewart_real B_xx = shared->B[0][l], B_xy = shared->B[1][l], B_xz = shared->B[2][l], B_yx = shared->B[3][l],
+            B_yy = shared->B[4][l], B_yz = shared->B[5][l], B_zx = shared->B[6][l], B_zy = shared->B[7][l],
+            B_zz = shared->B[8][l];
         /* (7) acceleration of the platform point */
         const stewart_real S_ddot_x = STEWART_FMA(B_xz, q_z, STEWART_FMA(B_xy, q_y, STEWART_FMA(B_xx, q_x,
             a_x)));
@@ -1069,6 +1060,7 @@ static void leg_of_block(
         const stewart_real e_x = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y, S_ddot_x*s_x));
         const stewart_real e_y = STEWART_FMA(S_ddot_z, y_z, STEWART_FMA(S_ddot_y, y_y, S_ddot_x*y_x));
         const stewart_real e_z = STEWART_FMA(S_ddot_z, z_z, STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x));
+        const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
         /* gravity, leg frame */
         const stewart_real gamma_x = STEWART_FMA(g_z, s_z, STEWART_FMA(g_y, s_y, g_x*s_x));
         const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
@@ -1083,12 +1075,19 @@ static void leg_of_block(
         const stewart_real W_yy = W_y*W_y;
         const stewart_real W_zz = W_z*W_z;
         const stewart_real W_yz = W_y*W_z;
+        const stewart_real h_x = model->h[0][leg], h_y = model->h[1][leg], h_z = model->h[2][leg];
         /* (14) force that moves the upper part about the platform point, leg frame */
         const stewart_real N_x = STEWART_FMA(-A_z, h_y, STEWART_FMA(-h_x, W_yy + W_zz, A_y*h_z));
         const stewart_real N_y = STEWART_FMA(W_yz, h_z, STEWART_FMA(-W_zz, h_y, A_z*h_x));
         const stewart_real N_z = STEWART_FMA(-A_y, h_x, STEWART_FMA(-W_yy, h_z, W_yz*h_y));
+        const stewart_real m_L2 = model->m_L2[leg];
         /* (16) m_u L^2, counted twice */
         const stewart_real m_L2_twice = m_L2*L*L;
+        const stewart_real C_s = model->C_s[leg];
+        const stewart_real w_x = model->w[0][leg], w_y = model->w[1][leg], w_z = model->w[2][leg];
+        const stewart_real J_xy = model->J[1][leg], J_xz = model->J[2][leg], J_yy = model->J[3][leg], J_yz = model->J[4][leg],
+            J_zz = model->J[5][leg];
+        const stewart_real C_us = model->C_us[leg];
         /* (20) moment that the joints' forces must make */
         const stewart_real C_y = STEWART_FMA(A_y, m_L2_twice, STEWART_FMA(A_y, J_yy, STEWART_FMA(J_xy, W_yz,
             STEWART_FMA(C_us, W_y, STEWART_FMA(-e_z, h_x, STEWART_FMA(A_z, J_yz, STEWART_FMA(gamma_z, w_x,
@@ -1105,6 +1104,7 @@ static void leg_of_block(
         const stewart_real K_x = STEWART_FMA(K_z_leg, z_x, K_y_leg*y_x);
         const stewart_real K_y = STEWART_FMA(K_z_leg, z_y, K_y_leg*y_y);
         const stewart_real K_z = STEWART_FMA(K_z_leg, z_z, K_y_leg*y_z);
+        const stewart_real C_p = model->C_p[leg];
         /* (24) known part of the actuator force */
         const stewart_real D = STEWART_FMA(C_p, u_x, N_x);
         const stewart_real c1 = C_s*W_y;

@@ -222,7 +222,6 @@ def leg_of_block(
 ) -> None:
     """One leg of the poses of a block, $count operations each: its column of H, its D and its part of c.
     A leg is q + t - b: one that is short beside q is so beside t or b as well, if less."""
-    OUTSIDE
     for l in range(POSES):
         BLOCK
         largest_term()
