@@ -158,8 +158,9 @@ def by_strain(pose: rounding.Pose, entry: int, mutant: int = -1) -> float:
     return min(bound / error for error, bound in found)
 
 
+@pytest.mark.slow
 @needs_compiler
-@pytest.mark.parametrize("count", [2, pytest.param(4, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("count", [2, 4])
 def test_every_quantity_is_bounded_by_itself(count: int) -> None:
     seen = set()
     for pose in poses(count):
@@ -196,6 +197,7 @@ def statement_mutants(text: str) -> tuple[int, list[str]]:
     return count, missed
 
 
+@pytest.mark.slow
 def test_every_statement_bounds_its_quantity_and_no_mutant_of_it_does() -> None:
     count, missed = statement_mutants(source())
     assert count > 4000

@@ -62,6 +62,7 @@ def test_licences_are_spdx_expressions_with_their_files(tmp_path: Path) -> None:
     assert [REPOSITORY / name for name in project["license-files"]] == [REPOSITORY / "LICENSE"]
 
 
+@pytest.mark.slow
 def test_a_plain_install_carries_everything(tmp_path: Path) -> None:
     target = install(tmp_path)
     run = [sys.executable, "-I", "-c", CHECK, str(target)]

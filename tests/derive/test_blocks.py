@@ -106,6 +106,7 @@ def test_every_step_uses_inputs_and_earlier_steps_only(form) -> None:
                 known.add(step.name)
 
 
+@pytest.mark.slow
 def test_frictionless_blocks_do_not_know_friction() -> None:
     for form in FORMULATIONS:
         for block in derived(form, False).blocks:

@@ -114,6 +114,7 @@ def test_header_counts_of_the_force_kernel_are_what_each_lane_executes(form, tmp
     assert counted == tuple(8 * n for n in module(name).FORCE_OPERATIONS["friction"]["total"])
 
 
+@pytest.mark.slow
 def test_counts_of_the_closed_form_are_what_the_c_executes(tmp_path: Path) -> None:
     rng = np.random.default_rng(7)
     robot = random_robot(rng)

@@ -50,6 +50,7 @@ def command(*arguments: object) -> int:
     return main([*map(str, arguments)])
 
 
+@pytest.mark.slow
 def test_a_workspace_is_written_as_text_table_and_picture(folder: Path) -> None:
     ranges = ("--turns", -0.3, 0.3, -0.3, 0.3, -0.3, 0.3, "--box", -0.2, 0.2, -0.2, 0.2, 0.55, 0.85)
     options = ("--kind", "total", *ranges, "--clearance", 0.07)

@@ -55,6 +55,7 @@ def test_the_oracle_gives_the_volumes_of_a_shell_and_of_a_lens() -> None:
     assert lens == pytest.approx(np.pi * (4.0 + d) * (2.0 - d) ** 2 / 12.0, rel=1e-8)
 
 
+@pytest.mark.slow
 def test_the_exact_volume_at_constant_orientation_is_within_the_error() -> None:
     assert np.all(np.abs(deviations(range(2), 100_000)) <= 1.0)
 
@@ -67,6 +68,7 @@ def test_the_exact_volume_is_within_the_error_on_twenty_machines() -> None:
     assert 0.6 < 3.0 * np.sqrt(np.mean(found**2)) < 1.5
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["orientation", "total"])
 def test_volumes_of_rotations_are_those_of_independent_random_poses(kind: Kind) -> None:
     rng = np.random.default_rng(8)
@@ -169,6 +171,7 @@ def test_the_error_of_cells_is_that_of_their_estimates() -> None:
     assert abs(np.mean(volumes) - exact) < np.mean(errors) / np.sqrt(60.0)
 
 
+@pytest.mark.slow
 def test_a_machine_in_millimetres_that_hangs_has_the_volume_of_its_image_in_metres() -> None:
     robot = upside_down_in_millimetres()
     # A robot of 1e3 times the lengths, z pointing down: its home is on the other side.

@@ -67,6 +67,7 @@ def case(request: pytest.FixtureRequest) -> tuple[Robot, Compiled]:
     return robot, Compiled(robot)
 
 
+@pytest.mark.slow
 def test_torques_are_those_of_the_python_layer(case: tuple[Robot, Compiled]) -> None:
     robot, torques = case
     drive = robot.drive
@@ -230,6 +231,7 @@ def test_kits_of_rotors_are_exact_whatever_they_hold() -> None:
     check(Choice(("torque",), "paper"), machine(False))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("fidelity", ["no_rotor", "massless"])
 def test_torques_of_forces_without_rotors_take_these_themselves(fidelity: str) -> None:
     choice = Choice(("forces", "torque"), fidelity=fidelity)
@@ -241,6 +243,7 @@ def test_torques_of_forces_without_rotors_take_these_themselves(fidelity: str) -
     )
 
 
+@pytest.mark.slow
 def test_axial_forces_of_reflected_masses_leave_these_out_alone(tmp_path: Path) -> None:
     robot, choice = robot_named(machine(True)), Choice(("forces", "torque"), fidelity="reflected_slender")
     made, _ = write_kit(robot, tmp_path / "kit", choice)

@@ -102,6 +102,7 @@ def test_every_output_is_as_good_as_the_machine_allows_in_10_000_cases(kind: str
     assert [each for each in found if each[0] > MOST] == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", KINDS)
 def test_the_truth_does_not_depend_on_the_code_paths_for_lost_digits(kind: str) -> None:
     for given in cases(3, kind, 2, deepest=5.0):

@@ -48,6 +48,7 @@ def test_mujoco_accelerates_the_exported_machine_as_we_do() -> None:
     assert max(worst.values()) < MUJOCO, worst
 
 
+@pytest.mark.slow
 def test_pinocchio_accelerates_the_exported_machine_as_we_do() -> None:
     worst = {}
     for seed in SEEDS:
@@ -67,6 +68,7 @@ def offset_machine(seed: int) -> Case:
     return robot, motion, F, np.concatenate(found[:2])
 
 
+@pytest.mark.slow
 def test_machines_with_offset_joints_accelerate_in_both_engines_as_in_the_reference() -> None:
     worst = {}
     for seed in OFFSET_SEEDS:

@@ -32,6 +32,7 @@ def committed(files_of: dict[str, str]) -> None:
             assert (root / name).read_text(encoding="utf-8") == text, f"{name}: run stewart-sym derive"
 
 
+@pytest.mark.slow
 def test_committed_files_of_the_exact_formulation_are_what_the_derivation_writes() -> None:
     ((made, _),) = derived([EXACT.kernel_name])
     assert len(made.files) >= 5

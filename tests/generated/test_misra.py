@@ -25,7 +25,7 @@ MOTION = ("equations", "bias", "forward_dynamics", "joint_inertia")
 DERIVATIVES = ("derivatives", "linearisation")
 SLOW = (
     *("forces", "forces baked", "forces scalar", "forces scalar baked", "reactions", "motion", "derivatives"),
-    *("kinematics", "torque", "axial"),
+    *("kinematics", "torque", "axial", "massless forces"),
 )
 PRECISIONS = ("-USTEWART_FLOAT", "-DSTEWART_FLOAT=1")
 ARITHMETIC = {"sqrt", "sqrtf", "fabs", "fabsf"}

@@ -97,6 +97,7 @@ def test_a_subset_derived_alone_is_written_as_with_all_kernels(written, function
         assert text == (folder / name).read_text()
 
 
+@pytest.mark.slow
 def test_the_files_of_all_functions_are_the_committed_ones() -> None:
     for name, text in motion_files(emitted.FUNCTIONS).items():
         assert text == (attack_build.GENERATED / name).read_text()

@@ -110,6 +110,7 @@ def test_physical_estimates_belong_to_bodies_also_from_a_wrong_robot_file() -> N
     assert np.mean(off**2) < 1.2 * np.mean((A @ (found.estimate.values - found.truth)) ** 2)
 
 
+@pytest.mark.slow
 def test_forces_of_impossible_bodies_are_a_misfit_of_possible_ones() -> None:
     machine = robot(0)
     pi = ss.inertial_parameters(machine)
@@ -194,6 +195,7 @@ def test_command_reads_logs_in_other_units_and_marks(tmp_path: Path) -> None:
         )
 
 
+@pytest.mark.slow
 def test_command_keeps_to_possible_bodies(tmp_path: Path) -> None:
     few = ("--samples", "80", "--candidates", "2")
     assert main(["identify", str(PAPERS), *few, "-o", str(tmp_path)]) == 0

@@ -54,6 +54,7 @@ def test_every_module_imports_with_numpy_sympy_and_scipy_alone_or_names_its_extr
     assert not [name for name in errors if not any(part in name for part in drawing)]
 
 
+@pytest.mark.slow
 def test_what_the_readme_installs_serves_all_but_the_comparisons() -> None:
     errors = errors_without(of_extras("bench", "casadi", "cluster"))
     assert {name.rpartition(".")[2] for name in errors} == {

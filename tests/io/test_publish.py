@@ -407,6 +407,7 @@ def signal_at(number: int) -> Iterator[list[int]]:
         sys.settrace(before)
 
 
+@pytest.mark.slow
 def test_a_signal_at_any_step_of_writing_leaves_whole_files_and_nothing_else(tmp_path: Path) -> None:
     found = set()
     for number in itertools.count(1, 1 if FULL else 13):

@@ -200,6 +200,7 @@ def test_jax_compiles_and_differentiates_the_forces(tmp_path: Path) -> None:
         np.testing.assert_allclose(found, answer, rtol=0, atol=1e-9 * np.abs(answer).max())
 
 
+@pytest.mark.slow
 def test_a_wrong_number_fails_the_self_test_of_a_kit(tmp_path: Path) -> None:
     write_kit(dasgupta(), tmp_path, Choice(("forces", "motion"), language="python"))
     file = tmp_path / "robot.py"

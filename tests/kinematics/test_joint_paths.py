@@ -72,6 +72,7 @@ def end_of_way(robot: ss.Robot, L: Array, start: Poses) -> Array | None:
         return None
 
 
+@pytest.mark.slow
 def test_a_long_step_ends_where_many_short_ones_do() -> None:
     """Between poses far apart a plain search often ends in another mode, often with J's sign unchanged."""
     robot = dasgupta()

@@ -101,6 +101,7 @@ def test_the_effort_of_the_drives_is_of_the_motors_speed(joint: str) -> None:
     np.testing.assert_allclose(found.rotor, 2 * effort.rotor, rtol=1e-11)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("joint", PLATFORM_JOINTS)
 def test_a_moving_platform_comes_back_from_the_lengths_of_its_legs(joint: str) -> None:
     robot, _ = offset_case(5, joint)

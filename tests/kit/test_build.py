@@ -122,6 +122,7 @@ def project(folder: Path, generator: Path, tool: str, *options: str) -> Project:
     return made
 
 
+@pytest.mark.slow
 def test_client_runs_the_law_of_the_library_and_keeps_to_its_path(tmp_path: Path, generator: Path) -> None:
     """Four seconds by itself, a hundred with STEWART_FULL=1, and fifty cycles of the same law in Python."""
     made = project(tmp_path, generator, "Ninja", "-DCMAKE_C_FLAGS_RELEASE=-O1")
@@ -302,6 +303,7 @@ int main(void)
 """
 
 
+@pytest.mark.slow
 def test_kit_is_built_proved_installed_and_found_by_cmake(tmp_path: Path, files: dict[str, str]) -> None:
     needed("cmake", "ninja")
     kit, build, prefix = written(files, tmp_path / "kit"), tmp_path / "build", tmp_path / "prefix"
@@ -331,6 +333,7 @@ def test_kit_is_built_proved_installed_and_found_by_cmake(tmp_path: Path, files:
     run(build / "user")
 
 
+@pytest.mark.slow
 def test_two_kits_are_parts_of_one_project(tmp_path: Path, files: dict[str, str]) -> None:
     """As subfolders, which is what FetchContent makes of them; neither tests nor installs by itself."""
     needed("cmake", "ninja")
@@ -405,6 +408,7 @@ def test_make_tells_the_stack_of_every_function(tmp_path: Path, files: dict[str,
     assert contents(kit) == before
 
 
+@pytest.mark.slow
 def test_make_fails_where_the_self_test_does(tmp_path: Path, files: dict[str, str]) -> None:
     needed("make", "cmake", "ninja")
     wrong = files | {"stewart_robot.c": files["stewart_robot.c"].replace("REAL(40.0)", "REAL(40.5)")}

@@ -208,6 +208,7 @@ def test_pose_without_forces_leaves_the_outputs_and_is_told_once(which: str) -> 
         assert status(slave) == 0
 
 
+@pytest.mark.slow
 def test_singular_pose_has_its_status(tmp_path: Path) -> None:
     robot = machines.dasgupta()
     flat = dataclasses.replace(

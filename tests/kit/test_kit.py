@@ -48,7 +48,7 @@ NAMES = {
     ("which", "formulation", "compiler"),
     [
         ("random", "exact", "gcc"),
-        ("random", "exact", "clang++"),
+        pytest.param("random", "exact", "clang++", marks=pytest.mark.slow),
         pytest.param("random", "exact", "clang", marks=pytest.mark.slow),
         pytest.param("random", "exact", "g++", marks=pytest.mark.slow),
         pytest.param("dasgupta", "paper", "clang", marks=pytest.mark.slow),
@@ -217,6 +217,7 @@ def test_constants_reach_the_compiled_robot_to_the_bit(which: str) -> None:
     np.testing.assert_array_equal(np.array(found), numbers)
 
 
+@pytest.mark.slow
 def test_kernel_files_are_the_committed_ones() -> None:
     for formulation in FORMULATIONS:
         files = kit_for("random", Choice(("forces", "reactions"), formulation)).files
@@ -225,6 +226,7 @@ def test_kernel_files_are_the_committed_ones() -> None:
         assert set(files) - set(committed) == NAMES - set(HEADERS)
 
 
+@pytest.mark.slow
 def test_digest_follows_name_and_every_constant() -> None:
     robot = machines.dasgupta()
     variants = [robot, renamed("Other"), dataclasses.replace(robot, M=np.nextafter(robot.M, 41))]

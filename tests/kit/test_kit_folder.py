@@ -18,11 +18,12 @@ from stewart_sym.kit.choice import groups_of
 # ---------------------------------------------------------------- the same bytes
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "choice",
     [
         Choice(bake=True, scalar=True, fmu=True),
-        pytest.param(Choice(groups_of(robots.dasgupta1998()), fmu=True), marks=pytest.mark.slow),
+        Choice(groups_of(robots.dasgupta1998()), fmu=True),
     ],
     ids=["forces", "every function"],
 )

@@ -40,7 +40,13 @@ def compiled(folder: Path, *flags: str, source: str = "stewart_robot.c") -> str:
 # ---------------------------------------------------------------- flags
 
 
-@pytest.mark.parametrize("flag", ["-ffast-math", "-Ofast", "-ffinite-math-only"])
+@pytest.mark.parametrize(
+    "flag",
+    [
+        "-ffast-math",
+        *(pytest.param(flag, marks=pytest.mark.slow) for flag in ("-Ofast", "-ffinite-math-only")),
+    ],
+)
 def test_a_compiler_told_that_all_is_finite_stops_unless_allowed(tmp_path: Path, flag: str) -> None:
     put(made(), tmp_path)
     assert "#error" in compiled(tmp_path, flag)
@@ -95,6 +101,7 @@ def test_the_sources_of_a_kit_are_a_library_without_a_main() -> None:
     assert all(name.startswith("stewart") for name in sources if name not in with_main)
 
 
+@pytest.mark.slow
 def test_the_robot_file_of_a_kit_makes_the_same_kit(tmp_path: Path) -> None:
     robot = machine("spherical")
     wish = Choice(scalar=True, precision="float")
@@ -103,6 +110,7 @@ def test_the_robot_file_of_a_kit_makes_the_same_kit(tmp_path: Path) -> None:
     assert kit(Robot.from_toml(tmp_path / "robot.toml"), wish) == first
 
 
+@pytest.mark.slow
 def test_the_command_of_a_readme_run_in_its_folder_changes_nothing(tmp_path: Path) -> None:
     put(made(), tmp_path)
     before = {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()}
@@ -141,6 +149,7 @@ def test_names_of_sources_headers_and_macros_begin_with_the_prefix() -> None:
                 assert not set(re.findall(r'#include "(.*)"', texts[name])) & set(shared), name
 
 
+@pytest.mark.slow
 def test_every_function_in_the_headers_of_a_kit_is_exercised_by_its_self_test() -> None:
     for choice in (Choice(("forces", "reactions", "motion", "derivatives", "kinematics")), Choice(bake=True)):
         files = {

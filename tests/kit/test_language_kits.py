@@ -80,6 +80,7 @@ BY_LANGUAGE = pytest.mark.parametrize(
 )
 
 
+@pytest.mark.slow
 @BY_LANGUAGE
 def test_wrong_input_gets_the_status_that_c_gives_it_and_no_number(
     language: str, kit_of: Callable[[str], Path]

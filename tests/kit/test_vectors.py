@@ -156,6 +156,7 @@ def test_answers_are_those_of_the_reference(base_joint: str, formulation: str) -
                 np.testing.assert_allclose(answer, value, rtol=0, atol=1e-11 * max(np.abs(value).max(), 1e-3))
 
 
+@pytest.mark.slow
 def test_kinematics_answers_are_what_python_finds() -> None:
     robot = machine()
     for vector in (vector for function in KINEMATICS for vector in of(function)):
@@ -208,6 +209,7 @@ def test_the_c_keeps_within_the_bounds(base_joint: str, precision: str, formulat
     keeps_within_bounds(base_joint, precision, formulation)
 
 
+@pytest.mark.slow
 def test_the_c_of_one_machine_keeps_within_the_bounds() -> None:
     """Every function in double, two of them in float."""
     keeps_within_bounds("universal", "double", "exact")
@@ -231,6 +233,7 @@ def test_forces_of_a_machine_slightly_other_are_out_of_bounds(field: str) -> Non
     assert ratios(mine, {"F": wrong.astype(np.float64)}, "double").max() > 1
 
 
+@pytest.mark.slow
 def test_numbers_of_float_vectors_fit_into_floats_and_answers_are_of_these() -> None:
     robot = machine()
     rounded = dataclasses.replace(

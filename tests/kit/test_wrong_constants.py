@@ -132,7 +132,6 @@ CASES = [
     *itertools.product(SPHERICAL, ("", "scalar"), BAKED, SHARE),
 ]
 FAST = [
-    ("six different legs", "", True, "double"),
     ("spherical joints", "scalar", True, "float"),
 ]
 
@@ -158,6 +157,7 @@ def test_every_wrong_constant_fails_the_self_test_or_is_named(
     assert len(wrong) - len(passed) > (80 if kind != "paper" and which in MACHINES else 40)
 
 
+@pytest.mark.slow
 def test_the_readme_of_a_kit_names_the_constants_that_rounding_hides() -> None:
     robot = MACHINES["dasgupta"]
     text = " ".join(kit(robot, Choice(bake=True, precision="float")).files["README.md"].decode().split())

@@ -52,7 +52,10 @@ def true_forces(one: Case, kind: str, i: int) -> Array:
     return np.delete(one.F, i, axis=0) if kind == "missing" else one.F
 
 
-@pytest.mark.parametrize("noise", ["clean", "3", "5", "white"])
+@pytest.mark.parametrize(
+    "noise",
+    ["clean", "5", *(pytest.param(noise, marks=pytest.mark.slow) for noise in ("3", "white"))],
+)
 @pytest.mark.parametrize("kind", FAULTS)
 def test_rows_that_no_motion_makes_are_named_and_forces_hold_within_their_deviations(
     kind: str, noise: str

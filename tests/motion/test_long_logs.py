@@ -152,6 +152,7 @@ def full_log(path: Path, count: int) -> Path:
     return path
 
 
+@pytest.mark.slow
 def test_forces_of_a_log_with_rates_take_a_few_numbers_of_room_for_each_row(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -266,6 +267,7 @@ def joint_log(path: Path, count: int) -> Path:
     return path
 
 
+@pytest.mark.slow
 def test_forces_of_leg_lengths_take_a_few_numbers_of_room_for_each_row(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

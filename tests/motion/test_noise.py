@@ -140,6 +140,7 @@ def test_one_window_and_many_agree() -> None:
     assert np.all(np.abs(both[0].second_rates - both[1].second_rates)[:, 0] < 0.05 * sd[0])
 
 
+@pytest.mark.slow
 def test_windows_of_an_even_log_share_their_matrices(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
@@ -161,6 +162,7 @@ def test_windows_of_an_even_log_share_their_matrices(
         assert (np.abs(one - other) < 0.5 * deviation).all()
 
 
+@pytest.mark.slow
 def test_logs_of_any_length_are_smoothed() -> None:
     rng = np.random.default_rng(9)
     for count in (*range(4, 40), 97, 98, 193, 289, 337, *rng.integers(400, 30_000, share(12, 4))):

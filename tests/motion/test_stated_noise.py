@@ -38,6 +38,7 @@ def told(log: Path, known: ss.Smoothing, words: str, form: LogFormat = FORM) -> 
     return [str(each.message) for each in caught if words in str(each.message)]
 
 
+@pytest.mark.slow
 def test_a_good_statement_of_noise_is_never_doubted() -> None:
     decided = 0
     for seed in range(200):

@@ -71,6 +71,7 @@ def check_jerk(seed: int) -> None:
     assert plan.duration == pytest.approx(smooth_optimum(robot, plan, 300, jerk=jerk), rel=1e-3)
 
 
+@pytest.mark.slow
 def test_least_time_within_jerk_is_that_of_collocation() -> None:
     check_jerk(0)
 
@@ -81,6 +82,7 @@ def test_least_time_within_jerk_is_that_of_collocation_on_more_machines(seed: in
     check_jerk(seed)
 
 
+@pytest.mark.slow
 def test_jerk_is_kept_and_reached_and_motions_begin_and_end_without_acceleration() -> None:
     robot, path, _ = case(1)
     jerk = jerk_of(1)
@@ -111,6 +113,7 @@ def test_least_energy_is_that_of_collocation(seed: int) -> None:
     check_energy(seed)
 
 
+@pytest.mark.slow
 def test_least_energy_is_below_that_of_simpler_motions_and_all_limits_hold() -> None:
     robot, path, quick = case(0)
     plan = time_path(robot, path, least="energy", duration=LONGER * quick.duration, cells=150)
@@ -175,6 +178,7 @@ def test_the_least_time_is_named_where_a_duration_is_shorter() -> None:
         time_path(robot, path, least="energy", duration=0.5 * quick.duration, cells=300)
 
 
+@pytest.mark.slow
 def test_in_the_least_time_there_is_one_motion() -> None:
     robot, path, quick = case(0)
     plan = time_path(robot, path, least="energy", duration=quick.duration, cells=300)

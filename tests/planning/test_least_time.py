@@ -50,10 +50,12 @@ def check_against_collocation(seed: int) -> None:
     assert found.duration == pytest.approx(expected, rel=1e-3)
 
 
+@pytest.mark.slow
 def test_least_time_with_viscous_friction_is_that_of_collocation() -> None:
     check_against_collocation(0)
 
 
+@pytest.mark.slow
 def test_viscous_friction_changes_the_least_time() -> None:
     robot, poses = via_case(0)
     path, none = straight(robot, poses), np.zeros(6)
@@ -79,6 +81,7 @@ def check_limits(seed: int, cells: int) -> None:
     assert found.crossings == ()
 
 
+@pytest.mark.slow
 def test_limits_hold_between_the_nodes_and_one_is_active() -> None:
     check_limits(0, FEWER)
 
@@ -97,6 +100,7 @@ def test_terms_are_those_of_the_vector_implementation() -> None:
         np.testing.assert_allclose(ours, theirs, rtol=0.0, atol=1e-9 * np.abs(theirs).max())
 
 
+@pytest.mark.slow
 def test_all_kinds_of_limits_are_kept_in_time() -> None:
     robot, poses = via_case(4)
     path = straight(robot, poses)
@@ -122,6 +126,7 @@ def test_all_kinds_of_limits_are_kept_in_time() -> None:
     assert np.linalg.norm(motion.omega, axis=-1).max() <= limits.platform_turn_rate * (1.0 + 1e-6)
 
 
+@pytest.mark.slow
 def test_the_motion_in_time_has_the_rates_of_its_poses() -> None:
     robot, path = planned_case(5)
     plan = time_path(robot, path, cells=100)

@@ -38,7 +38,10 @@ def test_least_time_within_the_motors_limits_is_that_of_collocation(seed: int) -
     check_against_collocation(seed)
 
 
-@pytest.mark.parametrize("quantity", QUANTITIES)
+@pytest.mark.parametrize(
+    "quantity",
+    [pytest.param(name, marks=() if name == "speed" else pytest.mark.slow) for name in QUANTITIES],
+)
 def test_each_limit_of_the_motors_is_reached_and_kept_between_the_nodes(quantity: str) -> None:
     robot, path = motor_case(1, (quantity,))
     plan = time_path(robot, path, cells=200)
@@ -51,6 +54,7 @@ def test_each_limit_of_the_motors_is_reached_and_kept_between_the_nodes(quantity
     assert 1.0 - 5e-3 < share.max() <= 1.0 + 1e-6
 
 
+@pytest.mark.slow
 def test_bounds_where_a_leg_turns_back_are_those_of_either_side() -> None:
     robot, path = motor_case(1, ("torque",))
 
@@ -75,6 +79,7 @@ def test_bounds_where_a_leg_turns_back_are_those_of_either_side() -> None:
     assert max(jumps) > 0.01
 
 
+@pytest.mark.slow
 def test_terms_give_the_torques_of_the_drives() -> None:
     robot, path = motor_case(0)
     s, rng = np.linspace(0.02, 0.98, 41), np.random.default_rng(0)
@@ -97,6 +102,7 @@ def free(robot):
     return dataclasses.replace(robot.drive, **none)
 
 
+@pytest.mark.slow
 def test_a_motor_that_cannot_move_the_machine_slowly_is_named() -> None:
     robot, path = motor_case(1, ("torque",))
     drive = dataclasses.replace(robot.drive, torque_limit=0.3 * robot.drive.torque_limit)

@@ -45,6 +45,7 @@ def test_the_example_is_planned_and_its_trajectory_keeps_the_limits(folder: Path
     assert np.abs(F).max() > 450.0
 
 
+@pytest.mark.slow
 def test_limits_of_the_motors_bound_the_plan_and_their_rated_torque_is_checked(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -98,6 +99,7 @@ def test_a_duration_has_a_motion_of_least_energy_or_peak_force(
     assert not (folder / "x").exists()
 
 
+@pytest.mark.slow
 def test_a_limit_of_jerk_stands_beside_the_others(folder: Path) -> None:
     text = VIA.replace("[limits]", "[limits]\njerk = 200.0")
     assert main(["plan", via(folder, text), "-o", str(folder / "out"), "--no-pictures"]) == 0

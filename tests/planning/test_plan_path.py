@@ -27,6 +27,7 @@ def conditions(robot, motion):
     return scaled_condition_number(wrench_matrix(robot, motion), characteristic_length(robot))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("objective", ["mean", "peak"])
 @pytest.mark.parametrize("seed", range(3))
 def test_condition_numbers_are_never_above_those_of_the_straight_spline(seed: int, objective: str) -> None:
@@ -184,6 +185,7 @@ def test_path_III_is_planned_anew_where_its_end_may_be_yawed() -> None:
     assert abs(turn[2]) <= 0.3 + 1e-12
 
 
+@pytest.mark.slow
 def test_limits_of_lengths_clearance_and_condition_are_kept() -> None:
     robot, poses = via_case(11, 3)
     at_via = [

@@ -246,6 +246,7 @@ def test_a_singular_pose_stops_the_run() -> None:
     assert (condition[:-1] < 50.0).all()
 
 
+@pytest.mark.slow
 def test_tracking_path_III_stops_at_its_singular_pose() -> None:
     """The crossing is far shorter than a step."""
     robot = dasgupta()

@@ -80,7 +80,8 @@ def test_a_leg_breaks_away_where_friction_can_hold_no_more(robot: ss.Robot, hold
     assert (found.L[-1] > found.L[0]).all()
 
 
-@pytest.mark.parametrize("rotor_inertia", [pytest.param(0.0, marks=pytest.mark.slow), 2e-5])
+@pytest.mark.slow
+@pytest.mark.parametrize("rotor_inertia", [0.0, 2e-5])
 def test_energy_is_work_less_what_friction_took(bare: ss.Robot, rotor_inertia: float) -> None:
     robot = dataclasses.replace(bare, drive=dataclasses.replace(DRIVE, rotor_inertia=rotor_inertia))
     found = ss.simulate(robot, HOME, swinging(bare), 0.2, rtol=1e-10)
@@ -139,6 +140,7 @@ def test_friction_that_is_smoothed_less_and_less_comes_to_the_same(bare: ss.Robo
     assert 7.0 < off[0] / off[1] < 13.0
 
 
+@pytest.mark.slow
 def test_forces_held_between_samples_stick_as_well(bare: ss.Robot, robot: ss.Robot) -> None:
     law = swinging(bare)
     held = ss.simulate(robot, HOME, law, 0.1, rate=400.0)
@@ -163,6 +165,7 @@ def test_a_screw_that_locks_itself_is_rejected(bare: ss.Robot, holding: np.ndarr
         ss.simulate(locked, HOME, holding, 0.1)
 
 
+@pytest.mark.slow
 def test_motors_of_a_run_do_the_work_that_its_drives_account_for(bare: ss.Robot, robot: ss.Robot) -> None:
     from stewart_sym.studies.reports.run import motors_of, report
 

@@ -256,6 +256,7 @@ def test_random_changes_of_the_inputs_do_not_understate_a_condition_number() -> 
     assert max(error(seed, oracle.SAMPLES) for seed in range(24)) <= WITHIN
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("backend", ["numpy", "reference"])
 def test_other_backends_answer_the_good_poses_too(backend: Any) -> None:
     numbers, sizes, robots = machines_of(27, 12)
@@ -270,6 +271,7 @@ def test_other_backends_answer_the_good_poses_too(backend: Any) -> None:
 # --- near joint singularities, and out of proportion ----------------------------------------------
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("kind", "precision"), [*((kind, "double") for kind in (*NEAR_JOINT, *UNLIKE)), (NEAR_JOINT[0], "float")]
 )
@@ -330,6 +332,7 @@ def beyond(kind: str, precision: str, cases: int) -> list[str]:
     return lines
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", [*NEAR_JOINT, *UNLIKE])
 def test_numpy_is_as_good_as_its_problem_allows(kind: str) -> None:
     numbers, sizes, robots = machines_of(31, 6 if FULL else 3)

@@ -381,6 +381,7 @@ def test_advise_without_an_answer_prints_the_table_and_fails_in_one_line(
     assert not kit.exists()
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("quick")
 def test_every_long_part_of_advise_is_shown_and_its_share_where_it_is_known(
     monkeypatch: pytest.MonkeyPatch, scene: Path, capsys: pytest.CaptureFixture[str]

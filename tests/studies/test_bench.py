@@ -101,6 +101,7 @@ def called_computes_the_forces_of(called: Called, poses: Poses) -> None:
         part.run(1)
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("small")
 @pytest.mark.parametrize("group", ["OURS", "CALLS", "PEERS"])
 def test_wrong_forces_stop_the_run_before_anything_is_timed(
@@ -174,7 +175,8 @@ def test_a_pass_with_wrong_forces_stops_the_run(number: int, monkeypatch: pytest
 # equations of motion and their baselines
 
 
-@pytest.mark.parametrize("seed", [pytest.param(7, marks=pytest.mark.slow), 8])
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", [7, 8])
 def test_all_of_the_second_group_agree_on_any_machine(seed: int) -> None:
     rng = np.random.default_rng(seed)
     robot = random_robot(rng, friction=seed % 2 == 0)
@@ -239,6 +241,7 @@ def test_a_wrong_answer_of_the_second_group_stops_the_run(
         equation_kernels.motion_group(stranger, targets()[:1])
 
 
+@pytest.mark.slow
 def test_a_wrong_baseline_stops_the_run(monkeypatch: pytest.MonkeyPatch, stranger: Poses) -> None:
     def heavier(robot: Robot, *rest: Any) -> Any:
         return engines(dataclasses.replace(robot, M=1.01 * robot.M), *rest)

@@ -178,6 +178,7 @@ def test_float_kernels_are_hollow_and_may_be_on_the_front(picture: Figure) -> No
     assert any(not point.beside for point in front(every))
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("unnamed")
 def test_a_run_that_others_disturbed_says_so(picture: Figure) -> None:
     assert made_up().taken_by_others is None

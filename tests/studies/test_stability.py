@@ -137,6 +137,7 @@ def test_near_a_singular_pose_every_kernel_is_right_or_says_so() -> None:
         assert found.worst < 100, curve.method
 
 
+@pytest.mark.slow
 def test_the_sine_from_the_cosine_loses_what_the_product_keeps() -> None:
     family = next(each for each in leg_frame.families() if each.name == "joint_sine")
     found = {curve.method: verdict(curve, family.distance) for curve in family.curves}

@@ -245,6 +245,7 @@ def test_with_z_down_the_same_is_shown_upside_down() -> None:
     assert np.allclose(ups, [[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]])
 
 
+@pytest.mark.slow
 def test_the_chains_of_offset_joints_are_as_long_as_stated() -> None:
     from stewart_sym.viewer.content import content
 

@@ -43,7 +43,7 @@ CASES = {
     "spherical": Choice(fmu=True),
     "massless": Choice(fidelity="massless", fmu=True),
 }
-SLOW = ("massless", "scalar", "spherical")
+SLOW = ("baked", "massless", "scalar", "spherical")
 EVERY = [pytest.param(case, marks=[pytest.mark.slow] if case in SLOW else []) for case in CASES]
 PREPARED = [case for case in EVERY if case.values != ("baked",)]
 PAYLOAD = ("M", "R_0", "I_p", "g")
