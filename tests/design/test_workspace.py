@@ -56,11 +56,6 @@ def test_the_oracle_gives_the_volumes_of_a_shell_and_of_a_lens() -> None:
 
 
 @pytest.mark.slow
-def test_the_exact_volume_at_constant_orientation_is_within_the_error() -> None:
-    assert np.all(np.abs(deviations(range(2), 100_000)) <= 1.0)
-
-
-@pytest.mark.slow
 def test_the_exact_volume_is_within_the_error_on_twenty_machines() -> None:
     found = np.array(deviations(range(20), 300_000))
     assert np.all(np.abs(found) <= 1.0)

@@ -192,28 +192,17 @@ def test_forward_kinematics_starts_away_from_its_answer() -> None:
         assert np.abs(vector.inputs["R_guess"] - vector.answers["R"]).max() > 1e-3
 
 
-def keeps_within_bounds(base_joint: str, precision: str, formulation: str, *functions: str) -> None:
-    robot = machine(base_joint)
-    named = functions or functions_of(robot, formulation)
-    for function, found in ratios_in_c(robot, named, formulation, precision).items():
-        assert found.max() < 1, function
-        assert found.max() > 1e-3, f"{function}: bounds far too wide"
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("base_joint", ["universal", "spherical"])
 @pytest.mark.parametrize(
     ("precision", "formulation"), [("double", "exact"), ("double", "paper"), ("float", "exact")]
 )
 def test_the_c_keeps_within_the_bounds(base_joint: str, precision: str, formulation: str) -> None:
-    keeps_within_bounds(base_joint, precision, formulation)
-
-
-@pytest.mark.slow
-def test_the_c_of_one_machine_keeps_within_the_bounds() -> None:
-    """Every function in double, two of them in float."""
-    keeps_within_bounds("universal", "double", "exact")
-    keeps_within_bounds("universal", "float", "exact", *IN_FLOAT)
+    robot = machine(base_joint)
+    named = functions_of(robot, formulation)
+    for function, found in ratios_in_c(robot, named, formulation, precision).items():
+        assert found.max() < 1, function
+        assert found.max() > 1e-3, f"{function}: bounds far too wide"
 
 
 @pytest.mark.parametrize("function", WITHOUT_DRIVE)

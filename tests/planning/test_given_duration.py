@@ -63,23 +63,14 @@ def simpler(plan: TimedPath, quick: TimedPath):
     return slow.sample(x * slow.duration), quintic
 
 
-def check_jerk(seed: int) -> None:
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(1 + share(9, 4)))
+def test_least_time_within_jerk_is_that_of_collocation(seed: int) -> None:
     robot, path, quick = case(seed)
     jerk = jerk_of(seed)
     plan = time_path(robot, path, limits=Limits(jerk=jerk))
     assert plan.duration > quick.duration
     assert plan.duration == pytest.approx(smooth_optimum(robot, plan, 300, jerk=jerk), rel=1e-3)
-
-
-@pytest.mark.slow
-def test_least_time_within_jerk_is_that_of_collocation() -> None:
-    check_jerk(0)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("seed", range(1, 1 + share(9, 4)))
-def test_least_time_within_jerk_is_that_of_collocation_on_more_machines(seed: int) -> None:
-    check_jerk(seed)
 
 
 @pytest.mark.slow

@@ -83,7 +83,6 @@ def figures(written: Path) -> dict[str, Any]:
     return found
 
 
-@pytest.mark.slow
 def test_the_second_group_has_its_ratios_and_targets(figures: dict[str, Any], written: Path) -> None:
     motion, text = figures["motion"], (written / "bench.txt").read_text()
     inverse, baselines = motion["ours"][0], motion["baselines"]

@@ -64,7 +64,6 @@ def figures(folder: Path) -> dict[str, Any]:
     return found
 
 
-@pytest.mark.slow
 def test_one_line_says_what_is_left_out_and_how_to_get_it(hidden: tuple[str, ...], folder: Path) -> None:
     (line,) = [line for line in (folder / "bench.txt").read_text().splitlines() if "left out" in line]
     assert line.endswith(f"; {install('bench')}")
