@@ -22,34 +22,50 @@ TEXTS = {
     "",
 }
 
-# Left: what is not written. Right: what is.
-WORDS = {
-    r"(?i:ns a pose|operations of a pose)": "ns per pose, operations per pose",
-    r"\bverbs?\b": "subcommand",
-    r"\broads?\b": "code path",
-    r"\bpoles?\b|(?<![a-z])[Pp]oles?_|_poles?\b|_POLE\b": "joint singularity",
-    r"\b[Ss]hort leg\b|SHORT_LEG": "zero-length leg",
-    r"\bknows?(?: (?:nothing|no)\b)|\bKnows\b": "does not depend on",
-    r"\b[Ss]tands? (?:beside|above|below)\b": "(delete)",
-    r"\b(?:is|are|was) told\b|\basks\b": "is given, calls",
-    r"\b[Rr]efus(?:e|es|ed|al|als|ing)\b": "reject",
-    r"(?:pose|poses) without an answer|ha(?:s|ve) no answer": "unsolvable pose",
-    r"\bwalks? into\b": "approach a degenerate configuration",
-    r"\b[Aa]tlas\b": "study, sweep",
-    r"\b[Jj]udg(?:e|es|ed|ing|ements?)\b": "check, oracle",
-    r"\balarmed\b": "false alarm",
-    r"rounding (?:does|put)\b": "rounding error, error bound",
-    r"can(?:'t)? be told\b|weighed by moving": "identifiable, identified from motion data",
-    r"\bno leg notices\b|\blost motions?\b": "twist that changes no leg length, unconstrained twist",
-    r"\bfreedoms\b": "degrees of freedom",
-    r"(?:alike|the same) all round": "axisymmetric",
-    r"\bgoes with\b|\bmirrors\b|keeps? (?:its|their) bits": "applies to, is a reflection of, bit-identical",
-    r"\b[Cc]ontestants?\b|\b[Pp]eers?\b": "candidate, baseline",
-    r"\bpassages?\b": "singularities along a path",
-    r"\b[Ee]conomy\b": "cost and accuracy",
-    r"\b[Rr]iding\b|\brides\b|\brub(?:s|bed)?\b": "lumped mass, and names of the physical quantity",
-}
-"""Private words and the field's terms in their place."""
+# What such a word has in it in small letters, pattern of what is not written, and what is.
+WORDS = (
+    (("a pose",), r"(?i:ns a pose|operations of a pose)", "ns per pose, operations per pose"),
+    (("verb",), r"\bverbs?\b", "subcommand"),
+    (("road",), r"\broads?\b", "code path"),
+    (("pole",), r"\bpoles?\b|(?<![a-z])[Pp]oles?_|_poles?\b|_POLE\b", "joint singularity"),
+    (("short leg", "short_leg"), r"\b[Ss]hort leg\b|SHORT_LEG", "zero-length leg"),
+    (("know",), r"\bknows?(?: (?:nothing|no)\b)|\bKnows\b", "does not depend on"),
+    (("stand",), r"\b[Ss]tands? (?:beside|above|below)\b", "(delete)"),
+    (("told", "asks"), r"\b(?:is|are|was) told\b|\basks\b", "is given, calls"),
+    (("refus",), r"\b[Rr]efus(?:e|es|ed|al|als|ing)\b", "reject"),
+    (("answer",), r"(?:pose|poses) without an answer|ha(?:s|ve) no answer", "unsolvable pose"),
+    (("walk",), r"\bwalks? into\b", "approach a degenerate configuration"),
+    (("atlas",), r"\b[Aa]tlas\b", "study, sweep"),
+    (("judg",), r"\b[Jj]udg(?:e|es|ed|ing|ements?)\b", "check, oracle"),
+    (("alarmed",), r"\balarmed\b", "false alarm"),
+    (("rounding",), r"rounding (?:does|put)\b", "rounding error, error bound"),
+    (
+        ("told", "weighed"),
+        r"can(?:'t)? be told\b|weighed by moving",
+        "identifiable, identified from motion data",
+    ),
+    (
+        ("notices", "lost motion"),
+        r"\bno leg notices\b|\blost motions?\b",
+        "twist that changes no leg length, unconstrained twist",
+    ),
+    (("freedoms",), r"\bfreedoms\b", "degrees of freedom"),
+    (("all round",), r"(?:alike|the same) all round", "axisymmetric"),
+    (
+        ("goes with", "mirrors", "bits"),
+        r"\bgoes with\b|\bmirrors\b|keeps? (?:its|their) bits",
+        "applies to, is a reflection of, bit-identical",
+    ),
+    (("contestant", "peer"), r"\b[Cc]ontestants?\b|\b[Pp]eers?\b", "candidate, baseline"),
+    (("passage",), r"\bpassages?\b", "singularities along a path"),
+    (("economy",), r"\b[Ee]conomy\b", "cost and accuracy"),
+    (
+        ("riding", "rides", "rub"),
+        r"\b[Rr]iding\b|\brides\b|\brub(?:s|bed)?\b",
+        "lumped mass, and names of the physical quantity",
+    ),
+)
+"""Private words and the field's terms in their place; the letters spare most lines the slower search."""
 
 
 def files() -> list[Path]:
@@ -63,21 +79,21 @@ def files() -> list[Path]:
 
 def found_in(text: str) -> list[tuple[int, str, str]]:
     """Lines with private words: number, line, what is expected."""
+    small = text.lower()
     return [
         (number, line.strip()[:100], term)
-        for private, term in WORDS.items()
+        for letters, private, term in WORDS
+        if any(each in small for each in letters)
         for number, line in enumerate(text.splitlines(), 1)
-        if re.search(private, line)
+        if any(each in line.lower() for each in letters) and re.search(private, line)
     ]
 
 
 def test_no_file_has_a_private_word_in_place_of_the_term() -> None:
-    some = re.compile("|".join(f"(?:{private})" for private in WORDS))
     texts = {path: path.read_text(encoding="utf-8", errors="replace") for path in files()}
     assert len(texts) > 700
-    assert {
-        str(path.relative_to(ROOT)): found_in(text) for path, text in texts.items() if some.search(text)
-    } == {}
+    found = {str(path.relative_to(ROOT)): found_in(text) for path, text in texts.items()}
+    assert {path: lines for path, lines in found.items() if lines} == {}
 
 
 def test_a_private_word_is_found_with_its_line_and_the_term() -> None:
