@@ -387,4 +387,5 @@ def _sums(kernel: SumKernel, block: Block) -> list[sp.Expr]:
 def checks(block: Block) -> dict[str, read.Given]:
     """How legs are found unfit, as ``layouts.checks`` has it."""
     terms = [*lay.exprs_of(block)[n.q], *n.t.symbols, *n.b.symbols]
-    return lay.checks(block, terms, "ROUNDING", "JOINT_SINGULAR_SINE")
+    least = t.Constant("ROUNDING") * t.Name("reach")
+    return lay.largest(terms) | lay.checks(block, least, "JOINT_SINGULAR_SINE")

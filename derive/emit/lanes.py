@@ -6,6 +6,7 @@ which is plain portable C where they don't.
 """
 
 from collections.abc import Iterable
+from dataclasses import replace
 
 import sympy as sp
 
@@ -23,6 +24,7 @@ from ..mechanics.actuator_forces import ForceKernel
 from ..mechanics.lumped_constants import arm_c, q_1
 from ..print.template import filled
 from ..program.block import Block, Quantity
+from ..program.order import ready_in
 from .c import operations_table
 from .shared import LANES as HEADER
 from .shared import Part, Source, header, top
@@ -31,6 +33,7 @@ CHECKED = (n.q, n.L, n.k3)
 """Outputs of a leg by which it is checked; they are not stored as they are."""
 _ROWS = {n.H_force: 0, n.H_moment: 3}
 """First row of the part of a column of H."""
+_BASE_REACH = t.Field("base_reach", t.Real(), "m: largest coordinate of the base points")
 _WITHOUT_D = "#define STEWART_FORCE(D, x) (-(x))\n"
 
 
@@ -75,16 +78,44 @@ def own_robot(kernel: ForceKernel) -> list[t.Structure]:
 def model_numbers(kernel: ForceKernel) -> int:
     """How many numbers ``stewart_<kernel>_model`` holds."""
     of_legs = LANES * sum(len(q.keys) for q in kernel.leg_constants())
-    return of_legs + sum(len(q.keys) for q in kernel.platform_constants()) + 2
+    return of_legs + sum(len(q.keys) for q in kernel.platform_constants()) + 3
+
+
+def base_points(kernel: ForceKernel) -> tuple[Quantity, ...]:
+    """The constants that are base points; of a baked kernel, components that differ from leg to leg."""
+    if kernel.constants is None:
+        return (n.b,)
+    return tuple(part for part in kernel.leg_constants() if part.name in n.b.names)
 
 
 def reach_terms(kernel: ForceKernel) -> tuple[list[sp.Expr], tuple[Quantity, ...]]:
     """The vectors whose sum is S, component by component, and the inputs among them."""
-    exprs = lay.exprs_of(kernel.leg)
-    inputs: tuple[Quantity, ...] = (n.t, n.b)
-    if kernel.constants is not None:
-        inputs = (n.t, *(part for part in kernel.leg_constants() if part.name in n.b.names))
-    return [*exprs[n.q], *(symbol for q in inputs for symbol in q.symbols)], inputs
+    inputs = (n.t, *base_points(kernel))
+    symbols = (symbol for q in inputs for symbol in q.symbols)
+    return [*lay.exprs_of(kernel.leg)[n.q], *symbols], inputs
+
+
+def as_far_as_roots(leg: Block) -> tuple[Block, Block]:
+    """The steps that roots are made of, roots and their reciprocals; and all others with the outputs."""
+    made = {step.name: step for step in leg.steps}
+    needed: set[str] = set()
+    waiting = [step.name for step in leg.steps if _has_root(step.expr)]
+    while waiting:
+        name = waiting.pop()
+        if name in made and name not in needed:
+            needed.add(name)
+            waiting += [symbol.name for symbol in made[name].expr.free_symbols]
+    reciprocals = [step for step in leg.steps if step.expr.is_Pow and step.expr.exp == -1]
+    needed |= {step.name for step in reciprocals if {s.name for s in step.expr.free_symbols} <= needed}
+    first = tuple(step for step in leg.steps if step.name in needed)
+    others = tuple(step for step in leg.steps if step.name not in needed)
+    parts = replace(leg, steps=first, outputs=()), replace(leg, steps=others)
+    roots, rest = (replace(part, inputs=part.used_inputs()) for part in parts)
+    return roots, rest
+
+
+def _has_root(expr: sp.Expr) -> bool:
+    return any(power.exp == sp.Rational(1, 2) for power in expr.atoms(sp.Pow))
 
 
 class _Source(Source):
@@ -92,6 +123,9 @@ class _Source(Source):
         self.kernel, self.baked = kernel, kernel.constants is not None
         self.of_pose = [out.quantity for out in kernel.shared.outputs]
         self.given = lay.exprs_of(kernel.leg)
+        self.roots, self.from_roots = as_far_as_roots(kernel.leg)
+        read = lay.names_used(self.from_roots)
+        self.handed_on = [step.name for step in self.roots.steps if step.name in read]
         self.structures = p.structures(kernel) | self._structures()
         self.structures |= {each.name: each for each in self.structures.values()}
         self.flags = p.flags(kernel) | {
@@ -122,7 +156,7 @@ class _Source(Source):
             (
                 *(lay.described(q, LANES) for q in kernel.leg_constants()),
                 *(lay.described(q) for q in kernel.platform_constants()),
-                *([] if self.baked else [p.PER_LENGTH, p.ARM_CUBE]),
+                *([] if self.baked else [p.PER_LENGTH, p.ARM_CUBE, _BASE_REACH]),
             ),
         )
         return {
@@ -144,9 +178,18 @@ class _Source(Source):
                 "",
                 (
                     *(lay.stored(q, POSES) for q in self.of_pose if q not in lay.RIGHT_SIDE),
-                    t.numbers("t_size", POSES, meaning="m: largest coordinate of t"),
+                    t.numbers("least_L", POSES, meaning="m: length of a leg that needs a closer look"),
                 ),
                 aligned=True,
+            ),
+            "LegRoots": t.Structure(
+                "leg_roots",
+                "A leg of the poses of a block as far as its roots.",
+                tuple(t.numbers(name, POSES) for name in self.handed_on),
+                aligned=True,
+            ),
+            "Roots": t.Structure(
+                "roots_of_legs", "", (t.Field("leg", t.Array(t.Record("leg_roots"), (6,))),), aligned=True
             ),
             "LegLanes": t.Structure(
                 "leg_lanes",
@@ -206,7 +249,9 @@ class _Source(Source):
         yield made["Block"]
         if kernel.about_tip:
             yield made["LegBlock"]
+        yield from (made[each] for each in ("LegRoots", "Roots"))
         yield self._shared_of_block()
+        yield self._roots_of_leg()
         yield self._leg_of_block()
         if kernel.about_tip:
             yield from self._moments_of_block()
@@ -265,8 +310,8 @@ class _Source(Source):
         kept = [out for out in leg.outputs if out.quantity not in CHECKED]
         kept += [out for out in leg.outputs if out.quantity == n.q]
         body = (*inside, *steps_of(leg.steps), *lay.stores(kept, _of_legs("out")))
-        given: dict[str, Given] = {"OUTSIDE": outside, "BLOCK": body}
-        given |= lay.checks(leg, terms, "SHORT_SHARE", least)
+        given: dict[str, Given] = {"OUTSIDE": outside, "BLOCK": body, **lay.largest(terms)}
+        given |= lay.checks(leg, t.Constant("SHORT_SHARE") * t.Name("reach"), least)
         return self.texts.function(written.legs_of_pose, name, given=given, says=says, count=leg.operations())
 
     def _moments_of_pose(self) -> Iterable[t.Function]:
@@ -297,15 +342,32 @@ class _Source(Source):
             *lay.stores(kept, _out(lay.LANE)),
             *lay.set_in_order(t.Name("c"), right, lay.LANE),
         )
-        return self.texts.function(written.shared_of_block, given={"OUTSIDE": outside, "INSIDE": body})
+        given: dict[str, Given] = {"OUTSIDE": outside, "INSIDE": body, "BASE_REACH": self._base_reach()}
+        return self.texts.function(written.shared_of_block, given=given)
+
+    def _base_reach(self) -> t.Expression:
+        constants = self.kernel.constants
+        if constants is None:
+            return t.of("model", _BASE_REACH.name)
+        sizes = (abs(value) for q in base_points(self.kernel) for value in constants[q])
+        return t.Number(max(sizes, default=0.0))
+
+    def _roots_of_leg(self) -> t.Function:
+        """Steps of the leg's block as far as its roots, and what the others read of them."""
+        leg = self.roots
+        loads = lay.loaded(leg, self._place("at", lay.LANE, leg=t.Name("leg")))
+        steps, _ = lay.where_read(loads, steps_of(leg.steps, ready_in(self.kernel.leg.steps)))
+        kept = (t.Assign(t.at(t.of("out", name), "l"), t.Name(name)) for name in self.handed_on)
+        given: dict[str, Given] = {"BLOCK": (*steps, *kept)}
+        return self.texts.function(written.roots_of_leg, given=given, count=leg.operations())
 
     def _leg_of_block(self) -> t.Function:
-        """The leg's block as the body of a loop over the poses of a block."""
+        """The other steps of the leg's block as the body of a loop over the poses of a block."""
         kernel, exprs = self.kernel, self.given
-        leg, about_tip = kernel.leg, kernel.about_tip
-        more = reach_terms(kernel)[1][1:]
-        loads = lay.loaded(leg, self._place("at", lay.LANE, leg=t.Name("leg")), *more)
-        steps, loads = lay.where_read(loads, steps_of(leg.steps))
+        leg, about_tip = self.from_roots, kernel.about_tip
+        loads = lay.loaded(leg, self._place("at", lay.LANE, leg=t.Name("leg")))
+        found = (t.Let(name, t.at(t.of("roots", name), "l")) for name in self.handed_on)
+        steps, loads = lay.where_read((*found, *loads), steps_of(leg.steps, ready_in(kernel.leg.steps)))
         own = [out for out in leg.outputs if about_tip and out.quantity in (n.q, *lay.RIGHT_SIDE)]
         kept = {out.quantity for out in own}
         body = (
@@ -317,8 +379,7 @@ class _Source(Source):
         )
         least = "JOINT_SINGULAR_SINE" if kernel.leg_near_singular is None else "NEAR_JOINT_SINGULAR"
         given: dict[str, Given] = {"BLOCK": body, "c" if about_tip else "own": False}
-        given |= lay.checks(leg, (symbol for q in more for symbol in q.symbols), "SHORT_SHARE", least)
-        given["LEAST_SHARE"] = t.Number(2.25) * t.Constant("SHORT_SHARE")
+        given |= lay.checks(leg, t.at(t.of("shared", "least_L"), "l"), least)
         given |= {} if n.D in exprs else {"known": False}
         return self.texts.function(written.leg_of_block, given=given, count=leg.operations())
 

@@ -185,15 +185,14 @@ def largest(terms: Iterable[sp.Expr]) -> dict[str, read.Given]:
     return {"largest_term": legs.largest_term, "TERMS": read.Entries(tuple(map(expression, terms)))}
 
 
-def checks(leg: Block, terms: Iterable[sp.Expr], least_share: str, least_sine: str) -> dict[str, read.Given]:
-    """How ``written.legs.checked`` and ``mark`` decide on a leg, the sum of some terms."""
+def checks(leg: Block, least_length: t.Expression, least_sine: str) -> dict[str, read.Given]:
+    """How ``written.legs.checked`` and ``mark`` decide on a leg."""
     given = exprs_of(leg)
     return {
-        **largest(terms),
         **{"checked": legs.checked, "mark": legs.mark, "HAS_SINE": int(n.k3 in given)},
         "LENGTH": expression(given[n.L][0]),
         "SINE": expression(given[n.k3][0]) if n.k3 in given else 0,
-        "LEAST_SHARE": t.Constant(least_share),
+        "LEAST_LENGTH": least_length,
         "LEAST_SINE": t.Constant(least_sine),
     }
 

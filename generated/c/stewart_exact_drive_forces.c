@@ -42,7 +42,7 @@ typedef struct {
 
 typedef struct {
     stewart_real B[9][POSES];
-    stewart_real t_size[POSES]; /* m: largest coordinate of t */
+    stewart_real least_L[POSES]; /* m: length of a leg that needs a closer look */
 } STEWART_ALIGNED shared_lanes;
 
 /* The legs of one pose. */
@@ -312,7 +312,7 @@ static stewart_real size_of(const stewart_exact_drive_model *model)
 
 int stewart_exact_drive_prepare(const stewart_robot *robot, stewart_exact_drive_model *model)
 {
-    int i;
+    int i, j;
     stewart_exact_drive_model made;
     prepared_leg found;
     prepared_leg sum;
@@ -420,11 +420,18 @@ int stewart_exact_drive_prepare(const stewart_robot *robot, stewart_exact_drive_
     made.J_P[3] = platform.J_P[3];
     made.J_P[4] = platform.J_P[4];
     made.J_P[5] = platform.J_P[5];
+    stewart_real far = REAL(0);
+    for (j = 0; j < 3; ++j) {
+        for (i = 0; i < 6; ++i) {
+            far = STEWART_LARGER(STEWART_FABS(made.b[j][i]), far);
+        }
+    }
+    made.base_reach = far;
     const stewart_real largest = size_of(&made);
     made.per_length = per_length_of(largest, REAL(0.125));
     made.arm_cube = cube_of(largest*made.per_length);
     const stewart_real *const numbers = (const stewart_real *)&made;
-    for (i = 0; i < 326; ++i) {
+    for (i = 0; i < 327; ++i) {
         if (!(STEWART_FABS(numbers[i]) <= STEWART_MAX)) {
             return STEWART_NOT_FINITE;
         }
@@ -598,9 +605,9 @@ static void legs_of_pose(
         /* (10) k1 / k3 */
         const stewart_real kappa = inv_rho*zeta;
         /* (4) velocity of the platform point */
-        const stewart_real S_dot_x = STEWART_FMA(-omega_z, q_y, STEWART_FMA(omega_y, q_z, v_x));
-        const stewart_real S_dot_y = STEWART_FMA(-omega_x, q_z, STEWART_FMA(omega_z, q_x, v_y));
-        const stewart_real S_dot_z = STEWART_FMA(-omega_y, q_x, STEWART_FMA(omega_x, q_y, v_z));
+        const stewart_real S_dot_x = STEWART_FMA(omega_z, -q_y, STEWART_FMA(omega_y, q_z, v_x));
+        const stewart_real S_dot_y = STEWART_FMA(omega_x, -q_z, STEWART_FMA(omega_z, q_x, v_y));
+        const stewart_real S_dot_z = STEWART_FMA(omega_y, -q_x, STEWART_FMA(omega_x, q_y, v_z));
         /* (7) acceleration of the platform point */
         const stewart_real S_ddot_x = STEWART_FMA(B_xz, q_z, STEWART_FMA(B_xy, q_y, STEWART_FMA(B_xx, q_x,
             a_x)));
@@ -665,7 +672,7 @@ static void legs_of_pose(
             STEWART_FMA(C_us, theta_dot, STEWART_FMA(gamma_n, w_k, STEWART_FMA(g_k, w_n,
             L_ddot*h_z)))))))));
         const stewart_real tau_k = STEWART_FMA(M_mixed, theta_ddot, STEWART_FMA(M_phi, phi_ddot,
-            STEWART_FMA((-bend)*h2_y, k1, STEWART_FMA(two_phi_dot, STEWART_FMA(M_phi_theta, theta_dot,
+            STEWART_FMA(bend*h2_y, -k1, STEWART_FMA(two_phi_dot, STEWART_FMA(M_phi_theta, theta_dot,
             L_dot*M_phi_L), STEWART_FMA(-c1, c2, STEWART_FMA(-gamma_y, w_n, STEWART_FMA(-gamma_n, w_y,
             STEWART_FMA(C_us, phi_dot, STEWART_FMA(M_mixed_theta, theta_dot2, STEWART_FMA(-C_s,
             STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y, k_x*omega_x)), L_ddot*c4))))))))));
@@ -795,9 +802,9 @@ static void legs_near_singular(
         /* (10) k1 / k3 */
         const stewart_real kappa = inv_rho*zeta;
         /* (4) velocity of the platform point */
-        const stewart_real S_dot_x = STEWART_FMA(-omega_z, q_y, STEWART_FMA(omega_y, q_z, v_x));
-        const stewart_real S_dot_y = STEWART_FMA(-omega_x, q_z, STEWART_FMA(omega_z, q_x, v_y));
-        const stewart_real S_dot_z = STEWART_FMA(-omega_y, q_x, STEWART_FMA(omega_x, q_y, v_z));
+        const stewart_real S_dot_x = STEWART_FMA(omega_z, -q_y, STEWART_FMA(omega_y, q_z, v_x));
+        const stewart_real S_dot_y = STEWART_FMA(omega_x, -q_z, STEWART_FMA(omega_z, q_x, v_y));
+        const stewart_real S_dot_z = STEWART_FMA(omega_y, -q_x, STEWART_FMA(omega_x, q_y, v_z));
         /* (7) acceleration of the platform point */
         const stewart_real S_ddot_x = STEWART_FMA(B_xz, q_z, STEWART_FMA(B_xy, q_y, STEWART_FMA(B_xx, q_x,
             a_x)));
@@ -823,7 +830,7 @@ static void legs_near_singular(
         const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
             STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
         /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
-        const stewart_real own_theta_ddot = STEWART_FMA((-REAL(2))*L_share, theta_dot,
+        const stewart_real own_theta_ddot = STEWART_FMA(REAL(2)*L_share, -theta_dot,
             -inv_L*STEWART_FMA(S_ddot_z, z_z, STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)));
         const stewart_real own_phi_ddot = STEWART_FMA(-L_share, two_phi_dot, inv_rho*STEWART_FMA(S_ddot_z,
             y_z, STEWART_FMA(S_ddot_y, y_y, S_ddot_x*y_x)));
@@ -864,8 +871,8 @@ static void legs_near_singular(
             STEWART_FMA(phi_dot2, STEWART_FMA(-c3, STEWART_HALF - k33, k13*(J_yy - dJ_zx)), STEWART_FMA(g_k,
             w_n, L_ddot*h_z)))))))));
         const stewart_real tau_k = STEWART_FMA(M_phi, own_phi_ddot, STEWART_FMA(M_mixed, theta_ddot,
-            STEWART_FMA((-bend)*h2_y, k1, STEWART_FMA(two_phi_dot, STEWART_FMA(-theta_dot, STEWART_FMA(J_xx,
-            kappa, STEWART_FMA(-STEWART_HALF, c2, STEWART_HALF*J2_xz)), L_dot*M_phi_L),
+            STEWART_FMA(bend*h2_y, -k1, STEWART_FMA(two_phi_dot, STEWART_FMA(-theta_dot, STEWART_FMA(J_xx,
+            kappa, STEWART_FMA(STEWART_HALF, -c2, STEWART_HALF*J2_xz)), L_dot*M_phi_L),
             STEWART_FMA(-gamma_y, w_n, STEWART_FMA(-gamma_n, w_y, STEWART_FMA(-c4, c5, STEWART_FMA(C_us,
             phi_dot, STEWART_FMA(M_mixed_theta, theta_dot2, STEWART_FMA(-C_s, STEWART_FMA(k_z, omega_z,
             STEWART_FMA(k_y, omega_y, k_x*omega_x)), L_ddot*c7))))))))));
@@ -1047,6 +1054,28 @@ typedef struct {
     stewart_real c_moment[3][POSES];
 } STEWART_ALIGNED leg_block;
 
+/* A leg of the poses of a block as far as its roots. */
+typedef struct {
+    stewart_real q_x[POSES];
+    stewart_real q_y[POSES];
+    stewart_real q_z[POSES];
+    stewart_real S_x[POSES];
+    stewart_real S_y[POSES];
+    stewart_real S_z[POSES];
+    stewart_real zeta[POSES];
+    stewart_real k_cross_S_x[POSES];
+    stewart_real k_cross_S_y[POSES];
+    stewart_real k_cross_S_z[POSES];
+    stewart_real L[POSES];
+    stewart_real rho[POSES];
+    stewart_real inv_L[POSES];
+    stewart_real inv_rho[POSES];
+} STEWART_ALIGNED leg_roots;
+
+typedef struct {
+    leg_roots leg[6];
+} STEWART_ALIGNED roots_of_legs;
+
 /* What each pose of a block has for all legs, and the platform's part of c. */
 static void shared_of_block(
     const stewart_exact_drive_model *STEWART_RESTRICT model, const motion_lanes *STEWART_RESTRICT at,
@@ -1111,14 +1140,14 @@ static void shared_of_block(
         const stewart_real P_yy = omega_P_y*omega_P_y;
         const stewart_real P_zz = omega_P_z*omega_P_z;
         /* (34) external moment less I alpha + omega x I omega, platform frame */
-        const stewart_real M_P_load_x = STEWART_FMA(-J_C_xz, alpha_P_z + P_xy, STEWART_FMA(J_C_xy, P_xz - alpha_P_y,
-            STEWART_FMA(-P_yz, dJ_C_x, STEWART_FMA(-J_C_xx, alpha_P_x, STEWART_FMA(-J_C_yz, P_yy - P_zz,
+        const stewart_real M_P_load_x = STEWART_FMA(J_C_xz, -(alpha_P_z + P_xy), STEWART_FMA(J_C_xy, P_xz - alpha_P_y,
+            STEWART_FMA(-P_yz, dJ_C_x, STEWART_FMA(J_C_xx, -alpha_P_x, STEWART_FMA(J_C_yz, -(P_yy - P_zz),
             M_ext_x)))));
-        const stewart_real M_P_load_y = STEWART_FMA(-J_C_xy, alpha_P_x + P_yz, STEWART_FMA(J_C_yz, P_xy - alpha_P_z,
-            STEWART_FMA(-P_xz, dJ_C_y, STEWART_FMA(-J_C_yy, alpha_P_y, STEWART_FMA(-J_C_xz, P_zz - P_xx,
+        const stewart_real M_P_load_y = STEWART_FMA(J_C_xy, -(alpha_P_x + P_yz), STEWART_FMA(J_C_yz, P_xy - alpha_P_z,
+            STEWART_FMA(-P_xz, dJ_C_y, STEWART_FMA(J_C_yy, -alpha_P_y, STEWART_FMA(J_C_xz, -(P_zz - P_xx),
             M_ext_y)))));
-        const stewart_real M_P_load_z = STEWART_FMA(-J_C_yz, alpha_P_y + P_xz, STEWART_FMA(J_C_xz, P_yz - alpha_P_x,
-            STEWART_FMA(-P_xy, dJ_C_z, STEWART_FMA(-J_C_zz, alpha_P_z, STEWART_FMA(-J_C_xy, P_xx - P_yy,
+        const stewart_real M_P_load_z = STEWART_FMA(J_C_yz, -(alpha_P_y + P_xz), STEWART_FMA(J_C_xz, P_yz - alpha_P_x,
+            STEWART_FMA(-P_xy, dJ_C_z, STEWART_FMA(J_C_zz, -alpha_P_z, STEWART_FMA(J_C_xy, -(P_xx - P_yy),
             M_ext_z)))));
         out->B[0][l] = B_xx;
         out->B[1][l] = B_xy;
@@ -1132,25 +1161,25 @@ static void shared_of_block(
         c[0][l] = STEWART_FMA(F_ext_z, R_xz, STEWART_FMA(F_ext_y, R_xy, STEWART_FMA(F_ext_x, R_xx, N_x)));
         c[1][l] = STEWART_FMA(F_ext_z, R_yz, STEWART_FMA(F_ext_y, R_yy, STEWART_FMA(F_ext_x, R_yx, N_y)));
         c[2][l] = STEWART_FMA(F_ext_z, R_zz, STEWART_FMA(F_ext_y, R_zy, STEWART_FMA(F_ext_x, R_zx, N_z)));
-        c[3][l] = STEWART_FMA(-N_y, R_C_z, STEWART_FMA(-C_P, omega_x, STEWART_FMA(N_z, R_C_y,
+        c[3][l] = STEWART_FMA(-N_y, R_C_z, STEWART_FMA(C_P, -omega_x, STEWART_FMA(N_z, R_C_y,
             STEWART_FMA(M_P_load_z, R_xz, STEWART_FMA(M_P_load_y, R_xy, M_P_load_x*R_xx)))));
-        c[4][l] = STEWART_FMA(-N_z, R_C_x, STEWART_FMA(-C_P, omega_y, STEWART_FMA(N_x, R_C_z,
+        c[4][l] = STEWART_FMA(-N_z, R_C_x, STEWART_FMA(C_P, -omega_y, STEWART_FMA(N_x, R_C_z,
             STEWART_FMA(M_P_load_z, R_yz, STEWART_FMA(M_P_load_y, R_yy, M_P_load_x*R_yx)))));
-        c[5][l] = STEWART_FMA(-N_x, R_C_y, STEWART_FMA(-C_P, omega_z, STEWART_FMA(N_y, R_C_x,
+        c[5][l] = STEWART_FMA(-N_x, R_C_y, STEWART_FMA(C_P, -omega_z, STEWART_FMA(N_y, R_C_x,
             STEWART_FMA(M_P_load_z, R_zz, STEWART_FMA(M_P_load_y, R_zy, M_P_load_x*R_zx)))));
-        const stewart_real far = STEWART_LARGER(STEWART_FABS(at->t[0][l]), STEWART_FABS(at->t[1][l]));
-        out->t_size[l] = STEWART_LARGER(STEWART_FABS(at->t[2][l]), far);
+        stewart_real far = STEWART_LARGER(model->base_reach, STEWART_SHORTEST/STEWART_ROUNDING);
+        far = STEWART_LARGER(STEWART_FABS(at->t[0][l]), far);
+        far = STEWART_LARGER(STEWART_FABS(at->t[1][l]), far);
+        far = STEWART_LARGER(STEWART_FABS(at->t[2][l]), far);
+        out->least_L[l] = REAL(2.25)*STEWART_SHORT_SHARE*far;
     }
 }
 
-/* One leg of the poses of a block, 277 (163 mul, 110 add, 2 div, 2 sqrt) operations each: its column of
- * H, its D and its part of c. A leg is q + t - b: one that is short beside q is so beside t or b as
- * well, if less. */
-static void leg_of_block(
+/* A leg of the poses of a block as far as its roots, 46 (22 mul, 20 add, 2 div, 2 sqrt) operations each.
+ * Those of the next leg are taken before a leg goes on from its own, which are ready by then. */
+static void roots_of_leg(
     const stewart_exact_drive_model *STEWART_RESTRICT model, int leg,
-    const motion_lanes *STEWART_RESTRICT at, const shared_lanes *STEWART_RESTRICT shared,
-    stewart_real (*STEWART_RESTRICT column)[POSES], leg_block *STEWART_RESTRICT own,
-    stewart_real *STEWART_RESTRICT known, stewart_real *STEWART_RESTRICT bad)
+    const motion_lanes *STEWART_RESTRICT at, leg_roots *STEWART_RESTRICT out)
 {
     int l;
     for (l = 0; l < POSES; ++l) {
@@ -1183,20 +1212,62 @@ static void leg_of_block(
         const stewart_real L = STEWART_SQRT(STEWART_FMA(zeta, zeta, rho2));
         const stewart_real rho = STEWART_SQRT(rho2);
         const stewart_real inv_L = REAL(1)/L;
+        const stewart_real inv_rho = REAL(1)/rho;
+        out->q_x[l] = q_x;
+        out->q_y[l] = q_y;
+        out->q_z[l] = q_z;
+        out->S_x[l] = S_x;
+        out->S_y[l] = S_y;
+        out->S_z[l] = S_z;
+        out->zeta[l] = zeta;
+        out->k_cross_S_x[l] = k_cross_S_x;
+        out->k_cross_S_y[l] = k_cross_S_y;
+        out->k_cross_S_z[l] = k_cross_S_z;
+        out->L[l] = L;
+        out->rho[l] = rho;
+        out->inv_L[l] = inv_L;
+        out->inv_rho[l] = inv_rho;
+    }
+}
+
+/* The leg from there on, 231 (141 mul, 90 add, 0 div, 0 sqrt) operations each: its column of H, its D
+ * and its part of c. A leg is q + t - b: one that is short beside q is so beside t or b as well, if
+ * less. */
+static void leg_of_block(
+    const stewart_exact_drive_model *STEWART_RESTRICT model, int leg,
+    const motion_lanes *STEWART_RESTRICT at, const shared_lanes *STEWART_RESTRICT shared,
+    const leg_roots *STEWART_RESTRICT roots, stewart_real (*STEWART_RESTRICT column)[POSES],
+    leg_block *STEWART_RESTRICT own, stewart_real *STEWART_RESTRICT known,
+    stewart_real *STEWART_RESTRICT bad)
+{
+    int l;
+    for (l = 0; l < POSES; ++l) {
+        const stewart_real S_x = roots->S_x[l];
+        const stewart_real S_y = roots->S_y[l];
+        const stewart_real S_z = roots->S_z[l];
+        const stewart_real inv_L = roots->inv_L[l];
         /* (3) unit vector along the leg */
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
         const stewart_real s_z = S_z*inv_L;
-        const stewart_real inv_rho = REAL(1)/rho;
+        const stewart_real k_cross_S_x = roots->k_cross_S_x[l];
+        const stewart_real k_cross_S_y = roots->k_cross_S_y[l];
+        const stewart_real k_cross_S_z = roots->k_cross_S_z[l];
+        const stewart_real inv_rho = roots->inv_rho[l];
         /* (10) second axis of the leg frame */
         const stewart_real y_x = inv_rho*k_cross_S_x;
         const stewart_real y_y = inv_rho*k_cross_S_y;
         const stewart_real y_z = inv_rho*k_cross_S_z;
+        const stewart_real zeta = roots->zeta[l];
+        const stewart_real rho = roots->rho[l];
         /* (10) k = (k1, 0, k3) in the leg frame */
         const stewart_real k1 = inv_L*zeta;
         const stewart_real k3 = inv_L*rho;
         /* (10) k1 / k3 */
         const stewart_real kappa = inv_rho*zeta;
+        const stewart_real q_x = roots->q_x[l];
+        const stewart_real q_y = roots->q_y[l];
+        const stewart_real q_z = roots->q_z[l];
         const stewart_real omega_x = at->omega[0][l], omega_y = at->omega[1][l], omega_z = at->omega[2][l];
         const stewart_real v_x = at->v[0][l], v_y = at->v[1][l], v_z = at->v[2][l];
         /* (4) velocity of the platform point */
@@ -1216,6 +1287,7 @@ static void leg_of_block(
             a_z)));
         /* (5) rates of the joint coordinates: L, phi about k, theta about y */
         const stewart_real L_dot = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
+        const stewart_real k_x = model->k[0][leg], k_y = model->k[1][leg], k_z = model->k[2][leg];
         /* (6) rates of the joint coordinates: L, phi about k, theta about y */
         const stewart_real phi_dot = inv_rho*STEWART_FMA(S_dot_z, y_z, STEWART_FMA(S_dot_y, y_y,
             S_dot_x*y_x));
@@ -1230,6 +1302,7 @@ static void leg_of_block(
         /* rho_dot / rho */
         const stewart_real rho_share = L_share + lean;
         const stewart_real k33 = k3*k3;
+        const stewart_real L = roots->L[l];
         /* (8) accelerations of the joint coordinates */
         const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
             STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
@@ -1257,7 +1330,7 @@ static void leg_of_block(
         const stewart_real k3_h = h_y*k3;
         /* (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta */
         const stewart_real M_phi_theta = STEWART_FMA(a1, k13, a2*(STEWART_HALF - k33));
-        const stewart_real M_phi_L = STEWART_FMA(-h_z, k13, h_x*k33);
+        const stewart_real M_phi_L = STEWART_FMA(h_z, -k13, h_x*k33);
         const stewart_real M_mixed_theta = STEWART_FMA(-a3, k3, J_yz*k1);
         const stewart_real c1 = L_dot*theta_dot;
         const stewart_real bend = c1;
@@ -1281,14 +1354,14 @@ static void leg_of_block(
         /* (20) generalised forces about y and about k */
         const stewart_real tau_y = STEWART_FMA(M_theta, theta_ddot, STEWART_FMA(M_mixed, phi_ddot,
             STEWART_FMA(bend, h2_x, STEWART_FMA(L_dot, c3, STEWART_FMA(-M_phi_theta, phi_dot2,
-            STEWART_FMA(-C_s, STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y, omega_x*y_x)),
+            STEWART_FMA(C_s, -STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y, omega_x*y_x)),
             STEWART_FMA(C_us, theta_dot, STEWART_FMA(gamma_n, w_k, STEWART_FMA(g_k, w_n,
             L_ddot*h_z)))))))));
         const stewart_real tau_k = STEWART_FMA(M_mixed, theta_ddot, STEWART_FMA(M_phi, phi_ddot,
-            STEWART_FMA((-bend)*h2_y, k1, STEWART_FMA(two_phi_dot, STEWART_FMA(M_phi_theta, theta_dot,
+            STEWART_FMA(bend*h2_y, -k1, STEWART_FMA(two_phi_dot, STEWART_FMA(M_phi_theta, theta_dot,
             L_dot*M_phi_L), STEWART_FMA(-c1, c2, STEWART_FMA(-gamma_y, w_n, STEWART_FMA(-gamma_n, w_y,
-            STEWART_FMA(C_us, phi_dot, STEWART_FMA(M_mixed_theta, theta_dot2, STEWART_FMA(-C_s,
-            STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y, k_x*omega_x)), L_ddot*c4))))))))));
+            STEWART_FMA(C_us, phi_dot, STEWART_FMA(M_mixed_theta, theta_dot2, STEWART_FMA(C_s,
+            -STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y, k_x*omega_x)), L_ddot*c4))))))))));
         /* (21) K = Q_k k + Q_y y, up to a part along s */
         const stewart_real Q_k = -inv_rho*tau_y;
         const stewart_real Q_y = inv_rho*tau_k;
@@ -1301,7 +1374,7 @@ static void leg_of_block(
         /* (24) known part of the actuator force, to match */
         const stewart_real D = STEWART_FMA(-Q_k, k1, STEWART_FMA(h_z, theta_ddot, STEWART_FMA(c4, phi_ddot,
             STEWART_FMA(-c3, theta_dot, STEWART_FMA(-M_phi_L, phi_dot2, STEWART_FMA(L_ddot, m_r,
-            STEWART_FMA(-h_x, theta_dot2, C_p*L_dot)))))));
+            STEWART_FMA(h_x, -theta_dot2, C_p*L_dot)))))));
         const stewart_real c5 = C_s*phi_dot;
         const stewart_real c6 = C_s*theta_dot;
         column[0][l] = s_x;
@@ -1317,12 +1390,7 @@ static void leg_of_block(
         own->c_moment[1][l] = STEWART_FMA(c6, y_y, c5*k_y);
         own->c_moment[2][l] = STEWART_FMA(c6, y_z, c5*k_z);
         known[l] = D;
-        stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
-        reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
-        reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
-        reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
-        reach = STEWART_LARGER(shared->t_size[l], reach);
-        stewart_real fault = L > REAL(2.25)*STEWART_SHORT_SHARE*reach ? bad[l] : REAL(1);
+        stewart_real fault = L > shared->least_L[l] ? bad[l] : REAL(1);
         fault = k3 > STEWART_NEAR_JOINT_SINGULAR ? fault : REAL(1);
         bad[l] = fault;
     }
@@ -1412,14 +1480,20 @@ static void forces_of_block(const stewart_exact_drive_model *model, const motion
 {
     int i, l;
     shared_lanes shared;
+    roots_of_legs roots;
     leg_block first;
     leg_block other;
     for (l = 0; l < POSES; ++l) {
         out->bad[l] = REAL(0);
     }
+    roots_of_leg(model, 0, at, &roots.leg[0]);
     shared_of_block(model, at, &shared, out->column[6]);
     for (i = 0; i < 6; ++i) {
-        leg_of_block(model, i, at, &shared, out->column[i], i == 0 ? &first : &other, out->D[i], out->bad);
+        if (i < 5) {
+            roots_of_leg(model, i + 1, at, &roots.leg[i + 1]);
+        }
+        leg_of_block(model, i, at, &shared, &roots.leg[i], out->column[i], i == 0 ? &first : &other,
+            out->D[i], out->bad);
         if (i == 0) {
             moments_of_first(&first, out->column[6]);
         } else {

@@ -284,14 +284,14 @@ static STEWART_INLINE void forward_of_pose(
             g_y, STEWART_FMA(F_ext_z, R_yz, STEWART_FMA(F_ext_y, R_yy, F_ext_x*R_yx)))));
         summed[23*lanes + l] = STEWART_FMA(-omega_x, w_h_y, STEWART_FMA(omega_y, w_h_x, STEWART_FMA(M_P,
             g_z, STEWART_FMA(F_ext_z, R_zz, STEWART_FMA(F_ext_y, R_zy, F_ext_x*R_zx)))));
-        summed[24*lanes + l] = STEWART_FMA(-g_y, h_base_z, STEWART_FMA(-J_w_z, omega_y, STEWART_FMA(-C_P,
-            omega_x, STEWART_FMA(g_z, h_base_y, STEWART_FMA(M_ext_z, R_xz, STEWART_FMA(M_ext_y, R_xy,
+        summed[24*lanes + l] = STEWART_FMA(g_y, -h_base_z, STEWART_FMA(-J_w_z, omega_y, STEWART_FMA(C_P,
+            -omega_x, STEWART_FMA(g_z, h_base_y, STEWART_FMA(M_ext_z, R_xz, STEWART_FMA(M_ext_y, R_xy,
             STEWART_FMA(M_ext_x, R_xx, J_w_y*omega_z)))))));
-        summed[25*lanes + l] = STEWART_FMA(-g_z, h_base_x, STEWART_FMA(-J_w_x, omega_z, STEWART_FMA(-C_P,
-            omega_y, STEWART_FMA(g_x, h_base_z, STEWART_FMA(M_ext_z, R_yz, STEWART_FMA(M_ext_y, R_yy,
+        summed[25*lanes + l] = STEWART_FMA(g_z, -h_base_x, STEWART_FMA(-J_w_x, omega_z, STEWART_FMA(C_P,
+            -omega_y, STEWART_FMA(g_x, h_base_z, STEWART_FMA(M_ext_z, R_yz, STEWART_FMA(M_ext_y, R_yy,
             STEWART_FMA(M_ext_x, R_yx, J_w_z*omega_x)))))));
-        summed[26*lanes + l] = STEWART_FMA(-g_x, h_base_y, STEWART_FMA(-J_w_y, omega_x, STEWART_FMA(-C_P,
-            omega_z, STEWART_FMA(g_y, h_base_x, STEWART_FMA(M_ext_z, R_zz, STEWART_FMA(M_ext_y, R_zy,
+        summed[26*lanes + l] = STEWART_FMA(g_x, -h_base_y, STEWART_FMA(-J_w_y, omega_x, STEWART_FMA(C_P,
+            -omega_z, STEWART_FMA(g_y, h_base_x, STEWART_FMA(M_ext_z, R_zz, STEWART_FMA(M_ext_y, R_zy,
             STEWART_FMA(M_ext_x, R_zx, J_w_x*omega_y)))))));
     }
 }
@@ -411,7 +411,7 @@ STEWART_APART static void forward_of_leg(
         const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
             STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
         /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
-        const stewart_real own_theta_ddot = STEWART_FMA((-REAL(2))*L_share, theta_dot,
+        const stewart_real own_theta_ddot = STEWART_FMA(REAL(2)*L_share, -theta_dot,
             -inv_L*STEWART_FMA(S_ddot_z, z_z, STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)));
         const stewart_real own_phi_ddot = STEWART_FMA(-L_share, two_phi_dot, inv_rho*STEWART_FMA(S_ddot_z,
             y_z, STEWART_FMA(S_ddot_y, y_y, S_ddot_x*y_x)));
@@ -452,8 +452,8 @@ STEWART_APART static void forward_of_leg(
             STEWART_FMA(phi_dot2, STEWART_FMA(-c3, STEWART_HALF - k33, k13*(J_yy - dJ_zx)), STEWART_FMA(g_k,
             w_n, L_ddot*h_z)))))))));
         const stewart_real tau_k = STEWART_FMA(M_phi, own_phi_ddot, STEWART_FMA(M_mixed, theta_ddot,
-            STEWART_FMA((-bend)*h2_y, k1, STEWART_FMA(two_phi_dot, STEWART_FMA(-theta_dot, STEWART_FMA(J_xx,
-            kappa, STEWART_FMA(-STEWART_HALF, c2, STEWART_HALF*J2_xz)), L_dot*M_phi_L),
+            STEWART_FMA(bend*h2_y, -k1, STEWART_FMA(two_phi_dot, STEWART_FMA(-theta_dot, STEWART_FMA(J_xx,
+            kappa, STEWART_FMA(STEWART_HALF, -c2, STEWART_HALF*J2_xz)), L_dot*M_phi_L),
             STEWART_FMA(-gamma_y, w_n, STEWART_FMA(-gamma_n, w_y, STEWART_FMA(-c4, c5, STEWART_FMA(C_us,
             phi_dot, STEWART_FMA(M_mixed_theta, theta_dot2, STEWART_FMA(-C_s, STEWART_FMA(k_z, omega_z,
             STEWART_FMA(k_y, omega_y, k_x*omega_x)), L_ddot*c7))))))))));
@@ -818,12 +818,12 @@ static STEWART_INLINE void joint_rows_of_pose(
         const stewart_real c2 = R_0_z*R_0_z;
         const stewart_real J_0_xx = STEWART_FMA(M, c1 + c2, I_p_xx);
         const stewart_real c3 = M*R_0_x;
-        const stewart_real J_0_xy = STEWART_FMA(-R_0_y, c3, I_p_xy);
-        const stewart_real J_0_xz = STEWART_FMA(-R_0_z, c3, I_p_xz);
+        const stewart_real J_0_xy = STEWART_FMA(R_0_y, -c3, I_p_xy);
+        const stewart_real J_0_xz = STEWART_FMA(R_0_z, -c3, I_p_xz);
         const stewart_real c4 = R_0_x*R_0_x;
         const stewart_real J_0_yy = STEWART_FMA(M, c2 + c4, I_p_yy);
         const stewart_real c5 = M*R_0_y;
-        const stewart_real J_0_yz = STEWART_FMA(-R_0_z, c5, I_p_yz);
+        const stewart_real J_0_yz = STEWART_FMA(R_0_z, -c5, I_p_yz);
         const stewart_real J_0_zz = STEWART_FMA(M, c1 + c4, I_p_zz);
         const stewart_real c6 = M*R_0_z;
         /* (30) first moment of the platform, base frame */
@@ -903,14 +903,14 @@ static STEWART_INLINE void joint_rows_of_pose(
             STEWART_FMA(F_ext_z, R_yz, STEWART_FMA(F_ext_y, R_yy, F_ext_x*R_yx)))));
         summed[23*lanes + l] = STEWART_FMA(-omega_x, w_h_y, STEWART_FMA(omega_y, w_h_x, STEWART_FMA(M, g_z,
             STEWART_FMA(F_ext_z, R_zz, STEWART_FMA(F_ext_y, R_zy, F_ext_x*R_zx)))));
-        summed[24*lanes + l] = STEWART_FMA(-g_y, h_base_z, STEWART_FMA(-J_w_z, omega_y, STEWART_FMA(-C_P,
-            omega_x, STEWART_FMA(g_z, h_base_y, STEWART_FMA(M_ext_z, R_xz, STEWART_FMA(M_ext_y, R_xy,
+        summed[24*lanes + l] = STEWART_FMA(g_y, -h_base_z, STEWART_FMA(-J_w_z, omega_y, STEWART_FMA(C_P,
+            -omega_x, STEWART_FMA(g_z, h_base_y, STEWART_FMA(M_ext_z, R_xz, STEWART_FMA(M_ext_y, R_xy,
             STEWART_FMA(M_ext_x, R_xx, J_w_y*omega_z)))))));
-        summed[25*lanes + l] = STEWART_FMA(-g_z, h_base_x, STEWART_FMA(-J_w_x, omega_z, STEWART_FMA(-C_P,
-            omega_y, STEWART_FMA(g_x, h_base_z, STEWART_FMA(M_ext_z, R_yz, STEWART_FMA(M_ext_y, R_yy,
+        summed[25*lanes + l] = STEWART_FMA(g_z, -h_base_x, STEWART_FMA(-J_w_x, omega_z, STEWART_FMA(C_P,
+            -omega_y, STEWART_FMA(g_x, h_base_z, STEWART_FMA(M_ext_z, R_yz, STEWART_FMA(M_ext_y, R_yy,
             STEWART_FMA(M_ext_x, R_yx, J_w_z*omega_x)))))));
-        summed[26*lanes + l] = STEWART_FMA(-g_x, h_base_y, STEWART_FMA(-J_w_y, omega_x, STEWART_FMA(-C_P,
-            omega_z, STEWART_FMA(g_y, h_base_x, STEWART_FMA(M_ext_z, R_zz, STEWART_FMA(M_ext_y, R_zy,
+        summed[26*lanes + l] = STEWART_FMA(g_x, -h_base_y, STEWART_FMA(-J_w_y, omega_x, STEWART_FMA(C_P,
+            -omega_z, STEWART_FMA(g_y, h_base_x, STEWART_FMA(M_ext_z, R_zz, STEWART_FMA(M_ext_y, R_zy,
             STEWART_FMA(M_ext_x, R_zx, J_w_x*omega_y)))))));
     }
 }
@@ -1030,7 +1030,7 @@ STEWART_APART static void joint_rows_of_leg(
         const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
             STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
         /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
-        const stewart_real own_theta_ddot = STEWART_FMA((-REAL(2))*L_share, theta_dot,
+        const stewart_real own_theta_ddot = STEWART_FMA(REAL(2)*L_share, -theta_dot,
             -inv_L*STEWART_FMA(S_ddot_z, z_z, STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)));
         const stewart_real own_phi_ddot = STEWART_FMA(-L_share, two_phi_dot, inv_rho*STEWART_FMA(S_ddot_z,
             y_z, STEWART_FMA(S_ddot_y, y_y, S_ddot_x*y_x)));
@@ -1071,8 +1071,8 @@ STEWART_APART static void joint_rows_of_leg(
             STEWART_FMA(phi_dot2, STEWART_FMA(-c7, STEWART_HALF - k33, k13*(J_yy - dJ_zx)), STEWART_FMA(g_k,
             w_n, L_ddot*h_z)))))))));
         const stewart_real tau_k = STEWART_FMA(M_phi, own_phi_ddot, STEWART_FMA(M_mixed, theta_ddot,
-            STEWART_FMA((-bend)*h2_y, k1, STEWART_FMA(two_phi_dot, STEWART_FMA(-theta_dot, STEWART_FMA(J_xx,
-            kappa, STEWART_FMA(-STEWART_HALF, c6, STEWART_HALF*J2_xz)), L_dot*M_phi_L),
+            STEWART_FMA(bend*h2_y, -k1, STEWART_FMA(two_phi_dot, STEWART_FMA(-theta_dot, STEWART_FMA(J_xx,
+            kappa, STEWART_FMA(STEWART_HALF, -c6, STEWART_HALF*J2_xz)), L_dot*M_phi_L),
             STEWART_FMA(-gamma_y, w_n, STEWART_FMA(-gamma_n, w_y, STEWART_FMA(-c8, c9, STEWART_FMA(C_us,
             phi_dot, STEWART_FMA(M_mixed_theta, theta_dot2, STEWART_FMA(-C_s, STEWART_FMA(k_z, omega_z,
             STEWART_FMA(k_y, omega_y, k_x*omega_x)), L_ddot*c11))))))))));
@@ -1865,9 +1865,9 @@ static STEWART_INLINE void equations_of_pose(
         summed[57*lanes + l] = -M_P*g_x;
         summed[58*lanes + l] = -M_P*g_y;
         summed[59*lanes + l] = -M_P*g_z;
-        summed[60*lanes + l] = STEWART_FMA(-g_z, h_base_y, g_y*h_base_z);
-        summed[61*lanes + l] = STEWART_FMA(-g_x, h_base_z, g_z*h_base_x);
-        summed[62*lanes + l] = STEWART_FMA(-g_y, h_base_x, g_x*h_base_y);
+        summed[60*lanes + l] = STEWART_FMA(g_z, -h_base_y, g_y*h_base_z);
+        summed[61*lanes + l] = STEWART_FMA(g_x, -h_base_z, g_z*h_base_x);
+        summed[62*lanes + l] = STEWART_FMA(g_y, -h_base_x, g_x*h_base_y);
         summed[63*lanes + l] = REAL(0);
         summed[64*lanes + l] = REAL(0);
         summed[65*lanes + l] = REAL(0);
@@ -2012,13 +2012,13 @@ STEWART_APART static void equations_of_leg(
         const stewart_real c8 = STEWART_FMA(c6, c7, h_x*theta_dot);
         const stewart_real C_xi_12 = -c8;
         const stewart_real c9 = c7*k3;
-        const stewart_real c10 = STEWART_FMA((-h_z)*k1, k3, c1*h_x);
+        const stewart_real c10 = STEWART_FMA(h_z*k1, -k3, c1*h_x);
         const stewart_real C_xi_13 = STEWART_FMA(-c10, phi_dot, -c9*theta_dot);
         const stewart_real C_xi_21 = c8;
         const stewart_real C_xi_22 = L_dot*h_x;
         const stewart_real c11 = REAL(2)*L;
         const stewart_real c12 = STEWART_FMA(-c11, h_z, REAL(2)*J_xz);
-        const stewart_real c13 = STEWART_FMA((-STEWART_HALF)*c1, c12, STEWART_HALF*k1*STEWART_FMA(c12, k1,
+        const stewart_real c13 = STEWART_FMA(STEWART_HALF*c1, -c12, STEWART_HALF*k1*STEWART_FMA(c12, k1,
             REAL(2)*k3*STEWART_FMA(c11, h_x, J_zz - J_xx)));
         const stewart_real C_xi_23 = STEWART_FMA(-c13, phi_dot, L_dot*c9);
         const stewart_real c14 = STEWART_FMA(-h_y, k1, -c9);
@@ -2032,7 +2032,7 @@ STEWART_APART static void equations_of_leg(
         const stewart_real G_dot_22 = c15*inv_L;
         const stewart_real G_dot_23 = L_dot*c5;
         const stewart_real G_dot_31 = -c6*inv_rho;
-        const stewart_real G_dot_32 = STEWART_FMA((-inv_rho)*kappa, theta_dot, -L_dot*c4);
+        const stewart_real G_dot_32 = STEWART_FMA(inv_rho*kappa, -theta_dot, -L_dot*c4);
         const stewart_real G_dot_33 = c15*inv_rho;
         const stewart_real C_leg_11 = STEWART_FMA(G_dot_31, c3, G_dot_21*h_z);
         const stewart_real C_leg_12 = STEWART_FMA(C_xi_13, inv_rho, STEWART_FMA(G_dot_32, c3,
@@ -2406,7 +2406,7 @@ STEWART_APART static void equations_of_near(
         const stewart_real C_leg_12 = STEWART_FMA(REAL(2)*c17, c18, STEWART_FMA(-c12, c19, STEWART_FMA(c16,
             c17, STEWART_FMA(W_z, m_r, STEWART_FMA(-c14, c8, c15)) + c13))) - c10;
         const stewart_real c20 = c6*j_r;
-        const stewart_real c21 = STEWART_FMA(-c17, c7, STEWART_FMA(-STEWART_HALF, c20, c11*h_x));
+        const stewart_real c21 = STEWART_FMA(-c17, c7, STEWART_FMA(STEWART_HALF, -c20, c11*h_x));
         const stewart_real C_leg_13 = STEWART_FMA(c19, c20, STEWART_FMA(-m_r, theta_dot, c14*h_z)) + c21;
         const stewart_real c22 = c4*theta_dot;
         const stewart_real c23 = J_yz*c22;
@@ -3359,7 +3359,7 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real c22 = j_r*k3;
         const stewart_real c23 = STEWART_HALF*c22;
         const stewart_real c24 = c6*h_x;
-        const stewart_real c25 = STEWART_FMA((-h_z)*k1, k3, c24);
+        const stewart_real c25 = STEWART_FMA(h_z*k1, -k3, c24);
         const stewart_real tau_L = STEWART_FMA(-c21, theta_dot, STEWART_FMA(c17, phi_ddot,
             STEWART_FMA(phi_dot, STEWART_FMA(-c25, phi_dot, -c23*theta_dot), STEWART_FMA(h_z, theta_ddot,
             STEWART_FMA(L_ddot, m_r, C_p*L_dot)))));
@@ -3374,7 +3374,7 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real c36 = c35*k3;
         const stewart_real c37 = STEWART_FMA(REAL(2), c36, c34);
         const stewart_real c38 = STEWART_HALF*k1;
-        const stewart_real c39 = STEWART_FMA((-STEWART_HALF)*c33, c6, c37*c38);
+        const stewart_real c39 = STEWART_FMA(STEWART_HALF*c33, -c6, c37*c38);
         const stewart_real tau_theta = STEWART_FMA(c32, phi_ddot, STEWART_FMA(L_dot, c21,
             STEWART_FMA(theta_ddot, J_yy + c28, STEWART_FMA(phi_dot, STEWART_FMA(-c39, phi_dot, L_dot*c23),
             STEWART_FMA(-C_s, w_y_omega, STEWART_FMA(c29, gamma_n, STEWART_FMA(L_dot, c18, STEWART_FMA(C_us,
@@ -3414,11 +3414,10 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real G_ddot_13 = c58 - theta_ddot;
         const stewart_real G_ddot_21 = STEWART_FMA(-inv_L, theta_ddot, STEWART_FMA(-c58, inv_L,
             REAL(2)*L_dot*c16*theta_dot));
-        const stewart_real G_ddot_22 = STEWART_FMA(-c50, c57, STEWART_FMA((-c48)*c5, k3,
-            inv_L*k1*phi_ddot));
+        const stewart_real G_ddot_22 = STEWART_FMA(-c50, c57, STEWART_FMA(c48*c5, -k3, inv_L*k1*phi_ddot));
         const stewart_real c59 = c4*k1*k1;
         const stewart_real G_ddot_23 = STEWART_FMA(L_ddot, c16, STEWART_FMA(c59, inv_L,
-            STEWART_FMA((-REAL(2))*L_dot*L_dot*inv_L*inv_L, inv_L, c3*inv_L)));
+            STEWART_FMA(REAL(2)*L_dot*L_dot*inv_L*inv_L, -inv_L, c3*inv_L)));
         const stewart_real G_ddot_31 = STEWART_FMA(-c56, inv_rho, STEWART_FMA(theta_dot,
             STEWART_FMA(inv_rho*k3*kappa, phi_dot, -c54), STEWART_FMA(-c19, c53, STEWART_FMA(c54, theta_dot,
             c1*c51))));
@@ -3432,7 +3431,7 @@ STEWART_APART static void derivatives_of_leg(
             STEWART_FMA(-c54, kappa, -c51), STEWART_FMA(-c49, c52, STEWART_FMA(c51, theta_dot, c49*c53))));
         const stewart_real c62 = STEWART_FMA(REAL(2), c18, c20);
         const stewart_real tau_rate_12 = -c62;
-        const stewart_real tau_rate_13 = STEWART_FMA((-REAL(2))*c25, phi_dot, -c22*theta_dot);
+        const stewart_real tau_rate_13 = STEWART_FMA(REAL(2)*c25, -phi_dot, -c22*theta_dot);
         const stewart_real tau_rate_21 = c62;
         const stewart_real c63 = REAL(2)*h_x;
         const stewart_real tau_rate_22 = STEWART_FMA(L_dot, c63, C_us);
@@ -3448,12 +3447,12 @@ STEWART_APART static void derivatives_of_leg(
             k1*STEWART_FMA(-h_y, phi_ddot, STEWART_FMA(-c66, phi_dot, phi_dot*STEWART_FMA(-c67, phi_dot,
             -c66))));
         const stewart_real c68 = REAL(4)*h_x;
-        const stewart_real c69 = STEWART_FMA(c38, STEWART_FMA((-REAL(2))*h_z, k1, c68*k3), c6*h_z);
+        const stewart_real c69 = STEWART_FMA(c38, STEWART_FMA(REAL(2)*h_z, -k1, c68*k3), c6*h_z);
         const stewart_real tau_place_21 = STEWART_FMA(-c41, phi_ddot, STEWART_FMA(-c4, c69,
             c63*theta_ddot));
         const stewart_real c70 = c36 + c34;
         const stewart_real c71 = L_dot*c65;
-        const stewart_real c72 = STEWART_FMA(-c33, k3, c38*STEWART_FMA(L, c68, STEWART_FMA(-REAL(2), J_xx,
+        const stewart_real c72 = STEWART_FMA(-c33, k3, c38*STEWART_FMA(L, c68, STEWART_FMA(REAL(2), -J_xx,
             REAL(2)*J_zz)));
         const stewart_real tau_place_22 = STEWART_FMA(-k3, STEWART_FMA(c9, phi_ddot, STEWART_FMA(-c4, c70,
             STEWART_FMA(-g_k, w_z, gamma_n*w_x))), k1*STEWART_FMA(J_yz, phi_ddot, STEWART_FMA(phi_dot,
@@ -3537,7 +3536,7 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real f_S_dot_zz = STEWART_FMA(C_s_phi_z, k_z, C_s_theta_z*y_z);
         const stewart_real A_0_leg_11 = STEWART_FMA(G_ddot_31, c13, STEWART_FMA(G_ddot_21, h_z,
             STEWART_FMA(G_dot_21, tau_rate_12, STEWART_FMA(G_dot_31, tau_rate_13, G_ddot_11*m_r))));
-        const stewart_real A_0_leg_12 = STEWART_FMA((-c14)*k3, tau_phi, STEWART_FMA(G_ddot_32, c13,
+        const stewart_real A_0_leg_12 = STEWART_FMA(c14*k3, -tau_phi, STEWART_FMA(G_ddot_32, c13,
             STEWART_FMA(G_ddot_22, h_z, STEWART_FMA(G_ddot_12, m_r, STEWART_FMA(G_dot_22, tau_rate_12,
             STEWART_FMA(G_dot_32, tau_rate_13, C_p*G_dot_12))))));
         const stewart_real c79 = c16*tau_theta;
@@ -4121,11 +4120,11 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real c83 = REAL(2)*J_xx;
         const stewart_real c84 = c25*c83;
         const stewart_real c85 = W_z*theta_dot;
-        const stewart_real tau_phi = STEWART_FMA(-c59, c74, STEWART_FMA((-c43)*c75, own_z, STEWART_FMA(c67,
-            c68, STEWART_FMA(c44, c74, STEWART_FMA(J_xx, c16, STEWART_FMA((-c84)*c85, k1,
-            STEWART_FMA((-L_dot)*c75, c78, STEWART_FMA(c43*c81, h_z, STEWART_FMA(-c55, own_y,
+        const stewart_real tau_phi = STEWART_FMA(-c59, c74, STEWART_FMA(c43*c75, -own_z, STEWART_FMA(c67,
+            c68, STEWART_FMA(c44, c74, STEWART_FMA(J_xx, c16, STEWART_FMA(c84*c85, -k1,
+            STEWART_FMA(L_dot*c75, -c78, STEWART_FMA(c43*c81, h_z, STEWART_FMA(-c55, own_y,
             STEWART_FMA(-c22, c73, STEWART_FMA(-c21, c45, STEWART_FMA(c7, own_y, STEWART_FMA(W_z*c76, c77,
-            STEWART_FMA(C_us, c22, STEWART_FMA((-c76)*j_r, theta_dot, STEWART_FMA(-c35, gamma_y,
+            STEWART_FMA(C_us, c22, STEWART_FMA(c76*j_r, -theta_dot, STEWART_FMA(-c35, gamma_y,
             STEWART_FMA(-L_ddot, c8, STEWART_FMA(-c57, c6, STEWART_FMA(-c79, k3, STEWART_FMA(-c69, k3,
             STEWART_FMA(c3, c80, STEWART_FMA(c18, c80, c70 - c62))))) + c71 + c72 + c65) + c66) - c63))) + c64))))))))))));
         const stewart_real c86 = inv_rho*tau_phi;
@@ -4142,7 +4141,7 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real c91 = L_dot*c11;
         const stewart_real G_dot_23 = c91;
         const stewart_real G_dot_31 = -inv_rho*k3*phi_dot;
-        const stewart_real G_dot_32 = STEWART_FMA((-inv_rho)*kappa, theta_dot, -c2*inv_rho);
+        const stewart_real G_dot_32 = STEWART_FMA(inv_rho*kappa, -theta_dot, -c2*inv_rho);
         const stewart_real G_dot_33 = c90*inv_rho;
         /* slope of a rate, times C_s */
         const stewart_real theta_dot_by_S_x = C_s*STEWART_FMA(G_dot_22, y_x, STEWART_FMA(G_dot_21, s_x,
@@ -4213,7 +4212,7 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real c105 = REAL(4)*c89;
         const stewart_real c106 = STEWART_FMA(c105*c21, c22, c101 + c103) + c104 - c99;
         const stewart_real A_0_leg_11 = STEWART_FMA(REAL(2)*L_dot*W_z*c11*inv_k3*j_r, k1,
-            STEWART_FMA(REAL(4)*W_z*c25*inv_L*j_r, theta_dot, STEWART_FMA(-REAL(4), c98,
+            STEWART_FMA(REAL(4)*W_z*c25*inv_L*j_r, theta_dot, STEWART_FMA(REAL(4), -c98,
             STEWART_FMA(REAL(2)*c3*h_x, inv_L, STEWART_FMA(-c3, m_r, STEWART_FMA(-c18, m_r,
             REAL(2)*c18*h_x*inv_L)))) - c96 - c94)) - c106;
         const stewart_real c107 = c11*c69;
@@ -4274,12 +4273,11 @@ STEWART_APART static void derivatives_of_near(
             STEWART_FMA(c133, c63, c133*c62))));
         const stewart_real A_0_leg_12 = STEWART_FMA(-c139, c140, STEWART_FMA(-c111, c128,
             STEWART_FMA(REAL(3)*c16, c97, STEWART_FMA(-c110, c25, STEWART_FMA(c150, c28, STEWART_FMA(c111,
-            c59, STEWART_FMA(-c154, c155, STEWART_FMA(-REAL(6), c138, STEWART_FMA(m_r, own_z,
+            c59, STEWART_FMA(-c154, c155, STEWART_FMA(REAL(6), -c138, STEWART_FMA(m_r, own_z,
             STEWART_FMA(c156, c158, STEWART_FMA(c145, c146, STEWART_FMA(c148, c25, STEWART_FMA(W_z, c131,
-            STEWART_FMA(C_p, W_z, STEWART_FMA((-c142)*c144, c18, STEWART_FMA(-REAL(2), c141,
-            STEWART_FMA(c144, c151, STEWART_FMA(c120, c152, STEWART_FMA(-c130, c26, STEWART_FMA(c132, c25,
-            c107 + c108 - c121 - c129) - c116))) - c135 - c136 + c124)))))) - c127 + c110) - c113) - c134)))))))
-            + c161);
+            STEWART_FMA(C_p, W_z, STEWART_FMA(c142*c144, -c18, STEWART_FMA(REAL(2), -c141, STEWART_FMA(c144,
+            c151, STEWART_FMA(c120, c152, STEWART_FMA(-c130, c26, STEWART_FMA(c132, c25, c107 + c108 - c121
+            - c129) - c116))) - c135 - c136 + c124)))))) - c127 + c110) - c113) - c134))))))) + c161);
         const stewart_real c162 = c11*c30;
         const stewart_real c163 = c11*c31;
         const stewart_real c164 = c11*c32;
@@ -4321,12 +4319,12 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real c194 = REAL(4)*c68;
         const stewart_real c195 = J_xx*c157;
         const stewart_real A_0_leg_21 = STEWART_FMA(-c16, c190, STEWART_FMA(-c111, c84, STEWART_FMA(c139,
-            c97, STEWART_FMA(c111, c184, STEWART_FMA(J_xz*c191, c25, STEWART_FMA(-REAL(4), c138,
-            STEWART_FMA(-REAL(2), c134, STEWART_FMA(c191, c195, STEWART_FMA(c149, c28, STEWART_FMA(-c184,
-            c188, STEWART_FMA(-REAL(2), c113, STEWART_FMA(c187*c194, c22, STEWART_FMA(-REAL(2), c127,
+            c97, STEWART_FMA(c111, c184, STEWART_FMA(J_xz*c191, c25, STEWART_FMA(REAL(4), -c138,
+            STEWART_FMA(REAL(2), -c134, STEWART_FMA(c191, c195, STEWART_FMA(c149, c28, STEWART_FMA(-c184,
+            c188, STEWART_FMA(REAL(2), -c113, STEWART_FMA(c187*c194, c22, STEWART_FMA(REAL(2), -c127,
             STEWART_FMA(c188, c84, STEWART_FMA(c193, c28, STEWART_FMA(c189, c192, STEWART_FMA(J_yz, c189,
-            STEWART_FMA(-c151, inv_k3, STEWART_FMA(-c142, c57, STEWART_FMA(-REAL(3), c136,
-            STEWART_FMA(-REAL(3), c135, STEWART_FMA(c116, c25, STEWART_FMA(-REAL(3), c129,
+            STEWART_FMA(-c151, inv_k3, STEWART_FMA(-c142, c57, STEWART_FMA(REAL(3), -c136,
+            STEWART_FMA(REAL(3), -c135, STEWART_FMA(c116, c25, STEWART_FMA(REAL(3), -c129,
             STEWART_FMA(REAL(3), c108, c185)) - c115 - c130) + c123))) - c141) + c148))))))))))))))))) + c161;
         const stewart_real c196 = L_ddot*c117;
         const stewart_real c197 = c20*inv_L;
@@ -4372,18 +4370,18 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real c237 = STEWART_FMA(-c103, c25, STEWART_FMA(-c215, c35, STEWART_FMA(-c122, c77,
             STEWART_FMA(c12, inv_L, STEWART_FMA(C_p, c2, STEWART_FMA(c236, c37, STEWART_FMA(c236, c39,
             STEWART_FMA(-F, inv_L, c120*h_x)))))) + c216));
-        const stewart_real A_0_leg_22 = STEWART_FMA(-REAL(2), c212, STEWART_FMA(c227, c28,
+        const stewart_real A_0_leg_22 = STEWART_FMA(REAL(2), -c212, STEWART_FMA(c227, c28,
             STEWART_FMA(REAL(2), c104, STEWART_FMA(c203, c25, STEWART_FMA(-c206, c25, STEWART_FMA(-c195,
             c204, STEWART_FMA(c214, c25, STEWART_FMA(-c179, c28, STEWART_FMA(c217, c61, STEWART_FMA(-c157,
             c162, STEWART_FMA(c216, c25, STEWART_FMA(c207, w_y, STEWART_FMA(c146, c187, STEWART_FMA(c162,
             c28, STEWART_FMA(c187, c234, STEWART_FMA(-c209, c25, STEWART_FMA(REAL(3)*c167, c28,
             STEWART_FMA(-c196, c221, STEWART_FMA(-c128, c196, STEWART_FMA(-c178, c29, STEWART_FMA(-c178,
             c225, STEWART_FMA(c199, c221, STEWART_FMA(c198, c228, STEWART_FMA(c196, c59, STEWART_FMA(-c165,
-            c28, STEWART_FMA((-REAL(3))*c157, c218, STEWART_FMA(c226, c68, STEWART_FMA(c157, c172,
-            STEWART_FMA((-c133)*g_k, w_z, STEWART_FMA(-c184, c198, STEWART_FMA(-c199, c59,
-            STEWART_FMA(-c174, c211, STEWART_FMA(-c128, c199, STEWART_FMA(c208, J_yy + c83 - J_zz,
-            STEWART_FMA(c199, c211, c198*c84))))) - c200 + c197) - c201)))))))))))))))) + c96)) + c213)) + c206)
-            + c235) - c224 - c94)) - c219 - c233 + c237)) - c203 - c230)));
+            c28, STEWART_FMA(REAL(3)*c157, -c218, STEWART_FMA(c226, c68, STEWART_FMA(c157, c172,
+            STEWART_FMA(c133*g_k, -w_z, STEWART_FMA(-c184, c198, STEWART_FMA(-c199, c59, STEWART_FMA(-c174,
+            c211, STEWART_FMA(-c128, c199, STEWART_FMA(c208, J_yy + c83 - J_zz, STEWART_FMA(c199, c211,
+            c198*c84))))) - c200 + c197) - c201)))))))))))))))) + c96)) + c213)) + c206) + c235) - c224 - c94))
+            - c219 - c233 + c237)) - c203 - c230)));
         const stewart_real c238 = c112*c3;
         const stewart_real c239 = c112*c18;
         const stewart_real c240 = c119*j_r;
@@ -4409,7 +4407,7 @@ STEWART_APART static void derivatives_of_near(
             STEWART_FMA(c190, c81, STEWART_FMA(-c255, c63, STEWART_FMA(c207, w_z, STEWART_FMA(W_z, c254,
             STEWART_FMA(-c198, c256, STEWART_FMA(c25, c251, STEWART_FMA(-c255, c62, STEWART_FMA(c192, c196,
             STEWART_FMA(-c198, c250, J_yz*c196)))))))))))))));
-        const stewart_real A_0_leg_23 = STEWART_FMA((-J_xx)*c191, c210, STEWART_FMA(c111, c158,
+        const stewart_real A_0_leg_23 = STEWART_FMA(J_xx*c191, -c210, STEWART_FMA(c111, c158,
             STEWART_FMA(-c131, c155, STEWART_FMA(-c109, c152, STEWART_FMA(c128, c191, STEWART_FMA(-c158,
             c188, STEWART_FMA(c204, c241, STEWART_FMA(-c193, c25, STEWART_FMA(c248, c78, STEWART_FMA(-c123,
             c28, STEWART_FMA(-c116, c157, STEWART_FMA(c192, c199, STEWART_FMA(c107, c225, STEWART_FMA(c130,
@@ -4420,24 +4418,24 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real c261 = REAL(2)*c22;
         const stewart_real c262 = c261*c48;
         const stewart_real A_0_leg_31 = STEWART_FMA(REAL(2), c173, STEWART_FMA(-c191, c241,
-            STEWART_FMA(-c187, c262, STEWART_FMA((-REAL(6))*c11*c53, c81, STEWART_FMA(REAL(2), c163,
+            STEWART_FMA(-c187, c262, STEWART_FMA(REAL(6)*c11*c53, -c81, STEWART_FMA(REAL(2), c163,
             STEWART_FMA(J_xy, c191, STEWART_FMA(-c188, c250, STEWART_FMA(-c187, c260, STEWART_FMA(REAL(2),
             c162, STEWART_FMA(c174*c28, REAL(3)*(J_xx + J_yy - J_zz), STEWART_FMA(c171, c26,
-            STEWART_FMA(-REAL(3), c169, REAL(6)*c218))) + c167)))))))) + c227) + c182;
+            STEWART_FMA(REAL(3), -c169, REAL(6)*c218))) + c167)))))))) + c227) + c182;
         const stewart_real c263 = c202*c204;
         const stewart_real c264 = REAL(4)*J_xz;
         const stewart_real c266 = c259 + c184;
         const stewart_real c267 = REAL(4)*c10*c155;
-        const stewart_real A_0_leg_32 = STEWART_FMA((-c16)*c246, c60, STEWART_FMA(-c267, theta_dot,
-            STEWART_FMA(-REAL(2), c244, STEWART_FMA(c111, c195, STEWART_FMA(-c156, c211, STEWART_FMA(-c125,
+        const stewart_real A_0_leg_32 = STEWART_FMA(c16*c246, -c60, STEWART_FMA(-c267, theta_dot,
+            STEWART_FMA(REAL(2), -c244, STEWART_FMA(c111, c195, STEWART_FMA(-c156, c211, STEWART_FMA(-c125,
             c155, STEWART_FMA(c25, c263, STEWART_FMA(c156*c25, STEWART_FMA(REAL(4), J_xx, c183) + c259,
             STEWART_FMA(c155*c187, c266, STEWART_FMA(C_s*c133, w_n_omega, STEWART_FMA(-c78, c95,
             STEWART_FMA(-c245, c25, STEWART_FMA(c217, c231, STEWART_FMA(c188, c264, STEWART_FMA(W_z, c248,
-            STEWART_FMA(-c124, c28, STEWART_FMA(-REAL(2), c247, STEWART_FMA(-c226, c48, STEWART_FMA(-c132,
+            STEWART_FMA(-c124, c28, STEWART_FMA(REAL(2), -c247, STEWART_FMA(-c226, c48, STEWART_FMA(-c132,
             c157, STEWART_FMA(c130, c225, STEWART_FMA(c157, c185, STEWART_FMA(c121, c28, STEWART_FMA(c116,
-            c28, STEWART_FMA(-c168, c18, STEWART_FMA(REAL(3), c242, STEWART_FMA(-REAL(2), c239, c240)) - c243))))))))
+            c28, STEWART_FMA(-c168, c18, STEWART_FMA(REAL(3), c242, STEWART_FMA(REAL(2), -c239, c240)) - c243))))))))
             - c251)) + c245))) - c249)) + c150))) + c252)) - c263)) - c253)) + c258;
-        const stewart_real A_0_leg_33 = STEWART_FMA(-c111, c241, STEWART_FMA((-c11)*c24, c48,
+        const stewart_real A_0_leg_33 = STEWART_FMA(-c111, c241, STEWART_FMA(c11*c24, -c48,
             STEWART_FMA(-c101, c25, STEWART_FMA(-J_yy, c196, STEWART_FMA(-c171, c225, STEWART_FMA(REAL(2),
             c98, STEWART_FMA(c157, c166, STEWART_FMA(-c208, c60, STEWART_FMA(-J_yy, c199, STEWART_FMA(c198,
             c259, c200)) + c201) - c197)))) - c209 + c224 - c223 + c214 + c219 + c233 - c213) - c235 + c230
@@ -4481,7 +4479,7 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real A_1_leg_12 = STEWART_FMA(-c26, c272, STEWART_FMA(c274, c28, STEWART_FMA(W_z,
             c271, STEWART_FMA(-c152, c153, c181) + c272))) - c273 + c267;
         const stewart_real c275 = c14*inv_L;
-        const stewart_real c276 = STEWART_FMA((-REAL(2))*c114, c155, c254 - c275);
+        const stewart_real c276 = STEWART_FMA(REAL(2)*c114, -c155, c254 - c275);
         const stewart_real A_1_leg_13 = STEWART_FMA(c26, c275, STEWART_FMA(-c271, theta_dot, c154)) + c276;
         const stewart_real c277 = c133*c23;
         const stewart_real A_1_leg_21 = STEWART_FMA(REAL(2)*W_z*h_z*inv_L*inv_k3, k1, STEWART_FMA(-c190,
@@ -4501,7 +4499,7 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real A_1_leg_23 = STEWART_FMA(-c102, c152, STEWART_FMA(c145, c158, c147 + c281)) - c282
             + c284;
         const stewart_real A_1_leg_31 = STEWART_FMA(c11, c262, STEWART_FMA(c112, c78, c11*c260)) + c276;
-        const stewart_real A_1_leg_32 = STEWART_FMA((-c22)*c246, c266, STEWART_FMA(-c25, c274,
+        const stewart_real A_1_leg_32 = STEWART_FMA(c22*c246, -c266, STEWART_FMA(-c25, c274,
             STEWART_FMA(-c145, c264, STEWART_FMA(c25, c281, STEWART_FMA(-c181, c28, c274 - c147) + c282) + c283
             - c281))) + c284;
         const stewart_real A_1_leg_33 = STEWART_FMA(-c187, c259, C_us*c11) - c278 - c270 - c280;
@@ -4997,12 +4995,12 @@ static STEWART_INLINE void joint_slopes_of_pose(
         const stewart_real c2 = R_0_z*R_0_z;
         const stewart_real J_0_xx = STEWART_FMA(M, c1 + c2, I_p_xx);
         const stewart_real c3 = M*R_0_x;
-        const stewart_real J_0_xy = STEWART_FMA(-R_0_y, c3, I_p_xy);
-        const stewart_real J_0_xz = STEWART_FMA(-R_0_z, c3, I_p_xz);
+        const stewart_real J_0_xy = STEWART_FMA(R_0_y, -c3, I_p_xy);
+        const stewart_real J_0_xz = STEWART_FMA(R_0_z, -c3, I_p_xz);
         const stewart_real c4 = R_0_x*R_0_x;
         const stewart_real J_0_yy = STEWART_FMA(M, c2 + c4, I_p_yy);
         const stewart_real c5 = M*R_0_y;
-        const stewart_real J_0_yz = STEWART_FMA(-R_0_z, c5, I_p_yz);
+        const stewart_real J_0_yz = STEWART_FMA(R_0_z, -c5, I_p_yz);
         const stewart_real J_0_zz = STEWART_FMA(M, c1 + c4, I_p_zz);
         const stewart_real c6 = M*R_0_z;
         /* (30) first moment of the platform, base frame */
@@ -5391,11 +5389,11 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real c29 = c14*h_z;
         const stewart_real c30 = c29*inv_L;
         const stewart_real c31 = inv_k3*k1;
-        const stewart_real tau_S_leg_11 = STEWART_FMA((-c18)*inv_L*inv_k3, own_z, STEWART_FMA(-c23, c27,
+        const stewart_real tau_S_leg_11 = STEWART_FMA(c18*inv_L*inv_k3, -own_z, STEWART_FMA(-c23, c27,
             STEWART_FMA(REAL(2)*L_dot*W_z*c19*inv_k3*j_r, k1, STEWART_FMA(h_y*inv_L, own_z,
             STEWART_FMA(REAL(4)*W_z*c28*inv_L*j_r, theta_dot, STEWART_FMA(-c13, inv_L, STEWART_FMA(-c20,
             c22, STEWART_FMA(-c15, c17, STEWART_FMA(REAL(2)*L_dot*c19*h_z, theta_dot,
-            STEWART_FMA((-REAL(4))*c30, c31, STEWART_FMA(REAL(2)*c3*h_x, inv_L, STEWART_FMA(-c3, m_r,
+            STEWART_FMA(REAL(4)*c30, -c31, STEWART_FMA(REAL(2)*c3*h_x, inv_L, STEWART_FMA(-c3, m_r,
             STEWART_FMA(-c14, m_r, REAL(2)*c14*h_x*inv_L)))))))))))));
         const stewart_real c32 = inv_L*own_y;
         const stewart_real c33 = c32*j_r;
@@ -5438,10 +5436,10 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real c70 = REAL(2)*c69;
         const stewart_real c71 = c70*inv_L;
         const stewart_real c72 = c18*c3;
-        const stewart_real tau_S_leg_12 = STEWART_FMA(axial, c51, STEWART_FMA((-c28)*c43*c60, theta_dot,
-            STEWART_FMA(-c28, c33, STEWART_FMA((-c25)*c62, h_z, STEWART_FMA(c48, c49, STEWART_FMA(axial,
-            c36, STEWART_FMA(m_r, own_z, STEWART_FMA(c46, c48, STEWART_FMA(-axial, c41, STEWART_FMA(W_z*c34,
-            c59, STEWART_FMA(-c53, c65, STEWART_FMA(c54, c61, STEWART_FMA(c38, inv_L, STEWART_FMA(W_z, c45,
+        const stewart_real tau_S_leg_12 = STEWART_FMA(axial, c51, STEWART_FMA(c28*c43*c60, -theta_dot,
+            STEWART_FMA(-c28, c33, STEWART_FMA(c25*c62, -h_z, STEWART_FMA(c48, c49, STEWART_FMA(axial, c36,
+            STEWART_FMA(m_r, own_z, STEWART_FMA(c46, c48, STEWART_FMA(-axial, c41, STEWART_FMA(W_z*c34, c59,
+            STEWART_FMA(-c53, c65, STEWART_FMA(c54, c61, STEWART_FMA(c38, inv_L, STEWART_FMA(W_z, c45,
             STEWART_FMA(C_p, W_z, STEWART_FMA(-c39, c58, STEWART_FMA(c39, h_y, STEWART_FMA(-c68, c71,
             STEWART_FMA(c71, c72, STEWART_FMA(c58, c66, STEWART_FMA(-c42, c61, STEWART_FMA(c52, c61,
             STEWART_FMA(-c21, c57, c42)) - c52)))))) + c41))))) - c54)) + c33))))))) - c36) - c51;
@@ -5468,11 +5466,11 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real c94 = c14*inv_k3;
         const stewart_real c95 = c94*k1;
         const stewart_real c96 = c19*c95;
-        const stewart_real tau_S_leg_13 = STEWART_FMA((-c15)*c69*c91, k1, STEWART_FMA(-axial, c75,
+        const stewart_real tau_S_leg_13 = STEWART_FMA(c15*c69*c91, -k1, STEWART_FMA(-axial, c75,
             STEWART_FMA(-axial, c73, STEWART_FMA(c84*j_r, own_z, STEWART_FMA(-c61, c80, STEWART_FMA(c16*c86,
             inv_k3, STEWART_FMA(-m_r, own_y, STEWART_FMA(-axial, c83, STEWART_FMA(c28, c79, STEWART_FMA(c20,
             c90, STEWART_FMA(-c59, c88, STEWART_FMA(-C_p, theta_dot, STEWART_FMA(c74, inv_L,
-            STEWART_FMA(c19, c76, STEWART_FMA((-axial)*c93, c96, STEWART_FMA(c93, c96, STEWART_FMA(-axial,
+            STEWART_FMA(c19, c76, STEWART_FMA(axial*c93, -c96, STEWART_FMA(c93, c96, STEWART_FMA(-axial,
             c81, STEWART_FMA(c30, c61, STEWART_FMA(-c57, c87, c77*inv_L)) - c30 + c81)))))) + c83) + c80)) + c73
             + c75) - c79)))))));
         const stewart_real c98 = c34*own_y;
@@ -5503,7 +5501,7 @@ STEWART_APART static void joint_slopes_of_leg(
             STEWART_FMA(axial*gamma_n*inv_L*k1, w_x, STEWART_FMA(REAL(2)*W_z*h_y, theta_dot,
             STEWART_FMA(REAL(2)*L_dot*axial*h_x*inv_L, theta_dot, STEWART_FMA(-c106, c82,
             STEWART_FMA(REAL(2)*J_yy*L_dot*c19, theta_dot, STEWART_FMA(axial*c14*c93*inv_L*inv_k3, k1,
-            STEWART_FMA(c14*inv_L*inv_k3*k1, STEWART_FMA(-REAL(3), J_yy, REAL(3)*J_zz) - c117,
+            STEWART_FMA(c14*inv_L*inv_k3*k1, STEWART_FMA(REAL(3), -J_yy, REAL(3)*J_zz) - c117,
             STEWART_FMA(-c105, g_k, STEWART_FMA(axial*g_k*inv_L*k3, w_x, STEWART_FMA(REAL(2)*J_xz*c14*c28,
             inv_L, STEWART_FMA(-c111, c112, STEWART_FMA(c14, h_z, -c77) - c113)))))) - c74 - c100))))) - c103
             - c116 - c98)))))))))));
@@ -5552,12 +5550,12 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real c160 = c102 + c156;
         const stewart_real c162 = W_z*c28;
         const stewart_real tau_S_leg_22 = STEWART_FMA(c132, c48, STEWART_FMA(c129*c47, c93,
-            STEWART_FMA((-c160)*c20, c25, STEWART_FMA(-c146, c69, STEWART_FMA(-c128, inv_k3,
-            STEWART_FMA((-c122)*inv_k3, w_n_omega, STEWART_FMA(-c118, c28, STEWART_FMA(c27, h_z,
-            STEWART_FMA(c129, c131, STEWART_FMA((-c16)*c160, c162, STEWART_FMA(-c144, c2,
-            STEWART_FMA((-REAL(4))*c136*c16, c24, STEWART_FMA(c159*c20, c28, STEWART_FMA(c151*c69, c85,
-            STEWART_FMA((-axial)*c138, c31, STEWART_FMA(c28, c46, STEWART_FMA(c2*c60, h_z,
-            STEWART_FMA((-c114)*c2, c28, STEWART_FMA(c154, inv_k3, STEWART_FMA(c148, c24, STEWART_FMA(c125,
+            STEWART_FMA(c160*c20, -c25, STEWART_FMA(-c146, c69, STEWART_FMA(-c128, inv_k3,
+            STEWART_FMA(c122*inv_k3, -w_n_omega, STEWART_FMA(-c118, c28, STEWART_FMA(c27, h_z,
+            STEWART_FMA(c129, c131, STEWART_FMA(c16*c160, -c162, STEWART_FMA(-c144, c2,
+            STEWART_FMA(REAL(4)*c136*c16, -c24, STEWART_FMA(c159*c20, c28, STEWART_FMA(c151*c69, c85,
+            STEWART_FMA(axial*c138, -c31, STEWART_FMA(c28, c46, STEWART_FMA(c2*c60, h_z,
+            STEWART_FMA(c114*c2, -c28, STEWART_FMA(c154, inv_k3, STEWART_FMA(c148, c24, STEWART_FMA(c125,
             inv_k3, STEWART_FMA(c124, k1, STEWART_FMA(W_z*c156, c16, STEWART_FMA(-c137, c58,
             STEWART_FMA(-c133, c53, STEWART_FMA(J_xy*c53, c61, STEWART_FMA(c114, c2, STEWART_FMA(-c142,
             inv_k3, STEWART_FMA(L_ddot*c23, c31, STEWART_FMA(-c158, c70, STEWART_FMA(-c140, c65,
@@ -5578,15 +5576,15 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real c173 = c172*c47;
         const stewart_real c174 = J_xx + c93;
         const stewart_real tau_S_leg_23 = STEWART_FMA(-c167, c28, STEWART_FMA(J_xy*c28*inv_L, own_z,
-            STEWART_FMA(REAL(2)*J_xy*W_z*inv_L*inv_k3*k1, theta_dot, STEWART_FMA((-c171)*c20, c28,
+            STEWART_FMA(REAL(2)*J_xy*W_z*inv_L*inv_k3*k1, theta_dot, STEWART_FMA(c171*c20, -c28,
             STEWART_FMA(-c108, c168, STEWART_FMA(REAL(4)*W_z*c69*h_y*k1, theta_dot,
-            STEWART_FMA(REAL(2)*L_dot*W_z*c28*h_y, inv_L, STEWART_FMA(-c169, c170, STEWART_FMA((-c101)*c28,
-            c78, STEWART_FMA(REAL(2)*J_yz*W_z*inv_L, theta_dot, STEWART_FMA(REAL(2)*J_xy*L_dot*W_z, c19,
+            STEWART_FMA(REAL(2)*L_dot*W_z*c28*h_y, inv_L, STEWART_FMA(-c169, c170, STEWART_FMA(c101*c28,
+            -c78, STEWART_FMA(REAL(2)*J_yz*W_z*inv_L, theta_dot, STEWART_FMA(REAL(2)*J_xy*L_dot*W_z, c19,
             STEWART_FMA(-c64, c78, STEWART_FMA(-c2, c22, STEWART_FMA(-c165, c47,
             STEWART_FMA(gamma_n*inv_L*k3, w_x, STEWART_FMA(REAL(2)*L_ddot*h_x, inv_L,
             STEWART_FMA(J_yy*L_ddot, c19, STEWART_FMA(fall_T_x, m_u, STEWART_FMA(-c173, c69,
             STEWART_FMA(REAL(2)*c14*c69*h_z, k1, STEWART_FMA(C_us*L_dot, c19, STEWART_FMA(-c106, c164,
-            STEWART_FMA((-c104)*g_k, w_z, STEWART_FMA(-c14, c166, STEWART_FMA(c14*c174*c28, inv_L,
+            STEWART_FMA(c104*g_k, -w_z, STEWART_FMA(-c14, c166, STEWART_FMA(c14*c174*c28, inv_L,
             STEWART_FMA(-c140, c34, STEWART_FMA(-c102, c57, STEWART_FMA(-c14, c34,
             J_yy*c3*inv_L))))))))))))))) - c13 - c163)))))))))))));
         const stewart_real c175 = c34*k3;
@@ -5614,7 +5612,7 @@ STEWART_APART static void joint_slopes_of_leg(
             c20, STEWART_FMA(J_xx*c107, c192, STEWART_FMA(-c183, own_y, STEWART_FMA(c187, c91,
             STEWART_FMA(c135, k1, STEWART_FMA(c117, c190, STEWART_FMA(axial*c188, c2, STEWART_FMA(-axial,
             c177, STEWART_FMA(c38, k3, STEWART_FMA(c153, c191, STEWART_FMA(c108, c153, STEWART_FMA(c186, c2,
-            STEWART_FMA(-c127, c85, STEWART_FMA(-c121, c85, STEWART_FMA((-REAL(2))*J_xy*c94, inv_L,
+            STEWART_FMA(-c127, c85, STEWART_FMA(-c121, c85, STEWART_FMA(REAL(2)*J_xy*c94, -inv_L,
             STEWART_FMA(c104*c133, c3, STEWART_FMA(c104*c133, c14, c178))) - c68)) - c72 + c177))))) - c124))))))))))))
             - c176)));
         const stewart_real c195 = c106*gamma_n;
@@ -5627,31 +5625,30 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real c202 = c87*k1;
         const stewart_real c203 = J_xx - J_zz;
         const stewart_real tau_S_leg_32 = STEWART_FMA(-c167, inv_k3, STEWART_FMA(-J_xy, c189,
-            STEWART_FMA((-J_xx)*c28*c32, k1, STEWART_FMA(J_yz*inv_L*k1, own_z,
-            STEWART_FMA(J_xy*inv_L*inv_k3, own_z, STEWART_FMA(-c198, c28, STEWART_FMA((-c181)*c32, inv_k3,
-            STEWART_FMA((-axial)*c98, k1, STEWART_FMA((-axial)*c166*k1, own_y, STEWART_FMA(j_r*k1, own_z,
+            STEWART_FMA(J_xx*c28*c32, -k1, STEWART_FMA(J_yz*inv_L*k1, own_z, STEWART_FMA(J_xy*inv_L*inv_k3,
+            own_z, STEWART_FMA(-c198, c28, STEWART_FMA(c181*c32, -inv_k3, STEWART_FMA(axial*c98, -k1,
+            STEWART_FMA(axial*c166*k1, -own_y, STEWART_FMA(j_r*k1, own_z,
             STEWART_FMA(REAL(2)*W_z*c28*h_y*k1, theta_dot, STEWART_FMA(REAL(2)*J_xz*inv_L*k3, own_y,
-            STEWART_FMA(REAL(2)*J_xy*L_dot*W_z*c19, k3, STEWART_FMA(-c163, k3, STEWART_FMA((-c152)*c20, c89,
-            STEWART_FMA(-c133, c190, STEWART_FMA((-REAL(2))*c13, k3, STEWART_FMA(-c103, k1,
+            STEWART_FMA(REAL(2)*J_xy*L_dot*W_z*c19, k3, STEWART_FMA(-c163, k3, STEWART_FMA(c152*c20, -c89,
+            STEWART_FMA(-c133, c190, STEWART_FMA(REAL(2)*c13, -k3, STEWART_FMA(-c103, k1,
             STEWART_FMA(REAL(2)*h_z*inv_k3, own_y, STEWART_FMA(c174*inv_L*k1, own_y,
             STEWART_FMA(REAL(2)*J_xx*L_dot*c19*c28*k1, theta_dot, STEWART_FMA(-c183, c78,
             STEWART_FMA(gamma_n*inv_L*inv_k3*k1, w_z, STEWART_FMA(axial*c8*gamma_n*inv_L, w_x,
             STEWART_FMA(REAL(2)*J_xz*L_dot*c19*inv_k3, theta_dot, STEWART_FMA(-c195, c8,
-            STEWART_FMA((-c130)*c2, c88, STEWART_FMA(-axial, c195, STEWART_FMA(gamma_y*inv_L*inv_k3, w_y,
+            STEWART_FMA(c130*c2, -c88, STEWART_FMA(-axial, c195, STEWART_FMA(gamma_y*inv_L*inv_k3, w_y,
             STEWART_FMA(-c199, c200, STEWART_FMA(-c100, c192, STEWART_FMA(axial*fall_T_z*k1, m_u,
-            STEWART_FMA((-J_xz)*c39, c85, STEWART_FMA(REAL(2)*L_ddot*h_z*inv_L, k1,
-            STEWART_FMA((-fall_T_x)*k3, m_u, STEWART_FMA(-c179, c39, STEWART_FMA(-c175, c196,
-            STEWART_FMA(L_ddot*c19*c203, k3, STEWART_FMA((-C_us)*c20, inv_k3,
-            STEWART_FMA(REAL(2)*J_xz*c28*c3*inv_L, k1, STEWART_FMA(-c197, c28, STEWART_FMA((-axial)*c105,
-            c164, STEWART_FMA(g_k*inv_L*k1*k3, w_x, STEWART_FMA(REAL(2)*c14*c28*h_z, k1,
-            STEWART_FMA(REAL(4)*J_xz*c55*c56, k1, STEWART_FMA(REAL(2)*J_xz*c3*inv_L, k1,
-            STEWART_FMA((-c172)*c84, k1, STEWART_FMA(-c140, c202, STEWART_FMA((-axial)*c14*c93*inv_L,
-            inv_k3, STEWART_FMA((-c203)*c3*inv_L, k3, STEWART_FMA(-c180, c3, STEWART_FMA((-c156)*c55*c56,
-            k3, STEWART_FMA(REAL(2)*c19*c55*h_x, k3, STEWART_FMA(axial*c14*c93*inv_L, k3,
-            STEWART_FMA(REAL(2)*J_xx*c55*c56, inv_k3, STEWART_FMA(REAL(2)*c3*h_x, k3,
-            STEWART_FMA(c14*inv_L*k3, J_xx - J_yy, STEWART_FMA(c14*c174*inv_L, inv_k3,
-            STEWART_FMA((-c14)*c201, c69, REAL(2)*J_xx*c3*c69*inv_L))))))))))))) - c173 - c197)))))))))))))))))))))))))))))))))
-            - c198)))))))))))));
+            STEWART_FMA(J_xz*c39, -c85, STEWART_FMA(REAL(2)*L_ddot*h_z*inv_L, k1, STEWART_FMA(fall_T_x*k3,
+            -m_u, STEWART_FMA(-c179, c39, STEWART_FMA(-c175, c196, STEWART_FMA(L_ddot*c19*c203, k3,
+            STEWART_FMA(C_us*c20, -inv_k3, STEWART_FMA(REAL(2)*J_xz*c28*c3*inv_L, k1, STEWART_FMA(-c197,
+            c28, STEWART_FMA(axial*c105, -c164, STEWART_FMA(g_k*inv_L*k1*k3, w_x,
+            STEWART_FMA(REAL(2)*c14*c28*h_z, k1, STEWART_FMA(REAL(4)*J_xz*c55*c56, k1,
+            STEWART_FMA(REAL(2)*J_xz*c3*inv_L, k1, STEWART_FMA(c172*c84, -k1, STEWART_FMA(-c140, c202,
+            STEWART_FMA(axial*c14*c93*inv_L, -inv_k3, STEWART_FMA(c203*c3*inv_L, -k3, STEWART_FMA(-c180, c3,
+            STEWART_FMA(c156*c55*c56, -k3, STEWART_FMA(REAL(2)*c19*c55*h_x, k3,
+            STEWART_FMA(axial*c14*c93*inv_L, k3, STEWART_FMA(REAL(2)*J_xx*c55*c56, inv_k3,
+            STEWART_FMA(REAL(2)*c3*h_x, k3, STEWART_FMA(c14*inv_L*k3, J_xx - J_yy,
+            STEWART_FMA(c14*c174*inv_L, inv_k3, STEWART_FMA(c14*c201, -c69,
+            REAL(2)*J_xx*c3*c69*inv_L))))))))))))) - c173 - c197))))))))))))))))))))))))))))))))) - c198)))))))))))));
         const stewart_real c205 = REAL(2)*k3;
         const stewart_real c206 = J_xx*own_z;
         const stewart_real c207 = REAL(2)*c109;
@@ -5660,7 +5657,7 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real c210 = J_xy*k3;
         const stewart_real c211 = c117*c208;
         const stewart_real tau_S_leg_33 = STEWART_FMA(-c132, c47, STEWART_FMA(-c205, c49, STEWART_FMA(-c20,
-            c211, STEWART_FMA((-c151)*c28, c85, STEWART_FMA(-c131, own_z, STEWART_FMA(-J_xx, c168,
+            c211, STEWART_FMA(c151*c28, -c85, STEWART_FMA(-c131, own_z, STEWART_FMA(-J_xx, c168,
             STEWART_FMA(c206, c47, STEWART_FMA(c206, c209, STEWART_FMA(c181, c189, STEWART_FMA(-c181, c190,
             STEWART_FMA(c16, c194, STEWART_FMA(c144*k1, theta_dot, STEWART_FMA(c118, k3, STEWART_FMA(-c18,
             own_y, STEWART_FMA(-c143, c200, STEWART_FMA(c208, c99, STEWART_FMA(c184, c2,
@@ -5696,7 +5693,7 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real tau_S_dot_leg_12 = STEWART_FMA(c26, c43, STEWART_FMA(-c215, c61,
             STEWART_FMA(-W_z, c35, STEWART_FMA(W_z, c214, STEWART_FMA(c213*c23, theta_dot,
             STEWART_FMA(-c169, c58, c20*c21)) + c215))));
-        const stewart_real tau_S_dot_leg_13 = STEWART_FMA((-c23)*c24, c85, STEWART_FMA(c212, c61,
+        const stewart_real tau_S_dot_leg_13 = STEWART_FMA(c23*c24, -c85, STEWART_FMA(c212, c61,
             STEWART_FMA(-c214, theta_dot, STEWART_FMA(c16, c34, c20*c87))) - c212);
         const stewart_real tau_S_dot_leg_21 = STEWART_FMA(REAL(2)*W_z*h_y*inv_k3, k1, STEWART_FMA(-c207,
             c24, STEWART_FMA(-c101, c89, STEWART_FMA(-c102, c16, STEWART_FMA(W_z, j_r, -c88)))));
@@ -5704,22 +5701,21 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real c217 = c216*theta_dot;
         const stewart_real c218 = c108*c169;
         const stewart_real tau_S_dot_leg_22 = STEWART_FMA(-c159, c84, STEWART_FMA(W_z*c160*inv_L*inv_k3, k1,
-            STEWART_FMA((-J_xy)*c17, c28, STEWART_FMA(REAL(2)*W_z*c28, h_z, STEWART_FMA(REAL(4)*J_xz*W_z,
+            STEWART_FMA(J_xy*c17, -c28, STEWART_FMA(REAL(2)*W_z*c28, h_z, STEWART_FMA(REAL(4)*J_xz*W_z,
             inv_L, STEWART_FMA(-c217, inv_k3, STEWART_FMA(REAL(2)*c28*h_y, theta_dot,
             STEWART_FMA(REAL(2)*J_xy*inv_L, theta_dot, STEWART_FMA(-c218, inv_k3,
             STEWART_FMA(REAL(2)*L_dot*h_y*inv_L*inv_k3, k1, STEWART_FMA(-c139, c20, L_dot*inv_L*j_r))) - c114)))
             - c143)))));
         const stewart_real tau_S_dot_leg_23 = STEWART_FMA(-c171, inv_L, STEWART_FMA(-c22, c28,
             STEWART_FMA(c171, c84, STEWART_FMA(c216, c24, STEWART_FMA(c102, c20, -c99) + c147 - c199 + c22))));
-        const stewart_real tau_S_dot_leg_31 = STEWART_FMA((-c112)*c134, k1, STEWART_FMA(-c201, c24,
+        const stewart_real tau_S_dot_leg_31 = STEWART_FMA(c112*c134, -k1, STEWART_FMA(-c201, c24,
             STEWART_FMA(REAL(2)*W_z*h_z, k1, STEWART_FMA(-c108, c17, STEWART_FMA(-c183, c44,
             STEWART_FMA(W_z*c156*inv_L, k3, -c186))) - c188)));
         const stewart_real c219 = c24*inv_L;
         const stewart_real tau_S_dot_leg_32 = STEWART_FMA(-c104, c171, STEWART_FMA(-c22, inv_k3,
-            STEWART_FMA((-J_xz)*c17, inv_k3, STEWART_FMA(c133, c219, STEWART_FMA((-c117)*c16, c192,
-            STEWART_FMA(W_z, c216, STEWART_FMA(c199, inv_k3, STEWART_FMA(-c136, c62,
-            STEWART_FMA((-c117)*c20, inv_k3, STEWART_FMA(-c175, c2, STEWART_FMA(c156*c20, k3,
-            STEWART_FMA(c2, c202, c123))))))) + c86)))));
+            STEWART_FMA(J_xz*c17, -inv_k3, STEWART_FMA(c133, c219, STEWART_FMA(c117*c16, -c192,
+            STEWART_FMA(W_z, c216, STEWART_FMA(c199, inv_k3, STEWART_FMA(-c136, c62, STEWART_FMA(c117*c20,
+            -inv_k3, STEWART_FMA(-c175, c2, STEWART_FMA(c156*c20, k3, STEWART_FMA(c2, c202, c123))))))) + c86)))));
         const stewart_real tau_S_dot_leg_33 = STEWART_FMA(c181, c219, STEWART_FMA(W_z*c117, c209,
             STEWART_FMA(-c18, c44, STEWART_FMA(c17, c210, STEWART_FMA(c169, c191, c185*c2) + c218 - c217))))
             - c184;
@@ -5774,11 +5770,11 @@ STEWART_APART static void joint_slopes_of_leg(
             STEWART_FMA(tau_S_ddot_leg_33, z_z, s_z*tau_S_ddot_leg_31));
         const stewart_real c222 = REAL(1) - axial;
         const stewart_real c223 = L*k1;
-        const stewart_real c224 = STEWART_FMA(c222, STEWART_FMA((-L)*c49, c85, STEWART_FMA(-c206, k3,
+        const stewart_real c224 = STEWART_FMA(c222, STEWART_FMA(L*c49, -c85, STEWART_FMA(-c206, k3,
             STEWART_FMA(REAL(2)*J_xz*k1, own_z, STEWART_FMA(-c211, theta_dot,
             STEWART_FMA(REAL(2)*L*W_z*h_z*inv_k3, theta_dot, STEWART_FMA(J_xx*inv_k3, own_z,
             STEWART_FMA(-c223, c46, STEWART_FMA(-c187, c44, STEWART_FMA(-L_dot, c145, STEWART_FMA(J_yz*k3,
-            own_y, STEWART_FMA(J_xy*k1, own_y, STEWART_FMA((-L_dot)*c44, c63, STEWART_FMA(C_us*W_z, inv_k3,
+            own_y, STEWART_FMA(J_xy*k1, own_y, STEWART_FMA(L_dot*c44, -c63, STEWART_FMA(C_us*W_z, inv_k3,
             STEWART_FMA(-gamma_n, w_y, STEWART_FMA(-L_dot, c186, STEWART_FMA(gamma_y*k1, w_z,
             STEWART_FMA(-L_ddot, c221, STEWART_FMA(L_ddot*j_r, k1, STEWART_FMA(J_yz*c3, k1,
             STEWART_FMA(J_yz*c14, k1, STEWART_FMA(-L, c178, STEWART_FMA(-c210, c3, STEWART_FMA(-c14, c210,
@@ -5787,12 +5783,12 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real c225 = c224*inv_rho*inv_rho;
         const stewart_real bent_leg_12 = -c225*k3;
         const stewart_real c226 = J_xy*c78;
-        const stewart_real c227 = STEWART_FMA(c222, STEWART_FMA((-L)*c64, own_z, STEWART_FMA(c108, c129,
+        const stewart_real c227 = STEWART_FMA(c222, STEWART_FMA(L*c64, -own_z, STEWART_FMA(c108, c129,
             STEWART_FMA(-c226, c28, STEWART_FMA(-c170, c44, STEWART_FMA(J_yz, own_z, STEWART_FMA(-L, c115,
             STEWART_FMA(L, c116, STEWART_FMA(L_dot, c15, STEWART_FMA(-C_s, w_y_omega, STEWART_FMA(c165, k3,
             STEWART_FMA(C_us, theta_dot, STEWART_FMA(-c164, w_z, STEWART_FMA(J_xx, c95,
-            STEWART_FMA((-REAL(2))*L, c29, STEWART_FMA(L, c113, STEWART_FMA(-c111, c28, c172))))) + c76))))
-            + c226))))))), axial*net_y);
+            STEWART_FMA(REAL(2)*L, -c29, STEWART_FMA(L, c113, STEWART_FMA(-c111, c28, c172))))) + c76)))) + c226))))))),
+            axial*net_y);
         const stewart_real c228 = c19*c227;
         const stewart_real bent_leg_13 = c228;
         const stewart_real bent_leg_21 = -L*c228;
@@ -5854,7 +5850,7 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real G_dot_22 = c231*inv_L;
         const stewart_real G_dot_23 = c20;
         const stewart_real G_dot_31 = -c230*phi_dot;
-        const stewart_real G_dot_32 = STEWART_FMA((-inv_rho)*kappa, theta_dot, -c2*inv_rho);
+        const stewart_real G_dot_32 = STEWART_FMA(inv_rho*kappa, -theta_dot, -c2*inv_rho);
         const stewart_real G_dot_33 = c231*inv_rho;
         /* slope of a rate, times C_s */
         const stewart_real theta_dot_by_S_x = C_s*STEWART_FMA(G_dot_22, y_x, STEWART_FMA(G_dot_21, s_x,
@@ -6405,14 +6401,14 @@ static STEWART_INLINE void bias_of_pose(
         out->B_0[6][l] = omega_xz;
         out->B_0[7][l] = omega_yz;
         out->B_0[8][l] = B_zz;
-        summed[0*lanes + l] = STEWART_FMA(-omega_z, w_h_y, STEWART_FMA(-M_P, g_x, omega_y*w_h_z));
-        summed[1*lanes + l] = STEWART_FMA(-omega_x, w_h_z, STEWART_FMA(-M_P, g_y, omega_z*w_h_x));
-        summed[2*lanes + l] = STEWART_FMA(-omega_y, w_h_x, STEWART_FMA(-M_P, g_z, omega_x*w_h_y));
-        summed[3*lanes + l] = STEWART_FMA(-g_z, h_base_y, STEWART_FMA(-J_w_y, omega_z, STEWART_FMA(g_y,
+        summed[0*lanes + l] = STEWART_FMA(-omega_z, w_h_y, STEWART_FMA(M_P, -g_x, omega_y*w_h_z));
+        summed[1*lanes + l] = STEWART_FMA(-omega_x, w_h_z, STEWART_FMA(M_P, -g_y, omega_z*w_h_x));
+        summed[2*lanes + l] = STEWART_FMA(-omega_y, w_h_x, STEWART_FMA(M_P, -g_z, omega_x*w_h_y));
+        summed[3*lanes + l] = STEWART_FMA(g_z, -h_base_y, STEWART_FMA(-J_w_y, omega_z, STEWART_FMA(g_y,
             h_base_z, STEWART_FMA(J_w_z, omega_y, C_P*omega_x))));
-        summed[4*lanes + l] = STEWART_FMA(-g_x, h_base_z, STEWART_FMA(-J_w_z, omega_x, STEWART_FMA(g_z,
+        summed[4*lanes + l] = STEWART_FMA(g_x, -h_base_z, STEWART_FMA(-J_w_z, omega_x, STEWART_FMA(g_z,
             h_base_x, STEWART_FMA(J_w_x, omega_z, C_P*omega_y))));
-        summed[5*lanes + l] = STEWART_FMA(-g_y, h_base_x, STEWART_FMA(-J_w_x, omega_y, STEWART_FMA(g_x,
+        summed[5*lanes + l] = STEWART_FMA(g_y, -h_base_x, STEWART_FMA(-J_w_x, omega_y, STEWART_FMA(g_x,
             h_base_y, STEWART_FMA(J_w_y, omega_x, C_P*omega_z))));
     }
 }
@@ -6531,7 +6527,7 @@ STEWART_APART static void bias_of_leg(
         const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
             STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
         /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
-        const stewart_real own_theta_ddot = STEWART_FMA((-REAL(2))*L_share, theta_dot,
+        const stewart_real own_theta_ddot = STEWART_FMA(REAL(2)*L_share, -theta_dot,
             -inv_L*STEWART_FMA(S_ddot_z, z_z, STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)));
         const stewart_real own_phi_ddot = STEWART_FMA(-L_share, two_phi_dot, inv_rho*STEWART_FMA(S_ddot_z,
             y_z, STEWART_FMA(S_ddot_y, y_y, S_ddot_x*y_x)));
@@ -6572,8 +6568,8 @@ STEWART_APART static void bias_of_leg(
             STEWART_FMA(phi_dot2, STEWART_FMA(-c3, STEWART_HALF - k33, k13*(J_yy - dJ_zx)), STEWART_FMA(g_k,
             w_n, L_ddot*h_z)))))))));
         const stewart_real tau_k = STEWART_FMA(M_phi, own_phi_ddot, STEWART_FMA(M_mixed, theta_ddot,
-            STEWART_FMA((-bend)*h2_y, k1, STEWART_FMA(two_phi_dot, STEWART_FMA(-theta_dot, STEWART_FMA(J_xx,
-            kappa, STEWART_FMA(-STEWART_HALF, c2, STEWART_HALF*J2_xz)), L_dot*M_phi_L),
+            STEWART_FMA(bend*h2_y, -k1, STEWART_FMA(two_phi_dot, STEWART_FMA(-theta_dot, STEWART_FMA(J_xx,
+            kappa, STEWART_FMA(STEWART_HALF, -c2, STEWART_HALF*J2_xz)), L_dot*M_phi_L),
             STEWART_FMA(-gamma_y, w_n, STEWART_FMA(-gamma_n, w_y, STEWART_FMA(-c4, c5, STEWART_FMA(C_us,
             phi_dot, STEWART_FMA(M_mixed_theta, theta_dot2, STEWART_FMA(-C_s, STEWART_FMA(k_z, omega_z,
             STEWART_FMA(k_y, omega_y, k_x*omega_x)), L_ddot*c7))))))))));

@@ -42,7 +42,7 @@ typedef struct {
 
 typedef struct {
     stewart_real B[9][POSES];
-    stewart_real t_size[POSES]; /* m: largest coordinate of t */
+    stewart_real least_L[POSES]; /* m: length of a leg that needs a closer look */
 } STEWART_ALIGNED shared_lanes;
 
 /* The legs of one pose. */
@@ -180,7 +180,7 @@ static stewart_real size_of(const stewart_exact_drive_reflected_massless_model *
 int stewart_exact_drive_reflected_massless_prepare(
     const stewart_robot *robot, stewart_exact_drive_reflected_massless_model *model)
 {
-    int i;
+    int i, j;
     stewart_exact_drive_reflected_massless_model made;
     prepared_leg found;
     prepared_leg sum;
@@ -239,11 +239,18 @@ int stewart_exact_drive_reflected_massless_prepare(
     made.g[0] = platform.g[0];
     made.g[1] = platform.g[1];
     made.g[2] = platform.g[2];
+    stewart_real far = REAL(0);
+    for (j = 0; j < 3; ++j) {
+        for (i = 0; i < 6; ++i) {
+            far = STEWART_LARGER(STEWART_FABS(made.b[j][i]), far);
+        }
+    }
+    made.base_reach = far;
     const stewart_real largest = size_of(&made);
     made.per_length = per_length_of(largest, REAL(0.125));
     made.arm_cube = cube_of(largest*made.per_length);
     const stewart_real *const numbers = (const stewart_real *)&made;
-    for (i = 0; i < 74; ++i) {
+    for (i = 0; i < 75; ++i) {
         if (!(STEWART_FABS(numbers[i]) <= STEWART_MAX)) {
             return STEWART_NOT_FINITE;
         }
@@ -383,9 +390,9 @@ static void legs_of_pose(
         const stewart_real s_y = S_y*inv_L;
         const stewart_real s_z = S_z*inv_L;
         /* (4) velocity of the platform point */
-        const stewart_real S_dot_x = STEWART_FMA(-omega_z, q_y, STEWART_FMA(omega_y, q_z, v_x));
-        const stewart_real S_dot_y = STEWART_FMA(-omega_x, q_z, STEWART_FMA(omega_z, q_x, v_y));
-        const stewart_real S_dot_z = STEWART_FMA(-omega_y, q_x, STEWART_FMA(omega_x, q_y, v_z));
+        const stewart_real S_dot_x = STEWART_FMA(omega_z, -q_y, STEWART_FMA(omega_y, q_z, v_x));
+        const stewart_real S_dot_y = STEWART_FMA(omega_x, -q_z, STEWART_FMA(omega_z, q_x, v_y));
+        const stewart_real S_dot_z = STEWART_FMA(omega_y, -q_x, STEWART_FMA(omega_x, q_y, v_z));
         /* (7) acceleration of the platform point */
         const stewart_real S_ddot_x = STEWART_FMA(B_xz, q_z, STEWART_FMA(B_xy, q_y, STEWART_FMA(B_xx, q_x,
             a_x)));
@@ -544,6 +551,22 @@ typedef struct {
     stewart_real q[3][POSES];
 } STEWART_ALIGNED leg_block;
 
+/* A leg of the poses of a block as far as its roots. */
+typedef struct {
+    stewart_real q_x[POSES];
+    stewart_real q_y[POSES];
+    stewart_real q_z[POSES];
+    stewart_real S_x[POSES];
+    stewart_real S_y[POSES];
+    stewart_real S_z[POSES];
+    stewart_real L[POSES];
+    stewart_real inv_L[POSES];
+} STEWART_ALIGNED leg_roots;
+
+typedef struct {
+    leg_roots leg[6];
+} STEWART_ALIGNED roots_of_legs;
+
 /* What each pose of a block has for all legs, and the platform's part of c. */
 static void shared_of_block(
     const stewart_exact_drive_reflected_massless_model *STEWART_RESTRICT model,
@@ -608,14 +631,14 @@ static void shared_of_block(
         const stewart_real P_yy = omega_P_y*omega_P_y;
         const stewart_real P_zz = omega_P_z*omega_P_z;
         /* (34) external moment less I alpha + omega x I omega, platform frame */
-        const stewart_real M_P_load_x = STEWART_FMA(-J_C_xz, alpha_P_z + P_xy, STEWART_FMA(J_C_xy, P_xz - alpha_P_y,
-            STEWART_FMA(-P_yz, dJ_C_x, STEWART_FMA(-J_C_xx, alpha_P_x, STEWART_FMA(-J_C_yz, P_yy - P_zz,
+        const stewart_real M_P_load_x = STEWART_FMA(J_C_xz, -(alpha_P_z + P_xy), STEWART_FMA(J_C_xy, P_xz - alpha_P_y,
+            STEWART_FMA(-P_yz, dJ_C_x, STEWART_FMA(J_C_xx, -alpha_P_x, STEWART_FMA(J_C_yz, -(P_yy - P_zz),
             M_ext_x)))));
-        const stewart_real M_P_load_y = STEWART_FMA(-J_C_xy, alpha_P_x + P_yz, STEWART_FMA(J_C_yz, P_xy - alpha_P_z,
-            STEWART_FMA(-P_xz, dJ_C_y, STEWART_FMA(-J_C_yy, alpha_P_y, STEWART_FMA(-J_C_xz, P_zz - P_xx,
+        const stewart_real M_P_load_y = STEWART_FMA(J_C_xy, -(alpha_P_x + P_yz), STEWART_FMA(J_C_yz, P_xy - alpha_P_z,
+            STEWART_FMA(-P_xz, dJ_C_y, STEWART_FMA(J_C_yy, -alpha_P_y, STEWART_FMA(J_C_xz, -(P_zz - P_xx),
             M_ext_y)))));
-        const stewart_real M_P_load_z = STEWART_FMA(-J_C_yz, alpha_P_y + P_xz, STEWART_FMA(J_C_xz, P_yz - alpha_P_x,
-            STEWART_FMA(-P_xy, dJ_C_z, STEWART_FMA(-J_C_zz, alpha_P_z, STEWART_FMA(-J_C_xy, P_xx - P_yy,
+        const stewart_real M_P_load_z = STEWART_FMA(J_C_yz, -(alpha_P_y + P_xz), STEWART_FMA(J_C_xz, P_yz - alpha_P_x,
+            STEWART_FMA(-P_xy, dJ_C_z, STEWART_FMA(J_C_zz, -alpha_P_z, STEWART_FMA(J_C_xy, -(P_xx - P_yy),
             M_ext_z)))));
         out->B[0][l] = B_xx;
         out->B[1][l] = B_xy;
@@ -635,19 +658,19 @@ static void shared_of_block(
             STEWART_FMA(M_P_load_y, R_yy, M_P_load_x*R_yx))));
         c[5][l] = STEWART_FMA(-N_x, R_C_y, STEWART_FMA(N_y, R_C_x, STEWART_FMA(M_P_load_z, R_zz,
             STEWART_FMA(M_P_load_y, R_zy, M_P_load_x*R_zx))));
-        const stewart_real far = STEWART_LARGER(STEWART_FABS(at->t[0][l]), STEWART_FABS(at->t[1][l]));
-        out->t_size[l] = STEWART_LARGER(STEWART_FABS(at->t[2][l]), far);
+        stewart_real far = STEWART_LARGER(model->base_reach, STEWART_SHORTEST/STEWART_ROUNDING);
+        far = STEWART_LARGER(STEWART_FABS(at->t[0][l]), far);
+        far = STEWART_LARGER(STEWART_FABS(at->t[1][l]), far);
+        far = STEWART_LARGER(STEWART_FABS(at->t[2][l]), far);
+        out->least_L[l] = REAL(2.25)*STEWART_SHORT_SHARE*far;
     }
 }
 
-/* One leg of the poses of a block, 81 (42 mul, 37 add, 1 div, 1 sqrt) operations each: its column of H,
- * its D and its part of c. A leg is q + t - b: one that is short beside q is so beside t or b as well,
- * if less. */
-static void leg_of_block(
+/* A leg of the poses of a block as far as its roots, 28 (12 mul, 14 add, 1 div, 1 sqrt) operations each.
+ * Those of the next leg are taken before a leg goes on from its own, which are ready by then. */
+static void roots_of_leg(
     const stewart_exact_drive_reflected_massless_model *STEWART_RESTRICT model, int leg,
-    const motion_lanes *STEWART_RESTRICT at, const shared_lanes *STEWART_RESTRICT shared,
-    stewart_real (*STEWART_RESTRICT column)[POSES], leg_block *STEWART_RESTRICT own,
-    stewart_real *STEWART_RESTRICT known, stewart_real *STEWART_RESTRICT bad)
+    const motion_lanes *STEWART_RESTRICT at, leg_roots *STEWART_RESTRICT out)
 {
     int l;
     for (l = 0; l < POSES; ++l) {
@@ -671,10 +694,39 @@ static void leg_of_block(
         /* (2) leg length */
         const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
         const stewart_real inv_L = REAL(1)/L;
+        out->q_x[l] = q_x;
+        out->q_y[l] = q_y;
+        out->q_z[l] = q_z;
+        out->S_x[l] = S_x;
+        out->S_y[l] = S_y;
+        out->S_z[l] = S_z;
+        out->L[l] = L;
+        out->inv_L[l] = inv_L;
+    }
+}
+
+/* The leg from there on, 53 (30 mul, 23 add, 0 div, 0 sqrt) operations each: its column of H, its D and
+ * its part of c. A leg is q + t - b: one that is short beside q is so beside t or b as well, if less. */
+static void leg_of_block(
+    const stewart_exact_drive_reflected_massless_model *STEWART_RESTRICT model, int leg,
+    const motion_lanes *STEWART_RESTRICT at, const shared_lanes *STEWART_RESTRICT shared,
+    const leg_roots *STEWART_RESTRICT roots, stewart_real (*STEWART_RESTRICT column)[POSES],
+    leg_block *STEWART_RESTRICT own, stewart_real *STEWART_RESTRICT known,
+    stewart_real *STEWART_RESTRICT bad)
+{
+    int l;
+    for (l = 0; l < POSES; ++l) {
+        const stewart_real S_x = roots->S_x[l];
+        const stewart_real S_y = roots->S_y[l];
+        const stewart_real S_z = roots->S_z[l];
+        const stewart_real inv_L = roots->inv_L[l];
         /* (3) unit vector along the leg */
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
         const stewart_real s_z = S_z*inv_L;
+        const stewart_real q_x = roots->q_x[l];
+        const stewart_real q_y = roots->q_y[l];
+        const stewart_real q_z = roots->q_z[l];
         const stewart_real omega_x = at->omega[0][l], omega_y = at->omega[1][l], omega_z = at->omega[2][l];
         const stewart_real v_x = at->v[0][l], v_y = at->v[1][l], v_z = at->v[2][l];
         /* (4) velocity of the platform point */
@@ -701,6 +753,7 @@ static void leg_of_block(
         /* (24) force that turns the motor */
         const stewart_real D = m_r*STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
             STEWART_FMA(S_ddot_x, s_x, turned)));
+        const stewart_real L = roots->L[l];
         column[0][l] = s_x;
         column[1][l] = s_y;
         column[2][l] = s_z;
@@ -708,12 +761,7 @@ static void leg_of_block(
         own->q[1][l] = q_y;
         own->q[2][l] = q_z;
         known[l] = D;
-        stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
-        reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
-        reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
-        reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
-        reach = STEWART_LARGER(shared->t_size[l], reach);
-        stewart_real fault = L > REAL(2.25)*STEWART_SHORT_SHARE*reach ? bad[l] : REAL(1);
+        stewart_real fault = L > shared->least_L[l] ? bad[l] : REAL(1);
         fault = L <= STEWART_MAX ? fault : REAL(1);
         bad[l] = fault;
     }
@@ -789,14 +837,20 @@ static void forces_of_block(
 {
     int i, l;
     shared_lanes shared;
+    roots_of_legs roots;
     leg_block first;
     leg_block other;
     for (l = 0; l < POSES; ++l) {
         out->bad[l] = REAL(0);
     }
+    roots_of_leg(model, 0, at, &roots.leg[0]);
     shared_of_block(model, at, &shared, out->column[6]);
     for (i = 0; i < 6; ++i) {
-        leg_of_block(model, i, at, &shared, out->column[i], i == 0 ? &first : &other, out->D[i], out->bad);
+        if (i < 5) {
+            roots_of_leg(model, i + 1, at, &roots.leg[i + 1]);
+        }
+        leg_of_block(model, i, at, &shared, &roots.leg[i], out->column[i], i == 0 ? &first : &other,
+            out->D[i], out->bad);
         if (i == 0) {
             moments_of_first(&first, out->column[6]);
         } else {

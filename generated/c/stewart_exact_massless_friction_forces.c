@@ -40,7 +40,7 @@ typedef struct {
 } shared_terms;
 
 typedef struct {
-    stewart_real t_size[POSES]; /* m: largest coordinate of t */
+    stewart_real least_L[POSES]; /* m: length of a leg that needs a closer look */
 } STEWART_ALIGNED shared_lanes;
 
 /* The legs of one pose. */
@@ -204,7 +204,7 @@ static stewart_real size_of(const stewart_exact_massless_friction_model *model)
 int stewart_exact_massless_friction_prepare(
     const stewart_robot *robot, stewart_exact_massless_friction_model *model)
 {
-    int i;
+    int i, j;
     stewart_exact_massless_friction_model made;
     prepared_leg found;
     prepared_leg sum;
@@ -269,11 +269,18 @@ int stewart_exact_massless_friction_prepare(
     made.g[0] = platform.g[0];
     made.g[1] = platform.g[1];
     made.g[2] = platform.g[2];
+    stewart_real far = REAL(0);
+    for (j = 0; j < 3; ++j) {
+        for (i = 0; i < 6; ++i) {
+            far = STEWART_LARGER(STEWART_FABS(made.b[j][i]), far);
+        }
+    }
+    made.base_reach = far;
     const stewart_real largest = size_of(&made);
     made.per_length = per_length_of(largest, REAL(0.125));
     made.arm_cube = cube_of(largest*made.per_length);
     const stewart_real *const numbers = (const stewart_real *)&made;
-    for (i = 0; i < 115; ++i) {
+    for (i = 0; i < 116; ++i) {
         if (!(STEWART_FABS(numbers[i]) <= STEWART_MAX)) {
             return STEWART_NOT_FINITE;
         }
@@ -433,9 +440,9 @@ static void legs_of_pose(
         const stewart_real k1 = inv_L*zeta;
         const stewart_real k3 = inv_L*rho;
         /* (4) velocity of the platform point */
-        const stewart_real S_dot_x = STEWART_FMA(-omega_z, q_y, STEWART_FMA(omega_y, q_z, v_x));
-        const stewart_real S_dot_y = STEWART_FMA(-omega_x, q_z, STEWART_FMA(omega_z, q_x, v_y));
-        const stewart_real S_dot_z = STEWART_FMA(-omega_y, q_x, STEWART_FMA(omega_x, q_y, v_z));
+        const stewart_real S_dot_x = STEWART_FMA(omega_z, -q_y, STEWART_FMA(omega_y, q_z, v_x));
+        const stewart_real S_dot_y = STEWART_FMA(omega_x, -q_z, STEWART_FMA(omega_z, q_x, v_y));
+        const stewart_real S_dot_z = STEWART_FMA(omega_y, -q_x, STEWART_FMA(omega_x, q_y, v_z));
         /* (5) rates of the joint coordinates: L, phi about k, theta about y */
         const stewart_real L_dot = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
         /* (6) rates of the joint coordinates: L, phi about k, theta about y */
@@ -554,9 +561,9 @@ static void legs_near_singular(
         /* (10) k = (k1, 0, k3) in the leg frame */
         const stewart_real k3 = inv_L*rho;
         /* (4) velocity of the platform point */
-        const stewart_real S_dot_x = STEWART_FMA(-omega_z, q_y, STEWART_FMA(omega_y, q_z, v_x));
-        const stewart_real S_dot_y = STEWART_FMA(-omega_x, q_z, STEWART_FMA(omega_z, q_x, v_y));
-        const stewart_real S_dot_z = STEWART_FMA(-omega_y, q_x, STEWART_FMA(omega_x, q_y, v_z));
+        const stewart_real S_dot_x = STEWART_FMA(omega_z, -q_y, STEWART_FMA(omega_y, q_z, v_x));
+        const stewart_real S_dot_y = STEWART_FMA(omega_x, -q_z, STEWART_FMA(omega_z, q_x, v_y));
+        const stewart_real S_dot_z = STEWART_FMA(omega_y, -q_x, STEWART_FMA(omega_x, q_y, v_z));
         /* (5) rates of the joint coordinates: L, phi about k, theta about y */
         const stewart_real L_dot = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
         /* (6) rates of the joint coordinates: L, phi about k, theta about y */
@@ -745,6 +752,28 @@ typedef struct {
     stewart_real c_moment[3][POSES];
 } STEWART_ALIGNED leg_block;
 
+/* A leg of the poses of a block as far as its roots. */
+typedef struct {
+    stewart_real q_x[POSES];
+    stewart_real q_y[POSES];
+    stewart_real q_z[POSES];
+    stewart_real S_x[POSES];
+    stewart_real S_y[POSES];
+    stewart_real S_z[POSES];
+    stewart_real zeta[POSES];
+    stewart_real k_cross_S_x[POSES];
+    stewart_real k_cross_S_y[POSES];
+    stewart_real k_cross_S_z[POSES];
+    stewart_real L[POSES];
+    stewart_real rho[POSES];
+    stewart_real inv_L[POSES];
+    stewart_real inv_rho[POSES];
+} STEWART_ALIGNED leg_roots;
+
+typedef struct {
+    leg_roots leg[6];
+} STEWART_ALIGNED roots_of_legs;
+
 /* What each pose of a block has for all legs, and the platform's part of c. */
 static void shared_of_block(
     const stewart_exact_massless_friction_model *STEWART_RESTRICT model,
@@ -826,35 +855,35 @@ static void shared_of_block(
         /* (34) external moment less I alpha + omega x I omega, in the platform frame */
         const stewart_real M_P_load_x = STEWART_FMA(-N_P_y, r_C_z, STEWART_FMA(N_P_z, r_C_y,
             STEWART_FMA(-B_yx, J_C_xz, STEWART_FMA(B_zx, J_C_xy, STEWART_FMA(-P_yz, dJ_C_x,
-            STEWART_FMA(-J_C_xx, alpha_P_x, STEWART_FMA(-J_C_yz, P_yy - P_zz, M_ext_x)))))));
+            STEWART_FMA(J_C_xx, -alpha_P_x, STEWART_FMA(J_C_yz, -(P_yy - P_zz), M_ext_x)))))));
         const stewart_real M_P_load_y = STEWART_FMA(-N_P_z, r_C_x, STEWART_FMA(N_P_x, r_C_z,
             STEWART_FMA(-B_zy, J_C_xy, STEWART_FMA(B_xy, J_C_yz, STEWART_FMA(-P_xz, dJ_C_y,
-            STEWART_FMA(-J_C_yy, alpha_P_y, STEWART_FMA(-J_C_xz, P_zz - P_xx, M_ext_y)))))));
+            STEWART_FMA(J_C_yy, -alpha_P_y, STEWART_FMA(J_C_xz, -(P_zz - P_xx), M_ext_y)))))));
         const stewart_real M_P_load_z = STEWART_FMA(-N_P_x, r_C_y, STEWART_FMA(N_P_y, r_C_x,
             STEWART_FMA(-B_xz, J_C_yz, STEWART_FMA(B_yz, J_C_xz, STEWART_FMA(-P_xy, dJ_C_z,
-            STEWART_FMA(-J_C_zz, alpha_P_z, STEWART_FMA(-J_C_xy, P_xx - P_yy, M_ext_z)))))));
+            STEWART_FMA(J_C_zz, -alpha_P_z, STEWART_FMA(J_C_xy, -(P_xx - P_yy), M_ext_z)))))));
         c[0][l] = STEWART_FMA(F_P_load_z, R_xz, STEWART_FMA(F_P_load_y, R_xy, F_P_load_x*R_xx));
         c[1][l] = STEWART_FMA(F_P_load_z, R_yz, STEWART_FMA(F_P_load_y, R_yy, F_P_load_x*R_yx));
         c[2][l] = STEWART_FMA(F_P_load_z, R_zz, STEWART_FMA(F_P_load_y, R_zy, F_P_load_x*R_zx));
-        c[3][l] = STEWART_FMA(-C_P, omega_x, STEWART_FMA(M_P_load_z, R_xz, STEWART_FMA(M_P_load_y, R_xy,
+        c[3][l] = STEWART_FMA(C_P, -omega_x, STEWART_FMA(M_P_load_z, R_xz, STEWART_FMA(M_P_load_y, R_xy,
             M_P_load_x*R_xx)));
-        c[4][l] = STEWART_FMA(-C_P, omega_y, STEWART_FMA(M_P_load_z, R_yz, STEWART_FMA(M_P_load_y, R_yy,
+        c[4][l] = STEWART_FMA(C_P, -omega_y, STEWART_FMA(M_P_load_z, R_yz, STEWART_FMA(M_P_load_y, R_yy,
             M_P_load_x*R_yx)));
-        c[5][l] = STEWART_FMA(-C_P, omega_z, STEWART_FMA(M_P_load_z, R_zz, STEWART_FMA(M_P_load_y, R_zy,
+        c[5][l] = STEWART_FMA(C_P, -omega_z, STEWART_FMA(M_P_load_z, R_zz, STEWART_FMA(M_P_load_y, R_zy,
             M_P_load_x*R_zx)));
-        const stewart_real far = STEWART_LARGER(STEWART_FABS(at->t[0][l]), STEWART_FABS(at->t[1][l]));
-        out->t_size[l] = STEWART_LARGER(STEWART_FABS(at->t[2][l]), far);
+        stewart_real far = STEWART_LARGER(model->base_reach, STEWART_SHORTEST/STEWART_ROUNDING);
+        far = STEWART_LARGER(STEWART_FABS(at->t[0][l]), far);
+        far = STEWART_LARGER(STEWART_FABS(at->t[1][l]), far);
+        far = STEWART_LARGER(STEWART_FABS(at->t[2][l]), far);
+        out->least_L[l] = REAL(2.25)*STEWART_SHORT_SHARE*far;
     }
 }
 
-/* One leg of the poses of a block, 126 (76 mul, 46 add, 2 div, 2 sqrt) operations each: its column of H,
- * its D and its part of c. A leg is q + t - b: one that is short beside q is so beside t or b as well,
- * if less. */
-static void leg_of_block(
+/* A leg of the poses of a block as far as its roots, 46 (22 mul, 20 add, 2 div, 2 sqrt) operations each.
+ * Those of the next leg are taken before a leg goes on from its own, which are ready by then. */
+static void roots_of_leg(
     const stewart_exact_massless_friction_model *STEWART_RESTRICT model, int leg,
-    const motion_lanes *STEWART_RESTRICT at, const shared_lanes *STEWART_RESTRICT shared,
-    stewart_real (*STEWART_RESTRICT column)[POSES], leg_block *STEWART_RESTRICT own,
-    stewart_real *STEWART_RESTRICT known, stewart_real *STEWART_RESTRICT bad)
+    const motion_lanes *STEWART_RESTRICT at, leg_roots *STEWART_RESTRICT out)
 {
     int l;
     for (l = 0; l < POSES; ++l) {
@@ -887,18 +916,59 @@ static void leg_of_block(
         const stewart_real L = STEWART_SQRT(STEWART_FMA(zeta, zeta, rho2));
         const stewart_real rho = STEWART_SQRT(rho2);
         const stewart_real inv_L = REAL(1)/L;
+        const stewart_real inv_rho = REAL(1)/rho;
+        out->q_x[l] = q_x;
+        out->q_y[l] = q_y;
+        out->q_z[l] = q_z;
+        out->S_x[l] = S_x;
+        out->S_y[l] = S_y;
+        out->S_z[l] = S_z;
+        out->zeta[l] = zeta;
+        out->k_cross_S_x[l] = k_cross_S_x;
+        out->k_cross_S_y[l] = k_cross_S_y;
+        out->k_cross_S_z[l] = k_cross_S_z;
+        out->L[l] = L;
+        out->rho[l] = rho;
+        out->inv_L[l] = inv_L;
+        out->inv_rho[l] = inv_rho;
+    }
+}
+
+/* The leg from there on, 80 (54 mul, 26 add, 0 div, 0 sqrt) operations each: its column of H, its D and
+ * its part of c. A leg is q + t - b: one that is short beside q is so beside t or b as well, if less. */
+static void leg_of_block(
+    const stewart_exact_massless_friction_model *STEWART_RESTRICT model, int leg,
+    const motion_lanes *STEWART_RESTRICT at, const shared_lanes *STEWART_RESTRICT shared,
+    const leg_roots *STEWART_RESTRICT roots, stewart_real (*STEWART_RESTRICT column)[POSES],
+    leg_block *STEWART_RESTRICT own, stewart_real *STEWART_RESTRICT known,
+    stewart_real *STEWART_RESTRICT bad)
+{
+    int l;
+    for (l = 0; l < POSES; ++l) {
+        const stewart_real S_x = roots->S_x[l];
+        const stewart_real S_y = roots->S_y[l];
+        const stewart_real S_z = roots->S_z[l];
+        const stewart_real inv_L = roots->inv_L[l];
         /* (3) unit vector along the leg */
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
         const stewart_real s_z = S_z*inv_L;
-        const stewart_real inv_rho = REAL(1)/rho;
+        const stewart_real k_cross_S_x = roots->k_cross_S_x[l];
+        const stewart_real k_cross_S_y = roots->k_cross_S_y[l];
+        const stewart_real k_cross_S_z = roots->k_cross_S_z[l];
+        const stewart_real inv_rho = roots->inv_rho[l];
         /* (10) second axis of the leg frame */
         const stewart_real y_x = inv_rho*k_cross_S_x;
         const stewart_real y_y = inv_rho*k_cross_S_y;
         const stewart_real y_z = inv_rho*k_cross_S_z;
+        const stewart_real zeta = roots->zeta[l];
+        const stewart_real rho = roots->rho[l];
         /* (10) k = (k1, 0, k3) in the leg frame */
         const stewart_real k1 = inv_L*zeta;
         const stewart_real k3 = inv_L*rho;
+        const stewart_real q_x = roots->q_x[l];
+        const stewart_real q_y = roots->q_y[l];
+        const stewart_real q_z = roots->q_z[l];
         const stewart_real omega_x = at->omega[0][l], omega_y = at->omega[1][l], omega_z = at->omega[2][l];
         const stewart_real v_x = at->v[0][l], v_y = at->v[1][l], v_z = at->v[2][l];
         /* (4) velocity of the platform point */
@@ -907,6 +977,7 @@ static void leg_of_block(
         const stewart_real S_dot_z = STEWART_FMA(-omega_y, q_x, STEWART_FMA(omega_x, q_y, v_z));
         /* (5) rates of the joint coordinates: L, phi about k, theta about y */
         const stewart_real L_dot = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
+        const stewart_real k_x = model->k[0][leg], k_y = model->k[1][leg], k_z = model->k[2][leg];
         /* (6) rates of the joint coordinates: L, phi about k, theta about y */
         const stewart_real phi_dot = inv_rho*STEWART_FMA(S_dot_z, y_z, STEWART_FMA(S_dot_y, y_y,
             S_dot_x*y_x));
@@ -915,9 +986,9 @@ static void leg_of_block(
         const stewart_real C_s = model->C_s[leg];
         const stewart_real C_us = model->C_us[leg];
         /* (20) generalised forces about y and about k */
-        const stewart_real tau_y = STEWART_FMA(-C_s, STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y,
+        const stewart_real tau_y = STEWART_FMA(C_s, -STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y,
             omega_x*y_x)), C_us*theta_dot);
-        const stewart_real tau_k = STEWART_FMA(-C_s, STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y,
+        const stewart_real tau_k = STEWART_FMA(C_s, -STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y,
             k_x*omega_x)), C_us*phi_dot);
         /* (21) K = Q_k k + Q_y y, up to a part along s */
         const stewart_real Q_k = -inv_rho*tau_y;
@@ -931,6 +1002,7 @@ static void leg_of_block(
         const stewart_real D = STEWART_FMA(-Q_k, k1, C_p*L_dot);
         const stewart_real c1 = C_s*phi_dot;
         const stewart_real c2 = C_s*theta_dot;
+        const stewart_real L = roots->L[l];
         column[0][l] = s_x;
         column[1][l] = s_y;
         column[2][l] = s_z;
@@ -944,12 +1016,7 @@ static void leg_of_block(
         own->c_moment[1][l] = STEWART_FMA(c2, y_y, c1*k_y);
         own->c_moment[2][l] = STEWART_FMA(c2, y_z, c1*k_z);
         known[l] = D;
-        stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
-        reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
-        reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
-        reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
-        reach = STEWART_LARGER(shared->t_size[l], reach);
-        stewart_real fault = L > REAL(2.25)*STEWART_SHORT_SHARE*reach ? bad[l] : REAL(1);
+        stewart_real fault = L > shared->least_L[l] ? bad[l] : REAL(1);
         fault = k3 > STEWART_NEAR_JOINT_SINGULAR ? fault : REAL(1);
         bad[l] = fault;
     }
@@ -1040,14 +1107,20 @@ static void forces_of_block(
 {
     int i, l;
     shared_lanes shared;
+    roots_of_legs roots;
     leg_block first;
     leg_block other;
     for (l = 0; l < POSES; ++l) {
         out->bad[l] = REAL(0);
     }
+    roots_of_leg(model, 0, at, &roots.leg[0]);
     shared_of_block(model, at, &shared, out->column[6]);
     for (i = 0; i < 6; ++i) {
-        leg_of_block(model, i, at, &shared, out->column[i], i == 0 ? &first : &other, out->D[i], out->bad);
+        if (i < 5) {
+            roots_of_leg(model, i + 1, at, &roots.leg[i + 1]);
+        }
+        leg_of_block(model, i, at, &shared, &roots.leg[i], out->column[i], i == 0 ? &first : &other,
+            out->D[i], out->bad);
         if (i == 0) {
             moments_of_first(&first, out->column[6]);
         } else {

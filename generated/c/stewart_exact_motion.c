@@ -284,14 +284,14 @@ static STEWART_INLINE void forward_of_pose(
             g_y, STEWART_FMA(F_ext_z, R_yz, STEWART_FMA(F_ext_y, R_yy, F_ext_x*R_yx)))));
         summed[23*lanes + l] = STEWART_FMA(-omega_x, w_h_y, STEWART_FMA(omega_y, w_h_x, STEWART_FMA(M_P,
             g_z, STEWART_FMA(F_ext_z, R_zz, STEWART_FMA(F_ext_y, R_zy, F_ext_x*R_zx)))));
-        summed[24*lanes + l] = STEWART_FMA(-g_y, h_base_z, STEWART_FMA(-J_w_z, omega_y, STEWART_FMA(-C_P,
-            omega_x, STEWART_FMA(g_z, h_base_y, STEWART_FMA(M_ext_z, R_xz, STEWART_FMA(M_ext_y, R_xy,
+        summed[24*lanes + l] = STEWART_FMA(g_y, -h_base_z, STEWART_FMA(-J_w_z, omega_y, STEWART_FMA(C_P,
+            -omega_x, STEWART_FMA(g_z, h_base_y, STEWART_FMA(M_ext_z, R_xz, STEWART_FMA(M_ext_y, R_xy,
             STEWART_FMA(M_ext_x, R_xx, J_w_y*omega_z)))))));
-        summed[25*lanes + l] = STEWART_FMA(-g_z, h_base_x, STEWART_FMA(-J_w_x, omega_z, STEWART_FMA(-C_P,
-            omega_y, STEWART_FMA(g_x, h_base_z, STEWART_FMA(M_ext_z, R_yz, STEWART_FMA(M_ext_y, R_yy,
+        summed[25*lanes + l] = STEWART_FMA(g_z, -h_base_x, STEWART_FMA(-J_w_x, omega_z, STEWART_FMA(C_P,
+            -omega_y, STEWART_FMA(g_x, h_base_z, STEWART_FMA(M_ext_z, R_yz, STEWART_FMA(M_ext_y, R_yy,
             STEWART_FMA(M_ext_x, R_yx, J_w_z*omega_x)))))));
-        summed[26*lanes + l] = STEWART_FMA(-g_x, h_base_y, STEWART_FMA(-J_w_y, omega_x, STEWART_FMA(-C_P,
-            omega_z, STEWART_FMA(g_y, h_base_x, STEWART_FMA(M_ext_z, R_zz, STEWART_FMA(M_ext_y, R_zy,
+        summed[26*lanes + l] = STEWART_FMA(g_x, -h_base_y, STEWART_FMA(-J_w_y, omega_x, STEWART_FMA(C_P,
+            -omega_z, STEWART_FMA(g_y, h_base_x, STEWART_FMA(M_ext_z, R_zz, STEWART_FMA(M_ext_y, R_zy,
             STEWART_FMA(M_ext_x, R_zx, J_w_x*omega_y)))))));
     }
 }
@@ -409,7 +409,7 @@ STEWART_APART static void forward_of_leg(
         const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
             STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
         /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
-        const stewart_real own_theta_ddot = STEWART_FMA((-REAL(2))*L_share, theta_dot,
+        const stewart_real own_theta_ddot = STEWART_FMA(REAL(2)*L_share, -theta_dot,
             -inv_L*STEWART_FMA(S_ddot_z, z_z, STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)));
         const stewart_real own_phi_ddot = STEWART_FMA(-L_share, two_phi_dot, inv_rho*STEWART_FMA(S_ddot_z,
             y_z, STEWART_FMA(S_ddot_y, y_y, S_ddot_x*y_x)));
@@ -446,8 +446,8 @@ STEWART_APART static void forward_of_leg(
             STEWART_FMA(phi_dot2, STEWART_FMA(-c3, STEWART_HALF - k33, k13*(J_yy - dJ_zx)), STEWART_FMA(g_k,
             w_n, L_ddot*h_z))))))));
         const stewart_real tau_k = STEWART_FMA(M_phi, own_phi_ddot, STEWART_FMA(M_mixed, theta_ddot,
-            STEWART_FMA((-bend)*h2_y, k1, STEWART_FMA(two_phi_dot, STEWART_FMA(-theta_dot, STEWART_FMA(J_xx,
-            kappa, STEWART_FMA(-STEWART_HALF, c2, STEWART_HALF*J2_xz)), L_dot*M_phi_L),
+            STEWART_FMA(bend*h2_y, -k1, STEWART_FMA(two_phi_dot, STEWART_FMA(-theta_dot, STEWART_FMA(J_xx,
+            kappa, STEWART_FMA(STEWART_HALF, -c2, STEWART_HALF*J2_xz)), L_dot*M_phi_L),
             STEWART_FMA(-gamma_y, w_n, STEWART_FMA(-gamma_n, w_y, STEWART_FMA(C_us, phi_dot,
             STEWART_FMA(-L_ddot, k3_h, STEWART_FMA(-C_s, STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y,
             k_x*omega_x)), M_mixed_theta*theta_dot2)))))))));
@@ -811,12 +811,12 @@ static STEWART_INLINE void joint_rows_of_pose(
         const stewart_real c2 = R_0_z*R_0_z;
         const stewart_real J_0_xx = STEWART_FMA(M, c1 + c2, I_p_xx);
         const stewart_real c3 = M*R_0_x;
-        const stewart_real J_0_xy = STEWART_FMA(-R_0_y, c3, I_p_xy);
-        const stewart_real J_0_xz = STEWART_FMA(-R_0_z, c3, I_p_xz);
+        const stewart_real J_0_xy = STEWART_FMA(R_0_y, -c3, I_p_xy);
+        const stewart_real J_0_xz = STEWART_FMA(R_0_z, -c3, I_p_xz);
         const stewart_real c4 = R_0_x*R_0_x;
         const stewart_real J_0_yy = STEWART_FMA(M, c2 + c4, I_p_yy);
         const stewart_real c5 = M*R_0_y;
-        const stewart_real J_0_yz = STEWART_FMA(-R_0_z, c5, I_p_yz);
+        const stewart_real J_0_yz = STEWART_FMA(R_0_z, -c5, I_p_yz);
         const stewart_real J_0_zz = STEWART_FMA(M, c1 + c4, I_p_zz);
         const stewart_real c6 = M*R_0_z;
         /* (30) first moment of the platform, base frame */
@@ -896,14 +896,14 @@ static STEWART_INLINE void joint_rows_of_pose(
             STEWART_FMA(F_ext_z, R_yz, STEWART_FMA(F_ext_y, R_yy, F_ext_x*R_yx)))));
         summed[23*lanes + l] = STEWART_FMA(-omega_x, w_h_y, STEWART_FMA(omega_y, w_h_x, STEWART_FMA(M, g_z,
             STEWART_FMA(F_ext_z, R_zz, STEWART_FMA(F_ext_y, R_zy, F_ext_x*R_zx)))));
-        summed[24*lanes + l] = STEWART_FMA(-g_y, h_base_z, STEWART_FMA(-J_w_z, omega_y, STEWART_FMA(-C_P,
-            omega_x, STEWART_FMA(g_z, h_base_y, STEWART_FMA(M_ext_z, R_xz, STEWART_FMA(M_ext_y, R_xy,
+        summed[24*lanes + l] = STEWART_FMA(g_y, -h_base_z, STEWART_FMA(-J_w_z, omega_y, STEWART_FMA(C_P,
+            -omega_x, STEWART_FMA(g_z, h_base_y, STEWART_FMA(M_ext_z, R_xz, STEWART_FMA(M_ext_y, R_xy,
             STEWART_FMA(M_ext_x, R_xx, J_w_y*omega_z)))))));
-        summed[25*lanes + l] = STEWART_FMA(-g_z, h_base_x, STEWART_FMA(-J_w_x, omega_z, STEWART_FMA(-C_P,
-            omega_y, STEWART_FMA(g_x, h_base_z, STEWART_FMA(M_ext_z, R_yz, STEWART_FMA(M_ext_y, R_yy,
+        summed[25*lanes + l] = STEWART_FMA(g_z, -h_base_x, STEWART_FMA(-J_w_x, omega_z, STEWART_FMA(C_P,
+            -omega_y, STEWART_FMA(g_x, h_base_z, STEWART_FMA(M_ext_z, R_yz, STEWART_FMA(M_ext_y, R_yy,
             STEWART_FMA(M_ext_x, R_yx, J_w_z*omega_x)))))));
-        summed[26*lanes + l] = STEWART_FMA(-g_x, h_base_y, STEWART_FMA(-J_w_y, omega_x, STEWART_FMA(-C_P,
-            omega_z, STEWART_FMA(g_y, h_base_x, STEWART_FMA(M_ext_z, R_zz, STEWART_FMA(M_ext_y, R_zy,
+        summed[26*lanes + l] = STEWART_FMA(g_x, -h_base_y, STEWART_FMA(-J_w_y, omega_x, STEWART_FMA(C_P,
+            -omega_z, STEWART_FMA(g_y, h_base_x, STEWART_FMA(M_ext_z, R_zz, STEWART_FMA(M_ext_y, R_zy,
             STEWART_FMA(M_ext_x, R_zx, J_w_x*omega_y)))))));
     }
 }
@@ -1021,7 +1021,7 @@ STEWART_APART static void joint_rows_of_leg(
         const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
             STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
         /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
-        const stewart_real own_theta_ddot = STEWART_FMA((-REAL(2))*L_share, theta_dot,
+        const stewart_real own_theta_ddot = STEWART_FMA(REAL(2)*L_share, -theta_dot,
             -inv_L*STEWART_FMA(S_ddot_z, z_z, STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)));
         const stewart_real own_phi_ddot = STEWART_FMA(-L_share, two_phi_dot, inv_rho*STEWART_FMA(S_ddot_z,
             y_z, STEWART_FMA(S_ddot_y, y_y, S_ddot_x*y_x)));
@@ -1058,8 +1058,8 @@ STEWART_APART static void joint_rows_of_leg(
             STEWART_FMA(phi_dot2, STEWART_FMA(-c7, STEWART_HALF - k33, k13*(J_yy - dJ_zx)), STEWART_FMA(g_k,
             w_n, L_ddot*h_z))))))));
         const stewart_real tau_k = STEWART_FMA(M_phi, own_phi_ddot, STEWART_FMA(M_mixed, theta_ddot,
-            STEWART_FMA((-bend)*h2_y, k1, STEWART_FMA(two_phi_dot, STEWART_FMA(-theta_dot, STEWART_FMA(J_xx,
-            kappa, STEWART_FMA(-STEWART_HALF, c6, STEWART_HALF*J2_xz)), L_dot*M_phi_L),
+            STEWART_FMA(bend*h2_y, -k1, STEWART_FMA(two_phi_dot, STEWART_FMA(-theta_dot, STEWART_FMA(J_xx,
+            kappa, STEWART_FMA(STEWART_HALF, -c6, STEWART_HALF*J2_xz)), L_dot*M_phi_L),
             STEWART_FMA(-gamma_y, w_n, STEWART_FMA(-gamma_n, w_y, STEWART_FMA(C_us, phi_dot,
             STEWART_FMA(-L_ddot, k3_h, STEWART_FMA(-C_s, STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y,
             k_x*omega_x)), M_mixed_theta*theta_dot2)))))))));
@@ -1851,9 +1851,9 @@ static STEWART_INLINE void equations_of_pose(
         summed[57*lanes + l] = -M_P*g_x;
         summed[58*lanes + l] = -M_P*g_y;
         summed[59*lanes + l] = -M_P*g_z;
-        summed[60*lanes + l] = STEWART_FMA(-g_z, h_base_y, g_y*h_base_z);
-        summed[61*lanes + l] = STEWART_FMA(-g_x, h_base_z, g_z*h_base_x);
-        summed[62*lanes + l] = STEWART_FMA(-g_y, h_base_x, g_x*h_base_y);
+        summed[60*lanes + l] = STEWART_FMA(g_z, -h_base_y, g_y*h_base_z);
+        summed[61*lanes + l] = STEWART_FMA(g_x, -h_base_z, g_z*h_base_x);
+        summed[62*lanes + l] = STEWART_FMA(g_y, -h_base_x, g_x*h_base_y);
         summed[63*lanes + l] = REAL(0);
         summed[64*lanes + l] = REAL(0);
         summed[65*lanes + l] = REAL(0);
@@ -1992,13 +1992,13 @@ STEWART_APART static void equations_of_leg(
         const stewart_real m_zz = STEWART_FMA(m_T_zz, z_z, STEWART_FMA(m_T_zy, y_z, m_T_zs*s_z));
         const stewart_real c5 = h_x*theta_dot;
         const stewart_real C_xi_12 = -c5;
-        const stewart_real c6 = STEWART_FMA((-h_z)*k1, k3, c1*h_x);
+        const stewart_real c6 = STEWART_FMA(h_z*k1, -k3, c1*h_x);
         const stewart_real C_xi_13 = -c6*phi_dot;
         const stewart_real C_xi_21 = c5;
         const stewart_real C_xi_22 = L_dot*h_x;
         const stewart_real c7 = REAL(2)*L;
         const stewart_real c8 = STEWART_FMA(-c7, h_z, REAL(2)*J_xz);
-        const stewart_real c9 = STEWART_FMA((-STEWART_HALF)*c1, c8, STEWART_HALF*k1*STEWART_FMA(c8, k1,
+        const stewart_real c9 = STEWART_FMA(STEWART_HALF*c1, -c8, STEWART_HALF*k1*STEWART_FMA(c8, k1,
             REAL(2)*k3*STEWART_FMA(c7, h_x, J_zz - J_xx)));
         const stewart_real C_xi_23 = -c9*phi_dot;
         const stewart_real c10 = h_y*k1;
@@ -2013,7 +2013,7 @@ STEWART_APART static void equations_of_leg(
         const stewart_real G_dot_22 = c12*inv_L;
         const stewart_real G_dot_23 = L_dot*c4;
         const stewart_real G_dot_31 = -c11*inv_rho;
-        const stewart_real G_dot_32 = STEWART_FMA((-inv_rho)*kappa, theta_dot, -L_dot*c3);
+        const stewart_real G_dot_32 = STEWART_FMA(inv_rho*kappa, -theta_dot, -L_dot*c3);
         const stewart_real G_dot_33 = c12*inv_rho;
         const stewart_real C_leg_11 = STEWART_FMA(-G_dot_31, k3_h, G_dot_21*h_z);
         const stewart_real C_leg_12 = STEWART_FMA(-G_dot_32, k3_h, STEWART_FMA(G_dot_22, h_z,
@@ -3319,7 +3319,7 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real w_y_omega = STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y, omega_x*y_x));
         const stewart_real w_k_omega = STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y, k_x*omega_x));
         const stewart_real c15 = c6*h_x;
-        const stewart_real c16 = STEWART_FMA((-h_z)*k1, k3, c15);
+        const stewart_real c16 = STEWART_FMA(h_z*k1, -k3, c15);
         const stewart_real tau_L = STEWART_FMA(-c11, phi_ddot, STEWART_FMA(h_z, theta_ddot,
             STEWART_FMA(-c16, c4, STEWART_FMA(-c3, h_x, C_p*L_dot))));
         const stewart_real c18 = c7*h_x;
@@ -3334,7 +3334,7 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real c28 = c27*k3;
         const stewart_real c29 = STEWART_FMA(REAL(2), c28, c26);
         const stewart_real c30 = STEWART_HALF*k1;
-        const stewart_real c31 = STEWART_FMA((-STEWART_HALF)*c25, c6, c29*c30);
+        const stewart_real c31 = STEWART_FMA(STEWART_HALF*c25, -c6, c29*c30);
         const stewart_real tau_theta = STEWART_FMA(c24, phi_ddot, STEWART_FMA(theta_ddot, J_yy + c20,
             STEWART_FMA(-C_s, w_y_omega, STEWART_FMA(L_dot, c18, STEWART_FMA(c21, gamma_n, STEWART_FMA(C_us,
             theta_dot, STEWART_FMA(-c31, c4, STEWART_FMA(-c22, g_k, L_ddot*h_z))))))));
@@ -3374,11 +3374,10 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real G_ddot_13 = c51 - theta_ddot;
         const stewart_real G_ddot_21 = STEWART_FMA(-inv_L, theta_ddot, STEWART_FMA(-c51, inv_L,
             REAL(2)*L_dot*c14*theta_dot));
-        const stewart_real G_ddot_22 = STEWART_FMA(-c43, c50, STEWART_FMA((-c41)*c5, k3,
-            inv_L*k1*phi_ddot));
+        const stewart_real G_ddot_22 = STEWART_FMA(-c43, c50, STEWART_FMA(c41*c5, -k3, inv_L*k1*phi_ddot));
         const stewart_real c52 = c4*k1*k1;
         const stewart_real G_ddot_23 = STEWART_FMA(L_ddot, c14, STEWART_FMA(c52, inv_L,
-            STEWART_FMA((-REAL(2))*L_dot*L_dot*inv_L*inv_L, inv_L, c3*inv_L)));
+            STEWART_FMA(REAL(2)*L_dot*L_dot*inv_L*inv_L, -inv_L, c3*inv_L)));
         const stewart_real G_ddot_31 = STEWART_FMA(-c49, inv_rho, STEWART_FMA(theta_dot,
             STEWART_FMA(inv_rho*k3*kappa, phi_dot, -c47), STEWART_FMA(-c40, c46, STEWART_FMA(c47, theta_dot,
             c1*c44))));
@@ -3397,15 +3396,15 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real tau_rate_22 = STEWART_FMA(L_dot, c55, C_us);
         const stewart_real tau_rate_23 = -c31*c5;
         const stewart_real tau_rate_31 = REAL(2)*STEWART_FMA(c16, phi_dot, -c34);
-        const stewart_real tau_rate_32 = STEWART_FMA(c31, c5, STEWART_FMA(-REAL(2), c38, REAL(2)*c39));
+        const stewart_real tau_rate_32 = STEWART_FMA(c31, c5, STEWART_FMA(REAL(2), -c38, REAL(2)*c39));
         const stewart_real tau_rate_33 = STEWART_FMA(REAL(2), c36, STEWART_FMA(REAL(2), c35, C_us));
         const stewart_real c56 = h_y*phi_ddot;
         const stewart_real c57 = STEWART_FMA(-h_z, k1, c55*k3);
         const stewart_real tau_place_12 = STEWART_FMA(-c48, h_z, k1*(-c4*c57 - c56));
         const stewart_real c58 = REAL(4)*h_x;
-        const stewart_real c59 = STEWART_FMA(c30, STEWART_FMA((-REAL(2))*h_z, k1, c58*k3), c6*h_z);
+        const stewart_real c59 = STEWART_FMA(c30, STEWART_FMA(REAL(2)*h_z, -k1, c58*k3), c6*h_z);
         const stewart_real tau_place_21 = STEWART_FMA(-c56, k1, STEWART_FMA(-c4, c59, c55*theta_ddot));
-        const stewart_real c60 = STEWART_FMA(-c25, k3, c30*STEWART_FMA(L, c58, STEWART_FMA(-REAL(2), J_xx,
+        const stewart_real c60 = STEWART_FMA(-c25, k3, c30*STEWART_FMA(L, c58, STEWART_FMA(REAL(2), -J_xx,
             REAL(2)*J_zz)));
         const stewart_real c61 = c28 + c26;
         const stewart_real tau_place_22 = STEWART_FMA(-k3, STEWART_FMA(c9, phi_ddot, STEWART_FMA(-c4, c61,
@@ -3413,14 +3412,14 @@ STEWART_APART static void derivatives_of_leg(
             STEWART_FMA(-c4, c60, g_k*w_x))));
         const stewart_real tau_place_23 = STEWART_FMA(-C_s, w_n_omega, -c21*gamma_y);
         const stewart_real c62 = c59*phi_dot;
-        const stewart_real tau_place_31 = STEWART_FMA((-h_y)*k1, theta_ddot, STEWART_FMA(phi_ddot,
+        const stewart_real tau_place_31 = STEWART_FMA(h_y*k1, -theta_ddot, STEWART_FMA(phi_ddot,
             REAL(2)*STEWART_FMA(-c8, h_z, c15), STEWART_FMA(theta_dot, STEWART_FMA(c11, theta_dot, c62),
             c62*theta_dot)));
         const stewart_real c63 = L_dot*c57;
         const stewart_real tau_place_32 = STEWART_FMA(-k3, STEWART_FMA(c25, c49, STEWART_FMA(L_dot,
             STEWART_FMA(-c40, h_z, -c33), STEWART_FMA(c9, theta_ddot, STEWART_FMA(theta_dot,
             STEWART_FMA(c61, phi_dot, STEWART_FMA(J_yz, theta_dot, -c37)), STEWART_FMA(phi_dot,
-            STEWART_FMA((-L_dot)*h_z, k3, c61*theta_dot), gamma_y*w_z))))), k1*STEWART_FMA(c29, phi_ddot,
+            STEWART_FMA(L_dot*h_z, -k3, c61*theta_dot), gamma_y*w_z))))), k1*STEWART_FMA(c29, phi_ddot,
             STEWART_FMA(J_yz, theta_ddot, STEWART_FMA(theta_dot, STEWART_FMA(-c9, theta_dot, c60*phi_dot),
             STEWART_FMA(-gamma_y, w_x, STEWART_FMA(phi_dot, STEWART_FMA(c60, theta_dot, c63),
             STEWART_FMA(-L_ddot, h_y, c63*phi_dot)))))));
@@ -3489,7 +3488,7 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real f_S_dot_zz = STEWART_FMA(C_s_phi_z, k_z, C_s_theta_z*y_z);
         const stewart_real A_0_leg_11 = STEWART_FMA(-G_ddot_31, k3_h, STEWART_FMA(G_ddot_21, h_z,
             STEWART_FMA(G_dot_31, tau_rate_13, G_dot_21*tau_rate_12)));
-        const stewart_real A_0_leg_12 = STEWART_FMA((-c12)*k3, tau_phi, STEWART_FMA(-G_ddot_32, k3_h,
+        const stewart_real A_0_leg_12 = STEWART_FMA(c12*k3, -tau_phi, STEWART_FMA(-G_ddot_32, k3_h,
             STEWART_FMA(G_ddot_22, h_z, STEWART_FMA(G_dot_32, tau_rate_13, STEWART_FMA(G_dot_22,
             tau_rate_12, C_p*G_dot_12)))));
         const stewart_real c69 = c14*tau_theta;
@@ -4063,9 +4062,9 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real c75 = REAL(2)*J_xx;
         const stewart_real c76 = c49*c75;
         const stewart_real c77 = W_z*theta_dot;
-        const stewart_real tau_phi = STEWART_FMA(-c53, c67, STEWART_FMA((-c35)*c68, own_z,
-            STEWART_FMA(c35*c67, h_x, STEWART_FMA(c60, c61, STEWART_FMA(J_xx, c40, STEWART_FMA((-c76)*c77,
-            k1, STEWART_FMA((-L_dot)*c68, c70, STEWART_FMA(c35*c73, h_z, STEWART_FMA(-c48, own_y,
+        const stewart_real tau_phi = STEWART_FMA(-c53, c67, STEWART_FMA(c35*c68, -own_z,
+            STEWART_FMA(c35*c67, h_x, STEWART_FMA(c60, c61, STEWART_FMA(J_xx, c40, STEWART_FMA(c76*c77, -k1,
+            STEWART_FMA(L_dot*c68, -c70, STEWART_FMA(c35*c73, h_z, STEWART_FMA(-c48, own_y,
             STEWART_FMA(-c16, c66, STEWART_FMA(L_dot*W_z*c69, k3, STEWART_FMA(-c15, c37, STEWART_FMA(c7,
             own_y, STEWART_FMA(C_us, c16, STEWART_FMA(-c27, gamma_y, STEWART_FMA(-L_ddot, c8,
             STEWART_FMA(-c51, c6, STEWART_FMA(-c71, k3, STEWART_FMA(-c62, k3, STEWART_FMA(c3, c72,
@@ -4084,7 +4083,7 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real c83 = L_dot*c10;
         const stewart_real G_dot_23 = c83;
         const stewart_real G_dot_31 = -inv_rho*k3*phi_dot;
-        const stewart_real G_dot_32 = STEWART_FMA((-inv_rho)*kappa, theta_dot, -c2*inv_rho);
+        const stewart_real G_dot_32 = STEWART_FMA(inv_rho*kappa, -theta_dot, -c2*inv_rho);
         const stewart_real G_dot_33 = c82*inv_rho;
         /* slope of a rate, times C_s */
         const stewart_real theta_dot_by_S_x = C_s*STEWART_FMA(G_dot_22, y_x, STEWART_FMA(G_dot_21, s_x,
@@ -4151,7 +4150,7 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real c93 = c83*c92;
         const stewart_real c94 = W_z*c93;
         const stewart_real c95 = STEWART_FMA(REAL(4)*c15*c16, c81, c94) - c91;
-        const stewart_real A_0_leg_11 = STEWART_FMA(-REAL(4), c90, STEWART_FMA(REAL(2)*c3*h_x, inv_L,
+        const stewart_real A_0_leg_11 = STEWART_FMA(REAL(4), -c90, STEWART_FMA(REAL(2)*c3*h_x, inv_L,
             REAL(2)*c12*h_x*inv_L)) - c88 - c86 - c95;
         const stewart_real c96 = h_x*inv_L;
         const stewart_real c97 = c60*c96;
@@ -4187,7 +4186,7 @@ STEWART_APART static void derivatives_of_near(
             c115, STEWART_FMA(-c112, c113, STEWART_FMA(REAL(2)*h_y*inv_L*inv_k3*k1, own_y,
             STEWART_FMA(REAL(2)*J_xx*W_z*c10*c125*k1, theta_dot, STEWART_FMA(c10*c53, own_z,
             STEWART_FMA(REAL(2)*J_xz*W_z*c10*c49, theta_dot, STEWART_FMA(-c121, c122,
-            STEWART_FMA(REAL(2)*W_z*h_z*inv_L, theta_dot, STEWART_FMA((-REAL(6))*c116, c77,
+            STEWART_FMA(REAL(2)*W_z*h_z*inv_L, theta_dot, STEWART_FMA(REAL(6)*c116, -c77,
             STEWART_FMA(c10*gamma_n*inv_k3, w_y, STEWART_FMA(c10*gamma_y, w_x, STEWART_FMA(C_p, W_z,
             STEWART_FMA(REAL(2)*L_ddot*c10, h_y, STEWART_FMA(C_s*c10*inv_k3, w_k_omega, STEWART_FMA(-c117,
             c118, STEWART_FMA(REAL(3)*c12*c49*h_y, inv_L, STEWART_FMA(J_xy*c10, c3, J_xy*c10*c12) - c109 - c124)
@@ -4239,12 +4238,12 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real c165 = J_xx*c164;
         const stewart_real A_0_leg_21 = STEWART_FMA(-c153, c40, STEWART_FMA(-c112, c76, STEWART_FMA(c114,
             c89, STEWART_FMA(c112, c163, STEWART_FMA(J_xz*c161, c49, STEWART_FMA(-c116, c154,
-            STEWART_FMA(-REAL(2), c104, STEWART_FMA(c161, c165, STEWART_FMA(-REAL(2), c99,
-            STEWART_FMA(-c159, c163, STEWART_FMA(-REAL(2), c111, STEWART_FMA(c156, c157, STEWART_FMA(c149,
+            STEWART_FMA(REAL(2), -c104, STEWART_FMA(c161, c165, STEWART_FMA(REAL(2), -c99,
+            STEWART_FMA(-c159, c163, STEWART_FMA(REAL(2), -c111, STEWART_FMA(c156, c157, STEWART_FMA(c149,
             c20, STEWART_FMA(c159, c76, STEWART_FMA(c158, c20, STEWART_FMA(c151, c155, STEWART_FMA(c148,
-            w_x, STEWART_FMA(c103, c57, STEWART_FMA(J_yz, c151, STEWART_FMA(-REAL(3), c120,
-            STEWART_FMA(-REAL(3), c119, STEWART_FMA(c103, c56, STEWART_FMA(c102, c49, STEWART_FMA(-REAL(3),
-            c124, STEWART_FMA(REAL(3)*c10, c71, c152)) - c101 - c117)) + c147)))))))) - c105))))))))))))) - c97;
+            w_x, STEWART_FMA(c103, c57, STEWART_FMA(J_yz, c151, STEWART_FMA(REAL(3), -c120,
+            STEWART_FMA(REAL(3), -c119, STEWART_FMA(c103, c56, STEWART_FMA(c102, c49, STEWART_FMA(REAL(3),
+            -c124, STEWART_FMA(REAL(3)*c10, c71, c152)) - c101 - c117)) + c147)))))))) - c105))))))))))))) - c97;
         const stewart_real c167 = L_ddot*c106;
         const stewart_real c168 = c14*inv_L;
         const stewart_real c169 = c107*inv_L*inv_L*inv_L*inv_L;
@@ -4289,14 +4288,14 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real c208 = c10*g_k;
         const stewart_real c209 = STEWART_FMA(-c186, c27, STEWART_FMA(-c146, c69, STEWART_FMA(C_p, c2,
             STEWART_FMA(c208, c29, STEWART_FMA(c208, c31, STEWART_FMA(-F, inv_L, c129*h_x))))) + c187);
-        const stewart_real A_0_leg_22 = STEWART_FMA(-REAL(2), c183, STEWART_FMA(c199, c20, STEWART_FMA(c174,
+        const stewart_real A_0_leg_22 = STEWART_FMA(REAL(2), -c183, STEWART_FMA(c199, c20, STEWART_FMA(c174,
             c49, STEWART_FMA(-c177, c49, STEWART_FMA(-c165, c175, STEWART_FMA(c185, c49, STEWART_FMA(-c141,
             c20, STEWART_FMA(c188, c55, STEWART_FMA(-c126, c164, STEWART_FMA(c187, c49, STEWART_FMA(c178,
             w_y, STEWART_FMA(c150, c197, STEWART_FMA(c126, c20, STEWART_FMA(c150, c206, STEWART_FMA(-c180,
             c49, STEWART_FMA(REAL(3)*c132, c20, STEWART_FMA(-c167, c192, STEWART_FMA(-c113, c167,
             STEWART_FMA(-c140, c21, STEWART_FMA(-c140, c196, STEWART_FMA(c170, c192, STEWART_FMA(c169, c200,
-            STEWART_FMA(c167, c53, STEWART_FMA((-REAL(3))*c164, c189, STEWART_FMA(-c130, c20,
-            STEWART_FMA(c191, c198, STEWART_FMA(c137, c164, STEWART_FMA((-c103)*g_k, w_z, STEWART_FMA(-c163,
+            STEWART_FMA(c167, c53, STEWART_FMA(REAL(3)*c164, -c189, STEWART_FMA(-c130, c20,
+            STEWART_FMA(c191, c198, STEWART_FMA(c137, c164, STEWART_FMA(c103*g_k, -w_z, STEWART_FMA(-c163,
             c169, STEWART_FMA(-c170, c53, STEWART_FMA(-c139, c182, STEWART_FMA(-c113, c170,
             STEWART_FMA(c179, J_yy + c75 - J_zz, STEWART_FMA(c170, c182, c169*c76))))) - c171 + c168) - c172))))))))))))))))
             + c88)) + c184)) + c177) + c209) - c195 - c86) + c207) - c190 - c204)) - c174 - c202));
@@ -4324,7 +4323,7 @@ STEWART_APART static void derivatives_of_near(
             c73, STEWART_FMA(-c226, c57, STEWART_FMA(c178, w_z, STEWART_FMA(W_z, c225, STEWART_FMA(-c169,
             c227, STEWART_FMA(-c226, c56, STEWART_FMA(c155, c167, STEWART_FMA(-c169, c222,
             J_yz*c167))))))))))))));
-        const stewart_real A_0_leg_23 = STEWART_FMA((-J_xx)*c161, c181, STEWART_FMA(c112, c205,
+        const stewart_real A_0_leg_23 = STEWART_FMA(J_xx*c161, -c181, STEWART_FMA(c112, c205,
             STEWART_FMA(-c122, c220, STEWART_FMA(c113, c161, STEWART_FMA(-c159, c205, STEWART_FMA(-c158,
             c49, STEWART_FMA(c175, c212, STEWART_FMA(c219, c70, STEWART_FMA(-c147, c20, STEWART_FMA(-c102,
             c164, STEWART_FMA(c155, c170, STEWART_FMA(c123, c196, STEWART_FMA(c117, c20, STEWART_FMA(c101,
@@ -4333,24 +4332,24 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real c231 = c230*theta_dot;
         const stewart_real c232 = REAL(2)*c41;
         const stewart_real A_0_leg_31 = STEWART_FMA(REAL(2), c138, STEWART_FMA(-c161, c212,
-            STEWART_FMA((-REAL(6))*c10*c46, c73, STEWART_FMA(-c157, c232, STEWART_FMA(REAL(2), c127,
+            STEWART_FMA(REAL(6)*c10*c46, -c73, STEWART_FMA(-c157, c232, STEWART_FMA(REAL(2), c127,
             STEWART_FMA(J_xy, c161, STEWART_FMA(-c159, c222, STEWART_FMA(-c150, c231, STEWART_FMA(REAL(2),
             c126, STEWART_FMA(c139*c20, REAL(3)*(J_xx + J_yy - J_zz), STEWART_FMA(c118, c136,
-            STEWART_FMA(-REAL(3), c133, REAL(6)*c189))) + c132)))))))) + c199) + c145;
+            STEWART_FMA(REAL(3), -c133, REAL(6)*c189))) + c132)))))))) + c199) + c145;
         const stewart_real c233 = c173*c175;
         const stewart_real c234 = REAL(4)*J_xz;
         const stewart_real c236 = c230 + c163;
         const stewart_real c237 = REAL(4)*c122*c9;
-        const stewart_real A_0_leg_32 = STEWART_FMA((-c217)*c40, c54, STEWART_FMA(-c237, theta_dot,
-            STEWART_FMA(c112, c165, STEWART_FMA(-REAL(2), c215, STEWART_FMA(-c160, c182, STEWART_FMA(-c110,
+        const stewart_real A_0_leg_32 = STEWART_FMA(c217*c40, -c54, STEWART_FMA(-c237, theta_dot,
+            STEWART_FMA(c112, c165, STEWART_FMA(REAL(2), -c215, STEWART_FMA(-c160, c182, STEWART_FMA(-c110,
             c122, STEWART_FMA(c233, c49, STEWART_FMA(c160*c49, STEWART_FMA(REAL(4), J_xx, c162) + c230,
             STEWART_FMA(c122*c150, c236, STEWART_FMA(C_s*c103, w_n_omega, STEWART_FMA(-c70, c87,
             STEWART_FMA(-c216, c49, STEWART_FMA(c188, c203, STEWART_FMA(REAL(2), c149, STEWART_FMA(c159,
-            c234, STEWART_FMA(W_z, c219, STEWART_FMA((-REAL(2))*c147, c20, STEWART_FMA(-c198, c232,
-            STEWART_FMA(-REAL(2), c218, STEWART_FMA((-REAL(3))*c101, c164, STEWART_FMA(c117, c196,
-            STEWART_FMA(c152, c164, STEWART_FMA(c109, c20, STEWART_FMA(c102, c20, STEWART_FMA(-REAL(2),
-            c211, REAL(3)*c213) - c214))))))))) + c216)))) - c221)))) + c223)))) - c233) - c224)) + c229;
-        const stewart_real A_0_leg_33 = STEWART_FMA(-c112, c212, STEWART_FMA((-c10)*c18, c41,
+            c234, STEWART_FMA(W_z, c219, STEWART_FMA(REAL(2)*c147, -c20, STEWART_FMA(-c198, c232,
+            STEWART_FMA(REAL(2), -c218, STEWART_FMA(REAL(3)*c101, -c164, STEWART_FMA(c117, c196,
+            STEWART_FMA(c152, c164, STEWART_FMA(c109, c20, STEWART_FMA(c102, c20, STEWART_FMA(REAL(2),
+            -c211, REAL(3)*c213) - c214))))))))) + c216)))) - c221)))) + c223)))) - c233) - c224)) + c229;
+        const stewart_real A_0_leg_33 = STEWART_FMA(-c112, c212, STEWART_FMA(c10*c18, -c41,
             STEWART_FMA(-c49, c94, STEWART_FMA(-J_yy, c167, STEWART_FMA(-c136, c196, STEWART_FMA(REAL(2),
             c90, STEWART_FMA(c131, c164, STEWART_FMA(-c179, c54, STEWART_FMA(-J_yy, c170, STEWART_FMA(c169,
             c230, c171)) + c172) - c168)))) - c180 + c195 - c194 + c185 + c190 + c204 + c209 - c184) + c202)
@@ -4389,7 +4388,7 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real c240 = c70*c96;
         const stewart_real c241 = c81*c92;
         const stewart_real A_1_leg_12 = STEWART_FMA(c20, c241, c93) - c240 + c237;
-        const stewart_real c242 = STEWART_FMA((-REAL(2))*c100, c122, c225);
+        const stewart_real c242 = STEWART_FMA(REAL(2)*c100, -c122, c225);
         const stewart_real A_1_leg_13 = c121 + c242;
         const stewart_real c243 = c103*c17;
         const stewart_real A_1_leg_21 = STEWART_FMA(REAL(2)*W_z*h_z*inv_L*inv_k3, k1, STEWART_FMA(-c153,
@@ -4411,7 +4410,7 @@ STEWART_APART static void derivatives_of_near(
             c150*c222)));
         const stewart_real A_1_leg_23 = STEWART_FMA(c134, c205, c250) - c251 + c253;
         const stewart_real A_1_leg_31 = STEWART_FMA(c232, c247, STEWART_FMA(c70, c98, c10*c231)) + c242;
-        const stewart_real A_1_leg_32 = STEWART_FMA((-c16)*c217, c236, STEWART_FMA(-c134, c234,
+        const stewart_real A_1_leg_32 = STEWART_FMA(c16*c217, -c236, STEWART_FMA(-c134, c234,
             STEWART_FMA(-c241, c49, STEWART_FMA(c250, c49, STEWART_FMA(-c20, c93, c241) + c251) + c252) - c250))
             + c253;
         const stewart_real A_1_leg_33 = STEWART_FMA(-c150, c230, C_us*c10) - c245 + c244 + c246 - c239 - c248
@@ -4908,12 +4907,12 @@ static STEWART_INLINE void joint_slopes_of_pose(
         const stewart_real c2 = R_0_z*R_0_z;
         const stewart_real J_0_xx = STEWART_FMA(M, c1 + c2, I_p_xx);
         const stewart_real c3 = M*R_0_x;
-        const stewart_real J_0_xy = STEWART_FMA(-R_0_y, c3, I_p_xy);
-        const stewart_real J_0_xz = STEWART_FMA(-R_0_z, c3, I_p_xz);
+        const stewart_real J_0_xy = STEWART_FMA(R_0_y, -c3, I_p_xy);
+        const stewart_real J_0_xz = STEWART_FMA(R_0_z, -c3, I_p_xz);
         const stewart_real c4 = R_0_x*R_0_x;
         const stewart_real J_0_yy = STEWART_FMA(M, c2 + c4, I_p_yy);
         const stewart_real c5 = M*R_0_y;
-        const stewart_real J_0_yz = STEWART_FMA(-R_0_z, c5, I_p_yz);
+        const stewart_real J_0_yz = STEWART_FMA(R_0_z, -c5, I_p_yz);
         const stewart_real J_0_zz = STEWART_FMA(M, c1 + c4, I_p_zz);
         const stewart_real c6 = M*R_0_z;
         /* (30) first moment of the platform, base frame */
@@ -5297,8 +5296,7 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real c26 = inv_k3*k1;
         const stewart_real tau_S_leg_11 = STEWART_FMA(-c19, c23, STEWART_FMA(h_y*inv_L, own_z,
             STEWART_FMA(-c13, inv_L, STEWART_FMA(-c16, c18, STEWART_FMA(REAL(2)*L_dot*c15*h_z, theta_dot,
-            STEWART_FMA((-REAL(4))*c25, c26, STEWART_FMA(REAL(2)*c3*h_x, inv_L,
-            REAL(2)*c14*h_x*inv_L)))))));
+            STEWART_FMA(REAL(4)*c25, -c26, STEWART_FMA(REAL(2)*c3*h_x, inv_L, REAL(2)*c14*h_x*inv_L)))))));
         const stewart_real c27 = REAL(2)*h_x;
         const stewart_real c28 = c27*inv_L;
         const stewart_real c29 = c28*own_z;
@@ -5329,8 +5327,8 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real c54 = h_y*k1;
         const stewart_real c55 = c54*inv_k3;
         const stewart_real c56 = c16*c37;
-        const stewart_real tau_S_leg_12 = STEWART_FMA(axial, c44, STEWART_FMA((-c36)*c50*c51, theta_dot,
-            STEWART_FMA((-c21)*c53, h_z, STEWART_FMA(c41, c42, STEWART_FMA(axial, c29, STEWART_FMA(c39, c41,
+        const stewart_real tau_S_leg_12 = STEWART_FMA(axial, c44, STEWART_FMA(c36*c50*c51, -theta_dot,
+            STEWART_FMA(c21*c53, -h_z, STEWART_FMA(c41, c42, STEWART_FMA(axial, c29, STEWART_FMA(c39, c41,
             STEWART_FMA(-c55, c56, STEWART_FMA(-axial, c34, STEWART_FMA(W_z*c27, c49, STEWART_FMA(c31,
             inv_L, STEWART_FMA(W_z, c38, STEWART_FMA(C_p, W_z, STEWART_FMA(c32, h_y, STEWART_FMA(-c35, c52,
             STEWART_FMA(c45, c52, STEWART_FMA(-c17, c48, c35)) - c45)) + c34)))))))))) - c29)) - c44;
@@ -5356,7 +5354,7 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real tau_S_leg_13 = STEWART_FMA(-axial, c60, STEWART_FMA(-axial, c58,
             STEWART_FMA(-axial, c67, STEWART_FMA(c50, c64, STEWART_FMA(c16, c71, STEWART_FMA(-c49, c69,
             STEWART_FMA(-C_p, theta_dot, STEWART_FMA(c59, inv_L, STEWART_FMA(c15, c61,
-            STEWART_FMA((-axial)*c73, c76, STEWART_FMA(c73, c76, STEWART_FMA(-axial, c65, STEWART_FMA(c25,
+            STEWART_FMA(axial*c73, -c76, STEWART_FMA(c73, c76, STEWART_FMA(-axial, c65, STEWART_FMA(c25,
             c52, STEWART_FMA(-c48, c68, c62*inv_L)) - c25 + c65)))))) + c67))) + c58 + c60) - c64));
         const stewart_real c78 = C_us*inv_L;
         const stewart_real c79 = c78*theta_dot;
@@ -5398,7 +5396,7 @@ STEWART_APART static void joint_slopes_of_leg(
             STEWART_FMA(c23, c82, STEWART_FMA(-c80, c81, STEWART_FMA(-c2, c71, STEWART_FMA(c50, c90,
             STEWART_FMA(c87, own_y, STEWART_FMA(c111, c20, STEWART_FMA(axial, c95, STEWART_FMA(W_z, c104,
             STEWART_FMA(c101, c69, STEWART_FMA(c102, theta_dot, STEWART_FMA(axial*c112, c73,
-            STEWART_FMA(c112, STEWART_FMA(-REAL(3), J_yy, REAL(3)*J_zz) - c113, STEWART_FMA(axial, c93,
+            STEWART_FMA(c112, STEWART_FMA(REAL(3), -J_yy, REAL(3)*J_zz) - c113, STEWART_FMA(axial, c93,
             STEWART_FMA(-c96, c97, STEWART_FMA(c107, c108, c24 - c62 - c106))) - c93)) - c59)) - c79) + c84)))
             - c95) + c85 - c105 - c57 - c90)))));
         const stewart_real c114 = c98*own_y;
@@ -5445,14 +5443,14 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real c155 = c80 + c150;
         const stewart_real c157 = W_z*c50;
         const stewart_real tau_S_leg_22 = STEWART_FMA(c146*c73, inv_k3, STEWART_FMA(c128, c41,
-            STEWART_FMA((-c155)*c16, c21, STEWART_FMA(-c138, c140, STEWART_FMA(-c124, inv_k3,
-            STEWART_FMA((-c118)*inv_k3, w_n_omega, STEWART_FMA(c23, h_z, STEWART_FMA(c125, c127,
-            STEWART_FMA((-c155)*c157, c88, STEWART_FMA(-c137, c2, STEWART_FMA((-REAL(4))*c132*c20, c88,
+            STEWART_FMA(c155*c16, -c21, STEWART_FMA(-c138, c140, STEWART_FMA(-c124, inv_k3,
+            STEWART_FMA(c118*inv_k3, -w_n_omega, STEWART_FMA(c23, h_z, STEWART_FMA(c125, c127,
+            STEWART_FMA(c155*c157, -c88, STEWART_FMA(-c137, c2, STEWART_FMA(REAL(4)*c132*c20, -c88,
             STEWART_FMA(-c114, c50, STEWART_FMA(c153*c16, c50, STEWART_FMA(c109*c138, c147, STEWART_FMA(c39,
-            c50, STEWART_FMA(c2*c51, h_z, STEWART_FMA(c119, k1, STEWART_FMA((-c2)*c50, c83,
-            STEWART_FMA((-c133)*gamma_y, inv_k3, STEWART_FMA(c148*c56, inv_k3, STEWART_FMA(c142, c20,
+            c50, STEWART_FMA(c2*c51, h_z, STEWART_FMA(c119, k1, STEWART_FMA(c2*c50, -c83,
+            STEWART_FMA(c133*gamma_y, -inv_k3, STEWART_FMA(c148*c56, inv_k3, STEWART_FMA(c142, c20,
             STEWART_FMA(c120, inv_k3, STEWART_FMA(W_z*c150, c88, STEWART_FMA(c129, c50, STEWART_FMA(c2, c83,
-            STEWART_FMA(-c135, inv_k3, STEWART_FMA(L_ddot*c19, c26, STEWART_FMA((-REAL(2))*c154, c55,
+            STEWART_FMA(-c135, inv_k3, STEWART_FMA(L_ddot*c19, c26, STEWART_FMA(REAL(2)*c154, -c55,
             STEWART_FMA(-c144, c152, STEWART_FMA(-c143, c145, STEWART_FMA(-c100, c3, STEWART_FMA(c151,
             inv_k3, STEWART_FMA(-c54, c74, STEWART_FMA(c3, c55, STEWART_FMA(c145, c152, STEWART_FMA(c143,
             c144, STEWART_FMA(c74, c99, STEWART_FMA(-c117, c52, STEWART_FMA(c122, c52, STEWART_FMA(c103,
@@ -5468,13 +5466,13 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real tau_S_leg_23 = STEWART_FMA(-c160, c50, STEWART_FMA(J_xy*c50*inv_L, own_z,
             STEWART_FMA(REAL(2)*J_xy*W_z*inv_L*inv_k3*k1, theta_dot, STEWART_FMA(-c134, c162,
             STEWART_FMA(REAL(4)*W_z*c138*h_y*k1, theta_dot, STEWART_FMA(REAL(2)*L_dot*W_z*c50*h_y, inv_L,
-            STEWART_FMA((-c50)*c63, c82, STEWART_FMA((-REAL(2))*c148, c163, STEWART_FMA((-c110)*c50, c70,
+            STEWART_FMA(c50*c63, -c82, STEWART_FMA(REAL(2)*c148, -c163, STEWART_FMA(c110*c50, -c70,
             STEWART_FMA(REAL(2)*J_yz*W_z*inv_L, theta_dot, STEWART_FMA(REAL(2)*J_xy*L_dot*W_z, c15,
             STEWART_FMA(-c55, c63, STEWART_FMA(-c18, c2, STEWART_FMA(-c159, c40,
             STEWART_FMA(gamma_n*inv_L*k3, w_x, STEWART_FMA(REAL(2)*L_ddot*h_x, inv_L,
             STEWART_FMA(J_yy*L_ddot, c15, STEWART_FMA(fall_T_x, m_u, STEWART_FMA(-c138, c164,
             STEWART_FMA(REAL(2)*c138*c14*h_z, k1, STEWART_FMA(C_us*L_dot, c15, STEWART_FMA(-c158, c94,
-            STEWART_FMA((-c91)*g_k, w_z, STEWART_FMA(-c14, c86, STEWART_FMA(c14*c165*c50, inv_L,
+            STEWART_FMA(c91*g_k, -w_z, STEWART_FMA(-c14, c86, STEWART_FMA(c14*c165*c50, inv_L,
             STEWART_FMA(-c48, c80, STEWART_FMA(-c154, c27, STEWART_FMA(-c14, c27,
             J_yy*c3*inv_L))))))))))))))) - c13)))))))))))));
         const stewart_real c166 = c27*k3;
@@ -5501,7 +5499,7 @@ STEWART_APART static void joint_slopes_of_leg(
             c182, STEWART_FMA(-c173, own_y, STEWART_FMA(c175, c176, STEWART_FMA(c131, k1, STEWART_FMA(c113,
             c163, STEWART_FMA(-axial, c168, STEWART_FMA(c101, c179, STEWART_FMA(c31, k3, STEWART_FMA(c181,
             c56, STEWART_FMA(c111, theta_dot, STEWART_FMA(-c109, c122, STEWART_FMA(-c109, c117,
-            STEWART_FMA((-REAL(2))*c74, c98, STEWART_FMA(c178, c3, STEWART_FMA(c14, c178, c169)))))) + c168)))))))
+            STEWART_FMA(REAL(2)*c74, -c98, STEWART_FMA(c178, c3, STEWART_FMA(c14, c178, c169)))))) + c168)))))))
             - c119)))))))) - c167)));
         const stewart_real c185 = k3*own_z;
         const stewart_real c186 = c94*gamma_n;
@@ -5515,29 +5513,27 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real c194 = J_xx - J_zz;
         const stewart_real tau_S_leg_32 = STEWART_FMA(-c185, c98, STEWART_FMA(-c160, inv_k3,
             STEWART_FMA(J_yz*inv_L*k1, own_z, STEWART_FMA(J_xy*inv_L*inv_k3, own_z, STEWART_FMA(-c85, k1,
-            STEWART_FMA((-J_xx)*c108, c123, STEWART_FMA(REAL(2)*W_z*c50*h_y*k1, theta_dot,
+            STEWART_FMA(J_xx*c108, -c123, STEWART_FMA(REAL(2)*W_z*c50*h_y*k1, theta_dot,
             STEWART_FMA(REAL(2)*J_xz*inv_L*k3, own_y, STEWART_FMA(REAL(2)*J_xy*L_dot*W_z*c15, k3,
-            STEWART_FMA(-c187, c81, STEWART_FMA((-c148)*c16, c70, STEWART_FMA((-REAL(2))*c13, k3,
+            STEWART_FMA(-c187, c81, STEWART_FMA(c148*c16, -c70, STEWART_FMA(REAL(2)*c13, -k3,
             STEWART_FMA(-c123, c87, STEWART_FMA(REAL(2)*h_z*inv_k3, own_y, STEWART_FMA(c165*inv_L*k1, own_y,
             STEWART_FMA(REAL(2)*J_xx*L_dot*c15*c50*k1, theta_dot, STEWART_FMA(-c173, c63, STEWART_FMA(-c157,
-            c189, STEWART_FMA((-REAL(2))*c110, c20, STEWART_FMA(-W_z, c189,
+            c189, STEWART_FMA(REAL(2)*c110, -c20, STEWART_FMA(-W_z, c189,
             STEWART_FMA(gamma_n*inv_L*inv_k3*k1, w_z, STEWART_FMA(axial*c8*gamma_n*inv_L, w_x,
             STEWART_FMA(REAL(2)*J_xz*L_dot*c15*inv_k3, theta_dot, STEWART_FMA(-c186, c8,
-            STEWART_FMA((-c126)*c2, c69, STEWART_FMA(-axial, c186, STEWART_FMA(gamma_y*inv_L*inv_k3, w_y,
+            STEWART_FMA(c126*c2, -c69, STEWART_FMA(-axial, c186, STEWART_FMA(gamma_y*inv_L*inv_k3, w_y,
             STEWART_FMA(-c190, c191, STEWART_FMA(-c182, c79, STEWART_FMA(axial*fall_T_z*k1, m_u,
-            STEWART_FMA((-J_xz)*c109, c32, STEWART_FMA(REAL(2)*L_ddot*h_z*inv_L, k1,
-            STEWART_FMA((-fall_T_x)*k3, m_u, STEWART_FMA(-c170, c32, STEWART_FMA((-L_ddot)*c166, inv_L,
-            STEWART_FMA(L_ddot*c15*c194, k3, STEWART_FMA((-C_us)*c16, inv_k3,
-            STEWART_FMA(REAL(2)*J_xz*c3*c50*inv_L, k1, STEWART_FMA(-c188, c50, STEWART_FMA(-c164, c50,
-            STEWART_FMA((-axial)*c158, c92, STEWART_FMA(g_k*inv_L*k1*k3, w_x,
+            STEWART_FMA(J_xz*c109, -c32, STEWART_FMA(REAL(2)*L_ddot*h_z*inv_L, k1, STEWART_FMA(fall_T_x*k3,
+            -m_u, STEWART_FMA(-c170, c32, STEWART_FMA(L_ddot*c166, -inv_L, STEWART_FMA(L_ddot*c15*c194, k3,
+            STEWART_FMA(C_us*c16, -inv_k3, STEWART_FMA(REAL(2)*J_xz*c3*c50*inv_L, k1, STEWART_FMA(-c188,
+            c50, STEWART_FMA(-c164, c50, STEWART_FMA(axial*c158, -c92, STEWART_FMA(g_k*inv_L*k1*k3, w_x,
             STEWART_FMA(REAL(2)*c14*c50*h_z, k1, STEWART_FMA(REAL(4)*J_xz*c46*c47, k1,
-            STEWART_FMA(REAL(2)*J_xz*c3*inv_L, k1, STEWART_FMA(-c154, c193,
-            STEWART_FMA((-axial)*c14*c73*inv_L, inv_k3, STEWART_FMA((-c194)*c3*inv_L, k3, STEWART_FMA(-c171,
-            c3, STEWART_FMA((-c150)*c46*c47, k3, STEWART_FMA(REAL(2)*c15*c46*h_x, k3,
-            STEWART_FMA(axial*c14*c73*inv_L, k3, STEWART_FMA(REAL(2)*J_xx*c46*c47, inv_k3,
-            STEWART_FMA(REAL(2)*c3*h_x, k3, STEWART_FMA(c14*inv_L*k3, J_xx - J_yy,
-            STEWART_FMA(c14*c165*inv_L, inv_k3, STEWART_FMA(-c144, c192,
-            REAL(2)*J_xx*c138*c3*inv_L)))))))))))) - c164 - c188)))))))))))))))))))))))))))))))))))))))))))));
+            STEWART_FMA(REAL(2)*J_xz*c3*inv_L, k1, STEWART_FMA(-c154, c193, STEWART_FMA(axial*c14*c73*inv_L,
+            -inv_k3, STEWART_FMA(c194*c3*inv_L, -k3, STEWART_FMA(-c171, c3, STEWART_FMA(c150*c46*c47, -k3,
+            STEWART_FMA(REAL(2)*c15*c46*h_x, k3, STEWART_FMA(axial*c14*c73*inv_L, k3,
+            STEWART_FMA(REAL(2)*J_xx*c46*c47, inv_k3, STEWART_FMA(REAL(2)*c3*h_x, k3,
+            STEWART_FMA(c14*inv_L*k3, J_xx - J_yy, STEWART_FMA(c14*c165*inv_L, inv_k3, STEWART_FMA(-c144,
+            c192, REAL(2)*J_xx*c138*c3*inv_L)))))))))))) - c164 - c188)))))))))))))))))))))))))))))))))))))))))))));
         const stewart_real c196 = J_xx*c146;
         const stewart_real c197 = c157*k1;
         const stewart_real c198 = J_xy*k3;
@@ -5546,7 +5542,7 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real c201 = c14*c50;
         const stewart_real c202 = c113*c197;
         const stewart_real tau_S_leg_33 = STEWART_FMA(-c128, c40, STEWART_FMA(-c177, c42, STEWART_FMA(c196,
-            c50, STEWART_FMA(-c16, c202, STEWART_FMA(-c127, own_z, STEWART_FMA((-c109)*c147, c50,
+            c50, STEWART_FMA(-c16, c202, STEWART_FMA(-c127, own_z, STEWART_FMA(c109*c147, -c50,
             STEWART_FMA(-J_xx, c162, STEWART_FMA(c172, c180, STEWART_FMA(-c16, c199, STEWART_FMA(c184, c88,
             STEWART_FMA(c137*k1, theta_dot, STEWART_FMA(-c136, c191, STEWART_FMA(c197, c78,
             STEWART_FMA(c174, c2, STEWART_FMA(c161, c170, STEWART_FMA(c130*c176, k1, STEWART_FMA(c114, k3,
@@ -5584,19 +5580,19 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real c205 = c204*theta_dot;
         const stewart_real tau_S_dot_leg_22 = STEWART_FMA(-c108, c153, STEWART_FMA(W_z*c155*inv_L*inv_k3,
             k1, STEWART_FMA(REAL(2)*W_z*c50, h_z, STEWART_FMA(REAL(4)*J_xz*W_z, inv_L,
-            STEWART_FMA((-REAL(2))*c50, c89, STEWART_FMA(-c205, inv_k3, STEWART_FMA(REAL(2)*c50*h_y,
+            STEWART_FMA(REAL(2)*c50, -c89, STEWART_FMA(-c205, inv_k3, STEWART_FMA(REAL(2)*c50*h_y,
             theta_dot, STEWART_FMA(REAL(2)*J_xy*inv_L, theta_dot, STEWART_FMA(-c111, inv_k3,
             STEWART_FMA(REAL(2)*L_dot*h_y*inv_L*inv_k3, k1, -c104)) - c83))) - c136)))));
         const stewart_real c206 = c70*c98;
         const stewart_real tau_S_dot_leg_23 = STEWART_FMA(-c18, c50, STEWART_FMA(c206, c50, STEWART_FMA(c20,
             c204, c102 - c78 + c141 - c190 + c18))) - c206;
-        const stewart_real tau_S_dot_leg_31 = STEWART_FMA((-c130)*c97, k1, STEWART_FMA(-c192, c20,
+        const stewart_real tau_S_dot_leg_31 = STEWART_FMA(c130*c97, -k1, STEWART_FMA(-c192, c20,
             STEWART_FMA(REAL(2)*W_z*h_z, k1, STEWART_FMA(-c173, c37, W_z*c150*inv_L*k3) - c179 - c189)));
         const stewart_real tau_S_dot_leg_32 = STEWART_FMA(REAL(2)*J_yz*W_z*inv_L, k1,
-            STEWART_FMA(REAL(2)*J_xy*W_z*inv_L, inv_k3, STEWART_FMA(-c18, inv_k3, STEWART_FMA((-c113)*c182,
-            c88, STEWART_FMA(-W_z, c178, STEWART_FMA(-c187, c88, STEWART_FMA(REAL(2)*h_z*inv_k3, theta_dot,
-            STEWART_FMA(-c132, c53, STEWART_FMA((-c113)*c16, inv_k3, STEWART_FMA(REAL(2)*L_dot*h_z*inv_L,
-            k1, STEWART_FMA(-c166, c2, STEWART_FMA(L_dot*c15*c150, k3, C_us*inv_L*inv_k3))))))))))));
+            STEWART_FMA(REAL(2)*J_xy*W_z*inv_L, inv_k3, STEWART_FMA(-c18, inv_k3, STEWART_FMA(c113*c182,
+            -c88, STEWART_FMA(-W_z, c178, STEWART_FMA(-c187, c88, STEWART_FMA(REAL(2)*h_z*inv_k3, theta_dot,
+            STEWART_FMA(-c132, c53, STEWART_FMA(c113*c16, -inv_k3, STEWART_FMA(REAL(2)*L_dot*h_z*inv_L, k1,
+            STEWART_FMA(-c166, c2, STEWART_FMA(L_dot*c15*c150, k3, C_us*inv_L*inv_k3))))))))))));
         const stewart_real tau_S_dot_leg_33 = STEWART_FMA(c199, inv_L, STEWART_FMA(c113*c157, c40,
             STEWART_FMA(REAL(2)*c198, c88, STEWART_FMA(c16, c200, c111) - c205))) - c174;
         /* generalised forces by the tip's motion */
@@ -5649,11 +5645,11 @@ STEWART_APART static void joint_slopes_of_leg(
             STEWART_FMA(tau_S_ddot_leg_33, z_z, s_z*tau_S_ddot_leg_31));
         const stewart_real c209 = REAL(1) - axial;
         const stewart_real c210 = L*k1;
-        const stewart_real c211 = STEWART_FMA(c209, STEWART_FMA((-L)*c109, c42, STEWART_FMA(-J_xx, c185,
+        const stewart_real c211 = STEWART_FMA(c209, STEWART_FMA(L*c109, -c42, STEWART_FMA(-J_xx, c185,
             STEWART_FMA(REAL(2)*J_xz*k1, own_z, STEWART_FMA(-c202, theta_dot,
             STEWART_FMA(REAL(2)*L*W_z*h_z*inv_k3, theta_dot, STEWART_FMA(J_xx*inv_k3, own_z,
             STEWART_FMA(-c210, c39, STEWART_FMA(-c175, c37, STEWART_FMA(-L_dot, c139, STEWART_FMA(J_yz*k3,
-            own_y, STEWART_FMA(J_xy*k1, own_y, STEWART_FMA((-L_dot)*c37, c54, STEWART_FMA(C_us*W_z, inv_k3,
+            own_y, STEWART_FMA(J_xy*k1, own_y, STEWART_FMA(L_dot*c37, -c54, STEWART_FMA(C_us*W_z, inv_k3,
             STEWART_FMA(-gamma_n, w_y, STEWART_FMA(gamma_y*k1, w_z, STEWART_FMA(-L_ddot, c208,
             STEWART_FMA(J_yz*c3, k1, STEWART_FMA(J_yz*c14, k1, STEWART_FMA(-L, c169, STEWART_FMA(-c198, c3,
             STEWART_FMA(-c14, c198, STEWART_FMA(L*c3*h_y, k3, STEWART_FMA(L*c14*h_y, k3, STEWART_FMA(-C_s,
@@ -5661,10 +5657,10 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real c212 = c211*inv_rho*inv_rho;
         const stewart_real bent_leg_12 = -c212*k3;
         const stewart_real c213 = J_xy*c63;
-        const stewart_real c214 = STEWART_FMA(c209, STEWART_FMA((-L)*c55, own_z, STEWART_FMA(c125, c134,
-            STEWART_FMA(-c213, c50, STEWART_FMA((-c148)*c20, c37, STEWART_FMA(J_yz, own_z, STEWART_FMA(-L,
+        const stewart_real c214 = STEWART_FMA(c209, STEWART_FMA(L*c55, -own_z, STEWART_FMA(c125, c134,
+            STEWART_FMA(-c213, c50, STEWART_FMA(c148*c20, -c37, STEWART_FMA(J_yz, own_z, STEWART_FMA(-L,
             c84, STEWART_FMA(L, c105, STEWART_FMA(-C_s, w_y_omega, STEWART_FMA(c159, k3, STEWART_FMA(C_us,
-            theta_dot, STEWART_FMA(-c158, w_z, STEWART_FMA(J_xx, c75, STEWART_FMA((-REAL(2))*L, c24,
+            theta_dot, STEWART_FMA(-c158, w_z, STEWART_FMA(J_xx, c75, STEWART_FMA(REAL(2)*L, -c24,
             STEWART_FMA(L, c106, STEWART_FMA(-c50, c96, c107))))) + c61))) + c213))))))), axial*net_y);
         const stewart_real c215 = c15*c214;
         const stewart_real bent_leg_13 = c215;
@@ -5727,7 +5723,7 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real G_dot_22 = c218*inv_L;
         const stewart_real G_dot_23 = c16;
         const stewart_real G_dot_31 = -c217*phi_dot;
-        const stewart_real G_dot_32 = STEWART_FMA((-inv_rho)*kappa, theta_dot, -c2*inv_rho);
+        const stewart_real G_dot_32 = STEWART_FMA(inv_rho*kappa, -theta_dot, -c2*inv_rho);
         const stewart_real G_dot_33 = c218*inv_rho;
         /* slope of a rate, times C_s */
         const stewart_real theta_dot_by_S_x = C_s*STEWART_FMA(G_dot_22, y_x, STEWART_FMA(G_dot_21, s_x,
@@ -6278,14 +6274,14 @@ static STEWART_INLINE void bias_of_pose(
         out->B_0[6][l] = omega_xz;
         out->B_0[7][l] = omega_yz;
         out->B_0[8][l] = B_zz;
-        summed[0*lanes + l] = STEWART_FMA(-omega_z, w_h_y, STEWART_FMA(-M_P, g_x, omega_y*w_h_z));
-        summed[1*lanes + l] = STEWART_FMA(-omega_x, w_h_z, STEWART_FMA(-M_P, g_y, omega_z*w_h_x));
-        summed[2*lanes + l] = STEWART_FMA(-omega_y, w_h_x, STEWART_FMA(-M_P, g_z, omega_x*w_h_y));
-        summed[3*lanes + l] = STEWART_FMA(-g_z, h_base_y, STEWART_FMA(-J_w_y, omega_z, STEWART_FMA(g_y,
+        summed[0*lanes + l] = STEWART_FMA(-omega_z, w_h_y, STEWART_FMA(M_P, -g_x, omega_y*w_h_z));
+        summed[1*lanes + l] = STEWART_FMA(-omega_x, w_h_z, STEWART_FMA(M_P, -g_y, omega_z*w_h_x));
+        summed[2*lanes + l] = STEWART_FMA(-omega_y, w_h_x, STEWART_FMA(M_P, -g_z, omega_x*w_h_y));
+        summed[3*lanes + l] = STEWART_FMA(g_z, -h_base_y, STEWART_FMA(-J_w_y, omega_z, STEWART_FMA(g_y,
             h_base_z, STEWART_FMA(J_w_z, omega_y, C_P*omega_x))));
-        summed[4*lanes + l] = STEWART_FMA(-g_x, h_base_z, STEWART_FMA(-J_w_z, omega_x, STEWART_FMA(g_z,
+        summed[4*lanes + l] = STEWART_FMA(g_x, -h_base_z, STEWART_FMA(-J_w_z, omega_x, STEWART_FMA(g_z,
             h_base_x, STEWART_FMA(J_w_x, omega_z, C_P*omega_y))));
-        summed[5*lanes + l] = STEWART_FMA(-g_y, h_base_x, STEWART_FMA(-J_w_x, omega_y, STEWART_FMA(g_x,
+        summed[5*lanes + l] = STEWART_FMA(g_y, -h_base_x, STEWART_FMA(-J_w_x, omega_y, STEWART_FMA(g_x,
             h_base_y, STEWART_FMA(J_w_y, omega_x, C_P*omega_z))));
     }
 }
@@ -6402,7 +6398,7 @@ STEWART_APART static void bias_of_leg(
         const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
             STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
         /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
-        const stewart_real own_theta_ddot = STEWART_FMA((-REAL(2))*L_share, theta_dot,
+        const stewart_real own_theta_ddot = STEWART_FMA(REAL(2)*L_share, -theta_dot,
             -inv_L*STEWART_FMA(S_ddot_z, z_z, STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)));
         const stewart_real own_phi_ddot = STEWART_FMA(-L_share, two_phi_dot, inv_rho*STEWART_FMA(S_ddot_z,
             y_z, STEWART_FMA(S_ddot_y, y_y, S_ddot_x*y_x)));
@@ -6439,8 +6435,8 @@ STEWART_APART static void bias_of_leg(
             STEWART_FMA(phi_dot2, STEWART_FMA(-c3, STEWART_HALF - k33, k13*(J_yy - dJ_zx)), STEWART_FMA(g_k,
             w_n, L_ddot*h_z))))))));
         const stewart_real tau_k = STEWART_FMA(M_phi, own_phi_ddot, STEWART_FMA(M_mixed, theta_ddot,
-            STEWART_FMA((-bend)*h2_y, k1, STEWART_FMA(two_phi_dot, STEWART_FMA(-theta_dot, STEWART_FMA(J_xx,
-            kappa, STEWART_FMA(-STEWART_HALF, c2, STEWART_HALF*J2_xz)), L_dot*M_phi_L),
+            STEWART_FMA(bend*h2_y, -k1, STEWART_FMA(two_phi_dot, STEWART_FMA(-theta_dot, STEWART_FMA(J_xx,
+            kappa, STEWART_FMA(STEWART_HALF, -c2, STEWART_HALF*J2_xz)), L_dot*M_phi_L),
             STEWART_FMA(-gamma_y, w_n, STEWART_FMA(-gamma_n, w_y, STEWART_FMA(C_us, phi_dot,
             STEWART_FMA(-L_ddot, k3_h, STEWART_FMA(-C_s, STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y,
             k_x*omega_x)), M_mixed_theta*theta_dot2)))))))));

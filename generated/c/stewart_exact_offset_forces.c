@@ -42,7 +42,7 @@ typedef struct {
 
 typedef struct {
     stewart_real B[9][POSES];
-    stewart_real t_size[POSES]; /* m: largest coordinate of t */
+    stewart_real least_L[POSES]; /* m: length of a leg that needs a closer look */
 } STEWART_ALIGNED shared_lanes;
 
 /* The legs of one pose. */
@@ -316,7 +316,7 @@ static stewart_real size_of(const stewart_exact_offset_model *model)
 
 int stewart_exact_offset_prepare(const stewart_offset_robot *robot, stewart_exact_offset_model *model)
 {
-    int i;
+    int i, j;
     stewart_exact_offset_model made;
     prepared_leg found;
     prepared_leg sum;
@@ -411,11 +411,18 @@ int stewart_exact_offset_prepare(const stewart_offset_robot *robot, stewart_exac
     made.g[0] = platform.g[0];
     made.g[1] = platform.g[1];
     made.g[2] = platform.g[2];
+    stewart_real far = REAL(0);
+    for (j = 0; j < 3; ++j) {
+        for (i = 0; i < 6; ++i) {
+            far = STEWART_LARGER(STEWART_FABS(made.b[j][i]), far);
+        }
+    }
+    made.base_reach = far;
     const stewart_real largest = size_of(&made);
     made.per_length = per_length_of(largest, REAL(0.125));
     made.arm_cube = cube_of(largest*made.per_length);
     const stewart_real *const numbers = (const stewart_real *)&made;
-    for (i = 0; i < 355; ++i) {
+    for (i = 0; i < 356; ++i) {
         if (!(STEWART_FABS(numbers[i]) <= STEWART_MAX)) {
             return STEWART_NOT_FINITE;
         }
@@ -621,9 +628,9 @@ static void legs_of_pose(
         /* (10) share of r in L; near the least distance the square of r is known to rounding, not r itself */
         const stewart_real sine = inv_L*r_share*r*r;
         /* (4) velocity of the platform point */
-        const stewart_real S_dot_x = STEWART_FMA(-omega_z, q_y, STEWART_FMA(omega_y, q_z, v_x));
-        const stewart_real S_dot_y = STEWART_FMA(-omega_x, q_z, STEWART_FMA(omega_z, q_x, v_y));
-        const stewart_real S_dot_z = STEWART_FMA(-omega_y, q_x, STEWART_FMA(omega_x, q_y, v_z));
+        const stewart_real S_dot_x = STEWART_FMA(omega_z, -q_y, STEWART_FMA(omega_y, q_z, v_x));
+        const stewart_real S_dot_y = STEWART_FMA(omega_x, -q_z, STEWART_FMA(omega_z, q_x, v_y));
+        const stewart_real S_dot_z = STEWART_FMA(omega_y, -q_x, STEWART_FMA(omega_x, q_y, v_z));
         /* (7) acceleration of the platform point */
         const stewart_real S_ddot_x = STEWART_FMA(B_xz, q_z, STEWART_FMA(B_xy, q_y, STEWART_FMA(B_xx, q_x,
             a_x)));
@@ -653,7 +660,7 @@ static void legs_of_pose(
         const stewart_real turning = STEWART_FMA(along, phi_ddot, phi_dot2*r);
         const stewart_real c1 = L_dot*theta_dot;
         /* (9) accelerations of the joint coordinates */
-        const stewart_real theta_ddot = inv_L*STEWART_FMA(-REAL(2), c1, STEWART_FMA(-S_ddot_z, z_z,
+        const stewart_real theta_ddot = inv_L*STEWART_FMA(REAL(2), -c1, STEWART_FMA(-S_ddot_z, z_z,
             STEWART_FMA(-S_ddot_y, z_y, STEWART_FMA(-S_ddot_x, z_x, STEWART_FMA(-across, theta_dot2,
             k1*turning)))));
         /* (8) accelerations of the joint coordinates */
@@ -698,7 +705,7 @@ static void legs_of_pose(
             y_y, omega_x*y_x)), STEWART_FMA(-M_phi_theta_offset, phi_dot2, STEWART_FMA(gamma_n, w_k,
             g_k*w_n)))))))));
         const stewart_real tau_k = STEWART_FMA(L_ddot, c5, STEWART_FMA(M_mixed_offset, theta_ddot,
-            STEWART_FMA((-bend)*h2_y, k1, STEWART_FMA(-c1, c3, STEWART_FMA(two_phi_dot, STEWART_FMA(L_dot,
+            STEWART_FMA(bend*h2_y, -k1, STEWART_FMA(-c1, c3, STEWART_FMA(two_phi_dot, STEWART_FMA(L_dot,
             M_phi_L, M_phi_theta_offset*theta_dot), STEWART_FMA(M_phi_offset, phi_ddot,
             STEWART_FMA(-gamma_y, w_n, STEWART_FMA(-gamma_n, w_y, STEWART_FMA(C_us, phi_dot,
             STEWART_FMA(-C_s, STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y, k_x*omega_x)),
@@ -707,7 +714,7 @@ static void legs_of_pose(
         const stewart_real tau_k_offset = STEWART_FMA(-c2, w_o, tau_k);
         /* (21) K = Q_y y + Q_z z */
         const stewart_real Q_z = -inv_L*tau_y;
-        const stewart_real Q_y = inv_r*STEWART_FMA((-Q_z)*along, k1, tau_k_offset);
+        const stewart_real Q_y = inv_r*STEWART_FMA(Q_z*along, -k1, tau_k_offset);
         /* (21) force at the platform joint, base frame */
         const stewart_real K_x = STEWART_FMA(Q_y, y_x, Q_z*z_x);
         const stewart_real K_y = STEWART_FMA(Q_y, y_y, Q_z*z_y);
@@ -878,6 +885,31 @@ typedef struct {
     stewart_real c_moment[3][POSES];
 } STEWART_ALIGNED leg_block;
 
+/* A leg of the poses of a block as far as its roots. */
+typedef struct {
+    stewart_real q_x[POSES];
+    stewart_real q_y[POSES];
+    stewart_real q_z[POSES];
+    stewart_real S_x[POSES];
+    stewart_real S_y[POSES];
+    stewart_real S_z[POSES];
+    stewart_real zeta[POSES];
+    stewart_real k_cross_S_x[POSES];
+    stewart_real k_cross_S_y[POSES];
+    stewart_real k_cross_S_z[POSES];
+    stewart_real r[POSES];
+    stewart_real inv_rho2[POSES];
+    stewart_real r_out[POSES];
+    stewart_real L[POSES];
+    stewart_real inv_L[POSES];
+    stewart_real inv_r[POSES];
+    stewart_real inv_reach2[POSES];
+} STEWART_ALIGNED leg_roots;
+
+typedef struct {
+    leg_roots leg[6];
+} STEWART_ALIGNED roots_of_legs;
+
 /* What each pose of a block has for all legs, and the platform's part of c. */
 static void shared_of_block(
     const stewart_exact_offset_model *STEWART_RESTRICT model, const motion_lanes *STEWART_RESTRICT at,
@@ -942,14 +974,14 @@ static void shared_of_block(
         const stewart_real P_yy = omega_P_y*omega_P_y;
         const stewart_real P_zz = omega_P_z*omega_P_z;
         /* (34) external moment less I alpha + omega x I omega, platform frame */
-        const stewart_real M_P_load_x = STEWART_FMA(-J_C_xz, alpha_P_z + P_xy, STEWART_FMA(J_C_xy, P_xz - alpha_P_y,
-            STEWART_FMA(-P_yz, dJ_C_x, STEWART_FMA(-J_C_xx, alpha_P_x, STEWART_FMA(-J_C_yz, P_yy - P_zz,
+        const stewart_real M_P_load_x = STEWART_FMA(J_C_xz, -(alpha_P_z + P_xy), STEWART_FMA(J_C_xy, P_xz - alpha_P_y,
+            STEWART_FMA(-P_yz, dJ_C_x, STEWART_FMA(J_C_xx, -alpha_P_x, STEWART_FMA(J_C_yz, -(P_yy - P_zz),
             M_ext_x)))));
-        const stewart_real M_P_load_y = STEWART_FMA(-J_C_xy, alpha_P_x + P_yz, STEWART_FMA(J_C_yz, P_xy - alpha_P_z,
-            STEWART_FMA(-P_xz, dJ_C_y, STEWART_FMA(-J_C_yy, alpha_P_y, STEWART_FMA(-J_C_xz, P_zz - P_xx,
+        const stewart_real M_P_load_y = STEWART_FMA(J_C_xy, -(alpha_P_x + P_yz), STEWART_FMA(J_C_yz, P_xy - alpha_P_z,
+            STEWART_FMA(-P_xz, dJ_C_y, STEWART_FMA(J_C_yy, -alpha_P_y, STEWART_FMA(J_C_xz, -(P_zz - P_xx),
             M_ext_y)))));
-        const stewart_real M_P_load_z = STEWART_FMA(-J_C_yz, alpha_P_y + P_xz, STEWART_FMA(J_C_xz, P_yz - alpha_P_x,
-            STEWART_FMA(-P_xy, dJ_C_z, STEWART_FMA(-J_C_zz, alpha_P_z, STEWART_FMA(-J_C_xy, P_xx - P_yy,
+        const stewart_real M_P_load_z = STEWART_FMA(J_C_yz, -(alpha_P_y + P_xz), STEWART_FMA(J_C_xz, P_yz - alpha_P_x,
+            STEWART_FMA(-P_xy, dJ_C_z, STEWART_FMA(J_C_zz, -alpha_P_z, STEWART_FMA(J_C_xy, -(P_xx - P_yy),
             M_ext_z)))));
         out->B[0][l] = B_xx;
         out->B[1][l] = B_xy;
@@ -963,25 +995,25 @@ static void shared_of_block(
         c[0][l] = STEWART_FMA(F_ext_z, R_xz, STEWART_FMA(F_ext_y, R_xy, STEWART_FMA(F_ext_x, R_xx, N_x)));
         c[1][l] = STEWART_FMA(F_ext_z, R_yz, STEWART_FMA(F_ext_y, R_yy, STEWART_FMA(F_ext_x, R_yx, N_y)));
         c[2][l] = STEWART_FMA(F_ext_z, R_zz, STEWART_FMA(F_ext_y, R_zy, STEWART_FMA(F_ext_x, R_zx, N_z)));
-        c[3][l] = STEWART_FMA(-N_y, R_C_z, STEWART_FMA(-C_P, omega_x, STEWART_FMA(N_z, R_C_y,
+        c[3][l] = STEWART_FMA(-N_y, R_C_z, STEWART_FMA(C_P, -omega_x, STEWART_FMA(N_z, R_C_y,
             STEWART_FMA(M_P_load_z, R_xz, STEWART_FMA(M_P_load_y, R_xy, M_P_load_x*R_xx)))));
-        c[4][l] = STEWART_FMA(-N_z, R_C_x, STEWART_FMA(-C_P, omega_y, STEWART_FMA(N_x, R_C_z,
+        c[4][l] = STEWART_FMA(-N_z, R_C_x, STEWART_FMA(C_P, -omega_y, STEWART_FMA(N_x, R_C_z,
             STEWART_FMA(M_P_load_z, R_yz, STEWART_FMA(M_P_load_y, R_yy, M_P_load_x*R_yx)))));
-        c[5][l] = STEWART_FMA(-N_x, R_C_y, STEWART_FMA(-C_P, omega_z, STEWART_FMA(N_y, R_C_x,
+        c[5][l] = STEWART_FMA(-N_x, R_C_y, STEWART_FMA(C_P, -omega_z, STEWART_FMA(N_y, R_C_x,
             STEWART_FMA(M_P_load_z, R_zz, STEWART_FMA(M_P_load_y, R_zy, M_P_load_x*R_zx)))));
-        const stewart_real far = STEWART_LARGER(STEWART_FABS(at->t[0][l]), STEWART_FABS(at->t[1][l]));
-        out->t_size[l] = STEWART_LARGER(STEWART_FABS(at->t[2][l]), far);
+        stewart_real far = STEWART_LARGER(model->base_reach, STEWART_SHORTEST/STEWART_ROUNDING);
+        far = STEWART_LARGER(STEWART_FABS(at->t[0][l]), far);
+        far = STEWART_LARGER(STEWART_FABS(at->t[1][l]), far);
+        far = STEWART_LARGER(STEWART_FABS(at->t[2][l]), far);
+        out->least_L[l] = REAL(2.25)*STEWART_SHORT_SHARE*far;
     }
 }
 
-/* One leg of the poses of a block, 379 (222 mul, 151 add, 4 div, 2 sqrt) operations each: its column of
- * H, its D and its part of c. A leg is q + t - b: one that is short beside q is so beside t or b as
- * well, if less. */
-static void leg_of_block(
+/* A leg of the poses of a block as far as its roots, 52 (23 mul, 23 add, 4 div, 2 sqrt) operations each.
+ * Those of the next leg are taken before a leg goes on from its own, which are ready by then. */
+static void roots_of_leg(
     const stewart_exact_offset_model *STEWART_RESTRICT model, int leg,
-    const motion_lanes *STEWART_RESTRICT at, const shared_lanes *STEWART_RESTRICT shared,
-    stewart_real (*STEWART_RESTRICT column)[POSES], leg_block *STEWART_RESTRICT own,
-    stewart_real *STEWART_RESTRICT known, stewart_real *STEWART_RESTRICT bad)
+    const motion_lanes *STEWART_RESTRICT at, leg_roots *STEWART_RESTRICT out)
 {
     int l;
     for (l = 0; l < POSES; ++l) {
@@ -1008,26 +1040,12 @@ static void leg_of_block(
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
         const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
         const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
-        const stewart_real S_across_x = STEWART_FMA(-k_x, zeta, S_x);
-        const stewart_real S_across_y = STEWART_FMA(-k_y, zeta, S_y);
-        const stewart_real S_across_z = STEWART_FMA(-k_z, zeta, S_z);
         const stewart_real rho2 = STEWART_FMA(k_cross_S_z, k_cross_S_z, STEWART_FMA(k_cross_S_y,
             k_cross_S_y, k_cross_S_x*k_cross_S_x));
-        const stewart_real along = model->along[leg];
         const stewart_real along2 = model->along2[leg];
         /* (10) distance of the tip from the fixed axis along o */
         const stewart_real r = STEWART_SQRT(rho2 - along2);
         const stewart_real inv_rho2 = REAL(1)/rho2;
-        const stewart_real r_share = inv_rho2*r;
-        const stewart_real e_share = along*inv_rho2;
-        /* (10) moving axis of the universal joint */
-        const stewart_real y_x = STEWART_FMA(S_across_x, e_share, k_cross_S_x*r_share);
-        const stewart_real y_y = STEWART_FMA(S_across_y, e_share, k_cross_S_y*r_share);
-        const stewart_real y_z = STEWART_FMA(S_across_z, e_share, k_cross_S_z*r_share);
-        /* (10) from the fixed axis towards the platform */
-        const stewart_real o_x = STEWART_FMA(-k_y, y_z, k_z*y_y);
-        const stewart_real o_y = STEWART_FMA(-k_z, y_x, k_x*y_z);
-        const stewart_real o_z = STEWART_FMA(-k_x, y_y, k_y*y_x);
         const stewart_real cross = model->cross[leg];
         /* tip from the moving axis: along o, and squared */
         const stewart_real r_out = r - cross;
@@ -1038,14 +1056,76 @@ static void leg_of_block(
         const stewart_real inv_L = REAL(1)/L;
         const stewart_real inv_r = REAL(1)/r;
         const stewart_real inv_reach2 = REAL(1)/reach2;
+        out->q_x[l] = q_x;
+        out->q_y[l] = q_y;
+        out->q_z[l] = q_z;
+        out->S_x[l] = S_x;
+        out->S_y[l] = S_y;
+        out->S_z[l] = S_z;
+        out->zeta[l] = zeta;
+        out->k_cross_S_x[l] = k_cross_S_x;
+        out->k_cross_S_y[l] = k_cross_S_y;
+        out->k_cross_S_z[l] = k_cross_S_z;
+        out->r[l] = r;
+        out->inv_rho2[l] = inv_rho2;
+        out->r_out[l] = r_out;
+        out->L[l] = L;
+        out->inv_L[l] = inv_L;
+        out->inv_r[l] = inv_r;
+        out->inv_reach2[l] = inv_reach2;
+    }
+}
+
+/* The leg from there on, 327 (199 mul, 128 add, 0 div, 0 sqrt) operations each: its column of H, its D
+ * and its part of c. A leg is q + t - b: one that is short beside q is so beside t or b as well, if
+ * less. */
+static void leg_of_block(
+    const stewart_exact_offset_model *STEWART_RESTRICT model, int leg,
+    const motion_lanes *STEWART_RESTRICT at, const shared_lanes *STEWART_RESTRICT shared,
+    const leg_roots *STEWART_RESTRICT roots, stewart_real (*STEWART_RESTRICT column)[POSES],
+    leg_block *STEWART_RESTRICT own, stewart_real *STEWART_RESTRICT known,
+    stewart_real *STEWART_RESTRICT bad)
+{
+    int l;
+    for (l = 0; l < POSES; ++l) {
+        const stewart_real S_x = roots->S_x[l];
+        const stewart_real S_y = roots->S_y[l];
+        const stewart_real S_z = roots->S_z[l];
+        const stewart_real zeta = roots->zeta[l];
+        const stewart_real r = roots->r[l];
+        const stewart_real inv_rho2 = roots->inv_rho2[l];
+        const stewart_real k_x = model->k[0][leg], k_y = model->k[1][leg], k_z = model->k[2][leg];
+        const stewart_real along = model->along[leg];
+        /* (10) leg vector along the fixed axis, normal to both, and across the fixed axis */
+        const stewart_real S_across_x = STEWART_FMA(k_x, -zeta, S_x);
+        const stewart_real S_across_y = STEWART_FMA(k_y, -zeta, S_y);
+        const stewart_real S_across_z = STEWART_FMA(k_z, -zeta, S_z);
+        const stewart_real r_share = inv_rho2*r;
+        const stewart_real e_share = along*inv_rho2;
+        const stewart_real k_cross_S_x = roots->k_cross_S_x[l];
+        const stewart_real k_cross_S_y = roots->k_cross_S_y[l];
+        const stewart_real k_cross_S_z = roots->k_cross_S_z[l];
+        /* (10) moving axis of the universal joint */
+        const stewart_real y_x = STEWART_FMA(S_across_x, e_share, k_cross_S_x*r_share);
+        const stewart_real y_y = STEWART_FMA(S_across_y, e_share, k_cross_S_y*r_share);
+        const stewart_real y_z = STEWART_FMA(S_across_z, e_share, k_cross_S_z*r_share);
+        /* (10) from the fixed axis towards the platform */
+        const stewart_real o_x = STEWART_FMA(k_y, -y_z, k_z*y_y);
+        const stewart_real o_y = STEWART_FMA(k_z, -y_x, k_x*y_z);
+        const stewart_real o_z = STEWART_FMA(k_x, -y_y, k_y*y_x);
+        const stewart_real r_out = roots->r_out[l];
+        const stewart_real L = roots->L[l];
+        const stewart_real inv_reach2 = roots->inv_reach2[l];
         const stewart_real across = model->across[leg];
         /* (10) k = (k1, 0, k3) in the leg frame */
-        const stewart_real k1 = inv_reach2*STEWART_FMA(-across, r_out, L*zeta);
+        const stewart_real k1 = inv_reach2*STEWART_FMA(across, -r_out, L*zeta);
         const stewart_real k3 = inv_reach2*STEWART_FMA(across, zeta, L*r_out);
         /* (3) unit vector along the line of sliding */
         const stewart_real s_x = STEWART_FMA(k3, o_x, k1*k_x);
         const stewart_real s_y = STEWART_FMA(k3, o_y, k1*k_y);
         const stewart_real s_z = STEWART_FMA(k3, o_z, k1*k_z);
+        const stewart_real inv_L = roots->inv_L[l];
+        const stewart_real inv_r = roots->inv_r[l];
         /* (10) third axis of the leg frame */
         const stewart_real z_x = STEWART_FMA(-k1, o_x, k3*k_x);
         const stewart_real z_y = STEWART_FMA(-k1, o_y, k3*k_y);
@@ -1058,6 +1138,9 @@ static void leg_of_block(
         const stewart_real column_z = STEWART_FMA(column_of_z, z_z, STEWART_FMA(column_of_y, y_z, s_z));
         /* (10) share of r in L; near the least distance the square of r is known to rounding, not r itself */
         const stewart_real sine = inv_L*r_share*r*r;
+        const stewart_real q_x = roots->q_x[l];
+        const stewart_real q_y = roots->q_y[l];
+        const stewart_real q_z = roots->q_z[l];
         const stewart_real omega_x = at->omega[0][l], omega_y = at->omega[1][l], omega_z = at->omega[2][l];
         const stewart_real v_x = at->v[0][l], v_y = at->v[1][l], v_z = at->v[2][l];
         /* (4) velocity of the platform point */
@@ -1083,7 +1166,7 @@ static void leg_of_block(
         const stewart_real theta_dot = inv_L*STEWART_FMA(-S_dot_z, z_z, STEWART_FMA(-S_dot_y, z_y,
             STEWART_FMA(-S_dot_x, z_x, e_phi_dot*k1)));
         /* (5) rates of the joint coordinates: L, phi about k, theta about y */
-        const stewart_real L_dot = STEWART_FMA(-across, theta_dot, STEWART_FMA(e_phi_dot, k3,
+        const stewart_real L_dot = STEWART_FMA(across, -theta_dot, STEWART_FMA(e_phi_dot, k3,
             STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x))));
         /* rate of r */
         const stewart_real r_dot = STEWART_FMA(S_dot_z, o_z, STEWART_FMA(S_dot_y, o_y, S_dot_x*o_x)) + e_phi_dot;
@@ -1097,8 +1180,8 @@ static void leg_of_block(
         const stewart_real turning = STEWART_FMA(along, phi_ddot, phi_dot2*r);
         const stewart_real c1 = L_dot*theta_dot;
         /* (9) accelerations of the joint coordinates */
-        const stewart_real theta_ddot = inv_L*STEWART_FMA(-REAL(2), c1, STEWART_FMA(-S_ddot_z, z_z,
-            STEWART_FMA(-S_ddot_y, z_y, STEWART_FMA(-S_ddot_x, z_x, STEWART_FMA(-across, theta_dot2,
+        const stewart_real theta_ddot = inv_L*STEWART_FMA(REAL(2), -c1, STEWART_FMA(-S_ddot_z, z_z,
+            STEWART_FMA(-S_ddot_y, z_y, STEWART_FMA(-S_ddot_x, z_x, STEWART_FMA(across, -theta_dot2,
             k1*turning)))));
         const stewart_real h_x = model->h[0][leg], h_y = model->h[1][leg], h_z = model->h[2][leg];
         const stewart_real h2_x = model->h2_x[leg];
@@ -1107,7 +1190,7 @@ static void leg_of_block(
         const stewart_real J2_xz = model->J2_xz[leg];
         const stewart_real dJ_zx = model->dJ_zx[leg];
         /* (8) accelerations of the joint coordinates */
-        const stewart_real L_ddot = STEWART_FMA(-across, theta_ddot, STEWART_FMA(k3, turning,
+        const stewart_real L_ddot = STEWART_FMA(across, -theta_ddot, STEWART_FMA(k3, turning,
             STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y, STEWART_FMA(S_ddot_x, s_x,
             L*theta_dot2)))));
         const stewart_real k33 = k3*k3;
@@ -1122,19 +1205,20 @@ static void leg_of_block(
         const stewart_real M_mixed = STEWART_FMA(a3, k1, J_yz*k3);
         const stewart_real k3_h = h_y*k3;
         const stewart_real w_x = model->w[0][leg], w_y = model->w[1][leg], w_z = model->w[2][leg];
+        const stewart_real cross = model->cross[leg];
         const stewart_real cross2 = model->cross2[leg];
         const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
         /* (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta */
         const stewart_real M_phi_theta = STEWART_FMA(a1, k13, a2*(STEWART_HALF - k33));
-        const stewart_real M_phi_L = STEWART_FMA(-h_z, k13, h_x*k33);
+        const stewart_real M_phi_L = STEWART_FMA(h_z, -k13, h_x*k33);
         const stewart_real M_mixed_theta = STEWART_FMA(-a3, k3, J_yz*k1);
         const stewart_real w_k = STEWART_FMA(k3, w_z, k1*w_x);
         const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
         const stewart_real h_k = STEWART_FMA(h_z, k3, h_x*k1);
-        const stewart_real h_n = STEWART_FMA(-h_z, k1, h_x*k3);
+        const stewart_real h_n = STEWART_FMA(h_z, -k1, h_x*k3);
         const stewart_real M_phi_offset = STEWART_FMA(cross2, w_n, M_phi);
         const stewart_real M_phi_theta_offset = STEWART_FMA(cross, w_k, M_phi_theta);
-        const stewart_real M_mixed_offset = STEWART_FMA(-along, h_k, M_mixed);
+        const stewart_real M_mixed_offset = STEWART_FMA(along, -h_k, M_mixed);
         const stewart_real M_mixed_theta_offset = STEWART_FMA(along, h_n, M_mixed_theta);
         const stewart_real bend = c1;
         const stewart_real c2 = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
@@ -1153,21 +1237,21 @@ static void leg_of_block(
         /* (20) generalised forces about y and about k */
         const stewart_real tau_y = STEWART_FMA(L_ddot, h_z, STEWART_FMA(M_theta, theta_ddot,
             STEWART_FMA(bend, h2_x, STEWART_FMA(L_dot, c4, STEWART_FMA(M_mixed_offset, phi_ddot,
-            STEWART_FMA(C_us, theta_dot, STEWART_FMA(-C_s, STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y,
+            STEWART_FMA(C_us, theta_dot, STEWART_FMA(C_s, -STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y,
             y_y, omega_x*y_x)), STEWART_FMA(-M_phi_theta_offset, phi_dot2, STEWART_FMA(gamma_n, w_k,
             g_k*w_n)))))))));
         const stewart_real tau_k = STEWART_FMA(L_ddot, c5, STEWART_FMA(M_mixed_offset, theta_ddot,
-            STEWART_FMA((-bend)*h2_y, k1, STEWART_FMA(-c1, c3, STEWART_FMA(two_phi_dot, STEWART_FMA(L_dot,
+            STEWART_FMA(bend*h2_y, -k1, STEWART_FMA(-c1, c3, STEWART_FMA(two_phi_dot, STEWART_FMA(L_dot,
             M_phi_L, M_phi_theta_offset*theta_dot), STEWART_FMA(M_phi_offset, phi_ddot,
             STEWART_FMA(-gamma_y, w_n, STEWART_FMA(-gamma_n, w_y, STEWART_FMA(C_us, phi_dot,
-            STEWART_FMA(-C_s, STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y, k_x*omega_x)),
+            STEWART_FMA(C_s, -STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y, k_x*omega_x)),
             M_mixed_theta_offset*theta_dot2))))))))));
         const stewart_real w_o = model->w_o[leg];
         /* (20) */
         const stewart_real tau_k_offset = STEWART_FMA(-c2, w_o, tau_k);
         /* (21) K = Q_y y + Q_z z */
         const stewart_real Q_z = -inv_L*tau_y;
-        const stewart_real Q_y = inv_r*STEWART_FMA((-Q_z)*along, k1, tau_k_offset);
+        const stewart_real Q_y = inv_r*STEWART_FMA(Q_z*along, -k1, tau_k_offset);
         /* (21) force at the platform joint, base frame */
         const stewart_real K_x = STEWART_FMA(Q_y, y_x, Q_z*z_x);
         const stewart_real K_y = STEWART_FMA(Q_y, y_y, Q_z*z_y);
@@ -1176,7 +1260,7 @@ static void leg_of_block(
         const stewart_real m_r = model->m_r[leg];
         /* (24) known part of the actuator force */
         const stewart_real D = STEWART_FMA(L_ddot, m_r, STEWART_FMA(h_z, theta_ddot, STEWART_FMA(C_p, L_dot,
-            STEWART_FMA(-c4, theta_dot, STEWART_FMA(-M_phi_L, phi_dot2, STEWART_FMA(-h_x, theta_dot2,
+            STEWART_FMA(-c4, theta_dot, STEWART_FMA(-M_phi_L, phi_dot2, STEWART_FMA(h_x, -theta_dot2,
             c5*phi_ddot))))));
         const stewart_real c6 = C_s*phi_dot;
         const stewart_real c7 = C_s*theta_dot;
@@ -1193,12 +1277,7 @@ static void leg_of_block(
         own->c_moment[1][l] = STEWART_FMA(c7, y_y, c6*k_y);
         own->c_moment[2][l] = STEWART_FMA(c7, y_z, c6*k_z);
         known[l] = D;
-        stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
-        reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
-        reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
-        reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
-        reach = STEWART_LARGER(shared->t_size[l], reach);
-        stewart_real fault = L > REAL(2.25)*STEWART_SHORT_SHARE*reach ? bad[l] : REAL(1);
+        stewart_real fault = L > shared->least_L[l] ? bad[l] : REAL(1);
         fault = sine > STEWART_JOINT_SINGULAR_SINE ? fault : REAL(1);
         bad[l] = fault;
     }
@@ -1288,14 +1367,20 @@ static void forces_of_block(const stewart_exact_offset_model *model, const motio
 {
     int i, l;
     shared_lanes shared;
+    roots_of_legs roots;
     leg_block first;
     leg_block other;
     for (l = 0; l < POSES; ++l) {
         out->bad[l] = REAL(0);
     }
+    roots_of_leg(model, 0, at, &roots.leg[0]);
     shared_of_block(model, at, &shared, out->column[6]);
     for (i = 0; i < 6; ++i) {
-        leg_of_block(model, i, at, &shared, out->column[i], i == 0 ? &first : &other, out->D[i], out->bad);
+        if (i < 5) {
+            roots_of_leg(model, i + 1, at, &roots.leg[i + 1]);
+        }
+        leg_of_block(model, i, at, &shared, &roots.leg[i], out->column[i], i == 0 ? &first : &other,
+            out->D[i], out->bad);
         if (i == 0) {
             moments_of_first(&first, out->column[6]);
         } else {

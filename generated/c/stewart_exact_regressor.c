@@ -111,20 +111,20 @@ STEWART_APART static void columns_of_legs(
         /* (10) k1 / k3 */
         const stewart_real kappa = inv_rho*zeta;
         /* (4) omega x q */
-        const stewart_real w_q_x = STEWART_FMA(-omega_z, q_y, omega_y*q_z);
-        const stewart_real w_q_y = STEWART_FMA(-omega_x, q_z, omega_z*q_x);
-        const stewart_real w_q_z = STEWART_FMA(-omega_y, q_x, omega_x*q_y);
+        const stewart_real w_q_x = STEWART_FMA(omega_z, -q_y, omega_y*q_z);
+        const stewart_real w_q_y = STEWART_FMA(omega_x, -q_z, omega_z*q_x);
+        const stewart_real w_q_z = STEWART_FMA(omega_y, -q_x, omega_x*q_y);
         /* (4) velocity of the platform point */
         const stewart_real S_dot_x = v_x + w_q_x;
         const stewart_real S_dot_y = v_y + w_q_y;
         const stewart_real S_dot_z = v_z + w_q_z;
         /* (7) acceleration of the platform point */
-        const stewart_real S_ddot_x = STEWART_FMA(-omega_z, w_q_y, STEWART_FMA(omega_y, w_q_z,
-            STEWART_FMA(-alpha_z, q_y, STEWART_FMA(alpha_y, q_z, a_x))));
-        const stewart_real S_ddot_y = STEWART_FMA(-omega_x, w_q_z, STEWART_FMA(omega_z, w_q_x,
-            STEWART_FMA(-alpha_x, q_z, STEWART_FMA(alpha_z, q_x, a_y))));
-        const stewart_real S_ddot_z = STEWART_FMA(-omega_y, w_q_x, STEWART_FMA(omega_x, w_q_y,
-            STEWART_FMA(-alpha_y, q_x, STEWART_FMA(alpha_x, q_y, a_z))));
+        const stewart_real S_ddot_x = STEWART_FMA(omega_z, -w_q_y, STEWART_FMA(omega_y, w_q_z,
+            STEWART_FMA(alpha_z, -q_y, STEWART_FMA(alpha_y, q_z, a_x))));
+        const stewart_real S_ddot_y = STEWART_FMA(omega_x, -w_q_z, STEWART_FMA(omega_z, w_q_x,
+            STEWART_FMA(alpha_x, -q_z, STEWART_FMA(alpha_z, q_x, a_y))));
+        const stewart_real S_ddot_z = STEWART_FMA(omega_y, -w_q_x, STEWART_FMA(omega_x, w_q_y,
+            STEWART_FMA(alpha_y, -q_x, STEWART_FMA(alpha_x, q_y, a_z))));
         /* (5) rates of the joint coordinates: L, phi about k, theta about y */
         const stewart_real L_dot = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
         /* (6) rates of the joint coordinates: L, phi about k, theta about y */
@@ -159,9 +159,9 @@ STEWART_APART static void columns_of_legs(
         /* gravity along the fixed axis */
         const stewart_real g_k = STEWART_FMA(g_z, k_z, STEWART_FMA(g_y, k_y, g_x*k_x));
         /* g x k, base frame */
-        const stewart_real g_x_k_x = STEWART_FMA(-g_z, k_y, g_y*k_z);
-        const stewart_real g_x_k_y = STEWART_FMA(-g_x, k_z, g_z*k_x);
-        const stewart_real g_x_k_z = STEWART_FMA(-g_y, k_x, g_x*k_y);
+        const stewart_real g_x_k_x = STEWART_FMA(g_z, -k_y, g_y*k_z);
+        const stewart_real g_x_k_y = STEWART_FMA(g_x, -k_z, g_z*k_x);
+        const stewart_real g_x_k_z = STEWART_FMA(g_y, -k_x, g_x*k_y);
         /* gravity along k x y and along y */
         const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
         const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
@@ -203,8 +203,8 @@ STEWART_APART static void columns_of_legs(
         /* (20) torques by h_u_z */
         const stewart_real tau_L_h_u_z = c18 + theta_ddot;
         const stewart_real tau_theta_h_u_z = STEWART_FMA(gamma_n, k3, STEWART_FMA(-L, c10, L*c20) - c9 + L_ddot);
-        const stewart_real tau_phi_h_u_z = STEWART_FMA(-c11, c21, STEWART_FMA(-L, c23,
-            STEWART_FMA((-L_dot)*c3, c6, STEWART_FMA(REAL(2)*L*c4*phi_dot, theta_dot, gamma_y*k1))));
+        const stewart_real tau_phi_h_u_z = STEWART_FMA(-c11, c21, STEWART_FMA(-L, c23, STEWART_FMA(L_dot*c3,
+            -c6, STEWART_FMA(REAL(2)*L*c4*phi_dot, theta_dot, gamma_y*k1))));
         /* (20) torques by J_u_xx */
         const stewart_real tau_theta_J_u_xx = c18;
         const stewart_real tau_phi_J_u_xx = STEWART_FMA(-c4, phi_ddot, STEWART_FMA(-c22, c6, phi_ddot));

@@ -42,7 +42,7 @@ typedef struct {
 
 typedef struct {
     stewart_real B[9][POSES];
-    stewart_real t_size[POSES]; /* m: largest coordinate of t */
+    stewart_real least_L[POSES]; /* m: length of a leg that needs a closer look */
 } STEWART_ALIGNED shared_lanes;
 
 /* The legs of one pose. */
@@ -261,7 +261,7 @@ static stewart_real size_of(const stewart_paper_model *model)
 
 int stewart_paper_prepare(const stewart_robot *robot, stewart_paper_model *model)
 {
-    int i;
+    int i, j;
     stewart_paper_model made;
     prepared_leg found;
     prepared_leg sum;
@@ -339,11 +339,18 @@ int stewart_paper_prepare(const stewart_robot *robot, stewart_paper_model *model
     made.g[0] = platform.g[0];
     made.g[1] = platform.g[1];
     made.g[2] = platform.g[2];
+    stewart_real far = REAL(0);
+    for (j = 0; j < 3; ++j) {
+        for (i = 0; i < 6; ++i) {
+            far = STEWART_LARGER(STEWART_FABS(made.b[j][i]), far);
+        }
+    }
+    made.base_reach = far;
     const stewart_real largest = size_of(&made);
     made.per_length = per_length_of(largest, REAL(0.125));
     made.arm_cube = cube_of(largest*made.per_length);
     const stewart_real *const numbers = (const stewart_real *)&made;
-    for (i = 0; i < 219; ++i) {
+    for (i = 0; i < 220; ++i) {
         if (!(STEWART_FABS(numbers[i]) <= STEWART_MAX)) {
             return STEWART_NOT_FINITE;
         }
@@ -507,9 +514,9 @@ static void legs_of_pose(
         const stewart_real z_y = STEWART_FMA(-s_x, y_z, s_z*y_x);
         const stewart_real z_z = STEWART_FMA(-s_y, y_x, s_x*y_y);
         /* (4) velocity of the platform point */
-        const stewart_real S_dot_x = STEWART_FMA(-omega_z, q_y, STEWART_FMA(omega_y, q_z, v_x));
-        const stewart_real S_dot_y = STEWART_FMA(-omega_x, q_z, STEWART_FMA(omega_z, q_x, v_y));
-        const stewart_real S_dot_z = STEWART_FMA(-omega_y, q_x, STEWART_FMA(omega_x, q_y, v_z));
+        const stewart_real S_dot_x = STEWART_FMA(omega_z, -q_y, STEWART_FMA(omega_y, q_z, v_x));
+        const stewart_real S_dot_y = STEWART_FMA(omega_x, -q_z, STEWART_FMA(omega_z, q_x, v_y));
+        const stewart_real S_dot_z = STEWART_FMA(omega_y, -q_x, STEWART_FMA(omega_x, q_y, v_z));
         /* (7) acceleration of the platform point */
         const stewart_real S_ddot_x = STEWART_FMA(B_xz, q_z, STEWART_FMA(B_xy, q_y, STEWART_FMA(B_xx, q_x,
             a_x)));
@@ -665,9 +672,9 @@ static void legs_near_singular(
         const stewart_real y_y = STEWART_FMA(-s_z, z_x, s_x*z_z);
         const stewart_real y_z = STEWART_FMA(-s_x, z_y, s_y*z_x);
         /* (4) velocity of the platform point */
-        const stewart_real S_dot_x = STEWART_FMA(-omega_z, q_y, STEWART_FMA(omega_y, q_z, v_x));
-        const stewart_real S_dot_y = STEWART_FMA(-omega_x, q_z, STEWART_FMA(omega_z, q_x, v_y));
-        const stewart_real S_dot_z = STEWART_FMA(-omega_y, q_x, STEWART_FMA(omega_x, q_y, v_z));
+        const stewart_real S_dot_x = STEWART_FMA(omega_z, -q_y, STEWART_FMA(omega_y, q_z, v_x));
+        const stewart_real S_dot_y = STEWART_FMA(omega_x, -q_z, STEWART_FMA(omega_z, q_x, v_y));
+        const stewart_real S_dot_z = STEWART_FMA(omega_y, -q_x, STEWART_FMA(omega_x, q_y, v_z));
         /* (7) acceleration of the platform point */
         const stewart_real S_ddot_x = STEWART_FMA(B_xz, q_z, STEWART_FMA(B_xy, q_y, STEWART_FMA(B_xx, q_x,
             a_x)));
@@ -887,6 +894,27 @@ typedef struct {
     stewart_real c_moment[3][POSES];
 } STEWART_ALIGNED leg_block;
 
+/* A leg of the poses of a block as far as its roots. */
+typedef struct {
+    stewart_real q_x[POSES];
+    stewart_real q_y[POSES];
+    stewart_real q_z[POSES];
+    stewart_real L[POSES];
+    stewart_real inv_L[POSES];
+    stewart_real s_x[POSES];
+    stewart_real s_y[POSES];
+    stewart_real s_z[POSES];
+    stewart_real k_cross_s_x[POSES];
+    stewart_real k_cross_s_y[POSES];
+    stewart_real k_cross_s_z[POSES];
+    stewart_real k3[POSES];
+    stewart_real inv_k3[POSES];
+} STEWART_ALIGNED leg_roots;
+
+typedef struct {
+    leg_roots leg[6];
+} STEWART_ALIGNED roots_of_legs;
+
 /* What each pose of a block has for all legs, and the platform's part of c. */
 static void shared_of_block(
     const stewart_paper_model *STEWART_RESTRICT model, const motion_lanes *STEWART_RESTRICT at,
@@ -951,14 +979,14 @@ static void shared_of_block(
         const stewart_real P_yy = omega_P_y*omega_P_y;
         const stewart_real P_zz = omega_P_z*omega_P_z;
         /* (34) external moment less I alpha + omega x I omega, platform frame */
-        const stewart_real M_P_load_x = STEWART_FMA(-J_C_xz, alpha_P_z + P_xy, STEWART_FMA(J_C_xy, P_xz - alpha_P_y,
-            STEWART_FMA(-P_yz, dJ_C_x, STEWART_FMA(-J_C_xx, alpha_P_x, STEWART_FMA(-J_C_yz, P_yy - P_zz,
+        const stewart_real M_P_load_x = STEWART_FMA(J_C_xz, -(alpha_P_z + P_xy), STEWART_FMA(J_C_xy, P_xz - alpha_P_y,
+            STEWART_FMA(-P_yz, dJ_C_x, STEWART_FMA(J_C_xx, -alpha_P_x, STEWART_FMA(J_C_yz, -(P_yy - P_zz),
             M_ext_x)))));
-        const stewart_real M_P_load_y = STEWART_FMA(-J_C_xy, alpha_P_x + P_yz, STEWART_FMA(J_C_yz, P_xy - alpha_P_z,
-            STEWART_FMA(-P_xz, dJ_C_y, STEWART_FMA(-J_C_yy, alpha_P_y, STEWART_FMA(-J_C_xz, P_zz - P_xx,
+        const stewart_real M_P_load_y = STEWART_FMA(J_C_xy, -(alpha_P_x + P_yz), STEWART_FMA(J_C_yz, P_xy - alpha_P_z,
+            STEWART_FMA(-P_xz, dJ_C_y, STEWART_FMA(J_C_yy, -alpha_P_y, STEWART_FMA(J_C_xz, -(P_zz - P_xx),
             M_ext_y)))));
-        const stewart_real M_P_load_z = STEWART_FMA(-J_C_yz, alpha_P_y + P_xz, STEWART_FMA(J_C_xz, P_yz - alpha_P_x,
-            STEWART_FMA(-P_xy, dJ_C_z, STEWART_FMA(-J_C_zz, alpha_P_z, STEWART_FMA(-J_C_xy, P_xx - P_yy,
+        const stewart_real M_P_load_z = STEWART_FMA(J_C_yz, -(alpha_P_y + P_xz), STEWART_FMA(J_C_xz, P_yz - alpha_P_x,
+            STEWART_FMA(-P_xy, dJ_C_z, STEWART_FMA(J_C_zz, -alpha_P_z, STEWART_FMA(J_C_xy, -(P_xx - P_yy),
             M_ext_z)))));
         out->B[0][l] = B_xx;
         out->B[1][l] = B_xy;
@@ -972,25 +1000,25 @@ static void shared_of_block(
         c[0][l] = STEWART_FMA(F_ext_z, R_xz, STEWART_FMA(F_ext_y, R_xy, STEWART_FMA(F_ext_x, R_xx, N_x)));
         c[1][l] = STEWART_FMA(F_ext_z, R_yz, STEWART_FMA(F_ext_y, R_yy, STEWART_FMA(F_ext_x, R_yx, N_y)));
         c[2][l] = STEWART_FMA(F_ext_z, R_zz, STEWART_FMA(F_ext_y, R_zy, STEWART_FMA(F_ext_x, R_zx, N_z)));
-        c[3][l] = STEWART_FMA(-N_y, R_C_z, STEWART_FMA(-C_P, omega_x, STEWART_FMA(N_z, R_C_y,
+        c[3][l] = STEWART_FMA(-N_y, R_C_z, STEWART_FMA(C_P, -omega_x, STEWART_FMA(N_z, R_C_y,
             STEWART_FMA(M_P_load_z, R_xz, STEWART_FMA(M_P_load_y, R_xy, M_P_load_x*R_xx)))));
-        c[4][l] = STEWART_FMA(-N_z, R_C_x, STEWART_FMA(-C_P, omega_y, STEWART_FMA(N_x, R_C_z,
+        c[4][l] = STEWART_FMA(-N_z, R_C_x, STEWART_FMA(C_P, -omega_y, STEWART_FMA(N_x, R_C_z,
             STEWART_FMA(M_P_load_z, R_yz, STEWART_FMA(M_P_load_y, R_yy, M_P_load_x*R_yx)))));
-        c[5][l] = STEWART_FMA(-N_x, R_C_y, STEWART_FMA(-C_P, omega_z, STEWART_FMA(N_y, R_C_x,
+        c[5][l] = STEWART_FMA(-N_x, R_C_y, STEWART_FMA(C_P, -omega_z, STEWART_FMA(N_y, R_C_x,
             STEWART_FMA(M_P_load_z, R_zz, STEWART_FMA(M_P_load_y, R_zy, M_P_load_x*R_zx)))));
-        const stewart_real far = STEWART_LARGER(STEWART_FABS(at->t[0][l]), STEWART_FABS(at->t[1][l]));
-        out->t_size[l] = STEWART_LARGER(STEWART_FABS(at->t[2][l]), far);
+        stewart_real far = STEWART_LARGER(model->base_reach, STEWART_SHORTEST/STEWART_ROUNDING);
+        far = STEWART_LARGER(STEWART_FABS(at->t[0][l]), far);
+        far = STEWART_LARGER(STEWART_FABS(at->t[1][l]), far);
+        far = STEWART_LARGER(STEWART_FABS(at->t[2][l]), far);
+        out->least_L[l] = REAL(2.25)*STEWART_SHORT_SHARE*far;
     }
 }
 
-/* One leg of the poses of a block, 243 (142 mul, 97 add, 2 div, 2 sqrt) operations each: its column of
- * H, its D and its part of c. A leg is q + t - b: one that is short beside q is so beside t or b as
- * well, if less. */
-static void leg_of_block(
+/* A leg of the poses of a block as far as its roots, 47 (24 mul, 19 add, 2 div, 2 sqrt) operations each.
+ * Those of the next leg are taken before a leg goes on from its own, which are ready by then. */
+static void roots_of_leg(
     const stewart_paper_model *STEWART_RESTRICT model, int leg, const motion_lanes *STEWART_RESTRICT at,
-    const shared_lanes *STEWART_RESTRICT shared, stewart_real (*STEWART_RESTRICT column)[POSES],
-    leg_block *STEWART_RESTRICT own, stewart_real *STEWART_RESTRICT known,
-    stewart_real *STEWART_RESTRICT bad)
+    leg_roots *STEWART_RESTRICT out)
 {
     int l;
     for (l = 0; l < POSES; ++l) {
@@ -1020,21 +1048,58 @@ static void leg_of_block(
         const stewart_real s_z = S_z*inv_L;
         const stewart_real k_x = model->k[0][leg], k_y = model->k[1][leg], k_z = model->k[2][leg];
         /* (10) normal to the fixed axis and the leg */
-        const stewart_real k_cross_s_x = STEWART_FMA(-k_z, s_y, k_y*s_z);
-        const stewart_real k_cross_s_y = STEWART_FMA(-k_x, s_z, k_z*s_x);
-        const stewart_real k_cross_s_z = STEWART_FMA(-k_y, s_x, k_x*s_y);
+        const stewart_real k_cross_s_x = STEWART_FMA(k_z, -s_y, k_y*s_z);
+        const stewart_real k_cross_s_y = STEWART_FMA(k_x, -s_z, k_z*s_x);
+        const stewart_real k_cross_s_z = STEWART_FMA(k_y, -s_x, k_x*s_y);
         /* (10) |k x s| */
         const stewart_real k3 = STEWART_SQRT(STEWART_FMA(k_cross_s_z, k_cross_s_z, STEWART_FMA(k_cross_s_y,
             k_cross_s_y, k_cross_s_x*k_cross_s_x)));
         const stewart_real inv_k3 = REAL(1)/k3;
+        out->q_x[l] = q_x;
+        out->q_y[l] = q_y;
+        out->q_z[l] = q_z;
+        out->L[l] = L;
+        out->inv_L[l] = inv_L;
+        out->s_x[l] = s_x;
+        out->s_y[l] = s_y;
+        out->s_z[l] = s_z;
+        out->k_cross_s_x[l] = k_cross_s_x;
+        out->k_cross_s_y[l] = k_cross_s_y;
+        out->k_cross_s_z[l] = k_cross_s_z;
+        out->k3[l] = k3;
+        out->inv_k3[l] = inv_k3;
+    }
+}
+
+/* The leg from there on, 196 (118 mul, 78 add, 0 div, 0 sqrt) operations each: its column of H, its D
+ * and its part of c. A leg is q + t - b: one that is short beside q is so beside t or b as well, if
+ * less. */
+static void leg_of_block(
+    const stewart_paper_model *STEWART_RESTRICT model, int leg, const motion_lanes *STEWART_RESTRICT at,
+    const shared_lanes *STEWART_RESTRICT shared, const leg_roots *STEWART_RESTRICT roots,
+    stewart_real (*STEWART_RESTRICT column)[POSES], leg_block *STEWART_RESTRICT own,
+    stewart_real *STEWART_RESTRICT known, stewart_real *STEWART_RESTRICT bad)
+{
+    int l;
+    for (l = 0; l < POSES; ++l) {
+        const stewart_real k_cross_s_x = roots->k_cross_s_x[l];
+        const stewart_real k_cross_s_y = roots->k_cross_s_y[l];
+        const stewart_real k_cross_s_z = roots->k_cross_s_z[l];
+        const stewart_real inv_k3 = roots->inv_k3[l];
         /* (10) second axis of the leg frame */
         const stewart_real y_x = inv_k3*k_cross_s_x;
         const stewart_real y_y = inv_k3*k_cross_s_y;
         const stewart_real y_z = inv_k3*k_cross_s_z;
+        const stewart_real s_x = roots->s_x[l];
+        const stewart_real s_y = roots->s_y[l];
+        const stewart_real s_z = roots->s_z[l];
         /* (10) third axis of the leg frame */
         const stewart_real z_x = STEWART_FMA(-s_z, y_y, s_y*y_z);
         const stewart_real z_y = STEWART_FMA(-s_x, y_z, s_z*y_x);
         const stewart_real z_z = STEWART_FMA(-s_y, y_x, s_x*y_y);
+        const stewart_real q_x = roots->q_x[l];
+        const stewart_real q_y = roots->q_y[l];
+        const stewart_real q_z = roots->q_z[l];
         const stewart_real omega_x = at->omega[0][l], omega_y = at->omega[1][l], omega_z = at->omega[2][l];
         const stewart_real v_x = at->v[0][l], v_y = at->v[1][l], v_z = at->v[2][l];
         /* (4) velocity of the platform point */
@@ -1065,6 +1130,7 @@ static void leg_of_block(
         const stewart_real gamma_x = STEWART_FMA(g_z, s_z, STEWART_FMA(g_y, s_y, g_x*s_x));
         const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
         const stewart_real gamma_z = STEWART_FMA(g_z, z_z, STEWART_FMA(g_y, z_y, g_x*z_x));
+        const stewart_real inv_L = roots->inv_L[l];
         /* (6) angular velocity of the leg, leg frame */
         const stewart_real W_y = -inv_L*u_z;
         const stewart_real W_z = inv_L*u_y;
@@ -1077,9 +1143,10 @@ static void leg_of_block(
         const stewart_real W_yz = W_y*W_z;
         const stewart_real h_x = model->h[0][leg], h_y = model->h[1][leg], h_z = model->h[2][leg];
         /* (14) force that moves the upper part about the platform point, leg frame */
-        const stewart_real N_x = STEWART_FMA(-A_z, h_y, STEWART_FMA(-h_x, W_yy + W_zz, A_y*h_z));
+        const stewart_real N_x = STEWART_FMA(-A_z, h_y, STEWART_FMA(h_x, -(W_yy + W_zz), A_y*h_z));
         const stewart_real N_y = STEWART_FMA(W_yz, h_z, STEWART_FMA(-W_zz, h_y, A_z*h_x));
         const stewart_real N_z = STEWART_FMA(-A_y, h_x, STEWART_FMA(-W_yy, h_z, W_yz*h_y));
+        const stewart_real L = roots->L[l];
         const stewart_real m_L2 = model->m_L2[leg];
         /* (16) m_u L^2, counted twice */
         const stewart_real m_L2_twice = m_L2*L*L;
@@ -1091,12 +1158,12 @@ static void leg_of_block(
         /* (20) moment that the joints' forces must make */
         const stewart_real C_y = STEWART_FMA(A_y, m_L2_twice, STEWART_FMA(A_y, J_yy, STEWART_FMA(J_xy, W_yz,
             STEWART_FMA(C_us, W_y, STEWART_FMA(-e_z, h_x, STEWART_FMA(A_z, J_yz, STEWART_FMA(gamma_z, w_x,
-            STEWART_FMA(-C_s, STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y, omega_x*y_x)),
+            STEWART_FMA(C_s, -STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y, omega_x*y_x)),
             STEWART_FMA(e_x, h_z, STEWART_FMA(-gamma_x, w_z, J_xz*W_zz))))))))));
-        const stewart_real C_z = STEWART_FMA(A_y, J_yz, STEWART_FMA(-J_xz, W_yz, STEWART_FMA(-C_s,
-            STEWART_FMA(omega_z, z_z, STEWART_FMA(omega_y, z_y, omega_x*z_x)), STEWART_FMA(A_z, m_L2_twice,
+        const stewart_real C_z = STEWART_FMA(A_y, J_yz, STEWART_FMA(J_xz, -W_yz, STEWART_FMA(C_s,
+            -STEWART_FMA(omega_z, z_z, STEWART_FMA(omega_y, z_y, omega_x*z_x)), STEWART_FMA(A_z, m_L2_twice,
             STEWART_FMA(A_z, J_zz, STEWART_FMA(-gamma_y, w_x, STEWART_FMA(C_us, W_z, STEWART_FMA(e_y, h_x,
-            STEWART_FMA(-e_x, h_y, STEWART_FMA(-J_xy, W_yy, gamma_x*w_y))))))))));
+            STEWART_FMA(-e_x, h_y, STEWART_FMA(J_xy, -W_yy, gamma_x*w_y))))))))));
         /* (21) transverse force, leg frame */
         const stewart_real K_y_leg = STEWART_FMA(C_z, inv_L, N_y);
         const stewart_real K_z_leg = STEWART_FMA(-C_y, inv_L, N_z);
@@ -1109,6 +1176,7 @@ static void leg_of_block(
         const stewart_real D = STEWART_FMA(C_p, u_x, N_x);
         const stewart_real c1 = C_s*W_y;
         const stewart_real c2 = C_s*W_z;
+        const stewart_real k3 = roots->k3[l];
         column[0][l] = s_x;
         column[1][l] = s_y;
         column[2][l] = s_z;
@@ -1122,12 +1190,7 @@ static void leg_of_block(
         own->c_moment[1][l] = STEWART_FMA(c2, z_y, c1*y_y);
         own->c_moment[2][l] = STEWART_FMA(c2, z_z, c1*y_z);
         known[l] = D;
-        stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
-        reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
-        reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
-        reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
-        reach = STEWART_LARGER(shared->t_size[l], reach);
-        stewart_real fault = L > REAL(2.25)*STEWART_SHORT_SHARE*reach ? bad[l] : REAL(1);
+        stewart_real fault = L > shared->least_L[l] ? bad[l] : REAL(1);
         fault = k3 > STEWART_NEAR_JOINT_SINGULAR ? fault : REAL(1);
         bad[l] = fault;
     }
@@ -1217,14 +1280,20 @@ static void forces_of_block(const stewart_paper_model *model, const motion_lanes
 {
     int i, l;
     shared_lanes shared;
+    roots_of_legs roots;
     leg_block first;
     leg_block other;
     for (l = 0; l < POSES; ++l) {
         out->bad[l] = REAL(0);
     }
+    roots_of_leg(model, 0, at, &roots.leg[0]);
     shared_of_block(model, at, &shared, out->column[6]);
     for (i = 0; i < 6; ++i) {
-        leg_of_block(model, i, at, &shared, out->column[i], i == 0 ? &first : &other, out->D[i], out->bad);
+        if (i < 5) {
+            roots_of_leg(model, i + 1, at, &roots.leg[i + 1]);
+        }
+        leg_of_block(model, i, at, &shared, &roots.leg[i], out->column[i], i == 0 ? &first : &other,
+            out->D[i], out->bad);
         if (i == 0) {
             moments_of_first(&first, out->column[6]);
         } else {

@@ -1,12 +1,16 @@
 """Products that feed a sum as fused multiply-adds: ``fma(a, b, c)`` is a b + c, rounded once or twice.
 
 Rounded twice it is the sum as it stood, to the last bit: a sum does not depend on the order of its two terms.
+The sign of a product that is subtracted goes to a factor that differs from lane to lane, where compilers have
+an instruction for it; a constant of all lanes they would negate by itself, before it is spread.
 """
 
 from dataclasses import replace
 from typing import Any
 
 from . import nodes as t
+
+_LANE = t.Name("l")
 
 
 def fused(function: t.Function) -> t.Function:
@@ -18,13 +22,21 @@ def fused(function: t.Function) -> t.Function:
         for each in t.statements(function.body)
         if isinstance(each, t.Let | t.Variable) and isinstance(each.type, t.Integer | t.Count)
     }
-    return replace(function, body=_Fused(frozenset(whole)).node(function.body))
+    return replace(function, body=_Fused(frozenset(whole), _of_all_lanes(function)).node(function.body))
+
+
+def _of_all_lanes(function: t.Function) -> frozenset[str]:
+    """Names of what is read outside of the lanes, in a function that has lanes."""
+    read = [each for each in t.statements(function.body) if isinstance(each, t.Let)]
+    in_lanes = {each.name for each in read if isinstance(each.value, t.Element) and _LANE in each.value.index}
+    others = {each.name for each in read if isinstance(each.value, t.Element | t.Member)} - in_lanes
+    return frozenset(others if in_lanes else ())
 
 
 class _Fused:
-    def __init__(self, whole: frozenset[str]) -> None:
-        """whole: names of whole numbers."""
-        self.whole = whole
+    def __init__(self, whole: frozenset[str], of_all_lanes: frozenset[str]) -> None:
+        """whole: names of whole numbers; of_all_lanes: of numbers that are the same in all lanes."""
+        self.whole, self.of_all_lanes = whole, of_all_lanes
 
     def node(self, node: Any) -> Any:
         """A statement, an expression or several, with their parts."""
@@ -36,7 +48,7 @@ class _Fused:
             case t.Let(type=t.Integer() | t.Count()):
                 return replace(node, value=self.node(node.value)) if _has_call(node) else node
             case t.Binary("+" | "-" as operator, left, right) if self.is_real(node):
-                return _sum(operator, self.node(left), self.node(right))
+                return self.sum(operator, self.node(left), self.node(right))
         return t.mapped(node, self.node) if isinstance(node, t.Node) else node
 
     def is_real(self, node: Any) -> bool:
@@ -52,22 +64,32 @@ class _Fused:
             self.is_real(getattr(node, name)) for name in node.__dataclass_fields__
         )
 
+    def sum(self, operator: str, left: t.Expression, right: t.Expression) -> t.Expression:
+        """left + right or left - right; the product that comes last is fused."""
+        minus = operator == "-"
+        if _is_product(right):
+            assert isinstance(right, t.Binary)
+            factors = self.subtracted(right.left, right.right) if minus else (right.left, right.right)
+            return t.Call("fma", (*factors, left))
+        if _is_product(left):
+            assert isinstance(left, t.Binary)
+            return t.Call("fma", (left.left, left.right, _negated(right) if minus else right))
+        return t.Binary(operator, left, right)
+
+    def subtracted(self, first: t.Expression, second: t.Expression) -> tuple[t.Expression, t.Expression]:
+        """Two factors of which one has the sign."""
+        common = isinstance(first, t.Name) and first.name in self.of_all_lanes
+        if self.of_all_lanes and (common or not isinstance(first, t.Name)) and _has_no_sign(second):
+            return first, t.Negative(second)
+        return _negated(first), second
+
+
+def _has_no_sign(node: t.Expression) -> bool:
+    return not isinstance(node, t.Negative | t.Number)
+
 
 def _has_call(node: Any) -> bool:
     return any(True for _ in t.calls_in(node))
-
-
-def _sum(operator: str, left: t.Expression, right: t.Expression) -> t.Expression:
-    """left + right or left - right; the product that comes last is fused."""
-    minus = operator == "-"
-    if _is_product(right):
-        assert isinstance(right, t.Binary)
-        factor = _negated(right.left) if minus else right.left
-        return t.Call("fma", (factor, right.right, left))
-    if _is_product(left):
-        assert isinstance(left, t.Binary)
-        return t.Call("fma", (left.left, left.right, _negated(right) if minus else right))
-    return t.Binary(operator, left, right)
 
 
 def _is_product(node: t.Expression) -> bool:

@@ -9,7 +9,7 @@ legs with a D.
 def prepare(robot: "Robot", model: "Model") -> "Integer":
     """Prepares the constants; k may have any length but zero. Returns a status: STEWART_NOT_FINITE if a
     number of the robot is not finite or too large, or k is zero; the model is written only if it is
-    STEWART_OK."""
+    STEWART_OK. One pose is fastest where the model begins at a multiple of 64 bytes."""
     made = blank(Model)
     found = blank(PreparedLeg)
     sum = blank(PreparedLeg)
@@ -28,6 +28,11 @@ def prepare(robot: "Robot", model: "Model") -> "Integer":
     prepare_platform(robot, sum, platform)
     for number in entries(OF_PLATFORM):
         made[number] = platform[number]
+    far = 0.0
+    for j in range(3):
+        for i in range(6):
+            far = larger(size(made.b[j][i]), far)
+    made.base_reach = far
     hand_over()
 
 
@@ -205,8 +210,19 @@ def shared_of_block(
     OUTSIDE
     for l in range(POSES):
         INSIDE
-        far = larger(size(at.t[0][l]), size(at.t[1][l]))
-        out.t_size[l] = larger(size(at.t[2][l]), far)
+        far = larger(BASE_REACH, SHORTEST / ROUNDING)
+        for j in each(3):
+            far = larger(size(at.t[j][l]), far)
+        out.least_L[l] = 2.25 * SHORT_SHARE * far
+
+
+def roots_of_leg(
+    model: "alone(Model)", leg: "Integer", at: "alone(MotionLanes)", out: "alone(LegRoots)"
+) -> None:
+    """A leg of the poses of a block as far as its roots, $count operations each. Those of the next leg are
+    taken before a leg goes on from its own, which are ready by then."""
+    for l in range(POSES):
+        BLOCK
 
 
 def leg_of_block(
@@ -214,18 +230,17 @@ def leg_of_block(
     leg: "Integer",
     at: "alone(MotionLanes)",
     shared: "alone(SharedLanes)",
+    roots: "alone(LegRoots)",
     column: "alone(array(6, POSES))",
     own: "alone(LegBlock)",
     c: "alone(array(6, POSES))",
     known: "alone(array(POSES))",
     bad: "alone(array(POSES))",
 ) -> None:
-    """One leg of the poses of a block, $count operations each: its column of H, its D and its part of c.
-    A leg is q + t - b: one that is short beside q is so beside t or b as well, if less."""
+    """The leg from there on, $count operations each: its column of H, its D and its part of c. A leg is
+    q + t - b: one that is short beside q is so beside t or b as well, if less."""
     for l in range(POSES):
         BLOCK
-        largest_term()
-        reach = larger(shared.t_size[l], reach)
         mark(bad[l], bad[l])
 
 
@@ -328,14 +343,18 @@ def load_block(
 def forces_of_block(model: "Model", at: "MotionLanes", out: "Block") -> None:
     """Forces of the poses of a block, and where a closer look is needed."""
     shared = blank(SharedLanes)
+    roots = blank(Roots)
     if ABOUT_TIP:
         first = blank(LegBlock)
         other = blank(LegBlock)
     for l in range(POSES):
         out.bad[l] = 0.0
+    roots_of_leg(model, 0, at, roots.leg[0])
     shared_of_block(model, at, shared, out.column[6])
     for i in range(6):
-        leg_of_block(model, i, at, shared, out.column[i], OWN, C, KNOWN, out.bad)
+        if i < 5:
+            roots_of_leg(model, i + 1, at, roots.leg[i + 1])
+        leg_of_block(model, i, at, shared, roots.leg[i], out.column[i], OWN, C, KNOWN, out.bad)
         if ABOUT_TIP:
             if i == 0:
                 moments_of_first(first, out.column[6])

@@ -49,7 +49,7 @@ def mark(before, after) -> None:
 
     The sine of a leg without finite length is zero or no number.
     """
-    fault = where(LENGTH > LEAST_SHARE * reach, before, 1.0)
+    fault = where(LENGTH > LEAST_LENGTH, before, 1.0)
     fault = where(SINE > LEAST_SINE if HAS_SINE else LENGTH <= MAX, fault, 1.0)
     after = fault
 
