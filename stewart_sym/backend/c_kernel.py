@@ -111,10 +111,17 @@ def prepared_model(
     with np.errstate(over="ignore"):
         given = offset_numbers(robot) if offsets else robot_numbers(robot, rotors)
         numbers = given.astype(dtype)
-    model = np.zeros(count, dtype=dtype)
+    model = _at_line(count, dtype)
     if prepare(address(numbers), address(model)) != OK:
         raise overflows(robot, precision)
     return model
+
+
+def _at_line(count: int, dtype: Any) -> NDArray[Any]:
+    """So many zeros that begin where a line of the cache does: a vector of constants is in one line."""
+    room = np.zeros(count * np.dtype(dtype).itemsize + 63, dtype=np.uint8)
+    first = -room.ctypes.data % 64
+    return room[first : first + count * np.dtype(dtype).itemsize].view(dtype)
 
 
 def pointers(arrays: Iterable[Array | None]) -> Any:
