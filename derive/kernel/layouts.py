@@ -208,7 +208,12 @@ def stored(quantity: Quantity, *lanes: int, always: bool = True) -> t.Field:
 
 def described(quantity: Quantity, *lanes: int) -> t.Field:
     """A member with its unit and meaning."""
-    return replace(stored(quantity, *lanes, always=False), meaning=f"{quantity.unit}: {quantity.meaning}")
+    return replace(stored(quantity, *lanes, always=False), meaning=says(quantity))
+
+
+def says(quantity: Quantity) -> str:
+    """Its unit, where it has one, and meaning."""
+    return f"{quantity.unit}: {quantity.meaning}".removeprefix(": ")
 
 
 @dataclass

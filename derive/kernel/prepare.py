@@ -23,6 +23,7 @@ from .layouts import (
     lines,
     member,
     names_used,
+    says,
     stored,
     stores,
 )
@@ -185,5 +186,7 @@ def literal(quantity: Quantity) -> str:
 
 def literals(kernel: ForceKernel) -> str:
     """These constants as macros."""
-    lines = [f"#define {literal(q)} REAL({value!r})" for q, value in kernel.literals().items()]
+    lines = [
+        f"#define {literal(q)} REAL({value!r}) /* {says(q)} */" for q, value in kernel.literals().items()
+    ]
     return "\n".join(["/* Constants of the platform, and those that all legs share. */", *lines, ""])

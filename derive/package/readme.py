@@ -181,6 +181,8 @@ def _hidden(kit: Kit) -> str:
                 f"larger: {_by_leg(kit.hidden)}"
             )
         says.append(f"{folded}.")
+        if kit.hidden:
+            says.append("What each is, comments in the forces' source say.")
     return textwrap.fill(" ".join(says), 108, break_long_words=False, break_on_hyphens=False) + "\n"
 
 
@@ -190,10 +192,13 @@ def _by_leg(names: Sequence[str]) -> str:
     for name in names:
         constant, _, leg = name.partition(" of leg ")
         legs.setdefault(constant, []).append(leg)
-    parts = (
-        f"`{name}`" + (f" of legs {', '.join(which)}" if which[0] else "") for name, which in legs.items()
-    )
-    return "; ".join(parts)
+    return "; ".join(f"`{name}`{_of_legs(which)}" for name, which in legs.items())
+
+
+def _of_legs(which: Sequence[str]) -> str:
+    if not which[0]:
+        return ""
+    return f" of leg{'s' if len(which) > 1 else ''} {', '.join(which)}"
 
 
 _ARITHMETIC = {
