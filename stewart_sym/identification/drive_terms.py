@@ -74,6 +74,11 @@ class Terms(NamedTuple):
     confused: tuple[str, ...] = ()
 
     @property
+    def of_rotors(self) -> bool:
+        """Whether the rotors are among them."""
+        return any(name.startswith("reflected_mass") for name in self.names)
+
+    @property
     def kept(self) -> Array:
         """Forces of those that are identifiable, (..., 6, m)."""
         return np.asarray(self.columns[..., self.identifiable])

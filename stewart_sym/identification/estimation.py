@@ -73,8 +73,9 @@ class Experiment:
 
     @property
     def deviation(self) -> Array:
-        """Error of each estimate in its standard deviations, (rank,)."""
-        return np.asarray((self.estimate.values - self.truth) / self.estimate.sigma)
+        """Error of each estimate in its standard deviations, (rank,); NaN where the fit gives none."""
+        sigma = self.estimate.sigma
+        return np.asarray((self.estimate.values - self.truth) / np.where(np.isfinite(sigma), sigma, np.nan))
 
 
 def identify(
@@ -95,11 +96,11 @@ def identify(
     Parameters
     ----------
     robot : Robot
-        Its geometry and gravity count, the rest may be wrong.
+        Its geometry, gravity and rotors count, the rest may be wrong.
     motion : Motion
         Measured, with any load, (...).
     F : array_like
-        Measured actuator forces, N, (..., 6).
+        Measured actuator forces, N, (..., 6); where the robot has rotors the motors', N times torque.
     sigma : array_like
         Standard deviation of each force, N, broadcasts to F's shape.
     base : BaseParameters, optional

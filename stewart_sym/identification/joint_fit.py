@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 
@@ -136,7 +137,7 @@ def _force_derivatives(data: Data, motion: Motion, values: Array) -> tuple[Array
     """Derivatives of the forces by pose, twist and acceleration at these base parameters, (n, 6, 6) each.
 
     Identified parameters may belong to no machine (masses or friction below zero). Forces are linear in them,
-    so they are the difference of two machines that exist.
+    so they are the difference of two machines that exist; rotors and load are the first one's.
     """
     lifted = data.base.lift @ values
     own = inertial_parameters(data.robot)
@@ -145,7 +146,8 @@ def _force_derivatives(data: Data, motion: Motion, values: Array) -> tuple[Array
     lesser[mass] += abs(lifted[mass])
     unloaded = Motion(motion.R, motion.t, motion.omega, motion.v, motion.alpha, motion.a)
     more = force_derivatives(with_parameters(data.robot, lesser + lifted), motion)
-    less = force_derivatives(with_parameters(data.robot, lesser), unloaded)
+    bodies = replace(with_parameters(data.robot, lesser), drive=None)
+    less = force_derivatives(bodies, unloaded)
     return tuple(
         getattr(more, name) - getattr(less, name) for name in ("by_pose", "by_twist", "by_acceleration")
     )

@@ -11,6 +11,7 @@ from ..robot.robot import LEGS, Robot
 from .base_parameters import BaseParameters
 from .drive_terms import Terms
 from .excitation import force_regressor
+from .rotor_columns import rotor_regressor
 
 # Singular values below this share of the largest say that the motion does not excite all parameters.
 _ROUNDING = 1e-12
@@ -75,7 +76,8 @@ def linear_system(data: Data, motion: Motion) -> tuple[Array, Array]:
         if data.terms is not None:
             A = np.concatenate([A, data.terms.kept], axis=-1)
         A = A / data.deviations[..., None]
-        y = (data.forces + _load_forces(data.robot, motion)) / data.deviations
+        known = _load_forces(data.robot, motion) - _rotor_forces(data, motion)
+        y = (data.forces + known) / data.deviations
     if not (np.isfinite(A).all() and np.isfinite(y).all()):
         raise ValueError("sigma: expected standard deviations beside which the forces do not overflow")
     return A, y
@@ -87,6 +89,16 @@ def _load_forces(robot: Robot, motion: Motion) -> Array:
         return np.zeros((*motion.shape, LEGS))
     H = inverse_dynamics(robot, motion).H
     return np.asarray(np.linalg.solve(H, motion.external_wrench()[..., None])[..., 0])
+
+
+def _rotor_forces(data: Data, motion: Motion) -> Array:
+    """What the rotors of the robot file take of the motors' forces, (..., 6), unless they are sought."""
+    robot = data.robot
+    if not robot.has_rotors or (data.terms is not None and data.terms.of_rotors):
+        return np.zeros((*motion.shape, LEGS))
+    Y = rotor_regressor(robot, motion) @ np.concatenate([robot.m_r, robot.j_r])
+    H = inverse_dynamics(robot, motion).H
+    return np.asarray(np.linalg.solve(H, Y[..., None])[..., 0])
 
 
 def factors(J: Array) -> tuple[Array, Array]:

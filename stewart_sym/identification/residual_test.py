@@ -40,8 +40,9 @@ def tested_estimate(data: Data, fit: Fit, remedy: tuple[str, ...]) -> Estimate:
     inflation = max(1.0, noise_misfit) if p_noise < LEVEL else 1.0
     if 2.0 * p_smooth < LEVEL:
         inflation = max(inflation, smooth_misfit)
+        beside = "noise" if smooth_misfit >= 1.0 else "the stated noise, which is more than their scatter"
         doubts.append(
-            f"forces: differ smoothly from the model's, {smooth_misfit:.2f} times as much as by noise: "
+            f"forces: differ smoothly from the model's, {smooth_misfit:.2f} times as much as by {beside}: "
             "expected a model of all that moves, its friction and load, and poses that follow the motion"
         )
     if 2.0 * p_load < LEVEL:
@@ -56,6 +57,11 @@ def tested_estimate(data: Data, fit: Fit, remedy: tuple[str, ...]) -> Estimate:
         doubts.append(
             f"fit: is not linear within its deviations, off by {fit.curvature:.2g} of them: expected a "
             "smaller noise or a motion that excites more"
+        )
+    if doubts and data.robot.has_rotors and (data.terms is None or not data.terms.of_rotors):
+        doubts.append(
+            "rotors: are taken to be the robot file's, and the forces the motors': expected both, or that "
+            "reflected_mass is sought of the drive, or a robot without rotor_inertia"
         )
     rejected = inflation > _MOST_INFLATION or not fit.converged or fit.curvature > _BENT
     verdict = "rejected" if rejected else "misfit" if doubts else "consistent" if spare > 0 else "untested"

@@ -11,7 +11,10 @@ from robot_files import written
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
+from stewart_sym.identification.estimation import Experiment
 from stewart_sym.motion.rotation import rotation_from_vector
+from stewart_sym.motion.trajectory import Trajectory
+from stewart_sym.studies.reports.identify import from_measurement, simulated_report
 
 SIGMA = 2.0
 TERMS = ("reflected_mass", "coulomb", "offset")
@@ -145,6 +148,58 @@ def test_rotors_are_found_with_all_that_they_do(robot: ss.Robot, excited: ss.Exc
     found = ss.identify(machine, excited.motion, F, 1e-6, excited.base, drive=("reflected_mass", "coulomb"))
     np.testing.assert_allclose(found.drive.values[:6], drive.reflected_mass, rtol=1e-6)
     np.testing.assert_allclose(found.drive.values[6:], 0.02 * np.abs(drive.turns), rtol=1e-5)
+
+
+def with_rotors(robot: ss.Robot, **changes: float) -> ss.Robot:
+    return dataclasses.replace(robot, drive=ss.Drive(lead=5e-3, rotor_inertia=5e-5), **changes)
+
+
+def test_forces_of_motors_identify_the_bodies_beside_the_rotors_of_the_robot_file(
+    robot: ss.Robot, excited: ss.Excitation
+) -> None:
+    machine = with_rotors(robot)
+    F = ss.inverse_dynamics(machine, excited.motion).F
+    found = ss.identify(machine, excited.motion, F, 1e-6, excited.base)
+    assert found.verdict == "consistent"
+    right = excited.base.matrix @ ss.inertial_parameters(robot).values
+    assert (np.abs(found.values - right) < found.sigma).all()
+    without = ss.identify(robot, excited.motion, F, 1e-6, excited.base)
+    assert without.verdict == "rejected"
+    other = dataclasses.replace(machine, drive=ss.Drive(lead=5e-3, rotor_inertia=6e-5))
+    wrong = ss.identify(other, excited.motion, F, 1e-6, excited.base)
+    assert any(line.startswith("rotors: ") for line in wrong.doubts)
+
+
+def test_measured_poses_identify_the_bodies_beside_the_rotors(
+    robot: ss.Robot, excited: ss.Excitation
+) -> None:
+    found = ss.simulated_experiment(with_rotors(robot), excited, 5.0, 0, 1e-4, 1e-4)
+    assert found.estimate.verdict == "consistent"
+    assert math.sqrt(np.mean(found.deviation**2)) == pytest.approx(1.0, abs=0.25)
+
+
+def test_a_rejected_fit_states_no_errors(robot: ss.Robot, excited: ss.Excitation, tmp_path: Path) -> None:
+    machine = with_rotors(robot)
+    F = ss.inverse_dynamics(machine, excited.motion).F
+    estimate = ss.identify(robot, excited.motion, F, 1e-6, excited.base)
+    right = excited.base.matrix @ ss.inertial_parameters(robot).values
+    found = Experiment(excited, excited.motion, F, 1e-6, None, right, estimate)
+    assert np.isnan(found.deviation).all()
+    text = simulated_report(robot, found).text
+    assert "errors in standard deviations" not in text
+    assert "+0.00" not in text
+
+
+@pytest.mark.parametrize(("factor", "sigma", "said"), [(1e-3, 1.0, "another unit"), (1.0, 100.0, "sigma: ")])
+def test_forces_in_another_unit_and_a_noise_that_is_not_theirs_are_doubted(
+    robot: ss.Robot, excited: ss.Excitation, factor: float, sigma: float, said: str
+) -> None:
+    F = ss.inverse_dynamics(robot, excited.motion).F + np.random.default_rng(3).normal(size=(120, 6))
+    along = Trajectory(excited.time, excited.motion, "poses.csv", range(2, 122))
+    found = from_measurement(robot, along, excited.time, factor * F, sigma, "forces.csv")
+    assert any(said in line for line in found.doubts)
+    right = from_measurement(robot, along, excited.time, F, 1.0, "forces.csv")
+    assert not any(said in line for line in right.doubts)
 
 
 def test_wrong_terms_are_named(robot: ss.Robot, excited: ss.Excitation) -> None:

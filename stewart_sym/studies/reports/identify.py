@@ -2,11 +2,13 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from math import isnan
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ...dynamics.inverse import inverse_dynamics
 from ...identification.base_parameters import BaseParameters, base_parameters
 from ...identification.drive_terms import DriveEstimate
 from ...identification.estimates import Estimate
@@ -35,6 +37,8 @@ _SAME_TIME = 1e-6
 _FAR, _FAR_LEVEL = 4.0, 1e-3
 # Deviations from zero below which a term may as well not be there.
 _TOLD = 2
+# Share of sigma by which forces scatter, and how many times the robot file's they are, that are doubtful.
+_LEAST_MISFIT, _MOST_TIMES = 0.2, 100.0
 SI = LogFormat()
 _COORDINATES = (("t", "theta"), ("v", "theta_dot"), ("a", "theta_ddot"))
 
@@ -107,7 +111,26 @@ def from_measurement(
     found = identify(robot, motion, F, sigma, base, noise, physical, drive=drive)
     if noise is None and found.verdict in ("misfit", "rejected"):
         found = replace(found, doubts=(*found.doubts, *_scatter(trajectory, form)))
-    return found
+    return replace(found, doubts=(*found.doubts, *_sizes(robot, found, F)))
+
+
+def _sizes(robot: Robot, found: Estimate, F: Array) -> tuple[str, ...]:
+    """Forces of another size than the robot file's, and a noise that is not theirs."""
+    said = []
+    if found.misfit < _LEAST_MISFIT:
+        said.append(
+            f"sigma: the forces scatter by {found.misfit:.2g} of it about the model: expected their standard "
+            "deviation, deviations of the results are too large"
+        )
+    got, expected = (
+        float(np.sqrt(np.mean(each**2))) for each in (F, inverse_dynamics(robot, found.motion).F)
+    )
+    if not expected / _MOST_TIMES < got < expected * _MOST_TIMES:
+        said.append(
+            f"forces: {got:.3g} N in RMS beside {expected:.3g} N of the robot file along this motion: "
+            "are they in another unit? expected N"
+        )
+    return tuple(said)
 
 
 def _scatter(trajectory: Trajectory, form: LogFormat) -> tuple[str, ...]:
@@ -140,7 +163,8 @@ def verdict(found: Estimate) -> list[str]:
     """Lines on the residual: its size, the verdict and the doubts."""
     text = {
         "consistent": "consistent with the model and the stated noise",
-        "misfit": f"misfit; deviations inflated {found.inflation:.3g} times",
+        "misfit": "misfit; deviations "
+        + (f"inflated {found.inflation:.3g} times" if found.inflation > 1.0 else "those of the stated noise"),
         "rejected": "rejected; no deviations can be given",
         "untested": "untested, no more forces than unknowns",
     }[found.verdict]
@@ -164,6 +188,7 @@ def measured_report(robot: Robot, found: Estimate, sigma: ArrayLike, noise: Pose
     agreement = f"{agrees} with the forces, probability of such a departure {p:.2g}"
     if found.verdict == "rejected":
         agreement = "not compared, for the fit is rejected"
+        departure = np.full_like(departure, np.nan)
     named = f"; farther off than {_FAR:g} sigma: {', '.join(far)}" if far else ""
     tables: dict[str, str | Mapping[str, Array]] = {}
     if found.parameters is not None:
@@ -224,7 +249,11 @@ def _report(
     rows = list(zip(base.names, base.formulas, base.units, *columns, strict=True))
     shown = [(_SHOWN.get(name, (name, ".6g"))) for name in numbers]
     cells = [
-        [name, unit, *(f"{value:{digits}}" for value, (_, digits) in zip(values, shown, strict=True))]
+        [
+            name,
+            unit,
+            *("-" if isnan(v) else f"{v:{digits}}" for v, (_, digits) in zip(values, shown, strict=True)),
+        ]
         for name, _, unit, *values in rows
     ]
     table = aligned(["parameter", "unit", *(title for title, _ in shown)], cells, left=2)
@@ -287,6 +316,7 @@ def simulated_report(robot: Robot, found: Experiment) -> Report:
         f"{100 * np.mean(size <= width):.0f} % ({100 * normal:.1f} %) within {width}"
         for width, normal in zip((1, 2, 3), NORMAL, strict=True)
     )
+    errors = "errors in standard deviations (of a normal distribution)"
     harmonics, period = len(excited.path.sine), excited.path.period
     return _report(
         [
@@ -295,7 +325,7 @@ def simulated_report(robot: Robot, found: Experiment) -> Report:
             f"condition number {excited.condition:.4g}",
             _noise(found.sigma, found.noise),
             *verdict(estimate),
-            f"errors in standard deviations (of a normal distribution): {shares}; largest {np.max(size):.2f}",
+            *([] if estimate.verdict == "rejected" else [f"{errors}: {shares}; largest {np.max(size):.2f}"]),
         ],
         estimate.base,
         {
