@@ -273,7 +273,7 @@ def inertia_fault(inertia: Array) -> list[str]:
     if A + tolerance < 0.0:
         return [f"physically impossible: {moments} are not all positive"]
     if A + B + tolerance < C:
-        return [f"physically impossible: {moments} break A + B >= C"]
+        return [f"physically impossible: {moments} break A + B >= C by {C - A - B:.2g} kg m^2"]
     return []
 
 

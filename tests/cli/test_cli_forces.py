@@ -1,5 +1,6 @@
 """`forces` and `singularities` on the command line: what they write, warn of and reject."""
 
+import dataclasses
 import re
 import subprocess
 import sys
@@ -11,6 +12,7 @@ import pytest
 import whole_track
 from command_files import edit, results
 from command_line import fails_in_one_line, folder_state, read
+from robot_files import written
 
 import stewart_sym as ss
 from stewart_sym.backend import c_kernel
@@ -301,9 +303,16 @@ def test_forces_warns_of_a_singular_pose_between_samples(
     assert "singular" not in capsys.readouterr().err
 
 
-def test_forces_of_a_single_instant_are_no_path(robot: Path, crossing: Path) -> None:
+def test_forces_of_a_single_instant_are_no_path_and_take_no_energy(
+    robot: Path, crossing: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     crossing.write_text("".join(crossing.read_text().splitlines(keepends=True)[:2]))
+    driven = dataclasses.replace(ss.Robot.from_toml(robot), drive=ss.Drive(lead=0.005))
+    written(driven, robot)
     assert main(["forces", str(robot), str(crossing), "-o", str(robot.parent / "f.csv")]) == 0
+    text = capsys.readouterr().out
+    assert text.startswith("1 instant, ")
+    assert all(line.split()[-2:] == ["-", "-"] for line in text.splitlines()[-7:-1])
 
 
 def test_singularities_reports_time_twist_and_signs(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -67,9 +67,9 @@ def _baked(sources: dict[str, str]) -> Iterator[tuple[str, int]]:
     """Makes the constants of the kernel's source writable; their names and places in the list of them."""
     (name,) = (name for name in sources if re.search(r"_(forces|pose)\.c$", name))
     text = sources[name]
-    shared = re.findall(r"^#define BAKED_(\w+) REAL\(.*\)$", text, re.M)
+    shared = re.findall(r"^#define BAKED_(\w+) REAL\(.*?\) /\*", text, re.M)
     text = re.sub(
-        r"^#define BAKED_(\w+) (REAL\(.*\))$",
+        r"^#define BAKED_(\w+) (REAL\(.*?\)) .*$",
         r"static stewart_real baked_\1 = \2;\n#define BAKED_\1 baked_\1",
         text,
         flags=re.M,

@@ -273,8 +273,8 @@ def _limits(robot: Robot, length: _Unit) -> str:
 
 
 def _inertias(robot: Robot) -> str:
-    count = len(robot.physicality())
-    return f"{count} that no rigid body can have" if count else "possible for rigid bodies"
+    parts = dict.fromkeys(line.partition(": inertia")[0] for line in robot.physicality())
+    return f"that no rigid body can have: {', '.join(parts)}" if parts else "possible for rigid bodies"
 
 
 def _range(values: Array) -> str:

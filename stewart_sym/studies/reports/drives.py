@@ -65,8 +65,11 @@ class DriveDigest:
                     _beside(found.peaks[name][leg], getattr(drive, f"{name}_limit")[leg])
                     for name in self._known()
                 ),
-                _beside(found.rms_torque[leg], drive.rated_torque[leg]),
-                f"{found.energy[leg]:.4g}",
+                *(
+                    (_beside(found.rms_torque[leg], drive.rated_torque[leg]), f"{found.energy[leg]:.4g}")
+                    if len(self.time) > 1
+                    else ("-", "-")
+                ),
             )
             for leg in range(LEGS)
         ]
@@ -83,8 +86,10 @@ class DriveDigest:
         for name in self._known():
             found[f"motor_peak_{name}_{units[name]}"] = float(self.summary.peaks[name][leg])
             found[f"motor_{name}_limit_{units[name]}"] = float(getattr(self.drive, f"{name}_limit")[leg])
-        found["motor_rms_torque_N_m"] = float(self.summary.rms_torque[leg])
-        return found | {"motor_energy_J": float(self.summary.energy[leg])}
+        # One instant takes no time.
+        lasts = len(self.time) > 1
+        found["motor_rms_torque_N_m"] = float(self.summary.rms_torque[leg]) if lasts else None
+        return found | {"motor_energy_J": float(self.summary.energy[leg]) if lasts else None}
 
     def figure(self) -> "Figure":
         """Torque over time, and over speed with the motor's limits as a frame."""

@@ -20,6 +20,7 @@ from ...motion.rotation import (
     rpy_from_rotation,
     vector_from_rotation,
 )
+from ...motion.straight_line import MOST_STEPS
 from ...planning.certificate import PlanCertificate
 from ...planning.plan_path import Conditions, PlannedPath
 from ...planning.pose_path import PosePath
@@ -76,6 +77,11 @@ class Plan:
     def times(self) -> Array:
         """Instants of the trajectory, s, and the end as the last."""
         end = self.timed.duration
+        if not end * self.rate < MOST_STEPS:
+            raise ValueError(
+                f"duration: expected at most {MOST_STEPS:,} instants, got {end:.6g} s at a rate of "
+                f"{self.rate:g} Hz"
+            )
         return np.append(np.arange(0.0, end * (1.0 - 1e-9), 1.0 / self.rate), end)
 
 

@@ -418,9 +418,10 @@ def _summary(robot: Robot, times: Array, part: Part, verdicts: list[str]) -> str
         for leg, i in enumerate(peaks)
     ]
     worst = _worst_condition(part)
+    count = f"{len(times)} instant{'s' if len(times) > 1 else ''}"
     return "\n".join(
         [
-            f"{len(times)} instants, {time_text(times[0], step)} to {time_text(times[-1], step)} s; "
+            f"{count}, {time_text(times[0], step)} to {time_text(times[-1], step)} s; "
             f"condition number of H up to {condition[worst]:.4g} (at {time_text(time[worst], step)} s)",
             aligned(("leg", "peak force, N", "at, s", "force_limit, N", "length, m", "speed, m/s"), rows),
         ]
