@@ -90,7 +90,7 @@ def poses_of(
     from ..motion.rotation import rotation_from_rpy
     from ..motion.trajectory import JointTrajectory, PoseLog
     from ..singularities.joint_space import on_platform
-    from ..studies.reports.doubts import angle_doubt, length_doubt, side_doubt
+    from ..studies.reports.doubts import angle_doubt, length_doubt, side_doubt, unit_doubt
 
     some = np.linspace(0, len(log.time) - 1, min(len(log.time), _SOME)).astype(np.int64)
     if isinstance(log, JointTrajectory):
@@ -98,7 +98,8 @@ def poses_of(
     else:
         motion = log.at(some)
         found = [length_doubt(robot, leg_lengths(robot, motion.R, motion.t)), side_doubt(robot, motion)]
-        found += [angle_doubt(robot, log, some)] if isinstance(log, PoseLog) and found[0] is None else []
+        if isinstance(log, PoseLog) and found[0] is None:
+            found += [unit_doubt(robot, log, some) or angle_doubt(robot, log, some)]
     for doubt in found:
         if doubt is not None:
             warnings.warn(f"{log.source}: {doubt}", stacklevel=2)

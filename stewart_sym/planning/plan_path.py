@@ -341,15 +341,18 @@ def need_reachable(costs: PoseCosts, poses: Sequence[ViaPose], values: Array, si
             continue
         if not values[number - 1] < 1e12:
             raise ValueError(f"via pose {number}: expected a regular pose, it is singular")
+        for name, excess, _ in costs.excesses(pose.R[None], pose.t[None]):
+            if excess.max() > ROOM and name != "condition number":
+                leg = f" of leg {int(np.argmax(excess[0])) + 1}" if excess.shape[1] == 6 else ""
+                far = f"t of {np.linalg.norm(pose.t):.4g} m in length"
+                raise ValueError(
+                    f"via pose {number}: out of reach, it breaks the limit of {name}{leg}, {far}"
+                )
         if values[number - 1] > costs.limits.condition:
             raise ValueError(
                 f"via pose {number}: expected a condition number of at most {costs.limits.condition:g}, "
                 f"got {values[number - 1]:.4g}"
             )
-        for name, excess, _ in costs.excesses(pose.R[None], pose.t[None]):
-            if excess.max() > ROOM and name != "condition number":
-                leg = f" of leg {int(np.argmax(excess[0])) + 1}" if excess.shape[1] == 6 else ""
-                raise ValueError(f"via pose {number}: out of reach, it breaks the limit of {name}{leg}")
     fixed = [k for k, pose in enumerate(poses) if not pose.free]
     for before, after in itertools.pairwise(fixed):
         if signs[before] != signs[after]:

@@ -66,6 +66,18 @@ def test_a_workspace_is_written_as_text_table_and_picture(folder: Path) -> None:
     assert {row["first_limit"] for row in rows} >= {"inside", "leg length", "joint angle"}
 
 
+def test_a_middle_beyond_the_limits_and_metres_read_as_millimetres_are_doubted(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    few = ("--poses", 500, "--no-pictures")
+    for position, doubted in ((0.7, False), (700.0, True)):
+        assert command("workspace", "hanging.toml", *few, "--position", 0, 0, position) == 0
+        assert ("the pose in the middle breaks a limit" in capsys.readouterr().err) == doubted
+    for unit, doubted in (("m", False), ("mm", True)):
+        command("forces", "hexapod.toml", "trajectory.csv", "--length-unit", unit, "-o", "f.csv")
+        assert ("1000 times as much does not: is --length-unit" in capsys.readouterr().err) == doubted
+
+
 def test_ignored_limits_do_not_count(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     volumes = []
     for ignored in ((), ("--ignore", "joint-angles")):

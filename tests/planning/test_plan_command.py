@@ -165,10 +165,18 @@ SECOND = "[[via]]\nt = [0.1, 0.0, 0.65]\ntheta = [0.0, 0.0, 0.0]\n"
             HEAD + FIRST + SECOND.replace("0.1", "9.0"),
             "via pose 2: out of reach, it breaks the limit of leg length of leg",
         ),
+        (
+            HEAD + "[limits]\ncondition = 12.0\n" + FIRST + SECOND.replace("0.1", "900.0"),
+            "via pose 2: out of reach, it breaks the limit of leg length of leg",
+        ),
         (HEAD + FIRST + SECOND + FIRST, "via pose 2: expected a path through it, the one found turns back"),
         (
             'least = "energy"\n' + HEAD + FIRST + SECOND,
             'duration: missing, expected beside least = "energy"',
+        ),
+        (
+            'least = "energy"\nduration = 1e9\n' + HEAD + FIRST + SECOND,
+            "duration: expected at most 10,000,000 instants, got 1e+09 s at a rate of",
         ),
         (HEAD + FIRST + FIRST, "via pose 2: expected another pose than via pose 1"),
         (HEAD + "[limits]\nforce = 10.0\n" + FIRST + SECOND, "at rest at s ="),

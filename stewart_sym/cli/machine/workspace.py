@@ -2,12 +2,18 @@
 
 import argparse
 import math
+import warnings
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from ..inputs import robot_of
 from ..options import finite, json_file, no_pictures, output, positive, robot_file, whole
 from ..results import need_drawing, results
 from ..terminal import progress_line
+
+if TYPE_CHECKING:
+    from ...design.workspace import Workspace
+    from ...robot.robot import Robot
 
 HELP = "how far a machine reaches: volume of its workspace with an error, what bounds it, and slices"
 EXAMPLE = "stewart-sym workspace hexapod.toml --condition 20 -o workspace"
@@ -102,6 +108,13 @@ def run(arguments: argparse.Namespace) -> int:
             scheduler=arguments.scheduler,
             progress=progress,
         )
+        if found.clear == 0.0:
+            low, high = _leg_lengths(robot, found)
+            warnings.warn(
+                f"the pose in the middle breaks a limit, its legs are {low:.4g} to {high:.4g} m long: "
+                "expected one within the limits, --position in metres",
+                stacklevel=2,
+            )
         planes = slices(robot, limits, found, progress)
         figures = {}
         if arguments.pictures:
@@ -110,6 +123,15 @@ def run(arguments: argparse.Namespace) -> int:
             figures = pictures(robot.name, found, planes)
         take(report(robot, limits, found, planes, figures), progress)
     return 0
+
+
+def _leg_lengths(robot: "Robot", found: "Workspace") -> tuple[float, float]:
+    """The shortest and the longest leg of the pose in the middle, m."""
+    from ...kinematics.offset_legs import leg_lengths
+    from ...motion.rotation import rotation_from_rpy
+
+    L = leg_lengths(robot, rotation_from_rpy(found.angles[None]), found.position[None])
+    return float(L.min()), float(L.max())
 
 
 def _pairs(numbers: list[float] | None) -> list[list[float]] | None:

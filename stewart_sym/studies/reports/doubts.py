@@ -55,6 +55,19 @@ def angle_doubt(robot: Robot, log: PoseLog, some: NDArray[np.int64]) -> str | No
     )
 
 
+def unit_doubt(robot: Robot, log: PoseLog, some: NDArray[np.int64]) -> str | None:
+    """One line about poses that the legs allow many times as far from the base alone; None else."""
+    t, R = log.coordinates[0, some, :3], log.coordinates[0, some, 3:]
+    tool = np.zeros(3) if log.tool is None else log.tool
+    far = float(np.linalg.norm(t, axis=-1).max())
+    how = _impossible(robot, t, R, tool) if far < _NEAR * np.ptp(robot.b, axis=0).max() else None
+    for times in _TIMES if how is not None else ():
+        if _impossible(robot, times * t, R, tool) is None:
+            cause = f"t of up to {far:.3g} m leads {how}, {times} times as much does not"
+            return f"{cause}: is --length-unit right?"
+    return None
+
+
 def _impossible(robot: Robot, t: Array, theta: Array, tool: Array) -> str | None:
     """Where poses of the tool lead that a machine does not reach: beyond limits, through singular poses."""
     R = rotation_from_rpy(theta)
@@ -78,6 +91,9 @@ def side_doubt(robot: Robot, motion: Motion) -> str | None:
     )
 
 
+# How many times another unit is as much (m read as mm, m as cm, cm as mm), and the share of the base's size
+# within which a platform is doubtful.
+_TIMES, _NEAR = (1000, 100, 10), 0.2
 # Shares of a machine's size, or of its longest leg, between which legs are; what they usually are; and the
 # turn, rad, that may be one in degrees.
 _SHARES_OF_SIZE, _SHARES_OF_LIMITS, _USUAL, _LEAST_TURN = (1.0 / 200.0, 20.0), (0.02, 5.0), (0.15, 3.0), 0.5
