@@ -169,11 +169,11 @@ def size(
     return _needs(robot, courses, margin, shares)
 
 
-def checked_quantiles(quantiles: Sequence[float]) -> Array:
+def checked_quantiles(quantiles: Sequence[float], where: str = "quantiles") -> Array:
     """Shares of the time in rising order, (q,); ValueError for others."""
-    shares = real_array(quantiles, "quantiles", "shares > 0 and <= 1")
+    shares = real_array(quantiles, where, "shares > 0 and <= 1")
     if shares.ndim != 1 or not shares.size or not np.all((shares > 0.0) & (shares <= 1.0)):
-        raise ValueError(f"quantiles: expected shares > 0 and <= 1, got {shown(quantiles)}")
+        raise ValueError(f"{where}: expected shares > 0 and <= 1, got {shown(quantiles)}")
     return np.unique(shares)
 
 

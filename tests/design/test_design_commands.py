@@ -78,6 +78,13 @@ def test_a_middle_beyond_the_limits_and_metres_read_as_millimetres_are_doubted(
         assert ("1000 times as much does not: is --length-unit" in capsys.readouterr().err) == doubted
 
 
+def test_shares_given_in_per_cent_are_named(capsys: pytest.CaptureFixture[str]) -> None:
+    assert command("size", "hexapod.toml", "trajectory.csv", "--margin", 25, "--no-pictures") == 0
+    assert "--margin: 25 is a share, 2500 %: expected 0.25 for 25 %" in capsys.readouterr().err
+    assert command("size", "hexapod.toml", "trajectory.csv", "--quantile", 95) == 2
+    assert "--quantile: expected shares > 0 and <= 1, got" in capsys.readouterr().err
+
+
 def test_ignored_limits_do_not_count(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     volumes = []
     for ignored in ((), ("--ignore", "joint-angles")):
@@ -95,7 +102,8 @@ def test_sizes_are_written_and_limits_that_do_not_suffice_are_named(
     captured = capsys.readouterr()
     (line,) = captured.err.splitlines()
     assert line.startswith(
-        "stewart-sym: warning: hexapod.toml: limits exceeded: 0, limits without the margin: 2"
+        "stewart-sym: warning: hexapod.toml: limits exceeded: 0, limits without the margin: 2; "
+        "force_limit of leg 1: "
     )
     data = json.loads((folder / "size" / "report.json").read_text())
     assert data["exceeded"] == []
@@ -122,7 +130,7 @@ def test_sizes_are_written_and_limits_that_do_not_suffice_are_named(
         (("size", "hexapod.toml"), "TRAJECTORY.csv"),
         (("size", "hexapod.toml", "none.csv"), "none.csv"),
         (("size", "hexapod.toml", "trajectory.csv", "--margin", -1), "margin: expected"),
-        (("size", "hexapod.toml", "trajectory.csv", "--quantile", 2), "quantiles: expected"),
+        (("size", "hexapod.toml", "trajectory.csv", "--quantile", 2), "--quantile: expected"),
         (("size", "hexapod.toml", "hexapod.toml"), "hexapod.toml"),
     ],
 )

@@ -22,6 +22,7 @@ from ..results import need_drawing, results
 from ..terminal import progress_line
 
 HELP = "which force, speed, power, stroke and joint angles motions need of every leg, beside its limits"
+_MOST_MARGIN = 5.0
 EXAMPLE = "stewart-sym size hexapod.toml trajectory.csv -o size --margin 0.3"
 MORE = (
     "Trajectories as for forces, with their loads; all of them count together. Peaks, what is not exceeded "
@@ -69,7 +70,10 @@ def run(arguments: argparse.Namespace) -> int:
 
     need_drawing(arguments)
     quantiles = arguments.quantiles or QUANTILES
-    checked_quantiles(quantiles)
+    checked_quantiles(quantiles, "--quantile")
+    if arguments.margin > _MOST_MARGIN:
+        share = f"{arguments.margin:g} is a share, {100.0 * arguments.margin:g} %"
+        warnings.warn(f"--margin: {share}: expected 0.25 for 25 %", stacklevel=2)
     robot = robot_of(arguments.robot)
     with results(arguments, "report", "needs.csv") as take, progress_line() as progress:
         read = [trajectory_of(robot, path, arguments, progress) for path in arguments.trajectories]
@@ -83,8 +87,8 @@ def run(arguments: argparse.Namespace) -> int:
         names = [path.name for path in arguments.trajectories]
         found = report(robot, names, needs, figures)
         take(dataclasses.replace(found, views=views(robot, names, read)), progress)
-    over, short = len(exceeded(robot, needs)), len(margin_missing(robot, needs))
+    over, short = exceeded(robot, needs), margin_missing(robot, needs)
     if over or short:
-        told = f"limits exceeded: {over}, limits without the margin: {short}; the report names them"
+        told = f"limits exceeded: {len(over)}, limits without the margin: {len(short)}; {(over or short)[0]}"
         warnings.warn(f"{arguments.robot}: {told}", stacklevel=2)
     return 0
