@@ -156,10 +156,10 @@ def _strays(points: Array) -> list[int]:
 
 def _of_proportion(ratio: float, sizes: str) -> Iterator[Doubt]:
     exchanged, unit = MOST_PROPORTION
-    if ratio > unit:
-        yield Doubt("proportion", f"{sizes}; likely cause: platform points in millimetres")
-    elif ratio < 1.0 / unit:
-        yield Doubt("proportion", f"{sizes}; likely cause: base points in millimetres")
+    if ratio > unit or ratio < 1.0 / unit:
+        larger, smaller = ("platform", "base") if ratio > unit else ("base", "platform")
+        cause = f"{larger} points in millimetres, or {smaller} points in metres in a file of millimetres"
+        yield Doubt("proportion", f"{sizes}; likely cause: {cause}")
     elif ratio > exchanged:
         yield Doubt(
             "proportion",
