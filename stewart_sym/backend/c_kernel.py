@@ -105,23 +105,23 @@ def prepared_model(
 ) -> NDArray[Any]:
     """So many constants that a C function prepares from a robot, with its rotors where the kernel takes them.
 
-    offsets: whether the kernel is that of offset joints. Raises ValueError where they overflow.
+    offsets: whether the kernel is that of offset joints. They are read-only, where C reads them fastest.
+    Raises ValueError where they overflow.
     """
     dtype = np.float64 if precision == "double" else np.float32
     with np.errstate(over="ignore"):
         given = offset_numbers(robot) if offsets else robot_numbers(robot, rotors)
         numbers = given.astype(dtype)
-    model = _at_line(count, dtype)
+    # From where a line of the cache begins: a vector of constants is in one line.
+    size = count * np.dtype(dtype).itemsize
+    room = np.zeros(size + 63, dtype=np.uint8)
+    first = -room.ctypes.data % 64
+    model = room[first : first + size].view(dtype)
     if prepare(address(numbers), address(model)) != OK:
         raise overflows(robot, precision)
+    for each in (room, model):
+        each.setflags(write=False)
     return model
-
-
-def _at_line(count: int, dtype: Any) -> NDArray[Any]:
-    """So many zeros that begin where a line of the cache does: a vector of constants is in one line."""
-    room = np.zeros(count * np.dtype(dtype).itemsize + 63, dtype=np.uint8)
-    first = -room.ctypes.data % 64
-    return room[first : first + count * np.dtype(dtype).itemsize].view(dtype)
 
 
 def pointers(arrays: Iterable[Array | None]) -> Any:

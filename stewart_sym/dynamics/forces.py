@@ -82,7 +82,8 @@ class ForceKernel(Frozen):
         rotors, offsets = takes_rotors(self.name), self.robot.offsets is not None
         prepare = self.function("prepare")
         model = prepared_model(prepare, self.robot, count, self.precision, rotors, offsets)
-        self._set({"model": model})
+        # As it lies in memory; a copy would be slower.
+        object.__setattr__(self, "model", model)
 
     @property
     def dtype(self) -> type[np.floating[Any]]:

@@ -381,3 +381,13 @@ def test_c_takes_axes_of_any_length_but_zero(exponent: float, precision: forces.
     assert kernel.function("prepare")(address(numbers), address(model)) == 0
     unit = 64 * np.finfo(kernel.dtype).eps
     np.testing.assert_allclose(model, kernel.model, rtol=unit, atol=unit * 9.81)
+
+
+@pytest.mark.parametrize("precision", ["double", "float"])
+def test_prepared_constants_begin_where_a_line_of_the_cache_does_and_stay_as_they_are(
+    precision: str,
+) -> None:
+    prepared = ss.prepare(ss.robots.dasgupta1998(), precision=precision)  # type: ignore[arg-type]
+    assert prepared.model.ctypes.data % 64 == 0
+    with pytest.raises(ValueError, match="cannot set WRITEABLE"):
+        prepared.model.setflags(write=True)
