@@ -17,7 +17,7 @@ from ..program.block import Block, Output, Quantity
 from ..program.order import Ready
 from .tree import nodes as t
 from .tree import read
-from .tree.lower import expression, steps_of
+from .tree.lower import expression, steps_of, unit_and_meaning
 from .written import legs
 
 LANE = t.Name("l")
@@ -208,12 +208,7 @@ def stored(quantity: Quantity, *lanes: int, always: bool = True) -> t.Field:
 
 def described(quantity: Quantity, *lanes: int) -> t.Field:
     """A member with its unit and meaning."""
-    return replace(stored(quantity, *lanes, always=False), meaning=says(quantity))
-
-
-def says(quantity: Quantity) -> str:
-    """Its unit, where it has one, and meaning."""
-    return f"{quantity.unit}: {quantity.meaning}".removeprefix(": ")
+    return replace(stored(quantity, *lanes, always=False), meaning=unit_and_meaning(quantity))
 
 
 @dataclass

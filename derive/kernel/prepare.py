@@ -23,12 +23,12 @@ from .layouts import (
     lines,
     member,
     names_used,
-    says,
     stored,
     stores,
 )
 from .tree import nodes as t
 from .tree.constants import LARGEST, SMALLEST
+from .tree.lower import unit_and_meaning
 from .tree.read import Given
 from .written import solve
 
@@ -187,6 +187,7 @@ def literal(quantity: Quantity) -> str:
 def literals(kernel: ForceKernel) -> str:
     """These constants as macros."""
     lines = [
-        f"#define {literal(q)} REAL({value!r}) /* {says(q)} */" for q, value in kernel.literals().items()
+        f"#define {literal(q)} REAL({value!r}) /* {unit_and_meaning(q)} */"
+        for q, value in kernel.literals().items()
     ]
     return "\n".join(["/* Constants of the platform, and those that all legs share. */", *lines, ""])

@@ -116,7 +116,7 @@ def drive_terms(robot: Robot, motion: Motion, drive: Sequence[str], shared: bool
     for name in need_terms(drive):
         each = np.asarray(factors[name])[..., None] * np.eye(LEGS)
         if name == "reflected_mass" and robot.drive is not None:
-            each = _rotors(robot, motion, robot.drive)
+            each = rotor_forces(robot, motion, robot.drive)
         of_leg = each.sum(axis=-1, keepdims=True) if shared else each
         columns.append(of_leg)
         names += [name] if shared else [f"{name}{leg}" for leg in range(1, LEGS + 1)]
@@ -125,7 +125,7 @@ def drive_terms(robot: Robot, motion: Motion, drive: Sequence[str], shared: bool
     return Terms(tuple(names), tuple(units), stacked, np.ones(len(names), dtype=np.bool_))
 
 
-def _rotors(robot: Robot, motion: Motion, drive: Drive) -> Array:
+def rotor_forces(robot: Robot, motion: Motion, drive: Drive) -> Array:
     """Forces of rotors of 1 kg of reflected mass each, moments on the legs included, (..., 6, 6)."""
     Y = rotor_regressor(robot, motion)
     H = inverse_dynamics(robot, motion).H

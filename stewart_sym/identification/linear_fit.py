@@ -9,9 +9,8 @@ from ..io.array_types import Array
 from ..motion.motion import Motion
 from ..robot.robot import LEGS, Robot
 from .base_parameters import BaseParameters
-from .drive_terms import Terms
+from .drive_terms import Terms, rotor_forces
 from .excitation import force_regressor
-from .rotor_columns import rotor_regressor
 
 # Singular values below this share of the largest say that the motion does not excite all parameters.
 _ROUNDING = 1e-12
@@ -76,7 +75,7 @@ def linear_system(data: Data, motion: Motion) -> tuple[Array, Array]:
         if data.terms is not None:
             A = np.concatenate([A, data.terms.kept], axis=-1)
         A = A / data.deviations[..., None]
-        known = _load_forces(data.robot, motion) - _rotor_forces(data, motion)
+        known = _load_forces(data.robot, motion) - _forces_of_rotors(data, motion)
         y = (data.forces + known) / data.deviations
     if not (np.isfinite(A).all() and np.isfinite(y).all()):
         raise ValueError("sigma: expected standard deviations beside which the forces do not overflow")
@@ -91,14 +90,12 @@ def _load_forces(robot: Robot, motion: Motion) -> Array:
     return np.asarray(np.linalg.solve(H, motion.external_wrench()[..., None])[..., 0])
 
 
-def _rotor_forces(data: Data, motion: Motion) -> Array:
+def _forces_of_rotors(data: Data, motion: Motion) -> Array:
     """What the rotors of the robot file take of the motors' forces, (..., 6), unless they are sought."""
     robot = data.robot
-    if not robot.has_rotors or (data.terms is not None and data.terms.of_rotors):
+    if robot.drive is None or not robot.has_rotors or (data.terms is not None and data.terms.of_rotors):
         return np.zeros((*motion.shape, LEGS))
-    Y = rotor_regressor(robot, motion) @ np.concatenate([robot.m_r, robot.j_r])
-    H = inverse_dynamics(robot, motion).H
-    return np.asarray(np.linalg.solve(H, Y[..., None])[..., 0])
+    return np.asarray(rotor_forces(robot, motion, robot.drive) @ robot.m_r)
 
 
 def factors(J: Array) -> tuple[Array, Array]:

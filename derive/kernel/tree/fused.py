@@ -79,12 +79,13 @@ class _Fused:
     def subtracted(self, first: t.Expression, second: t.Expression) -> tuple[t.Expression, t.Expression]:
         """Two factors of which one has the sign."""
         common = isinstance(first, t.Name) and first.name in self.of_all_lanes
-        if self.of_all_lanes and (common or not isinstance(first, t.Name)) and _has_no_sign(second):
+        if self.of_all_lanes and (common or not isinstance(first, t.Name)) and _takes_sign(second):
             return first, t.Negative(second)
         return _negated(first), second
 
 
-def _has_no_sign(node: t.Expression) -> bool:
+def _takes_sign(node: t.Expression) -> bool:
+    """Whether a sign before it is not one that could be drawn in."""
     return not isinstance(node, t.Negative | t.Number)
 
 

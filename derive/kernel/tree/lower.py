@@ -85,11 +85,14 @@ def stored_type(quantity: Quantity) -> t.Type:
     return t.Array(t.Real(), (len(quantity.keys),)) if quantity.shape else t.Real()
 
 
+def unit_and_meaning(quantity: Quantity) -> str:
+    """``kg m: first moment``; of what has no unit the meaning alone."""
+    return f"{quantity.unit}: {quantity.meaning}".removeprefix(": ")
+
+
 def structure(name: str, meaning: str, quantities: Iterable[Quantity], *more: t.Field) -> t.Structure:
     """A structure with one member for each quantity, and ``more``."""
-    members = tuple(
-        t.Field(q.name, stored_type(q), f"{q.unit}: {q.meaning}".removeprefix(": ")) for q in quantities
-    )
+    members = tuple(t.Field(q.name, stored_type(q), unit_and_meaning(q)) for q in quantities)
     return t.Structure(name, meaning, (*members, *more))
 
 

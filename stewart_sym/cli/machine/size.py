@@ -22,7 +22,6 @@ from ..results import need_drawing, results
 from ..terminal import progress_line
 
 HELP = "which force, speed, power, stroke and joint angles motions need of every leg, beside its limits"
-_MOST_MARGIN = 5.0
 EXAMPLE = "stewart-sym size hexapod.toml trajectory.csv -o size --margin 0.3"
 MORE = (
     "Trajectories as for forces, with their loads; all of them count together. Peaks, what is not exceeded "
@@ -61,6 +60,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     no_pictures(parser)
     html_file(parser)
     json_file(parser)
+
+
+# A margin beyond it was meant in per cent.
+_MOST_MARGIN = 5.0
 
 
 def run(arguments: argparse.Namespace) -> int:

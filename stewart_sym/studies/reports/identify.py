@@ -111,10 +111,10 @@ def from_measurement(
     found = identify(robot, motion, F, sigma, base, noise, physical, drive=drive)
     if noise is None and found.verdict in ("misfit", "rejected"):
         found = replace(found, doubts=(*found.doubts, *_scatter(trajectory, form)))
-    return replace(found, doubts=(*found.doubts, *_sizes(robot, found, F)))
+    return replace(found, doubts=(*found.doubts, *_unlike_forces(robot, found, F)))
 
 
-def _sizes(robot: Robot, found: Estimate, F: Array) -> tuple[str, ...]:
+def _unlike_forces(robot: Robot, found: Estimate, F: Array) -> tuple[str, ...]:
     """Forces of another size than the robot file's, and a noise that is not theirs."""
     said = []
     if found.misfit < _LEAST_MISFIT:
