@@ -25,7 +25,10 @@ from .key_lines import key_text, line_of
 MOST_BYTES = 1 << 18
 """Of a TOML file: thirty times what a robot takes with every number of every leg."""
 _CHUNK = 1 << 24
+_LINE = 1 << 12
 _MOST = float(np.finfo(np.float64).max)
+
+_TWICE = re.compile(r"Cannot overwrite a value \(at line (\d+)")
 
 # Time and memory of tomllib grow with the square of a dotted key's parts: 300,000 of them take all there is.
 _STRING = r"""(?:"(?:[^"\\\n]|\\.)*+"|'[^'\n]*+')"""
@@ -119,7 +122,11 @@ def toml_tables(source: str, what: str) -> Iterator[dict[str, Any]]:
 
     To what the block raises about a key of the file, ``source: key: what was expected``, its line is added.
     """
-    text = read_text(source, what, MOST_BYTES)
+    try:
+        text = read_text(source, what, MOST_BYTES)
+    except ValueError:
+        _reject_table(_beginning_of_long(source), source, what)
+        raise
     top = _parsed(text, source, what)
     try:
         yield top
@@ -129,6 +136,20 @@ def toml_tables(source: str, what: str) -> Iterator[dict[str, Any]]:
             raise
         line = line_of(message.removeprefix(file), text)
         raise ValueError(f"{message} (at line {line})") from None
+
+
+def _beginning_of_long(source: str) -> str:
+    """First line of a file that is longer than a TOML file may be; empty of any other."""
+    if not os.path.isfile(source) or os.path.getsize(source) <= MOST_BYTES:
+        return ""
+    with open(source, "rb") as stream:
+        return stream.readline(_LINE).decode("utf-8-sig", "replace")
+
+
+def _reject_table(first: str, source: str, what: str) -> None:
+    """Reject a file whose first line is that of a table of values."""
+    if first.count(",") > 1 and "=" not in first and first[0] not in "#[":
+        raise ValueError(f"{source}: expected a {what}, got a table of values, as of a CSV file") from None
 
 
 def _parsed(text: str, source: str, what: str) -> dict[str, Any]:
@@ -142,17 +163,22 @@ def _parsed(text: str, source: str, what: str) -> dict[str, Any]:
         raise ValueError(f"{source}: not valid TOML: nested too deeply") from None
     except ValueError as error:
         first = text.lstrip().split("\n", 1)[0]
-        if first.count(",") > 1 and "=" not in first and first[0] not in "#[":
-            raise ValueError(
-                f"{source}: expected a {what}, got a table of values, as of a CSV file"
-            ) from None
+        _reject_table(first, source, what)
         if first.startswith(("{", "<")):
             raise ValueError(f"{source}: expected a {what}, got {shown(first)}") from None
-        raise ValueError(f"{source}: not valid TOML: {' '.join(str(error).split())}") from None
+        said = _key_twice(str(error), text) + " ".join(str(error).split())
+        raise ValueError(f"{source}: not valid TOML: {said}") from None
     found = [kind for kind, ways in _KINDS.items() if any(keys <= top.keys() for keys in ways)]
     if found and what not in found:
         raise ValueError(f"{source}: expected a {what}, got a {found[0]}")
     return top
+
+
+def _key_twice(error: str, text: str) -> str:
+    """The key that is given a second time, where the parser's error says only in which line; else nothing."""
+    place = _TWICE.match(error)
+    key, equals, _ = text.split("\n")[int(place[1]) - 1].partition("=") if place else ("", "", "")
+    return f"{safe_text(key.strip())}: given twice: " if equals else ""
 
 
 def checked_table(

@@ -11,7 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..dynamics.home_pose import level_lengths, radius
+from ..dynamics.home_pose import radius
 from ..io.array_types import Array
 from ..kinematics.mounting import AssemblyModeWarning
 from ..motion.rotation import rotation_from_quaternion
@@ -21,6 +21,7 @@ from .leg_order import of_order
 from .level_poses import Doubt, Home, centred_H, home_of, level_home, parts_of
 from .motors import of_speeds, of_torques
 from .part_lengths import of_part_lengths
+from .stated_home import MOST_LEGS, of_limits, of_place
 
 MOST_GRAVITY = 50.0
 """m/s^2: twice Jupiter's; in mm/s^2 or cm/s^2 the Moon's is 1,620 or 162."""
@@ -48,8 +49,6 @@ MOST_SPEED = 50.0
 """m/s."""
 SINGULAR_SHARE = 1e-3
 """Least singular value over the largest: of sound machines it is above this at some of the random poses."""
-MOST_LEGS = 5.0
-"""Shortest leg over the machine's size: machines have 0.2 to 2, limits in inches make it 8 and more."""
 LEAST_SINE, LEAST_SINES = 0.03, 0.1
 """Of the angle between a leg and its universal axis at the home pose, of any leg where length
 limits say where home is, and of all six."""
@@ -91,7 +90,7 @@ def _found(robot: Robot) -> list[Doubt]:
         found = left(_of_geometry(robot)) or left(of_coincidence(robot))
     if not found:
         t = level_home(robot)
-        found = left(of_order(robot, t)) or left(_of_stated_home(robot))
+        found = left(of_place(robot)) or left(of_order(robot, t)) or left(of_limits(robot))
         found = found or left(_of_home(robot, home_of(robot, t)))
     return found
 
@@ -329,22 +328,6 @@ def _near(points: Array, i: int) -> list[int]:
 
 
 # The home pose
-
-
-def _of_stated_home(robot: Robot) -> Iterator[Doubt]:
-    """A home pose of the robot file beyond the length limits of it."""
-    if robot.home is None:
-        return
-    L, (low, high) = level_lengths(robot, robot.home), robot.length_limits.T
-    legs = np.flatnonzero((low > L) | (high < L)).tolist()
-    if legs:
-        i = max(legs, key=lambda leg: float(max(low[leg] - L[leg], L[leg] - high[leg]) / L[leg]))
-        yield Doubt(
-            "home",
-            f"{legs_text(legs)} beyond length_limits at the home pose: {L[i]:.4g} m, limits {low[i]:.4g} to "
-            f"{high[i]:.4g} m; likely cause: home of another point than the platform frame's origin, or "
-            "limits between other points than the joints",
-        )
 
 
 def _of_home(robot: Robot, home: Home) -> Iterator[Doubt]:

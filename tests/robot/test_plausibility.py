@@ -26,6 +26,7 @@ from stewart_sym.cli.main import main
 from stewart_sym.plausibility import plausibility
 from stewart_sym.plausibility.plausibility import doubts
 from stewart_sym.robot.robot import DOUBTS
+from stewart_sym.robots import dasgupta1998
 
 
 def test_check_warns_of_no_sound_machine(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -263,3 +264,29 @@ def test_an_accepted_doubt_hides_no_other() -> None:
     weak = dataclasses.replace(robot, g=10.0 * robot.g, force_limit=np.full(6, 10.0))
     assert [doubt.name for doubt in doubts(weak)] == ["gravity"]
     assert [doubt.name for doubt in doubts(dataclasses.replace(weak, accept=("gravity",)))] == ["force-limit"]
+
+
+@pytest.mark.parametrize(
+    ("height", "words"),
+    [(0.0, "home: all legs lie within"), (0.01, "home: all legs lie within"), (1e3, "home: legs 1000 to 10")],
+)
+def test_a_stated_home_where_no_machine_is_stands_for_what_follows_from_it(height: float, words: str) -> None:
+    robot = dasgupta1998()
+    middle = robot.b.mean(axis=0) - robot.p.mean(axis=0)
+    flat = dataclasses.replace(
+        robot,
+        b=robot.b * [1.0, 1.0, 0.1],
+        p=robot.p * [1.0, 1.0, 0.1],
+        home=middle * [1.0, 1.0, 0.1] + np.array([0.0, 0.0, height]),
+    )
+    (found,) = doubts(flat)
+    assert found.name == "home"
+    assert found.text.startswith(words)
+
+
+@pytest.mark.parametrize("height", [0.3, 0.6, 1.0, 3.0])
+def test_a_stated_home_of_a_machine_is_not_doubted_for_its_height(height: float) -> None:
+    robot = dasgupta1998()
+    middle = robot.b.mean(axis=0) - robot.p.mean(axis=0)
+    stated = dataclasses.replace(robot, home=middle + np.array([0.0, 0.0, height]))
+    assert not [doubt for doubt in doubts(stated) if doubt.text.startswith("home:")]

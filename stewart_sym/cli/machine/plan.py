@@ -58,7 +58,10 @@ def run(arguments: argparse.Namespace) -> int:
     need("scipy", "planning")
     need_drawing(arguments)
     request = read_plan(arguments.via)
-    robot = request.robot
+    robot, least = request.robot, arguments.least or request.least
+    duration = request.duration if arguments.duration is None else arguments.duration
+    if duration is not None and least != "time":
+        plan.need_instants(duration, request.rate)
     warn_of_doubts(robot, request.files[1])
     tables = ("trajectory.csv", "path.csv")
     with results(arguments, "report", *tables, read=request.files) as take, progress_line() as progress:
@@ -69,8 +72,8 @@ def run(arguments: argparse.Namespace) -> int:
             limits=request.limits,
             formulation=request.formulation,
             progress=progress,
-            least=arguments.least or request.least,
-            duration=request.duration if arguments.duration is None else arguments.duration,
+            least=least,
+            duration=duration,
         )
         progress("checking the plan")
         found = plan.Plan(robot, planned, timed, certify_plan(timed), request.rate)

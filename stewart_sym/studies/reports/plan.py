@@ -77,12 +77,16 @@ class Plan:
     def times(self) -> Array:
         """Instants of the trajectory, s, and the end as the last."""
         end = self.timed.duration
-        if not end * self.rate < MOST_STEPS:
-            raise ValueError(
-                f"duration: expected at most {MOST_STEPS:,} instants, got {end:.6g} s at a rate of "
-                f"{self.rate:g} Hz"
-            )
+        need_instants(end, self.rate)
         return np.append(np.arange(0.0, end * (1.0 - 1e-9), 1.0 / self.rate), end)
+
+
+def need_instants(end: float, rate: float) -> None:
+    """Reject a trajectory of a duration, s, that has too many instants at a rate, Hz."""
+    if not end * rate < MOST_STEPS:
+        raise ValueError(
+            f"duration: expected at most {MOST_STEPS:,} instants, got {end:.6g} s at a rate of {rate:g} Hz"
+        )
 
 
 def trajectory(robot: Robot, times: Array, motion: Motion) -> Columns:
