@@ -36,6 +36,8 @@ SHARING = (
         *("test_kit", "test_kit_folder", "test_kit_use", "test_vectors", "test_language_kits", "test_stacks"),
     ),
     ("test_wrong_constants", "test_bake", "test_rotor_kits"),
+    # The library of the sweep.
+    ("test_degenerate_families", "test_proportions", "test_stability"),
     ("test_noise",),
     ("test_along_path",),
     ("test_pictures",),
