@@ -36,6 +36,8 @@ SHARING = (
         *("test_kit", "test_kit_folder", "test_kit_use", "test_vectors", "test_language_kits", "test_stacks"),
     ),
     ("test_wrong_constants", "test_bake", "test_rotor_kits"),
+    # The library of the sweep.
+    ("test_degenerate_families", "test_proportions", "test_stability"),
     ("test_noise",),
     ("test_along_path",),
     ("test_pictures",),
@@ -94,14 +96,14 @@ _LOADED = (c_kernel.library, c_kernel.function, closed_form.library)
 
 @pytest.fixture
 def rounded_twice() -> Iterator[None]:
-    """The C without fused multiply-add, whose bits are NumPy's."""
+    """The C without fused multiply-add, whose bits are NumPy's; at -O1, which takes half the time."""
     with pytest.MonkeyPatch.context() as changed:
         load = native.load
         changed.setattr(
             native,
             "load",
             lambda name, sources, flags=(), defines=None: load(
-                name, sources, flags, {**(defines or {}), "STEWART_NO_FMA": 1}
+                name, sources, (*flags, "-O1"), {**(defines or {}), "STEWART_NO_FMA": 1}
             ),
         )
         for each in _LOADED:

@@ -26,8 +26,9 @@ _MACROS = {
     "STEWART_EPSILON": "FLT128_EPSILON",
     "STEWART_MAX": "FLT128_MAX",
 }
-# Of the linker's libraries that stand before the sources, only those kept by force are linked.
-_FLAGS = ("-include", "quadmath.h", "-Wl,--no-as-needed", "-lquadmath")
+# Every operation is a call of a library, which optimising does not shorten. Of the linker's libraries that
+# stand before the sources, only those kept by force are linked.
+_FLAGS = ("-O1", "-include", "quadmath.h", "-Wl,--no-as-needed", "-lquadmath")
 
 
 def quad_forces(

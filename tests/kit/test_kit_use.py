@@ -198,7 +198,7 @@ def test_version_and_limits_are_in_the_headers() -> None:
         name: made().files[name].decode() for name in ("stewart.h", "stewart_robot.h", "stewart_robot.c")
     }
     assert re.search(r'^#define STEWART_SYM_VERSION "\d+\.\d+', files["stewart.h"], re.M)
-    library = native.load("kit_robot", files)
+    library = native.load("kit_robot", files, ("-O1",))
     found = np.array((ctypes.c_double * 24).in_dll(library, f"{robot_symbol(robot.name)}_limits"))
     stated = np.concatenate([*robot.length_limits.T, robot.force_limit, robot.speed_limit])
     np.testing.assert_array_equal(found, np.where(np.isinf(stated), np.finfo(np.float64).max, stated))
@@ -214,7 +214,7 @@ def test_outputs_of_one_pose_may_overlap_the_motion(tmp_path: Path) -> None:
     files = {
         name: text.decode() for name, text in made().files.items() if re.match(r"stewart\w*\.[ch]$", name)
     }
-    library = native.load("kit_of_all", files)
+    library = native.load("kit_of_all", files, ("-O1",))
     constants = kernel.robot_numbers(robot)
     model = np.zeros(4096)
     assert library.stewart_exact_prepare(c_kernel.address(constants), c_kernel.address(model)) == 0

@@ -16,6 +16,7 @@ import pytest
 from command_line import fails_in_one_line, folder_state
 from cost_figures import CHEAP, DEAR, FRICTIONLESS, MIDDLE, SCENE, TOLERANCES, budget, entry, hasty, made_up
 from machines import dasgupta, random_motion, random_robot, with_random_rotors
+from quick_compiler import compile_quickly
 from reduced_machines import as_simple_as
 
 import stewart_sym as ss
@@ -323,6 +324,7 @@ TABLES = ["bounds.csv", "chart.csv", "chart.json", "chart.txt", "scales.csv"]
 
 def few(patch: pytest.MonkeyPatch) -> None:
     """Few machines and poses in the studies beside the chart."""
+    compile_quickly(patch)
     scales_study, bounds_study = scales.scales_study, bound_plot.bounds_study
 
     def some_scales(progress: Any, robot: Robot) -> scales.Scales:

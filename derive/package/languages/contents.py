@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 from ...kernel.tree.constants import INTEGERS, STATUS
@@ -74,7 +75,7 @@ class Contents:
         """``robot`` or ``model``, the first argument of a function."""
         return self.program.function(function).arguments[0].name
 
-    @property
+    @cached_property
     def read(self) -> set[str]:
         """Names of the statuses and limits that the program reads."""
         return {each.name for each in parts_of(self.program.functions) if isinstance(each, Constant)}

@@ -2,6 +2,7 @@
 
 import pytest
 from machines import dasgupta
+from quick_compiler import compile_quickly
 
 from stewart_sym.generated.fidelities import FIDELITIES as TABLE
 from stewart_sym.studies.accuracy import cost as study
@@ -23,6 +24,7 @@ rate = 1000.0
 
 def hasty(patch: pytest.MonkeyPatch) -> None:
     """Times without meaning, and no sizes: nothing here depends on them."""
+    compile_quickly(patch)
     patch.setattr(timing, "SHORTEST", 1e-7)
     patch.setattr(study, "QUICK_ROUNDS", 1)
     patch.setattr(study, "ROUNDS", 1)

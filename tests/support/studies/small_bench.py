@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from motion_fields import FIELDS
 from numpy.typing import NDArray
+from quick_compiler import compile_quickly
 
 import stewart_sym as ss
 from stewart_sym.backend.c_kernel import c_sources
@@ -57,6 +58,7 @@ def some_passes() -> tuple[Pass, ...]:
 
 def shorten(patch: pytest.MonkeyPatch) -> None:
     """Samples so short that the figures mean nothing; without Drake, which is not everywhere."""
+    compile_quickly(patch)
     patch.delitem(bench.COMPARED, "pydrake")
     derived = ModuleType("stewart_sym.derive.passes")
     derived.passes = some_passes  # type: ignore[attr-defined]

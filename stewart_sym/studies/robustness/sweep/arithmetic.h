@@ -5,6 +5,11 @@
 
 #include <float.h>
 
+#if defined(WIDE) || defined(QUAD)
+/* The truth is made in calls of a library or by the x87 unit: optimising it gains little and takes compilers long. */
+#pragma GCC optimize("O1")
+#endif
+
 #if defined(WIDE)
 #include <math.h>
 #define OWN(name) wide_##name

@@ -1,0 +1,15 @@
+"""Libraries compiled in half the time, for tests in which their speed does not matter."""
+
+import pytest
+
+from stewart_sym.backend import native
+
+
+def compile_quickly(patch: pytest.MonkeyPatch) -> None:
+    """Libraries that are not loaded yet are compiled at -O1: the same bits."""
+    load = native.load
+    patch.setattr(
+        native,
+        "load",
+        lambda name, sources, flags=(), defines=None: load(name, sources, (*flags, "-O1"), defines),
+    )
