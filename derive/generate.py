@@ -6,11 +6,12 @@ no path, no order of a set. Does not depend on the runtime. A process derives ea
 
 from collections.abc import Callable, Collection, Iterator, Mapping
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 from functools import cache, partial, reduce
 from importlib.metadata import version as installed_version
 from multiprocessing import get_context
 from time import perf_counter
+from typing import Any, TypeVar
 
 import sympy as sp
 
@@ -50,11 +51,20 @@ def generator_version() -> str:
     return f"{installed_version('stewart-sym')} with SymPy {'.'.join(sp.__version__.split('.')[:2])}"
 
 
+_Blocks = TypeVar("_Blocks", Kernel, ForceKernel, Regressor, Kinematics, closed_form.SumKernel)
+
+
+def shared_blocks(raw: _Blocks) -> _Blocks:
+    """The kernel with every subexpression that occurs twice in a block computed once: as it is emitted."""
+    parts = {each.name: getattr(raw, each.name) for each in fields(raw)}
+    blocks: dict[str, Any] = {name: share(part) for name, part in parts.items() if isinstance(part, Block)}
+    return replace(raw, **blocks)
+
+
 @cache
 def reduced(form: Formulation, friction: bool = True) -> Kernel:
     """The kernel as it is emitted: derived, then shared."""
-    raw = kernel(form, friction)
-    return replace(raw, leg=share(raw.leg), platform=share(raw.platform), reactions=share(raw.reactions))
+    return shared_blocks(kernel(form, friction))
 
 
 @cache
@@ -65,33 +75,16 @@ def reduced_forces(form: Formulation, friction: bool = True) -> ForceKernel:
 
 @cache
 def prepared_model(form: Formulation) -> ForceKernel:
-    """The same with all constants that are prepared for it and, of ``WHOLE``, for the closed form."""
+    """The kernel of the forces with all constants that are prepared for it and, of ``WHOLE``, for the closed
+    form."""
     kernel = force_kernel(form)
     return shared_blocks(with_numbers(kernel, closed_form.PREPARED) if form in WHOLE else kernel)
-
-
-def shared_blocks(raw: ForceKernel) -> ForceKernel:
-    """The kernel with every subexpression that occurs twice in a block computed once."""
-    return replace(
-        raw.changed(share),
-        prepare_leg=share(raw.prepare_leg),
-        prepare_platform=share(raw.prepare_platform),
-    )
-
-
-@cache
-def reduced_regressor() -> Regressor:
-    """The regressor as it is emitted: derived, then shared."""
-    raw = regressor()
-    return Regressor(leg=share(raw.leg), platform=share(raw.platform))
 
 
 @cache
 def reduced_kinematics() -> Kinematics:
     """The blocks of the kinematics as they are emitted: derived, then shared."""
-    raw = kinematics()
-    blocks = (raw.vectors, raw.row, raw.rate, raw.turned, raw.second)
-    return Kinematics(*(share(block) for block in blocks))
+    return shared_blocks(kinematics())
 
 
 @cache
@@ -123,8 +116,8 @@ class Made:
 
 
 _PLAIN = {"exact_drive": "exact", "exact_spherical_drive": "exact_spherical", "exact_offset": "exact"}
-"""Of a kernel of legs with rotors or offset joints the one without them, in whose module stands what both
-have on arrays."""
+"""For each kernel of legs with rotors or offset joints the kernel without them, whose module on arrays holds
+what both have in common."""
 
 
 Progress = Callable[[str, float, float], None]
@@ -209,7 +202,7 @@ def _bounds(form: Formulation, version: str) -> Made:
 
 def _others(version: str) -> Made:
     """The regressors, the kinematics and the motors' torques."""
-    columns, blocks = reduced_regressor(), reduced_kinematics()
+    columns, blocks = shared_blocks(regressor()), reduced_kinematics()
     made = kinematics_text.kinematics_files(blocks, version) | kinematics_text.legs_files(blocks, version)
     made |= kinematics_text.rotation_files(reduced_rotation().values(), version)
     files = {
@@ -273,8 +266,7 @@ def reduced_motion(
 
 @cache
 def _reduced_sums(name: str, friction: bool, form: Formulation) -> closed_form.SumKernel:
-    raw = closed_form.kernel(name, friction, rotor_of(form))
-    return replace(raw, pose=share(raw.pose)).changed(share)
+    return shared_blocks(closed_form.kernel(name, friction, rotor_of(form)))
 
 
 @cache

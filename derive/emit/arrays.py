@@ -7,20 +7,9 @@ import sympy as sp
 
 from ..kernel.inverse_dynamics import arrays_program, regressor_program, rotor_program, shared_program
 from ..kernel.operations import KernelOperations, force_operations
+from ..kernel.tree import nodes as t
 from ..kernel.tree.constants import NAMES, PRECISIONS, STATUS, constants
 from ..kernel.tree.lower import expression
-from ..kernel.tree.nodes import (
-    Argument,
-    Constant,
-    Field,
-    Function,
-    Program,
-    Record,
-    Structure,
-    Variable,
-    calls_in,
-    parts_of,
-)
 from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel
 from ..mechanics.inverse_dynamics import Kernel
@@ -60,16 +49,15 @@ def shared_module(version: str) -> str:
     return filled("shared_outputs.py", version=version, imported=imported(program), program=source)
 
 
-def _own(program: Program) -> str:
+def _own(program: t.Program) -> str:
     """The program without what all share."""
     return Python(program).source(_shared_names()).rstrip()
 
 
-def _imported(program: Program, shared: Collection[str], module: str) -> str:
+def _imported(program: t.Program, shared: Collection[str], module: str) -> str:
     """The imports of a program without what it shares with a module."""
-    structures = tuple(each for each in program.structures if each.name not in shared)
-    functions = tuple(each for each in program.functions if each.name not in shared)
-    parts: tuple[Structure | Function, ...] = (*structures, *functions)
+    parts = [part for name, part in _by_name(program).items() if name not in shared]
+    functions = tuple(each for each in parts if isinstance(each, t.Function))
     used = {name for each in parts for name in _needed(each)}
     names = ", ".join(sorted(used.intersection(shared)))
     line = f"from .{module} import {names}"
@@ -78,24 +66,24 @@ def _imported(program: Program, shared: Collection[str], module: str) -> str:
     return f"{before}\n{line if len(line) <= WIDTH else wrapped}"
 
 
-def _needed(part: Structure | Function) -> set[str]:
+def _needed(part: t.Structure | t.Function) -> set[str]:
     """Names of the structures that a part of a program makes, or checks its arguments by, and of the
     functions that it calls."""
-    public = isinstance(part, Function) and part.public
-    kinds = Variable | Field | Argument if public else Variable | Field
-    made = (each for each in parts_of(part) if isinstance(each, kinds))
-    return {each.name for of in made for each in parts_of(of.type) if isinstance(each, Record)} | {
-        each.function for each in calls_in(part)
+    public = isinstance(part, t.Function) and part.public
+    kinds = t.Variable | t.Field | t.Argument if public else t.Variable | t.Field
+    made = (each for each in t.parts_of(part) if isinstance(each, kinds))
+    return {each.name for of in made for each in t.parts_of(of.type) if isinstance(each, t.Record)} | {
+        each.function for each in t.calls_in(part)
     }
 
 
-def _by_name(program: Program) -> dict[str, Structure | Function]:
+def _by_name(program: t.Program) -> dict[str, t.Structure | t.Function]:
     """Structures and functions of a program."""
-    parts: tuple[Structure | Function, ...] = (*program.structures, *program.functions)
+    parts: tuple[t.Structure | t.Function, ...] = (*program.structures, *program.functions)
     return {each.name: each for each in parts}
 
 
-def alike(program: Program, base: Program) -> set[str]:
+def alike(program: t.Program, base: t.Program) -> set[str]:
     """Names of what two programs have in common, all that it needs included."""
     own, known = map(_by_name, (program, base))
     found = {name for name, part in own.items() if known.get(name) == part}
@@ -105,8 +93,7 @@ def alike(program: Program, base: Program) -> set[str]:
 
 
 def _shared_names() -> set[str]:
-    program = shared_program()
-    return {each.name for each in program.structures} | {each.name for each in program.functions}
+    return set(_by_name(shared_program()))
 
 
 def regressor(blocks: Regressor, version: str) -> str:
@@ -142,7 +129,7 @@ def arithmetic(numbers: Mapping[str, tuple[int, str]] = STATUS) -> str:
     )
 
 
-def module(program: Program, names: str, version: str, without: Collection[str] = ()) -> str:
+def module(program: t.Program, names: str, version: str, without: Collection[str] = ()) -> str:
     """A program as a module on arrays; names: text that defines or imports what ``arithmetic`` does, and
     what the module is without."""
     has_pose = any(each.name == "Pose" for each in program.structures)
@@ -155,19 +142,19 @@ def module(program: Program, names: str, version: str, without: Collection[str] 
     )
 
 
-def module_beside(base: Program, name: str, program: Program, version: str) -> str:
-    """The same of a program that takes what it has in common with another one from its module."""
+def module_beside(base: t.Program, name: str, program: t.Program, version: str) -> str:
+    """A program as a module that imports what it has in common with another program from that one's."""
     shared = alike(program, base)
     return module(program, _imported(program, shared, f"{name}_arrays"), version, shared)
 
 
-def imported(program: Program) -> str:
+def imported(program: t.Program) -> str:
     """The import of what a program on arrays names in the module that they share."""
     named = {
         each.name
         for function in program.functions
-        for each in parts_of(function.body)
-        if isinstance(each, Constant)
+        for each in t.parts_of(function.body)
+        if isinstance(each, t.Constant)
     }
     return f"from .arithmetic import {', '.join([*sorted(named & STATUS.keys()), 'Arithmetic'])}"
 

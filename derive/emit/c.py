@@ -57,21 +57,16 @@ def _about(kernel: Kernel) -> str:
 
 def _interface(kernel: Kernel) -> str:
     """Inputs that the kernel reads and outputs that it writes, with shapes and units."""
-    used = {quantity for block in kernel.blocks for quantity in block.inputs}
-    rows = [
-        ("Reads of each leg", [_typed(q) for q in n.OF_LEG if q in used]),
-        ("Reads of the machine", [_typed(q) for q in n.PLATFORM if q in used]),
-        ("Reads of the motion", [_typed(q) for q in n.MOTION if q in used]),
-        *(
-            (f"Writes {name}", [f"{each.name}{each.dims} {each.unit}" for each in STRUCTS[name]])
-            for name in ("forces", "reactions")
-        ),
-    ]
-    return "\n".join(wrap_list(f" * {title}: {', '.join(names)}.", " *     ") for title, names in rows)
-
-
-def _typed(quantity: Quantity) -> str:
-    return f"{quantity.name}{f'[{len(quantity.keys)}]' if quantity.shape else ''} {quantity.unit}"
+    used = {quantity.name for block in kernel.blocks for quantity in block.inputs}
+    held = {"each leg": ("leg", "rotor"), "the machine": ("platform",), "the motion": ("motion",)}
+    rows = {
+        f"Reads of {name}": [each for struct in structs for each in STRUCTS[struct] if each.name in used]
+        for name, structs in held.items()
+    }
+    rows |= {f"Writes {name}": list(STRUCTS[name]) for name in ("forces", "reactions")}
+    lists = (", ".join(f"{m.name}{m.dims} {m.unit}" for m in members) for members in rows.values())
+    found = (f" * {title}: {names}." for title, names in zip(rows, lists, strict=True))
+    return "\n".join(wrap_list(line, " *     ") for line in found)
 
 
 def operations_table(counts: KernelOperations, frictionless: KernelOperations | None, prefix: str) -> str:
@@ -99,7 +94,7 @@ class _Source(Source):
             "reaction_terms": kernel.reactions,
         }
         self.blocks = {name: (block, _terms(name, block)) for name, block in blocks.items()}
-        leg, platform, reactions = (structure for _, structure in self.blocks.values())
+        made = (structure for _, structure in self.blocks.values())
         structures = {
             "Robot": p.ROBOT,
             "Leg": p.LEG,
@@ -109,9 +104,7 @@ class _Source(Source):
             "ForcesArrays": _pointers("forces"),
             "Reactions": _results("reactions"),
             "ReactionsArrays": _pointers("reactions"),
-            "LegTerms": leg,
-            "PlatformTerms": platform,
-            "ReactionTerms": reactions,
+            **dict(zip(("LegTerms", "PlatformTerms", "ReactionTerms"), made, strict=True)),
         }
         self.flags: dict[str, Given] = {
             "HAS_SINE": int(any(out.quantity == n.k3 for out in kernel.leg.outputs)),

@@ -6,18 +6,15 @@ the force kernel, with ``written.motion`` for what only C has; batches are those
 
 from collections.abc import Collection, Iterator
 from dataclasses import replace
-from typing import Any
 
 import sympy as sp
 
 from ..kernel import layouts as lay
 from ..kernel import outputs as o
-from ..kernel.shared import shared
 from ..kernel.tree import nodes as t
 from ..kernel.tree import read
 from ..kernel.tree.legs_in_lanes import Layout
 from ..kernel.tree.lower import expression, steps_of
-from ..kernel.tree.read import LANES
 from ..kernel.tree.settle import settled
 from ..kernel.written.motion import lanes as written
 from ..kernel.written.motion import results
@@ -28,19 +25,11 @@ from ..print.c import C
 from ..print.template import filled
 from ..program.block import Block, Operations, Quantity
 from . import closed_form_blocks as blocks
-from .closed_form_interface import (
-    OF_BATCHES,
-    PARTS,
-    STRUCTS,
-    arrays_of,
-    interface,
-    members,
-    struct_of,
-)
+from .closed_form_blocks import CHECKS, LEGS
+from .closed_form_interface import OF_BATCHES, PARTS, STRUCTS, arrays_of, interface, members, struct_of
 from .shared import LANES as HEADER
 from .shared import SIZES, header, top
 
-LEGS = 6
 FUNCTIONS = tuple(each for each in o.OUTPUTS if each != o.FORCES)
 """What the emitted file can hold, in the order of its declarations."""
 
@@ -125,27 +114,11 @@ def sum_operations(kernel: SumKernel) -> Operations:
     return LEGS * kernel.leg.operations() + kernel.pose.operations() + Operations(add=sums)
 
 
-CHECKS = t.Structure(
-    "leg_checks",
-    "What tells whether a leg is fit to be computed; bad: 1 where it is not, else 0.",
-    tuple(t.numbers(each, LANES) for each in ("L", "reach", "k3", "bad")),
-)
-
-_ADD_LEGS = t.signature(
-    "add_legs",
-    changed=("sum",),
-    lanes=t.Array(t.Real(), (1, LANES)),
-    count=t.Integer(),
-    sum=t.Array(t.Real(), (1,)),
-)
-
-
 class _Source(blocks.Batches):
     """The functions of one file, in their order."""
 
     def __init__(self, kernels: tuple[SumKernel, ...], model: ForceKernel, asked: list[str]) -> None:
-        self.model, self.asked, self.name = model, asked, model.formulation.kernel_name
-        self.kernels = {o.prefix_of(each): each for each in kernels}
+        super().__init__(model, asked, kernels)
         self.program = o.program_in_lanes(model, kernels, _texts_for(asked))
         named = {each.name: each for each in self.program.structures}
         records = {each: "".join(f"_{c.lower()}" if c.isupper() else c for c in each)[1:] for each in named}
@@ -163,8 +136,6 @@ class _Source(blocks.Batches):
             {each: f"find_{each}" for each in o.OUTPUTS},
         )
         self.public = {what: interface(self.name, what) for what in asked}
-        known = {each.name: each for each in (_ADD_LEGS, *OF_BATCHES)}
-        self.functions = known | shared().by_name
 
     def parts(self) -> Iterator[str | t.Structure | t.Function]:
         """Structures, functions and texts."""
@@ -176,7 +147,8 @@ class _Source(blocks.Batches):
         yield CHECKS
         yield blocks.MOTION_LANES
         yield self.read(written.legs_status)
-        if any(kernel.near is not None for prefix, kernel in self.kernels.items() if self._uses(prefix)):
+        summed = {each.name for each in self.program.functions}
+        if any(each.near is not None for prefix, each in self.kernels.items() if f"{prefix}_sums" in summed):
             yield self.read(written.is_near)
         yield self.read(results.not_finite)
         for function in self.program.functions:
@@ -198,7 +170,7 @@ class _Source(blocks.Batches):
             if what in self.asked:
                 yield from self.own(what)
         if set(blocks.OUTPUTS) & set(self.asked):
-            yield blocks.of_leg(self.name)
+            yield self.structures["OfLeg"]
             yield from self.shared_by_blocks()
         for what in ORDER:
             if what in self.asked and what in blocks.OUTPUTS:
@@ -210,21 +182,10 @@ class _Source(blocks.Batches):
         self.functions[function.name] = function
         return function
 
-    def _uses(self, prefix: str) -> bool:
-        return any(each.name == f"{prefix}_sums" for each in self.program.functions)
-
-    def read(self, text: o.Written, name: str = "", **more: Any) -> t.Function:
-        structures = {"Checked": CHECKS, **more.pop("structures", {})}
-        found = read.function(text, structures, self.functions, name, **more)
-        self.functions[found.name] = found
-        return found
-
     def _forces(self) -> t.Function:
         record = t.Structure(self.layout.records["Forces"], "", o.RESULTS["forces"].members)
-        known = f"stewart_{self.name}_forces"
-        self.functions[known] = self.known_forces()
-        structures = {"Forces": record, **self.given()}
-        return self.read(written.forces, "find_forces", structures=structures, names={"kernel_forces": known})
+        names = {"kernel_forces": f"stewart_{self.name}_forces"}
+        return self.read(written.forces, "find_forces", structures={"Forces": record}, names=names)
 
     def _check(self, what: str) -> t.Function:
         """Says where a result is not finite: vectors number by number, of matrices how many numbers."""
@@ -253,71 +214,32 @@ class _Source(blocks.Batches):
             (*vectors, *matrices),
         )
 
-    def given(self) -> dict[str, t.Structure]:
-        of = self.layout.records
-        return {each: t.Structure(of[each], "", ()) for each in ("Model", "Motion")}
-
     def _kernel(self, prefix: str) -> Iterator[t.Structure | t.Function]:
         """One kernel: the pose's part, the legs' parts, both added up."""
         kernel = self.kernels[prefix]
         legs = {"leg": kernel.leg} | ({} if kernel.near is None else {"near": kernel.near})
-        pose = self.pose_structure(prefix, kernel)
-        of_legs = self.legs_structure(prefix, kernel)
-        yield pose
-        yield of_legs
-        structures = {"Pose": pose, "Legs": of_legs, "MotionLanes": blocks.MOTION_LANES, **self.given()}
+        structures = {"Pose": self.pose_structure(prefix), "Legs": self.legs_structure(prefix)}
+        yield from structures.values()
         count = sum(len(q.keys) for q in kernel.summed)
         given: dict[str, read.Given] = {"COUNT": count, "HAS_NEAR": int("near" in legs)}
         names = {f"{part}_terms": f"{prefix}_of_{part}" for part in ("pose", "leg", "near")}
         outside, inside = self._pose_body(kernel)
+        own: dict[str, read.Given] = {"OUTSIDE": outside, "BLOCK": inside}
         pose_terms = self.read(
-            written.pose_terms,
-            names["pose_terms"],
-            structures=structures,
-            given=given | {"OUTSIDE": outside, "BLOCK": inside},
+            written.pose_terms, names["pose_terms"], structures=structures, given=given | own
         )
         yield replace(pose_terms, inlined=True)
         for part, block in legs.items():
             outside, inside = self._leg_body(kernel, block)
-            found = self.read(
-                written.leg_terms,
-                f"{prefix}_of_{part}",
-                structures=structures,
-                given=given | {"OUTSIDE": outside, "BLOCK": inside} | checks(block),
-            )
-            self.functions[found.name] = replace(found, apart=True)
-            yield self.functions[found.name]
-        yield self.read(
-            written.sums,
-            f"{prefix}_sums",
-            structures=structures | {"Checked": CHECKS},
-            given=given
-            | {
-                "GIVEN": lay.entries(q for q in GIVEN if q in kernel.leg.inputs),
-                "MOVED": lay.entries(q for q in n.MOTION if q in _read_of(kernel)),
-                "OF_POSE": lay.entries(_handed(kernel)),
-            },
-            names=names,
-        )
-
-    def pose_structure(self, prefix: str, kernel: SumKernel) -> t.Structure:
-        members = tuple(lay.stored(q, LANES) for q in _handed(kernel))
-        return t.Structure(f"{prefix}_pose", "", members, aligned=bool(members))
-
-    def legs_structure(self, prefix: str, kernel: SumKernel) -> t.Structure:
-        count = sum(len(q.keys) for q in kernel.summed)
-        held = [q for q in GIVEN if q in kernel.leg.inputs] + blocks.kept(kernel)
-        return t.Structure(
-            f"{prefix}_legs",
-            "",
-            (
-                t.numbers("sum", count, LANES),
-                *(lay.stored(q, LANES, always=False) for q in held),
-                t.Field("checked", t.Record(CHECKS.name)),
-                t.Field("status", t.Integer()),
-            ),
-            aligned=True,
-        )
+            own = {"OUTSIDE": outside, "BLOCK": inside} | checks(block)
+            name = f"{prefix}_of_{part}"
+            yield self.read(written.leg_terms, name, apart=True, given=given | own, structures=structures)
+        given |= {
+            "GIVEN": lay.entries(q for q in GIVEN if q in kernel.leg.inputs),
+            "MOVED": lay.entries(q for q in n.MOTION if q in _read_of(kernel)),
+            "OF_POSE": lay.entries(blocks.handed(kernel)),
+        }
+        yield self.read(written.sums, f"{prefix}_sums", structures=structures, given=given, names=names)
 
     def _pose_body(self, kernel: SumKernel) -> blocks.Parted:
         block = kernel.pose
@@ -371,11 +293,6 @@ def _read_of(kernel: SumKernel) -> set[Quantity]:
     """What the legs read, for themselves and for how they are checked, and the platform."""
     near = () if kernel.near is None else kernel.near.inputs
     return {*kernel.pose.inputs, *kernel.leg.inputs, *near, n.t}
-
-
-def _handed(kernel: SumKernel) -> list[Quantity]:
-    """What a pose hands to its legs."""
-    return [out.quantity for out in kernel.pose.outputs if out.quantity not in kernel.summed]
 
 
 def _sums(kernel: SumKernel, block: Block) -> list[sp.Expr]:

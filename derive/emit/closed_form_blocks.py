@@ -1,16 +1,16 @@
 """Results of the closed form in C, of one pose and of eight side by side: what their texts are given."""
 
-from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
-from typing import Any
 
 from ..kernel import batches
 from ..kernel import layouts as lay
 from ..kernel import outputs as o
-from ..kernel.batches import LOADS, MOTIONS, copied, copies, loaded_block, missing
-from ..kernel.model import STATUS_FIELD
+from ..kernel.batches import LOADS, MOTIONS, copied, copies, loaded_block, missing, parts_at
+from ..kernel.model import result
 from ..kernel.outputs import SIX, inertia_at
+from ..kernel.prepare import MOTION
+from ..kernel.shared import shared
 from ..kernel.tree import nodes as t
 from ..kernel.tree import read
 from ..kernel.tree.read import LANES
@@ -18,16 +18,16 @@ from ..kernel.written.motion import blocks as texts
 from ..kernel.written.motion import results
 from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel
-from ..mechanics.closed_form import F_LEG, SumKernel
+from ..mechanics.closed_form import F_LEG, GIVEN, SumKernel
 from ..mechanics.closed_form.terms import BY_POSE, BY_TWIST, CORIOLIS
 from ..program.block import Quantity
-from .closed_form_interface import STRUCTS, arrays_of, in_place, members, members_in_order, struct_of
+from .closed_form_interface import OF_BATCHES, STRUCTS, arrays_of, in_place, members_in_order, struct_of
 
 OUTPUTS = ("equations", "bias", "forward_dynamics", "derivatives")
-"""Of those whose batches are blocks of eight poses."""
+"""Functions whose batch takes eight poses at a time."""
 
 OWN = ("equations", "bias", "derivatives")
-"""Of those whose function of one pose is written for C as well."""
+"""Functions whose C of one pose has a text of its own; the others share theirs with other languages."""
 
 LEGS = 6
 
@@ -42,17 +42,19 @@ MOTION_LANES = t.Structure(
 )
 
 
-def of_leg(name: str) -> t.Structure:
-    """A leg of a kernel's model."""
-    return t.Structure(
-        "leg_in_lanes",
-        "The constants of one leg in every lane.",
-        (t.Field("model", t.Record(f"stewart_{name}_model")),),
-        aligned=True,
-    )
+CHECKS = t.Structure(
+    "leg_checks",
+    "What tells whether a leg is fit to be computed; bad: 1 where it is not, else 0.",
+    tuple(t.numbers(each, LANES) for each in ("L", "reach", "k3", "bad")),
+)
 
-
-_ROW = 6
+_ADD_LEGS = t.signature(
+    "add_legs",
+    changed=("sum",),
+    lanes=t.Array(t.Real(), (1, LANES)),
+    count=t.Integer(),
+    sum=t.Array(t.Real(), (1,)),
+)
 
 
 def placed(summed: tuple[Quantity, ...]) -> list[tuple[Quantity, int]]:
@@ -63,7 +65,7 @@ def placed(summed: tuple[Quantity, ...]) -> list[tuple[Quantity, int]]:
         if four is None:
             found += [(q, i) for i in range(len(q.keys))]
         elif q == four[0]:
-            rows = [(i, j) for i in range(_ROW) for j in range(_ROW)]
+            rows = [(i, j) for i in range(LEGS) for j in range(LEGS)]
             found += [(four[2 * (i // 3) + j // 3], 3 * (i % 3) + j % 3) for i, j in rows]
     return found
 
@@ -152,7 +154,7 @@ class Results:
         return found | of_block | {"sums": f"{self.prefix}_sums"}
 
     def given(self) -> dict[str, read.Given]:
-        """Of all functions: places of numbers, and what legs keep of them."""
+        """What every text is given: where numbers are, and what legs keep of them."""
         leg = t.Name("leg")
         of_block, of_one = t.of("out", "number"), t.Name("number")
         lanes = t.Number(LANES)
@@ -165,11 +167,15 @@ class Results:
             "HAS_F": int(self.has_f),
             "FORCES_FIRST": int(self.forces_first),
             "KEPT_OF_LEG": tuple(
-                t.Assign(t.Element(of_block, (lanes * (slot + leg) + lay.LANE,)), place(lay.LANE))
-                for place, slot in self._slots()
+                t.Assign(
+                    t.Element(of_block, (lanes * (slot + leg) + lay.LANE,)),
+                    lay.member("legs", q, lay.LANE).part(q, i),
+                )
+                for q, i, slot in self._slots()
             ),
             "TAKEN": tuple(
-                t.Assign(t.Element(of_one, (slot + leg,)), place(leg)) for place, slot in self._slots()
+                t.Assign(t.Element(of_one, (slot + leg,)), lay.member("legs", q, leg).part(q, i))
+                for q, i, slot in self._slots()
             ),
             **self._places(),
             **({} if self.has_f else {"acting": False}),
@@ -188,47 +194,31 @@ class Results:
             return {**found, **first, "ROW": 40, "TABLE": 240, "ALL": self.width + 2}
         return {}
 
-    def _slots(self) -> Iterator[tuple[Callable[[t.Expression], t.Expression], t.Expression]]:
-        """Each number that legs keep: where it is in a lane, and where those of six legs begin."""
+    def _slots(self) -> Iterator[tuple[Quantity, int, t.Expression]]:
+        """Each number that legs keep, and where those of six legs begin."""
         numbers = [(q, i) for q in self.kept for i in range(len(q.keys))]
-        for slot, (q, i) in enumerate(numbers):
-
-            def place(lane: t.Expression, q: Quantity = q, i: int = i) -> t.Expression:
-                return lay.member("legs", q, lane).part(q, i)
-
-            yield place, t.Number(self.base + LEGS * slot)
-
-    def one(self) -> dict[str, read.Given]:
-        """Of the function of one pose."""
-        return missing(("model", "motion", "out"))
+        return ((q, i, t.Number(self.base + LEGS * slot)) for slot, (q, i) in enumerate(numbers))
 
     def batch(self) -> dict[str, read.Given]:
-        """Of the batch."""
+        """What the text of the batch is given besides."""
         needed = (n.R, n.t, n.omega, n.v, *((n.alpha, n.a) if self.forces_first else ()))
         forced = self.has_f and not self.forces_first
-        load: read.Given = texts.forces_of_block if self.forces_first else texts.acting_of_block
         of_block: dict[str, read.Given] = {
             "equations": texts.finished_equations,
             "bias": texts.finished_in_lanes,
             "forward_dynamics": texts.finished_accelerations,
             "derivatives": texts.finished_forces,
         }
-        of_array = self.what in ("bias", "forward_dynamics")
         return {
             "ROWS": LANES * self.width + 2 * self.forces_first,
-            "begin": texts.begun_array if of_array else texts.begun_structure,
-            "load_acting": load if self.has_f else (),
             "finish_block": of_block[self.what],
             "one_by_one": texts.one_by_one,
-            "IN_LANES": int(not self.forces_first),
             "finished_in_lanes": texts.finished_in_lanes,
-            "finish": texts.finished_slopes if self.forces_first else (),
-            "find": texts.found_under_forces if forced else texts.found_alone,
             "inertia": inertia_at(
                 lambda _, __, i: t.Element(t.of("block", "number"), (t.Number(LANES * i) + lay.LANE,))
             ),
             **({} if forced else {"F": False}),
-            **_parts(),
+            **parts_at(LOADS, (), "part", "first", t.Constant("NULL")),
             **missing(("model", "motions", "out", *(["F"] if forced else [])), needed),
         }
 
@@ -238,113 +228,87 @@ def _in_lanes(i: int) -> t.Expression:
     return t.Element(t.Name("number"), (t.Number(i) * t.Name("lanes") + lay.LANE,))
 
 
-def solve_in_lanes() -> dict[str, read.Given]:
-    """Of ``written.motion.results.solve_inertia``."""
-    return {
-        **SIX,
-        "weigh_pivot": texts.stored_pivot,
-        "inertia": inertia_at(lambda _, __, i: _in_lanes(i)),
-        "right": lambda i: _in_lanes(21 + i.value),
-    }
-
-
-def solve_of_one() -> dict[str, read.Given]:
-    """Of ``written.motion.results.accelerations_of``."""
-    return {"inertia": inertia_at(lambda _, __, i: t.at("summed", i))}
-
-
 def _symmetric(first: int) -> tuple[t.Statement, ...]:
     """M, row by row, from its parts."""
     part = inertia_at(lambda _, __, i: t.Name(f"m_{i}"))
-    cells = [(i, j) for i in range(_ROW) for j in range(_ROW)]
+    cells = [(i, j) for i in range(LEGS) for j in range(LEGS)]
     return (
         *(t.Let(f"m_{i}", _in_lanes(first + i)) for i in range(21)),
         *(
-            t.Assign(_in_lanes(_ROW * i + j), part(t.Number(min(i, j)), t.Number(max(i, j))))
+            t.Assign(_in_lanes(LEGS * i + j), part(t.Number(min(i, j)), t.Number(max(i, j))))
             for i, j in cells
         ),
     )
 
 
-def _parts() -> dict[str, read.Given]:
-    """Addresses of a block's motions in those of all."""
-    found = []
-    for q in n.MOTION:
-        given = t.of("motions", q.name)
-        place: t.Expression = t.From(given, t.As(t.Count(), t.Number(len(q.keys))) * t.Name("first"))
-        if q in LOADS:
-            place = t.Select(t.Binary("!=", given, t.Constant("NULL")), place, t.Constant("NULL"))
-        found.append(t.Assign(t.of("part", q.name), place))
-    return {"PARTS": tuple(found)}
-
-
 def kept(kernel: SumKernel) -> list[Quantity]:
     """What legs hand out beside their part of the sums."""
-    checked = (n.q, n.L, n.k3)
-    return [out.quantity for out in kernel.leg.outputs if out.quantity not in (*kernel.summed, *checked)]
+    others = (*kernel.summed, *lay.CHECKED)
+    return [out.quantity for out in kernel.leg.outputs if out.quantity not in others]
 
 
-class Batches(ABC):
-    """The functions of one file that make results of sums, of one pose and of many."""
+def handed(kernel: SumKernel) -> list[Quantity]:
+    """What a pose hands to its legs."""
+    return [out.quantity for out in kernel.pose.outputs if out.quantity not in kernel.summed]
 
-    name: str
-    asked: list[str]
-    model: ForceKernel
-    kernels: dict[str, SumKernel]
-    functions: dict[str, t.Function]
 
-    @abstractmethod
-    def read(self, text: o.Written, name: str = "", **more: Any) -> t.Function:
-        """One more function."""
+class Batches:
+    """The functions of one file that make results of sums, of one pose and of many.
 
-    @abstractmethod
-    def given(self) -> dict[str, t.Structure]:
-        """Structures that all functions may name."""
+    structures: those that all texts may name; functions: those that were read, and others that they may call.
+    """
 
-    @abstractmethod
-    def pose_structure(self, prefix: str, kernel: SumKernel) -> t.Structure:
-        """What a pose hands to its legs."""
+    def __init__(self, model: ForceKernel, asked: list[str], kernels: Iterable[SumKernel]) -> None:
+        """asked: the outputs; kernels: those of ``kernels_of``."""
+        self.model, self.asked, self.name = model, asked, model.formulation.kernel_name
+        self.kernels = {o.prefix_of(each): each for each in kernels}
+        leg = (t.Field("model", t.Record(f"stewart_{self.name}_model")),)
+        says = "The constants of one leg in every lane."
+        self.structures = {
+            "Model": t.Structure(f"stewart_{self.name}_model", "", ()),
+            "Motion": MOTION,
+            "Motions": MOTIONS,
+            "MotionLanes": MOTION_LANES,
+            "Checked": CHECKS,
+            "OfLeg": t.Structure("leg_in_lanes", says, leg, aligned=True),
+        }
+        known = (_ADD_LEGS, *OF_BATCHES, *self._forces_as_called())
+        self.functions = {each.name: each for each in known} | shared().by_name
+        self.read = lay.Written(self.structures, {}, self.functions).function
 
-    @abstractmethod
-    def legs_structure(self, prefix: str, kernel: SumKernel) -> t.Structure:
-        """The legs of a pose, or one leg of eight."""
-
-    def known_forces(self) -> t.Function:
-        """The forces of one pose as they are called."""
-        return t.signature(
-            f"stewart_{self.name}_forces",
-            t.Integer(),
-            ("F",),
-            **dict.fromkeys(("model", "motion"), t.Record("")),
-            F=t.Array(t.Real(), (LEGS,)),
-        )
-
-    def _forces_batch(self) -> t.Function:
-        """The batch of forces as it is called."""
+    def _forces_as_called(self) -> Iterator[t.Function]:
+        """The forces of one pose, and their batch."""
+        name, records = f"stewart_{self.name}_forces", dict.fromkeys(("model", "motion"), t.Record(""))
+        yield t.signature(name, t.Integer(), ("F",), **records, F=t.Array(t.Real(), (LEGS,)))
         arrays = dict.fromkeys(("F", "status"), t.Pointer(t.Real()))
-        return t.signature(
-            f"stewart_{self.name}_forces_batch",
-            t.Integer(),
-            ("F", "status"),
-            model=t.Record(""),
-            count=t.Count(),
-            motions=t.Record(""),
-            **arrays,
+        of_many = {"model": t.Record(""), "count": t.Count(), "motions": t.Record(""), **arrays}
+        yield t.signature(f"{name}_batch", t.Integer(), ("F", "status"), **of_many)
+
+    def pose_structure(self, prefix: str) -> t.Structure:
+        """What a pose hands to its legs."""
+        members = tuple(lay.stored(q, LANES) for q in handed(self.kernels[prefix]))
+        return t.Structure(f"{prefix}_pose", "", members, aligned=bool(members))
+
+    def legs_structure(self, prefix: str) -> t.Structure:
+        """The legs of a pose, or one leg of eight."""
+        kernel = self.kernels[prefix]
+        held = [q for q in GIVEN if q in kernel.leg.inputs] + kept(kernel)
+        members = (
+            t.numbers("sum", sum(len(q.keys) for q in kernel.summed), LANES),
+            *(lay.stored(q, LANES, always=False) for q in held),
+            t.Field("checked", t.Record(CHECKS.name)),
+            t.Field("status", t.Integer()),
         )
+        return t.Structure(f"{prefix}_legs", "", members, aligned=True)
 
     def shared_by_blocks(self) -> Iterator[t.Function]:
         """What all kernels need for blocks of eight poses."""
-        structures = {**self.given(), "Motions": MOTIONS, "MotionLanes": MOTION_LANES}
-        yield self.read(
-            texts.spread_leg,
-            structures=structures,
-            given={"OF_LEG": lay.entries(self.model.leg_constants())},
-        )
-        yield self.read(texts.load_motions, structures=structures, given={"LOADS": LOADED})
+        yield self.read(texts.spread_leg, given={"OF_LEG": lay.entries(self.model.leg_constants())})
+        yield self.read(texts.load_motions, given={"LOADS": LOADED})
         if {"forward_dynamics", "derivatives"} & set(self.asked):
             yield self.read(texts.load_forces)
-        yield replace(self.read(texts.add_two), apart=True)
-        yield replace(self.read(texts.in_rows), apart=True)
+        yield self.read(texts.add_two, apart=True)
+        yield self.read(texts.in_rows, apart=True)
         if {"equations", "bias", "forward_dynamics"} & set(self.asked):
             yield self.read(texts.any_of)
 
@@ -354,71 +318,47 @@ class Batches(ABC):
         kernel = self.kernels[prefix]
         made = Results(prefix, what, kernel, [] if what == "bias" else kept(kernel))
         structures = {
-            **self.given(),
-            "Motions": MOTIONS,
-            "MotionLanes": MOTION_LANES,
-            "Pose": self.pose_structure(prefix, kernel),
-            "Legs": self.legs_structure(prefix, kernel),
+            "Pose": self.pose_structure(prefix),
+            "Legs": self.legs_structure(prefix),
             "Block": made.block(),
-            "OfLeg": of_leg(self.name),
         }
         if what in STRUCTS:
-            structures |= {
-                "Result": struct_of(what),
-                "ResultArrays": arrays_of(what, ""),
-                "Found": struct_of(what),
-            }
+            filled = struct_of(what)
+            structures |= {"Result": filled, "ResultArrays": arrays_of(what, ""), "Found": filled}
         return made, structures
 
     def own(self, what: str) -> Iterator[t.Function]:
         """The function of one pose, and what it makes a result with."""
         made, structures = self._results(what)
         names = made.names() | {"kernel_forces": f"stewart_{self.name}_forces"}
-        self.functions[names["kernel_forces"]] = self.known_forces()
         if what == "equations":
             yield replace(self.read(results.matrices, given=made.given()), inlined=True)
         if what == "derivatives":
-            yield replace(self.read(results.factored), apart=True)
-            yield replace(self.read(results.back), apart=True)
-            slopes = self.read(results.slopes, structures=structures, given=made.given())
-            yield replace(aligned(slopes), apart=True)
-        copied_one = tuple(
-            t.For(
-                "i",
-                t.Number(0),
-                t.Number(count),
-                (
-                    t.Assign(
-                        t.at(t.of("out", each), "i"), t.Element(t.Name("number"), (place + t.Name("i"),))
-                    ),
-                ),
-            )
-            for each, place, count in members_in_order(what)
-        )
-        text = next(
-            each for each in (results.equations, results.bias, results.derivatives) if each.__name__ == what
-        )
-        yield aligned(
-            self.read(
-                text,
-                f"stewart_{self.name}_{what}",
-                structures=structures,
-                given=made.given() | made.one() | {"COPIED": copied_one},
-                names=names,
-                public=True,
-            )
-        )
+            yield self.read(results.factored, apart=True)
+            yield self.read(results.back, apart=True)
+            yield aligned(self.read(results.slopes, apart=True, structures=structures, given=made.given()))
+        copied_one = []
+        for each, place, count in members_in_order(what):
+            number = t.Element(t.Name("number"), (place + t.Name("i"),))
+            taken = t.Assign(t.at(t.of("out", each), "i"), number)
+            copied_one.append(t.For("i", t.Number(0), t.Number(count), (taken,)))
+        given = made.given() | missing(("model", "motion", "out")) | {"COPIED": tuple(copied_one)}
+        name, text = f"stewart_{self.name}_{what}", getattr(results, what)
+        yield aligned(self.read(text, name, structures=structures, given=given, names=names, public=True))
 
     def accelerations(self) -> Iterator[t.Function]:
         """The solve of forward dynamics."""
         made, structures = self._results("forward_dynamics")
-        found = t.Structure("forward_dynamics_found", "", (t.numbers("acceleration", 6), STATUS_FIELD))
-        yield replace(self.read(results.solve_inertia, given=solve_in_lanes()), inlined=True)
-        yield self.read(
-            results.accelerations_of,
-            structures=structures | {"Found": found},
-            given=made.given() | solve_of_one(),
-        )
+        found = result("forward_dynamics_found", "", t.numbers("acceleration", 6))
+        in_lanes: dict[str, read.Given] = {
+            **SIX,
+            "weigh_pivot": texts.stored_pivot,
+            "inertia": inertia_at(lambda _, __, i: _in_lanes(i)),
+            "right": lambda i: _in_lanes(21 + i.value),
+        }
+        yield replace(self.read(results.solve_inertia, given=in_lanes), inlined=True)
+        given = made.given() | {"inertia": inertia_at(lambda _, __, i: t.at("summed", i))}
+        yield self.read(results.accelerations_of, structures=structures | {"Found": found}, given=given)
 
     def of_blocks(self, what: str) -> Iterator[t.Structure | t.Function]:
         """A batch, and what its blocks do."""
@@ -427,33 +367,25 @@ class Batches(ABC):
         yield structures["Block"]
         names = made.names() | {"kernel_forces_batch": f"stewart_{self.name}_forces_batch"}
         names |= {"of_pose": f"stewart_{self.name}_{what}"}
-        names |= {} if struct else {"ResultArrays": "Pointer(Real)"}
-        self.functions[names["kernel_forces_batch"]] = self._forces_batch()
+        names |= {} if struct else {"Found": f"array({LEGS})", "ResultArrays": "Pointer(Real)"}
         for text in (texts.leg_of_block, texts.sums_of_block):
-            found = self.read(
-                text, names[text.__name__], structures=structures, given=made.given(), names=names
+            yield aligned(
+                self.read(text, names[text.__name__], structures=structures, given=made.given(), names=names)
             )
-            yield aligned(found)
         row = t.Name("l") * t.Number(made.width)
-        alone = copies("out", members(what)) if struct else (copied(t.Name("out"), t.Name("found"), 6),)
+        counts = {each: count for each, _, count in members_in_order(what)}
+        alone = copies("out", counts) if struct else (copied(t.Name("out"), t.Name("found"), 6),)
         in_rows = tuple(
             copied(t.of("out", each) if struct else t.Name("out"), t.From(t.Name("row"), row + place), count)
             for each, place, count in members_in_order(what)
         )
-        yield aligned(
-            self.read(
-                texts.batch_of_blocks,
-                f"stewart_{self.name}_{what}_batch",
-                structures=structures,
-                given={
-                    **made.given(),
-                    **made.batch(),
-                    **batches.BATCH,
-                    "COPIED": alone if what == "derivatives" else in_rows,
-                    "COPIED_ALONE": alone,
-                    "IN_PLACE": tuple(in_place(what)),
-                },
-                names=names,
-                public=True,
-            )
-        )
+        given: dict[str, read.Given] = {
+            **made.given(),
+            **made.batch(),
+            **batches.BATCH,
+            "COPIED": alone if what == "derivatives" else in_rows,
+            "COPIED_ALONE": alone,
+            "IN_PLACE": tuple(in_place(what)),
+        }
+        name, many = f"stewart_{self.name}_{what}_batch", texts.batch_of_blocks
+        yield aligned(self.read(many, name, structures=structures, given=given, names=names, public=True))

@@ -4,9 +4,10 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from ..kernel import batches
+from ..kernel import layouts as lay
 from ..kernel import outputs as o
 from ..kernel.batches import LOADS, MOTIONS, copied, copies, loaded_one, missing
-from ..kernel.model import STATUS_FIELD
+from ..kernel.model import result
 from ..kernel.prepare import MOTION
 from ..kernel.tree import nodes as t
 from ..kernel.tree import read
@@ -24,19 +25,19 @@ STRUCTS = {
 """Functions that fill a structure, and what it says."""
 
 PARTS = {
-    (result, part): ("acceleration", first)
-    for result in ("Accelerations", "Linearisation")
+    (structure, part): ("acceleration", first)
+    for structure in ("Accelerations", "Linearisation")
     for part, first in (("a", 0), ("alpha", 3))
 }
 
 
 def members(what: str) -> dict[str, int]:
     """Members of what a function fills, and how many numbers each has."""
-    result = o.RESULTS[what]
+    filled = o.RESULTS[what]
     found: dict[str, int] = {}
-    for each in result.members:
+    for each in filled.members:
         if isinstance(each.type, t.Array):
-            whole = PARTS.get((result.name, each.name), (each.name, 0))[0]
+            whole = PARTS.get((filled.name, each.name), (each.name, 0))[0]
             count = each.type.dims[0] * (each.type.dims[1] if len(each.type.dims) == 2 else 1)
             found[whole] = found.get(whole, 0) + count
     return found
@@ -78,43 +79,34 @@ def interface(name: str, what: str) -> tuple[t.Function, t.Function]:
     ((first, count), *_) = counts.items()
     forced = ["F"] if what in o.FORCED else []
     given: dict[str, read.Given] = {} if forced else {"F": False}
-    held = {"Model": t.Structure(f"stewart_{name}_model", "", ()), "Motion": MOTION, "Motions": MOTIONS}
-    found, out, i = t.Name("found"), t.Name("out"), t.Name("i")
+    found, out = t.Name("found"), t.Name("out")
     whole = t.Field("of", t.Record(f"stewart_{what}")) if struct else t.numbers(first, count)
-    held["Found"] = t.Structure(f"{what}_found", "", (whole, STATUS_FIELD))
+    held = {
+        "Model": t.Structure(f"stewart_{name}_model", "", ()),
+        "Motion": MOTION,
+        "Motions": MOTIONS,
+        "Found": result(f"{what}_found", "", whole),
+        **({"Result": struct_of(what)} if struct else {}),
+    }
     arguments = dict.fromkeys(("model", "motion", *forced, "found"), t.Record(""))
     find = t.signature(f"find_{what}", changed=("found",), **arguments)
+    texts = lay.Written(held, given, {each.name: each for each in (find, *OF_BATCHES)})
     taken: t.Statement = t.Assign(out, t.Member(found, "of"))
-    if struct:
-        held |= {"Result": struct_of(what)}
-    else:
-        number = t.Assign(t.Element(t.Name(first), (i,)), t.Element(t.Member(found, first), (i,)))
+    if not struct:
+        number = t.Assign(t.at(first, "i"), t.at(t.Member(found, first), "i"))
         taken = t.For("i", t.Number(0), t.Number(count), (number,))
-    own = {} if struct else {"out": first, "Result": f"array({count})"}
-    needed = missing(("model", "motion", *forced, own.get("out", "out")))
-    one = read.function(
-        batch.closed_form,
-        held,
-        {find.name: find},
-        f"stewart_{name}_{what}",
-        True,
-        given | needed | {"COPIED": (taken,)},
-        {"find": find.name, **own},
-    )
-    if struct:
-        held |= {"Found": struct_of(what), "ResultArrays": arrays_of(what, "")}
-    own = {} if struct else {"Found": f"array({count})", "ResultArrays": "Pointer(Real)"}
+    needed = missing(("model", "motion", *forced, "out" if struct else first)) | {"COPIED": (taken,)}
+    names = {"find": find.name, **({} if struct else {"out": first, "Result": f"array({count})"})}
+    one = texts.function(batch.closed_form, f"stewart_{name}_{what}", True, given=needed, names=names)
     motions = (n.R, n.t, n.omega, n.v, *((n.alpha, n.a) if what == "derivatives" else ()))
     done = copies("out", counts) if struct else (copied(out, found, count),)
     needed = missing(("model", "motions", "out", *forced), motions)
-    many = read.function(
-        batch.closed_form_batch,
-        held,
-        {each.name: each for each in (one, *OF_BATCHES)},
-        f"{one.name}_batch",
-        True,
-        given | needed | batches.batch(batch.one_closed_form, done),
-        {"of_pose": one.name, **own},
+    needed |= batches.batch(batch.one_closed_form, done)
+    of_arrays = {"Found": f"array({count})", "ResultArrays": "Pointer(Real)"}
+    names = {"of_pose": one.name, **({} if struct else of_arrays)}
+    more = {"Found": struct_of(what), "ResultArrays": arrays_of(what, "")} if struct else {}
+    many = texts.function(
+        batch.closed_form_batch, f"{one.name}_batch", True, given=needed, structures=more, names=names
     )
     says = "Inertia that the actuators feel, H^-1 M H^-T: H^T [v; omega] are the rates of the leg lengths."
     return replace(one, meaning=says if what == "joint_inertia" else ""), replace(many, meaning="")

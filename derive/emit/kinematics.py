@@ -20,9 +20,9 @@ from .shared import ARITHMETIC, header, top
 STEPS = {"double": (3, 4, 6), "float": (2, 3, 5)}
 """Steps from near, middling and far guesses, as the header says; the tests hold the kernel to them."""
 
-_OF_STEWART_H = {"Leg": "stewart_leg", "Robot": "stewart_robot", "Motion": "stewart_motion"}
-_OF_ARRAYS = _OF_STEWART_H | {"Motion": "stewart_motions", "LegsArrays": "stewart_legs_arrays"}
-_OF_POSES = _OF_STEWART_H | {"Pose": "stewart_pose"}
+OF_STEWART_H = {"Leg": "stewart_leg", "Robot": "stewart_robot", "Motion": "stewart_motion"}
+_OF_ARRAYS = OF_STEWART_H | {"Motion": "stewart_motions", "LegsArrays": "stewart_legs_arrays"}
+_OF_POSES = OF_STEWART_H | {"Pose": "stewart_pose"}
 
 
 def kinematics_files(blocks: Kinematics, version: str) -> dict[str, str]:
@@ -47,7 +47,7 @@ def legs_files(blocks: Kinematics, version: str) -> dict[str, str]:
 
 def rotation_files(blocks: Iterable[Block], version: str) -> dict[str, str]:
     """``stewart_rotation``: R, omega and alpha of a motion from roll, pitch and yaw, or from a quaternion."""
-    return _files("rotation", rotation_program(blocks), _OF_STEWART_H, version)
+    return _files("rotation", rotation_program(blocks), OF_STEWART_H, version)
 
 
 def _listed(numbers: tuple[int, int, int]) -> str:

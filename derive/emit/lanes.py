@@ -29,8 +29,6 @@ from .c import operations_table
 from .shared import LANES as HEADER
 from .shared import Part, Source, header, top
 
-CHECKED = (n.q, n.L, n.k3)
-"""Outputs of a leg by which it is checked; they are not stored as they are."""
 _ROWS = {n.H_force: 0, n.H_moment: 3}
 """First row of the part of a column of H."""
 _BASE_REACH = t.Field("base_reach", t.Real(), "m: largest coordinate of the base points")
@@ -97,14 +95,10 @@ def reach_terms(kernel: ForceKernel) -> tuple[list[sp.Expr], tuple[Quantity, ...
 
 def as_far_as_roots(leg: Block) -> tuple[Block, Block]:
     """The steps that roots are made of, roots and their reciprocals; and all others with the outputs."""
-    made = {step.name: step for step in leg.steps}
-    needed: set[str] = set()
-    waiting = [step.name for step in leg.steps if _has_root(step.expr)]
-    while waiting:
-        name = waiting.pop()
-        if name in made and name not in needed:
-            needed.add(name)
-            waiting += [symbol.name for symbol in made[name].expr.free_symbols]
+    half = sp.Rational(1, 2)
+    rooted = [step for step in leg.steps if any(each.exp == half for each in step.expr.atoms(sp.Pow))]
+    before, _ = lay.parted_steps(leg, (step.symbol for step in rooted))
+    needed = {step.name for step in before}
     reciprocals = [step for step in leg.steps if step.expr.is_Pow and step.expr.exp == -1]
     needed |= {step.name for step in reciprocals if {s.name for s in step.expr.free_symbols} <= needed}
     first = tuple(step for step in leg.steps if step.name in needed)
@@ -112,10 +106,6 @@ def as_far_as_roots(leg: Block) -> tuple[Block, Block]:
     parts = replace(leg, steps=first, outputs=()), replace(leg, steps=others)
     roots, rest = (replace(part, inputs=part.used_inputs()) for part in parts)
     return roots, rest
-
-
-def _has_root(expr: sp.Expr) -> bool:
-    return any(power.exp == sp.Rational(1, 2) for power in expr.atoms(sp.Pow))
 
 
 class _Source(Source):
@@ -143,83 +133,57 @@ class _Source(Source):
         moved = [out.quantity for out in kernel.shift.outputs]
         blocks = (kernel.leg, kernel.moments) if kernel.about_tip else (kernel.leg,)
         terms = [out.quantity for block in blocks for out in block.outputs]
-        terms = [q for q in terms if q not in (*CHECKED, *_ROWS)]
-        kept = [q for q in (n.q, *lay.RIGHT_SIDE) if q in self.given]
-        sine = [t.numbers("k3", LANES)] if n.k3 in self.given else []
-        known = [t.numbers("D", 6, POSES)] if n.D in self.given else []
-        bad = "1 where a leg, a pivot or a force needs a closer look, else 0"
-        model = t.Structure(
-            f"stewart_{kernel.name}_model",
-            "What differs from leg to leg; the last two lanes repeat leg 6."
-            if self.baked
-            else "A robot's constants, prepared once; legs in lanes, the last two lanes repeat leg 6.",
-            (
-                *(lay.described(q, LANES) for q in kernel.leg_constants()),
-                *(lay.described(q) for q in kernel.platform_constants()),
-                *([] if self.baked else [p.PER_LENGTH, p.ARM_CUBE, _BASE_REACH]),
-            ),
+        terms = [q for q in terms if q not in (*lay.CHECKED, *_ROWS)]
+        kept = [lay.stored(q, POSES) for q in (n.q, *lay.RIGHT_SIDE) if q in self.given]
+        says = "What differs from leg to leg; the last two lanes repeat leg 6."
+        own = []
+        if not self.baked:
+            says = "A robot's constants, prepared once; legs in lanes, the last two lanes repeat leg 6."
+            own = [p.PER_LENGTH, p.ARM_CUBE, _BASE_REACH]
+        model = (
+            *(lay.described(q, LANES) for q in kernel.leg_constants()),
+            *map(lay.described, kernel.platform_constants()),
+            *own,
         )
-        return {
-            "Model": model,
-            "Motions": MOTIONS,
-            "MotionLanes": t.Structure(
+        of_pose = (
+            *(lay.stored(q, POSES) for q in self.of_pose if q not in lay.RIGHT_SIDE),
+            t.numbers("least_L", POSES, meaning="m: length of a leg that needs a closer look"),
+        )
+        of_legs = (
+            t.numbers("A", 6, LANES, meaning="H, whose columns are those of the legs"),
+            *(lay.stored(q, LANES, always=False) for q in (n.q, *terms)),
+            *(t.numbers(name, LANES) for name in ("L", "reach", *(["k3"] if n.k3 in self.given else []))),
+            t.numbers("bad", LANES, meaning="1 where the leg needs a closer look, else 0"),
+        )
+        block = (
+            t.numbers("column", 7, 6, POSES, meaning="[H | c], column by column"),
+            *([t.numbers("D", 6, POSES)] if n.D in self.given else []),
+            t.numbers("F", 6, POSES),
+            t.numbers("bad", POSES, meaning="1 where a leg, a pivot or a force needs a closer look, else 0"),
+        )
+        roots = (t.numbers(name, POSES) for name in self.handed_on)
+        of_pose_alone = tuple(map(lay.stored, (*self.of_pose, *moved)))
+        aligned: dict[str, tuple[str, str, Iterable[t.Field]]] = {
+            "MotionLanes": (
                 "motion_lanes",
                 "Motions of the poses of a block, component by component.",
-                tuple(lay.stored(q, POSES) for q in motion),
-                aligned=True,
+                (lay.stored(q, POSES) for q in motion),
             ),
-            "SharedTerms": t.Structure(
-                "shared_terms",
-                "What a pose has for all legs.",
-                tuple(lay.stored(q) for q in (*self.of_pose, *moved)),
-            ),
-            "SharedLanes": t.Structure(
-                "shared_lanes",
-                "",
-                (
-                    *(lay.stored(q, POSES) for q in self.of_pose if q not in lay.RIGHT_SIDE),
-                    t.numbers("least_L", POSES, meaning="m: length of a leg that needs a closer look"),
-                ),
-                aligned=True,
-            ),
-            "LegRoots": t.Structure(
-                "leg_roots",
-                "A leg of the poses of a block as far as its roots.",
-                tuple(t.numbers(name, POSES) for name in self.handed_on),
-                aligned=True,
-            ),
-            "Roots": t.Structure(
-                "roots_of_legs", "", (t.Field("leg", t.Array(t.Record("leg_roots"), (6,))),), aligned=True
-            ),
-            "LegLanes": t.Structure(
-                "leg_lanes",
-                "The legs of one pose.",
-                (
-                    t.numbers("A", 6, LANES, meaning="H, whose columns are those of the legs"),
-                    *(lay.stored(q, LANES, always=False) for q in (n.q, *terms)),
-                    t.numbers("L", LANES),
-                    t.numbers("reach", LANES),
-                    *sine,
-                    t.numbers("bad", LANES, meaning="1 where the leg needs a closer look, else 0"),
-                ),
-            ),
-            "Block": t.Structure(
-                "block",
-                "A block of poses on its way.",
-                (
-                    t.numbers("column", 7, 6, POSES, meaning="[H | c], column by column"),
-                    *known,
-                    t.numbers("F", 6, POSES),
-                    t.numbers("bad", POSES, meaning=bad),
-                ),
-                aligned=True,
-            ),
-            "LegBlock": t.Structure(
-                "leg_block",
-                "What a leg hands to the moments.",
-                tuple(lay.stored(q, POSES) for q in kept),
-                aligned=True,
-            ),
+            "SharedLanes": ("shared_lanes", "", of_pose),
+            "LegRoots": ("leg_roots", "A leg of the poses of a block as far as its roots.", roots),
+            "Roots": ("roots_of_legs", "", [t.Field("leg", t.Array(t.Record("leg_roots"), (6,)))]),
+            "Block": ("block", "A block of poses on its way.", block),
+            "LegBlock": ("leg_block", "What a leg hands to the moments.", kept),
+        }
+        return {
+            "Model": t.Structure(f"stewart_{kernel.name}_model", says, model),
+            "Motions": MOTIONS,
+            "SharedTerms": t.Structure("shared_terms", "What a pose has for all legs.", of_pose_alone),
+            "LegLanes": t.Structure("leg_lanes", "The legs of one pose.", of_legs),
+            **{
+                key: t.Structure(name, meaning, tuple(held), aligned=True)
+                for key, (name, meaning, held) in aligned.items()
+            },
         }
 
     # ------------------------------------------------------------ functions
@@ -307,7 +271,7 @@ class _Source(Source):
         """A leg's block as the body of a loop over the legs of a pose."""
         terms, more = reach_terms(self.kernel)
         outside, inside = lay.parted(lay.loaded(leg, self._place("at", leg=lay.LANE), *more))
-        kept = [out for out in leg.outputs if out.quantity not in CHECKED]
+        kept = [out for out in leg.outputs if out.quantity not in lay.CHECKED]
         kept += [out for out in leg.outputs if out.quantity == n.q]
         body = (*inside, *steps_of(leg.steps), *lay.stores(kept, _of_legs("out")))
         given: dict[str, Given] = {"OUTSIDE": outside, "BLOCK": body, **lay.largest(terms)}
@@ -446,7 +410,7 @@ class _Source(Source):
             yield read(many, f"{name}_{many.__name__}", public=True, given=public)
 
     def _without(self) -> dict[str, Given]:
-        """Of baked kernels no model is handed on."""
+        """A baked kernel takes no model."""
         return {"model": False} if self.baked else {}
 
 

@@ -17,7 +17,8 @@ from ..mechanics import quantities as n
 from ..mechanics.regressor import LEG_PARAMETERS, PLATFORM_PARAMETERS, Regressor, column, names_of
 from ..print.c import C
 from ..program.block import Block, Quantity
-from .closed_form import CHECKS, LEGS, checks
+from .closed_form import checks
+from .closed_form_blocks import CHECKS, LEGS
 from .shared import SIZES, SOLVE, header, top
 
 NAME = "stewart_exact_regressor"
@@ -71,20 +72,11 @@ def _functions(blocks: Regressor) -> list[t.Function]:
     one = missing(("robot", "motion", "Y"), (), no_columns)
     moved = tuple(q for q in n.MOTION if q not in LOADS)
     many = missing(("robot", "motions", "Y"), moved) | batch(written.one_regressor)
+    leg, platform = (each.operations().total for each in (blocks.leg, blocks.platform))
     return [
         read(written.legs_status),
-        read(
-            written.columns_of_legs,
-            apart=True,
-            given=_leg(blocks.leg),
-            count=blocks.leg.operations().total,
-        ),
-        read(
-            written.columns_of_platform,
-            apart=True,
-            given={"POSE": pose},
-            count=blocks.platform.operations().total,
-        ),
+        read(written.columns_of_legs, apart=True, given=_leg(blocks.leg), count=leg),
+        read(written.columns_of_platform, apart=True, given={"POSE": pose}, count=platform),
         read(written.columns_status),
         read(written.all_columns),
         read(written.chosen_columns),

@@ -10,6 +10,7 @@ import sympy as sp
 
 from ..kernel import layouts as lay
 from ..kernel import prepare as p
+from ..kernel.batches import missing
 from ..kernel.elimination import BY_POINTERS
 from ..kernel.operations import force_operations
 from ..kernel.shared import shared
@@ -21,12 +22,11 @@ from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel, joined
 from ..mechanics.lumped_constants import q_1
 from ..print.template import filled
-from ..program.block import Block, Quantity, Step, part_of
+from ..program.block import Block, Quantity, part_of
 from ..program.order import AS_DERIVED
 from .c import operations_table
 from .shared import SOLVE, Part, Source, header, top
 
-A = t.Name("A")
 _LEAST_PIVOTS = t.signature("STEWART_LEAST_PIVOTS", t.Real(), size=t.Real())
 _CLOSE = t.Field("close", t.Integer(), "whether H may be singular to rounding for a zero-length leg")
 _LEAST = t.numbers("least", meaning="product of the pivots of H below which it may be singular to rounding")
@@ -73,45 +73,24 @@ class _Source(Source):
         super().__init__(lay.Written(self.structures, self.flags, known))
 
     def _structures(self) -> dict[str, t.Structure]:
-        kernel, vector = self.kernel, t.Array(t.Real(), (3,))
-        name = f"stewart_{kernel.name}_pose"
-        legs = tuple(lay.described(q) for q in kernel.leg_constants())
+        kernel, name = self.kernel, f"stewart_{self.kernel.name}_pose"
+        legs = tuple(map(lay.described, kernel.leg_constants()))
         named = (f"{name}_leg", "Constants of one leg.")
         leg = t.Structure(*(("leg_numbers", "What differs from leg to leg.") if self.baked else named), legs)
-        found = {
+        pose = (
+            *(lay.stored(out.quantity, always=False) for out in self.of_pose),
+            t.numbers("q_1", 3, meaning="platform point 1 from the reference point"),
+            _CLOSE,
+        )
+        sizes = (t.numbers("L"), t.numbers("reach"), t.numbers("arm", 3), t.numbers("column", 6))
+        of_legs, platform = t.Array(t.Record(leg.name), (6,)), map(lay.described, kernel.platform_constants())
+        model = (t.Field("leg", of_legs), _SIZE, *platform, _LEAST, p.PER_LENGTH)
+        return {
             "Leg": leg,
-            "PoseTerms": t.Structure(
-                "pose_terms",
-                "What the pose has for all legs.",
-                (
-                    *(lay.stored(out.quantity, always=False) for out in self.of_pose),
-                    t.Field("q_1", vector, "platform point 1 from the reference point"),
-                    _CLOSE,
-                ),
-            ),
-            "LegSizes": t.Structure(
-                "leg_sizes",
-                "What decides on a leg that may be short.",
-                (
-                    t.numbers("L"),
-                    t.numbers("reach"),
-                    t.Field("arm", vector),
-                    t.numbers("column", 6),
-                ),
-            ),
-            "Model": t.Structure(
-                f"{name}_model",
-                "A robot's constants, prepared once.",
-                (
-                    t.Field("leg", t.Array(t.Record(leg.name), (6,))),
-                    _SIZE,
-                    *(lay.described(q) for q in kernel.platform_constants()),
-                    _LEAST,
-                    p.PER_LENGTH,
-                ),
-            ),
+            "PoseTerms": t.Structure("pose_terms", "What the pose has for all legs.", pose),
+            "LegSizes": t.Structure("leg_sizes", "What decides on a leg that may be short.", sizes),
+            "Model": t.Structure(f"{name}_model", "A robot's constants, prepared once.", model),
         }
-        return found
 
     def _parts(self) -> Iterable[Part]:
         kernel, read, name = self.kernel, self.texts.function, f"stewart_{self.kernel.name}_pose"
@@ -139,7 +118,8 @@ class _Source(Source):
             yield read(written.scale_moments)
         yield read(written.solve, given=BY_POINTERS)
         yield read(written.pose_status, apart=True)
-        yield read(written.pose_forces, f"{name}_forces", public=True)
+        given = missing(("motion", "F") if self.baked else ("model", "motion", "F"))
+        yield read(written.pose_forces, f"{name}_forces", public=True, given=given)
 
     # ------------------------------------------------------------ constants
 
@@ -157,7 +137,9 @@ class _Source(Source):
             return lay.member("at", q)
         if q == q_1 or any(out.quantity == q for out in self.of_pose):
             return lay.member("pose", q)
-        return p.place_of(self.kernel, "leg" if q in self.kernel.leg_constants() else "model")(q)
+        if q in self.kernel.literals():
+            return t.Name(p.literal(q))
+        return lay.member("leg" if q in self.kernel.leg_constants() else "model", q)
 
     def _shared(self) -> tuple[t.Statement, ...]:
         block = self.kernel.shared
@@ -167,7 +149,7 @@ class _Source(Source):
         return (
             *lay.lines(block, self._layout, ready=AS_DERIVED),
             *lay.stores(self.of_pose, lambda q: lay.member("out", q)),
-            *(t.Assign(_at(i, 6), expression(expr)) for i, expr in enumerate(sides)),
+            *(t.Assign(t.at("A", i, 6), expression(expr)) for i, expr in enumerate(sides)),
         )
 
     def _closely(self) -> dict[str, Given]:
@@ -202,21 +184,14 @@ class _Source(Source):
         (moved,) = self.kernel.shift.outputs
         block = part_of(self.kernel.leg, n.q)
         (point,) = block.outputs
-        c = [_at(i, 6) for i in range(6)]
-        given = {q_1: map(expression, point.exprs), n.c_force: c[:3], n.c_moment: c[3:]}
+        names = (*q_1.names, *n.c_force.names, *n.c_moment.names)
+        places = (*map(expression, point.exprs), *(t.at("A", i, 6) for i in range(6)))
+        known = map(t.Let, names, places)
+        shifted = (t.Assign(t.at("A", i + 3, 6), expression(e)) for i, e in enumerate(moved.exprs))
+        first = lay.lines(block, self._layout, ready=AS_DERIVED)
         return {
-            "FIRST": (
-                *lay.lines(block, self._layout, ready=AS_DERIVED),
-                *lay.set_in_order(t.Member(t.Name("pose"), "q_1"), point.exprs),
-            ),
-            "SHIFT": (
-                *(
-                    t.Let(*pair)
-                    for each, places in given.items()
-                    for pair in zip(each.names, places, strict=True)
-                ),
-                *(t.Assign(_at(i + 3, 6), expression(e)) for i, e in enumerate(moved.exprs)),
-            ),
+            "FIRST": (*first, *lay.set_in_order(t.of("pose", "q_1"), point.exprs)),
+            "SHIFT": (*known, *shifted),
         }
 
     def _leg(self, own: Block, near: bool) -> t.Function:
@@ -224,7 +199,7 @@ class _Source(Source):
         kernel = self.kernel
         block = joined(own, kernel.moments)
         exprs, used = lay.exprs_of(block), lay.names_used(block)
-        before, after = _parted(own, (*exprs[n.L], *exprs.get(n.k3, ())))
+        before, after = lay.parted_steps(own, (*exprs[n.L], *exprs.get(n.k3, ())))
         loads = lay.loads((q for q in block.inputs if q != q_1), used, self._layout)
         first, loads = lay.where_read(loads, steps_of(before, AS_DERIVED))
         then, loads = lay.where_read(loads, steps_of(after, AS_DERIVED))
@@ -240,7 +215,7 @@ class _Source(Source):
                 *loads,
                 *lay.loads([q_1], used, self._layout),
                 *steps_of(block.steps[len(own.steps) :], AS_DERIVED),
-                *lay.assembled(exprs, lambda i: _at(i, t.Name("column")), lambda i: _at(i, 6)),
+                *lay.assembled(exprs, lambda i: t.at("A", i, "column"), lambda i: t.at("A", i, 6)),
                 *(t.Assign(t.Name("known"), expression(e)) for e in exprs.get(n.D, ())),
             ),
         }
@@ -248,18 +223,3 @@ class _Source(Source):
         count = own.operations() + kernel.moments.operations()
         name = "leg_near_singular" if near else "leg_of"
         return self.texts.function(written.leg_of, name, apart=near, given=given, count=count)
-
-
-def _at(row: int, column: int | t.Expression) -> t.Element:
-    return t.Element(A, (t.Number(row), t.Number(column) if isinstance(column, int) else column))
-
-
-def _parted(block: Block, wanted: Iterable[sp.Expr]) -> tuple[tuple[Step, ...], tuple[Step, ...]]:
-    """The steps that some expressions need, and the others, each in their order."""
-    names = {symbol.name for expr in wanted for symbol in expr.free_symbols}
-    before: list[Step] = []
-    for step in reversed(block.steps):
-        if step.name in names:
-            names |= {symbol.name for symbol in step.expr.free_symbols}
-            before.insert(0, step)
-    return tuple(before), tuple(step for step in block.steps if step not in before)

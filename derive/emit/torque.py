@@ -10,10 +10,9 @@ from ..mechanics.formulation import SPHERICAL, Formulation
 from ..print.template import filled
 from ..program.block import Block, Operations
 from .header import member_text
-from .kinematics import source
+from .kinematics import OF_STEWART_H, source
 from .shared import header
 
-_OF_STEWART_H = {"Leg": "stewart_leg", "Robot": "stewart_robot", "Motion": "stewart_motion"}
 _STATUSES = {
     True: "STEWART_NOT_FINITE, STEWART_ZERO_LENGTH",
     False: "STEWART_NOT_FINITE, STEWART_ZERO_LENGTH, STEWART_JOINT_SINGULAR",
@@ -46,7 +45,7 @@ def torque_files(version: str) -> dict[str, str]:
 
 
 def axial_name(form: Formulation, reflected: bool = False) -> str:
-    """Of header and source of a formulation with rotors; reflected: of forces with their masses alone."""
+    """Name of header and source of a formulation with rotors; reflected: of these the masses alone."""
     return f"stewart_{form.kernel_name}{'_reflected' if reflected else ''}_axial"
 
 
@@ -70,5 +69,5 @@ def axial_files(form: Formulation, block: Block, version: str, reflected: bool =
         operations=axial_operations(block),
         statuses=_STATUSES[masses],
     )
-    text = source(file, of_one_pose(axial_program(block)), _OF_STEWART_H, version)
+    text = source(file, of_one_pose(axial_program(block)), OF_STEWART_H, version)
     return made | {f"{file}.c": f"{text}\n{filled('axial.c', symbol=f'{file}_forces')}"}

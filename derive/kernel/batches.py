@@ -12,6 +12,7 @@ from .written import batch as text
 NUMBERS = t.Pointer(t.Real())
 MOTIONS = t.Structure("stewart_motions", "", tuple(t.Field(q.name, NUMBERS) for q in n.MOTION))
 LOADS = (n.F_ext, n.M_ext)
+_ZEROS = t.Name("zeros")
 BATCH: dict[str, Given] = {"batch": text.batch, "note_status": text.noted, "COPIES": 0}
 
 
@@ -33,16 +34,26 @@ def is_null(address: t.Expression) -> t.Expression:
     return t.Binary("==", address, t.Constant("NULL"))
 
 
-def parts_at(optional: Collection[Quantity], without: Collection[Quantity] = ()) -> dict[str, Given]:
-    """Addresses of one pose in those of all; optional: may be null; without: not read."""
+def parts_at(
+    optional: Collection[Quantity],
+    without: Collection[Quantity] = (),
+    to: str = "at",
+    index: str = "pose",
+    instead: t.Expression = _ZEROS,
+) -> dict[str, Given]:
+    """Addresses of one pose in those of all.
+
+    optional: may be null, with ``instead`` in its place; without: not read. to: what holds the addresses;
+    index: number of the pose.
+    """
     found = []
     for q in n.MOTION:
         given = _of_motions(q)
-        first = t.As(t.Count(), t.Number(len(q.keys))) * t.Name("pose")
+        first = t.As(t.Count(), t.Number(len(q.keys))) * t.Name(index)
         place: t.Expression = t.From(given, first)
         if q in optional:
-            place = t.Select(t.Binary("!=", given, t.Constant("NULL")), place, t.Name("zeros"))
-        found.append(t.Assign(t.of("at", q.name), given if q in without else place))
+            place = t.Select(t.Binary("!=", given, t.Constant("NULL")), place, instead)
+        found.append(t.Assign(t.of(to, q.name), given if q in without else place))
     return {"PARTS": tuple(found)}
 
 
@@ -82,7 +93,7 @@ def copies(to: str, counts: Mapping[str, int], rows: Collection[str] = ()) -> tu
 
 
 def copied(to: t.Expression, values: t.Expression, count: int) -> t.Statement:
-    """One of them."""
+    """The numbers of one pose into an array of all poses."""
     return t.Do(t.Call("copy", (to, t.Name("pose"), values, t.As(t.Count(), t.Number(count)))))
 
 

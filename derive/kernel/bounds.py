@@ -24,7 +24,7 @@ from . import batches
 from . import error_steps as err
 from . import prepare as p
 from .batches import LOADS, MOTIONS, missing, parts_at, parts_of_one
-from .layouts import Place, Written, described, largest, lines, member, stored, stores
+from .layouts import CHECKED, Place, Written, described, largest, lines, member, stored, stores
 from .shared import legs_with_errors, shared
 from .tree import nodes as t
 from .tree.constants import SMALLEST
@@ -37,9 +37,6 @@ _ERRING = (n.H_force, n.H_moment, n.c_force, n.c_moment, arm_c)
 _ARM = ("arm_x", "arm_y", "arm_z")
 """Steps of a leg: the arm of its moment."""
 _FLAGS: dict[str, Given] = {name: t.Constant(name) for name in ("UNIT", "SLACK", "INFINITY", "BAD_ARGUMENT")}
-
-
-# ---------------------------------------------------------------- the blocks
 
 
 class BoundedForces:
@@ -101,7 +98,7 @@ class BoundedForces:
             for held in (ADDED, _LEGS_SLOPES.values())
         )
         shared = err.with_errors(self.shared, [out.quantity for out in kernel.shared.outputs])
-        decides = [t.numbers("D"), *(stored(q, always=False) for q in err.CHECKED[1:])]
+        decides = [t.numbers("D"), *(stored(q, always=False) for q in CHECKED[1:])]
         decides += [t.numbers("reach"), t.numbers("arm", 3)]
         matrices = [t.numbers(each, 6, 6) for each in ("H", "H_err")] + [t.numbers("arm", 6, 3)]
         vectors = [t.numbers(each, 6) for each in ("c", "c_err", "c_own", "L", "reach")]
@@ -238,7 +235,7 @@ class BoundedForces:
             t.Assign(t.Element(t.Member(out, "arm"), (t.Number(i),)), e)
             for i, e in enumerate(map(t.Name, _ARM))
         ]
-        checked = [Output(q, exprs[q]) for q in err.CHECKED[1:]]
+        checked = [Output(q, exprs[q]) for q in CHECKED[1:]]
         return {
             "BODY": (
                 *self._values(leg),
@@ -263,39 +260,25 @@ class BoundedForces:
         given = (_Y_FORCE, _Y_MOMENT, _Y_ARM, _D_WEIGHT, n.x)
         found = adjoint(leg.block, weights, given, _inexact_inputs(leg))
         outside = {name: found.slopes[name] for q in _LEGS_SLOPES for name in q.names}
-        handed = [
-            t.Do(
-                t.Call(
-                    "add",
-                    (
-                        *err.value_and_error(_OF_LEGS, to, j),
-                        expression(outside[name]),
-                        _error_name(outside[name]),
-                    ),
-                )
-            )
-            for q, to in _LEGS_SLOPES.items()
-            for j, name in enumerate(q.names)
-        ]
+        handed = []
+        for q, to in _LEGS_SLOPES.items():
+            for j, name in enumerate(q.names):
+                sums, slope = err.value_and_error(_OF_LEGS, to, j), outside[name]
+                handed.append(t.Do(t.Call("add", (*sums, expression(slope), _error_name(slope)))))
         return self._weighed(leg, found, {}, outside, handed)
 
     def _shared_errors(self) -> dict[str, Given]:
-        """The same of what a pose has for all legs; slopes of the legs are taken up."""
+        """What ``written.shared_errors`` is given; slopes along R are added to those of the legs."""
         given = (_Y_FORCE, _Y_MOMENT, *_LEGS_SLOPES.values())
         weights = {n.c_force: -_Y_FORCE.value, c_tip: -_Y_MOMENT.value}
         weights |= {q: _LEGS_SLOPES[q].value for q in (B, q_1)}
         more = dict(zip(n.R.names, _LEGS_SLOPES[n.R].symbols, strict=True))
         found = adjoint(self.shared.block, weights, given, _inexact_inputs(self.shared), more)
         slopes = {name: found.slopes[name] for name in n.R.names}
-        handed = [
-            t.Assign(place, value)
-            for j, slope in enumerate(slopes.values())
-            for place, value in zip(
-                err.value_and_error(_OF_LEGS, _LEGS_SLOPES[n.R], j),
-                (expression(slope), _error_name(slope)),
-                strict=True,
-            )
-        ]
+        handed = []
+        for j, slope in enumerate(slopes.values()):
+            value, error = err.value_and_error(_OF_LEGS, _LEGS_SLOPES[n.R], j)
+            handed += [t.Assign(value, expression(slope)), t.Assign(error, _error_name(slope))]
         errors = component_errors(_LEGS_SLOPES.values())
         return self._weighed(self.shared, found, errors, slopes, handed)
 
@@ -369,9 +352,3 @@ def _only_name(slope: sp.Expr) -> str:
 
 def _error_name(slope: sp.Expr) -> t.Name:
     return t.Name(f"{_only_name(slope)}_err")
-
-
-# ---------------------------------------------------------------- structures
-
-
-# ---------------------------------------------------------------- statements of a block with errors

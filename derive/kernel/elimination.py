@@ -22,7 +22,7 @@ def _one(name: str) -> Callable[..., Expression]:
 
 
 def _whole(row: Expression, column: Expression | None = None) -> Expression:
-    """Of whole rows: the current column is in variables."""
+    """Entries of whole rows, whose current column is in variables."""
     assert isinstance(row, Number)
     return Name(f"a_{row.value}") if column in (None, row) else Element(Name("A"), (row, column))
 
@@ -61,7 +61,7 @@ _EXCHANGED_ONCE: Mapping[str, Given] = {
     "begin": text.first_pivot,
     "exchange": text.look_below,
     "bring": text.exchange_once,
-    "exchange_more": (),
+    "BESIDE": 0,
     "weigh_pivot": text.suspicion,
 }
 
@@ -90,8 +90,9 @@ DEFINITE: Mapping[str, Given] = {
     "exchange": (),
     "bring": (),
     "weigh_pivot": text.definite,
+    "scale": _entries("scale"),
 }
-"""The same of a symmetric definite matrix, L D L^T: no rows change places."""
+"""Many right sides of a symmetric definite matrix, L D L^T: no rows change places."""
 
 INVERSE: Mapping[str, Given] = {
     **_EXCHANGED_ONCE,
@@ -99,7 +100,7 @@ INVERSE: Mapping[str, Given] = {
     "LONG": 0,
     "a": _entries("H"),
     "A": Name("H"),
-    "exchange_more": text.exchange_beside,
+    "BESIDE": 1,
     "weigh_pivot": text.regular,
     "invert": (),
     "update": text.above_as_well,
@@ -146,7 +147,6 @@ BY_POINTERS: Mapping[str, Given] = {
 
 _BLOCKS: Mapping[str, Given] = {
     "two_blocks": text.two_blocks,
-    "adjugate_of_directions": text.adjugate_of_directions,
     "eliminated": text.entry_by_entry,
     "OWN": 0,
     "GUARDED": 0,
@@ -163,7 +163,6 @@ BLOCKS_OF_POSE: Mapping[str, Given] = {
     "a": _entries("A"),
     "x": _entries("x"),
     "eliminated": text.column_by_column,
-    "column_of_sums": text.one_column,
 }
 """One pose, rows of eight vectors."""
 

@@ -8,13 +8,10 @@ from ..mechanics import quantities as n
 from ..mechanics.lumped_constants import ADDED
 from ..program.block import Output, Quantity
 from ..program.rounding import RECIPROCAL, ROOT, RoundedBlock, RoundedStep, error_symbol
-from .layouts import Place, member, names_used, stored
+from .layouts import CHECKED, Place, member, names_used, stored
 from .tree import nodes as t
 from .tree.lower import expression
 from .tree.read import Given
-
-CHECKED = (n.q, n.L, n.k3)
-"""Outputs of a leg by which its status is decided."""
 
 
 def unread_errors(block: RoundedBlock, slopes: RoundedBlock) -> set[str]:

@@ -174,7 +174,7 @@ class Argument:
         return f"{const}stewart_real {self.name}{array.dims}"
 
     def of_batch(self) -> str:
-        """The same of a batch, "" where that leaves it out."""
+        """As C declares it of a batch, "" where the batch has no such argument."""
         if self.is_motion:
             return "const stewart_motions *motions"
         if self.whole:
@@ -231,9 +231,7 @@ class Call:
         found = [_prototype(symbol, [*first, *(each.declared() for each in self.arguments)])]
         if batch:
             own = [text for each in self.arguments if (text := each.of_batch())]
-            motions = [text for text in own if text.endswith("*motions")]
-            rest = [text for text in own if text not in motions]
-            after = [*motions, *rest, "int *status"]
+            after = [*own, "int *status"]
             found.append(_prototype(f"{symbol}_batch", [*first, "size_t count", *after]))
             if self.has_columns:
                 counts = ["size_t count", "size_t stride"]
@@ -261,6 +259,9 @@ def _struct(struct: str, name: str = "out") -> Argument:
     return Argument(name, struct, gives=STRUCTS[struct], written=True)
 
 
+_BEARING = "from each base point along its leg to where M_p is taken; or null"
+_AXIAL = "forces that pass through the screws; may be null where F has no part of rotors: F"
+_CURRENT = "torque / torque_constant, 0 without one; may be null"
 _MOTION = Argument("motion", "motion")
 _GIVEN_F = Argument("F", takes=(_F,))
 _TURNED = Argument(
@@ -307,13 +308,7 @@ CALLS: dict[str, Call] = {
         "dynamics of the same motion.",
         (
             _MOTION,
-            _in(
-                "bearing",
-                6,
-                "m",
-                "from each base point along its leg to where M_p is taken; or null",
-                shared=True,
-            ),
+            _in("bearing", 6, "m", _BEARING, shared=True),
             Argument("forces", "forces", written=True),
             _struct("reactions", "reactions"),
         ),
@@ -388,26 +383,10 @@ CALLS: dict[str, Call] = {
         "stribeck_speed)^2) + mu |axial|) + viscous L_dot, mu = driving where axial L_dot > 0, else driven.",
         (
             _GIVEN_F,
-            _in(
-                "axial",
-                6,
-                "N",
-                "forces that pass through the screws; may be null where F has no part of rotors: F",
-                optional=True,
-            ),
+            _in("axial", 6, "N", _AXIAL, optional=True),
             _in("L_dot", 6, "m/s", "rates of the lengths, computed or measured"),
-            _out(
-                _flat(
-                    "torque",
-                    (6,),
-                    "N m",
-                    "torques; of a right-handed screw positive when they extend",
-                )
-            ),
-            _out(
-                _flat("current", (6,), "A", "torque / torque_constant, 0 without one; may be null"),
-                optional=True,
-            ),
+            _out(_flat("torque", (6,), "N m", "torques; of a right-handed screw positive when they extend")),
+            _out(_flat("current", (6,), "A", _CURRENT), optional=True),
         ),
     ),
     "motion_from_rpy": Call(

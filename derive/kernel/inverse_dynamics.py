@@ -15,7 +15,7 @@ from ..mechanics.regressor import Regressor
 from ..program.block import Block, Output
 from .elimination import CARRIED, INVERSE, ONCE
 from .layouts import Written, entries
-from .model import STATUS_FIELD, machine_structures
+from .model import machine_structures, result
 from .prepare import ABOUT_REFERENCE as SIZES
 from .shared import legs_in_turn
 from .tree import nodes as t
@@ -34,25 +34,20 @@ _TERMS = t.Structure(
     "Terms of F = D - x, H x = c; moments about the reference point.",
     (
         t.numbers("D", 6, meaning="N: known part of the actuator force, (24)"),
-        t.Field(
-            "K", t.Array(t.Real(), (6, 3)), "N: transverse force on the leg at its spherical joint, (21)"
-        ),
+        t.numbers("K", 6, 3, meaning="N: transverse force on the leg at its spherical joint, (21)"),
         t.numbers("H", 6, 6, meaning="1 and m: from x to the wrench on the platform, (36)"),
         t.numbers("c", 6, meaning="N, N m: wrench that the axial forces balance, (36)"),
     ),
 )
-_FORCES = t.Structure(
+_FORCES = result(
     "Forces",
     "Actuator forces, and what they are made of.",
-    (
-        t.numbers("F", 6, meaning="N: actuator forces, (37)"),
-        t.numbers("x", 6, meaning="N: axial forces of the legs at the platform, (36)"),
-        t.Field("terms", t.Record("Terms"), "D, K, H and c"),
-        t.Field("legs", t.Record("Legs"), "what the legs have"),
-        t.numbers("reach", meaning="m: size of the vectors that each leg is the sum of"),
-        t.Field("suspect", t.Integer(), "1 where H may be singular to rounding"),
-        STATUS_FIELD,
-    ),
+    t.numbers("F", 6, meaning="N: actuator forces, (37)"),
+    t.numbers("x", 6, meaning="N: axial forces of the legs at the platform, (36)"),
+    t.Field("terms", t.Record("Terms"), "D, K, H and c"),
+    t.Field("legs", t.Record("Legs"), "what the legs have"),
+    t.numbers("reach", meaning="m: size of the vectors that each leg is the sum of"),
+    t.Field("suspect", t.Integer(), "1 where H may be singular to rounding"),
 )
 
 
@@ -117,25 +112,12 @@ def regressor_program(blocks: Regressor) -> t.Program:
     """Columns of the regressor with legs side by side."""
     of_legs = _outputs("RegressorOfLegs", "Columns of the legs.", blocks.leg)
     of_platform = _outputs("RegressorOfPlatform", "Columns of the platform.", blocks.platform)
-    members = (
-        t.Field("legs", t.Record(of_legs.name), "of the legs"),
-        t.Field("platform", t.Record(of_platform.name), "of the platform"),
-        STATUS_FIELD,
-    )
-    structures = [
-        *_machine(),
-        of_legs,
-        of_platform,
-        t.Structure("Regressor", "Columns of Y.", members),
-    ]
-    texts = _texts(
-        structures,
-        [
-            *shared_program().functions,
-            block_function(blocks.leg, blocks.leg.name, of_legs.name, _OF_LEG | _OF_POSE),
-            block_function(blocks.platform, blocks.platform.name, of_platform.name, _OF_POSE),
-        ],
-    )
+    legs = t.Field("legs", t.Record(of_legs.name), "of the legs")
+    platform = t.Field("platform", t.Record(of_platform.name), "of the platform")
+    structures = [*_machine(), of_legs, of_platform, result("Regressor", "Columns of Y.", legs, platform)]
+    of_leg = block_function(blocks.leg, blocks.leg.name, of_legs.name, _OF_LEG | _OF_POSE)
+    of_pose = block_function(blocks.platform, blocks.platform.name, of_platform.name, _OF_POSE)
+    texts = _texts(structures, [*shared_program().functions, of_leg, of_pose])
     texts.add(written.regressor)
     return t.Program("regressor", tuple(structures), tuple(texts.functions.values()))
 

@@ -15,7 +15,7 @@ from . import batches
 from .batches import LOADS, MOTIONS, NUMBERS, copies, is_null, missing, parts_at
 from .elimination import CARRIED, RETURNED
 from .layouts import Written
-from .model import STATUS_FIELD, machine_structures
+from .model import machine_structures, result
 from .tree import nodes as t
 from .tree import read
 from .tree.counted import counted
@@ -146,28 +146,17 @@ def _program(
     return t.Program(name, tuple(structures.values()), tuple(made.functions.values()))
 
 
-_LEG_MOTIONS = t.Structure(
+_LENGTHS = t.numbers("L", 6, meaning="m: lengths, (2)"), t.numbers("L_dot", 6, meaning="m/s: rates, (5)")
+_LEG_MOTIONS = result(
     "LegMotions",
     "Six legs of a pose.",
-    (
-        t.numbers("L", 6, meaning="m: lengths, (2)"),
-        t.numbers("L_dot", 6, meaning="m/s: rates, (5)"),
-        t.numbers("L_ddot", 6, meaning="m/s^2: second rates, (8)"),
-        t.numbers("s", 6, 3, meaning="1: unit vectors along the legs, base frame, (3)"),
-        t.numbers("S", 6, 3, meaning="m: leg vectors, base frame, (1)"),
-        STATUS_FIELD,
-    ),
+    *_LENGTHS,
+    t.numbers("L_ddot", 6, meaning="m/s^2: second rates, (8)"),
+    t.numbers("s", 6, 3, meaning="1: unit vectors along the legs, base frame, (3)"),
+    t.numbers("S", 6, 3, meaning="m: leg vectors, base frame, (1)"),
 )
 _SEARCHED = (
-    t.Structure(
-        "LegRates",
-        "Lengths of six legs and their rates.",
-        (
-            t.numbers("L", 6, meaning="m: lengths, (2)"),
-            t.numbers("L_dot", 6, meaning="m/s: rates, (5)"),
-            STATUS_FIELD,
-        ),
-    ),
+    result("LegRates", "Lengths of six legs and their rates.", *_LENGTHS),
     t.Structure(
         "LegsAtPose",
         "Six legs at a pose, and their equations.",
@@ -177,40 +166,21 @@ _SEARCHED = (
             t.Field("reach", t.Real(), "m: largest component of the terms of S = q + t - b"),
         ),
     ),
-    t.Structure(
-        "FoundPose",
-        "What the search of a pose finds.",
-        (t.Field("pose", t.Record("Pose"), "the pose"), STATUS_FIELD),
-    ),
-    t.Structure(
+    result("FoundPose", "What the search of a pose finds.", t.Field("pose", t.Record("Pose"), "the pose")),
+    result(
         "Twist",
         "Velocity of the platform.",
-        (
-            t.numbers("v", 3, meaning="m/s: of the reference point"),
-            t.numbers("omega", 3, meaning="rad/s: angular velocity, base frame"),
-            STATUS_FIELD,
-        ),
+        t.numbers("v", 3, meaning="m/s: of the reference point"),
+        t.numbers("omega", 3, meaning="rad/s: angular velocity, base frame"),
     ),
-)
-_SEARCH = (
-    written.rates_of,
-    written.legs_at,
-    written.platform_size,
-    written.reflect,
-    written.substitute,
-    written.is_open,
-    written.polish,
-    written.make_rotation,
-    written.length_of,
-    written.compare,
-    written.newton_step,
-    written.search,
-    written.first_fault,
-    written.pose_of,
-    written.twist_of,
 )
 PUBLIC = {
     each.__name__: each
     for each in (written.inverse_kinematics, written.forward_kinematics, written.forward_velocity)
 }
 """Functions of a program without addresses, by name."""
+_OTHERS = (written.orientation_status, written.motions_of)
+_SEARCH = tuple(
+    each for each in vars(written).values() if callable(each) and each not in (*PUBLIC.values(), *_OTHERS)
+)
+"""What the search of a pose is made of, each after what it calls, as in the file."""

@@ -4,24 +4,28 @@ A layout says where a quantity is: in a structure's member, in an array, in one 
 in a constant. The lanes are the legs of a pose or the poses of a block.
 """
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 from string import Template
+from types import MappingProxyType
 
 import sympy as sp
 
 from ..mechanics import quantities as n
 from ..mechanics.lumped_constants import arm_c
-from ..program.block import Block, Output, Quantity
+from ..program.block import Block, Output, Quantity, Step
 from ..program.order import Ready
 from .tree import nodes as t
 from .tree import read
 from .tree.lower import expression, steps_of, unit_and_meaning
+from .tree.written_text import Names
 from .written import legs
 
 LANE = t.Name("l")
 RIGHT_SIDE = (n.c_force, n.c_moment)
+CHECKED = (n.q, n.L, n.k3)
+"""Outputs of a leg by which its status is decided."""
 
 
 @dataclass(frozen=True)
@@ -148,10 +152,13 @@ def names_used(block: Block) -> set[str]:
     return {symbol.name for expr in block.expressions() for symbol in expr.free_symbols}
 
 
-def loaded(block: Block, layout: Layout, *more: Quantity) -> tuple[t.Statement, ...]:
-    """Loads of what a block reads, and of ``more``."""
+def loaded(
+    block: Block, layout: Layout, *more: Quantity, without: Collection[Quantity] = ()
+) -> tuple[t.Statement, ...]:
+    """Loads of what a block reads, and of ``more``; without: what is loaded already."""
     used = names_used(block) | {name for q in more for name in q.names}
-    return loads(dict.fromkeys((*block.inputs, *more)), used, layout)
+    inputs = (q for q in block.inputs if q not in without)
+    return loads(dict.fromkeys((*inputs, *more)), used, layout)
 
 
 def entries(quantities: Iterable[Quantity]) -> read.Entries:
@@ -164,12 +171,21 @@ def _entry(quantity: Quantity, index: int, owner: t.Expression, *lane: t.Express
 
 
 def lines(
-    block: Block, layout: Layout, without: Iterable[Quantity] = (), ready: Ready | None = None
+    block: Block, layout: Layout, without: Collection[Quantity] = (), ready: Ready | None = None
 ) -> tuple[t.Statement, ...]:
     """Loads and steps of a block; without: what is loaded already; ready: when steps are, by themselves."""
-    given = set(without)
-    inputs = (q for q in block.inputs if q not in given)
-    return (*loads(inputs, names_used(block), layout), *steps_of(block.steps, ready))
+    return (*loaded(block, layout, without=without), *steps_of(block.steps, ready))
+
+
+def parted_steps(block: Block, wanted: Iterable[sp.Expr]) -> tuple[tuple[Step, ...], tuple[Step, ...]]:
+    """The steps that some expressions need, and the others, each in their order."""
+    names = {symbol.name for expr in wanted for symbol in expr.free_symbols}
+    before: list[Step] = []
+    for step in reversed(block.steps):
+        if step.name in names:
+            names |= {symbol.name for symbol in step.expr.free_symbols}
+            before.insert(0, step)
+    return tuple(before), tuple(step for step in block.steps if step not in before)
 
 
 def exprs_of(block: Block) -> dict[Quantity, tuple[sp.Expr, ...]]:
@@ -228,13 +244,14 @@ class Written:
         name: str = "",
         public: bool = False,
         apart: bool = False,
-        given: Mapping[str, read.Given] | None = None,
+        given: Mapping[str, read.Given] = MappingProxyType({}),
+        structures: Mapping[str, t.Structure] = MappingProxyType({}),
+        names: Names = MappingProxyType({}),
         **words: object,
     ) -> t.Function:
-        """One more function, ``$word`` in its comment replaced."""
-        found = read.function(
-            written, self.structures, self.functions, name, public, {**self.given, **(given or {})}
-        )
+        """One more function, ``$word`` in its comment replaced; structures: those that it alone may name."""
+        known, given = {**self.structures, **structures}, {**self.given, **given}
+        found = read.function(written, known, self.functions, name, public, given, names)
         meaning = Template(found.meaning).substitute({key: str(word) for key, word in words.items()})
         found = replace(found, meaning=meaning, apart=apart)
         self.functions[found.name] = found
@@ -242,7 +259,9 @@ class Written:
             self.functions[written.__name__] = found
         return found
 
-    def add(self, *written: Callable[..., object], given: Mapping[str, read.Given] | None = None) -> None:
+    def add(
+        self, *written: Callable[..., object], given: Mapping[str, read.Given] = MappingProxyType({})
+    ) -> None:
         """Several more."""
         for each in written:
             self.function(each, given=given)

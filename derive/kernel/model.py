@@ -12,6 +12,11 @@ from .written import forces
 STATUS_FIELD = t.Field("status", t.Integer(), "0, or what is wrong")
 
 
+def result(name: str, meaning: str, *members: t.Field) -> t.Structure:
+    """What a function returns: members, and a status."""
+    return t.Structure(name, meaning, (*members, STATUS_FIELD))
+
+
 def machine_structures(drive: bool = False, more: tuple[Quantity, ...] = ()) -> list[t.Structure]:
     """The robot and the motion; drive: the robot's legs have rotors; more: what else they have."""
     legs = t.Field("leg", t.Array(t.Record("Leg"), (6,)), "the legs")
@@ -30,16 +35,13 @@ def model_structures(kernel: ForceKernel) -> list[t.Structure]:
         structure("LegConstants", "Prepared constants of one leg.", of_leg),
         structure("Added", "What the legs add to the platform's constants.", p.ADDED),
         structure("Platform", "Constants of the platform.", kernel.platform_constants()),
-        t.Structure(
+        result(
             "Model",
             "A robot's constants, prepared once.",
-            (
-                t.Field("leg", t.Array(t.Record("LegConstants"), (6,)), "the legs"),
-                t.Field("platform", t.Record("Platform"), "the platform"),
-                t.Field("per_length", t.Real(), "1/m: one over the length over which moments are taken"),
-                t.Field("arm_cube", t.Real(), "cube of the largest arm over that length"),
-                STATUS_FIELD,
-            ),
+            t.Field("leg", t.Array(t.Record("LegConstants"), (6,)), "the legs"),
+            t.Field("platform", t.Record("Platform"), "the platform"),
+            t.Field("per_length", t.Real(), "1/m: one over the length over which moments are taken"),
+            t.Field("arm_cube", t.Real(), "cube of the largest arm over that length"),
         ),
     ]
 

@@ -13,28 +13,15 @@ from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel
 from ..program.block import Block, Output, Quantity
 from .elimination import BLOCKS_IN_ARRAYS, CARRIED, DEFINITE, IN_ARRAYS, INVERSE, LONG_ROWS
-from .model import STATUS_FIELD, block_arguments, model_functions, model_structures
+from .model import block_arguments, model_functions, model_structures
+from .model import result as _result
 from .shared import legs_in_turn, shared
 from .tree import nodes as t
 from .tree import read
 from .tree.lower import Arguments, block_function, stored_type, structure
-from .tree.nodes import (
-    Array,
-    Expression,
-    Field,
-    Function,
-    Integer,
-    Number,
-    Program,
-    Real,
-    Record,
-    Structure,
-    Type,
-    signature,
-)
+from .tree.nodes import Field, Record, Structure
 from .tree.written_text import Names
-from .written import closed_form, forces, joint_rows, legs, solve
-from .written.motion import definite
+from .written import closed_form, elimination, forces, joint_rows, legs, solve
 
 FORCES, EQUATIONS, FORWARD = "forces", "equations", "forward_dynamics"
 
@@ -50,7 +37,7 @@ class Text:
     given: Mapping[str, read.Given] = field(default_factory=dict)
 
 
-Definition = Structure | Text | Callable[[], Function]
+Definition = Structure | Text | Callable[[], t.Function]
 """What a name stands for; blocks are lowered where they are needed."""
 
 
@@ -59,7 +46,7 @@ def program(
     sums: Collection[m.SumKernel] = (),
     outputs: Collection[str] = (FORCES,),
     by_pivots: bool = False,
-) -> Program:
+) -> t.Program:
     """Preparation and some of ``OUTPUTS``, of one pose or of many side by side.
 
     kernel: the forces' blocks, whose prepared model serves all; sums: those of the closed form. by_pivots:
@@ -76,12 +63,12 @@ def program(
         known |= _of_sums(kernel, each)
     functions = {each.name: each for each in model_functions(kernel, of_model)}
     needed = _Needed(known, ("prepare", *outputs), of_model, functions)
-    for name in needed.public:
-        needed.add(name)
-    return Program(kernel.name, tuple(needed.structures.values()), tuple(needed.functions.values()))
+    return needed.program(kernel.name)
 
 
-def program_in_lanes(kernel: ForceKernel, sums: Collection[m.SumKernel], outputs: Collection[str]) -> Program:
+def program_in_lanes(
+    kernel: ForceKernel, sums: Collection[m.SumKernel], outputs: Collection[str]
+) -> t.Program:
     """The closed form's outputs without what lanes do in another way: sums, forces, ``singular_status`` and
     the checks of results, which have no bodies."""
     of_model = {each.name: each for each in model_structures(kernel)}
@@ -92,21 +79,19 @@ def program_in_lanes(kernel: ForceKernel, sums: Collection[m.SumKernel], outputs
         name = prefix_of(each)
         found = {"legs": Record(f"{camel(name)}Legs"), "sums": Record(f"{camel(name)}Sums")}
         known[f"{name}_sums"] = partial(
-            signature, f"{name}_sums", changed=("legs", "sums"), **of_pose, **found
+            t.signature, f"{name}_sums", changed=("legs", "sums"), **of_pose, **found
         )
     for of, result in RESULTS.items():
-        known[f"check_{of}"] = partial(signature, f"check_{of}", changed=("out",), out=Record(result.name))
-    known["forces"] = partial(signature, "forces", Record("Forces"), **of_pose)
+        known[f"check_{of}"] = partial(t.signature, f"check_{of}", changed=("out",), out=Record(result.name))
+    known["forces"] = partial(t.signature, "forces", Record("Forces"), **of_pose)
     known["place_blocks"] = Text(closed_form.place_blocks, given={"ROW": 6, "PART": 15})
     made = {"legs": "ForwardLegs", "summed": "ForwardSums", "out": "Accelerations"}
     known["accelerations_of"] = partial(
-        signature, "accelerations_of", changed=("out",), **{each: Record(of) for each, of in made.items()}
+        t.signature, "accelerations_of", changed=("out",), **{each: Record(of) for each, of in made.items()}
     )
     known["singular_status"] = lambda: shared().by_name["singular_status"]
     needed = _Needed(known, tuple(outputs), of_model, {})
-    for name in outputs:
-        needed.add(name)
-    return Program(kernel.name, tuple(needed.structures.values()), tuple(needed.functions.values()))
+    return needed.program(kernel.name)
 
 
 def sums_used(outputs: Collection[str], deep: bool = True) -> set[str]:
@@ -132,7 +117,13 @@ class _Needed:
     known: Mapping[str, Definition]
     public: tuple[str, ...]
     structures: dict[str, Structure]
-    functions: dict[str, Function]
+    functions: dict[str, t.Function]
+
+    def program(self, name: str) -> t.Program:
+        """The public functions with all that they need."""
+        for each in self.public:
+            self.add(each)
+        return t.Program(name, tuple(self.structures.values()), tuple(self.functions.values()))
 
     def add(self, name: str) -> None:
         """What a name stands for, with what that needs; nothing where it stands for nothing."""
@@ -156,9 +147,9 @@ class _Needed:
             self._add_types([] if made.result is None else [made.result])
             self.functions[name] = made
 
-    def _add_types(self, types: Iterable[Type]) -> None:
+    def _add_types(self, types: Iterable[t.Type]) -> None:
         for each in types:
-            kind = each.item if isinstance(each, Array) else each
+            kind = each.item if isinstance(each, t.Array) else each
             if isinstance(kind, Record):
                 self.add(kind.name)
 
@@ -186,8 +177,9 @@ def _texts(kernel: ForceKernel) -> dict[str, Definition]:
     found["solve_definite"] = Text(solve.solve_definite, given=DEFINITE)
     found["singular_status"] = Text(solve.singular_status, given={**INVERSE, **CARRIED})
     at = inertia_at(lambda part, i, _: t.at(t.of("summed", part.name), i))
-    six: dict[str, read.Given] = {"weigh_pivot": definite.remains, "inertia": at, "right": _right}
-    found["accelerations_of"] = Text(closed_form.accelerations_of, given={**SIX, **six})
+    six: dict[str, read.Given] = {"weigh_pivot": elimination.definite, "inertia": at, "right": _right}
+    kept: dict[str, read.Given] = {"kept": t.Constant("KEPT"), "scale": lambda k: at(k, k)}
+    found["accelerations_of"] = Text(closed_form.accelerations_of, given={**SIX, **six, **kept})
     found["place_blocks"] = Text(closed_form.place_blocks, given={"ROW": 3, "PART": 9})
     found["size_of"] = Text(solve.size_of, given={"BY_LEGS": 1})
     has_near = {"HAS_NEAR": int(kernel.leg_near_singular is not None)}
@@ -195,18 +187,18 @@ def _texts(kernel: ForceKernel) -> dict[str, Definition]:
     return found
 
 
-SIX: Mapping[str, read.Given] = {"definite_six": definite.definite_six}
+SIX: Mapping[str, read.Given] = {"definite_six": elimination.definite_six}
 """How six equations with M are solved."""
 
 
-def inertia_at(place: Callable[[Quantity, int, int], Expression]) -> Callable[..., Expression]:
+def inertia_at(place: Callable[[Quantity, int, int], t.Expression]) -> Callable[..., t.Expression]:
     """A number of M, in its upper triangle, from its parts.
 
     place: takes the part, the number's index in it, and its index in all three, one after the other.
     """
     vv, vw, ww = m.INERTIA
 
-    def found(row: Number, column: Number) -> Expression:
+    def found(row: t.Number, column: t.Number) -> t.Expression:
         i, j = int(row.value), int(column.value)
         part, key = (vv, (i, j)) if j < 3 else (vw, (i, j - 3)) if i < 3 else (ww, (i - 3, j - 3))
         index = part.keys.index(key)
@@ -215,7 +207,7 @@ def inertia_at(place: Callable[[Quantity, int, int], Expression]) -> Callable[..
     return found
 
 
-def _right(row: Number) -> Expression:
+def _right(row: t.Number) -> t.Expression:
     """A number of the right side."""
     force, moment = m.RIGHT
     return t.at(t.of("summed", (force if row.value < 3 else moment).name), int(row.value) % 3)
@@ -224,8 +216,8 @@ def _right(row: Number) -> Expression:
 _LEG_OUTPUTS = (n.q, n.L, n.k3, n.D, n.H_force, n.c_force, n.c_moment)
 
 
-def _numbers(*dims: int) -> Type:
-    return Array(Real(), dims)
+def _numbers(*dims: int) -> t.Type:
+    return t.Array(t.Real(), dims)
 
 
 def _quantities(block: Block) -> tuple[Quantity, ...]:
@@ -256,7 +248,7 @@ def _of_forces(kernel: ForceKernel) -> dict[str, Definition]:
             "H, c, and what moments are made with.",
             [p.q_1],
             Field("c", _numbers(6), "N, N m: wrench that the axial forces balance, (36)"),
-            Field("leg", Array(Record("LegTerms"), (6,)), "the legs"),
+            Field("leg", t.Array(Record("LegTerms"), (6,)), "the legs"),
             Field("H", _numbers(6, 6), "1 and m: from x to the wrench on the platform, (36)"),
             Field("arm", _numbers(6, 3), "m: arms of the moments"),
         ),
@@ -283,11 +275,11 @@ def _complete(block: Block, quantities: tuple[Quantity, ...]) -> Block:
 
 
 PREFIX = {"forward_dynamics": "forward"}
-"""With what names of functions begin, where it is not the name of the kernel."""
+"""Prefix of the names of a kernel's functions, where it is not the name of the kernel."""
 
 
 def prefix_of(sums: m.SumKernel) -> str:
-    """With what the names of a kernel's functions begin."""
+    """Prefix of the names of a kernel's functions."""
     return PREFIX.get(sums.name, sums.name)
 
 
@@ -314,16 +306,13 @@ def _of_sums(kernel: ForceKernel, sums: m.SumKernel) -> dict[str, Definition]:
         of_pose: structure(of_pose, "The pose's own part.", pose),
         of_leg: structure(of_leg, "A leg's part.", _quantities(sums.leg)),
         of_sums: structure(of_sums, "Sums over the machine.", sums.summed),
-        of_legs: Structure(
+        of_legs: _result(
             of_legs,
             "The legs.",
-            (
-                Field("given", Array(Record("LegInputs"), (6,)), "what blocks are given"),
-                Field("leg", Array(Record(of_leg), (6,)), "their parts"),
-                Field("reach", _numbers(6), "m: size of the vectors that each is the sum of"),
-                Field("leaning", Integer(), "1 where one is near its joint singularity"),
-                STATUS_FIELD,
-            ),
+            Field("given", t.Array(Record("LegInputs"), (6,)), "what blocks are given"),
+            Field("leg", t.Array(Record(of_leg), (6,)), "their parts"),
+            Field("reach", _numbers(6), "m: size of the vectors that each is the sum of"),
+            Field("leaning", t.Integer(), "1 where one is near its joint singularity"),
         ),
         f"{prefix}_total": Text(closed_form.total, given),
         f"{prefix}_legs": Text(closed_form.legs_of, given),
@@ -334,10 +323,6 @@ def _of_sums(kernel: ForceKernel, sums: m.SumKernel) -> dict[str, Definition]:
     for part, (block, result, reads) in blocks.items():
         found[f"{prefix}_{part}"] = partial(block_function, block, f"{prefix}_{part}", result, reads)
     return found
-
-
-def _result(name: str, meaning: str, *members: Field) -> Structure:
-    return Structure(name, meaning, (*members, STATUS_FIELD))
 
 
 RESULTS = {
@@ -397,15 +382,15 @@ _STRUCTURES = (
         "Rows",
         "M = A^T W A: three rows for each leg, by L, theta, phi, and six of the platform.",
         (
-            Field("given", Array(Record("LegInputs"), (6,)), "what the derivatives are given of the legs"),
+            Field("given", t.Array(Record("LegInputs"), (6,)), "what the derivatives are given of the legs"),
             Field("extent", _numbers(24), "root of the inertia in each row"),
             Field("weight", _numbers(24, 3), "1: W in blocks of three rows"),
             Field("row", _numbers(24, 6), "A, each row times the root of its inertia; then L and U"),
             Field("share", _numbers(24, 6), "each row as a sum of the six that serve as coordinates"),
             Field("inertia", _numbers(6, 6), "M in these coordinates"),
-            Field("order", Array(Integer(), (24,)), "number of the row in each place"),
-            Field("column", Array(Integer(), (6,)), "number of the column in each place"),
-            Field("length", Real(), "m: moments and rotations are measured by it"),
+            Field("order", t.Array(t.Integer(), (24,)), "number of the row in each place"),
+            Field("column", t.Array(t.Integer(), (6,)), "number of the column in each place"),
+            Field("length", t.Real(), "m: moments and rotations are measured by it"),
         ),
     ),
     _result("Apart", "What the rows give.", Field("x", _numbers(6), "m/s^2, rad/s^2: a and alpha")),

@@ -13,19 +13,7 @@ from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel
 from ..mechanics.lumped_constants import ADDED
 from ..program.block import Block, Quantity
-from .layouts import (
-    Layout,
-    Place,
-    Written,
-    described,
-    entries,
-    exprs_of,
-    lines,
-    member,
-    names_used,
-    stored,
-    stores,
-)
+from . import layouts as lay
 from .tree import nodes as t
 from .tree.constants import LARGEST, SMALLEST
 from .tree.lower import unit_and_meaning
@@ -33,7 +21,7 @@ from .tree.read import Given
 from .written import solve
 
 ABOUT_REFERENCE = SMALLEST / 2, LARGEST
-"""The same of arms from the reference point, which is amid most platforms."""
+"""``SMALLEST`` and ``LARGEST`` for arms from the reference point, which is amid most platforms."""
 PER_LENGTH = t.Field(
     "per_length",
     t.Real(),
@@ -46,10 +34,13 @@ ARM_CUBE = t.Field(
 ROBOT = t.Structure(
     "stewart_robot",
     "",
-    (t.Field("leg", t.Array(t.Record("stewart_leg"), (6,))), *(stored(q, always=False) for q in n.PLATFORM)),
+    (
+        t.Field("leg", t.Array(t.Record("stewart_leg"), (6,))),
+        *(lay.stored(q, always=False) for q in n.PLATFORM),
+    ),
 )
-LEG = t.Structure("stewart_leg", "", tuple(stored(q, always=False) for q in n.OF_LEG))
-MOTION = t.Structure("stewart_motion", "", tuple(stored(q, always=False) for q in n.MOTION))
+LEG = t.Structure("stewart_leg", "", tuple(lay.stored(q, always=False) for q in n.OF_LEG))
+MOTION = t.Structure("stewart_motion", "", tuple(lay.stored(q, always=False) for q in n.MOTION))
 
 
 def raw_structures(kernel: ForceKernel) -> tuple[t.Structure, t.Structure]:
@@ -58,9 +49,9 @@ def raw_structures(kernel: ForceKernel) -> tuple[t.Structure, t.Structure]:
     if not more:
         return ROBOT, LEG
     name = f"stewart_{kernel.fidelity}"
-    leg = t.Structure(f"{name}_leg", "One leg.", tuple(map(described, (*n.OF_LEG, *more))))
+    leg = t.Structure(f"{name}_leg", "One leg.", tuple(map(lay.described, (*n.OF_LEG, *more))))
     legs = t.Field("leg", t.Array(t.Record(leg.name), (6,)))
-    robot = t.Structure(f"{name}_robot", "The machine.", (legs, *map(described, n.PLATFORM)))
+    robot = t.Structure(f"{name}_robot", "The machine.", (legs, *map(lay.described, n.PLATFORM)))
     return robot, leg
 
 
@@ -83,7 +74,8 @@ def is_scaled(kernel: ForceKernel) -> bool:
 
 def flags(kernel: ForceKernel) -> dict[str, Given]:
     """What texts of the forces ask of a kernel."""
-    given, baked = exprs_of(kernel.leg), kernel.constants is not None
+    given, baked = lay.exprs_of(kernel.leg), kernel.constants is not None
+    unit = per_length(kernel.size)
     return {
         "BAKED": int(baked),
         "HAS_D": int(n.D in given),
@@ -91,38 +83,33 @@ def flags(kernel: ForceKernel) -> dict[str, Given]:
         "HAS_NEAR": int(kernel.leg_near_singular is not None),
         "SCALED": 0 if not is_scaled(kernel) else 2 if baked else 1,
         "SMALLEST": t.Number(SMALLEST),
-        "PER_LENGTH": t.Number(per_length(kernel.size)),
-        "UNIT_OF_MOMENTS": t.Number(per_length(kernel.size)) if baked else t.of("model", "per_length"),
-        "ARM_CUBE": t.Number((kernel.size * per_length(kernel.size)) ** 3)
-        if baked
-        else t.of("model", "arm_cube"),
+        "PER_LENGTH": t.Number(unit),
+        "UNIT_OF_MOMENTS": t.Number(unit) if baked else t.of("model", "per_length"),
+        "ARM_CUBE": t.Number((kernel.size * unit) ** 3) if baked else t.of("model", "arm_cube"),
     }
 
 
-def size_of(texts: Written, by_legs: bool) -> t.Function:
+def size_of(texts: lay.Written, by_legs: bool) -> t.Function:
     """The largest arm of a prepared model; by_legs: one leg stands after the other in it."""
     return texts.function(solve.size_of, given={"BY_LEGS": int(by_legs)})
 
 
 def prepared_structure(name: str, block: Block) -> t.Structure:
     """What a block of preparation makes."""
-    return t.Structure(name, "", tuple(stored(out.quantity, always=False) for out in block.outputs))
+    return t.Structure(name, "", tuple(lay.stored(out.quantity, always=False) for out in block.outputs))
 
 
-def preparation(texts: Written, kernel: ForceKernel) -> list[t.Structure | t.Function]:
+def preparation(texts: lay.Written, kernel: ForceKernel) -> list[t.Structure | t.Function]:
     """The two blocks of preparation, and what they read and make."""
     parts: list[t.Structure | t.Function] = []
     robot, leg = raw_structures(kernel)
     second = (t.Argument("leg", t.Record(leg.name)), t.Argument("sum", t.Record("prepared_leg")))
     names = ("prepared_leg", "prepared_platform")
+    first = t.Argument("robot", t.Record(robot.name))
     for block, made, more in zip((kernel.prepare_leg, kernel.prepare_platform), names, second, strict=True):
-        arguments = (
-            t.Argument("robot", t.Record(robot.name)),
-            more,
-            t.Argument("out", t.Record(made), changed=True),
-        )
+        out = t.Argument("out", t.Record(made), changed=True)
         meaning = f"{block.meaning[0].upper()}{block.meaning[1:]}."
-        function = t.Function(block.name, meaning, arguments, None, tuple(_body(block)))
+        function = t.Function(block.name, meaning, (first, more, out), None, tuple(_body(block)))
         texts.functions[block.name] = function
         parts += [texts.structures[made], function]
     return parts
@@ -130,34 +117,34 @@ def preparation(texts: Written, kernel: ForceKernel) -> list[t.Structure | t.Fun
 
 def _body(block: Block) -> Iterable[t.Statement]:
     yield from axis(block)
-    yield from lines(block, raw)
-    yield from stores(block.outputs, lambda q: member("out", q))
+    yield from lay.lines(block, raw)
+    yield from lay.stores(block.outputs, lambda q: lay.member("out", q))
 
 
 def axis(block: Block) -> Iterable[t.Statement]:
     """The fixed axis, which may have any length, as ``raw`` reads it."""
-    if n.k in block.inputs and names_used(block) & set(n.k.names):
+    if n.k in block.inputs and lay.names_used(block) & set(n.k.names):
         k = t.Member(t.Name("leg"), "k")
         yield t.Variable("axis", t.Array(t.Real(), (3,)), blank=True)
         yield t.Do(t.Call("scaled_axis", (k, t.Name("axis"))))
 
 
-def raw(quantity: Quantity) -> Place:
+def raw(quantity: Quantity) -> lay.Place:
     """Where an input of preparation is; of leg 1 alone, in the robot's first leg."""
     if quantity == n.k:
-        return Place(t.Name("axis"))
+        return lay.Place(t.Name("axis"))
     if quantity == n.p_1:
-        return Place(t.Member(t.Element(t.Member(t.Name("robot"), "leg"), (t.Number(0),)), "p"))
+        return lay.Place(t.Member(t.Element(t.Member(t.Name("robot"), "leg"), (t.Number(0),)), "p"))
     owner = "sum" if quantity in ADDED else "robot" if quantity in n.PLATFORM else "leg"
-    return member(owner, quantity)
+    return lay.member(owner, quantity)
 
 
 def constants(kernel: ForceKernel) -> dict[str, Given]:
     """What the texts of preparation go through: constants of a leg and of the platform, and sums of legs."""
     return {
-        "OF_LEG": entries(kernel.leg_constants()),
-        "OF_PLATFORM": entries(kernel.platform_constants()),
-        "ADDED": entries(ADDED),
+        "OF_LEG": lay.entries(kernel.leg_constants()),
+        "OF_PLATFORM": lay.entries(kernel.platform_constants()),
+        "ADDED": lay.entries(ADDED),
     }
 
 
@@ -173,12 +160,6 @@ def structures(kernel: ForceKernel) -> dict[str, t.Structure]:
     return found | {each.name: each for each in found.values()}
 
 
-def place_of(kernel: ForceKernel, owner: str) -> Layout:
-    """Places of constants: members of ``owner``, or the literals of a baked kernel."""
-    literals = kernel.literals()
-    return lambda q: t.Name(literal(q)) if q in literals else member(owner, q)
-
-
 def literal(quantity: Quantity) -> str:
     """Name of a constant that a baked kernel has once, whichever of its functions read it."""
     return f"BAKED_{quantity.name}"
@@ -186,8 +167,8 @@ def literal(quantity: Quantity) -> str:
 
 def literals(kernel: ForceKernel) -> str:
     """These constants as macros."""
-    lines = [
+    made = [
         f"#define {literal(q)} REAL({value!r}) /* {unit_and_meaning(q)} */"
         for q, value in kernel.literals().items()
     ]
-    return "\n".join(["/* Constants of the platform, and those that all legs share. */", *lines, ""])
+    return "\n".join(["/* Constants of the platform, and those that all legs share. */", *made, ""])

@@ -15,7 +15,6 @@ from .written import batch, lanes, legs, solve
 
 _ADDED: dict[str, Given] = {
     "add_leg": legs.add_leg,
-    "column_of_leg": legs.column_of_leg,
     "part_of_leg": legs.part_of_leg,
     "plus": legs.plus,
     "HAS_C_MOMENT": 1,
@@ -43,7 +42,7 @@ def legs_in_turn(out: str, leg: str, moments: str = "") -> dict[str, Given]:
 
 
 def legs_with_errors(out: str, leg: str) -> dict[str, Given]:
-    """The same with rounding errors of the sums; leg 1 has no moments about its own point."""
+    """``legs_in_turn`` with rounding errors of the sums; leg 1 has no moments about its own point."""
     return {
         **legs_in_turn(out, leg, leg),
         "plus": legs.plus_error,

@@ -178,7 +178,7 @@ def renamed(steps: Steps) -> dict[sp.Symbol, sp.Symbol]:
 def trace(program: Program, function: str, model: Any) -> Trace:
     """A public function of a program with a model, or a robot, of numbers."""
     constants: dict[sp.Symbol, float] = {}
-    named = _named_structure(model, constants)
+    named = _named("", "", [model], constants)
     arguments = {q.name: q.value for q in n.MOTION}
     given = SimpleNamespace(**{q.name: list(q.symbols) for q in n.MOTION})
     more = []
@@ -196,37 +196,24 @@ def _matrix(parts: list[Any]) -> sp.Matrix:
     return sp.Matrix(rows).applyfunc(lambda value: SYMBOLS.number(value) if value.is_Float else value)
 
 
-def _named_structure(given: Any, values: dict[sp.Symbol, float]) -> SimpleNamespace:
-    """A symbol for each number, its value added to ``values``; zero where it is zero, in all six legs."""
-    made: dict[str, Any] = {}
-    for name, value in vars(given).items():
-        if name == "leg":
-            members = [(i + 1, vars(leg)) for i, leg in enumerate(value)]
-            made[name] = [
-                SimpleNamespace(
-                    **{
-                        part: _named(part, str(i), [own, *(getattr(leg, part) for leg in value)], values)
-                        for part, own in leg_members.items()
-                    }
-                )
-                for i, leg_members in members
-            ]
-        elif isinstance(value, SimpleNamespace):
-            made[name] = _named_structure(value, values)
-        else:
-            made[name] = value if isinstance(value, int) else _named(name, "", [value], values)
-    return SimpleNamespace(**made)
-
-
 def _named(name: str, leg: str, alike: list[Any], values: dict[sp.Symbol, float]) -> Any:
-    """Symbols of a quantity, the first of ``alike``; zero where it is zero in all of them."""
+    """Symbols for the numbers of the first of ``alike``, whose values are added to ``values``.
+
+    leg: its number, "" of what is no leg's. A number that is zero in all of ``alike`` stays zero.
+    """
     first = alike[0]
+    if isinstance(first, SimpleNamespace):
+        parts = {part: [getattr(each, part) for each in alike] for part in vars(first)}
+        return SimpleNamespace(**{part: _named(part, leg, each, values) for part, each in parts.items()})
+    if name == "leg":
+        return [_named("", str(i), [each, *first], values) for i, each in enumerate(first, 1)]
     if isinstance(first, list):
-        parts = zip(*alike, strict=True)
         return [
             _named(_joined(name, _axes(len(first), i)), leg, list(part), values)
-            for i, part in enumerate(parts)
+            for i, part in enumerate(zip(*alike, strict=True))
         ]
+    if name == "status":
+        return first
     if not any(alike):
         return sp.Integer(0)
     symbol = sp.Symbol(_joined(name, leg), real=True)

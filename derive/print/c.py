@@ -286,11 +286,6 @@ class C(Printer):
     def condition(self, test: str) -> str:
         return f"if ({test})"
 
-    def more(self, before: str, node: t.Statement, depth: int) -> list[str]:
-        assert isinstance(node, t.Switch)
-        others = ["#else", *self.body(node.otherwise, depth)] if node.otherwise else []
-        return [f"#if defined({node.macro})", *self.body(node.body, depth), *others, "#endif"]
-
     # ------------------------------------------------------------ functions
 
     def function(self, function: t.Function) -> list[str]:

@@ -140,12 +140,8 @@ class Printer(ABC):
                 case t.If():
                     lines += self.conditional(before, node, depth)
                 case _:
-                    lines += self.more(before, node, depth)
+                    raise AssertionError(node)
         return lines
-
-    def more(self, before: str, node: t.Statement, depth: int) -> list[str]:
-        """A statement that only some languages have."""
-        raise AssertionError(node)
 
     def conditional(self, before: str, node: t.If, depth: int) -> list[str]:
         """A condition and what is done otherwise."""

@@ -116,7 +116,7 @@ def test_lines_of_another_text_take_what_it_is_called_with() -> None:
     assert rolled.count("for (") == 1
     assert "if (!(x[i] <= REAL(2)*most)) {\n            return i + 1;" in rolled
     assert read.used(checked, given={"reject": shaped}) == [
-        *("array(3)", "Real", "Integer", "array(3, 3)", "each", "before"),
+        *("Real", "Integer", "each", "array", "before"),
         "begin",
     ]
 

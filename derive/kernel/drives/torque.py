@@ -1,15 +1,17 @@
 """Torques of the motors, and the axial forces on which friction of a screw acts, as trees."""
 
 from dataclasses import replace
+from math import factorial
 
 from ...mechanics import quantities as n
 from ...program.block import Block
 from ..elimination import RETURNED
 from ..interface import STRUCTS
 from ..layouts import Written
-from ..model import STATUS_FIELD, machine_structures
+from ..model import machine_structures, result
 from ..tree import nodes as t
 from ..tree.lower import Arguments, block_function, structure
+from ..tree.read import Entries, Given
 from ..written import legs
 from . import written
 
@@ -18,29 +20,25 @@ DRIVES = t.Structure(
     "Constants of six drives.",
     tuple(t.numbers(m.name, *m.stored, meaning=f"{m.unit}: {m.meaning}") for m in STRUCTS["drives"]),
 )
-_TORQUES = t.Structure(
+_TORQUES = result(
     "Torques",
     "Torques and currents of six motors.",
-    (
-        t.numbers("torque", 6, meaning="N m: torques"),
-        t.numbers("current", 6, meaning="A: currents"),
-        STATUS_FIELD,
-    ),
+    t.numbers("torque", 6, meaning="N m: torques"),
+    t.numbers("current", 6, meaning="A: currents"),
 )
-_AXIAL = t.Structure(
+_AXIAL = result(
     "AxialLoads",
     "Axial forces of six legs.",
-    (
-        t.numbers("axial", 6, meaning="N: forces between the parts of the legs"),
-        t.numbers("L_dot", 6, meaning="m/s: rates of the lengths, (5)"),
-        STATUS_FIELD,
-    ),
+    t.numbers("axial", 6, meaning="N: forces between the parts of the legs"),
+    t.numbers("L_dot", 6, meaning="m/s: rates of the lengths, (5)"),
 )
 
 
 def torque_program() -> t.Program:
     """``motor_torques``: torques and currents from forces and rates."""
-    made = Written({each.name: each for each in (DRIVES, _TORQUES)}, {}, {})
+    last, *factors = (t.Number(1.0 / factorial(k)) for k in range(12, 1, -1))
+    series: dict[str, Given] = {"LAST": last, "FACTORS": Entries(tuple(factors))}
+    made = Written({each.name: each for each in (DRIVES, _TORQUES)}, series, {})
     for text in (written.decay_of, written.sign_of, written.motor_torques):
         made.function(text)
     return t.Program("torque", (DRIVES, _TORQUES), tuple(made.functions.values()))

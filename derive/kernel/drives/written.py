@@ -9,17 +9,10 @@ def decay_of(ratio: "Real") -> "Real":
     most = 8.0
     kept = where(size(ratio) < most, ratio, most)
     y = kept * kept * 0.00390625
-    series = 2.08767569878681e-09
-    series = 2.505210838544172e-08 - y * series
-    series = 2.755731922398589e-07 - y * series
-    series = 2.7557319223985893e-06 - y * series
-    series = 2.48015873015873e-05 - y * series
-    series = 0.0001984126984126984 - y * series
-    series = 0.001388888888888889 - y * series
-    series = 0.008333333333333333 - y * series
-    series = 0.041666666666666664 - y * series
-    series = 0.16666666666666666 - y * series
-    series = 0.5 - y * series
+    # Factors of the series: 1/11! to 1/2!; the last is 1/12!.
+    series = LAST
+    for factor in entries(FACTORS):
+        series = factor - y * series
     less = -y * (1.0 - y * series)
     for turn in range(8):
         less = less * (2.0 + less)

@@ -57,7 +57,7 @@ def constants(precision: str) -> dict[str, float]:
 
 
 def unchecked(epsilon: float) -> dict[str, float]:
-    """The same for an arithmetic of many digits in which every pose is regular to kernels.
+    """Constants for an arithmetic of many digits in which kernels take every pose for regular.
 
     epsilon: by how much searches may miss.
     """

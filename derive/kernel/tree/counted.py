@@ -4,6 +4,7 @@ Products with thresholds, constants of the arithmetic, are no part of the equati
 """
 
 import math
+import operator
 from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -16,6 +17,19 @@ from .interpret import Arithmetic, Interpreter, filled
 from .nodes import Integer, Program, Type
 
 
+def _counts(operation: str, of: Callable[..., float]) -> Callable[..., "Counting"]:
+    """An operator that counts itself, unless it is done with a threshold."""
+
+    def made(*numbers: "Counting") -> "Counting":
+        first, *others = numbers
+        first.done[operation] += not any(each.threshold for each in numbers)
+        # A product with a threshold is one, too.
+        threshold = operation == "mul" and any(each.threshold for each in others)
+        return Counting(of(*(each.value for each in numbers)), first.done, threshold)
+
+    return made
+
+
 @total_ordering
 @dataclass(frozen=True, eq=False)
 class Counting:
@@ -25,31 +39,11 @@ class Counting:
     done: Counter[str]
     threshold: bool = False
 
-    def _made(self, operation: str, value: float, *others: "Counting") -> "Counting":
-        free = any(each.threshold for each in (self, *others))
-        self.done[operation] += not free
-        return Counting(value, self.done)
-
-    def __add__(self, other: "Counting") -> "Counting":
-        """Sum."""
-        return self._made("add", self.value + other.value, other)
-
-    def __sub__(self, other: "Counting") -> "Counting":
-        """Difference."""
-        return self._made("add", self.value - other.value, other)
-
-    def __mul__(self, other: "Counting") -> "Counting":
-        """Product; with a threshold that is one, too."""
-        made = self._made("mul", self.value * other.value, other)
-        return Counting(made.value, self.done, other.threshold)
-
-    def __truediv__(self, other: "Counting") -> "Counting":
-        """Quotient."""
-        return self._made("div", self.value / other.value, other)
-
-    def sqrt(self) -> "Counting":
-        """Square root."""
-        return self._made("sqrt", math.sqrt(self.value))
+    __add__ = _counts("add", operator.add)
+    __sub__ = _counts("add", operator.sub)
+    __mul__ = _counts("mul", operator.mul)
+    __truediv__ = _counts("div", operator.truediv)
+    sqrt = _counts("sqrt", math.sqrt)
 
     def __neg__(self) -> "Counting":
         """The number with the other sign, which costs nothing."""

@@ -46,7 +46,7 @@ class _Fused:
             case t.Element() | t.From() | t.As():
                 return node
             case t.Let(type=t.Integer() | t.Count()):
-                return replace(node, value=self.node(node.value)) if _has_call(node) else node
+                return replace(node, value=self.node(node.value)) if any(t.calls_in(node)) else node
             case t.Binary("+" | "-" as operator, left, right) if self.is_real(node):
                 return self.sum(operator, self.node(left), self.node(right))
         return t.mapped(node, self.node) if isinstance(node, t.Node) else node
@@ -79,18 +79,11 @@ class _Fused:
     def subtracted(self, first: t.Expression, second: t.Expression) -> tuple[t.Expression, t.Expression]:
         """Two factors of which one has the sign."""
         common = isinstance(first, t.Name) and first.name in self.of_all_lanes
-        if self.of_all_lanes and (common or not isinstance(first, t.Name)) and _takes_sign(second):
+        # A sign before a negative or a literal would be drawn in.
+        takes_sign = not isinstance(second, t.Negative | t.Number)
+        if self.of_all_lanes and (common or not isinstance(first, t.Name)) and takes_sign:
             return first, t.Negative(second)
         return _negated(first), second
-
-
-def _takes_sign(node: t.Expression) -> bool:
-    """Whether a sign before it is not one that could be drawn in."""
-    return not isinstance(node, t.Negative | t.Number)
-
-
-def _has_call(node: Any) -> bool:
-    return any(True for _ in t.calls_in(node))
 
 
 def _is_product(node: t.Expression) -> bool:

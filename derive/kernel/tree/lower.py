@@ -131,19 +131,11 @@ def block_function(block: Block, name: str, result: str, arguments: Arguments) -
         for output in block.outputs
         for i, expr in enumerate(output.exprs)
     ]
-    return t.Function(
-        name,
-        f"{block.meaning[0].upper()}{block.meaning[1:]}: {block.operations()}.",
-        tuple(t.Argument(name, kind) for name, kind in kinds.items()),
-        t.Record(result),
-        (
-            *loads,
-            *steps_of(block.steps),
-            t.Variable(OUT, t.Record(result), blank=True),
-            *stores,
-            t.Return(out),
-        ),
-    )
+    meaning = f"{block.meaning[0].upper()}{block.meaning[1:]}: {block.operations()}."
+    given = tuple(t.Argument(name, kind) for name, kind in kinds.items())
+    made = t.Variable(OUT, t.Record(result), blank=True)
+    body = (*loads, *steps_of(block.steps), made, *stores, t.Return(out))
+    return t.Function(name, meaning, given, t.Record(result), body)
 
 
 def _argument_type(kind: str, held: tuple[Quantity, ...]) -> t.Type:

@@ -260,14 +260,6 @@ class If(Statement):
     otherwise: tuple[Statement, ...] = ()
 
 
-class Switch(Statement):
-    """``body`` where a macro is defined when the program is compiled, else ``otherwise``."""
-
-    macro: str
-    body: tuple[Statement, ...]
-    otherwise: tuple[Statement, ...] = ()
-
-
 class Do(Statement):
     """A call of a function that changes an argument."""
 
@@ -382,7 +374,7 @@ def joined(one: Program, other: Program) -> Program:
 
 
 def statements(body: tuple[Statement, ...]) -> Iterator[Statement]:
-    """Every statement of a body, those of loops, conditions and switches as well."""
+    """Every statement of a body, those of loops and conditions as well."""
     return (each for each in parts_of(body) if isinstance(each, Statement))
 
 

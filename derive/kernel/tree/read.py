@@ -34,17 +34,7 @@ from typing import Any, cast
 
 from . import nodes as t
 from .constants import INTEGERS, NAMES
-from .written_text import (
-    Filled,
-    Names,
-    base_of,
-    called_name,
-    changed_names,
-    is_none,
-    parsed,
-    rolled_range,
-    with_variables,
-)
+from .written_text import Filled, Names, base_of, called_name, changed_names, parsed, with_variables
 
 _OPERATORS: Mapping[type[ast.AST], str] = {
     **{ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"},
@@ -100,12 +90,12 @@ def used(
 ) -> list[str]:
     """Names of the structures and functions that a text and those read in its place use, in their order."""
     tree = parsed(written, names)
-    typed = [each.annotation for each in tree.args.args] + [tree.returns]
-    quoted = [node.value for node in typed if isinstance(node, ast.Constant) and isinstance(node.value, str)]
+    typed = [*(each.annotation for each in tree.args.args), tree.returns]
+    named = [node.id for node in typed if isinstance(node, ast.Name)]
     called = [called_name(node) for node in ast.walk(tree) if isinstance(node, ast.Call)]
     texts = {each: text for each in called if inspect.isfunction(text := given.get(each))}
     inside = [each for text in texts.values() for each in used(text, names, given)]
-    return list(dict.fromkeys([*quoted, *inside, *(each for each in called if each not in texts)]))
+    return list(dict.fromkeys([*named, *inside, *(each for each in called if each not in texts)]))
 
 
 @dataclass
@@ -126,34 +116,28 @@ class _Reader:
         read = self.body(tree.body[ast.get_docstring(tree) is not None :])
         changed = changed_names(read, self.functions, self.is_address)
         arguments = tuple(t.Argument(name, kind, name in changed, alone) for name, kind, alone in typed)
-        result = None if is_none(tree.returns) else self.annotated(tree.returns)
+        result = None if isinstance(tree.returns, ast.Constant | None) else self.annotated(tree.returns)
         paragraphs = (ast.get_docstring(tree) or "").split("\n\n")
         meaning = "\n\n".join(" ".join(each.split()) for each in paragraphs)
         return t.Function(name, meaning, arguments, result, with_variables(read, changed), public)
 
     def argument(self, node: ast.expr | None) -> tuple[t.Type, bool]:
-        if isinstance(node, ast.Constant) and isinstance(node.value, str):
-            node = ast.parse(node.value, mode="eval").body
-        if node is not None and called_name(node) == "alone":
-            assert isinstance(node, ast.Call)
-            return self.annotated(node.args[0]), True
+        match node:
+            case ast.Call(func=ast.Name(id="alone"), args=[inner]):
+                return self.annotated(inner), True
         return self.annotated(node), False
 
     def annotated(self, node: ast.expr | None) -> t.Type:
-        if isinstance(node, ast.Constant) and isinstance(node.value, str):
-            node = ast.parse(node.value, mode="eval").body
-        if isinstance(node, ast.Name):
-            plain: dict[str, t.Type] = {"Real": t.Real(), "Integer": t.Integer(), "Count": t.Count()}
-            named = self.structures.get(node.id)
-            return plain.get(node.id, t.Record(named.name if named else node.id))
-        if isinstance(node, ast.Call) and called_name(node) == "Pointer":
-            item = self.annotated(node.args[0])
-            assert isinstance(item, t.Real | t.Integer | t.Record)
-            return t.Pointer(item)
-        if isinstance(node, ast.Call) and called_name(node) == "array":
-            return t.Array(t.Real(), tuple(self.dimension(arg) for arg in node.args))
-        if isinstance(node, ast.Call) and called_name(node) == "pointers":
-            return t.Array(t.Pointer(t.Real()), tuple(self.dimension(arg) for arg in node.args))
+        match node:
+            case ast.Name(id=name):
+                plain: dict[str, t.Type] = {"Real": t.Real(), "Integer": t.Integer(), "Count": t.Count()}
+                named = self.structures.get(name)
+                return plain.get(name, t.Record(named.name if named else name))
+            case ast.Call(func=ast.Name(id="Pointer"), args=[item]):
+                return t.Pointer(self.annotated(item))
+            case ast.Call(func=ast.Name(id="array" | "pointers" as kind), args=dims):
+                of = t.Real() if kind == "array" else t.Pointer(t.Real())
+                return t.Array(of, tuple(map(self.dimension, dims)))
         raise self.error(node, "a structure's name, array(...), Pointer(...), Real, Integer or Count")
 
     def dimension(self, node: ast.expr) -> int:
@@ -310,7 +294,7 @@ class _Reader:
         call = node.iter
         down = called_name(call) == "reversed"
         if called_name(call) == "each":
-            call, down = rolled_range(call)
+            call, down = _rolled_range(call)
         elif down:
             assert isinstance(call, ast.Call)
             call = call.args[0]
@@ -473,6 +457,15 @@ class _Reader:
             return False
         owner = self.types.get(node.owner.name)
         return isinstance(owner, t.Record) and isinstance(self.member(owner, node.name), t.Pointer)
+
+
+def _rolled_range(node: ast.expr) -> tuple[ast.expr, bool]:
+    """``range`` of what ``each`` goes through, and whether it goes downward."""
+    assert isinstance(node, ast.Call)
+    if len(node.args) < 3:
+        return ast.Call(ast.Name("range"), node.args, []), False
+    first, after, _ = (ast.literal_eval(each) for each in node.args)
+    return ast.parse(f"range({after + 1}, {first + 1})", mode="eval").body, True
 
 
 def _number(member: str, index: tuple[t.Name, ...], owner: t.Expression) -> t.Expression:

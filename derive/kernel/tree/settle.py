@@ -43,9 +43,6 @@ def _statement(node: t.Statement, known: Known) -> t.Statement:
         branches = ((node.body, True), (node.otherwise, False))
         yes, no = (_body(part, {**known, **_decided(test, holds)}) for part, holds in branches)
         return replace(node, test=test, body=yes, otherwise=no)
-    if isinstance(node, t.Switch):
-        yes, no = (_body(part, known) for part in (node.body, node.otherwise))
-        return replace(node, body=yes, otherwise=no)
     found: t.Statement = _in(node, known)
     return found
 

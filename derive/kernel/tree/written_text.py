@@ -4,7 +4,7 @@ import ast
 import inspect
 import textwrap
 from collections.abc import Callable, Mapping
-from typing import Any
+from typing import Any, cast
 
 from . import nodes as t
 
@@ -27,8 +27,7 @@ def parsed(written: Callable[..., Any], names: Names) -> ast.FunctionDef:
 
 def _quoted(node: ast.expr | None, names: Names) -> ast.expr | None:
     if isinstance(node, ast.Constant) and isinstance(node.value, str):
-        made = _Renamed(names).visit(ast.parse(node.value, mode="eval").body)
-        return ast.Constant(ast.unparse(made))
+        return cast("ast.expr", _Renamed(names).visit(ast.parse(node.value, mode="eval").body))
     return node
 
 
@@ -90,11 +89,6 @@ def with_variables(node: Any, changed: set[str]) -> Any:
     return node
 
 
-def is_none(node: ast.expr | None) -> bool:
-    """Whether an expression is ``None`` or missing."""
-    return node is None or (isinstance(node, ast.Constant) and node.value is None)
-
-
 def root_of(node: t.Expression) -> str:
     """Name of what a place is part of."""
     while isinstance(node, t.Member | t.Element | t.From | t.Select):
@@ -106,19 +100,10 @@ def root_of(node: t.Expression) -> str:
 
 
 def base_of(node: ast.expr) -> str:
-    """The same of Python's tree."""
+    """Name of what a place in Python's tree is part of."""
     while isinstance(node, ast.Attribute | ast.Subscript):
         node = node.value
     return node.id if isinstance(node, ast.Name) else ""
-
-
-def rolled_range(node: ast.expr) -> tuple[ast.expr, bool]:
-    """``range`` of what ``each`` goes through, and whether it goes downward."""
-    assert isinstance(node, ast.Call)
-    if len(node.args) < 3:
-        return ast.Call(ast.Name("range"), node.args, []), False
-    first, after, _ = (ast.literal_eval(each) for each in node.args)
-    return ast.parse(f"range({after + 1}, {first + 1})", mode="eval").body, True
 
 
 def called_name(node: ast.expr) -> str:

@@ -75,7 +75,7 @@ def legs_batch(
 
 
 def one_kinematics() -> None:
-    """Of one pose."""
+    """What the batch does with one pose."""
     at = pose_at(motions, pose, zeros)
     found = motions_of(robot, at)
     code = found.status
@@ -111,7 +111,7 @@ def forces_bounded_batch(
 
 
 def one_bounded() -> None:
-    """Of one pose."""
+    """What the batch does with one pose."""
     at = pose_at(motions, pose, zeros)
     code = forces_of_pose(
         model,
@@ -153,6 +153,6 @@ def closed_form_batch(
 
 
 def one_closed_form() -> None:
-    """Of one pose."""
+    """What the batch does with one pose."""
     load_pose(motions, pose, one)
     code = of_pose(model, one, F[pose * 6 :], found)

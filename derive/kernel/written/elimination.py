@@ -70,7 +70,7 @@ def above_as_well(k) -> None:
 
 
 def one_by_one() -> None:
-    """Of one right side, the last unknown first."""
+    """Back substitution for one right side: the last unknown first."""
     for i in each(5, -1, -1):
         total[i,] = a[i, 6]
         for j in each(i + 1, 6):
@@ -82,7 +82,7 @@ def one_by_one() -> None:
 
 
 def row_by_row() -> None:
-    """Of many."""
+    """Back substitution for many right sides."""
     substitute_back_WIDTH(A, inverse)
 
 
@@ -99,7 +99,7 @@ def exchange_selected(k, i) -> None:
 
 
 def exchange_in_lanes(k, i) -> None:
-    """The same in lanes, where a number that holds the test makes vectors of one width."""
+    """Exchange of rows in lanes, where a number that holds the test makes vectors of one width."""
     below[i, k] = where(size(a[i, k]) > size(a[k, k]), 1.0, 0.0)
     for j in each(k, 7):
         above[k, j, i] = where(below[i, k] > 0.0, a[i, j], a[k, j])
@@ -148,20 +148,16 @@ def look_below(k, i) -> None:
 
 
 def exchange_once(k) -> None:
-    """The row of the pivot comes to its place."""
+    """The row of the pivot comes to its place, and that of the inverse beside it."""
     if anywhere(pivot != k):
         for j in columns(WIDTH):
             moved = a[k, j]
             a[k, j] = A[pivot][j]
             A[pivot][j] = moved
-            exchange_more(k, j)
-
-
-def exchange_beside(k, j) -> None:
-    """And that of the inverse."""
-    beside = Y[k][j]
-    Y[k][j] = Y[pivot][j]
-    Y[pivot][j] = beside
+            if BESIDE:
+                beside = Y[k][j]
+                Y[k][j] = Y[pivot][j]
+                Y[pivot][j] = beside
 
 
 def suspicion(k) -> None:
@@ -170,12 +166,12 @@ def suspicion(k) -> None:
 
 
 def fault_in_lanes(k) -> None:
-    """The same in lanes."""
+    """Whether a pivot is small, in lanes."""
     fault = where(size(a[k, k]) > SUSPECT, fault, 1.0)
 
 
 def product(k) -> None:
-    """Of the pivots: without vector registers it takes fewer instructions than a look at each."""
+    """Product of the pivots: without vector registers it takes fewer instructions than a look at each."""
     pivots = a[k, k] if k == 0 else pivots * a[k, k]
 
 
@@ -185,9 +181,9 @@ def regular(k) -> None:
 
 
 def definite(k) -> None:
-    """Of a symmetric matrix, whose rows stay where they are: what remains of its diagonal number."""
+    """Whether enough remains of a diagonal number of a symmetric matrix, whose rows stay in place."""
     fault = where(size(a[k, k]) <= MAX, INDEFINITE, NOT_FINITE)
-    fault = where(a[k, k] > kept * scale[k], OK, fault)
+    fault = where(a[k, k] > kept * scale[k,], OK, fault)
     status = where(status == OK, fault, status)
 
 
@@ -202,6 +198,29 @@ def carried(holds, code) -> None:
     status = where((status != OK) | (holds), status, code)
 
 
+# ---------------------------------------------------------------- L D L^T, every entry a variable
+
+
+def definite_six() -> None:
+    """``inertia`` x = ``right``; only what is on the diagonal and above it is read."""
+    for i in each(6):
+        y[i,] = right[i,]
+        for j in each(i, 6):
+            a[i, j] = inertia[i, j]
+    for k in each(6):
+        weigh_pivot(k)
+        inverse[k,] = 1.0 / a[k, k]
+        for i in each(k + 1, 6):
+            factor[k, i] = a[k, i] * inverse[k,]
+            for j in each(i, 6):
+                a[i, j] = a[i, j] - factor[k, i] * a[k, j]
+            y[i,] = y[i,] - factor[k, i] * y[k,]
+    for k in each(5, -1, -1):
+        x[k,] = y[k,] * inverse[k,]
+        for j in each(5, k, -1):
+            x[k,] = x[k,] - factor[k, j] * x[j,]
+
+
 # ---------------------------------------------------------------- two blocks of three legs
 
 
@@ -213,7 +232,12 @@ def two_blocks() -> None:
     the other. Legs 2, 4 and 6 balance the force, by the adjugate of their directions; legs 1, 3 and 5 the
     moment, by that of the Schur complement.
     """
-    adjugate_of_directions()
+    for i in each(3):
+        for j in each(3):
+            r[i, j] = (
+                a[(j + 1) % 3, 2 * ((i + 1) % 3) + 1] * a[(j + 2) % 3, 2 * ((i + 2) % 3) + 1]
+                - a[(j + 2) % 3, 2 * ((i + 1) % 3) + 1] * a[(j + 1) % 3, 2 * ((i + 2) % 3) + 1]
+            )
     det = a[0, 1] * r[0, 0] + a[1, 1] * r[0, 1] + a[2, 1] * r[0, 2]
     eliminated()
     for i in each(3):
@@ -238,16 +262,6 @@ def two_blocks() -> None:
         x[2 * i + 1,] = (e[i, 6] - e[i, 0] * x[0,] - e[i, 2] * x[2,] - e[i, 4] * x[4,]) * inverse_det
 
 
-def adjugate_of_directions() -> None:
-    """Of legs 2, 4 and 6: cross products of two of their directions."""
-    for i in each(3):
-        for j in each(3):
-            r[i, j] = (
-                a[(j + 1) % 3, 2 * ((i + 1) % 3) + 1] * a[(j + 2) % 3, 2 * ((i + 2) % 3) + 1]
-                - a[(j + 2) % 3, 2 * ((i + 1) % 3) + 1] * a[(j + 1) % 3, 2 * ((i + 2) % 3) + 1]
-            )
-
-
 def entry_by_entry() -> None:
     """The forces that legs 2, 4 and 6 take from the other columns, and the Schur complement; both times
     the determinant of their directions."""
@@ -260,7 +274,7 @@ def entry_by_entry() -> None:
 
 
 def column_by_column() -> None:
-    """The same of one pose, a row of eight one vector."""
+    """``entry_by_entry`` for one pose, where a row of eight is one vector."""
     balanced = blank(array(3, LANES))
     left = blank(array(3, LANES))
     for l in range(LANES):
@@ -275,12 +289,8 @@ def column_by_column() -> None:
         for c in each(0, 6, 2):
             e[i, c] = balanced[i][c]
             w[i, c] = left[i][c]
-    column_of_sums()
-
-
-def one_column() -> None:
-    """The column c alone, which the rows do not hold: it was just stored, number by number, and a processor
-    would wait for all of it before it reads it as part of a vector."""
+    # The column c alone, which the rows do not hold: it was just stored, number by number, and a processor
+    # would wait for all of it before it reads it as part of a vector.
     for i in each(3):
         e[i, 6] = r[i, 0] * wrench[0] + r[i, 1] * wrench[1] + r[i, 2] * wrench[2]
     for k in each(3):

@@ -115,7 +115,7 @@ def inverse_dynamics_batch(
 
 
 def one_forces() -> None:
-    """Of one pose."""
+    """What the batch does with one pose."""
     at = pose_at(motions, pose, zeros)
     code = pose_forces(robot, at, found)
 
@@ -138,7 +138,7 @@ def joint_reactions_batch(
 
 
 def one_reactions() -> None:
-    """Of one pose."""
+    """What the batch does with one pose."""
     at = pose_at(motions, pose, zeros)
     code = pose_forces(robot, at, forces)
     if code == OK:

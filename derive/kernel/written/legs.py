@@ -59,18 +59,13 @@ def mark(before, after) -> None:
 
 def add_leg(i, j) -> None:
     """A component of a leg's column of H and of its part of c."""
-    column_of_leg(i, j)
+    H[j, i] = H_force[j, i]
+    H[j + 3, i] = H_moment[j, i]
     part_of_leg(i, j)
 
 
-def column_of_leg(i, j) -> None:
-    """Of H."""
-    H[j, i] = H_force[j, i]
-    H[j + 3, i] = H_moment[j, i]
-
-
 def part_of_leg(i, j) -> None:
-    """Of c; with moments about platform point 1 leg 1 has no arm."""
+    """A component of a leg's part of c; with moments about platform point 1 leg 1 has no arm."""
     plus(j, c_force[j, i])
     if HAS_C_MOMENT:
         plus(j + 3, c_moment[j, i])
@@ -82,10 +77,10 @@ def part_of_leg(i, j) -> None:
 
 
 def plus(row, term) -> None:
-    """One term more."""
+    """Adds a term to a sum."""
     c[row,] = c[row,] + term
 
 
 def plus_error(row, term) -> None:
-    """And the rounding error of the sum."""
+    """Adds a term to a sum, and its rounding error to that of the sum."""
     add(c[row,], c_own[row,], term, 0.0)

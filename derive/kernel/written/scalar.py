@@ -148,12 +148,8 @@ def pose_forces(model: "Model", motion: "Motion", F: "array(6)") -> "Integer":
     x = blank(array(6))
     if HAS_D:
         known = blank(array(6))
-    if BAKED:
-        if motion is None or F is None:
-            return BAD_ARGUMENT
-    else:
-        if model is None or motion is None or F is None:
-            return BAD_ARGUMENT
+    if MISSING:
+        return BAD_ARGUMENT
     pose.close = 0
     pose_of(model, motion, pose, A)
     shift_of(model, legs[0] if BAKED else model.leg[0], motion, pose, A)

@@ -113,22 +113,28 @@ def batch_of_blocks(
         F = array(48)
     if MISSING:
         return BAD_ARGUMENT
-    begin()
+    found = blank(Found)
     of_leg.model = model
     result = OK
     for first in range(0, count, LANES):
         load_motions(motions, first, count, at)
-        load_acting()
+        if FORCES_FIRST:
+            part = blank(Motions)
+            size_of_block = where(count - first < LANES, count - first, LANES)
+            PARTS
+            held = kernel_forces_batch(model, size_of_block, part, F, None)
+            load_forces(F, 0, size_of_block, acting)
+        elif HAS_F:
+            load_forces(F, first, count, acting)
         sums_of_block(model, at, acting, of_leg.model, block)
         finish_block()
-        if IN_LANES:
-            if count - first >= LANES and any_of(block.bad) == 0:
-                IN_PLACE
-                if status is not None:
-                    for l in range(LANES):
-                        status[first + l] = OK
-            else:
-                one_by_one()
+        if FORCES_FIRST:
+            one_by_one()
+        elif count - first >= LANES and any_of(block.bad) == 0:
+            IN_PLACE
+            if status is not None:
+                for l in range(LANES):
+                    status[first + l] = OK
         else:
             one_by_one()
     return result
@@ -150,42 +156,23 @@ def one_by_one() -> None:
             break
         pose = first + l
         code = where(block.bad[l] > 0.0, INDEFINITE, OK)
-        finish()
+        if FORCES_FIRST:
+            if code == OK:
+                code = slopes(model.per_length, row[l * WIDTH :], F[l * 6 :], found)
         if code == OK:
             COPIED
         else:
             load_pose(motions, pose, one)
-            find()
+            if FORCES_FIRST:  # noqa: SIM108
+                code = of_pose(model, one, found)
+            else:
+                code = of_pose(model, one, F[pose * 6 :], found)
             if code == OK:
                 COPIED_ALONE
         note_status()
 
 
-def acting_of_block() -> None:
-    """Forces that act in eight poses."""
-    load_forces(F, first, count, acting)
-
-
-def forces_of_block() -> None:
-    """Forces of inverse dynamics of eight poses."""
-    part = blank(Motions)
-    size_of_block = where(count - first < LANES, count - first, LANES)
-    PARTS
-    held = kernel_forces_batch(model, size_of_block, part, F, None)
-    load_forces(F, 0, size_of_block, acting)
-
-
 # ---------------------------------------------------------------- the results of each output
-
-
-def begun_structure() -> None:
-    """What the function of one pose fills."""
-    found = blank(Found)
-
-
-def begun_array() -> None:
-    """And where that is an array."""
-    found = blank(array(6))
 
 
 def finished_in_lanes() -> None:
@@ -220,22 +207,6 @@ def finished_forces() -> None:
     if held != OK:
         for l in range(LANES):
             block.bad[l] = 1.0
-
-
-def finished_slopes() -> None:
-    """Derivatives of one pose."""
-    if code == OK:
-        code = slopes(model.per_length, row[l * WIDTH :], F[l * 6 :], found)
-
-
-def found_alone() -> None:
-    """A pose by itself."""
-    code = of_pose(model, one, found)
-
-
-def found_under_forces() -> None:
-    """And with forces that act."""
-    code = of_pose(model, one, F[pose * 6 :], found)
 
 
 def stored_pivot(k) -> None:

@@ -170,6 +170,6 @@ def regressor_batch(
 
 
 def one_regressor() -> None:
-    """Of one pose."""
+    """What the batch does with one pose."""
     load_pose(motions, pose, one)
     code = regressor(robot, one, columns, width, Y[pose * each :])
