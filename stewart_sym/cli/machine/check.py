@@ -5,8 +5,8 @@ import contextlib
 from pathlib import Path
 
 from ..inputs import robot_of
-from ..options import json_file, no_pictures, output, robot_file
-from ..results import need_drawing, results
+from ..options import output, robot_file
+from ..results import results
 
 HELP = "validate, describe and draw a robot file"
 EXAMPLE = "stewart-sym check hexapod.toml -o hexapod"
@@ -23,9 +23,7 @@ MORE = (
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Arguments of ``check``."""
     robot_file(parser)
-    output(parser, "DIR", "folder for the report and a picture", "none is written")
-    no_pictures(parser)
-    json_file(parser)
+    output(parser, "DIR", "folder for the report and a picture", "none is written", pictures=True)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -33,9 +31,7 @@ def run(arguments: argparse.Namespace) -> int:
     from ...studies.reports.describe import report
 
     drawn = arguments.pictures and arguments.output is not None
-    if drawn:
-        need_drawing(arguments)
-    with results(arguments, "report") as take:
+    with results(arguments, "report") as (take, _):
         take(report(robot_of(arguments.robot), drawn, _length_unit(arguments.robot)))
     return 0
 
