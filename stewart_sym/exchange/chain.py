@@ -15,7 +15,7 @@ WORLD = "world"
 """Name of what does not move."""
 
 BETWEEN = ", joint "
-"""In the name of what stands between two joints that a file gives one body: a body's name, this, a number."""
+"""In names of the bodies without mass between two joints that a file gives one body, before a number."""
 
 _COLORS = {"lower": (0.35, 0.4, 0.47), "upper": (0.75, 0.78, 0.8), "platform": (0.2, 0.45, 0.7)}
 _GRAY = (0.5, 0.5, 0.5)
@@ -109,6 +109,13 @@ class Joint:
     def limited(self) -> bool:
         """Whether the coordinate has limits on both sides."""
         return bool(np.all(np.isfinite(self.limits)))
+
+    def travel(self, unlimited: float) -> tuple[float, float]:
+        """Limits counted from where the model stands; -unlimited and unlimited where there are none."""
+        if not self.limited:
+            return -unlimited, unlimited
+        low, high = self.limits
+        return low - self.position, high - self.position
 
 
 @dataclass(frozen=True, eq=False)

@@ -105,18 +105,14 @@ def restored_offsets(value: Any) -> Offsets:
     """Undo ``noted_offsets``; ValueError of one line."""
     tables = value if isinstance(value, Mapping) else {}
     shared, legs = tables.get("legs"), tables.get("leg")
-    good = isinstance(legs, list) and len(legs) == LEGS and all(isinstance(leg, Mapping) for leg in legs)
-    if not isinstance(shared, Mapping) or not isinstance(legs, list) or not good:
+    legs = legs if isinstance(legs, list) else []
+    each = [leg for leg in legs if isinstance(leg, Mapping)]
+    if not isinstance(shared, Mapping) or not len(each) == len(legs) == LEGS:
         raise ValueError("notes: offsets: expected tables legs and leg")
-    found = offsets_of_tables(shared, legs, "notes: offsets: ", _array)
+    found = offsets_of_tables(shared, each, "notes: offsets: ", np.asarray)
     if found is None:
         raise ValueError("notes: offsets: expected offsets, got none")
     return found
-
-
-def _array(value: Any) -> Array:
-    """Lengths in m as they are."""
-    return np.asarray(value, dtype=np.float64)
 
 
 def same_offsets(robot: Robot, noted: Offsets) -> bool:

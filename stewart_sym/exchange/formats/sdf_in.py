@@ -10,7 +10,7 @@ from ...io.array_types import Array
 from ...motion.rotation import rotation_from_quaternion, rotation_from_rpy
 from ...robot.fields import LEGS, direction
 from ..chain import WORLD, Body, Joint, Model
-from ..notes import parsed_notes
+from ..notes import json_table
 from .sdf_out import NOTES
 from .xml_text import at_line, interval, joint_of, largest, name_of, number, numbers, tensor
 
@@ -42,7 +42,7 @@ def model(root: ET.Element, loops: str | None = None) -> Model:
         None if gravity is None else numbers(gravity, 3, "gravity"),
         tuple(found.bodies),
         tuple(found.joints),
-        parsed_notes(models[0].findtext(NOTES), NOTES),
+        json_table(models[0].findtext(NOTES), NOTES),
         tuple(found.left_out),
     )
 

@@ -1,6 +1,5 @@
 """URDF, the format of ROS, and the file of its loops as a model."""
 
-import json
 import xml.etree.ElementTree as ET
 from dataclasses import replace
 from typing import Any
@@ -12,6 +11,7 @@ from ...io.array_types import Array
 from ...motion.rotation import rotation_from_rpy
 from ...robot.fields import direction
 from ..chain import WORLD, Body, Joint, Model
+from ..notes import json_table
 from .xml_text import at_line, interval, joint_of, largest, name_of, number, numbers, tensor
 
 _KINDS = {
@@ -47,11 +47,7 @@ def model(root: ET.Element, loops: str | None) -> Model:
 
 
 def _loops(text: str) -> dict[str, Any]:
-    try:
-        given = json.loads(text)
-    except (ValueError, RecursionError):
-        raise ValueError("loops: expected JSON") from None
-    found = tables.checked_table(given, "loops: ", _FILE_KEYS)
+    found = tables.checked_table(json_table(text, "loops"), "loops: ", _FILE_KEYS)
     if not isinstance(found.get("closures", []), list):
         raise ValueError("loops: closures: expected a list")
     for key in ("armature_kg", "notes"):

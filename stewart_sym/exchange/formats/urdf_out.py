@@ -105,7 +105,7 @@ def _joint(root: ET.Element, model: Model, joint: Joint) -> None:
     if joint.kind != "free":
         added(element, "dynamics", damping=joint.damping, friction=0.0)
     if joint.kind == "prismatic":
-        low, high = np.array(joint.limits) - joint.position if joint.limited else (-NO_LIMIT, NO_LIMIT)
+        low, high = joint.travel(NO_LIMIT)
         effort, speed = min(joint.effort, NO_LIMIT), min(joint.speed, NO_LIMIT)
         added(element, "limit", lower=low, upper=high, effort=effort, velocity=speed)
 
