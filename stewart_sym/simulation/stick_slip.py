@@ -298,8 +298,7 @@ class StickSlip:
     def at(self, time: float, piece: Piece, actuators: Actuators) -> tuple[Motion, Array]:
         """State with its load at a time within a piece, and the motors' forces, N, (6,)."""
         state = self.moving(motion_of(piece.interpolant(time), piece.center), piece.modes)
-        motor = actuators.at(time, state) if piece.sampled is None else actuators.clipped(piece.sampled)
-        return self.loaded(time, state), motor
+        return self.loaded(time, state), actuators.at(time, state, piece.sampled)
 
     def moving(self, state: Motion, modes: Modes | None = None) -> Motion:
         """The state without what errors of the integration move legs that stick."""
