@@ -25,9 +25,9 @@ _STEP = 1e-6
 class Family:
     """All splines through via poses: by shifts of the free ones, (f,), and coordinates w, (m, 7).
 
-    s: samples. B: B-splines there, (n, c). between, fine: the same
-    of a finer grid with the via poses. metric: of length and bends, (c, c). through, rest:
-    coefficients are through @ via + rest @ w.
+    s: samples. B: B-splines there, (n, c). between, fine: the same of a finer grid with the via poses.
+    metric: quadratic form of length and bending, (c, c). through, rest: coefficients are
+    through @ via + rest @ w.
     """
 
     poses: tuple[ViaPose, ...]

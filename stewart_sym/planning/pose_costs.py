@@ -21,10 +21,10 @@ from ..motion.rotation import cross
 from ..robot.robot import Robot
 
 _ONE, _OTHER = np.array(PAIRS).T
-# Room that a path keeps from its limits at the samples, share of the characteristic length or of a cosine.
+# Distance that a path keeps from its limits at the samples, over the characteristic length or as a cosine.
 ROOM = 2e-3
 _SAME = 1e-6
-# Of the angle between a leg and the fixed axis of its universal joint: forces grow as one over it.
+# Least sine of the angle between a leg and the fixed axis of its universal joint: forces grow as its inverse.
 _LEAST_SINE = 0.05
 
 
