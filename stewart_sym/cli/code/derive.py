@@ -26,7 +26,7 @@ def run(arguments: argparse.Namespace) -> int:
     from ...io.writing import result_folder, staged_folder
     from ...studies.common.report import Report
 
-    directory = arguments.output or _generated_folder()
+    directory = arguments.output or Path(str(files("stewart_sym.generated")))
     if arguments.check and not directory.is_dir():
         raise NotADirectoryError(20, "expected a folder of generated files", str(directory))
     with results(arguments) as (take, progress):
@@ -54,10 +54,6 @@ def _line(kernel: dict[str, Any]) -> str:
     if friction is not None:
         counts = f"operations per pose: {friction} with friction, {without} without"
     return f"{name:<16} {seconds:6.1f} s   {counts}".rstrip()
-
-
-def _generated_folder() -> Path:
-    return Path(str(files("stewart_sym.generated")))
 
 
 def _derived(progress: Progress) -> tuple[list[dict[str, Any]], dict[str, str]]:
@@ -105,17 +101,14 @@ def _compared(directory: Path, texts: dict[str, str]) -> tuple[list[str], dict[s
         for pattern in ("*.py", "c/*.[ch]")
         for path in directory.glob(pattern)
     }
-    different = [name for name in sorted(texts) if _differs(directory / name, texts[name])]
+    different = [
+        name
+        for name in sorted(texts)
+        if not (directory / name).is_file() or (directory / name).read_bytes() != texts[name].encode("utf-8")
+    ]
     missing = [name for name in different if name not in present]
     stray = sorted(present - texts.keys())
     lines = [f"missing: {name}" if name in missing else f"differs: {name}" for name in different]
     lines += [f"not generated: {name}" for name in stray]
     names = {"differ": sorted({*different} - {*missing}), "missing": missing, "not_generated": stray}
     return lines or [f"{directory}: all {len(texts)} files are as derived"], names
-
-
-def _differs(path: Path, text: str) -> bool:
-    try:
-        return path.read_bytes() != text.encode("utf-8")
-    except FileNotFoundError:
-        return True

@@ -40,17 +40,16 @@ def run(arguments: argparse.Namespace) -> int:
     printed = str(path) == "-"
     if printed and arguments.format == "urdf":
         raise ValueError("-o -: expected a file, a URDF is two files")
-    try:
-        file = export_model(robot_of(arguments.robot), arguments.format)
-    except ValueError as error:
-        text = str(error)
-        raise ValueError(
-            text if text.startswith(str(arguments.robot)) else f"{arguments.robot}: {text}"
-        ) from None
-    texts = {path: file.text} | ({} if file.loops is None else {loops_path(path): file.loops})
-    if len(texts) > 1:
-        reject_inputs("-o", loops_path(path), arguments.robot)
     with results(arguments) as (take, _), contextlib.ExitStack() as stack:
+        if arguments.format == "urdf":
+            reject_inputs("-o", loops_path(path), arguments.robot)
+        try:
+            file = export_model(robot_of(arguments.robot), arguments.format)
+        except ValueError as error:
+            text = str(error)
+            where = "" if text.startswith(str(arguments.robot)) else f"{arguments.robot}: "
+            raise ValueError(f"{where}{text}") from None
+        texts = {path: file.text} | ({} if file.loops is None else {loops_path(path): file.loops})
         for name, text in texts.items():
             stack.enter_context(result_file(name, BEGINNINGS, arguments.force)).write(text)
         written = [str(name) for name in texts]
