@@ -28,7 +28,7 @@ Kind = Literal["constant", "orientation", "total"]
 
 KINDS = ("constant", "orientation", "total")
 UNITS = {"constant": "m^3", "orientation": "rad^3", "total": "m^3 rad^3"}
-"""Of the volume. Rotations are measured so that a turn of the axes changes nothing; all are 8 pi^2."""
+"""Units of the volume. The measure of rotations does not depend on the axes; all of them are 8 pi^2."""
 
 WHOLE_TURN = np.array([[-math.pi, math.pi], [-0.5 * math.pi, 0.5 * math.pi], [-math.pi, math.pi]])
 """Roll, pitch and yaw of all rotations, rad, (3, 2)."""
@@ -234,7 +234,7 @@ class Region(Frozen):
 
     @property
     def weights(self) -> Array:
-        """By how much a unit of each coordinate moves the platform's joints, m, (d,)."""
+        """Distance by which a unit of each coordinate moves the platform's joints, m, (d,)."""
         arm = characteristic_length(self.examiner.robot) or 1.0
         parts = {"constant": [1.0], "orientation": [arm], "total": [1.0, arm]}[self.kind]
         return np.repeat(parts, 3)

@@ -33,12 +33,12 @@ class Shape:
 
     @property
     def length(self) -> float:
-        """Of the cylinder, m; 0 of a sphere."""
+        """Length of the cylinder, m; 0 of a sphere."""
         return float(np.linalg.norm(self.end - self.start))
 
     @property
     def middle(self) -> Array:
-        """Of the shape, (3,)."""
+        """Middle of the shape, (3,)."""
         return 0.5 * (self.start + self.end)
 
     @property

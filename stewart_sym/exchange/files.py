@@ -29,9 +29,9 @@ _WRITERS: dict[str, Callable[[Model], tuple[str, str | None]]] = {
     "usd": usd_out.written,
 }
 _READERS = {"mujoco": mjcf_in.model, "sdf": sdf_in.model, "robot": urdf_in.model}
-"""By the name of the root."""
+"""Readers by the name of the file's root element."""
 BEGINNINGS = (HEADER, usd_out.HEADER, f'{{\n "generator": "{urdf_out.GENERATOR}"')
-"""Of what this program writes."""
+"""How files that this program wrote begin."""
 LOOPS = ".loops.json"
 """End of the name of the file beside a URDF, in place of the URDF's suffix."""
 _MOST_BYTES = 1 << 24

@@ -52,7 +52,7 @@ def cross_of(robot: Robot, offsets: Offsets, i: int, at: Chains, radius: float) 
 
 
 def base_joints(robot: Robot, i: int, at: Chains) -> tuple[Joint, Joint]:
-    """Of leg i: about the fixed axis and about the moving one."""
+    """Joints of leg i about the fixed axis and about the moving one."""
     cross, lower, damping = f"cross_{i + 1}", f"lower_{i + 1}", float(robot.C_u[i])
     first = Joint(f"base_{i + 1}_1", "revolute", WORLD, cross, axes=robot.k[i][None], damping=damping)
     second = Joint(f"base_{i + 1}_2", "revolute", cross, lower, axes=at.y[i][None], damping=damping)
@@ -72,7 +72,7 @@ class OffsetLines:
 
     @classmethod
     def of(cls, points: Array, axes: Array, tip: Array) -> "OffsetLines":
-        """Of two axes at right angles, each by a point and a direction, (2, 3), the fixed one first."""
+        """Lines of two axes at right angles, each by a point and a direction, (2, 3), the fixed one first."""
         (first, second), (k, y) = points, axes
         between = second - first
         b, A = first + (between @ k) * k, second - (between @ y) * y

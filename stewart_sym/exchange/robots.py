@@ -22,7 +22,7 @@ _SAID = 1e-9
 """From here on a deviation is reported."""
 _ROUNDING = 1e-9
 _LEAD = 0.005
-"""Of a screw where a model has an armature alone, m."""
+"""Lead of a screw, m, where a model states an armature and no screw."""
 
 
 def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
@@ -285,7 +285,7 @@ class _Leg:
         return added
 
     def _damping(self, steps: Sequence[Step]) -> float:
-        """Of joints at one end, whose axes have the same."""
+        """Damping of the joints at one end, whose axes share one number."""
         found = [step.joint.damping for step in steps]
         if max(found) - min(found) > _ROUNDING * max(found):
             names = ", ".join(repr(step.joint.name) for step in steps)

@@ -84,7 +84,7 @@ class Terms(NamedTuple):
         return np.asarray(self.columns[..., self.identifiable])
 
     def estimate(self, values: Array, covariance: Array) -> DriveEstimate:
-        """Of values and covariance, (m,) and (m, m), of those that are identifiable."""
+        """The estimate by values, (m,), and covariance, (m, m), of the identifiable terms."""
         found, spread = np.full(len(self.names), np.nan), np.diag(np.full(len(self.names), np.inf))
         found[self.identifiable] = values
         spread[np.ix_(self.identifiable, self.identifiable)] = covariance

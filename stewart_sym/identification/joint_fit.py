@@ -108,7 +108,7 @@ def _squares(parts: tuple[Array, ...]) -> float:
 
 
 def _jacobian(data: Data, noise: PoseNoise, basis: Basis, values: Array, c: Array) -> Array:
-    """Of forces and poses by base parameters and coefficients, over the deviations, (12 n, rank + 6 m)."""
+    """Derivatives of forces and poses over their deviations by all unknowns, (12 n, rank + 6 m)."""
     motion = basis.motion(c, data.motion)
     A, _ = linear_system(data, motion)
     maps = chain(basis, c, motion)

@@ -192,7 +192,7 @@ def possible_fit(robot: Robot, base: BaseParameters, values: Array, covariance: 
         )
         x = found.x
     pi = all_parameters(found.x)
-    # Of legs that share their parameters the mean is as possible as they are, and explains as much.
+    # Where legs share their parameters, their mean is possible too and explains as much.
     pi = pi if base.shared is None else alike(pi)
     spread = base.matrix @ jacobian(found.x) @ np.linalg.inv(np.linalg.qr(found.jac, mode="r"))
     squares = float(np.sum(found.fun[: base.rank] ** 2))
@@ -271,7 +271,7 @@ def _usual(robot: Robot, base: BaseParameters) -> Callable[[Sequence[str]], list
 
 
 def _general_rows(robot: Robot) -> dict[str, Array]:
-    """By name, of which parameters each base parameter of every machine is the sum, (148,)."""
+    """Base parameters of every machine by name: shares of the parameters in each, (148,)."""
     names, _ = parameter_names()
     column = {name: i for i, name in enumerate(names)}
     rows = dict(zip(names, np.eye(len(names)), strict=True))
@@ -294,7 +294,7 @@ def _second_moments(six: Array) -> Array:
 
 
 def _pseudo_inertia(body: Array) -> Array:
-    """Of mass, first moment and inertia (10,), (4, 4)."""
+    """Pseudo-inertia, (4, 4), of mass, first moment and inertia, (10,)."""
     P = np.empty((4, 4))
     P[:3, :3] = _second_moments(body[4:])
     P[:3, 3] = P[3, :3] = body[1:4]

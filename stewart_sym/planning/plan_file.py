@@ -29,7 +29,7 @@ from .via_poses import COORDINATES, ViaPose
 
 SCHEMA = 1
 RATE = 100.0
-"""Of the trajectory, Hz."""
+"""Default rate of the trajectory, Hz."""
 
 _TOP_KEYS = (
     *("schema", "robot", "formulation", "objective", "price", "rate", "least", "duration"),

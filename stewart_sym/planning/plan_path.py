@@ -181,7 +181,7 @@ def need_passed(path: PosePath, length: float) -> None:
 
 
 def _rates(motion: Motion, length: float) -> Array:
-    """By the parameter, shifts over a length and angles taken together, (n,)."""
+    """Size of the derivative by the parameter, (n,): shifts over a length and angles together."""
     shift = np.sum((motion.v / length) ** 2, axis=-1)
     return np.asarray(np.sqrt(shift + np.sum(motion.omega**2, axis=-1)))
 

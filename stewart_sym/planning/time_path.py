@@ -78,7 +78,7 @@ class TimedPath:
 
     @property
     def duration(self) -> float:
-        """Of the motion, s."""
+        """Duration of the motion, s."""
         return self.profile.duration
 
     def sample(self, times: ArrayLike) -> Motion:

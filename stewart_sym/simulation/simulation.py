@@ -50,7 +50,7 @@ ON_FORCE_LIMIT = ("stop", "saturate")
 CHART_RADIUS = 1.0
 """Angle from its centre, rad, at which a chart is left for a new one; charts end at 2 pi."""
 MOST_INSTANTS = 10_000_000
-"""Of a trace."""
+"""Largest number of instants of a trace."""
 RTOL_RANGE = (1e-13, 1e-2)
 """From where rounding is the error of a step to where the run is no longer that of the machine."""
 

@@ -281,7 +281,7 @@ def saturation_of(actuators: Actuators, pieces: list[Piece]) -> Saturation:
 
 
 def _share_above_zero(start: Array, end: Array) -> Array:
-    """Of the way from one number to another, the share on which a straight line is above zero, 0 to 1."""
+    """Share, 0 to 1, of the straight line from one number to another that is above zero."""
     above = np.maximum(start, 0.0) + np.maximum(end, 0.0)
     with np.errstate(invalid="ignore"):
         share = above / (np.abs(start) + np.abs(end))

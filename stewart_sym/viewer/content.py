@@ -19,7 +19,8 @@ from ..robot.offset_chains import chains
 from ..robot.robot import Robot
 from .instants import Event, Instants
 
-# Of the machine's size: radius of a lower part and length of drawn axes; how far a twist swings the platform.
+# Radius of a lower part and length of the axes as drawn, over the machine's size; how far a twist swings the
+# platform, over its characteristic length.
 _THICK, _AXIS, _SWING = 0.028, 0.22, 0.25
 # Largest radius of a lower part, over the shortest leg.
 _THICK_OF_LEG = 0.06

@@ -37,7 +37,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def _length_unit(robot: Path) -> str:
-    """Of a robot file that has been read; m where it cannot be read again, as from a pipe."""
+    """Unit of lengths in a robot file; m where it cannot be read a second time, as from a pipe."""
     from ...io.tables import toml_tables
 
     with contextlib.suppress(ValueError), toml_tables(str(robot), "robot file") as tables:

@@ -241,7 +241,7 @@ class _Reader:
         return np.eye(3)
 
     def _euler(self, angles: Array) -> Array:
-        """By ``eulerseq``: small letters turn about axes that move along, capital ones about fixed axes."""
+        """Rotation by ``eulerseq``: small letters are axes that turn along, capital ones fixed axes."""
         R = np.eye(3)
         for letter, angle in zip(self.order, angles, strict=True):
             vector = angle * np.eye(3)["xyz".index(letter.lower())]

@@ -11,7 +11,7 @@ from ..chain import WORLD, Body, Joint, Model, Shape
 from .xml_text import added, document
 
 TIMESTEP = 0.0005
-"""Of the file, s: half of the time constant of its closures, as MuJoCo needs for stability."""
+"""Time step in the file, s: half of the time constant of its closures, as MuJoCo needs for stability."""
 _TIME_CONSTANT = 2.0 * TIMESTEP
 _STIFFEST = 0.9999
 """The largest impedance of a constraint that MuJoCo takes."""

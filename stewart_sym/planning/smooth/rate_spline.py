@@ -28,7 +28,7 @@ class RateSpline(NamedTuple):
 
     @property
     def edges(self) -> Array:
-        """Of the cells, (cells + 1,)."""
+        """Edges of the cells, (cells + 1,)."""
         return np.linspace(0.0, 1.0, self.cells + 1)
 
     def basis(self, shares: Array) -> Array:

@@ -55,7 +55,7 @@ class SmoothPath:
     def of(
         cls, source: Source, lengths: Callable[[Array], Array], ease: Ease, cells: int, jerk: Array
     ) -> SmoothPath:
-        """Of a source and of ``lengths``, x -> derivatives of the legs' lengths by x."""
+        """A path by the source of its terms and ``lengths``, x -> derivatives of the legs' lengths by x."""
         spline = RateSpline(cells)
         nodes = np.linspace(0.0, 1.0, PARTS * cells + 1)
         fine = (spline.edges[:-1, None] + _BETWEEN / cells).ravel()
@@ -117,7 +117,7 @@ class SmoothPath:
         turns, start = (1 if self.at.motors is None else _TURNS), c
         for turn in range(_ROUNDS):
             rooms = self.rooms(c, margin)
-            # From far within the limits: a motion of a duration from one that has it.
+            # The search begins far within the limits; for a given duration at a motion that takes as long.
             begin = self._slowed(_ROOM * c if time is None else start, rooms)
             c = least(self.spline, begin, rooms, cost, time)
             excess = np.maximum(self.used(c) - _AIM, 0.0)

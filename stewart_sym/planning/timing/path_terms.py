@@ -191,7 +191,7 @@ def terms_along(
 
 
 def force_limits(robot: Robot, limits: Limits) -> Array:
-    """Of the actuators, N, (6,)."""
+    """Force limits of the actuators, N, (6,)."""
     return robot.force_limit if limits.force is None else np.array(limits.force)
 
 
