@@ -21,6 +21,7 @@ _COLORS = {"lower": (0.35, 0.4, 0.47), "upper": (0.75, 0.78, 0.8), "platform": (
 _GRAY = (0.5, 0.5, 0.5)
 _ROUNDING = 4e-16
 _SAME = 1e-9
+_SHORT = 1e-12
 
 
 @dataclass(frozen=True, eq=False)
@@ -144,6 +145,13 @@ class Model:
         """The joint of the tree, no closure, that carries a body."""
         return next((joint for joint in self.joints if joint.child == body.name and not joint.cut), None)
 
+    def origin(self, joint: Joint) -> Array:
+        """Origin of a joint's child in its parent's frame, (3,); of a slide on its axis but for rounding."""
+        parent, child = self.body(joint.parent), self.body(joint.child)
+        place = child.t if parent.name == WORLD else parent.local(child.t)
+        along = joint.position * self.local_axes(joint)[0] if joint.kind == "prismatic" else np.zeros(3)
+        return place if np.abs(place - along).max() > _SHORT * np.abs(place).max() else along
+
     def local_axes(self, joint: Joint) -> Array:
         """Axes of a joint in its child's frame, (n, 3), without the rounding of zeros and ones."""
         found = joint.axes @ self.body(joint.child).R
@@ -193,6 +201,13 @@ def frame_along(axis: Array) -> Array:
     x = np.cross(np.eye(3)[np.argmin(np.abs(z))], z)
     x = x / np.linalg.norm(x)
     return np.stack([x, np.cross(z, x), z], axis=-1)
+
+
+def after(outer: tuple[Array, Array], R: Array, t: Array) -> tuple[Array, Array]:
+    """Orientation and position in the world, from those in a frame that stands there as ``outer`` says."""
+    if np.array_equal(outer[0], np.eye(3)):
+        return R, t + outer[1]
+    return outer[0] @ R, outer[1] + outer[0] @ t
 
 
 def same_frame(one: Array, other: Array) -> bool:

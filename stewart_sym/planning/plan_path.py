@@ -114,8 +114,8 @@ def plan_path(
         spline where that one keeps the limits.
     price : float, optional
         Weight of length and bending: what is made small is the condition number plus ``price`` times the mean
-        squares of first and second derivatives, each over its value on the straight path. With 0 forces
-        rise, since bends take acceleration.
+        squares of first and second derivatives, each over its value on the straight path. With a price of 0
+        the path bends more, and forces rise.
     load : array_like, optional
         External wrench [F_ext; M_ext] on the way, N and N m, platform frame, (6,).
     progress : callable, optional

@@ -13,7 +13,7 @@ from ...motion.rotation import rotation_from_quaternion, rotation_from_vector
 from ...robot.bodies import Body as Solid
 from ...robot.bodies import joined
 from ...robot.fields import direction
-from ..chain import BETWEEN, WORLD, Body, Joint, Model, frame_along
+from ..chain import BETWEEN, WORLD, Body, Joint, Model, after, frame_along
 from ..notes import json_table
 from .xml_text import at_line, number, numbers
 
@@ -116,7 +116,8 @@ class _Reader:
                 where = f"site {each.attrib['name']!r}: pos"
                 place = numbers(self._of(each, inherited).get("pos"), 3, where, _ZERO)
                 body = next(body for body in self.bodies if body.name == name)
-                inside = place if same(R, t, body) else body.local(t + R @ place)
+                own = np.array_equal(R, body.R) and np.array_equal(t, body.t)
+                inside = place if own else body.local(t + R @ place)
                 self.sites[each.attrib["name"]] = name, inside
 
     def _body(self, element: ET.Element, parent: str, R: Array, t: Array, inherited: str | None) -> None:
@@ -124,7 +125,7 @@ class _Reader:
         where = f"body {name!r}"
         inherited = element.get("childclass") or inherited
         turn, place = self._pose(element.attrib, where)
-        R, t = (turn, place) if parent == WORLD and same(R, t, self.bodies[0]) else (R @ turn, t + R @ place)
+        R, t = after((R, t), turn, place)
         joints = self._joints(element, name, inherited)
         at = parent
         for number_, (attributes, kind) in enumerate(joints, 1):
@@ -311,11 +312,6 @@ def _has_joint(frame: ET.Element) -> bool:
     return any(
         each.tag in ("joint", "freejoint") or (each.tag == "frame" and _has_joint(each)) for each in frame
     )
-
-
-def same(R: Array, t: Array, body: Body) -> bool:
-    """Whether a pose is that of a body."""
-    return np.array_equal(R, body.R) and np.array_equal(t, body.t)
 
 
 # Geoms

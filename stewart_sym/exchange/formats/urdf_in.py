@@ -10,7 +10,7 @@ from ...io import tables
 from ...io.array_types import Array
 from ...motion.rotation import rotation_from_rpy
 from ...robot.fields import direction
-from ..chain import WORLD, Body, Joint, Model
+from ..chain import WORLD, Body, Joint, Model, after
 from ..notes import json_table
 from .xml_text import at_line, interval, joint_of, largest, name_of, number, numbers, tensor
 
@@ -123,10 +123,7 @@ def _carried(element: ET.Element, links: dict[str, ET.Element], parent: Body) ->
     """A link with the joint that carries it."""
     name, kind, where = joint_of(element, _KINDS)
     turn, place = _origin(element, where)
-    still = np.array_equal(parent.R, np.eye(3))
-    R, t = (turn, parent.t + place) if still else (parent.R @ turn, parent.placed(place))
-    if not turn.any() or np.array_equal(turn, np.eye(3)):
-        R = parent.R
+    R, t = after((parent.R, parent.t), turn, place)
     child = _end(element, "child")
     body = _body(links[child], R, t)
     joint = Joint(name, _KINDS[kind], parent.name, child)
@@ -156,10 +153,8 @@ def _body(link: ET.Element, R: Array, t: Array) -> Body:
     turn, center = _origin(given, where)
     mass, inertia = given.find("mass"), given.find("inertia")
     found = tensor(ET.Element("none").get if inertia is None else inertia.get, where)
-    if not np.array_equal(turn, np.eye(3)):
-        found = turn @ found @ turn.T
     heavy = number(None if mass is None else mass.get("value"), f"{where}: mass")
-    return Body(name, R, t, heavy, center, found)
+    return Body(name, R, t, heavy, center, turn @ found @ turn.T)
 
 
 def _origin(element: ET.Element, where: str) -> tuple[Array, Array]:
