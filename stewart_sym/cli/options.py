@@ -17,13 +17,30 @@ def other_robot(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--robot", metavar="ROBOT.toml", type=Path, help=text)
 
 
-def output(parser: argparse.ArgumentParser, metavar: str, what: str, default: Path | str | None) -> None:
-    """``default``: a path, words for what happens without the option, or None where it must be given."""
+def output(
+    parser: argparse.ArgumentParser,
+    metavar: str,
+    what: str,
+    default: Path | str | None,
+    pictures: bool = False,
+    html: bool = False,
+) -> None:
+    """``-o``, ``--json`` and ``--force``; with ``pictures`` ``--no-pictures``, with ``html`` ``--html``.
+
+    ``default``: a path, words for what happens without the option, or None where it must be given.
+    """
     text = what if default is None else f"{what}; default: {default}"
     path = default if isinstance(default, Path) else None
     parser.add_argument(
         "-o", "--output", metavar=metavar, type=path_name, required=default is None, default=path, help=text
     )
+    if pictures:
+        text = "tables and CSV only, without Matplotlib"
+        parser.add_argument("--no-pictures", dest="pictures", action="store_false", help=text)
+    if html:
+        text = "also write text, tables, figures and motions as one HTML file that needs no network"
+        parser.add_argument("--html", metavar="FILE", type=path_name, help=text)
+    json_file(parser)
 
 
 def json_file(parser: argparse.ArgumentParser) -> None:
@@ -42,16 +59,6 @@ def json_file(parser: argparse.ArgumentParser) -> None:
         action="store_true",
         help="also replace files that do not begin as this program's do, and edited ones of its folders; "
         "never an input",
-    )
-
-
-def html_file(parser: argparse.ArgumentParser) -> None:
-    """``--html``."""
-    parser.add_argument(
-        "--html",
-        metavar="FILE",
-        type=path_name,
-        help="also write text, tables, figures and motions as one HTML file that needs no network",
     )
 
 
@@ -88,17 +95,6 @@ def whole(text: str) -> int:
     raise argparse.ArgumentTypeError(f"expected a whole number >= 0, got {text!r}")
 
 
-def start_pose(parser: argparse.ArgumentParser) -> None:
-    """``--start``: the pose near the first leg lengths."""
-    parser.add_argument(
-        "--start",
-        nargs=6,
-        type=finite,
-        metavar=("t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z"),
-        help="pose near the first leg lengths, m and rad; default: above the base, nearly parallel to it",
-    )
-
-
 def log_options(parser: argparse.ArgumentParser) -> None:
     """Options of how a trajectory's file is read."""
     group = log_form(parser)
@@ -129,8 +125,15 @@ def noise_options(
 
 
 def log_form(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:
-    """Options of names, units and marks in a trajectory's file."""
+    """Options of names, units and marks in a trajectory's file, and the pose near its first leg lengths."""
     group = parser.add_argument_group("the trajectory's file")
+    group.add_argument(
+        "--start",
+        nargs=6,
+        type=finite,
+        metavar=("t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z"),
+        help="pose near the first leg lengths, m and rad; default: above the base, nearly parallel to it",
+    )
     group.add_argument(
         "--columns",
         type=column_names,
@@ -177,11 +180,4 @@ def formulation(parser: argparse.ArgumentParser) -> None:
         choices=("exact", "paper"),
         default="exact",
         help="exact, or paper: the equations as printed; default: exact",
-    )
-
-
-def no_pictures(parser: argparse.ArgumentParser) -> None:
-    """``--no-pictures``."""
-    parser.add_argument(
-        "--no-pictures", dest="pictures", action="store_false", help="tables and CSV only, without Matplotlib"
     )

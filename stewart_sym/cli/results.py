@@ -9,19 +9,21 @@ from pathlib import Path
 
 from ..io.arguments import safe_text
 from ..io.extras import need
-from ..io.progress import Progress, silent
+from ..io.progress import Progress
 from ..studies.common.report import Report, write
-from .terminal import PROGRAM
+from .terminal import PROGRAM, progress_line
 
-Taker = Callable[..., None]
-"""Writes a report where it belongs; a second argument, a ``Progress``, is given what is being drawn."""
+Taker = Callable[[Report], None]
+"""Writes a report where it belongs."""
 
 
 @contextlib.contextmanager
 def results(
     arguments: argparse.Namespace, stem: str | None = None, *tables: str, read: Iterable[Path] = ()
-) -> Iterator[Taker]:
-    """Give what takes a subcommand's report; all is in its place and printed when the block ends well.
+) -> Iterator[tuple[Taker, Progress]]:
+    """Give what takes a subcommand's report and what shows its progress.
+
+    All is in its place and printed when the block ends well.
 
     Parameters
     ----------
@@ -33,6 +35,8 @@ def results(
     ------
     ValueError
         In one line: a file to write that is an input, or that another wrote or changed.
+    ImportError
+        Naming the extra, if pictures are wanted and what draws them is missing.
     OSError
         Naming the file or folder that can't be written.
     """
@@ -41,30 +45,39 @@ def results(
 
     inputs, lines = [*_paths(arguments), *read], []
     made_by = {"generator": f"{PROGRAM} {arguments.subcommand}"}
+    output: Path | None = getattr(arguments, "output", None)
+    drawn = stem is not None and output is not None and getattr(arguments, "pictures", False)
+    for package in ("matplotlib", "textalloc") if drawn else ():
+        need(package, "drawing", ", or give --no-pictures")
     with contextlib.ExitStack() as stack:
         stream = folder = page = None
         target: Path | None = getattr(arguments, "html", None)
+        if stem is None and output is not None:
+            reject_inputs("-o", output, *inputs)
         if target is not None:
             from ..viewer.page import BEGINNING
 
-            _reject_html(target, arguments, *inputs)
+            reject_inputs("--html", target, *inputs)
+            _need_another("--html", target, arguments.json, output)
             page = stack.enter_context(result_file(target, [BEGINNING], arguments.force))
         if arguments.json is not None:
             _reject_json(arguments.json, *inputs)
+            _need_another("--json", arguments.json, output)
             beginning = json_text(made_by).removesuffix("\n}\n") + ","
             stream = stack.enter_context(result_file(arguments.json, [beginning], arguments.force))
-        if stem is not None and arguments.output is not None:
+        if stem is not None and output is not None:
             names = (f"{stem}.txt", f"{stem}.json", *tables)
-            folder = stack.enter_context(result_folder(arguments.output, arguments.force, inputs, names))
+            folder = stack.enter_context(result_folder(output, arguments.force, inputs, names))
+        progress = stack.enter_context(progress_line())
 
-        def take(report: Report, progress: Progress = silent) -> None:
+        def take(report: Report) -> None:
             report = dataclasses.replace(report, data={**made_by, **report.data})
             if report.text:
                 lines.append(report.text.rstrip("\n"))
             if folder is not None and stem is not None:
                 write(report, folder, stem, progress)
                 written = sorted(path.name for path in folder.iterdir())
-                lines.append(f"Written to {arguments.output}: {', '.join(written)}")
+                lines.append(f"Written to {output}: {', '.join(written)}")
             if page is not None:
                 from ..studies.common.html_page import html_page
 
@@ -73,7 +86,7 @@ def results(
             if stream is not None:
                 stream.write(json_text(report.data))
 
-        yield take
+        yield take, progress
     if str(arguments.json) != "-":
         for text in lines:
             print(*map(safe_text, text.split("\n")), sep="\n")
@@ -88,11 +101,10 @@ def _reject_json(output: Path, *inputs: Path) -> None:
         )
 
 
-def _reject_html(target: Path, arguments: argparse.Namespace, *inputs: Path) -> None:
-    """ValueError if the file for HTML is an input or another of the files to write."""
-    reject_inputs("--html", target, *inputs)
-    if target in (arguments.json, getattr(arguments, "output", None)):
-        raise ValueError(f"--html {target}: is where another result goes, name another file")
+def _need_another(option: str, path: Path, *others: Path | None) -> None:
+    """ValueError if another result goes to the file to write."""
+    if path in others:
+        raise ValueError(f"{option} {path}: is where another result goes, name another file")
 
 
 def _paths(arguments: argparse.Namespace) -> list[Path]:
@@ -109,9 +121,3 @@ def reject_inputs(option: str, output: Path, *inputs: Path) -> None:
     for path in inputs:
         if output.exists() and path.exists() and output.samefile(path):
             raise ValueError(f"{option} {output}: is an input, name another file")
-
-
-def need_drawing(arguments: argparse.Namespace) -> None:
-    """ImportError that names the extra if pictures are wanted and what draws them is missing."""
-    for package in ("matplotlib", "textalloc") if arguments.pictures else ():
-        need(package, "drawing", ", or give --no-pictures")

@@ -103,7 +103,7 @@ def one_line(error: object) -> str:
     return safe_text(_ARGUMENT.sub(_as_option, " ".join(text.split())))
 
 
-# How the library's messages name what a user of Python gives, and this command as an option of that name.
+# What the library's messages give as an argument in Python is an option of the same name here.
 _ARGUMENT = re.compile(r"LogFormat\((\w+)=('\w+'|\{[^}]*\})\)")
 
 

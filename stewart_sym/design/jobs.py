@@ -8,7 +8,7 @@ from typing import Any, TypeVar
 
 from ..io.arguments import shown
 from ..io.extras import needed_for
-from ..io.progress import Progress
+from ..io.progress import Progress, tracked
 
 Job = TypeVar("Job")
 Result = TypeVar("Result")
@@ -38,24 +38,14 @@ def run(
         Naming the extra, without Dask.
     """
     if scheduler is None:
-        found = []
-        for number, job in enumerate(jobs):
-            progress(text, number / len(jobs))
-            found.append(work(job))
-        return found
+        return [work(job) for job in tracked(progress, jobs, lambda _: text)]
     with _client(scheduler) as client:
-        return _on_workers(client, jobs, work, progress, text)
+        from distributed import as_completed
 
-
-def _on_workers(
-    client: Any, jobs: Sequence[Job], work: Callable[[Job], Result], progress: Progress, text: str
-) -> list[Result]:
-    from distributed import as_completed
-
-    futures = client.map(work, jobs, pure=False)
-    for number, _ in enumerate(as_completed(futures)):
-        progress(text, number / len(jobs))
-    results: list[Result] = client.gather(futures)
+        futures = client.map(work, jobs, pure=False)
+        for number, _ in enumerate(as_completed(futures)):
+            progress(text, number / len(jobs))
+        results: list[Result] = client.gather(futures)
     return results
 
 
@@ -68,19 +58,14 @@ def _client(scheduler: str) -> Iterator[Any]:
     if not isinstance(scheduler, str) or not scheduler.strip():
         raise ValueError(f'scheduler: expected "{LOCAL}" or an address, got {shown(scheduler)}')
     with contextlib.ExitStack() as stack:
+        address: Any = scheduler
         if scheduler == LOCAL:
             # The dashboard would take a port that a user may need.
             options = {"dashboard_address": "127.0.0.1:0"}
-            address: Any = stack.enter_context(
-                LocalCluster(
-                    threads_per_worker=1,
-                    host="127.0.0.1",
-                    dashboard_address=None,
-                    scheduler_kwargs=options,
-                )
+            cluster = LocalCluster(
+                threads_per_worker=1, host="127.0.0.1", dashboard_address=None, scheduler_kwargs=options
             )
-        else:
-            address = scheduler
+            address = stack.enter_context(cluster)
         with dask.config.set({"distributed.comm.timeouts.connect": _WAIT}):
             try:
                 client = Client(address, timeout=_WAIT)

@@ -16,7 +16,7 @@ from ..io.array_types import Array
 _PAIRS = np.array(list(itertools.combinations(range(6), 2))).T
 # A facet's normal shorter than this share of its generators' product is one of parallel generators.
 _PARALLEL = 1e-12
-# By this share of the largest offset a vertex may miss a plane, and two vertices may differ.
+# Share of the largest offset by which a vertex may miss a plane; vertices within ten times that are one.
 _SAME = 1e-9
 
 

@@ -299,7 +299,7 @@ def margin_missing(robot: Robot, needs: Needs) -> list[str]:
 
 
 def _limited(robot: Robot, needs: Needs) -> Iterator[tuple[str, str, float, Array, Array]]:
-    """Name, unit, how many of it an SI unit is, need and limit, (6,) each, of what a robot may limit."""
+    """Name, unit, factor from SI to it, need and limit, (6,) each, of what a robot may limit."""
     angles, course = robot.joint_angle_limit.T, needs.course
     low, high = robot.length_limits.T
     yield "force_limit", "N", 1.0, np.maximum(needs.push, needs.pull), robot.force_limit

@@ -5,6 +5,7 @@ from __future__ import annotations
 import functools
 import math
 import warnings
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Literal
 
@@ -27,7 +28,7 @@ Kind = Literal["constant", "orientation", "total"]
 
 KINDS = ("constant", "orientation", "total")
 UNITS = {"constant": "m^3", "orientation": "rad^3", "total": "m^3 rad^3"}
-"""Of the volume. Rotations are measured so that a turn of the axes changes nothing; all are 8 pi^2."""
+"""Units of the volume. The measure of rotations does not depend on the axes; all of them are 8 pi^2."""
 
 WHOLE_TURN = np.array([[-math.pi, math.pi], [-0.5 * math.pi, 0.5 * math.pi], [-math.pi, math.pi]])
 """Roll, pitch and yaw of all rotations, rad, (3, 2)."""
@@ -146,7 +147,7 @@ def workspace(
     search = examined.box(box, turns)
     progress("leaving out what legs can't reach")
     grid = cells.cells_of(search, count, examined.weights, examined.surely_broken)
-    look = functools.partial(_tally, examined)
+    look = functools.partial(cells.tally, examine=examined.examine, codes=len(REASONS))
     tallies = jobs.run(cells.jobs_of(grid, seed), look, scheduler, progress, f"examining {count} poses")
     found = cells.total(tallies, len(search), len(REASONS))
     if not found.codes[0]:
@@ -156,8 +157,8 @@ def workspace(
 
 def middle(robot: Robot, position: ArrayLike | None, angles: ArrayLike) -> tuple[Array, Array]:
     """Position, m, and roll, pitch and yaw, rad, of the pose in the middle, both (3,)."""
-    t = home_pose(robot).t if position is None else _vector(position, "position")
-    return t.copy(), _vector(angles, "angles")
+    t = home_pose(robot).t if position is None else finite_array(position, (3,), "position", batch=False)
+    return t.copy(), finite_array(angles, (3,), "angles", batch=False)
 
 
 @dataclass(frozen=True, eq=False)
@@ -189,7 +190,7 @@ class Region(Frozen):
                 raise ValueError(
                     "turns: expected roll and yaw within -pi and pi, pitch within -pi/2 and pi/2"
                 )
-            parts.append(_evenly(given))
+            parts.append(_with_pitch(given, np.sin))
         return np.concatenate(parts)
 
     def _reach(self) -> Array:
@@ -214,7 +215,7 @@ class Region(Frozen):
         if self.kind == "constant":
             return np.broadcast_to(self.rotation, (n, 3, 3)), t
         theta = coordinates[:, -3:].copy()
-        theta[:, 1] = np.arcsin(np.clip(theta[:, 1], -1.0, 1.0))
+        theta[:, 1] = _pitch(theta[:, 1])
         return rotation_from_rpy(theta), t
 
     def examine(self, coordinates: Array) -> tuple[NDArray[np.int8], Array]:
@@ -233,7 +234,7 @@ class Region(Frozen):
 
     @property
     def weights(self) -> Array:
-        """By how much a unit of each coordinate moves the platform's joints, m, (d,)."""
+        """Distance by which a unit of each coordinate moves the platform's joints, m, (d,)."""
         arm = characteristic_length(self.examiner.robot) or 1.0
         parts = {"constant": [1.0], "orientation": [arm], "total": [1.0, arm]}[self.kind]
         return np.repeat(parts, 3)
@@ -243,7 +244,7 @@ class Region(Frozen):
         middle, half = 0.5 * (low + high), 0.5 * (high - low)
         turn = np.zeros(len(low))
         if self.kind != "constant":
-            pitch = np.arcsin(np.clip([low[:, -2], high[:, -2]], -1.0, 1.0))
+            pitch = _pitch(np.stack([low[:, -2], high[:, -2]]))
             middle[:, -2] = np.sin(pitch.mean(axis=0))
             turn = half[:, -3] + 0.5 * (pitch[1] - pitch[0]) + half[:, -1]
         shift = turn * 0.0 if self.kind == "orientation" else np.linalg.norm(half[:, :3], axis=-1)
@@ -279,34 +280,24 @@ class Region(Frozen):
 
     def _as_angles(self, box: Array) -> Array:
         """Coordinates (d, 2) with the pitch in place of its sine."""
-        found = box.copy()
-        if self.kind != "constant":
-            found[-2] = np.arcsin(np.clip(found[-2], -1.0, 1.0))
-        return found
-
-
-def _tally(region: Region, job: cells.Job) -> Tally:
-    return cells.tally(job, region.examine, len(REASONS))
-
-
-def _vector(value: ArrayLike, name: str) -> Array:
-    found = finite_array(value, (3,), name)
-    if found.shape != (3,):
-        raise ValueError(f"{name}: expected shape (3,), got {found.shape}")
-    return found
+        return box.copy() if self.kind == "constant" else _with_pitch(box, _pitch)
 
 
 def _ranges(value: ArrayLike, name: str, unit: str) -> Array:
-    found = finite_array(value, (3, 2), name)
-    if found.shape != (3, 2):
-        raise ValueError(f"{name}: expected shape (3, 2), got {found.shape}")
+    found = finite_array(value, (3, 2), name, batch=False)
     if np.any(found[:, 1] <= found[:, 0]):
         low, high = found[np.argmax(found[:, 1] <= found[:, 0])]
         raise ValueError(f"{name}: expected least < greatest, got {low:g} and {high:g} {unit}")
     return found
 
 
-def _evenly(turns: Array) -> Array:
-    found = turns.copy()
-    found[1] = np.sin(found[1])
+def _with_pitch(box: Array, change: Callable[[Array], Array]) -> Array:
+    """Ranges of coordinates or angles, (3, 2) or (6, 2), with that of the pitch changed."""
+    found = box.copy()
+    found[-2] = change(found[-2])
     return found
+
+
+def _pitch(sine: Array) -> Array:
+    """Pitch, rad, of its sine, which rounding may have left above 1."""
+    return np.asarray(np.arcsin(np.clip(sine, -1.0, 1.0)))

@@ -15,12 +15,13 @@ WORLD = "world"
 """Name of what does not move."""
 
 BETWEEN = ", joint "
-"""In the name of what stands between two joints that a file gives one body: a body's name, this, a number."""
+"""In names of the bodies without mass between two joints that a file gives one body, before a number."""
 
 _COLORS = {"lower": (0.35, 0.4, 0.47), "upper": (0.75, 0.78, 0.8), "platform": (0.2, 0.45, 0.7)}
 _GRAY = (0.5, 0.5, 0.5)
 _ROUNDING = 4e-16
 _SAME = 1e-9
+_SHORT = 1e-12
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,12 +34,12 @@ class Shape:
 
     @property
     def length(self) -> float:
-        """Of the cylinder, m; 0 of a sphere."""
+        """Length of the cylinder, m; 0 of a sphere."""
         return float(np.linalg.norm(self.end - self.start))
 
     @property
     def middle(self) -> Array:
-        """Of the shape, (3,)."""
+        """Middle of the shape, (3,)."""
         return 0.5 * (self.start + self.end)
 
     @property
@@ -110,6 +111,13 @@ class Joint:
         """Whether the coordinate has limits on both sides."""
         return bool(np.all(np.isfinite(self.limits)))
 
+    def travel(self, unlimited: float) -> tuple[float, float]:
+        """Limits counted from where the model stands; -unlimited and unlimited where there are none."""
+        if not self.limited:
+            return -unlimited, unlimited
+        low, high = self.limits
+        return low - self.position, high - self.position
+
 
 @dataclass(frozen=True, eq=False)
 class Model:
@@ -136,6 +144,13 @@ class Model:
     def carrier(self, body: Body) -> Joint | None:
         """The joint of the tree, no closure, that carries a body."""
         return next((joint for joint in self.joints if joint.child == body.name and not joint.cut), None)
+
+    def origin(self, joint: Joint) -> Array:
+        """Origin of a joint's child in its parent's frame, (3,); of a slide on its axis but for rounding."""
+        parent, child = self.body(joint.parent), self.body(joint.child)
+        place = child.t if parent.name == WORLD else parent.local(child.t)
+        along = joint.position * self.local_axes(joint)[0] if joint.kind == "prismatic" else np.zeros(3)
+        return place if np.abs(place - along).max() > _SHORT * np.abs(place).max() else along
 
     def local_axes(self, joint: Joint) -> Array:
         """Axes of a joint in its child's frame, (n, 3), without the rounding of zeros and ones."""
@@ -186,6 +201,13 @@ def frame_along(axis: Array) -> Array:
     x = np.cross(np.eye(3)[np.argmin(np.abs(z))], z)
     x = x / np.linalg.norm(x)
     return np.stack([x, np.cross(z, x), z], axis=-1)
+
+
+def after(outer: tuple[Array, Array], R: Array, t: Array) -> tuple[Array, Array]:
+    """Orientation and position in the world, from those in a frame that stands there as ``outer`` says."""
+    if np.array_equal(outer[0], np.eye(3)):
+        return R, t + outer[1]
+    return outer[0] @ R, outer[1] + outer[0] @ t
 
 
 def same_frame(one: Array, other: Array) -> bool:

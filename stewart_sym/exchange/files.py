@@ -29,9 +29,9 @@ _WRITERS: dict[str, Callable[[Model], tuple[str, str | None]]] = {
     "usd": usd_out.written,
 }
 _READERS = {"mujoco": mjcf_in.model, "sdf": sdf_in.model, "robot": urdf_in.model}
-"""By the name of the root."""
+"""Readers by the name of the file's root element."""
 BEGINNINGS = (HEADER, usd_out.HEADER, f'{{\n "generator": "{urdf_out.GENERATOR}"')
-"""Of what this program writes."""
+"""How files that this program wrote begin."""
 LOOPS = ".loops.json"
 """End of the name of the file beside a URDF, in place of the URDF's suffix."""
 _MOST_BYTES = 1 << 24
@@ -102,10 +102,11 @@ def export_model(robot: Robot, format: str) -> ModelFile:  # noqa: A002 # the op
     written = robot if format == "urdf" else possible(robot, PROGRAMS[format])
     model = model_of(written)
     _warn_of_losses(robot, format)
+    text, loops = _WRITERS[format](model)
     if format == "usd":
-        return ModelFile(*_WRITERS[format](model))
+        return ModelFile(text)
     # What is read back differently, by rounding or for want of a place, stands in the notes.
-    again, _ = robot_of(_again(*_WRITERS[format](model)))
+    again, _ = robot_of(_read(parsed(text), loops))
     return ModelFile(*_WRITERS[format](replace(model, notes=noted(differences(written, again)))))
 
 
@@ -178,11 +179,6 @@ def _warn_of_losses(robot: Robot, form: str) -> None:
 def loops_path(path: str | os.PathLike[str]) -> Path:
     """Where the loops of a URDF are."""
     return Path(path).with_suffix(LOOPS)
-
-
-def _again(text: str, loops: str | None) -> Model:
-    """What a reader makes of what was written."""
-    return _read(parsed(text), loops)
 
 
 def _read(root: ET.Element, loops: str | None) -> Model:

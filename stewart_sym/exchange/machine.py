@@ -18,9 +18,9 @@ from .offset_legs import base_joints, chains_at, cross_of, noted_offsets
 _LEAST_SINE = 1e-6
 _ROUNDING = 1e-9
 _LOWER, _UPPER, _POINT, _PLATE, _RIM = 0.03, 0.02, 0.035, 0.03, 1.1
-"""Radii of parts and points, and the plates' thickness, over a leg; the plates' radius over the joints'."""
+"""As drawn: radii of parts and points, thickness of plates, over a leg; radius of plates over the joints'."""
 _PART = 0.55
-"""Of a part that states no length, over the longest leg, or 1.4 times the leg at home without a limit."""
+"""Drawn length of a part where none is stated, over the longest leg, or over 1.4 times the leg at home."""
 _REACH = 1.4
 _FAULTY, _THIN = 1e-2, 1e-6
 """Least second moment of mass over the largest, of impossible bodies and of those without a thickness."""

@@ -23,16 +23,16 @@ _SILENT = (
     *("name", "accept", "home", "tool", "euler_order", "lengths", "joint_angle_limit"),
     *("lower_length", "upper_length"),
 )
-"""Fields that no body or joint of a model says otherwise than a note."""
+"""Fields of which bodies and joints say nothing: the note counts."""
 _FROM_HOME = {"lengths": "absolute", "joint_angle_limit": np.inf}
-"""Fields that need a home pose, as they are without one."""
+"""Fields that need a home pose, and what they are without one."""
 _LIMITS = ("length_limits", "force_limit", "speed_limit", "joint_angle_limit")
 _UNSTATED = {"C_u": 0.0, "C_p": 0.0, "C_s": 0.0, "force_limit": np.inf, "speed_limit": np.inf}
-"""Fields as they are where a format has no place for them."""
+"""Fields that some format has no place for, and what they are without a note."""
 
 
-def parsed_notes(text: str | None, where: str) -> dict[str, Any]:
-    """Fields by name; empty without a text."""
+def json_table(text: str | None, where: str) -> dict[str, Any]:
+    """A table in JSON; empty without a text."""
     if text is None:
         return {}
     try:
@@ -126,7 +126,7 @@ def _near(found: Any, noted: Any) -> bool:
 
 
 def _unstated(name: str, found: Any) -> bool:
-    """Whether a field is as it is where a format has no place for it."""
+    """Whether a field has the value that it has where a format has no place for it."""
     if name == "drive":
         return found is None
     if name == "length_limits":

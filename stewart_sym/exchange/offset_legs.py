@@ -52,7 +52,7 @@ def cross_of(robot: Robot, offsets: Offsets, i: int, at: Chains, radius: float) 
 
 
 def base_joints(robot: Robot, i: int, at: Chains) -> tuple[Joint, Joint]:
-    """Of leg i: about the fixed axis and about the moving one."""
+    """Joints of leg i about the fixed axis and about the moving one."""
     cross, lower, damping = f"cross_{i + 1}", f"lower_{i + 1}", float(robot.C_u[i])
     first = Joint(f"base_{i + 1}_1", "revolute", WORLD, cross, axes=robot.k[i][None], damping=damping)
     second = Joint(f"base_{i + 1}_2", "revolute", cross, lower, axes=at.y[i][None], damping=damping)
@@ -72,7 +72,7 @@ class OffsetLines:
 
     @classmethod
     def of(cls, points: Array, axes: Array, tip: Array) -> "OffsetLines":
-        """Of two axes at right angles, each by a point and a direction, (2, 3), the fixed one first."""
+        """Lines of two axes at right angles, each by a point and a direction, (2, 3), the fixed one first."""
         (first, second), (k, y) = points, axes
         between = second - first
         b, A = first + (between @ k) * k, second - (between @ y) * y
@@ -105,18 +105,14 @@ def restored_offsets(value: Any) -> Offsets:
     """Undo ``noted_offsets``; ValueError of one line."""
     tables = value if isinstance(value, Mapping) else {}
     shared, legs = tables.get("legs"), tables.get("leg")
-    good = isinstance(legs, list) and len(legs) == LEGS and all(isinstance(leg, Mapping) for leg in legs)
-    if not isinstance(shared, Mapping) or not isinstance(legs, list) or not good:
+    legs = legs if isinstance(legs, list) else []
+    each = [leg for leg in legs if isinstance(leg, Mapping)]
+    if not isinstance(shared, Mapping) or not len(each) == len(legs) == LEGS:
         raise ValueError("notes: offsets: expected tables legs and leg")
-    found = offsets_of_tables(shared, legs, "notes: offsets: ", _array)
+    found = offsets_of_tables(shared, each, "notes: offsets: ", np.asarray)
     if found is None:
         raise ValueError("notes: offsets: expected offsets, got none")
     return found
-
-
-def _array(value: Any) -> Array:
-    """Lengths in m as they are."""
-    return np.asarray(value, dtype=np.float64)
 
 
 def same_offsets(robot: Robot, noted: Offsets) -> bool:

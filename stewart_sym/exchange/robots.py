@@ -19,10 +19,10 @@ from .topology import Leg, Machine, Step, machine_of
 _OPEN = 1e-3
 """How far joints may be from where they belong, over the leg's length, and directions, rad."""
 _SAID = 1e-9
-"""From where on that is said."""
+"""From here on a deviation is reported."""
 _ROUNDING = 1e-9
 _LEAD = 0.005
-"""Of a screw where a model has an armature alone, m."""
+"""Lead of a screw, m, where a model states an armature and no screw."""
 
 
 def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
@@ -50,7 +50,8 @@ def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
     frame = f"that of {machine.platform!r}"
     if not level:
         frame = f"the origin of {machine.platform!r}, axes those of the base in the pose in the file"
-    lines = [_who(machine), f"base frame: the world's; platform frame: {frame}"]
+    who = ", ".join(f"{i} {leg.lower!r} {leg.upper!r}" for i, leg in enumerate(machine.legs, 1))
+    lines = [f"legs in the order of the file: {who}", f"base frame: the world's; platform frame: {frame}"]
     if model.gravity is None:
         lines.append("gravity: not in the file, (0, 0, -9.81) m/s^2 is taken")
     found: dict[str, Any] = {
@@ -75,11 +76,6 @@ def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
         lines.append("home: the pose in the file")
     left_out = [f"left out: {text}" for text in model.left_out]
     return robot, tuple(lines + said + left_out + kept)
-
-
-def _who(machine: Machine) -> str:
-    legs = ", ".join(f"{i} {leg.lower!r} {leg.upper!r}" for i, leg in enumerate(machine.legs, 1))
-    return f"legs in the order of the file: {legs}"
 
 
 def _drive(legs: Sequence["_Leg"]) -> Drive | None:
@@ -133,7 +129,9 @@ class _Leg:
         if self.lines is not None:
             cross = machine.bodies[leg.crosses[0][0]]
             self.offset = self.lines.offsets(self.s) | self.lines.cross(cross)
-        self._say(leg)
+        for joint in (step.joint for step in (*leg.base, *leg.tip)):
+            if joint.armature:
+                said.append(f"leg {number}: armature {joint.armature:g} of {joint.name!r} is left out")
 
     def _lines(self) -> OffsetLines:
         """Both axes at the base and the end of the line of sliding."""
@@ -287,7 +285,7 @@ class _Leg:
         return added
 
     def _damping(self, steps: Sequence[Step]) -> float:
-        """Of joints at one end, whose axes have the same."""
+        """Damping of the joints at one end, whose axes share one number."""
         found = [step.joint.damping for step in steps]
         if max(found) - min(found) > _ROUNDING * max(found):
             names = ", ".join(repr(step.joint.name) for step in steps)
@@ -306,10 +304,3 @@ class _Leg:
             zero = 0.0
         low, high = sorted(zero + self.sign * limit for limit in joint.limits)
         return max(0.0, low), high
-
-    def _say(self, leg: Leg) -> None:
-        for step in (*leg.base, *leg.tip):
-            joint = step.joint
-            if joint.armature:
-                what = f"armature {joint.armature:g} of {joint.name!r}"
-                self.said.append(f"leg {self.number}: {what} is left out")

@@ -120,7 +120,7 @@ def _need_unique(model: Model) -> None:
 
 
 def _members(model: Model) -> dict[str, str]:
-    """Of each body, the first of those that are fixed together with it; the world is first."""
+    """For each body the first one that is fixed together with it; the world is first."""
     found = {body.name: body.name for body in model.bodies}
     order = {WORLD: -1} | {body.name: i for i, body in enumerate(model.bodies) if body.name != WORLD}
     for joint in model.joints:

@@ -36,7 +36,7 @@ MERGED: Mapping[str, str] = MappingProxyType(dict(exact_regressor.MERGED))
 _ROUNDING = 1e-11
 # A coefficient below this share of its terms is rounding error.
 _NOTHING = 1e-9
-# A parameter can be given up if this share of some direction that is not felt lies along it.
+# A parameter is preferred to be given up if its share in a change of parameters without effect exceeds this.
 _CLEAR = 1e-2
 _POSES = 100
 _MOST_DRAWS = 20
@@ -183,11 +183,9 @@ def _of_all_legs(names: Iterable[str]) -> set[str]:
 def _shared_by_legs() -> tuple[Array, tuple[str, ...], tuple[str, ...]]:
     """From parameters that all legs share, and the platform's, to pi, (148, 33); their names and units."""
     of_leg, of_platform = exact_regressor.LEG_PARAMETERS, exact_regressor.PLATFORM_PARAMETERS
-    legs = np.tile(np.eye(len(of_leg)), (LEGS, 1))
-    spread = np.zeros((len(legs) + len(of_platform), len(of_leg) + len(of_platform)))
-    spread[: len(legs), : len(of_leg)] = legs
-    spread[len(legs) :, len(of_leg) :] = np.eye(len(of_platform))
     rows = (*of_leg, *of_platform)
+    each = np.eye(len(rows))
+    spread = np.concatenate([np.tile(each[: len(of_leg)], (LEGS, 1)), each[len(of_leg) :]])
     return spread, tuple(name for name, _ in rows), tuple(unit for _, unit in rows)
 
 
@@ -217,10 +215,10 @@ def _singular(stack: Array) -> tuple[Array, Array]:
 
 
 def _given_up(unfelt: Array, preferred: NDArray[np.intp]) -> NDArray[np.intp]:
-    """As many parameters as there are directions that are not felt, (148, n), so that these fix them.
+    """Parameters to give up: one for each direction that no force depends on, (148, n).
 
-    Each is the one along which most of what remains of the directions lies, among the preferred ones as long
-    as one of them is clear.
+    Each is the one with the largest share in what remains of the directions, among the preferred ones as long
+    as one of them has a clear share.
     """
     left = unfelt.copy()
     chosen: list[int] = []

@@ -22,9 +22,9 @@ from .rotor_columns import rotor_regressor
 DRIVE_TERMS = {"reflected_mass": "kg", "coulomb": "N", "offset": "N", "viscous": "N s/m"}
 """Terms that can be sought, in this order, and their units."""
 
-# Share of a column's length that others leave of it, below which they do the same.
+# A column of which others leave less than this share of its length is a combination of these.
 _SAME = 1e-7
-# Of a column that does the same: shares that are named.
+# Columns with at least this share in such a combination are named.
 _NAMED = 0.05
 
 
@@ -84,7 +84,7 @@ class Terms(NamedTuple):
         return np.asarray(self.columns[..., self.identifiable])
 
     def estimate(self, values: Array, covariance: Array) -> DriveEstimate:
-        """Of values and covariance, (m,) and (m, m), of those that are identifiable."""
+        """The estimate by values, (m,), and covariance, (m, m), of the identifiable terms."""
         found, spread = np.full(len(self.names), np.nan), np.diag(np.full(len(self.names), np.inf))
         found[self.identifiable] = values
         spread[np.ix_(self.identifiable, self.identifiable)] = covariance

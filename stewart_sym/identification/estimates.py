@@ -33,8 +33,8 @@ class Estimate:
     p_noise : float
         Probability of so large a residual under the stated noise.
     p_model : float
-        Of so large a smooth part of it, or one that a changing load explains so well, whatever the size of
-        the noise.
+        Probability of so large a smooth part of the residual, or of one that a changing load explains so
+        well; it does not depend on the stated size of the noise.
     inflation : float
         Factor on the deviations, at least 1, from the residual.
     verdict : str

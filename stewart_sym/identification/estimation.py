@@ -24,11 +24,7 @@ from ..io.array_types import Array
 from ..io.extras import need
 from ..motion.motion import Motion
 from ..motion.rotation import rotation_from_vector
-from ..motion.smooth_motion import (
-    WITHOUT_PERIOD,
-    PoseNoise,
-    smoothed,
-)
+from ..motion.smooth_motion import WITHOUT_PERIOD, PoseNoise, smoothed
 from ..robot.robot import LEGS, Robot
 from .base_parameters import BaseParameters, base_parameters
 from .drive_terms import drive_terms, need_terms, told_apart
@@ -152,20 +148,15 @@ def identify(
         instance(noise, PoseNoise, "noise")
     data = Data(robot, motion, forces, _deviations(sigma, forces.shape), base)
     if drive is not None:
-        smooth = motion if noise is None else smoothed(motion, noise)
-        data = _with_terms(data._replace(motion=smooth), need_terms(drive))
+        motion = motion if noise is None else smoothed(motion, noise)
+        terms = drive_terms(robot, motion, need_terms(drive), base.shared is not None)
+        terms = told_apart(terms, force_regressor(robot, motion, base), base.names)
+        data = data._replace(motion=motion, terms=terms)
     if noise is not None and drive is None:
         found = tested_estimate(data, joint_fit(data, noise), ())
     else:
         found = tested_estimate(data, exact_fit(data, data.motion), EXACT if noise is None else SMOOTHED)
     return _possible(robot, found) if physical and found.verdict != "rejected" else found
-
-
-def _with_terms(data: Data, names: Sequence[str]) -> Data:
-    """With terms of the drives, of which the motion tells what it can."""
-    terms = drive_terms(data.robot, data.motion, names, data.base.shared is not None)
-    A = force_regressor(data.robot, data.motion, data.base)
-    return data._replace(terms=told_apart(terms, A, data.base.names))
 
 
 def simulated_experiment(

@@ -23,7 +23,7 @@ from .parameters import regressor
 
 # Widths of the first harmonic's coefficients: share of the base's radius, and rad.
 _WIDTH = np.array([0.1, 0.1, 0.1, 0.2, 0.2, 0.2])
-# Of samples, harmonics and candidates.
+# Largest number of samples, of harmonics and of candidates.
 _MOST = 10_000_000
 # A candidate is made smaller by this factor, so often at most, until it keeps within the limits.
 _SMALLER, _TIMES = 0.8, 16
@@ -230,7 +230,7 @@ def _allowed(robot: Robot, motion: Motion, condition: float) -> bool:
 
 
 def _condition(A: Array) -> float:
-    """Of the stacked columns, each of length 1; inf if they are dependent to about half of all digits."""
+    """Condition number of the columns, scaled to length 1; inf if they are dependent to half the digits."""
     stack = A.reshape(-1, A.shape[-1])
     lengths = np.linalg.norm(stack, axis=0)
     if not np.all(lengths > 0.0):

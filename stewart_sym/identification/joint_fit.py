@@ -9,21 +9,13 @@ import numpy as np
 from ..dynamics.equations import force_derivatives
 from ..io.array_types import Array
 from ..motion.motion import Motion
-from ..motion.smooth_motion import (
-    Basis,
-    PoseNoise,
-    chain,
-    coordinates,
-    from_best,
-    pose_fit,
-    residual,
-)
+from ..motion.smooth_motion import Basis, PoseNoise, chain, coordinates, from_best, pose_fit, residual
 from ..robot.robot import LEGS
 from .linear_fit import Data, Fit, exact_fit, factors, linear_system
 from .parameters import inertial_parameters, is_friction, with_parameters
 from .residual_test import DRAWS
 
-# Steps of the joint fit, halvings of one, and the decrease of the sum of squares that counts as none.
+# Most steps of the joint fit, most halvings of one, and the decrease of the sum of squares at which it ends.
 _STEPS, _HALVINGS, _NO_DECREASE = 30, 10, 1e-4
 
 
@@ -116,7 +108,7 @@ def _squares(parts: tuple[Array, ...]) -> float:
 
 
 def _jacobian(data: Data, noise: PoseNoise, basis: Basis, values: Array, c: Array) -> Array:
-    """Of forces and poses by base parameters and coefficients, over the deviations, (12 n, rank + 6 m)."""
+    """Derivatives of forces and poses over their deviations by all unknowns, (12 n, rank + 6 m)."""
     motion = basis.motion(c, data.motion)
     A, _ = linear_system(data, motion)
     maps = chain(basis, c, motion)

@@ -11,7 +11,8 @@ import re
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
-from typing import NamedTuple
+from operator import itemgetter
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -50,7 +51,7 @@ _STEP = 1e-6
 # looked at, noise takes one so far in one estimate of a thousand.
 _SURE = 4.0
 _OTHERS = re.compile(rf"(?:leg |C_[ups])[2-{LEGS}]\b")
-# Of one fit: steps, and the relative decrease of its sum of squares that counts as none.
+# Most steps of one fit, and the relative decrease of its sum of squares below which it ends.
 _MOST_STEPS, _NO_DECREASE = 150, 1e-6
 
 
@@ -160,15 +161,14 @@ def possible_fit(robot: Robot, base: BaseParameters, values: Array, covariance: 
 
     def jacobian(x: Array) -> Array:
         J = np.zeros((len(own.values), len(x)))
-        first, count = _own_columns()
+        places, of_friction = _split(np.arange(len(J)))
         for j in range(_BODY):
             shift = np.zeros(bodies.shape)
             shift[:, j] = _STEP
             x_bodies = x[: bodies.size].reshape(bodies.shape)
             derivative = (_bodies(roots, x_bodies + shift) - _bodies(roots, x_bodies - shift)) / (2.0 * _STEP)
-            for i, start in enumerate(first):
-                J[start : start + _BODY, _BODY * i + j] = derivative[i]
-        J[count, bodies.size + np.arange(len(count))] = unit.ravel()
+            J[places, j + _BODY * np.arange(len(bodies))[:, None]] = derivative
+        J[of_friction.ravel(), bodies.size + np.arange(friction.size)] = unit.ravel()
         return J
 
     prior = np.concatenate([np.zeros(bodies.size), (friction / unit).ravel()])
@@ -192,7 +192,7 @@ def possible_fit(robot: Robot, base: BaseParameters, values: Array, covariance: 
         )
         x = found.x
     pi = all_parameters(found.x)
-    # Of legs that share their parameters the mean is as possible as they are, and explains as much.
+    # Where legs share their parameters, their mean is possible too and explains as much.
     pi = pi if base.shared is None else alike(pi)
     spread = base.matrix @ jacobian(found.x) @ np.linalg.inv(np.linalg.qr(found.jac, mode="r"))
     squares = float(np.sum(found.fun[: base.rank] ** 2))
@@ -207,7 +207,7 @@ def _conditions(robot: Robot, base: BaseParameters, values: Array) -> list[Condi
     usual = _usual(robot, base)
     friction = [name for name in base.names if is_friction([name])[0]]
     found: list[Condition] = [
-        (name, base.units[own[0]], partial(_component, own[0]))
+        (name, base.units[own[0]], itemgetter(own[0]))
         for name in friction
         if (own := usual([name])) is not None
     ]
@@ -226,10 +226,6 @@ def _conditions(robot: Robot, base: BaseParameters, values: Array) -> list[Condi
     if platform is not None:
         found.append(_platform_condition(robot, platform, legs, values))
     return found
-
-
-def _component(i: int, x: Array) -> float:
-    return float(x[i])
 
 
 def _second_moment_along(v: Array, inertia: list[int], x: Array) -> float:
@@ -275,7 +271,7 @@ def _usual(robot: Robot, base: BaseParameters) -> Callable[[Sequence[str]], list
 
 
 def _general_rows(robot: Robot) -> dict[str, Array]:
-    """By name, of which parameters each base parameter of every machine is the sum, (148,)."""
+    """Base parameters of every machine by name: shares of the parameters in each, (148,)."""
     names, _ = parameter_names()
     column = {name: i for i, name in enumerate(names)}
     rows = dict(zip(names, np.eye(len(names)), strict=True))
@@ -298,7 +294,7 @@ def _second_moments(six: Array) -> Array:
 
 
 def _pseudo_inertia(body: Array) -> Array:
-    """Of mass, first moment and inertia (10,), (4, 4)."""
+    """Pseudo-inertia, (4, 4), of mass, first moment and inertia, (10,)."""
     P = np.empty((4, 4))
     P[:3, :3] = _second_moments(body[4:])
     P[:3, 3] = P[3, :3] = body[1:4]
@@ -309,26 +305,16 @@ def _pseudo_inertia(body: Array) -> Array:
 # Bodies and their coordinates
 
 
-def _own_columns() -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-    """First column of each of the thirteen bodies, and the columns of friction."""
-    size = 2 * _BODY + _FRICTION
-    starts = size * np.arange(LEGS)
-    first = np.append(np.column_stack([starts, starts + _BODY]).ravel(), size * LEGS)
-    return first, (starts[:, None] + 2 * _BODY + np.arange(_FRICTION)).ravel()
-
-
-def _split(values: Array) -> tuple[Array, Array]:
-    """Bodies, (13, 10), and friction, (6, 3)."""
-    first, friction = _own_columns()
-    return values[first[:, None] + np.arange(_BODY)], values[friction].reshape(LEGS, _FRICTION)
+def _split(values: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
+    """Bodies, (13, 10), and friction, (6, 3), of all parameters, (148,)."""
+    legs, platform = values[:-_BODY].reshape(LEGS, -1), values[None, -_BODY:]
+    return np.concatenate([legs[:, : 2 * _BODY].reshape(-1, _BODY), platform]), legs[:, 2 * _BODY :]
 
 
 def _joined(bodies: Array, friction: Array) -> Array:
-    first, columns = _own_columns()
-    values = np.empty(bodies.size + friction.size)
-    values[first[:, None] + np.arange(_BODY)] = bodies
-    values[columns] = friction.ravel()
-    return values
+    """All parameters, (148,), of bodies and friction."""
+    legs = np.hstack([bodies[:-1].reshape(LEGS, -1), friction])
+    return np.concatenate([legs.ravel(), bodies[-1]])
 
 
 def _friction(x: Array) -> Array:

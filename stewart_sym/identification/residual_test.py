@@ -10,7 +10,8 @@ from .estimates import Estimate, tail
 from .linear_fit import LOAD, Data, Fit, linear_system
 from .physical import Negative, negative
 
-# Draws of errors by which a fit is seen to be linear within them, and what is too far from it, in deviations.
+# Random errors by which a fit is tested for being linear within its deviations, and by how many of these it
+# may be off.
 DRAWS, _BENT = 8, 0.1
 # A misfit is named where a right model with the stated noise would show one this rarely.
 LEVEL = 1e-3
@@ -18,7 +19,7 @@ LEVEL = 1e-3
 _MOST_INFLATION = 3.0
 # Cosines over the instants, for each leg, by which the forces may still differ smoothly from the fitted ones.
 _COSINES = 20
-# Length beside that of a cosine below which the fit explains it already.
+# Share of a column below which what the fit leaves of it counts as nothing.
 _NEW = 1e-8
 EXACT = ("motion: is taken as exact, expected its noise if its poses were measured",)
 SMOOTHED = (

@@ -58,11 +58,14 @@ def whole_number(value: object, name: str, least: int, expected: str, most: floa
     return int(value)  # type: ignore[call-overload, no-any-return]
 
 
-def finite_array(value: object, core: tuple[int, ...], name: str) -> NDArray[np.float64]:
-    """Return a float64 copy of shape (..., *core) with finite entries; ValueError for anything else."""
-    expected = f"(..., {', '.join(str(n) for n in core)})"
+def finite_array(value: object, core: tuple[int, ...], name: str, batch: bool = True) -> NDArray[np.float64]:
+    """Return a float64 copy of shape (..., *core) with finite entries; ValueError for anything else.
+
+    batch: whether there may be leading axes.
+    """
+    expected = f"(..., {', '.join(str(n) for n in core)})" if batch else str(core)
     array = real_array(value, name, f"real numbers of shape {expected}")
-    if array.shape[-len(core) :] != core:
+    if (array.shape[-len(core) :] if batch else array.shape) != core:
         raise ValueError(f"{name}: expected shape {expected}, got {array.shape}")
     finite = np.isfinite(array)
     if not np.all(finite):

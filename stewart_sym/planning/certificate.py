@@ -14,7 +14,7 @@ from ..io.array_types import Array
 from ..kinematics.inverse import inverse_kinematics
 from ..singularities.along_path import Crossing, LegExtreme, singularities_along
 from .time_path import TimedPath
-from .timing.path_terms import force_limits, leg_speeds, travelled
+from .timing.path_terms import force_limits, leg_accelerations, leg_speeds, travelled
 
 FINER = 100
 """Instants in each cell of the plan's grid at which limits are checked."""
@@ -105,18 +105,22 @@ def certify_plan(plan: TimedPath) -> PlanCertificate:
     times = np.append(
         (profile.times[:-1, None] + np.diff(profile.times)[:, None] * shares).ravel(), plan.duration
     )
+
+    def when(s: Array) -> Array:
+        return np.asarray(np.interp(s, nodes.s, profile.times))
+
     low, high = robot.length_limits.T
     return PlanCertificate(
         instants=len(s),
-        shortest=_in_time(along.shortest, plan),
-        longest=_in_time(along.longest, plan),
+        shortest=LegExtreme(when(along.shortest.time), along.shortest.value),
+        longest=LegExtreme(when(along.longest.time), along.longest.value),
         speed=_extreme(times, speed),
         force=_extreme(times, force),
         used=max(float(most.max()), float(_jerk(plan, len(s)).max())),
         lengths_kept=bool((along.shortest.value >= low).all() and (along.longest.value <= high).all()),
         active=_active(plan),
         crossings=along.crossings,
-        nearest=Approached(_time_of(plan, along.nearest.time), float(along.nearest.at.smallest)),
+        nearest=Approached(float(when(np.array(along.nearest.time))), float(along.nearest.at.smallest)),
     )
 
 
@@ -134,15 +138,9 @@ def _jerk(plan: TimedPath, count: int) -> Array:
         return found
     times = np.linspace(0.0, plan.duration, count)
     parts = [slice(i, i + _BLOCK) for i in range(0, count, _BLOCK)]
-    seconds = np.concatenate([_leg_accelerations(plan, times[part]) for part in parts])
+    seconds = np.concatenate([leg_accelerations(plan.robot, plan.sample(times[part])) for part in parts])
     rates = np.abs(np.diff(seconds, axis=0)) / np.diff(times)[:, None]
     found[1:] = (rates / np.array(plan.limits.jerk)).max(axis=-1)
-    return found
-
-
-def _leg_accelerations(plan: TimedPath, times: Array) -> Array:
-    found = inverse_kinematics(plan.robot, plan.sample(times)).L_ddot
-    assert found is not None
     return found
 
 
@@ -170,14 +168,6 @@ def _part(plan: TimedPath, s: Array, square: Array, second: Array) -> tuple[Arra
         if limit is not None:
             used.append(np.linalg.norm(vector, axis=-1, keepdims=True) / limit)
     return legs.L_dot, F, np.concatenate(used, axis=-1).max(axis=-1)
-
-
-def _time_of(plan: TimedPath, s: float) -> float:
-    return float(np.interp(s, plan.profile.nodes.s, plan.profile.times))
-
-
-def _in_time(found: LegExtreme, plan: TimedPath) -> LegExtreme:
-    return LegExtreme(np.interp(found.time, plan.profile.nodes.s, plan.profile.times), found.value)
 
 
 def _extreme(times: Array, values: Array) -> LegExtreme:

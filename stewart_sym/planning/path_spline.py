@@ -25,9 +25,9 @@ _STEP = 1e-6
 class Family:
     """All splines through via poses: by shifts of the free ones, (f,), and coordinates w, (m, 7).
 
-    s: samples. B: B-splines there, (n, c). between, fine: the same
-    of a finer grid with the via poses. metric: of length and bends, (c, c). through, rest:
-    coefficients are through @ via + rest @ w.
+    s: samples. B: B-splines there, (n, c). between, fine: the same of a finer grid with the via poses.
+    metric: quadratic form of length and bending, (c, c). through, rest: coefficients are
+    through @ via + rest @ w.
     """
 
     poses: tuple[ViaPose, ...]
@@ -81,7 +81,7 @@ class Family:
         return found
 
     def coefficients(self, values: Array, w: Array) -> Array:
-        """Of the spline, (c, 7)."""
+        """Coefficients of the spline, (c, 7)."""
         rows = np.array(
             [shifted(row, shift) for row, shift in zip(self.rows, self.shifts(values), strict=True)]
         )
@@ -103,7 +103,7 @@ class Family:
 
 
 def scales(length: float) -> Array:
-    """By which coordinates are multiplied to be shifts over a length and half of angles, (7,)."""
+    """Factors, (7,), that make of coordinates shifts over a length, and angles."""
     return np.repeat([1.0 / length, 2.0], [3, 4])
 
 

@@ -7,7 +7,7 @@ import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, cast
+from typing import Any
 
 import numpy as np
 
@@ -22,39 +22,22 @@ from ..motion.noise_level import LogWarning
 from ..motion.rotation import rotation_about_axes
 from ..motion.trajectory import turn_doubt
 from ..robot.robot import Robot
-from .plan_path import PRICE, Objective, need_poses
+from .plan_path import OBJECTIVES, PRICE, Objective, need_poses
 from .time_path import LEAST, Least
 from .timing.path_terms import Limits, six_positive
 from .via_poses import COORDINATES, ViaPose
 
 SCHEMA = 1
 RATE = 100.0
-"""Of the trajectory, Hz."""
+"""Default rate of the trajectory, Hz."""
 
 _TOP_KEYS = (
-    "schema",
-    "robot",
-    "formulation",
-    "objective",
-    "price",
-    "rate",
-    "least",
-    "duration",
-    "limits",
-    "load",
-    "via",
-    "via_file",
+    *("schema", "robot", "formulation", "objective", "price", "rate", "least", "duration"),
+    *("limits", "load", "via", "via_file"),
 )
-_LIMIT_KEYS = (
-    "condition",
-    "clearance",
-    "force",
-    "speed",
-    "acceleration",
-    "jerk",
-    "platform_speed",
-    "platform_turn_rate",
-)
+_POSE_LIMITS = ("condition", "clearance")
+_LEG_LIMITS = ("force", "speed", "acceleration", "jerk")
+_LIMIT_KEYS = (*_POSE_LIMITS, *_LEG_LIMITS, "platform_speed", "platform_turn_rate")
 _LOAD_KEYS = ("F_ext", "M_ext")
 _VIA_KEYS = ("t", "theta", "free")
 
@@ -99,12 +82,13 @@ def _request(d: Mapping[str, Any], source: str) -> PlanRequest:
     tables.need_schema(top["schema"], (SCHEMA,), f"{file}schema")
     if ("via" in top) == ("via_file" in top):
         raise ValueError(f"{file}via: expected either via poses or via_file")
-    formulation = tables.choice(top.get("formulation", FORMULATIONS[0]), FORMULATIONS, f"{file}formulation")
-    objective = tables.choice(top.get("objective", "mean"), ("mean", "peak"), f"{file}objective")
-    price = tables.not_negative(top.get("price", PRICE), f"{file}price")
-    rate = tables.positive(top.get("rate", RATE), f"{file}rate")
-    least = tables.choice(top.get("least", LEAST[0]), LEAST, f"{file}least")
-    duration = tables.positive(top["duration"], f"{file}duration") if "duration" in top else None
+    options: dict[str, Any] = {
+        key: tables.choice(top.get(key, known[0]), known, file + key)
+        for key, known in (("formulation", FORMULATIONS), ("objective", OBJECTIVES), ("least", LEAST))
+    }
+    options["price"] = tables.not_negative(top.get("price", PRICE), f"{file}price")
+    options["rate"] = tables.positive(top.get("rate", RATE), f"{file}rate")
+    options["duration"] = tables.positive(top["duration"], f"{file}duration") if "duration" in top else None
     path_limits, limits = _limits(top.get("limits", {}), f"{file}limits.")
     load = _load(top.get("load", {}), f"{file}load.")
     files = [Path(source), folder / tables.one_line(top["robot"], f"{file}robot")]
@@ -127,19 +111,7 @@ def _request(d: Mapping[str, Any], source: str) -> PlanRequest:
     except ValueError as error:
         raise ValueError(f"{source if given else files[2]}: {error}") from None
     return PlanRequest(
-        robot=robot,
-        poses=poses,
-        path_limits=path_limits,
-        limits=limits,
-        objective=cast(Objective, objective),
-        price=price,
-        load=load,
-        formulation=cast(Formulation, formulation),
-        rate=rate,
-        least=cast(Least, least),
-        duration=duration,
-        doubt=doubt,
-        files=tuple(files),
+        robot, poses, path_limits, limits, load=load, files=tuple(files), doubt=doubt, **options
     )
 
 
@@ -147,9 +119,9 @@ def _limits(value: object, prefix: str) -> tuple[PoseLimits, Limits]:
     table = tables.checked_table(value, prefix, _LIMIT_KEYS)
     found: dict[str, Any] = {}
     for key, given in table.items():
-        check = six_positive if key in ("force", "speed", "acceleration", "jerk") else tables.positive
+        check = six_positive if key in _LEG_LIMITS else tables.positive
         found[key] = check(given, prefix + key)
-    own = {key: found.pop(key) for key in ("condition", "clearance") if key in found}
+    own = {key: found.pop(key) for key in _POSE_LIMITS if key in found}
     try:
         return PoseLimits(**own), Limits(**found)
     except ValueError as error:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
@@ -26,21 +26,23 @@ from .pose_path import PosePath
 from .via_poses import ViaPose
 
 Objective = Literal["mean", "peak"]
+OBJECTIVES: tuple[Objective, ...] = ("mean", "peak")
+"""What of the condition numbers along a path can be made small."""
 
 PRICE = 0.5
-"""Of a longer and more bent path, beside the condition number over that of the straight one."""
+"""Default weight of length and bending against the condition number."""
 
 _PEAK_POWER = 16
 # Below this share of the least singular value of the via poses a path counts as singular.
 _NEAR = 0.1
 _PENALTIES = (10.0, 1e3, 1e5)
 _STEPS = 60
-# Starts of the search for a detour, and how far they swing, in characteristic lengths and radians.
+# How many starts are tried, and the size of their random detours, in characteristic lengths and radians.
 _STARTS = 12
 _SWING = 0.6
 _FINE = 2001
 _RESTS = 1e-6
-# Of the way from the straight spline to the best path.
+# Paths between the straight spline, 0, and the best one, 1, in the order in which they are tried.
 _SHARES = (1.0, 0.9, 0.75, 0.5, 0.25, 0.1, 0.03, 0.01, 0.0)
 
 
@@ -55,7 +57,7 @@ class Conditions:
     peak : float
         Largest; infinite where det H changes its sign.
     length : float
-        Of the path so measured.
+        Length of the path, measured likewise.
     """
 
     mean: float
@@ -111,8 +113,9 @@ def plan_path(
         What is made small: the condition number's mean or its peak. Neither rises above that of the straight
         spline where that one keeps the limits.
     price : float, optional
-        Of a longer and more bent path: of doubling the mean squares of its rates and second rates, beside the
-        condition number over that of the straight path. At no price forces rise: bends take acceleration.
+        Weight of length and bending: what is made small is the condition number plus ``price`` times the mean
+        squares of first and second derivatives, each over its value on the straight path. With a price of 0
+        the path bends more, and forces rise.
     load : array_like, optional
         External wrench [F_ext; M_ext] on the way, N and N m, platform frame, (6,).
     progress : callable, optional
@@ -129,7 +132,7 @@ def plan_path(
         Naming the argument, or the via pose or limit that stands in the way.
     """
     instance(robot, Robot, "robot")
-    option(objective, ("mean", "peak"), "objective")
+    option(objective, OBJECTIVES, "objective")
     limits = PoseLimits() if limits is None else limits
     instance(limits, PoseLimits, "limits")
     price = not_negative(price, "price")
@@ -139,18 +142,18 @@ def plan_path(
     poses = tuple(poses)
     need_poses(poses)
     search = _Search.of(robot, poses, limits, objective, price)
-    straight = search.family.path(search.family.coefficients(*search.nothing), robot.tool, wrench)
+    straight = search.path(search.nothing, wrench)
     at_first = conditions_along(robot, straight)
     x = search.best(progress)
     # Where the straight spline serves, neither number rises above its own: nearer to it they fall to these.
     for share in _SHARES if not search.broken(0.0 * x) else (1.0,):
-        values, w = search.split(share * x)
-        path = search.family.path(search.family.coefficients(values, w), robot.tool, wrench)
+        path = search.path(share * x, wrench)
         found = conditions_along(robot, path)
         if max(found.mean / at_first.mean, found.peak / at_first.peak) <= 1.0:
             break
     need_passed(path, search.costs.length)
-    passed = tuple(pose.moved(shift) for pose, shift in zip(poses, search.family.shifts(values), strict=True))
+    shifts = search.family.shifts(search.split(share * x)[0])
+    passed = tuple(pose.moved(shift) for pose, shift in zip(poses, shifts, strict=True))
     return PlannedPath(path, straight, poses, passed, found, at_first)
 
 
@@ -178,7 +181,7 @@ def need_passed(path: PosePath, length: float) -> None:
 
 
 def _rates(motion: Motion, length: float) -> Array:
-    """By the parameter, shifts over a length and angles taken together, (n,)."""
+    """Size of the derivative by the parameter, (n,): shifts over a length and angles together."""
     shift = np.sum((motion.v / length) ** 2, axis=-1)
     return np.asarray(np.sqrt(shift + np.sum(motion.omega**2, axis=-1)))
 
@@ -223,16 +226,20 @@ class _Search:
         costs = PoseCosts(robot, limits, robot.tool, side, least)
         power = 1 if objective == "mean" else _PEAK_POWER
         search = cls(family, costs, power, price, scales(at.length), (1.0, 1.0))
-        coefficients = family.coefficients(*search.nothing)
+        coefficients = family.coefficients(*search.split(search.nothing))
         k = costs.conditions(*poses_of(family.B @ coefficients))[0]
         rows = coefficients * search.scale
         first = (float(np.mean(k**power) ** (1.0 / power)), float(np.sum(rows * (family.metric @ rows))))
-        return cls(family, costs, power, price, search.scale, first)
+        return replace(search, first=first)
 
     @property
-    def nothing(self) -> tuple[Array, Array]:
-        """No shift of any via pose, and the spline of least bending."""
-        return np.zeros(len(self.family.free)), np.zeros((self.family.rest.shape[1], 7))
+    def nothing(self) -> Array:
+        """Variables of the straight spline: no via pose is moved, and bending is least."""
+        return np.zeros(len(self.family.free) + 7 * self.family.rest.shape[1])
+
+    def path(self, x: Array, load: Array) -> PosePath:
+        """The path of variables."""
+        return self.family.path(self.family.coefficients(*self.split(x)), self.costs.tool, load)
 
     def split(self, x: Array) -> tuple[Array, Array]:
         """Free coordinates and w of the variables."""
@@ -241,7 +248,7 @@ class _Search:
 
     def best(self, progress: Progress) -> Array:
         """Variables of the best path; ValueError that names the limit which stands in the way."""
-        start = np.concatenate([part.ravel() for part in self.nothing])
+        start = self.nothing
         random = np.random.default_rng(0)
         worst: list[tuple[float, str, float]] = []
         for turn in range(_STARTS):
@@ -249,14 +256,13 @@ class _Search:
             x = self.minimum(start)
             broken = self.broken(x)
             if not broken:
-                family = self.family
-                path = family.path(family.coefficients(*self.split(x)), self.costs.tool, np.zeros(6))
-                crossed = crossings(self.costs.robot, path, np.union1d(family.s, [0.0, 1.0]))
+                path = self.path(x, np.zeros(6))
+                crossed = crossings(self.costs.robot, path, np.union1d(self.family.s, [0.0, 1.0]))
                 if not crossed:
                     return x
                 broken = [(math.inf, "a singular pose", crossed[0].time)]
             worst.append(max(broken))
-            start = np.concatenate([part.ravel() for part in self.nothing])
+            start = self.nothing
             start[len(self.family.free) :] += self.swing(random)
         _, what, place = min(worst)
         segment = int(np.clip(np.searchsorted(self.family.via, place), 1, len(self.family.poses) - 1))

@@ -21,10 +21,10 @@ from ..motion.rotation import cross
 from ..robot.robot import Robot
 
 _ONE, _OTHER = np.array(PAIRS).T
-# Room that a path keeps from its limits at the samples, share of the characteristic length or of a cosine.
+# Distance that a path keeps from its limits at the samples, over the characteristic length or as a cosine.
 ROOM = 2e-3
 _SAME = 1e-6
-# Of the angle between a leg and the fixed axis of its universal joint: forces grow as one over it.
+# Least sine of the angle between a leg and the fixed axis of its universal joint: forces grow as its inverse.
 _LEAST_SINE = 0.05
 
 
@@ -55,9 +55,7 @@ class PoseCosts(Frozen):
 
     def conditions(self, R: Array, t: Array) -> tuple[Array, Array]:
         """Condition numbers, (n,), with derivatives, (n, 6)."""
-        q, S, L = self.legs(R, t)
-        s = S / L[..., None]
-        H = np.swapaxes(np.concatenate([s, cross(q, s) / self.length], axis=-1), -1, -2)
+        q, s, L, H = self._matrices(R, t)
         u, values, vh = np.linalg.svd(H)
         sign = np.sign(np.linalg.det(H)) * self.side
         largest, smallest = values[:, 0], sign * values[:, -1]
@@ -72,7 +70,7 @@ class PoseCosts(Frozen):
 
     def plain_conditions(self, R: Array, t: Array) -> tuple[Array, Array]:
         """Condition numbers and signs of det H, (n,)."""
-        H = self._matrices(R, t)
+        H = self._matrices(R, t)[-1]
         values = np.linalg.svd(H, compute_uv=False)
         with np.errstate(divide="ignore"):
             conditions: Array = values[:, 0] / values[:, -1]
@@ -80,12 +78,13 @@ class PoseCosts(Frozen):
 
     def smallest(self, R: Array, t: Array) -> Array:
         """Smallest singular values, (n,)."""
-        return np.asarray(np.linalg.svd(self._matrices(R, t), compute_uv=False)[:, -1])
+        return np.asarray(np.linalg.svd(self._matrices(R, t)[-1], compute_uv=False)[:, -1])
 
-    def _matrices(self, R: Array, t: Array) -> Array:
+    def _matrices(self, R: Array, t: Array) -> tuple[Array, Array, Array, Array]:
+        """q, s, L and H with its moments over the characteristic length, (n, 6, 6)."""
         q, S, L = self.legs(R, t)
         s = S / L[..., None]
-        return np.swapaxes(np.concatenate([s, cross(q, s) / self.length], axis=-1), -1, -2)
+        return q, s, L, np.swapaxes(np.concatenate([s, cross(q, s) / self.length], axis=-1), -1, -2)
 
     def _rate(self, q: Array, s: Array, L: Array, u: Array, v: Array) -> Array:
         """Derivative of u^T H v by the twist, (n, 6)."""

@@ -32,12 +32,13 @@ LEAST: tuple[Least, ...] = ("time", "energy", "peak-force")
 CELLS = 400
 """Cells of the first grid; those in which no limit is active, or one is exceeded, are divided."""
 SMOOTH_CELLS = 300
-"""At most, of the spline of a smooth motion."""
+"""Most cells of the spline of a smooth motion."""
 
 _DIVISIONS = 3
 _ROUNDS = 15
-# Turns at friction and limits of power, once the motion is nearly that of the round before.
+# Bounds by friction and power depend on the motion: how often they are updated in one round.
 _FEW_TURNS = 2
+# Parts of the first and of the last cell.
 _AT_ENDS = 20
 # A machine that can just about hold its own weight at a pose of the path takes for ever to pass it.
 _HOLD = 1.0 - 1e-6
@@ -77,7 +78,7 @@ class TimedPath:
 
     @property
     def duration(self) -> float:
-        """Of the motion, s."""
+        """Duration of the motion, s."""
         return self.profile.duration
 
     def sample(self, times: ArrayLike) -> Motion:
@@ -148,9 +149,7 @@ def time_path(
     need_no_offsets(robot)
     if not callable(path):
         raise ValueError(f"path: expected a function of a parameter, got {shown(path)}")
-    ends = finite_array(span, (2,), "span")
-    if ends.ndim != 1:
-        raise ValueError(f"span: expected the first and the last parameter, got {shown(span)}")
+    ends = finite_array(span, (2,), "span", batch=False)
     option(formulation, FORMULATIONS, "formulation")
     limits = Limits() if limits is None else limits
     instance(limits, Limits, "limits")
@@ -192,7 +191,7 @@ class _Task(NamedTuple):
         return lambda s: terms_along(self.robot, self.path, s, limits, self.formulation)
 
     def need_possible(self) -> None:
-        """Reject a path that cannot be travelled, or as fast as one likes."""
+        """Reject a path that cannot be travelled, and one on which nothing limits the motion."""
         nodes = _first_nodes(*self.span, self.cells)
         need_bounded(self.source(self.limits)(nodes), nodes, self.limits.jerk is not None)
 
@@ -217,7 +216,7 @@ class _Task(NamedTuple):
         return profile
 
     def smooth(self, limits: Limits) -> SmoothPath:
-        """The path, eased."""
+        """What the path takes of the machine, by an eased parameter."""
         cells = min(self.cells, SMOOTH_CELLS)
         ease = Ease(*self.span, 1 if limits.jerk is None else 2)
         path = eased(self.path, ease)
@@ -301,7 +300,7 @@ def _first_nodes(start: float, end: float, cells: int) -> Array:
 def need_bounded(terms: Terms, s: Array, bounded: bool) -> None:
     """Reject a path that rests, one that no limit bounds, and poses at which the machine can't stand still.
 
-    bounded: by another limit than those of the terms.
+    bounded: whether the jerk is limited, which the terms do not say.
     """
     if not (bounded or np.isfinite(terms.caps).all() or np.isfinite(terms.limit).any() or terms.motors):
         raise ValueError("limits: expected a limit of force, speed or acceleration, there is none")

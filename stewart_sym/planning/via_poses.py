@@ -46,18 +46,12 @@ class ViaPose(Frozen):
     def __post_init__(self) -> None:
         """Check pose and box."""
         for name, core in (("R", (3, 3)), ("t", (3,))):
-            if finite_array(getattr(self, name), core, name).shape != core:
-                raise ValueError(f"{name}: expected that of one pose, got more")
+            finite_array(getattr(self, name), core, name, batch=False)
         motion = pose_of((self.R, self.t), "pose", "a pose (R, t)")
-        box = {name: finite_array(getattr(self, name), (6,), name) for name in ("low", "high")}
-        if (
-            box["low"].shape != (6,)
-            or box["high"].shape != (6,)
-            or (box["low"] > 0.0).any()
-            or (box["high"] < 0.0).any()
-        ):
+        low, high = (finite_array(getattr(self, name), (6,), name, batch=False) for name in ("low", "high"))
+        if (low > 0.0).any() or (high < 0.0).any():
             raise ValueError("low, high: expected six numbers <= 0 and six >= 0")
-        self._set({"R": np.array(motion.R), "t": np.array(motion.t), **box})
+        self._set({"R": np.array(motion.R), "t": np.array(motion.t), "low": low, "high": high})
 
     @property
     def free(self) -> bool:

@@ -110,7 +110,7 @@ class Watch:
         F = np.zeros((len(when), 6))
         if np.isfinite(self.force_limit).any():
             F = actuators.forces(when, state, piece.sampled)
-        shortest = self.thresholds.min_length or 1e-3 * self._size
+        shortest = self.thresholds.min_length or 1e-3 * platform_size(robot)
         margins = [
             legs.L - np.where(robot.length_limits[:, 0] > 0.0, robot.length_limits[:, 0], -math.inf),
             robot.length_limits[:, 1] - legs.L,
@@ -126,15 +126,9 @@ class Watch:
         if self.thresholds.max_condition == math.inf:
             none = np.ones((len(legs.L), 1))
             return none, none
-        near = 1.0 / self._condition(legs) - 1.0 / self.thresholds.max_condition
-        return near[:, None], self.side * np.linalg.det(_scaled_H(legs, self._size))[:, None]
-
-    @property
-    def _size(self) -> float:
-        return platform_size(self.robot)
-
-    def _condition(self, legs: LegStates) -> Array:
-        return condition_number(_scaled_H(legs, self._size))
+        H = _scaled_H(legs, platform_size(self.robot))
+        near = 1.0 / condition_number(H) - 1.0 / self.thresholds.max_condition
+        return near[:, None], self.side * np.linalg.det(H)[:, None]
 
     def _stop(self, time: float, row: int, piece: Piece, actuators: Actuators) -> Stop:
         robot, leg = self.robot, row % 6
@@ -144,7 +138,8 @@ class Watch:
         low, high = robot.length_limits[leg]
         length = f"{legs.L[0, leg]:.6g} m"
         if row >= NEAR_SINGULAR:
-            text = f"condition number of H reaches {self._condition(legs)[0]:.4g} at {time:.9g} s"
+            condition = condition_number(_scaled_H(legs, platform_size(robot)))[0]
+            text = f"condition number of H reaches {condition:.4g} at {time:.9g} s"
             return Stop("singular", time, None, f"near a singular pose: {text}")
         kind, text = (
             ("length_limits", f"length {length} reaches its lower limit {low:g} m"),

@@ -4,7 +4,7 @@ import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, cast
+from typing import Any
 
 import numpy as np
 
@@ -35,32 +35,17 @@ from .simulation import (
 from .trace import Simulation
 
 SCHEMA = 1
-LAWS = ("forces", "springs", "tracking")
 STARTS = ("path",)
 
 _TOP_KEYS = (
-    "schema",
-    "robot",
-    "formulation",
-    "duration",
-    "output_step",
-    "method",
-    "rtol",
-    "start",
-    "on_force_limit",
-    "state",
-    "load",
-    "legs",
-    "thresholds",
+    *("schema", "robot", "formulation", "duration", "output_step", "method", "rtol", "start"),
+    *("on_force_limit", "state", "load", "legs", "thresholds"),
 )
+_OPTIONS = ("rate", "formulation", "method", "rtol", "output_step", "thresholds", "on_force_limit")
+"""What a scene hands on to ``simulate`` by these names."""
 _STATE_KEYS = ("t", "theta", "v", "omega")
 _LOAD_KEYS = ("F_ext", "M_ext")
 _THRESHOLD_KEYS = ("max_condition", "min_length", "min_joint_sine")
-_LAW_KEYS = {
-    "forces": ("law", "forces"),
-    "springs": ("law", "stiffness", "rest_length", "damping"),
-    "tracking": ("law", "path", "k_p", "k_d", "model", "rate"),
-}
 _LAW_NEEDS = {"forces": ("forces",), "springs": ("stiffness",), "tracking": ("path", "k_p", "k_d")}
 
 
@@ -86,20 +71,8 @@ class Scene:
 
     def run(self, progress: Progress | None = None) -> Simulation:
         """Run the simulation; progress and what is raised: as for ``simulate``."""
-        return simulate(
-            self.robot,
-            self.state,
-            self.law,
-            self.duration,
-            rate=self.rate,
-            formulation=self.formulation,
-            method=self.method,
-            rtol=self.rtol,
-            output_step=self.output_step,
-            thresholds=self.thresholds,
-            on_force_limit=self.on_force_limit,
-            progress=progress,
-        )
+        options = {name: getattr(self, name) for name in _OPTIONS}
+        return simulate(self.robot, self.state, self.law, self.duration, **options, progress=progress)
 
 
 def read_scene(path: str | os.PathLike[str]) -> Scene:
@@ -122,22 +95,20 @@ def _scene(d: Mapping[str, Any], source: str) -> Scene:
     folder = Path(source).parent
     # What is wrong in this file comes before what is wrong in another.
     legs = _legs(top["legs"], f"{file}legs.")
-    numbers = {
+    options: dict[str, Any] = {
         key: tables.positive(top[key], file + key) if key in top else default
         for key, default in (("duration", None), ("output_step", None), ("rtol", 1e-9))
     }
     try:
-        check_rtol(numbers["rtol"])
-        check_output_step(numbers["output_step"], cast(float, numbers["duration"]))
+        check_rtol(options["rtol"])
+        check_output_step(options["output_step"], options["duration"])
     except ValueError as error:
         raise ValueError(f"{file}{error}") from None
-    method = tables.choice(top.get("method", METHODS[0]), METHODS, f"{file}method")
-    formulation = tables.choice(top.get("formulation", FORMULATIONS[0]), FORMULATIONS, f"{file}formulation")
+    choices = {"method": METHODS, "formulation": FORMULATIONS, "on_force_limit": ON_FORCE_LIMIT}
+    for key, known in choices.items():
+        options[key] = tables.choice(top.get(key, known[0]), known, file + key)
     thresholds = _thresholds(top.get("thresholds", {}), f"{file}thresholds.")
     load = _vectors(top.get("load", {}), _LOAD_KEYS, (), f"{file}load.")
-    limit = tables.choice(
-        top.get("on_force_limit", ON_FORCE_LIMIT[0]), ON_FORCE_LIMIT, f"{file}on_force_limit"
-    )
     _check_start(top, legs["law"], file)
     given = _vectors(top["state"], _STATE_KEYS, ("t", "theta"), f"{file}state.") if "state" in top else None
     read = [Path(source), folder / tables.one_line(top["robot"], f"{file}robot")]
@@ -151,20 +122,8 @@ def _scene(d: Mapping[str, Any], source: str) -> Scene:
         law = _law(robot, legs, state, wanted)
     except ValueError as error:
         raise ValueError(f"{file}legs: {error}") from None
-    return Scene(
-        robot=robot,
-        state=state,
-        law=law,
-        rate=legs.get("rate"),
-        formulation=cast(Formulation, formulation),
-        duration=cast(float, numbers["duration"]),
-        output_step=numbers["output_step"],
-        method=cast(Method, method),
-        rtol=cast(float, numbers["rtol"]),
-        thresholds=thresholds,
-        on_force_limit=cast(OnForceLimit, limit),
-        files=tuple(read),
-    )
+    rate = legs.get("rate")
+    return Scene(robot, state, law, rate, thresholds=thresholds, files=tuple(read), **options)
 
 
 def _check_start(top: Mapping[str, Any], law: str, file: str) -> None:
@@ -181,21 +140,12 @@ def _check_start(top: Mapping[str, Any], law: str, file: str) -> None:
 
 def _legs(value: object, prefix: str) -> dict[str, Any]:
     """The law of the legs, its numbers checked; which keys there may be depends on the law."""
-    every = tuple(dict.fromkeys(key for keys in _LAW_KEYS.values() for key in keys))
-    law = tables.choice(tables.checked_table(value, prefix, every, ("law",))["law"], LAWS, f"{prefix}law")
-    legs = tables.checked_table(value, prefix, _LAW_KEYS[law], _LAW_NEEDS[law])
-    checks: dict[str, Callable[[object, str], Any]] = {
-        "law": tables.one_line,
-        "forces": lambda value, where: tables.numbers(value, (6,), where),
-        "stiffness": _not_negative,
-        "rest_length": tables.per_leg,
-        "damping": _not_negative,
-        "path": tables.one_line,
-        "k_p": tables.not_negative,
-        "k_d": tables.not_negative,
-        "model": lambda value, where: tables.choice(value, FORMULATIONS, where),
-        "rate": tables.positive,
-    }
+    every = ("law", *(key for checks in _LAW_KEYS.values() for key in checks))
+    law = tables.choice(
+        tables.checked_table(value, prefix, every, ("law",))["law"], tuple(_LAW_KEYS), f"{prefix}law"
+    )
+    checks = {"law": tables.one_line} | _LAW_KEYS[law]
+    legs = tables.checked_table(value, prefix, tuple(checks), _LAW_NEEDS[law])
     return {key: checks[key](given, prefix + key) for key, given in legs.items()}
 
 
@@ -204,6 +154,20 @@ def _not_negative(value: object, where: str) -> Any:
     if (np.asarray(numbers) < 0.0).any():
         raise ValueError(f"{where}: expected numbers >= 0, got {shown(value)}")
     return numbers
+
+
+_LAW_KEYS: dict[str, dict[str, Callable[[object, str], Any]]] = {
+    "forces": {"forces": lambda value, where: tables.numbers(value, (6,), where)},
+    "springs": {"stiffness": _not_negative, "rest_length": tables.per_leg, "damping": _not_negative},
+    "tracking": {
+        "path": tables.one_line,
+        "k_p": tables.not_negative,
+        "k_d": tables.not_negative,
+        "model": lambda value, where: tables.choice(value, FORMULATIONS, where),
+        "rate": tables.positive,
+    },
+}
+"""By law: its keys, each with the check of its value."""
 
 
 def _thresholds(value: object, prefix: str) -> Thresholds:

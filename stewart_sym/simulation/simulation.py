@@ -50,7 +50,7 @@ ON_FORCE_LIMIT = ("stop", "saturate")
 CHART_RADIUS = 1.0
 """Angle from its centre, rad, at which a chart is left for a new one; charts end at 2 pi."""
 MOST_INSTANTS = 10_000_000
-"""Of a trace."""
+"""Largest number of instants of a trace."""
 RTOL_RANGE = (1e-13, 1e-2)
 """From where rounding is the error of a step to where the run is no longer that of the machine."""
 
@@ -291,7 +291,7 @@ class _Run:
         if self.sticking is None:
             return y
         state = motion_of(y, center)
-        F = self.actuators.at(time, state) if sampled is None else self.actuators.clipped(sampled)
+        F = self.actuators.at(time, state, sampled)
         still = (self.sticking.begin if first else self.sticking.settled)(time, state, F)
         return np.concatenate([y[:6], still.v, still.omega])
 
@@ -299,7 +299,7 @@ class _Run:
         state = Motion.unchecked(rotation_vector.turned(y[3:6], center), y[:3], omega=y[9:], v=y[6:9])
         if self.sticking is not None:
             state = self.sticking.moving(state)
-        F = self.actuators.at(time, state) if sampled is None else self.actuators.clipped(sampled)
+        F = self.actuators.at(time, state, sampled)
         loaded = self._loaded(time, state)
         if self.sticking is None:
             acceleration, status = self.accelerations(loaded, F)

@@ -30,7 +30,7 @@ from .trace import WATCHED, Actuators, DriveWork, Piece, motion_of
 Plant = Callable[[Motion, Array], tuple[Array, int]]
 """(state, forces of the legs, N, (6,)) -> [a; alpha], (6,), status."""
 Modes = tuple[int, ...]
-"""Of six legs: 0 sticks, 1 slips and extends, -1 slips and retracts."""
+"""For each of six legs: 0 sticks, 1 slips and extends, -1 slips and retracts."""
 STUCK: Modes = (0,) * LEGS
 
 _HALVINGS = 40
@@ -137,7 +137,7 @@ class StickSlip:
     def _contradiction(
         self, state: Motion, motor: Array, modes: Modes, resting: list[int]
     ) -> tuple[float, int, int] | None:
-        """Of the legs at rest, that which contradicts its mode most: by how much, which, its better mode."""
+        """The leg at rest that contradicts its mode most: by how much, its number, its better mode."""
         found = self.solved(state, motor, modes)
         if found.status:
             return None
@@ -278,7 +278,7 @@ class StickSlip:
         return piece.start
 
     def _margins(self, time: float, piece: Piece, actuators: Actuators) -> Array:
-        """Of each leg, (6,): its rate in the direction in which it slips, m/s, or what holds it still, N."""
+        """For each leg, (6,): its rate in the direction in which it slips, m/s, or what holds it still, N."""
         state = motion_of(piece.interpolant(time), piece.center)
         found = np.array(self.modes) * _legs(self.robot, state).L_dot
         resting = np.array(self.modes) == 0
@@ -291,15 +291,14 @@ class StickSlip:
         return found
 
     def _forces(self, time: float, piece: Piece, actuators: Actuators) -> tuple[Array, Found]:
-        """Of the motors, N, (6,), and of the legs at a time within a piece."""
+        """Forces of the motors, N, (6,), and the solution for the legs at a time within a piece."""
         state, motor = self.at(time, piece, actuators)
-        return motor, self.solved(state, motor)
+        return motor, self.solved(state, motor, piece.modes)
 
     def at(self, time: float, piece: Piece, actuators: Actuators) -> tuple[Motion, Array]:
         """State with its load at a time within a piece, and the motors' forces, N, (6,)."""
         state = self.moving(motion_of(piece.interpolant(time), piece.center), piece.modes)
-        motor = actuators.at(time, state) if piece.sampled is None else actuators.clipped(piece.sampled)
-        return self.loaded(time, state), motor
+        return self.loaded(time, state), actuators.at(time, state, piece.sampled)
 
     def moving(self, state: Motion, modes: Modes | None = None) -> Motion:
         """The state without what errors of the integration move legs that stick."""
@@ -312,15 +311,12 @@ class StickSlip:
         """Work and losses over a run, and friction at times within it, s, (n,)."""
         of = np.searchsorted([piece.start for piece in pieces], times, side="right") - 1
         friction = [
-            self._friction(time, pieces[i], actuators) for time, i in zip(times.tolist(), of, strict=True)
+            self._forces(time, pieces[i], actuators)[1].friction
+            for time, i in zip(times.tolist(), of, strict=True)
         ]
         sticks = np.array([pieces[i].modes for i in of], dtype=np.int64).reshape(-1, LEGS) == 0
         done, lost = self._work(pieces, actuators)
         return DriveWork(done, lost, np.array(friction).reshape(-1, LEGS), sticks)
-
-    def _friction(self, time: float, piece: Piece, actuators: Actuators) -> Array:
-        state, motor = self.at(time, piece, actuators)
-        return self.solved(state, motor, piece.modes).friction
 
     def _work(self, pieces: tuple[Piece, ...], actuators: Actuators) -> tuple[Array, Array]:
         """Work of the motors and what friction took of it, J, (6,) each."""

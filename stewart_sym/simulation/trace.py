@@ -56,7 +56,7 @@ class Saturation:
     Attributes
     ----------
     time : ndarray
-        s, (6,), of a law that is not sampled to a small part of a step.
+        s, (6,); where the law is not sampled, right to a small part of a step.
     excess : ndarray
         The largest force beyond the limit, N, (6,).
     """
@@ -137,9 +137,9 @@ class Actuators(NamedTuple):
     law: ForceLaw
     limit: Array
 
-    def at(self, time: float, state: Motion) -> Array:
-        """Forces of one state, N, (6,)."""
-        return self.clipped(six_forces(self.law(time, state), time))
+    def at(self, time: float, state: Motion, sampled: Array | None) -> Array:
+        """Forces of one state, N, (6,); sampled: what the law commanded last, None unless sampled."""
+        return self.clipped(six_forces(self.law(time, state), time) if sampled is None else sampled)
 
     def commanded(self, when: Array, states: Motion, sampled: Array | None) -> Array:
         """Forces that the law commands at n instants, N, (n, 6)."""
@@ -281,7 +281,7 @@ def saturation_of(actuators: Actuators, pieces: list[Piece]) -> Saturation:
 
 
 def _share_above_zero(start: Array, end: Array) -> Array:
-    """Of the way from one number to another, the share on which a straight line is above zero, 0 to 1."""
+    """Share, 0 to 1, of the straight line from one number to another that is above zero."""
     above = np.maximum(start, 0.0) + np.maximum(end, 0.0)
     with np.errstate(invalid="ignore"):
         share = above / (np.abs(start) + np.abs(end))

@@ -19,18 +19,18 @@ from ..robot.offset_chains import chains
 from ..robot.robot import Robot
 from .instants import Event, Instants
 
-# Of the machine's size: radius of a lower part and length of drawn axes; how far a twist swings the platform.
+# Radius of a lower part and length of the axes as drawn, over the machine's size; how far a twist swings the
+# platform, over its characteristic length.
 _THICK, _AXIS, _SWING = 0.028, 0.22, 0.25
-# Of the shortest leg, that the radius of a lower part is at most.
+# Largest radius of a lower part, over the shortest leg.
 _THICK_OF_LEG = 0.06
-# Of parts whose length is not stated: share of the shortest leg that a lower part takes at most, and of the
-# longest where that is less.
+# Length of a lower part where the file states none: at most these shares of the shortest and the longest leg.
 _LOWER, _LOWER_OF_LONGEST = 0.9, 0.62
-# Of the shortest leg, that the upper part stays within the lower, and that it takes at most.
+# How far an upper part stays within the lower one, and how long it is at most, over the shortest leg.
 _WITHIN, _UPPER = 0.15, 0.93
 # Where the largest force exceeds the quantile by this factor, as beside a singular pose, colours end there.
 _QUANTILE, _PEAK = 0.9, 4.0
-# Below which machines are shown in millimetres, m.
+# Size below which machines are shown in millimetres, m.
 _SMALL = 2.0
 
 

@@ -31,12 +31,12 @@ from ..singularities.singular_poses import Singularity, singularity
 
 FORMULATIONS = ("exact", "paper")
 STEPS_PER_PATH = 600
-"""Into which a path of the paper is divided at least."""
+"""Least number of steps of a path of the paper."""
 _NAMES = {
     name: [f"{name}_{axis}" for axis in "xyz"] for name in ("t", "theta", "v", "omega")
 } | {name: [f"{name}{leg}" for leg in range(1, 7)] for name in "FL"}  # fmt: skip
 _MOST_BYTES = 1 << 31
-# Of the longest leg: by how much lengths of a run and those at its poses may differ.
+# By how much lengths that a run states may differ from those at its poses, over the longest leg.
 _SAME = 1e-9
 
 

@@ -104,7 +104,7 @@ def test_inputs_and_forces_are_not_written_over(
     # The one argument that may be left out is taken for the option's.
     assert "name inputs before" in fails_in_one_line(capsys, "chart", "--json", robot.parent / "scene.toml")
     line = fails_in_one_line(capsys, "forces", robot, trajectory, "-o", "-", "--json")
-    assert "is where the forces go" in line
+    assert "is where another result goes" in line
     assert {path: path.read_bytes() for path in before} == before
 
 

@@ -5,9 +5,9 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
-from ..options import json_file, output
+from ...io.progress import Progress
+from ..options import output
 from ..results import results
-from ..terminal import progress_line
 
 HELP = "derive the kernels again and write them"
 EXAMPLE = "stewart-sym derive --check"
@@ -15,11 +15,10 @@ EXAMPLE = "stewart-sym derive --check"
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Arguments of ``derive``."""
-    output(parser, "DIR", "folder to write to", "the installed kernels")
     parser.add_argument(
         "--check", action="store_true", help="write nothing; exit 1 with the names of files that differ"
     )
-    json_file(parser)
+    output(parser, "DIR", "folder to write to", "the installed kernels")
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -27,17 +26,17 @@ def run(arguments: argparse.Namespace) -> int:
     from ...io.writing import result_folder, staged_folder
     from ...studies.common.report import Report
 
-    directory = arguments.output or _generated_folder()
+    directory = arguments.output or Path(str(files("stewart_sym.generated")))
     if arguments.check and not directory.is_dir():
         raise NotADirectoryError(20, "expected a folder of generated files", str(directory))
-    with results(arguments) as take:
+    with results(arguments) as (take, progress):
         if arguments.check:
-            kernels, texts = _derived()
+            kernels, texts = _derived(progress)
             lines, data = _compared(directory, texts)
         else:
             own = arguments.output is None
             with staged_folder(directory) if own else result_folder(directory, arguments.force) as folder:
-                kernels, texts = _derived()
+                kernels, texts = _derived(progress)
                 for name, text in texts.items():
                     (folder / name).parent.mkdir(exist_ok=True)
                     (folder / name).write_text(text, encoding="utf-8", newline="\n")
@@ -57,23 +56,18 @@ def _line(kernel: dict[str, Any]) -> str:
     return f"{name:<16} {seconds:6.1f} s   {counts}".rstrip()
 
 
-def _generated_folder() -> Path:
-    return Path(str(files("stewart_sym.generated")))
-
-
-def _derived() -> tuple[list[dict[str, Any]], dict[str, str]]:
+def _derived(progress: Progress) -> tuple[list[dict[str, Any]], dict[str, str]]:
     """Derive every kernel: what each took and costs, and the texts of all files."""
     from ...derive.generate import generated_files
     from ...dynamics.forces import CORES
 
     seconds: dict[str, float] = {}
-    with progress_line() as progress:
 
-        def note(name: str, time_s: float, share: float) -> None:
-            progress(f"derived {name}", share)
-            seconds[name] = time_s
+    def note(name: str, time_s: float, share: float) -> None:
+        progress(f"derived {name}", share)
+        seconds[name] = time_s
 
-        texts: dict[str, str] = generated_files(note, CORES)
+    texts: dict[str, str] = generated_files(note, CORES)
     kernels = []
     for name, time_s in seconds.items():
         friction, without = _operations(texts.get(f"{name}.py", ""))
@@ -107,17 +101,14 @@ def _compared(directory: Path, texts: dict[str, str]) -> tuple[list[str], dict[s
         for pattern in ("*.py", "c/*.[ch]")
         for path in directory.glob(pattern)
     }
-    different = [name for name in sorted(texts) if _differs(directory / name, texts[name])]
+    different = [
+        name
+        for name in sorted(texts)
+        if not (directory / name).is_file() or (directory / name).read_bytes() != texts[name].encode("utf-8")
+    ]
     missing = [name for name in different if name not in present]
     stray = sorted(present - texts.keys())
     lines = [f"missing: {name}" if name in missing else f"differs: {name}" for name in different]
     lines += [f"not generated: {name}" for name in stray]
     names = {"differ": sorted({*different} - {*missing}), "missing": missing, "not_generated": stray}
     return lines or [f"{directory}: all {len(texts)} files are as derived"], names
-
-
-def _differs(path: Path, text: str) -> bool:
-    try:
-        return path.read_bytes() != text.encode("utf-8")
-    except FileNotFoundError:
-        return True

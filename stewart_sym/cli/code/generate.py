@@ -6,9 +6,8 @@ from typing import TYPE_CHECKING
 
 from ...io.arguments import no_option
 from ..inputs import robot_of
-from ..options import formulation, json_file, output, robot_file
+from ..options import formulation, output, robot_file
 from ..results import results
-from ..terminal import progress_line
 
 if TYPE_CHECKING:
     from ...studies.common.report import Report
@@ -24,7 +23,6 @@ MORE = (
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Arguments of ``generate``."""
     robot_file(parser)
-    output(parser, "DIR", "folder to write to", None)
     parser.add_argument(
         "--functions",
         metavar="LIST",
@@ -59,7 +57,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "constants, self-test, example and README, of forces, motion, derivatives, kinematics; default: c",
     )
     parser.add_argument("--list", action="store_true", help="print the names of the files, write none")
-    json_file(parser)
+    output(parser, "DIR", "folder to write to", None)
 
 
 def _language(name: str) -> str:
@@ -80,7 +78,7 @@ def run(arguments: argparse.Namespace) -> int:
     names = ("formulation", "fidelity", "bake", "scalar", "precision", "fmu", "language")
     functions = tuple(name.strip() for name in arguments.functions.split(","))
     choice = Choice(functions, **{name: getattr(arguments, name) for name in names})
-    with results(arguments) as take, progress_line() as progress:
+    with results(arguments) as (take, progress):
         if arguments.list:
             take(_report([arguments.output / name for name in kit_names(robot, choice)]))
         else:

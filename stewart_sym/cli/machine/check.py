@@ -5,8 +5,8 @@ import contextlib
 from pathlib import Path
 
 from ..inputs import robot_of
-from ..options import json_file, no_pictures, output, robot_file
-from ..results import need_drawing, results
+from ..options import output, robot_file
+from ..results import results
 
 HELP = "validate, describe and draw a robot file"
 EXAMPLE = "stewart-sym check hexapod.toml -o hexapod"
@@ -23,9 +23,7 @@ MORE = (
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Arguments of ``check``."""
     robot_file(parser)
-    output(parser, "DIR", "folder for the report and a picture", "none is written")
-    no_pictures(parser)
-    json_file(parser)
+    output(parser, "DIR", "folder for the report and a picture", "none is written", pictures=True)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -33,15 +31,13 @@ def run(arguments: argparse.Namespace) -> int:
     from ...studies.reports.describe import report
 
     drawn = arguments.pictures and arguments.output is not None
-    if drawn:
-        need_drawing(arguments)
-    with results(arguments, "report") as take:
+    with results(arguments, "report") as (take, _):
         take(report(robot_of(arguments.robot), drawn, _length_unit(arguments.robot)))
     return 0
 
 
 def _length_unit(robot: Path) -> str:
-    """Of a robot file that has been read; m where it cannot be read again, as from a pipe."""
+    """Unit of lengths in a robot file; m where it cannot be read a second time, as from a pipe."""
     from ...io.tables import toml_tables
 
     with contextlib.suppress(ValueError), toml_tables(str(robot), "robot file") as tables:

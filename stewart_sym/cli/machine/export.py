@@ -5,7 +5,7 @@ import contextlib
 from pathlib import Path
 
 from ..inputs import robot_of
-from ..options import json_file, output, robot_file
+from ..options import output, robot_file
 from ..results import reject_inputs, results
 
 HELP = "write the machine for MuJoCo, Gazebo, ROS, Pinocchio or Isaac Sim"
@@ -28,7 +28,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="mjcf: MuJoCo; sdf: Gazebo, Drake; urdf: ROS, Pinocchio; usd: Isaac Sim, as text",
     )
     output(parser, "FILE", "file to write, - for standard output", None)
-    json_file(parser)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -39,21 +38,18 @@ def run(arguments: argparse.Namespace) -> int:
 
     path: Path = arguments.output
     printed = str(path) == "-"
-    if printed and (arguments.format == "urdf" or str(arguments.json) == "-"):
-        what = "a URDF is two files" if arguments.format == "urdf" else "--json goes there"
-        raise ValueError(f"-o -: expected a file, {what}")
-    reject_inputs("-o", path, arguments.robot)
-    try:
-        file = export_model(robot_of(arguments.robot), arguments.format)
-    except ValueError as error:
-        text = str(error)
-        raise ValueError(
-            text if text.startswith(str(arguments.robot)) else f"{arguments.robot}: {text}"
-        ) from None
-    texts = {path: file.text} | ({} if file.loops is None else {loops_path(path): file.loops})
-    if len(texts) > 1:
-        reject_inputs("-o", loops_path(path), arguments.robot)
-    with results(arguments) as take, contextlib.ExitStack() as stack:
+    if printed and arguments.format == "urdf":
+        raise ValueError("-o -: expected a file, a URDF is two files")
+    with results(arguments) as (take, _), contextlib.ExitStack() as stack:
+        if arguments.format == "urdf":
+            reject_inputs("-o", loops_path(path), arguments.robot)
+        try:
+            file = export_model(robot_of(arguments.robot), arguments.format)
+        except ValueError as error:
+            text = str(error)
+            where = "" if text.startswith(str(arguments.robot)) else f"{arguments.robot}: "
+            raise ValueError(f"{where}{text}") from None
+        texts = {path: file.text} | ({} if file.loops is None else {loops_path(path): file.loops})
         for name, text in texts.items():
             stack.enter_context(result_file(name, BEGINNINGS, arguments.force)).write(text)
         written = [str(name) for name in texts]

@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING
 
 from ...io.error_policy import SingularPoseWarning
 from ..inputs import robot_of, trajectory_of
-from ..options import formulation, html_file, json_file, log_options, output, positive, robot_file, start_pose
+from ..options import formulation, log_options, output, positive, robot_file
 from ..results import reject_inputs, results
-from ..terminal import progress_line
 
 if TYPE_CHECKING:
     from ...robot.robot import Robot
@@ -33,7 +32,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "trajectory", metavar="TRAJECTORY.csv", type=Path, help="times and poses, or leg lengths"
     )
-    output(parser, "FILE.csv", "file to write, - for standard output", None)
     formulation(parser)
     parser.add_argument("--backend", choices=("c", "numpy", "reference"), default="c", help="default: c")
     parser.add_argument("--reactions", action="store_true", help="write the joint reactions as well")
@@ -43,7 +41,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="FILE.png",
         help="draw the torques of the motors, of a robot with a drive; needs Matplotlib",
     )
-    start_pose(parser)
     parser.add_argument(
         "--allow-singular",
         action="store_true",
@@ -57,8 +54,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="warn where three standard deviations exceed this share of a leg's peak force; default: 0.02",
     )
     log_options(parser)
-    html_file(parser)
-    json_file(parser)
+    output(parser, "FILE.csv", "file to write, - for standard output", None, html=True)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -73,16 +69,12 @@ def run(arguments: argparse.Namespace) -> int:
     from ...viewer.instants import of_trajectory
     from ...viewer.view import View
 
-    reject_inputs("-o", arguments.output, arguments.robot, arguments.trajectory)
-    if arguments.output == arguments.json:
-        raise ValueError(f"--json {arguments.json}: is where the forces go (-o), name another file")
     robot = robot_of(arguments.robot)
     if arguments.picture is not None:
         _need_picture(arguments, robot)
     with (
-        results(arguments) as take,
+        results(arguments) as (take, progress),
         result_file(arguments.output, header_lines(), arguments.force) as stream,
-        progress_line() as progress,
     ):
         trajectory = trajectory_of(robot, arguments.trajectory, arguments, progress)
         digest = Digest(robot, trajectory.time, replaced_rows(trajectory))
@@ -115,7 +107,7 @@ def run(arguments: argparse.Namespace) -> int:
             draw(Picture(digest.drive.figure), arguments.picture.with_suffix(""))
         doubts = digest.doubts(arguments.noise_share)
         views = {"motion": lambda: View(robot, of_trajectory(robot, trajectory))}
-        take(Report("\n".join(lines), data={**digest.as_json(), "doubts": doubts}, views=views), progress)
+        take(Report("\n".join(lines), data={**digest.as_json(), "doubts": doubts}, views=views))
     for line in doubts:
         warnings.warn(line, stacklevel=2)
     return 0

@@ -9,19 +9,8 @@ from typing import TYPE_CHECKING, cast
 from ...io.extras import need
 from ...io.progress import Progress
 from ..inputs import log_format, poses_of, robot_of, stated_noise
-from ..options import (
-    finite,
-    json_file,
-    log_form,
-    noise_options,
-    output,
-    positive,
-    robot_file,
-    start_pose,
-    whole,
-)
+from ..options import finite, log_form, noise_options, output, positive, robot_file, whole
 from ..results import results
-from ..terminal import progress_line
 
 if TYPE_CHECKING:
     from ...identification.estimates import Estimate
@@ -41,7 +30,6 @@ MORE = (
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Arguments of ``identify``."""
     robot_file(parser)
-    output(parser, "DIR", "folder to write to", None)
     parser.add_argument(
         "--measured",
         nargs=2,
@@ -101,19 +89,18 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--samples", type=whole, default=200, help="instants of one period; default: 200")
     parser.add_argument("--candidates", type=whole, default=50, help="random series to try; default: 50")
-    start_pose(parser)
     log_form(parser)
-    json_file(parser)
+    output(parser, "DIR", "folder to write to", None)
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Run ``identify``; returns the exit code."""
     from ...studies.reports.identify import doubts
 
-    with results(arguments, "report", "trajectory.csv") as take, progress_line() as progress:
+    with results(arguments, "report", "trajectory.csv") as (take, progress):
         progress("identifying")
         report, found = (_measured if arguments.measured else _simulated)(arguments, progress)
-        take(report, progress)
+        take(report)
     for line in doubts(found):
         warnings.warn(line, stacklevel=2)
     return 1 if found.verdict == "rejected" else 0

@@ -4,8 +4,8 @@ import argparse
 from pathlib import Path
 
 from ..inputs import warn_of_doubts
-from ..options import json_file, output
-from ..results import reject_inputs, results
+from ..options import output
+from ..results import results
 
 HELP = "make a robot file of a model in MJCF, SDF or URDF"
 EXAMPLE = "stewart-sym import hexapod.xml -o imported.toml"
@@ -21,7 +21,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Arguments of ``import``."""
     parser.add_argument("model", metavar="MODEL", type=Path, help="model in MJCF, SDF or URDF")
     output(parser, "ROBOT.toml", "file to write, - for standard output", None)
-    json_file(parser)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -33,17 +32,13 @@ def run(arguments: argparse.Namespace) -> int:
     from ...studies.common.report import Report
 
     path: Path = arguments.output
-    printed = str(path) == "-"
-    if printed and str(arguments.json) == "-":
-        raise ValueError("-o -: expected a file, --json goes there")
-    reject_inputs("-o", path, arguments.model)
     found = import_model(arguments.model)
     tables = found.robot.to_dict()
     lines = [f"{_BEGINNING} from {safe_text(arguments.model.name)}."]
     lines += [f"# {safe_text(line)}" for line in found.assumptions]
-    with results(arguments) as take, result_file(path, [_BEGINNING], arguments.force) as stream:
+    with results(arguments) as (take, _), result_file(path, [_BEGINNING], arguments.force) as stream:
         stream.write("\n".join(lines) + "\n" + toml_text(tables))
         warn_of_doubts(found.robot, path)
-        said = "" if printed else "\n".join([*found.assumptions, f"Written to {path}"])
+        said = "" if str(path) == "-" else "\n".join([*found.assumptions, f"Written to {path}"])
         take(Report(said, data={"assumptions": found.assumptions, "robot": tables}))
     return 0

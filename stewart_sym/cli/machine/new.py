@@ -5,7 +5,7 @@ import sys
 import tomllib
 
 from ..inputs import warn_of_doubts
-from ..options import finite, json_file, output, positive
+from ..options import finite, output, positive
 from ..results import results
 
 HELP = "write a commented robot file from a few numbers"
@@ -35,7 +35,6 @@ _ANGLE = 20.0
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Arguments of ``new``."""
-    output(parser, "ROBOT.toml", "file to write, - for standard output", None)
     parser.add_argument("--name", default="robot", help="of the machine; default: robot")
     parser.add_argument(
         "--length-unit", choices=("m", "cm", "mm", "in"), default="m", help="of all lengths; default: m"
@@ -47,7 +46,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         parser.add_argument(
             _option(name), type=finite, default=_ANGLE, metavar="DEG", help=f"{text}; default: {_ANGLE:g}"
         )
-    json_file(parser)
+    output(parser, "ROBOT.toml", "file to write, - for standard output", None)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -58,8 +57,6 @@ def run(arguments: argparse.Namespace) -> int:
     from ...studies.common.report import Report
     from ...studies.reports.describe import report
 
-    if arguments.output == arguments.json:
-        raise ValueError(f"--json {arguments.json}: is where the robot file goes (-o), name another file")
     numbers = _numbers(arguments)
     try:
         draft = Draft(arguments.name, arguments.length_unit, **numbers)
@@ -67,7 +64,7 @@ def run(arguments: argparse.Namespace) -> int:
         name, _, rest = str(error).partition(":")
         raise ValueError(f"{_option(name)}:{rest}") from None
     text = draft.text()
-    with results(arguments) as take, result_file(arguments.output, [text], arguments.force) as stream:
+    with results(arguments) as (take, _), result_file(arguments.output, [text], arguments.force) as stream:
         stream.write(text)
         robot = Robot.from_dict(tomllib.loads(text))
         warn_of_doubts(robot, arguments.output)

@@ -8,9 +8,8 @@ from typing import TYPE_CHECKING
 from ...io.extras import need
 from ...io.progress import Progress
 from ..inputs import warn_of_doubts
-from ..options import html_file, json_file, no_pictures, output, positive
-from ..results import need_drawing, results
-from ..terminal import progress_line
+from ..options import output, positive
+from ..results import results
 
 if TYPE_CHECKING:
     from ...planning.plan_file import PlanRequest
@@ -41,10 +40,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--duration", metavar="SECONDS", type=positive, help="of a motion of least energy or peak force"
     )
-    output(parser, "DIR", "folder to write to", Path("plan"))
-    no_pictures(parser)
-    html_file(parser)
-    json_file(parser)
+    output(parser, "DIR", "folder to write to", Path("plan"), pictures=True, html=True)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -56,7 +52,6 @@ def run(arguments: argparse.Namespace) -> int:
     from ...studies.reports import plan
 
     need("scipy", "planning")
-    need_drawing(arguments)
     request = read_plan(arguments.via)
     robot, least = request.robot, arguments.least or request.least
     duration = request.duration if arguments.duration is None else arguments.duration
@@ -64,7 +59,7 @@ def run(arguments: argparse.Namespace) -> int:
         plan.need_instants(duration, request.rate)
     warn_of_doubts(robot, request.files[1])
     tables = ("trajectory.csv", "path.csv")
-    with results(arguments, "report", *tables, read=request.files) as take, progress_line() as progress:
+    with results(arguments, "report", *tables, read=request.files) as (take, progress):
         planned = _planned(request, progress)
         timed = time_path(
             robot,
@@ -82,7 +77,7 @@ def run(arguments: argparse.Namespace) -> int:
             from ...studies.reports.plan_plot import pictures
 
             figures = pictures(found)
-        take(plan.report(found, figures), progress)
+        take(plan.report(found, figures))
     for line in [] if found.motors is None else found.motors.summary.exceeded():
         warnings.warn(f"drive: {line}", DriveLimitWarning, stacklevel=2)
     if not found.certificate.holds:

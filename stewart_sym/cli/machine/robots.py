@@ -2,7 +2,7 @@
 
 import argparse
 
-from ..options import json_file, output
+from ..options import output
 from ..results import results
 
 HELP = "list, show or copy the machines that come with the package"
@@ -14,7 +14,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Arguments of ``robots``."""
     parser.add_argument("--show", metavar="NAME", help="print the robot file of this machine")
     output(parser, "ROBOT.toml", "with --show: file to write a copy to", "standard output")
-    json_file(parser)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -31,13 +30,13 @@ def run(arguments: argparse.Namespace) -> int:
         robots = {name: load(name) for name in NAMES}
         rows = [[name, robot.name, f"{robot.M:.4g}"] for name, robot in robots.items()]
         data = {name: {"name": robot.name, "platform_mass_kg": robot.M} for name, robot in robots.items()}
-        with results(arguments) as take:
+        with results(arguments) as (take, _):
             take(Report(aligned(["name", "machine", "platform, kg"], rows, left=2), data={"robots": data}))
         return 0
     option(arguments.show, NAMES, "--show")
     copy = text(arguments.show)
     shown = {"name": arguments.show, "text": copy}
-    with results(arguments) as take:
+    with results(arguments) as (take, _):
         if arguments.output is None:
             take(Report(copy, data=shown))
         else:

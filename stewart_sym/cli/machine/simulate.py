@@ -8,9 +8,8 @@ from typing import TYPE_CHECKING
 
 from ...io.extras import need
 from ..inputs import warn_of_doubts
-from ..options import html_file, json_file, no_pictures, output
-from ..results import need_drawing, results
-from ..terminal import progress_line
+from ..options import output
+from ..results import results
 
 if TYPE_CHECKING:
     from ...dynamics.inverse import Formulation
@@ -32,15 +31,12 @@ MORE = (
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Arguments of ``simulate``."""
     parser.add_argument("scene", metavar="SCENE.toml", type=Path, help="scene file, schema 1")
-    output(parser, "DIR", "folder to write to", Path("simulation"))
     parser.add_argument(
         "--energy-drift",
         action="store_true",
         help="compare the energy in both formulations, without friction and dampers (springs only)",
     )
-    no_pictures(parser)
-    html_file(parser)
-    json_file(parser)
+    output(parser, "DIR", "folder to write to", Path("simulation"), pictures=True, html=True)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -52,12 +48,11 @@ def run(arguments: argparse.Namespace) -> int:
     from ...viewer.view import View
 
     need("scipy", "simulation")
-    need_drawing(arguments)
     scene = read_scene(arguments.scene)
     warn_of_doubts(scene.robot, arguments.scene)
     if arguments.energy_drift and not isinstance(scene.law, LegSprings):
         raise ValueError("energy drift: expected a scene whose legs are springs")
-    with results(arguments, "summary", "run.csv", read=scene.files) as take, progress_line() as progress:
+    with results(arguments, "summary", "run.csv", read=scene.files) as (take, progress):
         done = scene.run(lambda share: progress("simulating", share))
         drifts: dict[Formulation, energy_drift.Drift] = {}
         if arguments.energy_drift and isinstance(scene.law, LegSprings):
@@ -67,7 +62,7 @@ def run(arguments: argparse.Namespace) -> int:
             )
         report = run.report(scene.robot, done, scene.law, drifts, arguments.pictures)
         views = {"run": lambda: View(scene.robot, of_run(scene.robot, done))}
-        take(dataclasses.replace(report, views=views), progress)
+        take(dataclasses.replace(report, views=views))
     if arguments.pictures:
         for name in {"run", *(["energy_drift"] if drifts else [])} - report.figures.keys():
             warnings.warn(f"{name}.png: not drawn, the run ended where it began", stacklevel=2)

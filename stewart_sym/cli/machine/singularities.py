@@ -5,9 +5,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..inputs import robot_of, trajectory_of
-from ..options import formulation, json_file, log_options, no_pictures, output, robot_file, start_pose
-from ..results import need_drawing, results
-from ..terminal import progress_line
+from ..options import formulation, log_options, output, robot_file
+from ..results import results
 
 if TYPE_CHECKING:
     from ...motion.interpolation import Path as MotionPath
@@ -26,12 +25,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Arguments of ``singularities``."""
     robot_file(parser)
     parser.add_argument("path", metavar="PATH", help="I, II or III of the paper, or a CSV file as for forces")
-    output(parser, "DIR", "folder to write to", Path("singularities"))
     formulation(parser)
-    start_pose(parser)
     log_options(parser)
-    no_pictures(parser)
-    json_file(parser)
+    output(parser, "DIR", "folder to write to", Path("singularities"), pictures=True)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -40,12 +36,11 @@ def run(arguments: argparse.Namespace) -> int:
     from ...motion.interpolation import between
     from ...studies.reports import singularities
 
-    need_drawing(arguments)
     robot = robot_of(arguments.robot)
     name = arguments.path
     read = [] if name in PATHS else [Path(name)]
     tables = ("events.csv", "path.csv")
-    with results(arguments, "report", *tables, read=read) as take, progress_line() as progress:
+    with results(arguments, "report", *tables, read=read) as (take, progress):
         if name in PATHS:
             if arguments.start is not None:
                 raise ValueError("--start: is for a trajectory of leg lengths, this one is of poses")
@@ -64,5 +59,5 @@ def run(arguments: argparse.Namespace) -> int:
             from ...studies.reports.singularities_plot import pictures
 
             figures = pictures(found)
-        take(singularities.full_report(found, figures), progress)
+        take(singularities.full_report(found, figures))
     return 0

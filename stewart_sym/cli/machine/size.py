@@ -6,20 +6,8 @@ import warnings
 from pathlib import Path
 
 from ..inputs import robot_of, trajectory_of
-from ..options import (
-    finite,
-    formulation,
-    html_file,
-    json_file,
-    log_options,
-    no_pictures,
-    output,
-    positive,
-    robot_file,
-    start_pose,
-)
-from ..results import need_drawing, results
-from ..terminal import progress_line
+from ..options import finite, formulation, log_options, output, positive, robot_file
+from ..results import results
 
 HELP = "which force, speed, power, stroke and joint angles motions need of every leg, beside its limits"
 EXAMPLE = "stewart-sym size hexapod.toml trajectory.csv -o size --margin 0.3"
@@ -37,7 +25,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "trajectories", metavar="TRAJECTORY.csv", nargs="+", type=Path, help="times and poses, or leg lengths"
     )
-    output(parser, "DIR", "folder to write to", Path("size"))
     parser.add_argument(
         "--margin",
         type=finite,
@@ -55,11 +42,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "default: 0.5, 0.9, 0.99 and 1",
     )
     formulation(parser)
-    start_pose(parser)
     log_options(parser)
-    no_pictures(parser)
-    html_file(parser)
-    json_file(parser)
+    output(parser, "DIR", "folder to write to", Path("size"), pictures=True, html=True)
 
 
 # A margin beyond it was meant in per cent.
@@ -71,14 +55,13 @@ def run(arguments: argparse.Namespace) -> int:
     from ...design.size import QUANTILES, checked_quantiles, exceeded, margin_missing, size
     from ...studies.design.size import report, views
 
-    need_drawing(arguments)
     quantiles = arguments.quantiles or QUANTILES
     checked_quantiles(quantiles, "--quantile")
     if arguments.margin > _MOST_MARGIN:
         share = f"{arguments.margin:g} is a share, {100.0 * arguments.margin:g} %"
         warnings.warn(f"--margin: {share}: expected 0.25 for 25 %", stacklevel=2)
     robot = robot_of(arguments.robot)
-    with results(arguments, "report", "needs.csv") as take, progress_line() as progress:
+    with results(arguments, "report", "needs.csv") as (take, progress):
         read = [trajectory_of(robot, path, arguments, progress) for path in arguments.trajectories]
         motions = [(each.time, each.motion) for each in read]
         needs = size(robot, motions, arguments.margin, quantiles, arguments.formulation, progress)
@@ -89,7 +72,7 @@ def run(arguments: argparse.Namespace) -> int:
             figures = pictures(robot, needs)
         names = [path.name for path in arguments.trajectories]
         found = report(robot, names, needs, figures)
-        take(dataclasses.replace(found, views=views(robot, names, read)), progress)
+        take(dataclasses.replace(found, views=views(robot, names, read)))
     over, short = exceeded(robot, needs), margin_missing(robot, needs)
     if over or short:
         told = f"limits exceeded: {len(over)}, limits without the margin: {len(short)}; {(over or short)[0]}"

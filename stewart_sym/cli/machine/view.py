@@ -10,9 +10,8 @@ from typing import TYPE_CHECKING
 
 from ...io.progress import Progress
 from ..inputs import robot_of, trajectory_of
-from ..options import json_file, log_options, output, start_pose
+from ..options import log_options, output
 from ..results import reject_inputs, results
-from ..terminal import progress_line
 
 if TYPE_CHECKING:
     from ...robot.robot import Robot
@@ -38,10 +37,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "motion", metavar="MOTION", nargs="?", help="I, II, III, a CSV file, or what simulate wrote"
     )
     parser.add_argument("--example", action="store_true", help="the paper's machine on its Path I")
-    output(parser, "FILE.html", "file to write, - for standard output", str(_DEFAULT))
-    start_pose(parser)
     log_options(parser)
-    json_file(parser)
+    output(parser, "FILE.html", "file to write, - for standard output", str(_DEFAULT))
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -58,9 +55,8 @@ def run(arguments: argparse.Namespace) -> int:
     if path == arguments.json:
         raise ValueError(f"--json {arguments.json}: is where the page goes (-o), name another file")
     with (
-        results(arguments, read=read) as take,
+        results(arguments, read=read) as (take, progress),
         result_file(path, [BEGINNING], arguments.force) as stream,
-        progress_line() as progress,
     ):
         robot = _robot(arguments)
         shown = View(robot, _motion(robot, arguments, progress))

@@ -7,9 +7,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..inputs import robot_of
-from ..options import finite, json_file, no_pictures, output, positive, robot_file, whole
-from ..results import need_drawing, results
-from ..terminal import progress_line
+from ..options import finite, output, positive, robot_file, whole
+from ..results import results
 
 if TYPE_CHECKING:
     from ...design.workspace import Workspace
@@ -32,7 +31,6 @@ _RANGES = ("X", "X", "Y", "Y", "Z", "Z")
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Arguments of ``workspace``."""
     robot_file(parser)
-    output(parser, "DIR", "folder to write to", Path("workspace"))
     parser.add_argument(
         "--kind",
         choices=("constant", "orientation", "total"),
@@ -72,8 +70,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="ADDRESS",
         help="run on a Dask scheduler, as tcp://host:8786, or local: a worker on each core; the same bits",
     )
-    no_pictures(parser)
-    json_file(parser)
+    output(parser, "DIR", "folder to write to", Path("workspace"), pictures=True)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -84,7 +81,6 @@ def run(arguments: argparse.Namespace) -> int:
     from ...design.workspace import workspace
     from ...studies.design.workspace import report, slices
 
-    need_drawing(arguments)
     robot = robot_of(arguments.robot)
     limits = PoseLimits(
         lengths="lengths" not in arguments.ignore,
@@ -94,7 +90,7 @@ def run(arguments: argparse.Namespace) -> int:
         clearance=arguments.clearance or 0.0,
         load=np.array(arguments.load or [0.0] * 6),
     )
-    with results(arguments, "report", "slices.csv") as take, progress_line() as progress:
+    with results(arguments, "report", "slices.csv") as (take, progress):
         found = workspace(
             robot,
             arguments.kind,
@@ -121,7 +117,7 @@ def run(arguments: argparse.Namespace) -> int:
             from ...studies.design.workspace_plot import pictures
 
             figures = pictures(robot.name, found, planes)
-        take(report(robot, limits, found, planes, figures), progress)
+        take(report(robot, limits, found, planes, figures))
     return 0
 
 

@@ -47,7 +47,7 @@ def run(arguments: argparse.Namespace) -> int:
         progress("reading the motions")
         budget = read_budget(arguments.scene)
     warn_of_doubts(budget.robot, arguments.scene)
-    with results(arguments, read=budget.files) as take, progress_line() as progress:
+    with results(arguments, read=budget.files) as (take, progress):
         found = advice.advice(cost(budget.robot, budget.motions, progress=progress), budget)
         written: list[Path] = []
         if arguments.generate is not None and found.chosen is not None:

@@ -4,9 +4,8 @@ import argparse
 from pathlib import Path
 
 from ..inputs import robot_of
-from ..options import html_file, json_file, other_robot, output
+from ..options import other_robot, output
 from ..results import results
-from ..terminal import progress_line
 
 HELP = "time the kernels beside CasADi, Drake, Pinocchio, MuJoCo, JAX and the processor's limit"
 EXAMPLE = "stewart-sym bench -o bench"
@@ -18,11 +17,9 @@ MORE = (
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Arguments of ``bench``."""
-    output(parser, "DIR", "folder to write to", Path("bench"))
     parser.add_argument("--quick", action="store_true", help="fewer rounds and smaller batches")
     other_robot(parser)
-    html_file(parser)
-    json_file(parser)
+    output(parser, "DIR", "folder to write to", Path("bench"), html=True)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -31,6 +28,6 @@ def run(arguments: argparse.Namespace) -> int:
     from ...studies.benchmark.plot import full_report
 
     robot = None if arguments.robot is None else robot_of(arguments.robot)
-    with results(arguments, "bench") as take, progress_line() as progress:
-        take(full_report(bench(robot, arguments.quick, progress)), progress)
+    with results(arguments, "bench") as (take, progress):
+        take(full_report(bench(robot, arguments.quick, progress)))
     return 0

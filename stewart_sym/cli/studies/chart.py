@@ -4,9 +4,8 @@ import argparse
 from pathlib import Path
 
 from ..inputs import warn_of_doubts
-from ..options import json_file, no_pictures, output
-from ..results import need_drawing, results
-from ..terminal import progress_line
+from ..options import output
+from ..results import results
 
 HELP = "draw time per pose over error, of the model and of rounding: pictures, CSV, JSON, table"
 EXAMPLE = "stewart-sym chart enough.toml -o chart"
@@ -21,9 +20,7 @@ MORE = (
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Arguments of ``chart``."""
     parser.add_argument("scene", metavar="SCENE.toml", type=Path, nargs="?", help="scene file, schema 1")
-    output(parser, "DIR", "folder to write to", Path("chart"))
-    no_pictures(parser)
-    json_file(parser)
+    output(parser, "DIR", "folder to write to", Path("chart"), pictures=True)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -33,14 +30,13 @@ def run(arguments: argparse.Namespace) -> int:
     from ...studies.accuracy.charts import full_report
     from ...studies.accuracy.cost import ROUNDS, cost
 
-    need_drawing(arguments)
     robot, motions = dasgupta1998(), papers_motions()
     read: tuple[Path, ...] = ()
     if arguments.scene is not None:
         scene = read_budget(arguments.scene)
         robot, motions, read = scene.robot, dict(scene.motions), scene.files
         warn_of_doubts(robot, arguments.scene)
-    with results(arguments, "chart", read=read) as take, progress_line() as progress:
+    with results(arguments, "chart", read=read) as (take, progress):
         found = cost(robot, motions, True, ROUNDS, progress)
-        take(full_report(found, robot, arguments.pictures, progress), progress)
+        take(full_report(found, robot, arguments.pictures, progress))
     return 0

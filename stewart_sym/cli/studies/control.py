@@ -5,9 +5,8 @@ import warnings
 from pathlib import Path
 
 from ..inputs import robot_of
-from ..options import json_file, no_pictures, other_robot, output, positive
-from ..results import need_drawing, results
-from ..terminal import progress_line
+from ..options import other_robot, output, positive
+from ..results import results
 
 HELP = "track the paper's paths with controllers that differ in their model: table, CSV, JSON, pictures"
 EXAMPLE = "stewart-sym control -o control --path II"
@@ -21,14 +20,12 @@ MORE = (
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Arguments of ``control``."""
-    output(parser, "DIR", "folder to write to", Path("control"))
     parser.add_argument("--path", choices=("I", "II"), help="track this path alone; default: both")
     other_robot(parser)
     parser.add_argument(
         "--rate", metavar="HZ", type=positive, default=1000.0, help="of the controllers, Hz; default: 1000"
     )
-    no_pictures(parser)
-    json_file(parser)
+    output(parser, "DIR", "folder to write to", Path("control"), pictures=True)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -36,17 +33,16 @@ def run(arguments: argparse.Namespace) -> int:
     from ...studies.control import control
     from ...studies.control.report import full_report
 
-    need_drawing(arguments)
     machines = control.papers_machines()
     if arguments.robot is not None:
         machines = {"robot": robot_of(arguments.robot)}
     paths = control.TRACKED if arguments.path is None else (arguments.path,)
     settings = control.Settings(rate=arguments.rate)
-    with results(arguments, "control", "control.csv") as take, progress_line() as progress:
+    with results(arguments, "control", "control.csv") as (take, progress):
         studies = {
             label: control.track_paths(robot, paths, settings, progress) for label, robot in machines.items()
         }
-        take(full_report(studies, arguments.pictures), progress)
+        take(full_report(studies, arguments.pictures))
     for study in studies.values():
         for line in study.exceeded:
             warnings.warn(line, stacklevel=2)

@@ -4,9 +4,8 @@ import argparse
 from pathlib import Path
 
 from ..inputs import robot_of
-from ..options import json_file, output
+from ..options import output
 from ..results import results
-from ..terminal import progress_line
 
 HELP = "kernels for a machine on a microcontroller, under emulation: forces, instructions, flash, stack"
 EXAMPLE = "stewart-sym controller hexapod.toml -o controller"
@@ -29,11 +28,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         nargs="?",
         help="robot file, schema 1 or 2; default: the paper's machine",
     )
-    output(parser, "DIR", "folder for the table and controller.json", "none written")
     parser.add_argument(
         "--fidelity", metavar="LEVEL", default="general", help="a level of `generate`; default: general"
     )
-    json_file(parser)
+    output(parser, "DIR", "folder for the table and controller.json", "none written")
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -43,7 +41,7 @@ def run(arguments: argparse.Namespace) -> int:
     from ...studies.microcontroller.report import full_report
 
     robot = dasgupta1998() if arguments.robot is None else robot_of(arguments.robot)
-    with results(arguments, "controller") as take, progress_line() as progress:
+    with results(arguments, "controller") as (take, progress):
         found = measure.study(robot, progress, arguments.fidelity)
-        take(full_report(found), progress)
+        take(full_report(found))
     return 0 if all(row.right for row in found.rows) else 2

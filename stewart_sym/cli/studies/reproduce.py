@@ -3,9 +3,8 @@
 import argparse
 from pathlib import Path
 
-from ..options import html_file, json_file, no_pictures, output
-from ..results import need_drawing, results
-from ..terminal import progress_line
+from ..options import output
+from ..results import results
 
 HELP = "compute section 5 of the paper again: tables, CSV, and the pictures of Figs. 4-10"
 EXAMPLE = "stewart-sym reproduce -o reproduce"
@@ -13,10 +12,7 @@ EXAMPLE = "stewart-sym reproduce -o reproduce"
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Arguments of ``reproduce``."""
-    output(parser, "DIR", "folder to write to", Path("reproduce"))
-    no_pictures(parser)
-    html_file(parser)
-    json_file(parser)
+    output(parser, "DIR", "folder to write to", Path("reproduce"), pictures=True, html=True)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -24,7 +20,6 @@ def run(arguments: argparse.Namespace) -> int:
     from ...studies.paper.report import full_report
     from ...studies.paper.reproduce import reproduce
 
-    need_drawing(arguments)
-    with results(arguments, "report") as take, progress_line() as progress:
-        take(full_report(reproduce(progress), arguments.pictures), progress)
+    with results(arguments, "report") as (take, progress):
+        take(full_report(reproduce(progress), arguments.pictures))
     return 0

@@ -4,9 +4,8 @@ import argparse
 import dataclasses
 from pathlib import Path
 
-from ..options import html_file, json_file, no_pictures, output, whole
-from ..results import need_drawing, results
-from ..terminal import progress_line
+from ..options import output, whole
+from ..results import results
 
 HELP = "approach every degenerate configuration with every method: tables, CSV, JSON, pictures"
 EXAMPLE = "stewart-sym stability -o stability"
@@ -23,14 +22,11 @@ CASES = 1_000_000
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Arguments of ``stability``."""
-    output(parser, "DIR", "folder to write to", "stability")
     parser.add_argument(
         "--cases", metavar="N", type=whole, help=f"random cases near failure; with -o {CASES:,}"
     )
     parser.add_argument("--seed", type=whole, default=0, help="of the random cases; default: 0")
-    no_pictures(parser)
-    html_file(parser)
-    json_file(parser)
+    output(parser, "DIR", "folder to write to", "stability", pictures=True, html=True)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -40,13 +36,12 @@ def run(arguments: argparse.Namespace) -> int:
     from ...studies.robustness.sweep.sweep import report, sweep
 
     if arguments.cases is not None and arguments.output is None:
-        with results(arguments) as take, progress_line() as progress:
+        with results(arguments) as (take, progress):
             swept = sweep(arguments.cases, arguments.seed, progress)
             take(Report(report(swept), data=study.sweep_json(swept)))
         return 1 if swept.wrong or swept.rejected_good else 0
-    need_drawing(arguments)
     arguments.output = arguments.output or Path("stability")
-    with results(arguments, "stability") as take, progress_line() as progress:
+    with results(arguments, "stability") as (take, progress):
         found = study.study(progress)
         cases = CASES if arguments.cases is None else arguments.cases
         found = dataclasses.replace(found, sweep=sweep(cases, arguments.seed, progress))
@@ -55,5 +50,5 @@ def run(arguments: argparse.Namespace) -> int:
             from ...studies.robustness.pictures import pictures
 
             figures = pictures(found)
-        take(study.full_report(found, figures), progress)
+        take(study.full_report(found, figures))
     return 0

@@ -1,10 +1,9 @@
 """MJCF, MuJoCo's format, as a model."""
 
-import json
+import math
 import xml.etree.ElementTree as ET
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
@@ -14,12 +13,14 @@ from ...motion.rotation import rotation_from_quaternion, rotation_from_vector
 from ...robot.bodies import Body as Solid
 from ...robot.bodies import joined
 from ...robot.fields import direction
-from ..chain import BETWEEN, WORLD, Body, Joint, Model, frame_along
-from .mjcf_geoms import solid
+from ..chain import BETWEEN, WORLD, Body, Joint, Model, after, frame_along
+from ..notes import json_table
 from .xml_text import at_line, number, numbers
 
 _KINDS = {"hinge": "revolute", "slide": "prismatic", "ball": "spherical", "free": "free"}
 _ZERO = (0.0, 0.0, 0.0)
+_SIZES = {"sphere": 1, "capsule": 2, "cylinder": 2, "box": 3, "ellipsoid": 3}
+_DENSITY = 1000.0
 _PASSED_OVER = (
     *("compiler", "option", "size", "custom", "default", "asset", "visual", "statistic", "worldbody"),
     *("equality", "actuator", "keyframe", "sensor", "contact", "extension"),
@@ -73,25 +74,15 @@ class _Reader:
                 self.left_out.append(f"section {each.tag!r} of the file")
         option = {key: value for each in self.root.findall("option") for key, value in each.attrib.items()}
         gravity = numbers(option.get("gravity"), 3, "option: gravity", (0.0, 0.0, -9.81))
+        notes = self.root.find("custom/text[@name='stewart_sym']")
         return Model(
             self.root.get("model", "MuJoCo Model"),
             gravity,
             tuple(self.bodies),
             tuple(self._driven()),
-            self._notes(),
+            json_table(None if notes is None else notes.get("data", ""), "custom: text 'stewart_sym'"),
             tuple(dict.fromkeys(self.left_out)),
         )
-
-    def _notes(self) -> dict[str, Any]:
-        for text in self.root.iterfind("custom/text[@name='stewart_sym']"):
-            try:
-                found = json.loads(text.get("data", ""))
-            except ValueError:
-                raise ValueError("custom: text 'stewart_sym': expected JSON") from None
-            if not isinstance(found, dict):
-                raise ValueError("custom: text 'stewart_sym': expected a table")
-            return found
-        return {}
 
     # Defaults
 
@@ -125,7 +116,8 @@ class _Reader:
                 where = f"site {each.attrib['name']!r}: pos"
                 place = numbers(self._of(each, inherited).get("pos"), 3, where, _ZERO)
                 body = next(body for body in self.bodies if body.name == name)
-                inside = place if same(R, t, body) else body.local(t + R @ place)
+                own = np.array_equal(R, body.R) and np.array_equal(t, body.t)
+                inside = place if own else body.local(t + R @ place)
                 self.sites[each.attrib["name"]] = name, inside
 
     def _body(self, element: ET.Element, parent: str, R: Array, t: Array, inherited: str | None) -> None:
@@ -133,7 +125,7 @@ class _Reader:
         where = f"body {name!r}"
         inherited = element.get("childclass") or inherited
         turn, place = self._pose(element.attrib, where)
-        R, t = (turn, place) if parent == WORLD and same(R, t, self.bodies[0]) else (R @ turn, t + R @ place)
+        R, t = after((R, t), turn, place)
         joints = self._joints(element, name, inherited)
         at = parent
         for number_, (attributes, kind) in enumerate(joints, 1):
@@ -198,7 +190,9 @@ class _Reader:
     def _with_inertia(self, body: Body, element: ET.Element, inherited: str | None, where: str) -> Body:
         given = element.find("inertial")
         if given is None or self.from_geoms:
-            return self._of_geoms(body, element, inherited, where)
+            parts = self._solids(element, inherited, where)
+            whole = joined(parts) if parts else Solid(body.mass, body.center, body.inertia)
+            return replace(body, mass=whole.mass, center=whole.center_of_mass, inertia=whole.inertia)
         where = f"{where}: inertial"
         mass = number(given.get("mass"), f"{where}: mass")
         R, center = self._pose(given.attrib, where)
@@ -207,15 +201,7 @@ class _Reader:
             inertia = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
         else:
             inertia = R @ np.diag(numbers(given.get("diaginertia"), 3, f"{where}: diaginertia")) @ R.T
-        return Body(body.name, body.R, body.t, mass, center, 0.5 * (inertia + inertia.T))
-
-    def _of_geoms(self, body: Body, element: ET.Element, inherited: str | None, where: str) -> Body:
-        """A body that is as heavy as its geoms."""
-        parts = self._solids(element, inherited, where)
-        if not parts:
-            return body
-        whole = joined(parts)
-        return Body(body.name, body.R, body.t, whole.mass, whole.center_of_mass, whole.inertia)
+        return replace(body, mass=mass, center=center, inertia=0.5 * (inertia + inertia.T))
 
     def _solids(self, element: ET.Element, inherited: str | None, where: str) -> list[Solid]:
         """What has a mass of its own among the geoms of a body, and of frames in it."""
@@ -223,7 +209,7 @@ class _Reader:
         for each in element:
             if each.tag == "geom":
                 given, named = self._of(each, inherited), f"{where}: geom {each.get('name', '')!r}"
-                part = solid(given, *self._pose(given, named), named)
+                part = _solid(given, *self._pose(given, named), named)
                 found += [] if part is None else [part]
             elif each.tag == "frame":
                 R, t = self._pose(each.attrib, where)
@@ -256,7 +242,7 @@ class _Reader:
         return np.eye(3)
 
     def _euler(self, angles: Array) -> Array:
-        """By ``eulerseq``: small letters turn about axes that move along, capital ones about fixed axes."""
+        """Rotation by ``eulerseq``: small letters are axes that turn along, capital ones fixed axes."""
         R = np.eye(3)
         for letter, angle in zip(self.order, angles, strict=True):
             vector = angle * np.eye(3)["xyz".index(letter.lower())]
@@ -277,9 +263,9 @@ class _Reader:
         kind = "spherical" if element.tag == "connect" else "fixed"
         if "site1" in element.attrib or "site2" in element.attrib:
             (one, here), (other, there) = (self._site(element.get(key), where) for key in ("site1", "site2"))
+        elif "body1" not in element.attrib:
+            raise ValueError(f"{where}: expected body1, or site1 and site2, got none")
         else:
-            if "body1" not in element.attrib:
-                raise ValueError(f"{where}: expected body1, or site1 and site2, got none")
             one, other = element.attrib["body1"], element.get("body2", WORLD)
             placed = {body.name: body for body in self.bodies}
             for body in (one, other):
@@ -328,6 +314,51 @@ def _has_joint(frame: ET.Element) -> bool:
     )
 
 
-def same(R: Array, t: Array, body: Body) -> bool:
-    """Whether a pose is that of a body."""
-    return np.array_equal(R, body.R) and np.array_equal(t, body.t)
+# Geoms
+
+
+def _solid(given: Attributes, R: Array, center: Array, where: str) -> Solid | None:
+    """The body of a geom, in the frame that R, (3, 3), and center, (3,), are in; None of one without a mass.
+
+    given: attributes, those of its class among them. Raises ValueError for a heavy geom of another type.
+    """
+    mass = number(given["mass"], f"{where}: mass") if "mass" in given else None
+    density = number(given.get("density"), f"{where}: density", _DENSITY)
+    if mass == 0.0 or (mass is None and density == 0.0):
+        return None
+    kind = given.get("type", "sphere")
+    if kind == "plane":
+        return None
+    if kind not in _SIZES:
+        raise ValueError(
+            f"{where}: expected an inertial of its body, got a {kind}, whose mass is not computed"
+        )
+    ends = numbers(given["fromto"], 6, f"{where}: fromto") if "fromto" in given else None
+    size = numbers(given.get("size"), _SIZES[kind] - (ends is not None), f"{where}: size")
+    if ends is not None:
+        along = ends[3:] - ends[:3]
+        R, center = frame_along(along), 0.5 * (ends[:3] + ends[3:])
+        half = 0.5 * float(np.linalg.norm(along))
+        size = np.array([size[0], half] if len(size) == 1 else [*size, half])
+    volume, squares = _volume(kind, size)
+    mass = density * volume if mass is None else mass
+    inertia = R @ np.diag(squares.sum() - squares) @ R.T
+    return Solid(mass, center, mass * inertia)
+
+
+def _volume(kind: str, size: Array) -> tuple[float, Array]:
+    """Volume, m^3, and mean squares of the coordinates, m^2, (3,)."""
+    if kind == "box":
+        return 8.0 * float(np.prod(size)), size**2 / 3.0
+    if kind in ("sphere", "ellipsoid"):
+        axes = np.resize(size, 3)
+        return 4.0 / 3.0 * math.pi * float(np.prod(axes)), axes**2 / 5.0
+    r, half = (float(value) for value in size)
+    cylinder = 2.0 * math.pi * r**2 * half
+    squares = cylinder * np.array([r**2 / 4.0, r**2 / 4.0, half**2 / 3.0])
+    if kind == "cylinder":
+        return cylinder, squares / cylinder
+    # Two half spheres, their centres of mass 3/8 of the radius outside the ends.
+    ball = 4.0 / 3.0 * math.pi * r**3
+    squares += ball * np.array([r**2 / 5.0, r**2 / 5.0, r**2 / 5.0 + half**2 + 0.75 * r * half])
+    return cylinder + ball, squares / (cylinder + ball)

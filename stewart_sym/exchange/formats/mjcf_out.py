@@ -5,13 +5,12 @@ import xml.etree.ElementTree as ET
 
 import numpy as np
 
-from ...io.array_types import Array
 from ...motion.rotation import quaternion_from_rotation
 from ..chain import WORLD, Body, Joint, Model, Shape
 from .xml_text import added, document
 
 TIMESTEP = 0.0005
-"""Of the file, s: half of the time constant of its closures, as MuJoCo needs for stability."""
+"""Time step in the file, s: half of the time constant of its closures, as MuJoCo needs for stability."""
 _TIME_CONSTANT = 2.0 * TIMESTEP
 _STIFFEST = 0.9999
 """The largest impedance of a constraint that MuJoCo takes."""
@@ -80,19 +79,10 @@ def _inside(parent: ET.Element, model: Model, body: Body) -> None:
 def _body(parent: ET.Element, model: Model, carrier: Body, body: Body, joint: Joint) -> None:
     turn = carrier.R.T @ body.R
     quaternion = None if np.array_equal(body.R, carrier.R) else quaternion_from_rotation(turn)
-    place = body.t if carrier.name == WORLD else _placed(model, carrier, body, joint)
-    element = added(parent, "body", name=body.name, pos=place, quat=quaternion)
+    element = added(parent, "body", name=body.name, pos=model.origin(joint), quat=quaternion)
     _joint(element, model, joint)
     added(element, "inertial", mass=body.mass, pos=body.center, fullinertia=body.inertia[_TENSOR])
     _inside(element, model, body)
-
-
-def _placed(model: Model, carrier: Body, body: Body, joint: Joint) -> Array:
-    """Origin of a body in its carrier's frame; along the axis where that is how they are."""
-    place = carrier.local(body.t)
-    axes = model.local_axes(joint)
-    along = joint.position * axes[0] if len(axes) else place
-    return along if np.allclose(place, along, rtol=0.0, atol=1e-12 * np.abs(place).max()) else place
 
 
 def _joint(element: ET.Element, model: Model, joint: Joint) -> None:

@@ -9,8 +9,8 @@ from ...io.arguments import shown
 from ...io.array_types import Array
 from ...motion.rotation import rotation_from_quaternion, rotation_from_rpy
 from ...robot.fields import LEGS, direction
-from ..chain import WORLD, Body, Joint, Model
-from ..notes import parsed_notes
+from ..chain import WORLD, Body, Joint, Model, after
+from ..notes import json_table
 from .sdf_out import NOTES
 from .xml_text import at_line, interval, joint_of, largest, name_of, number, numbers, tensor
 
@@ -42,7 +42,7 @@ def model(root: ET.Element, loops: str | None = None) -> Model:
         None if gravity is None else numbers(gravity, 3, "gravity"),
         tuple(found.bodies),
         tuple(found.joints),
-        parsed_notes(models[0].findtext(NOTES), NOTES),
+        json_table(models[0].findtext(NOTES), NOTES),
         tuple(found.left_out),
     )
 
@@ -97,7 +97,7 @@ class _Reader:
             raise ValueError(f"frame {name!r}: expected poses that depend on no circle, got one")
         element = self.named[name]
         R, t = self._own(element, f"{element.tag} {name!r}")
-        R, t = _after(self._pose(self._relative(element), (*seen, name)), R, t)
+        R, t = after(self._pose(self._relative(element), (*seen, name)), R, t)
         self.found[name] = R, t
         return R, t
 
@@ -121,9 +121,7 @@ class _Reader:
         turn, center = self._own(given, where)
         mass = number(given.findtext("mass"), f"{where}: mass", 1.0)
         inertia = tensor(lambda key: given.findtext(f"inertia/{key}"), where, (1.0, 0.0))
-        if not np.array_equal(turn, np.eye(3)):
-            inertia = turn @ inertia @ turn.T
-        return Body(name, R, t, mass, center, inertia)
+        return Body(name, R, t, mass, center, turn @ inertia @ turn.T)
 
     def _joint(self, element: ET.Element) -> Joint:
         name, kind, where = joint_of(element, _KINDS)
@@ -171,13 +169,6 @@ class _Reader:
 
 def _still() -> tuple[Array, Array]:
     return np.eye(3), np.zeros(3)
-
-
-def _after(outer: tuple[Array, Array], R: Array, t: Array) -> tuple[Array, Array]:
-    """A pose in the world, from that of the frame it is relative to."""
-    if np.array_equal(outer[0], np.eye(3)):
-        return R, t + outer[1]
-    return outer[0] @ R, outer[1] + outer[0] @ t
 
 
 def _text(element: ET.Element, tag: str) -> str:

@@ -87,13 +87,9 @@ def _joint(parent: ET.Element, model: Model, joint: Joint) -> None:
 
 def _limits(axis: ET.Element, joint: Joint) -> None:
     limit = added(axis, "limit")
-    if joint.limited:
-        added(limit, "lower", joint.limits[0] - joint.position)
-        added(limit, "upper", joint.limits[1] - joint.position)
-    else:
-        # Both elements are required.
-        added(limit, "lower", -NO_LIMIT)
-        added(limit, "upper", NO_LIMIT)
+    low, high = joint.travel(NO_LIMIT)
+    added(limit, "lower", low)
+    added(limit, "upper", high)
     if np.isfinite(joint.effort):
         added(limit, "effort", joint.effort)
     if np.isfinite(joint.speed):

@@ -1,6 +1,5 @@
 """URDF, the format of ROS, and the file of its loops as a model."""
 
-import json
 import xml.etree.ElementTree as ET
 from dataclasses import replace
 from typing import Any
@@ -11,7 +10,8 @@ from ...io import tables
 from ...io.array_types import Array
 from ...motion.rotation import rotation_from_rpy
 from ...robot.fields import direction
-from ..chain import WORLD, Body, Joint, Model
+from ..chain import WORLD, Body, Joint, Model, after
+from ..notes import json_table
 from .xml_text import at_line, interval, joint_of, largest, name_of, number, numbers, tensor
 
 _KINDS = {
@@ -47,11 +47,7 @@ def model(root: ET.Element, loops: str | None) -> Model:
 
 
 def _loops(text: str) -> dict[str, Any]:
-    try:
-        given = json.loads(text)
-    except (ValueError, RecursionError):
-        raise ValueError("loops: expected JSON") from None
-    found = tables.checked_table(given, "loops: ", _FILE_KEYS)
+    found = tables.checked_table(json_table(text, "loops"), "loops: ", _FILE_KEYS)
     if not isinstance(found.get("closures", []), list):
         raise ValueError("loops: closures: expected a list")
     for key in ("armature_kg", "notes"):
@@ -127,10 +123,7 @@ def _carried(element: ET.Element, links: dict[str, ET.Element], parent: Body) ->
     """A link with the joint that carries it."""
     name, kind, where = joint_of(element, _KINDS)
     turn, place = _origin(element, where)
-    still = np.array_equal(parent.R, np.eye(3))
-    R, t = (turn, parent.t + place) if still else (parent.R @ turn, parent.placed(place))
-    if not turn.any() or np.array_equal(turn, np.eye(3)):
-        R = parent.R
+    R, t = after((parent.R, parent.t), turn, place)
     child = _end(element, "child")
     body = _body(links[child], R, t)
     joint = Joint(name, _KINDS[kind], parent.name, child)
@@ -160,10 +153,8 @@ def _body(link: ET.Element, R: Array, t: Array) -> Body:
     turn, center = _origin(given, where)
     mass, inertia = given.find("mass"), given.find("inertia")
     found = tensor(ET.Element("none").get if inertia is None else inertia.get, where)
-    if not np.array_equal(turn, np.eye(3)):
-        found = turn @ found @ turn.T
     heavy = number(None if mass is None else mass.get("value"), f"{where}: mass")
-    return Body(name, R, t, heavy, center, found)
+    return Body(name, R, t, heavy, center, turn @ found @ turn.T)
 
 
 def _origin(element: ET.Element, where: str) -> tuple[Array, Array]:

@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 
-from ...io.array_types import Array
 from ...io.json_text import json_text
 from ...motion.rotation import rpy_from_rotation
 from ..chain import WORLD, Body, Joint, Model, Shape, in_single_axes
@@ -93,32 +92,20 @@ def _geometry(element: ET.Element, shape: Shape) -> None:
 
 
 def _joint(root: ET.Element, model: Model, joint: Joint) -> None:
-    parent, child = model.body(joint.parent), model.body(joint.child)
-    kind = _KINDS[joint.kind]
-    element = added(root, "joint", name=joint.name, type=kind)
+    element = added(root, "joint", name=joint.name, type=_KINDS[joint.kind])
     added(element, "parent", link=_name(joint.parent))
     added(element, "child", link=_name(joint.child))
-    place, turn = _relative(parent, child, joint, model)
-    added(element, "origin", xyz=place, rpy=turn)
+    R, turned = model.body(joint.parent).R, model.body(joint.child).R
+    angles = np.zeros(3) if np.array_equal(R, turned) else rpy_from_rotation(R.T @ turned)
+    added(element, "origin", xyz=model.origin(joint), rpy=angles)
     for axis in model.local_axes(joint):
         added(element, "axis", xyz=axis)
     if joint.kind != "free":
         added(element, "dynamics", damping=joint.damping, friction=0.0)
     if joint.kind == "prismatic":
-        low, high = np.array(joint.limits) - joint.position if joint.limited else (-NO_LIMIT, NO_LIMIT)
+        low, high = joint.travel(NO_LIMIT)
         effort, speed = min(joint.effort, NO_LIMIT), min(joint.speed, NO_LIMIT)
         added(element, "limit", lower=low, upper=high, effort=effort, velocity=speed)
-
-
-def _relative(parent: Body, child: Body, joint: Joint, model: Model) -> tuple[Array, Array]:
-    """Position and roll, pitch, yaw of the child's frame in the parent's."""
-    axes = model.local_axes(joint)
-    along = joint.position * axes[0] if joint.kind == "prismatic" else np.zeros(3)
-    place = child.t if parent.name == WORLD else parent.local(child.t)
-    if not np.abs(place - along).max() > 1e-12 * np.abs(place).max():
-        place = along
-    same = np.array_equal(parent.R, child.R)
-    return place, np.zeros(3) if same else rpy_from_rotation(parent.R.T @ child.R)
 
 
 def _transmission(root: ET.Element, joint: Joint) -> None:

@@ -29,7 +29,7 @@ HEADER = f"""#usda 1.0
 """
 """First lines of every file."""
 _CROSS_MASS, _CROSS_INERTIA = 0.1, 1e-3
-"""Of the body between two axes over the lower part's: its mass stays where it is and changes nothing."""
+"""Mass and inertia of the body between two axes, over the lower part's: its mass stays at rest."""
 _KINDS = {
     "prismatic": "PhysicsPrismaticJoint",
     "revolute": "PhysicsRevoluteJoint",

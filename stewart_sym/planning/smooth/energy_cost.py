@@ -36,7 +36,7 @@ class EnergyCost:
 
     @classmethod
     def of(cls, motors: MotorTerms) -> EnergyCost:
-        """Of terms at the ends of all parts of cells; Stribeck's part is left out."""
+        """The cost by terms at the ends of all parts of cells; Stribeck's part is left out."""
         drive, side = motors.drive, np.sign(motors.rate)
         rotor = np.concatenate([motors.rotor, np.zeros_like(motors.rotor)])
         axial = side * (motors.force - rotor)

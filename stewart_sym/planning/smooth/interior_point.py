@@ -18,7 +18,7 @@ _STEPS = 400
 _CENTRING = 0.15
 _KEPT = 0.99
 _SHORTEST = 1e-9
-# Of the cost: what the limits' multipliers still hold back at the end.
+# Duality gap at which the search ends, over the cost.
 GAP = 1e-7
 
 
@@ -85,7 +85,7 @@ def least(spline: RateSpline, c: Array, rooms: Rooms, cost: Cost, time: float | 
         change = mu / g - multiplier - multiplier / g * np.einsum("ikra,ika->ikr", slope, moved)
         share = _share(rooms, v, moved, g)
         if share <= _SHORTEST:
-            # What rounding leaves of a room decides: nothing is gained any more.
+            # So near a limit its distance is rounding: nothing is gained any more.
             break
         c, v = c + share * step, v + share * moved
         falling = change < 0.0
@@ -102,7 +102,7 @@ def least(spline: RateSpline, c: Array, rooms: Rooms, cost: Cost, time: float | 
 
 
 def _share(rooms: Rooms, v: Array, moved: Array, g: Array) -> float:
-    """Of a step, so that every limit is kept with a part of its room."""
+    """Largest share of a step that leaves a part of the distance from every limit."""
     falling = moved[..., 0] < 0.0
     share = min(1.0, 0.9 * float(np.min(-v[..., 0][falling] / moved[..., 0][falling], initial=np.inf)))
     while share > _SHORTEST and np.any(rooms.values(v + share * moved) <= (1.0 - _KEPT) * g):

@@ -13,11 +13,11 @@ from ...io.array_types import Array
 from ..timing.phase_plane import PhasePath
 
 PARTS = 4
-"""Of each cell, with samples at their ends: five in a cell."""
+"""Parts of each cell: samples are at their ends, five in a cell."""
 SHARES = np.linspace(0.0, 1.0, PARTS + 1)
-"""Of each cell, where samples are."""
+"""Where the samples of a cell are, from 0 to 1."""
 WEIGHTS = np.array([7.0, 32.0, 12.0, 32.0, 7.0]) / 90.0
-"""Of the samples of a cell in an integral over it, Boole's rule."""
+"""Weights of a cell's samples in an integral over it, by Boole's rule."""
 _ACTIVE = 3
 
 
@@ -28,7 +28,7 @@ class RateSpline(NamedTuple):
 
     @property
     def edges(self) -> Array:
-        """Of the cells, (cells + 1,)."""
+        """Edges of the cells, (cells + 1,)."""
         return np.linspace(0.0, 1.0, self.cells + 1)
 
     def basis(self, shares: Array) -> Array:
@@ -71,6 +71,6 @@ class RateSpline(NamedTuple):
 
 
 def in_cells(nodes: Array) -> Array:
-    """Of the ends of all parts of cells, (4 cells + 1, ...), at the samples, (cells, 5, ...)."""
+    """Values at the ends of all parts, (4 cells + 1, ...), at the samples of each cell, (cells, 5, ...)."""
     starts = [nodes[part:-1:PARTS] for part in range(PARTS)]
     return np.stack([*starts, nodes[PARTS::PARTS]], axis=1)

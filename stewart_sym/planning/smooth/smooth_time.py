@@ -6,6 +6,7 @@ quadratic spline. Every limited quantity is then a sum of y, dy/dx, sqrt(y) and,
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -17,7 +18,7 @@ from ...motion.motion import Motion
 from ...robot.robot import Robot
 from ..timing.grid import Source
 from ..timing.motor_terms import beside
-from ..timing.path_terms import Path, Terms, travelled
+from ..timing.path_terms import Path, Terms, leg_accelerations, travelled
 from ..timing.profile import Ease, Profile
 from .interior_point import Cost, Rooms, duration, least
 from .rate_spline import PARTS, RateSpline, in_cells
@@ -25,7 +26,7 @@ from .rate_spline import PARTS, RateSpline, in_cells
 _ROUNDS = 12
 _MARGIN = 5e-5
 _MORE, _KEPT = 1.2, 1e-7
-# Of a limit, at the instants between the samples that are looked at.
+# Largest share of a limit at the places between the samples that are checked.
 _AIM = 1.0 - 2e-5
 _BETWEEN = np.linspace(0.0, 1.0, 201)
 _TURNS = 3
@@ -54,7 +55,7 @@ class SmoothPath:
     def of(
         cls, source: Source, lengths: Callable[[Array], Array], ease: Ease, cells: int, jerk: Array
     ) -> SmoothPath:
-        """Of a source and of ``lengths``, x -> derivatives of the legs' lengths by x."""
+        """A path by the source of its terms and ``lengths``, x -> derivatives of the legs' lengths by x."""
         spline = RateSpline(cells)
         nodes = np.linspace(0.0, 1.0, PARTS * cells + 1)
         fine = (spline.edges[:-1, None] + _BETWEEN / cells).ravel()
@@ -100,18 +101,15 @@ class SmoothPath:
 
     def fastest(self) -> Array:
         """Coefficients of least time."""
-        share = 1.0
-        while share > _SLOWEST and self.used(share * np.ones(self.spline.cells + 2)).max() > _ROOM:
-            share *= _SLOWER
-        return self._settled(share * np.ones(self.spline.cells + 2), self._time, None)
+        c = np.ones(self.spline.cells + 2)
+        while c[0] > _SLOWEST and self.used(c).max() > _ROOM:
+            c = _SLOWER * c
+        return self._settled(c, functools.partial(duration, self.spline), None)
 
     def thriftiest(self, cost: Cost, start: Array, time: float) -> Array:
         """Coefficients of least energy in a duration, from those of a faster motion."""
         share = duration(self.spline, self.spline.values(start))[0] / time
         return self._settled(share**2 * start, cost, time)
-
-    def _time(self, v: Array) -> tuple[float, Array, Array]:
-        return duration(self.spline, v)
 
     def _settled(self, c: Array, cost: Cost, time: float | None) -> Array:
         """Coefficients of least cost that keep all limits between the samples too."""
@@ -119,7 +117,7 @@ class SmoothPath:
         turns, start = (1 if self.at.motors is None else _TURNS), c
         for turn in range(_ROUNDS):
             rooms = self.rooms(c, margin)
-            # From far within the limits: a motion of a duration from one that has it.
+            # The search begins far within the limits; for a given duration at a motion that takes as long.
             begin = self._slowed(_ROOM * c if time is None else start, rooms)
             c = least(self.spline, begin, rooms, cost, time)
             excess = np.maximum(self.used(c) - _AIM, 0.0)
@@ -155,7 +153,7 @@ class SmoothPath:
 
 
 def _beside(excess: Array) -> Array:
-    """Of cells, (cells, m), at the samples, (4 cells + 1, m): at an edge the larger of both sides'."""
+    """Values of cells, (cells, m), at the samples, (4 cells + 1, m): at an edge the larger of both sides."""
     edges = np.pad(excess, ((1, 1), (0, 0)))
     found = np.concatenate([np.repeat(excess, PARTS, axis=0), excess[-1:]])
     found[::PARTS] = np.maximum(edges[1:], edges[:-1])
@@ -185,13 +183,8 @@ def eased(path: Path, ease: Ease) -> Path:
 def length_rates(robot: Robot, path: Path, x: Array) -> Array:
     """First to third derivatives of the legs' lengths by the parameter of an eased path, (3, n, 6)."""
 
-    def second(at: Array) -> Array:
-        found = inverse_kinematics(robot, path(at)).L_ddot
-        assert found is not None
-        return found
-
     middle = np.clip(x, _STEP, 1.0 - _STEP)
-    before, at, after = (second(middle + step) for step in (-_STEP, 0.0, _STEP))
+    before, at, after = (leg_accelerations(robot, path(middle + step)) for step in (-_STEP, 0.0, _STEP))
     # Through three points: at the ends the derivative there, elsewhere at the middle one.
     bend = ((x - middle) / _STEP**2)[:, None] * (after - 2.0 * at + before)
     legs = inverse_kinematics(robot, path(x))

@@ -16,23 +16,24 @@ from .profile import Profile
 Source = Callable[[Array], Terms]
 """Parameters s, (n,) -> terms there."""
 
-# By which all limits are tighter from the start, so that neither rounding nor a kink exceeds one.
+# Share by which all limits are tightened from the start, so that neither rounding nor a kink exceeds one.
 _MARGIN = 1e-5
 AIM = 1.0 - 4e-6
-"""Of a limit, at the shares of a cell: between them a little more is used."""
+"""Largest share of a limit at the places of a cell that are checked: between them a little more is used."""
 IDLE = 1e-3
 """A limit is active from this share below it on."""
-# Denser to the ends, where friction grows as the root of the way, and within the cell: a node may be where
-# friction changes its sign.
+# Places of a cell that are checked: denser towards the ends, where friction grows as the root of the way, and
+# never at a node, where friction may change its sign.
 _SHARES = np.clip(0.5 - 0.5 * np.cos(np.linspace(0.0, np.pi, 25)), 1e-5, 1.0 - 1e-5)
 _PARTS = 4
-# Tightened by more than what was exceeded, so that few rounds do.
+# Limits are tightened by this times the excess, so that few rounds suffice.
 _MORE = 1.25
 _SECANTS = 5
-# Exceeded by more than this share between nodes, a limit is no matter of tightening alone.
+# Where a limit is exceeded by more than this share between nodes, tightening alone does not help.
 _ROUGH = 5e-4
+# Nodes are at least this share of a cell apart.
 _APART = 0.05
-# Turns until rates are the same to this share of the largest.
+# Bounds that depend on the motion are updated at most so often, until rates change by no more than a share.
 TURNS = 12
 _SAME = 1e-3
 

@@ -79,7 +79,7 @@ class MotorTerms(NamedTuple):
 
     @classmethod
     def of(cls, robot: Robot, by_parameter: Motion, force: Array, rate: Array) -> MotorTerms:
-        """Of a motion by parameter; without a drive the motor's torque is the force of its leg."""
+        """Terms of a motion by parameter; without a drive the motor's torque is the force of its leg."""
         drive = Drive(lead=np.array(2.0 * np.pi)) if robot.drive is None else robot.drive
         by_current = np.where(drive.torque_constant > 0.0, drive.torque_constant, 1.0) * drive.current_limit
         effort = np.abs(drive.turns) * np.minimum(drive.torque_limit, by_current)
@@ -97,7 +97,7 @@ class MotorTerms(NamedTuple):
 
     @property
     def names(self) -> list[str]:
-        """Of the limited quantities."""
+        """Names of the limited quantities."""
         return [
             f"{what} of the motor of leg {leg + 1}" for what in ("torque", "power") for leg in range(LEGS)
         ]
@@ -129,7 +129,7 @@ class MotorTerms(NamedTuple):
         return np.concatenate([effort / self.effort, power / self.power], axis=-1)
 
     def share_within_power(self, x: Array, second: Array) -> float:
-        """By which s' at nodes can be multiplied so that the limits of power are kept; x: s'^2."""
+        """A factor on s' at the nodes with which the limits of power are kept; x: s'^2."""
         share = 1.0
         while share > _SLOWEST and self.used(share**2 * x, share**2 * second)[:, LEGS:].max() > 1.0:
             share *= _SLOWER
@@ -166,7 +166,7 @@ class MotorTerms(NamedTuple):
         )
         upper = branches if self._lossy else branches[1:]
         free = opposite & ~(below & rate.any())
-        # Of a leg that moves neither way friction acts against either.
+        # Friction of a leg that may move either way acts against both.
         effort = np.where(still, effort - dry, effort)
         rising = np.array([0.0, 0.0, 1.0, 0.0])[:, None, None] * slope
         torque = _rows(upper, lower, effort, free)

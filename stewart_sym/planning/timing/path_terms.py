@@ -98,7 +98,7 @@ class Terms(NamedTuple):
 
     @property
     def quantities(self) -> int:
-        """Of the limited quantities: those of the coefficients, of the motors, and speed."""
+        """How many quantities are limited: those of the coefficients, those of the motors, and speed."""
         return len(self.limit) + (0 if self.motors is None else len(self.motors.names)) + 1
 
     @property
@@ -191,8 +191,15 @@ def terms_along(
 
 
 def force_limits(robot: Robot, limits: Limits) -> Array:
-    """Of the actuators, N, (6,)."""
+    """Force limits of the actuators, N, (6,)."""
     return robot.force_limit if limits.force is None else np.array(limits.force)
+
+
+def leg_accelerations(robot: Robot, motion: Motion) -> Array:
+    """Second derivatives of the legs' lengths, (n, 6), of a motion with accelerations."""
+    found = inverse_kinematics(robot, motion).L_ddot
+    assert found is not None
+    return found
 
 
 def leg_speeds(robot: Robot, motion: Motion, L_dot: Array, limits: Limits) -> tuple[Array, Array]:

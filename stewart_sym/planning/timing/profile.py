@@ -71,7 +71,7 @@ class Profile(NamedTuple):
 
     @property
     def duration(self) -> float:
-        """Of the whole path, s."""
+        """Duration of the whole path, s."""
         return float(self.times[-1])
 
     @property
