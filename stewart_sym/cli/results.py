@@ -58,7 +58,8 @@ def results(
             folder = stack.enter_context(result_folder(arguments.output, arguments.force, inputs, names))
 
         def take(report: Report, progress: Progress = silent) -> None:
-            report = dataclasses.replace(report, data={**made_by, **report.data})
+            figures = report.figures if _pictures(arguments) else {}
+            report = dataclasses.replace(report, data={**made_by, **report.data}, figures=figures)
             if report.text:
                 lines.append(report.text.rstrip("\n"))
             if folder is not None and stem is not None:
@@ -113,5 +114,11 @@ def reject_inputs(option: str, output: Path, *inputs: Path) -> None:
 
 def need_drawing(arguments: argparse.Namespace) -> None:
     """ImportError that names the extra if pictures are wanted and what draws them is missing."""
-    for package in ("matplotlib", "textalloc") if arguments.pictures else ():
-        need(package, "drawing", ", or give --no-pictures")
+    otherwise = ", or give --no-pictures" if hasattr(arguments, "pictures") else ""
+    for package in ("matplotlib", "textalloc") if _pictures(arguments) else ():
+        need(package, "drawing", otherwise)
+
+
+def _pictures(arguments: argparse.Namespace) -> bool:
+    """Whether pictures are wanted; subcommands without ``--no-pictures`` always draw."""
+    return bool(getattr(arguments, "pictures", True))

@@ -39,6 +39,7 @@ def run(arguments: argparse.Namespace) -> int:
     from ...kinematics.paths import PATHS, path_for
     from ...motion.interpolation import between
     from ...studies.reports import singularities
+    from ...studies.reports.singularities_plot import pictures
 
     need_drawing(arguments)
     robot = robot_of(arguments.robot)
@@ -59,10 +60,5 @@ def run(arguments: argparse.Namespace) -> int:
             path, times, name = between(trajectory), trajectory.time, Path(name).name
         progress("looking for singular poses")
         found = singularities.examine(robot, name, path, times, arguments.formulation)
-        figures = {}
-        if arguments.pictures:
-            from ...studies.reports.singularities_plot import pictures
-
-            figures = pictures(found)
-        take(singularities.full_report(found, figures), progress)
+        take(singularities.full_report(found, pictures(found)), progress)
     return 0

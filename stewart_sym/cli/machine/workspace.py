@@ -83,6 +83,7 @@ def run(arguments: argparse.Namespace) -> int:
     from ...design.pose_limits import PoseLimits
     from ...design.workspace import workspace
     from ...studies.design.workspace import report, slices
+    from ...studies.design.workspace_plot import pictures
 
     need_drawing(arguments)
     robot = robot_of(arguments.robot)
@@ -116,11 +117,7 @@ def run(arguments: argparse.Namespace) -> int:
                 stacklevel=2,
             )
         planes = slices(robot, limits, found, progress)
-        figures = {}
-        if arguments.pictures:
-            from ...studies.design.workspace_plot import pictures
-
-            figures = pictures(robot.name, found, planes)
+        figures = pictures(robot.name, found, planes)
         take(report(robot, limits, found, planes, figures), progress)
     return 0
 

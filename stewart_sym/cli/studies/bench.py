@@ -5,7 +5,7 @@ from pathlib import Path
 
 from ..inputs import robot_of
 from ..options import html_file, json_file, other_robot, output
-from ..results import results
+from ..results import need_drawing, results
 from ..terminal import progress_line
 
 HELP = "time the kernels beside CasADi, Drake, Pinocchio, MuJoCo, JAX and the processor's limit"
@@ -30,6 +30,7 @@ def run(arguments: argparse.Namespace) -> int:
     from ...studies.benchmark.bench import bench
     from ...studies.benchmark.plot import full_report
 
+    need_drawing(arguments)
     robot = None if arguments.robot is None else robot_of(arguments.robot)
     with results(arguments, "bench") as take, progress_line() as progress:
         take(full_report(bench(robot, arguments.quick, progress)), progress)

@@ -46,7 +46,7 @@ def run(arguments: argparse.Namespace) -> int:
         studies = {
             label: control.track_paths(robot, paths, settings, progress) for label, robot in machines.items()
         }
-        take(full_report(studies, arguments.pictures), progress)
+        take(full_report(studies), progress)
     for study in studies.values():
         for line in study.exceeded:
             warnings.warn(line, stacklevel=2)

@@ -26,5 +26,5 @@ def run(arguments: argparse.Namespace) -> int:
 
     need_drawing(arguments)
     with results(arguments, "report") as take, progress_line() as progress:
-        take(full_report(reproduce(progress), arguments.pictures), progress)
+        take(full_report(reproduce(progress)), progress)
     return 0

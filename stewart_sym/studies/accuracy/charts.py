@@ -18,16 +18,14 @@ Chart = tuple[str, str, Picture]
 _KINDS = ("png", "svg")
 
 
-def full_report(
-    found: CostAccuracy, robot: Robot, pictures: bool = True, progress: Progress = silent
-) -> Report:
-    """The table of ``found``, and every chart's rows, with its picture if wanted."""
+def full_report(found: CostAccuracy, robot: Robot, progress: Progress = silent) -> Report:
+    """The table of ``found``, and every chart's rows with its picture."""
     every = list(charts(found, robot, progress))
     return Report(
         table(found),
         {name: rows for name, rows, _ in every},
         {**found.as_json(), "machine": host.machine(), "software": host.software()},
-        {name: picture for name, _, picture in every} if pictures else {},
+        {name: picture for name, _, picture in every},
     )
 
 

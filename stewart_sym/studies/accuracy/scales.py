@@ -7,7 +7,7 @@ import ctypes
 import dataclasses
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,12 +27,9 @@ from ...motion.motion import Motion
 from ...results import OK
 from ...robot.robot import Robot
 from ...robot.units import rescaled
+from ..common.drawing import Axes, Figure, as_written, legend_below, log_numbers, new_figure
 from ..common.draws import Spread, random_motions
 from ..common.output import csv_text
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
 
 Array = NDArray[Any]
 
@@ -276,17 +273,14 @@ _STYLE: Mapping[str, Mapping[str, Any]] = {
 }
 
 
-def figure(data: Scales) -> "Figure":
+def figure(data: Scales) -> Figure:
     """Largest and median error over size, over the platform's mass and over the legs', in three panels.
 
     Each panel takes its largest and median over all that it does not show; infinite errors are left out.
     """
-    from matplotlib.figure import Figure
+    picture = new_figure(10.0, 4.4)
     from matplotlib.ticker import LogLocator
 
-    from ..common.drawing import as_written, legend_below, log_numbers
-
-    picture = Figure(figsize=(10.0, 4.4), layout="constrained")
     picture.suptitle(
         f"Rounding error of the leg forces, exact, machines similar to {as_written(data.robot)}:\n"
         r"rounding units of each arithmetic $\times$ scaled condition number $\times$ largest force",
@@ -317,7 +311,7 @@ def figure(data: Scales) -> "Figure":
     return picture
 
 
-def _panel(axes: "Axes", data: Scales, axis: int, places: Array) -> None:
+def _panel(axes: Axes, data: Scales, axis: int, places: Array) -> None:
     """Largest errors as lines with marks, medians as thin lines, the bound across."""
     for name, style in _STYLE.items():
         if name not in data.errors:

@@ -5,7 +5,9 @@ import math
 import textwrap
 from collections.abc import Sequence
 
-from ...io.extras import install, needed_for
+from ...io.extras import install
+from ..common.drawing import BLUE, RED, Axes, new_figure
+from ..common.drawing import Figure as Canvas
 from ..common.host import DISTURBED
 from ..common.report import SMALL, Picture, Report
 from ..common.table import aligned
@@ -13,13 +15,9 @@ from .figures import MOST, TIMES_FASTER, Benchmark, MotionFigures
 from .samples import Figure, Samples
 from .shares import Share, shares
 
-with needed_for("drawing"):
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure as Canvas
-
 WIDTH = 110
 
-_OURS, _PEER, _LIMIT = "#1f4e9c", "#5a5a5a", "#c1440e"
+_OURS, _PEER, _LIMIT = BLUE, "#5a5a5a", RED
 _SOFTWARE = {
     "casadi": "CasADi",
     "pin": "Pinocchio",
@@ -382,7 +380,7 @@ def picture(found: Benchmark) -> Canvas:
     """Every candidate's time on a log axis, with the ratio to CasADi; below, time over batch size."""
     rows = len(found.ours) + len(found.baselines)
     heights = [0.36 * rows + 1.0, 2.3]
-    canvas = Canvas(figsize=(8.6, sum(heights) + 0.7), layout="constrained")
+    canvas = new_figure(8.6, sum(heights) + 0.7)
     canvas.set_layout_engine("constrained", w_pad=0.12, h_pad=0.06)
     above, below = canvas.subplots(2, 1, height_ratios=heights)
     processor = found.machine["processor"]
@@ -482,7 +480,7 @@ def motion_picture(found: Benchmark) -> Canvas:
     rows = [(figure, f"ours: {figure.name}", _OURS) for figure in motion.ours]
     rows += [(figure, f"{figure.name}: forward dynamics", _PEER) for figure in motion.baselines]
     rows.sort(key=lambda row: row[0].median)
-    canvas = Canvas(figsize=(8.6, 0.36 * len(rows) + 1.7), layout="constrained")
+    canvas = new_figure(8.6, 0.36 * len(rows) + 1.7)
     canvas.set_layout_engine("constrained", w_pad=0.12, h_pad=0.06)
     axes = canvas.subplots()
     canvas.suptitle(f"Equations of motion, one pose, ns: {found.machine['processor']}", x=0.5)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -15,17 +15,17 @@ from ...robot.robot import LEGS, Robot
 from ...viewer.instants import of_trajectory
 from ...viewer.view import View
 from ..common.output import csv_text
-from ..common.report import Picture, Report
+from ..common.report import Report
 from ..common.table import aligned
+from .size_plot import pictures
 
 _DEGREES = 180.0 / np.pi
 
 
-def report(robot: Robot, sources: Sequence[str], needs: Needs, figures: Mapping[str, Picture]) -> Report:
-    """Text, figures for programs, a row for each need as a table, and the pictures given."""
-    return Report(
-        _text(robot, sources, needs), {"needs": _table(needs)}, _data(robot, sources, needs), figures
-    )
+def report(robot: Robot, sources: Sequence[str], needs: Needs) -> Report:
+    """Text, figures for programs, a row for each need as a table, and a picture."""
+    text, tables = _text(robot, sources, needs), {"needs": _table(needs)}
+    return Report(text, tables, _data(robot, sources, needs), pictures(robot, needs))
 
 
 def views(

@@ -14,6 +14,7 @@ from ...viewer.view import view
 from ..common.report import Report
 from ..common.table import aligned
 from .claims import NEAR_ZERO, PAPER_FLOPS, SERIAL_ARM_FLOPS, Claim, claims, counted_fractions
+from .plots import pictures
 from .reproduce import Operations, Reproduction, run_columns
 
 WIDTH = 110
@@ -28,16 +29,11 @@ _FAULT_NAMES = {
 }
 
 
-def full_report(found: Reproduction, pictures: bool = True) -> Report:
-    """All tables, the runs over time, and if wanted the pictures of Figs. 4-10."""
+def full_report(found: Reproduction) -> Report:
+    """All tables, the runs over time, the pictures of Figs. 4-10 and a view of each path."""
     tables = {f"path_{path}_{form}": run_columns(run) for (path, form), run in found.runs.items()}
-    figures = {}
-    if pictures:
-        from . import plots
-
-        figures = plots.pictures(found)
     views = {f"Path {path}": functools.partial(view, found.robot, path) for path in PATHS}
-    return Report(report(found), tables, _data(found), figures, views)
+    return Report(report(found), tables, _data(found), pictures(found), views)
 
 
 def _data(found: Reproduction) -> dict[str, Any]:

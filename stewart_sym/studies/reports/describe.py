@@ -15,6 +15,7 @@ from ...results import STATUS_TEXT
 from ...robot.drive import Drive
 from ...robot.robot import Robot, legs_text
 from ..common.report import Report
+from .machine_plot import picture
 
 Array = NDArray[np.float64]
 
@@ -34,8 +35,8 @@ class _Unit(NamedTuple):
         return _vector(values / self.metres, digits)
 
 
-def report(robot: Robot, pictures: bool = False, length_unit: str = "m") -> Report:
-    """Everything about the robot; ``pictures``: drawn as well, by the extra ``plot``.
+def report(robot: Robot, length_unit: str = "m") -> Report:
+    """Everything about the robot, with a picture.
 
     length_unit: of lengths in the text; all else, and the data for programs, are in SI units.
     """
@@ -43,13 +44,9 @@ def report(robot: Robot, pictures: bool = False, length_unit: str = "m") -> Repo
         # The row "above" names both sides where they are equally plausible.
         warnings.simplefilter("ignore", AssemblyModeWarning)
         home = home_pose(robot)
-    figures = {}
-    if pictures:
-        from .machine_plot import picture
-
-        figures["machine"] = picture(robot, home)
     data = {**_data(robot), "home_pose": _home_data(robot, home)}
     unit = _Unit(length_unit, LENGTH_UNITS[length_unit])
+    figures = {"machine": picture(robot, home)}
     return Report(_description(robot, home, unit), data=data, figures=figures)
 
 
