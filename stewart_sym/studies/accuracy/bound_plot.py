@@ -8,11 +8,11 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...dynamics.bounds import forces_with_bounds
 from ...dynamics.forces import Precision
 from ...dynamics.home_pose import radius
+from ...io.array_types import Array, Flags
 from ...io.progress import Progress, silent, tracked
 from ...motion.motion import Motion
 from ...precision.quad import error, quad_forces
@@ -22,8 +22,6 @@ from ...robots import dasgupta1998
 from ..common.drawing import BLUE, DARK, RED, Axes, Figure, as_written, legend_below, log_numbers, new_figure
 from ..common.draws import Spread, random_motions
 from ..common.output import csv_text
-
-Array = NDArray[np.float64]
 
 CASES = 2000
 SPREAD = Spread(0.3, 0.5, 0.5)
@@ -48,7 +46,7 @@ class Precise:
     error: Array
     bound: Array
     rcond: Array
-    covered: NDArray[np.bool_]
+    covered: Flags
     robot: str
     left_out: int
 

@@ -6,9 +6,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
 from ...dynamics.inverse import first_fault
 from ...io import tables
 from ...io.arguments import shown
@@ -19,8 +16,6 @@ from ...motion.trajectory import JointTrajectory, Trajectory
 from ...reference.newton_euler import inverse_dynamics
 from ...robot.robot import Robot
 from ...singularities.joint_space import on_platform
-
-Array = NDArray[np.float64]
 
 SCHEMA = 1
 MARGIN = 3.0

@@ -21,6 +21,7 @@ from ...backend.kernel import FORMULATIONS, MOTION
 from ...backend.numpy_kernel import loaded
 from ...dynamics.forces import CORES, ForceKernel, Precision, prepare
 from ...dynamics.inverse import Backend, prepared_kernel
+from ...io.array_types import Array
 from ...io.progress import Progress, silent, tracked
 from ...kinematics.conditioning import characteristic_length, scaled_condition_number
 from ...kinematics.inverse import wrench_matrix
@@ -31,8 +32,6 @@ from ..benchmark.compile_times import text_size
 from ..common import host
 from ..common.loops import own_source
 from ..common.timing import Task, measured, repeated
-
-Array = NDArray[np.float64]
 
 PRECISIONS: tuple[Precision, ...] = ("float", "double")
 """The cheaper first."""

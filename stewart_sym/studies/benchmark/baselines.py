@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from ...backend import kernel, native
 from ...backend.c_kernel import address
 from ...dynamics.arrays import array_kernel
+from ...io.array_types import Array
 from ...reference import newton_euler
 from ..common import timing
 from ..common.loops import loop_source
@@ -23,7 +24,6 @@ from .samples import CLOSED, NAME, PLAIN
 if TYPE_CHECKING:
     from .baselines_casadi import Program
 
-Array = NDArray[np.float64]
 
 FEW, SLOW, MANY = 64, 1_000, 10_000
 """Poses of a loop over one-pose calls (their numbers stay in the first cache), of NumPy's, of a C batch."""

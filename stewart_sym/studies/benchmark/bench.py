@@ -18,11 +18,11 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...backend import c_kernel, kernel, native, numpy_kernel
 from ...dynamics import forces
 from ...dynamics.inverse import inverse_dynamics
+from ...io.array_types import Array
 from ...io.extras import EXTRAS, absent
 from ...io.progress import Progress, silent
 from ...reference import newton_euler as reference
@@ -53,8 +53,6 @@ from .figures import Benchmark, PassFigures
 from .poses import Poses, bench_poses
 from .processor import FUSED, Flags, Target, additions, multiply_add, targets, widest
 from .samples import BATCH, COLUMNS, FLOAT, NAME, ONE_POSE, Figure, Peak, Speedup
-
-Array = NDArray[np.float64]
 
 ROUNDS, QUICK_ROUNDS = 41, 9
 COMPILATIONS, QUICK_COMPILATIONS = 7, 3

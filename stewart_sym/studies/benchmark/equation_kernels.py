@@ -10,7 +10,6 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...backend import c_kernel, native
 from ...backend.c_kernel import address, pointers
@@ -18,6 +17,7 @@ from ...backend.kernel import robot_numbers
 from ...dynamics import forces
 from ...dynamics.equations import joint_space_inertia
 from ...exchange.machine import robot_of_bodies
+from ...io.array_types import Array
 from ...kinematics.inverse import wrench_matrix, wrench_matrix_rate
 from ...motion.motion import Motion
 from ...motion.rotation import cross_matrix, rotation_from_vector
@@ -35,7 +35,6 @@ from .poses import Poses
 from .processor import Flags, Target, widest
 from .samples import DERIVATIVES, EQUATIONS, FORWARD, INVERSE, NAME, REGRESSOR, Figure, batched
 
-Array = NDArray[np.float64]
 Run = Callable[[int], object]
 
 POSES = 16

@@ -11,11 +11,11 @@ from dataclasses import dataclass, fields
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...dynamics.equations import ForwardDynamics, equations_of_motion
 from ...dynamics.forces import OnePose, prepare
 from ...dynamics.inverse import Formulation, massless_forces
+from ...io.array_types import Array
 from ...io.progress import Progress, silent, tracked
 from ...kinematics.inverse import inverse_kinematics
 from ...kinematics.paths import path_for
@@ -28,8 +28,6 @@ from ...robots import dasgupta1998
 from ...simulation.actuator_models import ForceLaw, GravityCompensation, Model, ModelTorque, Wanted
 from ...simulation.fixed_step import advance
 from ..reports.track import exceeded
-
-Array = NDArray[np.float64]
 
 CONTROLLERS = ("exact", "paper", "massless", "gravity")
 TRACKED = ("I", "II")

@@ -10,11 +10,11 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...backend.kernel import MOTION
 from ...backend.native import CompilerError
 from ...derive.package.words import robot_symbol
+from ...io.array_types import Array
 from ...io.progress import Progress, silent, tracked
 from ...kinematics.inverse import inverse_kinematics
 from ...kit import Choice, kit
@@ -26,8 +26,6 @@ from ...results import NOT_FINITE
 from ...robot.robot import Robot
 from . import toolchain
 from .toolchain import CORES, Core
-
-Array = NDArray[np.float64]
 
 MOTIONS = 8
 """Poses on which a kernel is checked and counted."""

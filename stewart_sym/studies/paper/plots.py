@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...io.array_types import Array
 from ..common.drawing import (
     BLUE,
     DARK,
@@ -21,8 +21,6 @@ from ..common.drawing import (
 )
 from ..common.report import SMALL, Picture
 from .reproduce import PathRun, Reproduction
-
-Array = NDArray[np.float64]
 
 _PAPER_LINE: dict[str, Any] = {"linewidth": 1.3, "zorder": 3}
 _EXACT_LINE: dict[str, Any] = {"linewidth": 3.6, "alpha": 0.35, "zorder": 2, "solid_capstyle": "butt"}

@@ -6,12 +6,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...backend import native
 from ...backend.c_kernel import library
 from ...backend.kernel import FORMULATIONS, kernel_name
 from ...dynamics.inverse import Formulation, inverse_dynamics, massless_forces
+from ...io.array_types import Array
 from ...io.progress import Progress, silent, tracked
 from ...kinematics.conditioning import characteristic_length, condition_number, scaled_condition_number
 from ...motion.motion import Motion
@@ -21,8 +21,6 @@ from ...robot.robot import Robot
 from ...robots import dasgupta1998
 from ...singularities.along_path import crossings
 from ..common.output import Columns, of_legs
-
-Array = NDArray[np.float64]
 
 LIGHT_PLATFORM = 4.0
 """Platform mass, kg, of the order of one leg's, for the claim on the mass ratio."""

@@ -10,10 +10,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.stats import spearmanr
 
 from ...dynamics.inverse import inverse_dynamics
+from ...io.array_types import Array
 from ...io.json_text import json_text
 from ...io.writing import replaced_file
 from ...kinematics.conditioning import characteristic_length, scaled_condition_number
@@ -32,8 +32,6 @@ from ...robots import dasgupta1998
 from ...singularities.along_path import crossings
 from ..common.report import draw
 from ..robustness.sweep.machines import GRAVITY, random_machine
-
-Array = NDArray[np.float64]
 
 PATH_COUNT, MACHINE_COUNT, VIA_COUNT = 1000, 50, 6
 YAW = 0.3

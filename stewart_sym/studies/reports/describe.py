@@ -5,9 +5,9 @@ import warnings
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...dynamics.home_pose import HomePose, home_pose, radius
+from ...io.array_types import Array
 from ...kinematics.conditioning import characteristic_length
 from ...kinematics.mounting import AssemblyModeWarning
 from ...motion.logs import LENGTH_UNITS
@@ -16,8 +16,6 @@ from ...robot.drive import Drive
 from ...robot.robot import Robot, legs_text
 from ..common.report import Report
 from .machine_plot import picture
-
-Array = NDArray[np.float64]
 
 # Share of gravity along an axis of the base frame from which on it acts along that axis.
 _ALONG = 0.9

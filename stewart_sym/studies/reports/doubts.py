@@ -3,6 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from ...io.array_types import Array
 from ...kinematics.mounting import platform_side
 from ...kinematics.offset_legs import leg_lengths
 from ...kinematics.pose_search import jacobian
@@ -11,8 +12,6 @@ from ...motion.motion import Motion
 from ...motion.rotation import rotation_from_rpy
 from ...motion.trajectory import MOST_TURNS, PoseLog
 from ...robot.robot import Robot
-
-Array = NDArray[np.float64]
 
 
 def length_doubt(robot: Robot, lengths: Array) -> str | None:

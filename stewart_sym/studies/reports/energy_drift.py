@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from ...backend.kernel import FORMULATIONS
 from ...dynamics.inverse import Formulation
+from ...io.array_types import Array
 from ...motion.motion import Motion
 from ...simulation.actuator_models import LegSprings
 from ...simulation.limits import Thresholds
@@ -20,8 +21,6 @@ from ...simulation.simulation import simulate
 from ...simulation.trace import Simulation, Stop
 from ..common.drawing import BLUE, RED, Figure, legend_below, log_numbers, new_figure
 from ..paper.reproduce import without_friction
-
-Array = NDArray[np.float64]
 
 INSTANTS = 1001
 """Evenly spaced in a run's time, over which the kinetic energy is averaged."""

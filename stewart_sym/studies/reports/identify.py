@@ -6,7 +6,7 @@ from math import isnan
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ...dynamics.inverse import inverse_dynamics
 from ...identification.base_parameters import BaseParameters, base_parameters
@@ -16,6 +16,7 @@ from ...identification.estimation import Experiment, identify, simulated_experim
 from ...identification.excitation import choose_excitation
 from ...identification.parameters import inertial_parameters
 from ...identification.tool_point import about_point, about_reference
+from ...io.array_types import Array
 from ...io.instants import time_text
 from ...io.progress import Progress, silent
 from ...motion.logs import ANGLE_UNITS, LENGTH_UNITS, LogFormat
@@ -26,8 +27,6 @@ from ...robot.robot import Robot
 from ..common.output import csv_text, of_axes, of_legs
 from ..common.report import Report
 from ..common.table import aligned
-
-Array = NDArray[np.float64]
 
 # Share of a normal distribution within one, two and three standard deviations.
 NORMAL = (0.6827, 0.9545, 0.9973)

@@ -6,13 +6,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...dynamics.home_pose import HomePose, radius
+from ...io.array_types import Array
 from ...motion.motion import Motion
 from ...robot.offset_chains import chains
 from ...robot.robot import LEGS, Robot
 from ..common.drawing import BLUE, DARK, GREY, RED, Axes, Figure, as_written, name_points, new_figure
 from ..common.report import SMALL, Picture
-
-Array = NDArray[np.float64]
 
 BASE, PLATFORM, LEG, MARK, OFFSET = DARK, BLUE, GREY, RED, "#2a7f3f"
 

@@ -6,10 +6,10 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...drives.effort import at_instants, trapezoids
 from ...dynamics.inverse import inverse_dynamics
+from ...io.array_types import Array
 from ...kinematics.conditioning import characteristic_length, scaled_condition_number
 from ...kinematics.inverse import inverse_kinematics, wrench_matrix
 from ...motion.motion import Motion
@@ -32,8 +32,6 @@ from ...viewer.view import View
 from ..common.output import Columns, of_axes, of_legs
 from ..common.report import Picture, Report
 from .drives import DriveDigest
-
-Array = NDArray[np.float64]
 
 # Cosine of the pitch from which on the rates of roll and yaw are plain numbers.
 _PLAIN = 0.05

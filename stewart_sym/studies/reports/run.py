@@ -4,10 +4,10 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...drives.effort import of_motor_forces
 from ...dynamics.inverse import Formulation
+from ...io.array_types import Array
 from ...io.instants import least_step, time_text
 from ...motion.rotation import rpy_from_rotation
 from ...robot.robot import Robot
@@ -19,8 +19,6 @@ from ..common.report import Picture, Report
 from . import energy_drift
 from .drives import DriveDigest
 from .energy_drift import Drift, drift_of, energy_scale
-
-Array = NDArray[np.float64]
 
 
 def run_columns(run: Simulation) -> Columns:

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...dynamics.inverse import Formulation, inverse_dynamics
+from ...io.array_types import Array
 from ...io.instants import time_text
 from ...kinematics.conditioning import characteristic_length, moments_over
 from ...kinematics.inverse import ROUNDING, leg_vectors, wrench_matrix
@@ -29,8 +29,6 @@ from ...singularities.singular_poses import Singularity
 from ..common.output import Columns, of_axes, of_legs
 from ..common.report import Picture, Report
 from ..common.table import aligned
-
-Array = NDArray[np.float64]
 
 DISTANCES = tuple(10.0**-n for n in range(1, 8))
 """From a crossing at which the forces on both sides are computed, s."""

@@ -5,8 +5,8 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...io.array_types import Array
 from ...motion.motion import Motion
 from ...robot.robot import LEGS, Robot
 from ...singularities.singular_poses import Singularity
@@ -25,8 +25,6 @@ from ..common.output import Columns
 from ..common.report import Picture
 from .machine_plot import draw_legs, frame
 from .singularities import Examination, curves
-
-Array = NDArray[np.float64]
 
 MOST = 6
 """Crossings drawn; a path that goes to and fro may have many."""

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from ...drives.effort import Instants, at_instants
 from ...dynamics.force_noise import deviations_in_parts
 from ...dynamics.inverse import Backend, Formulation, first_fault, inverse_dynamics, joint_reactions
+from ...io.array_types import Array, Codes, Flags
 from ...io.error_policy import SingularPoseWarning
 from ...io.instants import elapsed, least_step, time_text
 from ...kinematics.conditioning import condition_number
@@ -21,9 +22,6 @@ from ...robot.robot import Robot
 from ..common.output import Columns, csv_lines, of_axes, of_legs
 from ..common.table import aligned
 from .drives import DriveDigest, drive_columns, no_instants
-
-Array = NDArray[np.float64]
-
 
 SURE = 3.0
 """Deviations within which a force is taken to lie: 99.7 % of normal errors."""
@@ -49,7 +47,7 @@ class Part(NamedTuple):
     L: Array
     L_dot: Array
     condition: Array
-    status: NDArray[np.int32]
+    status: Codes
     reactions: Reactions | None
     effort: Instants | None = None
 
@@ -216,7 +214,7 @@ class Digest:
             for one, other in zip(verdicts, elsewhere, strict=True)
         ]
 
-    def _at_replaced(self, time: Array) -> NDArray[np.bool_]:
+    def _at_replaced(self, time: Array) -> Flags:
         """Instants, (n,), whose deviations hold what is changed by replaced rows."""
         found = np.zeros(len(time), dtype=bool)
         for span in self.replaced:
@@ -371,9 +369,7 @@ def peak_noise(F: Array, F_sd: Array) -> Array:
     return np.asarray((possible - peak) / np.maximum(peak, np.finfo(float).tiny))
 
 
-def _noisy(
-    when: list[str], F: Array, F_sd: Array, share: float, cause: str, there: NDArray[np.bool_]
-) -> str | None:
+def _noisy(when: list[str], F: Array, F_sd: Array, share: float, cause: str, there: Flags) -> str | None:
     """One line about the leg whose peak is least sure, if a cause makes more than the share of it.
 
     when: the instants, s. there: those, (n,), at which the deviations are the cause's.
@@ -435,7 +431,7 @@ def _tell(trajectory: Trajectory | PoseLog, i: int, reason: str, allowed: bool) 
     warnings.warn(text, SingularPoseWarning, stacklevel=3)
 
 
-def _lengths_and_rates(robot: Robot, motion: Motion, good: NDArray[np.bool_]) -> tuple[Array, Array]:
+def _lengths_and_rates(robot: Robot, motion: Motion, good: Flags) -> tuple[Array, Array]:
     L, L_dot = np.full((2, *motion.shape, 6), np.nan)
     if np.any(good):
         legs: LegKinematics = inverse_kinematics(robot, motion[good])

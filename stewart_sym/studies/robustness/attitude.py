@@ -6,10 +6,10 @@ One motion is written down in each kind of input, its numbers rounded last; erro
 import dataclasses
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...backend.numpy_kernel import loaded
 from ...dynamics.inverse import inverse_dynamics
+from ...io.array_types import Array
 from ...motion.motion import Motion
 from ...motion.rotation import (
     quaternion_from_rotation,
@@ -27,8 +27,6 @@ from .family import Curve, Family, distances
 from .sweep.machines import random_machine, random_motion
 from .sweep.oracle import check_poses
 from .sweep.sweep import condition_of
-
-Array = NDArray[np.float64]
 
 INPUTS = ("roll-pitch-yaw", "rotation matrix", "quaternion", "rotation vector")
 """Ways to give an orientation and its rates."""

@@ -4,8 +4,8 @@ import dataclasses
 
 import mpmath
 import numpy as np
-from numpy.typing import NDArray
 
+from ...io.array_types import Array
 from ...kinematics.inverse import leg_vectors
 from ...motion.motion import Motion
 from ...precision.truth import digits
@@ -15,8 +15,6 @@ from .family import Curve, Family, distances, exact
 from .sweep.machines import LEGS, at_rest, random_machine, random_motion
 from .sweep.oracle import check_poses
 from .sweep.sweep import condition_of
-
-Array = NDArray[np.float64]
 
 FAILS = "leg along its universal joint's fixed axis"
 

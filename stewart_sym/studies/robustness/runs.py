@@ -4,10 +4,10 @@ import dataclasses
 from typing import cast
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...dynamics.equations import ForwardDynamics
 from ...dynamics.home_pose import home_pose
+from ...io.array_types import Array
 from ...kinematics.inverse import leg_vectors
 from ...motion.motion import Motion
 from ...motion.straight_line import PATHS
@@ -23,8 +23,6 @@ from ..paper.reproduce import without_friction
 from .family import EPS, Curve, Family
 from .singular import crossing_of_path_III
 from .sweep.machines import GRAVITY, machine_size, random_machine
-
-Array = NDArray[np.float64]
 
 STEP = 1e-3
 """Of the fixed steps, s."""

@@ -2,9 +2,9 @@
 
 import mpmath
 import numpy as np
-from numpy.typing import NDArray
 
 from ...dynamics.damping import damped_solution
+from ...io.array_types import Array
 from ...kinematics.conditioning import characteristic_length
 from ...kinematics.inverse import wrench_matrix
 from ...motion.motion import Motion
@@ -26,8 +26,6 @@ from .sweep.machines import (
     random_motion,
     similar_hexagons,
 )
-
-Array = NDArray[np.float64]
 
 FAILS = "H singular"
 REMEDY = "elimination with partial pivoting; status 4 where a pivot is rounding error against its row"

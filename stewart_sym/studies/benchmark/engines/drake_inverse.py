@@ -6,8 +6,8 @@ Gravity, load and friction are prepared as forces on the bodies, which is how th
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ....io.array_types import Array
 from ....io.extras import needed_for
 from ....motion.motion import Motion
 from ....motion.rotation import quaternion_from_rotation
@@ -21,8 +21,6 @@ with needed_for("the comparison with Drake"):
     from pydrake.multibody import tree
     from pydrake.multibody.math import SpatialForce
     from pydrake.multibody.plant import MultibodyPlant
-
-Array = NDArray[np.float64]
 
 
 def drake_inverse(robot: Robot, motion: Motion) -> Called:

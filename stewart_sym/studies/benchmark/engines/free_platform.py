@@ -9,16 +9,14 @@ from dataclasses import dataclass
 from types import SimpleNamespace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ....backend.numpy_kernel import loaded
+from ....io.array_types import Array
 from ....motion.motion import Motion
 from ....motion.rotation import cross_matrix
 from ....robot.robot import Robot
 from ..called import Called, Part
 from .tree import Legs, legs_of, turned
-
-Array = NDArray[np.float64]
 
 _SOLVED = 1024
 """Systems in one call of the solve, so that the call itself costs nothing a system."""

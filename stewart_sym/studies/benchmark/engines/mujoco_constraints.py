@@ -4,8 +4,8 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ....io.array_types import Array
 from ....io.extras import needed_for
 from ....motion.rotation import quaternion_from_rotation
 from ....robot.robot import Robot
@@ -14,7 +14,6 @@ from .tree import CARRIER, Engine, Tree, base_frames
 with needed_for("the comparison with MuJoCo"):
     import mujoco
 
-Array = NDArray[np.float64]
 
 STIFFNESS = 1e7
 """1/s^2: MuJoCo's acceleration of a closed point for each metre that it is open.

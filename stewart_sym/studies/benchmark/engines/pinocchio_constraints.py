@@ -4,8 +4,8 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ....io.array_types import Array
 from ....io.extras import needed_for
 from ....motion.rotation import quaternion_from_rotation
 from ....robot.robot import Robot
@@ -14,8 +14,6 @@ from .tree import CARRIER, Engine, Tree
 
 with needed_for("the comparison with Pinocchio"):
     import pinocchio as pin
-
-Array = NDArray[np.float64]
 
 
 def pinocchio_engine(robot: Robot, tree: Tree) -> Engine:

@@ -3,7 +3,6 @@
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ....io.extras import needed_for
 from ....motion.motion import Motion
@@ -16,7 +15,6 @@ from .tree import base_frames
 with needed_for("the comparison with Pinocchio"):
     import pinocchio as pin
 
-Array = NDArray[np.float64]
 
 QUATERNION_W_LAST = [1, 2, 3, 0]
 

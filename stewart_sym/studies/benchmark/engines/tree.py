@@ -9,12 +9,10 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ....io.array_types import Array
 from ....motion.motion import Motion
 from ....robot.robot import Robot
-
-Array = NDArray[np.float64]
 
 CARRIER = 5
 """The leg that carries the platform."""

@@ -3,13 +3,11 @@
 import dataclasses
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ....io.array_types import Array
 from ....motion.motion import Motion
 from ....motion.rotation import rotation_from_vector
 from ....robot.robot import Robot
-
-Array = NDArray[np.float64]
 
 GRAVITY = 9.81
 LEGS = ("general", "axisymmetric", "slender", "nearly massless")

@@ -21,10 +21,9 @@ from ....backend.c_kernel import address, c_sources
 from ....backend.kernel import MOTION, robot_numbers
 from ....backend.numpy_kernel import loaded
 from ....dynamics import closed_form
+from ....io.array_types import Array
 from ....motion.motion import Motion
 from ....robot.robot import Robot
-
-Array = NDArray[np.float64]
 
 KERNELS = ("one pose", "batch", "every output")
 """Shipped kernels that are checked."""

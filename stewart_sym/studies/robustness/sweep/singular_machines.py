@@ -11,10 +11,10 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from ....io.array_types import Array
 from ....robot.robot import Robot
 from .machines import LEGS, random_machine
 
-Array = NDArray[np.float64]
 Whole = NDArray[np.int64]
 Points = tuple[Whole, Whole]
 

@@ -7,14 +7,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ....backend.kernel import robot_numbers
+from ....io.array_types import Array, Codes, Flags
 from ....io.progress import Progress, silent
 from ....results import OK, STATUS_TEXT
 from ...common.table import aligned
 from .machines import LEGS, machine_size, random_machine
 from .oracle import CLOSED_KERNELS, KERNELS, KINDS, MACHINE, check_random, closed_form_errors
 from .singular_machines import FAMILIES, singular_machine
-
-Array = NDArray[np.float64]
 
 WRONG = 1000.0
 """Rounding units over the problem's own condition number above which an answer is wrong."""
@@ -125,9 +124,9 @@ class _Answers:
     """One kernel's answers, all (n,): error in rounding units, condition of the problem and of the pose."""
 
     kernel: str
-    made: NDArray[np.bool_]
-    status: NDArray[np.int32]
-    truth: NDArray[np.int32]
+    made: Flags
+    status: Codes
+    truth: Codes
     error: Array
     condition: Array
     of_pose: Array
