@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..backend import native
-from ..backend.c_kernel import address, c_sources, contiguous
+from ..backend.c_kernel import address, c_sources, contiguous, pointers
 from ..backend.kernel import MOTION, defines_of, robot_kernel, robot_numbers, takes_rotors
 from ..io.array_types import Array
 from ..motion.motion import Motion
@@ -47,7 +47,7 @@ def quad_forces(
     _library(name).quad_forces(
         address(numbers),
         ctypes.c_size_t(high.size // 6),
-        (ctypes.c_void_p * len(inputs))(*map(address, inputs)),
+        pointers(inputs),
         ctypes.c_int(not as_given),
         address(high),
         address(low),

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from ... import robots
 from ...backend import native
-from ...backend.c_kernel import address, c_sources
+from ...backend.c_kernel import address, c_sources, pointers
 from ...backend.kernel import MOTION, kernel_name, robot_numbers
 from ...backend.numpy_kernel import loaded
 from ...dynamics.home_pose import radius
@@ -240,7 +240,7 @@ def _forces(name: str, how: _Arithmetic, numbers: Array, motion: Motion) -> Arra
         getattr(functions, f"stewart_{name}_forces_batch")(
             address(model),
             ctypes.c_size_t(count),
-            (ctypes.c_void_p * len(arrays))(*map(address, arrays)),
+            pointers(arrays),
             address(F),
             address(np.zeros(count, dtype=np.int32)),
         )

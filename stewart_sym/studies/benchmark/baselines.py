@@ -141,16 +141,8 @@ def _casadi(name: str, what: str, equations: str) -> Candidate:
         library = native.load("bench_casadi", program().sources, flags)
         return c_loop(library, kernel.robot_numbers(poses.robot), poses)
 
-    return Candidate(
-        name,
-        what,
-        "one pose",
-        FEW,
-        make,
-        operations=lambda: program().operations,
-        package="casadi",
-        function="drive",
-    )
+    counted: Any = {"operations": lambda: program().operations}
+    return Candidate(name, what, "one pose", FEW, make, **counted, package="casadi", function="drive")
 
 
 CASADI = _casadi(PLAIN, "C, base frame", "base_frame")
@@ -211,12 +203,7 @@ def jax_one_pose(poses: Poses) -> Called:
     )
 
     def loop(function: Any) -> Callable[[int], None]:
-        def run(repeats: int) -> None:
-            for _ in range(repeats):
-                for pose in given:
-                    function(pose).block_until_ready()
-
-        return run
+        return timing.over(lambda pose: function(pose).block_until_ready(), [(pose,) for pose in given])
 
     part = Part("kernel", "the compiled kernel", loop(compiled), len(given))
     empty = Part("empty call", "a compiled function that returns zeros", loop(nothing), len(given))

@@ -60,6 +60,8 @@ COMPILATIONS, QUICK_COMPILATIONS = 7, 3
 SIZES, QUICK_SIZES = (10**3, 10**4, 10**5, 10**6, 10**7), (10**3, 10**4, 10**5)
 _SWEEP_ROUNDS = {10**6: 15, 10**7: 7}
 
+_Make = Callable[[Poses, Flags], Runner]
+
 
 # --- the candidates --------------------------------------------------------------------------
 
@@ -82,7 +84,7 @@ def _fast_pose(poses: Poses, flags: Flags) -> Runner:
     return c_loop(library, forces.prepare(poses.robot, NAME).model, poses)
 
 
-def _batch(precision: forces.Precision, threads: int) -> Callable[[Poses, Flags], Runner]:
+def _batch(precision: forces.Precision, threads: int) -> _Make:
     """``stewart_exact_forces_batch``, called from Python with given arrays."""
 
     def make(poses: Poses, flags: Flags) -> Runner:
@@ -142,10 +144,6 @@ def _prepared_call(poses: Poses, _: Flags) -> Runner:
     slot = forces.prepare(poses.robot, NAME).one_pose()
     slot.numbers[...] = poses.rows[0]
 
-    def run(repeats: int) -> None:
-        for _ in range(repeats):
-            slot.solve()
-
     def found() -> Array:
         F = []
         for row in poses.rows:
@@ -154,19 +152,14 @@ def _prepared_call(poses: Poses, _: Flags) -> Runner:
             F.append(slot.F.copy())
         return np.array(F)
 
-    return Runner(run, found)
+    return repeated(slot.solve, found)
 
 
 def _python_call(poses: Poses, _: Flags) -> Runner:
     """``inverse_dynamics`` as users call it, one pose a call."""
-    robot, motions = poses.robot, [poses.motion[i] for i in range(len(poses))]
-
-    def run(repeats: int) -> None:
-        for _ in range(repeats):
-            for motion in motions:
-                inverse_dynamics(robot, motion)
-
-    return Runner(run, lambda: np.array([inverse_dynamics(robot, motion).F for motion in motions]))
+    given = [(poses.robot, poses.motion[i]) for i in range(len(poses))]
+    found = timing.over(inverse_dynamics, given)
+    return Runner(found, lambda: np.array([inverse_dynamics(*each).F for each in given]))
 
 
 def _numpy(poses: Poses, _: Flags) -> Runner:
@@ -186,48 +179,22 @@ CORES = os.cpu_count() or 1
 FLOAT_AGREEMENT = 1e-3
 ALL_CORES = f"batch, {CORES} cores"
 _BATCH = f"stewart_{NAME}_forces_batch"
+
+
+def _forces_batch(name: str, make: _Make, function: str = _BATCH, **more: Any) -> Candidate:
+    """The forces alone of many poses in one call of the C."""
+    counted: Any = {"operations": _force_operations, "function": function, **more}
+    return Candidate(name, "C, F alone", "batch", LARGE, make, **counted)
+
+
 OURS = (
     Candidate(
         ONE_POSE, "C, F alone", "one pose", FEW, _fast_pose, operations=_force_operations, function="drive"
     ),
-    Candidate(
-        BATCH,
-        "C, F alone",
-        "batch",
-        LARGE,
-        _batch("double", 1),
-        sweep=True,
-        operations=_force_operations,
-        function=_BATCH,
-    ),
-    Candidate(
-        COLUMNS,
-        "C, F alone",
-        "batch",
-        LARGE,
-        _columns,
-        operations=_force_operations,
-        function=f"stewart_{NAME}_forces_columns",
-    ),
-    Candidate(
-        ALL_CORES,
-        "C, F alone",
-        "batch",
-        LARGE,
-        _batch("double", CORES),
-        operations=_force_operations,
-        function=_BATCH,
-    ),
-    Candidate(
-        FLOAT,
-        "C, F alone",
-        "batch",
-        LARGE,
-        _batch("float", 1),
-        operations=_force_operations,
-        tolerance=FLOAT_AGREEMENT,
-        function=_BATCH,
-    ),
+    _forces_batch(BATCH, _batch("double", 1), sweep=True),
+    _forces_batch(COLUMNS, _columns, f"stewart_{NAME}_forces_columns"),
+    _forces_batch(ALL_CORES, _batch("double", CORES)),
+    _forces_batch(FLOAT, _batch("float", 1), tolerance=FLOAT_AGREEMENT),
     Candidate(
         "every output", "C, D K H c x F", "one pose", FEW, _one_pose, operations=_operations, function="drive"
     ),
@@ -462,9 +429,6 @@ def _swept(poses: Poses, sizes: Sequence[int], rounds: int, progress: Progress) 
         for each in swept
         for size in sizes
     )
-
-
-# --- memory ---------------------------------------------------------------------------------------
 
 
 def _free_memory() -> int:

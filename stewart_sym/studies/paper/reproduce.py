@@ -14,7 +14,7 @@ from ...dynamics.inverse import Formulation, inverse_dynamics, massless_forces
 from ...io.array_types import Array
 from ...io.progress import Progress, silent, tracked
 from ...kinematics.conditioning import characteristic_length, condition_number, scaled_condition_number
-from ...motion.motion import Motion
+from ...motion.motion import Motion, at_rest
 from ...motion.straight_line import PATHS
 from ...reference import newton_euler
 from ...robot.robot import Robot
@@ -162,7 +162,8 @@ def run_path(robot: Robot, name: str, formulation: Formulation | str, rest: bool
     """Run a path of ``PATHS`` at the paper's time step, or rest at each of its poses."""
     path, dtau = PATHS[name]
     time = path.times(dtau)
-    motion = at_rest(path.sample(time)) if rest else path.sample(time)
+    motion = path.sample(time)
+    motion = at_rest(motion.R, motion.t) if rest else motion
     forces = inverse_dynamics(robot, motion, formulation)  # type: ignore[arg-type]
     return PathRun(
         path=name,
@@ -186,12 +187,6 @@ def run_columns(run: PathRun) -> Columns:
     }
 
 
-def at_rest(motion: Motion) -> Motion:
-    """Return the same poses without rates and accelerations."""
-    zero = np.zeros(3)
-    return Motion(motion.R, motion.t, zero, zero, zero, zero)
-
-
 def without_friction(robot: Robot) -> Robot:
     """Return the robot with all eighteen friction coefficients 0."""
     zero = np.zeros(6)
@@ -205,7 +200,7 @@ def fault_cost(robot: Robot, faults: frozenset[int]) -> FaultCost:
     for name, (path, dtau) in PATHS.items():
         motion = path.sample(path.times(dtau))
         moving[name] = _difference(frictionless, motion, faults)
-        resting[name] = _difference(frictionless, at_rest(motion), faults)
+        resting[name] = _difference(frictionless, at_rest(motion.R, motion.t), faults)
     return FaultCost(faults, moving, resting)
 
 

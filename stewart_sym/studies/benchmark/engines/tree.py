@@ -2,7 +2,7 @@
 
 Six legs, each revolute about k, revolute about y, prismatic along s; the platform hangs on the last leg by
 a spherical joint, and five points remain to be closed. Joint coordinates, rates and generalised forces are
-prepared for ``constraints``, whose engines share no equation with the generated kernels.
+prepared for the engines, which share no equation with the generated kernels.
 """
 
 from collections.abc import Callable

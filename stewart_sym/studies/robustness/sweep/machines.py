@@ -83,11 +83,6 @@ def at_rest(motion: Motion) -> Motion:
     return dataclasses.replace(motion, omega=none, v=none, alpha=none, a=none)
 
 
-def posed(motion: Motion, R: Array, t: Array) -> Motion:
-    """The rates, accelerations and load of a motion in another pose."""
-    return dataclasses.replace(motion, R=R, t=t)
-
-
 def machine_size(robot: Robot) -> float:
     """Root mean square distance of the base points from their mean, m."""
     from_mean = robot.b - robot.b.mean(axis=0)
