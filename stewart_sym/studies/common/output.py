@@ -10,6 +10,8 @@ import numpy as np
 import orjson
 from numpy.typing import NDArray
 
+from ...motion.rotation import quaternion_from_rotation
+
 _ROWS = 1024
 
 
@@ -25,6 +27,12 @@ def of_legs(name: str, values: NDArray[Any], ending: str = "") -> Columns:
 def of_axes(name: str, values: NDArray[Any]) -> Columns:
     """Columns of each axis, ``name_x`` to ``name_z``, from (n, 3)."""
     return {f"{name}_{axis}": column for axis, column in zip("xyz", values.T, strict=True)}
+
+
+def of_rotations(R: NDArray[Any]) -> Columns:
+    """Columns of quaternions, ``q_w`` to ``q_z``, from (n, 3, 3)."""
+    parts = quaternion_from_rotation(R).T
+    return {f"q_{name}": column for name, column in zip("wxyz", parts, strict=True)}
 
 
 def csv_lines(columns: Mapping[str, NDArray[Any]], header: bool = True) -> Iterator[str]:

@@ -246,24 +246,16 @@ def _drives(drive: Drive, unit: _Unit) -> str:
 
 def _limits(robot: Robot, length: _Unit) -> str:
     parts = []
-    for name, low, high, unit in (
-        (
-            "length",
-            robot.length_limits[:, 0] / length.metres,
-            robot.length_limits[:, 1] / length.metres,
-            length.name,
-        ),
-        ("force", None, robot.force_limit, "N"),
-        ("speed", None, robot.speed_limit / length.metres, f"{length.name}/s"),
+    for name, limits, unit in (
+        ("length", (robot.length_limits / length.metres).T, length.name),
+        ("force", robot.force_limit[None], "N"),
+        ("speed", robot.speed_limit[None] / length.metres, f"{length.name}/s"),
     ):
-        legs = int(np.count_nonzero(np.isfinite(high)))
-        if not legs:
-            parts.append(f"{name} none")
-            continue
-        some = "" if legs == len(high) else f" ({legs} of 6 legs)"
-        given = np.isfinite(high)
-        span = _range(high[given]) if low is None else f"{_range(low[given])} to {_range(high[given])}"
-        parts.append(f"{name} {span} {unit}{some}")
+        given = np.isfinite(limits[-1])
+        legs = int(np.count_nonzero(given))
+        some = "" if legs == len(given) else f" ({legs} of 6 legs)"
+        span = " to ".join(_range(limit[given]) for limit in limits) if legs else ""
+        parts.append(f"{name} {span} {unit}{some}" if legs else f"{name} none")
     return "; ".join(parts)
 
 

@@ -12,19 +12,17 @@ from ...dynamics.inverse import inverse_dynamics
 from ...identification.base_parameters import BaseParameters, base_parameters
 from ...identification.drive_terms import DriveEstimate
 from ...identification.estimates import Estimate
-from ...identification.estimation import Experiment, identify, simulated_experiment
-from ...identification.excitation import choose_excitation
+from ...identification.estimation import Experiment, identify
 from ...identification.parameters import inertial_parameters
 from ...identification.tool_point import about_point, about_reference
 from ...io.array_types import Array
 from ...io.instants import time_text
-from ...io.progress import Progress, silent
 from ...motion.logs import ANGLE_UNITS, LENGTH_UNITS, LogFormat
-from ...motion.rotation import quaternion_from_rotation, rpy_from_rotation
+from ...motion.rotation import rpy_from_rotation
 from ...motion.smooth_motion import PoseNoise, estimated_noise, smoothed
 from ...motion.trajectory import Trajectory
 from ...robot.robot import Robot
-from ..common.output import csv_text, of_axes, of_legs
+from ..common.output import csv_text, of_axes, of_legs, of_rotations
 from ..common.report import Report
 from ..common.table import aligned
 
@@ -40,28 +38,6 @@ _TOLD = 2
 _LEAST_MISFIT, _MOST_TIMES = 0.2, 100.0
 SI = LogFormat()
 _COORDINATES = (("t", "theta"), ("v", "theta_dot"), ("a", "theta_ddot"))
-
-
-def identification(
-    robot: Robot,
-    sigma: float,
-    seed: int,
-    period: float | None,
-    harmonics: int,
-    samples: int,
-    candidates: int,
-    noise_position: float = 0.0,
-    noise_angle: float = 0.0,
-    progress: Progress = silent,
-    shared: str | None = None,
-) -> Experiment:
-    """Choose the motion, measure along it and identify.
-
-    Arguments as for ``choose_excitation`` and ``simulated_experiment``; seed: of both.
-    """
-    excited = choose_excitation(robot, period, harmonics, samples, candidates, seed, progress, shared)
-    progress("identifying")
-    return simulated_experiment(robot, excited, sigma, seed, noise_position, noise_angle)
 
 
 def from_measurement(
@@ -357,8 +333,7 @@ def trajectory_columns(robot: Robot, found: Experiment) -> dict[str, Array]:
     columns = {"time": found.excitation.time}
     if robot.tool.any() or robot.euler_order != "zyx":
         motion = found.measured.about_point(robot.tool)
-        quaternion = zip("wxyz", quaternion_from_rotation(motion.R).T, strict=True)
-        return columns | of_axes("t", motion.t) | {f"q_{name}": column for name, column in quaternion}
+        return columns | of_axes("t", motion.t) | of_rotations(motion.R)
     coordinates: tuple[Array, ...] = found.excitation.path.coordinates(columns["time"])
     if found.noise is not None:
         coordinates = (np.hstack([found.measured.t, rpy_from_rotation(found.measured.R)]),)

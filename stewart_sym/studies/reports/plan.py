@@ -16,7 +16,6 @@ from ...motion.motion import Motion
 from ...motion.rotation import (
     angular_acceleration_from_rpy,
     angular_velocity_from_rpy,
-    quaternion_from_rotation,
     rpy_from_rotation,
     vector_from_rotation,
 )
@@ -29,7 +28,7 @@ from ...planning.timing.path_terms import force_limits
 from ...robot.robot import Robot
 from ...viewer.instants import of_motion
 from ...viewer.view import View
-from ..common.output import Columns, of_axes, of_legs
+from ..common.output import Columns, of_axes, of_legs, of_rotations
 from ..common.report import Picture, Report
 from .drives import DriveDigest
 
@@ -96,8 +95,7 @@ def trajectory(robot: Robot, times: Array, motion: Motion) -> Columns:
     theta = np.unwrap(rpy_from_rotation(at_tool.R), axis=0)
     columns: Columns = {"time": times, **of_axes("t", at_tool.t)}
     if robot.euler_order != "zyx" or np.abs(np.cos(theta[:, 1])).min() < _PLAIN:
-        quaternion = quaternion_from_rotation(at_tool.R)
-        return columns | {f"q_{part}": column for part, column in zip("wxyz", quaternion.T, strict=True)}
+        return columns | of_rotations(at_tool.R)
     axes = np.stack(
         [angular_velocity_from_rpy(theta, np.broadcast_to(unit, theta.shape)) for unit in np.eye(3)], axis=-1
     )

@@ -343,17 +343,8 @@ def _legs_table(found: Examination) -> str:
             *_cells(along.longest, leg),
             f"{high - along.longest.value[leg]:.4g}" if np.isfinite(high) else "none",
         ))  # fmt: skip
-    header = (
-        "leg",
-        "|k x s|",
-        "at, s",
-        "least L, m",
-        "at, s",
-        "to limit",
-        "most L, m",
-        "at, s",
-        "to limit",
-    )
+    of_lengths = ("least L, m", "at, s", "to limit", "most L, m", "at, s", "to limit")
+    header = ("leg", "|k x s|", "at, s", *of_lengths)
     return "Nearest to the universal joint's axis and to the limits of length\n" + aligned(header, rows)
 
 

@@ -30,17 +30,8 @@ KERNELS = ("one pose", "batch", "every output")
 CLOSED_KERNELS = tuple(closed_form.OUTPUTS)
 """Shipped kernels of the closed form that are held against wider arithmetic."""
 KINDS = (
-    *(
-        "singular",
-        "joint singularity",
-        "zero-length leg",
-        "scales",
-        "joint and singular",
-        "heavy leg",
-        "proportions",
-        "far reference point",
-    ),
-    "singular machine",
+    *("singular", "joint singularity", "zero-length leg", "scales", "joint and singular", "heavy leg"),
+    *("proportions", "far reference point", "singular machine"),
 )
 """Failures that random cases come near to, and machines that are singular at every pose."""
 DOUBTFUL = 10.0
@@ -54,14 +45,9 @@ MACHINE = KINDS[-1]
 
 RESULT = np.dtype(
     [
-        ("distance", np.float64),
-        ("size", np.float64),
-        ("own", np.float64),
-        ("scaled", np.float64),
-        ("frames", np.float64),
+        *((name, np.float64) for name in ("distance", "size", "own", "scaled", "frames")),
         ("error", np.float64, (len(KERNELS),)),
-        ("truth", np.int32),
-        ("in_quad", np.int32),
+        *((name, np.int32) for name in ("truth", "in_quad")),
         ("status", np.int32, (len(KERNELS),)),
         ("made", np.int32),
     ]
