@@ -26,7 +26,7 @@ _MACROS = {
     "STEWART_EPSILON": "FLT128_EPSILON",
     "STEWART_MAX": "FLT128_MAX",
 }
-# Of the linker's libraries that stand before the sources, only those kept by force are linked.
+# The library is named before the sources, where the linker drops what it does not need yet.
 _FLAGS = ("-include", "quadmath.h", "-Wl,--no-as-needed", "-lquadmath")
 
 

@@ -25,10 +25,10 @@ from ..common.output import csv_text
 
 CASES = 2000
 SPREAD = Spread(0.3, 0.5, 0.5)
-"""Of the motions; a machine without gravity takes a second to fall its own size."""
+"""How far the motions spread; without gravity they take a second as the machine's own time."""
 
 FAR = 1000.0
-"""Times the error that a bound should not exceed."""
+"""A bound should not exceed the error by more than this factor."""
 
 _PRECISIONS: dict[Precision, type[np.floating[Any]]] = {"double": np.float64, "float": np.float32}
 _MARKS = {"double": (BLUE, "o"), "float": (RED, "^")}

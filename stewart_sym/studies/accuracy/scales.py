@@ -41,7 +41,7 @@ MASSES = tuple(10.0**power for power in range(-6, 7, 3))
 MEANT = (1e-3, 10.0)
 """Sizes of the machines that float is meant for, m."""
 BOUND = 100.0
-"""Error, in rounding units times condition number, that no arithmetic is to exceed."""
+"""No error should exceed so many rounding units times the condition number."""
 
 MAX_CONDITION = 60.0
 _DRAWS = 40

@@ -160,9 +160,9 @@ PEERS = (
 _UNFUSED: dict[str, str | bool] = {
     "xla_disable_hlo_passes": "fusion,cpu-instruction-fusion,instruction-fusion,cpu_instruction_fusion"
 }
-"""Of a batch: fused, XLA computes shared terms again for each use, and takes twice as long to run.
+"""Options for a batch. With fusion XLA computes shared terms once for each use, twice as slowly.
 
-One pose alone takes half the time fused.
+One pose alone takes half the time with fusion, and is compiled with it.
 """
 
 

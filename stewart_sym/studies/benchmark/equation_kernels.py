@@ -321,7 +321,7 @@ def engines(robot: Robot, tree: Tree) -> tuple[Engine, ...]:
 
 
 _EMPTY = ", nothing"
-"""Ends the names of tasks that call over models without bodies."""
+"""Ending of the names of tasks that call the engine on a model without bodies."""
 
 
 def _task(name: str, kind: str = "") -> str:

@@ -10,8 +10,8 @@ from ...io.extras import install
 from ..common.drawing import BLUE, RED, Axes, new_figure
 from ..common.drawing import Figure as Canvas
 from ..common.host import DISTURBED
+from ..common.output import aligned
 from ..common.report import SMALL, Picture, Report
-from ..common.table import aligned
 from .figures import MOST, TIMES_FASTER, Benchmark, MotionFigures
 from .samples import Figure, Samples
 from .shares import Share, shares

@@ -23,9 +23,9 @@ Place = tuple[float, float]
 """Data coordinates (x, y)."""
 
 _DECADES = 2.0
-"""Below which ticks of a logarithmic axis stand between powers of ten too, as plain numbers."""
+"""An axis over fewer decades also has ticks between the powers of ten, and all are plain numbers."""
 _MARGIN = 0.02
-"""Of the figure's width, that a legend leaves free in all."""
+"""Share of the figure's width that stays free beside a legend."""
 
 
 def new_figure(width: float, height: float) -> Figure:

@@ -15,7 +15,7 @@ _VECTORS = ("avx512f", "avx2", "asimd")
 
 
 DISTURBED = 0.03
-"""Share of the cores' time in others' hands from which on what was timed is called disturbed."""
+"""Times are called disturbed if other processes took more than this share of the cores' time."""
 
 
 def machine() -> dict[str, Any]:

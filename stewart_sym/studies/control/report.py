@@ -5,9 +5,8 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from ..common.drawing import BLUE, DARK, RED, Figure, as_written, legend_below, log_numbers, new_figure
-from ..common.output import Columns, csv_text, of_legs
+from ..common.output import Columns, aligned, csv_text, of_legs
 from ..common.report import Picture, Report, Table
-from ..common.table import aligned
 from .control import Run, Settings, Study
 
 NAMES = {

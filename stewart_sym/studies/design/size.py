@@ -14,12 +14,9 @@ from ...motion.trajectory import PoseLog, Trajectory
 from ...robot.robot import LEGS, Robot
 from ...viewer.instants import of_trajectory
 from ...viewer.view import View
-from ..common.output import csv_text
+from ..common.output import aligned, csv_text
 from ..common.report import Report
-from ..common.table import aligned
 from .size_plot import pictures
-
-_DEGREES = 180.0 / np.pi
 
 
 def report(robot: Robot, sources: Sequence[str], needs: Needs) -> Report:
@@ -67,8 +64,8 @@ def rows(needs: Needs) -> Iterator[tuple[str, str, Array]]:
     yield "stroke", "m", needs.stroke
     yield "shortest leg", "m", needs.length[:, 0]
     yield "longest leg", "m", needs.length[:, 1]
-    yield "base joint", "degrees", needs.base_angle * _DEGREES
-    yield "platform joint", "degrees", needs.platform_angle * _DEGREES
+    yield "base joint", "degrees", np.degrees(needs.base_angle)
+    yield "platform joint", "degrees", np.degrees(needs.platform_angle)
 
 
 def _text(robot: Robot, sources: Sequence[str], needs: Needs) -> str:

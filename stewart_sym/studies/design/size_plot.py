@@ -11,7 +11,6 @@ from ..common.drawing import DARK, LEG_COLORS, Axes, Figure, as_written, legend_
 from ..common.report import SMALL, Picture
 
 _LIMIT: dict[str, Any] = {"color": "#9c1f1f", "linestyle": (0, (4, 2)), "linewidth": 1.1}
-_DEGREES = 180.0 / np.pi
 _MOST = 4000
 """Points of a leg that are drawn."""
 
@@ -98,12 +97,12 @@ def _angles(axes: Axes, robot: Robot, needs: Needs) -> None:
     ends = ((needs.base_angle, -0.2, ""), (needs.platform_angle, 0.2, "///"))
     for end, (angles, shift, hatch) in enumerate(ends):
         for leg, color in enumerate(LEG_COLORS):
-            place, angle = leg + 1 + shift, angles[leg] * _DEGREES
+            place, angle = leg + 1 + shift, np.degrees(angles[leg])
             axes.bar(place, angle * (1.0 + needs.margin), color=color, alpha=0.3, width=0.36)
             axes.bar(place, angle, color=color, width=0.36, hatch=hatch, edgecolor="white")
             limit = robot.joint_angle_limit[leg, end]
             if limit < np.pi:
-                axes.hlines(limit * _DEGREES, place - 0.2, place + 0.2, **_LIMIT)
+                axes.hlines(np.degrees(limit), place - 0.2, place + 0.2, **_LIMIT)
     axes.set(
         xlabel="leg; base joint left, platform joint right, hatched",
         ylabel="joint angle, degrees",

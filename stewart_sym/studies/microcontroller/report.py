@@ -1,7 +1,7 @@
 """The study of a controller's processor for people and programs: a table and JSON."""
 
+from ..common.output import aligned
 from ..common.report import Report
-from ..common.table import aligned
 from .measure import Figures, Study
 
 HEADER = (

@@ -11,8 +11,8 @@ import numpy as np
 from ...motion.straight_line import PATHS
 from ...reference.newton_euler import EXACT, PAPER
 from ...viewer.view import view
+from ..common.output import aligned
 from ..common.report import Report
-from ..common.table import aligned
 from .claims import NEAR_ZERO, PAPER_FLOPS, SERIAL_ARM_FLOPS, Claim, claims, counted_fractions
 from .plots import pictures
 from .reproduce import Operations, Reproduction, run_columns

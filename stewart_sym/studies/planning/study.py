@@ -35,11 +35,11 @@ from ..robustness.sweep.machines import GRAVITY, random_machine
 
 PATH_COUNT, MACHINE_COUNT, VIA_COUNT = 1000, 50, 6
 YAW = 0.3
-"""By which the end of Path III may be turned about the platform's own axis, rad."""
+"""The end of Path III may be turned by up to this angle about the platform's own axis, rad."""
 DURATION = 6.0
-"""Of Path III, s."""
+"""Duration of Path III, s."""
 FORCE_OVER_REST, LONGER = 1.5, 1.5
-"""Limit of force over the largest at rest, and a duration over the least time."""
+"""The limit of force is so many times the largest at rest, the duration so many times the least time."""
 
 _SAMPLES = 201
 _MOST_CONDITION = 40.0

@@ -17,7 +17,7 @@ from ...robot.robot import Robot, legs_text
 from ..common.report import Report
 from .machine_plot import picture
 
-# Share of gravity along an axis of the base frame from which on it acts along that axis.
+# Gravity acts along an axis of the base frame if its component there is more than this share of it.
 _ALONG = 0.9
 
 

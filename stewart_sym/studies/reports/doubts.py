@@ -90,9 +90,9 @@ def side_doubt(robot: Robot, motion: Motion) -> str | None:
     )
 
 
-# How many times another unit is as much (m read as mm, m as cm, cm as mm), and the share of the base's size
-# within which a platform is doubtful.
+# Factors of a mistaken unit: millimetres read as metres, centimetres as metres, millimetres as centimetres. A
+# platform nearer to the base than this share of the base's size is doubtful.
 _TIMES, _NEAR = (1000, 100, 10), 0.2
-# Shares of a machine's size, or of its longest leg, between which legs are; what they usually are; and the
-# turn, rad, that may be one in degrees.
+# Leg lengths outside these ranges, shares of the machine's size or of its longest leg, are doubtful; usual
+# ones, by which another unit is suggested; and the least range of an angle, rad, that may be in degrees.
 _SHARES_OF_SIZE, _SHARES_OF_LIMITS, _USUAL, _LEAST_TURN = (1.0 / 200.0, 20.0), (0.02, 5.0), (0.15, 3.0), 0.5

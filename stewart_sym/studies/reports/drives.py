@@ -10,12 +10,11 @@ from ...io.array_types import Array
 from ...io.instants import elapsed, least_step
 from ...robot.robot import LEGS, Robot
 from ..common.drawing import DARK, LEG_COLORS, Figure, as_written, new_figure
-from ..common.output import Columns, of_legs
-from ..common.table import aligned
+from ..common.output import Columns, aligned, of_legs
 
 _COLUMNS = {"torque": "torque", "speed": "motor_speed", "current": "current", "power": "power"}
 _HEADINGS = {"power": "shaft power"}
-# Times the largest value, beyond which a limit is not drawn.
+# A limit of more than so many times the largest value is not drawn.
 _FAR = 3.0
 
 

@@ -22,19 +22,20 @@ from ...motion.rotation import rpy_from_rotation
 from ...motion.smooth_motion import PoseNoise, estimated_noise, smoothed
 from ...motion.trajectory import Trajectory
 from ...robot.robot import Robot
-from ..common.output import csv_text, of_axes, of_legs, of_rotations
+from ..common.output import aligned, csv_text, of_axes, of_legs, of_rotations
 from ..common.report import Report
-from ..common.table import aligned
 
 # Share of a normal distribution within one, two and three standard deviations.
 NORMAL = (0.6827, 0.9545, 0.9973)
-# Times that differ by less than this share of the whole time, and by what a double rounds off, are the same.
+# Two times are the same if they differ by at most this share of the whole time plus their rounding.
 _SAME_TIME = 1e-6
-# Of a parameter of the robot file from the identified one, in deviations, and of all: do not agree.
+# The robot file does not agree if a parameter is this many deviations from the identified one, or if the
+# probability of all departures together is below this level.
 _FAR, _FAR_LEVEL = 4.0, 1e-3
-# Deviations from zero below which a term may as well not be there.
+# A drive's term nearer to zero than this many deviations may as well not be there.
 _TOLD = 2
-# Share of sigma by which forces scatter, and how many times the robot file's they are, that are doubtful.
+# Forces are doubtful if they scatter by less than this share of sigma about the model, or if their size
+# differs by more than this factor from that of the robot file's forces.
 _LEAST_MISFIT, _MOST_TIMES = 0.2, 100.0
 SI = LogFormat()
 _COORDINATES = (("t", "theta"), ("v", "theta_dot"), ("a", "theta_ddot"))

@@ -32,9 +32,9 @@ from ..common.output import Columns, of_axes, of_legs, of_rotations
 from ..common.report import Picture, Report
 from .drives import DriveDigest
 
-# Cosine of the pitch from which on the rates of roll and yaw are plain numbers.
+# With a smaller cosine of the pitch the rates of roll and yaw are too large to be written.
 _PLAIN = 0.05
-# Over which motors are looked at: accelerations jump where another limit becomes active.
+# At so many instants the motors are computed: accelerations jump where another limit becomes active.
 _INSTANTS = 10_001
 
 

@@ -26,15 +26,14 @@ from ...singularities.along_path import (
     singularities_along,
 )
 from ...singularities.singular_poses import Singularity
-from ..common.output import Columns, of_axes, of_legs
+from ..common.output import Columns, aligned, of_axes, of_legs
 from ..common.report import Picture, Report
-from ..common.table import aligned
 
 DISTANCES = tuple(10.0**-n for n in range(1, 8))
-"""From a crossing at which the forces on both sides are computed, s."""
+"""Distances from a crossing, s, at which the forces on both sides of it are computed."""
 
 NEAREST = ("least held", "dearest wrench", "idlest forces")
-"""Labels of unconstrained twist, lost wrench and idle forces where a pose is not singular."""
+"""What stands for unconstrained twist, lost wrench and idle forces where a pose is not singular."""
 
 _EVEN = 401
 _NEAR = 150

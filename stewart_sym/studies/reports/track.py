@@ -19,8 +19,7 @@ from ...motion.motion import Motion
 from ...motion.trajectory import PoseLog, Replaced, Trajectory
 from ...results import NOT_FINITE, OK, ZERO_LENGTH, Reactions
 from ...robot.robot import Robot
-from ..common.output import Columns, csv_lines, of_axes, of_legs
-from ..common.table import aligned
+from ..common.output import Columns, aligned, csv_lines, of_axes, of_legs
 from .drives import DriveDigest, drive_columns, no_instants
 
 SURE = 3.0

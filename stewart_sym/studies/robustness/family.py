@@ -17,7 +17,7 @@ WRONG = 1000.0
 GOOD = 1e6
 """Condition number below which a pose must get an answer."""
 POINTS = 49
-"""Distances of a family."""
+"""How many distances a family has."""
 
 
 def distances(points: int = POINTS, nearest: float = 1e-16) -> Array:

@@ -25,9 +25,9 @@ from .singular import crossing_of_path_III
 from .sweep.machines import GRAVITY, machine_size, random_machine
 
 STEP = 1e-3
-"""Of the fixed steps, s."""
+"""Length of the fixed steps, s."""
 LONGEST = 2.0
-"""Of the runs over long times, s."""
+"""Duration of the runs over long times, s."""
 LONG_RTOL: dict[str, float] = {"DOP853": 1e-9, "Radau": 1e-5}
 FIXED = f"RK4, {1e3 * STEP:g} ms"
 HELD = f"{FIXED}, forces held"

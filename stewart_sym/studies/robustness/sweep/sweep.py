@@ -10,7 +10,7 @@ from ....backend.kernel import robot_numbers
 from ....io.array_types import Array, Codes, Flags
 from ....io.progress import Progress, silent
 from ....results import OK, STATUS_TEXT
-from ...common.table import aligned
+from ...common.output import aligned
 from .machines import LEGS, machine_size, random_machine
 from .oracle import CLOSED_KERNELS, KERNELS, KINDS, MACHINE, check_random, closed_form_errors
 from .singular_machines import FAMILIES, singular_machine
