@@ -61,10 +61,7 @@ Bounds = Mapping[Precision, Precise]
 
 
 def bounds_study(
-    progress: Progress = silent,
-    cases: int = CASES,
-    robot: Robot | None = None,
-    seed: int = 0,
+    progress: Progress = silent, cases: int = CASES, robot: Robot | None = None, seed: int = 0
 ) -> Bounds:
     """Errors and bounds at random motions of a robot, by precision.
 

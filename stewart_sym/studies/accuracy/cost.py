@@ -82,10 +82,6 @@ class Errors:
         """Bound of the largest error: the two add up at worst."""
         return self.model + self.rounding
 
-    def as_json(self) -> dict[str, float]:
-        """Every field."""
-        return {**vars(self)}
-
 
 @dataclass(frozen=True)
 class Entry:
@@ -142,7 +138,7 @@ class Entry:
             "batch_ns": self.batch_ns,
             "batch_raw_ns": self.batch,
             "text_bytes": self.text,
-            "errors": {name: errors.as_json() for name, errors in self.errors.items()},
+            "errors": {name: vars(errors) for name, errors in self.errors.items()},
         }
 
 
@@ -404,17 +400,12 @@ def _or_infinite(difference: NDArray[Any]) -> Array:
 
 def _ways(robot: Robot) -> dict[str, Callable[[Motion], Array]]:
     """Other implementations of `exact` general: F, (n, 6), of a motion."""
-    backends: dict[str, Backend] = {
-        "every output": "c",
-        "NumPy kernel": "numpy",
-        "vector reference": "reference",
-    }
 
     def way(backend: Backend) -> Callable[[Motion], Array]:
         prepared = prepared_kernel(robot, "exact", backend)
         return lambda motion: prepared.forces(motion).F
 
-    return {name: way(backend) for name, backend in backends.items()}
+    return {"every output": way("c"), "NumPy kernel": way("numpy"), "vector reference": way("reference")}
 
 
 def _tasks(

@@ -149,11 +149,7 @@ CASADI = _casadi(PLAIN, "C, base frame", "base_frame")
 CASADI_CLOSED = _casadi(CLOSED, "C, leg frame", "leg_frame")
 """What every other figure is divided by, where CasADi is installed; of each the faster of its builds."""
 
-PEERS = (
-    CASADI_CLOSED,
-    CASADI,
-    Candidate("vector reference", "NumPy, base frame", "batch", SLOW, _reference),
-)
+PEERS = (CASADI_CLOSED, CASADI, Candidate("vector reference", "NumPy, base frame", "batch", SLOW, _reference))
 
 # --- JAX --------------------------------------------------------------------------------------
 

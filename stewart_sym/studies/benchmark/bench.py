@@ -206,13 +206,7 @@ CALLS = (
 )
 """Calls for one pose; what they take over the first of ``OURS`` is the price of the call."""
 
-COMPARED = {
-    "casadi": "casadi",
-    "pinocchio": "pin",
-    "pydrake": "drake",
-    "mujoco": "mujoco",
-    "jax": "jax",
-}
+COMPARED = {"casadi": "casadi", "pinocchio": "pin", "pydrake": "drake", "mujoco": "mujoco", "jax": "jax"}
 """Distribution of each optional package that is compared, by the name it is imported by."""
 
 SLOW_TO_COMPILE = ("jax",)
@@ -390,10 +384,7 @@ def _called(poses: Poses, present: Collection[str | None]) -> tuple[Called, ...]
 
 
 def _differences(
-    poses: Poses,
-    candidates: Sequence[Candidate],
-    runners: Mapping[str, Runner],
-    called: Sequence[Called],
+    poses: Poses, candidates: Sequence[Candidate], runners: Mapping[str, Runner], called: Sequence[Called]
 ) -> dict[str, float]:
     """Compare everybody's forces with the reference's."""
     truth = reference.inverse_dynamics(poses.robot, poses.motion).F

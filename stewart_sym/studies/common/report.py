@@ -62,12 +62,7 @@ class Report:
     views: "Mapping[str, Callable[[], View]]" = field(default_factory=dict)
 
 
-def write(
-    report: Report,
-    folder: Path,
-    name: str,
-    progress: Progress = silent,
-) -> None:
+def write(report: Report, folder: Path, name: str, progress: Progress = silent) -> None:
     """Write ``name.txt``, ``name.json``, every table as CSV and every picture into a folder.
 
     Raises OSError naming the file that can't be written, ImportError for pictures without Matplotlib.

@@ -9,12 +9,7 @@ from ..common.output import Columns, aligned, csv_text, of_legs
 from ..common.report import Picture, Report, Table
 from .control import Run, Settings, Study
 
-NAMES = {
-    "exact": "`exact`",
-    "paper": "`paper`",
-    "massless": "massless legs",
-    "gravity": "PD + gravity",
-}
+NAMES = {"exact": "`exact`", "paper": "`paper`", "massless": "massless legs", "gravity": "PD + gravity"}
 _HEADER = (
     *("machine", "path", "controller"),
     *("pos RMS mm", "max mm", "RMS/exact", "ori RMS mrad", "max mrad", "RMS/exact"),

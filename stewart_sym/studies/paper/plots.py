@@ -8,17 +8,7 @@ from typing import Any
 import numpy as np
 
 from ...io.array_types import Array
-from ..common.drawing import (
-    BLUE,
-    DARK,
-    RED,
-    Axes,
-    Figure,
-    legend_below,
-    legend_line,
-    log_numbers,
-    new_figure,
-)
+from ..common.drawing import BLUE, DARK, RED, Axes, Figure, legend_below, legend_line, log_numbers, new_figure
 from ..common.report import SMALL, Picture
 from .reproduce import PathRun, Reproduction
 

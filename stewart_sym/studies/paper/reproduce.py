@@ -181,10 +181,7 @@ def run_columns(run: PathRun) -> Columns:
     columns: Columns = {"time": run.time}
     for name, values in (("F", run.F), ("F0_", run.F0), ("Fd_", run.Fd), ("dynamic_fraction_", run.fraction)):
         columns |= of_legs(name, values)
-    return columns | {
-        "condition_number": run.condition,
-        "scaled_condition_number": run.scaled_condition,
-    }
+    return columns | {"condition_number": run.condition, "scaled_condition_number": run.scaled_condition}
 
 
 def without_friction(robot: Robot) -> Robot:

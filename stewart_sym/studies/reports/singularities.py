@@ -271,10 +271,7 @@ def _sides(
     room = min(crossing.time - along.start, along.end - crossing.time)
     distances = np.array([d for d in DISTANCES if d <= room and d > 10.0 * crossing.uncertainty])
     solved = inverse_dynamics(
-        robot,
-        path(crossing.time + np.concatenate([-distances, distances])),
-        formulation,
-        on_singular="nan",
+        robot, path(crossing.time + np.concatenate([-distances, distances])), formulation, on_singular="nan"
     )
     F = np.where((solved.status == OK)[:, None], solved.F, np.nan)
     residue = force_residue(robot, path(np.array([crossing.time])), formulation)[0]
@@ -290,10 +287,7 @@ def _crossing_lines(found: Examination, crossing: Crossing, sides: Sides) -> lis
         f"  leg rates      at most {np.max(np.abs(rates)):.1e} m/s under this motion",
     ]
     if not np.isfinite(sides.residue).all():
-        return [
-            *lines,
-            "  force residue  no simple one: the path rests there or runs along singular poses",
-        ]
+        return [*lines, "  force residue  no simple one: the path rests there or runs along singular poses"]
     A = ", ".join(f"{value:.6g}" for value in sides.residue)
     ends = ["-inf", "+inf"] if sides.residue[leg] > 0.0 else ["+inf", "-inf"]
     lines += [

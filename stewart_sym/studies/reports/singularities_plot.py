@@ -10,17 +10,7 @@ from ...io.array_types import Array
 from ...motion.motion import Motion
 from ...robot.robot import LEGS, Robot
 from ...singularities.singular_poses import Singularity
-from ..common.drawing import (
-    BLUE,
-    DARK,
-    LEG_COLORS,
-    RED,
-    Axes,
-    Figure,
-    as_written,
-    log_numbers,
-    new_figure,
-)
+from ..common.drawing import BLUE, DARK, LEG_COLORS, RED, Axes, Figure, as_written, log_numbers, new_figure
 from ..common.output import Columns
 from ..common.report import Picture
 from .machine_plot import draw_legs, frame
@@ -85,10 +75,7 @@ def pose_figure(found: Examination, columns: Columns, time: float, at: Singulari
     inside = (columns["time"] >= low) & (columns["time"] <= high)
     # No line joins the branches on either side of a crossing.
     when, *rest = _broken(
-        crossed,
-        columns["time"][inside],
-        columns["smallest_singular_value"][inside],
-        _forces(columns)[inside],
+        crossed, columns["time"][inside], columns["smallest_singular_value"][inside], _forces(columns)[inside]
     )
     upper.plot(when, rest[0], color=BLUE, linewidth=1.3)
     upper.axhline(0.0, color=DARK, linewidth=0.7)

@@ -45,12 +45,7 @@ def grid(x: ArrayLike, y: ArrayLike, z: ArrayLike, chunks: int = CHUNK) -> Any:
     axes = [np.asarray(axis, dtype=np.float64) for axis in (x, y, z)]
     index = da.arange(int(np.prod([axis.size for axis in axes])), chunks=chunks)
     return da.map_blocks(
-        grid_block,
-        index,
-        axes=axes,
-        new_axis=1,
-        chunks=(index.chunks[0], (3,)),
-        meta=np.empty((0, 3)),
+        grid_block, index, axes=axes, new_axis=1, chunks=(index.chunks[0], (3,)), meta=np.empty((0, 3))
     )
 
 
