@@ -4,10 +4,11 @@ import dataclasses
 
 import numpy as np
 
+from ...io.array_types import Array
 from ...motion.motion import Motion
 from ...robot.robot import Robot
 from . import shipped
-from .family import Array, Family
+from .family import Family
 from .sweep.machines import random_machine, random_motion
 
 POINTS = 43
