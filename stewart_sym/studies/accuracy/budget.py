@@ -12,7 +12,7 @@ from ...io.arguments import shown
 from ...kinematics.paths import PATHS, path_for
 from ...kinematics.robot_logs import trajectory_for
 from ...motion.motion import Motion
-from ...motion.trajectory import JointTrajectory, Trajectory
+from ...motion.trajectory import JointTrajectory
 from ...reference.newton_euler import inverse_dynamics
 from ...robot.robot import Robot
 from ...singularities.joint_space import on_platform
@@ -103,14 +103,10 @@ def _motion(robot: Robot, name: str, folder: Path, prefix: str) -> Motion:
     trajectory = trajectory_for(robot, folder / name)
     if isinstance(trajectory, JointTrajectory):
         trajectory = on_platform(robot, trajectory, None)
-    _reject_faults(robot, trajectory)
-    return trajectory.motion
-
-
-def _reject_faults(robot: Robot, trajectory: Trajectory) -> None:
     found = _fault(robot, trajectory.motion)
     if found is not None:
         raise ValueError(f"{trajectory.source}: row {trajectory.rows[found[0]]}: {found[1]}")
+    return trajectory.motion
 
 
 def _fault(robot: Robot, motion: Motion) -> tuple[int, str] | None:

@@ -153,13 +153,12 @@ def _operations_table(found: Reproduction) -> str:
     header = ("kernel", "one leg", "platform", "final system", "in all", "mul/add/div/sqrt", "x arm")
     paper = (str(PAPER_FLOPS[part]) for part in ("leg", "platform", "final", "total"))
     cells = [("the paper's program", *paper, "", _arms(PAPER_FLOPS["total"]))]
-    cells += [
-        _operations_row(row) for row in sorted(found.operations, key=lambda row: row.formulation != "paper")
-    ]
+    operations = sorted(found.operations, key=lambda row: row.formulation != "paper")
+    cells += [_operations_row(row) for row in operations]
     header_apart = ("mul/add/div/sqrt of", "one leg", "platform", "final system")
     apart = [
         (_kernel_name(row), *("/".join(map(str, part)) for part in (row.leg, row.platform, row.final)))
-        for row in sorted(found.operations, key=lambda row: row.formulation != "paper")
+        for row in operations
     ]
     return _section(
         "(d) Operations of one time-step",

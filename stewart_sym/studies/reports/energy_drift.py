@@ -107,10 +107,9 @@ def energy_scale(run: Simulation, springs: LegSprings) -> float:
 
 def summary(drifts: Mapping[Formulation, Drift]) -> str:
     """One line for each formulation: the worst drift and why the run ended."""
-    lines = [
+    return "\n".join(
         f"{name:<9}  without friction: {drift.text}; {drift.stop.text}" for name, drift in drifts.items()
-    ]
-    return "\n".join(lines)
+    )
 
 
 def figure(drifts: Mapping[Formulation, Drift]) -> Figure:

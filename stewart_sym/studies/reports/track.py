@@ -184,11 +184,16 @@ class Digest:
 
     def _of_legs(self, k: int, limit: "_Limit", what: str, legs: list[int], kept: Part) -> str:
         """One line about a limit and the legs in question."""
-        shares = [_share(self.robot, limit, leg, kept) for leg in legs]
-        worst = legs[int(np.argmax(shares))]
+        bound, least = limit.bound(self.robot), np.finfo(float).tiny
+        beyond = {leg: _excess(self.robot, limit, leg, kept) for leg in legs}
+        worst = max(legs, key=lambda leg: beyond[leg][1] / max(abs(float(bound[leg])), least))
+        i, sd = beyond[worst][0], kept.F_sd if limit.name == "force_limit" else None
+        spread = "" if sd is None else f" +- {sd[i, worst]:.3g}"
+        value = f"{getattr(kept, limit.values)[i, worst]:.6g}{spread} {limit.unit}"
+        value += f" at {time_text(kept.time[i], self.step)} s, limit {bound[worst]:g} {limit.unit}"
         names = f"{'leg' if len(legs) == 1 else 'legs'} {', '.join(str(leg + 1) for leg in legs)}"
         most = "" if len(legs) == 1 else f"worst leg {worst + 1}: "
-        text = f"{what} by {names}: {most}{_worst(self.robot, limit, worst, kept, self.step)}"
+        text = f"{what} by {names}: {most}{value}"
         if self.count[k, worst]:
             share = f"at {int(self.count[k, worst])} of {len(self.time)} instants"
             text += f"; beyond it for {self.span[k, worst]:.3g} s, {share}"
@@ -335,22 +340,6 @@ def _excess(robot: Robot, limit: _Limit, leg: int, part: Part) -> tuple[int, flo
     return i, float(excess[i])
 
 
-def _share(robot: Robot, limit: _Limit, leg: int, part: Part) -> float:
-    """By what share of its limit a leg is beyond it."""
-    return _excess(robot, limit, leg, part)[1] / max(
-        abs(float(limit.bound(robot)[leg])), np.finfo(float).tiny
-    )
-
-
-def _worst(robot: Robot, limit: _Limit, leg: int, part: Part, step: float) -> str:
-    """The value of a leg that is farthest beyond its limit, and when."""
-    i, _ = _excess(robot, limit, leg, part)
-    sd = part.F_sd if limit.name == "force_limit" else None
-    spread = "" if sd is None else f" +- {sd[i, leg]:.3g}"
-    value = f"{getattr(part, limit.values)[i, leg]:.6g}{spread} {limit.unit}"
-    return f"{value} at {time_text(part.time[i], step)} s, limit {limit.bound(robot)[leg]:g} {limit.unit}"
-
-
 def _weights(time: Array) -> Array:
     """How long each instant stands for: half the way to both neighbours."""
     return np.gradient(elapsed(time)) if len(time) > 1 else np.zeros(1)
@@ -414,12 +403,11 @@ def _summary(robot: Robot, times: Array, part: Part, verdicts: list[str]) -> str
     ]
     worst = _worst_condition(part)
     count = f"{len(times)} instant{'s' if len(times) > 1 else ''}"
-    return "\n".join(
-        [
-            f"{count}, {time_text(times[0], step)} to {time_text(times[-1], step)} s; "
-            f"condition number of H up to {condition[worst]:.4g} (at {time_text(time[worst], step)} s)",
-            aligned(("leg", "peak force, N", "at, s", "force_limit, N", "length, m", "speed, m/s"), rows),
-        ]
+    header = ("leg", "peak force, N", "at, s", "force_limit, N", "length, m", "speed, m/s")
+    return (
+        f"{count}, {time_text(times[0], step)} to {time_text(times[-1], step)} s; "
+        f"condition number of H up to {condition[worst]:.4g} (at {time_text(time[worst], step)} s)\n"
+        f"{aligned(header, rows)}"
     )
 
 
