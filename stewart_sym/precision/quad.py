@@ -26,7 +26,7 @@ _MACROS = {
     "STEWART_EPSILON": "FLT128_EPSILON",
     "STEWART_MAX": "FLT128_MAX",
 }
-# The library is named before the sources, where the linker drops what it does not need yet.
+# A library named before the sources is dropped, as nothing needs it yet, unless the linker must keep it.
 _FLAGS = ("-include", "quadmath.h", "-Wl,--no-as-needed", "-lquadmath")
 
 

@@ -45,7 +45,7 @@ SAMPLED = 12
 largest condition number come on top."""
 
 _ROUNDING = 100 * float(np.finfo(np.float64).eps)
-"""Of force and condition number: what two double kernels of the same model may differ by."""
+"""Two kernels of the same model in double may differ by this share of force times condition number."""
 
 
 # --- figures ----------------------------------------------------------------------------------
@@ -369,7 +369,7 @@ class _Case:
         in_double = next(forces for each, forces in F.items() if each.precision == "double")
         off = _or_infinite(in_double - self.F)
         off[off <= self.accuracy] = 0.0
-        # Rounding is largest where precisions differ most.
+        # The rounding error is largest where the precisions differ most.
         worst = {int(np.argmax(_or_infinite(forces - in_double).max(axis=-1))) for forces in F.values()}
         sample = sorted({*self.sample, *worst})
         candidate = next(iter(kernels))
@@ -432,7 +432,7 @@ def _poses(motions: Sequence[Motion], count: int) -> list[Array]:
     """The fields of a motion, (count, ...): poses of all motions, over and over."""
     parts = [loaded(motion) for motion in motions]
     arrays = [np.concatenate([getattr(part, name) for part in parts]) for name in MOTION]
-    # Few of many poses are taken all along the motions.
+    # Fewer poses than there are: spread evenly along the motions.
     every = np.linspace(0, len(arrays[0]) - 1, min(count, len(arrays[0]))).round().astype(int)
     return [np.resize(array[every], (count, *array.shape[1:])) for array in arrays]
 

@@ -147,7 +147,7 @@ def _casadi(name: str, what: str, equations: str) -> Candidate:
 
 CASADI = _casadi(PLAIN, "C, base frame", "base_frame")
 CASADI_CLOSED = _casadi(CLOSED, "C, leg frame", "leg_frame")
-"""What every other figure is divided by, where CasADi is installed; of each the faster of its builds."""
+"""Where CasADi is installed, other times are divided by these, each by the faster of its builds."""
 
 PEERS = (CASADI_CLOSED, CASADI, Candidate("vector reference", "NumPy, base frame", "batch", SLOW, _reference))
 

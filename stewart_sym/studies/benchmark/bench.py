@@ -408,7 +408,7 @@ def _swept(poses: Poses, sizes: Sequence[int], rounds: int, progress: Progress) 
     """Batches of all sizes that fit into memory; small ones are the beginning of the largest."""
     swept = [each for each in OURS if each.sweep]
     room = _free_memory()
-    # Motions of 240 bytes, forces of 48 and a status for each candidate, and as much again to breathe.
+    # A motion takes 240 bytes, forces and a status 52 for each candidate; half of the memory stays free.
     sizes = [size for size in sizes if 2 * size * (240 + 52 * len(swept)) < room or size == min(sizes)]
     progress("preparing the batches")
     largest = poses.resized(max(sizes))

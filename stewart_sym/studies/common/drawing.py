@@ -88,7 +88,7 @@ def name_points(
     figure: Any = axes.get_figure()
     figure.draw_without_rendering()
     figure.set_layout_engine("none")
-    # Its types do not say what may be None.
+    # Its type hints do not say what may be None.
     allocate: Any = textalloc.allocate
     texts, at, colors = zip(*names, strict=True)
     # The order in which names choose their places matters: the given one first, then others.

@@ -55,7 +55,7 @@ def software(*packages: str) -> dict[str, Any]:
 
 
 class Others:
-    """What other processes, and a hypervisor, take of all cores from now on."""
+    """Time that other processes, and a hypervisor, take of all cores from now on."""
 
     def __init__(self) -> None:
         """Begin."""

@@ -28,7 +28,7 @@ STYLE: Mapping[Any, Any] = {
     "axes.spines.right": False,
     "legend.frameon": False,
 }
-"""Of all pictures; ``SMALL``: with smaller letters."""
+"""Matplotlib's settings of all pictures; ``SMALL``: with smaller letters."""
 SMALL: Mapping[Any, Any] = {**STYLE, "font.size": 9.0, "axes.axisbelow": True}
 
 _METADATA: dict[str, dict[str, None]] = {"png": {"Software": None}, "svg": {"Date": None, "Creator": None}}

@@ -13,9 +13,9 @@ from .workspace import AXES, Slice, title
 _OUTSIDE = ("#ffffff", "#d9d9d9", "#c6d8ee", "#e6cfe8", "#f3d9b1", "#f4c2c2", "#d5e8c8")
 """Colours of the limits, in the order of ``REASONS``; what is inside is coloured by its condition number."""
 _MOST = 100.0
-# Condition numbers that differ by less are drawn with this ratio all the same.
+# The colours span at least this ratio of condition numbers.
 _LEAST_RATIO = 1.5
-# Width of the panels of a row together, inches, and the narrowest and the widest panel's width over height.
+# Width of a row of panels, inches; least and greatest width over height of a panel.
 _WIDTH, _SHAPES = 9.4, (0.4, 2.5)
 
 
@@ -27,7 +27,7 @@ def pictures(name: str, found: Workspace, planes: list[Slice]) -> dict[str, Pict
 def figure(name: str, found: Workspace, planes: list[Slice]) -> Figure:
     """A panel for each plane; ``name``: of the robot."""
     shapes = np.array([_shape(plane) for plane in planes]).reshape(-1, 3)
-    # As wide as the picture, and in a single row as high as each other.
+    # A row is as wide as the picture; a picture of one row has panels of one height.
     widths = _WIDTH * shapes.mean(axis=0) / shapes.mean(axis=0).sum()
     heights = (widths / shapes).max(axis=1)
     drawn = new_figure(12.0, 1.6 + float(np.sum(heights + 0.6)))

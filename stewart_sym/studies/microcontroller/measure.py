@@ -213,7 +213,7 @@ def _figures(
     if code not in (0, 1) or "stack_forces" not in said:
         raise CompilerError(f"{toolchain.QEMU}: the program ended with {code}: {output.strip()[-200:]}")
     per_call = _KNOWN / said["known"][0] / said["times"][0]
-    # An empty function took one instruction.
+    # The empty function that is subtracted took one instruction itself.
     counts = {
         name: max(round((ticks - said["empty"][0]) * per_call + 1) for ticks in said[name])
         for name in ("ticks", "ticks_near_singular_joints", *(f"ticks_{stem}" for stem in STEMS[TORQUE]))

@@ -134,7 +134,7 @@ def double_arithmetic(path: Path) -> set[str]:
     found = {name for name in asked_for(path) if _DOUBLE_HELPER.fullmatch(name)}
     for line in _run([OBJDUMP, "-d", "--no-show-raw-insn", str(path)]).splitlines():
         fields = line.split("\t")
-        # Two floats may travel as one double: only what computes or converts counts.
+        # Moves do not count, as two floats may be moved as one double: arithmetic and conversions do.
         if len(fields) > 1 and ".f64" in fields[1]:
             found.add(fields[1].strip())
     return found
@@ -159,7 +159,7 @@ def deepest_stack(image: Path, usage: Iterable[Path], root: str) -> int:
             inside = begins[1]
             continue
         called = re.search(r"\t(b[a-z.]*)\t.*<([^>+]+)>", line)
-        # A plain branch to the own beginning is a loop.
+        # A plain branch to a function's own beginning is a loop, not a call.
         if called and (called[1].startswith("bl") or called[2] != inside):
             calls.setdefault(inside, set()).add(called[2])
 

@@ -150,7 +150,7 @@ def _spread(heights: dict[str, float], gap: float) -> dict[str, float]:
     return dict(zip(names, placed.tolist(), strict=True))
 
 
-# Share of a panel's height that a fraction passes between two instants only beside a zero of F.
+# A fraction changes by more than this share of a panel's height between two instants only beside a zero of F.
 _LEAP = 0.5
 
 

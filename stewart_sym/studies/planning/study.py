@@ -43,7 +43,7 @@ FORCE_OVER_REST, LONGER = 1.5, 1.5
 
 _SAMPLES = 201
 _MOST_CONDITION = 40.0
-# Durations of random paths, in times that the machine takes to fall its own size.
+# Durations of random paths, in units of the time in which the machine falls its own size.
 _DURATIONS = {"slow": 20.0, "fast": 3.0}
 
 

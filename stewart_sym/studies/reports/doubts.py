@@ -90,7 +90,7 @@ def side_doubt(robot: Robot, motion: Motion) -> str | None:
     )
 
 
-# Factors of a mistaken unit: millimetres read as metres, centimetres as metres, millimetres as centimetres. A
+# Factors of a mistaken unit: metres read as millimetres, metres as centimetres, centimetres as millimetres. A
 # platform nearer to the base than this share of the base's size is doubtful.
 _TIMES, _NEAR = (1000, 100, 10), 0.2
 # Leg lengths outside these ranges, shares of the machine's size or of its longest leg, are doubtful; usual

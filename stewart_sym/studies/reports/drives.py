@@ -81,7 +81,7 @@ class DriveDigest:
         for name in self._known():
             found[f"motor_peak_{name}_{units[name]}"] = float(self.summary.peaks[name][leg])
             found[f"motor_{name}_limit_{units[name]}"] = float(getattr(self.drive, f"{name}_limit")[leg])
-        # One instant takes no time.
+        # A single instant has no duration, and so neither mean nor energy.
         lasts = len(self.time) > 1
         found["motor_rms_torque_N_m"] = float(self.summary.rms_torque[leg]) if lasts else None
         return found | {"motor_energy_J": float(self.summary.energy[leg]) if lasts else None}

@@ -118,7 +118,7 @@ def figure(drifts: Mapping[Formulation, Drift]) -> Figure:
     picture = new_figure(8.0, 4.2)
     axes = picture.subplots()
     for name, drift in drifts.items():
-        # The first instant is the measure of the others, and zero has no logarithm.
+        # At the first instant the drift is zero, which has no logarithm.
         axes.semilogy(
             drift.times[1:],
             np.maximum(np.abs(drift.drift[1:]), STILL),

@@ -75,7 +75,7 @@ def from_measurement(
     motion = trajectory.motion
     options = (friction, shared)
     if noise is not None and robot.tool.any():
-        # Noise is that of the poses as they were measured: of the tool.
+        # The noise is that of the measured poses, which are poses of the tool.
         moved, motion = about_point(robot, robot.tool), motion.about_point(robot.tool)
         smooth = smoothed(motion, noise)
         found = identify(

@@ -15,9 +15,9 @@ from ..common.report import SMALL, Picture
 
 BASE, PLATFORM, LEG, MARK, OFFSET = DARK, BLUE, GREY, RED, "#2a7f3f"
 
-# Share of gravity along z from which on a machine whose z axis points down is drawn with z down.
+# A machine is drawn with z down if more than this share of gravity acts along z.
 _DOWN = 0.5
-# Length of axes and arrows beside the machine's size, and distance within which points are one.
+# Length of axes and arrows, and distance within which points are one, shares of the machine's size.
 _AXIS, _SAME = 0.12, 1e-3
 
 

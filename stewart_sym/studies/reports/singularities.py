@@ -240,7 +240,7 @@ def curves(found: Examination) -> Columns:
     s = np.linalg.svd(H, compute_uv=False)
     forces = inverse_dynamics(robot, motion, found.formulation, on_singular="nan")
     _, S, L = leg_vectors(robot, motion.R, motion.t)
-    # What is rounding error is zero, so that a path along singular poses is no noise.
+    # Rounding errors count as zero; along singular poses the curve would be noise.
     smallest = np.where(s[:, -1] > ROUNDING * s[:, 0], s[:, -1], 0.0)
     with np.errstate(divide="ignore", invalid="ignore"):
         condition = s[:, 0] / smallest

@@ -19,13 +19,13 @@ from .singularities import Examination, curves
 MOST = 6
 """Crossings drawn; a path that goes to and fro may have many."""
 
-# Length of the longest arrow beside the machine's size.
+# Length of the longest arrow, share of the machine's size.
 _ARROW = 0.3
 
 
 def pictures(found: Examination) -> dict[str, Picture]:
     """``path``, and ``crossing_<n>`` for each crossing or ``nearest`` where there is none."""
-    # Curves take a while, and without pictures nobody needs them here.
+    # Curves take a while to compute, and only pictures need them here.
     columns = functools.cache(lambda: curves(found))
 
     def picture(figure: Callable[..., Figure], *of_pose: Any) -> Picture:

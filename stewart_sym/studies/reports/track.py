@@ -29,7 +29,7 @@ NOISE_SHARE = 0.02
 """Share of a leg's peak force that noise may make of it, ``SURE`` deviations, without a warning."""
 
 
-# Instants at a time: all outputs of the kernels at once would fill memory.
+# So many instants are computed at a time: all outputs of all instants at once would fill memory.
 _PART = 1 << 14
 
 
@@ -299,22 +299,16 @@ _LIMITS = (
 )
 
 
-def exceeded(
-    robot: Robot, time: Array, F: Array, L: Array, L_dot: Array, F_sd: Array | None = None
-) -> list[str]:
-    """One line for each limit, as ``Digest.exceeded``; arrays (n, 6).
-
-    With deviations F_sd a force limit is exceeded where the force is beyond it by ``SURE`` of them, and not
-    decided where it is nearer.
-    """
+def exceeded(robot: Robot, time: Array, F: Array, L: Array, L_dot: Array) -> list[str]:
+    """One line for each limit that a run exceeds, as ``Digest.exceeded``; arrays (n, 6)."""
     digest, none = Digest(robot, time), np.zeros(len(time))
-    digest.add(Part(slice(None), time, F, F_sd, L, L_dot, none, none.astype(np.int32), None))
+    digest.add(Part(slice(None), time, F, None, L, L_dot, none, none.astype(np.int32), None))
     return digest.exceeded()
 
 
 WITHIN, EXCEEDED, NOT_DECIDED = "kept", "exceeded", "not decided at this noise"
 AT_REPLACED = "not decided at replaced rows"
-# Spans of replaced rows that one line names.
+# One line names at most so many replaced rows.
 _MOST_NAMED = 4
 
 

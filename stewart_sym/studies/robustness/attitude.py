@@ -41,7 +41,7 @@ def families(seed: int = 4) -> list[Family]:
     rates = [_angle_rates(theta, moving) for theta in angles]
     poses = [dataclasses.replace(moving, R=rotation_from_rpy(theta)) for theta in angles]
     checked = check_poses([robot] * len(poses), poses)
-    # What rounding the rates of the angles alone does to alpha, which the forces then feel.
+    # Rounding the rates of the angles changes alpha, and so the forces, by more than rounding alpha does.
     fastest = np.array([np.abs(second).max() + np.abs(first).max() ** 2 for first, second in rates])
     lost = 1.0 + fastest / np.abs(loaded(moving).alpha).max()
     curves = []

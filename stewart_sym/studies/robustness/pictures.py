@@ -90,7 +90,7 @@ def basins_figure(found: Basins) -> Figure:
 def _errors(ax: Axes, family: Family, curves: list[Curve], ceiling: float) -> None:
     for number, curve in enumerate(curves):
         style = {"color": _COLORS[number % len(_COLORS)], "marker": _MARKS[number % len(_MARKS)]}
-        # Each a little further along, so that marks on one another are seen.
+        # The marks of each curve start further along, so that curves on one another are seen.
         every = (number % 4, 4) if len(family.distance) > 20 else 1
         shown = np.where(curve.answered, np.clip(curve.error, _FLOOR, ceiling), np.nan)
         ax.loglog(
@@ -120,9 +120,9 @@ def _errors(ax: Axes, family: Family, curves: list[Curve], ceiling: float) -> No
         shown = np.where(np.isfinite(bound) & (bound < ceiling), bound, np.nan)
         ax.loglog(family.distance, shown, color="#555555", linestyle="--", linewidth=1.2)
         seen = seen or bool(np.isfinite(shown).any())
-    # Statuses have the lowest part to themselves.
+    # The lowest part of the panel is kept for the statuses.
     ax.set_ylim(_FLOOR / 100.0, 3.0 * ceiling)
-    # Without points, for the legend.
+    # Lines without points, for the legend alone.
     if seen:
         ax.plot([], [], color="#555555", linestyle="--", label=f"{WRONG:g} units x condition")
     if any(curve.status is not None and (curve.status != 0).any() for curve in curves):

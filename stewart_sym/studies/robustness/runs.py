@@ -96,7 +96,7 @@ def _stiff() -> Family:
             end, codes = advance(ForwardDynamics(machine), start, F, duration, round(duration / STEP))
         curves[FIXED].append(_off(end.t, truth.t[-1], machine))
         status[FIXED].append(int(codes) or (OK if np.isfinite(end.t).all() else NOT_FINITE))
-    # What the tolerance of a step allows.
+    # The error that the tolerance of a step allows.
     allowed = np.full(len(times), 1e-9 / EPS)
     return Family(
         "run_stiff",
@@ -141,7 +141,7 @@ def _long() -> Family:
     for name, drift in drifts.items():
         until = np.maximum.accumulate(drift)
         error = until[np.minimum(np.searchsorted(even, times), len(even) - 1)]
-        # What so many steps of that tolerance may add up to.
+        # The error that so many steps of that tolerance may add up to.
         rtol = LONG_RTOL.get(name.split(",")[0], STEP**3)
         curves.append(Curve(name, error, np.full(len(times), rtol / EPS), shipped=name != HELD))
     return Family(

@@ -70,7 +70,7 @@ def _finished(plant: Any) -> Any:
 
 
 def _inertia(mass: float, center: Array, inertia: Array) -> Any:
-    """Of a body, unchecked: the paper's tensors are of no body."""
+    """A body's inertia, unchecked: no rigid body can have the paper's tensors."""
     if mass == 0:
         return tree.SpatialInertia.Zero()
     unit = inertia / mass + center @ center * np.eye(3) - np.outer(center, center)

@@ -64,7 +64,7 @@ def newton_euler(
     joint by its twist [v; omega], (n, 6, 6); run, empty: the engine's call over all poses, and over nothing.
     """
     legs = states.legs
-    # F Ldot is the power of all joints; Ldot and the joints' rates are of the twist.
+    # F Ldot equals the power of all joints; both Ldot and the joints' rates are linear in the twist.
     arms = np.concatenate([np.broadcast_to(np.eye(3), (*legs.q.shape, 3)), -cross_matrix(legs.q)], axis=-1)
     joints = np.linalg.inv(legs.jacobian) @ arms
     every = np.concatenate([joints.reshape(len(tau), -1, 6), rates], axis=1)

@@ -150,7 +150,7 @@ def _forces(robot: Robot, motion: Motion, F: Array, legs: Legs) -> Array:
     def load(vector: Array | None) -> Array:
         return np.zeros_like(motion.t) if vector is None else turned(R, vector)
 
-    # The load at the reference point, taken to the point that the last leg carries.
+    # The load acts at the reference point; here it is moved to the point that the last leg carries.
     force = load(motion.F_ext)
     moment = load(motion.M_ext) + friction.sum(axis=1) - np.cross(legs.q[:, CARRIER], force)
     joints[:, CARRIER] += np.einsum("nij,ni->nj", legs.jacobian[:, CARRIER], force)

@@ -11,7 +11,7 @@ from ....robot.robot import Robot
 
 GRAVITY = 9.81
 LEGS = ("general", "axisymmetric", "slender", "nearly massless")
-"""Of which physics the legs of a random machine are."""
+"""Kinds of legs that a random machine may have."""
 
 _BASE = np.radians([-12.0, 12.0, 108.0, 132.0, 228.0, 252.0])
 _PLATFORM = np.radians([-48.0, 48.0, 72.0, 168.0, 192.0, -72.0])
@@ -138,6 +138,6 @@ def _inertia(rng: np.random.Generator, legs: str) -> Array:
 
 
 def _unit(vector: Array) -> Array:
-    # By the largest component first: squares of lengths may leave the range.
+    # Divided by the largest component first: squares of lengths may leave the range of double.
     vector = vector / np.abs(vector).max()
     return np.asarray(vector / np.linalg.norm(vector))

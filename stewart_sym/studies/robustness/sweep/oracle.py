@@ -105,7 +105,7 @@ BLOCKS = _blocks()
 """Outputs of the closed form's kernels: kernel, offset, rows, columns, stride, and the powers of the
 platform's size by which the last three rows and columns are multiplied to be comparable with the first."""
 
-# The library is named before the sources, where the linker drops what it does not need yet.
+# A library named before the sources is dropped, as nothing needs it yet, unless the linker must keep it.
 _FLAGS = ("-Wl,--no-as-needed", "-lquadmath")
 _SOURCES = {
     "wide": ("WIDE", ("wider", "prepare", "closed_form")),

@@ -155,7 +155,7 @@ def _of_forces(found: NDArray[Any], column: int) -> _Answers:
         found["truth"],
         found["error"][:, column],
         condition,
-        # Near the joint singularity a leg's frame is lost, whether this motion feels it or not.
+        # Near the joint singularity a leg's frame loses its digits, even if this motion's forces do not.
         np.maximum(condition, found["frames"]),
         found["distance"],
     )
@@ -235,7 +235,7 @@ def random_machines(
 def _counted(found: _Answers, kind: str, precision: str) -> tuple[Count, int]:
     """The count, and the index of the case most worth showing."""
     answered = found.made & (found.status == OK)
-    # An answer where there is none is wrong however small.
+    # Where the pose is unsolvable any answer with status ok is wrong, however small its error.
     ratio = np.where(found.truth == OK, found.error / found.condition, np.inf)
     ratio = np.where(answered, np.where(np.isnan(ratio), np.inf, ratio), -1.0)
     rejected = found.made & (found.status != OK) & (found.truth == OK)
