@@ -13,7 +13,7 @@ NAME: Formulation = "exact"
 """The kernel that is measured."""
 
 PLAIN, CLOSED = "CasADi", "CasADi, closed form"
-"""Other times are divided by these two, where CasADi is installed; the closed form is the stricter measure."""
+"""Other times are divided by these, where CasADi is installed; the closed form is the stricter measure."""
 
 ONE_POSE, BATCH, FLOAT = "one pose", "batch, one core", "batch, float"
 COLUMNS = "batch, columns"
