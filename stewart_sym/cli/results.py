@@ -47,8 +47,8 @@ def results(
     made_by = {"generator": f"{PROGRAM} {arguments.subcommand}"}
     output: Path | None = getattr(arguments, "output", None)
     drawn = stem is not None and output is not None and getattr(arguments, "pictures", False)
-    for package in ("matplotlib", "textalloc") if drawn else ():
-        need(package, "drawing", ", or give --no-pictures")
+    if drawn:
+        need_drawing(", or give --no-pictures")
     with contextlib.ExitStack() as stack:
         stream = folder = page = None
         target: Path | None = getattr(arguments, "html", None)
@@ -71,7 +71,8 @@ def results(
         progress = stack.enter_context(progress_line())
 
         def take(report: Report) -> None:
-            report = dataclasses.replace(report, data={**made_by, **report.data})
+            figures = report.figures if getattr(arguments, "pictures", True) else {}
+            report = dataclasses.replace(report, data={**made_by, **report.data}, figures=figures)
             if report.text:
                 lines.append(report.text.rstrip("\n"))
             if folder is not None and stem is not None:
@@ -121,3 +122,9 @@ def reject_inputs(option: str, output: Path, *inputs: Path) -> None:
     for path in inputs:
         if output.exists() and path.exists() and output.samefile(path):
             raise ValueError(f"{option} {output}: is an input, name another file")
+
+
+def need_drawing(otherwise: str = "") -> None:
+    """ImportError that names the extra, and what to do ``otherwise``, if what draws pictures is missing."""
+    for package in ("matplotlib", "textalloc"):
+        need(package, "drawing", otherwise)

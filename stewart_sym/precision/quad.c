@@ -2,9 +2,8 @@
 /* Includes a kernel's header and names its INVERSE_DYNAMICS. */
 #include "kernel.h"
 
-typedef struct {
-    const double *R, *t, *omega, *v, *alpha, *a, *F_ext, *M_ext;
-} double_motions;
+/* Sizes of a motion's members, in their order. */
+static const size_t widths[8] = {9, 3, 3, 3, 3, 3, 3, 3};
 
 static void widen(__float128 *to, const double *from, size_t count)
 {
@@ -45,8 +44,9 @@ static void nearest_rotation(__float128 R[9])
     }
 }
 
+/* motions: where each member's numbers are, those of the load may be null. */
 void quad_forces(
-    const double *numbers, size_t count, const double_motions *motions, int ideal, double *high, double *low)
+    const double *numbers, size_t count, const double *const motions[8], int ideal, double *high, double *low)
 {
     stewart_robot robot;
     stewart_forces forces;
@@ -58,14 +58,11 @@ void quad_forces(
     }
     for (pose = 0; pose < count; ++pose) {
         stewart_motion at;
-        widen(at.R, motions->R + 9 * pose, 9);
-        widen(at.t, motions->t + 3 * pose, 3);
-        widen(at.omega, motions->omega + 3 * pose, 3);
-        widen(at.v, motions->v + 3 * pose, 3);
-        widen(at.alpha, motions->alpha + 3 * pose, 3);
-        widen(at.a, motions->a + 3 * pose, 3);
-        widen(at.F_ext, motions->F_ext ? motions->F_ext + 3 * pose : 0, 3);
-        widen(at.M_ext, motions->M_ext ? motions->M_ext + 3 * pose : 0, 3);
+        __float128 *to = (__float128 *)&at;
+        for (i = 0; i < 8; ++i) {
+            widen(to, motions[i] ? motions[i] + widths[i] * pose : 0, widths[i]);
+            to += widths[i];
+        }
         if (ideal) {
             nearest_rotation(at.R);
         }

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..backend import native
-from ..backend.c_kernel import address, c_sources, contiguous
+from ..backend.c_kernel import address, c_sources, contiguous, pointers
 from ..backend.kernel import MOTION, defines_of, robot_kernel, robot_numbers, takes_rotors
 from ..io.array_types import Array
 from ..motion.motion import Motion
@@ -26,8 +26,8 @@ _MACROS = {
     "STEWART_EPSILON": "FLT128_EPSILON",
     "STEWART_MAX": "FLT128_MAX",
 }
-# Every operation is a call of a library, which optimising does not shorten. Of the linker's libraries that
-# stand before the sources, only those kept by force are linked.
+# Optimising does not shorten operations that are calls of a library. A library named before the sources is
+# dropped, as nothing needs it yet, unless the linker must keep it.
 _FLAGS = ("-O1", "-include", "quadmath.h", "-Wl,--no-as-needed", "-lquadmath")
 
 
@@ -48,7 +48,7 @@ def quad_forces(
     _library(name).quad_forces(
         address(numbers),
         ctypes.c_size_t(high.size // 6),
-        (ctypes.c_void_p * len(inputs))(*map(address, inputs)),
+        pointers(inputs),
         ctypes.c_int(not as_given),
         address(high),
         address(low),

@@ -183,8 +183,8 @@ def massless_forces(robot: Robot, motion: Motion) -> Array:
         leg = _positions(robot, motion)
         H = _H(leg)
         c_0 = platform_wrench(robot, motion)
-        finite = _finite(H, 2) & _finite(c_0, 1)
-        status = _status(_leg_faults(robot, motion, leg), finite)
+        finite = all_finite(H, 2) & all_finite(c_0, 1)
+        status = status_of_legs(_leg_faults(robot, motion, leg), finite)
         x_0, _ = solve_linear(robot, H, c_0, status)
         return -x_0
 
@@ -197,7 +197,7 @@ def energy(robot: Robot, motion: Motion) -> Array:
     """
     with np.errstate(all="ignore"):
         leg = _velocities(robot, motion)
-        W, omega = leg.W, motion.omega
+        W = leg.W
         v_d = _cross(W, leg.r_d)
         v_u = leg.Ldot * leg.s + _cross(W, leg.r_u)
         kinetic_legs = (
@@ -210,12 +210,7 @@ def energy(robot: Robot, motion: Motion) -> Array:
         potential_legs = -_dot(
             robot.m_d[:, None] * (robot.b + leg.r_d) + robot.m_u[:, None] * (robot.b + leg.r_u), robot.g
         )
-        R, I = platform_inertia(robot, motion)  # noqa: E741
-        v_platform = motion.v + _cross(omega, R)
-        kinetic_platform = (robot.M * _dot(v_platform, v_platform) + _dot(omega, _mul(I, omega))) / 2
-        potential_platform = -robot.M * _dot(motion.t + R, robot.g)
-        total = np.sum(kinetic_legs + potential_legs, axis=(-2, -1))
-        total = total + (kinetic_platform + potential_platform)[..., 0]
+        total = np.sum(kinetic_legs + potential_legs, axis=(-2, -1)) + platform_energy(robot, motion)
         return blank(total, ~np.isfinite(total))
 
 
@@ -376,8 +371,8 @@ def _equations(robot: Robot, motion: Motion, faults: frozenset[int]) -> tuple[Le
     D, K = leg.D[..., 0], leg.K
     faults_of_legs = _leg_faults(robot, motion, leg)
     joint_singular = (faults_of_legs == OK) & ~(leg.sin_joint[..., 0] > ROUNDING)
-    finite = _finite(H, 2) & _finite(c, 1) & _finite(D, 1) & _finite(K, 2)
-    return leg, H, c, _status(np.where(joint_singular, JOINT_SINGULAR, faults_of_legs), finite)
+    finite = all_finite(H, 2) & all_finite(c, 1) & all_finite(D, 1) & all_finite(K, 2)
+    return leg, H, c, status_of_legs(np.where(joint_singular, JOINT_SINGULAR, faults_of_legs), finite)
 
 
 def balance(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT) -> tuple[Legs, Array, Array]:
@@ -401,6 +396,15 @@ def platform_inertia(robot: Robot, motion: Motion) -> tuple[Array, Array]:
     R = _mul(motion.R, robot.R_0)  # (30)
     I = motion.R @ robot.I_p @ _transpose(motion.R)  # (32)  # noqa: E741
     return R, I
+
+
+def platform_energy(robot: Robot, motion: Motion) -> Array:
+    """Kinetic and potential energy of the platform, J, (...)."""
+    omega = motion.omega
+    R, I = platform_inertia(robot, motion)  # noqa: E741
+    v = motion.v + _cross(omega, R)
+    kinetic = (robot.M * _dot(v, v) + _dot(omega, _mul(I, omega))) / 2
+    return np.asarray((kinetic - robot.M * _dot(motion.t + R, robot.g))[..., 0])
 
 
 def platform_wrench(robot: Robot, motion: Motion) -> Array:
@@ -442,7 +446,7 @@ def _leg_faults(robot: Robot, motion: Motion, leg: _Positions) -> Codes:
     return np.where(np.isfinite(L), np.where(ROUNDING * reach >= L, ZERO_LENGTH, OK), NOT_FINITE)
 
 
-def _status(faults_of_legs: Codes, finite: NDArray[np.bool_]) -> Codes:
+def status_of_legs(faults_of_legs: Codes, finite: NDArray[np.bool_]) -> Codes:
     """Of each pose: the first faulty leg's code, (..., 6); if there is none, whether all is finite."""
     first = np.argmax(faults_of_legs != OK, axis=-1)[..., None]
     of_legs = np.take_along_axis(faults_of_legs, first, axis=-1)[..., 0]
@@ -457,7 +461,7 @@ def solve_linear(robot: Robot, H: Array, c: Array, status: Codes) -> tuple[Array
     status[ok] = np.where(is_singular(robot, H[ok]), SINGULAR, OK)
     ok = status == OK
     x[ok] = np.linalg.solve(H[ok], c[ok][..., None])[..., 0]
-    status[ok & ~_finite(x, 1)] = NOT_FINITE
+    status[ok & ~all_finite(x, 1)] = NOT_FINITE
     return x, status
 
 
@@ -469,7 +473,7 @@ def is_singular(robot: Robot, H: Array) -> NDArray[np.bool_]:
     return np.asarray((sigma[..., -1] <= ROUNDING * sigma[..., 0]) | (np.linalg.slogdet(H)[0] == 0))
 
 
-def _finite(value: Array, axes: int) -> NDArray[np.bool_]:
+def all_finite(value: Array, axes: int) -> NDArray[np.bool_]:
     """Whether all numbers along the last `axes` axes are finite."""
     finite: NDArray[np.bool_] = np.all(np.isfinite(value), axis=tuple(range(-axes, 0)))
     return finite

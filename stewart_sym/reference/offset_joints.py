@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..motion.motion import Motion
-from ..results import NOT_FINITE, OK, Forces, Reactions
+from ..results import OK, Forces, Reactions
 from ..robot.offset_chains import (
     SLIDING,
     SPIN,
@@ -34,7 +34,7 @@ from ..robot.offset_chains import (
 )
 from ..robot.offset_positions import Chains, dot
 from ..robot.robot import Robot
-from .newton_euler import blank, platform_inertia, platform_wrench, solve_linear
+from .newton_euler import all_finite, blank, platform_energy, platform_wrench, solve_linear, status_of_legs
 
 Array = NDArray[np.float64]
 Codes = NDArray[np.int32]
@@ -186,10 +186,7 @@ def energy(robot: Robot, motion: Motion) -> Array:
         for body in legs.bodies:
             kinetic = (body.m * dot(body.v, body.v) + dot(body.omega, applied(body.I, body.omega))) / 2
             total += np.sum(kinetic - body.m * dot(robot.b + body.c, robot.g), axis=(-2, -1))
-        r, I = platform_inertia(robot, motion)  # noqa: E741
-        v, omega = motion.v + np.cross(motion.omega, r), motion.omega
-        own = (robot.M * dot(v, v) + dot(omega, applied(I, omega))) / 2
-        return np.asarray(total + (own - robot.M * dot(motion.t + r, robot.g))[..., 0])
+        return np.asarray(total + platform_energy(robot, motion))
 
 
 def friction_power(robot: Robot, motion: Motion) -> Array:
@@ -254,14 +251,9 @@ def _bodies(robot: Robot, at: Chains, rates: Array, seconds: Array) -> Iterator[
     lower = np.stack([at.s, at.y, at.z], axis=-1)
     C = np.stack([at.o, at.y, k], axis=-1)
     about_k = offsets.cross_inertia[:, None, None] * np.diag([0.0, 0.0, 1.0])
+    cross = applied(C, offsets.cross_center)
     parts = (
-        (
-            offsets.cross_mass,
-            none,
-            applied(C, offsets.cross_center),
-            C @ about_k @ transposed(C),
-            cross_motion,
-        ),
+        (offsets.cross_mass, none, cross, C @ about_k @ transposed(C), cross_motion),
         (robot.m_d, at.A, applied(lower, robot.r_d0), lower @ robot.I_d0 @ transposed(lower), lower_motion),
         (robot.m_u, at.T, applied(at.U, robot.r_u0), at.U @ robot.I_u0 @ transposed(at.U), upper_motion),
     )
@@ -315,12 +307,8 @@ def _equations(robot: Robot, motion: Motion) -> tuple[Legs, Array, Array, Array,
     K = _ends(found, D)[..., :3]
     c = platform_wrench(robot, motion) - taken
     c[..., 3:] += np.sum(found.f, axis=-2)
-    of_legs = codes_of(robot, motion, found.at)
-    first = np.argmax(of_legs != OK, axis=-1)[..., None]
-    status = np.take_along_axis(of_legs, first, axis=-1)[..., 0]
-    finite = np.isfinite(H).all(axis=(-2, -1)) & np.isfinite(c).all(axis=-1) & np.isfinite(D).all(axis=-1)
-    status = np.where((status == OK) & ~finite, NOT_FINITE, status).astype(np.int32)
-    return found, H, D, K, c, status
+    finite = all_finite(H, 2) & all_finite(c, 1) & all_finite(D, 1)
+    return found, H, D, K, c, status_of_legs(codes_of(robot, motion, found.at), finite)
 
 
 def _solved(robot: Robot, motion: Motion) -> tuple[Legs, Forces]:

@@ -134,7 +134,7 @@ def test_currents_are_needs_of_the_motors_that_have_a_torque_constant() -> None:
     np.testing.assert_allclose(needs.current[:, 1:], needs.torque[:, 1:] / 0.5, rtol=1e-12)
     assert np.isnan(needs.current[:, 0]).all()
     assert [line[:28] for line in exceeded(driven, needs)] == ["drive.current_limit of leg 2"]
-    written = report(driven, ["motion"], needs, {})
+    written = report(driven, ["motion"], needs)
     row = next(line for line in written.text.splitlines() if line.startswith("current, peak, A"))
     assert "nan" not in row.split()[-1]
 

@@ -16,6 +16,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.transforms import Bbox
 
+from stewart_sym.studies.accuracy import cost_plot
 from stewart_sym.studies.accuracy.cost import CostAccuracy, Entry, Errors
 from stewart_sym.studies.accuracy.cost_plot import (
     ROUNDING,
@@ -26,7 +27,6 @@ from stewart_sym.studies.accuracy.cost_plot import (
     front,
     points,
 )
-from stewart_sym.studies.common import drawing
 from stewart_sym.studies.common.drawing import name_points
 from stewart_sym.studies.common.report import SMALL, Picture, draw
 
@@ -40,7 +40,7 @@ def picture() -> Figure:
 @pytest.fixture
 def unnamed(monkeypatch: pytest.MonkeyPatch) -> None:
     """Charts whose points have no names, which take long to place."""
-    monkeypatch.setattr(drawing, "name_points", lambda *_: None)
+    monkeypatch.setattr(cost_plot, "name_points", lambda *_: None)
 
 
 def boxes(axes: Axes) -> dict[str, Bbox]:

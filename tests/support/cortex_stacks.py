@@ -5,12 +5,13 @@ they take no more than the same kernels without.
 """
 
 import dataclasses
+import re
 import tempfile
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
-from stewart_sym.backend import fidelity
+from stewart_sym.backend import fidelity, native
 from stewart_sym.backend.native import CompilerError
 from stewart_sym.io.progress import Progress, silent
 from stewart_sym.kit import Choice
@@ -40,10 +41,25 @@ def stacks(
         for name, size in _measured(core, made, choice, found).items():
             progress(name)
             found[name] = size
-    compiler = toolchain.compiler()
+    compiler = _compiler()
     cores = " and ".join(f"{core.name} ({precision})" for precision, core in CORES.items())
     flags = " ".join(flag for flag in toolchain.FLAGS if flag.startswith(("-O", "-f")))
     return {"by": f"{compiler}, {flags}, {cores}", "bytes": dict(sorted(found.items()))}
+
+
+def _compiler() -> str:
+    """Name and version of the compiler."""
+    said = toolchain.versions()[toolchain.GCC]
+    found = re.search(r"\b\d+\.\d+\.\d+\b", said)
+    return f"{toolchain.GCC} {found[0]}" if found else said
+
+
+def _joined(core: Core, objects: Iterable[Path], target: Path) -> Path:
+    """All of some objects with their calls of each other resolved; not to be run."""
+    flags = (*core.flags, *toolchain.FLAGS, "-nostartfiles", "--specs=nosys.specs", "-Wl,-e,0")
+    names = (path.name for path in objects)
+    native.ran((toolchain.GCC, *flags, *names, "-lm", "-o", target.name), target.parent)
+    return target
 
 
 def _all_parts(robot: Robot, levels: Iterable[str]) -> Iterator[tuple[Parts, Choice]]:
@@ -72,7 +88,7 @@ def _measured(core: Core, made: Parts, choice: Choice, known: dict[str, int]) ->
             (Path(folder) / name).write_text(text, encoding="utf-8")
         define = ["-DSTEWART_FLOAT"] if choice.precision == "float" else []
         objects = [toolchain.compiled(core, Path(folder) / part.source, define) for part in made.parts]
-        image = toolchain.joined(core, objects, Path(folder) / "kit.elf")
+        image = _joined(core, objects, Path(folder) / "kit.elf")
         usage = [path.with_suffix(".su") for path in objects]
         for function in made.functions:
             for suffix in ("", "_batch") if function.batch else ("",):

@@ -30,9 +30,8 @@ def run(arguments: argparse.Namespace) -> int:
     """Run ``check``; returns the exit code."""
     from ...studies.reports.describe import report
 
-    drawn = arguments.pictures and arguments.output is not None
     with results(arguments, "report") as (take, _):
-        take(report(robot_of(arguments.robot), drawn, _length_unit(arguments.robot)))
+        take(report(robot_of(arguments.robot), _length_unit(arguments.robot)))
     return 0
 
 

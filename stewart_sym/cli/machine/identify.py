@@ -160,8 +160,10 @@ def _measured(arguments: argparse.Namespace, progress: Progress) -> "tuple[Repor
 
 def _simulated(arguments: argparse.Namespace, progress: Progress) -> "tuple[Report, Estimate]":
     """The report on a simulated measurement, and the estimate."""
+    from ...identification.estimation import simulated_experiment
+    from ...identification.excitation import choose_excitation
     from ...motion.logs import LogFormat
-    from ...studies.reports.identify import identification, simulated_report
+    from ...studies.reports.identify import simulated_report
 
     for option in ("no_friction", "physical", "drive"):
         if getattr(arguments, option):
@@ -171,13 +173,13 @@ def _simulated(arguments: argparse.Namespace, progress: Progress) -> "tuple[Repo
             "--start and options of the trajectory's file: are for measured forces, expected --measured"
         )
     robot = robot_of(arguments.robot)
-    names = ("sigma", "seed", "period", "harmonics", "samples", "candidates", "shared")
+    noise = (arguments.noise_position, arguments.noise_angle) if _pose_noise(arguments) else (0.0, 0.0)
+    names = ("period", "samples", "candidates", "seed", "shared")
     options = {name: getattr(arguments, name) for name in names}
-    if options["harmonics"] is None:
-        options["harmonics"] = 5
-    if _pose_noise(arguments):
-        options |= {name: getattr(arguments, name) for name in ("noise_position", "noise_angle")}
-    found = identification(robot, **options, progress=progress)
+    harmonics = 5 if arguments.harmonics is None else arguments.harmonics
+    excited = choose_excitation(robot, harmonics=harmonics, progress=progress, **options)
+    progress("identifying")
+    found = simulated_experiment(robot, excited, arguments.sigma, arguments.seed, *noise)
     return simulated_report(robot, found), found.estimate
 
 

@@ -50,6 +50,7 @@ def run(arguments: argparse.Namespace) -> int:
     from ...planning.plan_file import read_plan
     from ...planning.time_path import time_path
     from ...studies.reports import plan
+    from ...studies.reports.plan_plot import pictures
 
     need("scipy", "planning")
     request = read_plan(arguments.via)
@@ -72,12 +73,7 @@ def run(arguments: argparse.Namespace) -> int:
         )
         progress("checking the plan")
         found = plan.Plan(robot, planned, timed, certify_plan(timed), request.rate)
-        figures = {}
-        if arguments.pictures:
-            from ...studies.reports.plan_plot import pictures
-
-            figures = pictures(found)
-        take(plan.report(found, figures))
+        take(plan.report(found, pictures(found)))
     for line in [] if found.motors is None else found.motors.summary.exceeded():
         warnings.warn(f"drive: {line}", DriveLimitWarning, stacklevel=2)
     if not found.certificate.holds:

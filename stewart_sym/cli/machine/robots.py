@@ -21,8 +21,8 @@ def run(arguments: argparse.Namespace) -> int:
     from ...io.arguments import option
     from ...io.writing import result_file
     from ...robots import NAMES, load, text
+    from ...studies.common.output import aligned
     from ...studies.common.report import Report
-    from ...studies.common.table import aligned
 
     if arguments.show is None:
         if arguments.output is not None:

@@ -60,7 +60,7 @@ def run(arguments: argparse.Namespace) -> int:
             drifts = energy_drift.energy_drift(
                 scene.law, scene.state, scene.duration, scene.rtol, scene.thresholds
             )
-        report = run.report(scene.robot, done, scene.law, drifts, arguments.pictures)
+        report = run.report(scene.robot, done, scene.law, drifts)
         views = {"run": lambda: View(scene.robot, of_run(scene.robot, done))}
         take(dataclasses.replace(report, views=views))
     if arguments.pictures:

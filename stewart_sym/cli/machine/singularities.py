@@ -35,6 +35,7 @@ def run(arguments: argparse.Namespace) -> int:
     from ...kinematics.paths import PATHS, path_for
     from ...motion.interpolation import between
     from ...studies.reports import singularities
+    from ...studies.reports.singularities_plot import pictures
 
     robot = robot_of(arguments.robot)
     name = arguments.path
@@ -54,10 +55,5 @@ def run(arguments: argparse.Namespace) -> int:
             path, times, name = between(trajectory), trajectory.time, Path(name).name
         progress("looking for singular poses")
         found = singularities.examine(robot, name, path, times, arguments.formulation)
-        figures = {}
-        if arguments.pictures:
-            from ...studies.reports.singularities_plot import pictures
-
-            figures = pictures(found)
-        take(singularities.full_report(found, figures))
+        take(singularities.full_report(found, pictures(found)))
     return 0

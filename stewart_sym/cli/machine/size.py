@@ -65,13 +65,8 @@ def run(arguments: argparse.Namespace) -> int:
         read = [trajectory_of(robot, path, arguments, progress) for path in arguments.trajectories]
         motions = [(each.time, each.motion) for each in read]
         needs = size(robot, motions, arguments.margin, quantiles, arguments.formulation, progress)
-        figures = {}
-        if arguments.pictures:
-            from ...studies.design.size_plot import pictures
-
-            figures = pictures(robot, needs)
         names = [path.name for path in arguments.trajectories]
-        found = report(robot, names, needs, figures)
+        found = report(robot, names, needs)
         take(dataclasses.replace(found, views=views(robot, names, read)))
     over, short = exceeded(robot, needs), margin_missing(robot, needs)
     if over or short:

@@ -80,6 +80,7 @@ def run(arguments: argparse.Namespace) -> int:
     from ...design.pose_limits import PoseLimits
     from ...design.workspace import workspace
     from ...studies.design.workspace import report, slices
+    from ...studies.design.workspace_plot import pictures
 
     robot = robot_of(arguments.robot)
     limits = PoseLimits(
@@ -112,11 +113,7 @@ def run(arguments: argparse.Namespace) -> int:
                 stacklevel=2,
             )
         planes = slices(robot, limits, found, progress)
-        figures = {}
-        if arguments.pictures:
-            from ...studies.design.workspace_plot import pictures
-
-            figures = pictures(robot.name, found, planes)
+        figures = pictures(robot.name, found, planes)
         take(report(robot, limits, found, planes, figures))
     return 0
 

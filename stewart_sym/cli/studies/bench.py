@@ -5,7 +5,7 @@ from pathlib import Path
 
 from ..inputs import robot_of
 from ..options import other_robot, output
-from ..results import results
+from ..results import need_drawing, results
 
 HELP = "time the kernels beside CasADi, Drake, Pinocchio, MuJoCo, JAX and the processor's limit"
 EXAMPLE = "stewart-sym bench -o bench"
@@ -27,6 +27,7 @@ def run(arguments: argparse.Namespace) -> int:
     from ...studies.benchmark.bench import bench
     from ...studies.benchmark.plot import full_report
 
+    need_drawing()
     robot = None if arguments.robot is None else robot_of(arguments.robot)
     with results(arguments, "bench") as (take, progress):
         take(full_report(bench(robot, arguments.quick, progress)))

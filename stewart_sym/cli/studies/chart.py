@@ -38,5 +38,5 @@ def run(arguments: argparse.Namespace) -> int:
         warn_of_doubts(robot, arguments.scene)
     with results(arguments, "chart", read=read) as (take, progress):
         found = cost(robot, motions, True, ROUNDS, progress)
-        take(full_report(found, robot, arguments.pictures, progress))
+        take(full_report(found, robot, progress))
     return 0

@@ -42,7 +42,7 @@ def run(arguments: argparse.Namespace) -> int:
         studies = {
             label: control.track_paths(robot, paths, settings, progress) for label, robot in machines.items()
         }
-        take(full_report(studies, arguments.pictures))
+        take(full_report(studies))
     for study in studies.values():
         for line in study.exceeded:
             warnings.warn(line, stacklevel=2)

@@ -21,5 +21,5 @@ def run(arguments: argparse.Namespace) -> int:
     from ...studies.paper.reproduce import reproduce
 
     with results(arguments, "report") as (take, progress):
-        take(full_report(reproduce(progress), arguments.pictures))
+        take(full_report(reproduce(progress)))
     return 0

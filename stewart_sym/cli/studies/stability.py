@@ -33,6 +33,7 @@ def run(arguments: argparse.Namespace) -> int:
     """Run ``stability``; returns the exit code."""
     from ...studies.common.report import Report
     from ...studies.robustness import study
+    from ...studies.robustness.pictures import pictures
     from ...studies.robustness.sweep.sweep import report, sweep
 
     if arguments.cases is not None and arguments.output is None:
@@ -45,10 +46,5 @@ def run(arguments: argparse.Namespace) -> int:
         found = study.study(progress)
         cases = CASES if arguments.cases is None else arguments.cases
         found = dataclasses.replace(found, sweep=sweep(cases, arguments.seed, progress))
-        figures = {}
-        if arguments.pictures:
-            from ...studies.robustness.pictures import pictures
-
-            figures = pictures(found)
-        take(study.full_report(found, figures))
+        take(study.full_report(found, pictures(found)))
     return 0

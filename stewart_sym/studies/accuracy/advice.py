@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from ..common.table import aligned
+from ..common.output import aligned
 from .budget import Budget
 from .cost import SAMPLED, Candidate, CostAccuracy, Entry
 

@@ -5,38 +5,33 @@ Truth is quadruple precision (``quad``).
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...dynamics.bounds import forces_with_bounds
 from ...dynamics.forces import Precision
 from ...dynamics.home_pose import radius
+from ...io.array_types import Array, Flags
 from ...io.progress import Progress, silent, tracked
 from ...motion.motion import Motion
 from ...precision.quad import error, quad_forces
 from ...results import OK
 from ...robot.robot import Robot
 from ...robots import dasgupta1998
+from ..common.drawing import BLUE, DARK, RED, Axes, Figure, as_written, legend_below, log_numbers, new_figure
 from ..common.draws import Spread, random_motions
 from ..common.output import csv_text
 
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-
-Array = NDArray[np.float64]
-
 CASES = 2000
 SPREAD = Spread(0.3, 0.5, 0.5)
-"""Of the motions; a machine without gravity takes a second to fall its own size."""
+"""How far the motions spread; without gravity they take a second as the machine's own time."""
 
 FAR = 1000.0
-"""Times the error that a bound should not exceed."""
+"""A bound should not exceed the error by more than this factor."""
 
 _PRECISIONS: dict[Precision, type[np.floating[Any]]] = {"double": np.float64, "float": np.float32}
-_MARKS = {"double": ("#1f4e9c", "o"), "float": ("#c1440e", "^")}
+_MARKS = {"double": (BLUE, "o"), "float": (RED, "^")}
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,7 +46,7 @@ class Precise:
     error: Array
     bound: Array
     rcond: Array
-    covered: NDArray[np.bool_]
+    covered: Flags
     robot: str
     left_out: int
 
@@ -66,10 +61,7 @@ Bounds = Mapping[Precision, Precise]
 
 
 def bounds_study(
-    progress: Progress = silent,
-    cases: int = CASES,
-    robot: Robot | None = None,
-    seed: int = 0,
+    progress: Progress = silent, cases: int = CASES, robot: Robot | None = None, seed: int = 0
 ) -> Bounds:
     """Errors and bounds at random motions of a robot, by precision.
 
@@ -115,13 +107,9 @@ def csv_rows(data: Bounds) -> str:
     return csv_text([("precision", "error", "bound", "rcond"), *rows])
 
 
-def figure(data: Bounds) -> "Figure":
+def figure(data: Bounds) -> Figure:
     """Bound over true error of every pose, with the lines of 1 and of 1000 times the error."""
-    from matplotlib.figure import Figure
-
-    from ..common.drawing import as_written, legend_below, log_numbers
-
-    picture = Figure(figsize=(6.4, 5.6), layout="constrained")
+    picture = new_figure(6.4, 5.6)
     axes = picture.subplots()
     for precision, found in data.items():
         color, mark = _MARKS[precision]
@@ -138,8 +126,7 @@ def figure(data: Bounds) -> "Figure":
             + _undrawn(found),
         )
     _draw_limits(axes, data)
-    axes.set_xlabel("true rounding error, largest of six forces, N")
-    axes.set_ylabel("bound, largest of six, N")
+    axes.set(xlabel="true rounding error, largest of six forces, N", ylabel="bound, largest of six, N")
     (name,) = {found.robot for found in data.values()}
     axes.set_title(f"Rounding error of the forces and its bound\n{as_written(name)}", fontsize=10.0)
     for axis in (axes.xaxis, axes.yaxis):
@@ -154,7 +141,7 @@ def _undrawn(found: Precise) -> str:
     return f"{count} of {found.left_out + found.error.size} poses left out: no force, bound or error"
 
 
-def _draw_limits(axes: "Axes", data: Bounds) -> None:
+def _draw_limits(axes: Axes, data: Bounds) -> None:
     """The lines between which the points should lie, named on their outer sides, midway."""
     errors = np.concatenate([found.error[found.error > 0.0] for found in data.values()])
     ends = np.array([errors.min() / 3, errors.max() * 3])
@@ -163,7 +150,7 @@ def _draw_limits(axes: "Axes", data: Bounds) -> None:
         (1.0, "bound = error", "-", ("left", "top")),
         (FAR, f"{FAR:.0f} times the error", "--", ("right", "bottom")),
     ):
-        axes.loglog(ends, times * ends, dash, color="#3a3a3a", linewidth=1.0, zorder=1)
+        axes.loglog(ends, times * ends, dash, color=DARK, linewidth=1.0, zorder=1)
         across, up = sides
         offset = (5, -2) if across == "left" else (-5, 2)
         axes.annotate(
@@ -174,6 +161,6 @@ def _draw_limits(axes: "Axes", data: Bounds) -> None:
             ha=across,
             va=up,
             fontsize=8.5,
-            color="#3a3a3a",
+            color=DARK,
         )
     axes.set_xlim(*ends)

@@ -6,21 +6,16 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
 from ...dynamics.inverse import first_fault
 from ...io import tables
 from ...io.arguments import shown
 from ...kinematics.paths import PATHS, path_for
 from ...kinematics.robot_logs import trajectory_for
 from ...motion.motion import Motion
-from ...motion.trajectory import JointTrajectory, Trajectory
+from ...motion.trajectory import JointTrajectory
 from ...reference.newton_euler import inverse_dynamics
 from ...robot.robot import Robot
 from ...singularities.joint_space import on_platform
-
-Array = NDArray[np.float64]
 
 SCHEMA = 1
 MARGIN = 3.0
@@ -108,14 +103,10 @@ def _motion(robot: Robot, name: str, folder: Path, prefix: str) -> Motion:
     trajectory = trajectory_for(robot, folder / name)
     if isinstance(trajectory, JointTrajectory):
         trajectory = on_platform(robot, trajectory, None)
-    _reject_faults(robot, trajectory)
-    return trajectory.motion
-
-
-def _reject_faults(robot: Robot, trajectory: Trajectory) -> None:
     found = _fault(robot, trajectory.motion)
     if found is not None:
         raise ValueError(f"{trajectory.source}: row {trajectory.rows[found[0]]}: {found[1]}")
+    return trajectory.motion
 
 
 def _fault(robot: Robot, motion: Motion) -> tuple[int, str] | None:

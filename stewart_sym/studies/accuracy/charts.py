@@ -1,7 +1,9 @@
 """What ``chart`` finds: cost and accuracy, and the pictures with their rows."""
 
+import functools
 import warnings
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from typing import Any
 
 from ...backend.native import CompilerError
 from ...io.progress import Progress, silent
@@ -18,16 +20,14 @@ Chart = tuple[str, str, Picture]
 _KINDS = ("png", "svg")
 
 
-def full_report(
-    found: CostAccuracy, robot: Robot, pictures: bool = True, progress: Progress = silent
-) -> Report:
-    """The table of ``found``, and every chart's rows, with its picture if wanted."""
+def full_report(found: CostAccuracy, robot: Robot, progress: Progress = silent) -> Report:
+    """The table of ``found``, and every chart's rows with its picture."""
     every = list(charts(found, robot, progress))
     return Report(
         table(found),
         {name: rows for name, rows, _ in every},
         {**found.as_json(), "machine": host.machine(), "software": host.software()},
-        {name: picture for name, _, picture in every} if pictures else {},
+        {name: picture for name, _, picture in every},
     )
 
 
@@ -38,18 +38,14 @@ def charts(found: CostAccuracy, robot: Robot, progress: Progress = silent) -> It
     """
     drawn = Picture(lambda: cost_plot.figure(found), SMALL, _KINDS)
     yield "chart", cost_plot.csv_rows(found), drawn
-    for name, made in (("scales", _scales), ("bounds", _bounds)):
+    studies: dict[str, tuple[Any, Callable[..., Any]]] = {
+        "scales": (scales, scales.scales_study),
+        "bounds": (bound_plot, bound_plot.bounds_study),
+    }
+    for name, (module, study) in studies.items():
         try:
-            yield made(name, robot, progress)
+            made = study(progress, robot=robot)
         except (ValueError, CompilerError) as error:
             warnings.warn(f"{name}: left out: {error}", stacklevel=2)
-
-
-def _scales(name: str, robot: Robot, progress: Progress) -> Chart:
-    found = scales.scales_study(progress, robot)
-    return name, scales.csv_rows(found), Picture(lambda: scales.figure(found), kinds=_KINDS)
-
-
-def _bounds(name: str, robot: Robot, progress: Progress) -> Chart:
-    found = bound_plot.bounds_study(progress, robot=robot)
-    return name, bound_plot.csv_rows(found), Picture(lambda: bound_plot.figure(found), kinds=_KINDS)
+        else:
+            yield name, module.csv_rows(made), Picture(functools.partial(module.figure, made), kinds=_KINDS)

@@ -21,6 +21,7 @@ from ...backend.kernel import FORMULATIONS, MOTION
 from ...backend.numpy_kernel import loaded
 from ...dynamics.forces import CORES, ForceKernel, Precision, prepare
 from ...dynamics.inverse import Backend, prepared_kernel
+from ...io.array_types import Array
 from ...io.progress import Progress, silent, tracked
 from ...kinematics.conditioning import characteristic_length, scaled_condition_number
 from ...kinematics.inverse import wrench_matrix
@@ -31,8 +32,6 @@ from ..benchmark.compile_times import text_size
 from ..common import host
 from ..common.loops import own_source
 from ..common.timing import Task, measured, repeated
-
-Array = NDArray[np.float64]
 
 PRECISIONS: tuple[Precision, ...] = ("float", "double")
 """The cheaper first."""
@@ -46,7 +45,7 @@ SAMPLED = 12
 largest condition number come on top."""
 
 _ROUNDING = 100 * float(np.finfo(np.float64).eps)
-"""Of force and condition number: what two double kernels of the same model may differ by."""
+"""Two kernels of the same model in double may differ by this share of force times condition number."""
 
 
 # --- figures ----------------------------------------------------------------------------------
@@ -82,10 +81,6 @@ class Errors:
     def total(self) -> float:
         """Bound of the largest error: the two add up at worst."""
         return self.model + self.rounding
-
-    def as_json(self) -> dict[str, float]:
-        """Every field."""
-        return {**vars(self)}
 
 
 @dataclass(frozen=True)
@@ -143,7 +138,7 @@ class Entry:
             "batch_ns": self.batch_ns,
             "batch_raw_ns": self.batch,
             "text_bytes": self.text,
-            "errors": {name: errors.as_json() for name, errors in self.errors.items()},
+            "errors": {name: vars(errors) for name, errors in self.errors.items()},
         }
 
 
@@ -374,7 +369,7 @@ class _Case:
         in_double = next(forces for each, forces in F.items() if each.precision == "double")
         off = _or_infinite(in_double - self.F)
         off[off <= self.accuracy] = 0.0
-        # Rounding is largest where precisions differ most.
+        # The rounding error is largest where the precisions differ most.
         worst = {int(np.argmax(_or_infinite(forces - in_double).max(axis=-1))) for forces in F.values()}
         sample = sorted({*self.sample, *worst})
         candidate = next(iter(kernels))
@@ -405,17 +400,12 @@ def _or_infinite(difference: NDArray[Any]) -> Array:
 
 def _ways(robot: Robot) -> dict[str, Callable[[Motion], Array]]:
     """Other implementations of `exact` general: F, (n, 6), of a motion."""
-    backends: dict[str, Backend] = {
-        "every output": "c",
-        "NumPy kernel": "numpy",
-        "vector reference": "reference",
-    }
 
     def way(backend: Backend) -> Callable[[Motion], Array]:
         prepared = prepared_kernel(robot, "exact", backend)
         return lambda motion: prepared.forces(motion).F
 
-    return {name: way(backend) for name, backend in backends.items()}
+    return {"every output": way("c"), "NumPy kernel": way("numpy"), "vector reference": way("reference")}
 
 
 def _tasks(
@@ -442,7 +432,7 @@ def _poses(motions: Sequence[Motion], count: int) -> list[Array]:
     """The fields of a motion, (count, ...): poses of all motions, over and over."""
     parts = [loaded(motion) for motion in motions]
     arrays = [np.concatenate([getattr(part, name) for part in parts]) for name in MOTION]
-    # Few of many poses are taken all along the motions.
+    # Fewer poses than there are: spread evenly along the motions.
     every = np.linspace(0, len(arrays[0]) - 1, min(count, len(arrays[0]))).round().astype(int)
     return [np.resize(array[every], (count, *array.shape[1:])) for array in arrays]
 

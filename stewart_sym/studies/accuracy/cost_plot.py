@@ -3,17 +3,25 @@
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from ...motion.straight_line import PATHS
+from ..common.drawing import (
+    BLUE,
+    RED,
+    Axes,
+    Figure,
+    as_written,
+    legend_below,
+    legend_line,
+    name_points,
+    new_figure,
+)
 from ..common.host import DISTURBED
 from ..common.output import csv_text
 from .cost import CostAccuracy, Entry
 
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-
-_EXACT, _PAPER, _FLOAT, _OTHER, _FRONT = "#1f4e9c", "#c1440e", "#2e7d32", "#5a5a5a", "#9a9a9a"
+_EXACT, _PAPER, _FLOAT, _OTHER, _FRONT = BLUE, RED, "#2e7d32", "#5a5a5a", "#9a9a9a"
 _MARKERS = "os^vDPX*"
 _FILLED: Any = {"markersize": 4.5, "markeredgewidth": 0.0}
 _HOLLOW: Any = {"markersize": 4.2, "markeredgewidth": 0.8, "markerfacecolor": "white"}
@@ -108,15 +116,11 @@ def _of(every: Sequence[Point], panel: str) -> list[Point]:
 # --- the picture ------------------------------------------------------------------------------
 
 
-def figure(found: CostAccuracy) -> "Figure":
+def figure(found: CostAccuracy) -> Figure:
     """Two panels, time per pose over the errors: of model and rounding together, and of rounding."""
-    from matplotlib.figure import Figure
-
-    from ..common.drawing import as_written
-
     every = points(found)
     marks = dict(zip(found.peaks, _MARKERS * len(found.peaks), strict=False))
-    picture = Figure(figsize=(12.4, 7.8), layout="constrained")
+    picture = new_figure(12.4, 7.8)
     left, right = picture.subplots(1, 2, width_ratios=(1.8, 1.0))
     picture.suptitle("\n".join([f"Speed against accuracy: {as_written(found.robot)}", *_disturbance(found)]))
     _draw(left, _of(every, TOTAL), marks)
@@ -139,7 +143,7 @@ def _disturbance(found: CostAccuracy) -> list[str]:
     return [f"times disturbed: other processes took {100 * taken:.0f} % of the cores' time{load}"]
 
 
-def _draw(axes: "Axes", given: Sequence[Point], marks: Mapping[str, str]) -> None:
+def _draw(axes: Axes, given: Sequence[Point], marks: Mapping[str, str]) -> None:
     """Each point's errors, joined by a line from motion to motion, and the front."""
     height = _heights(given)
     axes.set_xscale("log")
@@ -178,7 +182,7 @@ def _heights(given: Sequence[Point]) -> Callable[[float], float]:
     return lambda error: none if error == 0.0 else min(error, beyond)
 
 
-def _limits(axes: "Axes", given: Sequence[Point], height: Callable[[float], float]) -> None:
+def _limits(axes: Axes, given: Sequence[Point], height: Callable[[float], float]) -> None:
     """Room for the labels, ticks at decades, and the band of errors that are zero."""
     from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, NullFormatter, NullLocator
 
@@ -205,42 +209,22 @@ def _limits(axes: "Axes", given: Sequence[Point], height: Callable[[float], floa
     axes.xaxis.set_minor_formatter(NullFormatter())
 
 
-def _legend(picture: "Figure", marks: Mapping[str, str]) -> None:
-    from matplotlib.lines import Line2D
-
-    from ..common.drawing import legend_below
-
+def _legend(picture: Figure, marks: Mapping[str, str]) -> None:
+    dots: Any = {"color": _OTHER, "linestyle": "", "markersize": 5.0}
+    colors = {"exact, double": _EXACT, "paper, double": _PAPER, "float": _FLOAT, "other code": _OTHER}
     handles = [
-        Line2D([], [], color=_OTHER, marker=mark, linestyle="", markersize=5.0, label=_motion_name(name))
-        for name, mark in marks.items()
+        *(
+            legend_line(f"Path {name}" if name in PATHS else name, marker=mark, **dots)
+            for name, mark in marks.items()
+        ),
+        *(legend_line(label, color=color, linewidth=3.0) for label, color in colors.items()),
+        legend_line("the same in float", color=_FLOAT, linestyle=":", marker="o", **_HOLLOW),
+        legend_line("Pareto front, worst motion", color=_FRONT, linewidth=4.0, alpha=0.35),
     ]
-    colors = (
-        ("exact, double", _EXACT),
-        ("paper, double", _PAPER),
-        ("float", _FLOAT),
-    )
-    handles += [
-        Line2D([], [], color=color, linewidth=3.0, label=label)
-        for label, color in (*colors, ("other code", _OTHER))
-    ]
-    handles.append(
-        Line2D([], [], color=_FLOAT, linestyle=":", marker="o", label="the same in float", **_HOLLOW)
-    )
-    handles.append(
-        Line2D([], [], color=_FRONT, linewidth=4.0, alpha=0.35, label="Pareto front, worst motion")
-    )
     legend_below(picture, handles)
 
 
-def _motion_name(name: str) -> str:
-    from ...motion.straight_line import PATHS
-
-    return f"Path {name}" if name in PATHS else name
-
-
-def _name(axes: "Axes", given: Sequence[Point]) -> None:
-    from ..common.drawing import name_points
-
+def _name(axes: Axes, given: Sequence[Point]) -> None:
     height = _heights(given)
     names = [
         (point.name, (point.ns, height(point.worst)), point.color) for point in given if not point.beside

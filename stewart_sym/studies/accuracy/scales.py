@@ -7,14 +7,14 @@ import ctypes
 import dataclasses
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ... import robots
 from ...backend import native
-from ...backend.c_kernel import address, c_sources
+from ...backend.c_kernel import address, c_sources, pointers
 from ...backend.kernel import MOTION, kernel_name, robot_numbers
 from ...backend.numpy_kernel import loaded
 from ...dynamics.home_pose import radius
@@ -27,12 +27,9 @@ from ...motion.motion import Motion
 from ...results import OK
 from ...robot.robot import Robot
 from ...robot.units import rescaled
+from ..common.drawing import Axes, Figure, as_written, legend_below, log_numbers, new_figure
 from ..common.draws import Spread, random_motions
 from ..common.output import csv_text
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
 
 Array = NDArray[Any]
 
@@ -44,7 +41,7 @@ MASSES = tuple(10.0**power for power in range(-6, 7, 3))
 MEANT = (1e-3, 10.0)
 """Sizes of the machines that float is meant for, m."""
 BOUND = 100.0
-"""Error, in rounding units times condition number, that no arithmetic is to exceed."""
+"""No error should exceed so many rounding units times the condition number."""
 
 MAX_CONDITION = 60.0
 _DRAWS = 40
@@ -243,7 +240,7 @@ def _forces(name: str, how: _Arithmetic, numbers: Array, motion: Motion) -> Arra
         getattr(functions, f"stewart_{name}_forces_batch")(
             address(model),
             ctypes.c_size_t(count),
-            (ctypes.c_void_p * len(arrays))(*map(address, arrays)),
+            pointers(arrays),
             address(F),
             address(np.zeros(count, dtype=np.int32)),
         )
@@ -276,17 +273,14 @@ _STYLE: Mapping[str, Mapping[str, Any]] = {
 }
 
 
-def figure(data: Scales) -> "Figure":
+def figure(data: Scales) -> Figure:
     """Largest and median error over size, over the platform's mass and over the legs', in three panels.
 
     Each panel takes its largest and median over all that it does not show; infinite errors are left out.
     """
-    from matplotlib.figure import Figure
+    picture = new_figure(10.0, 4.4)
     from matplotlib.ticker import LogLocator
 
-    from ..common.drawing import as_written, legend_below, log_numbers
-
-    picture = Figure(figsize=(10.0, 4.4), layout="constrained")
     picture.suptitle(
         f"Rounding error of the leg forces, exact, machines similar to {as_written(data.robot)}:\n"
         r"rounding units of each arithmetic $\times$ scaled condition number $\times$ largest force",
@@ -317,7 +311,7 @@ def figure(data: Scales) -> "Figure":
     return picture
 
 
-def _panel(axes: "Axes", data: Scales, axis: int, places: Array) -> None:
+def _panel(axes: Axes, data: Scales, axis: int, places: Array) -> None:
     """Largest errors as lines with marks, medians as thin lines, the bound across."""
     for name, style in _STYLE.items():
         if name not in data.errors:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from ...backend import kernel, native
 from ...backend.c_kernel import address
 from ...dynamics.arrays import array_kernel
+from ...io.array_types import Array
 from ...reference import newton_euler
 from ..common import timing
 from ..common.loops import loop_source
@@ -23,7 +24,6 @@ from .samples import CLOSED, NAME, PLAIN
 if TYPE_CHECKING:
     from .baselines_casadi import Program
 
-Array = NDArray[np.float64]
 
 FEW, SLOW, MANY = 64, 1_000, 10_000
 """Poses of a loop over one-pose calls (their numbers stay in the first cache), of NumPy's, of a C batch."""
@@ -141,36 +141,24 @@ def _casadi(name: str, what: str, equations: str) -> Candidate:
         library = native.load("bench_casadi", program().sources, flags)
         return c_loop(library, kernel.robot_numbers(poses.robot), poses)
 
-    return Candidate(
-        name,
-        what,
-        "one pose",
-        FEW,
-        make,
-        operations=lambda: program().operations,
-        package="casadi",
-        function="drive",
-    )
+    counted: Any = {"operations": lambda: program().operations}
+    return Candidate(name, what, "one pose", FEW, make, **counted, package="casadi", function="drive")
 
 
 CASADI = _casadi(PLAIN, "C, base frame", "base_frame")
 CASADI_CLOSED = _casadi(CLOSED, "C, leg frame", "leg_frame")
-"""What every other figure is divided by, where CasADi is installed; of each the faster of its builds."""
+"""Where CasADi is installed, other times are divided by these, each by the faster of its builds."""
 
-PEERS = (
-    CASADI_CLOSED,
-    CASADI,
-    Candidate("vector reference", "NumPy, base frame", "batch", SLOW, _reference),
-)
+PEERS = (CASADI_CLOSED, CASADI, Candidate("vector reference", "NumPy, base frame", "batch", SLOW, _reference))
 
 # --- JAX --------------------------------------------------------------------------------------
 
 _UNFUSED: dict[str, str | bool] = {
     "xla_disable_hlo_passes": "fusion,cpu-instruction-fusion,instruction-fusion,cpu_instruction_fusion"
 }
-"""Of a batch: fused, XLA computes shared terms again for each use, and takes twice as long to run.
+"""Options for a batch. With fusion XLA computes shared terms once for each use, twice as slowly.
 
-One pose alone takes half the time fused.
+One pose alone takes half the time with fusion, and is compiled with it.
 """
 
 
@@ -211,12 +199,7 @@ def jax_one_pose(poses: Poses) -> Called:
     )
 
     def loop(function: Any) -> Callable[[int], None]:
-        def run(repeats: int) -> None:
-            for _ in range(repeats):
-                for pose in given:
-                    function(pose).block_until_ready()
-
-        return run
+        return timing.over(lambda pose: function(pose).block_until_ready(), [(pose,) for pose in given])
 
     part = Part("kernel", "the compiled kernel", loop(compiled), len(given))
     empty = Part("empty call", "a compiled function that returns zeros", loop(nothing), len(given))

@@ -47,7 +47,7 @@ class Program:
 
 @dataclass(frozen=True)
 class _LegResult:
-    """What a leg says to the platform: q, s, K, D of (1), (3), (21), (24), friction moment f of (18)."""
+    """What the platform needs of a leg: q, s, K, D of (1), (3), (21), (24), friction moment f of (18)."""
 
     q: Matrix
     s: Matrix
@@ -57,7 +57,7 @@ class _LegResult:
 
 
 LegEquations = Callable[[Numbers, Numbers], _LegResult]
-"""Of a leg's numbers and those of the platform's motion, load and gravity."""
+"""Equations of a leg: from its numbers and those of the platform's motion, load and gravity."""
 
 
 def program(equations: LegEquations) -> Program:

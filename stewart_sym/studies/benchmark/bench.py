@@ -18,11 +18,11 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...backend import c_kernel, kernel, native, numpy_kernel
 from ...dynamics import forces
 from ...dynamics.inverse import inverse_dynamics
+from ...io.array_types import Array
 from ...io.extras import EXTRAS, absent
 from ...io.progress import Progress, silent
 from ...reference import newton_euler as reference
@@ -54,13 +54,13 @@ from .poses import Poses, bench_poses
 from .processor import FUSED, Flags, Target, additions, multiply_add, targets, widest
 from .samples import BATCH, COLUMNS, FLOAT, NAME, ONE_POSE, Figure, Peak, Speedup
 
-Array = NDArray[np.float64]
-
 ROUNDS, QUICK_ROUNDS = 41, 9
 COMPILATIONS, QUICK_COMPILATIONS = 7, 3
 
 SIZES, QUICK_SIZES = (10**3, 10**4, 10**5, 10**6, 10**7), (10**3, 10**4, 10**5)
 _SWEEP_ROUNDS = {10**6: 15, 10**7: 7}
+
+_Make = Callable[[Poses, Flags], Runner]
 
 
 # --- the candidates --------------------------------------------------------------------------
@@ -84,7 +84,7 @@ def _fast_pose(poses: Poses, flags: Flags) -> Runner:
     return c_loop(library, forces.prepare(poses.robot, NAME).model, poses)
 
 
-def _batch(precision: forces.Precision, threads: int) -> Callable[[Poses, Flags], Runner]:
+def _batch(precision: forces.Precision, threads: int) -> _Make:
     """``stewart_exact_forces_batch``, called from Python with given arrays."""
 
     def make(poses: Poses, flags: Flags) -> Runner:
@@ -144,10 +144,6 @@ def _prepared_call(poses: Poses, _: Flags) -> Runner:
     slot = forces.prepare(poses.robot, NAME).one_pose()
     slot.numbers[...] = poses.rows[0]
 
-    def run(repeats: int) -> None:
-        for _ in range(repeats):
-            slot.solve()
-
     def found() -> Array:
         F = []
         for row in poses.rows:
@@ -156,19 +152,14 @@ def _prepared_call(poses: Poses, _: Flags) -> Runner:
             F.append(slot.F.copy())
         return np.array(F)
 
-    return Runner(run, found)
+    return repeated(slot.solve, found)
 
 
 def _python_call(poses: Poses, _: Flags) -> Runner:
     """``inverse_dynamics`` as users call it, one pose a call."""
-    robot, motions = poses.robot, [poses.motion[i] for i in range(len(poses))]
-
-    def run(repeats: int) -> None:
-        for _ in range(repeats):
-            for motion in motions:
-                inverse_dynamics(robot, motion)
-
-    return Runner(run, lambda: np.array([inverse_dynamics(robot, motion).F for motion in motions]))
+    given = [(poses.robot, poses.motion[i]) for i in range(len(poses))]
+    found = timing.over(inverse_dynamics, given)
+    return Runner(found, lambda: np.array([inverse_dynamics(*each).F for each in given]))
 
 
 def _numpy(poses: Poses, _: Flags) -> Runner:
@@ -188,48 +179,22 @@ CORES = os.cpu_count() or 1
 FLOAT_AGREEMENT = 1e-3
 ALL_CORES = f"batch, {CORES} cores"
 _BATCH = f"stewart_{NAME}_forces_batch"
+
+
+def _forces_batch(name: str, make: _Make, function: str = _BATCH, **more: Any) -> Candidate:
+    """The forces alone of many poses in one call of the C."""
+    counted: Any = {"operations": _force_operations, "function": function, **more}
+    return Candidate(name, "C, F alone", "batch", LARGE, make, **counted)
+
+
 OURS = (
     Candidate(
         ONE_POSE, "C, F alone", "one pose", FEW, _fast_pose, operations=_force_operations, function="drive"
     ),
-    Candidate(
-        BATCH,
-        "C, F alone",
-        "batch",
-        LARGE,
-        _batch("double", 1),
-        sweep=True,
-        operations=_force_operations,
-        function=_BATCH,
-    ),
-    Candidate(
-        COLUMNS,
-        "C, F alone",
-        "batch",
-        LARGE,
-        _columns,
-        operations=_force_operations,
-        function=f"stewart_{NAME}_forces_columns",
-    ),
-    Candidate(
-        ALL_CORES,
-        "C, F alone",
-        "batch",
-        LARGE,
-        _batch("double", CORES),
-        operations=_force_operations,
-        function=_BATCH,
-    ),
-    Candidate(
-        FLOAT,
-        "C, F alone",
-        "batch",
-        LARGE,
-        _batch("float", 1),
-        operations=_force_operations,
-        tolerance=FLOAT_AGREEMENT,
-        function=_BATCH,
-    ),
+    _forces_batch(BATCH, _batch("double", 1), sweep=True),
+    _forces_batch(COLUMNS, _columns, f"stewart_{NAME}_forces_columns"),
+    _forces_batch(ALL_CORES, _batch("double", CORES)),
+    _forces_batch(FLOAT, _batch("float", 1), tolerance=FLOAT_AGREEMENT),
     Candidate(
         "every output", "C, D K H c x F", "one pose", FEW, _one_pose, operations=_operations, function="drive"
     ),
@@ -241,13 +206,7 @@ CALLS = (
 )
 """Calls for one pose; what they take over the first of ``OURS`` is the price of the call."""
 
-COMPARED = {
-    "casadi": "casadi",
-    "pinocchio": "pin",
-    "pydrake": "drake",
-    "mujoco": "mujoco",
-    "jax": "jax",
-}
+COMPARED = {"casadi": "casadi", "pinocchio": "pin", "pydrake": "drake", "mujoco": "mujoco", "jax": "jax"}
 """Distribution of each optional package that is compared, by the name it is imported by."""
 
 SLOW_TO_COMPILE = ("jax",)
@@ -425,10 +384,7 @@ def _called(poses: Poses, present: Collection[str | None]) -> tuple[Called, ...]
 
 
 def _differences(
-    poses: Poses,
-    candidates: Sequence[Candidate],
-    runners: Mapping[str, Runner],
-    called: Sequence[Called],
+    poses: Poses, candidates: Sequence[Candidate], runners: Mapping[str, Runner], called: Sequence[Called]
 ) -> dict[str, float]:
     """Compare everybody's forces with the reference's."""
     truth = reference.inverse_dynamics(poses.robot, poses.motion).F
@@ -452,7 +408,7 @@ def _swept(poses: Poses, sizes: Sequence[int], rounds: int, progress: Progress) 
     """Batches of all sizes that fit into memory; small ones are the beginning of the largest."""
     swept = [each for each in OURS if each.sweep]
     room = _free_memory()
-    # Motions of 240 bytes, forces of 48 and a status for each candidate, and as much again to breathe.
+    # A motion takes 240 bytes, forces and a status 52 for each candidate; half of the memory stays free.
     sizes = [size for size in sizes if 2 * size * (240 + 52 * len(swept)) < room or size == min(sizes)]
     progress("preparing the batches")
     largest = poses.resized(max(sizes))
@@ -464,9 +420,6 @@ def _swept(poses: Poses, sizes: Sequence[int], rounds: int, progress: Progress) 
         for each in swept
         for size in sizes
     )
-
-
-# --- memory ---------------------------------------------------------------------------------------
 
 
 def _free_memory() -> int:

@@ -10,7 +10,6 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...backend import c_kernel, native
 from ...backend.c_kernel import address, pointers
@@ -18,6 +17,8 @@ from ...backend.kernel import robot_numbers
 from ...dynamics import forces
 from ...dynamics.equations import joint_space_inertia
 from ...exchange.machine import robot_of_bodies
+from ...io.array_types import Array
+from ...io.extras import absent
 from ...kinematics.inverse import wrench_matrix, wrench_matrix_rate
 from ...motion.motion import Motion
 from ...motion.rotation import cross_matrix, rotation_from_vector
@@ -28,14 +29,12 @@ from ...robot.robot import Robot
 from ..common.loops import own_source
 from ..common.timing import Task
 from .baselines import AGREEMENT, SLOW, Runner, repeated, succeed
-from .engines.constraints import engines
-from .engines.tree import Engine, tree
+from .engines.tree import Engine, Tree, tree
 from .figures import MotionFigures
 from .poses import Poses
 from .processor import Flags, Target, widest
 from .samples import DERIVATIVES, EQUATIONS, FORWARD, INVERSE, NAME, REGRESSOR, Figure, batched
 
-Array = NDArray[np.float64]
 Run = Callable[[int], object]
 
 POSES = 16
@@ -303,8 +302,26 @@ def motion_group(poses: Poses, targets: Sequence[Target]) -> MotionGroup:
     return MotionGroup(robot, tuple(built), baselines, differences)
 
 
+def engines(robot: Robot, tree: Tree) -> tuple[Engine, ...]:
+    """Pinocchio and MuJoCo, those of them that are installed, for the poses of the tree.
+
+    Each closes the five loops by constraints and is called from Python, one pose per call, its state
+    prepared; a call over a model without bodies shows what the call costs.
+    """
+    found = []
+    if not absent("pinocchio"):
+        from .engines.pinocchio_constraints import pinocchio_engine
+
+        found.append(pinocchio_engine(robot, tree))
+    if not absent("mujoco"):
+        from .engines.mujoco_constraints import mujoco_engine
+
+        found.append(mujoco_engine(robot, tree))
+    return tuple(found)
+
+
 _EMPTY = ", nothing"
-"""Ends the names of tasks that call over models without bodies."""
+"""Ending of the names of tasks that call the engine on a model without bodies."""
 
 
 def _task(name: str, kind: str = "") -> str:

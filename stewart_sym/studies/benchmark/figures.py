@@ -4,18 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from .samples import (
-    CLOSED,
-    DERIVATIVES,
-    FORWARD,
-    NAME,
-    PLAIN,
-    CompileTime,
-    Figure,
-    Peak,
-    Speedup,
-    TextSize,
-)
+from .samples import CLOSED, DERIVATIVES, FORWARD, NAME, PLAIN, CompileTime, Figure, Peak, Speedup, TextSize
 from .shares import Measured, shares
 
 MOST = {FORWARD: (2.0,), DERIVATIVES: (8.0, 5.0)}

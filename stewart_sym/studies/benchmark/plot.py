@@ -4,22 +4,21 @@ import functools
 import math
 import textwrap
 from collections.abc import Sequence
+from typing import Any
 
-from ...io.extras import install, needed_for
+from ...io.extras import install
+from ..common.drawing import BLUE, RED, Axes, new_figure
+from ..common.drawing import Figure as Canvas
 from ..common.host import DISTURBED
+from ..common.output import aligned
 from ..common.report import SMALL, Picture, Report
-from ..common.table import aligned
 from .figures import MOST, TIMES_FASTER, Benchmark, MotionFigures
 from .samples import Figure, Samples
 from .shares import Share, shares
 
-with needed_for("drawing"):
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure as Canvas
-
 WIDTH = 110
 
-_OURS, _PEER, _LIMIT = "#1f4e9c", "#5a5a5a", "#c1440e"
+_OURS, _PEER, _LIMIT = BLUE, "#5a5a5a", RED
 _SOFTWARE = {
     "casadi": "CasADi",
     "pin": "Pinocchio",
@@ -144,7 +143,7 @@ def _builds(found: Benchmark) -> str:
     )
     if named:
         notes += " Ratios are to the faster of CasADi's builds for the same instructions."
-    return f"{aligned(header, rows, left=2)}\n\n{textwrap.fill(notes, WIDTH, break_on_hyphens=False)}"
+    return f"{aligned(header, rows, left=2)}\n\n{_filled(notes)}"
 
 
 def _cores(found: Benchmark) -> str:
@@ -159,13 +158,11 @@ def _cores(found: Benchmark) -> str:
 
 def _notes(found: Benchmark) -> str:
     worst = max(found.differences.values())
-    return textwrap.fill(
+    return _filled(
         f"Medians and quartiles of {found.rounds} rounds; in each round every code takes its turn, for "
         f"{1e3 * found.shortest_sample:g} ms or more, after a run of its own that isn't timed. Ratios are of "
         f"medians. All found the same forces first, to {worst:.0e} of a pose's largest. "
-        f"{_casadi_note(found)}{_called_note(found)}{_limit_note(found)}",
-        WIDTH,
-        break_on_hyphens=False,
+        f"{_casadi_note(found)}{_called_note(found)}{_limit_note(found)}"
     )
 
 
@@ -232,11 +229,8 @@ def _sizes(found: Benchmark) -> str:
     sizes = sorted({figure.poses for figure in found.sweep})
     names = dict.fromkeys(figure.name for figure in found.sweep)
     medians = {(figure.name, figure.poses): _number(figure.median) for figure in found.sweep}
-    header = (
-        "ns per pose, batch of",
-        *(f"{size:.0e}".replace("e+0", "e") for size in sizes),
-        "longest/shortest",
-    )
+    counts = (f"{size:.0e}".replace("e+0", "e") for size in sizes)
+    header = ("ns per pose, batch of", *counts, "longest/shortest")
     rows = [
         (f"ours: {name}", *(medians.get((name, size), "") for size in sizes), f"{found.flatness(name):.2f}")
         for name in names
@@ -271,13 +265,11 @@ def _faster(found: MotionFigures) -> str:
 
 def _motion_notes(found: MotionFigures) -> str:
     ours = max(found.differences[each.name] for each in found.ours)
-    return textwrap.fill(
+    return _filled(
         f"{found.robot} with inertia tensors that bodies can have, for everybody here; same "
         f"rounds and turns, {found.ours[0].poses} poses. All were compared with the vector reference and its "
         f"differences first, ours to {ours:.0e} of a pose's largest number."
-        f"{_baselines_note(found)}{_opened_note(found)}",
-        WIDTH,
-        break_on_hyphens=False,
+        f"{_baselines_note(found)}{_opened_note(found)}"
     )
 
 
@@ -307,15 +299,9 @@ def _opened_note(found: MotionFigures) -> str:
 
 
 def _passes(found: Benchmark) -> str:
-    header = (
-        "after the pass",
-        "operations",
-        "with friction",
-        "one pose, ns",
-        "quartiles",
-        f"batch of {found.passes[0].batch.poses}",
-        "quartiles",
-    )
+    batch = f"batch of {found.passes[0].batch.poses}"
+    counts = ("operations", "with friction")
+    header = ("after the pass", *counts, "one pose, ns", "quartiles", batch, "quartiles")
     rows = [
         (
             each.name,
@@ -351,7 +337,11 @@ def _compiling(found: Benchmark) -> str:
             f" Text: functions of {found.text.source} that a program which prepares a robot and computes one "
             f"pose is left with ({parts}), {' '.join(found.text.flags)}, linked with --gc-sections."
         )
-    return f"{aligned(header, rows)}\n\n{textwrap.fill(notes, WIDTH, break_on_hyphens=False)}"
+    return f"{aligned(header, rows)}\n\n{_filled(notes)}"
+
+
+def _filled(notes: str) -> str:
+    return textwrap.fill(notes, WIDTH, break_on_hyphens=False)
 
 
 def _count(figure: Figure) -> str:
@@ -382,7 +372,7 @@ def picture(found: Benchmark) -> Canvas:
     """Every candidate's time on a log axis, with the ratio to CasADi; below, time over batch size."""
     rows = len(found.ours) + len(found.baselines)
     heights = [0.36 * rows + 1.0, 2.3]
-    canvas = Canvas(figsize=(8.6, sum(heights) + 0.7), layout="constrained")
+    canvas = new_figure(8.6, sum(heights) + 0.7)
     canvas.set_layout_engine("constrained", w_pad=0.12, h_pad=0.06)
     above, below = canvas.subplots(2, 1, height_ratios=heights)
     processor = found.machine["processor"]
@@ -460,16 +450,9 @@ def _draw_sizes(axes: Axes, found: Benchmark) -> None:
         ends = zip(medians, (figure.quartiles for figure in figures), strict=True)
         spread = [(median - low, high - median) for median, (low, high) in ends]
         label = f"ours: {name} (longest/shortest {found.flatness(name):.2f})"
-        axes.errorbar(
-            sizes,
-            medians,
-            list(zip(*spread, strict=True)),
-            color=color,
-            marker=marker,
-            markersize=5,
-            label=label,
-            capsize=2,
-        )
+        bars = list(zip(*spread, strict=True))
+        look: Any = {"color": color, "marker": marker, "markersize": 5, "capsize": 2}
+        axes.errorbar(sizes, medians, bars, label=label, **look)
     axes.set_xscale("log")
     axes.set_ylim(0, 1.35 * max((figure.quartiles[1] for figure in found.sweep), default=1.0))
     axes.set(xlabel="poses in a batch", ylabel="ns per pose")
@@ -482,7 +465,7 @@ def motion_picture(found: Benchmark) -> Canvas:
     rows = [(figure, f"ours: {figure.name}", _OURS) for figure in motion.ours]
     rows += [(figure, f"{figure.name}: forward dynamics", _PEER) for figure in motion.baselines]
     rows.sort(key=lambda row: row[0].median)
-    canvas = Canvas(figsize=(8.6, 0.36 * len(rows) + 1.7), layout="constrained")
+    canvas = new_figure(8.6, 0.36 * len(rows) + 1.7)
     canvas.set_layout_engine("constrained", w_pad=0.12, h_pad=0.06)
     axes = canvas.subplots()
     canvas.suptitle(f"Equations of motion, one pose, ns: {found.machine['processor']}", x=0.5)

@@ -4,16 +4,14 @@ import functools
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...io.array_types import Array
 from ...motion.motion import Motion
 from ...motion.rotation import rotation_from_rpy
 from ...motion.straight_line import PATHS
 from ...reference import newton_euler as reference
 from ...robot.robot import Robot
 from ...robots import dasgupta1998
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...backend import kernel, native
-from ...backend.c_kernel import address
+from ...backend.c_kernel import address, pointers
 from ...io.progress import Progress, silent
 from ...robot.robot import Robot
 from .baselines import FEW, MANY, Candidate, Runner, c_loop, forces_loop, repeated, succeed
@@ -41,18 +41,8 @@ def stages(progress: Progress = silent) -> tuple[Stage, ...]:
 def _stage(number: int, source: "Pass") -> Stage:
     build = _Build(f"bench_pass_{number}", {**source.sources, **forces_loop()}, source.model_numbers)
     one_pose, batch = (
-        Candidate(
-            f"{source.name}, {kind}",
-            source.meaning,
-            kind,
-            poses,
-            make,
-            operations=lambda: source.operations[1],
-        )
-        for kind, poses, make in (
-            ("one pose", FEW, build.one_pose),
-            ("batch", MANY, build.batch),
-        )
+        Candidate(f"{source.name}, {kind}", source.meaning, kind, poses, make, lambda: source.operations[1])
+        for kind, poses, make in (("one pose", FEW, build.one_pose), ("batch", MANY, build.batch))
     )
     return Stage(source.name, source.meaning, source.operations, (one_pose, batch))
 
@@ -74,8 +64,8 @@ class _Build:
         F, status = np.zeros((len(poses), 6)), np.zeros(len(poses), dtype=np.int32)
         library, model = self._library(flags), self._model(poses.robot, flags)
         function = getattr(library, f"stewart_{NAME}_forces_batch")
-        motions = (ctypes.c_void_p * len(poses.arrays))(*(array.ctypes.data for array in poses.arrays))
-        arguments = (address(model), ctypes.c_size_t(len(poses)), motions, address(F), address(status))
+        motions, count = pointers(poses.arrays), ctypes.c_size_t(len(poses))
+        arguments = (address(model), count, motions, address(F), address(status))
 
         def found() -> NDArray[np.float64]:
             succeed(int(status.max()))

@@ -13,11 +13,11 @@ NAME: Formulation = "exact"
 """The kernel that is measured."""
 
 PLAIN, CLOSED = "CasADi", "CasADi, closed form"
-"""What other figures are divided by, where CasADi is installed; first by the closed form, the stricter."""
+"""Other times are divided by these, where CasADi is installed; the closed form is the stricter measure."""
 
 ONE_POSE, BATCH, FLOAT = "one pose", "batch, one core", "batch, float"
 COLUMNS = "batch, columns"
-"""Of arrays with a column for each component."""
+"""A batch of arrays with a column for each component."""
 INVERSE, EQUATIONS, FORWARD = "inverse dynamics", "equations", "forward dynamics"
 DERIVATIVES, REGRESSOR = "derivatives", "regressor"
 

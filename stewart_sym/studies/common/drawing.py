@@ -1,28 +1,45 @@
-"""What pictures share: names as written, legends, names of points, numbers of logarithmic axes.
+"""What pictures share: empty figures, colours, legends, names of points, numbers of logarithmic axes.
 
-Needs the extra ``plot``.
+Matplotlib, of the extra ``plot``, is imported when something is drawn: modules that draw import without it.
 """
 
 import math
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ...io.extras import needed_for
 
-with needed_for("drawing"):
-    import textalloc
-    from matplotlib.axes import Axes
-    from matplotlib.axis import Axis
-    from matplotlib.figure import Figure
-    from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes as Axes
+    from matplotlib.axis import Axis as Axis
+    from matplotlib.figure import Figure as Figure
+else:
+    Axes = Axis = Figure = Any
+
+BLUE, RED, DARK, GREY = "#1f4e9c", "#c1440e", "#3a3a3a", "#8a8a8a"
+LEG_COLORS = (BLUE, RED, "#2e7d4f", "#8e5ea2", "#b8860b", DARK)
 
 Place = tuple[float, float]
 """Data coordinates (x, y)."""
 
 _DECADES = 2.0
-"""Below which ticks of a logarithmic axis stand between powers of ten too, as plain numbers."""
+"""An axis over fewer decades also has ticks between the powers of ten, and all are plain numbers."""
 _MARGIN = 0.02
-"""Of the figure's width, that a legend leaves free in all."""
+"""Share of the figure's width that stays free beside a legend."""
+
+
+def new_figure(width: float, height: float) -> Figure:
+    """An empty figure, inches; MissingExtraError without Matplotlib."""
+    with needed_for("drawing"):
+        from matplotlib import figure
+    return figure.Figure(figsize=(width, height), layout="constrained")
+
+
+def legend_line(label: str, **style: Any) -> Any:
+    """A line for legends, in the style of ``Line2D``."""
+    from matplotlib.lines import Line2D
+
+    return Line2D([], [], label=label, **style)
 
 
 def as_written(name: str) -> str:
@@ -66,10 +83,12 @@ def name_points(
     they keep off as well. size: of the font. The layout of the figure is fixed from here on. Raises
     ValueError if there is no room.
     """
+    with needed_for("drawing"):
+        import textalloc
     figure: Any = axes.get_figure()
     figure.draw_without_rendering()
     figure.set_layout_engine("none")
-    # Its types do not say what may be None.
+    # Its type hints do not say what may be None.
     allocate: Any = textalloc.allocate
     texts, at, colors = zip(*names, strict=True)
     # The order in which names choose their places matters: the given one first, then others.
@@ -106,6 +125,8 @@ def log_numbers(axis: Axis) -> None:
 
     Below one decade it becomes linear: ticks of equal distance are read as those of a linear axis.
     """
+    from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+
     low, high = sorted(axis.get_view_interval())
     decades = math.log10(high / low)
     if decades < 1.0:

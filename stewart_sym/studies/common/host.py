@@ -15,7 +15,7 @@ _VECTORS = ("avx512f", "avx2", "asimd")
 
 
 DISTURBED = 0.03
-"""Share of the cores' time in others' hands from which on what was timed is called disturbed."""
+"""Times are called disturbed if other processes took more than this share of the cores' time."""
 
 
 def machine() -> dict[str, Any]:
@@ -55,7 +55,7 @@ def software(*packages: str) -> dict[str, Any]:
 
 
 class Others:
-    """What other processes, and a hypervisor, take of all cores from now on."""
+    """Time that other processes, and a hypervisor, take of all cores from now on."""
 
     def __init__(self) -> None:
         """Begin."""

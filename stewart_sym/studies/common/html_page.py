@@ -21,9 +21,9 @@ from ...viewer.view import frame
 from .report import Picture, Report, svg
 
 MOST_ROWS = 500
-"""Of a table over time; of a longer one some rows, as even as can be, stand in the page."""
+"""Rows of a table over time that the page has; of a longer table, evenly spaced ones."""
 
-# Numbers of a list that one cell has room for.
+# A cell shows the numbers of a list up to this length, of a longer one its range.
 _MOST_NUMBERS = 6
 
 

@@ -1,4 +1,4 @@
-"""Tables of results as CSV text."""
+"""Tables of results as plain text and as CSV."""
 
 import csv
 import io
@@ -9,6 +9,8 @@ from typing import Any
 import numpy as np
 import orjson
 from numpy.typing import NDArray
+
+from ...motion.rotation import quaternion_from_rotation
 
 _ROWS = 1024
 
@@ -25,6 +27,12 @@ def of_legs(name: str, values: NDArray[Any], ending: str = "") -> Columns:
 def of_axes(name: str, values: NDArray[Any]) -> Columns:
     """Columns of each axis, ``name_x`` to ``name_z``, from (n, 3)."""
     return {f"{name}_{axis}": column for axis, column in zip("xyz", values.T, strict=True)}
+
+
+def of_rotations(R: NDArray[Any]) -> Columns:
+    """Columns of quaternions, ``q_w`` to ``q_z``, from (n, 3, 3)."""
+    parts = quaternion_from_rotation(R).T
+    return {f"q_{name}": column for name, column in zip("wxyz", parts, strict=True)}
 
 
 def csv_lines(columns: Mapping[str, NDArray[Any]], header: bool = True) -> Iterator[str]:
@@ -49,3 +57,17 @@ def csv_text(rows: Iterable[Sequence[object]]) -> str:
     stream = io.StringIO()
     csv.writer(stream, lineterminator="\n").writerows(rows)
     return stream.getvalue()
+
+
+def aligned(header: Sequence[str], rows: Sequence[Sequence[str]], left: int = 1) -> str:
+    """Columns as wide as their widest cell; the first ``left`` of them flush left, the others right."""
+    table = [header, *rows]
+    widths = [max(len(row[i]) for row in table) for i in range(len(header))]
+    lines = [
+        "  ".join(
+            cell.ljust(width) if i < left else cell.rjust(width)
+            for i, (cell, width) in enumerate(zip(row, widths, strict=True))
+        ).rstrip()
+        for row in table
+    ]
+    return "\n".join([lines[0], "-" * max(map(len, lines)), *lines[1:]])

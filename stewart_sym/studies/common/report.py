@@ -28,7 +28,7 @@ STYLE: Mapping[Any, Any] = {
     "axes.spines.right": False,
     "legend.frameon": False,
 }
-"""Of all pictures; ``SMALL``: with smaller letters."""
+"""Matplotlib's settings of all pictures; ``SMALL``: with smaller letters."""
 SMALL: Mapping[Any, Any] = {**STYLE, "font.size": 9.0, "axes.axisbelow": True}
 
 _METADATA: dict[str, dict[str, None]] = {"png": {"Software": None}, "svg": {"Date": None, "Creator": None}}
@@ -62,12 +62,7 @@ class Report:
     views: "Mapping[str, Callable[[], View]]" = field(default_factory=dict)
 
 
-def write(
-    report: Report,
-    folder: Path,
-    name: str,
-    progress: Progress = silent,
-) -> None:
+def write(report: Report, folder: Path, name: str, progress: Progress = silent) -> None:
     """Write ``name.txt``, ``name.json``, every table as CSV and every picture into a folder.
 
     Raises OSError naming the file that can't be written, ImportError for pictures without Matplotlib.

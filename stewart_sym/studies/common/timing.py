@@ -3,7 +3,7 @@
 import contextlib
 import gc
 import time
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, TypeVar
 
@@ -32,6 +32,18 @@ def repeated(call: Callable[[], object]) -> Callable[[int], None]:
     def run(repeats: int) -> None:
         for _ in range(repeats):
             call()
+
+    return run
+
+
+def over(call: Callable[..., object], arguments: Iterable[tuple[Any, ...]]) -> Callable[[int], None]:
+    """What makes a call with each of the arguments, n times all of them."""
+    every = list(arguments)
+
+    def run(repeats: int) -> None:
+        for _ in range(repeats):
+            for each in every:
+                call(*each)
 
     return run
 

@@ -8,14 +8,14 @@ import dataclasses
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...dynamics.equations import ForwardDynamics, equations_of_motion
 from ...dynamics.forces import OnePose, prepare
 from ...dynamics.inverse import Formulation, massless_forces
+from ...io.array_types import Array
 from ...io.progress import Progress, silent, tracked
 from ...kinematics.inverse import inverse_kinematics
 from ...kinematics.paths import path_for
@@ -28,8 +28,6 @@ from ...robots import dasgupta1998
 from ...simulation.actuator_models import ForceLaw, GravityCompensation, Model, ModelTorque, Wanted
 from ...simulation.fixed_step import advance
 from ..reports.track import exceeded
-
-Array = NDArray[np.float64]
 
 CONTROLLERS = ("exact", "paper", "massless", "gravity")
 TRACKED = ("I", "II")
@@ -209,19 +207,14 @@ def follow(
     wanted = _Samples(times, path.sample(times))
     laws = controllers(robot, wanted, settings)
     start = _start(wanted.motion[0], np.array(path.axes), settings, len(laws))
-    states, F = _runs(ForwardDynamics(robot), laws, times, start, settings.steps)
+    all_t, all_R, F = _runs(ForwardDynamics(robot), laws, times, start, settings.steps)
     found = {}
     for i, name in enumerate(laws):
-        t, R = states.t[:, i], states.R[:, i]
+        t, R = all_t[:, i], all_R[:, i]
         position = np.linalg.norm(t - wanted.motion.t, axis=-1)
         turn = vector_from_rotation(wanted.motion.R @ np.swapaxes(R, -1, -2))
         found[name] = Run(times, t, R, F[:, i], position, np.linalg.norm(turn, axis=-1))
     return found
-
-
-class _States(NamedTuple):
-    t: Array
-    R: Array
 
 
 class _Samples:
@@ -238,8 +231,8 @@ class _Samples:
 
 def _runs(
     plant: ForwardDynamics, laws: Mapping[str, ForceLaw], times: Array, state: Motion, steps: int
-) -> tuple[_States, Array]:
-    """States (n, c) and forces (n, c, 6) of n samples and c laws."""
+) -> tuple[Array, Array, Array]:
+    """t, (n, c, 3), R and forces, (n, c, 6), of n samples and c laws."""
     t, R, F = (np.empty((len(times), len(laws), *shape)) for shape in ((3,), (3, 3), (6,)))
     for i, time in enumerate(times.tolist()):
         t[i], R[i] = state.t, state.R
@@ -249,7 +242,7 @@ def _runs(
         if i + 1 < len(times):
             state, status = advance(plant, state, F[i], times[i + 1] - time, steps)
             _reject(laws, time, ["" if code == OK else STATUS_TEXT[code] for code in status.tolist()])
-    return _States(t, R), F
+    return t, R, F
 
 
 def _reject(laws: Mapping[str, ForceLaw], time: float, reasons: Sequence[str]) -> None:

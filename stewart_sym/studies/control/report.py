@@ -2,22 +2,14 @@
 
 import functools
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from ..common.output import Columns, csv_text, of_legs
+from ..common.drawing import BLUE, DARK, RED, Figure, as_written, legend_below, log_numbers, new_figure
+from ..common.output import Columns, aligned, csv_text, of_legs
 from ..common.report import Picture, Report, Table
-from ..common.table import aligned
 from .control import Run, Settings, Study
 
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
-NAMES = {
-    "exact": "`exact`",
-    "paper": "`paper`",
-    "massless": "massless legs",
-    "gravity": "PD + gravity",
-}
+NAMES = {"exact": "`exact`", "paper": "`paper`", "massless": "massless legs", "gravity": "PD + gravity"}
 _HEADER = (
     *("machine", "path", "controller"),
     *("pos RMS mm", "max mm", "RMS/exact", "ori RMS mrad", "max mrad", "RMS/exact"),
@@ -33,9 +25,9 @@ _COLUMNS = tuple(
     for column in (*measured, f"{measured[0]}_to_exact")
 )
 _STYLE: Mapping[str, Mapping[str, Any]] = {
-    "exact": {"color": "#1f4e9c", "linewidth": 3.4, "alpha": 0.45},
-    "paper": {"color": "#c1440e", "linewidth": 1.3},
-    "massless": {"color": "#3a3a3a", "linewidth": 1.2, "linestyle": (0, (5, 1.5))},
+    "exact": {"color": BLUE, "linewidth": 3.4, "alpha": 0.45},
+    "paper": {"color": RED, "linewidth": 1.3},
+    "massless": {"color": DARK, "linewidth": 1.2, "linestyle": (0, (5, 1.5))},
     "gravity": {"color": "#2a8a4a", "linewidth": 1.3, "linestyle": (0, (1.2, 1.2))},
 }
 
@@ -52,15 +44,14 @@ _UNITS = {
 }
 
 
-def full_report(studies: Mapping[str, Study], pictures: bool = True) -> Report:
-    """Table, figures, errors and forces over time, and if wanted a picture of each machine."""
+def full_report(studies: Mapping[str, Study]) -> Report:
+    """Table, figures, errors and forces over time, and a picture of each machine."""
     tables: dict[str, Table] = {"control": csv_rows(studies)}
     figures = {}
     for number, (label, study) in enumerate(studies.items()):
         suffix = f"_{label}" if number else ""
         tables |= {f"path_{path}{suffix}": run_columns(runs) for path, runs in study.runs.items()}
-        if pictures:
-            figures[f"control{suffix}"] = Picture(functools.partial(figure, study))
+        figures[f"control{suffix}"] = Picture(functools.partial(figure, study))
     return Report(report(studies), tables, as_json(studies), figures)
 
 
@@ -111,13 +102,9 @@ def run_columns(runs: Mapping[str, Run]) -> Columns:
     return columns
 
 
-def figure(study: Study) -> "Figure":
+def figure(study: Study) -> Figure:
     """Errors, on logarithmic axes, and the force of the hardest working leg over time, a column a path."""
-    from matplotlib.figure import Figure
-
-    from ..common.drawing import as_written, legend_below, log_numbers
-
-    picture = Figure(figsize=(10.0, 8.0), layout="constrained")
+    picture = new_figure(10.0, 8.0)
     grid = picture.subplots(3, len(study.runs), sharex="col", sharey="row", squeeze=False)
     for column, (path, runs) in zip(grid.T, study.runs.items(), strict=True):
         column[0].set_title(f"Path {path}", fontsize=10.0)
@@ -131,9 +118,8 @@ def figure(study: Study) -> "Figure":
             axes.margins(x=0.0)
         for axes in column[:2]:
             log_numbers(axes.yaxis)
-    for row, label in zip(
-        grid, ("position error, mm", "orientation error, mrad", "largest force, N"), strict=True
-    ):
+    labels = ("position error, mm", "orientation error, mrad", "largest force, N")
+    for row, label in zip(grid, labels, strict=True):
         row[0].set_ylabel(label)
     picture.suptitle(as_written(study.robot.name), fontsize=10.0)
     legend_below(picture)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -14,18 +14,15 @@ from ...motion.trajectory import PoseLog, Trajectory
 from ...robot.robot import LEGS, Robot
 from ...viewer.instants import of_trajectory
 from ...viewer.view import View
-from ..common.output import csv_text
-from ..common.report import Picture, Report
-from ..common.table import aligned
-
-_DEGREES = 180.0 / np.pi
+from ..common.output import aligned, csv_text
+from ..common.report import Report
+from .size_plot import pictures
 
 
-def report(robot: Robot, sources: Sequence[str], needs: Needs, figures: Mapping[str, Picture]) -> Report:
-    """Text, figures for programs, a row for each need as a table, and the pictures given."""
-    return Report(
-        _text(robot, sources, needs), {"needs": _table(needs)}, _data(robot, sources, needs), figures
-    )
+def report(robot: Robot, sources: Sequence[str], needs: Needs) -> Report:
+    """Text, figures for programs, a row for each need as a table, and a picture."""
+    text, tables = _text(robot, sources, needs), {"needs": _table(needs)}
+    return Report(text, tables, _data(robot, sources, needs), pictures(robot, needs))
 
 
 def views(
@@ -67,8 +64,8 @@ def rows(needs: Needs) -> Iterator[tuple[str, str, Array]]:
     yield "stroke", "m", needs.stroke
     yield "shortest leg", "m", needs.length[:, 0]
     yield "longest leg", "m", needs.length[:, 1]
-    yield "base joint", "degrees", needs.base_angle * _DEGREES
-    yield "platform joint", "degrees", needs.platform_angle * _DEGREES
+    yield "base joint", "degrees", np.degrees(needs.base_angle)
+    yield "platform joint", "degrees", np.degrees(needs.platform_angle)
 
 
 def _text(robot: Robot, sources: Sequence[str], needs: Needs) -> str:

@@ -1,25 +1,16 @@
 """Picture of what motions need: force over speed, shares of the time, strokes, joint angles, limits."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np
 
 from ...design.size import Needs
 from ...io.array_types import Array
-from ...io.extras import needed_for
 from ...robot.robot import LEGS, Robot
-from ..common.drawing import as_written, legend_below
+from ..common.drawing import DARK, LEG_COLORS, Axes, Figure, as_written, legend_below, new_figure
 from ..common.report import SMALL, Picture
 
-with needed_for("drawing"):
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-
-_LEGS = ("#1f4e9c", "#c1440e", "#2e7d4f", "#8e5ea2", "#b8860b", "#3a3a3a")
 _LIMIT: dict[str, Any] = {"color": "#9c1f1f", "linestyle": (0, (4, 2)), "linewidth": 1.1}
-_DEGREES = 180.0 / np.pi
 _MOST = 4000
 """Points of a leg that are drawn."""
 
@@ -32,7 +23,7 @@ def pictures(robot: Robot, needs: Needs) -> dict[str, Picture]:
 def figure(robot: Robot, needs: Needs) -> Figure:
     """Four panels; of a robot with drives six."""
     driven = needs.course.torque is not None
-    drawn = Figure(figsize=(15.5 if driven else 11.0, 8.2), layout="constrained")
+    drawn = new_figure(15.5 if driven else 11.0, 8.2)
     panels = drawn.subplots(2, 3 if driven else 2)
     course = needs.course
     _plane(panels[0, 0], course.L_dot, course.F, robot.speed_limit, robot.force_limit)
@@ -52,7 +43,7 @@ def figure(robot: Robot, needs: Needs) -> Figure:
     drawn.suptitle(f"{as_written(robot.name)}: what the motions need; limits dashed; {margin}", fontsize=10.0)
     handles = [
         panels[0, 0].plot([], [], marker="o", linestyle="", color=color, label=f"leg {leg + 1}")[0]
-        for leg, color in enumerate(_LEGS)
+        for leg, color in enumerate(LEG_COLORS)
     ]
     legend_below(drawn, handles)
     return drawn
@@ -61,11 +52,11 @@ def figure(robot: Robot, needs: Needs) -> Figure:
 def _plane(axes: Axes, rate: Array, effort: Array, most_rate: Array, most_effort: Array) -> None:
     """Each leg's effort over its rate, and the limits that are near enough to be in the picture."""
     step = max(1, len(rate) // _MOST)
-    for leg, color in enumerate(_LEGS):
+    for leg, color in enumerate(LEG_COLORS):
         axes.plot(rate[::step, leg], effort[::step, leg], color=color, linewidth=0.8, alpha=0.8)
     across, along = 1.1 * np.abs(rate).max() or 1.0, 1.1 * np.abs(effort).max() or 1.0
-    axes.axhline(0.0, color="#3a3a3a", linewidth=0.7)
-    axes.axvline(0.0, color="#3a3a3a", linewidth=0.7)
+    axes.axhline(0.0, color=DARK, linewidth=0.7)
+    axes.axvline(0.0, color=DARK, linewidth=0.7)
     for limit, size, draw in ((most_rate, across, axes.axvline), (most_effort, along, axes.axhline)):
         for value in np.unique(limit[np.isfinite(limit)]):
             for side in (-value, value) if value < 3.0 * size else ():
@@ -74,7 +65,7 @@ def _plane(axes: Axes, rate: Array, effort: Array, most_rate: Array, most_effort
 
 def _shares(axes: Axes, sizes: Array, weight: Array, limit: Array) -> None:
     """For which share of the time each leg's effort, (n, 6), is above a size."""
-    for leg, color in enumerate(_LEGS):
+    for leg, color in enumerate(LEG_COLORS):
         order = np.argsort(-sizes[:, leg])
         above = np.cumsum(weight[order]) / weight.sum()
         axes.plot(100.0 * above, sizes[order, leg], color=color, linewidth=1.1)
@@ -88,7 +79,7 @@ def _shares(axes: Axes, sizes: Array, weight: Array, limit: Array) -> None:
 def _strokes(axes: Axes, robot: Robot, needs: Needs) -> None:
     """Lengths that each leg takes, with the margin, and its limits."""
     more = 0.5 * needs.margin * needs.stroke
-    for leg, color in enumerate(_LEGS):
+    for leg, color in enumerate(LEG_COLORS):
         low, high = needs.length[leg]
         axes.bar(
             leg + 1, high - low + 2.0 * more[leg], bottom=low - more[leg], color=color, alpha=0.3, width=0.6
@@ -105,13 +96,13 @@ def _angles(axes: Axes, robot: Robot, needs: Needs) -> None:
     """Largest angles of the joints at the base, left, and at the platform, right and hatched."""
     ends = ((needs.base_angle, -0.2, ""), (needs.platform_angle, 0.2, "///"))
     for end, (angles, shift, hatch) in enumerate(ends):
-        for leg, color in enumerate(_LEGS):
-            place, angle = leg + 1 + shift, angles[leg] * _DEGREES
+        for leg, color in enumerate(LEG_COLORS):
+            place, angle = leg + 1 + shift, np.degrees(angles[leg])
             axes.bar(place, angle * (1.0 + needs.margin), color=color, alpha=0.3, width=0.36)
             axes.bar(place, angle, color=color, width=0.36, hatch=hatch, edgecolor="white")
             limit = robot.joint_angle_limit[leg, end]
             if limit < np.pi:
-                axes.hlines(limit * _DEGREES, place - 0.2, place + 0.2, **_LIMIT)
+                axes.hlines(np.degrees(limit), place - 0.2, place + 0.2, **_LIMIT)
     axes.set(
         xlabel="leg; base joint left, platform joint right, hatched",
         ylabel="joint angle, degrees",

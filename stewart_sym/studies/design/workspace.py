@@ -16,17 +16,16 @@ from ...io.array_types import Array
 from ...io.progress import Progress, tracked
 from ...motion.rotation import rotation_from_rpy
 from ...robot.robot import Robot
-from ..common.output import csv_text
+from ..common.output import aligned, csv_text
 from ..common.report import Picture, Report
-from ..common.table import aligned
 
 POINTS = 121
-"""Of a slice along each axis."""
+"""How many poses a slice has along each axis."""
 
 AXES = ("t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z")
-_ENDS = np.array([[-math.inf, math.inf]] * 3 + [[-math.pi, math.pi], [-0.5 * math.pi, 0.5 * math.pi]] * 1)
-_ENDS = np.concatenate([_ENDS, _ENDS[3:4]])
-# By this share of its width a slice is wider than the poses within the limits.
+_ENDS = np.array([[-math.inf, math.inf]] * 3 + [[-math.pi, math.pi]] * 3)
+_ENDS[4] *= 0.5
+# A slice reaches beyond the poses within the limits, on each side by this share of their width.
 _MARGIN = 0.12
 
 

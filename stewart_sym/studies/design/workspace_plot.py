@@ -1,32 +1,21 @@
 """Picture of a workspace: planes through the pose in the middle, by condition number and broken limit."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np
 
 from ...design.pose_limits import INSIDE, REASONS
 from ...design.workspace import Workspace
-from ...io.extras import needed_for
-from ..common.drawing import as_written, legend_below
+from ..common.drawing import DARK, Axes, Figure, as_written, legend_below, new_figure
 from ..common.report import SMALL, Picture
 from .workspace import AXES, Slice, title
 
-with needed_for("drawing"):
-    from matplotlib.axes import Axes
-    from matplotlib.colors import ListedColormap, LogNorm
-    from matplotlib.figure import Figure
-    from matplotlib.patches import Patch
-    from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
-
 _OUTSIDE = ("#ffffff", "#d9d9d9", "#c6d8ee", "#e6cfe8", "#f3d9b1", "#f4c2c2", "#d5e8c8")
 """Colours of the limits, in the order of ``REASONS``; what is inside is coloured by its condition number."""
-_DARK = "#3a3a3a"
 _MOST = 100.0
-# Condition numbers that differ by less are drawn with this ratio all the same.
+# The colours span at least this ratio of condition numbers.
 _LEAST_RATIO = 1.5
-# Width of the panels of a row together, inches, and the narrowest and the widest panel's width over height.
+# Width of a row of panels, inches; least and greatest width over height of a panel.
 _WIDTH, _SHAPES = 9.4, (0.4, 2.5)
 
 
@@ -38,10 +27,13 @@ def pictures(name: str, found: Workspace, planes: list[Slice]) -> dict[str, Pict
 def figure(name: str, found: Workspace, planes: list[Slice]) -> Figure:
     """A panel for each plane; ``name``: of the robot."""
     shapes = np.array([_shape(plane) for plane in planes]).reshape(-1, 3)
-    # As wide as the picture, and in a single row as high as each other.
+    # A row is as wide as the picture; a picture of one row has panels of one height.
     widths = _WIDTH * shapes.mean(axis=0) / shapes.mean(axis=0).sum()
     heights = (widths / shapes).max(axis=1)
-    drawn = Figure(figsize=(12.0, 1.6 + float(np.sum(heights + 0.6))), layout="constrained")
+    drawn = new_figure(12.0, 1.6 + float(np.sum(heights + 0.6)))
+    from matplotlib.patches import Patch
+    from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+
     panels = drawn.subplots(
         len(shapes), 3, squeeze=False, width_ratios=widths.tolist(), height_ratios=heights.tolist()
     )
@@ -51,7 +43,7 @@ def figure(name: str, found: Workspace, planes: list[Slice]) -> Figure:
         mesh = _draw(axes, plane, norm)
         middle = np.concatenate([found.position, found.angles])
         scale = _scale(plane)
-        axes.plot(*(scale * middle[list(plane.axes)]), marker="+", color=_DARK, markersize=9.0)
+        axes.plot(*(scale * middle[list(plane.axes)]), marker="+", color=DARK, markersize=9.0)
     bar = drawn.colorbar(mesh, ax=panels, label="scaled condition number", shrink=0.8, extend="max")
     bar.ax.yaxis.set_major_locator(LogLocator(subs=(1.0, 1.5, 2.0, 3.0, 5.0, 7.0)))
     bar.ax.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:.4g}"))
@@ -72,7 +64,9 @@ def _shape(plane: Slice) -> float:
     return float(np.clip(np.ptp(plane.first) / np.ptp(plane.second), *_SHAPES))
 
 
-def _norm(planes: list[Slice]) -> LogNorm:
+def _norm(planes: list[Slice]) -> Any:
+    from matplotlib.colors import LogNorm
+
     inside = np.concatenate([plane.condition[plane.codes == INSIDE] for plane in planes])
     inside = inside[np.isfinite(inside)]
     low = float(inside.min(initial=_MOST))
@@ -84,7 +78,9 @@ def _scale(plane: Slice) -> float:
     return 1.0 if plane.axes[0] < 3 else float(np.degrees(1.0))
 
 
-def _draw(axes: Axes, plane: Slice, norm: LogNorm) -> Any:
+def _draw(axes: Axes, plane: Slice, norm: Any) -> Any:
+    from matplotlib.colors import ListedColormap
+
     first, second = _scale(plane) * plane.first, _scale(plane) * plane.second
     colors = ListedColormap(list(_OUTSIDE))
     axes.grid(False)
@@ -95,7 +91,7 @@ def _draw(axes: Axes, plane: Slice, norm: LogNorm) -> Any:
     mesh = axes.pcolormesh(first, second, shown.T, cmap="viridis_r", norm=norm, rasterized=True)
     if 0 < np.count_nonzero(plane.codes == INSIDE) < plane.codes.size:
         axes.contour(
-            first, second, (plane.codes == INSIDE).T.astype(float), levels=[0.5], colors=_DARK, linewidths=0.9
+            first, second, (plane.codes == INSIDE).T.astype(float), levels=[0.5], colors=DARK, linewidths=0.9
         )
     axes.set_aspect("equal")
     unit = "m" if plane.axes[0] < 3 else "degrees"

@@ -10,11 +10,11 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...backend.kernel import MOTION
 from ...backend.native import CompilerError
 from ...derive.package.words import robot_symbol
+from ...io.array_types import Array
 from ...io.progress import Progress, silent, tracked
 from ...kinematics.inverse import inverse_kinematics
 from ...kit import Choice, kit
@@ -26,8 +26,6 @@ from ...results import NOT_FINITE
 from ...robot.robot import Robot
 from . import toolchain
 from .toolchain import CORES, Core
-
-Array = NDArray[np.float64]
 
 MOTIONS = 8
 """Poses on which a kernel is checked and counted."""
@@ -215,7 +213,7 @@ def _figures(
     if code not in (0, 1) or "stack_forces" not in said:
         raise CompilerError(f"{toolchain.QEMU}: the program ended with {code}: {output.strip()[-200:]}")
     per_call = _KNOWN / said["known"][0] / said["times"][0]
-    # An empty function took one instruction.
+    # The empty function that is subtracted took one instruction itself.
     counts = {
         name: max(round((ticks - said["empty"][0]) * per_call + 1) for ticks in said[name])
         for name in ("ticks", "ticks_near_singular_joints", *(f"ticks_{stem}" for stem in STEMS[TORQUE]))

@@ -1,21 +1,12 @@
 """The study of a controller's processor for people and programs: a table and JSON."""
 
+from ..common.output import aligned
 from ..common.report import Report
-from ..common.table import aligned
 from .measure import Figures, Study
 
 HEADER = (
-    *(
-        "kit",
-        "core",
-        "answers",
-        "worst/bound",
-        "instructions",
-        "near joints",
-        "flash kernel",
-        "robot",
-        "image",
-    ),
+    *("kit", "core", "answers", "worst/bound", "instructions", "near joints"),
+    *("flash kernel", "robot", "image"),
     *("RAM kit", "model", "stack pose", "frames", "prepare", "foreign symbols", "doubles"),
 )
 
@@ -77,10 +68,6 @@ def cells(row: Figures) -> list[str]:
 
 def answers(row: Figures) -> str:
     """Whether forces, statuses and the kit's own test came out right."""
-    wrong = {
-        "forces": row.failed,
-        "statuses": row.rejected_wrongly,
-        "self-test": row.selftest,
-    }
+    wrong = {"forces": row.failed, "statuses": row.rejected_wrongly, "self-test": row.selftest}
     said = [f"{name} wrong" for name, count in wrong.items() if count]
     return "; ".join(said) or f"{row.poses} poses right"

@@ -32,10 +32,7 @@ HARMLESS = frozenset(
     }
 )
 """What a kernel may ask of a library."""
-_SECTIONS = {
-    "flash": (".text", ".rodata", ".vectors", ".data", ".ARM"),
-    "ram": (".data", ".bss"),
-}
+_SECTIONS = {"flash": (".text", ".rodata", ".vectors", ".data", ".ARM"), "ram": (".data", ".bss")}
 _DOUBLE_HELPER = re.compile(r"__aeabi_(c?d|f2d|[iul]{1,2}2d)\w*|__\w+df\d?")
 
 
@@ -78,13 +75,6 @@ def versions() -> dict[str, str]:
     return {tool: _run([tool, "--version"]).splitlines()[0] for tool in (GCC, QEMU)}
 
 
-def compiler() -> str:
-    """Name and version of the compiler."""
-    said = versions()[GCC]
-    found = re.search(r"\b\d+\.\d+\.\d+\b", said)
-    return f"{GCC} {found[0]}" if found else said
-
-
 def compiled(core: Core, source: Path, flags: Sequence[str] = ()) -> Path:
     """The object file of one source, beside it, with its frames in ``.su``; CompilerError on a warning."""
     target = source.with_suffix(".o")
@@ -98,13 +88,6 @@ def linked(core: Core, objects: Iterable[Path], script: Path, target: Path) -> P
     command = [GCC, *core.flags, *FLAGS, "-nostartfiles", "--specs=nosys.specs", "-Wl,--gc-sections"]
     listed = sorted({path.name for path in objects})
     _run([*command, "-T", script.name, *listed, "-lm", "-o", target.name], target.parent)
-    return target
-
-
-def joined(core: Core, objects: Iterable[Path], target: Path) -> Path:
-    """All of some objects with their calls of each other resolved; not to be run."""
-    command = [GCC, *core.flags, *FLAGS, "-nostartfiles", "--specs=nosys.specs", "-Wl,-e,0"]
-    _run([*command, *[path.name for path in objects], "-lm", "-o", target.name], target.parent)
     return target
 
 
@@ -151,7 +134,7 @@ def double_arithmetic(path: Path) -> set[str]:
     found = {name for name in asked_for(path) if _DOUBLE_HELPER.fullmatch(name)}
     for line in _run([OBJDUMP, "-d", "--no-show-raw-insn", str(path)]).splitlines():
         fields = line.split("\t")
-        # Two floats may travel as one double: only what computes or converts counts.
+        # Moves do not count, as two floats may be moved as one double: arithmetic and conversions do.
         if len(fields) > 1 and ".f64" in fields[1]:
             found.add(fields[1].strip())
     return found
@@ -176,7 +159,7 @@ def deepest_stack(image: Path, usage: Iterable[Path], root: str) -> int:
             inside = begins[1]
             continue
         called = re.search(r"\t(b[a-z.]*)\t.*<([^>+]+)>", line)
-        # A plain branch to the own beginning is a loop.
+        # A plain branch to a function's own beginning is a loop, not a call.
         if called and (called[1].startswith("bl") or called[2] != inside):
             calls.setdefault(inside, set()).add(called[2])
 

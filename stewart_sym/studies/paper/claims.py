@@ -7,12 +7,10 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...io.array_types import Array
 from ...motion.straight_line import PATHS
 from .reproduce import LIGHT_PLATFORM, Operations, PathRun, Reproduction
-
-Array = NDArray[np.float64]
 
 HOLDS, PARTLY, FAILS = "holds", "partly", "does not hold"
 

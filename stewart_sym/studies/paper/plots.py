@@ -6,19 +6,11 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ...io.extras import needed_for
-from ..common.drawing import legend_below, log_numbers
+from ...io.array_types import Array
+from ..common.drawing import BLUE, DARK, RED, Axes, Figure, legend_below, legend_line, log_numbers, new_figure
 from ..common.report import SMALL, Picture
 from .reproduce import PathRun, Reproduction
-
-with needed_for("drawing"):
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-    from matplotlib.lines import Line2D
-
-Array = NDArray[np.float64]
 
 _PAPER_LINE: dict[str, Any] = {"linewidth": 1.3, "zorder": 3}
 _EXACT_LINE: dict[str, Any] = {"linewidth": 3.6, "alpha": 0.35, "zorder": 2, "solid_capstyle": "butt"}
@@ -36,9 +28,9 @@ class _Curve:
 
 
 _CURVES = (
-    _Curve("T", "total force $F$", lambda run: run.F, "#1f4e9c", "-"),
-    _Curve("S", "massless legs, $F_0$", lambda run: run.F0, "#3a3a3a", (0, (5, 1.5))),
-    _Curve("D", "difference $F_d = F - F_0$", lambda run: run.Fd, "#c1440e", (0, (1.2, 1.2))),
+    _Curve("T", "total force $F$", lambda run: run.F, BLUE, "-"),
+    _Curve("S", "massless legs, $F_0$", lambda run: run.F0, DARK, (0, (5, 1.5))),
+    _Curve("D", "difference $F_d = F - F_0$", lambda run: run.Fd, RED, (0, (1.2, 1.2))),
 )
 
 
@@ -65,7 +57,8 @@ def forces_figure(number: int, paper: PathRun, exact: PathRun) -> Figure:
             axes.plot(paper.time, values, color=curve.color, linestyle=curve.dash, **_PAPER_LINE)
         _letters(axes, [(c.letter, float(c.values(paper)[-1, leg]), c.color) for c in _CURVES])
     handles = [
-        _handle(f"{c.letter}: {c.meaning}", color=c.color, linestyle=c.dash, **_PAPER_LINE) for c in _CURVES
+        legend_line(f"{c.letter}: {c.meaning}", color=c.color, linestyle=c.dash, **_PAPER_LINE)
+        for c in _CURVES
     ]
     legend_below(figure, [*handles, *_formulation_handles("same for S")])
     return figure
@@ -87,7 +80,7 @@ def fraction_figure(number: int, paper: PathRun, exact: PathRun) -> Figure:
 
 def condition_figure(number: int, paper: PathRun, exact: PathRun) -> Figure:
     """Condition number of H over time, the paper's and the unitless one; log axis above 1000."""
-    figure = Figure(figsize=(7.0, 4.2), layout="constrained")
+    figure = new_figure(7.0, 4.2)
     axes = figure.subplots()
     figure.suptitle(f"Fig. {number}  Path {paper.path}: condition number of H")
     color, scaled = _CURVES[0].color, _CURVES[2].color
@@ -101,9 +94,9 @@ def condition_figure(number: int, paper: PathRun, exact: PathRun) -> Figure:
     else:
         axes.set_ylim(bottom=0)
     handles = [
-        _handle("thin: paper, moments in N m", color=color, **_PAPER_LINE),
-        _handle("band: exact, the same H", color=color, **_EXACT_LINE),
-        _handle("moments divided by a length: no unit", color=scaled, linestyle="--", **_PAPER_LINE),
+        legend_line("thin: paper, moments in N m", color=color, **_PAPER_LINE),
+        legend_line("band: exact, the same H", color=color, **_EXACT_LINE),
+        legend_line("moments divided by a length: no unit", color=scaled, linestyle="--", **_PAPER_LINE),
     ]
     legend_below(figure, handles)
     return figure
@@ -121,7 +114,7 @@ _FIGURES: tuple[tuple[int, str, str, Callable[[int, PathRun, PathRun], Figure]],
 
 
 def _six_panels(number: int, title: str, label: str) -> tuple[Figure, list[Axes]]:
-    figure = Figure(figsize=(10.0, 6.2), layout="constrained")
+    figure = new_figure(10.0, 6.2)
     figure.suptitle(f"Fig. {number}  {title}")
     grid = figure.subplots(2, 3, sharex=True)
     panels = [axes for row in grid for axes in row]
@@ -157,7 +150,7 @@ def _spread(heights: dict[str, float], gap: float) -> dict[str, float]:
     return dict(zip(names, placed.tolist(), strict=True))
 
 
-# Share of a panel's height that a fraction passes between two instants only beside a zero of F.
+# A fraction changes by more than this share of a panel's height between two instants only beside a zero of F.
 _LEAP = 0.5
 
 
@@ -177,13 +170,9 @@ def _fraction_limits(runs: tuple[PathRun, ...], leg: int) -> tuple[float, float]
     return low - margin, high + margin
 
 
-def _formulation_handles(note: str) -> list[Line2D]:
+def _formulation_handles(note: str) -> list[Any]:
     grey = "#555555"
     return [
-        _handle("thin: paper, as printed", color=grey, **_PAPER_LINE),
-        _handle(f"band: exact ({note})", color=grey, **_EXACT_LINE),
+        legend_line("thin: paper, as printed", color=grey, **_PAPER_LINE),
+        legend_line(f"band: exact ({note})", color=grey, **_EXACT_LINE),
     ]
-
-
-def _handle(label: str, **style: Any) -> Line2D:
-    return Line2D([], [], label=label, **style)

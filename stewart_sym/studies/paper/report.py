@@ -11,9 +11,10 @@ import numpy as np
 from ...motion.straight_line import PATHS
 from ...reference.newton_euler import EXACT, PAPER
 from ...viewer.view import view
+from ..common.output import aligned
 from ..common.report import Report
-from ..common.table import aligned
 from .claims import NEAR_ZERO, PAPER_FLOPS, SERIAL_ARM_FLOPS, Claim, claims, counted_fractions
+from .plots import pictures
 from .reproduce import Operations, Reproduction, run_columns
 
 WIDTH = 110
@@ -28,16 +29,11 @@ _FAULT_NAMES = {
 }
 
 
-def full_report(found: Reproduction, pictures: bool = True) -> Report:
-    """All tables, the runs over time, and if wanted the pictures of Figs. 4-10."""
+def full_report(found: Reproduction) -> Report:
+    """All tables, the runs over time, the pictures of Figs. 4-10 and a view of each path."""
     tables = {f"path_{path}_{form}": run_columns(run) for (path, form), run in found.runs.items()}
-    figures = {}
-    if pictures:
-        from . import plots
-
-        figures = plots.pictures(found)
     views = {f"Path {path}": functools.partial(view, found.robot, path) for path in PATHS}
-    return Report(report(found), tables, _data(found), figures, views)
+    return Report(report(found), tables, _data(found), pictures(found), views)
 
 
 def _data(found: Reproduction) -> dict[str, Any]:
@@ -157,13 +153,12 @@ def _operations_table(found: Reproduction) -> str:
     header = ("kernel", "one leg", "platform", "final system", "in all", "mul/add/div/sqrt", "x arm")
     paper = (str(PAPER_FLOPS[part]) for part in ("leg", "platform", "final", "total"))
     cells = [("the paper's program", *paper, "", _arms(PAPER_FLOPS["total"]))]
-    cells += [
-        _operations_row(row) for row in sorted(found.operations, key=lambda row: row.formulation != "paper")
-    ]
+    operations = sorted(found.operations, key=lambda row: row.formulation != "paper")
+    cells += [_operations_row(row) for row in operations]
     header_apart = ("mul/add/div/sqrt of", "one leg", "platform", "final system")
     apart = [
         (_kernel_name(row), *("/".join(map(str, part)) for part in (row.leg, row.platform, row.final)))
-        for row in sorted(found.operations, key=lambda row: row.formulation != "paper")
+        for row in operations
     ]
     return _section(
         "(d) Operations of one time-step",

@@ -6,23 +6,21 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...backend import native
 from ...backend.c_kernel import library
 from ...backend.kernel import FORMULATIONS, kernel_name
 from ...dynamics.inverse import Formulation, inverse_dynamics, massless_forces
+from ...io.array_types import Array
 from ...io.progress import Progress, silent, tracked
 from ...kinematics.conditioning import characteristic_length, condition_number, scaled_condition_number
-from ...motion.motion import Motion
+from ...motion.motion import Motion, at_rest
 from ...motion.straight_line import PATHS
 from ...reference import newton_euler
 from ...robot.robot import Robot
 from ...robots import dasgupta1998
 from ...singularities.along_path import crossings
 from ..common.output import Columns, of_legs
-
-Array = NDArray[np.float64]
 
 LIGHT_PLATFORM = 4.0
 """Platform mass, kg, of the order of one leg's, for the claim on the mass ratio."""
@@ -164,7 +162,8 @@ def run_path(robot: Robot, name: str, formulation: Formulation | str, rest: bool
     """Run a path of ``PATHS`` at the paper's time step, or rest at each of its poses."""
     path, dtau = PATHS[name]
     time = path.times(dtau)
-    motion = at_rest(path.sample(time)) if rest else path.sample(time)
+    motion = path.sample(time)
+    motion = at_rest(motion.R, motion.t) if rest else motion
     forces = inverse_dynamics(robot, motion, formulation)  # type: ignore[arg-type]
     return PathRun(
         path=name,
@@ -182,16 +181,7 @@ def run_columns(run: PathRun) -> Columns:
     columns: Columns = {"time": run.time}
     for name, values in (("F", run.F), ("F0_", run.F0), ("Fd_", run.Fd), ("dynamic_fraction_", run.fraction)):
         columns |= of_legs(name, values)
-    return columns | {
-        "condition_number": run.condition,
-        "scaled_condition_number": run.scaled_condition,
-    }
-
-
-def at_rest(motion: Motion) -> Motion:
-    """Return the same poses without rates and accelerations."""
-    zero = np.zeros(3)
-    return Motion(motion.R, motion.t, zero, zero, zero, zero)
+    return columns | {"condition_number": run.condition, "scaled_condition_number": run.scaled_condition}
 
 
 def without_friction(robot: Robot) -> Robot:
@@ -207,7 +197,7 @@ def fault_cost(robot: Robot, faults: frozenset[int]) -> FaultCost:
     for name, (path, dtau) in PATHS.items():
         motion = path.sample(path.times(dtau))
         moving[name] = _difference(frictionless, motion, faults)
-        resting[name] = _difference(frictionless, at_rest(motion), faults)
+        resting[name] = _difference(frictionless, at_rest(motion.R, motion.t), faults)
     return FaultCost(faults, moving, resting)
 
 

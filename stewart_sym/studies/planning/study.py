@@ -10,10 +10,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.stats import spearmanr
 
 from ...dynamics.inverse import inverse_dynamics
+from ...io.array_types import Array
 from ...io.json_text import json_text
 from ...io.writing import replaced_file
 from ...kinematics.conditioning import characteristic_length, scaled_condition_number
@@ -33,19 +33,17 @@ from ...singularities.along_path import crossings
 from ..common.report import draw
 from ..robustness.sweep.machines import GRAVITY, random_machine
 
-Array = NDArray[np.float64]
-
 PATH_COUNT, MACHINE_COUNT, VIA_COUNT = 1000, 50, 6
 YAW = 0.3
-"""By which the end of Path III may be turned about the platform's own axis, rad."""
+"""The end of Path III may be turned by up to this angle about the platform's own axis, rad."""
 DURATION = 6.0
-"""Of Path III, s."""
+"""Duration of Path III, s."""
 FORCE_OVER_REST, LONGER = 1.5, 1.5
-"""Limit of force over the largest at rest, and a duration over the least time."""
+"""The limit of force is so many times the largest at rest, the duration so many times the least time."""
 
 _SAMPLES = 201
 _MOST_CONDITION = 40.0
-# Durations of random paths, in times that the machine takes to fall its own size.
+# Durations of random paths, in units of the time in which the machine falls its own size.
 _DURATIONS = {"slow": 20.0, "fast": 3.0}
 
 

@@ -5,9 +5,9 @@ import warnings
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...dynamics.home_pose import HomePose, home_pose, radius
+from ...io.array_types import Array
 from ...kinematics.conditioning import characteristic_length
 from ...kinematics.mounting import AssemblyModeWarning
 from ...motion.logs import LENGTH_UNITS
@@ -15,10 +15,9 @@ from ...results import STATUS_TEXT
 from ...robot.drive import Drive
 from ...robot.robot import Robot, legs_text
 from ..common.report import Report
+from .machine_plot import picture
 
-Array = NDArray[np.float64]
-
-# Share of gravity along an axis of the base frame from which on it acts along that axis.
+# Gravity acts along an axis of the base frame if its component there is more than this share of it.
 _ALONG = 0.9
 
 
@@ -34,8 +33,8 @@ class _Unit(NamedTuple):
         return _vector(values / self.metres, digits)
 
 
-def report(robot: Robot, pictures: bool = False, length_unit: str = "m") -> Report:
-    """Everything about the robot; ``pictures``: drawn as well, by the extra ``plot``.
+def report(robot: Robot, length_unit: str = "m") -> Report:
+    """Everything about the robot, with a picture.
 
     length_unit: of lengths in the text; all else, and the data for programs, are in SI units.
     """
@@ -43,13 +42,9 @@ def report(robot: Robot, pictures: bool = False, length_unit: str = "m") -> Repo
         # The row "above" names both sides where they are equally plausible.
         warnings.simplefilter("ignore", AssemblyModeWarning)
         home = home_pose(robot)
-    figures = {}
-    if pictures:
-        from .machine_plot import picture
-
-        figures["machine"] = picture(robot, home)
     data = {**_data(robot), "home_pose": _home_data(robot, home)}
     unit = _Unit(length_unit, LENGTH_UNITS[length_unit])
+    figures = {"machine": picture(robot, home)}
     return Report(_description(robot, home, unit), data=data, figures=figures)
 
 
@@ -251,24 +246,16 @@ def _drives(drive: Drive, unit: _Unit) -> str:
 
 def _limits(robot: Robot, length: _Unit) -> str:
     parts = []
-    for name, low, high, unit in (
-        (
-            "length",
-            robot.length_limits[:, 0] / length.metres,
-            robot.length_limits[:, 1] / length.metres,
-            length.name,
-        ),
-        ("force", None, robot.force_limit, "N"),
-        ("speed", None, robot.speed_limit / length.metres, f"{length.name}/s"),
+    for name, limits, unit in (
+        ("length", (robot.length_limits / length.metres).T, length.name),
+        ("force", robot.force_limit[None], "N"),
+        ("speed", robot.speed_limit[None] / length.metres, f"{length.name}/s"),
     ):
-        legs = int(np.count_nonzero(np.isfinite(high)))
-        if not legs:
-            parts.append(f"{name} none")
-            continue
-        some = "" if legs == len(high) else f" ({legs} of 6 legs)"
-        given = np.isfinite(high)
-        span = _range(high[given]) if low is None else f"{_range(low[given])} to {_range(high[given])}"
-        parts.append(f"{name} {span} {unit}{some}")
+        given = np.isfinite(limits[-1])
+        legs = int(np.count_nonzero(given))
+        some = "" if legs == len(given) else f" ({legs} of 6 legs)"
+        span = " to ".join(_range(limit[given]) for limit in limits) if legs else ""
+        parts.append(f"{name} {span} {unit}{some}" if legs else f"{name} none")
     return "; ".join(parts)
 
 

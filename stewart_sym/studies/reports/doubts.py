@@ -3,6 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from ...io.array_types import Array
 from ...kinematics.mounting import platform_side
 from ...kinematics.offset_legs import leg_lengths
 from ...kinematics.pose_search import jacobian
@@ -11,8 +12,6 @@ from ...motion.motion import Motion
 from ...motion.rotation import rotation_from_rpy
 from ...motion.trajectory import MOST_TURNS, PoseLog
 from ...robot.robot import Robot
-
-Array = NDArray[np.float64]
 
 
 def length_doubt(robot: Robot, lengths: Array) -> str | None:
@@ -91,9 +90,9 @@ def side_doubt(robot: Robot, motion: Motion) -> str | None:
     )
 
 
-# How many times another unit is as much (m read as mm, m as cm, cm as mm), and the share of the base's size
-# within which a platform is doubtful.
+# Factors of a mistaken unit: metres read as millimetres, metres as centimetres, centimetres as millimetres. A
+# platform nearer to the base than this share of the base's size is doubtful.
 _TIMES, _NEAR = (1000, 100, 10), 0.2
-# Shares of a machine's size, or of its longest leg, between which legs are; what they usually are; and the
-# turn, rad, that may be one in degrees.
+# Leg lengths outside these ranges, shares of the machine's size or of its longest leg, are doubtful; usual
+# ones, by which another unit is suggested; and the least range of an angle, rad, that may be in degrees.
 _SHARES_OF_SIZE, _SHARES_OF_LIMITS, _USUAL, _LEAST_TURN = (1.0 / 200.0, 20.0), (0.02, 5.0), (0.15, 3.0), 0.5

@@ -1,26 +1,21 @@
 """The motors along a trajectory, for ``forces`` and ``plan``: columns, a table beside limits, a picture."""
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...drives.effort import PEAKS, Instants, Summary, trapezoids
 from ...io.array_types import Array
-from ...io.extras import needed_for
 from ...io.instants import elapsed, least_step
 from ...robot.robot import LEGS, Robot
-from ..common.output import Columns, of_legs
-from ..common.table import aligned
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+from ..common.drawing import DARK, LEG_COLORS, Figure, as_written, new_figure
+from ..common.output import Columns, aligned, of_legs
 
 _COLUMNS = {"torque": "torque", "speed": "motor_speed", "current": "current", "power": "power"}
 _HEADINGS = {"power": "shaft power"}
-# Times the largest value, beyond which a limit is not drawn.
+# A limit of more than so many times the largest value is not drawn.
 _FAR = 3.0
-_COLOURS = ("#1f4e9c", "#c1440e", "#2e7d4f", "#8e5ea2", "#b8860b", "#3a3a3a")
 
 
 def drive_columns(part: Instants) -> Columns:
@@ -86,31 +81,24 @@ class DriveDigest:
         for name in self._known():
             found[f"motor_peak_{name}_{units[name]}"] = float(self.summary.peaks[name][leg])
             found[f"motor_{name}_limit_{units[name]}"] = float(getattr(self.drive, f"{name}_limit")[leg])
-        # One instant takes no time.
+        # A single instant has no duration, and so neither mean nor energy.
         lasts = len(self.time) > 1
         found["motor_rms_torque_N_m"] = float(self.summary.rms_torque[leg]) if lasts else None
         return found | {"motor_energy_J": float(self.summary.energy[leg]) if lasts else None}
 
-    def figure(self) -> "Figure":
+    def figure(self) -> Figure:
         """Torque over time, and over speed with the motor's limits as a frame."""
-        with needed_for("drawing"):
-            from matplotlib.figure import Figure
-
-        from ..common.drawing import as_written
-
-        figure = Figure(figsize=(9.0, 4.4), layout="constrained")
+        figure = new_figure(9.0, 4.4)
         over_time, over_speed = figure.subplots(1, 2, width_ratios=(1.25, 1.0))
-        for leg, colour in enumerate(_COLOURS):
-            curve: Any = {"color": colour, "linewidth": 1.1, "label": f"leg {leg + 1}"}
+        for leg, color in enumerate(LEG_COLORS):
+            curve: Any = {"color": color, "linewidth": 1.1, "label": f"leg {leg + 1}"}
             over_time.plot(self.time, self._torque[:, leg], **curve)
             over_speed.plot(self._speed[:, leg], self._torque[:, leg], **curve)
         over_time.set(xlabel="time, s", ylabel="motor torque, N m", xlim=(self.time[0], self.time[-1]))
         over_speed.set(xlabel="motor speed, rad/s", ylabel="motor torque, N m")
-        torque, speed = (
-            _near(self.drive.torque_limit, self._torque),
-            _near(self.drive.speed_limit, self._speed),
-        )
-        style: Any = {"color": "#3a3a3a", "linewidth": 0.9, "linestyle": (0, (4, 2))}
+        torque = _near(self.drive.torque_limit, self._torque)
+        speed = _near(self.drive.speed_limit, self._speed)
+        style: Any = {"color": DARK, "linewidth": 0.9, "linestyle": (0, (4, 2))}
         for sign in (-1.0, 1.0):
             if torque is not None:
                 over_time.axhline(sign * torque, **style)

@@ -6,30 +6,27 @@ Without friction or drive, and with springs for actuators, the energy of machine
 import dataclasses
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, cast
+from typing import Any, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...backend.kernel import FORMULATIONS
 from ...dynamics.inverse import Formulation
+from ...io.array_types import Array
 from ...motion.motion import Motion
 from ...simulation.actuator_models import LegSprings
 from ...simulation.limits import Thresholds
 from ...simulation.simulation import simulate
 from ...simulation.trace import Simulation, Stop
+from ..common.drawing import BLUE, RED, Figure, legend_below, log_numbers, new_figure
 from ..paper.reproduce import without_friction
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
-Array = NDArray[np.float64]
 
 INSTANTS = 1001
 """Evenly spaced in a run's time, over which the kinetic energy is averaged."""
 STILL = 1e-12
 """Of the energies that are compared, below which rounding hides what drifts."""
-COLORS = {"exact": "#1f4e9c", "paper": "#c1440e"}
+COLORS = {"exact": BLUE, "paper": RED}
 
 
 @dataclass(frozen=True, eq=False)
@@ -110,23 +107,18 @@ def energy_scale(run: Simulation, springs: LegSprings) -> float:
 
 def summary(drifts: Mapping[Formulation, Drift]) -> str:
     """One line for each formulation: the worst drift and why the run ended."""
-    lines = [
+    return "\n".join(
         f"{name:<9}  without friction: {drift.text}; {drift.stop.text}" for name, drift in drifts.items()
-    ]
-    return "\n".join(lines)
+    )
 
 
-def figure(drifts: Mapping[Formulation, Drift]) -> "Figure":
+def figure(drifts: Mapping[Formulation, Drift]) -> Figure:
     """The drifts over time, their magnitudes on a logarithmic axis; of runs of more than one instant."""
-    from matplotlib.figure import Figure
-
-    from ..common.drawing import legend_below, log_numbers
-
     drifts = {name: drift for name, drift in drifts.items() if len(drift.times) > 1}
-    picture = Figure(figsize=(8.0, 4.2), layout="constrained")
+    picture = new_figure(8.0, 4.2)
     axes = picture.subplots()
     for name, drift in drifts.items():
-        # The first instant is the measure of the others, and zero has no logarithm.
+        # At the first instant the drift is zero, which has no logarithm.
         axes.semilogy(
             drift.times[1:],
             np.maximum(np.abs(drift.drift[1:]), STILL),
@@ -134,8 +126,7 @@ def figure(drifts: Mapping[Formulation, Drift]) -> "Figure":
             linewidth=1.3,
             label=f"{name}, largest {drift.worst:.1e}",
         )
-    axes.set_xlabel("time, s")
-    axes.set_ylabel("change of energy / mean kinetic energy")
+    axes.set(xlabel="time, s", ylabel="change of energy / mean kinetic energy")
     axes.set_title("Energy of the frictionless machine on leg springs", fontsize=10.0)
     axes.margins(x=0.0)
     log_numbers(axes.yaxis)

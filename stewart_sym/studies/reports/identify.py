@@ -6,63 +6,39 @@ from math import isnan
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ...dynamics.inverse import inverse_dynamics
 from ...identification.base_parameters import BaseParameters, base_parameters
 from ...identification.drive_terms import DriveEstimate
 from ...identification.estimates import Estimate
-from ...identification.estimation import Experiment, identify, simulated_experiment
-from ...identification.excitation import choose_excitation
+from ...identification.estimation import Experiment, identify
 from ...identification.parameters import inertial_parameters
 from ...identification.tool_point import about_point, about_reference
+from ...io.array_types import Array
 from ...io.instants import time_text
-from ...io.progress import Progress, silent
 from ...motion.logs import ANGLE_UNITS, LENGTH_UNITS, LogFormat
-from ...motion.rotation import quaternion_from_rotation, rpy_from_rotation
+from ...motion.rotation import rpy_from_rotation
 from ...motion.smooth_motion import PoseNoise, estimated_noise, smoothed
 from ...motion.trajectory import Trajectory
 from ...robot.robot import Robot
-from ..common.output import csv_text, of_axes, of_legs
+from ..common.output import aligned, csv_text, of_axes, of_legs, of_rotations
 from ..common.report import Report
-from ..common.table import aligned
-
-Array = NDArray[np.float64]
 
 # Share of a normal distribution within one, two and three standard deviations.
 NORMAL = (0.6827, 0.9545, 0.9973)
-# Times that differ by less than this share of the whole time, and by what a double rounds off, are the same.
+# Two times are the same if they differ by at most this share of the whole time plus their rounding.
 _SAME_TIME = 1e-6
-# Of a parameter of the robot file from the identified one, in deviations, and of all: do not agree.
+# The robot file does not agree if a parameter is this many deviations from the identified one, or if the
+# probability of all departures together is below this level.
 _FAR, _FAR_LEVEL = 4.0, 1e-3
-# Deviations from zero below which a term may as well not be there.
+# A drive's term nearer to zero than this many deviations may as well not be there.
 _TOLD = 2
-# Share of sigma by which forces scatter, and how many times the robot file's they are, that are doubtful.
+# Forces are doubtful if they scatter by less than this share of sigma about the model, or if their size
+# differs by more than this factor from that of the robot file's forces.
 _LEAST_MISFIT, _MOST_TIMES = 0.2, 100.0
 SI = LogFormat()
 _COORDINATES = (("t", "theta"), ("v", "theta_dot"), ("a", "theta_ddot"))
-
-
-def identification(
-    robot: Robot,
-    sigma: float,
-    seed: int,
-    period: float | None,
-    harmonics: int,
-    samples: int,
-    candidates: int,
-    noise_position: float = 0.0,
-    noise_angle: float = 0.0,
-    progress: Progress = silent,
-    shared: str | None = None,
-) -> Experiment:
-    """Choose the motion, measure along it and identify.
-
-    Arguments as for ``choose_excitation`` and ``simulated_experiment``; seed: of both.
-    """
-    excited = choose_excitation(robot, period, harmonics, samples, candidates, seed, progress, shared)
-    progress("identifying")
-    return simulated_experiment(robot, excited, sigma, seed, noise_position, noise_angle)
 
 
 def from_measurement(
@@ -99,7 +75,7 @@ def from_measurement(
     motion = trajectory.motion
     options = (friction, shared)
     if noise is not None and robot.tool.any():
-        # Noise is that of the poses as they were measured: of the tool.
+        # The noise is that of the measured poses, which are poses of the tool.
         moved, motion = about_point(robot, robot.tool), motion.about_point(robot.tool)
         smooth = smoothed(motion, noise)
         found = identify(
@@ -358,8 +334,7 @@ def trajectory_columns(robot: Robot, found: Experiment) -> dict[str, Array]:
     columns = {"time": found.excitation.time}
     if robot.tool.any() or robot.euler_order != "zyx":
         motion = found.measured.about_point(robot.tool)
-        quaternion = zip("wxyz", quaternion_from_rotation(motion.R).T, strict=True)
-        return columns | of_axes("t", motion.t) | {f"q_{name}": column for name, column in quaternion}
+        return columns | of_axes("t", motion.t) | of_rotations(motion.R)
     coordinates: tuple[Array, ...] = found.excitation.path.coordinates(columns["time"])
     if found.noise is not None:
         coordinates = (np.hstack([found.measured.t, rpy_from_rotation(found.measured.R)]),)

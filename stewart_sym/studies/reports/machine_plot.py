@@ -6,26 +6,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...dynamics.home_pose import HomePose, radius
-from ...io.extras import needed_for
+from ...io.array_types import Array
 from ...motion.motion import Motion
 from ...robot.offset_chains import chains
 from ...robot.robot import LEGS, Robot
-from ..common.drawing import as_written, name_points
+from ..common.drawing import BLUE, DARK, GREY, RED, Axes, Figure, as_written, name_points, new_figure
 from ..common.report import SMALL, Picture
 
-with needed_for("drawing"):
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-    from matplotlib.layout_engine import ConstrainedLayoutEngine
-    from mpl_toolkits.mplot3d.axes3d import Axes3D
+BASE, PLATFORM, LEG, MARK, OFFSET = DARK, BLUE, GREY, RED, "#2a7f3f"
 
-Array = NDArray[np.float64]
-
-BASE, PLATFORM, LEG, MARK, OFFSET = "#3a3a3a", "#1f4e9c", "#8a8a8a", "#c1440e", "#2a7f3f"
-
-# Share of gravity along z from which on a machine whose z axis points down is drawn with z down.
+# A machine is drawn with z down if more than this share of gravity acts along z.
 _DOWN = 0.5
-# Length of axes and arrows beside the machine's size, and distance within which points are one.
+# Length of axes and arrows, and distance within which points are one, shares of the machine's size.
 _AXIS, _SAME = 0.12, 1e-3
 
 
@@ -36,7 +28,8 @@ def picture(robot: Robot, home: HomePose) -> Picture:
 
 def figure(robot: Robot, home: HomePose) -> Figure:
     """Both views, side by side."""
-    drawn = Figure(figsize=(12.0, 5.6), layout=ConstrainedLayoutEngine(w_pad=0.2, h_pad=0.1, wspace=0.08))
+    drawn = new_figure(12.0, 5.6)
+    drawn.set_layout_engine("constrained", w_pad=0.2, h_pad=0.1, wspace=0.08)
     tips = home.t + robot.p
     in_space: Any = drawn.add_subplot(1, 2, 1, projection="3d")
     z_down = bool(robot.g[2] > _DOWN * np.linalg.norm(robot.g))
@@ -53,7 +46,7 @@ def figure(robot: Robot, home: HomePose) -> Figure:
     return drawn
 
 
-def draw_legs(axes: Axes3D, base: Array, tips: Array, z_down: bool = False) -> list[Array]:
+def draw_legs(axes: Any, base: Array, tips: Array, z_down: bool = False) -> list[Array]:
     """Draw both rings of points (6, 3) and the legs between them, numbered; returns what was drawn."""
     size = float(np.max(np.ptp(np.concatenate([base, tips]), axis=0)))
     below = np.array([0.0, 0.0, 0.05 * size if z_down else -0.05 * size])
@@ -66,7 +59,7 @@ def draw_legs(axes: Axes3D, base: Array, tips: Array, z_down: bool = False) -> l
     return [base, tips]
 
 
-def frame(axes: Axes3D, extent: Array, z_down: bool = False) -> None:
+def frame(axes: Any, extent: Array, z_down: bool = False) -> None:
     """Limits and names of the axes for what is drawn, (n, 3); with z down, y is turned round as well."""
     low, high = extent.min(axis=0), extent.max(axis=0)
     pad = 0.04 * float(np.max(high - low))
@@ -82,7 +75,7 @@ def frame(axes: Axes3D, extent: Array, z_down: bool = False) -> None:
     axes.view_init(elev=18.0, azim=-60.0)
 
 
-def _marks_in_space(axes: Axes3D, robot: Robot, home: HomePose, tips: Array) -> list[Array]:
+def _marks_in_space(axes: Any, robot: Robot, home: HomePose, tips: Array) -> list[Array]:
     """Draw fixed axes of the universal joints, centre of mass with gravity and the tool point."""
     size = radius(robot.b) + radius(robot.p)
     bars = np.stack([robot.b - _AXIS * size * robot.k, robot.b + _AXIS * size * robot.k], axis=1)
@@ -112,7 +105,7 @@ def _marks_in_space(axes: Axes3D, robot: Robot, home: HomePose, tips: Array) -> 
     return drawn
 
 
-def _offset_legs(axes: Axes3D, robot: Robot, home: HomePose) -> list[Array]:
+def _offset_legs(axes: Any, robot: Robot, home: HomePose) -> list[Array]:
     """Draw base point, moving axis, line of sliding and platform point of each leg with offsets."""
     if robot.offsets is None:
         return []

@@ -6,17 +6,16 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...drives.effort import at_instants, trapezoids
 from ...dynamics.inverse import inverse_dynamics
+from ...io.array_types import Array
 from ...kinematics.conditioning import characteristic_length, scaled_condition_number
 from ...kinematics.inverse import inverse_kinematics, wrench_matrix
 from ...motion.motion import Motion
 from ...motion.rotation import (
     angular_acceleration_from_rpy,
     angular_velocity_from_rpy,
-    quaternion_from_rotation,
     rpy_from_rotation,
     vector_from_rotation,
 )
@@ -29,15 +28,13 @@ from ...planning.timing.path_terms import force_limits
 from ...robot.robot import Robot
 from ...viewer.instants import of_motion
 from ...viewer.view import View
-from ..common.output import Columns, of_axes, of_legs
+from ..common.output import Columns, of_axes, of_legs, of_rotations
 from ..common.report import Picture, Report
 from .drives import DriveDigest
 
-Array = NDArray[np.float64]
-
-# Cosine of the pitch from which on the rates of roll and yaw are plain numbers.
+# With a smaller cosine of the pitch the rates of roll and yaw are too large to be written.
 _PLAIN = 0.05
-# Over which motors are looked at: accelerations jump where another limit becomes active.
+# At so many instants the motors are computed: accelerations jump where another limit becomes active.
 _INSTANTS = 10_001
 
 
@@ -98,8 +95,7 @@ def trajectory(robot: Robot, times: Array, motion: Motion) -> Columns:
     theta = np.unwrap(rpy_from_rotation(at_tool.R), axis=0)
     columns: Columns = {"time": times, **of_axes("t", at_tool.t)}
     if robot.euler_order != "zyx" or np.abs(np.cos(theta[:, 1])).min() < _PLAIN:
-        quaternion = quaternion_from_rotation(at_tool.R)
-        return columns | {f"q_{part}": column for part, column in zip("wxyz", quaternion.T, strict=True)}
+        return columns | of_rotations(at_tool.R)
     axes = np.stack(
         [angular_velocity_from_rpy(theta, np.broadcast_to(unit, theta.shape)) for unit in np.eye(3)], axis=-1
     )

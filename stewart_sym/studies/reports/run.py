@@ -1,29 +1,24 @@
 """A simulation's run as ``simulate`` writes it: columns by name, a summary, a picture."""
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...drives.effort import of_motor_forces
 from ...dynamics.inverse import Formulation
+from ...io.array_types import Array
 from ...io.instants import least_step, time_text
 from ...motion.rotation import rpy_from_rotation
 from ...robot.robot import Robot
 from ...simulation.actuator_models import ForceLaw, LegSprings
 from ...simulation.trace import Simulation, leg_states
+from ..common.drawing import Axes, Figure, new_figure
 from ..common.output import Columns, of_axes, of_legs
 from ..common.report import Picture, Report
 from . import energy_drift
 from .drives import DriveDigest
 from .energy_drift import Drift, drift_of, energy_scale
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-
-Array = NDArray[np.float64]
 
 
 def run_columns(run: Simulation) -> Columns:
@@ -36,9 +31,7 @@ def run_columns(run: Simulation) -> Columns:
     return columns | {"kinetic": run.kinetic, "potential": run.potential}
 
 
-def report(
-    robot: Robot, run: Simulation, law: ForceLaw, drifts: Mapping[Formulation, Drift], pictures: bool = True
-) -> Report:
+def report(robot: Robot, run: Simulation, law: ForceLaw, drifts: Mapping[Formulation, Drift]) -> Report:
     """Everything about a run; ``drifts``: of its energy, as ``energy_drift`` gives them, or none.
 
     Without a picture of what has one instant alone. Of a robot with a drive, the motors beside their limits.
@@ -47,11 +40,11 @@ def report(
     motors = motors_of(robot, run)
     if motors is not None:
         text = "\n".join([text, "", motors.table(), *motors.summary.exceeded()])
-    if pictures and len(run.times) > 1:
+    if len(run.times) > 1:
         figures["run"] = Picture(lambda: figure(run, law))
     if drifts:
         text += "\n" + energy_drift.summary(drifts)
-        if pictures and any(len(drift.times) > 1 for drift in drifts.values()):
+        if any(len(drift.times) > 1 for drift in drifts.values()):
             figures["energy_drift"] = Picture(lambda: energy_drift.figure(drifts))
     tables = {f"energy_drift_{name}": drift.columns() for name, drift in drifts.items()}
     return Report(text, {"run": run_columns(run), **tables}, _data(run, law, drifts, motors), figures)
@@ -144,10 +137,8 @@ def _taken(law: LegSprings) -> str:
     return f", taken by {' and '.join(takers)}" if takers else ""
 
 
-def figure(run: Simulation, law: ForceLaw) -> "Figure":
+def figure(run: Simulation, law: ForceLaw) -> Figure:
     """Motion since the start, rates, forces, lengths and energies over time."""
-    from matplotlib.figure import Figure
-
     legs = tuple(f"leg {leg + 1}" for leg in range(6))
     # An angle that leaps by a turn is not drawn as a line across the panel.
     theta = np.unwrap(rpy_from_rotation(run.R), axis=0)
@@ -161,7 +152,7 @@ def figure(run: Simulation, law: ForceLaw) -> "Figure":
         (run.kinetic[:, None], ("kinetic",), "kinetic energy, J"),
         (*_gained(run, law), "energy since start, J"),
     )
-    picture = Figure(figsize=(10.0, 10.0), layout="constrained")
+    picture = new_figure(10.0, 10.0)
     grid = picture.subplots(4, 2, sharex=True)
     for axes, (values, names, label) in zip(grid.flat, panels, strict=True):
         _curves(axes, run.times, values, names, label)
@@ -180,7 +171,7 @@ def _gained(run: Simulation, law: ForceLaw) -> tuple[Array, tuple[str, ...]]:
     return np.column_stack([gained, gained.sum(axis=-1)]), (*parts, "sum")
 
 
-def _curves(axes: "Axes", times: Array, values: Array, names: Sequence[str], label: str) -> None:
+def _curves(axes: Axes, times: Array, values: Array, names: Sequence[str], label: str) -> None:
     for name, column in zip(names, values.T, strict=True):
         axes.plot(times, column, linewidth=1.1, label=name)
     axes.set_ylabel(label)

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...dynamics.inverse import Formulation, inverse_dynamics
+from ...io.array_types import Array
 from ...io.instants import time_text
 from ...kinematics.conditioning import characteristic_length, moments_over
 from ...kinematics.inverse import ROUNDING, leg_vectors, wrench_matrix
@@ -26,17 +26,14 @@ from ...singularities.along_path import (
     singularities_along,
 )
 from ...singularities.singular_poses import Singularity
-from ..common.output import Columns, of_axes, of_legs
+from ..common.output import Columns, aligned, of_axes, of_legs
 from ..common.report import Picture, Report
-from ..common.table import aligned
-
-Array = NDArray[np.float64]
 
 DISTANCES = tuple(10.0**-n for n in range(1, 8))
-"""From a crossing at which the forces on both sides are computed, s."""
+"""Distances from a crossing, s, at which the forces on both sides of it are computed."""
 
 NEAREST = ("least held", "dearest wrench", "idlest forces")
-"""Labels of unconstrained twist, lost wrench and idle forces where a pose is not singular."""
+"""What stands for unconstrained twist, lost wrench and idle forces where a pose is not singular."""
 
 _EVEN = 401
 _NEAR = 150
@@ -243,7 +240,7 @@ def curves(found: Examination) -> Columns:
     s = np.linalg.svd(H, compute_uv=False)
     forces = inverse_dynamics(robot, motion, found.formulation, on_singular="nan")
     _, S, L = leg_vectors(robot, motion.R, motion.t)
-    # What is rounding error is zero, so that a path along singular poses is no noise.
+    # Rounding errors count as zero; along singular poses the curve would be noise.
     smallest = np.where(s[:, -1] > ROUNDING * s[:, 0], s[:, -1], 0.0)
     with np.errstate(divide="ignore", invalid="ignore"):
         condition = s[:, 0] / smallest
@@ -274,10 +271,7 @@ def _sides(
     room = min(crossing.time - along.start, along.end - crossing.time)
     distances = np.array([d for d in DISTANCES if d <= room and d > 10.0 * crossing.uncertainty])
     solved = inverse_dynamics(
-        robot,
-        path(crossing.time + np.concatenate([-distances, distances])),
-        formulation,
-        on_singular="nan",
+        robot, path(crossing.time + np.concatenate([-distances, distances])), formulation, on_singular="nan"
     )
     F = np.where((solved.status == OK)[:, None], solved.F, np.nan)
     residue = force_residue(robot, path(np.array([crossing.time])), formulation)[0]
@@ -293,10 +287,7 @@ def _crossing_lines(found: Examination, crossing: Crossing, sides: Sides) -> lis
         f"  leg rates      at most {np.max(np.abs(rates)):.1e} m/s under this motion",
     ]
     if not np.isfinite(sides.residue).all():
-        return [
-            *lines,
-            "  force residue  no simple one: the path rests there or runs along singular poses",
-        ]
+        return [*lines, "  force residue  no simple one: the path rests there or runs along singular poses"]
     A = ", ".join(f"{value:.6g}" for value in sides.residue)
     ends = ["-inf", "+inf"] if sides.residue[leg] > 0.0 else ["+inf", "-inf"]
     lines += [
@@ -345,17 +336,8 @@ def _legs_table(found: Examination) -> str:
             *_cells(along.longest, leg),
             f"{high - along.longest.value[leg]:.4g}" if np.isfinite(high) else "none",
         ))  # fmt: skip
-    header = (
-        "leg",
-        "|k x s|",
-        "at, s",
-        "least L, m",
-        "at, s",
-        "to limit",
-        "most L, m",
-        "at, s",
-        "to limit",
-    )
+    of_lengths = ("least L, m", "at, s", "to limit", "most L, m", "at, s", "to limit")
+    header = ("leg", "|k x s|", "at, s", *of_lengths)
     return "Nearest to the universal joint's axis and to the limits of length\n" + aligned(header, rows)
 
 

@@ -1,68 +1,60 @@
 """Pictures of a path's singular poses: over the whole path, and at each the machine with its free twist."""
 
 import functools
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ...io.extras import needed_for
+from ...io.array_types import Array
 from ...motion.motion import Motion
 from ...robot.robot import LEGS, Robot
 from ...singularities.singular_poses import Singularity
-from ..common.drawing import as_written, log_numbers
+from ..common.drawing import BLUE, DARK, LEG_COLORS, RED, Axes, Figure, as_written, log_numbers, new_figure
 from ..common.output import Columns
 from ..common.report import Picture
 from .machine_plot import draw_legs, frame
 from .singularities import Examination, curves
 
-with needed_for("drawing"):
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-    from mpl_toolkits.mplot3d.axes3d import Axes3D
-
-Array = NDArray[np.float64]
-
 MOST = 6
 """Crossings drawn; a path that goes to and fro may have many."""
 
-_DARK, _RED, _BLUE = "#3a3a3a", "#c1440e", "#1f4e9c"
-_LEGS = ("#1f4e9c", "#c1440e", "#2e7d4f", "#8e5ea2", "#b8860b", "#3a3a3a")
-# Length of the longest arrow beside the machine's size.
+# Length of the longest arrow, share of the machine's size.
 _ARROW = 0.3
 
 
 def pictures(found: Examination) -> dict[str, Picture]:
     """``path``, and ``crossing_<n>`` for each crossing or ``nearest`` where there is none."""
-    columns = curves(found)
-    drawn = {"path": Picture(lambda: path_figure(found, columns))}
-    for name, time, at, title in _poses(found):
-        drawn[name] = Picture(functools.partial(pose_figure, found, columns, time, at, title))
-    return drawn
+    # Curves take a while to compute, and only pictures need them here.
+    columns = functools.cache(lambda: curves(found))
+
+    def picture(figure: Callable[..., Figure], *of_pose: Any) -> Picture:
+        return Picture(lambda: figure(found, columns(), *of_pose))
+
+    return {"path": picture(path_figure)} | {
+        name: picture(pose_figure, time, at, title) for name, time, at, title in _poses(found)
+    }
 
 
 def path_figure(found: Examination, columns: Columns) -> Figure:
     """Condition number, smallest singular value with its sign, and the largest force over the whole path."""
-    figure = Figure(figsize=(9.0, 7.2), layout="constrained")
+    figure = new_figure(9.0, 7.2)
     panels = figure.subplots(3, 1, sharex=True)
     time = columns["time"]
     largest = np.max(np.abs(_forces(columns)), axis=-1)
-    panels[0].semilogy(time, columns["scaled_condition"], color=_BLUE, linewidth=1.2)
+    panels[0].semilogy(time, columns["scaled_condition"], color=BLUE, linewidth=1.2)
     panels[0].set_ylabel("scaled condition\nnumber of H")
-    panels[1].plot(time, columns["smallest_singular_value"], color=_BLUE, linewidth=1.2)
-    panels[1].axhline(0.0, color=_DARK, linewidth=0.7)
+    panels[1].plot(time, columns["smallest_singular_value"], color=BLUE, linewidth=1.2)
+    panels[1].axhline(0.0, color=DARK, linewidth=0.7)
     panels[1].set_ylabel("smallest singular value,\nsign of det H")
-    panels[2].semilogy(time, largest, color=_BLUE, linewidth=1.2)
-    panels[2].set_ylabel("largest leg force, N")
-    panels[2].set_xlabel("time, s")
-    panels[2].set_xlim(time[0], time[-1])
+    panels[2].semilogy(time, largest, color=BLUE, linewidth=1.2)
+    panels[2].set(ylabel="largest leg force, N", xlabel="time, s", xlim=(time[0], time[-1]))
     for axes, values in zip(panels, (columns["scaled_condition"], time, largest), strict=True):
         _if_empty(axes, values)
         if axes.get_yscale() == "log":
             log_numbers(axes.yaxis)
         for crossing in found.along.crossings:
-            axes.axvline(crossing.time, color=_RED, linewidth=0.9, linestyle=(0, (4, 2)))
+            axes.axvline(crossing.time, color=RED, linewidth=0.9, linestyle=(0, (4, 2)))
     count = len(found.along.crossings)
     where = f"{count} crossing{'' if count == 1 else 's'} of a singular pose"
     if found.along.spans:
@@ -73,7 +65,7 @@ def path_figure(found: Examination, columns: Columns) -> Figure:
 
 def pose_figure(found: Examination, columns: Columns, time: float, at: Singularity, title: str) -> Figure:
     """Smallest singular value and leg forces close by, and the machine with its unconstrained twist."""
-    figure = Figure(figsize=(12.0, 5.8), layout="constrained")
+    figure = new_figure(12.0, 5.8)
     panes: Any = figure.subfigures(1, 2, width_ratios=(1.0, 1.05))
     left, right = panes
     upper, lower = left.subplots(2, 1, sharex=True, height_ratios=(1.0, 1.7))
@@ -83,37 +75,32 @@ def pose_figure(found: Examination, columns: Columns, time: float, at: Singulari
     inside = (columns["time"] >= low) & (columns["time"] <= high)
     # No line joins the branches on either side of a crossing.
     when, *rest = _broken(
-        crossed,
-        columns["time"][inside],
-        columns["smallest_singular_value"][inside],
-        _forces(columns)[inside],
+        crossed, columns["time"][inside], columns["smallest_singular_value"][inside], _forces(columns)[inside]
     )
-    upper.plot(when, rest[0], color=_BLUE, linewidth=1.3)
-    upper.axhline(0.0, color=_DARK, linewidth=0.7)
+    upper.plot(when, rest[0], color=BLUE, linewidth=1.3)
+    upper.axhline(0.0, color=DARK, linewidth=0.7)
     upper.set_ylabel("smallest singular\nvalue, sign of det H")
-    for leg in range(LEGS):
-        lower.plot(when, rest[1][:, leg], color=_LEGS[leg], linewidth=1.2, label=f"leg {leg + 1}")
+    for leg, color in enumerate(LEG_COLORS):
+        lower.plot(when, rest[1][:, leg], color=color, linewidth=1.2, label=f"leg {leg + 1}")
     bound = _bound(np.abs(when[:, None] - np.array([*crossed, np.inf])).min(axis=-1), rest[1], window)
-    lower.axhline(0.0, color=_DARK, linewidth=0.7)
+    lower.axhline(0.0, color=DARK, linewidth=0.7)
     lower.set_ylim(-bound, bound)
     _if_empty(lower, rest[1])
     lower.ticklabel_format(axis="y", scilimits=(-2, 5), useMathText=True)
-    lower.set_ylabel("leg force, N")
-    lower.set_xlabel("time, s")
-    lower.set_xlim(low, high)
+    lower.set(ylabel="leg force, N", xlabel="time, s", xlim=(low, high))
     lower.locator_params(axis="x", nbins=6)
     lower.legend(loc="upper center", bbox_to_anchor=(0.5, -0.2), ncols=LEGS, fontsize=8.0,
                  handlelength=1.2, columnspacing=1.0)  # fmt: skip
     for axes in (upper, lower):
         for mark in crossed:
-            axes.axvline(mark, color=_RED, linewidth=0.9, linestyle=(0, (4, 2)))
-    machine: Axes3D = right.add_subplot(projection="3d")
+            axes.axvline(mark, color=RED, linewidth=0.9, linestyle=(0, (4, 2)))
+    machine = right.add_subplot(projection="3d")
     draw_machine(machine, found.robot, found.path(np.array([time]))[0], at)
     figure.suptitle(as_written(title), fontsize=11.0)
     return figure
 
 
-def draw_machine(axes: Axes3D, robot: Robot, pose: Motion, at: Singularity) -> None:
+def draw_machine(axes: Any, robot: Robot, pose: Motion, at: Singularity) -> None:
     """The machine at a pose, velocities of the platform points under the twist as arrows, the screw axis."""
     points = pose.t + robot.p @ pose.R.T
     both = np.concatenate([robot.b, points])
@@ -122,11 +109,11 @@ def draw_machine(axes: Axes3D, robot: Robot, pose: Motion, at: Singularity) -> N
     v, omega = at.twist[:3], at.twist[3:]
     velocities = v + np.cross(omega, points - pose.t)
     arrows = velocities * _ARROW * size / np.max(np.linalg.norm(velocities, axis=-1))
-    axes.quiver(*points.T, *arrows.T, color=_RED, linewidth=1.6, arrow_length_ratio=0.25)
+    axes.quiver(*points.T, *arrows.T, color=RED, linewidth=1.6, arrow_length_ratio=0.25)
     extent = [both, points + arrows]
     if np.isfinite(at.pitch) and np.linalg.norm(at.point - pose.t) < size:
         line = at.point + np.outer([-0.45 * size, 0.45 * size], at.axis)
-        axes.plot(*line.T, color=_RED, linewidth=1.0, linestyle=(0, (4, 2)))
+        axes.plot(*line.T, color=RED, linewidth=1.0, linestyle=(0, (4, 2)))
         extent.append(line)
     frame(axes, np.concatenate(extent))
     screw = "a translation"
@@ -170,6 +157,6 @@ def _if_empty(axes: Axes, values: Array) -> None:
     """Say why nothing is drawn where nothing can be."""
     if not np.isfinite(values).any():
         text = "none: H is singular throughout"
-        axes.text(0.5, 0.55, text, transform=axes.transAxes, ha="center", va="bottom", color=_DARK)
+        axes.text(0.5, 0.55, text, transform=axes.transAxes, ha="center", va="bottom", color=DARK)
         axes.set_yticks([], minor=False)
         axes.set_yticks([], minor=True)

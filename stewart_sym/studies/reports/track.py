@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from ...drives.effort import Instants, at_instants
 from ...dynamics.force_noise import deviations_in_parts
 from ...dynamics.inverse import Backend, Formulation, first_fault, inverse_dynamics, joint_reactions
+from ...io.array_types import Array, Codes, Flags
 from ...io.error_policy import SingularPoseWarning
 from ...io.instants import elapsed, least_step, time_text
 from ...kinematics.conditioning import condition_number
@@ -18,12 +19,8 @@ from ...motion.motion import Motion
 from ...motion.trajectory import PoseLog, Replaced, Trajectory
 from ...results import NOT_FINITE, OK, ZERO_LENGTH, Reactions
 from ...robot.robot import Robot
-from ..common.output import Columns, csv_lines, of_axes, of_legs
-from ..common.table import aligned
+from ..common.output import Columns, aligned, csv_lines, of_axes, of_legs
 from .drives import DriveDigest, drive_columns, no_instants
-
-Array = NDArray[np.float64]
-
 
 SURE = 3.0
 """Deviations within which a force is taken to lie: 99.7 % of normal errors."""
@@ -32,7 +29,7 @@ NOISE_SHARE = 0.02
 """Share of a leg's peak force that noise may make of it, ``SURE`` deviations, without a warning."""
 
 
-# Instants at a time: all outputs of the kernels at once would fill memory.
+# So many instants are computed at a time: all outputs of all instants at once would fill memory.
 _PART = 1 << 14
 
 
@@ -49,7 +46,7 @@ class Part(NamedTuple):
     L: Array
     L_dot: Array
     condition: Array
-    status: NDArray[np.int32]
+    status: Codes
     reactions: Reactions | None
     effort: Instants | None = None
 
@@ -187,11 +184,16 @@ class Digest:
 
     def _of_legs(self, k: int, limit: "_Limit", what: str, legs: list[int], kept: Part) -> str:
         """One line about a limit and the legs in question."""
-        shares = [_share(self.robot, limit, leg, kept) for leg in legs]
-        worst = legs[int(np.argmax(shares))]
+        bound, least = limit.bound(self.robot), np.finfo(float).tiny
+        beyond = {leg: _excess(self.robot, limit, leg, kept) for leg in legs}
+        worst = max(legs, key=lambda leg: beyond[leg][1] / max(abs(float(bound[leg])), least))
+        i, sd = beyond[worst][0], kept.F_sd if limit.name == "force_limit" else None
+        spread = "" if sd is None else f" +- {sd[i, worst]:.3g}"
+        value = f"{getattr(kept, limit.values)[i, worst]:.6g}{spread} {limit.unit}"
+        value += f" at {time_text(kept.time[i], self.step)} s, limit {bound[worst]:g} {limit.unit}"
         names = f"{'leg' if len(legs) == 1 else 'legs'} {', '.join(str(leg + 1) for leg in legs)}"
         most = "" if len(legs) == 1 else f"worst leg {worst + 1}: "
-        text = f"{what} by {names}: {most}{_worst(self.robot, limit, worst, kept, self.step)}"
+        text = f"{what} by {names}: {most}{value}"
         if self.count[k, worst]:
             share = f"at {int(self.count[k, worst])} of {len(self.time)} instants"
             text += f"; beyond it for {self.span[k, worst]:.3g} s, {share}"
@@ -216,7 +218,7 @@ class Digest:
             for one, other in zip(verdicts, elsewhere, strict=True)
         ]
 
-    def _at_replaced(self, time: Array) -> NDArray[np.bool_]:
+    def _at_replaced(self, time: Array) -> Flags:
         """Instants, (n,), whose deviations hold what is changed by replaced rows."""
         found = np.zeros(len(time), dtype=bool)
         for span in self.replaced:
@@ -297,22 +299,16 @@ _LIMITS = (
 )
 
 
-def exceeded(
-    robot: Robot, time: Array, F: Array, L: Array, L_dot: Array, F_sd: Array | None = None
-) -> list[str]:
-    """One line for each limit, as ``Digest.exceeded``; arrays (n, 6).
-
-    With deviations F_sd a force limit is exceeded where the force is beyond it by ``SURE`` of them, and not
-    decided where it is nearer.
-    """
+def exceeded(robot: Robot, time: Array, F: Array, L: Array, L_dot: Array) -> list[str]:
+    """One line for each limit that a run exceeds, as ``Digest.exceeded``; arrays (n, 6)."""
     digest, none = Digest(robot, time), np.zeros(len(time))
-    digest.add(Part(slice(None), time, F, F_sd, L, L_dot, none, none.astype(np.int32), None))
+    digest.add(Part(slice(None), time, F, None, L, L_dot, none, none.astype(np.int32), None))
     return digest.exceeded()
 
 
 WITHIN, EXCEEDED, NOT_DECIDED = "kept", "exceeded", "not decided at this noise"
 AT_REPLACED = "not decided at replaced rows"
-# Spans of replaced rows that one line names.
+# One line names at most so many replaced rows.
 _MOST_NAMED = 4
 
 
@@ -338,22 +334,6 @@ def _excess(robot: Robot, limit: _Limit, leg: int, part: Part) -> tuple[int, flo
     return i, float(excess[i])
 
 
-def _share(robot: Robot, limit: _Limit, leg: int, part: Part) -> float:
-    """By what share of its limit a leg is beyond it."""
-    return _excess(robot, limit, leg, part)[1] / max(
-        abs(float(limit.bound(robot)[leg])), np.finfo(float).tiny
-    )
-
-
-def _worst(robot: Robot, limit: _Limit, leg: int, part: Part, step: float) -> str:
-    """The value of a leg that is farthest beyond its limit, and when."""
-    i, _ = _excess(robot, limit, leg, part)
-    sd = part.F_sd if limit.name == "force_limit" else None
-    spread = "" if sd is None else f" +- {sd[i, leg]:.3g}"
-    value = f"{getattr(part, limit.values)[i, leg]:.6g}{spread} {limit.unit}"
-    return f"{value} at {time_text(part.time[i], step)} s, limit {limit.bound(robot)[leg]:g} {limit.unit}"
-
-
 def _weights(time: Array) -> Array:
     """How long each instant stands for: half the way to both neighbours."""
     return np.gradient(elapsed(time)) if len(time) > 1 else np.zeros(1)
@@ -371,9 +351,7 @@ def peak_noise(F: Array, F_sd: Array) -> Array:
     return np.asarray((possible - peak) / np.maximum(peak, np.finfo(float).tiny))
 
 
-def _noisy(
-    when: list[str], F: Array, F_sd: Array, share: float, cause: str, there: NDArray[np.bool_]
-) -> str | None:
+def _noisy(when: list[str], F: Array, F_sd: Array, share: float, cause: str, there: Flags) -> str | None:
     """One line about the leg whose peak is least sure, if a cause makes more than the share of it.
 
     when: the instants, s. there: those, (n,), at which the deviations are the cause's.
@@ -419,12 +397,11 @@ def _summary(robot: Robot, times: Array, part: Part, verdicts: list[str]) -> str
     ]
     worst = _worst_condition(part)
     count = f"{len(times)} instant{'s' if len(times) > 1 else ''}"
-    return "\n".join(
-        [
-            f"{count}, {time_text(times[0], step)} to {time_text(times[-1], step)} s; "
-            f"condition number of H up to {condition[worst]:.4g} (at {time_text(time[worst], step)} s)",
-            aligned(("leg", "peak force, N", "at, s", "force_limit, N", "length, m", "speed, m/s"), rows),
-        ]
+    header = ("leg", "peak force, N", "at, s", "force_limit, N", "length, m", "speed, m/s")
+    return (
+        f"{count}, {time_text(times[0], step)} to {time_text(times[-1], step)} s; "
+        f"condition number of H up to {condition[worst]:.4g} (at {time_text(time[worst], step)} s)\n"
+        f"{aligned(header, rows)}"
     )
 
 
@@ -435,7 +412,7 @@ def _tell(trajectory: Trajectory | PoseLog, i: int, reason: str, allowed: bool) 
     warnings.warn(text, SingularPoseWarning, stacklevel=3)
 
 
-def _lengths_and_rates(robot: Robot, motion: Motion, good: NDArray[np.bool_]) -> tuple[Array, Array]:
+def _lengths_and_rates(robot: Robot, motion: Motion, good: Flags) -> tuple[Array, Array]:
     L, L_dot = np.full((2, *motion.shape, 6), np.nan)
     if np.any(good):
         legs: LegKinematics = inverse_kinematics(robot, motion[good])

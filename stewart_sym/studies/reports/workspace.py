@@ -24,6 +24,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...dynamics.forces import prepare
 from ...dynamics.inverse import Formulation
+from ...io.array_types import Array, Codes
 from ...io.extras import needed_for
 from ...kinematics.conditioning import condition_number
 from ...kinematics.inverse import wrench_matrix
@@ -34,7 +35,6 @@ from ...robot.robot import Robot
 with needed_for("a map of the workspace"):
     import dask.array as da
 
-Array = NDArray[np.float64]
 
 CHUNK = 100_000
 """Poses in one block: a fraction of a second of work, some 200 MB while it lasts."""
@@ -45,12 +45,7 @@ def grid(x: ArrayLike, y: ArrayLike, z: ArrayLike, chunks: int = CHUNK) -> Any:
     axes = [np.asarray(axis, dtype=np.float64) for axis in (x, y, z)]
     index = da.arange(int(np.prod([axis.size for axis in axes])), chunks=chunks)
     return da.map_blocks(
-        grid_block,
-        index,
-        axes=axes,
-        new_axis=1,
-        chunks=(index.chunks[0], (3,)),
-        meta=np.empty((0, 3)),
+        grid_block, index, axes=axes, new_axis=1, chunks=(index.chunks[0], (3,)), meta=np.empty((0, 3))
     )
 
 
@@ -109,7 +104,7 @@ def map_block(
     return _condition(robot, motion, status), np.abs(F).max(axis=-1)
 
 
-def _condition(robot: Robot, motion: Motion, status: NDArray[np.int32]) -> Array:
+def _condition(robot: Robot, motion: Motion, status: Codes) -> Array:
     """Condition number of H of (36), wherever the legs have directions."""
     condition = np.full(motion.shape, np.nan)
     sound = ~np.isin(status, (ZERO_LENGTH, NOT_FINITE))

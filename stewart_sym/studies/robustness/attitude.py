@@ -6,10 +6,10 @@ One motion is written down in each kind of input, its numbers rounded last; erro
 import dataclasses
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...backend.numpy_kernel import loaded
 from ...dynamics.inverse import inverse_dynamics
+from ...io.array_types import Array
 from ...motion.motion import Motion
 from ...motion.rotation import (
     quaternion_from_rotation,
@@ -28,8 +28,6 @@ from .sweep.machines import random_machine, random_motion
 from .sweep.oracle import check_poses
 from .sweep.sweep import condition_of
 
-Array = NDArray[np.float64]
-
 INPUTS = ("roll-pitch-yaw", "rotation matrix", "quaternion", "rotation vector")
 """Ways to give an orientation and its rates."""
 
@@ -43,7 +41,7 @@ def families(seed: int = 4) -> list[Family]:
     rates = [_angle_rates(theta, moving) for theta in angles]
     poses = [dataclasses.replace(moving, R=rotation_from_rpy(theta)) for theta in angles]
     checked = check_poses([robot] * len(poses), poses)
-    # What rounding the rates of the angles alone does to alpha, which the forces then feel.
+    # Rounding the rates of the angles changes alpha, and so the forces, by more than rounding alpha does.
     fastest = np.array([np.abs(second).max() + np.abs(first).max() ** 2 for first, second in rates])
     lost = 1.0 + fastest / np.abs(loaded(moving).alpha).max()
     curves = []

@@ -7,11 +7,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...io.array_types import Array, Codes, Flags
 from ...precision.truth import digits
 from ...results import OK
-
-Array = NDArray[np.float64]
-Codes = NDArray[np.int32]
 
 EPS = float(np.finfo(np.float64).eps)
 WRONG = 1000.0
@@ -19,7 +17,7 @@ WRONG = 1000.0
 GOOD = 1e6
 """Condition number below which a pose must get an answer."""
 POINTS = 49
-"""Distances of a family."""
+"""How many distances a family has."""
 
 
 def distances(points: int = POINTS, nearest: float = 1e-16) -> Array:
@@ -53,7 +51,7 @@ class Curve:
     pose: Array | None = None
 
     @property
-    def answered(self) -> NDArray[np.bool_]:
+    def answered(self) -> Flags:
         """Where it gives an answer and says that it is one, (n,)."""
         given = np.isfinite(self.error)
         return given if self.status is None else np.asarray((self.status == OK) & given)

@@ -1,11 +1,12 @@
 """Family 2: a leg comes to lie along its universal joint's fixed axis; ways to the sine between them."""
 
 import dataclasses
+from typing import Any
 
 import mpmath
 import numpy as np
-from numpy.typing import NDArray
 
+from ...io.array_types import Array
 from ...kinematics.inverse import leg_vectors
 from ...motion.motion import Motion
 from ...precision.truth import digits
@@ -16,8 +17,6 @@ from .sweep.machines import LEGS, at_rest, random_machine, random_motion
 from .sweep.oracle import check_poses
 from .sweep.sweep import condition_of
 
-Array = NDArray[np.float64]
-
 FAILS = "leg along its universal joint's fixed axis"
 
 
@@ -27,7 +26,32 @@ def families(seed: int = 2) -> list[Family]:
     """
     moving = _walk(seed, LEGS[0], rest=False)
     resting = _walk(seed, LEGS[1], rest=True)
-    return [_spin(*moving), _forces(moving, resting), _resting(resting), _closed_form(*moving)]
+    return [
+        _spin(*moving),
+        _forces(moving, resting),
+        _family(
+            "joint_singularity_at_rest",
+            "Forces near a leg's joint singularity, axisymmetric legs at rest: well conditioned",
+            "status 3 where the sine is rounding error",
+            shipped.curves(*resting),
+            fails=f"{FAILS}, at rest",
+        ),
+        _family(
+            "joint_singularity_closed_form",
+            "Equations of motion, forward dynamics and derivatives near a leg's joint singularity",
+            "forward dynamics solved in joint coordinates; status 3 where the sine is rounding error",
+            shipped.closed_form_curves(*moving),
+            error_axis="error over each output's size",
+        ),
+    ]
+
+
+def _family(
+    name: str, title: str, remedy: str, curves: tuple[Curve, ...], fails: str = FAILS, **more: Any
+) -> Family:
+    """A family over the angle between a leg and its fixed axis; ``more``: further fields of it."""
+    axis = "angle between leg 1 and its fixed axis, rad"
+    return Family(name, title, fails, remedy, axis, distances(), curves, **more)
 
 
 def _walk(seed: int, legs: str, rest: bool) -> tuple[list[Robot], list[Motion]]:
@@ -57,46 +81,18 @@ def _forces(moving: tuple[list[Robot], list[Motion]], resting: tuple[list[Robot]
         "condition, axisymmetric at rest": condition_of(calm),
     }
     fastest = float(checked["size"].max() / checked["size"][0])
-    return Family(
+    return _family(
         "joint_singularity_forces",
         "Forces near a leg's joint singularity, moving machine",
-        FAILS,
         "sine and frame from k x s; status 3 where the sine is rounding error",
-        "angle between leg 1 and its fixed axis, rad",
-        distances(),
         shipped.curves(*moving),
-        growth,
-        "largest force, N, and condition number",
-        (
+        growth=growth,
+        growth_axis="largest force, N, and condition number",
+        notes=(
             f"physics: the moving machine's largest force grows {fastest:.1e}-fold, for the leg must "
             f"spin ever faster; at rest with axisymmetric legs it changes by "
             f"{float(np.ptp(calm['size']) / calm['size'][0]):.1e} of itself.",
         ),
-    )
-
-
-def _resting(resting: tuple[list[Robot], list[Motion]]) -> Family:
-    return Family(
-        "joint_singularity_at_rest",
-        "Forces near a leg's joint singularity, axisymmetric legs at rest: well conditioned",
-        f"{FAILS}, at rest",
-        "status 3 where the sine is rounding error",
-        "angle between leg 1 and its fixed axis, rad",
-        distances(),
-        shipped.curves(*resting),
-    )
-
-
-def _closed_form(robots: list[Robot], motions: list[Motion]) -> Family:
-    return Family(
-        "joint_singularity_closed_form",
-        "Equations of motion, forward dynamics and derivatives near a leg's joint singularity",
-        FAILS,
-        "forward dynamics solved in joint coordinates; status 3 where the sine is rounding error",
-        "angle between leg 1 and its fixed axis, rad",
-        distances(),
-        shipped.closed_form_curves(robots, motions),
-        error_axis="error over each output's size",
     )
 
 
@@ -112,16 +108,8 @@ def _spin(robots: list[Robot], motions: list[Motion]) -> Family:
                 error[i] = float(abs(digits.mpf(float(found)) - spin) / abs(spin))
         condition = np.array([float(1 / k_3) for _, k_3 in truth])
         curves.append(Curve(name, error, condition))
-    return Family(
-        "joint_sine",
-        "Spin of a leg near its joint singularity, by how the sine is computed",
-        FAILS,
-        "",
-        "angle between leg 1 and its fixed axis, rad",
-        distances(),
-        tuple(curves),
-        error_axis="error over the spin",
-    )
+    title = "Spin of a leg near its joint singularity, by how the sine is computed"
+    return _family("joint_sine", title, "", tuple(curves), error_axis="error over the spin")
 
 
 def _from_cosine(k: Array, s: Array) -> float:

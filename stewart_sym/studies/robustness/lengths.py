@@ -3,7 +3,6 @@
 import dataclasses
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...kinematics.forward import forward_kinematics
 from ...kinematics.inverse import leg_vectors
@@ -13,8 +12,6 @@ from ...robot.robot import Robot
 from . import shipped
 from .family import Curve, Family, distances
 from .sweep.machines import random_machine, random_motion
-
-Array = NDArray[np.float64]
 
 
 def families(seed: int = 3) -> list[Family]:

@@ -9,19 +9,12 @@ from typing import Any
 
 import numpy as np
 
-from ...io.extras import needed_for
 from ...results import STATUS_TEXT
+from ..common.drawing import Axes, Figure, legend_line, new_figure
 from ..common.report import SMALL, Picture
 from .family import WRONG, Curve, Family
 from .poses import OUTCOMES, Basins
 from .study import Study
-
-with needed_for("drawing"):
-    from matplotlib.axes import Axes
-    from matplotlib.colors import ListedColormap
-    from matplotlib.figure import Figure
-    from matplotlib.lines import Line2D
-    from matplotlib.patches import Patch
 
 _COLORS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#8A8A00", "#7F7F7F")
 _MARKS = ("o", "s", "^", "v", "D", "P", "X", "*", "p")
@@ -48,7 +41,7 @@ def family_figure(family: Family) -> Figure:
     if len(groups) == 2 and len(groups[0][1]) == 1:
         groups = [("", list(family.curves))]
     panels = len(groups) + bool(family.growth)
-    figure = Figure(figsize=(2.2 + 4.0 * panels, 5.6), layout="constrained")
+    figure = new_figure(2.2 + 4.0 * panels, 5.6)
     axes = np.atleast_1d(figure.subplots(1, panels))
     ceiling = _ceiling(family)
     for ax, (title, curves) in zip(axes, groups, strict=False):
@@ -68,7 +61,10 @@ def family_figure(family: Family) -> Figure:
 
 def basins_figure(found: Basins) -> Figure:
     """Outcome of each start, a panel for each method."""
-    figure = Figure(figsize=(10.0, 5.6), layout="constrained")
+    figure = new_figure(10.0, 5.6)
+    from matplotlib.colors import ListedColormap
+    from matplotlib.patches import Patch
+
     panels = figure.subplots(1, len(found.outcome))
     colors = ListedColormap([_COLORS[0], _COLORS[4], "#000000"])
     edges = np.degrees([found.roll[0], found.roll[-1], found.yaw[0], found.yaw[-1]])
@@ -84,11 +80,8 @@ def basins_figure(found: Basins) -> Figure:
         ax.grid(False)
     panels[0].set_ylabel("start turned about z, degrees")
     keys: list[Any] = [Patch(color=colors(i), label=text) for i, text in enumerate(OUTCOMES)]
-    keys.append(
-        Line2D(
-            [], [], linestyle="", marker="P", color="white", markeredgecolor="black", label="the pose itself"
-        )
-    )
+    pose: Any = {"linestyle": "", "marker": "P", "color": "white", "markeredgecolor": "black"}
+    keys.append(legend_line("the pose itself", **pose))
     figure.legend(handles=keys, loc="outside lower center", ncols=len(keys))
     figure.suptitle("Forward kinematics: where Newton's steps end, by where they start", fontsize=10.5)
     return figure
@@ -97,7 +90,7 @@ def basins_figure(found: Basins) -> Figure:
 def _errors(ax: Axes, family: Family, curves: list[Curve], ceiling: float) -> None:
     for number, curve in enumerate(curves):
         style = {"color": _COLORS[number % len(_COLORS)], "marker": _MARKS[number % len(_MARKS)]}
-        # Each a little further along, so that marks on one another are seen.
+        # The marks of each curve start further along, so that curves on one another are seen.
         every = (number % 4, 4) if len(family.distance) > 20 else 1
         shown = np.where(curve.answered, np.clip(curve.error, _FLOOR, ceiling), np.nan)
         ax.loglog(
@@ -127,9 +120,9 @@ def _errors(ax: Axes, family: Family, curves: list[Curve], ceiling: float) -> No
         shown = np.where(np.isfinite(bound) & (bound < ceiling), bound, np.nan)
         ax.loglog(family.distance, shown, color="#555555", linestyle="--", linewidth=1.2)
         seen = seen or bool(np.isfinite(shown).any())
-    # Statuses have the lowest part to themselves.
+    # The lowest part of the panel is kept for the statuses.
     ax.set_ylim(_FLOOR / 100.0, 3.0 * ceiling)
-    # Without points, for the legend.
+    # Lines without points, for the legend alone.
     if seen:
         ax.plot([], [], color="#555555", linestyle="--", label=f"{WRONG:g} units x condition")
     if any(curve.status is not None and (curve.status != 0).any() for curve in curves):

@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...io.array_types import Array, Flags
 from ...kinematics.certificate import certify_pose
 from ...kinematics.conditioning import characteristic_length, scaled_condition_number
 from ...kinematics.forward import forward_kinematics
@@ -18,8 +19,6 @@ from ...robot.robot import Robot
 from ...robots import dasgupta1998
 from .family import Curve, Family, distances, exact
 from .singular import path_III
-
-Array = NDArray[np.float64]
 
 RIGHT, OTHER, LOST = 0, 1, 2
 OUTCOMES = ("the pose asked for", "another pose with these lengths", "no pose found")
@@ -123,7 +122,7 @@ def basins(grid: int = GRID, proofs: int = 40) -> Basins:
     return Basins(angles, angles, outcome, float(np.mean(proven)), len(modes))
 
 
-def _plain_newton(robot: Robot, L: Array, R: Array, t: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
+def _plain_newton(robot: Robot, L: Array, R: Array, t: Array) -> tuple[Array, Array, Flags]:
     """Newton's steps, whole and undamped, thirty of them."""
     R, t = R.copy(), t.copy()
     with np.errstate(all="ignore"):

@@ -4,10 +4,10 @@ import dataclasses
 from typing import cast
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...dynamics.equations import ForwardDynamics
 from ...dynamics.home_pose import home_pose
+from ...io.array_types import Array
 from ...kinematics.inverse import leg_vectors
 from ...motion.motion import Motion
 from ...motion.straight_line import PATHS
@@ -24,12 +24,10 @@ from .family import EPS, Curve, Family
 from .singular import crossing_of_path_III
 from .sweep.machines import GRAVITY, machine_size, random_machine
 
-Array = NDArray[np.float64]
-
 STEP = 1e-3
-"""Of the fixed steps, s."""
+"""Length of the fixed steps, s."""
 LONGEST = 2.0
-"""Of the runs over long times, s."""
+"""Duration of the runs over long times, s."""
 LONG_RTOL: dict[str, float] = {"DOP853": 1e-9, "Radau": 1e-5}
 FIXED = f"RK4, {1e3 * STEP:g} ms"
 HELD = f"{FIXED}, forces held"
@@ -98,7 +96,7 @@ def _stiff() -> Family:
             end, codes = advance(ForwardDynamics(machine), start, F, duration, round(duration / STEP))
         curves[FIXED].append(_off(end.t, truth.t[-1], machine))
         status[FIXED].append(int(codes) or (OK if np.isfinite(end.t).all() else NOT_FINITE))
-    # What the tolerance of a step allows.
+    # The error that the tolerance of a step allows.
     allowed = np.full(len(times), 1e-9 / EPS)
     return Family(
         "run_stiff",
@@ -143,7 +141,7 @@ def _long() -> Family:
     for name, drift in drifts.items():
         until = np.maximum.accumulate(drift)
         error = until[np.minimum(np.searchsorted(even, times), len(even) - 1)]
-        # What so many steps of that tolerance may add up to.
+        # The error that so many steps of that tolerance may add up to.
         rtol = LONG_RTOL.get(name.split(",")[0], STEP**3)
         curves.append(Curve(name, error, np.full(len(times), rtol / EPS), shipped=name != HELD))
     return Family(

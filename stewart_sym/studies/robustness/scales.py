@@ -4,10 +4,11 @@ import dataclasses
 
 import numpy as np
 
+from ...io.array_types import Array
 from ...motion.motion import Motion
 from ...robot.robot import Robot
 from . import shipped
-from .family import Array, Family
+from .family import Family
 from .sweep.machines import random_machine, random_motion
 
 POINTS = 43
@@ -52,7 +53,7 @@ def families(seed: int = 7) -> list[Family]:
 def _extreme(seed: int) -> Family:
     """Lengths from 1e200 to 1e-200 m at unchanged shape, with the motion's scale of time."""
     factors = np.logspace(200, -200, 81)
-    # Lighter as they grow, so that inertias stay in range.
+    # Larger machines are lighter, so that inertias stay within the range of double.
     pairs = [_sized(float(factor), seed, float(1.0 / factor)) for factor in factors]
     robots, motions = [list(each) for each in zip(*pairs, strict=True)]
     curves = shipped.curves(robots, motions)

@@ -11,6 +11,7 @@ from ...backend.kernel import robot_numbers
 from ...dynamics.equations import equations_of_motion
 from ...dynamics.forces import prepare
 from ...dynamics.inverse import inverse_dynamics
+from ...io.array_types import Array
 from ...kinematics.inverse import wrench_matrix
 from ...motion.motion import Motion
 from ...precision.quad import error as quad_error
@@ -18,7 +19,7 @@ from ...precision.quad import quad_forces
 from ...precision.truth import Truth, deviation
 from ...results import NOT_FINITE, OK
 from ...robot.robot import Robot
-from .family import EPS, Array, Curve
+from .family import EPS, Curve
 from .sweep.oracle import CLOSED_KERNELS, check_poses, closed_form_errors, motion_numbers
 from .sweep.sweep import condition_of
 

@@ -1,10 +1,12 @@
 """Families 1: H becomes singular, in four ways; candidate solves beside the shipped kernels."""
 
+from dataclasses import replace
+
 import mpmath
 import numpy as np
-from numpy.typing import NDArray
 
 from ...dynamics.damping import damped_solution
+from ...io.array_types import Array
 from ...kinematics.conditioning import characteristic_length
 from ...kinematics.inverse import wrench_matrix
 from ...motion.motion import Motion
@@ -18,16 +20,7 @@ from ...singularities.along_path import crossings
 from . import shipped
 from .family import Curve, Family, distances
 from .solves import CANDIDATES
-from .sweep.machines import (
-    flat,
-    meeting_one_line,
-    posed,
-    random_machine,
-    random_motion,
-    similar_hexagons,
-)
-
-Array = NDArray[np.float64]
+from .sweep.machines import flat, meeting_one_line, random_machine, random_motion, similar_hexagons
 
 FAILS = "H singular"
 REMEDY = "elimination with partial pivoting; status 4 where a pivot is rounding error against its row"
@@ -38,29 +31,17 @@ DAMPED = "damped least squares"
 
 def families(seed: int = 6) -> list[Family]:
     """Crossing of Path III, similar hexagons at 90 degrees, six lines meeting one line, a flat pose."""
-    return [
-        _family(
-            "singular_path_III", "Path III crosses a singular pose", "time from the crossing, s", *path_III()
-        ),
-        _family(
-            "singular_hexagons",
-            "Similar hexagons turned by 90 degrees",
-            "angle from 90 degrees, rad",
-            *_hexagons(np.random.default_rng(seed)),
-        ),
-        _family(
-            "singular_line",
-            "Six legs meet one line",
-            "turn away from that pose, rad",
-            *_line(np.random.default_rng(seed)),
-        ),
-        _family(
-            "singular_flat",
-            "Six legs in one plane",
-            "height over the plane, m",
-            *_flat(np.random.default_rng(seed)),
-        ),
-    ]
+    found = []
+    for name, title, axis, make in (
+        ("path_III", "Path III crosses a singular pose", "time from the crossing, s", lambda _: path_III()),
+        ("hexagons", "Similar hexagons turned by 90 degrees", "angle from 90 degrees, rad", _hexagons),
+        ("line", "Six legs meet one line", "turn away from that pose, rad", _line),
+        ("flat", "Six legs in one plane", "height over the plane, m", _flat),
+    ):
+        cases = make(np.random.default_rng(seed))
+        curves = (*solve_curves(*cases), *shipped.curves(*cases))
+        found.append(Family(f"singular_{name}", title, FAILS, REMEDY, axis, distances(), curves))
+    return found
 
 
 def solve_curves(robots_: list[Robot], motions: list[Motion]) -> list[Curve]:
@@ -90,11 +71,6 @@ def crossing_of_path_III() -> float:
     return crossings(dasgupta1998(), path.sample, path.breaks())[0].time
 
 
-def _family(name: str, title: str, axis: str, robots_: list[Robot], motions: list[Motion]) -> Family:
-    curves = (*solve_curves(robots_, motions), *shipped.curves(robots_, motions))
-    return Family(name, title, FAILS, REMEDY, axis, distances(), curves)
-
-
 def path_III() -> tuple[list[Robot], list[Motion]]:
     """Poses of the paper's machine ever nearer to the crossing, on the tangent of Path III before it."""
     robot, path, crossing = dasgupta1998(), PATHS["III"].path, crossing_of_path_III()
@@ -106,7 +82,7 @@ def path_III() -> tuple[list[Robot], list[Motion]]:
     motions = []
     for distance in distances():
         R = rotation_from_rpy(theta - distance * theta_dot)
-        motions.append(posed(moving, R, moving.t - distance * moving.v))
+        motions.append(replace(moving, R=R, t=moving.t - distance * moving.v))
     return [robot] * len(motions), motions
 
 
@@ -114,14 +90,14 @@ def _hexagons(rng: np.random.Generator) -> tuple[list[Robot], list[Motion]]:
     robot = similar_hexagons(rng)
     moving = random_motion(rng, robot)
     turn = [rotation_from_vector(np.array([0.0, 0.0, 0.5 * np.pi - d])) for d in distances()]
-    return [robot] * len(turn), [posed(moving, R, moving.t) for R in turn]
+    return [robot] * len(turn), [replace(moving, R=R) for R in turn]
 
 
 def _line(rng: np.random.Generator) -> tuple[list[Robot], list[Motion]]:
     moving = random_motion(rng, random_machine(rng))
     robot = meeting_one_line(rng, moving)
     axis = np.array([0.6, 0.64, 0.48])
-    motions = [posed(moving, rotation_from_vector(d * axis) @ moving.R, moving.t) for d in distances()]
+    motions = [replace(moving, R=rotation_from_vector(d * axis) @ moving.R) for d in distances()]
     return [robot] * len(motions), motions
 
 
@@ -130,7 +106,7 @@ def _flat(rng: np.random.Generator) -> tuple[list[Robot], list[Motion]]:
     moving = random_motion(rng, robot)
     R = rotation_from_vector(np.array([0.0, 0.0, 0.4]))
     aside = np.array([0.1, 0.07, 0.0])
-    motions = [posed(moving, R, aside + np.array([0.0, 0.0, d])) for d in distances()]
+    motions = [replace(moving, R=R, t=aside + np.array([0.0, 0.0, d])) for d in distances()]
     return [robot] * len(motions), motions
 
 

@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 
 from ...io.progress import Progress, silent, tracked
+from ..common.output import aligned
 from ..common.report import Picture, Report
-from ..common.table import aligned
 from . import attitude, leg_frame, lengths, poses, runs, scales, singular
 from .family import WRONG, Curve, Family, Verdict, verdict
 from .poses import OUTCOMES, Basins, basins

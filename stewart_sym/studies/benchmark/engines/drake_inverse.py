@@ -3,15 +3,17 @@
 Gravity, load and friction are prepared as forces on the bodies, which is how the call takes them.
 """
 
+from functools import partial
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ....io.array_types import Array
 from ....io.extras import needed_for
 from ....motion.motion import Motion
 from ....motion.rotation import quaternion_from_rotation
 from ....robot.robot import Robot
+from ...common.timing import over
 from ..called import Called
 from .free_platform import States, newton_euler, states
 from .tree import base_frames, turned
@@ -21,8 +23,6 @@ with needed_for("the comparison with Drake"):
     from pydrake.multibody import tree
     from pydrake.multibody.math import SpatialForce
     from pydrake.multibody.plant import MultibodyPlant
-
-Array = NDArray[np.float64]
 
 
 def drake_inverse(robot: Robot, motion: Motion) -> Called:
@@ -34,17 +34,8 @@ def drake_inverse(robot: Robot, motion: Motion) -> Called:
     none = [(np.zeros(0), np.zeros(0), tree.MultibodyForces(nothing))] * len(prepared)
     tau = np.array([_tau(plant, context, *state) for state in prepared])
     rates = np.broadcast_to(np.roll(np.eye(6), 3, axis=0), (len(prepared), 6, 6))
-
-    def run(repeats: int) -> None:
-        for _ in range(repeats):
-            for state in prepared:
-                _tau(plant, context, *state)
-
-    def empty(repeats: int) -> None:
-        for _ in range(repeats):
-            for state in none:
-                _tau(nothing, no_context, *state)
-
+    run = over(partial(_tau, plant, context), prepared)
+    empty = over(partial(_tau, nothing, no_context), none)
     return newton_euler("Drake", "CalcInverseDynamics", robot, at, tau, rates, run, empty)
 
 
@@ -67,10 +58,8 @@ def _plant(robot: Robot) -> Any:
         upper = plant.AddRigidBody(f"upper {name}", _inertia(robot.m_u[i], robot.r_u0[i], robot.I_u0[i]))
         base = plant.AddFrame(tree.FixedOffsetFrame(f"base {name}", plant.world_frame(), place))
         plant.AddJoint(tree.UniversalJoint(f"axes {name}", base, lower.body_frame()))
-        slide = tree.PrismaticJoint(
-            f"actuator {name}", lower.body_frame(), upper.body_frame(), [1.0, 0.0, 0.0]
-        )
-        plant.AddJoint(slide)
+        ends = lower.body_frame(), upper.body_frame()
+        plant.AddJoint(tree.PrismaticJoint(f"actuator {name}", *ends, [1.0, 0.0, 0.0]))
     plant.AddRigidBody("platform", _inertia(robot.M, robot.R_0, robot.I_p))
     return _finished(plant)
 
@@ -81,7 +70,7 @@ def _finished(plant: Any) -> Any:
 
 
 def _inertia(mass: float, center: Array, inertia: Array) -> Any:
-    """Of a body, unchecked: the paper's tensors are of no body."""
+    """A body's inertia, unchecked: no rigid body can have the paper's tensors."""
     if mass == 0:
         return tree.SpatialInertia.Zero()
     unit = inertia / mass + center @ center * np.eye(3) - np.outer(center, center)

@@ -9,16 +9,14 @@ from dataclasses import dataclass
 from types import SimpleNamespace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ....backend.numpy_kernel import loaded
+from ....io.array_types import Array
 from ....motion.motion import Motion
 from ....motion.rotation import cross_matrix
 from ....robot.robot import Robot
 from ..called import Called, Part
 from .tree import Legs, legs_of, turned
-
-Array = NDArray[np.float64]
 
 _SOLVED = 1024
 """Systems in one call of the solve, so that the call itself costs nothing a system."""
@@ -66,7 +64,7 @@ def newton_euler(
     joint by its twist [v; omega], (n, 6, 6); run, empty: the engine's call over all poses, and over nothing.
     """
     legs = states.legs
-    # F Ldot is the power of all joints; Ldot and the joints' rates are of the twist.
+    # F Ldot equals the power of all joints; both Ldot and the joints' rates are linear in the twist.
     arms = np.concatenate([np.broadcast_to(np.eye(3), (*legs.q.shape, 3)), -cross_matrix(legs.q)], axis=-1)
     joints = np.linalg.inv(legs.jacobian) @ arms
     every = np.concatenate([joints.reshape(len(tau), -1, 6), rates], axis=1)

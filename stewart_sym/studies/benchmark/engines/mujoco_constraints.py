@@ -1,20 +1,19 @@
-"""Forward dynamics by MuJoCo's ``mj_forward``, for ``constraints``."""
+"""Forward dynamics by MuJoCo's ``mj_forward``, as a baseline of the equations of motion."""
 
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ....io.array_types import Array
 from ....io.extras import needed_for
 from ....motion.rotation import quaternion_from_rotation
 from ....robot.robot import Robot
+from ...common.timing import over
 from .tree import CARRIER, Engine, Tree, base_frames
 
 with needed_for("the comparison with MuJoCo"):
     import mujoco
 
-Array = NDArray[np.float64]
 
 STIFFNESS = 1e7
 """1/s^2: MuJoCo's acceleration of a closed point for each metre that it is open.
@@ -36,14 +35,15 @@ def mujoco_engine(robot: Robot, tree: Tree) -> Engine:
     nothing = mujoco.MjModel.from_xml_string(f"<mujoco>{_option(np.zeros(3))}</mujoco>")
     quaternions = quaternion_from_rotation(tree.relative)
     datas = [mujoco.MjData(model) for _ in quaternions]
-    empty = [mujoco.MjData(nothing) for _ in quaternions]
     for data, quaternion, rates, forces in zip(datas, quaternions, tree.rates, tree.forces, strict=True):
         data.qpos[-4:] = quaternion
         data.qvel[:] = rates
         data.qfrc_applied[:] = forces
 
+    forward = over(mujoco.mj_forward, [(model, data) for data in datas])
+
     def joints() -> Array:
-        _forward(1, model, datas)
+        forward(1)
         return np.array([data.qacc for data in datas])
 
     moves = np.zeros((len(datas), CARRIER, 3))
@@ -55,19 +55,12 @@ def mujoco_engine(robot: Robot, tree: Tree) -> Engine:
     return Engine(
         "MuJoCo",
         "mj_forward, 5 loops",
-        lambda repeats: _forward(repeats, model, datas),
-        lambda repeats: _forward(repeats, nothing, empty),
+        forward,
+        over(mujoco.mj_forward, [(nothing, mujoco.MjData(nothing)) for _ in datas]),
         lambda: tree.accelerations(joints()),
         1e-4,
         float(np.linalg.norm(moves, axis=-1).max()),
     )
-
-
-def _forward(repeats: int, model: Any, datas: Sequence[Any]) -> None:
-    forward = mujoco.mj_forward
-    for _ in range(repeats):
-        for data in datas:
-            forward(model, data)
 
 
 def _xml(robot: Robot) -> str:

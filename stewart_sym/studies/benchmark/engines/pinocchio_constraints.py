@@ -1,62 +1,53 @@
-"""Forward dynamics by Pinocchio's ``constraintDynamics``, for ``constraints``."""
+"""Forward dynamics by Pinocchio's ``constraintDynamics``, as a baseline of the equations of motion."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ....io.extras import needed_for
 from ....motion.rotation import quaternion_from_rotation
 from ....robot.robot import Robot
+from ...common.timing import over
 from .pinocchio_rnea import QUATERNION_W_LAST, model_of_legs
 from .tree import CARRIER, Engine, Tree
 
 with needed_for("the comparison with Pinocchio"):
     import pinocchio as pin
 
-Array = NDArray[np.float64]
-
 
 def pinocchio_engine(robot: Robot, tree: Tree) -> Engine:
     """``constraintDynamics``: the five points as rigid constraints, one step of its proximal solver."""
-    machine = _constrained(*_pinocchio_model(robot))
-    nothing = _constrained(pin.Model(), [])
+    solve, of_machine = _solver(*_pinocchio_model(robot))
+    nothing, of_nothing = _solver(pin.Model(), [])
     quaternions = quaternion_from_rotation(tree.relative)[:, QUATERNION_W_LAST]
     joints = tree.legs.coordinates.reshape(len(quaternions), -1)
-    states = list(zip(np.hstack([joints, quaternions]), tree.rates, tree.forces, strict=True))
-    none = [3 * (np.zeros(0),) for _ in states]
-
-    def found() -> Array:
-        solve, (model, data, *rest) = pin.constraintDynamics, machine
-        return tree.accelerations(np.array([solve(model, data, *state, *rest) for state in states]))
-
+    states = [
+        (*state, *of_machine)
+        for state in zip(np.hstack([joints, quaternions]), tree.rates, tree.forces, strict=True)
+    ]
+    none = [(*3 * (np.zeros(0),), *of_nothing)] * len(states)
     return Engine(
         "Pinocchio",
         "constraintDynamics, 5 loops",
-        lambda repeats: _solved(repeats, machine, states),
-        lambda repeats: _solved(repeats, nothing, none),
-        found,
+        over(solve, states),
+        over(nothing, none),
+        lambda: tree.accelerations(np.array([solve(*state) for state in states])),
         1e-6,
     )
 
 
-def _solved(repeats: int, machine: tuple[Any, ...], states: Sequence[tuple[Array, ...]]) -> None:
-    solve, (model, data, constraints, found, settings) = pin.constraintDynamics, machine
-    for _ in range(repeats):
-        for q, v, tau in states:
-            solve(model, data, q, v, tau, constraints, found, settings)
-
-
-def _constrained(model: Any, constraints: Sequence[Any]) -> tuple[Any, ...]:
-    """Arguments of ``constraintDynamics`` but for the state."""
+def _solver(model: Any, constraints: Sequence[Any]) -> tuple[Callable[..., Any], tuple[Any, ...]]:
+    """``constraintDynamics`` of a model, which takes the state and then the arguments given with it."""
     models, datas = pin.StdVec_RigidConstraintModel(), pin.StdVec_RigidConstraintData()
     for constraint in constraints:
         models.append(constraint)
         datas.append(constraint.createData())
     data = model.createData()
     pin.initConstraintDynamics(model, data, models, datas)
-    return model, data, models, datas, pin.ProximalSettings(1e-12, 1e-12, 1)
+    settings = pin.ProximalSettings(1e-12, 1e-12, 1)
+    return partial(pin.constraintDynamics, model, data), (models, datas, settings)
 
 
 def _pinocchio_model(robot: Robot) -> tuple[Any, list[Any]]:

@@ -1,14 +1,15 @@
 """Pinocchio as a candidate of ``bench``: recursive Newton-Euler over the machine's tree, then a 6x6 solve."""
 
+from functools import partial
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ....io.extras import needed_for
 from ....motion.motion import Motion
 from ....motion.rotation import quaternion_from_rotation
 from ....robot.robot import Robot
+from ...common.timing import over
 from ..called import Called
 from .free_platform import States, newton_euler, states, turned_back
 from .tree import base_frames
@@ -16,7 +17,6 @@ from .tree import base_frames
 with needed_for("the comparison with Pinocchio"):
     import pinocchio as pin
 
-Array = NDArray[np.float64]
 
 QUATERNION_W_LAST = [1, 2, 3, 0]
 
@@ -27,22 +27,11 @@ def pinocchio_rnea(robot: Robot, motion: Motion) -> Called:
     platform = model.addJoint(0, pin.JointModelFreeFlyer(), pin.SE3.Identity(), "platform")
     model.appendBodyToJoint(platform, pin.Inertia(robot.M, robot.R_0, robot.I_p), pin.SE3.Identity())
     data, nothing = model.createData(), pin.Model()
-    no_data, none = nothing.createData(), (*3 * (np.zeros(0),), _forces(1))
+    none = (*3 * (np.zeros(0),), _forces(1))
     at = states(robot, motion)
     prepared = _prepared(at, model.njoints, upper)
-
-    def run(repeats: int) -> None:
-        rnea = pin.rnea
-        for _ in range(repeats):
-            for q, v, a, outside in prepared:
-                rnea(model, data, q, v, a, outside)
-
-    def empty(repeats: int) -> None:
-        rnea, (q, v, a, outside) = pin.rnea, none
-        for _ in range(repeats):
-            for _ in prepared:
-                rnea(nothing, no_data, q, v, a, outside)
-
+    run = over(partial(pin.rnea, model, data), prepared)
+    empty = over(partial(pin.rnea, nothing, nothing.createData()), [none] * len(prepared))
     tau = np.array([pin.rnea(model, data, *state) for state in prepared])
     rates = np.array([np.kron(np.eye(2), R.T) for R in motion.R])
     return newton_euler("Pinocchio", "rnea", robot, at, tau, rates, run, empty)

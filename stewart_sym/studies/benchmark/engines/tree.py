@@ -2,19 +2,17 @@
 
 Six legs, each revolute about k, revolute about y, prismatic along s; the platform hangs on the last leg by
 a spherical joint, and five points remain to be closed. Joint coordinates, rates and generalised forces are
-prepared for ``constraints``, whose engines share no equation with the generated kernels.
+prepared for the engines, which share no equation with the generated kernels.
 """
 
 from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ....io.array_types import Array
 from ....motion.motion import Motion
 from ....robot.robot import Robot
-
-Array = NDArray[np.float64]
 
 CARRIER = 5
 """The leg that carries the platform."""
@@ -152,7 +150,7 @@ def _forces(robot: Robot, motion: Motion, F: Array, legs: Legs) -> Array:
     def load(vector: Array | None) -> Array:
         return np.zeros_like(motion.t) if vector is None else turned(R, vector)
 
-    # The load at the reference point, taken to the point that the last leg carries.
+    # The load acts at the reference point; here it is moved to the point that the last leg carries.
     force = load(motion.F_ext)
     moment = load(motion.M_ext) + friction.sum(axis=1) - np.cross(legs.q[:, CARRIER], force)
     joints[:, CARRIER] += np.einsum("nij,ni->nj", legs.jacobian[:, CARRIER], force)

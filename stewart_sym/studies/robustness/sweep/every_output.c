@@ -10,12 +10,8 @@ int OWN(every)(const double *numbers, const double *motion, double F[6])
     stewart_motion at;
     stewart_forces found;
     int i, status;
-    for (i = 0; i < ROBOT_NUMBERS; ++i) {
-        ((stewart_real *)&robot)[i] = (stewart_real)numbers[i];
-    }
-    for (i = 0; i < MOTION_NUMBERS; ++i) {
-        ((stewart_real *)&at)[i] = (stewart_real)motion[i];
-    }
+    converted((stewart_real *)&robot, numbers, ROBOT_NUMBERS);
+    converted((stewart_real *)&at, motion, MOTION_NUMBERS);
     status = stewart_exact_inverse_dynamics(&robot, &at, &found);
     for (i = 0; i < 6 && status == STEWART_OK; ++i) {
         F[i] = (double)found.F[i];

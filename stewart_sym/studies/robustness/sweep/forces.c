@@ -17,12 +17,8 @@ void OWN(forces)(
     const stewart_real *parts[8];
     stewart_motions motions;
     int codes[BATCH], i, j, group, start = 0;
-    for (i = 0; i < ROBOT_NUMBERS; ++i) {
-        ((stewart_real *)&robot)[i] = (stewart_real)numbers[i];
-    }
-    for (i = 0; i < MOTION_NUMBERS; ++i) {
-        ((stewart_real *)&at)[i] = (stewart_real)motion[i];
-    }
+    converted((stewart_real *)&robot, numbers, ROBOT_NUMBERS);
+    converted((stewart_real *)&at, motion, MOTION_NUMBERS);
     status[0] = status[1] = stewart_exact_prepare(&robot, &model);
     if (status[0] != STEWART_OK) {
         return;
@@ -30,21 +26,12 @@ void OWN(forces)(
     for (group = 0; group < 8; ++group) {
         parts[group] = arrays + start * BATCH;
         for (j = 0; j < BATCH; ++j) {
-            const double *from = j == place ? motion : calm;
-            for (i = 0; i < widths[group]; ++i) {
-                arrays[start * BATCH + j * widths[group] + i] = (stewart_real)from[start + i];
-            }
+            stewart_real *to = arrays + start * BATCH + j * widths[group];
+            converted(to, (j == place ? motion : calm) + start, widths[group]);
         }
         start += widths[group];
     }
-    motions.R = parts[0];
-    motions.t = parts[1];
-    motions.omega = parts[2];
-    motions.v = parts[3];
-    motions.alpha = parts[4];
-    motions.a = parts[5];
-    motions.F_ext = parts[6];
-    motions.M_ext = parts[7];
+    memcpy(&motions, parts, sizeof motions);
     status[0] = stewart_exact_forces(&model, &at, one);
     stewart_exact_forces_batch(&model, BATCH, &motions, many, codes);
     status[1] = codes[place];

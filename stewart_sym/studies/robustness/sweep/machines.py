@@ -3,17 +3,15 @@
 import dataclasses
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ....io.array_types import Array
 from ....motion.motion import Motion
 from ....motion.rotation import rotation_from_vector
 from ....robot.robot import Robot
 
-Array = NDArray[np.float64]
-
 GRAVITY = 9.81
 LEGS = ("general", "axisymmetric", "slender", "nearly massless")
-"""Of which physics the legs of a random machine are."""
+"""Kinds of legs that a random machine may have."""
 
 _BASE = np.radians([-12.0, 12.0, 108.0, 132.0, 228.0, 252.0])
 _PLATFORM = np.radians([-48.0, 48.0, 72.0, 168.0, 192.0, -72.0])
@@ -85,11 +83,6 @@ def at_rest(motion: Motion) -> Motion:
     return dataclasses.replace(motion, omega=none, v=none, alpha=none, a=none)
 
 
-def posed(motion: Motion, R: Array, t: Array) -> Motion:
-    """The rates, accelerations and load of a motion in another pose."""
-    return dataclasses.replace(motion, R=R, t=t)
-
-
 def machine_size(robot: Robot) -> float:
     """Root mean square distance of the base points from their mean, m."""
     from_mean = robot.b - robot.b.mean(axis=0)
@@ -145,6 +138,6 @@ def _inertia(rng: np.random.Generator, legs: str) -> Array:
 
 
 def _unit(vector: Array) -> Array:
-    # By the largest component first: squares of lengths may leave the range.
+    # Divided by the largest component first: squares of lengths may leave the range of double.
     vector = vector / np.abs(vector).max()
     return np.asarray(vector / np.linalg.norm(vector))

@@ -21,27 +21,17 @@ from ....backend.c_kernel import address, c_sources
 from ....backend.kernel import MOTION, robot_numbers
 from ....backend.numpy_kernel import loaded
 from ....dynamics import closed_form
+from ....io.array_types import Array
 from ....motion.motion import Motion
 from ....robot.robot import Robot
-
-Array = NDArray[np.float64]
 
 KERNELS = ("one pose", "batch", "every output")
 """Shipped kernels that are checked."""
 CLOSED_KERNELS = tuple(closed_form.OUTPUTS)
 """Shipped kernels of the closed form that are held against wider arithmetic."""
 KINDS = (
-    *(
-        "singular",
-        "joint singularity",
-        "zero-length leg",
-        "scales",
-        "joint and singular",
-        "heavy leg",
-        "proportions",
-        "far reference point",
-    ),
-    "singular machine",
+    *("singular", "joint singularity", "zero-length leg", "scales", "joint and singular", "heavy leg"),
+    *("proportions", "far reference point", "singular machine"),
 )
 """Failures that random cases come near to, and machines that are singular at every pose."""
 DOUBTFUL = 10.0
@@ -55,14 +45,9 @@ MACHINE = KINDS[-1]
 
 RESULT = np.dtype(
     [
-        ("distance", np.float64),
-        ("size", np.float64),
-        ("own", np.float64),
-        ("scaled", np.float64),
-        ("frames", np.float64),
+        *((name, np.float64) for name in ("distance", "size", "own", "scaled", "frames")),
         ("error", np.float64, (len(KERNELS),)),
-        ("truth", np.int32),
-        ("in_quad", np.int32),
+        *((name, np.int32) for name in ("truth", "in_quad")),
         ("status", np.int32, (len(KERNELS),)),
         ("made", np.int32),
     ]
@@ -120,7 +105,7 @@ BLOCKS = _blocks()
 """Outputs of the closed form's kernels: kernel, offset, rows, columns, stride, and the powers of the
 platform's size by which the last three rows and columns are multiplied to be comparable with the first."""
 
-# Of the linker's libraries that stand before the sources, only those kept by force are linked.
+# A library named before the sources is dropped, as nothing needs it yet, unless the linker must keep it.
 _FLAGS = ("-Wl,--no-as-needed", "-lquadmath")
 _SOURCES = {
     "wide": ("WIDE", ("wider", "prepare", "closed_form")),

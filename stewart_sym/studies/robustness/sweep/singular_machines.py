@@ -11,10 +11,10 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from ....io.array_types import Array
 from ....robot.robot import Robot
 from .machines import LEGS, random_machine
 
-Array = NDArray[np.float64]
 Whole = NDArray[np.int64]
 Points = tuple[Whole, Whole]
 
@@ -45,12 +45,12 @@ def singular_machine(
     map_p = map_b if family in ALIKE else _map(rng)
     b, p = base[order] @ map_b + fine * rng.integers(-_GRID, _GRID, 3), platform[order] @ map_p
     grain = float(2.0 ** np.round(np.log2(size / (32 * _GRID)))) / fine
-    # The reference point anywhere near; the platform smaller but for equal hexagons, whose points are equal.
+    # The reference point lies anywhere near. The platform is smaller than the base but for equal hexagons.
     b, p = (b, p) if family == "equal hexagons" else (2 * b, p + fine * rng.integers(-_GRID, _GRID, 3))
     machine = random_machine(rng, size, mass, legs)
     points: list[Array] = [grain * each.astype(np.float64) for each in (b, p)]
     if family in NEARLY:
-        # Some legs longer, those of one base point together.
+        # Some legs are longer; legs from one base point are so together.
         alike = np.unique(b, axis=0, return_inverse=True)[1].ravel()
         points[0] *= 2.0 ** (rng.integers(14) * rng.integers(2, size=6)[alike, None])
     return dataclasses.replace(machine, b=points[0], p=points[1], name=family)
@@ -123,7 +123,7 @@ def _nearly_alike(rng: np.random.Generator, points: Points, groups: tuple[tuple[
     for first, *others in groups:
         shared = rng.uniform(0, _FINE)
         for leg in others:
-            # All of a group to one degree, or each to its own.
+            # All legs of a group are alike to one degree, or each leg to its own.
             degree = shared if rng.random() < 0.5 else rng.uniform(0, _FINE)
             reach = int(_GRID * 2 ** (_FINE - degree))
             for end in (base, platform):

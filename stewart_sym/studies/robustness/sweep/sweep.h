@@ -51,6 +51,15 @@ typedef struct {
         const double *numbers, const double *motion, const double *forces, int wanted, double amount, \
         int samples, uint64_t seed, double *high, double *low, double *change, int *status);
 
+/* Numbers in the kernels' own type. */
+static inline void converted(stewart_real *to, const double *from, int count)
+{
+    int i;
+    for (i = 0; i < count; ++i) {
+        to[i] = (stewart_real)from[i];
+    }
+}
+
 static inline uint64_t next(uint64_t *seed)
 {
     uint64_t z = (*seed += 0x9E3779B97F4A7C15u);

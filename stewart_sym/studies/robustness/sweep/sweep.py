@@ -7,14 +7,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ....backend.kernel import robot_numbers
+from ....io.array_types import Array, Codes, Flags
 from ....io.progress import Progress, silent
 from ....results import OK, STATUS_TEXT
-from ...common.table import aligned
+from ...common.output import aligned
 from .machines import LEGS, machine_size, random_machine
 from .oracle import CLOSED_KERNELS, KERNELS, KINDS, MACHINE, check_random, closed_form_errors
 from .singular_machines import FAMILIES, singular_machine
-
-Array = NDArray[np.float64]
 
 WRONG = 1000.0
 """Rounding units over the problem's own condition number above which an answer is wrong."""
@@ -125,9 +124,9 @@ class _Answers:
     """One kernel's answers, all (n,): error in rounding units, condition of the problem and of the pose."""
 
     kernel: str
-    made: NDArray[np.bool_]
-    status: NDArray[np.int32]
-    truth: NDArray[np.int32]
+    made: Flags
+    status: Codes
+    truth: Codes
     error: Array
     condition: Array
     of_pose: Array
@@ -156,7 +155,7 @@ def _of_forces(found: NDArray[Any], column: int) -> _Answers:
         found["truth"],
         found["error"][:, column],
         condition,
-        # Near the joint singularity a leg's frame is lost, whether this motion feels it or not.
+        # Near the joint singularity a leg's frame loses its digits, even if this motion's forces do not.
         np.maximum(condition, found["frames"]),
         found["distance"],
     )
@@ -236,7 +235,7 @@ def random_machines(
 def _counted(found: _Answers, kind: str, precision: str) -> tuple[Count, int]:
     """The count, and the index of the case most worth showing."""
     answered = found.made & (found.status == OK)
-    # An answer where there is none is wrong however small.
+    # Where the pose is unsolvable any answer with status ok is wrong, however small its error.
     ratio = np.where(found.truth == OK, found.error / found.condition, np.inf)
     ratio = np.where(answered, np.where(np.isnan(ratio), np.inf, ratio), -1.0)
     rejected = found.made & (found.status != OK) & (found.truth == OK)
