@@ -1,15 +1,18 @@
 """Optional packages: what is missing is one line that names the extra to install."""
 
 import contextlib
+import functools
 import importlib.util
 import json
+import sys
 from collections.abc import Iterator
+from importlib import import_module
 from importlib.metadata import distributions
 from pathlib import Path
 from urllib.parse import urlsplit
 from urllib.request import url2pathname
 
-from .blas import take_work_area
+import numpy as np
 
 EXTRAS = {
     "casadi": ("CasADi", "casadi"),
@@ -87,3 +90,27 @@ def install(extra: str) -> str:
 def _missing(package: str, what: str, otherwise: str) -> MissingExtraError:
     name, extra = EXTRAS[package]
     return MissingExtraError(f"{what} needs {name}: {install(extra)}{otherwise}")
+
+
+# Working memory of BLAS is taken while there is room: where there is none, OpenBLAS tries again for ever.
+
+# Largest work area of an OpenBLAS as it is built by default; those of NumPy's and SciPy's wheels are smaller.
+_WORK_AREA = 1 << 27
+# NumPy and SciPy each bring a library, whose LAPACK takes the area at its first call and keeps it.
+_FIRST_CALLS = {"numpy.linalg": "inv", "scipy.linalg": "lu_factor"}
+
+
+def take_work_area() -> None:
+    """Let the libraries of those of NumPy and SciPy that are imported take their work area.
+
+    Raises MemoryError where there is no room for it.
+    """
+    for module, function in _FIRST_CALLS.items():
+        if module in sys.modules:
+            _take(module, function)
+
+
+@functools.cache
+def _take(module: str, function: str) -> None:
+    np.empty(_WORK_AREA, np.uint8)
+    getattr(import_module(module), function)(np.eye(2))

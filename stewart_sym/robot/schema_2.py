@@ -28,9 +28,8 @@ from .fields import (
     limits,
     need_axisymmetric,
 )
-from .offset_positions import lengths_at_home
-from .offset_tables import TABLES, offset_tables, offsets_of_tables
-from .offsets import Offsets
+from .offset_chains import lengths_at_home
+from .offsets import TABLES, Offsets, offset_tables, offsets_of_tables
 from .points import RING_KEYS, axis, points
 
 SCHEMA = 2

@@ -30,7 +30,6 @@ from ..kinematics.forward import (
     forward_kinematics,
     forward_velocity,
 )
-from ..kinematics.leg_steps import accelerations, jump, step_beyond_rates, times_from_rates
 from ..kinematics.pose_search import newton
 from ..motion.interpolation import between
 from ..motion.motion import Motion
@@ -38,6 +37,7 @@ from ..motion.noise_level import LEAST_SAMPLES, rounding_steps, white_noise
 from ..motion.trajectory import JointTrajectory, Trajectory
 from ..results import SINGULAR
 from ..robot.robot import Robot
+from ..singularities.length_steps import accelerations, jump, step_beyond_rates, times_from_rates
 from .along_path import crossings
 from .length_steps import CROSSED, NO_WAY, UNDECIDED, Legs, LostError, at_rest, pose_of, walked
 

@@ -4,7 +4,7 @@ import mpmath
 import numpy as np
 from numpy.typing import NDArray
 
-from ...dynamics.damping import damped_solution
+from ...dynamics.inverse import damped_solution
 from ...kinematics.conditioning import characteristic_length
 from ...kinematics.inverse import wrench_matrix
 from ...motion.motion import Motion
