@@ -21,7 +21,7 @@ import numpy as np
 
 from .arguments import option, safe_text, shown
 from .array_types import Array
-from .key_lines import key_text, line_of
+from .key_lines import LONG_STRING, STRING, key_text, line_of
 
 MOST_BYTES = 1 << 18
 """Of a TOML file: thirty times what a robot takes with every number of every leg."""
@@ -32,12 +32,10 @@ _MOST = float(np.finfo(np.float64).max)
 _TWICE = re.compile(r"Cannot overwrite a value \(at line (\d+)")
 
 # Time and memory of tomllib grow with the square of a dotted key's parts: 300,000 of them take all there is.
-_STRING = r"""(?:"(?:[^"\\\n]|\\.)*+"|'[^'\n]*+')"""
-_LONG_STRING = r"""\"{3}(?:[^"\\]|\\(?s:.)|"(?!""))*+"{3,5}+|'{3}(?:[^']|'(?!''))*+'{3,5}+"""
-_PART = rf"(?:{_STRING}|[\w-]++)"
+_PART = rf"(?:{STRING}|[\w-]++)"
 _LONG_KEY = rf"(?P<long_key>(?<![\w\\-]){_PART}(?:[ \t]*+\.[ \t]*+{_PART}){{15}})"
 # Comments and strings are passed over as wholes: what they hold is no key.
-_TOKEN = re.compile(rf"#[^\n]*+|{_LONG_STRING}|{_LONG_KEY}|{_STRING}")
+_TOKEN = re.compile(rf"#[^\n]*+|{LONG_STRING}|{_LONG_KEY}|{STRING}")
 
 
 def file_name(path: object) -> str:
