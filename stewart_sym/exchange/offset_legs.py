@@ -8,7 +8,7 @@ import numpy as np
 
 from ..io.array_types import Array
 from ..motion.motion import at_rest
-from ..robot.fields import LEGS, legs_text
+from ..robot.fields import LEGS, LegTables, legs_text
 from ..robot.offset_chains import Chains, chains
 from ..robot.offsets import SHAPES, Offsets, offset_tables, offsets_of_tables
 from ..robot.robot import Robot
@@ -106,7 +106,7 @@ def restored_offsets(value: Any) -> Offsets:
     good = isinstance(legs, list) and len(legs) == LEGS and all(isinstance(leg, Mapping) for leg in legs)
     if not isinstance(shared, Mapping) or not isinstance(legs, list) or not good:
         raise ValueError("notes: offsets: expected tables legs and leg")
-    found = offsets_of_tables(shared, legs, "notes: offsets: ", _array)
+    found = offsets_of_tables(LegTables.of(shared, legs, "notes: offsets: "), _array)
     if found is None:
         raise ValueError("notes: offsets: expected offsets, got none")
     return found

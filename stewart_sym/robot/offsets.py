@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, field, fields
 from typing import Any
 
@@ -11,7 +11,7 @@ import numpy as np
 from ..io import tables
 from ..io.array_types import Array
 from ..io.frozen import Frozen
-from .fields import LEGS, direction
+from .fields import LEGS, LegTables, direction
 
 PLATFORM_JOINTS = ("spherical", "universal")
 
@@ -88,16 +88,6 @@ class Offsets(Frozen):
         """Whether the upper parts turn about s in the lower ones."""
         return self.platform_joint == "universal"
 
-    def scaled(self, length: float, mass: float) -> Offsets:
-        """The same of a machine whose lengths and masses are multiplied by factors."""
-        powers = dict.fromkeys(("cross", "along", "across", "wrist", "cross_center"), (1, 0))
-        powers |= {"cross_mass": (0, 1), "cross_inertia": (2, 1), "platform_axis": (0, 0)}
-        changed = {
-            name: getattr(self, name) * (length ** powers[name][0] * mass ** powers[name][1])
-            for name in powers
-        }
-        return Offsets(platform_joint=self.platform_joint, **changed)
-
 
 def _six(value: Any, shape: tuple[int, ...], name: str) -> Array:
     """Numbers of each leg, checked; one number may stand for those of all."""
@@ -128,75 +118,36 @@ TABLES = {"offsets": OFFSET_KEYS, "cross": CROSS_KEYS}
 """Keys of both tables."""
 
 
-def offsets_of_tables(
-    shared: Mapping[str, Any],
-    own: Sequence[Mapping[str, Any]],
-    file: str,
-    metres: Callable[[Any], Any],
-) -> Offsets | None:
-    """The offsets of a robot file; None where no leg states any.
-
-    shared: the table ``legs``. own: those of each leg. file: begins every message. metres: from lengths of
-    the file. A key of a leg stands in for that of all.
-    """
-    if not any(name in table for name in TABLES for table in (shared, *own)):
+def offsets_of_tables(legs: LegTables, metres: Callable[[Any], Any]) -> Offsets | None:
+    """The offsets of a robot file; None where no leg states any. metres: from lengths of the file."""
+    if not any(name in table for name in TABLES for table in legs.tables):
         return None
-    prefixes = [f"{file}legs.", *(f"{file}leg.{i + 1}." for i in range(LEGS))]
-    every = [
-        {
-            name: tables.checked_table(table.get(name, {}), f"{prefix}{name}.", keys)
-            for name, keys in TABLES.items()
-        }
-        for table, prefix in zip((shared, *own), prefixes, strict=True)
-    ]
-
-    def of_leg(i: int, table: str, key: str, check: Callable[[object, str], Any], default: Any) -> Any:
-        for j in (i + 1, 0):
-            if key in every[j][table]:
-                return check(every[j][table][key], f"{prefixes[j]}{table}.{key}")
-        return default
-
-    def numbers(table: str, key: str, check: Callable[[object, str], Any], default: Any) -> Array:
-        return np.array([of_leg(i, table, key, check, default) for i in range(LEGS)])
-
-    joint = _platform_joint(every, prefixes)
-    found = {name: metres(numbers("offsets", name, tables.number, 0.0)) for name in LENGTHS}
-    none = np.zeros(3)
+    joints, crosses = (legs.inner(name, keys) for name, keys in TABLES.items())
+    for table, prefix in zip(joints.tables[1:], joints.prefixes[1:], strict=True):
+        if "platform_joint" in table:
+            raise ValueError(f"{prefix}platform_joint: expected it in legs.offsets, for all legs")
+    of_all, none = joints.prefixes[0], np.zeros(3)
+    joint = joints.tables[0].get("platform_joint", "spherical")
+    joint = tables.choice(joint, PLATFORM_JOINTS, f"{of_all}platform_joint")
+    found = {name: metres(joints.each(name, tables.number, 0.0)) for name in LENGTHS}
     if joint == "universal":
         for i in range(LEGS):
-            if not any("platform_axis" in every[j]["offsets"] for j in (i + 1, 0)):
-                where = f"{prefixes[0]}offsets.platform_axis"
-                raise ValueError(
-                    f'{where}: missing, and leg.{i + 1} has none, with platform_joint "universal"'
-                )
-        found["platform_axis"] = numbers("offsets", "platform_axis", direction, none)
+            if "platform_axis" not in joints.of_leg(i):
+                lacks = f'missing, and leg.{i + 1} has none, with platform_joint "universal"'
+                raise ValueError(f"{of_all}platform_axis: {lacks}")
+        found["platform_axis"] = joints.each("platform_axis", direction, none)
     else:
-        _need_none(every, prefixes, ("platform_axis", "wrist"))
+        for table, prefix in zip(joints.tables, joints.prefixes, strict=True):
+            for key in table.keys() & {"platform_axis", "wrist"}:
+                expected = 'expected none unless legs.offsets.platform_joint is "universal"'
+                raise ValueError(f"{prefix}{key}: {expected}")
     return Offsets(
         **found,
         platform_joint=joint,
-        cross_mass=numbers("cross", "mass", tables.not_negative, 0.0),
-        cross_center=metres(numbers("cross", "center_of_mass", tables.vector, none)),
-        cross_inertia=numbers("cross", "inertia", tables.not_negative, 0.0),
+        cross_mass=crosses.each("mass", tables.not_negative, 0.0),
+        cross_center=metres(crosses.each("center_of_mass", tables.vector, none)),
+        cross_inertia=crosses.each("inertia", tables.not_negative, 0.0),
     )
-
-
-def _platform_joint(every: Sequence[Mapping[str, Any]], prefixes: Sequence[str]) -> str:
-    """Kind of the platform joints, the same for all legs."""
-    for leg, prefix in zip(every[1:], prefixes[1:], strict=True):
-        if "platform_joint" in leg["offsets"]:
-            raise ValueError(f"{prefix}offsets.platform_joint: expected it in legs.offsets, for all legs")
-    given = every[0]["offsets"].get("platform_joint", "spherical")
-    return tables.choice(given, PLATFORM_JOINTS, f"{prefixes[0]}offsets.platform_joint")
-
-
-def _need_none(every: Sequence[Mapping[str, Any]], prefixes: Sequence[str], keys: Sequence[str]) -> None:
-    for table, prefix in zip(every, prefixes, strict=True):
-        for key in keys:
-            if key in table["offsets"]:
-                raise ValueError(
-                    f'{prefix}offsets.{key}: expected none unless legs.offsets.platform_joint is "universal"'
-                )
 
 
 def offset_tables(offsets: Offsets) -> tuple[dict[str, Any], list[dict[str, Any]]]:

@@ -22,6 +22,7 @@ from .fields import (
     LEGS,
     POSE_FIELDS,
     UNSTATED,
+    LegTables,
     accepted,
     base_joint,
     joint_angles,
@@ -82,10 +83,10 @@ def _values(d: object, file: str) -> dict[str, Any]:
     tables.require(on_top, INERTIA_KEYS, f"{file}platform.body.", "missing")
     own |= {"M": on_top["mass"], "R_0": on_top["center_of_mass"], "I_p": on_top["inertia"]}
     legs = _Legs(top, file, metres, degrees, joint, home)
-    offsets = offsets_of_tables(legs.shared, legs.own, file, metres)
+    offsets = offsets_of_tables(legs.tables, metres)
     if offsets is not None and joint == "spherical":
         raise ValueError(f'{file}legs.offsets: expected none when base_joint is "spherical"')
-    drive = drive_of_tables(legs.shared, legs.own, file, metres, degrees)
+    drive = drive_of_tables(legs.tables, metres, degrees)
     return own | legs.values(rings[0], rings[1], offsets) | {"drive": drive, "offsets": offsets}
 
 
@@ -130,12 +131,14 @@ class _Legs:
         home: Array | None,
     ) -> None:
         self.file, self.metres, self.degrees, self.joint, self.home = file, metres, degrees, joint, home
-        self.shared = tables.checked_table(top["legs"], f"{file}legs.", _SHARED_KEYS)
+        shared = tables.checked_table(top["legs"], f"{file}legs.", _SHARED_KEYS)
         given = top.get("leg", {})
         if not isinstance(given, Mapping):
             raise ValueError(f"{file}leg: expected tables [leg.1] to [leg.6], got {shown(given)}")
         some = tables.checked_table(given, f"{file}leg.", _NUMBERS)
-        self.own = [tables.checked_table(some.get(n, {}), f"{file}leg.{n}.", _LEG_KEYS) for n in _NUMBERS]
+        own = [tables.checked_table(some.get(n, {}), f"{file}leg.{n}.", _LEG_KEYS) for n in _NUMBERS]
+        self.tables = LegTables.of(shared, own, file)
+        self.friction = self.tables.inner("friction", _FRICTION_KEYS)
 
     def values(self, base: Array | None, platform: Array | None, offsets: Offsets | None) -> dict[str, Any]:
         """Fields with an entry for each leg, from the points of both rings, None for those not given."""
@@ -159,31 +162,30 @@ class _Legs:
 
     def _where(self, i: int, key: str) -> str:
         """Place of a key that a leg, counted from 0, has of its own or shares."""
-        return f"{self.file}leg.{i + 1}.{key}" if key in self.own[i] else f"{self.file}legs.{key}"
+        return self.tables.where(i, key)
 
     def _point(self, i: int, key: str, ring: Array | None) -> Array:
-        if key in self.own[i]:
-            return np.asarray(self.metres(tables.vector(self.own[i][key], self._where(i, key))))
+        own = self.tables.tables[i + 1]
+        if key in own:
+            return np.asarray(self.metres(tables.vector(own[key], self._where(i, key))))
         if ring is None:
             section = key.partition("_")[0]
             raise ValueError(f"{self.file}{section}.points: missing, and leg.{i + 1}.{key} as well")
         return np.asarray(ring[i])
 
     def _axes(self, b: Array, at_home: Array | None) -> Array:
-        if self.joint == "spherical":
-            for i in range(LEGS):
-                if "universal_axis" in {**self.shared, **self.own[i]}:
-                    where = self._where(i, "universal_axis")
-                    raise ValueError(f'{where}: expected none when base_joint is "spherical"')
-            return np.zeros((LEGS, 3))
-        found = []
+        found = np.zeros((LEGS, 3))
         for i in range(LEGS):
-            given, where = {**self.shared, **self.own[i]}, self._where(i, "universal_axis")
+            given, where = self.tables.of_leg(i), self._where(i, "universal_axis")
+            if self.joint == "spherical":
+                if "universal_axis" in given:
+                    raise ValueError(f'{where}: expected none when base_joint is "spherical"')
+                continue
             if "universal_axis" not in given:
                 raise ValueError(f"{where}: missing")
             leg = None if at_home is None else at_home[i]
-            found.append(axis(given["universal_axis"], where, b[i], b.mean(axis=0), leg))
-        return np.array(found)
+            found[i] = axis(given["universal_axis"], where, b[i], b.mean(axis=0), leg)
+        return found
 
     def _leg(self, i: int, at_home: float | None) -> dict[str, Any]:
         """Values of a leg by path but its points and axis; at_home: its length there, m."""
@@ -191,21 +193,20 @@ class _Legs:
         for part in _PARTS:
             found |= {f"{part}.{key}": value for key, value in self._part(i, part).items()}
         for name in _FRICTION_KEYS:
-            found[f"friction.{name}"] = self._friction(i, name)
+            found[f"friction.{name}"] = self.friction.get(i, name, tables.not_negative, 0.0)
         for name in ("force_limit", "speed_limit"):
-            given = {**self.shared, **self.own[i]}
-            value = tables.positive(given[name], self._where(i, name)) if name in given else UNSTATED[name]
-            found[name] = self.metres(value) if name == "speed_limit" else value
+            found[name] = self.tables.get(i, name, tables.positive, UNSTATED[name])
+        found["speed_limit"] = self.metres(found["speed_limit"])
         angles = self._joint_angles(i, at_home)
         return found | {"length_limits": self._length_limits(i, at_home), "joint_angle_limit": angles}
 
     def _part(self, i: int, part: str) -> dict[str, Any]:
         """Mass, centre of mass, inertia and length of the lower or upper part."""
-        side, shared, found, reason = _PARTS[part], self.shared.get(part), {}, "missing"
+        side, shared, found, reason = _PARTS[part], self.tables.tables[0].get(part), {}, "missing"
         if shared is not None:
             found = body(shared, f"{self.file}legs.{part}", self.metres, side)
-        if part in self.own[i]:
-            own = body(self.own[i][part], self._where(i, part), self.metres, side)
+        if part in self.tables.tables[i + 1]:
+            own = body(self.tables.tables[i + 1][part], self._where(i, part), self.metres, side)
             # A mass that is not that of the shapes would leave their inertia wrong.
             if isinstance(shared, list | tuple) or (isinstance(shared, Mapping) and "shape" in shared):
                 found, reason = own, f"missing, since legs.{part} is by shape"
@@ -216,16 +217,10 @@ class _Legs:
         tables.require(found, INERTIA_KEYS, f"{self._where(i, part)}.", reason)
         return {"length": UNSTATED[f"{part}.length"]} | found
 
-    def _friction(self, i: int, name: str) -> float:
-        for table, prefix in ((self.own[i], f"{self.file}leg.{i + 1}."), (self.shared, f"{self.file}legs.")):
-            given = tables.checked_table(table.get("friction", {}), f"{prefix}friction.", _FRICTION_KEYS)
-            if name in given:
-                return tables.not_negative(given[name], f"{prefix}friction.{name}")
-        return 0.0
-
     def _length_limits(self, i: int, at_home: float | None) -> Array:
         """Shortest and longest leg, m, (2,), by themselves or about the length at the home pose."""
-        for table, prefix in ((self.own[i], f"{self.file}leg.{i + 1}."), (self.shared, f"{self.file}legs.")):
+        for j in (i + 1, 0):
+            table, prefix = self.tables.tables[j], self.tables.prefixes[j]
             if "length_limits" in table and "stroke" in table:
                 raise ValueError(f"{prefix}stroke: expected stroke or length_limits, got both")
             if "length_limits" in table:
@@ -236,7 +231,7 @@ class _Legs:
 
     def _joint_angles(self, i: int, at_home: float | None) -> Array:
         """Largest angles of both joints from the home pose, rad, (2,)."""
-        given, where = {**self.shared, **self.own[i]}, self._where(i, "joint_angle_limit")
+        given, where = self.tables.of_leg(i), self._where(i, "joint_angle_limit")
         if "joint_angle_limit" not in given:
             return np.array(UNSTATED["joint_angle_limit"])
         found = joint_angles(given["joint_angle_limit"], where, 180.0 if self.degrees else np.pi)
