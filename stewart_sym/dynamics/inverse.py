@@ -55,35 +55,32 @@ class DynamicsKernel(Protocol):
         """Joint reactions of every pose; bearing (6,), m."""
 
 
-class OffsetKernel:
-    """Every output of machines with offset joints: the vector implementation, whatever the backend."""
+def faults_of(formulation: str) -> frozenset[int]:
+    """Which faults of the printed equations the reference has in a formulation."""
+    return newton_euler.PAPER if formulation == "paper" else newton_euler.EXACT
+
+
+class _VectorKernel:
+    """The vector implementation as a kernel; of machines with offset joints whatever the backend."""
 
     def __init__(self, robot: Robot, formulation: str) -> None:
-        """Reject, by ValueError, another formulation than "exact"."""
-        need_offset_formulation(formulation)
-        self.robot = robot
+        """Reject, by ValueError, a formulation that the robot does not have."""
+        if robot.offsets is None:
+            robot_kernel(robot, formulation)
+        else:
+            need_offset_formulation(formulation)
+        self.robot, self.faults = robot, faults_of(formulation)
 
     def forces(self, motion: Motion) -> Forces:
         """See ``DynamicsKernel``."""
-        return offset_joints.inverse_dynamics(self.robot, motion)
-
-    def reactions(self, motion: Motion, bearing: Array) -> Reactions:
-        """See ``DynamicsKernel``."""
-        return offset_joints.joint_reactions(self.robot, motion, bearing)
-
-
-class _Reference:
-    """The vector reference behind the interface of the kernels."""
-
-    def __init__(self, robot: Robot, formulation: str) -> None:
-        robot_kernel(robot, formulation)
-        self.robot = robot
-        self.faults = newton_euler.PAPER if formulation == "paper" else newton_euler.EXACT
-
-    def forces(self, motion: Motion) -> Forces:
+        if self.robot.offsets is not None:
+            return offset_joints.inverse_dynamics(self.robot, motion)
         return newton_euler.inverse_dynamics(self.robot, motion, self.faults)
 
     def reactions(self, motion: Motion, bearing: Array) -> Reactions:
+        """See ``DynamicsKernel``."""
+        if self.robot.offsets is not None:
+            return offset_joints.joint_reactions(self.robot, motion, bearing)
         return newton_euler.joint_reactions(self.robot, motion, self.faults, bearing)
 
 
@@ -234,15 +231,15 @@ def _prepared(
 def prepared_kernel(robot: Robot, formulation: str, backend: str) -> DynamicsKernel:
     """The kernel of a formulation and backend with the robot's numbers; ValueError for unknown options."""
     option(formulation, FORMULATIONS, "formulation")
-    kernels: dict[str, Callable[[Robot, str], DynamicsKernel]] = {
-        "c": _compiled_or_numpy,
-        "numpy": NumpyKernel.prepare,
-        "reference": _Reference,
-    }
-    option(backend, tuple(kernels), "backend")
-    if robot.offsets is not None:
-        return OffsetKernel(robot, formulation)
-    return kernels[backend](robot, formulation)
+    option(backend, ("c", "numpy", "reference"), "backend")
+    if robot.offsets is not None or backend == "reference":
+        return _VectorKernel(robot, formulation)
+    if backend == "numpy":
+        return NumpyKernel.prepare(robot, formulation)
+    found: DynamicsKernel = with_compiler(
+        lambda: CKernel.prepare(robot, formulation), lambda: NumpyKernel.prepare(robot, formulation)
+    )
+    return found
 
 
 def need_motion(robot: Robot, motion: Motion) -> None:
@@ -259,14 +256,6 @@ def need_universal(robot: Robot) -> None:
     need_no_offsets(robot)
     if robot.base_joint != "universal":
         raise ValueError(f'robot: expected base_joint "universal", got "{robot.base_joint}"')
-
-
-def _compiled_or_numpy(robot: Robot, formulation: str) -> DynamicsKernel:
-    robot_kernel(robot, formulation)
-    found: DynamicsKernel = with_compiler(
-        lambda: CKernel.prepare(robot, formulation), lambda: NumpyKernel.prepare(robot, formulation)
-    )
-    return found
 
 
 def with_compiler(compiled: Callable[[], Any], other: Callable[[], Any]) -> Any:
@@ -367,7 +356,7 @@ def _checked(result: Result, values: Array, robot: Robot, motion: Motion, on_sin
 def report_faults(status: Codes, robot: Robot, motion: Motion, on_singular: str, stacklevel: int = 4) -> None:
     """Raise or warn, as ``on_singular`` says, if a pose is unsolvable; stacklevel: of the user's call."""
     error_policy.report(
-        status, "motion", lambda: first_fault(status, robot, motion), on_singular, stacklevel + 1
+        status, "motion", lambda at: _reason(int(status[at]), robot, motion[at]), on_singular, stacklevel + 1
     )
 
 
@@ -377,13 +366,14 @@ def first_fault(status: Codes, robot: Robot, motion: Motion) -> tuple[tuple[int,
     status: codes of ``STATUS_TEXT``, one at least not 0, of the motion's shape.
     """
     where, others = error_policy.first(status)
-    code = int(status[where])
-    leg = (
-        f" (leg {_worst_leg(code, robot, motion[where]) + 1})"
-        if code in (ZERO_LENGTH, JOINT_SINGULAR, UNREACHABLE)
-        else ""
-    )
-    return where, f"{STATUS_TEXT[code]}{leg}{others}"
+    return where, _reason(int(status[where]), robot, motion[where]) + others
+
+
+def _reason(code: int, robot: Robot, motion: Motion) -> str:
+    """What a status says of one pose, with the leg that it is about."""
+    if code not in (ZERO_LENGTH, JOINT_SINGULAR, UNREACHABLE):
+        return STATUS_TEXT[code]
+    return f"{STATUS_TEXT[code]} (leg {_worst_leg(code, robot, motion) + 1})"
 
 
 def _worst_leg(code: int, robot: Robot, motion: Motion) -> int:

@@ -58,12 +58,18 @@ def whole_number(value: object, name: str, least: int, expected: str, most: floa
     return int(value)  # type: ignore[call-overload, no-any-return]
 
 
-def finite_array(value: object, core: tuple[int, ...], name: str) -> NDArray[np.float64]:
-    """Return a float64 copy of shape (..., *core) with finite entries; ValueError for anything else."""
+def shaped_array(value: object, core: tuple[int, ...], name: str) -> NDArray[np.float64]:
+    """Return a float64 copy of shape (..., *core); ValueError for anything else."""
     expected = f"(..., {', '.join(str(n) for n in core)})"
     array = real_array(value, name, f"real numbers of shape {expected}")
     if array.shape[-len(core) :] != core:
         raise ValueError(f"{name}: expected shape {expected}, got {array.shape}")
+    return array
+
+
+def finite_array(value: object, core: tuple[int, ...], name: str) -> NDArray[np.float64]:
+    """Return a float64 copy of shape (..., *core) with finite entries; ValueError for anything else."""
+    array = shaped_array(value, core, name)
     finite = np.isfinite(array)
     if not np.all(finite):
         where = tuple(int(i) for i in np.argwhere(~finite)[0])

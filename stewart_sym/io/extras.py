@@ -92,7 +92,8 @@ def _missing(package: str, what: str, otherwise: str) -> MissingExtraError:
     return MissingExtraError(f"{what} needs {name}: {install(extra)}{otherwise}")
 
 
-# Working memory of BLAS is taken while there is room: where there is none, OpenBLAS tries again for ever.
+# OpenBLAS allocates its work area at its first call; without memory for it, it retries for ever. So the first
+# call is made here, after a check that there is room.
 
 # Largest work area of an OpenBLAS as it is built by default; those of NumPy's and SciPy's wheels are smaller.
 _WORK_AREA = 1 << 27

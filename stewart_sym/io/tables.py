@@ -112,7 +112,7 @@ _KINDS = {
     "scene of advise": ({"motions", "tolerance"},),
     "file of via poses": ({"robot", "via"}, {"robot", "via_file"}),
 }
-"""Files that this program reads, by keys that each must have, in one way or another, and no other has."""
+"""Kinds of files, each with sets of keys: a file of this kind has one of the sets, others have none."""
 
 
 @contextlib.contextmanager

@@ -29,7 +29,7 @@ RECORD = ".stewart-sym.json"
 _PREFIX = ".stewart-sym-"
 _TEMPORARY = re.compile(re.escape(_PREFIX) + "[a-z0-9_]{8}")
 _OTHERS = "exists with other content; use --force to overwrite"
-# Within which a temporary file is locked once it is made.
+# A temporary file is locked by the process that made it within this time.
 _UNLOCKED_SECONDS = 60.0
 
 

@@ -196,7 +196,8 @@ def _about_inverse(robot: Robot, R: Array, t: Array, length: float) -> Rationals
 
 
 def _rationals(values: Array) -> Rationals:
-    return np.vectorize(Fraction, otypes=[object])(values)
+    found: Rationals = np.vectorize(Fraction, otypes=[object])(values)
+    return found
 
 
 def _largest(A: Rationals, off: Rationals) -> Fraction:

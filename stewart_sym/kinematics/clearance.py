@@ -42,7 +42,7 @@ def leg_distances(robot: Robot, motion: Motion) -> Array:
 
 
 def distances_of(b: Array, S: Array) -> Array:
-    """The same, (..., 15), of base points (6, 3) and leg vectors (..., 6, 3)."""
+    """``leg_distances`` of base points (6, 3) and leg vectors (..., 6, 3)."""
     # Component by component: many times as fast as on arrays whose last axis has three numbers.
     legs = np.ascontiguousarray(S.reshape(-1, LEGS * 3).T).reshape(LEGS, 3, -1)
     squares = np.einsum("lkn,lkn->ln", legs, legs)
@@ -71,7 +71,7 @@ def nearest_shares(apart: Array, one: Array, other: Array) -> tuple[Array, Array
 
 
 def _shares(ii: Array, jj: Array, ij: Array, i: Array, j: Array) -> tuple[Array, Array]:
-    """The same, of products of one and other with themselves, each other and apart."""
+    """``nearest_shares`` from the scalar products of its vectors."""
     # The squared length is a quadratic form in x and y.
     with np.errstate(divide="ignore", invalid="ignore"):
         x = _share(ij * j - i * jj, ii * jj - ij * ij)

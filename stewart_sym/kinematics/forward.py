@@ -148,12 +148,11 @@ def forward_kinematics(
         status.astype(np.int32).reshape(shape),
     )
 
-    def describe() -> tuple[tuple[int, ...], str]:
-        where, others = error_policy.first(result.status)
-        leg_lengths = np.broadcast_to(lengths, (*shape, 6))[where]
-        return where, fault(robot, leg_lengths, int(result.status[where]), guess is not None) + others
+    def reason(at: tuple[int, ...]) -> str:
+        leg_lengths = np.broadcast_to(lengths, (*shape, 6))[at]
+        return fault(robot, leg_lengths, int(result.status[at]), guess is not None)
 
-    error_policy.report(result.status, "L", describe, on_failure, stacklevel=3)
+    error_policy.report(result.status, "L", reason, on_failure, stacklevel=3)
     return result
 
 
@@ -283,11 +282,7 @@ def _rates(
     status = np.where(unsettled, SINGULAR, np.where(finite, OK, NOT_FINITE))
     solution[status != OK] = np.nan
 
-    def describe() -> tuple[tuple[int, ...], str]:
-        where, others = error_policy.first(status)
-        return where, f"{REASONS[int(status[where])]}{others}"
-
-    error_policy.report(status, name, describe, on_failure, stacklevel=4)
+    error_policy.report(status, name, lambda at: REASONS[int(status[at])], on_failure, stacklevel=4)
     return solution[..., :3], solution[..., 3:]
 
 

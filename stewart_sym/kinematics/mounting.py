@@ -19,7 +19,7 @@ from .conditioning import characteristic_length, scaled_condition_number
 from .inverse import leg_vectors, length_rows
 from .offset_legs import without_offsets
 
-# Gravity decides where it pulls along the base's normal with this share of itself or more.
+# Gravity decides on the side if at least this share of it is along the base's normal.
 _DECISIVE = 0.1
 # An axis of the base frame stands for the base points' normal if it is no farther from it than this, rad.
 _LEVEL = np.radians(15.0)

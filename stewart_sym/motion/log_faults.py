@@ -19,13 +19,13 @@ from .interpolation import quintic, values
 _BLOCKS = ((8, 3), (16, 5), (32, 5), (64, 5), (128, 5))
 # Rows that are off by the same amount before the numbers are right again.
 _LONGEST = 4
-# An offset explains squares of so many variances of the noise, and so many times what it leaves.
+# An offset is sure if it lowers the squares by so many variances of the noise and times what is left.
 _SURE, _MOST_LEFT = 100.0, 6.0
-# What jumps of derivatives leave is more than this many times what the offset leaves, and so many variances.
+# A jump of a derivative explains the rows as well unless it leaves so many times more, and so many variances.
 _BETTER, _BETTER_BY = 4.0, 40.0
 # Second differences of the motion that an offset exceeds.
 _BENDS = 0.5
-# Part of an offset that a polynomial must leave for it to be seen.
+# An offset is seen only if the polynomial cannot follow at least this part of it.
 _LEAST_SEEN = 0.02
 # Numbers are read to this share of the largest.
 _DIGITS = 1e-13

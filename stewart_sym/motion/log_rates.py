@@ -395,14 +395,10 @@ def _spline(since: Array, values: Array, source: str) -> Callable[..., Array]:
             f"{source}: expected at least {_MIN_SPLINE_POINTS} rows to fit a spline, got {len(since)}; "
             "add rows, or columns with velocities and accelerations"
         )
-    degree = 5 if len(since) > 5 else 3
-    try:
-        return _spline_maker()(since, values, k=degree)
-    except (ValueError, np.linalg.LinAlgError) as error:
-        raise ValueError(f"{source}: no spline fits these times: {' '.join(str(error).split())}") from None
-
-
-def _spline_maker() -> Callable[..., Callable[..., Array]]:
     with needed_for(*SPLINE):
         from scipy.interpolate import make_interp_spline
-    return make_interp_spline  # type: ignore[no-any-return]
+    try:
+        found: Callable[..., Array] = make_interp_spline(since, values, k=5 if len(since) > 5 else 3)
+        return found
+    except (ValueError, np.linalg.LinAlgError) as error:
+        raise ValueError(f"{source}: no spline fits these times: {' '.join(str(error).split())}") from None

@@ -111,9 +111,7 @@ class Trajectory(NamedTuple):
 
     def at(self, index: slice | NDArray[np.int64]) -> Motion:
         """The motion at some of the instants."""
-        m = self.motion
-        arrays = (m.R, m.t, m.omega, m.v, m.alpha, m.a, m.F_ext, m.M_ext)
-        return Motion.unchecked(*(None if x is None else x[index] for x in arrays))  # type: ignore[arg-type]
+        return self.motion[index]
 
 
 class PoseLog(NamedTuple):
@@ -137,11 +135,10 @@ class PoseLog(NamedTuple):
 
     def at(self, index: slice | NDArray[np.int64]) -> Motion:
         """The motion at some of the instants; ValueError of one line that names file and row."""
-        numbers = pose_arguments(self.coordinates[:, index]) | {
-            name: load[index]
-            for name, load in (("F_ext", self.F_ext), ("M_ext", self.M_ext))
-            if load is not None
-        }
+        numbers = pose_arguments(self.coordinates[:, index])
+        for name, load in (("F_ext", self.F_ext), ("M_ext", self.M_ext)):
+            if load is not None:
+                numbers[name] = load[index]
         try:
             motion = Motion.from_rpy(**numbers)
         except ValueError as error:

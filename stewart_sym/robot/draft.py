@@ -1,5 +1,6 @@
 """A first robot file from a few numbers of a machine: symmetric, with what is assumed said in comments."""
 
+import json
 import math
 from dataclasses import dataclass, fields
 from importlib.resources import files
@@ -81,8 +82,9 @@ class Draft:
         """The robot file."""
         L = self.leg_length
         lower, upper = _LOWER_RADIUS * L, _UPPER_RADIUS * L
-        return _text().substitute(
-            name=_quoted(safe_text(self.name)),
+        template = (files(__package__) / "draft.toml.in").read_text(encoding="utf-8")
+        return Template(template).substitute(
+            name=json.dumps(safe_text(self.name), ensure_ascii=False),
             unit=self.length_unit,
             height=_number(self.height),
             base_radius=_number(self.base_radius),
@@ -106,11 +108,6 @@ class Draft:
         )
 
 
-def _text() -> Template:
-    """The file with its comments."""
-    return Template((files(__package__) / "draft.toml.in").read_text(encoding="utf-8"))
-
-
 def _angles(pairs: tuple[float, float, float], apart: float, shift: int) -> str:
     """Angles of the joints of six legs: pairs round three axes, ``shift`` 1: begun with a pair's second."""
     found = [axis + side * 0.5 * apart for axis in pairs for side in (-1.0, 1.0)][shift:]
@@ -126,8 +123,3 @@ def _number(value: float) -> str:
 def _short(value: float) -> str:
     """With four digits: assumed, or for people."""
     return repr(float(f"{value:.4g}"))
-
-
-def _quoted(text: str) -> str:
-    escaped = text.replace("\\", "\\\\").replace('"', '\\"')
-    return f'"{escaped}"'

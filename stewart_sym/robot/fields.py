@@ -38,7 +38,7 @@ UNSTATED: dict[str, Any] = {
     "lower.length": 0.0,
     "upper.length": 0.0,
 }
-"""Values, by their paths in a leg's table, that say that a robot file has none."""
+"""What fields are where a leg's table leaves their keys out, by the paths of these."""
 
 
 def legs_text(legs: Sequence[int]) -> str:

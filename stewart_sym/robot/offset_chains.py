@@ -15,6 +15,7 @@ import numpy as np
 
 from ..io.array_types import Array, Codes
 from ..motion.motion import Motion
+from ..motion.rotation import cross_matrix
 from ..results import JOINT_SINGULAR, NOT_FINITE, OK, UNREACHABLE, ZERO_LENGTH
 from .offsets import Offsets
 
@@ -142,7 +143,7 @@ def joint_motion(robot: Robot, motion: Motion) -> JointMotion:
     inverse = np.linalg.inv(np.where(bad[..., None, None], np.eye(J.shape[-1]), J))
     inverse[bad] = np.nan
     X = np.zeros((*at.P.shape[:-1], J.shape[-1], 6))
-    X[..., :3, :3], X[..., :3, 3:] = np.eye(3), -_skew(at.q)
+    X[..., :3, :3], X[..., :3, 3:] = np.eye(3), -cross_matrix(at.q)
     if offsets.spins:
         X[..., 3:, 3:] = np.eye(3)
     rates = applied(inverse, _with_turn(offsets, motion.v[..., None, :] + np.cross(omega, at.q), omega))
@@ -211,7 +212,7 @@ def chains(robot: Robot, motion: Motion) -> Chains:
 
 
 def codes_of(robot: Robot, motion: Motion, at: Chains) -> Codes:
-    """The same of chains that are known."""
+    """``codes`` of chains that are known."""
     reach = np.max(
         np.abs(np.broadcast_arrays(at.q, motion.t[..., None, :], robot.b)), axis=(0, -1), keepdims=False
     )[..., None]
@@ -300,13 +301,6 @@ def offsets_of(robot: Robot) -> Offsets:
 def swung(omega: Array, alpha: Array, r: Array) -> Array:
     """Acceleration of a point of a body against another of its points."""
     return np.cross(alpha, r) + np.cross(omega, np.cross(omega, r))
-
-
-def _skew(v: Array) -> Array:
-    x, y, z = v[..., 0], v[..., 1], v[..., 2]
-    o = np.zeros_like(x)
-    rows = [np.stack(row, axis=-1) for row in ((o, -z, y), (z, o, -x), (-y, x, o))]
-    return np.stack(rows, axis=-2)
 
 
 def applied(A: Array, v: Array) -> Array:

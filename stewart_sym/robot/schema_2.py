@@ -3,6 +3,7 @@
 Points by radius and angles, bodies by shape and density, millimetres and degrees, what legs share once.
 """
 
+import math
 from collections.abc import Mapping
 from decimal import Decimal
 from typing import Any
@@ -25,13 +26,14 @@ from .fields import (
     LegTables,
     accepted,
     base_joint,
+    direction,
     joint_angles,
     limits,
     need_axisymmetric,
+    vector_text,
 )
 from .offset_chains import lengths_at_home
 from .offsets import TABLES, Offsets, offset_tables, offsets_of_tables
-from .points import RING_KEYS, axis, points
 
 SCHEMA = 2
 
@@ -40,6 +42,7 @@ _TOP_KEYS = (
     *("base", "platform", "legs", "leg", "home", "trajectory"),
 )
 _NEEDED = ("schema", "name", "base", "platform", "legs")
+RING_KEYS = ("radius", "angles", "z")
 _POINT_KEYS = ("points", *RING_KEYS)
 _PARTS = {"lower": 1.0, "upper": -1.0}
 """Parts of a leg, and to which side along x they lie from their joint."""
@@ -49,17 +52,17 @@ _SHARED_KEYS = ("universal_axis", *_PARTS, "friction", "drive", *TABLES, *_LIMIT
 _LEG_KEYS = ("base_point", "platform_point", *_SHARED_KEYS)
 _NUMBERS = tuple(str(i + 1) for i in range(LEGS))
 _TRAJECTORY_KEYS = ("tool", "euler_order", "lengths")
+AXES = ("tangential", "radial", "horizontal")
+"""Fixed axes by name: along the circle of the base points about z, to its middle, and across z and the leg of
+the home pose."""
+
+# Angles of more turns than this are in degrees.
+_MOST_TURNS = 2.0
 
 
+@np.errstate(over="ignore", invalid="ignore")
 def values(d: object, file: str) -> dict[str, Any]:
     """Fields of a robot by name, checked; ``file`` begins every message."""
-    with np.errstate(over="ignore", invalid="ignore"):
-        found = _values(d, file)
-    _need_finite(found, file)
-    return found
-
-
-def _values(d: object, file: str) -> dict[str, Any]:
     top = tables.checked_table(d, file, _TOP_KEYS, _NEEDED)
     metres = _metres(tables.choice(top.get("length_unit", "m"), tuple(LENGTH_UNITS), f"{file}length_unit"))
     degrees = tables.choice(top.get("angle_unit", "rad"), ("rad", "deg"), f"{file}angle_unit") == "deg"
@@ -87,7 +90,13 @@ def _values(d: object, file: str) -> dict[str, Any]:
     if offsets is not None and joint == "spherical":
         raise ValueError(f'{file}legs.offsets: expected none when base_joint is "spherical"')
     drive = drive_of_tables(legs.tables, metres, degrees)
-    return own | legs.values(rings[0], rings[1], offsets) | {"drive": drive, "offsets": offsets}
+    found = own | legs.values(rings[0], rings[1], offsets) | {"drive": drive, "offsets": offsets}
+    # Conversions and sums may have overflown.
+    for name, value in found.items():
+        if name not in UNSTATED and isinstance(value, float | np.ndarray) and not np.all(np.isfinite(value)):
+            where = f"{file}{_SECTIONS.get(name, 'legs')}"
+            raise ValueError(f"{where}: expected numbers whose sums and squares are finite")
+    return found
 
 
 def _metres(unit: str) -> Metres:
@@ -108,14 +117,6 @@ def _trajectory(value: object, prefix: str, metres: Metres, home: Array | None) 
 
 _SECTIONS = {"b": "base", "p": "platform", "M": "platform", "R_0": "platform", "I_p": "platform"}
 _SECTIONS |= {"home": "home", "tool": "trajectory", "g": "gravity"}
-
-
-def _need_finite(found: Mapping[str, Any], file: str) -> None:
-    """Reject what is not finite any more after conversions and sums."""
-    for name, value in found.items():
-        if name not in UNSTATED and isinstance(value, float | np.ndarray) and not np.all(np.isfinite(value)):
-            where = f"{file}{_SECTIONS.get(name, 'legs')}"
-            raise ValueError(f"{where}: expected numbers whose sums and squares are finite")
 
 
 class _Legs:
@@ -157,17 +158,13 @@ class _Legs:
         paths = {name: path for name, (path, _) in LEG_FIELDS.items() if name not in "bpk"}
         found = {name: np.array([leg[path] for leg in legs]) for name, path in paths.items()}
         if self.joint == "spherical":
-            need_axisymmetric(found, lambda i, name: self._where(i, paths[name].partition(".")[0]))
+            need_axisymmetric(found, lambda i, name: self.tables.where(i, paths[name].partition(".")[0]))
         return {"b": ends[0], "p": ends[1], "k": k, **found}
-
-    def _where(self, i: int, key: str) -> str:
-        """Place of a key that a leg, counted from 0, has of its own or shares."""
-        return self.tables.where(i, key)
 
     def _point(self, i: int, key: str, ring: Array | None) -> Array:
         own = self.tables.tables[i + 1]
         if key in own:
-            return np.asarray(self.metres(tables.vector(own[key], self._where(i, key))))
+            return np.asarray(self.metres(tables.vector(own[key], self.tables.where(i, key))))
         if ring is None:
             section = key.partition("_")[0]
             raise ValueError(f"{self.file}{section}.points: missing, and leg.{i + 1}.{key} as well")
@@ -176,7 +173,7 @@ class _Legs:
     def _axes(self, b: Array, at_home: Array | None) -> Array:
         found = np.zeros((LEGS, 3))
         for i in range(LEGS):
-            given, where = self.tables.of_leg(i), self._where(i, "universal_axis")
+            given, where = self.tables.of_leg(i), self.tables.where(i, "universal_axis")
             if self.joint == "spherical":
                 if "universal_axis" in given:
                     raise ValueError(f'{where}: expected none when base_joint is "spherical"')
@@ -206,7 +203,7 @@ class _Legs:
         if shared is not None:
             found = body(shared, f"{self.file}legs.{part}", self.metres, side)
         if part in self.tables.tables[i + 1]:
-            own = body(self.tables.tables[i + 1][part], self._where(i, part), self.metres, side)
+            own = body(self.tables.tables[i + 1][part], self.tables.where(i, part), self.metres, side)
             # A mass that is not that of the shapes would leave their inertia wrong.
             if isinstance(shared, list | tuple) or (isinstance(shared, Mapping) and "shape" in shared):
                 found, reason = own, f"missing, since legs.{part} is by shape"
@@ -214,7 +211,7 @@ class _Legs:
                 found = found | own
         elif shared is None:
             raise ValueError(f"{self.file}legs.{part}: missing")
-        tables.require(found, INERTIA_KEYS, f"{self._where(i, part)}.", reason)
+        tables.require(found, INERTIA_KEYS, f"{self.tables.where(i, part)}.", reason)
         return {"length": UNSTATED[f"{part}.length"]} | found
 
     def _length_limits(self, i: int, at_home: float | None) -> Array:
@@ -231,7 +228,7 @@ class _Legs:
 
     def _joint_angles(self, i: int, at_home: float | None) -> Array:
         """Largest angles of both joints from the home pose, rad, (2,)."""
-        given, where = self.tables.of_leg(i), self._where(i, "joint_angle_limit")
+        given, where = self.tables.of_leg(i), self.tables.where(i, "joint_angle_limit")
         if "joint_angle_limit" not in given:
             return np.array(UNSTATED["joint_angle_limit"])
         found = joint_angles(given["joint_angle_limit"], where, 180.0 if self.degrees else np.pi)
@@ -280,3 +277,74 @@ def tables_of(fields: Mapping[str, Any]) -> dict[str, Any]:
         },
         "trajectory": trajectory,
     }
+
+
+# Points and axes
+
+
+def points(table: Mapping[str, Any], prefix: str, metres: Metres, degrees: bool) -> Array | None:
+    """Six points, m, (6, 3), by ``points`` or by ``radius``, ``angles`` and ``z``; None without any."""
+    ring = [key for key in RING_KEYS if key in table]
+    if "points" in table:
+        if ring:
+            raise ValueError(f"{prefix}{ring[0]}: expected points or radius and angles, got both")
+        return _listed(table["points"], f"{prefix}points", metres)
+    if not ring:
+        return None
+    tables.require(table, RING_KEYS[:2], prefix, "missing")
+    radius = tables.per_leg(table["radius"], f"{prefix}radius")
+    if np.any(radius <= 0.0):
+        raise ValueError(f"{prefix}radius: expected a number > 0, got {shown(table['radius'])}")
+    angles = tables.numbers(table["angles"], (LEGS,), f"{prefix}angles")
+    turns = np.abs(angles) / (360.0 if degrees else 2.0 * math.pi)
+    if np.any(turns > _MOST_TURNS):
+        i = int(np.argmax(turns))
+        hint = "" if degrees else ': is angle_unit = "deg" missing?'
+        raise ValueError(
+            f"{prefix}angles: expected at most {_MOST_TURNS:g} turns, got {angles[i]:g} "
+            f"{'deg' if degrees else 'rad'}{hint}"
+        )
+    if degrees and np.abs(angles).max() <= 2.0 * math.pi:
+        most = np.abs(angles).max()
+        raise ValueError(
+            f"{prefix}angles: expected degrees all round, got at most {most:g}: are they in rad?"
+        )
+    c, s = np.array([cosine_and_sine(angle, degrees) for angle in angles]).T
+    z = tables.per_leg(table.get("z", 0.0), f"{prefix}z")
+    radius = metres(radius)
+    return np.stack([radius * c, radius * s, metres(z)], axis=-1)
+
+
+def _listed(value: object, where: str, metres: Metres) -> Array:
+    if not isinstance(value, list | tuple) or len(value) != LEGS:
+        raise ValueError(f"{where}: expected six points, got {shown(value)}")
+    return np.stack([metres(tables.vector(point, f"{where} {i}")) for i, point in enumerate(value, 1)])
+
+
+def cosine_and_sine(angle: float, degrees: bool) -> tuple[float, float]:
+    """Cosine and sine; of degrees with zeros at whole quarters of a turn, and alike on both sides of them."""
+    if not degrees:
+        return math.cos(angle), math.sin(angle)
+    quarters = round(angle / 90.0)
+    rest = math.radians(angle - 90.0 * quarters)
+    c, s = math.cos(rest), math.sin(rest)
+    return ((c, s), (-s, c), (-c, -s), (s, -c))[quarters % 4]
+
+
+def axis(value: object, where: str, b: Array, middle: Array, home: Array | None) -> Array:
+    """Unit vector of the fixed axis of a leg, (3,): a direction, or one of ``AXES``.
+
+    b: its base point, m. middle: of all base points. home: the leg at the home pose, from joint to joint.
+    """
+    if not isinstance(value, str):
+        return direction(value, where)
+    name = tables.choice(value, AXES, where)
+    along = b - middle
+    if name == "horizontal":
+        if home is None:
+            raise ValueError(f'{where}: "{name}" is across the leg at the home pose, expected a key home')
+        along = home
+    x, y, _ = along
+    if x == y == 0.0:
+        raise ValueError(f'{where}: "{name}" is no direction at {vector_text(along)} m, expected a vector')
+    return direction(np.array([x, y, 0.0] if name == "radial" else [-y, x, 0.0]), where)

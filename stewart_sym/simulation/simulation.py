@@ -14,7 +14,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..drives.friction import has_friction
+from ..drives.friction import losses
 from ..dynamics.equations import ForwardDynamics
 from ..dynamics.inverse import Backend, Formulation
 from ..io.arguments import instance, number_in, option, real_array, shown
@@ -164,7 +164,7 @@ def simulate(
         watch=Watch(robot, thresholds or Thresholds(), stops_at, det_sign(robot, start)),
         reached=lambda time: None if progress is None else progress(time / duration),
     )
-    if robot.drive is not None and has_friction(robot.drive):
+    if robot.drive is not None and losses(robot.drive):
         if robot.offsets is not None:
             raise ValueError(
                 "robot: expected offsets or friction of the drives, got both: legs that stick are simulated "

@@ -37,7 +37,7 @@ UNDECIDED = (
 )
 # A sample is approached in parts no smaller than this share of the way from the one before.
 _SMALLEST_PART = 2.0**-20
-# A step this share of its length away from where it was foretold may have left the way.
+# A pose farther from its prediction than this share of the step may be of another assembly mode.
 _ASTRAY = 0.1
 # Part of the machine's size below which two poses are taken for one.
 _SAME_POSE = 1e-8
