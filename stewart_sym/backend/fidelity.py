@@ -61,8 +61,8 @@ def resolved(robot: Robot, formulation: str, fidelity: str) -> str:
     name = _SAME.get(fidelity, fidelity) if isinstance(fidelity, str) else fidelity
     names = available(robot, formulation)
     if not isinstance(name, str) or name not in names:
-        joints = f" with {robot.base_joint} base joints" if formulation == "exact" else ""
-        joints = joints if robot.offsets is None else " with offset joints"
+        joints = "offset joints" if robot.offsets is not None else f"{robot.base_joint} base joints"
+        joints = f" with {joints}" if formulation == "exact" else ""
         raise ValueError(
             f"fidelity: expected one of {', '.join(names)} for {formulation}{joints}, got {shown(fidelity)}"
         )

@@ -445,10 +445,12 @@ def _need(robot: Robot, motion: Motion, on_singular: str) -> None:
 
 def _broadcast(motion: Motion, shape: tuple[int, ...]) -> Motion:
     """The motion, without its accelerations, of a leading shape to which its own broadcasts."""
+    lead = len(motion.shape)
     if shape == motion.shape:
         return motion
     wide: dict[str, Any] = {
-        name: value if value is None else np.broadcast_to(value, (*shape, *value.shape[len(motion.shape) :]))
+        # Copies, since products of arrays whose rows are one and the same round in another way.
+        name: value if value is None else np.array(np.broadcast_to(value, (*shape, *value.shape[lead:])))
         for name, value in vars(motion).items()
         if name not in ("alpha", "a")
     }

@@ -22,27 +22,11 @@ _WIDEST = 120.0
 class Draft:
     """Numbers of a machine whose joints are in pairs round three axes 120 degrees apart.
 
-    Attributes
-    ----------
-    name : str
-        Of the machine.
-    length_unit : str
-        Of all lengths here and in the file: ``"m"``, ``"cm"``, ``"mm"`` or ``"in"``.
-    base_radius, platform_radius : float
-        Radii of the circles of joints.
-    base_angle, platform_angle : float
-        Angles between the joints of a pair, degrees, 0 to 120.
-    height : float
-        Of the platform's joints above the base's at home.
-    platform_mass, leg_mass : float
-        Masses, payload included, kg.
-    stroke : float
-        From the shortest leg to the longest; half of it on either side of home.
-
-    Raises
-    ------
-    ValueError
-        Naming the number.
+    name: of the machine. length_unit: of all lengths here and in the file, "m", "cm", "mm" or "in".
+    base_radius, platform_radius: of the circles of joints. base_angle, platform_angle: between the joints of
+    a pair, degrees, 0 to 120. height: of the platform's joints above the base's at home. platform_mass,
+    leg_mass: payload included, kg. stroke: from the shortest leg to the longest; half of it on either side of
+    home. Raises ValueError naming the number.
     """
 
     name: str
