@@ -34,7 +34,6 @@ from .offset_legs import without_offsets
 from .pose_search import (
     EPS,
     MOST_STARTS,
-    Found,
     impossible_pairs,
     jacobian,
     nearest_found,
@@ -122,17 +121,19 @@ def forward_kinematics(
     truth(limits, "limits")
     lengths = checked_lengths(L)
     shape = lengths.shape[:-1]
-    if guess is None:
-        flat = lengths.reshape(-1, 6)
-        R, t, residual, iterations, found = _with_offsets(robot, flat) or searched(robot, flat)
-    else:
+    poses = None
+    if guess is not None:
         start = pose_of(guess, "guess", "a pose (R, t) or None")
         shape = leading_shape({"L": shape, "guess": start.shape})
-        flat = np.broadcast_to(lengths, (*shape, 6)).reshape(-1, 6)
         R_0, t_0 = np.broadcast_to(start.R, (*shape, 3, 3)), np.broadcast_to(start.t, (*shape, 3))
-        guess = R_0.reshape(-1, 3, 3), t_0.reshape(-1, 3)
-        poses = _with_offsets(robot, flat, *guess) or nearest_found(robot, flat, *guess)
-        R, t, residual, iterations, found = poses
+        poses = R_0.reshape(-1, 3, 3), t_0.reshape(-1, 3)
+    flat = np.broadcast_to(lengths, (*shape, 6)).reshape(-1, 6)
+    if robot.offsets is not None:
+        # Without a guess, from the poses of legs whose axes meet.
+        ends = newton(robot, flat, *(poses or searched(without_offsets(robot), flat)[:2]))
+    else:
+        ends = searched(robot, flat) if poses is None else nearest_found(robot, flat, *poses)
+    R, t, residual, iterations, found = ends
     status = np.full(len(flat), NOT_CONVERGED)
     status[found] = np.where(_unsettled(robot, R[found], t[found]), SINGULAR, OK)
     if limits:
@@ -154,14 +155,6 @@ def forward_kinematics(
 
     error_policy.report(result.status, "L", reason, on_failure, stacklevel=3)
     return result
-
-
-def _with_offsets(robot: Robot, L: Array, *guess: Array) -> Found | None:
-    """Poses of a machine with offset joints, from a guess or from those of legs without; None for others."""
-    if robot.offsets is None:
-        return None
-    R, t = guess or searched(without_offsets(robot), L)[:2]
-    return newton(robot, L, R, t)
 
 
 def fault(robot: Robot, L: Array, status: int, guessed: bool) -> str:
