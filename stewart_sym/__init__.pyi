@@ -18,7 +18,6 @@ from .dynamics.arrays import ArrayKernel as ArrayKernel
 from .dynamics.arrays import array_kernel as array_kernel
 from .dynamics.bounds import ForceBounds as ForceBounds
 from .dynamics.bounds import forces_with_bounds as forces_with_bounds
-from .dynamics.damping import damped_solution as damped_solution
 from .dynamics.equations import equations_of_motion as equations_of_motion
 from .dynamics.equations import force_derivatives as force_derivatives
 from .dynamics.equations import forward_dynamics as forward_dynamics
@@ -27,6 +26,7 @@ from .dynamics.equations import linearise as linearise
 from .dynamics.force_noise import force_deviations as force_deviations
 from .dynamics.forces import ForceKernel as ForceKernel
 from .dynamics.forces import prepare as prepare
+from .dynamics.inverse import damped_solution as damped_solution
 from .dynamics.inverse import dynamic_fraction as dynamic_fraction
 from .dynamics.inverse import inverse_dynamics as inverse_dynamics
 from .dynamics.inverse import joint_reactions as joint_reactions
@@ -57,6 +57,8 @@ from .identification.rotor_columns import rotor_regressor as rotor_regressor
 from .io.error_policy import SingularPoseWarning as SingularPoseWarning
 from .kinematics.certificate import Certificate as Certificate
 from .kinematics.certificate import certify_pose as certify_pose
+from .kinematics.clearance import JointAngles as JointAngles
+from .kinematics.clearance import joint_angles as joint_angles
 from .kinematics.clearance import leg_distances as leg_distances
 from .kinematics.conditioning import characteristic_length as characteristic_length
 from .kinematics.conditioning import condition_number as condition_number
@@ -68,8 +70,6 @@ from .kinematics.forward import forward_velocity as forward_velocity
 from .kinematics.inverse import inverse_kinematics as inverse_kinematics
 from .kinematics.inverse import wrench_matrix as wrench_matrix
 from .kinematics.inverse import wrench_matrix_rate as wrench_matrix_rate
-from .kinematics.joint_angles import JointAngles as JointAngles
-from .kinematics.joint_angles import joint_angles as joint_angles
 from .kinematics.mounting import AssemblyModeWarning as AssemblyModeWarning
 from .kinematics.mounting import up_direction as up_direction
 from .kinematics.offset_legs import MotorMotion as MotorMotion

@@ -112,7 +112,7 @@ def prepared_model(
     with np.errstate(over="ignore"):
         given = offset_numbers(robot) if offsets else robot_numbers(robot, rotors)
         numbers = given.astype(dtype)
-    # From where a line of the cache begins: a vector of constants is in one line.
+    # They begin with a line of the cache, so that no vector of constants lies in two.
     size = count * np.dtype(dtype).itemsize
     room = np.zeros(size + 63, dtype=np.uint8)
     first = -room.ctypes.data % 64

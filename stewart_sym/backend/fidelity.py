@@ -7,7 +7,6 @@ from typing import Any
 
 from ..generated.fidelities import DRIVE_FIDELITIES as _WITH_ROTORS
 from ..generated.fidelities import FIDELITIES as _TABLE
-from ..generated.interface import MODELS
 from ..io.arguments import shown
 from ..robot.robot import Robot
 from .kernel import OFFSET_KERNEL, kernel_name, module, offset_kernel, robot_kernel
@@ -62,8 +61,8 @@ def resolved(robot: Robot, formulation: str, fidelity: str) -> str:
     name = _SAME.get(fidelity, fidelity) if isinstance(fidelity, str) else fidelity
     names = available(robot, formulation)
     if not isinstance(name, str) or name not in names:
-        joints = f" with {robot.base_joint} base joints" if formulation == "exact" else ""
-        joints = joints if robot.offsets is None else " with offset joints"
+        joints = "offset joints" if robot.offsets is not None else f"{robot.base_joint} base joints"
+        joints = f" with {joints}" if formulation == "exact" else ""
         raise ValueError(
             f"fidelity: expected one of {', '.join(names)} for {formulation}{joints}, got {shown(fidelity)}"
         )
@@ -77,11 +76,6 @@ def force_kernel_name(robot: Robot, formulation: str, fidelity: str) -> str:
         return offset_kernel(robot, formulation)
     own = robot_kernel(robot, formulation)
     return own if level == _GENERAL else str(_table(robot)[level]["kernel"])
-
-
-def model_numbers(robot: Robot, formulation: str, fidelity: str) -> int:
-    """How many numbers the kernel's prepared model holds."""
-    return MODELS[force_kernel_name(robot, formulation, fidelity)]
 
 
 def operations(robot: Robot, formulation: str = "exact", fidelity: str = _GENERAL) -> int:

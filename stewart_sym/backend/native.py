@@ -372,21 +372,17 @@ def _digest(path: Path) -> str:
 
 def _build(directory: Path, recipe: _Recipe, key: str) -> Path:
     """Compile in a folder of its own and publish by one rename, over a damaged file if there is one."""
-    _sweep(directory)
+    # What killed processes left behind goes.
+    for left in directory.glob("build-*"):
+        with contextlib.suppress(OSError):
+            if time.time() - left.stat().st_mtime > _STALE_SECONDS:
+                shutil.rmtree(left, ignore_errors=True)
     with tempfile.TemporaryDirectory(prefix="build-", dir=directory, ignore_cleanup_errors=True) as folder:
         library = _compile(Path(folder), recipe)
         library.chmod(0o700)
         published = directory / f"{recipe.name}-{key}-{_digest(library)}{_SUFFIX}"
         os.replace(library, published)
     return published
-
-
-def _sweep(directory: Path) -> None:
-    """Remove what killed processes left behind."""
-    for folder in directory.glob("build-*"):
-        with contextlib.suppress(OSError):
-            if time.time() - folder.stat().st_mtime > _STALE_SECONDS:
-                shutil.rmtree(folder, ignore_errors=True)
 
 
 def _compile(folder: Path, recipe: _Recipe) -> Path:

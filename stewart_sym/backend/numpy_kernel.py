@@ -17,7 +17,7 @@ from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot
 from .kernel import LEG, MOTION, PLATFORM, ROTOR, columns, module, robot_kernel, stored
 
-# Poses that the NumPy kernels take at once: arrays of more leave the processor's nearer memory.
+# Poses that the NumPy kernels take at once: larger arrays do not fit into the cache.
 _AT_ONCE = 1024
 
 

@@ -15,8 +15,8 @@ from ..io.arguments import instance, number_in, real_array, shown
 from ..io.array_types import Array
 from ..io.frozen import Frozen
 from ..io.progress import Progress, silent
+from ..kinematics.clearance import angles_between, neutral_directions
 from ..kinematics.inverse import inverse_kinematics
-from ..kinematics.joint_angles import angles_between, neutral_directions
 from ..motion.motion import Motion
 from ..robot.robot import Robot
 

@@ -63,11 +63,6 @@ def losses(drive: Drive) -> list[str]:
     return [name for name, value in lossless.items() if np.any(getattr(drive, name) != value)]
 
 
-def has_friction(drive: Drive) -> bool:
-    """Whether anything is lost between force and motor."""
-    return bool(losses(drive))
-
-
 def drive_numbers(drive: Drive) -> dict[str, Array]:
     """Members of the C struct ``stewart_drives``: what torques are computed with, (6,) each."""
     lumped = {

@@ -5,7 +5,7 @@ Arrays come and go as the library's own; ``jit``, ``vmap`` and ``grad`` work on 
 
 from dataclasses import dataclass, field
 from types import ModuleType
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -46,6 +46,9 @@ class ArrayAccelerations(NamedTuple):
     a: Any
     alpha: Any
     status: Any
+
+
+Result = TypeVar("Result", ArrayForces, ArrayEquations, ArrayAccelerations)
 
 
 @dataclass(frozen=True, eq=False)
@@ -108,13 +111,11 @@ class ArrayKernel(Frozen):
     ) -> ArrayForces:
         """Actuator forces F, N, (..., 6)."""
         given = {"R": R, "t": t, "omega": omega, "v": v, "alpha": alpha, "a": a}
-        return ArrayForces(**self._run("forces", ArrayForces, given | {"F_ext": F_ext, "M_ext": M_ext}))
+        return self._run("forces", ArrayForces, given | {"F_ext": F_ext, "M_ext": M_ext})
 
     def equations(self, R: Any, t: Any, omega: Any = None, v: Any = None) -> ArrayEquations:
         """M, C, g, friction, bias and H; `exact` with universal base joints alone."""
-        return ArrayEquations(
-            **self._run("equations", ArrayEquations, {"R": R, "t": t, "omega": omega, "v": v})
-        )
+        return self._run("equations", ArrayEquations, {"R": R, "t": t, "omega": omega, "v": v})
 
     def forward_dynamics(
         self,
@@ -128,9 +129,9 @@ class ArrayKernel(Frozen):
     ) -> ArrayAccelerations:
         """a and alpha under actuator forces F, N, (..., 6); `exact` with universal base joints alone."""
         given = {"R": R, "t": t, "omega": omega, "v": v, "F_ext": F_ext, "M_ext": M_ext}
-        return ArrayAccelerations(**self._run("forward_dynamics", ArrayAccelerations, given, F))
+        return self._run("forward_dynamics", ArrayAccelerations, given, F)
 
-    def _run(self, function: str, kind: Any, fields: dict[str, Any], F: Any = None) -> dict[str, Any]:
+    def _run(self, function: str, kind: type[Result], fields: dict[str, Any], F: Any = None) -> Result:
         if not hasattr(self._source, function):
             raise ValueError(
                 f'{function}: expected formulation "exact" and universal base joints without offsets, '
@@ -148,7 +149,7 @@ class ArrayKernel(Frozen):
         motion = self._source.motion_of(self._on, **given)
         with np.errstate(all="ignore"):
             found = getattr(self._source, function)(self._on, self._model, motion, *more)
-        return {name: stacked(self.xp, getattr(found, name), shape) for name in kind._fields}
+        return kind(*(stacked(self.xp, getattr(found, name), shape) for name in kind._fields))
 
     def _array(self, name: str, value: Any) -> Any:
         """An argument as the library's array of real numbers, its shape checked."""

@@ -86,23 +86,13 @@ def forces_with_bounds(
     option(on_singular, ON_FAULT, "on_singular")
     need_universal(robot)
     need_motion(robot, motion)
-    found = _run(robot, motion, precision)
-    report_faults(found.status, robot, motion, on_singular, stacklevel=3)
-    return found
-
-
-def _run(robot: Robot, motion: Motion, precision: Precision) -> ForceBounds:
-    name, model = robot_kernel(robot, "exact"), _prepared(robot, precision)
+    name = robot_kernel(robot, "exact")
+    prepare = function(name, "bounds", precision, "bounds_prepare")
+    model = prepared_model(prepare, robot, MODELS[f"{name}_bounds"], precision, takes_rotors(name))
     F, bound = (np.full((*motion.shape, 6), np.nan, dtype=model.dtype) for _ in range(2))
     rcond = np.full(motion.shape, np.nan, dtype=model.dtype)
     status = np.zeros(motion.shape, dtype=np.int32)
     code = function(name, "bounds", precision, "forces_bounded_batch")
     call(code, model, motion, *map(address, (F, bound, rcond, status)))
+    report_faults(status, robot, motion, on_singular, stacklevel=3)
     return ForceBounds(F, bound, rcond, status)
-
-
-def _prepared(robot: Robot, precision: Precision) -> Array:
-    """The numbers of the C's ``stewart_exact_bounds_model``."""
-    name = robot_kernel(robot, "exact")
-    prepare = function(name, "bounds", precision, "bounds_prepare")
-    return prepared_model(prepare, robot, MODELS[f"{name}_bounds"], precision, takes_rotors(name))

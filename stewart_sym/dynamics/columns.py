@@ -1,7 +1,7 @@
-"""Arrays whose numbers lie in columns: those of each component of a vector one after the other."""
+"""Layouts of arrays that C reads: poses one after the other, or columns, the numbers of each component."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -13,7 +13,8 @@ from ..io.arguments import shown
 Array = NDArray[Any]
 
 NAMES = (*MOTION, "F")
-_WIDTHS = (*(math.prod(shape) for shape in MOTION.values()), 6)
+WIDTHS = (*(math.prod(shape) for shape in MOTION.values()), 6)
+"""Components of each array of ``NAMES``."""
 _OPTIONAL = ("F_ext", "M_ext")
 _EXACTLY: Any = 100_000
 """Trials until two interleaved arrays are said to share memory."""
@@ -27,14 +28,15 @@ def as_columns(values: Sequence[Any], dtype: Any) -> list[Array | None]:
     """
     count: int | None = None
     found: list[Array | None] = []
-    for name, width, value in zip(MOTION, _WIDTHS, values, strict=False):
+    for name, width, value in zip(MOTION, WIDTHS, values, strict=False):
         if value is None and name in _OPTIONAL:
             found.append(None)
             continue
         array = _numbers(name, value, dtype)
         shapes = ((width,), (3, 3)) if name == "R" else ((width,),)
         if array.ndim < 2 or array.shape[:-1] not in shapes or count not in (None, array.shape[-1]):
-            wanted = " or ".join(f"({', '.join(map(str, shape))}, {_named(count)})" for shape in shapes)
+            poses = "n" if count is None else count
+            wanted = " or ".join(f"({', '.join(map(str, shape))}, {poses})" for shape in shapes)
             raise ValueError(f"{name}: expected an array {wanted}, got {array.shape}")
         count = array.shape[-1]
         found.append(array.reshape((width, count)))
@@ -44,19 +46,26 @@ def as_columns(values: Sequence[Any], dtype: Any) -> list[Array | None]:
     return found
 
 
+def need_rows(arrays: Sequence[Array | None], F: Array, status: Any, dtype: Any) -> None:
+    """Raise ValueError naming the array that is not C-contiguous, with all numbers of a pose side by side."""
+    need_status(status)
+    for name, width, array in _typed(arrays, F, dtype):
+        if not array.flags.c_contiguous:
+            raise ValueError(f"{name}: expected a C-contiguous array, got strides of {array.strides} bytes")
+        if array.size != status.size * width or (status.size and array.shape[-1] not in (3, width)):
+            wanted = f"expected {width} numbers for each of {status.size} poses"
+            raise ValueError(f"{name}: {wanted}, got {array.size}")
+    _need_writeable(F)
+
+
 def stride_of(arrays: Sequence[Array | None], F: Array, count: int, dtype: Any) -> int:
     """Numbers from one column to the next, the same in all arrays, at least ``count``.
 
     arrays: as ``as_columns`` returns them; F (6, count).
     Raises ValueError naming the array whose shape, type or layout is another.
     """
-    if len(arrays) != len(MOTION):
-        raise ValueError(f"arrays: expected {len(MOTION)}, {', '.join(MOTION)}, got {len(arrays)}")
     given: list[Array] = []
-    for name, width, array in zip(NAMES, _WIDTHS, (*arrays, F), strict=True):
-        if array is None and name in _OPTIONAL:
-            continue
-        array = need_type(name, array, dtype)
+    for name, width, array in _typed(arrays, F, dtype):
         if array.shape != (width, count):
             raise ValueError(f"{name}: expected an array ({width}, {count}), got {array.shape}")
         given.append(array)
@@ -66,9 +75,29 @@ def stride_of(arrays: Sequence[Array | None], F: Array, count: int, dtype: Any) 
                 f"{name}: expected rows of numbers one after the other, {apart}, "
                 f"got strides of {array.strides} bytes"
             )
+    _need_writeable(F)
+    return _stride(given) or count
+
+
+def _typed(arrays: Sequence[Array | None], F: Array, dtype: Any) -> Iterator[tuple[str, int, Array]]:
+    """Name, components and array of all that are given, of a motion and F; ValueError for another type."""
+    if len(arrays) != len(MOTION):
+        raise ValueError(f"arrays: expected {len(MOTION)}, {', '.join(MOTION)}, got {len(arrays)}")
+    for name, width, array in zip(NAMES, WIDTHS, (*arrays, F), strict=True):
+        if array is not None or name not in _OPTIONAL:
+            yield name, width, need_type(name, array, dtype)
+
+
+def _need_writeable(F: Array) -> None:
     if not F.flags.writeable:
         raise ValueError("F: expected a writeable array")
-    return _stride(given) or count
+
+
+def need_status(status: Any) -> None:
+    """Raise ValueError for what C cannot write statuses to."""
+    need_type("status", status, np.int32)
+    if not status.flags.carray:
+        raise ValueError("status: expected a writeable C-contiguous array, got another")
 
 
 def need_type(name: str, array: Any, dtype: Any) -> Array:
@@ -116,7 +145,3 @@ def _numbers(name: str, value: Any, dtype: Any) -> Array:
     except (TypeError, ValueError):
         raise ValueError(f"{name}: expected an array of numbers, got {shown(value)}") from None
     raise ValueError(f"{name}: expected an array of real numbers, got one of {given.dtype}")
-
-
-def _named(count: int | None) -> str:
-    return "n" if count is None else str(count)

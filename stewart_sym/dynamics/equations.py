@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -38,6 +38,7 @@ from .inverse import (
     Backend,
     DynamicsKernel,
     Formulation,
+    faults_of,
     need_motion,
     need_universal,
     prepared_kernel,
@@ -282,7 +283,7 @@ class ForwardDynamics:
         self, motion: Motion, F: Array, M: Array, x: Array, definite: Array, good: Flags
     ) -> tuple[Array, Flags]:
         """x and where M is definite, with 50 digits at the good poses where M has lost digits."""
-        faults = _faults(self.formulation)
+        faults = faults_of(self.formulation)
         x, known = x.copy(), np.array(definite, dtype=np.bool_)
         for i in map(tuple, np.argwhere(good & _digits_lost(self.robot, motion, M, faults))):
             x[i] = reference_equations.forward_dynamics(self.robot, motion[i], F[i], faults)
@@ -313,10 +314,6 @@ _KEPT = 2.0**-5
 its fixed axis make an angle with a smaller sine."""
 
 
-def _faults(formulation: str) -> frozenset[int]:
-    return newton_euler.PAPER if formulation == "paper" else newton_euler.EXACT
-
-
 def _digits_lost(robot: Robot, motion: Motion, M: Array, faults: frozenset[int]) -> Flags:
     """Where double precision loses digits that the machine has, (...): then the reference takes 50."""
     near = newton_euler.legs(robot, _at_rest(motion), faults).sin_joint.min(axis=(-2, -1)) < _KEPT
@@ -330,9 +327,9 @@ def _by_linearity(robot: Robot, motion: Motion, formulation: str, backend: str) 
         return found
     parts = {name: np.array(getattr(found, name)) for name in _TERMS}
     with np.errstate(all="ignore"):
-        lost = (found.status == OK) & _digits_lost(robot, motion, found.M, _faults(formulation))
+        lost = (found.status == OK) & _digits_lost(robot, motion, found.M, faults_of(formulation))
     for i in map(tuple, np.argwhere(lost)):
-        for name, value in reference_equations.at_50_digits(robot, motion[i], _faults(formulation)).items():
+        for name, value in reference_equations.at_50_digits(robot, motion[i], faults_of(formulation)).items():
             parts[name][i] = value
     return EquationsOfMotion(**parts, status=found.status)
 
@@ -378,8 +375,7 @@ def _is_positive(matrix: Array) -> bool:
 def _wrench_of(robot: Robot, motion: Motion, F: Array) -> Array:
     """H F + W_ext, (..., 6). NaN where a leg has length zero."""
     if robot.offsets is not None:
-        still = np.zeros_like(motion.t)
-        H = offset_joints.terms(robot, Motion.unchecked(motion.R, motion.t, still, still, still, still))["H"]
+        H = offset_joints.terms(robot, _at_rest(motion))["H"]
         return np.asarray(np.einsum("...ij,...j->...i", H, F) + motion.external_wrench())
     q, S, L = leg_vectors(robot, motion.R, motion.t)
     push = S * (F / L)[..., None]
@@ -393,7 +389,7 @@ def _actuator_wrench(robot: Robot, formulation: str, backend: str) -> ActuatorWr
     if robot.offsets is not None:
         return offset_joints.actuator_wrench
     if backend == "reference":
-        faults = _faults(formulation)
+        faults = faults_of(formulation)
         return lambda robot, motion: newton_euler.actuator_wrench(robot, motion, faults)
     kernels: dict[Robot, DynamicsKernel] = {robot: first}
 
@@ -421,7 +417,7 @@ def _closed_form(robot: Robot, formulation: str, backend: str) -> ClosedForm | N
 
 
 def _with_closed_form(robot: Robot, backend: str, on_singular: str) -> ClosedForm:
-    """The same where there must be one."""
+    """``_closed_form`` where there must be one."""
     option(backend, ("c", "numpy"), "backend")
     option(on_singular, ON_FAULT, "on_singular")
     need_universal(robot)
@@ -448,12 +444,14 @@ def _need(robot: Robot, motion: Motion, on_singular: str) -> None:
 
 
 def _broadcast(motion: Motion, shape: tuple[int, ...]) -> Motion:
+    """The motion, without its accelerations, of a leading shape to which its own broadcasts."""
+    lead = len(motion.shape)
     if shape == motion.shape:
         return motion
-
-    def wide(vector: Array | None) -> Array | None:
-        return None if vector is None else np.broadcast_to(vector, (*shape, 3))
-
-    R = np.broadcast_to(motion.R, (*shape, 3, 3))
-    t, omega, v = (np.broadcast_to(vector, (*shape, 3)) for vector in (motion.t, motion.omega, motion.v))
-    return Motion(R, t, omega, v, F_ext=wide(motion.F_ext), M_ext=wide(motion.M_ext))
+    wide: dict[str, Any] = {
+        # Copies, since products of arrays whose rows are one and the same round in another way.
+        name: value if value is None else np.array(np.broadcast_to(value, (*shape, *value.shape[lead:])))
+        for name, value in vars(motion).items()
+        if name not in ("alpha", "a")
+    }
+    return Motion.unchecked(**wide)

@@ -145,5 +145,4 @@ def _on_legs(robot: Robot, motion: Motion, J: Array, shift: Array, legs: Array) 
 
 
 def _moved(motion: Motion, **changes: Array) -> Motion:
-    names = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
-    return Motion.unchecked(**{name: changes.get(name, getattr(motion, name)) for name in names})
+    return Motion.unchecked(**{**vars(motion), **changes})

@@ -2,7 +2,6 @@
 
 import ctypes
 import itertools
-import math
 import os
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -14,8 +13,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..backend.c_kernel import address, function, prepared_model
-from ..backend.fidelity import force_kernel_name, model_numbers
+from ..backend.fidelity import force_kernel_name
 from ..backend.kernel import FORMULATIONS, MOTION, takes_rotors
+from ..generated.interface import MODELS
 from ..io.arguments import instance, option, whole_number
 from ..io.error_policy import ON_SINGULAR, OnSingular
 from ..io.frozen import Frozen
@@ -23,7 +23,7 @@ from ..motion.motion import Motion
 from ..results import NOT_FINITE, OK, SINGULAR, UNREACHABLE
 from ..robot.offset_chains import codes
 from ..robot.robot import Robot
-from .columns import as_columns, need_apart, need_type, stride_of
+from .columns import WIDTHS, as_columns, need_apart, need_rows, need_status, stride_of
 from .inverse import Formulation, damped_terms, need_motion, report_faults
 
 Array = NDArray[Any]
@@ -39,7 +39,7 @@ CONVERTED = 32_768
 CORES = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 """Cores that this process may run on."""
 
-_WIDTHS = tuple(math.prod(shape) for shape in MOTION.values())
+_WIDTHS = WIDTHS[:-1]
 _NUMBERS = sum(_WIDTHS)
 
 
@@ -78,10 +78,9 @@ class ForceKernel(Frozen):
         instance(self.robot, Robot, "robot")
         option(self.formulation, FORMULATIONS, "formulation")
         option(self.precision, ("double", "float"), "precision")
-        count = model_numbers(self.robot, self.formulation, self.fidelity)
         rotors, offsets = takes_rotors(self.name), self.robot.offsets is not None
         prepare = self.function("prepare")
-        model = prepared_model(prepare, self.robot, count, self.precision, rotors, offsets)
+        model = prepared_model(prepare, self.robot, MODELS[self.name], self.precision, rotors, offsets)
         # As it lies in memory; a copy would be slower.
         object.__setattr__(self, "model", model)
 
@@ -122,42 +121,21 @@ class ForceKernel(Frozen):
     def forces_into(
         self, arrays: Sequence[Array | None], F: Array, status: NDArray[np.int32], threads: int = 1
     ) -> None:
-        """The same into given arrays, nothing checked but their layout: F (n, 6) and status (n,).
+        """Forces into given arrays, nothing checked but their layout: F (n, 6) and status (n,).
 
         arrays: R (n, 3, 3), t, omega, v, alpha, a, F_ext, M_ext (n, 3), the last two None for no load; all
         C-contiguous and of the kernel's ``dtype``. Unsolvable poses keep the F they had.
 
         Raises ValueError naming the array whose type or layout is another.
         """
-        self._need_layout(arrays, F, status)
+        need_rows(arrays, F, status, self.dtype)
         need_apart(arrays, F, status)
         self._shared(status.size, threads, lambda *part: self._run(arrays, F, status, *part))
-
-    def _need_layout(self, arrays: Sequence[Array | None], F: Array, status: NDArray[np.int32]) -> None:
-        wanted = np.dtype(self.dtype)
-        _need_status(status)
-        if len(arrays) != len(MOTION):
-            raise ValueError(f"arrays: expected {len(MOTION)}, {', '.join(MOTION)}, got {len(arrays)}")
-        count = status.size
-        for name, array, width in (*zip(MOTION, arrays, _WIDTHS, strict=True), ("F", F, 6)):
-            if array is None and name in ("F_ext", "M_ext"):
-                continue
-            array = need_type(name, array, wanted)
-            if not array.flags.c_contiguous:
-                raise ValueError(
-                    f"{name}: expected a C-contiguous array, got strides of {array.strides} bytes"
-                )
-            if array.size != count * width or (count and array.shape[-1] not in (3, width)):
-                raise ValueError(
-                    f"{name}: expected {width} numbers for each of {count} poses, got {array.size}"
-                )
-        if not F.flags.writeable:
-            raise ValueError("F: expected a writeable array")
 
     def columns_into(
         self, arrays: Sequence[Array | None], F: Array, status: NDArray[np.int32], threads: int = 1
     ) -> None:
-        """The same of arrays in columns, without a copy: each component's numbers one after the other.
+        """``forces_into`` of arrays in columns, without a copy: each component's numbers one after the other.
 
         arrays: R (9, n), row-major, t, omega, v, alpha, a, F_ext, M_ext (3, n), the last two None for no
         load; F (6, n) and status (n,). Rows of all of them but status are equally far apart, at least n
@@ -168,7 +146,7 @@ class ForceKernel(Frozen):
 
         Raises ValueError naming the array whose type or layout is another.
         """
-        _need_status(status)
+        need_status(status)
         if isinstance(F, np.ndarray) and F.shape[:-1] == (6,) and status.shape != F.shape[-1:]:
             raise ValueError(f"status: expected an array {F.shape[-1:]} for F {F.shape}, got {status.shape}")
         count = status.size
@@ -254,9 +232,12 @@ class ForceKernel(Frozen):
         F = np.full((*motion.shape, 6), np.nan, dtype=self.dtype)
         status = np.zeros(motion.shape, dtype=np.int32)
         for part in self._parts_to_convert(motion):
-            arrays = [self._laid_out(getattr(motion, name), part) for name in MOTION]
+            arrays = [
+                None if array is None else np.ascontiguousarray(array[part], dtype=self.dtype)
+                for array in (getattr(motion, name) for name in MOTION)
+            ]
             into = F[part], status[part]
-            self._need_layout(arrays, *into)
+            need_rows(arrays, *into, self.dtype)
             self._shared(into[1].size, threads, partial(self._run, arrays, *into))
         if self.robot.offsets is not None and (lost := status == NOT_FINITE).any():
             # Where no leg reaches, the kernel takes the root of a negative number.
@@ -267,13 +248,12 @@ class ForceKernel(Frozen):
     def _parts_to_convert(self, motion: Motion) -> list[Any]:
         """All poses where the arrays can be taken as they lie, else parts, so that copies stay small."""
         arrays = [array for array in (getattr(motion, name) for name in MOTION) if array is not None]
-        ready = all(array.dtype == self.dtype and _lies_plainly(array) for array in arrays)
+        ready = all(
+            array.dtype == self.dtype and array.flags.c_contiguous and array.flags.aligned for array in arrays
+        )
         if ready or len(motion.shape) != 1:
             return [...]
         return [slice(start, start + CONVERTED) for start in range(0, motion.shape[0], CONVERTED)]
-
-    def _laid_out(self, array: Array | None, part: Any) -> Array | None:
-        return None if array is None else np.ascontiguousarray(array[part], dtype=self.dtype)
 
     def _run(
         self, arrays: Sequence[Array | None], F: Array, status: NDArray[np.int32], start: int, count: int
@@ -352,13 +332,9 @@ class OnePose:
         """View of one input by name."""
         if name not in MOTION:
             raise AttributeError(name)
-        start = 0
-        for other, shape in MOTION.items():
-            width = math.prod(shape)
-            if other == name:
-                return self.numbers[start : start + width].reshape(shape)
-            start += width
-        raise AttributeError(name)
+        at = list(MOTION).index(name)
+        start = sum(_WIDTHS[:at])
+        return self.numbers[start : start + _WIDTHS[at]].reshape(MOTION[name])
 
 
 def prepare(
@@ -407,14 +383,3 @@ def _parts(count: int, threads: int) -> list[tuple[int, int]]:
 def _pool(threads: int, process: int) -> ThreadPoolExecutor:
     """Threads of a process that wait for work; starting them anew costs more than a small batch."""
     return ThreadPoolExecutor(threads, thread_name_prefix="stewart-sym")
-
-
-def _need_status(status: Any) -> None:
-    need_type("status", status, np.int32)
-    if not status.flags.carray:
-        raise ValueError("status: expected a writeable C-contiguous array, got another")
-
-
-def _lies_plainly(array: Array) -> bool:
-    """Whether C can take the array as it lies."""
-    return array.flags.c_contiguous and array.flags.aligned

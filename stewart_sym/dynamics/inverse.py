@@ -1,6 +1,7 @@
 """Inverse dynamics and joint reactions as users call them: any backend, either formulation, checked results.
 
-Chooses the kernel, runs it, and turns a status into an error, a warning or NaN as the caller chooses.
+Chooses the kernel, runs it, and turns a status into an error, a warning or NaN as the caller chooses. Where H
+is singular, damped least squares solve H x = c as well as can be.
 """
 
 from __future__ import annotations
@@ -19,10 +20,10 @@ from ..backend.kernel import FORMULATIONS, need_offset_formulation, robot_kernel
 from ..backend.native import CompilerError
 from ..backend.numpy_kernel import NumpyKernel
 from ..io import error_policy
-from ..io.arguments import instance, option, real_array
+from ..io.arguments import instance, number_in, option, real_array
 from ..io.array_types import Array, Codes, Flags
 from ..io.error_policy import ON_SINGULAR, OnSingular
-from ..kinematics.conditioning import characteristic_length
+from ..kinematics.conditioning import characteristic_length, moments_over
 from ..motion.motion import Motion
 from ..reference import newton_euler, offset_joints
 from ..results import (
@@ -33,12 +34,12 @@ from ..results import (
     STATUS_TEXT,
     UNREACHABLE,
     ZERO_LENGTH,
+    DampedSolution,
     Forces,
     Reactions,
 )
 from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot
-from .damping import damped_solution
 
 Formulation = Literal["exact", "paper"]
 Backend = Literal["c", "numpy", "reference"]
@@ -54,35 +55,32 @@ class DynamicsKernel(Protocol):
         """Joint reactions of every pose; bearing (6,), m."""
 
 
-class OffsetKernel:
-    """Every output of machines with offset joints: the vector implementation, whatever the backend."""
+def faults_of(formulation: str) -> frozenset[int]:
+    """Which faults of the printed equations the reference has in a formulation."""
+    return newton_euler.PAPER if formulation == "paper" else newton_euler.EXACT
+
+
+class _VectorKernel:
+    """The vector implementation as a kernel; of machines with offset joints whatever the backend."""
 
     def __init__(self, robot: Robot, formulation: str) -> None:
-        """Reject, by ValueError, another formulation than "exact"."""
-        need_offset_formulation(formulation)
-        self.robot = robot
+        """Reject, by ValueError, a formulation that the robot does not have."""
+        if robot.offsets is None:
+            robot_kernel(robot, formulation)
+        else:
+            need_offset_formulation(formulation)
+        self.robot, self.faults = robot, faults_of(formulation)
 
     def forces(self, motion: Motion) -> Forces:
         """See ``DynamicsKernel``."""
-        return offset_joints.inverse_dynamics(self.robot, motion)
-
-    def reactions(self, motion: Motion, bearing: Array) -> Reactions:
-        """See ``DynamicsKernel``."""
-        return offset_joints.joint_reactions(self.robot, motion, bearing)
-
-
-class _Reference:
-    """The vector reference behind the interface of the kernels."""
-
-    def __init__(self, robot: Robot, formulation: str) -> None:
-        robot_kernel(robot, formulation)
-        self.robot = robot
-        self.faults = newton_euler.PAPER if formulation == "paper" else newton_euler.EXACT
-
-    def forces(self, motion: Motion) -> Forces:
+        if self.robot.offsets is not None:
+            return offset_joints.inverse_dynamics(self.robot, motion)
         return newton_euler.inverse_dynamics(self.robot, motion, self.faults)
 
     def reactions(self, motion: Motion, bearing: Array) -> Reactions:
+        """See ``DynamicsKernel``."""
+        if self.robot.offsets is not None:
+            return offset_joints.joint_reactions(self.robot, motion, bearing)
         return newton_euler.joint_reactions(self.robot, motion, self.faults, bearing)
 
 
@@ -233,15 +231,15 @@ def _prepared(
 def prepared_kernel(robot: Robot, formulation: str, backend: str) -> DynamicsKernel:
     """The kernel of a formulation and backend with the robot's numbers; ValueError for unknown options."""
     option(formulation, FORMULATIONS, "formulation")
-    kernels: dict[str, Callable[[Robot, str], DynamicsKernel]] = {
-        "c": _compiled_or_numpy,
-        "numpy": NumpyKernel.prepare,
-        "reference": _Reference,
-    }
-    option(backend, tuple(kernels), "backend")
-    if robot.offsets is not None:
-        return OffsetKernel(robot, formulation)
-    return kernels[backend](robot, formulation)
+    option(backend, ("c", "numpy", "reference"), "backend")
+    if robot.offsets is not None or backend == "reference":
+        return _VectorKernel(robot, formulation)
+    if backend == "numpy":
+        return NumpyKernel.prepare(robot, formulation)
+    found: DynamicsKernel = with_compiler(
+        lambda: CKernel.prepare(robot, formulation), lambda: NumpyKernel.prepare(robot, formulation)
+    )
+    return found
 
 
 def need_motion(robot: Robot, motion: Motion) -> None:
@@ -258,14 +256,6 @@ def need_universal(robot: Robot) -> None:
     need_no_offsets(robot)
     if robot.base_joint != "universal":
         raise ValueError(f'robot: expected base_joint "universal", got "{robot.base_joint}"')
-
-
-def _compiled_or_numpy(robot: Robot, formulation: str) -> DynamicsKernel:
-    robot_kernel(robot, formulation)
-    found: DynamicsKernel = with_compiler(
-        lambda: CKernel.prepare(robot, formulation), lambda: NumpyKernel.prepare(robot, formulation)
-    )
-    return found
 
 
 def with_compiler(compiled: Callable[[], Any], other: Callable[[], Any]) -> Any:
@@ -366,7 +356,7 @@ def _checked(result: Result, values: Array, robot: Robot, motion: Motion, on_sin
 def report_faults(status: Codes, robot: Robot, motion: Motion, on_singular: str, stacklevel: int = 4) -> None:
     """Raise or warn, as ``on_singular`` says, if a pose is unsolvable; stacklevel: of the user's call."""
     error_policy.report(
-        status, "motion", lambda: first_fault(status, robot, motion), on_singular, stacklevel + 1
+        status, "motion", lambda at: _reason(int(status[at]), robot, motion[at]), on_singular, stacklevel + 1
     )
 
 
@@ -376,13 +366,14 @@ def first_fault(status: Codes, robot: Robot, motion: Motion) -> tuple[tuple[int,
     status: codes of ``STATUS_TEXT``, one at least not 0, of the motion's shape.
     """
     where, others = error_policy.first(status)
-    code = int(status[where])
-    leg = (
-        f" (leg {_worst_leg(code, robot, motion[where]) + 1})"
-        if code in (ZERO_LENGTH, JOINT_SINGULAR, UNREACHABLE)
-        else ""
-    )
-    return where, f"{STATUS_TEXT[code]}{leg}{others}"
+    return where, _reason(int(status[where]), robot, motion[where]) + others
+
+
+def _reason(code: int, robot: Robot, motion: Motion) -> str:
+    """What a status says of one pose, with the leg that it is about."""
+    if code not in (ZERO_LENGTH, JOINT_SINGULAR, UNREACHABLE):
+        return STATUS_TEXT[code]
+    return f"{STATUS_TEXT[code]} (leg {_worst_leg(code, robot, motion) + 1})"
 
 
 def _worst_leg(code: int, robot: Robot, motion: Motion) -> int:
@@ -392,3 +383,58 @@ def _worst_leg(code: int, robot: Robot, motion: Motion) -> int:
     S = robot.p @ motion.R.T + motion.t - robot.b
     L = np.linalg.norm(S, axis=-1)
     return int(np.argmin(L if code == ZERO_LENGTH else np.linalg.norm(np.cross(robot.k, S), axis=-1) / L))
+
+
+# Damped least squares of Nakamura and Hanafusa, J. Dyn. Sys., Meas., Control 108 (1986) 163-171, damped only
+# in the directions that are all but lost, by as much as their singular values need: the numerical filtering
+# of Maciejewski and Klein, J. Robotic Systems 5 (1988) 527-552.
+
+SHARE = float(np.finfo(np.float64).eps) ** 0.25
+"""Share of the largest singular value below which one is damped: rounding in a singular value of 0 then moves
+the forces by sqrt(eps) of what the same wrench needs with a well-conditioned H."""
+
+
+def damped_solution(H: ArrayLike, c: ArrayLike, length: float, share: float = SHARE) -> DampedSolution:
+    """Return x, N, (..., 6), that least violates H x = c with forces kept within bounds, and c - H x.
+
+    With the moment rows of H and c divided by ``length``, m (``characteristic_length``), H = sum s_i u_i
+    v_i^T. x = sum g_i (u_i . c) v_i with g_i = 1/s_i where s_i >= s_0 = share s_1, and g_i = s_i/s_0^2 =
+    s_i/(s_i^2 + lambda_i^2), lambda_i^2 = s_0^2 - s_i^2, below: without a jump, never above 1/s_0, and 0
+    along a motion that is lost. They are returned as a named tuple (x, wrench_error).
+
+    Parameters
+    ----------
+    H : array_like
+        (..., 6, 6).
+    c : array_like
+        N and N m, (..., 6).
+    length : float
+        Characteristic length, m.
+    share : float, optional
+        Smallest singular value that is not damped, over the largest, > 0 and < 1.
+
+    Returns
+    -------
+    DampedSolution
+        Forces x and the residual c - H x, N and N m, (..., 6): the error of the wrench.
+        NaN where H or c is not finite.
+
+    Raises
+    ------
+    ValueError
+        Naming the argument.
+    """
+    share = number_in(share, "share", "a number > 0 and < 1", high=1.0)
+    scaled, wrench = moments_over(H, length), real_array(c, "c", "wrenches of shape (..., 6)")
+    if wrench.shape[-1:] != (6,):
+        raise ValueError(f"c: expected wrenches of shape (..., 6), got shape {wrench.shape}")
+    unit = np.repeat([1.0, length], 3)
+    finite = np.asarray(np.isfinite(scaled).all(axis=(-2, -1)))
+    U, s, V_T = np.linalg.svd(np.where(finite[..., None, None], scaled, 0.0))
+    s_0 = share * s[..., :1]
+    square = np.maximum(s, s_0) ** 2
+    gain = np.divide(s, square, out=np.zeros_like(s), where=square > 0.0)
+    along = np.einsum("...ij,...i->...j", U, wrench / unit)
+    x = np.einsum("...ij,...i->...j", V_T, gain * along)
+    x = np.where(finite[..., None] & np.isfinite(wrench).all(axis=-1, keepdims=True), x, np.nan)
+    return DampedSolution(x, np.asarray(wrench - unit * np.einsum("...ij,...j->...i", scaled, x)))

@@ -12,6 +12,7 @@ import numpy as np
 
 from ..io.json_text import json_text
 from ..robot.drive import Drive, drive_of_tables, drive_tables
+from ..robot.fields import LEGS, LegTables
 from ..robot.offsets import Offsets
 from ..robot.robot import Robot
 from .chain import Model
@@ -102,9 +103,10 @@ def _restored(name: str, noted: Any) -> Any:
         given = np.array(noted, dtype=np.float64)
         return np.where(np.isnan(given), np.inf, given)
     if name == "drive":
-        if not isinstance(noted, list):
-            raise ValueError("notes: drive: expected a list")
-        return drive_of_tables({}, [{"drive": table} for table in noted], "notes: ", float, False)
+        if not isinstance(noted, list) or len(noted) != LEGS:
+            raise ValueError("notes: drive: expected a list of six tables")
+        legs = LegTables.of({}, [{"drive": table} for table in noted], "notes: ")
+        return drive_of_tables(legs, float, False)
     if name == "offsets":
         return restored_offsets(noted)
     return tuple(noted) if name == "accept" and isinstance(noted, list) else noted

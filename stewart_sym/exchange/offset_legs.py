@@ -8,11 +8,9 @@ import numpy as np
 
 from ..io.array_types import Array
 from ..motion.motion import at_rest
-from ..robot.fields import LEGS, legs_text
-from ..robot.offset_chains import chains
-from ..robot.offset_positions import Chains
-from ..robot.offset_tables import offset_tables, offsets_of_tables
-from ..robot.offsets import SHAPES, Offsets
+from ..robot.fields import LEGS, LegTables, legs_text
+from ..robot.offset_chains import Chains, chains
+from ..robot.offsets import SHAPES, Offsets, offset_tables, offsets_of_tables
 from ..robot.robot import Robot
 from .chain import WORLD, Body, Joint, Shape
 
@@ -109,7 +107,7 @@ def restored_offsets(value: Any) -> Offsets:
     each = [leg for leg in legs if isinstance(leg, Mapping)]
     if not isinstance(shared, Mapping) or not len(each) == len(legs) == LEGS:
         raise ValueError("notes: offsets: expected tables legs and leg")
-    found = offsets_of_tables(shared, each, "notes: offsets: ", np.asarray)
+    found = offsets_of_tables(LegTables.of(shared, each, "notes: offsets: "), np.asarray)
     if found is None:
         raise ValueError("notes: offsets: expected offsets, got none")
     return found

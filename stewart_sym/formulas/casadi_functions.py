@@ -3,6 +3,7 @@
 Derives when it is called.
 """
 
+from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
 from ..backend.kernel import MOTION
@@ -64,7 +65,9 @@ def casadi_function(
 
     program, _, model = prepared(robot, what, what, formulation)
     given = {name: casadi.SX.sym(name, 3, 3 if name == "R" else 1) for name in MOTION}
-    motion = _motion(given)
+    # Components in storage order: CasADi's own is by columns.
+    parts = {name: casadi.vertsplit(casadi.vec(value.T)) for name, value in given.items()}
+    motion = SimpleNamespace(**parts)
     given["F"] = casadi.SX.sym("F", 6)
     more = [casadi.vertsplit(given["F"])] if what == "forward_dynamics" else []
     found = Interpreter(program, _arithmetic(checked)).run(what, model, motion, *more)
@@ -73,15 +76,6 @@ def casadi_function(
     return casadi.Function(
         what, [given[name] for name in names], list(results.values()), list(names), list(results)
     )
-
-
-def _motion(given: dict[str, Any]) -> Any:
-    """Components in storage order: CasADi's own is by columns."""
-    from types import SimpleNamespace
-
-    import casadi
-
-    return SimpleNamespace(**{name: casadi.vertsplit(casadi.vec(value.T)) for name, value in given.items()})
 
 
 def _matrix(value: Any) -> Any:

@@ -23,7 +23,9 @@ def typeset(
     """Steps as running text, the matrix, the numbers of the machine, what they are; needs ``amsmath``."""
     expressions = [expr for _, expr in steps] + list(result)
     write = _Writer(set().union(*(expr.free_symbols for expr in expressions), (s for s, _ in steps)))
-    text = [_breaking(f"${write(symbol)} = {write(expr)}$") for symbol, expr in _once(steps, write)]
+    text = [f"${write(symbol)} = {write(expr)}$" for symbol, expr in _once(steps, write)]
+    # Lines of running text may not break inside of these.
+    text = [each.replace(r"\left(", "(").replace(r"\right)", ")") for each in text]
     shown = sp.Matrix(*result.shape, [write.summed(each) for each in result])
     return "\n".join(
         [
@@ -35,11 +37,6 @@ def typeset(
             "",
         ]
     )
-
-
-def _breaking(formula: str) -> str:
-    r"""A formula of running text that lines may break: inside ``\left( \right)`` they cannot."""
-    return formula.replace(r"\left(", "(").replace(r"\right)", ")")
 
 
 class _Writer:

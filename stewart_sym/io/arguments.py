@@ -58,8 +58,8 @@ def whole_number(value: object, name: str, least: int, expected: str, most: floa
     return int(value)  # type: ignore[call-overload, no-any-return]
 
 
-def finite_array(value: object, core: tuple[int, ...], name: str, batch: bool = True) -> NDArray[np.float64]:
-    """Return a float64 copy of shape (..., *core) with finite entries; ValueError for anything else.
+def shaped_array(value: object, core: tuple[int, ...], name: str, batch: bool = True) -> NDArray[np.float64]:
+    """Return a float64 copy of shape (..., *core); ValueError for anything else.
 
     batch: whether there may be leading axes.
     """
@@ -67,6 +67,12 @@ def finite_array(value: object, core: tuple[int, ...], name: str, batch: bool = 
     array = real_array(value, name, f"real numbers of shape {expected}")
     if (array.shape[-len(core) :] if batch else array.shape) != core:
         raise ValueError(f"{name}: expected shape {expected}, got {array.shape}")
+    return array
+
+
+def finite_array(value: object, core: tuple[int, ...], name: str, batch: bool = True) -> NDArray[np.float64]:
+    """Return what ``shaped_array`` does, with finite entries; ValueError for anything else."""
+    array = shaped_array(value, core, name, batch)
     finite = np.isfinite(array)
     if not np.all(finite):
         where = tuple(int(i) for i in np.argwhere(~finite)[0])

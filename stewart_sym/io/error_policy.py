@@ -11,8 +11,8 @@ OnFault = Literal["raise", "warn", "nan"]
 ON_FAULT = ("raise", "warn", "nan")
 OnSingular = Literal["raise", "warn", "nan", "damped"]
 ON_SINGULAR = (*ON_FAULT, "damped")
-"""The same for solves of H x = c: "damped" gives the poses where H is singular the forces of ``damping``,
-which leave a part of the wrench wanting, and warns of those that are unsolvable for other reasons."""
+"""The same for solves of H x = c. "damped": where H is singular, damped least squares give forces that hold
+a part of the wrench; poses that are unsolvable for other reasons give a warning."""
 
 Index = tuple[int, ...]
 
@@ -22,17 +22,18 @@ class SingularPoseWarning(UserWarning):
 
 
 def report(
-    status: NDArray[Any], name: str, describe: Callable[[], tuple[Index, str]], choice: str, stacklevel: int
+    status: NDArray[Any], name: str, reason: Callable[[Index], str], choice: str, stacklevel: int
 ) -> None:
     """Raise ValueError or warn, as ``choice`` of ON_SINGULAR says, if a status is not 0; "damped" warns.
 
-    name: the argument that has the pose. describe: index of the first such pose and why it is unsolvable.
+    name: the argument that has the pose. reason: why the pose at an index is unsolvable.
     stacklevel: of the user's call, as ``warnings.warn`` counts: 1 is this function.
     """
     if choice == "nan" or not status.any():
         return
-    where, reason = describe()
-    text = f"{name}[{', '.join(map(str, where))}]: {reason}" if where else f"{name}: {reason}"
+    where, others = first(status)
+    place = f"{name}[{', '.join(map(str, where))}]" if where else name
+    text = f"{place}: {reason(where)}{others}"
     if choice == "raise":
         raise ValueError(text)
     warnings.warn(text, SingularPoseWarning, stacklevel=stacklevel)

@@ -1,6 +1,6 @@
 """Records whose arrays stay read-only, in copies and after a pickle as well.
 
-Bottom of the package; a frozen dataclass with arrays derives from ``Frozen``.
+A frozen dataclass with arrays derives from ``Frozen``.
 """
 
 from collections.abc import Mapping

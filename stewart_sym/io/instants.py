@@ -1,4 +1,4 @@
-"""Times that tell one instant from the next, as text and as numbers, seconds since 1970 too."""
+"""Times, also in seconds since 1970, as text and as differences, without the rounding error of doubles."""
 
 import math
 
@@ -10,7 +10,7 @@ from .array_types import Array
 _FEWEST, _MOST = 6, 16
 # Most decimals of times that are looked for.
 _DECIMALS = 15
-# Doubles from one such time to the next, at least, for a double beside one to stand for it.
+# A double next to that of such a number is taken for it only where the numbers are so many doubles apart.
 _FAR_APART = 16.0
 # Times that are looked at together.
 _PART = 1 << 10
@@ -20,7 +20,7 @@ def elapsed(times: Array) -> Array:
     """Times since the first, s, (n,), without what doubles round off: for all that is differentiated.
 
     A double keeps seconds since 1970 to 2.4e-7 s, which is much of a millisecond's step. Times that all are
-    the nearest doubles of numbers with a few decimals stand for these numbers.
+    the nearest doubles of numbers with a few decimals are taken for these numbers.
     """
     return apart(times, times[:1], parts(times))
 

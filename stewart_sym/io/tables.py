@@ -6,6 +6,7 @@ The prefix or place handed in begins every message: ``file: key: what was expect
 import codecs
 import contextlib
 import difflib
+import json
 import math
 import os
 import re
@@ -20,7 +21,7 @@ import numpy as np
 
 from .arguments import option, safe_text, shown
 from .array_types import Array
-from .key_lines import key_text, line_of
+from .key_lines import LONG_STRING, STRING, key_text, line_of
 
 MOST_BYTES = 1 << 18
 """Of a TOML file: thirty times what a robot takes with every number of every leg."""
@@ -31,12 +32,10 @@ _MOST = float(np.finfo(np.float64).max)
 _TWICE = re.compile(r"Cannot overwrite a value \(at line (\d+)")
 
 # Time and memory of tomllib grow with the square of a dotted key's parts: 300,000 of them take all there is.
-_STRING = r"""(?:"(?:[^"\\\n]|\\.)*+"|'[^'\n]*+')"""
-_LONG_STRING = r"""\"{3}(?:[^"\\]|\\(?s:.)|"(?!""))*+"{3,5}+|'{3}(?:[^']|'(?!''))*+'{3,5}+"""
-_PART = rf"(?:{_STRING}|[\w-]++)"
+_PART = rf"(?:{STRING}|[\w-]++)"
 _LONG_KEY = rf"(?P<long_key>(?<![\w\\-]){_PART}(?:[ \t]*+\.[ \t]*+{_PART}){{15}})"
 # Comments and strings are passed over as wholes: what they hold is no key.
-_TOKEN = re.compile(rf"#[^\n]*+|{_LONG_STRING}|{_LONG_KEY}|{_STRING}")
+_TOKEN = re.compile(rf"#[^\n]*+|{LONG_STRING}|{_LONG_KEY}|{STRING}")
 
 
 def file_name(path: object) -> str:
@@ -113,7 +112,7 @@ _KINDS = {
     "scene of advise": ({"motions", "tolerance"},),
     "file of via poses": ({"robot", "via"}, {"robot", "via_file"}),
 }
-"""Files that this program reads, by keys that each must have, in one way or another, and no other has."""
+"""Kinds of files, each with sets of keys: a file of this kind has one of the sets, others have none."""
 
 
 @contextlib.contextmanager
@@ -296,3 +295,47 @@ def choice(value: object, options: Sequence[str], where: str) -> str:
     """One of the options."""
     option(value, options, where)
     return str(value)
+
+
+# Tables as text
+
+
+def toml_text(tables: Mapping[str, Any]) -> str:
+    """Text of tables of texts, numbers, lists and tables; tables without tables in them stand in one line."""
+    return "\n".join(_lines(tables, "")) + "\n"
+
+
+def _lines(table: Mapping[str, Any], path: str) -> Iterator[str]:
+    sections = {key: value for key, value in table.items() if _is_section(value, path)}
+    for key, value in table.items():
+        if key not in sections:
+            yield f"{key} = {_value(value)}"
+    for key, value in sections.items():
+        for each in value if isinstance(value, list) else [value]:
+            name = f"{path}{key}"
+            if (
+                isinstance(value, list)
+                or not each
+                or not all(_is_section(one, name) for one in each.values())
+            ):
+                yield ""
+                yield f"[[{name}]]" if isinstance(value, list) else f"[{name}]"
+            yield from _lines(each, f"{name}.")
+
+
+def _is_section(value: object, path: str) -> bool:
+    if isinstance(value, list):
+        return bool(value) and isinstance(value[0], Mapping)
+    return isinstance(value, Mapping) and (
+        not path or any(isinstance(each, Mapping) for each in value.values())
+    )
+
+
+def _value(value: Any) -> str:
+    if isinstance(value, Mapping):
+        inside = ", ".join(f"{key} = {_value(each)}" for key, each in value.items())
+        return f"{{ {inside} }}" if inside else "{}"
+    if isinstance(value, list | tuple):
+        return f"[{', '.join(map(_value, value))}]"
+    # A text, a truth value and a number look as in JSON.
+    return json.dumps(value, ensure_ascii=False)

@@ -29,7 +29,7 @@ RECORD = ".stewart-sym.json"
 _PREFIX = ".stewart-sym-"
 _TEMPORARY = re.compile(re.escape(_PREFIX) + "[a-z0-9_]{8}")
 _OTHERS = "exists with other content; use --force to overwrite"
-# Within which a temporary file is locked once it is made.
+# A temporary file is locked by the process that made it within this time.
 _UNLOCKED_SECONDS = 60.0
 
 
@@ -121,19 +121,10 @@ def result_folder(
 ) -> Iterator[Path]:
     """Give an empty folder as ``staged_folder`` does, and let no file of others be replaced.
 
-    Parameters
-    ----------
-    directory : where the files go; a record of them is kept there.
-    force : replace files of the same names whoever wrote them, but no input.
-    inputs : files that are never replaced.
-    names : of files that will come, checked before the block as well.
-
-    Raises
-    ------
-    ValueError
-        In one line: a file that is an input, or that another wrote or changed.
-    OSError
-        As ``staged_folder``.
+    directory: where the files go; a record of them is kept there. force: replace files of the same names
+    whoever wrote them, but no input. inputs: files that are never replaced. names: of files that will come,
+    checked before the block as well. Raises ValueError of one line for a file that is an input, or that
+    another wrote or changed, and OSError as ``staged_folder``.
     """
     ours = recorded(directory, RECORD)
     for name in names:
@@ -195,7 +186,8 @@ def must_replace(
     if not os.path.lexists(path):
         return True
     if path.exists() and not path.is_file():
-        raise ValueError(f"{path}: expected a file or nothing, found {_kind(path)}")
+        found = "a folder" if path.is_dir() else "a device or a pipe"
+        raise ValueError(f"{path}: expected a file or nothing, found {found}")
     if content is not None and path.exists() and path.read_bytes() == content:
         return False
     if any(path.exists() and each.exists() and path.samefile(each) for each in inputs):
@@ -203,10 +195,6 @@ def must_replace(
     if not force and digest(path) != ours.get(name, ""):
         raise ValueError(f"{path}: {_OTHERS}")
     return True
-
-
-def _kind(path: Path) -> str:
-    return "a folder" if path.is_dir() else "a device or a pipe"
 
 
 @contextlib.contextmanager

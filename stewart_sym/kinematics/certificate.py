@@ -13,12 +13,12 @@ ball has these lengths, and only one. |d/dtau exp([phi + tau d]x) q| <= |d| |q|,
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from ..io.arguments import instance, leading_shape
 from ..io.array_types import Array, Flags
@@ -29,8 +29,8 @@ from .forward import checked_lengths
 from .inverse import leg_vectors
 from .pose_search import jacobian
 
-Rational = Fraction
-Vector = list[Rational]
+Rationals = NDArray[np.object_]
+"""Arrays of Fractions, with which NumPy computes exactly."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -119,23 +119,31 @@ def _prove(robot: Robot, L: Array, R: Array, t: Array) -> tuple[float, float, fl
     A = _about_inverse(robot, R, t, float(length))
     if A is None:
         return None
-    legs = [_Leg.of(robot, i, L[i], R, t, length) for i in range(6)]
+    legs = _Legs.of(robot, L, R, t, length)
     # Whatever A is, the proof holds if the numbers below do.
-    residual = [leg.g for leg in legs]
-    Y = _norm([_dot(row, residual) for row in A]) + _largest(A, [leg.g_off for leg in legs])
-    defect = [int(i == j) - _dot(A[i], [leg.row[j] for leg in legs]) for i in range(6) for j in range(6)]
-    Z = _norm(defect) + _largest(A, [leg.row_off for leg in legs])
+    Y = _norm(A @ legs.g) + _largest(A, legs.g_off)
+    Z = _norm((_rationals(np.eye(6)) - A @ legs.rows).ravel()) + _largest(A, legs.rows_off)
     if Z >= 1:
         return None
+
+    def holds(radius: Fraction, within: Fraction) -> bool:
+        """Whether the theorem does for a radius, by second derivatives bounded in the ball of another."""
+        arm = legs.q / length
+        # |S| grows by at most sqrt(1 + (|q|/l)^2) r <= (1 + |q|/l) r.
+        second = 1 + arm * arm + (legs.S + (1 + arm) * within) * legs.q / length**2
+        bound = _largest(A, second)
+        return bool(Y + Z * radius + bound * radius * radius / 2 <= radius and Z + bound * radius < 1)
+
     # The ball within which second derivatives are bounded; the smallest that may do is tried.
-    radius = 4 * Y / (1 - Z)
-    radius = max(radius, length * Rational(1, 2**60))
-    bound = _curvature(A, legs, length, radius)
-    if not _holds(Y, Z, bound, radius):
+    ball = max(4 * Y / (1 - Z), length * Fraction(1, 2**60))
+    if not holds(ball, ball):
         return None
-    r = max(Rational(_above(float(2 * Y / (1 - Z)))), Rational(1, 2**1000))
-    proven = r if r <= radius and _holds(Y, Z, bound, r) else radius
-    alone = _alone(A, legs, length, Y, Z, proven)
+    r = max(Fraction(_above(float(2 * Y / (1 - Z)))), Fraction(1, 2**1000))
+    proven = r if r <= ball and holds(r, ball) else ball
+    # The largest of proven, 2 proven, 4 proven, ... in whose ball there is one pose alone.
+    alone = proven
+    while alone < length and holds(2 * alone, 2 * alone):
+        alone = 2 * alone
     return (
         _above(float(proven)),
         _above(float(proven / length)),
@@ -143,42 +151,39 @@ def _prove(robot: Robot, L: Array, R: Array, t: Array) -> tuple[float, float, fl
     )
 
 
-@dataclass(frozen=True)
-class _Leg:
-    """One leg at the pose, exact but for R's own distance from a rotation, which is in the ``_off`` bounds.
+class _Legs(NamedTuple):
+    """The legs at the pose, exact but for R's own distance from a rotation, which is in the ``_off`` bounds.
 
-    g: (|S|^2 - L^2) / 2. row: derivative of g by (dt, l dphi). q, S: bounds of their lengths.
+    g: (|S|^2 - L^2) / 2, (6,). rows: derivative of g by (dt, l dphi), (6, 6). q, S: bounds of their lengths,
+    (6,).
     """
 
-    g: Rational
-    g_off: Rational
-    row: Vector
-    row_off: Rational
-    q: Rational
-    S: Rational
+    g: Rationals
+    g_off: Rationals
+    rows: Rationals
+    rows_off: Rationals
+    q: Rationals
+    S: Rationals
 
     @classmethod
-    def of(cls, robot: Robot, i: int, L: float, R: Array, t: Array, length: Rational) -> _Leg:
-        turn = [_rationals(row) for row in R]
-        p, b = _rationals(robot.p[i]), _rationals(robot.b[i])
-        q = [_dot(row, p) for row in turn]
-        S = [x + y - z for x, y, z in zip(q, _rationals(t), b, strict=True)]
+    def of(cls, robot: Robot, L: Array, R: Array, t: Array, length: Fraction) -> _Legs:
+        turn, p = _rationals(R), _rationals(robot.p)
+        q = p @ turn.T
+        S = q + _rationals(t) - _rationals(robot.b)
         # A rotation lies within |R^T R - E| of R (Frobenius): q is off by at most that share of |p|.
-        columns = list(zip(*turn, strict=True))
-        gram = [_dot(columns[j], columns[k]) - int(j == k) for j in range(3) for k in range(3)]
-        off = _norm(gram) * _norm(p)
-        size_q, size_S = _norm(q) + off, _norm(S) + off
+        off = _norm((turn.T @ turn - _rationals(np.eye(3))).ravel()) * _norms(p)
+        size_q, size_S = _norms(q) + off, _norms(S) + off
         return cls(
-            g=(_dot(S, S) - Rational(L) ** 2) / 2,
+            g=((S * S).sum(axis=-1) - _rationals(L) ** 2) / 2,
             g_off=off * size_S + off * off / 2,
-            row=[*S, *(x / length for x in _cross(q, S))],
-            row_off=off * (1 + (size_q + size_S) / length),
+            rows=np.hstack([S, np.cross(q, S) / length]),
+            rows_off=off * (1 + (size_q + size_S) / length),
             q=size_q,
             S=size_S,
         )
 
 
-def _about_inverse(robot: Robot, R: Array, t: Array, length: float) -> list[Vector] | None:
+def _about_inverse(robot: Robot, R: Array, t: Array, length: float) -> Rationals | None:
     """About the inverse of g' at the pose; None where there is none."""
     with np.errstate(all="ignore"):
         L = leg_vectors(robot, R, t)[2]
@@ -187,66 +192,35 @@ def _about_inverse(robot: Robot, R: Array, t: Array, length: float) -> list[Vect
             A = np.linalg.inv(G)
         except np.linalg.LinAlgError:
             return None
-    return [_rationals(row) for row in A] if np.isfinite(A).all() else None
+    return _rationals(A) if np.isfinite(A).all() else None
 
 
-def _curvature(A: list[Vector], legs: Sequence[_Leg], length: Rational, radius: Rational) -> Rational:
-    """Bound of |A g''| over the ball of a radius."""
-    second = []
-    for leg in legs:
-        arm = leg.q / length
-        speed = 1 + arm * arm
-        # |S| grows by at most sqrt(1 + (|q|/l)^2) r <= (1 + |q|/l) r.
-        second.append(speed + (leg.S + (1 + arm) * radius) * leg.q / length**2)
-    return _largest(A, second)
+def _rationals(values: Array) -> Rationals:
+    found: Rationals = np.vectorize(Fraction, otypes=[object])(values)
+    return found
 
 
-def _holds(Y: Rational, Z: Rational, bound: Rational, r: Rational) -> bool:
-    return Y + Z * r + bound * r * r / 2 <= r and Z + bound * r < 1
-
-
-def _alone(
-    A: list[Vector], legs: Sequence[_Leg], length: Rational, Y: Rational, Z: Rational, proven: Rational
-) -> Rational:
-    """The largest of the radii proven, 2 proven, 4 proven, ... in whose ball there is one pose alone."""
-    radius = proven
-    while radius < length:
-        wider = 2 * radius
-        if not _holds(Y, Z, _curvature(A, legs, length, wider), wider):
-            break
-        radius = wider
-    return radius
-
-
-def _rationals(values: Array) -> Vector:
-    return [Rational(float(x)) for x in values]
-
-
-def _largest(A: list[Vector], off: Vector) -> Rational:
+def _largest(A: Rationals, off: Rationals) -> Fraction:
     """Bound of |A x| over all x whose components are no larger than ``off``."""
-    return _norm([_dot([abs(a) for a in row], off) for row in A])
+    return _norm(abs(A) @ off)
 
 
-def _dot(a: Sequence[Rational], b: Sequence[Rational]) -> Rational:
-    return sum((x * y for x, y in zip(a, b, strict=True)), Rational(0))
+def _norms(vectors: Rationals) -> Rationals:
+    return np.array([_norm(vector) for vector in vectors], dtype=object)
 
 
-def _cross(a: Vector, b: Vector) -> Vector:
-    return [a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3] for i in range(3)]
-
-
-def _norm(values: Vector) -> Rational:
+def _norm(values: Rationals) -> Fraction:
     """No less than the Euclidean norm, and hardly more; rounded to few digits, so that bounds stay short."""
-    square = _dot(values, values)
+    square: Fraction = values @ values
     if square == 0:
-        return Rational(0)
+        return Fraction(0)
     # Powers of four bring the square to where a double has all its digits.
     shift = (square.numerator.bit_length() - square.denominator.bit_length()) // 2
-    scaled = square / Rational(4) ** shift
-    root = Rational(math.sqrt(float(scaled))) * (1 + Rational(1, 2**50))
+    scaled = square / Fraction(4) ** shift
+    root = Fraction(math.sqrt(float(scaled))) * (1 + Fraction(1, 2**50))
     while root * root < scaled:
-        root *= 1 + Rational(1, 2**50)
-    return root * Rational(2) ** shift
+        root *= 1 + Fraction(1, 2**50)
+    return root * Fraction(2) ** shift
 
 
 def _above(value: float) -> float:

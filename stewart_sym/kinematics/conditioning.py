@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..io.arguments import instance, number_in, real_array
+from ..io.arguments import instance, number_in, shaped_array
 from ..io.array_types import Array
 from ..robot.robot import Robot
 
@@ -28,7 +28,7 @@ def condition_number(H: ArrayLike) -> Array:
     ndarray
         Condition numbers, (...).
     """
-    H = _matrices(H)
+    H = shaped_array(H, (6, 6), "H")
     finite = np.all(np.isfinite(H), axis=(-2, -1))
     values = np.linalg.svd(np.where(finite[..., None, None], H, 0.0), compute_uv=False)
     largest, smallest = values[..., 0], values[..., -1]
@@ -63,7 +63,7 @@ def moments_over(H: ArrayLike, length: float) -> Array:
     Raises ValueError naming the argument.
     """
     scale = number_in(length, "length", "a finite length > 0 m")
-    return np.asarray(_matrices(H) / np.array([1.0, 1.0, 1.0, scale, scale, scale])[:, None])
+    return np.asarray(shaped_array(H, (6, 6), "H") / np.array([1.0, 1.0, 1.0, scale, scale, scale])[:, None])
 
 
 def characteristic_length(robot: Robot) -> float:
@@ -81,10 +81,3 @@ def characteristic_length(robot: Robot) -> float:
     """
     instance(robot, Robot, "robot")
     return float(np.sqrt(np.mean(np.sum(robot.p**2, axis=-1))))
-
-
-def _matrices(H: ArrayLike) -> Array:
-    H = real_array(H, "H", "real numbers of shape (..., 6, 6)")
-    if H.shape[-2:] != (6, 6):
-        raise ValueError(f"H: expected shape (..., 6, 6), got {H.shape}")
-    return H

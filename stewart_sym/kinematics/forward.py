@@ -34,7 +34,6 @@ from .offset_legs import without_offsets
 from .pose_search import (
     EPS,
     MOST_STARTS,
-    Found,
     impossible_pairs,
     jacobian,
     nearest_found,
@@ -122,17 +121,19 @@ def forward_kinematics(
     truth(limits, "limits")
     lengths = checked_lengths(L)
     shape = lengths.shape[:-1]
-    if guess is None:
-        flat = lengths.reshape(-1, 6)
-        R, t, residual, iterations, found = _with_offsets(robot, flat) or searched(robot, flat)
-    else:
+    poses = None
+    if guess is not None:
         start = pose_of(guess, "guess", "a pose (R, t) or None")
         shape = leading_shape({"L": shape, "guess": start.shape})
-        flat = np.broadcast_to(lengths, (*shape, 6)).reshape(-1, 6)
         R_0, t_0 = np.broadcast_to(start.R, (*shape, 3, 3)), np.broadcast_to(start.t, (*shape, 3))
-        guess = R_0.reshape(-1, 3, 3), t_0.reshape(-1, 3)
-        poses = _with_offsets(robot, flat, *guess) or nearest_found(robot, flat, *guess)
-        R, t, residual, iterations, found = poses
+        poses = R_0.reshape(-1, 3, 3), t_0.reshape(-1, 3)
+    flat = np.broadcast_to(lengths, (*shape, 6)).reshape(-1, 6)
+    if robot.offsets is not None:
+        # Without a guess, from the poses of legs whose axes meet.
+        ends = newton(robot, flat, *(poses or searched(without_offsets(robot), flat)[:2]))
+    else:
+        ends = searched(robot, flat) if poses is None else nearest_found(robot, flat, *poses)
+    R, t, residual, iterations, found = ends
     status = np.full(len(flat), NOT_CONVERGED)
     status[found] = np.where(_unsettled(robot, R[found], t[found]), SINGULAR, OK)
     if limits:
@@ -148,21 +149,12 @@ def forward_kinematics(
         status.astype(np.int32).reshape(shape),
     )
 
-    def describe() -> tuple[tuple[int, ...], str]:
-        where, others = error_policy.first(result.status)
-        leg_lengths = np.broadcast_to(lengths, (*shape, 6))[where]
-        return where, fault(robot, leg_lengths, int(result.status[where]), guess is not None) + others
+    def reason(at: tuple[int, ...]) -> str:
+        leg_lengths = np.broadcast_to(lengths, (*shape, 6))[at]
+        return fault(robot, leg_lengths, int(result.status[at]), guess is not None)
 
-    error_policy.report(result.status, "L", describe, on_failure, stacklevel=3)
+    error_policy.report(result.status, "L", reason, on_failure, stacklevel=3)
     return result
-
-
-def _with_offsets(robot: Robot, L: Array, *guess: Array) -> Found | None:
-    """Poses of a machine with offset joints, from a guess or from those of legs without; None for others."""
-    if robot.offsets is None:
-        return None
-    R, t = guess or searched(without_offsets(robot), L)[:2]
-    return newton(robot, L, R, t)
 
 
 def fault(robot: Robot, L: Array, status: int, guessed: bool) -> str:
@@ -283,11 +275,7 @@ def _rates(
     status = np.where(unsettled, SINGULAR, np.where(finite, OK, NOT_FINITE))
     solution[status != OK] = np.nan
 
-    def describe() -> tuple[tuple[int, ...], str]:
-        where, others = error_policy.first(status)
-        return where, f"{REASONS[int(status[where])]}{others}"
-
-    error_policy.report(status, name, describe, on_failure, stacklevel=4)
+    error_policy.report(status, name, lambda at: REASONS[int(status[at])], on_failure, stacklevel=4)
     return solution[..., :3], solution[..., 3:]
 
 

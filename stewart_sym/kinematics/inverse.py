@@ -87,21 +87,17 @@ def legs_or_overflow(robot: Robot, motion: Motion) -> LegKinematics:
     instance(robot, Robot, "robot")
     instance(motion, Motion, "motion")
     if robot.offsets is not None:
-        return _offset_legs(robot, motion)
+        moving = checked_motion(robot, motion)
+        seconds = moving.accelerations
+        return LegKinematics(
+            L=moving.at.L[..., 0],
+            L_dot=moving.rates[..., SLIDING],
+            L_ddot=None if seconds is None else seconds[..., SLIDING],
+            s=moving.at.s,
+            S=moving.at.P,
+        )
     found = _compiled_legs(robot, motion) if math.prod(motion.shape) >= BLOCK else None
     return LegKinematics(**(found or _legs(robot, motion, tuple(_SHAPES))))
-
-
-def _offset_legs(robot: Robot, motion: Motion) -> LegKinematics:
-    moving = checked_motion(robot, motion)
-    at, seconds = moving.at, moving.accelerations
-    return LegKinematics(
-        L=at.L[..., 0],
-        L_dot=moving.rates[..., SLIDING],
-        L_ddot=None if seconds is None else seconds[..., SLIDING],
-        s=at.s,
-        S=at.P,
-    )
 
 
 _SHAPES = STRUCTS["legs"]
@@ -259,7 +255,7 @@ def _legs(robot: Robot, motion: Motion, wanted: Sequence[str]) -> dict[str, Any]
 
 
 def _block(robot: Robot, at: dict[str, Array]) -> dict[str, list[Array]]:
-    """The same for n poses, component by component, (6, n); ``at``: components first, (3, n) or (9, n)."""
+    """``_legs`` of n poses, component by component, (6, n); ``at``: components first, (3, n) or (9, n)."""
     R, t = at["R"], at["t"]
     (p_x, p_y, p_z), b = (column[:, None] for column in robot.p.T), robot.b.T[:, :, None]
     q = [R[3 * i] * p_x + R[3 * i + 1] * p_y + R[3 * i + 2] * p_z for i in range(3)]

@@ -1,20 +1,25 @@
-"""Which side of the base the platform is on: against gravity, whatever axes the robot file uses."""
+"""Which side of the base the platform is on: against gravity, whatever axes the robot file uses.
+
+The paper's paths are turned to that side.
+"""
 
 from __future__ import annotations
 
 import warnings
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
 
 from ..io.arguments import instance
 from ..io.array_types import Array
+from ..motion.straight_line import PATHS, PaperPath
 from ..robot.robot import Robot
 from .conditioning import characteristic_length, scaled_condition_number
 from .inverse import leg_vectors, length_rows
 from .offset_legs import without_offsets
 
-# Gravity decides where it pulls along the base's normal with this share of itself or more.
+# Gravity decides on the side if at least this share of it is along the base's normal.
 _DECISIVE = 0.1
 # An axis of the base frame stands for the base points' normal if it is no farther from it than this, rad.
 _LEVEL = np.radians(15.0)
@@ -161,3 +166,16 @@ def _level_scores(robot: Robot, direction: Array) -> tuple[float, float]:
     H = np.swapaxes(length_rows(q, S, L), -1, -2)
     condition = scaled_condition_number(H, characteristic_length(robot) or 1.0)
     return float(np.min(outside)), float(np.min(condition))
+
+
+def path_for(robot: Robot, name: str) -> PaperPath:
+    """Return Path ``name`` of ``PATHS`` with its z to the platform's side of the base.
+
+    That is the side of the home pose that the robot states, else the one against gravity; where neither
+    settles it, z is the base frame's. Of a machine with z up it is the path itself.
+    """
+    path, dtau = PATHS[name]
+    if not platform_side(robot).certain:
+        return PATHS[name]
+    x, y, z = (tuple(row) for row in upright(robot).tolist())
+    return PaperPath(replace(path, axes=(x, y, z)), dtau)

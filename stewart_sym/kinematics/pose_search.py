@@ -30,13 +30,13 @@ _MOST_STEPS = 100
 _FIRST_DAMPING, _LEAST_DAMPING, _MOST_DAMPING = 1e-6, 1e-14, 1e3
 # Turns about the base's normal, rad, from which the search starts when the first two poses were no good.
 _MORE_TURNS = (0.5, -0.5, 1.0, -1.0)
-# Most of a short step: rad, and share of the longest leg.
+# Limit of a short step: rad, and share of the longest leg.
 _SHORT = 0.1
 # Starts after which the search is given up: without a guess, and about one.
 MOST_STARTS, _MOST_ABOUT = 100, 20
-# Lengths whose starts are tried all at once.
+# So many sets of lengths are tried from all starts at once, which bounds memory.
 _AT_ONCE = 64
-# Share of the platform's size by which lengths all but met are missed.
+# Lengths that are met within this share of the platform's size count as almost met.
 _ALMOST = 1e-6
 
 

@@ -1,9 +1,10 @@
-"""Rows of a log that no motion makes: samples that are off for a few rows, and steps that stay.
+"""Rows of a log that no motion makes, and rows that repeat or interpolate those of a slower sensor.
 
-Blocks of samples, of several lengths, are fitted by polynomials. Where one offset explains what these
-leave, and no jump of a velocity, an acceleration or a jerk does nearly as well, it is a fault of the log.
+For the former, blocks of samples, of several lengths, are fitted by polynomials. Where one offset explains
+what these leave, and no jump of a velocity, an acceleration or a jerk does nearly as well, it is a fault.
 """
 
+import itertools
 from collections.abc import Iterator
 from typing import NamedTuple
 
@@ -12,18 +13,19 @@ from numpy.typing import NDArray
 
 from ..io.array_types import Array
 from ..io.instants import elapsed
+from .interpolation import quintic, values
 
 # Lengths of blocks, samples, and the degrees of their polynomials.
 _BLOCKS = ((8, 3), (16, 5), (32, 5), (64, 5), (128, 5))
 # Rows that are off by the same amount before the numbers are right again.
 _LONGEST = 4
-# An offset explains squares of so many variances of the noise, and so many times what it leaves.
+# An offset is sure if it lowers the squares by so many variances of the noise and times what is left.
 _SURE, _MOST_LEFT = 100.0, 6.0
-# What jumps of derivatives leave is more than this many times what the offset leaves, and so many variances.
+# A jump of a derivative explains the rows as well unless it leaves so many times more, and so many variances.
 _BETTER, _BETTER_BY = 4.0, 40.0
 # Second differences of the motion that an offset exceeds.
 _BENDS = 0.5
-# Part of an offset that a polynomial must leave for it to be seen.
+# An offset is seen only if the polynomial cannot follow at least this part of it.
 _LEAST_SEEN = 0.02
 # Numbers are read to this share of the largest.
 _DIGITS = 1e-13
@@ -190,3 +192,76 @@ def _jump_gains(t: Array, B: Array, r: Array) -> Array:
         gain = np.where(seen[..., None], product**2 / np.where(seen, norm, 1.0)[..., None], 0.0)
         best = np.maximum(best, gain.max(axis=1))
     return best
+
+
+# Rows of a slower sensor
+
+Rows = NDArray[np.int64]
+
+# Rows that must have been measured for their distances to tell.
+_FEWEST = 12
+# Share of the distances between measured rows that are alike, to one row.
+_REGULAR = 0.9
+# Changes at measured rows are this many steps of rounding or more.
+_STEPS = 4.0
+_SAME_DIGITS = 1e-12
+
+
+class Sampling(NamedTuple):
+    """Which rows of a log were measured, (m,), and how the others came about, in words."""
+
+    rows: Rows
+    kind: str
+
+
+def slower_sampling(values: Array, steps: Array) -> Sampling | None:
+    """Return which rows of columns (n, c), rounded to steps, (c,), were measured; None for all of them.
+
+    Held values change all at once and every few rows; interpolated ones bend so. Where nothing moves, rows
+    at the same distance stand for those that can't be distinguished.
+    """
+    rounding = (
+        np.maximum(steps, _SAME_DIGITS * np.abs(values).max(axis=0, initial=0.0)) + np.finfo(float).tiny
+    )
+    change = np.abs(np.diff(values, axis=0)) / rounding
+    repeated = _regular(np.max(change, axis=1, initial=0.0), 0.0, len(values), 1)
+    if repeated is not None:
+        return Sampling(repeated, "held")
+    bend = np.abs(np.diff(values, n=2, axis=0)) / rounding
+    bent = _regular(np.max(bend, axis=1, initial=0.0), 2.5, len(values), 1)
+    return None if bent is None else Sampling(bent, "interpolated linearly")
+
+
+def _regular(size: Array, quiet: float, count: int, offset: int) -> Rows | None:
+    """Rows, from entries of size above ``quiet``, that lie a few rows apart; None if they don't."""
+    rows = np.flatnonzero(size > quiet)
+    gaps = np.diff(rows)
+    if len(rows) < _FEWEST or np.median(size[rows]) < _STEPS:
+        return None
+    usual = float(np.median(gaps))
+    moving = gaps[gaps < 4.0 * usual]
+    # A row at which a number happens not to change makes one distance of two.
+    alike = np.abs(moving / np.maximum(np.rint(moving / usual), 1.0) - usual) <= 1.0
+    if usual < 2.0 or np.mean(alike) < _REGULAR or np.min(gaps) < 0.5 * usual:
+        return None
+    every = max(2, round(usual))
+    seen = rows + offset
+    missing = [np.arange(a + every, b - every // 2, every) for a, b in itertools.pairwise(seen)]
+    before, after = np.arange(seen[0] - every, -1, -every), np.arange(seen[-1] + every, count, every)
+    return np.unique(np.concatenate([before, seen, after, *missing]))
+
+
+def spread(time: Array, rows: Rows, found: Array) -> Array:
+    """Values, rates and second rates, (3, m, c), at some rows of n times as such at all of them, (3, n, c).
+
+    Polynomials of degree 5 between the rows; before and after them the acceleration stays.
+    """
+    time = elapsed(time)
+    at = time[rows]
+    i = np.clip(np.searchsorted(at, time, side="right") - 1, 0, len(rows) - 2)
+    h, since = (at[i + 1] - at[i])[:, None], (time - at[i])[:, None]
+    between = np.stack(values(quintic(h, tuple(found[:, i]), tuple(found[:, i + 1])), since / h, h))
+    for outside, end in ((time < at[0], 0), (time > at[-1], -1)):
+        since, (x, v, a) = (time[outside] - at[end])[:, None], found[:, end]
+        between[:, outside] = x + since * (v + 0.5 * since * a), v + since * a, a + 0.0 * since
+    return between

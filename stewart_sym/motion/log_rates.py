@@ -11,13 +11,12 @@ import numpy as np
 from ..io.array_types import Array, Flags
 from ..io.extras import needed_for
 from ..io.instants import elapsed, least_step, lost, time_text
-from .log_faults import Fault, faults, offsets
-from .log_sampling import slower_sampling, spread
+from .log_faults import Fault, faults, offsets, slower_sampling, spread
 from .motion import Motion
 from .noise_level import LEAST_SAMPLES, Level, LogWarning, decided_noise, noise_level, stated
 from .rotation import rpy_from_rotation
 from .smoothing import PAIRS, check_cutoff, smoothed
-from .trajectory import POSE, Log, Trajectory, Uncertainty, changed_instants, replaced_rows, rows_text
+from .trajectory import POSE, Log, Replaced, Trajectory, Uncertainty
 
 _MIN_SPLINE_POINTS = 4
 # What needs SciPy, and what helps without.
@@ -101,9 +100,9 @@ def _replaced(log: Log, values: Array, steps: Array) -> tuple[Array, Uncertainty
     good = values - offsets(bad, values.shape)
     found, noise = _derivatives(log, good, _level(log, noise_level(log.time, good, steps)))
     changed = found - _derivatives(log, values, level, tell=False)[0]
-    near = changed_instants(changed)
+    near = _changed_instants(changed)
     return found, _with_changes(log.time, found, noise, changed, near)._replace(
-        replaced=replaced_rows(log, bad, near)
+        replaced=_replaced_rows(log, bad, near)
     )
 
 
@@ -341,7 +340,7 @@ def _tell_faults(log: Log, found: Sequence[Fault]) -> None:
     lines = []
     for (first, end), texts in itertools.islice(by_rows.items(), _MOST_NAMED):
         when = time_text(log.time[first], least_step(log.time))
-        lines.append(f"{rows_text(log, first, end)} ({when} s): {', '.join(texts)}")
+        lines.append(f"{_rows_text(log, first, end)} ({when} s): {', '.join(texts)}")
     more = len(by_rows) - len(lines)
     ending = f"; and {more} more" if more > 0 else ""
     done = "replaced, and deviations there hold what this changes" if log.smoothing.on else "left as they are"
@@ -353,20 +352,53 @@ def _tell_faults(log: Log, found: Sequence[Fault]) -> None:
     )
 
 
+# Share of the largest change of a second rate beyond which one counts.
+_CHANGED = 0.02
+
+
+def _changed_instants(changed: Array) -> Flags:
+    """Instants, (n,), at which changes of coordinates and rates, (3, n, 6), count."""
+    size = np.abs(changed[2])
+    return np.asarray((size > _CHANGED * size.max(axis=0)).any(axis=1))
+
+
+def _replaced_rows(log: Log, bad: Sequence[Fault], near: Flags) -> tuple[Replaced, ...]:
+    """Spans of instants at which replaced rows count, with the faults that are nearest to each."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], near, [False]]).astype(np.int8)))
+    rows = list(dict.fromkeys((fault.first, fault.end) for fault in bad))
+    first = np.array([start for start, _ in rows])
+    names = [
+        f"the step at row {log.rows[start]}" if end is None else _rows_text(log, start, end)
+        for start, end in rows
+    ]
+    found, last = [], len(log.time) - 1
+    for a, b in edges.reshape(-1, 2):
+        apart = np.maximum(np.maximum(a - first, first - b + 1), 0)
+        nearest = tuple(name for name, away in zip(names, apart, strict=True) if away == apart.min())
+        ends = float(log.time[max(a - 1, 0)]), float(log.time[min(b, last)])
+        found.append(Replaced(*ends, nearest))
+    return tuple(found)
+
+
+def _rows_text(log: Log, first: int, end: int | None) -> str:
+    """Rows of a fault, ``end`` None: to the log's end."""
+    last = len(log.rows) if end is None else min(end, len(log.rows))
+    rows = f"row {log.rows[first]}"
+    if last - first > 1:
+        rows += " on" if last == len(log.rows) else f" to {log.rows[last - 1]}"
+    return rows
+
+
 def _spline(since: Array, values: Array, source: str) -> Callable[..., Array]:
     if len(since) < _MIN_SPLINE_POINTS:
         raise ValueError(
             f"{source}: expected at least {_MIN_SPLINE_POINTS} rows to fit a spline, got {len(since)}; "
             "add rows, or columns with velocities and accelerations"
         )
-    degree = 5 if len(since) > 5 else 3
-    try:
-        return _spline_maker()(since, values, k=degree)
-    except (ValueError, np.linalg.LinAlgError) as error:
-        raise ValueError(f"{source}: no spline fits these times: {' '.join(str(error).split())}") from None
-
-
-def _spline_maker() -> Callable[..., Callable[..., Array]]:
     with needed_for(*SPLINE):
         from scipy.interpolate import make_interp_spline
-    return make_interp_spline  # type: ignore[no-any-return]
+    try:
+        found: Callable[..., Array] = make_interp_spline(since, values, k=5 if len(since) > 5 else 3)
+        return found
+    except (ValueError, np.linalg.LinAlgError) as error:
+        raise ValueError(f"{source}: no spline fits these times: {' '.join(str(error).split())}") from None

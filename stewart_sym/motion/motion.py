@@ -14,27 +14,14 @@ from ..io.array_types import Array
 from ..io.frozen import Frozen, read_only
 from .rotation import (
     angular_acceleration_from_quaternion,
-    angular_acceleration_from_rpy,
     angular_motion_from_vector,
     angular_velocity_from_quaternion,
-    angular_velocity_from_rpy,
     cross,
     orthonormal,
     rotation_from_quaternion,
-    rotation_from_rpy,
     rotation_from_vector,
-    rpy_from_rotation,
     rpy_motion,
 )
-
-__all__ = [
-    "Motion",
-    "angular_acceleration_from_rpy",
-    "angular_velocity_from_rpy",
-    "rotation_from_rpy",
-    "rpy_from_rotation",
-]
-
 
 ROTATION_TOLERANCE = 1e-9
 FLOAT_TOLERANCE = 16.0 * float(np.finfo(np.float32).eps)
@@ -255,7 +242,8 @@ class Motion(Frozen):
         turns = _turns((4,), {"e": e, "e_dot": e_dot, "e_ddot": e_ddot}, a)
         alpha = None if a is None else angular_acceleration_from_quaternion(*turns)
         omega = angular_velocity_from_quaternion(*turns[:2])
-        return cls._turned(rotation_from_quaternion(turns[0]), omega, alpha, t, v, a, F_ext, M_ext)
+        R = rotation_from_quaternion(turns[0])
+        return cls(R, t, omega, v, alpha, a, F_ext, M_ext)  # type: ignore[arg-type]
 
     @classmethod
     def from_rotation_vector(
@@ -278,25 +266,8 @@ class Motion(Frozen):
         second = np.zeros(3) if a is None else turns[2]
         omega, alpha = angular_motion_from_vector(turns[0], turns[1], second)
         R = rotation_from_vector(turns[0])
-        return cls._turned(R, omega, None if a is None else alpha, t, v, a, F_ext, M_ext)
-
-    @classmethod
-    def _turned(
-        cls,
-        R: Array,
-        omega: Array,
-        alpha: Array | None,
-        t: ArrayLike,
-        v: ArrayLike,
-        a: ArrayLike | None,
-        F_ext: ArrayLike | None,
-        M_ext: ArrayLike | None,
-    ) -> Motion:
-        given = {"t": t, "v": v, "a": a, "F_ext": F_ext, "M_ext": M_ext}
-        checked = {
-            name: None if value is None else finite_array(value, (3,), name) for name, value in given.items()
-        }
-        return cls(R=R, omega=omega, alpha=alpha, **checked)  # type: ignore[arg-type]
+        second_rate = None if a is None else alpha
+        return cls(R, t, omega, v, second_rate, a, F_ext, M_ext)  # type: ignore[arg-type]
 
 
 def at_rest(

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.polynomial import polynomial
 from numpy.typing import ArrayLike
 
-from ..io.arguments import real_array
+from ..io.arguments import shaped_array
 from ..io.array_types import Array
 
 _Trig = tuple[Array, Array, Array, Array, Array, Array]
@@ -30,7 +30,7 @@ def rotation_from_rpy(theta: ArrayLike) -> Array:
 
     theta: rad, (..., 3).  Result: (..., 3, 3).
     """
-    theta = _angles(theta, "theta")
+    theta = shaped_array(theta, (3,), "theta")
     R = np.empty((*theta.shape, 3))
     _set_rotation(_trig(theta), R)
     return R
@@ -61,7 +61,7 @@ def rotation_about_axes(theta: ArrayLike, order: str) -> Array:
 
     theta: (theta_x, theta_y, theta_z), rad, (..., 3), whatever the order.  Result: (..., 3, 3).
     """
-    theta = _angles(theta, "theta")
+    theta = shaped_array(theta, (3,), "theta")
     R = np.eye(3)
     for axis in order:
         i = "xyz".index(axis)
@@ -75,7 +75,7 @@ def rpy_from_rotation(R: ArrayLike) -> Array:
     R: rotations, (..., 3, 3).  Result: rad, (..., 3).  theta_x is read off Rz^T R, so the angles give R back
     to rounding through theta_y = +-pi/2 too, where only theta_x -+ theta_z is determined.
     """
-    R = _rotations(R)
+    R = shaped_array(R, (3, 3), "R")
     theta = np.empty(R.shape[:-1])
     theta[..., 2] = np.arctan2(R[..., 1, 0], R[..., 0, 0])
     s, c = np.sin(theta[..., 2]), np.cos(theta[..., 2])
@@ -90,7 +90,7 @@ def angular_velocity_from_rpy(theta: ArrayLike, theta_dot: ArrayLike) -> Array:
     The three turns of (38) happen about e_x = Rz Ry x, e_y = Rz y and e_z = z, seen from the base, and
     angular velocities about moving axes add up:  omega = e_x theta_x' + e_y theta_y' + e_z theta_z'.
     """
-    theta, theta_dot = _angles(theta, "theta"), _angles(theta_dot, "theta_dot")
+    theta, theta_dot = shaped_array(theta, (3,), "theta"), shaped_array(theta_dot, (3,), "theta_dot")
     return _rows(_on_axes(_trig(theta), *_split(theta_dot)))
 
 
@@ -101,8 +101,8 @@ def angular_acceleration_from_rpy(theta: ArrayLike, theta_dot: ArrayLike, theta_
     e_z' = 0,  e_y' = (e_z theta_z') x e_y,  e_x' = (e_z theta_z' + e_y theta_y') x e_x.  Hence
     alpha = sum e_j theta_j'' + e_x' theta_x' + e_y' theta_y'.
     """
-    theta, theta_dot = _angles(theta, "theta"), _angles(theta_dot, "theta_dot")
-    theta_ddot = _angles(theta_ddot, "theta_ddot")
+    theta, theta_dot = shaped_array(theta, (3,), "theta"), shaped_array(theta_dot, (3,), "theta_dot")
+    theta_ddot = shaped_array(theta_ddot, (3,), "theta_ddot")
     return _rows(_acceleration(_trig(theta), _split(theta_dot), _split(theta_ddot)))
 
 
@@ -111,7 +111,7 @@ def rotation_from_vector(phi: ArrayLike) -> Array:
 
     phi: rad, (..., 3).  Result: (..., 3, 3).
     """
-    phi = _angles(phi, "phi")
+    phi = shaped_array(phi, (3,), "phi")
     half = 0.5 * np.linalg.norm(phi, axis=-1)[..., None, None]
     N = cross_matrix(phi)
     # sin(x)/x in both terms of Rodrigues' formula, as nothing cancels in it.
@@ -175,7 +175,7 @@ def quaternion_from_rotation(R: ArrayLike) -> Array:
 
     The largest eigenvector of a symmetric matrix linear in R: good to rounding at every rotation.
     """
-    R = _rotations(R)
+    R = shaped_array(R, (3, 3), "R")
     skew = np.stack(
         [R[..., 2, 1] - R[..., 1, 2], R[..., 0, 2] - R[..., 2, 0], R[..., 1, 0] - R[..., 0, 1]], axis=-1
     )
@@ -194,7 +194,7 @@ def vector_rate(phi: ArrayLike, omega: ArrayLike) -> Array:
     phi' = omega - phi x omega / 2 + c phi x (phi x omega),  c = (1 - (|phi|/2) cot(|phi|/2)) / |phi|^2;
     needs |phi| < 2 pi.
     """
-    phi, omega = _angles(phi, "phi"), _angles(omega, "omega")
+    phi, omega = shaped_array(phi, (3,), "phi"), shaped_array(omega, (3,), "omega")
     square = np.sum(phi * phi, axis=-1, keepdims=True)
     half = 0.5 * np.sqrt(square)
     # Below 0.05 rad the two terms of c cancel; its series is then good to 1e-17.
@@ -214,8 +214,8 @@ def angular_motion_from_vector(
     omega = phi' + a phi x phi' + b phi x (phi x phi'),  a = (1 - cos |phi|) / |phi|^2,
     b = (|phi| - sin |phi|) / |phi|^3; alpha is its time derivative.
     """
-    phi, phi_dot = _angles(phi, "phi"), _angles(phi_dot, "phi_dot")
-    phi_ddot = _angles(phi_ddot, "phi_ddot")
+    phi, phi_dot = shaped_array(phi, (3,), "phi"), shaped_array(phi_dot, (3,), "phi_dot")
+    phi_ddot = shaped_array(phi_ddot, (3,), "phi_ddot")
     a, b, _, _ = _vector_factors(phi)
     once = cross(phi, phi_dot)
     omega = phi_dot + a * once + b * cross(phi, once)
@@ -229,7 +229,7 @@ def vector_second_rate(phi: ArrayLike, omega: ArrayLike, alpha: ArrayLike) -> Ar
 
     Needs |phi| < 2 pi.
     """
-    phi, alpha = _angles(phi, "phi"), _angles(alpha, "alpha")
+    phi, alpha = shaped_array(phi, (3,), "phi"), shaped_array(alpha, (3,), "alpha")
     return vector_rate(phi, alpha - _turning(phi, vector_rate(phi, omega)))
 
 
@@ -297,9 +297,7 @@ def _shares(e: Array, *rates: Array) -> list[Array]:
 
 
 def _quaternions(value: ArrayLike, name: str) -> Array:
-    numbers = real_array(value, name, "real numbers of shape (..., 4)")
-    if numbers.shape[-1:] != (4,):
-        raise ValueError(f"{name}: expected shape (..., 4), got {numbers.shape}")
+    numbers = shaped_array(value, (4,), name)
     if name == "e" and not np.all(np.any(numbers != 0.0, axis=-1)):
         raise ValueError("e: expected a quaternion of a length other than zero")
     return numbers
@@ -352,15 +350,40 @@ def _split(vector: Array) -> tuple[Array, Array, Array]:
     return vector[..., 0], vector[..., 1], vector[..., 2]
 
 
-def _rotations(R: ArrayLike) -> Array:
-    R = real_array(R, "R", "real numbers of shape (..., 3, 3)")
-    if R.shape[-2:] != (3, 3):
-        raise ValueError(f"R: expected shape (..., 3, 3), got {R.shape}")
-    return R
+# Of one state in plain numbers, without NumPy's cost of a call: integrations need a dozen of them per step.
 
 
-def _angles(value: ArrayLike, name: str) -> Array:
-    angles = real_array(value, name, "real numbers of shape (..., 3)")
-    if angles.shape[-1:] != (3,):
-        raise ValueError(f"{name}: expected shape (..., 3), got {angles.shape}")
-    return angles
+def turned_by(phi: Array, center: Array) -> Array:
+    """Return exp([phi]x) R of one rotation vector, rad, (3,), and one rotation, (3, 3)."""
+    x, y, z = phi.tolist()
+    angle = math.hypot(x, y, z)
+    half = 0.5 * angle
+    first = math.sin(angle) / angle if angle > 0.0 else 1.0
+    second = 0.5 * (math.sin(half) / half) ** 2 if half > 0.0 else 0.5
+    a, b, c = second * x * y, second * x * z, second * y * z
+    turn = np.array(
+        (
+            (1.0 - second * (y * y + z * z), a - first * z, b + first * y),
+            (a + first * z, 1.0 - second * (x * x + z * z), c - first * x),
+            (b - first * y, c + first * x, 1.0 - second * (x * x + y * y)),
+        )
+    )
+    return np.asarray(turn @ center)
+
+
+def one_vector_rate(phi: Array, omega: Array) -> tuple[float, float, float]:
+    """Return ``vector_rate`` of one state; phi, rad, and omega, rad/s, base axes, (3,)."""
+    x, y, z = phi.tolist()
+    u, v, w = omega.tolist()
+    square = x * x + y * y + z * z
+    half = 0.5 * math.sqrt(square)
+    if half < 0.025:
+        c = (1.0 + square / 60.0 * (1.0 + square / 42.0 * (1.0 + square / 40.0))) / 12.0
+    else:
+        c = (1.0 - half / math.tan(half)) / square
+    i, j, k = y * w - z * v, z * u - x * w, x * v - y * u
+    return (
+        u - 0.5 * i + c * (y * k - z * j),
+        v - 0.5 * j + c * (z * i - x * k),
+        w - 0.5 * k + c * (x * j - y * i),
+    )

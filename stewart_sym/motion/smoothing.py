@@ -28,9 +28,9 @@ from .interpolation import DEGREE, along, b_splines, dense, places
 from .noise_level import SEEN, Level, noise_level, stated
 
 ORDERS = (3, 4, 6, 8)
-"""Orders of the differences that the penalty may be of: from jerks that jump to band-limited motion."""
+"""Orders of differences in the penalty: low ones suit motions with jumps of jerk, high ones smooth ones."""
 CUTOFF_ORDER = 6
-"""Of a given cut-off: with lower orders what is lost of the motion at both ends is beyond the deviations."""
+"""Order for a given cut-off: lower ones distort both ends of a motion by more than the stated deviations."""
 WINDOW = 96
 """Knot intervals of a window."""
 _FEWEST_CELLS = 24
@@ -38,17 +38,17 @@ _FEWEST_CELLS = 24
 _TRIAL_WINDOWS = 8
 # Resolution is limited by the penalty where it leaves less than this share of the coefficients free.
 _FREE = 1.0 / 3.0
-# Of a penalty of weight 1: periods of eight knot intervals are halved.
+# A penalty of weight 1 halves the amplitude of motions with a period of eight knot intervals.
 _EDGE = 2.0 * math.sin(math.pi / 8.0)
 _WEIGHTS = 10.0 ** np.linspace(-9.0, 12.0, 127)
 PAIRS = ((0, 0), (1, 0), (1, 1), (2, 0), (2, 1), (2, 2))
-"""Of value, rate and second rate in a covariance."""
+"""Entries of a covariance: pairs of value, 0, rate, 1, and second rate, 2."""
 _CHUNK = 1 << 16
-# A step that many times as long as nine of ten parts a series, where each part keeps that many samples.
+# A step this many times as long as nine of ten splits a series, if both parts keep this many samples.
 _GAP, _FEWEST_SAMPLES = 8.0, 6
-# Least penalty, of weight 1, of a curve that bends once in the longest step: below, rounding would bend it.
+# Least penalty of weight 1 of a curve that bends once in the longest step: with less, rounding bends it.
 _LEAST_BENT = 1e-6
-# Even to rounding: times off a whole number of intervals by less than this share of one.
+# Times are even if they are off multiples of the mean interval by less than this share of it.
 _UNEVEN = 1e-6
 
 
@@ -129,16 +129,9 @@ def smoothed(time: Array, columns: Array, level: Level | None, cutoff: float | N
     parts = [_part(time[i:j], columns[i:j], level, cutoff) for i, j in itertools.pairwise(ends)]
     if len(parts) == 1:
         return parts[0]
-    values, rates, second_rates, sigma, grid, covariance = zip(*parts, strict=True)
     shares = np.diff(ends)[:, None] / len(time)
-    return Smooth(
-        np.concatenate(values),
-        np.concatenate(rates),
-        np.concatenate(second_rates),
-        np.sqrt(np.sum(shares * np.square(sigma), axis=0)),
-        np.concatenate(grid),
-        np.concatenate(covariance),
-    )
+    sigma = np.sqrt(np.sum(shares * np.square([part.sigma for part in parts]), axis=0))
+    return Smooth(*(np.concatenate(each) for each in zip(*parts, strict=True)))._replace(sigma=sigma)
 
 
 def _breaks(time: Array) -> list[int]:
@@ -156,7 +149,9 @@ def _part(time: Array, columns: Array, level: Level | None, cutoff: float | None
     clock = _Clock.of(time)
     ones = np.ones(columns.shape[1])
     if cutoff is not None:
-        knots, orders = _knots_of_cutoff(time, clock, cutoff), np.full(len(ones), CUTOFF_ORDER)
+        check_cutoff(time, cutoff)
+        knots = _Knots.of(clock, 8.0 * cutoff * clock.unit * float(clock.since[-1]))
+        orders = np.full(len(ones), CUTOFF_ORDER)
         turns = cutoff * clock.unit * knots.step
         weight = float(np.sinc(turns) ** (2 * DEGREE + 2))
         weight *= (_EDGE / (2.0 * math.sin(math.pi * turns))) ** (2 * CUTOFF_ORDER)
@@ -260,11 +255,6 @@ def check_cutoff(time: Array, cutoff: float) -> None:
         )
 
 
-def _knots_of_cutoff(time: Array, clock: _Clock, cutoff: float) -> _Knots:
-    check_cutoff(time, cutoff)
-    return _Knots.of(clock, 8.0 * cutoff * clock.unit * float(clock.since[-1]))
-
-
 def _orders(since: Array, step: float) -> list[int]:
     """The orders whose penalty holds a curve in the longest gap between samples, in knots ``step`` apart."""
     bend = 2.0 * math.sin(min(1.0, step / float(np.diff(since).max())) * math.pi / 2.0) / _EDGE
@@ -307,7 +297,7 @@ def _resolve(clock: _Clock, values: Array, sigma: Array) -> tuple[_Knots, NDArra
 
 @dataclass(frozen=True, eq=False)
 class _Modes:
-    """What samples and a penalty of weight 1 make of the coefficients of a window.
+    """Modes of the coefficients of a window, in which samples and a penalty of weight 1 are diagonal.
 
     M: normal equations, (p, p); inverse: of their Cholesky factor. X: the coefficients of each mode in its
     columns, X^T M X = 1; rho: the penalty's share of a mode, (p, 1), from 0 for polynomials.
@@ -322,8 +312,10 @@ class _Modes:
 @functools.lru_cache(maxsize=16)
 def _modes(samples: bytes, size: int, order: int, density: float) -> _Modes:
     """Modes by the bytes of G = B^T B."""
-    regular, P = _penalty(size, order, density)
-    M = np.frombuffer(samples).reshape(size, size) + regular
+    rough = np.diff(np.eye(size), order, axis=0)
+    P = density / _EDGE ** (2 * order) * rough.T @ rough
+    # What is added to the penalty keeps a gap in the log regular.
+    M = np.frombuffer(samples).reshape(size, size) + (P + 1e-12 * density * np.eye(size))
     inverse = np.linalg.inv(np.linalg.cholesky(M))
     rho, V = np.linalg.eigh(inverse @ P @ inverse.T)
     rho = np.clip(rho, 0.0, 1.0)[:, None]
@@ -355,7 +347,7 @@ class _Fit(NamedTuple):
 
 
 class _Window(NamedTuple):
-    """Samples in a window as the spline's coefficients see them; B: the B-splines at the samples.
+    """Normal equations of the samples in a window, with B the B-splines at the samples.
 
     G = B^T B, (p, p). pilot: coefficients of a fit, (p, c); what differs from it is as small as the noise, so
     nothing cancels. rest: B^T times its residuals, (p, c). residual, spread: sums of squares, (c,), of the
@@ -447,13 +439,6 @@ class _Window(NamedTuple):
             free=np.sum(gamma / A, axis=0),
             noise=(noise.sum(axis=0), np.count_nonzero(idle, axis=0).astype(np.float64)),
         )
-
-
-def _penalty(size: int, order: int, density: float) -> tuple[Array, Array]:
-    """The penalty of weight 1, (size, size), with what keeps a gap in the log regular, and without."""
-    rough = np.diff(np.eye(size), order, axis=0)
-    P = density / _EDGE ** (2 * order) * rough.T @ rough
-    return P + 1e-12 * density * np.eye(size), P
 
 
 def _smoothed(

@@ -12,9 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..io.arguments import instance
-from ..io.array_types import Array, Flags
+from ..io.array_types import Array
 from ..io.tables import number
-from .log_faults import Fault
 from .logs import ANGLE_UNITS, LENGTH_UNITS, LogFormat
 from .motion import Motion
 from .noise_level import rounding_step
@@ -112,9 +111,7 @@ class Trajectory(NamedTuple):
 
     def at(self, index: slice | NDArray[np.int64]) -> Motion:
         """The motion at some of the instants."""
-        m = self.motion
-        arrays = (m.R, m.t, m.omega, m.v, m.alpha, m.a, m.F_ext, m.M_ext)
-        return Motion.unchecked(*(None if x is None else x[index] for x in arrays))  # type: ignore[arg-type]
+        return self.motion[index]
 
 
 class PoseLog(NamedTuple):
@@ -138,11 +135,10 @@ class PoseLog(NamedTuple):
 
     def at(self, index: slice | NDArray[np.int64]) -> Motion:
         """The motion at some of the instants; ValueError of one line that names file and row."""
-        numbers = pose_arguments(self.coordinates[:, index]) | {
-            name: load[index]
-            for name, load in (("F_ext", self.F_ext), ("M_ext", self.M_ext))
-            if load is not None
-        }
+        numbers = pose_arguments(self.coordinates[:, index])
+        for name, load in (("F_ext", self.F_ext), ("M_ext", self.M_ext)):
+            if load is not None:
+                numbers[name] = load[index]
         try:
             motion = Motion.from_rpy(**numbers)
         except ValueError as error:
@@ -270,40 +266,3 @@ def _first_bad_row(numbers: Mapping[str, Array], rows: NDArray[np.int64]) -> str
         except ValueError:
             return f"row {row}: "
     return ""
-
-
-# Share of the largest change of a second rate beyond which one counts.
-_CHANGED = 0.02
-
-
-def changed_instants(changed: Array) -> Flags:
-    """Instants, (n,), at which changes of coordinates and rates, (3, n, 6), count."""
-    size = np.abs(changed[2])
-    return np.asarray((size > _CHANGED * size.max(axis=0)).any(axis=1))
-
-
-def replaced_rows(log: Log, bad: Sequence[Fault], near: Flags) -> tuple[Replaced, ...]:
-    """Spans of instants at which replaced rows count, with the faults that are nearest to each."""
-    edges = np.flatnonzero(np.diff(np.concatenate([[False], near, [False]]).astype(np.int8)))
-    rows = list(dict.fromkeys((fault.first, fault.end) for fault in bad))
-    first = np.array([start for start, _ in rows])
-    names = [
-        f"the step at row {log.rows[start]}" if end is None else rows_text(log, start, end)
-        for start, end in rows
-    ]
-    found, last = [], len(log.time) - 1
-    for a, b in edges.reshape(-1, 2):
-        apart = np.maximum(np.maximum(a - first, first - b + 1), 0)
-        nearest = tuple(name for name, away in zip(names, apart, strict=True) if away == apart.min())
-        ends = float(log.time[max(a - 1, 0)]), float(log.time[min(b, last)])
-        found.append(Replaced(*ends, nearest))
-    return tuple(found)
-
-
-def rows_text(log: Log, first: int, end: int | None) -> str:
-    """Rows of a fault, ``end`` None: to the log's end."""
-    last = len(log.rows) if end is None else min(end, len(log.rows))
-    rows = f"row {log.rows[first]}"
-    if last - first > 1:
-        rows += " on" if last == len(log.rows) else f" to {log.rows[last - 1]}"
-    return rows

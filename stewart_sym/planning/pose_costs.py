@@ -13,10 +13,9 @@ import numpy as np
 from ..design.pose_limits import PoseLimits
 from ..io.array_types import Array
 from ..io.frozen import Frozen
-from ..kinematics.clearance import PAIRS, joined, nearest_shares
+from ..kinematics.clearance import PAIRS, joined, nearest_shares, neutral_directions
 from ..kinematics.conditioning import characteristic_length
 from ..kinematics.inverse import leg_vectors
-from ..kinematics.joint_angles import neutral_directions
 from ..motion.rotation import cross
 from ..robot.robot import Robot
 

@@ -105,7 +105,10 @@ def _by_shape(
         length, volume = float(size[0]), float(size[0] * size[1] * size[2])
         tensor = np.diag(size @ size - size**2) / 12.0
     else:
-        length, volume, tensor = _cylinder(table, prefix, metres, _axis(table, prefix, along))
+        # Of a leg's part along x, of the platform's along z unless an axis is given.
+        own = (0.0, 0.0, 1.0) if along is None else (1.0, 0.0, 0.0)
+        axis = direction(table.get("axis", own), f"{prefix}axis")
+        length, volume, tensor = _cylinder(table, prefix, metres, axis)
     mass = _mass(table, prefix, volume)
     if along is None:
         center = metres(tables.vector(table.get("center", (0.0, 0.0, 0.0)), f"{prefix}center"))
@@ -130,13 +133,6 @@ def _by_inertia(table: dict[str, Any], prefix: str, metres: Metres, whole: bool)
     if "length" in table:
         found["length"] = float(metres(tables.positive(table["length"], f"{prefix}length")))
     return found
-
-
-def _axis(table: dict[str, Any], prefix: str, along: float | None) -> Array:
-    """Axis of a cylinder: x in a leg, z in the platform unless it is given."""
-    if along is not None:
-        return np.array([1.0, 0.0, 0.0])
-    return direction(table.get("axis", (0.0, 0.0, 1.0)), f"{prefix}axis")
 
 
 def _cylinder(table: dict[str, Any], prefix: str, metres: Metres, axis: Array) -> tuple[float, float, Array]:

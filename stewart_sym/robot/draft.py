@@ -1,5 +1,6 @@
 """A first robot file from a few numbers of a machine: symmetric, with what is assumed said in comments."""
 
+import json
 import math
 from dataclasses import dataclass, fields
 from importlib.resources import files
@@ -21,27 +22,11 @@ _WIDEST = 120.0
 class Draft:
     """Numbers of a machine whose joints are in pairs round three axes 120 degrees apart.
 
-    Attributes
-    ----------
-    name : str
-        Of the machine.
-    length_unit : str
-        Of all lengths here and in the file: ``"m"``, ``"cm"``, ``"mm"`` or ``"in"``.
-    base_radius, platform_radius : float
-        Radii of the circles of joints.
-    base_angle, platform_angle : float
-        Angles between the joints of a pair, degrees, 0 to 120.
-    height : float
-        Of the platform's joints above the base's at home.
-    platform_mass, leg_mass : float
-        Masses, payload included, kg.
-    stroke : float
-        From the shortest leg to the longest; half of it on either side of home.
-
-    Raises
-    ------
-    ValueError
-        Naming the number.
+    name: of the machine. length_unit: of all lengths here and in the file, "m", "cm", "mm" or "in".
+    base_radius, platform_radius: of the circles of joints. base_angle, platform_angle: between the joints of
+    a pair, degrees, 0 to 120. height: of the platform's joints above the base's at home. platform_mass,
+    leg_mass: payload included, kg. stroke: from the shortest leg to the longest; half of it on either side of
+    home. Raises ValueError naming the number.
     """
 
     name: str
@@ -81,8 +66,9 @@ class Draft:
         """The robot file."""
         L = self.leg_length
         lower, upper = _LOWER_RADIUS * L, _UPPER_RADIUS * L
-        return _text().substitute(
-            name=_quoted(safe_text(self.name)),
+        template = (files(__package__) / "draft.toml.in").read_text(encoding="utf-8")
+        return Template(template).substitute(
+            name=json.dumps(safe_text(self.name), ensure_ascii=False),
             unit=self.length_unit,
             height=_number(self.height),
             base_radius=_number(self.base_radius),
@@ -106,11 +92,6 @@ class Draft:
         )
 
 
-def _text() -> Template:
-    """The file with its comments."""
-    return Template((files(__package__) / "draft.toml.in").read_text(encoding="utf-8"))
-
-
 def _angles(pairs: tuple[float, float, float], apart: float, shift: int) -> str:
     """Angles of the joints of six legs: pairs round three axes, ``shift`` 1: begun with a pair's second."""
     found = [axis + side * 0.5 * apart for axis in pairs for side in (-1.0, 1.0)][shift:]
@@ -126,8 +107,3 @@ def _number(value: float) -> str:
 def _short(value: float) -> str:
     """With four digits: assumed, or for people."""
     return repr(float(f"{value:.4g}"))
-
-
-def _quoted(text: str) -> str:
-    escaped = text.replace("\\", "\\\\").replace('"', '\\"')
-    return f'"{escaped}"'

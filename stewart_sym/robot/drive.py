@@ -7,7 +7,7 @@ the rotor alone; friction, efficiency and the motor's own numbers act between th
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields
 from typing import Any, NamedTuple
 
@@ -17,30 +17,19 @@ from ..io import tables
 from ..io.arguments import shown
 from ..io.array_types import Array
 from ..io.frozen import Frozen
-from .fields import LEGS, Check
+from .fields import LEGS, Check, LegTables
 
 _ONE_TURN = 2.0 * math.pi
 
 
-def _not_zero(value: object, where: str) -> float:
-    given = tables.number(value, where)
-    if given == 0.0:
-        raise ValueError(f"{where}: expected a number other than 0, got {given:g}")
-    return given
+def _number_that(allowed: Callable[[float], bool], expected: str) -> Check:
+    def checked(value: object, where: str) -> float:
+        given = tables.number(value, where)
+        if not allowed(given):
+            raise ValueError(f"{where}: expected a number {expected}, got {given:g}")
+        return given
 
-
-def _efficiency(value: object, where: str) -> float:
-    given = tables.number(value, where)
-    if not 0.0 < given <= 1.0:
-        raise ValueError(f"{where}: expected a number > 0 and <= 1, got {given:g}")
-    return given
-
-
-def _back_efficiency(value: object, where: str) -> float:
-    given = tables.number(value, where)
-    if given > 1.0:
-        raise ValueError(f"{where}: expected a number <= 1, got {given:g}")
-    return given
+    return checked
 
 
 class _Key(NamedTuple):
@@ -53,10 +42,10 @@ class _Key(NamedTuple):
 
 
 NUMBERS: Mapping[str, _Key] = {
-    "lead": _Key(_not_zero, math.nan, "length"),
+    "lead": _Key(_number_that(lambda x: x != 0.0, "other than 0"), math.nan, "length"),
     "rotor_inertia": _Key(tables.not_negative, 0.0),
-    "efficiency": _Key(_efficiency, 1.0),
-    "back_efficiency": _Key(_back_efficiency, 1.0),
+    "efficiency": _Key(_number_that(lambda x: 0.0 < x <= 1.0, "> 0 and <= 1"), 1.0),
+    "back_efficiency": _Key(_number_that(lambda x: x <= 1.0, "<= 1"), 1.0),
     "screw_coulomb": _Key(tables.not_negative, 0.0),
     "screw_viscous": _Key(tables.not_negative, 0.0),
     "motor_coulomb": _Key(tables.not_negative, 0.0),
@@ -212,76 +201,61 @@ def _need_sound(leg: Mapping[str, float], where: Callable[[str], str]) -> None:
 # Tables of a robot file
 
 
-def drive_of_tables(
-    shared: Mapping[str, Any],
-    own: Sequence[Mapping[str, Any]],
-    file: str,
-    metres: Callable[[Any], Any],
-    degrees: bool,
-) -> Drive | None:
+def drive_of_tables(legs: LegTables, metres: Callable[[Any], Any], degrees: bool) -> Drive | None:
     """The drives of a robot file of schema 2; None where no leg has one.
 
-    shared: the table ``legs``. own: those of each leg, empty where there is none. file: begins every message.
     metres: from lengths of the file. degrees: whether angles of the file are in degrees.
     """
-    if not any("drive" in table for table in (shared, *own)):
+    if not any("drive" in table for table in legs.tables):
         return None
-    common = tables.checked_table(shared.get("drive", {}), f"{file}legs.drive.", KEYS)
-    prefixes = [f"{file}leg.{i + 1}.drive." for i in range(LEGS)]
-    every = [tables.checked_table(own[i].get("drive", {}), prefixes[i], KEYS) for i in range(LEGS)]
-    if not common and not all(every):
-        prefix = prefixes[[bool(mine) for mine in every].index(True)] if any(every) else f"{file}legs.drive."
-        raise ValueError(
-            f"{prefix.rstrip('.')}: expected a drive of every leg, or a table legs.drive with keys"
-        )
-    legs = []
-    for mine, prefix in zip(every, prefixes, strict=True):
+    drives = legs.inner("drive", KEYS)
+    common, *own = drives.tables
+    if not common and not all(own):
+        alone = [prefix for prefix, mine in zip(drives.prefixes[1:], own, strict=True) if mine]
+        prefix = (alone or drives.prefixes)[0].rstrip(".")
+        raise ValueError(f"{prefix}: expected a drive of every leg, or a table legs.drive with keys")
+    found = [_leg(drives, i, metres, degrees) for i in range(LEGS)]
+    return Drive(**{name: np.array([leg[name] for leg in found]) for name in NUMBERS})
+
+
+def _leg(drives: LegTables, i: int, metres: Callable[[Any], Any], degrees: bool) -> dict[str, float]:
+    """Numbers of the drive of one leg, counted from 0."""
+    given, mine = drives.of_leg(i), drives.tables[i + 1]
+    if {"lead", "radius"} & mine.keys():
         # One way of giving the transmission stands in for the other.
-        hidden = ("lead", "radius") if {"lead", "radius"} & mine.keys() else ()
-        kept = {key: value for key, value in common.items() if key not in hidden}
-        places = dict.fromkeys(kept, f"{file}legs.drive.") | dict.fromkeys(mine, prefix)
-        legs.append(_leg({**kept, **mine}, places, prefix if mine else f"{file}legs.drive.", metres, degrees))
-    return Drive(**{name: np.array([leg[name] for leg in legs]) for name in NUMBERS})
+        given = {key: value for key, value in given.items() if key in mine or key not in ("lead", "radius")}
 
+    def where(name: str) -> str:
+        return drives.where(i, name) if name in given else drives.prefixes[(i + 1) * bool(mine)] + name
 
-def _leg(
-    given: Mapping[str, Any],
-    places: Mapping[str, str],
-    prefix: str,
-    metres: Callable[[Any], Any],
-    degrees: bool,
-) -> dict[str, float]:
-    """Numbers of one leg's drive; ``places``: what stands before each key in messages."""
-    found = {"lead": _lead(given, places, prefix, metres)}
+    found = {"lead": _lead(given, where, metres)}
     for name, key in NUMBERS.items():
         if name == "lead":
             continue
         if name not in given:
             found[name] = key.default
             continue
-        value = key.check(given[name], places[name] + name)
+        value = key.check(given[name], where(name))
         if key.unit == "length":
             value = float(metres(value))
         found[name] = math.radians(value) if key.unit == "angle" and degrees else value
     if "back_efficiency" not in given:
         # The same angle of friction on a screw of small pitch.
         found["back_efficiency"] = 2.0 - 1.0 / found["efficiency"]
-    _need_sound(found, lambda name: f"{places.get(name, prefix)}{name}")
+    _need_sound(found, where)
     return found
 
 
-def _lead(
-    given: Mapping[str, Any], places: Mapping[str, str], prefix: str, metres: Callable[[Any], Any]
-) -> float:
+def _lead(given: Mapping[str, Any], where: Callable[[str], str], metres: Callable[[Any], Any]) -> float:
     """Change of length per turn of the motor, m: of a screw, or of a pinion and its rack, through a gear."""
     if "lead" in given and "radius" in given:
-        raise ValueError(f"{places['radius']}radius: expected lead or radius, got both")
-    gear = tables.positive(given["gear"], f"{places['gear']}gear") if "gear" in given else 1.0
+        raise ValueError(f"{where('radius')}: expected lead or radius, got both")
+    gear = tables.positive(given["gear"], where("gear")) if "gear" in given else 1.0
     if "radius" in given:
-        radius = tables.positive(given["radius"], f"{places['radius']}radius")
-        return _ONE_TURN * float(metres(radius)) / gear
-    tables.require(given, ("lead",), prefix, "missing, and radius as well")
-    return float(metres(_not_zero(given["lead"], f"{places['lead']}lead"))) / gear
+        return _ONE_TURN * float(metres(tables.positive(given["radius"], where("radius")))) / gear
+    if "lead" not in given:
+        raise ValueError(f"{where('lead')}: missing, and radius as well")
+    return float(metres(NUMBERS["lead"].check(given["lead"], where("lead")))) / gear
 
 
 def drive_tables(drive: Drive) -> list[dict[str, float]]:

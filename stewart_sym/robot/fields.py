@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -21,26 +21,10 @@ Check = Callable[[object, str], Any]
 
 DOUBTS = (
     *("platform-inertia", "lower-inertia", "upper-inertia"),
-    *(
-        "gravity",
-        "length-unit",
-        "stray-point",
-        "proportion",
-        "mass",
-        "inertia-size",
-        "center-of-mass",
-        "friction",
-        "rotor-inertia",
-    ),
-    *(
-        "singular-everywhere",
-        "leg-order",
-        "condition",
-        "crossing",
-        "joint-singularity",
-        "overlap",
-        "coincident",
-    ),
+    *("gravity", "length-unit", "stray-point", "proportion", "mass", "inertia-size"),
+    *("center-of-mass", "friction", "rotor-inertia"),
+    *("singular-everywhere", "leg-order", "condition", "crossing", "joint-singularity"),
+    *("overlap", "coincident"),
     *("home", "length-limits", "part-length", "force-limit", "speed-limit", "drive-limit", "drive-speed"),
 )
 """Names of all warnings about a robot's numbers, as ``accept`` takes them: the first three are given on
@@ -54,7 +38,7 @@ UNSTATED: dict[str, Any] = {
     "lower.length": 0.0,
     "upper.length": 0.0,
 }
-"""Values, by their paths in a leg's table, that say that a robot file has none."""
+"""What fields are where a leg's table leaves their keys out, by the paths of these."""
 
 
 def legs_text(legs: Sequence[int]) -> str:
@@ -103,25 +87,17 @@ def joint_angles(value: object, where: str, straight: float = math.pi) -> Array:
     return found
 
 
-# A robot file says "no limit" by leaving the key out, so infinity is for robots in memory only.
+def _or_unlimited(key: str, check: Check) -> Check:
+    """The check of a limit that may be infinite, in memory alone: a robot file leaves the key out."""
+    none = UNSTATED[key]
 
+    def checked(value: object, where: str) -> Any:
+        row = value.tolist() if isinstance(value, np.ndarray) else value
+        if isinstance(row, list | tuple) and tuple(row) == none:
+            return np.array(row)
+        return none if isinstance(row, float) and row == none else check(row, where)
 
-def _limits_or_none(value: object, where: str) -> Array:
-    row = value.tolist() if isinstance(value, np.ndarray) else value
-    if isinstance(row, list | tuple) and tuple(row) == UNSTATED["length_limits"]:
-        return np.array(row)
-    return limits(row, where)
-
-
-def _angles_or_none(value: object, where: str) -> Array:
-    row = value.tolist() if isinstance(value, np.ndarray) else value
-    if isinstance(row, list | tuple) and tuple(row) == UNSTATED["joint_angle_limit"]:
-        return np.array(row)
-    return joint_angles(row, where)
-
-
-def _limit_or_none(value: object, where: str) -> float:
-    return math.inf if isinstance(value, float) and value == math.inf else tables.positive(value, where)
+    return checked
 
 
 def direction(value: object, where: str) -> Array:
@@ -172,17 +148,55 @@ def need_axisymmetric(legs: Mapping[str, Array], name: Callable[[int, str], str]
     legs: fields of a robot by name. name: of a field of a leg, counted from 0, in messages.
     """
     for i in range(LEGS):
-        for center, tensor in (("r_d0", "I_d0"), ("r_u0", "I_u0")):
-            _axisymmetric(legs[center][i], legs[tensor][i], name(i, center), name(i, tensor))
+        for of_center, of_tensor in (("r_d0", "I_d0"), ("r_u0", "I_u0")):
+            center, tensor = legs[of_center][i], legs[of_tensor][i]
+            if np.any(np.abs(center[1:]) > SYMMETRY_TOLERANCE * np.max(np.abs(center))):
+                expected = 'expected (x, 0, 0) when base_joint is "spherical"'
+                raise ValueError(f"{name(i, of_center)}: {expected}, got {vector_text(center)}")
+            wanted = np.diag([tensor[0, 0], tensor[1, 1], tensor[1, 1]])
+            if np.any(np.abs(tensor - wanted) > SYMMETRY_TOLERANCE * np.max(np.abs(tensor))):
+                raise ValueError(
+                    f'{name(i, of_tensor)}: expected diag(Ia, It, It) when base_joint is "spherical"'
+                )
 
 
-def _axisymmetric(center: Array, tensor: Array, where_center: str, where_tensor: str) -> None:
-    if np.any(np.abs(center[1:]) > SYMMETRY_TOLERANCE * np.max(np.abs(center))):
-        got = vector_text(center)
-        raise ValueError(f'{where_center}: expected (x, 0, 0) when base_joint is "spherical", got {got}')
-    wanted = np.diag([tensor[0, 0], tensor[1, 1], tensor[1, 1]])
-    if np.any(np.abs(tensor - wanted) > SYMMETRY_TOLERANCE * np.max(np.abs(tensor))):
-        raise ValueError(f'{where_tensor}: expected diag(Ia, It, It) when base_joint is "spherical"')
+class LegTables(NamedTuple):
+    """Tables of a robot file of schema 2 about legs: a key of one leg stands in for that of all.
+
+    tables: that of all legs, then those of each. prefixes: what stands before their keys in messages.
+    """
+
+    tables: tuple[Mapping[str, Any], ...]
+    prefixes: tuple[str, ...]
+
+    @classmethod
+    def of(cls, shared: Mapping[str, Any], own: Sequence[Mapping[str, Any]], file: str) -> "LegTables":
+        """The tables ``legs`` and those of each leg; ``file`` begins every message."""
+        return cls((shared, *own), (f"{file}legs.", *(f"{file}leg.{i + 1}." for i in range(LEGS))))
+
+    def inner(self, name: str, keys: Sequence[str]) -> "LegTables":
+        """The tables of a name in these, empty where there is none, with known keys alone."""
+        prefixes = tuple(f"{prefix}{name}." for prefix in self.prefixes)
+        pairs = zip(self.tables, prefixes, strict=True)
+        found = (tables.checked_table(table.get(name, {}), prefix, keys) for table, prefix in pairs)
+        return LegTables(tuple(found), prefixes)
+
+    def of_leg(self, i: int) -> dict[str, Any]:
+        """All values of a leg, counted from 0."""
+        return {**self.tables[0], **self.tables[i + 1]}
+
+    def where(self, i: int, key: str) -> str:
+        """Place of a key that a leg has of its own or shares."""
+        return (self.prefixes[i + 1] if key in self.tables[i + 1] else self.prefixes[0]) + key
+
+    def get(self, i: int, key: str, check: Check, default: Any) -> Any:
+        """A leg's value of a key, checked."""
+        given = self.of_leg(i)
+        return check(given[key], self.where(i, key)) if key in given else default
+
+    def each(self, key: str, check: Check, default: Any) -> Array:
+        """Values of all legs, (6, ...)."""
+        return np.array([self.get(i, key, check, default) for i in range(LEGS)])
 
 
 FIELDS: dict[str, tuple[str, Check]] = {
@@ -206,10 +220,10 @@ LEG_FIELDS: dict[str, tuple[str, Check]] = {
     "C_u": ("friction.universal", tables.not_negative),
     "C_p": ("friction.prismatic", tables.not_negative),
     "C_s": ("friction.spherical", tables.not_negative),
-    "length_limits": ("length_limits", _limits_or_none),
-    "force_limit": ("force_limit", _limit_or_none),
-    "speed_limit": ("speed_limit", _limit_or_none),
-    "joint_angle_limit": ("joint_angle_limit", _angles_or_none),
+    "length_limits": ("length_limits", _or_unlimited("length_limits", limits)),
+    "force_limit": ("force_limit", _or_unlimited("force_limit", tables.positive)),
+    "speed_limit": ("speed_limit", _or_unlimited("speed_limit", tables.positive)),
+    "joint_angle_limit": ("joint_angle_limit", _or_unlimited("joint_angle_limit", joint_angles)),
     "lower_length": ("lower.length", tables.not_negative),
     "upper_length": ("upper.length", tables.not_negative),
 }

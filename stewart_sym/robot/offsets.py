@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field, fields
 from typing import Any
 
@@ -10,7 +11,7 @@ import numpy as np
 from ..io import tables
 from ..io.array_types import Array
 from ..io.frozen import Frozen
-from .fields import LEGS, direction
+from .fields import LEGS, LegTables, direction
 
 PLATFORM_JOINTS = ("spherical", "universal")
 
@@ -87,16 +88,6 @@ class Offsets(Frozen):
         """Whether the upper parts turn about s in the lower ones."""
         return self.platform_joint == "universal"
 
-    def scaled(self, length: float, mass: float) -> Offsets:
-        """The same of a machine whose lengths and masses are multiplied by factors."""
-        powers = dict.fromkeys(("cross", "along", "across", "wrist", "cross_center"), (1, 0))
-        powers |= {"cross_mass": (0, 1), "cross_inertia": (2, 1), "platform_axis": (0, 0)}
-        changed = {
-            name: getattr(self, name) * (length ** powers[name][0] * mass ** powers[name][1])
-            for name in powers
-        }
-        return Offsets(platform_joint=self.platform_joint, **changed)
-
 
 def _six(value: Any, shape: tuple[int, ...], name: str) -> Array:
     """Numbers of each leg, checked; one number may stand for those of all."""
@@ -116,3 +107,62 @@ def need_no_offsets(robot: Any) -> None:
     """Reject, by ValueError, a robot with offset joints: what is computed is of legs whose axes meet."""
     if getattr(robot, "offsets", None) is not None:
         raise ValueError("robot: offsets: expected none, since this is for legs whose axes meet alone")
+
+
+# Tables of a robot file of schema 2
+
+LENGTHS = ("cross", "along", "across", "wrist")
+OFFSET_KEYS = (*LENGTHS, "platform_joint", "platform_axis")
+CROSS_KEYS = ("mass", "center_of_mass", "inertia")
+TABLES = {"offsets": OFFSET_KEYS, "cross": CROSS_KEYS}
+"""Keys of both tables."""
+
+
+def offsets_of_tables(legs: LegTables, metres: Callable[[Any], Any]) -> Offsets | None:
+    """The offsets of a robot file; None where no leg states any. metres: from lengths of the file."""
+    if not any(name in table for name in TABLES for table in legs.tables):
+        return None
+    joints, crosses = (legs.inner(name, keys) for name, keys in TABLES.items())
+    for table, prefix in zip(joints.tables[1:], joints.prefixes[1:], strict=True):
+        if "platform_joint" in table:
+            raise ValueError(f"{prefix}platform_joint: expected it in legs.offsets, for all legs")
+    of_all, none = joints.prefixes[0], np.zeros(3)
+    joint = joints.tables[0].get("platform_joint", "spherical")
+    joint = tables.choice(joint, PLATFORM_JOINTS, f"{of_all}platform_joint")
+    found = {name: metres(joints.each(name, tables.number, 0.0)) for name in LENGTHS}
+    if joint == "universal":
+        for i in range(LEGS):
+            if "platform_axis" not in joints.of_leg(i):
+                lacks = f'missing, and leg.{i + 1} has none, with platform_joint "universal"'
+                raise ValueError(f"{of_all}platform_axis: {lacks}")
+        found["platform_axis"] = joints.each("platform_axis", direction, none)
+    else:
+        for table, prefix in zip(joints.tables, joints.prefixes, strict=True):
+            for key in table.keys() & {"platform_axis", "wrist"}:
+                expected = 'expected none unless legs.offsets.platform_joint is "universal"'
+                raise ValueError(f"{prefix}{key}: {expected}")
+    return Offsets(
+        **found,
+        platform_joint=joint,
+        cross_mass=crosses.each("mass", tables.not_negative, 0.0),
+        cross_center=metres(crosses.each("center_of_mass", tables.vector, none)),
+        cross_inertia=crosses.each("inertia", tables.not_negative, 0.0),
+    )
+
+
+def offset_tables(offsets: Offsets) -> tuple[dict[str, Any], list[dict[str, Any]]]:
+    """What ``legs`` and each leg have, SI units; ``offsets_of_tables`` undoes it to the bit."""
+    shared = {"offsets": {"platform_joint": offsets.platform_joint}}
+    names = LENGTHS if offsets.spins else LENGTHS[:-1]
+    legs = []
+    for i in range(LEGS):
+        own: dict[str, Any] = {name: float(getattr(offsets, name)[i]) for name in names}
+        if offsets.spins:
+            own["platform_axis"] = offsets.platform_axis[i].tolist()
+        cross = {
+            "mass": float(offsets.cross_mass[i]),
+            "center_of_mass": offsets.cross_center[i].tolist(),
+            "inertia": float(offsets.cross_inertia[i]),
+        }
+        legs.append({"offsets": own, "cross": cross})
+    return shared, legs

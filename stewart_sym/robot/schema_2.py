@@ -3,6 +3,7 @@
 Points by radius and angles, bodies by shape and density, millimetres and degrees, what legs share once.
 """
 
+import math
 from collections.abc import Mapping
 from decimal import Decimal
 from typing import Any
@@ -22,16 +23,17 @@ from .fields import (
     LEGS,
     POSE_FIELDS,
     UNSTATED,
+    LegTables,
     accepted,
     base_joint,
+    direction,
     joint_angles,
     limits,
     need_axisymmetric,
+    vector_text,
 )
-from .offset_positions import lengths_at_home
-from .offset_tables import TABLES, offset_tables, offsets_of_tables
-from .offsets import Offsets
-from .points import RING_KEYS, axis, points
+from .offset_chains import lengths_at_home
+from .offsets import TABLES, Offsets, offset_tables, offsets_of_tables
 
 SCHEMA = 2
 
@@ -40,6 +42,7 @@ _TOP_KEYS = (
     *("base", "platform", "legs", "leg", "home", "trajectory"),
 )
 _NEEDED = ("schema", "name", "base", "platform", "legs")
+RING_KEYS = ("radius", "angles", "z")
 _POINT_KEYS = ("points", *RING_KEYS)
 _PARTS = {"lower": 1.0, "upper": -1.0}
 """Parts of a leg, and to which side along x they lie from their joint."""
@@ -49,17 +52,17 @@ _SHARED_KEYS = ("universal_axis", *_PARTS, "friction", "drive", *TABLES, *_LIMIT
 _LEG_KEYS = ("base_point", "platform_point", *_SHARED_KEYS)
 _NUMBERS = tuple(str(i + 1) for i in range(LEGS))
 _TRAJECTORY_KEYS = ("tool", "euler_order", "lengths")
+AXES = ("tangential", "radial", "horizontal")
+"""Fixed axes by name: along the circle of the base points about z, to its middle, and across z and the leg of
+the home pose."""
+
+# Angles of more turns than this are in degrees.
+_MOST_TURNS = 2.0
 
 
+@np.errstate(over="ignore", invalid="ignore")
 def values(d: object, file: str) -> dict[str, Any]:
     """Fields of a robot by name, checked; ``file`` begins every message."""
-    with np.errstate(over="ignore", invalid="ignore"):
-        found = _values(d, file)
-    _need_finite(found, file)
-    return found
-
-
-def _values(d: object, file: str) -> dict[str, Any]:
     top = tables.checked_table(d, file, _TOP_KEYS, _NEEDED)
     metres = _metres(tables.choice(top.get("length_unit", "m"), tuple(LENGTH_UNITS), f"{file}length_unit"))
     degrees = tables.choice(top.get("angle_unit", "rad"), ("rad", "deg"), f"{file}angle_unit") == "deg"
@@ -83,11 +86,17 @@ def _values(d: object, file: str) -> dict[str, Any]:
     tables.require(on_top, INERTIA_KEYS, f"{file}platform.body.", "missing")
     own |= {"M": on_top["mass"], "R_0": on_top["center_of_mass"], "I_p": on_top["inertia"]}
     legs = _Legs(top, file, metres, degrees, joint, home)
-    offsets = offsets_of_tables(legs.shared, legs.own, file, metres)
+    offsets = offsets_of_tables(legs.tables, metres)
     if offsets is not None and joint == "spherical":
         raise ValueError(f'{file}legs.offsets: expected none when base_joint is "spherical"')
-    drive = drive_of_tables(legs.shared, legs.own, file, metres, degrees)
-    return own | legs.values(rings[0], rings[1], offsets) | {"drive": drive, "offsets": offsets}
+    drive = drive_of_tables(legs.tables, metres, degrees)
+    found = own | legs.values(rings[0], rings[1], offsets) | {"drive": drive, "offsets": offsets}
+    # Conversions and sums may have overflown.
+    for name, value in found.items():
+        if name not in UNSTATED and isinstance(value, float | np.ndarray) and not np.all(np.isfinite(value)):
+            where = f"{file}{_SECTIONS.get(name, 'legs')}"
+            raise ValueError(f"{where}: expected numbers whose sums and squares are finite")
+    return found
 
 
 def _metres(unit: str) -> Metres:
@@ -110,14 +119,6 @@ _SECTIONS = {"b": "base", "p": "platform", "M": "platform", "R_0": "platform", "
 _SECTIONS |= {"home": "home", "tool": "trajectory", "g": "gravity"}
 
 
-def _need_finite(found: Mapping[str, Any], file: str) -> None:
-    """Reject what is not finite any more after conversions and sums."""
-    for name, value in found.items():
-        if name not in UNSTATED and isinstance(value, float | np.ndarray) and not np.all(np.isfinite(value)):
-            where = f"{file}{_SECTIONS.get(name, 'legs')}"
-            raise ValueError(f"{where}: expected numbers whose sums and squares are finite")
-
-
 class _Legs:
     """What the legs share, and what one of them has of its own."""
 
@@ -131,12 +132,14 @@ class _Legs:
         home: Array | None,
     ) -> None:
         self.file, self.metres, self.degrees, self.joint, self.home = file, metres, degrees, joint, home
-        self.shared = tables.checked_table(top["legs"], f"{file}legs.", _SHARED_KEYS)
+        shared = tables.checked_table(top["legs"], f"{file}legs.", _SHARED_KEYS)
         given = top.get("leg", {})
         if not isinstance(given, Mapping):
             raise ValueError(f"{file}leg: expected tables [leg.1] to [leg.6], got {shown(given)}")
         some = tables.checked_table(given, f"{file}leg.", _NUMBERS)
-        self.own = [tables.checked_table(some.get(n, {}), f"{file}leg.{n}.", _LEG_KEYS) for n in _NUMBERS]
+        own = [tables.checked_table(some.get(n, {}), f"{file}leg.{n}.", _LEG_KEYS) for n in _NUMBERS]
+        self.tables = LegTables.of(shared, own, file)
+        self.friction = self.tables.inner("friction", _FRICTION_KEYS)
 
     def values(self, base: Array | None, platform: Array | None, offsets: Offsets | None) -> dict[str, Any]:
         """Fields with an entry for each leg, from the points of both rings, None for those not given."""
@@ -155,36 +158,31 @@ class _Legs:
         paths = {name: path for name, (path, _) in LEG_FIELDS.items() if name not in "bpk"}
         found = {name: np.array([leg[path] for leg in legs]) for name, path in paths.items()}
         if self.joint == "spherical":
-            need_axisymmetric(found, lambda i, name: self._where(i, paths[name].partition(".")[0]))
+            need_axisymmetric(found, lambda i, name: self.tables.where(i, paths[name].partition(".")[0]))
         return {"b": ends[0], "p": ends[1], "k": k, **found}
 
-    def _where(self, i: int, key: str) -> str:
-        """Place of a key that a leg, counted from 0, has of its own or shares."""
-        return f"{self.file}leg.{i + 1}.{key}" if key in self.own[i] else f"{self.file}legs.{key}"
-
     def _point(self, i: int, key: str, ring: Array | None) -> Array:
-        if key in self.own[i]:
-            return np.asarray(self.metres(tables.vector(self.own[i][key], self._where(i, key))))
+        own = self.tables.tables[i + 1]
+        if key in own:
+            return np.asarray(self.metres(tables.vector(own[key], self.tables.where(i, key))))
         if ring is None:
             section = key.partition("_")[0]
             raise ValueError(f"{self.file}{section}.points: missing, and leg.{i + 1}.{key} as well")
         return np.asarray(ring[i])
 
     def _axes(self, b: Array, at_home: Array | None) -> Array:
-        if self.joint == "spherical":
-            for i in range(LEGS):
-                if "universal_axis" in {**self.shared, **self.own[i]}:
-                    where = self._where(i, "universal_axis")
-                    raise ValueError(f'{where}: expected none when base_joint is "spherical"')
-            return np.zeros((LEGS, 3))
-        found = []
+        found = np.zeros((LEGS, 3))
         for i in range(LEGS):
-            given, where = {**self.shared, **self.own[i]}, self._where(i, "universal_axis")
+            given, where = self.tables.of_leg(i), self.tables.where(i, "universal_axis")
+            if self.joint == "spherical":
+                if "universal_axis" in given:
+                    raise ValueError(f'{where}: expected none when base_joint is "spherical"')
+                continue
             if "universal_axis" not in given:
                 raise ValueError(f"{where}: missing")
             leg = None if at_home is None else at_home[i]
-            found.append(axis(given["universal_axis"], where, b[i], b.mean(axis=0), leg))
-        return np.array(found)
+            found[i] = axis(given["universal_axis"], where, b[i], b.mean(axis=0), leg)
+        return found
 
     def _leg(self, i: int, at_home: float | None) -> dict[str, Any]:
         """Values of a leg by path but its points and axis; at_home: its length there, m."""
@@ -192,21 +190,20 @@ class _Legs:
         for part in _PARTS:
             found |= {f"{part}.{key}": value for key, value in self._part(i, part).items()}
         for name in _FRICTION_KEYS:
-            found[f"friction.{name}"] = self._friction(i, name)
+            found[f"friction.{name}"] = self.friction.get(i, name, tables.not_negative, 0.0)
         for name in ("force_limit", "speed_limit"):
-            given = {**self.shared, **self.own[i]}
-            value = tables.positive(given[name], self._where(i, name)) if name in given else UNSTATED[name]
-            found[name] = self.metres(value) if name == "speed_limit" else value
+            found[name] = self.tables.get(i, name, tables.positive, UNSTATED[name])
+        found["speed_limit"] = self.metres(found["speed_limit"])
         angles = self._joint_angles(i, at_home)
         return found | {"length_limits": self._length_limits(i, at_home), "joint_angle_limit": angles}
 
     def _part(self, i: int, part: str) -> dict[str, Any]:
         """Mass, centre of mass, inertia and length of the lower or upper part."""
-        side, shared, found, reason = _PARTS[part], self.shared.get(part), {}, "missing"
+        side, shared, found, reason = _PARTS[part], self.tables.tables[0].get(part), {}, "missing"
         if shared is not None:
             found = body(shared, f"{self.file}legs.{part}", self.metres, side)
-        if part in self.own[i]:
-            own = body(self.own[i][part], self._where(i, part), self.metres, side)
+        if part in self.tables.tables[i + 1]:
+            own = body(self.tables.tables[i + 1][part], self.tables.where(i, part), self.metres, side)
             # A mass that is not that of the shapes would leave their inertia wrong.
             if isinstance(shared, list | tuple) or (isinstance(shared, Mapping) and "shape" in shared):
                 found, reason = own, f"missing, since legs.{part} is by shape"
@@ -214,19 +211,13 @@ class _Legs:
                 found = found | own
         elif shared is None:
             raise ValueError(f"{self.file}legs.{part}: missing")
-        tables.require(found, INERTIA_KEYS, f"{self._where(i, part)}.", reason)
+        tables.require(found, INERTIA_KEYS, f"{self.tables.where(i, part)}.", reason)
         return {"length": UNSTATED[f"{part}.length"]} | found
-
-    def _friction(self, i: int, name: str) -> float:
-        for table, prefix in ((self.own[i], f"{self.file}leg.{i + 1}."), (self.shared, f"{self.file}legs.")):
-            given = tables.checked_table(table.get("friction", {}), f"{prefix}friction.", _FRICTION_KEYS)
-            if name in given:
-                return tables.not_negative(given[name], f"{prefix}friction.{name}")
-        return 0.0
 
     def _length_limits(self, i: int, at_home: float | None) -> Array:
         """Shortest and longest leg, m, (2,), by themselves or about the length at the home pose."""
-        for table, prefix in ((self.own[i], f"{self.file}leg.{i + 1}."), (self.shared, f"{self.file}legs.")):
+        for j in (i + 1, 0):
+            table, prefix = self.tables.tables[j], self.tables.prefixes[j]
             if "length_limits" in table and "stroke" in table:
                 raise ValueError(f"{prefix}stroke: expected stroke or length_limits, got both")
             if "length_limits" in table:
@@ -237,7 +228,7 @@ class _Legs:
 
     def _joint_angles(self, i: int, at_home: float | None) -> Array:
         """Largest angles of both joints from the home pose, rad, (2,)."""
-        given, where = {**self.shared, **self.own[i]}, self._where(i, "joint_angle_limit")
+        given, where = self.tables.of_leg(i), self.tables.where(i, "joint_angle_limit")
         if "joint_angle_limit" not in given:
             return np.array(UNSTATED["joint_angle_limit"])
         found = joint_angles(given["joint_angle_limit"], where, 180.0 if self.degrees else np.pi)
@@ -286,3 +277,74 @@ def tables_of(fields: Mapping[str, Any]) -> dict[str, Any]:
         },
         "trajectory": trajectory,
     }
+
+
+# Points and axes
+
+
+def points(table: Mapping[str, Any], prefix: str, metres: Metres, degrees: bool) -> Array | None:
+    """Six points, m, (6, 3), by ``points`` or by ``radius``, ``angles`` and ``z``; None without any."""
+    ring = [key for key in RING_KEYS if key in table]
+    if "points" in table:
+        if ring:
+            raise ValueError(f"{prefix}{ring[0]}: expected points or radius and angles, got both")
+        return _listed(table["points"], f"{prefix}points", metres)
+    if not ring:
+        return None
+    tables.require(table, RING_KEYS[:2], prefix, "missing")
+    radius = tables.per_leg(table["radius"], f"{prefix}radius")
+    if np.any(radius <= 0.0):
+        raise ValueError(f"{prefix}radius: expected a number > 0, got {shown(table['radius'])}")
+    angles = tables.numbers(table["angles"], (LEGS,), f"{prefix}angles")
+    turns = np.abs(angles) / (360.0 if degrees else 2.0 * math.pi)
+    if np.any(turns > _MOST_TURNS):
+        i = int(np.argmax(turns))
+        hint = "" if degrees else ': is angle_unit = "deg" missing?'
+        raise ValueError(
+            f"{prefix}angles: expected at most {_MOST_TURNS:g} turns, got {angles[i]:g} "
+            f"{'deg' if degrees else 'rad'}{hint}"
+        )
+    if degrees and np.abs(angles).max() <= 2.0 * math.pi:
+        most = np.abs(angles).max()
+        raise ValueError(
+            f"{prefix}angles: expected degrees all round, got at most {most:g}: are they in rad?"
+        )
+    c, s = np.array([cosine_and_sine(angle, degrees) for angle in angles]).T
+    z = tables.per_leg(table.get("z", 0.0), f"{prefix}z")
+    radius = metres(radius)
+    return np.stack([radius * c, radius * s, metres(z)], axis=-1)
+
+
+def _listed(value: object, where: str, metres: Metres) -> Array:
+    if not isinstance(value, list | tuple) or len(value) != LEGS:
+        raise ValueError(f"{where}: expected six points, got {shown(value)}")
+    return np.stack([metres(tables.vector(point, f"{where} {i}")) for i, point in enumerate(value, 1)])
+
+
+def cosine_and_sine(angle: float, degrees: bool) -> tuple[float, float]:
+    """Cosine and sine; of degrees with zeros at whole quarters of a turn, and alike on both sides of them."""
+    if not degrees:
+        return math.cos(angle), math.sin(angle)
+    quarters = round(angle / 90.0)
+    rest = math.radians(angle - 90.0 * quarters)
+    c, s = math.cos(rest), math.sin(rest)
+    return ((c, s), (-s, c), (-c, -s), (s, -c))[quarters % 4]
+
+
+def axis(value: object, where: str, b: Array, middle: Array, home: Array | None) -> Array:
+    """Unit vector of the fixed axis of a leg, (3,): a direction, or one of ``AXES``.
+
+    b: its base point, m. middle: of all base points. home: the leg at the home pose, from joint to joint.
+    """
+    if not isinstance(value, str):
+        return direction(value, where)
+    name = tables.choice(value, AXES, where)
+    along = b - middle
+    if name == "horizontal":
+        if home is None:
+            raise ValueError(f'{where}: "{name}" is across the leg at the home pose, expected a key home')
+        along = home
+    x, y, _ = along
+    if x == y == 0.0:
+        raise ValueError(f'{where}: "{name}" is no direction at {vector_text(along)} m, expected a vector')
+    return direction(np.array([x, y, 0.0] if name == "radial" else [-y, x, 0.0]), where)

@@ -46,6 +46,13 @@ DRIVE: Mapping[str, tuple[int, int, int]] = {
 }
 """The same of a drive; the unit of current stays."""
 
+OFFSETS: Mapping[str, tuple[int, int, int]] = {
+    **dict.fromkeys(("cross", "along", "across", "wrist", "cross_center"), (1, 0, 0)),
+    "cross_mass": (0, 1, 0),
+    "cross_inertia": (2, 1, 0),
+}
+"""The same of offset joints."""
+
 MOTION: Mapping[str, tuple[int, int, int]] = {
     "t": (1, 0, 0),
     "omega": (0, 0, -1),
@@ -121,17 +128,12 @@ class Units:
 
     def motion(self, motion: Motion) -> Motion:
         """The motion, given in SI units, in these; shapes and types stay."""
-        changed: dict[str, Any] = {
-            name: _divided(getattr(motion, name), self._size(powers)) for name, powers in MOTION.items()
-        }
-        return Motion.unchecked(R=motion.R, **changed)
+        changed = _rescaled(motion, MOTION, (1 / self.length, 1 / self.mass, 1 / self.time))
+        return Motion.unchecked(**{**vars(motion), **changed})
 
     def forces(self, F: Array) -> Array:
         """Forces, given in these units, in N; shape and type stay."""
-        return F * self._size(_FORCE)
-
-    def _size(self, powers: tuple[int, int, int]) -> float:
-        return _product((self.length, self.mass, self.time), powers)
+        return F * _product((self.length, self.mass, self.time), _FORCE)
 
 
 def rescaled(robot: Robot, length: float, mass: float, time: float = 1.0) -> Robot:
@@ -140,12 +142,11 @@ def rescaled(robot: Robot, length: float, mass: float, time: float = 1.0) -> Rob
     Any factors > 0; powers of two are exact. Raises ValueError as ``Robot``.
     """
     factors = (length, mass, time)
-    drive = robot.drive
-    if drive is not None:
-        drive = dataclasses.replace(drive, **_rescaled(drive, DRIVE, factors))
-    offsets = None if robot.offsets is None else robot.offsets.scaled(length, mass)
     changed = _rescaled(robot, ROBOT, factors)
-    return dataclasses.replace(robot, **changed, drive=drive, offsets=offsets)
+    for name, powers in (("drive", DRIVE), ("offsets", OFFSETS)):
+        if (part := getattr(robot, name)) is not None:
+            changed[name] = dataclasses.replace(part, **_rescaled(part, powers, factors))
+    return dataclasses.replace(robot, **changed)
 
 
 def _rescaled(
@@ -160,10 +161,6 @@ def _rescaled(
 
 def _product(factors: tuple[float, float, float], powers: tuple[int, int, int]) -> float:
     return math.prod(factor**power for factor, power in zip(factors, powers, strict=True))
-
-
-def _divided(array: Array | None, size: float) -> Array | None:
-    return None if array is None else array * (1 / size)
 
 
 def _power_of_two(size: float) -> float:

@@ -13,11 +13,12 @@ from ..dynamics.inverse import Formulation
 from ..io import tables
 from ..io.arguments import shown
 from ..io.array_types import Array
-from ..kinematics.paths import PATHS, path_for
+from ..kinematics.mounting import path_for
 from ..kinematics.robot_logs import trajectory_for
 from ..motion.log_rates import interpolated
 from ..motion.motion import Motion
 from ..motion.rotation import rotation_from_rpy
+from ..motion.straight_line import PATHS
 from ..motion.trajectory import JointTrajectory
 from ..robot.robot import Robot
 from .actuator_models import ComputedTorque, ForceLaw, LegSprings, Wanted, along

@@ -14,15 +14,14 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..drives.friction import has_friction
+from ..drives.friction import losses
 from ..dynamics.equations import ForwardDynamics
 from ..dynamics.inverse import Backend, Formulation
 from ..io.arguments import instance, number_in, option, real_array, shown
 from ..io.array_types import Array
 from ..io.extras import needed_for
-from ..motion import rotation_vector
 from ..motion.motion import Motion
-from ..motion.rotation import orthonormal, rotation_from_vector
+from ..motion.rotation import one_vector_rate, orthonormal, rotation_from_vector, turned_by
 from ..results import STATUS_TEXT
 from ..robot.robot import Robot
 from .actuator_models import ForceLaw
@@ -165,7 +164,7 @@ def simulate(
         watch=Watch(robot, thresholds or Thresholds(), stops_at, det_sign(robot, start)),
         reached=lambda time: None if progress is None else progress(time / duration),
     )
-    if robot.drive is not None and has_friction(robot.drive):
+    if robot.drive is not None and losses(robot.drive):
         if robot.offsets is not None:
             raise ValueError(
                 "robot: expected offsets or friction of the drives, got both: legs that stick are simulated "
@@ -296,7 +295,7 @@ class _Run:
         return np.concatenate([y[:6], still.v, still.omega])
 
     def _rates(self, time: float, y: Array, center: Array, sampled: Array | None) -> Array:
-        state = Motion.unchecked(rotation_vector.turned(y[3:6], center), y[:3], omega=y[9:], v=y[6:9])
+        state = Motion.unchecked(turned_by(y[3:6], center), y[:3], omega=y[9:], v=y[6:9])
         if self.sticking is not None:
             state = self.sticking.moving(state)
         F = self.actuators.at(time, state, sampled)
@@ -307,7 +306,7 @@ class _Run:
             found = self.sticking.solved(loaded, F)
             acceleration, status = found.acceleration, found.status
         self.fault = status or self.fault
-        return np.concatenate([state.v, rotation_vector.rate(y[3:6], state.omega), acceleration])
+        return np.concatenate([state.v, one_vector_rate(y[3:6], state.omega), acceleration])
 
     def _loaded(self, time: float, state: Motion) -> Motion:
         F_ext, M_ext = self.constant

@@ -28,11 +28,12 @@ from .singular_poses import Singularity, last_directions, singularity
 
 # Intervals are searched unless the singular values at both ends exceed what twice the rate of H there allows.
 _CARE = 2.0
-# Intervals are passed over unseen only where bounds of them exceed four times that, and what H changes.
+# They are skipped by lower bounds of these values only where the bounds exceed four times that, and the
+# change of H.
 _SURE = 4.0 * _CARE
 # A smallest singular value below this share of the largest is rounding error along a path.
 _NOTHING = 1e-13
-# What elimination leaves of det H = 0, beside the product of the columns' sizes.
+# Rounding error of det H = 0 by elimination, over the product of the columns' sizes.
 _FLOOR = 1e-14
 # A leg shorter than this share of the longest turns its direction round, and with it the sign of det H.
 _SHORT = 1e-9

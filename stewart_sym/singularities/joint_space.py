@@ -30,7 +30,6 @@ from ..kinematics.forward import (
     forward_kinematics,
     forward_velocity,
 )
-from ..kinematics.leg_steps import accelerations, jump, step_beyond_rates, times_from_rates
 from ..kinematics.pose_search import newton
 from ..motion.interpolation import between
 from ..motion.motion import Motion
@@ -38,6 +37,7 @@ from ..motion.noise_level import LEAST_SAMPLES, rounding_steps, white_noise
 from ..motion.trajectory import JointTrajectory, Trajectory
 from ..results import SINGULAR
 from ..robot.robot import Robot
+from ..singularities.length_steps import accelerations, jump, step_beyond_rates, times_from_rates
 from .along_path import crossings
 from .length_steps import CROSSED, NO_WAY, UNDECIDED, Legs, LostError, at_rest, pose_of, walked
 
@@ -108,7 +108,11 @@ def motion_from_lengths(
     for name, values in rates.items():
         if values.shape != lengths.shape:
             raise ValueError(f"{name}: expected the shape of L, {lengths.shape}, got {values.shape}")
-    when = _checked_times(time, len(lengths)) if time is not None else None
+    when = None if time is None else real_array(time, "time", "increasing times")
+    if when is not None:
+        n, finite = len(lengths), bool(np.isfinite(when).all())
+        if when.shape != (n,) or not finite or np.any(np.diff(when) <= 0.0):
+            raise ValueError(f"time: expected {n} finite times, increasing, of shape ({n},)")
     deviations = None if sigma is None else _checked_deviations(sigma, lengths.shape)
     R, t = _follow(robot, when, lengths, rates["L_dot"], rates.get("L_ddot"), guess, deviations, progress)
     v, omega = _in_parts(lambda i: forward_velocity(robot, R[i], t[i], rates["L_dot"][i], "nan"), len(t))
@@ -147,13 +151,6 @@ def on_platform(
         row = joints.rows[error.sample]
         raise ValueError(f"{joints.source}: row {row}: {error.reason}") from None
     return Trajectory(joints.time, motion, joints.source, joints.rows, joints.noise)
-
-
-def _checked_times(time: ArrayLike, count: int) -> Array:
-    when = real_array(time, "time", "increasing times")
-    if when.shape != (count,) or not np.all(np.isfinite(when)) or np.any(np.diff(when) <= 0.0):
-        raise ValueError(f"time: expected {count} finite times, increasing, of shape ({count},)")
-    return when
 
 
 def _checked_deviations(sigma: ArrayLike, shape: tuple[int, ...]) -> Array:

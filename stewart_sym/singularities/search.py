@@ -16,7 +16,7 @@ _RESOLVED = 1e-11
 _TAIL = 4
 _MOST_HALVINGS = 30
 _MOST_PIECES = 4096
-# As near as values tell the place of a minimum: what they differ by is the square.
+# Relative accuracy of the place of a minimum: values beside it differ by the square of this.
 _MINIMUM = float(np.sqrt(np.finfo(np.float64).eps))
 
 _ANGLES = np.pi * (np.arange(_DEGREE + 1) + 0.5) / (_DEGREE + 1)

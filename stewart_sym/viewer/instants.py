@@ -14,14 +14,14 @@ from ..io.array_types import Array
 from ..io.tables import file_name, opened
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
 from ..kinematics.inverse import inverse_kinematics
-from ..kinematics.paths import PATHS, path_for
+from ..kinematics.mounting import path_for
 from ..kinematics.pose_search import jacobian
 from ..motion.interpolation import Path, between
 from ..motion.log_reader import PLAIN
 from ..motion.logs import read_columns
 from ..motion.motion import Motion, at_rest
 from ..motion.rotation import rotation_from_rpy
-from ..motion.straight_line import StraightLinePath
+from ..motion.straight_line import PATHS, StraightLinePath
 from ..motion.trajectory import PoseLog, Trajectory
 from ..results import OK
 from ..robot.robot import Robot

@@ -27,7 +27,7 @@ from pages import (
 import stewart_sym as ss
 from stewart_sym.cli import main
 from stewart_sym.motion.logs import LENGTH_UNITS, LENGTHS
-from stewart_sym.robot import bodies, drive, offset_tables, points, schema_2
+from stewart_sym.robot import bodies, drive, offsets, schema_2
 from stewart_sym.simulation.scene import read_scene
 from stewart_sym.studies.accuracy.budget import read_budget
 from stewart_sym.studies.published import PICTURES
@@ -197,12 +197,12 @@ def test_the_page_about_files_names_every_key_of_a_robot_file() -> None:
 def test_the_page_about_files_names_every_key_of_schema_2() -> None:
     named = set(re.findall(r"`\[?(\w+)\]?`", text_of(".docs/reference/files.md")))
     known = {*schema_2._TOP_KEYS, *schema_2._POINT_KEYS, *schema_2._LEG_KEYS, *schema_2._TRAJECTORY_KEYS}
-    known |= {*drive.KEYS, *offset_tables.OFFSET_KEYS, *offset_tables.CROSS_KEYS}
+    known |= {*drive.KEYS, *offsets.OFFSET_KEYS, *offsets.CROSS_KEYS}
     known |= {*schema_2._FRICTION_KEYS, *bodies.INERTIA_KEYS, *bodies._MATTER, "shape", "body"}
     known |= {key for keys in (*bodies.SHAPES.values(), *bodies._PLACES.values()) for key in keys}
     assert known - named == {"leg"}
     quoted = set(re.findall(r'`"([\w-]+)"`', text_of(".docs/reference/files.md")))
-    assert {*bodies.SHAPES, *points.AXES, *LENGTH_UNITS, *LENGTHS} <= quoted
+    assert {*bodies.SHAPES, *schema_2.AXES, *LENGTH_UNITS, *LENGTHS} <= quoted
 
 
 def test_scene_examples_are_valid() -> None:

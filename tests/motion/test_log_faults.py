@@ -13,8 +13,7 @@ from sweeps import share
 from whole_track import track
 
 import stewart_sym as ss
-from stewart_sym.motion.log_faults import Fault, faults, offsets
-from stewart_sym.motion.log_sampling import slower_sampling, spread
+from stewart_sym.motion.log_faults import Fault, faults, offsets, slower_sampling, spread
 from stewart_sym.motion.noise_level import noise_level, rounding_steps
 from stewart_sym.motion.trajectory import Trajectory
 

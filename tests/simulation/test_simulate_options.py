@@ -12,8 +12,7 @@ from machines import dasgupta, home_position, machine_size, random_robot
 import stewart_sym as ss
 from stewart_sym.cli.main import main
 from stewart_sym.dynamics.closed_form import CClosedForm
-from stewart_sym.motion import rotation_vector
-from stewart_sym.motion.rotation import rotation_from_vector, vector_rate
+from stewart_sym.motion.rotation import one_vector_rate, rotation_from_vector, turned_by, vector_rate
 from stewart_sym.simulation.actuator_models import along
 from stewart_sym.simulation.scene import read_scene
 from stewart_sym.studies.reports.run import report, summary
@@ -64,12 +63,8 @@ def test_plain_numbers_turn_as_arrays_do(size: float) -> None:
     phi, omega = rng.normal(size=(2, 3))
     phi *= size / np.linalg.norm(phi)
     R = rotation_from_vector(rng.normal(size=3))
-    np.testing.assert_allclose(
-        rotation_vector.turned(phi, R), rotation_from_vector(phi) @ R, rtol=0.0, atol=1e-15
-    )
-    np.testing.assert_allclose(
-        rotation_vector.rate(phi, omega), vector_rate(phi, omega), rtol=0.0, atol=5e-15
-    )
+    np.testing.assert_allclose(turned_by(phi, R), rotation_from_vector(phi) @ R, rtol=0.0, atol=1e-15)
+    np.testing.assert_allclose(one_vector_rate(phi, omega), vector_rate(phi, omega), rtol=0.0, atol=5e-15)
 
 
 @pytest.mark.parametrize("rate", [None, 200.0])

@@ -14,11 +14,11 @@ from sweeps import share
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
-from stewart_sym.kinematics.leg_steps import accelerations, times_from_rates
 from stewart_sym.motion.log_reader import read_any_csv
 from stewart_sym.motion.trajectory import JointTrajectory
 from stewart_sym.singularities import joint_space
 from stewart_sym.singularities.joint_space import on_platform
+from stewart_sym.singularities.length_steps import accelerations, times_from_rates
 
 Array = NDArray[np.float64]
 

@@ -32,8 +32,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Run ``singularities``; returns the exit code."""
-    from ...kinematics.paths import PATHS, path_for
+    from ...kinematics.mounting import path_for
     from ...motion.interpolation import between
+    from ...motion.straight_line import PATHS
     from ...studies.reports import singularities
     from ...studies.reports.singularities_plot import pictures
 

@@ -87,7 +87,7 @@ def _robot(arguments: argparse.Namespace) -> "Robot":
 def _motion(robot: "Robot", arguments: argparse.Namespace, progress: Progress) -> "Instants":
     """The motion that the arguments name."""
     from ...dynamics.home_pose import home_pose
-    from ...kinematics.paths import PATHS
+    from ...motion.straight_line import PATHS
     from ...viewer import instants
 
     name = "I" if arguments.example else arguments.motion

@@ -9,9 +9,10 @@ from typing import Any
 from ...dynamics.inverse import first_fault
 from ...io import tables
 from ...io.arguments import shown
-from ...kinematics.paths import PATHS, path_for
+from ...kinematics.mounting import path_for
 from ...kinematics.robot_logs import trajectory_for
 from ...motion.motion import Motion
+from ...motion.straight_line import PATHS
 from ...motion.trajectory import JointTrajectory
 from ...reference.newton_euler import inverse_dynamics
 from ...robot.robot import Robot

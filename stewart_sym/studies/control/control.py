@@ -18,7 +18,7 @@ from ...dynamics.inverse import Formulation, massless_forces
 from ...io.array_types import Array
 from ...io.progress import Progress, silent, tracked
 from ...kinematics.inverse import inverse_kinematics
-from ...kinematics.paths import path_for
+from ...kinematics.mounting import path_for
 from ...motion.motion import Motion
 from ...motion.rotation import rotation_from_vector, vector_from_rotation
 from ...motion.straight_line import StraightLinePath
