@@ -18,6 +18,7 @@ from .dynamics.arrays import ArrayKernel as ArrayKernel
 from .dynamics.arrays import array_kernel as array_kernel
 from .dynamics.bounds import ForceBounds as ForceBounds
 from .dynamics.bounds import forces_with_bounds as forces_with_bounds
+from .dynamics.damping import damped_solution as damped_solution
 from .dynamics.equations import equations_of_motion as equations_of_motion
 from .dynamics.equations import force_derivatives as force_derivatives
 from .dynamics.equations import forward_dynamics as forward_dynamics
@@ -26,7 +27,6 @@ from .dynamics.equations import linearise as linearise
 from .dynamics.force_noise import force_deviations as force_deviations
 from .dynamics.forces import ForceKernel as ForceKernel
 from .dynamics.forces import prepare as prepare
-from .dynamics.inverse import damped_solution as damped_solution
 from .dynamics.inverse import dynamic_fraction as dynamic_fraction
 from .dynamics.inverse import inverse_dynamics as inverse_dynamics
 from .dynamics.inverse import joint_reactions as joint_reactions

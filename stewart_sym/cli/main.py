@@ -16,7 +16,8 @@ from typing import Any, NoReturn
 
 from ..backend.native import CompilerError
 from ..io.arguments import no_option
-from ..io.extras import needed_for, take_work_area
+from ..io.blas import take_work_area
+from ..io.extras import needed_for
 from ..io.interrupts import as_interrupts, exit_code
 from ..io.writing import named
 from .terminal import PROGRAM, give_up_stdout, one_line, warnings_in_lines

@@ -1,18 +1,15 @@
 """Optional packages: what is missing is one line that names the extra to install."""
 
 import contextlib
-import functools
 import importlib.util
 import json
-import sys
 from collections.abc import Iterator
-from importlib import import_module
 from importlib.metadata import distributions
 from pathlib import Path
 from urllib.parse import urlsplit
 from urllib.request import url2pathname
 
-import numpy as np
+from .blas import take_work_area
 
 EXTRAS = {
     "casadi": ("CasADi", "casadi"),
@@ -49,10 +46,17 @@ def need(package: str, what: str, otherwise: str = "") -> None:
 def needed_for(what: str, otherwise: str = "") -> Iterator[None]:
     """Import optional packages in this block.
 
-    what: the work that needs them, as the subject of the message. otherwise: what helps without them, such as
-    an option, at the end of the message. Raises MissingExtraError of one line, ``<what> needs <package>: pip
-    install "stewart-sym[<extra>]"``, as ``install`` has it, and MemoryError without room for the work area of
-    SciPy's BLAS.
+    Parameters
+    ----------
+    what : the work that needs them, as the subject of the message.
+    otherwise : what helps without them, such as an option, at the end of the message.
+
+    Raises
+    ------
+    MissingExtraError
+        In one line: ``<what> needs <package>: pip install "stewart-sym[<extra>]"``, as ``install`` has it.
+    MemoryError
+        Without room for the work area of SciPy's BLAS.
     """
     try:
         yield
@@ -83,28 +87,3 @@ def install(extra: str) -> str:
 def _missing(package: str, what: str, otherwise: str) -> MissingExtraError:
     name, extra = EXTRAS[package]
     return MissingExtraError(f"{what} needs {name}: {install(extra)}{otherwise}")
-
-
-# OpenBLAS allocates its work area at its first call; without memory for it, it retries for ever. So the first
-# call is made here, after a check that there is room.
-
-# Largest work area of an OpenBLAS as it is built by default; those of NumPy's and SciPy's wheels are smaller.
-_WORK_AREA = 1 << 27
-# NumPy and SciPy each bring a library, whose LAPACK takes the area at its first call and keeps it.
-_FIRST_CALLS = {"numpy.linalg": "inv", "scipy.linalg": "lu_factor"}
-
-
-def take_work_area() -> None:
-    """Let the libraries of those of NumPy and SciPy that are imported take their work area.
-
-    Raises MemoryError where there is no room for it.
-    """
-    for module, function in _FIRST_CALLS.items():
-        if module in sys.modules:
-            _take(module, function)
-
-
-@functools.cache
-def _take(module: str, function: str) -> None:
-    np.empty(_WORK_AREA, np.uint8)
-    getattr(import_module(module), function)(np.eye(2))

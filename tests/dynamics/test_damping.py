@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from unsolvable_poses import BACKENDS, at_rest, leg_along_its_axis, singular, zero_length_leg
 
 import stewart_sym as ss
-from stewart_sym.dynamics.inverse import SHARE, damped_solution
+from stewart_sym.dynamics.damping import SHARE, damped_solution
 from stewart_sym.results import JOINT_SINGULAR, OK, SINGULAR, ZERO_LENGTH
 
 Array = NDArray[np.float64]

@@ -5,7 +5,7 @@ from dataclasses import replace
 import mpmath
 import numpy as np
 
-from ...dynamics.inverse import damped_solution
+from ...dynamics.damping import damped_solution
 from ...io.array_types import Array
 from ...kinematics.conditioning import characteristic_length
 from ...kinematics.inverse import wrench_matrix
