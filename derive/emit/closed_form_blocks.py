@@ -147,10 +147,7 @@ class Results:
     def names(self) -> dict[str, str]:
         """What names of the texts stand for."""
         found = {f"{part}_terms": f"{self.prefix}_of_{part}" for part in ("pose", "leg")}
-        of_block = {
-            "leg_of_block": f"{self.prefix}_leg_of_block",
-            "sums_of_block": f"{self.prefix}_of_block",
-        }
+        of_block = {"leg_of_block": f"{self.prefix}_leg_of_block", "sums_of_block": f"{self.prefix}_of_block"}
         return found | of_block | {"sums": f"{self.prefix}_sums"}
 
     def given(self) -> dict[str, read.Given]:

@@ -55,12 +55,7 @@ def _listed(numbers: tuple[int, int, int]) -> str:
 
 
 def _files(
-    name: str,
-    program: Program,
-    records: dict[str, str],
-    version: str,
-    brackets: bool = True,
-    **said: object,
+    name: str, program: Program, records: dict[str, str], version: str, brackets: bool = True, **said: object
 ) -> dict[str, str]:
     """Header and source by name; records: structures that a header has, by their names in the tree."""
     file = f"stewart_{name}"

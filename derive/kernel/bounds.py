@@ -104,12 +104,10 @@ class BoundedForces:
         vectors = [t.numbers(each, 6) for each in ("c", "c_err", "c_own", "L", "reach")]
         flags = [t.Field("near", t.Integer()), t.Field("close", t.Integer())]
         row = tuple(stored(q, always=False) for q in (_Y_FORCE, _Y_MOMENT, _Y_ARM, _D_WEIGHT, n.x))
+        of_six = "The same of six forces."
+        says = "Constants of one leg; `_err`: bound of the error of what has this name."
         made = {
-            "Leg": (
-                f"{name}_leg",
-                "Constants of one leg; `_err`: bound of the error of what has this name.",
-                leg,
-            ),
+            "Leg": (f"{name}_leg", says, leg),
             "Platform": (f"{name}_platform", "Constants of the platform.", platform),
             "Model": (f"{name}_model", "A robot's constants, prepared once.", model),
             "Added": ("added_terms", "What a leg adds to the platform, and the sum of it.", added),
@@ -131,32 +129,24 @@ class BoundedForces:
                 "Y_arm: Y_moment, but 0 for leg 1, whose force has no moment about platform point 1.",
                 row,
             ),
-            "Rows": ("force_rows", "The same of six forces.", [err.records_of("force_row", "force")]),
+            "Rows": ("force_rows", of_six, [err.records_of("force_row", "force")]),
             "SlopesOfLegs": (
                 "slopes_of_legs",
                 "Slope of a force along what the pose has for all legs, as far as it goes through the legs.",
                 slopes,
             ),
-            "Slopes": (
-                "force_slopes",
-                "The same of six forces.",
-                [err.records_of("slopes_of_legs", "force")],
-            ),
+            "Slopes": ("force_slopes", of_six, [err.records_of("slopes_of_legs", "force")]),
         }
         return {key: t.Structure(own, meaning, tuple(parts)) for key, (own, meaning, parts) in made.items()}
 
     def model_numbers(self) -> int:
         """How many numbers the prepared model holds."""
-        known = {each.name: each for each in self.structures.values()}
-
-        def of(kind: t.Type) -> int:
-            if isinstance(kind, t.Array):
-                return prod(kind.dims) * of(kind.item)
-            return (
-                sum(of(each.type) for each in known[kind.name].members) if isinstance(kind, t.Record) else 1
-            )
-
-        return of(t.Record(self.structures["Model"].name))
+        types = {name: [each.type for each in self.structures[name].members] for name in ("Leg", "Platform")}
+        leg, platform = (
+            sum(prod(kind.dims) if isinstance(kind, t.Array) else 1 for kind in kinds)
+            for kinds in types.values()
+        )
+        return 6 * leg + platform + 3
 
     def parts(self) -> Iterable[t.Structure | t.Function]:
         """Structures and functions in their order."""
@@ -237,11 +227,7 @@ class BoundedForces:
         ]
         checked = [Output(q, exprs[q]) for q in CHECKED[1:]]
         return {
-            "BODY": (
-                *self._values(leg),
-                *stores(checked, lambda q: member(out, q)),
-                *arms,
-            ),
+            "BODY": (*self._values(leg), *stores(checked, lambda q: member(out, q)), *arms),
             **largest(terms),
         }
 

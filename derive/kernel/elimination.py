@@ -151,12 +151,7 @@ _BLOCKS: Mapping[str, Given] = {
     "OWN": 0,
     "GUARDED": 0,
 }
-BLOCKS_IN_ARRAYS: Mapping[str, Given] = {
-    **_BLOCKS,
-    "a": _entries("A"),
-    "x": _entries("x"),
-    "GUARDED": 1,
-}
+BLOCKS_IN_ARRAYS: Mapping[str, Given] = {**_BLOCKS, "a": _entries("A"), "x": _entries("x"), "GUARDED": 1}
 """Two blocks of poses side by side in arrays; nothing is divided by zero, for derivatives' sake."""
 BLOCKS_OF_POSE: Mapping[str, Given] = {
     **_BLOCKS,

@@ -78,12 +78,7 @@ _BLOCKS = (
     t.signature("load_vector", changed=("to",), source=_NUMBERS, **_COUNTS, to=_VECTORS),
     t.signature("load_matrix", changed=("to",), source=_NUMBERS, **_COUNTS, to=_VECTORS),
     t.signature(
-        "store_forces",
-        changed=("to",),
-        F=_VECTORS,
-        bad=t.Array(t.Real(), (POSES,)),
-        **_COUNTS,
-        to=_NUMBERS,
+        "store_forces", changed=("to",), F=_VECTORS, bad=t.Array(t.Real(), (POSES,)), **_COUNTS, to=_NUMBERS
     ),
 )
 FORCE = t.signature("STEWART_FORCE", t.Real(), D=t.Real(), x=t.Real())

@@ -296,12 +296,7 @@ def by_rows(by: "Rows", wrench: "array(6)", held: "array(6)") -> None:
 
 
 def row_right(
-    by: "Rows",
-    force: "array(24)",
-    held: "array(6)",
-    start: "array(6)",
-    rest: "array(24)",
-    right: "array(6)",
+    by: "Rows", force: "array(24)", held: "array(6)", start: "array(6)", rest: "array(24)", right: "array(6)"
 ) -> None:
     """What the six coordinates' accelerations must balance, of the rows' forces and a wrench, ``held``.
 

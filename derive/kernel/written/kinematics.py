@@ -199,11 +199,7 @@ def compare(L: "array(6)", legs: "LegsAtPose") -> "Real":
 
 
 def newton_step(
-    legs: "LegsAtPose",
-    per_size: "Real",
-    longest: "Real",
-    along: "array(3)",
-    turn: "array(3)",
+    legs: "LegsAtPose", per_size: "Real", longest: "Real", along: "array(3)", turn: "array(3)"
 ) -> None:
     """[along; turn] by which the legs no longer miss their lengths, or as much of it as is to be trusted:
     no more than a quarter of a radian and of the longest leg. Beyond it (2) is far from the straight

@@ -201,10 +201,7 @@ def forces(model: "Model", motion: "Motion", F: "array(6)") -> "Integer":
 
 
 def shared_of_block(
-    model: "alone(Model)",
-    at: "alone(MotionLanes)",
-    out: "alone(SharedLanes)",
-    c: "alone(array(6, POSES))",
+    model: "alone(Model)", at: "alone(MotionLanes)", out: "alone(SharedLanes)", c: "alone(array(6, POSES))"
 ) -> None:
     """What each pose of a block has for all legs, and the platform's part of c."""
     OUTSIDE
