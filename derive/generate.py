@@ -6,7 +6,7 @@ no path, no order of a set. Does not depend on the runtime. A process derives ea
 
 from collections.abc import Callable, Collection, Iterator, Mapping
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cache, partial, reduce
 from importlib.metadata import version as installed_version
 from multiprocessing import get_context
@@ -39,7 +39,7 @@ from .mechanics.reduced_models import DRIVE_FIDELITIES, FIDELITIES, Fidelity, fi
 from .mechanics.regressor import Regressor, regressor, rotor_columns
 from .print.template import filled
 from .program.block import Block
-from .program.cse import share
+from .program.cse import share, shared_blocks
 
 WHOLE = (EXACT, EXACT_DRIVE)
 """Formulations with a closed form and bounds."""
@@ -53,8 +53,7 @@ def generator_version() -> str:
 @cache
 def reduced(form: Formulation, friction: bool = True) -> Kernel:
     """The kernel as it is emitted: derived, then shared."""
-    raw = kernel(form, friction)
-    return replace(raw, leg=share(raw.leg), platform=share(raw.platform), reactions=share(raw.reactions))
+    return shared_blocks(kernel(form, friction))
 
 
 @cache
@@ -70,28 +69,16 @@ def prepared_model(form: Formulation) -> ForceKernel:
     return shared_blocks(with_numbers(kernel, closed_form.PREPARED) if form in WHOLE else kernel)
 
 
-def shared_blocks(raw: ForceKernel) -> ForceKernel:
-    """The kernel with every subexpression that occurs twice in a block computed once."""
-    return replace(
-        raw.changed(share),
-        prepare_leg=share(raw.prepare_leg),
-        prepare_platform=share(raw.prepare_platform),
-    )
-
-
 @cache
 def reduced_regressor() -> Regressor:
     """The regressor as it is emitted: derived, then shared."""
-    raw = regressor()
-    return Regressor(leg=share(raw.leg), platform=share(raw.platform))
+    return shared_blocks(regressor())
 
 
 @cache
 def reduced_kinematics() -> Kinematics:
     """The blocks of the kinematics as they are emitted: derived, then shared."""
-    raw = kinematics()
-    blocks = (raw.vectors, raw.row, raw.rate, raw.turned, raw.second)
-    return Kinematics(*(share(block) for block in blocks))
+    return shared_blocks(kinematics())
 
 
 @cache
@@ -273,8 +260,7 @@ def reduced_motion(
 
 @cache
 def _reduced_sums(name: str, friction: bool, form: Formulation) -> closed_form.SumKernel:
-    raw = closed_form.kernel(name, friction, rotor_of(form))
-    return replace(raw, pose=share(raw.pose)).changed(share)
+    return shared_blocks(closed_form.kernel(name, friction, rotor_of(form)))
 
 
 @cache
