@@ -76,7 +76,7 @@ DEFAULT = Choice()
 
 
 def check(choice: Choice, robot: Robot) -> None:
-    """Raise ValueError, of one line, for a wish that is unknown or that does not go with the others."""
+    """Raise ValueError, of one line, for an option that is unknown or contradicts another one."""
     need_no_offsets(robot)
     option(choice.precision, tuple(PRECISIONS), "precision")
     option(choice.formulation, ("exact", "paper"), "formulation")
@@ -97,7 +97,7 @@ def check(choice: Choice, robot: Robot) -> None:
 
 
 def options(choice: Choice) -> str:
-    """The wishes as the command line takes them."""
+    """The options as the command line takes them."""
     given = [f"--functions {','.join(choice.groups)}"]
     given += [f"--formulation {choice.formulation}"] if choice.formulation != "exact" else []
     given += [f"--fidelity {choice.fidelity}"] if choice.fidelity else []
