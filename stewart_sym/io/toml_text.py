@@ -5,13 +5,17 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 
-def toml_text(tables: Mapping[str, Any]) -> str:
-    """Text of tables of texts, numbers, lists and tables; tables without tables in them stand in one line."""
-    return "\n".join(_lines(tables, "")) + "\n"
+def toml_text(tables: Mapping[str, Any], inline: bool = True) -> str:
+    """Text of tables of texts, numbers, lists and tables.
+
+    inline: write a table without further tables in one line, unless it is one of the file's own; otherwise
+    every table has a section of its own.
+    """
+    return "\n".join(_lines(tables, "", inline)) + "\n"
 
 
-def _lines(table: Mapping[str, Any], path: str) -> Iterator[str]:
-    sections = {key: value for key, value in table.items() if _is_section(value, path)}
+def _lines(table: Mapping[str, Any], path: str, inline: bool) -> Iterator[str]:
+    sections = {key: value for key, value in table.items() if _is_section(value, path, inline)}
     for key, value in table.items():
         if key not in sections:
             yield f"{key} = {_value(value)}"
@@ -19,20 +23,21 @@ def _lines(table: Mapping[str, Any], path: str) -> Iterator[str]:
         for each in value if isinstance(value, list) else [value]:
             name = f"{path}{key}"
             if (
-                isinstance(value, list)
+                not inline
+                or isinstance(value, list)
                 or not each
-                or not all(_is_section(one, name) for one in each.values())
+                or not all(_is_section(one, name, inline) for one in each.values())
             ):
                 yield ""
                 yield f"[[{name}]]" if isinstance(value, list) else f"[{name}]"
-            yield from _lines(each, f"{name}.")
+            yield from _lines(each, f"{name}.", inline)
 
 
-def _is_section(value: object, path: str) -> bool:
+def _is_section(value: object, path: str, inline: bool) -> bool:
     if isinstance(value, list):
         return bool(value) and isinstance(value[0], Mapping)
     return isinstance(value, Mapping) and (
-        not path or any(isinstance(each, Mapping) for each in value.values())
+        not path or not inline or any(isinstance(each, Mapping) for each in value.values())
     )
 
 

@@ -8,7 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..backend.kernel import robot_kernel
+from ..derive.package.words import template
 from ..io.arguments import option, shown
+from ..io.toml_text import toml_text
 from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot
 
@@ -94,6 +96,11 @@ def check(choice: Choice, robot: Robot) -> None:
     for name in (*_OF_FORCES, "fmu"):
         if getattr(choice, name) and "forces" not in choice.functions:
             raise ValueError(f"{name}: applies to the function forces, got {', '.join(choice.functions)}")
+
+
+def robot_toml(robot: Robot, choice: Choice) -> str:
+    """The kit's copy of the robot file: the same robot to the bit, and how the kit was made of it."""
+    return template("kit/robot.toml", {"options": options(choice)}) + toml_text(robot.to_dict(), inline=False)
 
 
 def options(choice: Choice) -> str:

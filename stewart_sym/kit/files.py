@@ -23,7 +23,7 @@ from ..derive.package.example import example
 from ..derive.package.functions import Function, reads_robot
 from ..derive.package.readme import Figures, readme
 from ..derive.package.readme import Kit as ReadmeKit
-from ..derive.package.robot import HEADER, SOURCE, robot_digest, robot_files, robot_toml
+from ..derive.package.robot import HEADER, SOURCE, robot_digest, robot_files
 from ..derive.package.selftest import Case, Rejected, selftest
 from ..derive.package.words import robot_symbol
 from ..drives.friction import drive_numbers
@@ -35,7 +35,7 @@ from ..motion.motion import Motion, at_rest
 from ..results import OK
 from ..robot.robot import Robot
 from . import languages
-from .choice import DEFAULT, PRECISIONS, STEMS, TORQUE, Choice, check, options
+from .choice import DEFAULT, PRECISIONS, STEMS, TORQUE, Choice, check, options, robot_toml
 from .fmu import packed
 from .parts import Parts, generator, parts, robot_numbers
 from .poses import sample
@@ -103,7 +103,7 @@ def kit(robot: Robot, choice: Choice = DEFAULT, progress: Progress = silent) -> 
     texts[build.EXAMPLE] = example(robot.name, symbol, tested, cases, generator())
     texts |= _build_files(symbol, made, texts, choice)
     texts[LICENCE] = licence.TEXT
-    texts[ROBOT] = robot_toml(robot.to_dict(), options(choice))
+    texts[ROBOT] = robot_toml(robot, choice)
     files = {name: text.encode() for name, text in texts.items()}
     if choice.fmu:
         progress("building the FMU")

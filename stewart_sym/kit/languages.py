@@ -12,12 +12,11 @@ from ..derive.mechanics import quantities as n
 from ..derive.package import licence
 from ..derive.package.languages import LANGUAGES
 from ..derive.package.languages.contents import Contents, Test, Value, compared
-from ..derive.package.robot import robot_toml
 from ..derive.package.words import robot_symbol
 from ..io.arguments import option, shown
 from ..precision.truth import form_and_level
 from ..robot.robot import Robot
-from .choice import STEMS, Choice, options
+from .choice import STEMS, Choice, options, robot_toml
 from .parts import generator, robot_numbers
 from .vectors import rejected, vectors
 
@@ -83,7 +82,7 @@ def texts(robot: Robot, choice: Choice) -> dict[str, str]:
     made = language.files(contents)
     made["README.md"] = language.readme(contents, made[language.example])
     made["LICENSE"] = licence.TEXT
-    made["robot.toml"] = robot_toml(robot.to_dict(), options(choice))
+    made["robot.toml"] = robot_toml(robot, choice)
     return made
 
 
