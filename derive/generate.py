@@ -6,12 +6,11 @@ no path, no order of a set. Does not depend on the runtime. A process derives ea
 
 from collections.abc import Callable, Collection, Iterator, Mapping
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import dataclass, field
 from functools import cache, partial, reduce
 from importlib.metadata import version as installed_version
 from multiprocessing import get_context
 from time import perf_counter
-from typing import Any, TypeVar
 
 import sympy as sp
 
@@ -37,10 +36,10 @@ from .mechanics.legs.rotor import NONE, REFLECTED, rotor_of
 from .mechanics.offset_forces import offset_kernel
 from .mechanics.orientation import quaternion, rpy
 from .mechanics.reduced_models import DRIVE_FIDELITIES, FIDELITIES, Fidelity, fidelity_kernel, level_of
-from .mechanics.regressor import Regressor, regressor, rotor_columns
+from .mechanics.regressor import regressor, rotor_columns
 from .print.template import filled
 from .program.block import Block
-from .program.cse import share
+from .program.cse import share, shared_blocks
 
 WHOLE = (EXACT, EXACT_DRIVE)
 """Formulations with a closed form and bounds."""
@@ -49,16 +48,6 @@ WHOLE = (EXACT, EXACT_DRIVE)
 def generator_version() -> str:
     """Version that goes into every emitted header: this package's and SymPy's minor one."""
     return f"{installed_version('stewart-sym')} with SymPy {'.'.join(sp.__version__.split('.')[:2])}"
-
-
-_Blocks = TypeVar("_Blocks", Kernel, ForceKernel, Regressor, Kinematics, closed_form.SumKernel)
-
-
-def shared_blocks(raw: _Blocks) -> _Blocks:
-    """The kernel with every subexpression that occurs twice in a block computed once: as it is emitted."""
-    parts = {each.name: getattr(raw, each.name) for each in fields(raw)}
-    blocks: dict[str, Any] = {name: share(part) for name, part in parts.items() if isinstance(part, Block)}
-    return replace(raw, **blocks)
 
 
 @cache

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from .emit import lanes
 from .emit.header import common_header
 from .emit.shared import shared_headers
-from .generate import generator_version, prepared_model, shared_blocks
+from .generate import generator_version, prepared_model
 from .kernel.operations import force_operations
 from .mechanics.actuator_forces import (
     ForceKernel,
@@ -19,6 +19,7 @@ from .mechanics.actuator_forces import (
     with_shared_pose,
 )
 from .mechanics.formulation import EXACT
+from .program.cse import shared_blocks
 
 
 @dataclass(frozen=True)

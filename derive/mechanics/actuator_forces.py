@@ -22,7 +22,7 @@ from functools import cache
 
 import sympy as sp
 
-from ..program.block import Block, Builder, Output, Quantity, Step, rebuilt
+from ..program.block import Block, Builder, Output, Quantity, Step, component_name, rebuilt
 from . import lumped_constants as p
 from . import quantities as n
 from .formulation import SPHERICAL, Formulation
@@ -35,7 +35,7 @@ from .legs.joint_coordinates import (
     joint_rates,
     tip_force,
 )
-from .legs.leg import cross
+from .legs.leg import cross, skew
 from .legs.printed import printed_leg
 from .legs.rotor import NONE, Rotor, rotor_of
 from .platform import LegShare, platform
@@ -47,12 +47,14 @@ FROM_POSE = (*n.MOTION, p.B)
 class ForceKernel:
     """The blocks from which the actuator forces are computed.
 
-    prepare_leg, prepare_platform: constants, once per robot; shared: what the pose has for all legs, with the
-    platform's part of c; leg: D, a column of H and a part of c of one leg; leg_near_singular: the same, for
-    poses in which a leg is near its joint singularity. about_tip: moments are about platform point 1, made by
-    ``moments`` and ``shift``, and of moments a leg's own block has no more than its friction; otherwise they
-    are about the reference point, and a leg's block has them. size, extent: m, of a baked kernel, the largest
-    coordinate of the arms of its moments, and the largest sum of sizes of a point's coordinates.
+    prepare_leg, prepare_platform: constants, once per robot. shared: what is computed once per pose for all
+    legs, with the platform's part of c. leg: D, a column of H and a part of c of one leg; leg_near_singular:
+    the same, for poses in which a leg is near its joint singularity. about_tip: whether moments are about
+    platform point 1: then ``moments`` and ``shift`` compute them, and a leg's block computes no moment but
+    that of friction; otherwise moments are about the reference point, and a leg's block computes them.
+    Of a baked kernel alone: constants, the values of each, one for all legs or six; size, m, the largest
+    coordinate of the arms of its moments; extent, m, the largest sum of the absolute coordinates of a base or
+    platform point.
     """
 
     formulation: Formulation
@@ -93,7 +95,18 @@ class ForceKernel:
 
         Leg 1 then has moments like any other, all of them zero, and the pose has q_1 from p_1, a constant.
         """
-        return _whole(self)
+        turned = zip(p.q_1.names, n.R.value * n.p_1.value, strict=True)
+        tip = [Step(name, expr, "(1)", p.q_1.meaning) for name, expr in turned]
+        pose = joined(self.shared, self.shift, tip, (n.R, n.p_1))
+        pose = replace(pose, outputs=(*pose.outputs, Output(p.q_1, p.q_1.symbols)))
+        near = None if self.leg_near_singular is None else joined(self.leg_near_singular, self.moments)
+        before = self.prepare_platform
+        inputs = tuple(dict.fromkeys((*before.inputs, n.p_1)))
+        given = replace(before, inputs=inputs, outputs=(*before.outputs, Output(n.p_1, n.p_1.symbols)))
+        leg = joined(self.leg, self.moments)
+        return replace(
+            self, shared=pose, leg=leg, leg_near_singular=near, prepare_platform=given, about_tip=False
+        )
 
     def literals(self) -> dict[Quantity, float]:
         """Constants of a baked kernel that all legs share."""
@@ -272,21 +285,6 @@ def _platform_moments() -> Block:
     return Builder().block("shift", "the platform's part of c", inputs, [(p.c_tip, moved)])
 
 
-def _whole(kernel: ForceKernel) -> ForceKernel:
-    turned = zip(p.q_1.names, n.R.value * n.p_1.value, strict=True)
-    tip = [Step(name, expr, "(1)", p.q_1.meaning) for name, expr in turned]
-    pose = joined(kernel.shared, kernel.shift, tip, (n.R, n.p_1))
-    pose = replace(pose, outputs=(*pose.outputs, Output(p.q_1, p.q_1.symbols)))
-    near = None if kernel.leg_near_singular is None else joined(kernel.leg_near_singular, kernel.moments)
-    before = kernel.prepare_platform
-    inputs = tuple(dict.fromkeys((*before.inputs, n.p_1)))
-    given = replace(before, inputs=inputs, outputs=(*before.outputs, Output(n.p_1, n.p_1.symbols)))
-    leg = joined(kernel.leg, kernel.moments)
-    return replace(
-        kernel, shared=pose, leg=leg, leg_near_singular=near, prepare_platform=given, about_tip=False
-    )
-
-
 def joined(
     first: Block, second: Block, between: Iterable[Step] = (), inputs: Iterable[Quantity] = ()
 ) -> Block:
@@ -315,21 +313,9 @@ def joined(
 
 def rotary(build: Builder, omega: sp.Matrix, alpha: sp.Matrix) -> sp.Matrix:
     """B = [alpha]x + [omega]x [omega]x, named entry by entry."""
-    square = {
-        (i, j): build.scalar(f"omega_{'xyz'[i]}{'xyz'[j]}", omega[i] * omega[j], "", "products of omega")
-        for i in range(3)
-        for j in range(i, 3)
-    }
-    turn = sp.Matrix([[0, -alpha[2], alpha[1]], [alpha[2], 0, -alpha[0]], [-alpha[1], alpha[0], 0]])
-
-    def entry(i: int, j: int) -> sp.Expr:
-        if i != j:
-            return square[min(i, j), max(i, j)] + turn[i, j]
-        return -sum(square[m, m] for m in range(3) if m != i)
-
-    return sp.Matrix(
-        3, 3, lambda i, j: build.scalar(f"B_{'xyz'[i]}{'xyz'[j]}", entry(i, j), "(7)", "S_ddot = B q + a")
-    )
+    square = build.tensor("omega", omega * omega.T, "", "products of omega")
+    turn = skew(alpha) + square - square.trace() * sp.eye(3)
+    return build.matrix("B", turn, "(7)", "S_ddot = B q + a")
 
 
 def euler(
@@ -344,31 +330,20 @@ def euler(
 
     turn: ``rotary`` of the same omega and alpha, where there is one to take sums from.
     """
-    x, y, z = omega
-    xy, xz, yz = (build.scalar(name, e) for name, e in (("P_xy", x * y), ("P_xz", x * z), ("P_yz", y * z)))
-    xx, yy, zz = (build.scalar(name, e) for name, e in (("P_xx", x * x), ("P_yy", y * y), ("P_zz", z * z)))
-    if turn is None:
-        square = sp.Matrix([[0, xy, xz], [xy, 0, yz], [xz, yz, 0]])
-        turn = square + sp.Matrix(
-            [[0, -alpha[2], alpha[1]], [alpha[2], 0, -alpha[0]], [-alpha[1], alpha[0], 0]]
-        )
+    square = {
+        (i, j): build.scalar(component_name("P", (i, j)), omega[i] * omega[j])
+        for i, j in ((0, 1), (0, 2), (1, 2), (0, 0), (1, 1), (2, 2))
+    }
+    product = sp.Matrix(3, 3, lambda i, j: square[min(i, j), max(i, j)])
+    turn = product + skew(alpha) if turn is None else turn
     return sp.Matrix(
         [
-            inertia[0, 0] * alpha[0]
-            - inertia[0, 1] * turn[2, 0]
-            + inertia[0, 2] * turn[1, 0]
-            + d[0] * yz
-            + inertia[1, 2] * (yy - zz),
-            inertia[0, 1] * turn[2, 1]
-            + inertia[1, 1] * alpha[1]
-            - inertia[1, 2] * turn[0, 1]
-            + d[1] * xz
-            + inertia[0, 2] * (zz - xx),
-            -inertia[0, 2] * turn[1, 2]
-            + inertia[1, 2] * turn[0, 2]
-            + inertia[2, 2] * alpha[2]
-            + d[2] * xy
-            + inertia[0, 1] * (xx - yy),
+            inertia[i, i] * alpha[i]
+            - inertia[i, j] * turn[k, i]
+            + inertia[i, k] * turn[j, i]
+            + d[i] * product[j, k]
+            + inertia[j, k] * (product[j, j] - product[k, k])
+            for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1))
         ]
     )
 

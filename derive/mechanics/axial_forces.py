@@ -9,7 +9,7 @@ from ..program.block import Block, Builder, Quantity
 from . import quantities as n
 from .formulation import Formulation
 from .kinematics import L_dot
-from .legs.leg import LegFrameMotion, leg_frame, leg_vector, platform_point_motion, rotation
+from .legs.leg import LegFrameMotion, leg_frame, leg_vector, platform_point_motion, rotation, sliding
 from .legs.rotor import Rotor, rotor_of
 
 F_rotor = Quantity("F_rotor", (), "N", "part of the actuator force that turns the leg's rotor")
@@ -26,9 +26,7 @@ def axial_block(form: Formulation, rotor: Rotor | None = None) -> Block:
     S_dot, S_ddot = platform_point_motion(build, q)
     if rotor.momentum == 0:
         k3 = sp.S.One
-        rate = build.scalar("rate", s.dot(S_dot), "(5)", "sliding velocity")
-        across = build.vector("across", S_dot - rate * s, "", "part of S_dot across the leg, of length L |W|")
-        second = build.scalar("second", s.dot(S_ddot) + across.dot(across) * inv_L, "(8)")
+        rate, second = sliding(build, s, inv_L, S_dot, S_ddot)
         turned = rotor.mass * second
     else:
         T, k, inv_k3, kappa = leg_frame(build, s)

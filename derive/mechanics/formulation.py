@@ -39,10 +39,9 @@ class Formulation:
 
 EXACT = Formulation("exact", UNIVERSAL, no_spin=False, moment_along_leg=False, transport_twice=False)
 PAPER = Formulation("paper", UNIVERSAL, no_spin=True, moment_along_leg=True, transport_twice=True)
-EXACT_SPHERICAL = Formulation(
-    "exact", SPHERICAL, no_spin=False, moment_along_leg=False, transport_twice=False
-)
-PAPER_SPHERICAL = Formulation("paper", SPHERICAL, no_spin=True, moment_along_leg=True, transport_twice=True)
+EXACT_SPHERICAL, PAPER_SPHERICAL = (replace(form, base_joint=SPHERICAL) for form in (EXACT, PAPER))
 EXACT_DRIVE = replace(EXACT, drive=True)
 EXACT_SPHERICAL_DRIVE = replace(EXACT_SPHERICAL, drive=True)
 FORMULATIONS = (EXACT, PAPER, EXACT_SPHERICAL, PAPER_SPHERICAL, EXACT_DRIVE, EXACT_SPHERICAL_DRIVE)
+BY_KERNEL = {form.kernel_name: form for form in FORMULATIONS}
+"""Formulations by the names of their kernels."""

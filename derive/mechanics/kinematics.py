@@ -10,7 +10,7 @@ import sympy as sp
 
 from ..program.block import Block, Builder, Quantity
 from . import quantities as n
-from .legs.leg import cross, leg_vector, platform_point_motion
+from .legs.leg import cross, leg_vector, platform_point_motion, skew, sliding
 
 S = Quantity("S", (3,), "m", "vector from base point to platform point, base frame")
 L_dot = Quantity("L_dot", (), "m/s", "rate of the leg's length, positive when it extends")
@@ -78,9 +78,7 @@ def _second() -> Block:
     build = Builder()
     q, vector, L, inv_L, s = leg_vector(build)
     S_dot, S_ddot = platform_point_motion(build, q)
-    rate = build.scalar("rate", s.dot(S_dot), "(5)", "sliding velocity")
-    across = build.vector("across", S_dot - rate * s, "", "part of S_dot across the leg, of length L |W|")
-    second = build.scalar("second", s.dot(S_ddot) + across.dot(across) * inv_L, "(8)")
+    rate, second = sliding(build, s, inv_L, S_dot, S_ddot)
     return build.block(
         "motion_of",
         "Length of one leg and its first and second rate, its unit vector, S and q, (1)-(5), (7), (8)",
@@ -95,9 +93,8 @@ def _turned() -> Block:
     w = build.vector("w", turn.value / 2, "", "half the turn")
     share = build.scalar("share", 2 / (1 + w.dot(w)))
     products = build.tensor("W", w * w.T, "", "products of the half turn")
-    spin = sp.Matrix([[0, -w[2], w[1]], [w[2], 0, -w[0]], [-w[1], w[0], 0]])
     square = products - products.trace() * sp.eye(3)
-    rotation = sp.eye(3) + (spin + square) * share
+    rotation = sp.eye(3) + (skew(w) + square) * share
     return build.block(
         "turned_by",
         "Cayley's rotation, which needs no sine: exp([turn]x) to third order",

@@ -44,10 +44,9 @@ def offset_leg(friction: bool) -> Block:
     D, K = o.offset_tip_force(build, at, forces)
     moment = friction_moment(at, rates, friction)
     meaning = "one leg with offset joints: D, its column of H and its part of c"
-    found = actuator_forces.closed_leg(
+    return actuator_forces.closed_leg(
         build, meaning, at.q, leg.column, at.L, leg.sine, D, K, moment, o.PREPARED
     )
-    return found
 
 
 def prepare_leg(needed: Iterable[Quantity], lumped: p.Lumped) -> Block:

@@ -7,7 +7,7 @@ import sympy as sp
 
 from ..program.block import Block, Builder, Quantity
 from . import quantities as n
-from .legs.leg import cross
+from .legs.leg import cross, skew
 
 SINE = Quantity("sine", (3,), "1", "sines of theta_x, theta_y, theta_z")
 COSINE = Quantity("cosine", (3,), "1", "cosines of theta_x, theta_y, theta_z")
@@ -55,8 +55,8 @@ def quaternion() -> Block:
     (w, v), rate, second = ((part.value for part in parts) for parts in (E, E_DOT, E_DDOT))
     build = Builder()
     over = build.scalar("inv_square", 1 / (w * w + v.dot(v)), "", "one over the square of the length")
-    skew = sp.Matrix([[0, -v[2], v[1]], [v[2], 0, -v[0]], [-v[1], v[0], 0]])
-    R = sp.eye(3) + 2 * over * (w * skew + skew * skew)
+    turn = skew(v)
+    R = sp.eye(3) + 2 * over * (w * turn + turn * turn)
 
     def by_inverse(scalar: sp.Expr, vector: sp.Matrix) -> tuple[sp.Expr, sp.Matrix]:
         """Product with e^-1 = (w, -v) / |e|^2."""

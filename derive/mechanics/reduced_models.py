@@ -52,13 +52,7 @@ FIDELITIES = {
     for level in (
         Fidelity("general", GENERAL, True, True, "everything"),
         Fidelity("frictionless", GENERAL, False, True, "no friction"),
-        Fidelity(
-            "axisymmetric_friction",
-            AXISYMMETRIC,
-            True,
-            True,
-            "axisymmetric legs, with friction",
-        ),
+        Fidelity("axisymmetric_friction", AXISYMMETRIC, True, True, "axisymmetric legs, with friction"),
         Fidelity("axisymmetric", AXISYMMETRIC, False, True, "axisymmetric legs"),
         Fidelity("slender_friction", SLENDER, True, True, "no inertia about the leg's axis, with friction"),
         Fidelity("slender", SLENDER, False, True, "no inertia about the leg's axis"),
@@ -73,52 +67,26 @@ FIDELITIES = {
         Fidelity("massless_static", MASSLESS, False, False, "at rest, legs without mass"),
     )
 }
-"""Levels by name, each with what it says of the machine. At rest axisymmetric legs and point masses are
-slender ones."""
+"""Levels by name. At rest, axisymmetric legs and point masses have the same forces as slender legs."""
+
+_SLENDER_LEGS = "reflected masses, no inertia about the leg's axis"
+_MASSLESS_LEGS = "reflected masses, legs without mass of their own"
 
 DRIVE_FIDELITIES = {
-    level.name: level
-    for level in (
-        Fidelity("general", GENERAL, True, True, "everything, rotors included", FULL),
-        Fidelity("reflected", GENERAL, True, True, "rotors as masses that move with the lengths", REFLECTED),
-        Fidelity(
-            "reflected_slender_friction",
-            SLENDER,
-            True,
-            True,
-            "reflected masses, no inertia about the leg's axis, with friction",
-            REFLECTED,
-        ),
-        Fidelity(
-            "reflected_slender",
-            SLENDER,
-            False,
-            True,
-            "reflected masses, no inertia about the leg's axis",
-            REFLECTED,
-        ),
-        Fidelity(
-            "reflected_massless_friction",
-            MASSLESS,
-            True,
-            True,
-            "reflected masses, legs without mass of their own, with friction",
-            REFLECTED,
-        ),
-        Fidelity(
-            "reflected_massless",
-            MASSLESS,
-            False,
-            True,
-            "reflected masses, legs without mass of their own",
-            REFLECTED,
-        ),
+    name: Fidelity(name, legs, friction, True, meaning, rotor)
+    for name, legs, friction, meaning, rotor in (
+        ("general", GENERAL, True, "everything, rotors included", FULL),
+        ("reflected", GENERAL, True, "rotors as masses that move with the lengths", REFLECTED),
+        ("reflected_slender_friction", SLENDER, True, f"{_SLENDER_LEGS}, with friction", REFLECTED),
+        ("reflected_slender", SLENDER, False, _SLENDER_LEGS, REFLECTED),
+        ("reflected_massless_friction", MASSLESS, True, f"{_MASSLESS_LEGS}, with friction", REFLECTED),
+        ("reflected_massless", MASSLESS, False, _MASSLESS_LEGS, REFLECTED),
     )
 }
-"""Levels that only legs with rotors have. Those of ``FIDELITIES`` leave the rotors out; the one that is
-everything but them goes by ``NO_ROTOR``."""
+"""Further levels of legs with rotors. The levels of ``FIDELITIES`` leave the rotors out."""
 
 NO_ROTOR = "no_rotor"
+"""Name, for legs with rotors, of the level ``general`` of ``FIDELITIES``: everything but the rotors."""
 
 
 def level_of(name: str, rotors: bool) -> Fidelity:
@@ -185,9 +153,7 @@ def _leg(level: Fidelity, near_singular: bool = False) -> Block:
     if level.legs == AXISYMMETRIC or level.friction:
         leg = actuator_forces.joint_leg(level.friction, near_singular, level.rotor)
         return specialised(leg, _constants(level.legs), p.LEG)
-    if level.legs == MASSLESS:
-        return _massless_leg() if level.rotor == NONE else _rotor_alone(level.rotor)
-    return _slender_leg(_across(level.legs), level.rotor)
+    return _leg_on_axis(level)
 
 
 def _across(legs: str) -> sp.Expr:
@@ -210,32 +176,24 @@ def _constants(legs: str) -> dict[sp.Symbol, sp.Expr]:
     return values | {p.J.value[0, 0]: axial, p.J.value[1, 1]: across, p.J.value[2, 2]: across}
 
 
-def _slender_leg(inertia: sp.Expr, rotor: Rotor) -> Block:
-    build = Builder()
-    at = axial_leg.axis(build)
-    D, K = axial_leg.tip_force(build, at, *p.tip_motion(build, at.q), inertia, rotor.mass)
-    meaning = "one slender leg: D, its column of H and its part of c"
-    return actuator_forces.closed_leg(build, meaning, at.q, at.s, at.L, None, D, K, sp.zeros(3, 1))
-
-
-def _massless_leg() -> Block:
-    build = Builder()
-    at = axial_leg.axis(build)
-    meaning = "one massless leg: its column of H"
-    nothing = sp.zeros(3, 1)
-    return actuator_forces.closed_leg(build, meaning, at.q, at.s, at.L, None, _ZERO, nothing, nothing)
-
-
-def _rotor_alone(rotor: Rotor) -> Block:
+def _leg_on_axis(level: Fidelity) -> Block:
+    """A leg without friction and without inertia about its axis."""
     build = Builder()
     at = axial_leg.axis(build)
     S_dot, S_ddot = p.tip_motion(build, at.q)
-    L_dot = build.scalar("L_dot", at.s.dot(S_dot), "(5)", "rate of the length")
-    turned = build.scalar("turned", (S_dot.dot(S_dot) - L_dot**2) * at.inv_L, "(8)", "L |s_dot|^2")
-    D = build.scalar("D", rotor.mass * (at.s.dot(S_ddot) + turned), "(24)", "force that turns the motor")
-    meaning = "one massless leg with a reflected mass: D and its column of H"
-    nothing = sp.zeros(3, 1)
-    return actuator_forces.closed_leg(build, meaning, at.q, at.s, at.L, None, D, nothing, nothing)
+    D, K = _ZERO, sp.zeros(3, 1)
+    mass = level.rotor.mass
+    if level.legs != MASSLESS:
+        meaning = "one slender leg: D, its column of H and its part of c"
+        D, K = axial_leg.tip_force(build, at, S_dot, S_ddot, _across(level.legs), mass)
+    elif level.rotor == NONE:
+        meaning = "one massless leg: its column of H"
+    else:
+        meaning = "one massless leg with a reflected mass: D and its column of H"
+        L_dot = build.scalar("L_dot", at.s.dot(S_dot), "(5)", "rate of the length")
+        turned = build.scalar("turned", (S_dot.dot(S_dot) - L_dot**2) * at.inv_L, "(8)", "L |s_dot|^2")
+        D = build.scalar("D", mass * (at.s.dot(S_ddot) + turned), "(24)", "force that turns the motor")
+    return actuator_forces.closed_leg(build, meaning, at.q, at.s, at.L, None, D, K, sp.zeros(3, 1))
 
 
 def _platform_alone(friction: bool) -> Block:

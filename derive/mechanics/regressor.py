@@ -19,7 +19,7 @@ from . import quantities as n
 from .closed_form.parts import name_omega
 from .legs import tip
 from .legs.joint_coordinates import JointFrame, gravity_torques, joint_accelerations, joint_frame, joint_rates
-from .legs.leg import cross
+from .legs.leg import cross, platform_point_motion
 from .legs.rotor import FULL
 
 # Parameters of one leg and of the platform; their columns stand in Y in this order.
@@ -94,15 +94,8 @@ def dependencies() -> dict[str, dict[str, sp.Expr]]:
 def _leg(parameters: tuple[Quantity, ...]) -> Block:
     build = Builder()
     at = joint_frame(build, with_z=True)
-    omega, alpha, q = n.omega.value, n.alpha.value, at.q
-    spin = build.vector("w_q", cross(omega, q), "(4)", "omega x q")
-    S_dot = build.vector("S_dot", spin + n.v.value, "(4)", "velocity of the platform point")
-    S_ddot = build.vector(
-        "S_ddot",
-        cross(alpha, q) + cross(omega, spin) + n.a.value,
-        "(7)",
-        "acceleration of the platform point",
-    )
+    q = at.q
+    S_dot, S_ddot = platform_point_motion(build, q)
     rates = joint_rates(build, at, S_dot)
     joint_accelerations(build, at, rates, S_ddot)
     _projections(build, at)
@@ -117,7 +110,7 @@ def _leg(parameters: tuple[Quantity, ...]) -> Block:
     forces[n.m_u.name] = build.vector("rise", S_ddot - n.g.value, "(18)", "S_ddot - g")
     columns = {name: (force, cross(q, force)) for name, force in forces.items()}
     force, moment = columns[n.C_s.name]
-    columns[n.C_s.name] = force, moment + omega - W
+    columns[n.C_s.name] = force, moment + n.omega.value - W
     columns |= {lower: columns[upper] for lower, upper in zip(J_d.names, J_u.names, strict=True)}
     columns[n.m_d.name] = sp.zeros(3, 1), sp.zeros(3, 1)
     return build.block(

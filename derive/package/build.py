@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from .words import template
 
 CONFIG_IN = "Config.cmake.in"
-"""File name of ``config_in`` in a kit: its CMakeLists.txt reads it."""
+"""What ``find_package(<symbol>)`` runs, as a template that CMakeLists.txt reads."""
 WRAPPER = "stewart.hpp"
 """File name of the C++ wrapper in a kit."""
 EXAMPLE, SELFTEST = "example/main.c", "test/selftest.c"
@@ -25,9 +25,8 @@ class Package:
 
     symbol: C identifier, name of library, package and CMake target. version: of the generator.
     sources: ``.c`` files of the library; headers: those that callers include; shared: others, that sources
-    include. has_cpp: whether ``stewart.hpp`` is among the kit's files. precision: "double" or "float", in
-    the files alone, as stewart.h of a float kit defines float by itself. example, selftest: files with a
-    main of their own.
+    include. precision: "double" or "float", in the files alone, as stewart.h of a float kit defines float by
+    itself.
     """
 
     symbol: str
@@ -36,21 +35,18 @@ class Package:
     headers: tuple[str, ...]
     shared: tuple[str, ...] = ()
     precision: str = "double"
-    has_cpp: bool = False
-    example: str = EXAMPLE
-    selftest: str = SELFTEST
 
     @property
     def installed(self) -> tuple[str, ...]:
         """Every header that an install carries."""
-        return (*self.headers, *([WRAPPER] if self.has_cpp else []))
+        return *self.headers, WRAPPER
 
 
 def build_files(package: Package) -> dict[str, str]:
     """``CMakeLists.txt``, ``Config.cmake.in`` and ``Makefile``: file name -> text."""
     return {
         "CMakeLists.txt": cmake_lists(package),
-        CONFIG_IN: config_in(package),
+        CONFIG_IN: _filled(CONFIG_IN, package),
         "Makefile": makefile(package),
     }
 
@@ -71,11 +67,6 @@ def cmake_lists(package: Package) -> str:
     )
 
 
-def config_in(package: Package) -> str:
-    """What ``find_package(<symbol>)`` runs, as a template for CMake's package helpers."""
-    return _filled(CONFIG_IN, package)
-
-
 def makefile(package: Package) -> str:
     """``Makefile`` for any make: library, self-test, example, report of stack, install."""
     return _filled(
@@ -86,14 +77,12 @@ def makefile(package: Package) -> str:
         objects=" ".join(source.removesuffix(".c") + ".o" for source in package.sources),
         headers=" ".join((*package.headers, *package.shared)),
         installed=" ".join(package.installed),
-        example_object=package.example.removesuffix(".c") + ".o",
-        selftest_object=package.selftest.removesuffix(".c") + ".o",
     )
 
 
 def _filled(name: str, package: Package, **values: str) -> str:
-    fields = ("symbol", "version", "precision", "example", "selftest")
-    return template(f"kit/{name}", {field: str(getattr(package, field)) for field in fields} | values)
+    given = {"symbol": package.symbol, "version": package.version, "precision": package.precision}
+    return template(f"kit/{name}", given | values)
 
 
 def _number(version: str) -> str:

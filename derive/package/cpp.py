@@ -16,8 +16,9 @@ from .words import template
 def wrapper(functions: Sequence[Function], version: str) -> str:
     """``stewart.hpp`` of a kit that holds these functions; version: of the generator.
 
-    A class for each model, robot function family and baked kernel, and names of ``_ALIASES`` for those that
-    do such things.
+    There is a class for each prepared model, for each header whose functions take a robot or its drives, and
+    for each baked kernel; each name of ``_ALIASES`` stands for the first class that has such functions.
+
     Raises ValueError for a function that is not in ``interface.CALLS``.
     """
     for function in functions:
@@ -72,7 +73,7 @@ def _class(name: str, functions: Sequence[Function]) -> str:
 
 
 def _methods(function: Function) -> Iterable[str]:
-    """One method, a second with the argument that may be null, and for forces those of a batch."""
+    """One method, a second one with the arguments that may be null, and for forces those of a batch."""
     arguments = function.call.arguments
     yield _method(function, [each for each in arguments if not each.optional], arguments)
     if any(each.optional for each in arguments):

@@ -1,7 +1,7 @@
 """Where a kit's C departs from MISRA C:2012, rule by rule, with the reason.
 
-Data for a kit's README. The rules are those by which the addon of cppcheck 2.10 finds something; what each
-is about is said in our own words.
+Data for a kit's README: every rule for which the MISRA addon of cppcheck 2.10 reports something, summarised
+in words of our own.
 """
 
 from collections.abc import Collection
@@ -11,8 +11,8 @@ LANES = ("forces", "forces baked")
 SCALAR = ("forces scalar", "forces scalar baked")
 CLOSED_FORM = ("motion", "derivatives")
 KINDS = (*LANES, *SCALAR, "reactions", *CLOSED_FORM, "kinematics", "axial", "torque", "rotation", "robot")
-"""Kinds of sources: forces in lanes or scalar, with a model or baked; the rest by the function asked for;
-"robot" holds the robot's constants."""
+"""Kinds of sources: forces in lanes or scalar, with a model or baked; the others by their group of functions;
+"robot" has the robot's constants."""
 
 
 @dataclass(frozen=True)
@@ -131,7 +131,7 @@ TOGETHER = Deviation(
     "static functions of a header are each source's own, and the same helper has the same name in each",
     tuple(kind for kind in _CODE if kind != "rotation"),
 )
-"""What sources depart from only side by side."""
+"""The rule from which only several sources together depart."""
 
 
 def deviations(kinds: Collection[str]) -> tuple[Deviation, ...]:

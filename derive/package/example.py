@@ -7,8 +7,7 @@ import textwrap
 from collections.abc import Iterable, Mapping, Sequence
 
 from ..kernel.interface import Argument
-from . import robot
-from .functions import MODEL, NOTHING, Function
+from .functions import MODEL, Function, includes
 from .selftest import Case
 from .words import braces, in_comment, literal, motion_members, template
 
@@ -19,14 +18,10 @@ def example(
     """``example/main.c``. Arguments and errors as of ``selftest``; the first case of each is shown."""
     shown = [(function, cases[function.stem][0]) for function in functions]
     motions = [case.motion for _, case in shown if case.motion is not None]
-    uses_robot = any(function.subject != NOTHING for function in functions)
-    headers = dict.fromkeys(function.header for function in functions)
     parts = {
         "name": in_comment(name),
         "version": version,
-        "includes": "".join(
-            f'#include "{file}"\n' for file in ([*([robot.HEADER] if uses_robot else []), *headers])
-        ),
+        "includes": includes(functions),
         "motion": f"static const stewart_motion motion = {{\n{motion_members(motions[0], '    ')}\n}};\n"
         if motions
         else "",
@@ -88,7 +83,7 @@ def _declared(function: Function, inputs: Sequence[float]) -> Iterable[str]:
 
 
 def _local(argument: Argument) -> str:
-    """The argument's name in C, unless that is the one of the example's motion, or says nothing."""
+    """The argument's name in C; an output has another one than ``motion``, the example's, and ``out``."""
     other = {"motion": "turned", "out": "found"} if argument.written else {}
     return other.get(argument.name, argument.name)
 

@@ -7,19 +7,17 @@ start values) comes from one list, made of the interface table. The C of the sta
 
 import hashlib
 import itertools
-import math
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from html import escape
-from typing import Any
 
 from ..kernel.interface import CALLS, STATUS
 from ..mechanics import quantities as n
 from ..program.block import AXES, Quantity
 from . import licence
 from . import robot as robot_text
-from .words import Numbers, component, template
+from .words import Numbers, stored, template
 
 STEP = 0.001
 """Step that the description proposes, s."""
@@ -70,10 +68,11 @@ def unit(
     """All texts of the unit: path in the archive -> text; the C lies below ``sources/``.
 
     name: the robot's. symbol: the identifier of its constants, also of the unit. sources: file name -> text
-    of the C that the kernel needs, the robot's too unless it is baked. pose:
-    R (3, 3) and t (3,), that the inputs have until they are set; rates, accelerations and loads start at
-    zero. payload: M, R_0, I_p and g, the tunable parameters; None for a baked kernel. digest: of name and
-    constants. version: of the generator.
+    of every .h and .c that the kernel needs, the robot's too unless it is baked. kernel: how it is called.
+    pose: R (3, 3) and t (3,), m, that the inputs have until they are set, a pose with forces, so that the
+    unit runs before anything is connected; rates, accelerations and loads start at zero. payload: M, kg, R_0,
+    m, I_p (3, 3), kg m^2, and g, m/s^2, of the robot, which become tunable parameters; None for a baked
+    kernel. digest: of name and constants. version: of the generator.
 
     The unit's GUID is a digest of all of these texts. Raises ValueError naming a number that is missing or
     not finite, or a file that is missing.
@@ -132,18 +131,10 @@ def _variables(pose: Numbers, payload: Numbers | None) -> list[Variable]:
 
 
 def _components(quantity: Quantity, causality: str, numbers: Numbers, owner: str) -> list[Variable]:
-    where = f"{owner}: {quantity.name}"
-    if quantity.name not in numbers:
-        raise ValueError(f"{where}: missing")
+    unit = quantity.unit.replace(" ", ".").replace("^", "")  # kg.m2, as FMI and Modelica spell it
     return [
-        Variable(
-            _variable_name(quantity, key),
-            _unit(quantity.unit),
-            quantity.meaning,
-            causality,
-            _number(numbers[quantity.name], key, where),
-        )
-        for key in quantity.keys
+        Variable(_variable_name(quantity, key), unit, quantity.meaning, causality, number)
+        for key, number in zip(quantity.keys, stored(numbers, quantity, owner), strict=True)
     ]
 
 
@@ -153,18 +144,6 @@ def _variable_name(quantity: Quantity, key: tuple[int, ...]) -> str:
     if quantity.symmetric:
         return f"{quantity.name}.{''.join(AXES[i] for i in key)}"
     return f"{quantity.name}[{','.join(str(i + 1) for i in key)}]"
-
-
-def _number(value: Any, key: Sequence[int], where: str) -> float:
-    value = component(value, key, where)
-    if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
-        raise ValueError(f"{where}: expected finite numbers, got {value!r}")
-    return float(value)
-
-
-def _unit(unit: str) -> str:
-    """A unit of the notation as FMI and Modelica spell it: ``kg.m2``."""
-    return unit.replace(" ", ".").replace("^", "")
 
 
 def _dimension(unit: str) -> dict[str, int]:

@@ -1,9 +1,10 @@
 """The functions and parts of a kit; a part is one header and source with some functions."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from ..kernel.interface import CALLS, Call
+from .robot import HEADER
 
 ROBOT, MODEL, DRIVES, NOTHING = "robot", "model", "drives", ""
 
@@ -13,8 +14,8 @@ class Function:
     """A function of a kit: its stem in ``interface.CALLS``, C name, header, what its first argument is.
 
     subject: ROBOT, MODEL (``prefix`` + ``_model``, made by ``prefix`` + ``_prepare``), DRIVES or NOTHING.
-    operations: what a pose takes, in words. plain: C name without a robot's numbers in it. one_pose: whether
-    the kernel computes one pose at a time.
+    operations: their number per pose, in words. plain: of a kernel with a robot's numbers folded in, the C
+    name of the same function without them. one_pose: whether the kernel computes one pose at a time.
     """
 
     stem: str
@@ -38,7 +39,7 @@ class Function:
 
     @property
     def prototypes(self) -> list[str]:
-        """Of the function and its batches, without what the header says of their results."""
+        """Declarations of the function and its batches, without macros such as STEWART_NODISCARD."""
         types = {ROBOT: "stewart_robot", DRIVES: "stewart_drives", MODEL: f"{self.prefix}_model"}
         subject = f"const {types[self.subject]} *{self.subject}" if self.subject else ""
         return self.call.prototypes(self.symbol, subject, self.batch)
@@ -53,9 +54,9 @@ class Function:
 class Part:
     """One header and source of a kit.
 
-    name: of both, without the ending. files: file name -> text. kinds: what it is for the list of deviations,
-    out of ``deviations.KINDS``. says: a line for the README. shared: headers that its source shares with
-    others.
+    name: of both, without the ending. files: file name -> text. kinds: some of ``deviations.KINDS``, by which
+    deviations from MISRA C are listed. says: a line for the README. shared: headers that its source shares
+    with others.
     """
 
     name: str
@@ -74,3 +75,14 @@ class Part:
     def source(self) -> str:
         """File name of the source."""
         return f"{self.name}.c"
+
+
+def reads_robot(functions: Iterable[Function]) -> bool:
+    """Whether some function takes the robot, its model or its drives."""
+    return any(function.subject != NOTHING for function in functions)
+
+
+def includes(functions: Sequence[Function]) -> str:
+    """Lines of C that include what callers of the functions need."""
+    headers = [*([HEADER] if reads_robot(functions) else []), *(function.header for function in functions)]
+    return "".join(f'#include "{header}"\n' for header in dict.fromkeys(headers))

@@ -1,7 +1,4 @@
-"""``README.md`` of a kit: what every function takes, hands out, costs and how far it may be off.
-
-Takes the parts of a kit with figures that others found.
-"""
+"""``README.md`` of a kit: inputs, outputs, operations, stack and error bounds of every function."""
 
 import math
 import textwrap
@@ -10,6 +7,7 @@ from dataclasses import dataclass
 
 from ..kernel.interface import STATUS
 from ..mechanics import quantities as n
+from ..print.c import wrapped
 from . import licence
 from .functions import DRIVES, MODEL, Function, Part
 from .words import in_markdown, shape, table, template
@@ -19,9 +17,9 @@ from .words import in_markdown, shape, table, template
 class Figures:
     """What a README says of one function.
 
-    error, worst: bounds of its ordinary test vectors over the largest answer of the same array, the largest
-    of each vector: their median and largest, nan without vectors.
-    stack, batch_stack: bytes, None where nobody measured them or there is no batch.
+    error, worst: relative error bounds of its ordinary test vectors, median and largest; of each vector the
+    largest bound over the largest answer of the same array counts; nan without vectors. stack, batch_stack:
+    bytes, None where they were not measured or there is no batch.
     """
 
     error: float
@@ -37,10 +35,9 @@ class Kit:
     name, symbol: the robot's. digest: of its constants. figures: by the functions' stems. options: as the
     command line takes them. precision: "double" or "float". stack_by: with what the stack was measured.
     has_robot: whether stewart_robot.h is among the files. deviations: rule, what it is about, why it is not
-    kept.
-    unit: file name of an FMI unit, "" without one. changed: the share of itself by which a wrong constant is
-    taken to be wrong; hidden: the constants folded into the forces whose change by it no test vector shows,
-    by name; None where none are folded in.
+    kept. unit: file name of an FMI unit, "" without one. changed: relative error of a constant that the test
+    vectors are made to detect; hidden: names of the constants folded into the forces for which no test vector
+    detects it; None where none are folded in.
     """
 
     name: str
@@ -146,7 +143,7 @@ def _function(function: Function) -> str:
         "kit/readme_function.md",
         {
             "symbol": function.symbol,
-            "prototype": "\n".join(map(_wrapped, function.prototypes)),
+            "prototype": "\n".join(line for each in function.prototypes for line in wrapped(each)),
             "says": call.says,
             "reads": "Reads `stewart_motion`, below.\n\n" if call.motion else "",
             "rows": table(
@@ -156,14 +153,6 @@ def _function(function: Function) -> str:
             ),
         },
     )
-
-
-def _wrapped(prototype: str) -> str:
-    """A C declaration in lines of 108 characters at the most, broken after a comma."""
-    name, bracket, parameters = prototype.partition("(")
-    lines = textwrap.wrap(parameters.replace(" ", "\0").replace(",\0", ", "), 104, break_long_words=False)
-    joined = "\n    ".join(lines).replace("\0", " ")
-    return prototype if len(prototype) <= 108 else f"{name}{bracket}\n    {joined}"
 
 
 def _hidden(kit: Kit) -> str:

@@ -1,13 +1,11 @@
-"""``stewart_robot.h`` and ``.c``, the constants and limits of one machine as C source, and its robot file.
+"""``stewart_robot.h`` and ``.c``, the constants and limits of one machine as C source.
 
 Takes the numbers of ``stewart_robot`` by name.
 """
 
 import hashlib
-import json
 import math
 from collections.abc import Mapping, Sequence
-from typing import Any
 
 from ..kernel.interface import STRUCTS, Member
 from ..mechanics import quantities as n
@@ -81,30 +79,3 @@ def _initialiser(robot: Numbers) -> str:
     ]
     platform = [member(q, stored(robot, q, "robot"), "    ") for q in n.PLATFORM]
     return "\n".join(["    {", *legs, "    },", *platform])
-
-
-def robot_toml(tables: Mapping[str, Any], options: str) -> str:
-    """The kit's copy of the robot file, of the tables of a robot file: the same robot to the bit."""
-    head = template("kit/robot.toml", {"options": options})
-    return head + "\n".join(_table(tables, "")) + "\n"
-
-
-def _table(table: Mapping[str, Any], path: str) -> list[str]:
-    """Lines of a table: plain values first, then the tables in it."""
-    nested = {key: value for key, value in table.items() if isinstance(value, Mapping)}
-    lists = {
-        key: value
-        for key, value in table.items()
-        if isinstance(value, list) and isinstance(value[0], Mapping)
-    }
-    lines = [
-        f"{key} = {json.dumps(value, ensure_ascii=False)}"
-        for key, value in table.items()
-        if key not in nested and key not in lists
-    ]
-    for key, value in nested.items():
-        lines += ["", f"[{path}{key}]", *_table(value, f"{path}{key}.")]
-    for key, values in lists.items():
-        for value in values:
-            lines += ["", f"[[{path}{key}]]", *_table(value, f"{path}{key}.")]
-    return lines

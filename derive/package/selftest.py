@@ -8,13 +8,12 @@ from dataclasses import dataclass
 
 from ..kernel.interface import STRUCTS, Member
 from ..mechanics import quantities as n
-from . import robot as robot_text
-from .functions import MODEL, NOTHING, ROBOT, Function
+from .functions import MODEL, ROBOT, Function, includes, reads_robot
 from .words import Numbers, in_comment, literal, motion_members, template
 
 PER_LINE = 4
 _ZERO = {q.name: [[0.0] * 3] * 3 if len(q.shape) == 2 else [0.0] * 3 for q in n.MOTION}
-"""What stands for a motion where no function reads one."""
+"""The motion in a self-test whose functions read none."""
 
 
 @dataclass(frozen=True)
@@ -59,8 +58,8 @@ def selftest(
         "name": in_comment(name),
         "version": version,
         "arithmetic": template("kit/arithmetic.h"),
-        "includes": "".join(f'#include "{file}"\n' for file in _headers(functions)),
-        "robot": (_robot(symbol, robot) if _has_robot(functions) else "") + _drives(symbol, drives),
+        "includes": includes(functions),
+        "robot": (_robot(symbol, robot) if reads_robot(functions) else "") + _drives(symbol, drives),
         "models": "".join(template("kit/selftest_model.c", {"prefix": p}) for p in _prefixes(functions)),
         "motions": _initialisers(motions or [_ZERO]),
         "motion_count": str(len(motions or [_ZERO])),
@@ -77,11 +76,6 @@ def selftest(
         "harness": template("kit/selftest_harness.c"),
     }
     return template("kit/selftest.c", parts)
-
-
-def _headers(functions: Sequence[Function]) -> list[str]:
-    own = [robot_text.HEADER] if any(function.subject != NOTHING for function in functions) else []
-    return [*own, *dict.fromkeys(function.header for function in functions)]
 
 
 def _motions(cases: Sequence[Case]) -> tuple[list[Numbers], dict[int, int]]:
@@ -120,10 +114,6 @@ def _drives(symbol: str, drives: Numbers | None) -> str:
         return ""
     table = _table("drives_numbers", "stewart_real", [drives[each.name] for each in STRUCTS["drives"]])
     return template("kit/selftest_drives.c", {"symbol": symbol, "numbers": table})
-
-
-def _has_robot(functions: Sequence[Function]) -> bool:
-    return any(function.subject != NOTHING for function in functions)
 
 
 def _called(function: Function, suffix: str, declared: Iterable[str], body: Iterable[str]) -> str:
@@ -187,7 +177,7 @@ def _places(array: str, members: Iterable[Member]) -> dict[Member, str]:
 
 
 def _batch(function: Function) -> str:
-    """The function's batches, of one pose: other code than that of one pose."""
+    """A call of the function's batches with one pose; their code is not that of the function itself."""
     if not function.batch:
         return ""
     call = function.call
@@ -209,7 +199,7 @@ def _batch(function: Function) -> str:
 
 
 def _columns(function: Function) -> list[str]:
-    """Of one pose columns and rows are the same, and so are the results."""
+    """With one pose, columns and rows hold the same numbers, and both batches must give the same results."""
     again = f"{function.symbol}_columns({_subject(function)}1, 1, &poses, again, NULL)"
     return [
         "(void)memcpy(again, out, sizeof again);",

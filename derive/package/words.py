@@ -55,27 +55,28 @@ def literal(number: Any, where: str) -> str:
 
     Raises ValueError naming ``where`` for what is not a finite number.
     """
+    return f"REAL({_finite(number, where)!r})"
+
+
+def _finite(number: Any, where: str) -> float:
     if isinstance(number, bool) or not isinstance(number, int | float) or not math.isfinite(number):
         raise ValueError(f"{where}: expected finite numbers, got {number!r}")
-    return f"REAL({float(number)!r})"
+    return float(number)
 
 
-def stored(numbers: Numbers, quantity: Quantity, owner: str, leg: int | None = None) -> list[str]:
-    """Literals of the components that ``stewart.h`` stores, in its order.
+def stored(numbers: Numbers, quantity: Quantity, owner: str, leg: int | None = None) -> list[float]:
+    """The components that ``stewart.h`` stores, in its order.
 
-    Raises ValueError naming owner and quantity that is missing or has another shape.
+    Raises ValueError naming owner and quantity that is missing, has another shape or is not finite.
     """
     where = f"{owner}: {quantity.name}"
     if quantity.name not in numbers:
         raise ValueError(f"{where}: missing")
-    prefix = () if leg is None else (leg,)
-    return [
-        literal(component(numbers[quantity.name], (*prefix, *key), where), where) for key in quantity.keys
-    ]
+    value, prefix = numbers[quantity.name], () if leg is None else (leg,)
+    return [_finite(_entry(value, (*prefix, *key), where), where) for key in quantity.keys]
 
 
-def component(value: Any, key: Sequence[int], where: str) -> Any:
-    """An entry of nested lists. Raises ValueError naming ``where`` if there is none."""
+def _entry(value: Any, key: Sequence[int], where: str) -> Any:
     try:
         for i in key:
             value = value[i]
@@ -84,9 +85,10 @@ def component(value: Any, key: Sequence[int], where: str) -> Any:
     return value
 
 
-def member(quantity: Quantity, literals: Sequence[str], indent: str) -> str:
+def member(quantity: Quantity, numbers: Sequence[float], indent: str) -> str:
     """One member of an initialiser, with what it is."""
     order = ", order xx xy xz yy yz zz" if quantity.symmetric else ""
+    literals = [literal(number, quantity.name) for number in numbers]
     value = braces(literals, indent) if quantity.shape else literals[0]
     return f"{indent}/* {quantity.name}, {quantity.unit}: {quantity.meaning}{order} */\n{indent}{value},"
 

@@ -333,13 +333,7 @@ class C(Printer):
         """The name, the arguments and the result of a function, between two texts."""
         result = "void" if function.result is None else self.declared(function.result, "").strip()
         arguments = ", ".join(map(self.argument, function.arguments)) or "void"
-        line = f"{before}{result} {function.name}({arguments}){end}"
-        if len(line) <= WIDTH:
-            return [line]
-        # Blanks within an argument are hidden from the wrapping.
-        text = ", ".join(map(self.argument, function.arguments)).replace(" ", "\0").replace(",\0", ", ")
-        rest = textwrap.wrap(f"{text}){end}", WIDTH - 4, break_on_hyphens=False)
-        return [f"{before}{result} {function.name}(", *(f"    {each}".replace("\0", " ") for each in rest)]
+        return wrapped(f"{before}{result} {function.name}({arguments}){end}")
 
     def argument(self, argument: t.Argument) -> str:
         """An argument as it is declared."""
@@ -370,6 +364,17 @@ class C(Printer):
             for kind, found in by_type
             for names in (found if self.brackets else filter(None, [", ".join(found)]))
         ]
+
+
+def wrapped(declaration: str) -> list[str]:
+    """The lines of a function's declaration, broken after a comma where it is too long for one."""
+    if len(declaration) <= WIDTH:
+        return [declaration]
+    name, bracket, rest = declaration.partition("(")
+    # Blanks within an argument are hidden from the wrapping.
+    hidden = rest.replace(" ", "\0").replace(",\0", ", ")
+    lines = textwrap.wrap(hidden, WIDTH - 4, break_long_words=False, break_on_hyphens=False)
+    return [name + bracket, *(f"    {line}".replace("\0", " ") for line in lines)]
 
 
 def _called_apart(statements: Iterable[t.Statement]) -> Iterator[t.Statement]:

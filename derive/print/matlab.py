@@ -142,16 +142,15 @@ class Matlab(Printer):
             for argument, each in zip(value.arguments, function.arguments, strict=True)
             if each.changed
         ]
-        both = [*first, *changed]
-        return both[0] if len(both) == 1 else f"[{', '.join(both)}]"
+        return _together([*first, *changed])
 
     def let(self, node: t.Let) -> str:
         return f"{self._results(node.value, [node.name])} = {self.text(node.value)};"
 
     def variable(self, node: t.Variable) -> str:
-        value = self.zero(node.type) if node.value is None else self.text(node.value)
-        left = node.name if node.value is None else self._results(node.value, [node.name])
-        return f"{left} = {value};"
+        if node.value is None:
+            return f"{node.name} = {self.zero(node.type)};"
+        return f"{self._results(node.value, [node.name])} = {self.text(node.value)};"
 
     def assign(self, before: str, target: t.Expression, value: t.Expression) -> list[str]:
         left = self._results(value, [self.text(target)])
@@ -171,17 +170,16 @@ class Matlab(Printer):
     def returned(self, value: t.Expression | None) -> str:
         if value is None:
             return "return;"
-        return (
-            "" if isinstance(value, t.Name) and value.name == self.result else f"result = {self.text(value)};"
-        )
+        return "" if value == t.Name(self.result) else f"result = {self.text(value)};"
 
     def function(self, function: t.Function) -> list[str]:
-        last = function.body[-1]
-        named = isinstance(last, t.Return) and isinstance(last.value, t.Name)
-        self.result = last.value.name if isinstance(last, t.Return) and isinstance(last.value, t.Name) else ""
-        outputs = [*([] if function.result is None else [self.result if named else "result"])]
-        outputs += written_to(function)
-        left = outputs[0] if len(outputs) == 1 else f"[{', '.join(outputs)}]"
+        match function.body[-1]:
+            case t.Return(t.Name(name)):
+                self.result = name
+            case _:
+                self.result = ""
+        result = [] if function.result is None else [self.result or "result"]
+        left = _together([*result, *written_to(function)])
         arguments = ", ".join(each.name for each in function.arguments)
         body = [line for line in self.body(function.body) if line.strip()]
         if function.public:
@@ -202,6 +200,11 @@ class Matlab(Printer):
             *body,
             "end",
         ]
+
+
+def _together(names: list[str]) -> str:
+    """The left side of an assignment to one name or several."""
+    return names[0] if len(names) == 1 else f"[{', '.join(names)}]"
 
 
 def _help(function: t.Function) -> list[str]:

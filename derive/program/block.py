@@ -53,12 +53,7 @@ class Quantity:
     @property
     def value(self) -> sp.Expr | sp.Matrix:
         """The quantity as it stands in equations: a symbol, a 3x1 matrix or a 3x3 matrix."""
-        if self.shape == ():
-            return self.symbols[0]
-        table = dict(zip(self.keys, self.symbols, strict=True))
-        if self.shape == (3,):
-            return sp.Matrix([table[(i,)] for i in range(3)])
-        return sp.Matrix(3, 3, lambda i, j: table[(min(i, j), max(i, j)) if self.symmetric else (i, j)])
+        return as_value(self, self.symbols)
 
 
 def component_name(name: str, key: Sequence[int]) -> str:
@@ -199,6 +194,12 @@ class Builder:
             [self.scalar(component_name(name, (i,)), exprs[i], equation, meaning) for i in range(3)]
         )
 
+    def matrix(self, name: str, exprs: sp.Matrix, equation: str = "", meaning: str = "") -> sp.Matrix:
+        """Name the nine components of a 3x3 matrix."""
+        return sp.Matrix(
+            3, 3, lambda i, j: self.scalar(component_name(name, (i, j)), exprs[i, j], equation, meaning)
+        )
+
     def tensor(self, name: str, exprs: sp.Matrix, equation: str = "", meaning: str = "") -> sp.Matrix:
         """Name the six components of a symmetric 3x3 matrix."""
         named = {
@@ -238,7 +239,7 @@ def as_value(quantity: Quantity, exprs: Sequence[sp.Expr]) -> sp.Expr | sp.Matri
     """Components in storage order as they stand in equations: the reverse of what an output stores."""
     if not quantity.shape:
         return exprs[0]
-    if len(quantity.shape) == 1:
+    if quantity.shape == (3,):
         return sp.Matrix(exprs)
     table = dict(zip(quantity.keys, exprs, strict=True))
     return sp.Matrix(3, 3, lambda i, j: table[(min(i, j), max(i, j)) if quantity.symmetric else (i, j)])

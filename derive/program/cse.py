@@ -6,7 +6,8 @@ paper.
 """
 
 from collections.abc import Iterable, Mapping
-from dataclasses import replace
+from dataclasses import fields, replace
+from typing import Any, ClassVar, Protocol, TypeVar
 
 import sympy as sp
 
@@ -40,6 +41,21 @@ def share(block: Block) -> Block:
     rest = iter(reduced[len(block.steps) :])
     outputs = tuple(Output(out.quantity, tuple(next(rest) for _ in out.exprs)) for out in block.outputs)
     return replace(block, steps=_placed(shared, steps, outputs), outputs=outputs)
+
+
+class _Dataclass(Protocol):
+    __dataclass_fields__: ClassVar[dict[str, Any]]
+
+
+_Kernel = TypeVar("_Kernel", bound=_Dataclass)
+
+
+def shared_blocks(kernel: _Kernel) -> _Kernel:
+    """The dataclass with ``share`` of each block that it holds."""
+    members = {each.name: getattr(kernel, each.name) for each in fields(kernel)}
+    return replace(
+        kernel, **{name: share(block) for name, block in members.items() if isinstance(block, Block)}
+    )
 
 
 def _without_free(

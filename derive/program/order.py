@@ -1,7 +1,7 @@
-"""The order of a sum's terms: what is ready first is added first, so that a processor waits least.
+"""The order of a sum's terms: terms that are ready first are added first, so that a processor waits least.
 
-Times are in additions; what a block reads is ready at once. Of equals, positive terms come first. A processor
-with few registers gains nothing by it.
+Times are counted in additions; a block's inputs are ready at once. Of terms that are ready at the same time,
+positive ones come first. A processor with few registers gains nothing by this order.
 """
 
 from collections.abc import Iterable, Mapping

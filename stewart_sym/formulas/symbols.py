@@ -221,9 +221,9 @@ def prepared(
 def _program(name: str, function: str) -> Any:
     from ..derive.generate import output_program, reduced
     from ..derive.kernel.inverse_dynamics import terms_program
-    from ..derive.mechanics.formulation import FORMULATIONS
+    from ..derive.mechanics.formulation import BY_KERNEL
 
-    form = next(form for form in FORMULATIONS if form.kernel_name == name)
+    form = BY_KERNEL[name]
     if function == "terms":
         return terms_program(reduced(form))
     return output_program(form, (function,), by_pivots=True)

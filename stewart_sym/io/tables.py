@@ -6,7 +6,6 @@ The prefix or place handed in begins every message: ``file: key: what was expect
 import codecs
 import contextlib
 import difflib
-import json
 import math
 import os
 import re
@@ -298,44 +297,3 @@ def choice(value: object, options: Sequence[str], where: str) -> str:
 
 
 # Tables as text
-
-
-def toml_text(tables: Mapping[str, Any]) -> str:
-    """Text of tables of texts, numbers, lists and tables; tables without tables in them stand in one line."""
-    return "\n".join(_lines(tables, "")) + "\n"
-
-
-def _lines(table: Mapping[str, Any], path: str) -> Iterator[str]:
-    sections = {key: value for key, value in table.items() if _is_section(value, path)}
-    for key, value in table.items():
-        if key not in sections:
-            yield f"{key} = {_value(value)}"
-    for key, value in sections.items():
-        for each in value if isinstance(value, list) else [value]:
-            name = f"{path}{key}"
-            if (
-                isinstance(value, list)
-                or not each
-                or not all(_is_section(one, name) for one in each.values())
-            ):
-                yield ""
-                yield f"[[{name}]]" if isinstance(value, list) else f"[{name}]"
-            yield from _lines(each, f"{name}.")
-
-
-def _is_section(value: object, path: str) -> bool:
-    if isinstance(value, list):
-        return bool(value) and isinstance(value[0], Mapping)
-    return isinstance(value, Mapping) and (
-        not path or any(isinstance(each, Mapping) for each in value.values())
-    )
-
-
-def _value(value: Any) -> str:
-    if isinstance(value, Mapping):
-        inside = ", ".join(f"{key} = {_value(each)}" for key, each in value.items())
-        return f"{{ {inside} }}" if inside else "{}"
-    if isinstance(value, list | tuple):
-        return f"[{', '.join(map(_value, value))}]"
-    # A text, a truth value and a number look as in JSON.
-    return json.dumps(value, ensure_ascii=False)

@@ -8,7 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..backend.kernel import robot_kernel
+from ..derive.package.words import template
 from ..io.arguments import option, shown
+from ..io.toml_text import toml_text
 from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot
 
@@ -76,7 +78,7 @@ DEFAULT = Choice()
 
 
 def check(choice: Choice, robot: Robot) -> None:
-    """Raise ValueError, of one line, for a wish that is unknown or that does not go with the others."""
+    """Raise ValueError, of one line, for an option that is unknown or contradicts another one."""
     need_no_offsets(robot)
     option(choice.precision, tuple(PRECISIONS), "precision")
     option(choice.formulation, ("exact", "paper"), "formulation")
@@ -96,8 +98,13 @@ def check(choice: Choice, robot: Robot) -> None:
             raise ValueError(f"{name}: applies to the function forces, got {', '.join(choice.functions)}")
 
 
+def robot_toml(robot: Robot, choice: Choice) -> str:
+    """The kit's copy of the robot file: the same robot to the bit, and how the kit was made of it."""
+    return template("kit/robot.toml", {"options": options(choice)}) + toml_text(robot.to_dict(), inline=False)
+
+
 def options(choice: Choice) -> str:
-    """The wishes as the command line takes them."""
+    """The options as the command line takes them."""
     given = [f"--functions {','.join(choice.groups)}"]
     given += [f"--formulation {choice.formulation}"] if choice.formulation != "exact" else []
     given += [f"--fidelity {choice.fidelity}"] if choice.fidelity else []

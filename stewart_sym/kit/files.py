@@ -17,13 +17,13 @@ from ..backend.kernel import robot_numbers as robot_values
 from ..derive.generate import generator_version
 from ..derive.kernel.interface import CALLS
 from ..derive.mechanics import quantities
-from ..derive.package import build, cpp, licence
+from ..derive.package import build, cpp, fmu, licence
 from ..derive.package.deviations import deviations
 from ..derive.package.example import example
-from ..derive.package.functions import Function
+from ..derive.package.functions import Function, reads_robot
 from ..derive.package.readme import Figures, readme
 from ..derive.package.readme import Kit as ReadmeKit
-from ..derive.package.robot import HEADER, SOURCE, robot_digest, robot_files, robot_toml
+from ..derive.package.robot import HEADER, SOURCE, robot_digest, robot_files
 from ..derive.package.selftest import Case, Rejected, selftest
 from ..derive.package.words import robot_symbol
 from ..drives.friction import drive_numbers
@@ -35,8 +35,8 @@ from ..motion.motion import Motion, at_rest
 from ..results import OK
 from ..robot.robot import Robot
 from . import languages
-from .choice import DEFAULT, PRECISIONS, STEMS, TORQUE, Choice, check, options
-from .fmu import UnitKernel, fmu_unit
+from .choice import DEFAULT, PRECISIONS, STEMS, TORQUE, Choice, check, options, robot_toml
+from .fmu import packed
 from .parts import Parts, generator, parts, robot_numbers
 from .poses import sample
 from .selection import SHARE, Numbered, selection
@@ -61,8 +61,11 @@ _TEXTS = (
 
 @dataclass(frozen=True)
 class Kit:
-    """Files of a kit, name -> content, and what a pose of the forces takes in operations, before the numbers
-    were folded in and after; None without the forces, and where nothing was folded in."""
+    """Files of a kit, name -> content, and operations of the forces per pose.
+
+    operations: before the robot's numbers were folded in, None without the forces; baked_operations: after,
+    None where nothing was folded in.
+    """
 
     files: dict[str, bytes]
     operations: int | None
@@ -100,7 +103,7 @@ def kit(robot: Robot, choice: Choice = DEFAULT, progress: Progress = silent) -> 
     texts[build.EXAMPLE] = example(robot.name, symbol, tested, cases, generator())
     texts |= _build_files(symbol, made, texts, choice)
     texts[LICENCE] = licence.TEXT
-    texts[ROBOT] = robot_toml(robot.to_dict(), options(choice))
+    texts[ROBOT] = robot_toml(robot, choice)
     files = {name: text.encode() for name, text in texts.items()}
     if choice.fmu:
         progress("building the FMU")
@@ -129,7 +132,7 @@ def kit_names(robot: Robot, choice: Choice = DEFAULT) -> list[str]:
 def _sources(robot: Robot, choice: Choice, made: Parts) -> dict[str, str]:
     """Kernels and constants."""
     texts = made.files
-    if _has_robot(made):
+    if reads_robot(made.functions):
         drives = _drives(robot, choice)
         texts |= robot_files(robot.name, robot_numbers(robot), _limits(robot), generator(), drives)
     return texts
@@ -147,10 +150,6 @@ def _limits(robot: Robot) -> dict[str, list[float]]:
     shortest, longest = robot.length_limits.T.tolist()
     force, speed = robot.force_limit.tolist(), robot.speed_limit.tolist()
     return {"shortest": shortest, "longest": longest, "force": force, "speed": speed}
-
-
-def _has_robot(made: Parts) -> bool:
-    return any(function.subject for function in made.functions)
 
 
 def _vectors(robot: Robot, choice: Choice, made: Parts) -> dict[str, list[Vector]]:
@@ -197,27 +196,18 @@ def _build_files(symbol: str, made: Parts, texts: Mapping[str, str], choice: Cho
         headers=tuple(sorted(n for n in texts if n.endswith(".h") and n not in made.shared)),
         shared=made.shared,
         precision=choice.precision,
-        has_cpp=True,
     )
     wrapper = cpp.wrapper(made.functions, generator())
     return build.build_files(package) | {build.WRAPPER: wrapper}
 
 
 def _readme(robot: Robot, choice: Choice, made: Parts, found: Mapping[str, list[Vector]]) -> str:
-    unit = f"{robot_symbol(robot.name)}.fmu" if choice.fmu else ""
-    errors = {
-        stem: _errors(group) * float(np.finfo(PRECISIONS[choice.precision]).eps)
-        for stem, group in found.items()
-    }
-    figures = {
-        function.stem: Figures(
-            error=float(errors[function.stem][0]),
-            worst=float(errors[function.stem][1]),
-            stack=_stack()["bytes"].get(stack_key(function, choice)),
-            batch_stack=_stack()["bytes"].get(stack_key(function, choice, "_batch")),
-        )
-        for function in made.functions
-    }
+    eps, stacks = float(np.finfo(PRECISIONS[choice.precision]).eps), _stack()["bytes"]
+    figures = {}
+    for function in made.functions:
+        error, worst = (_errors(found[function.stem]) * eps).tolist()
+        stack, batch = (stacks.get(stack_key(function, choice, suffix)) for suffix in ("", "_batch"))
+        figures[function.stem] = Figures(error, worst, stack, batch)
     return readme(
         ReadmeKit(
             name=robot.name,
@@ -228,9 +218,9 @@ def _readme(robot: Robot, choice: Choice, made: Parts, found: Mapping[str, list[
             options=options(choice),
             precision=choice.precision,
             stack_by=_stack()["by"],
-            has_robot=_has_robot(made),
+            has_robot=reads_robot(made.functions),
             deviations=_deviations(made),
-            unit=unit,
+            unit=f"{robot_symbol(robot.name)}.fmu" if choice.fmu else "",
             version=generator(),
             changed=SHARE[choice.precision],
             hidden=_hidden(robot, choice),
@@ -248,14 +238,14 @@ def _hidden(robot: Robot, choice: Choice) -> tuple[str, ...] | None:
 
 def _deviations(made: Parts) -> list[tuple[str, str, str]]:
     kinds = {kind for part in made.parts for kind in part.kinds}
-    kinds |= {"robot"} if _has_robot(made) else set()
+    kinds |= {"robot"} if reads_robot(made.functions) else set()
     return [(each.rule, each.what, each.reason) for each in deviations(kinds)]
 
 
 def _errors(vectors_of: list[Vector]) -> Array:
-    """Median and worst ordinary vector by its largest bound over the largest answer of an array, in units.
+    """Median and largest relative error bound of the ordinary vectors, (2,), in rounding units; nan without.
 
-    (2,), nan without vectors.
+    That of a vector is the largest bound over the largest answer of the same array.
     """
     found = [
         max(
@@ -295,7 +285,7 @@ def _manifest(robot: Robot, choice: Choice, files: Mapping[str, bytes]) -> bytes
 
 
 def _start(robot: Robot, formulation: str) -> Motion:
-    """The pose of inputs that nobody connects: home, or the example's where home has no forces."""
+    """The pose at which a unit starts: home, or the example's where home has no forces."""
     home = home_pose(robot)
     return at_rest(np.eye(3), home.t) if home.status == OK else sample(robot, formulation)[0]
 
@@ -313,19 +303,15 @@ def _unit(robot: Robot, choice: Choice, made: Parts, texts: Mapping[str, str]) -
         needed |= {each.header for each in made.parts if TORQUE in each.kinds}
         numbers = robot_numbers(robot)
         payload = {quantity.name: numbers[quantity.name] for quantity in quantities.PLATFORM}
-    return fmu_unit(
+    prefix = forces.symbol.removesuffix("_forces")
+    unit = fmu.unit(
         robot.name,
         robot_symbol(robot.name),
         {name: text for name, text in texts.items() if name in needed},
-        UnitKernel(
-            part.header,
-            forces.symbol.removesuffix("_forces"),
-            not forces.subject,
-            choice.precision,
-            part.says,
-        ),
+        fmu.UnitKernel(part.header, prefix, not forces.subject, choice.precision, part.says),
         {"R": start.R.tolist(), "t": start.t.tolist()},
         payload,
         robot_digest(robot.name, robot_numbers(robot)),
         generator(),
     )
+    return packed(robot_symbol(robot.name), unit)

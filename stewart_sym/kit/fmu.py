@@ -1,7 +1,6 @@
 """The FMI unit of a kit as one file: compiled, put together and packed so that it repeats to the byte.
 
-Takes a kernel's C and plain numbers; the texts are those of ``derive.package.fmu``. FMI 2.0 and
-co-simulation, as every Simulink with an FMU block, and nearly every other tool, imports just that.
+FMI 2.0 and co-simulation, as nearly every tool imports just that, Simulink with an FMU block among them.
 """
 
 import io
@@ -13,11 +12,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from ..backend import native
-from ..derive.package import fmu as texts
-from ..derive.package.fmu import UnitKernel
-from ..derive.package.words import Numbers
-
-__all__ = ["UnitKernel", "binary_folder", "fmu_unit"]
+from ..derive.package.fmu import model_identifier
 
 # The earliest that an archive can hold.
 _DATE = (1980, 1, 1, 0, 0, 0)
@@ -25,39 +20,23 @@ _SYSTEMS = {"linux": "linux", "win32": "win", "darwin": "darwin"}
 _SUFFIX = {"win32": ".dll", "darwin": ".dylib"}.get(sys.platform, ".so")
 
 
-def fmu_unit(
-    name: str,
-    symbol: str,
-    sources: Mapping[str, str],
-    kernel: UnitKernel,
-    pose: Numbers,
-    payload: Numbers | None,
-    digest: str,
-    version: str,
-) -> bytes:
-    """The bytes of ``<symbol>.fmu``: description, page, C and, where it can be compiled here, a binary.
+def packed(symbol: str, texts: Mapping[str, str]) -> bytes:
+    """The bytes of ``<symbol>.fmu``: the unit's texts and, where it can be compiled here, a binary.
 
-    name: the robot's. symbol: of its constants in ``robot.h``, an identifier. sources: file name -> text of
-    every .h and .c that the kernel needs, ``robot.h`` and ``robot.c`` too unless it is baked. kernel: how it
-    is called. pose: R (3, 3) and t (3,), m, that the inputs have at first, a pose with forces, so that the
-    unit runs before anything is connected; other fields of a motion are not read, those inputs start at zero.
-    payload: M, kg, R_0, m, I_p (3, 3), kg m^2, and g, m/s^2, of the robot, which become tunable parameters;
-    None for a baked kernel. digest: of name and constants. version: of the generator.
+    symbol: of the robot's constants, an identifier. texts: path in the archive -> text, as
+    ``derive.package.fmu.unit`` makes them.
 
     The same arguments and compiler give the same bytes. Without a compiler, or on a machine for which FMI 2.0
     has no name, the unit holds its C alone (see ``binary_folder``).
 
-    Raises ValueError for a number or file that is missing, native.CompilerError if the compiler fails.
+    Raises native.CompilerError if the compiler fails.
     """
-    texts_by_path = texts.unit(name, symbol, sources, kernel, pose, payload, digest, version)
-    files = {path: text.encode() for path, text in texts_by_path.items()}
+    files = {path: text.encode() for path, text in texts.items()}
     folder = binary_folder()
     if folder is not None:
-        identifier = texts.model_identifier(symbol)
+        identifier = model_identifier(symbol)
         code = {
-            path.removeprefix("sources/"): text
-            for path, text in texts_by_path.items()
-            if path.startswith("sources/")
+            path.removeprefix("sources/"): text for path, text in texts.items() if path.startswith("sources/")
         }
         files[f"{folder}/{identifier}{_SUFFIX}"] = _binary(identifier, code)
     return _archive(files)

@@ -1,9 +1,9 @@
-"""What the functions of a kit compute, in ``Running`` numbers.
+"""The functions of a kit run on ``Running`` numbers: right answers with bounds of the C's rounding errors.
 
-The forces of a level and the kinematics are trees that are interpreted; every output and the closed form,
-of which there is one kernel, are modules of ``generated``, trees that are printed, run on these numbers.
-Linear systems are solved by ``running``, with smaller errors than a run of the elimination. Every function
-takes the motion of one pose as stored and returns what the C writes, flat, in the order of its struct.
+The forces of a level and the kinematics are interpreted from their trees; every output and the closed form
+run as modules of ``generated``, which are printed from trees. Linear systems are solved by ``running``, whose
+bounds are smaller than those of an elimination that is run. Every function takes the motion of one pose as
+stored and returns what the C writes, flat, in the order of its struct.
 """
 
 from collections.abc import Callable, Iterable, Mapping
@@ -23,7 +23,7 @@ from ..derive.kernel.tree.constants import constants
 from ..derive.kernel.tree.interpret import Arithmetic, Interpreter
 from ..derive.kernel.tree.nodes import Program
 from ..derive.mechanics import quantities as n
-from ..derive.mechanics.formulation import EXACT, EXACT_DRIVE, FORMULATIONS
+from ..derive.mechanics.formulation import BY_KERNEL, EXACT, EXACT_DRIVE
 from ..formulas.trees import robot_structure, structure
 from ..generated.arithmetic import Arithmetic as OnArrays
 from ..io.array_types import Array
@@ -50,7 +50,7 @@ Found = dict[str, Objects]
 NEAR_JOINT_SINGULAR = constants("double")["NEAR_JOINT_SINGULAR"]
 """Sine of the angle between a leg and its fixed axis below which a third axis takes the place of that one."""
 
-# Rotations and axes are of length one only to rounding; other forms of the equations use that they are.
+# Rotations and axes are of length one only up to rounding; some forms of the equations assume it.
 _ORTHONORMAL = ("R", "k")
 # Of double: what errors are measured in.
 _UNIT = float(np.finfo(np.float64).eps)
@@ -103,8 +103,8 @@ class KitInterpreter:
     drives: Numbers = field(default_factory=dict)
 
     def forces(self, at: Numbers) -> Found:
-        """F of (37), by the regrouped equations of the fidelity; those for legs near their joint singularity
-        where the C takes them."""
+        """F of (37) by the regrouped equations of the fidelity, near a joint singularity by those that the C
+        takes there."""
         # The C evaluates these equations, whether or not rotation and axes are of length one.
         given = structure(n.MOTION, at, _exact)
         return _flat(self._forces.run(FORCES, self._forces_model, given))
@@ -252,8 +252,7 @@ def torques_of_law(drives: Numbers, at: Numbers) -> Found:
 
 @cache
 def _axial(name: str, reflected: bool) -> Interpreter:
-    (form,) = (each for each in FORMULATIONS if each.kernel_name == name)
-    return Interpreter(axial_program(reduced_axial(form, reflected)), ON)
+    return Interpreter(axial_program(reduced_axial(BY_KERNEL[name], reflected)), ON)
 
 
 @cache

@@ -6,21 +6,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..backend.fidelity import resolved
-from ..backend.kernel import kernel_name
 from ..derive.generate import output_program
 from ..derive.kernel.tree.nodes import Program, Record
 from ..derive.mechanics import quantities as n
-from ..derive.mechanics.formulation import FORMULATIONS, Formulation
-from ..derive.mechanics.legs.rotor import NONE
-from ..derive.mechanics.reduced_models import level_of
 from ..derive.package import licence
 from ..derive.package.languages import LANGUAGES
 from ..derive.package.languages.contents import Contents, Test, Value, compared
-from ..derive.package.robot import robot_toml
 from ..derive.package.words import robot_symbol
 from ..io.arguments import option, shown
+from ..precision.truth import form_and_level
 from ..robot.robot import Robot
-from .choice import STEMS, Choice, options
+from .choice import STEMS, Choice, options, robot_toml
 from .parts import generator, robot_numbers
 from .vectors import rejected, vectors
 
@@ -86,21 +82,14 @@ def texts(robot: Robot, choice: Choice) -> dict[str, str]:
     made = language.files(contents)
     made["README.md"] = language.readme(contents, made[language.example])
     made["LICENSE"] = licence.TEXT
-    made["robot.toml"] = robot_toml(robot.to_dict(), options(choice))
+    made["robot.toml"] = robot_toml(robot, choice)
     return made
 
 
 def _program(robot: Robot, choice: Choice, outputs: tuple[str, ...]) -> Program:
-    form, level = _form_and_level(robot, choice)
-    return output_program(form, outputs, level)
-
-
-def _form_and_level(robot: Robot, choice: Choice) -> tuple[Formulation, str]:
-    """The formulation, without rotors where the level has none, and the level in it."""
-    level = level_of(resolved(robot, choice.formulation, choice.level), robot.has_rotors)
-    name = kernel_name(choice.formulation, robot.base_joint if level.name == "general" else "universal")
-    name += "_drive" if level.rotor != NONE else ""
-    return next(each for each in FORMULATIONS if each.kernel_name == name), level.name
+    fidelity = resolved(robot, choice.formulation, choice.level)
+    form, level = form_and_level(robot.base_joint, choice.formulation, fidelity, robot.has_rotors)
+    return output_program(form, outputs, level.name)
 
 
 def _given(program: Program, function: str, inputs: Mapping[str, NDArray[np.float64]]) -> dict[str, Value]:
@@ -110,9 +99,9 @@ def _given(program: Program, function: str, inputs: Mapping[str, NDArray[np.floa
         if isinstance(each.type, Record):
             suffix = "_guess" if each.name == "guess" else ""
             members = [member.name for member in program.structure(each.type.name).members]
-            found[each.name] = {name: _plain(inputs.get(f"{name}{suffix}", np.zeros(3))) for name in members}
+            found[each.name] = {name: inputs.get(f"{name}{suffix}", np.zeros(3)).tolist() for name in members}
         else:
-            found[each.name] = _plain(inputs[each.name])
+            found[each.name] = inputs[each.name].tolist()
     return found
 
 
@@ -122,8 +111,4 @@ def _members(
     parts = dict(values)
     if "acceleration" in parts:
         parts["a"], parts["alpha"] = np.split(parts["acceleration"], 2)
-    return {path: _plain(parts[path.rpartition(".")[2]]) for path in compared(program, function)}
-
-
-def _plain(values: NDArray[np.float64]) -> list[float]:
-    return [float(value) for value in values]
+    return {path: parts[path.rpartition(".")[2]].tolist() for path in compared(program, function)}

@@ -1,6 +1,6 @@
 """The parts of a kit: which kernels a choice takes, committed ones or such as are derived for one robot."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cache, lru_cache
 from importlib.metadata import version
@@ -21,16 +21,16 @@ from ..derive.generate import (
     reduced_axial,
     reduced_kinematics,
     reduced_rotation,
-    shared_blocks,
 )
 from ..derive.kernel.kinematics import search_operations
 from ..derive.kernel.operations import force_operations
 from ..derive.mechanics import quantities
 from ..derive.mechanics.actuator_forces import ForceKernel
 from ..derive.mechanics.baked_constants import baked
-from ..derive.mechanics.formulation import EXACT, EXACT_DRIVE, FORMULATIONS
+from ..derive.mechanics.formulation import BY_KERNEL, EXACT, EXACT_DRIVE
 from ..derive.package.functions import DRIVES, MODEL, NOTHING, ROBOT, Function, Part
 from ..derive.package.words import Numbers, robot_symbol
+from ..derive.program.cse import shared_blocks
 from ..precision.truth import derived_kernel
 from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot
@@ -41,9 +41,11 @@ _KINEMATICS = "kinematics"
 
 @dataclass(frozen=True)
 class Parts:
-    """Parts of a kit. operations: of a pose of the forces, before the robot's numbers were folded in, and
-    after; None without the forces, or where nothing was folded in. precision: "double" or "float". rotors:
-    whether the legs have them."""
+    """Parts of a kit.
+
+    operations, baked_operations: of the forces per pose, as in ``files.Kit``. precision: "double" or "float".
+    rotors: whether the legs have them.
+    """
 
     parts: tuple[Part, ...]
     operations: int | None = None
@@ -98,7 +100,7 @@ def parts(robot: Robot, choice: Choice) -> Parts:
         model = f"stewart_{robot_kernel(robot, 'exact')}_forces"
         if all(part.name != model for part in found):
             says = "The prepared constants that the equations of motion read; the forces come with them."
-            found.append(Part(model, _committed(model), (), ("forces",), says, INCLUDED[LANES]))
+            found.append(_part(model, (), ("forces",), says, LANES))
         found.append(_motion(robot, choice))
     if _KINEMATICS in choice.functions:
         found.append(_kinematics())
@@ -128,9 +130,8 @@ def _force_part(
     function = Function(
         "forces", f"{prefix}_forces", f"{file}.h", subject, prefix, f"{count:,}", plain, one_pose
     )
-    files = _committed(file) if sources is None else sources
     kind = f"forces{' scalar' if one_pose else ''}{' baked' if plain else ''}"
-    return Part(file, files, (function,), (kind,), says, INCLUDED[SOLVE if one_pose else LANES])
+    return _part(file, [function], (kind,), says, SOLVE if one_pose else LANES, sources)
 
 
 def _derived(robot: Robot, choice: Choice, level: str) -> tuple[Part, int, int | None]:
@@ -186,8 +187,7 @@ def _reactions(robot: Robot, choice: Choice) -> Part:
         for stem in STEMS["reactions"]
     ]
     says = f"Inverse dynamics with D, K, H, c and the reactions in the joints, kernel `{name}`."
-    file = f"stewart_{name}"
-    return Part(file, _committed(file), tuple(functions), ("reactions",), says, INCLUDED[OUTPUTS])
+    return _part(f"stewart_{name}", functions, ("reactions",), says, OUTPUTS)
 
 
 def _motion(robot: Robot, choice: Choice) -> Part:
@@ -202,9 +202,9 @@ def _motion(robot: Robot, choice: Choice) -> Part:
         )
         for stem in stems
     ]
-    files = _committed(file) if set(stems) == set(MOTION_FUNCTIONS) else motion_files(stems, form)
+    files = None if set(stems) == set(MOTION_FUNCTIONS) else motion_files(stems, form)
     says = f"Closed form of the equations of motion: {', '.join(stem.replace('_', ' ') for stem in stems)}."
-    return Part(file, files, tuple(functions), tuple(groups), says, INCLUDED[SOLVE])
+    return _part(file, functions, tuple(groups), says, SOLVE, files)
 
 
 _SUMS = {"joint_inertia": ("equations",), "linearisation": ("forward_dynamics", "derivatives")}
@@ -230,7 +230,7 @@ def _kinematics() -> Part:
         for stem in STEMS[_KINEMATICS]
     ]
     says = "Inverse and forward kinematics: leg lengths and rates, the pose from them."
-    return Part(file, _committed(file), tuple(functions), (_KINEMATICS,), says, INCLUDED[ARITHMETIC])
+    return _part(file, functions, (_KINEMATICS,), says)
 
 
 def _torques(robot: Robot, choice: Choice) -> list[Part]:
@@ -239,14 +239,13 @@ def _torques(robot: Robot, choice: Choice) -> list[Part]:
     rotor = fidelity.rotor_of(robot, choice.level)
     if rotor != "none":
         name = robot_kernel(robot, "exact")
-        (form,) = (each for each in FORMULATIONS if each.kernel_name == name)
-        reflected = rotor == "mass"
+        form, reflected = BY_KERNEL[name], rotor == "mass"
         file, block = axial_name(form, reflected), reduced_axial(form, reflected)
-        made = axial_files(form, block, generator_version(), True) if reflected else _committed(file)
+        made = axial_files(form, block, generator_version(), True) if reflected else None
         count = f"{axial_operations(block).total:,}"
         function = Function("axial_forces", f"{file}_forces", f"{file}.h", ROBOT, operations=count)
         says = "Forces that pass through the screws, for the torques: F less what turns the rotors."
-        found.append(Part(file, made, (function,), ("axial",), says, INCLUDED[ARITHMETIC]))
+        found.append(_part(file, [function], ("axial",), says, files=made))
     file = "stewart_torque"
     drive = robot.drive
     assert drive is not None
@@ -258,25 +257,30 @@ def _torques(robot: Robot, choice: Choice) -> list[Part]:
             f" The forces of fidelity {choice.level} leave the rotors out: the torques lack what turns "
             "these, and `axial` is null."
         )
-    return [*found, Part(file, _committed(file), (function,), (TORQUE,), says, INCLUDED[ARITHMETIC])]
+    return [*found, _part(file, [function], (TORQUE,), says)]
 
 
 def _rotation() -> Part:
     says = "R, omega and alpha of a motion from roll, pitch and yaw, or a quaternion, and their rates."
-    functions = tuple(
-        Function(
-            stem, f"stewart_{stem}", "stewart_rotation.h", NOTHING, operations=f"{block.operations().total}"
-        )
+    file = "stewart_rotation"
+    functions = [
+        Function(stem, f"stewart_{stem}", f"{file}.h", NOTHING, operations=f"{block.operations().total}")
         for stem, block in reduced_rotation().items()
-    )
-    return Part(
-        "stewart_rotation",
-        _committed("stewart_rotation"),
-        functions,
-        ("rotation",),
-        says,
-        INCLUDED[ARITHMETIC],
-    )
+    ]
+    return _part(file, functions, ("rotation",), says)
+
+
+def _part(
+    file: str,
+    functions: Iterable[Function],
+    kinds: tuple[str, ...],
+    says: str,
+    shared: str = ARITHMETIC,
+    files: Mapping[str, str] | None = None,
+) -> Part:
+    """One header and source; shared: key of ``INCLUDED``; files: None for those of ``generated/c``."""
+    files = _committed(file) if files is None else files
+    return Part(file, files, tuple(functions), kinds, says, INCLUDED[shared])
 
 
 def _committed(file: str) -> dict[str, str]:

@@ -12,6 +12,7 @@ from typing import cast
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..backend.kernel import MOTION
 from ..dynamics.inverse import Formulation, inverse_dynamics
 from ..io.array_types import Array, Flags
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
@@ -88,11 +89,10 @@ def poses(robot: Robot, formulation: str, count: int) -> Motion:
     rank = 2 * ~within + (condition > GOOD_CONDITION)
     order = np.argsort(rank, kind="stable")
     chosen = order[fit[order]][: count - 1]
-    fields = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
     return Motion(
         **{
             field: np.stack([getattr(first, field), *(getattr(around, field)[i] for i in chosen)])
-            for field in fields
+            for field in MOTION
         }
     )
 

@@ -1,9 +1,9 @@
-"""Numbers at 50 digits that know how far rounding may take a machine's own from them, and systems of them.
+"""Numbers at 50 digits with bounds of the rounding errors that a computer makes, and linear systems of them.
 
-Running error analysis to first order: every operation adds half a rounding unit of its result to what its
-operands bring (Wilkinson; Higham, Accuracy and Stability of Numerical Algorithms, 3.3). Solutions of linear
-systems get their error from the inverse, entry by entry (Higham, 7.2 and 9.3): errors carried through an
-elimination would grow far beyond what happens.
+Running error analysis to first order: every operation adds half a rounding unit of its result to the errors
+of its operands (Wilkinson; Higham, Accuracy and Stability of Numerical Algorithms, 3.3). The error of the
+solution of a linear system is taken from the inverse, entry by entry (Higham, 7.2 and 9.3): bounds carried
+through an elimination would be far too large.
 """
 
 import math
@@ -19,16 +19,15 @@ Objects = NDArray[Any]
 Sizes = NDArray[np.float64]
 
 HALF_UNIT = 0.5
-"""Of the rounding unit epsilon, what rounding to nearest takes from a result at most, over its size."""
-
+"""Largest relative error of rounding to nearest, in rounding units (epsilon)."""
 
 MARGIN = 2.1
-"""What C may be worse by than a reading of it: the same operations grouped in another way; and the twentieth
-that a bound may lose when it is rounded to two digits."""
+"""Factor between the error bound found here and that of a test: the C groups the same operations in another
+way, and a bound may lose a twentieth when it is rounded to two digits."""
 
 FORCES_MARGIN = 1.25
-"""The same of the forces, whose C is printed from the steps that are read: other are the order of the legs'
-sums and, where two are nearly as large, the pivots."""
+"""The same for the forces. Their C has the same steps; it may differ in the order of the sums over the legs
+and in the pivots, where two candidates are nearly as large."""
 
 
 @total_ordering
@@ -172,18 +171,13 @@ class RunningArrays(Running):
         return bool(np.all(self.error == 0.0) and np.isin(np.frexp(self.size)[0], (0.0, 0.5)).all())
 
 
-def running(value: Any) -> Running:
-    """A number as one without error, if it is not one of these already."""
-    return Running.of(value)
-
-
 def array(values: Any, shape: tuple[int, ...] | None = None) -> Objects:
     """Numbers, ``Running`` or exact, as an array of ``Running``."""
     given = np.asarray(values, dtype=object)
     given = given if shape is None else np.broadcast_to(given, shape)
     made = np.empty(given.shape, dtype=object)
     for where in np.ndindex(given.shape):
-        made[where] = running(given[where])
+        made[where] = Running.of(given[where])
     return made
 
 

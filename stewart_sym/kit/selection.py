@@ -1,10 +1,11 @@
-"""Motions on which a wrong constant shows: chosen for the test vectors of a kit's forces, by sensitivity.
+"""Test motions of a kit's forces on which a wrong constant shows: it moves a force by more than its bound.
 
-A pool of motions with few things at work at a time (poses at rest, falling platforms, one or two axes of
-velocity or acceleration far beyond what a machine does, large loads) is improved for the constants that
-show least; of it those are taken that together show every constant. An external wrench takes the load off
-the actuators where it is not itself what shows, so that their forces add no rounding errors. Numbers come
-from a frozen generator and have few digits: the same robot gets the same motions everywhere.
+The search begins with a pool of motions in which few terms act at a time: poses at rest, falling platforms,
+large loads, velocities or accelerations along one or two axes far beyond those of a machine. It adds
+variations of the motions that show the weakest constants best, and then takes a few motions that together
+show every constant. In most motions an external wrench holds the platform, so that the actuator forces, and
+with them their rounding errors, are small. Numbers come from a generator with a fixed seed and have few
+digits: the same robot gets the same motions everywhere.
 """
 
 import itertools
@@ -37,8 +38,8 @@ SHARE = {"double": 1e-9, "float": 1e-3}
 """By which share of itself a constant is changed."""
 
 SHOWN = 1.5
-"""A constant shows where its change moves a force by this many bounds: the code's own errors may be half of
-one, and are a tenth at most wherever they were measured."""
+"""A constant shows where its change moves a force by this many bounds. The code's own rounding errors may be
+half a bound, and are a tenth of one at most wherever they were measured."""
 
 _AT_REST, _MOVING = 300, 30
 """Poses of the pool at rest and in motion."""

@@ -1,8 +1,8 @@
-"""How far a changed constant moves the forces, over what rounding may do to them, on many motions at once.
+"""How much a change of one constant moves the forces, compared with their rounding errors, on many motions.
 
-Runs the blocks of a force kernel in double: once in ``RunningArrays`` for the bound of each force, then
-once for every constant with that constant changed in all legs at a time. Changes are taken to first order
-through the solve. Depends on no printed code.
+Runs the blocks of a force kernel in double: once in ``RunningArrays`` for the error bound of each force,
+then once for every constant, with that constant changed. The change of the solution of H x = c is taken to
+first order. Does not use the printed code.
 """
 
 from collections.abc import Callable, Iterator, Mapping
@@ -41,7 +41,8 @@ class Constants:
 class Change:
     """A constant changed by a share of itself.
 
-    names: one, of all legs or the platform; or six, the constant of each leg, each changed by itself.
+    names: one, of a constant of the platform or of all legs together; or six, of a constant that each leg has
+    for itself, changed in one leg at a time.
     """
 
     names: tuple[str, ...]

@@ -1,11 +1,11 @@
-"""Test vectors: what a kit's functions have to answer on a target, and how close.
+"""Test vectors: inputs of a kit's functions, the right answers, and how far from them rounding may lead.
 
-Takes a checked Robot, tries ``poses``, has them read at 50 digits (``interpreter``), and hands out inputs,
-answers and bounds as plain arrays.
+Takes a checked Robot, chooses ``poses``, computes the answers at 50 digits (``interpreter``), and hands out
+inputs, answers and bounds as plain arrays.
 
 A bound holds for any sound build: other orders of sums, other pivots, fused multiply-add, legs one after
-the other or side by side. Reading and C have errors of the same size in first order; the bound is MARGIN
-times what running error analysis finds for the reading.
+the other or side by side. It is MARGIN times the bound that running error analysis finds in the interpreter,
+whose operations are those of the C up to their grouping.
 """
 
 import math
@@ -25,20 +25,17 @@ from ..motion.motion import Motion
 from ..motion.rotation import orthonormal
 from ..results import JOINT_SINGULAR, SINGULAR, ZERO_LENGTH
 from ..robot.robot import LEGS, Robot
-from .choice import PRECISIONS, STEMS, TORQUE
+from .choice import PRECISIONS, STEMS
 from .interpreter import Found, KitInterpreter, Numbers
 from .parts import fields as fields_of
 from .poses import neighbour, poses, rounded, significant
 from .running import FORCES_MARGIN, MARGIN, errors, values
 from .selection import Numbered, selection
 
-KINEMATICS = ("inverse_kinematics", "forward_kinematics", "forward_velocity")
-CLOSED_FORM = ("equations", "bias", "forward_dynamics", "joint_inertia", "derivatives", "linearisation")
+KINEMATICS = STEMS["kinematics"]
+CLOSED_FORM = (*STEMS["motion"], *STEMS["derivatives"])
 ROTATION = ("motion_from_rpy", "motion_from_quaternion")
-FUNCTIONS = (
-    *("forces", "inverse_dynamics", "joint_reactions", *CLOSED_FORM),
-    *(*KINEMATICS, *STEMS[TORQUE], *ROTATION),
-)
+FUNCTIONS = (*(stem for stems in STEMS.values() for stem in stems), *ROTATION)
 """Functions that there are vectors for."""
 
 FEW = 3
@@ -194,7 +191,7 @@ def _vector(interpreter: KitInterpreter, robot: Robot, kind: type, function: str
 def _kinematic_inputs(
     interpreter: KitInterpreter, robot: Robot, kind: type, function: str, motion: Numbers
 ) -> tuple[dict[str, Array], Numbers]:
-    """What a function of the kinematics is given, and what its reading is."""
+    """Inputs of a function of the kinematics, and what the interpreter is given in their place."""
     if function == "inverse_kinematics":
         inputs = {name: motion[name] for name in ("R", "t", "omega", "v")}
         return inputs, inputs

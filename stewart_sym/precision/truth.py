@@ -21,9 +21,9 @@ from ..derive.kernel.tree.constants import unchecked
 from ..derive.kernel.tree.interpret import Arithmetic, Interpreter
 from ..derive.mechanics import quantities as n
 from ..derive.mechanics.actuator_forces import ForceKernel
-from ..derive.mechanics.formulation import EXACT, FORMULATIONS
+from ..derive.mechanics.formulation import BY_KERNEL, EXACT, Formulation
 from ..derive.mechanics.legs.rotor import NONE
-from ..derive.mechanics.reduced_models import fidelity_kernel, level_of
+from ..derive.mechanics.reduced_models import Fidelity, fidelity_kernel, level_of
 from ..formulas.trees import robot_structure, structure
 from ..io.array_types import Array
 from ..motion.motion import Motion
@@ -94,12 +94,19 @@ class Truth:
 @cache
 def derived_kernel(base_joint: str, formulation: str, fidelity: str, rotors: bool = False) -> ForceKernel:
     """The blocks of the forces alone, before sharing; rotors: whether the legs of the robot have them."""
+    return fidelity_kernel(*form_and_level(base_joint, formulation, fidelity, rotors))
+
+
+def form_and_level(
+    base_joint: str, formulation: str, fidelity: str, rotors: bool
+) -> tuple[Formulation, Fidelity]:
+    """The level of a robot's forces, and the formulation that has it: with rotors where the level has them.
+
+    Reduced levels are those of legs with universal base joints, whatever the robot's base joints are.
+    """
     level = level_of(fidelity, rotors)
-    # Reduced legs are those of EXACT on any base joint: there are none that know another.
-    name = kernel_name(formulation, base_joint if fidelity == "general" else EXACT.base_joint)
-    name += "_drive" if level.rotor != NONE else ""
-    form = next(form for form in FORMULATIONS if form.kernel_name == name)
-    return fidelity_kernel(form, level)
+    name = kernel_name(formulation, base_joint if level.name == "general" else EXACT.base_joint)
+    return BY_KERNEL[f"{name}_drive" if level.rotor != NONE else name], level
 
 
 def deviation(F: NDArray[Any], truth: NDArray[np.object_]) -> Array:

@@ -131,8 +131,8 @@ def test_platform_sees_the_leg_through_J_and_the_sum_stays_skew() -> None:
     found = kept(block, "m", "C_tip", "q", "w_q")
     m, C_tip = tensor("m", True), tensor("C_tip")
     q, w_q = n.q.value, sp.Matrix(sp.symbols("w_q_x w_q_y w_q_z", real=True))
-    J = sp.Matrix.hstack(sp.eye(3), -tip.skew(q))
-    J_dot = sp.Matrix.hstack(sp.zeros(3), -tip.skew(w_q))
+    J = sp.Matrix.hstack(sp.eye(3), -leg.skew(q))
+    J_dot = sp.Matrix.hstack(sp.zeros(3), -leg.skew(w_q))
     M, C = whole(found, "M"), whole(found, "C")
     assert vanishes(M - J.T * m * J)
     assert vanishes(C - J.T * (C_tip * J + m * J_dot))
@@ -147,22 +147,22 @@ def test_platform_itself_follows_from_newton_and_euler_and_its_rest_is_skew() ->
     M, C = whole(found, "M"), whole(found, "C")
     omega, alpha, a, v, g = (q.value for q in (n.omega, n.alpha, n.a, n.v, n.g))
     h, J = sp.Matrix(sp.symbols("h_base_x h_base_y h_base_z", real=True)), tensor("J_base", True)
-    mass, turn = p.M_P.value, tip.skew(omega)
+    mass, turn = p.M_P.value, leg.skew(omega)
     force = mass * (a - g) + alpha.cross(h) + omega.cross(omega.cross(h))
     moment = h.cross(a - g) + J * alpha + omega.cross(J * omega)
     motion_of = M * sp.Matrix([*a, *alpha]) + C * sp.Matrix([*v, *omega])
     gravity = sp.Matrix([*found["g_force"], *found["g_moment"]])
     assert vanishes(motion_of + gravity - sp.Matrix([*force, *moment]))
     h_dot, J_dot = omega.cross(h), turn * J - J * turn
-    M_dot = sp.Matrix(sp.BlockMatrix([[sp.zeros(3), -tip.skew(h_dot)], [tip.skew(h_dot), J_dot]]))
+    M_dot = sp.Matrix(sp.BlockMatrix([[sp.zeros(3), -leg.skew(h_dot)], [leg.skew(h_dot), J_dot]]))
     assert vanishes(M_dot - 2 * C + (M_dot - 2 * C).T)
 
 
 def test_mass_at_the_platform_point_is_the_mass_lumped_with_it() -> None:
     block = p.prepare_leg((), p.Lumped(mass=True, friction=False))
-    J = sp.Matrix.hstack(sp.eye(3), -tip.skew(n.p.value - n.p_1.value))
+    J = sp.Matrix.hstack(sp.eye(3), -leg.skew(n.p.value - n.p_1.value))
     M_add, h_add, J_add = (filled(q, block.formula(q.name)) for q in (p.M_add, p.h_add, p.J_add))
-    lumped = sp.BlockMatrix([[M_add * sp.eye(3), -tip.skew(h_add)], [tip.skew(h_add), J_add]])
+    lumped = sp.BlockMatrix([[M_add * sp.eye(3), -leg.skew(h_add)], [leg.skew(h_add), J_add]])
     assert vanishes(J.T * m_u * J - sp.Matrix(lumped))
 
 

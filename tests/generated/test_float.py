@@ -23,12 +23,12 @@ from sweeps import share
 import stewart_sym as ss
 from stewart_sym.backend.c_kernel import c_sources
 from stewart_sym.derive.emit import lanes
-from stewart_sym.derive.generate import shared_blocks
 from stewart_sym.derive.mechanics import quantities as n
 from stewart_sym.derive.mechanics.baked_constants import baked
 from stewart_sym.derive.mechanics.formulation import EXACT
 from stewart_sym.derive.mechanics.reduced_models import FIDELITIES as DERIVED
 from stewart_sym.derive.mechanics.reduced_models import fidelity_kernel
+from stewart_sym.derive.program.cse import shared_blocks
 from stewart_sym.generated import arithmetic, every_output
 from stewart_sym.generated.fidelities import DRIVE_FIDELITIES, FIDELITIES
 from stewart_sym.generated.interface import MODELS

@@ -20,13 +20,13 @@ from stewart_sym.backend.c_kernel import c_sources
 from stewart_sym.backend.kernel import MOTION, robot_numbers
 from stewart_sym.backend.numpy_kernel import loaded
 from stewart_sym.derive.emit import scalar
-from stewart_sym.derive.generate import shared_blocks
 from stewart_sym.derive.kernel.elimination import BY_POINTERS
 from stewart_sym.derive.kernel.tree import read
 from stewart_sym.derive.kernel.written import scalar as written_scalar
 from stewart_sym.derive.mechanics import quantities as n
 from stewart_sym.derive.mechanics.baked_constants import baked
 from stewart_sym.derive.print.c import C
+from stewart_sym.derive.program.cse import shared_blocks
 from stewart_sym.motion.motion import Motion
 from stewart_sym.results import BAD_ARGUMENT, JOINT_SINGULAR, NOT_FINITE, OK, SINGULAR, ZERO_LENGTH
 from stewart_sym.robot.robot import Robot

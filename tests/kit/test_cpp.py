@@ -148,7 +148,7 @@ def wrapped(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFac
     baked = texts(robot, Choice(bake=True, precision=request.param))
     more = {name: text for name, text in baked.items() if name.startswith(BAKED)}
     sources = [name for name in (files | more) if name.endswith(".c") and "/" not in name]
-    package = kit_build.Package("all", "0", tuple(sources), ("stewart.h",), has_cpp=True)
+    package = kit_build.Package("all", "0", tuple(sources), ("stewart.h",))
     more |= {"Makefile": kit_build.makefile(package), "stewart.hpp": kit_cpp.wrapper(FUNCTIONS, "0")}
     folder = written(files | more, tmp_path_factory.mktemp("wrapped"))
     (folder / "user.cpp").write_text(USER_CPP)

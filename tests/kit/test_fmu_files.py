@@ -36,7 +36,7 @@ from kits import COMPILERS, STRICT
 from stewart_sym.backend import native
 from stewart_sym.derive.package import fmu as texts
 from stewart_sym.kit import kit
-from stewart_sym.kit.fmu import binary_folder, fmu_unit
+from stewart_sym.kit.fmu import binary_folder
 from stewart_sym.kit.poses import sample
 
 
@@ -119,7 +119,7 @@ def test_what_is_missing_is_named(change: dict[str, object], message: str) -> No
         "version": "",
     }
     with pytest.raises(ValueError, match=rf"\A{re.escape(message)}\Z"):
-        fmu_unit(**(given | change))
+        texts.unit(**(given | change))
 
 
 # --- the C ------------------------------------------------------------------------------------

@@ -32,9 +32,18 @@ __all__ = [
 
 GIVEN = (F_LEG, NET, TURNED, AXIAL)
 """What the legs' blocks are given beside the pose."""
-NAMES = ("equations", "bias", "forward_dynamics", "derivatives", "joint_rows", "joint_slopes")
+_KERNELS = {
+    "equations": equations_kernel,
+    "bias": bias_kernel,
+    "forward_dynamics": forward_kernel,
+    "derivatives": derivatives_kernel,
+    "joint_rows": joint_rows_kernel,
+    "joint_slopes": joint_slopes_kernel,
+}
+NAMES = tuple(_KERNELS)
 """Of the kernels, in the order of the emitted file."""
-OF_TWO_FORMS = ("equations", "derivatives")
+_NEAR = {"equations": equations_of_leg, "derivatives": derivatives_of_leg}
+OF_TWO_FORMS = tuple(_NEAR)
 """Of those whose legs have a second block."""
 
 
@@ -46,16 +55,7 @@ def kernels(friction: bool = True, rotor: Rotor = NONE) -> tuple[SumKernel, ...]
 @cache
 def kernel(name: str, friction: bool, rotor: Rotor = NONE) -> SumKernel:
     """One of ``NAMES``, derived once; rotor: of the legs' drives."""
-    derive = {
-        "equations": equations_kernel,
-        "bias": bias_kernel,
-        "forward_dynamics": forward_kernel,
-        "derivatives": derivatives_kernel,
-        "joint_rows": joint_rows_kernel,
-        "joint_slopes": joint_slopes_kernel,
-    }[name]
-    found = derive(friction, rotor)
-    if name in OF_TWO_FORMS:
-        leg = {"equations": equations_of_leg, "derivatives": derivatives_of_leg}[name]
-        found = replace(found, near=leg(friction, True, rotor))
+    found = _KERNELS[name](friction, rotor)
+    if name in _NEAR:
+        found = replace(found, near=_NEAR[name](friction, True, rotor))
     return found.changed(from_difference)

@@ -10,7 +10,7 @@ from .. import quantities as n
 from ..actuator_forces import rotary
 from ..legs import tip
 from ..legs.joint_coordinates import gravity_torques, joint_accelerations, joint_inertia, joint_rates
-from ..legs.leg import cross
+from ..legs.leg import cross, skew
 from ..legs.rotor import Rotor
 from . import parts
 from .terms import AXIAL, BY_POSE, BY_TWIST, F_LEG, INERTIA, NET, TAU_BY, TURNED, SumKernel
@@ -28,31 +28,25 @@ def _derivatives_of_platform(friction: bool, name: str = "derivatives", alone: b
     build = Builder()
     at = parts.platform_of(build, alone)
     omega, alpha = n.omega.value, n.alpha.value
-    turn, J = tip.skew(omega), at.J
+    turn, J = skew(omega), at.J
     B = rotary(build, omega, alpha)
     J_alpha = build.vector("J_alpha", J * alpha)
     rise = build.vector("rise", n.a.value - n.g.value, "(33)", "a - g")
     F_load, M_load = (
         build.vector(name, v) for name, v in zip(("F_load", "M_load"), parts.external(), strict=True)
     )
-    spin = parts.base_matrix(
-        build, "spin", J * turn - tip.skew(at.J_w), "derivative of I omega by dphi at fixed omega"
-    )
-    by_omega = turn * J - tip.skew(at.J_w)
+    spin = build.matrix("spin", J * turn - skew(at.J_w), "", "derivative of I omega by dphi at fixed omega")
+    by_omega = turn * J - skew(at.J_w)
     if friction:
         by_omega += p.C_P.value * sp.eye(3)
     zero = sp.zeros(3, 3)
     pose = (
         zero,
-        -B * tip.skew(at.h) + tip.skew(F_load),
+        -B * skew(at.h) + skew(F_load),
         zero,
-        tip.skew(rise) * tip.skew(at.h)
-        + J * tip.skew(alpha)
-        - tip.skew(J_alpha)
-        + turn * spin
-        + tip.skew(M_load),
+        skew(rise) * skew(at.h) + J * skew(alpha) - skew(J_alpha) + turn * spin + skew(M_load),
     )
-    twist = (zero, -tip.skew(at.w_h) - turn * tip.skew(at.h), zero, by_omega)
+    twist = (zero, -skew(at.w_h) - turn * skew(at.h), zero, by_omega)
     return build.block(
         f"{name}_of_platform",
         "the platform's part of the derivatives of the wrench",
@@ -83,21 +77,21 @@ def derivatives_of_leg(friction: bool, near: bool, rotor: Rotor) -> Block:
     """One leg's part; near: written for legs near their joint singularity."""
     build = Builder()
     leg = parts.leg_of(build, early=not near, leaning=False, rotor=rotor)
-    q, turn = leg.at.q, tip.skew(leg.at.q)
+    q, turn = leg.at.q, skew(leg.at.q)
     by = _tip_slopes(build, leg, friction, near)
-    W = tip.skew(n.omega.value)
+    W = skew(n.omega.value)
     w_q = leg.w_q
-    reach = parts.base_matrix(
-        build, "X", by.S + by.S_dot * W + by.S_ddot * p.B.value, "force by rotation about the tip"
+    reach = build.matrix(
+        "X", by.S + by.S_dot * W + by.S_ddot * p.B.value, "", "force by rotation about the tip"
     )
-    pace = parts.base_matrix(build, "Y", by.S_dot + by.S_ddot * W)
-    fr = parts.base_matrix(build, "Z", -reach * turn)
-    fw = parts.base_matrix(build, "V", -pace * turn - by.S_ddot * tip.skew(w_q) + by.omega)
-    mr, mw = turn * fr + tip.skew(by.force) * turn, turn * fw
+    pace = build.matrix("Y", by.S_dot + by.S_ddot * W)
+    fr = build.matrix("Z", -reach * turn)
+    fw = build.matrix("V", -pace * turn - by.S_ddot * skew(w_q) + by.omega)
+    mr, mw = turn * fr + skew(by.force) * turn, turn * fw
     mt, mv = turn * by.S, turn * by.S_dot
     if friction:
-        moment = tip.skew(by.force) + by.f_S + by.f_S_dot * W - turn * reach
-        mt, mr = mt - by.f_S, parts.base_matrix(build, "Q", moment, "moment by rotation about the tip") * turn
+        moment = skew(by.force) + by.f_S + by.f_S_dot * W - turn * reach
+        mt, mr = mt - by.f_S, build.matrix("Q", moment, "", "moment by rotation about the tip") * turn
         mv, mw = mv - by.f_S_dot, mw + by.f_S_dot * turn
     return build.block(
         "derivatives_of_leg_near" if near else "derivatives_of_leg",
@@ -226,8 +220,8 @@ def _friction_slopes(build: Builder, leg: parts.Leg, normal: sp.Matrix | None) -
     turned = build.vector("y_by_phi", tip.rates[1] * normal)
     f_S = k * by_phi.T + at.y * by_theta.T + turned * phi.T
     return (
-        parts.base_matrix(build, "f_S", f_S, "friction moment by S"),
-        parts.base_matrix(build, "f_S_dot", k * phi.T + at.y * theta.T, "friction moment by S_dot"),
+        build.matrix("f_S", f_S, "", "friction moment by S"),
+        build.matrix("f_S_dot", k * phi.T + at.y * theta.T, "", "friction moment by S_dot"),
     )
 
 
@@ -265,7 +259,7 @@ def joint_slopes_kernel(friction: bool, rotor: Rotor) -> SumKernel:
     """
     build = Builder()
     leg = parts.leg_of(build, rotor=rotor)
-    q, turn, T = leg.at.q, tip.skew(leg.at.q), leg.T
+    q, turn, T = leg.at.q, skew(leg.at.q), leg.T
     _name_finite_motion(build, leg, turned=True)
     by = _torque_slopes(build, leg, friction, near=True, net=NET.value)
     fall = T.T * build.vector("fall", parts.centripetal_acceleration(build, leg.at) - n.g.value)
@@ -277,10 +271,10 @@ def joint_slopes_kernel(friction: bool, rotor: Rotor) -> SumKernel:
     )
     turning, bend = _turning_with_leg(fall, NET.value, tip.torques(friction, rotor))
     S, S_dot, S_ddot = (
-        parts.base_matrix(
-            build,
+        build.matrix(
             name,
             parts.local_matrix(build, f"{name}_leg", tip.gathered(value)) * T.T,
+            "",
             "generalised forces by the tip's motion",
         )
         for name, value in (
@@ -291,14 +285,14 @@ def joint_slopes_kernel(friction: bool, rotor: Rotor) -> SumKernel:
     )
     # Not gathered with the rest of S: what AXIAL = 1 takes out of it would stay as rounding.
     bent = parts.local_matrix(build, "bent_leg", parts.by_joints(leg.at).T * bend)
-    S = parts.base_matrix(
-        build, "tau_place", S + bent * T.T, "generalised forces by the tip's place, as the rows turn"
+    S = build.matrix(
+        "tau_place", S + bent * T.T, "", "generalised forces by the tip's place, as the rows turn"
     )
-    W, w_q = tip.skew(n.omega.value), build.vector("w_q", cross(n.omega.value, q), "(4)", "omega x q")
-    reach = parts.base_matrix(build, "X", S + S_dot * W + S_ddot * p.B.value)
-    pace = parts.base_matrix(build, "Y", S_dot + S_ddot * W)
+    W, w_q = skew(n.omega.value), build.vector("w_q", cross(n.omega.value, q), "(4)", "omega x q")
+    reach = build.matrix("X", S + S_dot * W + S_ddot * p.B.value)
+    pace = build.matrix("Y", S_dot + S_ddot * W)
     zero = sp.zeros(3, 3)
-    mt, mr = zero, tip.skew(by.force) * turn
+    mt, mr = zero, skew(by.force) * turn
     mv = mw = by_omega = zero
     if friction:
         C_s, f_S, f_S_dot = n.C_s.value, *_friction_slopes(build, leg, by.normal)
@@ -315,7 +309,7 @@ def joint_slopes_kernel(friction: bool, rotor: Rotor) -> SumKernel:
             *zip(BY_TWIST, (zero, zero, mv, mw), strict=True),
             *zip(
                 TAU_BY,
-                (S, -reach * turn, S_dot, -pace * turn - S_ddot * tip.skew(w_q) + by_omega),
+                (S, -reach * turn, S_dot, -pace * turn - S_ddot * skew(w_q) + by_omega),
                 strict=True,
             ),
             *parts.columns_of_H(leg.at),

@@ -7,7 +7,7 @@ from .. import lumped_constants as p
 from .. import quantities as n
 from ..legs import tip
 from ..legs.joint_coordinates import friction_moment, gravity_torques, joint_inertia, joint_rates, tip_force
-from ..legs.leg import cross
+from ..legs.leg import cross, skew
 from ..legs.rotor import Rotor
 from . import parts, terms
 
@@ -92,7 +92,7 @@ def joint_rows_kernel(friction: bool, rotor: Rotor) -> terms.SumKernel:
     m_u, to_tip = n.m_u.value, parts.by_joints(at)
     own = to_tip.T * m_u * build.vector("fall_T", leg.T.T * fall)
     rows = sp.Matrix.vstack(at.s.T, -at.inv_L * leg.z.T, at.inv_rho * at.y.T)
-    rows = parts.base_matrix(build, "row_v", rows)
+    rows = build.matrix("row_v", rows)
     nothing = [(q, sp.zeros(*q.shape)) for q in terms.INERTIA]
     block = build.block(
         "joint_rows_of_leg",
@@ -102,7 +102,7 @@ def joint_rows_kernel(friction: bool, rotor: Rotor) -> terms.SumKernel:
             *nothing,
             *zip(terms.RIGHT, (sp.zeros(3, 1), f), strict=True),
             (terms.M_XI, joint_inertia(build, at).matrix() + m_u * to_tip.T * to_tip),
-            *zip(terms.ROWS, (rows, -rows * tip.skew(at.q)), strict=True),
+            *zip(terms.ROWS, (rows, -rows * skew(at.q)), strict=True),
             (terms.TAU, sp.Matrix([tau.along - terms.F_LEG.value, tau.about_y, tau.about_k]) + own),
             *parts.checked(at),
         ],
@@ -127,9 +127,9 @@ def _equations_of_platform(friction: bool) -> Block:
     at = parts.platform_of(build)
     omega, g = n.omega.value, n.g.value
     half_trace = build.scalar("half_trace", (at.J[0, 0] + at.J[1, 1] + at.J[2, 2]) / 2)
-    turn = tip.skew(omega)
+    turn = skew(omega)
     zero = sp.zeros(3, 3)
-    coriolis = (zero, -tip.skew(at.w_h), zero, turn * at.J - half_trace * turn)
+    coriolis = (zero, -skew(at.w_h), zero, turn * at.J - half_trace * turn)
     resistance = p.C_P.value * omega if friction else sp.zeros(3, 1)
     return build.block(
         "equations_of_platform",
@@ -161,8 +161,8 @@ def equations_of_leg(friction: bool, near: bool, rotor: Rotor) -> Block:
         "Coriolis matrix at the tip, base frame",
     )
     w_q = leg.w_q
-    C_vw = parts.base_matrix(build, "C_q", -C_tip * tip.skew(q) - m * tip.skew(w_q))
-    turn = tip.skew(q)
+    C_vw = build.matrix("C_q", -C_tip * skew(q) - m * skew(w_q))
+    turn = skew(q)
     about_y, about_k = gravity_torques(build, at)
     held = build.vector(
         "held", parts.from_torques(build, leg, sp.S.Zero, about_y, about_k), "", "against gravity"

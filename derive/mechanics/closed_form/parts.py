@@ -19,7 +19,7 @@ from ..legs.joint_coordinates import (
     joint_inertia,
     joint_rates,
 )
-from ..legs.leg import cross
+from ..legs.leg import cross, skew
 from ..legs.rotor import NONE, Rotor
 from .terms import AXIAL, B_0, F_LEG, M_VV, M_VW, M_WW, NET, TURNED
 
@@ -51,7 +51,7 @@ def platform_of(build: Builder, alone: bool = False) -> Platform:
 
 def platform_inertia(at: Platform) -> list[tuple[Quantity, sp.Matrix]]:
     """The platform's part of M."""
-    return [(M_VV, at.mass * sp.eye(3)), (M_VW, -tip.skew(at.h)), (M_WW, at.J)]
+    return [(M_VV, at.mass * sp.eye(3)), (M_VW, -skew(at.h)), (M_WW, at.J)]
 
 
 def platform_bias(at: Platform, friction: bool) -> tuple[sp.Matrix, sp.Matrix]:
@@ -153,20 +153,13 @@ def rotated(
     )
     if symmetric:
         return build.tensor(name, half * T.T, "", meaning)
-    return base_matrix(build, name, half * T.T, meaning)
-
-
-def base_matrix(build: Builder, name: str, value: sp.Matrix, meaning: str = "") -> sp.Matrix:
-    """A matrix of the base frame, its entries named."""
-    return sp.Matrix(
-        3, 3, lambda i, j: build.scalar(f"{name}_{'xyz'[i]}{'xyz'[j]}", value[i, j], "", meaning)
-    )
+    return build.matrix(name, half * T.T, "", meaning)
 
 
 def leg_inertia(build: Builder, m: sp.Matrix, q: sp.Matrix) -> list[tuple[Quantity, sp.Matrix]]:
     """J^T m J."""
-    mq = base_matrix(build, "m_q", m * tip.skew(q), "m [q]x")
-    return [(M_VV, m), (M_VW, -mq), (M_WW, -tip.skew(q) * mq)]
+    mq = build.matrix("m_q", m * skew(q), "", "m [q]x")
+    return [(M_VV, m), (M_VW, -mq), (M_WW, -skew(q) * mq)]
 
 
 def wrench(force: sp.Matrix, q: sp.Matrix, less: sp.Matrix | None = None) -> list[sp.Matrix]:

@@ -6,7 +6,7 @@ s, k and y; the leg's inertial constants enter as the sums that ``lumped_constan
 mass is lumped with the platform.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import sympy as sp
 
@@ -41,8 +41,11 @@ class JointFrame:
 
 @dataclass(frozen=True)
 class JointRates:
-    """Rates of L, theta, phi; squares of the angles' rates; rates of L and rho as shares of them; their
-    difference, ``lean``."""
+    """Rates of L, theta and phi, with products of them.
+
+    theta2, phi2: squares of the angles' rates; phi_twice: twice the rate of phi. L_share: L_dot / L;
+    rho_share: rho_dot / rho; lean: rho_share - L_share.
+    """
 
     L: sp.Expr
     theta: sp.Expr
@@ -50,9 +53,9 @@ class JointRates:
     theta2: sp.Expr
     phi2: sp.Expr
     phi_twice: sp.Expr
-    L_share: sp.Expr
-    lean: sp.Expr
-    rho_share: sp.Expr
+    L_share: sp.Expr = sp.S.Zero
+    lean: sp.Expr = sp.S.Zero
+    rho_share: sp.Expr = sp.S.Zero
 
 
 @dataclass(frozen=True)
@@ -190,6 +193,13 @@ def joint_rates(build: Builder, at: JointFrame, S_dot: sp.Matrix) -> JointRates:
     theta_dot = build.scalar("theta_dot", across, "(6)", meaning)
     L_share = build.scalar("L_share", at.inv_L * L_dot, "", "L_dot / L")
     lean = build.scalar("lean", at.kappa * theta_dot)
+    rates = with_products(build, L_dot, theta_dot, phi_dot)
+    rho_share = build.scalar("rho_share", L_share + lean, "", "rho_dot / rho")
+    return replace(rates, L_share=L_share, lean=lean, rho_share=rho_share)
+
+
+def with_products(build: Builder, L_dot: sp.Expr, theta_dot: sp.Expr, phi_dot: sp.Expr) -> JointRates:
+    """Rates with the products of them that the leg's equations need, without shares of L and rho."""
     return JointRates(
         L_dot,
         theta_dot,
@@ -197,9 +207,6 @@ def joint_rates(build: Builder, at: JointFrame, S_dot: sp.Matrix) -> JointRates:
         theta2=build.scalar("theta_dot2", theta_dot**2),
         phi2=build.scalar("phi_dot2", phi_dot**2),
         phi_twice=build.scalar("two_phi_dot", 2 * phi_dot),
-        L_share=L_share,
-        lean=lean,
-        rho_share=build.scalar("rho_share", L_share + lean, "", "rho_dot / rho"),
     )
 
 

@@ -102,6 +102,11 @@ def cross(p: sp.Matrix, q: sp.Matrix) -> sp.Matrix:
     return p.cross(q)
 
 
+def skew(w: sp.Matrix) -> sp.Matrix:
+    """[w]x of a 3x1 matrix, so that [w]x v is w x v."""
+    return sp.Matrix([[0, -w[2], w[1]], [w[2], 0, -w[0]], [-w[1], w[0], 0]])
+
+
 # ---------------------------------------------------------------- position, velocity and acceleration of S
 
 
@@ -132,6 +137,15 @@ def platform_point_motion(build: Builder, q: sp.Matrix) -> tuple[sp.Matrix, sp.M
         "acceleration of the platform point",
     )
     return S_dot, S_ddot
+
+
+def sliding(
+    build: Builder, s: sp.Matrix, inv_L: sp.Expr, S_dot: sp.Matrix, S_ddot: sp.Matrix
+) -> tuple[sp.Expr, sp.Expr]:
+    """L_dot and L_ddot of (5) and (8), from the motion of the platform point in the base frame."""
+    rate = build.scalar("rate", s.dot(S_dot), "(5)", "sliding velocity")
+    across = build.vector("across", S_dot - rate * s, "", "part of S_dot across the leg, of length L |W|")
+    return rate, build.scalar("second", s.dot(S_ddot) + across.dot(across) * inv_L, "(8)")
 
 
 def leg_frame(build: Builder, s: sp.Matrix) -> tuple[sp.Matrix, sp.Matrix, sp.Expr, sp.Expr]:

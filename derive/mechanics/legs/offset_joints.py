@@ -21,6 +21,7 @@ from .joint_coordinates import (
     JointRates,
     joint_forces,
     joint_inertia,
+    with_products,
 )
 from .leg import cross, tip_vector
 from .rotor import FULL
@@ -103,19 +104,7 @@ def offset_rates(build: Builder, leg: OffsetFrame, S_dot: sp.Matrix) -> tuple[Jo
     theta_dot = build.scalar("theta_dot", at.inv_L * (at.k1 * swept - at.z.dot(S_dot)), "(6)", meaning)
     L_dot = build.scalar("L_dot", at.s.dot(S_dot) - d.value * theta_dot + at.k3 * swept, "(5)", meaning)
     r_dot = build.scalar("r_dot", leg.o.dot(S_dot) + swept, "", "rate of r")
-    none = sp.S.Zero
-    rates = JointRates(
-        L_dot,
-        theta_dot,
-        phi_dot,
-        theta2=build.scalar("theta_dot2", theta_dot**2),
-        phi2=build.scalar("phi_dot2", phi_dot**2),
-        phi_twice=build.scalar("two_phi_dot", 2 * phi_dot),
-        L_share=none,
-        lean=none,
-        rho_share=none,
-    )
-    return rates, r_dot
+    return with_products(build, L_dot, theta_dot, phi_dot), r_dot
 
 
 def offset_accelerations(

@@ -28,10 +28,10 @@ FULL = Rotor(n.m_r.value, n.j_r.value)
 
 
 def rotor_of(form: Formulation) -> Rotor:
-    """What the legs of a formulation have.
+    """The rotors of a formulation's legs.
 
-    Nothing fixes the spin of a leg between two spherical joints, and with it the rotor's angular momentum: of
-    such a leg the mass alone is defined.
+    Nothing determines the spin of a leg between two spherical joints, and so its rotor's angular momentum is
+    not defined either: such a leg has the reflected mass alone.
     """
     if not form.drive:
         return NONE

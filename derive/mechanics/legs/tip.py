@@ -20,6 +20,7 @@ from ...program.block import Builder
 from .. import lumped_constants as p
 from .. import quantities as n
 from .joint_coordinates import JointFrame, joint_inertia
+from .leg import skew
 from .rotor import NONE, Rotor
 
 L, k1, k3, inv_L, inv_rho, kappa = sp.symbols("L k1 k3 inv_L inv_rho kappa", real=True)
@@ -141,11 +142,6 @@ def by_place_of_force(force: sp.Matrix) -> sp.Matrix:
     )
 
 
-def skew(w: sp.Matrix) -> sp.Matrix:
-    """[w]x of a 3x1 matrix."""
-    return sp.Matrix([[0, -w[2], w[1]], [w[2], 0, -w[0]], [-w[1], w[0], 0]])
-
-
 def gradients() -> Gradients:
     """Gradients of L, theta, phi and their rates as the leg turns with W = phi_dot k + theta_dot y."""
     W = sp.Matrix([k1 * rates[2], rates[1], k3 * rates[2]])
@@ -168,8 +164,8 @@ inv_k3, W_z, OWN_Y, OWN_Z = sp.symbols("inv_k3 W_z own_y own_z", real=True)
 def gathered(expr: sp.Expr | sp.Matrix) -> sp.Expr | sp.Matrix:
     """The same in ``W_z``, ``OWN_Y``, ``OWN_Z`` and powers of 1 / L and 1 / k3, inertial constants collected.
 
-    What cancels for all legs is gone, and for axisymmetric legs the constants of each power of 1 / k3 cancel
-    among themselves: nothing large is left whose digits a small result would need.
+    Terms that cancel for all legs are gone, and for axisymmetric legs the constants of each power of 1 / k3
+    cancel among themselves. So near the joint singularity no small result is the difference of large terms.
     """
     if isinstance(expr, sp.MatrixBase):
         return expr.applyfunc(gathered)

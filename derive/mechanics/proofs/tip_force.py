@@ -68,7 +68,7 @@ def at_tip(expr: sp.Expr | sp.Matrix) -> sp.Expr | sp.Matrix:
 
 def rate(tensor: sp.Matrix) -> sp.Matrix:
     """Time derivative of a 3x3 tensor in the leg frame, which turns with W = phi_dot k + theta_dot y."""
-    turn = tip.skew(tip.rates[2] * k + tip.rates[1] * leg.Y_AXIS)
+    turn = leg.skew(tip.rates[2] * k + tip.rates[1] * leg.Y_AXIS)
     own = sum((tip.along(tensor, i) * tip.rates[i] for i in range(3)), sp.zeros(3))
     return own + turn * tensor - tensor * turn
 

@@ -1,13 +1,11 @@
 """What goes into a kit in another language than C: a program, a robot's numbers, calls with their answers."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 from ...kernel.tree.constants import INTEGERS, STATUS
 from ...kernel.tree.nodes import Array, Constant, Program, Record, Type, parts_of
-from ...program.block import Quantity
 from ..words import Numbers
 
 Value = Sequence[float] | Mapping[str, Sequence[float]]
@@ -108,15 +106,3 @@ def _arrays(program: Program, kind: Type, path: str) -> dict[str, tuple[int, ...
     for each in members:
         found |= _arrays(program, each.type, f"{path}.{each.name}" if path else each.name)
     return found
-
-
-def stored(numbers: Numbers, quantity: Quantity, leg: int | None = None) -> list[float]:
-    """Components of a quantity in storage order."""
-    value = numbers[quantity.name] if leg is None else numbers[quantity.name][leg]
-    return [float(_at(value, key)) for key in quantity.keys]
-
-
-def _at(value: Any, key: Iterable[int]) -> Any:
-    for i in key:
-        value = value[i]
-    return value

@@ -1,4 +1,4 @@
-"""What the kits of all languages share: the README, calls as examples show them, tables of constants."""
+"""What the kits of all languages share: the README, the calls of the example, tables of constants."""
 
 import textwrap
 from abc import ABC, abstractmethod
@@ -6,8 +6,8 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from ...mechanics import quantities as n
 from ...program.block import Quantity
-from ..words import in_markdown, template
-from .contents import Contents, Test, stored
+from ..words import in_markdown, stored, template
+from .contents import Contents, Test
 
 
 class Language(ABC):
@@ -68,22 +68,18 @@ class Language(ABC):
             },
         )
 
-    def values(self, kit: Contents, **more: str) -> dict[str, str]:
-        """What every template takes."""
-        return {
-            "robot": kit.name,
-            "outputs": kit.says,
-            "version": kit.version,
-            "crate": kit.symbol,
-            **more,
-        }
+    def filled(self, name: str, kit: Contents, **more: str) -> str:
+        """A template with the words that all take and with more of its own."""
+        words = {"robot": kit.name, "outputs": kit.says, "version": kit.version, "crate": kit.symbol}
+        return template(name, words | more)
 
     def assignments(self, kit: Contents, made: str, legs: Iterable[str], end: str) -> str:
         """Statements that fill a robot, one line a quantity; legs: what each is called."""
-        lines = [_assigned(made, q, stored(kit.numbers, q), end) for q in n.PLATFORM]
+        lines = [_assigned(made, q, stored(kit.numbers, q, "robot"), end) for q in n.PLATFORM]
         for i, leg in enumerate(legs):
             lines += [
-                _assigned(f"{made}.{leg}", q, stored(kit.numbers, q, i), end) for q in n.of_leg(kit.numbers)
+                _assigned(f"{made}.{leg}", q, stored(kit.numbers, q, "robot", i), end)
+                for q in n.of_leg(kit.numbers)
             ]
         return "\n".join(lines)
 
@@ -96,7 +92,7 @@ _READ = ("R", "t")
 
 
 def spoilt(test: Test) -> list[tuple[str, str]]:
-    """Argument and member, "" for none, of the arrays that every function reads."""
+    """Arrays that a test replaces by NaN, as every function reads them: argument and member, "" without."""
     return [
         (name, member)
         for name, value in test.given.items()

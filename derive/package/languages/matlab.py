@@ -26,27 +26,24 @@ class MatlabKit(Language):
         calls = "\n".join(self.calls(kit).values())
         fill = self.assignments(kit, "made", (f"leg({i})" for i in range(1, 7)), ";")
         made = {f"+stewart/{name}": text for name, text in Matlab(of_one_pose(kit.program)).files().items()}
-        values = self.values(
-            kit,
-            statuses="\n".join(
-                f"    made.{name} = {code}; % {says}" for name, (code, says) in kit.whole_numbers.items()
-            ),
-            constants="\n".join(
-                f"    made.{name} = {value!r};" for name, value in constants("double").items()
-            ),
-        )
+        statuses = [f"    made.{name} = {code}; % {says}" for name, (code, says) in kit.whole_numbers.items()]
+        numbers = [f"    made.{name} = {value!r};" for name, value in constants("double").items()]
+        words = {"statuses": "\n".join(statuses), "constants": "\n".join(numbers)}
         helpers = ["where", "larger", "constants", "numbers", "motion_of"]
         helpers += ["pose_at"] if any(each.name == "Pose" for each in kit.program.structures) else []
         for name in helpers:
-            made[f"+stewart/{name}.m"] = template(f"matlab_{name}.m", values)
+            made[f"+stewart/{name}.m"] = self.filled(f"matlab_{name}.m", kit, **words)
         prepare = self.prepare if kit.prepared else ""
         return {
             **made,
-            "+stewart/robot.m": template("matlab_robot.m", self.values(kit, numbers=fill)),
-            "self_test.m": template("matlab_test.m", self.values(kit, prepare=prepare, tests=tests)),
-            self.example: template(
+            "+stewart/robot.m": self.filled("matlab_robot.m", kit, numbers=fill),
+            "self_test.m": self.filled("matlab_test.m", kit, prepare=prepare, tests=tests),
+            self.example: self.filled(
                 "matlab_example.m",
-                self.values(kit, prepare=prepare, given="\n".join(_matlab_given(kit.given, "")), calls=calls),
+                kit,
+                prepare=prepare,
+                given="\n".join(_matlab_given(kit.given, "")),
+                calls=calls,
             ),
         }
 

@@ -42,11 +42,10 @@ class PythonKit(Language):
         ]
         return {
             "stewart_arrays.py": module(kit.program, arithmetic(kit.whole_numbers), kit.version),
-            "robot.py": template("python_robot.py", self.values(kit, **made, numbers=fill)),
-            "self_test.py": template("python_test.py", self.values(kit, **made, tests=tests)),
-            "example.py": template(
-                "python_example.py",
-                self.values(kit, **made, given=_python_given(kit.given), calls="\n".join(calls)),
+            "robot.py": self.filled("python_robot.py", kit, **made, numbers=fill),
+            "self_test.py": self.filled("python_test.py", kit, **made, tests=tests),
+            "example.py": self.filled(
+                "python_example.py", kit, **made, given=_python_given(kit.given), calls="\n".join(calls)
             ),
         }
 

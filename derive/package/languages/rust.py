@@ -7,8 +7,8 @@ from ...kernel.tree.settle import of_one_pose
 from ...mechanics import quantities as n
 from ...print.rust import Rust
 from ...program.block import Quantity
-from ..words import Numbers, template
-from .contents import Contents, Test, Value, compared, stored
+from ..words import Numbers, stored, template
+from .contents import Contents, Test, Value, compared
 from .language import Language, array, spoilt
 
 
@@ -31,32 +31,26 @@ class RustKit(Language):
         calls = "\n".join(
             f'    {call}\n    println!("{output} {{:?}}", found);' for output, call in self.calls(kit).items()
         )
-        program = Rust(of_one_pose(kit.program)).source()
+        numbers = [f"const {name}: Real = {value!r};" for name, value in constants(kit.precision).items()]
         return {
-            "Cargo.toml": template("rust_cargo.toml", self.values(kit)),
-            "src/lib.rs": template(
+            "Cargo.toml": self.filled("rust_cargo.toml", kit),
+            "src/lib.rs": self.filled(
                 "rust_lib.rs",
-                self.values(
-                    kit,
-                    program=program,
-                    real=real,
-                    root=root,
-                    statuses="\n".join(self._numbers(kit)),
-                    constants="\n".join(
-                        f"const {name}: Real = {value!r};" for name, value in constants(kit.precision).items()
-                    ),
-                ),
+                kit,
+                program=Rust(of_one_pose(kit.program)).source(),
+                real=real,
+                root=root,
+                statuses="\n".join(self._numbers(kit)),
+                constants="\n".join(numbers),
             ),
-            "src/robot.rs": template("rust_robot.rs", self.values(kit, numbers=_rust_robot(kit.numbers))),
-            "tests/self_test.rs": template("rust_test.rs", self.values(kit, tests=tests)),
-            self.example: template(
+            "src/robot.rs": self.filled("rust_robot.rs", kit, numbers=_rust_robot(kit.numbers)),
+            "tests/self_test.rs": self.filled("rust_test.rs", kit, tests=tests),
+            self.example: self.filled(
                 "rust_example.rs",
-                self.values(
-                    kit,
-                    prepare=self.prepare if kit.prepared else "",
-                    given="\n".join(_rust_given(kit.given)),
-                    calls=calls,
-                ),
+                kit,
+                prepare=self.prepare if kit.prepared else "",
+                given="\n".join(_rust_given(kit.given)),
+                calls=calls,
             ),
         }
 
@@ -99,8 +93,14 @@ class RustKit(Language):
         return f"let found = {function}({', '.join(passed)});"
 
 
-def _rust_members(pairs: Iterable[tuple[Quantity, Sequence[float]]], indent: str) -> list[str]:
-    return [f"{indent}{q.name}: {array(values) if q.shape else repr(values[0])}," for q, values in pairs]
+def _rust_members(
+    numbers: Numbers, quantities: Iterable[Quantity], indent: str, leg: int | None = None
+) -> list[str]:
+    lines = []
+    for q in quantities:
+        values = stored(numbers, q, "robot", leg)
+        lines.append(f"{indent}{q.name}: {array(values) if q.shape else repr(values[0])},")
+    return lines
 
 
 def _rust_given(given: Mapping[str, Value]) -> list[str]:
@@ -115,8 +115,7 @@ def _rust_given(given: Mapping[str, Value]) -> list[str]:
 
 
 def _rust_robot(numbers: Numbers) -> str:
-    lines = ["Robot {", *_rust_members(((q, stored(numbers, q)) for q in n.PLATFORM), "    "), "    leg: ["]
+    lines = ["Robot {", *_rust_members(numbers, n.PLATFORM, "    "), "    leg: ["]
     for i in range(6):
-        legs = _rust_members(((q, stored(numbers, q, i)) for q in n.of_leg(numbers)), " " * 12)
-        lines += ["        Leg {", *legs, "        },"]
+        lines += ["        Leg {", *_rust_members(numbers, n.of_leg(numbers), " " * 12, i), "        },"]
     return "\n".join([*lines, "    ],", "}"])

@@ -27,7 +27,7 @@ def run(arguments: argparse.Namespace) -> int:
     """Run ``import``; returns the exit code."""
     from ...exchange.files import import_model
     from ...io.arguments import safe_text
-    from ...io.tables import toml_text
+    from ...io.toml_text import toml_text
     from ...io.writing import result_file
     from ...studies.common.report import Report
 

@@ -14,9 +14,9 @@ from stewart_sym.backend.numpy_kernel import loaded
 from stewart_sym.derive.emit import scalar
 from stewart_sym.derive.emit.header import common_header
 from stewart_sym.derive.emit.shared import shared_headers
-from stewart_sym.derive.generate import shared_blocks
 from stewart_sym.derive.mechanics.formulation import FORMULATIONS
 from stewart_sym.derive.mechanics.reduced_models import FIDELITIES, fidelity_kernel
+from stewart_sym.derive.program.cse import shared_blocks
 from stewart_sym.motion.motion import Motion
 from stewart_sym.results import OK
 from stewart_sym.robot.robot import Robot

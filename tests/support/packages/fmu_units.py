@@ -26,10 +26,12 @@ from numpy.typing import NDArray
 from stewart_sym import PATHS
 from stewart_sym.backend import native
 from stewart_sym.backend.kernel import MOTION, robot_numbers
+from stewart_sym.derive.package import fmu
+from stewart_sym.derive.package.fmu import UnitKernel
 from stewart_sym.derive.package.words import robot_symbol
 from stewart_sym.dynamics.home_pose import home_pose
 from stewart_sym.kit import Choice, kit
-from stewart_sym.kit.fmu import UnitKernel, fmu_unit
+from stewart_sym.kit.fmu import packed
 from stewart_sym.motion.motion import Motion
 from stewart_sym.robot.robot import Robot
 
@@ -82,7 +84,8 @@ def pose(motion: Motion) -> dict[str, object]:
 def unit(robot: Robot, kernel: UnitKernel, sources: dict[str, str]) -> bytes:
     start = {"R": np.eye(3).tolist(), "t": home_pose(robot).t.tolist()}
     payload = None if kernel.baked else numbers(robot)
-    return fmu_unit(robot.name, robot_symbol(robot.name), sources, kernel, start, payload, "0" * 64, "1.2.3")
+    symbol = robot_symbol(robot.name)
+    return packed(symbol, fmu.unit(robot.name, symbol, sources, kernel, start, payload, "0" * 64, "1.2.3"))
 
 
 @functools.cache

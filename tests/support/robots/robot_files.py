@@ -4,14 +4,14 @@ import shutil
 from pathlib import Path
 
 import stewart_sym as ss
-from stewart_sym.derive.package.robot import robot_toml
+from stewart_sym.io.toml_text import toml_text
 
 PAPERS = Path(ss.robots.__file__).parent / "dasgupta1998.toml"
 
 
 def written(robot: ss.Robot, path: Path) -> Path:
     """The robot as a file that can be read."""
-    path.write_text(robot_toml(robot.to_dict(), ""), encoding="utf-8")
+    path.write_text(toml_text(robot.to_dict(), inline=False), encoding="utf-8")
     return path
 
 
