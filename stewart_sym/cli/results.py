@@ -93,6 +93,13 @@ def _reject_html(target: Path, arguments: argparse.Namespace, *inputs: Path) -> 
     reject_inputs("--html", target, *inputs)
     if target in (arguments.json, getattr(arguments, "output", None)):
         raise ValueError(f"--html {target}: is where another result goes, name another file")
+    need_html("--html", target)
+
+
+def need_html(option: str, target: Path) -> None:
+    """ValueError if the name of a file for HTML says that it is of another kind."""
+    if target.suffix.lower() not in ("", ".html", ".htm"):
+        raise ValueError(f"{option} {target}: expected a file that ends in .html")
 
 
 def _paths(arguments: argparse.Namespace) -> list[Path]:
