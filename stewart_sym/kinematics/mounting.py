@@ -14,8 +14,8 @@ from .conditioning import characteristic_length, scaled_condition_number
 from .inverse import leg_vectors, length_rows
 from .offset_legs import without_offsets
 
-# Gravity decides where it pulls along the base's normal with this share of itself or more.
-_DECISIVE = 0.1
+DECISIVE = 0.1
+"""Gravity decides where it pulls along the base's normal with more than this share of itself."""
 # An axis of the base frame stands for the base points' normal if it is no farther from it than this, rad.
 _LEVEL = np.radians(15.0)
 # Shares by which the two sides differ clearly, and by more than rounding.
@@ -90,7 +90,7 @@ def platform_side(robot: Robot) -> Side:
         if abs(along) > _EQUAL * (radius(robot.b) + radius(robot.p)):
             return Side(-axis if along < 0.0 else axis, _AT_HOME, True)
     pull = float(_normal(robot.b, axis) @ robot.g)
-    if abs(pull) > _DECISIVE * np.linalg.norm(robot.g):
+    if abs(pull) > DECISIVE * np.linalg.norm(robot.g):
         return Side(-axis if pull > 0.0 else axis, _AGAINST_GRAVITY, True)
     gravity = f"gravity is {'along the base' if np.any(robot.g) else '0'}"
     outside, condition = zip(*(_level_scores(robot, side) for side in (axis, -axis)), strict=True)
