@@ -14,8 +14,8 @@ from .fields import LEGS, direction, vector_text
 
 RING_KEYS = ("radius", "angles", "z")
 AXES = ("tangential", "radial", "horizontal")
-"""Fixed axes by name: along the circle of the base points about z, to its middle, and across z and the leg of
-the home pose."""
+"""Fixed axes by name: along the circle about z whose middle is the mean of the base points, to that middle,
+and across z and the leg of the home pose."""
 
 # Angles of more turns than this are in degrees.
 _MOST_TURNS = 2.0
