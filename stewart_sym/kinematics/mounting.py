@@ -89,8 +89,9 @@ def platform_side(robot: Robot) -> Side:
         along = float((robot.home + robot.p.mean(axis=0) - robot.b.mean(axis=0)) @ axis)
         if abs(along) > _EQUAL * (radius(robot.b) + radius(robot.p)):
             return Side(-axis if along < 0.0 else axis, _AT_HOME, True)
-    pull = float(_normal(robot.b, axis) @ robot.g)
-    if abs(pull) > DECISIVE * np.linalg.norm(robot.g):
+    g = robot.g / (np.abs(robot.g).max() or 1.0)
+    pull = float(_normal(robot.b, axis) @ g)
+    if abs(pull) > DECISIVE * np.linalg.norm(g):
         return Side(-axis if pull > 0.0 else axis, _AGAINST_GRAVITY, True)
     gravity = f"gravity is {'along the base' if np.any(robot.g) else '0'}"
     outside, condition = zip(*(_level_scores(robot, side) for side in (axis, -axis)), strict=True)
