@@ -1,6 +1,8 @@
 """Robots and trajectories that a subcommand is given, with a warning for each doubt about them."""
 
 import argparse
+import contextlib
+import re
 import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -32,7 +34,32 @@ def warn_of_doubts(robot: "Robot", source: Path) -> None:
     from ..robot.robot import PhysicalityWarning
 
     for name, text in doubts(robot):
-        warnings.warn(f"{source}: {text} [{name}]", PhysicalityWarning, stacklevel=3)
+        told = _in_unit(text, length_unit(source))
+        warnings.warn(f"{source}: {told} [{name}]", PhysicalityWarning, stacklevel=3)
+
+
+def length_unit(robot: Path) -> str:
+    """Of a robot file that has been read; m where it cannot be read again, as from a pipe."""
+    from ..io.tables import toml_tables
+
+    with contextlib.suppress(ValueError), toml_tables(str(robot), "robot file") as tables:
+        return str(tables.get("length_unit", "m"))
+    return "m"
+
+
+# A length, or the first of "0.5 to 0.9 m", in a line of text.
+_METRES = re.compile(r"(?<![\w.])(\d[\d.]*(?:e[+-]?\d+)?)((?: to [\d.e+-]+)?) m(?![\w/^])")
+
+
+def _in_unit(text: str, unit: str) -> str:
+    """A line with its lengths, m, in another unit."""
+    from ..motion.logs import LENGTH_UNITS
+
+    def changed(found: re.Match[str]) -> str:
+        numbers = [float(each) / LENGTH_UNITS[unit] for each in (found[1] + found[2]).split(" to ")]
+        return f"{' to '.join(f'{each:.4g}' for each in numbers)} {unit}"
+
+    return text if unit == "m" else _METRES.sub(changed, text)
 
 
 def trajectory_of(

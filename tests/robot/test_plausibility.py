@@ -22,6 +22,7 @@ from robot_files import written
 from sweeps import share
 
 import stewart_sym as ss
+from stewart_sym.cli.inputs import _in_unit
 from stewart_sym.cli.main import main
 from stewart_sym.plausibility import plausibility
 from stewart_sym.plausibility.plausibility import doubts
@@ -294,3 +295,21 @@ def test_a_stated_home_of_a_machine_is_not_doubted_for_its_height(height: float)
     middle = robot.b.mean(axis=0) - robot.p.mean(axis=0)
     stated = dataclasses.replace(robot, home=middle + np.array([0.0, 0.0, height]))
     assert not [doubt for doubt in doubts(stated) if doubt.text.startswith("home:")]
+
+
+def test_doubts_state_lengths_in_the_unit_of_the_file(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = (Path(ss.__file__).parents[1] / ".docs" / "examples" / "hexapod.toml").read_text()
+    behind = text.replace("center_of_mass = [0.3,", "center_of_mass = [-0.3,")
+    for unit, told in (("m", "center_of_mass 0.3 m beyond"), ("cm", " cm")):
+        (tmp_path / "robot.toml").write_text(
+            behind.replace("schema = 2", f'schema = 2\nlength_unit = "{unit}"')
+        )
+        main(["check", str(tmp_path / "robot.toml")])
+        assert told in capsys.readouterr().err
+    line = "legs 0.4 to 12 m long at 3 m/s, 5 N m and 7 kg m^2 on 0.9 m; in metres"
+    assert (
+        _in_unit(line, "mm")
+        == "legs 400 to 1.2e+04 mm long at 3 m/s, 5 N m and 7 kg m^2 on 900 mm; in metres"
+    )

@@ -1,10 +1,8 @@
 """``stewart-sym check``: validate and describe a robot file."""
 
 import argparse
-import contextlib
-from pathlib import Path
 
-from ..inputs import robot_of
+from ..inputs import length_unit, robot_of
 from ..options import json_file, no_pictures, output, robot_file
 from ..results import need_drawing, results
 
@@ -36,14 +34,5 @@ def run(arguments: argparse.Namespace) -> int:
     if drawn:
         need_drawing(arguments)
     with results(arguments, "report") as take:
-        take(report(robot_of(arguments.robot), drawn, _length_unit(arguments.robot)))
+        take(report(robot_of(arguments.robot), drawn, length_unit(arguments.robot)))
     return 0
-
-
-def _length_unit(robot: Path) -> str:
-    """Of a robot file that has been read; m where it cannot be read again, as from a pipe."""
-    from ...io.tables import toml_tables
-
-    with contextlib.suppress(ValueError), toml_tables(str(robot), "robot file") as tables:
-        return str(tables.get("length_unit", "m"))
-    return "m"
