@@ -59,6 +59,7 @@ def results(
 
             reject_inputs("--html", target, *inputs)
             _need_another("--html", target, arguments.json, output)
+            need_html("--html", target)
             page = stack.enter_context(result_file(target, [BEGINNING], arguments.force))
         if arguments.json is not None:
             _reject_json(arguments.json, *inputs)
@@ -106,6 +107,12 @@ def _need_another(option: str, path: Path, *others: Path | None) -> None:
     """ValueError if another result goes to the file to write."""
     if path in others:
         raise ValueError(f"{option} {path}: is where another result goes, name another file")
+
+
+def need_html(option: str, target: Path) -> None:
+    """ValueError if the name of a file for HTML says that it is of another kind."""
+    if target.suffix.lower() not in ("", ".html", ".htm"):
+        raise ValueError(f"{option} {target}: expected a file that ends in .html")
 
 
 def _paths(arguments: argparse.Namespace) -> list[Path]:

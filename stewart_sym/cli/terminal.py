@@ -70,8 +70,12 @@ def _time(seconds: float) -> str:
 
 @contextlib.contextmanager
 def warnings_in_lines() -> Iterator[None]:
-    """Show the block's warnings at its end, one line each; those of an error come before it."""
+    """Show the block's warnings at its end, one line each; those of an error come before it.
+
+    NumPy's of single operations that overflow are one line together, and none where an error says more.
+    """
     lines: list[str] = []
+    overflows: list[str] = []
 
     def keep(
         message: Warning | str,
@@ -81,12 +85,15 @@ def warnings_in_lines() -> Iterator[None]:
         file: TextIO | None = None,
         line: str | None = None,
     ) -> None:
-        lines.append(one_line(message))
+        of_numpy = category is RuntimeWarning and " encountered in " in str(message)
+        (overflows if of_numpy else lines).append(one_line(message))
 
     with warnings.catch_warnings():
         warnings.showwarning = keep
         try:
             yield
+            if overflows:
+                lines.append("numbers overflow on the way: do not rely on results that are inf or nan")
         finally:
             for text in lines:
                 print(f"{PROGRAM}: warning: {text}", file=sys.stderr)

@@ -68,13 +68,13 @@ def deviations_in_parts(
 
     def deviations(part: slice) -> Array:
         F = forces(trajectory.at(part))
-        variance = np.where(np.isfinite(F), 0.0, np.nan)
+        deviation = np.zeros(F.shape)
         if trajectory.noise is not None:
             L = _deviations(trajectory.noise, trajectory.time[part])
             for other in _displaced(robot, trajectory, part, L):
                 moved = forces(other)
-                variance += np.where(np.isfinite(moved), (moved - F) ** 2, np.inf)
-        return np.asarray(np.sqrt(variance))
+                deviation = np.hypot(deviation, np.where(np.isfinite(moved), moved - F, np.inf))
+        return np.where(np.isfinite(F), deviation, np.nan)
 
     return deviations
 

@@ -164,16 +164,14 @@ def _warn_of_losses(robot: Robot, form: str) -> None:
     lost = [] if form == "urdf" else ["C_s"]
     lost += ["C_u"] if form in ("sdf", "usd") and robot.base_joint == "spherical" else []
     found = [name for name in lost if np.any(getattr(robot, name))]
-    names = f"{' and '.join(found)} {'are' if len(found) > 1 else 'is'}"
-    where = "left out" if form == "usd" else "noted only"
-    if found:
-        text = f"{form}: expected no friction in these spherical joints, {names} {where}"
-        warnings.warn(text, stacklevel=3)
+    missing = [f"friction of spherical joints ({', '.join(found)})"] if found else []
     if form == "sdf" and robot.drive is not None and np.any(robot.drive.rotor_inertia):
-        warnings.warn(f"{form}: expected drives without rotors, their inertia is {where}", stacklevel=3)
-    lossy = "" if robot.drive is None else ", ".join(losses(robot.drive))
-    if lossy:
-        warnings.warn(f"{form}: expected drives without friction, {where}: {lossy}", stacklevel=3)
+        missing.append("inertia of rotors")
+    lossy = [] if robot.drive is None else losses(robot.drive)
+    missing += [f"friction of drives ({', '.join(lossy)})"] if lossy else []
+    where = "left out" if form == "usd" else "noted only, for import"
+    for what in missing:
+        warnings.warn(f"{form}: {what} has no place in the format: {where}", stacklevel=3)
 
 
 def loops_path(path: str | os.PathLike[str]) -> Path:

@@ -97,7 +97,7 @@ def need_terms(drive: object, where: str = "drive") -> tuple[str, ...]:
     if isinstance(drive, str) or not isinstance(drive, Sequence) or not drive:
         raise ValueError(f"{where}: expected {expected}, got {shown(drive)}")
     for name in drive:
-        if name not in DRIVE_TERMS:
+        if not isinstance(name, str) or name not in DRIVE_TERMS:
             raise ValueError(f"{where}: expected {expected}, got {shown(name)}")
     return tuple(name for name in DRIVE_TERMS if name in drive)
 

@@ -9,7 +9,16 @@ import numpy as np
 from ..dynamics.equations import force_derivatives
 from ..io.array_types import Array
 from ..motion.motion import Motion
-from ..motion.smooth_motion import Basis, PoseNoise, chain, coordinates, from_best, pose_fit, residual
+from ..motion.smooth_motion import (
+    Basis,
+    PoseNoise,
+    chain,
+    coordinates,
+    from_best,
+    pose_fit,
+    residual,
+    weights_of_choice,
+)
 from ..robot.robot import LEGS
 from .linear_fit import Data, Fit, exact_fit, factors, linear_system
 from .parameters import inertial_parameters, is_friction, with_parameters
@@ -26,12 +35,13 @@ def joint_fit(data: Data, noise: PoseNoise) -> Fit:
     """
     q = coordinates(data.motion, noise)
     best, least, before = None, math.inf, q
+    share = weights_of_choice(noise, q) / noise.weights
     for basis in from_best(noise, q):
         if 6 * basis.size + data.base.rank >= 2 * q.size:
             break
         c = pose_fit(basis, before)
         fit, c = _gauss_newton(data, noise, basis, c)
-        criterion = _squares(fit.parts) + 2.0 * 6 * basis.size
+        criterion = _squares((fit.parts[0], share * fit.parts[1])) + 2.0 * 6 * basis.size
         if best is None or fit.converged:
             best = fit
         if criterion >= least:

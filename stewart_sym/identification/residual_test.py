@@ -61,8 +61,8 @@ def tested_estimate(data: Data, fit: Fit, remedy: tuple[str, ...]) -> Estimate:
         )
     if doubts and data.robot.has_rotors and (data.terms is None or not data.terms.of_rotors):
         doubts.append(
-            "rotors: are taken to be the robot file's, and the forces the motors': expected both, or that "
-            "reflected_mass is sought of the drive, or a robot without rotor_inertia"
+            "rotors: forces are taken as the motors', with the rotor_inertia of the robot file: if it is not "
+            "sure, seek reflected_mass of the drive; of forces measured in the legs, leave rotor_inertia out"
         )
     rejected = inflation > _MOST_INFLATION or not fit.converged or fit.curvature > _BENT
     verdict = "rejected" if rejected else "misfit" if doubts else "consistent" if spare > 0 else "untested"

@@ -187,11 +187,19 @@ def checked_table(
         raise ValueError(f"{prefix.rstrip('.: ')}: expected a table, got {shown(value)}")
     for key in value:
         if key not in known:
-            near = difflib.get_close_matches(str(key), known, n=1, cutoff=0.5)
-            hint = f'did you mean "{near[0]}"?' if near else f"expected one of {', '.join(known)}"
+            near = _meant(str(key), known)
+            hint = f"did you mean {near}?" if near else f"expected one of {', '.join(known)}"
             raise ValueError(f"{prefix}{key_text(key)}: unknown key, {hint}")
     require(value, required, prefix, "missing")
     return dict(value)
+
+
+def _meant(key: str, known: Sequence[str]) -> str:
+    """Known keys that have an unknown one as a word, or else the one spelt most like it; or nothing."""
+    word = key.removesuffix("s")
+    near = [each for each in known if word in each.removesuffix("s").split("_")]
+    near = near or difflib.get_close_matches(key, known, n=1, cutoff=0.5)
+    return " or ".join(f'"{each}"' for each in near)
 
 
 def require(table: Mapping[str, Any], keys: Sequence[str], prefix: str, reason: str) -> None:

@@ -19,8 +19,8 @@ from .conditioning import characteristic_length, scaled_condition_number
 from .inverse import leg_vectors, length_rows
 from .offset_legs import without_offsets
 
-# Gravity decides on the side if at least this share of it is along the base's normal.
-_DECISIVE = 0.1
+DECISIVE = 0.1
+"""Gravity decides on the side if more than this share of it is along the base's normal."""
 # An axis of the base frame stands for the base points' normal if it is no farther from it than this, rad.
 _LEVEL = np.radians(15.0)
 # Shares by which the two sides differ clearly, and by more than rounding.
@@ -94,8 +94,9 @@ def platform_side(robot: Robot) -> Side:
         along = float((robot.home + robot.p.mean(axis=0) - robot.b.mean(axis=0)) @ axis)
         if abs(along) > _EQUAL * (radius(robot.b) + radius(robot.p)):
             return Side(-axis if along < 0.0 else axis, _AT_HOME, True)
-    pull = float(_normal(robot.b, axis) @ robot.g)
-    if abs(pull) > _DECISIVE * np.linalg.norm(robot.g):
+    g = robot.g / (np.abs(robot.g).max() or 1.0)
+    pull = float(_normal(robot.b, axis) @ g)
+    if abs(pull) > DECISIVE * np.linalg.norm(g):
         return Side(-axis if pull > 0.0 else axis, _AGAINST_GRAVITY, True)
     gravity = f"gravity is {'along the base' if np.any(robot.g) else '0'}"
     outside, condition = zip(*(_level_scores(robot, side) for side in (axis, -axis)), strict=True)

@@ -247,6 +247,8 @@ def _level(log: Log, shown: Level) -> Level:
 # scatter is within 1.3 of the noise. Larger may be: noise within the motion's own frequencies shows in no
 # scatter, but in how far the numbers move. A wrong unit makes at least 25.
 _SMALLER, _LARGER, _OF_RANGE, _OTHER_UNIT = 1.5, 30.0, 1.0 / 3.0, 10.0
+# Times that the noise of rounding is the stated noise without a warning.
+_ROUNDED = 3.0
 # Noise of so many times the largest number, m or rad, or 1, is none.
 _ABSURD = 10.0
 
@@ -275,6 +277,10 @@ def _doubt_of_noise(
     if not shown:
         if len(time) < 2 * LEAST_SAMPLES:
             return None
+        moving = steps[np.ptp(values, axis=0) > 0.0]
+        step = float(moving.min(initial=math.inf))
+        if known < step / math.sqrt(12.0) / _ROUNDED < math.inf:
+            return f"are rounded to {text(step)}, which alone makes {text(step / math.sqrt(12.0))}"
         path = float(np.ptp(values, axis=0).max())
         most = max(_OF_RANGE * path, _LARGER * float(noise_level(time, values, steps).sigma.max()))
         return f"move over {text(path)} in all: is its unit right?" if known > most > 0.0 else None

@@ -31,6 +31,8 @@ _STEEPEST = 1.4
 _DEGREE = 5
 # Larger bases tried without a gain before the search for a basis ends.
 _IN_VAIN = 4
+# Scatter of poses over their stated noise from which on the noise is stated too small.
+_TOO_SMALL = 2.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -135,17 +137,35 @@ def estimated_noise(
     """
     scale = PoseNoise(time, 1.0, 1.0, period, harmonics)  # type: ignore[arg-type]
     q = coordinates(motion, scale)
-    least, best = math.inf, (0.0, 0.0)
-    for basis in bases(scale):
+    seen = _scatter(scale, q)
+    if not min(seen) > 1e-12 * (1.0 + np.max(np.abs(q))):
+        raise ValueError("motion: expected measured poses that scatter about a smooth motion, got exact ones")
+    return PoseNoise(scale.time, *seen.tolist(), period, harmonics)
+
+
+def _scatter(noise: PoseNoise, q: Array) -> Array:
+    """Deviations of position and angle about the fit with as many functions as noise calls for, (2,)."""
+    least, best, vain = math.inf, np.zeros(2), 0
+    for basis in bases(noise):
         squares = np.sum((q - basis.value @ pose_fit(basis, q)) ** 2, axis=0).reshape(2, 3).sum(axis=1)
         spare = 3 * (len(q) - basis.size)
         with np.errstate(divide="ignore"):
             criterion = float(1.5 * len(q) * np.sum(np.log(squares)) + 6 * basis.size)
+        vain += 1
         if criterion < least:
-            least, best = criterion, tuple(np.sqrt(squares / spare).tolist())
-    if not min(best) > 1e-12 * (1.0 + np.max(np.abs(q))):
-        raise ValueError("motion: expected measured poses that scatter about a smooth motion, got exact ones")
-    return PoseNoise(scale.time, *best, period, harmonics)
+            least, best, vain = criterion, np.sqrt(squares / spare), 0
+        elif vain > _IN_VAIN:
+            break
+    return best
+
+
+def weights_of_choice(noise: PoseNoise, q: Array) -> Array:
+    """Weights, (6,), by which a basis for measured coordinates, (n, 6), is chosen.
+
+    Those of the stated noise, or of the scatter where this is far more: else the largest basis would be.
+    """
+    stated, seen = np.array([noise.position, noise.angle]), _scatter(noise, q)
+    return 1.0 / np.repeat(np.where(seen > _TOO_SMALL * stated, seen, stated), 3)
 
 
 def coordinates(motion: Motion, noise: PoseNoise) -> Array:
@@ -166,8 +186,9 @@ def coordinates(motion: Motion, noise: PoseNoise) -> Array:
 def from_best(noise: PoseNoise, q: Array) -> Iterator[Basis]:
     """The bases from that on which explains measured coordinates, (n, 6), best for its size (Akaike)."""
     found: list[tuple[float, Basis]] = []
+    weights = weights_of_choice(noise, q)
     for basis in bases(noise):
-        off = (q - basis.value @ pose_fit(basis, q)) * noise.weights
+        off = (q - basis.value @ pose_fit(basis, q)) * weights
         found.append((float(np.sum(off**2)) + 2.0 * 6 * basis.size, basis))
         best = min(range(len(found)), key=lambda i: found[i][0])
         if len(found) > best + _IN_VAIN:

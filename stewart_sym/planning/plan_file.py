@@ -46,8 +46,8 @@ _VIA_KEYS = ("t", "theta", "free")
 class PlanRequest:
     """What is to be planned; names and units are those of ``plan_path`` and ``time_path``.
 
-    rate: of the trajectory, Hz. files: from which it was read. doubt: what is doubtful about the via poses, a
-    line or nothing.
+    rate: of the trajectory, Hz. files: from which it was read: its own, the robot's, that of via poses
+    apart. doubt: what is doubtful about the via poses, a line or nothing.
     """
 
     robot: Robot
@@ -63,6 +63,11 @@ class PlanRequest:
     duration: float | None
     files: tuple[Path, ...]
     doubt: str = ""
+
+    @property
+    def via_source(self) -> Path:
+        """The file in which the via poses stand."""
+        return self.files[-1] if len(self.files) > 2 else self.files[0]
 
 
 def read_plan(path: str | os.PathLike[str]) -> PlanRequest:

@@ -55,6 +55,8 @@ limits say where home is, and of all six."""
 MOST_OFFSET = (0.5, 0.15, 5.0)
 """Distance of a centre of mass from the leg's axis, over the leg, and over the leg where it is also this many
 times its place along the axis."""
+BEYOND = 0.05
+"""Distance of a part's centre of mass beyond its joint, over the leg."""
 MOST_OVERLAP = 1.25
 """Distances of both centres of mass from their joints, over the leg: parts that just slide past each other
 have 1 when the leg is shortest."""
@@ -407,9 +409,9 @@ def _fits(robot: Robot, limits: Array) -> bool:
 
 def _of_parts(robot: Robot, home: Home) -> Iterator[Doubt]:
     """Centres of mass of a leg's parts that lie beyond the leg, on the wrong side or far away."""
-    for part, along, sign, least in (
-        ("upper", robot.r_u0[:, 0], "negative", -0.05),
-        ("lower", -robot.r_d0[:, 0], "positive", -0.25),
+    for part, along, sign in (
+        ("upper", robot.r_u0[:, 0], "negative"),
+        ("lower", -robot.r_d0[:, 0], "positive"),
     ):
         away = np.linalg.norm(robot.r_u0 if part == "upper" else robot.r_d0, axis=-1)
         off, least_off, times = MOST_OFFSET
@@ -417,7 +419,7 @@ def _of_parts(robot: Robot, home: Home) -> Iterator[Doubt]:
         beside = (across > least_off * home.L) & (across > times * np.abs(along))
         beside |= across > off * home.L
         far = np.flatnonzero(away > 3.0 * home.L).tolist()
-        wrong = np.flatnonzero(-along / home.L < least).tolist()
+        wrong = np.flatnonzero(along / home.L > BEYOND).tolist()
         joint = "platform joint" if part == "upper" else "base joint"
         if far:
             yield Doubt(
@@ -438,7 +440,8 @@ def _of_parts(robot: Robot, home: Home) -> Iterator[Doubt]:
             yield Doubt(
                 "center-of-mass",
                 f"{part} part of {legs_text(wrong)}: center_of_mass {np.abs(along[wrong]).max():.3g} m "
-                f"beyond the {joint}; likely cause: wrong sign, expected a {sign} first component",
+                f"beyond the {joint}, outside of the leg; likely cause: wrong sign, expected a {sign} first "
+                "component, or a motor behind the joint",
             )
 
 

@@ -53,8 +53,8 @@ _LEG_KEYS = ("base_point", "platform_point", *_SHARED_KEYS)
 _NUMBERS = tuple(str(i + 1) for i in range(LEGS))
 _TRAJECTORY_KEYS = ("tool", "euler_order", "lengths")
 AXES = ("tangential", "radial", "horizontal")
-"""Fixed axes by name: along the circle of the base points about z, to its middle, and across z and the leg of
-the home pose."""
+"""Fixed axes by name: along the circle about z whose middle is the mean of the base points, to that middle,
+and across z and the leg of the home pose."""
 
 # Angles of more turns than this are in degrees.
 _MOST_TURNS = 2.0

@@ -17,6 +17,7 @@ from robot_files import written
 import stewart_sym as ss
 from stewart_sym.backend import c_kernel
 from stewart_sym.cli.main import main
+from stewart_sym.cli.terminal import warnings_in_lines
 from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.studies.common.output import csv_lines
 from stewart_sym.studies.reports import track
@@ -257,6 +258,36 @@ def test_reactions_that_overflow_are_a_pose_without_an_answer(
         columns = whole_track.track(machine, read_back, reactions=True, allow_singular=True).columns
     assert np.all(columns["status"] == 1)
     assert np.all(np.isnan(columns["M_p1_x"]))
+
+
+@pytest.mark.parametrize("big", [{"M": 1e308}, {"g": [0.0, 0.0, -1e308]}, {"C_p": np.full(6, 1e307)}])
+def test_numbers_of_a_robot_that_overflow_are_not_blamed_on_the_trajectory(
+    big: dict[str, object], robot: Path, trajectory: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    machine = ss.Robot.from_toml(robot)
+    written(dataclasses.replace(machine, **big), robot)  # type: ignore[arg-type]
+    code = main(["forces", str(robot), str(trajectory), "-o", str(robot.parent / "f.csv")])
+    told = capsys.readouterr().err
+    assert "encountered" not in told
+    if code:
+        error = told.splitlines()[-1]
+        assert error.startswith(
+            f"stewart-sym: error: robot {machine.name}: expected numbers whose forces do not"
+        )
+    else:
+        assert "C_p" in big
+
+
+def test_overflow_on_the_way_is_one_warning_and_none_beside_an_error(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    large = np.array([1e300])
+    with warnings_in_lines():
+        large**2, large * large
+    assert capsys.readouterr().err.count("\n") == 1
+    with pytest.raises(ValueError, match="inf"), warnings_in_lines():
+        raise ValueError(large**3)
+    assert capsys.readouterr().err == ""
 
 
 def test_forces_does_not_overwrite_its_inputs(

@@ -220,8 +220,8 @@ def exported() -> dict[str, ss.ModelFile]:
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         found = {name: ss.export_model(robot, name) for name in ("mjcf", "sdf", "urdf", "usd")}
-    said = ": expected no friction in these spherical joints, C_s is "
-    lines = [f"mjcf{said}noted only", f"sdf{said}noted only", f"usd{said}left out"]
+    said = ": friction of spherical joints (C_s) has no place in the format: "
+    lines = [f"mjcf{said}noted only, for import", f"sdf{said}noted only, for import", f"usd{said}left out"]
     assert [str(each.message) for each in caught] == lines
     return found
 

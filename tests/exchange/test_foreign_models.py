@@ -133,7 +133,7 @@ def test_what_is_fixed_to_the_platform_is_part_of_it(foreign: ss.ImportedModel) 
 
 def test_a_slide_that_is_stated_from_the_rod_to_the_cylinder_is_the_same(tmp_path: Path) -> None:
     robot = ss.Robot.from_toml(Path(__file__).parents[2] / ".docs" / "examples" / "hexapod.toml")
-    with pytest.warns(UserWarning, match="sdf: expected no friction"):
+    with pytest.warns(UserWarning, match="sdf: friction of spherical joints"):
         exported = ss.export_model(robot, "sdf").text
 
     def reversed_slide(found: re.Match[str]) -> str:

@@ -17,7 +17,7 @@ MACHINES = {
     "random": lambda: random_robot(np.random.default_rng(5)),
     "offset joints": lambda: offset_case(2)[0],
 }
-pytestmark = pytest.mark.filterwarnings("ignore:.*expected no friction")
+pytestmark = pytest.mark.filterwarnings("ignore:.*no place in the format")
 
 
 def moving_mass(robot: ss.Robot) -> float:

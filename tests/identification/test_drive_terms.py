@@ -11,6 +11,7 @@ from robot_files import written
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
+from stewart_sym.identification.drive_terms import need_terms
 from stewart_sym.identification.estimation import Experiment
 from stewart_sym.motion.rotation import rotation_from_vector
 from stewart_sym.motion.trajectory import Trajectory
@@ -286,3 +287,8 @@ def test_the_command_seeks_terms_of_measured_forces(
     assert not found["viscous3"]["identifiable"]
     assert main([*command, "--drive", "coulomb,stiction"]) == 2
     assert "--drive: expected some of reflected_mass" in capsys.readouterr().err
+
+
+def test_a_term_that_is_no_name_is_one_line() -> None:
+    with pytest.raises(ValueError, match=r"^drive: expected some of .*, got \[\]$"):
+        need_terms([[]])

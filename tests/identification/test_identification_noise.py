@@ -69,6 +69,17 @@ def test_motion_without_period_or_stated_noise_is_identified_as_well() -> None:
         assert np.max(np.abs(seen.values - found.truth) / seen.sigma) < 4.0
 
 
+def test_the_basis_of_a_motion_does_not_grow_with_a_noise_that_is_stated_too_small() -> None:
+    """The largest, of three quarters of the instants, takes minutes."""
+    found = experiment(0)
+    assert found.noise is not None
+    right = dataclasses.replace(found.noise, period=None, harmonics=None)
+    small = dataclasses.replace(right, position=right.position / 6, angle=right.angle / 6)
+    q = smooth_motion.coordinates(found.measured, right)
+    sizes = [next(smooth_motion.from_best(noise, q)).size for noise in (right, small)]
+    assert sizes[0] == sizes[1]
+
+
 def test_load_is_taken_off_along_the_smooth_motion() -> None:
     found, rng = experiment(1), np.random.default_rng(5)
     load = {name: 100.0 * rng.normal(size=(SAMPLES, 3)) for name in ("F_ext", "M_ext")}

@@ -104,6 +104,11 @@ def test_a_statement_is_compared_with_the_motion_where_no_scatter_shows(
     words = "stated noise of positions of 0.1 m, but they move over 0.1 m in all: is its unit right?"
     assert words in told(log, ss.Smoothing(0.1), "stated", metres)[0]
     assert not told(log, ss.Smoothing(1e-3, 1e-3), "stated", metres)
+    found = told(log, ss.Smoothing(5e-5, 5e-5), "stated", metres)
+    if decimals == "%.3f":
+        words = "noise of positions of 5e-05 m, but they are rounded to 0.001 m, which alone makes 0.00029 m"
+        assert words in found[0]
+    assert len(found) == (2 if decimals == "%.3f" else 0)
     with pytest.raises(ValueError, match=r"noise of positions of 1e\+300 m: expected less than 10 m"):
         read_csv(log, metres, ss.Smoothing(1e300))
 

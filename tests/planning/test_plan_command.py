@@ -117,7 +117,7 @@ def test_angles_that_must_be_degrees_are_a_warning(folder: Path, capsys: pytest.
     assert main(["plan", via(folder, text), "-o", str(folder / "out")]) == 2
     warning, error = capsys.readouterr().err.splitlines()
     assert "via.toml: via: theta_z over 12.05 rad: are angles in degrees?" in warning
-    assert "error: via pose 2: out of reach" in error
+    assert "via.toml: via pose 2: out of reach" in error
     assert error.endswith("theta_z over 12.05 rad: are angles in degrees? Radians are expected")
 
 
@@ -128,6 +128,8 @@ def test_via_poses_may_stand_in_a_csv_file(folder: Path) -> None:
     assert main(["plan", via(folder, text), "-o", str(folder / "out"), "--no-pictures"]) == 0
     (folder / "poses.csv").write_text("\n".join([rows[0], rows[2], rows[1]]) + "\n")
     check_rejected(folder, text, "expected increasing times", out="other")
+    (folder / "poses.csv").write_text("\n".join([*rows[:2], "1,0.1,0.05,70,0.1,-0.1,0.2"]) + "\n")
+    check_rejected(folder, text, "poses.csv: via pose 2: out of reach", out="other")
     (folder / "poses.csv").write_text("\n".join([*rows[:2], "1,nan,0.05,0.7,0.1,-0.1,0.2"]) + "\n")
     check_rejected(folder, text, "t_x", out="other")
     (folder / "poses.csv").write_text("\n".join(rows[:2]) + "\n")

@@ -219,11 +219,15 @@ def test_check_says_on_which_side_of_the_base_a_platform_stands(
     told = capsys.readouterr()
     assert f"a platform on the {stands} side of the base stands on its legs (compression)" in told.out
     assert f"one on the {hangs} side hangs from them (tension)" in told.out
-    (above,) = (line for line in told.out.splitlines() if line.startswith("above "))
+    (side,) = (line for line in told.out.splitlines() if line.startswith("side "))
     sign = -np.sign(gravity)
-    assert f"(0, 0, {sign:g}), against gravity: the platform stands on its legs" in above
-    assert above.endswith(f"on the other side, (0, 0, {-sign:g}), it hangs below its base")
+    assert f"(0, 0, {sign:g}) of the base, against gravity: the platform stands on its legs" in side
+    assert side.endswith(f"on the other side, (0, 0, {-sign:g}), it hangs below its base")
     assert told.err == ""
+    written(dataclasses.replace(sound(), g=[0.0, 0.0, gravity], home=[0.0, 0.0, -0.4 * sign]), path)
+    assert main(["check", str(path)]) == 0
+    stated = f"(0, 0, {-sign:g}) of the base, where the robot file states the home pose: "
+    assert f"{stated}the platform hangs below its base; on the other side, " in capsys.readouterr().out
 
 
 @pytest.mark.parametrize("gravity", [[9.81, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 6.0, -7.0]])

@@ -280,6 +280,12 @@ MISTAKES: list[tuple[str, str, str, str]] = [
     ('name = "press"\n', "", "name: missing", "schema"),
     ('"mm"', '"ft"', 'length_unit: expected "m", "cm", "mm" or "in", got ', "length_unit"),
     ('"deg"', '"grad"', 'angle_unit: expected "rad" or "deg", got ', "angle_unit"),
+    (
+        'length_unit = "mm"',
+        'units = "mm"',
+        'units: unknown key, did you mean "length_unit" or "angle_unit"?',
+        "units",
+    ),
     ('angle_unit = "deg"\n', "", "base.angles: expected at most 2 turns, got 350 rad: is angle_unit", "350]"),
     ("[0, 0, 700]", "[0, 700]", "home: expected 3 finite numbers, got [0, 700]", "home"),
     ("[base]", "[bas]", 'bas: unknown key, did you mean "base"?', "[bas]"),

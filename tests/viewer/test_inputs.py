@@ -40,6 +40,12 @@ def test_a_file_in_another_s_place_is_named(folder: Path, capsys: pytest.Capture
     Path("report.json").write_text('{\n "generator": "x"\n}\n', encoding="utf-8")
     said = fails_in_one_line(capsys, "view", "hexapod.toml", "report.json", "-o", "out.html")
     assert said.endswith("report.json: expected a CSV file with a header line, got '{'")
+    said = fails_in_one_line(capsys, "view", "hexapod.toml", "-o", "out.txt")
+    assert said.endswith("-o out.txt: expected a file that ends in .html")
+    said = fails_in_one_line(
+        capsys, "forces", "hexapod.toml", "trajectory.csv", "-o", "f.csv", "--html", "out.pdf"
+    )
+    assert said.endswith("--html out.pdf: expected a file that ends in .html")
     said = fails_in_one_line(capsys, "view", "report.json", "-o", "out.html")
     assert said.endswith("report.json: expected a robot file, got '{'")
 

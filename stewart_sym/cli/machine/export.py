@@ -11,10 +11,10 @@ from ..results import reject_inputs, results
 HELP = "write the machine for MuJoCo, Gazebo, ROS, Pinocchio or Isaac Sim"
 EXAMPLE = "stewart-sym export hexapod.toml --format mjcf -o hexapod.xml"
 MORE = (
-    "The machine stands at its home pose, the platform free, closed by six spherical joints; friction, "
-    "limits, actuators, shapes and gravity are in the file as far as the format has a place for them, and "
-    "what it has none for is noted there for import. A URDF gets a second file with its loops, "
-    "NAME.loops.json."
+    "The machine stands at its home pose, the platform free, closed by six spherical joints. Friction, "
+    "limits, actuators, shapes and gravity are written where the format has a place for them; the rest is a "
+    "note in the file, which import reads and the other program does not. A URDF gets a second file with its "
+    "loops, NAME.loops.json."
 )
 
 

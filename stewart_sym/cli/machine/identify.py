@@ -37,8 +37,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar=("TRAJECTORY.csv", "FORCES.csv"),
         help="the motion, as for forces, and columns time, F1 to F6 (N) at the same times, or else current1 "
         "to current6 (A), signed as the torque, of a machine whose drives have a torque_constant; of the "
-        "robot file only geometry, gravity, rotors (F1 to F6 are then the motors') and what makes forces of "
-        "currents are used; --seed, --samples and --candidates are not used",
+        "robot file only geometry, gravity and drives are used: where these have a rotor_inertia, F1 to F6 "
+        "are forces of the motors (N times torque); --seed, --samples and --candidates are not used",
     )
     parser.add_argument(
         "--sigma",

@@ -82,7 +82,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def _planned(request: "PlanRequest", progress: Progress) -> "PlannedPath":
-    """The path; an error about via poses of doubtful angles ends with the doubt, its likely cause."""
+    """The path; an error names the file of the via poses, and ends with a doubt about their angles."""
     from ...planning.plan_path import plan_path
 
     try:
@@ -96,4 +96,5 @@ def _planned(request: "PlanRequest", progress: Progress) -> "PlannedPath":
             progress,
         )
     except ValueError as error:
-        raise ValueError(f"{error}; {request.doubt}" if request.doubt else str(error)) from None
+        doubt = f"; {request.doubt}" if request.doubt else ""
+        raise ValueError(f"{request.via_source}: {error}{doubt}") from None

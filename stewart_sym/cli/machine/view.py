@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from ...io.progress import Progress
 from ..inputs import robot_of, trajectory_of
 from ..options import log_options, output
-from ..results import reject_inputs, results
+from ..results import need_html, reject_inputs, results
 
 if TYPE_CHECKING:
     from ...robot.robot import Robot
@@ -52,6 +52,7 @@ def run(arguments: argparse.Namespace) -> int:
     path = _DEFAULT if arguments.output is None else arguments.output
     read = [] if arguments.motion is None else [Path(arguments.motion)]
     reject_inputs("-o", path, *([] if arguments.robot is None else [arguments.robot]), *read)
+    need_html("-o", path)
     if path == arguments.json:
         raise ValueError(f"--json {arguments.json}: is where the page goes (-o), name another file")
     with (

@@ -9,7 +9,7 @@ import numpy as np
 from ...dynamics.home_pose import HomePose, home_pose, radius
 from ...io.array_types import Array
 from ...kinematics.conditioning import characteristic_length
-from ...kinematics.mounting import AssemblyModeWarning
+from ...kinematics.mounting import DECISIVE, AssemblyModeWarning
 from ...motion.logs import LENGTH_UNITS
 from ...results import STATUS_TEXT
 from ...robot.drive import Drive
@@ -39,7 +39,7 @@ def report(robot: Robot, length_unit: str = "m") -> Report:
     length_unit: of lengths in the text; all else, and the data for programs, are in SI units.
     """
     with warnings.catch_warnings():
-        # The row "above" names both sides where they are equally plausible.
+        # The row "side" names both sides where they are equally plausible.
         warnings.simplefilter("ignore", AssemblyModeWarning)
         home = home_pose(robot)
     data = {**_data(robot), "home_pose": _home_data(robot, home)}
@@ -185,7 +185,7 @@ def _home_lines(robot: Robot, home: HomePose, unit: _Unit) -> list[str]:
     outside = (home.L < shortest) | (home.L > longest)
     legs = ", ".join(str(i + 1) for i in np.flatnonzero(outside))
     rows = [
-        ("above", _above(home)),
+        ("side", _side(robot, home)),
         ("position", f"{unit.vector(home.t)} {unit.name}, level, at rest"),
         (
             "leg lengths",
@@ -213,13 +213,15 @@ def _home_lines(robot: Robot, home: HomePose, unit: _Unit) -> list[str]:
     return [f"home pose: {what}{home.rule}", *_rows(rows)]
 
 
-def _above(home: HomePose) -> str:
-    """Which side of the base the home pose is on and, where gravity settles that, what the other one is."""
-    text = f"{_vector(home.side.direction)}, {home.side.rule}"
-    if not home.side.by_gravity:
+def _side(robot: Robot, home: HomePose) -> str:
+    """Which side of the base the home pose is on and, where gravity tells, whether it stands or hangs."""
+    direction, rule, _ = home.side
+    text = f"{_vector(direction)} of the base, {rule}"
+    pull = float(direction @ robot.g)
+    if abs(pull) <= DECISIVE * np.linalg.norm(robot.g):
         return text
-    other = _vector(-home.side.direction)
-    return f"{text}: the platform stands on its legs; on the other side, {other}, it hangs below its base"
+    here, there = ("stands on its legs", "hangs below its base")[:: 1 if pull < 0.0 else -1]
+    return f"{text}: the platform {here}; on the other side, {_vector(-direction)}, it {there}"
 
 
 def _rows(rows: list[tuple[str, str]]) -> list[str]:

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from ...drives.effort import Instants, at_instants
 from ...dynamics.force_noise import deviations_in_parts
+from ...dynamics.home_pose import home_pose
 from ...dynamics.inverse import Backend, Formulation, first_fault, inverse_dynamics, joint_reactions
 from ...io.array_types import Array, Codes, Flags
 from ...io.error_policy import SingularPoseWarning
@@ -108,6 +109,9 @@ def in_parts(
             status = np.where(status == OK, more.status, status)
         if status.any() and not told:
             at, reason = first_fault(status, robot, motion)
+            if status[at] == NOT_FINITE and not allow_singular:
+                row = f"row {trajectory.rows[start + at[0]]} of {trajectory.source}"
+                _need_forces(robot, row)
             _tell(trajectory, start + at[0], reason, allow_singular)
             told = True
         F_sd = None if deviations is None else deviations(where)
@@ -403,6 +407,18 @@ def _summary(robot: Robot, times: Array, part: Part, verdicts: list[str]) -> str
         f"condition number of H up to {condition[worst]:.4g} (at {time_text(time[worst], step)} s)\n"
         f"{aligned(header, rows)}"
     )
+
+
+def _need_forces(robot: Robot, where: str) -> None:
+    """Reject a robot whose numbers are so large that forces overflow at home, at rates of 1 in SI units."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        slow = Motion(np.eye(3), home_pose(robot).t, *np.ones((4, 3)))
+        found = inverse_dynamics(robot, slow, backend="numpy", on_singular="nan")
+    if found.status == NOT_FINITE:
+        raise ValueError(
+            f"robot {robot.name}: expected numbers whose forces do not overflow, at {where} they do"
+        )
 
 
 def _tell(trajectory: Trajectory | PoseLog, i: int, reason: str, allowed: bool) -> None:

@@ -297,7 +297,7 @@ ABSURD: dict[str, tuple[Callable[[Robot], Robot], str, str]] = {
         "wrong sign, expected a negative",
     ),
     "lower centres of mass of the wrong sign": (
-        of(r_d0=lambda r: -1.3 * r),
+        of(r_d0=lambda r: -0.5 * r),
         "center-of-mass",
         "wrong sign, expected a positive",
     ),
