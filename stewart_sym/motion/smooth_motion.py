@@ -140,11 +140,14 @@ def estimated_noise(
     seen = _scatter(scale, q)
     if not min(seen) > 1e-12 * (1.0 + np.max(np.abs(q))):
         raise ValueError("motion: expected measured poses that scatter about a smooth motion, got exact ones")
-    return PoseNoise(scale.time, *seen.tolist(), period, harmonics)
+    return PoseNoise(scale.time, float(seen[0]), float(seen[1]), period, harmonics)
 
 
-def _scatter(noise: PoseNoise, q: Array) -> Array:
-    """Deviations of position and angle about the fit with as many functions as noise calls for, (2,)."""
+def _scatter(noise: PoseNoise, q: Array, in_vain: float = math.inf) -> Array:
+    """Deviations of position and angle about the fit with as many functions as noise calls for, (2,).
+
+    in_vain: larger bases tried without a gain before the search ends.
+    """
     least, best, vain = math.inf, np.zeros(2), 0
     for basis in bases(noise):
         squares = np.sum((q - basis.value @ pose_fit(basis, q)) ** 2, axis=0).reshape(2, 3).sum(axis=1)
@@ -154,7 +157,7 @@ def _scatter(noise: PoseNoise, q: Array) -> Array:
         vain += 1
         if criterion < least:
             least, best, vain = criterion, np.sqrt(squares / spare), 0
-        elif vain > _IN_VAIN:
+        elif vain > in_vain:
             break
     return best
 
@@ -164,7 +167,7 @@ def weights_of_choice(noise: PoseNoise, q: Array) -> Array:
 
     Those of the stated noise, or of the scatter where this is far more: else the largest basis would be.
     """
-    stated, seen = np.array([noise.position, noise.angle]), _scatter(noise, q)
+    stated, seen = np.array([noise.position, noise.angle]), _scatter(noise, q, _IN_VAIN)
     return 1.0 / np.repeat(np.where(seen > _TOO_SMALL * stated, seen, stated), 3)
 
 
