@@ -195,9 +195,10 @@ def checked_table(
 
 
 def _meant(key: str, known: Sequence[str]) -> str:
-    """Known keys that have an unknown one as a word, or else the one spelt most like it; or nothing."""
+    """The known key that an unknown one is a plural of, those that have it as a word, or the one spelt most
+    like it; or nothing."""
     word = key.removesuffix("s")
-    near = [each for each in known if word in each.removesuffix("s").split("_")]
+    near = [word] if word in known else [each for each in known if word in each.removesuffix("s").split("_")]
     near = near or difflib.get_close_matches(key, known, n=1, cutoff=0.5)
     return " or ".join(f'"{each}"' for each in near)
 

@@ -183,10 +183,8 @@ def massless_forces(robot: Robot, motion: Motion) -> Array:
         leg = _positions(robot, motion)
         H = _H(leg)
         c_0 = platform_wrench(robot, motion)
-        finite = all_finite(H, 2) & all_finite(c_0, 1)
-        status = status_of_legs(_leg_faults(robot, motion, leg), finite)
-        x_0, _ = solve_linear(robot, H, c_0, status)
-        return -x_0
+        status = status_of_legs(_leg_faults(robot, motion, leg), all_finite(H, 2) & all_finite(c_0, 1))
+        return -solve_linear(robot, H, c_0, status)[0]
 
 
 def energy(robot: Robot, motion: Motion) -> Array:
@@ -475,14 +473,12 @@ def is_singular(robot: Robot, H: Array) -> NDArray[np.bool_]:
 
 def all_finite(value: Array, axes: int) -> NDArray[np.bool_]:
     """Whether all numbers along the last `axes` axes are finite."""
-    finite: NDArray[np.bool_] = np.all(np.isfinite(value), axis=tuple(range(-axes, 0)))
-    return finite
+    return np.asarray(np.all(np.isfinite(value), axis=tuple(range(-axes, 0))))
 
 
 def blank(value: Array, bad: NDArray[np.bool_]) -> Array:
     """`value` with NaN at the bad poses."""
-    wide = bad.reshape(bad.shape + (1,) * (value.ndim - bad.ndim))
-    return np.where(wide, np.nan, value)
+    return np.where(bad.reshape(bad.shape + (1,) * (value.ndim - bad.ndim)), np.nan, value)
 
 
 def _dot(a: Array, b: Array) -> Array:

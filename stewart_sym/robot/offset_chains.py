@@ -1,15 +1,12 @@
-"""Chains of joints of legs with offsets: where the joints are, their rates and accelerations, plain vectors.
+"""Chains of joints of legs with offsets: their rates and accelerations, plain vectors.
 
 From the base point about the fixed axis k, about the moving axis y, along s; where the platform joint is
 universal also about s, about the axis on the upper part and about the one on the platform. Shapes: `(...)` is
 a leading shape of poses; a quantity of the legs is (..., 6, 3) as a vector and (..., 6, 1) as a scalar.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -17,101 +14,9 @@ from ..io.array_types import Array, Codes
 from ..motion.motion import Motion
 from ..motion.rotation import cross_matrix
 from ..results import JOINT_SINGULAR, NOT_FINITE, OK, UNREACHABLE, ZERO_LENGTH
+from .offset_positions import Chains, chains_to, dot
 from .offsets import Offsets
-
-if TYPE_CHECKING:
-    from .robot import Robot  # which reads lengths at home from here
-
-_MOST_STEPS = 60
-# Share of the leg by which the end still moves when it is found.
-_SETTLED = 8 * np.finfo(np.float64).eps
-
-
-@dataclass(frozen=True, eq=False)
-class Chains:
-    """Where the joints of the legs are, base frame, from the base points, (..., 6, 3); lengths (..., 6, 1).
-
-    y, s, z, o: axes of the lower part and outward normal; A: where o meets the moving axis; T: end of the
-    sliding line; P: platform point; q: P from the reference point. spin: from y to the axis on the upper
-    part. of_tip: distance of T along o. U: frame of the upper part. y_w, k_w, o_w: both axes of a universal
-    platform joint and their normal, None with spherical ones.
-    """
-
-    q: Array
-    P: Array
-    T: Array
-    A: Array
-    y: Array
-    s: Array
-    z: Array
-    o: Array
-    L: Array
-    of_tip: Array
-    spin: Array
-    U: Array
-    y_w: Array | None = None
-    k_w: Array | None = None
-    o_w: Array | None = None
-
-
-def chains_to(offsets: Offsets, k: Array, k_w: Array, q: Array, P: Array) -> Chains:
-    """Where the joints are, from their axes k and k_w on base and platform, q and P; NaN without a solution.
-
-    All are in the base frame, k_w (..., 6, 3) zeros with spherical platform joints.
-    """
-    if not offsets.spins:
-        return _lower(k, offsets, q, P, P)
-    w = offsets.wrist[:, None]
-    T, o_w = P, np.zeros_like(P)
-    # Each step brings the end of the leg nearer by the wrist's share of the leg's length.
-    for _ in range(_MOST_STEPS):
-        at = _lower(k, offsets, q, P, T)
-        y_w = np.cross(k_w, at.s)
-        y_w = y_w / np.sqrt(dot(y_w, y_w))
-        o_w = np.cross(y_w, k_w)
-        step = np.abs(P - w * o_w - T).max(axis=-1, keepdims=True)
-        moved = step > _SETTLED * np.abs(P).max(axis=-1, keepdims=True)
-        if not moved.any():
-            break
-        T = P - w * o_w
-    else:
-        at = _lower(k, offsets, q, P, np.where(moved, np.nan, T))
-    spin = np.arctan2(dot(at.z, y_w), dot(at.y, y_w))
-    U = np.stack([at.s, y_w, np.cross(at.s, y_w)], axis=-1)
-    return Chains(**{**vars(at), "spin": spin, "U": U, "y_w": y_w, "k_w": k_w, "o_w": o_w})
-
-
-def lengths_at_home(offsets: Offsets, k: Array, S: Array) -> Array:
-    """Lengths along the line of sliding, m, (6,), from base to platform points by S, both frames parallel."""
-    axes = k / np.linalg.norm(k, axis=-1, keepdims=True)
-    with np.errstate(all="ignore"):
-        return np.asarray(chains_to(offsets, axes, offsets.platform_axis, S, S).L[..., 0])
-
-
-def _lower(k: Array, offsets: Offsets, q: Array, P: Array, T: Array) -> Chains:
-    """The lower part from the end T of the line of sliding: of the solutions, o towards T and s outward."""
-    k = np.broadcast_to(k, T.shape)
-    a, d, e = (x[:, None] for x in (offsets.cross, offsets.across, offsets.along))
-    zeta, normal = dot(k, T), np.cross(k, T)
-    rho2 = dot(normal, normal)
-    of_tip = np.sqrt(rho2 - e * e)
-    y = (of_tip * normal + e * (T - zeta * k)) / rho2
-    o = np.cross(y, k)
-    out = of_tip - a
-    L = np.sqrt(out * out + zeta * zeta - d * d)
-    beside = T - a * o - e * y
-    s = (L * beside - d * np.cross(beside, y)) / (L * L + d * d)
-    z = np.cross(s, y)
-    U = np.stack([s, y, z], axis=-1)
-    return Chains(q, P, T, a * o, y, s, z, o, L, of_tip, np.zeros_like(L), U)
-
-
-def dot(a: Array, b: Array) -> Array:
-    """Scalar products of vectors (..., 3), kept as (..., 1)."""
-    return np.asarray(np.sum(a * b, axis=-1, keepdims=True))
-
-
-# Rates and accelerations
+from .robot import Robot
 
 ROUNDING = 16 * np.finfo(np.float64).eps
 """Share at which a length (of the terms that it is the sum of) is rounding error and counts as zero."""

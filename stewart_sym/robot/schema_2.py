@@ -32,7 +32,7 @@ from .fields import (
     need_axisymmetric,
     vector_text,
 )
-from .offset_chains import lengths_at_home
+from .offset_positions import lengths_at_home
 from .offsets import TABLES, Offsets, offset_tables, offsets_of_tables
 
 SCHEMA = 2

@@ -25,12 +25,13 @@ from unsolvable_poses import singular
 
 import stewart_sym as ss
 from stewart_sym.backend import native
-from stewart_sym.backend.c_kernel import address, c_sources, library
+from stewart_sym.backend.c_kernel import address, c_sources, library, prepared_model
 from stewart_sym.backend.kernel import MOTION
 from stewart_sym.derive.mechanics.formulation import EXACT
 from stewart_sym.derive.program.adjoint import adjoint
 from stewart_sym.derive.program.block import Builder, Quantity, run
 from stewart_sym.dynamics import bounds
+from stewart_sym.generated.interface import MODELS
 from stewart_sym.motion.motion import Motion
 from stewart_sym.precision.quad import error, quad_forces
 from stewart_sym.results import BAD_ARGUMENT, OK, SINGULAR
@@ -268,7 +269,8 @@ def test_c_takes_one_pose_and_outputs_that_nobody_wants() -> None:
     robot = random_robot(rng)
     motion = random_motion(rng, robot)
     wanted = ss.forces_with_bounds(robot, motion)
-    model = bounds._prepared(robot, "double")
+    prepare = bounds.function("exact", "bounds", "double", "bounds_prepare")
+    model = prepared_model(prepare, robot, MODELS["exact_bounds"], "double")
     call = library("exact_bounds").stewart_exact_forces_bounded
     numbers = np.concatenate([np.ravel(getattr(motion, name)) for name in MOTION])
     F, bound, rcond = np.zeros(6), np.zeros(6), np.zeros(1)
