@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 from machines import dasgupta, random_motion, random_robot
+from quick_compiler import compile_quickly
 from small_bench import CONTESTANTS, Array, poses_of
 
 import stewart_sym as ss
@@ -229,6 +230,7 @@ def test_tensors_of_bodies_stay_and_others_become_possible(stranger: Poses) -> N
 def test_a_wrong_answer_of_the_second_group_stops_the_run(
     function: equation_kernels.Function, monkeypatch: pytest.MonkeyPatch, stranger: Poses
 ) -> None:
+    compile_quickly(monkeypatch)
     drives = equation_kernels.library()
 
     def wrong(robot: Robot, motion: ss.Motion, F: Array) -> list[Array]:
