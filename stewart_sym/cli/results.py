@@ -62,8 +62,8 @@ def results(
             need_html("--html", target)
             page = stack.enter_context(result_file(target, [BEGINNING], arguments.force))
         if arguments.json is not None:
-            _reject_json(arguments.json, *inputs)
             _need_another("--json", arguments.json, output)
+            _reject_json(arguments.json, *inputs)
             beginning = json_text(made_by).removesuffix("\n}\n") + ","
             stream = stack.enter_context(result_file(arguments.json, [beginning], arguments.force))
         if stem is not None and output is not None:
