@@ -10,7 +10,7 @@ from ..io.array_types import Array
 from ..plausibility.level_poses import level_home
 from ..robot.bodies import tensors_of_bodies
 from ..robot.fields import LEGS, legs_text
-from ..robot.offset_chains import Chains
+from ..robot.offset_positions import Chains
 from ..robot.robot import PhysicalityWarning, Robot, impossible_inertias, inertia_fault
 from .chain import WORLD, Body, Joint, Model, Shape, frame_along
 from .offset_legs import base_joints, chains_at, cross_of, noted_offsets

@@ -9,7 +9,8 @@ import numpy as np
 from ..io.array_types import Array
 from ..motion.motion import at_rest
 from ..robot.fields import LEGS, LegTables, legs_text
-from ..robot.offset_chains import Chains, chains
+from ..robot.offset_chains import chains
+from ..robot.offset_positions import Chains
 from ..robot.offsets import SHAPES, Offsets, offset_tables, offsets_of_tables
 from ..robot.robot import Robot
 from .chain import WORLD, Body, Joint, Shape

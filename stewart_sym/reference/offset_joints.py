@@ -17,7 +17,6 @@ from ..results import OK, Forces, Reactions
 from ..robot.offset_chains import (
     SLIDING,
     SPIN,
-    Chains,
     JointMotion,
     actuated,
     applied,
@@ -25,7 +24,6 @@ from ..robot.offset_chains import (
     codes_of,
     columns_of_H,
     cross_motion,
-    dot,
     joint_motion,
     lower_motion,
     motor_motion,
@@ -34,6 +32,7 @@ from ..robot.offset_chains import (
     transposed,
     upper_motion,
 )
+from ..robot.offset_positions import Chains, dot
 from ..robot.robot import Robot
 from .newton_euler import all_finite, blank, platform_energy, platform_wrench, solve_linear, status_of_legs
 
