@@ -3,8 +3,6 @@
 ``--dist loadgroup --no-loadscope-reorder`` hands the tests out in this order, so that what remains for the
 end is short and the workers finish together. Modules and not marks of ``xdist_group`` make the groups,
 since pytest-xdist 3.8 writes a mark into a node id that pytest 9.2 no longer reads.
-
-``STEWART_PART=2/4`` takes every fourth of the slow tests, from the second on.
 """
 
 import os
@@ -115,15 +113,9 @@ def rounded_twice() -> Iterator[None]:
         each.cache_clear()
 
 
-def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     rank = {name: number for number, name in enumerate(LONG)}
     items.sort(key=lambda item: rank.get(item.path.stem, len(LONG)))
-    if "STEWART_PART" in os.environ:
-        part, parts = map(int, os.environ["STEWART_PART"].split("/"))
-        slow = [item for item in items if item.get_closest_marker("slow")]
-        left_out = set(slow) - set(slow[part - 1 :: parts])
-        items[:] = [item for item in items if item not in left_out]
-        config.hook.pytest_deselected(items=list(left_out))
 
 
 @pytest.hookimpl(optionalhook=True)
