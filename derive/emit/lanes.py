@@ -13,6 +13,7 @@ import sympy as sp
 from ..kernel import layouts as lay
 from ..kernel import prepare as p
 from ..kernel.batches import BATCH, LOADS, MOTIONS, loaded_block, missing
+from ..kernel.moments import by_shape
 from ..kernel.operations import force_operations
 from ..kernel.shared import legs_in_lanes, shared
 from ..kernel.tree import nodes as t
@@ -21,7 +22,7 @@ from ..kernel.tree.read import LANES, POSES, Given
 from ..kernel.written import lanes as written
 from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel
-from ..mechanics.lumped_constants import arm_c, q_1
+from ..mechanics.lumped_constants import arm_c
 from ..print.template import filled
 from ..program.block import Block, Quantity
 from ..program.order import ready_in
@@ -123,7 +124,9 @@ class _Source(Source):
             "HAS_C": int(n.c_force in self.given),
             "HAS_C_MOMENT": int(n.c_moment in self.given),
         }
-        super().__init__(lay.Written(self.structures, self.flags, shared(kernel.about_tip).by_name))
+        known = shared(kernel.about_tip).by_name
+        known |= by_shape(known, self.given) if kernel.about_tip else {}
+        super().__init__(lay.Written(self.structures, self.flags, known))
 
     # ------------------------------------------------------------ structures
 
@@ -196,20 +199,23 @@ class _Source(Source):
             yield p.literals(kernel)
             yield self._table()
         else:
-            yield from p.preparation(self.texts, kernel)
+            yield from p.preparation(self.texts, kernel, t.Name("i"))
             yield p.size_of(self.texts, by_legs=False)
             given = p.constants(kernel) | p.HANDED_OVER | {"COUNT": model_numbers(kernel)}
             yield read(written.prepare, f"{name}_prepare", public=True, given=given)
         shared = (*lay.lines(kernel.shared, self._place("at")), *lay.stores(kernel.shared.outputs, _out()))
         yield read(written.shared_of_pose, given={"SHARED": shared}, count=kernel.shared.operations())
         yield from self._legs_of_pose()
-        if kernel.about_tip:
-            yield from self._moments_of_pose()
-        yield read(written.pose_status, apart=True)
-        in_lanes = legs_in_lanes("legs", "A") | self.flags
-        yield read(
-            written.forces, f"{name}_forces", public=True, given=in_lanes | self._public("motion", "F")
+        of_pose = (
+            legs_in_lanes("legs", "A")
+            | self.flags
+            | self._public("motion", "F")
+            | {
+                "LEGS_C": self._has(n.c_force, "legs"),
+                "ARM_C": self._has(n.c_force, "legs", arm_c),
+            }
         )
+        yield read(written.forces, f"{name}_forces", public=True, given=of_pose)
         yield made["Block"]
         if kernel.about_tip:
             yield made["LegBlock"]
@@ -217,10 +223,6 @@ class _Source(Source):
         yield self._shared_of_block()
         yield self._roots_of_leg()
         yield self._leg_of_block()
-        if kernel.about_tip:
-            yield from self._moments_of_block()
-        if p.is_scaled(kernel):
-            yield read(written.scale_block)
         yield from self._batch(name)
 
     def _table(self) -> t.Table:
@@ -278,21 +280,6 @@ class _Source(Source):
         given |= lay.checks(leg, t.Constant("SHORT_SHARE") * t.Name("reach"), least)
         return self.texts.function(written.legs_of_pose, name, given=given, says=says, count=leg.operations())
 
-    def _moments_of_pose(self) -> Iterable[t.Function]:
-        """The moments of a pose, legs in lanes."""
-        shift, leg = self.kernel.shift, self.kernel.moments
-        first = tuple(t.Let(name, t.at(t.of("legs", "q"), i, 0)) for i, name in enumerate(q_1.names))
-        moved = (
-            *first,
-            *lay.lines(shift, lambda q: lay.member("shared", q), without=(q_1,)),
-            *lay.stores(shift.outputs, lambda q: lay.member("shared", q)),
-        )
-        legs = _of_legs("legs")
-        body = (*lay.lines(leg, legs, without=(q_1,)), *lay.stores(leg.outputs, legs))
-        read = self.texts.function
-        yield read(written.shift_of_pose, given={"SHIFT": moved})
-        yield read(written.moments_of_pose, given={"FIRST": first, "MOMENTS": body}, count=leg.operations())
-
     # ------------------------------------------------------------ poses of a block
 
     def _shared_of_block(self) -> t.Function:
@@ -347,39 +334,6 @@ class _Source(Source):
         given |= {} if n.D in exprs else {"known": False}
         return self.texts.function(written.leg_of_block, given=given, count=leg.operations())
 
-    def _moments_of_block(self) -> Iterable[t.Function]:
-        """The moments of one leg of a block, and what leg 1 has instead."""
-        shift, leg = self.kernel.shift, self.kernel.moments
-        c: dict[Quantity, lay.Place] = {
-            n.c_force: lay.Place(t.Name("c"), (lay.LANE,)),
-            n.c_moment: lay.Place(t.Name("c"), (lay.LANE,), 3),
-        }
-        own: lay.Layout = lambda q: lay.member("own", q, lay.LANE)  # noqa: E731
-        sums = tuple(
-            t.Assign(to, to + lay.member("own", q, lay.LANE).part(q, i))
-            for q, place in c.items()
-            if q in self.given
-            for i in range(3)
-            for to in [place.part(q, i)]
-        )
-        exprs = lay.exprs_of(leg)
-        first: tuple[t.Statement, ...] = (
-            *(t.Let(name, t.at(t.of("own", "q"), i, "l")) for i, name in enumerate(q_1.names)),
-            *(t.Let(name, place.part(q, i)) for q, place in c.items() for i, name in enumerate(q.names)),
-            *(t.Assign(t.at("c", i + 3, "l"), expression(e)) for i, e in enumerate(shift.outputs[0].exprs)),
-            *sums,
-        )
-        arrays = {q_1: "q_1", n.H_force: "column"}
-        moments: tuple[t.Statement, ...] = (
-            *lay.lines(leg, lambda q: lay.Place(t.Name(arrays[q]), (lay.LANE,)) if q in arrays else own(q)),
-            *lay.assembled({n.H_moment: exprs[n.H_moment]}, _column, _c),
-            *sums,
-            *lay.assembled({arm_c: exprs.get(arm_c, ())}, _column, _c),
-        )
-        read = self.texts.function
-        yield read(written.moments_of_first, given={"FIRST": first})
-        yield read(written.moments_of_block, given={"MOMENTS": moments}, count=leg.operations())
-
     def _batch(self, name: str) -> Iterable[str | t.Function]:
         """The solve of a block, and block after block."""
         kernel, read = self.kernel, self.texts.function
@@ -395,6 +349,9 @@ class _Source(Source):
             "C": False if about_tip else t.at(t.of("out", "column"), 6),
             "KNOWN": t.at(t.of("out", "D"), "i") if has_d else False,
             "D": t.of("out", "D") if has_d else t.Constant("NULL"),
+            "ALL_C": t.at(t.of("out", "column"), 6) if n.c_force in self.given else False,
+            **{f"{each.upper()}_C": self._has(n.c_force, each) for each in ("first", "other")},
+            **{f"{each.upper()}_MOMENT": self._has(n.c_moment, each) for each in ("first", "other")},
         }
         stride = t.Name("stride")
         # Inlined, it leaves too few registers for the loops of the same function.
@@ -408,6 +365,10 @@ class _Source(Source):
             short = [t.Binary("<", stride, t.Name("count"))] if many == written.forces_columns else []
             public = self._public("motions", "F", quantities=needed, tests=short)
             yield read(many, f"{name}_{many.__name__}", public=True, given=public)
+
+    def _has(self, q: Quantity, owner: str, member: Quantity | None = None) -> t.Expression | bool:
+        """A member, of the quantity's name unless given, if the kernel's legs have the quantity."""
+        return t.of(owner, (member or q).name) if q in self.given else False
 
     def _without(self) -> dict[str, Given]:
         """A baked kernel takes no model."""

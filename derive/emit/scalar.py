@@ -85,8 +85,10 @@ class _Source(Source):
         sizes = (t.numbers("L"), t.numbers("reach"), t.numbers("arm", 3), t.numbers("column", 6))
         of_legs, platform = t.Array(t.Record(leg.name), (6,)), map(lay.described, kernel.platform_constants())
         model = (t.Field("leg", of_legs), _SIZE, *platform, _LEAST, p.PER_LENGTH)
+        prepared = (lay.stored(out.quantity, always=False) for out in kernel.prepare_platform.outputs)
         return {
             "Leg": leg,
+            "Platform": t.Structure("platform_constants", "Constants of the platform.", tuple(prepared)),
             "PoseTerms": t.Structure("pose_terms", "What the pose has for all legs.", pose),
             "LegSizes": t.Structure("leg_sizes", "What decides on a leg that may be short.", sizes),
             "Model": t.Structure(f"{name}_model", "A robot's constants, prepared once.", model),
@@ -98,13 +100,12 @@ class _Source(Source):
             yield p.literals(kernel)
             yield self._table()
         else:
+            yield self.structures["Platform"]
             yield from p.preparation(self.texts, kernel)
             yield p.size_of(self.texts, by_legs=True)
             yield read(written.least_pivots)
             yield read(written.size_sum)
-            constants = p.constants(kernel)
-            yield read(written.clear_sum, given=constants)
-            yield read(written.prepare, f"{name}_prepare", public=True, given=constants)
+            yield read(written.prepare, f"{name}_prepare", public=True, given=p.constants(kernel))
         yield self.structures["PoseTerms"]
         yield read(written.pose_of, given={"SHARED": self._shared()}, count=kernel.shared.operations())
         yield self.structures["LegSizes"]

@@ -6,6 +6,7 @@ from functools import cache
 from types import MappingProxyType
 
 from ..kernel.layouts import Written
+from ..kernel.prepare import LUMPED
 from ..kernel.shared import Shared, shared
 from ..kernel.tree import nodes as t
 from ..kernel.tree.read import LANES as COUNT
@@ -33,11 +34,11 @@ def shared_headers(version: str, about_tip: bool = True) -> Mapping[str, str]:
     found = shared(about_tip)
     texts = {
         ARITHMETIC: filled("arithmetic.h", version=version),
-        SOLVE: filled("solve.h", version=version, functions=_printed(found, found.solve)),
+        SOLVE: filled("solve.h", version=version, functions=_printed(found, (LUMPED, *found.solve))),
         LANES: filled(
             "lanes.h",
             version=version,
-            functions=_printed(found, found.lanes[:-3]),
+            functions=_printed(found, (*found.lanes[:-3], *found.moments)),
             solve_block=_printed(found, found.lanes[-3:], "STEWART_NO_COPY "),
             blocks=filled("blocks.c"),
         ),
@@ -46,9 +47,9 @@ def shared_headers(version: str, about_tip: bool = True) -> Mapping[str, str]:
     return MappingProxyType(texts)
 
 
-def _printed(found: Shared, functions: tuple[t.Function, ...], more: str = "") -> str:
+def _printed(found: Shared, parts: tuple[t.Structure | t.Function, ...], more: str = "") -> str:
     printer = C(found.by_name.values(), _OF_BLOCKS, static=f"STEWART_SHARED {more}", unread=("D",))
-    return printer.source(*functions)
+    return printer.source(*parts)
 
 
 def header(template: str, file: str, version: str, /, **words: object) -> dict[str, str]:

@@ -41,6 +41,9 @@ ROBOT = t.Structure(
 )
 LEG = t.Structure("stewart_leg", "", tuple(lay.stored(q, always=False) for q in n.OF_LEG))
 MOTION = t.Structure("stewart_motion", "", tuple(lay.stored(q, always=False) for q in n.MOTION))
+LUMPED = t.Structure(
+    "lumped_terms", "What a leg adds to the platform.", tuple(lay.stored(q, always=False) for q in ADDED)
+)
 
 
 def raw_structures(kernel: ForceKernel) -> tuple[t.Structure, t.Structure]:
@@ -94,31 +97,31 @@ def size_of(texts: lay.Written, by_legs: bool) -> t.Function:
     return texts.function(solve.size_of, given={"BY_LEGS": int(by_legs)})
 
 
-def prepared_structure(name: str, block: Block) -> t.Structure:
-    """What a block of preparation makes."""
-    return t.Structure(name, "", tuple(lay.stored(out.quantity, always=False) for out in block.outputs))
+def preparation(texts: lay.Written, kernel: ForceKernel, *lane: t.Name) -> list[t.Function]:
+    """The two blocks of preparation; lane: which of the model's a leg is, if the legs are in its lanes."""
+    given = dict(zip(("robot", "leg"), raw_structures(kernel), strict=True)) | {"sum": LUMPED}
+    first, second, third = (t.Argument(name, t.Record(each.name)) for name, each in given.items())
+    leg, platform = (
+        t.Argument("out", t.Record(texts.structures["Model" if lane else each].name), changed=True)
+        for each in ("Leg", "Platform")
+    )
+    added = t.Argument("added", t.Record(LUMPED.name), changed=True)
+    lanes = (t.Argument(each.name, t.Integer()) for each in lane)
+    of_leg = _prepared(kernel.prepare_leg, (first, second, *lanes, leg, added), *lane)
+    of_platform = _prepared(kernel.prepare_platform, (first, third, platform))
+    texts.functions |= {each.name: each for each in (of_leg, of_platform)}
+    return [of_leg, of_platform]
 
 
-def preparation(texts: lay.Written, kernel: ForceKernel) -> list[t.Structure | t.Function]:
-    """The two blocks of preparation, and what they read and make."""
-    parts: list[t.Structure | t.Function] = []
-    robot, leg = raw_structures(kernel)
-    second = (t.Argument("leg", t.Record(leg.name)), t.Argument("sum", t.Record("prepared_leg")))
-    names = ("prepared_leg", "prepared_platform")
-    first = t.Argument("robot", t.Record(robot.name))
-    for block, made, more in zip((kernel.prepare_leg, kernel.prepare_platform), names, second, strict=True):
-        out = t.Argument("out", t.Record(made), changed=True)
-        meaning = f"{block.meaning[0].upper()}{block.meaning[1:]}."
-        function = t.Function(block.name, meaning, (first, more, out), None, tuple(_body(block)))
-        texts.functions[block.name] = function
-        parts += [texts.structures[made], function]
-    return parts
+def _prepared(block: Block, arguments: tuple[t.Argument, ...], *lane: t.Expression) -> t.Function:
+    """One of them; ``added`` takes what is lumped with the platform."""
 
+    def out(q: Quantity) -> lay.Place:
+        return lay.member("added", q) if q in ADDED else lay.member("out", q, *lane)
 
-def _body(block: Block) -> Iterable[t.Statement]:
-    yield from axis(block)
-    yield from lay.lines(block, raw)
-    yield from lay.stores(block.outputs, lambda q: lay.member("out", q))
+    meaning = f"{block.meaning[0].upper()}{block.meaning[1:]}."
+    body = (*axis(block), *lay.lines(block, raw), *lay.stores(block.outputs, out))
+    return t.Function(block.name, meaning, arguments, None, body)
 
 
 def axis(block: Block) -> Iterable[t.Statement]:
@@ -140,23 +143,17 @@ def raw(quantity: Quantity) -> lay.Place:
 
 
 def constants(kernel: ForceKernel) -> dict[str, Given]:
-    """What the texts of preparation go through: constants of a leg and of the platform, and sums of legs."""
+    """What the texts of preparation go through: constants of a leg and of the platform."""
     return {
         "OF_LEG": lay.entries(kernel.leg_constants()),
         "OF_PLATFORM": lay.entries(kernel.platform_constants()),
-        "ADDED": lay.entries(ADDED),
     }
 
 
 def structures(kernel: ForceKernel) -> dict[str, t.Structure]:
     """Structures that preparation reads and makes, by the names that the written functions give them."""
     robot, leg = raw_structures(kernel)
-    found = {"Robot": robot, "RawLeg": leg, "Motion": MOTION}
-    if kernel.constants is None:
-        found |= {
-            "PreparedLeg": prepared_structure("prepared_leg", kernel.prepare_leg),
-            "PreparedPlatform": prepared_structure("prepared_platform", kernel.prepare_platform),
-        }
+    found = {"Robot": robot, "RawLeg": leg, "Motion": MOTION, "Lumped": LUMPED}
     return found | {each.name: each for each in found.values()}
 
 

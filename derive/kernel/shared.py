@@ -3,10 +3,12 @@
 from dataclasses import dataclass
 from functools import cache
 
+from ..mechanics.lumped_constants import ADDED
 from .batches import LOADS, MOTIONS, parts_at, parts_of_one
 from .elimination import BLOCKS_OF_POSE, INVERSE, ONCE, RETURNED, blocks_in_lanes, by_rows, in_lanes
-from .layouts import Written
-from .prepare import MOTION
+from .layouts import Written, entries
+from .moments import moments
+from .prepare import LUMPED, MOTION
 from .tree import nodes as t
 from .tree.constants import LARGEST
 from .tree.read import POSES, Given
@@ -86,29 +88,38 @@ FORCE = t.signature("STEWART_FORCE", t.Real(), D=t.Real(), x=t.Real())
 
 @dataclass(frozen=True)
 class Shared:
-    """Functions around the solve, those with legs or poses in lanes, and those of every output."""
+    """Functions around the solve, those with legs or poses in lanes, and those of every output.
+
+    moments: those of the lanes with which kernels take moments.
+    """
 
     solve: tuple[t.Function, ...]
     lanes: tuple[t.Function, ...]
+    moments: tuple[t.Function, ...]
     outputs: tuple[t.Function, ...]
 
     @property
     def by_name(self) -> dict[str, t.Function]:
         """All that a source may call."""
-        return {each.name: each for each in (*self.solve, *self.lanes, *self.outputs, *_BLOCKS)}
+        return {
+            each.name: each for each in (*self.solve, *self.lanes, *self.moments, *self.outputs, *_BLOCKS)
+        }
 
 
 @cache
 def shared(about_tip: bool = True) -> Shared:
     """The functions; about_tip: of kernels whose moments are about platform point 1."""
-    texts = Written({"Motions": MOTIONS, "Motion": MOTION}, {}, {FORCE.name: FORCE})
+    texts = Written({"Motions": MOTIONS, "Motion": MOTION, "Lumped": LUMPED}, {}, {FORCE.name: FORCE})
     read = texts.function
+    added: dict[str, Given] = {"ADDED": entries(ADDED)}
     rows = (lanes.exchange_rows, lanes.subtract_row)
     return Shared(
         (
             read(solve.cube_of),
             settled(read(solve.per_length_of, given={"LARGEST": t.Number(LARGEST)})),
             read(solve.scaled_axis),
+            read(solve.clear_lumped, given=added),
+            read(solve.add_lumped, given=added),
             read(legs.largest_component),
             read(legs.fault_of, apart=True, given=RETURNED),
             read(solve.singular_status, apart=True, given={**INVERSE, **RETURNED}),
@@ -118,11 +129,11 @@ def shared(about_tip: bool = True) -> Shared:
             read(lanes.blocks_of_pose, given=BLOCKS_OF_POSE),
             read(lanes.pivots_of_pose, apart=True, given=by_rows(about_tip)),
             read(lanes.solve_pose),
-            read(lanes.scale_pose),
             read(lanes.blocks_of_lanes, apart=True, given=blocks_in_lanes(about_tip)),
             read(lanes.pivots_of_lanes, apart=True, given=in_lanes(about_tip)),
             read(lanes.solve_block),
         ),
+        moments(texts, about_tip),
         (
             read(solve.eliminate, given=ONCE),
             # No call where every leg of every pose is checked.

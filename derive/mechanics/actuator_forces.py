@@ -83,12 +83,12 @@ class ForceKernel:
     @property
     def moments(self) -> Block:
         """Moments about platform point 1 of one leg, of all but leg 1."""
-        return _leg_moments(n.c_force in {out.quantity for out in self.leg.outputs})
+        return leg_moments(n.c_force in {out.quantity for out in self.leg.outputs})
 
     @property
     def shift(self) -> Block:
         """The platform's part of c with moments about platform point 1."""
-        return _platform_moments()
+        return platform_moments()
 
     def whole(self) -> "ForceKernel":
         """The kernel with ``moments`` and ``shift`` in the blocks of legs and pose: the same operations.
@@ -269,7 +269,8 @@ def _leg_without_moments(leg: Block) -> Block:
 
 
 @cache
-def _leg_moments(with_force: bool) -> Block:
+def leg_moments(with_force: bool) -> Block:
+    """Moments about platform point 1 of a leg but the first; with_force: of its part of c as well."""
     build = Builder()
     arm = build.vector("arm", n.q.value - p.q_1.value, "", "platform point from platform point 1")
     outputs = [(n.H_moment, cross(arm, n.H_force.value))]
@@ -279,7 +280,8 @@ def _leg_moments(with_force: bool) -> Block:
 
 
 @cache
-def _platform_moments() -> Block:
+def platform_moments() -> Block:
+    """The platform's part of c moved from the reference point to platform point 1."""
     moved = n.c_moment.value - cross(p.q_1.value, n.c_force.value)
     inputs = (p.q_1, n.c_force, n.c_moment)
     return Builder().block("shift", "the platform's part of c", inputs, [(p.c_tip, moved)])

@@ -58,25 +58,10 @@ typedef struct {
     stewart_real bad[LANES]; /* 1 where the leg needs a closer look, else 0 */
 } leg_lanes;
 
-typedef struct {
-    stewart_real b[3];
-    stewart_real p[3];
-    stewart_real k[3];
-    stewart_real g_k;
-    stewart_real g_x_k[3];
-    stewart_real h_s;
-    stewart_real w_s;
-    stewart_real J_s;
-    stewart_real J_t;
-    stewart_real J_ts;
-    stewart_real M_add;
-    stewart_real h_add[3];
-    stewart_real J_add[6];
-    stewart_real C_add;
-} prepared_leg;
-
 /* Constants of one leg, and what it adds to the platform. */
-static void prepare_leg(const stewart_robot *robot, const stewart_leg *leg, prepared_leg *out)
+static void prepare_leg(
+    const stewart_robot *robot, const stewart_leg *leg, int i, stewart_exact_axisymmetric_model *out,
+    lumped_terms *added)
 {
     stewart_real axis[3];
     scaled_axis(leg->k, axis);
@@ -118,47 +103,40 @@ static void prepare_leg(const stewart_robot *robot, const stewart_leg *leg, prep
     const stewart_real c10 = arm_y*arm_y;
     const stewart_real c11 = arm_z*arm_z;
     const stewart_real c12 = arm_x*arm_x;
-    out->b[0] = b_x;
-    out->b[1] = b_y;
-    out->b[2] = b_z;
-    out->p[0] = p_x;
-    out->p[1] = p_y;
-    out->p[2] = p_z;
-    out->k[0] = k_unit_x;
-    out->k[1] = k_unit_y;
-    out->k[2] = k_unit_z;
-    out->g_k = g_x*k_unit_x + g_y*k_unit_y + g_z*k_unit_z;
-    out->g_x_k[0] = g_y*k_unit_z - g_z*k_unit_y;
-    out->g_x_k[1] = g_z*k_unit_x - g_x*k_unit_z;
-    out->g_x_k[2] = g_x*k_unit_y - g_y*k_unit_x;
-    out->h_s = h_x;
-    out->w_s = w_x;
-    out->J_s = J_xx;
-    out->J_t = c7;
-    out->J_ts = c7 - J_xx;
-    out->M_add = m_u;
-    out->h_add[0] = c8;
-    out->h_add[1] = c9;
-    out->h_add[2] = arm_z*m_u;
-    out->J_add[0] = m_u*(c10 + c11);
-    out->J_add[1] = -arm_y*c8;
-    out->J_add[2] = -arm_z*c8;
-    out->J_add[3] = m_u*(c11 + c12);
-    out->J_add[4] = -arm_z*c9;
-    out->J_add[5] = m_u*(c10 + c12);
-    out->C_add = REAL(0);
+    out->b[0][i] = b_x;
+    out->b[1][i] = b_y;
+    out->b[2][i] = b_z;
+    out->p[0][i] = p_x;
+    out->p[1][i] = p_y;
+    out->p[2][i] = p_z;
+    out->k[0][i] = k_unit_x;
+    out->k[1][i] = k_unit_y;
+    out->k[2][i] = k_unit_z;
+    out->g_k[i] = g_x*k_unit_x + g_y*k_unit_y + g_z*k_unit_z;
+    out->g_x_k[0][i] = g_y*k_unit_z - g_z*k_unit_y;
+    out->g_x_k[1][i] = g_z*k_unit_x - g_x*k_unit_z;
+    out->g_x_k[2][i] = g_x*k_unit_y - g_y*k_unit_x;
+    out->h_s[i] = h_x;
+    out->w_s[i] = w_x;
+    out->J_s[i] = J_xx;
+    out->J_t[i] = c7;
+    out->J_ts[i] = c7 - J_xx;
+    added->M_add = m_u;
+    added->h_add[0] = c8;
+    added->h_add[1] = c9;
+    added->h_add[2] = arm_z*m_u;
+    added->J_add[0] = m_u*(c10 + c11);
+    added->J_add[1] = -arm_y*c8;
+    added->J_add[2] = -arm_z*c8;
+    added->J_add[3] = m_u*(c11 + c12);
+    added->J_add[4] = -arm_z*c9;
+    added->J_add[5] = m_u*(c10 + c12);
+    added->C_add = REAL(0);
 }
 
-typedef struct {
-    stewart_real M_P;
-    stewart_real r_C[3];
-    stewart_real J_C[6];
-    stewart_real dJ_C[3];
-    stewart_real g[3];
-} prepared_platform;
-
 /* Constants of the platform. */
-static void prepare_platform(const stewart_robot *robot, const prepared_leg *sum, prepared_platform *out)
+static void prepare_platform(
+    const stewart_robot *robot, const lumped_terms *sum, stewart_exact_axisymmetric_model *out)
 {
     const stewart_real M = robot->M;
     const stewart_real R_0_x = robot->R_0[0], R_0_y = robot->R_0[1], R_0_z = robot->R_0[2];
@@ -238,74 +216,19 @@ int stewart_exact_axisymmetric_prepare(const stewart_robot *robot, stewart_exact
 {
     int i, j;
     stewart_exact_axisymmetric_model made;
-    prepared_leg found;
-    prepared_leg sum;
-    prepared_platform platform;
+    lumped_terms added;
+    lumped_terms sum;
     if (robot == NULL || model == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
-    sum.M_add = REAL(0);
-    sum.h_add[0] = REAL(0);
-    sum.h_add[1] = REAL(0);
-    sum.h_add[2] = REAL(0);
-    sum.J_add[0] = REAL(0);
-    sum.J_add[1] = REAL(0);
-    sum.J_add[2] = REAL(0);
-    sum.J_add[3] = REAL(0);
-    sum.J_add[4] = REAL(0);
-    sum.J_add[5] = REAL(0);
-    sum.C_add = REAL(0);
+    clear_lumped(&sum);
     for (i = 0; i < LANES; ++i) {
-        prepare_leg(robot, &robot->leg[i < 6 ? i : 5], &found);
-        made.b[0][i] = found.b[0];
-        made.b[1][i] = found.b[1];
-        made.b[2][i] = found.b[2];
-        made.p[0][i] = found.p[0];
-        made.p[1][i] = found.p[1];
-        made.p[2][i] = found.p[2];
-        made.k[0][i] = found.k[0];
-        made.k[1][i] = found.k[1];
-        made.k[2][i] = found.k[2];
-        made.g_k[i] = found.g_k;
-        made.g_x_k[0][i] = found.g_x_k[0];
-        made.g_x_k[1][i] = found.g_x_k[1];
-        made.g_x_k[2][i] = found.g_x_k[2];
-        made.h_s[i] = found.h_s;
-        made.w_s[i] = found.w_s;
-        made.J_s[i] = found.J_s;
-        made.J_t[i] = found.J_t;
-        made.J_ts[i] = found.J_ts;
+        prepare_leg(robot, &robot->leg[i < 6 ? i : 5], i, &made, &added);
         if (i < 6) {
-            sum.M_add = sum.M_add + found.M_add;
-            sum.h_add[0] = sum.h_add[0] + found.h_add[0];
-            sum.h_add[1] = sum.h_add[1] + found.h_add[1];
-            sum.h_add[2] = sum.h_add[2] + found.h_add[2];
-            sum.J_add[0] = sum.J_add[0] + found.J_add[0];
-            sum.J_add[1] = sum.J_add[1] + found.J_add[1];
-            sum.J_add[2] = sum.J_add[2] + found.J_add[2];
-            sum.J_add[3] = sum.J_add[3] + found.J_add[3];
-            sum.J_add[4] = sum.J_add[4] + found.J_add[4];
-            sum.J_add[5] = sum.J_add[5] + found.J_add[5];
-            sum.C_add = sum.C_add + found.C_add;
+            add_lumped(&sum, &added);
         }
     }
-    prepare_platform(robot, &sum, &platform);
-    made.M_P = platform.M_P;
-    made.r_C[0] = platform.r_C[0];
-    made.r_C[1] = platform.r_C[1];
-    made.r_C[2] = platform.r_C[2];
-    made.J_C[0] = platform.J_C[0];
-    made.J_C[1] = platform.J_C[1];
-    made.J_C[2] = platform.J_C[2];
-    made.J_C[3] = platform.J_C[3];
-    made.J_C[4] = platform.J_C[4];
-    made.J_C[5] = platform.J_C[5];
-    made.dJ_C[0] = platform.dJ_C[0];
-    made.dJ_C[1] = platform.dJ_C[1];
-    made.dJ_C[2] = platform.dJ_C[2];
-    made.g[0] = platform.g[0];
-    made.g[1] = platform.g[1];
-    made.g[2] = platform.g[2];
+    prepare_platform(robot, &sum, &made);
     stewart_real far = REAL(0);
     for (j = 0; j < 3; ++j) {
         for (i = 0; i < 6; ++i) {
@@ -739,60 +662,6 @@ static void legs_near_singular(
     }
 }
 
-/* The platform's part of c with moments about platform point 1. */
-static void shift_of_pose(const leg_lanes *STEWART_RESTRICT legs, shared_terms *STEWART_RESTRICT shared)
-{
-    const stewart_real q_1_x = legs->q[0][0], q_1_y = legs->q[1][0], q_1_z = legs->q[2][0];
-    const stewart_real c_force_x = shared->c_force[0], c_force_y = shared->c_force[1], c_force_z = shared->c_force[2];
-    const stewart_real c_moment_x = shared->c_moment[0], c_moment_y = shared->c_moment[1], c_moment_z = shared->c_moment[2];
-    shared->c_tip[0] = STEWART_FMA(-c_force_z, q_1_y, STEWART_FMA(c_force_y, q_1_z, c_moment_x));
-    shared->c_tip[1] = STEWART_FMA(-c_force_x, q_1_z, STEWART_FMA(c_force_z, q_1_x, c_moment_y));
-    shared->c_tip[2] = STEWART_FMA(-c_force_y, q_1_x, STEWART_FMA(c_force_x, q_1_y, c_moment_z));
-}
-
-/* Moments about platform point 1, 21 (12 mul, 9 add, 0 div, 0 sqrt) operations of each leg but the
- * first, which has none. */
-static void moments_of_pose(leg_lanes *legs)
-{
-    int l;
-    const stewart_real q_1_x = legs->q[0][0], q_1_y = legs->q[1][0], q_1_z = legs->q[2][0];
-    for (l = 0; l < LANES; ++l) {
-        const stewart_real q_x = legs->q[0][l], q_y = legs->q[1][l], q_z = legs->q[2][l];
-        const stewart_real H_force_x = legs->A[0][l], H_force_y = legs->A[1][l], H_force_z = legs->A[2][l];
-        const stewart_real c_force_x = legs->c_force[0][l], c_force_y = legs->c_force[1][l], c_force_z = legs->c_force[2][l];
-        /* platform point from platform point 1 */
-        const stewart_real arm_x = q_x - q_1_x;
-        const stewart_real arm_y = q_y - q_1_y;
-        const stewart_real arm_z = q_z - q_1_z;
-        legs->A[3][l] = STEWART_FMA(-H_force_y, arm_z, H_force_z*arm_y);
-        legs->A[4][l] = STEWART_FMA(-H_force_z, arm_x, H_force_x*arm_z);
-        legs->A[5][l] = STEWART_FMA(-H_force_x, arm_y, H_force_y*arm_x);
-        legs->arm_c[0][l] = STEWART_FMA(-arm_z, c_force_y, arm_y*c_force_z);
-        legs->arm_c[1][l] = STEWART_FMA(-arm_x, c_force_z, arm_z*c_force_x);
-        legs->arm_c[2][l] = STEWART_FMA(-arm_y, c_force_x, arm_x*c_force_y);
-    }
-}
-
-/* Status of a pose whose H may be singular to rounding. */
-STEWART_APART static int pose_status(const leg_lanes *legs, stewart_real per_length)
-{
-    int i, j;
-    stewart_real H[6][6];
-    stewart_real arm[6][3];
-    stewart_real tip = REAL(0);
-    for (j = 0; j < 3; ++j) {
-        tip = STEWART_LARGER(STEWART_FABS(legs->q[j][0]), tip);
-    }
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 3; ++j) {
-            arm[i][j] = legs->q[j][i] - legs->q[j][0];
-            H[j][i] = legs->A[j][i];
-            H[j + 3][i] = legs->A[j + 3][i]/per_length;
-        }
-    }
-    return singular_status(H, arm, legs->L, legs->reach, tip);
-}
-
 int stewart_exact_axisymmetric_forces(
     const stewart_exact_axisymmetric_model *model, const stewart_motion *motion, stewart_real F[6])
 {
@@ -822,8 +691,8 @@ int stewart_exact_axisymmetric_forces(
     if (near_singular != 0) {
         legs_near_singular(model, motion, &shared, &legs);
     }
-    shift_of_pose(&legs, &shared);
-    moments_of_pose(&legs);
+    shift_of_pose(legs.q, shared.c_force, shared.c_moment, shared.c_tip);
+    moments_of_pose(legs.q, legs.A, legs.c_force, legs.arm_c);
     for (j = 0; j < 3; ++j) {
         stewart_real force = shared.c_force[j];
         stewart_real turn = shared.c_tip[j];
@@ -839,7 +708,7 @@ int stewart_exact_axisymmetric_forces(
     }
     const int suspect = solve_pose(legs.A, wrench, model->arm_cube, x);
     if (close != 0 || suspect != 0) {
-        const int status = pose_status(&legs, model->per_length);
+        const int status = rows_status(legs.A, legs.q, legs.L, legs.reach, model->per_length);
         if (status != STEWART_OK) {
             return status;
         }
@@ -1181,65 +1050,6 @@ static void leg_of_block(
     }
 }
 
-/* Leg 1 of a block: the platform's part of c moves to platform point 1, and the leg's is added. */
-static void moments_of_first(
-    const leg_block *STEWART_RESTRICT own, stewart_real (*STEWART_RESTRICT c)[POSES])
-{
-    int l;
-    for (l = 0; l < POSES; ++l) {
-        const stewart_real q_1_x = own->q[0][l], q_1_y = own->q[1][l], q_1_z = own->q[2][l];
-        const stewart_real c_force_x = c[0][l], c_force_y = c[1][l], c_force_z = c[2][l], c_moment_x = c[3][l],
-            c_moment_y = c[4][l], c_moment_z = c[5][l];
-        c[3][l] = STEWART_FMA(-c_force_z, q_1_y, STEWART_FMA(c_force_y, q_1_z, c_moment_x));
-        c[4][l] = STEWART_FMA(-c_force_x, q_1_z, STEWART_FMA(c_force_z, q_1_x, c_moment_y));
-        c[5][l] = STEWART_FMA(-c_force_y, q_1_x, STEWART_FMA(c_force_x, q_1_y, c_moment_z));
-        c[0][l] = c[0][l] + own->c_force[0][l];
-        c[1][l] = c[1][l] + own->c_force[1][l];
-        c[2][l] = c[2][l] + own->c_force[2][l];
-    }
-}
-
-/* Another leg: its moments about platform point 1, 21 (12 mul, 9 add, 0 div, 0 sqrt) operations each,
- * and its part of c. */
-static void moments_of_block(
-    const leg_block *STEWART_RESTRICT own, stewart_real (*STEWART_RESTRICT q_1)[POSES],
-    stewart_real (*STEWART_RESTRICT column)[POSES], stewart_real (*STEWART_RESTRICT c)[POSES])
-{
-    int l;
-    for (l = 0; l < POSES; ++l) {
-        const stewart_real q_x = own->q[0][l], q_y = own->q[1][l], q_z = own->q[2][l];
-        const stewart_real q_1_x = q_1[0][l], q_1_y = q_1[1][l], q_1_z = q_1[2][l];
-        const stewart_real H_force_x = column[0][l], H_force_y = column[1][l], H_force_z = column[2][l];
-        const stewart_real c_force_x = own->c_force[0][l], c_force_y = own->c_force[1][l], c_force_z = own->c_force[2][l];
-        /* platform point from platform point 1 */
-        const stewart_real arm_x = q_x - q_1_x;
-        const stewart_real arm_y = q_y - q_1_y;
-        const stewart_real arm_z = q_z - q_1_z;
-        column[3][l] = STEWART_FMA(-H_force_y, arm_z, H_force_z*arm_y);
-        column[4][l] = STEWART_FMA(-H_force_z, arm_x, H_force_x*arm_z);
-        column[5][l] = STEWART_FMA(-H_force_x, arm_y, H_force_y*arm_x);
-        c[0][l] = c[0][l] + own->c_force[0][l];
-        c[1][l] = c[1][l] + own->c_force[1][l];
-        c[2][l] = c[2][l] + own->c_force[2][l];
-        c[3][l] = c[3][l] + STEWART_FMA(-arm_z, c_force_y, arm_y*c_force_z);
-        c[4][l] = c[4][l] + STEWART_FMA(-arm_x, c_force_z, arm_z*c_force_x);
-        c[5][l] = c[5][l] + STEWART_FMA(-arm_y, c_force_x, arm_x*c_force_y);
-    }
-}
-
-/* The same for a block. */
-static void scale_block(block *out, stewart_real per_length)
-{
-    int i, j, l;
-    for (i = 1; i < 7; ++i) {
-        for (j = 3; j < 6; ++j) {
-            for (l = 0; l < POSES; ++l) {
-                out->column[i][j][l] = out->column[i][j][l]*per_length;
-            }
-        }
-    }
-}
-
 /* Motions of the poses of a block, component by component. */
 STEWART_APART static void load_block(
     const stewart_motions *motions, size_t stride, size_t first, size_t count, motion_lanes *at)
@@ -1275,13 +1085,14 @@ static void forces_of_block(
         leg_of_block(model, i, at, &shared, &roots.leg[i], out->column[i], i == 0 ? &first : &other,
             out->D[i], out->bad);
         if (i == 0) {
-            moments_of_first(&first, out->column[6]);
+            moments_of_first_without_moment(first.q, first.c_force, out->column[6]);
         } else {
-            moments_of_block(&other, first.q, out->column[i], out->column[6]);
+            moments_of_block_without_moment(other.q, first.q, other.c_force, out->column[i],
+                out->column[6]);
         }
     }
     if (model->per_length != REAL(1)) {
-        scale_block(out, model->per_length);
+        scale_block(out->column, model->per_length);
     }
     solve_block(out->column, out->D, model->arm_cube, out->F, out->bad);
 }

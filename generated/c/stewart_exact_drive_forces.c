@@ -59,34 +59,10 @@ typedef struct {
     stewart_real bad[LANES]; /* 1 where the leg needs a closer look, else 0 */
 } leg_lanes;
 
-typedef struct {
-    stewart_real b[3];
-    stewart_real p[3];
-    stewart_real k[3];
-    stewart_real C_p;
-    stewart_real C_s;
-    stewart_real m_r;
-    stewart_real j_r;
-    stewart_real h[3];
-    stewart_real h2_x;
-    stewart_real h2_y;
-    stewart_real h2_z;
-    stewart_real w[3];
-    stewart_real J[6];
-    stewart_real J2_xz;
-    stewart_real dJ_zx;
-    stewart_real g_k;
-    stewart_real g_x_k[3];
-    stewart_real C_us;
-    stewart_real m_u;
-    stewart_real M_add;
-    stewart_real h_add[3];
-    stewart_real J_add[6];
-    stewart_real C_add;
-} prepared_leg;
-
 /* Constants of one leg, and what it adds to the platform. */
-static void prepare_leg(const stewart_robot *robot, const stewart_leg *leg, prepared_leg *out)
+static void prepare_leg(
+    const stewart_robot *robot, const stewart_leg *leg, int i, stewart_exact_drive_model *out,
+    lumped_terms *added)
 {
     stewart_real axis[3];
     scaled_axis(leg->k, axis);
@@ -145,71 +121,58 @@ static void prepare_leg(const stewart_robot *robot, const stewart_leg *leg, prep
     const stewart_real c13 = arm_y*arm_y;
     const stewart_real c14 = arm_z*arm_z;
     const stewart_real c15 = arm_x*arm_x;
-    out->b[0] = b_x;
-    out->b[1] = b_y;
-    out->b[2] = b_z;
-    out->p[0] = p_x;
-    out->p[1] = p_y;
-    out->p[2] = p_z;
-    out->k[0] = k_unit_x;
-    out->k[1] = k_unit_y;
-    out->k[2] = k_unit_z;
-    out->C_p = C_p;
-    out->C_s = C_s;
-    out->m_r = m_r;
-    out->j_r = j_r;
-    out->h[0] = h_x;
-    out->h[1] = h_y;
-    out->h[2] = h_z;
-    out->h2_x = REAL(2)*h_x;
-    out->h2_y = REAL(2)*h_y;
-    out->h2_z = REAL(2)*h_z;
-    out->w[0] = w_x;
-    out->w[1] = w_y;
-    out->w[2] = w_z;
-    out->J[0] = J_xx;
-    out->J[1] = J_xy;
-    out->J[2] = J_xz;
-    out->J[3] = J_yy;
-    out->J[4] = J_yz;
-    out->J[5] = J_zz;
-    out->J2_xz = REAL(2)*J_xz;
-    out->dJ_zx = J_zz - J_xx;
-    out->g_k = g_x*k_unit_x + g_y*k_unit_y + g_z*k_unit_z;
-    out->g_x_k[0] = g_y*k_unit_z - g_z*k_unit_y;
-    out->g_x_k[1] = g_z*k_unit_x - g_x*k_unit_z;
-    out->g_x_k[2] = g_x*k_unit_y - g_y*k_unit_x;
-    out->C_us = C_s + C_u;
-    out->m_u = m_u;
-    out->M_add = m_u;
-    out->h_add[0] = c11;
-    out->h_add[1] = c12;
-    out->h_add[2] = arm_z*m_u;
-    out->J_add[0] = m_u*(c13 + c14);
-    out->J_add[1] = -arm_y*c11;
-    out->J_add[2] = -arm_z*c11;
-    out->J_add[3] = m_u*(c14 + c15);
-    out->J_add[4] = -arm_z*c12;
-    out->J_add[5] = m_u*(c13 + c15);
-    out->C_add = C_s;
+    out->b[0][i] = b_x;
+    out->b[1][i] = b_y;
+    out->b[2][i] = b_z;
+    out->p[0][i] = p_x;
+    out->p[1][i] = p_y;
+    out->p[2][i] = p_z;
+    out->k[0][i] = k_unit_x;
+    out->k[1][i] = k_unit_y;
+    out->k[2][i] = k_unit_z;
+    out->C_p[i] = C_p;
+    out->C_s[i] = C_s;
+    out->m_r[i] = m_r;
+    out->j_r[i] = j_r;
+    out->h[0][i] = h_x;
+    out->h[1][i] = h_y;
+    out->h[2][i] = h_z;
+    out->h2_x[i] = REAL(2)*h_x;
+    out->h2_y[i] = REAL(2)*h_y;
+    out->h2_z[i] = REAL(2)*h_z;
+    out->w[0][i] = w_x;
+    out->w[1][i] = w_y;
+    out->w[2][i] = w_z;
+    out->J[0][i] = J_xx;
+    out->J[1][i] = J_xy;
+    out->J[2][i] = J_xz;
+    out->J[3][i] = J_yy;
+    out->J[4][i] = J_yz;
+    out->J[5][i] = J_zz;
+    out->J2_xz[i] = REAL(2)*J_xz;
+    out->dJ_zx[i] = J_zz - J_xx;
+    out->g_k[i] = g_x*k_unit_x + g_y*k_unit_y + g_z*k_unit_z;
+    out->g_x_k[0][i] = g_y*k_unit_z - g_z*k_unit_y;
+    out->g_x_k[1][i] = g_z*k_unit_x - g_x*k_unit_z;
+    out->g_x_k[2][i] = g_x*k_unit_y - g_y*k_unit_x;
+    out->C_us[i] = C_s + C_u;
+    out->m_u[i] = m_u;
+    added->M_add = m_u;
+    added->h_add[0] = c11;
+    added->h_add[1] = c12;
+    added->h_add[2] = arm_z*m_u;
+    added->J_add[0] = m_u*(c13 + c14);
+    added->J_add[1] = -arm_y*c11;
+    added->J_add[2] = -arm_z*c11;
+    added->J_add[3] = m_u*(c14 + c15);
+    added->J_add[4] = -arm_z*c12;
+    added->J_add[5] = m_u*(c13 + c15);
+    added->C_add = C_s;
 }
 
-typedef struct {
-    stewart_real M_P;
-    stewart_real r_C[3];
-    stewart_real J_C[6];
-    stewart_real dJ_C[3];
-    stewart_real C_P;
-    stewart_real g[3];
-    stewart_real M;
-    stewart_real R_0[3];
-    stewart_real I_p[6];
-    stewart_real h_P[3];
-    stewart_real J_P[6];
-} prepared_platform;
-
 /* Constants of the platform. */
-static void prepare_platform(const stewart_robot *robot, const prepared_leg *sum, prepared_platform *out)
+static void prepare_platform(
+    const stewart_robot *robot, const lumped_terms *sum, stewart_exact_drive_model *out)
 {
     const stewart_real M = robot->M;
     const stewart_real R_0_x = robot->R_0[0], R_0_y = robot->R_0[1], R_0_z = robot->R_0[2];
@@ -314,112 +277,19 @@ int stewart_exact_drive_prepare(const stewart_robot *robot, stewart_exact_drive_
 {
     int i, j;
     stewart_exact_drive_model made;
-    prepared_leg found;
-    prepared_leg sum;
-    prepared_platform platform;
+    lumped_terms added;
+    lumped_terms sum;
     if (robot == NULL || model == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
-    sum.M_add = REAL(0);
-    sum.h_add[0] = REAL(0);
-    sum.h_add[1] = REAL(0);
-    sum.h_add[2] = REAL(0);
-    sum.J_add[0] = REAL(0);
-    sum.J_add[1] = REAL(0);
-    sum.J_add[2] = REAL(0);
-    sum.J_add[3] = REAL(0);
-    sum.J_add[4] = REAL(0);
-    sum.J_add[5] = REAL(0);
-    sum.C_add = REAL(0);
+    clear_lumped(&sum);
     for (i = 0; i < LANES; ++i) {
-        prepare_leg(robot, &robot->leg[i < 6 ? i : 5], &found);
-        made.b[0][i] = found.b[0];
-        made.b[1][i] = found.b[1];
-        made.b[2][i] = found.b[2];
-        made.p[0][i] = found.p[0];
-        made.p[1][i] = found.p[1];
-        made.p[2][i] = found.p[2];
-        made.k[0][i] = found.k[0];
-        made.k[1][i] = found.k[1];
-        made.k[2][i] = found.k[2];
-        made.C_p[i] = found.C_p;
-        made.C_s[i] = found.C_s;
-        made.m_r[i] = found.m_r;
-        made.j_r[i] = found.j_r;
-        made.h[0][i] = found.h[0];
-        made.h[1][i] = found.h[1];
-        made.h[2][i] = found.h[2];
-        made.h2_x[i] = found.h2_x;
-        made.h2_y[i] = found.h2_y;
-        made.h2_z[i] = found.h2_z;
-        made.w[0][i] = found.w[0];
-        made.w[1][i] = found.w[1];
-        made.w[2][i] = found.w[2];
-        made.J[0][i] = found.J[0];
-        made.J[1][i] = found.J[1];
-        made.J[2][i] = found.J[2];
-        made.J[3][i] = found.J[3];
-        made.J[4][i] = found.J[4];
-        made.J[5][i] = found.J[5];
-        made.J2_xz[i] = found.J2_xz;
-        made.dJ_zx[i] = found.dJ_zx;
-        made.g_k[i] = found.g_k;
-        made.g_x_k[0][i] = found.g_x_k[0];
-        made.g_x_k[1][i] = found.g_x_k[1];
-        made.g_x_k[2][i] = found.g_x_k[2];
-        made.C_us[i] = found.C_us;
-        made.m_u[i] = found.m_u;
+        prepare_leg(robot, &robot->leg[i < 6 ? i : 5], i, &made, &added);
         if (i < 6) {
-            sum.M_add = sum.M_add + found.M_add;
-            sum.h_add[0] = sum.h_add[0] + found.h_add[0];
-            sum.h_add[1] = sum.h_add[1] + found.h_add[1];
-            sum.h_add[2] = sum.h_add[2] + found.h_add[2];
-            sum.J_add[0] = sum.J_add[0] + found.J_add[0];
-            sum.J_add[1] = sum.J_add[1] + found.J_add[1];
-            sum.J_add[2] = sum.J_add[2] + found.J_add[2];
-            sum.J_add[3] = sum.J_add[3] + found.J_add[3];
-            sum.J_add[4] = sum.J_add[4] + found.J_add[4];
-            sum.J_add[5] = sum.J_add[5] + found.J_add[5];
-            sum.C_add = sum.C_add + found.C_add;
+            add_lumped(&sum, &added);
         }
     }
-    prepare_platform(robot, &sum, &platform);
-    made.M_P = platform.M_P;
-    made.r_C[0] = platform.r_C[0];
-    made.r_C[1] = platform.r_C[1];
-    made.r_C[2] = platform.r_C[2];
-    made.J_C[0] = platform.J_C[0];
-    made.J_C[1] = platform.J_C[1];
-    made.J_C[2] = platform.J_C[2];
-    made.J_C[3] = platform.J_C[3];
-    made.J_C[4] = platform.J_C[4];
-    made.J_C[5] = platform.J_C[5];
-    made.dJ_C[0] = platform.dJ_C[0];
-    made.dJ_C[1] = platform.dJ_C[1];
-    made.dJ_C[2] = platform.dJ_C[2];
-    made.C_P = platform.C_P;
-    made.g[0] = platform.g[0];
-    made.g[1] = platform.g[1];
-    made.g[2] = platform.g[2];
-    made.M = platform.M;
-    made.R_0[0] = platform.R_0[0];
-    made.R_0[1] = platform.R_0[1];
-    made.R_0[2] = platform.R_0[2];
-    made.I_p[0] = platform.I_p[0];
-    made.I_p[1] = platform.I_p[1];
-    made.I_p[2] = platform.I_p[2];
-    made.I_p[3] = platform.I_p[3];
-    made.I_p[4] = platform.I_p[4];
-    made.I_p[5] = platform.I_p[5];
-    made.h_P[0] = platform.h_P[0];
-    made.h_P[1] = platform.h_P[1];
-    made.h_P[2] = platform.h_P[2];
-    made.J_P[0] = platform.J_P[0];
-    made.J_P[1] = platform.J_P[1];
-    made.J_P[2] = platform.J_P[2];
-    made.J_P[3] = platform.J_P[3];
-    made.J_P[4] = platform.J_P[4];
-    made.J_P[5] = platform.J_P[5];
+    prepare_platform(robot, &sum, &made);
     stewart_real far = REAL(0);
     for (j = 0; j < 3; ++j) {
         for (i = 0; i < 6; ++i) {
@@ -921,60 +791,6 @@ static void legs_near_singular(
     }
 }
 
-/* The platform's part of c with moments about platform point 1. */
-static void shift_of_pose(const leg_lanes *STEWART_RESTRICT legs, shared_terms *STEWART_RESTRICT shared)
-{
-    const stewart_real q_1_x = legs->q[0][0], q_1_y = legs->q[1][0], q_1_z = legs->q[2][0];
-    const stewart_real c_force_x = shared->c_force[0], c_force_y = shared->c_force[1], c_force_z = shared->c_force[2];
-    const stewart_real c_moment_x = shared->c_moment[0], c_moment_y = shared->c_moment[1], c_moment_z = shared->c_moment[2];
-    shared->c_tip[0] = STEWART_FMA(-c_force_z, q_1_y, STEWART_FMA(c_force_y, q_1_z, c_moment_x));
-    shared->c_tip[1] = STEWART_FMA(-c_force_x, q_1_z, STEWART_FMA(c_force_z, q_1_x, c_moment_y));
-    shared->c_tip[2] = STEWART_FMA(-c_force_y, q_1_x, STEWART_FMA(c_force_x, q_1_y, c_moment_z));
-}
-
-/* Moments about platform point 1, 21 (12 mul, 9 add, 0 div, 0 sqrt) operations of each leg but the
- * first, which has none. */
-static void moments_of_pose(leg_lanes *legs)
-{
-    int l;
-    const stewart_real q_1_x = legs->q[0][0], q_1_y = legs->q[1][0], q_1_z = legs->q[2][0];
-    for (l = 0; l < LANES; ++l) {
-        const stewart_real q_x = legs->q[0][l], q_y = legs->q[1][l], q_z = legs->q[2][l];
-        const stewart_real H_force_x = legs->A[0][l], H_force_y = legs->A[1][l], H_force_z = legs->A[2][l];
-        const stewart_real c_force_x = legs->c_force[0][l], c_force_y = legs->c_force[1][l], c_force_z = legs->c_force[2][l];
-        /* platform point from platform point 1 */
-        const stewart_real arm_x = q_x - q_1_x;
-        const stewart_real arm_y = q_y - q_1_y;
-        const stewart_real arm_z = q_z - q_1_z;
-        legs->A[3][l] = STEWART_FMA(-H_force_y, arm_z, H_force_z*arm_y);
-        legs->A[4][l] = STEWART_FMA(-H_force_z, arm_x, H_force_x*arm_z);
-        legs->A[5][l] = STEWART_FMA(-H_force_x, arm_y, H_force_y*arm_x);
-        legs->arm_c[0][l] = STEWART_FMA(-arm_z, c_force_y, arm_y*c_force_z);
-        legs->arm_c[1][l] = STEWART_FMA(-arm_x, c_force_z, arm_z*c_force_x);
-        legs->arm_c[2][l] = STEWART_FMA(-arm_y, c_force_x, arm_x*c_force_y);
-    }
-}
-
-/* Status of a pose whose H may be singular to rounding. */
-STEWART_APART static int pose_status(const leg_lanes *legs, stewart_real per_length)
-{
-    int i, j;
-    stewart_real H[6][6];
-    stewart_real arm[6][3];
-    stewart_real tip = REAL(0);
-    for (j = 0; j < 3; ++j) {
-        tip = STEWART_LARGER(STEWART_FABS(legs->q[j][0]), tip);
-    }
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 3; ++j) {
-            arm[i][j] = legs->q[j][i] - legs->q[j][0];
-            H[j][i] = legs->A[j][i];
-            H[j + 3][i] = legs->A[j + 3][i]/per_length;
-        }
-    }
-    return singular_status(H, arm, legs->L, legs->reach, tip);
-}
-
 int stewart_exact_drive_forces(
     const stewart_exact_drive_model *model, const stewart_motion *motion, stewart_real F[6])
 {
@@ -1004,8 +820,8 @@ int stewart_exact_drive_forces(
     if (near_singular != 0) {
         legs_near_singular(model, motion, &shared, &legs);
     }
-    shift_of_pose(&legs, &shared);
-    moments_of_pose(&legs);
+    shift_of_pose(legs.q, shared.c_force, shared.c_moment, shared.c_tip);
+    moments_of_pose(legs.q, legs.A, legs.c_force, legs.arm_c);
     for (j = 0; j < 3; ++j) {
         stewart_real force = shared.c_force[j];
         stewart_real turn = shared.c_tip[j];
@@ -1022,7 +838,7 @@ int stewart_exact_drive_forces(
     }
     const int suspect = solve_pose(legs.A, wrench, model->arm_cube, x);
     if (close != 0 || suspect != 0) {
-        const int status = pose_status(&legs, model->per_length);
+        const int status = rows_status(legs.A, legs.q, legs.L, legs.reach, model->per_length);
         if (status != STEWART_OK) {
             return status;
         }
@@ -1396,71 +1212,6 @@ static void leg_of_block(
     }
 }
 
-/* Leg 1 of a block: the platform's part of c moves to platform point 1, and the leg's is added. */
-static void moments_of_first(
-    const leg_block *STEWART_RESTRICT own, stewart_real (*STEWART_RESTRICT c)[POSES])
-{
-    int l;
-    for (l = 0; l < POSES; ++l) {
-        const stewart_real q_1_x = own->q[0][l], q_1_y = own->q[1][l], q_1_z = own->q[2][l];
-        const stewart_real c_force_x = c[0][l], c_force_y = c[1][l], c_force_z = c[2][l], c_moment_x = c[3][l],
-            c_moment_y = c[4][l], c_moment_z = c[5][l];
-        c[3][l] = STEWART_FMA(-c_force_z, q_1_y, STEWART_FMA(c_force_y, q_1_z, c_moment_x));
-        c[4][l] = STEWART_FMA(-c_force_x, q_1_z, STEWART_FMA(c_force_z, q_1_x, c_moment_y));
-        c[5][l] = STEWART_FMA(-c_force_y, q_1_x, STEWART_FMA(c_force_x, q_1_y, c_moment_z));
-        c[0][l] = c[0][l] + own->c_force[0][l];
-        c[1][l] = c[1][l] + own->c_force[1][l];
-        c[2][l] = c[2][l] + own->c_force[2][l];
-        c[3][l] = c[3][l] + own->c_moment[0][l];
-        c[4][l] = c[4][l] + own->c_moment[1][l];
-        c[5][l] = c[5][l] + own->c_moment[2][l];
-    }
-}
-
-/* Another leg: its moments about platform point 1, 21 (12 mul, 9 add, 0 div, 0 sqrt) operations each,
- * and its part of c. */
-static void moments_of_block(
-    const leg_block *STEWART_RESTRICT own, stewart_real (*STEWART_RESTRICT q_1)[POSES],
-    stewart_real (*STEWART_RESTRICT column)[POSES], stewart_real (*STEWART_RESTRICT c)[POSES])
-{
-    int l;
-    for (l = 0; l < POSES; ++l) {
-        const stewart_real q_x = own->q[0][l], q_y = own->q[1][l], q_z = own->q[2][l];
-        const stewart_real q_1_x = q_1[0][l], q_1_y = q_1[1][l], q_1_z = q_1[2][l];
-        const stewart_real H_force_x = column[0][l], H_force_y = column[1][l], H_force_z = column[2][l];
-        const stewart_real c_force_x = own->c_force[0][l], c_force_y = own->c_force[1][l], c_force_z = own->c_force[2][l];
-        /* platform point from platform point 1 */
-        const stewart_real arm_x = q_x - q_1_x;
-        const stewart_real arm_y = q_y - q_1_y;
-        const stewart_real arm_z = q_z - q_1_z;
-        column[3][l] = STEWART_FMA(-H_force_y, arm_z, H_force_z*arm_y);
-        column[4][l] = STEWART_FMA(-H_force_z, arm_x, H_force_x*arm_z);
-        column[5][l] = STEWART_FMA(-H_force_x, arm_y, H_force_y*arm_x);
-        c[0][l] = c[0][l] + own->c_force[0][l];
-        c[1][l] = c[1][l] + own->c_force[1][l];
-        c[2][l] = c[2][l] + own->c_force[2][l];
-        c[3][l] = c[3][l] + own->c_moment[0][l];
-        c[4][l] = c[4][l] + own->c_moment[1][l];
-        c[5][l] = c[5][l] + own->c_moment[2][l];
-        c[3][l] = c[3][l] + STEWART_FMA(-arm_z, c_force_y, arm_y*c_force_z);
-        c[4][l] = c[4][l] + STEWART_FMA(-arm_x, c_force_z, arm_z*c_force_x);
-        c[5][l] = c[5][l] + STEWART_FMA(-arm_y, c_force_x, arm_x*c_force_y);
-    }
-}
-
-/* The same for a block. */
-static void scale_block(block *out, stewart_real per_length)
-{
-    int i, j, l;
-    for (i = 1; i < 7; ++i) {
-        for (j = 3; j < 6; ++j) {
-            for (l = 0; l < POSES; ++l) {
-                out->column[i][j][l] = out->column[i][j][l]*per_length;
-            }
-        }
-    }
-}
-
 /* Motions of the poses of a block, component by component. */
 STEWART_APART static void load_block(
     const stewart_motions *motions, size_t stride, size_t first, size_t count, motion_lanes *at)
@@ -1495,13 +1246,14 @@ static void forces_of_block(const stewart_exact_drive_model *model, const motion
         leg_of_block(model, i, at, &shared, &roots.leg[i], out->column[i], i == 0 ? &first : &other,
             out->D[i], out->bad);
         if (i == 0) {
-            moments_of_first(&first, out->column[6]);
+            moments_of_first(first.q, first.c_force, first.c_moment, out->column[6]);
         } else {
-            moments_of_block(&other, first.q, out->column[i], out->column[6]);
+            moments_of_block(other.q, first.q, other.c_force, other.c_moment, out->column[i],
+                out->column[6]);
         }
     }
     if (model->per_length != REAL(1)) {
-        scale_block(out, model->per_length);
+        scale_block(out->column, model->per_length);
     }
     solve_block(out->column, out->D, model->arm_cube, out->F, out->bad);
 }

@@ -311,6 +311,202 @@ STEWART_SHARED int solve_pose(
     return suspect;
 }
 
+/* The platform's part of c with moments about platform point 1. */
+STEWART_SHARED void shift_of_pose(
+    stewart_real (*STEWART_RESTRICT q)[LANES], const stewart_real *STEWART_RESTRICT c_force,
+    const stewart_real *STEWART_RESTRICT c_moment, stewart_real *STEWART_RESTRICT c_tip)
+{
+    const stewart_real q_1_x = q[0][0], q_1_y = q[1][0], q_1_z = q[2][0];
+    const stewart_real c_force_x = c_force[0], c_force_y = c_force[1], c_force_z = c_force[2];
+    const stewart_real c_moment_x = c_moment[0], c_moment_y = c_moment[1], c_moment_z = c_moment[2];
+    c_tip[0] = STEWART_FMA(-c_force_z, q_1_y, STEWART_FMA(c_force_y, q_1_z, c_moment_x));
+    c_tip[1] = STEWART_FMA(-c_force_x, q_1_z, STEWART_FMA(c_force_z, q_1_x, c_moment_y));
+    c_tip[2] = STEWART_FMA(-c_force_y, q_1_x, STEWART_FMA(c_force_x, q_1_y, c_moment_z));
+}
+
+/* Moments of the legs of a pose about platform point 1, 21 (12 mul, 9 add, 0 div, 0 sqrt) operations
+ * each; leg 1 has none. */
+STEWART_SHARED void moments_of_pose(
+    stewart_real (*STEWART_RESTRICT q)[LANES], stewart_real (*STEWART_RESTRICT A)[LANES],
+    stewart_real (*STEWART_RESTRICT c_force)[LANES], stewart_real (*STEWART_RESTRICT arm_c)[LANES])
+{
+    int l;
+    const stewart_real q_1_x = q[0][0], q_1_y = q[1][0], q_1_z = q[2][0];
+    for (l = 0; l < LANES; ++l) {
+        const stewart_real q_x = q[0][l], q_y = q[1][l], q_z = q[2][l];
+        const stewart_real H_force_x = A[0][l], H_force_y = A[1][l], H_force_z = A[2][l];
+        const stewart_real c_force_x = c_force[0][l], c_force_y = c_force[1][l], c_force_z = c_force[2][l];
+        /* platform point from platform point 1 */
+        const stewart_real arm_x = q_x - q_1_x;
+        const stewart_real arm_y = q_y - q_1_y;
+        const stewart_real arm_z = q_z - q_1_z;
+        A[3][l] = STEWART_FMA(-H_force_y, arm_z, H_force_z*arm_y);
+        A[4][l] = STEWART_FMA(-H_force_z, arm_x, H_force_x*arm_z);
+        A[5][l] = STEWART_FMA(-H_force_x, arm_y, H_force_y*arm_x);
+        arm_c[0][l] = STEWART_FMA(-arm_z, c_force_y, arm_y*c_force_z);
+        arm_c[1][l] = STEWART_FMA(-arm_x, c_force_z, arm_z*c_force_x);
+        arm_c[2][l] = STEWART_FMA(-arm_y, c_force_x, arm_x*c_force_y);
+    }
+}
+
+/* Moments of the legs of a pose about platform point 1, 12 (6 mul, 6 add, 0 div, 0 sqrt) operations
+ * each; leg 1 has none. */
+STEWART_SHARED void moments_of_pose_without_c(
+    stewart_real (*STEWART_RESTRICT q)[LANES], stewart_real (*STEWART_RESTRICT A)[LANES])
+{
+    int l;
+    const stewart_real q_1_x = q[0][0], q_1_y = q[1][0], q_1_z = q[2][0];
+    for (l = 0; l < LANES; ++l) {
+        const stewart_real q_x = q[0][l], q_y = q[1][l], q_z = q[2][l];
+        const stewart_real H_force_x = A[0][l], H_force_y = A[1][l], H_force_z = A[2][l];
+        /* platform point from platform point 1 */
+        const stewart_real arm_x = q_x - q_1_x;
+        const stewart_real arm_y = q_y - q_1_y;
+        const stewart_real arm_z = q_z - q_1_z;
+        A[3][l] = STEWART_FMA(-H_force_y, arm_z, H_force_z*arm_y);
+        A[4][l] = STEWART_FMA(-H_force_z, arm_x, H_force_x*arm_z);
+        A[5][l] = STEWART_FMA(-H_force_x, arm_y, H_force_y*arm_x);
+    }
+}
+
+/* Leg 1 of a block: the platform's part of c moves to platform point 1, and the leg's is added. */
+STEWART_SHARED void moments_of_first(
+    stewart_real (*STEWART_RESTRICT q)[POSES], stewart_real (*STEWART_RESTRICT c_force)[POSES],
+    stewart_real (*STEWART_RESTRICT c_moment)[POSES], stewart_real (*STEWART_RESTRICT c)[POSES])
+{
+    int l;
+    for (l = 0; l < POSES; ++l) {
+        const stewart_real q_1_x = q[0][l], q_1_y = q[1][l], q_1_z = q[2][l];
+        const stewart_real c_force_x = c[0][l], c_force_y = c[1][l], c_force_z = c[2][l], c_moment_x = c[3][l],
+            c_moment_y = c[4][l], c_moment_z = c[5][l];
+        c[3][l] = STEWART_FMA(-c_force_z, q_1_y, STEWART_FMA(c_force_y, q_1_z, c_moment_x));
+        c[4][l] = STEWART_FMA(-c_force_x, q_1_z, STEWART_FMA(c_force_z, q_1_x, c_moment_y));
+        c[5][l] = STEWART_FMA(-c_force_y, q_1_x, STEWART_FMA(c_force_x, q_1_y, c_moment_z));
+        c[0][l] = c[0][l] + c_force[0][l];
+        c[1][l] = c[1][l] + c_force[1][l];
+        c[2][l] = c[2][l] + c_force[2][l];
+        c[3][l] = c[3][l] + c_moment[0][l];
+        c[4][l] = c[4][l] + c_moment[1][l];
+        c[5][l] = c[5][l] + c_moment[2][l];
+    }
+}
+
+/* Another leg: its moments about platform point 1, 21 (12 mul, 9 add, 0 div, 0 sqrt) operations each,
+ * and its part of c. */
+STEWART_SHARED void moments_of_block(
+    stewart_real (*STEWART_RESTRICT q)[POSES], stewart_real (*STEWART_RESTRICT q_1)[POSES],
+    stewart_real (*STEWART_RESTRICT c_force)[POSES], stewart_real (*STEWART_RESTRICT c_moment)[POSES],
+    stewart_real (*STEWART_RESTRICT column)[POSES], stewart_real (*STEWART_RESTRICT c)[POSES])
+{
+    int l;
+    for (l = 0; l < POSES; ++l) {
+        const stewart_real q_x = q[0][l], q_y = q[1][l], q_z = q[2][l];
+        const stewart_real q_1_x = q_1[0][l], q_1_y = q_1[1][l], q_1_z = q_1[2][l];
+        const stewart_real H_force_x = column[0][l], H_force_y = column[1][l], H_force_z = column[2][l];
+        const stewart_real c_force_x = c_force[0][l], c_force_y = c_force[1][l], c_force_z = c_force[2][l];
+        /* platform point from platform point 1 */
+        const stewart_real arm_x = q_x - q_1_x;
+        const stewart_real arm_y = q_y - q_1_y;
+        const stewart_real arm_z = q_z - q_1_z;
+        column[3][l] = STEWART_FMA(-H_force_y, arm_z, H_force_z*arm_y);
+        column[4][l] = STEWART_FMA(-H_force_z, arm_x, H_force_x*arm_z);
+        column[5][l] = STEWART_FMA(-H_force_x, arm_y, H_force_y*arm_x);
+        c[0][l] = c[0][l] + c_force[0][l];
+        c[1][l] = c[1][l] + c_force[1][l];
+        c[2][l] = c[2][l] + c_force[2][l];
+        c[3][l] = c[3][l] + c_moment[0][l];
+        c[4][l] = c[4][l] + c_moment[1][l];
+        c[5][l] = c[5][l] + c_moment[2][l];
+        c[3][l] = c[3][l] + STEWART_FMA(-arm_z, c_force_y, arm_y*c_force_z);
+        c[4][l] = c[4][l] + STEWART_FMA(-arm_x, c_force_z, arm_z*c_force_x);
+        c[5][l] = c[5][l] + STEWART_FMA(-arm_y, c_force_x, arm_x*c_force_y);
+    }
+}
+
+/* Leg 1 of a block: the platform's part of c moves to platform point 1, and the leg's is added. */
+STEWART_SHARED void moments_of_first_without_moment(
+    stewart_real (*STEWART_RESTRICT q)[POSES], stewart_real (*STEWART_RESTRICT c_force)[POSES],
+    stewart_real (*STEWART_RESTRICT c)[POSES])
+{
+    int l;
+    for (l = 0; l < POSES; ++l) {
+        const stewart_real q_1_x = q[0][l], q_1_y = q[1][l], q_1_z = q[2][l];
+        const stewart_real c_force_x = c[0][l], c_force_y = c[1][l], c_force_z = c[2][l], c_moment_x = c[3][l],
+            c_moment_y = c[4][l], c_moment_z = c[5][l];
+        c[3][l] = STEWART_FMA(-c_force_z, q_1_y, STEWART_FMA(c_force_y, q_1_z, c_moment_x));
+        c[4][l] = STEWART_FMA(-c_force_x, q_1_z, STEWART_FMA(c_force_z, q_1_x, c_moment_y));
+        c[5][l] = STEWART_FMA(-c_force_y, q_1_x, STEWART_FMA(c_force_x, q_1_y, c_moment_z));
+        c[0][l] = c[0][l] + c_force[0][l];
+        c[1][l] = c[1][l] + c_force[1][l];
+        c[2][l] = c[2][l] + c_force[2][l];
+    }
+}
+
+/* Another leg: its moments about platform point 1, 21 (12 mul, 9 add, 0 div, 0 sqrt) operations each,
+ * and its part of c. */
+STEWART_SHARED void moments_of_block_without_moment(
+    stewart_real (*STEWART_RESTRICT q)[POSES], stewart_real (*STEWART_RESTRICT q_1)[POSES],
+    stewart_real (*STEWART_RESTRICT c_force)[POSES], stewart_real (*STEWART_RESTRICT column)[POSES],
+    stewart_real (*STEWART_RESTRICT c)[POSES])
+{
+    int l;
+    for (l = 0; l < POSES; ++l) {
+        const stewart_real q_x = q[0][l], q_y = q[1][l], q_z = q[2][l];
+        const stewart_real q_1_x = q_1[0][l], q_1_y = q_1[1][l], q_1_z = q_1[2][l];
+        const stewart_real H_force_x = column[0][l], H_force_y = column[1][l], H_force_z = column[2][l];
+        const stewart_real c_force_x = c_force[0][l], c_force_y = c_force[1][l], c_force_z = c_force[2][l];
+        /* platform point from platform point 1 */
+        const stewart_real arm_x = q_x - q_1_x;
+        const stewart_real arm_y = q_y - q_1_y;
+        const stewart_real arm_z = q_z - q_1_z;
+        column[3][l] = STEWART_FMA(-H_force_y, arm_z, H_force_z*arm_y);
+        column[4][l] = STEWART_FMA(-H_force_z, arm_x, H_force_x*arm_z);
+        column[5][l] = STEWART_FMA(-H_force_x, arm_y, H_force_y*arm_x);
+        c[0][l] = c[0][l] + c_force[0][l];
+        c[1][l] = c[1][l] + c_force[1][l];
+        c[2][l] = c[2][l] + c_force[2][l];
+        c[3][l] = c[3][l] + STEWART_FMA(-arm_z, c_force_y, arm_y*c_force_z);
+        c[4][l] = c[4][l] + STEWART_FMA(-arm_x, c_force_z, arm_z*c_force_x);
+        c[5][l] = c[5][l] + STEWART_FMA(-arm_y, c_force_x, arm_x*c_force_y);
+    }
+}
+
+/* Leg 1 of a block: the platform's part of c moves to platform point 1, and the leg's is added. */
+STEWART_SHARED void moments_of_first_without_c(
+    stewart_real (*STEWART_RESTRICT q)[POSES], stewart_real (*STEWART_RESTRICT c)[POSES])
+{
+    int l;
+    for (l = 0; l < POSES; ++l) {
+        const stewart_real q_1_x = q[0][l], q_1_y = q[1][l], q_1_z = q[2][l];
+        const stewart_real c_force_x = c[0][l], c_force_y = c[1][l], c_force_z = c[2][l], c_moment_x = c[3][l],
+            c_moment_y = c[4][l], c_moment_z = c[5][l];
+        c[3][l] = STEWART_FMA(-c_force_z, q_1_y, STEWART_FMA(c_force_y, q_1_z, c_moment_x));
+        c[4][l] = STEWART_FMA(-c_force_x, q_1_z, STEWART_FMA(c_force_z, q_1_x, c_moment_y));
+        c[5][l] = STEWART_FMA(-c_force_y, q_1_x, STEWART_FMA(c_force_x, q_1_y, c_moment_z));
+    }
+}
+
+/* Another leg: its moments about platform point 1, 12 (6 mul, 6 add, 0 div, 0 sqrt) operations each, and
+ * its part of c. */
+STEWART_SHARED void moments_of_block_without_c(
+    stewart_real (*STEWART_RESTRICT q)[POSES], stewart_real (*STEWART_RESTRICT q_1)[POSES],
+    stewart_real (*STEWART_RESTRICT column)[POSES])
+{
+    int l;
+    for (l = 0; l < POSES; ++l) {
+        const stewart_real q_x = q[0][l], q_y = q[1][l], q_z = q[2][l];
+        const stewart_real q_1_x = q_1[0][l], q_1_y = q_1[1][l], q_1_z = q_1[2][l];
+        const stewart_real H_force_x = column[0][l], H_force_y = column[1][l], H_force_z = column[2][l];
+        /* platform point from platform point 1 */
+        const stewart_real arm_x = q_x - q_1_x;
+        const stewart_real arm_y = q_y - q_1_y;
+        const stewart_real arm_z = q_z - q_1_z;
+        column[3][l] = STEWART_FMA(-H_force_y, arm_z, H_force_z*arm_y);
+        column[4][l] = STEWART_FMA(-H_force_z, arm_x, H_force_x*arm_z);
+        column[5][l] = STEWART_FMA(-H_force_x, arm_y, H_force_y*arm_x);
+    }
+}
+
 /* Takes the moments of the rows [H | c] over a length. */
 STEWART_SHARED void scale_pose(stewart_real A[6][LANES], stewart_real wrench[6], stewart_real per_length)
 {
@@ -321,6 +517,41 @@ STEWART_SHARED void scale_pose(stewart_real A[6][LANES], stewart_real wrench[6],
             A[i][j] = A[i][j]*per_length;
         }
     }
+}
+
+/* The same for a block. */
+STEWART_SHARED void scale_block(stewart_real column[7][6][POSES], stewart_real per_length)
+{
+    int i, j, l;
+    for (i = 1; i < 7; ++i) {
+        for (j = 3; j < 6; ++j) {
+            for (l = 0; l < POSES; ++l) {
+                column[i][j][l] = column[i][j][l]*per_length;
+            }
+        }
+    }
+}
+
+/* Status of a pose whose H may be singular to rounding. */
+STEWART_APART STEWART_SHARED int rows_status(
+    stewart_real A[6][LANES], stewart_real q[3][LANES], const stewart_real L[LANES],
+    const stewart_real reach[LANES], stewart_real per_length)
+{
+    int i, j;
+    stewart_real H[6][6];
+    stewart_real arm[6][3];
+    stewart_real tip = REAL(0);
+    for (j = 0; j < 3; ++j) {
+        tip = STEWART_LARGER(STEWART_FABS(q[j][0]), tip);
+    }
+    for (i = 0; i < 6; ++i) {
+        for (j = 0; j < 3; ++j) {
+            arm[i][j] = q[j][i] - q[j][0];
+            H[j][i] = A[j][i];
+            H[j + 3][i] = A[j + 3][i]/per_length;
+        }
+    }
+    return singular_status(H, arm, L, reach, tip);
 }
 
 /* Solves the systems [H | c] of a block side by side for x as two blocks of three legs, (36), and F = D

@@ -9,6 +9,14 @@
 
 #include "stewart_arithmetic.h"
 
+/* What a leg adds to the platform. */
+typedef struct {
+    stewart_real M_add;
+    stewart_real h_add[3];
+    stewart_real J_add[6];
+    stewart_real C_add;
+} lumped_terms;
+
 /* The cube of a length, or of one that has a cube. */
 STEWART_SHARED stewart_real cube_of(stewart_real arm)
 {
@@ -63,6 +71,38 @@ STEWART_SHARED void scaled_axis(const stewart_real k[3], stewart_real out[3])
             out[j] = by*out[j];
         }
     }
+}
+
+/* A sum over the legs with nothing in it. */
+STEWART_SHARED void clear_lumped(lumped_terms *sum)
+{
+    sum->M_add = REAL(0);
+    sum->h_add[0] = REAL(0);
+    sum->h_add[1] = REAL(0);
+    sum->h_add[2] = REAL(0);
+    sum->J_add[0] = REAL(0);
+    sum->J_add[1] = REAL(0);
+    sum->J_add[2] = REAL(0);
+    sum->J_add[3] = REAL(0);
+    sum->J_add[4] = REAL(0);
+    sum->J_add[5] = REAL(0);
+    sum->C_add = REAL(0);
+}
+
+/* The sum with a leg more. */
+STEWART_SHARED void add_lumped(lumped_terms *sum, const lumped_terms *more)
+{
+    sum->M_add = sum->M_add + more->M_add;
+    sum->h_add[0] = sum->h_add[0] + more->h_add[0];
+    sum->h_add[1] = sum->h_add[1] + more->h_add[1];
+    sum->h_add[2] = sum->h_add[2] + more->h_add[2];
+    sum->J_add[0] = sum->J_add[0] + more->J_add[0];
+    sum->J_add[1] = sum->J_add[1] + more->J_add[1];
+    sum->J_add[2] = sum->J_add[2] + more->J_add[2];
+    sum->J_add[3] = sum->J_add[3] + more->J_add[3];
+    sum->J_add[4] = sum->J_add[4] + more->J_add[4];
+    sum->J_add[5] = sum->J_add[5] + more->J_add[5];
+    sum->C_add = sum->C_add + more->C_add;
 }
 
 /* The largest of ``least`` and the sizes of a vector's components. */

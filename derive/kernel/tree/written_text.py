@@ -4,6 +4,7 @@ import ast
 import inspect
 import textwrap
 from collections.abc import Callable, Mapping
+from functools import cache
 from typing import Any, cast
 
 from . import nodes as t
@@ -14,7 +15,7 @@ Names = Mapping[str, str | int]
 
 def parsed(written: Callable[..., Any], names: Names) -> ast.FunctionDef:
     """The function's tree with names put in."""
-    tree = ast.parse(textwrap.dedent(inspect.getsource(written))).body[0]
+    tree = ast.parse(_source(written)).body[0]
     assert isinstance(tree, ast.FunctionDef)
     for each in tree.args.args:
         each.annotation = _quoted(each.annotation, names)
@@ -23,6 +24,12 @@ def parsed(written: Callable[..., Any], names: Names) -> ast.FunctionDef:
     made = _Renamed(names).visit(tree)
     assert isinstance(made, ast.FunctionDef)
     return made
+
+
+@cache
+def _source(written: Callable[..., Any]) -> str:
+    """The function's text; many kernels read the same ones."""
+    return textwrap.dedent(inspect.getsource(written))
 
 
 def _quoted(node: ast.expr | None, names: Names) -> ast.expr | None:

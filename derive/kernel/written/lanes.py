@@ -11,23 +11,16 @@ def prepare(robot: "Robot", model: "Model") -> "Integer":
     number of the robot is not finite or too large, or k is zero; the model is written only if it is
     STEWART_OK. One pose is fastest where the model begins at a multiple of 64 bytes."""
     made = blank(Model)
-    found = blank(PreparedLeg)
-    sum = blank(PreparedLeg)
-    platform = blank(PreparedPlatform)
+    added = blank(Lumped)
+    sum = blank(Lumped)
     if robot is None or model is None:
         return BAD_ARGUMENT
-    for number in entries(ADDED):
-        sum[number] = 0.0
+    clear_lumped(sum)
     for i in range(LANES):
-        prepare_leg(robot, robot.leg[where(i < 6, i, 5)], found)
-        for number in entries(OF_LEG):
-            made[number, i] = found[number]
+        prepare_leg(robot, robot.leg[where(i < 6, i, 5)], i, made, added)
         if i < 6:
-            for number in entries(ADDED):
-                sum[number] = sum[number] + found[number]
-    prepare_platform(robot, sum, platform)
-    for number in entries(OF_PLATFORM):
-        made[number] = platform[number]
+            add_lumped(sum, added)
+    prepare_platform(robot, sum, made)
     far = 0.0
     for j in range(3):
         for i in range(6):
@@ -49,26 +42,6 @@ def legs_of_pose(
     for l in range(LANES):
         BLOCK
         checked(out)
-
-
-def shift_of_pose(legs: "alone(LegLanes)", shared: "alone(SharedTerms)") -> None:
-    """The platform's part of c with moments about platform point 1."""
-    SHIFT
-
-
-def moments_of_pose(legs: "LegLanes") -> None:
-    """Moments about platform point 1, $count operations of each leg but the first, which has none."""
-    FIRST
-    for l in range(LANES):
-        MOMENTS
-
-
-def scale_pose(A: "array(6, LANES)", wrench: "array(6)", per_length: "Real") -> None:
-    """Takes the moments of the rows [H | c] over a length."""
-    for i in range(3, 6):
-        wrench[i] = wrench[i] * per_length
-        for j in range(LANES):
-            A[i][j] = A[i][j] * per_length
 
 
 def exchange_rows(upper: "alone(array(LANES))", lower: "alone(array(LANES))") -> None:
@@ -127,22 +100,6 @@ def pivots_of_pose(H: "array(6, LANES)", wrench: "array(6)", x: "array(6)") -> "
     )
 
 
-def pose_status(legs: "LegLanes", per_length: "Real") -> "Integer":
-    """Status of a pose whose H may be singular to rounding."""
-    H = blank(array(6, 6))
-    arm = blank(array(6, 3))
-    tip = 0.0
-    if ABOUT_TIP:
-        for j in range(3):
-            tip = larger(size(legs.q[j][0]), tip)
-    for i in range(6):
-        for j in range(3):
-            arm[i][j] = legs.q[j][i] - legs.q[j][0] if ABOUT_TIP else legs.q[j][i]
-            H[j][i] = legs.A[j][i]
-            H[j + 3][i] = legs.A[j + 3][i] / per_length
-    return singular_status(H, arm, legs.L, legs.reach, tip)
-
-
 def forces(model: "Model", motion: "Motion", F: "array(6)") -> "Integer":
     """Actuator forces F, N, of one pose, (37). Returns a status; F is written only if it is STEWART_OK."""
     if BAKED:
@@ -171,8 +128,8 @@ def forces(model: "Model", motion: "Motion", F: "array(6)") -> "Integer":
         if near_singular != 0:
             legs_near_singular(model, motion, shared, legs)
     if ABOUT_TIP:
-        shift_of_pose(legs, shared)
-        moments_of_pose(legs)
+        shift_of_pose(legs.q, shared.c_force, shared.c_moment, shared.c_tip)
+        moments_of_pose(legs.q, legs.A, LEGS_C, ARM_C)
     for j in range(3):
         force = shared.c_force[j]
         turn = shared.c_tip[j] if ABOUT_TIP else shared.c_moment[j]
@@ -188,7 +145,7 @@ def forces(model: "Model", motion: "Motion", F: "array(6)") -> "Integer":
         scale_pose(legs.A, wrench, PER_LENGTH)
     suspect = solve_pose(legs.A, wrench, ARM_CUBE, x)
     if close != 0 or suspect != 0:
-        status = pose_status(legs, UNIT_OF_MOMENTS)
+        status = rows_status(legs.A, legs.q, legs.L, legs.reach, UNIT_OF_MOMENTS)
         if status != OK:
             return status
     for i in range(6):
@@ -239,31 +196,6 @@ def leg_of_block(
     for l in range(POSES):
         BLOCK
         mark(bad[l], bad[l])
-
-
-def moments_of_first(own: "alone(LegBlock)", c: "alone(array(6, POSES))") -> None:
-    """Leg 1 of a block: the platform's part of c moves to platform point 1, and the leg's is added."""
-    for l in range(POSES):
-        FIRST
-
-
-def moments_of_block(
-    own: "alone(LegBlock)",
-    q_1: "alone(array(3, POSES))",
-    column: "alone(array(6, POSES))",
-    c: "alone(array(6, POSES))",
-) -> None:
-    """Another leg: its moments about platform point 1, $count operations each, and its part of c."""
-    for l in range(POSES):
-        MOMENTS
-
-
-def scale_block(out: "Block", per_length: "Real") -> None:
-    """The same for a block."""
-    for i in range(1 if ABOUT_TIP else 0, 7):
-        for j in range(3, 6):
-            for l in range(POSES):
-                out.column[i][j][l] = out.column[i][j][l] * per_length
 
 
 def blocks_of_lanes(
@@ -354,14 +286,14 @@ def forces_of_block(model: "Model", at: "MotionLanes", out: "Block") -> None:
         leg_of_block(model, i, at, shared, roots.leg[i], out.column[i], OWN, C, KNOWN, out.bad)
         if ABOUT_TIP:
             if i == 0:
-                moments_of_first(first, out.column[6])
+                moments_of_first(first.q, FIRST_C, FIRST_MOMENT, out.column[6])
             else:
-                moments_of_block(other, first.q, out.column[i], out.column[6])
+                moments_of_block(other.q, first.q, OTHER_C, OTHER_MOMENT, out.column[i], ALL_C)
     if SCALED == 1:
         if model.per_length != 1.0:
-            scale_block(out, model.per_length)
+            scale_block(out.column, model.per_length)
     if SCALED == 2:
-        scale_block(out, PER_LENGTH)
+        scale_block(out.column, PER_LENGTH)
     solve_block(out.column, D, ARM_CUBE, out.F, out.bad)
 
 

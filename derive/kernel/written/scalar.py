@@ -9,28 +9,22 @@ def size_sum(vector: "array(3)") -> "Real":
     return size(vector[0]) + size(vector[1]) + size(vector[2])
 
 
-def clear_sum(sum: "PreparedLeg") -> None:
-    """A sum over the legs with nothing in it."""
-    for number in entries(ADDED):
-        sum[number] = 0.0
-
-
 def prepare(robot: "Robot", model: "Model") -> "Integer":
     """Prepares the constants; k may have any length but zero. Returns a status: STEWART_NOT_FINITE if a
     number of the robot is not finite or too large, or k is zero; the model is written only if it is
     STEWART_OK."""
-    found = blank(PreparedLeg)
-    sum = blank(PreparedLeg)
-    platform = blank(PreparedPlatform)
+    found = blank(Leg)
+    added = blank(Lumped)
+    sum = blank(Lumped)
+    platform = blank(Platform)
     largest = 0.0
     lost = 0.0
     if robot is None or model is None:
         return BAD_ARGUMENT
-    clear_sum(sum)
+    clear_lumped(sum)
     for i in range(6):
-        prepare_leg(robot, robot.leg[i], found)
-        for number in entries(ADDED):
-            sum[number] = sum[number] + found[number]
+        prepare_leg(robot, robot.leg[i], found, added)
+        add_lumped(sum, added)
         for number in entries(OF_LEG):
             lost = lost + 0.0 * found[number]
         largest = larger(size_sum(found.p), largest)
@@ -44,9 +38,7 @@ def prepare(robot: "Robot", model: "Model") -> "Integer":
         return NOT_FINITE
     "Once more, as a second model would not fit on a small stack."
     for i in range(6):
-        prepare_leg(robot, robot.leg[i], found)
-        for number in entries(OF_LEG):
-            model.leg[i][number] = found[number]
+        prepare_leg(robot, robot.leg[i], model.leg[i], added)
     for number in entries(OF_PLATFORM):
         model[number] = platform[number]
     model.size = largest

@@ -196,6 +196,18 @@ def scaled_axis(k: "array(3)", out: "array(3)") -> None:
             out[j] = by * out[j]
 
 
+def clear_lumped(sum: "Lumped") -> None:
+    """A sum over the legs with nothing in it."""
+    for number in entries(ADDED):
+        sum[number] = 0.0
+
+
+def add_lumped(sum: "Lumped", more: "Lumped") -> None:
+    """The sum with a leg more."""
+    for number in entries(ADDED):
+        sum[number] = sum[number] + more[number]
+
+
 def handed_over() -> None:
     """The end of a preparation: the model is written only if its numbers are finite."""
     largest = size_of(made)
