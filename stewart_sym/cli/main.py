@@ -53,8 +53,9 @@ SUBCOMMANDS = {
 def main(argv: Sequence[str] | None = None) -> int:
     """Run one subcommand; ``argv``: without the program's name, None for this process's. Returns the code."""
     parser = _parser()
+    arguments = argparse.Namespace()
     try:
-        arguments = parser.parse_args(argv)
+        parser.parse_args(argv, arguments)
         take_work_area()
         # An error of the system that names no file is one of printing: all that write files name theirs.
         with named("standard output"):
@@ -68,12 +69,18 @@ def main(argv: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         return exit_code()
     except (ValueError, OSError, ImportError, CompilerError, MemoryError, Warning) as error:
-        print(f"{PROGRAM}: error: {one_line(error)}", file=sys.stderr)
+        print(f"{PROGRAM}: error: {_of_file(one_line(error), arguments)}", file=sys.stderr)
         try:
             sys.stdout.flush()
         except OSError:
             give_up_stdout()
         return 2
+
+
+def _of_file(error: str, arguments: argparse.Namespace) -> str:
+    """The line of an error, with the robot's file where the library has its argument."""
+    file = getattr(arguments, "robot", None)
+    return error if file is None else error.replace("robot: ", f"{file}: ", error.startswith("robot: "))
 
 
 class _Parser(argparse.ArgumentParser):
