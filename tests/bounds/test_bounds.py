@@ -117,7 +117,7 @@ def holds(found: list[Figures]) -> None:
 
 @pytest.mark.parametrize("precision", PRECISIONS)
 def test_bound_is_never_below_the_true_error_and_seldom_far_above(precision: str) -> None:
-    holds(swept(300)[precision])
+    holds(swept(100)[precision])
 
 
 @pytest.mark.slow

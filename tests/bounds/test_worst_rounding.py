@@ -68,7 +68,8 @@ def holds(found: np.ndarray, precision: str) -> None:
 
 
 @needs_compiler
-@pytest.mark.parametrize("precision", ["float", pytest.param("double", marks=pytest.mark.slow)])
+@pytest.mark.slow
+@pytest.mark.parametrize("precision", PRECISIONS)
 def test_bound_is_above_the_worst_rounding_by_a_small_factor(precision: str) -> None:
     holds(ratios(precision, 24), precision)
 

@@ -34,7 +34,9 @@ from stewart_sym.studies.published import PICTURES
 
 RUNNING = [page for page in PAGES if any(block.language in ("python", "sh") for block in blocks(page))]
 SHELL = {page for page in RUNNING if any(block.language == "sh" for block in blocks(page))}
-LONG = {f".docs/gallery/{name}.md" for name in ("mpc", "computed-torque", "around-a-singularity")}
+LONG = {f".docs/gallery/{name}.md" for name in ("mpc", "computed-torque", "around-a-singularity")} | {
+    f".docs/howto/{name}.md" for name in ("arrays", "controller")
+}
 NOT_RUN = ("sh .ci/setup ", "pip install ")
 """Beginnings of commands that change the environment: those of the README are run by ``.ci/run``."""
 SAME = 0.002

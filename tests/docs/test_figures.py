@@ -275,10 +275,10 @@ def test_every_figure_of_failures_that_is_shown_changes_a_table() -> None:
         assert written_tables("stability", {**found, "sweep": {**found["sweep"], name: 12345}}) != text, name
 
 
-def recomputed(paths: tuple[str, ...]) -> None:
-    """Compute rows anew and compare them with those committed, to what is shown of them."""
+@pytest.mark.slow
+def test_the_committed_run_of_control_is_what_the_code_computes() -> None:
     committed, machines = figures("control"), control.papers_machines()
-    studies = {label: control.track_paths(robot, paths) for label, robot in machines.items()}
+    studies = {label: control.track_paths(robot, control.TRACKED) for label, robot in machines.items()}
     found = json.loads(json.dumps(control_report.as_json(studies)))
     assert found["settings"] == committed["settings"]
     assert found["machines"].keys() == committed["machines"].keys()
@@ -288,15 +288,6 @@ def recomputed(paths: tuple[str, ...]) -> None:
         for key, row in published_control.by_name(machine["rows"]).items():
             numbers = {name: value for name, value in row.items() if isinstance(value, float)}
             assert numbers == pytest.approx({name: rows[key][name] for name in numbers}, rel=1e-4), key
-
-
-def test_the_committed_run_of_control_is_what_the_code_computes_on_path_ii() -> None:
-    recomputed(("II",))
-
-
-@pytest.mark.slow
-def test_the_committed_run_of_control_is_what_the_code_computes() -> None:
-    recomputed(control.TRACKED)
 
 
 def test_every_figure_of_the_chart_that_is_shown_changes_a_table() -> None:

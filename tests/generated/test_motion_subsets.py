@@ -49,6 +49,7 @@ def written(kernels, tmp_path_factory: pytest.TempPathFactory):
     return write
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("functions", SUBSETS, ids="+".join)
 def test_a_subset_compiles_and_nothing_in_it_is_unused(written, functions: tuple[str, ...]) -> None:
     if shutil.which("gcc") is None:

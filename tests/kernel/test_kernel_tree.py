@@ -24,10 +24,13 @@ from stewart_sym.derive.kernel.outputs import OUTPUTS, program
 from stewart_sym.derive.kernel.tree import read
 from stewart_sym.derive.kernel.tree.interpret import Arithmetic, Interpreter
 from stewart_sym.derive.kernel.tree.nodes import Array, Integer, Program, Record, Type
-from stewart_sym.derive.mechanics.formulation import EXACT, FORMULATIONS
+from stewart_sym.derive.mechanics.formulation import EXACT, EXACT_DRIVE, FORMULATIONS, PAPER
 from stewart_sym.derive.mechanics.reduced_models import FIDELITIES
 from stewart_sym.derive.package import languages
 from stewart_sym.kit import Choice, write_kit
+
+FEW = (EXACT, EXACT_DRIVE, PAPER)
+"""Formulations whose forces are compared in the fast tests."""
 
 
 @pytest.fixture(scope="module")
@@ -42,7 +45,13 @@ def forces_of(tree: Program, robot: ss.Robot, motion: ss.Motion) -> tuple[np.nda
     return np.stack(np.broadcast_arrays(*found.F), axis=-1), np.asarray(found.status)
 
 
-@pytest.mark.parametrize("form", FORMULATIONS, ids=lambda form: form.kernel_name)
+@pytest.mark.parametrize(
+    "form",
+    [
+        pytest.param(form, marks=() if form in FEW else pytest.mark.slow, id=form.kernel_name)
+        for form in FORMULATIONS
+    ],
+)
 @pytest.mark.usefixtures("rounded_twice")
 def test_forces_are_those_of_the_c_batch_to_the_bit(form: Any) -> None:
     tree = program(reduced_forces(form))
@@ -110,7 +119,7 @@ def test_fidelities_have_trees_as_well() -> None:
     rng = np.random.default_rng(8)
     robot = random_robot(rng)
     motion = random_motion(rng, robot, (5,))
-    for name in ("slender_friction", "massless_static") if not FULL else set(FIDELITIES) - {"general"}:
+    for name in ("slender_friction",) if not FULL else set(FIDELITIES) - {"general"}:
         F, status = forces_of(program(reduced_fidelity(FIDELITIES[name])), robot, motion)
         expected, codes = ss.prepare(robot, fidelity=name).forces_and_status(motion)
         np.testing.assert_array_equal(status, codes)

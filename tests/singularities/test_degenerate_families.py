@@ -106,7 +106,7 @@ def test_no_backend_answers_for_many_singular_machines(family: str) -> None:
     assert backends_that_answer(family, share(20, 4), share(100_000, 10) // 20 // len(FAMILIES)) == {}
 
 
-@pytest.mark.parametrize("precision", PRECISIONS)
+@pytest.mark.parametrize("precision", ["float", pytest.param("double", marks=pytest.mark.slow)])
 def test_a_quarter_of_the_limit_of_a_small_pivot_would_find_singular_machines(
     precision: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:

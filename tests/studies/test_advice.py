@@ -426,6 +426,7 @@ def test_advise_does_not_write_over_its_scene(scene: Path, capsys: pytest.Captur
     assert "is an input" in fails_in_one_line(capsys, "advise", scene, "--json", scene)
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("quick")
 def test_chart_writes_tables_without_matplotlib(
     scene: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch

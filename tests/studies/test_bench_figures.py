@@ -33,7 +33,7 @@ from stewart_sym.studies.benchmark.samples import CLOSED, FORWARD, PLAIN, batche
 from stewart_sym.studies.common import host, timing
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="module", params=[pytest.param("robot", marks=pytest.mark.slow)])
 def run(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, bench.Benchmark]:
     """What the command wrote of a robot file, and what it had measured."""
     folder = tmp_path_factory.mktemp("bench")

@@ -37,14 +37,13 @@ NAMES = {"casadi": "CasADi", "pinocchio": "Pinocchio", "pydrake": "Drake", "mujo
 PEERS = {"casadi": ["CasADi", "CasADi, closed form"], "pinocchio": ["Pinocchio"], "mujoco": []}
 VERSIONS = {"casadi": "casadi", "pinocchio": "pin", "mujoco": "mujoco"}
 SUBSETS = [
-    tuple(NAMES),
-    pytest.param(("casadi", "pinocchio", "pydrake"), marks=pytest.mark.slow),
-    pytest.param(("pydrake", "mujoco"), marks=pytest.mark.slow),
+    pytest.param(names, marks=pytest.mark.slow, id="-".join(names))
+    for names in (tuple(NAMES), ("casadi", "pinocchio", "pydrake"), ("pydrake", "mujoco"))
 ]
 """Each package is there in one run and missing in another; Drake, which is not everywhere, in none."""
 
 
-@pytest.fixture(scope="module", params=SUBSETS, ids="-".join)
+@pytest.fixture(scope="module", params=SUBSETS)
 def hidden(request: pytest.FixtureRequest) -> tuple[str, ...]:
     """Packages that cannot be imported."""
     found: tuple[str, ...] = request.param
