@@ -104,9 +104,11 @@ class Made:
     programs: Mapping[str, Program] = field(default_factory=dict)
 
 
-_PLAIN = {"exact_drive": "exact", "exact_spherical_drive": "exact_spherical", "exact_offset": "exact"}
-"""For each kernel of legs with rotors or offset joints the kernel without them, whose module on arrays holds
-what both have in common."""
+_BASES = {
+    **dict.fromkeys(("paper", "exact_drive", "exact_spherical", "exact_offset"), ("exact",)),
+    **dict.fromkeys(("paper_spherical", "exact_spherical_drive"), ("exact", "exact_spherical")),
+}
+"""Kernel -> those whose modules on arrays hold what it has in common with them."""
 
 
 Progress = Callable[[str, float, float], None]
@@ -143,8 +145,8 @@ def _on_arrays(programs: Mapping[str, Program]) -> dict[str, str]:
     version = generator_version()
     files = {}
     for name, made in programs.items():
-        if plain := _PLAIN.get(name):
-            text = arrays.module_beside(programs[plain], plain, made, version)
+        if bases := _BASES.get(name):
+            text = arrays.module_beside({each: programs[each] for each in bases}, made, version)
         else:
             text = arrays.module(made, arrays.imported(made), version)
         files[f"{name}_arrays.py"] = text

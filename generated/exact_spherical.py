@@ -18,7 +18,9 @@ total    1946 (1087 mul, 841 add, 12 div, 6 sqrt)  1544 (841 mul, 685 add, 12 di
 from typing import Any
 
 from .arithmetic import NOT_FINITE, OK, Arithmetic
-from .every_output import eliminate, fault_of, first_of, reach_of, scale_of, singular_status
+from .every_output import (
+    Terms, eliminate, fault_of, first_of, platform_wrench, reach_of, scale_of, singular_status,
+)
 
 # (mul, add, div, sqrt) of each part of one pose, and of all.
 OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
@@ -92,25 +94,6 @@ class LegReactions:
         self.M_u: Any = 0.0  # N m: constraint moment on the leg at the universal joint
 
 
-class PlatformWrench:
-    """The platform's part of c."""
-
-    def __init__(self) -> None:
-        self.c_force: Any = [0.0] * 3  # N: part of c, force rows, base frame
-        self.c_moment: Any = [0.0] * 3  # N m: part of c, moment rows, base frame
-
-
-class Terms:
-    """Terms of F = D - x, H x = c; moments about the reference point."""
-
-    def __init__(self) -> None:
-        self.D: Any = [0.0] * 6  # N: known part of the actuator force, (24)
-        # N: transverse force on the leg at its spherical joint, (21)
-        self.K: Any = [[0.0] * 3 for _ in range(6)]
-        self.H: Any = [[0.0] * 6 for _ in range(6)]  # 1 and m: from x to the wrench on the platform, (36)
-        self.c: Any = [0.0] * 6  # N, N m: wrench that the axial forces balance, (36)
-
-
 class Forces:
     """Actuator forces, and what they are made of."""
 
@@ -122,72 +105,6 @@ class Forces:
         self.reach: Any = 0.0  # m: size of the vectors that each leg is the sum of
         self.suspect: Any = 0  # 1 where H may be singular to rounding
         self.status: Any = 0  # 0, or what is wrong
-
-
-def platform_wrench(on: Arithmetic, robot: Any, motion: Any) -> Any:
-    """The platform's own part of c, (33)-(35): 219 (123 mul, 96 add, 0 div, 0 sqrt)."""
-    R_xx, R_xy, R_xz, R_yx, R_yy, R_yz, R_zx, R_zy, R_zz = motion.R
-    omega_x, omega_y, omega_z = motion.omega
-    alpha_x, alpha_y, alpha_z = motion.alpha
-    a_x, a_y, a_z = motion.a
-    F_ext_x, F_ext_y, F_ext_z = motion.F_ext
-    M_ext_x, M_ext_y, M_ext_z = motion.M_ext
-    M = robot.M
-    R_0_x, R_0_y, R_0_z = robot.R_0
-    I_p_xx, I_p_xy, I_p_xz, I_p_yy, I_p_yz, I_p_zz = robot.I_p
-    g_x, g_y, g_z = robot.g
-    # (30) centre of mass from the reference point, base frame
-    R_G_x = R_0_x * R_xx + R_0_y * R_xy + R_0_z * R_xz
-    R_G_y = R_0_x * R_yx + R_0_y * R_yy + R_0_z * R_yz
-    R_G_z = R_0_x * R_zx + R_0_y * R_zy + R_0_z * R_zz
-    c1 = R_G_y * omega_x - R_G_x * omega_y
-    c2 = R_G_x * omega_z - R_G_z * omega_x
-    c3 = R_G_z * omega_y - R_G_y * omega_z
-    # (31) acceleration of the centre of mass
-    a_G_x = a_x + R_G_z * alpha_y - R_G_y * alpha_z + c1 * omega_y - c2 * omega_z
-    a_G_y = a_y + R_G_x * alpha_z - R_G_z * alpha_x + c3 * omega_z - c1 * omega_x
-    a_G_z = a_z + R_G_y * alpha_x - R_G_x * alpha_y + c2 * omega_x - c3 * omega_y
-    c4 = I_p_xx * R_xx + I_p_xy * R_xy + I_p_xz * R_xz
-    c5 = I_p_xy * R_xx + I_p_yy * R_xy + I_p_yz * R_xz
-    c6 = I_p_xz * R_xx + I_p_yz * R_xy + I_p_zz * R_xz
-    c7 = I_p_xx * R_yx + I_p_xy * R_yy + I_p_xz * R_yz
-    c8 = I_p_xy * R_yx + I_p_yy * R_yy + I_p_yz * R_yz
-    c9 = I_p_xz * R_yx + I_p_yz * R_yy + I_p_zz * R_yz
-    # (32) inertia of the platform, base frame
-    I_xx = R_xx * c4 + R_xy * c5 + R_xz * c6
-    I_xy = R_yx * c4 + R_yy * c5 + R_yz * c6
-    I_xz = R_zx * c4 + R_zy * c5 + R_zz * c6
-    I_yy = R_yx * c7 + R_yy * c8 + R_yz * c9
-    I_yz = R_zx * c7 + R_zy * c8 + R_zz * c9
-    I_zz = (R_zx * (I_p_xx * R_zx + I_p_xy * R_zy + I_p_xz * R_zz) + R_zy * (I_p_xy * R_zx + I_p_yy * R_zy + I_p_yz
-        * R_zz) + R_zz * (I_p_xz * R_zx + I_p_yz * R_zy + I_p_zz * R_zz))
-    # (33) M (g - a_G)
-    N_x = M * (g_x - a_G_x)
-    N_y = M * (g_y - a_G_y)
-    N_z = M * (g_z - a_G_z)
-    c10 = I_xz * omega_x + I_yz * omega_y + I_zz * omega_z
-    c11 = I_xy * omega_x + I_yy * omega_y + I_yz * omega_z
-    c12 = I_xx * omega_x + I_xy * omega_y + I_xz * omega_z
-    # (34) I alpha + omega x I omega
-    E_x = I_xx * alpha_x + I_xy * alpha_y + I_xz * alpha_z + c10 * omega_y - c11 * omega_z
-    E_y = I_xy * alpha_x + I_yy * alpha_y + I_yz * alpha_z + c12 * omega_z - c10 * omega_x
-    E_z = I_xz * alpha_x + I_yz * alpha_y + I_zz * alpha_z + c11 * omega_x - c12 * omega_y
-    # (33) external force, base frame
-    F_load_x = F_ext_x * R_xx + F_ext_y * R_xy + F_ext_z * R_xz
-    F_load_y = F_ext_x * R_yx + F_ext_y * R_yy + F_ext_z * R_yz
-    F_load_z = F_ext_x * R_zx + F_ext_y * R_zy + F_ext_z * R_zz
-    # (34) external moment, base frame
-    M_load_x = M_ext_x * R_xx + M_ext_y * R_xy + M_ext_z * R_xz
-    M_load_y = M_ext_x * R_yx + M_ext_y * R_yy + M_ext_z * R_yz
-    M_load_z = M_ext_x * R_zx + M_ext_y * R_zy + M_ext_z * R_zz
-    out = PlatformWrench()
-    out.c_force = [F_load_x + N_x, F_load_y + N_y, F_load_z + N_z]
-    out.c_moment = [
-        M_load_x + N_z * R_G_y - E_x - N_y * R_G_z,
-        M_load_y + N_x * R_G_z - E_y - N_z * R_G_x,
-        M_load_z + N_y * R_G_x - E_z - N_x * R_G_y,
-    ]
-    return out
 
 
 def leg_dynamics(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:

@@ -11,11 +11,11 @@ selections, square roots and constants. Where a status is not 0, the other numbe
 from typing import Any
 
 from .arithmetic import NOT_FINITE, OK, Arithmetic
-from .exact_spherical_arrays import (
-    Added, Forces, LegTerms, MomentTerms, Motion, Platform, Sums, add_up, cube_of, fault_of,
-    largest_component, moments_of, per_length_of, prepare_platform, reach_of, shared_terms, shift,
-    singular_status, size_of, solve_legs,
+from .exact_arrays import (
+    Added, Forces, LegTerms, MomentTerms, Motion, Sums, add_up, cube_of, fault_of, largest_component,
+    moments_of, per_length_of, reach_of, shift, singular_status, size_of, solve_legs,
 )
+from .exact_spherical_arrays import Platform, prepare_platform, shared_terms
 
 
 class Leg:

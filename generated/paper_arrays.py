@@ -10,51 +10,12 @@ selections, square roots and constants. Where a status is not 0, the other numbe
 
 from typing import Any
 
-from .arithmetic import JOINT_SINGULAR, NOT_FINITE, OK, SINGULAR, ZERO_LENGTH, Arithmetic
-
-
-class Leg:
-    """One leg."""
-
-    def __init__(self) -> None:
-        self.b: Any = [0.0] * 3  # m: base point, base frame
-        self.p: Any = [0.0] * 3  # m: platform point, platform frame
-        self.k: Any = [0.0] * 3  # 1: unit vector along the fixed axis of the universal joint, base frame
-        self.m_d: Any = 0.0  # kg: mass of the lower part
-        self.r_d0: Any = [0.0] * 3  # m: centre of mass of the lower part, frame D
-        self.I_d0: Any = [0.0] * 6  # kg m^2: inertia of the lower part about its centre of mass, frame D
-        self.m_u: Any = 0.0  # kg: mass of the upper part
-        self.r_u0: Any = [0.0] * 3  # m: centre of mass of the upper part, frame U
-        self.I_u0: Any = [0.0] * 6  # kg m^2: inertia of the upper part about its centre of mass, frame U
-        self.C_u: Any = 0.0  # N m s: viscous friction of the universal joint
-        self.C_p: Any = 0.0  # N s/m: viscous friction of the prismatic joint
-        self.C_s: Any = 0.0  # N m s: viscous friction of the spherical joint
-
-
-class Robot:
-    """The machine."""
-
-    def __init__(self) -> None:
-        self.M: Any = 0.0  # kg: mass of the platform with its payload
-        self.R_0: Any = [0.0] * 3  # m: centre of mass of the platform, platform frame
-        # kg m^2: inertia of the platform about its centre of mass, platform frame
-        self.I_p: Any = [0.0] * 6
-        self.g: Any = [0.0] * 3  # m/s^2: acceleration due to gravity, base frame
-        self.leg: Any = [Leg() for _ in range(6)]  # the legs
-
-
-class Motion:
-    """Motion of the platform and its load."""
-
-    def __init__(self) -> None:
-        self.R: Any = [0.0] * 9  # 1: orientation of the platform, platform frame to base frame
-        self.t: Any = [0.0] * 3  # m: position of the platform's reference point, base frame
-        self.omega: Any = [0.0] * 3  # rad/s: angular velocity of the platform, base frame
-        self.v: Any = [0.0] * 3  # m/s: velocity of the reference point, base frame
-        self.alpha: Any = [0.0] * 3  # rad/s^2: angular acceleration of the platform, base frame
-        self.a: Any = [0.0] * 3  # m/s^2: acceleration of the reference point, base frame
-        self.F_ext: Any = [0.0] * 3  # N: external force at the reference point, platform frame
-        self.M_ext: Any = [0.0] * 3  # N m: external moment about the reference point, platform frame
+from .arithmetic import NOT_FINITE, OK, Arithmetic
+from .exact_arrays import (
+    Added, Forces, LegTerms, MomentTerms, Motion, Robot as Robot, Sums, add_up, cube_of, fault_of,
+    largest_component, moments_of, per_length_of, reach_of, shared_terms, shift, singular_status,
+    size_of, solve_legs,
+)
 
 
 class LegConstants:
@@ -72,16 +33,6 @@ class LegConstants:
         self.J: Any = [0.0] * 6  # kg m^2: inertias of the parts about base and platform point, leg frame
         self.C_us: Any = 0.0  # N m s: C_u + C_s
         self.m_L2: Any = 0.0  # kg: m_u, which (16) counts twice
-        self.M_add: Any = 0.0  # kg: mass that is lumped with the platform
-        self.h_add: Any = [0.0] * 3  # kg m: its first moment about platform point 1, platform frame
-        self.J_add: Any = [0.0] * 6  # kg m^2: its inertia about platform point 1, platform frame
-        self.C_add: Any = 0.0  # N m s: friction of the leg's spherical joint
-
-
-class Added:
-    """What the legs add to the platform's constants."""
-
-    def __init__(self) -> None:
         self.M_add: Any = 0.0  # kg: mass that is lumped with the platform
         self.h_add: Any = [0.0] * 3  # kg m: its first moment about platform point 1, platform frame
         self.J_add: Any = [0.0] * 6  # kg m^2: its inertia about platform point 1, platform frame
@@ -109,63 +60,6 @@ class Model:
         self.per_length: Any = 0.0  # 1/m: one over the length over which moments are taken
         self.arm_cube: Any = 0.0  # cube of the largest arm over that length
         self.status: Any = 0  # 0, or what is wrong
-
-
-class Forces:
-    """Actuator forces of one pose."""
-
-    def __init__(self) -> None:
-        self.F: Any = [0.0] * 6  # N: positive when they extend the leg, (37)
-        self.status: Any = 0  # 0, or what is wrong
-
-
-class LegTerms:
-    """What a leg has."""
-
-    def __init__(self) -> None:
-        self.q: Any = [0.0] * 3  # m: platform point from the reference point, base frame
-        self.L: Any = 0.0  # m: length of the leg
-        self.k3: Any = 0.0  # 1: |k x s|, sine of the angle between the leg and the fixed axis
-        self.D: Any = 0.0  # N: known part of the actuator force
-        self.H_force: Any = [0.0] * 3  # 1: the leg's column of H, force rows
-        self.c_force: Any = [0.0] * 3  # N: part of c, force rows, base frame
-        self.c_moment: Any = [0.0] * 3  # N m: part of c, moment rows, base frame
-
-
-class Sums:
-    """H, c, and what moments are made with."""
-
-    def __init__(self) -> None:
-        self.q_1: Any = [0.0] * 3  # m: platform point 1 from the reference point, base frame
-        self.c: Any = [0.0] * 6  # N, N m: wrench that the axial forces balance, (36)
-        self.leg: Any = [LegTerms() for _ in range(6)]  # the legs
-        self.H: Any = [[0.0] * 6 for _ in range(6)]  # 1 and m: from x to the wrench on the platform, (36)
-        self.arm: Any = [[0.0] * 3 for _ in range(6)]  # m: arms of the moments
-
-
-class SharedTerms:
-    """What a pose has for all legs."""
-
-    def __init__(self) -> None:
-        self.B: Any = [0.0] * 9  # 1/s^2: [alpha]x + [omega]x [omega]x: S_ddot = B q + a
-        self.c_force: Any = [0.0] * 3  # N: part of c, force rows, base frame
-        self.c_moment: Any = [0.0] * 3  # N m: part of c, moment rows, base frame
-
-
-class ShiftTerms:
-    """The platform's part of c about platform point 1."""
-
-    def __init__(self) -> None:
-        self.c_tip: Any = [0.0] * 3  # N m: the platform's part of c, moment rows, about platform point 1
-
-
-class MomentTerms:
-    """A leg's moments about platform point 1."""
-
-    def __init__(self) -> None:
-        self.H_moment: Any = [0.0] * 3  # m: the leg's column of H, moment rows
-        # N m: moment of the leg's part of c, force rows, about platform point 1
-        self.arm_c: Any = [0.0] * 3
 
 
 def prepare_leg(on: Arithmetic, robot: Any, p_1: Any, leg: Any) -> Any:
@@ -297,18 +191,6 @@ def prepare_platform(on: Arithmetic, robot: Any, p_1: Any, total: Any) -> Any:
     return out
 
 
-def add_up(on: Arithmetic, total: Any, more: Any) -> Any:
-    """What the legs add to the platform, with one leg more."""
-    out = Added()
-    out.M_add = total.M_add + more.M_add
-    for i in range(3):
-        out.h_add[i] = total.h_add[i] + more.h_add[i]
-    for i in range(6):
-        out.J_add[i] = total.J_add[i] + more.J_add[i]
-    out.C_add = total.C_add + more.C_add
-    return out
-
-
 def lost_digits(on: Arithmetic, model: Any) -> Any:
     """Zero as long as all constants are finite."""
     lost = 0.0
@@ -348,43 +230,6 @@ def lost_digits(on: Arithmetic, model: Any) -> Any:
     return lost
 
 
-def size_of(on: Arithmetic, model: Any) -> Any:
-    """Largest coordinate of the arms of moments about platform point 1, m."""
-    largest = 0.0
-    for j in range(3):
-        for i in range(1, 6):
-            largest = on.larger(on.size(model.leg[i].p[j] - model.leg[0].p[j]), largest)
-    return largest
-
-
-def per_length_of(on: Arithmetic, size: Any, smallest: Any) -> Any:
-    """What moments are multiplied by in the solve where no coordinate of their arms exceeds `size`, 1/m:
-    1 for arms of about a metre, `smallest` and more, else one over the least power of two, from
-    2^-100 to 2^100, that is as large.
-    """
-    per_length = 1.0
-    if on.anywhere((size < smallest) | (size > on.LARGEST)):
-        unit = 1.0
-        for i in range(100):
-            if on.anywhere(unit < size):
-                unit = on.where(unit < size, 2.0 * unit, unit)
-            else:
-                break
-        for i in range(100):
-            if on.anywhere((size > 0.0) & (0.5 * unit >= size)):
-                unit = on.where((size > 0.0) & (0.5 * unit >= size), 0.5 * unit, unit)
-            else:
-                break
-        per_length = on.where((size < smallest) | (size > on.LARGEST), 1.0 / unit, 1.0)
-    return per_length
-
-
-def cube_of(on: Arithmetic, arm: Any) -> Any:
-    """The cube of a length, or of one that has a cube."""
-    length = on.where(arm <= 1099511627776.0, arm, 1099511627776.0)
-    return length * length * length
-
-
 def prepare(on: Arithmetic, robot: Any) -> Any:
     """A robot's constants, prepared once; every number of the robot must be finite, else status says so."""
     robot = on.arrays(on.checked(Robot(), "robot", robot))
@@ -400,205 +245,6 @@ def prepare(on: Arithmetic, robot: Any) -> Any:
     model.arm_cube = cube_of(on, largest * model.per_length)
     model.status = on.where(lost_digits(on, model) == 0.0, OK, NOT_FINITE)
     return model
-
-
-def shared_terms(on: Arithmetic, platform: Any, motion: Any) -> Any:
-    """B and the platform's part of c, (7), (30)-(35): 180 (93 mul, 87 add, 0 div, 0 sqrt)."""
-    R_xx, R_xy, R_xz, R_yx, R_yy, R_yz, R_zx, R_zy, R_zz = motion.R
-    omega_x, omega_y, omega_z = motion.omega
-    alpha_x, alpha_y, alpha_z = motion.alpha
-    a_x, a_y, a_z = motion.a
-    F_ext_x, F_ext_y, F_ext_z = motion.F_ext
-    M_ext_x, M_ext_y, M_ext_z = motion.M_ext
-    M_P = platform.M_P
-    r_C_x, r_C_y, r_C_z = platform.r_C
-    J_C_xx, J_C_xy, J_C_xz, J_C_yy, J_C_yz, J_C_zz = platform.J_C
-    dJ_C_x, dJ_C_y, dJ_C_z = platform.dJ_C
-    C_P = platform.C_P
-    g_x, g_y, g_z = platform.g
-    # products of omega
-    omega_xx = omega_x * omega_x
-    omega_xy = omega_x * omega_y
-    omega_xz = omega_x * omega_z
-    omega_yy = omega_y * omega_y
-    omega_yz = omega_y * omega_z
-    omega_zz = omega_z * omega_z
-    # (7) S_ddot = B q + a
-    B_xx = -omega_yy - omega_zz
-    B_xy = omega_xy - alpha_z
-    B_xz = alpha_y + omega_xz
-    B_yx = alpha_z + omega_xy
-    B_yy = -omega_xx - omega_zz
-    B_yz = omega_yz - alpha_x
-    B_zx = omega_xz - alpha_y
-    B_zy = alpha_x + omega_yz
-    B_zz = -omega_xx - omega_yy
-    # (30) centre of mass from the reference point, base frame
-    R_C_x = R_xx * r_C_x + R_xy * r_C_y + R_xz * r_C_z
-    R_C_y = R_yx * r_C_x + R_yy * r_C_y + R_yz * r_C_z
-    R_C_z = R_zx * r_C_x + R_zy * r_C_y + R_zz * r_C_z
-    # (33) M_P (g - a_C)
-    N_x = M_P * (g_x - a_x - B_xx * R_C_x - B_xy * R_C_y - B_xz * R_C_z)
-    N_y = M_P * (g_y - a_y - B_yx * R_C_x - B_yy * R_C_y - B_yz * R_C_z)
-    N_z = M_P * (g_z - a_z - B_zx * R_C_x - B_zy * R_C_y - B_zz * R_C_z)
-    # angular velocity, platform frame
-    omega_P_x = R_xx * omega_x + R_yx * omega_y + R_zx * omega_z
-    omega_P_y = R_xy * omega_x + R_yy * omega_y + R_zy * omega_z
-    omega_P_z = R_xz * omega_x + R_yz * omega_y + R_zz * omega_z
-    # angular acceleration, platform frame
-    alpha_P_x = R_xx * alpha_x + R_yx * alpha_y + R_zx * alpha_z
-    alpha_P_y = R_xy * alpha_x + R_yy * alpha_y + R_zy * alpha_z
-    alpha_P_z = R_xz * alpha_x + R_yz * alpha_y + R_zz * alpha_z
-    P_xy = omega_P_x * omega_P_y
-    P_xz = omega_P_x * omega_P_z
-    P_yz = omega_P_y * omega_P_z
-    P_xx = omega_P_x * omega_P_x
-    P_yy = omega_P_y * omega_P_y
-    P_zz = omega_P_z * omega_P_z
-    # (34) external moment less I alpha + omega x I omega, platform frame
-    M_P_load_x = (M_ext_x - J_C_yz * (P_yy - P_zz) - J_C_xx * alpha_P_x - P_yz * dJ_C_x + J_C_xy * (P_xz - alpha_P_y)
-        - J_C_xz * (alpha_P_z + P_xy))
-    M_P_load_y = (M_ext_y - J_C_xz * (P_zz - P_xx) - J_C_yy * alpha_P_y - P_xz * dJ_C_y + J_C_yz * (P_xy - alpha_P_z)
-        - J_C_xy * (alpha_P_x + P_yz))
-    M_P_load_z = (M_ext_z - J_C_xy * (P_xx - P_yy) - J_C_zz * alpha_P_z - P_xy * dJ_C_z + J_C_xz * (P_yz - alpha_P_x)
-        - J_C_yz * (alpha_P_y + P_xz))
-    out = SharedTerms()
-    out.B = [B_xx, B_xy, B_xz, B_yx, B_yy, B_yz, B_zx, B_zy, B_zz]
-    out.c_force = [
-        N_x + F_ext_x * R_xx + F_ext_y * R_xy + F_ext_z * R_xz,
-        N_y + F_ext_x * R_yx + F_ext_y * R_yy + F_ext_z * R_yz,
-        N_z + F_ext_x * R_zx + F_ext_y * R_zy + F_ext_z * R_zz,
-    ]
-    out.c_moment = [
-        M_P_load_x * R_xx + M_P_load_y * R_xy + M_P_load_z * R_xz + N_z * R_C_y - C_P * omega_x - N_y * R_C_z,
-        M_P_load_x * R_yx + M_P_load_y * R_yy + M_P_load_z * R_yz + N_x * R_C_z - C_P * omega_y - N_z * R_C_x,
-        M_P_load_x * R_zx + M_P_load_y * R_zy + M_P_load_z * R_zz + N_y * R_C_x - C_P * omega_z - N_x * R_C_y,
-    ]
-    return out
-
-
-def shift(on: Arithmetic, sums: Any, shared: Any) -> Any:
-    """The platform's part of c: 12 (6 mul, 6 add, 0 div, 0 sqrt)."""
-    q_1_x, q_1_y, q_1_z = sums.q_1
-    c_force_x, c_force_y, c_force_z = shared.c_force
-    c_moment_x, c_moment_y, c_moment_z = shared.c_moment
-    out = ShiftTerms()
-    out.c_tip = [
-        c_moment_x + c_force_y * q_1_z - c_force_z * q_1_y,
-        c_moment_y + c_force_z * q_1_x - c_force_x * q_1_z,
-        c_moment_z + c_force_x * q_1_y - c_force_y * q_1_x,
-    ]
-    return out
-
-
-def eliminate(on: Arithmetic, A: Any, x: Any) -> Any:
-    """Solves [H | c] for x by elimination with partial pivoting, (36); returns 1 where a pivot is small."""
-    suspect = 0
-    for k in range(6):
-        for i in range(k + 1, 6):
-            larger_below = on.size(A[i][k]) > on.size(A[k][k])
-            for j in range(k, 7):
-                above = A[k][j]
-                A[k][j] = on.where(larger_below, A[i][j], A[k][j])
-                A[i][j] = on.where(larger_below, above, A[i][j])
-        suspect = on.where(on.size(A[k][k]) > on.SUSPECT, suspect, 1)
-        x[k] = 1.0 / A[k][k]
-        for i in range(k + 1, 6):
-            factor = A[i][k] * x[k]
-            for j in range(k + 1, 7):
-                A[i][j] = A[i][j] - factor * A[k][j]
-    for i in range(5, -1, -1):
-        total = A[i][6]
-        for j in range(i + 1, 6):
-            total = total - A[i][j] * x[j]
-        x[i] = on.where(i == 5, total / A[i][i], total * x[i])
-    return suspect
-
-
-def solve_legs(on: Arithmetic, A: Any, arm_cube: Any, x: Any) -> Any:
-    """Solves [H | c] for x, (36), as two blocks of three legs, where their determinants are small by
-    pivots; returns 1 where one of these is small.
-    """
-    suspect = 0
-    r_0_0 = A[1][3] * A[2][5] - A[2][3] * A[1][5]
-    r_0_1 = A[2][3] * A[0][5] - A[0][3] * A[2][5]
-    r_0_2 = A[0][3] * A[1][5] - A[1][3] * A[0][5]
-    r_1_0 = A[1][5] * A[2][1] - A[2][5] * A[1][1]
-    r_1_1 = A[2][5] * A[0][1] - A[0][5] * A[2][1]
-    r_1_2 = A[0][5] * A[1][1] - A[1][5] * A[0][1]
-    r_2_0 = A[1][1] * A[2][3] - A[2][1] * A[1][3]
-    r_2_1 = A[2][1] * A[0][3] - A[0][1] * A[2][3]
-    r_2_2 = A[0][1] * A[1][3] - A[1][1] * A[0][3]
-    det = A[0][1] * r_0_0 + A[1][1] * r_0_1 + A[2][1] * r_0_2
-    e_0_0 = r_0_0 * A[0][0] + r_0_1 * A[1][0] + r_0_2 * A[2][0]
-    e_1_0 = r_1_0 * A[0][0] + r_1_1 * A[1][0] + r_1_2 * A[2][0]
-    e_2_0 = r_2_0 * A[0][0] + r_2_1 * A[1][0] + r_2_2 * A[2][0]
-    own_0_0 = det * A[3][0] - A[3][1] * e_0_0
-    w_0_0 = own_0_0 - A[3][3] * e_1_0 - A[3][5] * e_2_0
-    own_1_0 = det * A[4][0] - A[4][1] * e_0_0
-    w_1_0 = own_1_0 - A[4][3] * e_1_0 - A[4][5] * e_2_0
-    own_2_0 = det * A[5][0] - A[5][1] * e_0_0
-    w_2_0 = own_2_0 - A[5][3] * e_1_0 - A[5][5] * e_2_0
-    e_0_2 = r_0_0 * A[0][2] + r_0_1 * A[1][2] + r_0_2 * A[2][2]
-    e_1_2 = r_1_0 * A[0][2] + r_1_1 * A[1][2] + r_1_2 * A[2][2]
-    e_2_2 = r_2_0 * A[0][2] + r_2_1 * A[1][2] + r_2_2 * A[2][2]
-    own_0_2 = det * A[3][2] - A[3][1] * e_0_2
-    w_0_2 = own_0_2 - A[3][3] * e_1_2 - A[3][5] * e_2_2
-    own_1_2 = det * A[4][2] - A[4][1] * e_0_2
-    w_1_2 = own_1_2 - A[4][3] * e_1_2 - A[4][5] * e_2_2
-    own_2_2 = det * A[5][2] - A[5][1] * e_0_2
-    w_2_2 = own_2_2 - A[5][3] * e_1_2 - A[5][5] * e_2_2
-    e_0_4 = r_0_0 * A[0][4] + r_0_1 * A[1][4] + r_0_2 * A[2][4]
-    e_1_4 = r_1_0 * A[0][4] + r_1_1 * A[1][4] + r_1_2 * A[2][4]
-    e_2_4 = r_2_0 * A[0][4] + r_2_1 * A[1][4] + r_2_2 * A[2][4]
-    own_0_4 = det * A[3][4] - A[3][1] * e_0_4
-    w_0_4 = own_0_4 - A[3][3] * e_1_4 - A[3][5] * e_2_4
-    own_1_4 = det * A[4][4] - A[4][1] * e_0_4
-    w_1_4 = own_1_4 - A[4][3] * e_1_4 - A[4][5] * e_2_4
-    own_2_4 = det * A[5][4] - A[5][1] * e_0_4
-    w_2_4 = own_2_4 - A[5][3] * e_1_4 - A[5][5] * e_2_4
-    e_0_6 = r_0_0 * A[0][6] + r_0_1 * A[1][6] + r_0_2 * A[2][6]
-    e_1_6 = r_1_0 * A[0][6] + r_1_1 * A[1][6] + r_1_2 * A[2][6]
-    e_2_6 = r_2_0 * A[0][6] + r_2_1 * A[1][6] + r_2_2 * A[2][6]
-    own_0_6 = det * A[3][6] - A[3][1] * e_0_6
-    w_0_6 = own_0_6 - A[3][3] * e_1_6 - A[3][5] * e_2_6
-    own_1_6 = det * A[4][6] - A[4][1] * e_0_6
-    w_1_6 = own_1_6 - A[4][3] * e_1_6 - A[4][5] * e_2_6
-    own_2_6 = det * A[5][6] - A[5][1] * e_0_6
-    w_2_6 = own_2_6 - A[5][3] * e_1_6 - A[5][5] * e_2_6
-    u_0_0 = w_1_2 * w_2_4 - w_2_2 * w_1_4
-    u_0_1 = w_2_2 * w_0_4 - w_0_2 * w_2_4
-    u_0_2 = w_0_2 * w_1_4 - w_1_2 * w_0_4
-    u_1_0 = w_1_4 * w_2_0 - w_2_4 * w_1_0
-    u_1_1 = w_2_4 * w_0_0 - w_0_4 * w_2_0
-    u_1_2 = w_0_4 * w_1_0 - w_1_4 * w_0_0
-    u_2_0 = w_1_0 * w_2_2 - w_2_0 * w_1_2
-    u_2_1 = w_2_0 * w_0_2 - w_0_0 * w_2_2
-    u_2_2 = w_0_0 * w_1_2 - w_1_0 * w_0_2
-    complement = w_0_0 * u_0_0 + w_1_0 * u_0_1 + w_2_0 * u_0_2
-    square_0 = e_0_0 * e_0_0 + e_0_2 * e_0_2 + e_0_4 * e_0_4
-    square_1 = e_1_0 * e_1_0 + e_1_2 * e_1_2 + e_1_4 * e_1_4
-    square_2 = e_2_0 * e_2_0 + e_2_2 * e_2_2 + e_2_4 * e_2_4
-    det2 = det * det
-    least = on.larger(on.size(det) * on.BLOCK_LEAST, on.BLOCK_SINGULAR) * (det2 * arm_cube)
-    spread = square_0 + square_1 + square_2
-    weak = on.where(spread > on.BLOCK_GROWTH * det2, 1.0, 0.0)
-    weak = on.where(on.size(complement) <= least, 1.0, weak)
-    inverse_det = 1.0 / (on.where(weak > 0.0, 1.0, det))
-    inverse_complement = 1.0 / (on.where(weak > 0.0, 1.0, complement))
-    x[0] = (u_0_0 * w_0_6 + u_0_1 * w_1_6 + u_0_2 * w_2_6) * inverse_complement
-    x[2] = (u_1_0 * w_0_6 + u_1_1 * w_1_6 + u_1_2 * w_2_6) * inverse_complement
-    x[4] = (u_2_0 * w_0_6 + u_2_1 * w_1_6 + u_2_2 * w_2_6) * inverse_complement
-    x[1] = (e_0_6 - e_0_0 * x[0] - e_0_2 * x[2] - e_0_4 * x[4]) * inverse_det
-    x[3] = (e_1_6 - e_1_0 * x[0] - e_1_2 * x[2] - e_1_4 * x[4]) * inverse_det
-    x[5] = (e_2_6 - e_2_0 * x[0] - e_2_2 * x[2] - e_2_4 * x[4]) * inverse_det
-    if on.anywhere(weak > 0.0):
-        other = [0.0] * 6
-        small = eliminate(on, A, other)
-        for number in range(6):
-            x[number] = on.where(weak > 0.0, other[number], x[number])
-        suspect = on.where(weak > 0.0, small, suspect)
-    return suspect
 
 
 def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any) -> Any:
@@ -712,131 +358,6 @@ def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any)
     out.H_force = [s_x, s_y, s_z]
     out.c_force = [-K_x, -K_y, -K_z]
     out.c_moment = [c1 * y_x + c2 * z_x, c1 * y_y + c2 * z_y, c1 * y_z + c2 * z_z]
-    return out
-
-
-def largest_component(on: Arithmetic, vector: Any, least: Any) -> Any:
-    """The largest of ``least`` and the sizes of a vector's components."""
-    most = least
-    for j in range(3):
-        most = on.larger(on.size(vector[j]), most)
-    return most
-
-
-def reach_of(on: Arithmetic, b: Any, t: Any, q: Any) -> Any:
-    """Size of the vectors q, t and b that a leg is the sum of, m."""
-    return largest_component(on, b, largest_component(on, t, largest_component(on, q, 0.0)))
-
-
-def fault_of(on: Arithmetic, L: Any, k3: Any, reach: Any) -> Any:
-    """What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k."""
-    status = OK
-    status = on.where((status != OK) | (L <= on.MAX), status, NOT_FINITE)
-    status = on.where((status != OK) | ((L > on.ROUNDING * reach) & (L > on.SHORTEST)), status, ZERO_LENGTH)
-    status = on.where((status != OK) | (k3 > on.JOINT_SINGULAR_SINE), status, JOINT_SINGULAR)
-    return status
-
-
-def singular_status(on: Arithmetic, H: Any, arm: Any, L: Any, reach: Any, tip: Any) -> Any:
-    """Whether H is singular to rounding: OK, SINGULAR or NOT_FINITE; H is replaced.
-
-    arm: of the moments; L: lengths of the legs; reach: size of the vectors that a leg is the sum of;
-    tip: of the platform point that the arms are measured from, whose rounding they have, 0 for none.
-    The direction s of a leg errs by 4 epsilon (reach / L + 2) at most: half a unit of each number
-    that goes in and of each operation, and what the elimination adds. Its column of H, (s, arm x s),
-    errs by that through Y_force + Y_moment x arm with Y the inverse of H, wherever moments are taken
-    about, and by the rounding of the moment. Where H less its error is singular, no v > 0 has G v <
-    v, G_ik what the error of column k does to row i of Y H: the spectral radius of G is 1 or more.
-    Powers of G make v; 1/2 leaves room for the errors of Y itself.
-    """
-    Y = [[0.0] * 6 for _ in range(6)]
-    G = [[0.0] * 6 for _ in range(6)]
-    v = [0.0] * 6
-    grown = [0.0] * 6
-    extent = tip
-    least = 1.0
-    status = OK
-    for i in range(6):
-        v[i] = 1.0
-        for j in range(3):
-            extent = on.larger(on.size(arm[i][j]), extent)
-    for i in range(6):
-        for j in range(6):
-            status = on.where((status != OK) | (on.size(H[i][j]) <= on.MAX), status, NOT_FINITE)
-            H[i][j] = on.where(i < 3, H[i][j], H[i][j] / extent)
-            Y[i][j] = on.where(i == j, 1.0, 0.0)
-    for k in range(6):
-        pivot = k
-        most = on.size(H[k][k])
-        for i in range(k + 1, 6):
-            entry = on.size(H[i][k])
-            pivot = on.where(entry > most, i, pivot)
-            most = on.where(entry > most, entry, most)
-        if on.anywhere(pivot != k):
-            for j in range(6):
-                moved = H[k][j]
-                H[k][j] = on.at(H, pivot, j)
-                on.put(H, moved, pivot, j)
-                beside = Y[k][j]
-                Y[k][j] = on.at(Y, pivot, j)
-                on.put(Y, beside, pivot, j)
-        status = on.where((status != OK) | (on.size(H[k][k]) > 0.0), status, SINGULAR)
-        for i in range(6):
-            if i != k:
-                factor = H[i][k] / H[k][k]
-                for j in range(6):
-                    H[i][j] = H[i][j] - factor * H[k][j]
-                    Y[i][j] = Y[i][j] - factor * Y[k][j]
-    for i in range(6):
-        by_moment = on.size(Y[i][3]) + on.size(Y[i][4]) + on.size(Y[i][5])
-        for k in range(6):
-            x = on.size(Y[i][0] + (Y[i][4] * arm[k][2] - Y[i][5] * arm[k][1]) / extent)
-            y = on.size(Y[i][1] + (Y[i][5] * arm[k][0] - Y[i][3] * arm[k][2]) / extent)
-            z = on.size(Y[i][2] + (Y[i][3] * arm[k][1] - Y[i][4] * arm[k][0]) / extent)
-            turned = (x + y + z) * (reach[k] / L[k] + 2.0) + 2.0 * by_moment
-            G[i][k] = turned * (4.0 * on.EPSILON) / on.size(H[i][i])
-    for turn in range(4):
-        if on.anywhere(least > 0.5):
-            worst = 0.0
-            greatest = 0.0
-            for i in range(6):
-                total = 0.0
-                for k in range(6):
-                    total = total + G[i][k] * v[k]
-                share = total / v[i]
-                worst = on.where(share <= worst, worst, share)
-                greatest = on.larger(total, greatest)
-                grown[i] = total
-            least = on.where(worst <= least, worst, least)
-            for i in range(6):
-                v[i] = on.larger(grown[i] / greatest, on.EPSILON)
-        else:
-            break
-    status = on.where((status != OK) | (least <= 0.5), status, SINGULAR)
-    return status
-
-
-def moments_of(on: Arithmetic, leg: Any, sums: Any) -> Any:
-    """Moments of one leg: 21 (12 mul, 9 add, 0 div, 0 sqrt)."""
-    q_x, q_y, q_z = leg.q
-    q_1_x, q_1_y, q_1_z = sums.q_1
-    H_force_x, H_force_y, H_force_z = leg.H_force
-    c_force_x, c_force_y, c_force_z = leg.c_force
-    # platform point from platform point 1
-    arm_x = q_x - q_1_x
-    arm_y = q_y - q_1_y
-    arm_z = q_z - q_1_z
-    out = MomentTerms()
-    out.H_moment = [
-        H_force_z * arm_y - H_force_y * arm_z,
-        H_force_x * arm_z - H_force_z * arm_x,
-        H_force_y * arm_x - H_force_x * arm_y,
-    ]
-    out.arm_c = [
-        arm_y * c_force_z - arm_z * c_force_y,
-        arm_z * c_force_x - arm_x * c_force_z,
-        arm_x * c_force_y - arm_y * c_force_x,
-    ]
     return out
 
 

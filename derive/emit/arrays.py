@@ -35,7 +35,7 @@ def every_output(kernel: Kernel, counts: Counts, force_counts: Counts, version: 
         name=kernel.formulation.kernel_name,
         version=version,
         operations=operations_table(*counts, ""),
-        imported=_imported(program, _shared_names(), "every_output"),
+        imported=_imported(program, {"every_output": _shared_names()}),
         table=_operations("OPERATIONS", counts),
         force_table=_operations("FORCE_OPERATIONS", force_counts),
         program=_own(program),
@@ -54,16 +54,21 @@ def _own(program: t.Program) -> str:
     return Python(program).source(_shared_names()).rstrip()
 
 
-def _imported(program: t.Program, shared: Collection[str], module: str) -> str:
-    """The imports of a program without what it shares with a module."""
-    parts = [part for name, part in _by_name(program).items() if name not in shared]
+def _imported(program: t.Program, shared: Mapping[str, set[str]], public: Collection[str] = ()) -> str:
+    """The imports of a program without what it shares with modules; public: names that others look for."""
+    taken = set().union(*shared.values())
+    parts = [part for name, part in _by_name(program).items() if name not in taken]
     functions = tuple(each for each in parts if isinstance(each, t.Function))
-    used = {name for each in parts for name in _needed(each)}
-    names = ", ".join(sorted(used.intersection(shared)))
-    line = f"from .{module} import {names}"
-    wrapped = f"from .{module} import (\n{wrap_list(f'    {names},', '    ')}\n)"
-    before = imported(replace(program, functions=functions))
-    return f"{before}\n{line if len(line) <= WIDTH else wrapped}"
+    used = {name for each in parts for name in _needed(each)}.union(public)
+    lines = [imported(replace(program, functions=functions))]
+    for module, held in shared.items():
+        names = ", ".join(
+            f"{each} as {each}" if each in public else each for each in sorted(used.intersection(held))
+        )
+        line = f"from .{module} import {names}"
+        wrapped = f"from .{module} import (\n{wrap_list(f'    {names},', '    ')}\n)"
+        lines.append(line if len(line) <= WIDTH else wrapped)
+    return "\n".join(lines)
 
 
 def _needed(part: t.Structure | t.Function) -> set[str]:
@@ -102,7 +107,7 @@ def regressor(blocks: Regressor, version: str) -> str:
     return filled(
         "regressor.py",
         version=version,
-        imported=_imported(program, _shared_names(), "every_output"),
+        imported=_imported(program, {"every_output": _shared_names()}),
         leg_parameters=_literal("LEG_PARAMETERS", LEG_PARAMETERS),
         platform_parameters=_literal("PLATFORM_PARAMETERS", PLATFORM_PARAMETERS),
         dependent=_rows("DEPENDENT", [f'"{name}"' for name in dependencies()]),
@@ -142,10 +147,13 @@ def module(program: t.Program, names: str, version: str, without: Collection[str
     )
 
 
-def module_beside(base: t.Program, name: str, program: t.Program, version: str) -> str:
-    """A program as a module that imports what it has in common with another program from that one's."""
-    shared = alike(program, base)
-    return module(program, _imported(program, shared, f"{name}_arrays"), version, shared)
+def module_beside(bases: Mapping[str, t.Program], program: t.Program, version: str) -> str:
+    """A program as a module that imports what others have as well, each part from the first that has it."""
+    shared: dict[str, set[str]] = {}
+    for name, base in bases.items():
+        shared[f"{name}_arrays"] = alike(program, base).difference(*shared.values())
+    public = ["Robot", *(each.name for each in program.functions if each.public)]
+    return module(program, _imported(program, shared, public), version, set().union(*shared.values()))
 
 
 def imported(program: t.Program) -> str:

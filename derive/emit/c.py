@@ -8,17 +8,18 @@ from collections.abc import Callable, Iterable
 from ..kernel import prepare as p
 from ..kernel.batches import LOADS, MOTIONS, NUMBERS, batch, copies, missing
 from ..kernel.interface import STRUCTS
-from ..kernel.layouts import Place, Written, described, lines, member, stores
+from ..kernel.layouts import Written
 from ..kernel.operations import KernelOperations
 from ..kernel.shared import legs_in_turn, shared
-from ..kernel.tree.nodes import Argument, Array, Field, Function, Number, Real, Record, Statement, Structure
+from ..kernel.terms import filling, terms
+from ..kernel.tree.nodes import Array, Field, Number, Real, Statement, Structure
 from ..kernel.tree.read import Given
 from ..kernel.written import every_output as written
 from ..mechanics import quantities as n
 from ..mechanics.formulation import UNIVERSAL
 from ..mechanics.inverse_dynamics import Kernel
 from ..print.c import C
-from ..program.block import Block, Quantity
+from ..program.block import Block
 from .shared import OUTPUTS, Part, Source, header, top
 
 
@@ -88,12 +89,8 @@ def operations_table(counts: KernelOperations, frictionless: KernelOperations | 
 class _Source(Source):
     def __init__(self, kernel: Kernel) -> None:
         self.kernel, self.name = kernel, f"stewart_{kernel.formulation.kernel_name}"
-        blocks = {
-            "leg_terms": kernel.leg,
-            "platform_terms": kernel.platform,
-            "reaction_terms": kernel.reactions,
-        }
-        self.blocks = {name: (block, _terms(name, block)) for name, block in blocks.items()}
+        blocks = {"leg_terms": kernel.leg, "reaction_terms": kernel.reactions}
+        self.blocks = {name: (block, terms(name, block)) for name, block in blocks.items()}
         made = (structure for _, structure in self.blocks.values())
         structures = {
             "Robot": p.ROBOT,
@@ -104,7 +101,8 @@ class _Source(Source):
             "ForcesArrays": _pointers("forces"),
             "Reactions": _results("reactions"),
             "ReactionsArrays": _pointers("reactions"),
-            **dict(zip(("LegTerms", "PlatformTerms", "ReactionTerms"), made, strict=True)),
+            **dict(zip(("LegTerms", "ReactionTerms"), made, strict=True)),
+            "PlatformTerms": shared().platform_terms,
         }
         self.flags: dict[str, Given] = {
             "HAS_SINE": int(any(out.quantity == n.k3 for out in kernel.leg.outputs)),
@@ -117,7 +115,7 @@ class _Source(Source):
         read = self.texts.function
         yield from (structure for _, structure in self.blocks.values())
         for block, structure in self.blocks.values():
-            function = _block_function(block, structure)
+            function = filling(block, structure)
             self.texts.functions[function.name] = function
             yield function
         yield read(written.pose_forces, given=legs_in_turn("out", "terms"))
@@ -137,12 +135,7 @@ class _Source(Source):
 
 def block_text(block: Block, result: str) -> str:
     """A block as its function in C; result: name of the structure that it fills."""
-    return "\n".join(C().function(_block_function(block, _terms(result, block))))
-
-
-def _terms(name: str, block: Block) -> Structure:
-    """What a block makes."""
-    return Structure(name, "", tuple(described(out.quantity) for out in block.outputs))
+    return "\n".join(C().function(filling(block, terms(result, block))))
 
 
 def _results(name: str) -> Structure:
@@ -160,26 +153,6 @@ def _copied(name: str) -> tuple[Statement, ...]:
     counts = {each.name: each.count for each in STRUCTS[name]}
     rows = [each.name for each in STRUCTS[name] if len(each.stored) > 1]
     return copies(name, counts, rows)
-
-
-def _block_function(block: Block, made: Structure) -> Function:
-    """A block as a static function; each named step keeps its equation number and meaning."""
-    inputs = block.inputs
-    given = [q for q in inputs if q in (n.x, n.bearing)]
-    arguments = [
-        *([Argument("robot", Record("stewart_robot"))] if any(q in n.PLATFORM for q in inputs) else []),
-        *([Argument("leg", Record("stewart_leg"))] if any(q in n.OF_LEG for q in inputs) else []),
-        Argument("at", Record("stewart_motions")),
-        *(Argument(q.name, Real()) for q in given),
-        Argument("out", Record(made.name), changed=True),
-    ]
-    body = (*lines(block, _place, given), *stores(block.outputs, lambda q: member("out", q)))
-    meaning = f"{block.meaning[0].upper()}{block.meaning[1:]}. Operations: {block.operations()}."
-    return Function(block.name, meaning, tuple(arguments), None, body)
-
-
-def _place(q: Quantity) -> Place:
-    return member("robot" if q in n.PLATFORM else "leg" if q in n.OF_LEG else "at", q)
 
 
 def wrap_list(text: str, indent: str = " " * 8) -> str:

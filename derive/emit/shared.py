@@ -42,7 +42,9 @@ def shared_headers(version: str, about_tip: bool = True) -> Mapping[str, str]:
             solve_block=_printed(found, found.lanes[-3:], "STEWART_NO_COPY "),
             blocks=filled("blocks.c"),
         ),
-        OUTPUTS: filled("outputs.h", version=version, functions=_printed(found, found.outputs)),
+        OUTPUTS: filled(
+            "outputs.h", version=version, functions=_printed(found, (found.platform_terms, *found.outputs))
+        ),
     }
     return MappingProxyType(texts)
 

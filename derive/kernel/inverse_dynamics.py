@@ -11,8 +11,10 @@ import sympy as sp
 
 from ..mechanics import quantities as n
 from ..mechanics.inverse_dynamics import Kernel
+from ..mechanics.platform import platform
 from ..mechanics.regressor import Regressor
 from ..program.block import Block, Output
+from ..program.cse import share
 from .elimination import CARRIED, INVERSE, ONCE
 from .layouts import Written, entries
 from .model import machine_structures, result
@@ -86,7 +88,8 @@ def arrays_program(kernel: Kernel) -> t.Program:
         leg = replace(leg, outputs=(*leg.outputs, Output(n.k3, (sp.S.One,))))
     of_legs = _outputs("Legs", "What the legs have.", leg)
     structures = [*_machine(), of_legs, *_results(kernel), _TERMS, _FORCES]
-    texts = _texts(structures, [*shared_program().functions, *_blocks(kernel, leg, of_legs.name)])
+    _, *own = _blocks(kernel, leg, of_legs.name)
+    texts = _texts(structures, [*shared_program().functions, *own])
     texts.function(written.legs_side_by_side, "legs_of")
     summed = entries((n.D, n.K, n.H_force, n.H_moment, n.c_force, n.c_moment))
     texts.function(written.leg_of_lanes, "leg_of", given={"SUMMED": summed})
@@ -97,9 +100,11 @@ def arrays_program(kernel: Kernel) -> t.Program:
 
 @cache
 def shared_program() -> t.Program:
-    """What the programs with legs side by side have in common: robot and motion, checks, the solve."""
-    structures = _machine()
-    texts = _texts(structures, [])
+    """What the programs with legs side by side have in common: robot and motion, the platform, checks, the
+    solve."""
+    block = share(platform()[0])
+    structures = [*_machine(), _wrench(block), _TERMS]
+    texts = _texts(structures, [block_function(block, block.name, "PlatformWrench", _OF_POSE)])
     texts.add(legs.largest_component, legs.reach_of, legs.fault_of, written.first_of, given=CARRIED)
     texts.add(solve.singular_status, given={**INVERSE, **CARRIED})
     texts.add(solve.per_length_of, written.largest_of)
@@ -139,7 +144,7 @@ def _machine() -> list[t.Structure]:
 
 def _blocks(kernel: Kernel, leg: Block, result: str) -> list[t.Function]:
     return [
-        block_function(kernel.platform, "platform_wrench", "PlatformWrench", _OF_POSE),
+        block_function(kernel.platform, kernel.platform.name, "PlatformWrench", _OF_POSE),
         block_function(leg, "leg_dynamics", result, _OF_LEG | _OF_POSE),
         block_function(kernel.reactions, REACTIONS, "LegReactions", _OF_LEG | _OF_POSE | _AXIAL),
     ]
@@ -148,8 +153,12 @@ def _blocks(kernel: Kernel, leg: Block, result: str) -> list[t.Function]:
 def _results(kernel: Kernel) -> list[t.Structure]:
     return [
         _outputs("LegReactions", "Forces and moments in a leg's joints.", kernel.reactions),
-        _outputs("PlatformWrench", "The platform's part of c.", kernel.platform),
+        _wrench(kernel.platform),
     ]
+
+
+def _wrench(platform: Block) -> t.Structure:
+    return _outputs("PlatformWrench", "The platform's part of c.", platform)
 
 
 def _outputs(name: str, meaning: str, block: Block) -> t.Structure:

@@ -4,11 +4,14 @@ from dataclasses import dataclass
 from functools import cache
 
 from ..mechanics.lumped_constants import ADDED
+from ..mechanics.platform import platform
+from ..program.cse import share
 from .batches import LOADS, MOTIONS, parts_at, parts_of_one
 from .elimination import BLOCKS_OF_POSE, INVERSE, ONCE, RETURNED, blocks_in_lanes, by_rows, in_lanes
 from .layouts import Written, entries
 from .moments import moments
 from .prepare import LUMPED, MOTION
+from .terms import filling, terms
 from .tree import nodes as t
 from .tree.constants import LARGEST
 from .tree.read import POSES, Given
@@ -90,12 +93,13 @@ FORCE = t.signature("STEWART_FORCE", t.Real(), D=t.Real(), x=t.Real())
 class Shared:
     """Functions around the solve, those with legs or poses in lanes, and those of every output.
 
-    moments: those of the lanes with which kernels take moments.
+    moments: those of the lanes with which kernels take moments. platform_terms: what one of the last fills.
     """
 
     solve: tuple[t.Function, ...]
     lanes: tuple[t.Function, ...]
     moments: tuple[t.Function, ...]
+    platform_terms: t.Structure
     outputs: tuple[t.Function, ...]
 
     @property
@@ -111,6 +115,8 @@ def shared(about_tip: bool = True) -> Shared:
     """The functions; about_tip: of kernels whose moments are about platform point 1."""
     texts = Written({"Motions": MOTIONS, "Motion": MOTION, "Lumped": LUMPED}, {}, {FORCE.name: FORCE})
     read = texts.function
+    wrench = share(platform()[0])
+    of_platform = terms("platform_terms", wrench)
     added: dict[str, Given] = {"ADDED": entries(ADDED)}
     rows = (lanes.exchange_rows, lanes.subtract_row)
     return Shared(
@@ -134,7 +140,9 @@ def shared(about_tip: bool = True) -> Shared:
             read(lanes.solve_block),
         ),
         moments(texts, about_tip),
+        of_platform,
         (
+            filling(wrench, of_platform),
             read(solve.eliminate, given=ONCE),
             # No call where every leg of every pose is checked.
             read(legs.fault_of, "status_of_leg", given=RETURNED),
