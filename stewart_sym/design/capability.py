@@ -53,10 +53,23 @@ class Capability(Frozen):
     offsets: Array
 
     def largest(self, direction: ArrayLike) -> Array:
-        """Largest factor >= 0 of a direction, (..., d), within the limits, (...).
+        """Largest factor >= 0 of a direction within the limits.
 
-        That is the size of x for a direction of unit length. nan where no factor is: where the actuators do
-        not hold the pose without x either.
+        Parameters
+        ----------
+        direction : array_like
+            Not zero, base frame, (..., d); its leading shape broadcasts with that of the poses.
+
+        Returns
+        -------
+        ndarray
+            The factors, (...): for a direction of unit length the size of x. nan where no factor is: where
+            the actuators do not hold the pose without x either, and at unsolvable poses.
+
+        Raises
+        ------
+        ValueError
+            For a direction that is zero or of another shape.
         """
         d = self.normals.shape[-1]
         given = finite_array(direction, (d,), "direction")
@@ -68,16 +81,27 @@ class Capability(Frozen):
     def guaranteed(self) -> Array:
         """Size of x that is within the limits in whatever direction, (...); below 0 where not even x = 0 is.
 
-        Raises ValueError for d = 6, whose parts have different units.
+        Raises
+        ------
+        ValueError
+            For d = 6, whose parts have different units.
         """
         if self.normals.shape[-1] == 6:
             raise ValueError(f"guaranteed: expected d = 3, {self.what} has parts of different units")
         return np.asarray(self.offsets.min(axis=-1))
 
     def vertices(self) -> Array:
-        """Corners of the polytope of a single pose, (n, d).
+        """Corners of the polytope of a single pose.
 
-        Raises ValueError for a batch of poses and for an unsolvable one.
+        Returns
+        -------
+        ndarray
+            In ``unit``, base frame, (n, d).
+
+        Raises
+        ------
+        ValueError
+            For a batch of poses and for an unsolvable one.
         """
         if self.offsets.ndim != 1:
             raise ValueError(f"vertices: expected a single pose, got shape {self.offsets.shape[:-1]}")

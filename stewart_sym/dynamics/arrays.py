@@ -41,7 +41,7 @@ class ArrayEquations(NamedTuple):
 
 
 class ArrayAccelerations(NamedTuple):
-    """a, m/s^2, and alpha, rad/s^2, (..., 3); status (...)."""
+    """a, m/s^2, and alpha, rad/s^2, base frame, (..., 3); status (...)."""
 
     a: Any
     alpha: Any
@@ -55,6 +55,10 @@ Result = TypeVar("Result", ArrayForces, ArrayEquations, ArrayAccelerations)
 class ArrayKernel(Frozen):
     """A robot's constants prepared for one array library.
 
+    What is not given to a method is zero, and leading shapes broadcast. Shapes are checked, and that numbers
+    are real; that R is a rotation is not: ``Motion`` checks it. Where a status, a code of
+    ``results.STATUS_TEXT``, is not 0, the other numbers are NaN.
+
     Attributes
     ----------
     robot : Robot
@@ -64,10 +68,7 @@ class ArrayKernel(Frozen):
     formulation : {"exact", "paper"}, optional
         The corrected equations or those printed.
     dtype : object, optional
-        Its type of real numbers. Arguments of the methods have the shapes of ``Motion``'s; what is not given
-        is zero, and leading shapes broadcast. Where a status, a code of ``results.STATUS_TEXT``, is not 0,
-        the other numbers are NaN. Shapes are checked, and that numbers are real; that R is a rotation is not:
-        ``Motion`` checks it.
+        Its type of real numbers.
     """
 
     robot: Robot
@@ -109,12 +110,56 @@ class ArrayKernel(Frozen):
         F_ext: Any = None,
         M_ext: Any = None,
     ) -> ArrayForces:
-        """Actuator forces F, N, (..., 6)."""
+        """Actuator forces that make the platform follow a motion, (37).
+
+        Parameters
+        ----------
+        R : array_like
+            Orientation, platform to base, (..., 3, 3).
+        t : array_like
+            Position of the reference point, m, base frame, (..., 3).
+        omega, v : array_like, optional
+            Angular velocity, rad/s, and velocity of the reference point, m/s, base frame, (..., 3).
+        alpha, a : array_like, optional
+            Angular acceleration, rad/s^2, and acceleration of the reference point, m/s^2, base frame,
+            (..., 3).
+        F_ext, M_ext : array_like, optional
+            External force, N, and moment, N m, at the reference point, platform frame, (..., 3).
+
+        Returns
+        -------
+        ArrayForces
+            Shapes and units are documented there.
+
+        Raises
+        ------
+        ValueError
+            Naming the argument that is not of real numbers or of another shape.
+        """
         given = {"R": R, "t": t, "omega": omega, "v": v, "alpha": alpha, "a": a}
         return self._run("forces", ArrayForces, given | {"F_ext": F_ext, "M_ext": M_ext})
 
     def equations(self, R: Any, t: Any, omega: Any = None, v: Any = None) -> ArrayEquations:
-        """M, C, g, friction, bias and H; `exact` with universal base joints alone."""
+        """Terms of the equations of motion: M, C, g, friction, bias and H.
+
+        Parameters
+        ----------
+        R, t : array_like
+            Pose, as for ``forces``.
+        omega, v : array_like, optional
+            Its rates, as for ``forces``.
+
+        Returns
+        -------
+        ArrayEquations
+            Shapes and units are documented there.
+
+        Raises
+        ------
+        ValueError
+            As ``forces``, and unless the formulation is `exact` and the base joints are universal ones
+            without offsets.
+        """
         return self._run("equations", ArrayEquations, {"R": R, "t": t, "omega": omega, "v": v})
 
     def forward_dynamics(
@@ -127,7 +172,29 @@ class ArrayKernel(Frozen):
         F_ext: Any = None,
         M_ext: Any = None,
     ) -> ArrayAccelerations:
-        """a and alpha under actuator forces F, N, (..., 6); `exact` with universal base joints alone."""
+        """Accelerations of the platform under actuator forces.
+
+        Parameters
+        ----------
+        R, t : array_like
+            Pose, as for ``forces``.
+        omega, v : array_like, optional
+            Its rates, as for ``forces``.
+        F : array_like, optional
+            Actuator forces, N, (..., 6).
+        F_ext, M_ext : array_like, optional
+            External load, as for ``forces``.
+
+        Returns
+        -------
+        ArrayAccelerations
+            Shapes and units are documented there.
+
+        Raises
+        ------
+        ValueError
+            As ``equations``.
+        """
         given = {"R": R, "t": t, "omega": omega, "v": v, "F_ext": F_ext, "M_ext": M_ext}
         return self._run("forward_dynamics", ArrayAccelerations, given, F)
 

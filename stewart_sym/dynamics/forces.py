@@ -90,13 +90,29 @@ class ForceKernel(Frozen):
         return np.float64 if self.precision == "double" else np.float32
 
     def forces(self, motion: Motion, threads: int = 1, on_singular: OnSingular = "raise") -> Array:
-        """Actuator forces, N, (..., 6), of every pose of ``motion``, (37).
+        """Actuator forces of every pose of a motion, (37).
 
-        threads: how many share the work at most, the caller one of them; the result does not depend on it,
-        and a batch too small to gain is not shared. on_singular: "raise" ValueError,
-        "warn" and return NaN, or return "nan" for unsolvable poses; "damped" as for
-        ``inverse_dynamics``, whose ``wrench_error`` is what F does not balance, with fidelity "general"
-        alone.
+        Parameters
+        ----------
+        motion : Motion
+            Motion of the platform, any leading shape.
+        threads : int, optional
+            How many share the work at most, the caller one of them; the result does not depend on it, and a
+            batch too small to gain is not shared.
+        on_singular : {"raise", "nan", "warn", "damped"}, optional
+            What to do about unsolvable poses: "raise" ValueError, "warn" and return NaN, or return "nan"
+            without a warning; "damped" as for ``inverse_dynamics``, whose ``wrench_error`` is what F does not
+            balance, with fidelity "general" alone.
+
+        Returns
+        -------
+        ndarray
+            Forces, N, (..., 6), of the kernel's ``dtype``.
+
+        Raises
+        ------
+        ValueError
+            For unknown options, for a motion without accelerations, and for unsolvable poses.
         """
         option(on_singular, ON_SINGULAR, "on_singular")
         if on_singular == "damped" and self.fidelity != "general":
@@ -110,23 +126,61 @@ class ForceKernel(Frozen):
         return F
 
     def status(self, motion: Motion, threads: int = 1) -> NDArray[np.int32]:
-        """Status of every pose, (...), a code of ``results.STATUS_TEXT``."""
+        """Status of every pose of a motion.
+
+        Parameters
+        ----------
+        motion : Motion
+            As for ``forces``.
+        threads : int, optional
+            As for ``forces``.
+
+        Returns
+        -------
+        ndarray of int
+            Codes of ``results.STATUS_TEXT``, (...).
+
+        Raises
+        ------
+        ValueError
+            For a motion without accelerations.
+        """
         need_motion(self.robot, motion)
         return self.forces_and_status(motion, threads)[1]
 
     def one_pose(self) -> "OnePose":
-        """Buffers for one pose at a time, for loops where every microsecond counts."""
+        """Buffers for one pose at a time, for loops where every microsecond counts.
+
+        Returns
+        -------
+        OnePose
+            Of the kernel's ``dtype``, inputs 0 and F NaN.
+        """
         return OnePose(self, np.full(6, np.nan, dtype=self.dtype), np.zeros(_NUMBERS, dtype=self.dtype))
 
     def forces_into(
         self, arrays: Sequence[Array | None], F: Array, status: NDArray[np.int32], threads: int = 1
     ) -> None:
-        """Forces into given arrays, nothing checked but their layout: F (n, 6) and status (n,).
+        """Write forces into given arrays, nothing checked but their layout.
 
-        arrays: R (n, 3, 3), t, omega, v, alpha, a, F_ext, M_ext (n, 3), the last two None for no load; all
-        C-contiguous and of the kernel's ``dtype``. Unsolvable poses keep the F they had.
+        Parameters
+        ----------
+        arrays : sequence of ndarray
+            R (n, 3, 3), t, omega, v, alpha, a, F_ext, M_ext (n, 3) as in ``Motion``, the last two None for no
+            load; all C-contiguous and of the kernel's ``dtype``.
+        F : ndarray
+            Where forces are written, N, (n, 6), C-contiguous and of this type; unsolvable poses keep the F
+            they had.
+        status : ndarray of int
+            Where statuses are written, int32, (n,).
+        threads : int, optional
+            As for ``forces``.
 
-        Raises ValueError naming the array whose type or layout is another.
+        Raises
+        ------
+        ValueError
+            Naming the array whose type or layout is another, and F or status where it shares memory with
+            another array.
         """
         need_rows(arrays, F, status, self.dtype)
         need_apart(arrays, F, status)
@@ -137,14 +191,26 @@ class ForceKernel(Frozen):
     ) -> None:
         """``forces_into`` of arrays in columns, without a copy: each component's numbers one after the other.
 
-        arrays: R (9, n), row-major, t, omega, v, alpha, a, F_ext, M_ext (3, n), the last two None for no
-        load; F (6, n) and status (n,). Rows of all of them but status are equally far apart, at least n
-        numbers: parts ``[:, first:last]`` of longer arrays will do. All are of the kernel's ``dtype`` and
-        begin anywhere; rows that begin at multiples of 64 bytes, and not at multiples of 4096 bytes from each
-        other, are read fastest. Unsolvable poses keep the F they had; results are those of ``forces_into`` to
-        the last bit.
+        Rows of all arrays but status are equally far apart, at least n numbers: parts ``[:, first:last]`` of
+        longer arrays will do. All are of the kernel's ``dtype`` and begin anywhere; rows that begin at
+        multiples of 64 bytes, and not at multiples of 4096 bytes from each other, are read fastest. Results
+        are those of ``forces_into`` to the last bit.
 
-        Raises ValueError naming the array whose type or layout is another.
+        Parameters
+        ----------
+        arrays : sequence of ndarray
+            R (9, n), row-major, t, omega, v, alpha, a, F_ext, M_ext (3, n), the last two None for no load.
+        F : ndarray
+            Where forces are written, N, (6, n); unsolvable poses keep the F they had.
+        status : ndarray of int
+            Where statuses are written, int32, (n,).
+        threads : int, optional
+            As for ``forces``.
+
+        Raises
+        ------
+        ValueError
+            As ``forces_into``.
         """
         need_status(status)
         if isinstance(F, np.ndarray) and F.shape[:-1] == (6,) and status.shape != F.shape[-1:]:
@@ -227,7 +293,27 @@ class ForceKernel(Frozen):
             other.result()
 
     def forces_and_status(self, motion: Motion, threads: int = 1) -> tuple[Array, NDArray[np.int32]]:
-        """F, N, (..., 6), NaN where the status (...), a code of ``results.STATUS_TEXT``, is not 0."""
+        """Forces and status of every pose of a motion.
+
+        Parameters
+        ----------
+        motion : Motion
+            As for ``forces``.
+        threads : int, optional
+            As for ``forces``.
+
+        Returns
+        -------
+        F : ndarray
+            Actuator forces, N, (..., 6), of the kernel's ``dtype``; NaN where the status is not 0.
+        status : ndarray of int
+            Codes of ``results.STATUS_TEXT``, (...).
+
+        Raises
+        ------
+        ValueError
+            For a motion without accelerations.
+        """
         need_motion(self.robot, motion)
         F = np.full((*motion.shape, 6), np.nan, dtype=self.dtype)
         status = np.zeros(motion.shape, dtype=np.int32)
@@ -291,7 +377,18 @@ class ForceKernel(Frozen):
         return force_kernel_name(self.robot, self.formulation, self.fidelity)
 
     def function(self, what: str) -> Any:
-        """The C function ``stewart_<name>_<what>`` of the compiled library."""
+        """A C function of the kernel's compiled library.
+
+        Parameters
+        ----------
+        what : str
+            End of its name ``stewart_<name>_<what>``.
+
+        Returns
+        -------
+        callable
+            A function of ``ctypes``.
+        """
         return function(self.name, "forces", self.precision, what)
 
 

@@ -70,6 +70,11 @@ class Symbolic:
 
         Expressions grow with every step: F takes half a minute, a and alpha longer. To print them or to
         compute with them keep the steps, as the other methods do.
+
+        Returns
+        -------
+        Matrix
+            Of the shape of ``result``.
         """
         known: dict[Any, Any] = dict(self.constants)
         for symbol, expr in self.steps:
@@ -77,9 +82,22 @@ class Symbolic:
         return self.result.xreplace(known)
 
     def derivative(self, by: Symbol) -> "Symbolic":
-        """The derivative by a component of an argument or by a constant; its steps are named ``d_...``.
+        """The derivative by a component of an argument or by a constant.
 
-        Raises ValueError for what is neither.
+        Parameters
+        ----------
+        by : Symbol
+            One of ``arguments`` or ``constants``.
+
+        Returns
+        -------
+        Symbolic
+            Of the name ``d_...``; its steps are those of the matrix and their derivatives, named so too.
+
+        Raises
+        ------
+        ValueError
+            For anything else.
         """
         import sympy as sp
 
@@ -98,11 +116,17 @@ class Symbolic:
         return replace(self, name=f"d_{self.name}", result=result, steps=tuple(steps))
 
     def function(self) -> Callable[..., NDArray[np.float64]]:
-        """A NumPy function of one pose's arguments by name: (6,), (6, 3) or (6, 6).
+        """A NumPy function of one pose's arguments by name.
 
-        R, t and F, where they are arguments, must be given; others are zero where not given. The function
-        raises ValueError for other names and shapes. It has no status: near a singularity digits are lost
-        unnoticed, and ``prepare(robot).status(motion)`` says where that is.
+        It has no status: near a singularity digits are lost unnoticed, and ``prepare(robot).status(motion)``
+        says where that is.
+
+        Returns
+        -------
+        callable
+            Its result is (3,), (6,), (6, 3) or (6, 6). R, t and F, where they are arguments, must be given;
+            others are zero where not given. It raises ValueError for other names and shapes and for numbers
+            that are not finite.
         """
         import sympy as sp
 
@@ -132,8 +156,11 @@ class Symbolic:
     def latex(self) -> str:
         r"""The matrix with its steps, for a document with ``amsmath``.
 
-        Steps that are the same for each leg but for its number stand there once, with the number i, and sums
-        over the legs as one. The constants follow, with their units and meanings.
+        Returns
+        -------
+        str
+            Steps that are the same for each leg but for its number stand there once, with the number i, and
+            sums over the legs as one. The constants follow, with their units and meanings.
         """
         from .typesetting import typeset
 

@@ -91,11 +91,28 @@ class BaseParameters:
     shared: str | None = None
 
     def columns(self) -> NDArray[np.intp]:
-        """Columns of Y that count, (n,)."""
+        """Which columns of Y count.
+
+        Returns
+        -------
+        ndarray of int
+            Their indices, (n,): ``kept``, or where legs share their parameters also those of the other legs.
+        """
         return self.kept if self.shared is None else np.flatnonzero(self.lift.any(axis=1))
 
     def reduced(self, Y: Array) -> Array:
-        """Columns of the base parameters, (..., 6, rank), from those of Y that count, (..., 6, n)."""
+        """Y of the base parameters, from the columns of Y that count.
+
+        Parameters
+        ----------
+        Y : ndarray
+            Those columns of Y that ``columns`` names, (..., 6, n).
+
+        Returns
+        -------
+        ndarray
+            Columns of the base parameters, (..., 6, rank).
+        """
         return Y if self.shared is None else np.asarray(Y @ self.lift[self.columns()])
 
 

@@ -78,10 +78,21 @@ class Estimate:
         return np.sqrt(np.diagonal(self.covariance))
 
     def departure(self, robot: Robot) -> tuple[Array, float]:
-        """How far the values are from a robot's: in standard deviations, (rank,), and the p-value of all.
+        """How far the values, of ``free`` where there is one, are from a robot's.
 
-        The probability that a robot with its own parameters would be identified so far from these or farther;
-        1 if the fit is rejected.
+        Parameters
+        ----------
+        robot : Robot
+            The machine.
+
+        Returns
+        -------
+        off : ndarray
+            Differences in standard deviations, positive where the estimate is larger, (rank,); 0 if the fit
+            is rejected.
+        p : float
+            The p-value of all: the probability that a robot with its own parameters would be identified so
+            far from these or farther; 1 if the fit is rejected.
         """
         if self.free is not None:
             return self.free.departure(robot)

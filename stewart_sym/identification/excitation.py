@@ -70,20 +70,66 @@ class FourierPath(Frozen):
         number_in(self.period, "period", "a duration > 0 s")
 
     def times(self, samples: int) -> Array:
-        """Instants of one period, s, equally spaced, (samples,); at most ten million."""
+        """Instants of one period, equally spaced.
+
+        Parameters
+        ----------
+        samples : int
+            How many, from 1 to ten million.
+
+        Returns
+        -------
+        ndarray
+            From 0 on, without the end of the period, s, (samples,).
+
+        Raises
+        ------
+        ValueError
+            For any other number.
+        """
         _count(samples, "samples")
         return np.arange(samples) * self.period / samples
 
     def sample(self, tau: ArrayLike) -> Motion:
-        """Return the motion at times tau, s, of any shape; no external load.
+        """Return the motion at some times, without external load.
 
-        Raises ValueError for times that are not finite, and where a harmonic overflows.
+        Parameters
+        ----------
+        tau : array_like
+            Times, s, of any shape.
+
+        Returns
+        -------
+        Motion
+            Of the shape of tau.
+
+        Raises
+        ------
+        ValueError
+            For times that are not finite, and where a harmonic overflows.
         """
         x = self.coordinates(tau)
         return Motion.from_rpy(*(part for y in x for part in (y[..., :3], y[..., 3:])))
 
     def coordinates(self, tau: ArrayLike) -> tuple[Array, Array, Array]:
-        """Position, m, and angles, rad, side by side, (..., 6), and their first and second derivatives."""
+        """Coordinates at some times, and their derivatives by time.
+
+        Parameters
+        ----------
+        tau : array_like
+            Times, s, of any shape (...).
+
+        Returns
+        -------
+        y, y_dot, y_ddot : ndarray
+            Position, m, and roll-pitch-yaw angles, rad, side by side, and their first and second derivatives,
+            each (..., 6).
+
+        Raises
+        ------
+        ValueError
+            For times that are not finite.
+        """
         time = real_array(tau, "tau", "finite times")[..., None]
         if not np.isfinite(time).all():
             raise ValueError(f"tau: expected finite times, got {time[~np.isfinite(time)][0]}")

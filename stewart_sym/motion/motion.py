@@ -119,13 +119,30 @@ class Motion(Frozen):
         return Motion.unchecked(**picked)
 
     def external_wrench(self) -> Array:
-        """[R F_ext; R M_ext], N and N m, base axes, (..., 6); 0 without a load."""
+        """External load in base axes, [R F_ext; R M_ext].
+
+        Returns
+        -------
+        ndarray
+            Force, N, and moment about the reference point, N m, (..., 6); 0 without a load.
+        """
         load = [np.zeros(3) if vector is None else vector for vector in (self.F_ext, self.M_ext)]
         turned = [np.einsum("...ij,...j->...i", self.R, vector) for vector in load]
         return np.concatenate(turned, axis=-1)
 
     def in_axes(self, Q: Array) -> Motion:
-        """Return the motion in base and platform frames turned by a rotation Q, (3, 3): x becomes Q x."""
+        """Return the motion in base and platform frames turned by a rotation: x becomes Q x.
+
+        Parameters
+        ----------
+        Q : ndarray
+            The rotation, (3, 3).
+
+        Returns
+        -------
+        Motion
+            Of the same shape.
+        """
         vectors = {
             field.name: value @ Q.T
             for field in fields(self)
@@ -183,6 +200,18 @@ class Motion(Frozen):
         """Make a motion of arrays already known to be sound and of one leading shape; nothing is copied.
 
         For inner loops, where the checks would cost more than the dynamics.
+
+        Parameters
+        ----------
+        R, t, omega, v : ndarray
+            As in ``Motion``.
+        alpha, a, F_ext, M_ext : ndarray, optional
+            As in ``Motion``.
+
+        Returns
+        -------
+        Motion
+            Its arrays are those given.
         """
         motion = object.__new__(cls)
         motion.__dict__.update(R=R, t=t, omega=omega, v=v, alpha=alpha, a=a, F_ext=F_ext, M_ext=M_ext)
@@ -202,9 +231,32 @@ class Motion(Frozen):
     ) -> Motion:
         """Make a motion from roll-pitch-yaw angles, (38), and their rates.
 
-        t, v, a: position, velocity and acceleration of the reference point, m, m/s, m/s^2, (..., 3).
-        theta, theta_dot, theta_ddot: (theta_x, theta_y, theta_z) and rates, rad, rad/s, rad/s^2, (..., 3).
-        a and theta_ddot are given together or not at all.  F_ext, M_ext as in ``Motion``.
+        Parameters
+        ----------
+        t : array_like
+            Position of the reference point, m, base frame, (..., 3).
+        theta : array_like
+            Angles (theta_x, theta_y, theta_z), rad, (..., 3).
+        v : array_like
+            Velocity of the reference point, m/s, base frame, (..., 3).
+        theta_dot : array_like
+            Rates of the angles, rad/s, (..., 3).
+        a : array_like, optional
+            Acceleration of the reference point, m/s^2, base frame, (..., 3).
+        theta_ddot : array_like, optional
+            Second rates of the angles, rad/s^2, (..., 3); given together with a or not at all.
+        F_ext, M_ext : array_like, optional
+            As in ``Motion``.
+
+        Returns
+        -------
+        Motion
+            Without accelerations where a is not given.
+
+        Raises
+        ------
+        ValueError
+            Naming the argument, as ``Motion``.
         """
         turns = _turns((3,), {"theta": theta, "theta_dot": theta_dot, "theta_ddot": theta_ddot}, a)
         *shape, _ = np.broadcast_shapes(*(array.shape for array in turns))
@@ -236,8 +288,32 @@ class Motion(Frozen):
     ) -> Motion:
         """Make a motion from quaternions, platform to base, and their rates: no orientation is special.
 
-        e: scalar first, (..., 4), of any length but zero; e_dot, e_ddot: its rates, 1/s and 1/s^2, (..., 4).
-        The rest as in ``from_rpy``.
+        Parameters
+        ----------
+        t : array_like
+            As for ``from_rpy``.
+        e : array_like
+            Quaternions, scalar first, (..., 4), of any length but zero.
+        v : array_like
+            As for ``from_rpy``.
+        e_dot : array_like
+            Rates of e, 1/s, (..., 4).
+        a : array_like, optional
+            As for ``from_rpy``.
+        e_ddot : array_like, optional
+            Second rates of e, 1/s^2, (..., 4); given together with a or not at all.
+        F_ext, M_ext : array_like, optional
+            As in ``Motion``.
+
+        Returns
+        -------
+        Motion
+            Without accelerations where a is not given.
+
+        Raises
+        ------
+        ValueError
+            As ``Motion``, and for a quaternion of length zero.
         """
         turns = _turns((4,), {"e": e, "e_dot": e_dot, "e_ddot": e_ddot}, a)
         alpha = None if a is None else angular_acceleration_from_quaternion(*turns)
@@ -259,8 +335,32 @@ class Motion(Frozen):
     ) -> Motion:
         """Make a motion from rotation vectors, R = exp([phi]x), and their rates.
 
-        phi, phi_dot, phi_ddot: rad, rad/s, rad/s^2, (..., 3): turns about phi by its magnitude; phi may be
-        zero. The rest as in ``from_rpy``.
+        Parameters
+        ----------
+        t : array_like
+            As for ``from_rpy``.
+        phi : array_like
+            Rotation vectors, rad, (..., 3): turns about phi by its magnitude; phi may be zero.
+        v : array_like
+            As for ``from_rpy``.
+        phi_dot : array_like
+            Rates of phi, rad/s, (..., 3).
+        a : array_like, optional
+            As for ``from_rpy``.
+        phi_ddot : array_like, optional
+            Second rates of phi, rad/s^2, (..., 3); given together with a or not at all.
+        F_ext, M_ext : array_like, optional
+            As in ``Motion``.
+
+        Returns
+        -------
+        Motion
+            Without accelerations where a is not given.
+
+        Raises
+        ------
+        ValueError
+            As ``Motion``.
         """
         turns = _turns((3,), {"phi": phi, "phi_dot": phi_dot, "phi_ddot": phi_ddot}, a)
         second = np.zeros(3) if a is None else turns[2]

@@ -102,7 +102,13 @@ class StraightLinePath:
         return _blend(self.angle, self.Omega, self.tau_f)
 
     def breaks(self) -> Array:
-        """Return the sorted times, s, at which an acceleration jumps, with 0 and tau_f."""
+        """Return the times at which an acceleration jumps, with 0 and tau_f.
+
+        Returns
+        -------
+        ndarray
+            Increasing, s, (n,).
+        """
         times = {0.0, self.tau_f}
         for distance, blend in ((self.distance, self.tau_t), (self.angle, self.tau_theta)):
             if distance > 0.0:
@@ -114,7 +120,23 @@ class StraightLinePath:
         return np.array([*distinct[:-1], self.tau_f])
 
     def times(self, dtau: float) -> Array:
-        """Return the times 0, dtau, 2 dtau, ... s, and tau_f as the last; at most ten million steps."""
+        """Return the times 0, dtau, 2 dtau, ..., and tau_f as the last.
+
+        Parameters
+        ----------
+        dtau : float
+            Step, s, > 0 and at most tau_f.
+
+        Returns
+        -------
+        ndarray
+            Times, s, (n,).
+
+        Raises
+        ------
+        ValueError
+            For any other step, and for more than ten million steps.
+        """
         dtau = number(dtau, "dtau")
         if not 0.0 < dtau <= self.tau_f * (1.0 + _ROUNDING):
             raise ValueError(f"dtau: expected a step > 0 and <= tau_f = {self.tau_f:g} s, got {dtau:g}")
@@ -129,10 +151,23 @@ class StraightLinePath:
         return np.append(np.arange(math.floor(self.tau_f / dtau) + 1) * dtau, self.tau_f)
 
     def sample(self, tau: ArrayLike) -> Motion:
-        """Return the motion at times tau, s, of any shape; no external load.
+        """Return the motion at some times, without external load.
 
-        Where an acceleration jumps, the value is the one that follows, at tau_f the one before.  Raises
-        ``ValueError`` when a time lies outside [0, tau_f].
+        Parameters
+        ----------
+        tau : array_like
+            Times, s, of any shape.
+
+        Returns
+        -------
+        Motion
+            Of the shape of tau. Where an acceleration jumps, the value is the one that follows, at tau_f the
+            one before.
+
+        Raises
+        ------
+        ValueError
+            For times outside [0, tau_f].
         """
         time = self._checked(tau)
         t, v, a = _line(self.t0, self.t1, self.distance, self.V, self.tau_t, self.tau_f, time)

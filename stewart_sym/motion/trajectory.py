@@ -59,7 +59,18 @@ class Smoothing:
                 raise ValueError(f"{name}: expected a number > 0, got {getattr(self, name):g}")
 
     def stated(self, name: str) -> float | None:
-        """What is stated of ``t``, ``theta`` or ``L``."""
+        """What is stated of the noise of one kind of coordinates.
+
+        Parameters
+        ----------
+        name : {"t", "theta", "L"}
+            Positions, angles or leg lengths.
+
+        Returns
+        -------
+        float or None
+            Standard deviation, ``angle``, rad, of ``theta``, else ``position``, m; None where none is stated.
+        """
         return self.angle if name == "theta" else self.position
 
 

@@ -82,7 +82,23 @@ class TimedPath:
         return self.profile.duration
 
     def sample(self, times: ArrayLike) -> Motion:
-        """Return the motion at times from 0 to the duration, s, (n,); ValueError for times outside."""
+        """Return the motion at given times.
+
+        Parameters
+        ----------
+        times : array_like
+            From 0 to the duration, s, (n,).
+
+        Returns
+        -------
+        Motion
+            Of shape (n,).
+
+        Raises
+        ------
+        ValueError
+            For times outside.
+        """
         when = real_array(times, "times")
         # A duration that was asked for is kept to rounding.
         if when.size and not (when.min() >= 0.0 and when.max() <= self.duration * (1.0 + _SAME_TIME)):

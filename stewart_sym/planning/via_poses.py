@@ -59,7 +59,18 @@ class ViaPose(Frozen):
         return bool((self.high > self.low).any())
 
     def moved(self, shift: Array) -> ViaPose:
-        """The pose that differs by (6,), with no freedom left."""
+        """The pose that differs by a shift, with no freedom left.
+
+        Parameters
+        ----------
+        shift : ndarray
+            By how much it differs, in the coordinates of ``low`` and ``high``, m and rad, (6,).
+
+        Returns
+        -------
+        ViaPose
+            Its ``low`` and ``high`` are 0.
+        """
         return ViaPose(self.R @ rotation_from_vector(shift[3:]), self.t + shift[:3])
 
 

@@ -175,9 +175,26 @@ class Robot(Frozen):
     def from_toml(cls, path: str | os.PathLike[str]) -> Robot:
         """Read a robot file (TOML, schema 1 or 2).
 
-        Raises ``ValueError`` of one line, ``file: key: what was expected (at line n)``, for a file that
-        cannot be read and for every break of the schema; legs are numbered from 1.  Warns with
-        ``PhysicalityWarning`` about inertias that no body can have, unless the file accepts them.
+        Parameters
+        ----------
+        path : str or os.PathLike
+            The file.
+
+        Returns
+        -------
+        Robot
+            The machine, checked.
+
+        Raises
+        ------
+        ValueError
+            Of one line, ``file: key: what was expected (at line n)``, for a file that cannot be read and for
+            every break of the schema; legs are numbered from 1.
+
+        Warns
+        -----
+        PhysicalityWarning
+            About inertias that no body can have, unless the file accepts them.
         """
         source = tables.file_name(path)
         with tables.toml_tables(source, "robot file") as d:
@@ -187,9 +204,27 @@ class Robot(Frozen):
 
     @classmethod
     def from_dict(cls, d: Mapping[str, Any]) -> Robot:
-        """Make a robot from the tables of a robot file as plain Python dicts and lists.
+        """Make a robot from the tables of a robot file.
 
-        Raises and warns as ``from_toml``, with ``robot`` in place of the file's name and without lines.
+        Parameters
+        ----------
+        d : dict
+            The tables as plain Python dicts and lists.
+
+        Returns
+        -------
+        Robot
+            The machine, checked.
+
+        Raises
+        ------
+        ValueError
+            As ``from_toml``, with ``robot`` in place of the file's name and without lines.
+
+        Warns
+        -----
+        PhysicalityWarning
+            As ``from_toml``.
         """
         robot = cls._read(d, "robot")
         _warn(robot, "robot")
@@ -209,9 +244,13 @@ class Robot(Frozen):
         return robot
 
     def to_dict(self) -> dict[str, Any]:
-        """Return the robot as the tables of a robot file; ``from_dict`` undoes it to the bit.
+        """Return the robot as the tables of a robot file.
 
-        Of schema 1 where that has all that the robot is, else of schema 2; SI units.
+        Returns
+        -------
+        dict
+            Of schema 1 where that has all that the robot is, else of schema 2; SI units. ``from_dict`` undoes
+            it to the bit.
         """
         plain = self.home is None and self.lengths == "absolute" and self.euler_order == "zyx"
         plain = plain and self.drive is None and self.offsets is None
@@ -240,10 +279,15 @@ class Robot(Frozen):
         return self.drive is not None and bool(np.any(self.drive.rotor_inertia))
 
     def physicality(self) -> list[str]:
-        """Return one line for each part whose inertia no rigid body can have; empty when all are possible.
+        """Find the parts whose inertia no rigid body can have.
 
-        Principal moments A <= B <= C of a body satisfy A >= 0 and A + B >= C.  Legs with the same tensor
-        share a line.  What the robot accepts is reported as well.
+        Principal moments A <= B <= C of a body satisfy A >= 0 and A + B >= C.
+
+        Returns
+        -------
+        list of str
+            One line for each such part, legs with the same tensor sharing one; empty when all are possible.
+            What the robot accepts is reported as well.
         """
         return [message for _, message in impossible_inertias(self)]
 

@@ -105,11 +105,19 @@ class Units:
 
     @classmethod
     def of(cls, robot: Robot) -> "Units":
-        """Units in which the numbers of ``robot`` are near 1.
+        """Units in which the numbers of a robot are near 1.
 
-        length: the least power of two that no coordinate of the platform points exceeds, as in the float
-        force kernels. mass: the least that no part's mass exceeds. time: the least not below
-        sqrt(length / largest component of gravity), 1 s without gravity.
+        Parameters
+        ----------
+        robot : Robot
+            The machine.
+
+        Returns
+        -------
+        Units
+            Length: the least power of two that no coordinate of the platform points exceeds, as in the float
+            force kernels. Mass: the least that no part's mass exceeds. Time: the least not below
+            sqrt(length / largest component of gravity), 1 s without gravity.
         """
         length = _power_of_two(float(np.abs(robot.p).max()))
         heaviest = max(robot.M, float(robot.m_d.max()), float(robot.m_u.max()))
@@ -123,16 +131,49 @@ class Units:
         return Units(1 / self.length, 1 / self.mass, 1 / self.time)
 
     def robot(self, robot: Robot) -> Robot:
-        """The robot, given in SI units, in these."""
+        """A robot in these units.
+
+        Parameters
+        ----------
+        robot : Robot
+            In SI units.
+
+        Returns
+        -------
+        Robot
+            In these.
+        """
         return rescaled(robot, 1 / self.length, 1 / self.mass, 1 / self.time)
 
     def motion(self, motion: Motion) -> Motion:
-        """The motion, given in SI units, in these; shapes and types stay."""
+        """A motion in these units.
+
+        Parameters
+        ----------
+        motion : Motion
+            In SI units.
+
+        Returns
+        -------
+        Motion
+            In these; shapes and types stay.
+        """
         changed = _rescaled(motion, MOTION, (1 / self.length, 1 / self.mass, 1 / self.time))
         return Motion.unchecked(**{**vars(motion), **changed})
 
     def forces(self, F: Array) -> Array:
-        """Forces, given in these units, in N; shape and type stay."""
+        """Forces in N.
+
+        Parameters
+        ----------
+        F : ndarray
+            In these units.
+
+        Returns
+        -------
+        ndarray
+            In N; shape and type stay.
+        """
         return F * _product((self.length, self.mass, self.time), _FORCE)
 
 

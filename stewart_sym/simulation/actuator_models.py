@@ -71,7 +71,26 @@ class LegSprings(Frozen):
     ) -> LegSprings:
         """Springs that hold the machine at rest in a pose, against its weight and the pose's load.
 
-        stiffness: > 0. Raises ValueError as ``inverse_dynamics`` where the pose is unsolvable.
+        Parameters
+        ----------
+        robot : Robot
+            The machine.
+        pose : Motion
+            Pose and load, of shape (); rates don't count.
+        stiffness : array_like
+            N/m, > 0, one or (6,).
+        damping : array_like, optional
+            N s/m, one or (6,).
+
+        Returns
+        -------
+        LegSprings
+            With rest lengths L + F / k, L and F those of the machine at rest in the pose.
+
+        Raises
+        ------
+        ValueError
+            Naming the argument; as ``inverse_dynamics`` where the pose is unsolvable.
         """
         instance(robot, Robot, "robot")
         instance(pose, Motion, "pose")
@@ -94,7 +113,23 @@ class LegSprings(Frozen):
         return np.asarray(-self.stiffness * (L - self.rest_length) - self.damping * L_dot)
 
     def energy(self, L: ArrayLike) -> Array:
-        """Energy in the springs, J, (...), at leg lengths L, m, (..., 6)."""
+        """Energy in all springs.
+
+        Parameters
+        ----------
+        L : array_like
+            Leg lengths, m, (..., 6).
+
+        Returns
+        -------
+        ndarray
+            J, (...).
+
+        Raises
+        ------
+        ValueError
+            For lengths of another shape.
+        """
         lengths = real_array(L, "L", "lengths of shape (..., 6)")
         if lengths.shape[-1:] != (6,):
             raise ValueError(f"L: expected lengths of shape (..., 6), got {lengths.shape}")

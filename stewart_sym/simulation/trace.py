@@ -201,9 +201,22 @@ class Simulation(Trace):
         return len(self._pieces)
 
     def at(self, times: ArrayLike) -> Trace:
-        """States and forces at times, s, (n,), interpolated to the accuracy of the run.
+        """States and forces at given times, interpolated to the accuracy of the run.
 
-        Raises ValueError for times outside the run.
+        Parameters
+        ----------
+        times : array_like
+            Within the run, s, (n,).
+
+        Returns
+        -------
+        Trace
+            Shapes and units are documented there.
+
+        Raises
+        ------
+        ValueError
+            For times outside the run or of another shape.
         """
         when = real_array(times, "times", "times of shape (n,)")
         end = self.stop.time

@@ -1,16 +1,26 @@
 """Docstrings of public names have numpydoc's sections, which name every parameter, field and result."""
 
 import dataclasses
+import functools
 import inspect
+from types import FunctionType
 from typing import Any
 
 import pytest
-from numpydoc.docscrape import ClassDoc
+from numpydoc.docscrape import ClassDoc, FunctionDoc
 from numpydoc.validate import validate
 
 import stewart_sym as ss
 
 FUNCTIONS = sorted(name for name in ss.__all__ if inspect.isfunction(getattr(ss, name)))
+KINDS = (FunctionType, classmethod, staticmethod, property, functools.cached_property)
+METHODS: dict[str, Any] = {
+    f"{name}.{member}": value
+    for name in sorted(ss.__all__)
+    if inspect.isclass(getattr(ss, name))
+    for member, value in vars(getattr(ss, name)).items()
+    if isinstance(value, KINDS) and not member.startswith("_")
+}
 RECORDS = sorted(
     name
     for name in ss.__all__
@@ -24,10 +34,18 @@ CHECKED = {
 }
 
 
-@pytest.mark.parametrize("name", FUNCTIONS)
+@pytest.mark.parametrize("name", [*FUNCTIONS, *METHODS])
 def test_every_parameter_and_result_of_a_function_is_described(name: str) -> None:
     errors = [each for each in validate(f"stewart_sym.{name}")["errors"] if each[0] in CHECKED]
     assert errors == []
+
+
+@pytest.mark.parametrize("name", [name for name, of in METHODS.items() if isinstance(of, classmethod)])
+def test_what_a_class_method_returns_is_described(name: str) -> None:
+    # ``validate`` looks for results of functions alone.
+    results = FunctionDoc(METHODS[name].__func__)["Returns"]
+    assert results
+    assert all(each.type and "".join(each.desc).strip() for each in results)
 
 
 def fields(of: Any) -> set[str]:
