@@ -201,20 +201,13 @@ class _Source(Source):
         else:
             yield from p.preparation(self.texts, kernel, t.Name("i"))
             yield p.size_of(self.texts, by_legs=False)
-            given = p.constants(kernel) | p.HANDED_OVER | {"COUNT": model_numbers(kernel)}
+            given = p.HANDED_OVER | {"COUNT": model_numbers(kernel)}
             yield read(written.prepare, f"{name}_prepare", public=True, given=given)
         shared = (*lay.lines(kernel.shared, self._place("at")), *lay.stores(kernel.shared.outputs, _out()))
         yield read(written.shared_of_pose, given={"SHARED": shared}, count=kernel.shared.operations())
         yield from self._legs_of_pose()
-        of_pose = (
-            legs_in_lanes("legs", "A")
-            | self.flags
-            | self._public("motion", "F")
-            | {
-                "LEGS_C": self._has(n.c_force, "legs"),
-                "ARM_C": self._has(n.c_force, "legs", arm_c),
-            }
-        )
+        of_pose = legs_in_lanes("legs", "A") | self.flags | self._public("motion", "F")
+        of_pose |= {"LEGS_C": self._has(n.c_force, "legs"), "ARM_C": self._has(n.c_force, "legs", arm_c)}
         yield read(written.forces, f"{name}_forces", public=True, given=of_pose)
         yield made["Block"]
         if kernel.about_tip:
