@@ -8,10 +8,9 @@ from collections.abc import Callable, Iterable
 from ..kernel import prepare as p
 from ..kernel.batches import LOADS, MOTIONS, NUMBERS, batch, copies, missing
 from ..kernel.interface import STRUCTS
-from ..kernel.layouts import Written
+from ..kernel.layouts import Written, filling, terms
 from ..kernel.operations import KernelOperations
 from ..kernel.shared import legs_in_turn, shared
-from ..kernel.terms import filling, terms
 from ..kernel.tree.nodes import Array, Field, Number, Real, Statement, Structure
 from ..kernel.tree.read import Given
 from ..kernel.written import every_output as written

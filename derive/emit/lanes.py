@@ -13,9 +13,8 @@ import sympy as sp
 from ..kernel import layouts as lay
 from ..kernel import prepare as p
 from ..kernel.batches import BATCH, LOADS, MOTIONS, loaded_block, missing
-from ..kernel.moments import by_shape
 from ..kernel.operations import force_operations
-from ..kernel.shared import legs_in_lanes, shared
+from ..kernel.shared import by_shape, legs_in_lanes, shared
 from ..kernel.tree import nodes as t
 from ..kernel.tree.lower import expression, steps_of
 from ..kernel.tree.read import LANES, POSES, Given

@@ -227,6 +227,31 @@ def described(quantity: Quantity, *lanes: int) -> t.Field:
     return replace(stored(quantity, *lanes, always=False), meaning=unit_and_meaning(quantity))
 
 
+def terms(name: str, block: Block) -> t.Structure:
+    """What a block makes, as a structure."""
+    return t.Structure(name, "", tuple(described(out.quantity) for out in block.outputs))
+
+
+def filling(block: Block, made: t.Structure) -> t.Function:
+    """A block as a function that fills the structure; named steps keep equation number and meaning."""
+    inputs = block.inputs
+    given = [q for q in inputs if q in (n.x, n.bearing)]
+    arguments = [
+        *([t.Argument("robot", t.Record("stewart_robot"))] if any(q in n.PLATFORM for q in inputs) else []),
+        *([t.Argument("leg", t.Record("stewart_leg"))] if any(q in n.OF_LEG for q in inputs) else []),
+        t.Argument("at", t.Record("stewart_motions")),
+        *(t.Argument(q.name, t.Real()) for q in given),
+        t.Argument("out", t.Record(made.name), changed=True),
+    ]
+    body = (*lines(block, _place, given), *stores(block.outputs, lambda q: member("out", q)))
+    meaning = f"{block.meaning[0].upper()}{block.meaning[1:]}. Operations: {block.operations()}."
+    return t.Function(block.name, meaning, tuple(arguments), None, body)
+
+
+def _place(q: Quantity) -> Place:
+    return member("robot" if q in n.PLATFORM else "leg" if q in n.OF_LEG else "at", q)
+
+
 @dataclass
 class Written:
     """Functions read one after the other; each may call those before it.
