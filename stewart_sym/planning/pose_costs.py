@@ -53,7 +53,7 @@ class PoseCosts(Frozen):
         return q - arm[:, None, :], S, L
 
     def conditions(self, R: Array, t: Array) -> tuple[Array, Array]:
-        """Condition numbers, (n,), with derivatives, (n, 6)."""
+        """Condition numbers of H about the reference point, (n,), with derivatives, (n, 6)."""
         q, s, L, H = self._matrices(R, t)
         u, values, vh = np.linalg.svd(H)
         sign = np.sign(np.linalg.det(H)) * self.side
@@ -65,7 +65,10 @@ class PoseCosts(Frozen):
         safe = np.where(inside, smallest, floor)
         inverse = np.where(inside, 1.0 / safe, (2.0 - smallest / floor) / floor)
         slope = -1.0 / safe**2
-        return largest * inverse, inverse[:, None] * d_largest + (largest * slope)[:, None] * d_smallest
+        rate = inverse[:, None] * d_largest + (largest * slope)[:, None] * d_smallest
+        # Turned about the tool, the reference point moves by -dphi x arm.
+        rate[:, 3:] -= cross(R @ self.tool, rate[:, :3])
+        return largest * inverse, rate
 
     def plain_conditions(self, R: Array, t: Array) -> tuple[Array, Array]:
         """Condition numbers and signs of det H, (n,)."""
@@ -80,13 +83,13 @@ class PoseCosts(Frozen):
         return np.asarray(np.linalg.svd(self._matrices(R, t)[-1], compute_uv=False)[:, -1])
 
     def _matrices(self, R: Array, t: Array) -> tuple[Array, Array, Array, Array]:
-        """q, s, L and H with its moments over the characteristic length, (n, 6, 6)."""
-        q, S, L = self.legs(R, t)
+        """q, s, L and H, about the reference point, its moments over the characteristic length, (n, 6, 6)."""
+        q, S, L = leg_vectors(self.robot, R, t - R @ self.tool)
         s = S / L[..., None]
         return q, s, L, np.swapaxes(np.concatenate([s, cross(q, s) / self.length], axis=-1), -1, -2)
 
     def _rate(self, q: Array, s: Array, L: Array, u: Array, v: Array) -> Array:
-        """Derivative of u^T H v by the twist, (n, 6)."""
+        """Derivative of u^T H v by the twist of the reference point, (n, 6)."""
         force, moment = u[:, None, :3], u[:, None, 3:] / self.length
         along = v[:, :, None] * (force + cross(moment, q))
         g = (along - np.sum(along * s, axis=-1, keepdims=True) * s) / L[..., None]

@@ -11,6 +11,7 @@ from stewart_sym.design.pose_limits import PoseLimits
 from stewart_sym.kinematics.clearance import leg_distances
 from stewart_sym.kinematics.conditioning import characteristic_length, scaled_condition_number
 from stewart_sym.kinematics.inverse import inverse_kinematics, wrench_matrix
+from stewart_sym.motion.motion import at_rest
 from stewart_sym.motion.rotation import rotation_from_rpy, rotation_from_vector, vector_from_rotation
 from stewart_sym.motion.straight_line import PATHS
 from stewart_sym.planning.path_spline import Family, by_coordinates, poses_of
@@ -103,6 +104,17 @@ def test_costs_have_the_derivatives_of_their_values() -> None:
         np.testing.assert_allclose(
             np.stack(found, axis=-1), numeric, atol=2e-6 * max(1.0, np.abs(numeric).max())
         )
+
+
+def test_condition_numbers_are_those_about_the_reference_point() -> None:
+    robot, poses = via_case(9)
+    costs = PoseCosts(robot, PoseLimits(condition=2.0), np.array([0.3, -0.2, -0.6]), 1.0, 0.0)
+    R, t = np.array([pose.R for pose in poses]), np.array([pose.t for pose in poses])
+    expected = conditions(robot, at_rest(R, t - R @ costs.tool))
+    side = costs.plain_conditions(R, t)[1][0]
+    costs = dataclasses.replace(costs, side=side)
+    np.testing.assert_allclose(costs.plain_conditions(R, t)[0], expected, rtol=1e-12)
+    np.testing.assert_allclose(costs.conditions(R, t)[0], expected, rtol=1e-12)
 
 
 def crossed_pairs(count: int):
