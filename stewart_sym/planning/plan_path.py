@@ -41,6 +41,9 @@ _STEPS = 60
 _STARTS = 12
 _SWING = 0.6
 _FINE = 2001
+# How often the nearest pose within reach is looked for, and by how much it may break a limit, to rounding.
+_TRIES = 8
+_TOUCHES = 1e-3 * ROOM
 _RESTS = 1e-6
 # Paths between the straight spline, 0, and the best one, 1, in the order in which they are tried.
 _SHARES = (1.0, 0.9, 0.75, 0.5, 0.25, 0.1, 0.03, 0.01, 0.0)
@@ -341,20 +344,25 @@ def broken_limits(costs: PoseCosts, R: Array, t: Array, s: Array) -> list[tuple[
 
 
 def need_reachable(costs: PoseCosts, poses: Sequence[ViaPose], values: Array, signs: Array) -> None:
-    """Reject via poses that are singular, break a limit, or lie beyond singular poses from the first."""
+    """Reject via poses that are singular, break a limit, or lie beyond singular poses from the first.
+
+    A free one is rejected where every pose that its freedom allows breaks limits of reach.
+    """
+    reach = replace(costs, limits=replace(costs.limits, condition=math.inf))
     for number, pose in enumerate(poses, start=1):
-        if pose.free:
-            continue
-        if not values[number - 1] < 1e12:
+        if not pose.free and not values[number - 1] < 1e12:
             raise ValueError(f"via pose {number}: expected a regular pose, it is singular")
-        for name, excess, _ in costs.excesses(pose.R[None], pose.t[None]):
-            if excess.max() > ROOM and name != "condition number":
+        nearest = _nearest(reach, pose)
+        who = "the nearest that its freedom allows" if pose.free else "it"
+        for name, excess, _ in reach.excesses(nearest.R[None], nearest.t[None]):
+            if excess.max() > ROOM + (_TOUCHES if pose.free else 0.0):
                 leg = f" of leg {int(np.argmax(excess[0])) + 1}" if excess.shape[1] == 6 else ""
-                far = f"t of {np.linalg.norm(pose.t):.4g} m in length"
+                far = f", t of {np.linalg.norm(nearest.t):.4g} m in length"
                 raise ValueError(
-                    f"via pose {number}: out of reach, it breaks the limit of {name}{leg}, {far}"
+                    f"via pose {number}: out of reach, {who} breaks the limit of {name}{leg}"
+                    f"{'' if name == 'leg clearance' else far}"
                 )
-        if values[number - 1] > costs.limits.condition:
+        if not pose.free and values[number - 1] > costs.limits.condition:
             raise ValueError(
                 f"via pose {number}: expected a condition number of at most {costs.limits.condition:g}, "
                 f"got {values[number - 1]:.4g}"
@@ -366,3 +374,32 @@ def need_reachable(costs: PoseCosts, poses: Sequence[ViaPose], values: Array, si
                 f"via pose {after + 1}: every path to it from via pose {before + 1} crosses a singular pose, "
                 "as det H has another sign there"
             )
+
+
+def _nearest(costs: PoseCosts, pose: ViaPose) -> ViaPose:
+    """Of the poses that its freedom allows, the one that breaks limits least, looked for from a few starts."""
+    if not pose.free:
+        return pose
+    with needed_for("a path"):
+        from scipy.optimize import minimize
+    free = pose.high > pose.low
+    low, high = pose.low[free], pose.high[free]
+
+    def moved(x: Array) -> ViaPose:
+        shift = np.zeros(len(free))
+        shift[free] = np.clip(x, low, high)
+        return pose.moved(shift)
+
+    def broken(x: Array) -> float:
+        at = moved(x)
+        parts = (excess for _, excess, _ in costs.excesses(at.R[None], at.t[None]))
+        return sum(float(np.sum(np.maximum(excess - ROOM, 0.0) ** 2)) for excess in parts)
+
+    random, least, best = np.random.default_rng(0), math.inf, np.zeros(len(low))
+    for start in (best, *random.uniform(low, high, (_TRIES, len(low)))):
+        found = minimize(broken, start, method="L-BFGS-B", bounds=list(zip(low, high, strict=True)))
+        if found.fun < least:
+            least, best = float(found.fun), found.x
+        if least <= _TOUCHES**2:
+            break
+    return moved(best)

@@ -112,6 +112,11 @@ def test_a_limit_of_jerk_stands_beside_the_others(folder: Path) -> None:
     assert np.abs(np.diff(legs, axis=0)).max() * 200.0 <= 200.0 * (1.0 + 1e-6)
 
 
+def test_a_free_pose_may_be_given_out_of_reach(folder: Path) -> None:
+    text = HEAD + FIRST + SECOND.replace("0.1", "1.0") + "free.x = [-0.95, 0.0]\n"
+    assert main(["plan", via(folder, text), "-o", str(folder / "out"), "--no-pictures"]) == 0
+
+
 def test_angles_that_must_be_degrees_are_a_warning(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     text = VIA.replace("theta = [0.10, -0.10, 0.20]", "theta = [5.7, -5.7, 11.5]")
     assert main(["plan", via(folder, text), "-o", str(folder / "out")]) == 2
@@ -170,6 +175,13 @@ SECOND = "[[via]]\nt = [0.1, 0.0, 0.65]\ntheta = [0.0, 0.0, 0.0]\n"
         (
             HEAD + "[limits]\ncondition = 12.0\n" + FIRST + SECOND.replace("0.1", "900.0"),
             "via pose 2: out of reach, it breaks the limit of leg length of leg",
+        ),
+        *(
+            (
+                HEAD + FIRST + SECOND.replace("0.1", x) + "free.yaw = [-0.2, 0.2]\nfree.x = [-0.1, 0.0]\n",
+                "via pose 2: out of reach, the nearest that its freedom allows breaks the limit of leg length",
+            )
+            for x in ("9.0", "900.0")
         ),
         (HEAD + FIRST + SECOND + FIRST, "via pose 2: expected a path through it, the one found turns back"),
         (
