@@ -76,6 +76,22 @@ class PoseLimits(Frozen):
         self._set({"load": finite_array(self.load, (6,), "load").reshape(6)})
 
 
+def need_clearance(robot: Robot, clearance: float) -> None:
+    """Reject a clearance, m, that two neighbouring joints leave in no pose."""
+    distances = joined(robot)
+    tight = np.flatnonzero((distances < clearance) & _apart(robot))
+    if tight.size:
+        raise ValueError(
+            f"clearance: expected less than {distances[tight[0]]:.4g} m, the distance of joints of "
+            f"{legs_text(PAIRS[tight[0]])}, got {clearance:g} m"
+        )
+
+
+def _apart(robot: Robot) -> Flags:
+    """Whether the two legs of each pair share no joint."""
+    return np.asarray(joined(robot) > _SAME * characteristic_length(robot))
+
+
 @dataclass(frozen=True, eq=False)
 class PoseExaminer(Frozen):
     """A robot and the limits that its poses are to keep.
@@ -104,21 +120,7 @@ class PoseExaminer(Frozen):
         t = home_pose(self.robot).t
         H = self._rows(*leg_vectors(self.robot, np.eye(3), t))
         self._set({"up": up_direction(self.robot).copy(), "side": float(np.sign(np.linalg.det(H)))})
-        self._need_clearance()
-
-    def _need_clearance(self) -> None:
-        """Reject a clearance that two neighbouring joints leave in no pose."""
-        apart = joined(self.robot)
-        tight = np.flatnonzero((apart < self.limits.clearance) & ~self._same(apart))
-        if tight.size:
-            pair, distance = PAIRS[tight[0]], apart[tight[0]]
-            raise ValueError(
-                f"clearance: expected less than {distance:.4g} m, the distance of joints of "
-                f"{legs_text(pair)}, got {self.limits.clearance:g} m"
-            )
-
-    def _same(self, apart: Array) -> Flags:
-        return np.asarray(apart <= _SAME * characteristic_length(self.robot))
+        need_clearance(self.robot, self.limits.clearance)
 
     def broken_limits(self, R: Array, t: Array) -> NDArray[np.int8]:
         """First limit that each pose breaks, in the order of ``REASONS``, whose index it is, (n,).
@@ -172,7 +174,7 @@ class PoseExaminer(Frozen):
         if limits.joint_angles and np.isfinite(robot.joint_angle_limit).any():
             keep(self._angles_kept(R[left], S[left], L[left]), ANGLE)
         if limits.clearance > 0.0:
-            apart = ~self._same(joined(robot))
+            apart = _apart(robot)
             keep(np.all(distances_of(robot.b, S[left])[:, apart] >= limits.clearance, axis=-1), CLEARANCE)
         if limits.condition < math.inf:
             keep(self._conditions_kept(q[left], S[left], L[left]), CONDITION)

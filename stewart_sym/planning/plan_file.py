@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from ..backend.kernel import FORMULATIONS
-from ..design.pose_limits import PoseLimits
+from ..design.pose_limits import PoseLimits, need_clearance
 from ..dynamics.inverse import Formulation
 from ..io import tables
 from ..io.array_types import Array
@@ -101,6 +101,10 @@ def _request(d: Mapping[str, Any], source: str) -> PlanRequest:
     if given is None:
         files.append(folder / tables.one_line(top["via_file"], f"{file}via_file"))
     robot = Robot.from_toml(files[1])
+    try:
+        need_clearance(robot, path_limits.clearance)
+    except ValueError as error:
+        raise ValueError(f"{file}limits.{error}") from None
     doubt = ""
     if given is None:
         poses = tuple(ViaPose(*pose) for pose in zip(*read_poses(files[2], form_of(robot)), strict=True))

@@ -11,7 +11,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..design.pose_limits import PoseLimits
+from ..design.pose_limits import PoseLimits, need_clearance
 from ..io.arguments import finite_array, instance, option, shown
 from ..io.array_types import Array
 from ..io.extras import needed_for
@@ -138,6 +138,7 @@ def plan_path(
     option(objective, OBJECTIVES, "objective")
     limits = PoseLimits() if limits is None else limits
     instance(limits, PoseLimits, "limits")
+    need_clearance(robot, limits.clearance)
     price = not_negative(price, "price")
     wrench = finite_array(load, (6,), "load")
     if not isinstance(poses, Sequence):
@@ -377,7 +378,7 @@ def need_reachable(costs: PoseCosts, poses: Sequence[ViaPose], values: Array, si
 
 
 def _nearest(costs: PoseCosts, pose: ViaPose) -> ViaPose:
-    """Of the poses that its freedom allows, the one that breaks limits least, looked for from a few starts."""
+    """Of the poses that its freedom allows, the one that breaks limits least, by a few starts."""
     if not pose.free:
         return pose
     with needed_for("a path"):

@@ -179,7 +179,7 @@ SECOND = "[[via]]\nt = [0.1, 0.0, 0.65]\ntheta = [0.0, 0.0, 0.0]\n"
         *(
             (
                 HEAD + FIRST + SECOND.replace("0.1", x) + "free.yaw = [-0.2, 0.2]\nfree.x = [-0.1, 0.0]\n",
-                "via pose 2: out of reach, the nearest that its freedom allows breaks the limit of leg length",
+                "via pose 2: out of reach, the nearest that its freedom allows breaks the limit of",
             )
             for x in ("9.0", "900.0")
         ),
@@ -201,6 +201,10 @@ SECOND = "[[via]]\nt = [0.1, 0.0, 0.65]\ntheta = [0.0, 0.0, 0.0]\n"
         (
             HEAD + "[limits]\ncondition = 1.1\n" + FIRST + SECOND,
             "via pose 1: expected a condition number of at most 1.1",
+        ),
+        (
+            HEAD + "[limits]\nclearance = 60.0\n" + FIRST + SECOND,
+            "limits.clearance: expected less than 0.1039 m, the distance of joints of legs 1, 2, got 60 m",
         ),
         (HEAD + "[limits]\nforces = 1.0\n" + FIRST + SECOND, 'did you mean "force"?'),
         (
