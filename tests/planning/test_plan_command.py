@@ -112,6 +112,18 @@ def test_a_limit_of_jerk_stands_beside_the_others(folder: Path) -> None:
     assert np.abs(np.diff(legs, axis=0)).max() * 200.0 <= 200.0 * (1.0 + 1e-6)
 
 
+def test_a_rate_that_leaves_a_few_rows_is_a_warning(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    text = "rate = 2.0\n" + HEAD + FIRST + SECOND
+    assert main(["plan", via(folder, text), "-o", str(folder / "out"), "--no-pictures"]) == 0
+    (line,) = capsys.readouterr().err.splitlines()
+    duration = json.loads((folder / "out" / "report.json").read_text())["duration_s"]
+    rows = len(read_csv(folder / "out" / "trajectory.csv").time)
+    assert line.endswith(
+        f"via.toml: rate: expected more than 10 rows in trajectory.csv of a motion of {duration:.4g} s, "
+        f"got {rows} at 2 Hz"
+    )
+
+
 def test_a_free_pose_may_be_given_out_of_reach(folder: Path) -> None:
     text = HEAD + FIRST + SECOND.replace("0.1", "1.0") + "free.x = [-0.95, 0.0]\n"
     assert main(["plan", via(folder, text), "-o", str(folder / "out"), "--no-pictures"]) == 0

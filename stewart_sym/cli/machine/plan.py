@@ -76,6 +76,12 @@ def run(arguments: argparse.Namespace) -> int:
         take(plan.report(found, pictures(found)))
     for line in [] if found.motors is None else found.motors.summary.exceeded():
         warnings.warn(f"drive: {line}", DriveLimitWarning, stacklevel=2)
+    if len(found.times) <= plan.FEWEST:
+        warnings.warn(
+            f"{arguments.via}: rate: expected more than {plan.FEWEST} rows in trajectory.csv of a motion of "
+            f"{timed.duration:.4g} s, got {len(found.times)} at {request.rate:g} Hz",
+            stacklevel=2,
+        )
     if not found.certificate.holds:
         warnings.warn(f"{arguments.via}: the certificate does not hold, see the report", stacklevel=2)
     return 0
