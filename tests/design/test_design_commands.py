@@ -35,6 +35,7 @@ force_limit = 300.0
 joint_angle_limit = [30.0, 22.0]
 """
 FEW = ("--poses", 4000)
+FREE = ("--ignore", "lengths", "--ignore", "joint-angles", "--box", -0.1, 0.1, -0.1, 0.1, 0.6, 0.8)
 
 
 @pytest.fixture(autouse=True)
@@ -76,6 +77,30 @@ def test_a_middle_beyond_the_limits_and_metres_read_as_millimetres_are_doubted(
     for unit, doubted in (("m", False), ("mm", True)):
         command("forces", "hexapod.toml", "trajectory.csv", "--length-unit", unit, "-o", "f.csv")
         assert ("1000 times as much does not: is --length-unit" in capsys.readouterr().err) == doubted
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        (("--position", 0, 0, 700), "its legs are 700 to 700 m long: expected one within the limits, "),
+        (("--condition", 1.5), "condition number: expected at most 1.5, got "),
+        (
+            (*FREE, "--condition", 20, "--angles", 0, 0, 2.5),
+            "condition number: det H has another sign than at the home pose",
+        ),
+        ((*FREE, "--clearance", 0.08, "--angles", 0, 0, 2.5), "leg clearance"),
+        (("--load", 0, 0, 9000, 0, 0, 0), "actuator force"),
+        (("--position", 0, 0, -0.7), "other side of the base"),
+        (("--angles", 0, 0, 0.6), "joint angle"),
+    ],
+)
+def test_the_limit_that_the_middle_breaks_is_named(
+    options: tuple, words: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert command("workspace", "hanging.toml", "--poses", 500, "--no-pictures", *options) == 0
+    errors = capsys.readouterr().err
+    assert f"the pose in the middle breaks a limit, {words}" in errors
+    assert ("--position" in errors) == (words.startswith("its legs"))
 
 
 def test_shares_given_in_per_cent_are_named(capsys: pytest.CaptureFixture[str]) -> None:

@@ -11,8 +11,8 @@ from ..options import finite, output, positive, robot_file, whole
 from ..results import results
 
 if TYPE_CHECKING:
+    from ...design.pose_limits import PoseExaminer
     from ...design.workspace import Workspace
-    from ...robot.robot import Robot
 
 HELP = "how far a machine reaches: volume of its workspace with an error, what bounds it, and slices"
 EXAMPLE = "stewart-sym workspace hexapod.toml --condition 20 -o workspace"
@@ -77,7 +77,7 @@ def run(arguments: argparse.Namespace) -> int:
     """Run ``workspace``; returns the exit code."""
     import numpy as np
 
-    from ...design.pose_limits import PoseLimits
+    from ...design.pose_limits import PoseExaminer, PoseLimits
     from ...design.workspace import workspace
     from ...studies.design.workspace import report, slices
     from ...studies.design.workspace_plot import pictures
@@ -106,25 +106,31 @@ def run(arguments: argparse.Namespace) -> int:
             progress=progress,
         )
         if found.clear == 0.0:
-            low, high = _leg_lengths(robot, found)
-            warnings.warn(
-                f"the pose in the middle breaks a limit, its legs are {low:.4g} to {high:.4g} m long: "
-                "expected one within the limits, --position in metres",
-                stacklevel=2,
-            )
+            what = _broken(PoseExaminer(robot, limits), found)
+            warnings.warn(f"the pose in the middle breaks a limit, {what}", stacklevel=2)
         planes = slices(robot, limits, found, progress)
         figures = pictures(robot.name, found, planes)
         take(report(robot, limits, found, planes, figures))
     return 0
 
 
-def _leg_lengths(robot: "Robot", found: "Workspace") -> tuple[float, float]:
-    """The shortest and the longest leg of the pose in the middle, m."""
+def _broken(examiner: "PoseExaminer", found: "Workspace") -> str:
+    """Which limit the pose in the middle breaks, and what is known of it."""
+    from ...design.pose_limits import CONDITION, LENGTH, REASONS
     from ...kinematics.offset_legs import leg_lengths
     from ...motion.rotation import rotation_from_rpy
 
-    L = leg_lengths(robot, rotation_from_rpy(found.angles[None]), found.position[None])
-    return float(L.min()), float(L.max())
+    R, t = rotation_from_rpy(found.angles[None]), found.position[None]
+    code = int(examiner.broken_limits(R, t)[0])
+    if code == LENGTH:
+        L = leg_lengths(examiner.robot, R, t)
+        legs = f"its legs are {L.min():.4g} to {L.max():.4g} m long"
+        return f"{legs}: expected one within the limits, --position in metres"
+    number, most = float(examiner.conditions(R, t)[0]), examiner.limits.condition
+    if code == CONDITION and number > most:
+        return f"{REASONS[code]}: expected at most {most:g}, got {number:.4g}"
+    beyond = ": det H has another sign than at the home pose" if code == CONDITION else ""
+    return f"{REASONS[code]}{beyond}"
 
 
 def _pairs(numbers: list[float] | None) -> list[list[float]] | None:
