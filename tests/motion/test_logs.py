@@ -179,6 +179,9 @@ def test_the_unit_of_lengths_is_told_by_the_machines_size(limits: bool) -> None:
     for unit in ("mm", "cm", "in"):
         told = str(length_doubt(robot, L / LENGTH_UNITS[unit]))
         assert re.search(rf"another unit \(--length-unit .*\b{unit}\b", told), told
+    assert "another unit (--length-unit m" in str(length_doubt(robot, 1e-3 * L, "mm"))
+    beyond = 25.4 if limits else 100.0
+    assert "another unit (--length-unit mm)" in str(length_doubt(robot, beyond * L, "in"))
     assert "those of the robot file in metres" in str(length_doubt(robot, 1e-3 * L))
     assert "the log of another machine" in str(length_doubt(robot, 1e5 * L))
 
