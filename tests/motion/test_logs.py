@@ -5,6 +5,7 @@ import re
 import warnings
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -64,7 +65,26 @@ def test_names_are_mapped_and_other_columns_skipped(tmp_path: Path) -> None:
     with pytest.raises(
         ValueError, match=r"more.csv: expected a column 'Roll' for theta_x, got Time \[ms\], X"
     ):
-        read_csv(path, LogFormat({"theta_x": "Roll"}))
+        read_csv(path, LogFormat({**form.columns, "theta_x": "Roll"}))
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"yaw": "yaw"}, "unknown column 'yaw', expected time and either .* M_ext_[*]$"),
+        ({"t_xx": "foo"}, "unknown column 't_xx', expected time"),
+        ({"theta_y": "yaw"}, "header 'yaw' is given for theta_y and theta_z$"),
+        ({"q_w": "W"}, "unknown column 'theta_x', expected"),
+        ({"F_ext_x": "F"}, "missing column F_ext_y$"),
+        ({"t_x": 1}, "expected a mapping of names, got {"),
+    ],
+)
+def test_mistakes_among_given_names_are_theirs(tmp_path: Path, change: dict[str, Any], words: str) -> None:
+    given = ["Time [ms]", "X", "Y", "Z", "roll", "pitch", "yaw"]
+    path = write(tmp_path / "own.csv", given, poses())
+    columns = dict(zip(NAMES, given, strict=True)) | change
+    with pytest.raises(ValueError, match=f"^columns: {words}"):
+        read_csv(path, LogFormat(columns))
 
 
 def test_units_are_converted(tmp_path: Path) -> None:
