@@ -321,6 +321,20 @@ def test_an_unknown_option_or_choice_names_what_there_is_and_its_subcommands_hel
     assert fails_in_one_line(capsys, *arguments) == f"stewart-sym: error: {text.format('stewart-sym')}"
 
 
+@pytest.mark.parametrize("name", cli.SUBCOMMANDS)
+def test_no_folder_is_called_like_standard_output(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(SystemExit, match="0"):
+        main([name, "--help"])
+    options = re.findall(r"^  (?:-o.*, )?(--\w+) DIR", capsys.readouterr().out, re.MULTILINE)
+    for option in options:
+        error = fails_in_one_line(capsys, name, option, "-")
+        assert error.endswith(f"expected a folder, got - for standard output (see stewart-sym {name} --help)")
+    assert not list(tmp_path.iterdir())
+
+
 def test_version(capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit, match="0"):
         main(["--version"])
