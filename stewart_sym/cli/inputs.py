@@ -15,6 +15,8 @@ if TYPE_CHECKING:
 
 # Instants that show on which side of the base a platform is.
 _SOME = 64
+# Resampled instants, of a log of more rows, that don't show its motion.
+_FEW = 10
 
 
 def robot_of(source: Path) -> "Robot":
@@ -51,7 +53,17 @@ def trajectory_of(
     smoothing = Smoothing(*stated_noise(arguments), arguments.cutoff, arguments.smoothing)
     log = read_log_of(robot, source, log_format(arguments, robot), smoothing, progress)
     trajectory = poses_of(robot, log, arguments, progress)
-    return trajectory if arguments.rate is None else resampled(trajectory, arguments.rate)
+    if arguments.rate is None:
+        return trajectory
+    few = resampled(trajectory, arguments.rate)
+    if len(few.time) < min(_FEW, len(trajectory.time)):
+        warnings.warn(
+            f"{source}: {len(few.time)} instant{'s' * (len(few.time) > 1)} of "
+            f"{trajectory.time[-1] - trajectory.time[0]:.4g} s at a rate of {arguments.rate:g} Hz, of "
+            f"{len(trajectory.time)} rows: what happens between them is missed",
+            stacklevel=2,
+        )
+    return few
 
 
 def stated_noise(arguments: argparse.Namespace) -> "tuple[float | None, float | None]":

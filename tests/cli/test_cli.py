@@ -12,6 +12,7 @@ import pytest
 from command_files import edit, results
 from command_line import fails_in_one_line, folder_state, read
 
+from stewart_sym.backend.fidelity import DRIVE_FIDELITIES, FIDELITIES
 from stewart_sym.cli import main as cli
 from stewart_sym.cli import terminal
 from stewart_sym.cli.main import main
@@ -227,9 +228,17 @@ def test_generate_says_what_folding_the_numbers_in_saves(
     assert int(found[2]) < int(found[1])
 
 
+def test_the_help_has_every_level(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit, match="0"):
+        main(["generate", "--help"])
+    told = " ".join(capsys.readouterr().out.split())
+    for level in (*FIDELITIES, *DRIVE_FIDELITIES):
+        assert re.search(rf"\b{level.removesuffix('_friction')}[ ,;]", told), level
+
+
 def test_generate_rejects_a_level_that_there_is_not(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:
     error = fails_in_one_line(capsys, "generate", robot, "-o", robot.parent / "kit", "--fidelity", "rigid")
-    assert "fidelity: expected one of general, " in error
+    assert "error: --fidelity: expected one of general, " in error
     assert not (robot.parent / "kit").exists()
 
 

@@ -314,6 +314,18 @@ def test_forces_reads_a_foreign_log_and_sums_up(
     assert header[7:13] == [f"F{leg}_sd" for leg in range(1, 7)]
 
 
+def test_a_rate_that_leaves_few_instants_is_warned_of(
+    robot: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    limited(robot, 1e5)
+    log = write(tmp_path / "log.csv", NAMES, poses())
+    for rate, words in (("0.1", "1 instant of"), ("2", "5 instants of"), ("5", "")):
+        assert main(["forces", str(robot), str(log), "-o", str(tmp_path / "f.csv"), "--rate", rate]) == 0
+        told = capsys.readouterr().err
+        expected = f"log.csv: {words} 2 s at a rate of {rate} Hz, of 41 rows: what happens between"
+        assert expected in told if words else "at a rate" not in told
+
+
 def test_a_limit_within_the_noise_is_not_decided(
     robot: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -376,8 +388,9 @@ def test_hints_name_arguments_in_python_and_options_on_the_command_line(
     [
         (["--columns", "time"], "expected NAME=HEADER"),
         (["--length-unit", "mile"], 'expected "m"'),
-        (["--cutoff", "1e6"], "cutoff: expected a frequency > 0 and <"),
-        (["--rate", "1e9"], "rate: expected > 0 Hz and at most"),
+        (["--cutoff", "1e6"], "error: --cutoff: expected a frequency > 0 and <"),
+        (["--rate", "1e9"], "error: --rate: expected > 0 Hz and at most"),
+        (["--columns", "yaw=theta_z"], "error: --columns: unknown column 'yaw', expected time"),
         (["--noise-angle", "0"], "expected a number > 0"),
     ],
 )

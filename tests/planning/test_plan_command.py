@@ -95,7 +95,7 @@ def test_a_duration_has_a_motion_of_least_energy_or_peak_force(
     assert peak(in_file) < peak(thrifty)
     capsys.readouterr()
     assert main(["plan", via(folder), "-o", str(folder / "x"), "--least", "energy", "--duration", "0.5"]) == 2
-    assert "error: duration: expected at least the least time, 1.129" in capsys.readouterr().err
+    assert "error: --duration: expected at least the least time, 1.129" in capsys.readouterr().err
     assert not (folder / "x").exists()
 
 
