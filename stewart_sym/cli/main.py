@@ -59,7 +59,9 @@ def main(argv: Sequence[str] | None = None) -> int:
         take_work_area()
         # An error of the system that names no file is one of printing: all that write files name theirs.
         with named("standard output"):
-            with warnings_in_lines(), as_interrupts(), needed_for(arguments.subcommand):
+            given = (getattr(arguments, name, None) for name in ("robot", "trajectory"))
+            sources = [path for path in given if path is not None]
+            with warnings_in_lines(*sources), as_interrupts(), needed_for(arguments.subcommand):
                 code: int = arguments.run(arguments)
             sys.stdout.flush()
         return code
