@@ -228,6 +228,18 @@ def test_generate_says_what_folding_the_numbers_in_saves(
     assert int(found[2]) < int(found[1])
 
 
+@pytest.mark.parametrize("command", [["check"], ["generate", "-o", "kit"]], ids=["check", "generate"])
+def test_points_whose_squares_overflow_are_the_files(
+    robot: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], command: list[str]
+) -> None:
+    monkeypatch.chdir(robot.parent)
+    text = robot.read_text(encoding="utf-8")
+    robot.write_text(re.sub(r"(platform_point = \[)[^,]+", r"\g<1>8e200", text, count=1), encoding="utf-8")
+    assert main([command[0], str(robot), *command[1:]]) == 2
+    error = capsys.readouterr().err.splitlines()[-1]
+    assert re.fullmatch(rf"stewart-sym: error: {robot}: expected .* points whose squares are finite", error)
+
+
 def test_the_help_has_every_level(capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit, match="0"):
         main(["generate", "--help"])
