@@ -174,7 +174,7 @@ SECOND = "[[via]]\nt = [0.1, 0.0, 0.65]\ntheta = [0.0, 0.0, 0.0]\n"
         (HEAD + FIRST + SECOND + FIRST, "via pose 2: expected a path through it, the one found turns back"),
         (
             'least = "energy"\n' + HEAD + FIRST + SECOND,
-            'duration: missing, expected beside least = "energy"',
+            'via.toml: duration: missing, expected beside least = "energy", or --duration',
         ),
         (
             'least = "energy"\nduration = 1e9\n' + HEAD + FIRST + SECOND,
