@@ -15,6 +15,8 @@ if TYPE_CHECKING:
 
 # Instants that show on which side of the base a platform is.
 _SOME = 64
+# Resampled instants, of a log of more rows, that don't show its motion.
+_FEW = 10
 
 
 def robot_of(source: Path) -> "Robot":
@@ -50,8 +52,18 @@ def trajectory_of(
                 raise ValueError(f"--{option}: is for smoothing, expected no --no-smoothing beside it")
     smoothing = Smoothing(*stated_noise(arguments), arguments.cutoff, arguments.smoothing)
     log = read_log_of(robot, source, log_format(arguments, robot), smoothing, progress)
-    trajectory = poses_of(robot, log, arguments.start, progress)
-    return trajectory if arguments.rate is None else resampled(trajectory, arguments.rate)
+    trajectory = poses_of(robot, log, arguments, progress)
+    if arguments.rate is None:
+        return trajectory
+    few = resampled(trajectory, arguments.rate)
+    if len(few.time) < min(_FEW, len(trajectory.time)):
+        warnings.warn(
+            f"{source}: {len(few.time)} instant{'s' * (len(few.time) > 1)} of "
+            f"{trajectory.time[-1] - trajectory.time[0]:.4g} s at a rate of {arguments.rate:g} Hz, of "
+            f"{len(trajectory.time)} rows: what happens between them is missed",
+            stacklevel=2,
+        )
+    return few
 
 
 def stated_noise(arguments: argparse.Namespace) -> "tuple[float | None, float | None]":
@@ -80,10 +92,10 @@ def log_format(arguments: argparse.Namespace, robot: "Robot | None" = None) -> "
 def poses_of(
     robot: "Robot",
     log: "Trajectory | PoseLog | JointTrajectory",
-    start: list[float] | None,
+    arguments: argparse.Namespace,
     progress: Progress,
 ) -> "Trajectory | PoseLog":
-    """Poses of a log, found from leg lengths if it holds these."""
+    """Poses of a log that was read as the options say, found from leg lengths if it holds these."""
     import numpy as np
 
     from ..kinematics.offset_legs import leg_lengths
@@ -92,12 +104,13 @@ def poses_of(
     from ..singularities.joint_space import on_platform
     from ..studies.reports.doubts import angle_doubt, length_doubt, side_doubt, unit_doubt
 
+    unit, start = arguments.length_unit, arguments.start
     some = np.linspace(0, len(log.time) - 1, min(len(log.time), _SOME)).astype(np.int64)
     if isinstance(log, JointTrajectory):
-        found = [length_doubt(robot, log.L[some])]
+        found = [length_doubt(robot, log.L[some], unit)]
     else:
         motion = log.at(some)
-        found = [length_doubt(robot, leg_lengths(robot, motion.R, motion.t)), side_doubt(robot, motion)]
+        found = [length_doubt(robot, leg_lengths(robot, motion.R, motion.t), unit), side_doubt(robot, motion)]
         if isinstance(log, PoseLog) and found[0] is None:
             found += [unit_doubt(robot, log, some) or angle_doubt(robot, log, some)]
     for doubt in found:

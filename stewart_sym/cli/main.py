@@ -59,7 +59,9 @@ def main(argv: Sequence[str] | None = None) -> int:
         take_work_area()
         # An error of the system that names no file is one of printing: all that write files name theirs.
         with named("standard output"):
-            with warnings_in_lines(), as_interrupts(), needed_for(arguments.subcommand):
+            given = (getattr(arguments, name, None) for name in ("robot", "trajectory"))
+            sources = [path for path in given if path is not None]
+            with warnings_in_lines(*sources), as_interrupts(), needed_for(arguments.subcommand):
                 code: int = arguments.run(arguments)
             sys.stdout.flush()
         return code
@@ -69,7 +71,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         return exit_code()
     except (ValueError, OSError, ImportError, CompilerError, MemoryError, Warning) as error:
-        print(f"{PROGRAM}: error: {_of_file(one_line(error), arguments)}", file=sys.stderr)
+        text = _of_option(_of_file(one_line(error), arguments), sys.argv[1:] if argv is None else argv)
+        print(f"{PROGRAM}: error: {text}", file=sys.stderr)
         try:
             sys.stdout.flush()
         except OSError:
@@ -81,6 +84,13 @@ def _of_file(error: str, arguments: argparse.Namespace) -> str:
     """The line of an error, with the robot's file where the library has its argument."""
     file = getattr(arguments, "robot", None)
     return error if file is None else error.replace("robot: ", f"{file}: ", error.startswith("robot: "))
+
+
+def _of_option(error: str, argv: Sequence[str]) -> str:
+    """The line of an error, with the option that was given where the library has its argument."""
+    option = f"--{error.partition(':')[0].replace('_', '-')}"
+    given = any(each.partition("=")[0] == option for each in argv)
+    return f"{option}{error[len(option) - 2 :]}" if given else error
 
 
 class _Parser(argparse.ArgumentParser):

@@ -31,8 +31,9 @@ def output(
     """
     text = what if default is None else f"{what}; default: {default}"
     path = default if isinstance(default, Path) else None
+    kind = folder_name if metavar == "DIR" else path_name
     parser.add_argument(
-        "-o", "--output", metavar=metavar, type=path_name, required=default is None, default=path, help=text
+        "-o", "--output", metavar=metavar, type=kind, required=default is None, default=path, help=text
     )
     if pictures:
         text = "tables and CSV only, without Matplotlib"
@@ -67,6 +68,13 @@ def path_name(text: str) -> Path:
     if not text.strip():
         raise argparse.ArgumentTypeError("expected a name, got nothing")
     return Path(text)
+
+
+def folder_name(text: str) -> Path:
+    """A name of a folder: what is written there are files, none of which goes to standard output."""
+    if text == "-":
+        raise argparse.ArgumentTypeError("expected a folder, got - for standard output")
+    return path_name(text)
 
 
 def finite(text: str) -> float:

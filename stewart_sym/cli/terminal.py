@@ -69,10 +69,11 @@ def _time(seconds: float) -> str:
 
 
 @contextlib.contextmanager
-def warnings_in_lines() -> Iterator[None]:
+def warnings_in_lines(*sources: object) -> Iterator[None]:
     """Show the block's warnings at its end, one line each; those of an error come before it.
 
-    NumPy's of single operations that overflow are one line together, and none where an error says more.
+    NumPy's of single operations that overflow are one line together, of the inputs ``sources``, and none
+    where an error says more.
     """
     lines: list[str] = []
     overflows: list[str] = []
@@ -93,7 +94,9 @@ def warnings_in_lines() -> Iterator[None]:
         try:
             yield
             if overflows:
-                lines.append("numbers overflow on the way: do not rely on results that are inf or nan")
+                of = ", ".join(map(str, sources))
+                text = "numbers overflow on the way: do not rely on results that are inf or nan"
+                lines.append(one_line(f"{of}: {text}" if of else text))
         finally:
             for text in lines:
                 print(f"{PROGRAM}: warning: {text}", file=sys.stderr)

@@ -36,10 +36,11 @@ class HomePose:
 
 def home_pose(robot: Robot) -> HomePose:
     """Take the stated one, or choose a height: legs amid their limits, or without any H at its best."""
+    length = characteristic_length(robot)
     t = level_positions(robot, up_direction(robot)) if robot.home is None else robot.home[None]
     L = level_lengths(robot, t)
     forces = inverse_dynamics(robot, at_rest(np.eye(3), t), backend="numpy", on_singular="nan")
-    scaled = scaled_condition_number(forces.H, characteristic_length(robot))
+    scaled = scaled_condition_number(forces.H, length)
     if robot.home is not None:
         rule, best = "as the robot file states", 0
     elif np.all(np.isfinite(robot.length_limits)):

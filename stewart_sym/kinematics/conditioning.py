@@ -78,6 +78,14 @@ def characteristic_length(robot: Robot) -> float:
     -------
     float
         Length, m.
+
+    Raises
+    ------
+    ValueError
+        For platform points whose squares overflow.
     """
     instance(robot, Robot, "robot")
-    return float(np.sqrt(np.mean(np.sum(robot.p**2, axis=-1))))
+    length = float(np.sqrt(np.mean(np.sum(robot.p**2, axis=-1))))
+    if not np.isfinite(length):
+        raise ValueError("robot: expected platform points whose squares are finite")
+    return length

@@ -211,5 +211,8 @@ def _quarter_turns() -> list[Array]:
 
 
 def size_of(robot: Robot) -> float:
-    """The machine's radius to two digits, m."""
-    return float(significant(max(radius(robot.b), radius(robot.p)), 2)) or 1.0
+    """The machine's radius to two digits, m; ValueError for points whose squares overflow."""
+    size = max(radius(robot.b), radius(robot.p))
+    if not math.isfinite(size):
+        raise ValueError("robot: expected base and platform points whose squares are finite")
+    return float(significant(size, 2)) or 1.0

@@ -41,9 +41,9 @@ CURRENTS = ("current1", "current2", "current3", "current4", "current5", "current
 # Columns in words.
 _KNOWN = (
     "time and either t_x t_y t_z with theta_x theta_y theta_z or q_w q_x q_y q_z, v_*, theta_dot_*, a_*, "
-    "theta_ddot_*, or L_1 to L_6, L_dot_*, L_ddot_*; F_ext_*, M_ext_*; for other names give "
-    "LogFormat(columns={NAME: HEADER, ...})"
+    "theta_ddot_*, or L_1 to L_6, L_dot_*, L_ddot_*; F_ext_*, M_ext_*"
 )
+_OTHER_NAMES = "; for other names give LogFormat(columns={NAME: HEADER, ...})"
 PLAIN = LogFormat()
 AS_SHOWN = Smoothing()
 
@@ -110,6 +110,8 @@ def read_poses(path: str | os.PathLike[str], form: LogFormat = PLAIN) -> tuple[A
 
 def _read(path: str | os.PathLike[str], form: LogFormat, smoothing: Smoothing, progress: Progress) -> Log:
     source = file_name(path)
+    if form.columns:
+        _check_header([*form.columns], "columns", "")
     with opened(source, "trajectory", _MOST_BYTES) as stream:
         check = partial(_check_log, smoothing=smoothing)
         columns, rows = read_columns(stream, source, check, form, progress)
@@ -300,7 +302,8 @@ def _check_log(header: list[str], source: str, smoothing: Smoothing) -> None:
         need("scipy", *SPLINE)
 
 
-def _check_header(header: list[str], source: str) -> None:
+def _check_header(header: list[str], source: str, otherwise: str = _OTHER_NAMES) -> None:
+    """Reject names that are no log's; ``source``: what gives them, ``otherwise``: what else can be done."""
     in_joints = _components(*_LENGTHS, *_LENGTH_DERIVATIVES)
     of_pose = _components(*POSE, *DERIVATIVES)
     lengths, poses = ([c for c in header if c in known] for known in (in_joints, of_pose))
@@ -314,7 +317,7 @@ def _check_header(header: list[str], source: str) -> None:
     derivatives: tuple[str, ...] = () if "q_w" in header else DERIVATIVES
     if joints:
         position, derivatives = _LENGTHS, _LENGTH_DERIVATIVES
-    _check_names(header, ["time", *_components(*position, *derivatives, *LOADS)], source, _KNOWN)
+    _check_names(header, ["time", *_components(*position, *derivatives, *LOADS)], source, _KNOWN + otherwise)
     missing = [c for c in _components(*derivatives) if c not in header]
     if missing and len(missing) < len(_components(*derivatives)):
         raise ValueError(

@@ -86,7 +86,8 @@ class LogFormat:
 
     def __post_init__(self) -> None:
         """Check every option."""
-        if not isinstance(self.columns, Mapping):
+        texts = [*self.columns, *self.columns.values()] if isinstance(self.columns, Mapping) else [None]
+        if not all(isinstance(each, str) for each in texts):
             raise ValueError(f"columns: expected a mapping of names, got {shown(self.columns)}")
         option(self.length_unit, tuple(LENGTH_UNITS), "length_unit")
         option(self.angle_unit, tuple(ANGLE_UNITS), "angle_unit")
@@ -235,6 +236,9 @@ def _expected_names(header: list[str], source: str, form: LogFormat) -> list[str
     if not form.columns:
         return [*header]
     for name, given in form.columns.items():
+        of = [each for each, other in form.columns.items() if other == given]
+        if len(of) > 1:
+            raise ValueError(f"columns: header {shown(given)} is given for {' and '.join(of)}")
         if given not in header:
             near = ", ".join(cell[:40] for cell in header[:12])
             raise ValueError(f"{source}: expected a column {given!r} for {name}, got {near}")

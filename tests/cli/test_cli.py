@@ -12,6 +12,7 @@ import pytest
 from command_files import edit, results
 from command_line import fails_in_one_line, folder_state, read
 
+from stewart_sym.backend.fidelity import DRIVE_FIDELITIES, FIDELITIES
 from stewart_sym.cli import main as cli
 from stewart_sym.cli import terminal
 from stewart_sym.cli.main import main
@@ -227,9 +228,29 @@ def test_generate_says_what_folding_the_numbers_in_saves(
     assert int(found[2]) < int(found[1])
 
 
+@pytest.mark.parametrize("command", [["check"], ["generate", "-o", "kit"]], ids=["check", "generate"])
+def test_points_whose_squares_overflow_are_the_files(
+    robot: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], command: list[str]
+) -> None:
+    monkeypatch.chdir(robot.parent)
+    text = robot.read_text(encoding="utf-8")
+    robot.write_text(re.sub(r"(platform_point = \[)[^,]+", r"\g<1>8e200", text, count=1), encoding="utf-8")
+    assert main([command[0], str(robot), *command[1:]]) == 2
+    error = capsys.readouterr().err.splitlines()[-1]
+    assert re.fullmatch(rf"stewart-sym: error: {robot}: expected .* points whose squares are finite", error)
+
+
+def test_the_help_has_every_level(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit, match="0"):
+        main(["generate", "--help"])
+    told = " ".join(capsys.readouterr().out.split())
+    for level in (*FIDELITIES, *DRIVE_FIDELITIES):
+        assert re.search(rf"\b{level.removesuffix('_friction')}[ ,;]", told), level
+
+
 def test_generate_rejects_a_level_that_there_is_not(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:
     error = fails_in_one_line(capsys, "generate", robot, "-o", robot.parent / "kit", "--fidelity", "rigid")
-    assert "fidelity: expected one of general, " in error
+    assert "error: --fidelity: expected one of general, " in error
     assert not (robot.parent / "kit").exists()
 
 
@@ -319,6 +340,20 @@ def test_an_unknown_option_or_choice_names_what_there_is_and_its_subcommands_hel
     arguments: list[str], text: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert fails_in_one_line(capsys, *arguments) == f"stewart-sym: error: {text.format('stewart-sym')}"
+
+
+@pytest.mark.parametrize("name", cli.SUBCOMMANDS)
+def test_no_folder_is_called_like_standard_output(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(SystemExit, match="0"):
+        main([name, "--help"])
+    options = re.findall(r"^  (?:-o.*, )?(--\w+) DIR", capsys.readouterr().out, re.MULTILINE)
+    for option in options:
+        error = fails_in_one_line(capsys, name, option, "-")
+        assert error.endswith(f"expected a folder, got - for standard output (see stewart-sym {name} --help)")
+    assert not list(tmp_path.iterdir())
 
 
 def test_version(capsys: pytest.CaptureFixture[str]) -> None:

@@ -80,7 +80,7 @@ BROKEN: dict[str, tuple[str, Change, str]] = {
     "HTML": ("mjcf", instead("<html/>"), "expected MJCF, SDF or URDF with a root"),
     "SVG": ("mjcf", instead(SVG), "got 'svg' at line 2"),
     "JSON": ("mjcf", instead('{"a": 1}'), "not valid XML: expected an element"),
-    "USD": ("usd", to("x", "x"), "expected an element, got '#usda 1.0"),
+    "USD": ("usd", to("x", "x"), "expected MJCF, SDF or URDF, got USD, which is exported"),
     "include": (
         "mjcf",
         to("<worldbody>", "<worldbody><include file='x.xml'/>"),

@@ -292,7 +292,7 @@ def test_swapped_files_of_a_measurement_are_told(
     capsys.readouterr()
     trajectory, forces = (tmp_path / name for name in ("trajectory.csv", "forces.csv"))
     command = ["identify", str(PAPERS), "--measured", str(forces), str(trajectory)]
-    command += ["--columns", "time=when,t_x=X"] * renamed
+    command += ["--columns", "time=when,t_x=X,t_y=Y,t_z=Z,theta_x=A,theta_y=B,theta_z=C"] * renamed
     assert main([*command, "-o", str(tmp_path / "out")]) == 2
     (line,) = capsys.readouterr().err.splitlines()
     assert line.startswith(f"stewart-sym: error: {forces}: expected poses or leg lengths, got forces")

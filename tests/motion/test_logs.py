@@ -5,6 +5,7 @@ import re
 import warnings
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -64,7 +65,26 @@ def test_names_are_mapped_and_other_columns_skipped(tmp_path: Path) -> None:
     with pytest.raises(
         ValueError, match=r"more.csv: expected a column 'Roll' for theta_x, got Time \[ms\], X"
     ):
-        read_csv(path, LogFormat({"theta_x": "Roll"}))
+        read_csv(path, LogFormat({**form.columns, "theta_x": "Roll"}))
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"yaw": "yaw"}, "unknown column 'yaw', expected time and either .* M_ext_[*]$"),
+        ({"t_xx": "foo"}, "unknown column 't_xx', expected time"),
+        ({"theta_y": "yaw"}, "header 'yaw' is given for theta_y and theta_z$"),
+        ({"q_w": "W"}, "unknown column 'theta_x', expected"),
+        ({"F_ext_x": "F"}, "missing column F_ext_y$"),
+        ({"t_x": 1}, "expected a mapping of names, got {"),
+    ],
+)
+def test_mistakes_among_given_names_are_theirs(tmp_path: Path, change: dict[str, Any], words: str) -> None:
+    given = ["Time [ms]", "X", "Y", "Z", "roll", "pitch", "yaw"]
+    path = write(tmp_path / "own.csv", given, poses())
+    columns = dict(zip(NAMES, given, strict=True)) | change
+    with pytest.raises(ValueError, match=f"^columns: {words}"):
+        read_csv(path, LogFormat(columns))
 
 
 def test_units_are_converted(tmp_path: Path) -> None:
@@ -179,6 +199,9 @@ def test_the_unit_of_lengths_is_told_by_the_machines_size(limits: bool) -> None:
     for unit in ("mm", "cm", "in"):
         told = str(length_doubt(robot, L / LENGTH_UNITS[unit]))
         assert re.search(rf"another unit \(--length-unit .*\b{unit}\b", told), told
+    assert "another unit (--length-unit m" in str(length_doubt(robot, 1e-3 * L, "mm"))
+    beyond = 25.4 if limits else 100.0
+    assert "another unit (--length-unit mm)" in str(length_doubt(robot, beyond * L, "in"))
     assert "those of the robot file in metres" in str(length_doubt(robot, 1e-3 * L))
     assert "the log of another machine" in str(length_doubt(robot, 1e5 * L))
 
@@ -291,6 +314,18 @@ def test_forces_reads_a_foreign_log_and_sums_up(
     assert header[7:13] == [f"F{leg}_sd" for leg in range(1, 7)]
 
 
+def test_a_rate_that_leaves_few_instants_is_warned_of(
+    robot: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    limited(robot, 1e5)
+    log = write(tmp_path / "log.csv", NAMES, poses())
+    for rate, words in (("0.1", "1 instant of"), ("2", "5 instants of"), ("5", "")):
+        assert main(["forces", str(robot), str(log), "-o", str(tmp_path / "f.csv"), "--rate", rate]) == 0
+        told = capsys.readouterr().err
+        expected = f"log.csv: {words} 2 s at a rate of {rate} Hz, of 41 rows: what happens between"
+        assert expected in told if words else "at a rate" not in told
+
+
 def test_a_limit_within_the_noise_is_not_decided(
     robot: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -353,8 +388,9 @@ def test_hints_name_arguments_in_python_and_options_on_the_command_line(
     [
         (["--columns", "time"], "expected NAME=HEADER"),
         (["--length-unit", "mile"], 'expected "m"'),
-        (["--cutoff", "1e6"], "cutoff: expected a frequency > 0 and <"),
-        (["--rate", "1e9"], "rate: expected > 0 Hz and at most"),
+        (["--cutoff", "1e6"], "error: --cutoff: expected a frequency > 0 and <"),
+        (["--rate", "1e9"], "error: --rate: expected > 0 Hz and at most"),
+        (["--columns", "yaw=theta_z"], "error: --columns: unknown column 'yaw', expected time"),
         (["--noise-angle", "0"], "expected a number > 0"),
     ],
 )

@@ -95,7 +95,7 @@ def test_a_duration_has_a_motion_of_least_energy_or_peak_force(
     assert peak(in_file) < peak(thrifty)
     capsys.readouterr()
     assert main(["plan", via(folder), "-o", str(folder / "x"), "--least", "energy", "--duration", "0.5"]) == 2
-    assert "error: duration: expected at least the least time, 1.129" in capsys.readouterr().err
+    assert "error: --duration: expected at least the least time, 1.129" in capsys.readouterr().err
     assert not (folder / "x").exists()
 
 
@@ -198,7 +198,7 @@ SECOND = "[[via]]\nt = [0.1, 0.0, 0.65]\ntheta = [0.0, 0.0, 0.0]\n"
         (HEAD + FIRST + SECOND + FIRST, "via pose 2: expected a path through it, the one found turns back"),
         (
             'least = "energy"\n' + HEAD + FIRST + SECOND,
-            'duration: missing, expected beside least = "energy"',
+            'via.toml: duration: missing, expected beside least = "energy", or --duration',
         ),
         (
             'least = "energy"\nduration = 1e9\n' + HEAD + FIRST + SECOND,

@@ -38,7 +38,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="LEVEL",
         help="how much of the legs' physics the forces contain: general, frictionless, axisymmetric, "
         "slender, point_masses, massless, the last four also with _friction; general_static, slender_static, "
-        "massless_static",
+        "massless_static; general of legs with rotors has them too, and for these legs there are also "
+        "no_rotor and, with the rotors' mass alone, reflected, reflected_slender, reflected_massless, the "
+        "last two also with _friction; default: general",
     )
     parser.add_argument("--bake", action="store_true", help="fold the robot's numbers into the forces")
     parser.add_argument(

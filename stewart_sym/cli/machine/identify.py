@@ -142,7 +142,7 @@ def _measured(arguments: argparse.Namespace, progress: Progress) -> "tuple[Repor
             f"{poses}: expected poses or leg lengths, got forces F1 to F6: "
             "the two files of --measured look swapped"
         ) from None
-    trajectory = cast("Trajectory", poses_of(robot, log, arguments.start, progress))
+    trajectory = cast("Trajectory", poses_of(robot, log, arguments, progress))
     time, F, columns = read_leg_columns(forces, dataclasses.replace(form, columns={}), (FORCES, CURRENTS))
     sigma = np.asarray(arguments.sigma)
     if columns == CURRENTS:

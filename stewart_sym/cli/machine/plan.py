@@ -56,6 +56,10 @@ def run(arguments: argparse.Namespace) -> int:
     request = read_plan(arguments.via)
     robot, least = request.robot, arguments.least or request.least
     duration = request.duration if arguments.duration is None else arguments.duration
+    if duration is None and least != "time":
+        raise ValueError(
+            f'{arguments.via}: duration: missing, expected beside least = "{least}", or --duration'
+        )
     if duration is not None and least != "time":
         plan.need_instants(duration, request.rate)
     warn_of_doubts(robot, request.files[1])

@@ -4,7 +4,7 @@ import argparse
 from pathlib import Path
 
 from ..inputs import warn_of_doubts
-from ..options import json_file, path_name
+from ..options import folder_name, json_file
 from ..results import results
 from ..terminal import progress_line
 
@@ -29,7 +29,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--generate",
         metavar="DIR",
-        type=path_name,
+        type=folder_name,
         help="write the chosen kernel for this robot, as generate",
     )
     parser.add_argument("--bake", action="store_true", help="fold the robot's numbers into that kernel")

@@ -14,8 +14,11 @@ from ...motion.trajectory import MOST_TURNS, PoseLog
 from ...robot.robot import Robot
 
 
-def length_doubt(robot: Robot, lengths: Array) -> str | None:
-    """One line about leg lengths, m, that are no machine's of the robot's size; None for plausible ones."""
+def length_doubt(robot: Robot, lengths: Array, unit: str = "m") -> str | None:
+    """One line about leg lengths, m, that are no machine's of the robot's size; None for plausible ones.
+
+    unit: of ``LENGTH_UNITS``, in which the log was read.
+    """
     limits = robot.length_limits[np.isfinite(robot.length_limits[:, 1]), 1]
     if limits.size:
         size, (near, far), of = float(limits.max()), _SHARES_OF_LIMITS, "legs of up to"
@@ -26,12 +29,13 @@ def length_doubt(robot: Robot, lengths: Array) -> str | None:
     if near * size <= typical <= far * size:
         return None
     low, high = _USUAL
-    units = [name for name, unit in LENGTH_UNITS.items() if low * size <= unit * typical <= high * size]
+    written = typical / LENGTH_UNITS[unit]
+    units = [name for name, factor in LENGTH_UNITS.items() if low * size <= factor * written <= high * size]
     cause = (
-        "is --length-unit right, and are those of the robot file in metres"
-        if typical < size
-        else f"are they in another unit (--length-unit {' or '.join(units)})"
+        f"are they in another unit (--length-unit {' or '.join(units)})"
         if units
+        else "is --length-unit right, and are those of the robot file in metres"
+        if typical < size
         else "is it the log of another machine, or are those of the robot file not in metres"
     )
     return f"lengths of {typical:.4g} m beside {of} {size:.4g} m: {cause}?"
