@@ -242,9 +242,9 @@ def test_check_names_no_side_where_gravity_does_not_act_across_the_base(
 
 def test_every_name_is_one_that_a_file_may_accept() -> None:
     seen = {doubts(change(sound()))[0].name for change, _, _ in ABSURD.values()}
-    inertias = {"platform-inertia", "lower-inertia", "upper-inertia"}
-    assert seen <= set(DOUBTS) - inertias
-    assert set(DOUBTS) - inertias - seen <= {"condition"}
+    on_loading = {"platform-inertia", "lower-inertia", "upper-inertia", "density"}
+    assert seen <= set(DOUBTS) - on_loading
+    assert set(DOUBTS) - on_loading - seen <= {"condition"}
 
 
 def test_motors_that_friction_or_a_self_locking_screw_relieves_are_not_said_to_be_weak() -> None:
