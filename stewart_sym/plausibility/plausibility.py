@@ -22,6 +22,7 @@ from .level_poses import Doubt, Home, centred_H, home_of, level_home, parts_of
 from .motors import of_speeds, of_torques
 from .part_lengths import of_part_lengths
 from .stated_home import MOST_LEGS, of_limits, of_place
+from .tool import of_tool
 
 MOST_GRAVITY = 50.0
 """m/s^2: twice Jupiter's; in mm/s^2 or cm/s^2 the Moon's is 1,620 or 162."""
@@ -55,6 +56,9 @@ limits say where home is, and of all six."""
 MOST_OFFSET = (0.5, 0.15, 5.0)
 """Distance of a centre of mass from the leg's axis, over the leg, and over the leg where it is also this many
 times its place along the axis."""
+LEAST_OFFSET = (1e-6, 1e-3)
+"""Distance of a part's centre of mass from its joint, over the leg: metres in a file of millimetres; below
+it, zero but for rounding."""
 BEYOND = 0.05
 """Distance of a part's centre of mass beyond its joint, over the leg."""
 MOST_OVERLAP = 1.25
@@ -93,7 +97,7 @@ def _found(robot: Robot) -> list[Doubt]:
     if not found:
         t = level_home(robot)
         found = left(of_place(robot)) or left(of_order(robot, t)) or left(of_limits(robot))
-        found = found or left(_of_home(robot, home_of(robot, t)))
+        found = (found or left(_of_home(robot, home_of(robot, t)))) + left(of_tool(robot))
     return found
 
 
@@ -419,6 +423,7 @@ def _of_parts(robot: Robot, home: Home) -> Iterator[Doubt]:
         beside = (across > least_off * home.L) & (across > times * np.abs(along))
         beside |= across > off * home.L
         far = np.flatnonzero(away > 3.0 * home.L).tolist()
+        near = np.flatnonzero((away > LEAST_OFFSET[0] * home.L) & (away < LEAST_OFFSET[1] * home.L)).tolist()
         wrong = np.flatnonzero(along / home.L > BEYOND).tolist()
         joint = "platform joint" if part == "upper" else "base joint"
         if far:
@@ -427,6 +432,13 @@ def _of_parts(robot: Robot, home: Home) -> Iterator[Doubt]:
                 f"{part} part of {legs_text(far)}: center_of_mass {away[far].max():.3g} m from the "
                 f"{joint}, legs "
                 f"{home.L[far].max():.3g} m long; likely cause: given in millimetres or in the base frame",
+            )
+        elif near:
+            yield Doubt(
+                "center-of-mass",
+                f"{part} part of {legs_text(near)}: center_of_mass {away[near].min():.3g} m from the "
+                f"{joint}, legs {home.L[near].max():.3g} m long; likely cause: given in metres in a file of "
+                "millimetres",
             )
         elif beside.any():
             legs = np.flatnonzero(beside).tolist()

@@ -1,7 +1,7 @@
 """Bodies by their inertia or as parts of plain shapes: mass, centre of mass and inertia about it."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -21,6 +21,9 @@ SHAPES = {
 """Sizes of each shape; a plate is round, and may have a hole of ``inner_radius``."""
 _MATTER = ("mass", "density")
 _PLACES = {"leg": ("start",), "platform": ("center", "axis")}
+
+LEAST_DENSITY = {"platform": 25.0, "legs": 100.0}
+"""kg/m^3: every solid's in g/cm^3 is below it; platforms may have a core of foam or honeycomb."""
 
 _ROUNDING = 1e-9
 """Second moments of mass below this share of the largest count as none."""
@@ -51,6 +54,23 @@ def body(value: object, where: str, metres: Metres, along: float | None) -> dict
         length = max(part.pop("length", 0.0) for part in parts)
         return joined([Body(**part) for part in parts])._asdict() | ({"length": length} if along else {})
     return _one(value, f"{where}.", metres, along, False)
+
+
+def low_densities(table: Mapping[str, Any], prefix: str = "") -> dict[str, float]:
+    """Densities that hardly any part has, kg/m^3, by their keys in the checked tables of a robot file."""
+    found: dict[str, float] = {}
+    for key, value in table.items():
+        where, parts = prefix + key, value if isinstance(value, list | tuple) else ()
+        if isinstance(value, Mapping):
+            found |= low_densities(value, f"{where}.")
+        elif (
+            key == "density"
+            and value < LEAST_DENSITY["platform" if prefix.startswith("platform") else "legs"]
+        ):
+            found[where] = value
+        for i, part in enumerate(parts, 1):
+            found |= low_densities(part, f"{where} {i}: ") if isinstance(part, Mapping) else {}
+    return found
 
 
 def joined(parts: list[Body]) -> Body:

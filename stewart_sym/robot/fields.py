@@ -20,14 +20,14 @@ Check = Callable[[object, str], Any]
 """From a value and where it stands, for messages, to the value as it is kept."""
 
 DOUBTS = (
-    *("platform-inertia", "lower-inertia", "upper-inertia"),
+    *("platform-inertia", "lower-inertia", "upper-inertia", "density"),
     *("gravity", "length-unit", "stray-point", "proportion", "mass", "inertia-size"),
-    *("center-of-mass", "friction", "rotor-inertia"),
+    *("center-of-mass", "friction", "rotor-inertia", "tool"),
     *("singular-everywhere", "leg-order", "condition", "crossing", "joint-singularity"),
     *("overlap", "coincident"),
     *("home", "length-limits", "part-length", "force-limit", "speed-limit", "drive-limit", "drive-speed"),
 )
-"""Names of all warnings about a robot's numbers, as ``accept`` takes them: the first three are given on
+"""Names of all warnings about a robot's numbers, as ``accept`` takes them: the first four are given on
 loading, the others by ``plausibility.doubts``."""
 
 UNSTATED: dict[str, Any] = {

@@ -16,6 +16,7 @@ from ..io.arguments import shown
 from ..io.array_types import Array
 from ..io.frozen import Frozen
 from . import schema_1, schema_2
+from .bodies import low_densities
 from .drive import Drive
 from .fields import (
     DEFAULTS,
@@ -194,12 +195,13 @@ class Robot(Frozen):
         Warns
         -----
         PhysicalityWarning
-            About inertias that no body can have, unless the file accepts them.
+            About inertias that no body can have and densities that hardly any has, unless the file accepts
+            them.
         """
         source = tables.file_name(path)
         with tables.toml_tables(source, "robot file") as d:
             robot = cls._read(d, source)
-        _warn(robot, source)
+        _warn(robot, d, source)
         return robot
 
     @classmethod
@@ -227,7 +229,7 @@ class Robot(Frozen):
             As ``from_toml``.
         """
         robot = cls._read(d, "robot")
-        _warn(robot, "robot")
+        _warn(robot, d, "robot")
         return robot
 
     @classmethod
@@ -321,7 +323,12 @@ def inertia_fault(inertia: Array) -> list[str]:
     return []
 
 
-def _warn(robot: Robot, source: str) -> None:
-    for name, message in impossible_inertias(robot):
+def _warn(robot: Robot, d: Mapping[str, Any], source: str) -> None:
+    """Warn of what is doubtful in the tables alone, or impossible."""
+    found, low = impossible_inertias(robot), low_densities(d)
+    if low:
+        text = f"{', '.join(low)}: {min(low.values()):g} kg/m^3; likely cause: given in g/cm^3"
+        found.append(("density", text))
+    for name, message in found:
         if name not in robot.accept:
             warnings.warn(f"{source}: {message} [{name}]", PhysicalityWarning, stacklevel=3)

@@ -2,7 +2,7 @@
 
 import os
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -54,7 +54,8 @@ _LAW_NEEDS = {"forces": ("forces",), "springs": ("stiffness",), "tracking": ("pa
 class Scene:
     """A simulation to be run; names and units are those of ``simulate``.
 
-    law: with ``rate``, Hz, its forces are held between samples. files: from which it was read.
+    law: with ``rate``, Hz, its forces are held between samples. files: from which it was read. stated: what
+    the file says of the start and of the legs by key, such as ``state.theta``.
     """
 
     robot: Robot
@@ -69,6 +70,7 @@ class Scene:
     thresholds: Thresholds
     on_force_limit: OnForceLimit = "stop"
     files: tuple[Path, ...] = ()
+    stated: Mapping[str, Any] = field(default_factory=dict)
 
     def run(self, progress: Progress | None = None) -> Simulation:
         """Run the simulation; progress and what is raised: as for ``simulate``."""
@@ -124,7 +126,10 @@ def _scene(d: Mapping[str, Any], source: str) -> Scene:
     except ValueError as error:
         raise ValueError(f"{file}legs: {error}") from None
     rate = legs.get("rate")
-    return Scene(robot, state, law, rate, thresholds=thresholds, files=tuple(read), **options)
+    options |= {"thresholds": thresholds, "files": tuple(read)}
+    stated = {f"state.{key}": value for key, value in (given or {}).items()}
+    stated |= {f"legs.{key}": value for key, value in legs.items()}
+    return Scene(robot, state, law, rate, stated=stated, **options)
 
 
 def _check_start(top: Mapping[str, Any], law: str, file: str) -> None:

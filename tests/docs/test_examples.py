@@ -28,6 +28,7 @@ import stewart_sym as ss
 from stewart_sym.cli import main
 from stewart_sym.motion.logs import LENGTH_UNITS, LENGTHS
 from stewart_sym.robot import bodies, drive, offsets, schema_2
+from stewart_sym.simulation import scene
 from stewart_sym.simulation.scene import read_scene
 from stewart_sym.studies.accuracy.budget import read_budget
 from stewart_sym.studies.published import PICTURES
@@ -205,6 +206,13 @@ def test_the_page_about_files_names_every_key_of_schema_2() -> None:
     assert known - named == {"leg"}
     quoted = set(re.findall(r'`"([\w-]+)"`', text_of(".docs/reference/files.md")))
     assert {*bodies.SHAPES, *schema_2.AXES, *LENGTH_UNITS, *LENGTHS} <= quoted
+
+
+def test_the_page_about_files_names_every_key_of_a_scene() -> None:
+    page = text_of(".docs/reference/files.md").partition("## Scene of a simulation")[2].partition("## Via")[0]
+    laws = {key for keys in scene._LAW_KEYS.values() for key in keys}
+    known = {*scene._TOP_KEYS, *scene._STATE_KEYS, *scene._LOAD_KEYS, *scene._THRESHOLD_KEYS, "law", *laws}
+    assert known <= set(re.findall(r"`\[?(\w+)\]?`", page.replace("```", "")))
 
 
 def test_scene_examples_are_valid() -> None:

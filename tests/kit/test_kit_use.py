@@ -192,6 +192,10 @@ def test_generated_code_says_under_which_terms_it_may_be_used() -> None:
     assert b"any condition" in made().files["README.md"]
 
 
+def test_a_readme_says_that_keys_of_trajectories_do_not_apply() -> None:
+    assert b"`tool`, `euler_order` and `lengths` under" in made().files["README.md"]
+
+
 def test_version_and_limits_are_in_the_headers() -> None:
     robot = machines.dasgupta()
     files = {

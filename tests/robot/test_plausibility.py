@@ -2,6 +2,7 @@
 
 import dataclasses
 import itertools
+import json
 from pathlib import Path
 
 import numpy as np
@@ -209,6 +210,40 @@ def test_check_writes_a_range_below_zero_in_words(tmp_path: Path, capsys: pytest
         assert f"{told} per turn of the motor, reflected mass 0 kg" in capsys.readouterr().out
 
 
+def test_check_tells_what_a_robot_states_of_its_drives(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path, numbers = tmp_path / "robot.toml", {"screw_coulomb": 40.0, "motor_coulomb": 0.08, "stribeck": 5.0}
+    numbers |= {"torque_limit": 12.0, "rated_torque": 4.0, "speed_limit": 628.0, "power_limit": 900.0}
+    numbers |= {"current_limit": 15.0, "torque_constant": 0.9, "stribeck_speed": 0.1}
+    lead = 0.005 * np.array([1, 1, 1, -1, 1, 1])
+    drive = ss.Drive(lead=lead, **numbers)
+    angles = np.tile([0.5, 0.6], (6, 1))
+    robot = dataclasses.replace(
+        sound(), drive=drive, home=[0.0, 0.0, 0.7], joint_angle_limit=angles, accept=("drive-limit",)
+    )
+    written(robot, path)
+    assert main(["check", str(path), "-o", str(tmp_path / "out"), "--no-pictures"]) == 0
+    told = capsys.readouterr().out
+    assert "drives       0.005 m per turn of the motor (leg 4: -0.005), reflected mass 0 kg, " in told
+    assert "dry friction along the leg 40 N, more at rest 5 N, dry friction of the motor 0.08 N m\n" in told
+    assert (
+        "motors       torque up to 12 N m, rated torque up to 4 N m, speed up to 628 rad/s, current" in told
+    )
+    assert "joint angles from home 28.65 and 34.38 degrees (base and platform joint)\n" in told
+    data = json.loads((tmp_path / "out" / "report.json").read_text())
+    assert data["joint_angle_limit_rad"] == angles.tolist()
+    assert data["drive_lead_m"] == lead.tolist()
+    stated = (
+        "speed_limit_rad_per_s",
+        "current_limit_A",
+        "power_limit_W",
+        "screw_coulomb_N",
+        "rated_torque_N_m",
+    )
+    assert [data[f"drive_{name}"][0] for name in stated] == [628.0, 15.0, 900.0, 40.0, 4.0]
+
+
 @pytest.mark.parametrize(("gravity", "stands", "hangs"), [(-9.81, "+z", "-z"), (9.81, "-z", "+z")])
 def test_check_says_on_which_side_of_the_base_a_platform_stands(
     gravity: float, stands: str, hangs: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
@@ -242,9 +277,9 @@ def test_check_names_no_side_where_gravity_does_not_act_across_the_base(
 
 def test_every_name_is_one_that_a_file_may_accept() -> None:
     seen = {doubts(change(sound()))[0].name for change, _, _ in ABSURD.values()}
-    inertias = {"platform-inertia", "lower-inertia", "upper-inertia"}
-    assert seen <= set(DOUBTS) - inertias
-    assert set(DOUBTS) - inertias - seen <= {"condition"}
+    on_loading = {"platform-inertia", "lower-inertia", "upper-inertia", "density"}
+    assert seen <= set(DOUBTS) - on_loading
+    assert set(DOUBTS) - on_loading - seen <= {"condition"}
 
 
 def test_motors_that_friction_or_a_self_locking_screw_relieves_are_not_said_to_be_weak() -> None:

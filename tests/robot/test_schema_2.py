@@ -239,6 +239,16 @@ DOUBTFUL = {
         "leg",
     ),
     "too weak": ("force_limit = 500.0", "force_limit = 0.5", "force-limit", "force_limit in kN"),
+    "g/cm^3": ("density = 7800", "density = 7.8", "density", "legs.lower.density: 7.8 kg/m^3; likely "),
+    "platform in g/cm^3": (
+        "density = 2700",
+        "density = 2.7",
+        "density",
+        "platform.body 1: density: 2.7 kg/m",
+    ),
+    "tool in micrometres": ("[0, 0, 300]", "[0, 0, 3e5]", "tool", "in micrometres in a file of millimetres"),
+    "tool in metres": ("[0, 0, 300]", "[0, 0, 0.3]", "tool", "given in metres in a file of millimetres"),
+    "centre of mass in metres": ("[250, 0, 0]", "[0.25, 0, 0]", "center-of-mass", "part of leg 3: center_of"),
     "speed in mm/s": ("speed_limit = 600", "speed_limit = 6e5", "speed-limit", "given in mm/s"),
 }
 
@@ -272,6 +282,9 @@ def test_a_body_that_cannot_be_is_warned_of_and_may_be_accepted(tmp_path: Path) 
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         robot_of(wrong.replace("home =", 'accept = ["lower-inertia"]\nhome ='), tmp_path)
+        foam = TEXT.replace("2700", "40")
+        robot_of(foam, tmp_path)
+        robot_of(foam.replace("7800", "40").replace("home =", 'accept = ["density"]\nhome ='), tmp_path)
 
 
 # Every mistake: what is replaced by what, the message, and words of the line that it names.

@@ -198,6 +198,27 @@ def test_a_run_that_stops_says_which_leg_and_when(scene: Path, capsys: pytest.Ca
 @pytest.mark.parametrize(
     ("old", "new", "words"),
     [
+        ("", "", ""),
+        ("[0.2, 0.0, 0.8]", "[200.0, 0.0, 800.0]", "state.t: lengths of 824.6 m beside a machine of "),
+        ("[0.2, 0.0, 0.8]", "[0.2, 0.0, -0.8]", "state.t: the platform starts on the other side of the base"),
+        ("[0.1, 0.0, 0.2]", "[5.0, 0.0, 0.2]", "state.theta: 5 rad about x: in degrees, expected radians?"),
+        ("= 4e4", "= 4e4\nrest_length = 900.0", "legs.rest_length: lengths of 900 m beside a machine of "),
+        ("= 4e4", "= 4e4\nrest_length = 0.0", ""),
+    ],
+)
+def test_a_start_that_is_no_machines_is_warned_of(
+    scene: Path, capsys: pytest.CaptureFixture[str], old: str, new: str, words: str
+) -> None:
+    scene.write_text(SWING.replace(old, new, 1).replace("duration = 0.1", "duration = 0.01"))
+    assert main(["simulate", str(scene), "-o", str(scene.parent / "out"), "--no-pictures"]) == 0
+    told = [line for line in capsys.readouterr().err.splitlines() if str(scene) in line]
+    assert len(told) == bool(words)
+    assert words in "".join(told)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
         ("schema = 1", "schema = 2", "schema: expected 1, got 2"),
         ("schema = 1", "schema = ", "not valid TOML"),
         ("duration = 0.1", "", "duration: missing"),

@@ -44,12 +44,15 @@ def run(arguments: argparse.Namespace) -> int:
     from ...simulation.actuator_models import LegSprings
     from ...simulation.scene import read_scene
     from ...studies.reports import energy_drift, run
+    from ...studies.reports.doubts import start_doubts
     from ...viewer.instants import of_run
     from ...viewer.view import View
 
     need("scipy", "simulation")
     scene = read_scene(arguments.scene)
     warn_of_doubts(scene.robot, arguments.scene)
+    for doubt in start_doubts(scene):
+        warnings.warn(f"{arguments.scene}: {doubt}", stacklevel=2)
     if arguments.energy_drift and not isinstance(scene.law, LegSprings):
         raise ValueError("energy drift: expected a scene whose legs are springs")
     with results(arguments, "summary", "run.csv", read=scene.files) as (take, progress):

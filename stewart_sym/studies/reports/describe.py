@@ -72,7 +72,22 @@ def _data(robot: Robot) -> dict[str, Any]:
         "length_limits_m": robot.length_limits,
         "force_limit_N": robot.force_limit,
         "speed_limit_m_per_s": robot.speed_limit,
+        "joint_angle_limit_rad": robot.joint_angle_limit,
+        **_drive_data(robot),
         "impossible_inertias": robot.physicality(),
+    }
+
+
+def _drive_data(robot: Robot) -> dict[str, Any]:
+    """Drives, for programs; nothing without any."""
+    if robot.drive is None:
+        return {}
+    names = {"lead": "m", "reflected_mass": "kg", "efficiency": "", "back_efficiency": ""}
+    names |= {name: unit for name, (_, unit) in _DRIVE_FRICTION.items()}
+    names |= {name: unit for name, (_, unit) in _DRIVE_LIMITS.items()}
+    return {
+        "_".join(["drive", name, *unit.replace("/", " per ").split()]): getattr(robot.drive, name)
+        for name, unit in names.items()
     }
 
 
@@ -121,7 +136,7 @@ def _description(robot: Robot, home: HomePose, unit: _Unit) -> str:
         ),
         *_conventions(robot, unit),
         ("friction", _friction(robot)),
-        *([] if robot.drive is None else [("drives", _drives(robot.drive, unit))]),
+        *([] if robot.drive is None else _drives(robot.drive, unit)),
         ("limits", _limits(robot, unit)),
         ("inertias", _inertias(robot)),
     ]
@@ -237,13 +252,40 @@ def _friction(robot: Robot) -> str:
     return "on: " + ", ".join(f"{base[name]} {_range(C)} {units[name]}" for name, C in coefficients.items())
 
 
-def _drives(drive: Drive, unit: _Unit) -> str:
-    parts = [f"{_range(drive.lead / unit.metres)} {unit.name} per turn of the motor"]
+_DRIVE_FRICTION = {
+    "screw_coulomb": ("dry friction along the leg", "N"),
+    "stribeck": ("more at rest", "N"),
+    "motor_coulomb": ("dry friction of the motor", "N m"),
+}
+_DRIVE_LIMITS = {
+    "torque_limit": ("torque", "N m"),
+    "rated_torque": ("rated torque", "N m"),
+    "speed_limit": ("speed", "rad/s"),
+    "current_limit": ("current", "A"),
+    "power_limit": ("power", "W"),
+}
+"""Numbers of a drive: words and unit."""
+
+
+def _drives(drive: Drive, unit: _Unit) -> list[tuple[str, str]]:
+    """Rows on the drives and, where any are stated, on the limits of their motors."""
+    lead = drive.lead / unit.metres
+    most = lead > 0.0 if 2 * np.count_nonzero(lead > 0.0) >= len(lead) else lead < 0.0
+    turn = f"{_range(lead[most])} {unit.name} per turn of the motor"
+    if not most.all():
+        turn += f" ({legs_text(np.flatnonzero(~most).tolist())}: {_range(lead[~most])})"
+    parts = [turn]
     parts.append(f"reflected mass {_short_range(drive.reflected_mass)} kg")
     parts.append(f"efficiency {_range(drive.efficiency)} driving, {_short_range(drive.back_efficiency)} back")
-    if np.isfinite(drive.torque_limit).any():
-        parts.append(f"torque up to {_range(drive.torque_limit)} N m")
-    return ", ".join(parts)
+    for name, (words, per) in _DRIVE_FRICTION.items():
+        if np.any(getattr(drive, name)):
+            parts.append(f"{words} {_range(getattr(drive, name))} {per}")
+    limits = [
+        f"{words} up to {_short_range(getattr(drive, name))} {per}"
+        for name, (words, per) in _DRIVE_LIMITS.items()
+        if np.isfinite(getattr(drive, name)).any()
+    ]
+    return [("drives", ", ".join(parts)), *([("motors", ", ".join(limits))] if limits else [])]
 
 
 def _limits(robot: Robot, length: _Unit) -> str:
@@ -258,6 +300,12 @@ def _limits(robot: Robot, length: _Unit) -> str:
         some = "" if legs == len(given) else f" ({legs} of 6 legs)"
         span = " to ".join(_range(limit[given]) for limit in limits) if legs else ""
         parts.append(f"{name} {span} {unit}{some}" if legs else f"{name} none")
+    angles = np.degrees(robot.joint_angle_limit)
+    given = np.isfinite(angles[:, 0])
+    if given.any():
+        ends = " and ".join(_short_range(end) for end in angles[given].T)
+        some = "" if given.all() else f" ({np.count_nonzero(given)} of 6 legs)"
+        parts.append(f"joint angles from home {ends} degrees (base and platform joint){some}")
     return "; ".join(parts)
 
 

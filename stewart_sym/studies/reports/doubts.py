@@ -1,4 +1,4 @@
-"""Doubts about a log: lengths and angles in another unit, a platform on the other side of the base."""
+"""Doubts about a log or a scene: another unit of lengths or angles, a platform beyond the base."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,7 +11,9 @@ from ...motion.logs import LENGTH_UNITS
 from ...motion.motion import Motion
 from ...motion.rotation import rotation_from_rpy
 from ...motion.trajectory import MOST_TURNS, PoseLog
+from ...robot.fields import vector_text
 from ...robot.robot import Robot
+from ...simulation.scene import Scene
 
 
 def length_doubt(robot: Robot, lengths: Array, unit: str = "m") -> str | None:
@@ -19,12 +21,7 @@ def length_doubt(robot: Robot, lengths: Array, unit: str = "m") -> str | None:
 
     unit: of ``LENGTH_UNITS``, in which the log was read.
     """
-    limits = robot.length_limits[np.isfinite(robot.length_limits[:, 1]), 1]
-    if limits.size:
-        size, (near, far), of = float(limits.max()), _SHARES_OF_LIMITS, "legs of up to"
-    else:
-        size = max(float(np.ptp(robot.b, axis=0).max()), float(np.ptp(robot.p, axis=0).max()))
-        (near, far), of = _SHARES_OF_SIZE, "a machine of"
+    size, (near, far), of = _size(robot)
     typical = float(np.median(lengths))
     if near * size <= typical <= far * size:
         return None
@@ -39,6 +36,15 @@ def length_doubt(robot: Robot, lengths: Array, unit: str = "m") -> str | None:
         else "is it the log of another machine, or are those of the robot file not in metres"
     )
     return f"lengths of {typical:.4g} m beside {of} {size:.4g} m: {cause}?"
+
+
+def _size(robot: Robot) -> tuple[float, tuple[float, float], str]:
+    """Size, m, that lengths are compared with, the least and most share of it, and words for it."""
+    limits = robot.length_limits[np.isfinite(robot.length_limits[:, 1]), 1]
+    if limits.size:
+        return float(limits.max()), _SHARES_OF_LIMITS, "legs of up to"
+    size = max(float(np.ptp(robot.b, axis=0).max()), float(np.ptp(robot.p, axis=0).max()))
+    return size, _SHARES_OF_SIZE, "a machine of"
 
 
 def angle_doubt(robot: Robot, log: PoseLog, some: NDArray[np.int64]) -> str | None:
@@ -92,6 +98,40 @@ def side_doubt(robot: Robot, motion: Motion) -> str | None:
         "the platform is below the base, where gravity pulls, at every instant: does z of the log point "
         "the other way than in the robot file? (forces are right as they are for a machine that hangs)"
     )
+
+
+def start_doubts(scene: Scene) -> list[str]:
+    """Lines, each with its key, about a scene's start and springs that are no machine's like the robot."""
+    robot, state, stated = scene.robot, scene.state, scene.stated
+    start = "state.t" if "state.t" in stated else "legs.path"
+    size, (_, far), of = _size(robot)
+    lengths = {start: leg_lengths(robot, state.R, state.t)}
+    lengths |= {key: stated[key] for key in ("legs.rest_length",) if key in stated}
+    found = {
+        key: f"{key}: lengths of {typical:.4g} m beside {of} {size:.4g} m: in millimetres, expected metres?"
+        for key, L in lengths.items()
+        if (typical := float(np.median(L))) > far * size
+    }
+    lines = list(found.values())
+    side = platform_side(robot)
+    centre = state.t + state.R @ robot.p.mean(axis=0) - robot.b.mean(axis=0)
+    if start not in found and side.certain and centre @ side.direction < 0.0:
+        lines.append(
+            f"{start}: the platform starts on the other side of the base than "
+            f"{vector_text(side.direction + 0.0)}, {side.rule}: does z point the other way than in the "
+            "robot file?"
+        )
+    theta = stated.get("state.theta", np.zeros(3))
+    if start not in found and np.abs(theta).max() > _LEAST_TURN:
+        t, tool = np.stack([state.t, state.t]), np.zeros(3)
+        how = _impossible(robot, t, np.stack([np.zeros(3), theta]), tool)
+        degrees = _impossible(robot, t, np.stack([np.zeros(3), np.radians(theta)]), tool)
+        if np.any(np.abs(theta) > MOST_TURNS) or (how is not None and degrees is None):
+            axis = int(np.argmax(np.abs(theta)))
+            lines.append(
+                f"state.theta: {theta[axis]:.4g} rad about {'xyz'[axis]}: in degrees, expected radians?"
+            )
+    return lines
 
 
 # Factors of a mistaken unit: metres read as millimetres, metres as centimetres, centimetres as millimetres. A

@@ -291,6 +291,17 @@ ABSURD: dict[str, tuple[Callable[[Robot], Robot], str, str]] = {
         "center-of-mass",
         "lower part of all legs: center_of_mass",
     ),
+    "one lower centre of mass in metres in a file of millimetres": (
+        one_leg("r_d0", 1, 1e-3),
+        "center-of-mass",
+        "given in metres in a file of millimetres",
+    ),
+    "tool in millimetres": (of(tool=lambda _: [150.0, 0.0, -600.0]), "tool", "given in millimetres"),
+    "tool in metres in a file of millimetres": (
+        of(tool=lambda _: [1.5e-4, 0.0, -6e-4]),
+        "tool",
+        "given in metres in a file of millimetres",
+    ),
     "upper centres of mass of the wrong sign": (
         of(r_u0=lambda r: -r),
         "center-of-mass",
