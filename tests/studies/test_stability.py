@@ -202,7 +202,7 @@ def test_the_command_prints_the_sweep(capsys: pytest.CaptureFixture[str]) -> Non
 
 def test_too_few_cases_are_rejected_in_one_line(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["stability", "--cases", "3"]) == 2
-    assert capsys.readouterr().err.startswith("stewart-sym: error: cases: expected at least")
+    assert capsys.readouterr().err.startswith("stewart-sym: error: --cases: expected at least")
 
 
 @pytest.mark.slow
