@@ -1,4 +1,4 @@
-"""What the modules of every output and of the regressor share: robot and motion, checks of legs, the solve.
+"""What the modules of every output and of the regressor share: robot, motion, platform, checks, solve.
 
 Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
 SPDX-License-Identifier: 0BSD

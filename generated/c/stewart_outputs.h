@@ -1,5 +1,5 @@
-/* stewart_outputs.h: the solve of kernels with every output, and poses of their batches, for the sources to
- * include.
+/* stewart_outputs.h: the platform's part of c, the solve of kernels with every output, and poses of their
+ * batches, for the sources to include.
  *
  * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
