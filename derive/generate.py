@@ -5,7 +5,8 @@ no path, no order of a set. Does not depend on the runtime. A process derives ea
 """
 
 from collections.abc import Callable, Collection, Iterator, Mapping
-from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures import ProcessPoolExecutor, as_completed
+from contextlib import ExitStack
 from dataclasses import dataclass, field
 from functools import cache, partial, reduce
 from importlib.metadata import version as installed_version
@@ -29,7 +30,15 @@ from .kernel.tree.nodes import Program, joined
 from .mechanics import closed_form
 from .mechanics.actuator_forces import ForceKernel, force_kernel, with_numbers
 from .mechanics.axial_forces import axial_block
-from .mechanics.formulation import EXACT, EXACT_DRIVE, FORMULATIONS, Formulation
+from .mechanics.formulation import (
+    EXACT,
+    EXACT_DRIVE,
+    EXACT_SPHERICAL,
+    EXACT_SPHERICAL_DRIVE,
+    PAPER,
+    PAPER_SPHERICAL,
+    Formulation,
+)
 from .mechanics.inverse_dynamics import Kernel, kernel
 from .mechanics.kinematics import Kinematics, kinematics
 from .mechanics.legs.rotor import NONE, REFLECTED, rotor_of
@@ -122,10 +131,11 @@ def generated_files(progress: Progress = lambda *_: None, processes: int = 1) ->
     started anew, so that a script calls this under ``if __name__ == "__main__"``.
     """
     version = generator_version()
-    found: dict[str, Made] = {}
-    for name, (made, seconds) in zip(UNITS, derived(UNITS, processes), strict=True):
-        found[name] = made
-        progress(name, seconds, len(found) / len(UNITS))
+    ended: dict[str, Made] = {}
+    for name, made, seconds in derived(UNITS, processes):
+        ended[name] = made
+        progress(name, seconds, len(ended) / len(UNITS))
+    found = {name: ended[name] for name in UNITS}
     models = {name: count for made in found.values() for name, count in made.models.items()}
     headers = {"stewart.h": common_header(version), **shared_headers(version)}
     files = {name: text for made in found.values() for name, text in made.files.items()}
@@ -153,19 +163,29 @@ def _on_arrays(programs: Mapping[str, Program]) -> dict[str, str]:
     return files
 
 
-def derived(names: Collection[str], processes: int = 1) -> Iterator[tuple[Made, float]]:
-    """What some of ``UNITS`` make, in their order, and the seconds that each took."""
+def derived(names: Collection[str], processes: int = 1) -> Iterator[tuple[str, Made, float]]:
+    """Some of ``UNITS``, what they make, and the seconds that each took, in the order in which they end.
+
+    A process takes a run of the names, since neighbours have derivations in common.
+    """
     if processes == 1:
         yield from map(_timed, names)
-    else:
-        with ProcessPoolExecutor(processes, get_context("spawn")) as pool:
-            yield from pool.map(_timed, names)
+        return
+    with ExitStack() as stack:
+        pools = [
+            stack.enter_context(ProcessPoolExecutor(1, get_context("spawn")))
+            for _ in range(min(processes, len(names)))
+        ]
+        tasks = [
+            pools[place * len(pools) // len(names)].submit(_timed, name) for place, name in enumerate(names)
+        ]
+        yield from (task.result() for task in as_completed(tasks))
 
 
-def _timed(name: str) -> tuple[Made, float]:
-    """One of ``UNITS``, and the seconds that it took."""
+def _timed(name: str) -> tuple[str, Made, float]:
+    """One of ``UNITS``, what it makes, and the seconds that it took."""
     start = perf_counter()
-    return UNITS[name](generator_version()), perf_counter() - start
+    return name, UNITS[name](generator_version()), perf_counter() - start
 
 
 def _formulation(form: Formulation, version: str) -> Made:
@@ -304,10 +324,17 @@ def _closed_form(form: Formulation, version: str) -> dict[str, str]:
 
 
 UNITS: Mapping[str, Callable[[str], Made]] = {
-    **{form.kernel_name: partial(_formulation, form) for form in FORMULATIONS},
-    **{f"{form.kernel_name}_bounds": partial(_bounds, form) for form in WHOLE},
+    "exact": partial(_formulation, EXACT),
+    "exact_bounds": partial(_bounds, EXACT),
     "fidelities": _fidelities,
     "exact_offset": _offset_joints,
     "regressors, kinematics and torques": _others,
+    "paper": partial(_formulation, PAPER),
+    "exact_drive": partial(_formulation, EXACT_DRIVE),
+    "exact_drive_bounds": partial(_bounds, EXACT_DRIVE),
+    "exact_spherical": partial(_formulation, EXACT_SPHERICAL),
+    "exact_spherical_drive": partial(_formulation, EXACT_SPHERICAL_DRIVE),
+    "paper_spherical": partial(_formulation, PAPER_SPHERICAL),
 }
-"""What is derived, by name, each from the version."""
+"""What is derived, by name, each from the version; those with derivations in common are neighbours, and the
+halves take equally long."""

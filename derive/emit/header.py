@@ -52,7 +52,7 @@ def layout(models: Mapping[str, int], headers: Iterable[str], version: str) -> s
         structs=_shapes(STRUCTS),
         outputs=_shapes({stem: call.outputs for stem, call in CALLS.items()}),
         headers="\n".join(f'    "{name}",' for name in headers),
-        models="\n".join(f'    "{name}": {count},' for name, count in models.items()),
+        models="\n".join(f'    "{name}": {count},' for name, count in sorted(models.items())),
     )
 
 
