@@ -375,7 +375,7 @@ def joined(one: Program, other: Program) -> Program:
 
 def statements(body: tuple[Statement, ...]) -> Iterator[Statement]:
     """Every statement of a body, those of loops and conditions as well."""
-    return (each for each in parts_of(body) if isinstance(each, Statement))
+    return parts_of(body, Statement)
 
 
 def names_in(node: Any) -> Iterator[Name]:
@@ -393,13 +393,13 @@ def mapped(node: Any, change: Callable[[Any], Any]) -> Any:
     return type(node)(*(change(getattr(node, name)) for name in node.__match_args__))
 
 
-def parts_of(node: Any) -> Iterator[Any]:
-    """A node and its parts, their parts as well."""
+def parts_of(node: Any, kind: type = Node) -> Iterator[Any]:
+    """A node and its parts, their parts as well; kind: of the nodes that are gone into."""
     waiting = [node]
     while waiting:
         each = waiting.pop()
-        if isinstance(each, Node):
+        if isinstance(each, kind):
             yield each
             names: tuple[str, ...] = each.__match_args__
             each = [getattr(each, name) for name in names]
-        waiting += [part for part in reversed(each) if isinstance(part, (Node, tuple))]
+        waiting += [part for part in reversed(each) if isinstance(part, (kind, tuple))]
