@@ -78,12 +78,8 @@ class Motion(Frozen):
         for field in fields(self):
             value = getattr(self, field.name)
             if value is not None or field.name in ("R", "t", "omega", "v"):
-                arrays[field.name] = finite_array(value, (3, 3) if field.name == "R" else (3,), field.name)
-        in_float = np.asarray(self.R).dtype == np.float32
-        _check_rotation(arrays["R"], FLOAT_TOLERANCE if in_float else ROTATION_TOLERANCE)
-        if in_float:
-            # Newton's step squares what is off: twice, and only rounding of a double is left.
-            arrays["R"] = orthonormal(orthonormal(arrays["R"]))
+                name = field.name
+                arrays[name] = rotations(value, name) if name == "R" else finite_array(value, (3,), name)
         self._spread(arrays)
 
     def _spread(self, arrays: dict[str, Array]) -> None:
@@ -130,19 +126,25 @@ class Motion(Frozen):
         turned = [np.einsum("...ij,...j->...i", self.R, vector) for vector in load]
         return np.concatenate(turned, axis=-1)
 
-    def in_axes(self, Q: Array) -> Motion:
+    def in_axes(self, Q: ArrayLike) -> Motion:
         """Return the motion in base and platform frames turned by a rotation: x becomes Q x.
 
         Parameters
         ----------
-        Q : ndarray
+        Q : array_like
             The rotation, (3, 3).
 
         Returns
         -------
         Motion
             Of the same shape.
+
+        Raises
+        ------
+        ValueError
+            For what is no rotation, a reflection among them: angular velocities would change their sign.
         """
+        Q = rotations(Q, "Q", batch=False)
         vectors = {
             field.name: value @ Q.T
             for field in fields(self)
@@ -404,7 +406,19 @@ def _leading_shape(arrays: dict[str, Array]) -> tuple[int, ...]:
     return leading_shape({name: x.shape[: -2 if name == "R" else -1] for name, x in arrays.items()})
 
 
-def _check_rotation(R: Array, tolerance: float) -> None:
+def rotations(value: ArrayLike, name: str, batch: bool = True) -> Array:
+    """Return rotations, (3, 3) or of a leading shape, from what a caller gave under a name.
+
+    Those of single precision are made orthonormal in double. Raises ValueError for what is no rotation.
+    """
+    R = finite_array(value, (3, 3), name, batch)
+    in_float = np.asarray(value).dtype == np.float32
+    _check_rotation(R, FLOAT_TOLERANCE if in_float else ROTATION_TOLERANCE, name)
+    # Newton's step squares what is off: twice, and only rounding of a double is left.
+    return orthonormal(orthonormal(R)) if in_float else R
+
+
+def _check_rotation(R: Array, tolerance: float, name: str) -> None:
     if R.size == 0:
         return
     with np.errstate(over="ignore", invalid="ignore"):
@@ -414,14 +428,17 @@ def _check_rotation(R: Array, tolerance: float) -> None:
         where = tuple(int(i) for i in np.argwhere(bad)[0])
         cause = ""
         if off[where] <= FLOAT_TOLERANCE and np.array_equal(R[where], R[where].astype(np.float32)):
-            cause = ": these are numbers of single precision, give R as an array of float32"
+            cause = f": these are numbers of single precision, give {name} as an array of float32"
         raise ValueError(
-            f"R{_at(where)}: expected a rotation matrix, R^T R differs from E by {off[where]:.2g}{cause}"
+            f"{name}{_at(where)}: expected a rotation matrix, {name}^T {name} differs from E by "
+            f"{off[where]:.2g}{cause}"
         )
     mirrored = np.linalg.det(R) < 0.0
     if np.any(mirrored):
         where = tuple(int(i) for i in np.argwhere(mirrored)[0])
-        raise ValueError(f"R{_at(where)}: expected a rotation matrix, this one is a reflection (det R = -1)")
+        raise ValueError(
+            f"{name}{_at(where)}: expected a rotation matrix, this one is a reflection (det {name} = -1)"
+        )
 
 
 def _at(where: tuple[int, ...]) -> str:

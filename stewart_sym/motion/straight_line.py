@@ -11,10 +11,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..io.arguments import finite_array, real_array, shown
+from ..io.arguments import real_array, shown
 from ..io.array_types import Array
 from ..io.tables import number
-from .motion import Motion
+from .motion import Motion, rotations
 
 Vector = tuple[float, float, float]
 Rows = tuple[Vector, Vector, Vector]
@@ -68,13 +68,7 @@ class StraightLinePath:
             object.__setattr__(
                 self, field.name, _triple(value, field.name) if vector else number(value, field.name)
             )
-        axes = finite_array(self.axes, (3, 3), "axes")
-        if (
-            axes.shape != (3, 3)
-            or np.abs(axes @ axes.T - np.eye(3)).max() > 1e-9
-            or np.linalg.det(axes) < 0.0
-        ):
-            raise ValueError(f"axes: expected a rotation (3, 3), got {shown(self.axes)}")
+        axes = rotations(self.axes, "axes", batch=False)
         object.__setattr__(self, "axes", tuple(tuple(row) for row in axes.tolist()))
         if self.tau_f <= 0.0:
             raise ValueError(f"tau_f: expected a duration > 0 s, got {self.tau_f:g}")

@@ -265,6 +265,19 @@ def test_what_is_no_motion_is_named(wrong: dict[str, Any], expected: str) -> Non
 
 
 @pytest.mark.parametrize(
+    ("Q", "expected"),
+    [
+        (np.diag([1, 1, -1]), "Q: expected a rotation matrix, this one is a reflection (det Q = -1)"),
+        (1.001 * E, "Q: expected a rotation matrix, Q^T Q differs from E by 0.002"),
+        (np.stack([E, E]), "Q: expected shape (3, 3), got (2, 3, 3)"),
+    ],
+)
+def test_axes_that_no_rotation_turns_are_rejected(Q: Array, expected: str) -> None:
+    motion = Motion(R=E, t=ZERO, omega=[0.0, 0.0, 1.0], v=ZERO)
+    assert error_of(lambda: motion.in_axes(Q)) == expected
+
+
+@pytest.mark.parametrize(
     ("wrong", "expected"),
     [
         ({"theta": NAN}, "theta: expected finite numbers"),
