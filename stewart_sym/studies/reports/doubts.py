@@ -1,4 +1,7 @@
-"""Doubts about a log or a scene: another unit of lengths or angles, a platform beyond the base."""
+"""Doubts about a log or a scene: another unit of lengths, angles or speeds, a platform beyond the base."""
+
+from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,7 +14,7 @@ from ...motion.logs import LENGTH_UNITS
 from ...motion.motion import Motion
 from ...motion.rotation import rotation_from_rpy
 from ...motion.trajectory import MOST_TURNS, PoseLog
-from ...robot.fields import vector_text
+from ...robot.fields import DEFAULT_GRAVITY, vector_text
 from ...robot.robot import Robot
 from ...simulation.scene import Scene
 
@@ -131,12 +134,26 @@ def start_doubts(scene: Scene) -> list[str]:
             lines.append(
                 f"state.theta: {theta[axis]:.4g} rad about {'xyz'[axis]}: in degrees, expected radians?"
             )
-    return lines
+    return lines + _speed_doubts(stated, float(np.median(lengths[start])))
+
+
+def _speed_doubts(stated: Mapping[str, Any], length: float) -> list[str]:
+    """Lines about speeds of a start far above those of a fall through a leg's length, m."""
+    fall = float(np.sqrt(2.0 * abs(DEFAULT_GRAVITY[2]) * length))
+    units = {"v": ("m/s", "in mm/s", fall), "omega": ("rad/s", "in degrees/s", fall / length)}
+    return [
+        f"state.{name}: {speed:.4g} {unit}, {speed / usual:.2g} times what a fall through the length of a "
+        f"leg gives: {other}, expected {unit}?"
+        for name, (unit, other, usual) in units.items()
+        if (speed := float(np.linalg.norm(stated.get(f"state.{name}", 0.0)))) > _MOST_FALLS * usual
+    ]
 
 
 # Factors of a mistaken unit: metres read as millimetres, metres as centimetres, centimetres as millimetres. A
 # platform nearer to the base than this share of the base's size is doubtful.
 _TIMES, _NEAR = (1000, 100, 10), 0.2
+# Speeds at a start above this multiple of a fall's are doubtful.
+_MOST_FALLS = 5.0
 # Leg lengths outside these ranges, shares of the machine's size or of its longest leg, are doubtful; usual
 # ones, by which another unit is suggested; and the least range of an angle, rad, that may be in degrees.
 _SHARES_OF_SIZE, _SHARES_OF_LIMITS, _USUAL, _LEAST_TURN = (1.0 / 200.0, 20.0), (0.02, 5.0), (0.15, 3.0), 0.5
