@@ -1,7 +1,8 @@
 """Compiles C source text into a shared library once, keeps it in a cache and loads it with ctypes.
 
-The cache needs no lock between processes: a library is published by one rename, and its file name holds the
-digest of its bytes, which is checked before the loader maps it.
+A library is published by one rename, and its file name holds the digest of its bytes, which is checked before
+the loader maps it: the cache is sound without a lock between processes, which only keeps them from compiling
+the same at once.
 """
 
 import contextlib
@@ -317,8 +318,25 @@ def _open(recipe: _Recipe, key: str) -> ctypes.CDLL:
 
 
 def _open_in(directory: Path, recipe: _Recipe, key: str) -> ctypes.CDLL:
-    library = _find(directory, f"{recipe.name}-{key}") or _build(directory, recipe, key)
+    stem = f"{recipe.name}-{key}"
+    library = _find(directory, stem)
+    if library is None:
+        with _turn_of_process(directory / f"build-{key}.lock"):
+            library = _find(directory, stem) or _build(directory, recipe, key)
     return ctypes.CDLL(str(library))
+
+
+@contextlib.contextmanager
+def _turn_of_process(path: Path) -> Iterator[None]:
+    """Wait until no other process builds the same, where the system and the folder have such locks."""
+    with contextlib.ExitStack() as held:
+        with contextlib.suppress(ImportError, OSError):
+            import fcntl
+
+            # Of the process, so that a forked child does not wait for itself, and gone when it dies.
+            fcntl.lockf(held.enter_context(path.open("w")), fcntl.LOCK_EX)
+            held.callback(path.unlink, missing_ok=True)
+        yield
 
 
 def _cache_directory() -> Path:
