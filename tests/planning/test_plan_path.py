@@ -240,8 +240,9 @@ def test_what_cannot_be_planned_is_one_line(change, message: str) -> None:
 
 
 @pytest.mark.slow
-def test_a_limit_that_stands_in_the_way_is_named() -> None:
+def test_a_limit_that_stands_in_the_way_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     """Ends with singular poses between them, and no higher condition number allowed than theirs."""
+    monkeypatch.setattr("stewart_sym.planning.plan_path._STARTS", 2)
     robot, poses = crossed_pairs(1)[0]
     R, t = np.array([pose.R for pose in poses]), np.array([pose.t for pose in poses])
     costs = PoseCosts(robot, PoseLimits(), np.zeros(3), 1.0, 0.0)
