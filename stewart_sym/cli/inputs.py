@@ -15,8 +15,8 @@ if TYPE_CHECKING:
 
 # Instants that show on which side of the base a platform is.
 _SOME = 64
-# Resampled instants, of a log of more rows, that don't show its motion.
-_FEW = 10
+FEW_ROWS = 10
+"""So few rows of a trajectory don't show its motion."""
 
 
 def robot_of(source: Path) -> "Robot":
@@ -56,7 +56,7 @@ def trajectory_of(
     if arguments.rate is None:
         return trajectory
     few = resampled(trajectory, arguments.rate)
-    if len(few.time) < min(_FEW, len(trajectory.time)):
+    if len(few.time) < min(FEW_ROWS, len(trajectory.time)):
         warnings.warn(
             f"{source}: {len(few.time)} instant{'s' * (len(few.time) > 1)} of "
             f"{trajectory.time[-1] - trajectory.time[0]:.4g} s at a rate of {arguments.rate:g} Hz, of "

@@ -303,6 +303,3 @@ def choice(value: object, options: Sequence[str], where: str) -> str:
     """One of the options."""
     option(value, options, where)
     return str(value)
-
-
-# Tables as text

@@ -13,7 +13,7 @@ from ..io.extras import need
 from ..io.progress import Progress, silent
 from ..io.tables import file_name, opened
 from .log_rates import SPLINE, as_given, rates_of
-from .logs import LogFormat, read_columns
+from .logs import LogFormat, need_columns, read_columns
 from .noise_level import LogWarning
 from .rotation import rotation_from_rpy
 from .trajectory import (
@@ -151,9 +151,7 @@ def read_leg_columns(
         group = next((each for each in groups if each[0] in header), group)
         wanted = ["time", *group]
         _check_names(header, [*wanted, *header], source)
-        for column in wanted:
-            if column not in header:
-                raise ValueError(f"{source}: missing column {column}")
+        need_columns(header, wanted, source)
 
     with opened(source, "forces", _MOST_BYTES) as stream:
         columns, _ = read_columns(stream, source, check, form)
@@ -165,26 +163,25 @@ def read_leg_columns(
 _MOST_ACCELERATION, _LEAST_ACCELERATION = 1e5, 1e-4
 
 
+def _warn(log: Log, text: str) -> None:
+    warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=7)
+
+
 def _warn_of_angles(log: Log) -> None:
     """Warn of angles that no machine makes, and of quaternions whose scalar seems to come last."""
     if "theta" in log.written:
         doubt = turn_doubt(log.vector("theta"))
         if doubt is not None:
-            text = f"{doubt}: are angles in degrees (LogFormat(angle_unit='deg'))?"
-            warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=6)
+            _warn(log, f"{doubt}: are angles in degrees (LogFormat(angle_unit='deg'))?")
     if "q" in log.written:
         q = np.abs(log.vector("q"))
         if (np.median(q, axis=0) @ (-1.0, 0.0, 0.0, 1.0)) > 0.5 * float(
             np.median(np.linalg.norm(q, axis=-1))
         ):
-            text = (
-                "q_z is the largest component: half a turn about z, or quaternions whose scalar comes last?"
-            )
-            warnings.warn(
-                f"{log.source}: {text} "
+            _warn(
+                log,
+                "q_z is the largest component: half a turn about z, or quaternions whose scalar comes last? "
                 "(LogFormat(columns={'q_w': 'q_z', 'q_x': 'q_w', 'q_y': 'q_x', 'q_z': 'q_y', ...}))",
-                LogWarning,
-                stacklevel=6,
             )
 
 
@@ -207,8 +204,7 @@ def _warn_of_units(log: Log, coordinates: Array) -> None:
         hint = f"is time in another unit (LogFormat(time_unit='{slow[-1]}'))"
     else:
         return
-    text = f"steps of {step:.4g} s and accelerations up to {largest:.2g} m/s^2: {hint}?"
-    warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=6)
+    _warn(log, f"steps of {step:.4g} s and accelerations up to {largest:.2g} m/s^2: {hint}?")
 
 
 # How far from a power of 1000 the ratio of changes to rates is where a unit is wrong: decades.
@@ -233,8 +229,7 @@ def _warn_of_rates(log: Log, coordinates: Array) -> None:
             if unit
             else "are rates in another unit"
         )
-        text = f"coordinates change by {changed / expected:.2g} of what their rates say: {hint}?"
-        warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=6)
+        _warn(log, f"coordinates change by {changed / expected:.2g} of what their rates say: {hint}?")
 
 
 def _joint_trajectory(log: Log) -> JointTrajectory:
@@ -328,9 +323,7 @@ def _check_header(header: list[str], source: str, otherwise: str = _OTHER_NAMES)
     for name in LOADS:
         if any(c in header for c in _components(name)):
             required += _components(name)
-    for column in required:
-        if column not in header:
-            raise ValueError(f"{source}: missing column {column}")
+    need_columns(header, required, source)
 
 
 def _check_names(header: list[str], known: list[str], source: str, expected: str = "") -> None:

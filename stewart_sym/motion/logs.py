@@ -147,6 +147,13 @@ def read_columns(
     return columns, rows
 
 
+def need_columns(header: Sequence[str], columns: Sequence[str], source: str) -> None:
+    """Reject a header that lacks one of the columns."""
+    for column in columns:
+        if column not in header:
+            raise ValueError(f"{source}: missing column {column}")
+
+
 def _columns(
     lines: Iterator[str],
     source: str,

@@ -58,7 +58,7 @@ class PosePath(Frozen):
     def __call__(self, s: ArrayLike) -> Motion:
         """Return poses at parameters s in [0, 1], (n,), with first and second derivatives by s."""
         at = real_array(s, "s")
-        y, y_1, y_2 = (self._values(at, order) for order in range(3))
+        y, y_1, y_2 = (b_spline_values(self.knots, at, order) @ self.coefficients for order in range(3))
         motion = Motion.from_quaternion(y[:, :3], y[:, 3:], y_1[:, :3], y_1[:, 3:], y_2[:, :3], y_2[:, 3:])
         motion = motion.about_point(-self.tool) if self.tool.any() else motion
         loads = (np.broadcast_to(part, motion.t.shape) for part in (self.load[:3], self.load[3:]))
@@ -71,9 +71,6 @@ class PosePath(Frozen):
             motion.a,
             *(loads if self.load.any() else ()),
         )
-
-    def _values(self, s: Array, order: int) -> Array:
-        return b_spline_values(self.knots, s, order) @ self.coefficients
 
 
 def b_spline_values(knots: Array, s: Array, order: int) -> Array:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -18,7 +19,7 @@ from ..kinematics.mounting import path_for
 from ..kinematics.pose_search import jacobian
 from ..motion.interpolation import Path, between
 from ..motion.log_reader import PLAIN
-from ..motion.logs import read_columns
+from ..motion.logs import need_columns, read_columns
 from ..motion.motion import Motion, at_rest
 from ..motion.rotation import rotation_from_rpy
 from ..motion.straight_line import PATHS, StraightLinePath
@@ -92,14 +93,14 @@ def of_path(robot: Robot, path: str | StraightLinePath) -> Instants:
     return _instants(robot, name, time, path.sample(time), path.sample, path.breaks())
 
 
-def of_trajectory(robot: Robot, trajectory: Trajectory | PoseLog, name: str | None = None) -> Instants:
+def of_trajectory(robot: Robot, trajectory: Trajectory | PoseLog) -> Instants:
     """A trajectory read from a file, by whose name it is called."""
     path = between(trajectory) if len(trajectory.time) > 1 else None
-    name = os.path.basename(trajectory.source) if name is None else name
+    name = os.path.basename(trajectory.source)
     return _instants(robot, name, trajectory.time, trajectory.motion, path, trajectory.time)
 
 
-def of_run(robot: Robot, run: Trace, name: str = "simulated run") -> Instants:
+def of_run(robot: Robot, run: Trace) -> Instants:
     """A simulated run, with the forces that acted."""
     path = _path_of(run.times, run.motion)
     if isinstance(run, Simulation):
@@ -107,7 +108,7 @@ def of_run(robot: Robot, run: Trace, name: str = "simulated run") -> Instants:
         def path(times: Array) -> Motion:
             return run.at(times).motion
 
-    return _instants(robot, name, run.times, run.motion, path, run.times, {"run": run.F})
+    return _instants(robot, "simulated run", run.times, run.motion, path, run.times, {"run": run.F})
 
 
 def of_motion(robot: Robot, motion: Motion, times: object, name: str = "motion") -> Instants:
@@ -131,9 +132,7 @@ def read_run(path: str | os.PathLike[str]) -> tuple[Array, Motion, Array, Array]
     source = file_name(path)
 
     def check(header: list[str], source: str) -> None:
-        for column in ("time", *(column for names in _NAMES.values() for column in names)):
-            if column not in header:
-                raise ValueError(f"{source}: missing column {column}")
+        need_columns(header, ["time", *itertools.chain(*_NAMES.values())], source)
 
     with opened(source, "run", _MOST_BYTES) as stream:
         columns, _ = read_columns(stream, source, check, PLAIN)

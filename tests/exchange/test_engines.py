@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 import stewart_sym as ss
 
 HEXAPOD = Path(__file__).parents[2] / ".docs" / "examples" / "hexapod.toml"
-SEEDS = range(60)
-OFFSET_SEEDS = range(24)
+SEEDS = range(8)
+OFFSET_SEEDS = range(6)
 NONE = np.zeros(6)
 MUJOCO, PINOCCHIO = 4e-6, 1e-9
 """Largest error over the pose's largest acceleration."""
@@ -115,10 +115,9 @@ def test_another_machine_is_found_out(name: str) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ["hexapod", "mathworks2002", "tsai2000"])
 @pytest.mark.filterwarnings("ignore:mjcf")
-def test_a_machine_that_its_forces_hold_does_not_drift_in_ten_seconds(name: str) -> None:
-    robot = ss.Robot.from_toml(HEXAPOD) if name == "hexapod" else ss.robots.load(name)
+def test_a_machine_that_its_forces_hold_does_not_drift_in_ten_seconds() -> None:
+    robot = ss.Robot.from_toml(HEXAPOD)
     model = mujoco.MjModel.from_xml_string(ss.export_model(robot, "mjcf").text)
     data, kernel, zero = mujoco.MjData(model), ss.prepare(robot), np.zeros(3)
     mujoco.mj_forward(model, data)

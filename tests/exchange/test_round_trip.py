@@ -1,6 +1,7 @@
 """What is exported comes back: the same robot, and from that the same bytes; what others write is read."""
 
 import dataclasses
+import itertools
 import json
 import re
 from pathlib import Path
@@ -17,7 +18,6 @@ from stewart_sym.exchange.notes import differences, noted, with_notes
 
 HEXAPOD = Path(__file__).parents[2] / ".docs" / "examples" / "hexapod.toml"
 FORMATS = ("mjcf", "sdf", "urdf")
-NAMED = ("mathworks2002", "tsai2000", "dehaeze_nano", "rubin_camera", "rubin_m2")
 NOT_POSSIBLE = ("I_p", "I_d0", "I_u0")
 pytestmark = [
     pytest.mark.filterwarnings("ignore:.*(noted only|left out)"),
@@ -75,7 +75,7 @@ def robots() -> dict[str, ss.Robot]:
     }
 
 
-KINDS = ("universal", "spherical", "universal", "spherical")
+KINDS = ("universal", "spherical")
 ROBOTS = robots()
 
 
@@ -93,8 +93,13 @@ def without_notes(file: ss.ModelFile) -> ss.ModelFile:
     return ss.ModelFile(text, loops)
 
 
-@pytest.mark.parametrize("form", FORMATS)
-@pytest.mark.parametrize("name", ROBOTS)
+PARTICULAR = ("dasgupta1998", "random 0", "random 1", "upside down, mm", "motion simulator", "all")
+# Those with something particular in all formats, the others in one each.
+PAIRS = list(itertools.product(PARTICULAR, FORMATS))
+PAIRS += zip(sorted(ROBOTS.keys() - PARTICULAR), itertools.cycle(FORMATS))
+
+
+@pytest.mark.parametrize(("name", "form"), sorted(PAIRS))
 def test_a_robot_comes_back_and_is_exported_to_the_same_bytes(name: str, form: str, tmp_path: Path) -> None:
     robot = ROBOTS[name]
     file = ss.export_model(robot, form)
@@ -109,7 +114,7 @@ def test_a_robot_comes_back_and_is_exported_to_the_same_bytes(name: str, form: s
 
 
 @pytest.mark.parametrize("form", FORMATS)
-@pytest.mark.parametrize("name", ["mathworks2002", "tsai2000", "random 0", "random 1", "hexapod"])
+@pytest.mark.parametrize("name", ["tsai2000", "random 0", "random 1"])
 def test_bodies_and_joints_alone_give_the_robot_but_for_rounding(
     name: str, form: str, tmp_path: Path
 ) -> None:
@@ -125,29 +130,14 @@ def test_bodies_and_joints_alone_give_the_robot_but_for_rounding(
         )
 
 
-@pytest.mark.parametrize("name", ["mathworks2002", "tsai2000", "hexapod"])
+@pytest.mark.parametrize("name", ["mathworks2002", "hexapod"])
 def test_a_model_as_mujoco_itself_writes_it_is_read(name: str, tmp_path: Path) -> None:
     robot = ROBOTS[name]
     model = mujoco.MjModel.from_xml_string(without_notes(ss.export_model(robot, "mjcf")).text)
     mujoco.mj_saveLastXML(str(tmp_path / "saved.xml"), model)
     found = ss.import_model(tmp_path / "saved.xml")
     assert any(line.startswith("axes and loops are off by up to") for line in found.assumptions)
-    for field in (
-        "b",
-        "p",
-        "k",
-        "M",
-        "R_0",
-        "I_p",
-        "m_d",
-        "r_d0",
-        "I_d0",
-        "m_u",
-        "r_u0",
-        "I_u0",
-        "C_u",
-        "C_p",
-    ):
+    for field in (*"bpkM", "R_0", "I_p", "m_d", "r_d0", "I_d0", "m_u", "r_u0", "I_u0", "C_u", "C_p"):
         value = np.asarray(getattr(robot, field))
         atol = 1e-5 * np.abs(value).max()
         np.testing.assert_allclose(getattr(found.robot, field), value, rtol=0, atol=atol, err_msg=field)
@@ -232,7 +222,7 @@ OFFSETS = {
     "without crosses": dataclasses.replace(
         ROBOTS["mathworks2002"], offsets=ss.Offsets(cross=0.01, across=-0.02)
     ),
-    **{f"random {seed}": offset_case(seed)[0] for seed in range(4)},
+    **{f"random {seed}": offset_case(seed)[0] for seed in range(2)},
 }
 
 

@@ -42,10 +42,8 @@ def motor_forces(robot: ss.Robot, motion: ss.Motion) -> np.ndarray:
     return ss.inverse_dynamics(robot, motion).F + drive
 
 
-@pytest.mark.parametrize("count", [25, pytest.param(100, marks=pytest.mark.slow)])
-def test_noisy_experiments_scatter_as_the_covariance_says(
-    robot: ss.Robot, excited: ss.Excitation, count: int
-) -> None:
+def test_noisy_experiments_scatter_as_the_covariance_says(robot: ss.Robot, excited: ss.Excitation) -> None:
+    count = 25
     exact = motor_forces(robot, excited.motion)
     true = np.concatenate(list(TRUE.values()))
     rng = np.random.default_rng(5)

@@ -1,6 +1,5 @@
 """What parameters add to M, C, g and friction sums up to the closed form and to the regressor."""
 
-import itertools
 from typing import Any
 
 import numpy as np
@@ -10,18 +9,11 @@ from machines import dasgupta, random_motion, random_robot
 import stewart_sym as ss
 
 
-@pytest.mark.parametrize(
-    ("seed", "backend"),
-    [
-        *itertools.product(range(4), ("c", "numpy")),
-        (0, "reference"),
-        *(pytest.param(seed, "reference", marks=pytest.mark.slow) for seed in range(1, 4)),
-    ],
-)
-def test_terms_by_parameter_sum_to_those_of_the_closed_form(seed: int, backend: Any) -> None:
-    rng = np.random.default_rng(seed)
+@pytest.mark.parametrize("backend", ["c", "numpy", "reference"])
+def test_terms_by_parameter_sum_to_those_of_the_closed_form(backend: Any) -> None:
+    rng = np.random.default_rng(0)
     robot = random_robot(rng)
-    motion = random_motion(rng, robot, (2, 3))
+    motion = random_motion(rng, robot, (1, 2))
     pi, found = (
         ss.inertial_parameters(robot).values,
         ss.equations_by_parameter(robot, motion, backend=backend),

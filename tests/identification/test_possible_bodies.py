@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from command_line import fails_in_one_line
+from log_files import NAMES, RATES
 from machines import dasgupta
 from noisy_experiments import change, excited, experiment, robot, truth
 from robot_files import PAPERS
@@ -125,10 +126,6 @@ def test_forces_of_impossible_bodies_are_a_misfit_of_possible_ones() -> None:
     assert any(line.startswith("bodies: ") for line in kept.doubts)
 
 
-POSES = [
-    "time",
-    *(f"{q}_{axis}" for q in ("t", "theta", "v", "theta_dot", "a", "theta_ddot") for axis in "xyz"),
-]
 STATED = ("--noise-position", "1e-4", "--noise-angle", "1e-4")
 
 
@@ -138,10 +135,7 @@ def test_command_states_noise_and_verdict(tmp_path: Path, capsys: pytest.Capture
     assert main(["identify", str(PAPERS), *few, *STATED, "-o", str(simulated)]) == 0
     assert "verdict: consistent" in (simulated / "report.txt").read_text()
     with open(simulated / "trajectory.csv", newline="") as stream:
-        assert next(csv.reader(stream)) == [
-            "time",
-            *(f"{q}_{axis}" for q in ("t", "theta") for axis in "xyz"),
-        ]
+        assert next(csv.reader(stream)) == NAMES
     measured = ["--measured", *(str(simulated / name) for name in ("trajectory.csv", "forces.csv"))]
     period = str(ss.choose_excitation(dasgupta(), samples=8, candidates=1).path.period)
     right = tmp_path / "right"
@@ -182,7 +176,7 @@ def test_command_reads_logs_in_other_units_and_marks(tmp_path: Path) -> None:
         (tmp_path / f"{name}.csv").write_text(text)
     measured = ["--measured", *(str(tmp_path / name) for name in ("trajectory.csv", "forces.csv"))]
     units = ["--length-unit", "mm", "--angle-unit", "deg", "--time-unit", "ms"]
-    names = ["--columns", ",".join(f"{name}={'X' if name == 't_x' else name}" for name in POSES)]
+    names = ["--columns", ",".join(f"{name}={'X' if name == 't_x' else name}" for name in (*NAMES, *RATES))]
     out = tmp_path / "out"
     assert main(["identify", str(PAPERS), *measured, *units, *names, "-o", str(out)]) == 0
     tables = []

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from log_files import NAMES, write
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
@@ -70,9 +71,7 @@ def test_a_marked_name_is_shown_as_text(
     time = np.linspace(0.0, 1.0, 20)
     turned = 0.01 * np.sin(time)[:, None] * np.ones(6)
     home = np.concatenate([robot.home if robot.home is not None else np.zeros(3), np.zeros(3)])
-    rows = np.column_stack([time, turned + home])
-    header = "time,t_x,t_y,t_z,theta_x,theta_y,theta_z"
-    np.savetxt("log.csv", rows, delimiter=",", header=header, comments="")
+    write(folder / "log.csv", NAMES, np.column_stack([time, turned + home]))
     assert main([*arguments]) == 0
     out, err = capsys.readouterr()
     texts = written(folder) | {"terminal": out, "warnings": err}

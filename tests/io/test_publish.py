@@ -21,7 +21,6 @@ from stewart_sym.io import interrupts
 from stewart_sym.io import writing as publish
 from stewart_sym.io.writing import RECORD, replaced_file, result_file, result_folder
 from stewart_sym.robot.robot import Robot
-from stewart_sym.studies.accuracy.budget import read_budget
 
 PAPER = Path(str(files("stewart_sym.robots") / "dasgupta1998.toml"))
 
@@ -186,10 +185,7 @@ def test_no_file_that_a_subcommand_read_is_replaced_by_force(
     at_robot: Path, command: list[str], name: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """Files that a scene names are inputs as well."""
-    (at_robot / name).write_text(
-        "time,t_x,t_y,t_z,theta_x,theta_y,theta_z\n"
-        + "".join(f"{i / 8},0.2,{i * i / 1024},0.5,0,0,0\n" for i in range(9))
-    )
+    (at_robot / name).write_text(RISING)
     shared = 'schema = 1\nrobot = "robot.toml"\n'
     (at_robot / "track.toml").write_text(
         f'{shared}duration = 0.01\nstart = "path"\n'
@@ -200,16 +196,6 @@ def test_no_file_that_a_subcommand_read_is_replaced_by_force(
     assert main([*command, "-o", ".", "--force", "--no-pictures"]) == 2
     assert capsys.readouterr().err.endswith(f"error: {name}: is an input, name another folder\n")
     assert folder_state(at_robot) == before
-
-
-def test_a_budget_names_all_files_that_it_was_read_from(tmp_path: Path) -> None:
-    shutil.copy(PAPER, tmp_path / "robot.toml")
-    header = "time,t_x,t_y,t_z,theta_x,theta_y,theta_z\n"
-    (tmp_path / "path.csv").write_text(header + "".join(f"{i / 8},0.2,0,0.5,0,0,0\n" for i in range(9)))
-    text = 'schema = 1\nrobot = "robot.toml"\nmotions = ["I", "path.csv"]\ntolerance = 0.01\n'
-    (tmp_path / "enough.toml").write_text(text)
-    budget = read_budget(tmp_path / "enough.toml")
-    assert budget.files == tuple(tmp_path / name for name in ("enough.toml", "robot.toml", "path.csv"))
 
 
 def test_a_pipe_in_place_of_a_file_is_an_error_and_not_read(tmp_path: Path) -> None:
@@ -410,7 +396,7 @@ def signal_at(number: int) -> Iterator[list[int]]:
 @pytest.mark.slow
 def test_a_signal_at_any_step_of_writing_leaves_whole_files_and_nothing_else(tmp_path: Path) -> None:
     found = set()
-    for number in itertools.count(1, 1 if FULL else 13):
+    for number in itertools.count(1, 1 if FULL else 37):
         folder = tmp_path / str(number)
         (folder / "results").mkdir(parents=True)
         (folder / "results" / "old").write_text("1")

@@ -2,7 +2,9 @@
 
 import numpy as np
 import pytest
+from log_files import NAMES, write
 from machines import rotation
+from motion_fields import skew_part
 from numpy.typing import NDArray
 
 import stewart_sym as ss
@@ -39,8 +41,7 @@ def test_rates_and_accelerations_are_those_of_the_poses() -> None:
     np.testing.assert_allclose((after.v - before.v) / (2 * h), at.a, atol=1e-5)
     np.testing.assert_allclose((after.omega - before.omega) / (2 * h), at.alpha, atol=1e-5)
     spin = (after.R - before.R) / (2 * h) @ np.swapaxes(at.R, -1, -2)
-    omega = np.stack([spin[:, 2, 1], spin[:, 0, 2], spin[:, 1, 0]], axis=-1)
-    np.testing.assert_allclose(omega, at.omega, atol=1e-6)
+    np.testing.assert_allclose(skew_part(spin), at.omega, atol=1e-6)
 
 
 def test_the_papers_path_comes_back_between_its_samples() -> None:
@@ -58,10 +59,8 @@ def test_positions_are_the_spline_that_gave_the_rates(tmp_path) -> None:
 
     rng = np.random.default_rng(1)
     time, t = np.cumsum(rng.uniform(0.1, 0.3, 9)), rng.normal(size=(9, 3))
-    rows = np.hstack([time[:, None], t, 0.1 * t])
-    header = "time,t_x,t_y,t_z,theta_x,theta_y,theta_z"
-    np.savetxt(tmp_path / "t.csv", rows, delimiter=",", header=header, comments="", fmt="%.17g")
-    path = between(read_csv(tmp_path / "t.csv"))
+    log = write(tmp_path / "t.csv", NAMES, np.hstack([time[:, None], t, 0.1 * t]))
+    path = between(read_csv(log))
     times = np.linspace(time[0], time[-1], 200)
     spline = make_interp_spline(time - time[0], t, k=5)
     np.testing.assert_allclose(path(times).t, spline(times - time[0]), atol=1e-9)
@@ -80,7 +79,7 @@ def test_second_rates_of_a_rotation_vector_and_back(angle: float) -> None:
         return rotation_from_vector(phi + time * rate + time**2 / 2 * second)
 
     spin = (later(h) - later(-h)) / (2 * h) @ later(0.0).T
-    np.testing.assert_allclose([spin[2, 1], spin[0, 2], spin[1, 0]], omega, atol=1e-7)
+    np.testing.assert_allclose(skew_part(spin), omega, atol=1e-7)
 
 
 def test_times_outside_and_single_instants_are_rejected() -> None:

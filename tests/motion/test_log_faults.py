@@ -1,6 +1,7 @@
 """Logs that are no motion under white noise: bad rows, correlated noise, rows that were not measured."""
 
 import dataclasses
+import itertools
 import re
 import warnings
 from collections.abc import Callable
@@ -9,7 +10,6 @@ import numpy as np
 import pytest
 from noisy_logs import WHITE, Case, case, coordinates, from_poses, logged, motion
 from numpy.typing import NDArray
-from sweeps import share
 from whole_track import track
 
 import stewart_sym as ss
@@ -52,10 +52,15 @@ def true_forces(one: Case, kind: str, i: int) -> Array:
 
 
 @pytest.mark.parametrize(
-    "noise",
-    ["clean", "5", *(pytest.param(noise, marks=pytest.mark.slow) for noise in ("3", "white"))],
+    ("kind", "noise"),
+    [
+        *itertools.product(FAULTS, ("clean", "5")),
+        *(
+            pytest.param(*pair, marks=pytest.mark.slow)
+            for pair in (("repeated", "3"), ("missing", "white"), ("step", "white"), ("spike", "3"))
+        ),
+    ],
 )
-@pytest.mark.parametrize("kind", FAULTS)
 def test_rows_that_no_motion_makes_are_named_and_forces_hold_within_their_deviations(
     kind: str, noise: str
 ) -> None:
@@ -128,10 +133,9 @@ def profiles(seed: int) -> tuple[Array, Array]:
     return time, np.stack(columns, axis=-1)
 
 
-@pytest.mark.parametrize("count", [3, pytest.param(share(200), marks=pytest.mark.slow)])
-def test_good_logs_are_neither_faulty_nor_correlated(count: int) -> None:
-    rng, told = np.random.default_rng(0), 0
-    for seed in range(count):
+def test_good_logs_are_neither_faulty_nor_correlated() -> None:
+    rng = np.random.default_rng(0)
+    for seed in range(3):
         one = case(seed)
         for time, true in ((one.time, one.true[0]), profiles(seed)):
             for noise in ("clean", "9", "5", "4", "3", "white"):
@@ -139,10 +143,8 @@ def test_good_logs_are_neither_faulty_nor_correlated(count: int) -> None:
                 values = np.round(true, int(noise)) if noise.isdecimal() else values
                 level = noise_level(time, values)
                 assert faults(time, values, level.sigma) == [], (seed, noise)
-                told += level.correlation != 1.0
+                assert level.correlation == 1.0, (seed, noise)
                 assert slower_sampling(values, rounding_steps(values)) is None, (seed, noise)
-    # Some tens of samples show the whiteness of a short log to a third only.
-    assert told <= 0.001 * 12 * count
 
 
 def test_a_fault_is_found_with_its_size_and_its_rows() -> None:

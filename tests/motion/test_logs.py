@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from log_files import LENGTHS, NAMES, write
 from machines import dasgupta, home_position, machine_size, random_robot
 from numpy.typing import NDArray
 from whole_track import track
@@ -23,7 +24,6 @@ from stewart_sym.studies.reports.doubts import angle_doubt, length_doubt, side_d
 from stewart_sym.studies.reports.track import peak_noise
 
 Array = NDArray[np.float64]
-NAMES = ["time", "t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z"]
 
 
 def poses(count: int = 41) -> Array:
@@ -31,12 +31,6 @@ def poses(count: int = 41) -> Array:
     time = np.linspace(0.0, 2.0, count)
     angle = 2.0 * np.pi * np.outer(time, [0.3, 0.4, 0.5, 0.35, 0.45, 0.25]) + np.arange(6)
     return np.column_stack([time, [0.2, 0.0, 0.5, 0, 0, 0] + 0.03 * np.sin(angle)])
-
-
-def write(path: Path, names: list[str], table: Array, delimiter: str = ",", decimal: str = ".") -> Path:
-    rows = [delimiter.join(f"{x:.17g}".replace(".", decimal) for x in row) for row in table]
-    path.write_text("\n".join([delimiter.join(names), *rows]) + "\n", encoding="utf-8")
-    return path
 
 
 def same(one: Trajectory, other: Trajectory, tolerance: float = 1e-6) -> None:
@@ -214,7 +208,7 @@ def test_lengths_that_no_machine_has_are_warned_of_with_their_unit(
     for names, numbers in (
         (NAMES, table),
         (
-            ["time", *(f"L_{leg}" for leg in range(1, 7))],
+            ["time", *LENGTHS],
             np.column_stack([table[:, 0], 1e2 * legs_of(dasgupta(), poses())]),
         ),
     ):

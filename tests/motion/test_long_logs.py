@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import whole_track
+from log_files import POSE, RATES
 from robot_files import PAPERS
 
 import stewart_sym as ss
@@ -136,11 +137,6 @@ def test_a_path_between_many_instants_takes_no_room_of_its_own() -> None:
     assert path(given.time[7:9]).t == pytest.approx(given.motion.t[7:9], abs=1e-12)  # type: ignore[operator]
 
 
-LOG_NAMES = [
-    f"{name}_{axis}" for name in ("t", "theta", "v", "theta_dot", "a", "theta_ddot") for axis in "xyz"
-]
-
-
 def full_log(path: Path, count: int) -> Path:
     """A log with rates and accelerations."""
     time = np.linspace(0.0, 6.0, count)
@@ -148,7 +144,7 @@ def full_log(path: Path, count: int) -> Path:
     angle = np.outer(time, rate)
     q = [0.2, 0.0, 0.5, 0.0, 0.0, 0.0] + 0.02 * np.sin(angle)
     table = np.hstack([q, 0.02 * rate * np.cos(angle), -0.02 * rate**2 * np.sin(angle)])
-    path.write_text("".join(csv_lines({"time": time} | dict(zip(LOG_NAMES, table.T, strict=True)))))
+    path.write_text("".join(csv_lines({"time": time} | dict(zip([*POSE, *RATES], table.T, strict=True)))))
     return path
 
 

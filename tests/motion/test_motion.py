@@ -7,6 +7,7 @@ import pytest
 from command_line import error_of
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from motion_fields import skew_part
 from numpy.typing import NDArray
 
 from stewart_sym.motion.motion import Motion
@@ -29,20 +30,6 @@ def turn(axis: int, angle: float) -> Array:
     """Rotation about one axis by Rodrigues' formula."""
     k = np.cross(E, E[axis])
     return np.asarray(E + np.sin(angle) * k + (1.0 - np.cos(angle)) * k @ k)
-
-
-def skew_part(matrix: Array) -> Array:
-    return (
-        np.stack(
-            [
-                matrix[..., 2, 1] - matrix[..., 1, 2],
-                matrix[..., 0, 2] - matrix[..., 2, 0],
-                matrix[..., 1, 0] - matrix[..., 0, 1],
-            ],
-            axis=-1,
-        )
-        * 0.5
-    )
 
 
 def test_rotations_in_float_are_taken_to_the_nearest_rotation_in_double() -> None:
@@ -230,7 +217,6 @@ def test_arrays_are_private_and_read_only() -> None:
 NAN = np.array([0.0, np.nan, 0.0])
 BAD: list[tuple[dict[str, Any], str]] = [
     ({"t": np.zeros(4)}, "t: expected shape (..., 3), got (4,)"),
-    ({"t": 1.0}, "t: expected shape (..., 3), got ()"),
     ({"R": ZERO}, "R: expected shape (..., 3, 3), got (3,)"),
     ({"v": NAN}, "v: expected finite numbers, entry (1,) is nan"),
     ({"a": np.array([[0, 0, 0], [0, 0, np.inf]])}, "a: expected finite numbers, entry (1, 2) is inf"),
@@ -238,9 +224,6 @@ BAD: list[tuple[dict[str, Any], str]] = [
     ({"omega": [1j, 0, 0]}, "omega: expected real numbers"),
     ({"omega": [True, False, True]}, "omega: expected real numbers"),
     ({"omega": [[1, 2, 3], [1]]}, "omega: expected real numbers of shape (..., 3), got a ragged sequence"),
-    ({"omega": None}, "omega: expected real numbers"),
-    ({"F_ext": np.zeros(2)}, "F_ext: expected shape (..., 3), got (2,)"),
-    ({"M_ext": NAN}, "M_ext: expected finite numbers"),
     ({"alpha": None}, "alpha: expected both accelerations"),
     ({"a": None}, "a: expected both accelerations"),
     ({"R": 1.00001 * E}, "R: expected a rotation matrix, R^T R differs from E by 2e-05"),
@@ -330,19 +313,9 @@ def test_rates_of_quaternions_and_rotation_vectors_are_those_of_the_rotation(kin
     h = 1e-5
     here, before, after = at(0.0), at(-h), at(h)
     spin = (after.R - before.R) / (2 * h) @ here.R.T
-    assert np.array([spin[2, 1], spin[0, 2], spin[1, 0]]) == pytest.approx(here.omega, abs=1e-8, rel=1e-8)
+    assert skew_part(spin) == pytest.approx(here.omega, abs=1e-8, rel=1e-8)
     assert here.alpha is not None
     assert (after.omega - before.omega) / (2 * h) == pytest.approx(here.alpha, abs=1e-7, rel=1e-7)
-
-
-def test_the_length_of_a_quaternion_does_not_matter() -> None:
-    rng = np.random.default_rng(5)
-    e, e_dot, e_ddot = rng.normal(size=(3, 2, 4))
-    zero = np.zeros(3)
-    one = Motion.from_quaternion(zero, e, zero, e_dot, zero, e_ddot)
-    other = Motion.from_quaternion(zero, 3 * e, zero, 3 * e_dot, zero, 3 * e_ddot)
-    for name in ("R", "omega", "alpha"):
-        assert getattr(one, name) == pytest.approx(getattr(other, name), rel=1e-12, abs=1e-12)
 
 
 def test_quaternions_and_vectors_of_a_rotation_give_it_back() -> None:

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from log_files import NAMES, write
 from noisy_logs import Array, case
 
 import stewart_sym as ss
@@ -15,7 +16,6 @@ from stewart_sym.motion.logs import LogFormat
 from stewart_sym.motion.noise_level import decided_noise
 
 PAPERS = Path(ss.__file__).parent / "robots" / "dasgupta1998.toml"
-NAMES = "time,t_x,t_y,t_z,theta_x,theta_y,theta_z"
 FORM = LogFormat(length_unit="mm", angle_unit="deg")
 
 
@@ -25,9 +25,7 @@ def written(folder: Path, sigma: float, angle: float) -> Path:
     turns = 2.0 * np.pi * np.outer(time, [0.3, 0.4, 0.5, 0.35, 0.45, 0.25]) + np.arange(6)
     values = ([0.2, 0.0, 0.5, 0, 0, 0] + 0.03 * np.sin(turns)) * np.repeat([1e3, 180.0 / np.pi], 3)
     noise = np.random.default_rng(0).normal(size=values.shape) * np.repeat([sigma, angle], 3)
-    path = folder / "log.csv"
-    np.savetxt(path, np.column_stack([time, values + noise]), "%.9g", ",", header=NAMES, comments="")
-    return path
+    return write(folder / "log.csv", NAMES, np.column_stack([time, values + noise]))
 
 
 def told(log: Path, known: ss.Smoothing, words: str, form: LogFormat = FORM) -> list[str]:
@@ -41,7 +39,7 @@ def told(log: Path, known: ss.Smoothing, words: str, form: LogFormat = FORM) -> 
 @pytest.mark.slow
 def test_a_good_statement_of_noise_is_never_doubted() -> None:
     decided = 0
-    for seed in range(200):
+    for seed in range(50):
         one, rng = case(seed), np.random.default_rng([seed, 7])
         sigma = 10.0 ** rng.uniform(-6.0, -2.5)
         step = float(rng.choice([0.0, 0.1, 1.0, 5.0])) * sigma
@@ -52,7 +50,7 @@ def test_a_good_statement_of_noise_is_never_doubted() -> None:
         doubts = [_doubt_of_noise(k * sigma, one.time, values, np.full(3, step), str) for k in (1.0, 0.5)]
         assert doubts[0] is None
         assert (doubts[1] is not None) == (found > 0.0)
-    assert decided > 20
+    assert decided > 5
 
 
 def low_passed(noise: Array, share: float) -> Array:
@@ -92,23 +90,22 @@ def test_a_statement_far_from_the_scatter_is_a_warning_naming_both(
         assert words in found[0].replace("0.099", "0.1")
 
 
-@pytest.mark.parametrize("decimals", ["%.3f", "%.17g"])
+@pytest.mark.parametrize("decimals", [3, None])
 def test_a_statement_is_compared_with_the_motion_where_no_scatter_shows(
-    tmp_path: Path, decimals: str
+    tmp_path: Path, decimals: int | None
 ) -> None:
     time = np.linspace(0.0, 4.0, 401)
     table = np.column_stack([time, [0.2, 0.0, 0.5, 0, 0, 0] + 0.05 * np.sin(time[:, None] + np.arange(6))])
-    log = tmp_path / "log.csv"
-    np.savetxt(log, table, decimals, ",", header=NAMES, comments="")
+    log = write(tmp_path / "log.csv", NAMES, table if decimals is None else np.round(table, decimals))
     metres = LogFormat()
     words = "stated noise of positions of 0.1 m, but they move over 0.1 m in all: is its unit right?"
     assert words in told(log, ss.Smoothing(0.1), "stated", metres)[0]
     assert not told(log, ss.Smoothing(1e-3, 1e-3), "stated", metres)
     found = told(log, ss.Smoothing(5e-5, 5e-5), "stated", metres)
-    if decimals == "%.3f":
+    if decimals == 3:
         words = "noise of positions of 5e-05 m, but they are rounded to 0.001 m, which alone makes 0.00029 m"
         assert words in found[0]
-    assert len(found) == (2 if decimals == "%.3f" else 0)
+    assert len(found) == (2 if decimals == 3 else 0)
     with pytest.raises(ValueError, match=r"noise of positions of 1e\+300 m: expected less than 10 m"):
         read_csv(log, metres, ss.Smoothing(1e300))
 
@@ -151,7 +148,7 @@ def test_vibration_may_be_cut_off(tmp_path: Path) -> None:
     log = written(tmp_path, 0.1, 0.02)
     table = np.loadtxt(log, delimiter=",", skiprows=1)
     table[:, 1:4] += np.sin(2.0 * np.pi * 40.0 * table[:, :1])
-    np.savetxt(log, table, "%.9g", ",", header=NAMES, comments="")
+    write(log, NAMES, table)
     assert not told(log, ss.Smoothing(cutoff=5.0), "cut-off")
 
 

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from log_files import LENGTHS, NAMES, write
 from machines import random_motion, random_robot
 from motion_fields import FIELDS
 from robot_files import written
@@ -13,7 +14,7 @@ import stewart_sym as ss
 from stewart_sym.cli.main import main
 from stewart_sym.dynamics.force_noise import force_deviations
 from stewart_sym.kinematics.robot_logs import read_log_of, trajectory_for
-from stewart_sym.motion.log_reader import read_csv
+from stewart_sym.motion.log_reader import FORCES, read_csv
 from stewart_sym.motion.motion import Motion
 from stewart_sym.motion.rotation import rotation_about_axes
 from stewart_sym.motion.trajectory import Trajectory
@@ -21,19 +22,12 @@ from stewart_sym.robot.robot import Robot
 from stewart_sym.studies.accuracy.budget import read_budget
 
 TOOL = np.array([0.1, -0.2, 0.4])
-NAMES = ("t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z")
 
 
 @pytest.fixture
 def robot() -> Robot:
     plain = ss.Robot.from_toml(Path(__file__).parents[2] / ".docs" / "examples" / "hexapod.toml")
     return dataclasses.replace(plain, tool=TOOL, home=np.array([0.0, 0.0, 0.65]))
-
-
-def saved(path: Path, columns: dict[str, np.ndarray]) -> Path:
-    rows = np.stack([*columns.values()], axis=-1)
-    np.savetxt(path, rows, delimiter=",", header=",".join(columns), comments="", fmt="%.17g")
-    return path
 
 
 RATES, TURNS = np.array([3.0, 2.0, 1.5]), np.array([0.1, 0.08, 0.12])
@@ -53,7 +47,7 @@ def tool_poses(time: np.ndarray) -> np.ndarray:
 
 
 def saved_poses(path: Path, time: np.ndarray, poses: np.ndarray) -> Path:
-    return saved(path, {"time": time} | dict(zip(NAMES, poses.T, strict=True)))
+    return write(path, NAMES, np.column_stack([time, poses]))
 
 
 def test_the_motion_of_another_point_has_the_rates_of_its_place() -> None:
@@ -133,8 +127,7 @@ def test_relative_lengths_are_less_those_of_the_home_pose(
     motion = waving(time)
     L = ss.inverse_kinematics(robot, motion).L
     home = np.linalg.norm(robot.home + robot.p - robot.b, axis=-1)
-    columns = {f"L_{i + 1}": (L - home)[:, i] for i in range(6)}
-    path = saved(tmp_path / "log.csv", {"time": time} | columns)
+    path = write(tmp_path / "log.csv", ["time", *LENGTHS], np.column_stack([time, L - home]))
     own = dataclasses.replace(robot, lengths="relative")
     found = read_log_of(own, path)
     np.testing.assert_allclose(found.L, L, rtol=1e-14)
@@ -188,7 +181,7 @@ def test_subcommands_read_rows_as_poses_of_the_tool(
     time = np.linspace(0.0, 1.0, 101)
     log = str(saved_poses(tmp_path / "log.csv", time, tool_poses(time)))
     F = ss.inverse_dynamics(robot, waving(time)).F
-    forces = saved(tmp_path / "F.csv", {"time": time} | {f"F{i + 1}": F[:, i] for i in range(6)})
+    forces = write(tmp_path / "F.csv", ["time", *FORCES], np.column_stack([time, F]))
     legs = '[legs]\nlaw = "tracking"\npath = "log.csv"\nk_p = 100.0\nk_d = 20.0\n'
     written(robot, tmp_path / "tool.toml")
     written(there, tmp_path / "there.toml")

@@ -1,8 +1,6 @@
 """Trajectories: blends as (39) and (40), splines that differentiate, and bad CSV named by row and column."""
 
-import csv
 import sys
-from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +9,8 @@ import pytest
 from command_line import error_of
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from log_files import NAMES as POSE
+from log_files import RATES, write
 from numpy.typing import NDArray
 
 from stewart_sym.io.extras import install
@@ -20,8 +20,6 @@ from stewart_sym.motion.rotation import rotation_from_rpy, rpy_from_rotation
 from stewart_sym.motion.straight_line import PATHS, StraightLinePath
 
 Array = NDArray[np.float64]
-POSE = ["time", "t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z"]
-RATES = [f"{name}_{axis}" for name in ("v", "theta_dot", "a", "theta_ddot") for axis in "xyz"]
 LOADS = [f"{name}_{axis}" for name in ("F_ext", "M_ext") for axis in "xyz"]
 
 
@@ -231,14 +229,6 @@ def test_times_that_are_no_numbers_are_named(tau: Any) -> None:
 # CSV
 
 
-def write(path: Path, header: Sequence[str], table: Array) -> Path:
-    with path.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file)
-        writer.writerow(header)
-        writer.writerows([[repr(float(x)) for x in row] for row in table])
-    return path
-
-
 def smooth(n: int, degree: int) -> tuple[Array, Array, Array, Array]:
     """Uneven times and six polynomial coordinates with their derivatives; far from a turn between rows."""
     rng = np.random.default_rng(degree)
@@ -303,7 +293,7 @@ def test_path_survives_the_way_through_a_file(tmp_path: Path) -> None:
 def test_forgiving_of_spaces_blank_lines_windows_and_byte_order_mark(tmp_path: Path) -> None:
     time, x, _, _ = smooth(6, 5)
     plain = write(tmp_path / "plain.csv", POSE, np.column_stack([time, x]))
-    text = plain.read_text(encoding="utf-8").replace(",", " , ").replace("\r\n", "\n") + "\n  \n"
+    text = plain.read_text(encoding="utf-8").replace(",", " , ") + "\n  \n"
     odd = tmp_path / "with spaces.csv"
     odd.write_bytes(b"\xef\xbb\xbf" + text.replace("\n", "\r\n").encode())
     np.testing.assert_array_equal(read_csv(str(odd))[1].a, read_csv(plain)[1].a)
@@ -320,17 +310,12 @@ def with_line(number: int, line: str, lines: list[str] = GOOD) -> str:
 
 BAD: list[tuple[str, str]] = [
     ("", "the file is empty"),
-    ("\n\n", "the file is empty"),
     (GOOD[0], "expected rows of numbers below the header, got none"),
     (with_line(4, "0.2,0.1,0,0.5,0,0"), "row 4: expected 7 columns, got 6"),
-    (with_line(4, "0.2,0.1,0,0.5,0,0,0,0"), "row 4: expected 7 columns, got 8"),
     (with_line(5, "0.1,0.1,0,0.5,0,0,0"), "row 5: time: expected increasing times, got 0.1 after 0.2"),
-    (with_line(5, "0.2,0.1,0,0.5,0,0,0"), "row 5: time: expected increasing times, got 0.2 after 0.2"),
     (with_line(3, "0.1,left,0,0.5,0,0,0"), "row 3: t_x: expected a finite number, got 'left'"),
-    (with_line(3, "0.1,,0,0.5,0,0,0"), "row 3: t_x: expected a finite number, got ''"),
     (with_line(3, "0.1,1_0,0,0.5,0,0,0"), "row 3: t_x: expected a finite number, got '1_0'"),
     (with_line(7, "0.5,0.1,0,0.5,0,0,nan"), "row 7: theta_z: expected a finite number, got 'nan'"),
-    (with_line(7, "inf,0.1,0,0.5,0,0,0"), "row 7: time: expected a finite number, got 'inf'"),
     (with_line(7, "0.5,0.1,0,1e999,0,0,0"), "row 7: t_z: expected a finite number, got '1e999'"),
     (GOOD[1] + "\n" + GOOD[2], "unknown column '0'"),
     (with_line(1, "time,t_x,t_y,t_z,theta_x,theta_y"), "missing column theta_z"),
@@ -338,14 +323,9 @@ BAD: list[tuple[str, str]] = [
     (with_line(1, "time,t_x,t_y,t_z,theta_x,theta_y,yaw"), "unknown column 'yaw'"),
     (with_line(1, "time,t_x,t_x,t_z,theta_x,theta_y,theta_z"), "column t_x is given twice"),
     (with_line(1, GOOD[0] + ",F_ext_x"), "missing column F_ext_y"),
-    (with_line(1, GOOD[0] + ",M_ext_x,M_ext_y"), "missing column M_ext_z"),
     (
         with_line(1, ",".join(POSE + RATES[:6]), FULL),
         "missing column a_x: expected velocities and accelerations",
-    ),
-    (
-        with_line(1, ",".join(POSE + RATES[6:]), FULL),
-        "missing column v_x: expected velocities and accelerations",
     ),
     ("\n".join(GOOD[:4]), "expected at least 4 rows to fit a spline, got 3"),
     (with_line(3, '0.1,"' + "9" * 200_000 + '",0,0.5,0,0,0'), "row 3: not valid CSV"),
@@ -395,17 +375,6 @@ def test_one_row_with_derivatives_is_enough(tmp_path: Path) -> None:
     path = tmp_path / "one.csv"
     path.write_text("\n".join(FULL[:2]), encoding="utf-8")
     assert read_csv(path)[1].shape == (1,)
-
-
-def test_csv_that_cannot_be_read(tmp_path: Path) -> None:
-    missing = tmp_path / "none.csv"
-    assert error_of(lambda: read_csv(missing)).startswith(
-        f"{missing}: cannot read the trajectory: No such file"
-    )
-    assert error_of(lambda: read_csv(tmp_path)).startswith(f"{tmp_path}: cannot read the trajectory")
-    latin = tmp_path / "latin.csv"
-    latin.write_bytes(b"time,\xb5m\n")
-    assert error_of(lambda: read_csv(latin)) == f"{latin}: expected UTF-8 text, byte 5 is not"
 
 
 def test_without_scipy_the_error_says_what_to_install(

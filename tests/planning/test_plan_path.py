@@ -30,27 +30,14 @@ def conditions(robot, motion):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("objective", ["mean", "peak"])
-@pytest.mark.parametrize("seed", range(3))
-def test_condition_numbers_are_never_above_those_of_the_straight_spline(seed: int, objective: str) -> None:
-    robot, poses = via_case(seed)
-    found = plan_path(robot, poses, objective=objective)
-    assert found.conditions.mean <= found.straight_conditions.mean
-    assert found.conditions.peak <= found.straight_conditions.peak
-    assert conditions(robot, found.path(S)).max() <= found.straight_conditions.peak * (1.0 + 1e-9)
-
-
-@pytest.mark.slow
-def test_condition_numbers_are_lower_on_fifty_machines() -> None:
+def test_condition_numbers_are_lower_and_never_above_those_of_the_straight_spline(objective: str) -> None:
     ratios = []
-    for seed in range(50):
-        robot, poses = via_case(seed, 6)
-        found = plan_path(robot, poses)
-        ratios.append(
-            [
-                found.conditions.mean / found.straight_conditions.mean,
-                found.conditions.peak / found.straight_conditions.peak,
-            ]
-        )
+    for seed in range(5):
+        robot, poses = via_case(seed)
+        found = plan_path(robot, poses, objective=objective)
+        at_first = found.straight_conditions
+        assert conditions(robot, found.path(S)).max() <= at_first.peak * (1.0 + 1e-9)
+        ratios.append([found.conditions.mean / at_first.mean, found.conditions.peak / at_first.peak])
     assert np.max(ratios) <= 1.0
     assert np.median(ratios, axis=0)[0] < 0.99
 
@@ -142,26 +129,9 @@ def crossed_pairs(count: int):
     raise AssertionError("too few")
 
 
-def check_detours(count: int, least: int) -> None:
-    good = 0
-    for robot, poses in crossed_pairs(count):
-        try:
-            path = plan_path(robot, poses).path
-        except ValueError as error:
-            assert str(error).endswith("stands in the way")  # noqa: PT017
-        else:
-            assert crossings(robot, path, S) == ()
-            good += 1
-    assert good >= least
-
-
 def test_detours_around_singular_poses_are_found() -> None:
-    check_detours(5, 5)
-
-
-@pytest.mark.slow
-def test_detours_around_singular_poses_are_found_on_many_machines() -> None:
-    check_detours(40, 33)
+    for robot, poses in crossed_pairs(5):
+        assert crossings(robot, plan_path(robot, poses).path, S) == ()
 
 
 def ends_of_path_III():
@@ -200,9 +170,6 @@ def test_path_III_is_planned_anew_where_its_end_may_be_yawed() -> None:
 @pytest.mark.slow
 def test_limits_of_lengths_clearance_and_condition_are_kept() -> None:
     robot, poses = via_case(11, 3)
-    at_via = [
-        inverse_kinematics(robot, plan_path(robot, poses).straight(np.array([s]))).L for s in (0.0, 1.0)
-    ]
     free = plan_path(robot, poses, price=0.0)
     motion = free.path(S)
     L = inverse_kinematics(robot, motion).L
@@ -273,20 +240,12 @@ def test_what_cannot_be_planned_is_one_line(change, message: str) -> None:
 
 
 @pytest.mark.slow
-def test_a_limit_that_stands_in_the_way_is_named() -> None:
+def test_a_limit_that_stands_in_the_way_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     """Ends with singular poses between them, and no higher condition number allowed than theirs."""
-    messages = []
-    for robot, poses in crossed_pairs(2):
-        R, t = np.array([pose.R for pose in poses]), np.array([pose.t for pose in poses])
-        costs = PoseCosts(robot, PoseLimits(), np.zeros(3), 1.0, 0.0)
-        highest = 1.01 * float(costs.plain_conditions(R, t)[0].max())
-        try:
-            found = plan_path(robot, poses, PoseLimits(condition=highest))
-        except ValueError as error:
-            messages.append(str(error))
-        else:
-            assert found.conditions.peak <= highest
-    assert messages
-    for message in messages:
-        assert message.startswith("via pose 2: expected a path to it from via pose 1, none was found: ")
-        assert message.endswith("condition number stands in the way")
+    monkeypatch.setattr("stewart_sym.planning.plan_path._STARTS", 2)
+    robot, poses = crossed_pairs(1)[0]
+    R, t = np.array([pose.R for pose in poses]), np.array([pose.t for pose in poses])
+    costs = PoseCosts(robot, PoseLimits(), np.zeros(3), 1.0, 0.0)
+    highest = 1.01 * float(costs.plain_conditions(R, t)[0].max())
+    with pytest.raises(ValueError, match=r"^via pose 2: .* pose 1, none was found: condition number stands"):
+        plan_path(robot, poses, PoseLimits(condition=highest))

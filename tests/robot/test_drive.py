@@ -143,48 +143,19 @@ BAD = {
     "[legs.drive]\nlead = 5\ncurrent_limit = 3\n": (
         "legs.drive.current_limit: expected a torque_constant > 0 beside it (at line 20)"
     ),
-    "[legs.drive]\nlead = 5\nresistance = 3\n": (
-        "legs.drive.resistance: expected a torque_constant > 0 beside it (at line 20)"
-    ),
     "[legs.drive]\nlead = 5\ntorque_limit = 2\n[leg.2.drive]\nrated_torque = 3\n": (
         "leg.2.drive.rated_torque: expected at most the torque_limit, 2 N m, got 3 (at line 22)"
-    ),
-    "[legs.drive]\nlead = 5\ntorque_limit = 0\n": (
-        "legs.drive.torque_limit: expected a number > 0, got 0 (at line 20)"
     ),
     "[legs.drive]\nlead = 5\ncurrent_limit = inf\n": (
         "legs.drive.current_limit: expected a finite number, got inf (no limit is a key left out, "
     ),
-    "[legs.drive]\nlead = 5\nsmoothing = [1, 2]\n": (
-        "legs.drive.smoothing: expected a finite number, got [1, 2] (at line 20)"
-    ),
     "[legs.drive]\nlead = 1e-120\n": (
         "legs.drive.lead: expected a lead with which the rotor's inertia is a finite mass (at line 19)"
     ),
-    "[legs.drive]\nlead = 5\nrotor_inertia = 1e305\n": (
-        "legs.drive.lead: expected a lead with which the rotor's inertia is a finite mass (at line 19)"
-    ),
-    "[legs.drive]\nlead = nan\n": "legs.drive.lead: expected a finite number, got nan (at line 19)",
     "[legs.drive]\nlead = 1e400\n": (
         "legs.drive.lead: expected a finite number, got inf (no limit is a key left out, and a double holds "
     ),
-    "[legs.drive]\nlead = 5\ngear = '2'\n": (
-        "legs.drive.gear: expected a finite number, got '2' (at line 20)"
-    ),
-    "[legs.drive]\nlead = 5\nrated_torque = -1\n": (
-        "legs.drive.rated_torque: expected a number > 0, got -1 (at line 20)"
-    ),
-    "[legs.drive]\nlead = 5\nstribeck_speed = -1\n": (
-        "legs.drive.stribeck_speed: expected a number >= 0, got -1 (at line 20)"
-    ),
-    "[legs.drive]\nlead = 5\ntorque_constant = true\n": (
-        "legs.drive.torque_constant: expected a finite number, got True (at line 20)"
-    ),
-    "[legs.drive]\nlead = 5\n[leg.6.drive]\nlead = 4\nradius = 4\n": (
-        "leg.6.drive.radius: expected lead or radius, got both (at line 22)"
-    ),
     "[leg.2]\ndrive = []\n": "leg.2.drive: expected a table, got [] (at line 19)",
-    "[leg.3]\ndrive = 5\n": "leg.3.drive: expected a table, got 5 (at line 19)",
     "[[legs.drive]]\nlead = 5\n": "legs.drive: expected a table, got [{'lead': 5}] (at line 18)",
     "[leg.3.drive]\nlead = 5\n": (
         "leg.3.drive: expected a drive of every leg, or a table legs.drive with keys (at line 18)"

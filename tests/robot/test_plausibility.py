@@ -32,7 +32,7 @@ from stewart_sym.robots import dasgupta1998
 
 def test_check_warns_of_no_sound_machine(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     rng, path = np.random.default_rng(200), tmp_path / "robot.toml"
-    for i in range(share(100, 4)):
+    for i in range(share(100, 10)):
         written(sound_machine(rng), path)
         assert main(["check", str(path)]) == 0
         assert capsys.readouterr().err == "", i
@@ -54,7 +54,7 @@ def test_check_names_both_sides_where_nothing_settles_which(
 def test_the_machines_of_other_tests_are_not_doubted_where_matter_can_be_so_dense() -> None:
     rng = np.random.default_rng(201)
     for joint in ("universal", "spherical"):
-        for _ in range(30):
+        for _ in range(8):
             robot = random_robot(rng, joint)
             robot = dataclasses.replace(robot, M=min(robot.M, 1e4 * np.abs(robot.p).max() ** 3))
             robot = dataclasses.replace(robot, I_p=robot.I_p * robot.M / max(robot.M, 1.0))
@@ -81,6 +81,7 @@ def test_absurd_machines_are_doubted_with_their_likely_cause(wrong: str) -> None
     said = doubts(change(sound()))
     assert len(said) == 1, said
     assert said[0].name == name or not name
+    assert said[0].name in DOUBTS
     assert cause in said[0].text
     assert "; likely cause: " in said[0].text
     assert "\n" not in said[0].text
@@ -88,7 +89,7 @@ def test_absurd_machines_are_doubted_with_their_likely_cause(wrong: str) -> None
 
 def test_any_two_platform_points_exchanged_are_doubted_unless_they_are_close() -> None:
     rng, named, count = np.random.default_rng(9), 0, 0
-    for _ in range(12):
+    for _ in range(4):
         robot = sound_machine(rng)
         size = np.linalg.norm(robot.p - robot.p.mean(axis=0), axis=-1).max()
         for i, j in itertools.combinations(range(6), 2):
@@ -99,7 +100,7 @@ def test_any_two_platform_points_exchanged_are_doubted_unless_they_are_close() -
                 (said,) = doubts(dataclasses.replace(robot, p=p))
                 named += f"legs {i + 1}, {j + 1} cross" in said.text
                 count += 1
-    assert count > 60
+    assert count > 20
     assert named > 0.8 * count
 
 
@@ -275,11 +276,10 @@ def test_check_names_no_side_where_gravity_does_not_act_across_the_base(
     assert "side of the base stands" not in capsys.readouterr().out
 
 
-def test_every_name_is_one_that_a_file_may_accept() -> None:
-    seen = {doubts(change(sound()))[0].name for change, _, _ in ABSURD.values()}
+def test_every_name_that_a_file_may_accept_is_one_of_an_absurd_machine() -> None:
     on_loading = {"platform-inertia", "lower-inertia", "upper-inertia", "density"}
-    assert seen <= set(DOUBTS) - on_loading
-    assert set(DOUBTS) - on_loading - seen <= {"condition"}
+    named = {name for _, name, _ in ABSURD.values()}
+    assert set(DOUBTS) - on_loading - named == {"condition"}
 
 
 def test_motors_that_friction_or_a_self_locking_screw_relieves_are_not_said_to_be_weak() -> None:

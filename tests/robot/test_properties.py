@@ -4,7 +4,6 @@ import contextlib
 import dataclasses
 import functools
 import warnings
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -15,7 +14,6 @@ from machines import random_motion, random_robot, rotation
 from motion_fields import FIELDS
 from numpy.typing import NDArray
 from public_calls import RECORDS, Call, calls, public
-from sweeps import share
 
 import stewart_sym as ss
 from stewart_sym.motion.motion import Motion
@@ -23,8 +21,7 @@ from stewart_sym.robot.robot import Robot
 
 Array = NDArray[np.float64]
 
-FEW = settings(derandomize=True, deadline=None, max_examples=12, suppress_health_check=[HealthCheck.too_slow])
-MANY = settings(FEW, max_examples=share(300, 10))
+FEW = settings(derandomize=True, deadline=None, max_examples=8, suppress_health_check=[HealthCheck.too_slow])
 BACKENDS = ("c", "numpy", "reference")
 seeds = st.integers(0, 2**32 - 1)
 
@@ -38,13 +35,6 @@ def machine(seed: int, shape: tuple[int, ...] = ()) -> tuple[Robot, Motion]:
     rng = np.random.default_rng(seed)
     robot = random_robot(rng)
     return robot, random_motion(rng, robot, shape)
-
-
-def deeply(test: Callable[..., None]) -> Callable[..., None]:
-    """The same property over many more examples, for the slow sweeps."""
-    inner = test.hypothesis.inner_test  # type: ignore[attr-defined]
-    again = given(**test.hypothesis._given_kwargs)(inner)  # type: ignore[attr-defined]
-    return pytest.mark.slow(MANY(again))
 
 
 # --- results of a pose that do not depend on how it is written down
@@ -403,13 +393,3 @@ def test_arguments_of_a_wrong_kind_are_named_in_one_line(name: str) -> None:
             assert told.isprintable(), (argument, kind, told)
             assert told.startswith(names), (argument, kind, told)
             assert len(told) < 400
-
-
-test_many_batches_are_their_poses = deeply(test_a_batch_is_its_poses_to_the_last_bit)
-test_many_other_units_change_no_bit = deeply(test_other_units_change_no_bit_but_the_exponent)
-test_many_base_frames = deeply(test_results_turn_with_the_base_frame)
-test_many_orders_of_legs = deeply(test_results_follow_the_order_of_the_legs)
-test_many_mirrored_machines = deeply(test_a_mirrored_machine_has_mirrored_results)
-test_many_lengths_lead_back = deeply(test_lengths_lead_back_to_the_motion)
-test_many_forces_lead_back = deeply(test_forces_lead_back_to_the_accelerations)
-test_many_extremes = deeply(test_results_are_finite_or_have_a_status)

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from robot_files import written
+from robot_files import same, written
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
@@ -58,12 +58,6 @@ def robot_of(text: str, folder: Path) -> Robot:
     path = folder / "robot.toml"
     path.write_text(text, encoding="utf-8")
     return Robot.from_toml(path)
-
-
-def same(first: Robot, second: Robot) -> bool:
-    return all(
-        np.array_equal(getattr(first, f.name), getattr(second, f.name)) for f in dataclasses.fields(Robot)
-    )
 
 
 @pytest.fixture

@@ -289,22 +289,22 @@ def test_a_leg_beyond_its_limit_is_marked(browser: Browser, tmp_path: Path) -> N
 
 
 @pytest.mark.slow
-def test_sixty_thousand_instants_keep_every_number_and_every_peak(browser: Browser, tmp_path: Path) -> None:
+def test_twenty_thousand_instants_keep_every_number_and_every_peak(browser: Browser, tmp_path: Path) -> None:
     robot, (path, _) = dasgupta(), ss.PATHS["I"]
-    time = np.linspace(0.0, path.tau_f, 60_000)
+    time = np.linspace(0.0, path.tau_f, 20_000)
     shown = ss.view(robot, path.sample(time), time)
-    peak, leg = 31_415, 2
+    peak, leg = 13_415, 2
     F = shown.instants.forces["exact"].copy()
     F[peak, leg] = 5e3
     instants = dataclasses.replace(shown.instants, forces={"exact": F})
     dataclasses.replace(shown, instants=instants).save(tmp_path / "long.html")
     page = Opened(browser, tmp_path / "long.html")
-    assert page.do("return viewer.motion.count") == 60_000
+    assert page.do("return viewer.motion.count") == 20_000
     assert np.array_equal(page.do("return [...viewer.motion.columns.F_exact]"), F.astype(np.float32).ravel())
     highest = page.do(
         "return Math.max(...viewer.panels[0].columns(viewer.panels[0].series[2]).map((e) => e.high))"
     )
     assert highest == 5e3
     assert page.do("return viewer.panels[0].columns(viewer.panels[0].series[2]).length") < 1000
-    assert f"5000 N at {time[peak]:.5f} s" in page.page.locator("#peaks tbody tr").nth(leg).inner_text()
+    assert f"5000 N at {time[peak]:.4f} s" in page.page.locator("#peaks tbody tr").nth(leg).inner_text()
     page.close()

@@ -23,7 +23,7 @@ Array = NDArray[np.float64]
 
 pytestmark = pytest.mark.slow
 
-INSTANTS = 12
+INSTANTS = 5
 NEAR = 6.0
 """Pixels from another leg within which a pixel may be its."""
 STILL = "viewer.clock.pause(); for (const id of ['labels', 'tip']) document.getElementById(id).hidden = true;"

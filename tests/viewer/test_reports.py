@@ -68,7 +68,9 @@ def test_size_has_its_needs_as_a_table_and_every_motion(folder: Path) -> None:
 
 @pytest.mark.slow
 def test_a_plan_has_the_planned_motion(browser: Browser, folder: Path) -> None:
-    shutil.copy(EXAMPLES / "via.toml", folder)
+    poses = "[[via]]\nt = [{}, 0.0, 0.65]\ntheta = [0.0, 0.0, 0.0]\n"
+    head = 'schema = 1\nrobot = "hexapod.toml"\n'
+    (folder / "via.toml").write_text(head + poses.format(0.0) + poses.format(0.1))
     assert main(["plan", "via.toml", "-o", "plan", "--no-pictures", "--html", "plan.html"]) == 0
     found = json.loads((folder / "plan" / "report.json").read_text(encoding="utf-8"))
     page = Opened(browser, folder / "plan.html", (1000, 800))

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from ...io.extras import need
 from ...io.progress import Progress
-from ..inputs import warn_of_doubts
+from ..inputs import FEW_ROWS, warn_of_doubts
 from ..options import output, positive
 from ..results import results
 
@@ -80,9 +80,9 @@ def run(arguments: argparse.Namespace) -> int:
         take(plan.report(found, pictures(found)))
     for line in [] if found.motors is None else found.motors.summary.exceeded():
         warnings.warn(f"drive: {line}", DriveLimitWarning, stacklevel=2)
-    if len(found.times) <= plan.FEWEST:
+    if len(found.times) <= FEW_ROWS:
         warnings.warn(
-            f"{arguments.via}: rate: expected more than {plan.FEWEST} rows in trajectory.csv of a motion of "
+            f"{arguments.via}: rate: expected more than {FEW_ROWS} rows in trajectory.csv of a motion of "
             f"{timed.duration:.4g} s, got {len(found.times)} at {request.rate:g} Hz",
             stacklevel=2,
         )

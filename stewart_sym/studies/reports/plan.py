@@ -32,9 +32,6 @@ from ..common.output import Columns, of_axes, of_legs, of_rotations
 from ..common.report import Picture, Report
 from .drives import DriveDigest
 
-FEWEST = 10
-"""Rows of a trajectory: with no more of them the motion is not in the table."""
-
 # With a smaller cosine of the pitch the rates of roll and yaw are too large to be written.
 _PLAIN = 0.05
 # At so many instants the motors are computed: accelerations jump where another limit becomes active.

@@ -24,7 +24,7 @@ def motor_case(seed: int, binding: tuple[str, ...] = QUANTITIES) -> tuple[Robot,
     lead = 0.01 * float(np.linalg.norm(robot.b, axis=-1).mean())
     turns = 2.0 * np.pi / lead
     mass = robot.m_u.mean() * rng.uniform(0.05, 0.3)
-    free = time_path(robot, path, cells=100)
+    free = time_path(robot, path, cells=50)
     speed = np.abs(free.sample(np.linspace(0.0, free.duration, 400)).v).max()
     drive = Drive(
         lead=lead * rng.permutation([1, 1, 1, -1, -1, -1]),
@@ -40,7 +40,7 @@ def motor_case(seed: int, binding: tuple[str, ...] = QUANTITIES) -> tuple[Robot,
         torque_constant=0.1,
         resistance=0.2,
     )
-    free = time_path(dataclasses.replace(robot, drive=drive), path, cells=100)
+    free = time_path(dataclasses.replace(robot, drive=drive), path, cells=50)
     times = np.linspace(0.0, free.duration, 801)
     found = drive_effort(dataclasses.replace(robot, drive=drive), free.sample(times), times)
     weight = 2.0 * force / turns

@@ -1,7 +1,10 @@
 """Robot files: the paper's, which comes with the package, and one of any robot."""
 
+import dataclasses
 import shutil
 from pathlib import Path
+
+import numpy as np
 
 import stewart_sym as ss
 from stewart_sym.io.toml_text import toml_text
@@ -13,6 +16,13 @@ def written(robot: ss.Robot, path: Path) -> Path:
     """The robot as a file that can be read."""
     path.write_text(toml_text(robot.to_dict(), inline=False), encoding="utf-8")
     return path
+
+
+def same(one: ss.Robot, other: ss.Robot) -> bool:
+    """Whether two robots agree to the last bit."""
+    return all(
+        np.array_equal(getattr(one, each.name), getattr(other, each.name)) for each in dataclasses.fields(one)
+    )
 
 
 def scene_of(text: str, folder: Path) -> Path:
