@@ -12,6 +12,7 @@ import itertools
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -213,7 +214,7 @@ class StickSlip:
                 break
         return np.asarray(F), within
 
-    @property
+    @cached_property
     def _rotors_count(self) -> bool:
         """Whether the force between a leg's parts differs from its actuator's, and friction goes by it."""
         drive = self.drive
@@ -228,7 +229,7 @@ class StickSlip:
         found = newton_euler.rotor_force(self.robot, Motion.unchecked(R, **wide, alpha=a[:, 3:], a=a[:, :3]))
         return found[0], (found[1:] - found[0]).T
 
-    @property
+    @cached_property
     def _scale(self) -> float:
         """A force of the size of the machine's weight, N."""
         mass = self.robot.M + float(np.sum(self.robot.m_d + self.robot.m_u))
