@@ -225,7 +225,7 @@ def test_the_papers_paths_are_on_the_side_of_the_platform(tmp_path: Path) -> Non
 
 @pytest.mark.slow
 def test_controllers_track_the_papers_paths_on_the_side_of_the_platform() -> None:
-    settings = control.Settings(rate=50.0, k_p=4.0, k_d=4.0, step=0.01)
+    settings = control.Settings(rate=100.0, k_p=25.0, k_d=10.0, step=0.01)
     up, down = (
         control.track_paths(robot, ("I",), settings).runs["I"]
         for robot in (dasgupta(), in_axes(dasgupta(), Z_DOWN))
