@@ -113,6 +113,20 @@ def rounded_twice() -> Iterator[None]:
         each.cache_clear()
 
 
+@pytest.fixture(scope="session")
+def sweep_library() -> Iterator[None]:
+    """The sweep's C, at -O0: to compile it takes longer than all cases of the tests."""
+    from stewart_sym.studies.robustness.sweep import oracle
+
+    with pytest.MonkeyPatch.context() as changed:
+        changed.setattr(oracle, "_FLAGS", (*oracle._FLAGS, "-O0"))
+        try:
+            oracle._library()
+        except native.CompilerError:
+            pytest.skip("needs a compiler with __float128")
+        yield
+
+
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     rank = {name: number for number, name in enumerate(LONG)}
     items.sort(key=lambda item: rank.get(item.path.stem, len(LONG)))

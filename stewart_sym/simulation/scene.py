@@ -29,6 +29,7 @@ from .simulation import (
     Method,
     OnForceLimit,
     Progress,
+    check_duration,
     check_output_step,
     check_rtol,
     simulate,
@@ -103,6 +104,7 @@ def _scene(d: Mapping[str, Any], source: str) -> Scene:
         for key, default in (("duration", None), ("output_step", None), ("rtol", 1e-9))
     }
     try:
+        check_duration(options["duration"])
         check_rtol(options["rtol"])
         check_output_step(options["output_step"], options["duration"])
     except ValueError as error:

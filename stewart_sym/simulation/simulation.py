@@ -48,6 +48,8 @@ METHODS = ("DOP853", "Radau")
 ON_FORCE_LIMIT = ("stop", "saturate")
 CHART_RADIUS = 1.0
 """Angle from its centre, rad, at which a chart is left for a new one; charts end at 2 pi."""
+LONGEST = 86_400.0
+"""Longest duration of a run, s: a day, which takes hours."""
 MOST_INSTANTS = 10_000_000
 """Largest number of instants of a trace."""
 RTOL_RANGE = (1e-13, 1e-2)
@@ -94,7 +96,7 @@ def simulate(
         N, (6,), or a law (time, state) -> N, (6,). A law must depend on its arguments alone, unless there is
         a rate: then it is called at 0, 1/rate, 2/rate, ... s, once each, and its forces are held between.
     duration : float
-        Length of the run, s.
+        Length of the run, s, at most ``LONGEST``.
     rate : float, optional
         Of the calls of a law, Hz; None: as often as the integration needs.
     load : Load, optional
@@ -135,8 +137,8 @@ def simulate(
     start = _state(initial_state, law)
     option(method, METHODS, "method")
     option(on_force_limit, ON_FORCE_LIMIT, "on_force_limit")
-    for name, value in (("duration", duration), ("atol", atol)):
-        need_between(value, name, 0.0, math.inf)
+    need_between(atol, "atol", 0.0, math.inf)
+    check_duration(duration)
     if rate is not None:
         need_between(rate, "rate", 0.0, math.inf)
     check_rtol(rtol)
@@ -327,6 +329,12 @@ def _recentred(y: Array, center: Array) -> tuple[Array, Array]:
     middle = orthonormal(rotation_from_vector(there[3:6]) @ center)
     there[3:6] = 0.0
     return there, middle
+
+
+def check_duration(duration: object) -> None:
+    """Reject, by ValueError, what is no number > 0 and at most ``LONGEST``, s."""
+    need_between(duration, "duration", 0.0, math.inf)
+    number_in(duration, "duration", f"at most {LONGEST:g} s, a day", high=LONGEST, closed=True)
 
 
 def check_rtol(rtol: object) -> None:

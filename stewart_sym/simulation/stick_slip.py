@@ -12,6 +12,7 @@ import itertools
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -21,7 +22,6 @@ from ..io.array_types import Array
 from ..kinematics.inverse import leg_vectors, length_rows, tip_velocities
 from ..motion.motion import Motion
 from ..motion.rotation import cross
-from ..reference import newton_euler
 from ..results import SINGULAR
 from ..robot.drive import Drive
 from ..robot.robot import LEGS, Robot
@@ -198,7 +198,7 @@ class StickSlip:
         """
         own, by = np.zeros(LEGS), np.eye(LEGS)
         if self._rotors_count:
-            alone, per = self._rotor(state)
+            alone, per = self._rotor(state, legs)
             own, by = -(alone + per @ first), by - per @ B
         resting = sign == 0.0
         A = np.where(resting[:, None], legs.J @ B, np.eye(LEGS))
@@ -213,22 +213,39 @@ class StickSlip:
                 break
         return np.asarray(F), within
 
-    @property
+    @cached_property
     def _rotors_count(self) -> bool:
         """Whether the force between a leg's parts differs from its actuator's, and friction goes by it."""
         drive = self.drive
         lossy = np.any(drive.efficiency != 1.0) or np.any(drive.back_efficiency != 1.0)
         return bool(lossy and np.any(drive.rotor_inertia))
 
-    def _rotor(self, state: Motion) -> tuple[Array, Array]:
-        """What turns the rotors, N: without accelerations, (6,), and per acceleration, (6, 6)."""
-        a = np.concatenate([np.zeros((1, 6)), np.eye(6)])
-        wide = {name: np.broadcast_to(getattr(state, name), (7, 3)) for name in ("t", "omega", "v")}
-        R = np.broadcast_to(state.R, (7, 3, 3))
-        found = newton_euler.rotor_force(self.robot, Motion.unchecked(R, **wide, alpha=a[:, 3:], a=a[:, :3]))
-        return found[0], (found[1:] - found[0]).T
+    def _rotor(self, state: Motion, legs: _Legs) -> tuple[Array, Array]:
+        """What turns the rotors, N: without accelerations, (6,), and per acceleration, (6, 6).
 
-    @property
+        By Lddot, (8), and by the leg's spin, s.A of the corrected (9), which is linear in Sddot, (7).
+        """
+        robot = self.robot
+        alone, per = robot.m_r * legs.own, robot.m_r[:, None] * legs.J
+        if robot.base_joint == "spherical":
+            return alone, per
+        q, S, L = leg_vectors(robot, state.R, state.t)
+        L = L[:, None]
+        s = S / L
+        y = cross(robot.k, s)
+        n = cross(robot.k, y)
+        along = _dot(s, n)
+        across = cross(s, tip_velocities(state, q)) / L
+        spin = -_dot(across, n) / along
+        W = across + spin * s
+        A = (cross(s, cross(state.omega, cross(state.omega, q))) - 2.0 * legs.L_dot[:, None] * across) / L
+        A = A - spin * cross(s, W)
+        quick = -(_dot(A, n) + _dot(W, cross(robot.k, cross(W, y)))) / along
+        row = -cross(n, s) / (L * along)
+        rows = np.concatenate([row, cross(q, row)], axis=-1)
+        return alone + robot.j_r * quick[:, 0], per + robot.j_r[:, None] * rows
+
+    @cached_property
     def _scale(self) -> float:
         """A force of the size of the machine's weight, N."""
         mass = self.robot.M + float(np.sum(self.robot.m_d + self.robot.m_u))
@@ -338,6 +355,10 @@ class _Legs(NamedTuple):
     L_dot: Array
     J: Array
     own: Array
+
+
+def _dot(x: Array, y: Array) -> Array:
+    return np.asarray(np.sum(x * y, axis=-1, keepdims=True))
 
 
 def _legs(robot: Robot, state: Motion) -> _Legs:

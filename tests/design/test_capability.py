@@ -7,6 +7,7 @@ import pytest
 from command_line import error_of
 from machines import dasgupta, random_motion, random_robot
 from scipy.optimize import linprog
+from sweeps import share, sweep
 
 import stewart_sym as ss
 from stewart_sym.design.capability import WHAT
@@ -74,16 +75,12 @@ def compared(seed: int, count: int) -> tuple[int, int]:
     return within, without
 
 
+@sweep
 def test_it_equals_a_linear_program() -> None:
-    within, without = compared(seed=1, count=96)
-    assert within > 40
-    assert without > 5
-
-
-@pytest.mark.slow
-def test_it_equals_a_linear_program_on_a_thousand_poses() -> None:
-    within, _ = compared(seed=2, count=1000)
-    assert within > 400
+    count = share(1_000, 10)
+    within, without = compared(seed=1, count=count)
+    assert within > 0.4 * count
+    assert without > 0.05 * count
 
 
 @pytest.mark.parametrize("others", ["zero", "free"])

@@ -9,6 +9,7 @@ from command_line import error_of
 from machines import home_position, machine_size, random_robot, upside_down_in_millimetres
 from scipy.spatial.transform import Rotation
 from shells import shell_volume
+from sweeps import share, sweep
 
 import stewart_sym as ss
 from stewart_sym.design import cells
@@ -42,7 +43,7 @@ def deviations(seeds: range, poses: int) -> list[float]:
         robot, angles = limited(rng), rng.uniform(-0.2, 0.2, 3)
         made = ss.workspace(robot, angles=angles, poses=poses, seed=seed)
         found.append((made.volume - exact_volume(robot, angles)) / made.error)
-        assert made.error < 0.01 * made.volume
+        assert made.error < 3.0 / np.sqrt(poses) * made.volume
     return found
 
 
@@ -52,12 +53,12 @@ def test_the_oracle_gives_the_volumes_of_a_shell_and_of_a_lens() -> None:
     d = 0.7
     apart = np.array([[0.0, 0.0, 0.0], [0.4, 0.3, np.sqrt(d**2 - 0.25)]])
     lens = shell_volume(apart, np.array([[0.0, 1.0], [0.0, 1.0]]), -9.0)
-    assert lens == pytest.approx(np.pi * (4.0 + d) * (2.0 - d) ** 2 / 12.0, rel=1e-8)
+    assert lens == pytest.approx(np.pi * (4.0 + d) * (2.0 - d) ** 2 / 12.0, rel=1e-6)
 
 
-@pytest.mark.slow
-def test_the_exact_volume_is_within_the_error_on_twenty_machines() -> None:
-    found = np.array(deviations(range(20), 300_000))
+@sweep
+def test_the_exact_volume_is_within_the_error() -> None:
+    found = np.array(deviations(range(share(20, 5)), share(300_000, 10)))
     assert np.all(np.abs(found) <= 1.0)
     # The error is three standard deviations: neither too small nor, for safety, far too large.
     assert 0.6 < 3.0 * np.sqrt(np.mean(found**2)) < 1.5

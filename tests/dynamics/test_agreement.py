@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from machines import random_motion, random_robot
 from numpy.typing import NDArray
+from sweeps import share, sweep
 from unsolvable_poses import semiregular
 
 import stewart_sym as ss
@@ -28,9 +29,14 @@ def deviation(left: Forces | Reactions, right: Forces | Reactions, name: str) ->
     return np.abs(a - b).max(axis=1) / np.where(size > 0, size, 1)
 
 
-def check_agreement(rng: np.random.Generator, machines: int, formulation, backend, base_joint: str) -> None:
+@sweep
+@pytest.mark.parametrize("base_joint", ["universal", "spherical"])
+@pytest.mark.parametrize("formulation", ["exact", "paper"])
+@pytest.mark.parametrize("backend", ["c", "numpy"])
+def test_backends_agree_to_rounding(formulation, backend, base_joint: str) -> None:
     """Forces and reactions of random machines, all terms on, beside the reference's."""
-    for _ in range(machines):
+    rng = np.random.default_rng(100)
+    for _ in range(share(400)):
         robot = random_robot(rng, base_joint)
         motion = random_motion(rng, robot, (POSES,))
         bearing = rng.uniform(0, 1, 6)
@@ -43,21 +49,6 @@ def check_agreement(rng: np.random.Generator, machines: int, formulation, backen
         reacts = ss.joint_reactions(robot, motion, formulation, backend, bearing)
         for name in REACTIONS:
             assert (deviation(reacts, held, name) <= bound).all(), name
-
-
-@pytest.mark.parametrize("base_joint", ["universal", "spherical"])
-@pytest.mark.parametrize("formulation", ["exact", "paper"])
-@pytest.mark.parametrize("backend", ["c", "numpy"])
-def test_backends_agree_to_rounding(formulation, backend, base_joint: str) -> None:
-    check_agreement(np.random.default_rng(100), 25, formulation, backend, base_joint)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("base_joint", ["universal", "spherical"])
-@pytest.mark.parametrize("formulation", ["exact", "paper"])
-@pytest.mark.parametrize("backend", ["c", "numpy"])
-def test_backends_agree_to_rounding_on_many_machines(formulation, backend, base_joint: str) -> None:
-    check_agreement(np.random.default_rng(200), 400, formulation, backend, base_joint)
 
 
 # Degrees of points in circles: turned by 90 degrees about its axis, this flat machine has a singular H.
@@ -78,9 +69,16 @@ def doubtful(rng: np.random.Generator, robot: Robot) -> Motion:
     return Motion.unchecked(**parts)
 
 
-@pytest.mark.parametrize("base_joint", ["universal", "spherical"])
-@pytest.mark.parametrize("formulation", ["exact", "paper"])
-@pytest.mark.parametrize("scale", [1e-3, 1.0, 100.0])
+@pytest.mark.parametrize(
+    ("formulation", "base_joint", "scale"),
+    [
+        ("exact", "universal", 1e-3),
+        ("exact", "universal", 100.0),
+        ("exact", "spherical", 1.0),
+        ("paper", "universal", 1.0),
+        ("paper", "spherical", 1e-3),
+    ],
+)
 @pytest.mark.usefixtures("rounded_twice")
 def test_numpy_has_every_bit_and_status_of_c_however_many_poses_it_takes_at_once(
     formulation, base_joint: str, scale: float, monkeypatch: pytest.MonkeyPatch

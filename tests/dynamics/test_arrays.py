@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from machines import MACHINES, dasgupta, random_motion, random_robot, upside_down_in_millimetres
 from motion_fields import FIELDS
-from sweeps import FULL, UNFUSED
+from sweeps import FULL
 
 import stewart_sym as ss
 
@@ -119,7 +119,7 @@ def test_single_precision_on_arrays_errs_as_single_precision_does() -> None:
 
 
 @pytest.mark.slow
-def test_gradients_by_jax_are_the_derivatives_of_the_forces() -> None:
+def test_gradients_by_jax_of_mapped_poses_are_the_derivatives_of_the_forces() -> None:
     import jax
     import jax.numpy as jnp
 
@@ -129,46 +129,26 @@ def test_gradients_by_jax_are_the_derivatives_of_the_forces() -> None:
         for robot in (upside_down_in_millimetres(), *([dasgupta()] if FULL else [])):
             motion = random_motion(rng, robot, (5,))
             kernel = ss.array_kernel(robot, jnp)
-            weights = jnp.asarray(rng.normal(size=(5, 6)))
+            weights = rng.normal(size=(5, 6))
 
-            def weighed(step: Any, twist: Any, rate: Any, at: Any, by: Any) -> Any:
-                x, y, z = (step[:, i] for i in (3, 4, 5))
-                one = jnp.ones(5)
-                turn = jnp.stack([one, -z, y, z, one, -x, -y, x, one], axis=-1).reshape(5, 3, 3)
-                rates = {"v": twist[:, :3], "omega": twist[:, 3:], "a": rate[:, :3], "alpha": rate[:, 3:]}
-                pose = {"R": turn @ at.R, "t": at.t + step[:, :3]}
-                return (by[0].forces(**pose, **rates, F_ext=at.F_ext, M_ext=at.M_ext).F * by[1]).sum()
+            def weighed(step: Any, twist: Any, rate: Any, at: Any, weights: Any, of: Any = kernel) -> Any:
+                x, y, z = step[3:]
+                turn = jnp.array([[1.0, -z, y], [z, 1.0, -x], [-y, x, 1.0]])
+                rates = {"v": twist[:3], "omega": twist[3:], "a": rate[:3], "alpha": rate[3:]}
+                loads = {name: at[name] for name in ("F_ext", "M_ext")}
+                return of.forces(R=turn @ at["R"], t=at["t"] + step[:3], **rates, **loads).F @ weights
 
-            twist = jnp.concatenate([motion.v, motion.omega], axis=-1)
-            rate = jnp.concatenate([motion.a, motion.alpha], axis=-1)
-            by = jax.grad(weighed, argnums=(0, 1, 2))(
-                jnp.zeros((5, 6)), twist, rate, motion, (kernel, weights)
-            )
+            given = {name: jnp.asarray(value) for name, value in fields(motion).items()}
+            twist = jnp.concatenate([given["v"], given["omega"]], axis=-1)
+            rate = jnp.concatenate([given["a"], given["alpha"]], axis=-1)
+            mapped = jax.vmap(jax.grad(weighed, argnums=(0, 1, 2)))
+            by = mapped(jnp.zeros((5, 6)), twist, rate, given, jnp.asarray(weights))
             expected = ss.force_derivatives(robot, motion)
             slopes = (expected.by_pose, expected.by_twist, expected.by_acceleration)
             for found, slope in zip(by, slopes, strict=True):
                 answer = np.einsum("ni,nij->nj", weights, slope)
                 scale = np.einsum("ni,nij->nj", np.abs(weights), np.abs(slope)).max()
                 np.testing.assert_allclose(found, answer, rtol=0, atol=1e-9 * scale)
-
-
-@pytest.mark.slow
-def test_jax_compiles_the_forces_of_mapped_poses() -> None:
-    import jax
-    import jax.numpy as jnp
-
-    rng = np.random.default_rng(37)
-    with jax.enable_x64(True):
-        robot = random_robot(rng)
-        motion = random_motion(rng, robot, (50,))
-        kernel = ss.array_kernel(robot, jnp)
-        given = {name: jnp.asarray(value) for name, value in fields(motion).items()}
-        forces = jax.vmap(lambda each: kernel.forces(**each))
-        found = jax.jit(forces, compiler_options=UNFUSED)(given)
-    expected = ss.prepare(robot).forces(motion)
-    condition = np.linalg.cond(ss.inverse_dynamics(robot, motion).H).max()
-    np.testing.assert_allclose(found.F, expected, rtol=0, atol=1e-14 * condition * np.abs(expected).max())
-    np.testing.assert_array_equal(found.status, 0)
 
 
 @pytest.mark.slow

@@ -51,7 +51,7 @@ def worst(robot: ss.Robot, found: Array, true: Array) -> float:
 @pytest.mark.parametrize("formulation", FORMULATIONS)
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_the_terms_add_up_to_inverse_dynamics(backend: Any, formulation: Any, base_joint: str) -> None:
-    for seed in range(5):
+    for seed in range(2):
         rng = np.random.default_rng(seed)
         robot = random_robot(rng, base_joint)
         motion = random_motion(rng, robot, (4,))
@@ -68,7 +68,7 @@ def test_the_terms_add_up_to_inverse_dynamics(backend: Any, formulation: Any, ba
 @pytest.mark.parametrize("backend", ["c", "numpy"])
 def test_backends_agree_with_the_oracle(backend: Any, formulation: Any, base_joint: str) -> None:
     faults = newton_euler.PAPER if formulation == "paper" else newton_euler.EXACT
-    for seed in range(5):
+    for seed in range(2):
         rng = np.random.default_rng(seed)
         robot = random_robot(rng, base_joint)
         motion = random_motion(rng, robot, (4,))
@@ -86,7 +86,7 @@ def test_backends_agree_with_the_oracle(backend: Any, formulation: Any, base_joi
 def test_exact_M_is_symmetric_positive_definite_and_makes_the_kinetic_energy(
     backend: Any, base_joint: str
 ) -> None:
-    for seed in range(5):
+    for seed in range(2):
         rng = np.random.default_rng(seed)
         robot = random_robot(rng, base_joint)
         motion = random_motion(rng, robot, (4,))
@@ -106,7 +106,7 @@ def test_paper_M_is_symmetric_positive_definite_and_too_large(backend: Any, base
 
     Fault 3 adds m_u L^2 of inertia; for spherical base joints it is all that is wrong.
     """
-    for seed in range(5):
+    for seed in range(2):
         rng = np.random.default_rng(seed)
         robot = random_robot(rng, base_joint)
         motion = random_motion(rng, robot, (4,))
@@ -130,7 +130,7 @@ def test_one_of_the_faults_1_and_2_without_the_other_makes_M_unsymmetric(fault: 
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_rate_of_exact_M_is_C_plus_its_transpose(backend: Any, base_joint: str) -> None:
     """So that dM/dt - 2 C is skew. The rate is a fourth-order difference along the motion."""
-    for seed in range(4):
+    for seed in range(2):
         rng = np.random.default_rng(seed)
         robot = random_robot(rng, base_joint, scale=1.0)
         motion = random_motion(rng, robot)
@@ -188,7 +188,7 @@ def test_at_rest_there_is_no_coriolis_matrix_and_no_friction(backend: Any) -> No
 @pytest.mark.parametrize("formulation", FORMULATIONS)
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_forward_dynamics_inverts_inverse_dynamics(backend: Any, formulation: Any, base_joint: str) -> None:
-    for seed in range(8):
+    for seed in range(3):
         rng = np.random.default_rng(seed)
         robot = random_robot(rng, base_joint)
         motion = random_motion(rng, robot, (4,))

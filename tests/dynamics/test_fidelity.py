@@ -32,7 +32,7 @@ def level(request: pytest.FixtureRequest) -> Fidelity:
 @pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.PhysicalityWarning")
 def test_reduction_equals_the_general_kernel_where_the_machine_is_that_simple(level: Fidelity) -> None:
     rng = np.random.default_rng(11)
-    for _ in range(20):
+    for _ in range(6):
         robot = as_simple_as(random_robot(rng), level)
         motion = random_motion(rng, robot)
         same = motion if level.moving else at_rest(motion)

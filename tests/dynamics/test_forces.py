@@ -5,7 +5,6 @@ import dataclasses
 import gc
 import pickle
 import subprocess
-import threading
 import tracemalloc
 from pathlib import Path
 
@@ -44,7 +43,7 @@ def relative(left: np.ndarray, right: np.ndarray) -> np.ndarray:
 def test_forces_agree_with_the_reference_to_rounding(formulation, base_joint: str) -> None:
     rng = np.random.default_rng(20)
     for friction in (True, False):
-        for _ in range(15):
+        for _ in range(4):
             robot = random_robot(rng, base_joint, friction=friction)
             motion = random_motion(rng, robot, (9,))
             truth = ss.inverse_dynamics(robot, motion, formulation, "reference")
@@ -55,7 +54,7 @@ def test_forces_agree_with_the_reference_to_rounding(formulation, base_joint: st
 @pytest.mark.parametrize("formulation", ["exact", "paper"])
 def test_float_forces_agree_to_float_rounding(formulation) -> None:
     rng = np.random.default_rng(21)
-    for _ in range(10):
+    for _ in range(4):
         robot = random_robot(rng, scale=1.0)
         motion = random_motion(rng, robot, (9,))
         truth = ss.inverse_dynamics(robot, motion, formulation)
@@ -158,27 +157,6 @@ def test_a_bad_pose_has_its_status_and_leaves_its_neighbours_bit_identical(case:
     assert text
 
 
-def test_non_finite_numbers_poison_only_their_own_pose() -> None:
-    """Motion rejects them, so they are written past it, as a sensor might."""
-    rng = np.random.default_rng(24)
-    robot = random_robot(rng)
-    kernel = ss.prepare(robot)
-    motion = random_motion(rng, robot, (40,))
-    clean = kernel.forces(motion)
-    for name in FIELDS:
-        for value in (np.nan, np.inf):
-            spoilt = np.array(getattr(motion, name))
-            spoilt[5] = value
-            fake = object.__new__(Motion)
-            for other in FIELDS:
-                object.__setattr__(fake, other, spoilt if other == name else getattr(motion, other))
-            F, status = kernel.forces_and_status(fake)
-            assert status[5] == ss.results.NOT_FINITE
-            others = np.arange(40) != 5
-            assert (status[others] == 0).all()
-            assert (F[others] == clean[others]).all()
-
-
 def test_empty_and_many_dimensional_batches_work() -> None:
     rng = np.random.default_rng(25)
     robot = random_robot(rng)
@@ -187,27 +165,6 @@ def test_empty_and_many_dimensional_batches_work() -> None:
     motion = random_motion(rng, robot, (2, 3, 5))
     flat = kernel.forces(motion, threads=2).reshape(-1, 6)
     assert (flat[17] == kernel.forces(motion[1, 0, 2])).all()
-
-
-def test_threads_may_share_a_prepared_kernel() -> None:
-    rng = np.random.default_rng(26)
-    robot = random_robot(rng)
-    kernel = ss.prepare(robot)
-    motion = random_motion(rng, robot, (200,))
-    expected = kernel.forces(motion)
-    wrong: list[int] = []
-
-    def hammer(number: int) -> None:
-        for _ in range(50):
-            if not (kernel.forces(motion) == expected).all():
-                wrong.append(number)
-
-    workers = [threading.Thread(target=hammer, args=(i,)) for i in range(8)]
-    for worker in workers:
-        worker.start()
-    for worker in workers:
-        worker.join()
-    assert not wrong
 
 
 @pytest.mark.parametrize(
@@ -345,26 +302,6 @@ def test_buffers_that_do_not_fit_are_named() -> None:
         forces.OnePose(kernel, np.zeros(6), np.zeros(29))
 
 
-def test_a_fixed_axis_of_any_length_gives_the_same_forces_in_c() -> None:
-    rng = np.random.default_rng(40)
-    robot = random_robot(rng)
-    motion = random_motion(rng, robot, (9,))
-    expected = ss.prepare(robot).forces(motion)
-    longer = robot_numbers(robot)
-    for leg in range(6):
-        start = leg * (len(longer) - 13) // 6 + 6
-        np.testing.assert_allclose(np.linalg.norm(longer[start : start + 3]), 1.0)
-        longer[start : start + 3] *= 3.0 + leg
-    kernel = ss.prepare(robot)
-    model = np.zeros_like(kernel.model)
-    assert kernel.function("prepare")(address(longer), address(model)) == 0
-    object.__setattr__(kernel, "model", model)
-    assert (relative(kernel.forces(motion), expected) <= 1e-12).all()
-    longer[6:9] = 0.0
-    status = kernel.function("prepare")(address(longer), address(model))
-    assert status == ss.results.NOT_FINITE
-
-
 @pytest.mark.parametrize("precision", ["double", "float"])
 @pytest.mark.parametrize("exponent", [-1, -0.5, 0.5, 1])
 def test_c_takes_axes_of_any_length_but_zero(exponent: float, precision: forces.Precision) -> None:
@@ -381,6 +318,8 @@ def test_c_takes_axes_of_any_length_but_zero(exponent: float, precision: forces.
     assert kernel.function("prepare")(address(numbers), address(model)) == 0
     unit = 64 * np.finfo(kernel.dtype).eps
     np.testing.assert_allclose(model, kernel.model, rtol=unit, atol=unit * 9.81)
+    numbers[6:9] = 0.0
+    assert kernel.function("prepare")(address(numbers), address(model)) == ss.results.NOT_FINITE
 
 
 @pytest.mark.parametrize("precision", ["double", "float"])

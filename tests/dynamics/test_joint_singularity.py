@@ -18,7 +18,7 @@ from stewart_sym.robot.robot import Robot
 
 EPSILON = np.finfo(np.float64).eps
 UNITS = 1000
-SINES = [10.0**-n for n in range(1, 12)]
+SINES = [1e-1, 1e-3, 1e-5, 1e-8, 1e-11]
 
 
 def calm(seed: int) -> tuple[Robot, Motion]:

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 from near_joint import BLOCKS, KINDS, Truth, blocks, excess, of_reference, outputs, random_case, truth
-from sweeps import share
+from sweeps import share, sweep
 
 import stewart_sym as ss
 from stewart_sym.dynamics.closed_form import CClosedForm, NumpyClosedForm
@@ -21,8 +21,6 @@ BACKENDS: dict[str, Callable[..., Any]] = {
     "numpy": lambda robot, motion, F: outputs(NumpyClosedForm(robot), motion, F),
     "reference": of_reference,
 }
-FEW, RARELY = 1, 10
-"""Cases of a kind in the fast test; the reference, which takes 50 digits, has one in so many."""
 ENOUGH = 4
 """Random changes of all inputs, which already show most of the sensitivity."""
 
@@ -58,11 +56,16 @@ def worst(given: tuple, true: Truth, backend: str) -> float:
     return most if most <= MOST else max(excess(truth(*given), found).values())
 
 
-@pytest.mark.parametrize("backend", BACKENDS)
+@sweep
 @pytest.mark.parametrize("kind", KINDS)
-def test_every_output_is_as_good_as_the_machine_allows(kind: str, backend: str) -> None:
-    for index in range(1 if backend == "reference" else FEW):
-        assert worst(*with_truth(0, kind, index), backend) <= MOST
+def test_every_output_is_as_good_as_the_machine_allows(kind: str) -> None:
+    """Each case on C and NumPy, one in ten on the reference, which takes 50 digits."""
+    found = []
+    for number, given in enumerate(cases(1, kind, share(10_000 // len(KINDS), part=550))):
+        true = truth(*given, ENOUGH)
+        backends = list(BACKENDS)[: 2 if number % 10 else 3]
+        found += [(worst(given, true, backend), backend, number) for backend in backends]
+    assert [each for each in found if each[0] > MOST] == []
 
 
 @pytest.mark.parametrize(
@@ -88,18 +91,6 @@ def test_what_turns_and_moves_a_heavy_leg_leaves_a_light_platform_its_digits(
 def test_what_several_pivots_of_M_lose_does_not_add_up(kind: str, index: int, backend: str) -> None:
     """Each pivot keeps more than a thirty-second of its diagonal entry, three or four of them a sixteenth."""
     assert worst(*with_truth(1, kind, index), backend) <= MOST / 4
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("kind", KINDS)
-def test_every_output_is_as_good_as_the_machine_allows_in_10_000_cases(kind: str) -> None:
-    """Each case on C and NumPy, one in ten on the reference; by itself a hundredth of them."""
-    found = []
-    for number, given in enumerate(cases(1, kind, share(10_000 // len(KINDS), part=100))):
-        true = truth(*given, ENOUGH)
-        backends = list(BACKENDS)[: 2 if number % RARELY else 3]
-        found += [(worst(given, true, backend), backend, number) for backend in backends]
-    assert [each for each in found if each[0] > MOST] == []
 
 
 @pytest.mark.slow

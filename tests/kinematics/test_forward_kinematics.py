@@ -1,6 +1,7 @@
 """Forward kinematics and joint-space trajectories: what is found has the legs asked for, and else says so."""
 
 import dataclasses
+import functools
 import math
 import warnings
 from collections.abc import Callable
@@ -61,7 +62,7 @@ def test_default_guess_gives_back_the_poses_of_random_machines(seed: int) -> Non
 
 def test_default_guess_gives_back_the_poses_of_the_papers_machine() -> None:
     robot = dasgupta()
-    R, t = paper_poses(np.random.default_rng(1), 5000, angle=0.1, way=0.1)
+    R, t = paper_poses(np.random.default_rng(1), 1000, angle=0.1, way=0.1)
     L = lengths(robot, R, t)
     found = ss.forward_kinematics(robot, L)
     assert_nothing_is_silent(robot, L, found)
@@ -72,7 +73,7 @@ def test_default_guess_gives_back_the_poses_of_the_papers_machine() -> None:
 def test_near_guess_converges_quadratically_to_its_own_mode() -> None:
     rng = np.random.default_rng(2)
     robot = dasgupta()
-    R, t = paper_poses(rng, 5000, angle=0.1, way=0.1)
+    R, t = paper_poses(rng, 1000, angle=0.1, way=0.1)
     L = lengths(robot, R, t)
     found = ss.forward_kinematics(robot, L, nudged(rng, R, t, angle=0.05, way=0.05))
     assert_nothing_is_silent(robot, L, found)
@@ -106,7 +107,7 @@ def test_no_pose_of_a_wide_workspace_is_missed() -> None:
 def test_no_pose_of_random_machines_is_missed() -> None:
     """10^5 poses: 1000 well-posed ones around the home of each of 100 machines."""
     others = {"default": 0, "near": 0}
-    for seed in range(100):
+    for seed in range(share(100, 5)):
         rng = np.random.default_rng(seed)
         robot = random_robot(rng)
         motion = random_motion(rng, robot, (share(1000),))
@@ -134,7 +135,7 @@ def test_lengths_of_the_pose_found_match_at_50_digits() -> None:
 
 
 def test_platform_is_found_wherever_the_base_stands() -> None:
-    for seed in range(60):
+    for seed in range(15):
         rng = np.random.default_rng(seed)
         robot = random_robot(rng, scale=1.0)
         motion = random_motion(rng, robot, (20,))
@@ -199,6 +200,7 @@ def test_rotation_is_orthonormal_though_the_guess_is_only_nearly_so() -> None:
 # lengths that no pose has
 
 
+@functools.cache
 def singular_pose() -> Poses:
     """The pose of Path III at which J's determinant changes sign, to rounding of the time."""
     path = ss.PATHS["III"].path
@@ -217,7 +219,7 @@ def singular_pose() -> Poses:
 
 def test_rates_are_found_up_to_a_condition_number() -> None:
     robot, (R, t) = dasgupta(), singular_pose()
-    away = np.logspace(-9.0, 0.0, 2000)
+    away = np.logspace(-9.0, 0.0, 200)
     R, t = np.broadcast_to(R, (len(away), 3, 3)), t + np.multiply.outer(away, [0.3, -0.2, 0.1])
     size = ss.kinematics.conditioning.characteristic_length(robot)
     condition = ss.kinematics.conditioning.scaled_condition_number(
@@ -226,7 +228,7 @@ def test_rates_are_found_up_to_a_condition_number() -> None:
     v, _ = ss.forward_velocity(robot, R, t, np.ones(6), "nan")
     settled = np.isfinite(v[:, 0])
     assert settled.tolist() == (condition <= 1.0 / (16.0 * math.sqrt(EPS))).tolist()
-    assert 100 < settled.sum() < 1900
+    assert 10 < settled.sum() < 190
 
 
 def test_a_singular_pose_has_a_status_and_leaves_its_neighbours_alone() -> None:
@@ -237,7 +239,7 @@ def test_a_singular_pose_has_a_status_and_leaves_its_neighbours_alone() -> None:
     found = ss.forward_kinematics(robot, L, (R, t), "nan")
     assert found.status.tolist() == [results.OK, results.SINGULAR, results.OK]
     # From nearby it is approached step by half step, and not always reached; it is never called settled.
-    for seed in range(10):
+    for seed in range(3):
         found = ss.forward_kinematics(robot, L, nudged(np.random.default_rng(seed), R, t, 0.03, 0.03), "nan")
         assert found.status[1] in (results.SINGULAR, results.NOT_CONVERGED)
         assert found.residual[1] < 1e-8

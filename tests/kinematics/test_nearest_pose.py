@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from machines import dasgupta, home_position, machine_size, random_robot
 from numpy.typing import NDArray
-from sweeps import share
+from sweeps import share, sweep
 
 import stewart_sym as ss
 from stewart_sym import results
@@ -60,17 +60,13 @@ def compare(seeds: range, poses: int) -> tuple[int, int]:
     return count, farther
 
 
+@sweep
 def test_no_pose_is_farther_from_the_guess_than_a_plain_solver_s() -> None:
-    """Seeds among whose poses Newton's steps alone lead farther away."""
-    count, _ = compare(range(100, 106), 20)
-    assert count > 200
-
-
-@pytest.mark.slow
-def test_no_pose_of_many_is_farther_from_the_guess_than_a_plain_solver_s() -> None:
-    """Thousands of guesses 10 degrees and a tenth of the base's radius away."""
-    count, farther = compare(range(100, 100 + share(100, 3)), share(100))
-    print(f"{count} compared; the plain solver's is farther {farther} times")
+    """Guesses 10 degrees and a tenth of the base's radius away; by Newton's steps alone some are farther."""
+    seeds, poses = range(100, 100 + share(100)), share(100, 7)
+    compared, farther = compare(seeds, poses)
+    assert compared > 1.7 * len(seeds) * poses
+    print(f"{compared} compared; the plain solver's is farther {farther} times")
 
 
 def missed(seeds: range, poses: int, width: float) -> int:
@@ -84,15 +80,10 @@ def missed(seeds: range, poses: int, width: float) -> int:
     return count
 
 
-@pytest.mark.parametrize("width", [1.2, 3.0])
-def test_a_pose_is_found_without_a_guess_wherever_there_is_one(width: float) -> None:
-    assert missed(range(5), 40, width) == 0
-
-
-@pytest.mark.slow
+@sweep
 @pytest.mark.parametrize("width", [0.8, 1.5, 3.1])
-def test_a_pose_is_found_without_a_guess_in_a_wide_workspace(width: float) -> None:
-    assert missed(range(1000, 1000 + share(100, 4)), share(500), width) == 0
+def test_a_pose_is_found_without_a_guess_wherever_there_is_one(width: float) -> None:
+    assert missed(range(1000, 1000 + share(100)), share(500), width) == 0
 
 
 def test_what_was_tried_or_why_there_is_no_pose_is_said() -> None:

@@ -30,7 +30,7 @@ def test_rates_are_derivatives_along_a_path(joint: str) -> None:
 
 @pytest.mark.parametrize("joint", PLATFORM_JOINTS)
 def test_poses_come_back_from_lengths_and_from_motors(joint: str) -> None:
-    for seed in range(8):
+    for seed in range(3):
         robot, motion = offset_case(seed, joint, (3,), screws=True)
         size = machine_size(robot)
         legs = ss.inverse_kinematics(robot, motion)
@@ -105,7 +105,7 @@ def test_the_effort_of_the_drives_is_of_the_motors_speed(joint: str) -> None:
 @pytest.mark.parametrize("joint", PLATFORM_JOINTS)
 def test_a_moving_platform_comes_back_from_the_lengths_of_its_legs(joint: str) -> None:
     robot, _ = offset_case(5, joint)
-    time = np.linspace(0.0, 0.4 * path_period(robot), 60)
+    time = np.linspace(0.0, 0.2 * path_period(robot), 30)
     motion, size = random_path(np.random.default_rng(5), robot, load=False)(time), machine_size(robot)
     legs = ss.inverse_kinematics(robot, motion)
     guess = (motion.R[0], motion.t[0] + 0.01 * size)
@@ -116,6 +116,6 @@ def test_a_moving_platform_comes_back_from_the_lengths_of_its_legs(joint: str) -
         expected = getattr(motion, name)
         np.testing.assert_allclose(getattr(found, name), expected, atol=1e-8 * np.abs(expected).max())
     jumped = legs.L.copy()
-    jumped[30:, 2] += 10.0 * size
-    with pytest.raises(ValueError, match=r"\AL\[30\]"):
+    jumped[15:, 2] += 10.0 * size
+    with pytest.raises(ValueError, match=r"\AL\[15\]"):
         ss.motion_from_lengths(robot, jumped, legs.L_dot, legs.L_ddot, guess, time=time)

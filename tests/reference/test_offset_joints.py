@@ -26,7 +26,7 @@ from stewart_sym.results import JOINT_SINGULAR, OK, SINGULAR, UNREACHABLE, ZERO_
 from stewart_sym.robot.robot import Robot
 
 RELATIVE, ENERGY = 1e-10, 1e-12
-MACHINES = range(40)
+MACHINES = range(12)
 EPS = float(np.finfo(np.float64).eps)
 
 
@@ -77,7 +77,7 @@ def test_lengths_and_spins_with_their_rates_agree_with_pinocchio(joint: str) -> 
 
 
 def test_a_screw_that_turns_the_upper_part_agrees_with_pinocchio() -> None:
-    for seed in range(10):
+    for seed in range(4):
         robot, motion = offset_case(seed, "universal", screws=True)
         bare = dataclasses.replace(robot, drive=dataclasses.replace(robot.drive, rotor_inertia=0.0))
         truth = pinocchio_offsets(bare, motion, robot.drive.lead)
@@ -88,7 +88,7 @@ def test_a_screw_that_turns_the_upper_part_agrees_with_pinocchio() -> None:
 
 @pytest.mark.parametrize("joint", PLATFORM_JOINTS)
 def test_without_offsets_all_is_as_in_ordinary_legs(joint: str) -> None:
-    for seed in range(20):
+    for seed in range(6):
         rng = np.random.default_rng(seed)
         robot = random_robot(rng)
         motion = random_motion(rng, robot, (4,))

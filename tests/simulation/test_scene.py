@@ -225,6 +225,7 @@ def test_a_start_that_is_no_machines_is_warned_of(
         ("schema = 1", "schema = ", "not valid TOML"),
         ("duration = 0.1", "", "duration: missing"),
         ("duration = 0.1", "duration = -1", "duration: expected a number > 0, got -1"),
+        ("duration = 0.1", "duration = 1e9", "duration: expected at most 86400 s, a day, got 1000000000.0"),
         ("duration = 0.1", "duration = nan", "duration: expected a finite number, got nan"),
         ("duration = 0.1", "duraton = 0.1", 'duraton: unknown key, did you mean "duration"?'),
         ("output_step = 0.01", 'method = "Euler"', 'method: expected "DOP853" or "Radau", got \'Euler\''),

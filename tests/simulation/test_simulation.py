@@ -41,11 +41,11 @@ def test_springs_that_push_away_are_rejected_in_one_line() -> None:
 
 
 def test_exact_keeps_the_energy_and_paper_does_not() -> None:
-    """Over 10 s: `exact` to 1e-9 of the mean kinetic energy; `paper` is off by more than 0.1 of it."""
+    """Over 4 s: `exact` to 1e-9 of the mean kinetic energy; `paper` is off by more than 0.1 of it."""
     robot = machine(friction=False)
     state = home(robot, v=[0.5, 0.2, 0.2], omega=[0.5, -0.5, 0.5])
     springs = ss.LegSprings.balanced(robot, state, stiffness(robot, 1.6))
-    found = energy_drift.energy_drift(springs, state, duration=10.0, rtol=3e-9)
+    found = energy_drift.energy_drift(springs, state, duration=4.0, rtol=3e-9)
     assert {drift.stop.kind for drift in found.values()} == {"duration"}
     assert found["exact"].worst < 1e-9
     assert found["paper"].worst > 0.1
@@ -112,7 +112,7 @@ def test_runs_of_twice_the_accuracy_agree() -> None:
     state = home(robot, v=[0.5, 0.2, 0.2], omega=[0.5, -0.5, 0.5])
     springs = ss.LegSprings.balanced(robot, state, stiffness(robot, 2.0))
     runs = [
-        ss.simulate(robot, state, springs, 0.5, **options)
+        ss.simulate(robot, state, springs, 0.2, **options)
         for options in (
             {"rtol": 1e-11},
             {"rtol": 1e-8},
@@ -120,7 +120,7 @@ def test_runs_of_twice_the_accuracy_agree() -> None:
             {"backend": "numpy"},
         )
     ]
-    times = np.linspace(0.0, 0.5, 23)
+    times = np.linspace(0.0, 0.2, 23)
     true = runs[0].at(times)
     for run in runs[1:]:
         at = run.at(times)
@@ -246,26 +246,23 @@ def test_a_singular_pose_stops_the_run() -> None:
     assert (condition[:-1] < 50.0).all()
 
 
-@pytest.mark.slow
 def test_tracking_path_III_stops_at_its_singular_pose() -> None:
-    """The crossing is far shorter than a step."""
+    """The crossing is far shorter than a step; the run begins on the way, a third of a second before."""
     robot = dasgupta()
-    path = ss.PATHS["III"].path
-    law = ss.ComputedTorque(robot, along(path), k_p=900.0, k_d=60.0)
-    start = path.sample(0.0)
-    run = ss.simulate(robot, ss.Motion(start.R, start.t, start.omega, start.v), law, path.tau_f)
+    wanted = along(ss.PATHS["III"].path)
+    law = ss.ComputedTorque(robot, lambda time: wanted(time + 3.35), k_p=900.0, k_d=60.0)
+    run = ss.simulate(robot, "path", law, 1.0)
     assert run.stop.kind == "singular"
-    assert 3.66 < run.stop.time < 3.68
+    assert 0.31 < run.stop.time < 0.33
     H = ss.wrench_matrix(robot, run.motion)[-1]
     condition = ss.scaled_condition_number(H, ss.characteristic_length(robot))
     assert condition == pytest.approx(1e6, rel=1e-3)
 
 
-@pytest.mark.parametrize("soft", [0.0, 100.0])
-def test_a_machine_that_falls_stops_where_det_H_first_changes_its_sign(soft: float) -> None:
+def test_a_machine_that_falls_stops_where_det_H_first_changes_its_sign() -> None:
     robot = machine(base_joint="spherical", friction=False)
     state = home(robot, v=[0.5, 0.2, 0.2], omega=[0.5, -0.5, 0.5])
-    law = ss.LegSprings(robot, soft, ss.inverse_kinematics(robot, state).L)
+    law = ss.LegSprings(robot, 100.0, ss.inverse_kinematics(robot, state).L)
     run = ss.simulate(robot, state, law, 5.0)
     assert run.stop.kind == "singular"
     at = run.at(np.linspace(0.0, run.stop.time, 5000))
@@ -379,6 +376,7 @@ def test_output_is_on_the_grid_and_ends_with_the_run() -> None:
     [
         ({"duration": 0.0}, r"^duration: expected a number > 0, got 0.0$"),
         ({"duration": "long"}, r"^duration: expected"),
+        ({"duration": 1e9}, r"^duration: expected at most 86400 s, a day, got 1000000000.0$"),
         ({"forces": np.zeros(5)}, r"^forces: expected six finite numbers or a law"),
         ({"forces": lambda time, state: np.zeros(3)}, r"^forces: expected six numbers from the law at 0 s"),
         ({"method": "Euler"}, r"^method: expected"),

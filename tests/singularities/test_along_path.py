@@ -89,7 +89,7 @@ def there_and_back(root: float, depth: float) -> Path:
 
 
 def test_the_crossing_of_path_iii_is_located_to_a_nanosecond(root: float) -> None:
-    for times in (III.breaks(), III.times(0.1), [0.0, 6.0], [3.6, 3.7], np.linspace(0.0, 6.0, 6001)):
+    for times in (III.breaks(), III.times(0.1), [0.0, 6.0], [3.6, 3.7], np.linspace(0.0, 6.0, 601)):
         (found,) = crossings(dasgupta(), III.sample, times)
         assert abs(found.time - root) <= min(1e-9, 10 * found.uncertainty)
         assert found.uncertainty < 1e-11
@@ -139,7 +139,7 @@ def test_many_crossings_between_two_samples_are_all_found(root: float) -> None:
         return ss.Motion(motion.R, motion.t, motion.omega * pace, motion.v * pace, zero, zero)
 
     expected = np.pi * np.arange(1, 13) / w
-    for times in ([0.01, 1.0], np.linspace(0.01, 1.0, 17), np.linspace(0.01, 1.0, 4001)):
+    for times in ([0.01, 1.0], np.linspace(0.01, 1.0, 17), np.linspace(0.01, 1.0, 401)):
         found = crossings(dasgupta(), path, times)
         np.testing.assert_allclose([item.time for item in found], expected, atol=1e-12)
 
@@ -153,7 +153,7 @@ def test_a_sample_on_the_singular_pose_is_one_crossing(root: float) -> None:
 @pytest.mark.parametrize("depth", [0.1, 1e-3, 1e-6])
 def test_a_path_that_only_comes_near_reports_its_nearest_approach(root: float, depth: float) -> None:
     robot, path = dasgupta(), there_and_back(root, -depth)
-    for times in ([-0.9, 1.1], np.linspace(-0.9, 1.1, 12), np.linspace(-0.9, 1.1, 2001)):
+    for times in ([-0.9, 1.1], np.linspace(-0.9, 1.1, 12), np.linspace(-0.9, 1.1, 201)):
         found = singularities_along(robot, path, times)
         assert found.crossings == ()
         (approach,) = found.approaches
@@ -177,7 +177,7 @@ def test_minima_of_random_paths_are_those_of_dense_samples() -> None:
         times = np.linspace(0.0, period, 4001)
         dense = ss.singularity(robot, path(times)).smallest
         inner = np.flatnonzero((dense[1:-1] < dense[:-2]) & (dense[1:-1] < dense[2:])) + 1
-        for given in ([0.0, period], np.linspace(0.0, period, 9), np.linspace(0.0, period, 501)):
+        for given in ([0.0, period], np.linspace(0.0, period, 9), np.linspace(0.0, period, 101)):
             found = singularities_along(robot, path, given)
             np.testing.assert_allclose(
                 [approach.time for approach in found.approaches], times[inner], atol=period / 4000

@@ -1,5 +1,6 @@
 """Joint space through singular poses: every crossing is named, nothing else is, and jumps of lengths are."""
 
+import functools
 import re
 import warnings
 from collections import Counter
@@ -10,7 +11,7 @@ import pytest
 from joint_paths import dipping_case, legs_along, lengths_to_singular, random_case, truth
 from machines import dasgupta, machine_size
 from numpy.typing import NDArray
-from sweeps import share
+from sweeps import share, sweep
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
@@ -23,6 +24,7 @@ from stewart_sym.singularities.length_steps import accelerations, times_from_rat
 Array = NDArray[np.float64]
 
 
+@functools.cache
 def drawn(seed: int, most: int) -> tuple[ss.Robot, float, Array, ss.Motion, tuple[Array, ...]]:
     """A machine, when its path crosses singular poses first, s, and 60 to ``most`` samples of it."""
     rng = np.random.default_rng(seed)
@@ -35,6 +37,9 @@ def sample_of(error: ValueError) -> int:
     found = re.search(r"(?:L\[|row )(\d+)", str(error))
     assert found is not None
     return int(found[1])
+
+
+dip = functools.cache(lambda seed: dipping_case(np.random.default_rng(seed)))
 
 
 def outcome(seed: int, most: int, rates: str) -> str:
@@ -113,11 +118,11 @@ def test_every_crossing_is_named_and_no_other_path(rates: str) -> None:
     assert found["followed"] > 1
 
 
+@sweep
 @pytest.mark.parametrize("rates", ["L_ddot", "time"])
-@pytest.mark.parametrize("count", [3, pytest.param(share(100, 10), marks=pytest.mark.slow)])
-def test_a_path_that_crosses_and_returns_between_two_samples_is_named(count: int, rates: str) -> None:
-    for seed in range(count):
-        robot, path, samples = dipping_case(np.random.default_rng(seed))
+def test_a_path_that_crosses_and_returns_between_two_samples_is_named(rates: str) -> None:
+    for seed in range(share(100, 33)):
+        robot, path, samples = dip(seed)
         time, motion, (L, *given) = legs_along(robot, path, samples)
         acceleration, times = (given[1], None) if rates == "L_ddot" else (None, time)
         with pytest.raises(ValueError, match="singular") as error:
@@ -130,21 +135,17 @@ def test_a_path_that_crosses_and_returns_between_two_samples_is_named(count: int
 @pytest.mark.parametrize("rates", ["L_ddot", "time"])
 def test_every_crossing_of_many_random_paths_is_named_and_no_other_path(rates: str) -> None:
     """2,000 paths of 60 to 2,000 samples: random, across singular poses, and grazing them."""
-    count, start = share(1000), 1000 if rates == "time" else 2000
+    count, start = share(1000, 60), 1000 if rates == "time" else 2000
     print(tally(range(start, start + count), 2000, rates))
 
 
+@sweep
 @pytest.mark.parametrize("rates", ["log", "given"])
-@pytest.mark.parametrize(
-    ("count", "most"), [(10, 100), pytest.param(share(200, 5), 300, marks=pytest.mark.slow)]
-)
 def test_of_rounded_lengths_no_crossing_is_missed_and_no_healthy_path_rejected(
-    rates: str, count: int, most: int, tmp_path: Path
+    rates: str, tmp_path: Path
 ) -> None:
-    found = {seed: rounded_outcome(seed, most, rates, tmp_path) for seed in range(count)}
-    tally = Counter(found.values())
-    assert set(tally) == {"named", "undecided", "followed"}, found
-    print(tally)
+    found = {seed: rounded_outcome(seed, 100, rates, tmp_path) for seed in range(share(200))}
+    assert set(found.values()) == {"named", "undecided", "followed"}, found
 
 
 def test_noise_of_lengths_is_that_stated_and_its_bad_values_are_named() -> None:
@@ -207,10 +208,9 @@ def test_rates_in_another_unit_are_named() -> None:
         ss.motion_from_lengths(robot, L, 1e3 * L_dot, 1e3 * L_ddot, (motion.R[0], motion.t[0]), time=time)
 
 
-@pytest.mark.parametrize("decimals", [3, 4, 5])
-@pytest.mark.parametrize("given", [True, False])
+@pytest.mark.parametrize(("decimals", "given"), [(3, True), (3, False), (5, True), (4, False)])
 def test_rounded_lengths_are_no_jumps(decimals: int, given: bool) -> None:
-    robot, time, motion, legs = wave(200)
+    robot, time, motion, legs = wave(100)
     L = np.round(legs[0], decimals)
     rates = legs[1:] if given else spline_rates(time, L)
     found = ss.motion_from_lengths(robot, L, *rates, (motion.R[0], motion.t[0]), time=time)

@@ -13,7 +13,6 @@ from sweeps import share
 
 import stewart_sym as ss
 from stewart_sym.backend.kernel import robot_numbers
-from stewart_sym.backend.native import CompilerError
 from stewart_sym.cli.main import main
 from stewart_sym.derive.emit.thresholds import CASES, THRESHOLDS
 from stewart_sym.precision.quad import quad_forces
@@ -28,10 +27,7 @@ from stewart_sym.studies.robustness.sweep.sweep import sweep
 
 REPOSITORY = Path(__file__).parents[2]
 
-try:
-    oracle._library()
-except CompilerError:
-    pytest.skip("needs a compiler with __float128", allow_module_level=True)
+pytestmark = pytest.mark.usefixtures("sweep_library")
 
 
 def test_the_check_agrees_with_fifty_digits() -> None:

@@ -23,7 +23,7 @@ def shell_volume(centres: Array, radii: Array, floor: float) -> float:
     ends = (centres[:, 2:] + np.concatenate([radii, -radii], axis=-1)).ravel()
     breaks = np.unique(np.concatenate([[low, high], ends[(ends > low) & (ends < high)]]))
     parts = [
-        quad(lambda z: common_area(centres, radii, z), a, b, epsabs=0.0, epsrel=1e-8, limit=200)[0]
+        quad(lambda z: common_area(centres, radii, z), a, b, epsabs=0.0, epsrel=1e-4, limit=200)[0]
         for a, b in itertools.pairwise(breaks)
     ]
     return float(sum(parts))

@@ -41,7 +41,7 @@ _MACROS = {
     "STEWART_EPSILON": "FLT128_EPSILON",
     "STEWART_MAX": "FLT128_MAX",
 }
-_FLAGS = ("-include", "quadmath.h", "-Wl,--no-as-needed", "-lquadmath", "-O1")
+_FLAGS = ("-include", "quadmath.h", "-Wl,--no-as-needed", "-lquadmath", "-O0")
 
 
 def leaning(rng: np.random.Generator, robot: Robot, motion: Motion, leg: int, sine: float) -> Robot:

@@ -6,13 +6,11 @@ from typing import Any
 
 import mpmath
 import numpy as np
-import pytest
 from numpy.typing import NDArray
 
 import stewart_sym as ss
 from stewart_sym.backend.c_kernel import address
 from stewart_sym.backend.kernel import MOTION, robot_numbers
-from stewart_sym.backend.native import CompilerError
 from stewart_sym.dynamics.closed_form import OUTPUTS, NumpyClosedForm
 from stewart_sym.precision.truth import Truth, digits
 from stewart_sym.results import OK
@@ -25,12 +23,6 @@ WITHIN = 10.0
 """Rounding units times the condition number that every output of every kernel must keep."""
 PRECISIONS = ("double", "float")
 NEAR_JOINT = ("joint singularity", "zero-length leg", "heavy leg")
-PER_MACHINE = 10
-
-try:
-    oracle._library()
-except CompilerError:
-    pytest.skip("needs a compiler with __float128", allow_module_level=True)
 
 
 def differentiated(robot: ss.Robot, motion: ss.Motion, F: Array) -> dict[str, Any]:
