@@ -35,7 +35,7 @@ SHARING = (
         *("test_symbols", "test_casadi_functions"),
         *("test_kit", "test_kit_folder", "test_kit_use", "test_vectors", "test_language_kits", "test_stacks"),
     ),
-    ("test_wrong_constants", "test_bake", "test_rotor_kits"),
+    ("test_wrong_constants", "test_bake"),
     # The library of the sweep.
     ("test_degenerate_families", "test_proportions", "test_stability"),
     ("test_noise",),
