@@ -15,10 +15,10 @@ from pathlib import Path
 
 import attack_build
 import pytest
-from kits import WITHOUT_DRIVE
 
 import stewart_sym as ss
 from stewart_sym.kit import Choice, Kit, kit, put
+from stewart_sym.kit.choice import FUNCTIONS, TORQUE
 
 WARNINGS = ["-Wall", "-Wextra", "-pedantic", "-Wconversion", "-Wdouble-promotion", "-Wshadow", "-Wundef"]
 WARNINGS += ["-Wstrict-prototypes", "-Wold-style-definition", "-Wmissing-prototypes", "-Wvla", "-Werror"]
@@ -95,7 +95,7 @@ QUICK = (("clang", "lanes"), ("s390x", "scalar"))
 def made(layout: str, precision: str) -> Kit:
     """A kit of the forces in lanes or scalar; "all" holds every function."""
     robot = ss.robots.dasgupta1998()
-    functions = WITHOUT_DRIVE if layout == "all" else ("forces",)
+    functions = tuple(name for name in FUNCTIONS if name != TORQUE) if layout == "all" else ("forces",)
     return kit(robot, Choice(functions, scalar=layout == "scalar", precision=precision))
 
 

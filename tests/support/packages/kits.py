@@ -14,13 +14,11 @@ import numpy as np
 import pytest
 
 from stewart_sym.kit import Choice, Kit, files, kit, languages
-from stewart_sym.kit.choice import DEFAULT, FUNCTIONS, TORQUE
+from stewart_sym.kit.choice import DEFAULT
 from stewart_sym.kit.vectors import Vector, vectors
 from stewart_sym.robot.robot import Robot
 
 STRICT = ("-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Wdouble-promotion", "-Wshadow", "-Werror")
-WITHOUT_DRIVE = tuple(name for name in FUNCTIONS if name != TORQUE)
-"""Groups of functions that a kit may hold of a robot without a drive."""
 COMPILERS = {
     "gcc": ("gcc", "-std=c99"),
     "clang": ("clang", "-std=c99"),
