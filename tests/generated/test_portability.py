@@ -15,6 +15,7 @@ from pathlib import Path
 
 import attack_build
 import pytest
+from kits import few_vectors
 
 import stewart_sym as ss
 from stewart_sym.kit import Choice, Kit, kit, put
@@ -96,7 +97,8 @@ def made(layout: str, precision: str) -> Kit:
     """A kit of the forces in lanes or scalar; "all" holds every function."""
     robot = ss.robots.dasgupta1998()
     functions = tuple(name for name in FUNCTIONS if name != TORQUE) if layout == "all" else ("forces",)
-    return kit(robot, Choice(functions, scalar=layout == "scalar", precision=precision))
+    with few_vectors():
+        return kit(robot, Choice(functions, scalar=layout == "scalar", precision=precision))
 
 
 def need(target: Target, folder: Path) -> None:
