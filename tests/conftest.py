@@ -35,7 +35,7 @@ SHARING = (
         *("test_symbols", "test_casadi_functions"),
         *("test_kit", "test_kit_folder", "test_kit_use", "test_vectors", "test_language_kits", "test_stacks"),
     ),
-    ("test_wrong_constants", "test_bake", "test_rotor_kits"),
+    ("test_wrong_constants", "test_bake"),
     # The library of the sweep.
     ("test_degenerate_families", "test_proportions", "test_stability"),
     ("test_noise",),
@@ -96,14 +96,14 @@ _LOADED = (c_kernel.library, c_kernel.function, closed_form.library)
 
 @pytest.fixture
 def rounded_twice() -> Iterator[None]:
-    """The C without fused multiply-add, whose bits are NumPy's; at -O1, which takes half the time."""
+    """The C without fused multiply-add, whose bits are NumPy's; at -O0, which takes a fifth of the time."""
     with pytest.MonkeyPatch.context() as changed:
         load = native.load
         changed.setattr(
             native,
             "load",
             lambda name, sources, flags=(), defines=None: load(
-                name, sources, (*flags, "-O1"), {**(defines or {}), "STEWART_NO_FMA": 1}
+                name, sources, (*flags, "-O0"), {**(defines or {}), "STEWART_NO_FMA": 1}
             ),
         )
         for each in _LOADED:

@@ -30,11 +30,6 @@ STEMS: dict[str, tuple[str, ...]] = {
 """C functions of each group; of ``axial_forces`` there is only that of legs with rotors."""
 
 
-def groups_of(robot: Robot) -> tuple[str, ...]:
-    """Those of ``FUNCTIONS`` that a robot has with some formulation: torques where it has a drive."""
-    return tuple(name for name in FUNCTIONS if name != TORQUE or robot.drive is not None)
-
-
 PRECISIONS: dict[str, type] = {"double": np.float64, "float": np.float32}
 """Types of the numbers of a kit."""
 

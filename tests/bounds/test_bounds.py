@@ -53,14 +53,12 @@ UNITS = 100.0
 class Figures:
     """What one case says of one precision.
 
-    least: smallest bound over true error of the six forces. pose: largest bound over largest error. each: all
-    six ratios. units: largest error in units in the last place of the largest force, over the scaled
-    condition number.
+    least: smallest bound over true error of the six forces. pose: largest bound over largest error. units:
+    largest error in units in the last place of the largest force, over the scaled condition number.
     """
 
     least: float
     pose: float
-    each: Array
     units: float
 
 
@@ -79,7 +77,6 @@ def figures(robot: Robot, motion: Motion, precision: str) -> Figures | None:
     return Figures(
         float(ratios.min()),
         float(bound.max() / errors.max()),
-        ratios,
         float(errors.max() / unit / condition),
     )
 
@@ -92,18 +89,6 @@ def swept(cases: int) -> dict[str, list[Figures]]:
     solved = {p: [each for each in all_of_them if each is not None] for p, all_of_them in found.items()}
     assert len(solved["float"]) > 0.99 * cases
     return solved
-
-
-def report(found: list[Figures], precision: str) -> str:
-    pose, each = [f.pose for f in found], np.concatenate([f.each for f in found])
-    return (
-        f"{precision}, {len(found)} cases: bound / error at least {min(f.least for f in found):.2f}; of a "
-        f"pose {np.median(pose):.0f} median, {np.percentile(pose, 95):.0f} at 95 %, "
-        f"{max(pose):.0f} at most, "
-        f"{100 * np.mean(np.array(pose) <= FAR):.2f} % within {FAR:.0f}; of single forces "
-        f"{100 * np.mean(each <= FAR):.2f} % within {FAR:.0f}; largest error "
-        f"{max(f.units for f in found):.2f} units in the last place times condition number"
-    )
 
 
 def holds(found: list[Figures]) -> None:
@@ -122,11 +107,8 @@ def test_bound_is_never_below_the_true_error_and_seldom_far_above(precision: str
 
 @pytest.mark.slow
 @pytest.mark.parametrize("precision", PRECISIONS)
-def test_bound_holds_over_ten_thousand_cases(precision: str, capsys: pytest.CaptureFixture[str]) -> None:
-    found = swept(share(10_000))[precision]
-    with capsys.disabled():
-        print("\n" + report(found, precision))
-    holds(found)
+def test_bound_holds_over_ten_thousand_cases(precision: str) -> None:
+    holds(swept(share(10_000))[precision])
 
 
 @pytest.mark.parametrize("precision", PRECISIONS)
@@ -141,16 +123,14 @@ def test_forces_are_those_of_the_prepared_kernel_to_the_last_bit(precision: Any)
             np.testing.assert_array_equal(found.F, wanted)
 
 
-@pytest.mark.parametrize("precision", PRECISIONS)
-def test_bound_holds_where_products_are_fused_into_sums(
-    precision: Any, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    defines = {"STEWART_FLOAT": 1} if precision == "float" else {}
-    fused = native.load("fused", c_sources("exact_bounds"), ("-O1", "-ffp-contract=fast"), defines)
+def test_bound_holds_where_products_are_fused_into_sums(monkeypatch: pytest.MonkeyPatch) -> None:
+    """In float, whose bounds round as coarsely as the forces."""
+    flags = ("-O1", "-ffp-contract=fast")
+    fused = native.load("fused", c_sources("exact_bounds"), flags, {"STEWART_FLOAT": 1})
     monkeypatch.setattr(bounds, "function", lambda *names: getattr(fused, f"stewart_{names[0]}_{names[-1]}"))
     rng = np.random.default_rng(1)
     for number in range(20):
-        found = figures(*case(rng, number), precision)
+        found = figures(*case(rng, number), "float")
         assert found is not None
         assert found.least >= 1.0
 

@@ -44,4 +44,4 @@ def test_forces_are_those_of_the_kernel_and_within_their_bound(precision: str) -
 @pytest.mark.slow
 @pytest.mark.parametrize("precision", PRECISIONS)
 def test_forces_are_those_of_the_kernel_and_within_their_bound_over_ten_thousand(precision: str) -> None:
-    swept(precision, share(10_000))
+    swept(precision, share(10_000, 50))

@@ -393,26 +393,21 @@ def test_near_singular_poses_are_singular_or_right(shift: float, precision: str)
 @pytest.mark.slow
 @pytest.mark.parametrize("precision", PRECISIONS)
 def test_no_pose_of_a_wide_workspace_is_silent(precision: str) -> None:
-    """10^5 poses of the paper's machine, singular ones among them, and 10^4 of machines of 1 mm to 10 m."""
+    """25,000 poses of the paper's machine, singular ones among them, and 2,500 of machines of any size."""
     rng, robot = np.random.default_rng(3), dasgupta()
-    R, t = paper_poses(rng, 100_000, angle=0.4, way=0.2)
+    R, t = paper_poses(rng, 25_000, angle=0.4, way=0.2)
     L = lengths(robot, R, t)
     *found, status = forward(robot, L, *nudged(rng, R, t, 0.05, 0.05), precision)
     assert_nothing_is_silent(robot, *found, L, status)
-    lost = np.count_nonzero(status == results.NOT_CONVERGED)
-    print(f"paper's machine: {lost} not found, {np.count_nonzero(status == results.SINGULAR)} singular")
-    assert lost < 2e-4 * len(L)
-    lost = 0
-    for rng, robot in machines(40):
+    assert np.count_nonzero(status == results.NOT_CONVERGED) < 2e-4 * len(L)
+    for rng, robot in machines(10):
         motion = random_motion(rng, robot, (250,))
         L = ss.inverse_kinematics(robot, motion).L
         *found, status = forward(
             robot, L, *nudged(rng, motion.R, motion.t, 0.2, 0.2 * machine_size(robot)), precision
         )
         assert_nothing_is_silent(robot, *found, L, status)
-        lost += np.count_nonzero(status)
-    print(f"random machines: {lost} not found")
-    assert lost == 0
+        assert not status.any()
 
 
 def test_lengths_of_the_pose_found_match_at_50_digits() -> None:

@@ -22,10 +22,7 @@ KIT = [
     ("equations", "bias", "forward_dynamics", "joint_inertia"),
     ("derivatives", "linearisation"),
 ]
-SUBSETS = [
-    *(*KIT, emitted.FUNCTIONS),
-    *(pytest.param((function,), marks=pytest.mark.slow, id=function) for function in emitted.FUNCTIONS),
-]
+SUBSETS = [*KIT, emitted.FUNCTIONS]
 WARNINGS = ["-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wunused", "-Wmissing-prototypes", "-Werror"]
 
 

@@ -105,7 +105,7 @@ def changed(values: dict[str, mp.mpf], rng: np.random.Generator) -> dict[str, mp
 
 
 @pytest.mark.parametrize("sine", [1.0, 0.03, 1e-3, 1e-6, 1e-9])
-@pytest.mark.parametrize("seed", [1, *(pytest.param(seed, marks=pytest.mark.slow) for seed in range(2, 12))])
+@pytest.mark.parametrize("seed", [1, *(pytest.param(seed, marks=pytest.mark.slow) for seed in (2, 3))])
 def test_error_is_a_few_times_the_sensitivity_near_joint_singularities(seed: int, sine: float) -> None:
     """Of each column, by the 50-digit blocks at inputs that differ by half a rounding unit."""
     robot, motion = near_joint_singularity(seed, sine)

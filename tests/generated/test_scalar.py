@@ -6,12 +6,12 @@ from typing import Any, cast
 
 import numpy as np
 import pytest
-from float_machines import BOUND, any_machine
+from float_machines import BOUND
 from leaning_legs import leaning
-from machines import dasgupta, random_motion, random_robot
+from machines import random_motion, random_robot
 from near_singular import near_singular_motion
 from scalar_kernels import UNTOUCHED, Array, Kernel, compiled, numbers, plain_blocks, prepared
-from sweeps import FULL, share
+from sweeps import FULL
 from unsolvable_poses import leg_along_its_axis, singular, zero_length_leg
 
 import stewart_sym as ss
@@ -35,7 +35,7 @@ EPSILON = {"double": float(np.finfo(np.float64).eps), "float": float(np.finfo(np
 PLAIN = ["general", "massless_static"]
 # Each model of the legs, at rest and moving, with friction and without; the rest with STEWART_FULL=1. A kit
 # of every level proves itself in `test_kit`.
-SPANNING = ["general_static", "massless_friction", "slender", "point_masses_friction", "axisymmetric"]
+SPANNING = ["general_static", "slender", "point_masses_friction"]
 OTHERS = [level for level in fidelity.FIDELITIES if level not in PLAIN and (FULL or level in SPANNING)]
 LEVELS = [*PLAIN, *(pytest.param(level, marks=pytest.mark.slow) for level in OTHERS)]
 
@@ -105,45 +105,6 @@ def test_every_formulation_and_joint_answers_as_with_lanes(
         agree(
             prepared(robot, formulation, "general", precision), robot, motion, formulation, "general", BOUND
         )
-
-
-@pytest.mark.parametrize("level", LEVELS)
-def test_a_baked_kernel_answers_as_with_lanes(level: str) -> None:
-    for robot in (dasgupta(), machine_of(level, 3)):
-        motion = random_motion(np.random.default_rng(4), robot, (20,))
-        agree(baked_kernel(robot, level), robot, motion, "exact", level, BOUND)
-
-
-@pytest.mark.slow
-def test_a_baked_kernel_in_float_answers_as_with_lanes() -> None:
-    robot = random_robot(np.random.default_rng(5), scale=1e-3)
-    motion = random_motion(np.random.default_rng(6), robot, (20,))
-    agree(baked_kernel(robot, "general", "float"), robot, motion, "exact", "general", BOUND)
-
-
-def float_error(rng: np.random.Generator) -> float:
-    """Error in rounding units of float, condition number and largest force; inputs rounded to float too."""
-    robot, motion = any_machine(rng)
-    formulation = "exact" if rng.random() < 0.7 else "paper"
-    truth = ss.inverse_dynamics(robot, motion, formulation)  # type: ignore[arg-type]
-    status, F = prepared(robot, formulation, "general", "float").one(numbers(motion))
-    assert status == OK
-    condition = ss.scaled_condition_number(truth.H, ss.characteristic_length(robot))
-    largest = max(np.abs(values).max() for values in (truth.F, truth.D, truth.x))
-    return float(np.abs(F - truth.F).max() / (EPSILON["float"] * condition * largest))
-
-
-def test_float_forces_are_within_100_units_times_condition_on_machines_of_any_size() -> None:
-    rng = np.random.default_rng(60)
-    assert max(float_error(rng) for _ in range(150)) <= BOUND
-
-
-@pytest.mark.slow
-def test_float_forces_are_within_100_units_times_condition_on_two_thousand_machines() -> None:
-    rng = np.random.default_rng(67)
-    errors = [float_error(rng) for _ in range(share(2_000))]
-    print(f"one-pose float, 2,000 machines: median {np.median(errors):.2f}, largest {max(errors):.2f} units")
-    assert max(errors) <= BOUND
 
 
 @pytest.mark.parametrize("scale", [1e-3, 1.0, 100.0])
@@ -229,7 +190,10 @@ def test_failures_have_the_status_of_the_lanes(make: Any, precision: str) -> Non
     robot, motion = make()
     for level in ("general", "massless_static"):
         lanes = ss.prepare(robot, "exact", precision, level)  # type: ignore[arg-type]
-        for kernel in (prepared(robot, "exact", level, precision), baked_kernel(robot, level, precision)):
+        kernels = [prepared(robot, "exact", level, precision)]
+        if (level == "general") == (precision == "double"):
+            kernels.append(baked_kernel(robot, level, precision))
+        for kernel in kernels:
             status, F = kernel.one(numbers(motion))
             assert status == lanes.status(motion)
             assert status == OK or (F == UNTOUCHED).all()
@@ -285,8 +249,7 @@ def test_a_robot_that_is_not_finite_is_rejected_and_the_model_left_alone(level: 
     call = getattr(kernel.library, f"stewart_{kernel.name}_pose_prepare")
     numbers = robot_numbers(robot)
     model = np.full(1000, UNTOUCHED)
-    lanes_name = fidelity.force_kernel_name(robot, "exact", level)
-    lanes = getattr(lanes_library(lanes_name), f"stewart_{lanes_name}_prepare")
+    lanes = ss.prepare(robot, fidelity=level).function("prepare")
     other, rejected = np.full(5000, UNTOUCHED), 0
     for where in range(numbers.size):
         for value in (np.nan, np.inf, 1e308):
@@ -304,10 +267,6 @@ def test_a_robot_that_is_not_finite_is_rejected_and_the_model_left_alone(level: 
         assert call(*map(ctypes.c_void_p, pointers)) == BAD_ARGUMENT
 
 
-def lanes_library(name: str) -> ctypes.CDLL:
-    return native.load("lanes", c_sources(f"{name}_forces"))
-
-
 @pytest.mark.slow
 def test_kernels_with_and_without_lanes_stand_side_by_side() -> None:
     """No name of the one is a name of the other."""
@@ -317,7 +276,7 @@ def test_kernels_with_and_without_lanes_stand_side_by_side() -> None:
         **scalar.files(kernel, None, ""),
         "both.c": '#include "stewart_exact_forces.h"\n#include "stewart_exact_pose.h"\n',
     }
-    both = native.load("both", sources)
+    both = native.load("both", sources, ["-O0"])
     assert both.stewart_exact_forces
     assert both.stewart_exact_pose_forces
 

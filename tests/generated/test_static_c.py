@@ -120,16 +120,13 @@ def test_every_template_is_filled_somewhere(folder: Path) -> None:
 
 def literals(path: Path) -> Iterator[tuple[int, int]]:
     """Line and height of each string over several lines that is no docstring."""
-    tree = ast.parse(path.read_text(encoding="utf-8"))
-    statements = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
-    inside = {
-        id(part) for node in ast.walk(tree) if isinstance(node, ast.JoinedStr) for part in ast.walk(node)
-    } - {id(node) for node in ast.walk(tree) if isinstance(node, ast.JoinedStr)}
-    for node in ast.walk(tree):
-        text = isinstance(node, ast.JoinedStr) or (
-            isinstance(node, ast.Constant) and isinstance(node.value, str)
-        )
-        if text and id(node) not in statements | inside:
+    nodes = list(ast.walk(ast.parse(path.read_text(encoding="utf-8"))))
+    joined = [node for node in nodes if isinstance(node, ast.JoinedStr)]
+    left_out = {id(node.value) for node in nodes if isinstance(node, ast.Expr)}
+    left_out |= {id(part) for node in joined for part in ast.walk(node) if part is not node}
+    texts = [node for node in nodes if isinstance(node, ast.Constant) and isinstance(node.value, str)]
+    for node in (*joined, *texts):
+        if id(node) not in left_out:
             yield node.lineno, (node.end_lineno or node.lineno) - node.lineno + 1
 
 

@@ -40,10 +40,9 @@ def apart(found: Array, expected: Array) -> Array:
     return np.abs(found - expected).max(axis=axes) / np.abs(expected).max(axis=axes)
 
 
-@pytest.mark.parametrize("part", [0, *(pytest.param(part, marks=pytest.mark.slow) for part in range(1, 4))])
-def test_rate_of_the_inertia_less_twice_the_coriolis_matrix_is_skew(part: int) -> None:
-    rng = np.random.default_rng(200 + part)
-    for _ in range(50):
+def test_rate_of_the_inertia_less_twice_the_coriolis_matrix_is_skew() -> None:
+    rng = np.random.default_rng(200)
+    for _ in range(25):
         robot = random_robot(rng)
         motion = batch(rng, robot, 2)
         e = ss.equations_of_motion(robot, motion)
@@ -180,7 +179,7 @@ def slopes(robot: Robot, motion: Motion, raw: list, place: int) -> mp.matrix:
     return columns
 
 
-@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("seed", range(2))
 def test_equations_agree_with_50_digits_to_rounding(seed: int) -> None:
     robot, motion, true = at_50_digits(seed)
     found = CClosedForm(robot).run("equations", motion)
@@ -190,7 +189,7 @@ def test_equations_agree_with_50_digits_to_rounding(seed: int) -> None:
         assert np.abs(found[name] - expected).max() <= 400 * EPSILON * scale, name
 
 
-@pytest.mark.parametrize("seed", [0, *(pytest.param(seed, marks=pytest.mark.slow) for seed in (1, 2))])
+@pytest.mark.parametrize("seed", range(2))
 def test_derivatives_of_the_forces_are_50_digit_differences(seed: int) -> None:
     robot, motion, true = at_50_digits(seed)
     found = ss.force_derivatives(robot, motion)

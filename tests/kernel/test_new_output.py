@@ -109,7 +109,7 @@ def test_two_files_give_every_language_a_new_output(language: str, kits: Path) -
 def test_the_same_two_files_give_c_a_new_output(kits: Path) -> None:
     robot, motion, answer = case()
     made = {path.name: path.read_text() for path in (kits / "c").iterdir()}
-    library = native.load("momentum", closed_form.c_sources() | made)
+    library = native.load("momentum", closed_form.c_sources() | made, ["-O0"])
     model, found = np.zeros(MODELS["exact"]), np.zeros(6)
     numbers = np.concatenate([np.ravel(getattr(motion, name)) for name in MOTION])
     given = kernel.robot_numbers(robot)

@@ -8,11 +8,10 @@ import machines
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from sweeps import FULL, share
+from sweeps import share
 from vectors_in_c import KIND, WHOLE, Array, functions_of, machine, ratios, ratios_in_c
 
 import stewart_sym as ss
-from stewart_sym.backend.fidelity import FIDELITIES
 from stewart_sym.backend.kernel import MOTION
 from stewart_sym.kinematics.conditioning import characteristic_length, scaled_condition_number
 from stewart_sym.kinematics.inverse import clear_of_joint_singularities
@@ -353,30 +352,23 @@ def test_machine_without_a_good_pose_is_rejected() -> None:
 
 
 @pytest.mark.slow
-def test_the_c_of_every_level_keeps_within_the_bounds() -> None:
-    for number, level in enumerate(FIDELITIES):
-        for precision in KIND if FULL else [list(KIND)[number % 2]]:
-            found = ratios_in_c(machine(), ("forces",), "exact", precision, level)["forces"]
-            assert 1e-3 < found.max() < 1, (level, precision)
+@pytest.mark.parametrize(
+    ("level", "precision"), [("frictionless", "double"), ("axisymmetric_friction", "float")]
+)
+def test_the_c_of_a_level_keeps_within_the_bounds(level: str, precision: str) -> None:
+    """Others than those of ``test_kit``, whose kits hold themselves to the same bounds."""
+    found = ratios_in_c(machine(), ("forces",), "exact", precision, level)["forces"]
+    assert 1e-3 < found.max() < 1
 
 
 @pytest.mark.slow
 def test_the_c_keeps_within_the_bounds_on_machines_of_any_size() -> None:
-    """Sizes from 1 mm to 10 m; prints how far below their bounds the errors are."""
-    found: dict[str, list[Array]] = {}
+    """Sizes from 1 mm to 10 m; no bound is far above what it bounds."""
     for seed in range(share(20, 10)):
         rng = np.random.default_rng(1000 + seed)
-        robot = machines.random_robot(
-            rng, "spherical" if seed % 3 == 1 else "universal", scale=10.0 ** rng.uniform(-3, 1)
-        )
-        runs = [("exact", "double"), ("exact", "float"), ("paper", ("double", "float")[seed % 2])]
-        for formulation, precision in runs:
-            functions = functions_of(robot, formulation)
-            for function, these in ratios_in_c(robot, functions, formulation, precision, count=2).items():
-                found.setdefault(function, []).append(these)
-    for function, parts in found.items():
-        ratio = np.concatenate(parts)
-        median = np.median(ratio[ratio > 0])
-        print(f"{function}: error over bound: median {median:.2g}, largest {ratio.max():.2g}")
-        assert ratio.max() < 1, function
-        assert median > 1e-4, function
+        joint = "spherical" if seed % 3 == 1 else "universal"
+        robot = machines.random_robot(rng, joint, scale=10.0 ** rng.uniform(-3, 1))
+        precision = ("double", "float")[seed % 2]
+        for function, these in ratios_in_c(robot, functions_of(robot), "exact", precision, count=2).items():
+            assert these.max() < 1, function
+            assert np.median(these[these > 0]) > 1e-4, function

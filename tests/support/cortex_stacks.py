@@ -23,28 +23,39 @@ from stewart_sym.studies.microcontroller import toolchain
 from stewart_sym.studies.microcontroller.toolchain import CORES, Core
 
 
-def stacks(
-    robots: Iterable[Robot],
-    progress: Progress = silent,
-    levels: Iterable[str] = (*fidelity.FIDELITIES, *fidelity.DRIVE_FIDELITIES),
-) -> dict[str, Any]:
+def stacks(wishes: Iterable[tuple[Robot, Choice]], progress: Progress = silent) -> dict[str, Any]:
     """Bytes by function and precision, and the compiler that they are of.
 
-    robots: one of each kind of base joint, with rotors and without; their numbers do not count. levels: of
-    fidelity. Raises CompilerError where a tool is missing or fails.
+    wishes: robots, whose numbers do not count, and what their kits hold. Raises CompilerError where a tool is
+    missing or fails.
     """
     if said := toolchain.missing():
         raise CompilerError(said)
     found: dict[str, int] = {}
-    for made, choice in (each for robot in robots for each in _all_parts(robot, levels)):
-        core = CORES[choice.precision]
-        for name, size in _measured(core, made, choice, found).items():
+    for robot, choice in wishes:
+        check(choice, robot)
+        for name, size in _measured(CORES[choice.precision], parts(robot, choice), choice, found).items():
             progress(name)
             found[name] = size
     compiler = _compiler()
     cores = " and ".join(f"{core.name} ({precision})" for precision, core in CORES.items())
     flags = " ".join(flag for flag in toolchain.FLAGS if flag.startswith(("-O", "-f")))
     return {"by": f"{compiler}, {flags}, {cores}", "bytes": dict(sorted(found.items()))}
+
+
+def every_choice(robots: Iterable[Robot]) -> Iterator[tuple[Robot, Choice]]:
+    """Choices that together hold every function for machines of each kind."""
+    for robot in robots:
+        for formulation in ("exact",) if robot.has_rotors else ("exact", "paper"):
+            functions = ["reactions", "kinematics", *([] if robot.drive is None else ["torque"])]
+            if (robot.base_joint, formulation) == ("universal", "exact"):
+                functions += ["motion", "derivatives"]
+            asked = [Choice(tuple(functions), formulation)]
+            for level in fidelity.available(robot, formulation):
+                asked += [Choice(("forces",), formulation, level, scalar=scalar) for scalar in (False, True)]
+            for choice in asked:
+                for precision in CORES:
+                    yield robot, dataclasses.replace(choice, precision=precision)
 
 
 def _compiler() -> str:
@@ -60,22 +71,6 @@ def _joined(core: Core, objects: Iterable[Path], target: Path) -> Path:
     names = (path.name for path in objects)
     native.ran((toolchain.GCC, *flags, *names, "-lm", "-o", target.name), target.parent)
     return target
-
-
-def _all_parts(robot: Robot, levels: Iterable[str]) -> Iterator[tuple[Parts, Choice]]:
-    """Parts of choices that together hold every function for such a machine."""
-    for formulation in ("exact",) if robot.has_rotors else ("exact", "paper"):
-        functions = ["reactions", "kinematics", *([] if robot.drive is None else ["torque"])]
-        if (robot.base_joint, formulation) == ("universal", "exact"):
-            functions += ["motion", "derivatives"]
-        asked = [Choice(tuple(functions), formulation)]
-        for level in [each for each in levels if each in fidelity.available(robot, formulation)]:
-            asked += [Choice(("forces",), formulation, level, scalar=scalar) for scalar in (False, True)]
-        for choice in asked:
-            for precision in CORES:
-                wish = dataclasses.replace(choice, precision=precision)
-                check(wish, robot)
-                yield parts(robot, wish), wish
 
 
 def _measured(core: Core, made: Parts, choice: Choice, known: dict[str, int]) -> dict[str, int]:

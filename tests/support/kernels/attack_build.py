@@ -83,7 +83,7 @@ def built(
     for stem, (kernel, oracle) in attacked.items():
         jobs.append([str(GENERATED / f"{stem}.c"), "-o", f"{stem}.o"])
         named = [f"-DKERNEL={kernel}", f'-DHEADER="{stem}.h"']
-        jobs.append([str(ATTACK / f"attack_{oracle}.c"), *named, "-o", f"oracle_{stem}.o"])
+        jobs.append([str(ATTACK / f"attack_{oracle}.c"), *named, "-O0", "-o", f"oracle_{stem}.o"])
     with ThreadPoolExecutor(cpu_count() or 1) as pool:
         list(pool.map(lambda job: ran([*common, *job], folder), jobs))
     program = folder / "attack"

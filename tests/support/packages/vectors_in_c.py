@@ -33,7 +33,7 @@ def functions_of(robot: Robot, formulation: str = "exact") -> tuple[str, ...]:
 def motion_library(precision: str) -> ctypes.CDLL:
     if precision == "double":
         return closed_form.library()
-    return native.load("stewart_exact_motion", closed_form.c_sources(), defines={"STEWART_FLOAT": 1})
+    return native.load("stewart_exact_motion", closed_form.c_sources(), ["-O0"], {"STEWART_FLOAT": 1})
 
 
 def in_c(robot: Robot, vector: Vector, formulation: str, precision: str, fidelity: str) -> dict[str, Array]:

@@ -19,8 +19,6 @@ from stewart_sym.backend.c_kernel import c_sources
 
 Array = NDArray[np.float64]
 
-NONE = -1
-"""In place of a mutant's number."""
 UNIT = 2.0**-24
 SLIGHT = 0.01
 """Share of the bound's own rounding that squares of it may take."""
@@ -31,8 +29,8 @@ VALUES = 4
 
 
 @functools.cache
-def _library() -> tuple[ctypes.CDLL, list[rounding.Mutant]]:
-    text, made = rounding.switched(c_sources("exact_bounds")["stewart_exact_bounds.c"])
+def _library() -> ctypes.CDLL:
+    text = c_sources("exact_bounds")["stewart_exact_bounds.c"]
     parts = []
     for name in ("rotation_error", "solution_error"):
         found = re.search(rf"^static \w+ {name}\(.*?^\}}", text, re.M | re.S)
@@ -54,30 +52,12 @@ def _library() -> tuple[ctypes.CDLL, list[rounding.Mutant]]:
     assert count == more == VALUES
     rotation = rotation.replace(high[0], high[1])
     sources = {"parts.cpp": _NUMBER + rotation + parts[1] + _RUN}
-    return rounding.compiled(sources, "parts.cpp"), made
+    return rounding.compiled(sources, "parts.cpp")
 
 
-def mutants() -> list[tuple[int, rounding.Mutant]]:
-    """Those of the two functions, by their numbers."""
-    return [
-        (n, each)
-        for n, each in enumerate(_library()[1])
-        if each.function in ("rotation_error", "solution_error")
-    ]
-
-
-@functools.cache
-def _finite() -> list[bool]:
-    """Which of the systems have a bound: of others errors are too far from each other in size."""
-    finite: list[bool] = []
-    assert holds(NONE, finite)
-    return finite
-
-
-def holds(mutant: int = NONE, finite: list[bool] | None = None) -> bool:
-    """Whether the bounds, or a mutant of them, are above the worst everywhere, and finite where they were."""
-    library, _ = _library()
-    finite = [] if finite is None else finite
+def holds() -> bool:
+    """Whether the bounds are above the worst everywhere."""
+    library = _library()
     for R in _rotations():
         exact = abs(R.reshape(3, 3).T @ R.reshape(3, 3) - np.eye(3))
         high = np.rint(R * 4096) / 4096
@@ -86,7 +66,7 @@ def holds(mutant: int = NONE, finite: list[bool] | None = None) -> bool:
         least = np.append(exact.ravel(), exact.sum(axis=1).max() / 2)
         own = UNIT * np.append((sizes + exact).ravel(), (sizes + exact).sum(axis=1).max())
         found = np.zeros(10)
-        library.rotation(_at(R), ctypes.c_int(mutant), _at(found))
+        library.rotation(_at(R), _at(found))
         if not (found >= least - SLIGHT * own).all():
             return False
     for H, H_err, c, c_err, c_own, x, Y in _systems():
@@ -94,14 +74,12 @@ def holds(mutant: int = NONE, finite: list[bool] | None = None) -> bool:
         error, found = abs(Y) @ doubt, np.zeros(6)
         library.solution(
             *(_at(each) for each in (H, H_err, c, c_err, c_own, x, Y, error)),
-            ctypes.c_int(mutant),
             _at(found),
         )
         least = np.array([_farthest(i, H, H_err, c, c_err + c_own, x, Y) for i in range(6)])
-        finite.append(bool(np.isfinite(found).all()))
         if not (found >= least * (1 - NOISE)).all():
             return False
-    return mutant == NONE or finite == _finite()
+    return True
 
 
 def _at(array: Array) -> ctypes.c_void_p:
@@ -183,7 +161,7 @@ def _farthest(i: int, H: Array, H_err: Array, c: Array, c_err: Array, x: Array, 
 _NUMBER = """\
 #include <cmath>
 #include <cstring>
-static int mutant, exact = 1, made;
+static int exact = 1, made;
 static double rounded[100000];
 struct Number {
     double v;
@@ -271,18 +249,16 @@ static void run_solution(double *out)
     }
 }
 
-extern "C" void rotation(const double *matrix, int which, double *out)
+extern "C" void rotation(const double *matrix, double *out)
 {
-    mutant = which;
     memcpy(R, matrix, sizeof R);
     worst(run_rotation, 10, out);
 }
 
 extern "C" void solution(
     const double *H, const double *H_err, const double *c, const double *c_err, const double *c_own,
-    const double *at, const double *inverse, const double *first, int which, double *out)
+    const double *at, const double *inverse, const double *first, double *out)
 {
-    mutant = which;
     memcpy(of.H, H, sizeof of.H);
     memcpy(of.H_err, H_err, sizeof of.H_err);
     memcpy(of.c, c, sizeof of.c);

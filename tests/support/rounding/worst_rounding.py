@@ -11,12 +11,10 @@ import functools
 import re
 import subprocess
 import tempfile
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from bound_statements import mutants, split
 from numpy.typing import NDArray
 
 from stewart_sym.backend.c_kernel import c_sources
@@ -33,21 +31,9 @@ UNIT = {"double": 2.0**-53, "float": 2.0**-24}
 EVERY, NONE = -1, -2
 """In place of a group of operations: all of them round, or none does."""
 
-_VALUES = "sum|product|one|other|small|high|low|shift|grid|rest|Y_force|Y_moment|Y_arm|D_weight|x|numbers"
-"""What stands for numbers and not for bounds of errors, in functions that no block makes."""
-
 _STATEMENT = re.compile(r"^( +)const stewart_real (\w+) =", re.M)
 _ADDITION = re.compile(r"^( +)add\(&([^,]+), ", re.M)
 _FUNCTION = re.compile(r"^(?:static )?(?:int|void|stewart_real) (\w+)\(", re.M)
-
-
-@dataclass(frozen=True)
-class Mutant:
-    """A change of one expression of the C: in a function, what stands there and what stands in its place."""
-
-    function: str
-    whole: str
-    variant: str
 
 
 def block_of(function: str) -> str:
@@ -90,53 +76,6 @@ def marked(text: str) -> tuple[str, list[str]]:
     return "".join(part(name, body) for name, body in _functions(text)), list(groups)
 
 
-def switched(text: str) -> tuple[str, list[Mutant]]:
-    """The C in which ``mutant`` chooses among changes of what weighs and collects the errors."""
-    made: list[Mutant] = []
-
-    def choice(function: str, whole: str, variants: list[str]) -> str:
-        for variant in variants:
-            made.append(Mutant(function, whole, variant))
-            whole = f"mutant == {len(made) - 1} ? ({variant}) : {whole}"
-        return f"({whole})"
-
-    def term(function: str, text: str) -> str:
-        return choice(function, text, ["Number(0)"])
-
-    def weighed(function: str, body: str) -> str:
-        def total(found: re.Match[str]) -> str:
-            first, *terms = " ".join(found[2].split()).split(" + ")
-            return f"{found[1]}{' + '.join([first, *(term(function, each) for each in terms)])};"
-
-        def addition(found: re.Match[str]) -> str:
-            start, slope, error = (each.strip() for each in found[1].rsplit(", ", 2))
-            name = re.findall(r"[.](\w+)_legs\[(\d+)\]", start)[0]
-            made_here = Mutant(function, f"slope of {''.join(name)}", "none")
-            made.append(made_here)
-            return f"add({start}, mutant == {len(made) - 1} ? Number(0) : {slope}, {error});"
-
-        body = re.sub(r"(        error\[i\] = )(error\[i\] \+ [^;]+);", total, body)
-        return re.sub(r"add\((&slopes[^;]+)\);", addition, body)
-
-    def by_hand(function: str, body: str) -> str:
-        def statement(found: re.Match[str]) -> str:
-            of_value = re.search(rf"[ *]({_VALUES})\b\S* = $", found[1])
-            if of_value or len(split(found[2], ", ")) > 1 or re.fullmatch(r"\w+|.*\?.*", found[2]):
-                return found[0]
-            return f"{found[1]}{choice(function, found[2], mutants(found[2]))};"
-
-        assigned = r"(?:const )?(?:stewart_real )?[\w.>+* \[\]-]+ = |return (?=total)"
-        return re.sub(rf"(\n +(?:{assigned}))([^;={{]+);", statement, body)
-
-    pieces = _functions(text)
-    for i, (name, body) in enumerate(pieces):
-        if name.startswith(("shared_errors", "leg_errors")):
-            pieces[i] = name, weighed(name, body)
-        elif name in ("solution_error", "rotation_error", "stretch_error", "bound_of_pose"):
-            pieces[i] = name, by_hand(name, body)
-    return "".join(body for _, body in pieces), made
-
-
 def _functions(text: str) -> list[tuple[str, str]]:
     """The text cut before each function, each part with that function's name."""
     starts = [(found.start(), found[1]) for found in _FUNCTION.finditer(text)]
@@ -146,18 +85,12 @@ def _functions(text: str) -> list[tuple[str, str]]:
 
 
 @functools.cache
-def _traced() -> tuple[ctypes.CDLL, list[str], list[Mutant]]:
+def _traced() -> tuple[ctypes.CDLL, list[str]]:
     sources = c_sources("exact_bounds")
-    text, made = switched(sources["stewart_exact_bounds.c"])
-    text, groups = marked(text)
+    text, groups = marked(sources["stewart_exact_bounds.c"])
     text = text.replace("#define STEWART_UNIT (STEWART_EPSILON *", "#define STEWART_UNIT (epsilon_here() *")
-    return (
-        compiled(
-            {**sources, "stewart_exact_bounds.c": text, "traced.h": _NUMBER, "traced.cpp": _RUN}, "traced.cpp"
-        ),
-        groups,
-        made,
-    )
+    files = {**sources, "stewart_exact_bounds.c": text, "traced.h": _NUMBER, "traced.cpp": _RUN}
+    return compiled(files, "traced.cpp"), groups
 
 
 def compiled(sources: dict[str, str], entry: str) -> ctypes.CDLL:
@@ -177,11 +110,6 @@ def groups() -> list[str]:
     return _traced()[1]
 
 
-def all_mutants() -> list[Mutant]:
-    """Every change that ``Pose.bound`` numbers."""
-    return _traced()[2]
-
-
 class Pose:
     """One pose: the record of its operations, and what the worst rounding of all or of some makes of it.
 
@@ -190,7 +118,7 @@ class Pose:
     """
 
     def __init__(self, robot: Robot, motion: Motion, unit: float) -> None:
-        self._library, names, _ = _traced()
+        self._library, names = _traced()
         self._unit = unit
         self._numbers = robot_numbers(robot).astype(Real)
         at = [np.zeros(3) if getattr(motion, name) is None else getattr(motion, name) for name in MOTION]
@@ -212,34 +140,26 @@ class Pose:
         status: int = self._library.record(ctypes.c_int(len(names)), *arguments)
         return status
 
-    def worst(self, force: int, group: int = EVERY, mutant: int = -1) -> tuple[float, float]:
+    def worst(self, force: int, group: int = EVERY) -> tuple[float, float]:
         """Error and bound of one force, N, when all that rounds does so against it.
 
         group: only these operations round, and are counted, and R is a rotation. Runs on the record of the
         pose that was made last.
         """
         strain = _worst_strain(self._R, self._slopes[force])[0] if group == EVERY else np.zeros((3, 3))
-        return self._perturbed(force, group, mutant, strain)
+        return self._perturbed(force, group, strain)
 
-    def stretched(self, force: int, strain: Array, mutant: int = -1) -> tuple[float, float]:
+    def stretched(self, force: int, strain: Array) -> tuple[float, float]:
         """The same with no rounding, R stretched by the symmetric ``strain`` times the unit."""
-        return self._perturbed(force, NONE, mutant, strain)
+        return self._perturbed(force, NONE, strain)
 
-    def bounds(self, strain: Array, mutant: int = -1) -> Array:
-        """Bounds of all forces, (6,), R stretched."""
-        return self._run(0, EVERY, mutant, strain)[1].astype(float)
-
-    def _perturbed(self, force: int, group: int, mutant: int, strain: Array) -> tuple[float, float]:
-        F, bound = self._run(force, group, mutant, strain)
-        return float(abs(F[force] - self.F[force])), float(bound[force])
-
-    def _run(self, force: int, group: int, mutant: int, strain: Array) -> tuple[Array, Array]:
+    def _perturbed(self, force: int, group: int, strain: Array) -> tuple[float, float]:
         R = self._R @ (np.eye(3, dtype=Real) + self._unit * strain.astype(Real))
         given, F, bound = np.concatenate([R.ravel(), self._rest]), np.zeros(6, Real), np.zeros(6, Real)
-        chosen = map(ctypes.c_int, (force, group, mutant))
+        chosen = map(ctypes.c_int, (force, group))
         if self._library.perturbed(*chosen, *map(_pointer, (self._numbers, given, F, bound))):
             raise ValueError("motion: expected a pose that can be solved however it is rounded")
-        return F, bound
+        return float(abs(F[force] - self.F[force])), float(bound[force])
 
 
 def _rotation(R: Array) -> Array:
@@ -275,7 +195,7 @@ enum { EVERY = -1, NONE = -2 };
 
 static std::vector<Operation> tape;
 static std::vector<signed char> against[6];
-static int force = -1, group_here = 0, only = EVERY, mutant = -1;
+static int force = -1, group_here = 0, only = EVERY;
 static long double unit;
 
 static void MARK(int group) { group_here = group; }
@@ -436,15 +356,14 @@ extern "C" int record(
 }
 
 extern "C" int perturbed(
-    int of, int group, int changed, const long double *numbers, const long double *motion, long double *F,
+    int of, int group, const long double *numbers, const long double *motion, long double *F,
     long double *bound)
 {
     Number found[6], limits[6];
     force = of;
     only = group;
-    mutant = changed;
     const int status = run(numbers, motion, found, limits, NULL);
-    force = mutant = -1;
+    force = -1;
     only = EVERY;
     for (int i = 0; i < 6; ++i) {
         F[i] = found[i].value;
