@@ -91,7 +91,7 @@ def test_the_package_names_its_own_modules_relatively() -> None:
     absolute = [
         f"{module}: {name}"
         for module in SOURCES
-        for node in statements(module)
+        for node in statements(module, False)
         if isinstance(node, ast.Import) or node.level == 0
         for name in targets(module, node)
         if name.partition(".")[0] == PACKAGE
