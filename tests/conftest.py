@@ -26,7 +26,7 @@ SHARING = (
     ("test_controller",),
     ("test_cpp",),
     ("test_cost_accuracy", "test_advice"),
-    ("test_cost_plot",),
+    ("test_cost_plot", "test_pictures"),
     ("test_fmu", "test_fmu_files"),
     # What is derived for the first is there for the others.
     (
@@ -40,7 +40,6 @@ SHARING = (
     ("test_degenerate_families", "test_proportions", "test_stability"),
     ("test_noise",),
     ("test_along_path",),
-    ("test_pictures",),
     ("test_reproduce",),
     # One browser.
     ("test_controls", "test_reports", "test_pixels"),

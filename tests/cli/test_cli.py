@@ -3,7 +3,6 @@
 import re
 import subprocess
 import sys
-import time
 from collections.abc import Callable
 from pathlib import Path
 
@@ -279,27 +278,6 @@ def test_generate_lists_the_files_and_writes_none(robot: Path, capsys: pytest.Ca
     assert not target.exists()
     assert main(asked) == 0
     assert capsys.readouterr().out.splitlines() == listed
-
-
-@pytest.mark.slow
-def test_generate_that_is_told_to_end_leaves_the_old_kit_whole(robot: Path) -> None:
-    """Whenever the signal comes: every file is of one kit or every file is of the other."""
-    target = robot.parent / "kit"
-    command = [sys.executable, "-m", "stewart_sym.cli.main", "generate", str(robot), "-o", str(target)]
-    states = []
-    kits = ([], ["--formulation", "paper"])
-    for options in kits:
-        subprocess.run([*command, *options], check=True, capture_output=True)
-        states.append(folder_state(target))
-    started = time.monotonic()
-    subprocess.run([*command, *kits[0]], check=True, capture_output=True)
-    needed = time.monotonic() - started
-    for turn in range(4):
-        process = subprocess.Popen([*command, *kits[turn % 2]], stdout=subprocess.DEVNULL)
-        time.sleep(needed * (0.75 + 0.05 * turn))
-        process.terminate()
-        process.wait()
-        assert folder_state(target) in states
 
 
 # the command as a whole

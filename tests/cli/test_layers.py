@@ -32,14 +32,17 @@ def imports(module: str, only_top: bool = False) -> frozenset[str]:
     return frozenset(name for node in statements(module, only_top) for name in targets(module, node))
 
 
-def statements(module: str, only_top: bool = False) -> Iterator[ast.Import | ast.ImportFrom]:
+@cache
+def statements(module: str, only_top: bool = False) -> list[ast.Import | ast.ImportFrom]:
+    found = []
     waiting: list[ast.AST] = [ast.parse(SOURCES[module].read_text(encoding="utf-8"))]
     while waiting:
         node = waiting.pop()
         if isinstance(node, ast.Import | ast.ImportFrom):
-            yield node
+            found.append(node)
         if not (only_top and isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)):
             waiting += [each for each in ast.iter_child_nodes(node) if not isinstance(each, ast.expr)]
+    return found
 
 
 def targets(module: str, node: ast.Import | ast.ImportFrom) -> Iterator[str]:
@@ -88,7 +91,7 @@ def test_the_package_names_its_own_modules_relatively() -> None:
     absolute = [
         f"{module}: {name}"
         for module in SOURCES
-        for node in statements(module)
+        for node in statements(module, False)
         if isinstance(node, ast.Import) or node.level == 0
         for name in targets(module, node)
         if name.partition(".")[0] == PACKAGE

@@ -74,10 +74,9 @@ def random_values(block: Block, seed: int) -> dict[str, mp.mpf]:
 
 
 @OF_EACH_FORMULATION
-@pytest.mark.parametrize("friction", [True, pytest.param(False, marks=pytest.mark.slow)])
-def test_sharing_keeps_every_output_and_costs_less(form, friction: bool) -> None:
+def test_sharing_keeps_every_output_and_costs_less(form) -> None:
     with mp.workdps(50):
-        for block in derived(form, friction).blocks:
+        for block in derived(form).blocks:
             shared = share(block)
             values = random_values(block, seed=1)
             before, after = block.run(values, mp.sqrt), shared.run(values, mp.sqrt)

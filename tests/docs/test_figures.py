@@ -28,7 +28,6 @@ from stewart_sym.studies.control import control
 from stewart_sym.studies.control import published as published_control
 from stewart_sym.studies.control import report as control_report
 from stewart_sym.studies.paper.reproduce import work_energy
-from stewart_sym.studies.reports import energy_drift
 
 FAULTS, CHECKS = ".docs/explanation/faults.md", ".docs/explanation/checks.md"
 BENCHMARKS = ".docs/reference/benchmarks.md"
@@ -277,8 +276,9 @@ def test_every_figure_of_failures_that_is_shown_changes_a_table() -> None:
 
 @pytest.mark.slow
 def test_the_committed_run_of_control_is_what_the_code_computes() -> None:
+    """On the shorter path; the notebook has both of the machine as printed."""
     committed, machines = figures("control"), control.papers_machines()
-    studies = {label: control.track_paths(robot, control.TRACKED) for label, robot in machines.items()}
+    studies = {label: control.track_paths(robot, ("II",)) for label, robot in machines.items()}
     found = json.loads(json.dumps(control_report.as_json(studies)))
     assert found["settings"] == committed["settings"]
     assert found["machines"].keys() == committed["machines"].keys()
@@ -333,16 +333,3 @@ def test_scene_of_the_paper_is_a_valid_scene_of_springs(tmp_path: Path) -> None:
     scene = paper_scene(tmp_path)
     assert scene.robot.name == ss.robots.dasgupta1998().name
     assert isinstance(scene.law, ss.LegSprings)
-
-
-@pytest.mark.slow
-def test_energy_of_the_scene_example_drifts_by_what_the_page_says(tmp_path: Path) -> None:
-    scene = paper_scene(tmp_path)
-    drifts = energy_drift.energy_drift(scene.law, scene.state, scene.duration)
-    said = re.search(
-        r"by less than (\S+) of the mean kinetic energy with `exact`, by up to (\d+) %", prose_of(FAULTS)
-    )
-    assert said
-    assert drifts["exact"].worst < float(said[1])
-    assert round(100 * drifts["paper"].worst) == int(said[2])
-    assert {drift.times[-1] for drift in drifts.values()} == {scene.duration}

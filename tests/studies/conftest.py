@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from cost_figures import SCENE, hasty
 from machines import dasgupta, random_motion, random_robot
+from quick_compiler import compile_quickly
 from robot_files import scene_of
 from small_bench import poses_of, shorten
 
@@ -34,6 +35,12 @@ def on_path_i(found: CostAccuracy) -> CostAccuracy:
     """The same on Path I alone."""
     entries = tuple(dataclasses.replace(entry, errors={"I": entry.errors["I"]}) for entry in found.entries)
     return dataclasses.replace(found, peaks={"I": found.peaks["I"]}, poses={"I": 61}, entries=entries)
+
+
+@pytest.fixture
+def quickly(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Kernels whose speed does not matter."""
+    compile_quickly(monkeypatch)
 
 
 @pytest.fixture

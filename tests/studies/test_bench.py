@@ -3,6 +3,7 @@
 import dataclasses
 import gc
 import re
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -16,7 +17,7 @@ from stewart_sym.exchange.machine import robot_of_bodies
 from stewart_sym.io.extras import EXTRAS
 from stewart_sym.robot.bodies import tensors_of_bodies
 from stewart_sym.robot.robot import Robot
-from stewart_sym.studies.benchmark import bench, equation_kernels, reductions
+from stewart_sym.studies.benchmark import baselines, bench, equation_kernels, reductions
 from stewart_sym.studies.benchmark.baselines import JAX, Candidate, Runner, jax_one_pose
 from stewart_sym.studies.benchmark.called import Called
 from stewart_sym.studies.benchmark.engines.drake_inverse import drake_inverse
@@ -54,7 +55,10 @@ def test_a_candidate_computes_the_forces_of_any_machine(candidate: Candidate, st
 @pytest.mark.parametrize(
     "candidate", [each for each in CONTESTANTS if each.function], ids=lambda candidate: candidate.name
 )
-def test_c_with_other_flags_computes_the_same_forces(candidate: Candidate, stranger: Poses) -> None:
+def test_c_with_other_flags_computes_the_same_forces(
+    candidate: Candidate, stranger: Poses, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    compile_quickly(monkeypatch)
     for flags in (FUSED, *(kind.flags for kind in targets()[1:])):
         other = dataclasses.replace(candidate, flags=flags)
         assert other.label != candidate.label
@@ -62,10 +66,23 @@ def test_c_with_other_flags_computes_the_same_forces(candidate: Candidate, stran
         test_a_candidate_computes_the_forces_of_any_machine(other, stranger)
 
 
-@pytest.mark.slow
-def test_jax_computes_the_forces_of_any_machine(stranger: Poses) -> None:
-    test_a_candidate_computes_the_forces_of_any_machine(JAX, stranger)
-    called_computes_the_forces_of(jax_one_pose(stranger), stranger)
+def test_jax_runs_the_kernel_on_every_pose(stranger: Poses, monkeypatch: pytest.MonkeyPatch) -> None:
+    """With a formula in the kernel's place, which JAX compiles at once."""
+
+    def weighed(robot: Robot, on: Any, formulation: str) -> Any:
+        assert (robot, formulation) == (stranger.robot, "exact")
+        return SimpleNamespace(
+            forces=lambda R, t, *rest: SimpleNamespace(F=on.full(6, R[0] @ t + rest[-1][1]))
+        )
+
+    monkeypatch.setattr(baselines, "array_kernel", weighed)
+    motion = stranger.motion
+    F = np.einsum("ni,ni->n", motion.R[:, 0], motion.t) + motion.M_ext[:, 1]
+    runner, one_pose = JAX.runner(stranger), jax_one_pose(stranger)
+    for found in (runner.F(), one_pose.F()):
+        np.testing.assert_allclose(found, np.tile(F[:, None], 6), rtol=1e-12)
+    for part in (runner, *one_pose.parts, one_pose.empty):
+        part.run(1)
 
 
 def test_a_full_run_without_jax_says_so_and_a_quick_one_needs_none(
@@ -148,7 +165,10 @@ def test_every_pass_computes_the_forces_of_any_machine_from_its_own_model(strang
 
 
 @pytest.mark.slow
-def test_every_derived_pass_computes_the_forces_of_any_machine(stranger: Poses) -> None:
+def test_every_derived_pass_computes_the_forces_of_any_machine(
+    stranger: Poses, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    compile_quickly(monkeypatch)
     stages_compute_the_forces_of(stranger)
 
 
@@ -177,10 +197,13 @@ def test_a_pass_with_wrong_forces_stops_the_run(number: int, monkeypatch: pytest
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", [7, 8])
-def test_all_of_the_second_group_agree_on_any_machine(seed: int) -> None:
-    rng = np.random.default_rng(seed)
-    robot = random_robot(rng, friction=seed % 2 == 0)
+@pytest.mark.parametrize("friction", [False, True])
+def test_all_of_the_second_group_agree_on_any_machine(
+    friction: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    compile_quickly(monkeypatch)
+    rng = np.random.default_rng(7 + friction)
+    robot = random_robot(rng, friction=friction)
     group = equation_kernels.motion_group(poses_of(robot, random_motion(rng, robot, (20,))), targets())
     assert all(np.array_equal(getattr(group.robot, name), getattr(robot, name)) for name in TENSORS)
     baselines = [engine.name for engine in group.engines]

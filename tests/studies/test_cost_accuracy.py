@@ -29,6 +29,8 @@ from stewart_sym.studies.accuracy.budget import MARGIN, papers_motions, read_bud
 from stewart_sym.studies.accuracy.cost import Candidate, CostAccuracy, cost
 from stewart_sym.studies.common.output import csv_lines
 
+pytestmark = pytest.mark.usefixtures("quickly")
+
 Array = NDArray[np.float64]
 
 EPSILON = np.finfo(np.float64).eps

@@ -1,6 +1,7 @@
 """Pictures can be read: legends within the figure, numbers of logarithmic axes, names as they are said."""
 
 import dataclasses
+import functools
 import itertools
 import re
 from collections.abc import Callable
@@ -9,7 +10,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from made_up_figures import made_up
+from made_up_figures import chart
 from matplotlib.axis import Axis
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
@@ -20,7 +21,7 @@ import stewart_sym as ss
 from stewart_sym.cli.main import main
 from stewart_sym.dynamics.home_pose import home_pose
 from stewart_sym.robots import dasgupta1998
-from stewart_sym.studies.accuracy import bound_plot, cost_plot
+from stewart_sym.studies.accuracy import bound_plot
 from stewart_sym.studies.common.drawing import legend_below, log_numbers
 from stewart_sym.studies.control import report
 from stewart_sym.studies.reports import energy_drift, machine_plot, run, singularities, singularities_plot
@@ -40,6 +41,7 @@ def _drift() -> Figure:
     return energy_drift.figure({"exact": drift, "paper": drift})  # type: ignore[dict-item]
 
 
+@functools.cache
 def _run() -> Figure:
     start = ss.PATHS["I"].path.sample([3.0])[0]
     law = ss.LegSprings.balanced(dasgupta1998(), start, stiffness=5e4)
@@ -54,7 +56,7 @@ def _path() -> Figure:
 
 PICTURES: dict[str, Callable[[], Figure]] = {
     "bounds": lambda: bound_plot.figure(bound_plot.bounds_study(cases=20)),
-    "chart": lambda: cost_plot.figure(made_up()),
+    "chart": chart,
     "control": _control,
     "drift": _drift,
     "run": _run,

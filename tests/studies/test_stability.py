@@ -18,9 +18,11 @@ from stewart_sym.derive.emit.thresholds import CASES, THRESHOLDS
 from stewart_sym.precision.quad import quad_forces
 from stewart_sym.precision.truth import Truth, deviation
 from stewart_sym.results import NOT_FINITE, OK
-from stewart_sym.studies.robustness import attitude, leg_frame, lengths, poses, singular
+from stewart_sym.studies.common.report import Picture
+from stewart_sym.studies.robustness import attitude, leg_frame, lengths, pictures, poses, runs, singular
 from stewart_sym.studies.robustness.family import Curve, verdict
 from stewart_sym.studies.robustness.solves import CANDIDATES
+from stewart_sym.studies.robustness.study import Study
 from stewart_sym.studies.robustness.sweep import oracle
 from stewart_sym.studies.robustness.sweep.machines import LEGS, random_machine
 from stewart_sym.studies.robustness.sweep.sweep import sweep
@@ -202,12 +204,24 @@ def test_too_few_cases_are_rejected_in_one_line(capsys: pytest.CaptureFixture[st
 
 
 @pytest.mark.slow
-def test_the_command_writes_the_study(tmp_path: Path) -> None:
+def test_the_command_writes_the_study(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(runs, "LONGEST", 0.05)
+    monkeypatch.setattr(runs, "TIME_CONSTANTS", runs.TIME_CONSTANTS[:2])
+    every: dict[str, Picture] = {}
+    all_pictures = pictures.pictures
+
+    def two(found: Study) -> dict[str, Picture]:
+        """A family's picture, since they are drawn alike, and that of the basins."""
+        every.update(all_pictures(found))
+        return {name: every[name] for name in ("run_stiff", "basins")}
+
+    monkeypatch.setattr(pictures, "pictures", two)
     assert main(["stability", "-o", str(tmp_path), "--cases", "90"]) == 0
     figures = json.loads((tmp_path / "stability.json").read_text(encoding="utf-8"))
     names = {family["name"] for family in figures["families"]}
     assert {path.stem for path in tmp_path.glob("*.csv")} == names
-    assert {path.stem for path in tmp_path.glob("*.png")} == names | {"basins"}
+    assert every.keys() == names | {"basins"}
+    assert {path.stem for path in tmp_path.glob("*.png")} == {"run_stiff", "basins"}
 
 
 def test_the_header_s_reasons_for_its_thresholds_are_what_the_committed_sweep_saw() -> None:

@@ -1,18 +1,25 @@
 """The README and the pages of the documentation: their text, tables, links, pictures and blocks of code."""
 
 import ast
+import contextlib
+import io
 import os
 import re
+import shlex
+import shutil
 import subprocess
 import sys
+import warnings
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import matplotlib.image
 import numpy as np
 
 import stewart_sym as ss
+from stewart_sym.cli.main import main
 
 TOP = Path(__file__).parents[2]
 DOCS = TOP / ".docs"
@@ -31,6 +38,10 @@ BLOCK = re.compile(r"^```(\S*)[^\n]*\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 FILE_NAME = re.compile(r"(?:#|//|/\*|%) ([\w.-]+\.(?:toml|c|cpp|txt|rs|m|py))\b")
 SHAPE = re.compile(r"\((\d+(?:, \d+)*),?\)")
 NUMBER = re.compile(r"-?\d+(?:\.(\d+))?")
+SHELL_ONLY = re.compile(r"[$|<>;()]")
+"""In commands that only a shell can run."""
+SAME = 0.002
+"""Mean difference of two drawings of the same figure, of 0 to 1: fonts differ from system to system."""
 LEFT_OUT = "..."
 """Stands for lines of an output that a page leaves out."""
 ROUNDING = 1e-9
@@ -81,6 +92,12 @@ def anchors(page: Path) -> set[str]:
     """Anchors of a page's headings, as MyST and GitHub name them."""
     headings = re.findall(r"^#+ (.*)$", BLOCK.sub("", page.read_text(encoding="utf-8")), re.MULTILINE)
     return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
+
+
+def same_picture(one: Path, other: Path) -> bool:
+    """Whether two files show the same, but for how fonts are drawn."""
+    images = [matplotlib.image.imread(path)[..., :3] for path in (one, other)]
+    return images[0].shape == images[1].shape and float(np.abs(images[0] - images[1]).mean()) < SAME
 
 
 @dataclass(frozen=True)
@@ -159,8 +176,44 @@ def is_excerpt(lines: list[str], printed: str) -> bool:
 
 
 def output(commands: str, folder: Path) -> str:
-    """What commands print; they are found where this interpreter is."""
-    places = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
+    """What commands print: those of the program by a call of it, which keeps what the last one derived and
+    compiled; others by a shell.
+    """
+    printed = io.StringIO()
+    shell: list[str] = []
+    for line in _lines(commands):
+        words = shlex.split(line) if not SHELL_ONLY.search(line) else []
+        if words[:1] == ["stewart-sym"]:
+            printed.write(shell_output("\n".join(shell), folder))
+            shell = []
+            with contextlib.redirect_stdout(printed), warnings.catch_warnings():
+                warnings.simplefilter("default")
+                assert main(words[1:]) == 0, line
+        else:
+            shell.append(line)
+    printed.write(shell_output("\n".join(shell), folder))
+    return printed.getvalue()
+
+
+def _lines(commands: str) -> list[str]:
+    """Commands of a block; the whole where one of them has its input in the block."""
+    if "<<" in commands:
+        return [commands]
+    lines = commands.replace("\\\n", " ").splitlines()
+    return [part for line in lines for part in ([line] if "(" in line else line.split(" && "))]
+
+
+def shell_output(commands: str, folder: Path) -> str:
+    """What a shell prints of commands; they are found where this interpreter is, C is compiled quickly."""
+    if not commands:
+        return ""
+    compilers = folder / ".compilers"
+    if not compilers.exists():
+        compilers.mkdir()
+        for name in ("cc", "gcc"):
+            (compilers / name).write_text(f'#!/bin/sh\nexec {shutil.which(name)} "$@" -O0\n')
+            (compilers / name).chmod(0o755)
+    places = os.pathsep.join([str(compilers), str(Path(sys.executable).parent), os.environ["PATH"]])
     done = subprocess.run(
         ["bash", "-e", "-c", commands],
         cwd=folder,

@@ -28,6 +28,8 @@ STEP = 1e-3
 """Length of the fixed steps, s."""
 LONGEST = 2.0
 """Duration of the runs over long times, s."""
+TIME_CONSTANTS = np.logspace(0, -6, 10)
+"""Of ever stiffer friction, s."""
 LONG_RTOL: dict[str, float] = {"DOP853": 1e-9, "Radau": 1e-5}
 FIXED = f"RK4, {1e3 * STEP:g} ms"
 HELD = f"{FIXED}, forces held"
@@ -78,7 +80,7 @@ def _stiff() -> Family:
     rng = np.random.default_rng(8)
     robot = random_machine(rng)
     start = _moving(robot)
-    times = np.logspace(0, -6, 10)
+    times = TIME_CONSTANTS
     duration = 0.02
     curves: dict[str, list[float]] = {name: [] for name in (*METHODS, FIXED)}
     status: dict[str, list[int]] = {name: [] for name in curves}
