@@ -61,7 +61,10 @@ SOURCES: dict[str, tuple[Callable[[], dict[str, str]], str]] = {
     "forces scalar baked": (lambda: of_kit(scalar=True, bake=True, fidelity="massless"), r"_pose\.c"),
     "reactions": (lambda: committed("stewart_exact"), r"exact\.c"),
     "motion": (lambda: closed_form(MOTION), r"_motion\.c"),
-    "derivatives": (lambda: committed("stewart_exact_motion"), r"_motion\.c"),
+    "derivatives": (
+        lambda: committed("stewart_exact_forces") | committed("stewart_exact_motion"),
+        r"_motion\.c",
+    ),
     "kinematics": (lambda: committed("stewart_kinematics"), r"_kinematics\.c"),
     "torque": (lambda: committed("stewart_torque"), r"_torque\.c"),
     "axial": (lambda: committed("stewart_exact_drive_axial"), r"_axial\.c"),

@@ -90,11 +90,12 @@ def test_a_pose_takes_no_more_instructions_than_a_controller_has(row: Figures) -
 def test_the_study_measures_every_kit_and_float_takes_no_more_instructions_than_double(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
+    kits = study_of(KITS)
     monkeypatch.setattr(
         measure, "measured", lambda robot, level, baked, precision: measured(precision, baked)
     )
     found = measure.study(dasgupta())
-    assert found == study_of(KITS)
+    assert found == kits
     counts = {(row.precision, row.baked): row.instructions for row in found.rows}
     for baked in (False, True):
         assert counts["float", baked] <= counts["double", baked]
