@@ -393,7 +393,7 @@ def mapped(node: Any, change: Callable[[Any], Any]) -> Any:
     return type(node)(*(change(getattr(node, name)) for name in node.__match_args__))
 
 
-def parts_of(node: Any, kind: type = Node) -> Iterator[Any]:
+def parts_of(node: Any, kind: type[Node] = Node) -> Iterator[Any]:
     """A node and its parts, their parts as well; kind: of the nodes that are gone into."""
     waiting = [node]
     while waiting:
