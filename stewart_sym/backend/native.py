@@ -321,21 +321,25 @@ def _open_in(directory: Path, recipe: _Recipe, key: str) -> ctypes.CDLL:
     stem = f"{recipe.name}-{key}"
     library = _find(directory, stem)
     if library is None:
-        with _turn_of_process(directory / f"build-{key}.lock"):
+        with _turn_of_process(directory, key):
             library = _find(directory, stem) or _build(directory, recipe, key)
     return ctypes.CDLL(str(library))
 
 
 @contextlib.contextmanager
-def _turn_of_process(path: Path) -> Iterator[None]:
+def _turn_of_process(directory: Path, key: str) -> Iterator[None]:
     """Wait until no other process builds the same, where the system and the folder have such locks."""
     with contextlib.ExitStack() as held:
         with contextlib.suppress(ImportError, OSError):
             import fcntl
 
+            path = directory / f"build-{key}.lock"
             # Of the process, so that a forked child does not wait for itself, and gone when it dies.
             fcntl.lockf(held.enter_context(path.open("w")), fcntl.LOCK_EX)
             held.callback(path.unlink, missing_ok=True)
+            # Of processes that were killed while they held it.
+            for left in directory.glob(f"build-{key}-*"):
+                shutil.rmtree(left, ignore_errors=True)
         yield
 
 
@@ -394,8 +398,10 @@ def _build(directory: Path, recipe: _Recipe, key: str) -> Path:
     for left in directory.glob("build-*"):
         with contextlib.suppress(OSError):
             if time.time() - left.stat().st_mtime > _STALE_SECONDS:
-                shutil.rmtree(left, ignore_errors=True)
-    with tempfile.TemporaryDirectory(prefix="build-", dir=directory, ignore_cleanup_errors=True) as folder:
+                shutil.rmtree(left) if left.is_dir() else left.unlink()
+    with tempfile.TemporaryDirectory(
+        prefix=f"build-{key}-", dir=directory, ignore_cleanup_errors=True
+    ) as folder:
         library = _compile(Path(folder), recipe)
         library.chmod(0o700)
         published = directory / f"{recipe.name}-{key}-{_digest(library)}{_SUFFIX}"

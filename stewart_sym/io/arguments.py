@@ -33,6 +33,8 @@ def real_array(value: object, name: str, expected: str = "real numbers") -> NDAr
         given: NDArray[Any] = np.asarray(value)
     except ValueError:
         raise ValueError(f"{name}: expected {expected}, got a ragged sequence") from None
+    if np.ma.is_masked(value):
+        raise ValueError(f"{name}: expected {expected}, got a masked array with entries masked")
     if given.dtype.kind not in "iuf":
         raise ValueError(f"{name}: expected {expected}, got {given.dtype} entries")
     return np.array(given, dtype=np.float64)

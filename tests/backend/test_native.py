@@ -222,10 +222,28 @@ def test_leftovers_of_killed_processes_are_swept_when_old(cache: Path) -> None:
         folder.mkdir(parents=True)
         (folder / "x.c").touch()
     cache.chmod(0o700)
-    os.utime(old, (0, 0))
+    (cache / "build-old.lock").touch()
+    for left in (old, cache / "build-old.lock"):
+        os.utime(left, (0, 0))
     native.load("swept", {"swept.c": "int f(void) { return 1; }\n"})
-    assert not old.exists()
-    assert young.exists()
+    assert [path for path in cache.iterdir() if path.suffix != native._SUFFIX] == [young]
+
+
+def test_what_a_killed_process_left_goes_with_the_next_build(
+    cache: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    hung = tmp_path / "hung"
+    once = f"[ -e {hung} ] || {{ touch {hung}; exec sleep 5; }}"
+    slow = LoggedCompiler(tmp_path, f'case "$*" in *--version*) ;; *) {once} ;; esac')
+    monkeypatch.setenv("CC", str(slow.path))
+    process = subprocess.Popen([sys.executable, "-c", CHILD])
+    deadline = time.monotonic() + 300
+    while not hung.exists() and time.monotonic() < deadline:
+        time.sleep(0.01)
+    process.kill()
+    process.wait()
+    assert {path.suffix for path in cache.iterdir()} == {"", ".lock"}
+    assert [run_child()] == list(cache.resolve().iterdir())
 
 
 # --- where the cache is

@@ -261,18 +261,22 @@ def test_decimal_commas_between_commas_are_named(tmp_path: Path, mark: str, word
         read_csv(path)
 
 
-def test_poses_below_the_base_are_doubted() -> None:
+@pytest.mark.parametrize(("gravity", "where"), [(-9.81, "below the base"), (9.81, "than at home at every")])
+def test_poses_on_the_other_side_of_the_base_are_doubted(gravity: float, where: str) -> None:
     rng = np.random.default_rng(8)
     for _ in range(5):
         robot = random_robot(rng, scale=float(rng.choice([0.2, 1.0, 3.0])))
-        robot = dataclasses.replace(robot, g=[0.0, 0.0, -9.81])
         above = home_position(robot.b, machine_size(robot)) - robot.p.mean(axis=0)
+        home = above if gravity > 0.0 else None
+        robot = dataclasses.replace(robot, g=[0.0, 0.0, gravity], home=home)
         t = above + 0.01 * machine_size(robot) * rng.normal(size=(9, 3))
         below = t - [0.0, 0.0, 2.2 * machine_size(robot)]
         still = np.zeros((9, 3))
         up, down = (ss.Motion.from_rpy(place, still, still, still) for place in (t, below))
         assert side_doubt(robot, up) is None
-        assert "does z of the log point the other way" in str(side_doubt(robot, down))
+        doubt = str(side_doubt(robot, down))
+        assert where in doubt
+        assert "does z of the log point the other way" in doubt
 
 
 @pytest.fixture

@@ -92,14 +92,18 @@ def _impossible(robot: Robot, t: Array, theta: Array, tool: Array) -> str | None
 
 
 def side_doubt(robot: Robot, motion: Motion) -> str | None:
-    """One line about poses (n,) that are all on the other side of the base than gravity says; None else."""
+    """One line about poses (n,) all on the other side of the base than gravity or home says; None else."""
     side = platform_side(robot)
     centre = motion.t + motion.R @ robot.p.mean(axis=0) - robot.b.mean(axis=0)
-    if not side.by_gravity or np.any(centre @ side.direction >= 0.0):
+    if not side.certain or np.any(centre @ side.direction >= 0.0):
         return None
+    where, unless = ("on the other side of the base than at home", "")
+    if side.by_gravity:
+        where = "below the base, where gravity pulls,"
+        unless = " (forces are right as they are for a machine that hangs)"
     return (
-        "the platform is below the base, where gravity pulls, at every instant: does z of the log point "
-        "the other way than in the robot file? (forces are right as they are for a machine that hangs)"
+        f"the platform is {where} at every instant: does z of the log point the other way than in the robot "
+        f"file?{unless}"
     )
 
 
