@@ -253,11 +253,16 @@ MOST_TURNS = (math.pi, math.pi, 2.0 * math.pi)
 
 
 def turn_doubt(theta: Array) -> str | None:
-    """What angles (n, 3), rad, span that no platform does, as ``theta_x over 30 rad``; None: nothing."""
+    """Range of angles (n, 3), rad, that no platform has, as ``angle_range`` says it; None: there is none."""
     spans = np.ptp(theta, axis=0)
     axis = int(np.argmax(spans / MOST_TURNS))
-    over = spans[axis] > MOST_TURNS[axis] * (1.0 + 1e-9)
-    return f"theta_{'xyz'[axis]} over {spans[axis]:.4g} rad" if over else None
+    return angle_range(theta, axis) if spans[axis] > MOST_TURNS[axis] * (1.0 + 1e-9) else None
+
+
+def angle_range(theta: Array, axis: int) -> str:
+    """Least and largest of one of angles (n, 3), rad, in words: ``theta_x from -4 to 5 rad``."""
+    low, high = theta[:, axis].min(), theta[:, axis].max()
+    return f"theta_{'xyz'[axis]} from {low:.4g} to {high:.4g} rad"
 
 
 LONG_STEPS = {"ms": 0.5, "us": 500.0}

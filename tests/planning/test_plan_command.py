@@ -138,9 +138,9 @@ def test_angles_that_must_be_degrees_are_a_warning(folder: Path, capsys: pytest.
     text = VIA.replace("theta = [0.10, -0.10, 0.20]", "theta = [5.7, -5.7, 11.5]")
     assert main(["plan", via(folder, text), "-o", str(folder / "out")]) == 2
     warning, error = capsys.readouterr().err.splitlines()
-    assert "via.toml: via: theta_z over 12.05 rad: are angles in degrees?" in warning
+    assert "via.toml: via: theta_z from -0.55 to 11.5 rad: are angles in degrees?" in warning
     assert "via.toml: via pose 2: out of reach" in error
-    assert error.endswith("theta_z over 12.05 rad: are angles in degrees? Radians are expected")
+    assert error.endswith("theta_z from -0.55 to 11.5 rad: are angles in degrees? Radians are expected")
 
 
 def test_via_poses_may_stand_in_a_csv_file(folder: Path) -> None:

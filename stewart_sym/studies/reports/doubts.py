@@ -13,7 +13,7 @@ from ...kinematics.pose_search import jacobian
 from ...motion.logs import LENGTH_UNITS
 from ...motion.motion import Motion
 from ...motion.rotation import rotation_from_rpy
-from ...motion.trajectory import MOST_TURNS, PoseLog
+from ...motion.trajectory import MOST_TURNS, PoseLog, angle_range
 from ...robot.fields import DEFAULT_GRAVITY, vector_text
 from ...robot.robot import Robot
 from ...simulation.scene import Scene
@@ -62,7 +62,7 @@ def angle_doubt(robot: Robot, log: PoseLog, some: NDArray[np.int64]) -> str | No
     if how is None or _impossible(robot, t, np.radians(theta[some]), tool) is not None:
         return None
     return (
-        f"theta_{'xyz'[axis]} over {spans[axis]:.4g} rad leads {how}, in degrees it does not: "
+        f"{angle_range(theta, axis)} leads {how}, in degrees it does not: "
         "are angles in degrees (--angle-unit deg)?"
     )
 
