@@ -5,8 +5,7 @@ no path, no order of a set. Does not depend on the runtime. A process derives ea
 """
 
 from collections.abc import Callable, Collection, Iterator, Mapping
-from concurrent.futures import ProcessPoolExecutor, as_completed
-from contextlib import ExitStack
+from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, field
 from functools import cache, partial, reduce
 from importlib.metadata import version as installed_version
@@ -131,11 +130,10 @@ def generated_files(progress: Progress = lambda *_: None, processes: int = 1) ->
     started anew, so that a script calls this under ``if __name__ == "__main__"``.
     """
     version = generator_version()
-    ended: dict[str, Made] = {}
-    for name, made, seconds in derived(UNITS, processes):
-        ended[name] = made
-        progress(name, seconds, len(ended) / len(UNITS))
-    found = {name: ended[name] for name in UNITS}
+    found: dict[str, Made] = {}
+    for name, (made, seconds) in zip(UNITS, derived(UNITS, processes), strict=True):
+        found[name] = made
+        progress(name, seconds, len(found) / len(UNITS))
     models = {name: count for made in found.values() for name, count in made.models.items()}
     headers = {"stewart.h": common_header(version), **shared_headers(version)}
     files = {name: text for made in found.values() for name, text in made.files.items()}
@@ -163,29 +161,19 @@ def _on_arrays(programs: Mapping[str, Program]) -> dict[str, str]:
     return files
 
 
-def derived(names: Collection[str], processes: int = 1) -> Iterator[tuple[str, Made, float]]:
-    """Some of ``UNITS``, what they make, and the seconds that each took, in the order in which they end.
-
-    A process takes a run of the names, since neighbours have derivations in common.
-    """
+def derived(names: Collection[str], processes: int = 1) -> Iterator[tuple[Made, float]]:
+    """What some of ``UNITS`` make, in their order, and the seconds that each took."""
     if processes == 1:
         yield from map(_timed, names)
-        return
-    with ExitStack() as stack:
-        pools = [
-            stack.enter_context(ProcessPoolExecutor(1, get_context("spawn")))
-            for _ in range(min(processes, len(names)))
-        ]
-        tasks = [
-            pools[place * len(pools) // len(names)].submit(_timed, name) for place, name in enumerate(names)
-        ]
-        yield from (task.result() for task in as_completed(tasks))
+    else:
+        with ProcessPoolExecutor(processes, get_context("spawn")) as pool:
+            yield from pool.map(_timed, names)
 
 
-def _timed(name: str) -> tuple[str, Made, float]:
-    """One of ``UNITS``, what it makes, and the seconds that it took."""
+def _timed(name: str) -> tuple[Made, float]:
+    """One of ``UNITS``, and the seconds that it took."""
     start = perf_counter()
-    return name, UNITS[name](generator_version()), perf_counter() - start
+    return UNITS[name](generator_version()), perf_counter() - start
 
 
 def _formulation(form: Formulation, version: str) -> Made:
@@ -325,16 +313,15 @@ def _closed_form(form: Formulation, version: str) -> dict[str, str]:
 
 UNITS: Mapping[str, Callable[[str], Made]] = {
     "exact": partial(_formulation, EXACT),
-    "exact_bounds": partial(_bounds, EXACT),
-    "fidelities": _fidelities,
-    "exact_offset": _offset_joints,
-    "regressors, kinematics and torques": _others,
-    "paper": partial(_formulation, PAPER),
     "exact_drive": partial(_formulation, EXACT_DRIVE),
+    "exact_bounds": partial(_bounds, EXACT),
     "exact_drive_bounds": partial(_bounds, EXACT_DRIVE),
+    "fidelities": _fidelities,
     "exact_spherical": partial(_formulation, EXACT_SPHERICAL),
     "exact_spherical_drive": partial(_formulation, EXACT_SPHERICAL_DRIVE),
     "paper_spherical": partial(_formulation, PAPER_SPHERICAL),
+    "paper": partial(_formulation, PAPER),
+    "regressors, kinematics and torques": _others,
+    "exact_offset": _offset_joints,
 }
-"""What is derived, by name, each from the version; those with derivations in common are neighbours, and the
-halves take equally long."""
+"""What is derived, by name, each from the version; the longest first, so that processes end together."""
