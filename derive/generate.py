@@ -29,15 +29,7 @@ from .kernel.tree.nodes import Program, joined
 from .mechanics import closed_form
 from .mechanics.actuator_forces import ForceKernel, force_kernel, with_numbers
 from .mechanics.axial_forces import axial_block
-from .mechanics.formulation import (
-    EXACT,
-    EXACT_DRIVE,
-    EXACT_SPHERICAL,
-    EXACT_SPHERICAL_DRIVE,
-    PAPER,
-    PAPER_SPHERICAL,
-    Formulation,
-)
+from .mechanics.formulation import EXACT, EXACT_DRIVE, FORMULATIONS, Formulation
 from .mechanics.inverse_dynamics import Kernel, kernel
 from .mechanics.kinematics import Kinematics, kinematics
 from .mechanics.legs.rotor import NONE, REFLECTED, rotor_of
@@ -312,16 +304,10 @@ def _closed_form(form: Formulation, version: str) -> dict[str, str]:
 
 
 UNITS: Mapping[str, Callable[[str], Made]] = {
-    "exact": partial(_formulation, EXACT),
-    "exact_drive": partial(_formulation, EXACT_DRIVE),
-    "exact_bounds": partial(_bounds, EXACT),
-    "exact_drive_bounds": partial(_bounds, EXACT_DRIVE),
+    **{form.kernel_name: partial(_formulation, form) for form in FORMULATIONS},
+    **{f"{form.kernel_name}_bounds": partial(_bounds, form) for form in WHOLE},
     "fidelities": _fidelities,
-    "exact_spherical": partial(_formulation, EXACT_SPHERICAL),
-    "exact_spherical_drive": partial(_formulation, EXACT_SPHERICAL_DRIVE),
-    "paper_spherical": partial(_formulation, PAPER_SPHERICAL),
-    "paper": partial(_formulation, PAPER),
-    "regressors, kinematics and torques": _others,
     "exact_offset": _offset_joints,
+    "regressors, kinematics and torques": _others,
 }
-"""What is derived, by name, each from the version; the longest first, so that processes end together."""
+"""What is derived, by name, each from the version."""

@@ -398,7 +398,10 @@ def _build(directory: Path, recipe: _Recipe, key: str) -> Path:
     for left in directory.glob("build-*"):
         with contextlib.suppress(OSError):
             if time.time() - left.stat().st_mtime > _STALE_SECONDS:
-                shutil.rmtree(left) if left.is_dir() else left.unlink()
+                if left.is_dir():
+                    shutil.rmtree(left)
+                else:
+                    left.unlink()
     with tempfile.TemporaryDirectory(
         prefix=f"build-{key}-", dir=directory, ignore_cleanup_errors=True
     ) as folder:
