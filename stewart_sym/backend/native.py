@@ -22,6 +22,7 @@ import sys
 import tempfile
 import threading
 import time
+import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -114,8 +115,8 @@ def load(
     flags: added after the default flags. defines: macro -> value.
 
     The cache is ``$STEWART_SYM_CACHE``, else the user's cache folder; one that can't be written, or that
-    others may write, is replaced by a temporary folder. Calls into the library release the
-    interpreter lock. Loading the same thing again returns the same object.
+    others may write, is replaced by a temporary folder, with a RuntimeWarning. Calls into the library
+    release the interpreter lock. Loading the same thing again returns the same object.
 
     Raises CompilerError if there is no compiler, or it fails; ValueError for a flag that is rejected.
     """
@@ -305,16 +306,25 @@ def _mac_processor() -> str:
 
 def _open(recipe: _Recipe, key: str) -> ctypes.CDLL:
     # Also a library that is sound but does not load (a folder mounted noexec) ends in the temporary folder.
-    with contextlib.suppress(OSError):
+    try:
         return _open_in(_cache_directory(), recipe, key)
+    except OSError as error:
+        fault = error
     try:
         # A library needs no file once it is loaded; where it does (Windows), the folder stays behind.
         with tempfile.TemporaryDirectory(prefix="stewart-sym-", ignore_cleanup_errors=True) as folder:
-            return _open_in(Path(folder), recipe, key)
+            library = _open_in(Path(folder), recipe, key)
     except OSError as error:
         raise CompilerError(
             f"the compiled library {recipe.name} can't be stored or loaded: {error}"
         ) from error
+    warnings.warn(
+        "compiled libraries are kept for this process alone, expected $STEWART_SYM_CACHE to name a folder "
+        f"that you alone may write: {fault}",
+        RuntimeWarning,
+        stacklevel=2,
+    )
+    return library
 
 
 def _open_in(directory: Path, recipe: _Recipe, key: str) -> ctypes.CDLL:

@@ -188,7 +188,7 @@ def test_folder_in_the_place_of_a_library_is_survived(
     library = run_child()
     library.unlink()
     library.mkdir()
-    assert run_child().is_relative_to(temporary.resolve())
+    assert run_child(without=cache).is_relative_to(temporary.resolve())
 
 
 def test_library_that_others_may_write_is_not_loaded(cache: Path, compiler: LoggedCompiler) -> None:
@@ -294,7 +294,7 @@ def test_impossible_cache_gives_a_temporary_folder_that_is_removed(
     file.touch()
     places = {"below a file": file / "x", "a file": file, "/dev/null/x": Path("/dev/null/x")}
     monkeypatch.setenv("STEWART_SYM_CACHE", str(places[place]))
-    library = run_child()
+    library = run_child(without=places[place])
     assert library.is_relative_to(temporary.resolve())
     assert list(temporary.iterdir()) == []
     assert len(compiler.calls) == 1
@@ -306,7 +306,7 @@ def test_read_only_cache_serves_what_it_holds_and_no_more(
     cache.mkdir(mode=0o500)
     try:
         rejected = f"import os\nassert not os.access({str(cache)!r}, os.W_OK, effective_ids=True)\n" + CHILD
-        assert run_child(rejected, obey_permissions).is_relative_to(temporary.resolve())
+        assert run_child(rejected, obey_permissions, cache).is_relative_to(temporary.resolve())
         assert len(compiler.calls) == 1
         cache.chmod(0o700)
         held = run_child()
@@ -324,14 +324,14 @@ def test_cache_that_others_may_write_is_not_used(
 ) -> None:
     cache.mkdir()
     cache.chmod(mode)
-    assert run_child().is_relative_to(temporary.resolve())
+    assert run_child(without=cache).is_relative_to(temporary.resolve())
     assert list(cache.iterdir()) == []
 
 
 def test_cache_of_another_user_is_not_used(cache: Path, temporary: Path, compiler: LoggedCompiler) -> None:
     assert run_child().parent == cache.resolve()
     stranger = f"import os\nos.geteuid = lambda: {os.geteuid() + 1}\n" + CHILD
-    assert run_child(stranger).is_relative_to(temporary.resolve())
+    assert run_child(stranger, without=cache).is_relative_to(temporary.resolve())
     assert len(compiler.calls) == 2
 
 
@@ -353,7 +353,9 @@ def test_no_temporary_folder_outlives_the_load_in_forked_pools_neither(
     temporary: Path, compiler: LoggedCompiler, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("STEWART_SYM_CACHE", "/dev/null/x")
-    run_child(f"from stewart_sym.backend import native\nSOURCES = {ADD!r}\n{POOL}")
+    run_child(
+        f"from stewart_sym.backend import native\nSOURCES = {ADD!r}\n{POOL}", without=Path("/dev/null/x")
+    )
     assert compiler.calls
     assert list(temporary.iterdir()) == []
 
