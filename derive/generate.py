@@ -29,7 +29,7 @@ from .kernel.tree.nodes import Program, joined
 from .mechanics import closed_form
 from .mechanics.actuator_forces import ForceKernel, force_kernel, with_numbers
 from .mechanics.axial_forces import axial_block
-from .mechanics.formulation import EXACT, EXACT_DRIVE, FORMULATIONS, Formulation
+from .mechanics.formulation import EXACT, EXACT_DRIVE, FORMULATIONS, PAPER, Formulation
 from .mechanics.inverse_dynamics import Kernel, kernel
 from .mechanics.kinematics import Kinematics, kinematics
 from .mechanics.legs.rotor import NONE, REFLECTED, rotor_of
@@ -43,6 +43,8 @@ from .program.cse import share, shared_blocks
 
 WHOLE = (EXACT, EXACT_DRIVE)
 """Formulations with a closed form and bounds."""
+COMPARED = (EXACT, PAPER)
+"""Formulations whose operations are counted without friction as well, which the paper's program has not."""
 
 
 def generator_version() -> str:
@@ -170,11 +172,14 @@ def _timed(name: str) -> tuple[Made, float]:
 
 def _formulation(form: Formulation, version: str) -> Made:
     """Every output and the forces of one formulation, the closed form, and the axial forces."""
-    built, forces, smooth = reduced(form), prepared_model(form), reduced_forces(form, friction=False)
-    counts = kernel_operations(built), kernel_operations(reduced(form, friction=False))
-    force_counts = force_operations(forces), force_operations(smooth)
+    built, forces, smooth = reduced(form), prepared_model(form), None
+    counts, force_counts = {"friction": kernel_operations(built)}, {"friction": force_operations(forces)}
+    if form in COMPARED:
+        smooth = reduced_forces(form, friction=False)
+        counts["frictionless"] = kernel_operations(reduced(form, friction=False))
+        force_counts["frictionless"] = force_operations(smooth)
     found = output_program(form, OUTPUTS if form in WHOLE else (FORCES,))
-    files = _of_c(c.files(built, *counts, version) | lanes.files(forces, version, smooth)) | {
+    files = _of_c(c.files(built, counts, version) | lanes.files(forces, version, smooth)) | {
         f"{form.kernel_name}.py": arrays.every_output(built, counts, force_counts, version),
     }
     if form in WHOLE:
@@ -205,18 +210,17 @@ def _others(version: str) -> Made:
 
 
 @cache
-def reduced_offset(friction: bool = True) -> ForceKernel:
+def reduced_offset() -> ForceKernel:
     """The force kernel of legs with offset joints as it is emitted: derived, then shared."""
-    return shared_blocks(offset_kernel(friction))
+    return shared_blocks(offset_kernel())
 
 
 def _offset_joints(version: str) -> Made:
     """The forces of legs with offset joints."""
-    built, smooth = reduced_offset(), reduced_offset(friction=False)
-    counts = {"friction": built, "frictionless": smooth}
-    rows = [f'    "{name}": {force_operations(each).total.total},' for name, each in counts.items()]
-    files = _of_c(lanes.files(built, version, smooth)) | {
-        f"{built.name}_operations.py": filled("operations.py", version=version, rows="\n".join(rows)),
+    built = reduced_offset()
+    row = f'    "forces": {force_operations(built).total.total},'
+    files = _of_c(lanes.files(built, version)) | {
+        f"{built.name}_operations.py": filled("operations.py", version=version, rows=row),
     }
     return Made(files, {built.name: lanes.model_numbers(built)}, {built.name: program(built)})
 
@@ -248,16 +252,16 @@ def _fidelities(version: str) -> Made:
 
 
 def reduced_motion(
-    friction: bool = True, names: Collection[str] = closed_form.NAMES, form: Formulation = EXACT
+    names: Collection[str] = closed_form.NAMES, form: Formulation = EXACT
 ) -> tuple[closed_form.SumKernel, ...]:
     """The kernels of the closed form as they are emitted; names: out of ``closed_form.NAMES``; form: of
     ``WHOLE``."""
-    return tuple(_reduced_sums(name, friction, form) for name in closed_form.NAMES if name in names)
+    return tuple(_reduced_sums(name, form) for name in closed_form.NAMES if name in names)
 
 
 @cache
-def _reduced_sums(name: str, friction: bool, form: Formulation) -> closed_form.SumKernel:
-    return shared_blocks(closed_form.kernel(name, friction, rotor_of(form)))
+def _reduced_sums(name: str, form: Formulation) -> closed_form.SumKernel:
+    return shared_blocks(closed_form.kernel(name, rotor_of(form)))
 
 
 @cache
@@ -272,7 +276,7 @@ def output_program(
         built = prepared_model(form)
         if level != "general":
             built = reduced_fidelity(level_of(level, form.drive))
-        sums = () if of_model == (FORCES,) else reduced_motion(True, sums_used(of_model), form)
+        sums = () if of_model == (FORCES,) else reduced_motion(sums_used(of_model), form)
         parts.append(program(built, sums, of_model, by_pivots))
     if of_robot := [each for each in outputs if each in search.PUBLIC]:
         parts.append(search.search_program(reduced_kinematics(), of_robot))
@@ -289,8 +293,7 @@ def motion_files(functions: Collection[str], form: Formulation = EXACT) -> dict[
 
 def _motion_files(model: ForceKernel, version: str, functions: Collection[str]) -> dict[str, str]:
     needed, form = motion.kernels_of(functions), model.formulation
-    plain = None if form.drive else reduced_motion(False, needed)
-    return motion.files(reduced_motion(True, needed, form), plain, model, version, functions)
+    return motion.files(reduced_motion(needed, form), model, version, functions)
 
 
 def _closed_form(form: Formulation, version: str) -> dict[str, str]:

@@ -5783,8 +5783,8 @@ def joint_slopes_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
 
 
 def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, given: Any) -> Any:
-    """One leg's part of the derivatives of the wrench, and its generalised forces' derivatives: 2055
-    (1296 mul, 755 add, 2 div, 2 sqrt).
+    """One leg's part of the derivatives of the wrench, and its generalised forces' derivatives: 2040
+    (1287 mul, 749 add, 2 div, 2 sqrt).
     """
     b_x, b_y, b_z = leg.b
     p_x, p_y, p_z = leg.p
@@ -6313,18 +6313,15 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     f_S_dot_zx = C_s_theta_x * y_z + C_s_phi_x * k_z
     f_S_dot_zy = C_s_theta_y * y_z + C_s_phi_y * k_z
     f_S_dot_zz = C_s_theta_z * y_z + C_s_phi_z * k_z
-    c222 = R_tip_y * q_y
-    c223 = R_tip_z * q_z
-    c224 = f_S_dot_xx * omega_y - f_S_dot_xy * omega_x + f_S_xz
-    c225 = f_S_dot_xz * omega_x - f_S_dot_xx * omega_z + f_S_xy
-    c226 = f_S_dot_xy * omega_z - f_S_dot_xz * omega_y + f_S_xx
-    c227 = f_S_dot_yz * omega_x - f_S_dot_yx * omega_z + f_S_yy
-    c228 = f_S_dot_yx * omega_y - f_S_dot_yy * omega_x + f_S_yz
-    c229 = R_tip_x * q_x
-    c230 = f_S_dot_yy * omega_z - f_S_dot_yz * omega_y + f_S_yx
-    c231 = f_S_dot_zz * omega_x - f_S_dot_zx * omega_z + f_S_zy
-    c232 = f_S_dot_zx * omega_y - f_S_dot_zy * omega_x + f_S_zz
-    c233 = f_S_dot_zy * omega_z - f_S_dot_zz * omega_y + f_S_zx
+    c225 = R_tip_y + f_S_dot_xx * omega_y - f_S_dot_xy * omega_x + f_S_xz
+    c226 = f_S_dot_xz * omega_x - R_tip_z - f_S_dot_xx * omega_z + f_S_xy
+    c227 = f_S_dot_xy * omega_z - f_S_dot_xz * omega_y + f_S_xx
+    c228 = f_S_dot_yz * omega_x - f_S_dot_yx * omega_z + f_S_yy
+    c229 = f_S_dot_yx * omega_y - R_tip_x - f_S_dot_yy * omega_x + f_S_yz
+    c230 = R_tip_z + f_S_dot_yy * omega_z - f_S_dot_yz * omega_y + f_S_yx
+    c231 = f_S_dot_zx * omega_y - f_S_dot_zy * omega_x + f_S_zz
+    c232 = R_tip_x + f_S_dot_zz * omega_x - f_S_dot_zx * omega_z + f_S_zy
+    c233 = f_S_dot_zy * omega_z - R_tip_y - f_S_dot_zz * omega_y + f_S_zx
     out = JointSlopesLeg()
     out.M_vv = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     out.M_vw = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
@@ -6333,15 +6330,15 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     out.W_fr = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     out.W_mt = [-f_S_xx, -f_S_xy, -f_S_xz, -f_S_yx, -f_S_yy, -f_S_yz, -f_S_zx, -f_S_zy, -f_S_zz]
     out.W_mr = [
-        c225 * q_z - c222 - c223 - c224 * q_y,
-        R_tip_y * q_x + c224 * q_x - c226 * q_z,
-        R_tip_z * q_x + c226 * q_y - c225 * q_x,
-        R_tip_x * q_y + c227 * q_z - c228 * q_y,
-        c228 * q_x - c223 - c229 - c230 * q_z,
-        R_tip_z * q_y + c230 * q_y - c227 * q_x,
-        R_tip_x * q_z + c231 * q_z - c232 * q_y,
-        R_tip_y * q_z + c232 * q_x - c233 * q_z,
-        c233 * q_y - c222 - c229 - c231 * q_x,
+        c226 * q_z - c225 * q_y,
+        c225 * q_x - c227 * q_z,
+        c227 * q_y - c226 * q_x,
+        c228 * q_z - c229 * q_y,
+        c229 * q_x - c230 * q_z,
+        c230 * q_y - c228 * q_x,
+        c232 * q_z - c231 * q_y,
+        c231 * q_x - c233 * q_z,
+        c233 * q_y - c232 * q_x,
     ]
     out.W_fv = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     out.W_fw = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]

@@ -6,13 +6,12 @@ SPDX-License-Identifier: 0BSD
 Arguments and results as every_output.py says.
 
 Operations of one pose of inverse dynamics, six legs, solve included
-         with friction                             without friction
-leg      425 (235 mul, 186 add, 2 div, 2 sqrt)     375 (210 mul, 161 add, 2 div, 2 sqrt)
-platform 219 (123 mul, 96 add, 0 div, 0 sqrt)      219 (123 mul, 96 add, 0 div, 0 sqrt)
-sum of c 36 (0 mul, 36 add, 0 div, 0 sqrt)         36 (0 mul, 36 add, 0 div, 0 sqrt)
-solve    197 (106 mul, 85 add, 6 div, 0 sqrt)      197 (106 mul, 85 add, 6 div, 0 sqrt)
-forces   6 (0 mul, 6 add, 0 div, 0 sqrt)           6 (0 mul, 6 add, 0 div, 0 sqrt)
-total    3008 (1639 mul, 1339 add, 18 div, 12 sqrt) 2708 (1489 mul, 1189 add, 18 div, 12 sqrt)
+leg      425 (235 mul, 186 add, 2 div, 2 sqrt)
+platform 219 (123 mul, 96 add, 0 div, 0 sqrt)
+sum of c 36 (0 mul, 36 add, 0 div, 0 sqrt)
+solve    197 (106 mul, 85 add, 6 div, 0 sqrt)
+forces   6 (0 mul, 6 add, 0 div, 0 sqrt)
+total    3008 (1639 mul, 1339 add, 18 div, 12 sqrt)
 """
 
 from typing import Any
@@ -32,14 +31,6 @@ OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
         "forces": (0, 6, 0, 0),
         "total": (1639, 1339, 18, 12),
     },
-    "frictionless": {
-        "leg": (210, 161, 2, 2),
-        "platform": (123, 96, 0, 0),
-        "sum of c": (0, 36, 0, 0),
-        "solve": (106, 85, 6, 0),
-        "forces": (0, 6, 0, 0),
-        "total": (1489, 1189, 18, 12),
-    },
 }
 
 # The same of stewart_exact_drive_forces.h.
@@ -52,15 +43,6 @@ FORCE_OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
         "solve": (158, 102, 2, 0),
         "forces": (0, 6, 0, 0),
         "total": (1295, 957, 14, 12),
-    },
-    "frictionless": {
-        "leg": (144, 98, 2, 2),
-        "platform": (96, 90, 0, 0),
-        "moments": (12, 9, 0, 0),
-        "sum of c": (0, 33, 0, 0),
-        "solve": (158, 102, 2, 0),
-        "forces": (0, 6, 0, 0),
-        "total": (1178, 864, 14, 12),
     },
 }
 

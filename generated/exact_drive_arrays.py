@@ -3306,8 +3306,8 @@ def derivatives(on: Arithmetic, model: Any, motion: Any) -> Any:
 
 
 def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, given: Any) -> Any:
-    """One leg's part of the derivatives of the wrench, and its generalised forces' derivatives: 2235
-    (1419 mul, 812 add, 2 div, 2 sqrt).
+    """One leg's part of the derivatives of the wrench, and its generalised forces' derivatives: 2220
+    (1410 mul, 806 add, 2 div, 2 sqrt).
     """
     b_x, b_y, b_z = leg.b
     p_x, p_y, p_z = leg.p
@@ -3864,18 +3864,15 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     f_S_dot_zx = C_s_theta_x * y_z + C_s_phi_x * k_z
     f_S_dot_zy = C_s_theta_y * y_z + C_s_phi_y * k_z
     f_S_dot_zz = C_s_theta_z * y_z + C_s_phi_z * k_z
-    c235 = R_tip_y * q_y
-    c236 = R_tip_z * q_z
-    c237 = f_S_dot_xx * omega_y - f_S_dot_xy * omega_x + f_S_xz
-    c238 = f_S_dot_xz * omega_x - f_S_dot_xx * omega_z + f_S_xy
-    c239 = f_S_dot_xy * omega_z - f_S_dot_xz * omega_y + f_S_xx
-    c240 = f_S_dot_yz * omega_x - f_S_dot_yx * omega_z + f_S_yy
-    c241 = f_S_dot_yx * omega_y - f_S_dot_yy * omega_x + f_S_yz
-    c242 = R_tip_x * q_x
-    c243 = f_S_dot_yy * omega_z - f_S_dot_yz * omega_y + f_S_yx
-    c244 = f_S_dot_zz * omega_x - f_S_dot_zx * omega_z + f_S_zy
-    c245 = f_S_dot_zx * omega_y - f_S_dot_zy * omega_x + f_S_zz
-    c246 = f_S_dot_zy * omega_z - f_S_dot_zz * omega_y + f_S_zx
+    c238 = R_tip_y + f_S_dot_xx * omega_y - f_S_dot_xy * omega_x + f_S_xz
+    c239 = f_S_dot_xz * omega_x - R_tip_z - f_S_dot_xx * omega_z + f_S_xy
+    c240 = f_S_dot_xy * omega_z - f_S_dot_xz * omega_y + f_S_xx
+    c241 = f_S_dot_yz * omega_x - f_S_dot_yx * omega_z + f_S_yy
+    c242 = f_S_dot_yx * omega_y - R_tip_x - f_S_dot_yy * omega_x + f_S_yz
+    c243 = R_tip_z + f_S_dot_yy * omega_z - f_S_dot_yz * omega_y + f_S_yx
+    c244 = f_S_dot_zx * omega_y - f_S_dot_zy * omega_x + f_S_zz
+    c245 = R_tip_x + f_S_dot_zz * omega_x - f_S_dot_zx * omega_z + f_S_zy
+    c246 = f_S_dot_zy * omega_z - R_tip_y - f_S_dot_zz * omega_y + f_S_zx
     out = JointSlopesLeg()
     out.M_vv = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     out.M_vw = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
@@ -3884,15 +3881,15 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     out.W_fr = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     out.W_mt = [-f_S_xx, -f_S_xy, -f_S_xz, -f_S_yx, -f_S_yy, -f_S_yz, -f_S_zx, -f_S_zy, -f_S_zz]
     out.W_mr = [
-        c238 * q_z - c235 - c236 - c237 * q_y,
-        R_tip_y * q_x + c237 * q_x - c239 * q_z,
-        R_tip_z * q_x + c239 * q_y - c238 * q_x,
-        R_tip_x * q_y + c240 * q_z - c241 * q_y,
-        c241 * q_x - c236 - c242 - c243 * q_z,
-        R_tip_z * q_y + c243 * q_y - c240 * q_x,
-        R_tip_x * q_z + c244 * q_z - c245 * q_y,
-        R_tip_y * q_z + c245 * q_x - c246 * q_z,
-        c246 * q_y - c235 - c242 - c244 * q_x,
+        c239 * q_z - c238 * q_y,
+        c238 * q_x - c240 * q_z,
+        c240 * q_y - c239 * q_x,
+        c241 * q_z - c242 * q_y,
+        c242 * q_x - c243 * q_z,
+        c243 * q_y - c241 * q_x,
+        c245 * q_z - c244 * q_y,
+        c244 * q_x - c246 * q_z,
+        c246 * q_y - c245 * q_x,
     ]
     out.W_fv = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     out.W_fw = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]

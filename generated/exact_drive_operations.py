@@ -10,5 +10,5 @@ OPERATIONS: dict[str, int] = {
     "forward_dynamics": 3081,
     "derivatives": 10910,
     "joint_rows": 2508,
-    "joint_slopes": 14327,
+    "joint_slopes": 14237,
 }

@@ -5,6 +5,5 @@ SPDX-License-Identifier: 0BSD
 """
 
 OPERATIONS: dict[str, int] = {
-    "friction": 2890,
-    "frictionless": 2680,
+    "forces": 2890,
 }

@@ -10,5 +10,5 @@ OPERATIONS: dict[str, int] = {
     "forward_dynamics": 2973,
     "derivatives": 10532,
     "joint_rows": 2430,
-    "joint_slopes": 13247,
+    "joint_slopes": 13157,
 }

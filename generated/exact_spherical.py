@@ -6,13 +6,12 @@ SPDX-License-Identifier: 0BSD
 Arguments and results as every_output.py says.
 
 Operations of one pose of inverse dynamics, six legs, solve included
-         with friction                             without friction
-leg      248 (143 mul, 103 add, 1 div, 1 sqrt)     181 (102 mul, 77 add, 1 div, 1 sqrt)
-platform 219 (123 mul, 96 add, 0 div, 0 sqrt)      219 (123 mul, 96 add, 0 div, 0 sqrt)
-sum of c 36 (0 mul, 36 add, 0 div, 0 sqrt)         36 (0 mul, 36 add, 0 div, 0 sqrt)
-solve    197 (106 mul, 85 add, 6 div, 0 sqrt)      197 (106 mul, 85 add, 6 div, 0 sqrt)
-forces   6 (0 mul, 6 add, 0 div, 0 sqrt)           6 (0 mul, 6 add, 0 div, 0 sqrt)
-total    1946 (1087 mul, 841 add, 12 div, 6 sqrt)  1544 (841 mul, 685 add, 12 div, 6 sqrt)
+leg      248 (143 mul, 103 add, 1 div, 1 sqrt)
+platform 219 (123 mul, 96 add, 0 div, 0 sqrt)
+sum of c 36 (0 mul, 36 add, 0 div, 0 sqrt)
+solve    197 (106 mul, 85 add, 6 div, 0 sqrt)
+forces   6 (0 mul, 6 add, 0 div, 0 sqrt)
+total    1946 (1087 mul, 841 add, 12 div, 6 sqrt)
 """
 
 from typing import Any
@@ -32,14 +31,6 @@ OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
         "forces": (0, 6, 0, 0),
         "total": (1087, 841, 12, 6),
     },
-    "frictionless": {
-        "leg": (102, 77, 1, 1),
-        "platform": (123, 96, 0, 0),
-        "sum of c": (0, 36, 0, 0),
-        "solve": (106, 85, 6, 0),
-        "forces": (0, 6, 0, 0),
-        "total": (841, 685, 12, 6),
-    },
 }
 
 # The same of stewart_exact_spherical_forces.h.
@@ -52,15 +43,6 @@ FORCE_OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
         "solve": (158, 102, 2, 0),
         "forces": (0, 6, 0, 0),
         "total": (1082, 840, 8, 6),
-    },
-    "frictionless": {
-        "leg": (87, 68, 1, 1),
-        "platform": (96, 90, 0, 0),
-        "moments": (12, 9, 0, 0),
-        "sum of c": (0, 33, 0, 0),
-        "solve": (158, 102, 2, 0),
-        "forces": (0, 6, 0, 0),
-        "total": (836, 684, 8, 6),
     },
 }
 

@@ -23,8 +23,8 @@ from ..print.template import filled
 from ..program.block import Block, Quantity, component_name
 from .c import operations_table, wrap_list
 
-Counts = tuple[KernelOperations, KernelOperations]
-"""Operations with friction and without."""
+Counts = Mapping[str, KernelOperations]
+"""Operations with "friction" and, of kernels that are compared with the paper's program, "frictionless"."""
 
 
 def every_output(kernel: Kernel, counts: Counts, force_counts: Counts, version: str) -> str:
@@ -34,7 +34,7 @@ def every_output(kernel: Kernel, counts: Counts, force_counts: Counts, version: 
         "every_output.py",
         name=kernel.formulation.kernel_name,
         version=version,
-        operations=operations_table(*counts, ""),
+        operations=operations_table(counts["friction"], counts.get("frictionless"), ""),
         imported=_imported(program, {"every_output": _shared_names()}),
         table=_operations("OPERATIONS", counts),
         force_table=_operations("FORCE_OPERATIONS", force_counts),
@@ -180,7 +180,7 @@ def merged() -> list[tuple[str, str]]:
 
 def _operations(name: str, both: Counts) -> str:
     lines = [f"{name}: dict[str, dict[str, tuple[int, int, int, int]]] = {{"]
-    for label, counts in zip(("friction", "frictionless"), both, strict=True):
+    for label, counts in both.items():
         lines.append(f'    "{label}": {{')
         for part, count in counts.parts().items():
             lines.append(f'        "{part}": ({count.mul}, {count.add}, {count.div}, {count.sqrt}),')

@@ -3,7 +3,7 @@
 All dynamics come from the blocks; what is done around them is read from ``kernel.written.every_output``.
 """
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 
 from ..kernel import prepare as p
 from ..kernel.batches import LOADS, MOTIONS, NUMBERS, batch, copies, missing
@@ -22,10 +22,11 @@ from ..program.block import Block
 from .shared import OUTPUTS, Part, Source, header, top
 
 
-def files(
-    kernel: Kernel, with_friction: KernelOperations, frictionless: KernelOperations, version: str
-) -> dict[str, str]:
-    """``stewart_<kernel>.h`` and ``.c``: what the kernel computes, its cost, its functions."""
+def files(kernel: Kernel, counts: Mapping[str, KernelOperations], version: str) -> dict[str, str]:
+    """``stewart_<kernel>.h`` and ``.c``: what the kernel computes, its cost, its functions.
+
+    counts: operations with "friction" and, where wanted, "frictionless".
+    """
     made = _Source(kernel)
     texts = header(
         "every_output.h",
@@ -35,7 +36,7 @@ def files(
         name=kernel.formulation.kernel_name,
         about=_about(kernel),
         interface=_interface(kernel),
-        operations=operations_table(with_friction, frictionless, " * "),
+        operations=operations_table(counts["friction"], counts.get("frictionless"), " * "),
         declarations=made.declared(),
     )
     return texts | {f"{made.name}.c": made.printed(top(made.name, version, OUTPUTS))}

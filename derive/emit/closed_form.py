@@ -39,38 +39,30 @@ MODEL_ONLY = ("Leg", "Robot", "LegConstants", "Added", "Platform", "Model", "Mot
 
 def files(
     kernels: tuple[SumKernel, ...],
-    frictionless: tuple[SumKernel, ...] | None,
     model: ForceKernel,
     version: str,
     functions: Collection[str] = FUNCTIONS,
 ) -> dict[str, str]:
     """``stewart_<kernel>_motion.h`` and ``.c``: the functions and what they need, nothing else.
 
-    kernels: at least those of ``kernels_of``. frictionless: the same without friction, for their counts of
-    operations. functions: out of FUNCTIONS. Raises ValueError for others and for none.
+    kernels: at least those of ``kernels_of``. functions: out of FUNCTIONS. Raises ValueError for others and
+    for none.
     """
     asked = asked_for(functions)
     file = f"stewart_{model.formulation.kernel_name}_motion"
     before = "\n".join([top(file, version, HEADER), filled("motion.c")])
     made = _Source(kernels, model, asked)
     parts = [settled(each) if isinstance(each, t.Function) else each for each in made.parts()]
-    texts = _header(made, kernels, frictionless, version)
+    texts = _header(made, kernels, version)
     return texts | {f"{file}.c": C(made.functions.values(), SIZES).source(before, *parts)}
 
 
-def _header(
-    made: "_Source", kernels: tuple[SumKernel, ...], frictionless: tuple[SumKernel, ...] | None, version: str
-) -> dict[str, str]:
+def _header(made: "_Source", kernels: tuple[SumKernel, ...], version: str) -> dict[str, str]:
     """What is computed, its cost, its functions."""
     asked, public = made.asked, made.public
     own = {each for what in asked for each in o.sums_used((what,), deep=False)}
-    without = {kernel.name: f" {sum_operations(kernel).total}" for kernel in frictionless or ()}
-    heads = f"{'Operations per pose before any solve':42s} with friction{'without':>39s}"
-    rows = [heads if without else heads.split("  ")[0]] + [
-        f"{kernel.name:17s} {sum_operations(kernel)!s:44s}{without.get(kernel.name, '')}".rstrip()
-        for kernel in kernels
-        if kernel.name in own
-    ]
+    rows = ["Operations per pose before any solve"]
+    rows += [f"{kernel.name:17s} {sum_operations(kernel)}" for kernel in kernels if kernel.name in own]
     printer, structs = C(), [what for what in asked if what in STRUCTS]
     says = ["The same of `count` poses. Any pointer may be null: not wanted.", *[""] * len(structs)]
     arrays = map(arrays_of, structs, says)

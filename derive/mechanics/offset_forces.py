@@ -22,17 +22,17 @@ MEANING = (
 
 
 @cache
-def offset_kernel(friction: bool = True) -> ForceKernel:
+def offset_kernel() -> ForceKernel:
     """The blocks of the forces, platform joints spherical."""
-    lumped = p.Lumped(mass=True, friction=friction)
-    shared = actuator_forces.shared(friction)
-    kernel = actuator_forces.with_constants(EXACT, friction, shared, offset_leg(friction), lumped)
+    lumped = p.Lumped(mass=True, friction=True)
+    shared = actuator_forces.shared(friction=True)
+    kernel = actuator_forces.with_constants(EXACT, True, shared, offset_leg(), lumped)
     kernel = actuator_forces.about_tip(kernel)
     prepared = prepare_leg(kernel.leg.inputs, lumped)
     return replace(kernel, prepare_leg=prepared, fidelity=LEVEL, meaning=MEANING)
 
 
-def offset_leg(friction: bool) -> Block:
+def offset_leg() -> Block:
     """The leg with offsets."""
     build = Builder()
     leg = o.offset_frame(build)
@@ -40,9 +40,9 @@ def offset_leg(friction: bool) -> Block:
     S_dot, S_ddot = p.tip_motion(build, at.q)
     rates, r_dot = o.offset_rates(build, leg, S_dot)
     accelerations = o.offset_accelerations(build, leg, rates, r_dot, S_ddot)
-    forces = o.offset_forces(build, at, rates, accelerations, friction)
+    forces = o.offset_forces(build, at, rates, accelerations)
     D, K = o.offset_tip_force(build, at, forces)
-    moment = friction_moment(at, rates, friction)
+    moment = friction_moment(at, rates)
     meaning = "one leg with offset joints: D, its column of H and its part of c"
     return actuator_forces.closed_leg(
         build, meaning, at.q, leg.column, at.L, leg.sine, D, K, moment, o.PREPARED

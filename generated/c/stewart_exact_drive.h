@@ -17,13 +17,12 @@
  * Meanings, frames and storage order: stewart.h.
  *
  * Operations of one pose of inverse dynamics, six legs, solve included
- *          with friction                             without friction
- * leg      425 (235 mul, 186 add, 2 div, 2 sqrt)     375 (210 mul, 161 add, 2 div, 2 sqrt)
- * platform 219 (123 mul, 96 add, 0 div, 0 sqrt)      219 (123 mul, 96 add, 0 div, 0 sqrt)
- * sum of c 36 (0 mul, 36 add, 0 div, 0 sqrt)         36 (0 mul, 36 add, 0 div, 0 sqrt)
- * solve    197 (106 mul, 85 add, 6 div, 0 sqrt)      197 (106 mul, 85 add, 6 div, 0 sqrt)
- * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)           6 (0 mul, 6 add, 0 div, 0 sqrt)
- * total    3008 (1639 mul, 1339 add, 18 div, 12 sqrt) 2708 (1489 mul, 1189 add, 18 div, 12 sqrt)
+ * leg      425 (235 mul, 186 add, 2 div, 2 sqrt)
+ * platform 219 (123 mul, 96 add, 0 div, 0 sqrt)
+ * sum of c 36 (0 mul, 36 add, 0 div, 0 sqrt)
+ * solve    197 (106 mul, 85 add, 6 div, 0 sqrt)
+ * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)
+ * total    3008 (1639 mul, 1339 add, 18 div, 12 sqrt)
  */
 #ifndef STEWART_EXACT_DRIVE_H
 #define STEWART_EXACT_DRIVE_H

@@ -8,15 +8,14 @@
  * machine; with -ffp-contract=off one pose and a batch agree to the last bit).
  *
  * Operations of one pose of inverse dynamics, six legs, solve included
- *          with friction                             without friction
- * leg      277 (163 mul, 110 add, 2 div, 2 sqrt)     246 (144 mul, 98 add, 2 div, 2 sqrt)
- * platform 192 (99 mul, 93 add, 0 div, 0 sqrt)       186 (96 mul, 90 add, 0 div, 0 sqrt)
- * moments  21 (12 mul, 9 add, 0 div, 0 sqrt)         21 (12 mul, 9 add, 0 div, 0 sqrt)
- * sum of c 51 (0 mul, 51 add, 0 div, 0 sqrt)         33 (0 mul, 33 add, 0 div, 0 sqrt)
- * solve    262 (158 mul, 102 add, 2 div, 0 sqrt)     262 (158 mul, 102 add, 2 div, 0 sqrt)
- * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)           6 (0 mul, 6 add, 0 div, 0 sqrt)
- * total    2278 (1295 mul, 957 add, 14 div, 12 sqrt) 2068 (1178 mul, 864 add, 14 div, 12 sqrt)
- * With products and the sums that they feed in one instruction 1482 and 1347.
+ * leg      277 (163 mul, 110 add, 2 div, 2 sqrt)
+ * platform 192 (99 mul, 93 add, 0 div, 0 sqrt)
+ * moments  21 (12 mul, 9 add, 0 div, 0 sqrt)
+ * sum of c 51 (0 mul, 51 add, 0 div, 0 sqrt)
+ * solve    262 (158 mul, 102 add, 2 div, 0 sqrt)
+ * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)
+ * total    2278 (1295 mul, 957 add, 14 div, 12 sqrt)
+ * With products and the sums that they feed in one instruction 1482.
  */
 #ifndef STEWART_EXACT_DRIVE_FORCES_H
 #define STEWART_EXACT_DRIVE_FORCES_H

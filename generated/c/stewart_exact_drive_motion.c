@@ -5908,18 +5908,21 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real f_S_dot_zx = STEWART_FMA(C_s_phi_x, k_z, C_s_theta_x*y_z);
         const stewart_real f_S_dot_zy = STEWART_FMA(C_s_phi_y, k_z, C_s_theta_y*y_z);
         const stewart_real f_S_dot_zz = STEWART_FMA(C_s_phi_z, k_z, C_s_theta_z*y_z);
-        const stewart_real c235 = R_tip_y*q_y;
-        const stewart_real c236 = R_tip_z*q_z;
-        const stewart_real c237 = STEWART_FMA(-f_S_dot_xy, omega_x, f_S_dot_xx*omega_y) + f_S_xz;
-        const stewart_real c238 = STEWART_FMA(-f_S_dot_xx, omega_z, f_S_dot_xz*omega_x) + f_S_xy;
-        const stewart_real c239 = STEWART_FMA(-f_S_dot_xz, omega_y, f_S_dot_xy*omega_z) + f_S_xx;
-        const stewart_real c240 = STEWART_FMA(-f_S_dot_yx, omega_z, f_S_dot_yz*omega_x) + f_S_yy;
-        const stewart_real c241 = STEWART_FMA(-f_S_dot_yy, omega_x, f_S_dot_yx*omega_y) + f_S_yz;
-        const stewart_real c242 = R_tip_x*q_x;
-        const stewart_real c243 = STEWART_FMA(-f_S_dot_yz, omega_y, f_S_dot_yy*omega_z) + f_S_yx;
-        const stewart_real c244 = STEWART_FMA(-f_S_dot_zx, omega_z, f_S_dot_zz*omega_x) + f_S_zy;
-        const stewart_real c245 = STEWART_FMA(-f_S_dot_zy, omega_x, f_S_dot_zx*omega_y) + f_S_zz;
-        const stewart_real c246 = STEWART_FMA(-f_S_dot_zz, omega_y, f_S_dot_zy*omega_z) + f_S_zx;
+        const stewart_real c238 = STEWART_FMA(-f_S_dot_xy, omega_x, STEWART_FMA(f_S_dot_xx, omega_y,
+            R_tip_y)) + f_S_xz;
+        const stewart_real c239 = STEWART_FMA(-f_S_dot_xx, omega_z, STEWART_FMA(f_S_dot_xz, omega_x,
+            -R_tip_z)) + f_S_xy;
+        const stewart_real c240 = STEWART_FMA(-f_S_dot_xz, omega_y, f_S_dot_xy*omega_z) + f_S_xx;
+        const stewart_real c241 = STEWART_FMA(-f_S_dot_yx, omega_z, f_S_dot_yz*omega_x) + f_S_yy;
+        const stewart_real c242 = STEWART_FMA(-f_S_dot_yy, omega_x, STEWART_FMA(f_S_dot_yx, omega_y,
+            -R_tip_x)) + f_S_yz;
+        const stewart_real c243 = STEWART_FMA(-f_S_dot_yz, omega_y, STEWART_FMA(f_S_dot_yy, omega_z,
+            R_tip_z)) + f_S_yx;
+        const stewart_real c244 = STEWART_FMA(-f_S_dot_zy, omega_x, f_S_dot_zx*omega_y) + f_S_zz;
+        const stewart_real c245 = STEWART_FMA(-f_S_dot_zx, omega_z, STEWART_FMA(f_S_dot_zz, omega_x,
+            R_tip_x)) + f_S_zy;
+        const stewart_real c246 = STEWART_FMA(-f_S_dot_zz, omega_y, STEWART_FMA(f_S_dot_zy, omega_z,
+            -R_tip_y)) + f_S_zx;
         out->sum[0][l] = REAL(0);
         out->sum[1][l] = REAL(0);
         out->sum[2][l] = REAL(0);
@@ -5962,21 +5965,21 @@ STEWART_APART static void joint_slopes_of_leg(
         out->sum[39][l] = -f_S_xx;
         out->sum[40][l] = -f_S_xy;
         out->sum[41][l] = -f_S_xz;
-        out->sum[42][l] = STEWART_FMA(-c237, q_y, STEWART_FMA(c238, q_z, -c235) - c236);
-        out->sum[43][l] = STEWART_FMA(-c239, q_z, STEWART_FMA(c237, q_x, R_tip_y*q_x));
-        out->sum[44][l] = STEWART_FMA(-c238, q_x, STEWART_FMA(c239, q_y, R_tip_z*q_x));
+        out->sum[42][l] = STEWART_FMA(-c238, q_y, c239*q_z);
+        out->sum[43][l] = STEWART_FMA(-c240, q_z, c238*q_x);
+        out->sum[44][l] = STEWART_FMA(-c239, q_x, c240*q_y);
         out->sum[45][l] = -f_S_yx;
         out->sum[46][l] = -f_S_yy;
         out->sum[47][l] = -f_S_yz;
-        out->sum[48][l] = STEWART_FMA(-c241, q_y, STEWART_FMA(c240, q_z, R_tip_x*q_y));
-        out->sum[49][l] = STEWART_FMA(-c243, q_z, STEWART_FMA(c241, q_x, -c236) - c242);
-        out->sum[50][l] = STEWART_FMA(-c240, q_x, STEWART_FMA(c243, q_y, R_tip_z*q_y));
+        out->sum[48][l] = STEWART_FMA(-c242, q_y, c241*q_z);
+        out->sum[49][l] = STEWART_FMA(-c243, q_z, c242*q_x);
+        out->sum[50][l] = STEWART_FMA(-c241, q_x, c243*q_y);
         out->sum[51][l] = -f_S_zx;
         out->sum[52][l] = -f_S_zy;
         out->sum[53][l] = -f_S_zz;
-        out->sum[54][l] = STEWART_FMA(-c245, q_y, STEWART_FMA(c244, q_z, R_tip_x*q_z));
-        out->sum[55][l] = STEWART_FMA(-c246, q_z, STEWART_FMA(c245, q_x, R_tip_y*q_z));
-        out->sum[56][l] = STEWART_FMA(-c244, q_x, STEWART_FMA(c246, q_y, -c235) - c242);
+        out->sum[54][l] = STEWART_FMA(-c244, q_y, c245*q_z);
+        out->sum[55][l] = STEWART_FMA(-c246, q_z, c244*q_x);
+        out->sum[56][l] = STEWART_FMA(-c245, q_x, c246*q_y);
         out->sum[57][l] = REAL(0);
         out->sum[58][l] = REAL(0);
         out->sum[59][l] = REAL(0);

@@ -5781,18 +5781,21 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real f_S_dot_zx = STEWART_FMA(C_s_phi_x, k_z, C_s_theta_x*y_z);
         const stewart_real f_S_dot_zy = STEWART_FMA(C_s_phi_y, k_z, C_s_theta_y*y_z);
         const stewart_real f_S_dot_zz = STEWART_FMA(C_s_phi_z, k_z, C_s_theta_z*y_z);
-        const stewart_real c222 = R_tip_y*q_y;
-        const stewart_real c223 = R_tip_z*q_z;
-        const stewart_real c224 = STEWART_FMA(-f_S_dot_xy, omega_x, f_S_dot_xx*omega_y) + f_S_xz;
-        const stewart_real c225 = STEWART_FMA(-f_S_dot_xx, omega_z, f_S_dot_xz*omega_x) + f_S_xy;
-        const stewart_real c226 = STEWART_FMA(-f_S_dot_xz, omega_y, f_S_dot_xy*omega_z) + f_S_xx;
-        const stewart_real c227 = STEWART_FMA(-f_S_dot_yx, omega_z, f_S_dot_yz*omega_x) + f_S_yy;
-        const stewart_real c228 = STEWART_FMA(-f_S_dot_yy, omega_x, f_S_dot_yx*omega_y) + f_S_yz;
-        const stewart_real c229 = R_tip_x*q_x;
-        const stewart_real c230 = STEWART_FMA(-f_S_dot_yz, omega_y, f_S_dot_yy*omega_z) + f_S_yx;
-        const stewart_real c231 = STEWART_FMA(-f_S_dot_zx, omega_z, f_S_dot_zz*omega_x) + f_S_zy;
-        const stewart_real c232 = STEWART_FMA(-f_S_dot_zy, omega_x, f_S_dot_zx*omega_y) + f_S_zz;
-        const stewart_real c233 = STEWART_FMA(-f_S_dot_zz, omega_y, f_S_dot_zy*omega_z) + f_S_zx;
+        const stewart_real c225 = STEWART_FMA(-f_S_dot_xy, omega_x, STEWART_FMA(f_S_dot_xx, omega_y,
+            R_tip_y)) + f_S_xz;
+        const stewart_real c226 = STEWART_FMA(-f_S_dot_xx, omega_z, STEWART_FMA(f_S_dot_xz, omega_x,
+            -R_tip_z)) + f_S_xy;
+        const stewart_real c227 = STEWART_FMA(-f_S_dot_xz, omega_y, f_S_dot_xy*omega_z) + f_S_xx;
+        const stewart_real c228 = STEWART_FMA(-f_S_dot_yx, omega_z, f_S_dot_yz*omega_x) + f_S_yy;
+        const stewart_real c229 = STEWART_FMA(-f_S_dot_yy, omega_x, STEWART_FMA(f_S_dot_yx, omega_y,
+            -R_tip_x)) + f_S_yz;
+        const stewart_real c230 = STEWART_FMA(-f_S_dot_yz, omega_y, STEWART_FMA(f_S_dot_yy, omega_z,
+            R_tip_z)) + f_S_yx;
+        const stewart_real c231 = STEWART_FMA(-f_S_dot_zy, omega_x, f_S_dot_zx*omega_y) + f_S_zz;
+        const stewart_real c232 = STEWART_FMA(-f_S_dot_zx, omega_z, STEWART_FMA(f_S_dot_zz, omega_x,
+            R_tip_x)) + f_S_zy;
+        const stewart_real c233 = STEWART_FMA(-f_S_dot_zz, omega_y, STEWART_FMA(f_S_dot_zy, omega_z,
+            -R_tip_y)) + f_S_zx;
         out->sum[0][l] = REAL(0);
         out->sum[1][l] = REAL(0);
         out->sum[2][l] = REAL(0);
@@ -5835,21 +5838,21 @@ STEWART_APART static void joint_slopes_of_leg(
         out->sum[39][l] = -f_S_xx;
         out->sum[40][l] = -f_S_xy;
         out->sum[41][l] = -f_S_xz;
-        out->sum[42][l] = STEWART_FMA(-c224, q_y, STEWART_FMA(c225, q_z, -c222) - c223);
-        out->sum[43][l] = STEWART_FMA(-c226, q_z, STEWART_FMA(c224, q_x, R_tip_y*q_x));
-        out->sum[44][l] = STEWART_FMA(-c225, q_x, STEWART_FMA(c226, q_y, R_tip_z*q_x));
+        out->sum[42][l] = STEWART_FMA(-c225, q_y, c226*q_z);
+        out->sum[43][l] = STEWART_FMA(-c227, q_z, c225*q_x);
+        out->sum[44][l] = STEWART_FMA(-c226, q_x, c227*q_y);
         out->sum[45][l] = -f_S_yx;
         out->sum[46][l] = -f_S_yy;
         out->sum[47][l] = -f_S_yz;
-        out->sum[48][l] = STEWART_FMA(-c228, q_y, STEWART_FMA(c227, q_z, R_tip_x*q_y));
-        out->sum[49][l] = STEWART_FMA(-c230, q_z, STEWART_FMA(c228, q_x, -c223) - c229);
-        out->sum[50][l] = STEWART_FMA(-c227, q_x, STEWART_FMA(c230, q_y, R_tip_z*q_y));
+        out->sum[48][l] = STEWART_FMA(-c229, q_y, c228*q_z);
+        out->sum[49][l] = STEWART_FMA(-c230, q_z, c229*q_x);
+        out->sum[50][l] = STEWART_FMA(-c228, q_x, c230*q_y);
         out->sum[51][l] = -f_S_zx;
         out->sum[52][l] = -f_S_zy;
         out->sum[53][l] = -f_S_zz;
-        out->sum[54][l] = STEWART_FMA(-c232, q_y, STEWART_FMA(c231, q_z, R_tip_x*q_z));
-        out->sum[55][l] = STEWART_FMA(-c233, q_z, STEWART_FMA(c232, q_x, R_tip_y*q_z));
-        out->sum[56][l] = STEWART_FMA(-c231, q_x, STEWART_FMA(c233, q_y, -c222) - c229);
+        out->sum[54][l] = STEWART_FMA(-c231, q_y, c232*q_z);
+        out->sum[55][l] = STEWART_FMA(-c233, q_z, c231*q_x);
+        out->sum[56][l] = STEWART_FMA(-c232, q_x, c233*q_y);
         out->sum[57][l] = REAL(0);
         out->sum[58][l] = REAL(0);
         out->sum[59][l] = REAL(0);

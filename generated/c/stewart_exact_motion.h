@@ -11,11 +11,11 @@
  * Link with stewart_exact_forces.c, whose prepared model is used; accelerations in the motion are read by
  * `derivatives` alone.
  *
- * Operations per pose before any solve       with friction                                without
- * equations         4634 (2625 mul, 1985 add, 12 div, 12 sqrt)   4289
- * bias              2091 (1239 mul, 828 add, 12 div, 12 sqrt)    1875
- * forward_dynamics  2973 (1719 mul, 1230 add, 12 div, 12 sqrt)   2757
- * derivatives       10532 (5826 mul, 4682 add, 12 div, 12 sqrt)  8889
+ * Operations per pose before any solve
+ * equations         4634 (2625 mul, 1985 add, 12 div, 12 sqrt)
+ * bias              2091 (1239 mul, 828 add, 12 div, 12 sqrt)
+ * forward_dynamics  2973 (1719 mul, 1230 add, 12 div, 12 sqrt)
+ * derivatives       10532 (5826 mul, 4682 add, 12 div, 12 sqrt)
  */
 #ifndef STEWART_EXACT_MOTION_H
 #define STEWART_EXACT_MOTION_H

@@ -10,15 +10,14 @@
  * Fidelity: offset joints; STEWART_NOT_FINITE also where a platform point lies where no leg with its offsets ends.
  *
  * Operations of one pose of inverse dynamics, six legs, solve included
- *          with friction                             without friction
- * leg      379 (222 mul, 151 add, 4 div, 2 sqrt)     348 (203 mul, 139 add, 4 div, 2 sqrt)
- * platform 192 (99 mul, 93 add, 0 div, 0 sqrt)       186 (96 mul, 90 add, 0 div, 0 sqrt)
- * moments  21 (12 mul, 9 add, 0 div, 0 sqrt)         21 (12 mul, 9 add, 0 div, 0 sqrt)
- * sum of c 51 (0 mul, 51 add, 0 div, 0 sqrt)         33 (0 mul, 33 add, 0 div, 0 sqrt)
- * solve    262 (158 mul, 102 add, 2 div, 0 sqrt)     262 (158 mul, 102 add, 2 div, 0 sqrt)
- * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)           6 (0 mul, 6 add, 0 div, 0 sqrt)
- * total    2890 (1649 mul, 1203 add, 26 div, 12 sqrt) 2680 (1532 mul, 1110 add, 26 div, 12 sqrt)
- * With products and the sums that they feed in one instruction 1860 and 1725.
+ * leg      379 (222 mul, 151 add, 4 div, 2 sqrt)
+ * platform 192 (99 mul, 93 add, 0 div, 0 sqrt)
+ * moments  21 (12 mul, 9 add, 0 div, 0 sqrt)
+ * sum of c 51 (0 mul, 51 add, 0 div, 0 sqrt)
+ * solve    262 (158 mul, 102 add, 2 div, 0 sqrt)
+ * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)
+ * total    2890 (1649 mul, 1203 add, 26 div, 12 sqrt)
+ * With products and the sums that they feed in one instruction 1860.
  */
 #ifndef STEWART_EXACT_OFFSET_FORCES_H
 #define STEWART_EXACT_OFFSET_FORCES_H

@@ -16,13 +16,12 @@
  * Meanings, frames and storage order: stewart.h.
  *
  * Operations of one pose of inverse dynamics, six legs, solve included
- *          with friction                             without friction
- * leg      248 (143 mul, 103 add, 1 div, 1 sqrt)     181 (102 mul, 77 add, 1 div, 1 sqrt)
- * platform 219 (123 mul, 96 add, 0 div, 0 sqrt)      219 (123 mul, 96 add, 0 div, 0 sqrt)
- * sum of c 36 (0 mul, 36 add, 0 div, 0 sqrt)         36 (0 mul, 36 add, 0 div, 0 sqrt)
- * solve    197 (106 mul, 85 add, 6 div, 0 sqrt)      197 (106 mul, 85 add, 6 div, 0 sqrt)
- * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)           6 (0 mul, 6 add, 0 div, 0 sqrt)
- * total    1946 (1087 mul, 841 add, 12 div, 6 sqrt)  1544 (841 mul, 685 add, 12 div, 6 sqrt)
+ * leg      248 (143 mul, 103 add, 1 div, 1 sqrt)
+ * platform 219 (123 mul, 96 add, 0 div, 0 sqrt)
+ * sum of c 36 (0 mul, 36 add, 0 div, 0 sqrt)
+ * solve    197 (106 mul, 85 add, 6 div, 0 sqrt)
+ * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)
+ * total    1946 (1087 mul, 841 add, 12 div, 6 sqrt)
  */
 #ifndef STEWART_EXACT_SPHERICAL_H
 #define STEWART_EXACT_SPHERICAL_H

@@ -8,15 +8,14 @@
  * machine; with -ffp-contract=off one pose and a batch agree to the last bit).
  *
  * Operations of one pose of inverse dynamics, six legs, solve included
- *          with friction                             without friction
- * leg      226 (131 mul, 93 add, 1 div, 1 sqrt)      162 (90 mul, 70 add, 1 div, 1 sqrt)
- * platform 186 (96 mul, 90 add, 0 div, 0 sqrt)       186 (96 mul, 90 add, 0 div, 0 sqrt)
- * moments  21 (12 mul, 9 add, 0 div, 0 sqrt)         21 (12 mul, 9 add, 0 div, 0 sqrt)
- * sum of c 51 (0 mul, 51 add, 0 div, 0 sqrt)         33 (0 mul, 33 add, 0 div, 0 sqrt)
- * solve    262 (158 mul, 102 add, 2 div, 0 sqrt)     262 (158 mul, 102 add, 2 div, 0 sqrt)
- * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)           6 (0 mul, 6 add, 0 div, 0 sqrt)
- * total    1966 (1100 mul, 852 add, 8 div, 6 sqrt)   1564 (854 mul, 696 add, 8 div, 6 sqrt)
- * With products and the sums that they feed in one instruction 1317 and 1041.
+ * leg      226 (131 mul, 93 add, 1 div, 1 sqrt)
+ * platform 186 (96 mul, 90 add, 0 div, 0 sqrt)
+ * moments  21 (12 mul, 9 add, 0 div, 0 sqrt)
+ * sum of c 51 (0 mul, 51 add, 0 div, 0 sqrt)
+ * solve    262 (158 mul, 102 add, 2 div, 0 sqrt)
+ * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)
+ * total    1966 (1100 mul, 852 add, 8 div, 6 sqrt)
+ * With products and the sums that they feed in one instruction 1317.
  */
 #ifndef STEWART_EXACT_SPHERICAL_DRIVE_FORCES_H
 #define STEWART_EXACT_SPHERICAL_DRIVE_FORCES_H

@@ -8,15 +8,14 @@
  * machine; with -ffp-contract=off one pose and a batch agree to the last bit).
  *
  * Operations of one pose of inverse dynamics, six legs, solve included
- *          with friction                             without friction
- * leg      221 (128 mul, 91 add, 1 div, 1 sqrt)      157 (87 mul, 68 add, 1 div, 1 sqrt)
- * platform 186 (96 mul, 90 add, 0 div, 0 sqrt)       186 (96 mul, 90 add, 0 div, 0 sqrt)
- * moments  21 (12 mul, 9 add, 0 div, 0 sqrt)         21 (12 mul, 9 add, 0 div, 0 sqrt)
- * sum of c 51 (0 mul, 51 add, 0 div, 0 sqrt)         33 (0 mul, 33 add, 0 div, 0 sqrt)
- * solve    262 (158 mul, 102 add, 2 div, 0 sqrt)     262 (158 mul, 102 add, 2 div, 0 sqrt)
- * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)           6 (0 mul, 6 add, 0 div, 0 sqrt)
- * total    1936 (1082 mul, 840 add, 8 div, 6 sqrt)   1534 (836 mul, 684 add, 8 div, 6 sqrt)
- * With products and the sums that they feed in one instruction 1299 and 1023.
+ * leg      221 (128 mul, 91 add, 1 div, 1 sqrt)
+ * platform 186 (96 mul, 90 add, 0 div, 0 sqrt)
+ * moments  21 (12 mul, 9 add, 0 div, 0 sqrt)
+ * sum of c 51 (0 mul, 51 add, 0 div, 0 sqrt)
+ * solve    262 (158 mul, 102 add, 2 div, 0 sqrt)
+ * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)
+ * total    1936 (1082 mul, 840 add, 8 div, 6 sqrt)
+ * With products and the sums that they feed in one instruction 1299.
  */
 #ifndef STEWART_EXACT_SPHERICAL_FORCES_H
 #define STEWART_EXACT_SPHERICAL_FORCES_H

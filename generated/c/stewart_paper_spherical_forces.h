@@ -8,15 +8,14 @@
  * machine; with -ffp-contract=off one pose and a batch agree to the last bit).
  *
  * Operations of one pose of inverse dynamics, six legs, solve included
- *          with friction                             without friction
- * leg      222 (129 mul, 91 add, 1 div, 1 sqrt)      158 (88 mul, 68 add, 1 div, 1 sqrt)
- * platform 186 (96 mul, 90 add, 0 div, 0 sqrt)       186 (96 mul, 90 add, 0 div, 0 sqrt)
- * moments  21 (12 mul, 9 add, 0 div, 0 sqrt)         21 (12 mul, 9 add, 0 div, 0 sqrt)
- * sum of c 51 (0 mul, 51 add, 0 div, 0 sqrt)         33 (0 mul, 33 add, 0 div, 0 sqrt)
- * solve    262 (158 mul, 102 add, 2 div, 0 sqrt)     262 (158 mul, 102 add, 2 div, 0 sqrt)
- * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)           6 (0 mul, 6 add, 0 div, 0 sqrt)
- * total    1942 (1088 mul, 840 add, 8 div, 6 sqrt)   1540 (842 mul, 684 add, 8 div, 6 sqrt)
- * With products and the sums that they feed in one instruction 1299 and 1029.
+ * leg      222 (129 mul, 91 add, 1 div, 1 sqrt)
+ * platform 186 (96 mul, 90 add, 0 div, 0 sqrt)
+ * moments  21 (12 mul, 9 add, 0 div, 0 sqrt)
+ * sum of c 51 (0 mul, 51 add, 0 div, 0 sqrt)
+ * solve    262 (158 mul, 102 add, 2 div, 0 sqrt)
+ * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)
+ * total    1942 (1088 mul, 840 add, 8 div, 6 sqrt)
+ * With products and the sums that they feed in one instruction 1299.
  */
 #ifndef STEWART_PAPER_SPHERICAL_FORCES_H
 #define STEWART_PAPER_SPHERICAL_FORCES_H

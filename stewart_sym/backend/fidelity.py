@@ -82,7 +82,7 @@ def operations(robot: Robot, formulation: str = "exact", fidelity: str = _GENERA
     """Operations per pose: +, -, *, / and sqrt one each, solve included."""
     level = resolved(robot, formulation, fidelity)
     if robot.offsets is not None:
-        return int(module(f"{OFFSET_KERNEL}_operations").OPERATIONS["friction"])
+        return int(module(f"{OFFSET_KERNEL}_operations").OPERATIONS["forces"])
     if level == _GENERAL:
         counts = module(robot_kernel(robot, formulation)).FORCE_OPERATIONS["friction"]
         return sum(counts["total"])

@@ -46,7 +46,7 @@ def test_regressor_times_parameters_is_the_wrench_of_actuators_and_load(seed: in
 def test_blocks_give_the_wrench_of_the_elimination_at_50_digits() -> None:
     for seed in range(2):
         with mp.workdps(DIGITS):
-            robot, motion, raw = case(seed, True)
+            robot, motion, raw = case(seed)
             true = truth(EXACT, robot, motion, raw)
             expected = true["H"] * true["F"] + load(raw[0])
             legs, platform = columns(raw)
@@ -87,7 +87,7 @@ def test_columns_that_are_sums_of_others_on_every_machine_are_so_at_50_digits() 
     assert len(dependent) == 8
     for seed in range(3):
         with mp.workdps(DIGITS):
-            _, _, raw = case(seed, True)
+            _, _, raw = case(seed)
             legs, platform = columns(raw)
             for leg, values in zip(legs, raw, strict=True):
                 for lost, shares in dependent.items():

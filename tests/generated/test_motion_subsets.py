@@ -28,7 +28,7 @@ WARNINGS = ["-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wunused", "-Wmissing-
 
 @pytest.fixture(scope="module")
 def kernels():
-    return reduced_motion(), reduced_motion(friction=False), prepared_model(EXACT)
+    return reduced_motion(), prepared_model(EXACT)
 
 
 @pytest.fixture(scope="module")
@@ -38,8 +38,7 @@ def written(kernels, tmp_path_factory: pytest.TempPathFactory):
     @functools.cache
     def write(functions: tuple[str, ...]) -> Path:
         folder = tmp_path_factory.mktemp("subset")
-        full, plain, model = kernels
-        for name, text in emitted.files(full, plain, model, generator_version(), functions).items():
+        for name, text in emitted.files(*kernels, generator_version(), functions).items():
             (folder / name).write_text(text)
         return folder
 

@@ -150,7 +150,7 @@ def at_50_digits(seed: int) -> tuple[Robot, Motion, dict[str, mp.matrix]]:
     with mp.workdps(DIGITS):
         raw = inputs(robot, motion)
         F = truth(EXACT, robot, motion, raw)["F"]
-        found = summed(symbolic(True)["equations"], True, raw, [mp.mpf(0)] * 6)
+        found = summed(symbolic()["equations"], raw, [mp.mpf(0)] * 6)
         parts = {
             "F": F,
             "M": inertia(found),

@@ -47,15 +47,15 @@ OF_TWO_FORMS = tuple(_NEAR)
 """Of those whose legs have a second block."""
 
 
-def kernels(friction: bool = True, rotor: Rotor = NONE) -> tuple[SumKernel, ...]:
+def kernels(rotor: Rotor = NONE) -> tuple[SumKernel, ...]:
     """All of them, as ``NAMES``."""
-    return tuple(kernel(name, friction, rotor) for name in NAMES)
+    return tuple(kernel(name, rotor) for name in NAMES)
 
 
 @cache
-def kernel(name: str, friction: bool, rotor: Rotor = NONE) -> SumKernel:
+def kernel(name: str, rotor: Rotor = NONE) -> SumKernel:
     """One of ``NAMES``, derived once; rotor: of the legs' drives."""
-    found = _KERNELS[name](friction, rotor)
+    found = _KERNELS[name](rotor)
     if name in _NEAR:
-        found = replace(found, near=_NEAR[name](friction, True, rotor))
+        found = replace(found, near=_NEAR[name](True, rotor))
     return found.changed(from_difference)

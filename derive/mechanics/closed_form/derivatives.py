@@ -16,15 +16,13 @@ from . import parts
 from .terms import AXIAL, BY_POSE, BY_TWIST, F_LEG, INERTIA, NET, TAU_BY, TURNED, SumKernel
 
 
-def derivatives_kernel(friction: bool, rotor: Rotor) -> SumKernel:
+def derivatives_kernel(rotor: Rotor) -> SumKernel:
     """Derivatives of the wrench by pose, twist and acceleration, the last of which is M."""
     summed = (*INERTIA, *BY_POSE, *BY_TWIST)
-    return SumKernel(
-        "derivatives", summed, _derivatives_of_platform(friction), derivatives_of_leg(friction, False, rotor)
-    )
+    return SumKernel("derivatives", summed, _derivatives_of_platform(), derivatives_of_leg(False, rotor))
 
 
-def _derivatives_of_platform(friction: bool, name: str = "derivatives", alone: bool = False) -> Block:
+def _derivatives_of_platform(name: str = "derivatives", alone: bool = False) -> Block:
     build = Builder()
     at = parts.platform_of(build, alone)
     omega, alpha = n.omega.value, n.alpha.value
@@ -36,9 +34,7 @@ def _derivatives_of_platform(friction: bool, name: str = "derivatives", alone: b
         build.vector(name, v) for name, v in zip(("F_load", "M_load"), parts.external(), strict=True)
     )
     spin = build.matrix("spin", J * turn - skew(at.J_w), "", "derivative of I omega by dphi at fixed omega")
-    by_omega = turn * J - skew(at.J_w)
-    if friction:
-        by_omega += p.C_P.value * sp.eye(3)
+    by_omega = turn * J - skew(at.J_w) + p.C_P.value * sp.eye(3)
     zero = sp.zeros(3, 3)
     pose = (
         zero,
@@ -73,12 +69,12 @@ class _Slopes:
     force: sp.Matrix
 
 
-def derivatives_of_leg(friction: bool, near: bool, rotor: Rotor) -> Block:
+def derivatives_of_leg(near: bool, rotor: Rotor) -> Block:
     """One leg's part; near: written for legs near their joint singularity."""
     build = Builder()
     leg = parts.leg_of(build, early=not near, leaning=False, rotor=rotor)
     q, turn = leg.at.q, skew(leg.at.q)
-    by = _tip_slopes(build, leg, friction, near)
+    by = _tip_slopes(build, leg, near)
     W = skew(n.omega.value)
     w_q = leg.w_q
     reach = build.matrix(
@@ -87,12 +83,10 @@ def derivatives_of_leg(friction: bool, near: bool, rotor: Rotor) -> Block:
     pace = build.matrix("Y", by.S_dot + by.S_ddot * W)
     fr = build.matrix("Z", -reach * turn)
     fw = build.matrix("V", -pace * turn - by.S_ddot * skew(w_q) + by.omega)
-    mr, mw = turn * fr + skew(by.force) * turn, turn * fw
-    mt, mv = turn * by.S, turn * by.S_dot
-    if friction:
-        moment = skew(by.force) + by.f_S + by.f_S_dot * W - turn * reach
-        mt, mr = mt - by.f_S, build.matrix("Q", moment, "", "moment by rotation about the tip") * turn
-        mv, mw = mv - by.f_S_dot, mw + by.f_S_dot * turn
+    mw, mt, mv = turn * fw, turn * by.S, turn * by.S_dot
+    moment = skew(by.force) + by.f_S + by.f_S_dot * W - turn * reach
+    mt, mr = mt - by.f_S, build.matrix("Q", moment, "", "moment by rotation about the tip") * turn
+    mv, mw = mv - by.f_S_dot, mw + by.f_S_dot * turn
     return build.block(
         "derivatives_of_leg_near" if near else "derivatives_of_leg",
         "one leg's part of the derivatives of the wrench",
@@ -112,7 +106,7 @@ class _TorqueSlopes:
     """Derivatives of the leg's generalised forces, 3x3, leg frame: by S, S_dot and S_ddot.
 
     inertia: M of the joint coordinates; bend: sum of the net forces times the Hessians of L, theta, phi;
-    force: Gamma^T net, base frame; normal: k x y where there is friction.
+    force: Gamma^T net, base frame; normal: k x y.
     """
 
     S: sp.Matrix
@@ -120,20 +114,18 @@ class _TorqueSlopes:
     bend: sp.Matrix
     inertia: sp.Matrix
     force: sp.Matrix
-    normal: sp.Matrix | None
+    normal: sp.Matrix
 
 
-def _torque_slopes(
-    build: Builder, leg: parts.Leg, friction: bool, near: bool, net: sp.Matrix | None = None
-) -> _TorqueSlopes:
+def _torque_slopes(build: Builder, leg: parts.Leg, near: bool, net: sp.Matrix | None = None) -> _TorqueSlopes:
     """See ``tip`` for the formulas. near: everything in the symbols of ``tip.gathered``, and without names.
 
     net: generalised forces less the actuator's, where they are given.
     """
     rotor = leg.at.rotor
-    inner, raw, M = tip.gradients(), tip.torques(friction, rotor), tip.inertia(rotor)
+    inner, raw, M = tip.gradients(), tip.torques(True, rotor), tip.inertia(rotor)
     gravity_torques(build, leg.at)
-    normal = parts.name_omega(build, leg.at) if friction else None
+    normal = parts.name_omega(build, leg.at)
     named = zip(("tau_L", "tau_theta", "tau_phi"), tip.gathered(raw) if near else raw, strict=True)
     if net is None:
         tau = [build.scalar(name, value) for name, value in named]
@@ -202,13 +194,11 @@ def _name_finite_motion(build: Builder, leg: parts.Leg, turned: bool) -> None:
     build.scalar(tip.OWN_Z.name, about_z, "(9)", meaning)
 
 
-def _friction_slopes(build: Builder, leg: parts.Leg, normal: sp.Matrix | None) -> tuple[sp.Matrix, sp.Matrix]:
+def _friction_slopes(build: Builder, leg: parts.Leg, normal: sp.Matrix) -> tuple[sp.Matrix, sp.Matrix]:
     """Derivatives of f = C_s (phi_dot k + theta_dot y - omega) by S and S_dot, base frame.
 
-    normal: k x y, by which y moves with phi; None without friction.
+    normal: k x y, by which y moves with phi.
     """
-    if normal is None:
-        return sp.zeros(3, 3), sp.zeros(3, 3)
     at, k, C_s = leg.at, n.k.value, n.C_s.value
     rate = parts.local_matrix(build, "G_dot", tip.gradients().rate)
     by_theta, by_phi = (
@@ -225,14 +215,14 @@ def _friction_slopes(build: Builder, leg: parts.Leg, normal: sp.Matrix | None) -
     )
 
 
-def _tip_slopes(build: Builder, leg: parts.Leg, friction: bool, near: bool) -> _Slopes:
+def _tip_slopes(build: Builder, leg: parts.Leg, near: bool) -> _Slopes:
     """See ``tip`` for the formulas; the actuator's force enters through the second derivative of L."""
     if near:
         _name_finite_motion(build, leg, turned=False)
     else:
         _name_joint_motion(build, leg)
     m, _ = parts.tip_inertia(build, leg)
-    by = _torque_slopes(build, leg, friction, near)
+    by = _torque_slopes(build, leg, near)
     T, value = leg.T, tip.gradients().value
     f_S, f_S_dot = _friction_slopes(build, leg, by.normal)
     A_0, A_1 = value.T * by.S + by.bend, value.T * by.S_dot
@@ -252,7 +242,7 @@ def _tip_slopes(build: Builder, leg: parts.Leg, friction: bool, near: bool) -> _
     )
 
 
-def joint_slopes_kernel(friction: bool, rotor: Rotor) -> SumKernel:
+def joint_slopes_kernel(rotor: Rotor) -> SumKernel:
     """Derivatives of the wrench, and apart from them those that act along the rows of ``joint_rows_kernel``.
 
     The derivative of the wrench is the sum of what is summed and of [row_v row_w]^T tau_by over the legs.
@@ -261,7 +251,7 @@ def joint_slopes_kernel(friction: bool, rotor: Rotor) -> SumKernel:
     leg = parts.leg_of(build, rotor=rotor)
     q, turn, T = leg.at.q, skew(leg.at.q), leg.T
     _name_finite_motion(build, leg, turned=True)
-    by = _torque_slopes(build, leg, friction, near=True, net=NET.value)
+    by = _torque_slopes(build, leg, near=True, net=NET.value)
     fall = T.T * build.vector("fall", parts.centripetal_acceleration(build, leg.at) - n.g.value)
     fall = n.m_u.value * build.vector(
         "fall_T",
@@ -269,7 +259,7 @@ def joint_slopes_kernel(friction: bool, rotor: Rotor) -> SumKernel:
         "",
         "acceleration of the platform point from free fall, leg frame",
     )
-    turning, bend = _turning_with_leg(fall, NET.value, tip.torques(friction, rotor))
+    turning, bend = _turning_with_leg(fall, NET.value, tip.torques(True, rotor))
     S, S_dot, S_ddot = (
         build.matrix(
             name,
@@ -292,21 +282,16 @@ def joint_slopes_kernel(friction: bool, rotor: Rotor) -> SumKernel:
     reach = build.matrix("X", S + S_dot * W + S_ddot * p.B.value)
     pace = build.matrix("Y", S_dot + S_ddot * W)
     zero = sp.zeros(3, 3)
-    mt, mr = zero, skew(by.force) * turn
-    mv = mw = by_omega = zero
-    if friction:
-        C_s, f_S, f_S_dot = n.C_s.value, *_friction_slopes(build, leg, by.normal)
-        by_omega = -C_s * sp.Matrix.vstack(sp.zeros(1, 3), leg.at.y.T, n.k.value.T)
-        mt, mr = -f_S, mr + (f_S + f_S_dot * W) * turn
-        mv, mw = -f_S_dot, f_S_dot * turn
+    f_S, f_S_dot = _friction_slopes(build, leg, by.normal)
+    by_omega = -n.C_s.value * sp.Matrix.vstack(sp.zeros(1, 3), leg.at.y.T, n.k.value.T)
     block = build.block(
         "joint_slopes_of_leg",
         "one leg's part of the derivatives of the wrench, and its generalised forces' derivatives",
         parts.LEG_INPUTS,
         [
             *((quantity, zero) for quantity in INERTIA),
-            *zip(BY_POSE, (zero, zero, mt, mr), strict=True),
-            *zip(BY_TWIST, (zero, zero, mv, mw), strict=True),
+            *zip(BY_POSE, (zero, zero, -f_S, (skew(by.force) + f_S + f_S_dot * W) * turn), strict=True),
+            *zip(BY_TWIST, (zero, zero, -f_S_dot, f_S_dot * turn), strict=True),
             *zip(
                 TAU_BY,
                 (S, -reach * turn, S_dot, -pace * turn - S_ddot * skew(w_q) + by_omega),
@@ -316,7 +301,7 @@ def joint_slopes_kernel(friction: bool, rotor: Rotor) -> SumKernel:
             *parts.checked(leg.at),
         ],
     )
-    pose = _derivatives_of_platform(friction, "joint_slopes", alone=True)
+    pose = _derivatives_of_platform("joint_slopes", alone=True)
     return SumKernel("joint_slopes", (*INERTIA, *BY_POSE, *BY_TWIST), pose, block)
 
 

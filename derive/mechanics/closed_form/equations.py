@@ -12,10 +12,10 @@ from ..legs.rotor import Rotor
 from . import parts, terms
 
 
-def bias_kernel(friction: bool, rotor: Rotor) -> terms.SumKernel:
+def bias_kernel(rotor: Rotor) -> terms.SumKernel:
     """C twist + g + friction without C."""
     build = Builder()
-    force, moment = parts.platform_bias(parts.platform_of(build), friction)
+    force, moment = parts.platform_bias(parts.platform_of(build))
     pose = build.block(
         "bias_of_platform",
         "the platform's part of C twist + g + friction",
@@ -24,7 +24,7 @@ def bias_kernel(friction: bool, rotor: Rotor) -> terms.SumKernel:
     )
     build = Builder()
     leg = parts.leg_of(build, early=True, rotor=rotor)
-    tau, f = parts.tip_bias(build, leg, friction)
+    tau, f = parts.tip_bias(build, leg)
     D, K = tip_force(build, leg.at, tau)
     R = build.vector("R_tip", K + D * leg.at.s, "", "force at the tip")
     block = build.block(
@@ -36,12 +36,12 @@ def bias_kernel(friction: bool, rotor: Rotor) -> terms.SumKernel:
     return terms.SumKernel("bias", terms.BIAS, pose, block)
 
 
-def forward_kernel(friction: bool, rotor: Rotor) -> terms.SumKernel:
+def forward_kernel(rotor: Rotor) -> terms.SumKernel:
     """M, and the right side H F + external wrench - bias."""
-    pose = _forward_of_platform("forward_of_platform", friction)
+    pose = _forward_of_platform("forward_of_platform")
     build = Builder()
     leg = parts.leg_of(build, early=True, rotor=rotor)
-    tau, f = parts.tip_bias(build, leg, friction)
+    tau, f = parts.tip_bias(build, leg)
     D, K = tip_force(build, leg.at, tau)
     push = build.vector(
         "push", (terms.F_LEG.value - D) * leg.at.s - K, "", "force on the platform at the tip"
@@ -60,10 +60,10 @@ def forward_kernel(friction: bool, rotor: Rotor) -> terms.SumKernel:
     return terms.SumKernel("forward_dynamics", (*terms.INERTIA, *terms.RIGHT), pose, block)
 
 
-def _forward_of_platform(name: str, friction: bool, alone: bool = False) -> Block:
+def _forward_of_platform(name: str, alone: bool = False) -> Block:
     build = Builder()
     at = parts.platform_of(build, alone)
-    bias, load = parts.platform_bias(at, friction), parts.external()
+    bias, load = parts.platform_bias(at), parts.external()
     return build.block(
         name,
         "the platform's part of M and of the right side",
@@ -76,7 +76,7 @@ def _forward_of_platform(name: str, friction: bool, alone: bool = False) -> Bloc
     )
 
 
-def joint_rows_kernel(friction: bool, rotor: Rotor) -> terms.SumKernel:
+def joint_rows_kernel(rotor: Rotor) -> terms.SumKernel:
     """The same without the legs in M: what they have of it by the joint coordinates, which M would add up.
 
     M = M_platform + sum of G^T M_xi G with G = [row_v row_w], and the right side lacks G^T tau. An upper part
@@ -85,7 +85,7 @@ def joint_rows_kernel(friction: bool, rotor: Rotor) -> terms.SumKernel:
     build = Builder()
     leg = parts.leg_of(build, rotor=rotor)
     at = leg.at
-    tau, f = parts.tip_bias(build, leg, friction)
+    tau, f = parts.tip_bias(build, leg)
     fall = build.vector(
         "fall", terms.B_0.value * at.q - n.g.value, "", "of the platform point, from free fall"
     )
@@ -107,22 +107,22 @@ def joint_rows_kernel(friction: bool, rotor: Rotor) -> terms.SumKernel:
             *parts.checked(at),
         ],
     )
-    pose = _forward_of_platform("joint_rows_of_platform", friction, alone=True)
+    pose = _forward_of_platform("joint_rows_of_platform", alone=True)
     return terms.SumKernel("joint_rows", (*terms.INERTIA, *terms.RIGHT), pose, block)
 
 
-def equations_kernel(friction: bool, rotor: Rotor) -> terms.SumKernel:
+def equations_kernel(rotor: Rotor) -> terms.SumKernel:
     """M, C, g and friction apart, H and its rate."""
     summed = (*terms.INERTIA, *terms.CORIOLIS, *terms.GRAVITY, *terms.FRICTION)
     return terms.SumKernel(
         "equations",
         summed,
-        _equations_of_platform(friction),
-        equations_of_leg(friction, near=False, rotor=rotor),
+        _equations_of_platform(),
+        equations_of_leg(near=False, rotor=rotor),
     )
 
 
-def _equations_of_platform(friction: bool) -> Block:
+def _equations_of_platform() -> Block:
     build = Builder()
     at = parts.platform_of(build)
     omega, g = n.omega.value, n.g.value
@@ -130,7 +130,6 @@ def _equations_of_platform(friction: bool) -> Block:
     turn = skew(omega)
     zero = sp.zeros(3, 3)
     coriolis = (zero, -skew(at.w_h), zero, turn * at.J - half_trace * turn)
-    resistance = p.C_P.value * omega if friction else sp.zeros(3, 1)
     return build.block(
         "equations_of_platform",
         "the platform's part of M, C, g and friction",
@@ -139,12 +138,12 @@ def _equations_of_platform(friction: bool) -> Block:
             *parts.platform_inertia(at),
             *zip(terms.CORIOLIS, coriolis, strict=True),
             *zip(terms.GRAVITY, (-p.M_P.value * g, -cross(at.h, g)), strict=True),
-            *zip(terms.FRICTION, (sp.zeros(3, 1), resistance), strict=True),
+            *zip(terms.FRICTION, (sp.zeros(3, 1), p.C_P.value * omega), strict=True),
         ],
     )
 
 
-def equations_of_leg(friction: bool, near: bool, rotor: Rotor) -> Block:
+def equations_of_leg(near: bool, rotor: Rotor) -> Block:
     """One leg's part; near: written for legs near their joint singularity."""
     build = Builder()
     leg = parts.leg_of(build, early=not near, leaning=False, rotor=rotor)
@@ -167,21 +166,20 @@ def equations_of_leg(friction: bool, near: bool, rotor: Rotor) -> Block:
     held = build.vector(
         "held", parts.from_torques(build, leg, sp.S.Zero, about_y, about_k), "", "against gravity"
     )
-    resistance, f = sp.zeros(3, 1), friction_moment(at, rates, friction)
-    if friction:
-        omega, C_s, C_us = n.omega.value, n.C_s.value, p.C_us.value
-        resistance = build.vector(
-            "resistance",
-            parts.from_torques(
-                build,
-                leg,
-                n.C_p.value * rates.L,
-                C_us * rates.theta - C_s * at.y.dot(omega),
-                C_us * rates.phi - C_s * n.k.value.dot(omega),
-            ),
-            "",
-            "against friction",
-        )
+    f = friction_moment(at, rates)
+    omega, C_s, C_us = n.omega.value, n.C_s.value, p.C_us.value
+    resistance = build.vector(
+        "resistance",
+        parts.from_torques(
+            build,
+            leg,
+            n.C_p.value * rates.L,
+            C_us * rates.theta - C_s * at.y.dot(omega),
+            C_us * rates.phi - C_s * n.k.value.dot(omega),
+        ),
+        "",
+        "against friction",
+    )
     s_dot = build.vector("s_dot", at.inv_L * (leg.S_dot - rates.L * at.s), "(3)", "rate of s")
     return build.block(
         "equations_of_leg_near" if near else "equations_of_leg",

@@ -54,12 +54,10 @@ def platform_inertia(at: Platform) -> list[tuple[Quantity, sp.Matrix]]:
     return [(M_VV, at.mass * sp.eye(3)), (M_VW, -skew(at.h)), (M_WW, at.J)]
 
 
-def platform_bias(at: Platform, friction: bool) -> tuple[sp.Matrix, sp.Matrix]:
+def platform_bias(at: Platform) -> tuple[sp.Matrix, sp.Matrix]:
     """C twist + g + friction of the platform with what is lumped with it, force and moment."""
     omega, g = n.omega.value, n.g.value
-    moment = cross(omega, at.J_w) - cross(at.h, g)
-    if friction:
-        moment += p.C_P.value * omega
+    moment = cross(omega, at.J_w) - cross(at.h, g) + p.C_P.value * omega
     return cross(omega, at.w_h) - at.mass * g, moment
 
 
@@ -168,7 +166,7 @@ def wrench(force: sp.Matrix, q: sp.Matrix, less: sp.Matrix | None = None) -> lis
     return [force, moment if less is None else moment - less]
 
 
-def tip_bias(build: Builder, leg: Leg, friction: bool) -> tuple[JointForces, sp.Matrix]:
+def tip_bias(build: Builder, leg: Leg) -> tuple[JointForces, sp.Matrix]:
     """Generalised forces and f of the leg without accelerations of the platform."""
     at = leg.at
     rates = joint_rates(build, at, leg.S_dot)
@@ -176,7 +174,7 @@ def tip_bias(build: Builder, leg: Leg, friction: bool) -> tuple[JointForces, sp.
         "S_ddot", B_0.value * at.q, "(7)", "acceleration of the platform point, a = alpha = 0"
     )
     accelerations = joint_accelerations(build, at, rates, S_ddot)
-    return joint_forces(build, at, rates, accelerations, friction), friction_moment(at, rates, friction)
+    return joint_forces(build, at, rates, accelerations), friction_moment(at, rates)
 
 
 def from_torques(build: Builder, leg: Leg, axial: sp.Expr, about_y: sp.Expr, about_k: sp.Expr) -> sp.Matrix:

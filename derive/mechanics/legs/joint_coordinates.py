@@ -302,7 +302,7 @@ def joint_forces(
     at: JointFrame,
     rates: JointRates,
     accelerations: JointAccelerations,
-    friction: bool,
+    friction: bool = True,
     inertia: JointInertia | None = None,
 ) -> JointForces:
     """Lagrange's equations of the leg with gravity and friction, (17)-(20), (23).
@@ -366,7 +366,7 @@ def _transverse_tip_force(
     return build.scalar("D", forces.along, "(24)", "known part of the actuator force, to match"), K
 
 
-def friction_moment(at: JointFrame, rates: JointRates, friction: bool) -> sp.Matrix:
+def friction_moment(at: JointFrame, rates: JointRates, friction: bool = True) -> sp.Matrix:
     """C_s times the leg's angular velocity, the leg's part of f in (18); the platform's part is in C_P."""
     if not friction:
         return sp.zeros(3, 1)

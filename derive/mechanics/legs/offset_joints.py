@@ -143,11 +143,9 @@ def offset_forces(
     at: JointFrame,
     rates: JointRates,
     accelerations: JointAccelerations,
-    friction: bool,
 ) -> JointForces:
     """Lagrange's equations of the leg, (17)-(20), (23)."""
-    inertia = offset_inertia(build, at)
-    found = joint_forces(build, at, rates, accelerations, friction, inertia)
+    found = joint_forces(build, at, rates, accelerations, inertia=offset_inertia(build, at))
     weight = w_o.value * at.y.dot(n.g.value)
     return replace(found, about_k=build.scalar("tau_k_offset", found.about_k - weight, "(20)"))
 

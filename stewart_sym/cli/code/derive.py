@@ -49,10 +49,8 @@ def run(arguments: argparse.Namespace) -> int:
 
 def _line(kernel: dict[str, Any]) -> str:
     """A kernel's name, time, and operations per pose if they are counted."""
-    name, seconds, friction, without = kernel.values()
-    counts = ""
-    if friction is not None:
-        counts = f"operations per pose: {friction} with friction, {without} without"
+    name, seconds, operations = kernel.values()
+    counts = "" if operations is None else f"operations per pose: {operations}"
     return f"{name:<16} {seconds:6.1f} s   {counts}".rstrip()
 
 
@@ -68,30 +66,21 @@ def _derived(progress: Progress) -> tuple[list[dict[str, Any]], dict[str, str]]:
         seconds[name] = time_s
 
     texts: dict[str, str] = generated_files(note, CORES)
-    kernels = []
-    for name, time_s in seconds.items():
-        friction, without = _operations(texts.get(f"{name}.py", ""))
-        kernels.append(
-            {
-                "name": name,
-                "time_s": time_s,
-                "operations_per_pose_with_friction": friction,
-                "operations_per_pose_without_friction": without,
-            }
-        )
+    kernels = [
+        {"name": name, "time_s": time_s, "operations_per_pose": _operations(texts.get(f"{name}.py", ""))}
+        for name, time_s in seconds.items()
+    ]
     return kernels, texts
 
 
-def _operations(module: str) -> tuple[int, int] | tuple[None, None]:
-    """Totals with and without friction in the text of a generated module; None where it has none."""
+def _operations(module: str) -> int | None:
+    """The total with friction in the text of a generated module; None where it has none."""
     import ast
 
     for node in ast.parse(module).body:
         if isinstance(node, ast.AnnAssign) and ast.unparse(node.target) == "OPERATIONS" and node.value:
-            counts = ast.literal_eval(node.value)
-            with_friction, without = (sum(counts[key]["total"]) for key in ("friction", "frictionless"))
-            return with_friction, without
-    return None, None
+            return sum(ast.literal_eval(node.value)["friction"]["total"])
+    return None
 
 
 def _compared(directory: Path, texts: dict[str, str]) -> tuple[list[str], dict[str, list[str]]]:

@@ -18,23 +18,23 @@ Values = dict[str, mp.mpf]
 
 
 @functools.cache
-def symbolic(friction: bool) -> dict[str, SumKernel]:
+def symbolic() -> dict[str, SumKernel]:
     """The kernels of the closed form by name, before sharing."""
-    return {kernel.name: kernel for kernel in kernels(friction)}
+    return {kernel.name: kernel for kernel in kernels()}
 
 
 @functools.cache
-def preparation(friction: bool) -> tuple:
+def preparation() -> tuple:
     """Blocks that prepare every constant that some kernel reads."""
-    every = symbolic(friction).values()
+    every = symbolic().values()
     of_leg = dict.fromkeys(q for kernel in every for q in kernel.leg.inputs)
     of_platform = dict.fromkeys(q for kernel in every for q in kernel.pose.inputs)
-    return prepare_leg(of_leg, Lumped(mass=True, friction=friction)), prepare_platform(of_platform)
+    return prepare_leg(of_leg, Lumped(mass=True, friction=True)), prepare_platform(of_platform)
 
 
-def summed(kernel: SumKernel, friction: bool, raw: list[Values], F: list[mp.mpf]) -> dict[str, mp.matrix]:
+def summed(kernel: SumKernel, raw: list[Values], F: list[mp.mpf]) -> dict[str, mp.matrix]:
     """Sums of a kernel over the machine as matrices by name, and H and its rate where they are handed out."""
-    leg_block, platform_block = preparation(friction)
+    leg_block, platform_block = preparation()
     legs = [by_name(leg_block, leg_block.run(values, mp.sqrt)) for values in raw]
     added = {name: sum(leg[name] for leg in legs) for q in ADDED for name in q.names}
     platform = by_name(platform_block, platform_block.run(raw[0] | added, mp.sqrt))
@@ -109,9 +109,9 @@ def moved(raw: list[Values], pose: mp.matrix, twist: mp.matrix, acceleration: mp
     return [values | change for values in raw]
 
 
-def case(seed: int, friction: bool) -> tuple[Robot, Motion, list[Values]]:
+def case(seed: int) -> tuple[Robot, Motion, list[Values]]:
     rng = np.random.default_rng(seed)
-    robot = random_robot(rng, friction=friction)
+    robot = random_robot(rng)
     motion = random_motion(rng, robot)
     raw = inputs(robot, motion)
     # R and k are orthonormal to double rounding only; here they must be so to 50 digits.
