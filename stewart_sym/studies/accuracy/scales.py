@@ -5,6 +5,7 @@ Each arithmetic is compared with one of more digits that is given the same numbe
 
 import ctypes
 import dataclasses
+import functools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -51,7 +52,7 @@ _STANDARD_GRAVITY = 9.81
 _RAGGED = 0.08
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class _Arithmetic:
     """How the C is compiled, and the type of its numbers."""
 
@@ -125,8 +126,9 @@ def scales_study(
     ):
         for k in range(machines):
             kind, motion = _case(rng, robot, k > 0, poses)
+            kind = _with_legs(kind, masses[leg] / masses[p])
             for s, size in enumerate(sizes):
-                case = _scaled(kind, motion, size, masses[p], masses[leg])
+                case = _scaled(kind, motion, size, masses[p])
                 for name, found in _errors(*case, checked).items():
                     errors[name][s, p, leg, k] = found
     return Scales(
@@ -170,16 +172,17 @@ def _motions(rng: np.random.Generator, robot: Robot, count: int) -> Motion:
     return motion[good]
 
 
-def _scaled(
-    robot: Robot, motion: Motion, size: float, platform: float, heaviest: float
-) -> tuple[Robot, Motion]:
-    """The machine with its base of a radius, its platform and its legs of a mass; rounded to float."""
+def _with_legs(robot: Robot, share: float) -> Robot:
+    """The robot with the heaviest part of its legs a share of the platform's mass."""
+    factor = share * robot.M / float(max(robot.m_d.max(), robot.m_u.max()))
+    parts = {name: getattr(robot, name) * factor for name in ("m_d", "m_u", "I_d0", "I_u0")}
+    return dataclasses.replace(robot, **parts)
+
+
+def _scaled(robot: Robot, motion: Motion, size: float, platform: float) -> tuple[Robot, Motion]:
+    """The machine with its base of a radius and its platform of a mass; rounded to float."""
     longer = size / radius(robot.b)
-    slower = np.sqrt(longer)
-    heavier = platform / robot.M
-    similar = rescaled(robot, longer, heavier, float(slower))
-    legs = heaviest / float(max(similar.m_d.max(), similar.m_u.max()))
-    parts = {name: getattr(similar, name) * legs for name in ("m_d", "m_u", "I_d0", "I_u0")}
+    slower = float(np.sqrt(longer))
     given = loaded(motion)
     moved = Motion.unchecked(
         R=motion.R,
@@ -192,7 +195,7 @@ def _scaled(
         M_ext=given.M_ext * platform * longer,
     )
     rounded = {name: _rounded(getattr(moved, name)) for name in MOTION}
-    return dataclasses.replace(similar, **parts), Motion.unchecked(**rounded)
+    return rescaled(robot, longer, platform / robot.M, slower), Motion.unchecked(**rounded)
 
 
 def _rounded(array: Array) -> Array:
@@ -227,10 +230,14 @@ def _error(found: Array, truth: Array) -> Array:
     return np.where(np.isfinite(error), error, np.inf)
 
 
+@functools.cache
+def _functions(name: str, how: _Arithmetic) -> ctypes.CDLL:
+    return native.load(f"stewart_{name}_forces", c_sources(f"{name}_forces"), how.flags, how.defines)
+
+
 def _forces(name: str, how: _Arithmetic, numbers: Array, motion: Motion) -> Array:
     """Forces, N, (n, 6), NaN where the pose is unsolvable, of a robot's numbers."""
-    sources = c_sources(f"{name}_forces")
-    functions = native.load(f"stewart_{name}_forces", sources, how.flags, how.defines)
+    functions = _functions(name, how)
     given = numbers.astype(how.dtype)
     model = np.zeros(MODELS[name], dtype=how.dtype)
     count = motion.t.shape[0]
