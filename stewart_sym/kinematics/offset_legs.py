@@ -37,7 +37,7 @@ class MotorMotion:
     Attributes
     ----------
     angle : ndarray
-        From where the legs have their lengths of reference, rad, (..., 6): N (L - L_0) + spin.
+        From where the legs have their lengths of reference, rad, (..., 6): N (L - L_0) + gear spin.
     rate : ndarray
         rad/s, (..., 6).
     acceleration : ndarray or None
@@ -60,7 +60,7 @@ def motor_angles(robot: Robot, motion: Motion, L_0: ArrayLike | None = None) -> 
     motion : Motion
         Motion of the platform, any leading shape.
     L_0 : array_like, optional
-        Lengths at which the angles are the spins alone, m, (6,); None: 0.
+        Lengths at which the angles are of the spins alone, m, (6,); None: 0.
 
     Returns
     -------

@@ -222,15 +222,15 @@ def _legs(robot: Robot, motion: Motion) -> Legs:
     tau[..., SLIDING] += robot.C_p * rates[..., SLIDING]
     F_rotor = torque * (0.0 if robot.drive is None else robot.drive.turns)
     tau[..., SLIDING] += F_rotor
-    if rates.shape[-1] > SPIN:
-        tau[..., SPIN] += torque
+    if rates.shape[-1] > SPIN and robot.drive is not None:
+        tau[..., SPIN] += torque * robot.drive.gear
     return Legs(moving, tau, actuated(robot, rates.shape[-1]), f, W, bodies, F_rotor)
 
 
 def _rotors(robot: Robot, moving: JointMotion) -> tuple[Array, Array]:
     """Torque that turns the motors, N m, (..., 6), and rate of the angular momentum against the lower part.
 
-    A motor turns by N L and, where the upper part turns against its nut, by the spin as well.
+    A motor turns by N L and, where the upper part turns in its nut, by gear times its spin as well.
     """
     at, rates, seconds = moving.at, moving.rates, moving.accelerations
     if not robot.has_rotors or seconds is None:

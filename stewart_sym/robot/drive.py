@@ -60,11 +60,11 @@ NUMBERS: Mapping[str, _Key] = {
     "speed_limit": _Key(tables.positive, math.inf, "angle"),
     "current_limit": _Key(tables.positive, math.inf),
     "power_limit": _Key(tables.positive, math.inf),
+    "gear": _Key(tables.positive, 1.0),
 }
 """Of each field of a drive; a lead has no default."""
 
-_TRANSMISSION = ("lead", "radius", "gear")
-KEYS = (*_TRANSMISSION, *(name for name in NUMBERS if name != "lead"))
+KEYS = ("lead", "radius", "gear", *(name for name in NUMBERS if name not in ("lead", "gear")))
 """Of a table of a drive in a robot file of schema 2."""
 
 
@@ -83,7 +83,7 @@ class Drive(Frozen):
     Attributes
     ----------
     lead : ndarray
-        Change of the leg's length for one turn of the motor, m; negative for a left-handed screw.
+        Change of the leg's length for one turn of the screw, m; negative for a left-handed screw.
     rotor_inertia : ndarray
         Of what turns with the motor, about its axis, kg m^2.
     efficiency, back_efficiency : ndarray
@@ -106,6 +106,8 @@ class Drive(Frozen):
         Limit of the root mean square of torque, N m; inf means no limit.
     torque_limit, speed_limit, current_limit, power_limit : ndarray
         Peaks, N m, rad/s, A and W; inf means no limit.
+    gear : ndarray
+        Turns of the motor for one of the screw.
 
     Raises
     ------
@@ -131,6 +133,7 @@ class Drive(Frozen):
     speed_limit: Array = _UNLIMITED
     current_limit: Array = _UNLIMITED
     power_limit: Array = _UNLIMITED
+    gear: Array = _ONE
 
     def __post_init__(self) -> None:
         """Check every field and freeze private float64 copies."""
@@ -148,8 +151,8 @@ class Drive(Frozen):
 
     @property
     def turns(self) -> Array:
-        """N, turn of the motor per change of length, rad/m, (6,): 2 pi / ``lead``."""
-        return np.asarray(_ONE_TURN / self.lead)
+        """N, turn of the motor per change of length, rad/m, (6,): 2 pi ``gear`` / ``lead``."""
+        return np.asarray(_ONE_TURN * self.gear / self.lead)
 
     @property
     def momentum(self) -> Array:
@@ -182,7 +185,7 @@ def _six(value: object, name: str) -> Array:
 
 def _need_sound(leg: Mapping[str, float], where: Callable[[str], str]) -> None:
     """Reject numbers of one drive that are possible each but not together; ``where`` one of them stands."""
-    turns = _ONE_TURN / leg["lead"]
+    turns = _ONE_TURN * leg["gear"] / leg["lead"]
     # Python raises OverflowError where NumPy would give inf.
     if not (1e-100 < abs(turns) < 1e100 and math.isfinite(leg["rotor_inertia"] * turns * turns)):
         raise ValueError(f"{where('lead')}: expected a lead with which the rotor's inertia is a finite mass")
@@ -201,10 +204,13 @@ def _need_sound(leg: Mapping[str, float], where: Callable[[str], str]) -> None:
 # Tables of a robot file
 
 
-def drive_of_tables(legs: LegTables, metres: Callable[[Any], Any], degrees: bool) -> Drive | None:
+def drive_of_tables(
+    legs: LegTables, metres: Callable[[Any], Any], degrees: bool, spins: bool = False
+) -> Drive | None:
     """The drives of a robot file of schema 2; None where no leg has one.
 
-    metres: from lengths of the file. degrees: whether angles of the file are in degrees.
+    metres: from lengths of the file. degrees: whether angles of the file are in degrees. spins: whether the
+    legs' upper parts turn in the lower ones.
     """
     if not any("drive" in table for table in legs.tables):
         return None
@@ -214,11 +220,13 @@ def drive_of_tables(legs: LegTables, metres: Callable[[Any], Any], degrees: bool
         alone = [prefix for prefix, mine in zip(drives.prefixes[1:], own, strict=True) if mine]
         prefix = (alone or drives.prefixes)[0].rstrip(".")
         raise ValueError(f"{prefix}: expected a drive of every leg, or a table legs.drive with keys")
-    found = [_leg(drives, i, metres, degrees) for i in range(LEGS)]
+    found = [_leg(drives, i, metres, degrees, spins) for i in range(LEGS)]
     return Drive(**{name: np.array([leg[name] for leg in found]) for name in NUMBERS})
 
 
-def _leg(drives: LegTables, i: int, metres: Callable[[Any], Any], degrees: bool) -> dict[str, float]:
+def _leg(
+    drives: LegTables, i: int, metres: Callable[[Any], Any], degrees: bool, spins: bool
+) -> dict[str, float]:
     """Numbers of the drive of one leg, counted from 0."""
     given, mine = drives.of_leg(i), drives.tables[i + 1]
     if {"lead", "radius"} & mine.keys():
@@ -228,6 +236,10 @@ def _leg(drives: LegTables, i: int, metres: Callable[[Any], Any], degrees: bool)
     def where(name: str) -> str:
         return drives.where(i, name) if name in given else drives.prefixes[(i + 1) * bool(mine)] + name
 
+    if spins and "radius" in given:
+        raise ValueError(
+            f'{where("radius")}: expected lead where platform_joint is "universal", a rack cannot turn'
+        )
     found = {"lead": _lead(given, where, metres)}
     for name, key in NUMBERS.items():
         if name == "lead":
@@ -247,15 +259,14 @@ def _leg(drives: LegTables, i: int, metres: Callable[[Any], Any], degrees: bool)
 
 
 def _lead(given: Mapping[str, Any], where: Callable[[str], str], metres: Callable[[Any], Any]) -> float:
-    """Change of length per turn of the motor, m: of a screw, or of a pinion and its rack, through a gear."""
+    """Change of length per turn, m: of a screw, or of a pinion on its rack."""
     if "lead" in given and "radius" in given:
         raise ValueError(f"{where('radius')}: expected lead or radius, got both")
-    gear = tables.positive(given["gear"], where("gear")) if "gear" in given else 1.0
     if "radius" in given:
-        return _ONE_TURN * float(metres(tables.positive(given["radius"], where("radius")))) / gear
+        return _ONE_TURN * float(metres(tables.positive(given["radius"], where("radius"))))
     if "lead" not in given:
         raise ValueError(f"{where('lead')}: missing, and radius as well")
-    return float(metres(NUMBERS["lead"].check(given["lead"], where("lead")))) / gear
+    return float(metres(NUMBERS["lead"].check(given["lead"], where("lead"))))
 
 
 def drive_tables(drive: Drive) -> list[dict[str, float]]:

@@ -68,9 +68,9 @@ def _with_turn(offsets: Offsets, vector: Array, turn: Array) -> Array:
 
 
 def lead_share(robot: Robot) -> Array:
-    """Change of length for a turn of the upper part by 1 rad while the motor rests, m, (6,), less its sign.
+    """What L falls by as the upper part turns by 1 rad while the motor rests, m, (6,).
 
-    Zero where nothing turns, and where no lead is stated: the motor then sees lengths alone.
+    Zero where nothing turns, and without a drive: the actuator then acts on the lengths alone.
     """
     if robot.drive is None or not offsets_of(robot).spins:
         return np.zeros(6)
@@ -78,13 +78,13 @@ def lead_share(robot: Robot) -> Array:
 
 
 def motor_motion(robot: Robot, joints: Array) -> Array:
-    """Turns of the motors, rad and its rates, (..., 6), by those of the joints, (..., 6, n): N L + spin.
+    """Turns of the motors, rad and its rates, (..., 6), by those of the joints, (..., 6, n): N L + gear spin.
 
     Needs a robot with a drive.
     """
     assert robot.drive is not None
     turned = robot.drive.turns * joints[..., SLIDING]
-    return np.asarray(turned + joints[..., SPIN] if joints.shape[-1] > SPIN else turned)
+    return np.asarray(turned + robot.drive.gear * joints[..., SPIN] if joints.shape[-1] > SPIN else turned)
 
 
 def actuated(robot: Robot, joints: int) -> Array:

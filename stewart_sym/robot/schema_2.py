@@ -89,7 +89,7 @@ def values(d: object, file: str) -> dict[str, Any]:
     offsets = offsets_of_tables(legs.tables, metres)
     if offsets is not None and joint == "spherical":
         raise ValueError(f'{file}legs.offsets: expected none when base_joint is "spherical"')
-    drive = drive_of_tables(legs.tables, metres, degrees)
+    drive = drive_of_tables(legs.tables, metres, degrees, offsets is not None and offsets.spins)
     found = own | legs.values(rings[0], rings[1], offsets) | {"drive": drive, "offsets": offsets}
     # Conversions and sums may have overflown.
     for name, value in found.items():

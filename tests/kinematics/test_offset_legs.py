@@ -62,7 +62,7 @@ def test_velocities_and_accelerations_come_back(joint: str) -> None:
 def test_the_spin_of_the_upper_part_is_what_lengths_do_not_show() -> None:
     robot, motion = offset_case(1, "universal", screws=True)
     legs, motors = ss.inverse_kinematics(robot, motion), ss.motor_angles(robot, motion)
-    spin = motors.angle - robot.drive.turns * legs.L
+    spin = (motors.angle - robot.drive.turns * legs.L) / robot.drive.gear
     assert np.abs(spin).min() > 1e-4
     assert np.abs(spin).max() < np.pi
     keyed, motion = offset_case(1, "spherical", screws=True)

@@ -16,6 +16,7 @@ from machines import (
     random_robot,
 )
 from pinocchio_offsets import Answer, pinocchio_offsets
+from reduced_machines import at_rest
 
 import stewart_sym as ss
 from stewart_sym.backend.kernel import OFFSET_KERNEL
@@ -84,6 +85,19 @@ def test_a_screw_that_turns_the_upper_part_agrees_with_pinocchio() -> None:
         assert _error(ss.inverse_dynamics(bare, motion).F, truth.F) < RELATIVE, seed
         other = pinocchio_offsets(bare, motion)
         assert _error(other.F, truth.F) > 1e-4, seed
+
+
+def test_a_gear_before_the_screw_moves_nothing_at_rest_and_turns_the_motor_by_its_ratio() -> None:
+    robot, motion = offset_case(3, "universal", screws=True)
+    direct = dataclasses.replace(robot, drive=dataclasses.replace(robot.drive, gear=1.0))
+    np.testing.assert_allclose(
+        ss.motor_angles(robot, motion).angle,
+        robot.drive.gear * ss.motor_angles(direct, motion).angle,
+        rtol=1e-14,
+    )
+    rest = at_rest(motion)
+    F = ss.inverse_dynamics(direct, rest).F
+    np.testing.assert_allclose(ss.inverse_dynamics(robot, rest).F, F, atol=1e-12 * np.abs(F).max())
 
 
 @pytest.mark.parametrize("joint", PLATFORM_JOINTS)

@@ -81,9 +81,10 @@ def drive(text: str, folder: Path) -> ss.Drive:
 def test_numbers_of_a_file_are_in_si_units_and_a_leg_may_have_its_own(tmp_path: Path) -> None:
     found = drive(SHARED + OWN, tmp_path)
     ordinary = [0, 1, 3, 5]
-    np.testing.assert_allclose(found.lead[ordinary], 2.5e-3, rtol=1e-15)
-    assert found.lead[2] == pytest.approx(2 * math.pi * 12e-3 / 2)
-    assert found.lead[4] == -2.5e-3
+    np.testing.assert_allclose(found.lead[ordinary], 5e-3, rtol=1e-15)
+    assert found.lead[2] == pytest.approx(2 * math.pi * 12e-3)
+    assert found.lead[4] == -5e-3
+    np.testing.assert_array_equal(found.gear, 2.0)
     np.testing.assert_array_equal(found.screw_coulomb, [30, 30, 45, 30, 30, 30])
     np.testing.assert_allclose(found.back_efficiency, [2 - 1 / 0.9] * 4 + [-0.1] + [2 - 1 / 0.9])
     np.testing.assert_allclose(found.speed_limit, 100 * math.pi)

@@ -102,6 +102,15 @@ def test_bad_files_give_one_line_with_the_key(table: str, value: object, message
     assert "\n" not in str(caught.value)
 
 
+def test_a_rack_moves_no_leg_whose_upper_part_turns() -> None:
+    d = _example()
+    d["legs"]["drive"] = {"radius": 12.0, "gear": 5.0}
+    assert ss.Robot.from_dict(d).drive is not None
+    d["legs"]["offsets"] |= UNIVERSAL
+    with pytest.raises(ValueError, match=r'\Arobot: legs\.drive\.radius: expected lead where .* "universal"'):
+        ss.Robot.from_dict(d)
+
+
 @pytest.mark.parametrize("joint", [{}, UNIVERSAL], ids=["spherical", "universal"])
 def test_a_stroke_is_about_the_length_along_the_line_of_sliding(joint: dict[str, Any]) -> None:
     d = _example()

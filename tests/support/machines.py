@@ -292,7 +292,7 @@ def offsets_of(
 def offset_case(
     seed: int, joint: str = "spherical", shape: tuple[int, ...] = (), screws: bool = False
 ) -> tuple[Robot, Motion]:
-    """A machine and motions of it; screws: with a drive, three of whose screws are left-handed."""
+    """A machine and motions of it; screws: with geared drives, three of whose screws are left-handed."""
     rng = np.random.default_rng(seed)
     plain = random_robot(rng)
     motion = random_motion(rng, plain, shape)
@@ -300,5 +300,6 @@ def offset_case(
     if screws:
         size = machine_size(plain)
         lead = size * rng.uniform(0.02, 0.1, 6) * np.tile([1.0, -1.0], 3)
-        drive = Drive(lead=lead, rotor_inertia=1e-5 * plain.M * size**2)
+        gear = rng.uniform(0.5, 3.0, 6)
+        drive = Drive(lead=lead, rotor_inertia=1e-5 * plain.M * size**2, gear=gear)
     return dataclasses.replace(plain, offsets=offsets_of(rng, plain, joint), drive=drive), motion

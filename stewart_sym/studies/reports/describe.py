@@ -269,7 +269,7 @@ _DRIVE_LIMITS = {
 
 def _drives(drive: Drive, unit: _Unit) -> list[tuple[str, str]]:
     """Rows on the drives and, where any are stated, on the limits of their motors."""
-    lead = drive.lead / unit.metres
+    lead = drive.lead / drive.gear / unit.metres
     most = lead > 0.0 if 2 * np.count_nonzero(lead > 0.0) >= len(lead) else lead < 0.0
     turn = f"{_range(lead[most])} {unit.name} per turn of the motor"
     if not most.all():
