@@ -15,6 +15,7 @@ from ..io.tables import file_name, opened
 from .log_rates import SPLINE, as_given, rates_of
 from .logs import LogFormat, need_columns, read_columns
 from .noise_level import LogWarning
+from .rate_doubts import rate_doubt
 from .rotation import rotation_from_rpy
 from .trajectory import (
     DERIVATIVES,
@@ -211,16 +212,17 @@ def _warn_of_units(log: Log, coordinates: Array) -> None:
 _NEAR_UNIT = 0.2
 
 
-def _warn_of_rates(log: Log, coordinates: Array) -> None:
-    """Warn of given rates, (3, n, 6), that differ by a power of 1000 from what coordinates and times say."""
+def _warn_of_rates(log: Log, coordinates: Array, names: Sequence[str]) -> None:
+    """Warn of given rates, (3, n, 6), that differ from what coordinates and times say.
+
+    names: of the coordinates, their rates and their accelerations, two vectors of a pose or one of six legs.
+    """
     steps = np.diff(log.time)
     # One column after the other: of a long log, differences of all at once would take half its room again.
     changed = sum(float(np.abs(np.diff(column)).sum()) for column in coordinates[0].T)
     rates = sum(np.abs(column) for column in coordinates[1].T)
     expected = float(0.5 * (rates[1:] + rates[:-1]) @ steps)
-    if changed == 0.0 or expected == 0.0:
-        return
-    decades = math.log10(changed / expected)
+    decades = math.log10(changed / expected) if changed and expected else 0.0
     nearest = 3 * round(decades / 3)
     if nearest and abs(decades - nearest) < _NEAR_UNIT:
         unit = {-3: "ms", -6: "us"}.get(nearest)
@@ -230,6 +232,13 @@ def _warn_of_rates(log: Log, coordinates: Array) -> None:
             else "are rates in another unit"
         )
         _warn(log, f"coordinates change by {changed / expected:.2g} of what their rates say: {hint}?")
+        return
+    kinds = len(names) // 3
+    for order in range(2):
+        columns = (_components(*names[kinds * i :][:kinds]) for i in (order, order + 1))
+        doubt = rate_doubt(log.time, coordinates[order], coordinates[order + 1], *columns, 6 // kinds)
+        if doubt:
+            _warn(log, doubt)
 
 
 def _joint_trajectory(log: Log) -> JointTrajectory:
@@ -246,7 +255,7 @@ def _joint_trajectory(log: Log) -> JointTrajectory:
         for i, name in enumerate(_LENGTH_DERIVATIVES):
             found[i + 1] = log.vector(name)
         noise = as_given(log, found, [log.steps(name) for name in ("L", "L_dot", "L_ddot")])
-        _warn_of_rates(log, found)
+        _warn_of_rates(log, found, (*_LENGTHS, *_LENGTH_DERIVATIVES))
     else:
         found, noise = rates_of(log, L, log.steps("L"))
     noise = None if noise is None else noise._replace(in_joints=True)
@@ -271,7 +280,7 @@ def _pose_log(log: Log) -> PoseLog:
             for one, other in (DERIVATIVES[:2], DERIVATIVES[2:])
         ]
         noise = as_given(log, found, [steps, *rates])
-        _warn_of_rates(log, found)
+        _warn_of_rates(log, found, ("t", "theta", *DERIVATIVES))
     else:
         found, noise = rates_of(log, np.hstack([log.vector("t"), theta]), steps)
     _warn_of_units(log, found)

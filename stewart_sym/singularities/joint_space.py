@@ -34,15 +34,28 @@ from ..kinematics.pose_search import newton
 from ..motion.interpolation import between
 from ..motion.motion import Motion
 from ..motion.noise_level import LEAST_SAMPLES, rounding_steps, white_noise
+from ..motion.rate_doubts import rate_doubt
 from ..motion.trajectory import JointTrajectory, Trajectory
 from ..results import SINGULAR
 from ..robot.robot import Robot
-from ..singularities.length_steps import accelerations, jump, step_beyond_rates, times_from_rates
+from ..singularities.length_steps import (
+    accelerations,
+    against_rates,
+    jump,
+    step_beyond_rates,
+    times_from_rates,
+)
 from .along_path import crossings
 from .length_steps import CROSSED, NO_WAY, UNDECIDED, Legs, LostError, at_rest, pose_of, walked
 
 JUMPED = "the lengths jump here: no motion with the accelerations of the samples around it makes this step"
 OFF_RATES = "the step in lengths from the sample before is not what the rates at both samples make of it"
+
+
+class RatesError(ValueError):
+    """Rates are not those of the lengths."""
+
+
 # Lengths may be off by this many deviations of their noise.
 _SURE = 5.0
 # Samples whose rates are found at once.
@@ -70,10 +83,11 @@ def motion_from_lengths(
     Parameters
     ----------
     robot : Robot
-        The machine.
-    L, L_dot, L_ddot : array_like, optional
-        Lengths, rates and accelerations of the legs, m, m/s, m/s^2, in order of time; without L_ddot the
-        motion has no accelerations.
+        The machine; its length_limits do not count.
+    L, L_dot : array_like
+        Lengths of the legs and their rates, m and m/s, in order of time.
+    L_ddot : array_like, optional
+        Their accelerations, m/s^2; without, the motion has none.
     guess : Guess, optional
         Pose (R, t) near the first sample; None: as in ``forward_kinematics``.
     F_ext, M_ext : array_like, optional
@@ -82,7 +96,7 @@ def motion_from_lengths(
         Of the samples, s, (n,), increasing; None: the steps that fit L and L_dot.
     sigma : array_like, optional
         Standard deviation of each length, m, broadcasts to (n, 6); None: what rounding or scatter of the
-        numbers show, from 40 samples on. The robot's length_limits do not count.
+        numbers show, from 40 samples on.
     progress : Progress, optional
         Called with what is being done and the share of the samples that is done, 0 to 1.
 
@@ -94,9 +108,9 @@ def motion_from_lengths(
     Raises
     ------
     ValueError
-        Naming the sample where the lengths jump, differ from what the rates say, belong to no pose, or lead
-        through a singular one or so near one that this is not decided at their noise, and naming the argument
-        for any other bad input.
+        Naming the legs whose rates are of another motion; naming the sample where the lengths jump, differ
+        from what the rates say, belong to no pose, or lead through a singular one or so near one that this is
+        not decided at their noise; and naming the argument for any other bad input.
     """
     instance(robot, Robot, "robot")
     lengths = checked_lengths(L)
@@ -147,6 +161,8 @@ def on_platform(
             None if joints.noise is None else np.sqrt(joints.noise.variances(joints.time)),
             progress,
         )
+    except RatesError as error:
+        raise ValueError(f"{joints.source}: {error}") from None
     except LostError as error:
         row = joints.rows[error.sample]
         raise ValueError(f"{joints.source}: row {row}: {error.reason}") from None
@@ -198,12 +214,15 @@ def _follow(
     first = pose_of(robot, start.R, start.t, L[:1])
     if time is None:
         time = times_from_rates(L, L_dot)
+        if time is None and against_rates(L, L_dot):
+            raise RatesError("L_dot: the lengths change against their rates: are signs opposite?")
     if len(L) < 2 or time is None or not np.any(L_dot):
         return at_rest(robot, first, L, progress)
     rates = accelerations(time, L, L_dot) if L_ddot is None else L_ddot
     for sample, reason in ((jump(L), JUMPED), (step_beyond_rates(time, L, L_dot, rates), OFF_RATES)):
         if sample is not None:
             raise LostError(sample, reason)
+    _reject_other_rates(time, L, L_dot, L_ddot)
     if robot.offsets is not None:
         # Singular poses of legs with offsets are not foretold: each sample is approached from the last.
         return at_rest(robot, first, L, progress)
@@ -234,6 +253,16 @@ def _follow(
         near = decided < done or miss <= most
         raise LostError(decided, UNDECIDED.format(most / _SURE) if near and most > 0.0 else NO_WAY)
     return R, t
+
+
+def _reject_other_rates(time: Array, L: Array, L_dot: Array, L_ddot: Array | None) -> None:
+    """Reject rates and accelerations of another motion than that of the numbers that they are rates of."""
+    columns = {"L": L, "L_dot": L_dot} | ({} if L_ddot is None else {"L_ddot": L_ddot})
+    for (name, values), (rate, rates) in itertools.pairwise(columns.items()):
+        names = ([f"{each}_{leg}" for leg in range(1, 7)] for each in (name, rate))
+        doubt = rate_doubt(time, values, rates, *names)
+        if doubt:
+            raise RatesError(f"{rate}: {doubt}")
 
 
 def _noise(time: Array, L: Array) -> Array:

@@ -289,6 +289,8 @@ _BETWEEN = 4.0
 _MOST = 0.9
 # A step in time follows from lengths where rates exceed this share of their median.
 _MOVING = 0.01
+# Cosine of the angle between changes and rates below which no noise has turned them.
+_AGAINST = -0.5
 
 
 def times_from_rates(L: Array, L_dot: Array) -> Array | None:
@@ -308,6 +310,12 @@ def times_from_rates(L: Array, L_dot: Array) -> Array | None:
     if usual <= 0.0:
         return None
     return np.concatenate([[0.0], np.cumsum(np.where(step > 0.0, step, usual))])
+
+
+def against_rates(L: Array, L_dot: Array) -> bool:
+    """Whether lengths, (n, 6), go the other way than their rates, whatever the times."""
+    change, mean = np.diff(L, axis=0), 0.5 * (L_dot[1:] + L_dot[:-1])
+    return float(np.sum(change * mean)) < _AGAINST * float(np.linalg.norm(change) * np.linalg.norm(mean))
 
 
 def accelerations(time: Array, L: Array, L_dot: Array) -> Array:

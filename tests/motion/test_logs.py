@@ -168,6 +168,43 @@ def test_rates_that_times_contradict_by_a_unit_are_warned_of(
         read_any_csv(write(tmp_path / "odd.csv", names, table))
 
 
+@pytest.mark.parametrize("noise", [0.0, 1e-3], ids=["", "noisy"])
+@pytest.mark.parametrize(
+    ("columns", "change", "words"),
+    [
+        (
+            slice(7, 13),
+            lambda rates: -rates,
+            "t_x, .*, theta_z change by -1 of what v_x, .* say: are signs opp",
+        ),
+        (slice(7, 10), lambda rates: 3.0 * rates, "t_x, t_y, t_z change by 0.33 of what v_x, v_y, v_z say$"),
+        (slice(7, 10), lambda rates: rates[:, [1, 0, 2]], "t_x, t_y do not change as v_x, v_y say"),
+        (
+            slice(10, 13),
+            np.degrees,
+            ".*theta_z change by 0.01[78] of what .*theta_dot_z say: are the latter in deg",
+        ),
+        (slice(10, 13), lambda rates: 0.0 * rates, ".*theta_z do not change as .*theta_dot_z say"),
+        (slice(13, 16), lambda rates: -rates, "v_x, v_y, v_z change by -1 of what a_x, a_y, a_z say"),
+    ],
+    ids=["minus", "three times", "exchanged", "degrees", "none", "accelerations"],
+)
+def test_rates_of_another_motion_are_warned_of(
+    tmp_path: Path, columns: slice, change: Callable[[Array], Array], words: str, noise: float
+) -> None:
+    names, good = with_rates(np.linspace(0.0, 4.0, 161))
+    odd, scatter = good.copy(), noise * np.random.default_rng(1).normal(size=(161, 18))
+    odd[:, columns] = change(odd[:, columns])
+    for table in (good, odd):
+        table[:, 1:] += scatter
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        read_csv(write(tmp_path / "good.csv", names, good))
+        assert not caught
+        read_csv(write(tmp_path / "odd.csv", names, odd))
+    assert any(re.search(f"odd.csv: {words}", str(each.message)) for each in caught)
+
+
 @pytest.mark.parametrize("step", [0.05, 1.0, 2.5])
 def test_rates_of_sparse_logs_and_of_rest_are_not_warned_of(tmp_path: Path, step: float) -> None:
     names, table = with_rates(np.arange(0.0, 20.0, step))

@@ -208,6 +208,27 @@ def test_rates_in_another_unit_are_named() -> None:
         ss.motion_from_lengths(robot, L, 1e3 * L_dot, 1e3 * L_ddot, (motion.R[0], motion.t[0]), time=time)
 
 
+@pytest.mark.parametrize("timed", [True, False], ids=["timed", ""])
+@pytest.mark.parametrize("samples", [30, 600])
+def test_rates_of_another_motion_are_named(samples: int, timed: bool) -> None:
+    robot, time, motion, (L, L_dot, L_ddot) = wave(samples)
+    follow = functools.partial(
+        ss.motion_from_lengths, robot, L, guess=(motion.R[0], motion.t[0]), time=time if timed else None
+    )
+    follow(L_dot, L_ddot)
+    with pytest.raises(ValueError, match=r"L_dot: .*: are signs opposite\?"):
+        follow(-L_dot, L_ddot)
+    with pytest.raises(ValueError, match=r"L_dot: L_\d, .* do not change as L_dot_\d, .* say"):
+        follow(L_dot[:, ::-1], L_ddot)
+    with pytest.raises(
+        ValueError, match=r"L_ddot: L_dot_1 to L_dot_6 change by -1 of what .*: are signs opposite"
+    ):
+        follow(L_dot, -L_ddot)
+    if timed:
+        with pytest.raises(ValueError, match="L_dot: L_1 to L_6 change by 2 of what L_dot_1 to L_dot_6 say"):
+            follow(0.5 * L_dot, L_ddot)
+
+
 @pytest.mark.parametrize(("decimals", "given"), [(3, True), (3, False), (5, True), (4, False)])
 def test_rounded_lengths_are_no_jumps(decimals: int, given: bool) -> None:
     robot, time, motion, legs = wave(100)
