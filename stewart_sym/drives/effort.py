@@ -278,18 +278,19 @@ class Summary:
         """Root mean squares, N m, (6,)."""
         return np.asarray(np.sqrt(self.squares / self.span)) if self.span > 0.0 else np.zeros(LEGS)
 
-    def exceeded(self) -> list[str]:
-        """One line for each limit that is exceeded: which legs, the worst of them, how much and when."""
+    def exceeded(self, share: float = _USED_UP) -> list[str]:
+        """One line for each limit exceeded by more than a share: which legs, the worst, how much and when."""
+        more = 1.0 + share
         found = [
-            _line(name, self.peaks[name], getattr(self.drive, f"{name}_limit"), unit, self.when[name])
+            _line(name, self.peaks[name], getattr(self.drive, f"{name}_limit"), more, unit, self.when[name])
             for name, unit in PEAKS.items()
         ]
-        rms = _line("rated_torque", self.rms_torque, self.drive.rated_torque, "N m", None)
+        rms = _line("rated_torque", self.rms_torque, self.drive.rated_torque, more, "N m", None)
         return [line for line in (*found, rms) if line]
 
 
-def _line(name: str, values: Array, limits: Array, unit: str, when: list[str] | None) -> str:
-    over = np.flatnonzero(values > limits * (1.0 + _USED_UP)).tolist()
+def _line(name: str, values: Array, limits: Array, more: float, unit: str, when: list[str] | None) -> str:
+    over = np.flatnonzero(values > limits * more).tolist()
     if not over:
         return ""
     worst = max(over, key=lambda leg: float(values[leg] / limits[leg]))

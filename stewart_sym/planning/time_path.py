@@ -36,6 +36,8 @@ SMOOTH_CELLS = 300
 
 _DIVISIONS = 3
 _ROUNDS = 15
+# Share of a limit that holding the machine takes from which on two ways to the fastest motion are tried.
+_TIGHT = 0.9
 # Bounds by friction and power depend on the motion: how often they are updated in one round.
 _FEW_TURNS = 2
 # Parts of the first and of the last cell.
@@ -213,9 +215,18 @@ class _Task(NamedTuple):
 
     def fastest(self, limits: Limits) -> Profile:
         """The fastest motion."""
-        if limits.jerk is not None:
-            smooth = self.smooth(limits)
-            return smooth.profile(smooth.fastest())
+        found = None
+        if limits.jerk is None:
+            grid, found = self._in_phase_plane(limits)
+            if found is not None and (grid.terms.motors is None or grid.terms.held().max() < _TIGHT):
+                return found
+        # Where holding the machine takes nearly all of a limit, bounds at nodes leave out fast motions.
+        smooth = self.smooth(limits)
+        other = smooth.profile(smooth.fastest())
+        return other if found is None or other.duration < found.duration else found
+
+    def _in_phase_plane(self, limits: Limits) -> tuple[Grid, Profile | None]:
+        """The fastest motion without a limit of jerk, None where it exceeds others, and its grid."""
         grid = Grid.of(self.source(limits), _first_nodes(*self.span, self.cells))
         if grid.terms.motors is not None:
             grid = grid.after(self._replace(cells=min(self.cells, _ROUGH_CELLS)).rough(limits))
@@ -226,10 +237,10 @@ class _Task(NamedTuple):
             if turn < _DIVISIONS:
                 grid = grid.divided(profile).after(profile)
             elif used.max() <= 0.5 * (1.0 + AIM):
-                break
+                return grid, profile
             else:
                 grid = grid.tightened(used, turn + 1 - _DIVISIONS)
-        return profile
+        return grid, None
 
     def smooth(self, limits: Limits) -> SmoothPath:
         """What the path takes of the machine, by an eased parameter."""

@@ -5,6 +5,7 @@ import dataclasses
 import numpy as np
 import pytest
 from least_time_oracles import extrapolated
+from machines import machine_size
 from motor_cases import QUANTITIES, motor_case
 from smooth_oracles import motor_duration, motor_nodes
 from sweeps import share
@@ -48,6 +49,38 @@ def test_each_limit_of_the_motors_is_reached_and_kept_between_the_nodes(quantity
     found = drive_effort(robot, plan.sample(times), times)
     share = getattr(found, f"peak_{quantity}") / getattr(robot.drive, f"{quantity}_limit")
     assert 1.0 - 5e-3 < share.max() <= 1.0 + 1e-6
+
+
+@pytest.mark.filterwarnings("ignore::stewart_sym.drives.effort.DriveLimitWarning")
+@pytest.mark.parametrize("jerk", [None, 1.0], ids=["", "jerk"])
+@pytest.mark.parametrize(
+    "seed", [0, pytest.param(1, marks=pytest.mark.slow), pytest.param(3, marks=pytest.mark.slow)]
+)
+def test_motors_that_hold_the_machine_with_nearly_all_their_torque_move_it_as_fast_as_they_can(
+    seed: int, jerk: float | None
+) -> None:
+    """Not slower than the motion of stronger motors played more slowly."""
+    robot, path = motor_case(seed, ("torque",))
+    quick = time_path(robot, path, cells=100)
+    if jerk:
+        jerk *= 1e3 * machine_size(robot) / quick.duration**3
+    motors = terms_along(robot, path, np.linspace(0.0, 1.0, 2001), Limits(), "exact").motors
+    assert motors is not None
+    held = motors.at_rest()[:, :6].max(axis=0)
+    weak = dataclasses.replace(robot.drive, torque_limit=1.02 * held * robot.drive.torque_limit)
+    robot = dataclasses.replace(robot, drive=weak)
+    plan = time_path(robot, path, limits=Limits(jerk=jerk), cells=100)
+    proof = certify_plan(plan)
+    assert proof.holds
+    assert proof.active > 0.5
+    slow, times = 1.0, np.linspace(0.0, 1.0, 2001)
+    while True:
+        played = dataclasses.replace(quick, profile=quick.profile.slowed(slow))
+        effort = drive_effort(robot, played.sample(times * played.duration), times * played.duration)
+        if np.all(effort.peak_torque <= weak.torque_limit):
+            break
+        slow *= 0.9
+    assert plan.duration < played.duration
 
 
 @pytest.mark.slow

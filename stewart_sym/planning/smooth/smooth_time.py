@@ -102,9 +102,18 @@ class SmoothPath:
     def fastest(self) -> Array:
         """Coefficients of least time."""
         c = np.ones(self.spline.cells + 2)
-        while c[0] > _SLOWEST and self.used(c).max() > _ROOM:
+        free = float(self._free().min())
+        while c[0] > _SLOWEST and self.used(c).max() > 1.0 - (1.0 - _ROOM) * free:
             c = _SLOWER * c
         return self._settled(c, functools.partial(duration, self.spline), None)
+
+    def _free(self) -> Array:
+        """Shares of the limits that holding the machine leaves for a motion in every cell, (cells, m)."""
+        held = self.between.held()
+        if np.isfinite(self.jerk).any():
+            held = np.concatenate([held, np.zeros_like(self.legs[1][0])], axis=-1)
+        most = held.reshape(self.spline.cells, len(_BETWEEN), -1).max(axis=1)
+        return np.asarray(np.maximum(1.0 - most, 0.0))
 
     def thriftiest(self, cost: Cost, start: Array, time: float) -> Array:
         """Coefficients of least energy in a duration, from those of a faster motion."""
@@ -113,7 +122,8 @@ class SmoothPath:
 
     def _settled(self, c: Array, cost: Cost, time: float | None) -> Array:
         """Coefficients of least cost that keep all limits between the samples too."""
-        margin = np.full((len(self.at.caps), self.used(c).shape[1]), _MARGIN)
+        most = _ROOM * _beside(self._free(), np.minimum)
+        margin = np.minimum(_MARGIN, most)
         turns, start = (1 if self.at.motors is None else _TURNS), c
         for turn in range(_ROUNDS):
             rooms = self.rooms(c, margin)
@@ -128,7 +138,9 @@ class SmoothPath:
                 and abs(now - (time or now)) <= _KEPT * now
             ):
                 break
-            margin = margin + _MORE * _beside(excess)
+            if turn + 1 >= turns:
+                # Before, what is too much is of friction at the rates of another motion.
+                margin = np.minimum(margin + _MORE * _beside(excess, np.maximum), most)
         return c if time is None else self._between(start, c, time)
 
     def _between(self, start: Array, c: Array, time: float) -> Array:
@@ -152,11 +164,10 @@ class SmoothPath:
         raise ValueError("limits: expected limits that some slow and smooth motion keeps, none was found")
 
 
-def _beside(excess: Array) -> Array:
-    """Values of cells, (cells, m), at the samples, (4 cells + 1, m): at an edge the larger of both sides."""
-    edges = np.pad(excess, ((1, 1), (0, 0)))
-    found = np.concatenate([np.repeat(excess, PARTS, axis=0), excess[-1:]])
-    found[::PARTS] = np.maximum(edges[1:], edges[:-1])
+def _beside(cells: Array, of_two: np.ufunc) -> Array:
+    """Values of cells, (cells, m), at the samples, (4 cells + 1, m): at an edge that of both sides."""
+    found = np.concatenate([np.repeat(cells, PARTS, axis=0), cells[-1:]])
+    found[PARTS:-1:PARTS] = of_two(cells[:-1], cells[1:])
     return found
 
 

@@ -29,6 +29,8 @@ _PARTS = 4
 # Limits are tightened by this times the excess, so that few rounds suffice.
 _MORE = 1.25
 _SECANTS = 5
+# Of what holding the machine leaves, limits are tightened by no more than this share.
+_FREE = 0.9
 # Where a limit is exceeded by more than this share between nodes, tightening alone does not help.
 _ROUGH = 5e-4
 # Nodes are at least this share of a cell apart.
@@ -117,7 +119,8 @@ class Grid(NamedTuple):
         # At rest, where friction ends, a limit is exceeded by a jump: each round adds more.
         again = np.where(beside > _ROUGH, self.margin, 0.0)
         again[2:-2] = 0.0
-        return self._replace(margin=self.margin + _MORE**turn * beside + again)
+        most = _FREE * np.maximum(1.0 - self.terms.held(), 0.0)
+        return self._replace(margin=np.minimum(self.margin + _MORE**turn * beside + again, most))
 
     def used(self, profile: Profile) -> Array:
         """Shares of the limits that are used in every cell, (cells, shares, m), that of speed last."""

@@ -118,6 +118,13 @@ class Terms(NamedTuple):
             parts.append(self.motors.used(square, second))
         return np.concatenate([*parts, np.sqrt(square / self.caps)[:, None]], axis=-1)
 
+    def held(self) -> Array:
+        """Shares of the limits that are used at rest or in slow motion, (n, quantities)."""
+        parts = [np.abs(self.e) / self.limit]
+        if self.motors is not None:
+            parts.append(self.motors.at_rest())
+        return np.concatenate([*parts, np.zeros((len(self.e), 1))], axis=-1)
+
     @property
     def signs(self) -> Array:
         """Signs of the rates of the legs, (n, 6), where these change bounds."""
