@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 
-from ..drives.friction import smooth_sign
+from ..drives.friction import constant_part, smooth_sign, viscous
 from ..dynamics.inverse import inverse_dynamics
 from ..io.arguments import shown
 from ..io.array_types import Array, Flags
@@ -123,6 +124,34 @@ def drive_terms(robot: Robot, motion: Motion, drive: Sequence[str], shared: bool
         units += [DRIVE_TERMS[name]] * of_leg.shape[-1]
     stacked = np.concatenate(columns, axis=-1)
     return Terms(tuple(names), tuple(units), stacked, np.ones(len(names), dtype=np.bool_))
+
+
+def seen_by_motors(robot: Robot) -> Robot:
+    """The robot as forces of its motors show it: viscous friction of its drives is in that of its joints."""
+    if robot.drive is None:
+        return robot
+    bare = dataclasses.replace(robot.drive, screw_viscous=0.0, motor_viscous=0.0)
+    return dataclasses.replace(robot, C_p=robot.C_p + viscous(robot.drive), drive=bare)
+
+
+def terms_of(robot: Robot, names: Sequence[str]) -> Array:
+    """What terms, named as those of ``DriveEstimate``, are of a robot's drives, (n,); NaN for a shared one
+    that is not that of all legs."""
+    if robot.drive is None:
+        return np.full(len(names), np.nan)
+    legs = {
+        "reflected_mass": robot.drive.reflected_mass,
+        "coulomb": constant_part(robot.drive, np.full(LEGS, np.inf)),
+        "offset": np.zeros(LEGS),
+        "viscous": viscous(robot.drive),
+    }
+    found = []
+    for name in names:
+        term = name.rstrip("123456")
+        values = legs[term]
+        shared = values[0] if np.ptp(values) == 0.0 else np.nan
+        found.append(shared if term == name else values[int(name[len(term) :]) - 1])
+    return np.array(found)
 
 
 def rotor_forces(robot: Robot, motion: Motion, drive: Drive) -> Array:

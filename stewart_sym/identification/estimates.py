@@ -11,7 +11,7 @@ from ..io.array_types import Array
 from ..motion.motion import Motion
 from ..robot.robot import Robot
 from .base_parameters import BaseParameters
-from .drive_terms import DriveEstimate
+from .drive_terms import DriveEstimate, seen_by_motors
 from .parameters import Parameters, inertial_parameters
 
 
@@ -83,7 +83,8 @@ class Estimate:
         Parameters
         ----------
         robot : Robot
-            The machine.
+            The machine. Where terms of drives were sought, viscous friction of its drives counts as that of
+            the prismatic joints, of which forces of motors do not tell it apart.
 
         Returns
         -------
@@ -96,6 +97,7 @@ class Estimate:
         """
         if self.free is not None:
             return self.free.departure(robot)
+        robot = robot if self.drive is None else seen_by_motors(robot)
         off = self.values - self.base.matrix @ inertial_parameters(robot).values
         if not np.isfinite(self.covariance).all():
             return np.zeros(len(off)), 1.0

@@ -253,6 +253,7 @@ def test_the_command_takes_currents(
     robot: ss.Robot, excited: ss.Excitation, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     drive = ss.Drive(lead=[5e-3, -5e-3, 4e-3, 4e-3, 1e-2, 1e-2], torque_constant=0.5, screw_coulomb=30.0)
+    drive = dataclasses.replace(drive, screw_viscous=800.0, motor_viscous=1e-3)
     machine = dataclasses.replace(robot, drive=drive)
     noisy = ss.drive_effort(machine, excited.motion).current
     noisy = noisy + 0.01 * np.random.default_rng(2).normal(size=noisy.shape)
@@ -264,6 +265,13 @@ def test_the_command_takes_currents(
     np.testing.assert_allclose(found["force_noise_N"], 0.01 * 0.5 * np.abs(drive.turns))
     assert found["verdict"] == "consistent"
     assert all(abs(row["estimated"] - 30.0) < 5.0 * row["sigma"] for row in found["drive"])
+    assert [row["robot_file"] for row in found["drive"]] == [30.0] * 6
+    # Viscous friction of the drives is in that of the prismatic joints.
+    assert found["robot_file"]["agreement"] == "agrees"
+    assert main([*words[:-2], *out]) == 1
+    found = json.loads(capsys.readouterr().out)
+    assert any("dry friction of up to 30 N in the robot file" in line for line in found["doubts"])
+    assert not any("--noise-position" in line for line in found["doubts"])
     words[1] = str(written(robot, tmp_path / "plain.toml"))
     assert main([*words, *out]) == 2
     assert "expected a drive with a torque_constant of every leg" in capsys.readouterr().err

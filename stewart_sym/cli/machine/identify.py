@@ -155,7 +155,7 @@ def _measured(arguments: argparse.Namespace, progress: Progress) -> "tuple[Repor
     found = from_measurement(
         robot, trajectory, time, F, sigma, str(forces), noise, *model, form, arguments.shared, terms
     )
-    return measured_report(robot, found, sigma, noise), found
+    return measured_report(robot, found, sigma, noise, columns == CURRENTS), found
 
 
 def _simulated(arguments: argparse.Namespace, progress: Progress) -> "tuple[Report, Estimate]":

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from ...dynamics.inverse import inverse_dynamics
 from ...identification.base_parameters import BaseParameters, base_parameters
-from ...identification.drive_terms import DriveEstimate
+from ...identification.drive_terms import DriveEstimate, seen_by_motors, terms_of
 from ...identification.estimates import Estimate
 from ...identification.estimation import Experiment, identify
 from ...identification.parameters import inertial_parameters
@@ -34,6 +34,8 @@ _SAME_TIME = 1e-6
 _FAR, _FAR_LEVEL = 4.0, 1e-3
 # A drive's term nearer to zero than this many deviations may as well not be there.
 _TOLD = 2
+# Poses that scatter by less than this share of their size do so by the digits that are written.
+_DIGITS = 1e-8
 # Forces are doubtful if they scatter by less than this share of sigma about the model, or if their size
 # differs by more than this factor from that of the robot file's forces.
 _LEAST_MISFIT, _MOST_TIMES = 0.2, 100.0
@@ -87,6 +89,11 @@ def from_measurement(
     found = identify(robot, motion, F, sigma, base, noise, physical, drive=drive)
     if noise is None and found.verdict in ("misfit", "rejected"):
         found = replace(found, doubts=(*found.doubts, *_scatter(trajectory, form)))
+    if drive is None and found.verdict in ("misfit", "rejected") and robot.drive is not None:
+        dry = terms_of(robot, [f"coulomb{leg}" for leg in range(1, 7)]).max()
+        if dry > 0.0:
+            said = f"drives: dry friction of up to {dry:.4g} N in the robot file: forces of motors have it"
+            found = replace(found, doubts=(*found.doubts, f"{said}, --drive coulomb seeks it"))
     return replace(found, doubts=(*found.doubts, *_unlike_forces(robot, found, F)))
 
 
@@ -114,6 +121,8 @@ def _scatter(trajectory: Trajectory, form: LogFormat) -> tuple[str, ...]:
     try:
         seen = estimated_noise(trajectory.time, trajectory.motion)
     except (ValueError, ImportError):
+        return ()
+    if seen.position <= _DIGITS * np.abs(trajectory.motion.t).max() and seen.angle <= _DIGITS:
         return ()
     position = f"{seen.position / LENGTH_UNITS[form.length_unit]:.2g}"
     angle = f"{seen.angle / ANGLE_UNITS[form.angle_unit]:.2g}"
@@ -154,9 +163,16 @@ def verdict(found: Estimate) -> list[str]:
     ]
 
 
-def measured_report(robot: Robot, found: Estimate, sigma: ArrayLike, noise: PoseNoise | None) -> Report:
-    """What follows from measured forces: parameters, and bodies if the fit kept to possible ones."""
-    base = found.base
+def measured_report(
+    robot: Robot, found: Estimate, sigma: ArrayLike, noise: PoseNoise | None, currents: bool = False
+) -> Report:
+    """What follows from measured forces: parameters, and bodies if the fit kept to possible ones.
+
+    currents: whether the forces are those of motors even where no terms of the drives were sought.
+    """
+    base, given = found.base, robot
+    if currents or found.drive is not None:
+        robot = seen_by_motors(robot)
     departure, p = found.departure(robot)
     file = base.matrix @ inertial_parameters(robot).values
     far = [name for name, off in zip(base.names, departure, strict=True) if abs(off) > _FAR]
@@ -177,7 +193,12 @@ def measured_report(robot: Robot, found: Estimate, sigma: ArrayLike, noise: Pose
             _noise(sigma, noise),
             *verdict(found),
             f"robot file: {agreement}{named}",
-            *drive_lines(found.drive),
+            *(
+                ["C_p of the robot file: with the viscous friction of its drives"]
+                if robot is not given
+                else []
+            ),
+            *drive_lines(given, found.drive),
         ],
         base,
         {"estimated": found.values, "sigma": found.sigma, "robot_file": file, "departure": departure},
@@ -185,30 +206,39 @@ def measured_report(robot: Robot, found: Estimate, sigma: ArrayLike, noise: Pose
         {
             **_data(robot, found, sigma, noise),
             "robot_file": {"agreement": agrees, "probability": p, "compared": found.verdict != "rejected"},
-            **({} if found.drive is None else {"drive": _drive_rows(found.drive)}),
+            **({} if found.drive is None else {"drive": _drive_rows(given, found.drive)}),
         },
     )
 
 
-def drive_lines(found: DriveEstimate | None) -> list[str]:
+def drive_lines(robot: Robot, found: DriveEstimate | None) -> list[str]:
     """A table of the drives' terms, and what is not identifiable."""
     if found is None:
         return []
     rows = [
-        (row["name"], row["unit"], f"{row['estimated']:.6g}", f"{row['sigma']:.2g}")
-        for row in _drive_rows(found)
+        (
+            *(row["name"], row["unit"], f"{row['estimated']:.6g}", f"{row['sigma']:.2g}"),
+            "-" if isnan(row["robot_file"]) else f"{row['robot_file']:.6g}",
+        )
+        for row in _drive_rows(robot, found)
         if row["identifiable"]
     ]
     unsure = found.identifiable & (np.abs(found.values) < _TOLD * found.sigma)
     names = ", ".join(name for name, each in zip(found.names, unsure, strict=True) if each)
     said = [f"within {_TOLD} sigma of zero, so that the motion does not tell them: {names}"] if names else []
-    return ["", aligned(("drives", "unit", "estimated", "sigma"), rows, left=2), *said, *found.confused]
+    return [
+        "",
+        aligned(("drives", "unit", "estimated", "sigma", "robot file"), rows, left=2),
+        *said,
+        *found.confused,
+    ]
 
 
-def _drive_rows(found: DriveEstimate) -> list[dict[str, Any]]:
+def _drive_rows(robot: Robot, found: DriveEstimate) -> list[dict[str, Any]]:
     """The same for programs."""
-    columns = (found.values.tolist(), found.sigma.tolist(), found.identifiable.tolist())
-    head = ("name", "unit", "estimated", "sigma", "identifiable")
+    of_file = terms_of(robot, found.names)
+    columns = (each.tolist() for each in (found.values, found.sigma, of_file, found.identifiable))
+    head = ("name", "unit", "estimated", "sigma", "robot_file", "identifiable")
     return [dict(zip(head, row, strict=True)) for row in zip(found.names, found.units, *columns, strict=True)]
 
 
