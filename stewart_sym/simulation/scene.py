@@ -74,9 +74,12 @@ class Scene:
     stated: Mapping[str, Any] = field(default_factory=dict)
 
     def run(self, progress: Progress | None = None) -> Simulation:
-        """Run the simulation; progress and what is raised: as for ``simulate``."""
+        """Run the simulation; progress and what is raised: as for ``simulate``, with the scene's file."""
         options = {name: getattr(self, name) for name in _OPTIONS}
-        return simulate(self.robot, self.state, self.law, self.duration, **options, progress=progress)
+        try:
+            return simulate(self.robot, self.state, self.law, self.duration, **options, progress=progress)
+        except ValueError as error:
+            raise ValueError(": ".join([*map(str, self.files[:1]), str(error)])) from error
 
 
 def read_scene(path: str | os.PathLike[str]) -> Scene:

@@ -12,7 +12,7 @@ from ...io.instants import least_step, time_text
 from ...motion.rotation import rpy_from_rotation
 from ...robot.robot import Robot
 from ...simulation.actuator_models import ForceLaw, LegSprings
-from ...simulation.trace import Simulation, leg_states
+from ...simulation.trace import DriveWork, Simulation, leg_states
 from ..common.drawing import Axes, Figure, new_figure
 from ..common.output import Columns, of_axes, of_legs
 from ..common.report import Picture, Report
@@ -86,11 +86,16 @@ def _data(
         "kinetic_energy_peak_J": run.kinetic.max(),
         "springs_energy_drift": _springs_drift(run, law),
         "energy_drift": {name: drift.worst for name, drift in drifts.items()},
+        **({} if run.drives is None else _of_drives(run.drives)),
         "units": {
             "springs_energy_drift": "share of the mean kinetic energy",
             "energy_drift": "share of the mean kinetic energy",
         },
     }
+
+
+def _of_drives(drives: DriveWork) -> dict[str, float]:
+    return {"motors_work_J": float(drives.done.sum()), "drive_friction_J": float(drives.lost.sum())}
 
 
 def _springs_drift(run: Simulation, law: ForceLaw) -> float | None:
@@ -117,6 +122,9 @@ def summary(run: Simulation, law: ForceLaw) -> str:
         f"length     {run.L.min():.6g} to {run.L.max():.6g} m",
         f"energy     {first:.6g} J at the start, {last:.6g} J at the end, kinetic up to {most:.6g} J",
     ]
+    if run.drives is not None:
+        done, lost = run.drives.done.sum(), run.drives.lost.sum()
+        lines.append(f"motors     did {done:.6g} J, friction of the drives took {lost:.6g} J of it")
     lines += [
         f"saturated  leg {i + 1} for {time:.6g} s, up to {run.saturation.excess[i]:.6g} N beyond its limit"
         for i, time in enumerate(run.saturation.time)
