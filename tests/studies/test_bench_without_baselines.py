@@ -36,21 +36,16 @@ sys.exit(code or any(sys.modules.get(name) for name in hidden))
 NAMES = {"casadi": "CasADi", "pinocchio": "Pinocchio", "pydrake": "Drake", "mujoco": "MuJoCo"}
 PEERS = {"casadi": ["CasADi", "CasADi, closed form"], "pinocchio": ["Pinocchio"], "mujoco": []}
 VERSIONS = {"casadi": "casadi", "pinocchio": "pin", "mujoco": "mujoco"}
-SUBSETS = [
-    pytest.param(names, marks=pytest.mark.slow, id="-".join(names))
-    for names in (("casadi", "pinocchio", "pydrake"), ("pydrake", "mujoco"))
-]
-"""Each package is there in one run and missing in another; Drake, which is not everywhere, in none.
+HIDDEN = ("pinocchio", "pydrake")
+"""All are missing where CI runs every subcommand, `.ci/newcomer`, and there in `test_bench_figures`."""
 
-All of them are missing where CI runs every subcommand, `.ci/newcomer`.
-"""
+pytestmark = pytest.mark.slow
 
 
-@pytest.fixture(scope="module", params=SUBSETS)
-def hidden(request: pytest.FixtureRequest) -> tuple[str, ...]:
+@pytest.fixture(scope="module")
+def hidden() -> tuple[str, ...]:
     """Packages that cannot be imported."""
-    found: tuple[str, ...] = request.param
-    return found
+    return HIDDEN
 
 
 @pytest.fixture(scope="module")
