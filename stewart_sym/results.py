@@ -69,11 +69,13 @@ class Reactions:
     F_p : ndarray
         Force of the lower part on the upper at the prismatic joint, N, (..., 6, 3), (26).
     F_c : ndarray
-        Its constraint part F_p - s F, N, (..., 6, 3), (28).
+        Its constraint part, (28): F_p less s times the actuator's force on the upper part, which is F less
+        what turns a rotor of the drive, N, (..., 6, 3).
     M_p : ndarray
         Moment of the lower part on the upper at the prismatic joint, N m, (..., 6, 3), (17).
     M_u : ndarray
-        Size of the constraint moment on the leg at the universal joint, N m, (..., 6), (29).
+        Constraint moment on the leg at the universal joint, N m, (..., 6), (29), along k x y, y the moving
+        axis; in `paper` along the leg.
     status : ndarray of int
         As in ``Forces``.
     """

@@ -256,6 +256,8 @@ class Summary:
 
     def add(self, part: Instants, weights: Array, time: Array | None) -> None:
         """Take in instants (..., 6) that stand for weights, s, (...), at times, s, (n,), if they have any."""
+        if not part.torque.size:
+            return
         flat = Instants(*(None if x is None else x.reshape(-1, LEGS) for x in part))  # type: ignore[arg-type]
         good = np.isfinite(flat.torque)
         each = weights.ravel()[:, None] * good

@@ -22,7 +22,7 @@ def rotor_regressor(robot: Robot, motion: Motion, on_singular: OnFault = "raise"
     """Y_r, (..., 6, 12): columns of m_r of legs 1 to 6, then of j_r; formulation `exact`.
 
     Rows 0-2 are forces, N, rows 3-5 moments about the reference point, N m, base frame, each over the unit of
-    its parameter, kg and kg m. With one lead for all motions the columns of a leg count with one number, J_r.
+    its parameter, kg and kg m. Both parameters of a leg follow from J_r, its turns per length being known.
 
     Parameters
     ----------

@@ -159,6 +159,10 @@ def forward_kinematics(
 
 def fault(robot: Robot, L: Array, status: int, guessed: bool) -> str:
     """Return in words why lengths (6,) have no pose, by the status: proven, or how far was looked for one."""
+    if status == OUT_OF_LIMITS:
+        low, high = robot.length_limits.T
+        leg = int(np.argmax((L < low) | (L > high)))
+        return f"leg {leg + 1}: expected a length from {low[leg]:.6g} to {high[leg]:.6g} m, got {L[leg]:.6g}"
     if status != NOT_CONVERGED:
         return REASONS[status]
     if robot.offsets is not None:

@@ -235,8 +235,9 @@ def _warn_of_rates(log: Log, coordinates: Array, names: Sequence[str]) -> None:
         return
     kinds = len(names) // 3
     for order in range(2):
-        columns = (_components(*names[kinds * i :][:kinds]) for i in (order, order + 1))
-        doubt = rate_doubt(log.time, coordinates[order], coordinates[order + 1], *columns, 6 // kinds)
+        columns, their_rates = (_components(*names[kinds * i :][:kinds]) for i in (order, order + 1))
+        values = coordinates[order : order + 2]
+        doubt = rate_doubt(log.time, *values, columns, their_rates, 6 // kinds)
         if doubt:
             _warn(log, doubt)
 

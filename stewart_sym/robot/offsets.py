@@ -106,7 +106,7 @@ SHAPES: dict[str, tuple[int, ...]] = {
 def need_no_offsets(robot: Any) -> None:
     """Reject, by ValueError, a robot with offset joints: what is computed is of legs whose axes meet."""
     if getattr(robot, "offsets", None) is not None:
-        raise ValueError("robot: offsets: expected none, since this is for legs whose axes meet alone")
+        raise ValueError("robot: offsets: expected none, offset joints are not supported here")
 
 
 # Tables of a robot file of schema 2

@@ -143,8 +143,8 @@ def crossings(robot: Robot, path: Path, times: ArrayLike) -> tuple[Crossing, ...
         must be those of its poses.
     times : array_like
         Where to begin, s, (n,), increasing, at least two: the first and the last, and between them the
-        samples or wherever an acceleration jumps. An even number of crossings between two times is found as
-        well.
+        samples or wherever an acceleration jumps. Two crossings between two times are found as well, though
+        the determinant of H has the same sign at both.
 
     Returns
     -------

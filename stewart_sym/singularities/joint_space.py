@@ -259,8 +259,8 @@ def _reject_other_rates(time: Array, L: Array, L_dot: Array, L_ddot: Array | Non
     """Reject rates and accelerations of another motion than that of the numbers that they are rates of."""
     columns = {"L": L, "L_dot": L_dot} | ({} if L_ddot is None else {"L_ddot": L_ddot})
     for (name, values), (rate, rates) in itertools.pairwise(columns.items()):
-        names = ([f"{each}_{leg}" for leg in range(1, 7)] for each in (name, rate))
-        doubt = rate_doubt(time, values, rates, *names)
+        legs, legs_rates = ([f"{each}_{leg}" for leg in range(1, 7)] for each in (name, rate))
+        doubt = rate_doubt(time, values, rates, legs, legs_rates)
         if doubt:
             raise RatesError(f"{rate}: {doubt}")
 

@@ -312,7 +312,7 @@ def place_blocks(
 
 
 def scale_moments(per_length: "Real", A: "array(6, WIDTH)") -> None:
-    """Takes moments over a length."""
+    """Multiplies the rows of moments by one over a length."""
     if anywhere(per_length != 1.0):
         for i in range(3, 6):
             for j in range(WIDTH):

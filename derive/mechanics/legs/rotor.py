@@ -1,8 +1,8 @@
 """The rotor of a leg's drive: what it adds to the leg's equations, by two constants.
 
-The rotor turns about the leg by N L relative to the lower part, in which its own inertia is. Its kinetic
-energy beyond that is m_r L_dot^2 / 2 + j_r L_dot (W.s), with m_r = J_r N^2 and j_r = J_r N: a mass that
-moves with the length, and an angular momentum j_r L_dot s that the leg carries round.
+The rotor turns about the leg by N L relative to the lower part, whose inertia includes the rotor's. Its
+kinetic energy beyond that is m_r L_dot^2 / 2 + j_r L_dot (W.s), with m_r = J_r N^2 and j_r = J_r N: a mass
+that moves with the length, and an angular momentum j_r L_dot s that the leg carries round.
 """
 
 from dataclasses import dataclass

@@ -79,7 +79,7 @@ def _operations(module: str) -> int | None:
 
     for node in ast.parse(module).body:
         if isinstance(node, ast.AnnAssign) and ast.unparse(node.target) == "OPERATIONS" and node.value:
-            return sum(ast.literal_eval(node.value)["friction"]["total"])
+            return int(sum(ast.literal_eval(node.value)["friction"]["total"]))
     return None
 
 

@@ -53,7 +53,7 @@ class Advice:
     def needed(self) -> tuple[tuple[frozenset[str], Entry], ...]:
         """The terms of the choice that no cheaper kernel may leave out, one by one or a few together.
 
-        With each, the next cheaper kernel that leaves out these and nothing that others don't.
+        With each, the next cheaper kernel that leaves out these and no more than it has to.
         """
         if self.chosen is None:
             return ()
