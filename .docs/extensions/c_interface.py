@@ -4,7 +4,8 @@ from docutils import nodes
 from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
 
-from stewart_sym.derive.kernel.interface import STATUS, STRUCTS
+from stewart_sym.derive.kernel.interface import STRUCTS
+from stewart_sym.derive.kernel.tree.statuses import STATUS
 from stewart_sym.studies.common.markdown import table
 
 

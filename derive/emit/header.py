@@ -2,7 +2,8 @@
 
 from collections.abc import Iterable, Mapping
 
-from ..kernel.interface import CALLS, STATUS, STRUCTS, Member
+from ..kernel.interface import CALLS, STRUCTS, Member
+from ..kernel.tree.statuses import STATUS
 from ..mechanics.quantities import MOTION, OF_LEG, PLATFORM
 from ..print.template import filled
 from .thresholds import comment

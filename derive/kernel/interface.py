@@ -1,4 +1,4 @@
-"""The C interface in one table: status codes, structs with their members in order, functions and arguments.
+"""The C interface in one table: structs with their members in order, functions and their arguments.
 
 The C++ wrapper, self-test, example and README of a kit, the FMI unit and, by ``generated/interface.py``,
 the ctypes layer and the sweep read it; headers are tested to agree.
@@ -10,18 +10,8 @@ from dataclasses import dataclass
 
 from ..mechanics import quantities as n
 from ..program.block import Quantity
-
-STATUS = (
-    ("OK", 0, "solved"),
-    ("NOT_FINITE", 1, "an input is not finite, or a result overflows"),
-    ("ZERO_LENGTH", 2, "a leg has length zero"),
-    ("JOINT_SINGULAR", 3, "a leg lies along the fixed axis of its universal joint"),
-    ("SINGULAR", 4, "H is singular: no leg forces can hold the platform"),
-    ("BAD_ARGUMENT", 5, "a pointer that must not be null is null"),
-    ("INDEFINITE", 6, "the inertia matrix M is not positive definite: no body has such inertias"),
-    ("NOT_CONVERGED", 7, "no pose with these leg lengths was found"),
-)
-"""Name, code and meaning of each status."""
+from .outputs import FORCED, RESULTS, arrays
+from .tree import nodes as t
 
 
 @dataclass(frozen=True)
@@ -409,4 +399,21 @@ CALLS: dict[str, Call] = {
         ),
     ),
 }
+
+
+def _of_result(of: str) -> Call:
+    """How an output of one array is called, by its entry in ``RESULTS``; ValueError for one of several."""
+    found = arrays(RESULTS[of])
+    if len(found) != 1:
+        tables = "STRUCTS and CALLS in kernel/interface.py, STRUCTS in emit/closed_form_interface.py"
+        raise ValueError(f"RESULTS: {of}: expected one array, or it in {tables}, got {len(found)} arrays")
+    (array,) = found
+    assert isinstance(array.type, t.Array)
+    unit, _, meaning = array.meaning.partition(": ")
+    given = (_GIVEN_F,) if of in FORCED else ()
+    out = _out(_flat(array.name, array.type.dims, unit, meaning))
+    return Call(RESULTS[of].meaning, (_MOTION, *given, out), True)
+
+
+CALLS |= {of: _of_result(of) for of in RESULTS if of not in CALLS}
 """Functions of the kernels by stem: the C name is ``stewart_<kernel>_<stem>``, or without a kernel."""

@@ -96,17 +96,25 @@ def program_in_lanes(
 
 def sums_used(outputs: Collection[str], deep: bool = True) -> set[str]:
     """Names of the kernels whose sums outputs need; deep: those where digits are lost as well."""
+    called = _called(outputs, deep)
+    return {each for each in m.NAMES if f"{PREFIX.get(each, each)}_sums" in called}
+
+
+def solves(output: str) -> bool:
+    """Whether an output solves linear equations."""
+    return any(each.startswith(("solve", "definite_six")) for each in _called((output,), deep=True))
+
+
+def _called(outputs: Collection[str], deep: bool) -> set[str]:
+    """Names of all that outputs call, themselves and through others."""
     texts = {name: each for module in _MODULES for name, each in vars(module).items() if callable(each)}
-    names = {f"{PREFIX.get(each, each)}_sums": each for each in m.NAMES}
     found: set[str] = set()
-    waiting, seen = list(outputs), set()
+    waiting = list(outputs)
     while waiting:
         name = waiting.pop()
-        if name in names:
-            found.add(names[name])
-        elif name in texts and name not in seen and (deep or not name.endswith("_apart")):
-            seen.add(name)
-            waiting += read.used(texts[name])
+        if name not in found and (deep or not name.endswith("_apart")):
+            found.add(name)
+            waiting += read.used(texts[name]) if name in texts else []
     return found
 
 
@@ -372,6 +380,23 @@ RESULTS = {
     ),
 }
 """The structure that each output fills."""
+
+
+def arrays(result: Structure) -> list[Field]:
+    """What an output hands out: its members but the status."""
+    return [each for each in result.members if each.name != "status"]
+
+
+def check_arrays(results: Mapping[str, Structure]) -> None:
+    """Raise ValueError, of one line, for a member of an output that is no array of numbers."""
+    for of, result in results.items():
+        for each in arrays(result):
+            if not isinstance(each.type, t.Array) or each.type.item != t.Real():
+                expected = f'Field("{each.name}", _numbers(n), ...), of one number _numbers(1)'
+                raise ValueError(f"RESULTS: {of}: {each.name}: expected {expected}, got {each.type}")
+
+
+check_arrays(RESULTS)
 OUTPUTS = tuple(RESULTS)
 FORCED = ("forward_dynamics", "linearisation")
 """Outputs that take the actuator forces."""

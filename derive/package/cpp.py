@@ -8,7 +8,9 @@ import textwrap
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
-from ..kernel.interface import CALLS, STATUS, Argument
+from ..kernel.interface import CALLS, Argument
+from ..kernel.outputs import FORCES, OUTPUTS
+from ..kernel.tree.statuses import STATUS
 from .functions import DRIVES, MODEL, NOTHING, ROBOT, Function
 from .words import template
 
@@ -138,14 +140,7 @@ def _aliases(classes: dict[str, list[Function]]) -> Iterable[str]:
 
 _ALIASES = {
     "forces_kernel": ("forces",),
-    "motion_kernel": (
-        "equations",
-        "bias",
-        "forward_dynamics",
-        "joint_inertia",
-        "derivatives",
-        "linearisation",
-    ),
+    "motion_kernel": tuple(each for each in OUTPUTS if each != FORCES),
     "reactions_kernel": ("inverse_dynamics", "joint_reactions"),
     "kinematics_kernel": ("inverse_kinematics", "forward_kinematics", "forward_velocity"),
     "axial_kernel": ("axial_forces",),

@@ -54,7 +54,7 @@ def _shown(function: Function, case: Case, symbol: str) -> str:
         f'        (void)printf("{function.symbol}: status %d, see stewart.h\\n", status);',
         "        return 1;",
         "    }",
-        *(f'    print("{label}", {where}, {count});' for label, where, count in _PRINTED[function.stem]),
+        *(f'    print("{label}", {where}, {count});' for label, where, count in _printed(function)),
         "    return 0;",
         "}",
         "",
@@ -92,23 +92,24 @@ def _handed(argument: Argument) -> str:
     return f"&{_local(argument)}" if argument.struct else _local(argument)
 
 
+def _printed(function: Function) -> Iterable[tuple[str, str, int]]:
+    """Label, array and count of the numbers that are printed."""
+    outputs = [(f"{each.name}, {each.unit}", each.name, each.count) for each in function.call.outputs]
+    return _PRINTED.get(function.stem, outputs)
+
+
 _TURNED = (("R", "turned.R", 9), ("omega, rad/s", "turned.omega", 3), ("alpha, rad/s^2", "turned.alpha", 3))
 _PRINTED: dict[str, tuple[tuple[str, str, int], ...]] = {
-    "forces": (("F, N", "F", 6),),
     "inverse_dynamics": (("F, N", "forces.F", 6), ("D, N", "forces.D", 6), ("c, N and N m", "forces.c", 6)),
     "joint_reactions": (("F_s of leg 1, N", "reactions.F_s[0]", 3), ("M_u, N m", "reactions.M_u", 6)),
     "equations": (("M, first row", "found.M", 6), ("g, N and N m", "found.g", 6)),
-    "bias": (("bias, N and N m", "bias", 6),),
     "forward_dynamics": (("a, m/s^2, alpha, rad/s^2", "acceleration", 6),),
     "joint_inertia": (("joint inertia, first row, kg", "inertia", 6),),
     "derivatives": (("dF by pose, first row", "found.by_pose", 6),),
     "linearisation": (("A, row of a, by dt", "found.A + 72", 6),),
-    "inverse_kinematics": (("L, m", "L", 6), ("L_dot, m/s", "L_dot", 6)),
     "forward_kinematics": (("R", "pose.R", 9), ("t, m", "pose.t", 3)),
-    "forward_velocity": (("v, m/s", "v", 3), ("omega, rad/s", "omega", 3)),
     "axial_forces": (("axial forces, N", "axial", 6), ("L_dot, m/s", "L_dot", 6)),
-    "motor_torques": (("torque, N m", "torque", 6), ("current, A", "current", 6)),
     "motion_from_rpy": _TURNED,
     "motion_from_quaternion": _TURNED,
 }
-"""What the example prints of each function: label, array, count of numbers."""
+"""What the example prints of a function, where it is not all that this hands out: label, array, count."""

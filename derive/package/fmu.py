@@ -12,7 +12,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from html import escape
 
-from ..kernel.interface import CALLS, STATUS
+from ..kernel.interface import CALLS
+from ..kernel.tree.statuses import STATUS
 from ..mechanics import quantities as n
 from ..program.block import AXES, Quantity
 from . import licence

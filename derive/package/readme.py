@@ -5,7 +5,7 @@ import textwrap
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from ..kernel.interface import STATUS
+from ..kernel.tree.statuses import STATUS
 from ..mechanics import quantities as n
 from ..print.c import wrapped
 from . import licence

@@ -8,7 +8,7 @@ import ctypes
 import functools
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import Any, Literal, Protocol, get_args
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -25,17 +25,21 @@ from ..robot.robot import Robot
 from .arrays import robot_structure, stacked
 from .forces import ForceKernel, prepare
 
-What = Literal["equations", "bias", "forward_dynamics", "joint_inertia", "derivatives", "linearisation"]
-
-OUTPUTS: Mapping[str, Mapping[str, tuple[int, ...]]] = {what: _OUTPUTS[what] for what in get_args(What)}
-"""What each function hands out, with the shape of a pose's part."""
+OUTPUTS: Mapping[str, Mapping[str, tuple[int, ...]]] = {
+    what: _OUTPUTS[what]
+    for what in ("equations", "bias", "forward_dynamics", "joint_inertia", "derivatives", "linearisation")
+}
+"""What the functions hand out that sweeps hold against wider arithmetic, with the shape of a pose's part."""
 
 
 class ClosedForm(Protocol):
     """A robot bound to the closed form's functions."""
 
-    def run(self, what: What, motion: Motion, F: Array | None = None) -> dict[str, Any]:
-        """Results by name and status (...), NaN where that is not 0; F (..., 6), of the motion's shape."""
+    def run(self, what: str, motion: Motion, F: Array | None = None) -> dict[str, Any]:
+        """Results by name and status (...), NaN where that is not 0.
+
+        what: an output of ``derive.kernel.outputs.RESULTS`` but "forces". F: (..., 6), of the motion's shape.
+        """
 
 
 def c_sources(name: str = "exact") -> dict[str, str]:
@@ -64,9 +68,9 @@ class CClosedForm:
         library(robot_kernel(self.robot, "exact"))
         object.__setattr__(self, "_forces", prepare(self.robot, "exact"))
 
-    def run(self, what: What, motion: Motion, F: Array | None = None) -> dict[str, Any]:
+    def run(self, what: str, motion: Motion, F: Array | None = None) -> dict[str, Any]:
         """See ``ClosedForm``."""
-        outputs = {name: np.full((*motion.shape, *shape), np.nan) for name, shape in OUTPUTS[what].items()}
+        outputs = {name: np.full((*motion.shape, *shape), np.nan) for name, shape in _OUTPUTS[what].items()}
         status = np.zeros(motion.shape, dtype=np.int32)
         forces = [] if F is None else [contiguous(F)]
         targets = [pointers(outputs.values())] if what in STRUCTS else [*map(address, outputs.values())]
@@ -122,7 +126,7 @@ class NumpyClosedForm:
     def _source(self) -> Any:
         return module(f"{robot_kernel(self.robot, 'exact')}_arrays")
 
-    def run(self, what: What, motion: Motion, F: Array | None = None) -> dict[str, Any]:
+    def run(self, what: str, motion: Motion, F: Array | None = None) -> dict[str, Any]:
         """See ``ClosedForm``."""
         source = self._source
         given = source.motion_of(self._on, **vars(loaded(motion)))
@@ -133,4 +137,4 @@ class NumpyClosedForm:
         found = {name: stacked(np, value, shape) for name, value in vars(result).items()}
         if "alpha" in found:
             found["acceleration"] = np.concatenate([found.pop("a"), found.pop("alpha")], axis=-1)
-        return {name: found[name] for name in OUTPUTS[what]} | {"status": found["status"].astype(np.int32)}
+        return {name: found[name] for name in _OUTPUTS[what]} | {"status": found["status"].astype(np.int32)}

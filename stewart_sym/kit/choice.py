@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..backend.kernel import robot_kernel
+from ..derive.kernel.outputs import FORCES, OUTPUTS
 from ..derive.package.words import template
 from ..io.arguments import option, shown
 from ..io.toml_text import toml_text
@@ -19,11 +20,12 @@ TORQUE = "torque"
 FUNCTIONS = ("forces", "reactions", "motion", "derivatives", "kinematics", TORQUE)
 """Groups of functions that a kit may hold, in the order in which it lists them."""
 
+_DERIVATIVES = ("derivatives", "linearisation")
 STEMS: dict[str, tuple[str, ...]] = {
     "forces": ("forces",),
     "reactions": ("inverse_dynamics", "joint_reactions"),
-    "motion": ("equations", "bias", "forward_dynamics", "joint_inertia"),
-    "derivatives": ("derivatives", "linearisation"),
+    "motion": tuple(each for each in OUTPUTS if each not in (FORCES, *_DERIVATIVES)),
+    "derivatives": _DERIVATIVES,
     "kinematics": ("inverse_kinematics", "forward_kinematics", "forward_velocity"),
     TORQUE: ("axial_forces", "motor_torques"),
 }

@@ -8,7 +8,7 @@ stored and returns what the C writes, flat, in the order of its struct.
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
-from functools import cache, cached_property, partialmethod
+from functools import cache, cached_property
 from types import FunctionType, ModuleType, SimpleNamespace
 from typing import Any
 
@@ -18,7 +18,7 @@ from ..backend.kernel import kernel_name, module
 from ..derive.generate import reduced_axial, reduced_kinematics, reduced_rotation
 from ..derive.kernel.drives.torque import axial_program, torque_program
 from ..derive.kernel.kinematics import PUBLIC, rotation_program, search_program
-from ..derive.kernel.outputs import FORCES, program
+from ..derive.kernel.outputs import FORCED, FORCES, program
 from ..derive.kernel.tree.constants import constants
 from ..derive.kernel.tree.interpret import Arithmetic, Interpreter
 from ..derive.kernel.tree.nodes import Program
@@ -122,18 +122,16 @@ class KitInterpreter:
         found = self._every_output.leg_reactions(ON_ARRAYS, robot.leg, robot, _motion(at), *axial)
         return _flat({name: _by_leg(value) for name, value in vars(found).items()})
 
-    def _of_model(self, what: str, at: Numbers, **given: Any) -> Found:
-        """A function of the closed form, of F (6,) of ``at`` as well where it is one of forces."""
-        motion = SimpleNamespace(**vars(_motion(at)), **given)
-        forces = [list(array(at["F"]))] if what in ("forward_dynamics", "linearisation") else []
-        return _flat(getattr(_closed_form(self._rotors), what)(ON_ARRAYS, self._model, motion, *forces))
+    def found(self, function: str, at: Numbers) -> Found:
+        """What a function of ``CALLS`` finds: by the method of its name, or as one of the closed form."""
+        own = getattr(self, function, None)
+        return self._of_model(function, at) if own is None else own(at)
 
-    # Each returns the members of the C's structure of its name.
-    equations = partialmethod(_of_model, "equations")
-    bias = partialmethod(_of_model, "bias")
-    forward_dynamics = partialmethod(_of_model, "forward_dynamics")
-    joint_inertia = partialmethod(_of_model, "joint_inertia")
-    linearisation = partialmethod(_of_model, "linearisation")
+    def _of_model(self, what: str, at: Numbers, **given: Any) -> Found:
+        """A function of the closed form, of F (6,) of ``at`` as well where it is one of ``FORCED``."""
+        motion = SimpleNamespace(**vars(_motion(at)), **given)
+        forces = [list(array(at["F"]))] if what in FORCED else []
+        return _flat(getattr(_closed_form(self._rotors), what)(ON_ARRAYS, self._model, motion, *forces))
 
     def derivatives(self, at: Numbers) -> Found:
         """F and its derivatives by_pose, by_twist, by_acceleration."""

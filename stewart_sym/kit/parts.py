@@ -24,6 +24,7 @@ from ..derive.generate import (
 )
 from ..derive.kernel.kinematics import search_operations
 from ..derive.kernel.operations import force_operations
+from ..derive.kernel.outputs import solves, sums_used
 from ..derive.mechanics import quantities
 from ..derive.mechanics.actuator_forces import ForceKernel
 from ..derive.mechanics.baked_constants import baked
@@ -207,14 +208,10 @@ def _motion(robot: Robot, choice: Choice) -> Part:
     return _part(file, functions, tuple(groups), says, SOLVE, files)
 
 
-_SUMS = {"joint_inertia": ("equations",), "linearisation": ("forward_dynamics", "derivatives")}
-"""Kernels of the closed form that a function runs, where it is not its own alone."""
-
-
 def _before_solves(kernel: str, stem: str) -> str:
     counts: Mapping[str, int] = module(f"{kernel}_operations").OPERATIONS
-    count = sum(counts[name] for name in _SUMS.get(stem, (stem,)))
-    return f"{count:,}" if stem in ("equations", "bias") else f"{count:,} and the solves"
+    count = sum(counts[name] for name in sums_used((stem,), deep=False))
+    return f"{count:,} and the solves" if solves(stem) else f"{count:,}"
 
 
 def _kinematics() -> Part:

@@ -16,6 +16,7 @@ import numpy as np
 
 from ..backend import fidelity as fidelities
 from ..backend.kernel import MOTION, need_representable
+from ..derive.kernel.outputs import FORCED
 from ..drives.friction import drive_numbers
 from ..io.array_types import Array
 from ..kinematics.conditioning import characteristic_length, moments_over
@@ -169,7 +170,7 @@ def _vector(interpreter: KitInterpreter, robot: Robot, kind: type, function: str
     near = partial(rounded, kind=kind)
     inputs = dict(motion)
     at = motion
-    if function in ("forward_dynamics", "linearisation"):
+    if function in FORCED:
         # More than what holds the motion: the platform has to be accelerated.
         inputs["F"] = near(significant(1.5 * values(interpreter.forces(motion)["F"]), 4))
     elif function == "joint_reactions":
@@ -183,7 +184,7 @@ def _vector(interpreter: KitInterpreter, robot: Robot, kind: type, function: str
         inputs = {name: near(value) for name, value in _rotation_inputs(function, motion).items()}
     elif function in KINEMATICS:
         inputs, at = _kinematic_inputs(interpreter, robot, kind, function, motion)
-    found = getattr(interpreter, function)(at if function == "forward_kinematics" else inputs)
+    found = interpreter.found(function, at if function == "forward_kinematics" else inputs)
     margin = FORCES_MARGIN if function == "forces" else MARGIN
     return Vector(function, inputs, *_answers(found, kind, margin))
 

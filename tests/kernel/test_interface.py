@@ -13,8 +13,9 @@ from stewart_sym.backend import native
 from stewart_sym.backend.kernel import defines_of
 from stewart_sym.derive.emit.header import layout
 from stewart_sym.derive.generate import generator_version
-from stewart_sym.derive.kernel.interface import CALLS, STATUS, STRUCTS
+from stewart_sym.derive.kernel.interface import CALLS, STRUCTS
 from stewart_sym.derive.kernel.tree.constants import STATUS as OF_TREES
+from stewart_sym.derive.kernel.tree.statuses import STATUS
 from stewart_sym.derive.mechanics.formulation import FORMULATIONS
 from stewart_sym.derive.package.functions import DRIVES, MODEL, NOTHING, ROBOT, Function
 from stewart_sym.generated import interface

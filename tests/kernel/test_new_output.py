@@ -1,7 +1,12 @@
-"""A new output is a written function and a line of ``RESULTS``: every language then has it, and proves it."""
+"""A new output is a written function and a line of ``RESULTS``: every language then has it, and proves it.
+
+Its call in C, by which kits and the library find it, follows from the line; a line that lacks what this takes
+is named at once.
+"""
 
 import ctypes
 import json
+import re
 import shutil
 import subprocess
 import sys
@@ -15,6 +20,9 @@ import stewart_sym as ss
 from stewart_sym import derive
 from stewart_sym.backend import kernel, native
 from stewart_sym.backend.kernel import MOTION
+from stewart_sym.derive.kernel import interface, outputs
+from stewart_sym.derive.kernel.model import result
+from stewart_sym.derive.kernel.tree.nodes import Array, Field, Integer, Real, Type
 from stewart_sym.dynamics import closed_form
 from stewart_sym.generated.interface import MODELS
 from stewart_sym.kit.parts import robot_numbers
@@ -45,6 +53,7 @@ copy, folder = map(Path, sys.argv[1:])
 derive.__path__[:] = [str(copy)]
 from stewart_sym.derive.mechanics.formulation import EXACT
 from stewart_sym.derive.generate import motion_files, output_program
+from stewart_sym.derive.kernel.interface import CALLS
 from stewart_sym.derive.package.languages import LANGUAGES
 from stewart_sym.derive.package.languages.contents import Contents, Test
 given = json.loads(sys.stdin.read())
@@ -53,6 +62,10 @@ test = Test("momentum", {"motion": given["motion"]}, answers, bounds)
 program = output_program(EXACT, ("momentum",))
 kit = Contents("one", "one", given["robot"], program, ("momentum",), (test,), "double", "", "test")
 texts = {name: language.files(kit) for name, language in LANGUAGES.items()}
+call = CALLS["momentum"]
+declared = call.prototypes("stewart_exact_momentum", "const stewart_exact_model *model", call.has_batch)
+members = [(each.name, each.shape, each.unit, each.meaning) for each in call.outputs]
+(folder / "call.json").write_text(json.dumps([declared, call.says, members]))
 for language, files in (texts | {"c": motion_files(["equations", "momentum"])}).items():
     for name, text in files.items():
         (folder / language / name).parent.mkdir(parents=True, exist_ok=True)
@@ -82,10 +95,10 @@ def kits(tmp_path_factory: pytest.TempPathFactory) -> Path:
     shutil.copytree(Path(derive.__file__).parent, copy, ignore=shutil.ignore_patterns("__pycache__"))
     with (copy / "kernel" / "written" / "closed_form.py").open("a") as file:
         file.write(WRITTEN)
-    outputs = copy / "kernel" / "outputs.py"
-    start, opening, rest = outputs.read_text().partition("\nRESULTS = {")
+    table = copy / "kernel" / "outputs.py"
+    start, opening, rest = table.read_text().partition("\nRESULTS = {")
     assert opening
-    outputs.write_text(f"{start}{opening}{REGISTERED}{rest}")
+    table.write_text(f"{start}{opening}{REGISTERED}{rest}")
     robot, motion, answer = case()
     given = {
         "robot": robot_numbers(robot),
@@ -117,3 +130,28 @@ def test_the_same_two_files_give_c_a_new_output(kits: Path) -> None:
     assert library.stewart_exact_prepare(*pointers[:2]) == 0
     assert library.stewart_exact_momentum(*pointers[1:]) == 0
     np.testing.assert_allclose(found, answer, rtol=0, atol=1e-14 * np.abs(answer).max())
+
+
+def test_its_call_is_what_the_header_declares(kits: Path) -> None:
+    header = " ".join((kits / "c" / "stewart_exact_motion.h").read_text().replace("(\n    ", "(").split())
+    declared, *others = json.loads((kits / "call.json").read_text())
+    assert len(declared) == 2
+    assert all(f"STEWART_NODISCARD {each}" in header for each in declared)
+    assert others == ["M [v; omega].", [["momentum", [6], "kg m/s, kg m^2/s", "it"]]]
+
+
+@pytest.mark.parametrize("kind", [Real(), Array(Integer(), (1,))])
+def test_a_member_that_is_no_array_of_numbers_is_named(kind: Type) -> None:
+    energy = result("KineticEnergy", "Kinetic energy.", Field("energy", kind, "J: it"))
+    expected = 'Field("energy", _numbers(n), ...), of one number _numbers(1)'
+    text = f"RESULTS: kinetic_energy: energy: expected {expected}, got {kind}"
+    with pytest.raises(ValueError, match=f"^{re.escape(text)}$"):
+        outputs.check_arrays(outputs.RESULTS | {"kinetic_energy": energy})
+
+
+def test_an_output_of_several_arrays_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    numbers = Array(Real(), (3,))
+    both = result("Both", "Two arrays.", Field("one", numbers, "m: it"), Field("other", numbers, "m: it"))
+    monkeypatch.setitem(outputs.RESULTS, "both", both)
+    with pytest.raises(ValueError, match=r"^RESULTS: both: expected one array, or .*, got 2 arrays$"):
+        interface._of_result("both")

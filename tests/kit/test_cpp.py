@@ -13,6 +13,7 @@ from stewart_sym.derive.package import cpp as kit_cpp
 from stewart_sym.derive.package.functions import MODEL, NOTHING, Function
 from stewart_sym.derive.package.functions import ROBOT as OF_ROBOT
 from stewart_sym.kit import Choice
+from stewart_sym.kit.choice import STEMS
 from stewart_sym.kit.parts import parts
 from stewart_sym.robot.robot import Robot
 
@@ -22,7 +23,7 @@ STRICT = ("-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror
 # --- C++ ----------------------------------------------------------------------------------------
 
 
-MOTION = ("equations", "bias", "forward_dynamics", "joint_inertia", "derivatives", "linearisation")
+MOTION = (*STEMS["motion"], *STEMS["derivatives"])
 BAKED = f"{SYMBOL}_forces"
 
 

@@ -84,13 +84,14 @@ def test_closed_form_is_the_inverse_dynamics_to_45_digits() -> None:
     """M [a; alpha] + bias = H F + external wrench, and forward dynamics goes back."""
     robot, at = exactly_orthonormal(machine())
     interpreter = KitInterpreter(robot, "universal")
-    F, terms = interpreter.forces(at)["F"], interpreter.equations(at)
+    F, terms = interpreter.forces(at)["F"], interpreter.found("equations", at)
     M, H = terms["M"].reshape(6, 6), terms["H"].reshape(6, 6)
     acceleration = np.concatenate([at["a"], at["alpha"]])
     load = np.concatenate([at["F_ext"], at["M_ext"]])
     assert off(M @ acceleration + terms["bias"], H @ F + load) < 1e-45
-    assert off(interpreter.bias(at)["bias"], terms["bias"]) < 1e-45
-    back = interpreter.forward_dynamics({**at, "F": np.array([number.value for number in F])})["acceleration"]
+    assert off(interpreter.found("bias", at)["bias"], terms["bias"]) < 1e-45
+    held = {**at, "F": np.array([number.value for number in F])}
+    back = interpreter.found("forward_dynamics", held)["acceleration"]
     assert off(back, np.array([Running(number) for number in acceleration])) < 1e-45
 
 
@@ -127,14 +128,15 @@ def test_linearisation_is_that_of_forward_dynamics_to_25_digits() -> None:
     at = {name: np.array([Running(number).value for number in array]) for name, array in at.items()}
     at["F"] = np.array([Running(number).value for number in (10.0, -20.0, 30.0, 40.0, -50.0, 60.0)])
     interpreter = KitInterpreter(robot, "universal")
-    found = interpreter.linearisation(at)
+    found = interpreter.found("linearisation", at)
     A, B = found["A"].reshape(12, 12), found["B"].reshape(12, 6)
     step = Running(1e-15).value
     for column in (1, 3, 5, 7, 9, 11):
-        pair = [interpreter.forward_dynamics(moved(at, column, sign * step)) for sign in (1, -1)]
+        pair = [interpreter.found("forward_dynamics", moved(at, column, sign * step)) for sign in (1, -1)]
         slope = (pair[0]["acceleration"] - pair[1]["acceleration"]) / (2 * step)
         assert off(slope, A[6:, column]) < 1e-25
-    pushed = interpreter.forward_dynamics({**at, "F": at["F"] + np.eye(6, dtype=int)[2]})["acceleration"]
+    more = {**at, "F": at["F"] + np.eye(6, dtype=int)[2]}
+    pushed = interpreter.found("forward_dynamics", more)["acceleration"]
     assert off(pushed - found["acceleration"], B[6:, 2]) < 1e-40
 
 

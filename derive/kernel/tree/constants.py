@@ -2,17 +2,17 @@
 
 from math import sqrt
 
-from ..interface import STATUS as OF_INTERFACE
+from .statuses import STATUS as OF_KERNELS
 
 STATUS = {
     name: (code, meaning)
-    for name, code, meaning in OF_INTERFACE
+    for name, code, meaning in OF_KERNELS
     if name not in ("BAD_ARGUMENT", "NOT_CONVERGED")
 }
 """Code and meaning by name, of what kernels without pointers and searches return."""
 
 SEARCH = {
-    "NOT_CONVERGED": next((code, says) for name, code, says in OF_INTERFACE if name == "NOT_CONVERGED"),
+    "NOT_CONVERGED": next((code, says) for name, code, says in OF_KERNELS if name == "NOT_CONVERGED"),
     "MAX_STEPS": (30, "steps after which the search of a pose ends"),
 }
 INTEGERS = STATUS | SEARCH

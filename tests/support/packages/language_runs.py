@@ -22,6 +22,7 @@ import stewart_sym as ss
 from stewart_sym.backend.c_kernel import address
 from stewart_sym.backend.kernel import MOTION, robot_numbers
 from stewart_sym.derive.kernel.interface import CALLS
+from stewart_sym.derive.kernel.outputs import FORCED, OUTPUTS
 from stewart_sym.dynamics import closed_form
 from stewart_sym.generated.interface import MODELS
 from stewart_sym.results import OK
@@ -30,8 +31,7 @@ Array = np.ndarray
 SIZES = {"motion": 30, "F": 6, "L": 6, "guess": 12, "pose": 12, "L_dot": 6}
 """Arguments besides robot and model: how many numbers they have."""
 TAKES = {
-    **dict.fromkeys(("forces", "equations", "bias", "joint_inertia", "derivatives"), ("motion",)),
-    **dict.fromkeys(("forward_dynamics", "linearisation"), ("motion", "F")),
+    **{output: ("motion", "F") if output in FORCED else ("motion",) for output in OUTPUTS},
     "inverse_kinematics": ("motion",),
     "forward_kinematics": ("L", "guess"),
     "forward_velocity": ("pose", "L_dot"),
@@ -81,7 +81,7 @@ def of_c(function: str, rows: Array) -> Array:
         found = [np.full(each.count, 7.0) for each in CALLS[function].outputs]
         if function == "forward_kinematics":
             found = [given.pop()]
-        elif function not in (*OF_ROBOT, "forces", "bias", "forward_dynamics", "joint_inertia"):
+        elif any(each.whole for each in CALLS[function].arguments):
             found = [np.concatenate(found)]
         before = [each.copy() for each in found]
         codes.append(call(*map(address, (numbers if of_robot else model, *given, *found))))

@@ -187,7 +187,7 @@ def numpy_outputs(robot: ss.Robot, motion: ss.Motion, F: Array) -> tuple[Array, 
     """The same numbers of the NumPy kernels, one output after the other, and their statuses."""
     kernel = NumpyClosedForm(robot)
     found = [
-        kernel.run(what, motion, F if what in ("forward_dynamics", "linearisation") else None)  # type: ignore[arg-type]
+        kernel.run(what, motion, F if what in ("forward_dynamics", "linearisation") else None)
         for what in OUTPUTS
     ]
     flat = [
