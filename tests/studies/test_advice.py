@@ -5,6 +5,7 @@ import dataclasses
 import io
 import json
 import math
+import re
 import sys
 import warnings
 from collections.abc import Mapping
@@ -23,7 +24,7 @@ import stewart_sym as ss
 from stewart_sym.backend.fidelity import DRIVE_FIDELITIES, available, operations
 from stewart_sym.cli.main import main
 from stewart_sym.derive.mechanics.legs.rotor import FULL, NONE
-from stewart_sym.derive.mechanics.reduced_models import FIDELITIES, level_of
+from stewart_sym.derive.mechanics.reduced_models import FIDELITIES, Fidelity, level_of
 from stewart_sym.generated import exact, paper
 from stewart_sym.generated.fidelities import FIDELITIES as TABLE
 from stewart_sym.io.extras import install
@@ -39,6 +40,7 @@ from stewart_sym.studies.accuracy.advice import (
     advice,
     answer,
     as_json,
+    check_legs,
     closest,
     excess,
     report,
@@ -234,9 +236,21 @@ def test_terms_of_rotors_are_what_the_derivation_says() -> None:
         assert ("friction" in has) == level.friction
         assert ("reflected" in has) == (level.rotor != NONE)
         assert ("momentum" in has) == (level.rotor == FULL)
-        assert has - {"reflected", "momentum"} == terms(
-            Candidate("exact", name.removeprefix("reflected_").replace("reflected", "general"), "double")
-        )
+        plain = "general" if name in ("reflected", "no_rotor") else name.removeprefix("reflected_")
+        assert has - {"reflected", "momentum"} == terms(Candidate("exact", plain, "double"))
+
+
+def test_a_kind_of_leg_without_terms_is_named_at_once() -> None:
+    level = Fidelity("hollow_friction", "hollow", True, True, "hollow legs, with friction")
+    expected = "_LEGS in advice.py: expected the terms of 'hollow', legs of hollow_friction, got none"
+    with pytest.raises(ValueError, match=f"^{re.escape(expected)}$"):
+        check_legs({level.name: level})
+
+
+def test_a_level_has_the_terms_of_its_legs_by_any_name(monkeypatch: pytest.MonkeyPatch) -> None:
+    level = Fidelity("two_points", "point_masses", True, False, "two points, at rest, with friction")
+    monkeypatch.setitem(FIDELITIES, level.name, level)
+    assert terms(Candidate("exact", level.name, "float")) == {"masses", "friction", "joint"}
 
 
 @pytest.mark.slow

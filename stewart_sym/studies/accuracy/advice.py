@@ -8,6 +8,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from ...derive.mechanics.legs.rotor import FULL, NONE
+from ...derive.mechanics.reduced_models import DRIVE_FIDELITIES, FIDELITIES, Fidelity, level_of
 from ..common.output import aligned
 from .budget import Budget
 from .cost import SAMPLED, Candidate, CostAccuracy, Entry
@@ -33,9 +35,18 @@ _LEGS: Mapping[str, frozenset[str]] = {
     "point_masses": frozenset({"masses"}),
     "massless": frozenset(),
 }
+"""Terms that each kind of leg has."""
 
-_WHOLE = ("general", "reflected", "no_rotor")
-"""Levels with legs as they are and friction."""
+
+def check_legs(levels: Mapping[str, Fidelity]) -> None:
+    """Raise ValueError, of one line, for a level whose kind of leg has no terms."""
+    for name, level in levels.items():
+        if level.legs not in _LEGS:
+            expected = f"the terms of {level.legs!r}, legs of {name}"
+            raise ValueError(f"_LEGS in advice.py: expected {expected}, got none")
+
+
+check_legs(FIDELITIES | DRIVE_FIDELITIES)
 
 _INERTIA = frozenset({"axial", "rods", "reflected", "momentum"})
 """Terms that have no effect at rest."""
@@ -92,26 +103,21 @@ def _misses(entry: Entry, budget: Budget) -> tuple[float, float]:
 
 def terms(candidate: Candidate, rotors: bool = False) -> frozenset[str]:
     """The terms, keys of TERMS, that a kernel has; rotors: of a robot whose legs have them."""
-    fidelity = candidate.fidelity
-    kept = set(_LEGS[_legs(fidelity)])
-    if not fidelity.endswith("_static"):
+    level = level_of(candidate.fidelity, rotors)
+    kept = set(_LEGS[level.legs])
+    if level.moving:
         kept.add("rates")
-    if fidelity in _WHOLE or fidelity.endswith("_friction"):
+    if level.friction:
         kept.add("friction")
-    if fidelity.startswith("reflected") or (rotors and fidelity == "general"):
+    if level.rotor != NONE:
         kept.add("reflected")
-    if rotors and fidelity == "general":
+    if level.rotor == FULL:
         kept.add("momentum")
     if candidate.formulation == "exact":
         kept.add("joint")
     if candidate.precision == "double":
         kept.add("digits")
     return frozenset(kept)
-
-
-def _legs(fidelity: str) -> str:
-    legs = fidelity.removeprefix("reflected_").removesuffix("_friction").removesuffix("_static")
-    return "general" if legs in (*_WHOLE, "frictionless") else legs
 
 
 # --- words ------------------------------------------------------------------------------------
