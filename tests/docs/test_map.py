@@ -59,7 +59,7 @@ def test_the_map_answers_what_is_asked_first() -> None:
 
 def test_recipes_name_tests_that_there_are() -> None:
     text = (TOP / CONTRIBUTING).read_text(encoding="utf-8")
-    for heading in ("Add a reduced model", "Add an output", "Add a language"):
+    for heading in ("Add a robot", "Add a reduced model", "Add an output", "Add a language"):
         (recipe,) = re.findall(rf"## {heading}\n(.*?)(?=\n## |\Z)", text, re.DOTALL)
         assert re.search(r"`tests/[\w/]+\.py`", recipe), heading
     assert "test_a_language_is_one_module_and_one_registration" in (

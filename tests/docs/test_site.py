@@ -46,7 +46,7 @@ def test_local_links_lead_to_files_and_headings(page: str) -> None:
 def test_a_link_to_a_heading_that_is_not_there_is_found() -> None:
     found = anchors(DOCS / "contributing.md")
     assert "add-a-language" in found
-    assert "add-a-robot" not in found
+    assert "add-a-printer" not in found
 
 
 @pytest.fixture(scope="module")
