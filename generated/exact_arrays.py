@@ -3861,7 +3861,7 @@ def place_inertia_12(on: Arithmetic, vv: Any, vw: Any, ww: Any, first: Any, A: A
 
 
 def scale_moments_12(on: Arithmetic, per_length: Any, A: Any) -> None:
-    """Takes moments over a length."""
+    """Multiplies the rows of moments by one over a length."""
     if on.anywhere(per_length != 1.0):
         for i in range(3, 6):
             for j in range(12):
@@ -5426,7 +5426,7 @@ def place_inertia_24(on: Arithmetic, vv: Any, vw: Any, ww: Any, first: Any, A: A
 
 
 def scale_moments_24(on: Arithmetic, per_length: Any, A: Any) -> None:
-    """Takes moments over a length."""
+    """Multiplies the rows of moments by one over a length."""
     if on.anywhere(per_length != 1.0):
         for i in range(3, 6):
             for j in range(24):

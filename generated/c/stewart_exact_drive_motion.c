@@ -2718,7 +2718,7 @@ static void place_inertia_12(
     place_symmetric_12(ww, 3, first + 3, A);
 }
 
-/* Takes moments over a length. */
+/* Multiplies the rows of moments by one over a length. */
 static void scale_moments_12(stewart_real per_length, stewart_real A[72])
 {
     int i, j;
