@@ -130,7 +130,8 @@ def seen_by_motors(robot: Robot) -> Robot:
     """The robot as forces of its motors show it: viscous friction of its drives is in that of its joints."""
     if robot.drive is None:
         return robot
-    bare = dataclasses.replace(robot.drive, screw_viscous=0.0, motor_viscous=0.0)
+    none = np.zeros(LEGS)
+    bare = dataclasses.replace(robot.drive, screw_viscous=none, motor_viscous=none)
     return dataclasses.replace(robot, C_p=robot.C_p + viscous(robot.drive), drive=bare)
 
 

@@ -236,8 +236,8 @@ def _warn_of_rates(log: Log, coordinates: Array, names: Sequence[str]) -> None:
     kinds = len(names) // 3
     for order in range(2):
         columns, their_rates = (_components(*names[kinds * i :][:kinds]) for i in (order, order + 1))
-        values = coordinates[order : order + 2]
-        doubt = rate_doubt(log.time, *values, columns, their_rates, 6 // kinds)
+        values, rates = coordinates[order], coordinates[order + 1]
+        doubt = rate_doubt(log.time, values, rates, columns, their_rates, 6 // kinds)
         if doubt:
             _warn(log, doubt)
 
