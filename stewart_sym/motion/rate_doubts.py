@@ -11,8 +11,9 @@ from ..io.instants import elapsed
 
 # Rates are doubted if what they say is off by this share of the changes.
 _OFF = 0.3
-# Changes to compare are so many deviations of the numbers' noise, and this share of the largest of a kind.
-_CLEAR, _LEAST = 8.0, 1e-3
+# Changes to compare are so many deviations of the numbers' noise, of which that of their rates is this share,
+# and this share of the largest of a kind.
+_CLEAR, _OF_RATES, _LEAST = 8.0, 0.3, 1e-3
 # Changes over a stretch are this share of those over all, but for what moves on and on.
 _SHARE = 0.7
 _FEWEST, _MOST = 8, 1 << 13
@@ -28,11 +29,13 @@ _FACTORS = {
 class _Column(NamedTuple):
     """Root mean squares of one column's changes over stretches.
 
-    ratio: of the changes by those that the rates say. off: their difference; left: that from ratio times what
-    the rates say. size: of the changes. noise: of the column itself.
+    ratio: of the changes by those that the rates say; slope: of the latter by the former, which noise of the
+    rates leaves as it is. off: their difference; left: that from ratio times what the rates say. size: of the
+    changes. noise: of these, by that of the column and that of its rates.
     """
 
     ratio: float
+    slope: float
     off: float
     left: float
     size: float
@@ -55,7 +58,8 @@ def rate_doubt(
     for i, each in enumerate(found):
         first = i - i % kind
         least = _LEAST * max(other.size for other in found[first : first + kind])
-        if each.size > max(least, _CLEAR * each.noise) and each.off > _OFF * each.size:
+        seen = each.size > max(least, _CLEAR * each.noise)
+        if seen and each.off > _OFF * each.size and abs(each.slope - 1.0) > _OFF:
             bad.append(i)
     if not bad:
         return None
@@ -72,12 +76,14 @@ def rate_doubt(
 
 
 def _compared(time: Array, x: Array, rate: Array) -> _Column:
-    noise = math.sqrt(float(np.mean(np.diff(x, n=2) ** 2)) / 6.0)
+    scatter, of_rates = (math.sqrt(float(np.mean(np.diff(each, n=2) ** 2)) / 6.0) for each in (x, rate))
+    step = float(time[-1] - time[0]) / (len(time) - 1)
     summed = rate[1:] + rate[:-1]
     summed *= np.diff(time)
     np.cumsum(summed, out=summed)
     # Of a long log some instants are compared: the sums between them are of all.
-    at = np.arange(0, len(x), max(1, len(x) // _MOST))
+    every = max(1, len(x) // _MOST)
+    at = np.arange(0, len(x), every)
     x, time, said = x[at], time[at], 0.5 * np.where(at > 0, summed[at - 1], 0.0)
     spread = max(float(np.std(x)), float(np.std(said)))
     stretch = 1
@@ -89,9 +95,11 @@ def _compared(time: Array, x: Array, rate: Array) -> _Column:
         if max(_rms(change), _rms(by_rate)) >= _SHARE * spread or 4 * stretch >= len(time):
             break
         stretch *= 2
-    square = float(by_rate @ by_rate)
-    ratio = float(change @ by_rate) / square if square else 0.0
-    return _Column(ratio, _rms(change - by_rate), _rms(change - ratio * by_rate), _rms(change), noise)
+    both, squares, own = (float(x @ y) for x, y in ((change, by_rate), (by_rate, by_rate), (change, change)))
+    ratio, slope = both / squares if squares else 0.0, both / own if own else 1.0
+    off, left = _rms(change - by_rate), _rms(change - ratio * by_rate)
+    noise = math.hypot(scatter, _OF_RATES * of_rates * step * math.sqrt(every * stretch))
+    return _Column(ratio, slope, off, left, _rms(change), noise)
 
 
 def _rms(values: Array) -> float:

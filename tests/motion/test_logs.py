@@ -18,6 +18,7 @@ import stewart_sym as ss
 from stewart_sym.cli.main import main
 from stewart_sym.motion.log_reader import read_any_csv, read_csv
 from stewart_sym.motion.logs import EULER_ORDERS, LENGTH_UNITS, LogFormat
+from stewart_sym.motion.rate_doubts import rate_doubt
 from stewart_sym.motion.rotation import quaternion_from_rotation, rotation_from_rpy
 from stewart_sym.motion.trajectory import PoseLog, Trajectory
 from stewart_sym.studies.reports.doubts import angle_doubt, length_doubt, side_doubt
@@ -203,6 +204,18 @@ def test_rates_of_another_motion_are_warned_of(
         assert not caught
         read_csv(write(tmp_path / "odd.csv", names, odd))
     assert any(re.search(f"odd.csv: {words}", str(each.message)) for each in caught)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_accelerations_with_ten_times_their_size_of_noise_are_of_the_same_motion(seed: int) -> None:
+    time = np.linspace(0.0, 4.0, 401)
+    names, table = with_rates(time)
+    v, a = table[:, 7:13], table[:, 13:]
+    noisy = a + 10.0 * a.std() * np.random.default_rng(seed).normal(size=a.shape)
+    assert rate_doubt(time, v, noisy, names[7:13], names[13:], 3) is None
+    assert "change by -1 of what" in str(rate_doubt(time, v, -a, names[7:13], names[13:], 3))
+    quieter = -a + 0.2 * a.std() * np.random.default_rng(seed).normal(size=a.shape)
+    assert "signs opposite" in str(rate_doubt(time, v, quieter, names[7:13], names[13:], 3))
 
 
 @pytest.mark.parametrize("step", [0.05, 1.0, 2.5])
