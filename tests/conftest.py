@@ -5,6 +5,7 @@ end is short and the workers finish together. Modules and not marks of ``xdist_g
 since pytest-xdist 3.8 writes a mark into a node id that pytest 9.2 no longer reads.
 """
 
+import gc
 import os
 from collections.abc import Iterator
 from pathlib import PurePosixPath
@@ -14,6 +15,9 @@ import pytest
 
 from stewart_sym.backend import c_kernel, native
 from stewart_sym.dynamics import closed_form
+
+# Derivations make much that stays: to look for garbage at every turn takes a tenth of the time.
+gc.set_threshold(100_000, 50, 50)
 
 # A process for each core: BLAS threads would wait for each other.
 for library in ("OMP", "OPENBLAS", "MKL"):
