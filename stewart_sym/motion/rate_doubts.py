@@ -11,8 +11,8 @@ from ..io.instants import elapsed
 
 # Rates are doubted if what they say is off by this share of the changes.
 _OFF = 0.3
-# Changes to compare are so many deviations of the numbers' noise, of which that of their rates is this share,
-# and this share of the largest of a kind.
+# Changes are compared from so many deviations of noise on, that of the rates' sums weighted by a share, and
+# from a share of the largest change of their kind on.
 _CLEAR, _OF_RATES, _LEAST = 8.0, 0.3, 1e-3
 # Changes over a stretch are this share of those over all, but for what moves on and on.
 _SHARE = 0.7

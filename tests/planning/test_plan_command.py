@@ -124,7 +124,7 @@ def test_a_rate_that_leaves_a_few_rows_is_a_warning(folder: Path, capsys: pytest
     duration = json.loads((folder / "out" / "report.json").read_text())["duration_s"]
     rows = len(read_csv(folder / "out" / "trajectory.csv").time)
     assert line.endswith(
-        f"via.toml: rate: expected more than 10 rows in trajectory.csv of a motion of {duration:.4g} s, "
+        f"via.toml: rate: expected 10 or more rows in trajectory.csv of a motion of {duration:.4g} s, "
         f"got {rows} at 2 Hz"
     )
 

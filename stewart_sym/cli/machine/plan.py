@@ -83,9 +83,9 @@ def run(arguments: argparse.Namespace) -> int:
         take(plan.report(found, pictures(found)))
     for line in [] if found.motors is None else found.motors.summary.exceeded(_BETWEEN):
         warnings.warn(f"drive: {line}", DriveLimitWarning, stacklevel=2)
-    if len(found.times) <= FEW_ROWS:
+    if len(found.times) < FEW_ROWS:
         warnings.warn(
-            f"{arguments.via}: rate: expected more than {FEW_ROWS} rows in trajectory.csv of a motion of "
+            f"{arguments.via}: rate: expected {FEW_ROWS} or more rows in trajectory.csv of a motion of "
             f"{timed.duration:.4g} s, got {len(found.times)} at {request.rate:g} Hz",
             stacklevel=2,
         )
