@@ -19,11 +19,11 @@ Work = Callable[[Path, Progress], list[np.ndarray]]
 def reading(folder: Path, progress: Progress, last: str = "") -> list[np.ndarray]:
     """A log whose last row may be such as is read cell by cell."""
     path, time = folder / "log.csv", np.arange(10_000) / 1e3
-    wave = np.sin(time)
+    waves = np.repeat([np.sin(time), np.cos(time), -np.sin(time)], 6, axis=0).T
     names = ["t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z"]
     header = ["time", *names, *(f"{rate}_{axis}" for rate in ("v", "theta_dot") for axis in "xyz")]
     header += [f"{rate}_{axis}" for rate in ("a", "theta_ddot") for axis in "xyz"]
-    rows = [",".join([f"{t:.3f}", *[f"{x:.9f}"] * 18]) for t, x in zip(time, wave, strict=True)]
+    rows = [",".join([f"{t:.3f}", *(f"{x:.9f}" for x in each)]) for t, each in zip(time, waves, strict=True)]
     path.write_text("\n".join([",".join(header), last + rows[0], *rows[1:], ""]))
     return [read_log(path, smoothing=Smoothing(on=False), progress=progress).coordinates]
 
