@@ -16,9 +16,8 @@ from whole_track import track
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
-from stewart_sym.motion.log_reader import read_any_csv, read_csv
+from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.motion.logs import EULER_ORDERS, LENGTH_UNITS, LogFormat
-from stewart_sym.motion.rate_doubts import rate_doubt
 from stewart_sym.motion.rotation import quaternion_from_rotation, rotation_from_rpy
 from stewart_sym.motion.trajectory import PoseLog, Trajectory
 from stewart_sym.studies.reports.doubts import angle_doubt, length_doubt, side_doubt
@@ -137,96 +136,6 @@ def test_units_that_no_machine_has_are_warned_of(
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         read_csv(write(tmp_path / "good.csv", NAMES, poses()))
-
-
-def with_rates(time: Array, legs: bool = False) -> tuple[list[str], Array]:
-    """Names and a table of a smooth motion with its rates."""
-    angle = 2.0 * np.pi * np.outer(time, [0.3, 0.4, 0.5, 0.35, 0.45, 0.25]) + np.arange(6)
-    w = 2.0 * np.pi * np.array([0.3, 0.4, 0.5, 0.35, 0.45, 0.25])
-    found = 0.03 * np.array([np.sin(angle), w * np.cos(angle), -w * w * np.sin(angle)])
-    if legs:
-        found[0] += 0.7
-        names = [f"{name}_{i}" for name in ("L", "L_dot", "L_ddot") for i in range(1, 7)]
-    else:
-        groups = (("t", "theta"), ("v", "theta_dot"), ("a", "theta_ddot"))
-        names = [f"{name}_{axis}" for group in groups for name in group for axis in "xyz"]
-    return ["time", *names], np.column_stack([time, *found])
-
-
-@pytest.mark.parametrize("legs", [False, True], ids=["poses", "legs"])
-@pytest.mark.parametrize(
-    ("unit", "words"),
-    [(1e3, "ms"), (1e6, "us"), (1e-3, "are rates in another unit")],
-)
-def test_rates_that_times_contradict_by_a_unit_are_warned_of(
-    tmp_path: Path, unit: float, words: str, legs: bool
-) -> None:
-    names, table = with_rates(np.linspace(0.0, 2.0, 41), legs)
-    table[:, 0] *= unit
-    with pytest.warns(
-        ss.LogWarning, match=f"odd.csv: coordinates change by .* what their rates say: .*{words}"
-    ):
-        read_any_csv(write(tmp_path / "odd.csv", names, table))
-
-
-@pytest.mark.parametrize("noise", [0.0, 1e-3], ids=["", "noisy"])
-@pytest.mark.parametrize(
-    ("columns", "change", "words"),
-    [
-        (
-            slice(7, 13),
-            lambda rates: -rates,
-            "t_x, .*, theta_z change by -1 of what v_x, .* say: are signs opp",
-        ),
-        (slice(7, 10), lambda rates: 3.0 * rates, "t_x, t_y, t_z change by 0.33 of what v_x, v_y, v_z say$"),
-        (slice(7, 10), lambda rates: rates[:, [1, 0, 2]], "t_x, t_y do not change as v_x, v_y say"),
-        (
-            slice(10, 13),
-            np.degrees,
-            ".*theta_z change by 0.01[78] of what .*theta_dot_z say: are the latter in deg",
-        ),
-        (slice(10, 13), lambda rates: 0.0 * rates, ".*theta_z do not change as .*theta_dot_z say"),
-        (slice(13, 16), lambda rates: -rates, "v_x, v_y, v_z change by -1 of what a_x, a_y, a_z say"),
-    ],
-    ids=["minus", "three times", "exchanged", "degrees", "none", "accelerations"],
-)
-def test_rates_of_another_motion_are_warned_of(
-    tmp_path: Path, columns: slice, change: Callable[[Array], Array], words: str, noise: float
-) -> None:
-    names, good = with_rates(np.linspace(0.0, 4.0, 161))
-    odd, scatter = good.copy(), noise * np.random.default_rng(1).normal(size=(161, 18))
-    odd[:, columns] = change(odd[:, columns])
-    for table in (good, odd):
-        table[:, 1:] += scatter
-    with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always")
-        read_csv(write(tmp_path / "good.csv", names, good))
-        assert not caught
-        read_csv(write(tmp_path / "odd.csv", names, odd))
-    assert any(re.search(f"odd.csv: {words}", str(each.message)) for each in caught)
-
-
-@pytest.mark.parametrize("seed", range(3))
-def test_accelerations_with_ten_times_their_size_of_noise_are_of_the_same_motion(seed: int) -> None:
-    time = np.linspace(0.0, 4.0, 401)
-    names, table = with_rates(time)
-    v, a = table[:, 7:13], table[:, 13:]
-    noisy = a + 10.0 * a.std() * np.random.default_rng(seed).normal(size=a.shape)
-    assert rate_doubt(time, v, noisy, names[7:13], names[13:], 3) is None
-    assert "change by -1 of what" in str(rate_doubt(time, v, -a, names[7:13], names[13:], 3))
-    quieter = -a + 0.2 * a.std() * np.random.default_rng(seed).normal(size=a.shape)
-    assert "signs opposite" in str(rate_doubt(time, v, quieter, names[7:13], names[13:], 3))
-
-
-@pytest.mark.parametrize("step", [0.05, 1.0, 2.5])
-def test_rates_of_sparse_logs_and_of_rest_are_not_warned_of(tmp_path: Path, step: float) -> None:
-    names, table = with_rates(np.arange(0.0, 20.0, step))
-    still = table.copy()
-    still[:, 1:] = still[0, 1:]
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
-        for numbers in (table, still, table[:1]):
-            read_csv(write(tmp_path / "good.csv", names, numbers))
 
 
 def legs_of(robot: ss.Robot, table: Array) -> Array:
