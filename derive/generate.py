@@ -45,7 +45,7 @@ from .program.cse import share, shared_blocks
 WHOLE = (EXACT, EXACT_DRIVE)
 """Formulations with a closed form and bounds."""
 COMPARED = (EXACT, PAPER)
-"""Formulations whose operations are counted without friction as well, which the paper's program has not."""
+"""Formulations whose operations are counted without friction as well: the paper's program has none."""
 
 
 def generator_version() -> str:
@@ -161,7 +161,7 @@ def derived(names: Collection[str], processes: int = 1) -> Iterator[tuple[Made, 
     if processes == 1:
         yield from map(_timed, names)
     else:
-        # What a process makes it needs to its end: to look for garbage takes a tenth of the time.
+        # What a process makes it needs to its end: collecting garbage takes a tenth of the time.
         with ProcessPoolExecutor(processes, get_context("spawn"), gc.disable) as pool:
             yield from pool.map(_timed, names)
 

@@ -16,7 +16,7 @@ import pytest
 from stewart_sym.backend import c_kernel, native
 from stewart_sym.dynamics import closed_form
 
-# Derivations make much that stays: to look for garbage at every turn takes a tenth of the time.
+# Derivations make much that stays: collecting garbage as often as usual takes a tenth of the time.
 gc.set_threshold(100_000, 50, 50)
 
 # A process for each core: BLAS threads would wait for each other.

@@ -128,7 +128,7 @@ def drive_terms(robot: Robot, motion: Motion, drive: Sequence[str], shared: bool
 
 def seen_by_motors(robot: Robot) -> Robot:
     """The robot as forces of its motors show it: viscous friction of its drives is in that of its joints."""
-    if robot.drive is None:
+    if robot.drive is None or not np.any(viscous(robot.drive)):
         return robot
     none = np.zeros(LEGS)
     bare = dataclasses.replace(robot.drive, screw_viscous=none, motor_viscous=none)
