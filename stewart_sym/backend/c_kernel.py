@@ -31,11 +31,12 @@ from .kernel import (
 
 def c_sources(name: str) -> dict[str, str]:
     """File name -> text of the generated C of one kernel."""
-    folder = files("stewart_sym.generated") / "c"
-    return {
-        file: (folder / file).read_text(encoding="utf-8")
-        for file in (*HEADERS, f"stewart_{name}.h", f"stewart_{name}.c")
-    }
+    return {file: generated_c(file) for file in (*HEADERS, f"stewart_{name}.h", f"stewart_{name}.c")}
+
+
+def generated_c(file: str) -> str:
+    """Text of a file of the generated C."""
+    return (files("stewart_sym.generated") / "c" / file).read_text(encoding="utf-8")
 
 
 @functools.cache

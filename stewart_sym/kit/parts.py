@@ -8,12 +8,12 @@ from importlib.metadata import version
 import numpy as np
 
 from ..backend import fidelity
-from ..backend.c_kernel import c_sources
+from ..backend.c_kernel import generated_c
 from ..backend.kernel import module, robot_kernel
 from ..derive.emit import lanes, scalar
 from ..derive.emit.closed_form import FUNCTIONS as MOTION_FUNCTIONS
 from ..derive.emit.header import common_header
-from ..derive.emit.shared import ARITHMETIC, INCLUDED, LANES, OUTPUTS, SOLVE, shared_headers
+from ..derive.emit.shared import ARITHMETIC, INCLUDED, LANES, OUTPUTS, SOLVE
 from ..derive.emit.torque import axial_files, axial_name, axial_operations, torque_operations
 from ..derive.generate import (
     generator_version,
@@ -58,8 +58,7 @@ class Parts:
     def files(self) -> dict[str, str]:
         """Headers and sources of all parts and what they share: file name -> text."""
         found = {"stewart.h": common_header(generator_version(), self.precision, self.rotors)}
-        texts = shared_headers(generator_version())
-        found |= {name: texts[name] for name in self.shared}
+        found |= {name: generated_c(name) for name in self.shared}
         for part in self.parts:
             found |= part.files
         return found
@@ -282,8 +281,7 @@ def _part(
 
 def _committed(file: str) -> dict[str, str]:
     """Header and source from ``generated/c``."""
-    sources = c_sources(file.removeprefix("stewart_"))
-    return {name: sources[name] for name in (f"{file}.h", f"{file}.c")}
+    return {name: generated_c(name) for name in (f"{file}.h", f"{file}.c")}
 
 
 def generator() -> str:
