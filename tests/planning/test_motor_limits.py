@@ -36,9 +36,8 @@ def test_least_time_within_the_motors_limits_is_that_of_collocation(seed: int) -
     assert found.duration == pytest.approx(extrapolated(duration, 125), rel=1e-3)
 
 
-@pytest.mark.parametrize(
-    "quantity", ["speed", *(pytest.param(name, marks=pytest.mark.slow) for name in ("current", "power"))]
-)
+@pytest.mark.slow
+@pytest.mark.parametrize("quantity", ["speed", "current", "power"])
 def test_each_limit_of_the_motors_is_reached_and_kept_between_the_nodes(quantity: str) -> None:
     robot, path = motor_case(1, (quantity,))
     plan = time_path(robot, path, cells=100)
@@ -52,9 +51,9 @@ def test_each_limit_of_the_motors_is_reached_and_kept_between_the_nodes(quantity
 
 
 @pytest.mark.filterwarnings("ignore::stewart_sym.drives.effort.DriveLimitWarning")
-@pytest.mark.parametrize("jerk", [None, 1.0], ids=["", "jerk"])
 @pytest.mark.parametrize(
-    "seed", [0, pytest.param(1, marks=pytest.mark.slow), pytest.param(3, marks=pytest.mark.slow)]
+    ("seed", "jerk"),
+    [(0, 1.0), pytest.param(1, None, marks=pytest.mark.slow), pytest.param(3, None, marks=pytest.mark.slow)],
 )
 def test_motors_that_hold_the_machine_with_nearly_all_their_torque_move_it_as_fast_as_they_can(
     seed: int, jerk: float | None
