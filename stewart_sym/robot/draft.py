@@ -16,6 +16,7 @@ _LOWER_MASS, _PART = 0.7, 0.6
 _LOWER_RADIUS, _UPPER_RADIUS, _WALL, _RIM = 0.03, 0.02, 0.8, 1.15
 _THICKNESS = 0.1
 _WIDEST = 120.0
+_GRAVITY = 9.81
 
 
 @dataclass(frozen=True)
@@ -26,7 +27,7 @@ class Draft:
     base_radius, platform_radius: of the circles of joints. base_angle, platform_angle: between the joints of
     a pair, degrees, 0 to 120. height: of the platform's joints above the base's at home. platform_mass,
     leg_mass: payload included, kg. stroke: from the shortest leg to the longest; half of it on either side of
-    home. Raises ValueError naming the number.
+    home. z_down: whether z points down, and up otherwise. Raises ValueError naming the number.
     """
 
     name: str
@@ -39,6 +40,7 @@ class Draft:
     platform_mass: float
     leg_mass: float
     stroke: float
+    z_down: bool = False
 
     def __post_init__(self) -> None:
         """Check every number."""
@@ -48,7 +50,7 @@ class Draft:
             value = getattr(self, each.name)
             if each.name.endswith("_angle"):
                 number_in(value, each.name, f"0 to {_WIDEST:g} degrees", 0.0, _WIDEST, closed=True)
-            elif each.name not in ("name", "length_unit"):
+            elif each.name not in ("name", "length_unit", "z_down"):
                 number_in(value, each.name, "a number > 0")
         longest = self.leg_length + 0.5 * self.stroke
         if self.stroke >= 0.5 * longest:
@@ -70,7 +72,9 @@ class Draft:
         return Template(template).substitute(
             name=json.dumps(safe_text(self.name), ensure_ascii=False),
             unit=self.length_unit,
-            height=_number(self.height),
+            gravity=_number(_GRAVITY if self.z_down else -_GRAVITY),
+            z="down" if self.z_down else "up",
+            height=_number(-self.height if self.z_down else self.height),
             base_radius=_number(self.base_radius),
             # Neighbours of different pairs of the base meet in a pair of the platform.
             base_angles=_angles((0.0, 120.0, 240.0), self.base_angle, 0),

@@ -73,6 +73,23 @@ def test_millimetres_and_metres_make_the_same_machine(tmp_path: Path) -> None:
         np.testing.assert_allclose(getattr(made[0], name), getattr(made[1], name), rtol=1e-14, atol=1e-16)
 
 
+def test_z_may_point_down(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The same machine turned about x."""
+    up, down = tmp_path / "up.toml", tmp_path / "down.toml"
+    assert main(["new", "-o", str(up), *options(NUMBERS)]) == 0
+    assert main(["new", "-o", str(down), "--z-down", *options(NUMBERS)]) == 0
+    assert "gravity = [0.0, 0.0, 9.81]      # base frame: z is down\n" in down.read_text()
+    assert main(["check", str(down)]) == 0
+    assert capsys.readouterr().err == ""
+    forces = []
+    for path, upward in ((up, 1.0), (down, -1.0)):
+        robot = ss.Robot.from_toml(path)
+        a = np.array([0.0, 0.0, 2.0 * upward])
+        motion = ss.Motion.from_rpy(robot.home, [0.0] * 3, [0.0] * 3, [0.0] * 3, a, [0.0] * 3)
+        forces.append(ss.inverse_dynamics(robot, motion).F)
+    np.testing.assert_allclose(*forces, rtol=1e-12)
+
+
 def test_a_file_is_replaced_by_force_alone(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path = tmp_path / "robot.toml"
     path.write_text("mine = 1\n")

@@ -42,6 +42,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     for name, text in _NUMBERS.items():
         unit = "" if text.endswith("kg") else ", in --length-unit"
         parser.add_argument(_option(name), type=positive, metavar="X", help=f"{text}{unit}")
+    parser.add_argument("--z-down", action="store_true", help="z points down; default: up")
     for name, text in _ANGLES.items():
         parser.add_argument(
             _option(name), type=finite, default=_ANGLE, metavar="DEG", help=f"{text}; default: {_ANGLE:g}"
@@ -59,7 +60,7 @@ def run(arguments: argparse.Namespace) -> int:
 
     numbers = _numbers(arguments)
     try:
-        draft = Draft(arguments.name, arguments.length_unit, **numbers)
+        draft = Draft(arguments.name, arguments.length_unit, **numbers, z_down=arguments.z_down)
     except ValueError as error:
         name, _, rest = str(error).partition(":")
         raise ValueError(f"{_option(name)}:{rest}") from None
