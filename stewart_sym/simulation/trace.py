@@ -200,6 +200,12 @@ class Simulation(Trace):
         """How many steps the integration took."""
         return len(self._pieces)
 
+    @property
+    def within_steps(self) -> Trace:
+        """States and forces at ``WATCHED`` instants of each step: for peaks, whatever the rows are."""
+        steps = [np.linspace(piece.start, piece.end, WATCHED + 1) for piece in self._pieces]
+        return self.at(np.unique(np.concatenate([*steps, self.times])))
+
     def at(self, times: ArrayLike) -> Trace:
         """States and forces at given times, interpolated to the accuracy of the run.
 

@@ -92,10 +92,27 @@ def test_clipped_forces_move_the_machine_as_given_ones_do(rate: float | None) ->
     np.testing.assert_allclose(run.saturation.time[[1, 4]], 0.05, atol=5e-3)
     assert not run.saturation.excess[[0, 2, 3, 5]].any()
     assert not run.saturation.time[[0, 2, 3, 5]].any()
-    assert "saturated  leg 2 for 0.05" in summary(run, law)
+    assert "saturated  leg 2 for 0.05" in summary(run, run.within_steps, law)
     stopped = ss.simulate(limited, state, law, 0.1, rate=rate)
     assert (stopped.stop.kind, stopped.stop.leg, stopped.stop.time) == ("force_limit", 2, 0.0)
     assert not stopped.saturation.excess.any()
+
+
+def test_peaks_of_the_summary_do_not_depend_on_the_rows() -> None:
+    robot, state = machine()
+    k = 1e3 * robot.M * 9.81 / machine_size(robot)
+    law = ss.LegSprings.balanced(robot, state, k)
+    start = dataclasses.replace(state, v=np.array([0.3, 0.2, 0.1]))
+    runs = [ss.simulate(robot, start, law, 0.2, output_step=step) for step in (None, 0.2, 2e-4)]
+    coarse, few, dense = (report(robot, run, law, {}).data for run in runs)
+    for data in (coarse, few):
+        for leg, true in zip(data["legs"], dense["legs"], strict=True):
+            for name in ("peak_force_N", "least_length_m", "greatest_length_m"):
+                assert leg[name] == pytest.approx(true[name], rel=1e-3), name
+        for name in ("kinetic_energy_peak_J", "springs_energy_drift"):
+            assert data[name] == pytest.approx(dense[name], rel=1e-3), name
+    most = np.abs([leg["peak_force_N"] for leg in dense["legs"]])
+    assert np.any(np.abs(runs[1].F).max(axis=0) < 0.9 * most)
 
 
 def test_a_law_that_follows_a_path_starts_on_it() -> None:

@@ -60,7 +60,7 @@ def test_a_machine_at_rest_has_no_drift_and_says_that_nothing_moved() -> None:
     assert [drift.worst for drift in found.values()] == [0.0, 0.0]
     assert energy_drift.summary(found).count("nothing moved") == 2
     done = ss.simulate(robot, home(robot), springs, 0.5)
-    assert "nothing moved" in run_summary(done, springs)
+    assert "nothing moved" in run_summary(done, done.within_steps, springs)
 
 
 def test_friction_and_dampers_take_the_energy_they_should() -> None:
@@ -76,7 +76,9 @@ def test_friction_and_dampers_take_the_energy_they_should() -> None:
     )
     lost = run.energy[0] - run.energy[-1]
     assert 0.25 * weights @ taken == pytest.approx(lost, rel=1e-7, abs=1e-8 * run.kinetic.max())
-    assert run_summary(run, springs).endswith("of the mean kinetic energy, taken by dampers and friction")
+    assert run_summary(run, run.within_steps, springs).endswith(
+        "of the mean kinetic energy, taken by dampers and friction"
+    )
 
 
 def test_a_still_machine_stays_still_under_the_forces_that_hold_it() -> None:

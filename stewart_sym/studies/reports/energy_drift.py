@@ -18,7 +18,7 @@ from ...motion.motion import Motion
 from ...simulation.actuator_models import LegSprings
 from ...simulation.limits import Thresholds
 from ...simulation.simulation import simulate
-from ...simulation.trace import Simulation, Stop
+from ...simulation.trace import Simulation, Stop, Trace
 from ..common.drawing import BLUE, RED, Figure, legend_below, log_numbers, new_figure
 from ..paper.reproduce import without_friction
 
@@ -84,14 +84,14 @@ def energy_drift(
         for formulation in cast(tuple[Formulation, ...], FORMULATIONS)
     }
     scale = energy_scale(runs["exact"], springs)
-    return {formulation: drift_of(run, springs, scale) for formulation, run in runs.items()}
+    return {formulation: drift_of(run, run.stop, springs, scale) for formulation, run in runs.items()}
 
 
-def drift_of(run: Simulation, springs: LegSprings, scale: float) -> Drift:
-    """Drift of the energy of machine and springs along a run, measured by a scale, J."""
+def drift_of(run: Trace, stop: Stop, springs: LegSprings, scale: float) -> Drift:
+    """Drift of the energy of machine and springs along a run, measured by a scale, J; stop: why it ended."""
     energy = run.energy + springs.energy(run.L)
     drift = (energy - energy[0]) / scale if scale else np.zeros_like(energy)
-    return Drift(run.times, drift, scale, run.stop)
+    return Drift(run.times, drift, scale, stop)
 
 
 def energy_scale(run: Simulation, springs: LegSprings) -> float:

@@ -12,7 +12,7 @@ from ...io.instants import least_step, time_text
 from ...motion.rotation import rpy_from_rotation
 from ...robot.robot import Robot
 from ...simulation.actuator_models import ForceLaw, LegSprings
-from ...simulation.trace import DriveWork, Simulation, leg_states
+from ...simulation.trace import DriveWork, Simulation, Trace, leg_states
 from ..common.drawing import Axes, Figure, new_figure
 from ..common.output import Columns, of_axes, of_legs
 from ..common.report import Picture, Report
@@ -36,8 +36,9 @@ def report(robot: Robot, run: Simulation, law: ForceLaw, drifts: Mapping[Formula
 
     Without a picture of what has one instant alone. Of a robot with a drive, the motors beside their limits.
     """
-    text, figures = summary(run, law), {}
-    motors = motors_of(robot, run)
+    fine = run.within_steps
+    text, figures = summary(run, fine, law), {}
+    motors = motors_of(robot, fine)
     if motors is not None:
         text = "\n".join([text, "", motors.table(), *motors.summary.exceeded()])
     if len(run.times) > 1:
@@ -47,11 +48,11 @@ def report(robot: Robot, run: Simulation, law: ForceLaw, drifts: Mapping[Formula
         if any(len(drift.times) > 1 for drift in drifts.values()):
             figures["energy_drift"] = Picture(lambda: energy_drift.figure(drifts))
     tables = {f"energy_drift_{name}": drift.columns() for name, drift in drifts.items()}
-    return Report(text, {"run": run_columns(run), **tables}, _data(run, law, drifts, motors), figures)
+    return Report(text, {"run": run_columns(run), **tables}, _data(run, fine, law, drifts, motors), figures)
 
 
-def motors_of(robot: Robot, run: Simulation) -> DriveDigest | None:
-    """What a run takes of the motors, at its instants; None without a drive."""
+def motors_of(robot: Robot, run: Trace) -> DriveDigest | None:
+    """What a run takes of the motors, at the instants of a trace; None without a drive."""
     if robot.drive is None:
         return None
     found = DriveDigest(robot, run.times)
@@ -61,20 +62,24 @@ def motors_of(robot: Robot, run: Simulation) -> DriveDigest | None:
 
 
 def _data(
-    run: Simulation, law: ForceLaw, drifts: Mapping[Formulation, Drift], motors: DriveDigest | None
+    run: Simulation,
+    fine: Trace,
+    law: ForceLaw,
+    drifts: Mapping[Formulation, Drift],
+    motors: DriveDigest | None,
 ) -> dict[str, Any]:
     """What the summary says, for programs."""
-    peaks = np.argmax(np.abs(run.F), axis=0)
+    peaks = np.argmax(np.abs(fine.F), axis=0)
     return {
         "stop": {"kind": run.stop.kind, "time_s": run.stop.time, "leg": run.stop.leg, "text": run.stop.text},
         "steps": run.steps,
         "legs": [
             {
                 "leg": leg + 1,
-                "peak_force_N": run.F[peak, leg],
-                "peak_force_time_s": run.times[peak],
-                "least_length_m": run.L[:, leg].min(),
-                "greatest_length_m": run.L[:, leg].max(),
+                "peak_force_N": fine.F[peak, leg],
+                "peak_force_time_s": fine.times[peak],
+                "least_length_m": fine.L[:, leg].min(),
+                "greatest_length_m": fine.L[:, leg].max(),
                 "saturated_s": run.saturation.time[leg],
                 "saturation_excess_N": run.saturation.excess[leg],
                 **({} if motors is None else motors.of_leg(leg)),
@@ -83,8 +88,8 @@ def _data(
         ],
         "energy_start_J": run.energy[0],
         "energy_end_J": run.energy[-1],
-        "kinetic_energy_peak_J": run.kinetic.max(),
-        "springs_energy_drift": _springs_drift(run, law),
+        "kinetic_energy_peak_J": fine.kinetic.max(),
+        "springs_energy_drift": _springs_drift(run, fine, law),
         "energy_drift": {name: drift.worst for name, drift in drifts.items()},
         **({} if run.drives is None else _of_drives(run.drives)),
         "units": {
@@ -98,28 +103,31 @@ def _of_drives(drives: DriveWork) -> dict[str, float]:
     return {"motors_work_J": float(drives.done.sum()), "drive_friction_J": float(drives.lost.sum())}
 
 
-def _springs_drift(run: Simulation, law: ForceLaw) -> float | None:
-    drift = _drift(run, law)
+def _springs_drift(run: Simulation, fine: Trace, law: ForceLaw) -> float | None:
+    drift = _drift(run, fine, law)
     return None if drift is None else drift.worst
 
 
-def _drift(run: Simulation, law: ForceLaw) -> Drift | None:
+def _drift(run: Simulation, fine: Trace, law: ForceLaw) -> Drift | None:
     """Drift of machine and springs; None for other laws, and for springs whose forces are clipped."""
     if not isinstance(law, LegSprings) or (run.saturation.excess > 0.0).any():
         return None
-    return drift_of(run, law, energy_scale(run, law))
+    return drift_of(fine, run.stop, law, energy_scale(run, law))
 
 
-def summary(run: Simulation, law: ForceLaw) -> str:
-    """A few lines: why the run ended, the largest force, the legs' travel, the energy and its drift."""
-    i, leg = np.unravel_index(int(np.argmax(np.abs(run.F))), run.F.shape)
-    first, last, most = run.energy[0], run.energy[-1], run.kinetic.max()
-    when = time_text(run.times[i], least_step(run.times))
+def summary(run: Simulation, fine: Trace, law: ForceLaw) -> str:
+    """A few lines: why the run ended, the largest force, the legs' travel, the energy and its drift.
+
+    fine: the run within its steps.
+    """
+    i, leg = np.unravel_index(int(np.argmax(np.abs(fine.F))), fine.F.shape)
+    first, last, most = run.energy[0], run.energy[-1], fine.kinetic.max()
+    when = time_text(fine.times[i], least_step(fine.times))
     lines = [
         f"stopped    {run.stop.text}",
         f"steps      {run.steps}",
-        f"force      up to {run.F[i, leg]:.6g} N, leg {leg + 1} at {when} s",
-        f"length     {run.L.min():.6g} to {run.L.max():.6g} m",
+        f"force      up to {fine.F[i, leg]:.6g} N, leg {leg + 1} at {when} s",
+        f"length     {fine.L.min():.6g} to {fine.L.max():.6g} m",
         f"energy     {first:.6g} J at the start, {last:.6g} J at the end, kinetic up to {most:.6g} J",
     ]
     if run.drives is not None:
@@ -130,7 +138,7 @@ def summary(run: Simulation, law: ForceLaw) -> str:
         for i, time in enumerate(run.saturation.time)
         if run.saturation.excess[i] > 0.0
     ]
-    drift = _drift(run, law)
+    drift = _drift(run, fine, law)
     if drift is not None and isinstance(law, LegSprings):
         lines.append(f"springs    {drift.text}{_taken(law) if drift.scale else ''}")
     return "\n".join(lines)
