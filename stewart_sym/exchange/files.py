@@ -156,7 +156,7 @@ def _need_writable(robot: Robot, form: str) -> None:
 
 
 def _warn_of_losses(robot: Robot, form: str) -> None:
-    """Warn of friction and rotors that readers of the file leave out.
+    """Warn of friction, rotors and limits that readers of the file leave out.
 
     Spherical joints have no damping but MuJoCo's at the base; a URDF's loops state what that has not.
     Friction of drives is nowhere but in the notes.
@@ -169,6 +169,8 @@ def _warn_of_losses(robot: Robot, form: str) -> None:
         missing.append("inertia of rotors")
     lossy = [] if robot.drive is None else losses(robot.drive)
     missing += [f"friction of drives ({', '.join(lossy)})"] if lossy else []
+    limits = [] if form in ("sdf", "urdf") else ["speed_limit"]
+    missing += [name for name in (*limits, "joint_angle_limit") if np.isfinite(getattr(robot, name)).any()]
     where = "left out" if form == "usd" else "noted only, for import"
     for what in missing:
         warnings.warn(f"{form}: {what} has no place in the format: {where}", stacklevel=3)

@@ -22,6 +22,8 @@ _LOWER, _UPPER, _POINT, _PLATE, _RIM = 0.03, 0.02, 0.035, 0.03, 1.1
 _PART = 0.55
 """Drawn length of a part where none is stated, over the longest leg, or over 1.4 times the leg at home."""
 _REACH = 1.4
+SLIDES = tuple(f"leg_{i}" for i in range(1, LEGS + 1))
+"""Names of the actuators' joints, by which notes are found again."""
 _FAULTY, _THIN = 1e-2, 1e-6
 """Least second moment of mass over the largest, of impossible bodies and of those without a thickness."""
 
@@ -152,7 +154,7 @@ def _leg_joints(robot: Robot, i: int, frame: Array, length: float) -> tuple[Join
     )
     low, high = (float(limit) for limit in robot.length_limits[i])
     actuator = Joint(
-        f"leg_{i + 1}",
+        SLIDES[i],
         "prismatic",
         f"lower_{i + 1}",
         f"upper_{i + 1}",

@@ -82,7 +82,11 @@ def with_notes(robot: Robot, model: Model) -> tuple[Robot, list[str]]:
         taken[name] = noted = _restored(name, noted)
         found = getattr(robot, name)
         near = same_offsets(robot, noted) if isinstance(noted, Offsets) else _near(found, noted)
-        if name not in _SILENT and not near and not _unstated(name, found):
+        if isinstance(found, Drive) and not near:
+            # The armature is all that a model says of a drive.
+            taken[name] = replace(noted, rotor_inertia=found.reflected_mass / noted.turns**2)
+            said.append("drive: the model's armatures are not the note's: rotor_inertia follows the model")
+        elif name not in _SILENT and not near and not _unstated(name, found):
             del taken[name]
             said.append(f"{name}: the model says otherwise than the note, the model is taken")
     if taken.get("home", robot.home) is None:

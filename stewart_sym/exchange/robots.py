@@ -1,6 +1,7 @@
 """The robot that a model is, and what had to be assumed."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,7 @@ from ..robot.fields import DEFAULT_GRAVITY
 from ..robot.offsets import Offsets
 from ..robot.robot import Robot
 from .chain import Body, Joint, Model, same_frame
+from .machine import SLIDES
 from .notes import with_notes
 from .offset_legs import OffsetLines
 from .topology import Leg, Machine, Step, machine_of
@@ -29,6 +31,14 @@ def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
     """The robot and what was assumed, a line each; ValueError says what is no Stewart platform and where."""
     machine = machine_of(model)
     said: list[str] = []
+    given = [leg.slide.joint.name for leg in machine.legs]
+    order = "the file"
+    if model.notes and tuple(given) != SLIDES:
+        if sorted(given) == list(SLIDES):
+            order = "the notes"
+            machine = replace(machine, legs=tuple(machine.legs[given.index(name)] for name in SLIDES))
+        else:
+            said.append("notes: legs in the order of the file, its slides have other names than those noted")
     # Axes that miss each other are an error of the file unless it notes that they are meant to.
     offset = "offsets" in model.notes
     legs = [_Leg(machine, leg, i, said, offset) for i, leg in enumerate(machine.legs, 1)]
@@ -51,7 +61,7 @@ def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
     if not level:
         frame = f"the origin of {machine.platform!r}, axes those of the base in the pose in the file"
     who = ", ".join(f"{i} {leg.lower!r} {leg.upper!r}" for i, leg in enumerate(machine.legs, 1))
-    lines = [f"legs in the order of the file: {who}", f"base frame: the world's; platform frame: {frame}"]
+    lines = [f"legs in the order of {order}: {who}", f"base frame: the world's; platform frame: {frame}"]
     if model.gravity is None:
         lines.append("gravity: not in the file, (0, 0, -9.81) m/s^2 is taken")
     found: dict[str, Any] = {

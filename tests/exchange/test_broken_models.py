@@ -220,8 +220,14 @@ def exported() -> dict[str, ss.ModelFile]:
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         found = {name: ss.export_model(robot, name) for name in ("mjcf", "sdf", "urdf", "usd")}
-    said = ": friction of spherical joints (C_s) has no place in the format: "
-    lines = [f"mjcf{said}noted only, for import", f"sdf{said}noted only, for import", f"usd{said}left out"]
+    friction, place = "friction of spherical joints (C_s)", "has no place in the format"
+    lines = [
+        f"mjcf: {friction} {place}: noted only, for import",
+        f"mjcf: speed_limit {place}: noted only, for import",
+        f"sdf: {friction} {place}: noted only, for import",
+        f"usd: {friction} {place}: left out",
+        f"usd: speed_limit {place}: left out",
+    ]
     assert [str(each.message) for each in caught] == lines
     return found
 

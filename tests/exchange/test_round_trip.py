@@ -4,6 +4,7 @@ import dataclasses
 import itertools
 import json
 import re
+import xml.etree.ElementTree as ET
 from pathlib import Path
 
 import mujoco
@@ -111,6 +112,56 @@ def test_a_robot_comes_back_and_is_exported_to_the_same_bytes(name: str, form: s
     expected = set(NOT_POSSIBLE) if name in ("dasgupta1998", "unal") and form != "urdf" else set()
     assert changed == expected
     assert ss.export_model(again, form) == file
+
+
+@pytest.mark.parametrize(("form", "moved"), [("mjcf", "lower_3"), ("sdf", "base_3"), ("urdf", "base_3_1")])
+def test_notes_are_of_the_leg_that_they_name_in_files_of_another_order(
+    form: str, moved: str, tmp_path: Path
+) -> None:
+    """As another program writes it: leg 3 first, and prefixes of XML namespaces of its own."""
+    robot = dataclasses.replace(ROBOTS["motion simulator"], C_s=np.arange(6.0))
+    file = ss.export_model(robot, form)
+    root = ET.fromstring(file.text)
+    (parent,) = (each for each in root.iter() if any(child.get("name") == moved for child in each))
+    element = next(child for child in parent if child.get("name") == moved)
+    parent.remove(element)
+    parent.insert(next(i for i, child in enumerate(parent) if child.tag == element.tag), element)
+    changed = ET.tostring(root, encoding="unicode")
+    assert form != "sdf" or "<ns0:notes>" in changed
+    path = written(ss.ModelFile(changed, file.loops), tmp_path / "model")
+    found = ss.import_model(path)
+    assert found.assumptions[0].startswith("legs in the order of the notes: 1 'lower_1' 'upper_1', 2 ")
+    assert differences(found.robot, robot) == {}
+    # Legs of other names are those of the file.
+    renamed = changed.replace("leg_", "strut_")
+    loops = None if file.loops is None else file.loops.replace("leg_", "strut_")
+    other = ss.import_model(written(ss.ModelFile(renamed, loops), tmp_path / "renamed"))
+    assert any("notes: legs in the order of the file" in line for line in other.assumptions)
+
+
+def test_a_changed_armature_is_a_rotor_of_the_noted_drive(tmp_path: Path) -> None:
+    robot = ROBOTS["motion simulator"]
+    text = ss.export_model(robot, "mjcf").text
+    armature = re.findall(r'armature="(.*?)"', text)[2]
+    path = tmp_path / "changed.xml"
+    before, after, last = re.split(f'(armature="{armature}")', text, maxsplit=1)
+    path.write_text(before + after.replace(armature, repr(2.0 * float(armature))) + last, encoding="utf-8")
+    found = ss.import_model(path)
+    assert any("rotor_inertia follows the model" in line for line in found.assumptions)
+    changed = np.asarray(found.robot.drive.rotor_inertia) / robot.drive.rotor_inertia
+    assert sorted(changed.round(9)) == [1.0, 1.0, 1.0, 1.0, 1.0, 2.0]
+    assert dataclasses.replace(found.robot.drive, rotor_inertia=robot.drive.rotor_inertia) == robot.drive
+
+
+def test_notes_come_back_from_a_model_as_mujoco_itself_writes_it(tmp_path: Path) -> None:
+    robot = ROBOTS["motion simulator"]
+    mujoco.mj_saveLastXML(
+        str(tmp_path / "saved.xml"), mujoco.MjModel.from_xml_string(ss.export_model(robot, "mjcf").text)
+    )
+    found = ss.import_model(tmp_path / "saved.xml").robot
+    np.testing.assert_array_equal(found.C_s, robot.C_s)
+    np.testing.assert_array_equal(found.force_limit, robot.force_limit)
+    np.testing.assert_array_equal(found.drive.efficiency, robot.drive.efficiency)
 
 
 @pytest.mark.parametrize("form", FORMATS)

@@ -19,6 +19,7 @@ from .xml_text import at_line, number, numbers
 
 _KINDS = {"hinge": "revolute", "slide": "prismatic", "ball": "spherical", "free": "free"}
 _ZERO = (0.0, 0.0, 0.0)
+_ENDLESS = (-np.inf, np.inf)
 _SIZES = {"sphere": 1, "capsule": 2, "cylinder": 2, "box": 3, "ellipsoid": 3}
 _DENSITY = 1000.0
 _PASSED_OVER = (
@@ -50,6 +51,7 @@ class _Reader:
         self.order = compiler.get("eulerseq", "xyz")
         self.autolimits = compiler.get("autolimits", "true") == "true"
         self.from_geoms = compiler.get("inertiafromgeom", "auto") == "true"
+        self.groups = numbers(compiler.get("inertiagrouprange"), 2, "compiler: inertiagrouprange", (0.0, 5.0))
         if compiler.get("coordinate", "local") != "local":
             raise ValueError(f"compiler: coordinate: expected local, got {shown(compiler['coordinate'])}")
         if len(self.order) != 3 or not set(self.order.lower()) <= set("xyz"):
@@ -74,13 +76,20 @@ class _Reader:
                 self.left_out.append(f"section {each.tag!r} of the file")
         option = {key: value for each in self.root.findall("option") for key, value in each.attrib.items()}
         gravity = numbers(option.get("gravity"), 3, "option: gravity", (0.0, 0.0, -9.81))
-        notes = self.root.find("custom/text[@name='stewart_sym']")
+        if self.root.find("option/flag[@gravity='disable']") is not None:
+            gravity = np.zeros(3)
+        for key in ("density", "viscosity"):
+            if number(option.get(key), f"option: {key}", 0.0):
+                self.left_out.append(f"{key} of the medium around the machine")
+        custom = self.root.find("custom/text[@name='stewart_sym']")
+        # MuJoCo writes quotation marks as text inside the element.
+        notes = None if custom is None else custom.get("data", custom.text)
         return Model(
             self.root.get("model", "MuJoCo Model"),
             gravity,
             tuple(self.bodies),
             tuple(self._driven()),
-            json_table(None if notes is None else notes.get("data", ""), "custom: text 'stewart_sym'"),
+            json_table(notes, "custom: text 'stewart_sym'"),
             tuple(dict.fromkeys(self.left_out)),
         )
 
@@ -126,6 +135,8 @@ class _Reader:
         inherited = element.get("childclass") or inherited
         turn, place = self._pose(element.attrib, where)
         R, t = after((R, t), turn, place)
+        if number(element.get("gravcomp"), f"{where}: gravcomp", 0.0):
+            self.left_out.append(f"gravcomp of {where}")
         joints = self._joints(element, name, inherited)
         at = parent
         for number_, (attributes, kind) in enumerate(joints, 1):
@@ -169,10 +180,8 @@ class _Reader:
         for key in ("stiffness", "frictionloss"):
             if number(given.get(key), f"{where}: {key}", 0.0):
                 self.left_out.append(f"{key} of joint {name!r}")
-        limited = given.get("limited", "auto")
-        has = limited == "true" or (limited == "auto" and self.autolimits and "range" in given)
-        limits = numbers(given.get("range"), 2, f"{where}: range", (0.0, 0.0)) if has else (-np.inf, np.inf)
-        forces = numbers(given.get("actuatorfrcrange"), 2, f"{where}: actuatorfrcrange", (-np.inf, np.inf))
+        limits = self._range(given, "range", "limited", where)
+        forces = self._range(given, "actuatorfrcrange", "actuatorfrclimited", where)
         return Joint(
             name,
             kind,
@@ -184,8 +193,22 @@ class _Reader:
             number(given.get("armature"), f"{where}: armature", 0.0),
             number(given.get("ref"), f"{where}: ref", 0.0),
             (float(limits[0]), float(limits[1])),
-            float(np.abs(forces).max()),
+            self._larger(forces, where),
         )
+
+    def _range(self, given: Attributes, key: str, flag: str, where: str) -> Array:
+        """Limits on both sides, (2,); infinite where there are none."""
+        stated = given.get(flag, "auto")
+        limited = stated == "true" or (stated == "auto" and self.autolimits and key in given)
+        default = (0.0, 0.0) if key == "range" else None
+        return numbers(given.get(key), 2, f"{where}: {key}", default) if limited else np.array(_ENDLESS)
+
+    def _larger(self, limits: Array, where: str) -> float:
+        """One limit of a force in both directions."""
+        low, high = np.abs(limits)
+        if low != high:
+            self.left_out.append(f"the smaller one of the limits of {where}, {min(low, high):g}")
+        return float(max(low, high))
 
     def _with_inertia(self, body: Body, element: ET.Element, inherited: str | None, where: str) -> Body:
         given = element.find("inertial")
@@ -209,6 +232,10 @@ class _Reader:
         for each in element:
             if each.tag == "geom":
                 given, named = self._of(each, inherited), f"{where}: geom {each.get('name', '')!r}"
+                if not self.groups[0] <= number(given.get("group"), f"{named}: group", 0.0) <= self.groups[1]:
+                    continue
+                if given.get("shellinertia", "false") == "true":
+                    self.left_out.append(f"that {named} is a shell")
                 part = _solid(given, *self._pose(given, named), named)
                 found += [] if part is None else [part]
             elif each.tag == "frame":
@@ -292,19 +319,27 @@ class _Reader:
                 if "joint" not in given:
                     continue
                 where = f"actuator {given.get('name', '')!r}"
-                gear = abs(number(next(iter(given.get("gear", "1").split()), ""), f"{where}: gear"))
-                ranges = [
-                    gear * float(np.abs(numbers(given[key], 2, f"{where}: {key}")).max())
-                    for key in ("forcerange", "ctrlrange")
-                    if key in given and (key == "forcerange" or each.tag == "motor")
-                ]
-                limits[given["joint"]] = min(ranges, default=np.inf)
+                gear, gain = (
+                    abs(number(next(iter(given.get(key, "1").split()), ""), f"{where}: {key}"))
+                    for key in ("gear", "gainprm")
+                )
+                forces = [self._range(given, "forcerange", "forcelimited", where)]
+                if each.tag == "motor" or (each.tag == "general" and _is_motor(given)):
+                    forces.append(gain * self._range(given, "ctrlrange", "ctrllimited", where))
+                least = max(low for low, _ in forces), min(high for _, high in forces)
+                limits[given["joint"]] = gear * self._larger(np.array(least), where)
         return [
             replace(joint, effort=min(joint.effort, limits[joint.name]), driven=True)
             if joint.name in limits
             else joint
             for joint in self.joints
         ]
+
+
+def _is_motor(given: Attributes) -> bool:
+    """Whether a general actuator pushes with its control times a gain."""
+    kinds = (("dyntype", "none"), ("gaintype", "fixed"), ("biastype", "none"))
+    return all(given.get(key, usual) == usual for key, usual in kinds)
 
 
 def _has_joint(frame: ET.Element) -> bool:

@@ -11,7 +11,7 @@ from ...motion.rotation import rotation_from_quaternion, rotation_from_rpy
 from ...robot.fields import LEGS, direction
 from ..chain import WORLD, Body, Joint, Model, after
 from ..notes import json_table
-from .sdf_out import NOTES
+from .sdf_out import NOTES, SPACE
 from .xml_text import at_line, interval, joint_of, largest, name_of, number, numbers, tensor
 
 _KINDS = {
@@ -42,9 +42,16 @@ def model(root: ET.Element, loops: str | None = None) -> Model:
         None if gravity is None else numbers(gravity, 3, "gravity"),
         tuple(found.bodies),
         tuple(found.joints),
-        json_table(models[0].findtext(NOTES), NOTES),
+        json_table(_notes(root, models[0]), NOTES),
         tuple(found.left_out),
     )
+
+
+def _notes(root: ET.Element, model: ET.Element) -> str | None:
+    """Text of the notes, by whichever prefix a file calls their namespace."""
+    names = [key.partition(":")[2] for each in root.iter() for key in each.attrib if each.get(key) == SPACE]
+    found = (model.findtext(f"{name}:notes" if name else "notes") for name in names)
+    return next((text for text in found if text is not None), None)
 
 
 class _Reader:
@@ -114,6 +121,10 @@ class _Reader:
     def _body(self, link: ET.Element) -> Body:
         name = link.attrib["name"]
         where, (R, t) = f"link {name!r}", self._pose(name)
+        if (link.findtext("gravity") or "").strip() in ("false", "0"):
+            self.left_out.append(f"that {where} has no weight")
+        if link.find("inertial/fluid_added_mass") is not None:
+            self.left_out.append(f"fluid_added_mass of {where}")
         given = link.find("inertial")
         if given is None:
             return Body(name, R, t)
@@ -154,8 +165,11 @@ class _Reader:
             R, _ = self._pose(frame or joint.name)
             directions.append(R @ direction(local, f"{where}: xyz"))
             damping.append(number(axis.findtext("dynamics/damping"), f"{where}: damping", 0.0))
-            if number(axis.findtext("dynamics/friction"), f"{where}: friction", 0.0):
-                self.left_out.append(f"friction of joint {joint.name!r}")
+            for key in ("friction", "spring_stiffness"):
+                if number(axis.findtext(f"dynamics/{key}"), f"{where}: {key}", 0.0):
+                    self.left_out.append(f"{key} of {where}")
+            if axis.find("mimic") is not None:
+                self.left_out.append(f"mimic of {where}")
             limits = interval(axis.findtext("limit/lower"), axis.findtext("limit/upper"), where)
             effort = largest(axis.findtext("limit/effort"), f"{where}: effort")
             speed = largest(axis.findtext("limit/velocity"), f"{where}: velocity")

@@ -10,6 +10,8 @@ from ...motion.rotation import rpy_from_rotation
 from ..chain import WORLD, Body, Joint, Model, Shape
 from .xml_text import NO_LIMIT, TENSOR, added, document
 
+SPACE = "urn:stewart-sym"
+"""XML namespace of what the format has no place for."""
 NOTES = "stewart_sym:notes"
 _KINDS = {"prismatic": "prismatic", "revolute": "revolute", "universal": "universal", "spherical": "ball"}
 _PLUGIN = {
@@ -20,7 +22,7 @@ _PLUGIN = {
 
 def written(model: Model) -> tuple[str, None]:
     """The file."""
-    root = ET.Element("sdf", {"version": "1.9", "xmlns:stewart_sym": "urn:stewart-sym"})
+    root = ET.Element("sdf", {"version": "1.9", "xmlns:stewart_sym": SPACE})
     world = added(root, "world", name="scene")
     added(world, "gravity", model.gravity)
     light = added(world, "light", name="light", type="directional")

@@ -1,6 +1,7 @@
 """URDF, the format of ROS, and the file of its loops as a model."""
 
 import xml.etree.ElementTree as ET
+from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any
 
@@ -43,7 +44,18 @@ def model(root: ET.Element, loops: str | None) -> Model:
     ]
     gravity = tables.vector(given["gravity_m_s2"], "gravity_m_s2") if "gravity_m_s2" in given else None
     notes = given.get("notes", {})
-    return Model(root.get("name", ""), gravity, tuple(bodies), (*joints, *closures), notes)
+    left_out = tuple(_left_out(root))
+    return Model(root.get("name", ""), gravity, tuple(bodies), (*joints, *closures), notes, left_out)
+
+
+def _left_out(root: ET.Element) -> Iterator[str]:
+    """What a model has no place for."""
+    for each in root.findall("joint"):
+        where, dynamics = f"joint {each.get('name')!r}", each.find("dynamics")
+        if each.find("mimic") is not None:
+            yield f"mimic of {where}"
+        if dynamics is not None and number(dynamics.get("friction"), f"{where}: friction", 0.0):
+            yield f"friction of {where}"
 
 
 def _loops(text: str) -> dict[str, Any]:

@@ -1,0 +1,116 @@
+"""What other programs' models may have beside bodies and joints: taken, or said to be left out."""
+
+import warnings
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import stewart_sym as ss
+
+HEXAPOD = Path(__file__).parents[2] / ".docs" / "examples" / "hexapod.toml"
+PLATFORM = '<body name="platform"'
+JOINT = '<joint name="leg_1" type="slide"'
+LEFT_OUT = {
+    "shell": (
+        "mjcf",
+        ('<inertial mass="40.0"', '<geom name="x" size="0.1" mass="40" shellinertia="true"/><replaced '),
+        "that body 'platform': geom 'x' is a shell",
+    ),
+    "weight taken off": ("mjcf", (PLATFORM, f'{PLATFORM} gravcomp="1"'), "gravcomp of body 'platform'"),
+    "medium": ("mjcf", ("<option ", '<option density="1.2" '), "density of the medium around the machine"),
+    "spring": ("mjcf", (JOINT, f'{JOINT} stiffness="9"'), "stiffness of joint 'leg_1'"),
+    "one side": (
+        "mjcf",
+        ('ctrlrange="-500.0 500.0" forcerange="-500.0 500.0"', 'gear="50" ctrlrange="-10 12"'),
+        "the smaller one of the limits of actuator 'leg_1', 10",
+    ),
+    "no weight": (
+        "sdf",
+        ('<link name="platform">', '<link name="platform"><gravity>false</gravity>'),
+        "that link 'platform' has no weight",
+    ),
+    "added mass": (
+        "sdf",
+        ("<mass>40.0</mass>", "<mass>40.0</mass><fluid_added_mass><xx>1</xx></fluid_added_mass>"),
+        "fluid_added_mass of link 'platform'",
+    ),
+    "spring of a slide": (
+        "sdf",
+        ("<damping>20.0</damping>", "<damping>20.0</damping><spring_stiffness>7</spring_stiffness>"),
+        "spring_stiffness of joint 'leg_1'",
+    ),
+    "mimic in SDF": (
+        "sdf",
+        ("<dynamics>\n      <damping>20.0", '<mimic joint="leg_2"/><dynamics>\n      <damping>20.0'),
+        "mimic of joint 'leg_1'",
+    ),
+    "mimic": (
+        "urdf",
+        ('<parent link="lower_1"', '<mimic joint="leg_2"/><parent link="lower_1"'),
+        "mimic of joint 'leg_1'",
+    ),
+    "friction": (
+        "urdf",
+        ('damping="20.0" friction="0.0"', 'damping="20.0" friction="2"'),
+        "friction of joint 'leg_1'",
+    ),
+}
+
+
+def exported(form: str) -> ss.ModelFile:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        return ss.export_model(ss.Robot.from_toml(HEXAPOD), form)
+
+
+def imported(folder: Path, form: str, *change: str) -> ss.ImportedModel:
+    """The exported hexapod after a change of its text, in one place."""
+    file = exported(form)
+    assert change[0] in file.text
+    (folder / "model").write_text(file.text.replace(*change, 1), encoding="utf-8")
+    if file.loops is not None:
+        (folder / "model.loops.json").write_text(file.loops, encoding="utf-8")
+    return ss.import_model(folder / "model")
+
+
+@pytest.mark.parametrize("name", LEFT_OUT)
+def test_what_has_no_place_in_a_robot_is_said_to_be_left_out(name: str, tmp_path: Path) -> None:
+    form, change, said = LEFT_OUT[name]
+    lines = [line for line in imported(tmp_path, form, *change).assumptions if line.startswith("left out: ")]
+    assert len(lines) == 1
+    assert lines[0].startswith(f"left out: {said}")
+
+
+def test_shapes_outside_the_groups_that_count_have_no_mass(tmp_path: Path) -> None:
+    geoms = '<geom size="0.1" mass="4" group="1"/><geom size="0.2" mass="9" group="3"/>'
+    (tmp_path / "model").write_text(
+        exported("mjcf")
+        .text.replace("<compiler ", '<compiler inertiagrouprange="0 1" inertiafromgeom="true" ')
+        .replace("<inertial ", f"{geoms}<inertial "),
+        encoding="utf-8",
+    )
+    robot = ss.import_model(tmp_path / "model").robot
+    np.testing.assert_allclose([robot.M, *robot.m_d, *robot.m_u], 4.0)
+
+
+def test_gravity_that_is_switched_off_is_none(tmp_path: Path) -> None:
+    change = "<option ", '<option><flag gravity="disable"/></option><option '
+    assert not imported(tmp_path, "mjcf", *change).robot.g.any()
+
+
+@pytest.mark.parametrize(
+    ("actuator", "limit"),
+    [
+        ('<general joint="leg_1" gainprm="20" gear="2" ctrlrange="-5 5"/>', 200.0),
+        ('<general joint="leg_1" gainprm="20" gear="2" ctrlrange="-5 5" forcerange="-80 80"/>', 160.0),
+        ('<general joint="leg_1" biastype="affine" ctrlrange="-5 5"/>', np.inf),
+        ('<motor joint="leg_1" gear="2" ctrllimited="false" ctrlrange="-5 5"/>', np.inf),
+        ('<position joint="leg_1" ctrlrange="-5 5" forcerange="-80 80"/>', 80.0),
+    ],
+)
+def test_an_actuator_limits_its_leg_by_what_it_pushes_with(
+    actuator: str, limit: float, tmp_path: Path
+) -> None:
+    motor = '<motor name="leg_1" joint="leg_1" ctrlrange="-500.0 500.0" forcerange="-500.0 500.0" />'
+    assert imported(tmp_path, "mjcf", motor, actuator).robot.force_limit[0] == limit
