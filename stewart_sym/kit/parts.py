@@ -137,10 +137,10 @@ def _force_part(
 def _derived(robot: Robot, choice: Choice, level: str) -> tuple[Part, int, int | None]:
     """A kernel that is not among the committed ones: baked, or with its legs one after the other."""
     plain = plain_kernel(robot.base_joint, choice.formulation, level, robot.has_rotors)
-    made, before, after = plain, force_operations(plain).total.total, None
+    made, before, after = plain, force_operations(plain, choice.scalar).total.total, None
     if choice.bake:
         made = folded_kernel(robot, choice.formulation, level)
-        after = force_operations(made).total.total
+        after = force_operations(made, choice.scalar).total.total
     count = before if after is None else after
     ways = [
         *(["the robot's numbers folded in"] if choice.bake else []),

@@ -154,6 +154,19 @@ def test_kit_holds_only_what_was_asked_for(precision: str) -> None:
         assert set(kit_names(machine("random"), choice)) == NAMES | files
 
 
+@pytest.mark.parametrize("bake", [False, True])
+@pytest.mark.parametrize("scalar", [False, True])
+def test_operations_of_a_kit_are_those_that_its_header_counts(scalar: bool, bake: bool) -> None:
+    made = kit_of(choice=Choice(scalar=scalar, bake=bake))
+    (header,) = (
+        text.decode() for name, text in made.files.items() if name.endswith(("_forces.h", "_pose.h"))
+    )
+    total = int(re.findall(r"^ \* total +(\d+) ", header, re.M)[0])
+    assert total == (made.baked_operations if bake else made.operations)
+    assert not bake or f"a pose took {made.operations} operations" in header
+    assert f"| {total:,} |" in made.files["README.md"].decode()
+
+
 @pytest.mark.parametrize(
     ("good", "bad", "file"),
     [
