@@ -10,8 +10,9 @@ from ..io.arguments import number_in, option, safe_text
 from ..io.tables import one_line
 from ..motion.logs import LENGTH_UNITS
 
-# Shares of a leg: of its mass in the lower part, and of its greatest length that each part is long.
-_LOWER_MASS, _PART = 0.7, 0.6
+# Shares of a leg: of its mass in the lower part; of its greatest length that each part is long, and at most of
+# its least.
+_LOWER_MASS, _PART, _CLEAR = 0.7, 0.6, 0.95
 # Radii over the leg's length at home, and of the platform's plate over that of its joints.
 _LOWER_RADIUS, _UPPER_RADIUS, _WALL, _RIM = 0.03, 0.02, 0.8, 1.15
 _THICKNESS = 0.1
@@ -86,7 +87,8 @@ class Draft:
             lower_radius=_short(lower),
             bore=_short(_WALL * lower),
             upper_radius=_short(upper),
-            part=_short(_PART * (L + 0.5 * self.stroke)),
+            # Together longer than the longest leg, each no longer than the shortest.
+            part=_short(min(_PART * (L + 0.5 * self.stroke), _CLEAR * (L - 0.5 * self.stroke))),
             lower_mass=_short(_LOWER_MASS * self.leg_mass),
             upper_mass=_short((1.0 - _LOWER_MASS) * self.leg_mass),
             back=_number(-0.5 * self.stroke),

@@ -184,6 +184,7 @@ def simulate(
         _actuators=actuators,
         _pieces=tuple(pieces),
         drives=None if run.sticking is None else run.sticking.results(tuple(pieces), actuators, times),
+        loaded=load is not None or any(each is not None and np.any(each) for each in run.constant),
     )
 
 

@@ -186,6 +186,8 @@ class Simulation(Trace):
         What clipping left out, by leg.
     drives : DriveWork, optional
         Work of the motors and what friction took of it; None for a robot whose drives have none.
+    loaded : bool
+        Whether an external wrench acted on the platform.
     """
 
     stop: Stop
@@ -194,6 +196,7 @@ class Simulation(Trace):
     _actuators: Actuators
     _pieces: tuple[Piece, ...]
     drives: DriveWork | None = None
+    loaded: bool = False
 
     @property
     def steps(self) -> int:

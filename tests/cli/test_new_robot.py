@@ -52,8 +52,11 @@ def test_a_new_file_has_the_numbers_given_and_no_doubt(
 
 def test_new_files_of_many_machines_pass_check(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path = tmp_path / "robot.toml"
-    for unit, platform, angle, height in itertools.product((1.0, 1000.0), (0.15, 0.5), (5, 30), (0.5, 0.9)):
-        lengths = {"--base-radius": 0.6, "--platform-radius": platform, "--height": height, "--stroke": 0.2}
+    for unit, platform, angle, height, stroke in itertools.product(
+        (1.0, 1000.0), (0.15, 0.5), (5, 30), (0.5, 0.9), (0.2, 0.36)
+    ):
+        lengths = {"--base-radius": 0.6, "--platform-radius": platform, "--height": height}
+        lengths |= {"--stroke": stroke}
         numbers = {name: unit * value for name, value in lengths.items()}
         numbers |= {"--platform-mass": 25.0, "--leg-mass": 3.0, "--platform-angle": angle}
         chosen = ["--length-unit", "mm"] if unit > 1.0 else []

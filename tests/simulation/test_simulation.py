@@ -77,8 +77,10 @@ def test_friction_and_dampers_take_the_energy_they_should() -> None:
     lost = run.energy[0] - run.energy[-1]
     assert 0.25 * weights @ taken == pytest.approx(lost, rel=1e-7, abs=1e-8 * run.kinetic.max())
     assert run_summary(run, run.within_steps, springs).endswith(
-        "of the mean kinetic energy, taken by dampers and friction"
+        "of the mean kinetic energy, by dampers and friction"
     )
+    pushed = ss.simulate(robot, dataclasses.replace(state, F_ext=np.array([1.0, 0.0, 0.0])), springs, 0.01)
+    assert run_summary(pushed, pushed.within_steps, springs).endswith(", by dampers, friction and the load")
 
 
 def test_a_still_machine_stays_still_under_the_forces_that_hold_it() -> None:

@@ -196,7 +196,7 @@ def test_motors_of_a_run_do_the_work_that_its_drives_account_for(bare: ss.Robot,
     written = report(robot, run, law, {})
     assert "RMS torque" in written.text
     done, lost = drives.done.sum(), drives.lost.sum()
-    took = f"motors     did {done:.6g} J, friction of the drives took {lost:.6g} J of it"
+    took = f"motors     work of {done:.6g} J, friction of the drives took {lost:.6g} J"
     assert took in written.text
     assert written.data["drive_friction_J"] == drives.lost.sum()
     assert written.data["legs"][0]["motor_peak_torque_N_m"] == found.summary.peaks["torque"][0]

@@ -132,7 +132,7 @@ def summary(run: Simulation, fine: Trace, law: ForceLaw) -> str:
     ]
     if run.drives is not None:
         done, lost = run.drives.done.sum(), run.drives.lost.sum()
-        lines.append(f"motors     did {done:.6g} J, friction of the drives took {lost:.6g} J of it")
+        lines.append(f"motors     work of {done:.6g} J, friction of the drives took {lost:.6g} J")
     lines += [
         f"saturated  leg {i + 1} for {time:.6g} s, up to {run.saturation.excess[i]:.6g} N beyond its limit"
         for i, time in enumerate(run.saturation.time)
@@ -140,17 +140,22 @@ def summary(run: Simulation, fine: Trace, law: ForceLaw) -> str:
     ]
     drift = _drift(run, fine, law)
     if drift is not None and isinstance(law, LegSprings):
-        lines.append(f"springs    {drift.text}{_taken(law) if drift.scale else ''}")
+        lines.append(f"springs    {drift.text}{_taken(run, law) if drift.scale else ''}")
     return "\n".join(lines)
 
 
-def _taken(law: LegSprings) -> str:
-    """What takes energy from a machine on springs, so that its change is no error, or nothing."""
+def _taken(run: Simulation, law: LegSprings) -> str:
+    """What changes the energy of a machine on springs, so that its change is no error, or nothing."""
     robot = law.robot
     friction = any(np.any(getattr(robot, name)) for name in ("C_u", "C_p", "C_s"))
     damped = bool(np.any(getattr(law, "damping", 0.0)))
-    takers = [name for name, takes in (("dampers", damped), ("friction", friction)) if takes]
-    return f", taken by {' and '.join(takers)}" if takers else ""
+    lossy = run.drives is not None
+    sources = (("dampers", damped), ("friction", friction), ("drives", lossy), ("the load", run.loaded))
+    found = [name for name, changes in sources if changes]
+    if not found:
+        return ""
+    *others, last = found
+    return f", by {', '.join(others)}{' and ' if others else ''}{last}"
 
 
 def figure(run: Simulation, law: ForceLaw) -> Figure:
