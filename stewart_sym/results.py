@@ -67,7 +67,8 @@ class Reactions:
     F_u : ndarray
         Force on the leg at the universal joint, N, (..., 6, 3), (27).
     F_p : ndarray
-        Force of the lower part on the upper at the prismatic joint, N, (..., 6, 3), (26).
+        Force of the lower part on the upper at the prismatic joint, N, (..., 6, 3), (26); without the viscous
+        friction -C_p L_dot s, which comes to it.
     F_c : ndarray
         Its constraint part, (28): F_p less s times the actuator's force on the upper part, which is F less
         what turns a rotor of the drive, N, (..., 6, 3).

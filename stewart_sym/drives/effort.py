@@ -233,8 +233,12 @@ def _times(time: ArrayLike, motion: Motion) -> Array:
     when = real_array(time, "time", "times of shape (n,)")
     if motion.shape != when.shape or when.ndim != 1 or len(when) < 2:
         raise ValueError(f"time: expected one for each instant, {motion.shape}, got shape {when.shape}")
-    if not (np.isfinite(when).all() and np.all(np.diff(when) > 0.0)):
-        raise ValueError("time: expected finite times that rise")
+    if not np.isfinite(when).all():
+        i = int(np.flatnonzero(~np.isfinite(when))[0])
+        raise ValueError(f"time: expected finite times, got {when[i]} at index {i}")
+    if np.any(late := np.diff(when) <= 0.0):
+        i = int(np.flatnonzero(late)[0]) + 1
+        raise ValueError(f"time: expected times that rise, got {when[i]} at index {i} after {when[i - 1]}")
     return when
 
 

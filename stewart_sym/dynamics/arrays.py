@@ -90,7 +90,12 @@ class ArrayKernel(Frozen):
             got = type(self.xp).__name__
             raise ValueError(f"xp: expected an array namespace such as numpy or jax.numpy, got {got}")
         source, on_numpy = module(f"{name}_arrays"), module("arithmetic").Arithmetic(np)
-        on = module("arithmetic").Arithmetic(self.xp, self.dtype)
+        try:
+            on = module("arithmetic").Arithmetic(self.xp, self.dtype)
+        except (ValueError, TypeError):
+            on = None
+        if on is None or "complex" in str(on.type):
+            raise ValueError(f"dtype: expected a type of real numbers, got {self.dtype}")
         with np.errstate(all="ignore"):
             model = source.prepare(on_numpy, robot_structure(source.Robot(), self.robot))
         if model.status != OK:
@@ -221,7 +226,8 @@ class ArrayKernel(Frozen):
     def _array(self, name: str, value: Any) -> Any:
         """An argument as the library's array of real numbers, its shape checked."""
         try:
-            kind = str(getattr(value, "dtype", None) or np.asarray(value).dtype).rpartition(".")[2]
+            given = getattr(value, "dtype", None) or np.asarray(value).dtype
+            kind = str(getattr(given, "name", given)).rpartition(".")[2]
         except ValueError as error:
             raise ValueError(f"{name}: expected real numbers, {error}") from None
         if not kind.startswith(("float", "bfloat", "int", "uint", "bool")):

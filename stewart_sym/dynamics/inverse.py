@@ -146,8 +146,8 @@ def joint_reactions(
     formulation, backend : str, optional
         As for ``inverse_dynamics``.
     bearing : array_like, optional
-        Where M_p is taken, distance along each leg from its base point, m, scalar or (6,); None: at the base
-        point.
+        Where M_p is taken, distance along each leg from its base point, with offset joints along the line of
+        sliding from where the length is 0, m, scalar or (6,); None: at that point.
     on_singular : str, optional
         As for ``inverse_dynamics``, as are errors; a pose whose reactions overflow is unsolvable too. Damped,
         they are those of the damped forces.

@@ -10,8 +10,8 @@ from ..io.arguments import number_in, option, safe_text
 from ..io.tables import one_line
 from ..motion.logs import LENGTH_UNITS
 
-# Shares of a leg: of its mass in the lower part; of its greatest length that each part is long, and at most of
-# its least.
+# Shares of a leg: of its mass in the lower part; of its greatest length that each part is long, and of its
+# least that each is at most.
 _LOWER_MASS, _PART, _CLEAR = 0.7, 0.6, 0.95
 # Radii over the leg's length at home, and of the platform's plate over that of its joints.
 _LOWER_RADIUS, _UPPER_RADIUS, _WALL, _RIM = 0.03, 0.02, 0.8, 1.15

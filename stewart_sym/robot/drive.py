@@ -72,6 +72,7 @@ KEYS = ("lead", "radius", "gear", *(name for name in NUMBERS if name not in ("le
 _ZERO: Any = 0.0
 _ONE: Any = 1.0
 _UNLIMITED: Any = math.inf
+_OF_EFFICIENCY: Any = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,7 +89,7 @@ class Drive(Frozen):
         Of what turns with the motor, about its axis, kg m^2.
     efficiency, back_efficiency : ndarray
         Of the transmission where the motor drives the leg, in (0, 1], and where the leg drives the motor,
-        at most 1; a back efficiency of 0 or less is self-locking.
+        at most 1; a back efficiency of 0 or less is self-locking. None, the default: 2 - 1 / ``efficiency``.
     screw_coulomb, screw_viscous : ndarray
         Friction along the leg, N and N s/m; apart from the robot's ``C_p``.
     motor_coulomb, motor_viscous : ndarray
@@ -118,7 +119,7 @@ class Drive(Frozen):
     lead: Array
     rotor_inertia: Array = _ZERO
     efficiency: Array = _ONE
-    back_efficiency: Array = _ONE
+    back_efficiency: Array = _OF_EFFICIENCY
     screw_coulomb: Array = _ZERO
     screw_viscous: Array = _ZERO
     motor_coulomb: Array = _ZERO
@@ -137,6 +138,8 @@ class Drive(Frozen):
 
     def __post_init__(self) -> None:
         """Check every field and freeze private float64 copies."""
+        if self.back_efficiency is None:
+            self._set({"back_efficiency": _driven_back(_six(self.efficiency, "efficiency"))})
         checked = {each.name: _six(getattr(self, each.name), each.name) for each in fields(self)}
         for i in range(LEGS):
             leg = {name: float(values[i]) for name, values in checked.items()}
@@ -163,6 +166,11 @@ class Drive(Frozen):
     def reflected_mass(self) -> Array:
         """J_r N^2: mass that resists a change of length as the rotor does, kg, (6,)."""
         return np.asarray(self.momentum * self.turns)
+
+
+def _driven_back(efficiency: Any) -> Any:
+    """Efficiency from leg to motor with the same angle of friction, on a screw of small pitch."""
+    return 2.0 - 1.0 / efficiency
 
 
 def _six(value: object, name: str) -> Array:
@@ -252,8 +260,7 @@ def _leg(
             value = float(metres(value))
         found[name] = math.radians(value) if key.unit == "angle" and degrees else value
     if "back_efficiency" not in given:
-        # The same angle of friction on a screw of small pitch.
-        found["back_efficiency"] = 2.0 - 1.0 / found["efficiency"]
+        found["back_efficiency"] = _driven_back(found["efficiency"])
     _need_sound(found, where)
     return found
 

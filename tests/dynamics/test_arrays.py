@@ -85,6 +85,20 @@ def test_leading_shapes_broadcast_and_what_is_not_given_is_zero() -> None:
     np.testing.assert_array_equal(found.F[1, 2], ss.prepare(robot).forces(still))
 
 
+def test_numbers_in_another_order_of_bytes_are_the_same() -> None:
+    motion, found = random_motion(np.random.default_rng(33), dasgupta(), (4,)), []
+    for order in "<>":
+        R, t, a = (getattr(motion, name).astype(f"{order}f8") for name in ("R", "t", "a"))
+        found.append(ss.array_kernel(dasgupta(), np).forces(R, t, a=a).F)
+    np.testing.assert_array_equal(*found)
+
+
+@pytest.mark.parametrize("dtype", [np.int64, np.complex128])
+def test_a_type_of_no_real_numbers_is_named(dtype: type) -> None:
+    with pytest.raises(ValueError, match="^dtype: expected a type of real numbers, got <class 'numpy"):
+        ss.array_kernel(dasgupta(), np, dtype=dtype)
+
+
 @pytest.mark.parametrize(
     ("given", "line"),
     [
@@ -173,7 +187,7 @@ def test_a_gradient_compiled_by_jax_is_the_derivative_of_the_force() -> None:
     [
         ({"R": np.eye(3) + 0j}, "R: expected real numbers, got complex128"),
         ({"t": [1j, 0.0, 0.0]}, "t: expected real numbers, got complex128"),
-        ({"t": ["a", "b", "c"]}, "t: expected real numbers, got <U1"),
+        ({"t": ["a", "b", "c"]}, "t: expected real numbers, got str32"),
         ({"v": np.zeros(3, dtype=object)}, "v: expected real numbers, got object"),
         ({"R": np.zeros(9)}, r"R: expected shape \(..., 3, 3\), got \(9,\)"),
     ],

@@ -78,6 +78,14 @@ def drive(text: str, folder: Path) -> ss.Drive:
     return found
 
 
+def test_a_drive_has_the_back_efficiency_of_a_file_without_it(tmp_path: Path) -> None:
+    made = ss.Drive(lead=5e-3, efficiency=[0.8, 0.9, 1.0, 0.5, 0.4, 0.9])
+    np.testing.assert_allclose(made.back_efficiency, [0.75, 2.0 - 1.0 / 0.9, 1.0, 0.0, -0.5, 2.0 - 1.0 / 0.9])
+    of_file = drive("[legs.drive]\nlead = 5\nefficiency = 0.8\n", tmp_path)
+    assert of_file == ss.Drive(lead=of_file.lead, efficiency=0.8)
+    np.testing.assert_array_equal(ss.Drive(lead=5e-3, back_efficiency=0.7).back_efficiency, 0.7)
+
+
 def test_numbers_of_a_file_are_in_si_units_and_a_leg_may_have_its_own(tmp_path: Path) -> None:
     found = drive(SHARED + OWN, tmp_path)
     ordinary = [0, 1, 3, 5]
