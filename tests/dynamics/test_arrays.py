@@ -95,7 +95,7 @@ def test_numbers_in_another_order_of_bytes_are_the_same() -> None:
 
 @pytest.mark.parametrize("dtype", [np.int64, np.complex128])
 def test_a_type_of_no_real_numbers_is_named(dtype: type) -> None:
-    with pytest.raises(ValueError, match="^dtype: expected a type of real numbers, got <class 'numpy"):
+    with pytest.raises(ValueError, match=r"^dtype: expected a type of real numbers, got <class 'numpy"):
         ss.array_kernel(dasgupta(), np, dtype=dtype)
 
 
