@@ -27,6 +27,8 @@ DRIVE_TERMS = {"reflected_mass": "kg", "coulomb": "N", "offset": "N", "viscous":
 _SAME = 1e-7
 # Columns with at least this share in such a combination are named.
 _NAMED = 0.05
+# Deviations of a rate from 0 beyond which its sign is sure.
+_SURE = 4.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,12 +68,17 @@ class DriveEstimate(Frozen):
 
 
 class Terms(NamedTuple):
-    """Terms sought: names, units, forces of each, N, (..., 6, n); which are identifiable, and why not."""
+    """Terms sought: names, units, forces of each, N, (..., 6, n); which are identifiable, and why not.
+
+    sought: as ``drive_terms`` was given them, with ``shared``.
+    """
 
     names: tuple[str, ...]
     units: tuple[str, ...]
     columns: Array
     identifiable: Flags
+    sought: tuple[str, ...]
+    shared: bool
     confused: tuple[str, ...] = ()
 
     @property
@@ -79,10 +86,22 @@ class Terms(NamedTuple):
         """Whether the rotors are among them."""
         return any(name.startswith("reflected_mass") for name in self.names)
 
-    @property
-    def kept(self) -> Array:
-        """Forces of those that are identifiable, (..., 6, m)."""
-        return np.asarray(self.columns[..., self.identifiable])
+    def along(self, robot: Robot, motion: Motion) -> Array:
+        """Forces of those that are identifiable, (..., 6, m), along a motion near that of the columns.
+
+        A leg turns back where it does in the latter: friction does not step to and fro while a fit looks for
+        the motion.
+        """
+        there = drive_terms(robot, motion, self.sought, self.shared).columns
+        steady = [name.startswith(("coulomb", "offset")) for name in self.names]
+        return np.asarray(np.where(steady, self.columns, there)[..., self.identifiable])
+
+    def by_leg(self, name: str, values: Array) -> Array:
+        """Numbers of a term by leg, (6,), of the values, (m,), of identifiable ones; 0 of all others."""
+        found = np.zeros(len(self.names))
+        found[self.identifiable] = values
+        own = [each.startswith(name) for each in self.names]
+        return np.broadcast_to(found[own] if any(own) else 0.0, LEGS)
 
     def estimate(self, values: Array, covariance: Array) -> DriveEstimate:
         """The estimate by values, (m,), and covariance, (m, m), of the identifiable terms."""
@@ -123,7 +142,15 @@ def drive_terms(robot: Robot, motion: Motion, drive: Sequence[str], shared: bool
         names += [name] if shared else [f"{name}{leg}" for leg in range(1, LEGS + 1)]
         units += [DRIVE_TERMS[name]] * of_leg.shape[-1]
     stacked = np.concatenate(columns, axis=-1)
-    return Terms(tuple(names), tuple(units), stacked, np.ones(len(names), dtype=np.bool_))
+    every = np.ones(len(names), dtype=np.bool_)
+    return Terms(tuple(names), tuple(units), stacked, every, need_terms(drive), shared)
+
+
+def turning_legs(robot: Robot, motion: Motion, rates: Array) -> Flags:
+    """Instants and legs, (n, 6), that may move either way; rates: deviations of those of the pose, (n, 6)."""
+    H = inverse_dynamics(robot, motion).H
+    deviation = np.linalg.norm(H * rates[:, :, None], axis=1)
+    return np.asarray(np.abs(inverse_kinematics(robot, motion).L_dot) < _SURE * deviation)
 
 
 def seen_by_motors(robot: Robot) -> Robot:

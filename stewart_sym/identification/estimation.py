@@ -27,14 +27,14 @@ from ..motion.rotation import rotation_from_vector
 from ..motion.smooth_motion import WITHOUT_PERIOD, PoseNoise, smoothed
 from ..robot.robot import LEGS, Robot
 from .base_parameters import BaseParameters, base_parameters
-from .drive_terms import drive_terms, need_terms, told_apart
+from .drive_terms import drive_terms, need_terms, told_apart, turning_legs
 from .estimates import Estimate, tail
 from .excitation import Excitation, force_regressor, need_seed
 from .joint_fit import joint_fit
 from .linear_fit import Data, exact_fit
 from .parameters import inertial_parameters
 from .physical import POSSIBLE, possible_fit
-from .residual_test import EXACT, LEVEL, SMOOTHED, tested_estimate
+from .residual_test import EXACT, LEVEL, tested_estimate
 
 
 @dataclass(frozen=True, eq=False)
@@ -113,8 +113,8 @@ def identify(
     drive : sequence of str, optional
         Terms of the drives to seek as well, where F are forces of the motors, N times torque: some of
         "reflected_mass", "coulomb", "offset" and "viscous", which is the same as ``C_p`` where that is
-        sought; ``Estimate.drive`` has what is identifiable. With ``noise`` the motion is then the smooth one
-        that explains the poses alone best, and the deviations hold the noise of the forces alone.
+        sought; ``Estimate.drive`` has what is identifiable. With ``noise`` and "coulomb", a force does not
+        count where the direction of its leg is not sure.
 
     Returns
     -------
@@ -148,15 +148,29 @@ def identify(
         instance(noise, PoseNoise, "noise")
     data = Data(robot, motion, forces, _deviations(sigma, forces.shape), base)
     if drive is not None:
-        motion = motion if noise is None else smoothed(motion, noise)
-        terms = drive_terms(robot, motion, need_terms(drive), base.shared is not None)
-        terms = told_apart(terms, force_regressor(robot, motion, base), base.names)
-        data = data._replace(motion=motion, terms=terms)
-    if noise is not None and drive is None:
+        data = _with_terms(data, need_terms(drive), noise)
+    if noise is not None:
         found = tested_estimate(data, joint_fit(data, noise), ())
     else:
-        found = tested_estimate(data, exact_fit(data, data.motion), EXACT if noise is None else SMOOTHED)
+        found = tested_estimate(data, exact_fit(data, motion), EXACT)
     return _possible(robot, found) if physical and found.verdict != "rejected" else found
+
+
+def _with_terms(data: Data, drive: tuple[str, ...], noise: PoseNoise | None) -> Data:
+    """The data with terms of the drives, told apart from the base parameters.
+
+    Of measured poses forces do not count where friction that steps may be that of either direction.
+    """
+    along, counted = data.motion, np.ones(data.forces.shape)
+    if noise is not None:
+        along, rates = smoothed(data.motion, noise)
+        if "coulomb" in drive:
+            counted[turning_legs(data.robot, along, rates)] = 0.0
+    terms = drive_terms(data.robot, along, drive, data.base.shared is not None)
+    terms = terms._replace(columns=terms.columns * counted[..., None])
+    A = force_regressor(data.robot, along, data.base) * counted[..., None]
+    deviations = np.where(counted > 0.0, data.deviations, np.inf)
+    return data._replace(terms=told_apart(terms, A, data.base.names), deviations=deviations)
 
 
 def simulated_experiment(

@@ -19,13 +19,16 @@ from ..motion.smooth_motion import (
     residual,
     weights_of_choice,
 )
-from ..robot.robot import LEGS
+from ..robot.drive import Drive
+from ..robot.robot import LEGS, Robot
 from .linear_fit import Data, Fit, exact_fit, factors, linear_system
 from .parameters import inertial_parameters, is_friction, with_parameters
 from .residual_test import DRAWS
 
 # Most steps of the joint fit, most halvings of one, and the decrease of the sum of squares at which it ends.
 _STEPS, _HALVINGS, _NO_DECREASE = 30, 10, 1e-4
+# Lead of a screw, m, whose rotor resists along the leg alone.
+_FINE = 1e-6
 
 
 def joint_fit(data: Data, noise: PoseNoise) -> Fit:
@@ -37,7 +40,7 @@ def joint_fit(data: Data, noise: PoseNoise) -> Fit:
     best, least, before = None, math.inf, q
     share = weights_of_choice(noise, q) / noise.weights
     for basis in from_best(noise, q):
-        if 6 * basis.size + data.base.rank >= 2 * q.size:
+        if 6 * basis.size + data.unknowns >= 2 * q.size:
             break
         c = pose_fit(basis, before)
         fit, c = _gauss_newton(data, noise, basis, c)
@@ -66,8 +69,8 @@ def _gauss_newton(data: Data, noise: PoseNoise, basis: Basis, c: Array) -> tuple
             break
         for halving in range(_HALVINGS):
             share = 0.5**halving
-            next_values = values + share * step[: data.base.rank]
-            next_c = c + share * step[data.base.rank :].reshape(6, -1).T
+            next_values = values + share * step[: data.unknowns]
+            next_c = c + share * step[data.unknowns :].reshape(6, -1).T
             try:
                 next_parts = _residuals(data, noise, basis, next_values, next_c)
             except ValueError:
@@ -78,18 +81,18 @@ def _gauss_newton(data: Data, noise: PoseNoise, basis: Basis, c: Array) -> tuple
             break
         values, c, parts = next_values, next_c, next_parts
     motion = basis.motion(c, data.motion)
-    spread = back[: data.base.rank]
+    spread = back[: data.unknowns]
 
     def residuals(by_values: Array, by_c: Array) -> Array:
         shifted = _residuals(data, noise, basis, values + by_values, c + by_c)
         return np.concatenate([part.ravel() for part in shifted])
 
-    curvature = _curvature(residuals, span, back, data.base.rank) if converged else math.inf
+    curvature = _curvature(residuals, span, back, data.unknowns) if converged else math.inf
     return Fit(parts, values, spread @ spread.T, span, motion, converged, curvature), c
 
 
 def _curvature(residuals: Callable[[Array, Array], Array], span: Array, back: Array, rank: int) -> float:
-    """Largest RMS error of a base parameter, in deviations, since the residual is not linear in the unknowns.
+    """Largest RMS error of the first ``rank`` unknowns, in deviations, as the residual is not linear in them.
 
     residuals: of changes of values and coefficients. Seen over opposite errors drawn as the fit states them;
     inf where such an error makes a pose unsolvable.
@@ -118,7 +121,7 @@ def _squares(parts: tuple[Array, ...]) -> float:
 
 
 def _jacobian(data: Data, noise: PoseNoise, basis: Basis, values: Array, c: Array) -> Array:
-    """Derivatives of forces and poses over their deviations by all unknowns, (12 n, rank + 6 m)."""
+    """Derivatives of forces and poses over their deviations by all unknowns, (12 n, unknowns + 6 m)."""
     motion = basis.motion(c, data.motion)
     A, _ = linear_system(data, motion)
     maps = chain(basis, c, motion)
@@ -128,7 +131,7 @@ def _jacobian(data: Data, noise: PoseNoise, basis: Basis, values: Array, c: Arra
             by_c += (derivatives @ matrix)[..., None] * functions[:, None, None, :]
     by_c /= data.deviations[..., None, None]
     poses = (noise.weights[:, None] * maps[0][0])[..., None] * basis.value[:, None, None, :]
-    unknowns = data.base.rank
+    unknowns = data.unknowns
     J = np.zeros((2 * LEGS * len(by_c), unknowns + 6 * basis.size))
     J[: LEGS * len(by_c), :unknowns] = A.reshape(-1, unknowns)
     J[:, unknowns:] = np.concatenate([by_c, poses]).reshape(len(J), -1)
@@ -136,20 +139,34 @@ def _jacobian(data: Data, noise: PoseNoise, basis: Basis, values: Array, c: Arra
 
 
 def _force_derivatives(data: Data, motion: Motion, values: Array) -> tuple[Array, ...]:
-    """Derivatives of the forces by pose, twist and acceleration at these base parameters, (n, 6, 6) each.
+    """Derivatives of the forces by pose, twist and acceleration at these unknowns, (n, 6, 6) each.
 
     Identified parameters may belong to no machine (masses or friction below zero). Forces are linear in them,
-    so they are the difference of two machines that exist; rotors and load are the first one's.
+    so they are the difference of two machines that exist; rotors and load are the first one's, unless rotors
+    are sought.
     """
-    lifted = data.base.lift @ values
+    lifted = data.base.lift @ values[: data.base.rank]
     own = inertial_parameters(data.robot)
     mass = own.names.index("M")
+    if data.terms is not None:
+        along_leg = [own.names.index(f"C_p{leg}") for leg in range(1, LEGS + 1)]
+        lifted[along_leg] += data.terms.by_leg("viscous", values[data.base.rank :])
     lesser = np.where(is_friction(own.names), np.abs(lifted), own.values)
     lesser[mass] += abs(lifted[mass])
     unloaded = Motion(motion.R, motion.t, motion.omega, motion.v, motion.alpha, motion.a)
-    more = force_derivatives(with_parameters(data.robot, lesser + lifted), motion)
+    greater = with_parameters(data.robot, lesser + lifted)
     bodies = replace(with_parameters(data.robot, lesser), drive=None)
-    less = force_derivatives(bodies, unloaded)
+    if data.terms is not None and data.terms.of_rotors:
+        reflected = data.terms.by_leg("reflected_mass", values[data.base.rank :])
+        greater = _with_rotors(greater, data.robot.drive, np.abs(reflected) + reflected)
+        bodies = _with_rotors(bodies, data.robot.drive, np.abs(reflected))
+    more, less = force_derivatives(greater, motion), force_derivatives(bodies, unloaded)
     return tuple(
         getattr(more, name) - getattr(less, name) for name in ("by_pose", "by_twist", "by_acceleration")
     )
+
+
+def _with_rotors(robot: Robot, drive: Drive | None, reflected: Array) -> Robot:
+    """The robot with drives, of a fine screw without ones, whose rotors resist as so many kg, (6,)."""
+    given = Drive(lead=_FINE) if drive is None else drive  # type: ignore[arg-type]
+    return replace(robot, drive=replace(given, rotor_inertia=reflected / given.turns**2))

@@ -19,7 +19,7 @@ LOAD = ("M", "h_P_x", "h_P_y", "h_P_z")
 
 
 class Data(NamedTuple):
-    """What ``identify`` was given."""
+    """What ``identify`` was given; forces with an infinite deviation do not count."""
 
     robot: Robot
     motion: Motion
@@ -27,6 +27,16 @@ class Data(NamedTuple):
     deviations: Array
     base: BaseParameters
     terms: Terms | None = None
+
+    @property
+    def unknowns(self) -> int:
+        """How many base parameters and terms of the drives are sought."""
+        return self.base.rank + (0 if self.terms is None else int(self.terms.identifiable.sum()))
+
+    @property
+    def left_out(self) -> int:
+        """How many forces do not count."""
+        return int(np.isinf(self.deviations).sum())
 
 
 class Fit(NamedTuple):
@@ -73,7 +83,7 @@ def linear_system(data: Data, motion: Motion) -> tuple[Array, Array]:
     with np.errstate(over="ignore", invalid="ignore"):
         A = force_regressor(data.robot, motion, data.base)
         if data.terms is not None:
-            A = np.concatenate([A, data.terms.kept], axis=-1)
+            A = np.concatenate([A, data.terms.along(data.robot, motion)], axis=-1)
         A = A / data.deviations[..., None]
         known = _load_forces(data.robot, motion) - _forces_of_rotors(data, motion)
         y = (data.forces + known) / data.deviations

@@ -22,20 +22,16 @@ _COSINES = 20
 # Share of a column below which what the fit leaves of it counts as nothing.
 _NEW = 1e-8
 EXACT = ("motion: is taken as exact, expected its noise if its poses were measured",)
-SMOOTHED = (
-    "motion: is smoothed by its poses alone beside terms of drives, expected a smaller noise of the poses or "
-    "a motion that is slower beside it",
-)
 
 
 def tested_estimate(data: Data, fit: Fit, remedy: tuple[str, ...]) -> Estimate:
     """The estimate of a fit whose residual was tested; ``remedy``: doubts to give where it fails."""
     r = np.concatenate([part.ravel() for part in fit.parts])
-    spare = len(r) - fit.span.shape[1]
+    spare = len(r) - data.left_out - fit.span.shape[1]
     misfit = math.sqrt(float(r @ r) / spare) if spare > 0 else math.nan
-    noise_misfit, p_noise, noise_doubts = _noise_test(fit)
+    noise_misfit, p_noise, noise_doubts = _noise_test(fit, data.left_out)
     (smooth_misfit, p_smooth), (load_misfit, p_load) = (
-        _gain_test(fit, r, added) for added in (_smooth_forces(fit), _changing_load(data, fit))
+        _gain_test(fit, r, added, data.left_out) for added in (_smooth_forces(fit), _changing_load(data, fit))
     )
     doubts = list(noise_doubts) if p_noise < LEVEL else []
     inflation = max(1.0, noise_misfit) if p_noise < LEVEL else 1.0
@@ -88,12 +84,15 @@ def tested_estimate(data: Data, fit: Fit, remedy: tuple[str, ...]) -> Estimate:
     )
 
 
-def _noise_test(fit: Fit) -> tuple[float, float, tuple[str, ...]]:
-    """Largest RMS residual of forces or poses over its expectation, its p-value, and which are too large."""
+def _noise_test(fit: Fit, left_out: int) -> tuple[float, float, tuple[str, ...]]:
+    """Largest RMS residual of forces or poses over its expectation, its p-value, and which are too large.
+
+    left_out: forces that do not count.
+    """
     worst, p, doubts, start = 0.0, 1.0, [], 0
     for name, part in zip(("forces", "poses"), fit.parts, strict=False):
         explained = float(np.sum(fit.span[start : start + part.size] ** 2))
-        spare, start = part.size - explained, start + part.size
+        spare, start = part.size - (left_out if start == 0 else 0) - explained, start + part.size
         if spare < 1.0:
             continue
         ratio = float(np.sum(part**2)) / spare
@@ -123,7 +122,7 @@ def _changing_load(data: Data, fit: Fit) -> Array:
     return np.asarray(added / np.maximum(np.linalg.norm(added, axis=0), np.finfo(np.float64).tiny))
 
 
-def _gain_test(fit: Fit, r: Array, forces: Array) -> tuple[float, float]:
+def _gain_test(fit: Fit, r: Array, forces: Array, left_out: int) -> tuple[float, float]:
     """RMS over its expectation of what added forces, (6 n, count), would explain of the residual; p-value."""
     added = np.zeros((len(r), forces.shape[1]))
     added[: len(forces)] = forces
@@ -131,7 +130,7 @@ def _gain_test(fit: Fit, r: Array, forces: Array) -> tuple[float, float]:
     span, sizes, _ = np.linalg.svd(added - fit.span @ (fit.span.T @ added), full_matrices=False)
     span = span[:, sizes > _NEW * size]
     extra = span.shape[1]
-    spare = len(r) - fit.span.shape[1] - extra
+    spare = len(r) - left_out - fit.span.shape[1] - extra
     if extra == 0 or spare <= 0:
         return math.nan, 1.0
     explained = float(np.sum((span.T @ r) ** 2))

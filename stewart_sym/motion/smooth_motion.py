@@ -199,14 +199,23 @@ def from_best(noise: PoseNoise, q: Array) -> Iterator[Basis]:
     yield from (basis for _, basis in found[best:])
 
 
-def smoothed(motion: Motion, noise: PoseNoise) -> Motion:
+class Smoothed(NamedTuple):
+    """A smooth motion, and the deviations of its rates of position and angles, m/s and rad/s, (n, 6)."""
+
+    motion: Motion
+    rates: Array
+
+
+def smoothed(motion: Motion, noise: PoseNoise) -> Smoothed:
     """The smooth motion that explains the measured poses alone best, under the load of the measured one.
 
     Raises ValueError as ``coordinates``.
     """
     q = coordinates(motion, noise)
     basis = next(from_best(noise, q))
-    return basis.motion(pose_fit(basis, q), motion)
+    by_poses = np.linalg.solve(np.linalg.qr(basis.value, mode="r").T, basis.first.T)
+    rates = np.linalg.norm(by_poses, axis=0)[:, None] / noise.weights
+    return Smoothed(basis.motion(pose_fit(basis, q), motion), rates)
 
 
 def pose_fit(basis: Basis, q: Array) -> Array:

@@ -11,9 +11,13 @@ from robot_files import written
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
-from stewart_sym.identification.drive_terms import need_terms
+from stewart_sym.identification import joint_fit
+from stewart_sym.identification.drive_terms import drive_terms, need_terms, told_apart
 from stewart_sym.identification.estimation import Experiment
+from stewart_sym.identification.excitation import force_regressor
+from stewart_sym.identification.linear_fit import Data
 from stewart_sym.motion.rotation import rotation_from_vector
+from stewart_sym.motion.smooth_motion import coordinates, from_best, pose_fit
 from stewart_sym.motion.trajectory import Trajectory
 from stewart_sym.studies.reports.identify import from_measurement, simulated_report
 
@@ -212,24 +216,67 @@ def test_wrong_terms_are_named(robot: ss.Robot, excited: ss.Excitation) -> None:
         ss.identify(robot, excited.motion, F, SIGMA, excited.base, 1e-4, drive=TERMS)  # type: ignore[arg-type]
 
 
-def test_noisy_poses_are_smoothed_and_terms_scatter_as_the_forces_noise_says(
-    robot: ss.Robot, excited: ss.Excitation
+def noisy(excited: ss.Excitation, size: float, seed: int) -> tuple[ss.Motion, ss.PoseNoise]:
+    """Poses of a motion as measured, by so many m and rad."""
+    shape, rng = (len(excited.time), 3), np.random.default_rng((7, seed))
+    R = rotation_from_vector(size * rng.normal(size=shape)) @ excited.motion.R
+    measured = ss.Motion(R, excited.motion.t + size * rng.normal(size=shape), zero := np.zeros(shape), zero)
+    return measured, ss.PoseNoise(excited.time, size, size, excited.path.period, len(excited.path.sine))
+
+
+@pytest.mark.parametrize("size", [1e-5, 3e-4])
+def test_of_noisy_poses_bodies_and_terms_scatter_as_the_covariance_says(
+    robot: ss.Robot, excited: ss.Excitation, size: float
 ) -> None:
-    exact, true, off = motor_forces(robot, excited.motion), np.concatenate(list(TRUE.values())), []
-    size, shape = 1e-5, (len(excited.time), 3)
-    noise = ss.PoseNoise(excited.time, size, size, excited.path.period, len(excited.path.sine))
-    for seed in range(20):
-        rng = np.random.default_rng((7, seed))
-        F = exact + SIGMA * rng.normal(size=exact.shape)
-        R = rotation_from_vector(size * rng.normal(size=shape)) @ excited.motion.R
-        none = np.zeros(shape)
-        measured = ss.Motion(R, excited.motion.t + size * rng.normal(size=shape), none, none)
+    """Also where the noise of the poses moves them farther than that of the forces."""
+    count, exact = 6, motor_forces(robot, excited.motion)
+    bodies, terms = (
+        excited.base.matrix @ ss.inertial_parameters(robot).values,
+        np.concatenate([*TRUE.values()]),
+    )
+    squares = []
+    for seed in range(count):
+        F = exact + SIGMA * np.random.default_rng((8, seed)).normal(size=exact.shape)
+        measured, noise = noisy(excited, size, seed)
         found = ss.identify(robot, measured, F, SIGMA, excited.base, noise, drive=TERMS)
         assert found.verdict == "consistent"
-        off.append(np.abs(found.drive.values - true) / found.drive.sigma)
-    for width, normal in ((1.0, 0.6827), (2.0, 0.9545), (3.0, 0.9973)):
-        share = float(np.mean(np.array(off) < width))
-        assert share == pytest.approx(normal, abs=4.0 * math.sqrt(normal * (1.0 - normal) / (18 * 20)))
+        for estimate, true in ((found, bodies), (found.drive, terms)):
+            error = estimate.values - true
+            squares.append(error @ np.linalg.solve(estimate.covariance, error) / len(error))
+    for found, unknowns in ((squares[::2], len(bodies)), (squares[1::2], len(terms))):
+        assert np.mean(found) == pytest.approx(1.0, abs=4.0 * math.sqrt(2.0 / (unknowns * count)))
+
+
+@pytest.mark.parametrize("lead", [None, 5e-3])
+def test_forces_change_with_the_motion_as_the_joint_fit_takes_them_to(
+    robot: ss.Robot, excited: ss.Excitation, lead: float | None
+) -> None:
+    """Derivatives by the coefficients of the motion, negative terms included, beside differences."""
+    sought = ("reflected_mass", "coulomb", "offset", "viscous")
+    if lead is not None:
+        robot = dataclasses.replace(robot, drive=ss.Drive(lead=lead, rotor_inertia=1e-5))
+    base = ss.base_parameters(robot, excited.motion, friction=False)
+    measured, noise = noisy(excited, 1e-4, 0)
+    q = coordinates(measured, noise)
+    basis = next(from_best(noise, q))
+    c = pose_fit(basis, q)
+    along = basis.motion(c, measured)
+    terms = told_apart(
+        drive_terms(robot, along, sought, False), force_regressor(robot, along, base), base.names
+    )
+    data = Data(robot, measured, np.zeros((len(q), 6)), np.ones((len(q), 6)), base, terms)
+    values = base.matrix @ ss.inertial_parameters(robot).values
+    values = np.concatenate([values, np.random.default_rng(4).normal(0.0, 100.0, data.unknowns - base.rank)])
+    J = joint_fit._jacobian(data, noise, basis, values, c)
+    for k in (3, 40):
+        step = np.zeros(c.size)
+        step[k] = 1e-6
+        change = [
+            joint_fit._residuals(data, noise, basis, values, c + sign * step.reshape(6, -1).T)[0].ravel()
+            for sign in (1.0, -1.0)
+        ]
+        found = J[: q.size, data.unknowns + k]
+        np.testing.assert_allclose(found, (change[1] - change[0]) / 2e-6, atol=1e-6 * np.abs(found).max())
 
 
 def tables(excited: ss.Excitation, folder: Path, measured: dict[str, np.ndarray]) -> list[str]:
