@@ -213,7 +213,8 @@ def smoothed(motion: Motion, noise: PoseNoise) -> Smoothed:
     """
     q = coordinates(motion, noise)
     basis = next(from_best(noise, q))
-    by_poses = np.linalg.solve(np.linalg.qr(basis.value, mode="r").T, basis.first.T)
+    _, corner = np.linalg.qr(basis.value)
+    by_poses = np.linalg.solve(corner.T, basis.first.T)
     rates = np.linalg.norm(by_poses, axis=0)[:, None] / noise.weights
     return Smoothed(basis.motion(pose_fit(basis, q), motion), rates)
 
