@@ -84,8 +84,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--drive",
         metavar="TERM,...",
         help="F1 to F6 are forces of the motors (N times torque), as currents always are: seek terms of the "
-        "drives as well, some of reflected_mass, coulomb, offset, viscous; with noise of poses these are "
-        "smoothed first, and the deviations hold that of the forces alone",
+        "drives as well, some of reflected_mass, coulomb, offset, viscous",
     )
     parser.add_argument("--samples", type=whole, default=200, help="instants of one period; default: 200")
     parser.add_argument("--candidates", type=whole, default=50, help="random series to try; default: 50")
