@@ -65,8 +65,9 @@ def _whole_numbers(times: Array, per_second: float, beside: bool) -> bool:
 
 
 def least_step(times: Array) -> float:
-    """The shortest step of times, s, (n,); 0 of a single one."""
-    return float(np.diff(times).min()) if len(times) > 1 else 0.0
+    """The shortest step of times, s, (n,), that has a duration; 0 of a single one."""
+    steps = np.diff(times)
+    return float(steps[steps > 0.0].min(initial=np.inf)) if np.any(steps > 0.0) else 0.0
 
 
 def time_text(time: float, step: float = 0.0) -> str:

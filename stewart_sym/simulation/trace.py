@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from ..io.arguments import real_array
 from ..io.array_types import Array, Flags
@@ -205,9 +205,13 @@ class Simulation(Trace):
 
     @property
     def within_steps(self) -> Trace:
-        """States and forces at ``WATCHED`` instants of each step: for peaks, whatever the rows are."""
-        steps = [np.linspace(piece.start, piece.end, WATCHED + 1) for piece in self._pieces]
-        return self.at(np.unique(np.concatenate([*steps, self.times])))
+        """States and forces at ``WATCHED + 1`` instants of each step: for peaks, whatever the rows are.
+
+        Where one step ends and the next begins an instant stands twice, with the forces of either.
+        """
+        when = [np.linspace(piece.start, piece.end, WATCHED + 1) for piece in self._pieces]
+        of = np.repeat(np.arange(len(when)), WATCHED + 1)
+        return sampled_at(self._robot, self._actuators, self._pieces, np.concatenate(when), of)
 
     def at(self, times: ArrayLike) -> Trace:
         """States and forces at given times, interpolated to the accuracy of the run.
@@ -268,11 +272,18 @@ def leg_states(robot: Robot, state: Motion) -> LegStates:
     return LegStates(q, L, np.einsum("...i,...i->...", s, tip_velocities(state, q)), s)
 
 
-def sampled_at(robot: Robot, actuators: Actuators, pieces: tuple[Piece, ...], when: Array) -> Trace:
-    """The trace at times within the pieces."""
+def sampled_at(
+    robot: Robot,
+    actuators: Actuators,
+    pieces: tuple[Piece, ...],
+    when: Array,
+    of: NDArray[np.intp] | None = None,
+) -> Trace:
+    """The trace at times within the pieces; of: the piece of each, None for the last that has begun."""
     n = len(when)
     y, centers, F = np.empty((n, 12)), np.empty((n, 3, 3)), np.empty((n, 6))
-    of = np.searchsorted([piece.start for piece in pieces], when, side="right") - 1
+    if of is None:
+        of = np.searchsorted([piece.start for piece in pieces], when, side="right") - 1
     order = np.argsort(of, kind="stable")
     for here in np.split(order, np.flatnonzero(np.diff(of[order])) + 1) if n else ():
         piece = pieces[of[here[0]]]
