@@ -224,7 +224,8 @@ def _needs(robot: Robot, courses: Sequence[dict[str, Array]], margin: float, sha
     every = {name: np.concatenate([course[name] for course in courses]) for name in courses[0]}
     for end in ("base", "platform"):
         s = every[end]
-        neutral = s.mean(axis=0) if robot.home is None else neutral_directions(robot)
+        mean = np.average(s, axis=0, weights=every["weight"])
+        neutral = mean if robot.home is None else neutral_directions(robot)
         every[end] = angles_between(s, neutral)
     course = Course(**every)
     F, power = course.F, course.power

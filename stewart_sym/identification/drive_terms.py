@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -19,6 +20,7 @@ from ..motion.motion import Motion
 from ..robot.drive import Drive
 from ..robot.robot import LEGS, Robot
 from .rotor_columns import rotor_regressor
+from .tails import tail
 
 DRIVE_TERMS = {"reflected_mass": "kg", "coulomb": "N", "offset": "N", "viscous": "N s/m"}
 """Terms that can be sought, in this order, and their units."""
@@ -65,6 +67,30 @@ class DriveEstimate(Frozen):
     def sigma(self) -> Array:
         """Standard deviation of each value, (n,)."""
         return np.sqrt(np.diagonal(self.covariance))
+
+    def departure(self, given: Array) -> tuple[Array, float]:
+        """How far the values are from given ones, as ``Estimate.departure`` of the bodies.
+
+        Parameters
+        ----------
+        given : ndarray
+            Of each term, (n,); NaN where there is none to compare with.
+
+        Returns
+        -------
+        off : ndarray
+            Differences in standard deviations, (n,); 0 where nothing is compared.
+        p : float
+            The p-value of all; NaN where nothing is compared.
+        """
+        compared = self.identifiable & np.isfinite(given) & np.isfinite(self.sigma)
+        off = np.where(compared, self.values - given, 0.0) / np.where(compared, self.sigma, 1.0)
+        if not compared.any():
+            return off, math.nan
+        sigma = self.sigma[compared]
+        spread = self.covariance[np.ix_(compared, compared)] / np.outer(sigma, sigma)
+        squares = float(off[compared] @ np.linalg.solve(spread, off[compared]))
+        return off, tail(squares / len(sigma), len(sigma))
 
 
 class Terms(NamedTuple):

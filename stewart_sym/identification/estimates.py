@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,6 +12,7 @@ from ..robot.robot import Robot
 from .base_parameters import BaseParameters
 from .drive_terms import DriveEstimate, seen_by_motors
 from .parameters import Parameters, inertial_parameters
+from .tails import tail
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,14 +104,3 @@ class Estimate:
         sigma = self.sigma
         squares = off / sigma @ np.linalg.solve(self.covariance / np.outer(sigma, sigma), off / sigma)
         return off / sigma, tail(float(squares) / len(off), len(off))
-
-
-def tail(ratio: float, freedom: float, other: float = math.inf) -> float:
-    """Probability of an F ratio above this one; chi-square over its freedom if ``other`` is infinite.
-
-    Paulson's normal approximation of its cube root, right to some per cent of the probability from 10 degrees
-    of freedom on, to a sixth from 4 on.
-    """
-    a, b = 2.0 / (9.0 * freedom), 2.0 / (9.0 * other)
-    root = math.cbrt(ratio)
-    return 0.5 * math.erfc(((1.0 - b) * root - (1.0 - a)) / math.sqrt(2.0 * (b * root**2 + a)))

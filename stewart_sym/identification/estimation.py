@@ -28,13 +28,14 @@ from ..motion.smooth_motion import WITHOUT_PERIOD, PoseNoise, smoothed
 from ..robot.robot import LEGS, Robot
 from .base_parameters import BaseParameters, base_parameters
 from .drive_terms import drive_terms, need_terms, told_apart, turning_legs
-from .estimates import Estimate, tail
+from .estimates import Estimate
 from .excitation import Excitation, force_regressor, need_seed
 from .joint_fit import joint_fit
 from .linear_fit import Data, exact_fit
 from .parameters import inertial_parameters
 from .physical import POSSIBLE, possible_fit
 from .residual_test import EXACT, LEVEL, tested_estimate
+from .tails import tail
 
 
 @dataclass(frozen=True, eq=False)
@@ -166,6 +167,9 @@ def _with_terms(data: Data, drive: tuple[str, ...], noise: PoseNoise | None) -> 
         along, rates = smoothed(data.motion, noise)
         if "coulomb" in drive:
             counted[turning_legs(data.robot, along, rates)] = 0.0
+            if not counted.any():
+                said = "the noise of the poses hides every direction"
+                raise ValueError(f'motion: expected legs that move, for "coulomb": {said}')
     terms = drive_terms(data.robot, along, drive, data.base.shared is not None)
     terms = terms._replace(columns=terms.columns * counted[..., None])
     A = force_regressor(data.robot, along, data.base) * counted[..., None]

@@ -6,9 +6,10 @@ import numpy as np
 
 from ..io.array_types import Array
 from ..robot.robot import LEGS
-from .estimates import Estimate, tail
+from .estimates import Estimate
 from .linear_fit import LOAD, Data, Fit, linear_system
 from .physical import Negative, negative
+from .tails import tail
 
 # Random errors by which a fit is tested for being linear within its deviations, and by how many of these it
 # may be off.

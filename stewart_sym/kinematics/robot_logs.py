@@ -4,6 +4,7 @@ import os
 
 import numpy as np
 
+from ..io.array_types import Array
 from ..io.progress import Progress, silent
 from ..motion.log_reader import AS_SHOWN, read_log, trajectory_from
 from ..motion.logs import LogFormat
@@ -24,7 +25,7 @@ def read_log_of(
     smoothing: Smoothing = AS_SHOWN,
     progress: Progress = silent,
 ) -> PoseLog | JointTrajectory:
-    """Read a log whose poses are those of the robot's tool; relative lengths become absolute.
+    """Read a log whose poses and loads are those of the robot's tool; relative lengths become absolute.
 
     form: None for the robot's. Motions made of the result are those of the reference point. Raises as
     ``read_log``, and ValueError for relative lengths without a home pose, or of legs that have none left.
@@ -32,7 +33,16 @@ def read_log_of(
     log = read_log(path, form_of(robot) if form is None else form, smoothing, progress)
     if isinstance(log, PoseLog):
         return log.of_tool(robot.tool)
+    log = _loaded_at(robot.tool, log)
     return _absolute(robot, log) if log.relative else log
+
+
+def _loaded_at(tool: Array, log: JointTrajectory) -> JointTrajectory:
+    """The log with its load, which acts at a point, m, platform frame, (3,), at the reference point."""
+    if log.F_ext is None or not tool.any():
+        return log
+    moment = np.cross(tool, log.F_ext)
+    return log._replace(M_ext=moment if log.M_ext is None else log.M_ext + moment)
 
 
 def trajectory_for(

@@ -214,8 +214,7 @@ def smoothed(motion: Motion, noise: PoseNoise) -> Smoothed:
     q = coordinates(motion, noise)
     basis = next(from_best(noise, q))
     _, corner = np.linalg.qr(basis.value)
-    by_poses = np.linalg.solve(corner.T, basis.first.T)
-    rates = np.linalg.norm(by_poses, axis=0)[:, None] / noise.weights
+    rates = np.linalg.norm(basis.first @ np.linalg.pinv(corner), axis=1)[:, None] / noise.weights
     return Smoothed(basis.motion(pose_fit(basis, q), motion), rates)
 
 

@@ -52,6 +52,15 @@ def test_rows_that_are_denser_somewhere_change_no_quantile_much() -> None:
     np.testing.assert_allclose(other.force, even.force, rtol=0.02)
 
 
+def test_without_a_home_pose_joint_angles_do_not_depend_on_how_dense_the_rows_are() -> None:
+    robot, time, motion = along(2, 4001)
+    robot = dataclasses.replace(robot, home=None)
+    uneven = np.concatenate([np.arange(0, 1000), np.arange(1000, 4001, 20)])
+    even, other = (ss.size(robot, [(time[rows], motion[rows])]) for rows in (np.arange(4001), uneven))
+    for name in ("base_angle", "platform_angle"):
+        np.testing.assert_allclose(getattr(other, name), getattr(even, name), rtol=5e-3)
+
+
 def test_motions_count_together() -> None:
     robot, time, motion = along(3)
     one, other = (time[:90], motion[:90]), (time[90:], motion[90:])

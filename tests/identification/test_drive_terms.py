@@ -19,7 +19,7 @@ from stewart_sym.identification.linear_fit import Data
 from stewart_sym.motion.rotation import rotation_from_vector
 from stewart_sym.motion.smooth_motion import coordinates, from_best, pose_fit
 from stewart_sym.motion.trajectory import Trajectory
-from stewart_sym.studies.reports.identify import from_measurement, simulated_report
+from stewart_sym.studies.reports.identify import from_measurement, measured_report, simulated_report
 
 SIGMA = 2.0
 TERMS = ("reflected_mass", "coulomb", "offset")
@@ -245,6 +245,47 @@ def test_of_noisy_poses_bodies_and_terms_scatter_as_the_covariance_says(
             squares.append(error @ np.linalg.solve(estimate.covariance, error) / len(error))
     for found, unknowns in ((squares[::2], len(bodies)), (squares[1::2], len(terms))):
         assert np.mean(found) == pytest.approx(1.0, abs=4.0 * math.sqrt(2.0 / (unknowns * count)))
+
+
+def test_terms_of_the_robot_file_are_compared_as_its_bodies_are(
+    robot: ss.Robot, excited: ss.Excitation
+) -> None:
+    drive = ss.Drive(lead=5e-3, rotor_inertia=2e-5, screw_coulomb=30.0)
+    machine = dataclasses.replace(robot, drive=drive)
+    F = ss.drive_effort(machine, excited.motion).force + SIGMA * np.random.default_rng(6).normal(
+        size=(120, 6)
+    )
+    said = []
+    for coulomb in (30.0, 60.0):
+        other = dataclasses.replace(robot, drive=dataclasses.replace(drive, screw_coulomb=coulomb))
+        found = ss.identify(
+            other, excited.motion, F, SIGMA, excited.base, drive=("coulomb", "reflected_mass")
+        )
+        said.append(measured_report(other, found, SIGMA, None).text)
+    assert "robot file: agrees with the forces" in said[0]
+    assert "robot file: does not agree with the forces" in said[1]
+    assert "coulomb1, coulomb2" in said[1]
+
+
+@pytest.mark.parametrize("rows", [4, 6, 9])
+def test_few_noisy_poses_are_one_line(robot: ss.Robot, excited: ss.Excitation, rows: int) -> None:
+    measured, _ = noisy(excited, 1e-4, 0)
+    noise = ss.PoseNoise(excited.time[:rows], 1e-4, 1e-4)
+    F = motor_forces(robot, excited.motion)[:rows]
+    base = ss.base_parameters(robot, excited.motion)
+    for drive in (None, ("coulomb",)):
+        with pytest.raises(ValueError, match=r"\A(noise|motion): expected|\Amotion: excites"):
+            ss.identify(robot, measured[:rows], F, SIGMA, base, noise, drive=drive)
+
+
+def test_coulomb_friction_of_legs_at_rest_is_told_by_no_pose(robot: ss.Robot, excited: ss.Excitation) -> None:
+    n = len(excited.time)
+    still = ss.Motion(
+        *(np.repeat(x[:1], n, axis=0) for x in (excited.motion.R, excited.motion.t)), *[np.zeros((n, 3))] * 2
+    )
+    noise = ss.PoseNoise(excited.time, 1e-4, 1e-4)
+    with pytest.raises(ValueError, match=r'\Amotion: expected legs that move, for "coulomb"'):
+        ss.identify(robot, still, np.zeros((n, 6)), SIGMA, excited.base, noise, drive=("coulomb",))
 
 
 @pytest.mark.parametrize("lead", [None, 5e-3])

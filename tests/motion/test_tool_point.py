@@ -22,6 +22,7 @@ from stewart_sym.robot.robot import Robot
 from stewart_sym.studies.accuracy.budget import read_budget
 
 TOOL = np.array([0.1, -0.2, 0.4])
+LOADS = [f"{name}_{axis}" for name in ("F_ext", "M_ext") for axis in "xyz"]
 
 
 @pytest.fixture
@@ -91,6 +92,27 @@ def test_rows_are_poses_of_the_tool(robot: Robot, tmp_path: Path) -> None:
         np.testing.assert_allclose(ss.between(found)(0.5025).t, waving(np.array([0.5025])).t[0], atol=1e-9)
     plain = dataclasses.replace(robot, tool=np.zeros(3))
     np.testing.assert_array_equal(trajectory_for(plain, path).motion.t, read_csv(path).motion.t)
+
+
+@pytest.mark.parametrize("moments", [True, False])
+def test_a_load_beside_lengths_acts_at_the_tool_as_beside_poses(
+    robot: Robot, tmp_path: Path, moments: bool
+) -> None:
+    time = np.linspace(0.0, 1.0, 11)
+    poses, load = tool_poses(time), np.tile([100.0, -50.0, 20.0, 3.0, 4.0, 5.0], (11, 1))
+    load, names = (load, LOADS) if moments else (load[:, :3], LOADS[:3])
+    L = ss.inverse_kinematics(robot, waving(time)).L
+    made = [
+        trajectory_for(
+            robot, write(tmp_path / f"{name}.csv", [*head, *names], np.column_stack([time, x, load]))
+        )
+        for name, head, x in (("poses", NAMES, poses), ("lengths", ["time", *LENGTHS], L))
+    ]
+    at = made[0].motion
+    moment = np.cross(TOOL, load[:, :3]) + (load[:, 3:] if moments else 0.0)
+    for found in (at, made[1]):
+        np.testing.assert_allclose(found.F_ext, load[:, :3])
+        np.testing.assert_allclose(found.M_ext, moment, atol=1e-9)
 
 
 def test_deviations_of_forces_are_those_of_noise_at_the_tool(robot: Robot, tmp_path: Path) -> None:

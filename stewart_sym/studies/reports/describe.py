@@ -223,7 +223,8 @@ def _home_lines(robot: Robot, home: HomePose, unit: _Unit) -> list[str]:
         by = f"{length / unit.metres:.4g} {unit.name}"
         scaled = f"{home.scaled_condition:.4g} with moments divided by {by}"
         rows.append(("condition", f"condition number of H {home.condition:.4g}; {scaled}"))
-        rows.append(("holding", f"{_vector(home.F)} N"))
+        holding = ", ".join(f"{force:.6g}" for force in home.F.tolist())
+        rows.append(("holding", f"({holding}) N"))
     what = "platform centred above the base; " if robot.home is None else ""
     return [f"home pose: {what}{home.rule}", *_rows(rows)]
 

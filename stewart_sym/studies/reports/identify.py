@@ -89,7 +89,8 @@ def from_measurement(
     found = identify(robot, motion, F, sigma, base, noise, physical, drive=drive)
     if noise is None and found.verdict in ("misfit", "rejected"):
         found = replace(found, doubts=(*found.doubts, *_scatter(trajectory, form)))
-    if drive is None and found.verdict in ("misfit", "rejected") and robot.drive is not None:
+    dry_sought = drive is not None and "coulomb" in drive
+    if not dry_sought and found.verdict in ("misfit", "rejected") and robot.drive is not None:
         dry = terms_of(robot, [f"coulomb{leg}" for leg in range(1, 7)]).max()
         if dry > 0.0:
             said = f"drives: dry friction of up to {dry:.4g} N in the robot file: forces of motors have it"
@@ -176,6 +177,11 @@ def measured_report(
     departure, p = found.departure(robot)
     file = base.matrix @ inertial_parameters(robot).values
     far = [name for name, off in zip(base.names, departure, strict=True) if abs(off) > _FAR]
+    if found.drive is not None:
+        off, p_terms = found.drive.departure(_comparable(given, found.drive))
+        far += [name for name, each in zip(found.drive.names, off, strict=True) if abs(each) > _FAR]
+        # The smaller one of two.
+        p = p if isnan(p_terms) else min(1.0, 2.0 * min(p, p_terms))
     agrees = "agrees" if p >= _FAR_LEVEL and not far else "does not agree"
     agreement = f"{agrees} with the forces, probability of such a departure {p:.2g}"
     if found.verdict == "rejected":
@@ -211,6 +217,12 @@ def measured_report(
     )
 
 
+def _comparable(robot: Robot, found: DriveEstimate) -> Array:
+    """Terms of a robot's drives, (n,); NaN of viscous ones, in which friction of the joints may be too."""
+    of_joints = np.array([name.startswith("viscous") for name in found.names])
+    return np.where(of_joints, np.nan, terms_of(robot, found.names))
+
+
 def drive_lines(robot: Robot, found: DriveEstimate | None) -> list[str]:
     """A table of the drives' terms, and what is not identifiable."""
     if found is None:
@@ -223,7 +235,7 @@ def drive_lines(robot: Robot, found: DriveEstimate | None) -> list[str]:
         for row in _drive_rows(robot, found)
         if row["identifiable"]
     ]
-    unsure = found.identifiable & (np.abs(found.values) < _TOLD * found.sigma)
+    unsure = found.identifiable & (np.abs(found.values) < _TOLD * found.sigma) & np.isfinite(found.sigma)
     names = ", ".join(name for name, each in zip(found.names, unsure, strict=True) if each)
     said = [f"within {_TOLD} sigma of zero, so that the motion does not tell them: {names}"] if names else []
     return [
