@@ -64,8 +64,9 @@ class Workspace(Frozen):
     position, angles : ndarray
         The pose in the middle: t, m, (3,), and roll, pitch and yaw, rad, (3,).
     clear : float
-        From the pose in the middle to the nearest examined one that breaks a limit, m, or rad for rotations;
-        0 where itself does, nan of the total workspace.
+        From the pose in the middle to the nearest examined one that breaks a limit, m, or rad for rotations:
+        a nearer one may have been missed, more poses come closer. 0 where itself does, nan of the total
+        workspace.
     reasons : dict
         Share of the examined poses by the first limit that each breaks, of ``REASONS``.
     poses : int

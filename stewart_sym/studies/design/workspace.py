@@ -121,7 +121,8 @@ def _text(robot: Robot, limits: PoseLimits, found: Workspace) -> str:
     ]
     if found.kind != "total":
         lines.append(
-            f"clear      {found.clear:.4g} {_clear_unit(found)} from the pose in the middle, every way"
+            f"clear      at most {found.clear:.4g} {_clear_unit(found)} from the pose in the middle, to the "
+            "nearest that was found beyond a limit"
         )
     rows = [
         (name, f"{low:.4g}", f"{high:.4g}", f"{least:.4g}", f"{most:.4g}")
