@@ -23,7 +23,7 @@ LEFT_OUT = {
     "one side": (
         "mjcf",
         ('ctrlrange="-500.0 500.0" forcerange="-500.0 500.0"', 'gear="50" ctrlrange="-10 12"'),
-        "the smaller one of the limits of actuator 'leg_1', 10",
+        "the smaller one of the limits of actuator 'leg_1', 500",
     ),
     "no weight": (
         "sdf",

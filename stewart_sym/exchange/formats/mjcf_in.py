@@ -27,6 +27,21 @@ _PASSED_OVER = (
     *("equality", "actuator", "keyframe", "sensor", "contact", "extension"),
 )
 """Sections that are read, or that say nothing of how a machine moves by itself."""
+_ACTUATORS = ("general", "motor", "position", "velocity", "intvelocity", "damper", "cylinder", "muscle")
+_ACTUATORS += ("adhesion", "dcmotor", "plugin")
+"""Elements of one kind of thing: the defaults of a class are those of all of them."""
+_MOTOR = {"dyntype": "none", "gaintype": "fixed", "biastype": "none"}
+"""What a general actuator is that pushes with its control times a gain."""
+_SERVO = {"gaintype": "fixed", "biastype": "affine"}
+_AS_GENERAL = {
+    "general": {},
+    "motor": {**_MOTOR, "gainprm": "1"},
+    "adhesion": _MOTOR,
+    "damper": {**_MOTOR, "gaintype": "affine"},
+    **dict.fromkeys(("position", "velocity", "intvelocity", "cylinder"), _SERVO),
+}
+"""What the other elements set of a general actuator."""
+_GAINS = {"position": "kp", "velocity": "kv", "intvelocity": "kp", "cylinder": "area", "adhesion": "gain"}
 
 Attributes = Mapping[str, str]
 
@@ -62,6 +77,7 @@ class _Reader:
         self.bodies: list[Body] = [Body(WORLD)]
         self.joints: list[Joint] = []
         self.sites: dict[str, tuple[str, Array]] = {}
+        self.forces: dict[str, tuple[str, Array]] = {}
         masses = ("settotalmass", "boundmass", "boundinertia", "balanceinertia")
         self.left_out = [f"{key} of the compiler" for key in masses if key in compiler]
 
@@ -99,7 +115,8 @@ class _Reader:
         own = {tag: dict(values) for tag, values in outer.items()}
         for each in element:
             if each.tag != "default":
-                own[each.tag] = {**own.get(each.tag, {}), **each.attrib}
+                tag, given = _stated(each)
+                own[tag] = {**own.get(tag, {}), **given}
         self.classes[element.get("class", name)] = own
         for each in element.findall("default"):
             self._default(each, own, "main")
@@ -109,7 +126,8 @@ class _Reader:
         name = element.get("class") or inherited or "main"
         if name not in self.classes and name != "main":
             raise ValueError(f"{element.tag} {element.get('name', '')!r}: class {name!r}: missing")
-        return {**self.classes.get(name, {}).get(element.tag, {}), **element.attrib}
+        tag, given = _stated(element)
+        return {**self.classes.get(name, {}).get(tag, {}), **given}
 
     # Tree
 
@@ -181,7 +199,7 @@ class _Reader:
             if number(given.get(key), f"{where}: {key}", 0.0):
                 self.left_out.append(f"{key} of joint {name!r}")
         limits = self._range(given, "range", "limited", where)
-        forces = self._range(given, "actuatorfrcrange", "actuatorfrclimited", where)
+        self.forces[name] = where, self._range(given, "actuatorfrcrange", "actuatorfrclimited", where)
         return Joint(
             name,
             kind,
@@ -193,7 +211,6 @@ class _Reader:
             number(given.get("armature"), f"{where}: armature", 0.0),
             number(given.get("ref"), f"{where}: ref", 0.0),
             (float(limits[0]), float(limits[1])),
-            self._larger(forces, where),
         )
 
     def _range(self, given: Attributes, key: str, flag: str, where: str) -> Array:
@@ -312,34 +329,52 @@ class _Reader:
 
     def _driven(self) -> list[Joint]:
         """The joints with the limits of the actuators that push them."""
-        limits: dict[str, float] = {}
+        pushes: dict[str, list[tuple[str, Array]]] = {}
         for section in self.root.findall("actuator"):
             for each in section:
                 given = self._of(each, None)
-                if "joint" not in given:
-                    continue
-                where = f"actuator {given.get('name', '')!r}"
-                gear, gain = (
-                    abs(number(next(iter(given.get(key, "1").split()), ""), f"{where}: {key}"))
-                    for key in ("gear", "gainprm")
-                )
-                forces = [self._range(given, "forcerange", "forcelimited", where)]
-                if each.tag == "motor" or (each.tag == "general" and _is_motor(given)):
-                    forces.append(gain * self._range(given, "ctrlrange", "ctrllimited", where))
-                least = max(low for low, _ in forces), min(high for _, high in forces)
-                limits[given["joint"]] = gear * self._larger(np.array(least), where)
+                joint = given.get("joint", given.get("jointinparent"))
+                if joint is not None:
+                    where = f"actuator {given.get('name', '')!r}"
+                    pushes.setdefault(joint, []).append((where, self._push(given, where)))
         return [
-            replace(joint, effort=min(joint.effort, limits[joint.name]), driven=True)
-            if joint.name in limits
-            else joint
-            for joint in self.joints
+            joint if joint.cut else self._pushed(joint, pushes.get(joint.name, [])) for joint in self.joints
         ]
 
+    def _push(self, given: Attributes, where: str) -> Array:
+        """Least and largest force of an actuator on its joint, (2,)."""
+        forces = self._range(given, "forcerange", "forcelimited", where)
+        if all(given.get(key, usual) == usual for key, usual in _MOTOR.items()):
+            controls = self._range(given, "ctrlrange", "ctrllimited", where)
+            forces = np.clip(_times(_first(given, "gainprm", where), controls), *forces)
+        return _times(_first(given, "gear", where), forces)
 
-def _is_motor(given: Attributes) -> bool:
-    """Whether a general actuator pushes with its control times a gain."""
-    kinds = (("dyntype", "none"), ("gaintype", "fixed"), ("biastype", "none"))
-    return all(given.get(key, usual) == usual for key, usual in kinds)
+    def _pushed(self, joint: Joint, pushes: list[tuple[str, Array]]) -> Joint:
+        """The joint with one limit of the force of all that push it, within its own limits."""
+        where, limits = self.forces.get(joint.name, ("", np.array(_ENDLESS)))
+        if pushes:
+            where = " and ".join(each for each, _ in pushes)
+            limits = np.clip(np.sum([forces for _, forces in pushes], axis=0), *limits)
+        return replace(joint, effort=self._larger(limits, where), driven=bool(pushes))
+
+
+def _stated(element: ET.Element) -> tuple[str, dict[str, str]]:
+    """What an element is and its attributes; of an actuator those of a general one."""
+    if element.tag not in _ACTUATORS:
+        return element.tag, element.attrib
+    found = {**element.attrib, **_AS_GENERAL.get(element.tag, {"biastype": element.tag})}
+    gain = element.get(_GAINS.get(element.tag, ""))
+    return "general", found if gain is None else {**found, "gainprm": gain}
+
+
+def _first(given: Attributes, key: str, where: str) -> float:
+    """The first one of several numbers; 1 where there are none."""
+    return number(next(iter(given.get(key, "1").split()), ""), f"{where}: {key}")
+
+
+def _times(factor: float, limits: Array) -> Array:
+    """Limits from low to high, (2,), of what they limit times a factor."""
+    return np.sort(factor * limits) if factor else np.zeros(2)
 
 
 def _has_joint(frame: ET.Element) -> bool:

@@ -1,0 +1,124 @@
+"""Actuators of a model limit the forces of its legs to what MuJoCo itself makes of them."""
+
+import re
+import warnings
+from pathlib import Path
+
+import mujoco
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+import stewart_sym as ss
+
+HEXAPOD = Path(__file__).parents[2] / ".docs" / "examples" / "hexapod.toml"
+HUGE = 1e9
+"""A control far outside the limits of all actuators."""
+ACTUATORS = {
+    "default of another element": ('<general gear="7" ctrlrange="-5 5"/>', '<motor joint="#"/>', 35.0),
+    "default of the plain element": ('<motor gear="7" ctrlrange="-5 5"/>', '<general joint="#"/>', 35.0),
+    "defaults together": ('<general gear="7"/><motor ctrlrange="-6 6"/>', '<motor joint="#"/>', 42.0),
+    "the last default": (
+        '<general gear="7"/><position kp="3" gear="2" ctrlrange="-6 6"/><motor/>',
+        '<general joint="#"/>',
+        12.0,
+    ),
+    "default gain of a motor": ('<general gainprm="50" ctrlrange="-6 6"/>', '<motor joint="#"/>', 6.0),
+    "default gain": ('<adhesion gain="50" ctrlrange="0 6"/>', '<general joint="#"/>', 300.0),
+    "default of a class": (
+        '<motor ctrlrange="-5 5"/><default class="strong"><position gear="3"/></default>',
+        '<motor joint="#" class="strong"/>',
+        15.0,
+    ),
+    "two": ("", '<motor joint="#" ctrlrange="-900 900"/><motor joint="#" ctrlrange="-400 400"/>', 1300.0),
+    "two against each other": (
+        "",
+        '<motor joint="#" ctrlrange="-9 1"/><motor joint="#" ctrlrange="-2 40" gear="-1"/>',
+        49.0,
+    ),
+    "negative gain": (
+        "",
+        '<general joint="#" gainprm="-50" ctrlrange="-10 90" forcerange="-6000 300"/>',
+        4500.0,
+    ),
+    "negative gain, force": (
+        "",
+        '<general joint="#" gainprm="-50" ctrlrange="-10 90" forcerange="-600 4000"/>',
+        600.0,
+    ),
+    "negative gear": ("", '<motor joint="#" gear="-100" ctrlrange="-30 90" forcerange="-20 100"/>', 9000.0),
+    "ranges apart": ("", '<motor joint="#" ctrlrange="30 90" forcerange="-20 20"/>', 20.0),
+    "in the parent": ("", '<motor jointinparent="#" ctrlrange="-800 800"/>', 800.0),
+}
+
+
+def exported(robot: ss.Robot, form: str = "mjcf") -> ss.ModelFile:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        return ss.export_model(robot, form)
+
+
+def hexapod(default: str, actuators: str, slide: str = "") -> str:
+    """The exported hexapod with other actuators, # for the joint, and attributes of its slides."""
+    text = exported(ss.Robot.from_toml(HEXAPOD)).text
+    six = "".join(actuators.replace("#", f"leg_{i}") for i in range(1, 7))
+    text = re.sub("<actuator>.*</actuator>", f"<actuator>{six}</actuator>", text, flags=re.DOTALL)
+    text = text.replace("<default>", f"<default>{default}", 1)
+    return text.replace('type="slide"', f'type="slide" {slide}')
+
+
+def imported(text: str, folder: Path) -> ss.ImportedModel:
+    (folder / "model.xml").write_text(text, encoding="utf-8")
+    return ss.import_model(folder / "model.xml")
+
+
+def largest_forces(text: str) -> NDArray[np.float64]:
+    """Largest forces of the slides in MuJoCo, (6,), the controls of each leg far outside on every side."""
+    model = mujoco.MjModel.from_xml_string(text)
+    data, slides = mujoco.MjData(model), [model.joint(f"leg_{i}").dofadr[0] for i in range(1, 7)]
+    each = model.nu // 6
+    found = np.zeros(6)
+    for signs in np.ndindex(*(2,) * each):
+        data.ctrl[:] = np.tile(HUGE * (2.0 * np.array(signs) - 1.0), 6)
+        mujoco.mj_forward(model, data)
+        found = np.maximum(found, np.abs(data.qfrc_actuator[slides]))
+    return found
+
+
+@pytest.mark.parametrize("name", ACTUATORS)
+def test_a_leg_is_limited_to_the_largest_force_that_its_actuators_have_in_mujoco(
+    name: str, tmp_path: Path
+) -> None:
+    default, actuators, limit = ACTUATORS[name]
+    text = hexapod(default, actuators)
+    np.testing.assert_allclose(largest_forces(text), limit, rtol=1e-12)
+    np.testing.assert_allclose(imported(text, tmp_path).robot.force_limit, limit, rtol=1e-12)
+
+
+@pytest.mark.parametrize(("controls", "limit"), [("-900 300", 500.0), ("-100 900", 700.0), ("-9 9", 9.0)])
+def test_a_joints_own_limits_hold_what_its_actuators_have_on_each_side(
+    controls: str, limit: float, tmp_path: Path
+) -> None:
+    text = hexapod("", f'<motor joint="#" ctrlrange="{controls}"/>', 'actuatorfrcrange="-500 700"')
+    np.testing.assert_allclose(largest_forces(text), limit, rtol=1e-12)
+    np.testing.assert_allclose(imported(text, tmp_path).robot.force_limit, limit, rtol=1e-12)
+
+
+def test_the_smaller_limit_of_several_actuators_is_said_to_be_left_out(tmp_path: Path) -> None:
+    motors = (
+        '<motor name="a #" joint="#" ctrlrange="-900 800"/><motor name="b #" joint="#" ctrlrange="-50 50"/>'
+    )
+    said = imported(hexapod("", motors), tmp_path).assumptions
+    for i in range(1, 7):
+        who = f"actuator 'a leg_{i}' and actuator 'b leg_{i}'"
+        assert f"left out: the smaller one of the limits of {who}, 850" in said
+
+
+@pytest.mark.parametrize("attributes", ['biastype="affine"', 'gaintype="affine"', 'dyntype="integrator"'])
+def test_actuators_that_are_no_motors_are_limited_by_their_forces_alone(
+    attributes: str, tmp_path: Path
+) -> None:
+    default = f'<general {attributes} gear="7" ctrlrange="-5 5"/>'
+    assert np.all(imported(hexapod(default, '<general joint="#"/>'), tmp_path).robot.force_limit == np.inf)
+    limited = imported(hexapod(default, '<general joint="#" forcerange="-9 9"/>'), tmp_path)
+    np.testing.assert_array_equal(limited.robot.force_limit, 63.0)
