@@ -81,6 +81,8 @@ def with_notes(robot: Robot, model: Model) -> tuple[Robot, list[str]]:
             raise ValueError(f"notes: {name!r}: expected a field of a robot")
         taken[name] = noted = _restored(name, noted)
         found = getattr(robot, name)
+        if isinstance(noted, Drive) and found is None and model.armatures:
+            found = replace(noted, rotor_inertia=np.zeros(LEGS))
         near = same_offsets(robot, noted) if isinstance(noted, Offsets) else _near(found, noted)
         if isinstance(found, Drive) and not near:
             # The armature is all that a model says of a drive.

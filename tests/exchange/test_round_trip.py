@@ -153,6 +153,40 @@ def test_a_changed_armature_is_a_rotor_of_the_noted_drive(tmp_path: Path) -> Non
     assert dataclasses.replace(found.robot.drive, rotor_inertia=robot.drive.rotor_inertia) == robot.drive
 
 
+def without_armatures(file: ss.ModelFile, table: bool = True) -> ss.ModelFile:
+    """A file without armatures; ``table``: whether that of them stays, empty."""
+    text = re.sub(r' armature=".*?"', "", file.text)
+    if file.loops is None:
+        return ss.ModelFile(text, None)
+    loops = {key: {} if key == "armature_kg" else value for key, value in json.loads(file.loops).items()}
+    if not table:
+        del loops["armature_kg"]
+    return ss.ModelFile(text, json.dumps(loops))
+
+
+@pytest.mark.parametrize(("form", "table"), [("mjcf", True), ("urdf", True), ("urdf", False)])
+def test_without_armatures_a_noted_drive_has_no_rotor(form: str, table: bool, tmp_path: Path) -> None:
+    robot = ROBOTS["motion simulator"]
+    file = without_armatures(ss.export_model(robot, form), table)
+    found = ss.import_model(written(file, tmp_path / "model"))
+    assert [line for line in found.assumptions if "rotor" in line] == [
+        "drive: the model's armatures are not the note's: rotor_inertia follows the model"
+    ]
+    assert found.robot.drive == dataclasses.replace(robot.drive, rotor_inertia=0.0)
+    if form == "mjcf":
+        model = mujoco.MjModel.from_xml_string(file.text)
+        assert not model.dof_armature.any()
+
+
+@pytest.mark.parametrize("form", FORMATS)
+def test_a_noted_drive_without_rotors_comes_back_silently(form: str, tmp_path: Path) -> None:
+    drive = dataclasses.replace(ROBOTS["motion simulator"].drive, rotor_inertia=0.0)
+    robot = dataclasses.replace(ROBOTS["motion simulator"], drive=drive)
+    found = ss.import_model(written(ss.export_model(robot, form), tmp_path / "model"))
+    assert found.robot.drive == drive
+    assert not any(word in line for line in found.assumptions for word in ("drive", "rotor", "armature"))
+
+
 def test_notes_come_back_from_a_model_as_mujoco_itself_writes_it(tmp_path: Path) -> None:
     robot = ROBOTS["motion simulator"]
     mujoco.mj_saveLastXML(

@@ -27,8 +27,10 @@ _PASSED_OVER = (
     *("equality", "actuator", "keyframe", "sensor", "contact", "extension"),
 )
 """Sections that are read, or that say nothing of how a machine moves by itself."""
-_ACTUATORS = ("general", "motor", "position", "velocity", "intvelocity", "damper", "cylinder", "muscle")
-_ACTUATORS += ("adhesion", "dcmotor", "plugin")
+_ACTUATORS = (
+    *("general", "motor", "position", "velocity", "intvelocity", "damper", "cylinder", "muscle"),
+    *("adhesion", "dcmotor", "plugin"),
+)
 """Elements of one kind of thing: the defaults of a class are those of all of them."""
 _MOTOR = {"dyntype": "none", "gaintype": "fixed", "biastype": "none"}
 """What a general actuator is that pushes with its control times a gain."""
@@ -107,6 +109,7 @@ class _Reader:
             tuple(self._driven()),
             json_table(notes, "custom: text 'stewart_sym'"),
             tuple(dict.fromkeys(self.left_out)),
+            armatures=True,
         )
 
     # Defaults

@@ -45,7 +45,8 @@ def model(root: ET.Element, loops: str | None) -> Model:
     gravity = tables.vector(given["gravity_m_s2"], "gravity_m_s2") if "gravity_m_s2" in given else None
     notes = given.get("notes", {})
     left_out = tuple(_left_out(root))
-    return Model(root.get("name", ""), gravity, tuple(bodies), (*joints, *closures), notes, left_out)
+    moving = (*joints, *closures)
+    return Model(root.get("name", ""), gravity, tuple(bodies), moving, notes, left_out, armatures=True)
 
 
 def _left_out(root: ET.Element) -> Iterator[str]:
