@@ -122,3 +122,30 @@ def test_actuators_that_are_no_motors_are_limited_by_their_forces_alone(
     assert np.all(imported(hexapod(default, '<general joint="#"/>'), tmp_path).robot.force_limit == np.inf)
     limited = imported(hexapod(default, '<general joint="#" forcerange="-9 9"/>'), tmp_path)
     np.testing.assert_array_equal(limited.robot.force_limit, 63.0)
+
+
+def test_sections_of_defaults_count_together(tmp_path: Path) -> None:
+    sections = '<motor gear="3"/></default><default><motor ctrlrange="-9 9"/></default><default>'
+    text = hexapod(sections, '<motor joint="#"/>')
+    np.testing.assert_allclose(largest_forces(text), 27.0, rtol=1e-12)
+    np.testing.assert_allclose(imported(text, tmp_path).robot.force_limit, 27.0, rtol=1e-12)
+
+
+def test_damping_and_armatures_of_actuators_are_those_of_their_slides(tmp_path: Path) -> None:
+    motors = '<motor joint="#" gear="-3" damping="4" armature="2"/><motor joint="#" armature="5"/>'
+    of_actuators = hexapod("", motors)
+    of_slides = hexapod("", '<motor joint="#"/>', 'armature="23"').replace(
+        'damping="20.0" ', 'damping="56.0" '
+    )
+    found, expected = (imported(text, tmp_path).robot for text in (of_actuators, of_slides))
+    np.testing.assert_allclose(found.C_p, 56.0)
+    np.testing.assert_allclose(found.drive.reflected_mass, 23.0)
+    np.testing.assert_allclose(found.drive.reflected_mass, expected.drive.reflected_mass)
+    accelerations = []
+    for text in (of_actuators, of_slides):
+        model = mujoco.MjModel.from_xml_string(text)
+        data = mujoco.MjData(model)
+        data.qvel[:] = 0.01
+        mujoco.mj_forward(model, data)
+        accelerations.append(data.qacc)
+    np.testing.assert_allclose(accelerations[0], accelerations[1], rtol=1e-6)

@@ -4,6 +4,7 @@ import math
 import xml.etree.ElementTree as ET
 from collections.abc import Mapping
 from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -48,6 +49,15 @@ _GAINS = {"position": "kp", "velocity": "kv", "intvelocity": "kp", "cylinder": "
 Attributes = Mapping[str, str]
 
 
+class _Push(NamedTuple):
+    """What an actuator does to its joint: least and largest force, N, (2,), damping and armature."""
+
+    where: str
+    forces: Array
+    damping: float
+    armature: float
+
+
 def model(root: ET.Element, loops: str | None = None) -> Model:
     """The model; ValueError of one line says what of the file can't be read, and where."""
     return _Reader(root).model()
@@ -75,7 +85,7 @@ class _Reader:
             raise ValueError(f"compiler: eulerseq: expected three of x, y, z, got {shown(self.order)}")
         self.classes: dict[str, dict[str, dict[str, str]]] = {}
         for each in root.findall("default"):
-            self._default(each, {}, "main")
+            self._default(each, self.classes.get("main", {}), "main")
         self.bodies: list[Body] = [Body(WORLD)]
         self.joints: list[Joint] = []
         self.sites: dict[str, tuple[str, Array]] = {}
@@ -332,33 +342,43 @@ class _Reader:
 
     def _driven(self) -> list[Joint]:
         """The joints with the limits of the actuators that push them."""
-        pushes: dict[str, list[tuple[str, Array]]] = {}
+        pushes: dict[str, list[_Push]] = {}
         for section in self.root.findall("actuator"):
             for each in section:
                 given = self._of(each, None)
                 joint = given.get("joint", given.get("jointinparent"))
                 if joint is not None:
-                    where = f"actuator {given.get('name', '')!r}"
-                    pushes.setdefault(joint, []).append((where, self._push(given, where)))
+                    pushes.setdefault(joint, []).append(self._push(given))
         return [
             joint if joint.cut else self._pushed(joint, pushes.get(joint.name, [])) for joint in self.joints
         ]
 
-    def _push(self, given: Attributes, where: str) -> Array:
-        """Least and largest force of an actuator on its joint, (2,)."""
+    def _push(self, given: Attributes) -> _Push:
+        """What an actuator does to its joint."""
+        where = f"actuator {given.get('name', '')!r}"
         forces = self._range(given, "forcerange", "forcelimited", where)
         if all(given.get(key, usual) == usual for key, usual in _MOTOR.items()):
             controls = self._range(given, "ctrlrange", "ctrllimited", where)
             forces = np.clip(_times(_first(given, "gainprm", where), controls), *forces)
-        return _times(_first(given, "gear", where), forces)
+        gear = _first(given, "gear", where)
+        damping, armature = (
+            gear**2 * number(given.get(key), f"{where}: {key}", 0.0) for key in ("damping", "armature")
+        )
+        return _Push(where, _times(gear, forces), damping, armature)
 
-    def _pushed(self, joint: Joint, pushes: list[tuple[str, Array]]) -> Joint:
-        """The joint with one limit of the force of all that push it, within its own limits."""
+    def _pushed(self, joint: Joint, pushes: list[_Push]) -> Joint:
+        """The joint with what all that push it do together, the force within its own limits."""
         where, limits = self.forces.get(joint.name, ("", np.array(_ENDLESS)))
         if pushes:
-            where = " and ".join(each for each, _ in pushes)
-            limits = np.clip(np.sum([forces for _, forces in pushes], axis=0), *limits)
-        return replace(joint, effort=self._larger(limits, where), driven=bool(pushes))
+            where = " and ".join(each.where for each in pushes)
+            limits = np.clip(np.sum([each.forces for each in pushes], axis=0), *limits)
+        return replace(
+            joint,
+            damping=joint.damping + sum(each.damping for each in pushes),
+            armature=joint.armature + sum(each.armature for each in pushes),
+            effort=self._larger(limits, where),
+            driven=bool(pushes),
+        )
 
 
 def _stated(element: ET.Element) -> tuple[str, dict[str, str]]:
