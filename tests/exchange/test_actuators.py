@@ -25,6 +25,11 @@ ACTUATORS = {
     ),
     "default gain of a motor": ('<general gainprm="50" ctrlrange="-6 6"/>', '<motor joint="#"/>', 6.0),
     "default gain": ('<adhesion gain="50" ctrlrange="0 6"/>', '<general joint="#"/>', 300.0),
+    "default flag": (
+        '<velocity ctrllimited="false"/><adhesion gain="2" ctrlrange="0 6"/><motor/>',
+        '<general joint="#"/>',
+        6.0,
+    ),
     "default of a class": (
         '<motor ctrlrange="-5 5"/><default class="strong"><position gear="3"/></default>',
         '<motor joint="#" class="strong"/>',

@@ -39,7 +39,7 @@ _SERVO = {"gaintype": "fixed", "biastype": "affine"}
 _AS_GENERAL = {
     "general": {},
     "motor": {**_MOTOR, "gainprm": "1"},
-    "adhesion": _MOTOR,
+    "adhesion": {**_MOTOR, "ctrllimited": "true"},
     "damper": {**_MOTOR, "gaintype": "affine"},
     **dict.fromkeys(("position", "velocity", "intvelocity", "cylinder"), _SERVO),
 }
