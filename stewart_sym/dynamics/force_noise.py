@@ -14,8 +14,9 @@ from ..io.arguments import instance
 from ..io.array_types import Array
 from ..kinematics.forward import forward_acceleration, forward_velocity
 from ..kinematics.pose_search import jacobian, solve
+from ..motion.euler_orders import motion_about_axes
 from ..motion.motion import Motion
-from ..motion.rotation import orthonormal, rotation_from_vector, rpy_motion
+from ..motion.rotation import orthonormal, rotation_from_vector
 from ..motion.trajectory import PoseLog, Trajectory, Uncertainty, need_trajectory
 from ..robot.robot import Robot
 from .forces import prepare
@@ -130,8 +131,9 @@ def _displaced(robot: Robot, trajectory: Trajectory | PoseLog, part: slice, L: A
             if i < 3:
                 other = _moved(motion, t=moved[0, :, :3], v=moved[1, :, :3], a=moved[2, :, :3])
             else:
-                R, omega, alpha = rpy_motion(*moved[..., 3:])
-                other = _moved(motion, R=R, omega=omega, alpha=np.asarray(alpha))
+                theta, theta_dot, theta_ddot = moved[..., 3:]
+                R, omega, alpha = motion_about_axes(theta, theta_dot, theta_ddot, trajectory.noise.order)
+                other = _moved(motion, R=R, omega=omega, alpha=alpha)
             yield other if tool is None else other.about_point(-tool)
 
 

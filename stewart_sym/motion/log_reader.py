@@ -56,11 +56,11 @@ def read_csv(
 
     Columns, in any order: ``time`` (s), increasing; ``t_x t_y t_z`` (m) and ``theta_x theta_y theta_z`` (rad,
     (38)) or a quaternion ``q_w q_x q_y q_z``; optionally all of ``v_*``, ``theta_dot_*``, ``a_*`` and
-    ``theta_ddot_*``; optionally ``F_ext_*`` (N) and ``M_ext_*`` (N m), platform frame.  Without derivatives,
-    columns that show rounding or noise are smoothed, with a ``LogWarning``, and all others
-    interpolated by a spline of degree 5 (of degree 3 with 4 or 5 rows); the angles are unwrapped first.
-    Rows that no motion makes are named and replaced, what this changes counts in ``noise``; rows that repeat
-    or interpolate those of a slower sensor don't count; gaps in time are named.
+    ``theta_ddot_*``, rates of the angles as written; optionally ``F_ext_*`` (N) and ``M_ext_*`` (N m),
+    platform frame.  Without derivatives, columns that show rounding or noise are smoothed, with a
+    ``LogWarning``, and all others interpolated by a spline of degree 5 (of degree 3 with 4 or 5 rows); the
+    angles are unwrapped first.  Rows that no motion makes are named and replaced, what this changes counts in
+    ``noise``; rows that repeat or interpolate those of a slower sensor don't count; gaps in time are named.
 
     form: names, units and marks of the file. smoothing: what is known of the noise.
 
@@ -268,26 +268,30 @@ def _joint_trajectory(log: Log) -> JointTrajectory:
 
 def _pose_log(log: Log) -> PoseLog:
     _warn_of_angles(log)
-    theta, step = log.angles()
-    steps = np.concatenate([log.steps("t"), step])
+    order = "zyx"
     if "v" in log.written:
+        order, names = log.form.euler_order, (*POSE, *DERIVATIVES)
+        # Before there are the other numbers: of a long log it takes half their room.
+        theta = np.unwrap(log.vector("theta"), axis=0)
         found = np.empty((3, len(log.time), 6))
         found[0, :, 3:] = theta
         del theta
-        for i, name in ((0, "t"), *((2 + k, name) for k, name in enumerate(DERIVATIVES))):
-            found[i // 2, :, 3 * (i % 2) : 3 * (i % 2) + 3] = log.vector(name)
-        rates = [
-            np.concatenate([log.steps(one), log.steps(other)])
-            for one, other in (DERIVATIVES[:2], DERIVATIVES[2:])
-        ]
-        noise = as_given(log, found, [steps, *rates])
-        _warn_of_rates(log, found, ("t", "theta", *DERIVATIVES))
+        for i, name in enumerate(names):
+            if name != "theta":
+                found[i // 2, :, 3 * (i % 2) : 3 * (i % 2) + 3] = log.vector(name)
+        steps = [np.concatenate([log.steps(name) for name in names[i : i + 2]]) for i in (0, 2, 4)]
+        noise = as_given(log, found, steps)
+        noise = None if noise is None else noise._replace(order=order)
+        _warn_of_rates(log, found, names)
     else:
-        found, noise = rates_of(log, np.hstack([log.vector("t"), theta]), steps)
+        theta, step = log.angles()
+        steps_of_pose = np.concatenate([log.steps("t"), step])
+        found, noise = rates_of(log, np.hstack([log.vector("t"), theta]), steps_of_pose)
     _warn_of_units(log, found)
     F_ext, M_ext = (log.load(name) for name in LOADS)
     in_radians = "theta" in log.written and log.form.angle_unit == "rad"
-    return PoseLog(log.time, found, F_ext, M_ext, log.source, log.rows, noise, in_radians)
+    of_log = PoseLog(log.time, found, F_ext, M_ext, log.source, log.rows, noise, in_radians)
+    return of_log._replace(order=order)
 
 
 def _components(*names: str) -> list[str]:

@@ -65,7 +65,7 @@ class LogFormat:
     delimiter, decimal : str, optional
         Of ``DELIMITERS``, ``DECIMALS``; None: detected.
     euler_order : str, optional
-        Of the rotations multiplied, "zyx" for R = Rz Ry Rx, (38).
+        Of the rotations multiplied, "zyx" for R = Rz Ry Rx, (38); rates are those of its angles.
     lengths : str, optional
         Leg lengths: of ``LENGTHS``; relative ones are less those of the robot's home pose.
 

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from ..io.arguments import instance
 from ..io.array_types import Array
 from ..io.tables import number
+from .euler_orders import motion_about_axes
 from .logs import ANGLE_UNITS, LENGTH_UNITS, LogFormat
 from .motion import Motion
 from .noise_level import rounding_step
@@ -89,7 +90,7 @@ class Uncertainty(NamedTuple):
     (g, 6, 6), is given: of value, rate and second rate, the lower triangle row by row. sigma: standard
     deviation of the log's numbers, (6,). in_joints: whether these are leg lengths. replaced: rows that are
     not as the log has them; covariance holds by how much. tool: point whose pose t and theta are, m, platform
-    frame; None for the reference point.
+    frame; None for the reference point. order: as in ``PoseLog``.
     """
 
     coordinates: Array
@@ -99,6 +100,7 @@ class Uncertainty(NamedTuple):
     in_joints: bool = False
     replaced: tuple[Replaced, ...] = ()
     tool: Array | None = None
+    order: str = "zyx"
 
     def variances(self, time: Array) -> Array:
         """Of each coordinate's value at times, (n, 6)."""
@@ -128,10 +130,11 @@ class Trajectory(NamedTuple):
 class PoseLog(NamedTuple):
     """A trajectory as coordinates, whose motion is made where it is needed: a third of the room.
 
-    coordinates: t and theta, (38), with rates and second rates, (3, n, 6). F_ext, M_ext: external load, N and
+    coordinates: t and theta with rates and second rates, (3, n, 6). F_ext, M_ext: external load, N and
     N m, platform frame, (n, 3), or None. in_radians: whether theta are the log's own numbers. tool: point of
     t and of the load, m, platform frame, (3,); None for the reference point, whose motion ``at`` returns in
-    any case. The rest as in ``Trajectory``.
+    any case. order: in which the turns by theta are multiplied, "zyx" for (38). The rest as in
+    ``Trajectory``.
     """
 
     time: Array
@@ -143,6 +146,7 @@ class PoseLog(NamedTuple):
     noise: Uncertainty | None = None
     in_radians: bool = False
     tool: Array | None = None
+    order: str = "zyx"
 
     def at(self, index: slice | NDArray[np.int64]) -> Motion:
         """The motion at some of the instants; ValueError of one line that names file and row."""
@@ -151,9 +155,9 @@ class PoseLog(NamedTuple):
             if load is not None:
                 numbers[name] = load[index]
         try:
-            motion = Motion.from_rpy(**numbers)
+            motion = _motion_of(numbers, self.order)
         except ValueError as error:
-            row = _first_bad_row(numbers, np.asarray(self.rows)[index])
+            row = _first_bad_row(numbers, np.asarray(self.rows)[index], self.order)
             raise ValueError(f"{self.source}: {row}{error}") from None
         return motion if self.tool is None else motion.about_point(-self.tool)
 
@@ -274,11 +278,21 @@ def pose_arguments(coordinates: Array) -> dict[str, Array]:
     return {name: coordinates[i // 2, ..., 3 * (i % 2) : 3 * (i % 2) + 3] for i, name in enumerate(names)}
 
 
-def _first_bad_row(numbers: Mapping[str, Array], rows: NDArray[np.int64]) -> str:
+def _motion_of(numbers: Mapping[str, Array], order: str) -> Motion:
+    """The motion of arguments of ``Motion.from_rpy`` whose angles are of any order."""
+    if order == "zyx":
+        return Motion.from_rpy(**numbers)
+    theta, theta_dot, theta_ddot = (numbers[name] for name in ANGLES)
+    R, omega, alpha = motion_about_axes(theta, theta_dot, theta_ddot, order)
+    others = {name: values for name, values in numbers.items() if name not in ANGLES}
+    return Motion(R=R, omega=omega, alpha=alpha, **others)
+
+
+def _first_bad_row(numbers: Mapping[str, Array], rows: NDArray[np.int64], order: str) -> str:
     """Name the first row that makes no motion by itself, as a prefix."""
     for i, row in enumerate(rows):
         try:
-            Motion.from_rpy(**{name: values[i] for name, values in numbers.items()})
+            _motion_of({name: values[i] for name, values in numbers.items()}, order)
         except ValueError:
             return f"row {row}: "
     return ""

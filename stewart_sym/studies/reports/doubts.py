@@ -12,7 +12,7 @@ from ...kinematics.offset_legs import leg_lengths
 from ...kinematics.pose_search import jacobian
 from ...motion.logs import LENGTH_UNITS
 from ...motion.motion import Motion
-from ...motion.rotation import rotation_from_rpy
+from ...motion.rotation import rotation_about_axes
 from ...motion.trajectory import MOST_TURNS, PoseLog, angle_range
 from ...robot.fields import DEFAULT_GRAVITY, vector_text
 from ...robot.robot import Robot
@@ -58,8 +58,9 @@ def angle_doubt(robot: Robot, log: PoseLog, some: NDArray[np.int64]) -> str | No
     axis = int(np.argmax(spans))
     if not log.in_radians or not _LEAST_TURN < spans[axis] or np.any(spans > MOST_TURNS):
         return None
-    how = _impossible(robot, t, theta[some], tool)
-    if how is None or _impossible(robot, t, np.radians(theta[some]), tool) is not None:
+    R, in_degrees = (rotation_about_axes(each, log.order) for each in (theta[some], np.radians(theta[some])))
+    how = _impossible(robot, t, R, tool)
+    if how is None or _impossible(robot, t, in_degrees, tool) is not None:
         return None
     return (
         f"{angle_range(theta, axis)} leads {how}, in degrees it does not: "
@@ -69,7 +70,7 @@ def angle_doubt(robot: Robot, log: PoseLog, some: NDArray[np.int64]) -> str | No
 
 def unit_doubt(robot: Robot, log: PoseLog, some: NDArray[np.int64]) -> str | None:
     """One line about poses that the legs allow many times as far from the base alone; None else."""
-    t, R = log.coordinates[0, some, :3], log.coordinates[0, some, 3:]
+    t, R = log.coordinates[0, some, :3], rotation_about_axes(log.coordinates[0, some, 3:], log.order)
     tool = np.zeros(3) if log.tool is None else log.tool
     far = float(np.linalg.norm(t, axis=-1).max())
     how = _impossible(robot, t, R, tool) if far < _NEAR * np.ptp(robot.b, axis=0).max() else None
@@ -80,9 +81,8 @@ def unit_doubt(robot: Robot, log: PoseLog, some: NDArray[np.int64]) -> str | Non
     return None
 
 
-def _impossible(robot: Robot, t: Array, theta: Array, tool: Array) -> str | None:
+def _impossible(robot: Robot, t: Array, R: Array, tool: Array) -> str | None:
     """Where poses of the tool lead that a machine does not reach: beyond limits, through singular poses."""
-    R = rotation_from_rpy(theta)
     t = t - R @ tool
     L = leg_lengths(robot, R, t)
     if np.any((robot.length_limits[:, 0] > L) | (robot.length_limits[:, 1] < L)):

@@ -1,0 +1,152 @@
+"""Rates of angles in a log are those of its own Euler order."""
+
+import warnings
+from pathlib import Path
+
+import numpy as np
+import pytest
+from log_files import write
+from numpy.typing import NDArray
+
+import stewart_sym as ss
+from stewart_sym.dynamics.force_noise import force_deviations
+from stewart_sym.kinematics.robot_logs import read_log_of
+from stewart_sym.motion.euler_orders import angle_rates, angles_from_rotation, motion_about_axes
+from stewart_sym.motion.log_reader import read_csv
+from stewart_sym.motion.logs import EULER_ORDERS
+from stewart_sym.motion.motion import Motion
+from stewart_sym.motion.rotation import rotation_about_axes
+from stewart_sym.motion.trajectory import Smoothing
+
+Array = NDArray[np.float64]
+
+GROUPS = (("t", "theta"), ("v", "theta_dot"), ("a", "theta_ddot"))
+COLUMNS = ["time", *(f"{name}_{axis}" for group in GROUPS for name in group for axis in "xyz")]
+FIELDS = ("R", "t", "omega", "v", "alpha", "a")
+
+
+def waving(time: Array) -> Array:
+    """Coordinates, rates and second rates, (3, n, 6), of large turns in any order."""
+    middle, size = np.array([0.0, 0.0, 0.65, 0.3, -0.2, 0.5]), np.array([0.03, 0.04, 0.02, 0.6, 0.7, 0.5])
+    w = np.array([2.0, 3.0, 2.5, 1.7, 2.2, 1.3])
+    angle = np.outer(time, w) + np.arange(6)
+    rates = size * w * np.cos(angle), -size * w * w * np.sin(angle)
+    return np.array([middle + size * np.sin(angle), *rates])
+
+
+def saved(path: Path, time: Array, found: Array) -> Path:
+    return write(path, COLUMNS, np.column_stack([time, *found]))
+
+
+def in_order(motion: Motion, order: str) -> Array:
+    """A motion's coordinates with angles of an order, (3, n, 6)."""
+    theta = angles_from_rotation(motion.R, order)
+    assert motion.alpha is not None
+    assert motion.a is not None
+    rates = angle_rates(theta, motion.omega, motion.alpha, order)
+    places = (motion.t, motion.v, motion.a)
+    return np.array([np.hstack(pair) for pair in zip(places, (theta, *rates), strict=True)])
+
+
+def of_waving(time: Array) -> Motion:
+    """The same numbers as angles of (38)."""
+    (t, theta), (v, theta_dot), (a, theta_ddot) = ((x[:, :3], x[:, 3:]) for x in waving(time))
+    return Motion.from_rpy(t, theta, v, theta_dot, a, theta_ddot)
+
+
+def test_a_turn_about_the_first_axis_of_xyz_is_about_the_base_axis(tmp_path: Path) -> None:
+    found = np.zeros((3, 1, 6))
+    found[0, 0, 2:] = 0.65, 0.0, 0.0, 0.3
+    found[1, 0, 3], found[2, 0, 3] = 0.5, 5.0
+    path = saved(tmp_path / "row.csv", np.zeros(1), found)
+    motion = read_csv(path, ss.LogFormat(euler_order="xyz")).motion
+    np.testing.assert_allclose(motion.omega[0], [0.5, 0.0, 0.0], atol=1e-15)
+    np.testing.assert_allclose(motion.alpha[0], [5.0, 0.0, 0.0], atol=1e-15)
+
+
+@pytest.mark.parametrize("order", EULER_ORDERS)
+def test_angular_velocities_are_those_of_the_rotations_that_the_log_passes(
+    tmp_path: Path, order: str
+) -> None:
+    time, h = np.linspace(0.0, 3.0, 61), 1e-4
+    path = saved(tmp_path / "log.csv", time, waving(time))
+    motion = read_csv(path, ss.LogFormat(euler_order=order)).motion
+    before, R, after = (rotation_about_axes(waving(time + k * h)[0, :, 3:], order) for k in (-1, 0, 1))
+    np.testing.assert_allclose(motion.R, R, atol=1e-14)
+    rate, second = (after - before) / (2.0 * h), (after - 2.0 * R + before) / h**2
+    spin = rate @ np.swapaxes(R, -1, -2)
+    change = second @ np.swapaxes(R, -1, -2) - spin @ spin
+    for matrix, vector in ((spin, motion.omega), (change, motion.alpha)):
+        off = np.stack([matrix[:, 2, 1], matrix[:, 0, 2], matrix[:, 1, 0]], axis=-1) - vector
+        assert np.abs(off).max() < 2e-6
+
+
+@pytest.mark.parametrize("order", EULER_ORDERS)
+def test_one_motion_is_the_same_in_every_order(tmp_path: Path, order: str) -> None:
+    time = np.linspace(0.0, 3.0, 61)
+    expected, found = of_waving(time), in_order(of_waving(time), order)
+    found[..., 3:] = np.degrees(found[..., 3:])
+    form = ss.LogFormat(euler_order=order, angle_unit="deg")
+    motion = read_csv(saved(tmp_path / "log.csv", time, found), form).motion
+    for name in FIELDS:
+        np.testing.assert_allclose(getattr(motion, name), getattr(expected, name), atol=1e-12)
+
+
+@pytest.mark.parametrize("order", EULER_ORDERS)
+def test_rates_of_angles_are_the_inverse_of_their_motion(order: str) -> None:
+    x = waving(np.linspace(0.0, 3.0, 31))[..., 3:]
+    R, omega, alpha = motion_about_axes(*x, order)
+    theta = angles_from_rotation(R, order)
+    np.testing.assert_allclose(theta, x[0], atol=1e-14)
+    np.testing.assert_allclose(angle_rates(theta, omega, alpha, order), x[1:], atol=1e-12)
+
+
+@pytest.mark.parametrize("order", EULER_ORDERS)
+def test_rates_are_doubted_beside_angles_of_their_own_order(tmp_path: Path, order: str) -> None:
+    time = np.linspace(0.0, 4.0, 161)
+    path, form = tmp_path / "log.csv", ss.LogFormat(euler_order=order)
+    found = waving(time)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        read_csv(saved(path, time, found), form)
+    found[1:, :, 3:] *= -1.0
+    with pytest.warns(ss.LogWarning, match="theta_x, theta_y, theta_z change by -1 of what theta_dot_x"):
+        read_csv(saved(path, time, found), form)
+
+
+def test_angles_whose_rates_are_without_bounds_as_roll_pitch_yaw_are_read(tmp_path: Path) -> None:
+    """At R = Rx(90 deg) Rz(90 deg), which is upright by (38) alone."""
+    found = np.zeros((3, 1, 6))
+    found[0, 0, 3:] = 0.5 * np.pi, 0.0, 0.5 * np.pi
+    found[1, 0, 3:], found[2, 0, 3:] = [0.5, 0.0, 0.0], [5.0, 0.0, 0.0]
+    path = saved(tmp_path / "row.csv", np.zeros(1), found)
+    motion = read_csv(path, ss.LogFormat(euler_order="xyz")).motion
+    assert abs(motion.R[0, 2, 0]) == pytest.approx(1.0)
+    np.testing.assert_allclose([motion.omega[0], motion.alpha[0]], found[1:, 0, 3:], atol=1e-14)
+
+
+@pytest.mark.parametrize("order", ["xyz", "yxz"])
+def test_deviations_of_forces_are_those_of_noisy_angles_of_the_order(
+    tmp_path: Path, robot: ss.Robot, order: str
+) -> None:
+    time, sigma = np.linspace(0.0, 1.0, 21), 1e-5
+    found, form = waving(time), ss.LogFormat(euler_order=order)
+    found[..., 3:] *= 0.3
+    log = read_log_of(robot, saved(tmp_path / "log.csv", time, found), form, Smoothing(angle=sigma))
+
+    def forces(x: Array) -> Array:
+        R, omega, alpha = motion_about_axes(*x[..., 3:], order)
+        return ss.inverse_dynamics(robot, Motion(R, x[0, :, :3], omega, x[1, :, :3], alpha, x[2, :, :3])).F
+
+    shifts = sigma * np.eye(6)[3:]
+    changes = [
+        forces(found + np.array([shift, np.zeros(6), np.zeros(6)])[:, None]) - forces(found)
+        for shift in shifts
+    ]
+    expected = np.sqrt(np.sum(np.square(changes), axis=0))
+    np.testing.assert_allclose(force_deviations(robot, log), expected, rtol=1e-3)
+
+
+@pytest.fixture
+def robot() -> ss.Robot:
+    return ss.Robot.from_toml(Path(__file__).parents[2] / ".docs" / "examples" / "hexapod.toml")
