@@ -12,13 +12,9 @@ from ...dynamics.inverse import inverse_dynamics
 from ...io.array_types import Array
 from ...kinematics.conditioning import characteristic_length, scaled_condition_number
 from ...kinematics.inverse import inverse_kinematics, wrench_matrix
+from ...motion.euler_orders import angle_rates, angles_from_rotation, distance_from_lock
 from ...motion.motion import Motion
-from ...motion.rotation import (
-    angular_acceleration_from_rpy,
-    angular_velocity_from_rpy,
-    rpy_from_rotation,
-    vector_from_rotation,
-)
+from ...motion.rotation import rpy_from_rotation, vector_from_rotation
 from ...motion.straight_line import MOST_STEPS
 from ...planning.certificate import PlanCertificate
 from ...planning.plan_path import Conditions, PlannedPath
@@ -32,7 +28,7 @@ from ..common.output import Columns, of_axes, of_legs, of_rotations
 from ..common.report import Picture, Report
 from .drives import DriveDigest
 
-# With a smaller cosine of the pitch the rates of roll and yaw are too large to be written.
+# Nearer to gimbal lock the rates of angles are too large to be written.
 _PLAIN = 0.05
 # At so many instants the motors are computed: accelerations jump where another limit becomes active.
 _INSTANTS = 10_001
@@ -87,34 +83,34 @@ def need_instants(end: float, rate: float) -> None:
 
 
 def trajectory(robot: Robot, times: Array, motion: Motion) -> Columns:
-    """Columns as ``forces`` reads them: poses of the tool with rates; without these where pitch is upright.
+    """Columns as ``forces`` reads them for this robot: poses of the tool with rates, and the load there.
 
-    Where the robot's files multiply rotations in another order than zyx, quaternions.
+    Angles are of the robot's ``euler_order``; where the motion comes near their gimbal lock, quaternions
+    without rates.
     """
     at_tool = motion.about_point(robot.tool) if robot.tool.any() else motion
-    theta = np.unwrap(rpy_from_rotation(at_tool.R), axis=0)
+    theta = np.unwrap(angles_from_rotation(at_tool.R, robot.euler_order), axis=0)
     columns: Columns = {"time": times, **of_axes("t", at_tool.t)}
-    if robot.euler_order != "zyx" or np.abs(np.cos(theta[:, 1])).min() < _PLAIN:
-        return columns | of_rotations(at_tool.R)
-    axes = np.stack(
-        [angular_velocity_from_rpy(theta, np.broadcast_to(unit, theta.shape)) for unit in np.eye(3)], axis=-1
-    )
-    theta_dot = np.linalg.solve(axes, at_tool.omega[..., None])[..., 0]
-    assert at_tool.alpha is not None
-    assert at_tool.a is not None
-    carried = angular_acceleration_from_rpy(theta, theta_dot, np.zeros_like(theta))
-    theta_ddot = np.linalg.solve(axes, (at_tool.alpha - carried)[..., None])[..., 0]
-    vectors = {
-        "theta": theta,
-        "v": at_tool.v,
-        "theta_dot": theta_dot,
-        "a": at_tool.a,
-        "theta_ddot": theta_ddot,
-    }
-    if at_tool.F_ext is not None and at_tool.M_ext is not None:
-        vectors |= {"F_ext": at_tool.F_ext, "M_ext": at_tool.M_ext}
-    for name, values in vectors.items():
-        columns |= of_axes(name, values)
+    if distance_from_lock(theta, robot.euler_order).min() < _PLAIN:
+        columns |= of_rotations(at_tool.R)
+    else:
+        columns |= _angles_and_rates(at_tool, theta, robot.euler_order)
+    for name, load in (("F_ext", at_tool.F_ext), ("M_ext", at_tool.M_ext)):
+        columns |= {} if load is None else of_axes(name, load)
+    return columns
+
+
+def _angles_and_rates(motion: Motion, theta: Array, order: str) -> Columns:
+    """Columns of a motion's angles of an order, and of all rates and second rates."""
+    assert motion.alpha is not None
+    assert motion.a is not None
+    theta_dot, theta_ddot = angle_rates(theta, motion.omega, motion.alpha, order)
+    columns: Columns = of_axes("theta", theta)
+    for place, turn, x, angles in (
+        ("v", "theta_dot", motion.v, theta_dot),
+        ("a", "theta_ddot", motion.a, theta_ddot),
+    ):
+        columns |= of_axes(place, x) | of_axes(turn, angles)
     return columns
 
 
