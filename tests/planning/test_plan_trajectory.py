@@ -13,8 +13,8 @@ from stewart_sym.kinematics.robot_logs import read_log_of
 from stewart_sym.motion.logs import EULER_ORDERS
 from stewart_sym.motion.motion import Motion
 from stewart_sym.robot.robot import Robot
+from stewart_sym.studies.common.motion_columns import trajectory_columns
 from stewart_sym.studies.common.output import csv_lines
-from stewart_sym.studies.reports.plan import trajectory
 
 HEXAPOD = DOCS / "examples" / "hexapod.toml"
 VIA = (DOCS / "examples" / "via.toml").read_text(encoding="utf-8")
@@ -35,7 +35,7 @@ def waving(time: np.ndarray, pitch: float = 0.2) -> Motion:
 
 def read_back(robot: Robot, motion: Motion, time: np.ndarray, folder: Path) -> tuple[set[str], Motion]:
     """Names of the columns that are written of a motion, and the motion that is read from them."""
-    columns = trajectory(robot, time, motion)
+    columns = trajectory_columns(robot, time, motion)
     (folder / "trajectory.csv").write_text("".join(csv_lines(columns)), encoding="utf-8")
     return set(columns), read_log_of(robot, folder / "trajectory.csv").motion
 

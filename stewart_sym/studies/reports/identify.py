@@ -18,11 +18,11 @@ from ...identification.tool_point import about_point, about_reference
 from ...io.array_types import Array
 from ...io.instants import time_text
 from ...motion.logs import ANGLE_UNITS, LENGTH_UNITS, LogFormat
-from ...motion.rotation import rpy_from_rotation
 from ...motion.smooth_motion import PoseNoise, estimated_noise, smoothed
 from ...motion.trajectory import Trajectory
 from ...robot.robot import Robot
-from ..common.output import aligned, csv_text, of_axes, of_legs, of_rotations
+from ..common.motion_columns import trajectory_columns
+from ..common.output import aligned, csv_text, of_legs
 from ..common.report import Report
 
 # Share of a normal distribution within one, two and three standard deviations.
@@ -40,7 +40,6 @@ _DIGITS = 1e-8
 # differs by more than this factor from that of the robot file's forces.
 _LEAST_MISFIT, _MOST_TIMES = 0.2, 100.0
 SI = LogFormat()
-_COORDINATES = (("t", "theta"), ("v", "theta_dot"), ("a", "theta_ddot"))
 
 
 def from_measurement(
@@ -352,7 +351,10 @@ def simulated_report(robot: Robot, found: Experiment) -> Report:
             "sigma": estimate.sigma,
             "deviation": found.deviation,
         },
-        {"trajectory": trajectory_columns(robot, found), "forces": force_columns(found)},
+        {
+            "trajectory": trajectory_columns(robot, found.excitation.time, found.measured),
+            "forces": force_columns(found),
+        },
         {
             **_data(robot, estimate, found.sigma, found.noise),
             "period_s": period,
@@ -366,23 +368,6 @@ def simulated_report(robot: Robot, found: Experiment) -> Report:
 def _count(robot: Robot, base: BaseParameters) -> str:
     text = f"{robot.name}: {base.rank} base parameters of {base.matrix.shape[1]}, gap {base.gap:.2g}"
     return text if base.shared is None else f"{text}; all legs have the same"
-
-
-def trajectory_columns(robot: Robot, found: Experiment) -> dict[str, Array]:
-    """The motion as the command ``forces`` reads it for this robot.
-
-    Poses alone where they are measured with noise, or are read as others than (38) of the reference point.
-    """
-    columns = {"time": found.excitation.time}
-    if robot.tool.any() or robot.euler_order != "zyx":
-        motion = found.measured.about_point(robot.tool)
-        return columns | of_axes("t", motion.t) | of_rotations(motion.R)
-    coordinates: tuple[Array, ...] = found.excitation.path.coordinates(columns["time"])
-    if found.noise is not None:
-        coordinates = (np.hstack([found.measured.t, rpy_from_rotation(found.measured.R)]),)
-    for (place, turn), x in zip(_COORDINATES, coordinates, strict=False):
-        columns |= of_axes(place, x[:, :3]) | of_axes(turn, x[:, 3:])
-    return columns
 
 
 def force_columns(found: Experiment) -> dict[str, Array]:

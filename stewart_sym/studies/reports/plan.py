@@ -12,7 +12,6 @@ from ...dynamics.inverse import inverse_dynamics
 from ...io.array_types import Array
 from ...kinematics.conditioning import characteristic_length, scaled_condition_number
 from ...kinematics.inverse import inverse_kinematics, wrench_matrix
-from ...motion.euler_orders import angle_rates, angles_from_rotation, distance_from_lock
 from ...motion.motion import Motion
 from ...motion.rotation import rpy_from_rotation, vector_from_rotation
 from ...motion.straight_line import MOST_STEPS
@@ -24,12 +23,11 @@ from ...planning.timing.path_terms import force_limits
 from ...robot.robot import Robot
 from ...viewer.instants import of_motion
 from ...viewer.view import View
-from ..common.output import Columns, of_axes, of_legs, of_rotations
+from ..common.motion_columns import trajectory_columns
+from ..common.output import Columns, of_legs
 from ..common.report import Picture, Report
 from .drives import DriveDigest
 
-# Nearer to gimbal lock the rates of angles are too large to be written.
-_PLAIN = 0.05
 # At so many instants the motors are computed: accelerations jump where another limit becomes active.
 _INSTANTS = 10_001
 
@@ -82,38 +80,6 @@ def need_instants(end: float, rate: float) -> None:
         )
 
 
-def trajectory(robot: Robot, times: Array, motion: Motion) -> Columns:
-    """Columns as ``forces`` reads them for this robot: poses of the tool with rates, and the load there.
-
-    Angles are of the robot's ``euler_order``; where the motion comes near their gimbal lock, quaternions
-    without rates.
-    """
-    at_tool = motion.about_point(robot.tool) if robot.tool.any() else motion
-    theta = np.unwrap(angles_from_rotation(at_tool.R, robot.euler_order), axis=0)
-    columns: Columns = {"time": times, **of_axes("t", at_tool.t)}
-    if distance_from_lock(theta, robot.euler_order).min() < _PLAIN:
-        columns |= of_rotations(at_tool.R)
-    else:
-        columns |= _angles_and_rates(at_tool, theta, robot.euler_order)
-    for name, load in (("F_ext", at_tool.F_ext), ("M_ext", at_tool.M_ext)):
-        columns |= {} if load is None else of_axes(name, load)
-    return columns
-
-
-def _angles_and_rates(motion: Motion, theta: Array, order: str) -> Columns:
-    """Columns of a motion's angles of an order, and of all rates and second rates."""
-    assert motion.alpha is not None
-    assert motion.a is not None
-    theta_dot, theta_ddot = angle_rates(theta, motion.omega, motion.alpha, order)
-    columns: Columns = of_axes("theta", theta)
-    for place, turn, x, angles in (
-        ("v", "theta_dot", motion.v, theta_dot),
-        ("a", "theta_ddot", motion.a, theta_ddot),
-    ):
-        columns |= of_axes(place, x) | of_axes(turn, angles)
-    return columns
-
-
 def along(plan: Plan, times: Array) -> Columns:
     """Columns over time: place on the path, its rates, condition number, lengths, speeds and forces."""
     place, motion = plan.timed.profile.at(times), plan.timed.sample(times)
@@ -137,7 +103,7 @@ def conditions(robot: Robot, motion: Motion) -> Array:
 def report(plan: Plan, figures: Mapping[str, Picture]) -> Report:
     """Everything about a plan, with its pictures, or none."""
     tables = {
-        "trajectory": trajectory(plan.robot, plan.times, plan.timed.sample(plan.times)),
+        "trajectory": trajectory_columns(plan.robot, plan.times, plan.timed.sample(plan.times)),
         "path": along(plan, plan.times),
     }
     text = summary(plan) if plan.motors is None else f"{summary(plan)}\n\n{plan.motors.table()}"

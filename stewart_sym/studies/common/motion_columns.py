@@ -1,0 +1,43 @@
+"""A motion as the columns of a trajectory that ``forces`` reads for a robot."""
+
+import numpy as np
+
+from ...io.array_types import Array
+from ...motion.euler_orders import angle_rates, angles_from_rotation, distance_from_lock
+from ...motion.motion import Motion
+from ...robot.robot import Robot
+from .output import Columns, of_axes, of_rotations
+
+_PLAIN = 0.05
+"""Least distance of angles from their gimbal lock with which they are written."""
+
+
+def trajectory_columns(robot: Robot, times: Array, motion: Motion) -> Columns:
+    """Poses of the robot's tool, with rates where the motion has accelerations, and the load there.
+
+    Angles are of the robot's ``euler_order``; where the motion comes near their gimbal lock, quaternions
+    without rates.
+    """
+    at_tool = motion.about_point(robot.tool) if robot.tool.any() else motion
+    theta = np.unwrap(angles_from_rotation(at_tool.R, robot.euler_order), axis=0)
+    columns: Columns = {"time": times, **of_axes("t", at_tool.t)}
+    if distance_from_lock(theta, robot.euler_order).min() < _PLAIN:
+        columns |= of_rotations(at_tool.R)
+    else:
+        columns |= of_axes("theta", theta) | _rates(at_tool, theta, robot.euler_order)
+    for name, load in (("F_ext", at_tool.F_ext), ("M_ext", at_tool.M_ext)):
+        columns |= {} if load is None else of_axes(name, load)
+    return columns
+
+
+def _rates(motion: Motion, theta: Array, order: str) -> Columns:
+    """Columns of all rates and second rates; none of a motion without accelerations."""
+    if motion.alpha is None or motion.a is None:
+        return {}
+    theta_dot, theta_ddot = angle_rates(theta, motion.omega, motion.alpha, order)
+    return (
+        of_axes("v", motion.v)
+        | of_axes("theta_dot", theta_dot)
+        | of_axes("a", motion.a)
+        | of_axes("theta_ddot", theta_ddot)
+    )
