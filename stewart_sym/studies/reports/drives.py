@@ -50,6 +50,11 @@ class DriveDigest:
         self.summary.add(part, self._weights[where], self.time[where])
         self._torque[where], self._speed[where] = part.torque, part.speed
 
+    @property
+    def lasts(self) -> bool:
+        """Whether the run has a duration, without which there is neither mean nor energy."""
+        return len(self.time) > 1 and bool(self.time[-1] > 0.0)
+
     def table(self) -> str:
         """A line for each motor: peaks and root mean square beside their limits, energy."""
         found, drive = self.summary, self.drive
@@ -62,7 +67,7 @@ class DriveDigest:
                 ),
                 *(
                     (_beside(found.rms_torque[leg], drive.rated_torque[leg]), f"{found.energy[leg]:.4g}")
-                    if len(self.time) > 1
+                    if self.lasts
                     else ("-", "-")
                 ),
             )
@@ -81,10 +86,8 @@ class DriveDigest:
         for name in self._known():
             found[f"motor_peak_{name}_{units[name]}"] = float(self.summary.peaks[name][leg])
             found[f"motor_{name}_limit_{units[name]}"] = float(getattr(self.drive, f"{name}_limit")[leg])
-        # A single instant has no duration, and so neither mean nor energy.
-        lasts = len(self.time) > 1
-        found["motor_rms_torque_N_m"] = float(self.summary.rms_torque[leg]) if lasts else None
-        return found | {"motor_energy_J": float(self.summary.energy[leg]) if lasts else None}
+        found["motor_rms_torque_N_m"] = float(self.summary.rms_torque[leg]) if self.lasts else None
+        return found | {"motor_energy_J": float(self.summary.energy[leg]) if self.lasts else None}
 
     def figure(self) -> Figure:
         """Torque over time, and over speed with the motor's limits as a frame."""
