@@ -152,6 +152,8 @@ def _scatter(noise: PoseNoise, q: Array, in_vain: float = math.inf) -> Array:
     for basis in bases(noise):
         squares = np.sum((q - basis.value @ pose_fit(basis, q)) ** 2, axis=0).reshape(2, 3).sum(axis=1)
         spare = 3 * (len(q) - basis.size)
+        if spare <= 0:
+            break
         with np.errstate(divide="ignore"):
             criterion = float(1.5 * len(q) * np.sum(np.log(squares)) + 6 * basis.size)
         vain += 1

@@ -12,7 +12,7 @@ from ...kinematics.offset_legs import leg_lengths
 from ...kinematics.pose_search import jacobian
 from ...motion.logs import LENGTH_UNITS
 from ...motion.motion import Motion
-from ...motion.rotation import rotation_about_axes
+from ...motion.rotation import rotation_about_axes, rotation_from_rpy
 from ...motion.trajectory import MOST_TURNS, PoseLog, angle_range
 from ...robot.fields import DEFAULT_GRAVITY, vector_text
 from ...robot.robot import Robot
@@ -131,8 +131,10 @@ def start_doubts(scene: Scene) -> list[str]:
     theta = stated.get("state.theta", np.zeros(3))
     if start not in found and np.abs(theta).max() > _LEAST_TURN:
         t, tool = np.stack([state.t, state.t]), np.zeros(3)
-        how = _impossible(robot, t, np.stack([np.zeros(3), theta]), tool)
-        degrees = _impossible(robot, t, np.stack([np.zeros(3), np.radians(theta)]), tool)
+        how, degrees = (
+            _impossible(robot, t, rotation_from_rpy(np.stack([np.zeros(3), turned])), tool)
+            for turned in (theta, np.radians(theta))
+        )
         if np.any(np.abs(theta) > MOST_TURNS) or (how is not None and degrees is None):
             axis = int(np.argmax(np.abs(theta)))
             lines.append(
