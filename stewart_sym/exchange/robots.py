@@ -29,16 +29,8 @@ _LEAD = 0.005
 
 def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
     """The robot and what was assumed, a line each; ValueError says what is no Stewart platform and where."""
-    machine = machine_of(model)
     said: list[str] = []
-    given = [leg.slide.joint.name for leg in machine.legs]
-    order = "the file"
-    if model.notes and tuple(given) != SLIDES:
-        if sorted(given) == list(SLIDES):
-            order = "the notes"
-            machine = replace(machine, legs=tuple(machine.legs[given.index(name)] for name in SLIDES))
-        else:
-            said.append("notes: legs in the order of the file, its slides have other names than those noted")
+    machine, order = _ordered(machine_of(model), model, said)
     # Axes that miss each other are an error of the file unless it notes that they are meant to.
     offset = "offsets" in model.notes
     legs = [_Leg(machine, leg, i, said, offset) for i, leg in enumerate(machine.legs, 1)]
@@ -86,6 +78,17 @@ def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
         lines.append("home: the pose in the file")
     left_out = [f"left out: {text}" for text in model.left_out]
     return robot, tuple(lines + said + left_out + kept)
+
+
+def _ordered(machine: Machine, model: Model, said: list[str]) -> tuple[Machine, str]:
+    """The machine with its legs in the order of the notes, which are by leg, and what has that order."""
+    names = [leg.slide.joint.name for leg in machine.legs]
+    if not model.notes or tuple(names) == SLIDES:
+        return machine, "the file"
+    if sorted(names) != list(SLIDES):
+        said.append("notes: legs in the order of the file, its slides have other names than those noted")
+        return machine, "the file"
+    return replace(machine, legs=tuple(machine.legs[names.index(name)] for name in SLIDES)), "the notes"
 
 
 def _drive(legs: Sequence["_Leg"]) -> Drive | None:

@@ -91,23 +91,23 @@ def _gauss_newton(data: Data, noise: PoseNoise, basis: Basis, c: Array) -> tuple
     return Fit(parts, values, spread @ spread.T, span, motion, converged, curvature), c
 
 
-def _curvature(residuals: Callable[[Array, Array], Array], span: Array, back: Array, rank: int) -> float:
-    """Largest RMS error of the first ``rank`` unknowns, in deviations, as the residual is not linear in them.
+def _curvature(residuals: Callable[[Array, Array], Array], span: Array, back: Array, unknowns: int) -> float:
+    """Largest RMS error of the first ``unknowns``, in deviations, as the residual is not linear in them.
 
     residuals: of changes of values and coefficients. Seen over opposite errors drawn as the fit states them;
     inf where such an error makes a pose unsolvable.
     """
-    sigma = np.linalg.norm(back[:rank], axis=1)
-    centre = residuals(np.zeros(rank), np.zeros((1, 6)))
+    sigma = np.linalg.norm(back[:unknowns], axis=1)
+    centre = residuals(np.zeros(unknowns), np.zeros((1, 6)))
     shifts = []
     for z in np.random.default_rng(0).normal(size=(DRAWS, back.shape[1])):
         for errors in (z, -z):
             step = back @ errors
             try:
-                changed = residuals(step[:rank], step[rank:].reshape(6, -1).T) - centre
+                changed = residuals(step[:unknowns], step[unknowns:].reshape(6, -1).T) - centre
             except ValueError:
                 return math.inf
-            shifts.append(back[:rank] @ (span.T @ changed + errors) / sigma)
+            shifts.append(back[:unknowns] @ (span.T @ changed + errors) / sigma)
     return float(np.max(np.sqrt(np.mean(np.square(shifts), axis=0))))
 
 

@@ -290,8 +290,7 @@ def _pose_log(log: Log) -> PoseLog:
     _warn_of_units(log, found)
     F_ext, M_ext = (log.load(name) for name in LOADS)
     in_radians = "theta" in log.written and log.form.angle_unit == "rad"
-    of_log = PoseLog(log.time, found, F_ext, M_ext, log.source, log.rows, noise, in_radians)
-    return of_log._replace(order=order)
+    return PoseLog(log.time, found, F_ext, M_ext, log.source, log.rows, noise, in_radians, order=order)
 
 
 def _components(*names: str) -> list[str]:

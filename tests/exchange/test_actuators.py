@@ -1,17 +1,16 @@
 """Actuators of a model limit the forces of its legs to what MuJoCo itself makes of them."""
 
 import re
-import warnings
 from pathlib import Path
 
 import mujoco
 import numpy as np
 import pytest
+from exported_models import exported
 from numpy.typing import NDArray
 
 import stewart_sym as ss
 
-HEXAPOD = Path(__file__).parents[2] / ".docs" / "examples" / "hexapod.toml"
 HUGE = 1e9
 """A control far outside the limits of all actuators."""
 ACTUATORS = {
@@ -57,15 +56,9 @@ ACTUATORS = {
 }
 
 
-def exported(robot: ss.Robot, form: str = "mjcf") -> ss.ModelFile:
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        return ss.export_model(robot, form)
-
-
 def hexapod(default: str, actuators: str, slide: str = "") -> str:
     """The exported hexapod with other actuators, # for the joint, and attributes of its slides."""
-    text = exported(ss.Robot.from_toml(HEXAPOD)).text
+    text = exported().text
     six = "".join(actuators.replace("#", f"leg_{i}") for i in range(1, 7))
     text = re.sub("<actuator>.*</actuator>", f"<actuator>{six}</actuator>", text, flags=re.DOTALL)
     text = text.replace("<default>", f"<default>{default}", 1)

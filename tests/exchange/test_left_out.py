@@ -1,14 +1,13 @@
 """What other programs' models may have beside bodies and joints: taken, or said to be left out."""
 
-import warnings
 from pathlib import Path
 
 import numpy as np
 import pytest
+from exported_models import exported
 
 import stewart_sym as ss
 
-HEXAPOD = Path(__file__).parents[2] / ".docs" / "examples" / "hexapod.toml"
 PLATFORM = '<body name="platform"'
 JOINT = '<joint name="leg_1" type="slide"'
 LEFT_OUT = {
@@ -56,12 +55,6 @@ LEFT_OUT = {
         "friction of joint 'leg_1'",
     ),
 }
-
-
-def exported(form: str) -> ss.ModelFile:
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        return ss.export_model(ss.Robot.from_toml(HEXAPOD), form)
 
 
 def imported(folder: Path, form: str, *change: str) -> ss.ImportedModel:
