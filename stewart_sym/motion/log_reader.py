@@ -15,7 +15,7 @@ from ..io.tables import file_name, opened
 from .log_rates import SPLINE, as_given, rates_of
 from .logs import LogFormat, need_columns, read_columns
 from .noise_level import LogWarning
-from .rate_doubts import rate_doubt
+from .rate_doubts import angular_velocity_doubt, rate_doubt
 from .rotation import rotation_from_rpy
 from .trajectory import (
     DERIVATIVES,
@@ -282,7 +282,11 @@ def _pose_log(log: Log) -> PoseLog:
         steps = [np.concatenate([log.steps(name) for name in names[i : i + 2]]) for i in (0, 2, 4)]
         noise = as_given(log, found, steps)
         noise = None if noise is None else noise._replace(order=order)
-        _warn_of_rates(log, found, names)
+        doubt = angular_velocity_doubt(log.time, found[0, :, 3:], found[1, :, 3:], order)
+        if doubt:
+            _warn(log, doubt)
+        else:
+            _warn_of_rates(log, found, names)
     else:
         theta, step = log.angles()
         steps_of_pose = np.concatenate([log.steps("t"), step])

@@ -8,15 +8,26 @@ import numpy as np
 
 from ..io.array_types import Array
 from ..io.instants import elapsed
+from .euler_orders import angle_rates, distance_from_lock
+from .rotation import rotation_about_axes
 
-# Rates are doubted if what they say is off by this share of the changes.
+# Rates are doubted if what they say is off by this share of the changes: more than a filter's usual lag.
 _OFF = 0.3
+# So they are where noise is less than a share of the changes, a factor differs from 1 by a second, and of it
+# is left less than half: lag leaves much more.
+_QUIET, _FACTOR, _ALL_BUT = 0.1, 0.08, 0.5
+# What is off is explained if it is so many deviations of noise or more.
+_SEEN = 2.0
+# Rates of angles are an angular velocity where this leaves less than a share of what is off.
+_EXPLAINED = 0.25
+# From so near to angles that are not unique their rates are not compared with an angular velocity.
+_LOCK = 0.05
 # Changes are compared from so many deviations of noise on, that of the rates' sums weighted by a share, and
 # from a share of the largest change of their kind on.
 _CLEAR, _OF_RATES, _LEAST = 8.0, 0.3, 1e-3
 # Changes over a stretch are this share of those over all, but for what moves on and on.
 _SHARE = 0.7
-_FEWEST, _MOST = 8, 1 << 13
+_FEWEST, _MOST, _FASTEST = 8, 1 << 13, 1 << 11
 # Ratios within this share are one.
 _SAME = 0.1
 _FACTORS = {
@@ -59,7 +70,7 @@ def rate_doubt(
         first = i - i % kind
         least = _LEAST * max(other.size for other in found[first : first + kind])
         seen = each.size > max(least, _CLEAR * each.noise)
-        if seen and each.off > _OFF * each.size and abs(each.slope - 1.0) > _OFF:
+        if seen and ((each.off > _OFF * each.size and abs(each.slope - 1.0) > _OFF) or _scaled(each)):
             bad.append(i)
     if not bad:
         return None
@@ -73,6 +84,45 @@ def rate_doubt(
         return f"{changed} do not change as {said} say"
     hint = next((text for factor, text in _FACTORS.items() if abs(ratios[0] / factor - 1.0) < _SAME), "")
     return f"{changed} change by {ratios[0]:.2g} of what {said} say{hint and f': {hint}?'}"
+
+
+def angular_velocity_doubt(time: Array, theta: Array, rates: Array, order: str) -> str | None:
+    """Whether what are said to be rates of angles, (n, 3), are an angular velocity instead, in words.
+
+    theta: rad, unwrapped, turns multiplied in ``order``. Turns about one axis have both alike.
+    """
+    # Of a long log those rows tell enough in which it turns fastest.
+    fastest = int(np.argmax(np.einsum("ij,ij->i", rates, rates)))
+    start = min(max(fastest - _FASTEST // 2, 0), max(len(time) - _FASTEST, 0))
+    time, theta, rates = (each[start : start + _FASTEST] for each in (time, theta, rates))
+    if len(time) < _FEWEST or not rates.any() or distance_from_lock(theta, order).min() < _LOCK:
+        return None
+    time = elapsed(time)
+    found, noise = _left(time, theta, rates)
+    if found <= _SEEN * noise:
+        return None
+    in_platform = (rotation_about_axes(theta, order) @ rates[..., None])[..., 0]
+    for omega, frame in ((rates, "base"), (in_platform, "platform")):
+        said, _ = angle_rates(theta, omega, np.zeros_like(omega), order)
+        if _left(time, theta, said)[0] < _EXPLAINED * found:
+            return (
+                f"theta_x to theta_z change as if theta_dot_* were an angular velocity, {frame} frame: "
+                "expected the rates of the angles"
+            )
+    return None
+
+
+def _left(time: Array, theta: Array, rates: Array) -> tuple[float, float]:
+    """By how much three angles' changes differ from what rates say, and noise in it: root sums of squares."""
+    found = [_compared(time, *columns) for columns in zip(theta.T, rates.T, strict=True)]
+    return math.hypot(*(each.off for each in found)), math.hypot(*(each.noise for each in found))
+
+
+def _scaled(column: _Column) -> bool:
+    """Whether changes are what rates say but for a factor."""
+    factor = abs(column.ratio - 1.0)
+    quiet = column.noise < _QUIET * column.size
+    return quiet and factor > _FACTOR and column.left < _ALL_BUT * factor * column.size
 
 
 def _compared(time: Array, x: Array, rate: Array) -> _Column:

@@ -11,6 +11,7 @@ from log_files import write
 from numpy.typing import NDArray
 
 import stewart_sym as ss
+from stewart_sym.motion.euler_orders import motion_about_axes
 from stewart_sym.motion.log_reader import read_any_csv, read_csv
 from stewart_sym.motion.rate_doubts import rate_doubt
 
@@ -57,6 +58,7 @@ def test_rates_that_times_contradict_by_a_unit_are_warned_of(
             "t_x, .*, theta_z change by -1 of what v_x, .* say: are signs opp",
         ),
         (slice(7, 10), lambda rates: 3.0 * rates, "t_x, t_y, t_z change by 0.33 of what v_x, v_y, v_z say$"),
+        (slice(7, 10), lambda rates: 1.25 * rates, "t_x, t_y, t_z change by 0.8 of what v_x, v_y, v_z say$"),
         (slice(7, 10), lambda rates: rates[:, [1, 0, 2]], "t_x, t_y do not change as v_x, v_y say"),
         (
             slice(10, 13),
@@ -66,7 +68,7 @@ def test_rates_that_times_contradict_by_a_unit_are_warned_of(
         (slice(10, 13), lambda rates: 0.0 * rates, ".*theta_z do not change as .*theta_dot_z say"),
         (slice(13, 16), lambda rates: -rates, "v_x, v_y, v_z change by -1 of what a_x, a_y, a_z say"),
     ],
-    ids=["minus", "three times", "exchanged", "degrees", "none", "accelerations"],
+    ids=["minus", "three times", "by a quarter", "exchanged", "degrees", "none", "accelerations"],
 )
 def test_rates_of_another_motion_are_warned_of(
     tmp_path: Path, columns: slice, change: Callable[[Array], Array], words: str, noise: float
@@ -82,6 +84,40 @@ def test_rates_of_another_motion_are_warned_of(
         assert not caught
         read_csv(write(tmp_path / "odd.csv", names, odd))
     assert any(re.search(f"odd.csv: {words}", str(each.message)) for each in caught)
+
+
+@pytest.mark.parametrize("order", ["zyx", "xyz"])
+@pytest.mark.parametrize("frame", ["base", "platform"])
+def test_an_angular_velocity_in_place_of_rates_of_angles_is_told_from_them(
+    tmp_path: Path, frame: str, order: str
+) -> None:
+    names, table = with_rates(np.linspace(0.0, 4.0, 401))
+    angles = slice(4, 7), slice(10, 13), slice(16, 19)
+    for columns in angles:
+        table[:, columns] *= 5.0
+    form = ss.LogFormat(euler_order=order)
+    path = write(tmp_path / "log.csv", names, table)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        read_csv(path, form)
+    R, omega, alpha = motion_about_axes(*(table[:, columns] for columns in angles), order)
+    turn = np.eye(3) if frame == "base" else R.swapaxes(-1, -2)
+    table[:, 10:13], table[:, 16:19] = ((turn @ each[..., None])[..., 0] for each in (omega, alpha))
+    expected = f"log.csv: theta_x to theta_z change as if .* were an angular velocity, {frame} frame: exp"
+    with pytest.warns(ss.LogWarning, match=expected):
+        read_csv(write(path, names, table), form)
+
+
+@pytest.mark.parametrize("lag", [0.02, 0.05])
+def test_rates_behind_a_filter_are_of_the_same_motion(tmp_path: Path, lag: float) -> None:
+    names, table = with_rates(np.arange(0.0, 8.0, 0.01))
+    late = 1.0 - np.exp(-0.01 / lag)
+    for column in table[:, 7:].T:
+        for i in range(1, len(column)):
+            column[i] = column[i - 1] + late * (column[i] - column[i - 1])
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        read_csv(write(tmp_path / "good.csv", names, table))
 
 
 @pytest.mark.parametrize("seed", range(3))
