@@ -233,6 +233,9 @@ def noise_text(noise: Uncertainty) -> str:
 def _level(log: Log, shown: Level) -> Level:
     """Noise of six coordinates as stated or shown; with a cut-off only as stated."""
     names = ("L", "L") if "L" in log.written else POSE
+    if log.smoothing.cutoff is not None:
+        text = "the file has rates, which are taken as they are: the cut-off changes nothing"
+        warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=7)
     known = np.repeat([log.smoothing.stated(name) or 0.0 for name in names], 3)
     if log.smoothing.cutoff is not None:
         return stated(known)
@@ -297,6 +300,9 @@ def _doubt_of_noise(
 def as_given(log: Log, found: Array, steps: Sequence[Array]) -> Uncertainty | None:
     """Uncertainty of coordinates and rates, (3, n, 6), all of them measured and rounded to steps, (3, 6)."""
     names = ("L", "L") if "L" in log.written else POSE
+    if log.smoothing.cutoff is not None:
+        text = "the file has rates, which are taken as they are: the cut-off changes nothing"
+        warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=7)
     known = np.repeat([log.smoothing.stated(name) or 0.0 for name in names], 3)
     _warn_of_stated(log, found[0], steps[0])
     sigma = np.array(steps) / math.sqrt(12.0)

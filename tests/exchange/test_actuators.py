@@ -107,9 +107,9 @@ def test_the_smaller_limit_of_several_actuators_is_said_to_be_left_out(tmp_path:
         '<motor name="a #" joint="#" ctrlrange="-900 800"/><motor name="b #" joint="#" ctrlrange="-50 50"/>'
     )
     said = imported(hexapod("", motors), tmp_path).assumptions
-    for i in range(1, 7):
-        who = f"actuator 'a leg_{i}' and actuator 'b leg_{i}'"
-        assert f"left out: the smaller one of the limits of {who}, 850" in said
+    who = ", ".join(f"actuator 'a leg_{i}' and actuator 'b leg_{i}'" for i in range(1, 7))
+    least = f"the limit of 850 N in one direction of {who}: 950 N, the other's, is force_limit"
+    assert f"left out: {least}" in said
 
 
 @pytest.mark.parametrize("attributes", ['biastype="affine"', 'gaintype="affine"', 'dyntype="integrator"'])

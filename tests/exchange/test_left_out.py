@@ -22,7 +22,7 @@ LEFT_OUT = {
     "one side": (
         "mjcf",
         ('ctrlrange="-500.0 500.0" forcerange="-500.0 500.0"', 'gear="50" ctrlrange="-10 12"'),
-        "the smaller one of the limits of actuator 'leg_1', 500",
+        "the limit of 500 N in one direction of actuator 'leg_1': 600 N, the other's, is force_limit",
     ),
     "no weight": (
         "sdf",

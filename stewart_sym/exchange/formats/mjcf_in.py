@@ -92,6 +92,8 @@ class _Reader:
         self.forces: dict[str, tuple[str, Array]] = {}
         masses = ("settotalmass", "boundmass", "boundinertia", "balanceinertia")
         self.left_out = [f"{key} of the compiler" for key in masses if key in compiler]
+        # Actuators by their limits in the two directions.
+        self.uneven: dict[tuple[float, float], list[str]] = {}
 
     def model(self) -> Model:
         for world in self.root.findall("worldbody"):
@@ -112,11 +114,15 @@ class _Reader:
         custom = self.root.find("custom/text[@name='stewart_sym']")
         # MuJoCo writes quotation marks as text inside the element.
         notes = None if custom is None else custom.get("data", custom.text)
+        driven = tuple(self._driven())
+        for (least, most), where in self.uneven.items():
+            actuators, other = ", ".join(where), f"{most:g} N, the other's, is force_limit"
+            self.left_out.append(f"the limit of {least:g} N in one direction of {actuators}: {other}")
         return Model(
             self.root.get("model", "MuJoCo Model"),
             gravity,
             tuple(self.bodies),
-            tuple(self._driven()),
+            driven,
             json_table(notes, "custom: text 'stewart_sym'"),
             tuple(dict.fromkeys(self.left_out)),
             armatures=True,
@@ -237,7 +243,7 @@ class _Reader:
         """One limit of a force in both directions."""
         low, high = np.abs(limits)
         if low != high:
-            self.left_out.append(f"the smaller one of the limits of {where}, {min(low, high):g}")
+            self.uneven.setdefault((min(low, high), max(low, high)), []).append(where)
         return float(max(low, high))
 
     def _with_inertia(self, body: Body, element: ET.Element, inherited: str | None, where: str) -> Body:
