@@ -5,6 +5,8 @@ With the axes renamed so that the order reads "zyx" every order is (38). Where t
 angles and angular velocities change their signs.
 """
 
+from itertools import permutations
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -48,6 +50,22 @@ def distance_from_lock(theta: Array, order: str) -> Array:
     It is the cosine of the angle about the order's middle axis; rates of the angles grow as its inverse.
     """
     return np.abs(np.cos(theta[..., "xyz".index(order[1])]))
+
+
+FAR_FROM_LOCK = 0.5
+"""A ``distance_from_lock`` at which rates of angles are at most twice those of the rotation."""
+
+
+def far_from_lock(R: Array) -> tuple[Array, str]:
+    """Return angles, rad, (n, 3), of rotations (n, 3, 3), and their order: "zyx" if that is far from lock.
+
+    Else it is that of the six whose least ``distance_from_lock`` is largest.
+    """
+    theta = angles_from_rotation(R, "zyx")
+    if distance_from_lock(theta, "zyx").min(initial=1.0) >= FAR_FROM_LOCK:
+        return theta, "zyx"
+    found = [(angles_from_rotation(R, order), order) for order in map("".join, permutations("zyx"))]
+    return max(found, key=lambda each: float(distance_from_lock(*each).min()))
 
 
 def angle_rates(theta: Array, omega: Array, alpha: Array, order: str) -> tuple[Array, Array]:

@@ -11,12 +11,12 @@ import numpy as np
 from ..io.array_types import Array, Flags
 from ..io.extras import needed_for
 from ..io.instants import elapsed, least_step, lost, time_text
+from .euler_orders import far_from_lock
 from .log_faults import Fault, faults, offsets, slower_sampling, spread
 from .motion import Motion
 from .noise_level import LEAST_SAMPLES, Level, LogWarning, decided_noise, noise_level, stated
-from .rotation import rpy_from_rotation
 from .smoothing import PAIRS, check_cutoff, smoothed
-from .trajectory import POSE, Log, Replaced, Trajectory, Uncertainty
+from .trajectory import POSE, Log, Replaced, Trajectory, Uncertainty, motion_in_order, pose_arguments
 
 _MIN_SPLINE_POINTS = 4
 # What needs SciPy, and what helps without.
@@ -27,20 +27,19 @@ _PART = 1 << 14
 def interpolated(trajectory: Trajectory) -> Callable[[float], Motion]:
     """A trajectory as a motion at any time since its first instant, s: at rest at its last pose afterwards.
 
-    Positions and unwrapped angles (38) are interpolated by splines, of degree 5 (of degree 3 with 4 or 5
+    Positions and unwrapped angles are interpolated by splines, of degree 5 (of degree 3 with 4 or 5
     rows); given derivatives and loads don't count.  Raises as ``read_csv`` where a spline is needed.
     """
     since = elapsed(trajectory.time)
-    theta = np.unwrap(rpy_from_rotation(trajectory.motion.R), axis=0)
-    spline = _spline(since, np.hstack([trajectory.motion.t, theta]), trajectory.source)
+    theta, order = far_from_lock(trajectory.motion.R)
+    coordinates = np.hstack([trajectory.motion.t, np.unwrap(theta, axis=0)])
+    spline = _spline(since, coordinates, trajectory.source)
     end = float(since[-1])
 
     def motion(time: float) -> Motion:
         at = min(max(time, 0.0), end)
-        pose, rate, second = (
-            np.asarray(spline(at, order)) * (order == 0 or time < end) for order in range(3)
-        )
-        return Motion.from_rpy(*(half for x in (pose, rate, second) for half in (x[:3], x[3:])))
+        rates = np.stack([spline(at, rate) * float(rate == 0 or time < end) for rate in range(3)])
+        return motion_in_order(pose_arguments(rates), order)
 
     return motion
 
@@ -233,9 +232,6 @@ def noise_text(noise: Uncertainty) -> str:
 def _level(log: Log, shown: Level) -> Level:
     """Noise of six coordinates as stated or shown; with a cut-off only as stated."""
     names = ("L", "L") if "L" in log.written else POSE
-    if log.smoothing.cutoff is not None:
-        text = "the file has rates, which are taken as they are: the cut-off changes nothing"
-        warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=7)
     known = np.repeat([log.smoothing.stated(name) or 0.0 for name in names], 3)
     if log.smoothing.cutoff is not None:
         return stated(known)

@@ -16,7 +16,7 @@ from .log_rates import SPLINE, as_given, rates_of
 from .logs import LogFormat, need_columns, read_columns
 from .noise_level import LogWarning
 from .rate_doubts import angular_velocity_doubt, rate_doubt
-from .rotation import rotation_from_rpy
+from .rotation import rotation_about_axes
 from .trajectory import (
     DERIVATIVES,
     LOADS,
@@ -106,7 +106,8 @@ def read_poses(path: str | os.PathLike[str], form: LogFormat = PLAIN) -> tuple[A
     _warn_of_angles(log)
     if "L" in log.written:
         raise ValueError(f"{log.source}: expected poses, t_* and theta_*, got leg lengths L_1 to L_6")
-    return rotation_from_rpy(log.angles()[0]), log.vector("t")
+    theta, _, order = log.angles()
+    return rotation_about_axes(theta, order), log.vector("t")
 
 
 def _read(path: str | os.PathLike[str], form: LogFormat, smoothing: Smoothing, progress: Progress) -> Log:
@@ -288,12 +289,13 @@ def _pose_log(log: Log) -> PoseLog:
         else:
             _warn_of_rates(log, found, names)
     else:
-        theta, step = log.angles()
+        theta, step, order = log.angles()
         steps_of_pose = np.concatenate([log.steps("t"), step])
         found, noise = rates_of(log, np.hstack([log.vector("t"), theta]), steps_of_pose)
+        noise = None if noise is None else noise._replace(order=order)
     _warn_of_units(log, found)
     F_ext, M_ext = (log.load(name) for name in LOADS)
-    in_radians = "theta" in log.written and log.form.angle_unit == "rad"
+    in_radians = "theta" in log.written and log.form.angle_unit == "rad" and order == log.form.euler_order
     return PoseLog(log.time, found, F_ext, M_ext, log.source, log.rows, noise, in_radians, order=order)
 
 

@@ -14,11 +14,11 @@ from numpy.typing import NDArray
 from ..io.arguments import instance
 from ..io.array_types import Array
 from ..io.tables import number
-from .euler_orders import motion_about_axes
+from .euler_orders import FAR_FROM_LOCK, distance_from_lock, far_from_lock, motion_about_axes
 from .logs import ANGLE_UNITS, LENGTH_UNITS, LogFormat
 from .motion import Motion
 from .noise_level import rounding_step
-from .rotation import rotation_about_axes, rotation_from_quaternion, rpy_from_rotation
+from .rotation import rotation_about_axes, rotation_from_quaternion
 
 # Trajectories from CSV
 
@@ -155,7 +155,7 @@ class PoseLog(NamedTuple):
             if load is not None:
                 numbers[name] = load[index]
         try:
-            motion = _motion_of(numbers, self.order)
+            motion = motion_in_order(numbers, self.order)
         except ValueError as error:
             row = _first_bad_row(numbers, np.asarray(self.rows)[index], self.order)
             raise ValueError(f"{self.source}: {row}{error}") from None
@@ -231,25 +231,27 @@ class Log:
         finest = min(map(rounding_step, moving), default=0.0)
         return np.full(len(self.written[name]), finest) * self.scale(name)
 
-    def angles(self) -> tuple[Array, Array]:
-        """Angles of (38), unwrapped, rad, (n, 3), and the steps to which they are rounded, (3,)."""
+    def angles(self) -> tuple[Array, Array, str]:
+        """Unwrapped angles, rad, (n, 3), the steps to which they are rounded, (3,), and their order.
+
+        The order is the log's own, of quaternions (38), unless two turns of it come near to one axis.
+        """
+        order = self.form.euler_order
         if "q" in self.written:
             q = self.vector("q")
             norms = np.linalg.norm(q, axis=-1)
             if (norms == 0.0).any():
                 row = self.rows[int(np.argmin(norms))]
                 raise ValueError(f"{self.source}: row {row}: q: expected a quaternion, got length 0")
-            theta = rpy_from_rotation(rotation_from_quaternion(q))
+            theta, order = far_from_lock(rotation_from_quaternion(q))
             # The vector of a small rotation is twice that of its quaternion.
             step = np.full(3, 2.0 * self.steps("q").max() / float(np.median(norms)))
         else:
             theta, step = self.vector("theta"), self.steps("theta")
-            if self.form.euler_order != "zyx":
-                theta, step = (
-                    rpy_from_rotation(rotation_about_axes(theta, self.form.euler_order)),
-                    step.max() + 0 * step,
-                )
-        return np.unwrap(theta, axis=0), step
+            if distance_from_lock(theta, order).min() < FAR_FROM_LOCK:
+                theta, order = far_from_lock(rotation_about_axes(theta, order))
+                step = np.full(3, step.max())
+        return np.unwrap(theta, axis=0), step, order
 
 
 MOST_TURNS = (math.pi, math.pi, 2.0 * math.pi)
@@ -278,7 +280,7 @@ def pose_arguments(coordinates: Array) -> dict[str, Array]:
     return {name: coordinates[i // 2, ..., 3 * (i % 2) : 3 * (i % 2) + 3] for i, name in enumerate(names)}
 
 
-def _motion_of(numbers: Mapping[str, Array], order: str) -> Motion:
+def motion_in_order(numbers: Mapping[str, Array], order: str) -> Motion:
     """The motion of arguments of ``Motion.from_rpy`` whose angles are of any order."""
     if order == "zyx":
         return Motion.from_rpy(**numbers)
@@ -292,7 +294,7 @@ def _first_bad_row(numbers: Mapping[str, Array], rows: NDArray[np.int64], order:
     """Name the first row that makes no motion by itself, as a prefix."""
     for i, row in enumerate(rows):
         try:
-            _motion_of({name: values[i] for name, values in numbers.items()}, order)
+            motion_in_order({name: values[i] for name, values in numbers.items()}, order)
         except ValueError:
             return f"row {row}: "
     return ""

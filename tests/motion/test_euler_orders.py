@@ -12,10 +12,16 @@ import stewart_sym as ss
 from stewart_sym.dynamics.force_noise import force_deviations
 from stewart_sym.kinematics.robot_logs import read_log_of
 from stewart_sym.motion.euler_orders import angle_rates, angles_from_rotation, motion_about_axes
+from stewart_sym.motion.log_rates import interpolated
 from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.motion.logs import EULER_ORDERS
 from stewart_sym.motion.motion import Motion
-from stewart_sym.motion.rotation import rotation_about_axes
+from stewart_sym.motion.rotation import (
+    quaternion_from_rotation,
+    rotation_about_axes,
+    rotation_from_rpy,
+    rpy_from_rotation,
+)
 from stewart_sym.motion.trajectory import Smoothing
 
 Array = NDArray[np.float64]
@@ -150,3 +156,35 @@ def test_deviations_of_forces_are_those_of_noisy_angles_of_the_order(
 @pytest.fixture
 def robot() -> ss.Robot:
     return ss.Robot.from_toml(Path(__file__).parents[2] / ".docs" / "examples" / "hexapod.toml")
+
+
+@pytest.mark.parametrize("pitch", [60.0, 90.0, 120.0])
+@pytest.mark.parametrize("written", ["quaternions", "angles"])
+def test_a_platform_whose_frame_is_pitched_moves_as_any_other(
+    tmp_path: Path, written: str, pitch: float
+) -> None:
+    """Roll and yaw are about one axis at a right angle, where their rates have no bounds."""
+    time = np.linspace(0.0, 2.0, 401)
+    found = waving(time)
+    found[:, :, 3:] *= 0.2
+    theta, theta_dot, theta_ddot = found[:, :, 3:]
+    R, omega, alpha = motion_about_axes(theta, theta_dot, theta_ddot, "zyx")
+    R = R @ rotation_from_rpy([0.3, np.radians(pitch), 0.0])
+    turned = {
+        "quaternions": (["q_w", "q_x", "q_y", "q_z"], quaternion_from_rotation(R)),
+        "angles": ([f"theta_{axis}" for axis in "xyz"], rpy_from_rotation(R)),
+    }
+    names, numbers = turned[written]
+    log = write(
+        tmp_path / "log.csv",
+        ["time", "t_x", "t_y", "t_z", *names],
+        np.column_stack([time, found[0, :, :3], numbers]),
+    )
+    with warnings.catch_warnings():
+        # Roll and yaw that jump by half turns are doubted.
+        warnings.simplefilter("ignore")
+        read = read_csv(log)
+    between, inner = interpolated(read), slice(20, -20)
+    for i, motion in ((inner, read.at(inner)), (100, between(time[100]))):
+        for name, expected, off in (("R", R, 1e-12), ("omega", omega, 1e-8), ("alpha", alpha, 1e-5)):
+            np.testing.assert_allclose(getattr(motion, name), expected[i], atol=off, err_msg=name)
