@@ -33,6 +33,7 @@ from ..results import (
     Linearisation,
 )
 from ..robot.robot import Robot
+from .by_forces import ForwardByForces
 from .closed_form import CClosedForm, ClosedForm, NumpyClosedForm
 from .inverse import (
     Backend,
@@ -297,8 +298,14 @@ class ForwardDynamics:
         """
         if isinstance(self.closed, CClosedForm):
             return self.closed.one_state()
+        by_forces: ForwardByForces | None = None
+        if self.backend == "c" and self.robot.offsets is not None and not self.robot.offsets.spins:
+            by_forces = with_compiler(lambda: ForwardByForces(self.robot), lambda: None)
 
         def solve(motion: Motion, F: Array) -> tuple[Array, int]:
+            quick = None if by_forces is None else by_forces.solve(motion, F)
+            if quick is not None:
+                return quick, OK
             a, alpha, status = self.solve(motion, F)
             return np.concatenate([a, alpha]), int(status)
 

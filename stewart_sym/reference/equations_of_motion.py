@@ -58,8 +58,8 @@ def _terms(wrench: ActuatorWrench, robot: Robot, motion: Motion) -> tuple[dict[s
     g, _ = wrench(robot, with_rates(motion, zero, zero, zero, zero))
     # Of rates so slow that no inertial force, their square, is left beside the friction.
     slow = with_rates(motion, motion.v * _SLOWLY, motion.omega * _SLOWLY, zero, zero)
-    resisted, inertial = (wrench(machine, slow)[0] for machine in (_without(robot, ("g",)), _bare(robot)))
-    bare, still = _bare(robot), np.zeros((*motion.shape, 6, 3))
+    bare, still = bare_robot(robot), np.zeros((*motion.shape, 6, 3))
+    resisted, inertial = (wrench(machine, slow)[0] for machine in (_without(robot, ("g",)), bare))
     C = coriolis(
         lambda v, omega: wrench(bare, with_rates(motion, v, omega, still, still))[0], robot, motion, M
     )
@@ -74,7 +74,8 @@ def inertia_and_bias(wrench: ActuatorWrench, robot: Robot, motion: Motion) -> tu
     zero = np.zeros_like(motion.t)
     still = np.zeros((*motion.shape, 6, 3))
     unit = np.broadcast_to(np.eye(6), (*motion.shape, 6, 6))
-    columns, of_columns = wrench(_bare(robot), with_rates(motion, still, still, unit[..., :3], unit[..., 3:]))
+    columns_of = with_rates(motion, still, still, unit[..., :3], unit[..., 3:])
+    columns, of_columns = wrench(bare_robot(robot), columns_of)
     bias, status = wrench(robot, with_rates(motion, motion.v, motion.omega, zero, zero))
     status = np.where(status == OK, of_columns.max(axis=-1), status).astype(np.int32)
     return np.swapaxes(columns, -1, -2), bias, status
@@ -187,7 +188,7 @@ def _size(vectors: Array) -> Array:
     return np.asarray(np.sqrt(np.sum(vectors * vectors, axis=-1)))
 
 
-def _bare(robot: Robot) -> Robot:
+def bare_robot(robot: Robot) -> Robot:
     """The robot without gravity and friction."""
     return _without(robot, ("g", "C_u", "C_p", "C_s"))
 

@@ -20,6 +20,8 @@ from reduced_machines import at_rest
 
 import stewart_sym as ss
 from stewart_sym.backend.kernel import OFFSET_KERNEL
+from stewart_sym.dynamics.by_forces import ForwardByForces
+from stewart_sym.dynamics.equations import ForwardDynamics
 from stewart_sym.generated import exact_offset_operations
 from stewart_sym.motion.motion import Motion
 from stewart_sym.reference import newton_euler, offset_joints
@@ -169,6 +171,28 @@ def test_equations_of_motion_and_forward_dynamics_undo_inverse_dynamics(joint: s
     assert _error(given, needed) < 1e-12
     assert _error(ss.forward_dynamics(robot, motion, F=forces.F).a, motion.a) < 1e-11
     assert np.abs(e.M - np.swapaxes(e.M, -1, -2)).max() < 1e-12 * np.abs(e.M).max()
+
+
+def test_one_state_gives_what_the_batch_gives() -> None:
+    for seed in MACHINES:
+        for joint in PLATFORM_JOINTS:
+            robot, motion, truth = _case(seed, joint)
+            forward, F = ForwardDynamics(robot), 0.9 * truth.F
+            a, alpha, status = forward.solve(motion, F)
+            found, code = forward.one_state()(motion, F)
+            assert code == status == OK
+            assert _error(found, np.concatenate([a, alpha])) < RELATIVE, (seed, joint)
+
+
+def test_compiled_forces_tell_accelerations_but_at_singular_poses() -> None:
+    cases = [_case(seed, "spherical") for seed in MACHINES]
+    told = [ForwardByForces(robot).solve(motion, truth.F) is not None for robot, motion, truth in cases]
+    assert sum(told) > 0.8 * len(told)
+    robot, motion, truth = cases[0]
+    plane = {"b": robot.b * [1.0, 1.0, 0.0], "p": robot.p * [1.0, 1.0, 0.0], "offsets": ss.Offsets()}
+    flat = dataclasses.replace(robot, **plane)
+    pose = dataclasses.replace(motion, R=np.eye(3), t=np.zeros(3))
+    assert ForwardByForces(flat).solve(pose, truth.F) is None
 
 
 def test_one_pose_and_a_batch_agree_and_threads_as_well() -> None:

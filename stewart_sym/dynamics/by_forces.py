@@ -1,0 +1,46 @@
+"""Forward dynamics of single states by compiled forces, where the equations of motion have no kernel.
+
+Forces are F_0 + A [a; alpha]. At rest, without gravity and friction, those of six unit accelerations are the
+columns of A = H^-1 M; those of the state without acceleration are F_0.
+"""
+
+import numpy as np
+
+from ..io.array_types import Array
+from ..kinematics.conditioning import characteristic_length
+from ..motion.motion import Motion
+from ..reference.equations_of_motion import bare_robot
+from ..robot.robot import Robot
+from .forces import prepare
+
+_MOST_CONDITION = 1e5
+"""Condition number of A, turns times the characteristic length, to which its inverse has digits enough."""
+
+
+class ForwardByForces:
+    """A robot prepared for its accelerations; buffers of its own, so one for each thread."""
+
+    def __init__(self, robot: Robot) -> None:
+        """Raise ValueError for a robot without a force kernel, ``CompilerError`` without a compiler."""
+        self._moving, self._still = (prepare(each).one_pose() for each in (robot, bare_robot(robot)))
+        self._length = np.repeat([1.0, 1.0 / characteristic_length(robot)], 3)
+
+    def solve(self, motion: Motion, F: Array) -> Array | None:
+        """[a; alpha], (6,), of a state under F, N, (6,); None near a singular pose."""
+        moving, still = self._moving, self._still
+        for pose in (moving, still):
+            pose.R[:], pose.t[:] = motion.R, motion.t
+        moving.omega[:], moving.v[:] = motion.omega, motion.v
+        moving.F_ext[:] = 0.0 if motion.F_ext is None else motion.F_ext
+        moving.M_ext[:] = 0.0 if motion.M_ext is None else motion.M_ext
+        status = moving.solve()
+        A = np.empty((6, 6))
+        for i in range(6):
+            part = still.a if i < 3 else still.alpha
+            part[i % 3] = 1.0
+            status = status or still.solve()
+            part[i % 3] = 0.0
+            A[:, i] = still.F * self._length[i]
+        if status or not np.isfinite(A).all() or not np.linalg.cond(A) < _MOST_CONDITION:
+            return None
+        return np.asarray(self._length * np.linalg.solve(A, F - moving.F))
