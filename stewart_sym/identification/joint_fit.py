@@ -9,6 +9,7 @@ import numpy as np
 
 from ..dynamics.equations import force_derivatives
 from ..io.array_types import Array
+from ..motion.least_squares import by_normal_equations
 from ..motion.motion import Motion
 from ..motion.smooth_motion import (
     Basis,
@@ -28,8 +29,6 @@ from .residual_test import DRAWS
 
 # Most steps of the joint fit, most halvings of one, and the decrease of the sum of squares at which it ends.
 _STEPS, _HALVINGS, _NO_DECREASE = 30, 10, 1e-4
-# Share of a column's length that those before it leave of it, above which the normal equations serve.
-_DISTINCT = 1e-5
 # Lead of a screw, m, whose rotor resists along the leg alone.
 _FINE = 1e-6
 
@@ -93,22 +92,12 @@ def _gauss_newton(data: Data, noise: PoseNoise, basis: Basis, c: Array) -> _Solu
 
 
 def _least_squares(J: Array, r: Array) -> tuple[Array, float]:
-    """x of J x = r by least squares, and by how much it decreases the sum of squares.
-
-    By the normal equations where these have digits enough, a tenth of the work of ``factors``.
-    """
-    lengths = np.linalg.norm(J, axis=0)
-    J = J / lengths
-    try:
-        G = np.linalg.cholesky(J.T @ J)
-        if G.diagonal().min() > _DISTINCT:
-            along = np.linalg.solve(G, J.T @ r)
-            return np.linalg.solve(G.T, along) / lengths, float(along @ along)
-    except np.linalg.LinAlgError:
-        pass
-    span, back = factors(J)
-    along = span.T @ r
-    return back @ along / lengths, float(along @ along)
+    """x of J x = r by least squares, and by how much it decreases the sum of squares."""
+    x = by_normal_equations(J, r)
+    if x is None:
+        span, back = factors(J)
+        x = back @ (span.T @ r)
+    return x, float((r @ J) @ x)
 
 
 def _with_deviations(data: Data, noise: PoseNoise, found: _Solution) -> Fit:

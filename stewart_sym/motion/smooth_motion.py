@@ -19,6 +19,7 @@ from ..io.arguments import instance, number_in, real_array, shown, whole_number
 from ..io.array_types import Array
 from ..io.extras import needed_for
 from ..io.instants import elapsed
+from .least_squares import by_normal_equations
 from .motion import Motion
 from .rotation import cross_matrix, rpy_from_rotation, vector_from_rotation
 
@@ -222,15 +223,22 @@ def smoothed(motion: Motion, noise: PoseNoise) -> Smoothed:
 
 def pose_fit(basis: Basis, q: Array) -> Array:
     """Coefficients by least squares, (m, 6)."""
-    return np.asarray(np.linalg.lstsq(basis.value, q, rcond=None)[0])
+    found = by_normal_equations(basis.value, q)
+    return np.asarray(np.linalg.lstsq(basis.value, q, rcond=None)[0]) if found is None else found
 
 
 def bases(noise: PoseNoise) -> Iterator[Basis]:
-    """Bases to choose from, by rising size, at most three quarters as many functions as instants."""
+    """Bases to choose from, by rising size, at most three quarters as many functions as instants.
+
+    Instants of several periods that are at one phase count once.
+    """
     if noise.harmonics is not None and noise.period is not None:
         yield _fourier(noise.time, noise.period, noise.harmonics)
         return
-    size, most = 3, max(3 * len(noise.time) // 4, 7)
+    count = len(noise.time)
+    if noise.period is not None:
+        count = len(np.unique(np.rint(elapsed(noise.time) / noise.period % 1.0 * count)))
+    size, most = 3, max(3 * count // 4, 7)
     while size <= most:
         if noise.period is not None:
             yield _fourier(noise.time, noise.period, (size - 1) // 2)
