@@ -17,7 +17,7 @@ from ..io.arguments import real_array
 from ..io.array_types import Array
 from ..io.instants import apart, elapsed, parts, time_text
 from ..io.tables import positive
-from .motion import Motion
+from .motion import Motion, at_rest
 from .rotation import (
     angular_motion_from_vector,
     orthonormal,
@@ -52,13 +52,11 @@ def between(trajectory: Trajectory | PoseLog) -> Path:
     Raises
     ------
     ValueError
-        For fewer than two instants, and the function for times outside.
+        For fewer than two instants, times that do not increase and a motion without accelerations; the
+        function for times outside.
     """
-    need_trajectory(trajectory)
+    _need_interpolable(trajectory)
     time = trajectory.time
-    if len(time) < 2:
-        raise ValueError(f"{trajectory.source}: expected at least 2 instants, got {len(time)}")
-
     per_second = parts(time)
 
     def at(times: ArrayLike) -> Motion:
@@ -89,6 +87,50 @@ def between(trajectory: Trajectory | PoseLog) -> Path:
     return at
 
 
+def followed(trajectory: Trajectory) -> Callable[[float], Motion]:
+    """Return ``between`` for one time after the other, s since the first instant: at rest after the last.
+
+    The polynomials of all steps are made once, which takes as much room as the motion. Raises as ``between``.
+    """
+    _need_interpolable(trajectory)
+    motion, time = trajectory.motion, elapsed(trajectory.time)
+    start, end, h = motion[:-1], motion[1:], np.diff(time)[:, None]
+    places = quintic(h, *((each.t, each.v, np.asarray(each.a)) for each in (start, end)))
+    c = np.concatenate([places, _turning(h, start, end)], axis=-1)
+    loads = {name: getattr(motion, name) for name in ("F_ext", "M_ext")}
+    loads = {name: load for name, load in loads.items() if load is not None}
+    last = at_rest(motion.R[-1], motion.t[-1], **{name: load[-1] for name, load in loads.items()})
+
+    def at(when: float) -> Motion:
+        if when >= time[-1]:
+            return last
+        i = max(int(np.searchsorted(time, when, side="right")) - 1, 0)
+        share = (when - float(time[i])) / float(h[i, 0])
+        pose, rate, second = values(c[:, i], share, h[i])
+        omega, alpha = angular_motion_from_vector(pose[3:], rate[3:], second[3:])
+        R = rotation_from_vector(pose[3:]) @ motion.R[i]
+        now = {name: load[i] + share * (load[i + 1] - load[i]) for name, load in loads.items()}
+        return Motion.unchecked(R, pose[:3], omega, rate[:3], alpha, second[:3], **now)
+
+    return at
+
+
+def _accelerates(motion: Motion) -> bool:
+    return motion.a is not None and motion.alpha is not None
+
+
+def _need_interpolable(trajectory: Trajectory | PoseLog) -> None:
+    """Reject, by ValueError, fewer than two instants, times that don't increase, and no accelerations."""
+    need_trajectory(trajectory)
+    time = trajectory.time
+    if len(time) < 2:
+        raise ValueError(f"{trajectory.source}: expected at least 2 instants, got {len(time)}")
+    if not np.all(np.diff(time) > 0.0):
+        raise ValueError(f"{trajectory.source}: expected increasing times")
+    if isinstance(trajectory, Trajectory) and not _accelerates(trajectory.motion):
+        raise ValueError(f"{trajectory.source}: expected a motion with accelerations, got none")
+
+
 def resampled(trajectory: Trajectory | PoseLog, rate: float) -> Trajectory:
     """Return the trajectory at even times from its first instant on, ``rate`` of them per second, Hz.
 
@@ -111,7 +153,7 @@ def resampled(trajectory: Trajectory | PoseLog, rate: float) -> Trajectory:
     ValueError
         For a rate that is not > 0 or makes too many instants, and as ``between``.
     """
-    need_trajectory(trajectory)
+    _need_interpolable(trajectory)
     rate = positive(rate, "rate")
     time = trajectory.time
     since = elapsed(time)

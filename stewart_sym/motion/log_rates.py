@@ -11,37 +11,15 @@ import numpy as np
 from ..io.array_types import Array, Flags
 from ..io.extras import needed_for
 from ..io.instants import elapsed, least_step, lost, time_text
-from .euler_orders import far_from_lock
 from .log_faults import Fault, faults, offsets, slower_sampling, spread
-from .motion import Motion
 from .noise_level import LEAST_SAMPLES, Level, LogWarning, decided_noise, noise_level, stated
 from .smoothing import PAIRS, check_cutoff, smoothed
-from .trajectory import POSE, Log, Replaced, Trajectory, Uncertainty, motion_in_order, pose_arguments
+from .trajectory import POSE, Log, Replaced, Uncertainty
 
 _MIN_SPLINE_POINTS = 4
 # What needs SciPy, and what helps without.
 SPLINE = ("a trajectory without derivatives", ", or add columns of all velocities and accelerations")
 _PART = 1 << 14
-
-
-def interpolated(trajectory: Trajectory) -> Callable[[float], Motion]:
-    """A trajectory as a motion at any time since its first instant, s: at rest at its last pose afterwards.
-
-    Positions and unwrapped angles are interpolated by splines, of degree 5 (of degree 3 with 4 or 5
-    rows); given derivatives and loads don't count.  Raises as ``read_csv`` where a spline is needed.
-    """
-    since = elapsed(trajectory.time)
-    theta, order = far_from_lock(trajectory.motion.R)
-    coordinates = np.hstack([trajectory.motion.t, np.unwrap(theta, axis=0)])
-    spline = _spline(since, coordinates, trajectory.source)
-    end = float(since[-1])
-
-    def motion(time: float) -> Motion:
-        at = min(max(time, 0.0), end)
-        rates = np.stack([spline(at, rate) * float(rate == 0 or time < end) for rate in range(3)])
-        return motion_in_order(pose_arguments(rates), order)
-
-    return motion
 
 
 def rates_of(log: Log, values: Array, steps: Array) -> tuple[Array, Uncertainty | None]:

@@ -155,7 +155,7 @@ class PoseLog(NamedTuple):
             if load is not None:
                 numbers[name] = load[index]
         try:
-            motion = motion_in_order(numbers, self.order)
+            motion = _motion_of(numbers, self.order)
         except ValueError as error:
             row = _first_bad_row(numbers, np.asarray(self.rows)[index], self.order)
             raise ValueError(f"{self.source}: {row}{error}") from None
@@ -280,7 +280,7 @@ def pose_arguments(coordinates: Array) -> dict[str, Array]:
     return {name: coordinates[i // 2, ..., 3 * (i % 2) : 3 * (i % 2) + 3] for i, name in enumerate(names)}
 
 
-def motion_in_order(numbers: Mapping[str, Array], order: str) -> Motion:
+def _motion_of(numbers: Mapping[str, Array], order: str) -> Motion:
     """The motion of arguments of ``Motion.from_rpy`` whose angles are of any order."""
     if order == "zyx":
         return Motion.from_rpy(**numbers)
@@ -294,7 +294,7 @@ def _first_bad_row(numbers: Mapping[str, Array], rows: NDArray[np.int64], order:
     """Name the first row that makes no motion by itself, as a prefix."""
     for i, row in enumerate(rows):
         try:
-            motion_in_order({name: values[i] for name, values in numbers.items()}, order)
+            _motion_of({name: values[i] for name, values in numbers.items()}, order)
         except ValueError:
             return f"row {row}: "
     return ""

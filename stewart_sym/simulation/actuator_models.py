@@ -147,8 +147,8 @@ class ModelTorque:
     with e the rotation vector, base axes, of R_w R^T. On a machine that is as the model says, each error
     decays as x'' + k_d x' + k_p x = 0.
 
-    model: Motion of shape () with accelerations -> F, N, (6,). wanted: time, s -> Motion with accelerations.
-
+    model: Motion of shape () with accelerations -> F, N, (6,). wanted: time, s -> Motion with accelerations;
+    the model bears its load.
 
     Raises ValueError naming the gain that is not finite or negative.
     """
@@ -169,7 +169,8 @@ class ModelTorque:
             raise ValueError("wanted: expected a motion with accelerations, got none")
         a, alpha = feedback(wanted, state, self.k_p, self.k_d)
         a, alpha = wanted.a + a, wanted.alpha + alpha
-        return self.model(Motion.unchecked(state.R, state.t, state.omega, state.v, alpha, a))
+        rates = state.omega, state.v, alpha, a
+        return self.model(Motion.unchecked(state.R, state.t, *rates, wanted.F_ext, wanted.M_ext))
 
 
 @dataclass(frozen=True, eq=False)
@@ -181,7 +182,7 @@ class ComputedTorque:
     robot : Robot
         The model.
     wanted : Wanted
-        Time, s -> Motion with accelerations.
+        Time, s -> Motion with accelerations, whose load the model bears.
     k_p : float
         Gain of position, 1/s^2.
     k_d : float

@@ -15,7 +15,7 @@ from ..io.arguments import shown
 from ..io.array_types import Array
 from ..kinematics.mounting import path_for
 from ..kinematics.robot_logs import trajectory_for
-from ..motion.log_rates import interpolated
+from ..motion.interpolation import followed
 from ..motion.motion import Motion
 from ..motion.rotation import rotation_from_rpy
 from ..motion.straight_line import PATHS
@@ -34,7 +34,7 @@ from .simulation import (
     check_rtol,
     simulate,
 )
-from .trace import Simulation
+from .trace import Load, Simulation
 
 SCHEMA = 1
 STARTS = ("path",)
@@ -43,7 +43,7 @@ _TOP_KEYS = (
     *("schema", "robot", "formulation", "duration", "output_step", "method", "rtol", "start"),
     *("on_force_limit", "state", "load", "legs", "thresholds"),
 )
-_OPTIONS = ("rate", "formulation", "method", "rtol", "output_step", "thresholds", "on_force_limit")
+_OPTIONS = ("rate", "load", "formulation", "method", "rtol", "output_step", "thresholds", "on_force_limit")
 """What a scene hands on to ``simulate`` by these names."""
 _STATE_KEYS = ("t", "theta", "v", "omega")
 _LOAD_KEYS = ("F_ext", "M_ext")
@@ -55,8 +55,9 @@ _LAW_NEEDS = {"forces": ("forces",), "springs": ("stiffness",), "tracking": ("pa
 class Scene:
     """A simulation to be run; names and units are those of ``simulate``.
 
-    law: with ``rate``, Hz, its forces are held between samples. files: from which it was read. stated: what
-    the file says of the start and of the legs by key, such as ``state.theta``.
+    law: with ``rate``, Hz, its forces are held between samples. load: of the file of a tracked path, None for
+    the state's. files: from which it was read. stated: what the file says of the start and of the legs by
+    key, such as ``state.theta``.
     """
 
     robot: Robot
@@ -70,6 +71,7 @@ class Scene:
     rtol: float
     thresholds: Thresholds
     on_force_limit: OnForceLimit = "stop"
+    load: Load | None = None
     files: tuple[Path, ...] = ()
     stated: Mapping[str, Any] = field(default_factory=dict)
 
@@ -132,6 +134,8 @@ def _scene(d: Mapping[str, Any], source: str) -> Scene:
         raise ValueError(f"{file}legs: {error}") from None
     rate = legs.get("rate")
     options |= {"thresholds": thresholds, "files": tuple(read)}
+    if wanted is not None and "load" not in top and _load_of(wanted(0.0)) is not None:
+        options["load"] = lambda time, state: _load_of(wanted(time))
     stated = {f"state.{key}": value for key, value in (given or {}).items()}
     stated |= {f"legs.{key}": value for key, value in legs.items()}
     return Scene(robot, state, law, rate, stated=stated, **options)
@@ -201,7 +205,7 @@ def _wanted(robot: Robot, path: str, folder: Path) -> Wanted:
     found = trajectory_for(robot, folder / path)
     if isinstance(found, JointTrajectory):
         raise ValueError(f"{found.source}: expected poses, t_* and theta_*, got leg lengths L_1 to L_6")
-    return interpolated(found)
+    return followed(found)
 
 
 def _state(given: Mapping[str, Array] | None, wanted: Wanted | None, load: Mapping[str, Array]) -> Motion:
@@ -213,6 +217,14 @@ def _state(given: Mapping[str, Array] | None, wanted: Wanted | None, load: Mappi
     zero = np.zeros(3)
     R = rotation_from_rpy(given["theta"])
     return Motion(R, given["t"], given.get("omega", zero), given.get("v", zero), **load)
+
+
+def _load_of(motion: Motion) -> Array | None:
+    """[F_ext; M_ext], (6,), of a motion of shape (); None without a load."""
+    load = motion.F_ext, motion.M_ext
+    if load[0] is None and load[1] is None:
+        return None
+    return np.concatenate([np.zeros(3) if part is None else part for part in load])
 
 
 def _law(robot: Robot, legs: Mapping[str, Any], state: Motion, wanted: Wanted | None) -> ForceLaw:

@@ -12,7 +12,7 @@ import stewart_sym as ss
 from stewart_sym.dynamics.force_noise import force_deviations
 from stewart_sym.kinematics.robot_logs import read_log_of
 from stewart_sym.motion.euler_orders import angle_rates, angles_from_rotation, motion_about_axes
-from stewart_sym.motion.log_rates import interpolated
+from stewart_sym.motion.interpolation import followed
 from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.motion.logs import EULER_ORDERS
 from stewart_sym.motion.motion import Motion
@@ -184,7 +184,7 @@ def test_a_platform_whose_frame_is_pitched_moves_as_any_other(
         # Roll and yaw that jump by half turns are doubted.
         warnings.simplefilter("ignore")
         read = read_csv(log)
-    between, inner = interpolated(read), slice(20, -20)
+    between, inner = followed(read), slice(20, -20)
     for i, motion in ((inner, read.at(inner)), (100, between(time[100]))):
         for name, expected, off in (("R", R, 1e-12), ("omega", omega, 1e-8), ("alpha", alpha, 1e-5)):
             np.testing.assert_allclose(getattr(motion, name), expected[i], atol=off, err_msg=name)

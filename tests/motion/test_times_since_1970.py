@@ -12,8 +12,7 @@ from noisy_logs import WHITE, Array, coordinates, motion
 import stewart_sym as ss
 from stewart_sym.io.instants import elapsed, lost
 from stewart_sym.kinematics.inverse import leg_vectors
-from stewart_sym.motion.interpolation import between, resampled
-from stewart_sym.motion.log_rates import interpolated
+from stewart_sym.motion.interpolation import between, followed, resampled
 from stewart_sym.motion.log_reader import read_any_csv, read_csv
 from stewart_sym.motion.logs import TIME_UNITS, LogFormat
 from stewart_sym.motion.trajectory import JointTrajectory, Trajectory
@@ -94,7 +93,7 @@ def test_between_instants_the_motion_is_that_of_times_from_0(tmp_path: Path, uni
     F = forces(resampled(early, 3000.0))
     np.testing.assert_allclose(forces(resampled(late, 3000.0)), F, rtol=0.0, atol=1e-5 * np.abs(F).max())
     np.testing.assert_array_equal(between(late)(late.time).t, late.motion.t)
-    a, b = (np.asarray(interpolated(each)(0.12345).a) for each in (late, early))
+    a, b = (np.asarray(followed(each)(0.12345).a) for each in (late, early))
     np.testing.assert_allclose(a, b, rtol=0.0, atol=1e-9 * np.abs(b).max())
 
 

@@ -14,11 +14,12 @@ import stewart_sym as ss
 from stewart_sym.cli.machine.simulate import MORE
 from stewart_sym.cli.main import main
 from stewart_sym.io.extras import install
-from stewart_sym.motion.log_rates import interpolated
+from stewart_sym.motion.interpolation import followed
 from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.motion.rotation import rotation_from_rpy, rpy_from_rotation
 from stewart_sym.simulation import scene as scenes
 from stewart_sym.simulation.scene import read_scene
+from stewart_sym.studies.common.motion_columns import trajectory_columns
 from stewart_sym.studies.common.output import csv_lines
 
 SWING = """
@@ -159,7 +160,7 @@ def test_tracking_takes_a_path_from_csv(scene: Path) -> None:
     pose = {"t_x": 0.1 + 0.05 * time, "t_y": 0 * time, "t_z": 0.5 + 0.05 * time**2}
     turn = {"theta_x": 0 * time, "theta_y": 0 * time, "theta_z": 2.6 + 0.5 * time}
     (scene.parent / "path.csv").write_text("".join(csv_lines({"time": time} | pose | turn)))
-    wanted = interpolated(read_csv(scene.parent / "path.csv"))
+    wanted = followed(read_csv(scene.parent / "path.csv"))
     middle, after = wanted(0.43), wanted(3.0)
     np.testing.assert_allclose(middle.t, [0.1 + 0.05 * 1.43, 0.0, 0.5 + 0.05 * 1.43**2], atol=1e-12)
     np.testing.assert_allclose(middle.v, [0.05, 0.0, 0.1 * 1.43], atol=1e-11)
@@ -168,10 +169,34 @@ def test_tracking_takes_a_path_from_csv(scene: Path) -> None:
     np.testing.assert_allclose(middle.omega, [0.0, 0.0, 0.5], atol=1e-11)
     np.testing.assert_allclose(after.t, [0.2, 0.0, 0.7], atol=1e-12)
     assert not after.v.any()
-    scene.write_text(TRACK.replace('"II"', '"path.csv"'))
+    text = TRACK.replace("paper", "exact").replace("rate = 500.0", "")
+    scene.write_text(text.replace('"II"', '"path.csv"'))
     done = read_scene(scene)
     np.testing.assert_allclose(done.state.t, wanted(0.0).t)
     assert done.run().stop.kind == "duration"
+
+
+def test_tracking_takes_rates_and_loads_as_the_file_has_them(scene: Path) -> None:
+    """As `forces` does: those of rows so far apart that no curve through the poses has their rates."""
+    motion = ss.PATHS["II"].path.sample([0.0, 0.2, 0.4])
+    F_ext, M_ext = np.array([[3.0, 1.0, -40.0]] * 3) * [[1.0], [0.5], [0.0]], np.full((3, 3), 2.0)
+    loaded = dataclasses.replace(motion, F_ext=F_ext, M_ext=M_ext)
+    robot = ss.Robot.from_toml(scene.parent / "robots" / "robot.toml")
+    columns = trajectory_columns(robot, np.array([0.0, 0.2, 0.4]), loaded)
+    (scene.parent / "path.csv").write_text("".join(csv_lines(columns)))
+    scene.write_text(
+        TRACK.replace('"II"', '"path.csv"').replace("paper", "exact").replace("rate = 500.0", "")
+    )
+    tracked, needed = read_scene(scene).run(), ss.inverse_dynamics(robot, loaded).F
+    np.testing.assert_allclose(tracked.F[0], needed[0], rtol=1e-12)
+    np.testing.assert_allclose(
+        tracked.t[-1], followed(read_csv(scene.parent / "path.csv"))(0.05).t, atol=1e-9
+    )
+    text = scene.read_text()
+    scene.write_text(text.replace("[legs]", "[load]\nF_ext = [0.0, 0.0, -500.0]\n[legs]"))
+    heavier = read_scene(scene).run()
+    np.testing.assert_allclose(heavier.F[0], needed[0], rtol=1e-12)
+    assert heavier.t[-1, 2] < tracked.t[-1, 2] - 1e-4
 
 
 def test_constant_forces_and_a_load(scene: Path) -> None:
