@@ -25,6 +25,12 @@ Load = Callable[[float, Motion], ArrayLike]
 WATCHED = 5
 """Instants of each step at which limits are looked at."""
 
+# Lobatto's rule of six points: instants of a step from -1 to 1, both ends among them, and their weights.
+_INNER = math.sqrt((7.0 - 2.0 * math.sqrt(7.0)) / 21.0), math.sqrt((7.0 + 2.0 * math.sqrt(7.0)) / 21.0)
+_LOBATTO = np.array([-1.0, -_INNER[1], -_INNER[0], _INNER[0], _INNER[1], 1.0])
+_SHARES = np.array([1.0 / 15.0, (14.0 - math.sqrt(7.0)) / 30.0, (14.0 + math.sqrt(7.0)) / 30.0])
+_WEIGHTS = np.concatenate([_SHARES, _SHARES[::-1]])
+
 
 @dataclass(frozen=True)
 class Stop:
@@ -205,13 +211,21 @@ class Simulation(Trace):
 
     @property
     def within_steps(self) -> Trace:
-        """States and forces at ``WATCHED + 1`` instants of each step: for peaks, whatever the rows are.
+        """States and forces at six instants of each step: for peaks and integrals, whatever the rows are.
 
         Where one step ends and the next begins an instant stands twice, with the forces of either.
         """
-        when = [np.linspace(piece.start, piece.end, WATCHED + 1) for piece in self._pieces]
-        of = np.repeat(np.arange(len(when)), WATCHED + 1)
+        when = [
+            np.append(piece.start + 0.5 * (piece.end - piece.start) * (1.0 + _LOBATTO[:-1]), piece.end)
+            for piece in self._pieces
+        ]
+        of = np.repeat(np.arange(len(when)), len(_LOBATTO))
         return sampled_at(self._robot, self._actuators, self._pieces, np.concatenate(when), of)
+
+    @property
+    def weights_within_steps(self) -> Array:
+        """Weights, s, (n,), whose sum with numbers at the instants of ``within_steps`` is their integral."""
+        return np.concatenate([0.5 * (piece.end - piece.start) * _WEIGHTS for piece in self._pieces])
 
     def at(self, times: ArrayLike) -> Trace:
         """States and forces at given times, interpolated to the accuracy of the run.

@@ -37,11 +37,14 @@ def no_instants(current: bool) -> Instants:
 class DriveDigest:
     """Peaks, root mean squares and energy of the motors over a run, and what a picture of it needs."""
 
-    def __init__(self, robot: Robot, time: Array) -> None:
-        """Begin a run at all these times, s, (n,), of a robot with a drive."""
+    def __init__(self, robot: Robot, time: Array, weights: Array | None = None) -> None:
+        """Begin a run at all these times, s, (n,), of a robot with a drive.
+
+        weights: of the times in integrals, s, (n,); None: those of the trapezoidal rule.
+        """
         assert robot.drive is not None
         self.drive, self.name, self.time = robot.drive, robot.name, elapsed(time)
-        self._weights = trapezoids(self.time)
+        self._weights = trapezoids(self.time) if weights is None else weights
         self.summary = Summary(robot.drive, least_step(time))
         self._torque, self._speed = np.full((2, len(time), LEGS), np.nan, dtype=np.float32)
 

@@ -38,7 +38,7 @@ def report(robot: Robot, run: Simulation, law: ForceLaw, drifts: Mapping[Formula
     """
     fine = run.within_steps
     text, figures = summary(run, fine, law), {}
-    motors = motors_of(robot, fine)
+    motors = motors_of(robot, fine, run.weights_within_steps)
     if motors is not None:
         text = "\n".join([text, "", motors.table(), *motors.summary.exceeded()])
     if len(run.times) > 1:
@@ -51,11 +51,14 @@ def report(robot: Robot, run: Simulation, law: ForceLaw, drifts: Mapping[Formula
     return Report(text, {"run": run_columns(run), **tables}, _data(run, fine, law, drifts, motors), figures)
 
 
-def motors_of(robot: Robot, run: Trace) -> DriveDigest | None:
-    """What a run takes of the motors, at the instants of a trace; None without a drive."""
+def motors_of(robot: Robot, run: Trace, weights: Array | None = None) -> DriveDigest | None:
+    """What a run takes of the motors, at the instants of a trace; None without a drive.
+
+    weights: as of ``DriveDigest``.
+    """
     if robot.drive is None:
         return None
-    found = DriveDigest(robot, run.times)
+    found = DriveDigest(robot, run.times, weights)
     L_dot = leg_states(robot, run.motion).L_dot
     found.add(of_motor_forces(robot, robot.drive, run.motion, run.F, L_dot), slice(None))
     return found
