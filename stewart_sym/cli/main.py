@@ -8,6 +8,7 @@ SciPy or Matplotlib but those that use them.
 
 import argparse
 import difflib
+import re
 import sys
 from collections.abc import Sequence
 from importlib import import_module
@@ -71,7 +72,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         return exit_code()
     except (ValueError, OSError, ImportError, CompilerError, MemoryError, Warning) as error:
-        text = _of_option(_of_file(one_line(error), arguments), sys.argv[1:] if argv is None else argv)
+        text = _of_option(_of_file(one_line(error), arguments), arguments)
         print(f"{PROGRAM}: error: {text}", file=sys.stderr)
         try:
             sys.stdout.flush()
@@ -86,15 +87,28 @@ def _of_file(error: str, arguments: argparse.Namespace) -> str:
     return error if file is None else error.replace("robot: ", f"{file}: ", error.startswith("robot: "))
 
 
-def _of_option(error: str, argv: Sequence[str]) -> str:
-    """The line of an error, with the option that was given where the library has its argument."""
-    option = f"--{error.partition(':')[0].replace('_', '-')}"
-    given = any(each.partition("=")[0] == option for each in argv)
-    return f"{option}{error[len(option) - 2 :]}" if given else error
+def _of_option(error: str, arguments: argparse.Namespace) -> str:
+    """The line of an error, with the option of the subcommand where the library has its argument."""
+    name = error.partition(":")[0]
+    option = f"--{name.replace('_', '-')}"
+    return f"{option}{error[len(name) :]}" if option in getattr(arguments, "options", ()) else error
+
+
+_NEGATIVE = re.compile(r"-(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$")
 
 
 class _Parser(argparse.ArgumentParser):
     """Reports a wrong command in one line that names the help of the subcommand in question."""
+
+    def __init__(self, *args: Any, **kwargs: Any) -> None:
+        """Take numbers such as -1e-3 for numbers, not for options."""
+        super().__init__(*args, **kwargs)
+        self._negative_number_matcher = _NEGATIVE
+
+    @property
+    def options(self) -> list[str]:
+        """Names of all options in full."""
+        return [each for each in self._option_string_actions if each.startswith("--")]
 
     def parse_known_args(self, *args: Any, **kwargs: Any) -> tuple[Any, list[str]]:
         """Reject unknown arguments here: a subparser would hand them on to the main one."""
@@ -105,8 +119,7 @@ class _Parser(argparse.ArgumentParser):
 
     def _near(self, text: str) -> str:
         """A known option much like the unknown one, as a hint."""
-        options = [each for each in self._option_string_actions if each.startswith("--")]
-        near = difflib.get_close_matches(text.partition("=")[0], options, n=1)
+        near = difflib.get_close_matches(text.partition("=")[0], self.options, n=1)
         return f", did you mean {near[0]}?" if near else ""
 
     def _check_value(self, action: argparse.Action, value: Any) -> None:
@@ -134,7 +147,7 @@ def _parser() -> argparse.ArgumentParser:
             name, help=module.HELP, description=text, epilog=f"Example: {module.EXAMPLE}"
         )
         module.add_arguments(added)
-        added.set_defaults(run=module.run, subcommand=name)
+        added.set_defaults(run=module.run, subcommand=name, options=tuple(added.options))
     return parser
 
 

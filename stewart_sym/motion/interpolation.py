@@ -125,7 +125,7 @@ def _need_interpolable(trajectory: Trajectory | PoseLog) -> None:
     time = trajectory.time
     if len(time) < 2:
         raise ValueError(f"{trajectory.source}: expected at least 2 instants, got {len(time)}")
-    if not np.all(np.diff(time) > 0.0):
+    if not (time[1:] > time[:-1]).all():
         raise ValueError(f"{trajectory.source}: expected increasing times")
     if isinstance(trajectory, Trajectory) and not _accelerates(trajectory.motion):
         raise ValueError(f"{trajectory.source}: expected a motion with accelerations, got none")

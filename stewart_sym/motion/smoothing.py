@@ -20,7 +20,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..io.arguments import real_array
+from ..io.arguments import real_array, shown
 from ..io.array_types import Array
 from ..io.instants import elapsed
 from ..io.tables import positive
@@ -106,8 +106,8 @@ def smooth(
     """
     when, columns = real_array(time, "time"), real_array(values, "values")
     if when.ndim != 1 or len(when) < 4 or not (np.diff(when) > 0.0).all():
-        raise ValueError(f"time: expected at least 4 increasing times, got shape {when.shape}")
-    if columns.ndim != 2 or len(columns) != len(when) or not np.isfinite(columns).all():
+        raise ValueError(f"time: expected at least 4 increasing times, s, (n,), got {shown(time)}")
+    if columns.ndim != 2 or len(columns) != len(when) or not columns.size or not np.isfinite(columns).all():
         raise ValueError(f"values: expected finite columns ({len(when)}, c), got shape {columns.shape}")
     cutoff = None if cutoff is None else positive(cutoff, "cutoff")
     level = noise_level(when, columns)
@@ -118,6 +118,9 @@ def smooth(
         level = stated(np.array(np.broadcast_to(given, columns.shape[1:])))
     if sigma is not None or cutoff is None:
         bad = ~(np.isfinite(level.sigma) & (level.sigma > 0.0))
+        if bad.any() and sigma is None:
+            text = "shows no noise: expected sigma, or columns to be smoothed"
+            raise ValueError(f"values: column {int(np.argmax(bad)) + 1} {text}")
         if bad.any():
             raise ValueError(f"sigma: expected deviations > 0, got {level.sigma[bad][0]:g}")
     return smoothed(when, columns, None if sigma is None and cutoff is not None else level, cutoff)
@@ -159,10 +162,15 @@ def _part(time: Array, columns: Array, level: Level | None, cutoff: float | None
         return _scaled(found, columns) if level is None else found
     assert level is not None
     knots, orders, seen = _resolve(clock, columns, level.sigma)
-    # Modes that show less than rounding makes are those of numbers that stay the same.
-    likely = np.where(seen < 0.5 * level.least, level.sigma, np.clip(seen, level.least, 1.5 * level.sigma))
+    # Modes that show less than rounding makes are those of numbers that stay the same: off alike by as much.
+    still = seen < 0.5 * level.least
+    likely = np.where(still, level.sigma, np.clip(seen, level.least, 1.5 * level.sigma))
     known = level.least == level.sigma
-    return _smoothed(clock, columns, np.where(known, level.sigma, likely), knots, orders, None)
+    found = _smoothed(clock, columns, np.where(known, level.sigma, likely), knots, orders, None)
+    sigma = np.where(still, level.least, found.sigma)
+    most = np.max(found.covariance[:, :, 0], axis=0)
+    share = np.where(still, np.minimum(1.0, sigma**2 / np.where(most > 0.0, most, 1.0)), 1.0)
+    return found._replace(sigma=sigma, covariance=found.covariance * share[:, None])
 
 
 def _scaled(unit: Smooth, columns: Array) -> Smooth:

@@ -11,12 +11,15 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..io.arguments import finite_array, real_array
+from ..io.arguments import finite_array, real_array, shown
 from ..io.array_types import Array
 from ..io.extras import needed_for
 from ..io.frozen import Frozen
 from ..motion.interpolation import DEGREE
 from ..motion.motion import Motion
+
+# By how much sums of steps may end beyond the last parameter.
+_ROUNDING = 1e-12
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,8 +59,14 @@ class PosePath(Frozen):
         )
 
     def __call__(self, s: ArrayLike) -> Motion:
-        """Return poses at parameters s in [0, 1], (n,), with first and second derivatives by s."""
+        """Return poses at parameters s in [0, 1], (n,), with first and second derivatives by s.
+
+        Raises ValueError for others.
+        """
         at = real_array(s, "s")
+        if at.ndim != 1 or not np.all(np.abs(at - 0.5) <= 0.5 + _ROUNDING):
+            raise ValueError(f"s: expected parameters in [0, 1], (n,), got {shown(s)}")
+        at = np.clip(at, 0.0, 1.0)
         y, y_1, y_2 = (b_spline_values(self.knots, at, order) @ self.coefficients for order in range(3))
         motion = Motion.from_quaternion(y[:, :3], y[:, 3:], y_1[:, :3], y_1[:, 3:], y_2[:, :3], y_2[:, 3:])
         motion = motion.about_point(-self.tool) if self.tool.any() else motion

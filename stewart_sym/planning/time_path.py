@@ -89,12 +89,12 @@ class TimedPath:
         Parameters
         ----------
         times : array_like
-            From 0 to the duration, s, (n,).
+            From 0 to the duration, s, (...).
 
         Returns
         -------
         Motion
-            Of shape (n,).
+            Of their shape.
 
         Raises
         ------
@@ -105,8 +105,9 @@ class TimedPath:
         # A duration that was asked for is kept to rounding.
         if when.size and not (when.min() >= 0.0 and when.max() <= self.duration * (1.0 + _SAME_TIME)):
             raise ValueError(f"times: expected times in [0, {self.duration:.9g}] s")
-        place = self.profile.at(np.minimum(when, self.duration))
-        return travelled(self.path(place.s), place.rate, place.second)
+        place = self.profile.at(np.minimum(when.ravel(), self.duration))
+        motion = travelled(self.path(place.s), place.rate, place.second)
+        return motion[np.arange(when.size).reshape(when.shape)]
 
 
 def time_path(
@@ -134,7 +135,7 @@ def time_path(
         Parameters s, (n,), -> ``Motion`` whose rates and accelerations are first and second derivatives by s,
         such as a ``PosePath``; its loads are kept. It rests nowhere.
     span : tuple of float, optional
-        First and last s.
+        First and last s, the first less than the last.
     limits : Limits, optional
         Limits that replace or add to the robot's.
     formulation : {"exact", "paper"}, optional
@@ -168,6 +169,8 @@ def time_path(
     if not callable(path):
         raise ValueError(f"path: expected a function of a parameter, got {shown(path)}")
     ends = finite_array(span, (2,), "span", batch=False)
+    if not ends[0] < ends[1]:
+        raise ValueError(f"span: expected a first s less than the last, got {shown(span)}")
     option(formulation, FORMULATIONS, "formulation")
     limits = Limits() if limits is None else limits
     instance(limits, Limits, "limits")

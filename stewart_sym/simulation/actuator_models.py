@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -206,6 +207,11 @@ class ComputedTorque:
         kernel = prepared_kernel(self.robot, self.formulation, self.backend)
         law = ModelTorque(lambda motion: kernel.forces(motion).F, self.wanted, self.k_p, self.k_d)
         object.__setattr__(self, "_law", law)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Copies and pickles prepare a model of their own."""
+        numbers = self.k_p, self.k_d, self.formulation, self.backend
+        return ComputedTorque, (self.robot, self.wanted, *numbers)
 
     def __call__(self, time: float, state: Motion) -> Array:
         """Forces, N, (6,), of a state."""

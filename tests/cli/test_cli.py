@@ -297,6 +297,11 @@ def test_a_wrong_command_is_one_line_that_names_the_help(
     assert "--help" in fails_in_one_line(capsys, *arguments)
 
 
+def test_numbers_with_a_sign_and_an_exponent_are_no_options(capsys: pytest.CaptureFixture[str]) -> None:
+    load = ["--load", "-1e2", "-.5", "-3.", "-2E-3", "-1.5e+1", "0"]
+    assert "no.toml" in fails_in_one_line(capsys, "workspace", "no.toml", *load, "-o", "none")
+
+
 @pytest.mark.parametrize(
     ("arguments", "text"),
     [

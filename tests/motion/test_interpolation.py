@@ -8,7 +8,7 @@ from motion_fields import skew_part
 from numpy.typing import NDArray
 
 import stewart_sym as ss
-from stewart_sym.motion.interpolation import between
+from stewart_sym.motion.interpolation import between, followed
 from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.motion.rotation import angular_motion_from_vector, rotation_from_vector, vector_second_rate
 from stewart_sym.motion.trajectory import Trajectory
@@ -88,6 +88,27 @@ def test_times_outside_and_single_instants_are_rejected() -> None:
     for time in (trajectory.time[0] - 1e-3, trajectory.time[1] + 1e-3, np.nan):
         with pytest.raises(ValueError, match=r"^times: expected times in \["):
             path(np.array([time]))
-    single = Trajectory(trajectory.time[:1], trajectory.motion[:1], "one.csv", (2,))
-    with pytest.raises(ValueError, match=r"^one.csv: expected at least 2 instants, got 1$"):
-        between(single)
+    motion = trajectory.motion
+    still = ss.Motion(motion.R, motion.t, motion.omega, motion.v)
+    for time, given, text in (
+        (trajectory.time[:1], motion[:1], "at least 2 instants, got 1"),
+        (np.array([1.0, 1.0]), motion, "increasing times"),
+        (trajectory.time, still, "a motion with accelerations, got none"),
+    ):
+        odd = Trajectory(time, given, "odd.csv", (2, 3)[: len(time)])
+        for function in (between, followed, lambda odd: ss.resampled(odd, 10.0)):
+            with pytest.raises(ValueError, match=f"^odd.csv: expected {text}$"):
+                function(odd)
+
+
+def test_one_time_after_the_other_gives_the_same_motion_since_the_first_instant() -> None:
+    trajectory = wild()
+    path, one = between(trajectory), followed(trajectory)
+    for time in np.linspace(*trajectory.time[[0, -1]], 23)[:-1]:
+        expected, found = path(time), one(time - trajectory.time[0])
+        for name in (*FIELDS, "F_ext", "M_ext"):
+            np.testing.assert_allclose(getattr(found, name), getattr(expected, name), rtol=1e-9, atol=1e-9)
+    after = one(1e3)
+    np.testing.assert_array_equal(after.t, trajectory.motion.t[-1])
+    np.testing.assert_array_equal(after.F_ext, trajectory.motion.F_ext[-1])
+    assert not after.omega.any()

@@ -216,11 +216,22 @@ def test_resampling_keeps_the_path_and_its_deviations() -> None:
             ss.resampled(trajectory, rate)
 
 
+@pytest.mark.parametrize("count", [200, 20_000])
+def test_numbers_that_stay_the_same_are_off_by_their_rounding_however_many_they_are(count: int) -> None:
+    values = np.array([[0.65, 0.1235]]) * np.ones((count, 1))
+    found = ss.smooth(np.arange(count) * 0.01, values)
+    step = np.array([1e-2, 1e-4])
+    np.testing.assert_allclose(found.sigma, step / np.sqrt(12.0), rtol=1e-9)
+    np.testing.assert_allclose(np.sqrt(found.covariance[:, :, 0].max(axis=0)), found.sigma, rtol=1e-9)
+
+
 @pytest.mark.parametrize(
     ("call", "text"),
     [
         (lambda: ss.smooth([0, 1, 1, 2], np.zeros((4, 1))), "time: expected at least 4 increasing"),
         (lambda: ss.smooth(np.arange(5.0), np.zeros((4, 1))), r"values: expected finite columns \(5, c\)"),
+        (lambda: ss.smooth(np.arange(5.0), np.zeros((5, 0))), r"values: expected finite columns \(5, c\)"),
+        (lambda: ss.smooth(np.arange(5.0), np.full((5, 2), np.pi)), "values: column 1 shows no noise"),
         (lambda: ss.smooth(np.arange(5.0), np.ones((5, 1)), sigma=-1.0), "sigma: expected deviations > 0"),
         (lambda: ss.smooth(np.arange(5.0), np.ones((5, 1)), cutoff=2.0), "cutoff: expected a frequency"),
         (lambda: ss.Smoothing(position=-1.0), "position: expected a number > 0, got -1"),

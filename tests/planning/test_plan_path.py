@@ -17,6 +17,8 @@ from stewart_sym.motion.straight_line import PATHS
 from stewart_sym.planning.path_spline import Family, by_coordinates, poses_of
 from stewart_sym.planning.plan_path import plan_path
 from stewart_sym.planning.pose_costs import PoseCosts
+from stewart_sym.planning.time_path import time_path
+from stewart_sym.planning.timing.path_terms import Limits
 from stewart_sym.planning.via_poses import ViaPose
 from stewart_sym.singularities.along_path import crossings
 
@@ -48,6 +50,20 @@ def test_the_path_passes_its_via_poses() -> None:
     at = found.path(found.path.via)
     np.testing.assert_allclose(at.t, [pose.t for pose in poses], atol=1e-9)
     np.testing.assert_allclose(at.R, [pose.R for pose in poses], atol=1e-9)
+
+
+def test_parameters_and_times_off_a_path_are_named() -> None:
+    robot, poses = via_case(7)
+    path = plan_path(robot, poses).path
+    for s in ([-0.01], [1.1], [np.nan], 0.5, [[0.5]]):
+        with pytest.raises(ValueError, match=r"^s: expected parameters in \[0, 1\], \(n,\), got"):
+            path(s)
+    for span in ((1.0, 0.0), (0.5, 0.5), (0.0, 2.0)):
+        with pytest.raises(ValueError, match=r"^span: expected a first s less|^s: expected parameters in"):
+            time_path(robot, path, span)
+    timed = time_path(robot, path, limits=Limits(acceleration=1.0), cells=10)
+    times = timed.duration * np.array([[0.1, 0.4], [0.6, 1.0]])
+    np.testing.assert_allclose(timed.sample(times).t[1, 0], timed.sample(times[1, 0]).t, rtol=1e-12)
 
 
 def test_rates_of_a_path_are_derivatives_of_its_poses() -> None:

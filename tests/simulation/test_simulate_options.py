@@ -1,6 +1,7 @@
 """Runs that saturate, start on their path, tell how far they are, and draw only what there is."""
 
 import dataclasses
+import pickle
 import shutil
 from importlib.resources import as_file, files
 from pathlib import Path
@@ -140,6 +141,8 @@ def test_a_law_that_follows_a_path_starts_on_it() -> None:
     path = ss.PATHS["I"].path
     law = ss.ComputedTorque(robot, along(path), k_p=400.0, k_d=40.0)
     run = ss.simulate(robot, "path", law, 0.02, rate=500.0)
+    sent = pickle.loads(pickle.dumps(ss.ComputedTorque(robot, path.sample, k_p=400.0, k_d=40.0)))
+    np.testing.assert_array_equal(sent(0.01, run.motion[1]), law(0.01, run.motion[1]))
     np.testing.assert_array_equal(run.t[0], path.sample(0.0).t)
     np.testing.assert_allclose(run.R[0], path.sample(0.0).R, atol=1e-15)
     for start, other in (("path", np.zeros(6)), ("home", law)):
