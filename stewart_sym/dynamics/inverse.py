@@ -166,7 +166,7 @@ def joint_reactions(
 
 
 def massless_forces(robot: Robot, motion: Motion) -> Array:
-    """F0 of (41): actuator forces if legs had no mass and joints no friction, N, (..., 6).
+    """F0 of (41): actuator forces if legs had no mass, drives no rotors and joints no friction, N, (..., 6).
 
     NaN where H is singular, a leg has length zero or a force overflows.
 
@@ -189,7 +189,7 @@ def massless_forces(robot: Robot, motion: Motion) -> Array:
 
 
 def dynamic_fraction(robot: Robot, motion: Motion, F: ArrayLike) -> Array:
-    """F_d / F of (42) and section 4.4, (..., 6): the share of leg inertia, leg weight and friction in F.
+    """F_d / F of (42) and section 4.4, (..., 6): the share of leg and rotor inertia, leg weight and friction.
 
     Parameters
     ----------

@@ -19,7 +19,8 @@ from .parameters import BACKENDS, evaluated, is_friction, parameter_names
 class EquationsByParameter:
     """Terms of M [a; alpha] + C [v; omega] + g + friction = Y pi for each parameter, in the last axis.
 
-    A term times ``inertial_parameters(robot).values`` is that of ``equations_of_motion``.
+    A term times ``inertial_parameters(robot).values`` is that of ``equations_of_motion`` of a robot without
+    rotors, which are no parameters.
 
     Attributes
     ----------

@@ -119,8 +119,8 @@ def _compiled_legs(robot: Robot, motion: Motion) -> dict[str, Any] | None:
 def wrench_matrix(robot: Robot, motion: Motion) -> Array:
     """Return H of (36), (..., 6, 6): column i is [s_i; q_i x s_i], the wrench of a unit force of leg i.
 
-    Rows 0-2 have no unit, rows 3-5 are m. Leg rates are L_dot = H^T [v; omega], actuator forces push with the
-    wrench H F.
+    Rows 0-2 have no unit, rows 3-5 are m. Leg rates are L_dot = H^T [v; omega], of upper parts that turn on a
+    screw the motors' rates over N; actuator forces push with the wrench H F.
 
     Parameters
     ----------
