@@ -232,7 +232,7 @@ def _warn_of_rates(log: Log, coordinates: Array, names: Sequence[str]) -> None:
             if unit
             else "are rates in another unit"
         )
-        _warn(log, f"coordinates change by {changed / expected:.2g} of what their rates say: {hint}?")
+        _warn(log, f"coordinates change by {changed / expected:.2g} times what their rates say: {hint}?")
         return
     kinds = len(names) // 3
     for order in range(2):

@@ -11,8 +11,10 @@ from ..io.instants import elapsed
 from .euler_orders import angle_rates, distance_from_lock
 from .rotation import rotation_about_axes
 
-# Rates are doubted if what they say is off by this share of the changes: more than a filter's usual lag.
+# Rates are of another motion if what they say is off by this share of the changes: more than a filter's lag.
 _OFF = 0.3
+# They lag if it is off by this share and by so many deviations of noise, and a delay leaves less than half.
+_LAG, _BEYOND, _LEFT = 0.03, 10.0, 0.5
 # So they are where noise is less than a share of the changes, a factor differs from 1 by a second, and of it
 # is left less than half: lag leaves much more.
 _QUIET, _FACTOR, _ALL_BUT = 0.1, 0.08, 0.5
@@ -41,14 +43,17 @@ class _Column(NamedTuple):
     """Root mean squares of one column's changes over stretches.
 
     ratio: of the changes by those that the rates say; slope: of the latter by the former, which noise of the
-    rates leaves as it is. off: their difference; left: that from ratio times what the rates say. size: of the
-    changes. noise: of these, by that of the column and that of its rates.
+    rates leaves as it is. off: their difference; left: that from ratio times what the rates say. late: delay
+    of the rates, s, that explains off best; after: what it leaves. size: of the changes. noise: of these, by
+    that of the column and that of its rates.
     """
 
     ratio: float
     slope: float
     off: float
     left: float
+    late: float
+    after: float
     size: float
     noise: float
 
@@ -65,15 +70,11 @@ def rate_doubt(
         return None
     time = elapsed(time)
     found = [_compared(time, column, rate) for column, rate in zip(values.T, rates.T, strict=True)]
-    bad = []
-    for i, each in enumerate(found):
-        first = i - i % kind
-        least = _LEAST * max(other.size for other in found[first : first + kind])
-        seen = each.size > max(least, _CLEAR * each.noise)
-        if seen and ((each.off > _OFF * each.size and abs(each.slope - 1.0) > _OFF) or _scaled(each)):
-            bad.append(i)
+    least = [_LEAST * max(each.size for each in found[i - i % kind :][:kind]) for i in range(len(found))]
+    seen = [i for i, each in enumerate(found) if each.size > max(least[i], _CLEAR * each.noise)]
+    bad = [i for i in seen if _of_another(found[i]) or _scaled(found[i])]
     if not bad:
-        return None
+        return _lag({i: found[i] for i in seen if _late(found[i])}, names, rate_names)
     if len(bad) == len(found) == kind:
         changed, said = (f"{each[0]} to {each[-1]}" for each in (names, rate_names))
     else:
@@ -83,7 +84,29 @@ def rate_doubt(
     if not alike or any(found[i].left > _OFF * found[i].size for i in bad):
         return f"{changed} do not change as {said} say"
     hint = next((text for factor, text in _FACTORS.items() if abs(ratios[0] / factor - 1.0) < _SAME), "")
-    return f"{changed} change by {ratios[0]:.2g} of what {said} say{hint and f': {hint}?'}"
+    return f"{changed} change by {ratios[0]:.2g} times what {said} say{hint and f': {hint}?'}"
+
+
+def _of_another(column: _Column) -> bool:
+    """Whether rates are those of another motion."""
+    return column.off > _OFF * column.size and abs(column.slope - 1.0) > _OFF
+
+
+def _late(column: _Column) -> bool:
+    """Whether a delay of the rates explains most of what is off."""
+    least = max(_LAG * column.size, _BEYOND * column.noise)
+    return least < column.off < column.size and column.after < _LEFT * column.off
+
+
+def _lag(late: dict[int, _Column], names: Sequence[str], rate_names: Sequence[str]) -> str | None:
+    """Which columns' rates are late, in words; None of none."""
+    if not late:
+        return None
+    columns, rates = (", ".join(each[i] for i in late) for each in (names, rate_names))
+    share = 100 * max(each.off / each.size for each in late.values())
+    delay = 1e3 * float(np.median([each.late for each in late.values()]))
+    when = f"{abs(delay):.2g} ms {'late' if delay > 0.0 else 'early'}"
+    return f"{rates} say up to {share:.2g} % other changes than those of {columns}: are they {when}?"
 
 
 def angular_velocity_doubt(time: Array, theta: Array, rates: Array, order: str) -> str | None:
@@ -141,15 +164,19 @@ def _compared(time: Array, x: Array, rate: Array) -> _Column:
         # Across a gap of the log no rates are known.
         apart = time[stretch:] - time[:-stretch]
         kept = apart <= 2.0 * np.median(apart)
-        change, by_rate = ((each[stretch:] - each[:-stretch])[kept] for each in (x, said))
+        change, by_rate, of_rate = ((each[stretch:] - each[:-stretch])[kept] for each in (x, said, rate[at]))
         if max(_rms(change), _rms(by_rate)) >= _SHARE * spread or 4 * stretch >= len(time):
             break
         stretch *= 2
     both, squares, own = (float(x @ y) for x, y in ((change, by_rate), (by_rate, by_rate), (change, change)))
     ratio, slope = both / squares if squares else 0.0, both / own if own else 1.0
     off, left = _rms(change - by_rate), _rms(change - ratio * by_rate)
+    gone = change - by_rate
+    faster = float(of_rate @ of_rate)
+    late = float(gone @ of_rate) / faster if faster else 0.0
+    after = _rms(gone - late * of_rate)
     noise = math.hypot(scatter, _OF_RATES * of_rates * step * math.sqrt(every * stretch))
-    return _Column(ratio, slope, off, left, _rms(change), noise)
+    return _Column(ratio, slope, off, left, late, after, _rms(change), noise)
 
 
 def _rms(values: Array) -> float:

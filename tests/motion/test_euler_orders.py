@@ -116,7 +116,7 @@ def test_rates_are_doubted_beside_angles_of_their_own_order(tmp_path: Path, orde
         warnings.simplefilter("error")
         read_csv(saved(path, time, found), form)
     found[1:, :, 3:] *= -1.0
-    with pytest.warns(ss.LogWarning, match="theta_x, theta_y, theta_z change by -1 of what theta_dot_x"):
+    with pytest.warns(ss.LogWarning, match="theta_x, theta_y, theta_z change by -1 times what theta_dot_x"):
         read_csv(saved(path, time, found), form)
 
 

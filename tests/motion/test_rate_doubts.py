@@ -55,18 +55,26 @@ def test_rates_that_times_contradict_by_a_unit_are_warned_of(
         (
             slice(7, 13),
             lambda rates: -rates,
-            "t_x, .*, theta_z change by -1 of what v_x, .* say: are signs opp",
+            "t_x, .*, theta_z change by -1 times what v_x, .* say: are signs opp",
         ),
-        (slice(7, 10), lambda rates: 3.0 * rates, "t_x, t_y, t_z change by 0.33 of what v_x, v_y, v_z say$"),
-        (slice(7, 10), lambda rates: 1.25 * rates, "t_x, t_y, t_z change by 0.8 of what v_x, v_y, v_z say$"),
+        (
+            slice(7, 10),
+            lambda rates: 3.0 * rates,
+            "t_x, t_y, t_z change by 0.33 times what v_x, v_y, v_z say$",
+        ),
+        (
+            slice(7, 10),
+            lambda rates: 1.25 * rates,
+            "t_x, t_y, t_z change by 0.8 times what v_x, v_y, v_z say$",
+        ),
         (slice(7, 10), lambda rates: rates[:, [1, 0, 2]], "t_x, t_y do not change as v_x, v_y say"),
         (
             slice(10, 13),
             np.degrees,
-            ".*theta_z change by 0.01[78] of what .*theta_dot_z say: are the latter in deg",
+            ".*theta_z change by 0.01[78] times what .*theta_dot_z say: are the latter in deg",
         ),
         (slice(10, 13), lambda rates: 0.0 * rates, ".*theta_z do not change as .*theta_dot_z say"),
-        (slice(13, 16), lambda rates: -rates, "v_x, v_y, v_z change by -1 of what a_x, a_y, a_z say"),
+        (slice(13, 16), lambda rates: -rates, "v_x, v_y, v_z change by -1 times what a_x, a_y, a_z say"),
     ],
     ids=["minus", "three times", "by a quarter", "exchanged", "degrees", "none", "accelerations"],
 )
@@ -109,12 +117,19 @@ def test_an_angular_velocity_in_place_of_rates_of_angles_is_told_from_them(
 
 
 @pytest.mark.parametrize("lag", [0.02, 0.05])
-def test_rates_behind_a_filter_are_of_the_same_motion(tmp_path: Path, lag: float) -> None:
+def test_rates_behind_a_filter_are_said_to_be_late(tmp_path: Path, lag: float) -> None:
     names, table = with_rates(np.arange(0.0, 8.0, 0.01))
     late = 1.0 - np.exp(-0.01 / lag)
     for column in table[:, 7:].T:
         for i in range(1, len(column)):
             column[i] = column[i - 1] + late * (column[i] - column[i - 1])
+    with pytest.warns(ss.LogWarning, match=r"v_x, .* say up to .* % other changes .*: are they .* ms late"):
+        read_csv(write(tmp_path / "odd.csv", names, table))
+
+
+def test_a_small_lag_is_none(tmp_path: Path) -> None:
+    names, table = with_rates(np.arange(0.0, 8.0, 0.01))
+    table[:, 7:] = with_rates(np.arange(0.0, 8.0, 0.01) - 0.005)[1][:, 7:]
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         read_csv(write(tmp_path / "good.csv", names, table))

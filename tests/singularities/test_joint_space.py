@@ -221,11 +221,11 @@ def test_rates_of_another_motion_are_named(samples: int, timed: bool) -> None:
     with pytest.raises(ValueError, match=r"L_dot: L_\d, .* do not change as L_dot_\d, .* say"):
         follow(L_dot[:, ::-1], L_ddot)
     with pytest.raises(
-        ValueError, match=r"L_ddot: L_dot_1 to L_dot_6 change by -1 of what .*: are signs opposite"
+        ValueError, match=r"L_ddot: L_dot_1 to L_dot_6 change by -1 times what .*: are signs opposite"
     ):
         follow(L_dot, -L_ddot)
     if timed:
-        with pytest.raises(ValueError, match="L_dot: L_1 to L_6 change by 2 of what L_dot_1 to L_dot_6 say"):
+        with pytest.raises(ValueError, match="L_dot: L_1 to L_6 change by 2 times what L_dot_1 to"):
             follow(0.5 * L_dot, L_ddot)
 
 
