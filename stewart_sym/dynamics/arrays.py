@@ -4,6 +4,7 @@ Arrays come and go as the library's own; ``jit``, ``vmap`` and ``grad`` work on 
 """
 
 from dataclasses import dataclass, field
+from importlib import import_module
 from types import ModuleType
 from typing import Any, NamedTuple, TypeVar
 
@@ -103,6 +104,10 @@ class ArrayKernel(Frozen):
         made = {"_source": source, "_on": on, "_model": _converted(model, on), "dtype": on.type}
         for attribute, value in made.items():
             object.__setattr__(self, attribute, value)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Copies and pickles name the library, a module, which neither takes."""
+        return _prepared, (self.robot, self.xp.__name__, self.formulation, self.dtype)
 
     def forces(
         self,
@@ -242,6 +247,10 @@ class ArrayKernel(Frozen):
 def _shape_of(name: str) -> tuple[int, ...]:
     """Shape of an argument at one pose."""
     return {"R": (3, 3), "F": (6,)}.get(name, (3,))
+
+
+def _prepared(robot: Robot, library: str, formulation: Formulation, dtype: Any) -> ArrayKernel:
+    return ArrayKernel(robot, import_module(library), formulation, dtype)
 
 
 def array_kernel(robot: Robot, xp: Any, formulation: Formulation = "exact", dtype: Any = None) -> ArrayKernel:

@@ -30,6 +30,8 @@ WITHOUT_PERIOD = "a smooth motion without a period"
 # Pitch angles beyond this, rad, leave roll and yaw too poorly determined to be smoothed.
 _STEEPEST = 1.4
 _DEGREE = 5
+# Poses that the smallest spline goes through.
+_FEWEST = 7
 # Larger bases tried without a gain before the search for a basis ends.
 _IN_VAIN = 4
 # Scatter of poses over their stated noise from which on the noise is stated too small.
@@ -138,6 +140,8 @@ def estimated_noise(
     """
     scale = PoseNoise(time, 1.0, 1.0, period, harmonics)  # type: ignore[arg-type]
     q = coordinates(motion, scale)
+    if len(q) <= _FEWEST:
+        raise ValueError(f"motion: expected more than {_FEWEST} poses, got {len(q)}")
     seen = _scatter(scale, q)
     if not min(seen) > 1e-12 * (1.0 + np.max(np.abs(q))):
         raise ValueError("motion: expected measured poses that scatter about a smooth motion, got exact ones")

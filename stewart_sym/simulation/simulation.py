@@ -22,7 +22,7 @@ from ..io.array_types import Array
 from ..io.extras import needed_for
 from ..motion.motion import Motion
 from ..motion.rotation import one_vector_rate, orthonormal, rotation_from_vector, turned_by
-from ..results import STATUS_TEXT
+from ..results import NOT_FINITE, OK, STATUS_TEXT
 from ..robot.robot import Robot
 from .actuator_models import ForceLaw
 from .limits import Thresholds, Watch, det_sign, need_between
@@ -222,6 +222,8 @@ class _Run:
             y = self._settled(time, y, center, sampled, sample == 1)
             if sample == 1:
                 if not np.isfinite(self._rates(0.0, y, center, sampled)).all():
+                    if self.fault in (OK, NOT_FINITE):
+                        self._need_finite(motion_of(y, center), sampled)
                     raise ValueError(f"initial_state: no accelerations: {self._reason()}")
                 self.fault = 0
             end = duration if rate is None else min(sample / rate, duration)
@@ -310,6 +312,16 @@ class _Run:
             acceleration, status = found.acceleration, found.status
         self.fault = status or self.fault
         return np.concatenate([state.v, one_vector_rate(y[3:6], state.omega), acceleration])
+
+    def _need_finite(self, state: Motion, sampled: Array | None) -> None:
+        """Reject, by ValueError, a load and forces that are no numbers at the start."""
+        loaded = self._loaded(0.0, state)
+        for name, value in (
+            ("load", loaded.external_wrench()),
+            ("forces", self.actuators.at(0.0, state, sampled)),
+        ):
+            if not np.isfinite(value).all():
+                raise ValueError(f"{name}: expected six finite numbers at 0 s, got {shown(value)}")
 
     def _loaded(self, time: float, state: Motion) -> Motion:
         F_ext, M_ext = self.constant

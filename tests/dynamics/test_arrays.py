@@ -1,5 +1,7 @@
 """Kernels on arrays of NumPy, the array API standard and JAX: the C's numbers, statuses and derivatives."""
 
+import copy
+import pickle
 from dataclasses import replace
 from typing import Any
 
@@ -83,6 +85,13 @@ def test_leading_shapes_broadcast_and_what_is_not_given_is_zero() -> None:
     still = ss.Motion(R=np.eye(3), t=t[1], omega=np.zeros(3), v=np.zeros(3), alpha=np.zeros(3), a=np.zeros(3))
     assert found.F.shape == (2, 3, 6)
     np.testing.assert_array_equal(found.F[1, 2], ss.prepare(robot).forces(still))
+
+
+def test_copies_and_pickles_have_the_same_numbers() -> None:
+    kernel = ss.array_kernel(dasgupta(), np)
+    poses = {"R": np.eye(3), "t": [0.2, 0.0, 0.8]}
+    for other in (pickle.loads(pickle.dumps(kernel)), copy.deepcopy(kernel)):
+        np.testing.assert_array_equal(other.forces(**poses).F, kernel.forces(**poses).F)
 
 
 def test_numbers_in_another_order_of_bytes_are_the_same() -> None:

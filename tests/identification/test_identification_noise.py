@@ -272,6 +272,8 @@ def test_poses_that_no_noise_fits_are_named() -> None:
         ss.estimated_noise(way.time, way.motion, way.path.period, 5)
     with pytest.raises(ValueError, match=rf"^motion: expected {SAMPLES} instants"):
         ss.estimated_noise(way.time, way.motion[1:])
+    with pytest.raises(ValueError, match=r"^motion: expected more than 7 poses, got 7"):
+        ss.estimated_noise(way.time[:7], way.motion[:7])
     steep = ss.Motion.from_rpy(np.zeros((9, 3)), np.tile([0.0, 1.5, 0.0], (9, 1)), *np.zeros((2, 9, 3)))
     with pytest.raises(ValueError, match=r"^motion: expected theta_y within"):
         ss.estimated_noise(np.arange(9.0), steep)

@@ -412,6 +412,14 @@ def test_a_start_without_accelerations_is_rejected() -> None:
         ss.simulate(robot, on_base, np.zeros(6), 0.1)
 
 
+@pytest.mark.parametrize("name", ["forces", "load"])
+def test_forces_and_loads_that_are_no_numbers_at_the_start_are_named(name: str) -> None:
+    robot = machine()
+    odd = {name: lambda time, state: np.full(6, np.nan)}
+    with pytest.raises(ValueError, match=f"^{name}: expected six finite numbers at 0 s, got"):
+        ss.simulate(robot, home(robot), **{"forces": np.zeros(6), "duration": 0.1} | odd)
+
+
 def test_forces_that_are_no_numbers_after_the_start_leave_no_run() -> None:
     robot = machine()
     with pytest.raises(ValueError, match=r"^initial_state: no step is small enough at 0 s"):
