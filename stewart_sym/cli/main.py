@@ -106,9 +106,9 @@ class _Parser(argparse.ArgumentParser):
         self._negative_number_matcher = _NEGATIVE
 
     @property
-    def options(self) -> list[str]:
-        """Names of all options in full."""
-        return [each for each in self._option_string_actions if each.startswith("--")]
+    def actions(self) -> dict[str, argparse.Action]:
+        """Options by their full names."""
+        return {name: each for name, each in self._option_string_actions.items() if name.startswith("--")}
 
     def parse_known_args(self, *args: Any, **kwargs: Any) -> tuple[Any, list[str]]:
         """Reject unknown arguments here: a subparser would hand them on to the main one."""
@@ -119,7 +119,7 @@ class _Parser(argparse.ArgumentParser):
 
     def _near(self, text: str) -> str:
         """A known option much like the unknown one, as a hint."""
-        near = difflib.get_close_matches(text.partition("=")[0], self.options, n=1)
+        near = difflib.get_close_matches(text.partition("=")[0], list(self.actions), n=1)
         return f", did you mean {near[0]}?" if near else ""
 
     def _check_value(self, action: argparse.Action, value: Any) -> None:
@@ -147,7 +147,9 @@ def _parser() -> argparse.ArgumentParser:
             name, help=module.HELP, description=text, epilog=f"Example: {module.EXAMPLE}"
         )
         module.add_arguments(added)
-        added.set_defaults(run=module.run, subcommand=name, options=tuple(added.options))
+        # Without those that are given or not, of which nothing can be wrong.
+        taking = [option for option, action in added.actions.items() if action.nargs != 0]
+        added.set_defaults(run=module.run, subcommand=name, options=taking)
     return parser
 
 
