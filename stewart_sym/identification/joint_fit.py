@@ -9,11 +9,11 @@ import numpy as np
 
 from ..dynamics.equations import force_derivatives
 from ..io.array_types import Array
-from ..motion.least_squares import by_normal_equations
 from ..motion.motion import Motion
 from ..motion.smooth_motion import (
     Basis,
     PoseNoise,
+    by_normal_equations,
     chain,
     coordinates,
     from_best,

@@ -19,7 +19,6 @@ from ..io.arguments import instance, number_in, real_array, shown, whole_number
 from ..io.array_types import Array
 from ..io.extras import needed_for
 from ..io.instants import elapsed
-from .least_squares import by_normal_equations
 from .motion import Motion
 from .rotation import cross_matrix, rpy_from_rotation, vector_from_rotation
 
@@ -30,6 +29,9 @@ WITHOUT_PERIOD = "a smooth motion without a period"
 # Pitch angles beyond this, rad, leave roll and yaw too poorly determined to be smoothed.
 _STEEPEST = 1.4
 _DEGREE = 5
+# Share of a column's length that those before it leave of it, above which the normal equations have digits
+# enough.
+_DISTINCT = 1e-4
 # Poses that the smallest spline goes through.
 _FEWEST = 7
 # Larger bases tried without a gain before the search for a basis ends.
@@ -229,6 +231,27 @@ def pose_fit(basis: Basis, q: Array) -> Array:
     """Coefficients by least squares, (m, 6)."""
     found = by_normal_equations(basis.value, q)
     return np.asarray(np.linalg.lstsq(basis.value, q, rcond=None)[0]) if found is None else found
+
+
+def by_normal_equations(A: Array, y: Array) -> Array | None:
+    """x of A x = y by least squares, y (n,) or (n, c); None where columns of A are nearly dependent.
+
+    Its residual is corrected once, which gives back the digits that squares lose.
+    """
+    lengths = np.linalg.norm(A, axis=0)
+    if not lengths.all():
+        return None
+    unit = A / lengths
+    try:
+        G = np.linalg.cholesky(unit.T @ unit)
+    except np.linalg.LinAlgError:
+        return None
+    if G.diagonal().min() < _DISTINCT:
+        return None
+    x = np.zeros((A.shape[1], *y.shape[1:]))
+    for _ in range(2):
+        x += np.linalg.solve(G.T, np.linalg.solve(G, unit.T @ (y - unit @ x)))
+    return np.asarray((x.T / lengths).T)
 
 
 def bases(noise: PoseNoise) -> Iterator[Basis]:
