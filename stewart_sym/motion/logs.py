@@ -22,7 +22,7 @@ from ..io.arguments import option, shown
 from ..io.array_types import Array
 from ..io.instants import time_text
 from ..io.progress import Progress, silent
-from ..io.tables import as_utf8
+from ..io.tables import table_as_utf8
 from .noise_level import LogWarning
 
 if TYPE_CHECKING:
@@ -112,13 +112,13 @@ def read_columns(
     stream: the file, which is read in parts, so that the numbers alone take room. check_header: rejects a
     header of expected names, given the name of the file. progress: given the share of the file that is read.
     """
-    size = max(1, stream.seek(0, io.SEEK_END))
-    stream.seek(0)
+    with table_as_utf8(stream, source) as stream:
+        size = max(1, stream.seek(0, io.SEEK_END))
+        stream.seek(0)
 
-    def read() -> None:
-        progress(f"reading {source}", min(1.0, stream.tell() / size))
+        def read() -> None:
+            progress(f"reading {source}", min(1.0, stream.tell() / size))
 
-    with as_utf8(stream, source):
         delimiter, decimal = _marks(stream, form)
         stream.seek(0)
         lines = io.TextIOWrapper(stream, encoding="utf-8-sig", newline="")
