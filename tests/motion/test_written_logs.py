@@ -4,9 +4,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from log_files import NAMES
+from log_files import NAMES, RATES
 from numpy.typing import NDArray
+from robot_files import PAPERS
 
+from stewart_sym.cli.main import main
 from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.motion.logs import LogFormat
 from stewart_sym.motion.trajectory import Trajectory
@@ -42,7 +44,7 @@ def alike(found: Trajectory, plain: Trajectory) -> None:
 
 
 @pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "cp1252"])
-@pytest.mark.parametrize("end", ["\n", "\r\n"])
+@pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
 def test_encodings_of_spreadsheets_are_read(tmp_path: Path, encoding: str, end: str) -> None:
     text = end.join([*lines(OWN, ";", ","), ""])
     alike(read(tmp_path, text.encode(encoding), MARKED), read(tmp_path, lines()))
@@ -52,3 +54,92 @@ def test_a_code_page_below_the_header_is_no_text(tmp_path: Path) -> None:
     rows = [f"{line};\xfcber" for line in lines(OWN, ";")]
     with pytest.raises(ValueError, match=r"expected UTF-8 text, byte \d+ is not: save it as UTF-8$"):
         read(tmp_path, "\n".join(rows).encode("cp1252"), MARKED)
+
+
+@pytest.mark.parametrize(
+    "above", [["sep=;"], ["sep=;", "", ";;;"], ["# Logger 2.3, A", "% m", ""], ['"sep=;"', "# 1;2;3"]]
+)
+@pytest.mark.parametrize("decimal", [".", ","])
+def test_lines_above_the_header_are_passed_over(tmp_path: Path, above: list[str], decimal: str) -> None:
+    plain = read(tmp_path, lines())
+    found = read(tmp_path, [*above, *lines(NAMES, ";", decimal)])
+    alike(found, plain)
+    assert found.rows[0] == len(above) + 2
+
+
+@pytest.mark.parametrize("mark", ["# ", "#", "%"])
+def test_names_in_a_comment_above_bare_numbers_are_the_header(tmp_path: Path, mark: str) -> None:
+    header, *rows = lines()
+    alike(read(tmp_path, ["# run 7", mark + header, *rows]), read(tmp_path, [header, *rows]))
+    own = dict(zip(NAMES, [mark + "time", *NAMES[1:]], strict=True))
+    alike(read(tmp_path, [mark + header, *rows], LogFormat(own)), read(tmp_path, [header, *rows]))
+
+
+def test_a_separator_that_is_none_is_named(tmp_path: Path) -> None:
+    with pytest.raises(ValueError, match="row 1: sep=: expected a comma, a semicolon or a tab, got"):
+        read(tmp_path, ["sep=|", *lines(NAMES, "|")])
+
+
+UNITS = LogFormat(length_unit="mm", angle_unit="deg", time_unit="ms")
+
+
+@pytest.mark.parametrize(
+    "units", ["ms,mm,mm,mm,°,°,°", "[ms],[mm],[mm],[mm],[deg],[deg],[deg]", "(ms),mm,,,,degrees,"]
+)
+@pytest.mark.parametrize("form", [LogFormat(), UNITS])
+def test_a_row_of_units_is_as_if_they_were_given(tmp_path: Path, units: str, form: LogFormat) -> None:
+    header, *rows = lines()
+    plain = read(tmp_path, [header, *rows], UNITS)
+    found = read(tmp_path, [header, "", units, *rows], form)
+    alike(found, plain)
+    assert found.rows[0] == 4
+
+
+def test_rates_and_loads_have_units_too(tmp_path: Path) -> None:
+    names = [*NAMES, *RATES, "F_ext_x", "F_ext_y", "F_ext_z"]
+    units = "s,m,m,m,rad,rad,rad,m/s,m/s,m/s,rad/s,rad/s,rad/s,m/s²,m/s^2,m/s2,rad/s²,,,N,N,[N]"
+    rows = [",".join([f"0.{i}", *["0"] * 21]) for i in range(1, 6)]
+    assert len(read(tmp_path, [",".join(names), units, *rows]).time) == 5
+    for right, wrong, told in (
+        ("[N]", "kN", "row 2: F_ext_z: .* in a row of units N, got 'kN'"),
+        ("m/s2", "m/s", "row 2: a_z: .* in a row of units m/s2 or cm/s2 or mm/s2 or in/s2, got 'm/s'"),
+    ):
+        with pytest.raises(ValueError, match=told):
+            read(tmp_path, [",".join(names), units.replace(right, wrong), *rows])
+
+
+@pytest.mark.parametrize(
+    ("units", "form", "told"),
+    [
+        ("min,m,m,m,rad,rad,rad", LogFormat(), "time: .* row of units s or ms or us, got 'min': convert the"),
+        ("s,m,m,m,gon,gon,gon", LogFormat(), "theta_x: .* row of units rad or deg, got 'gon': convert"),
+        (
+            "s,m,mm,m,rad,rad,rad",
+            LogFormat(),
+            "t_y: expected one length_unit in the row of units, got mm and m$",
+        ),
+        (
+            "s,mm,mm,mm,rad,rad,rad",
+            LogFormat(length_unit="cm"),
+            r"t_x: the row of units says mm, expected that of LogFormat\(length_unit='cm'\)$",
+        ),
+    ],
+)
+def test_units_that_are_none_or_others_are_named(
+    tmp_path: Path, units: str, form: LogFormat, told: str
+) -> None:
+    header, *rows = lines()
+    with pytest.raises(ValueError, match=f"row 2: {told}"):
+        read(tmp_path, [header, units, *rows], form)
+
+
+def test_stated_noise_is_in_the_unit_of_the_row_of_units(tmp_path: Path) -> None:
+    header, *rows = lines()
+    log, sizes = tmp_path / "log.csv", []
+    for head, options in (([header], ["--length-unit", "mm"]), ([header, "s,mm,mm,mm,rad,rad,rad"], [])):
+        log.write_text("\n".join([*head, *rows]) + "\n")
+        out = tmp_path / "forces.csv"
+        more = ["--noise-position", "0.001", "--noise-angle", "1e-4"]
+        assert main(["forces", str(PAPERS), str(log), "-o", str(out), *options, *more]) in (0, 1)
+        sizes.append(out.read_text())
+    assert sizes[0] == sizes[1]

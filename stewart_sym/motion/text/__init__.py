@@ -1,0 +1,1 @@
+"""The text of logs: what stands above their numbers."""
