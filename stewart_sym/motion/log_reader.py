@@ -116,7 +116,7 @@ def _read(path: str | os.PathLike[str], form: LogFormat, smoothing: Smoothing, p
         _check_header([*form.columns], "columns", "")
     with opened(source, "trajectory", _MOST_BYTES) as stream:
         check = partial(_check_log, smoothing=smoothing)
-        columns, rows, form = read_columns(stream, source, check, form, progress)
+        columns, rows, form, _ = read_columns(stream, source, check, form, progress)
     names = {name.rpartition("_")[0] for name in columns} - {""}
     written = {name: [columns[c] for c in _components(name)] for name in names}
     return Log(source, rows, columns["time"], written, form, smoothing)
@@ -165,7 +165,12 @@ def read_leg_columns(
         need_columns(header, wanted, source)
 
     with opened(source, "forces", _MOST_BYTES) as stream:
-        columns = read_columns(stream, source, check, form).columns
+        columns, rows, _, dated = read_columns(stream, source, check, form)
+    if dated:
+        raise ValueError(
+            f"{source}: row {rows[0]}: time: expected seconds as in the trajectory, of which dates and times "
+            "of day are those since its first row"
+        )
     return columns["time"], np.stack([columns[name] for name in group], axis=-1), group
 
 

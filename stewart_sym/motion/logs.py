@@ -25,7 +25,8 @@ from ..io.instants import time_text
 from ..io.progress import Progress, silent
 from ..io.tables import table_as_utf8
 from .noise_level import LogWarning
-from .text.head import MARKS, Head, is_value, read_head
+from .text.clock import READ, Clock, instant
+from .text.head import MARKS, Head, is_value, read_head, without_row
 
 if TYPE_CHECKING:
     import _csv
@@ -151,11 +152,15 @@ class LogFormat:
 
 
 class Table(NamedTuple):
-    """Columns of a file by name, as written but for time in s, the rows where they stand, and its format."""
+    """Columns of a file by name, as written but for time in s, the rows where they stand, and its format.
+
+    dated: whether dates or times of day are written, whose seconds are those since the first row.
+    """
 
     columns: dict[str, Array]
     rows: Sequence[int]
     form: LogFormat
+    dated: bool
 
 
 def read_columns(
@@ -185,12 +190,13 @@ def read_columns(
         units = _units_of(head, header, source, form)
         form = form.with_units(units or {})
         if units is not None:
-            head = head._replace(above=head.above + 1, begin=head.end)
-        decimal = _decimal(stream, head, form)
+            head = without_row(stream, head)
+        clock = _clock(head, header, source, form)
+        decimal = _decimal(stream, head, form, clock is not None)
         stream.seek(head.begin)
         lines = io.TextIOWrapper(stream, encoding="utf-8", newline="")
         try:
-            columns, rows = _columns(lines, source, header, head, decimal, read)
+            columns, rows = _columns(lines, source, header, head, decimal, clock, read)
         finally:
             lines.detach()
         if not rows:
@@ -211,7 +217,7 @@ def read_columns(
         raise ValueError(
             f"{source}: row {rows[i + 1]}: time: expected increasing times, got {after} after {before}"
         )
-    return Table(columns, rows, form)
+    return Table(columns, rows, form, clock is not None)
 
 
 def stated_units(stream: BinaryIO, source: str, form: LogFormat) -> dict[str, str]:
@@ -277,12 +283,26 @@ def _plain_unit(cell: str, per_second: str) -> str:
     return _SPELLED.get(unit, unit)
 
 
+def _clock(head: Head, header: list[str | None], source: str, form: LogFormat) -> Clock | None:
+    """What reads the times where the first row has a date or a time of day."""
+    text = dict(zip(header, head.first, strict=False)).get("time", "")
+    if instant(text) is None:
+        return None
+    if form.time_unit not in (None, "s"):
+        raise ValueError(
+            f"{source}: row {head.above + 1}: time: expected {form.time_unit} "
+            f"(LogFormat(time_unit={form.time_unit!r})), got {text!r}: dates and times of day have no unit"
+        )
+    return Clock()
+
+
 def _columns(
     lines: Iterator[str],
     source: str,
     header: list[str | None],
     head: Head,
     decimal: str,
+    clock: Clock | None,
     read: Callable[[], None],
 ) -> tuple[dict[str, Array], Sequence[int]]:
     """Columns of the lines by name, and their rows; ``read`` is called now and then."""
@@ -302,7 +322,7 @@ def _columns(
         reader = csv.reader(itertools.chain(part, lines), delimiter=head.delimiter, skipinitialspace=True)
         rows = array.array("q", rows)
         try:
-            _add_rows(reader, above, header, source, decimal, numbers, rows, read)
+            _add_rows(reader, above, header, source, decimal, clock, numbers, rows, read)
         except csv.Error as error:
             raise ValueError(f"{source}: row {above + reader.line_num}: not valid CSV: {error}") from None
     names = (name for name in header if name is not None)
@@ -331,10 +351,16 @@ def _cut_off(stream: BinaryIO, head: Head, decimal: str) -> bool:
     )
 
 
-def _decimal(stream: BinaryIO, head: Head, form: LogFormat) -> str:
-    """Decimal mark: a comma where there is one below the header that can't be the delimiter, and no point."""
+def _decimal(stream: BinaryIO, head: Head, form: LogFormat, dated: bool) -> str:
+    """Decimal mark: a comma where there is one below the header that can't be the delimiter, and no point.
+
+    dated: the first row tells by numbers alone, since dates and times of day have points anyway.
+    """
     if form.decimal is not None:
         return DECIMALS[form.decimal]
+    if dated:
+        numbers = "".join(filter(is_value, head.first))
+        return "," if "," in numbers and "." not in numbers else "."
     stream.seek(head.begin)
     comma = False
     while head.delimiter != "," and (chunk := stream.read(_CHUNK)):
@@ -364,7 +390,8 @@ def _plain_table(lines: list[str], width: int, used: list[int], delimiter: str, 
 
     A tenth of the time that ``_add_rows`` takes, which names what is not in order.
     """
-    if not lines[0].strip():
+    # A point beside decimal commas is no decimal mark.
+    if not lines[0].strip() or (decimal != "." and any("." in line for line in lines)):
         return None
     try:
         found = np.loadtxt(
@@ -385,6 +412,7 @@ def _add_rows(
     header: list[str | None],
     source: str,
     decimal: str,
+    clock: Clock | None,
     numbers: list[array.array[float]],
     rows: array.array[int],
     read: Callable[[], None],
@@ -397,35 +425,52 @@ def _add_rows(
         rows.append(row)
         if len(rows) % _ROWS == 0:
             read()
-        for column, value in zip(
-            numbers, _row(cells, header, f"{source}: row {row}: ", decimal), strict=True
-        ):
+        where = f"{source}: row {row}: "
+        for column, value in zip(numbers, _row(cells, header, where, decimal, clock), strict=True):
             column.append(value)
 
 
-def _row(cells: list[str], header: list[str | None], where: str, decimal: str) -> list[float]:
+def _row(
+    cells: list[str], header: list[str | None], where: str, decimal: str, clock: Clock | None
+) -> list[float]:
     if len(cells) != len(header):
         cause = ""
         if decimal == "." and len(header) < len(cells) <= 2 * len(header):
             cause = ": are commas its decimal marks too? then columns need another delimiter, or quotes"
         raise ValueError(f"{where}expected {len(header)} columns, got {len(cells)}{cause}")
-    return [
-        _cell(cell.strip(), where + name, decimal)
-        for cell, name in zip(cells, header, strict=True)
-        if name is not None
+    used = [(cell.strip(), name) for cell, name in zip(cells, header, strict=True) if name is not None]
+    found = [
+        clock.seconds(text, where + name) if clock and name == "time" else _number(text, decimal)
+        for text, name in used
     ]
-
-
-def _cell(text: str, where: str, decimal: str) -> float:
-    try:
-        found = float(text.replace(decimal, ".") if decimal != "." else text) if "_" not in text else math.nan
-    except ValueError:
-        found = math.nan
-    if not math.isfinite(found):
-        cause = (
-            ": is its decimal mark a comma (LogFormat(decimal='comma'))?"
-            if "," in text and decimal == "."
-            else ""
-        )
-        raise ValueError(f"{where}: expected a finite number, got {text[:40]!r}{cause}")
+    if not all(map(math.isfinite, found)):
+        wrong = [each for each, value in zip(used, found, strict=True) if not math.isfinite(value)]
+        # A thousands separator is why the commas of other cells are not taken for decimal marks.
+        both = (each for each in wrong if {",", "."} < set(each[0]) and ":" not in each[0])
+        text, name = next(both, wrong[0])
+        cause = _cause(text, decimal)
+        raise ValueError(f"{where}{name}: expected a finite number, got {text[:40]!r}{cause}")
     return found
+
+
+def _number(text: str, decimal: str) -> float:
+    """The number; nan for what is none."""
+    if "_" in text or (decimal != "." and "." in text):
+        return math.nan
+    try:
+        return float(text.replace(decimal, "."))
+    except ValueError:
+        return math.nan
+
+
+def _cause(text: str, decimal: str) -> str:
+    """Why a cell is no number, where that shows."""
+    if ":" in text:
+        return f": {READ}"
+    if "." in text and "," in text:
+        return ": thousands separators are not read"
+    if "." in text and decimal == ",":
+        return ": decimals have a comma (LogFormat(decimal='comma')), thousands separators are not read"
+    if "," in text and decimal == ".":
+        return ": is its decimal mark a comma (LogFormat(decimal='comma'))?"
+    return ""

@@ -1,5 +1,6 @@
 """Logs as loggers and spreadsheets write them: lines above the numbers, encodings, times, repeated rows."""
 
+import datetime
 from pathlib import Path
 
 import numpy as np
@@ -9,7 +10,7 @@ from numpy.typing import NDArray
 from robot_files import PAPERS
 
 from stewart_sym.cli.main import main
-from stewart_sym.motion.log_reader import read_csv
+from stewart_sym.motion.log_reader import read_csv, read_forces_csv
 from stewart_sym.motion.logs import LogFormat
 from stewart_sym.motion.trajectory import Trajectory
 
@@ -143,3 +144,95 @@ def test_stated_noise_is_in_the_unit_of_the_row_of_units(tmp_path: Path) -> None
         assert main(["forces", str(PAPERS), str(log), "-o", str(out), *options, *more]) in (0, 1)
         sizes.append(out.read_text())
     assert sizes[0] == sizes[1]
+
+
+@pytest.mark.parametrize(("form", "row"), [(LogFormat(), 2), (LogFormat(decimal="comma"), 5)])
+def test_thousands_separators_are_named_in_their_own_cell(tmp_path: Path, form: LogFormat, row: int) -> None:
+    text = lines(NAMES, ";", ",")
+    cells = text[row - 1].split(";")
+    cells[3] = "3.400,00"
+    text[row - 1] = ";".join(cells)
+    with pytest.raises(ValueError, match=rf"row {row}: t_z: .* got '3.400,00': thousands separators are not"):
+        read(tmp_path, text, form)
+
+
+def test_a_point_beside_decimal_commas_is_no_decimal_mark(tmp_path: Path) -> None:
+    header, *rows = lines(NAMES, ";", ",")
+    rows[3] = rows[3].replace(",", ".", 2)
+    with pytest.raises(ValueError, match=r"row 5: time: .*: decimals have a comma .*, thousands"):
+        read(tmp_path, [header, *rows], LogFormat(decimal="comma"))
+
+
+START = datetime.datetime(2026, 11, 26, 23, 59, 30, 125_000)
+
+
+@pytest.mark.parametrize(
+    ("stamp", "start"),
+    [
+        ("%Y-%m-%d %H:%M:%S.%f", START),
+        ("%Y-%m-%dT%H:%M:%S,%f", START),
+        ("%Y-%m-%dT%H:%M:%S.%fZ", START.replace(second=59)),
+        ("%Y-%m-%d %H:%M:%S.%f+01:00", START),
+        ("%H:%M:%S.%f", START),
+        ("%H:%M:%S,%f000", START.replace(hour=1)),
+        ("%-H:%M:%S.%f", START.replace(hour=9)),
+    ],
+)
+@pytest.mark.parametrize("decimal", [".", ","])
+def test_dates_and_times_of_day_are_seconds_since_the_first_row(
+    tmp_path: Path, stamp: str, start: datetime.datetime, decimal: str
+) -> None:
+    plain = read(tmp_path, lines())
+    header, *rows = lines(NAMES, ";", decimal)
+    stamped = [
+        f"{(start + datetime.timedelta(seconds=t)).strftime(stamp)};{row.partition(';')[2]}"
+        for t, row in zip(plain.time.tolist(), rows, strict=True)
+    ]
+    alike(read(tmp_path, [header, *stamped]), plain)
+
+
+@pytest.mark.parametrize(
+    ("times", "form", "told"),
+    [
+        (
+            ["23:59:59.9", "00:00:00.1"],
+            LogFormat(),
+            "row 3: time: expected increasing times, got 00:00:00.1 after 23:59:59.9: past midnight dates",
+        ),
+        (
+            ["31.03.2024 01:59:40,0"],
+            LogFormat(),
+            "row 2: time: .* '31.03.2024 01:59:40,0': dates as",
+        ),
+        (
+            ["10:00:00", "0.5"],
+            LogFormat(),
+            "row 3: time: expected a time of day as in the first row, got",
+        ),
+        (["0.5", "10:00:00"], LogFormat(), "row 3: time: expected a finite number, got '10:00:00': dates as"),
+        (["2026-11-26 10:00", "10:01"], LogFormat(), "row 3: time: expected a date and time as in the first"),
+        (
+            ["2026-13-26 10:00"],
+            LogFormat(),
+            "row 2: time: expected a finite number, got '2026-13-26 10:00'",
+        ),
+        (
+            ["10:00:00"],
+            LogFormat(time_unit="ms"),
+            "row 2: time: expected ms .LogFormat.time_unit='ms'",
+        ),
+    ],
+)
+def test_times_that_are_not_read_are_named(
+    tmp_path: Path, times: list[str], form: LogFormat, told: str
+) -> None:
+    rows = [f"{time};0.2;0;0.5;0;0;0" for time in times]
+    with pytest.raises(ValueError, match=told):
+        read(tmp_path, [";".join(NAMES), *rows], form)
+
+
+def test_dated_forces_are_rejected_since_their_start_is_not_that_of_the_poses(tmp_path: Path) -> None:
+    path = tmp_path / "forces.csv"
+    path.write_text("time,F1,F2,F3,F4,F5,F6\n10:00:00,1,2,3,4,5,6\n")
+    with pytest.raises(ValueError, match="row 2: time: expected seconds as in the trajectory"):
+        read_forces_csv(path)

@@ -29,10 +29,10 @@ class Head(NamedTuple):
 class _Lines:
     """Lines of a stream as text: how many were taken, how many bytes, and how many of these by the last."""
 
-    def __init__(self, stream: BinaryIO) -> None:
-        """Begin at the stream's beginning."""
-        stream.seek(0)
-        self.count = self.size = self.last = 0
+    def __init__(self, stream: BinaryIO, size: int = 0, count: int = 0) -> None:
+        """Begin below so many bytes and lines."""
+        stream.seek(size)
+        self.count, self.size, self.last = count, size, 0
         # A file whose lines all end in a carriage return is one line to the stream.
         self._lines = (part for line in stream for part in line.splitlines(keepends=True))
 
@@ -71,16 +71,24 @@ def read_head(stream: BinaryIO, source: str, given: Collection[str], delimiter: 
         names = _cells(itertools.chain([line], lines), delimiter)
         if names[0].startswith(("{", "[", "<")):
             raise ValueError(f"{source}: expected a CSV file with a header line, got {shown(names[0])}")
-        above, begin = lines.count, lines.size
-        first: list[str] = []
-        for line in lines:
-            above, begin = lines.count - 1, lines.size - lines.last
-            if line.strip():
-                first = _cells([line], delimiter)
-                break
+        return _first_row(lines, names, delimiter)
     except csv.Error as error:
         raise ValueError(f"{source}: row {lines.count}: not valid CSV: {error}") from None
-    return Head(names, delimiter, first, above, begin, lines.size)
+
+
+def without_row(stream: BinaryIO, head: Head) -> Head:
+    """The head with its first row, which is one of units, among what stands above the numbers."""
+    return _first_row(_Lines(stream, head.end, head.above + 1), head.names, head.delimiter)
+
+
+def _first_row(lines: _Lines, names: list[str], delimiter: str) -> Head:
+    """The names and the first row that is not blank."""
+    above, begin = lines.count, lines.size
+    for line in lines:
+        if line.strip():
+            return Head(names, delimiter, _cells([line], delimiter), lines.count - 1, begin, lines.size)
+        begin = lines.size
+    return Head(names, delimiter, [], above, begin, lines.size)
 
 
 def _separator(line: str, where: str) -> str:
