@@ -210,6 +210,7 @@ def read_columns(
             )
     # Divided, times are the nearest doubles of what is written.
     columns["time"] /= round(1.0 / TIME_UNITS[form.time_unit or "s"])
+    columns, rows = _without_repeated(columns, rows, source)
     late = np.flatnonzero(np.diff(columns["time"]) <= 0.0)
     if late.size:
         i = int(late[0])
@@ -226,6 +227,26 @@ def stated_units(stream: BinaryIO, source: str, form: LogFormat) -> dict[str, st
         head = _head(text, source, form)
         return _units_of(head, _expected_names(head.names, source, form), source, form) or {}
     return {}
+
+
+def _without_repeated(
+    columns: dict[str, Array], rows: Sequence[int], source: str
+) -> tuple[dict[str, Array], Sequence[int]]:
+    """Columns and rows without those that have the time and all other numbers of the row above."""
+    again = 1 + np.flatnonzero(columns["time"][1:] == columns["time"][:-1])
+    for column in columns.values():
+        again = again[column[again] == column[again - 1]]
+    if not again.size:
+        return columns, rows
+    many = f"{again.size} rows have" if again.size > 1 else "1 row has"
+    warnings.warn(
+        f"{source}: {many} the time and all numbers of the row above, the first is row {rows[again[0]]}: "
+        "taken once",
+        LogWarning,
+        stacklevel=5,
+    )
+    kept = np.delete(np.array(rows), again)
+    return {name: np.delete(column, again) for name, column in columns.items()}, kept.tolist()
 
 
 def need_columns(header: Sequence[str], columns: Sequence[str], source: str) -> None:

@@ -12,6 +12,7 @@ from robot_files import PAPERS
 from stewart_sym.cli.main import main
 from stewart_sym.motion.log_reader import read_csv, read_forces_csv
 from stewart_sym.motion.logs import LogFormat
+from stewart_sym.motion.noise_level import LogWarning
 from stewart_sym.motion.trajectory import Trajectory
 
 OWN = ["Zeit [s]", "X [mm]", "Y [mm]", "Z [mm]", "Roll [°]", "Pitch [°]", "Yaw [°]"]
@@ -144,6 +145,18 @@ def test_stated_noise_is_in_the_unit_of_the_row_of_units(tmp_path: Path) -> None
         assert main(["forces", str(PAPERS), str(log), "-o", str(out), *options, *more]) in (0, 1)
         sizes.append(out.read_text())
     assert sizes[0] == sizes[1]
+
+
+def test_rows_written_twice_are_taken_once_and_counted(tmp_path: Path) -> None:
+    header, *rows = lines()
+    plain = read(tmp_path, [header, *rows])
+    with pytest.warns(LogWarning, match=r": 3 rows have the time and .* the first is row 7: taken once$"):
+        found = read(tmp_path, [header, *rows[:5], rows[4], *rows[5:9], *rows[8:], rows[-1]])
+    alike(found, plain)
+    assert [found.rows[i] for i in (4, 5, 40)] == [6, 8, 44]
+    other = rows[5].rpartition(",")[0] + ",0.5"
+    with pytest.raises(ValueError, match=r"row 8: time: expected increasing times, got 0.25 after"):
+        read(tmp_path, [header, *rows[:6], other, *rows[6:]])
 
 
 @pytest.mark.parametrize(("form", "row"), [(LogFormat(), 2), (LogFormat(decimal="comma"), 5)])
