@@ -346,16 +346,18 @@ def _check_header(header: list[str], source: str, otherwise: str = _OTHER_NAMES)
     if joints:
         position, derivatives = _LENGTHS, _LENGTH_DERIVATIVES
     _check_names(header, ["time", *_components(*position, *derivatives, *LOADS)], source, _KNOWN + otherwise)
-    missing = [c for c in _components(*derivatives) if c not in header]
-    if missing and len(missing) < len(_components(*derivatives)):
-        raise ValueError(
-            f"{source}: missing column {missing[0]}: "
-            f"expected velocities and accelerations ({', '.join(derivatives)}) all, or none of them"
-        )
     required = ["time", *_components(*position)]
     for name in LOADS:
         if any(c in header for c in _components(name)):
             required += _components(name)
+    missing = [c for c in _components(*derivatives) if c not in header]
+    if missing and len(missing) < len(_components(*derivatives)):
+        kept = ", ".join(f"{name!r}: {name!r}" for name in required)
+        remedy = f": LogFormat(columns={{{kept}}}) reads none" if otherwise else ""
+        raise ValueError(
+            f"{source}: missing column {missing[0]}: expected velocities and accelerations "
+            f"({', '.join(derivatives)}) all, or none of them{remedy}"
+        )
     need_columns(header, required, source)
 
 

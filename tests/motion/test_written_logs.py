@@ -249,3 +249,18 @@ def test_dated_forces_are_rejected_since_their_start_is_not_that_of_the_poses(tm
     path.write_text("time,F1,F2,F3,F4,F5,F6\n10:00:00,1,2,3,4,5,6\n")
     with pytest.raises(ValueError, match="row 2: time: expected seconds as in the trajectory"):
         read_forces_csv(path)
+
+
+def test_velocities_alone_are_left_out_as_the_error_says(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    header, *rows = lines()
+    log, out = tmp_path / "log.csv", str(tmp_path / "f.csv")
+    names = ",".join([header, *RATES[:6]])
+    log.write_text("\n".join([names, *(f"{row},0,0,0,0,0,0" for row in rows)]) + "\n")
+    assert main(["forces", str(PAPERS), str(log), "-o", out]) == 2
+    told = capsys.readouterr().err
+    assert "missing column a_x: expected velocities and accelerations" in told
+    option = told.partition("none of them: ")[2].split(" reads")[0]
+    assert option.startswith("--columns time=time,")
+    assert main(["forces", str(PAPERS), str(log), "-o", out, *option.split()]) in (0, 1)
