@@ -60,17 +60,8 @@ _QUANTITIES = {
     **{"F": ("unit of force", 0), "current": ("unit of current", 0)},
 }
 _PER_SECOND = ("", "/s", "/s2")
-_SPELLED = {
-    "°": "deg",
-    "degrees": "deg",
-    "inch": "in",
-    "sec": "s",
-    "µs": "us",
-    "μs": "us",
-    "n": "N",
-    "nm": "Nm",
-}
-_SPELLED |= {"a": "A"}
+_SPELLED = {"°": "deg", "degrees": "deg", "inch": "in", "sec": "s", "µs": "us", "μs": "us"}
+_SPELLED |= {"n": "N", "nm": "Nm", "a": "A"}
 EULER_ORDERS = tuple("".join(order) for order in itertools.permutations("xyz"))
 
 # Rows and bytes that are read at a time.
@@ -128,6 +119,7 @@ class LogFormat:
             raise ValueError(f"columns: expected a mapping of names, got {shown(self.columns)}")
         option(self.euler_order, EULER_ORDERS, "euler_order")
         option(self.lengths, LENGTHS, "lengths")
+        detected: dict[str, Mapping[str, object]]
         detected = {**_UNITS, "delimiter": DELIMITERS, "decimal": DECIMALS}
         for name in ("length_unit", "angle_unit", "time_unit", "delimiter", "decimal"):
             if getattr(self, name) is not None:
@@ -145,9 +137,11 @@ class LogFormat:
 
     def with_units(self, units: Mapping[str, str]) -> Self:
         """The same with a unit of each kind: the given one, else that of a row of units, else SI."""
-        si = {"length_unit": "m", "angle_unit": "rad", "time_unit": "s"}
         return dataclasses.replace(
-            self, **{kind: getattr(self, kind) or units.get(kind, unit) for kind, unit in si.items()}
+            self,
+            length_unit=self.length_unit or units.get("length_unit", "m"),
+            angle_unit=self.angle_unit or units.get("angle_unit", "rad"),
+            time_unit=self.time_unit or units.get("time_unit", "s"),
         )
 
 

@@ -1,1 +1,1 @@
-"""The text of logs: what stands above their numbers."""
+"""The text of logs: lines above their numbers, dates."""

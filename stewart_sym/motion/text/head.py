@@ -1,4 +1,4 @@
-"""What stands above a log's numbers: blank lines, comments, a line that states the delimiter, the header."""
+"""Lines above a log's numbers: blank ones, comments, a line that states the delimiter, the header."""
 
 import codecs
 import csv
@@ -13,7 +13,7 @@ MARKS = (",", ";", "\t")
 
 
 class Head(NamedTuple):
-    """What stands above the numbers: names as written, the first row below them, and where that is.
+    """Lines above the numbers: names as written, the first row below them, and where that is.
 
     above: lines above the row. begin, end: bytes above it and its last.
     """
@@ -77,7 +77,7 @@ def read_head(stream: BinaryIO, source: str, given: Collection[str], delimiter: 
 
 
 def without_row(stream: BinaryIO, head: Head) -> Head:
-    """The head with its first row, which is one of units, among what stands above the numbers."""
+    """The head with its first row, which is one of units, among the lines above the numbers."""
     return _first_row(_Lines(stream, head.end, head.above + 1), head.names, head.delimiter)
 
 
