@@ -50,9 +50,10 @@ def trajectory_of(
             if getattr(arguments, name) is not None:
                 option = name.replace("_", "-")
                 raise ValueError(f"--{option}: is for smoothing, expected no --no-smoothing beside it")
-    smoothing = Smoothing(*stated_noise(arguments), arguments.cutoff, arguments.smoothing)
-    log = read_log_of(robot, source, log_format(arguments, robot), smoothing, progress)
-    trajectory = poses_of(robot, log, arguments, progress)
+    form = log_format(arguments, robot, source)
+    smoothing = Smoothing(*stated_noise(arguments, form), arguments.cutoff, arguments.smoothing)
+    log = read_log_of(robot, source, form, smoothing, progress)
+    trajectory = poses_of(robot, log, arguments, form, progress)
     if arguments.rate is None:
         return trajectory
     few = resampled(trajectory, arguments.rate)
@@ -66,33 +67,39 @@ def trajectory_of(
     return few
 
 
-def stated_noise(arguments: argparse.Namespace) -> "tuple[float | None, float | None]":
+def stated_noise(arguments: argparse.Namespace, form: "LogFormat") -> "tuple[float | None, float | None]":
     """Stated noise of positions, m, and of angles, rad: the options are in the units of the log."""
-    from ..motion.logs import ANGLE_UNITS, LENGTH_UNITS
-
     position, angle = arguments.noise_position, arguments.noise_angle
     return (
-        None if position is None else position * LENGTH_UNITS[arguments.length_unit],
-        None if angle is None else angle * ANGLE_UNITS[arguments.angle_unit],
+        None if position is None else position * form.metres,
+        None if angle is None else angle * form.radians,
     )
 
 
-def log_format(arguments: argparse.Namespace, robot: "Robot | None" = None) -> "LogFormat":
-    """How the options say that a trajectory's file is read, and where they don't, the robot file."""
+def log_format(
+    arguments: argparse.Namespace, robot: "Robot | None" = None, source: Path | None = None
+) -> "LogFormat":
+    """How the options say that a trajectory's file is read, and where they don't, the robot file.
+
+    source: a file whose row of units states the units that no option does; without it these are open.
+    """
+    from ..motion.log_reader import with_units_of
     from ..motion.logs import LogFormat
 
     names = ("columns", "length_unit", "angle_unit", "time_unit", "delimiter", "decimal")
-    form = {name: getattr(arguments, name) for name in names}
+    options = {name: getattr(arguments, name) for name in names}
     for name in ("euler_order", "lengths"):
         stated = getattr(arguments, name) or getattr(robot, name, None)
-        form |= {name: stated} if stated else {}
-    return LogFormat(**form)
+        options |= {name: stated} if stated else {}
+    form = LogFormat(**options)
+    return form if source is None else with_units_of(source, form)
 
 
 def poses_of(
     robot: "Robot",
     log: "Trajectory | PoseLog | JointTrajectory",
     arguments: argparse.Namespace,
+    form: "LogFormat",
     progress: Progress,
 ) -> "Trajectory | PoseLog":
     """Poses of a log that was read as the options say, found from leg lengths if it holds these."""
@@ -104,7 +111,7 @@ def poses_of(
     from ..singularities.joint_space import on_platform
     from ..studies.reports.doubts import angle_doubt, length_doubt, side_doubt, unit_doubt
 
-    unit, start = arguments.length_unit, arguments.start
+    unit, start = form.length_unit or "m", arguments.start
     some = np.linspace(0, len(log.time) - 1, min(len(log.time), _SOME)).astype(np.int64)
     if isinstance(log, JointTrajectory):
         found = [length_doubt(robot, log.L[some], unit)]

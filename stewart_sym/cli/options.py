@@ -154,7 +154,8 @@ def log_form(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:
         ("angle-unit", ("rad", "deg")),
         ("time-unit", ("s", "ms", "us")),
     ):
-        group.add_argument(f"--{name}", choices=choices, default=choices[0], help=f"default: {choices[0]}")
+        text = f"default: that of the row of units below the header, else {choices[0]}"
+        group.add_argument(f"--{name}", choices=choices, help=text)
     group.add_argument("--delimiter", choices=("comma", "semicolon", "tab"), help="default: detected")
     group.add_argument("--decimal", choices=("point", "comma"), help="default: detected")
     group.add_argument(

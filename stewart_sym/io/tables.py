@@ -6,9 +6,11 @@ The prefix or place handed in begins every message: ``file: key: what was expect
 import codecs
 import contextlib
 import difflib
+import itertools
 import math
 import os
 import re
+import shutil
 import stat
 import tempfile
 import tomllib
@@ -26,6 +28,9 @@ MOST_BYTES = 1 << 18
 """Of a TOML file: thirty times what a robot takes with every number of every leg."""
 _CHUNK = 1 << 24
 _LINE = 1 << 12
+# Bytes at a table's beginning that show how its header is encoded, and how a row of numbers begins.
+_HEAD = 1 << 16
+_NUMBER = re.compile(rb"[\s\"]*[-+.\d]")
 _MOST = float(np.finfo(np.float64).max)
 
 _TWICE = re.compile(r"Cannot overwrite a value \(at line (\d+)")
@@ -101,8 +106,49 @@ def as_utf8(stream: BinaryIO, source: str) -> Iterator[None]:
                 decoder.decode(chunk, final=not chunk)
             except UnicodeDecodeError as error:
                 place = start - pending + error.start
-                raise ValueError(f"{source}: expected UTF-8 text, byte {place} is not") from None
+                raise ValueError(
+                    f"{source}: expected UTF-8 text, byte {place} is not: save it as UTF-8"
+                ) from None
             start += len(chunk)
+
+
+@contextlib.contextmanager
+def table_as_utf8(stream: BinaryIO, source: str) -> Iterator[BinaryIO]:
+    """The stream of a table, or a copy in UTF-8 of one in UTF-16 or with a header in Windows' code page 1252.
+
+    UTF-16 has a byte order mark; the code page is tried where bytes above the numbers are no UTF-8. Raises as
+    ``as_utf8``, for what goes wrong in the block's reading too.
+    """
+    with as_utf8(stream, source), contextlib.ExitStack() as stack:
+        head = stream.read(_HEAD)
+        stream.seek(0)
+        lines = head.splitlines(keepends=True)
+        above = b"".join(itertools.takewhile(lambda line: not _NUMBER.match(line), lines))
+        utf_16 = head.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)) and head[2:4] != b"\0\0"
+        told = _is_utf8(above) or len(above) == len(head) or head.startswith(codecs.BOM_UTF8) or b"\0" in head
+        if told and not utf_16:
+            yield stream
+            return
+        copy: BinaryIO = stack.enter_context(tempfile.TemporaryFile())
+        if utf_16:
+            decoder = codecs.getincrementaldecoder("utf-16")()
+            while chunk := stream.read(_CHUNK):
+                copy.write(decoder.decode(chunk).encode())
+            decoder.decode(b"", final=True)
+        else:
+            copy.write(above.decode("cp1252").encode())
+            stream.seek(len(above))
+            shutil.copyfileobj(stream, copy)
+        copy.seek(0)
+        yield copy
+
+
+def _is_utf8(data: bytes) -> bool:
+    try:
+        data.decode()
+    except UnicodeDecodeError:
+        return False
+    return True
 
 
 _KINDS = {

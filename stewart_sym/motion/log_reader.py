@@ -13,7 +13,7 @@ from ..io.extras import need
 from ..io.progress import Progress, silent
 from ..io.tables import file_name, opened
 from .log_rates import SPLINE, as_given, rates_of
-from .logs import LogFormat, need_columns, read_columns
+from .logs import LogFormat, need_columns, read_columns, stated_units
 from .noise_level import LogWarning
 from .rate_doubts import angular_velocity_doubt, rate_doubt
 from .rotation import rotation_about_axes
@@ -116,10 +116,19 @@ def _read(path: str | os.PathLike[str], form: LogFormat, smoothing: Smoothing, p
         _check_header([*form.columns], "columns", "")
     with opened(source, "trajectory", _MOST_BYTES) as stream:
         check = partial(_check_log, smoothing=smoothing)
-        columns, rows = read_columns(stream, source, check, form, progress)
+        columns, rows, form, _ = read_columns(stream, source, check, form, progress)
     names = {name.rpartition("_")[0] for name in columns} - {""}
     written = {name: [columns[c] for c in _components(name)] for name in names}
     return Log(source, rows, columns["time"], written, form, smoothing)
+
+
+def with_units_of(path: str | os.PathLike[str], form: LogFormat) -> LogFormat:
+    """The form with all units: given ones, else those of the file's row of units, else SI; a pipe is SI."""
+    source = file_name(path)
+    if not os.path.isfile(source):
+        return form.with_units({})
+    with opened(source, "trajectory", _MOST_BYTES) as stream:
+        return form.with_units(stated_units(stream, source, form))
 
 
 def trajectory_from(log: PoseLog) -> Trajectory:
@@ -156,7 +165,12 @@ def read_leg_columns(
         need_columns(header, wanted, source)
 
     with opened(source, "forces", _MOST_BYTES) as stream:
-        columns, _ = read_columns(stream, source, check, form)
+        columns, rows, _, dated = read_columns(stream, source, check, form)
+    if dated:
+        raise ValueError(
+            f"{source}: row {rows[0]}: time: expected seconds as in the trajectory, of which dates and times "
+            "of day are those since its first row"
+        )
     return columns["time"], np.stack([columns[name] for name in group], axis=-1), group
 
 
@@ -199,7 +213,7 @@ def _warn_of_units(log: Log, coordinates: Array) -> None:
     if largest > _MOST_ACCELERATION * unit:
         hint = (
             "are time or lengths in another unit (LogFormat(time_unit='ms'), LogFormat(length_unit='mm'))"
-            if log.form.time_unit == "s"
+            if log.form.time_unit in (None, "s")
             else f"is time in seconds, expected {log.form.time_unit} (LogFormat(time_unit='s'))"
         )
     elif moves and slow and largest < _LEAST_ACCELERATION * unit:
@@ -295,7 +309,7 @@ def _pose_log(log: Log) -> PoseLog:
         noise = None if noise is None else noise._replace(order=order)
     _warn_of_units(log, found)
     F_ext, M_ext = (log.load(name) for name in LOADS)
-    in_radians = "theta" in log.written and log.form.angle_unit == "rad" and order == log.form.euler_order
+    in_radians = "theta" in log.written and log.form.radians == 1.0 and order == log.form.euler_order
     return PoseLog(log.time, found, F_ext, M_ext, log.source, log.rows, noise, in_radians, order=order)
 
 
@@ -332,16 +346,18 @@ def _check_header(header: list[str], source: str, otherwise: str = _OTHER_NAMES)
     if joints:
         position, derivatives = _LENGTHS, _LENGTH_DERIVATIVES
     _check_names(header, ["time", *_components(*position, *derivatives, *LOADS)], source, _KNOWN + otherwise)
-    missing = [c for c in _components(*derivatives) if c not in header]
-    if missing and len(missing) < len(_components(*derivatives)):
-        raise ValueError(
-            f"{source}: missing column {missing[0]}: "
-            f"expected velocities and accelerations ({', '.join(derivatives)}) all, or none of them"
-        )
     required = ["time", *_components(*position)]
     for name in LOADS:
         if any(c in header for c in _components(name)):
             required += _components(name)
+    missing = [c for c in _components(*derivatives) if c not in header]
+    if missing and len(missing) < len(_components(*derivatives)):
+        kept = ", ".join(f"{name!r}: {name!r}" for name in required)
+        remedy = f": LogFormat(columns={{{kept}}}) reads none" if otherwise else ""
+        raise ValueError(
+            f"{source}: missing column {missing[0]}: expected velocities and accelerations "
+            f"({', '.join(derivatives)}) all, or none of them{remedy}"
+        )
     need_columns(header, required, source)
 
 

@@ -6,15 +6,16 @@ Every error is one line that names the file and the row; the header is row 1 whe
 from __future__ import annotations
 
 import array
-import codecs
+import contextlib
 import csv
+import dataclasses
 import io
 import itertools
 import math
 import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, BinaryIO
+from typing import TYPE_CHECKING, BinaryIO, NamedTuple, Self
 
 import numpy as np
 
@@ -22,8 +23,10 @@ from ..io.arguments import option, shown
 from ..io.array_types import Array
 from ..io.instants import time_text
 from ..io.progress import Progress, silent
-from ..io.tables import as_utf8
+from ..io.tables import table_as_utf8
 from .noise_level import LogWarning
+from .text.clock import READ, Clock, instant
+from .text.head import MARKS, Head, is_value, read_head, without_row
 
 if TYPE_CHECKING:
     import _csv
@@ -31,10 +34,34 @@ if TYPE_CHECKING:
 LENGTH_UNITS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "in": 0.0254}
 ANGLE_UNITS = {"rad": 1.0, "deg": math.pi / 180.0}
 TIME_UNITS = {"s": 1.0, "ms": 1e-3, "us": 1e-6}
-DELIMITERS = {"comma": ",", "semicolon": ";", "tab": "\t"}
+DELIMITERS = dict(zip(("comma", "semicolon", "tab"), MARKS, strict=True))
 DECIMALS = {"point": ".", "comma": ","}
 LENGTHS = ("absolute", "relative")
 """Leg lengths by themselves, and less those at the home pose."""
+_UNITS = {
+    "length_unit": LENGTH_UNITS,
+    "angle_unit": ANGLE_UNITS,
+    "time_unit": TIME_UNITS,
+    "unit of force": {"N": 1.0},
+    "unit of moment": {"Nm": 1.0},
+    "unit of current": {"A": 1.0},
+}
+# What a row of units may state of the columns t_x, v_x, ..., and how often it is per second.
+_QUANTITIES = {
+    **{
+        "time": ("time_unit", 0),
+        "t": ("length_unit", 0),
+        "L": ("length_unit", 0),
+        "theta": ("angle_unit", 0),
+    },
+    **{"v": ("length_unit", 1), "L_dot": ("length_unit", 1), "theta_dot": ("angle_unit", 1)},
+    **{"a": ("length_unit", 2), "L_ddot": ("length_unit", 2), "theta_ddot": ("angle_unit", 2)},
+    **{"F_ext": ("unit of force", 0), "M_ext": ("unit of moment", 0)},
+    **{"F": ("unit of force", 0), "current": ("unit of current", 0)},
+}
+_PER_SECOND = ("", "/s", "/s2")
+_SPELLED = {"°": "deg", "degrees": "deg", "inch": "in", "sec": "s", "µs": "us", "μs": "us"}
+_SPELLED |= {"n": "N", "nm": "Nm", "a": "A"}
 EULER_ORDERS = tuple("".join(order) for order in itertools.permutations("xyz"))
 
 # Rows and bytes that are read at a time.
@@ -61,7 +88,8 @@ class LogFormat:
     columns : dict, optional
         Name that is expected -> name in the header; with any given, other columns are skipped.
     length_unit, angle_unit, time_unit : str, optional
-        Of ``LENGTH_UNITS``, ``ANGLE_UNITS``, ``TIME_UNITS``; rates are per second.
+        Of ``LENGTH_UNITS``, ``ANGLE_UNITS``, ``TIME_UNITS``; rates are per second. None: those of the row of
+        units below the header, else m, rad, s.
     delimiter, decimal : str, optional
         Of ``DELIMITERS``, ``DECIMALS``; None: detected.
     euler_order : str, optional
@@ -76,9 +104,9 @@ class LogFormat:
     """
 
     columns: Mapping[str, str] = field(default_factory=dict)
-    length_unit: str = "m"
-    angle_unit: str = "rad"
-    time_unit: str = "s"
+    length_unit: str | None = None
+    angle_unit: str | None = None
+    time_unit: str | None = None
     delimiter: str | None = None
     decimal: str | None = None
     euler_order: str = "zyx"
@@ -89,15 +117,44 @@ class LogFormat:
         texts = [*self.columns, *self.columns.values()] if isinstance(self.columns, Mapping) else [None]
         if not all(isinstance(each, str) for each in texts):
             raise ValueError(f"columns: expected a mapping of names, got {shown(self.columns)}")
-        option(self.length_unit, tuple(LENGTH_UNITS), "length_unit")
-        option(self.angle_unit, tuple(ANGLE_UNITS), "angle_unit")
-        option(self.time_unit, tuple(TIME_UNITS), "time_unit")
         option(self.euler_order, EULER_ORDERS, "euler_order")
         option(self.lengths, LENGTHS, "lengths")
-        if self.delimiter is not None:
-            option(self.delimiter, tuple(DELIMITERS), "delimiter")
-        if self.decimal is not None:
-            option(self.decimal, tuple(DECIMALS), "decimal")
+        detected: dict[str, Mapping[str, object]]
+        detected = {**_UNITS, "delimiter": DELIMITERS, "decimal": DECIMALS}
+        for name in ("length_unit", "angle_unit", "time_unit", "delimiter", "decimal"):
+            if getattr(self, name) is not None:
+                option(getattr(self, name), tuple(detected[name]), name)
+
+    @property
+    def metres(self) -> float:
+        """Metres in the unit of length."""
+        return LENGTH_UNITS[self.length_unit or "m"]
+
+    @property
+    def radians(self) -> float:
+        """Radians in the unit of angle."""
+        return ANGLE_UNITS[self.angle_unit or "rad"]
+
+    def with_units(self, units: Mapping[str, str]) -> Self:
+        """The same with a unit of each kind: the given one, else that of a row of units, else SI."""
+        return dataclasses.replace(
+            self,
+            length_unit=self.length_unit or units.get("length_unit", "m"),
+            angle_unit=self.angle_unit or units.get("angle_unit", "rad"),
+            time_unit=self.time_unit or units.get("time_unit", "s"),
+        )
+
+
+class Table(NamedTuple):
+    """Columns of a file by name, as written but for time in s, the rows where they stand, and its format.
+
+    dated: whether dates or times of day are written, whose seconds are those since the first row.
+    """
+
+    columns: dict[str, Array]
+    rows: Sequence[int]
+    form: LogFormat
+    dated: bool
 
 
 def read_columns(
@@ -106,37 +163,48 @@ def read_columns(
     check_header: Callable[[list[str], str], None],
     form: LogFormat,
     progress: Progress = silent,
-) -> tuple[dict[str, Array], Sequence[int]]:
-    """Return the columns of a CSV file by name, as written but for time in s, and the rows where they stand.
+) -> Table:
+    """Return the columns of a CSV file, and its format with the units that a row of it states.
 
     stream: the file, which is read in parts, so that the numbers alone take room. check_header: rejects a
     header of expected names, given the name of the file. progress: given the share of the file that is read.
     """
-    size = max(1, stream.seek(0, io.SEEK_END))
-    stream.seek(0)
+    with table_as_utf8(stream, source) as stream:
+        size = max(1, stream.seek(0, io.SEEK_END))
 
-    def read() -> None:
-        progress(f"reading {source}", min(1.0, stream.tell() / size))
+        def read() -> None:
+            progress(f"reading {source}", min(1.0, stream.tell() / size))
 
-    with as_utf8(stream, source):
-        delimiter, decimal = _marks(stream, form)
-        stream.seek(0)
-        lines = io.TextIOWrapper(stream, encoding="utf-8-sig", newline="")
+        head = _head(stream, source, form)
         try:
-            columns, rows = _columns(lines, source, check_header, form, delimiter, decimal, read)
+            header = _expected_names(head.names, source, form)
+            check_header([name for name in header if name is not None], source)
+        except ValueError as error:
+            raise HeaderError(str(error), head.names) from None
+        units = _units_of(head, header, source, form)
+        form = form.with_units(units or {})
+        if units is not None:
+            head = without_row(stream, head)
+        clock = _clock(head, header, source, form)
+        decimal = _decimal(stream, head, form, clock is not None)
+        stream.seek(head.begin)
+        lines = io.TextIOWrapper(stream, encoding="utf-8", newline="")
+        try:
+            columns, rows = _columns(lines, source, header, head, decimal, clock, read)
         finally:
             lines.detach()
-        if _cut_off(stream, delimiter, decimal):
+        if not rows:
+            raise ValueError(f"{source}: expected rows of numbers below the header, got none")
+        if _cut_off(stream, head, decimal):
             warnings.warn(
                 f"{source}: row {rows[-1]}: expected as many decimals as above or a line ending: "
                 "the file may be cut off",
                 LogWarning,
                 stacklevel=4,
             )
-    if not rows:
-        raise ValueError(f"{source}: expected rows of numbers below the header, got none")
     # Divided, times are the nearest doubles of what is written.
-    columns["time"] /= round(1.0 / TIME_UNITS[form.time_unit])
+    columns["time"] /= round(1.0 / TIME_UNITS[form.time_unit or "s"])
+    columns, rows = _without_repeated(columns, rows, source)
     late = np.flatnonzero(np.diff(columns["time"]) <= 0.0)
     if late.size:
         i = int(late[0])
@@ -144,7 +212,35 @@ def read_columns(
         raise ValueError(
             f"{source}: row {rows[i + 1]}: time: expected increasing times, got {after} after {before}"
         )
-    return columns, rows
+    return Table(columns, rows, form, clock is not None)
+
+
+def stated_units(stream: BinaryIO, source: str, form: LogFormat) -> dict[str, str]:
+    """Units by kind, as in ``LogFormat``, that the file's row of units states; errors are its reader's."""
+    with contextlib.suppress(ValueError), table_as_utf8(stream, source) as text:
+        head = _head(text, source, form)
+        return _units_of(head, _expected_names(head.names, source, form), source, form) or {}
+    return {}
+
+
+def _without_repeated(
+    columns: dict[str, Array], rows: Sequence[int], source: str
+) -> tuple[dict[str, Array], Sequence[int]]:
+    """Columns and rows without those that have the time and all other numbers of the row above."""
+    again = 1 + np.flatnonzero(columns["time"][1:] == columns["time"][:-1])
+    for column in columns.values():
+        again = again[column[again] == column[again - 1]]
+    if not again.size:
+        return columns, rows
+    many = f"{again.size} rows have" if again.size > 1 else "1 row has"
+    warnings.warn(
+        f"{source}: {many} the time and all numbers of the row above, the first is row {rows[again[0]]}: "
+        "taken once",
+        LogWarning,
+        stacklevel=5,
+    )
+    kept = np.delete(np.array(rows), again)
+    return {name: np.delete(column, again) for name, column in columns.items()}, kept.tolist()
 
 
 def need_columns(header: Sequence[str], columns: Sequence[str], source: str) -> None:
@@ -154,62 +250,111 @@ def need_columns(header: Sequence[str], columns: Sequence[str], source: str) -> 
             raise ValueError(f"{source}: missing column {column}")
 
 
+def _head(stream: BinaryIO, source: str, form: LogFormat) -> Head:
+    delimiter = None if form.delimiter is None else DELIMITERS[form.delimiter]
+    return read_head(stream, source, form.columns.values(), delimiter)
+
+
+def _units_of(head: Head, header: list[str | None], source: str, form: LogFormat) -> dict[str, str] | None:
+    """Units by kind where the first row below the header is one of units; None: it is none.
+
+    Such a row has no number. Raises ValueError for a cell that is no unit, or not that of others or the form.
+    """
+    cells = {name: cell for name, cell in zip(header, head.first, strict=False) if name is not None}
+    if len(head.first) != len(header) or not any(cells.values()) or any(map(is_value, cells.values())):
+        return None
+    where = f"{source}: row {head.above + 1}"
+    found: dict[str, str] = {}
+    for name, cell in cells.items():
+        kind, times = _QUANTITIES.get(name.rpartition("_")[0] or name.rstrip("123456"), ("", 0))
+        if not kind or not cell:
+            continue
+        known = [unit + _PER_SECOND[times] for unit in _UNITS[kind]]
+        unit = _plain_unit(cell, _PER_SECOND[times])
+        if unit not in _UNITS[kind]:
+            raise ValueError(
+                f"{where}: {name}: expected a finite number, or in a row of units {' or '.join(known)}, got "
+                f"{cell[:40]!r}: convert the column, or remove the row if it states no units"
+            )
+        stated = found.setdefault(kind, unit)
+        if stated != unit:
+            raise ValueError(
+                f"{where}: {name}: expected one {kind} in the row of units, got {unit} and {stated}"
+            )
+        if getattr(form, kind, None) not in (None, unit):
+            given = f"LogFormat({kind}={getattr(form, kind)!r})"
+            raise ValueError(f"{where}: {name}: the row of units says {unit}, expected that of {given}")
+    return found
+
+
+def _plain_unit(cell: str, per_second: str) -> str:
+    """A unit as in ``_UNITS`` from one in brackets or spelled otherwise, less ``per_second`` at its end."""
+    text = cell.strip("[]() ").lower()
+    for mark, plain in (("²", "2"), ("^", ""), (" ", ""), ("·", ""), ("*", "")):
+        text = text.replace(mark, plain)
+    if not text.endswith(per_second):
+        return ""
+    unit = text.removesuffix(per_second)
+    return _SPELLED.get(unit, unit)
+
+
+def _clock(head: Head, header: list[str | None], source: str, form: LogFormat) -> Clock | None:
+    """What reads the times where the first row has a date or a time of day."""
+    text = dict(zip(header, head.first, strict=False)).get("time", "")
+    if instant(text) is None:
+        return None
+    if form.time_unit not in (None, "s"):
+        raise ValueError(
+            f"{source}: row {head.above + 1}: time: expected {form.time_unit} "
+            f"(LogFormat(time_unit={form.time_unit!r})), got {text!r}: dates and times of day have no unit"
+        )
+    return Clock()
+
+
 def _columns(
     lines: Iterator[str],
     source: str,
-    check_header: Callable[[list[str], str], None],
-    form: LogFormat,
-    delimiter: str,
+    header: list[str | None],
+    head: Head,
     decimal: str,
+    clock: Clock | None,
     read: Callable[[], None],
 ) -> tuple[dict[str, Array], Sequence[int]]:
     """Columns of the lines by name, and their rows; ``read`` is called now and then."""
-    reader = csv.reader(lines, delimiter=delimiter, skipinitialspace=True)
-    above = 0
-    try:
-        cells = next((cells for cells in reader if any(cell.strip() for cell in cells)), None)
-        if cells is None:
-            raise ValueError(f"{source}: the file is empty, expected a header line that names the columns")
-        written = [cell.strip() for cell in cells]
-        if written[0].startswith(("{", "[", "<")):
-            raise ValueError(f"{source}: expected a CSV file with a header line, got {shown(written[0])}")
+    used = [i for i, name in enumerate(header) if name is not None]
+    # As numbers at once: the cells of a long file would take ten times its size.
+    numbers = [array.array("d") for _ in used]
+    while part := list(itertools.islice(lines, _ROWS)):
+        table = _plain_table(part, len(header), used, head.delimiter, decimal)
+        if table is None:
+            break
+        read()
+        for column, more in zip(numbers, table.T, strict=True):
+            column.frombytes(more.tobytes())
+    above = head.above + len(numbers[0])
+    rows: Sequence[int] = range(head.above + 1, above + 1)
+    if part:
+        reader = csv.reader(itertools.chain(part, lines), delimiter=head.delimiter, skipinitialspace=True)
+        rows = array.array("q", rows)
         try:
-            header = _expected_names(written, source, form)
-            check_header([name for name in header if name is not None], source)
-        except ValueError as error:
-            raise HeaderError(str(error), written) from None
-        used = [i for i, name in enumerate(header) if name is not None]
-        # As numbers at once: the cells of a long file would take ten times its size.
-        numbers = [array.array("d") for _ in used]
-        first = reader.line_num + 1
-        while part := list(itertools.islice(lines, _ROWS)):
-            table = _plain_table(part, len(header), used, delimiter, decimal)
-            if table is None:
-                break
-            read()
-            for column, more in zip(numbers, table.T, strict=True):
-                column.frombytes(more.tobytes())
-        rows: Sequence[int] = range(first, first + len(numbers[0]))
-        if part:
-            above = first + len(rows) - 1
-            reader = csv.reader(itertools.chain(part, lines), delimiter=delimiter, skipinitialspace=True)
-            rows = array.array("q", rows)
-            _add_rows(reader, above, header, source, decimal, numbers, rows, read)
-    except csv.Error as error:
-        raise ValueError(f"{source}: row {above + reader.line_num}: not valid CSV: {error}") from None
+            _add_rows(reader, above, header, source, decimal, clock, numbers, rows, read)
+        except csv.Error as error:
+            raise ValueError(f"{source}: row {above + reader.line_num}: not valid CSV: {error}") from None
     names = (name for name in header if name is not None)
     return {name: np.frombuffer(column) for name, column in zip(names, numbers, strict=True)}, rows
 
 
-def _cut_off(stream: BinaryIO, delimiter: str, decimal: str) -> bool:
+def _cut_off(stream: BinaryIO, head: Head, decimal: str) -> bool:
     """Whether the file ends within its last number: only where a fixed number of decimals proves it.
 
     A program that writes two or more decimals, as many in each row and zeros at their end too, always does:
     fewer of them, and no line ending, are not what it wrote.
     """
-    stream.seek(-min(_TAIL, stream.seek(0, io.SEEK_END)), io.SEEK_END)
+    stream.seek(max(head.begin, stream.seek(0, io.SEEK_END) - _TAIL))
     *above, last = stream.read().decode(errors="replace").splitlines(keepends=True)
-    decimals = [line.rpartition(delimiter)[2].strip().partition(decimal)[2] for line in (*above[1:], last)]
+    decimals = [
+        line.rpartition(head.delimiter)[2].strip().partition(decimal)[2] for line in (*above[1:], last)
+    ]
     *fixed, left = decimals
     widths = {len(digits) for digits in fixed}
     return (
@@ -221,21 +366,23 @@ def _cut_off(stream: BinaryIO, delimiter: str, decimal: str) -> bool:
     )
 
 
-def _marks(stream: BinaryIO, form: LogFormat) -> tuple[str, str]:
-    """Delimiter and decimal mark: that which cuts the header into most names, and a comma where it can be."""
-    lines = (line.removeprefix(codecs.BOM_UTF8).strip() for line in stream)
-    header = next(filter(None, lines), b"").decode()
-    delimiter = max(DELIMITERS.values(), key=header.count)
-    if form.delimiter is not None:
-        delimiter = DELIMITERS[form.delimiter]
+def _decimal(stream: BinaryIO, head: Head, form: LogFormat, dated: bool) -> str:
+    """Decimal mark: a comma where there is one below the header that can't be the delimiter, and no point.
+
+    dated: the first row tells by numbers alone, since dates and times of day have points anyway.
+    """
     if form.decimal is not None:
-        return delimiter, DECIMALS[form.decimal]
+        return DECIMALS[form.decimal]
+    if dated:
+        numbers = "".join(filter(is_value, head.first))
+        return "," if "," in numbers and "." not in numbers else "."
+    stream.seek(head.begin)
     comma = False
-    while delimiter != "," and (chunk := stream.read(_CHUNK)):
+    while head.delimiter != "," and (chunk := stream.read(_CHUNK)):
         if b"." in chunk:
-            return delimiter, "."
+            return "."
         comma = comma or b"," in chunk
-    return delimiter, "," if comma else "."
+    return "," if comma else "."
 
 
 def _expected_names(header: list[str], source: str, form: LogFormat) -> list[str | None]:
@@ -258,7 +405,8 @@ def _plain_table(lines: list[str], width: int, used: list[int], delimiter: str, 
 
     A tenth of the time that ``_add_rows`` takes, which names what is not in order.
     """
-    if not lines[0].strip():
+    # A point beside decimal commas is no decimal mark.
+    if not lines[0].strip() or (decimal != "." and any("." in line for line in lines)):
         return None
     try:
         found = np.loadtxt(
@@ -279,6 +427,7 @@ def _add_rows(
     header: list[str | None],
     source: str,
     decimal: str,
+    clock: Clock | None,
     numbers: list[array.array[float]],
     rows: array.array[int],
     read: Callable[[], None],
@@ -291,35 +440,52 @@ def _add_rows(
         rows.append(row)
         if len(rows) % _ROWS == 0:
             read()
-        for column, value in zip(
-            numbers, _row(cells, header, f"{source}: row {row}: ", decimal), strict=True
-        ):
+        where = f"{source}: row {row}: "
+        for column, value in zip(numbers, _row(cells, header, where, decimal, clock), strict=True):
             column.append(value)
 
 
-def _row(cells: list[str], header: list[str | None], where: str, decimal: str) -> list[float]:
+def _row(
+    cells: list[str], header: list[str | None], where: str, decimal: str, clock: Clock | None
+) -> list[float]:
     if len(cells) != len(header):
         cause = ""
         if decimal == "." and len(header) < len(cells) <= 2 * len(header):
             cause = ": are commas its decimal marks too? then columns need another delimiter, or quotes"
         raise ValueError(f"{where}expected {len(header)} columns, got {len(cells)}{cause}")
-    return [
-        _cell(cell.strip(), where + name, decimal)
-        for cell, name in zip(cells, header, strict=True)
-        if name is not None
+    used = [(cell.strip(), name) for cell, name in zip(cells, header, strict=True) if name is not None]
+    found = [
+        clock.seconds(text, where + name) if clock and name == "time" else _number(text, decimal)
+        for text, name in used
     ]
-
-
-def _cell(text: str, where: str, decimal: str) -> float:
-    try:
-        found = float(text.replace(decimal, ".") if decimal != "." else text) if "_" not in text else math.nan
-    except ValueError:
-        found = math.nan
-    if not math.isfinite(found):
-        cause = (
-            ": is its decimal mark a comma (LogFormat(decimal='comma'))?"
-            if "," in text and decimal == "."
-            else ""
-        )
-        raise ValueError(f"{where}: expected a finite number, got {text[:40]!r}{cause}")
+    if not all(map(math.isfinite, found)):
+        wrong = [each for each, value in zip(used, found, strict=True) if not math.isfinite(value)]
+        # A thousands separator is why the commas of other cells are not taken for decimal marks.
+        both = (each for each in wrong if {",", "."} < set(each[0]) and ":" not in each[0])
+        text, name = next(both, wrong[0])
+        cause = _cause(text, decimal)
+        raise ValueError(f"{where}{name}: expected a finite number, got {text[:40]!r}{cause}")
     return found
+
+
+def _number(text: str, decimal: str) -> float:
+    """The number; nan for what is none."""
+    if "_" in text or (decimal != "." and "." in text):
+        return math.nan
+    try:
+        return float(text.replace(decimal, "."))
+    except ValueError:
+        return math.nan
+
+
+def _cause(text: str, decimal: str) -> str:
+    """Why a cell is no number, where that shows."""
+    if ":" in text:
+        return f": {READ}"
+    if "." in text and "," in text:
+        return ": thousands separators are not read"
+    if "." in text and decimal == ",":
+        return ": decimals have a comma (LogFormat(decimal='comma')), thousands separators are not read"
+    if "," in text and decimal == ".":
+        return ": is its decimal mark a comma (LogFormat(decimal='comma'))?"
+    return ""

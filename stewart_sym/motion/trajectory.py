@@ -15,7 +15,7 @@ from ..io.arguments import instance
 from ..io.array_types import Array
 from ..io.tables import number
 from .euler_orders import FAR_FROM_LOCK, distance_from_lock, far_from_lock, motion_about_axes
-from .logs import ANGLE_UNITS, LENGTH_UNITS, LogFormat
+from .logs import LogFormat
 from .motion import Motion
 from .noise_level import rounding_step
 from .rotation import rotation_about_axes, rotation_from_quaternion
@@ -215,7 +215,7 @@ class Log:
         """SI units in the unit in which vectors of that name are written."""
         if name in ("q", *LOADS):
             return 1.0
-        return ANGLE_UNITS[self.form.angle_unit] if name in ANGLES else LENGTH_UNITS[self.form.length_unit]
+        return self.form.radians if name in ANGLES else self.form.metres
 
     def vector(self, name: str) -> Array:
         """A vector in SI units, (n, 3), (n, 4) or (n, 6)."""

@@ -135,7 +135,7 @@ def read_run(path: str | os.PathLike[str]) -> tuple[Array, Motion, Array, Array]
         need_columns(header, ["time", *itertools.chain(*_NAMES.values())], source)
 
     with opened(source, "run", _MOST_BYTES) as stream:
-        columns, _ = read_columns(stream, source, check, PLAIN)
+        columns = read_columns(stream, source, check, PLAIN).columns
     t, theta, v, omega, F, L = (np.stack([columns[c] for c in names], axis=-1) for names in _NAMES.values())
     return columns["time"], Motion(rotation_from_rpy(theta), t, omega, v), F, L
 

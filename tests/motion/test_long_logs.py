@@ -5,7 +5,7 @@ import os
 import threading
 import tracemalloc
 import warnings
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from io import BytesIO
 from pathlib import Path
 
@@ -19,7 +19,7 @@ import stewart_sym as ss
 from stewart_sym.cli.main import main
 from stewart_sym.motion.interpolation import between
 from stewart_sym.motion.log_reader import read_csv, read_log
-from stewart_sym.motion.logs import LogFormat, read_columns
+from stewart_sym.motion.logs import LogFormat, Table, read_columns
 from stewart_sym.motion.trajectory import Trajectory
 from stewart_sym.robots import dasgupta1998
 from stewart_sym.singularities import along_path, joint_space
@@ -94,11 +94,11 @@ def test_columns_are_read_in_less_room_than_their_text() -> None:
     numbers = {name: rng.normal(size=50_000) for name in "abcd"}
     text = "".join(csv_lines({"time": np.arange(50_000.0), **numbers}))
 
-    def read(text: str) -> tuple[dict[str, np.ndarray], Sequence[int]]:
+    def read(text: str) -> Table:
         return read_columns(BytesIO(text.encode()), "log", lambda *_: None, LogFormat())
 
     read("time,a\n0,1\n")
-    (columns, rows), most = peak(lambda: read(text))  # type: ignore[misc]
+    (columns, rows, *_), most = peak(lambda: read(text))  # type: ignore[misc]
     assert (len(columns["time"]), rows[0], rows[-1]) == (50_000, 2, 50_001)
     # The stream that is read is one text.
     assert most < 2.0 * len(text)
@@ -107,7 +107,7 @@ def test_columns_are_read_in_less_room_than_their_text() -> None:
 @pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
 def test_line_ends_of_all_systems_are_read(end: str) -> None:
     text = end.join(["time,a", "0.0,1.5", "1.0,2.5", ""])
-    columns, rows = read_columns(BytesIO(text.encode()), "log", lambda *_: None, LogFormat())
+    columns, rows, *_ = read_columns(BytesIO(text.encode()), "log", lambda *_: None, LogFormat())
     assert columns["a"].tolist() == [1.5, 2.5]
     assert list(rows) == [2, 3]
 
@@ -217,7 +217,7 @@ def test_blank_lines_and_quoted_cells_deep_in_a_log_keep_numbers_and_rows(tmp_pa
     lines = log.read_text().splitlines()
     lines[9000] = ",".join(f'"{cell}"' for cell in lines[9000].split(","))
     lines.insert(9500, "")
-    odd, rows = read_columns(
+    odd, rows, *_ = read_columns(
         BytesIO("\n".join([*lines, "", ""]).encode()), "log", lambda *_: None, LogFormat()
     )
     for name, column in plain[0].items():

@@ -130,10 +130,10 @@ def _measured(arguments: argparse.Namespace, progress: Progress) -> "tuple[Repor
         need("scipy", WITHOUT_PERIOD)
     robot = robot_of(arguments.robot)
     poses, forces = arguments.measured
-    form = log_format(arguments, robot)
+    form = log_format(arguments, robot, poses)
     try:
         # The fit has its own noise: what is stated is compared with the log alone.
-        log = trajectory_for(robot, poses, form, Smoothing(*stated_noise(arguments), on=False))
+        log = trajectory_for(robot, poses, form, Smoothing(*stated_noise(arguments, form), on=False))
     except HeaderError as error:
         if not set(FORCES) <= set(error.header):
             raise
@@ -141,15 +141,18 @@ def _measured(arguments: argparse.Namespace, progress: Progress) -> "tuple[Repor
             f"{poses}: expected poses or leg lengths, got forces F1 to F6: "
             "the two files of --measured look swapped"
         ) from None
-    trajectory = cast("Trajectory", poses_of(robot, log, arguments, progress))
-    time, F, columns = read_leg_columns(forces, dataclasses.replace(form, columns={}), (FORCES, CURRENTS))
+    trajectory = cast("Trajectory", poses_of(robot, log, arguments, form, progress))
+    of_forces = dataclasses.replace(log_format(arguments), columns={})
+    time, F, columns = read_leg_columns(forces, of_forces, (FORCES, CURRENTS))
     sigma = np.asarray(arguments.sigma)
     if columns == CURRENTS:
         F, sigma = motor_forces(robot, F), np.abs(motor_forces(robot, np.full(LEGS, arguments.sigma)))
     noise = None
     if noisy:
         series = (arguments.period, arguments.harmonics if arguments.period is not None else None)
-        noise = PoseNoise(trajectory.time, *cast("tuple[float, float]", stated_noise(arguments)), *series)
+        noise = PoseNoise(
+            trajectory.time, *cast("tuple[float, float]", stated_noise(arguments, form)), *series
+        )
     model = (not arguments.no_friction, arguments.physical)
     found = from_measurement(
         robot, trajectory, time, F, sigma, str(forces), noise, *model, form, arguments.shared, terms

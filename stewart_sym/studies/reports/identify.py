@@ -17,7 +17,7 @@ from ...identification.parameters import inertial_parameters
 from ...identification.tool_point import about_point, about_reference
 from ...io.array_types import Array
 from ...io.instants import time_text
-from ...motion.logs import ANGLE_UNITS, LENGTH_UNITS, LogFormat
+from ...motion.logs import LogFormat
 from ...motion.smooth_motion import PoseNoise, estimated_noise, smoothed
 from ...motion.trajectory import Trajectory
 from ...robot.robot import Robot
@@ -124,8 +124,9 @@ def _scatter(trajectory: Trajectory, form: LogFormat) -> tuple[str, ...]:
         return ()
     if seen.position <= _DIGITS * np.abs(trajectory.motion.t).max() and seen.angle <= _DIGITS:
         return ()
-    position = f"{seen.position / LENGTH_UNITS[form.length_unit]:.2g}"
-    angle = f"{seen.angle / ANGLE_UNITS[form.angle_unit]:.2g}"
+    form = form.with_units({})
+    position = f"{seen.position / form.metres:.2g}"
+    angle = f"{seen.angle / form.radians:.2g}"
     return (
         f"motion: its poses scatter by {position} {form.length_unit} and {angle} {form.angle_unit} about a "
         f"smooth motion: --noise-position {position} --noise-angle {angle} takes that into account",

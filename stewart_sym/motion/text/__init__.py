@@ -1,0 +1,1 @@
+"""The text of logs: lines above their numbers, dates."""

@@ -1,0 +1,271 @@
+"""Logs as loggers and spreadsheets write them: lines above the numbers, encodings, times, repeated rows."""
+
+import datetime
+from pathlib import Path
+
+import numpy as np
+import pytest
+from log_files import NAMES, RATES
+from numpy.typing import NDArray
+from robot_files import PAPERS
+
+from stewart_sym.cli.main import main
+from stewart_sym.motion.log_reader import read_csv, read_forces_csv
+from stewart_sym.motion.logs import LogFormat
+from stewart_sym.motion.noise_level import LogWarning
+from stewart_sym.motion.trajectory import Trajectory
+
+OWN = ["Zeit [s]", "X [mm]", "Y [mm]", "Z [mm]", "Roll [°]", "Pitch [°]", "Yaw [°]"]
+MARKED = LogFormat(dict(zip(NAMES, OWN, strict=True)))
+
+
+def poses(count: int = 41) -> NDArray[np.float64]:
+    """Times, s, and poses, m and rad, of a smooth motion, (n, 7)."""
+    time = np.linspace(0.0, 2.0, count)
+    angle = 2.0 * np.pi * np.outer(time, [0.3, 0.4, 0.5, 0.35, 0.45, 0.25]) + np.arange(6)
+    return np.column_stack([time, [0.2, 0.0, 0.5, 0, 0, 0] + 0.03 * np.sin(angle)])
+
+
+def lines(names: list[str] = NAMES, delimiter: str = ",", decimal: str = ".", count: int = 41) -> list[str]:
+    """A header and rows of numbers."""
+    rows = [delimiter.join(f"{x:.9f}".replace(".", decimal) for x in row) for row in poses(count)]
+    return [delimiter.join(names), *rows]
+
+
+def read(folder: Path, text: list[str] | bytes, form: LogFormat | None = None) -> Trajectory:
+    path = folder / "log.csv"
+    path.write_bytes(text if isinstance(text, bytes) else ("\n".join(text) + "\n").encode())
+    return read_csv(path, form or LogFormat())
+
+
+def alike(found: Trajectory, plain: Trajectory) -> None:
+    """Times, poses and accelerations are the same to the last bit."""
+    assert np.array_equal(found.time, plain.time)
+    assert np.array_equal(found.motion.t, plain.motion.t)
+    assert np.array_equal(accelerations(found), accelerations(plain))
+
+
+def accelerations(log: Trajectory) -> NDArray[np.float64]:
+    assert log.motion.a is not None
+    return log.motion.a
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "cp1252"])
+@pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
+def test_encodings_of_spreadsheets_are_read(tmp_path: Path, encoding: str, end: str) -> None:
+    text = end.join([*lines(OWN, ";", ","), ""])
+    alike(read(tmp_path, text.encode(encoding), MARKED), read(tmp_path, lines()))
+
+
+def test_a_code_page_below_the_header_is_no_text(tmp_path: Path) -> None:
+    rows = [f"{line};\xfcber" for line in lines(OWN, ";")]
+    with pytest.raises(ValueError, match=r"expected UTF-8 text, byte \d+ is not: save it as UTF-8$"):
+        read(tmp_path, "\n".join(rows).encode("cp1252"), MARKED)
+
+
+@pytest.mark.parametrize(
+    "above", [["sep=;"], ["sep=;", "", ";;;"], ["# Logger 2.3, A", "% m", ""], ['"sep=;"', "# 1;2;3"]]
+)
+@pytest.mark.parametrize("decimal", [".", ","])
+def test_lines_above_the_header_are_passed_over(tmp_path: Path, above: list[str], decimal: str) -> None:
+    plain = read(tmp_path, lines())
+    found = read(tmp_path, [*above, *lines(NAMES, ";", decimal)])
+    alike(found, plain)
+    assert found.rows[0] == len(above) + 2
+
+
+@pytest.mark.parametrize("mark", ["# ", "#", "%"])
+def test_names_in_a_comment_above_bare_numbers_are_the_header(tmp_path: Path, mark: str) -> None:
+    header, *rows = lines()
+    alike(read(tmp_path, ["# run 7", mark + header, *rows]), read(tmp_path, [header, *rows]))
+    own = dict(zip(NAMES, [mark + "time", *NAMES[1:]], strict=True))
+    alike(read(tmp_path, [mark + header, *rows], LogFormat(own)), read(tmp_path, [header, *rows]))
+
+
+def test_a_separator_that_is_none_is_named(tmp_path: Path) -> None:
+    with pytest.raises(ValueError, match="row 1: sep=: expected a comma, a semicolon or a tab, got"):
+        read(tmp_path, ["sep=|", *lines(NAMES, "|")])
+
+
+UNITS = LogFormat(length_unit="mm", angle_unit="deg", time_unit="ms")
+
+
+@pytest.mark.parametrize(
+    "units", ["ms,mm,mm,mm,°,°,°", "[ms],[mm],[mm],[mm],[deg],[deg],[deg]", "(ms),mm,,,,degrees,"]
+)
+@pytest.mark.parametrize("form", [LogFormat(), UNITS])
+def test_a_row_of_units_is_as_if_they_were_given(tmp_path: Path, units: str, form: LogFormat) -> None:
+    header, *rows = lines()
+    plain = read(tmp_path, [header, *rows], UNITS)
+    found = read(tmp_path, [header, "", units, *rows], form)
+    alike(found, plain)
+    assert found.rows[0] == 4
+
+
+def test_rates_and_loads_have_units_too(tmp_path: Path) -> None:
+    names = [*NAMES, *RATES, "F_ext_x", "F_ext_y", "F_ext_z"]
+    units = "s,m,m,m,rad,rad,rad,m/s,m/s,m/s,rad/s,rad/s,rad/s,m/s²,m/s^2,m/s2,rad/s²,,,N,N,[N]"
+    rows = [",".join([f"0.{i}", *["0"] * 21]) for i in range(1, 6)]
+    assert len(read(tmp_path, [",".join(names), units, *rows]).time) == 5
+    for right, wrong, told in (
+        ("[N]", "kN", "row 2: F_ext_z: .* in a row of units N, got 'kN'"),
+        ("m/s2", "m/s", "row 2: a_z: .* in a row of units m/s2 or cm/s2 or mm/s2 or in/s2, got 'm/s'"),
+    ):
+        with pytest.raises(ValueError, match=told):
+            read(tmp_path, [",".join(names), units.replace(right, wrong), *rows])
+
+
+@pytest.mark.parametrize(
+    ("units", "form", "told"),
+    [
+        ("min,m,m,m,rad,rad,rad", LogFormat(), "time: .* row of units s or ms or us, got 'min': convert the"),
+        ("s,m,m,m,gon,gon,gon", LogFormat(), "theta_x: .* row of units rad or deg, got 'gon': convert"),
+        (
+            "s,m,mm,m,rad,rad,rad",
+            LogFormat(),
+            "t_y: expected one length_unit in the row of units, got mm and m$",
+        ),
+        (
+            "s,mm,mm,mm,rad,rad,rad",
+            LogFormat(length_unit="cm"),
+            r"t_x: the row of units says mm, expected that of LogFormat\(length_unit='cm'\)$",
+        ),
+    ],
+)
+def test_units_that_are_none_or_others_are_named(
+    tmp_path: Path, units: str, form: LogFormat, told: str
+) -> None:
+    header, *rows = lines()
+    with pytest.raises(ValueError, match=f"row 2: {told}"):
+        read(tmp_path, [header, units, *rows], form)
+
+
+def test_stated_noise_is_in_the_unit_of_the_row_of_units(tmp_path: Path) -> None:
+    header, *rows = lines()
+    log, sizes = tmp_path / "log.csv", []
+    for head, options in (([header], ["--length-unit", "mm"]), ([header, "s,mm,mm,mm,rad,rad,rad"], [])):
+        log.write_text("\n".join([*head, *rows]) + "\n")
+        out = tmp_path / "forces.csv"
+        more = ["--noise-position", "0.001", "--noise-angle", "1e-4"]
+        assert main(["forces", str(PAPERS), str(log), "-o", str(out), *options, *more]) in (0, 1)
+        sizes.append(out.read_text())
+    assert sizes[0] == sizes[1]
+
+
+def test_rows_written_twice_are_taken_once_and_counted(tmp_path: Path) -> None:
+    header, *rows = lines()
+    plain = read(tmp_path, [header, *rows])
+    with pytest.warns(LogWarning, match=r": 3 rows have the time and .* the first is row 7: taken once$"):
+        found = read(tmp_path, [header, *rows[:5], rows[4], *rows[5:9], *rows[8:], rows[-1]])
+    alike(found, plain)
+    assert [found.rows[i] for i in (4, 5, 40)] == [6, 8, 44]
+    other = rows[5].rpartition(",")[0] + ",0.5"
+    with pytest.raises(ValueError, match=r"row 8: time: expected increasing times, got 0.25 after"):
+        read(tmp_path, [header, *rows[:6], other, *rows[6:]])
+
+
+@pytest.mark.parametrize(("form", "row"), [(LogFormat(), 2), (LogFormat(decimal="comma"), 5)])
+def test_thousands_separators_are_named_in_their_own_cell(tmp_path: Path, form: LogFormat, row: int) -> None:
+    text = lines(NAMES, ";", ",")
+    cells = text[row - 1].split(";")
+    cells[3] = "3.400,00"
+    text[row - 1] = ";".join(cells)
+    with pytest.raises(ValueError, match=rf"row {row}: t_z: .* got '3.400,00': thousands separators are not"):
+        read(tmp_path, text, form)
+
+
+def test_a_point_beside_decimal_commas_is_no_decimal_mark(tmp_path: Path) -> None:
+    header, *rows = lines(NAMES, ";", ",")
+    rows[3] = rows[3].replace(",", ".", 2)
+    with pytest.raises(ValueError, match=r"row 5: time: .*: decimals have a comma .*, thousands"):
+        read(tmp_path, [header, *rows], LogFormat(decimal="comma"))
+
+
+START = datetime.datetime(2026, 11, 26, 23, 59, 30, 125_000)
+
+
+@pytest.mark.parametrize(
+    ("stamp", "start"),
+    [
+        ("%Y-%m-%d %H:%M:%S.%f", START),
+        ("%Y-%m-%dT%H:%M:%S,%f", START),
+        ("%Y-%m-%dT%H:%M:%S.%fZ", START.replace(second=59)),
+        ("%Y-%m-%d %H:%M:%S.%f+01:00", START),
+        ("%H:%M:%S.%f", START),
+        ("%H:%M:%S,%f000", START.replace(hour=1)),
+        ("%-H:%M:%S.%f", START.replace(hour=9)),
+    ],
+)
+@pytest.mark.parametrize("decimal", [".", ","])
+def test_dates_and_times_of_day_are_seconds_since_the_first_row(
+    tmp_path: Path, stamp: str, start: datetime.datetime, decimal: str
+) -> None:
+    plain = read(tmp_path, lines())
+    header, *rows = lines(NAMES, ";", decimal)
+    stamped = [
+        f"{(start + datetime.timedelta(seconds=t)).strftime(stamp)};{row.partition(';')[2]}"
+        for t, row in zip(plain.time.tolist(), rows, strict=True)
+    ]
+    alike(read(tmp_path, [header, *stamped]), plain)
+
+
+@pytest.mark.parametrize(
+    ("times", "form", "told"),
+    [
+        (
+            ["23:59:59.9", "00:00:00.1"],
+            LogFormat(),
+            "row 3: time: expected increasing times, got 00:00:00.1 after 23:59:59.9: past midnight dates",
+        ),
+        (
+            ["31.03.2024 01:59:40,0"],
+            LogFormat(),
+            "row 2: time: .* '31.03.2024 01:59:40,0': dates as",
+        ),
+        (
+            ["10:00:00", "0.5"],
+            LogFormat(),
+            "row 3: time: expected a time of day as in the first row, got",
+        ),
+        (["0.5", "10:00:00"], LogFormat(), "row 3: time: expected a finite number, got '10:00:00': dates as"),
+        (["2026-11-26 10:00", "10:01"], LogFormat(), "row 3: time: expected a date and time as in the first"),
+        (
+            ["2026-13-26 10:00"],
+            LogFormat(),
+            "row 2: time: expected a finite number, got '2026-13-26 10:00'",
+        ),
+        (
+            ["10:00:00"],
+            LogFormat(time_unit="ms"),
+            "row 2: time: expected ms .LogFormat.time_unit='ms'",
+        ),
+    ],
+)
+def test_times_that_are_not_read_are_named(
+    tmp_path: Path, times: list[str], form: LogFormat, told: str
+) -> None:
+    rows = [f"{time};0.2;0;0.5;0;0;0" for time in times]
+    with pytest.raises(ValueError, match=told):
+        read(tmp_path, [";".join(NAMES), *rows], form)
+
+
+def test_dated_forces_are_rejected_since_their_start_is_not_that_of_the_poses(tmp_path: Path) -> None:
+    path = tmp_path / "forces.csv"
+    path.write_text("time,F1,F2,F3,F4,F5,F6\n10:00:00,1,2,3,4,5,6\n")
+    with pytest.raises(ValueError, match="row 2: time: expected seconds as in the trajectory"):
+        read_forces_csv(path)
+
+
+def test_velocities_alone_are_left_out_as_the_error_says(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    header, *rows = lines()
+    log, out = tmp_path / "log.csv", str(tmp_path / "f.csv")
+    names = ",".join([header, *RATES[:6]])
+    log.write_text("\n".join([names, *(f"{row},0,0,0,0,0,0" for row in rows)]) + "\n")
+    assert main(["forces", str(PAPERS), str(log), "-o", out]) == 2
+    told = capsys.readouterr().err
+    assert "missing column a_x: expected velocities and accelerations" in told
+    option = told.partition("none of them: ")[2].split(" reads")[0]
+    assert option.startswith("--columns time=time,")
+    assert main(["forces", str(PAPERS), str(log), "-o", out, *option.split()]) in (0, 1)
