@@ -1,19 +1,22 @@
-"""Rows of a log that no motion makes, and rows that repeat or interpolate those of a slower sensor.
+"""Rows that no motion makes, and rows that repeat or interpolate a slower sensor's.
 
 For the former, blocks of samples, of several lengths, are fitted by polynomials. Where one offset explains
 what these leave, and no jump of a velocity, an acceleration or a jerk does nearly as well, it is a fault.
 """
 
 import itertools
-from collections.abc import Iterator
+import warnings
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..io.array_types import Array
-from ..io.instants import elapsed
+from ..io.instants import elapsed, least_step, time_text
 from .interpolation import quintic, values
+from .noise_level import LogWarning
+from .trajectory import Log
 
 # Lengths of blocks, samples, and the degrees of their polynomials.
 _BLOCKS = ((8, 3), (16, 5), (32, 5), (64, 5), (128, 5))
@@ -194,6 +197,42 @@ def _jump_gains(t: Array, B: Array, r: Array) -> Array:
     return best
 
 
+# Rows that one line names at most; coordinates of a row that point to the row itself.
+_MOST_NAMED, _MANY = 4, 3
+
+
+def tell_faults(log: Log, found: Sequence[Fault]) -> None:
+    """Warn of rows that no motion makes: when, which columns and by how much."""
+    by_rows: dict[tuple[int, int | None], list[str]] = {}
+    for fault in found:
+        names = ("t", "t", "t", "theta", "theta", "theta")
+        unit = "m" if fault.column < 3 else "rad"
+        text = f"{names[fault.column]}_{'xyz'[fault.column % 3]} by {fault.size:.3g} {unit}"
+        by_rows.setdefault((fault.first, fault.end), []).append(text)
+    lines = []
+    for (first, end), texts in itertools.islice(by_rows.items(), _MOST_NAMED):
+        when = time_text(log.time[first], least_step(log.time))
+        lines.append(f"{rows_text(log, first, end)} ({when} s): {', '.join(texts)}")
+    more = len(by_rows) - len(lines)
+    ending = f"; and {more} more" if more > 0 else ""
+    done = "replaced, and deviations there hold what this changes" if log.smoothing.on else "left as they are"
+    cause = " (rows repeated or missing?)" if any(len(texts) >= _MANY for texts in by_rows.values()) else ""
+    warnings.warn(
+        f"{log.source}: numbers are off as no motion makes them{cause}: {'; '.join(lines)}{ending}: {done}",
+        LogWarning,
+        stacklevel=7,
+    )
+
+
+def rows_text(log: Log, first: int, end: int | None) -> str:
+    """Rows of a fault, ``end`` None: to the log's end."""
+    last = len(log.rows) if end is None else min(end, len(log.rows))
+    rows = f"row {log.rows[first]}"
+    if last - first > 1:
+        rows += " on" if last == len(log.rows) else f" to {log.rows[last - 1]}"
+    return rows
+
+
 # Rows of a slower sensor
 
 Rows = NDArray[np.int64]
@@ -205,6 +244,8 @@ _REGULAR = 0.9
 # Changes at measured rows are this many steps of rounding or more.
 _STEPS = 4.0
 _SAME_DIGITS = 1e-12
+# Rows next to the first and the last that tell how fast accelerations change beyond them.
+_NEAREST = 6
 
 
 class Sampling(NamedTuple):
@@ -265,3 +306,21 @@ def spread(time: Array, rows: Rows, found: Array) -> Array:
         since, (x, v, a) = (time[outside] - at[end])[:, None], found[:, end]
         between[:, outside] = x + since * (v + 0.5 * since * a), v + since * a, a + 0.0 * since
     return between
+
+
+def unseen(time: Array, rows: Rows, second_rates: Array) -> Array:
+    """By how much values, rates and second rates, (3, n, c), of ``spread`` are off before and after the rows.
+
+    There the second rates, (m, c) at the rows, change as fast as they do at most over the nearest few.
+    """
+    time = elapsed(time)
+    at, off = time[rows], np.zeros((3, len(time), second_rates.shape[1]))
+    for outside, end, near in (
+        (time < at[0], 0, slice(_NEAREST)),
+        (time > at[-1], -1, slice(-_NEAREST, None)),
+    ):
+        steps = np.diff(second_rates[near], axis=0) / np.diff(at[near])[:, None]
+        since = np.abs(time[outside] - at[end])[:, None]
+        fastest = np.abs(steps).max(axis=0)
+        off[:, outside] = fastest * since**3 / 6.0, fastest * since**2 / 2.0, fastest * since
+    return off

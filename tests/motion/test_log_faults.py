@@ -14,8 +14,9 @@ from whole_track import track
 
 import stewart_sym as ss
 from stewart_sym.motion.log_faults import Fault, faults, offsets, slower_sampling, spread
+from stewart_sym.motion.log_rates import rates_of
 from stewart_sym.motion.noise_level import noise_level, rounding_steps
-from stewart_sym.motion.trajectory import Trajectory
+from stewart_sym.motion.trajectory import Log, Trajectory
 
 Array = NDArray[np.float64]
 FAULTS = ("repeated", "missing", "step", "spike", "zeros")
@@ -205,6 +206,49 @@ def test_rows_between_measured_ones_are_told_and_count_for_nothing(
         F, sd = ss.inverse_dynamics(one.robot, found.motion).F, ss.force_deviations(one.robot, found)
         inside.append(np.mean(np.abs(F[::every] - one.F) < 1.96 * sd[::every]))
     assert 0.88 < np.mean(inside) <= 1.0
+
+
+@pytest.mark.parametrize("fill", [held, interpolated])
+@pytest.mark.parametrize(("name", "slow"), [("positions", slice(0, 3)), ("angles", slice(3, 6))])
+def test_a_slow_sensor_beside_a_fast_one_is_told_and_forces_hold_within_their_deviations(
+    fill: Callable[[Array, int], Array], name: str, slow: slice
+) -> None:
+    every, one = 5, case(0)
+    step = (one.time[1] - one.time[0]) / 4
+    time = step * np.arange(200 * every)
+    true = coordinates(np.random.default_rng(3), 0.5, time, 0.012 / step)
+    true[0, :, :3] += one.true[0, 0, :3]
+    values = np.round(true[0], 6)
+    values[:, slow] = fill(values[::every, slow], every)
+    found, told = read(time, values)
+    assert any(line.startswith(f"poses: {name} of 1000 rows are ") for line in told), told
+    assert any(" between 200 measured ones" in line for line in told), told
+    assert not any(OFF in line for line in told)
+    F, expected = (ss.inverse_dynamics(one.robot, each).F for each in (found.motion, motion(true)))
+    sd = ss.force_deviations(one.robot, found)
+    assert np.abs(F - expected)[:-every].max() < 0.005 * np.abs(expected).max()
+    assert np.all(np.abs(F - expected)[-every:] < 3.0 * sd[-every:] + 0.001 * np.abs(expected).max())
+    assert np.mean(np.abs(F - expected) < 1.96 * sd) > 0.85
+
+
+def test_a_slow_sensor_beside_a_slower_one_has_rows_of_its_own() -> None:
+    one = case(0)
+    values = held(logged(one, "5", 0), 2)
+    values[:, :3] = held(values[::6, :3], 6)[: len(values)]
+    time = one.time[0] + np.arange(len(values)) * (one.time[1] - one.time[0]) / 2
+    _, told = read(time, values)
+    count = len(values)
+    assert any(f"{count} rows are held between {count // 2} measured" in line for line in told), told
+    assert any(f"positions of {count} rows are held between {-(-count // 6)} " in line for line in told), told
+
+
+def test_leg_lengths_of_a_slower_sensor_are_told() -> None:
+    time = np.arange(0.0, 4.0, 0.01)
+    lengths = 1.0 + 0.1 * np.sin(3.0 * time[:, None] + np.arange(6.0))
+    log = Log("legs", range(len(time)), time, {"L": [*held(lengths[::4], 4).T]})
+    with pytest.warns(ss.LogWarning, match="400 rows are held between 100 measured ones"):
+        found, _ = rates_of(log, log.vector("L"), log.steps("L"))
+    np.testing.assert_allclose(found[0, :-4], lengths[:-4], atol=1e-5)
 
 
 def test_values_between_rows_are_those_of_a_polynomial() -> None:
