@@ -233,6 +233,27 @@ def rows_text(log: Log, first: int, end: int | None) -> str:
     return rows
 
 
+# A repair leaves nearly all rows as they are, and takes steps away that are small beside the path.
+_REPAIRED, _STEPPED = 0.05, 0.1
+
+
+def tell_no_repair(log: Log, good: Array, found: list[Fault]) -> None:
+    """Warn of faults so many, or steps so large, that good columns, (n, 6), are not those of the log."""
+    rows = {row for each in found for row in range(each.first, each.end or each.first + 1)}
+    share, kinds = len(rows) / len(good), log.kinds()
+    off = np.abs(offsets(found, good.shape)).max(axis=0)
+    stepped = np.abs(offsets([each for each in found if each.end is None], good.shape)).max(axis=0)
+    far = any(stepped[part].max() > _STEPPED * np.ptp(good[:, part], axis=0).max() for _, part in kinds)
+    if not far and share <= _REPAIRED:
+        return
+    most = [log.kind(name)[1](float(off[part].max())) for name, part in kinds if off[part].any()]
+    text = (
+        f"{len(rows)} of {len(good)} rows ({100.0 * share:.2g} %) are replaced, and numbers change by up to "
+        f"{' and '.join(most)}: that is no repair, and the results are not to be trusted"
+    )
+    warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=7)
+
+
 # Rows of a slower sensor
 
 Rows = NDArray[np.int64]

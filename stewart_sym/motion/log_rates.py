@@ -23,6 +23,7 @@ from .log_faults import (
     slower_sampling,
     spread,
     tell_faults,
+    tell_no_repair,
     unseen,
 )
 from .motion import Motion
@@ -178,6 +179,7 @@ def _replaced(log: Log, values: Array, steps: Array) -> tuple[Array, Uncertainty
     if not bad or not log.smoothing.on:
         return _derivatives(log, values, level)
     good = values - offsets(bad, values.shape)
+    tell_no_repair(log, good, bad)
     found, noise = _derivatives(log, good, _level(log, noise_level(log.time, good, steps)))
     changed = found - _derivatives(log, values, level, tell=False)[0]
     near = _changed_instants(changed)

@@ -251,6 +251,25 @@ def test_leg_lengths_of_a_slower_sensor_are_told() -> None:
     np.testing.assert_allclose(found[0, :-4], lengths[:-4], atol=1e-5)
 
 
+def no_repair(told: list[str]) -> list[str]:
+    return [line for line in told if "no repair, and the results are not to be trusted" in line]
+
+
+def test_faults_of_many_rows_and_large_steps_are_said_to_be_no_repair() -> None:
+    one = case(0)
+    many, step, few = (one.true[0].copy() for _ in range(3))
+    many[5:-5:12, 2] += 0.05
+    step[len(step) // 2 :, 2] += 0.5
+    few[len(few) // 2, 2] += 0.5
+    (line,) = no_repair(read(one.time, many)[1])
+    assert re.search(
+        r": \d+ of \d+ rows \(\d\.\d %\) are replaced, and numbers change by up to 0\.05 m", line
+    )
+    (line,) = no_repair(read(one.time, step)[1])
+    assert "change by up to 0.5 m" in line
+    assert no_repair(read(one.time, few)[1]) == []
+
+
 def test_values_between_rows_are_those_of_a_polynomial() -> None:
     time = np.linspace(0.0, 1.0, 41)
     polynomial = np.polynomial.Polynomial([1.0, -2.0, 0.5, 3.0, -1.0, 0.7])
