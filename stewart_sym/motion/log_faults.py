@@ -1,4 +1,4 @@
-"""Rows that no motion makes, and rows that repeat or interpolate a slower sensor's.
+"""Rows that no motion makes, columns that are clipped, rows that repeat or interpolate a slower sensor's.
 
 For the former, blocks of samples, of several lengths, are fitted by polynomials. Where one offset explains
 what these leave, and no jump of a velocity, an acceleration or a jerk does nearly as well, it is a fault.
@@ -311,6 +311,80 @@ def _regular(size: Array, quiet: float, count: int, offset: int) -> Rows | None:
     missing = [np.arange(a + every, b - every // 2, every) for a, b in itertools.pairwise(seen)]
     before, after = np.arange(seen[0] - every, -1, -every), np.arange(seen[-1] + every, count, every)
     return np.unique(np.concatenate([before, seen, after, *missing]))
+
+
+# Columns that a sensor or a program clips
+
+# Rows that stay at an extreme, the least speed that enters or leaves it, of the usual one, and how far that
+# is the speed before: a motion that comes to rest has a third of it, one that is clipped a half or more.
+_PLATEAU, _KINK, _AT_FULL_SPEED = 5, 0.2, (0.45, 2.2)
+_ENDS = 2
+
+
+class Plateau(NamedTuple):
+    """A number at which column ``column`` stays, at its largest or smallest, and the rows that have it."""
+
+    column: int
+    value: float
+    rows: Rows
+
+
+def plateaus(time: Array, values: Array, steps: Array) -> list[Plateau]:
+    """Return the extremes at which columns (n, c), rounded to steps, (c,), are clipped.
+
+    Two ends or more of such stretches have a kink: a motion that rests at an extreme gets there smoothly.
+    """
+    return [
+        Plateau(i, extreme, at)
+        for i, column in enumerate(values.T)
+        for extreme in (float(column.min(initial=0.0)), float(column.max(initial=0.0)))
+        if (at := _clipped(elapsed(time), column, extreme, float(steps[i]))).size
+    ]
+
+
+def _clipped(time: Array, column: Array, extreme: float, step: float) -> Rows:
+    """Rows, (m,), of stretches at an extreme that are entered or left with a kink; none if these are few."""
+    edges = np.flatnonzero(np.diff(column == extreme, prepend=False, append=False)).reshape(-1, 2)
+    long = edges[edges[:, 1] - edges[:, 0] >= _PLATEAU]
+    if not long.size or np.ptp(column) == 0.0:
+        return np.zeros(0, dtype=np.int64)
+    speeds = np.abs(np.diff(column) / np.diff(time))
+    usual = float(np.median(speeds[speeds > 0.0]))
+    low, high = _AT_FULL_SPEED
+
+    def kinked(at: int, towards: int) -> bool:
+        """Whether row ``at``, the last one that is clipped, is left at full speed."""
+        i, j, k = at, at + 2 * towards, at + 4 * towards
+        if min(j, k) < 0 or max(j, k) >= len(time):
+            return False
+        near, far = (abs((column[b] - column[a]) / (time[b] - time[a])) for a, b in ((i, j), (j, k)))
+        clear = abs(column[j] - column[i]) >= _STEPS * step
+        return bool(clear and near > _KINK * usual and low * far < near < high * far)
+
+    ends = [(kinked(int(a), -1), kinked(int(b) - 1, 1)) for a, b in long]
+    if np.count_nonzero(ends) < _ENDS:
+        return np.zeros(0, dtype=np.int64)
+    return np.concatenate([np.arange(a, b) for (a, b), each in zip(long, ends, strict=True) if any(each)])
+
+
+def tell_plateaus(log: Log, values: Array, steps: Array) -> None:
+    """Warn of columns, (n, 6), that are clipped: at which numbers and for how long."""
+    found = plateaus(log.time, values, steps)
+    columns = [(name, i) for name, part in log.kinds() for i in range(part.stop - part.start)]
+    for column in dict.fromkeys(each.column for each in found):
+        own = [each for each in found if each.column == column]
+        name, i = columns[column]
+        at = " and ".join(f"{each.value / log.scale(name):.6g}" for each in own)
+        unit = log.form.angle_unit if name == "theta" else log.form.length_unit
+        rows = np.sort(np.concatenate([each.rows for each in own]))
+        share = len(rows) / len(log.time)
+        lasts = share * (log.time[-1] - log.time[0])
+        text = (
+            f"{name}_{('123456' if name == 'L' else 'xyz')[i]} gets to {at} {unit} or away at full speed and "
+            f"stays there for {lasts:.3g} s in all ({100.0 * share:.2g} % of the rows; first at row "
+            f"{log.rows[rows[0]]}): is it clipped? forces there and nearby are wrong"
+        )
+        warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=7)
 
 
 def spread(time: Array, rows: Rows, found: Array) -> Array:

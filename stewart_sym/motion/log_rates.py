@@ -24,6 +24,7 @@ from .log_faults import (
     spread,
     tell_faults,
     tell_no_repair,
+    tell_plateaus,
     unseen,
 )
 from .motion import Motion
@@ -170,6 +171,7 @@ def _lost_steps(log: Log, values: Array) -> Array | float:
 def _replaced(log: Log, values: Array, steps: Array) -> tuple[Array, Uncertainty | None]:
     """``rates_of`` of rows that were measured."""
     _warn_of_stated(log, values, steps)
+    tell_plateaus(log, values, steps)
     shown = noise_level(log.time, values, steps)
     level = _level(log, shown)
     # Neither a cut-off nor a statement makes rows wrong that are within the scatter of all.

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from whole_track import track
 
 import stewart_sym as ss
-from stewart_sym.motion.log_faults import Fault, faults, offsets, slower_sampling, spread
+from stewart_sym.motion.log_faults import Fault, faults, offsets, plateaus, slower_sampling, spread
 from stewart_sym.motion.log_rates import rates_of
 from stewart_sym.motion.noise_level import noise_level, rounding_steps
 from stewart_sym.motion.trajectory import Log, Trajectory
@@ -268,6 +268,28 @@ def test_faults_of_many_rows_and_large_steps_are_said_to_be_no_repair() -> None:
     (line,) = no_repair(read(one.time, step)[1])
     assert "change by up to 0.5 m" in line
     assert no_repair(read(one.time, few)[1]) == []
+
+
+def test_a_column_that_is_clipped_is_told_with_its_limits_and_how_long_it_stays() -> None:
+    time = np.arange(0.0, 10.0, 0.005)
+    values = 0.2 * np.sin(time[:, None] * np.arange(1.0, 2.0, 0.17) + np.arange(6.0))
+    values[:, :3] += (0.0, 0.0, 2.0)
+    values[:, 3] = np.clip(values[:, 3], -0.13, 0.15)
+    (line,) = (line for line in read(time, values)[1] if "clipped" in line)
+    share = np.mean((values[:, 3] == -0.13) | (values[:, 3] == 0.15))
+    assert line.startswith("poses: theta_x gets to -0.13 and 0.15 rad or away at full speed")
+    assert f"for {share * time[-1]:.3g} s in all ({100 * share:.2g} % of the rows; first at row " in line
+
+
+@pytest.mark.parametrize("digits", [2, 3, 5, 12])
+def test_rest_at_an_extreme_and_rounding_are_no_clipping(digits: int) -> None:
+    time = np.arange(0.0, 12.0, 0.005)
+    s = np.clip(np.stack([time - 1.0, time / 2.0 - 2.0, 7.0 - time], axis=-1), 0.0, 1.0)
+    rests = s**3 * (10.0 - 15.0 * s + 6.0 * s**2)
+    stops = np.clip(time[:, None], 0.0, 5.0)  # at once, and to the log's end
+    swings = np.sin(np.outer(time, [0.7, 1.3, 5.0]))
+    values = np.round(np.hstack([rests, stops, swings]), digits)
+    assert plateaus(time, values, np.full(7, 10.0**-digits)) == []
 
 
 def test_values_between_rows_are_those_of_a_polynomial() -> None:
