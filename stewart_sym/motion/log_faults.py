@@ -32,6 +32,9 @@ _BENDS = 0.5
 _LEAST_SEEN = 0.02
 # Numbers are read to this share of the largest.
 _DIGITS = 1e-13
+# Repeated rows are off by so many deviations and in line with the speeds beside them; rows that hold them and
+# three good ones on both sides.
+_MOVES, _IN_LINE, _CROWDED = 12.0, 0.25, 12
 _ROUNDS, _CHUNK = 6, 1 << 14
 
 
@@ -55,8 +58,8 @@ def faults(time: Array, values: Array, sigma: Array) -> list[Fault]:
     An offset is seen from about nine deviations of the noise divided by the root of the samples that tell it,
     and, without noise, from about what an acceleration of the motion moves between two samples.
     """
-    found: list[Fault] = []
-    corrected = values
+    found = _repeated(elapsed(time), values, sigma)
+    corrected = values - offsets(found, values.shape)
     for _ in range(_ROUNDS):
         more = _separate(_scan(time, corrected, sigma))
         if not more:
@@ -64,6 +67,36 @@ def faults(time: Array, values: Array, sigma: Array) -> list[Fault]:
         corrected = corrected - offsets(more, values.shape)
         found += more
     return sorted(found, key=lambda fault: (fault.first, fault.column))
+
+
+def _repeated(time: Array, values: Array, sigma: Array) -> list[Fault]:
+    """Faults of rows near each other that repeat the one before them while a log moves on.
+
+    Each is off by another amount: by how far a polynomial through three rows on both sides goes on. Rows that
+    stand alone are left to ``_scan``.
+    """
+    same = np.concatenate([[False], (np.diff(values, axis=0) == 0.0).all(axis=1), [False]])
+    edges = np.flatnonzero(np.diff(same.astype(np.int8))).reshape(-1, 2) + 1
+    own, found = np.flatnonzero(~same[:-1]), []
+    clear = _MOVES * np.maximum(sigma, _DIGITS * np.abs(values).max(axis=0, initial=1.0))
+    for first, end in edges[edges[:, 1] - edges[:, 0] < _LONGEST]:
+        i = int(np.searchsorted(own, first))
+        near = own[max(i - 3, 0) : i + 3]
+        apart = near[-1] - near[0] + 1
+        if len(near) < 6 or apart > _CROWDED or apart == 7:
+            continue
+        t, y = time[near], values[near]
+        bridge, speed = y[3] - y[2], (y[2] - y[1]) / (t[2] - t[1]) + (y[4] - y[3]) / (t[4] - t[3])
+        off_line = (bridge - (t[3] - t[2]) / 2.0 * speed) / clear
+        if np.linalg.norm(off_line) > _IN_LINE * np.linalg.norm(bridge / clear):
+            continue
+        fit = np.polynomial.polynomial.polyfit((t - t[2]) / (t[3] - t[2]), y, 5)
+        since = (time[first:end] - t[2]) / (t[3] - t[2])
+        off = values[first:end] - np.polynomial.polynomial.polyval(since, fit).T
+        if (np.abs(off) > clear).any():
+            sizes = [(i, j, float(off[i, j])) for i, j in np.ndindex(off.shape)]
+            found += [Fault(j, int(first) + i, int(first) + i + 1, size) for i, j, size in sizes if size]
+    return found
 
 
 def offsets(found: list[Fault], shape: tuple[int, ...]) -> Array:

@@ -157,6 +157,22 @@ def test_a_fault_is_found_with_its_size_and_its_rows() -> None:
     np.testing.assert_allclose([each.size for each in found], [each.size for each in given], rtol=1e-3)
 
 
+@pytest.mark.parametrize("rows", [(200, 201), (200, 201, 202), (200, 202), (200, 202, 204)])
+@pytest.mark.parametrize("digits", [5, 15])
+def test_repeated_rows_near_each_other_are_off_each_by_its_own_amount(
+    rows: tuple[int, ...], digits: int
+) -> None:
+    time = np.arange(400) / 200.0
+    true = np.round(0.3 * np.sin(np.outer(time, np.arange(1.0, 7.0))), digits)
+    values = true.copy()
+    for i in rows:
+        values[i] = values[i - 1]
+    sigma = np.full(6, 10.0**-digits / np.sqrt(12.0))
+    found = faults(time, values, sigma)
+    assert {each.first for each in found} == set(rows)
+    np.testing.assert_allclose(values - offsets(found, values.shape), true, atol=8.0 * sigma[0] + 1e-9)
+
+
 def correlated(rng: np.random.Generator, shape: tuple[int, ...], share: float) -> Array:
     """Noise of deviation 1 of which each sample keeps a share of the one before."""
     noise = rng.normal(size=shape)
