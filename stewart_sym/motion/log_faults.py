@@ -1,19 +1,22 @@
-"""Rows of a log that no motion makes, and rows that repeat or interpolate those of a slower sensor.
+"""Rows that no motion makes, columns that are clipped, rows that repeat or interpolate a slower sensor's.
 
 For the former, blocks of samples, of several lengths, are fitted by polynomials. Where one offset explains
 what these leave, and no jump of a velocity, an acceleration or a jerk does nearly as well, it is a fault.
 """
 
 import itertools
-from collections.abc import Iterator
+import warnings
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..io.array_types import Array
-from ..io.instants import elapsed
+from ..io.instants import elapsed, least_step, time_text
 from .interpolation import quintic, values
+from .noise_level import LogWarning
+from .trajectory import Log
 
 # Lengths of blocks, samples, and the degrees of their polynomials.
 _BLOCKS = ((8, 3), (16, 5), (32, 5), (64, 5), (128, 5))
@@ -29,6 +32,9 @@ _BENDS = 0.5
 _LEAST_SEEN = 0.02
 # Numbers are read to this share of the largest.
 _DIGITS = 1e-13
+# Repeated rows are off by so many deviations and in line with the speeds beside them; rows that hold them and
+# three good ones on both sides.
+_MOVES, _IN_LINE, _CROWDED = 12.0, 0.25, 12
 _ROUNDS, _CHUNK = 6, 1 << 14
 
 
@@ -52,8 +58,8 @@ def faults(time: Array, values: Array, sigma: Array) -> list[Fault]:
     An offset is seen from about nine deviations of the noise divided by the root of the samples that tell it,
     and, without noise, from about what an acceleration of the motion moves between two samples.
     """
-    found: list[Fault] = []
-    corrected = values
+    found = _repeated(elapsed(time), values, sigma)
+    corrected = values - offsets(found, values.shape)
     for _ in range(_ROUNDS):
         more = _separate(_scan(time, corrected, sigma))
         if not more:
@@ -61,6 +67,36 @@ def faults(time: Array, values: Array, sigma: Array) -> list[Fault]:
         corrected = corrected - offsets(more, values.shape)
         found += more
     return sorted(found, key=lambda fault: (fault.first, fault.column))
+
+
+def _repeated(time: Array, values: Array, sigma: Array) -> list[Fault]:
+    """Faults of rows near each other that repeat the one before them while a log moves on.
+
+    Each is off by another amount: by how far a polynomial through three rows on both sides goes on. Rows that
+    stand alone are left to ``_scan``.
+    """
+    same = np.concatenate([[False], (np.diff(values, axis=0) == 0.0).all(axis=1), [False]])
+    edges = np.flatnonzero(np.diff(same.astype(np.int8))).reshape(-1, 2) + 1
+    own, found = np.flatnonzero(~same[:-1]), []
+    clear = _MOVES * np.maximum(sigma, _DIGITS * np.abs(values).max(axis=0, initial=1.0))
+    for first, end in edges[edges[:, 1] - edges[:, 0] < _LONGEST]:
+        i = int(np.searchsorted(own, first))
+        near = own[max(i - 3, 0) : i + 3]
+        apart = near[-1] - near[0] + 1
+        if len(near) < 6 or apart > _CROWDED or apart == 7:
+            continue
+        t, y = time[near], values[near]
+        bridge, speed = y[3] - y[2], (y[2] - y[1]) / (t[2] - t[1]) + (y[4] - y[3]) / (t[4] - t[3])
+        off_line = (bridge - (t[3] - t[2]) / 2.0 * speed) / clear
+        if np.linalg.norm(off_line) > _IN_LINE * np.linalg.norm(bridge / clear):
+            continue
+        fit = np.polynomial.polynomial.polyfit((t - t[2]) / (t[3] - t[2]), y, 5)
+        since = (time[first:end] - t[2]) / (t[3] - t[2])
+        off = values[first:end] - np.polynomial.polynomial.polyval(since, fit).T
+        if (np.abs(off) > clear).any():
+            sizes = [(i, j, float(off[i, j])) for i, j in np.ndindex(off.shape)]
+            found += [Fault(j, int(first) + i, int(first) + i + 1, size) for i, j, size in sizes if size]
+    return found
 
 
 def offsets(found: list[Fault], shape: tuple[int, ...]) -> Array:
@@ -194,6 +230,63 @@ def _jump_gains(t: Array, B: Array, r: Array) -> Array:
     return best
 
 
+# Rows that one line names at most; coordinates of a row that point to the row itself.
+_MOST_NAMED, _MANY = 4, 3
+
+
+def tell_faults(log: Log, found: Sequence[Fault]) -> None:
+    """Warn of rows that no motion makes: when, which columns and by how much."""
+    by_rows: dict[tuple[int, int | None], list[str]] = {}
+    for fault in found:
+        names = ("t", "t", "t", "theta", "theta", "theta")
+        unit = "m" if fault.column < 3 else "rad"
+        text = f"{names[fault.column]}_{'xyz'[fault.column % 3]} by {fault.size:.3g} {unit}"
+        by_rows.setdefault((fault.first, fault.end), []).append(text)
+    lines = []
+    for (first, end), texts in itertools.islice(by_rows.items(), _MOST_NAMED):
+        when = time_text(log.time[first], least_step(log.time))
+        lines.append(f"{rows_text(log, first, end)} ({when} s): {', '.join(texts)}")
+    more = len(by_rows) - len(lines)
+    ending = f"; and {more} more" if more > 0 else ""
+    done = "replaced, and deviations there hold what this changes" if log.smoothing.on else "left as they are"
+    cause = " (rows repeated or missing?)" if any(len(texts) >= _MANY for texts in by_rows.values()) else ""
+    warnings.warn(
+        f"{log.source}: numbers are off as no motion makes them{cause}: {'; '.join(lines)}{ending}: {done}",
+        LogWarning,
+        stacklevel=7,
+    )
+
+
+def rows_text(log: Log, first: int, end: int | None) -> str:
+    """Rows of a fault, ``end`` None: to the log's end."""
+    last = len(log.rows) if end is None else min(end, len(log.rows))
+    rows = f"row {log.rows[first]}"
+    if last - first > 1:
+        rows += " on" if last == len(log.rows) else f" to {log.rows[last - 1]}"
+    return rows
+
+
+# A repair leaves nearly all rows as they are, and takes steps away that are small beside the path.
+_REPAIRED, _STEPPED = 0.05, 0.1
+
+
+def tell_no_repair(log: Log, good: Array, found: list[Fault]) -> None:
+    """Warn of faults so many, or steps so large, that good columns, (n, 6), are not those of the log."""
+    rows = {row for each in found for row in range(each.first, each.end or each.first + 1)}
+    share, kinds = len(rows) / len(good), log.kinds()
+    off = np.abs(offsets(found, good.shape)).max(axis=0)
+    stepped = np.abs(offsets([each for each in found if each.end is None], good.shape)).max(axis=0)
+    far = any(stepped[part].max() > _STEPPED * np.ptp(good[:, part], axis=0).max() for _, part in kinds)
+    if not far and share <= _REPAIRED:
+        return
+    most = [log.kind(name)[1](float(off[part].max())) for name, part in kinds if off[part].any()]
+    text = (
+        f"{len(rows)} of {len(good)} rows ({100.0 * share:.2g} %) are replaced, and numbers change by up to "
+        f"{' and '.join(most)}: that is no repair, and the results are not to be trusted"
+    )
+    warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=7)
+
+
 # Rows of a slower sensor
 
 Rows = NDArray[np.int64]
@@ -205,6 +298,8 @@ _REGULAR = 0.9
 # Changes at measured rows are this many steps of rounding or more.
 _STEPS = 4.0
 _SAME_DIGITS = 1e-12
+# Rows next to the first and the last that tell how fast accelerations change beyond them.
+_NEAREST = 6
 
 
 class Sampling(NamedTuple):
@@ -251,6 +346,80 @@ def _regular(size: Array, quiet: float, count: int, offset: int) -> Rows | None:
     return np.unique(np.concatenate([before, seen, after, *missing]))
 
 
+# Columns that a sensor or a program clips
+
+# Rows that stay at an extreme, the least speed that enters or leaves it, of the usual one, and how far that
+# is the speed before: a motion that comes to rest has a third of it, one that is clipped a half or more.
+_PLATEAU, _KINK, _AT_FULL_SPEED = 5, 0.2, (0.45, 2.2)
+_ENDS = 2
+
+
+class Plateau(NamedTuple):
+    """A number at which column ``column`` stays, at its largest or smallest, and the rows that have it."""
+
+    column: int
+    value: float
+    rows: Rows
+
+
+def plateaus(time: Array, values: Array, steps: Array) -> list[Plateau]:
+    """Return the extremes at which columns (n, c), rounded to steps, (c,), are clipped.
+
+    Two ends or more of such stretches have a kink: a motion that rests at an extreme gets there smoothly.
+    """
+    return [
+        Plateau(i, extreme, at)
+        for i, column in enumerate(values.T)
+        for extreme in (float(column.min(initial=0.0)), float(column.max(initial=0.0)))
+        if (at := _clipped(elapsed(time), column, extreme, float(steps[i]))).size
+    ]
+
+
+def _clipped(time: Array, column: Array, extreme: float, step: float) -> Rows:
+    """Rows, (m,), of stretches at an extreme that are entered or left with a kink; none if these are few."""
+    edges = np.flatnonzero(np.diff(column == extreme, prepend=False, append=False)).reshape(-1, 2)
+    long = edges[edges[:, 1] - edges[:, 0] >= _PLATEAU]
+    if not long.size or np.ptp(column) == 0.0:
+        return np.zeros(0, dtype=np.int64)
+    speeds = np.abs(np.diff(column) / np.diff(time))
+    usual = float(np.median(speeds[speeds > 0.0]))
+    low, high = _AT_FULL_SPEED
+
+    def kinked(at: int, towards: int) -> bool:
+        """Whether row ``at``, the last one that is clipped, is left at full speed."""
+        i, j, k = at, at + 2 * towards, at + 4 * towards
+        if min(j, k) < 0 or max(j, k) >= len(time):
+            return False
+        near, far = (abs((column[b] - column[a]) / (time[b] - time[a])) for a, b in ((i, j), (j, k)))
+        clear = abs(column[j] - column[i]) >= _STEPS * step
+        return bool(clear and near > _KINK * usual and low * far < near < high * far)
+
+    ends = [(kinked(int(a), -1), kinked(int(b) - 1, 1)) for a, b in long]
+    if np.count_nonzero(ends) < _ENDS:
+        return np.zeros(0, dtype=np.int64)
+    return np.concatenate([np.arange(a, b) for (a, b), each in zip(long, ends, strict=True) if any(each)])
+
+
+def tell_plateaus(log: Log, values: Array, steps: Array) -> None:
+    """Warn of columns, (n, 6), that are clipped: at which numbers and for how long."""
+    found = plateaus(log.time, values, steps)
+    columns = [(name, i) for name, part in log.kinds() for i in range(part.stop - part.start)]
+    for column in dict.fromkeys(each.column for each in found):
+        own = [each for each in found if each.column == column]
+        name, i = columns[column]
+        at = " and ".join(f"{each.value / log.scale(name):.6g}" for each in own)
+        unit = log.form.angle_unit if name == "theta" else log.form.length_unit
+        rows = np.sort(np.concatenate([each.rows for each in own]))
+        share = len(rows) / len(log.time)
+        lasts = share * (log.time[-1] - log.time[0])
+        text = (
+            f"{name}_{('123456' if name == 'L' else 'xyz')[i]} gets to {at} {unit} or away at full speed and "
+            f"stays there for {lasts:.3g} s in all ({100.0 * share:.2g} % of the rows; first at row "
+            f"{log.rows[rows[0]]}): is it clipped? forces there and nearby are wrong"
+        )
+        warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=7)
+
+
 def spread(time: Array, rows: Rows, found: Array) -> Array:
     """Values, rates and second rates, (3, m, c), at some rows of n times as such at all of them, (3, n, c).
 
@@ -265,3 +434,21 @@ def spread(time: Array, rows: Rows, found: Array) -> Array:
         since, (x, v, a) = (time[outside] - at[end])[:, None], found[:, end]
         between[:, outside] = x + since * (v + 0.5 * since * a), v + since * a, a + 0.0 * since
     return between
+
+
+def unseen(time: Array, rows: Rows, second_rates: Array) -> Array:
+    """By how much values, rates and second rates, (3, n, c), of ``spread`` are off before and after the rows.
+
+    There the second rates, (m, c) at the rows, change as fast as they do at most over the nearest few.
+    """
+    time = elapsed(time)
+    at, off = time[rows], np.zeros((3, len(time), second_rates.shape[1]))
+    for outside, end, near in (
+        (time < at[0], 0, slice(_NEAREST)),
+        (time > at[-1], -1, slice(-_NEAREST, None)),
+    ):
+        steps = np.diff(second_rates[near], axis=0) / np.diff(at[near])[:, None]
+        since = np.abs(time[outside] - at[end])[:, None]
+        fastest = np.abs(steps).max(axis=0)
+        off[:, outside] = fastest * since**3 / 6.0, fastest * since**2 / 2.0, fastest * since
+    return off

@@ -1,6 +1,7 @@
 """Rates of a log: splines through its poses, smooth curves where there is noise, gaps, rows that are off."""
 
 import dataclasses
+import functools
 import itertools
 import math
 import warnings
@@ -10,8 +11,21 @@ import numpy as np
 
 from ..io.array_types import Array, Flags
 from ..io.extras import needed_for
-from ..io.instants import elapsed, least_step, lost, time_text
-from .log_faults import Fault, faults, offsets, slower_sampling, spread
+from ..io.instants import elapsed, lost, time_text
+from .log_faults import (
+    Fault,
+    Rows,
+    Sampling,
+    faults,
+    offsets,
+    rows_text,
+    slower_sampling,
+    spread,
+    tell_faults,
+    tell_no_repair,
+    tell_plateaus,
+    unseen,
+)
 from .noise_level import LEAST_SAMPLES, Level, LogWarning, decided_noise, noise_level, stated
 from .smoothing import PAIRS, check_cutoff, smoothed
 from .trajectory import POSE, Log, Replaced, Uncertainty
@@ -29,21 +43,90 @@ def rates_of(log: Log, values: Array, steps: Array) -> tuple[Array, Uncertainty 
     motion makes are replaced, with a warning; what that changes counts as a deviation.
     """
     steps = np.maximum(steps, _lost_steps(log, values))
-    slower = slower_sampling(values, steps) if log.smoothing.on and "L" not in log.written else None
-    measured_at = log.time if slower is None else log.time[slower[0]]
+    parts = _measured_rows(log, values, steps)
     cutoff = log.smoothing.cutoff
-    if cutoff is not None and log.smoothing.on and len(measured_at) >= _MIN_SPLINE_POINTS:
-        check_cutoff(measured_at, cutoff)
+    if cutoff is not None and log.smoothing.on:
+        for _, rows in parts:
+            if len(rows) >= _MIN_SPLINE_POINTS:
+                check_cutoff(log.time[rows], cutoff)
     _warn_of_gap(log)
-    if slower is None:
+    if len(parts) == 1 and len(parts[0][1]) == len(values):
         return _replaced(log, values, steps)
-    rows, kind = slower
-    text = f"{len(log.time)} rows are {kind} between {len(rows)} measured ones, each taken for its first row"
-    warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=6)
-    measured = dataclasses.replace(log, time=log.time[rows], rows=[log.rows[i] for i in rows])
-    few, noise = _replaced(measured, values[rows], steps)
-    found = spread(log.time, rows, few)
-    return found, None if noise is None else noise._replace(coordinates=found)
+    found, off, noises = np.empty((3, *values.shape)), np.zeros((3, *values.shape)), []
+    for columns, rows in parts:
+        few, noise = _replaced(*_measured(log, values, steps, columns, rows))
+        found[..., columns] = spread(log.time, rows, few[..., columns])
+        off[..., columns] = unseen(log.time, rows, few[2, :, columns])
+        noises.append((columns, noise))
+    joined, outside = _joined(found, noises, "L" in log.written), np.asarray(off.any(axis=(0, 2)))
+    return found, _with_changes(log.time, found, joined, off, outside) if outside.any() else joined
+
+
+def _measured_rows(log: Log, values: Array, steps: Array) -> list[tuple[slice, Rows]]:
+    """Columns of (n, 6) side by side with the rows at which a sensor measured them.
+
+    Positions and angles may be of two sensors of which one is slower, or both.
+    """
+    rows, kinds = np.arange(len(values)), log.kinds()
+    if not log.smoothing.on:
+        return [(slice(0, 6), rows)]
+    whole = slower_sampling(values, steps)
+    if whole is not None:
+        _tell_slower(log, "", whole)
+        rows = whole.rows
+    own = [slower_sampling(values[rows, part], steps[part]) for _, part in kinds] if len(kinds) > 1 else []
+    if all(each is None for each in own):
+        return [(slice(0, 6), rows)]
+    found = []
+    for (name, part), each in zip(kinds, own, strict=True):
+        if each is not None:
+            each = each._replace(rows=rows[each.rows])
+            _tell_slower(log, f"{log.kind(name)[0]} of ", each)
+        found.append((part, rows if each is None else each.rows))
+    return found
+
+
+def _tell_slower(log: Log, of: str, slower: Sampling) -> None:
+    """Warn of what a slower sensor measured."""
+    count, taken = len(slower.rows), "each taken for its first row"
+    text = f"{of}{len(log.time)} rows are {slower.kind} between {count} measured ones, {taken}"
+    warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=8)
+
+
+def _measured(log: Log, values: Array, steps: Array, columns: slice, rows: Rows) -> tuple[Log, Array, Array]:
+    """The log of some columns at the rows at which they were measured: others are 0."""
+    written = {name: [x[rows] for x in vector] for name, vector in log.written.items()}
+    few = dataclasses.replace(log, time=log.time[rows], rows=[log.rows[i] for i in rows], written=written)
+    own, steps = np.zeros((len(rows), values.shape[1])), steps.copy()
+    own[:, columns] = values[rows, columns]
+    for name, part in log.kinds():
+        if columns not in (part, slice(0, 6)):
+            steps[part] = 0.0
+        elif name in written:  # what is interpolated has more digits than what is measured
+            steps[part] = np.maximum(steps[part], few.steps(name))
+    return few, own, steps
+
+
+def _joined(
+    found: Array, noises: Sequence[tuple[slice, Uncertainty | None]], in_joints: bool
+) -> Uncertainty | None:
+    """Uncertainty of coordinates and rates, (3, n, 6), whose columns have each their own."""
+    some = [(columns, noise) for columns, noise in noises if noise is not None]
+    if not some:
+        return None
+    grid = functools.reduce(np.union1d, (noise.grid for _, noise in some))
+    covariance, sigma = np.zeros((len(grid), 6, len(PAIRS))), np.zeros(6)
+    for columns, noise in some:
+        covariance[:, columns] = _on_grid(grid, noise)[:, columns]
+        sigma[columns] = noise.sigma[columns]
+    replaced = tuple(itertools.chain.from_iterable(noise.replaced for _, noise in some))
+    return Uncertainty(found, grid, covariance, sigma, in_joints, replaced)
+
+
+def _on_grid(grid: Array, noise: Uncertainty) -> Array:
+    """Covariance at other times, (g, 6, 6)."""
+    flat = noise.covariance.reshape(len(noise.grid), -1)
+    return np.stack([np.interp(grid, noise.grid, x) for x in flat.T], axis=-1).reshape(-1, 6, len(PAIRS))
 
 
 # Share of the usual step in time, rounded off, from which on accelerations tell.
@@ -66,15 +149,17 @@ def _lost_steps(log: Log, values: Array) -> Array | float:
 def _replaced(log: Log, values: Array, steps: Array) -> tuple[Array, Uncertainty | None]:
     """``rates_of`` of rows that were measured."""
     _warn_of_stated(log, values, steps)
+    tell_plateaus(log, values, steps)
     shown = noise_level(log.time, values, steps)
     level = _level(log, shown)
     # Neither a cut-off nor a statement makes rows wrong that are within the scatter of all.
     bad = [] if "L" in log.written else faults(log.time, values, np.maximum(level.sigma, shown.sigma))
     if bad:
-        _tell_faults(log, bad)
+        tell_faults(log, bad)
     if not bad or not log.smoothing.on:
         return _derivatives(log, values, level)
     good = values - offsets(bad, values.shape)
+    tell_no_repair(log, good, bad)
     found, noise = _derivatives(log, good, _level(log, noise_level(log.time, good, steps)))
     changed = found - _derivatives(log, values, level, tell=False)[0]
     near = _changed_instants(changed)
@@ -93,12 +178,8 @@ def _with_changes(
     squares = np.stack([changed[i, rows] * changed[j, rows] for i, j in PAIRS], axis=-1)
     squares *= near[rows, None, None]
     grid = np.union1d(noise.grid, time[rows])
-
-    def on_grid(times: Array, covariance: Array) -> Array:
-        flat = covariance.reshape(len(times), -1)
-        return np.stack([np.interp(grid, times, x) for x in flat.T], axis=-1).reshape(-1, 6, len(PAIRS))
-
-    covariance = on_grid(noise.grid, noise.covariance) + on_grid(time[rows], squares)
+    changes = noise._replace(grid=time[rows], covariance=squares)
+    covariance = _on_grid(grid, noise) + _on_grid(grid, changes)
     return noise._replace(grid=grid, covariance=covariance)
 
 
@@ -149,32 +230,19 @@ def _warn_of_cutoff(log: Log, values: Array, found: Array) -> None:
     # White noise changes by the root of 2 of its deviation.
     slow = missed > _NOT_NOISE * np.sqrt(np.mean(np.diff(removed, axis=0) ** 2, axis=0) / 2.0)
     parts = []
-    for name, part in _kinds(log):
+    for name, part in log.kinds():
         # Not the largest: at the ends it is that of what is lost.
         usual = float(np.quantile(np.abs(found[2][:, part]), 0.9))
         least = _MISSED * usual / (2.0 * math.pi * log.smoothing.cutoff) ** 2
         most = float(np.max(missed[part] * slow[part]))
         if most > least:
-            what, in_unit = _kind(log, name)
+            what, in_unit = log.kind(name)
             parts.append(f"of {what} of {in_unit(most)}")
     if parts:
         text = f"the cut-off of {log.smoothing.cutoff:g} Hz removes changes {' and '.join(parts)}"
         warnings.warn(
             f"{log.source}: {text}: motion, not noise, and the forces lack it", LogWarning, stacklevel=9
         )
-
-
-def _kinds(log: Log) -> tuple[tuple[str, slice], ...]:
-    """Names of vectors in a log, with their columns."""
-    return (("L", slice(6)),) if "L" in log.written else (("t", slice(3)), ("theta", slice(3, 6)))
-
-
-def _kind(log: Log, name: str) -> tuple[str, Callable[[float], str]]:
-    """What vectors of a log are called, and how a number of them is written in the log's units."""
-    scale = log.scale(name)
-    unit = log.form.angle_unit if name == "theta" else log.form.length_unit
-    what = {"L": "lengths", "t": "positions", "theta": "angles"}[name]
-    return what, lambda number: f"{number / scale:.2g} {unit}"
 
 
 # Noise without a warning: shares of the largest acceleration, gravity's at least, and of the path.
@@ -232,11 +300,11 @@ _ABSURD = 10.0
 
 def _warn_of_stated(log: Log, values: Array, steps: Array) -> None:
     """Warn of stated noise that is far from what the log shows beyond doubt, in the log's own units."""
-    for name, part in _kinds(log):
+    for name, part in log.kinds():
         known = log.smoothing.stated(name)
         if known is None or (name == "L" and not log.smoothing.on):  # without it a noise of poses is stated
             continue
-        what, text = _kind(log, name)
+        what, text = log.kind(name)
         statement = f"{log.source}: stated noise of {what} of {text(known)}"
         most = _ABSURD * max(1.0, float(np.abs(values[:, part]).max()))
         if known > most:
@@ -311,33 +379,6 @@ def _warn_of_gap(log: Log) -> None:
     warnings.warn(f"{log.source}: {text}{more}: bridged by a smooth curve", LogWarning, stacklevel=7)
 
 
-# Rows that one line names at most; coordinates of a row that point to the row itself.
-_MOST_NAMED, _MANY = 4, 3
-
-
-def _tell_faults(log: Log, found: Sequence[Fault]) -> None:
-    """Warn of rows that no motion makes: when, which columns and by how much."""
-    by_rows: dict[tuple[int, int | None], list[str]] = {}
-    for fault in found:
-        names = ("t", "t", "t", "theta", "theta", "theta")
-        unit = "m" if fault.column < 3 else "rad"
-        text = f"{names[fault.column]}_{'xyz'[fault.column % 3]} by {fault.size:.3g} {unit}"
-        by_rows.setdefault((fault.first, fault.end), []).append(text)
-    lines = []
-    for (first, end), texts in itertools.islice(by_rows.items(), _MOST_NAMED):
-        when = time_text(log.time[first], least_step(log.time))
-        lines.append(f"{_rows_text(log, first, end)} ({when} s): {', '.join(texts)}")
-    more = len(by_rows) - len(lines)
-    ending = f"; and {more} more" if more > 0 else ""
-    done = "replaced, and deviations there hold what this changes" if log.smoothing.on else "left as they are"
-    cause = " (rows repeated or missing?)" if any(len(texts) >= _MANY for texts in by_rows.values()) else ""
-    warnings.warn(
-        f"{log.source}: numbers are off as no motion makes them{cause}: {'; '.join(lines)}{ending}: {done}",
-        LogWarning,
-        stacklevel=7,
-    )
-
-
 # Share of the largest change of a second rate beyond which one counts.
 _CHANGED = 0.02
 
@@ -354,7 +395,7 @@ def _replaced_rows(log: Log, bad: Sequence[Fault], near: Flags) -> tuple[Replace
     rows = list(dict.fromkeys((fault.first, fault.end) for fault in bad))
     first = np.array([start for start, _ in rows])
     names = [
-        f"the step at row {log.rows[start]}" if end is None else _rows_text(log, start, end)
+        f"the step at row {log.rows[start]}" if end is None else rows_text(log, start, end)
         for start, end in rows
     ]
     found, last = [], len(log.time) - 1
@@ -364,15 +405,6 @@ def _replaced_rows(log: Log, bad: Sequence[Fault], near: Flags) -> tuple[Replace
         ends = float(log.time[max(a - 1, 0)]), float(log.time[min(b, last)])
         found.append(Replaced(*ends, nearest))
     return tuple(found)
-
-
-def _rows_text(log: Log, first: int, end: int | None) -> str:
-    """Rows of a fault, ``end`` None: to the log's end."""
-    last = len(log.rows) if end is None else min(end, len(log.rows))
-    rows = f"row {log.rows[first]}"
-    if last - first > 1:
-        rows += " on" if last == len(log.rows) else f" to {log.rows[last - 1]}"
-    return rows
 
 
 def _spline(since: Array, values: Array, source: str) -> Callable[..., Array]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -220,6 +220,17 @@ class Log:
     def vector(self, name: str) -> Array:
         """A vector in SI units, (n, 3), (n, 4) or (n, 6)."""
         return np.stack(self.written[name], axis=-1) * self.scale(name)
+
+    def kinds(self) -> tuple[tuple[str, slice], ...]:
+        """Names of the vectors that are six coordinates, with their columns."""
+        return (("L", slice(0, 6)),) if "L" in self.written else (("t", slice(0, 3)), ("theta", slice(3, 6)))
+
+    def kind(self, name: str) -> tuple[str, Callable[[float], str]]:
+        """What vectors of that name are called, and how a number of them is written in the log's units."""
+        scale = self.scale(name)
+        unit = self.form.angle_unit if name == "theta" else self.form.length_unit
+        what = {"L": "lengths", "t": "positions", "theta": "angles"}[name]
+        return what, lambda number: f"{number / scale:.2g} {unit}"
 
     def load(self, name: str) -> Array | None:
         """An external force or moment, (n, 3)."""

@@ -13,9 +13,10 @@ from numpy.typing import NDArray
 from whole_track import track
 
 import stewart_sym as ss
-from stewart_sym.motion.log_faults import Fault, faults, offsets, slower_sampling, spread
+from stewart_sym.motion.log_faults import Fault, faults, offsets, plateaus, slower_sampling, spread
+from stewart_sym.motion.log_rates import rates_of
 from stewart_sym.motion.noise_level import noise_level, rounding_steps
-from stewart_sym.motion.trajectory import Trajectory
+from stewart_sym.motion.trajectory import Log, Trajectory
 
 Array = NDArray[np.float64]
 FAULTS = ("repeated", "missing", "step", "spike", "zeros")
@@ -156,6 +157,22 @@ def test_a_fault_is_found_with_its_size_and_its_rows() -> None:
     np.testing.assert_allclose([each.size for each in found], [each.size for each in given], rtol=1e-3)
 
 
+@pytest.mark.parametrize("rows", [(200, 201), (200, 201, 202), (200, 202), (200, 202, 204)])
+@pytest.mark.parametrize("digits", [5, 15])
+def test_repeated_rows_near_each_other_are_off_each_by_its_own_amount(
+    rows: tuple[int, ...], digits: int
+) -> None:
+    time = np.arange(400) / 200.0
+    true = np.round(0.3 * np.sin(np.outer(time, np.arange(1.0, 7.0))), digits)
+    values = true.copy()
+    for i in rows:
+        values[i] = values[i - 1]
+    sigma = np.full(6, 10.0**-digits / np.sqrt(12.0))
+    found = faults(time, values, sigma)
+    assert {each.first for each in found} == set(rows)
+    np.testing.assert_allclose(values - offsets(found, values.shape), true, atol=8.0 * sigma[0] + 1e-9)
+
+
 def correlated(rng: np.random.Generator, shape: tuple[int, ...], share: float) -> Array:
     """Noise of deviation 1 of which each sample keeps a share of the one before."""
     noise = rng.normal(size=shape)
@@ -205,6 +222,90 @@ def test_rows_between_measured_ones_are_told_and_count_for_nothing(
         F, sd = ss.inverse_dynamics(one.robot, found.motion).F, ss.force_deviations(one.robot, found)
         inside.append(np.mean(np.abs(F[::every] - one.F) < 1.96 * sd[::every]))
     assert 0.88 < np.mean(inside) <= 1.0
+
+
+@pytest.mark.parametrize("fill", [held, interpolated])
+@pytest.mark.parametrize(("name", "slow"), [("positions", slice(0, 3)), ("angles", slice(3, 6))])
+def test_a_slow_sensor_beside_a_fast_one_is_told_and_forces_hold_within_their_deviations(
+    fill: Callable[[Array, int], Array], name: str, slow: slice
+) -> None:
+    every, one = 5, case(0)
+    step = (one.time[1] - one.time[0]) / 4
+    time = step * np.arange(200 * every)
+    true = coordinates(np.random.default_rng(3), 0.5, time, 0.012 / step)
+    true[0, :, :3] += one.true[0, 0, :3]
+    values = np.round(true[0], 6)
+    values[:, slow] = fill(values[::every, slow], every)
+    found, told = read(time, values)
+    assert any(line.startswith(f"poses: {name} of 1000 rows are ") for line in told), told
+    assert any(" between 200 measured ones" in line for line in told), told
+    assert not any(OFF in line for line in told)
+    F, expected = (ss.inverse_dynamics(one.robot, each).F for each in (found.motion, motion(true)))
+    sd = ss.force_deviations(one.robot, found)
+    assert np.abs(F - expected)[:-every].max() < 0.005 * np.abs(expected).max()
+    assert np.all(np.abs(F - expected)[-every:] < 3.0 * sd[-every:] + 0.001 * np.abs(expected).max())
+    assert np.mean(np.abs(F - expected) < 1.96 * sd) > 0.85
+
+
+def test_a_slow_sensor_beside_a_slower_one_has_rows_of_its_own() -> None:
+    one = case(0)
+    values = held(logged(one, "5", 0), 2)
+    values[:, :3] = held(values[::6, :3], 6)[: len(values)]
+    time = one.time[0] + np.arange(len(values)) * (one.time[1] - one.time[0]) / 2
+    _, told = read(time, values)
+    count = len(values)
+    assert any(f"{count} rows are held between {count // 2} measured" in line for line in told), told
+    assert any(f"positions of {count} rows are held between {-(-count // 6)} " in line for line in told), told
+
+
+def test_leg_lengths_of_a_slower_sensor_are_told() -> None:
+    time = np.arange(0.0, 4.0, 0.01)
+    lengths = 1.0 + 0.1 * np.sin(3.0 * time[:, None] + np.arange(6.0))
+    log = Log("legs", range(len(time)), time, {"L": [*held(lengths[::4], 4).T]})
+    with pytest.warns(ss.LogWarning, match="400 rows are held between 100 measured ones"):
+        found, _ = rates_of(log, log.vector("L"), log.steps("L"))
+    np.testing.assert_allclose(found[0, :-4], lengths[:-4], atol=1e-5)
+
+
+def no_repair(told: list[str]) -> list[str]:
+    return [line for line in told if "no repair, and the results are not to be trusted" in line]
+
+
+def test_faults_of_many_rows_and_large_steps_are_said_to_be_no_repair() -> None:
+    one = case(0)
+    many, step, few = (one.true[0].copy() for _ in range(3))
+    many[5:-5:12, 2] += 0.05
+    step[len(step) // 2 :, 2] += 0.5
+    few[len(few) // 2, 2] += 0.5
+    (line,) = no_repair(read(one.time, many)[1])
+    assert re.search(
+        r": \d+ of \d+ rows \(\d\.\d %\) are replaced, and numbers change by up to 0\.05 m", line
+    )
+    (line,) = no_repair(read(one.time, step)[1])
+    assert "change by up to 0.5 m" in line
+    assert no_repair(read(one.time, few)[1]) == []
+
+
+def test_a_column_that_is_clipped_is_told_with_its_limits_and_how_long_it_stays() -> None:
+    time = np.arange(0.0, 10.0, 0.005)
+    values = 0.2 * np.sin(time[:, None] * np.arange(1.0, 2.0, 0.17) + np.arange(6.0))
+    values[:, :3] += (0.0, 0.0, 2.0)
+    values[:, 3] = np.clip(values[:, 3], -0.13, 0.15)
+    (line,) = (line for line in read(time, values)[1] if "clipped" in line)
+    share = np.mean((values[:, 3] == -0.13) | (values[:, 3] == 0.15))
+    assert line.startswith("poses: theta_x gets to -0.13 and 0.15 rad or away at full speed")
+    assert f"for {share * time[-1]:.3g} s in all ({100 * share:.2g} % of the rows; first at row " in line
+
+
+@pytest.mark.parametrize("digits", [2, 3, 5, 12])
+def test_rest_at_an_extreme_and_rounding_are_no_clipping(digits: int) -> None:
+    time = np.arange(0.0, 12.0, 0.005)
+    s = np.clip(np.stack([time - 1.0, time / 2.0 - 2.0, 7.0 - time], axis=-1), 0.0, 1.0)
+    rests = s**3 * (10.0 - 15.0 * s + 6.0 * s**2)
+    stops = np.clip(time[:, None], 0.0, 5.0)  # at once, and to the log's end
+    swings = np.sin(np.outer(time, [0.7, 1.3, 5.0]))
+    values = np.round(np.hstack([rests, stops, swings]), digits)
+    assert plateaus(time, values, np.full(7, 10.0**-digits)) == []
 
 
 def test_values_between_rows_are_those_of_a_polynomial() -> None:
