@@ -12,8 +12,8 @@ import numpy as np
 
 from ..io.arguments import instance
 from ..io.array_types import Array
-from ..kinematics.forward import forward_acceleration, forward_velocity
-from ..kinematics.pose_search import jacobian, solve
+from ..kinematics.forward import inverse_jacobian
+from ..kinematics.inverse import legs_or_overflow
 from ..motion.euler_orders import motion_about_axes
 from ..motion.motion import Motion
 from ..motion.rotation import orthonormal, rotation_from_vector
@@ -117,7 +117,7 @@ def _displaced(robot: Robot, trajectory: Trajectory | PoseLog, part: slice, L: A
     assert trajectory.noise is not None
     motion, tool = trajectory.at(part), trajectory.noise.tool
     coordinates = trajectory.noise.coordinates[:, part]
-    J = jacobian(robot, motion.R, motion.t) if trajectory.noise.in_joints else None
+    inverse = inverse_jacobian(robot, motion.R, motion.t) if trajectory.noise.in_joints else None
     motion = motion if tool is None else motion.about_point(tool)
     for i in range(6):
         for k in range(3):
@@ -125,8 +125,8 @@ def _displaced(robot: Robot, trajectory: Trajectory | PoseLog, part: slice, L: A
                 continue
             moved = coordinates.copy()
             moved[:, :, i] += L[:, i, :, k].T
-            if J is not None:
-                yield _on_legs(robot, motion, J, moved - coordinates, moved)
+            if inverse is not None:
+                yield _on_legs(robot, motion, inverse, moved[0] - coordinates[0], moved)
                 continue
             if i < 3:
                 other = _moved(motion, t=moved[0, :, :3], v=moved[1, :, :3], a=moved[2, :, :3])
@@ -137,13 +137,22 @@ def _displaced(robot: Robot, trajectory: Trajectory | PoseLog, part: slice, L: A
             yield other if tool is None else other.about_point(-tool)
 
 
-def _on_legs(robot: Robot, motion: Motion, J: Array, shift: Array, legs: Array) -> Motion:
-    """The motion whose leg lengths are shifted, (3, n, 6); the pose to first order."""
-    step, _ = solve(J, shift[0])
-    R, t = orthonormal(rotation_from_vector(step[:, 3:]) @ motion.R), motion.t + step[:, :3]
-    v, omega = forward_velocity(robot, R, t, legs[1], on_failure="nan")
-    a, alpha = forward_acceleration(robot, R, t, v, omega, legs[2], on_failure="nan")
-    return _moved(motion, R=R, t=t, v=v, omega=omega, a=a, alpha=alpha)
+def _on_legs(robot: Robot, motion: Motion, inverse: Array, shift: Array, legs: Array) -> Motion:
+    """The motion whose leg lengths are shifted, (n, 6), and whose legs have rates legs[1] and legs[2].
+
+    The pose to first order. inverse: J^-1 at the motion's poses, (n, 6, 6).
+    """
+    R, t = motion.R, motion.t
+    if shift.any():
+        step = np.einsum("nij,nj->ni", inverse, shift)
+        R, t = orthonormal(rotation_from_vector(step[:, 3:]) @ R), t + step[:, :3]
+        inverse = inverse_jacobian(robot, R, t)
+    twist = np.einsum("nij,nj->ni", inverse, legs[1])
+    # Without accelerations of the platform, what remains of L_ddot is what its velocities make of it.
+    none = np.zeros(t.shape)
+    own = legs_or_overflow(robot, Motion.unchecked(R, t, twist[:, 3:], twist[:, :3], none, none)).L_ddot
+    rate = np.einsum("nij,nj->ni", inverse, legs[2] - np.asarray(own))
+    return _moved(motion, R=R, t=t, v=twist[:, :3], omega=twist[:, 3:], a=rate[:, :3], alpha=rate[:, 3:])
 
 
 def _moved(motion: Motion, **changes: Array) -> Motion:

@@ -135,7 +135,7 @@ def forward_kinematics(
         ends = searched(robot, flat) if poses is None else nearest_found(robot, flat, *poses)
     R, t, residual, iterations, found = ends
     status = np.full(len(flat), NOT_CONVERGED)
-    status[found] = np.where(_unsettled(robot, R[found], t[found]), SINGULAR, OK)
+    status[found] = np.where(_unsettled(robot, jacobian(robot, R[found], t[found])), SINGULAR, OK)
     if limits:
         low, high = robot.length_limits.T
         status = np.where(np.any((flat < low) | (flat > high), axis=-1), OUT_OF_LIMITS, status)
@@ -241,6 +241,13 @@ def forward_acceleration(
     return Accelerations(*_rates(robot, R, t, (v, omega), L_ddot, "L_ddot", on_failure))
 
 
+def inverse_jacobian(robot: Robot, R: Array, t: Array) -> Array:
+    """Return J^-1 at poses, (..., 6, 6), which takes rates of the legs to twists; NaN where H is singular."""
+    J = jacobian(robot, R, t)
+    unsettled = _unsettled(robot, J)[..., None, None]
+    return np.where(unsettled, np.nan, np.linalg.inv(np.where(unsettled, np.eye(6), J)))
+
+
 def checked_lengths(L: ArrayLike) -> Array:
     """Return L, (..., 6), as float64; ValueError unless they are finite and > 0."""
     lengths = finite_array(L, (6,), "L")
@@ -273,7 +280,7 @@ def _rates(
         # Without accelerations of the platform, what remains of L_ddot is what its velocities make of it.
         wanted = wanted - np.asarray(legs_or_overflow(robot, motion).L_ddot)
         J = jacobian(robot, motion.R, motion.t)
-        unsettled = np.broadcast_to(_unsettled(robot, motion.R, motion.t), shape)
+        unsettled = np.broadcast_to(_unsettled(robot, J), shape)
         solution, _ = solve(np.broadcast_to(J, (*shape, 6, 6)), np.broadcast_to(wanted, (*shape, 6)))
     finite = np.all(np.isfinite(solution), axis=-1)
     status = np.where(unsettled, SINGULAR, np.where(finite, OK, NOT_FINITE))
@@ -283,9 +290,9 @@ def _rates(
     return solution[..., :3], solution[..., 3:]
 
 
-def _unsettled(robot: Robot, R: Array, t: Array) -> Flags:
-    """Where H is so near to singular that lengths known to rounding leave the pose open."""
-    H = moments_over(np.swapaxes(jacobian(robot, R, t), -1, -2), platform_size(robot))
+def _unsettled(robot: Robot, J: Array) -> Flags:
+    """Where H = J^T is so near to singular that lengths known to rounding leave the pose open."""
+    H = moments_over(np.swapaxes(J, -1, -2), platform_size(robot))
     size = np.linalg.norm(H, axis=(-2, -1))
     # The smallest singular value is at least |det H| over the fifth power of the mean of the others.
     with np.errstate(all="ignore"):

@@ -181,9 +181,9 @@ def wrench_matrix_rate(robot: Robot, motion: Motion) -> Array:
 def leg_vectors(robot: Robot, R: Array, t: Array) -> tuple[Array, Array, Array]:
     """Return q and S of (1), m, base frame, (..., 6, 3), and the lengths of S, m, (..., 6), zero or not."""
     need_no_offsets(robot)
-    q = np.einsum("...jk,ik->...ij", R, robot.p)
+    q = robot.p @ np.swapaxes(R, -1, -2)
     S = q + t[..., None, :] - robot.b
-    return q, S, np.linalg.norm(S, axis=-1)
+    return q, S, np.sqrt(np.einsum("...i,...i->...", S, S))
 
 
 def length_rows(q: Array, S: Array, L: Array) -> Array:

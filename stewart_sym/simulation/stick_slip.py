@@ -19,7 +19,7 @@ import numpy as np
 
 from ..drives.friction import constant_part, load_share, viscous
 from ..io.array_types import Array
-from ..kinematics.inverse import leg_vectors, length_rows, tip_velocities
+from ..kinematics.inverse import leg_vectors, length_rows
 from ..motion.motion import Motion
 from ..motion.rotation import cross
 from ..results import SINGULAR
@@ -33,6 +33,7 @@ Modes = tuple[int, ...]
 """For each of six legs: 0 sticks, 1 slips and extends, -1 slips and retracts."""
 STUCK: Modes = (0,) * LEGS
 
+_UNIT = np.eye(LEGS)
 _HALVINGS = 40
 _MOST_SIGNS = 20
 _MOST_CHANGES = 100
@@ -49,7 +50,7 @@ class Change(NamedTuple):
 
 
 class Found(NamedTuple):
-    """[a; alpha], forces of the legs, between their parts and of friction, N, and L_ddot, (6,) each."""
+    """[a; alpha], forces of the legs, between their parts and of friction, N, and L_ddot, (..., 6) each."""
 
     acceleration: Array
     F: Array
@@ -106,18 +107,21 @@ class StickSlip:
         return still
 
     def _at_rest(self, state: Motion, resting: list[int]) -> Motion:
-        """The state without the part of its twist that changes the lengths of some legs."""
+        """States (...) without the part of their twist that changes the lengths of some legs."""
         if not resting:
             return state
-        twist = np.zeros(6)
+        twist = np.zeros((*state.shape, 6))
         if len(resting) < LEGS:
-            J = _legs(self.robot, state).J[resting]
-            twist = np.concatenate([state.v, state.omega])
-            twist = twist - np.linalg.lstsq(J, J @ twist, rcond=None)[0]
-        return Motion.unchecked(state.R, state.t, twist[3:], twist[:3], F_ext=state.F_ext, M_ext=state.M_ext)
+            J = _legs(self.robot, state).J[..., resting, :]
+            twist = np.concatenate([state.v, state.omega], axis=-1)
+            twist = twist - _times(np.asarray(np.linalg.pinv(J)), _times(J, twist))
+        v, omega = twist[..., :3], twist[..., 3:]
+        return Motion.unchecked(state.R, state.t, omega, v, F_ext=state.F_ext, M_ext=state.M_ext)
 
     def _decided(self, state: Motion, motor: Array, modes: list[int], resting: list[int]) -> Modes:
         """Consistent modes of legs at rest: first all stick, then the worst one changes, one by one."""
+        if not resting:
+            return tuple(modes)
         for leg in resting:
             modes[leg] = 0
         seen = set()
@@ -165,53 +169,66 @@ class StickSlip:
     # Dynamics
 
     def solved(self, state: Motion, motor: Array, modes: Modes | None = None) -> Found:
-        """Accelerations of a state with its load under the motors' forces, N, (6,), in given modes."""
+        """Accelerations of states (...) with their load under the motors' forces, N, (..., 6), in modes."""
         modes = self.modes if modes is None else modes
         sign = np.array(modes, dtype=np.float64)
         legs = _legs(self.robot, state)
-        left = motor - viscous(self.drive) * legs.L_dot - sign * constant_part(self.drive, legs.L_dot)
+        left = motor - self._viscous * legs.L_dot - sign * constant_part(self.drive, legs.L_dot)
         if sign.all() and not self._rotors_count:
             # F + sign mu |F| = left: F has the sign of left, and mu goes by the direction of power.
             F = left / (1.0 + sign * np.sign(left) * load_share(self.drive, left, sign))
-            acceleration, status = self.plant(state, F)
-            return Found(acceleration, F, F, motor - F, legs.J @ acceleration + legs.own, status)
-        nothing = np.zeros(LEGS)
-        first, status = self.plant(state, nothing)
-        moved = [self.plant(state, self._scale * unit) for unit in np.eye(LEGS)]
-        status = next((code for code in (status, *(code for _, code in moved)) if code), 0)
+            accelerations, status = self._accelerations(state, F[..., None, :])
+            acceleration = accelerations[..., 0, :]
+            return Found(acceleration, F, F, motor - F, _times(legs.J, acceleration) + legs.own, status)
+        # Accelerations are linear in the forces: without any, and with one leg's at a time.
+        answers, status = self._accelerations(state, self._probes)
+        first = answers[..., 0, :]
         try:
             if status:
                 raise np.linalg.LinAlgError
-            B = np.column_stack([(each - first) / self._scale for each, _ in moved])
-            F, within = self._forces_of(state, left, sign, legs, first, B)
+            B = np.swapaxes(answers[..., 1:, :] - first[..., None, :], -1, -2) / self._scale
+            F, within = self._forces_of(left, sign, legs, first, B)
         except np.linalg.LinAlgError:
-            return Found(np.full(6, np.nan), nothing, nothing, nothing, nothing, status or SINGULAR)
-        acceleration = first + B @ F if sign.any() else np.zeros(6)
-        return Found(acceleration, F, within, motor - F, legs.J @ acceleration + legs.own, 0)
+            nothing = np.zeros_like(left)
+            return Found(nothing * np.nan, nothing, nothing, nothing, nothing, status or SINGULAR)
+        acceleration = first + _times(B, F) if sign.any() else np.zeros_like(F)
+        return Found(acceleration, F, within, motor - F, _times(legs.J, acceleration) + legs.own, 0)
+
+    def _accelerations(self, state: Motion, forces: Array) -> tuple[Array, int]:
+        """[a; alpha] of states (...) under each of m forces, N, (..., m, 6) or (m, 6), first status not 0."""
+        if not state.shape:
+            rows = [self.plant(state, F) for F in forces]
+        else:
+            each = np.broadcast_to(forces, (*state.shape, *forces.shape[-2:]))
+            rows = [self.plant(one, F) for one, some in zip(state, each, strict=True) for F in some]
+        found = np.array([row[0] for row in rows]).reshape(*state.shape, -1, 6)
+        return found, next((status for _, status in rows if status), 0)
 
     def _forces_of(
-        self, state: Motion, left: Array, sign: Array, legs: _Legs, first: Array, B: Array
+        self, left: Array, sign: Array, legs: _Legs, first: Array, B: Array
     ) -> tuple[Array, Array]:
-        """Forces of the legs and those between their parts, N, (6,), where accelerations are first + B F.
+        """Forces of the legs and those between their parts, N, (..., 6), by accelerations first + B F.
 
-        left: the motors' forces less the friction that no force changes, N, (6,).
+        left: the motors' forces less the friction that no force changes, N, (..., 6).
         """
-        own, by = np.zeros(LEGS), np.eye(LEGS)
+        own, by = np.zeros(LEGS), _UNIT
         if self._rotors_count:
-            alone, per = self._rotor(state, legs)
-            own, by = -(alone + per @ first), by - per @ B
+            alone, per = self._rotor(legs)
+            own, by = -(alone + _times(per, first)), _UNIT - per @ B
         resting = sign == 0.0
-        A = np.where(resting[:, None], legs.J @ B, np.eye(LEGS))
-        right = np.where(resting, -(legs.J @ first + legs.own), left)
+        A, right = _UNIT, left
+        if resting.any():
+            A = np.where(resting[:, None], legs.J @ B, _UNIT)
+            right = np.where(resting, -(_times(legs.J, first) + legs.own), left)
         within = left
         for _ in range(_MOST_SIGNS):
             # Friction in proportion to the force between the parts, of the sign that this is taken to have.
             share = sign * np.sign(within) * load_share(self.drive, within, sign)
-            F = np.linalg.solve(A + share[:, None] * by, right - share * own)
-            before, within = within, own + by @ F
+            F = _solved(A + share[..., None] * by, right - share * own)
+            before, within = within, own + _times(by, F)
             if np.array_equal(np.sign(before), np.sign(within)):
                 break
-        return np.asarray(F), within
+        return F, within
 
     @cached_property
     def _rotors_count(self) -> bool:
@@ -220,30 +237,39 @@ class StickSlip:
         lossy = np.any(drive.efficiency != 1.0) or np.any(drive.back_efficiency != 1.0)
         return bool(lossy and np.any(drive.rotor_inertia))
 
-    def _rotor(self, state: Motion, legs: _Legs) -> tuple[Array, Array]:
-        """What turns the rotors, N: without accelerations, (6,), and per acceleration, (6, 6).
+    def _rotor(self, legs: _Legs) -> tuple[Array, Array]:
+        """What turns the rotors, N: without accelerations, (..., 6), and per acceleration, (..., 6, 6).
 
-        By Lddot, (8), and by the leg's spin, s.A of the corrected (9), which is linear in Sddot, (7).
+        By Lddot, (8), and by the leg's spin about itself, (k.s) (y.sdot) / y^2 with y = k x s, and its rate.
         """
-        robot = self.robot
-        alone, per = robot.m_r * legs.own, robot.m_r[:, None] * legs.J
-        if robot.base_joint == "spherical":
+        k, (m_r, j_r) = self.robot.k, self._rotors
+        alone, per = m_r * legs.own, m_r[:, None] * legs.J
+        if self.robot.base_joint == "spherical":
             return alone, per
-        q, S, L = leg_vectors(robot, state.R, state.t)
-        L = L[:, None]
-        s = S / L
-        y = cross(robot.k, s)
-        n = cross(robot.k, y)
-        along = _dot(s, n)
-        across = cross(s, tip_velocities(state, q)) / L
-        spin = -_dot(across, n) / along
-        W = across + spin * s
-        A = (cross(s, cross(state.omega, cross(state.omega, q))) - 2.0 * legs.L_dot[:, None] * across) / L
-        A = A - spin * cross(s, W)
-        quick = -(_dot(A, n) + _dot(W, cross(robot.k, cross(W, y)))) / along
-        row = -cross(n, s) / (L * along)
-        rows = np.concatenate([row, cross(q, row)], axis=-1)
-        return alone + robot.j_r * quick[:, 0], per + robot.j_r[:, None] * rows
+        s, L = legs.J[..., :3], legs.L
+        s_dot = (legs.tip - legs.L_dot[..., None] * s) / L[..., None]
+        y = cross(k, s)
+        square = _dot(y, y)
+        along, along_dot, about = _dot(k, s), _dot(k, s_dot), _dot(y, s_dot)
+        row = (along / (L * square))[..., None] * y
+        quick = along_dot * (1.0 + 2.0 * along**2 / square) - 2.0 * legs.L_dot / L * along
+        quick = _dot(row, legs.turned) + about / square * quick
+        rows = np.concatenate([row, cross(legs.q, row)], axis=-1)
+        return alone + j_r * quick, per + j_r[:, None] * rows
+
+    @cached_property
+    def _rotors(self) -> tuple[Array, Array]:
+        """Reflected masses, kg, and angular momenta per rate of length, kg m, (6,) each."""
+        return self.robot.m_r, self.robot.j_r
+
+    @cached_property
+    def _viscous(self) -> Array:
+        return viscous(self.drive)
+
+    @cached_property
+    def _probes(self) -> Array:
+        """No forces of the legs, and the scale's of one after another, N, (7, 6)."""
+        return self._scale * np.eye(LEGS + 1, LEGS, -1)
 
     @cached_property
     def _scale(self) -> float:
@@ -256,15 +282,15 @@ class StickSlip:
     def first_change(self, piece: Piece, actuators: Actuators) -> Change | None:
         """The first change within a piece, None if there is none."""
         when = np.linspace(piece.start, piece.end, WATCHED + 1)
-        margins = np.array([self._margins(time, piece, actuators) for time in when.tolist()])
+        margins = self._margins(when, piece, actuators)
         found = []
         for leg in np.flatnonzero((margins[1:] < 0.0).any(axis=0)).tolist():
             i = 1 + int(np.argmax(margins[1:, leg] < 0.0))
             time = self._root(leg, float(when[i - 1]), float(when[i]), piece, actuators)
             direction = 0
             if self.modes[leg] == 0:
-                motor, holding = self._forces(float(when[i]), piece, actuators)
-                direction = 1 if motor[leg] > holding.F[leg] else -1
+                motor, holding = self._forces(when[i : i + 1], piece, actuators)
+                direction = 1 if motor[0, leg] > holding.F[0, leg] else -1
             found.append(Change(time, leg, direction))
         change = min(found, default=None)
         self._stalled = self._stalled + 1 if change and change.time <= piece.start else 0
@@ -281,7 +307,7 @@ class StickSlip:
         from scipy.optimize import brentq
 
         def margin(time: float) -> float:
-            return float(self._margins(time, piece, actuators)[leg])
+            return float(self._margins(np.array([time]), piece, actuators)[0, leg])
 
         # A leg that has just begun to slip has no rate yet.
         for _ in range(_HALVINGS):
@@ -294,28 +320,35 @@ class StickSlip:
                 end = middle
         return piece.start
 
-    def _margins(self, time: float, piece: Piece, actuators: Actuators) -> Array:
-        """For each leg, (6,): its rate in the direction in which it slips, m/s, or what holds it still, N."""
-        state = motion_of(piece.interpolant(time), piece.center)
+    def _margins(self, when: Array, piece: Piece, actuators: Actuators) -> Array:
+        """For each leg, (n, 6): its rate in the direction in which it slips, m/s, or what holds it, N."""
+        state = motion_of(piece.interpolant(when).T, piece.center)
         found = np.array(self.modes) * _legs(self.robot, state).L_dot
         resting = np.array(self.modes) == 0
         if resting.any():
-            motor, holding = self._forces(time, piece, actuators)
+            motor, holding = self._forces(when, piece, actuators)
             low, high = self._holding(holding)
             # Rounding does not move a leg.
             slack = 1e-12 * (np.abs(motor) + np.abs(holding.F))
-            found[resting] = (np.minimum(high - motor, motor - low) + slack)[resting]
+            found[:, resting] = (np.minimum(high - motor, motor - low) + slack)[:, resting]
         return found
 
-    def _forces(self, time: float, piece: Piece, actuators: Actuators) -> tuple[Array, Found]:
-        """Forces of the motors, N, (6,), and the solution for the legs at a time within a piece."""
-        state, motor = self.at(time, piece, actuators)
+    def _forces(self, when: Array, piece: Piece, actuators: Actuators) -> tuple[Array, Found]:
+        """Forces of the motors, N, (n, 6), and the solution for the legs at times within a piece."""
+        state, motor = self.at(when, piece, actuators)
         return motor, self.solved(state, motor, piece.modes)
 
-    def at(self, time: float, piece: Piece, actuators: Actuators) -> tuple[Motion, Array]:
-        """State with its load at a time within a piece, and the motors' forces, N, (6,)."""
-        state = self.moving(motion_of(piece.interpolant(time), piece.center), piece.modes)
-        return self.loaded(time, state), actuators.at(time, state, piece.sampled)
+    def at(self, when: Array, piece: Piece, actuators: Actuators) -> tuple[Motion, Array]:
+        """States with their load at n times within a piece, and the motors' forces, N, (n, 6)."""
+        states = self.moving(motion_of(piece.interpolant(when).T, piece.center), piece.modes)
+        rows = [self.loaded(time, state) for time, state in zip(when.tolist(), states, strict=True)]
+        load = {
+            name: np.array([getattr(row, name) for row in rows])
+            for name in ("F_ext", "M_ext")
+            if getattr(rows[0], name) is not None
+        }
+        states = Motion.unchecked(states.R, states.t, states.omega, states.v, **load)
+        return states, actuators.forces(when, states, piece.sampled)
 
     def moving(self, state: Motion, modes: Modes | None = None) -> Motion:
         """The state without what errors of the integration move legs that stick."""
@@ -328,8 +361,7 @@ class StickSlip:
         """Work and losses over a run, and friction at times within it, s, (n,)."""
         of = np.searchsorted([piece.start for piece in pieces], times, side="right") - 1
         friction = [
-            self._forces(time, pieces[i], actuators)[1].friction
-            for time, i in zip(times.tolist(), of, strict=True)
+            self._forces(times[j : j + 1], pieces[i], actuators)[1].friction for j, i in enumerate(of)
         ]
         sticks = np.array([pieces[i].modes for i in of], dtype=np.int64).reshape(-1, LEGS) == 0
         done, lost = self._work(pieces, actuators)
@@ -340,33 +372,49 @@ class StickSlip:
         done, lost = np.zeros((2, LEGS))
         for piece in pieces:
             half = 0.5 * (piece.end - piece.start)
-            for x, weight in zip(_GAUSS.tolist(), _WEIGHTS.tolist(), strict=True):
-                time = piece.start + half * (1.0 + x)
-                state, motor = self.at(time, piece, actuators)
-                L_dot = np.array(piece.modes) ** 2 * _legs(self.robot, state).L_dot
-                done += half * weight * motor * L_dot
-                lost += half * weight * self.solved(state, motor, piece.modes).friction * L_dot
+            state, motor = self.at(piece.start + half * (1.0 + _GAUSS), piece, actuators)
+            moved = half * np.array(piece.modes) ** 2 * _legs(self.robot, state).L_dot
+            done += _WEIGHTS @ (motor * moved)
+            lost += _WEIGHTS @ (self.solved(state, motor, piece.modes).friction * moved)
         return done, lost
 
 
 class _Legs(NamedTuple):
-    """Rates of length, m/s, (6,), rows from a twist to them, (6, 6), L_ddot without accelerations, (6,)."""
+    """Rates of length, m/s, (..., 6), and the rows [s, q x s] from a twist to them, (..., 6, 6).
+
+    own: L_ddot without accelerations, (..., 6). L: lengths, m, (..., 6). q, tip, turned: platform points from
+    the reference point, m, their velocities, and their accelerations by the turning alone, (..., 6, 3).
+    """
 
     L_dot: Array
     J: Array
     own: Array
+    L: Array
+    q: Array
+    tip: Array
+    turned: Array
 
 
 def _dot(x: Array, y: Array) -> Array:
-    return np.asarray(np.sum(x * y, axis=-1, keepdims=True))
+    return np.asarray(np.einsum("...i,...i->...", x, y))
+
+
+def _times(A: Array, x: Array) -> Array:
+    return np.asarray((A @ x[..., None])[..., 0])
+
+
+def _solved(A: Array, y: Array) -> Array:
+    return np.asarray(np.linalg.solve(A, y[..., None])[..., 0])
 
 
 def _legs(robot: Robot, state: Motion) -> _Legs:
     q, S, L = leg_vectors(robot, state.R, state.t)
     J = length_rows(q, S, L)
-    tip = tip_velocities(state, q)
-    L_dot = J @ np.concatenate([state.v, state.omega])
+    omega = state.omega[..., None, :]
+    turning = cross(omega, q)
+    tip, turned = turning + state.v[..., None, :], cross(omega, turning)
+    L_dot = _times(J, np.concatenate([state.v, state.omega], axis=-1))
     with np.errstate(all="ignore"):
-        turned = cross(state.omega, cross(state.omega, q))
-        own = np.sum(S * turned, axis=-1) / L + (np.sum(tip * tip, axis=-1) - L_dot**2) / L
-    return _Legs(L_dot, J, own if math.isfinite(float(own.sum())) else np.zeros(LEGS))
+        own = (_dot(S, turned) + _dot(tip, tip) - L_dot**2) / L
+    own = own if math.isfinite(float(own.sum())) else np.zeros_like(own)
+    return _Legs(L_dot, J, own, L, q, tip, turned)

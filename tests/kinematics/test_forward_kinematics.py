@@ -17,6 +17,7 @@ from sweeps import share
 
 import stewart_sym as ss
 from stewart_sym import results
+from stewart_sym.kinematics.forward import inverse_jacobian
 from stewart_sym.kinematics.pose_search import jacobian, solve
 from stewart_sym.motion.rotation import rotation_from_rpy, rotation_from_vector
 
@@ -379,6 +380,7 @@ def test_rates_at_a_singular_pose_are_rejected() -> None:
     assert caught[0].filename == __file__
     assert np.isnan([v[1], omega[1]]).all()
     assert np.isfinite([v[::2], omega[::2]]).all()
+    np.testing.assert_array_equal(np.isnan(inverse_jacobian(robot, R, t)).all(axis=(-2, -1)), [0, 1, 0])
     with pytest.raises(ValueError, match=r"^L_ddot: an input is not finite, or a result overflows$"):
         ss.forward_acceleration(robot, R[0], t[0], STILL, np.full(3, 1e200), np.ones(6))
 

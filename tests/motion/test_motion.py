@@ -14,6 +14,7 @@ from stewart_sym.motion.motion import Motion
 from stewart_sym.motion.rotation import (
     angular_acceleration_from_rpy,
     angular_velocity_from_rpy,
+    cross,
     quaternion_from_rotation,
     rotation_from_rpy,
     rpy_from_rotation,
@@ -340,3 +341,10 @@ def test_bad_quaternions_and_vectors_are_named() -> None:
         Motion.from_rotation_vector(zero, zero, zero, zero, a=zero)
     with pytest.raises(ValueError, match=r"^phi_dot: expected"):
         Motion.from_rotation_vector(zero, zero, zero, np.full(3, np.nan))
+
+
+@pytest.mark.parametrize("count", [1, 6, 1000])
+def test_the_vector_product_of_few_and_of_many_is_that_of_numpy(count: int) -> None:
+    x, y = np.random.default_rng(1).normal(size=(2, count, 3))
+    np.testing.assert_array_equal(cross(x, y), np.cross(x, y))
+    np.testing.assert_array_equal(cross(x[0], y), np.cross(x[0], y))

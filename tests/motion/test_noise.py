@@ -16,7 +16,7 @@ from stewart_sym.motion import smoothing
 from stewart_sym.motion.log_reader import read_any_csv, read_csv
 from stewart_sym.motion.noise_level import rounding_step, white_noise
 from stewart_sym.motion.rotation import rpy_from_rotation
-from stewart_sym.motion.trajectory import JointTrajectory, Trajectory
+from stewart_sym.motion.trajectory import JointTrajectory, Trajectory, Uncertainty
 from stewart_sym.singularities.joint_space import on_platform
 from stewart_sym.studies.reports.track import EXCEEDED, NOISE_SHARE, NOT_DECIDED, force_verdicts, peak_noise
 
@@ -200,6 +200,27 @@ def test_deviations_of_leg_lengths_reach_the_forces(tmp_path: Path) -> None:
         runs.append((one, F, ss.force_deviations(one.robot, trajectory)))
     assert coverage(runs, 1.0) == pytest.approx(0.68, abs=0.1)
     assert coverage(runs, 1.96) == pytest.approx(0.95, abs=0.06)
+
+
+def test_deviations_of_leg_lengths_are_those_of_displaced_legs() -> None:
+    one, n = case(0), 3
+    robot, state = one.robot, motion(one.true[:, :n])
+    legs = ss.inverse_kinematics(robot, state)
+    spread = np.array([[2e-6, 0.0, 0.0], [1e-5, 3e-5, 0.0], [-4e-4, 2e-4, 5e-4]])
+    covariance = np.broadcast_to((spread @ spread.T)[np.tril_indices(3)], (n, 6, 6))
+    values = np.array([legs.L, legs.L_dot, legs.L_ddot])
+    noise = Uncertainty(values, one.time[:n], covariance, np.full(6, 2e-6), in_joints=True)
+    found = ss.force_deviations(robot, Trajectory(one.time[:n], state, "log.csv", range(n), noise))
+    F, variance = ss.inverse_dynamics(robot, state).F, np.zeros((n, 6))
+    for leg in range(6):
+        for column in spread.T:
+            L, L_dot, L_ddot = values + column[:, None, None] * np.eye(6)[leg]
+            pose = ss.forward_kinematics(robot, L, (state.R, state.t), limits=False)
+            v, omega = ss.forward_velocity(robot, pose.R, pose.t, L_dot)
+            a, alpha = ss.forward_acceleration(robot, pose.R, pose.t, v, omega, L_ddot)
+            moved = ss.Motion(pose.R, pose.t, omega, v, alpha, a)
+            variance += (ss.inverse_dynamics(robot, moved).F - F) ** 2
+    np.testing.assert_allclose(found, np.sqrt(variance), rtol=1e-4)
 
 
 def test_resampling_keeps_the_path_and_its_deviations() -> None:

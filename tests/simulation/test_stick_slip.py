@@ -121,10 +121,26 @@ def test_what_turns_the_rotors_is_that_of_the_reference(base_joint: str) -> None
     motion = random_motion(rng, robot)
     plant = ForwardDynamics(robot).one_state()
     sticking = StickSlip(robot, robot.drive, plant, lambda time, state: state)
-    alone, per = sticking._rotor(motion, _legs(robot, motion))
+    alone, per = sticking._rotor(_legs(robot, motion))
     expected = newton_euler.rotor_force(robot, motion)
     found = alone + per @ np.concatenate([motion.a, motion.alpha])
     np.testing.assert_allclose(found, expected, rtol=0.0, atol=1e-13 * np.abs(expected).max())
+
+
+@pytest.mark.parametrize("modes", [(1, -1, 1, 1, -1, 1), (0, 1, 0, -1, 0, 1)])
+def test_states_solved_together_are_those_solved_alone(modes: tuple[int, ...]) -> None:
+    rng = np.random.default_rng(6)
+    robot = with_random_rotors(rng, random_robot(rng))
+    assert robot.drive is not None
+    robot = dataclasses.replace(robot, drive=dataclasses.replace(robot.drive, efficiency=0.8))
+    plant = ForwardDynamics(robot).one_state()
+    sticking = StickSlip(robot, robot.drive, plant, lambda time, state: state)
+    states, motor = sticking.moving(random_motion(rng, robot, (3,)), modes), 50.0 * rng.normal(size=(3, 6))
+    together = sticking.solved(states, motor, modes)
+    for i, state in enumerate(states):
+        alone = sticking.solved(state, motor[i], modes)
+        for found, expected in zip(together[:-1], alone[:-1], strict=True):
+            np.testing.assert_allclose(found[i], expected, rtol=0.0, atol=1e-11 * np.abs(expected).max())
 
 
 @pytest.mark.slow
