@@ -1,6 +1,7 @@
-"""Times, also in seconds since 1970, as text and as differences, without the rounding error of doubles."""
+"""Times, also in seconds since 1970, as text and as differences, without what is rounded off."""
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
@@ -14,6 +15,47 @@ _DECIMALS = 15
 _FAR_APART = 16.0
 # Times that are looked at together.
 _PART = 1 << 10
+
+# Rows that show an even clock; its step in units of what times are rounded to: the least, below which rows
+# may be missing instead, and the most, beyond which rounding tells in no rate.
+_CLOCK_ROWS, _CLOCK_LEAST, _CLOCK_MOST = 20, 2.0, 1e4
+# How far times are off it, in these units: half of one and jitter below that; how near to it the last is it.
+_OFF_CLOCK, _LAST = 0.75, 0.1
+
+
+class Clock(NamedTuple):
+    """An even clock: times, s, (n,), from the first as written, its step and what they were rounded to, s."""
+
+    times: Array
+    step: float
+    rounded: float
+
+
+def even_clock(times: Array) -> Clock | None:
+    """The even clock whose times, s, (n,), are rounded to decimals; None for even times and without any.
+
+    Rows may be missing: whole numbers of steps lie between those that are there.
+    """
+    per_second = parts(times)
+    if per_second is None or len(times) < _CLOCK_ROWS:
+        return None
+    count = np.rint(times * per_second)
+    count -= count[0]
+    gaps = np.diff(count)
+    usual = np.median(gaps)
+    if not np.any(gaps % gaps.min()) or not _CLOCK_LEAST <= usual <= _CLOCK_MOST:
+        return None
+    # A step is rounded up or down.
+    step = gaps[np.abs(gaps - usual) <= 1.0].mean()
+    ticks = np.concatenate([[0.0], np.cumsum(np.maximum(np.rint(gaps / step), 1.0))])
+    since = ticks - ticks.mean()
+    step = float(since @ (count - count.mean()) / (since @ since))
+    off = count - step * ticks
+    if np.ptp(off) > 2.0 * _OFF_CLOCK:
+        return None
+    if abs(off[-1]) < _LAST:
+        step = float(count[-1] / ticks[-1])
+    return Clock(times[0] + step * ticks / per_second, step / per_second, 1.0 / per_second)
 
 
 def elapsed(times: Array) -> Array:

@@ -1,5 +1,6 @@
 """Trajectories and forces read from CSV files, with a warning for each doubt about units and rates."""
 
+import dataclasses
 import math
 import os
 import warnings
@@ -10,6 +11,7 @@ import numpy as np
 
 from ..io.array_types import Array
 from ..io.extras import need
+from ..io.instants import even_clock
 from ..io.progress import Progress, silent
 from ..io.tables import file_name, opened
 from .log_rates import SPLINE, as_given, rates_of
@@ -61,6 +63,7 @@ def read_csv(
     ``LogWarning``, and all others interpolated by a spline of degree 5 (of degree 3 with 4 or 5 rows); the
     angles are unwrapped first.  Rows that no motion makes are named and replaced, what this changes counts in
     ``noise``; rows that repeat or interpolate those of a slower sensor don't count; gaps in time are named.
+    Times of an even clock that are rounded, to milliseconds say, are taken from it, with a ``LogWarning``.
 
     form: names, units and marks of the file. smoothing: what is known of the noise.
 
@@ -92,7 +95,7 @@ def read_log(
     progress: Progress = silent,
 ) -> PoseLog | JointTrajectory:
     """Read a trajectory as ``read_any_csv``, of poses as coordinates: for long logs, with progress."""
-    log = _read(path, form, smoothing, progress)
+    log = _on_even_clock(_read(path, form, smoothing, progress))
     progress(f"differentiating {len(log.rows)} rows")
     return _joint_trajectory(log) if "L" in log.written else _pose_log(log)
 
@@ -129,6 +132,17 @@ def with_units_of(path: str | os.PathLike[str], form: LogFormat) -> LogFormat:
         return form.with_units({})
     with opened(source, "trajectory", _MOST_BYTES) as stream:
         return form.with_units(stated_units(stream, source, form))
+
+
+def _on_even_clock(log: Log) -> Log:
+    """The log with the times of an even clock where these are rounded, with a warning."""
+    clock = even_clock(log.time)
+    if clock is None:
+        return log
+    rounded, step = (f"{1e3 * number:.6g} ms" for number in (clock.rounded, clock.step))
+    text = f"time: rounded to {rounded}: rows are taken every {step}"
+    warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=5)
+    return dataclasses.replace(log, time=clock.times)
 
 
 def trajectory_from(log: PoseLog) -> Trajectory:
@@ -171,7 +185,10 @@ def read_leg_columns(
             f"{source}: row {rows[0]}: time: expected seconds as in the trajectory, of which dates and times "
             "of day are those since its first row"
         )
-    return columns["time"], np.stack([columns[name] for name in group], axis=-1), group
+    # As those of a trajectory with the same times are.
+    clock = even_clock(columns["time"])
+    time = columns["time"] if clock is None else clock.times
+    return time, np.stack([columns[name] for name in group], axis=-1), group
 
 
 # Accelerations that no platform has, m/s^2, or m/s^2 per metre of a log's lengths where these are larger; and

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -32,6 +33,16 @@ _NOISE_LIKE, _CORRELATED, _AT_ONCE = 0.75, 1.6, 1.1
 # columns that tell; noise beyond that of rounding.
 _STEEPEST, _CHANGING, _FEWEST_COLUMNS, _BEYOND = 1.3, 0.7, 3, 1.5
 
+# A grid shows in so many distinct numbers of so many rows, the closest of them up to so many steps apart.
+# Its step is so many times what the numbers resolve, and by so much coarser than that of what is written.
+_FEWEST_NUMBERS, _ROWS, _APART, _RESOLVED, _COARSER = 30, 10_000, 32, 2.5, 1.5
+_SINGLE = 2.0**-23
+# Share of what they resolve that numbers are off a grid: half of it by rounding, the rest as the fit is.
+_OFF_GRID = 0.75
+# Differences of this order of clean polynomials that are whole steps by themselves are 0; those of rounded
+# numbers are 0 only where these rest: least share of the distinct numbers.
+_ORDER, _ROUGH = 6, 0.75
+
 # Quantiles of the size of a normal number of deviation 1; within what factor all that tells of noise agrees
 # where it is decided, and how far beyond that of rounding it is then.
 _QUANTILES = ((0.2, 0.2533), (0.5, 0.6745), (0.8, 1.2816))
@@ -58,7 +69,7 @@ def stated(sigma: Array) -> Level:
 def noise_level(time: Array, values: Array, step: Array | None = None) -> Level:
     """Noise of each column of (n, c); 0 where there is none.
 
-    That of rounding to ``step``, (c,), None: ``rounding_step``, or that of noise where larger: high divided
+    That of rounding to ``step``, (c,), None: ``rounding_steps``, or that of noise where larger: high divided
     differences of a smooth motion shrink with their order, those of white noise do not. Noise that means of
     several samples show more of than white noise leaves them is correlated: what the slowest of these that
     still look like noise show is taken for white. A number that stays the same over several samples counts as
@@ -96,28 +107,107 @@ def decided_noise(time: Array, values: Array, step: Array) -> float:
 
 
 def rounding_steps(values: Array) -> Array:
-    """``rounding_step`` of each column of (n, c), (c,)."""
-    return np.array([rounding_step(column) for column in values.T])
+    """Step to which each column of (n, c) is rounded, (c,): ``grid_steps``, or ``rounding_step`` without."""
+    return np.maximum([rounding_step(column) for column in values.T], grid_steps(values.T))
 
 
 def rounding_step(values: Array) -> float:
     """Step to which the numbers, (n,), are rounded: by decimals or significant digits; 0 for none found."""
-    largest = float(np.abs(values).max(initial=0.0))
-    if largest == 0.0:
+    return max(by for by, _ in _written_steps(values))
+
+
+def grid_steps(columns: Sequence[Array] | Array) -> Array:
+    """Steps of grids other than of decimals, such as a converter's counts, on which columns, (n,) each, are.
+
+    0 for none found: all numbers are whole steps apart, to the digits that are written. Columns of too few
+    numbers have the finest step of the others if they fit it.
+    """
+    steps = np.array([_grid_step(column) for column in columns])
+    finest = float(np.min(steps[steps > 0.0], initial=math.inf))
+    for i, column in enumerate(columns):
+        if steps[i] == 0.0 < np.ptp(column) and finest < math.inf:
+            resolved = 2.0 * max(_resolved(column))
+            steps[i] = finest * (finest > resolved and _on_grid(column, finest, resolved))
+    return steps
+
+
+def _grid_step(values: Array) -> float:
+    """Step of the grid on which the numbers, (n,), are, coarser than what they are written to; 0 for none."""
+    some = np.unique(values[:: max(1, len(values) // _ROWS)])
+    if len(some) < _FEWEST_NUMBERS:
         return 0.0
+    exact, written, _ = allowed = _resolved(values)
+    gaps = np.sort(np.diff(some))
+    gaps = gaps[gaps > exact]
+    for resolved in allowed:
+        for apart in range(1, _APART + 1):
+            step = _step_of_gaps(gaps, apart, resolved)
+            if step == 0.0:
+                continue
+            counts = np.rint((some - some[0]) / step)
+            counts -= counts.mean()
+            step = float(counts @ (some - some.mean()) / (counts @ counts))
+            if step < max(_RESOLVED * resolved, _COARSER * written):
+                break
+            if _on_grid(values, step, resolved):
+                changes = np.diff(np.rint((values - some[0]) / step), n=_ORDER)
+                return step if np.count_nonzero(changes) > _ROUGH * len(some) else 0.0
+    return 0.0
+
+
+def _resolved(values: Array) -> tuple[float, float, float]:
+    """What the numbers, (n,), may resolve: that of doubles, of what is written, and of single precision."""
+    largest = float(np.abs(values).max(initial=0.0))
+    written = max(most for _, most in _written_steps(values))
+    return 10.0**-_EXACT_DIGITS * largest, written, _SINGLE * largest
+
+
+def _step_of_gaps(gaps: Array, apart: int, resolved: float) -> float:
+    """Step of which gaps, (m,), in ascending order, are whole numbers, the least ``apart``; 0 for none."""
+    if not gaps.size or gaps[0] < (_RESOLVED - 1.0) * resolved:
+        return 0.0
+    near, reach = np.searchsorted(gaps, gaps[0] + 2.0 * resolved, side="right"), apart + 0.5
+    step = float(np.mean(gaps[:near])) / apart
+    while near < len(gaps):
+        # Few steps first, by which the step is known well enough to count many.
+        near = np.searchsorted(gaps, reach * step)
+        counts = np.rint(gaps[:near] / step)
+        step = float(gaps[:near].sum() / counts.sum())
+        if np.abs(gaps[:near] - counts * step).max() > 2.0 * _OFF_GRID * resolved:
+            return 0.0
+        reach *= 2.0
+    return step
+
+
+def _on_grid(values: Array, step: float, resolved: float) -> bool:
+    """Whether numbers, (n,), are whole steps apart, to what they resolve."""
+    off = values - values[0]
+    off -= step * np.rint(off / step)
+    return bool(np.ptp(off) <= 2.0 * _OFF_GRID * resolved)
+
+
+def _written_steps(values: Array) -> list[tuple[float, float]]:
+    """Root mean square and largest step to which the numbers, (n,), are written, in each of two ways.
+
+    By decimals, and by significant digits; as ``rounding_step`` has it.
+    """
+    largest = float(np.abs(values).max(initial=0.0))
+    found = [(0.0, 0.0)]
+    if largest == 0.0:
+        return found
     decade = math.floor(math.log10(largest))
     some = values[np.abs(values) > 1e-9 * largest]
     decades = np.floor(np.log10(np.abs(some)))
-    found = [0.0]
     for digits in range(-1, _EXACT_DIGITS):
         if _written(values, digits, decade):
-            found.append(10.0 ** (decade - digits))
+            found.append((10.0 ** (decade - digits), 10.0 ** (decade - digits)))
             break
     for digits in range(1, _EXACT_DIGITS - 1):
         if _written(some, digits, decades):
-            found.append(float(np.sqrt(np.mean(10.0 ** (2.0 * (decades - digits))))))
+            usual = float(np.sqrt(np.mean(10.0 ** (2.0 * (decades - digits)))))
+            found.append((usual, 10.0 ** (decade - digits)))
             break
-    return max(found)
+    return found
 
 
 def white_noise(time: Array, values: Array) -> Array:

@@ -17,7 +17,7 @@ from ..io.tables import number
 from .euler_orders import FAR_FROM_LOCK, distance_from_lock, far_from_lock, motion_about_axes
 from .logs import LogFormat
 from .motion import Motion
-from .noise_level import rounding_step
+from .noise_level import grid_steps, rounding_step
 from .rotation import rotation_about_axes, rotation_from_quaternion
 
 # Trajectories from CSV
@@ -238,9 +238,16 @@ class Log:
 
     def steps(self, name: str) -> Array:
         """Steps to which the components are rounded, SI units; those that stay the same have the finest."""
-        moving = [values for values in self.written[name] if np.ptp(values) > 0.0]
-        finest = min(map(rounding_step, moving), default=0.0)
-        return np.full(len(self.written[name]), finest) * self.scale(name)
+        columns = self.written[name]
+        moving = np.array([np.ptp(values) > 0.0 for values in columns])
+        if not moving.any():
+            return np.zeros(len(columns))
+        some = [values for values, moves in zip(columns, moving, strict=True) if moves]
+        grids, finest = grid_steps(some), min(map(rounding_step, some))
+        found = np.where(grids > 0.0, grids, finest)
+        steps = np.full(len(columns), found.min())
+        steps[moving] = found
+        return steps * self.scale(name)
 
     def angles(self) -> tuple[Array, Array, str]:
         """Unwrapped angles, rad, (n, 3), the steps to which they are rounded, (3,), and their order.

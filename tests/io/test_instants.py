@@ -1,9 +1,9 @@
-"""Times as text: those of different instants of a log differ, whenever it begins."""
+"""Times as text: those of different instants of a log differ, whenever it begins; even clocks."""
 
 import numpy as np
 import pytest
 
-from stewart_sym.io.instants import least_step, time_text
+from stewart_sym.io.instants import even_clock, least_step, time_text
 
 
 @pytest.mark.parametrize("start", [0.0, -2.0, 1e3, 1.7e9])
@@ -22,3 +22,32 @@ def test_no_digits_are_printed_that_are_rounding() -> None:
     assert time_text(0.1 + 0.2, 0.1) == "0.3"
     assert time_text(0.0, 0.1) == time_text(0.0) == "0"
     assert least_step(times[:1]) == 0.0
+
+
+@pytest.mark.parametrize("missing", [0, 7])
+@pytest.mark.parametrize("start", [0.0, 12.345, 1_763_876_184.5])
+@pytest.mark.parametrize("rate", [59.94, 60.0, 90.0, 240.0, 480.0])
+def test_the_even_clock_of_times_in_milliseconds_is_found(rate: float, start: float, missing: int) -> None:
+    rows = np.sort(np.random.default_rng(0).choice(600, 600 - missing, replace=False))
+    found = even_clock(np.round(start + rows / rate, 3))
+    assert found is not None
+    assert found.rounded == 1e-3
+    assert found.step == pytest.approx(1.0 / rate, rel=2e-4)
+    np.testing.assert_allclose(found.times - found.times[0], (rows - rows[0]) / rate, rtol=0.0, atol=2e-4)
+
+
+def test_even_times_with_rows_missing_and_times_of_no_clock_are_left() -> None:
+    rng = np.random.default_rng(1)
+    i = np.arange(400)
+    for times in (
+        i / 1000.0,
+        i / 60.0,
+        np.delete(i, [100, 101, 250]) / 1000.0,
+        np.delete(i, [100, 101, 250]) / 200.0,
+        np.round(i / 60.0 + 5e-4 * rng.normal(size=400), 3),
+        np.round(i / 60.0 + 5e-4 * rng.normal(size=400), 6),
+        np.cumsum(rng.integers(1, 9, 400)) / 1000.0,
+        np.round(np.cumsum(rng.uniform(0.01, 0.03, 400)), 3),
+        np.array([0.0, 0.017, 0.033]),
+    ):
+        assert even_clock(times) is None

@@ -21,6 +21,8 @@ from stewart_sym.motion.trajectory import Log, Trajectory
 Array = NDArray[np.float64]
 FAULTS = ("repeated", "missing", "step", "spike", "zeros")
 OFF = "numbers are off as no motion makes them"
+# A step of 16 bits for 2 m.
+COUNT = 2.0 / 2**16
 
 
 def corrupted(kind: str, time: Array, values: Array, i: int) -> tuple[Array, Array]:
@@ -139,9 +141,10 @@ def test_good_logs_are_neither_faulty_nor_correlated() -> None:
     for seed in range(3):
         one = case(seed)
         for time, true in ((one.time, one.true[0]), profiles(seed)):
-            for noise in ("clean", "9", "5", "4", "3", "white"):
+            for noise in ("clean", "9", "5", "4", "3", "counts", "white"):
                 values = true if noise == "clean" else true + WHITE * rng.normal(size=true.shape)
                 values = np.round(true, int(noise)) if noise.isdecimal() else values
+                values = COUNT * np.rint(true / COUNT) if noise == "counts" else values
                 level = noise_level(time, values)
                 assert faults(time, values, level.sigma) == [], (seed, noise)
                 assert level.correlation == 1.0, (seed, noise)

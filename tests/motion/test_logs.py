@@ -16,7 +16,7 @@ from whole_track import track
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
-from stewart_sym.motion.log_reader import read_csv
+from stewart_sym.motion.log_reader import read_csv, read_forces_csv
 from stewart_sym.motion.logs import EULER_ORDERS, LENGTH_UNITS, LogFormat
 from stewart_sym.motion.rotation import quaternion_from_rotation, rotation_from_rpy
 from stewart_sym.motion.trajectory import PoseLog, Trajectory
@@ -409,3 +409,17 @@ def test_full_logs_are_not_taken_for_cut_ones(tmp_path: Path, kind: str) -> None
     path = tmp_path / "whole.csv"
     path.write_bytes(text.encode())
     assert cut_warnings(path) == []
+
+
+def test_times_rounded_to_milliseconds_are_those_of_their_even_clock(tmp_path: Path) -> None:
+    """At 60 rows a second; the forces measured beside such a log have the same times."""
+    rows = poses(121)
+    plain = read_csv(write(tmp_path / "plain.csv", NAMES, rows))
+    rows[:, 0] = np.round(rows[:, 0], 3)
+    with pytest.warns(ss.LogWarning, match=r"time: rounded to 1 ms: rows are taken every 16\.66\d* ms$"):
+        found = read_csv(write(tmp_path / "log.csv", NAMES, rows))
+    np.testing.assert_allclose(found.time, plain.time, rtol=0.0, atol=1e-5)
+    np.testing.assert_allclose(found.motion.a, plain.motion.a, atol=1e-3 * np.abs(plain.motion.a).max())
+    names = ["time", *(f"F{leg}" for leg in range(1, 7))]
+    time, _ = read_forces_csv(write(tmp_path / "forces.csv", names, rows))
+    np.testing.assert_array_equal(time, found.time)

@@ -14,7 +14,7 @@ from sweeps import share
 import stewart_sym as ss
 from stewart_sym.motion import smoothing
 from stewart_sym.motion.log_reader import read_any_csv, read_csv
-from stewart_sym.motion.noise_level import rounding_step, white_noise
+from stewart_sym.motion.noise_level import grid_steps, rounding_step, white_noise
 from stewart_sym.motion.rotation import rpy_from_rotation
 from stewart_sym.motion.trajectory import JointTrajectory, Trajectory, Uncertainty
 from stewart_sym.singularities.joint_space import on_platform
@@ -104,6 +104,53 @@ def test_rounding_is_read_off_the_numbers(form: str) -> None:
     errors = written - values
     assert rounding_step(written) / np.sqrt(12.0) == pytest.approx(np.sqrt(np.mean(errors**2)), rel=0.1)
     assert rounding_step(values) == 0.0
+
+
+# Counts of 16 bits for 2 m, of an encoder on a screw, and thousandths of a degree in radians.
+GRIDS = (2.0 / 2**16, 0.02 / 1024, np.pi / 180e3)
+
+
+def on_grid(step: float, start: float = 0.0) -> Array:
+    """A motion of three axes, the last of which moves by a few steps, (1500, 3), on a grid."""
+    time = np.arange(1500) / 500.0
+    motion = np.outer(np.sin(2.0 * time), [0.2, 0.02, 3.0 * step]) + 0.01 * np.cos(9.0 * time)[:, None] * [
+        1,
+        1,
+        0,
+    ]
+    return np.asarray(start + step * np.rint(motion / step))
+
+
+@pytest.mark.parametrize("form", [".17g", ".8g", ".5f"])
+@pytest.mark.parametrize("step", GRIDS)
+def test_a_grid_is_read_off_numbers_that_are_no_round_decimals(step: float, form: str) -> None:
+    """Thousandths of a degree, 1.7e-5 rad, are not seen with 5 decimals: these count."""
+    written = np.vectorize(lambda value: float(f"{value:{form}}"))(on_grid(step, 0.3127))
+    expected = 0.0 if form == ".5f" and step < 2.5e-5 else step
+    np.testing.assert_allclose(grid_steps(written.T), expected, rtol=1e-4)
+
+
+def test_numbers_in_single_precision_are_on_their_grid() -> None:
+    np.testing.assert_allclose(
+        grid_steps(on_grid(GRIDS[0], 3.1).astype(np.float32).astype(float).T), GRIDS[0], 1e-5
+    )
+
+
+def test_several_of_the_last_decimals_are_a_grid() -> None:
+    np.testing.assert_allclose(grid_steps(np.round(on_grid(5e-5), 9).T), 5e-5, rtol=1e-9)
+
+
+@pytest.mark.parametrize("digits", [None, 3, 4, 5, 9])
+def test_continuous_numbers_and_decimals_are_on_no_grid(digits: int | None) -> None:
+    for seed in range(3):
+        values = case(seed).true[0]
+        assert not grid_steps(values.T if digits is None else np.round(values, digits).T).any()
+
+
+def test_clean_polynomials_are_on_no_grid() -> None:
+    """Even speed and even acceleration are whole numbers of a step in each row."""
+    i = np.arange(300.0)
+    assert not grid_steps(np.pi * np.stack([i, i**2, np.cumsum(np.minimum(i, 100.0))])).any()
 
 
 def test_white_noise_is_measured() -> None:
