@@ -200,6 +200,10 @@ class JointTrajectory(NamedTuple):
     relative: bool = False
 
 
+IN_SI = LogFormat().with_units({})
+"""How a log in SI units is written."""
+
+
 @dataclass(frozen=True, eq=False)
 class Log:
     """A trajectory as read: the components of vectors by name, (n,) each, as written."""
@@ -208,7 +212,7 @@ class Log:
     rows: Sequence[int]
     time: Array
     written: Mapping[str, Sequence[Array]]
-    form: LogFormat = dataclasses.field(default_factory=LogFormat)
+    form: LogFormat = IN_SI
     smoothing: Smoothing = dataclasses.field(default_factory=Smoothing)
 
     def scale(self, name: str) -> float:

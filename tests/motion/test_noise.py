@@ -284,6 +284,24 @@ def test_resampling_keeps_the_path_and_its_deviations() -> None:
             ss.resampled(trajectory, rate)
 
 
+def test_where_accelerations_jump_a_curve_is_said_to_overshoot(tmp_path: Path) -> None:
+    """An emergency stop, rounded to 0.01 mm, in a log of smooth motion."""
+    time = np.arange(0.0, 20.0, 0.005)
+    a = np.where((time > 2.0) & (time < 2.05), -20.0, 0.0)
+    table = np.zeros((len(time), 6))
+    table[:, 2] = np.cumsum(1.0 + np.cumsum(a) * 0.005) * 0.005 + 0.1 * np.sin(3.0 * time)
+    log = tmp_path / "stop.csv"
+    write(log, NAMES, np.column_stack([time, np.round(table, 5)]))
+    with pytest.warns(ss.LogWarning, match=r"near (1.9|2.0)\d* s a smooth motion is .* of the noise off"):
+        found = read_csv(log)
+    off = np.abs(found.motion.a[405, 2] - a[405] + 0.9 * np.sin(3.0 * time[405]))
+    assert found.noise is not None
+    grid, variance = found.noise.grid, found.noise.covariance[:, 2, 5]
+    there, usual = np.sqrt(np.interp([time[405], 10.0], grid, variance))
+    assert 3.0 * usual < there
+    assert off < 2.0 * there
+
+
 @pytest.mark.parametrize("count", [200, 20_000])
 def test_numbers_that_stay_the_same_are_off_by_their_rounding_however_many_they_are(count: int) -> None:
     values = np.array([[0.65, 0.1235]]) * np.ones((count, 1))

@@ -19,7 +19,7 @@ from ...io.array_types import Array
 from ...io.instants import time_text
 from ...motion.logs import LogFormat
 from ...motion.smooth_motion import PoseNoise, estimated_noise, smoothed
-from ...motion.trajectory import Trajectory
+from ...motion.trajectory import IN_SI, Trajectory
 from ...robot.robot import Robot
 from ..common.motion_columns import trajectory_columns
 from ..common.output import aligned, csv_text, of_legs
@@ -39,7 +39,6 @@ _DIGITS = 1e-8
 # Forces are doubtful if they scatter by less than this share of sigma about the model, or if their size
 # differs by more than this factor from that of the robot file's forces.
 _LEAST_MISFIT, _MOST_TIMES = 0.2, 100.0
-SI = LogFormat()
 
 
 def from_measurement(
@@ -52,7 +51,7 @@ def from_measurement(
     noise: PoseNoise | None = None,
     friction: bool = True,
     physical: bool = False,
-    form: LogFormat = SI,
+    form: LogFormat = IN_SI,
     shared: str | None = None,
     drive: Sequence[str] | None = None,
 ) -> Estimate:
