@@ -349,6 +349,11 @@ def _check_log(header: list[str], source: str, smoothing: Smoothing) -> None:
 
 def _check_header(header: list[str], source: str, otherwise: str = _OTHER_NAMES) -> None:
     """Reject names that are no log's; ``source``: what gives them, ``otherwise``: what else can be done."""
+    if {"omega_x", "kinetic"} <= set(header):
+        raise ValueError(
+            f"{source}: expected a log, got a run of simulate, which view reads: its poses are those of the "
+            "reference point, its angles roll, pitch, yaw, whatever the robot's tool and euler_order"
+        )
     in_joints = _components(*_LENGTHS, *_LENGTH_DERIVATIVES)
     of_pose = _components(*POSE, *DERIVATIVES)
     lengths, poses = ([c for c in header if c in known] for known in (in_joints, of_pose))

@@ -199,6 +199,15 @@ def test_tracking_takes_rates_and_loads_as_the_file_has_them(scene: Path) -> Non
     assert heavier.t[-1, 2] < tracked.t[-1, 2] - 1e-4
 
 
+def test_a_run_is_no_log(scene: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    out = scene.parent / "out"
+    assert main(["simulate", str(scene), "-o", str(out), "--no-pictures"]) == 0
+    capsys.readouterr()
+    robot = str(scene.parent / "robots" / "robot.toml")
+    line = fails_in_one_line(capsys, "forces", robot, str(out / "run.csv"), "-o", str(out / "f.csv"))
+    assert "run.csv: expected a log, got a run of simulate, which view reads" in line
+
+
 def test_constant_forces_and_a_load(scene: Path) -> None:
     legs = '[legs]\nlaw = "forces"\nforces = [1, 2, 3, 4, 5, 6]\n[load]\nF_ext = [0.0, 0.0, 392.4]'
     scene.write_text(SWING.partition("[legs]")[0] + legs)
