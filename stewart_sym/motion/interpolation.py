@@ -199,7 +199,7 @@ def quintic(h: Array, first: Ends, last: Ends) -> Array:
     return np.stack([c_0, c_1, c_2, c_3, c_4, c_5])
 
 
-def values(c: Array, share: Array, h: Array) -> Ends:
+def values(c: Array, share: Array | float, h: Array) -> Ends:
     """Value, rate and second rate at shares of steps h, s, of coefficients (6, ..., 3)."""
     x = c[0] + share * (c[1] + share * (c[2] + share * (c[3] + share * (c[4] + share * c[5]))))
     rate = c[1] + share * (2.0 * c[2] + share * (3.0 * c[3] + share * (4.0 * c[4] + share * 5.0 * c[5])))

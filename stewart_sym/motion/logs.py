@@ -136,7 +136,18 @@ class LogFormat:
         return ANGLE_UNITS[self.angle_unit or "rad"]
 
     def with_units(self, units: Mapping[str, str]) -> Self:
-        """The same with a unit of each kind: the given one, else that of a row of units, else SI."""
+        """The same with a unit of each kind: the given one, else that of a row of units, else SI.
+
+        Parameters
+        ----------
+        units : Mapping
+            Units of a row of units by the name of their argument, such as ``length_unit``.
+
+        Returns
+        -------
+        LogFormat
+            With all units.
+        """
         return dataclasses.replace(
             self,
             length_unit=self.length_unit or units.get("length_unit", "m"),
