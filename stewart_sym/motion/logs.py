@@ -27,41 +27,15 @@ from ..io.tables import table_as_utf8
 from .noise_level import LogWarning
 from .text.clock import READ, Clock, instant
 from .text.head import MARKS, Head, is_value, read_head, without_row
+from .text.unit_row import ANGLE_UNITS, LENGTH_UNITS, TIME_UNITS, UNITS, units_of
 
 if TYPE_CHECKING:
     import _csv
 
-LENGTH_UNITS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "in": 0.0254}
-ANGLE_UNITS = {"rad": 1.0, "deg": math.pi / 180.0}
-TIME_UNITS = {"s": 1.0, "ms": 1e-3, "us": 1e-6}
 DELIMITERS = dict(zip(("comma", "semicolon", "tab"), MARKS, strict=True))
 DECIMALS = {"point": ".", "comma": ","}
 LENGTHS = ("absolute", "relative")
 """Leg lengths by themselves, and less those at the home pose."""
-_UNITS = {
-    "length_unit": LENGTH_UNITS,
-    "angle_unit": ANGLE_UNITS,
-    "time_unit": TIME_UNITS,
-    "unit of force": {"N": 1.0},
-    "unit of moment": {"Nm": 1.0},
-    "unit of current": {"A": 1.0},
-}
-# What a row of units may state of the columns t_x, v_x, ..., and how often it is per second.
-_QUANTITIES = {
-    **{
-        "time": ("time_unit", 0),
-        "t": ("length_unit", 0),
-        "L": ("length_unit", 0),
-        "theta": ("angle_unit", 0),
-    },
-    **{"v": ("length_unit", 1), "L_dot": ("length_unit", 1), "theta_dot": ("angle_unit", 1)},
-    **{"a": ("length_unit", 2), "L_ddot": ("length_unit", 2), "theta_ddot": ("angle_unit", 2)},
-    **{"F_ext": ("unit of force", 0), "M_ext": ("unit of moment", 0)},
-    **{"F": ("unit of force", 0), "current": ("unit of current", 0)},
-}
-_PER_SECOND = ("", "/s", "/s2")
-_SPELLED = {"°": "deg", "degrees": "deg", "inch": "in", "sec": "s", "µs": "us", "μs": "us"}
-_SPELLED |= {"n": "N", "nm": "Nm", "a": "A"}
 EULER_ORDERS = tuple("".join(order) for order in itertools.permutations("xyz"))
 
 # Rows and bytes that are read at a time.
@@ -120,10 +94,15 @@ class LogFormat:
         option(self.euler_order, EULER_ORDERS, "euler_order")
         option(self.lengths, LENGTHS, "lengths")
         detected: dict[str, Mapping[str, object]]
-        detected = {**_UNITS, "delimiter": DELIMITERS, "decimal": DECIMALS}
+        detected = {**UNITS, "delimiter": DELIMITERS, "decimal": DECIMALS}
         for name in ("length_unit", "angle_unit", "time_unit", "delimiter", "decimal"):
             if getattr(self, name) is not None:
                 option(getattr(self, name), tuple(detected[name]), name)
+
+    @property
+    def units(self) -> dict[str, str | None]:
+        """Given units by the names of their arguments."""
+        return {name: getattr(self, name) for name in ("length_unit", "angle_unit", "time_unit")}
 
     @property
     def metres(self) -> float:
@@ -192,7 +171,7 @@ def read_columns(
             check_header([name for name in header if name is not None], source)
         except ValueError as error:
             raise HeaderError(str(error), head.names) from None
-        units = _units_of(head, header, source, form)
+        units = units_of(head, header, source, form.units)
         form = form.with_units(units or {})
         if units is not None:
             head = without_row(stream, head)
@@ -230,7 +209,7 @@ def stated_units(stream: BinaryIO, source: str, form: LogFormat) -> dict[str, st
     """Units by kind, as in ``LogFormat``, that the file's row of units states; errors are its reader's."""
     with contextlib.suppress(ValueError), table_as_utf8(stream, source) as text:
         head = _head(text, source, form)
-        return _units_of(head, _expected_names(head.names, source, form), source, form) or {}
+        return units_of(head, _expected_names(head.names, source, form), source, form.units) or {}
     return {}
 
 
@@ -264,49 +243,6 @@ def need_columns(header: Sequence[str], columns: Sequence[str], source: str) -> 
 def _head(stream: BinaryIO, source: str, form: LogFormat) -> Head:
     delimiter = None if form.delimiter is None else DELIMITERS[form.delimiter]
     return read_head(stream, source, form.columns.values(), delimiter)
-
-
-def _units_of(head: Head, header: list[str | None], source: str, form: LogFormat) -> dict[str, str] | None:
-    """Units by kind where the first row below the header is one of units; None: it is none.
-
-    Such a row has no number. Raises ValueError for a cell that is no unit, or not that of others or the form.
-    """
-    cells = {name: cell for name, cell in zip(header, head.first, strict=False) if name is not None}
-    if len(head.first) != len(header) or not any(cells.values()) or any(map(is_value, cells.values())):
-        return None
-    where = f"{source}: row {head.above + 1}"
-    found: dict[str, str] = {}
-    for name, cell in cells.items():
-        kind, times = _QUANTITIES.get(name.rpartition("_")[0] or name.rstrip("123456"), ("", 0))
-        if not kind or not cell:
-            continue
-        known = [unit + _PER_SECOND[times] for unit in _UNITS[kind]]
-        unit = _plain_unit(cell, _PER_SECOND[times])
-        if unit not in _UNITS[kind]:
-            raise ValueError(
-                f"{where}: {name}: expected a finite number, or in a row of units {' or '.join(known)}, got "
-                f"{cell[:40]!r}: convert the column, or remove the row if it states no units"
-            )
-        stated = found.setdefault(kind, unit)
-        if stated != unit:
-            raise ValueError(
-                f"{where}: {name}: expected one {kind} in the row of units, got {unit} and {stated}"
-            )
-        if getattr(form, kind, None) not in (None, unit):
-            given = f"LogFormat({kind}={getattr(form, kind)!r})"
-            raise ValueError(f"{where}: {name}: the row of units says {unit}, expected that of {given}")
-    return found
-
-
-def _plain_unit(cell: str, per_second: str) -> str:
-    """A unit as in ``_UNITS`` from one in brackets or spelled otherwise, less ``per_second`` at its end."""
-    text = cell.strip("[]() ").lower()
-    for mark, plain in (("²", "2"), ("^", ""), (" ", ""), ("·", ""), ("*", "")):
-        text = text.replace(mark, plain)
-    if not text.endswith(per_second):
-        return ""
-    unit = text.removesuffix(per_second)
-    return _SPELLED.get(unit, unit)
 
 
 def _clock(head: Head, header: list[str | None], source: str, form: LogFormat) -> Clock | None:
