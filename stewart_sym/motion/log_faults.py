@@ -370,7 +370,7 @@ def plateaus(time: Array, values: Array, steps: Array) -> list[Plateau]:
     return [
         Plateau(i, extreme, at)
         for i, column in enumerate(values.T)
-        for extreme in (float(column.min(initial=0.0)), float(column.max(initial=0.0)))
+        for extreme in (float(column.min()), float(column.max()))
         if (at := _clipped(elapsed(time), column, extreme, float(steps[i]))).size
     ]
 

@@ -294,6 +294,10 @@ def test_a_column_that_is_clipped_is_told_with_its_limits_and_how_long_it_stays(
     values = 0.2 * np.sin(time[:, None] * np.arange(1.0, 2.0, 0.17) + np.arange(6.0))
     values[:, :3] += (0.0, 0.0, 2.0)
     values[:, 3] = np.clip(values[:, 3], -0.13, 0.15)
+    # Far from zero as near to it.
+    raised = np.clip(values[:, :2] + 1.0, 0.87, None)
+    found = plateaus(time, raised, np.full(2, 1e-12))
+    assert [(each.column, each.value) for each in found] == [(0, 0.87), (1, 0.87)]
     (line,) = (line for line in read(time, values)[1] if "clipped" in line)
     share = np.mean((values[:, 3] == -0.13) | (values[:, 3] == 0.15))
     assert line.startswith("poses: theta_x gets to -0.13 and 0.15 rad or away at full speed")
