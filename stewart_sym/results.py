@@ -79,6 +79,9 @@ class Reactions:
         axis; in `paper` along the leg.
     status : ndarray of int
         As in ``Forces``.
+    M_s : ndarray, optional
+        Constraint moment on the leg at a universal platform joint, N m, (..., 6, 3); None where the joint is
+        spherical.
     """
 
     F_s: Array
@@ -88,6 +91,7 @@ class Reactions:
     M_p: Array
     M_u: Array
     status: Codes
+    M_s: Array | None = None
 
 
 @dataclass(frozen=True, eq=False)

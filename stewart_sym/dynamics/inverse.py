@@ -283,7 +283,7 @@ def _bearing(bearing: ArrayLike | None) -> Array:
 
 def _without_overflow(found: Reactions) -> Reactions:
     """Give poses whose reactions overflow, though the forces did not, a status and NaN like any other."""
-    values = {name: value for name, value in vars(found).items() if name != "status"}
+    values = {name: each for name, each in vars(found).items() if name != "status" and each is not None}
     lead = found.status.ndim
     finite = [np.isfinite(value).all(axis=tuple(range(lead, value.ndim))) for value in values.values()]
     overflown = (found.status == OK) & ~np.logical_and.reduce(finite)

@@ -140,7 +140,8 @@ def _reactions(robot: Robot, legs: Legs, F: Array, bearing: ArrayLike | None) ->
     where = np.broadcast_to(0.0 if bearing is None else np.asarray(bearing), 6)[:, None]
     at, g = legs.at, robot.g
     wrench = _ends(legs, F)
-    F_s, M_s = wrench[..., :3], wrench[..., 3:] if wrench.shape[-1] == 6 else np.zeros(at.P.shape)
+    F_s, own = wrench[..., :3], {"M_s": wrench[..., 3:]} if wrench.shape[-1] == 6 else {}
+    M_s = own.get("M_s", np.zeros(at.P.shape))
     needed = [body.m * (body.a - g) for body in legs.bodies]
     F_p = needed[2] - F_s + robot.C_p[:, None] * legs.rates[..., SLIDING, None] * at.s
 
@@ -158,6 +159,7 @@ def _reactions(robot: Robot, legs: Legs, F: Array, bearing: ArrayLike | None) ->
         "F_c": F_p - (F - legs.F_rotor)[..., None] * at.s,
         "M_p": moment(at.T + (where - at.L) * at.s, slice(2, 3)),
         "M_u": dot(M, np.cross(robot.k, at.y))[..., 0],
+        **own,
     }
 
 

@@ -53,6 +53,18 @@ def test_forces_and_reactions_agree_with_pinocchio(joint: str) -> None:
             assert _error(getattr(reactions, name), getattr(truth, name)) < RELATIVE, (seed, name)
 
 
+def test_forces_and_moments_of_universal_platform_joints_balance_the_platform() -> None:
+    for seed in MACHINES:
+        robot, motion, _ = _case(seed, "universal")
+        robot = dataclasses.replace(robot, C_s=np.zeros(6))
+        found = ss.joint_reactions(robot, motion)
+        assert found.M_s is not None
+        moments = np.cross(robot.p @ motion.R.T, found.F_s) + found.M_s
+        wrench = np.concatenate([found.F_s, moments], axis=-1).sum(axis=0)
+        assert _error(wrench, newton_euler.platform_wrench(robot, motion)) < RELATIVE, seed
+        assert ss.joint_reactions(_case(seed, "spherical")[0], _case(seed, "spherical")[1]).M_s is None
+
+
 @pytest.mark.parametrize("backend", ["c", "numpy"])
 def test_the_kernel_agrees_with_pinocchio(backend: str) -> None:
     for seed in MACHINES:

@@ -1,5 +1,6 @@
 """A trajectory run through the dynamics, as ``forces`` writes it: columns, limits exceeded, a summary."""
 
+import dataclasses
 import warnings
 from collections.abc import Iterator
 from typing import Any, NamedTuple
@@ -57,7 +58,7 @@ class Part(NamedTuple):
 
         In SI units: time, F1..F6, with noise in the log F1_sd..F6_sd, L1..L6, condition_number, status; with
         a drive torque1.., motor_speed1.., current1.. and power1..; with reactions the components of F_s, F_u,
-        F_p, F_c, M_p (about the base point) and M_u leg by leg.
+        F_p, F_c, M_p (about the base point), of U-C-U legs M_s, and M_u leg by leg.
         """
         found: Columns = {"time": self.time}
         for name, ending, values in (("F", "", self.F), ("F", "_sd", self.F_sd), ("L", "", self.L)):
@@ -74,10 +75,11 @@ def header_lines() -> list[str]:
     n, legs = np.zeros(0), np.zeros((0, 6))
     vectors = np.zeros((0, 6, 3))
     reactions = Reactions(vectors, vectors, vectors, vectors, vectors, legs, n.astype(np.int32))
+    more_reactions = dataclasses.replace(reactions, M_s=vectors)
     return [
         next(csv_lines(Part(slice(0), n, legs, F_sd, legs, legs, n, n.astype(np.int32), more, e).columns))
         for F_sd in (None, legs)
-        for more in (None, reactions)
+        for more in (None, reactions, more_reactions)
         for e in (None, no_instants(False), no_instants(True))
     ]
 
@@ -438,8 +440,8 @@ def _lengths_and_rates(robot: Robot, motion: Motion, good: Flags) -> tuple[Array
 
 def _reaction_columns(found: Reactions) -> Columns:
     columns: Columns = {}
-    for name in ("F_s", "F_u", "F_p", "F_c", "M_p"):
+    for name in ("F_s", "F_u", "F_p", "F_c", "M_p", "M_s"):
         values = getattr(found, name)
-        for leg in range(6):
+        for leg in range(0 if values is None else 6):
             columns |= of_axes(f"{name}{leg + 1}", values[:, leg])
     return columns | of_legs("M_u", found.M_u)
