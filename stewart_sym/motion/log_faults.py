@@ -302,6 +302,10 @@ _SAME_DIGITS = 1e-12
 _NEAREST = 6
 
 
+HELD = "held"
+"""How rows between measured ones are filled that repeat these."""
+
+
 class Sampling(NamedTuple):
     """Which rows of a log were measured, (m,), and how the others came about, in words."""
 
@@ -321,7 +325,7 @@ def slower_sampling(values: Array, steps: Array) -> Sampling | None:
     change = np.abs(np.diff(values, axis=0)) / rounding
     repeated = _regular(np.max(change, axis=1, initial=0.0), 0.0, len(values), 1)
     if repeated is not None:
-        return Sampling(repeated, "held")
+        return Sampling(repeated, HELD)
     bend = np.abs(np.diff(values, n=2, axis=0)) / rounding
     bent = _regular(np.max(bend, axis=1, initial=0.0), 2.5, len(values), 1)
     return None if bent is None else Sampling(bent, "interpolated linearly")
@@ -351,7 +355,8 @@ def _regular(size: Array, quiet: float, count: int, offset: int) -> Rows | None:
 # Rows that stay at an extreme, the least speed that enters or leaves it, of the usual one, and how far that
 # is the speed before: a motion that comes to rest has a third of it, one that is clipped a half or more.
 _PLATEAU, _KINK, _AT_FULL_SPEED = 5, 0.2, (0.45, 2.2)
-_ENDS = 2
+# Ends of stretches that show it; rows in which a motion goes on, and of these the last that would be at rest.
+_ENDS, _GOES_ON, _STILL = 2, 10, 3
 
 
 class Plateau(NamedTuple):
@@ -388,7 +393,9 @@ def _clipped(time: Array, column: Array, extreme: float, step: float) -> Rows:
     def kinked(at: int, towards: int) -> bool:
         """Whether row ``at``, the last one that is clipped, is left at full speed."""
         i, j, k = at, at + 2 * towards, at + 4 * towards
-        if min(j, k) < 0 or max(j, k) >= len(time):
+        beyond = at + towards * np.arange(_GOES_ON)
+        # A short step between rests is none.
+        if not 0 <= beyond[-1] < len(time) or np.ptp(column[beyond[-_STILL:]]) == 0.0:
             return False
         near, far = (abs((column[b] - column[a]) / (time[b] - time[a])) for a, b in ((i, j), (j, k)))
         clear = abs(column[j] - column[i]) >= _STEPS * step

@@ -13,6 +13,7 @@ from ..io.array_types import Array, Flags
 from ..io.extras import needed_for
 from ..io.instants import elapsed, lost, time_text
 from .log_faults import (
+    HELD,
     Fault,
     Rows,
     Sampling,
@@ -75,7 +76,8 @@ def _measured_rows(log: Log, values: Array, steps: Array) -> list[tuple[slice, R
         _tell_slower(log, "", whole)
         rows = whole.rows
     own = [slower_sampling(values[rows, part], steps[part]) for _, part in kinds] if len(kinds) > 1 else []
-    if all(each is None for each in own):
+    # What was interpolated has bends of its own, which are no sensor's.
+    if all(each is None for each in own) or (whole is not None and whole.kind != HELD):
         return [(slice(0, 6), rows)]
     found = []
     for (name, part), each in zip(kinds, own, strict=True):

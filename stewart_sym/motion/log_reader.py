@@ -203,9 +203,10 @@ def _warn(log: Log, text: str) -> None:
 def _warn_of_angles(log: Log) -> None:
     """Warn of angles that no machine makes, and of quaternions whose scalar seems to come last."""
     if "theta" in log.written:
-        doubt = turn_doubt(log.vector("theta"))
+        doubt = turn_doubt(np.unwrap(log.vector("theta"), axis=0))
         if doubt is not None:
-            _warn(log, f"{doubt}: are angles in degrees (LogFormat(angle_unit='deg'))?")
+            hint = ": are angles in degrees (LogFormat(angle_unit='deg'))?" if log.form.radians == 1.0 else ""
+            _warn(log, f"{doubt}{hint}")
     if "q" in log.written:
         q = np.abs(log.vector("q"))
         if (np.median(q, axis=0) @ (-1.0, 0.0, 0.0, 1.0)) > 0.5 * float(
@@ -249,6 +250,8 @@ def _warn_of_rates(log: Log, coordinates: Array, names: Sequence[str]) -> None:
 
     names: of the coordinates, their rates and their accelerations, two vectors of a pose or one of six legs.
     """
+    if not coordinates[1:].any():  # poses at rest
+        return
     steps = np.diff(log.time)
     # One column after the other: of a long log, differences of all at once would take half its room again.
     changed = sum(float(np.abs(np.diff(column)).sum()) for column in coordinates[0].T)

@@ -64,9 +64,9 @@ def rate_doubt(
     """Which columns, (n, c), do not change as their rates say, in words; None: all do.
 
     kind: how many columns side by side have one unit. Columns that rest, or whose changes noise hides, are
-    not compared, and nothing is where all rates are 0: poses at rest.
+    not compared.
     """
-    if len(time) < _FEWEST or not rates.any():
+    if len(time) < _FEWEST:
         return None
     time = elapsed(time)
     found = [_compared(time, column, rate) for column, rate in zip(values.T, rates.T, strict=True)]

@@ -198,14 +198,15 @@ def coordinates(motion: Motion, noise: PoseNoise) -> Array:
 def from_best(noise: PoseNoise, q: Array) -> Iterator[Basis]:
     """The bases from that on which explains measured coordinates, (n, 6), best for its size (Akaike)."""
     found: list[tuple[float, Basis]] = []
-    weights = weights_of_choice(noise, q)
-    for basis in bases(noise):
+    weights, rest = weights_of_choice(noise, q), bases(noise)
+    for basis in rest:
         off = (q - basis.value @ pose_fit(basis, q)) * weights
         found.append((float(np.sum(off**2)) + 2.0 * 6 * basis.size, basis))
         best = min(range(len(found)), key=lambda i: found[i][0])
         if len(found) > best + _IN_VAIN:
             break
     yield from (basis for _, basis in found[best:])
+    yield from rest
 
 
 class Smoothed(NamedTuple):

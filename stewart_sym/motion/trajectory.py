@@ -26,6 +26,8 @@ POSE = ("t", "theta")
 DERIVATIVES = ("v", "theta_dot", "a", "theta_ddot")
 LOADS = ("F_ext", "M_ext")
 ANGLES = ("theta", "theta_dot", "theta_ddot")
+# Numbers of which the rates of a profile are made, at most.
+_LIMITS = 8
 
 
 @dataclass(frozen=True)
@@ -243,7 +245,10 @@ class Log:
     def steps(self, name: str) -> Array:
         """Steps to which the components are rounded, SI units; those that stay the same have the finest."""
         columns = self.written[name]
+        # A few limits, of which accelerations of a profile are made, are no rounding.
         moving = np.array([np.ptp(values) > 0.0 for values in columns])
+        if name not in (*POSE, "q", "L"):
+            moving &= [len(np.unique(values)) > _LIMITS for values in columns]
         if not moving.any():
             return np.zeros(len(columns))
         some = [values for values, moves in zip(columns, moving, strict=True) if moves]

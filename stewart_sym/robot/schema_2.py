@@ -13,7 +13,7 @@ import numpy as np
 from ..io import tables
 from ..io.arguments import shown
 from ..io.array_types import Array
-from ..motion.logs import LENGTH_UNITS
+from ..motion.text.unit_row import LENGTH_UNITS
 from . import schema_1
 from .bodies import INERTIA_KEYS, Metres, body
 from .drive import drive_of_tables, drive_tables

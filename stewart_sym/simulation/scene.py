@@ -1,6 +1,7 @@
 """Scenes: a simulation as a TOML file says it, read and checked into what ``simulate`` takes."""
 
 import os
+import warnings
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -13,10 +14,12 @@ from ..dynamics.inverse import Formulation
 from ..io import tables
 from ..io.arguments import shown
 from ..io.array_types import Array
+from ..io.instants import elapsed
 from ..kinematics.mounting import path_for
 from ..kinematics.robot_logs import trajectory_for
 from ..motion.interpolation import followed
 from ..motion.motion import Motion
+from ..motion.noise_level import LogWarning
 from ..motion.rotation import rotation_from_rpy
 from ..motion.straight_line import PATHS
 from ..motion.trajectory import JointTrajectory
@@ -45,6 +48,8 @@ _TOP_KEYS = (
 )
 _OPTIONS = ("rate", "load", "formulation", "method", "rtol", "output_step", "thresholds", "on_force_limit")
 """What a scene hands on to ``simulate`` by these names."""
+# Rates at which a path's end is one at rest, m/s and rad/s.
+_RESTS = 1e-4
 _STATE_KEYS = ("t", "theta", "v", "omega")
 _LOAD_KEYS = ("F_ext", "M_ext")
 _THRESHOLD_KEYS = ("max_condition", "min_length", "min_joint_sine")
@@ -126,7 +131,7 @@ def _scene(d: Mapping[str, Any], source: str) -> Scene:
     tracked = legs["path"] if legs["law"] == "tracking" else None
     if tracked is not None and tracked not in PATHS:
         read.append(folder / tracked)
-    wanted = None if tracked is None else _wanted(robot, tracked, folder)
+    wanted = None if tracked is None else _wanted(robot, tracked, folder, options["duration"])
     state = _state(given, wanted, load)
     try:
         law = _law(robot, legs, state, wanted)
@@ -199,12 +204,19 @@ def _vectors(value: object, keys: tuple[str, ...], needed: tuple[str, ...], pref
     return {key: tables.vector(given, prefix + key) for key, given in table.items()}
 
 
-def _wanted(robot: Robot, path: str, folder: Path) -> Wanted:
+def _wanted(robot: Robot, path: str, folder: Path, duration: float) -> Wanted:
+    """The motion along a path; warns of a file that ends in motion before the run does."""
     if path in PATHS:
         return along(path_for(robot, path).path)
     found = trajectory_for(robot, folder / path)
     if isinstance(found, JointTrajectory):
         raise ValueError(f"{found.source}: expected poses, t_* and theta_*, got leg lengths L_1 to L_6")
+    last, whole = found.motion[-1], float(elapsed(found.time)[-1])
+    speed, turning = (float(np.linalg.norm(rate)) for rate in (last.v, last.omega))
+    if whole < duration and max(speed, turning) > _RESTS:
+        rates = f"{speed:.2g} m/s and {turning:.2g} rad/s, at {whole:.6g} s of a run of {duration:g} s"
+        text = f"ends in motion, {rates}: the law then wants rest at once"
+        warnings.warn(f"{found.source}: {text}", LogWarning, stacklevel=4)
     return followed(found)
 
 

@@ -112,8 +112,9 @@ class Trace:
     L : ndarray
         Leg lengths, m, (n, 6).
     kinetic, potential : ndarray
-        Energy of the platform and the twelve leg parts, J, (n,), with the exact kinematics of the legs in
-        either formulation; the potential energy is that of weight, zero at the base frame's origin.
+        Energy of the platform, the twelve leg parts and the drives' rotors, J, (n,), with the exact
+        kinematics of the legs in either formulation; the potential energy is that of weight, zero at the base
+        frame's origin.
     """
 
     times: Array

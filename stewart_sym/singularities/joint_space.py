@@ -258,6 +258,8 @@ def _follow(
 def _reject_other_rates(time: Array, L: Array, L_dot: Array, L_ddot: Array | None) -> None:
     """Reject rates and accelerations of another motion than that of the numbers that they are rates of."""
     columns = {"L": L, "L_dot": L_dot} | ({} if L_ddot is None else {"L_ddot": L_ddot})
+    if not any(rates.any() for rates in [*columns.values()][1:]):  # poses at rest
+        return
     for (name, values), (rate, rates) in itertools.pairwise(columns.items()):
         legs, legs_rates = ([f"{each}_{leg}" for leg in range(1, 7)] for each in (name, rate))
         doubt = rate_doubt(time, values, rates, legs, legs_rates)

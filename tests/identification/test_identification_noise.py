@@ -266,6 +266,15 @@ def test_bad_pose_noise_is_named(arguments: dict[str, object], words: str) -> No
         ss.PoseNoise(**{**good, **arguments})  # type: ignore[arg-type]
 
 
+def test_bases_are_tried_beyond_those_that_poses_tell() -> None:
+    """Forces may tell more of the motion than they do: the search goes on to the largest basis."""
+    way = excited(0)
+    noise = ss.PoseNoise(way.time, 0.01, 0.01)
+    q = smooth_motion.coordinates(way.motion, noise)
+    tried = [basis.size for basis in smooth_motion.from_best(noise, q)]
+    assert tried == [basis.size for basis in smooth_motion.bases(noise)][-len(tried) :]
+
+
 def test_poses_that_no_noise_fits_are_named() -> None:
     way = excited(0)
     with pytest.raises(ValueError, match=r"^motion: expected measured poses that scatter"):

@@ -304,6 +304,14 @@ def test_a_column_that_is_clipped_is_told_with_its_limits_and_how_long_it_stays(
     assert f"for {share * time[-1]:.3g} s in all ({100 * share:.2g} % of the rows; first at row " in line
 
 
+def test_short_steps_between_rests_are_no_clipping() -> None:
+    time = np.arange(0.0, 20.0, 0.01)
+    s = np.clip((time % 2.0 - 1.0) / 0.04, 0.0, 1.0)
+    values = (s**3 * (10.0 - 15.0 * s + 6.0 * s**2) * np.where(time % 4.0 < 2.0, 1.0, -1.0))[:, None]
+    assert plateaus(time, values, np.zeros(1)) == []
+    assert plateaus(time, np.abs(values), np.zeros(1)) == []
+
+
 @pytest.mark.parametrize("digits", [2, 3, 5, 12])
 def test_rest_at_an_extreme_and_rounding_are_no_clipping(digits: int) -> None:
     time = np.arange(0.0, 12.0, 0.005)

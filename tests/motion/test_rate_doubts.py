@@ -116,6 +116,28 @@ def test_an_angular_velocity_in_place_of_rates_of_angles_is_told_from_them(
         read_csv(write(path, names, table), form)
 
 
+def test_accelerations_of_none_beside_velocities_are_warned_of(tmp_path: Path) -> None:
+    names, table = with_rates(np.linspace(0.0, 4.0, 161))
+    table[:, 13:] = 0.0
+    with pytest.warns(ss.LogWarning, match=r"v_x, v_y, v_z, .* do not change as a_x, a_y, a_z, .* say"):
+        read_csv(write(tmp_path / "odd.csv", names, table))
+    table[:, 7:] = 0.0
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        read_csv(write(tmp_path / "rest.csv", names, table))
+
+
+def test_accelerations_of_a_few_limits_are_not_rounded(tmp_path: Path) -> None:
+    names, table = with_rates(np.linspace(0.0, 4.0, 161))
+    table[:, 1:] = 0.0
+    a = np.where(table[:, 0] < 2.0, 10.0, -10.0)
+    table[:, 15] = a
+    table[:, 9] = np.concatenate([[0.0], np.cumsum(0.0125 * (a[1:] + a[:-1]))])
+    table[:, 3] = np.concatenate([[0.0], np.cumsum(0.0125 * (table[1:, 9] + table[:-1, 9]))])
+    noise = read_csv(write(tmp_path / "limits.csv", names, table)).noise
+    assert noise is None or noise.covariance[:, :, 5].max() < 1e-6
+
+
 @pytest.mark.parametrize("lag", [0.02, 0.05])
 def test_rates_behind_a_filter_are_said_to_be_late(tmp_path: Path, lag: float) -> None:
     names, table = with_rates(np.arange(0.0, 8.0, 0.01))

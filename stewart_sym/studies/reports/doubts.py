@@ -10,9 +10,9 @@ from ...io.array_types import Array
 from ...kinematics.mounting import platform_side
 from ...kinematics.offset_legs import leg_lengths
 from ...kinematics.pose_search import jacobian
-from ...motion.logs import LENGTH_UNITS
 from ...motion.motion import Motion
 from ...motion.rotation import rotation_about_axes, rotation_from_rpy
+from ...motion.text.unit_row import LENGTH_UNITS
 from ...motion.trajectory import MOST_TURNS, PoseLog, angle_range
 from ...robot.fields import DEFAULT_GRAVITY, vector_text
 from ...robot.robot import Robot
