@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..motion.motion import Motion
+from ..motion.rotation import cross as vector_product
 from ..results import OK, Forces, Reactions
 from ..robot.offset_chains import (
     SLIDING,
@@ -148,8 +149,8 @@ def _reactions(robot: Robot, legs: Legs, F: Array, bearing: ArrayLike | None) ->
     def moment(about: Array, bodies: slice) -> Array:
         """What holds these parts' motion and the force at the end, about a point."""
         parts = zip(legs.bodies[bodies], needed[bodies], strict=True)
-        own = sum((np.cross(body.c - about, force) + body.spun for body, force in parts), np.zeros(3))
-        return np.asarray(own - np.cross(at.P - about, F_s) - M_s + legs.f)
+        own = sum((vector_product(body.c - about, force) + body.spun for body, force in parts), np.zeros(3))
+        return np.asarray(own - vector_product(at.P - about, F_s) - M_s + legs.f)
 
     M = moment(at.A, slice(1, 3)) + robot.C_u[:, None] * legs.W
     return {
@@ -158,7 +159,7 @@ def _reactions(robot: Robot, legs: Legs, F: Array, bearing: ArrayLike | None) ->
         "F_p": F_p,
         "F_c": F_p - (F - legs.F_rotor)[..., None] * at.s,
         "M_p": moment(at.T + (where - at.L) * at.s, slice(2, 3)),
-        "M_u": dot(M, np.cross(robot.k, at.y))[..., 0],
+        "M_u": dot(M, vector_product(robot.k, at.y))[..., 0],
         **own,
     }
 
@@ -241,7 +242,7 @@ def _rotors(robot: Robot, moving: JointMotion) -> tuple[Array, Array]:
     lower = lower_motion(robot, at, rates, seconds)
     inertia = 0.0 if robot.drive is None else np.asarray(robot.drive.rotor_inertia)[:, None]
     torque = inertia * (quick + dot(at.s, lower.alpha))
-    return torque[..., 0], inertia * (quick * at.s + speed * np.cross(lower.omega, at.s))
+    return torque[..., 0], inertia * (quick * at.s + speed * vector_product(lower.omega, at.s))
 
 
 def _bodies(robot: Robot, at: Chains, rates: Array, seconds: Array) -> Iterator[_Body]:
@@ -267,7 +268,7 @@ def _bodies(robot: Robot, at: Chains, rates: Array, seconds: Array) -> Iterator[
         omega_of = np.stack([*turns[i], *[none] * (n - len(turns[i]))], axis=-2)
         arms = [c, c - at.A, c - at.T, c - at.T]
         v_of = np.stack(
-            [np.cross(turn, arm) for turn, arm in zip(turns[i], arms, strict=False)]
+            [vector_product(turn, arm) for turn, arm in zip(turns[i], arms, strict=False)]
             + [none] * (n - len(turns[i])),
             axis=-2,
         )
@@ -277,8 +278,8 @@ def _bodies(robot: Robot, at: Chains, rates: Array, seconds: Array) -> Iterator[
             m=mass[:, None],
             c=c,
             a=a + swung(omega, alpha, r),
-            spun=applied(I, alpha) + np.cross(omega, applied(I, omega)),
-            v=v + np.cross(omega, r),
+            spun=applied(I, alpha) + vector_product(omega, applied(I, omega)),
+            v=v + vector_product(omega, r),
             I=I,
             omega=omega,
             v_of=v_of,

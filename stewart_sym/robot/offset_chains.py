@@ -12,6 +12,7 @@ import numpy as np
 
 from ..io.array_types import Array, Codes
 from ..motion.motion import Motion
+from ..motion.rotation import cross as vector_product
 from ..motion.rotation import cross_matrix
 from ..results import JOINT_SINGULAR, NOT_FINITE, OK, UNREACHABLE, ZERO_LENGTH
 from .offset_positions import Chains, chains_to, dot
@@ -51,7 +52,7 @@ def joint_motion(robot: Robot, motion: Motion) -> JointMotion:
     X[..., :3, :3], X[..., :3, 3:] = np.eye(3), -cross_matrix(at.q)
     if offsets.spins:
         X[..., 3:, 3:] = np.eye(3)
-    rates = applied(inverse, _with_turn(offsets, motion.v[..., None, :] + np.cross(omega, at.q), omega))
+    rates = applied(inverse, _with_turn(offsets, motion.v[..., None, :] + vector_product(omega, at.q), omega))
     if motion.a is None or motion.alpha is None:
         return JointMotion(at, rates, None, J, inverse @ X)
     alpha = motion.alpha[..., None, :]
@@ -128,7 +129,7 @@ def codes_of(robot: Robot, motion: Motion, at: Chains) -> Codes:
     share = at.of_tip / at.L * (at.of_tip**2 / (at.of_tip**2 + beside))
     code = np.where((code == OK) & ~(share > ROUNDING), JOINT_SINGULAR, code)
     lost = ~(np.isfinite(at.L) & np.isfinite(at.U).all(axis=-1).all(axis=-1, keepdims=True))
-    meets = np.sqrt(dot(np.cross(robot.k, at.P), np.cross(robot.k, at.P))) <= ROUNDING * reach
+    meets = np.sqrt(dot(vector_product(robot.k, at.P), vector_product(robot.k, at.P))) <= ROUNDING * reach
     # Without a distance from the fixed axis there is no direction: the same as in legs without offsets.
     along_axis = meets & (offsets_of(robot).along[:, None] == 0.0)
     code = np.where(lost, np.where(along_axis, JOINT_SINGULAR, UNREACHABLE), code)
@@ -138,11 +139,11 @@ def codes_of(robot: Robot, motion: Motion, at: Chains) -> Codes:
 def jacobian(robot: Robot, at: Chains) -> Array:
     """Velocity of the platform point, and of U-C-U legs the platform's angular velocity, by the joints."""
     k = np.broadcast_to(robot.k, at.s.shape)
-    v = [np.cross(k, at.P), np.cross(at.y, at.P - at.A), at.s]
+    v = [vector_product(k, at.P), vector_product(at.y, at.P - at.A), at.s]
     if at.y_w is None or at.k_w is None:
         return np.stack(v, axis=-1)
     none = np.zeros_like(at.s)
-    v += [np.cross(at.s, at.P - at.T), np.cross(at.y_w, at.P - at.T), none]
+    v += [vector_product(at.s, at.P - at.T), vector_product(at.y_w, at.P - at.T), none]
     turns = [k, at.y, none, at.s, at.y_w, at.k_w]
     return np.concatenate([np.stack(v, axis=-1), np.stack(turns, axis=-1)], axis=-2)
 
@@ -154,10 +155,10 @@ def motion_of_end(robot: Robot, at: Chains, rates: Array, seconds: Array) -> Arr
         return upper.a + 0.0 * lower.a
     turn = rates[..., 4, None] * at.y_w
     omega = upper.omega + turn
-    alpha = upper.alpha + seconds[..., 4, None] * at.y_w + np.cross(upper.omega, turn)
+    alpha = upper.alpha + seconds[..., 4, None] * at.y_w + vector_product(upper.omega, turn)
     a = upper.a + swung(omega, alpha, at.P - at.T)
     last = rates[..., 5, None] * at.k_w
-    return np.concatenate([a, alpha + seconds[..., 5, None] * at.k_w + np.cross(omega, last)], axis=-1)
+    return np.concatenate([a, alpha + seconds[..., 5, None] * at.k_w + vector_product(omega, last)], axis=-1)
 
 
 @dataclass(frozen=True, eq=False)
@@ -173,14 +174,14 @@ class Moving:
 def cross_motion(robot: Robot, at: Chains, rates: Array, seconds: Array) -> Moving:
     """Of the cross, and where o meets the moving axis."""
     omega, alpha = rates[..., 0, None] * robot.k, seconds[..., 0, None] * robot.k
-    return Moving(omega, alpha, np.cross(omega, at.A), swung(omega, alpha, at.A))
+    return Moving(omega, alpha, vector_product(omega, at.A), swung(omega, alpha, at.A))
 
 
 def lower_motion(robot: Robot, at: Chains, rates: Array, seconds: Array) -> Moving:
     """Of the lower part, and of that point."""
     cross = cross_motion(robot, at, rates, seconds)
     turn = rates[..., 1, None] * at.y
-    alpha = cross.alpha + seconds[..., 1, None] * at.y + np.cross(cross.omega, turn)
+    alpha = cross.alpha + seconds[..., 1, None] * at.y + vector_product(cross.omega, turn)
     return Moving(cross.omega + turn, alpha, cross.v, cross.a)
 
 
@@ -188,13 +189,13 @@ def upper_motion(robot: Robot, at: Chains, rates: Array, seconds: Array) -> Movi
     """Of the upper part, and of the end of the leg."""
     lower = lower_motion(robot, at, rates, seconds)
     r, slide = at.T - at.A, rates[..., 2, None] * at.s
-    v = lower.v + np.cross(lower.omega, r) + slide
-    a = lower.a + swung(lower.omega, lower.alpha, r) + 2 * np.cross(lower.omega, slide)
+    v = lower.v + vector_product(lower.omega, r) + slide
+    a = lower.a + swung(lower.omega, lower.alpha, r) + 2 * vector_product(lower.omega, slide)
     a = a + seconds[..., 2, None] * at.s
     if at.y_w is None:
         return Moving(lower.omega, lower.alpha, v, a)
     turn = rates[..., SPIN, None] * at.s
-    alpha = lower.alpha + seconds[..., SPIN, None] * at.s + np.cross(lower.omega, turn)
+    alpha = lower.alpha + seconds[..., SPIN, None] * at.s + vector_product(lower.omega, turn)
     return Moving(lower.omega + turn, alpha, v, a)
 
 
@@ -205,7 +206,7 @@ def offsets_of(robot: Robot) -> Offsets:
 
 def swung(omega: Array, alpha: Array, r: Array) -> Array:
     """Acceleration of a point of a body against another of its points."""
-    return np.cross(alpha, r) + np.cross(omega, np.cross(omega, r))
+    return vector_product(alpha, r) + vector_product(omega, vector_product(omega, r))
 
 
 def applied(A: Array, v: Array) -> Array:

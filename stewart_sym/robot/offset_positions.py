@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..io.array_types import Array
+from ..motion.rotation import cross as vector_product
 from .offsets import Offsets
 
 _MOST_STEPS = 60
@@ -55,9 +56,9 @@ def chains_to(offsets: Offsets, k: Array, k_w: Array, q: Array, P: Array) -> Cha
     # Each step brings the end of the leg nearer by the wrist's share of the leg's length.
     for _ in range(_MOST_STEPS):
         at = _lower(k, offsets, q, P, T)
-        y_w = np.cross(k_w, at.s)
+        y_w = vector_product(k_w, at.s)
         y_w = y_w / np.sqrt(dot(y_w, y_w))
-        o_w = np.cross(y_w, k_w)
+        o_w = vector_product(y_w, k_w)
         step = np.abs(P - w * o_w - T).max(axis=-1, keepdims=True)
         moved = step > _SETTLED * np.abs(P).max(axis=-1, keepdims=True)
         if not moved.any():
@@ -66,7 +67,7 @@ def chains_to(offsets: Offsets, k: Array, k_w: Array, q: Array, P: Array) -> Cha
     else:
         at = _lower(k, offsets, q, P, np.where(moved, np.nan, T))
     spin = np.arctan2(dot(at.z, y_w), dot(at.y, y_w))
-    U = np.stack([at.s, y_w, np.cross(at.s, y_w)], axis=-1)
+    U = np.stack([at.s, y_w, vector_product(at.s, y_w)], axis=-1)
     return Chains(**{**vars(at), "spin": spin, "U": U, "y_w": y_w, "k_w": k_w, "o_w": o_w})
 
 
@@ -81,16 +82,16 @@ def _lower(k: Array, offsets: Offsets, q: Array, P: Array, T: Array) -> Chains:
     """The lower part from the end T of the line of sliding: of the solutions, o towards T and s outward."""
     k = np.broadcast_to(k, T.shape)
     a, d, e = (x[:, None] for x in (offsets.cross, offsets.across, offsets.along))
-    zeta, normal = dot(k, T), np.cross(k, T)
+    zeta, normal = dot(k, T), vector_product(k, T)
     rho2 = dot(normal, normal)
     of_tip = np.sqrt(rho2 - e * e)
     y = (of_tip * normal + e * (T - zeta * k)) / rho2
-    o = np.cross(y, k)
+    o = vector_product(y, k)
     out = of_tip - a
     L = np.sqrt(out * out + zeta * zeta - d * d)
     beside = T - a * o - e * y
-    s = (L * beside - d * np.cross(beside, y)) / (L * L + d * d)
-    z = np.cross(s, y)
+    s = (L * beside - d * vector_product(beside, y)) / (L * L + d * d)
+    z = vector_product(s, y)
     U = np.stack([s, y, z], axis=-1)
     return Chains(q, P, T, a * o, y, s, z, o, L, of_tip, np.zeros_like(L), U)
 
