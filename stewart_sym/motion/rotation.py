@@ -27,6 +27,7 @@ _FEW = 300
 # Series by |phi|^2 of (1 - cos |phi|) / |phi|^2 and of (|phi| - sin |phi|) / |phi|^3.
 _A = np.array([(-1.0) ** k / math.factorial(2 * k + 2) for k in range(11)])
 _B = np.array([(-1.0) ** k / math.factorial(2 * k + 3) for k in range(11)])
+_SERIES = _A, _B, polynomial.polyder(_A), polynomial.polyder(_B)
 
 
 def rotation_from_rpy(theta: ArrayLike) -> Array:
@@ -284,12 +285,19 @@ def _vector_factors(phi: Array) -> tuple[Array, Array, Array, Array]:
         (x * sine - 2.0 * (1.0 - cosine)) / (2.0 * x**4),
         (3.0 * sine - x * (2.0 + cosine)) / (2.0 * x**5),
     )
-    series = (_A, _B, polynomial.polyder(_A), polynomial.polyder(_B))
-    pairs = zip(closed, series, strict=True)
+    near = square < 1.0
     a, b, a_by_square, b_by_square = (
-        np.where(square < 1.0, polynomial.polyval(small, terms), far) for far, terms in pairs
+        np.where(near, _summed(terms, small), far) for far, terms in zip(closed, _SERIES, strict=True)
     )
     return a, b, a_by_square, b_by_square
+
+
+def _summed(terms: Array, x: Array) -> Array:
+    """A series of powers of x from the lowest on."""
+    total = np.full_like(x, terms[-1])
+    for term in terms[-2::-1]:
+        total = total * x + term
+    return total
 
 
 def _inverse(e: Array) -> Array:
