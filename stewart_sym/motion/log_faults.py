@@ -415,14 +415,13 @@ def tell_plateaus(log: Log, values: Array, steps: Array) -> None:
         own = [each for each in found if each.column == column]
         name, i = columns[column]
         at = " and ".join(f"{each.value / log.scale(name):.6g}" for each in own)
-        unit = log.form.angle_unit if name == "theta" else log.form.length_unit
         rows = np.sort(np.concatenate([each.rows for each in own]))
         share = len(rows) / len(log.time)
         lasts = share * (log.time[-1] - log.time[0])
         text = (
-            f"{name}_{('123456' if name == 'L' else 'xyz')[i]} gets to {at} {unit} or away at full speed and "
-            f"stays there for {lasts:.3g} s in all ({100.0 * share:.2g} % of the rows; first at row "
-            f"{log.rows[rows[0]]}): is it clipped? forces there and nearby are wrong"
+            f"{name}_{('123456' if name == 'L' else 'xyz')[i]} gets to {at} {log.unit(name)} or away at full "
+            f"speed and stays there for {lasts:.3g} s in all ({100.0 * share:.2g} % of the rows; first at "
+            f"row {log.rows[rows[0]]}): is it clipped? forces there and nearby are wrong"
         )
         warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=7)
 

@@ -231,10 +231,13 @@ class Log:
         """Names of the vectors that are six coordinates, with their columns."""
         return (("L", slice(0, 6)),) if "L" in self.written else (("t", slice(0, 3)), ("theta", slice(3, 6)))
 
+    def unit(self, name: str) -> str | None:
+        """The unit in which coordinates of that name are written."""
+        return self.form.angle_unit if name == "theta" else self.form.length_unit
+
     def kind(self, name: str) -> tuple[str, Callable[[float], str]]:
         """What vectors of that name are called, and how a number of them is written in the log's units."""
-        scale = self.scale(name)
-        unit = self.form.angle_unit if name == "theta" else self.form.length_unit
+        scale, unit = self.scale(name), self.unit(name)
         what = {"L": "lengths", "t": "positions", "theta": "angles"}[name]
         return what, lambda number: f"{number / scale:.2g} {unit}"
 
