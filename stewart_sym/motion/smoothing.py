@@ -28,7 +28,7 @@ from .interpolation import DEGREE, along, b_splines, dense, places
 from .noise_level import SEEN, Level, noise_level, stated
 
 ORDERS = (3, 4, 6, 8)
-"""Orders of differences in the penalty: low ones suit motions with jumps of jerk, high ones smooth ones."""
+"""Orders of differences in the penalty: the lowest suits accelerations that jump, high ones smooth motion."""
 CUTOFF_ORDER = 6
 """Order for a given cut-off: lower ones distort both ends of a motion by more than the stated deviations."""
 WINDOW = 96
@@ -450,17 +450,12 @@ class _Window(NamedTuple):
 
 
 def _smoothed(
-    clock: _Clock,
-    values: Array,
-    sigma: Array,
-    knots: _Knots,
-    orders: NDArray[np.int64],
-    weight: float | None,
+    clock: _Clock, values: Array, sigma: Array, knots: _Knots, orders: NDArray[np.int64], weight: float | None
 ) -> Smooth:
     count, step = values.shape[1], clock.unit * knots.step
     coefficients = np.zeros((knots.cells + DEGREE, count))
     grid = np.arange(2 * knots.cells + 1) / 2.0
-    covariance = np.zeros((len(grid), count, len(PAIRS)))
+    covariance, resolved = np.zeros((len(grid), count, len(PAIRS))), np.zeros((len(grid), count))
     for start in knots.windows():
         window = _Window.of(clock.since, values, knots, start)
         width = knots.width(start)
@@ -472,9 +467,11 @@ def _smoothed(
             own = np.flatnonzero(orders == order)
             fit = window.columns(own).likeliest(int(order), sigma[own], weight)
             coefficients[start : start + window.size, own] += blend[:, None] * (fit.modes.X @ fit.mean)
+            resolved[inside, own] += share[:, None] * width / fit.free
             for k, product in enumerate(_products(fit.modes, width)):
                 scaled = share[:, None] / step ** sum(PAIRS[k])
                 covariance[inside, own, k] += scaled * (product @ fit.variance)
+    covariance += _ramps(coefficients, orders, resolved, step)
     found = np.empty((3, *values.shape))
     for part in (slice(i, i + _CHUNK) for i in range(0, len(values), _CHUNK)):
         cell, u = places(clock.since[part], knots.step, knots.cells)
@@ -482,3 +479,20 @@ def _smoothed(
             N = b_splines(u, DEGREE, rate) / step**rate
             found[rate, part] = along(N, cell, coefficients)
     return Smooth(found[0], found[1], found[2], sigma, clock.start + step * grid, covariance)
+
+
+def _ramps(coefficients: Array, orders: NDArray[np.int64], resolved: Array, step: float) -> Array:
+    """Covariance at every half cell, (g, c, 6), that second rates add which may jump where they seem to rise.
+
+    Where the order says that they do, anything between the values before and after is as likely. resolved:
+    cells over which a jump becomes a ramp, (g, c).
+    """
+    grid = np.arange(len(resolved)) / 2.0
+    cell, u = places(grid, 1.0, len(coefficients) - DEGREE)
+    seconds = along(b_splines(u, DEGREE, 2), cell, coefficients) / step**2
+    off = np.zeros((3, *resolved.shape))
+    for i in np.flatnonzero(orders == ORDERS[0]):
+        before, after = (np.interp(grid + side * resolved[:, i], grid, seconds[:, i]) for side in (-1.0, 1.0))
+        off[2, :, i] = (after - before) / math.sqrt(12.0)
+    off[1] = 0.25 * step * resolved * off[2]
+    return np.stack([off[i] * off[j] for i, j in PAIRS], axis=-1)

@@ -302,6 +302,21 @@ def test_where_accelerations_jump_a_curve_is_said_to_overshoot(tmp_path: Path) -
     assert off < 2.0 * there
 
 
+@pytest.mark.parametrize(("rate", "noise"), [(50, 5e-5), (250, 2e-4), (1000, 5e-5)])
+def test_deviations_hold_where_accelerations_of_a_trapezoid_jump(rate: int, noise: float) -> None:
+    """Two moves of 0.15 m at 0.25 m/s and 2 m/s^2, there and back."""
+    time = np.arange(4 * rate) / rate
+    since = np.concatenate([[0.7, 0.825, 1.3, 1.425], [2.4, 2.525, 3.0, 3.125]])
+    sides = 2.0 * np.array([1, -1, -1, 1, -1, 1, 1, -1])
+    ramps = np.maximum(time[:, None] - since, 0.0)
+    noisy = 0.5 * ramps**2 @ sides + noise * np.random.default_rng(rate).normal(size=time.shape)
+    found = ss.smooth(time, noisy[:, None])
+    sd = np.sqrt(np.interp(time, found.grid, found.covariance[:, 0, 5]))
+    off = np.abs(found.second_rates[:, 0] - (ramps > 0.0) @ sides)
+    assert np.mean(off > 3.0 * np.maximum(sd, 5e-3)) < 2e-3
+    assert np.mean(off < sd) < 0.9
+
+
 @pytest.mark.parametrize("count", [200, 20_000])
 def test_numbers_that_stay_the_same_are_off_by_their_rounding_however_many_they_are(count: int) -> None:
     values = np.array([[0.65, 0.1235]]) * np.ones((count, 1))
