@@ -14,9 +14,8 @@ from ..io.arguments import instance
 from ..io.array_types import Array
 from ..kinematics.forward import inverse_jacobian
 from ..kinematics.inverse import legs_or_overflow
-from ..motion.euler_orders import motion_about_axes
 from ..motion.motion import Motion
-from ..motion.rotation import orthonormal, rotation_from_vector
+from ..motion.rotation import motion_about_axes, orthonormal, rotation_from_vector
 from ..motion.trajectory import PoseLog, Trajectory, Uncertainty, need_trajectory
 from ..robot.robot import Robot
 from .forces import prepare

@@ -8,8 +8,7 @@ import numpy as np
 
 from ..io.array_types import Array
 from ..io.instants import elapsed
-from .euler_orders import angle_rates, distance_from_lock
-from .rotation import rotation_about_axes
+from .rotation import angle_rates, distance_from_lock, rotation_about_axes
 
 # Rates are of another motion if what they say is off by this share of the changes: more than a filter's lag.
 _OFF = 0.3

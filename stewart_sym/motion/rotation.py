@@ -1,16 +1,17 @@
-"""Rotations by roll, pitch and yaw, (38), and by rotation vectors: matrices, rates and second rates.
+"""Rotations by angles, (38) and other orders, and by rotation vectors: matrices, rates, second rates.
 
 Plain vectorised functions; angles are ``theta = (theta_x, theta_y, theta_z)``, a rotation vector is the
 axis times the angle, base axes.
 """
 
+import itertools
 import math
 from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 from numpy.polynomial import polynomial
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from ..io.arguments import shaped_array
 from ..io.array_types import Array
@@ -44,8 +45,11 @@ def rotation_from_rpy(theta: ArrayLike) -> Array:
 def rpy_motion(theta: Array, theta_dot: Array, theta_ddot: Array | None) -> tuple[Array, Array, Array | None]:
     """Return R (..., 3, 3), omega (..., 3) and alpha (..., 3), or None, of angles and rates of one shape.
 
-    As ``rotation_from_rpy``, ``angular_velocity_from_rpy`` and ``angular_acceleration_from_rpy`` do, with one
-    evaluation of the sines, in blocks whose numbers stay in the processor's second cache.
+    The three turns of (38) happen about e_x = Rz Ry x, e_y = Rz y and e_z = z, seen from the base, and
+    angular velocities about moving axes add up:  omega = e_x theta_x' + e_y theta_y' + e_z theta_z'.  Each
+    axis is carried by the turns outside of its own:  e_z' = 0,  e_y' = (e_z theta_z') x e_y,
+    e_x' = (e_z theta_z' + e_y theta_y') x e_x.  Hence alpha = sum e_j theta_j'' + e_x' theta_x' +
+    e_y' theta_y'.  In blocks whose numbers stay in the processor's second cache.
     """
     R, omega = np.empty((*theta.shape, 3)), np.empty(theta.shape)
     alpha = None if theta_ddot is None else np.empty(theta.shape)
@@ -87,28 +91,6 @@ def rpy_from_rotation(R: ArrayLike) -> Array:
     theta[..., 1] = np.arctan2(-R[..., 2, 0], np.hypot(R[..., 0, 0], R[..., 1, 0]))
     theta[..., 0] = np.arctan2(s * R[..., 0, 2] - c * R[..., 1, 2], c * R[..., 1, 1] - s * R[..., 0, 1])
     return theta
-
-
-def angular_velocity_from_rpy(theta: ArrayLike, theta_dot: ArrayLike) -> Array:
-    """Return omega, rad/s, base frame, (..., 3), from angles (rad) and rates (rad/s), both (..., 3).
-
-    The three turns of (38) happen about e_x = Rz Ry x, e_y = Rz y and e_z = z, seen from the base, and
-    angular velocities about moving axes add up:  omega = e_x theta_x' + e_y theta_y' + e_z theta_z'.
-    """
-    theta, theta_dot = shaped_array(theta, (3,), "theta"), shaped_array(theta_dot, (3,), "theta_dot")
-    return _rows(_on_axes(_trig(theta), *_split(theta_dot)))
-
-
-def angular_acceleration_from_rpy(theta: ArrayLike, theta_dot: ArrayLike, theta_ddot: ArrayLike) -> Array:
-    """Return alpha, rad/s^2, base frame, (..., 3), from angles, rates and second rates (SI), all (..., 3).
-
-    The time derivative of omega = sum e_j theta_j'.  Each axis is carried by the turns outside of its own:
-    e_z' = 0,  e_y' = (e_z theta_z') x e_y,  e_x' = (e_z theta_z' + e_y theta_y') x e_x.  Hence
-    alpha = sum e_j theta_j'' + e_x' theta_x' + e_y' theta_y'.
-    """
-    theta, theta_dot = shaped_array(theta, (3,), "theta"), shaped_array(theta_dot, (3,), "theta_dot")
-    theta_ddot = shaped_array(theta_ddot, (3,), "theta_ddot")
-    return _rows(_acceleration(_trig(theta), _split(theta_dot), _split(theta_ddot)))
 
 
 def rotation_from_vector(phi: ArrayLike) -> Array:
@@ -346,7 +328,7 @@ def _acceleration(
 
 
 def _on_axes(trig: _Trig, x: Any, y: Any, z: Any) -> tuple[Array, Array, Array]:
-    """Components of e_x x + e_y y + e_z z with the axes of ``angular_velocity_from_rpy``."""
+    """Components of e_x x + e_y y + e_z z with the axes of ``rpy_motion``."""
     _, sy, sz, _, cy, cz = trig
     return cz * cy * x - sz * y, sz * cy * x + cz * y, z - sy * x
 
@@ -355,13 +337,91 @@ def _set_rows(components: tuple[Array, Array, Array], rows: Array) -> None:
     rows[..., 0], rows[..., 1], rows[..., 2] = components
 
 
-def _rows(components: tuple[Array, Array, Array]) -> Array:
-    """Vectors, (..., 3), of their components."""
-    return np.stack(np.broadcast_arrays(*components), axis=-1)
-
-
 def _split(vector: Array) -> tuple[Array, Array, Array]:
     return vector[..., 0], vector[..., 1], vector[..., 2]
+
+
+# Turns about the three axes in any order.
+
+# Angles are those about the axes of their names, whatever the order. With the axes renamed so that the order
+# reads "zyx" every order is (38). Where the new axes are left-handed, angles and angular velocities change
+# their signs.
+
+
+def motion_about_axes(
+    theta: Array, theta_dot: Array, theta_ddot: Array, order: str
+) -> tuple[Array, Array, Array]:
+    """Return R (..., 3, 3), omega and alpha, base frame, (..., 3), of angles, rates and second rates.
+
+    theta, theta_dot, theta_ddot: rad, rad/s and rad/s^2, (..., 3).  R is that of ``rotation_about_axes``.
+    """
+    axes, sign = _renamed(order)
+    theta, theta_dot, theta_ddot = (sign * each[..., axes] for each in (theta, theta_dot, theta_ddot))
+    R, omega, alpha = rpy_motion(theta, theta_dot, theta_ddot)
+    assert alpha is not None
+    back = np.argsort(axes)
+    return R[..., back[:, None], back], sign * omega[..., back], sign * alpha[..., back]
+
+
+def angles_from_rotation(R: Array, order: str) -> Array:
+    """Return angles, rad, (..., 3), of rotations (..., 3, 3): the inverse of ``rotation_about_axes``.
+
+    That about the middle axis of the order is at most pi/2; there the other two are open but for their sum or
+    difference.
+    """
+    axes, sign = _renamed(order)
+    return sign * rpy_from_rotation(R[..., axes[:, None], axes])[..., np.argsort(axes)]
+
+
+def distance_from_lock(theta: Array, order: str) -> Array:
+    """Return by how much angles (..., 3) are away from those of which two turn about one axis: 0 there, to 1.
+
+    It is the cosine of the angle about the order's middle axis; rates of the angles grow as its inverse.
+    """
+    return np.abs(np.cos(theta[..., "xyz".index(order[1])]))
+
+
+FAR_FROM_LOCK = 0.5
+"""A ``distance_from_lock`` at which rates of angles are at most twice those of the rotation."""
+
+
+def far_from_lock(R: Array) -> tuple[Array, str]:
+    """Return angles, rad, (n, 3), of rotations (n, 3, 3), and their order: "zyx" if that is far from lock.
+
+    Else it is that of the six whose least ``distance_from_lock`` is largest.
+    """
+    theta = angles_from_rotation(R, "zyx")
+    if distance_from_lock(theta, "zyx").min(initial=1.0) >= FAR_FROM_LOCK:
+        return theta, "zyx"
+    found = [(angles_from_rotation(R, order), order) for order in map("".join, itertools.permutations("zyx"))]
+    return max(found, key=lambda each: float(distance_from_lock(*each).min()))
+
+
+def angle_rates(theta: Array, omega: Array, alpha: Array, order: str) -> tuple[Array, Array]:
+    """Return theta_dot, rad/s, and theta_ddot, rad/s^2, (..., 3): the inverse of ``motion_about_axes``.
+
+    theta: rad, with a ``distance_from_lock`` > 0; omega, alpha: rad/s and rad/s^2, base frame, (..., 3).
+    """
+    axes, sign = _renamed(order)
+    theta, omega, alpha = (sign * each[..., axes] for each in (theta, omega, alpha))
+    turns = [rpy_motion(theta, np.broadcast_to(unit, theta.shape), None)[1] for unit in np.eye(3)]
+    E = np.stack(turns, axis=-1)
+    theta_dot = _solved(E, omega)
+    carried = rpy_motion(theta, theta_dot, np.zeros_like(theta))[2]
+    assert carried is not None
+    theta_ddot = _solved(E, alpha - carried)
+    back = np.argsort(axes)
+    return sign * theta_dot[..., back], sign * theta_ddot[..., back]
+
+
+def _solved(E: Array, vector: Array) -> Array:
+    return np.asarray(np.linalg.solve(E, vector[..., None])[..., 0], dtype=np.float64)
+
+
+def _renamed(order: str) -> tuple[NDArray[np.int64], float]:
+    """Axes that become x, y and z where ``order`` reads "zyx"; -1 where these are left-handed, else 1."""
+    axes = np.array(["xyz".index(axis) for axis in reversed(order)])
+    return axes, float(np.linalg.det(np.eye(3)[axes]).round())
 
 
 # Of one state in plain numbers, without NumPy's cost of a call: integrations need a dozen of them per step.

@@ -14,11 +14,17 @@ from numpy.typing import NDArray
 from ..io.arguments import instance
 from ..io.array_types import Array
 from ..io.tables import number
-from .euler_orders import FAR_FROM_LOCK, distance_from_lock, far_from_lock, motion_about_axes
 from .logs import LogFormat
 from .motion import Motion
 from .noise_level import grid_steps, rounding_step
-from .rotation import rotation_about_axes, rotation_from_quaternion
+from .rotation import (
+    FAR_FROM_LOCK,
+    distance_from_lock,
+    far_from_lock,
+    motion_about_axes,
+    rotation_about_axes,
+    rotation_from_quaternion,
+)
 
 # Trajectories from CSV
 

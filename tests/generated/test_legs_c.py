@@ -139,9 +139,10 @@ def test_from_rpy_is_made_of_the_functions_of_angles() -> None:
     assert motion.shape == theta.shape[:-1]
     assert not motion.R.flags.writeable
     np.testing.assert_array_equal(motion.R, rotation.rotation_from_rpy(theta))
-    np.testing.assert_array_equal(motion.omega, rotation.angular_velocity_from_rpy(theta, theta_dot))
-    alpha = rotation.angular_acceleration_from_rpy(theta, theta_dot, theta_ddot)
-    np.testing.assert_array_equal(motion.alpha, alpha)
+    for i in np.ndindex(motion.shape):
+        _, omega, alpha = rotation.rpy_motion(theta[i], theta_dot[i], theta_ddot)
+        np.testing.assert_array_equal(motion.omega[i], omega)
+        np.testing.assert_array_equal(motion.alpha[i], alpha)
 
 
 @pytest.mark.filterwarnings("ignore:overflow")

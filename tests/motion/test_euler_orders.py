@@ -11,12 +11,14 @@ from numpy.typing import NDArray
 import stewart_sym as ss
 from stewart_sym.dynamics.force_noise import force_deviations
 from stewart_sym.kinematics.robot_logs import read_log_of
-from stewart_sym.motion.euler_orders import angle_rates, angles_from_rotation, motion_about_axes
 from stewart_sym.motion.interpolation import followed
 from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.motion.logs import EULER_ORDERS
 from stewart_sym.motion.motion import Motion
 from stewart_sym.motion.rotation import (
+    angle_rates,
+    angles_from_rotation,
+    motion_about_axes,
     quaternion_from_rotation,
     rotation_about_axes,
     rotation_from_rpy,

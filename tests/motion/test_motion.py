@@ -12,12 +12,11 @@ from numpy.typing import NDArray
 
 from stewart_sym.motion.motion import Motion
 from stewart_sym.motion.rotation import (
-    angular_acceleration_from_rpy,
-    angular_velocity_from_rpy,
     cross,
     quaternion_from_rotation,
     rotation_from_rpy,
     rpy_from_rotation,
+    rpy_motion,
 )
 
 Array = NDArray[np.float64]
@@ -100,7 +99,7 @@ def test_omega_is_the_skew_part_of_R_dot_R_transposed(
     h = 1e-5
     ahead, behind = np.add(theta, h * np.array(rate)), np.subtract(theta, h * np.array(rate))
     R_dot = (rotation_from_rpy(ahead) - rotation_from_rpy(behind)) / (2.0 * h)
-    omega = angular_velocity_from_rpy(theta, rate)
+    omega = rpy_motion(np.array(theta), np.array(rate), None)[1]
     np.testing.assert_allclose(omega, skew_part(R_dot @ rotation_from_rpy(theta).T), atol=3e-7)
 
 
@@ -113,10 +112,12 @@ def test_alpha_is_the_derivative_of_omega(
     x, v, a = np.array(theta), np.array(rate), np.array(second)
 
     def omega(time: float) -> Array:
-        return angular_velocity_from_rpy(x + v * time + 0.5 * a * time**2, v + a * time)
+        return rpy_motion(x + v * time + 0.5 * a * time**2, v + a * time, None)[1]
 
     difference = (omega(h) - omega(-h)) / (2.0 * h)
-    np.testing.assert_allclose(angular_acceleration_from_rpy(x, v, a), difference, atol=3e-6)
+    alpha = rpy_motion(x, v, a)[2]
+    assert alpha is not None
+    np.testing.assert_allclose(alpha, difference, atol=3e-6)
 
 
 def test_from_rpy_fills_every_field() -> None:
@@ -134,9 +135,11 @@ def test_from_rpy_fills_every_field() -> None:
         assert held is not None
         np.testing.assert_array_equal(held, given_array)
     np.testing.assert_array_equal(motion.R, rotation_from_rpy(theta))
-    np.testing.assert_array_equal(motion.omega, angular_velocity_from_rpy(theta, theta_dot))
+    _, omega, alpha = rpy_motion(theta, theta_dot, theta_ddot)
+    np.testing.assert_array_equal(motion.omega, omega)
     assert motion.alpha is not None
-    np.testing.assert_array_equal(motion.alpha, angular_acceleration_from_rpy(theta, theta_dot, theta_ddot))
+    assert alpha is not None
+    np.testing.assert_array_equal(motion.alpha, alpha)
 
 
 def test_absent_parts_stay_none() -> None:
@@ -283,7 +286,6 @@ def test_from_rpy_names_the_wrong_argument(wrong: dict[str, Any], expected: str)
 def test_rotation_functions_name_the_wrong_shape() -> None:
     assert error_of(lambda: rotation_from_rpy(np.zeros(4))).startswith("theta: expected shape (..., 3)")
     assert error_of(lambda: rpy_from_rotation(ZERO)).startswith("R: expected shape (..., 3, 3)")
-    assert error_of(lambda: angular_velocity_from_rpy(ZERO, 1.0)).startswith("theta_dot: expected")
     assert error_of(lambda: rotation_from_rpy(["a"] * 3)).startswith("theta: expected real numbers")  # type: ignore[list-item]
     assert error_of(lambda: rpy_from_rotation("a")).startswith("R: expected real numbers")  # type: ignore[arg-type]
 

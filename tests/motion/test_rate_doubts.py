@@ -11,9 +11,9 @@ from log_files import write
 from numpy.typing import NDArray
 
 import stewart_sym as ss
-from stewart_sym.motion.euler_orders import motion_about_axes
 from stewart_sym.motion.log_reader import read_any_csv, read_csv
 from stewart_sym.motion.rate_doubts import rate_doubt
+from stewart_sym.motion.rotation import motion_about_axes
 
 Array = NDArray[np.float64]
 

@@ -3,8 +3,8 @@
 import numpy as np
 
 from ...io.array_types import Array
-from ...motion.euler_orders import angle_rates, angles_from_rotation, distance_from_lock
 from ...motion.motion import Motion
+from ...motion.rotation import angle_rates, angles_from_rotation, distance_from_lock
 from ...robot.robot import Robot
 from .output import Columns, of_axes, of_rotations
 
