@@ -115,10 +115,6 @@ def followed(trajectory: Trajectory) -> Callable[[float], Motion]:
     return at
 
 
-def _accelerates(motion: Motion) -> bool:
-    return motion.a is not None and motion.alpha is not None
-
-
 def _need_interpolable(trajectory: Trajectory | PoseLog) -> None:
     """Reject, by ValueError, fewer than two instants, times that don't increase, and no accelerations."""
     need_trajectory(trajectory)
@@ -127,7 +123,7 @@ def _need_interpolable(trajectory: Trajectory | PoseLog) -> None:
         raise ValueError(f"{trajectory.source}: expected at least 2 instants, got {len(time)}")
     if not (time[1:] > time[:-1]).all():
         raise ValueError(f"{trajectory.source}: expected increasing times")
-    if isinstance(trajectory, Trajectory) and not _accelerates(trajectory.motion):
+    if isinstance(trajectory, Trajectory) and trajectory.motion.a is None:
         raise ValueError(f"{trajectory.source}: expected a motion with accelerations, got none")
 
 

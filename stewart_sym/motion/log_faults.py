@@ -46,11 +46,6 @@ class Fault(NamedTuple):
     end: int | None
     size: float
 
-    @property
-    def rows(self) -> slice:
-        """The samples."""
-        return slice(self.first, self.end)
-
 
 def faults(time: Array, values: Array, sigma: Array) -> list[Fault]:
     """Return the faults of columns (n, c) with white noise sigma, (c,), 0 for none, in order of time.
@@ -103,7 +98,7 @@ def offsets(found: list[Fault], shape: tuple[int, ...]) -> Array:
     """By how much the samples of columns are off, of a shape (n, c)."""
     off = np.zeros(shape)
     for fault in found:
-        off[fault.rows, fault.column] += fault.size
+        off[fault.first : fault.end, fault.column] += fault.size
     return off
 
 
@@ -253,7 +248,7 @@ def tell_faults(log: Log, found: Sequence[Fault]) -> None:
     warnings.warn(
         f"{log.source}: numbers are off as no motion makes them{cause}: {'; '.join(lines)}{ending}: {done}",
         LogWarning,
-        stacklevel=7,
+        stacklevel=6,
     )
 
 
@@ -284,7 +279,7 @@ def tell_no_repair(log: Log, good: Array, found: list[Fault]) -> None:
         f"{len(rows)} of {len(good)} rows ({100.0 * share:.2g} %) are replaced, and numbers change by up to "
         f"{' and '.join(most)}: that is no repair, and the results are not to be trusted"
     )
-    warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=7)
+    warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=6)
 
 
 # Rows of a slower sensor
@@ -323,16 +318,16 @@ def slower_sampling(values: Array, steps: Array) -> Sampling | None:
         np.maximum(steps, _SAME_DIGITS * np.abs(values).max(axis=0, initial=0.0)) + np.finfo(float).tiny
     )
     change = np.abs(np.diff(values, axis=0)) / rounding
-    repeated = _regular(np.max(change, axis=1, initial=0.0), 0.0, len(values), 1)
+    repeated = _regular(np.max(change, axis=1, initial=0.0), 0.0, len(values))
     if repeated is not None:
         return Sampling(repeated, HELD)
     bend = np.abs(np.diff(values, n=2, axis=0)) / rounding
-    bent = _regular(np.max(bend, axis=1, initial=0.0), 2.5, len(values), 1)
+    bent = _regular(np.max(bend, axis=1, initial=0.0), 2.5, len(values))
     return None if bent is None else Sampling(bent, "interpolated linearly")
 
 
-def _regular(size: Array, quiet: float, count: int, offset: int) -> Rows | None:
-    """Rows, from entries of size above ``quiet``, that lie a few rows apart; None if they don't."""
+def _regular(size: Array, quiet: float, count: int) -> Rows | None:
+    """Rows next to entries of size above ``quiet`` that lie a few rows apart; None if they don't."""
     rows = np.flatnonzero(size > quiet)
     gaps = np.diff(rows)
     if len(rows) < _FEWEST or np.median(size[rows]) < _STEPS:
@@ -344,7 +339,7 @@ def _regular(size: Array, quiet: float, count: int, offset: int) -> Rows | None:
     if usual < 2.0 or np.mean(alike) < _REGULAR or np.min(gaps) < 0.5 * usual:
         return None
     every = max(2, round(usual))
-    seen = rows + offset
+    seen = rows + 1
     missing = [np.arange(a + every, b - every // 2, every) for a, b in itertools.pairwise(seen)]
     before, after = np.arange(seen[0] - every, -1, -every), np.arange(seen[-1] + every, count, every)
     return np.unique(np.concatenate([before, seen, after, *missing]))
@@ -423,7 +418,7 @@ def tell_plateaus(log: Log, values: Array, steps: Array) -> None:
             f"speed and stays there for {lasts:.3g} s in all ({100.0 * share:.2g} % of the rows; first at "
             f"row {log.rows[rows[0]]}): is it clipped? forces there and nearby are wrong"
         )
-        warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=7)
+        warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=6)
 
 
 def spread(time: Array, rows: Rows, found: Array) -> Array:
@@ -449,10 +444,8 @@ def unseen(time: Array, rows: Rows, second_rates: Array) -> Array:
     """
     time = elapsed(time)
     at, off = time[rows], np.zeros((3, len(time), second_rates.shape[1]))
-    for outside, end, near in (
-        (time < at[0], 0, slice(_NEAREST)),
-        (time > at[-1], -1, slice(-_NEAREST, None)),
-    ):
+    ends = (time < at[0], 0, slice(_NEAREST)), (time > at[-1], -1, slice(-_NEAREST, None))
+    for outside, end, near in ends:
         steps = np.diff(second_rates[near], axis=0) / np.diff(at[near])[:, None]
         since = np.abs(time[outside] - at[end])[:, None]
         fastest = np.abs(steps).max(axis=0)

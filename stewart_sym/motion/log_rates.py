@@ -27,9 +27,9 @@ from .log_faults import (
     tell_plateaus,
     unseen,
 )
-from .noise_level import LEAST_SAMPLES, Level, LogWarning, decided_noise, noise_level, stated
+from .noise_level import LEAST_SAMPLES, Level, LogWarning, decided_noise, noise_level
 from .smoothing import PAIRS, check_cutoff, smoothed
-from .trajectory import POSE, Log, Replaced, Uncertainty
+from .trajectory import Log, Replaced, Uncertainty
 
 _MIN_SPLINE_POINTS = 4
 # What needs SciPy, and what helps without.
@@ -92,7 +92,7 @@ def _tell_slower(log: Log, of: str, slower: Sampling) -> None:
     """Warn of what a slower sensor measured."""
     count, taken = len(slower.rows), "each taken for its first row"
     text = f"{of}{len(log.time)} rows are {slower.kind} between {count} measured ones, {taken}"
-    warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=8)
+    warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=7)
 
 
 def _measured(log: Log, values: Array, steps: Array, columns: slice, rows: Rows) -> tuple[Log, Array, Array]:
@@ -135,6 +135,8 @@ def _on_grid(grid: Array, noise: Uncertainty) -> Array:
 _LOST = 1e-6
 # Share of the steps that are not faster than the speed that counts.
 _FAST = 0.9
+# Share of the largest change of a second rate beyond which one counts.
+_CHANGED = 0.02
 
 
 def _lost_steps(log: Log, values: Array) -> Array | float:
@@ -164,10 +166,10 @@ def _replaced(log: Log, values: Array, steps: Array) -> tuple[Array, Uncertainty
     tell_no_repair(log, good, bad)
     found, noise = _derivatives(log, good, _level(log, noise_level(log.time, good, steps)))
     changed = found - _derivatives(log, values, level, tell=False)[0]
-    near = _changed_instants(changed)
-    return found, _with_changes(log.time, found, noise, changed, near)._replace(
-        replaced=_replaced_rows(log, bad, near)
-    )
+    size = np.abs(changed[2])
+    near = np.asarray((size > _CHANGED * size.max(axis=0)).any(axis=1))
+    noise = _with_changes(log.time, found, noise, changed, near)
+    return found, noise._replace(replaced=_replaced_rows(log, bad, near))
 
 
 def _with_changes(
@@ -217,7 +219,7 @@ def _derivatives(
         _warn_of_cutoff(log, values, found)
     if tell and _matters(noise):
         more = _CORRELATED.format(level.correlation) if level.correlation > 1.0 else ""
-        warnings.warn(f"{log.source}: {noise_text(noise)}: smoothed{more}", LogWarning, stacklevel=8)
+        warnings.warn(f"{log.source}: {noise_text(noise)}: smoothed{more}", LogWarning, stacklevel=7)
     return found, noise
 
 
@@ -244,7 +246,7 @@ def _with_jumps(log: Log, left: Array, noise: Uncertainty, tell: bool) -> Uncert
         when = time_text(log.time[worst], float(np.median(np.diff(log.time))))
         text = f"near {when} s a smooth motion is {off[worst].max():.2g} deviations of the noise off"
         more = "do accelerations jump? Forces there overshoot, as their deviations say"
-        warnings.warn(f"{log.source}: {text}: {more}", LogWarning, stacklevel=9)
+        warnings.warn(f"{log.source}: {text}: {more}", LogWarning, stacklevel=8)
     return _with_changes(log.time, noise.coordinates, noise, changed, near)
 
 
@@ -272,7 +274,7 @@ def _warn_of_cutoff(log: Log, values: Array, found: Array) -> None:
     if parts:
         text = f"the cut-off of {log.smoothing.cutoff:g} Hz removes changes {' and '.join(parts)}"
         warnings.warn(
-            f"{log.source}: {text}: motion, not noise, and the forces lack it", LogWarning, stacklevel=9
+            f"{log.source}: {text}: motion, not noise, and the forces lack it", LogWarning, stacklevel=8
         )
 
 
@@ -308,15 +310,22 @@ def noise_text(noise: Uncertainty) -> str:
 
 def _level(log: Log, shown: Level) -> Level:
     """Noise of six coordinates as stated or shown; with a cut-off only as stated."""
-    names = ("L", "L") if "L" in log.written else POSE
-    known = np.repeat([log.smoothing.stated(name) or 0.0 for name in names], 3)
+    known = _stated(log)
     if log.smoothing.cutoff is not None:
-        return stated(known)
+        return Level(known, known)
     return Level(
         np.where(known > 0.0, known, shown.sigma),
         np.where(known > 0.0, known, shown.least),
         1.0 if known.all() else shown.correlation,
     )
+
+
+def _stated(log: Log) -> Array:
+    """What is stated of the noise of six coordinates, (6,); 0 where nothing is."""
+    known = np.zeros(6)
+    for name, part in log.kinds():
+        known[part] = log.smoothing.stated(name) or 0.0
+    return known
 
 
 # Times that the scatter of a log is its stated noise without a warning. Smaller is soon harmful: the decided
@@ -342,7 +351,7 @@ def _warn_of_stated(log: Log, values: Array, steps: Array) -> None:
             raise ValueError(f"{statement}: expected less than {text(most)}; is its unit right?")
         doubt = _doubt_of_noise(known, log.time, values[:, part], steps[part], text)
         if doubt is not None:
-            warnings.warn(f"{statement}, but they {doubt}", LogWarning, stacklevel=8)
+            warnings.warn(f"{statement}, but they {doubt}", LogWarning, stacklevel=7)
 
 
 def _doubt_of_noise(
@@ -372,11 +381,10 @@ def _doubt_of_noise(
 
 def as_given(log: Log, found: Array, steps: Sequence[Array]) -> Uncertainty | None:
     """Uncertainty of coordinates and rates, (3, n, 6), all of them measured and rounded to steps, (3, 6)."""
-    names = ("L", "L") if "L" in log.written else POSE
     if log.smoothing.cutoff is not None:
         text = "the file has rates, which are taken as they are: the cut-off changes nothing"
-        warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=7)
-    known = np.repeat([log.smoothing.stated(name) or 0.0 for name in names], 3)
+        warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=6)
+    known = _stated(log)
     _warn_of_stated(log, found[0], steps[0])
     sigma = np.array(steps) / math.sqrt(12.0)
     sigma[0] = np.where(known > 0.0, known, sigma[0])
@@ -407,17 +415,7 @@ def _warn_of_gap(log: Log) -> None:
         f"{step[i] / usual:.3g} times the usual step of {usual:.3g} s"
     )
     more = f"; {gaps.size - 1} more gaps" if gaps.size > 1 else ""
-    warnings.warn(f"{log.source}: {text}{more}: bridged by a smooth curve", LogWarning, stacklevel=7)
-
-
-# Share of the largest change of a second rate beyond which one counts.
-_CHANGED = 0.02
-
-
-def _changed_instants(changed: Array) -> Flags:
-    """Instants, (n,), at which changes of coordinates and rates, (3, n, 6), count."""
-    size = np.abs(changed[2])
-    return np.asarray((size > _CHANGED * size.max(axis=0)).any(axis=1))
+    warnings.warn(f"{log.source}: {text}{more}: bridged by a smooth curve", LogWarning, stacklevel=6)
 
 
 def _replaced_rows(log: Log, bad: Sequence[Fault], near: Flags) -> tuple[Replaced, ...]:

@@ -70,22 +70,10 @@ def read_csv(
     Raises ``ValueError`` of one line that names the file and the row (the header is row 1) or column, and
     ``ImportError`` when an interpolating spline is needed and SciPy is missing.
     """
-    found = read_any_csv(path, form, smoothing)
+    found = read_log(path, form, smoothing)
     if isinstance(found, JointTrajectory):
         raise ValueError(f"{found.source}: expected poses, t_* and theta_*, got leg lengths L_1 to L_6")
-    return found
-
-
-def read_any_csv(
-    path: str | os.PathLike[str], form: LogFormat = PLAIN, smoothing: Smoothing = AS_SHOWN
-) -> Trajectory | JointTrajectory:
-    """Read a trajectory of poses, as ``read_csv``, or of leg lengths: the header tells which it is.
-
-    Columns of the latter: ``time``; ``L_1`` to ``L_6`` (m); optionally all of ``L_dot_*`` and ``L_ddot_*``,
-    else those of a spline as for poses; optionally loads.  Raises as ``read_csv``.
-    """
-    found = read_log(path, form, smoothing)
-    return found if isinstance(found, JointTrajectory) else trajectory_from(found)
+    return trajectory_from(found)
 
 
 def read_log(
@@ -94,7 +82,11 @@ def read_log(
     smoothing: Smoothing = AS_SHOWN,
     progress: Progress = silent,
 ) -> PoseLog | JointTrajectory:
-    """Read a trajectory as ``read_any_csv``, of poses as coordinates: for long logs, with progress."""
+    """Read poses, as ``read_csv``, as coordinates, or leg lengths, with progress: the header tells which.
+
+    Columns of the latter: ``time``; ``L_1`` to ``L_6`` (m); optionally all of ``L_dot_*`` and ``L_ddot_*``,
+    else those of a spline as for poses; optionally loads.  Raises as ``read_csv``.
+    """
     log = _on_even_clock(_read(path, form, smoothing, progress))
     progress(f"differentiating {len(log.rows)} rows")
     return _joint_trajectory(log) if "L" in log.written else _pose_log(log)
@@ -141,7 +133,7 @@ def _on_even_clock(log: Log) -> Log:
         return log
     rounded, step = (f"{1e3 * number:.6g} ms" for number in (clock.rounded, clock.step))
     text = f"time: rounded to {rounded}: rows are taken every {step}"
-    warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=5)
+    warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=4)
     return dataclasses.replace(log, time=clock.times)
 
 
@@ -150,23 +142,14 @@ def trajectory_from(log: PoseLog) -> Trajectory:
     return Trajectory(log.time, log.motion, log.source, log.rows, log.noise)
 
 
-def read_forces_csv(path: str | os.PathLike[str], form: LogFormat = PLAIN) -> tuple[Array, Array]:
-    """Read actuator forces over time: columns ``time`` (s), increasing, and ``F1`` to ``F6`` (N).
-
-    Other columns, such as those that the command ``forces`` writes, are read over. form: unit of time, marks
-    and names of the columns. Returns times (n,) and forces (n, 6). Raises ``ValueError`` of one line that
-    names the file and the row or column.
-    """
-    time, forces, _ = read_leg_columns(path, form, (FORCES,))
-    return time, forces
-
-
 def read_leg_columns(
     path: str | os.PathLike[str], form: LogFormat, groups: Sequence[tuple[str, ...]]
 ) -> tuple[Array, Array, tuple[str, ...]]:
-    """Read six columns over time as ``read_forces_csv`` does: those of the first group that the file has.
+    """Read six columns over ``time`` (s), increasing: those of the first group that the file has.
 
-    Returns times (n,), the columns (n, 6) and their names.
+    Other columns, such as those that the command ``forces`` writes, are read over. form: unit of time, marks
+    and names of the columns. Returns times (n,), the columns (n, 6) and their names. Raises ``ValueError`` of
+    one line that names the file and the row or column.
     """
     source = file_name(path)
     group = groups[0]
@@ -197,7 +180,7 @@ _MOST_ACCELERATION, _LEAST_ACCELERATION = 1e5, 1e-4
 
 
 def _warn(log: Log, text: str) -> None:
-    warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=7)
+    warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=6)
 
 
 def _warn_of_angles(log: Log) -> None:
@@ -286,10 +269,7 @@ def _joint_trajectory(log: Log) -> JointTrajectory:
             f"{log.source}: row {log.rows[i]}: L_{leg + 1}: expected a length > 0 m, got {L[i, leg]:g}"
         )
     if "L_dot" in log.written:
-        found = np.empty((3, *L.shape))
-        found[0] = L
-        for i, name in enumerate(_LENGTH_DERIVATIVES):
-            found[i + 1] = log.vector(name)
+        found = np.stack([L, *map(log.vector, _LENGTH_DERIVATIVES)])
         noise = as_given(log, found, [log.steps(name) for name in ("L", "L_dot", "L_ddot")])
         _warn_of_rates(log, found, (*_LENGTHS, *_LENGTH_DERIVATIVES))
     else:

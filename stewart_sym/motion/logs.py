@@ -15,7 +15,7 @@ import math
 import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, BinaryIO, NamedTuple, Self
+from typing import Any, BinaryIO, NamedTuple, Self
 
 import numpy as np
 
@@ -29,13 +29,11 @@ from .text.clock import READ, Clock, instant
 from .text.head import MARKS, Head, is_value, read_head, without_row
 from .text.unit_row import ANGLE_UNITS, LENGTH_UNITS, TIME_UNITS, UNITS, units_of
 
-if TYPE_CHECKING:
-    import _csv
-
 DELIMITERS = dict(zip(("comma", "semicolon", "tab"), MARKS, strict=True))
 DECIMALS = {"point": ".", "comma": ","}
 LENGTHS = ("absolute", "relative")
 """Leg lengths by themselves, and less those at the home pose."""
+_SI = {"length_unit": "m", "angle_unit": "rad", "time_unit": "s"}
 EULER_ORDERS = tuple("".join(order) for order in itertools.permutations("xyz"))
 
 # Rows and bytes that are read at a time.
@@ -95,14 +93,14 @@ class LogFormat:
         option(self.lengths, LENGTHS, "lengths")
         detected: dict[str, Mapping[str, object]]
         detected = {**UNITS, "delimiter": DELIMITERS, "decimal": DECIMALS}
-        for name in ("length_unit", "angle_unit", "time_unit", "delimiter", "decimal"):
+        for name in (*_SI, "delimiter", "decimal"):
             if getattr(self, name) is not None:
                 option(getattr(self, name), tuple(detected[name]), name)
 
     @property
     def units(self) -> dict[str, str | None]:
         """Given units by the names of their arguments."""
-        return {name: getattr(self, name) for name in ("length_unit", "angle_unit", "time_unit")}
+        return {name: getattr(self, name) for name in _SI}
 
     @property
     def metres(self) -> float:
@@ -127,12 +125,9 @@ class LogFormat:
         LogFormat
             With all units.
         """
-        return dataclasses.replace(
-            self,
-            length_unit=self.length_unit or units.get("length_unit", "m"),
-            angle_unit=self.angle_unit or units.get("angle_unit", "rad"),
-            time_unit=self.time_unit or units.get("time_unit", "s"),
-        )
+        chosen: dict[str, Any]
+        chosen = {name: given or units.get(name, _SI[name]) for name, given in self.units.items()}
+        return dataclasses.replace(self, **chosen)
 
 
 class Table(NamedTuple):
@@ -190,7 +185,7 @@ def read_columns(
                 f"{source}: row {rows[-1]}: expected as many decimals as above or a line ending: "
                 "the file may be cut off",
                 LogWarning,
-                stacklevel=4,
+                stacklevel=5,
             )
     # Divided, times are the nearest doubles of what is written.
     columns["time"] /= round(1.0 / TIME_UNITS[form.time_unit or "s"])
@@ -227,7 +222,7 @@ def _without_repeated(
         f"{source}: {many} the time and all numbers of the row above, the first is row {rows[again[0]]}: "
         "taken once",
         LogWarning,
-        stacklevel=5,
+        stacklevel=6,
     )
     kept = np.delete(np.array(rows), again)
     return {name: np.delete(column, again) for name, column in columns.items()}, kept.tolist()
@@ -284,7 +279,16 @@ def _columns(
         reader = csv.reader(itertools.chain(part, lines), delimiter=head.delimiter, skipinitialspace=True)
         rows = array.array("q", rows)
         try:
-            _add_rows(reader, above, header, source, decimal, clock, numbers, rows, read)
+            for cells in reader:
+                if not any(cell.strip() for cell in cells):
+                    continue
+                row = above + reader.line_num
+                rows.append(row)
+                if len(rows) % _ROWS == 0:
+                    read()
+                values = _row(cells, header, f"{source}: row {row}: ", decimal, clock)
+                for column, value in zip(numbers, values, strict=True):
+                    column.append(value)
         except csv.Error as error:
             raise ValueError(f"{source}: row {above + reader.line_num}: not valid CSV: {error}") from None
     names = (name for name in header if name is not None)
@@ -350,7 +354,7 @@ def _expected_names(header: list[str], source: str, form: LogFormat) -> list[str
 def _plain_table(lines: list[str], width: int, used: list[int], delimiter: str, decimal: str) -> Array | None:
     """Numbers of the used columns, (n, used), where all ``width`` columns are in order; else None.
 
-    A tenth of the time that ``_add_rows`` takes, which names what is not in order.
+    A tenth of the time that ``csv`` takes, whose rows name what is not in order.
     """
     # A point beside decimal commas is no decimal mark.
     if not lines[0].strip() or (decimal != "." and any("." in line for line in lines)):
@@ -366,30 +370,6 @@ def _plain_table(lines: list[str], width: int, used: list[int], delimiter: str, 
     except ValueError:
         return None
     return found if found.shape == (len(lines), len(used)) and np.isfinite(found).all() else None
-
-
-def _add_rows(
-    reader: _csv.Reader,
-    above: int,
-    header: list[str | None],
-    source: str,
-    decimal: str,
-    clock: Clock | None,
-    numbers: list[array.array[float]],
-    rows: array.array[int],
-    read: Callable[[], None],
-) -> None:
-    """Add the numbers of the used columns, row after row, and the rows; ``above``: lines before them."""
-    for cells in reader:
-        if not any(cell.strip() for cell in cells):
-            continue
-        row = above + reader.line_num
-        rows.append(row)
-        if len(rows) % _ROWS == 0:
-            read()
-        where = f"{source}: row {row}: "
-        for column, value in zip(numbers, _row(cells, header, where, decimal, clock), strict=True):
-            column.append(value)
 
 
 def _row(

@@ -61,11 +61,6 @@ class Level(NamedTuple):
     correlation: float = 1.0
 
 
-def stated(sigma: Array) -> Level:
-    """A level that is known."""
-    return Level(sigma, sigma)
-
-
 def noise_level(time: Array, values: Array, step: Array | None = None) -> Level:
     """Noise of each column of (n, c); 0 where there is none.
 
@@ -214,16 +209,7 @@ def white_noise(time: Array, values: Array) -> Array:
     """Standard deviation of noise from one sample to the next, (c,), from divided differences; 0 for none."""
     if len(time) < LEAST_SAMPLES:
         return np.zeros(values.shape[1])
-    return _noisy_columns(*_levels(elapsed(time), values), values)
-
-
-def _levels(time: Array, values: Array) -> tuple[Array, Array]:
-    """Noise as differences of low and of high order show it, (c,) each."""
-    low, high = (_difference_level(time, values, order) for order in (5, 8))
-    return low, high
-
-
-def _noisy_columns(low: Array, high: Array, values: Array) -> Array:
+    low, high = _levels(elapsed(time), values)
     counts = high > 10.0**-_EXACT_DIGITS * np.abs(values).max(axis=0)
     noisy = (high > 0.6 * low) & counts
     if 2 * np.count_nonzero(noisy) >= len(noisy):
@@ -231,6 +217,15 @@ def _noisy_columns(low: Array, high: Array, values: Array) -> Array:
         usual = float(np.median(high[noisy]))
         noisy |= counts & (high > usual / _ALIKE) & (low < usual * _ALIKE)
     return np.where(noisy, high, 0.0)
+
+
+def _levels(time: Array, values: Array) -> tuple[Array, Array]:
+    """Noise as differences of low and of high order show it, (c,) each.
+
+    Of the smallest fifth of them, in which there is no jump of an acceleration.
+    """
+    low, high = (_size_quantiles(_differences(time, values, order))[0] for order in (5, 8))
+    return low, high
 
 
 def _correlation(time: Array, values: Array, rounding: Array) -> float:
@@ -268,14 +263,6 @@ def _written(values: Array, digits: int, decades: Array | int) -> bool:
         if not (np.rint(values[part] * per_step) / per_step == values[part]).all():
             return False
     return True
-
-
-def _difference_level(time: Array, values: Array, order: int) -> Array:
-    """Size of divided differences, (c,), over that for white noise of deviation 1.
-
-    Of the smallest fifth of them, in which there is no jump of an acceleration.
-    """
-    return np.asarray(_size_quantiles(_differences(time, values, order))[0])
 
 
 def _size_quantiles(differences: Array) -> Array:

@@ -25,7 +25,7 @@ from ..io.array_types import Array
 from ..io.instants import elapsed
 from ..io.tables import positive
 from .interpolation import DEGREE, along, b_splines, dense, places
-from .noise_level import SEEN, Level, noise_level, stated
+from .noise_level import SEEN, Level, noise_level
 
 ORDERS = (3, 4, 6, 8)
 """Orders of differences in the penalty: the lowest suits accelerations that jump, high ones smooth motion."""
@@ -115,7 +115,8 @@ def smooth(
         given = real_array(sigma, "sigma")
         if given.shape not in ((), columns.shape[1:]):
             raise ValueError(f"sigma: expected one number or {columns.shape[1]}, got shape {given.shape}")
-        level = stated(np.array(np.broadcast_to(given, columns.shape[1:])))
+        known = np.array(np.broadcast_to(given, columns.shape[1:]))
+        level = Level(known, known)
     if sigma is not None or cutoff is None:
         bad = ~(np.isfinite(level.sigma) & (level.sigma > 0.0))
         if bad.any() and sigma is None:

@@ -18,7 +18,7 @@ from stewart_sym.cli.main import main
 from stewart_sym.dynamics.home_pose import home_pose
 from stewart_sym.kinematics.conditioning import characteristic_length
 from stewart_sym.kinematics.inverse import inverse_kinematics
-from stewart_sym.motion.log_reader import read_any_csv
+from stewart_sym.motion.log_reader import read_log
 from stewart_sym.robot.robot import Robot
 from stewart_sym.studies.reports.identify import NORMAL
 
@@ -235,7 +235,7 @@ def test_identify_writes_a_table_a_trajectory_and_forces(
 
 
 def test_written_trajectory_and_forces_give_the_written_estimates(simulated: Path) -> None:
-    motion = read_any_csv(simulated / "trajectory.csv").motion
+    motion = read_log(simulated / "trajectory.csv").motion
     F = np.loadtxt(simulated / "forces.csv", delimiter=",", skiprows=1)[:, 1:]
     found = ss.identify(dasgupta(), motion, F, 1.0)
     with open(simulated / "parameters.csv", newline="") as stream:

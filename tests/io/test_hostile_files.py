@@ -27,7 +27,8 @@ from sweeps import share
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
-from stewart_sym.motion.log_reader import read_any_csv, read_csv, read_forces_csv
+from stewart_sym.motion.log_reader import FORCES as FORCE_NAMES
+from stewart_sym.motion.log_reader import PLAIN, read_csv, read_leg_columns, read_log
 from stewart_sym.robot.robot import Robot
 from stewart_sym.simulation.scene import read_scene
 
@@ -45,14 +46,15 @@ stiffness = 2e5
 POSES = b"time,t_x,t_y,t_z,theta_x,theta_y,theta_z\n" + b"".join(
     b"%d,0.2,0,0.5,0,0,0\n" % i for i in range(6)
 )
+read_forces = functools.partial(read_leg_columns, form=PLAIN, groups=(FORCE_NAMES,))
 FORCES = b"time,F1,F2,F3,F4,F5,F6\n0,1,2,3,4,5,6\n"
 
 READERS: dict[str, tuple[Callable[[Any], Any], bytes]] = {
     "robot": (Robot.from_toml, ROBOT),
     "scene": (read_scene, SCENE),
     "poses": (read_csv, POSES),
-    "motion": (read_any_csv, POSES),
-    "forces": (read_forces_csv, FORCES),
+    "motion": (read_log, POSES),
+    "forces": (read_forces, FORCES),
     "robot of schema 2": (Robot.from_toml, ss.robots.text("rubin_camera").encode()),
 }
 TOML = ("robot", "scene", "robot of schema 2")
@@ -178,7 +180,7 @@ def test_scenes_take_no_number_of_thousands_of_digits(key: bytes, tmp_path: Path
 def test_a_column_given_twice_is_shown_in_one_line(column: bytes, tmp_path: Path) -> None:
     header, numbers, _ = FORCES.split(b"\n")
     twice = b"\n".join([b",".join([header, column, column]), numbers + b",0,0", b""])
-    assert rejected(read_forces_csv, written(tmp_path, twice)).endswith("is given twice")
+    assert rejected(read_forces, written(tmp_path, twice)).endswith("is given twice")
 
 
 def repeated(line: bytes) -> bytes:
@@ -206,8 +208,9 @@ def test_ten_megabytes_are_read_or_rejected_in_seconds_and_little_memory(name: s
     code = (
         "import sys, warnings\nwarnings.simplefilter('ignore')\n"
         "from stewart_sym.robot.robot import Robot\nfrom stewart_sym.simulation.scene import read_scene\n"
-        "from stewart_sym.motion.log_reader import read_any_csv, read_forces_csv\n"
-        "for read in (Robot.from_toml, read_scene, read_any_csv, read_forces_csv):\n"
+        "from stewart_sym.motion.log_reader import FORCES, PLAIN, read_leg_columns, read_log\n"
+        "read_forces = lambda path: read_leg_columns(path, PLAIN, (FORCES,))\n"
+        "for read in (Robot.from_toml, read_scene, read_log, read_forces):\n"
         "    try:\n        read(sys.argv[1])\n    except ValueError as error:\n        print(error)\n"
     )
 

@@ -12,7 +12,7 @@ from robot_files import PAPERS
 import stewart_sym as ss
 from stewart_sym.cli.main import main
 from stewart_sym.kinematics.pose_search import jacobian
-from stewart_sym.motion.log_reader import read_any_csv, read_csv
+from stewart_sym.motion.log_reader import read_csv, read_log
 from stewart_sym.motion.rotation import rotation_from_rpy
 from stewart_sym.motion.trajectory import JointTrajectory
 from stewart_sym.studies.common.output import csv_lines
@@ -174,7 +174,7 @@ def test_lengths_without_rates_are_differentiated(tmp_path: Path) -> None:
     L = lengths(dasgupta(), np.eye(3), HOME) + swing
     trajectory = tmp_path / "legs.csv"
     trajectory.write_text("".join(csv_lines({"time": time, **dict(zip(LEGS, L.T, strict=True))})))
-    read = read_any_csv(trajectory)
+    read = read_log(trajectory)
     assert isinstance(read, JointTrajectory)
     slope = np.gradient(L, time, axis=0, edge_order=2)
     np.testing.assert_allclose(read.L_dot, slope, atol=2e-3)

@@ -16,7 +16,7 @@ from whole_track import track
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
-from stewart_sym.motion.log_reader import read_csv, read_forces_csv
+from stewart_sym.motion.log_reader import FORCES, PLAIN, read_csv, read_leg_columns
 from stewart_sym.motion.logs import EULER_ORDERS, LENGTH_UNITS, LogFormat
 from stewart_sym.motion.rotation import quaternion_from_rotation, rotation_from_rpy
 from stewart_sym.motion.trajectory import PoseLog, Trajectory
@@ -421,5 +421,5 @@ def test_times_rounded_to_milliseconds_are_those_of_their_even_clock(tmp_path: P
     np.testing.assert_allclose(found.time, plain.time, rtol=0.0, atol=1e-5)
     np.testing.assert_allclose(found.motion.a, plain.motion.a, atol=1e-3 * np.abs(plain.motion.a).max())
     names = ["time", *(f"F{leg}" for leg in range(1, 7))]
-    time, _ = read_forces_csv(write(tmp_path / "forces.csv", names, rows))
+    time, *_ = read_leg_columns(write(tmp_path / "forces.csv", names, rows), PLAIN, (FORCES,))
     np.testing.assert_array_equal(time, found.time)

@@ -13,7 +13,7 @@ from sweeps import share
 
 import stewart_sym as ss
 from stewart_sym.motion import smoothing
-from stewart_sym.motion.log_reader import read_any_csv, read_csv
+from stewart_sym.motion.log_reader import read_csv, read_log
 from stewart_sym.motion.noise_level import grid_steps, rounding_step, white_noise
 from stewart_sym.motion.rotation import rpy_from_rotation
 from stewart_sym.motion.trajectory import JointTrajectory, Trajectory, Uncertainty
@@ -239,7 +239,7 @@ def test_deviations_of_leg_lengths_reach_the_forces(tmp_path: Path) -> None:
         table = np.round(np.hstack([one.time[:, None], legs.L]), 5)
         path = write(tmp_path / "log.csv", ["time", *LENGTHS], table)
         with pytest.warns(ss.LogWarning, match="smoothed"):
-            log = read_any_csv(path)
+            log = read_log(path)
         assert isinstance(log, JointTrajectory)
         log = log._replace(time=one.time)
         trajectory = on_platform(one.robot, log, (motion(one.true).R[0], one.true[0, 0, :3]))

@@ -11,7 +11,7 @@ from log_files import write
 from numpy.typing import NDArray
 
 import stewart_sym as ss
-from stewart_sym.motion.log_reader import read_any_csv, read_csv
+from stewart_sym.motion.log_reader import read_csv, read_log
 from stewart_sym.motion.rate_doubts import rate_doubt
 from stewart_sym.motion.rotation import motion_about_axes
 
@@ -45,7 +45,7 @@ def test_rates_that_times_contradict_by_a_unit_are_warned_of(
     with pytest.warns(
         ss.LogWarning, match=f"odd.csv: coordinates change by .* what their rates say: .*{words}"
     ):
-        read_any_csv(write(tmp_path / "odd.csv", names, table))
+        read_log(write(tmp_path / "odd.csv", names, table))
 
 
 @pytest.mark.parametrize("noise", [0.0, 1e-3], ids=["", "noisy"])

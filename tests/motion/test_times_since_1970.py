@@ -13,7 +13,7 @@ import stewart_sym as ss
 from stewart_sym.io.instants import elapsed, lost
 from stewart_sym.kinematics.inverse import leg_vectors
 from stewart_sym.motion.interpolation import between, followed, resampled
-from stewart_sym.motion.log_reader import read_any_csv, read_csv
+from stewart_sym.motion.log_reader import read_csv, read_log, trajectory_from
 from stewart_sym.motion.logs import TIME_UNITS, LogFormat
 from stewart_sym.motion.trajectory import JointTrajectory, Trajectory
 from stewart_sym.singularities.joint_space import on_platform
@@ -52,11 +52,11 @@ def read(path: Path, kind: str, rate: int, unit: str, start: int, noise: float =
     path.write_text("\n".join([header, *rows]) + "\n")
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ss.LogWarning)
-        found = read_any_csv(path, LogFormat(time_unit=unit))
+        found = read_log(path, LogFormat(time_unit=unit))
     np.testing.assert_array_equal(
         found.time, [float(TEXTS["s"](10**6 * start + 10**6 // rate * i)) for i in range(400)]
     )
-    return on_platform(ROBOT, found) if isinstance(found, JointTrajectory) else found
+    return on_platform(ROBOT, found) if isinstance(found, JointTrajectory) else trajectory_from(found)
 
 
 def forces(trajectory: Trajectory) -> Array:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from robot_files import PAPERS
 
 from stewart_sym.cli.main import main
-from stewart_sym.motion.log_reader import read_csv, read_forces_csv
+from stewart_sym.motion.log_reader import FORCES, PLAIN, read_csv, read_leg_columns
 from stewart_sym.motion.logs import LogFormat
 from stewart_sym.motion.noise_level import LogWarning
 from stewart_sym.motion.trajectory import Trajectory
@@ -253,7 +253,7 @@ def test_dated_forces_are_rejected_since_their_start_is_not_that_of_the_poses(tm
     path = tmp_path / "forces.csv"
     path.write_text("time,F1,F2,F3,F4,F5,F6\n10:00:00,1,2,3,4,5,6\n")
     with pytest.raises(ValueError, match="row 2: time: expected seconds as in the trajectory"):
-        read_forces_csv(path)
+        read_leg_columns(path, PLAIN, (FORCES,))
 
 
 def test_velocities_alone_are_left_out_as_the_error_says(

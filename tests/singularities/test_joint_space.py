@@ -15,7 +15,7 @@ from sweeps import share, sweep
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
-from stewart_sym.motion.log_reader import read_any_csv
+from stewart_sym.motion.log_reader import read_log
 from stewart_sym.motion.trajectory import JointTrajectory
 from stewart_sym.singularities import joint_space
 from stewart_sym.singularities.joint_space import on_platform
@@ -99,7 +99,7 @@ def logged(time: Array, L: Array, folder: Path) -> JointTrajectory:
     np.savetxt(folder / "log.csv", table, fmt="%.12g", delimiter=",", header=header, comments="")
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ss.LogWarning)
-        log = read_any_csv(folder / "log.csv")
+        log = read_log(folder / "log.csv")
     assert isinstance(log, JointTrajectory)
     return log
 

@@ -23,8 +23,8 @@ with atheris.instrument_imports(include=["stewart_sym.simulation.scene", "stewar
 READERS = (
     stewart_sym.robot.robot.Robot.from_toml,
     scene.read_scene,
-    log_reader.read_any_csv,
-    log_reader.read_forces_csv,
+    log_reader.read_log,
+    lambda path: log_reader.read_leg_columns(path, log_reader.PLAIN, (log_reader.FORCES,)),
 )
 LONGEST = 1000
 
