@@ -9,7 +9,6 @@ are roots of the interpolated motion.
 from __future__ import annotations
 
 import itertools
-import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -18,10 +17,9 @@ from typing import NamedTuple
 import numpy as np
 
 from ..drives.friction import constant_part, load_share, viscous
+from ..drives.rotors import LegRates, leg_rates, product, rotors_by_acceleration
 from ..io.array_types import Array
-from ..kinematics.inverse import leg_vectors, length_rows
 from ..motion.motion import Motion
-from ..motion.rotation import cross
 from ..results import SINGULAR
 from ..robot.drive import Drive
 from ..robot.robot import LEGS, Robot
@@ -87,7 +85,7 @@ class StickSlip:
 
     def begin(self, time: float, state: Motion, motor: Array) -> Motion:
         """Set the modes of a first state: legs at rest stick if they can."""
-        L_dot = _legs(self.robot, state).L_dot
+        L_dot = leg_rates(self.robot, state).L_dot
         self.modes = tuple(int(sign) for sign in np.sign(L_dot))
         return self.settled(time, state, motor)
 
@@ -112,9 +110,9 @@ class StickSlip:
             return state
         twist = np.zeros((*state.shape, 6))
         if len(resting) < LEGS:
-            J = _legs(self.robot, state).J[..., resting, :]
+            J = leg_rates(self.robot, state).J[..., resting, :]
             twist = np.concatenate([state.v, state.omega], axis=-1)
-            twist = twist - _times(np.asarray(np.linalg.pinv(J)), _times(J, twist))
+            twist = twist - product(np.asarray(np.linalg.pinv(J)), product(J, twist))
         v, omega = twist[..., :3], twist[..., 3:]
         return Motion.unchecked(state.R, state.t, omega, v, F_ext=state.F_ext, M_ext=state.M_ext)
 
@@ -172,14 +170,14 @@ class StickSlip:
         """Accelerations of states (...) with their load under the motors' forces, N, (..., 6), in modes."""
         modes = self.modes if modes is None else modes
         sign = np.array(modes, dtype=np.float64)
-        legs = _legs(self.robot, state)
+        legs = leg_rates(self.robot, state)
         left = motor - self._viscous * legs.L_dot - sign * constant_part(self.drive, legs.L_dot)
         if sign.all() and not self._rotors_count:
             # F + sign mu |F| = left: F has the sign of left, and mu goes by the direction of power.
             F = left / (1.0 + sign * np.sign(left) * load_share(self.drive, left, sign))
             accelerations, status = self._accelerations(state, F[..., None, :])
             acceleration = accelerations[..., 0, :]
-            return Found(acceleration, F, F, motor - F, _times(legs.J, acceleration) + legs.own, status)
+            return Found(acceleration, F, F, motor - F, product(legs.J, acceleration) + legs.own, status)
         # Accelerations are linear in the forces: without any, and with one leg's at a time.
         answers, status = self._accelerations(state, self._probes)
         first = answers[..., 0, :]
@@ -191,8 +189,8 @@ class StickSlip:
         except np.linalg.LinAlgError:
             nothing = np.zeros_like(left)
             return Found(nothing * np.nan, nothing, nothing, nothing, nothing, status or SINGULAR)
-        acceleration = first + _times(B, F) if sign.any() else np.zeros_like(F)
-        return Found(acceleration, F, within, motor - F, _times(legs.J, acceleration) + legs.own, 0)
+        acceleration = first + product(B, F) if sign.any() else np.zeros_like(F)
+        return Found(acceleration, F, within, motor - F, product(legs.J, acceleration) + legs.own, 0)
 
     def _accelerations(self, state: Motion, forces: Array) -> tuple[Array, int]:
         """[a; alpha] of states (...) under each of m forces, N, (..., m, 6) or (m, 6), first status not 0."""
@@ -205,7 +203,7 @@ class StickSlip:
         return found, next((status for _, status in rows if status), 0)
 
     def _forces_of(
-        self, left: Array, sign: Array, legs: _Legs, first: Array, B: Array
+        self, left: Array, sign: Array, legs: LegRates, first: Array, B: Array
     ) -> tuple[Array, Array]:
         """Forces of the legs and those between their parts, N, (..., 6), by accelerations first + B F.
 
@@ -213,19 +211,19 @@ class StickSlip:
         """
         own, by = np.zeros(LEGS), _UNIT
         if self._rotors_count:
-            alone, per = self._rotor(legs)
-            own, by = -(alone + _times(per, first)), _UNIT - per @ B
+            alone, per = rotors_by_acceleration(self.robot, legs)
+            own, by = -(alone + product(per, first)), _UNIT - per @ B
         resting = sign == 0.0
         A, right = _UNIT, left
         if resting.any():
             A = np.where(resting[:, None], legs.J @ B, _UNIT)
-            right = np.where(resting, -(_times(legs.J, first) + legs.own), left)
+            right = np.where(resting, -(product(legs.J, first) + legs.own), left)
         within = left
         for _ in range(_MOST_SIGNS):
             # Friction in proportion to the force between the parts, of the sign that this is taken to have.
             share = sign * np.sign(within) * load_share(self.drive, within, sign)
             F = _solved(A + share[..., None] * by, right - share * own)
-            before, within = within, own + _times(by, F)
+            before, within = within, own + product(by, F)
             if np.array_equal(np.sign(before), np.sign(within)):
                 break
         return F, within
@@ -236,31 +234,6 @@ class StickSlip:
         drive = self.drive
         lossy = np.any(drive.efficiency != 1.0) or np.any(drive.back_efficiency != 1.0)
         return bool(lossy and np.any(drive.rotor_inertia))
-
-    def _rotor(self, legs: _Legs) -> tuple[Array, Array]:
-        """What turns the rotors, N: without accelerations, (..., 6), and per acceleration, (..., 6, 6).
-
-        By Lddot, (8), and by the leg's spin about itself, (k.s) (y.sdot) / y^2 with y = k x s, and its rate.
-        """
-        k, (m_r, j_r) = self.robot.k, self._rotors
-        alone, per = m_r * legs.own, m_r[:, None] * legs.J
-        if self.robot.base_joint == "spherical":
-            return alone, per
-        s, L = legs.J[..., :3], legs.L
-        s_dot = (legs.tip - legs.L_dot[..., None] * s) / L[..., None]
-        y = cross(k, s)
-        square = _dot(y, y)
-        along, along_dot, about = _dot(k, s), _dot(k, s_dot), _dot(y, s_dot)
-        row = (along / (L * square))[..., None] * y
-        quick = along_dot * (1.0 + 2.0 * along**2 / square) - 2.0 * legs.L_dot / L * along
-        quick = _dot(row, legs.turned) + about / square * quick
-        rows = np.concatenate([row, cross(legs.q, row)], axis=-1)
-        return alone + j_r * quick, per + j_r[:, None] * rows
-
-    @cached_property
-    def _rotors(self) -> tuple[Array, Array]:
-        """Reflected masses, kg, and angular momenta per rate of length, kg m, (6,) each."""
-        return self.robot.m_r, self.robot.j_r
 
     @cached_property
     def _viscous(self) -> Array:
@@ -323,7 +296,7 @@ class StickSlip:
     def _margins(self, when: Array, piece: Piece, actuators: Actuators) -> Array:
         """For each leg, (n, 6): its rate in the direction in which it slips, m/s, or what holds it, N."""
         state = motion_of(piece.interpolant(when).T, piece.center)
-        found = np.array(self.modes) * _legs(self.robot, state).L_dot
+        found = np.array(self.modes) * leg_rates(self.robot, state).L_dot
         resting = np.array(self.modes) == 0
         if resting.any():
             motor, holding = self._forces(when, piece, actuators)
@@ -373,48 +346,11 @@ class StickSlip:
         for piece in pieces:
             half = 0.5 * (piece.end - piece.start)
             state, motor = self.at(piece.start + half * (1.0 + _GAUSS), piece, actuators)
-            moved = half * np.array(piece.modes) ** 2 * _legs(self.robot, state).L_dot
+            moved = half * np.array(piece.modes) ** 2 * leg_rates(self.robot, state).L_dot
             done += _WEIGHTS @ (motor * moved)
             lost += _WEIGHTS @ (self.solved(state, motor, piece.modes).friction * moved)
         return done, lost
 
 
-class _Legs(NamedTuple):
-    """Rates of length, m/s, (..., 6), and the rows [s, q x s] from a twist to them, (..., 6, 6).
-
-    own: L_ddot without accelerations, (..., 6). L: lengths, m, (..., 6). q, tip, turned: platform points from
-    the reference point, m, their velocities, and their accelerations by the turning alone, (..., 6, 3).
-    """
-
-    L_dot: Array
-    J: Array
-    own: Array
-    L: Array
-    q: Array
-    tip: Array
-    turned: Array
-
-
-def _dot(x: Array, y: Array) -> Array:
-    return np.asarray(np.einsum("...i,...i->...", x, y))
-
-
-def _times(A: Array, x: Array) -> Array:
-    return np.asarray((A @ x[..., None])[..., 0])
-
-
 def _solved(A: Array, y: Array) -> Array:
     return np.asarray(np.linalg.solve(A, y[..., None])[..., 0])
-
-
-def _legs(robot: Robot, state: Motion) -> _Legs:
-    q, S, L = leg_vectors(robot, state.R, state.t)
-    J = length_rows(q, S, L)
-    omega = state.omega[..., None, :]
-    turning = cross(omega, q)
-    tip, turned = turning + state.v[..., None, :], cross(omega, turning)
-    L_dot = _times(J, np.concatenate([state.v, state.omega], axis=-1))
-    with np.errstate(all="ignore"):
-        own = (_dot(S, turned) + _dot(tip, tip) - L_dot**2) / L
-    own = own if math.isfinite(float(own.sum())) else np.zeros_like(own)
-    return _Legs(L_dot, J, own, L, q, tip, turned)

@@ -117,7 +117,7 @@ def test_terms_give_the_torques_of_the_drives() -> None:
     found = terms.efforts(square, second) / robot.drive.turns
     torque = drive_effort(dataclasses.replace(robot, drive=free(robot)), motion).torque
     np.testing.assert_allclose(found, torque, atol=1e-9 * np.abs(torque).max())
-    a, b = rotor_terms(robot.drive, robot, path(s))
+    a, b = rotor_terms(robot, path(s))
     rotor = rotor_force(robot, motion)
     np.testing.assert_allclose(
         a * second[:, None] + b * square[:, None], rotor, atol=1e-12 * np.abs(rotor).max()

@@ -9,11 +9,12 @@ from machines import random_motion, random_robot, with_random_rotors
 
 import stewart_sym as ss
 from stewart_sym.drives.friction import friction_force
+from stewart_sym.drives.rotors import leg_rates, rotors_by_acceleration
 from stewart_sym.dynamics.equations import ForwardDynamics
 from stewart_sym.motion.motion import at_rest
 from stewart_sym.reference import newton_euler
 from stewart_sym.simulation.actuator_models import ForceLaw
-from stewart_sym.simulation.stick_slip import StickSlip, _legs
+from stewart_sym.simulation.stick_slip import StickSlip
 
 DRIVE = ss.Drive(
     lead=5e-3,
@@ -119,9 +120,7 @@ def test_what_turns_the_rotors_is_that_of_the_reference(base_joint: str) -> None
     rng = np.random.default_rng(5)
     robot = with_random_rotors(rng, random_robot(rng, base_joint))
     motion = random_motion(rng, robot)
-    plant = ForwardDynamics(robot).one_state()
-    sticking = StickSlip(robot, robot.drive, plant, lambda time, state: state)
-    alone, per = sticking._rotor(_legs(robot, motion))
+    alone, per = rotors_by_acceleration(robot, leg_rates(robot, motion))
     expected = newton_euler.rotor_force(robot, motion)
     found = alone + per @ np.concatenate([motion.a, motion.alpha])
     np.testing.assert_allclose(found, expected, rtol=0.0, atol=1e-13 * np.abs(expected).max())

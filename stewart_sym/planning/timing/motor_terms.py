@@ -20,10 +20,9 @@ from typing import NamedTuple
 import numpy as np
 
 from ...drives.friction import constant_part, friction_force, load_share, losses, smooth_sign, viscous
+from ...drives.rotors import leg_rates, product, rotors_by_acceleration
 from ...io.array_types import Array, Flags, Indices
-from ...kinematics.inverse import leg_vectors
 from ...motion.motion import Motion
-from ...motion.rotation import cross
 from ...robot.drive import Drive
 from ...robot.robot import LEGS, Robot
 
@@ -83,7 +82,7 @@ class MotorTerms(NamedTuple):
         drive = Drive(lead=np.array(2.0 * np.pi)) if robot.drive is None else robot.drive
         by_current = np.where(drive.torque_constant > 0.0, drive.torque_constant, 1.0) * drive.current_limit
         effort = np.abs(drive.turns) * np.minimum(drive.torque_limit, by_current)
-        return cls(drive, force, rotor_terms(drive, robot, by_parameter), rate, effort, drive.power_limit)
+        return cls(drive, force, rotor_terms(robot, by_parameter), rate, effort, drive.power_limit)
 
     def at(self, index: Indices) -> MotorTerms:
         """The terms at some of the parameters."""
@@ -237,34 +236,13 @@ def _rows(upper: list[Array], lower: Array, limit: Array, free: Flags) -> Rows:
     return Rows.together([*below, Rows(a, b, d, e, np.where(free, -np.inf, -limit), none)])
 
 
-def rotor_terms(drive: Drive, robot: Robot, by_parameter: Motion) -> Array:
-    """a and b of the forces that turn the rotors, (2, n, 6), of a motion by parameter.
-
-    N J_r (N L_ddot + d(W.s)/dt), where a universal joint turns its leg about itself by
-    W.s = c k.(s x s_dot) / (1 - c^2), c = k.s.
-    """
-    if not np.any(drive.rotor_inertia):
+def rotor_terms(robot: Robot, by_parameter: Motion) -> Array:
+    """a and b of the forces that turn the rotors, (2, n, 6), of a motion by parameter."""
+    if not robot.has_rotors:
         return np.zeros((2, *by_parameter.shape, LEGS))
     assert by_parameter.a is not None
     assert by_parameter.alpha is not None
-    q, S, L = leg_vectors(robot, by_parameter.R, by_parameter.t)
-    omega, alpha = by_parameter.omega[:, None, :], by_parameter.alpha[:, None, :]
-    turned = cross(omega, q)
-    first = by_parameter.v[:, None, :] + turned
-    second = by_parameter.a[:, None, :] + cross(alpha, q) + cross(omega, turned)
-    s = S / L[..., None]
-    L_1 = np.sum(first * s, axis=-1)
-    s_1 = (first - L_1[..., None] * s) / L[..., None]
-    L_2 = np.sum(second * s + first * s_1, axis=-1)
-    s_2 = (second - 2.0 * L_1[..., None] * s_1 - L_2[..., None] * s) / L[..., None]
-    c, c_1 = (np.sum(robot.k * x, axis=-1) for x in (s, s_1))
-    turn, turn_1 = (np.sum(robot.k * cross(s, x), axis=-1) for x in (s_1, s_2))
-    sine = 1.0 - c * c
-    spin = c * turn / sine
-    spin_1 = (c_1 * turn + c * turn_1) / sine + 2.0 * c * c * c_1 * turn / sine**2
-    return np.stack(
-        [
-            drive.reflected_mass * L_1 + drive.momentum * spin,
-            drive.reflected_mass * L_2 + drive.momentum * spin_1,
-        ]
-    )
+    alone, per = rotors_by_acceleration(robot, leg_rates(robot, by_parameter))
+    twist = np.concatenate([by_parameter.v, by_parameter.omega], axis=-1)
+    acceleration = np.concatenate([by_parameter.a, by_parameter.alpha], axis=-1)
+    return np.stack([product(per, twist), alone + product(per, acceleration)])

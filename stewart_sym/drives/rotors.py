@@ -1,0 +1,74 @@
+"""What turns the rotors of the legs' drives, as forces along the legs by the platform's accelerations."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from ..io.array_types import Array
+from ..kinematics.inverse import leg_vectors, length_rows
+from ..motion.motion import Motion
+from ..motion.rotation import cross
+from ..robot.robot import Robot
+
+
+class LegRates(NamedTuple):
+    """Rates of length, m/s, (..., 6), and the rows [s, q x s] from a twist to them, (..., 6, 6).
+
+    own: L_ddot without accelerations, (..., 6). L: lengths, m, (..., 6). q, tip, turned: platform points from
+    the reference point, m, their velocities, and their accelerations by the turning alone, (..., 6, 3).
+    """
+
+    L_dot: Array
+    J: Array
+    own: Array
+    L: Array
+    q: Array
+    tip: Array
+    turned: Array
+
+
+def leg_rates(robot: Robot, state: Motion) -> LegRates:
+    """Rates of the legs in states (...)."""
+    q, S, L = leg_vectors(robot, state.R, state.t)
+    J = length_rows(q, S, L)
+    omega = state.omega[..., None, :]
+    turning = cross(omega, q)
+    tip, turned = turning + state.v[..., None, :], cross(omega, turning)
+    L_dot = product(J, np.concatenate([state.v, state.omega], axis=-1))
+    with np.errstate(all="ignore"):
+        own = (_dot(S, turned) + _dot(tip, tip) - L_dot**2) / L
+    own = own if math.isfinite(float(own.sum())) else np.zeros_like(own)
+    return LegRates(L_dot, J, own, L, q, tip, turned)
+
+
+def rotors_by_acceleration(robot: Robot, legs: LegRates) -> tuple[Array, Array]:
+    """What turns the rotors, N: without accelerations, (..., 6), and per acceleration, (..., 6, 6).
+
+    By Lddot, (8), and by the leg's spin about itself, (k.s) (y.sdot) / y^2 with y = k x s, and its rate.
+    """
+    k, m_r, j_r = robot.k, robot.m_r, robot.j_r
+    alone, per = m_r * legs.own, m_r[:, None] * legs.J
+    if robot.base_joint == "spherical":
+        return alone, per
+    s, L = legs.J[..., :3], legs.L
+    s_dot = (legs.tip - legs.L_dot[..., None] * s) / L[..., None]
+    y = cross(k, s)
+    square = _dot(y, y)
+    along, along_dot, about = _dot(k, s), _dot(k, s_dot), _dot(y, s_dot)
+    row = (along / (L * square))[..., None] * y
+    quick = along_dot * (1.0 + 2.0 * along**2 / square) - 2.0 * legs.L_dot / L * along
+    quick = _dot(row, legs.turned) + about / square * quick
+    rows = np.concatenate([row, cross(legs.q, row)], axis=-1)
+    return alone + j_r * quick, per + j_r[:, None] * rows
+
+
+def product(A: Array, x: Array) -> Array:
+    """Matrices times vectors."""
+    return np.asarray((A @ x[..., None])[..., 0])
+
+
+def _dot(x: Array, y: Array) -> Array:
+    return np.asarray(np.einsum("...i,...i->...", x, y))
