@@ -14,7 +14,7 @@ from ..io.array_types import Array
 from ..kinematics.inverse import inverse_kinematics
 from ..singularities.along_path import Crossing, LegExtreme, singularities_along
 from .time_path import TimedPath
-from .timing.path_terms import force_limits, leg_accelerations, leg_speeds, travelled
+from .timing.path_terms import force_limits, leg_accelerations, limited_speeds, travelled
 
 FINER = 100
 """Instants in each cell of the plan's grid at which limits are checked."""
@@ -150,7 +150,7 @@ def _part(plan: TimedPath, s: Array, square: Array, second: Array) -> tuple[Arra
     motion = travelled(by_parameter, np.sqrt(square), second)
     F = inverse_dynamics(plan.robot, motion, plan.formulation).F
     legs = inverse_kinematics(plan.robot, motion)
-    speeds, allowed = leg_speeds(plan.robot, motion, legs.L_dot, plan.limits)
+    speeds, allowed = limited_speeds(plan.robot, motion, legs.L_dot, plan.limits)
     used = [np.abs(F) / force_limits(plan.robot, plan.limits), speeds / allowed]
     drive = plan.robot.drive
     if drive is not None:
@@ -161,12 +161,6 @@ def _part(plan: TimedPath, s: Array, square: Array, second: Array) -> tuple[Arra
     if plan.limits.acceleration is not None:
         assert legs.L_ddot is not None
         used.append(np.abs(legs.L_ddot) / np.array(plan.limits.acceleration))
-    for vector, limit in (
-        (motion.v, plan.limits.platform_speed),
-        (motion.omega, plan.limits.platform_turn_rate),
-    ):
-        if limit is not None:
-            used.append(np.linalg.norm(vector, axis=-1, keepdims=True) / limit)
     return legs.L_dot, F, np.concatenate(used, axis=-1).max(axis=-1)
 
 

@@ -20,9 +20,8 @@ from ..io.tables import not_negative
 from ..motion.motion import Motion
 from ..robot.robot import Robot
 from ..singularities.along_path import crossings
-from .path_spline import Family, by_coordinates, poses_of, scales
 from .pose_costs import ROOM, PoseCosts
-from .pose_path import PosePath
+from .pose_path import Family, PosePath, by_coordinates, poses_of, scales
 from .via_poses import ViaPose
 
 Objective = Literal["mean", "peak"]
@@ -195,7 +194,7 @@ def conditions_along(robot: Robot, path: PosePath, count: int = _FINE) -> Condit
     motion = path(np.linspace(0.0, 1.0, count))
     costs = PoseCosts(robot, PoseLimits(), np.zeros(3), 1.0, 0.0)
     with np.errstate(divide="ignore", invalid="ignore"):
-        values, signs = costs.plain_conditions(motion.R, motion.t)
+        values, signs, _ = costs.plain_conditions(motion.R, motion.t)
     weight = _rates(motion, costs.length)
     weight[[0, -1]] *= 0.5
     crossed = bool((signs[1:] != signs[:-1]).any())
@@ -221,12 +220,12 @@ class _Search:
         at = PoseCosts(robot, limits, robot.tool, 1.0, 0.0)
         family = Family.of(poses, at.length)
         R, t = poses_of(family.rows)
-        values, signs = at.plain_conditions(R, t)
+        values, signs, smallest = at.plain_conditions(R, t)
         fixed = np.array([not pose.free for pose in poses])
         need_reachable(at, poses, values, signs)
         chosen = signs[fixed] if fixed.any() else signs
         side = float(chosen[0])
-        least = _NEAR * float(np.min(at.smallest(R, t)[signs == side]))
+        least = _NEAR * float(np.min(smallest[signs == side]))
         costs = PoseCosts(robot, limits, robot.tool, side, least)
         power = 1 if objective == "mean" else _PEAK_POWER
         search = cls(family, costs, power, price, scales(at.length), (1.0, 1.0))
@@ -288,16 +287,8 @@ class _Search:
         free = len(self.family.free)
         box = [*self.family.box(), *[(None, None)] * (len(x) - free)]
         for penalty in _PENALTIES:
-            found = minimize(
-                self.value,
-                x,
-                args=(penalty,),
-                jac=True,
-                method="L-BFGS-B",
-                bounds=box,
-                options={"maxiter": _STEPS},
-            )
-            x = found.x
+            options = {"maxiter": _STEPS}
+            x = minimize(self.value, x, (penalty,), "L-BFGS-B", jac=True, bounds=box, options=options).x
         return np.asarray(x)
 
     def value(self, x: Array, penalty: float) -> tuple[float, Array]:
@@ -338,7 +329,7 @@ def broken_limits(costs: PoseCosts, R: Array, t: Array, s: Array) -> list[tuple[
         most = excess.max(axis=-1)
         if most.max() > ROOM:
             found.append((float(most.max()), name, float(s[np.argmax(most)])))
-    _, signs = costs.plain_conditions(R, t)
+    _, signs, _ = costs.plain_conditions(R, t)
     if (signs != costs.side).any():
         found.append((math.inf, "a singular pose", float(s[np.argmax(signs != costs.side)])))
     return found

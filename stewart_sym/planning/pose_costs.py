@@ -46,12 +46,6 @@ class PoseCosts(Frozen):
         """Find the characteristic length."""
         self._set({"length": characteristic_length(self.robot) or 1.0, "tool": np.array(self.tool)})
 
-    def legs(self, R: Array, t: Array) -> tuple[Array, Array, Array]:
-        """q from the tool, S and L, as ``leg_vectors``, of poses R and positions t of the tool."""
-        arm = R @ self.tool
-        q, S, L = leg_vectors(self.robot, R, t - arm)
-        return q - arm[:, None, :], S, L
-
     def conditions(self, R: Array, t: Array) -> tuple[Array, Array]:
         """Condition numbers of H about the reference point, (n,), with derivatives, (n, 6)."""
         q, s, L, H = self._matrices(R, t)
@@ -70,17 +64,13 @@ class PoseCosts(Frozen):
         rate[:, 3:] -= cross(R @ self.tool, rate[:, :3])
         return largest * inverse, rate
 
-    def plain_conditions(self, R: Array, t: Array) -> tuple[Array, Array]:
-        """Condition numbers and signs of det H, (n,)."""
+    def plain_conditions(self, R: Array, t: Array) -> tuple[Array, Array, Array]:
+        """Condition numbers, signs of det H and smallest singular values, (n,)."""
         H = self._matrices(R, t)[-1]
         values = np.linalg.svd(H, compute_uv=False)
         with np.errstate(divide="ignore"):
             conditions: Array = values[:, 0] / values[:, -1]
-        return conditions, np.asarray(np.sign(np.linalg.det(H)))
-
-    def smallest(self, R: Array, t: Array) -> Array:
-        """Smallest singular values, (n,)."""
-        return np.asarray(np.linalg.svd(self._matrices(R, t)[-1], compute_uv=False)[:, -1])
+        return conditions, np.asarray(np.sign(np.linalg.det(H))), values[:, -1]
 
     def _matrices(self, R: Array, t: Array) -> tuple[Array, Array, Array, Array]:
         """q, s, L and H, about the reference point, its moments over the characteristic length, (n, 6, 6)."""
@@ -98,8 +88,10 @@ class PoseCosts(Frozen):
 
     def excesses(self, R: Array, t: Array) -> list[tuple[str, Array, Array]]:
         """By limit: its name, by how much each pose breaks it, (n, k), and derivatives, (n, k, 6)."""
-        q, S, L = self.legs(R, t)
-        s = S / L[..., None]
+        # Points from the tool, about which the pose turns.
+        arm = R @ self.tool
+        q, S, L = leg_vectors(self.robot, R, t - arm)
+        q, s = q - arm[:, None, :], S / L[..., None]
         found: list[tuple[str, Array, Array]] = []
         if self.limits.lengths:
             found += [("leg length", *part) for part in self._lengths(q, s, L)]

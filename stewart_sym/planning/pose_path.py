@@ -1,11 +1,13 @@
 """Smooth paths of poses: position and quaternion of a point of the platform as one spline of degree 5.
 
-The quaternion is made a unit one, so no orientation is special; rates up to the fourth are continuous.
+The quaternion is made a unit one, so no orientation is special; rates up to the fourth are continuous. Those
+through via poses are a family: the few numbers that an optimisation changes.
 """
 
 from __future__ import annotations
 
 import itertools
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -17,7 +19,15 @@ from ..io.extras import needed_for
 from ..io.frozen import Frozen
 from ..motion.interpolation import DEGREE
 from ..motion.motion import Motion
+from ..motion.rotation import rotation_from_quaternion
+from .via_poses import ViaPose, coordinates, shifted
 
+CELLS = 4
+"""Cells of the spline from each via pose to the next."""
+SAMPLES = 20
+"""Poses at which costs are taken, for each cell."""
+_FINER = 5
+_STEP = 1e-6
 # By how much sums of steps may end beyond the last parameter.
 _ROUNDING = 1e-12
 
@@ -70,16 +80,10 @@ class PosePath(Frozen):
         y, y_1, y_2 = (b_spline_values(self.knots, at, order) @ self.coefficients for order in range(3))
         motion = Motion.from_quaternion(y[:, :3], y[:, 3:], y_1[:, :3], y_1[:, 3:], y_2[:, :3], y_2[:, 3:])
         motion = motion.about_point(-self.tool) if self.tool.any() else motion
-        loads = (np.broadcast_to(part, motion.t.shape) for part in (self.load[:3], self.load[3:]))
-        return Motion.unchecked(
-            motion.R,
-            motion.t,
-            motion.omega,
-            motion.v,
-            motion.alpha,
-            motion.a,
-            *(loads if self.load.any() else ()),
-        )
+        if not self.load.any():
+            return motion
+        F_ext, M_ext = (np.broadcast_to(part, motion.t.shape) for part in (self.load[:3], self.load[3:]))
+        return Motion.unchecked(**(vars(motion) | {"F_ext": F_ext, "M_ext": M_ext}))
 
 
 def b_spline_values(knots: Array, s: Array, order: int) -> Array:
@@ -95,3 +99,112 @@ def knots_between(via: Array, cells: int) -> Array:
     """Knots with a number of cells from each via pose to the next."""
     inner = [np.linspace(a, b, cells + 1)[:-1] for a, b in itertools.pairwise(via)]
     return np.concatenate([np.zeros(DEGREE), *inner, np.ones(DEGREE + 1)])
+
+
+@dataclass(frozen=True, eq=False)
+class Family:
+    """All splines through via poses: by shifts of the free ones, (f,), and coordinates w, (m, 7).
+
+    s: samples. B: B-splines there, (n, c). between, fine: the same of a finer grid with the via poses.
+    metric: quadratic form of length and bending, (c, c). through, rest: coefficients are
+    through @ via + rest @ w.
+    """
+
+    poses: tuple[ViaPose, ...]
+    via: Array
+    knots: Array
+    s: Array
+    B: Array
+    between: Array
+    fine: Array
+    metric: Array
+    through: Array
+    rest: Array
+    rows: Array
+
+    @classmethod
+    def of(cls, poses: Sequence[ViaPose], length: float) -> Family:
+        """Splines whose parameter is in proportion to the distances of the poses."""
+        rows = coordinates(poses)
+        chords = np.linalg.norm(np.diff(rows * scales(length), axis=0), axis=-1)
+        via = np.concatenate([[0.0], np.cumsum(chords) / chords.sum()])
+        via[-1] = 1.0
+        knots = knots_between(via, CELLS)
+        edges = knots_between(via, CELLS * SAMPLES)[DEGREE:-DEGREE]
+        s = 0.5 * (edges[1:] + edges[:-1])
+        weights = np.diff(edges)
+        rates = [b_spline_values(knots, s, order) for order in (1, 2)]
+        speeds, bends = (rate.T @ (weights[:, None] * rate) for rate in rates)
+        at_via = b_spline_values(knots, via, 0)
+        through, rest = _through(at_via, bends)
+        between = knots_between(via, CELLS * SAMPLES * _FINER)[DEGREE:-DEGREE]
+        B, fine = (b_spline_values(knots, x, 0) for x in (s, between))
+        metric = speeds + bends / (np.pi * (len(via) - 1)) ** 2
+        return cls(tuple(poses), via, knots, s, B, between, fine, metric, through, rest, rows)
+
+    @property
+    def free(self) -> list[tuple[int, int]]:
+        """Numbers of via pose and coordinate that are free."""
+        return [
+            (k, i) for k, pose in enumerate(self.poses) for i in np.flatnonzero(pose.high > pose.low).tolist()
+        ]
+
+    def box(self) -> list[tuple[float, float]]:
+        """Bounds of the free coordinates."""
+        return [(float(self.poses[k].low[i]), float(self.poses[k].high[i])) for k, i in self.free]
+
+    def shifts(self, values: Array) -> Array:
+        """Shifts of all via poses, (k, 6), of values of the free coordinates."""
+        found = np.zeros((len(self.poses), 6))
+        for (k, i), value in zip(self.free, values, strict=True):
+            found[k, i] = value
+        return found
+
+    def coefficients(self, values: Array, w: Array) -> Array:
+        """Coefficients of the spline, (c, 7)."""
+        rows = np.array(
+            [shifted(row, shift) for row, shift in zip(self.rows, self.shifts(values), strict=True)]
+        )
+        return np.asarray(self.through @ rows + self.rest @ w)
+
+    def gradients(self, values: Array, by_coefficients: Array) -> tuple[Array, Array]:
+        """Derivatives by the free coordinates, (f,), and by w, (m, 7), of one by the coefficients, (c, 7)."""
+        by_rows, shifts = self.through.T @ by_coefficients, self.shifts(values)
+        found = np.zeros(len(values))
+        for number, (k, i) in enumerate(self.free):
+            step = _STEP * np.eye(6)[i]
+            ends = (shifted(self.rows[k], shifts[k] + sign * step) for sign in (1.0, -1.0))
+            found[number] = by_rows[k] @ np.subtract(*ends) / (2.0 * _STEP)
+        return found, self.rest.T @ by_coefficients
+
+    def path(self, coefficients: Array, tool: Array, load: Array) -> PosePath:
+        """The path of coefficients."""
+        return PosePath(self.knots, coefficients, self.via, tool, load)
+
+
+def scales(length: float) -> Array:
+    """Factors, (7,), that make of coordinates shifts over a length, and angles."""
+    return np.repeat([1.0 / length, 2.0], [3, 4])
+
+
+def poses_of(rows: Array) -> tuple[Array, Array]:
+    """R and t of rows of coordinates, (n, 7)."""
+    return rotation_from_quaternion(rows[:, 3:]), rows[:, :3]
+
+
+def by_coordinates(rows: Array, by_twist: Array) -> Array:
+    """Derivative by coordinates, (n, 7), of one by twists, (n, 6): dphi is the vector of 2 de e^-1."""
+    e = rows[:, 3:] / np.sum(rows[:, 3:] ** 2, axis=-1, keepdims=True)
+    w, v, m = e[:, :1], e[:, 1:], by_twist[:, 3:]
+    turn = 2.0 * np.concatenate([-np.sum(v * m, axis=-1, keepdims=True), w * m - np.cross(v, m)], axis=-1)
+    return np.concatenate([by_twist[:, :3], turn], axis=-1)
+
+
+def _through(at_via: Array, bends: Array) -> tuple[Array, Array]:
+    """Coefficients of least bending by via pose, (c, k), and directions that move none, (c, c - k)."""
+    _, _, vh = np.linalg.svd(at_via)
+    rest = vh[len(at_via) :].T
+    least: Array = np.linalg.pinv(at_via).astype(np.float64)
+    bent = rest.T @ bends
+    least_bent: Array = least - rest @ np.linalg.pinv(bent @ rest, hermitian=True) @ bent @ least
+    return least_bent, rest

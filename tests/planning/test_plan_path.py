@@ -14,9 +14,9 @@ from stewart_sym.kinematics.inverse import inverse_kinematics, wrench_matrix
 from stewart_sym.motion.motion import at_rest
 from stewart_sym.motion.rotation import rotation_from_rpy, rotation_from_vector, vector_from_rotation
 from stewart_sym.motion.straight_line import PATHS
-from stewart_sym.planning.path_spline import Family, by_coordinates, poses_of
 from stewart_sym.planning.plan_path import plan_path
 from stewart_sym.planning.pose_costs import PoseCosts
+from stewart_sym.planning.pose_path import Family, by_coordinates, poses_of
 from stewart_sym.planning.time_path import time_path
 from stewart_sym.planning.timing.path_terms import Limits
 from stewart_sym.planning.via_poses import ViaPose
@@ -132,7 +132,7 @@ def crossed_pairs(count: int):
             ViaPose(*pose) for pose in zip(rotation_from_vector(rng.normal(size=(2, 3))), t, strict=True)
         )
         costs = PoseCosts(robot, PoseLimits(), np.zeros(3), 1.0, 0.0)
-        k, signs = costs.plain_conditions(np.array([pose.R for pose in poses]), t)
+        k, signs, _ = costs.plain_conditions(np.array([pose.R for pose in poses]), t)
         if signs[0] == signs[1] and k.max() < 40.0:
             family = Family.of(poses, costs.length)
             line = family.path(

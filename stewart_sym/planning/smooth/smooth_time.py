@@ -20,8 +20,7 @@ from ..timing.grid import Source
 from ..timing.motor_terms import beside
 from ..timing.path_terms import Path, Terms, leg_accelerations, travelled
 from ..timing.profile import Ease, Profile
-from .interior_point import Cost, Rooms, duration, least
-from .rate_spline import PARTS, RateSpline, in_cells
+from .rate_spline import PARTS, Cost, RateSpline, Rooms, duration, in_cells, least
 
 _ROUNDS = 12
 _MARGIN = 5e-5

@@ -154,16 +154,9 @@ def travelled(motion: Motion, rate: Array | float, second: Array | float) -> Mot
     z, u = (np.broadcast_to(np.asarray(x, dtype=np.float64), motion.shape)[..., None] for x in (rate, second))
     assert motion.a is not None
     assert motion.alpha is not None
-    return Motion.unchecked(
-        motion.R,
-        motion.t,
-        motion.omega * z,
-        motion.v * z,
-        motion.alpha * z**2 + motion.omega * u,
-        motion.a * z**2 + motion.v * u,
-        motion.F_ext,
-        motion.M_ext,
-    )
+    alpha, a = motion.alpha * z**2 + motion.omega * u, motion.a * z**2 + motion.v * u
+    rates = motion.omega * z, motion.v * z, alpha, a
+    return Motion.unchecked(motion.R, motion.t, *rates, motion.F_ext, motion.M_ext)
 
 
 def terms_along(
@@ -191,10 +184,11 @@ def terms_along(
         names += [f"acceleration of leg {leg + 1}" for leg in range(6)]
     a, b, d, e = (np.concatenate(each, axis=-1) for each in zip(*columns, strict=True))
     own = MotorTerms.of(robot, motion, np.stack([x[:, :LEGS] for x in (a, b, d, e)]), legs.L_dot)
-    caps = _caps(robot, motion, legs.L_dot, limits)
-    return Terms(
-        a, b, d, e, np.concatenate(limit), caps, tuple(names), own if own.limited or motors else None
-    )
+    speeds, allowed = limited_speeds(robot, motion, legs.L_dot, limits)
+    with np.errstate(divide="ignore"):
+        caps = ((allowed / speeds) ** 2).min(axis=-1)
+    counted = own if own.limited or motors else None
+    return Terms(a, b, d, e, np.concatenate(limit), caps, tuple(names), counted)
 
 
 def force_limits(robot: Robot, limits: Limits) -> Array:
@@ -209,25 +203,15 @@ def leg_accelerations(robot: Robot, motion: Motion) -> Array:
     return found
 
 
-def leg_speeds(robot: Robot, motion: Motion, L_dot: Array, limits: Limits) -> tuple[Array, Array]:
-    """Rates that are limited, m/s, (n, m), and their limits, (m,): of the legs, and of the drives' motors."""
+def limited_speeds(robot: Robot, motion: Motion, L_dot: Array, limits: Limits) -> tuple[Array, Array]:
+    """Sizes of the rates that are limited, m/s and rad/s, (n, m), and their limits, (m,), inf for none.
+
+    Those of the legs and of the drives' motors, of the reference point and of the platform's rotation.
+    """
+    speeds = [L_dot, *(np.linalg.norm(x, axis=-1, keepdims=True) for x in (motion.v, motion.omega))]
     legs = robot.speed_limit if limits.speed is None else np.array(limits.speed)
-    if robot.drive is None:
-        return np.abs(L_dot), legs
-    motors = robot.drive.speed_limit / np.abs(robot.drive.turns)
-    seen = motor_rates(robot, robot.drive, motion, L_dot)
-    return np.abs(np.concatenate([L_dot, seen], axis=-1)), np.concatenate([legs, motors])
-
-
-def _caps(robot: Robot, motion: Motion, L_dot: Array, limits: Limits) -> Array:
-    """Largest s'^2 within all limits of speed, (n,)."""
-    speeds, allowed = leg_speeds(robot, motion, L_dot, limits)
-    rates = [speeds, *(np.linalg.norm(x, axis=-1, keepdims=True) for x in (motion.v, motion.omega))]
-    most = np.array(
-        [
-            *allowed,
-            *(x or math.inf for x in (limits.platform_speed, limits.platform_turn_rate)),
-        ]
-    )
-    with np.errstate(divide="ignore"):
-        return np.asarray(((most / np.concatenate(rates, axis=-1)) ** 2).min(axis=-1))
+    most = [legs, [limits.platform_speed or math.inf, limits.platform_turn_rate or math.inf]]
+    if robot.drive is not None:
+        speeds.append(motor_rates(robot, robot.drive, motion, L_dot))
+        most.append(robot.drive.speed_limit / np.abs(robot.drive.turns))
+    return np.abs(np.concatenate(speeds, axis=-1)), np.concatenate(most)

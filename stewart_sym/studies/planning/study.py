@@ -21,9 +21,8 @@ from ...kinematics.inverse import inverse_kinematics, wrench_matrix
 from ...motion.motion import at_rest
 from ...motion.rotation import rotation_from_vector, vector_from_rotation
 from ...motion.straight_line import PATHS
-from ...planning.path_spline import Family
 from ...planning.plan_path import PlannedPath, conditions_along, plan_path
-from ...planning.pose_path import PosePath
+from ...planning.pose_path import Family, PosePath
 from ...planning.time_path import LEAST, time_path
 from ...planning.timing.path_terms import Limits, travelled
 from ...planning.via_poses import ViaPose

@@ -5,9 +5,8 @@ import dataclasses
 import numpy as np
 from machines import random_motion, random_robot
 
-from stewart_sym.planning.path_spline import Family
 from stewart_sym.planning.plan_path import plan_path
-from stewart_sym.planning.pose_path import PosePath
+from stewart_sym.planning.pose_path import Family, PosePath
 from stewart_sym.planning.timing.path_terms import Limits, terms_along
 from stewart_sym.planning.via_poses import ViaPose
 from stewart_sym.robot.robot import Robot
