@@ -2,7 +2,6 @@
 
 import itertools
 from collections.abc import Iterator
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,8 +34,8 @@ def of_order(robot: Robot, t: Array) -> Iterator[Doubt]:
     axis /= np.linalg.norm(axis)
     around_b, around_p = (_around(points, axis) for points in (robot.b, robot.p))
     crossed = _crossed(around_b, around_p)
-    if crossed is not None and crossed.undone:
-        yield _crossing(*crossed.legs)
+    if crossed is not None and crossed[1]:
+        yield _crossing(*crossed[0])
         return
     order = np.argsort(np.angle(around_b), kind="stable")
     b, p, heights = robot.b[order], robot.p[order], heights_of(robot, axis)
@@ -69,23 +68,18 @@ def of_order(robot: Robot, t: Array) -> Iterator[Doubt]:
             yield _crossing(i, j)
             return
     if crossed is not None:
-        yield _crossing(*crossed.legs, cause="platform points in another order than base points, or mirrored")
+        yield _crossing(*crossed[0], cause="platform points in another order than base points, or mirrored")
 
 
 def _crossing(i: int, j: int, cause: str = "their platform points exchanged") -> Doubt:
     return Doubt("crossing", f"legs {i + 1}, {j + 1} cross at the home pose; likely cause: {cause}")
 
 
-class _Crossed(NamedTuple):
-    """Two legs that cross; undone: by an exchange of their platform points, and not as well by a reversal of
-    the order of all."""
+def _crossed(b: NDArray[np.complex128], p: NDArray[np.complex128]) -> tuple[tuple[int, int], bool] | None:
+    """Legs that cross as seen along the machine's axis, b and p as points of a plane, or None.
 
-    legs: tuple[int, int]
-    undone: bool
-
-
-def _crossed(b: NDArray[np.complex128], p: NDArray[np.complex128]) -> _Crossed | None:
-    """Legs that cross as seen along the machine's axis, b and p as points of a plane, or None."""
+    Also whether an exchange of their platform points undoes it, and a reversal of all not as well.
+    """
     pairs = list(itertools.combinations(range(LEGS), 2))
     first, second = np.array(pairs).T
     sizes = np.sqrt(np.mean(np.abs(b) ** 2) * np.mean(np.abs(p) ** 2))
@@ -105,8 +99,8 @@ def _crossed(b: NDArray[np.complex128], p: NDArray[np.complex128]) -> _Crossed |
         undone.append(ways(other).min())
     best = int(np.argmax(undone))
     if undone[best] > max(EXCHANGED, *reversed_):
-        return _Crossed(pairs[best], True)
-    return _Crossed(pairs[int(np.argmin(given))], False)
+        return pairs[best], True
+    return pairs[int(np.argmin(given))], False
 
 
 def _level(condition: float) -> str:

@@ -16,13 +16,10 @@ from ..io.array_types import Array
 from ..kinematics.mounting import AssemblyModeWarning
 from ..motion.rotation import rotation_from_quaternion
 from ..robot.robot import LEGS, Robot, legs_text
-from .exchange import of_coincidence, of_exchange
 from .leg_order import of_order
+from .leg_parts import of_part_lengths, of_speeds, of_torques
 from .level_poses import Doubt, Home, centred_H, home_of, level_home, parts_of
-from .motors import of_speeds, of_torques
-from .part_lengths import of_part_lengths
-from .stated_home import MOST_LEGS, of_limits, of_place
-from .tool import of_tool
+from .points import MOST_LEGS, of_coincidence, of_exchange, of_limits, of_place, of_tool
 
 MOST_GRAVITY = 50.0
 """m/s^2: twice Jupiter's; in mm/s^2 or cm/s^2 the Moon's is 1,620 or 162."""
@@ -413,48 +410,35 @@ def _fits(robot: Robot, limits: Array) -> bool:
 
 def _of_parts(robot: Robot, home: Home) -> Iterator[Doubt]:
     """Centres of mass of a leg's parts that lie beyond the leg, on the wrong side or far away."""
-    for part, along, sign in (
-        ("upper", robot.r_u0[:, 0], "negative"),
-        ("lower", -robot.r_d0[:, 0], "positive"),
+    off, least_off, times = MOST_OFFSET
+    for part, r, sign, joint in (
+        ("upper", robot.r_u0, "negative", "platform joint"),
+        ("lower", -robot.r_d0, "positive", "base joint"),
     ):
-        away = np.linalg.norm(robot.r_u0 if part == "upper" else robot.r_d0, axis=-1)
-        off, least_off, times = MOST_OFFSET
-        across = np.linalg.norm((robot.r_u0 if part == "upper" else robot.r_d0)[:, 1:], axis=-1)
+        along, across, away = r[:, 0], np.linalg.norm(r[:, 1:], axis=-1), np.linalg.norm(r, axis=-1)
+        far = away > 3.0 * home.L
+        near = (away > LEAST_OFFSET[0] * home.L) & (away < LEAST_OFFSET[1] * home.L)
         beside = (across > least_off * home.L) & (across > times * np.abs(along))
         beside |= across > off * home.L
-        far = np.flatnonzero(away > 3.0 * home.L).tolist()
-        near = np.flatnonzero((away > LEAST_OFFSET[0] * home.L) & (away < LEAST_OFFSET[1] * home.L)).tolist()
-        wrong = np.flatnonzero(along / home.L > BEYOND).tolist()
-        joint = "platform joint" if part == "upper" else "base joint"
-        if far:
-            yield Doubt(
-                "center-of-mass",
-                f"{part} part of {legs_text(far)}: center_of_mass {away[far].max():.3g} m from the "
-                f"{joint}, legs "
-                f"{home.L[far].max():.3g} m long; likely cause: given in millimetres or in the base frame",
-            )
-        elif near:
-            yield Doubt(
-                "center-of-mass",
-                f"{part} part of {legs_text(near)}: center_of_mass {away[near].min():.3g} m from the "
-                f"{joint}, legs {home.L[near].max():.3g} m long; likely cause: given in metres in a file of "
-                "millimetres",
-            )
+        wrong = along / home.L > BEYOND
+        legs = np.flatnonzero(next((each for each in (far, near, beside) if each.any()), wrong)).tolist()
+        if not legs:
+            continue
+        long = f"legs {home.L[legs].max():.3g} m long"
+        if far.any():
+            text = f"{away[legs].max():.3g} m from the {joint}, {long}"
+            cause = "given in millimetres or in the base frame"
+        elif near.any():
+            text = f"{away[legs].min():.3g} m from the {joint}, {long}"
+            cause = "given in metres in a file of millimetres"
         elif beside.any():
-            legs = np.flatnonzero(beside).tolist()
-            yield Doubt(
-                "center-of-mass",
-                f"{part} part of {legs_text(legs)}: center_of_mass {across[legs].max():.3g} m off the leg's "
-                f"axis, legs {home.L[legs].max():.3g} m long; likely cause: components in another order or "
-                "in the base frame, expected the first along the leg",
-            )
-        elif wrong:
-            yield Doubt(
-                "center-of-mass",
-                f"{part} part of {legs_text(wrong)}: center_of_mass {np.abs(along[wrong]).max():.3g} m "
-                f"beyond the {joint}, outside of the leg; likely cause: wrong sign, expected a {sign} first "
-                "component, or a motor behind the joint",
-            )
+            text = f"{across[legs].max():.3g} m off the leg's axis, {long}"
+            cause = "components in another order or in the base frame, expected the first along the leg"
+        else:
+            text = f"{along[legs].max():.3g} m beyond the {joint}, outside of the leg"
+            cause = f"wrong sign, expected a {sign} first component, or a motor behind the joint"
+        text = f"{part} part of {legs_text(legs)}: center_of_mass {text}; likely cause: {cause}"
+        yield Doubt("center-of-mass", text)
 
 
 def _of_overlap(robot: Robot, home: Home) -> Iterator[Doubt]:
