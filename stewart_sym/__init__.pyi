@@ -53,7 +53,7 @@ from .identification.excitation import choose_excitation as choose_excitation
 from .identification.parameters import Parameters as Parameters
 from .identification.parameters import inertial_parameters as inertial_parameters
 from .identification.parameters import regressor as regressor
-from .identification.rotor_columns import rotor_regressor as rotor_regressor
+from .identification.parameters import rotor_regressor as rotor_regressor
 from .io.error_policy import SingularPoseWarning as SingularPoseWarning
 from .kinematics.certificate import Certificate as Certificate
 from .kinematics.certificate import certify_pose as certify_pose

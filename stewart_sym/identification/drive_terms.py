@@ -19,8 +19,8 @@ from ..kinematics.inverse import inverse_kinematics
 from ..motion.motion import Motion
 from ..robot.drive import Drive
 from ..robot.robot import LEGS, Robot
-from .rotor_columns import rotor_regressor
-from .tails import tail
+from .parameters import rotor_regressor
+from .tails import departure
 
 DRIVE_TERMS = {"reflected_mass": "kg", "coulomb": "N", "offset": "N", "viscous": "N s/m"}
 """Terms that can be sought, in this order, and their units."""
@@ -84,13 +84,11 @@ class DriveEstimate(Frozen):
             The p-value of all; NaN where nothing is compared.
         """
         compared = self.identifiable & np.isfinite(given) & np.isfinite(self.sigma)
-        off = np.where(compared, self.values - given, 0.0) / np.where(compared, self.sigma, 1.0)
-        if not compared.any():
-            return off, math.nan
-        sigma = self.sigma[compared]
-        spread = self.covariance[np.ix_(compared, compared)] / np.outer(sigma, sigma)
-        squares = float(off[compared] @ np.linalg.solve(spread, off[compared]))
-        return off, tail(squares / len(sigma), len(sigma))
+        off, p = np.zeros(len(self.values)), math.nan
+        if compared.any():
+            spread = self.covariance[np.ix_(compared, compared)]
+            off[compared], p = departure((self.values - given)[compared], spread)
+        return off, p
 
 
 class Terms(NamedTuple):

@@ -12,7 +12,7 @@ from ..robot.robot import Robot
 from .base_parameters import BaseParameters
 from .drive_terms import DriveEstimate, seen_by_motors
 from .parameters import Parameters, inertial_parameters
-from .tails import tail
+from .tails import departure
 
 
 @dataclass(frozen=True, eq=False)
@@ -101,6 +101,4 @@ class Estimate:
         off = self.values - self.base.matrix @ inertial_parameters(robot).values
         if not np.isfinite(self.covariance).all():
             return np.zeros(len(off)), 1.0
-        sigma = self.sigma
-        squares = off / sigma @ np.linalg.solve(self.covariance / np.outer(sigma, sigma), off / sigma)
-        return off / sigma, tail(float(squares) / len(off), len(off))
+        return departure(off, self.covariance)

@@ -21,6 +21,7 @@ from ..backend.kernel import robot_numbers
 from ..backend.numpy_kernel import legs_side_by_side, on_arrays
 from ..dynamics.inverse import Backend, need_motion, need_universal, report_faults, with_compiler
 from ..generated import exact_regressor
+from ..generated import rotor_regressor as exact_rotors
 from ..io.arguments import option, real_array, shown
 from ..io.array_types import Array, Codes, Flags
 from ..io.error_policy import ON_FAULT, OnFault
@@ -166,6 +167,55 @@ BACKENDS = tuple(_FOUND_BY)
 def _columns(found: Any, parameters: Sequence[tuple[str, str]]) -> list[list[Any]]:
     """The columns of parameters, each a list of its rows."""
     return [[*getattr(found, f"force_{name}"), *getattr(found, f"moment_{name}")] for name, _ in parameters]
+
+
+def rotor_regressor(robot: Robot, motion: Motion, on_singular: OnFault = "raise") -> Array:
+    """Y_r, (..., 6, 12): columns of the rotors of the legs' drives, besides those of the bodies in Y.
+
+        H F + [R F_ext; R M_ext] = Y pi + Y_r [m_r; j_r]
+
+    F is the motors' force along the legs; the columns are of m_r of legs 1 to 6, then of j_r; formulation
+    `exact`. Rows and units are as of ``regressor``, parameters in kg and kg m: both of a leg follow from J_r,
+    its turns per length being known.
+
+    Parameters
+    ----------
+    robot : Robot
+        The machine, with a drive or without.
+    motion : Motion
+        Motion of the platform, any leading shape.
+    on_singular : {"raise", "nan", "warn"}, optional
+        As for ``regressor``.
+
+    Returns
+    -------
+    ndarray
+        Y_r, NaN where a pose has none.
+
+    Raises
+    ------
+    ValueError
+        For spherical base joints, for a motion without accelerations, and for poses in which a leg has length
+        zero or lies along its universal axis.
+    """
+    need_universal(robot)
+    need_motion(robot, motion)
+    option(on_singular, ON_FAULT, "on_singular")
+    _, status = evaluated(robot, motion, np.zeros(1, dtype=np.int32), "c")
+    names = [f"{rows}_{name}" for name, _ in exact_rotors.PARAMETERS for rows in ("force", "moment")]
+
+    def run(on: Any, structure: Any, part: Any, _: slice) -> Any:
+        return vars(exact_rotors.rotor_columns(on, structure.leg, structure, part))
+
+    found, _ = on_arrays(run, legs_side_by_side(robot), motion, dict.fromkeys(names, (3, LEGS)))
+    columns = [
+        np.concatenate([found[f"force_{name}"], found[f"moment_{name}"]], axis=-2)
+        for name, _ in exact_rotors.PARAMETERS
+    ]
+    Y = np.concatenate(columns, axis=-1)
+    Y[status != 0] = np.nan
+    report_faults(status, robot, motion, on_singular, stacklevel=3)
+    return Y
 
 
 def inertial_parameters(robot: Robot) -> Parameters:
