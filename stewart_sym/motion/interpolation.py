@@ -73,16 +73,12 @@ def between(trajectory: Trajectory | PoseLog) -> Path:
             return trajectory.at(np.asarray(i + (share[..., 0] == 1.0)))
         # The polynomials of the steps in question alone: those of all would take as much room as the motion.
         start, end = trajectory.at(i), trajectory.at(i + 1)
-        places = quintic(h, *((each.t, each.v, np.asarray(each.a)) for each in (start, end)))
-        t, *rates = values(places, share, h)
-        phi, phi_dot, phi_ddot = values(_turning(h, start, end), share, h)
-        turning = angular_motion_from_vector(phi, phi_dot, phi_ddot)
-        R = orthonormal(rotation_from_vector(phi) @ start.R)
+        R, *rest = _moved(_steps_of(h, start, end), share, h, start.R)
         loads = {
             name: None if load is None or after is None else load + share * (after - load)
             for name, load, after in (("F_ext", start.F_ext, end.F_ext), ("M_ext", start.M_ext, end.M_ext))
         }
-        return Motion(R, t, turning[0], rates[0], turning[1], rates[1], **loads)
+        return Motion(orthonormal(R), *rest, **loads)
 
     return at
 
@@ -94,9 +90,8 @@ def followed(trajectory: Trajectory) -> Callable[[float], Motion]:
     """
     _need_interpolable(trajectory)
     motion, time = trajectory.motion, elapsed(trajectory.time)
-    start, end, h = motion[:-1], motion[1:], np.diff(time)[:, None]
-    places = quintic(h, *((each.t, each.v, np.asarray(each.a)) for each in (start, end)))
-    c = np.concatenate([places, _turning(h, start, end)], axis=-1)
+    h = np.diff(time)[:, None]
+    c = _steps_of(h, motion[:-1], motion[1:])
     loads = {name: getattr(motion, name) for name in ("F_ext", "M_ext")}
     loads = {name: load for name, load in loads.items() if load is not None}
     last = at_rest(motion.R[-1], motion.t[-1], **{name: load[-1] for name, load in loads.items()})
@@ -106,11 +101,8 @@ def followed(trajectory: Trajectory) -> Callable[[float], Motion]:
             return last
         i = max(int(np.searchsorted(time, when, side="right")) - 1, 0)
         share = (when - float(time[i])) / float(h[i, 0])
-        pose, rate, second = values(c[:, i], share, h[i])
-        omega, alpha = angular_motion_from_vector(pose[3:], rate[3:], second[3:])
-        R = rotation_from_vector(pose[3:]) @ motion.R[i]
         now = {name: load[i] + share * (load[i + 1] - load[i]) for name, load in loads.items()}
-        return Motion.unchecked(R, pose[:3], omega, rate[:3], alpha, second[:3], **now)
+        return Motion.unchecked(*_moved(c[:, i], share, h[i], motion.R[i]), **now)
 
     return at
 
@@ -178,13 +170,23 @@ def _steps(time: Array, when: Array) -> tuple[NDArray[np.int64], Array]:
 Ends = tuple[Array, Array, Array]
 
 
-def _turning(h: Array, start: Motion, end: Motion) -> Array:
-    """Coefficients as of ``quintic`` of the rotation vector from the start of each step on."""
+def _steps_of(h: Array, start: Motion, end: Motion) -> Array:
+    """Coefficients as of ``quintic`` of positions and of rotation vectors from the start of each step."""
     assert start.alpha is not None
     assert end.alpha is not None
     turn = vector_from_rotation(end.R @ np.swapaxes(start.R, -1, -2))
     rates = vector_rate(turn, end.omega), vector_second_rate(turn, end.omega, end.alpha)
-    return quintic(h, (np.zeros_like(turn), start.omega, start.alpha), (turn, *rates))
+    turning = quintic(h, (np.zeros_like(turn), start.omega, start.alpha), (turn, *rates))
+    places = quintic(h, *((each.t, each.v, np.asarray(each.a)) for each in (start, end)))
+    return np.concatenate([places, turning], axis=-1)
+
+
+def _moved(c: Array, share: Array | float, h: Array, R: Array) -> tuple[Array, ...]:
+    """R, t, omega, v, alpha and a at shares of steps h, s, of coefficients (6, ..., 6) that begin with R."""
+    pose, rate, second = values(c, share, h)
+    omega, alpha = angular_motion_from_vector(pose[..., 3:], rate[..., 3:], second[..., 3:])
+    R = rotation_from_vector(pose[..., 3:]) @ R
+    return R, pose[..., :3], omega, rate[..., :3], alpha, second[..., :3]
 
 
 def quintic(h: Array, first: Ends, last: Ends) -> Array:

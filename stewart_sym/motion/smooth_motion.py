@@ -209,23 +209,17 @@ def from_best(noise: PoseNoise, q: Array) -> Iterator[Basis]:
     yield from rest
 
 
-class Smoothed(NamedTuple):
-    """A smooth motion, and the deviations of its rates of position and angles, m/s and rad/s, (n, 6)."""
-
-    motion: Motion
-    rates: Array
-
-
-def smoothed(motion: Motion, noise: PoseNoise) -> Smoothed:
+def smoothed(motion: Motion, noise: PoseNoise) -> tuple[Motion, Array]:
     """The smooth motion that explains the measured poses alone best, under the load of the measured one.
 
-    Raises ValueError as ``coordinates``.
+    Also the deviations of its rates of position and angles, m/s and rad/s, (n, 6). Raises ValueError as
+    ``coordinates``.
     """
     q = coordinates(motion, noise)
     basis = next(from_best(noise, q))
     _, corner = np.linalg.qr(basis.value)
     rates = np.linalg.norm(basis.first @ np.linalg.pinv(corner), axis=1)[:, None] / noise.weights
-    return Smoothed(basis.motion(pose_fit(basis, q), motion), rates)
+    return basis.motion(pose_fit(basis, q), motion), rates
 
 
 def pose_fit(basis: Basis, q: Array) -> Array:

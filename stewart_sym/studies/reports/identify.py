@@ -77,13 +77,13 @@ def from_measurement(
     if noise is not None and robot.tool.any():
         # The noise is that of the measured poses, which are poses of the tool.
         moved, motion = about_point(robot, robot.tool), motion.about_point(robot.tool)
-        smooth = smoothed(motion, noise).motion
+        smooth = smoothed(motion, noise)[0]
         found = identify(
             moved, motion, F, sigma, base_parameters(moved, smooth, *options), noise, physical, drive=drive
         )
         base = base_parameters(robot, smooth.about_point(-robot.tool), *options)
         return about_reference(robot, base, found, robot.tool)
-    base = base_parameters(robot, motion if noise is None else smoothed(motion, noise).motion, *options)
+    base = base_parameters(robot, motion if noise is None else smoothed(motion, noise)[0], *options)
     found = identify(robot, motion, F, sigma, base, noise, physical, drive=drive)
     if noise is None and found.verdict in ("misfit", "rejected"):
         found = replace(found, doubts=(*found.doubts, *_scatter(trajectory, form)))
