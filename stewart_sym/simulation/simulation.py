@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, Literal
 
 import numpy as np
@@ -173,17 +173,18 @@ def simulate(
                 "without offsets"
             )
         run.sticking = StickSlip(robot, robot.drive, run.accelerations, run._loaded)
-    stop, pieces = run.through(start, float(duration), rate)
+    stop = run.through(start, float(duration), rate)
+    pieces = tuple(run.pieces)
     times = output_times(pieces, stop.time, output_step)
-    trace = sampled_at(robot, actuators, tuple(pieces), times)
+    trace = sampled_at(robot, actuators, pieces, times)
     return Simulation(
         **vars(trace),
         stop=stop,
         saturation=saturation_of(actuators, pieces),
         _robot=robot,
         _actuators=actuators,
-        _pieces=tuple(pieces),
-        drives=None if run.sticking is None else run.sticking.results(tuple(pieces), actuators, times),
+        _pieces=pieces,
+        drives=None if run.sticking is None else run.sticking.results(pieces, actuators, times),
         loaded=load is not None or any(each is not None and np.any(each) for each in run.constant),
     )
 
@@ -193,7 +194,11 @@ def simulate(
 
 @dataclass(eq=False)
 class _Run:
-    """One run's parts, and the integration from state to state."""
+    """One run's parts, and the integration from state to state.
+
+    y, center: numbers of the chart at ``time``, s, and its centre. step: that which is tried next, s, None
+    where the solver finds one. sampled: what the law commanded last, N, (6,), None unless it is sampled.
+    """
 
     robot: Robot
     accelerations: Callable[[Motion, Array], tuple[Array, int]]
@@ -206,104 +211,102 @@ class _Run:
     reached: Callable[[float], None]
     fault: int = 0
     sticking: StickSlip | None = None
+    pieces: list[Piece] = field(default_factory=list)
+    time: float = 0.0
+    step: float | None = None
+    sampled: Array | None = None
+    y: Array = field(init=False)
+    center: Array = field(init=False)
 
-    def through(self, state: Motion, duration: float, rate: float | None) -> tuple[Stop, list[Piece]]:
+    def through(self, state: Motion, duration: float, rate: float | None) -> Stop:
         """Go from sample to sample of the law, or in one go, until the end or a stop."""
-        pieces: list[Piece] = []
-        time, center = 0.0, np.array(state.R)
-        y = np.concatenate([state.t, np.zeros(3), state.v, state.omega])
-        step: float | None = None
+        self.y = np.concatenate([state.t, np.zeros(3), state.v, state.omega])
+        self.center = np.array(state.R)
         sample = 0
-        while time < duration:
+        while self.time < duration:
             sample += 1
-            sampled = (
-                None if rate is None else six_forces(self.actuators.law(time, motion_of(y, center)), time)
-            )
-            y = self._settled(time, y, center, sampled, sample == 1)
+            if rate is not None:
+                self.sampled = six_forces(self.actuators.law(self.time, self._state()), self.time)
+            self._settle(first=sample == 1)
             if sample == 1:
-                if not np.isfinite(self._rates(0.0, y, center, sampled)).all():
+                if not np.isfinite(self._rates(0.0, self.y)).all():
                     if self.fault in (OK, NOT_FINITE):
-                        self._need_finite(motion_of(y, center), sampled)
+                        self._need_finite()
                     raise ValueError(f"initial_state: no accelerations: {self._reason()}")
                 self.fault = 0
             end = duration if rate is None else min(sample / rate, duration)
-            while time < end:
-                stop, time, y, center, step = self._chart(pieces, time, end, y, center, step, sampled)
+            while self.time < end:
+                stop = self._chart(end)
                 if stop is not None:
-                    return stop, pieces
-        return Stop("duration", duration, None, f"ran to its end at {duration:g} s"), pieces
+                    return stop
+        return Stop("duration", duration, None, f"ran to its end at {duration:g} s")
 
-    def _chart(
-        self,
-        pieces: list[Piece],
-        time: float,
-        end: float,
-        y: Array,
-        center: Array,
-        step: float | None,
-        sampled: Array | None,
-    ) -> tuple[Stop | None, float, Array, Array, float | None]:
-        """Integrate in one chart, to its rim or to ``end``; hand back the state in a chart of its own."""
-        first = None if step is None else min(step, end - time)
+    def _chart(self, end: float) -> Stop | None:
+        """Integrate in one chart, to its rim or to ``end``, and go over to a chart of its own."""
+        first = None if self.step is None else min(self.step, end - self.time)
         modes = () if self.sticking is None else self.sticking.modes
-
-        def rates(time: float, y: Array) -> Array:
-            return self._rates(time, y, center, sampled)
-
-        solver = self.solver(rates, time, y, end, first_step=first, **self.tolerances)
+        solver = self.solver(self._rates, self.time, self.y, end, first_step=first, **self.tolerances)
         while solver.status == "running" and np.linalg.norm(solver.y[3:6]) < CHART_RADIUS:
             solver.step()
             if solver.status == "failed":
                 text = f"no step is small enough at {solver.t:.9g} s: {self._reason()}"
-                if not pieces:
+                if not self.pieces:
                     raise ValueError(f"initial_state: {text}")
-                return Stop("failed", solver.t, None, text), solver.t, solver.y, center, step
-            piece = Piece(solver.t_old, solver.t, solver.dense_output(), center, sampled, modes)
+                return Stop("failed", solver.t, None, text)
+            dense = solver.dense_output()
+            piece = Piece(solver.t_old, solver.t, dense, self.center, self.sampled, modes)
             change = None if self.sticking is None else self.sticking.first_change(piece, self.actuators)
             if change is not None:
                 piece = piece._replace(end=change.time)
             stop = self.watch.first(piece, self.actuators)
             if stop is not None:
                 # A stop where the step begins leaves no piece but the first, which the trace needs.
-                if stop.time > piece.start or not pieces:
-                    pieces.append(piece._replace(end=stop.time))
-                return stop, stop.time, solver.y, center, step
-            pieces.append(piece)
+                if stop.time > piece.start or not self.pieces:
+                    self.pieces.append(piece._replace(end=stop.time))
+                return stop
+            self.pieces.append(piece)
             self.reached(piece.end)
             if change is not None:
-                return self._changed(piece, sampled, pieces)
-        return None, float(solver.t), *_recentred(solver.y, center), float(solver.h_abs)
+                return self._changed(piece)
+        self.time, self.step = float(solver.t), float(solver.h_abs)
+        self._recentre(solver.y)
+        return None
 
-    def _changed(
-        self, piece: Piece, sampled: Array | None, pieces: list[Piece]
-    ) -> tuple[Stop | None, float, Array, Array, float | None]:
+    def _changed(self, piece: Piece) -> Stop | None:
         """Go on after a leg has come to rest or broken away at the end of a piece."""
         assert self.sticking is not None
-        y, center = _recentred(piece.interpolant(piece.end), piece.center)
-        if piece.end <= piece.start and len(pieces) > 1:
-            pieces.pop()
-        stop = None
+        self.time, self.step = piece.end, None
+        self._recentre(piece.interpolant(piece.end))
+        if piece.end <= piece.start and len(self.pieces) > 1:
+            self.pieces.pop()
         if self.sticking.stalled:
             text = f"legs stick and slip without end at {piece.end:.9g} s"
-            stop = Stop("failed", piece.end, None, text)
-        return stop, piece.end, self._settled(piece.end, y, center, sampled), center, None
+            return Stop("failed", piece.end, None, text)
+        self._settle()
+        return None
 
-    def _settled(
-        self, time: float, y: Array, center: Array, sampled: Array | None, first: bool = False
-    ) -> Array:
-        """The chart's numbers once it is settled which legs stick."""
+    def _recentre(self, y: Array) -> None:
+        """Go over to a chart whose centre is where the state is."""
+        self.center = orthonormal(rotation_from_vector(y[3:6]) @ self.center)
+        self.y = np.concatenate([y[:3], np.zeros(3), y[6:]])
+
+    def _settle(self, first: bool = False) -> None:
+        """Decide which legs stick; these are at rest then."""
         if self.sticking is None:
-            return y
-        state = motion_of(y, center)
-        F = self.actuators.at(time, state, sampled)
-        still = (self.sticking.begin if first else self.sticking.settled)(time, state, F)
-        return np.concatenate([y[:6], still.v, still.omega])
+            return
+        state = self._state()
+        F = self.actuators.at(self.time, state, self.sampled)
+        still = (self.sticking.begin if first else self.sticking.settled)(self.time, state, F)
+        self.y = np.concatenate([self.y[:6], still.v, still.omega])
 
-    def _rates(self, time: float, y: Array, center: Array, sampled: Array | None) -> Array:
-        state = Motion.unchecked(turned_by(y[3:6], center), y[:3], omega=y[9:], v=y[6:9])
+    def _state(self) -> Motion:
+        return motion_of(self.y, self.center)
+
+    def _rates(self, time: float, y: Array) -> Array:
+        state = Motion.unchecked(turned_by(y[3:6], self.center), y[:3], omega=y[9:], v=y[6:9])
         if self.sticking is not None:
             state = self.sticking.moving(state)
-        F = self.actuators.at(time, state, sampled)
+        F = self.actuators.at(time, state, self.sampled)
         loaded = self._loaded(time, state)
         if self.sticking is None:
             acceleration, status = self.accelerations(loaded, F)
@@ -313,12 +316,12 @@ class _Run:
         self.fault = status or self.fault
         return np.concatenate([state.v, one_vector_rate(y[3:6], state.omega), acceleration])
 
-    def _need_finite(self, state: Motion, sampled: Array | None) -> None:
+    def _need_finite(self) -> None:
         """Reject, by ValueError, a load and forces that are no numbers at the start."""
-        loaded = self._loaded(0.0, state)
+        state = self._state()
         for name, value in (
-            ("load", loaded.external_wrench()),
-            ("forces", self.actuators.at(0.0, state, sampled)),
+            ("load", self._loaded(0.0, state).external_wrench()),
+            ("forces", self.actuators.at(0.0, state, self.sampled)),
         ):
             if not np.isfinite(value).all():
                 raise ValueError(f"{name}: expected six finite numbers at 0 s, got {shown(value)}")
@@ -334,14 +337,6 @@ class _Run:
 
     def _reason(self) -> str:
         return STATUS_TEXT[self.fault] if self.fault else "forces or accelerations grow without bound"
-
-
-def _recentred(y: Array, center: Array) -> tuple[Array, Array]:
-    """A chart's numbers and centre in a chart of their own."""
-    there = np.array(y)
-    middle = orthonormal(rotation_from_vector(there[3:6]) @ center)
-    there[3:6] = 0.0
-    return there, middle
 
 
 def check_duration(duration: object) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -316,7 +316,7 @@ def sampled_at(
     return Trace(when, motion.R, motion.t, motion.v, motion.omega, F, L, kinetic, potential)
 
 
-def saturation_of(actuators: Actuators, pieces: list[Piece]) -> Saturation:
+def saturation_of(actuators: Actuators, pieces: Sequence[Piece]) -> Saturation:
     """What the commanded forces exceed their limits by, in all pieces."""
     time, excess = np.zeros(6), np.zeros(6)
     for piece in pieces if np.isfinite(actuators.limit).any() else ():
@@ -336,7 +336,7 @@ def _share_above_zero(start: Array, end: Array) -> Array:
     return np.where(above > 0.0, np.where(np.minimum(start, end) >= 0.0, 1.0, share), 0.0)
 
 
-def output_times(pieces: list[Piece], end: float, step: float | None) -> Array:
+def output_times(pieces: Sequence[Piece], end: float, step: float | None) -> Array:
     """Times of a run's results, s: ends of steps, or every ``step`` s."""
     if step is None:
         return np.unique([pieces[0].start, *(piece.end for piece in pieces)])
