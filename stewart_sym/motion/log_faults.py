@@ -5,7 +5,6 @@ what these leave, and no jump of a velocity, an acceleration or a jerk does near
 """
 
 import itertools
-import warnings
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
@@ -15,7 +14,6 @@ from numpy.typing import NDArray
 from ..io.array_types import Array
 from ..io.instants import elapsed, least_step, time_text
 from .interpolation import quintic, values
-from .noise_level import LogWarning
 from .trajectory import Log
 
 # Lengths of blocks, samples, and the degrees of their polynomials.
@@ -245,11 +243,7 @@ def tell_faults(log: Log, found: Sequence[Fault]) -> None:
     ending = f"; and {more} more" if more > 0 else ""
     done = "replaced, and deviations there hold what this changes" if log.smoothing.on else "left as they are"
     cause = " (rows repeated or missing?)" if any(len(texts) >= _MANY for texts in by_rows.values()) else ""
-    warnings.warn(
-        f"{log.source}: numbers are off as no motion makes them{cause}: {'; '.join(lines)}{ending}: {done}",
-        LogWarning,
-        stacklevel=6,
-    )
+    log.warn(f"numbers are off as no motion makes them{cause}: {'; '.join(lines)}{ending}: {done}", 7)
 
 
 def rows_text(log: Log, first: int, end: int | None) -> str:
@@ -279,7 +273,7 @@ def tell_no_repair(log: Log, good: Array, found: list[Fault]) -> None:
         f"{len(rows)} of {len(good)} rows ({100.0 * share:.2g} %) are replaced, and numbers change by up to "
         f"{' and '.join(most)}: that is no repair, and the results are not to be trusted"
     )
-    warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=6)
+    log.warn(text, 7)
 
 
 # Rows of a slower sensor
@@ -418,7 +412,7 @@ def tell_plateaus(log: Log, values: Array, steps: Array) -> None:
             f"speed and stays there for {lasts:.3g} s in all ({100.0 * share:.2g} % of the rows; first at "
             f"row {log.rows[rows[0]]}): is it clipped? forces there and nearby are wrong"
         )
-        warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=6)
+        log.warn(text, 7)
 
 
 def spread(time: Array, rows: Rows, found: Array) -> Array:

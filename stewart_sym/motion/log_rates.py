@@ -4,7 +4,6 @@ import dataclasses
 import functools
 import itertools
 import math
-import warnings
 from collections.abc import Callable, Sequence
 
 import numpy as np
@@ -27,7 +26,7 @@ from .log_faults import (
     tell_plateaus,
     unseen,
 )
-from .noise_level import LEAST_SAMPLES, Level, LogWarning, decided_noise, noise_level
+from .noise_level import LEAST_SAMPLES, Level, decided_noise, noise_level
 from .smoothing import PAIRS, check_cutoff, smoothed
 from .trajectory import Log, Replaced, Uncertainty
 
@@ -92,7 +91,7 @@ def _tell_slower(log: Log, of: str, slower: Sampling) -> None:
     """Warn of what a slower sensor measured."""
     count, taken = len(slower.rows), "each taken for its first row"
     text = f"{of}{len(log.time)} rows are {slower.kind} between {count} measured ones, {taken}"
-    warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=7)
+    log.warn(text, 7)
 
 
 def _measured(log: Log, values: Array, steps: Array, columns: slice, rows: Rows) -> tuple[Log, Array, Array]:
@@ -219,7 +218,7 @@ def _derivatives(
         _warn_of_cutoff(log, values, found)
     if tell and _matters(noise):
         more = _CORRELATED.format(level.correlation) if level.correlation > 1.0 else ""
-        warnings.warn(f"{log.source}: {noise_text(noise)}: smoothed{more}", LogWarning, stacklevel=7)
+        log.warn(f"{noise_text(noise)}: smoothed{more}", 7)
     return found, noise
 
 
@@ -246,7 +245,7 @@ def _with_jumps(log: Log, left: Array, noise: Uncertainty, tell: bool) -> Uncert
         when = time_text(log.time[worst], float(np.median(np.diff(log.time))))
         text = f"near {when} s a smooth motion is {off[worst].max():.2g} deviations of the noise off"
         more = "do accelerations jump? Forces there overshoot, as their deviations say"
-        warnings.warn(f"{log.source}: {text}: {more}", LogWarning, stacklevel=8)
+        log.warn(f"{text}: {more}", 8)
     return _with_changes(log.time, noise.coordinates, noise, changed, near)
 
 
@@ -273,9 +272,7 @@ def _warn_of_cutoff(log: Log, values: Array, found: Array) -> None:
             parts.append(f"of {what} of {in_unit(most)}")
     if parts:
         text = f"the cut-off of {log.smoothing.cutoff:g} Hz removes changes {' and '.join(parts)}"
-        warnings.warn(
-            f"{log.source}: {text}: motion, not noise, and the forces lack it", LogWarning, stacklevel=8
-        )
+        log.warn(f"{text}: motion, not noise, and the forces lack it", 8)
 
 
 # Noise without a warning: shares of the largest acceleration, gravity's at least, and of the path.
@@ -345,13 +342,15 @@ def _warn_of_stated(log: Log, values: Array, steps: Array) -> None:
         if known is None or (name == "L" and not log.smoothing.on):  # without it a noise of poses is stated
             continue
         what, text = log.kind(name)
-        statement = f"{log.source}: stated noise of {what} of {text(known)}"
+        statement = f"stated noise of {what} of {text(known)}"
         most = _ABSURD * max(1.0, float(np.abs(values[:, part]).max()))
         if known > most:
-            raise ValueError(f"{statement}: expected less than {text(most)}; is its unit right?")
+            raise ValueError(
+                f"{log.source}: {statement}: expected less than {text(most)}; is its unit right?"
+            )
         doubt = _doubt_of_noise(known, log.time, values[:, part], steps[part], text)
         if doubt is not None:
-            warnings.warn(f"{statement}, but they {doubt}", LogWarning, stacklevel=7)
+            log.warn(f"{statement}, but they {doubt}", 7)
 
 
 def _doubt_of_noise(
@@ -383,7 +382,7 @@ def as_given(log: Log, found: Array, steps: Sequence[Array]) -> Uncertainty | No
     """Uncertainty of coordinates and rates, (3, n, 6), all of them measured and rounded to steps, (3, 6)."""
     if log.smoothing.cutoff is not None:
         text = "the file has rates, which are taken as they are: the cut-off changes nothing"
-        warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=6)
+        log.warn(text, 5)
     known = _stated(log)
     _warn_of_stated(log, found[0], steps[0])
     sigma = np.array(steps) / math.sqrt(12.0)
@@ -415,7 +414,7 @@ def _warn_of_gap(log: Log) -> None:
         f"{step[i] / usual:.3g} times the usual step of {usual:.3g} s"
     )
     more = f"; {gaps.size - 1} more gaps" if gaps.size > 1 else ""
-    warnings.warn(f"{log.source}: {text}{more}: bridged by a smooth curve", LogWarning, stacklevel=6)
+    log.warn(f"{text}{more}: bridged by a smooth curve", 6)
 
 
 def _replaced_rows(log: Log, bad: Sequence[Fault], near: Flags) -> tuple[Replaced, ...]:

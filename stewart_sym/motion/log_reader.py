@@ -3,7 +3,6 @@
 import dataclasses
 import math
 import os
-import warnings
 from collections.abc import Sequence
 from functools import partial
 
@@ -16,7 +15,6 @@ from ..io.progress import Progress, silent
 from ..io.tables import file_name, opened
 from .log_rates import SPLINE, as_given, rates_of
 from .logs import LogFormat, need_columns, read_columns, stated_units
-from .noise_level import LogWarning
 from .rate_doubts import angular_velocity_doubt, rate_doubt
 from .rotation import rotation_about_axes
 from .trajectory import (
@@ -133,7 +131,7 @@ def _on_even_clock(log: Log) -> Log:
         return log
     rounded, step = (f"{1e3 * number:.6g} ms" for number in (clock.rounded, clock.step))
     text = f"time: rounded to {rounded}: rows are taken every {step}"
-    warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=4)
+    log.warn(text, 4)
     return dataclasses.replace(log, time=clock.times)
 
 
@@ -179,26 +177,22 @@ def read_leg_columns(
 _MOST_ACCELERATION, _LEAST_ACCELERATION = 1e5, 1e-4
 
 
-def _warn(log: Log, text: str) -> None:
-    warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=6)
-
-
 def _warn_of_angles(log: Log) -> None:
     """Warn of angles that no machine makes, and of quaternions whose scalar seems to come last."""
     if "theta" in log.written:
         doubt = turn_doubt(np.unwrap(log.vector("theta"), axis=0))
         if doubt is not None:
             hint = ": are angles in degrees (LogFormat(angle_unit='deg'))?" if log.form.radians == 1.0 else ""
-            _warn(log, f"{doubt}{hint}")
+            log.warn(f"{doubt}{hint}", 5)
     if "q" in log.written:
         q = np.abs(log.vector("q"))
         if (np.median(q, axis=0) @ (-1.0, 0.0, 0.0, 1.0)) > 0.5 * float(
             np.median(np.linalg.norm(q, axis=-1))
         ):
-            _warn(
-                log,
+            log.warn(
                 "q_z is the largest component: half a turn about z, or quaternions whose scalar comes last? "
                 "(LogFormat(columns={'q_w': 'q_z', 'q_x': 'q_w', 'q_y': 'q_x', 'q_z': 'q_y', ...}))",
+                5,
             )
 
 
@@ -221,7 +215,7 @@ def _warn_of_units(log: Log, coordinates: Array) -> None:
         hint = f"is time in another unit (LogFormat(time_unit='{slow[-1]}'))"
     else:
         return
-    _warn(log, f"steps of {step:.4g} s and accelerations up to {largest:.2g} m/s^2: {hint}?")
+    log.warn(f"steps of {step:.4g} s and accelerations up to {largest:.2g} m/s^2: {hint}?", 5)
 
 
 # How far from a power of 1000 the ratio of changes to rates is where a unit is wrong: decades.
@@ -249,7 +243,7 @@ def _warn_of_rates(log: Log, coordinates: Array, names: Sequence[str]) -> None:
             if unit
             else "are rates in another unit"
         )
-        _warn(log, f"coordinates change by {changed / expected:.2g} times what their rates say: {hint}?")
+        log.warn(f"coordinates change by {changed / expected:.2g} times what their rates say: {hint}?", 5)
         return
     kinds = len(names) // 3
     for order in range(2):
@@ -257,7 +251,7 @@ def _warn_of_rates(log: Log, coordinates: Array, names: Sequence[str]) -> None:
         values, rates = coordinates[order], coordinates[order + 1]
         doubt = rate_doubt(log.time, values, rates, columns, their_rates, 6 // kinds)
         if doubt:
-            _warn(log, doubt)
+            log.warn(doubt, 5)
 
 
 def _joint_trajectory(log: Log) -> JointTrajectory:
@@ -299,7 +293,7 @@ def _pose_log(log: Log) -> PoseLog:
         noise = None if noise is None else noise._replace(order=order)
         doubt = angular_velocity_doubt(log.time, found[0, :, 3:], found[1, :, 3:], order)
         if doubt:
-            _warn(log, doubt)
+            log.warn(doubt, 4)
         else:
             _warn_of_rates(log, found, names)
     else:

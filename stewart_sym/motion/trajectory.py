@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
+import warnings
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -16,7 +17,7 @@ from ..io.array_types import Array
 from ..io.tables import number
 from .logs import LogFormat
 from .motion import Motion
-from .noise_level import grid_steps, rounding_step
+from .noise_level import LogWarning, grid_steps, rounding_step
 from .rotation import (
     FAR_FROM_LOCK,
     distance_from_lock,
@@ -158,7 +159,9 @@ class PoseLog(NamedTuple):
 
     def at(self, index: slice | NDArray[np.int64]) -> Motion:
         """The motion at some of the instants; ValueError of one line that names file and row."""
-        numbers = pose_arguments(self.coordinates[:, index])
+        names, chosen = ("t", "theta", *DERIVATIVES), self.coordinates[:, index]
+        # Arguments of ``Motion.from_rpy``.
+        numbers = {name: chosen[i // 2, ..., 3 * (i % 2) :][..., :3] for i, name in enumerate(names)}
         for name, load in (("F_ext", self.F_ext), ("M_ext", self.M_ext)):
             if load is not None:
                 numbers[name] = load[index]
@@ -247,6 +250,10 @@ class Log:
         what = {"L": "lengths", "t": "positions", "theta": "angles"}[name]
         return what, lambda number: f"{number / scale:.2g} {unit}"
 
+    def warn(self, text: str, level: int) -> None:
+        """Warn of the log; level: as ``stacklevel`` of ``warnings.warn`` where this is called."""
+        warnings.warn(f"{self.source}: {text}", LogWarning, stacklevel=level + 1)
+
     def load(self, name: str) -> Array | None:
         """An external force or moment, (n, 3)."""
         return self.vector(name) if name in self.written else None
@@ -308,12 +315,6 @@ def angle_range(theta: Array, axis: int) -> str:
 
 
 LONG_STEPS = {"ms": 0.5, "us": 500.0}
-
-
-def pose_arguments(coordinates: Array) -> dict[str, Array]:
-    """Arguments of ``Motion.from_rpy`` from coordinates and rates, (3, ..., 6)."""
-    names = ("t", "theta", *DERIVATIVES)
-    return {name: coordinates[i // 2, ..., 3 * (i % 2) : 3 * (i % 2) + 3] for i, name in enumerate(names)}
 
 
 def _motion_of(numbers: Mapping[str, Array], order: str) -> Motion:

@@ -48,6 +48,14 @@ def test_delimiter_and_decimal_comma_are_detected(tmp_path: Path, delimiter: str
     same(read_csv(odd, LogFormat(delimiter=marks[0], decimal=marks[1])), plain, 0.0)
 
 
+def test_rows_that_are_off_are_told_at_the_line_that_reads_the_log(tmp_path: Path) -> None:
+    rows = poses(121)
+    rows[60, 1] += 0.01
+    with pytest.warns(ss.LogWarning, match="numbers are off as no motion makes them: row 62") as told:
+        read_csv(write(tmp_path / "spike.csv", NAMES, rows))
+    assert {each.filename for each in told} == {__file__}
+
+
 def test_names_are_mapped_and_other_columns_skipped(tmp_path: Path) -> None:
     plain = read_csv(write(tmp_path / "plain.csv", NAMES, poses()))
     given = ["Time [ms]", "X", "Y", "Z", "roll", "pitch", "yaw"]

@@ -182,5 +182,6 @@ def test_rates_of_sparse_logs_and_of_rest_are_not_warned_of(tmp_path: Path, step
 def test_a_cutoff_beside_rates_is_said_to_change_nothing(tmp_path: Path) -> None:
     log = write(tmp_path / "rates.csv", *with_rates(np.linspace(0.0, 4.0, 161)))
     expected = "rates.csv: the file has rates, which are taken as they are: the cut-off changes nothing"
-    with pytest.warns(ss.LogWarning, match=expected):
+    with pytest.warns(ss.LogWarning, match=expected) as told:
         read_csv(log, smoothing=ss.Smoothing(cutoff=3.0))
+    assert {each.filename for each in told} == {__file__}

@@ -155,10 +155,13 @@ def test_stated_noise_is_in_the_unit_of_the_row_of_units(tmp_path: Path) -> None
 def test_rows_written_twice_are_taken_once_and_counted(tmp_path: Path) -> None:
     header, *rows = lines()
     plain = read(tmp_path, [header, *rows])
-    with pytest.warns(LogWarning, match=r": 3 rows have the time and .* the first is row 7: taken once$"):
+    with pytest.warns(
+        LogWarning, match=r": 3 rows have the time and .* the first is row 7: taken once$"
+    ) as told:
         found = read(tmp_path, [header, *rows[:5], rows[4], *rows[5:9], *rows[8:], rows[-1]])
     alike(found, plain)
     assert [found.rows[i] for i in (4, 5, 40)] == [6, 8, 44]
+    assert {each.filename for each in told} == {__file__}
     other = rows[5].rpartition(",")[0] + ",0.5"
     with pytest.raises(ValueError, match=r"row 8: time: expected increasing times, got 0.25 after"):
         read(tmp_path, [header, *rows[:6], other, *rows[6:]])
