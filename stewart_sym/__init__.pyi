@@ -41,8 +41,6 @@ from .formulas.symbols import symbolic as symbolic
 from .identification.base_parameters import BaseParameters as BaseParameters
 from .identification.base_parameters import base_parameters as base_parameters
 from .identification.drive_terms import DriveEstimate as DriveEstimate
-from .identification.equations import EquationsByParameter as EquationsByParameter
-from .identification.equations import equations_by_parameter as equations_by_parameter
 from .identification.estimates import Estimate as Estimate
 from .identification.estimation import Experiment as Experiment
 from .identification.estimation import identify as identify
@@ -50,7 +48,9 @@ from .identification.estimation import simulated_experiment as simulated_experim
 from .identification.excitation import Excitation as Excitation
 from .identification.excitation import FourierPath as FourierPath
 from .identification.excitation import choose_excitation as choose_excitation
+from .identification.parameters import EquationsByParameter as EquationsByParameter
 from .identification.parameters import Parameters as Parameters
+from .identification.parameters import equations_by_parameter as equations_by_parameter
 from .identification.parameters import inertial_parameters as inertial_parameters
 from .identification.parameters import regressor as regressor
 from .identification.parameters import rotor_regressor as rotor_regressor
@@ -92,10 +92,10 @@ from .planning.certificate import certify_plan as certify_plan
 from .planning.plan_path import PlannedPath as PlannedPath
 from .planning.plan_path import plan_path as plan_path
 from .planning.pose_path import PosePath as PosePath
+from .planning.pose_path import ViaPose as ViaPose
 from .planning.time_path import TimedPath as TimedPath
 from .planning.time_path import time_path as time_path
 from .planning.timing.path_terms import Limits as Limits
-from .planning.via_poses import ViaPose as ViaPose
 from .results import EquationsOfMotion as EquationsOfMotion
 from .results import ForceDerivatives as ForceDerivatives
 from .results import Forces as Forces

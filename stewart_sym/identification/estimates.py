@@ -1,18 +1,37 @@
-"""What identification hands back: base parameters with their covariance and a verdict on the fit."""
+"""What identification hands back: base parameters with their covariance and a verdict on the fit.
+
+The verdict is whether model and stated noise explain the residual: its size, its smooth part, a load that
+changes.
+"""
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
 
 from ..io.array_types import Array
 from ..motion.motion import Motion
-from ..robot.robot import Robot
+from ..robot.robot import LEGS, Robot
 from .base_parameters import BaseParameters
 from .drive_terms import DriveEstimate, seen_by_motors
+from .fits import LOAD, Data, Fit, linear_system
 from .parameters import Parameters, inertial_parameters
-from .tails import departure
+from .physical import Negative, negative
+from .tails import departure, tail
+
+# By how many of its deviations a fit may be off as it is not linear within these.
+_BENT = 0.1
+# A misfit is named where a right model with the stated noise would show one this rarely.
+LEVEL = 1e-3
+# Deviations are not inflated by more than this: the fit is rejected.
+_MOST_INFLATION = 3.0
+# Cosines over the instants, for each leg, by which the forces may still differ smoothly from the fitted ones.
+_COSINES = 20
+# Share of a column below which what the fit leaves of it counts as nothing.
+_NEW = 1e-8
+EXACT = ("motion: is taken as exact, expected its noise if its poses were measured",)
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,3 +121,117 @@ class Estimate:
         if not np.isfinite(self.covariance).all():
             return np.zeros(len(off)), 1.0
         return departure(off, self.covariance)
+
+
+def tested_estimate(data: Data, fit: Fit, remedy: tuple[str, ...]) -> Estimate:
+    """The estimate of a fit whose residual was tested; ``remedy``: doubts to give where it fails."""
+    r = np.concatenate([part.ravel() for part in fit.parts])
+    spare = len(r) - data.left_out - fit.span.shape[1]
+    misfit = math.sqrt(float(r @ r) / spare) if spare > 0 else math.nan
+    noise_misfit, p_noise, noise_doubts = _noise_test(fit, data.left_out)
+    (smooth_misfit, p_smooth), (load_misfit, p_load) = (
+        _gain_test(fit, r, added, data.left_out) for added in (_smooth_forces(fit), _changing_load(data, fit))
+    )
+    doubts = list(noise_doubts) if p_noise < LEVEL else []
+    inflation = max(1.0, noise_misfit) if p_noise < LEVEL else 1.0
+    if 2.0 * p_smooth < LEVEL:
+        inflation = max(inflation, smooth_misfit)
+        beside = "noise" if smooth_misfit >= 1.0 else "the stated noise, which is more than their scatter"
+        doubts.append(
+            f"forces: differ smoothly from the model's, {smooth_misfit:.2f} times as much as by {beside}: "
+            "expected a model of all that moves, its friction and load, and poses that follow the motion"
+        )
+    if 2.0 * p_load < LEVEL:
+        inflation = max(inflation, min(load_misfit, _MOST_INFLATION))
+        doubts.append(
+            f"load: the platform's mass or first moment changes on the way, {load_misfit:.3g} times as much "
+            "as by noise: expected a load that stays as it is, and forces that do not drift"
+        )
+    if not fit.converged:
+        doubts.append("fit: did not converge, expected a smaller noise or a motion that excites more")
+    elif fit.curvature > _BENT:
+        doubts.append(
+            f"fit: is not linear within its deviations, off by {fit.curvature:.2g} of them: expected a "
+            "smaller noise or a motion that excites more"
+        )
+    if doubts and data.robot.has_rotors and (data.terms is None or not data.terms.of_rotors):
+        doubts.append(
+            "rotors: forces are taken as the motors', with the rotor_inertia of the robot file: if it is not "
+            "sure, seek reflected_mass of the drive; of forces measured in the legs, leave rotor_inertia out"
+        )
+    rejected = inflation > _MOST_INFLATION or not fit.converged or fit.curvature > _BENT
+    verdict = "rejected" if rejected else "misfit" if doubts else "consistent" if spare > 0 else "untested"
+    unknowns, rank = len(fit.values), data.base.rank
+    covariance = np.diag(np.full(unknowns, np.inf)) if rejected else inflation**2 * fit.covariance
+    values, own = fit.values[:rank], covariance[:rank, :rank]
+    below = Negative((), ()) if rejected else negative(data.robot, data.base, values, own)
+    terms = data.terms
+    return Estimate(
+        base=data.base,
+        values=values,
+        covariance=own,
+        misfit=misfit,
+        p_noise=p_noise,
+        p_model=min(1.0, 2.0 * p_smooth, 2.0 * p_load),
+        inflation=inflation,
+        verdict=verdict,
+        doubts=(*doubts, *(remedy if doubts else ())),
+        impossible=below.impossible,
+        near_zero=below.near_zero,
+        motion=fit.motion,
+        drive=None if terms is None else terms.estimate(fit.values[rank:], covariance[rank:, rank:]),
+    )
+
+
+def _noise_test(fit: Fit, left_out: int) -> tuple[float, float, tuple[str, ...]]:
+    """Largest RMS residual of forces or poses over its expectation, its p-value, and which are too large.
+
+    left_out: forces that do not count.
+    """
+    worst, p, doubts, start = 0.0, 1.0, [], 0
+    for name, part in zip(("forces", "poses"), fit.parts, strict=False):
+        explained = float(np.sum(fit.span[start : start + part.size] ** 2))
+        spare, start = part.size - (left_out if start == 0 else 0) - explained, start + part.size
+        if spare < 1.0:
+            continue
+        ratio = float(np.sum(part**2)) / spare
+        own = len(fit.parts) * tail(ratio, spare)
+        worst, p = max(worst, math.sqrt(ratio)), min(p, own)
+        if own < LEVEL:
+            doubts.append(
+                f"{name}: expected a residual of the stated noise, got {math.sqrt(ratio):.3g} times as much"
+            )
+    return worst, p, tuple(doubts)
+
+
+def _smooth_forces(fit: Fit) -> Array:
+    """Slow cosines over the instants on each leg, (6 n, count)."""
+    n = len(fit.parts[0])
+    order = np.arange(min(_COSINES, n // 8))
+    cosines = np.cos(math.pi / n * np.outer(np.arange(n) + 0.5, order))
+    return np.asarray(np.kron(cosines, np.eye(LEGS)), dtype=np.float64)
+
+
+def _changing_load(data: Data, fit: Fit) -> Array:
+    """Forces of a platform whose mass and first moment change from first to last instant, (6 n, 4)."""
+    own = [i for i, name in enumerate(data.base.names) if name in LOAD]
+    A = linear_system(data, fit.motion)[0].reshape(-1, LEGS, len(fit.values))[..., own]
+    change = np.cos(math.pi / len(A) * (np.arange(len(A)) + 0.5))
+    added = (change[:, None, None] * A).reshape(-1, len(own))
+    return np.asarray(added / np.maximum(np.linalg.norm(added, axis=0), np.finfo(np.float64).tiny))
+
+
+def _gain_test(fit: Fit, r: Array, forces: Array, left_out: int) -> tuple[float, float]:
+    """RMS over its expectation of what added forces, (6 n, count), would explain of the residual; p-value."""
+    added = np.zeros((len(r), forces.shape[1]))
+    added[: len(forces)] = forces
+    size = np.linalg.norm(forces, axis=0).max(initial=0.0)
+    span, sizes, _ = np.linalg.svd(added - fit.span @ (fit.span.T @ added), full_matrices=False)
+    span = span[:, sizes > _NEW * size]
+    extra = span.shape[1]
+    spare = len(r) - left_out - fit.span.shape[1] - extra
+    if extra == 0 or spare <= 0:
+        return math.nan, 1.0
+    explained = float(np.sum((span.T @ r) ** 2))
+    rest = (float(r @ r) - explained) / spare
+    return math.sqrt(explained / extra), tail(explained / extra / rest, extra, spare) if rest > 0.0 else 1.0

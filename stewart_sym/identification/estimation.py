@@ -28,13 +28,11 @@ from ..motion.smooth_motion import WITHOUT_PERIOD, PoseNoise, smoothed
 from ..robot.robot import LEGS, Robot
 from .base_parameters import BaseParameters, base_parameters
 from .drive_terms import drive_terms, need_terms, told_apart, turning_legs
-from .estimates import Estimate
+from .estimates import EXACT, LEVEL, Estimate, tested_estimate
 from .excitation import Excitation, force_regressor, need_seed
-from .joint_fit import joint_fit
-from .linear_fit import Data, exact_fit
+from .fits import Data, exact_fit, joint_fit
 from .parameters import inertial_parameters
 from .physical import POSSIBLE, possible_fit
-from .residual_test import EXACT, LEVEL, tested_estimate
 from .tails import tail
 
 

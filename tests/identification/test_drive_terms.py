@@ -11,11 +11,10 @@ from robot_files import written
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
-from stewart_sym.identification import joint_fit
+from stewart_sym.identification import fits
 from stewart_sym.identification.drive_terms import drive_terms, need_terms, told_apart
 from stewart_sym.identification.estimation import Experiment
 from stewart_sym.identification.excitation import force_regressor
-from stewart_sym.identification.linear_fit import Data
 from stewart_sym.motion.rotation import rotation_from_vector
 from stewart_sym.motion.smooth_motion import coordinates, from_best, pose_fit
 from stewart_sym.motion.trajectory import Trajectory
@@ -305,15 +304,15 @@ def test_forces_change_with_the_motion_as_the_joint_fit_takes_them_to(
     terms = told_apart(
         drive_terms(robot, along, sought, False), force_regressor(robot, along, base), base.names
     )
-    data = Data(robot, measured, np.zeros((len(q), 6)), np.ones((len(q), 6)), base, terms)
+    data = fits.Data(robot, measured, np.zeros((len(q), 6)), np.ones((len(q), 6)), base, terms)
     values = base.matrix @ ss.inertial_parameters(robot).values
     values = np.concatenate([values, np.random.default_rng(4).normal(0.0, 100.0, data.unknowns - base.rank)])
-    J = joint_fit._jacobian(data, noise, basis, values, c)
+    J = fits._jacobian(data, noise, basis, values, c)
     for k in (3, 40):
         step = np.zeros(c.size)
         step[k] = 1e-6
         change = [
-            joint_fit._residuals(data, noise, basis, values, c + sign * step.reshape(6, -1).T)[0].ravel()
+            fits._residuals(data, noise, basis, values, c + sign * step.reshape(6, -1).T)[0].ravel()
             for sign in (1.0, -1.0)
         ]
         found = J[: q.size, data.unknowns + k]

@@ -13,7 +13,7 @@ from scipy.interpolate import make_interp_spline
 from sweeps import share
 
 import stewart_sym as ss
-from stewart_sym.identification import estimates, joint_fit, linear_fit, residual_test
+from stewart_sym.identification import estimates, fits
 from stewart_sym.motion import smooth_motion
 from stewart_sym.motion.rotation import rotation_from_vector
 from stewart_sym.robot.robot import Robot
@@ -126,11 +126,11 @@ class Shift(NamedTuple):
 def barely_moved(machine: Robot, found: ss.Experiment) -> Shift:
     F, base = moved_halfway(machine, found, BARELY), found.estimate.base
     assert found.noise is not None
-    data = linear_fit.Data(machine, found.measured, found.F + F, np.ones_like(F), base)
-    fit = joint_fit.joint_fit(data, found.noise)
+    data = fits.Data(machine, found.measured, found.F + F, np.ones_like(F), base)
+    fit = fits.joint_fit(data, found.noise)
     added = np.zeros(len(fit.span))
     added[: F.size] = F.ravel()
-    estimate = residual_test.tested_estimate(data, fit, ())
+    estimate = estimates.tested_estimate(data, fit, ())
     shift = estimate.values - found.estimate.values
     after = base.matrix @ ss.inertial_parameters(moved(machine, BARELY)).values - found.truth
     out = np.maximum(shift - np.maximum(after, 0.0), np.minimum(after, 0.0) - shift)
@@ -200,14 +200,14 @@ def test_joint_fit_has_the_slopes_of_its_residual() -> None:
     found = experiment(0)
     assert found.noise is not None
     base = found.estimate.base
-    data = linear_fit.Data(robot(0), found.measured, found.F, np.ones_like(found.F), base)
+    data = fits.Data(robot(0), found.measured, found.F, np.ones_like(found.F), base)
     (basis,) = smooth_motion.bases(found.noise)
     c = smooth_motion.pose_fit(basis, smooth_motion.coordinates(found.measured, found.noise))
     # Of no machine: friction and the platform's mass are below zero.
     values = np.where([name[0] in "CM" for name in base.names], -found.truth, found.truth)
     # The pose's residual is small beside its deviation only if the measured poses are those of c.
     data = data._replace(motion=basis.motion(c, found.measured))
-    J = joint_fit._jacobian(data, found.noise, basis, values, c)
+    J = fits._jacobian(data, found.noise, basis, values, c)
     rng = np.random.default_rng(1)
     for _ in range(3):
         by_values, by_c = rng.normal(size=len(values)) * np.abs(values), rng.normal(size=c.shape)
@@ -216,7 +216,7 @@ def test_joint_fit_has_the_slopes_of_its_residual() -> None:
         def shifted(
             side: float, by_values: Array = by_values, by_c: Array = by_c, step: float = step
         ) -> Array:
-            parts = joint_fit._residuals(
+            parts = fits._residuals(
                 data, found.noise, basis, values + side * step * by_values, c + side * step * by_c
             )
             return np.concatenate([part.ravel() for part in parts])
