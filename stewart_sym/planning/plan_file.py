@@ -23,9 +23,9 @@ from ..motion.rotation import rotation_about_axes
 from ..motion.trajectory import turn_doubt
 from ..robot.robot import Robot
 from .plan_path import OBJECTIVES, PRICE, Objective, need_poses
+from .pose_path import COORDINATES, ViaPose
 from .time_path import LEAST, Least
 from .timing.path_terms import Limits, six_positive
-from .via_poses import COORDINATES, ViaPose
 
 SCHEMA = 1
 RATE = 100.0

@@ -21,8 +21,7 @@ from ..motion.motion import Motion
 from ..robot.robot import Robot
 from ..singularities.along_path import crossings
 from .pose_costs import ROOM, PoseCosts
-from .pose_path import Family, PosePath, by_coordinates, poses_of, scales
-from .via_poses import ViaPose
+from .pose_path import Family, PosePath, ViaPose, by_coordinates, poses_of, scales
 
 Objective = Literal["mean", "peak"]
 OBJECTIVES: tuple[Objective, ...] = ("mean", "peak")

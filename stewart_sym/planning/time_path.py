@@ -23,7 +23,7 @@ from .smooth.energy_cost import EnergyCost
 from .smooth.smooth_time import SmoothPath, eased, length_rates
 from .timing.grid import AIM, Grid, Source
 from .timing.path_terms import Limits, Path, Terms, force_limits, terms_along, travelled
-from .timing.profile import Ease, Profile
+from .timing.phase_plane import Ease, Profile
 
 Least = Literal["time", "energy", "peak-force"]
 LEAST: tuple[Least, ...] = ("time", "energy", "peak-force")

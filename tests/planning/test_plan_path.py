@@ -16,10 +16,9 @@ from stewart_sym.motion.rotation import rotation_from_rpy, rotation_from_vector,
 from stewart_sym.motion.straight_line import PATHS
 from stewart_sym.planning.plan_path import plan_path
 from stewart_sym.planning.pose_costs import PoseCosts
-from stewart_sym.planning.pose_path import Family, by_coordinates, poses_of
+from stewart_sym.planning.pose_path import Family, ViaPose, by_coordinates, poses_of
 from stewart_sym.planning.time_path import time_path
 from stewart_sym.planning.timing.path_terms import Limits
-from stewart_sym.planning.via_poses import ViaPose
 from stewart_sym.singularities.along_path import crossings
 
 S = np.linspace(0.0, 1.0, 501)

@@ -19,7 +19,7 @@ from ...robot.robot import Robot
 from ..timing.grid import Source
 from ..timing.motor_terms import beside
 from ..timing.path_terms import Path, Terms, leg_accelerations, travelled
-from ..timing.profile import Ease, Profile
+from ..timing.phase_plane import Ease, Profile
 from .rate_spline import PARTS, Cost, RateSpline, Rooms, duration, in_cells, least
 
 _ROUNDS = 12

@@ -10,8 +10,7 @@ import numpy as np
 from ...io.array_types import Array
 from .motor_terms import beside
 from .path_terms import Terms
-from .phase_plane import Bounds, bounds_of, fastest
-from .profile import Profile
+from .phase_plane import Bounds, Profile, bounds_of, fastest
 
 Source = Callable[[Array], Terms]
 """Parameters s, (n,) -> terms there."""

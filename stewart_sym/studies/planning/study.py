@@ -22,10 +22,9 @@ from ...motion.motion import at_rest
 from ...motion.rotation import rotation_from_vector, vector_from_rotation
 from ...motion.straight_line import PATHS
 from ...planning.plan_path import PlannedPath, conditions_along, plan_path
-from ...planning.pose_path import Family, PosePath
+from ...planning.pose_path import Family, PosePath, ViaPose
 from ...planning.time_path import LEAST, time_path
 from ...planning.timing.path_terms import Limits, travelled
-from ...planning.via_poses import ViaPose
 from ...robot.robot import Robot
 from ...robots import dasgupta1998
 from ...singularities.along_path import crossings

@@ -6,9 +6,8 @@ import numpy as np
 from machines import random_motion, random_robot
 
 from stewart_sym.planning.plan_path import plan_path
-from stewart_sym.planning.pose_path import Family, PosePath
+from stewart_sym.planning.pose_path import Family, PosePath, ViaPose
 from stewart_sym.planning.timing.path_terms import Limits, terms_along
-from stewart_sym.planning.via_poses import ViaPose
 from stewart_sym.robot.robot import Robot
 
 ROOM = 2.5
