@@ -1,7 +1,6 @@
 """Least-squares fits: linear along a known motion, joint with a smooth motion fitted to measured poses."""
 
 import math
-from collections.abc import Callable
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -214,33 +213,28 @@ def _with_deviations(data: Data, noise: PoseNoise, found: _Solution) -> Fit:
     basis, values, c, parts, converged = found
     span, back = factors(_jacobian(data, noise, basis, values, c))
     spread = back[: data.unknowns]
-
-    def residuals(by_values: Array, by_c: Array) -> Array:
-        shifted = _residuals(data, noise, basis, values + by_values, c + by_c)
-        return np.concatenate([part.ravel() for part in shifted])
-
-    curvature = _curvature(residuals, span, back, data.unknowns) if converged else math.inf
+    curvature = _curvature(data, noise, found, span, back) if converged else math.inf
     motion = basis.motion(c, data.motion)
     return Fit(parts, values, spread @ spread.T, span, motion, converged, curvature)
 
 
-def _curvature(residuals: Callable[[Array, Array], Array], span: Array, back: Array, unknowns: int) -> float:
-    """Largest RMS error of the first ``unknowns``, in deviations, as the residual is not linear in them.
+def _curvature(data: Data, noise: PoseNoise, found: _Solution, span: Array, back: Array) -> float:
+    """Largest RMS error of values, in deviations, as the residual is not linear in these and the motion.
 
-    residuals: of changes of values and coefficients. Seen over opposite errors drawn as the fit states them;
-    inf where such an error makes a pose unsolvable.
+    Seen over opposite errors drawn as the fit states them; inf where such an error makes a pose unsolvable.
     """
+    basis, values, c, parts, _ = found
+    unknowns, centre, shifts = data.unknowns, np.concatenate([part.ravel() for part in parts]), []
     sigma = np.linalg.norm(back[:unknowns], axis=1)
-    centre = residuals(np.zeros(unknowns), np.zeros((1, 6)))
-    shifts = []
     for z in np.random.default_rng(0).normal(size=(_DRAWS, back.shape[1])):
         for errors in (z, -z):
             step = back @ errors
+            shifted = values + step[:unknowns], c + step[unknowns:].reshape(6, -1).T
             try:
-                changed = residuals(step[:unknowns], step[unknowns:].reshape(6, -1).T) - centre
+                changed = np.concatenate([part.ravel() for part in _residuals(data, noise, basis, *shifted)])
             except ValueError:
                 return math.inf
-            shifts.append(back[:unknowns] @ (span.T @ changed + errors) / sigma)
+            shifts.append(back[:unknowns] @ (span.T @ (changed - centre) + errors) / sigma)
     return float(np.max(np.sqrt(np.mean(np.square(shifts), axis=0))))
 
 

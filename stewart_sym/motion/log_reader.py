@@ -290,7 +290,6 @@ def _pose_log(log: Log) -> PoseLog:
                 found[i // 2, :, 3 * (i % 2) : 3 * (i % 2) + 3] = log.vector(name)
         steps = [np.concatenate([log.steps(name) for name in names[i : i + 2]]) for i in (0, 2, 4)]
         noise = as_given(log, found, steps)
-        noise = None if noise is None else noise._replace(order=order)
         doubt = angular_velocity_doubt(log.time, found[0, :, 3:], found[1, :, 3:], order)
         if doubt:
             log.warn(doubt, 4)
@@ -300,7 +299,7 @@ def _pose_log(log: Log) -> PoseLog:
         theta, step, order = log.angles()
         steps_of_pose = np.concatenate([log.steps("t"), step])
         found, noise = rates_of(log, np.hstack([log.vector("t"), theta]), steps_of_pose)
-        noise = None if noise is None else noise._replace(order=order)
+    noise = None if noise is None else noise._replace(order=order)
     _warn_of_units(log, found)
     F_ext, M_ext = (log.load(name) for name in LOADS)
     in_radians = "theta" in log.written and log.form.radians == 1.0 and order == log.form.euler_order

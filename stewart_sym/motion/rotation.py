@@ -268,18 +268,9 @@ def _vector_factors(phi: Array) -> tuple[Array, Array, Array, Array]:
         (3.0 * sine - x * (2.0 + cosine)) / (2.0 * x**5),
     )
     near = square < 1.0
-    a, b, a_by_square, b_by_square = (
-        np.where(near, _summed(terms, small), far) for far, terms in zip(closed, _SERIES, strict=True)
-    )
+    series = (polynomial.polyval(small, terms) for terms in _SERIES)
+    a, b, a_by_square, b_by_square = (np.where(near, *pair) for pair in zip(series, closed, strict=True))
     return a, b, a_by_square, b_by_square
-
-
-def _summed(terms: Array, x: Array) -> Array:
-    """A series of powers of x from the lowest on."""
-    total = np.full_like(x, terms[-1])
-    for term in terms[-2::-1]:
-        total = total * x + term
-    return total
 
 
 def _inverse(e: Array) -> Array:

@@ -107,11 +107,9 @@ class StraightLinePath:
         for distance, blend in ((self.distance, self.tau_t), (self.angle, self.tau_theta)):
             if distance > 0.0:
                 times |= {blend, self.tau_f - blend}
-        distinct: list[float] = []
-        for time in sorted(times):
-            if not distinct or time - distinct[-1] > _ROUNDING * self.tau_f:
-                distinct.append(time)
-        return np.array([*distinct[:-1], self.tau_f])
+        every = np.array(sorted(times))
+        distinct = every[np.diff(every, prepend=-np.inf) > _ROUNDING * self.tau_f]
+        return np.append(distinct[:-1], self.tau_f)
 
     def times(self, dtau: float) -> Array:
         """Return the times 0, dtau, 2 dtau, ..., and tau_f as the last.

@@ -70,7 +70,7 @@ class PoseCosts(Frozen):
         values = np.linalg.svd(H, compute_uv=False)
         with np.errstate(divide="ignore"):
             conditions: Array = values[:, 0] / values[:, -1]
-        return conditions, np.asarray(np.sign(np.linalg.det(H))), values[:, -1]
+        return conditions, np.sign(np.linalg.det(H)), np.asarray(values[:, -1], dtype=np.float64)
 
     def _matrices(self, R: Array, t: Array) -> tuple[Array, Array, Array, Array]:
         """q, s, L and H, about the reference point, its moments over the characteristic length, (n, 6, 6)."""

@@ -152,11 +152,8 @@ class Actuators(NamedTuple):
         """Forces that the law commands at n instants, N, (n, 6)."""
         if sampled is not None:
             return np.broadcast_to(sampled, (len(when), 6))
-        rows = [
-            Motion.unchecked(states.R[i], states.t[i], states.omega[i], states.v[i]) for i in range(len(when))
-        ]
-        found = [six_forces(self.law(float(time), row), time) for time, row in zip(when, rows, strict=True)]
-        return np.array(found).reshape(-1, 6)
+        rows = zip(when.tolist(), states, strict=True)
+        return np.array([six_forces(self.law(time, state), time) for time, state in rows]).reshape(-1, 6)
 
     def forces(self, when: Array, states: Motion, sampled: Array | None) -> Array:
         """Forces that act at n instants, N, (n, 6)."""
