@@ -73,12 +73,12 @@ def between(trajectory: Trajectory | PoseLog) -> Path:
             return trajectory.at(np.asarray(i + (share[..., 0] == 1.0)))
         # The polynomials of the steps in question alone: those of all would take as much room as the motion.
         start, end = trajectory.at(i), trajectory.at(i + 1)
-        R, *rest = _moved(_steps_of(h, start, end), share, h, start.R)
+        R, t, omega, v, alpha, a = _moved(_steps_of(h, start, end), share, h, start.R)
         loads = {
             name: None if load is None or after is None else load + share * (after - load)
             for name, load, after in (("F_ext", start.F_ext, end.F_ext), ("M_ext", start.M_ext, end.M_ext))
         }
-        return Motion(orthonormal(R), *rest, **loads)
+        return Motion(orthonormal(R), t, omega, v, alpha, a, **loads)
 
     return at
 
