@@ -12,15 +12,13 @@ from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..motion.motion import Motion
-from ..results import NOT_FINITE, OK, EquationsOfMotion
+from ..results import OK, EquationsOfMotion
 from ..robot.robot import Robot
 from . import newton_euler
+from .newton_euler import Array, Codes
 
-Array = NDArray[np.float64]
-Codes = NDArray[np.int32]
 ActuatorWrench = Callable[[Robot, Motion], tuple[Array, Codes]]
 """H F (..., 6) that makes a robot follow a motion, and the status of every pose."""
 
@@ -32,24 +30,15 @@ def equations_of_motion(
 
     faults: numbers of the printed faults to keep, as for ``reference.inverse_dynamics``.
     """
-
-    def wrench(robot: Robot, motion: Motion) -> tuple[Array, Codes]:
-        return newton_euler.actuator_wrench(robot, motion, faults)
-
-    return by_linearity(wrench, robot, motion)
+    return by_linearity(functools.partial(newton_euler.actuator_wrench, faults=faults), robot, motion)
 
 
 def by_linearity(wrench: ActuatorWrench, robot: Robot, motion: Motion) -> EquationsOfMotion:
     """M, C, g, friction and bias of whatever inverse dynamics ``wrench`` computes."""
     with np.errstate(all="ignore"):
         parts, status = _terms(wrench, robot, motion)
-    lead = status.ndim
-    finite = [np.isfinite(value).all(axis=tuple(range(lead, value.ndim))) for value in parts.values()]
-    overflown = (status == OK) & ~np.logical_and.reduce(finite)
-    status = np.where(overflown, NOT_FINITE, status).astype(np.int32)
-    bad = status != OK
-    blank = {name: newton_euler.blank(value, bad) for name, value in parts.items()}
-    return EquationsOfMotion(**blank, status=status)
+    status = newton_euler.without_overflow(parts, status)
+    return EquationsOfMotion(**newton_euler.with_status(parts, status))
 
 
 def _terms(wrench: ActuatorWrench, robot: Robot, motion: Motion) -> tuple[dict[str, Array], Codes]:

@@ -9,12 +9,16 @@ Shapes: `(...)` is the motion's leading shape; a quantity of the legs is (..., 6
 """
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..motion.motion import Motion
 from ..results import JOINT_SINGULAR, NOT_FINITE, OK, SINGULAR, ZERO_LENGTH, Forces, Reactions
+from ..robot.offset_chains import applied as _mul
+from ..robot.offset_chains import transposed as _transpose
+from ..robot.offset_positions import dot as _dot
 from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot
 
@@ -136,25 +140,8 @@ def joint_reactions(
             - _cross(r, F_p)
             - C_u * leg.W
         )
-        bad = forces.status != OK
-        return Reactions(
-            F_s=blank(F_s, bad),
-            F_u=blank(F_u, bad),
-            F_p=blank(F_p, bad),
-            F_c=blank(F_c, bad),
-            M_p=blank(M_p, bad),
-            M_u=blank(leg.M_u[..., 0], bad),
-            status=forces.status,
-        )
-
-
-def legs(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT) -> Legs:
-    """Motion, inertia and known forces of the six legs, (1)-(24) and (29), for reading and for tests.
-
-    Arguments and errors as for `inverse_dynamics`. No status: what is undefined is NaN or infinite.
-    """
-    with np.errstate(all="ignore"):
-        return _legs(robot, motion, _known(faults))
+        found = {"F_s": F_s, "F_u": F_u, "F_p": F_p, "F_c": F_c, "M_p": M_p, "M_u": leg.M_u[..., 0]}
+        return Reactions(**with_status(found, forces.status))
 
 
 def actuator_wrench(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT) -> tuple[Array, Codes]:
@@ -290,7 +277,15 @@ def _velocities(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT) ->
     )
 
 
-def _legs(robot: Robot, motion: Motion, faults: frozenset[int]) -> Legs:
+@np.errstate(all="ignore")
+def legs(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT) -> Legs:
+    """Motion, inertia and known forces of the six legs, (1)-(24) and (29).
+
+    Arguments and errors as for `inverse_dynamics`. No status: what is undefined is NaN or infinite. Arrays
+    may hold numbers of any kind, such as mpmath's.
+    """
+    if not faults <= {SPIN, MOMENT, TRANSPORT, SIGN}:
+        raise ValueError(f"faults: expected numbers from 1 to 4, got {sorted(faults)}")
     a, alpha = _accelerations(motion)
     leg = _velocities(robot, motion, faults)
     s, L, Ldot, W, q, n = leg.s, leg.L, leg.Ldot, leg.W, leg.q, leg.n
@@ -350,17 +345,9 @@ def _solve(robot: Robot, motion: Motion, faults: frozenset[int]) -> tuple[Legs, 
     """The legs and then the platform's six equations, (33)-(37)."""
     leg, H, c, status = _equations(robot, motion, faults)
     x, status = solve_linear(robot, H, c, status)  # (36)
-    F = leg.D[..., 0] - x  # (37)
-    bad = status != OK
-    return leg, Forces(
-        F=blank(F, bad),
-        D=blank(leg.D[..., 0], bad),
-        x=blank(x, bad),
-        K=blank(leg.K, bad),
-        H=blank(H, bad),
-        c=blank(c, bad),
-        status=status,
-    )
+    D = leg.D[..., 0]
+    F = D - x  # (37)
+    return leg, Forces(**with_status({"F": F, "D": D, "x": x, "K": leg.K, "H": H, "c": c}, status))
 
 
 def _equations(robot: Robot, motion: Motion, faults: frozenset[int]) -> tuple[Legs, Array, Array, Codes]:
@@ -374,8 +361,8 @@ def _equations(robot: Robot, motion: Motion, faults: frozenset[int]) -> tuple[Le
 
 
 def balance(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT) -> tuple[Legs, Array, Array]:
-    """The legs, H and c of (36), unchecked. Arrays may hold numbers of any kind, such as mpmath's."""
-    leg = _legs(robot, motion, _known(faults))
+    """The legs, H and c of (36), unchecked."""
+    leg = legs(robot, motion, faults)
     sum_K = np.sum(leg.K, axis=-2)
     sum_qK_f = np.sum(_cross(leg.q, leg.K) - leg.f, axis=-2)
 
@@ -431,12 +418,6 @@ def _accelerations(motion: Motion) -> tuple[Array, Array]:
     return motion.a, motion.alpha
 
 
-def _known(faults: frozenset[int]) -> frozenset[int]:
-    if not faults <= {SPIN, MOMENT, TRANSPORT, SIGN}:
-        raise ValueError(f"faults: expected numbers from 1 to 4, got {sorted(faults)}")
-    return faults
-
-
 def _leg_faults(robot: Robot, motion: Motion, leg: _Positions) -> Codes:
     """Codes of the legs, (..., 6): a length that overflows, or is rounding beside the terms of S, (2)."""
     L = leg.L[..., 0]
@@ -481,20 +462,17 @@ def blank(value: Array, bad: NDArray[np.bool_]) -> Array:
     return np.where(bad.reshape(bad.shape + (1,) * (value.ndim - bad.ndim)), np.nan, value)
 
 
-def _dot(a: Array, b: Array) -> Array:
-    """Scalar product of vectors (..., 3), kept as (..., 1)."""
-    return np.asarray(np.sum(a * b, axis=-1, keepdims=True))
+def without_overflow(found: dict[str, Array], status: Codes) -> Codes:
+    """The status, but NOT_FINITE where it is 0 and a number of the pose, by name, is not finite."""
+    finite = [all_finite(value, value.ndim - status.ndim) for value in found.values()]
+    return np.where((status == OK) & ~np.logical_and.reduce(finite), NOT_FINITE, status).astype(np.int32)
+
+
+def with_status(found: dict[str, Array], status: Codes) -> dict[str, Any]:
+    """Results of the poses by name with NaN where the status is not 0, and the status."""
+    return {name: blank(value, status != OK) for name, value in found.items()} | {"status": status}
 
 
 def _cross(a: Array, b: Array) -> Array:
     """Vector product of vectors (..., 3)."""
     return np.cross(a, b)
-
-
-def _mul(A: Array, v: Array) -> Array:
-    """Matrices (..., 3, 3) times vectors (..., 3)."""
-    return (A @ v[..., None])[..., 0]
-
-
-def _transpose(A: Array) -> Array:
-    return np.swapaxes(A, -1, -2)

@@ -10,35 +10,17 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..motion.motion import Motion
 from ..motion.rotation import cross as vector_product
 from ..results import OK, Forces, Reactions
-from ..robot.offset_chains import (
-    SLIDING,
-    SPIN,
-    JointMotion,
-    actuated,
-    applied,
-    codes,
-    codes_of,
-    columns_of_H,
-    cross_motion,
-    joint_motion,
-    lower_motion,
-    motor_motion,
-    offsets_of,
-    swung,
-    transposed,
-    upper_motion,
-)
+from ..robot import offset_chains as chain
+from ..robot.offset_chains import SLIDING, SPIN, JointMotion, applied, transposed
 from ..robot.offset_positions import Chains, dot
 from ..robot.robot import Robot
-from .newton_euler import all_finite, blank, platform_energy, platform_wrench, solve_linear, status_of_legs
-
-Array = NDArray[np.float64]
-Codes = NDArray[np.int32]
+from . import newton_euler
+from .newton_euler import Array, Codes, all_finite, platform_wrench, solve_linear, with_status
 
 
 @dataclass(frozen=True, eq=False)
@@ -103,9 +85,7 @@ def joint_reactions(robot: Robot, motion: Motion, bearing: ArrayLike | None = No
     """
     with np.errstate(all="ignore"):
         legs, forces = _solved(robot, motion)
-        found = _reactions(robot, legs, forces.F, bearing)
-        bad = forces.status != OK
-        return Reactions(**{name: blank(each, bad) for name, each in found.items()}, status=forces.status)
+        return Reactions(**with_status(_reactions(robot, legs, forces.F, bearing), forces.status))
 
 
 def reactions_of(
@@ -113,8 +93,8 @@ def reactions_of(
 ) -> dict[str, Array]:
     """Joint reactions by name under x, N, (..., 6); no status."""
     with np.errstate(all="ignore"):
-        legs = _legs(robot, motion)
-        return _reactions(robot, legs, legs.tau[..., SLIDING] - x, bearing)
+        found = legs(robot, motion)
+        return _reactions(robot, found, found.tau[..., SLIDING] - x, bearing)
 
 
 def terms(robot: Robot, motion: Motion) -> dict[str, Array]:
@@ -126,8 +106,7 @@ def terms(robot: Robot, motion: Motion) -> dict[str, Array]:
 
 def rotor_force(robot: Robot, motion: Motion) -> Array:
     """Part of the actuator forces that turns the rotors, N, (..., 6)."""
-    with np.errstate(all="ignore"):
-        return _legs(robot, motion).F_rotor
+    return legs(robot, motion).F_rotor
 
 
 def massless_forces(robot: Robot, motion: Motion) -> Array:
@@ -168,34 +147,28 @@ def actuator_wrench(robot: Robot, motion: Motion) -> tuple[Array, Codes]:
     """Wrench H F = H D - c of the actuators, (..., 6), and status; no equation is solved for it."""
     with np.errstate(all="ignore"):
         _, H, D, _, c, status = _equations(robot, motion)
-        return blank(applied(H, D) - c, status != OK), status
-
-
-def legs(robot: Robot, motion: Motion) -> Legs:
-    """Motion of the chains and generalised forces; NaN where the offsets leave no solution."""
-    with np.errstate(all="ignore"):
-        return _legs(robot, motion)
+        return newton_euler.blank(applied(H, D) - c, status != OK), status
 
 
 def energy(robot: Robot, motion: Motion) -> Array:
     """Kinetic and potential energy of platform, crosses and parts of the legs, J, (...)."""
     with np.errstate(all="ignore"):
-        legs = _legs(robot, _without_accelerations(motion))
+        found = legs(robot, _without_accelerations(motion))
         total = np.zeros(motion.shape)
         if robot.drive is not None:
-            speed = motor_motion(robot, legs.rates)
-            about = speed * (speed / 2 + dot(legs.at.s, legs.W)[..., 0])
+            speed = chain.motor_motion(robot, found.rates)
+            about = speed * (speed / 2 + dot(found.at.s, found.W)[..., 0])
             total += np.sum(robot.drive.rotor_inertia * about, axis=-1)
-        for body in legs.bodies:
+        for body in found.bodies:
             kinetic = (body.m * dot(body.v, body.v) + dot(body.omega, applied(body.I, body.omega))) / 2
             total += np.sum(kinetic - body.m * dot(robot.b + body.c, robot.g), axis=(-2, -1))
-        return np.asarray(total + platform_energy(robot, motion))
+        return np.asarray(total + newton_euler.platform_energy(robot, motion))
 
 
 def friction_power(robot: Robot, motion: Motion) -> Array:
     """Power that the friction of the joints takes, W, (...), never negative."""
     with np.errstate(all="ignore"):
-        found = _legs(robot, _without_accelerations(motion))
+        found = legs(robot, _without_accelerations(motion))
         slip = found.bodies[2].omega - motion.omega[..., None, :]
         power = robot.C_u[:, None] * dot(found.W, found.W) + robot.C_s[:, None] * dot(slip, slip)
         return np.asarray(np.sum(power[..., 0] + robot.C_p * found.rates[..., SLIDING] ** 2, axis=-1))
@@ -203,14 +176,16 @@ def friction_power(robot: Robot, motion: Motion) -> Array:
 
 def worst_leg(code: int, robot: Robot, motion: Motion) -> int:
     """Index of the first leg of one pose with a code."""
-    return int(np.argmax(codes(robot, motion) == code))
+    return int(np.argmax(chain.codes(robot, motion) == code))
 
 
 # ---------------------------------------------------------------- how they move
 
 
-def _legs(robot: Robot, motion: Motion) -> Legs:
-    moving = joint_motion(robot, motion)
+@np.errstate(all="ignore")
+def legs(robot: Robot, motion: Motion) -> Legs:
+    """Motion of the chains and generalised forces; NaN where the offsets leave no solution."""
+    moving = chain.joint_motion(robot, motion)
     if moving.accelerations is None:
         raise ValueError("motion: accelerations expected, but alpha or a is None")
     at, rates = moving.at, moving.rates
@@ -227,7 +202,7 @@ def _legs(robot: Robot, motion: Motion) -> Legs:
     tau[..., SLIDING] += F_rotor
     if rates.shape[-1] > SPIN and robot.drive is not None:
         tau[..., SPIN] += torque * robot.drive.gear
-    return Legs(moving, tau, actuated(robot, rates.shape[-1]), f, W, bodies, F_rotor)
+    return Legs(moving, tau, chain.actuated(robot, rates.shape[-1]), f, W, bodies, F_rotor)
 
 
 def _rotors(robot: Robot, moving: JointMotion) -> tuple[Array, Array]:
@@ -238,8 +213,8 @@ def _rotors(robot: Robot, moving: JointMotion) -> tuple[Array, Array]:
     at, rates, seconds = moving.at, moving.rates, moving.accelerations
     if not robot.has_rotors or seconds is None:
         return np.zeros(at.L.shape[:-1]), np.zeros_like(at.s)
-    speed, quick = (motor_motion(robot, each)[..., None] for each in (rates, seconds))
-    lower = lower_motion(robot, at, rates, seconds)
+    speed, quick = (chain.motor_motion(robot, each)[..., None] for each in (rates, seconds))
+    lower = chain.lower_motion(robot, at, rates, seconds)
     inertia = 0.0 if robot.drive is None else np.asarray(robot.drive.rotor_inertia)[:, None]
     torque = inertia * (quick + dot(at.s, lower.alpha))
     return torque[..., 0], inertia * (quick * at.s + speed * vector_product(lower.omega, at.s))
@@ -247,20 +222,20 @@ def _rotors(robot: Robot, moving: JointMotion) -> tuple[Array, Array]:
 
 def _bodies(robot: Robot, at: Chains, rates: Array, seconds: Array) -> Iterator[_Body]:
     """Cross, lower and upper part."""
-    offsets, k = offsets_of(robot), np.broadcast_to(robot.k, at.s.shape)
+    offsets, k = chain.offsets_of(robot), np.broadcast_to(robot.k, at.s.shape)
     none = np.zeros_like(at.s)
     n = rates.shape[-1]
     turns = {0: [k], 1: [k, at.y], 2: [k, at.y, none, at.s][: 4 if n == 6 else 3]}
     lower = np.stack([at.s, at.y, at.z], axis=-1)
     C = np.stack([at.o, at.y, k], axis=-1)
     about_k = offsets.cross_inertia[:, None, None] * np.diag([0.0, 0.0, 1.0])
-    cross = applied(C, offsets.cross_center)
     parts = (
-        (offsets.cross_mass, none, cross, C @ about_k @ transposed(C), cross_motion),
-        (robot.m_d, at.A, applied(lower, robot.r_d0), lower @ robot.I_d0 @ transposed(lower), lower_motion),
-        (robot.m_u, at.T, applied(at.U, robot.r_u0), at.U @ robot.I_u0 @ transposed(at.U), upper_motion),
+        (offsets.cross_mass, none, C, offsets.cross_center, about_k, chain.cross_motion),
+        (robot.m_d, at.A, lower, robot.r_d0, robot.I_d0, chain.lower_motion),
+        (robot.m_u, at.T, at.U, robot.r_u0, robot.I_u0, chain.upper_motion),
     )
-    for i, (mass, origin, r, I, motion) in enumerate(parts):  # noqa: E741
+    for i, (mass, origin, axes, center, inertia, motion) in enumerate(parts):
+        r, I = applied(axes, center), axes @ inertia @ transposed(axes)  # noqa: E741
         moving = motion(robot, at, rates, seconds)
         omega, alpha, c = moving.omega, moving.alpha, origin + r
         # The cross turns about the base point, which rests.
@@ -277,7 +252,7 @@ def _bodies(robot: Robot, at: Chains, rates: Array, seconds: Array) -> Iterator[
         yield _Body(
             m=mass[:, None],
             c=c,
-            a=a + swung(omega, alpha, r),
+            a=a + chain.swung(omega, alpha, r),
             spun=applied(I, alpha) + vector_product(omega, applied(I, omega)),
             v=v + vector_product(omega, r),
             I=I,
@@ -301,9 +276,9 @@ def _ends(legs: Legs, F: Array) -> Array:
 
 def _equations(robot: Robot, motion: Motion) -> tuple[Legs, Array, Array, Array, Array, Codes]:
     """The legs, H, D, K (of forces), c and a status that does not assess H."""
-    found = _legs(robot, motion)
+    found = legs(robot, motion)
     G = found.moving.G
-    H = columns_of_H(robot, G)
+    H = chain.columns_of_H(robot, G)
     D = found.tau[..., SLIDING]
     rest = found.tau - D[..., None] * found.column
     taken = np.einsum("...ij,...ijk->...k", rest, G)
@@ -311,15 +286,14 @@ def _equations(robot: Robot, motion: Motion) -> tuple[Legs, Array, Array, Array,
     c = platform_wrench(robot, motion) - taken
     c[..., 3:] += np.sum(found.f, axis=-2)
     finite = all_finite(H, 2) & all_finite(c, 1) & all_finite(D, 1)
-    return found, H, D, K, c, status_of_legs(codes_of(robot, motion, found.at), finite)
+    status = newton_euler.status_of_legs(chain.codes_of(robot, motion, found.at), finite)
+    return found, H, D, K, c, status
 
 
 def _solved(robot: Robot, motion: Motion) -> tuple[Legs, Forces]:
     found, H, D, K, c, status = _equations(robot, motion)
     x, status = solve_linear(robot, H, c, status)
-    parts = {"F": D - x, "D": D, "x": x, "K": K, "H": H, "c": c}
-    bad = status != OK
-    return found, Forces(**{name: blank(value, bad) for name, value in parts.items()}, status=status)
+    return found, Forces(**with_status({"F": D - x, "D": D, "x": x, "K": K, "H": H, "c": c}, status))
 
 
 def _without_accelerations(motion: Motion) -> Motion:

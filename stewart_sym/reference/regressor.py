@@ -10,14 +10,11 @@ from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..motion.motion import Motion
 from ..robot.robot import LEGS, Robot
 from . import newton_euler
-
-Array = NDArray[np.float64]
-Codes = NDArray[np.int32]
+from .newton_euler import Array, Codes
 
 
 def regressor(robot: Robot, motion: Motion) -> tuple[Array, Codes]:
