@@ -3,7 +3,7 @@
 import ctypes
 import functools
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from importlib.resources import files
 from typing import Any
@@ -12,21 +12,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..generated.interface import HEADERS, OUTPUTS
-from ..io.array_types import Array, Codes
+from ..io.array_types import Array
 from ..io.frozen import Frozen, read_only
 from ..motion.motion import Motion
 from ..results import OK, Forces, Reactions
 from ..robot.robot import Robot
 from . import native
-from .kernel import (
-    MOTION,
-    defines_of,
-    offset_numbers,
-    overflows,
-    robot_kernel,
-    robot_numbers,
-    takes_rotors,
-)
+from .kernel import MOTION, defines_of, offset_numbers, overflows, robot_kernel, robot_numbers, takes_rotors
 
 
 def c_sources(name: str) -> dict[str, str]:
@@ -65,23 +57,35 @@ class CKernel(Frozen):
 
     def forces(self, motion: Motion) -> Forces:
         """Inverse dynamics of every pose; NaN where the status is not 0."""
-        outputs, status = self._run("inverse_dynamics", motion, None)
-        return Forces(**outputs, status=status)
+        return Forces(**self._run("inverse_dynamics", motion))
 
     def reactions(self, motion: Motion, bearing: Array) -> Reactions:
         """Joint reactions of every pose; ``bearing`` (6,), m. NaN where the status is not 0."""
-        outputs, status = self._run("joint_reactions", motion, np.ascontiguousarray(bearing))
-        return Reactions(**outputs, status=status)
+        return Reactions(**self._run("joint_reactions", motion, np.ascontiguousarray(bearing)))
 
-    def _run(self, function: str, motion: Motion, bearing: Array | None) -> tuple[dict[str, Array], Codes]:
-        outputs = {
-            name: np.full((*motion.shape, *shape), np.nan) for name, shape in OUTPUTS[function].items()
-        }
-        status = np.zeros(motion.shape, dtype=np.int32)
+    def _run(self, function: str, motion: Motion, *given: Array) -> dict[str, Any]:
         code = getattr(library(self.name), f"stewart_{self.name}_{function}_batch")
-        given = [] if bearing is None else [address(bearing)]
-        call(code, self.numbers, motion, *given, pointers(outputs.values()), address(status))
-        return outputs, status
+        return results_of(code, self.numbers, motion, OUTPUTS[function], given)
+
+
+def results_of(
+    function: Any,
+    model: Array,
+    motion: Motion,
+    shapes: Mapping[str, tuple[int, ...]],
+    given: Iterable[Array | None] = (),
+    apart: bool = False,
+) -> dict[str, Any]:
+    """What a C function of many poses writes, by name: arrays, NaN where the status is not 0, and the status.
+
+    shapes: of the parts of one pose. given: arrays that the function takes after the motion. apart: whether
+    it takes the results one by one and not as a structure.
+    """
+    found = {name: np.full((*motion.shape, *of), np.nan, dtype=model.dtype) for name, of in shapes.items()}
+    status = np.zeros(motion.shape, dtype=np.int32)
+    targets = map(address, found.values()) if apart else [pointers(found.values())]
+    call(function, model, motion, *map(address, given), *targets, address(status))
+    return {**found, "status": status}
 
 
 def call(function: Any, model: Array, motion: Motion, *arguments: Any) -> Any:

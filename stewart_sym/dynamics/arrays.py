@@ -101,9 +101,7 @@ class ArrayKernel(Frozen):
             model = source.prepare(on_numpy, robot_structure(source.Robot(), self.robot))
         if model.status != OK:
             raise overflows(self.robot, "double")
-        made = {"_source": source, "_on": on, "_model": _converted(model, on), "dtype": on.type}
-        for attribute, value in made.items():
-            object.__setattr__(self, attribute, value)
+        self._set({"_source": source, "_on": on, "_model": _converted(model, on), "dtype": on.type})
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Copies and pickles name the library, a module, which neither takes."""

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..backend.c_kernel import address, call, function, prepared_model
+from ..backend.c_kernel import function, prepared_model, results_of
 from ..backend.kernel import robot_kernel, takes_rotors
 from ..generated.interface import MODELS
 from ..io.arguments import option
@@ -89,10 +89,8 @@ def forces_with_bounds(
     name = robot_kernel(robot, "exact")
     prepare = function(name, "bounds", precision, "bounds_prepare")
     model = prepared_model(prepare, robot, MODELS[f"{name}_bounds"], precision, takes_rotors(name))
-    F, bound = (np.full((*motion.shape, 6), np.nan, dtype=model.dtype) for _ in range(2))
-    rcond = np.full(motion.shape, np.nan, dtype=model.dtype)
-    status = np.zeros(motion.shape, dtype=np.int32)
     code = function(name, "bounds", precision, "forces_bounded_batch")
-    call(code, model, motion, *map(address, (F, bound, rcond, status)))
-    report_faults(status, robot, motion, on_singular, stacklevel=3)
-    return ForceBounds(F, bound, rcond, status)
+    shapes = {"F": (6,), "bound": (6,), "rcond": ()}
+    found = ForceBounds(**results_of(code, model, motion, shapes, apart=True))
+    report_faults(found.status, robot, motion, on_singular, stacklevel=3)
+    return found
