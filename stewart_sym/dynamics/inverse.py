@@ -8,8 +8,8 @@ from __future__ import annotations
 import dataclasses
 import functools
 import warnings
-from collections.abc import Callable, Mapping
-from typing import Any, Literal, Protocol, TypeVar
+from collections.abc import Callable
+from typing import Any, Literal, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -20,14 +20,13 @@ from ..backend.native import CompilerError
 from ..backend.numpy_kernel import NumpyKernel
 from ..io import error_policy
 from ..io.arguments import instance, option, real_array
-from ..io.array_types import Array, Codes, Flags
+from ..io.array_types import Array, Codes
 from ..io.error_policy import ON_SINGULAR, OnSingular
 from ..kinematics.conditioning import characteristic_length
 from ..motion.motion import Motion
 from ..reference import newton_euler, offset_joints
 from ..results import (
     JOINT_SINGULAR,
-    NOT_FINITE,
     OK,
     SINGULAR,
     STATUS_TEXT,
@@ -42,16 +41,6 @@ from .damping import damped_solution
 
 Formulation = Literal["exact", "paper"]
 Backend = Literal["c", "numpy", "reference"]
-
-
-class DynamicsKernel(Protocol):
-    """What every backend can do with its robot; NaN where the status is not 0."""
-
-    def forces(self, motion: Motion) -> Forces:
-        """Inverse dynamics of every pose."""
-
-    def reactions(self, motion: Motion, bearing: Array) -> Reactions:
-        """Joint reactions of every pose; bearing (6,), m."""
 
 
 def faults_of(formulation: str) -> frozenset[int]:
@@ -71,16 +60,19 @@ class _VectorKernel:
         self.robot, self.faults = robot, faults_of(formulation)
 
     def forces(self, motion: Motion) -> Forces:
-        """See ``DynamicsKernel``."""
+        """Inverse dynamics of every pose; NaN where the status is not 0."""
         if self.robot.offsets is not None:
             return offset_joints.inverse_dynamics(self.robot, motion)
         return newton_euler.inverse_dynamics(self.robot, motion, self.faults)
 
     def reactions(self, motion: Motion, bearing: Array) -> Reactions:
-        """See ``DynamicsKernel``."""
+        """Joint reactions of every pose; bearing (6,), m."""
         if self.robot.offsets is not None:
             return offset_joints.joint_reactions(self.robot, motion, bearing)
         return newton_euler.joint_reactions(self.robot, motion, self.faults, bearing)
+
+
+DynamicsKernel = CKernel | NumpyKernel | _VectorKernel
 
 
 def inverse_dynamics(
@@ -123,7 +115,9 @@ def inverse_dynamics(
     kernel = _prepared(robot, motion, formulation, backend, on_singular)
     found = kernel.forces(motion)
     if on_singular == "damped":
-        found = _damped_forces(found, robot, motion, formulation)
+        error = np.where((found.status == OK)[..., None], np.zeros(6), np.nan)
+        found = dataclasses.replace(found, wrench_error=error)
+        found = _damped(found, motion, lambda poses: damped_terms(robot, poses, formulation))
     return _checked(found, found.F, robot, motion, on_singular)
 
 
@@ -161,7 +155,7 @@ def joint_reactions(
     where = _bearing(bearing)
     found = _without_overflow(kernel.reactions(motion, where))
     if on_singular == "damped":
-        found = _damped_reactions(found, robot, motion, formulation, where)
+        found = _damped(found, motion, lambda poses: _damped_reactions(robot, poses, formulation, where))
     return _checked(found, found.M_u, robot, motion, on_singular)
 
 
@@ -284,13 +278,10 @@ def _bearing(bearing: ArrayLike | None) -> Array:
 def _without_overflow(found: Reactions) -> Reactions:
     """Give poses whose reactions overflow, though the forces did not, a status and NaN like any other."""
     values = {name: each for name, each in vars(found).items() if name != "status" and each is not None}
-    lead = found.status.ndim
-    finite = [np.isfinite(value).all(axis=tuple(range(lead, value.ndim))) for value in values.values()]
-    overflown = (found.status == OK) & ~np.logical_and.reduce(finite)
-    if not overflown.any():
+    status = newton_euler.without_overflow(values, found.status)
+    if (status == found.status).all():
         return found
-    status = np.where(overflown, NOT_FINITE, found.status).astype(np.int32)
-    return dataclasses.replace(_replaced(found, overflown, dict.fromkeys(values, np.nan)), status=status)
+    return Reactions(**newton_euler.with_status(values, status))
 
 
 def damped_terms(robot: Robot, motion: Motion, formulation: str) -> dict[str, Array]:
@@ -308,38 +299,25 @@ def damped_terms(robot: Robot, motion: Motion, formulation: str) -> dict[str, Ar
     return terms | {"F": F, "x": x, "wrench_error": error}
 
 
-def _damped_forces(found: Forces, robot: Robot, motion: Motion, formulation: str) -> Forces:
-    error = np.where((found.status == OK)[..., None], np.zeros(6), np.nan)
-    found = dataclasses.replace(found, wrench_error=error)
-    singular = found.status == SINGULAR
-    if not singular.any():
-        return found
-    return _replaced(found, singular, damped_terms(robot, motion[singular], formulation))
-
-
-def _damped_reactions(
-    found: Reactions, robot: Robot, motion: Motion, formulation: str, bearing: Array
-) -> Reactions:
-    singular = found.status == SINGULAR
-    if not singular.any():
-        return found
-    poses = motion[singular]
-    x = damped_terms(robot, poses, formulation)["x"]
+def _damped_reactions(robot: Robot, motion: Motion, formulation: str, bearing: Array) -> dict[str, Array]:
+    x = damped_terms(robot, motion, formulation)["x"]
     if robot.offsets is not None:
-        values = offset_joints.reactions_of(robot, poses, x, bearing)
-    else:
-        values = NumpyKernel.prepare(robot, formulation).reactions_of(poses, x, bearing)
-    return _replaced(found, singular, values)
+        return offset_joints.reactions_of(robot, motion, x, bearing)
+    return NumpyKernel.prepare(robot, formulation).reactions_of(motion, x, bearing)
 
 
 Result = TypeVar("Result", Forces, Reactions)
 
 
-def _replaced(found: Result, where: Flags, values: Mapping[str, Any]) -> Result:
-    """Results with other values at some of the poses."""
-    changed = {name: getattr(found, name).copy() for name in values}
-    for name, value in values.items():
-        changed[name][where] = value
+def _damped(found: Result, motion: Motion, values: Callable[[Motion], dict[str, Array]]) -> Result:
+    """Results with the damped values of the poses, by name, where H is singular."""
+    singular = found.status == SINGULAR
+    if not singular.any():
+        return found
+    changed = {}
+    for name, value in values(motion[singular]).items():
+        changed[name] = getattr(found, name).copy()
+        changed[name][singular] = value
     return dataclasses.replace(found, **changed)
 
 
