@@ -218,7 +218,7 @@ class ForceKernel(Frozen):
         count = status.size
         stride = stride_of(arrays, F, count, self.dtype)
         need_apart(arrays, F, status)
-        self._shared(count, threads, lambda *part: self._run_columns(arrays, F, status, stride, *part))
+        self._shared(count, threads, lambda start, n: self._run(arrays, F, status, start, n, stride))
 
     def forces_of_columns(
         self,
@@ -342,32 +342,23 @@ class ForceKernel(Frozen):
         return [slice(start, start + CONVERTED) for start in range(0, motion.shape[0], CONVERTED)]
 
     def _run(
-        self, arrays: Sequence[Array | None], F: Array, status: NDArray[np.int32], start: int, count: int
-    ) -> None:
-        pointers = [address(array, start * width) for array, width in zip(arrays, _WIDTHS, strict=True)]
-        self.function("forces_batch")(
-            address(self.model, 0),
-            ctypes.c_size_t(count),
-            (ctypes.c_void_p * len(pointers))(*pointers),
-            address(F, start * 6),
-            address(status, start),
-        )
-
-    def _run_columns(
         self,
         arrays: Sequence[Array | None],
         F: Array,
         status: NDArray[np.int32],
-        stride: int,
         start: int,
         count: int,
+        stride: int | None = None,
     ) -> None:
-        self.function("forces_columns")(
+        """Some poses of a batch; stride: numbers from one column to the next, None of poses side by side."""
+        widths = WIDTHS if stride is None else [1] * len(WIDTHS)
+        places = [address(array, start * n) for array, n in zip((*arrays, F), widths, strict=True)]
+        counts = [count] if stride is None else [count, stride]
+        self.function("forces_batch" if stride is None else "forces_columns")(
             address(self.model),
-            ctypes.c_size_t(count),
-            ctypes.c_size_t(stride),
-            (ctypes.c_void_p * len(arrays))(*(address(array, start) for array in arrays)),
-            address(F, start),
+            *map(ctypes.c_size_t, counts),
+            (ctypes.c_void_p * len(arrays))(*places[:-1]),
+            places[-1],
             address(status, start),
         )
 
