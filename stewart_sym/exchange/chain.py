@@ -167,16 +167,17 @@ def in_single_axes(model: Model, kinds: tuple[str, ...], cross: Callable[[Joint,
     cross: makes such a body, with axes of the world, from the joint and the body that it carries. A spherical
     joint turns about axes across the child's x axis first.
     """
+    split = {
+        joint.child: _split(joint, model.body(joint.child), cross)
+        for joint in model.joints
+        if joint.kind in kinds and not joint.cut
+    }
     bodies, joints = [], []
-    carried = {joint.child: joint for joint in model.joints if joint.kind in kinds and not joint.cut}
     for body in model.bodies:
-        joint = carried.get(body.name)
-        bodies += [] if joint is None else [each for each, _ in _split(joint, body, cross)[:-1]]
-        bodies.append(body)
+        bodies += [each for each, _ in split[body.name]] if body.name in split else [body]
     for joint in model.joints:
-        split = carried.get(joint.child) is joint
-        body = model.body(joint.child)
-        joints += [each for _, each in _split(joint, body, cross)] if split else [joint]
+        whole = joint.cut or joint.child not in split
+        joints += [joint] if whole else [each for _, each in split[joint.child]]
     return replace(model, bodies=tuple(bodies), joints=tuple(joints))
 
 

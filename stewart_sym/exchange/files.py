@@ -98,7 +98,12 @@ def export_model(robot: Robot, format: str) -> ModelFile:  # noqa: A002 # the op
     """
     instance(robot, Robot, "robot")
     option(format, tuple(PROGRAMS), "format")
-    _need_writable(robot, format)
+    if robot.offsets is not None and robot.offsets.spins:
+        # No format has an actuator whose force turns what it pushes.
+        raise ValueError(
+            f'{format}: offsets.platform_joint: expected "spherical", upper parts that turn in the lower '
+            "ones have no place there"
+        )
     written = robot if format == "urdf" else possible(robot, PROGRAMS[format])
     model = model_of(written)
     _warn_of_losses(robot, format)
@@ -144,15 +149,6 @@ def import_model(path: str | os.PathLike[str]) -> ImportedModel:
     except ValueError as error:
         line = line_named(str(error), root)
         raise ValueError(f"{source}: {error}{'' if line is None else f' (at line {line})'}") from None
-
-
-def _need_writable(robot: Robot, form: str) -> None:
-    """Reject U-C-U legs: no format has an actuator whose force turns what it pushes."""
-    if robot.offsets is not None and robot.offsets.spins:
-        raise ValueError(
-            f'{form}: offsets.platform_joint: expected "spherical", upper parts that turn in the lower ones '
-            "have no place there"
-        )
 
 
 def _warn_of_losses(robot: Robot, form: str) -> None:

@@ -120,25 +120,14 @@ def _parts(robot: Robot, i: int, frame: Array, length: float, at: Chains | None)
     )
     if at is not None and robot.offsets is not None:
         start = np.array([0.0, robot.offsets.along[i], robot.offsets.across[i]])
-    lower = Body(
-        f"lower_{i + 1}",
-        frame,
-        robot.b[i] if at is None else robot.b[i] + at.A[i],
-        float(robot.m_d[i]),
-        robot.r_d0[i],
-        robot.I_d0[i],
-        (Shape(_short(_LOWER * length), start, start + up),),
-    )
-    upper = Body(
-        f"upper_{i + 1}",
-        frame,
-        lower.placed(start + np.array([length, 0.0, 0.0])),
-        float(robot.m_u[i]),
-        robot.r_u0[i],
-        robot.I_u0[i],
-        (Shape(_short(_UPPER * length), -down, np.zeros(3)),),
-    )
-    return lower, upper
+    shape = Shape(_short(_LOWER * length), start, start + up)
+    foot = robot.b[i] if at is None else robot.b[i] + at.A[i]
+    inertia = float(robot.m_d[i]), robot.r_d0[i], robot.I_d0[i]
+    lower = Body(f"lower_{i + 1}", frame, foot, *inertia, (shape,))
+    shape = Shape(_short(_UPPER * length), -down, np.zeros(3))
+    tip = lower.placed(start + np.array([length, 0.0, 0.0]))
+    inertia = float(robot.m_u[i]), robot.r_u0[i], robot.I_u0[i]
+    return lower, Body(f"upper_{i + 1}", frame, tip, *inertia, (shape,))
 
 
 def _leg_joints(robot: Robot, i: int, frame: Array, length: float) -> tuple[Joint, Joint]:

@@ -50,7 +50,8 @@ def differences(robot: Robot, other: Robot) -> dict[str, Any]:
     found = {}
     for name in _FIELDS:
         one, two = getattr(robot, name), getattr(other, name)
-        same = np.array_equal(one, two) if _arrays(one, two) else type(one) is type(two) and one == two
+        arrays = isinstance(one, np.ndarray) and isinstance(two, np.ndarray)
+        same = np.array_equal(one, two) if arrays else type(one) is type(two) and one == two
         if not same:
             found[name] = one
     return found
@@ -58,19 +59,13 @@ def differences(robot: Robot, other: Robot) -> dict[str, Any]:
 
 def noted(found: Mapping[str, Any]) -> dict[str, Any]:
     """Fields as plain values, null for a limit that is missing."""
-    given = {name: _as_tables(value) for name, value in found.items()}
+    given = dict(found)
+    if isinstance(drive := given.get("drive"), Drive):
+        given["drive"] = drive_tables(drive)
+    if isinstance(offsets := given.get("offsets"), Offsets):
+        given["offsets"] = noted_offsets(offsets)
     plain: dict[str, Any] = json.loads(json_text(given))
     return plain
-
-
-def _as_tables(value: Any) -> Any:
-    if isinstance(value, Drive):
-        return drive_tables(value)
-    return noted_offsets(value) if isinstance(value, Offsets) else value
-
-
-def _arrays(one: object, two: object) -> bool:
-    return isinstance(one, np.ndarray) and isinstance(two, np.ndarray)
 
 
 def with_notes(robot: Robot, model: Model) -> tuple[Robot, list[str]]:
