@@ -1,7 +1,13 @@
-"""Capability at a pose: wrenches and accelerations that the actuators reach within their force limits."""
+"""Capability at a pose: wrenches and accelerations that the actuators reach within their force limits.
+
+The forces fill a box; a regular matrix makes of it a parallelepiped with twelve facets. Where some of its
+coordinates are to be zero it is cut; where they may be anything it is projected, onto a zonotope whose facets
+are spanned by pairs of its six generators.
+"""
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import dataclass
 from typing import Literal
 
@@ -17,7 +23,6 @@ from ..kinematics.inverse import wrench_matrix
 from ..motion.motion import Motion
 from ..results import OK
 from ..robot.robot import Robot, legs_text
-from . import polytope
 
 What = Literal["force", "moment", "wrench", "acceleration", "angular_acceleration", "platform_acceleration"]
 Others = Literal["zero", "free"]
@@ -31,6 +36,12 @@ WHAT: dict[str, tuple[str, slice]] = {
     "platform_acceleration": ("m/s^2, rad/s^2", slice(0, 6)),
 }
 """Unit and components of each, of [force; moment] or [a; alpha]."""
+
+_PAIRS = np.array(list(itertools.combinations(range(6), 2))).T
+# A facet's normal shorter than this share of its generators' product is one of parallel generators.
+_PARALLEL = 1e-12
+# Share of the largest offset by which a vertex may miss a plane; vertices within ten times that are one.
+_SAME = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,7 +86,7 @@ class Capability(Frozen):
         given = finite_array(direction, (d,), "direction")
         if not np.all(np.any(given != 0.0, axis=-1)):
             raise ValueError("direction: expected no zero vector")
-        return polytope.farthest(self.normals, self.offsets, given)
+        return _farthest(self.normals, self.offsets, given)
 
     @property
     def guaranteed(self) -> Array:
@@ -107,7 +118,7 @@ class Capability(Frozen):
             raise ValueError(f"vertices: expected a single pose, got shape {self.offsets.shape[:-1]}")
         if np.isnan(self.offsets).any():
             raise ValueError("vertices: expected a pose whose forces can be solved for")
-        return polytope.vertices(self.normals, self.offsets)
+        return _vertices(self.normals, self.offsets)
 
 
 def capability(robot: Robot, motion: Motion, what: What = "force", others: Others = "zero") -> Capability:
@@ -158,7 +169,76 @@ def capability(robot: Robot, motion: Motion, what: What = "force", others: Other
     A[solved] = np.linalg.solve(H, np.broadcast_to(gained, H.shape))
     F = np.where(solved[..., None], found.F, np.nan)
     if others == "zero" or part == slice(0, 6):
-        return Capability(what, unit, *polytope.cut(A[..., part], F, robot.force_limit))
+        return Capability(what, unit, *_cut(A[..., part], F, robot.force_limit))
     B = np.full_like(A, np.nan)
     B[solved] = np.linalg.solve(np.broadcast_to(gained, H.shape), H)
-    return Capability(what, unit, *polytope.projected(B[..., part, :], F, robot.force_limit))
+    return Capability(what, unit, *_projected(B[..., part, :], F, robot.force_limit))
+
+
+# Polytopes by half-spaces
+
+
+def _cut(A: Array, forces: Array, limits: Array) -> tuple[Array, Array]:
+    """Half-spaces n . x <= o of |A x + forces| <= limits: n (..., 12, d) of unit length, o (..., 12).
+
+    A: (..., 6, d). forces: (..., 6). limits: (6,).
+    """
+    normals = np.concatenate([A, -A], axis=-2)
+    offsets = np.concatenate([limits - forces, limits + forces], axis=-1)
+    return _unit_normals(normals, offsets)
+
+
+def _projected(B: Array, forces: Array, limits: Array) -> tuple[Array, Array]:
+    """Half-spaces of {B (f - forces): |f| <= limits}: n (..., 30, 3), o (..., 30).
+
+    B: (..., 3, 6). forces: (..., 6). limits: (6,).
+    """
+    generators = np.swapaxes(B * limits, -1, -2)
+    one, other = generators[..., _PAIRS[0], :], generators[..., _PAIRS[1], :]
+    normals = np.cross(one, other)
+    largest = np.max(np.linalg.norm(generators, axis=-1), axis=-1)[..., None, None]
+    parallel = np.linalg.norm(normals, axis=-1, keepdims=True) <= _PARALLEL * largest**2
+    normals = np.where(parallel, 0.0, normals)
+    reach = np.abs(normals @ np.swapaxes(generators, -1, -2)).sum(axis=-1)
+    centre = -(normals @ (B @ forces[..., None]))[..., 0]
+    return _unit_normals(
+        np.concatenate([normals, -normals], axis=-2),
+        np.concatenate([reach + centre, reach - centre], axis=-1),
+    )
+
+
+def _unit_normals(normals: Array, offsets: Array) -> tuple[Array, Array]:
+    """The same half-spaces by normals of unit length; one without a normal is all of space."""
+    size = np.linalg.norm(normals, axis=-1)
+    none = size == 0.0
+    safe = np.where(none, 1.0, size)
+    return normals / safe[..., None], np.where(none, np.inf, offsets / safe)
+
+
+def _farthest(normals: Array, offsets: Array, directions: Array) -> Array:
+    """Largest lambda >= 0 of lambda * direction in the polytope, (...); nan where there is none."""
+    along = np.einsum("...mk,...k->...m", normals, directions)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        ends = offsets / along
+    most = np.min(np.where(along > 0.0, ends, np.inf), axis=-1)
+    least = np.max(np.where(along < 0.0, ends, 0.0), axis=-1)
+    missed = np.any((along == 0.0) & (offsets < 0.0), axis=-1) | np.isnan(offsets).any(axis=-1)
+    return np.asarray(np.where(missed | (most < least), np.nan, most))
+
+
+def _vertices(normals: Array, offsets: Array) -> Array:
+    """Corners, (n, d), of one polytope: where d of its planes meet in a point within the others."""
+    d = normals.shape[-1]
+    some = np.isfinite(offsets)
+    normals, offsets = normals[some], offsets[some]
+    sets = np.array(list(itertools.combinations(range(len(offsets)), d)))
+    planes = normals[sets]
+    regular = np.abs(np.linalg.det(planes)) > _PARALLEL
+    met = np.linalg.solve(planes[regular], offsets[sets[regular]][..., None])[..., 0]
+    slack = _SAME * np.abs(offsets).max()
+    met = met[np.all(met @ normals.T <= offsets + slack, axis=-1)]
+    found: list[Array] = []
+    for point in met:
+        if all(np.abs(point - other).max() > 10.0 * slack for other in found):
+            found.append(point)
+    return np.array(found).reshape(-1, d)

@@ -22,20 +22,11 @@ _WAIT = "5s"
 def run(
     jobs: Sequence[Job], work: Callable[[Job], Result], scheduler: str | None, progress: Progress, text: str
 ) -> list[Result]:
-    """Results of ``work`` in the order of the jobs.
+    """Results of ``work`` in the order of the jobs; both are pickled for workers.
 
-    Parameters
-    ----------
-    jobs, work : what to do; both are pickled for workers.
-    scheduler : None for this process, "local" for a worker on each core, or the address of a Dask scheduler.
-    progress, text : what is shown while it lasts.
-
-    Raises
-    ------
-    ValueError
-        Where no scheduler answers at the address.
-    ImportError
-        Naming the extra, without Dask.
+    scheduler: None for this process, "local" for a worker on each core, or the address of a Dask scheduler.
+    progress, text: what is shown while it lasts. Raises ValueError where no scheduler answers at the address,
+    ImportError naming the extra without Dask.
     """
     if scheduler is None:
         return [work(job) for job in tracked(progress, jobs, lambda _: text)]

@@ -96,16 +96,8 @@ def _apart(robot: Robot) -> Flags:
 class PoseExaminer(Frozen):
     """A robot and the limits that its poses are to keep.
 
-    Attributes
-    ----------
-    robot : Robot
-        The machine.
-    limits : PoseLimits
-        The limits.
-    up : ndarray
-        Unit vector from the base to the platform's side, base frame, (3,).
-    side : float
-        Sign of det H at the home pose.
+    up: unit vector from the base to the platform's side, base frame, (3,). side: sign of det H at the home
+    pose.
     """
 
     robot: Robot
