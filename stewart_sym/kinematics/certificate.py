@@ -22,7 +22,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..io.arguments import instance, leading_shape
 from ..io.array_types import Array, Flags
-from ..motion.motion import Motion
+from ..motion.motion import pose_of
 from ..robot.robot import Robot
 from .conditioning import characteristic_length
 from .forward import checked_lengths
@@ -104,13 +104,9 @@ def _pose(pose: object) -> tuple[Array, Array]:
         raise ValueError(f"pose: expected shapes (..., 3, 3) and (..., 3), got {R.shape} and {t.shape}")
     shape = leading_shape({"R": R.shape[:-2], "t": t.shape[:-1]})
     R, t = np.broadcast_to(R, (*shape, 3, 3)), np.broadcast_to(t, (*shape, 3))
-    none = np.asarray(np.isnan(t).any(axis=-1) | np.isnan(R).any(axis=(-2, -1)))
-    zero = np.zeros(3)
-    try:
-        Motion(np.where(none[..., None, None], np.eye(3), R), np.where(none[..., None], 0.0, t), zero, zero)
-    except ValueError as error:
-        raise ValueError(f"pose: {error}") from None
-    return R, np.where(none[..., None], np.nan, t)
+    none = np.asarray(np.isnan(t).any(axis=-1) | np.isnan(R).any(axis=(-2, -1)))[..., None]
+    pose_of((np.where(none[..., None], np.eye(3), R), np.where(none, 0.0, t)), "pose", "a pose (R, t)")
+    return R, np.where(none, np.nan, t)
 
 
 def _prove(robot: Robot, L: Array, R: Array, t: Array) -> tuple[float, float, float] | None:

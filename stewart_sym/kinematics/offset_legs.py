@@ -13,17 +13,8 @@ from ..io.array_types import Array, Flags
 from ..motion.motion import Motion, pose_of
 from ..motion.rotation import orthonormal, rotation_from_vector
 from ..results import OK, STATUS_TEXT
-from ..robot.offset_chains import (
-    ROUNDING,
-    SLIDING,
-    JointMotion,
-    actuated,
-    chains,
-    codes_of,
-    joint_motion,
-    lead_share,
-    motor_motion,
-)
+from ..robot import offset_chains as chain
+from ..robot.offset_chains import ROUNDING, SLIDING, JointMotion, joint_motion
 from ..robot.robot import Robot
 
 _MOST_STEPS, _MOST_HALVINGS = 60, 12
@@ -81,9 +72,9 @@ def motor_angles(robot: Robot, motion: Motion, L_0: ArrayLike | None = None) -> 
         joints[..., SLIDING + 1] = moving.at.spin[..., 0]
     seconds = moving.accelerations
     return MotorMotion(
-        motor_motion(robot, joints),
-        motor_motion(robot, moving.rates),
-        None if seconds is None else motor_motion(robot, seconds),
+        chain.motor_motion(robot, joints),
+        chain.motor_motion(robot, moving.rates),
+        None if seconds is None else chain.motor_motion(robot, seconds),
     )
 
 
@@ -139,7 +130,7 @@ def checked_motion(robot: Robot, motion: Motion) -> JointMotion:
     """How the joints move. Raises ValueError naming the first leg without a solution."""
     with np.errstate(all="ignore"):
         moving = joint_motion(robot, motion)
-        codes = codes_of(robot, motion, moving.at)
+        codes = chain.codes_of(robot, motion, moving.at)
     if (codes != OK).any():
         *pose, leg = (int(i) for i in np.argwhere(codes != OK)[0])
         where = f"motion[{', '.join(map(str, pose))}]" if pose else "motion"
@@ -153,7 +144,7 @@ def leg_lengths(robot: Robot, R: Array, t: Array) -> Array:
         S = np.einsum("...jk,ik->...ij", R, robot.p) + t[..., None, :] - robot.b
         return np.asarray(np.linalg.norm(S, axis=-1))
     with np.errstate(all="ignore"):
-        return np.asarray(chains(robot, _still(R, t)).L[..., 0])
+        return np.asarray(chain.chains(robot, _still(R, t)).L[..., 0])
 
 
 def length_jacobian(robot: Robot, R: Array, t: Array) -> Array:
@@ -169,14 +160,14 @@ def search(
 
     screws: to lengths as the motors see them, with what the spin of the upper parts adds.
     """
-    share = lead_share(robot) if screws else np.zeros(6)
+    share = chain.lead_share(robot) if screws else np.zeros(6)
     R, t = orthonormal(R), t.copy()
     steps = np.zeros(len(t), dtype=np.int64)
 
     def at(R: Array, t: Array) -> tuple[Array, Array, Array]:
         moving = joint_motion(robot, _still(R, t))
         found = moving.at.L[..., 0] + share * moving.at.spin[..., 0]
-        column = actuated(robot, moving.rates.shape[-1]) * np.where(
+        column = chain.actuated(robot, moving.rates.shape[-1]) * np.where(
             np.arange(moving.rates.shape[-1]) == SLIDING, 1.0, float(screws)
         )
         J = np.einsum("ij,nijk->nik", column, moving.G)

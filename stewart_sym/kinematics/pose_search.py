@@ -74,9 +74,7 @@ class Found(NamedTuple):
 
     def at(self, where: NDArray[np.intp]) -> "Found":
         """What was found from some of the starts, as copies."""
-        return Found(
-            self.R[where], self.t[where], self.residual[where], self.iterations[where], self.found[where]
-        )
+        return Found._make(each[where] for each in self)
 
 
 def searched(robot: Robot, L: Array) -> Found:

@@ -55,9 +55,7 @@ def vector_text(vector: Array) -> str:
 
 def base_joint(value: object, where: str) -> str:
     """Kind of the joints at the base."""
-    if not isinstance(value, str) or value not in BASE_JOINTS:
-        raise ValueError(f'{where}: expected "universal" or "spherical", got {shown(value)}')
-    return value
+    return tables.choice(value, BASE_JOINTS, where)
 
 
 def accepted(value: object, where: str) -> tuple[str, ...]:
@@ -135,11 +133,6 @@ def inertia(value: object, where: str) -> Array:
             f"and {tensor[j, i]:g} at ({j + 1}, {i + 1})"
         )
     return np.asarray(0.5 * tensor + 0.5 * tensor.T)
-
-
-def home(value: object, where: str) -> Array | None:
-    """A position, (3,), or None."""
-    return None if value is None else tables.vector(value, where)
 
 
 def need_axisymmetric(legs: Mapping[str, Array], name: Callable[[int, str], str]) -> None:
@@ -230,7 +223,7 @@ LEG_FIELDS: dict[str, tuple[str, Check]] = {
 """The same of the fields with an entry for each leg, path in a leg's table."""
 
 POSE_FIELDS: dict[str, Check] = {
-    "home": home,
+    "home": lambda value, where: None if value is None else tables.vector(value, where),
     "tool": tables.vector,
     "euler_order": lambda value, where: tables.choice(value, EULER_ORDERS, where),
     "lengths": lambda value, where: tables.choice(value, LENGTHS, where),

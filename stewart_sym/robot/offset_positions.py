@@ -23,8 +23,8 @@ class Chains:
 
     y, s, z, o: axes of the lower part and outward normal; A: where o meets the moving axis; T: end of the
     sliding line; P: platform point; q: P from the reference point. spin: from y to the axis on the upper
-    part. of_tip: distance of T along o. U: frame of the upper part. y_w, k_w, o_w: both axes of a universal
-    platform joint and their normal, None with spherical ones.
+    part. of_tip: distance of T along o. U: frame of the upper part. y_w, k_w: both axes of a universal
+    platform joint, None with spherical ones.
     """
 
     q: Array
@@ -41,7 +41,6 @@ class Chains:
     U: Array
     y_w: Array | None = None
     k_w: Array | None = None
-    o_w: Array | None = None
 
 
 def chains_to(offsets: Offsets, k: Array, k_w: Array, q: Array, P: Array) -> Chains:
@@ -52,23 +51,23 @@ def chains_to(offsets: Offsets, k: Array, k_w: Array, q: Array, P: Array) -> Cha
     if not offsets.spins:
         return _lower(k, offsets, q, P, P)
     w = offsets.wrist[:, None]
-    T, o_w = P, np.zeros_like(P)
+    T = P
     # Each step brings the end of the leg nearer by the wrist's share of the leg's length.
     for _ in range(_MOST_STEPS):
         at = _lower(k, offsets, q, P, T)
         y_w = vector_product(k_w, at.s)
         y_w = y_w / np.sqrt(dot(y_w, y_w))
-        o_w = vector_product(y_w, k_w)
-        step = np.abs(P - w * o_w - T).max(axis=-1, keepdims=True)
+        end = P - w * vector_product(y_w, k_w)
+        step = np.abs(end - T).max(axis=-1, keepdims=True)
         moved = step > _SETTLED * np.abs(P).max(axis=-1, keepdims=True)
         if not moved.any():
             break
-        T = P - w * o_w
+        T = end
     else:
         at = _lower(k, offsets, q, P, np.where(moved, np.nan, T))
     spin = np.arctan2(dot(at.z, y_w), dot(at.y, y_w))
     U = np.stack([at.s, y_w, vector_product(at.s, y_w)], axis=-1)
-    return Chains(**{**vars(at), "spin": spin, "U": U, "y_w": y_w, "k_w": k_w, "o_w": o_w})
+    return Chains(**{**vars(at), "spin": spin, "U": U, "y_w": y_w, "k_w": k_w})
 
 
 def lengths_at_home(offsets: Offsets, k: Array, S: Array) -> Array:
