@@ -225,6 +225,7 @@ def prepared(
     """
     from ..derive.kernel.tree.constants import constants
     from ..derive.kernel.tree.interpret import Arithmetic, Interpreter
+    from .trees import robot_structure
 
     instance(robot, Robot, "robot")
     name = robot_kernel(robot, formulation)
@@ -234,11 +235,12 @@ def prepared(
             f'got "{formulation}" and {robot.base_joint} ones'
         )
     program = _program(name, function)
+    numbers = robot_structure(robot, lambda _, value: np.float64(value))
     if function == "terms":
-        return program, function, _numbers(robot)
+        return program, function, numbers
     on = Arithmetic(np.float64, constants("double"), np.sqrt)
     with np.errstate(all="ignore"):
-        model = Interpreter(program, on).run("prepare", _numbers(robot))
+        model = Interpreter(program, on).run("prepare", numbers)
     if model.status != OK:
         raise overflows(robot, "double")
     return program, function, model
@@ -254,13 +256,6 @@ def _program(name: str, function: str) -> Any:
     if function == "terms":
         return terms_program(reduced(form))
     return output_program(form, (function,), by_pivots=True)
-
-
-def _numbers(robot: Robot) -> SimpleNamespace:
-    """The robot as kernel trees take it."""
-    from .trees import robot_structure
-
-    return robot_structure(robot, lambda _, value: np.float64(value))
 
 
 def _chained(expr: Expression, derivatives: Mapping[Any, Any]) -> Expression:

@@ -46,17 +46,9 @@ def need(package: str, what: str, otherwise: str = "") -> None:
 def needed_for(what: str, otherwise: str = "") -> Iterator[None]:
     """Import optional packages in this block.
 
-    Parameters
-    ----------
-    what : the work that needs them, as the subject of the message.
-    otherwise : what helps without them, such as an option, at the end of the message.
-
-    Raises
-    ------
-    MissingExtraError
-        In one line: ``<what> needs <package>: pip install "stewart-sym[<extra>]"``, as ``install`` has it.
-    MemoryError
-        Without room for the work area of SciPy's BLAS.
+    what: the work that needs them, as the subject of the message. otherwise: what helps without them, such as
+    an option, at its end. Raises MissingExtraError in one line: ``<what> needs <package>: pip install
+    "stewart-sym[<extra>]"``, as ``install`` has it; MemoryError without room for SciPy's work area.
     """
     try:
         yield

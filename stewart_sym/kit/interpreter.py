@@ -30,19 +30,9 @@ from ..io.array_types import Array
 from ..precision.truth import ON_DIGITS, digits, number_of_digits
 from ..results import OK
 from ..robot.robot import LEGS
+from . import running
 from .parts import plain_kernel
-from .running import (
-    HALF_UNIT,
-    Objects,
-    Running,
-    array,
-    errors,
-    inverse_sizes,
-    sizes,
-    solve,
-    solve_definite,
-    values,
-)
+from .running import HALF_UNIT, Objects, Running, array, errors, sizes, values
 
 Numbers = Mapping[str, Array]
 Found = dict[str, Objects]
@@ -113,7 +103,7 @@ class KitInterpreter:
         """F, D, x, K, H, c of (20)-(37)."""
         found = self._every_output.terms(ON_ARRAYS, self._legs_side_by_side, _motion(at))
         D, H, c = array(found.D), array(found.H), array(found.c)
-        x = solve(H, c[:, None])[:, 0]
+        x = running.solve(H, c[:, None])[:, 0]
         return _flat({"F": D - x, "D": D, "x": x, "K": found.K, "H": H, "c": c})
 
     def joint_reactions(self, at: Numbers) -> Found:
@@ -160,7 +150,7 @@ class KitInterpreter:
         legs = run.zero(run.program.function("legs_at").arguments[-1].type)
         run.run("legs_at", self._robot, pose, Running(1), legs)
         agreed = ON.constants["ROUNDING"].value / ON.constants["EPSILON"].value * legs.reach.value
-        off = inverse_sizes(array(legs.A)[:, :6]) @ (float(agreed) + errors(array(legs.L)))
+        off = running.inverse_sizes(array(legs.A)[:, :6]) @ (float(agreed) + errors(array(legs.L)))
         x, y, z = off[3:]
         R, t = array(pose.R).reshape(3, 3), array(pose.t)
         bound = np.array([[0, z, y], [z, 0, x], [y, x, 0]]) @ sizes(R) + _TURNED
@@ -306,15 +296,15 @@ def _solvers(names: Iterable[str]) -> dict[str, Callable[..., Any]]:
     }
     for name in names:
         if name.startswith("solve_pivoted"):
-            known[name] = lambda A: _solve_rows(A, solve)
+            known[name] = lambda A: _solve_rows(A, running.solve)
         if name.startswith("solve_definite"):
-            known[name] = lambda A, kept: _solve_rows(A, solve_definite)
+            known[name] = lambda A, kept: _solve_rows(A, running.solve_definite)
     return known
 
 
 def _eliminate(A: list[list[Running]], x: list[Running]) -> int:
     rows = array(A)
-    x[:] = solve(rows[:, :6], rows[:, 6:])[:, 0]
+    x[:] = running.solve(rows[:, :6], rows[:, 6:])[:, 0]
     return 0
 
 
@@ -325,7 +315,7 @@ def _accelerations(legs: Any, summed: Any, out: Any) -> None:
     columns = zip(zip(*turning, strict=True), _symmetric(summed.M_ww), strict=True)
     rows += [[*more, *row] for more, row in columns]
     right = [[each] for each in (*summed.right_force, *summed.right_moment)]
-    found = solve_definite(array(rows), array(right))[:, 0]
+    found = running.solve_definite(array(rows), array(right))[:, 0]
     out.a, out.alpha, out.status = list(found[:3]), list(found[3:]), legs.status
 
 

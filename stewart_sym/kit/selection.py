@@ -206,7 +206,8 @@ class _Search:
         pool = {name: rounded(value, kind) for name, value in pool.items()}
         good = np.all([np.isfinite(pool[name].reshape(len(pool["t"]), -1)).all(axis=1) for name in MOTION], 0)
         pool = _some(pool, good)
-        legs = inverse_kinematics(self.robot, motion := _as_motion(pool))
+        motion = Motion.unchecked(**{name: pool[name] for name in MOTION})
+        legs = inverse_kinematics(self.robot, motion)
         with np.errstate(all="ignore"):
             H = wrench_matrix(self.robot, motion)
         solves = scaled_condition_number(H, characteristic_length(self.robot)) <= MAX_CONDITION
@@ -322,7 +323,3 @@ def _along(names: tuple[str, str], amount: float, size: float, *axes: int) -> di
 
 def _some(pool: Arrays, which: Any) -> Arrays:
     return {name: value[which] for name, value in pool.items()}
-
-
-def _as_motion(pool: Arrays) -> Motion:
-    return Motion.unchecked(**{name: pool[name] for name in MOTION})

@@ -38,13 +38,7 @@ from ..motion.rate_doubts import rate_doubt
 from ..motion.trajectory import JointTrajectory, Trajectory
 from ..results import SINGULAR
 from ..robot.robot import Robot
-from ..singularities.length_steps import (
-    accelerations,
-    against_rates,
-    jump,
-    step_beyond_rates,
-    times_from_rates,
-)
+from . import length_steps
 from .along_path import crossings
 from .length_steps import CROSSED, NO_WAY, UNDECIDED, Legs, LostError, at_rest, pose_of, walked
 
@@ -213,13 +207,14 @@ def _follow(
         raise LostError(0, fault(robot, L[0], int(start.status[0]), guess is not None))
     first = pose_of(robot, start.R, start.t, L[:1])
     if time is None:
-        time = times_from_rates(L, L_dot)
-        if time is None and against_rates(L, L_dot):
+        time = length_steps.times_from_rates(L, L_dot)
+        if time is None and length_steps.against_rates(L, L_dot):
             raise RatesError("L_dot: the lengths change against their rates: are signs opposite?")
     if len(L) < 2 or time is None or not np.any(L_dot):
         return at_rest(robot, first, L, progress)
-    rates = accelerations(time, L, L_dot) if L_ddot is None else L_ddot
-    for sample, reason in ((jump(L), JUMPED), (step_beyond_rates(time, L, L_dot, rates), OFF_RATES)):
+    rates = length_steps.accelerations(time, L, L_dot) if L_ddot is None else L_ddot
+    off = length_steps.step_beyond_rates(time, L, L_dot, rates)
+    for sample, reason in ((length_steps.jump(L), JUMPED), (off, OFF_RATES)):
         if sample is not None:
             raise LostError(sample, reason)
     _reject_other_rates(time, L, L_dot, L_ddot)

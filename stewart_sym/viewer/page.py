@@ -58,14 +58,8 @@ def document(
     """A whole HTML file.
 
     Its content security policy lets the scripts and styles in it run and nothing else, and no request out.
-
-    Parameters
-    ----------
-    title : text of the browser's tab.
-    body : HTML.
-    main : name of the module that runs.
-    styles : names of the style sheets.
-    inner : modules of documents within this one, which inherit its policy.
+    title: text of the browser's tab. body: HTML. main: name of the module that runs. styles: names of the
+    style sheets. inner: modules of documents within this one, which inherit its policy.
     """
     code, style = script(main), "".join(map(text_of, styles))
     inside = [*inner]
