@@ -39,7 +39,7 @@ def model_of(robot: Robot) -> Model:
     L = np.linalg.norm(S, axis=-1) if at is None else at.L[:, 0]
     frames = _leg_frames(robot, S / L[:, None]) if at is None else at.U
     bodies = [Body(WORLD, shapes=_plate(robot.b, float(L.mean())))]
-    joints, closures = [], []
+    joints: list[Joint] = []
     for i, (frame, length) in enumerate(zip(frames, L, strict=True)):
         lower, upper = _parts(robot, i, frame, float(length), at)
         base, actuator = _leg_joints(robot, i, frame, float(length))
@@ -47,20 +47,13 @@ def model_of(robot: Robot) -> Model:
             bodies.append(cross_of(robot, robot.offsets, i, at, _short(_LOWER * float(length))))
         bodies += [lower, upper]
         joints += [*([base] if at is None else base_joints(robot, i, at)), actuator]
-        closures.append(
-            Joint(
-                f"tip_{i + 1}",
-                "spherical",
-                upper.name,
-                "platform",
-                point=robot.p[i],
-                damping=float(robot.C_s[i]),
-                cut=True,
-            )
-        )
     shapes = _plate(robot.p, float(L.mean()))
     bodies.append(Body("platform", np.eye(3), t, robot.M, robot.R_0, robot.I_p, shapes))
     joints.append(Joint("free", "free", WORLD, "platform"))
+    closures = [
+        Joint(f"tip_{i}", "spherical", f"upper_{i}", "platform", p, damping=damping, cut=True)
+        for i, (p, damping) in enumerate(zip(robot.p, robot.C_s.tolist(), strict=True), 1)
+    ]
     # Readers take axes that miss each other for offsets where a note says that they are meant to.
     notes = {} if robot.offsets is None else {"offsets": noted_offsets(robot.offsets)}
     return Model(robot.name, robot.g, tuple(bodies), (*joints, *closures), notes)
@@ -134,12 +127,7 @@ def _leg_joints(robot: Robot, i: int, frame: Array, length: float) -> tuple[Join
     universal = robot.base_joint == "universal"
     axes = np.stack([robot.k[i], frame[:, 1]]) if universal else np.zeros((0, 3))
     base = Joint(
-        f"base_{i + 1}",
-        robot.base_joint,
-        WORLD,
-        f"lower_{i + 1}",
-        axes=axes,
-        damping=float(robot.C_u[i]),
+        f"base_{i + 1}", robot.base_joint, WORLD, f"lower_{i + 1}", axes=axes, damping=float(robot.C_u[i])
     )
     low, high = (float(limit) for limit in robot.length_limits[i])
     actuator = Joint(

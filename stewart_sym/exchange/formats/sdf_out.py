@@ -14,10 +14,7 @@ SPACE = "urn:stewart-sym"
 """XML namespace of what the format has no place for."""
 NOTES = "stewart_sym:notes"
 _KINDS = {"prismatic": "prismatic", "revolute": "revolute", "universal": "universal", "spherical": "ball"}
-_PLUGIN = {
-    "filename": "gz-sim-apply-joint-force-system",
-    "name": "gz::sim::systems::ApplyJointForce",
-}
+_PLUGIN = {"filename": "gz-sim-apply-joint-force-system", "name": "gz::sim::systems::ApplyJointForce"}
 
 
 def written(model: Model) -> tuple[str, None]:
