@@ -47,15 +47,8 @@ MANIFEST = "manifest.json"
 """What a later run reads to tell its own files from edited ones."""
 
 _TEXTS = (
-    build.SELFTEST,
-    build.EXAMPLE,
-    LICENCE,
-    ROBOT,
-    "README.md",
-    "Makefile",
-    "CMakeLists.txt",
-    "Config.cmake.in",
-    "stewart.hpp",
+    *(build.SELFTEST, build.EXAMPLE, LICENCE, ROBOT, "README.md"),
+    *("Makefile", "CMakeLists.txt", "Config.cmake.in", "stewart.hpp"),
 )
 
 

@@ -275,13 +275,9 @@ def _part(
     files: Mapping[str, str] | None = None,
 ) -> Part:
     """One header and source; shared: key of ``INCLUDED``; files: None for those of ``generated/c``."""
-    files = _committed(file) if files is None else files
+    if files is None:
+        files = {name: generated_c(name) for name in (f"{file}.h", f"{file}.c")}
     return Part(file, files, tuple(functions), kinds, says, INCLUDED[shared])
-
-
-def _committed(file: str) -> dict[str, str]:
-    """Header and source from ``generated/c``."""
-    return {name: generated_c(name) for name in (f"{file}.h", f"{file}.c")}
 
 
 def generator() -> str:

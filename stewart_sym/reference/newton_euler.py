@@ -326,19 +326,8 @@ def legs(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT) -> Legs:
     M_u = np.zeros_like(L) if spherical else _dot(s, C) / _dot(s, leg.axis)
     K = _cross(C - M_u * leg.axis, s) / L
     D = m_u * _dot(s, a_u - g) + robot.C_p[:, None] * Ldot + F_rotor  # (24)
-    return Legs(
-        **vars(leg),
-        Lddot=Lddot,
-        A=A,
-        F_rotor=F_rotor,
-        h_rotor=h_rotor,
-        a_d=a_d,
-        a_u=a_u,
-        f=f,
-        M_u=M_u,
-        K=K,
-        D=D,
-    )
+    moving = {"Lddot": Lddot, "A": A, "a_d": a_d, "a_u": a_u, "F_rotor": F_rotor, "h_rotor": h_rotor}
+    return Legs(**vars(leg), **moving, f=f, M_u=M_u, K=K, D=D)
 
 
 def _solve(robot: Robot, motion: Motion, faults: frozenset[int]) -> tuple[Legs, Forces]:
