@@ -105,7 +105,7 @@ class _Source(Source):
             "PlatformTerms": shared().platform_terms,
         }
         self.flags: dict[str, Given] = {
-            "HAS_SINE": int(any(out.quantity == n.k3 for out in kernel.leg.outputs)),
+            "HAS_SINE": int(n.k3 in kernel.leg.made),
             "COUNT": sum(each.count for each in STRUCTS["reactions"]),
             "SMALLEST": Number(p.ABOUT_REFERENCE[0]),
         }

@@ -289,12 +289,12 @@ def _read_of(kernel: SumKernel) -> set[Quantity]:
 
 def _sums(kernel: SumKernel, block: Block) -> list[sp.Expr]:
     """Each number that the block adds, in the order of the sums."""
-    given = lay.exprs_of(block)
+    given = block.exprs
     return [given[q][i] for q, i in blocks.placed(kernel.summed)]
 
 
 def checks(block: Block) -> dict[str, read.Given]:
     """How legs are found unfit, as ``layouts.checks`` has it."""
-    terms = [*lay.exprs_of(block)[n.q], *n.t.symbols, *n.b.symbols]
+    terms = [*block.exprs[n.q], *n.t.symbols, *n.b.symbols]
     least = t.Constant("ROUNDING") * t.Name("reach")
     return lay.largest(terms) | lay.checks(block, least, "JOINT_SINGULAR_SINE")

@@ -241,12 +241,12 @@ def _symmetric(first: int) -> tuple[t.Statement, ...]:
 def kept(kernel: SumKernel) -> list[Quantity]:
     """What legs hand out beside their part of the sums."""
     others = (*kernel.summed, *lay.CHECKED)
-    return [out.quantity for out in kernel.leg.outputs if out.quantity not in others]
+    return [q for q in kernel.leg.made if q not in others]
 
 
 def handed(kernel: SumKernel) -> list[Quantity]:
     """What a pose hands to its legs."""
-    return [out.quantity for out in kernel.pose.outputs if out.quantity not in kernel.summed]
+    return [q for q in kernel.pose.made if q not in kernel.summed]
 
 
 class Batches:

@@ -90,7 +90,7 @@ def reach_terms(kernel: ForceKernel) -> tuple[list[sp.Expr], tuple[Quantity, ...
     """The vectors whose sum is S, component by component, and the inputs among them."""
     inputs = (n.t, *base_points(kernel))
     symbols = (symbol for q in inputs for symbol in q.symbols)
-    return [*lay.exprs_of(kernel.leg)[n.q], *symbols], inputs
+    return [*kernel.leg.exprs[n.q], *symbols], inputs
 
 
 def as_far_as_roots(leg: Block) -> tuple[Block, Block]:
@@ -111,8 +111,8 @@ def as_far_as_roots(leg: Block) -> tuple[Block, Block]:
 class _Source(Source):
     def __init__(self, kernel: ForceKernel) -> None:
         self.kernel, self.baked = kernel, kernel.constants is not None
-        self.of_pose = [out.quantity for out in kernel.shared.outputs]
-        self.given = lay.exprs_of(kernel.leg)
+        self.of_pose = kernel.shared.made
+        self.given = kernel.leg.exprs
         self.roots, self.from_roots = as_far_as_roots(kernel.leg)
         read = lay.names_used(self.from_roots)
         self.handed_on = [step.name for step in self.roots.steps if step.name in read]
@@ -132,9 +132,8 @@ class _Source(Source):
     def _structures(self) -> dict[str, t.Structure]:
         kernel = self.kernel
         motion = kernel.used_motion()
-        moved = [out.quantity for out in kernel.shift.outputs]
         blocks = (kernel.leg, kernel.moments) if kernel.about_tip else (kernel.leg,)
-        terms = [out.quantity for block in blocks for out in block.outputs]
+        terms = [q for block in blocks for q in block.made]
         terms = [q for q in terms if q not in (*lay.CHECKED, *_ROWS)]
         kept = [lay.stored(q, POSES) for q in (n.q, *lay.RIGHT_SIDE) if q in self.given]
         says = "What differs from leg to leg; the last two lanes repeat leg 6."
@@ -164,7 +163,7 @@ class _Source(Source):
             t.numbers("bad", POSES, meaning="1 where a leg, a pivot or a force needs a closer look, else 0"),
         )
         roots = (t.numbers(name, POSES) for name in self.handed_on)
-        of_pose_alone = tuple(map(lay.stored, (*self.of_pose, *moved)))
+        of_pose_alone = tuple(map(lay.stored, (*self.of_pose, *kernel.shift.made)))
         aligned: dict[str, tuple[str, str, Iterable[t.Field]]] = {
             "MotionLanes": (
                 "motion_lanes",

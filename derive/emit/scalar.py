@@ -59,7 +59,7 @@ class _Source(Source):
         self.kernel, self.baked = kernel, kernel.constants is not None
         self.of_pose = [out for out in kernel.shared.outputs if out.quantity not in lay.RIGHT_SIDE]
         self.structures = p.structures(kernel) | self._structures()
-        given, model = lay.exprs_of(kernel.leg), t.Name("model")
+        given, model = kernel.leg.exprs, t.Name("model")
         size = kernel.size * p.per_length(kernel.size)
         self.flags = p.flags(kernel) | {
             "SIZE": t.Number(kernel.extent) if self.baked else t.Member(model, "size"),
@@ -144,7 +144,7 @@ class _Source(Source):
 
     def _shared(self) -> tuple[t.Statement, ...]:
         block = self.kernel.shared
-        right = lay.exprs_of(block)
+        right = block.exprs
         zeros = (sp.Integer(0),) * 3
         sides = [expr for q in lay.RIGHT_SIDE for expr in right.get(q, zeros)]
         return (
@@ -156,11 +156,11 @@ class _Source(Source):
     def _closely(self) -> dict[str, Given]:
         """What is seldom read: a leg's length, the sizes of its terms, its column of H."""
         kernel = self.kernel
-        exprs = lay.exprs_of(kernel.leg)
+        exprs = kernel.leg.exprs
         # In a baked kernel a coordinate of b that is zero for all legs is none of its inputs.
         around = [q for q in kernel.leg.inputs if q in (n.t, n.b) or q.name in n.b.names]
         block = part_of(joined(kernel.leg, kernel.moments), n.q, n.L, n.H_force, n.H_moment)
-        given = lay.exprs_of(block)
+        given = block.exprs
         arms = [expression(e) - t.Name(f"q_1_{axis}") for e, axis in zip(given[n.q], "xyz", strict=True)]
         out = t.Name("out")
         places = (t.Element(t.Member(out, "arm"), (t.Number(i),)) for i in range(3))
@@ -199,7 +199,7 @@ class _Source(Source):
         """One leg: its column of H and its D are stored, its part of c is added."""
         kernel = self.kernel
         block = joined(own, kernel.moments)
-        exprs, used = lay.exprs_of(block), lay.names_used(block)
+        exprs, used = block.exprs, lay.names_used(block)
         before, after = lay.parted_steps(own, (*exprs[n.L], *exprs.get(n.k3, ())))
         loads = lay.loads((q for q in block.inputs if q != q_1), used, self._layout)
         first, loads = lay.where_read(loads, steps_of(before, AS_DERIVED))

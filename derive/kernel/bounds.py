@@ -97,7 +97,7 @@ class BoundedForces:
             [stored(part, always=False) for q in held for part in (q, err.error_of(q))]
             for held in (ADDED, _LEGS_SLOPES.values())
         )
-        shared = err.with_errors(self.shared, [out.quantity for out in kernel.shared.outputs])
+        shared = err.with_errors(self.shared, kernel.shared.made)
         decides = [t.numbers("D"), *(stored(q, always=False) for q in CHECKED[1:])]
         decides += [t.numbers("reach"), t.numbers("arm", 3)]
         matrices = [t.numbers(each, 6, 6) for each in ("H", "H_err")] + [t.numbers("arm", 6, 3)]
@@ -196,7 +196,7 @@ class BoundedForces:
         """Where the functions of a pose find an input."""
         if quantity in n.MOTION:
             return member("at", quantity)
-        if quantity in (out.quantity for out in self.kernel.shared.outputs):
+        if quantity in self.kernel.shared.made:
             return member("shared", quantity)
         return member("platform" if quantity in self.kernel.platform_constants() else "leg", quantity)
 
@@ -218,7 +218,7 @@ class BoundedForces:
 
     def _leg(self, leg: RoundedBlock) -> dict[str, Given]:
         """A leg without its errors, and what decides on its status."""
-        exprs = {out.quantity: out.exprs for out in leg.block.outputs}
+        exprs = leg.block.exprs
         terms = [*exprs[n.q], *(symbol for q in (n.t, n.b) for symbol in q.symbols)]
         out = t.Name("out")
         arms = [

@@ -84,7 +84,7 @@ def terms_program(kernel: Kernel) -> t.Program:
 def arrays_program(kernel: Kernel) -> t.Program:
     """Inverse dynamics and joint reactions with legs side by side."""
     leg = kernel.leg
-    if all(out.quantity != n.k3 for out in leg.outputs):
+    if n.k3 not in leg.made:
         leg = replace(leg, outputs=(*leg.outputs, Output(n.k3, (sp.S.One,))))
     of_legs = _outputs("Legs", "What the legs have.", leg)
     structures = [*_machine(), of_legs, *_results(kernel), _TERMS, _FORCES]
@@ -162,7 +162,7 @@ def _wrench(platform: Block) -> t.Structure:
 
 
 def _outputs(name: str, meaning: str, block: Block) -> t.Structure:
-    return structure(name, meaning, (out.quantity for out in block.outputs))
+    return structure(name, meaning, block.made)
 
 
 def _texts(structures: Sequence[t.Structure], blocks: Sequence[t.Function]) -> Written:

@@ -10,7 +10,7 @@ from typing import Any
 
 from ..mechanics import kinematics as k
 from ..mechanics import quantities as n
-from ..program.block import Block, Operations, Quantity
+from ..program.block import Block, Operations
 from . import batches
 from .batches import LOADS, MOTIONS, NUMBERS, copies, is_null, missing, parts_at
 from .elimination import CARRIED, RETURNED
@@ -32,7 +32,7 @@ _VECTORS = (n.q, k.S, n.L)
 def legs_batch(blocks: k.Kinematics) -> t.Program:
     """``motions_of``: lengths of the legs, their rates and second rates, and their vectors; and
     ``stewart_legs_batch``, of many poses, for C."""
-    held = [structure("LegMotion", "A leg.", _outputs(blocks.second)), _LEG_MOTIONS]
+    held = [structure("LegMotion", "A leg.", blocks.second.made), _LEG_MOTIONS]
     made = [_read(blocks.second, "motion_of", "LegMotion", _LEG | _MOTION)]
     called = (legs.largest_component, legs.reach_of, legs.fault_of, written.motions_of)
     program = _program("legs", held, made, called, RETURNED)
@@ -65,9 +65,9 @@ def search_program(
     held = [
         structure("Pose", "Pose of the platform.", (n.R, n.t)),
         structure("LegVectors", "Vectors of a leg.", _VECTORS),
-        structure("LegRow", "A leg's row of J.", _outputs(blocks.row)),
-        structure("LegRate", "A leg's rate.", _outputs(blocks.rate)),
-        structure("SmallTurn", "A rotation.", _outputs(blocks.turned)),
+        structure("LegRow", "A leg's row of J.", blocks.row.made),
+        structure("LegRate", "A leg's rate.", blocks.rate.made),
+        structure("SmallTurn", "A rotation.", blocks.turned.made),
         *_SEARCHED,
     ]
     made = [
@@ -122,10 +122,6 @@ def rotation_program(blocks: Iterable[Block]) -> t.Program:
         made.append(block_function(block, block.name, "Orientation", arguments))
     found = structure("Orientation", "An orientation and its rates.", (n.R, n.omega, n.alpha))
     return _program("rotation", [found], made, (written.orientation_status,))
-
-
-def _outputs(block: Block) -> tuple[Quantity, ...]:
-    return tuple(out.quantity for out in block.outputs)
 
 
 def _read(block: Block, name: str, result: str, arguments: Arguments) -> t.Function:

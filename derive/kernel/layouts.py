@@ -188,11 +188,6 @@ def parted_steps(block: Block, wanted: Iterable[sp.Expr]) -> tuple[tuple[Step, .
     return tuple(before), tuple(step for step in block.steps if step not in before)
 
 
-def exprs_of(block: Block) -> dict[Quantity, tuple[sp.Expr, ...]]:
-    """Expressions of a block by the quantity that they make."""
-    return {out.quantity: out.exprs for out in block.outputs}
-
-
 # ---------------------------------------------------------------- legs
 
 
@@ -203,7 +198,7 @@ def largest(terms: Iterable[sp.Expr]) -> dict[str, read.Given]:
 
 def checks(leg: Block, least_length: t.Expression, least_sine: str) -> dict[str, read.Given]:
     """How ``written.legs.checked`` and ``mark`` decide on a leg."""
-    given = exprs_of(leg)
+    given = leg.exprs
     return {
         **{"checked": legs.checked, "mark": legs.mark, "HAS_SINE": int(n.k3 in given)},
         "LENGTH": expression(given[n.L][0]),
@@ -229,7 +224,7 @@ def described(quantity: Quantity, *lanes: int) -> t.Field:
 
 def terms(name: str, block: Block) -> t.Structure:
     """What a block makes, as a structure."""
-    return t.Structure(name, "", tuple(described(out.quantity) for out in block.outputs))
+    return t.Structure(name, "", tuple(map(described, block.made)))
 
 
 def filling(block: Block, made: t.Structure) -> t.Function:

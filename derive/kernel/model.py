@@ -29,10 +29,9 @@ def machine_structures(drive: bool = False, more: tuple[Quantity, ...] = ()) -> 
 
 def model_structures(kernel: ForceKernel) -> list[t.Structure]:
     """The robot, the motion, and the constants that a kernel prepares."""
-    of_leg = [out.quantity for out in kernel.prepare_leg.outputs]
     return [
         *machine_structures(n.m_r in kernel.prepare_leg.inputs, kernel.more_of_legs()),
-        structure("LegConstants", "Prepared constants of one leg.", of_leg),
+        structure("LegConstants", "Prepared constants of one leg.", kernel.prepare_leg.made),
         structure("Added", "What the legs add to the platform's constants.", p.ADDED),
         structure("Platform", "Constants of the platform.", kernel.platform_constants()),
         result(

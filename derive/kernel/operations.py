@@ -122,7 +122,7 @@ def force_operations(kernel: ForceKernel, scalar_text: bool = False) -> KernelOp
     takes the legs one after the other: leg 1 as the others, platform point 1 before them, and the product of
     the pivots.
     """
-    given = {out.quantity for out in kernel.leg.outputs}
+    given = kernel.leg.made
     sums = LEGS * sum(3 for quantity in (n.c_force, n.c_moment) if quantity in given)
     moments, shift = Operations(), Operations()
     solve = "one pose" if scalar_text else "block about tip" if kernel.about_tip else "block"

@@ -228,10 +228,6 @@ def _numbers(*dims: int) -> t.Type:
     return t.Array(t.Real(), dims)
 
 
-def _quantities(block: Block) -> tuple[Quantity, ...]:
-    return tuple(out.quantity for out in block.outputs)
-
-
 # ---------------------------------------------------------------- forces
 
 
@@ -240,7 +236,7 @@ def _of_forces(kernel: ForceKernel) -> dict[str, Definition]:
     blocks = [kernel.leg] if kernel.leg_near_singular is None else [kernel.leg, kernel.leg_near_singular]
     of_legs = [_complete(block, _LEG_OUTPUTS) for block in blocks]
     moments = _complete(kernel.moments, (n.H_moment, p.arm_c))
-    shared = _quantities(kernel.shared)
+    shared = kernel.shared.made
     arguments = block_arguments(kernel, ("shared", "SharedTerms", shared))
     of_pose = {name: arguments[name] for name in ("platform", "motion")}
     own: Arguments = {"leg": ("LegTerms", (n.q, n.H_force, n.c_force))}
@@ -250,7 +246,7 @@ def _of_forces(kernel: ForceKernel) -> dict[str, Definition]:
         structure("SharedTerms", "What a pose has for all legs.", shared),
         structure("LegTerms", "What a leg has.", _LEG_OUTPUTS),
         structure("ShiftTerms", "The platform's part of c about platform point 1.", [p.c_tip]),
-        structure("MomentTerms", "A leg's moments about platform point 1.", _quantities(moments)),
+        structure("MomentTerms", "A leg's moments about platform point 1.", moments.made),
         structure(
             "Sums",
             "H, c, and what moments are made with.",
@@ -301,7 +297,7 @@ def _of_sums(kernel: ForceKernel, sums: m.SumKernel) -> dict[str, Definition]:
     prefix = prefix_of(sums)
     name = camel(prefix)
     of_pose, of_leg, of_sums, of_legs = (f"{name}{part}" for part in ("Pose", "Leg", "Sums", "Legs"))
-    pose = _quantities(sums.pose)
+    pose = sums.pose.made
     arguments = block_arguments(kernel, ("pose", of_pose, pose), ("given", "LegInputs", m.GIVEN))
     before = {each: arguments[each] for each in ("platform", "motion")}
     given = {"Sums": of_sums, "Legs": of_legs, "Pose": of_pose}
@@ -312,7 +308,7 @@ def _of_sums(kernel: ForceKernel, sums: m.SumKernel) -> dict[str, Definition]:
         blocks["near"] = (sums.near, of_leg, arguments)
     found: dict[str, Definition] = {
         of_pose: structure(of_pose, "The pose's own part.", pose),
-        of_leg: structure(of_leg, "A leg's part.", _quantities(sums.leg)),
+        of_leg: structure(of_leg, "A leg's part.", sums.leg.made),
         of_sums: structure(of_sums, "Sums over the machine.", sums.summed),
         of_legs: _result(
             of_legs,

@@ -77,7 +77,7 @@ def is_scaled(kernel: ForceKernel) -> bool:
 
 def flags(kernel: ForceKernel) -> dict[str, Given]:
     """What texts of the forces ask of a kernel."""
-    given, baked = lay.exprs_of(kernel.leg), kernel.constants is not None
+    given, baked = kernel.leg.exprs, kernel.constants is not None
     unit = per_length(kernel.size)
     return {
         "BAKED": int(baked),

@@ -221,7 +221,7 @@ def _of_block(texts: lay.Written) -> Iterable[t.Function]:
             for to in [c[q].part(q, i)]
         )
         leg = leg_moments(n.c_force in held)
-        exprs = lay.exprs_of(leg)
+        exprs = leg.exprs
         body: tuple[t.Statement, ...] = (
             *lay.lines(leg, lambda q: lay.Place(t.Name(arrays.get(q, q.name)), (lay.LANE,))),
             *lay.assembled({n.H_moment: exprs[n.H_moment]}, _column, _c),

@@ -83,7 +83,7 @@ class ForceKernel:
     @property
     def moments(self) -> Block:
         """Moments about platform point 1 of one leg, of all but leg 1."""
-        return leg_moments(n.c_force in {out.quantity for out in self.leg.outputs})
+        return leg_moments(n.c_force in self.leg.made)
 
     @property
     def shift(self) -> Block:
@@ -130,7 +130,7 @@ class ForceKernel:
         """Constants of each leg in the prepared model."""
         if self.constants is not None:
             return tuple(q for q, values in self.constants.items() if len(values) > 1)
-        return tuple(o.quantity for o in self.prepare_leg.outputs if o.quantity not in p.ADDED)
+        return tuple(q for q in self.prepare_leg.made if q not in p.ADDED)
 
     def more_of_legs(self) -> tuple[Quantity, ...]:
         """What is prepared of each leg beside ``quantities.OF_LEG``."""
@@ -141,7 +141,7 @@ class ForceKernel:
         """Constants of the platform in the prepared model."""
         if self.constants is not None:
             return ()
-        return tuple(o.quantity for o in self.prepare_platform.outputs)
+        return self.prepare_platform.made
 
 
 @cache
@@ -193,8 +193,7 @@ def with_numbers(kernel: ForceKernel, numbers: Iterable[Quantity]) -> ForceKerne
     """The kernel with these numbers of the robot in its prepared model as well."""
     numbers = tuple(numbers)
     of_leg, of_platform = (
-        dict.fromkeys((*(out.quantity for out in block.outputs), *numbers))
-        for block in (kernel.prepare_leg, kernel.prepare_platform)
+        dict.fromkeys((*block.made, *numbers)) for block in (kernel.prepare_leg, kernel.prepare_platform)
     )
     return replace(
         kernel,
@@ -256,7 +255,7 @@ def from_difference(leg: Block) -> Block:
 def _leg_without_moments(leg: Block) -> Block:
     """The leg with q, and of the moments nothing but friction."""
     moved = from_difference(leg)
-    given = {out.quantity: out.exprs for out in moved.outputs}
+    given = moved.exprs
     force = sp.Matrix(given[n.c_force])
     friction = sp.Matrix(given[n.c_moment]) - cross(n.q.value, force)
     outputs: list[Output] = []

@@ -93,7 +93,7 @@ NOTHING_LUMPED = Lumped(mass=False, friction=False)
 
 def lumped(prepare: Block) -> Lumped:
     """What is lumped with the platform, from the block that prepares a leg."""
-    added = {out.quantity: out.exprs for out in prepare.outputs}
+    added = prepare.exprs
     return Lumped(mass=added[M_add][0] != 0, friction=added[C_add][0] != 0)
 
 

@@ -127,6 +127,16 @@ class Block:
     steps: tuple[Step, ...]
     outputs: tuple[Output, ...]
 
+    @property
+    def made(self) -> tuple[Quantity, ...]:
+        """The quantities that leave the block."""
+        return tuple(out.quantity for out in self.outputs)
+
+    @property
+    def exprs(self) -> dict[Quantity, tuple[sp.Expr, ...]]:
+        """Components of each of them."""
+        return {out.quantity: out.exprs for out in self.outputs}
+
     def operations(self) -> Operations:
         """Operations of the steps and of whatever the outputs still compute."""
         return count(self.expressions())

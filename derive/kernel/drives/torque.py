@@ -48,8 +48,7 @@ def axial_program(block: Block) -> t.Program:
     """``axial_forces`` of legs with rotors; block: a leg's, as ``mechanics.axial_forces`` makes it."""
     read = replace(block, inputs=block.used_inputs())
     of_leg: Arguments = {"leg": ("Leg", n.OF_LEG), "motion": ("Motion", n.MOTION)}
-    outputs = tuple(out.quantity for out in block.outputs)
-    held = (*machine_structures(drive=True), structure("RotorTerms", "A leg.", outputs), _AXIAL)
+    held = (*machine_structures(drive=True), structure("RotorTerms", "A leg.", block.made), _AXIAL)
     terms = block_function(read, "axial_terms", "RotorTerms", of_leg)
     made = Written({each.name: each for each in held}, RETURNED, {terms.name: terms})
     for text in (legs.largest_component, legs.reach_of, legs.fault_of, written.axial_forces):
