@@ -3,7 +3,7 @@
 Numbers of the six legs are one after the other, for interpreters, or side by side, for arrays.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import cache
 
@@ -73,12 +73,12 @@ def terms_program(kernel: Kernel) -> t.Program:
     held = t.Field("leg", t.Array(t.Record(of_leg.name), (6,)), "each of them")
     of_legs = t.Structure("Legs", "What the legs have.", (held,))
     structures = [*machine_structures(kernel.formulation.drive), of_leg, of_legs, *_results(kernel), _TERMS]
-    texts = _texts(structures, _blocks(kernel, kernel.leg, of_leg.name))
+    texts = Written.of(structures, _blocks(kernel, kernel.leg, of_leg.name))
     texts.function(written.legs_in_turn, "legs_of")
     texts.function(written.leg_of_array, "leg_of")
     texts.function(written.terms_of, given=legs_in_turn("out", "leg"))
     texts.function(written.terms, TERMS, public=True)
-    return t.Program(kernel.formulation.kernel_name, tuple(structures), tuple(texts.functions.values()))
+    return texts.program(kernel.formulation.kernel_name)
 
 
 def arrays_program(kernel: Kernel) -> t.Program:
@@ -89,13 +89,13 @@ def arrays_program(kernel: Kernel) -> t.Program:
     of_legs = _outputs("Legs", "What the legs have.", leg)
     structures = [*_machine(), of_legs, *_results(kernel), _TERMS, _FORCES]
     _, *own = _blocks(kernel, leg, of_legs.name)
-    texts = _texts(structures, [*shared_program().functions, *own])
+    texts = Written.of(structures, [*shared_program().functions, *own])
     texts.function(written.legs_side_by_side, "legs_of")
     summed = entries((n.D, n.K, n.H_force, n.H_moment, n.c_force, n.c_moment))
     texts.function(written.leg_of_lanes, "leg_of", given={"SUMMED": summed})
     texts.add(written.terms_of, given=legs_in_turn("out", "leg"))
     texts.add(written.terms, written.solved, written.inverse_dynamics)
-    return t.Program(kernel.formulation.kernel_name, tuple(structures), tuple(texts.functions.values()))
+    return texts.program(kernel.formulation.kernel_name)
 
 
 @cache
@@ -104,13 +104,13 @@ def shared_program() -> t.Program:
     solve."""
     block = share(platform()[0])
     structures = [*_machine(), _wrench(block), _TERMS]
-    texts = _texts(structures, [block_function(block, block.name, "PlatformWrench", _OF_POSE)])
+    texts = Written.of(structures, [block_function(block, block.name, "PlatformWrench", _OF_POSE)])
     texts.add(legs.largest_component, legs.reach_of, legs.fault_of, written.first_of, given=CARRIED)
     texts.add(solve.singular_status, given={**INVERSE, **CARRIED})
     texts.add(solve.per_length_of, written.largest_of)
     texts.add(written.scale_of, given={"SMALLEST": t.Number(SIZES[0])})
     texts.add(written.eliminate, given=_ELIMINATION)
-    return t.Program("every_output", tuple(structures), tuple(texts.functions.values()))
+    return texts.program("every_output")
 
 
 def regressor_program(blocks: Regressor) -> t.Program:
@@ -122,17 +122,16 @@ def regressor_program(blocks: Regressor) -> t.Program:
     structures = [*_machine(), of_legs, of_platform, result("Regressor", "Columns of Y.", legs, platform)]
     of_leg = block_function(blocks.leg, blocks.leg.name, of_legs.name, _OF_LEG | _OF_POSE)
     of_pose = block_function(blocks.platform, blocks.platform.name, of_platform.name, _OF_POSE)
-    texts = _texts(structures, [*shared_program().functions, of_leg, of_pose])
+    texts = Written.of(structures, [*shared_program().functions, of_leg, of_pose])
     texts.add(written.regressor)
-    return t.Program("regressor", tuple(structures), tuple(texts.functions.values()))
+    return texts.program("regressor")
 
 
 def rotor_program(columns: Block) -> t.Program:
     """Columns of the legs' rotors with legs side by side."""
     of_legs = _outputs("RotorColumns", "Columns of the legs' rotors.", columns)
-    structures = [*_machine(), of_legs]
-    found = _texts(structures, [block_function(columns, "rotor_columns", of_legs.name, _OF_LEG | _OF_POSE)])
-    return t.Program("rotor", tuple(structures), tuple(found.functions.values()))
+    made = block_function(columns, "rotor_columns", of_legs.name, _OF_LEG | _OF_POSE)
+    return Written.of([*_machine(), of_legs], [made]).program("rotor")
 
 
 def _machine() -> list[t.Structure]:
@@ -163,7 +162,3 @@ def _wrench(platform: Block) -> t.Structure:
 
 def _outputs(name: str, meaning: str, block: Block) -> t.Structure:
     return structure(name, meaning, block.made)
-
-
-def _texts(structures: Sequence[t.Structure], blocks: Sequence[t.Function]) -> Written:
-    return Written({each.name: each for each in structures}, {}, {each.name: each for each in blocks})

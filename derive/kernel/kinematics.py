@@ -3,7 +3,6 @@
 import itertools
 import random
 from collections.abc import Callable, Collection, Iterable, Mapping
-from dataclasses import replace
 from math import prod
 from types import MappingProxyType
 from typing import Any
@@ -32,25 +31,22 @@ _VECTORS = (n.q, k.S, n.L)
 def legs_batch(blocks: k.Kinematics) -> t.Program:
     """``motions_of``: lengths of the legs, their rates and second rates, and their vectors; and
     ``stewart_legs_batch``, of many poses, for C."""
-    held = [structure("LegMotion", "A leg.", blocks.second.made), _LEG_MOTIONS]
-    made = [_read(blocks.second, "motion_of", "LegMotion", _LEG | _MOTION)]
-    called = (legs.largest_component, legs.reach_of, legs.fault_of, written.motions_of)
-    program = _program("legs", held, made, called, RETURNED)
     dims = {each.name: each.type.dims for each in _LEG_MOTIONS.members if isinstance(each.type, t.Array)}
     arrays = t.Structure("LegsArrays", "", tuple(t.Field(name, NUMBERS) for name in dims))
-    structures = (*program.structures, arrays)
-    named = {each.name: each for each in structures} | {"Motions": MOTIONS}
-    texts = Written(named, {}, {each.name: each for each in program.functions})
-    texts.function(batch.copy)
-    texts.function(batch.pose_at, given=parts_at((n.alpha, n.a), LOADS))
+    held = [structure("LegMotion", "A leg.", blocks.second.made), _LEG_MOTIONS, arrays]
+    made = [block_function(blocks.second, "motion_of", "LegMotion", _LEG | _MOTION)]
+    called = (legs.largest_component, legs.reach_of, legs.fault_of, written.motions_of, batch.copy)
+    texts = _written(held, made, called, RETURNED)
+    of_many = {"Motions": MOTIONS}
+    texts.function(batch.pose_at, given=parts_at((n.alpha, n.a), LOADS), structures=of_many)
     second = t.Binary("!=", t.of("legs", "L_ddot"), t.Constant("NULL"))
     without = t.Binary("|", *(is_null(t.of("motions", q.name)) for q in (n.alpha, n.a)))
     given = missing(("robot", "motions", "legs"), (n.R, n.t, n.omega, n.v), t.Binary("&", second, without))
     rows = [name for name, size in dims.items() if len(size) == 2]
     found = copies("legs", {name: prod(size) for name, size in dims.items()}, rows)
     given |= batches.batch(batch.one_kinematics, found)
-    texts.function(batch.legs_batch, "stewart_legs_batch", public=True, given=given)
-    return replace(program, structures=structures, functions=tuple(dict.fromkeys(texts.functions.values())))
+    texts.function(batch.legs_batch, "stewart_legs_batch", public=True, given=given, structures=of_many)
+    return texts.program("legs")
 
 
 def search_program(
@@ -71,10 +67,10 @@ def search_program(
         *_SEARCHED,
     ]
     made = [
-        _read(blocks.vectors, "vectors_of", "LegVectors", _LEG | _POSE),
-        _read(blocks.row, "row_of", "LegRow", of_leg),
-        _read(blocks.rate, "rate_of", "LegRate", of_leg | _MOTION),
-        _read(blocks.turned, "turned_by", "SmallTurn", {"turn": ("", (k.turn,))}),
+        block_function(blocks.vectors, "vectors_of", "LegVectors", _LEG | _POSE),
+        block_function(blocks.row, "row_of", "LegRow", of_leg),
+        block_function(blocks.rate, "rate_of", "LegRate", of_leg | _MOTION),
+        block_function(blocks.turned, "turned_by", "SmallTurn", {"turn": ("", (k.turn,))}),
     ]
     texts = (
         legs.largest_component,
@@ -83,7 +79,7 @@ def search_program(
         *_SEARCH,
         *(PUBLIC[name] for name in public),
     )
-    return _program("kinematics", held, made, texts, check)
+    return _written(held, made, texts, check).program("kinematics")
 
 
 def search_operations(blocks: k.Kinematics) -> dict[str, Operations]:
@@ -121,25 +117,19 @@ def rotation_program(blocks: Iterable[Block]) -> t.Program:
         arguments: Arguments = {name: ("", parts) for name, parts in held.items()}
         made.append(block_function(block, block.name, "Orientation", arguments))
     found = structure("Orientation", "An orientation and its rates.", (n.R, n.omega, n.alpha))
-    return _program("rotation", [found], made, (written.orientation_status,))
+    return _written([found], made, (written.orientation_status,)).program("rotation")
 
 
-def _read(block: Block, name: str, result: str, arguments: Arguments) -> t.Function:
-    return block_function(replace(block, inputs=block.used_inputs()), name, result, arguments)
-
-
-def _program(
-    name: str,
-    held: list[t.Structure],
-    blocks: list[t.Function],
+def _written(
+    held: Iterable[t.Structure],
+    blocks: Iterable[t.Function],
     texts: Iterable[Callable[..., Any]],
     given: Mapping[str, read.Given] = MappingProxyType({}),
-) -> t.Program:
-    structures = {each.name: each for each in (*machine_structures(), *held)}
-    made = Written(structures, given, {each.name: each for each in blocks})
+) -> Written:
+    made = Written.of((*machine_structures(), *held), blocks, given)
     for text in texts:
         made.function(text, public=text in PUBLIC.values())
-    return t.Program(name, tuple(structures.values()), tuple(made.functions.values()))
+    return made
 
 
 _LENGTHS = t.numbers("L", 6, meaning="m: lengths, (2)"), t.numbers("L_dot", 6, meaning="m/s: rates, (5)")

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 from string import Template
 from types import MappingProxyType
+from typing import Self
 
 import sympy as sp
 
@@ -258,6 +259,16 @@ class Written:
     given: Mapping[str, read.Given]
     functions: dict[str, t.Function] = field(default_factory=dict)
 
+    @classmethod
+    def of(
+        cls,
+        structures: Iterable[t.Structure],
+        functions: Iterable[t.Function] = (),
+        given: Mapping[str, read.Given] = MappingProxyType({}),
+    ) -> Self:
+        """Structures and functions by their own names."""
+        return cls({each.name: each for each in structures}, given, {each.name: each for each in functions})
+
     def function(
         self,
         written: Callable[..., object],
@@ -285,3 +296,8 @@ class Written:
         """Several more."""
         for each in written:
             self.function(each, given=given)
+
+    def program(self, name: str) -> t.Program:
+        """All of them."""
+        functions = dict.fromkeys(self.functions.values())
+        return t.Program(name, tuple(self.structures.values()), tuple(functions))

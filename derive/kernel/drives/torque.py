@@ -1,6 +1,5 @@
 """Torques of the motors, and the axial forces on which friction of a screw acts, as trees."""
 
-from dataclasses import replace
 from math import factorial
 
 from ...mechanics import quantities as n
@@ -38,19 +37,15 @@ def torque_program() -> t.Program:
     """``motor_torques``: torques and currents from forces and rates."""
     last, *factors = (t.Number(1.0 / factorial(k)) for k in range(12, 1, -1))
     series: dict[str, Given] = {"LAST": last, "FACTORS": Entries(tuple(factors))}
-    made = Written({each.name: each for each in (DRIVES, _TORQUES)}, series, {})
-    for text in (written.decay_of, written.sign_of, written.motor_torques):
-        made.function(text)
-    return t.Program("torque", (DRIVES, _TORQUES), tuple(made.functions.values()))
+    made = Written.of((DRIVES, _TORQUES), given=series)
+    made.add(written.decay_of, written.sign_of, written.motor_torques)
+    return made.program("torque")
 
 
 def axial_program(block: Block) -> t.Program:
     """``axial_forces`` of legs with rotors; block: a leg's, as ``mechanics.axial_forces`` makes it."""
-    read = replace(block, inputs=block.used_inputs())
     of_leg: Arguments = {"leg": ("Leg", n.OF_LEG), "motion": ("Motion", n.MOTION)}
     held = (*machine_structures(drive=True), structure("RotorTerms", "A leg.", block.made), _AXIAL)
-    terms = block_function(read, "axial_terms", "RotorTerms", of_leg)
-    made = Written({each.name: each for each in held}, RETURNED, {terms.name: terms})
-    for text in (legs.largest_component, legs.reach_of, legs.fault_of, written.axial_forces):
-        made.function(text)
-    return t.Program("axial", held, tuple(made.functions.values()))
+    made = Written.of(held, [block_function(block, "axial_terms", "RotorTerms", of_leg)], RETURNED)
+    made.add(legs.largest_component, legs.reach_of, legs.fault_of, written.axial_forces)
+    return made.program("axial")

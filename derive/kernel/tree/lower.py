@@ -113,7 +113,7 @@ def block_function(block: Block, name: str, result: str, arguments: Arguments) -
     kinds = {name: _argument_type(kind, held) for name, (kind, held) in arguments.items()}
     loads = [
         t.Let(part, component(t.Name(owners[q]), q, i))
-        for q in block.inputs
+        for q in block.used_inputs()
         if arguments[owners[q]][0]
         for i, part in enumerate(q.names)
         if part in used
