@@ -114,20 +114,18 @@ class Interpreter:
                 anywhere = self.arithmetic.anywhere
                 return lambda known: (yes if anywhere(holds(known)) else no)(known)
             case t.Do(call):
-                return self._done(self._value(call))
+                called = self._value(call)
+
+                def done(known: Known) -> None:
+                    called(known)
+
+                return done
             case t.Return(value):
                 result = self._value(value) if value is not None else lambda known: None
                 return lambda known: _Result(result(known))
             case t.Break():
                 return lambda known: _LEFT
         raise ValueError(f"statement: expected one without macros, got {type(statement).__name__}")
-
-    @staticmethod
-    def _done(call: _Value) -> _Action:
-        def action(known: Known) -> None:
-            call(known)
-
-        return action
 
     def _stored(self, statement: t.Let | t.Variable | t.Assign) -> _Action:
         target = statement.target if isinstance(statement, t.Assign) else t.Name(statement.name)
@@ -202,7 +200,8 @@ class Interpreter:
                 return lambda known: -plain(known)
             case t.Binary(sign, left, right):
                 of_tests = {"&": self.arithmetic.both, "|": self.arithmetic.either}
-                return _of_two((_OPERATORS | of_tests)[sign], of(left), of(right))
+                operation, one, other = (_OPERATORS | of_tests)[sign], of(left), of(right)
+                return lambda known: operation(one(known), other(known))
             case t.Select(test, yes, no):
                 holds, one, other = of(test), of(yes), of(no)
                 return lambda known: self._select(holds(known), one, other, known)
@@ -285,7 +284,3 @@ def filled(program: t.Program, kind: t.Type, number: Callable[[str, t.Type], Any
             **{each.name: filled(program, each.type, number, each.name) for each in members}
         )
     return number(name, kind)
-
-
-def _of_two(operation: Callable[[Any, Any], Any], left: _Value, right: _Value) -> _Value:
-    return lambda known: operation(left(known), right(known))

@@ -292,21 +292,19 @@ class _Reader:
     def loop(self, node: ast.For, index: str) -> list[t.Statement]:
         """A loop, unless nothing is left in it."""
         call = node.iter
-        down = called_name(call) == "reversed"
-        if called_name(call) == "each":
-            call, down = _rolled_range(call)
-        elif down:
-            assert isinstance(call, ast.Call)
+        is_reversed = called_name(call) == "reversed"
+        if isinstance(call, ast.Call) and is_reversed:
             call = call.args[0]
-        if not isinstance(call, ast.Call) or called_name(call) not in ("range", "columns"):
+        if not isinstance(call, ast.Call) or called_name(call) not in ("range", "columns", "each"):
             raise self.error(node.iter, "range(...), reversed(range(...)) or columns(...)")
+        down = is_reversed or (called_name(call) == "each" and len(call.args) == 3)
         ends = [self.expression(arg) for arg in call.args[:2]]
         first, last = (t.Number(0), *ends)[-2:]
         kind = t.Count() if self.type(last) == t.Count() else t.Integer()
         self.types[index] = kind
-        if down:
+        if is_reversed:
             first, last = _less_one(last), _less_one(first)
-        step = self.expression(call.args[2]) if len(call.args) == 3 else t.Number(1)
+        step = self.expression(call.args[2]) if len(call.args) == 3 and not down else t.Number(1)
         step = t.As(t.Count(), step) if kind == t.Count() and step != t.Number(1) else step
         kept = called_name(call) == "columns" and self.given.get("LONG") != 0
         body = self.inner(node.body)
@@ -457,15 +455,6 @@ class _Reader:
             return False
         owner = self.types.get(node.owner.name)
         return isinstance(owner, t.Record) and isinstance(self.member(owner, node.name), t.Pointer)
-
-
-def _rolled_range(node: ast.expr) -> tuple[ast.expr, bool]:
-    """``range`` of what ``each`` goes through, and whether it goes downward."""
-    assert isinstance(node, ast.Call)
-    if len(node.args) < 3:
-        return ast.Call(ast.Name("range"), node.args, []), False
-    first, after, _ = (ast.literal_eval(each) for each in node.args)
-    return ast.parse(f"range({after + 1}, {first + 1})", mode="eval").body, True
 
 
 def _number(member: str, index: tuple[t.Name, ...], owner: t.Expression) -> t.Expression:
