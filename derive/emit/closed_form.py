@@ -113,7 +113,7 @@ class _Source(blocks.Batches):
         super().__init__(model, asked, kernels)
         self.program = o.program_in_lanes(model, kernels, _texts_for(asked))
         named = {each.name: each for each in self.program.structures}
-        records = {each: "".join(f"_{c.lower()}" if c.isupper() else c for c in each)[1:] for each in named}
+        records = {each: t.snake(each) for each in named}
         records |= {each.name: f"{what}_found" for what, each in o.RESULTS.items()}
         records |= {"Apart": "apart_found", "SlopesApart": "slopes_found"}
         records |= {"Model": f"stewart_{self.name}_model", "Motion": "stewart_motion"}

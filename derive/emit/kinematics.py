@@ -3,13 +3,12 @@
 One pose at a time, for processors without vector registers, and the legs of many poses.
 """
 
-import re
 from collections.abc import Iterable
 
 from ..kernel.elimination import RETURNED
 from ..kernel.kinematics import legs_batch, rotation_program, search_operations, search_program
 from ..kernel.tree.constants import SEARCH
-from ..kernel.tree.nodes import Program
+from ..kernel.tree.nodes import Program, snake
 from ..kernel.tree.settle import of_one_pose
 from ..mechanics.kinematics import Kinematics
 from ..print.c import C
@@ -66,9 +65,7 @@ def _files(
 
 def source(file: str, program: Program, records: dict[str, str], version: str, brackets: bool = True) -> str:
     """Structures and functions of a program; records: structures that a header has, as of ``_files``."""
-    snake = {
-        each.name: re.sub(r"(?<=[a-z])([A-Z])", r"_\1", each.name).lower() for each in program.structures
-    }
-    printer = C(program.functions, None, brackets, snake | records, program.structures, fused=False)
+    named = {each.name: snake(each.name) for each in program.structures} | records
+    printer = C(program.functions, None, brackets, named, program.structures, fused=False)
     own = (each for each in program.structures if each.name not in records)
     return printer.source(top(file, version, ARITHMETIC), *own, *program.functions)

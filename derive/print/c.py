@@ -6,7 +6,7 @@ from itertools import groupby
 
 from ..kernel.tree import nodes as t
 from ..kernel.tree.fused import fused
-from .spelling import ATOM, COMPARE, LEVELS, OR, PRODUCT, SELECT, SIGN, SUM, WIDTH, Printer
+from .spelling import ATOM, COMPARE, LEVELS, OR, PRODUCT, SELECT, SIGN, SUM, WIDTH, Printer, remark
 
 _BUILT_IN = {
     "sqrt": "STEWART_SQRT",
@@ -68,19 +68,11 @@ class C(Printer):
 
     def remark(self, text: str, before: str = "") -> list[str]:
         """A comment; an empty line in it begins another paragraph."""
-        lines = [
-            line
-            for i, paragraph in enumerate(text.split("\n\n") if text else ())
-            for line in ("", *self._wrapped(paragraph, before))[not i :]
-        ]
-        ends = [""] * (len(lines) - 1) + [" */"]
-        return [
-            before + f"{' *' if i else '/*'} {line}".rstrip() + end
-            for i, (line, end) in enumerate(zip(lines, ends, strict=True) if lines else ())
-        ]
-
-    def _wrapped(self, text: str, before: str) -> list[str]:
-        return textwrap.wrap(text, WIDTH - len(before) - 6, break_long_words=False, break_on_hyphens=False)
+        if not text:
+            return []
+        first, *others = remark(text, WIDTH - len(before) - 6)
+        *lines, last = [f"{before}/* {first}", *(f"{before} * {each}".rstrip() for each in others)]
+        return [*lines, f"{last} */"]
 
     # ------------------------------------------------------------ types
 

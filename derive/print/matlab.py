@@ -4,6 +4,7 @@ import math
 import textwrap
 
 from ..kernel.tree import nodes as t
+from ..kernel.tree.nodes import snake
 from .spelling import Printer, written_to
 
 
@@ -16,16 +17,16 @@ class Matlab(Printer):
     comment = "% ", ""
     continued = " ..."
 
-    def __init__(self, program: t.Program, package: str = "stewart") -> None:
-        self.program, self.package = program, package
+    def __init__(self, program: t.Program) -> None:
+        self.program = program
         super().__init__(program.functions)
         self.result = ""
 
     def files(self) -> dict[str, str]:
         """The text of each file by its name."""
         of_functions = {each.name: self.function(each) for each in self.program.functions}
-        of_structures = {_named("zero", each.name): self.structure(each) for each in self.program.structures}
-        checks = {_named("checked", each.name): self.check(each) for each in self._given()}
+        of_structures = {f"zero_{snake(each.name)}": self.structure(each) for each in self.program.structures}
+        checks = {f"checked_{snake(each.name)}": self.check(each) for each in self._given()}
         return {
             f"{name}.m": "\n".join([*lines, ""])
             for name, lines in (of_functions | of_structures | checks).items()
@@ -50,12 +51,12 @@ class Matlab(Printer):
 
     def check(self, structure: t.Structure) -> list[str]:
         """A function that hands a structure on with every number as double, or says what is not one."""
-        name = _named("checked", structure.name)
+        name = f"checked_{snake(structure.name)}"
         lines = [line for each in structure.members for line in self._checked_member(each)]
         return [
             f"function made = {name}(given)",
             f"%{name.upper()} {structure.meaning} Numbers as double; an error for other shapes.",
-            f"    made = {self.package}.{_named('zero', structure.name)}();",
+            f"    made = stewart.zero_{snake(structure.name)}();",
             *lines,
             "end",
         ]
@@ -63,7 +64,7 @@ class Matlab(Printer):
     def _checked_member(self, member: t.Field) -> list[str]:
         name, kind = member.name, member.type
         if isinstance(kind, t.Array) and isinstance(kind.item, t.Record):
-            check = f"{self.package}.{_named('checked', kind.item.name)}"
+            check = f"stewart.checked_{snake(kind.item.name)}"
             return [
                 f"    if numel(given.{name}) ~= {kind.dims[0]}",
                 f"        error('{name}: expected {kind.dims[0]}, got %d', numel(given.{name}));",
@@ -76,9 +77,9 @@ class Matlab(Printer):
 
     def _checked(self, value: str, name: str, kind: t.Type) -> str:
         if isinstance(kind, t.Record):
-            return f"{self.package}.{_named('checked', kind.name)}({value})"
+            return f"stewart.checked_{snake(kind.name)}({value})"
         count = math.prod(kind.dims) if isinstance(kind, t.Array) else 1
-        return f"{self.package}.numbers({value}, {count}, '{name}')"
+        return f"stewart.numbers({value}, {count}, '{name}')"
 
     def structure(self, structure: t.Structure) -> list[str]:
         """A function that makes a structure of zeros."""
@@ -86,7 +87,7 @@ class Matlab(Printer):
             f"    made.{each.name} = {self.zero(each.type)};{f' % {each.meaning}' if each.meaning else ''}"
             for each in structure.members
         ]
-        name = _named("zero", structure.name)
+        name = f"zero_{snake(structure.name)}"
         return [
             f"function made = {name}()",
             f"%{name.upper()} {structure.meaning} Every number zero.",
@@ -98,12 +99,12 @@ class Matlab(Printer):
         """Zeros of a type."""
         match kind:
             case t.Array(t.Record(name), dims):
-                return f"repmat({self.package}.{_named('zero', name)}(), {dims[0]}, 1)"
+                return f"repmat(stewart.zero_{snake(name)}(), {dims[0]}, 1)"
             case t.Array(_, dims):
                 rows, columns = dims if len(dims) == 2 else (dims[0], 1)
                 return f"zeros({rows}, {columns})"
             case t.Record(name):
-                return f"{self.package}.{_named('zero', name)}()"
+                return f"stewart.zero_{snake(name)}()"
             case t.Integer():
                 return "int32(0)"
         return "0"
@@ -117,17 +118,17 @@ class Matlab(Printer):
         return f"constants.{name}"
 
     def element(self, array: str, index: list[str]) -> str:
-        return f"{array}({', '.join(_from_one(each) for each in index)})"
+        return f"{array}({', '.join(_plus(each, 1) for each in index)})"
 
     def select(self, node: t.Select) -> str:
         values = ", ".join(self.text(each) for each in (node.test, node.yes, node.no))
-        return f"{self.package}.where({values})"
+        return f"stewart.where({values})"
 
     def call(self, node: t.Call) -> str:
         if node.function == "anywhere":
             return self.text(node.arguments[0])
-        spelled = {"sqrt": "sqrt", "size": "abs", "larger": f"{self.package}.larger"}
-        name = spelled.get(node.function, f"{self.package}.{node.function}")
+        spelled = {"sqrt": "sqrt", "size": "abs", "larger": "stewart.larger"}
+        name = spelled.get(node.function, f"stewart.{node.function}")
         return f"{name}({', '.join(map(self.text, node.arguments))})"
 
     # ------------------------------------------------------------ statements
@@ -193,7 +194,7 @@ class Matlab(Printer):
                 f"    {each.name} = {self._checked(each.name, each.name, each.type)};" for each in checked
             ]
         if any("constants." in line for line in body):
-            body.insert(0, f"    constants = {self.package}.constants();")
+            body.insert(0, "    constants = stewart.constants();")
         return [
             *self.lines("", f"function {left} = {function.name}({arguments})"),
             *_help(function),
@@ -212,16 +213,6 @@ def _help(function: t.Function) -> list[str]:
     return textwrap.wrap(
         text, 100, initial_indent="%", subsequent_indent="% ", break_long_words=False, break_on_hyphens=False
     )
-
-
-def _named(prefix: str, name: str) -> str:
-    """``zero_leg_terms`` of ``zero`` and ``LegTerms``."""
-    words = "".join(f"_{letter.lower()}" if letter.isupper() else letter for letter in name)
-    return f"{prefix}{words}"
-
-
-def _from_one(index: str) -> str:
-    return _plus(index, 1)
 
 
 def _plus(text: str, more: int) -> str:

@@ -203,7 +203,10 @@ def _breaks(line: str, word: str) -> bool:
 
 def remark(meaning: str, width: int) -> list[str]:
     """What a function is for, as lines; an empty one before each further paragraph."""
-    paragraphs = [textwrap.wrap(each, width, break_on_hyphens=False) for each in meaning.split("\n\n")]
+    paragraphs = [
+        textwrap.wrap(each, width, break_long_words=False, break_on_hyphens=False)
+        for each in meaning.split("\n\n")
+    ]
     return [line for i, each in enumerate(paragraphs) for line in ([""] * bool(i) + each)]
 
 

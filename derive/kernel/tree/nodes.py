@@ -6,6 +6,7 @@ pass through it an interpreter's; neither changes the order of an operation.
 Other modules import this one as ``t``.
 """
 
+import re
 from collections.abc import Callable, Collection, Iterator
 from dataclasses import dataclass
 from typing import Any, dataclass_transform
@@ -329,6 +330,11 @@ class Function(Node):
 def numbers(name: str, *dims: int, meaning: str = "") -> Field:
     """A member that is a number, or an array of them."""
     return Field(name, Array(Real(), dims) if dims else Real(), meaning)
+
+
+def snake(name: str) -> str:
+    """``leg_terms`` of ``LegTerms``."""
+    return re.sub(r"(?<!^)(?=[A-Z])", "_", name).lower()
 
 
 def signature(
