@@ -315,7 +315,7 @@ class _Source(Source):
         body = (
             *steps,
             *loads,
-            *lay.assembled({q: e for q, e in exprs.items() if q not in kept}, _column, _c),
+            *lay.assembled({q: e for q, e in exprs.items() if q not in kept}),
             *lay.stores(own, lambda q: lay.member("own", q, lay.LANE)),
             *(t.Assign(t.at("known", "l"), expression(e)) for e in exprs.get(n.D, ())),
         )
@@ -364,14 +364,6 @@ class _Source(Source):
     def _without(self) -> dict[str, Given]:
         """A baked kernel takes no model."""
         return {"model": False} if self.baked else {}
-
-
-def _column(row: int) -> t.Expression:
-    return t.at("column", row, "l")
-
-
-def _c(row: int) -> t.Expression:
-    return t.at("c", row, "l")
 
 
 def _out(*lane: t.Expression) -> lay.Layout:

@@ -131,12 +131,12 @@ def added(target: t.Expression, term: sp.Expr) -> t.Assign:
 
 def assembled(
     exprs: Mapping[Quantity, Sequence[sp.Expr]],
-    H: Callable[[int], t.Expression],
-    c: Callable[[int], t.Expression],
+    H: Callable[[int], t.Expression] = lambda row: t.at("column", row, "l"),
+    c: Callable[[int], t.Expression] = lambda row: t.at("c", row, "l"),
 ) -> tuple[t.Statement, ...]:
     """``written.legs.add_leg`` of what a block makes and does not store: column of H set, part of c added.
 
-    H, c: places of a row.
+    H, c: places of a row, of poses in lanes unless given.
     """
     column = [(i, e) for i, q in ((0, n.H_force), (3, n.H_moment)) for i, e in enumerate(exprs.get(q, ()), i)]
     parts: list[t.Statement] = []

@@ -224,20 +224,12 @@ def _of_block(texts: lay.Written) -> Iterable[t.Function]:
         exprs = leg.exprs
         body: tuple[t.Statement, ...] = (
             *lay.lines(leg, lambda q: lay.Place(t.Name(arrays.get(q, q.name)), (lay.LANE,))),
-            *lay.assembled({n.H_moment: exprs[n.H_moment]}, _column, _c),
+            *lay.assembled({n.H_moment: exprs[n.H_moment]}),
             *sums,
-            *lay.assembled({arm_c: exprs.get(arm_c, ())}, _column, _c),
+            *lay.assembled({arm_c: exprs.get(arm_c, ())}),
         )
         absent: dict[str, Given] = {q.name: False for q in lay.RIGHT_SIDE if q not in held}
         first, other = f"moments_of_first{end}", f"moments_of_block{end}"
         yield texts.function(moments.moments_of_first, first, given={"FIRST": (*moved, *sums), **absent})
         given: dict[str, Given] = {"MOMENTS": body, **absent, **({} if held else {"c": False})}
         yield texts.function(moments.moments_of_block, other, given=given, count=leg.operations())
-
-
-def _column(row: int) -> t.Expression:
-    return t.at("column", row, "l")
-
-
-def _c(row: int) -> t.Expression:
-    return t.at("c", row, "l")
