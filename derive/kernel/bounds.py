@@ -174,10 +174,9 @@ class BoundedForces:
         yield read(written.equations_of_pose, given=legs_with_errors("out", "leg"))
         yield read(written.pose_status)
         yield read(written.solution)
-        slopes = t.Element(t.Member(t.Name("slopes"), "force"), (t.Name("i"),))
         held = [part for q in _LEGS_SLOPES.values() for part in (q, err.error_of(q))]
         zeros = tuple(
-            t.Assign(member(slopes, q).part(q, i), t.Number(0.0)) for q in held for i in range(len(q.keys))
+            t.Assign(member(_OF_LEGS, q).part(q, i), t.Number(0.0)) for q in held for i in range(len(q.keys))
         )
         yield read(written.bound_of_pose, given={"CLEARED": zeros})
         yield read(written.forces_of_pose)
@@ -220,14 +219,10 @@ class BoundedForces:
         """A leg without its errors, and what decides on its status."""
         exprs = leg.block.exprs
         terms = [*exprs[n.q], *(symbol for q in (n.t, n.b) for symbol in q.symbols)]
-        out = t.Name("out")
-        arms = [
-            t.Assign(t.Element(t.Member(out, "arm"), (t.Number(i),)), e)
-            for i, e in enumerate(map(t.Name, _ARM))
-        ]
+        arms = [t.Assign(t.at(t.of("out", "arm"), i), t.Name(each)) for i, each in enumerate(_ARM)]
         checked = [Output(q, exprs[q]) for q in CHECKED[1:]]
         return {
-            "BODY": (*self._values(leg), *stores(checked, lambda q: member(out, q)), *arms),
+            "BODY": (*self._values(leg), *stores(checked, lambda q: member("out", q)), *arms),
             **largest(terms),
         }
 
@@ -310,9 +305,7 @@ _Y_ARM = Quantity("Y_arm", (3,), "1/m", "the same; 0 for leg 1, whose arm is exa
 _D_WEIGHT = Quantity("D_weight", (), "1", "1 for the leg's own force, 0 for the others")
 _LEGS_SLOPES = {q: Quantity(f"{q.name}_legs", q.shape, "", "slope by the legs") for q in (n.R, B, q_1)}
 """What the legs add to the slope of a force along what the pose has for all of them."""
-_OF_ROW, _OF_LEGS = (
-    t.Element(t.Member(t.Name(each), "force"), (t.Name("i"),)) for each in ("rows", "slopes")
-)
+_OF_ROW, _OF_LEGS = (t.at(t.of(each, "force"), "i") for each in ("rows", "slopes"))
 
 
 def _of_force(quantity: Quantity) -> Place:
