@@ -5,7 +5,7 @@ from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
 
 from stewart_sym.derive.kernel.interface import STRUCTS
-from stewart_sym.derive.kernel.tree.statuses import STATUS
+from stewart_sym.derive.kernel.tree.constants import STATUSES
 from stewart_sym.studies.common.markdown import table
 
 
@@ -14,7 +14,7 @@ class Statuses(SphinxDirective):
 
     def run(self) -> list[nodes.Node]:
         """One table."""
-        rows = [(str(code), f"`STEWART_{name}`", meaning) for name, code, meaning in STATUS]
+        rows = [(str(code), f"`STEWART_{name}`", meaning) for name, code, meaning in STATUSES]
         return self.parse_text_to_nodes(table(("status", "name", "meaning"), rows))
 
 

@@ -10,7 +10,7 @@ from dataclasses import replace
 
 from ..kernel.interface import CALLS, Argument
 from ..kernel.outputs import FORCES, OUTPUTS
-from ..kernel.tree.statuses import STATUS
+from ..kernel.tree.constants import STATUSES
 from .functions import DRIVES, MODEL, NOTHING, ROBOT, Function
 from .words import template
 
@@ -31,19 +31,17 @@ def wrapper(functions: Sequence[Function], version: str) -> str:
         classes.setdefault(_class_name(function), []).append(function)
     parts = {
         "version": version,
-        "includes": _lines(f'#include "{name}"' for name in dict.fromkeys(f.header for f in functions)),
-        "statuses": _lines(f"    {name.lower()} = STEWART_{name}, // {text}" for name, _, text in STATUS),
-        "texts": _lines(
-            f'    case status::{name.lower()}:\n        return "{text}";' for name, _, text in STATUS
+        "includes": "\n".join(f'#include "{name}"' for name in dict.fromkeys(f.header for f in functions)),
+        "statuses": "\n".join(
+            f"    {name.lower()} = STEWART_{name}, // {text}" for name, _, text in STATUSES
+        ),
+        "texts": "\n".join(
+            f'    case status::{name.lower()}:\n        return "{text}";' for name, _, text in STATUSES
         ),
         "classes": "\n".join(_class(name, members) for name, members in classes.items()),
-        "aliases": _lines(_aliases(classes)),
+        "aliases": "\n".join(_aliases(classes)),
     }
     return template("kit/stewart.hpp", parts)
-
-
-def _lines(texts: Iterable[str]) -> str:
-    return "\n".join(texts)
 
 
 def _class_name(function: Function) -> str:

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from html import escape
 
 from ..kernel.interface import CALLS
-from ..kernel.tree.statuses import STATUS
+from ..kernel.tree.constants import STATUSES
 from ..mechanics import quantities as n
 from ..program.block import AXES, Quantity
 from . import licence
@@ -183,7 +183,7 @@ def _description(
         "files": [f'      <File name="{escape(file)}"/>' for file in files],
         "variables": [_scalar_variable(i, v) for i, v in enumerate(variables)],
         "unknowns": [f'      <Unknown index="{index}"/>' for index in outputs],
-        "codes": [f"{code} {text}" for _, code, text in STATUS],
+        "codes": [f"{code} {text}" for _, code, text in STATUSES],
     }
     values = {
         "name": escape(name),
@@ -240,7 +240,7 @@ def _page(
         "inputs": rows["input"],
         "outputs": rows["output"],
         "parameters": template(f"kit/{of_parameters}", {"rows": rows["parameter"]}),
-        "status": "\n".join(f"<tr><td>{code}</td><td>{escape(text)}</td></tr>" for _, code, text in STATUS),
+        "status": "\n".join(f"<tr><td>{code}</td><td>{escape(text)}</td></tr>" for _, code, text in STATUSES),
     }
     return template("kit/index.html", values)
 
@@ -265,7 +265,7 @@ def _unit_header(
 ) -> str:
     counts = {kind: sum(v.causality == kind for v in variables) for kind in ("input", "output", "parameter")}
     literals = [f"{0.0 if v.start is None else v.start!r}, /* {v.name} */" for v in variables]
-    meanings = [f'"{text}", /* STEWART_{code} */' for code, _, text in STATUS]
+    meanings = [f'"{text}", /* STEWART_{code} */' for code, _, text in STATUSES]
     motion, place = _taken(n.MOTION, "motion", 0)
     payload, _ = _taken(n.PLATFORM, "robot", place + counts["output"])
     model = {"symbol": symbol, "prefix": kernel.prefix, "payload": _continued(payload)}

@@ -5,7 +5,7 @@ import textwrap
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from ..kernel.tree.statuses import STATUS
+from ..kernel.tree.constants import STATUSES
 from ..mechanics import quantities as n
 from ..print.c import wrapped
 from . import licence
@@ -78,7 +78,7 @@ def readme(kit: Kit) -> str:
         if any(function.subject == MODEL for function in functions)
         else "",
         "inputs": table((q.name, shape(q), q.unit, q.meaning) for q in n.MOTION),
-        "status": table((f"STEWART_{name}", str(code), text) for name, code, text in STATUS),
+        "status": table((f"STEWART_{name}", str(code), text) for name, code, text in STATUSES),
         "deviations": table(kit.deviations),
         "digest": f"{robot_says}SHA-256 of name and constants: `{kit.digest}`",
         "hidden": _hidden(kit),

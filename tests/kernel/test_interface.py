@@ -14,8 +14,7 @@ from stewart_sym.backend.kernel import defines_of
 from stewart_sym.derive.emit.header import layout
 from stewart_sym.derive.generate import generator_version
 from stewart_sym.derive.kernel.interface import CALLS, STRUCTS
-from stewart_sym.derive.kernel.tree.constants import STATUS as OF_TREES
-from stewart_sym.derive.kernel.tree.statuses import STATUS
+from stewart_sym.derive.kernel.tree.constants import STATUS, STATUSES
 from stewart_sym.derive.mechanics.formulation import FORMULATIONS
 from stewart_sym.derive.package.functions import DRIVES, MODEL, NOTHING, ROBOT, Function
 from stewart_sym.generated import interface
@@ -83,8 +82,8 @@ def test_structs_have_the_members_of_the_table(name: str) -> None:
 
 
 def test_status_codes_are_the_same_everywhere() -> None:
-    codes = {name: code for name, code, _ in STATUS}
-    assert {name: code for name, (code, _) in OF_TREES.items()}.items() <= codes.items()
+    codes = {name: code for name, code, _ in STATUSES}
+    assert {name: code for name, (code, _) in STATUS.items()}.items() <= codes.items()
     assert all(getattr(results, name) == code for name, code in codes.items())
     defined = re.findall(r"^#define STEWART_([A-Z_]+) (\d) /\*", headers()["stewart.h"], re.M)
     assert [(name, int(code)) for name, code in defined] == list(codes.items())

@@ -14,7 +14,7 @@ from sweeps import share
 import stewart_sym as ss
 from stewart_sym.backend.kernel import robot_numbers
 from stewart_sym.cli.main import main
-from stewart_sym.derive.emit.thresholds import CASES, THRESHOLDS
+from stewart_sym.derive.emit.header import CASES, THRESHOLDS
 from stewart_sym.precision.quad import quad_forces
 from stewart_sym.precision.truth import Truth, deviation
 from stewart_sym.results import NOT_FINITE, OK

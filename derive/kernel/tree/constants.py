@@ -2,17 +2,25 @@
 
 from math import sqrt
 
-from .statuses import STATUS as OF_KERNELS
+STATUSES = (
+    ("OK", 0, "solved"),
+    ("NOT_FINITE", 1, "an input is not finite, or a result overflows"),
+    ("ZERO_LENGTH", 2, "a leg has length zero"),
+    ("JOINT_SINGULAR", 3, "a leg lies along the fixed axis of its universal joint"),
+    ("SINGULAR", 4, "H is singular: no leg forces can hold the platform"),
+    ("BAD_ARGUMENT", 5, "a pointer that must not be null is null"),
+    ("INDEFINITE", 6, "the inertia matrix M is not positive definite: no body has such inertias"),
+    ("NOT_CONVERGED", 7, "no pose with these leg lengths was found"),
+)
+"""Name, code and meaning of each status."""
 
 STATUS = {
-    name: (code, meaning)
-    for name, code, meaning in OF_KERNELS
-    if name not in ("BAD_ARGUMENT", "NOT_CONVERGED")
+    name: (code, meaning) for name, code, meaning in STATUSES if name not in ("BAD_ARGUMENT", "NOT_CONVERGED")
 }
 """Code and meaning by name, of what kernels without pointers and searches return."""
 
 SEARCH = {
-    "NOT_CONVERGED": next((code, says) for name, code, says in OF_KERNELS if name == "NOT_CONVERGED"),
+    "NOT_CONVERGED": next((code, says) for name, code, says in STATUSES if name == "NOT_CONVERGED"),
     "MAX_STEPS": (30, "steps after which the search of a pose ends"),
 }
 INTEGERS = STATUS | SEARCH
