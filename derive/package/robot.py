@@ -7,7 +7,7 @@ import hashlib
 import math
 from collections.abc import Mapping, Sequence
 
-from ..kernel.interface import STRUCTS, Member
+from ..kernel.interface import STRUCTS
 from ..mechanics import quantities as n
 from .words import Numbers, braces, in_comment, literal, member, robot_symbol, stored, template
 
@@ -51,13 +51,12 @@ def robot_files(
     return {name: template(f"kit/{name}", values) for name in (HEADER, SOURCE)}
 
 
-def _limit(member: Member, limits: Sequence[float]) -> str:
-    numbers = ["STEWART_MAX" if math.isinf(limit) else literal(limit, member.name) for limit in limits]
-    return f"    /* {member.name}, {member.unit} */\n    {braces(numbers, '    ')},"
-
-
 def _six(numbers: Mapping[str, Sequence[float]], struct: str) -> str:
-    return "\n".join(_limit(each, numbers[each.name]) for each in STRUCTS[struct])
+    lines = []
+    for each in STRUCTS[struct]:
+        of_legs = ["STEWART_MAX" if math.isinf(x) else literal(x, each.name) for x in numbers[each.name]]
+        lines.append(f"    /* {each.name}, {each.unit} */\n    {braces(of_legs, '    ')},")
+    return "\n".join(lines)
 
 
 def robot_digest(name: str, robot: Numbers, drives: Mapping[str, Sequence[float]] | None = None) -> str:
