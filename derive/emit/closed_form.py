@@ -20,7 +20,8 @@ from ..kernel.written.motion import lanes as written
 from ..kernel.written.motion import results
 from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel
-from ..mechanics.closed_form import GIVEN, NAMES, SumKernel
+from ..mechanics.closed_form import GIVEN, NAMES
+from ..mechanics.closed_form.terms import SumKernel
 from ..print.c import C
 from ..print.template import filled
 from ..program.block import Block, Operations, Quantity

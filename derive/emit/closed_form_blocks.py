@@ -7,9 +7,8 @@ from ..kernel import batches
 from ..kernel import layouts as lay
 from ..kernel import outputs as o
 from ..kernel.batches import LOADS, MOTIONS, copied, copies, loaded_block, missing, parts_at
-from ..kernel.model import result
 from ..kernel.outputs import SIX, inertia_at
-from ..kernel.prepare import MOTION
+from ..kernel.prepare import MOTION, result
 from ..kernel.shared import shared
 from ..kernel.tree import nodes as t
 from ..kernel.tree import read
@@ -18,8 +17,8 @@ from ..kernel.written.motion import blocks as texts
 from ..kernel.written.motion import results
 from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel
-from ..mechanics.closed_form import F_LEG, GIVEN, SumKernel
-from ..mechanics.closed_form.terms import BY_POSE, BY_TWIST, CORIOLIS
+from ..mechanics.closed_form import GIVEN
+from ..mechanics.closed_form.terms import BY_POSE, BY_TWIST, CORIOLIS, F_LEG, SumKernel
 from ..program.block import Quantity
 from .closed_form_interface import OF_BATCHES, STRUCTS, arrays_of, in_place, members_in_order, struct_of
 

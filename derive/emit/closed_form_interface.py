@@ -7,8 +7,7 @@ from ..kernel import batches
 from ..kernel import layouts as lay
 from ..kernel import outputs as o
 from ..kernel.batches import LOADS, MOTIONS, copied, copies, loaded_one, missing
-from ..kernel.model import result
-from ..kernel.prepare import MOTION
+from ..kernel.prepare import MOTION, result
 from ..kernel.tree import nodes as t
 from ..kernel.tree import read
 from ..kernel.tree.read import LANES

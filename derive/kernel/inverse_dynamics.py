@@ -17,8 +17,8 @@ from ..program.block import Block, Output
 from ..program.cse import share
 from .elimination import CARRIED, INVERSE, ONCE
 from .layouts import Written, entries
-from .model import machine_structures, result
 from .prepare import ABOUT_REFERENCE as SIZES
+from .prepare import machine_structures, result
 from .shared import legs_in_turn
 from .tree import nodes as t
 from .tree import read

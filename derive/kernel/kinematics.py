@@ -14,7 +14,7 @@ from . import batches
 from .batches import LOADS, MOTIONS, NUMBERS, copies, is_null, missing, parts_at
 from .elimination import CARRIED, RETURNED
 from .layouts import Written
-from .model import machine_structures, result
+from .prepare import machine_structures, result
 from .tree import nodes as t
 from .tree import read
 from .tree.counted import counted

@@ -11,10 +11,11 @@ from ..mechanics import closed_form as m
 from ..mechanics import lumped_constants as p
 from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel
+from ..mechanics.closed_form import terms
 from ..program.block import Block, Output, Quantity
 from .elimination import BLOCKS_IN_ARRAYS, CARRIED, DEFINITE, IN_ARRAYS, INVERSE, LONG_ROWS
-from .model import block_arguments, model_functions, model_structures
-from .model import result as _result
+from .prepare import block_arguments, model_functions, model_structures
+from .prepare import result as _result
 from .shared import legs_in_turn, shared
 from .tree import nodes as t
 from .tree import read
@@ -43,7 +44,7 @@ Definition = Structure | Text | Callable[[], t.Function]
 
 def program(
     kernel: ForceKernel,
-    sums: Collection[m.SumKernel] = (),
+    sums: Collection[terms.SumKernel] = (),
     outputs: Collection[str] = (FORCES,),
     by_pivots: bool = False,
 ) -> t.Program:
@@ -67,7 +68,7 @@ def program(
 
 
 def program_in_lanes(
-    kernel: ForceKernel, sums: Collection[m.SumKernel], outputs: Collection[str]
+    kernel: ForceKernel, sums: Collection[terms.SumKernel], outputs: Collection[str]
 ) -> t.Program:
     """The closed form's outputs without what lanes do in another way: sums, forces, ``singular_status`` and
     the checks of results, which have no bodies."""
@@ -204,7 +205,7 @@ def inertia_at(place: Callable[[Quantity, int, int], t.Expression]) -> Callable[
 
     place: takes the part, the number's index in it, and its index in all three, one after the other.
     """
-    vv, vw, ww = m.INERTIA
+    vv, vw, ww = terms.INERTIA
 
     def found(row: t.Number, column: t.Number) -> t.Expression:
         i, j = int(row.value), int(column.value)
@@ -217,7 +218,7 @@ def inertia_at(place: Callable[[Quantity, int, int], t.Expression]) -> Callable[
 
 def _right(row: t.Number) -> t.Expression:
     """A number of the right side."""
-    force, moment = m.RIGHT
+    force, moment = terms.RIGHT
     return t.at(t.of("summed", (force if row.value < 3 else moment).name), int(row.value) % 3)
 
 
@@ -282,7 +283,7 @@ PREFIX = {"forward_dynamics": "forward"}
 """Prefix of the names of a kernel's functions, where it is not the name of the kernel."""
 
 
-def prefix_of(sums: m.SumKernel) -> str:
+def prefix_of(sums: terms.SumKernel) -> str:
     """Prefix of the names of a kernel's functions."""
     return PREFIX.get(sums.name, sums.name)
 
@@ -292,7 +293,7 @@ def camel(name: str) -> str:
     return "".join(word.capitalize() for word in name.split("_"))
 
 
-def _of_sums(kernel: ForceKernel, sums: m.SumKernel) -> dict[str, Definition]:
+def _of_sums(kernel: ForceKernel, sums: terms.SumKernel) -> dict[str, Definition]:
     """One kernel of the closed form: blocks and sums, by their names."""
     prefix = prefix_of(sums)
     name = camel(prefix)

@@ -21,7 +21,7 @@ from stewart_sym import derive
 from stewart_sym.backend import kernel, native
 from stewart_sym.backend.kernel import MOTION
 from stewart_sym.derive.kernel import interface, outputs
-from stewart_sym.derive.kernel.model import result
+from stewart_sym.derive.kernel.prepare import result
 from stewart_sym.derive.kernel.tree.nodes import Array, Field, Integer, Real, Type
 from stewart_sym.dynamics import closed_form
 from stewart_sym.generated.interface import MODELS

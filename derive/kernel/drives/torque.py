@@ -7,7 +7,7 @@ from ...program.block import Block
 from ..elimination import RETURNED
 from ..interface import STRUCTS
 from ..layouts import Written
-from ..model import machine_structures, result
+from ..prepare import machine_structures, result
 from ..tree import nodes as t
 from ..tree.lower import Arguments, block_function, structure
 from ..tree.read import Entries, Given
