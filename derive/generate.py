@@ -30,6 +30,8 @@ from .kernel.tree.nodes import Program, joined
 from .mechanics import closed_form
 from .mechanics.actuator_forces import ForceKernel, force_kernel, with_numbers
 from .mechanics.axial_forces import axial_block
+from .mechanics.closed_form.parts import PREPARED
+from .mechanics.closed_form.terms import SumKernel
 from .mechanics.formulation import EXACT, EXACT_DRIVE, FORMULATIONS, PAPER, Formulation
 from .mechanics.inverse_dynamics import Kernel, kernel
 from .mechanics.kinematics import Kinematics, kinematics
@@ -70,7 +72,7 @@ def prepared_model(form: Formulation) -> ForceKernel:
     """The kernel of the forces with all constants that are prepared for it and, of ``WHOLE``, for the closed
     form."""
     kernel = force_kernel(form)
-    return shared_blocks(with_numbers(kernel, closed_form.PREPARED) if form in WHOLE else kernel)
+    return shared_blocks(with_numbers(kernel, PREPARED) if form in WHOLE else kernel)
 
 
 @cache
@@ -255,14 +257,14 @@ def _fidelities(version: str) -> Made:
 
 def reduced_motion(
     names: Collection[str] = closed_form.NAMES, form: Formulation = EXACT
-) -> tuple[closed_form.SumKernel, ...]:
+) -> tuple[SumKernel, ...]:
     """The kernels of the closed form as they are emitted; names: out of ``closed_form.NAMES``; form: of
     ``WHOLE``."""
     return tuple(_reduced_sums(name, form) for name in closed_form.NAMES if name in names)
 
 
 @cache
-def _reduced_sums(name: str, form: Formulation) -> closed_form.SumKernel:
+def _reduced_sums(name: str, form: Formulation) -> SumKernel:
     return shared_blocks(closed_form.kernel(name, rotor_of(form)))
 
 
@@ -290,21 +292,15 @@ def motion_files(functions: Collection[str], form: Formulation = EXACT) -> dict[
 
     form: of ``WHOLE``. Raises ValueError for other functions and for none.
     """
-    return _motion_files(prepared_model(form), generator_version(), functions)
-
-
-def _motion_files(model: ForceKernel, version: str, functions: Collection[str]) -> dict[str, str]:
-    needed, form = motion.kernels_of(functions), model.formulation
-    return motion.files(reduced_motion(needed, form), model, version, functions)
+    sums = reduced_motion(motion.kernels_of(functions), form)
+    return motion.files(sums, prepared_model(form), generator_version(), functions)
 
 
 def _closed_form(form: Formulation, version: str) -> dict[str, str]:
-    built, model = reduced_motion(form=form), prepared_model(form)
-    sources = _motion_files(model, version, motion.FUNCTIONS)
-    rows = [f'    "{each.name}": {motion.sum_operations(each).total},' for each in built]
+    rows = [f'    "{each.name}": {motion.sum_operations(each).total},' for each in reduced_motion(form=form)]
     return {
         f"{form.kernel_name}_operations.py": filled("operations.py", version=version, rows="\n".join(rows)),
-        **_of_c(sources),
+        **_of_c(motion_files(motion.FUNCTIONS, form)),
     }
 
 

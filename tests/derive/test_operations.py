@@ -20,7 +20,7 @@ from stewart_sym.derive.emit.shared import shared_headers
 from stewart_sym.derive.generate import reduced, reduced_forces, reduced_motion
 from stewart_sym.derive.kernel.operations import force_operations, kernel_operations, solve_operations
 from stewart_sym.derive.kernel.outputs import prefix_of
-from stewart_sym.derive.mechanics.closed_form import F_LEG
+from stewart_sym.derive.mechanics.closed_form.terms import F_LEG
 from stewart_sym.derive.mechanics.formulation import EXACT, FORMULATIONS
 from stewart_sym.derive.program.block import Operations
 from stewart_sym.dynamics import closed_form

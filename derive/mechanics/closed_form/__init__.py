@@ -14,21 +14,7 @@ from ..actuator_forces import from_difference
 from ..legs.rotor import NONE, Rotor
 from .derivatives import derivatives_kernel, derivatives_of_leg, joint_slopes_kernel
 from .equations import bias_kernel, equations_kernel, equations_of_leg, forward_kernel, joint_rows_kernel
-from .parts import PREPARED
-from .terms import AXIAL, F_LEG, INERTIA, NET, RIGHT, TURNED, SumKernel
-
-__all__ = [
-    "F_LEG",
-    "GIVEN",
-    "INERTIA",
-    "NAMES",
-    "OF_TWO_FORMS",
-    "PREPARED",
-    "RIGHT",
-    "SumKernel",
-    "kernel",
-    "kernels",
-]
+from .terms import AXIAL, F_LEG, NET, TURNED, SumKernel
 
 GIVEN = (F_LEG, NET, TURNED, AXIAL)
 """What the legs' blocks are given beside the pose."""

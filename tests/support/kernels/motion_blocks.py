@@ -8,7 +8,8 @@ from fifty_digits import DIGITS, block_inputs, named
 from machines import random_motion, random_robot
 from mpmath import mp
 
-from stewart_sym.derive.mechanics.closed_form import SumKernel, kernels
+from stewart_sym.derive.mechanics.closed_form import kernels
+from stewart_sym.derive.mechanics.closed_form.terms import SumKernel
 from stewart_sym.derive.mechanics.lumped_constants import ADDED, Lumped, prepare_leg, prepare_platform
 from stewart_sym.motion.motion import Motion
 from stewart_sym.robot.robot import Robot
