@@ -26,24 +26,14 @@ class Type(Node):
     """What kind of value."""
 
 
+def _of_two(operator: str) -> Callable[["Expression", "Expression"], "Binary"]:
+    return lambda left, right: Binary(operator, left, right)
+
+
 class Expression(Node):
     """What has a value; + - * / make others of two."""
 
-    def __add__(self, other: "Expression") -> "Binary":
-        """The sum."""
-        return Binary("+", self, other)
-
-    def __sub__(self, other: "Expression") -> "Binary":
-        """The difference."""
-        return Binary("-", self, other)
-
-    def __mul__(self, other: "Expression") -> "Binary":
-        """The product."""
-        return Binary("*", self, other)
-
-    def __truediv__(self, other: "Expression") -> "Binary":
-        """The quotient."""
-        return Binary("/", self, other)
+    __add__, __sub__, __mul__, __truediv__ = map(_of_two, "+-*/")
 
 
 class Statement(Node):
