@@ -117,7 +117,6 @@ class _Source(Source):
         read = lay.names_used(self.from_roots)
         self.handed_on = [step.name for step in self.roots.steps if step.name in read]
         self.structures = p.structures(kernel) | self._structures()
-        self.structures |= {each.name: each for each in self.structures.values()}
         self.flags = p.flags(kernel) | {
             "ABOUT_TIP": int(kernel.about_tip),
             "HAS_C": int(n.c_force in self.given),

@@ -77,9 +77,8 @@ class BoundedForces:
             "Motion": p.MOTION,
             "Motions": MOTIONS,
         } | self._structures()
-        named = self.structures | {each.name: each for each in self.structures.values()}
         flags = _FLAGS | {"COUNT": self.model_numbers(), "SMALLEST": t.Number(SMALLEST)}
-        self.texts = Written(named, flags, shared().by_name)
+        self.texts = Written(self.structures, flags, shared().by_name)
 
     def _structures(self) -> dict[str, t.Structure]:
         kernel, name = self.kernel, f"stewart_{self.kernel.formulation.kernel_name}_bounds"

@@ -154,8 +154,7 @@ def constants(kernel: ForceKernel) -> dict[str, Given]:
 def structures(kernel: ForceKernel) -> dict[str, t.Structure]:
     """Structures that preparation reads and makes, by the names that the written functions give them."""
     robot, leg = raw_structures(kernel)
-    found = {"Robot": robot, "RawLeg": leg, "Motion": MOTION, "Lumped": LUMPED}
-    return found | {each.name: each for each in found.values()}
+    return {"Robot": robot, "RawLeg": leg, "Motion": MOTION, "Lumped": LUMPED}
 
 
 def literal(quantity: Quantity) -> str:
