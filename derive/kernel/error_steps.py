@@ -10,7 +10,7 @@ from ..program.block import Output, Quantity
 from ..program.rounding import RECIPROCAL, ROOT, RoundedBlock, RoundedStep, error_symbol
 from .layouts import CHECKED, Place, member, names_used, stored
 from .tree import nodes as t
-from .tree.lower import expression
+from .tree.lower import expression, remark
 from .tree.read import Given
 
 
@@ -107,10 +107,8 @@ def step_statements(
     before = None
     for each in block.steps:
         step = each.step
-        said = (step.equation, step.meaning)
-        if any(said) and said != before:
-            yield t.Comment(" ".join(part for part in said if part))
-        before = said
+        yield from remark(step, before)
+        before = step
         yield t.Let(step.name, expression(step.expr, block.order_of(step)))
         own = _own_error(each)
         if each.rounds and step.name in apart:

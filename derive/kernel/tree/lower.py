@@ -151,12 +151,14 @@ def steps_of(steps: Sequence[Step], ready: Ready | None = None) -> list[t.Statem
     """
     ready = ready_in(steps) if ready is None else ready
     found: list[t.Statement] = []
-    before = None
-    for step in steps:
-        said = (step.equation, step.meaning)
-        if any(said) and said != before:
-            found.append(t.Comment(" ".join(part for part in said if part)))
-        before = said
+    for step, before in zip(steps, (None, *steps), strict=False):
         order = ready if ready is AS_DERIVED or step.name in ready else NOTHING
-        found.append(t.Let(step.name, expression(step.expr, order)))
+        found += [*remark(step, before), t.Let(step.name, expression(step.expr, order))]
     return found
+
+
+def remark(step: Step, before: Step | None) -> list[t.Statement]:
+    """Equation and meaning of a step, unless the one before it has the same."""
+    said = (step.equation, step.meaning)
+    alike = before is not None and said == (before.equation, before.meaning)
+    return [t.Comment(" ".join(filter(None, said)))] if any(said) and not alike else []
