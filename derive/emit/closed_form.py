@@ -182,13 +182,17 @@ class _Source(blocks.Batches):
 
     def _check(self, what: str) -> t.Function:
         """Says where a result is not finite: vectors number by number, of matrices how many numbers."""
-        out, lost, i = t.Name("out"), t.Name("lost"), t.Name("i")
-        status, ok, bad = t.Member(out, "status"), t.Constant("OK"), t.Constant("NOT_FINITE")
+        lost, status, ok, bad = (
+            t.Name("lost"),
+            t.of("out", "status"),
+            t.Constant("OK"),
+            t.Constant("NOT_FINITE"),
+        )
         none, one = (t.As(t.Count(), t.Number(each)) for each in (0, 1))
         vectors: list[t.Statement] = [t.If(t.Binary("!=", status, ok), (t.Return(None),))]
         matrices: list[t.Statement] = []
         for name, count in members(what).items():
-            number = t.Element(t.Member(t.Member(out, "of") if what in STRUCTS else out, name), (i,))
+            number = t.at(t.of(t.of("out", "of") if what in STRUCTS else "out", name), "i")
             finite = t.Binary("<=", t.Call("size", (number,)), t.Constant("MAX"))
             if count <= LEGS:
                 known = t.If(t.Not(finite), (t.Assign(status, bad), t.Return(None)))

@@ -69,7 +69,7 @@ _ELIMINATION: Mapping[str, read.Given] = {
 def terms_program(kernel: Kernel) -> t.Program:
     """A kernel's leg and platform with their sums, and a leg's reactions, the legs one after the other;
     nothing is solved or checked."""
-    of_leg = _outputs("LegDynamics", "What a leg has.", kernel.leg)
+    of_leg = structure("LegDynamics", "What a leg has.", kernel.leg.made)
     held = t.Field("leg", t.Array(t.Record(of_leg.name), (6,)), "each of them")
     of_legs = t.Structure("Legs", "What the legs have.", (held,))
     structures = [*machine_structures(kernel.formulation.drive), of_leg, of_legs, *_results(kernel), _TERMS]
@@ -86,7 +86,7 @@ def arrays_program(kernel: Kernel) -> t.Program:
     leg = kernel.leg
     if n.k3 not in leg.made:
         leg = replace(leg, outputs=(*leg.outputs, Output(n.k3, (sp.S.One,))))
-    of_legs = _outputs("Legs", "What the legs have.", leg)
+    of_legs = structure("Legs", "What the legs have.", leg.made)
     structures = [*_machine(), of_legs, *_results(kernel), _TERMS, _FORCES]
     _, *own = _blocks(kernel, leg, of_legs.name)
     texts = Written.of(structures, [*shared_program().functions, *own])
@@ -115,8 +115,8 @@ def shared_program() -> t.Program:
 
 def regressor_program(blocks: Regressor) -> t.Program:
     """Columns of the regressor with legs side by side."""
-    of_legs = _outputs("RegressorOfLegs", "Columns of the legs.", blocks.leg)
-    of_platform = _outputs("RegressorOfPlatform", "Columns of the platform.", blocks.platform)
+    of_legs = structure("RegressorOfLegs", "Columns of the legs.", blocks.leg.made)
+    of_platform = structure("RegressorOfPlatform", "Columns of the platform.", blocks.platform.made)
     legs = t.Field("legs", t.Record(of_legs.name), "of the legs")
     platform = t.Field("platform", t.Record(of_platform.name), "of the platform")
     structures = [*_machine(), of_legs, of_platform, result("Regressor", "Columns of Y.", legs, platform)]
@@ -129,7 +129,7 @@ def regressor_program(blocks: Regressor) -> t.Program:
 
 def rotor_program(columns: Block) -> t.Program:
     """Columns of the legs' rotors with legs side by side."""
-    of_legs = _outputs("RotorColumns", "Columns of the legs' rotors.", columns)
+    of_legs = structure("RotorColumns", "Columns of the legs' rotors.", columns.made)
     made = block_function(columns, "rotor_columns", of_legs.name, _OF_LEG | _OF_POSE)
     return Written.of([*_machine(), of_legs], [made]).program("rotor")
 
@@ -151,14 +151,10 @@ def _blocks(kernel: Kernel, leg: Block, result: str) -> list[t.Function]:
 
 def _results(kernel: Kernel) -> list[t.Structure]:
     return [
-        _outputs("LegReactions", "Forces and moments in a leg's joints.", kernel.reactions),
+        structure("LegReactions", "Forces and moments in a leg's joints.", kernel.reactions.made),
         _wrench(kernel.platform),
     ]
 
 
 def _wrench(platform: Block) -> t.Structure:
-    return _outputs("PlatformWrench", "The platform's part of c.", platform)
-
-
-def _outputs(name: str, meaning: str, block: Block) -> t.Structure:
-    return structure(name, meaning, block.made)
+    return structure("PlatformWrench", "The platform's part of c.", platform.made)

@@ -24,12 +24,7 @@ from .tree.nodes import Assign, Element, Expression, Let, Member, Name, Program,
 
 Steps = tuple[tuple[sp.Symbol, sp.Expr], ...]
 
-_PAIRS: list[tuple[int, ...]] = [(i, j) for i in range(3) for j in range(3)]
-_COMPONENTS: dict[int, list[tuple[int, ...]]] = {
-    3: [(i,) for i in range(3)],
-    6: [key for key in _PAIRS if key[0] <= key[1]],
-    9: _PAIRS,
-}
+_COMPONENTS = {len(q.keys): q.keys for q in (n.t, n.I_p, n.R)}
 _DECIDED = {True: True, False: False, sp.true: True, sp.false: False}
 
 
