@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Mapping
 from ..kernel import prepare as p
 from ..kernel.batches import LOADS, MOTIONS, NUMBERS, batch, copies, missing
 from ..kernel.interface import STRUCTS
-from ..kernel.layouts import Written, filling, terms
+from ..kernel.layouts import Written, filling, structure
 from ..kernel.operations import KernelOperations
 from ..kernel.shared import legs_in_turn, shared
 from ..kernel.tree.nodes import Array, Field, Number, Real, Statement, Structure
@@ -90,8 +90,8 @@ class _Source(Source):
     def __init__(self, kernel: Kernel) -> None:
         self.kernel, self.name = kernel, f"stewart_{kernel.formulation.kernel_name}"
         blocks = {"leg_terms": kernel.leg, "reaction_terms": kernel.reactions}
-        self.blocks = {name: (block, terms(name, block)) for name, block in blocks.items()}
-        made = (structure for _, structure in self.blocks.values())
+        self.blocks = {name: (block, structure(name, "", block.made)) for name, block in blocks.items()}
+        made = (filled for _, filled in self.blocks.values())
         structures = {
             "Robot": p.ROBOT,
             "Leg": p.LEG,
@@ -113,9 +113,9 @@ class _Source(Source):
 
     def _parts(self) -> Iterable[Part]:
         read = self.texts.function
-        yield from (structure for _, structure in self.blocks.values())
-        for block, structure in self.blocks.values():
-            function = filling(block, structure)
+        yield from (filled for _, filled in self.blocks.values())
+        for block, filled in self.blocks.values():
+            function = filling(block, filled)
             self.texts.functions[function.name] = function
             yield function
         yield read(written.pose_forces, given=legs_in_turn("out", "terms"))
@@ -135,7 +135,7 @@ class _Source(Source):
 
 def block_text(block: Block, result: str) -> str:
     """A block as its function in C; result: name of the structure that it fills."""
-    return "\n".join(C().function(filling(block, terms(result, block))))
+    return "\n".join(C().function(filling(block, structure(result, "", block.made))))
 
 
 def _results(name: str) -> Structure:

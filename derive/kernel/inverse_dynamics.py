@@ -16,13 +16,12 @@ from ..mechanics.regressor import Regressor
 from ..program.block import Block, Output
 from ..program.cse import share
 from .elimination import CARRIED, INVERSE, ONCE
-from .layouts import Written, entries
+from .layouts import Arguments, Written, block_function, entries, structure
 from .prepare import ABOUT_REFERENCE as SIZES
 from .prepare import machine_structures, result
 from .shared import legs_in_turn
 from .tree import nodes as t
 from .tree import read
-from .tree.lower import Arguments, block_function, structure
 from .written import inverse_dynamics as written
 from .written import legs, solve
 

@@ -13,12 +13,11 @@ from ..program.block import Block, Operations
 from . import batches
 from .batches import LOADS, MOTIONS, NUMBERS, copies, is_null, missing, parts_at
 from .elimination import CARRIED, RETURNED
-from .layouts import Written
+from .layouts import Arguments, Written, block_function, structure
 from .prepare import machine_structures, result
 from .tree import nodes as t
 from .tree import read
 from .tree.counted import counted
-from .tree.lower import Arguments, block_function, structure
 from .written import batch, legs
 from .written import kinematics as written
 

@@ -19,7 +19,7 @@ from ..program.block import Block, Output, Quantity, Step
 from ..program.order import Ready
 from .tree import nodes as t
 from .tree import read
-from .tree.lower import expression, steps_of, unit_and_meaning
+from .tree.lower import expression, steps_of
 from .tree.written_text import Names
 from .written import legs
 
@@ -42,6 +42,9 @@ class Place:
         own = (t.Number(self.first + index),) if quantity.shape else ()
         return t.Element(self.array, (*own, *self.lane)) if own or self.lane else self.array
 
+
+Arguments = dict[str, tuple[str, tuple[Quantity, ...]]]
+"""Structure of each argument of a block, "" of a number or an array, and the quantities that it holds."""
 
 Layout = Callable[[Quantity], Place | t.Name]
 """The place of a quantity, or the name of the constant that it is."""
@@ -218,14 +221,43 @@ def stored(quantity: Quantity, *lanes: int, always: bool = True) -> t.Field:
     return t.Field(quantity.name, t.Array(t.Real(), (*size, *lanes)) if size or lanes else t.Real())
 
 
+def unit_and_meaning(quantity: Quantity) -> str:
+    """``kg m: first moment``; of what has no unit the meaning alone."""
+    return f"{quantity.unit}: {quantity.meaning}".removeprefix(": ")
+
+
 def described(quantity: Quantity, *lanes: int) -> t.Field:
     """A member with its unit and meaning."""
     return replace(stored(quantity, *lanes, always=False), meaning=unit_and_meaning(quantity))
 
 
-def terms(name: str, block: Block) -> t.Structure:
-    """What a block makes, as a structure."""
-    return t.Structure(name, "", tuple(map(described, block.made)))
+def structure(name: str, meaning: str, quantities: Iterable[Quantity], *more: t.Field) -> t.Structure:
+    """A structure with one member for each quantity, and ``more``."""
+    return t.Structure(name, meaning, (*map(described, quantities), *more))
+
+
+def block_function(block: Block, name: str, result: str, arguments: Arguments) -> t.Function:
+    """A block as a function that returns a structure of its outputs.
+
+    result: the structure's name. arguments: the structures that it reads, with the quantities in each, by the
+    name of the argument; without a structure's name the argument is a number, or an array of all components.
+    """
+    owners = {q: argument for argument, (_, held) in arguments.items() for q in held}
+    of_structures = [q for q in block.used_inputs() if arguments[owners[q]][0]]
+    used = names_used(block)
+    body = [*loads(of_structures, used, lambda q: member(owners[q], q))]
+    given = []
+    for argument, (kind, held) in arguments.items():
+        parts = [part for q in held for part in q.names]
+        of: t.Type = t.Record(kind) if kind else t.Real()
+        if not kind and any(q.shape for q in held):
+            of = t.Array(t.Real(), (len(parts),))
+            body += [t.Let(part, t.at(argument, i)) for i, part in enumerate(parts) if part in used]
+        given.append(t.Argument(argument, of))
+    body += [*steps_of(block.steps), t.Variable("out", t.Record(result), blank=True)]
+    body += [*stores(block.outputs, lambda q: member("out", q)), t.Return(t.Name("out"))]
+    meaning = f"{block.meaning[0].upper()}{block.meaning[1:]}: {block.operations()}."
+    return t.Function(name, meaning, tuple(given), t.Record(result), tuple(body))
 
 
 def filling(block: Block, made: t.Structure) -> t.Function:

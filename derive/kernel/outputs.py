@@ -14,12 +14,12 @@ from ..mechanics.actuator_forces import ForceKernel
 from ..mechanics.closed_form import terms
 from ..program.block import Block, Output, Quantity
 from .elimination import BLOCKS_IN_ARRAYS, CARRIED, DEFINITE, IN_ARRAYS, INVERSE, LONG_ROWS
+from .layouts import Arguments, block_function, structure
 from .prepare import block_arguments, model_functions, model_structures
 from .prepare import result as _result
 from .shared import legs_in_turn, shared
 from .tree import nodes as t
 from .tree import read
-from .tree.lower import Arguments, block_function, stored_type, structure
 from .tree.nodes import Field, Record, Structure
 from .tree.written_text import Names
 from .written import closed_form, elimination, forces, joint_rows, legs, solve
@@ -351,8 +351,8 @@ RESULTS = {
     "forward_dynamics": _result(
         "Accelerations",
         "Accelerations of the platform.",
-        Field("a", stored_type(n.a), "m/s^2: acceleration of the reference point"),
-        Field("alpha", stored_type(n.alpha), "rad/s^2: angular acceleration"),
+        Field("a", _numbers(3), "m/s^2: acceleration of the reference point"),
+        Field("alpha", _numbers(3), "rad/s^2: angular acceleration"),
     ),
     "joint_inertia": _result(
         "JointInertia",
@@ -370,8 +370,8 @@ RESULTS = {
     "linearisation": _result(
         "Linearisation",
         "Forward dynamics and its linearisation.",
-        Field("a", stored_type(n.a), "m/s^2: acceleration of the reference point"),
-        Field("alpha", stored_type(n.alpha), "rad/s^2: angular acceleration"),
+        Field("a", _numbers(3), "m/s^2: acceleration of the reference point"),
+        Field("alpha", _numbers(3), "rad/s^2: angular acceleration"),
         Field("A", _numbers(12, 12), "by [dt; dphi; dv; domega]"),
         Field("B", _numbers(12, 6), "by the actuator forces"),
     ),

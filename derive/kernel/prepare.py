@@ -17,7 +17,6 @@ from . import layouts as lay
 from .tree import nodes as t
 from .tree import read
 from .tree.constants import LARGEST, SMALLEST
-from .tree.lower import Arguments, block_function, structure, unit_and_meaning
 from .tree.read import Given
 from .written import forces, solve
 
@@ -53,7 +52,7 @@ def raw_structures(kernel: ForceKernel) -> tuple[t.Structure, t.Structure]:
     if not more:
         return ROBOT, LEG
     name = f"stewart_{kernel.fidelity}"
-    leg = t.Structure(f"{name}_leg", "One leg.", tuple(map(lay.described, (*n.OF_LEG, *more))))
+    leg = lay.structure(f"{name}_leg", "One leg.", (*n.OF_LEG, *more))
     legs = t.Field("leg", t.Array(t.Record(leg.name), (6,)))
     robot = t.Structure(f"{name}_robot", "The machine.", (legs, *map(lay.described, n.PLATFORM)))
     return robot, leg
@@ -165,7 +164,7 @@ def literal(quantity: Quantity) -> str:
 def literals(kernel: ForceKernel) -> str:
     """These constants as macros."""
     made = [
-        f"#define {literal(q)} REAL({value!r}) /* {unit_and_meaning(q)} */"
+        f"#define {literal(q)} REAL({value!r}) /* {lay.unit_and_meaning(q)} */"
         for q, value in kernel.literals().items()
     ]
     return "\n".join(["/* Constants of the platform, and those that all legs share. */", *made, ""])
@@ -186,9 +185,9 @@ def machine_structures(drive: bool = False, more: tuple[Quantity, ...] = ()) -> 
     """The robot and the motion; drive: the robot's legs have rotors; more: what else they have."""
     legs = t.Field("leg", t.Array(t.Record("Leg"), (6,)), "the legs")
     return [
-        structure("Leg", "One leg.", (*(n.OF_LEG if drive else n.LEG), *more)),
-        structure("Robot", "The machine.", n.PLATFORM, legs),
-        structure("Motion", "Motion of the platform and its load.", n.MOTION),
+        lay.structure("Leg", "One leg.", (*(n.OF_LEG if drive else n.LEG), *more)),
+        lay.structure("Robot", "The machine.", n.PLATFORM, legs),
+        lay.structure("Motion", "Motion of the platform and its load.", n.MOTION),
     ]
 
 
@@ -196,9 +195,9 @@ def model_structures(kernel: ForceKernel) -> list[t.Structure]:
     """The robot, the motion, and the constants that a kernel prepares."""
     return [
         *machine_structures(n.m_r in kernel.prepare_leg.inputs, kernel.more_of_legs()),
-        structure("LegConstants", "Prepared constants of one leg.", kernel.prepare_leg.made),
-        structure("Added", "What the legs add to the platform's constants.", ADDED),
-        structure("Platform", "Constants of the platform.", kernel.platform_constants()),
+        lay.structure("LegConstants", "Prepared constants of one leg.", kernel.prepare_leg.made),
+        lay.structure("Added", "What the legs add to the platform's constants.", ADDED),
+        lay.structure("Platform", "Constants of the platform.", kernel.platform_constants()),
         result(
             "Model",
             "A robot's constants, prepared once.",
@@ -212,18 +211,18 @@ def model_structures(kernel: ForceKernel) -> list[t.Structure]:
 
 def model_functions(kernel: ForceKernel, structures: dict[str, t.Structure]) -> list[t.Function]:
     """What ``written.forces.prepare`` calls."""
-    robot: Arguments = {"robot": ("Robot", n.PLATFORM), "p_1": ("", (n.p_1,))}
-    leg: Arguments = {"leg": ("Leg", (*n.OF_LEG, *kernel.more_of_legs()))}
+    robot: lay.Arguments = {"robot": ("Robot", n.PLATFORM), "p_1": ("", (n.p_1,))}
+    leg: lay.Arguments = {"leg": ("Leg", (*n.OF_LEG, *kernel.more_of_legs()))}
     return [
-        block_function(kernel.prepare_leg, "prepare_leg", "LegConstants", robot | leg),
-        block_function(
+        lay.block_function(kernel.prepare_leg, "prepare_leg", "LegConstants", robot | leg),
+        lay.block_function(
             kernel.prepare_platform, "prepare_platform", "Platform", robot | {"total": ("Added", ADDED)}
         ),
         *(read.function(text, structures, {}) for text in (forces.add_up, forces.lost_digits)),
     ]
 
 
-def block_arguments(kernel: ForceKernel, *more: tuple[str, str, tuple[Quantity, ...]]) -> Arguments:
+def block_arguments(kernel: ForceKernel, *more: tuple[str, str, tuple[Quantity, ...]]) -> lay.Arguments:
     """Arguments of a leg's block: constants, the motion, and ``more``: name, structure, what it holds."""
     return {
         "leg": ("LegConstants", kernel.leg_constants()),

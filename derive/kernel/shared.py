@@ -119,7 +119,7 @@ def shared(about_tip: bool = True) -> Shared:
     texts = lay.Written({"Motions": MOTIONS, "Motion": MOTION, "Lumped": LUMPED}, {}, {FORCE.name: FORCE})
     read = texts.function
     wrench = share(platform()[0])
-    of_platform = lay.terms("platform_terms", wrench)
+    of_platform = lay.structure("platform_terms", "", wrench.made)
     added: dict[str, Given] = {"ADDED": lay.entries(ADDED)}
     rows = (lanes.exchange_rows, lanes.subtract_row)
     return Shared(

@@ -6,10 +6,9 @@ from ...mechanics import quantities as n
 from ...program.block import Block
 from ..elimination import RETURNED
 from ..interface import STRUCTS
-from ..layouts import Written
+from ..layouts import Arguments, Written, block_function, structure
 from ..prepare import machine_structures, result
 from ..tree import nodes as t
-from ..tree.lower import Arguments, block_function, structure
 from ..tree.read import Entries, Given
 from ..written import legs
 from . import written

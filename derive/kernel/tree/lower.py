@@ -1,4 +1,4 @@
-"""From the derivation to the tree: expressions and blocks as nodes, in the order in which they round."""
+"""From the derivation to the tree: expressions and steps as nodes, in the order in which they round."""
 
 import operator
 from collections.abc import Iterable, Sequence
@@ -6,14 +6,9 @@ from functools import partial, reduce
 
 import sympy as sp
 
-from ...program.block import Block, Quantity, Step, common_factor
+from ...program.block import Step, common_factor
 from ...program.order import AS_DERIVED, NOTHING, Ready, ready_in, terms_in_order
 from . import nodes as t
-
-OUT = "out"
-
-Arguments = dict[str, tuple[str, tuple[Quantity, ...]]]
-"""Structure of each argument of a block, "" of a number or an array, and the quantities that it holds."""
 
 
 def expression(expr: sp.Expr, ready: Ready = NOTHING) -> t.Expression:
@@ -78,70 +73,6 @@ def _power(expr: sp.Pow, ready: Ready) -> t.Expression:
     if expr.exp.is_Integer and expr.exp > 1 and expr.base.is_Symbol:
         return _multiplied([expr.base] * int(expr.exp), ready)
     raise ValueError(f"cannot lower the power {expr}: its base needs a name")
-
-
-def stored_type(quantity: Quantity) -> t.Type:
-    """The type of a quantity as a member: a number, or an array of its components in storage order."""
-    return t.Array(t.Real(), (len(quantity.keys),)) if quantity.shape else t.Real()
-
-
-def unit_and_meaning(quantity: Quantity) -> str:
-    """``kg m: first moment``; of what has no unit the meaning alone."""
-    return f"{quantity.unit}: {quantity.meaning}".removeprefix(": ")
-
-
-def structure(name: str, meaning: str, quantities: Iterable[Quantity], *more: t.Field) -> t.Structure:
-    """A structure with one member for each quantity, and ``more``."""
-    members = tuple(t.Field(q.name, stored_type(q), unit_and_meaning(q)) for q in quantities)
-    return t.Structure(name, meaning, (*members, *more))
-
-
-def component(owner: t.Expression, quantity: Quantity, index: int) -> t.Expression:
-    """One component of a quantity that is a member of a structure."""
-    member = t.Member(owner, quantity.name)
-    return t.Element(member, (t.Number(index),)) if quantity.shape else member
-
-
-def block_function(block: Block, name: str, result: str, arguments: Arguments) -> t.Function:
-    """A block as a function that returns a structure of its outputs.
-
-    result: the structure's name. arguments: the structures that it reads, with the quantities in each, by the
-    name of the argument; without a structure's name the argument is a number, or an array of all components.
-    """
-    owners = {q: argument for argument, (_, held) in arguments.items() for q in held}
-    used = {symbol.name for expr in block.expressions() for symbol in expr.free_symbols}
-    kinds = {name: _argument_type(kind, held) for name, (kind, held) in arguments.items()}
-    loads = [
-        t.Let(part, component(t.Name(owners[q]), q, i))
-        for q in block.used_inputs()
-        if arguments[owners[q]][0]
-        for i, part in enumerate(q.names)
-        if part in used
-    ]
-    loads += [
-        t.Let(part, t.Element(t.Name(argument), (t.Number(i),)))
-        for argument, (_, held) in arguments.items()
-        if isinstance(kinds[argument], t.Array)
-        for i, part in enumerate(part for q in held for part in q.names)
-        if part in used
-    ]
-    out = t.Name(OUT)
-    stores = [
-        t.Assign(component(out, output.quantity, i), expression(expr))
-        for output in block.outputs
-        for i, expr in enumerate(output.exprs)
-    ]
-    meaning = f"{block.meaning[0].upper()}{block.meaning[1:]}: {block.operations()}."
-    given = tuple(t.Argument(name, kind) for name, kind in kinds.items())
-    made = t.Variable(OUT, t.Record(result), blank=True)
-    body = (*loads, *steps_of(block.steps), made, *stores, t.Return(out))
-    return t.Function(name, meaning, given, t.Record(result), body)
-
-
-def _argument_type(kind: str, held: tuple[Quantity, ...]) -> t.Type:
-    if kind:
-        return t.Record(kind)
-    return t.Array(t.Real(), (sum(len(q.keys) for q in held),)) if any(q.shape for q in held) else t.Real()
 
 
 def steps_of(steps: Sequence[Step], ready: Ready | None = None) -> list[t.Statement]:
