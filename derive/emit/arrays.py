@@ -212,15 +212,11 @@ def fidelities(kernels: Mapping[Fidelity, ForceKernel], version: str) -> str:
 def _fidelity(level: Fidelity, kernel: ForceKernel) -> str:
     counts = {part: count.total for part, count in force_operations(kernel).parts().items()}
     values = {
-        "kernel": kernel.name,
-        "meaning": level.meaning,
-        "universal": any(q.name == "k" for q in kernel.leg_constants()),
+        "kernel": f'"{kernel.name}"',
+        "meaning": f'"{level.meaning}"',
+        "universal": n.k in kernel.leg_constants(),
     }
-    lines = "\n".join(f'        "{name}": {_quoted(value)},' for name, value in values.items())
+    lines = "\n".join(f'        "{name}": {value},' for name, value in values.items())
     parts = ", ".join(f'"{part}": {count}' for part, count in counts.items())
     operations = wrap_list(f"{' ' * 12}{parts},", " " * 12)
     return f'    "{level.name}": {{\n{lines}\n        "operations": {{\n{operations}\n        }},\n    }},'
-
-
-def _quoted(value: object) -> str:
-    return f'"{value}"' if isinstance(value, str) else repr(value)

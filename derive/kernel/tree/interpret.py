@@ -181,7 +181,8 @@ class Interpreter:
                 constant = number if isinstance(number, int) else self.arithmetic.number(number)
                 return lambda known: constant
             case t.Constant(name):
-                named = self._constant(name)
+                known = self.arithmetic.constants
+                named = INTEGERS[name][0] if name in INTEGERS and name not in known else known[name]
                 return lambda known: named
             case t.Name(name):
                 return operator.itemgetter(name)
@@ -191,7 +192,8 @@ class Interpreter:
             case t.Element(array, index):
                 return self._element(of(array), [of(each) for each in index])
             case t.As(kind, inner):
-                return self._as(kind, of(inner))
+                plain, made = of(inner), self.arithmetic.number
+                return (lambda known: made(plain(known))) if kind == t.Real() else plain
             case t.Not(inner):
                 holds = of(inner)
                 return lambda known: self._select(holds(known), lambda _: False, lambda _: True, known)
@@ -209,14 +211,6 @@ class Interpreter:
                 called, given = self._called(name), [of(each) for each in arguments]
                 return lambda known: called(*[each(known) for each in given])
         raise ValueError(f"expression: expected one without addresses, got {type(value).__name__}")
-
-    def _constant(self, name: str) -> Any:
-        known = self.arithmetic.constants
-        return INTEGERS[name][0] if name in INTEGERS and name not in known else known[name]
-
-    def _as(self, kind: t.Type, inner: _Value) -> _Value:
-        number = self.arithmetic.number
-        return (lambda known: number(inner(known))) if kind == t.Real() else inner
 
     def _called(self, name: str) -> Callable[..., Any]:
         if name in self.instead:
