@@ -291,7 +291,7 @@ class Batches:
         held = [q for q in GIVEN if q in kernel.leg.inputs] + kept(kernel)
         members = (
             t.numbers("sum", sum(len(q.keys) for q in kernel.summed), LANES),
-            *(lay.stored(q, LANES, always=False) for q in held),
+            *(lay.stored(q, LANES) for q in held),
             t.Field("checked", t.Record(CHECKS.name)),
             t.Field("status", t.Integer()),
         )

@@ -151,7 +151,7 @@ class _Source(Source):
         )
         of_legs = (
             t.numbers("A", 6, LANES, meaning="H, whose columns are those of the legs"),
-            *(lay.stored(q, LANES, always=False) for q in (n.q, *terms)),
+            *(lay.stored(q, LANES) for q in (n.q, *terms)),
             *(t.numbers(name, LANES) for name in ("L", "reach", *(["k3"] if n.k3 in self.given else []))),
             t.numbers("bad", LANES, meaning="1 where the leg needs a closer look, else 0"),
         )

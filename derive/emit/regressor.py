@@ -35,7 +35,7 @@ _COLUMNS = t.Structure(
     "Columns of a pose, their rows first; what the legs are given, and lost: 1 where a number is not finite.",
     (
         t.numbers("of_legs", 6, len(_OF_LEG), LANES),
-        *(lay.stored(q, LANES, always=False) for q in _GIVEN),
+        *(lay.stored(q, LANES) for q in _GIVEN),
         t.numbers("lost", LANES),
         t.Field("checked", t.Record(CHECKS.name)),
         t.numbers("of_platform", 6, len(_OF_PLATFORM)),

@@ -78,14 +78,14 @@ class _Source(Source):
         named = (f"{name}_leg", "Constants of one leg.")
         leg = t.Structure(*(("leg_numbers", "What differs from leg to leg.") if self.baked else named), legs)
         pose = (
-            *(lay.stored(out.quantity, always=False) for out in self.of_pose),
+            *(lay.stored(out.quantity) for out in self.of_pose),
             t.numbers("q_1", 3, meaning="platform point 1 from the reference point"),
             _CLOSE,
         )
         sizes = (t.numbers("L"), t.numbers("reach"), t.numbers("arm", 3), t.numbers("column", 6))
         of_legs, platform = t.Array(t.Record(leg.name), (6,)), map(lay.described, kernel.platform_constants())
         model = (t.Field("leg", of_legs), _SIZE, *platform, _LEAST, p.PER_LENGTH)
-        prepared = (lay.stored(out.quantity, always=False) for out in kernel.prepare_platform.outputs)
+        prepared = map(lay.stored, kernel.prepare_platform.made)
         return {
             "Leg": leg,
             "Platform": t.Structure("platform_constants", "Constants of the platform.", tuple(prepared)),

@@ -93,16 +93,16 @@ class BoundedForces:
             p.ARM_CUBE,
         )
         added, slopes = (
-            [stored(part, always=False) for q in held for part in (q, err.error_of(q))]
+            [stored(part) for q in held for part in (q, err.error_of(q))]
             for held in (ADDED, _LEGS_SLOPES.values())
         )
         shared = err.with_errors(self.shared, kernel.shared.made)
-        decides = [t.numbers("D"), *(stored(q, always=False) for q in CHECKED[1:])]
+        decides = [t.numbers("D"), *map(stored, CHECKED[1:])]
         decides += [t.numbers("reach"), t.numbers("arm", 3)]
         matrices = [t.numbers(each, 6, 6) for each in ("H", "H_err")] + [t.numbers("arm", 6, 3)]
         vectors = [t.numbers(each, 6) for each in ("c", "c_err", "c_own", "L", "reach")]
         flags = [t.Field("near", t.Integer()), t.Field("close", t.Integer())]
-        row = tuple(stored(q, always=False) for q in (_Y_FORCE, _Y_MOMENT, _Y_ARM, _D_WEIGHT, n.x))
+        row = tuple(map(stored, (_Y_FORCE, _Y_MOMENT, _Y_ARM, _D_WEIGHT, n.x)))
         of_six = "The same of six forces."
         says = "Constants of one leg; `_err`: bound of the error of what has this name."
         made = {

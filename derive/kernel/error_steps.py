@@ -35,13 +35,11 @@ def erring_outputs(block: RoundedBlock) -> tuple[Output, ...]:
 def with_errors(
     block: RoundedBlock,
     quantities: Iterable[Quantity],
-    made: Callable[[Quantity], t.Field] = lambda q: stored(q, always=False),
+    made: Callable[[Quantity], t.Field] = stored,
 ) -> list[t.Field]:
     """Members for values, and for errors where there are any."""
     return [
-        field
-        for q in quantities
-        for field in (made(q), *([stored(error_of(q), always=False)] if block.inexact(q) else []))
+        field for q in quantities for field in (made(q), *([stored(error_of(q))] if block.inexact(q) else []))
     ]
 
 

@@ -215,10 +215,10 @@ def checks(leg: Block, least_length: t.Expression, least_sine: str) -> dict[str,
 # ---------------------------------------------------------------- structures and functions
 
 
-def stored(quantity: Quantity, *lanes: int, always: bool = True) -> t.Field:
-    """A member without a comment; always: as an array, a number as well."""
-    size = (len(quantity.keys),) if quantity.shape or always else ()
-    return t.Field(quantity.name, t.Array(t.Real(), (*size, *lanes)) if size or lanes else t.Real())
+def stored(quantity: Quantity, *lanes: int) -> t.Field:
+    """A member without a comment."""
+    size = (len(quantity.keys),) if quantity.shape else ()
+    return t.numbers(quantity.name, *size, *lanes)
 
 
 def unit_and_meaning(quantity: Quantity) -> str:
@@ -228,7 +228,7 @@ def unit_and_meaning(quantity: Quantity) -> str:
 
 def described(quantity: Quantity, *lanes: int) -> t.Field:
     """A member with its unit and meaning."""
-    return replace(stored(quantity, *lanes, always=False), meaning=unit_and_meaning(quantity))
+    return replace(stored(quantity, *lanes), meaning=unit_and_meaning(quantity))
 
 
 def structure(name: str, meaning: str, quantities: Iterable[Quantity], *more: t.Field) -> t.Structure:

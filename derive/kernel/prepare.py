@@ -36,14 +36,12 @@ ROBOT = t.Structure(
     "",
     (
         t.Field("leg", t.Array(t.Record("stewart_leg"), (6,))),
-        *(lay.stored(q, always=False) for q in n.PLATFORM),
+        *map(lay.stored, n.PLATFORM),
     ),
 )
-LEG = t.Structure("stewart_leg", "", tuple(lay.stored(q, always=False) for q in n.OF_LEG))
-MOTION = t.Structure("stewart_motion", "", tuple(lay.stored(q, always=False) for q in n.MOTION))
-LUMPED = t.Structure(
-    "lumped_terms", "What a leg adds to the platform.", tuple(lay.stored(q, always=False) for q in ADDED)
-)
+LEG = t.Structure("stewart_leg", "", tuple(map(lay.stored, n.OF_LEG)))
+MOTION = t.Structure("stewart_motion", "", tuple(map(lay.stored, n.MOTION)))
+LUMPED = t.Structure("lumped_terms", "What a leg adds to the platform.", tuple(map(lay.stored, ADDED)))
 
 
 def raw_structures(kernel: ForceKernel) -> tuple[t.Structure, t.Structure]:
