@@ -48,7 +48,11 @@ SUBCOMMANDS = {
     "bench": "studies.bench",
     "stability": "studies.stability",
 }
-"""Module of each subcommand, in the order of the help: ``HELP``, ``EXAMPLE``, ``add_arguments``, ``run``."""
+"""Module of each subcommand, in the order of the help.
+
+``HELP``, ``EXAMPLE`` and perhaps ``MORE`` are texts of its help; ``add_arguments`` tells a parser of its
+arguments, ``run`` takes them and returns the exit code.
+"""
 
 
 def main(argv: Sequence[str] | None = None) -> int:

@@ -13,6 +13,5 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Run ``cmake-dir``; returns the exit code."""
     print(Path(str(files("stewart_sym"))) / "cmake")
     return 0

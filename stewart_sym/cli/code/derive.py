@@ -14,7 +14,6 @@ EXAMPLE = "stewart-sym derive --check"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Arguments of ``derive``."""
     parser.add_argument(
         "--check", action="store_true", help="write nothing; exit 1 with the names of files that differ"
     )
@@ -22,7 +21,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Run ``derive``; returns the exit code."""
     from ...io.writing import result_folder, staged_folder
     from ...studies.common.report import Report
 

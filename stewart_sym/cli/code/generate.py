@@ -21,7 +21,6 @@ MORE = (
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Arguments of ``generate``."""
     robot_file(parser)
     parser.add_argument(
         "--functions",
@@ -73,7 +72,6 @@ def _language(name: str) -> str:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Run ``generate``; returns the exit code."""
     from ...kit import Choice, kit_names, write_kit
 
     robot = robot_of(arguments.robot)

@@ -21,13 +21,11 @@ MORE = (
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Arguments of ``check``."""
     robot_file(parser)
     output(parser, "DIR", "folder for the report and a picture", "none is written", pictures=True)
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Run ``check``; returns the exit code."""
     from ...studies.reports.describe import report
 
     with results(arguments, "report") as (take, _):

@@ -19,7 +19,6 @@ MORE = (
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Arguments of ``export``."""
     robot_file(parser)
     parser.add_argument(
         "--format",
@@ -31,7 +30,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Run ``export``; returns the exit code."""
     from ...exchange.files import BEGINNINGS, export_model, loops_path
     from ...io.writing import result_file
     from ...studies.common.report import Report

@@ -27,7 +27,6 @@ MORE = (
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Arguments of ``forces``."""
     robot_file(parser)
     parser.add_argument(
         "trajectory", metavar="TRAJECTORY.csv", type=Path, help="times and poses, or leg lengths"
@@ -58,7 +57,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Run ``forces``; returns the exit code."""
     from ...io.writing import result_file
     from ...motion.interpolation import between
     from ...motion.log_rates import noise_text

@@ -28,7 +28,6 @@ MORE = (
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Arguments of ``identify``."""
     robot_file(parser)
     parser.add_argument(
         "--measured",
@@ -93,7 +92,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Run ``identify``; returns the exit code."""
     from ...studies.reports.identify import doubts
 
     with results(arguments, "report", "trajectory.csv") as (take, progress):

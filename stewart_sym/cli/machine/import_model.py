@@ -18,13 +18,11 @@ _BEGINNING = "# Imported by stewart-sym"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Arguments of ``import``."""
     parser.add_argument("model", metavar="MODEL", type=Path, help="model in MJCF, SDF or URDF")
     output(parser, "ROBOT.toml", "file to write, - for standard output", None)
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Run ``import``; returns the exit code."""
     from ...exchange.files import import_model
     from ...io.arguments import safe_text
     from ...io.toml_text import toml_text

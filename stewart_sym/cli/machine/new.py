@@ -34,7 +34,6 @@ _ANGLE = 20.0
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Arguments of ``new``."""
     parser.add_argument("--name", default="robot", help="of the machine; default: robot")
     parser.add_argument(
         "--length-unit", choices=("m", "cm", "mm", "in"), default="m", help="of all lengths; default: m"
@@ -51,7 +50,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Run ``new``; returns the exit code."""
     from ...io.writing import result_file
     from ...robot.draft import Draft
     from ...robot.robot import Robot

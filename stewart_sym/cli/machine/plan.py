@@ -35,7 +35,6 @@ _LEAST = ("time", "energy", "peak-force")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Arguments of ``plan``."""
     parser.add_argument("via", metavar="VIA.toml", type=Path, help="file of via poses, schema 1")
     parser.add_argument(
         "--least", choices=_LEAST, help="what is made least, in place of the file's least; default: time"
@@ -47,7 +46,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Run ``plan``; returns the exit code."""
     from ...drives.effort import DriveLimitWarning
     from ...planning.certificate import certify_plan
     from ...planning.plan_file import read_plan

@@ -11,13 +11,11 @@ MORE = "Each file cites its source and says what is assumed. In Python: ss.robot
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Arguments of ``robots``."""
     parser.add_argument("--show", metavar="NAME", help="print the robot file of this machine")
     output(parser, "ROBOT.toml", "with --show: file to write a copy to", "standard output")
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Run ``robots``; returns the exit code."""
     from ...io.arguments import option
     from ...io.writing import result_file
     from ...robots import NAMES, load, text

@@ -29,7 +29,6 @@ MORE = (
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Arguments of ``simulate``."""
     parser.add_argument("scene", metavar="SCENE.toml", type=Path, help="scene file, schema 1")
     parser.add_argument(
         "--energy-drift",
@@ -40,7 +39,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Run ``simulate``; returns the exit code."""
     from ...simulation.actuator_models import LegSprings
     from ...simulation.scene import read_scene
     from ...studies.reports import energy_drift, run

@@ -22,7 +22,6 @@ MORE = (
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Arguments of ``singularities``."""
     robot_file(parser)
     parser.add_argument("path", metavar="PATH", help="I, II or III of the paper, or a CSV file as for forces")
     formulation(parser)
@@ -31,7 +30,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Run ``singularities``; returns the exit code."""
     from ...kinematics.mounting import path_for
     from ...motion.interpolation import between
     from ...motion.straight_line import PATHS

@@ -20,7 +20,6 @@ MORE = (
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Arguments of ``size``."""
     robot_file(parser)
     parser.add_argument(
         "trajectories", metavar="TRAJECTORY.csv", nargs="+", type=Path, help="times and poses, or leg lengths"
@@ -51,7 +50,6 @@ _MOST_MARGIN = 5.0
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Run ``size``; returns the exit code."""
     from ...design.size import QUANTILES, checked_quantiles, exceeded, margin_missing, size
     from ...studies.design.size import report, views
 

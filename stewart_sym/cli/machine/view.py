@@ -31,7 +31,6 @@ _DEFAULT = Path("machine.html")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Arguments of ``view``."""
     parser.add_argument("robot", metavar="ROBOT.toml", type=Path, nargs="?", help="robot file, schema 1 or 2")
     parser.add_argument(
         "motion", metavar="MOTION", nargs="?", help="I, II, III, a CSV file, or what simulate wrote"
@@ -42,7 +41,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Run ``view``; returns the exit code."""
     from ...io.writing import result_file
     from ...studies.common.report import Report
     from ...viewer.page import BEGINNING

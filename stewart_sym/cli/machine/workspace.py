@@ -29,7 +29,6 @@ _RANGES = ("X", "X", "Y", "Y", "Z", "Z")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Arguments of ``workspace``."""
     robot_file(parser)
     parser.add_argument(
         "--kind",
@@ -74,7 +73,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Run ``workspace``; returns the exit code."""
     import numpy as np
 
     from ...design.pose_limits import PoseExaminer, PoseLimits

@@ -23,7 +23,6 @@ MORE = (
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Arguments of ``advise``."""
     parser.add_argument("scene", metavar="SCENE.toml", type=Path, help="scene file, schema 1")
     json_file(parser)
     parser.add_argument(
@@ -36,7 +35,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Run ``advise``; returns the exit code."""
     from ...kit import Choice, write_kit
     from ...studies.accuracy import advice
     from ...studies.accuracy.budget import read_budget

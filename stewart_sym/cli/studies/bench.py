@@ -16,14 +16,12 @@ MORE = (
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Arguments of ``bench``."""
     parser.add_argument("--quick", action="store_true", help="fewer rounds and smaller batches")
     other_robot(parser)
     output(parser, "DIR", "folder to write to", Path("bench"), html=True)
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Run ``bench``; returns the exit code."""
     from ...studies.benchmark.bench import bench
     from ...studies.benchmark.plot import full_report
 

@@ -18,13 +18,11 @@ MORE = (
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Arguments of ``chart``."""
     parser.add_argument("scene", metavar="SCENE.toml", type=Path, nargs="?", help="scene file, schema 1")
     output(parser, "DIR", "folder to write to", Path("chart"), pictures=True)
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Run ``chart``; returns the exit code."""
     from ...robots import dasgupta1998
     from ...studies.accuracy.budget import papers_motions, read_budget
     from ...studies.accuracy.charts import full_report

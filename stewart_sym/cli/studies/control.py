@@ -19,7 +19,6 @@ MORE = (
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Arguments of ``control``."""
     parser.add_argument("--path", choices=("I", "II"), help="track this path alone; default: both")
     other_robot(parser)
     parser.add_argument(
@@ -29,7 +28,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Run ``control``; returns the exit code."""
     from ...studies.control import control
     from ...studies.control.report import full_report
 

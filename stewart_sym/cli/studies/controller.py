@@ -20,7 +20,6 @@ MORE = (
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Arguments of ``controller``."""
     parser.add_argument(
         "robot",
         metavar="ROBOT.toml",
@@ -35,7 +34,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Run ``controller``; returns the exit code."""
     from ...robots import dasgupta1998
     from ...studies.microcontroller import measure
     from ...studies.microcontroller.report import full_report

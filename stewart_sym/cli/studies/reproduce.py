@@ -11,12 +11,10 @@ EXAMPLE = "stewart-sym reproduce -o reproduce"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Arguments of ``reproduce``."""
     output(parser, "DIR", "folder to write to", Path("reproduce"), pictures=True, html=True)
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Run ``reproduce``; returns the exit code."""
     from ...studies.paper.report import full_report
     from ...studies.paper.reproduce import reproduce
 

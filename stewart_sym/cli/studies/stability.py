@@ -21,7 +21,6 @@ CASES = 1_000_000
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Arguments of ``stability``."""
     parser.add_argument(
         "--cases", metavar="N", type=whole, help=f"random cases near failure; with -o {CASES:,}"
     )
@@ -30,7 +29,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Run ``stability``; returns the exit code."""
     from ...studies.common.report import Report
     from ...studies.robustness import study
     from ...studies.robustness.pictures import pictures
