@@ -78,7 +78,6 @@ def run(arguments: argparse.Namespace) -> int:
     from ...design.pose_limits import PoseExaminer, PoseLimits
     from ...design.workspace import workspace
     from ...studies.design.workspace import report, slices
-    from ...studies.design.workspace_plot import pictures
 
     robot = robot_of(arguments.robot)
     limits = PoseLimits(
@@ -106,9 +105,7 @@ def run(arguments: argparse.Namespace) -> int:
         if found.clear == 0.0:
             what = _broken(PoseExaminer(robot, limits), found)
             warnings.warn(f"the pose in the middle breaks a limit, {what}", stacklevel=2)
-        planes = slices(robot, limits, found, progress)
-        figures = pictures(robot.name, found, planes)
-        take(report(robot, limits, found, planes, figures))
+        take(report(robot, limits, found, slices(robot, limits, found, progress)))
     return 0
 
 

@@ -1,4 +1,7 @@
-"""What ``size`` writes: what motions need of every actuator and joint, beside the robot's limits."""
+"""What ``size`` writes: what motions need of every actuator and joint, beside the robot's limits.
+
+The picture has force over speed, shares of the time, strokes, joint angles.
+"""
 
 from __future__ import annotations
 
@@ -14,15 +17,27 @@ from ...motion.trajectory import PoseLog, Trajectory
 from ...robot.robot import LEGS, Robot
 from ...viewer.instants import of_trajectory
 from ...viewer.view import View
+from ..common.drawing import DARK, LEG_COLORS, Axes, Figure, as_written, legend_below, new_figure
 from ..common.output import aligned, csv_text
-from ..common.report import Report
-from .size_plot import pictures
+from ..common.report import SMALL, Picture, Report
+
+_UNITS = (
+    {"force": "N", "speed": "m/s", "power": "W", "push": "N", "pull": "N", "rms_force": "N", "driving": "W"}
+    | {"braking": "W", "length": "m", "stroke": "m", "base_angle": "rad", "platform_angle": "rad"}
+    | {"torque": "N m", "motor_speed": "rad/s", "current": "A", "motor_power": "W", "rms_torque": "N m"}
+)
+"""Of what is given for programs."""
+
+_LIMIT: dict[str, Any] = {"color": "#9c1f1f", "linestyle": (0, (4, 2)), "linewidth": 1.1}
+_MOST = 4000
+"""Points of a leg that are drawn."""
 
 
 def report(robot: Robot, sources: Sequence[str], needs: Needs) -> Report:
     """Text, figures for programs, a row for each need as a table, and a picture."""
     text, tables = _text(robot, sources, needs), {"needs": _table(needs)}
-    return Report(text, tables, _data(robot, sources, needs), pictures(robot, needs))
+    figures = {"size": Picture(lambda: figure(robot, needs), SMALL)}
+    return Report(text, tables, _data(robot, sources, needs), figures)
 
 
 def views(
@@ -47,9 +62,8 @@ def share_text(share: float) -> str:
 
 def rows(needs: Needs) -> Iterator[tuple[str, str, Array]]:
     """Name, unit and value for each leg, (6,), of every need, without the margin."""
-    of_motor = (("torque", "N m"), ("motor_speed", "rad/s"), ("current", "A"), ("motor_power", "W"))
-    for name, unit in (("force", "N"), ("speed", "m/s"), ("power", "W"), *of_motor):
-        values = getattr(needs, name)
+    for name in ("force", "speed", "power", "torque", "motor_speed", "current", "motor_power"):
+        unit, values = _UNITS[name], getattr(needs, name)
         for share, at in zip(needs.quantiles, () if values is None else values, strict=values is not None):
             yield f"{name.replace('_', ' ')}, {share_text(float(share))}", unit, at
         if name == "force":
@@ -96,15 +110,7 @@ def _text(robot: Robot, sources: Sequence[str], needs: Needs) -> str:
 
 
 def _data(robot: Robot, sources: Sequence[str], needs: Needs) -> dict[str, Any]:
-    names = ("force", "speed", "power", "push", "pull", "rms_force", "driving", "braking", "length", "stroke")
-    angles = ("base_angle", "platform_angle")
-    motors = ("torque", "motor_speed", "current", "motor_power", "rms_torque")
-    units = dict.fromkeys(("force", "push", "pull", "rms_force"), "N")
-    units |= dict.fromkeys(("power", "driving", "braking", "motor_power"), "W") | {"speed": "m/s"}
-    units |= dict.fromkeys(("length", "stroke"), "m") | dict.fromkeys(angles, "rad")
-    units |= {"torque": "N m", "rms_torque": "N m", "motor_speed": "rad/s", "current": "A"}
-    found = {name: getattr(needs, name) for name in (*names, *angles, *motors)}
-    kept = {name: value for name, value in found.items() if value is not None}
+    kept = {name: getattr(needs, name) for name in _UNITS if getattr(needs, name) is not None}
     return {
         "robot": robot.name,
         "motions": list(sources),
@@ -113,10 +119,100 @@ def _data(robot: Robot, sources: Sequence[str], needs: Needs) -> dict[str, Any]:
         **kept,
         "exceeded": exceeded(robot, needs),
         "margin_missing": margin_missing(robot, needs),
-        "units": {name: units[name] for name in kept},
+        "units": {name: _UNITS[name] for name in kept},
     }
 
 
 def _table(needs: Needs) -> str:
     header = ("need", "unit", *(f"leg{leg + 1}" for leg in range(LEGS)))
     return csv_text([header, *((name, unit, *values.tolist()) for name, unit, values in rows(needs))])
+
+
+def figure(robot: Robot, needs: Needs) -> Figure:
+    """Four panels; of a robot with drives six."""
+    driven = needs.course.torque is not None
+    drawn = new_figure(15.5 if driven else 11.0, 8.2)
+    panels = drawn.subplots(2, 3 if driven else 2)
+    course = needs.course
+    _plane(panels[0, 0], course.L_dot, course.F, robot.speed_limit, robot.force_limit)
+    panels[0, 0].set(xlabel="rate of length, m/s", ylabel="actuator force, N")
+    _shares(panels[0, 1], np.abs(course.F), course.weight, robot.force_limit)
+    panels[0, 1].set(xlabel="share of the time, %", ylabel="size of the force exceeded, N")
+    _strokes(panels[1, 0], robot, needs)
+    _angles(panels[1, 1], robot, needs)
+    if course.torque is not None and course.motor_speed is not None and robot.drive is not None:
+        drive = robot.drive
+        speed, torque = (np.asarray(limit) for limit in (drive.speed_limit, drive.torque_limit))
+        _plane(panels[0, 2], course.motor_speed, course.torque, speed, torque)
+        panels[0, 2].set(xlabel="motor speed, rad/s", ylabel="motor torque, N m")
+        _shares(panels[1, 2], np.abs(course.torque), course.weight, torque)
+        panels[1, 2].set(xlabel="share of the time, %", ylabel="size of the torque exceeded, N m")
+    margin = f"margin {100.0 * needs.margin:g} %: pale" if needs.margin else "no margin"
+    drawn.suptitle(f"{as_written(robot.name)}: what the motions need; limits dashed; {margin}", fontsize=10.0)
+    handles = [
+        panels[0, 0].plot([], [], marker="o", linestyle="", color=color, label=f"leg {leg + 1}")[0]
+        for leg, color in enumerate(LEG_COLORS)
+    ]
+    legend_below(drawn, handles)
+    return drawn
+
+
+def _plane(axes: Axes, rate: Array, effort: Array, most_rate: Array, most_effort: Array) -> None:
+    """Each leg's effort over its rate, and the limits that are near enough to be in the picture."""
+    step = max(1, len(rate) // _MOST)
+    for leg, color in enumerate(LEG_COLORS):
+        axes.plot(rate[::step, leg], effort[::step, leg], color=color, linewidth=0.8, alpha=0.8)
+    across, along = 1.1 * np.abs(rate).max() or 1.0, 1.1 * np.abs(effort).max() or 1.0
+    axes.axhline(0.0, color=DARK, linewidth=0.7)
+    axes.axvline(0.0, color=DARK, linewidth=0.7)
+    for limit, size, draw in ((most_rate, across, axes.axvline), (most_effort, along, axes.axhline)):
+        for value in np.unique(limit[np.isfinite(limit)]):
+            for side in (-value, value) if value < 3.0 * size else ():
+                draw(side, **_LIMIT)
+
+
+def _shares(axes: Axes, sizes: Array, weight: Array, limit: Array) -> None:
+    """For which share of the time each leg's effort, (n, 6), is above a size."""
+    for leg, color in enumerate(LEG_COLORS):
+        order = np.argsort(-sizes[:, leg])
+        above = np.cumsum(weight[order]) / weight.sum()
+        axes.plot(100.0 * above, sizes[order, leg], color=color, linewidth=1.1)
+    for value in np.unique(limit[np.isfinite(limit)]):
+        if value < 3.0 * sizes.max():
+            axes.axhline(value, **_LIMIT)
+    axes.set_xlim(0.0, 100.0)
+    axes.set_ylim(bottom=0.0)
+
+
+def _strokes(axes: Axes, robot: Robot, needs: Needs) -> None:
+    """Lengths that each leg takes, with the margin, and its limits."""
+    more = 0.5 * needs.margin * needs.stroke
+    for leg, color in enumerate(LEG_COLORS):
+        low, high = needs.length[leg]
+        axes.bar(
+            leg + 1, high - low + 2.0 * more[leg], bottom=low - more[leg], color=color, alpha=0.3, width=0.6
+        )
+        axes.bar(leg + 1, high - low, bottom=low, color=color, width=0.6)
+        for limit in robot.length_limits[leg]:
+            if np.isfinite(limit) and limit > 0.0:
+                axes.hlines(limit, leg + 0.6, leg + 1.4, **_LIMIT)
+    axes.set(xlabel="leg", ylabel="length, m", xticks=range(1, LEGS + 1))
+    axes.margins(y=0.08)
+
+
+def _angles(axes: Axes, robot: Robot, needs: Needs) -> None:
+    """Largest angles of the joints at the base, left, and at the platform, right and hatched."""
+    ends = ((needs.base_angle, -0.2, ""), (needs.platform_angle, 0.2, "///"))
+    for end, (angles, shift, hatch) in enumerate(ends):
+        for leg, color in enumerate(LEG_COLORS):
+            place, angle = leg + 1 + shift, np.degrees(angles[leg])
+            axes.bar(place, angle * (1.0 + needs.margin), color=color, alpha=0.3, width=0.36)
+            axes.bar(place, angle, color=color, width=0.36, hatch=hatch, edgecolor="white")
+            limit = robot.joint_angle_limit[leg, end]
+            if limit < np.pi:
+                axes.hlines(np.degrees(limit), place - 0.2, place + 0.2, **_LIMIT)
+    axes.set(
+        xlabel="leg; base joint left, platform joint right, hatched",
+        ylabel="joint angle, degrees",
+        xticks=range(1, LEGS + 1),
+    )

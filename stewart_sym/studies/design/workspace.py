@@ -1,23 +1,28 @@
-"""What ``workspace`` writes: volume, what bounds it, and planes through the pose in the middle."""
+"""What ``workspace`` writes: volume, what bounds it, and planes through the pose in the middle.
+
+The picture has the planes, by condition number and broken limit.
+"""
 
 from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ...design.pose_limits import REASONS, PoseExaminer, PoseLimits
+from ...design.pose_limits import INSIDE, REASONS, PoseExaminer, PoseLimits
 from ...design.workspace import Workspace
 from ...io.array_types import Array
 from ...io.progress import Progress, tracked
 from ...motion.rotation import rotation_from_rpy
 from ...robot.robot import Robot
+from ..common.drawing import DARK, Axes, Figure, as_written, legend_below, new_figure
 from ..common.output import aligned, csv_text
-from ..common.report import Picture, Report
+from ..common.report import SMALL, Picture, Report
 
 POINTS = 121
 """How many poses a slice has along each axis."""
@@ -27,6 +32,14 @@ _ENDS = np.array([[-math.inf, math.inf]] * 3 + [[-math.pi, math.pi]] * 3)
 _ENDS[4] *= 0.5
 # A slice reaches beyond the poses within the limits, on each side by this share of their width.
 _MARGIN = 0.12
+
+_OUTSIDE = ("#ffffff", "#d9d9d9", "#c6d8ee", "#e6cfe8", "#f3d9b1", "#f4c2c2", "#d5e8c8")
+"""Colours of the limits, in the order of ``REASONS``; what is inside is coloured by its condition number."""
+_MOST = 100.0
+# The colours span at least this ratio of condition numbers.
+_LEAST_RATIO = 1.5
+# Width of a row of panels, inches; least and greatest width over height of a panel.
+_WIDTH, _SHAPES = 9.4, (0.4, 2.5)
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,10 +85,8 @@ def _ends(found: Workspace, axis: int, row: int) -> Array:
     return np.asarray(np.clip([low - wider, high + wider], *_ENDS[axis]))
 
 
-def report(
-    robot: Robot, limits: PoseLimits, found: Workspace, planes: list[Slice], figures: Mapping[str, Picture]
-) -> Report:
-    """Text, figures for programs, the planes as a table, and the pictures given."""
+def report(robot: Robot, limits: PoseLimits, found: Workspace, planes: list[Slice]) -> Report:
+    """Text, figures for programs, and the planes as a table and a picture."""
     data = {
         "robot": robot.name,
         "kind": found.kind,
@@ -99,10 +110,11 @@ def report(
         "poses": found.poses,
         "units": {"box": _names(found), "extent": _names(found), "clear": _clear_unit(found)},
     }
+    figures = {"slices": Picture(lambda: figure(robot.name, found, planes), SMALL)}
     return Report(_text(robot, limits, found), {"slices": _table(planes)}, data, figures)
 
 
-def title(found: Workspace) -> str:
+def _title(found: Workspace) -> str:
     """Which workspace it is, in words."""
     t, theta = (", ".join(f"{x:.4g}" for x in values) for values in (found.position, found.angles))
     return {
@@ -115,7 +127,7 @@ def title(found: Workspace) -> str:
 def _text(robot: Robot, limits: PoseLimits, found: Workspace) -> str:
     lines = [
         f"robot      {robot.name}",
-        f"workspace  {title(found)}",
+        f"workspace  {_title(found)}",
         f"limits     {', '.join(_limits(robot, limits)) or 'none'}",
         f"volume     {found.volume:.6g} +- {found.error:.1g} {found.unit}, of {found.poses:,} poses",
     ]
@@ -165,3 +177,79 @@ def _table(planes: list[Slice]) -> str:
         numbers = (each.ravel().tolist() for each in (first, second, plane.codes, plane.condition))
         rows += [(axes, a, b, REASONS[code], kappa) for a, b, code, kappa in zip(*numbers, strict=True)]
     return csv_text(rows)
+
+
+def figure(name: str, found: Workspace, planes: list[Slice]) -> Figure:
+    """A panel for each plane; ``name``: of the robot."""
+    shapes = np.array([_shape(plane) for plane in planes]).reshape(-1, 3)
+    # A row is as wide as the picture; a picture of one row has panels of one height.
+    widths = _WIDTH * shapes.mean(axis=0) / shapes.mean(axis=0).sum()
+    heights = (widths / shapes).max(axis=1)
+    drawn = new_figure(12.0, 1.6 + float(np.sum(heights + 0.6)))
+    from matplotlib.patches import Patch
+    from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+
+    panels = drawn.subplots(
+        len(shapes), 3, squeeze=False, width_ratios=widths.tolist(), height_ratios=heights.tolist()
+    )
+    norm = _norm(planes)
+    mesh: Any = None
+    for axes, plane in zip(panels.ravel(), planes, strict=True):
+        mesh = _draw(axes, plane, norm)
+        middle = np.concatenate([found.position, found.angles])
+        scale = _scale(plane)
+        axes.plot(*(scale * middle[list(plane.axes)]), marker="+", color=DARK, markersize=9.0)
+    bar = drawn.colorbar(mesh, ax=panels, label="scaled condition number", shrink=0.8, extend="max")
+    bar.ax.yaxis.set_major_locator(LogLocator(subs=(1.0, 1.5, 2.0, 3.0, 5.0, 7.0)))
+    bar.ax.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:.4g}"))
+    bar.ax.yaxis.set_minor_formatter(NullFormatter())
+    size = f"{found.volume:.4g} ± {found.error:.1g} {found.unit.replace('^3', '³')}"
+    drawn.suptitle(
+        f"{as_written(name)}: {_title(found)}\n{size}; planes through the pose marked +", fontsize=10.0
+    )
+    broken = sorted({int(code) for plane in planes for code in np.unique(plane.codes)} - {INSIDE})
+    handles = [Patch(facecolor=_OUTSIDE[code], label=REASONS[code]) for code in broken]
+    if handles:
+        legend_below(drawn, handles, title="first limit that breaks")
+    return drawn
+
+
+def _shape(plane: Slice) -> float:
+    """Width over height of a panel, within what a picture has room for."""
+    return float(np.clip(np.ptp(plane.first) / np.ptp(plane.second), *_SHAPES))
+
+
+def _norm(planes: list[Slice]) -> Any:
+    from matplotlib.colors import LogNorm
+
+    inside = np.concatenate([plane.condition[plane.codes == INSIDE] for plane in planes])
+    inside = inside[np.isfinite(inside)]
+    low = float(inside.min(initial=_MOST))
+    high = float(np.quantile(inside, 0.99)) if inside.size else _MOST
+    return LogNorm(low, min(max(high, _LEAST_RATIO * low), max(_MOST, _LEAST_RATIO * low)))
+
+
+def _scale(plane: Slice) -> float:
+    return 1.0 if plane.axes[0] < 3 else float(np.degrees(1.0))
+
+
+def _draw(axes: Axes, plane: Slice, norm: Any) -> Any:
+    from matplotlib.colors import ListedColormap
+
+    first, second = _scale(plane) * plane.first, _scale(plane) * plane.second
+    colors = ListedColormap(list(_OUTSIDE))
+    axes.grid(False)
+    axes.pcolormesh(
+        first, second, plane.codes.T, cmap=colors, vmin=-0.5, vmax=len(_OUTSIDE) - 0.5, rasterized=True
+    )
+    shown = np.ma.masked_where(plane.codes != INSIDE, plane.condition)
+    mesh = axes.pcolormesh(first, second, shown.T, cmap="viridis_r", norm=norm, rasterized=True)
+    if 0 < np.count_nonzero(plane.codes == INSIDE) < plane.codes.size:
+        axes.contour(
+            first, second, (plane.codes == INSIDE).T.astype(float), levels=[0.5], colors=DARK, linewidths=0.9
+        )
+    axes.set_aspect("equal")
+    unit = "m" if plane.axes[0] < 3 else "degrees"
+    names = [AXES[i] if i < 3 else ("roll", "pitch", "yaw")[i - 3] for i in plane.axes]
+    axes.set(xlabel=f"{names[0]}, {unit}", ylabel=f"{names[1]}, {unit}")
+    return mesh
