@@ -51,7 +51,6 @@ def run(arguments: argparse.Namespace) -> int:
     from ...planning.plan_file import read_plan
     from ...planning.time_path import time_path
     from ...studies.reports import plan
-    from ...studies.reports.plan_plot import pictures
 
     need("scipy", "planning")
     request = read_plan(arguments.via)
@@ -78,7 +77,7 @@ def run(arguments: argparse.Namespace) -> int:
         )
         progress("checking the plan")
         found = plan.Plan(robot, planned, timed, certify_plan(timed), request.rate)
-        take(plan.report(found, pictures(found)))
+        take(plan.report(found))
     for line in [] if found.motors is None else found.motors.summary.exceeded(_BETWEEN):
         warnings.warn(f"drive: {line}", DriveLimitWarning, stacklevel=2)
     if len(found.times) < FEW_ROWS:

@@ -1,6 +1,6 @@
 """A plan as ``plan`` writes it: trajectory, summary, figures for programs, pictures."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -17,12 +17,12 @@ from ...motion.rotation import rpy_from_rotation, vector_from_rotation
 from ...motion.straight_line import MOST_STEPS
 from ...planning.certificate import PlanCertificate
 from ...planning.plan_path import Conditions, PlannedPath
-from ...planning.pose_path import PosePath
 from ...planning.time_path import TimedPath
 from ...planning.timing.path_terms import force_limits
 from ...robot.robot import Robot
 from ...viewer.instants import of_motion
 from ...viewer.view import View
+from ..common.drawing import BLUE, GREY, LEG_COLORS, RED, Figure, legend_below, log_numbers, new_figure
 from ..common.motion_columns import trajectory_columns
 from ..common.output import Columns, of_legs
 from ..common.report import Picture, Report
@@ -30,6 +30,8 @@ from .drives import DriveDigest
 
 # At so many instants the motors are computed: accelerations jump where another limit becomes active.
 _INSTANTS = 10_001
+# So many are drawn of the forces, and so many poses of a path's condition numbers.
+_DRAWN, _POSES = 4001, 801
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,13 +102,18 @@ def conditions(robot: Robot, motion: Motion) -> Array:
     return scaled_condition_number(wrench_matrix(robot, motion), characteristic_length(robot) or 1.0)
 
 
-def report(plan: Plan, figures: Mapping[str, Picture]) -> Report:
-    """Everything about a plan, with its pictures, or none."""
+def report(plan: Plan) -> Report:
+    """Everything about a plan, with its pictures."""
     tables = {
         "trajectory": trajectory_columns(plan.robot, plan.times, plan.timed.sample(plan.times)),
         "path": along(plan, plan.times),
     }
     text = summary(plan) if plan.motors is None else f"{summary(plan)}\n\n{plan.motors.table()}"
+    figures = {
+        "condition": Picture(lambda: condition_figure(plan)),
+        "forces": Picture(lambda: forces_figure(plan)),
+        "phase_plane": Picture(lambda: phase_figure(plan)),
+    }
     return Report(text, tables, data(plan), figures, {"motion": lambda: planned_view(plan)})
 
 
@@ -210,7 +217,58 @@ def data(plan: Plan) -> dict[str, Any]:
     }
 
 
-def path_conditions(robot: Robot, path: PosePath, count: int = 801) -> tuple[Array, Array]:
-    """Parameters and condition numbers along a path."""
-    s = np.linspace(0.0, 1.0, count)
-    return s, conditions(robot, path(s))
+def condition_figure(plan: Plan) -> Figure:
+    """Condition numbers of the planned and of the straight path, by their parameter."""
+    figure = new_figure(8.0, 4.4)
+    axes = figure.subplots()
+    planned = plan.planned
+    s = np.linspace(0.0, 1.0, _POSES)
+    for path, name, color in ((planned.straight, "straight spline", GREY), (planned.path, "planned", BLUE)):
+        axes.semilogy(s, conditions(plan.robot, path(s)), color=color, linewidth=1.4, label=name)
+    for via in planned.path.via:
+        axes.axvline(via, color=GREY, linewidth=0.7, linestyle=(0, (4, 3)))
+    label = "path parameter s; via poses dashed"
+    axes.set(xlim=(0.0, 1.0), xlabel=label, ylabel="scaled condition number of H")
+    log_numbers(axes.yaxis)
+    legend_below(figure)
+    return figure
+
+
+def forces_figure(plan: Plan) -> Figure:
+    """Forces of the legs over their limits, or in N where one has none."""
+    figure = new_figure(8.0, 4.6)
+    axes = figure.subplots()
+    limits = force_limits(plan.robot, plan.timed.limits)
+    bounded = bool(np.isfinite(limits).all())
+    columns = along(plan, np.linspace(0.0, plan.timed.duration, _DRAWN))
+    for leg, color in enumerate(LEG_COLORS):
+        values = columns[f"F{leg + 1}"] / (limits[leg] if bounded else 1.0)
+        axes.plot(columns["time"], values, color=color, linewidth=1.2, label=f"leg {leg + 1}")
+    for bound in (-1.0, 1.0) if bounded else ():
+        axes.axhline(bound, color=RED, linewidth=0.9, linestyle=(0, (4, 2)))
+    label = "force over its limit" if bounded else "force, N"
+    axes.set(xlim=(0.0, plan.timed.duration), xlabel="time, s", ylabel=label)
+    legend_below(figure)
+    return figure
+
+
+def phase_figure(plan: Plan) -> Figure:
+    """s' over s: the motion, where no acceleration is possible, from where it can stop."""
+    figure = new_figure(8.0, 4.6)
+    axes = figure.subplots()
+    phase, nodes = plan.timed.profile.phase, plan.timed.profile.nodes
+    top = 1.6 * float(nodes.rate.max())
+    curves: list[tuple[Array, str, str, Any]] = [(nodes.rate, "motion", BLUE, "solid")]
+    if plan.timed.profile.ease is None:
+        most, stops = np.sqrt(phase.most), np.sqrt(phase.stops)
+        curves.insert(0, (stops, "rest at the end is out of reach above", RED, (0, (1, 1))))
+        curves.insert(0, (most, "no acceleration keeps the limits above", GREY, (0, (4, 2))))
+    for rates, name, color, style in curves:
+        values = np.minimum(rates, 2.0 * top)
+        axes.plot(nodes.s, values, color=color, linewidth=1.3, linestyle=style, label=name)
+    for s in plan.planned.path.via:
+        axes.axvline(s, color=GREY, linewidth=0.6, linestyle=(0, (4, 3)))
+    axes.set(xlim=(nodes.s[0], nodes.s[-1]), ylim=(0.0, top))
+    axes.set(xlabel="path parameter s; via poses dashed", ylabel="its rate, 1/s")
+    legend_below(figure)
+    return figure
