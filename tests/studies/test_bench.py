@@ -18,10 +18,9 @@ from stewart_sym.io.extras import EXTRAS
 from stewart_sym.robot.bodies import tensors_of_bodies
 from stewart_sym.robot.robot import Robot
 from stewart_sym.studies.benchmark import baselines, bench, equation_kernels, reductions
-from stewart_sym.studies.benchmark.baselines import JAX, Candidate, Runner, jax_one_pose
-from stewart_sym.studies.benchmark.called import Called
+from stewart_sym.studies.benchmark.baselines import JAX, Called, Candidate, Runner, jax_one_pose
 from stewart_sym.studies.benchmark.engines.drake_inverse import drake_inverse
-from stewart_sym.studies.benchmark.engines.pinocchio_rnea import pinocchio_rnea
+from stewart_sym.studies.benchmark.engines.pinocchio import pinocchio_rnea
 from stewart_sym.studies.benchmark.engines.tree import tree
 from stewart_sym.studies.benchmark.equation_kernels import engines
 from stewart_sym.studies.benchmark.poses import Poses, bench_poses

@@ -2,7 +2,7 @@
 
 import ctypes
 import functools
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -12,14 +12,13 @@ from numpy.typing import NDArray
 from ...backend import kernel, native
 from ...backend.c_kernel import address
 from ...dynamics.arrays import array_kernel
-from ...io.array_types import Array
+from ...io.array_types import Array, Codes
 from ...reference import newton_euler
 from ..common import timing
 from ..common.loops import loop_source
-from .called import Called, Part
 from .poses import Poses
 from .processor import Flags
-from .samples import CLOSED, NAME, PLAIN
+from .samples import CLOSED, NAME, PLAIN, Figure
 
 if TYPE_CHECKING:
     from .baselines_casadi import Program
@@ -81,6 +80,47 @@ class Candidate:
         return self.make(poses, self.flags)
 
 
+@dataclass(frozen=True, eq=False)
+class Part:
+    """One loop that is timed: ``run(n)`` does ``units`` calls or solves n times."""
+
+    name: str
+    what: str
+    run: Callable[[int], object]
+    units: int
+
+
+@dataclass(frozen=True, eq=False)
+class Called:
+    """A baseline that Python calls pose by pose: ``F()`` are its forces.
+
+    Its time per pose is the sum of its parts less ``empty``, a call over nothing.
+    """
+
+    name: str
+    what: str
+    parts: tuple[Part, ...]
+    empty: Part
+    F: Callable[[], Array]
+
+    def tasks(self) -> dict[str, timing.Task]:
+        """What is to be timed, by the names that ``figures`` reads."""
+        return {self._task(part): timing.Task(part.run, part.units) for part in (*self.parts, self.empty)}
+
+    def figures(self, raw: Mapping[str, Sequence[float]]) -> tuple[Figure, tuple[Figure, ...]]:
+        """Time per pose, made of the parts round by round, and the parts, the last of them subtracted."""
+        *added, empty = (raw[name] for name in self.tasks())
+        times = tuple(sum(each) - none for *each, none in zip(*added, empty, strict=True))
+        parts = tuple(
+            Figure(part.name, part.what, "call", 1, tuple(raw[self._task(part)]))
+            for part in (*self.parts, self.empty)
+        )
+        return Figure(self.name, self.what, "call", 1, times), parts
+
+    def _task(self, part: Part) -> str:
+        return f"{self.name}, {part.name}"
+
+
 def repeated(
     call: Callable[[], object],
     F: Callable[[], Array],
@@ -109,6 +149,16 @@ def c_loop(library: ctypes.CDLL, machine: NDArray[Any], poses: Poses) -> Runner:
 def forces_loop() -> dict[str, str]:
     """The same for the kernel of the forces alone; ``machine`` is its prepared model."""
     return loop_source(f"stewart_{NAME}_forces.h", f"return stewart_{NAME}_forces(machine, motion, F);")
+
+
+def checked(F: Array, status: Codes) -> Callable[[], Array]:
+    """What tells forces that C code writes, once their statuses are all 0."""
+
+    def found() -> Array:
+        succeed(int(status.max()))
+        return F
+
+    return found
 
 
 def succeed(status: int) -> None:

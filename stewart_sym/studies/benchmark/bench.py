@@ -40,15 +40,16 @@ from .baselines import (
     MANY,
     PEERS,
     SLOW,
+    Called,
     Candidate,
     Runner,
     c_loop,
+    checked,
     forces_loop,
     jax_one_pose,
     repeated,
     succeed,
 )
-from .called import Called
 from .figures import Benchmark, PassFigures
 from .poses import Poses, bench_poses
 from .processor import FUSED, Flags, Target, additions, multiply_add, targets, widest
@@ -94,11 +95,7 @@ def _batch(precision: forces.Precision, threads: int) -> _Make:
         arrays = [np.asarray(array, dtype=prepared.dtype) for array in poses.arrays]
         F = np.zeros((len(poses), 6), dtype=prepared.dtype)
         status = np.zeros(len(poses), dtype=np.int32)
-
-        def found() -> Array:
-            succeed(int(status.max()))
-            return F
-
+        found = checked(F, status)
         return repeated(lambda: prepared.forces_into(arrays, F, status, threads), found, library=library)
 
     return make
@@ -110,11 +107,7 @@ def _columns(poses: Poses, flags: Flags) -> Runner:
     prepared = _compiled(library, poses.robot, "double")
     arrays = [_in_columns(array.reshape(len(poses), -1).T) for array in poses.arrays]
     F, status = _in_columns(np.zeros((6, len(poses)))), np.zeros(len(poses), dtype=np.int32)
-
-    def found() -> Array:
-        succeed(int(status.max()))
-        return F.T
-
+    found = checked(F.T, status)
     return repeated(lambda: prepared.columns_into(arrays, F, status), found, library=library)
 
 
@@ -267,7 +260,7 @@ def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = 
         for each in (*OURS, *baselines, *variants)
     }
     summed = {each.name: each.figures(raw) for each in called}
-    figures = (*built.values(), *(each.figure(raw) for each in motion.built))
+    figures = (*built.values(), *(each.timed(raw) for each in motion.built))
     names = [*dict.fromkeys(figure.name for figure in figures)]
     return Benchmark(
         robot=poses.robot.name,
@@ -371,7 +364,7 @@ def _called(poses: Poses, present: Collection[str | None]) -> tuple[Called, ...]
     """The baselines that Python calls pose by pose, of the packages present."""
     found = []
     if "pinocchio" in present:
-        from .engines.pinocchio_rnea import pinocchio_rnea
+        from .engines.pinocchio import pinocchio_rnea
 
         found.append(pinocchio_rnea(poses.robot, poses.motion))
     if "pydrake" in present:

@@ -194,34 +194,19 @@ def library(flags: Flags = ()) -> ctypes.CDLL:
 
 @dataclass(frozen=True, eq=False)
 class Built:
-    """A function compiled for a target and compared; run: over its ``poses``; bits: of its widest vectors."""
+    """A function compiled for a target and compared: its figure, still without times, and its loop."""
 
-    name: str
-    function: str
-    kind: str
-    target: Target
+    figure: Figure
     run: Run
-    poses: int
-    bits: int | None
 
     @property
     def task(self) -> str:
         """Name of its task, different from all of the first group."""
-        return _task(self.name, "".join(f", {flag}" for flag in self.target.flags))
+        return _task(self.figure.name, "".join(f", {flag}" for flag in self.figure.flags))
 
-    def figure(self, raw: Mapping[str, tuple[float, ...]]) -> Figure:
-        """Its figure from ns per pose of every task."""
-        what, target = f"stewart_{NAME}_{self.function}", self.target
-        return Figure(
-            self.name,
-            what,
-            self.kind,
-            self.poses,
-            raw[self.task],
-            target=target.name,
-            flags=target.flags,
-            bits=self.bits,
-        )
+    def timed(self, raw: Mapping[str, tuple[float, ...]]) -> Figure:
+        """Its figure with ns per pose of its task."""
+        return dataclasses.replace(self.figure, raw=raw[self.task])
 
 
 @dataclass(frozen=True, eq=False)
@@ -239,7 +224,7 @@ class MotionGroup:
     @property
     def tasks(self) -> Mapping[str, Task]:
         """What is to be timed by the names that ``figures`` reads."""
-        tasks = {each.task: Task(each.run, each.poses) for each in self.built}
+        tasks = {each.task: Task(each.run, each.figure.poses) for each in self.built}
         for engine in self.engines:
             tasks[_task(engine.name)] = Task(engine.run, POSES)
             tasks[_task(engine.name, _EMPTY)] = Task(engine.empty, POSES)
@@ -254,12 +239,11 @@ class MotionGroup:
             calls.append(Figure(engine.name, engine.what, "call", 1, call))
             empty.append(Figure(engine.name, "call over a model without bodies", "call", 1, nothing))
             baselines.append(Figure(engine.name, f"{engine.what} - call", "call", 1, net))
-        first = self.built[0].target
+        first = self.built[0].figure.target
+        one_pose = [each for each in self.built if each.figure.kind == "one pose"]
         return MotionFigures(
             robot=self.robot.name,
-            ours=tuple(
-                each.figure(raw) for each in self.built if (each.target, each.kind) == (first, "one pose")
-            ),
+            ours=tuple(each.timed(raw) for each in one_pose if each.figure.target == first),
             baselines=tuple(baselines),
             calls=tuple(calls),
             empty=tuple(empty),
@@ -283,16 +267,17 @@ def motion_group(poses: Poses, targets: Sequence[Target]) -> MotionGroup:
     for target in targets:
         drives = library(target.flags)
         for each in FUNCTIONS:
-            drive, batch, parts = f"drive_{each.function}", f"{each.function}_batch", expected[each.name]
-            one = _loop(getattr(drives, drive), each.machine(robot), few, F, sum(map(_numbers, parts)))
-            _compare(each.name, one, parts, each.tolerance, differences)
-            built.append(
-                Built(each.name, each.function, "one pose", target, one.run, POSES, widest(drives, drive))
-            )
-            many = _batch(each, drives, few.resized(SLOW), np.resize(F, (SLOW, 6)), parts)
-            name, bits = batched(each.name), widest(drives, f"stewart_{NAME}_{batch}")
-            _compare(name, many, parts, each.tolerance, differences)
-            built.append(Built(name, batch, "batch", target, many.run, SLOW, bits))
+            called, parts = f"stewart_{NAME}_{each.function}", expected[each.name]
+            one = _loop(drives, each, few, F, sum(map(_numbers, parts)))
+            many = _batch(drives, each, few.resized(SLOW), np.resize(F, (SLOW, 6)), parts)
+            for name, what, kind, poses_of_it, runner, measured in (
+                (each.name, called, "one pose", POSES, one, f"drive_{each.function}"),
+                (batched(each.name), f"{called}_batch", "batch", SLOW, many, f"{called}_batch"),
+            ):
+                _compare(name, runner, parts, each.tolerance, differences)
+                bits = widest(drives, measured)
+                of_c: Any = {"target": target.name, "flags": target.flags, "bits": bits}
+                built.append(Built(Figure(name, what, kind, poses_of_it, (), **of_c), runner.run))
     baselines = engines(robot, tree(robot, motion, F))
     for baseline in baselines:
         found = baseline.accelerations()
@@ -310,7 +295,7 @@ def engines(robot: Robot, tree: Tree) -> tuple[Engine, ...]:
     """
     found = []
     if not absent("pinocchio"):
-        from .engines.pinocchio_constraints import pinocchio_engine
+        from .engines.pinocchio import pinocchio_engine
 
         found.append(pinocchio_engine(robot, tree))
     if not absent("mujoco"):
@@ -328,8 +313,9 @@ def _task(name: str, kind: str = "") -> str:
     return f"motion, {name}{kind}"
 
 
-def _loop(drive: Any, machine: Array, poses: Poses, F: Array, numbers: int) -> Runner:
+def _loop(drives: ctypes.CDLL, each: Function, poses: Poses, F: Array, numbers: int) -> Runner:
     """A loop over the poses in C; ``numbers`` come out of each."""
+    drive, machine = getattr(drives, f"drive_{each.function}"), each.machine(poses.robot)
     rows, out = poses.rows, np.zeros((len(poses), numbers))
     count, width = ctypes.c_size_t(len(poses)), ctypes.c_size_t(numbers)
 
@@ -340,7 +326,7 @@ def _loop(drive: Any, machine: Array, poses: Poses, F: Array, numbers: int) -> R
     return Runner(run, lambda: out)
 
 
-def _batch(each: Function, drives: ctypes.CDLL, poses: Poses, F: Array, parts: Sequence[Array]) -> Runner:
+def _batch(drives: ctypes.CDLL, each: Function, poses: Poses, F: Array, parts: Sequence[Array]) -> Runner:
     """All poses in one call; ``parts`` tell how many numbers come out of each."""
     function, machine = getattr(drives, f"stewart_{NAME}_{each.function}_batch"), each.machine(poses.robot)
     found = [np.zeros((len(poses), _numbers(part))) for part in parts]

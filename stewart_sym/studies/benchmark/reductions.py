@@ -11,7 +11,7 @@ from ...backend import kernel, native
 from ...backend.c_kernel import address, pointers
 from ...io.progress import Progress, silent
 from ...robot.robot import Robot
-from .baselines import FEW, MANY, Candidate, Runner, c_loop, forces_loop, repeated, succeed
+from .baselines import FEW, MANY, Candidate, Runner, c_loop, checked, forces_loop, repeated, succeed
 from .poses import Poses
 from .processor import Flags
 from .samples import NAME
@@ -66,12 +66,7 @@ class _Build:
         function = getattr(library, f"stewart_{NAME}_forces_batch")
         motions, count = pointers(poses.arrays), ctypes.c_size_t(len(poses))
         arguments = (address(model), count, motions, address(F), address(status))
-
-        def found() -> NDArray[np.float64]:
-            succeed(int(status.max()))
-            return F
-
-        return repeated(lambda: function(*arguments), found, (model, poses, status), library)
+        return repeated(lambda: function(*arguments), checked(F, status), (model, poses, status), library)
 
     def _model(self, robot: Robot, flags: Flags) -> NDArray[np.float64]:
         numbers, model = kernel.robot_numbers(robot), np.zeros(self.model_numbers)

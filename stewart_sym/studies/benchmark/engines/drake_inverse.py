@@ -14,7 +14,7 @@ from ....motion.motion import Motion
 from ....motion.rotation import quaternion_from_rotation
 from ....robot.robot import Robot
 from ...common.timing import over
-from ..called import Called
+from ..baselines import Called
 from .free_platform import States, newton_euler, states
 from .tree import base_frames, turned
 

@@ -15,7 +15,7 @@ from ....io.array_types import Array
 from ....motion.motion import Motion
 from ....motion.rotation import cross_matrix
 from ....robot.robot import Robot
-from ..called import Called, Part
+from ..baselines import Called, Part
 from .tree import Legs, legs_of, turned
 
 _SOLVED = 1024

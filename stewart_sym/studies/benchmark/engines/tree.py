@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ....backend.numpy_kernel import loaded
 from ....io.array_types import Array
 from ....motion.motion import Motion
 from ....robot.robot import Robot
@@ -146,13 +147,10 @@ def _forces(robot: Robot, motion: Motion, F: Array, legs: Legs) -> Array:
     joints = np.concatenate([-robot.C_u[:, None] * legs.rates[..., :2], np.zeros_like(F)[..., None]], axis=-1)
     joints[..., 2] = F - robot.C_p * legs.rates[..., 2]
     joints[..., :2] -= np.einsum("nkij,nki->nkj", legs.axes, friction)
-
-    def load(vector: Array | None) -> Array:
-        return np.zeros_like(motion.t) if vector is None else turned(R, vector)
-
     # The load acts at the reference point; here it is moved to the point that the last leg carries.
-    force = load(motion.F_ext)
-    moment = load(motion.M_ext) + friction.sum(axis=1) - np.cross(legs.q[:, CARRIER], force)
+    given = loaded(motion)
+    force = turned(R, given.F_ext)
+    moment = turned(R, given.M_ext) + friction.sum(axis=1) - np.cross(legs.q[:, CARRIER], force)
     joints[:, CARRIER] += np.einsum("nij,ni->nj", legs.jacobian[:, CARRIER], force)
     joints[:, CARRIER, :2] += np.einsum("nij,ni->nj", legs.axes[:, CARRIER], moment)
     return np.concatenate([joints.reshape(len(F), -1), turned(np.swapaxes(R, -1, -2), moment)], axis=-1)

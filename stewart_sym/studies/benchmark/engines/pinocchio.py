@@ -1,5 +1,10 @@
-"""Pinocchio as a candidate of ``bench``: recursive Newton-Euler over the machine's tree, then a 6x6 solve."""
+"""Pinocchio as a candidate of ``bench``: of the forces, and of the equations of motion.
 
+Forces: recursive Newton-Euler over the machine's tree, then a 6x6 solve. Forward dynamics:
+``constraintDynamics``.
+"""
+
+from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
 
@@ -10,20 +15,20 @@ from ....motion.motion import Motion
 from ....motion.rotation import quaternion_from_rotation
 from ....robot.robot import Robot
 from ...common.timing import over
-from ..called import Called
+from ..baselines import Called
 from .free_platform import States, newton_euler, states, turned_back
-from .tree import base_frames
+from .tree import CARRIER, Engine, Tree, base_frames
 
 with needed_for("the comparison with Pinocchio"):
     import pinocchio as pin
 
 
-QUATERNION_W_LAST = [1, 2, 3, 0]
+_W_LAST = [1, 2, 3, 0]
 
 
 def pinocchio_rnea(robot: Robot, motion: Motion) -> Called:
     """``rnea`` at poses (n,); base joints must be universal."""
-    model, upper = model_of_legs(robot)
+    model, upper = _model_of_legs(robot)
     platform = model.addJoint(0, pin.JointModelFreeFlyer(), pin.SE3.Identity(), "platform")
     model.appendBodyToJoint(platform, pin.Inertia(robot.M, robot.R_0, robot.I_p), pin.SE3.Identity())
     data, nothing = model.createData(), pin.Model()
@@ -37,7 +42,7 @@ def pinocchio_rnea(robot: Robot, motion: Motion) -> Called:
     return newton_euler("Pinocchio", "rnea", robot, at, tau, rates, run, empty)
 
 
-def model_of_legs(robot: Robot) -> tuple[Any, list[int]]:
+def _model_of_legs(robot: Robot) -> tuple[Any, list[int]]:
     """Six chains, revolute about k, revolute about y, prismatic along s, and the joints of the upper parts.
 
     The joint of a lower part is the one before that of its upper part.
@@ -59,7 +64,7 @@ def _prepared(at: States, joints: int, upper: list[int]) -> list[tuple[Any, ...]
     """Every pose as ``rnea`` takes it: q, v, a and the forces from outside, in the frames of the bodies."""
     motion, legs = at.motion, at.legs
     R, omega, count = motion.R, motion.omega, len(motion.R)
-    quaternions = quaternion_from_rotation(R)[:, QUATERNION_W_LAST]
+    quaternions = quaternion_from_rotation(R)[:, _W_LAST]
     q = np.hstack([legs.coordinates.reshape(count, -1), motion.t, quaternions])
     v = np.hstack([legs.rates.reshape(count, -1), turned_back(R, motion.v), turned_back(R, omega)])
     # Pinocchio's spatial acceleration differs from that of the reference point by omega x v.
@@ -83,3 +88,57 @@ def _forces(count: int) -> Any:
     for _ in range(count):
         forces.append(pin.Force.Zero())
     return forces
+
+
+def pinocchio_engine(robot: Robot, tree: Tree) -> Engine:
+    """``constraintDynamics``: the five points as rigid constraints, one step of its proximal solver."""
+    solve, of_machine = _solver(*_closed_model(robot))
+    nothing, of_nothing = _solver(pin.Model(), [])
+    quaternions = quaternion_from_rotation(tree.relative)[:, _W_LAST]
+    joints = tree.legs.coordinates.reshape(len(quaternions), -1)
+    states = [
+        (*state, *of_machine)
+        for state in zip(np.hstack([joints, quaternions]), tree.rates, tree.forces, strict=True)
+    ]
+    none = [(*3 * (np.zeros(0),), *of_nothing)] * len(states)
+    return Engine(
+        "Pinocchio",
+        "constraintDynamics, 5 loops",
+        over(solve, states),
+        over(nothing, none),
+        lambda: tree.accelerations(np.array([solve(*state) for state in states])),
+        1e-6,
+    )
+
+
+def _solver(model: Any, constraints: Sequence[Any]) -> tuple[Callable[..., Any], tuple[Any, ...]]:
+    """``constraintDynamics`` of a model, which takes the state and then the arguments given with it."""
+    models, datas = pin.StdVec_RigidConstraintModel(), pin.StdVec_RigidConstraintData()
+    for constraint in constraints:
+        models.append(constraint)
+        datas.append(constraint.createData())
+    data = model.createData()
+    pin.initConstraintDynamics(model, data, models, datas)
+    settings = pin.ProximalSettings(1e-12, 1e-12, 1)
+    return partial(pin.constraintDynamics, model, data), (models, datas, settings)
+
+
+def _closed_model(robot: Robot) -> tuple[Any, list[Any]]:
+    here = pin.SE3.Identity()
+    model, uppers = _model_of_legs(robot)
+    platform = model.addJoint(uppers[CARRIER], pin.JointModelSpherical(), here, "platform")
+    carried = robot.p[CARRIER]
+    model.appendBodyToJoint(platform, pin.Inertia(robot.M, robot.R_0 - carried, robot.I_p), here)
+    constraints = [
+        pin.RigidConstraintModel(
+            pin.ContactType.CONTACT_3D,
+            model,
+            upper,
+            here,
+            platform,
+            pin.SE3(np.eye(3), point - carried),
+            pin.ReferenceFrame.LOCAL,
+        )
+        for upper, point in zip(uppers[:CARRIER], robot.p, strict=False)
+    ]
+    return model, constraints
