@@ -245,12 +245,14 @@ def _rows(rows: list[tuple[str, str]]) -> list[str]:
 
 
 def _friction(robot: Robot) -> str:
-    coefficients = {"universal": robot.C_u, "prismatic": robot.C_p, "spherical": robot.C_s}
-    if not any(np.any(C) for C in coefficients.values()):
+    joints = (
+        ("base joint", robot.C_u, "N m s"),
+        ("prismatic", robot.C_p, "N s/m"),
+        ("spherical", robot.C_s, "N m s"),
+    )
+    if not any(np.any(C) for _, C, _ in joints):
         return "off"
-    units = {"universal": "N m s", "prismatic": "N s/m", "spherical": "N m s"}
-    base = {"universal": "base joint", "prismatic": "prismatic", "spherical": "spherical"}
-    return "on: " + ", ".join(f"{base[name]} {_range(C)} {units[name]}" for name, C in coefficients.items())
+    return "on: " + ", ".join(f"{name} {_range(C)} {unit}" for name, C, unit in joints)
 
 
 _DRIVE_FRICTION = {

@@ -12,7 +12,7 @@ from ...io.instants import least_step, time_text
 from ...motion.rotation import rpy_from_rotation
 from ...robot.robot import Robot
 from ...simulation.actuator_models import ForceLaw, LegSprings
-from ...simulation.trace import DriveWork, Simulation, Trace, leg_states
+from ...simulation.trace import Simulation, Trace, leg_states
 from ..common.drawing import Axes, Figure, new_figure
 from ..common.output import Columns, of_axes, of_legs
 from ..common.report import Picture, Report
@@ -72,7 +72,10 @@ def _data(
     motors: DriveDigest | None,
 ) -> dict[str, Any]:
     """What the summary says, for programs."""
-    peaks = np.argmax(np.abs(fine.F), axis=0)
+    peaks, drift, drives = np.argmax(np.abs(fine.F), axis=0), _drift(run, fine, law), run.drives
+    work = (
+        {} if drives is None else {"motors_work_J": drives.done.sum(), "drive_friction_J": drives.lost.sum()}
+    )
     return {
         "stop": {"kind": run.stop.kind, "time_s": run.stop.time, "leg": run.stop.leg, "text": run.stop.text},
         "steps": run.steps,
@@ -92,23 +95,14 @@ def _data(
         "energy_start_J": run.energy[0],
         "energy_end_J": run.energy[-1],
         "kinetic_energy_peak_J": fine.kinetic.max(),
-        "springs_energy_drift": _springs_drift(run, fine, law),
+        "springs_energy_drift": None if drift is None else drift.worst,
         "energy_drift": {name: drift.worst for name, drift in drifts.items()},
-        **({} if run.drives is None else _of_drives(run.drives)),
+        **work,
         "units": {
             "springs_energy_drift": "share of the mean kinetic energy",
             "energy_drift": "share of the mean kinetic energy",
         },
     }
-
-
-def _of_drives(drives: DriveWork) -> dict[str, float]:
-    return {"motors_work_J": float(drives.done.sum()), "drive_friction_J": float(drives.lost.sum())}
-
-
-def _springs_drift(run: Simulation, fine: Trace, law: ForceLaw) -> float | None:
-    drift = _drift(run, fine, law)
-    return None if drift is None else drift.worst
 
 
 def _drift(run: Simulation, fine: Trace, law: ForceLaw) -> Drift | None:

@@ -125,7 +125,8 @@ def report(found: Examination) -> str:
     ]
     lines += [f"singular   from {start:.9f} s to {end:.9f} s throughout" for start, end in along.spans]
     for number, (crossing, sides) in enumerate(zip(along.crossings, found.sides, strict=True), 1):
-        lines += ["", f"Crossing {number} at {_time(crossing)}", *_crossing_lines(found, crossing, sides)]
+        at = f"{crossing.time:.12f} s (rounding leaves {crossing.uncertainty:.1e} s open)"
+        lines += ["", f"Crossing {number} at {at}", *_crossing_lines(found, crossing, sides)]
     if not along.crossings:
         lines += ["", f"Nearest approach at {along.nearest.time:.9f} s", *_pose_lines(along.nearest.at)]
     others = [approach for approach in along.approaches if approach is not along.nearest]
@@ -350,10 +351,6 @@ def _near(time: float, at: Singularity) -> str:
         f"{time:.9f} s: smallest singular value {float(at.smallest):.6g}, "
         f"scaled condition number {float(at.condition):.6g}"
     )
-
-
-def _time(crossing: Crossing) -> str:
-    return f"{crossing.time:.12f} s (rounding leaves {crossing.uncertainty:.1e} s open)"
 
 
 def _sign(side: int) -> str:

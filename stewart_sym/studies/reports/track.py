@@ -210,8 +210,29 @@ class Digest:
     def summary(self) -> str:
         """What it comes to, lines of text."""
         kept = self._joined()
-        found = _summary(self.robot, self.time, kept, self._force_verdicts(kept))
-        return found if self.drive is None else f"{found}\n\n{self.drive.table()}"
+        time, F, F_sd, L, L_dot, condition = kept[1:7]
+        verdicts, limit = self._force_verdicts(kept), self.robot.force_limit
+        known = np.isfinite(L).all(axis=-1)
+        rows = [
+            (
+                str(leg + 1),
+                f"{F[i, leg]:.6g}" + ("" if F_sd is None else f" +- {F_sd[i, leg]:.2g}"),
+                time_text(time[i], self.step),
+                f"{limit[leg]:g}" + (f" {verdicts[leg]}" if np.isfinite(limit[leg]) else ""),
+                f"{L[known, leg].min(initial=np.inf):.4g} to {L[known, leg].max(initial=-np.inf):.4g}",
+                f"{np.abs(L_dot[known, leg]).max(initial=0.0):.4g}",
+            )
+            for leg, i in enumerate(_largest(F))
+        ]
+        first, last = (time_text(self.time[i], self.step) for i in (0, -1))
+        worst = _largest(condition)
+        header = ("leg", "peak force, N", "at, s", "force_limit, N", "length, m", "speed, m/s")
+        text = (
+            f"{len(self.time)} instant{'s' if len(self.time) > 1 else ''}, {first} to {last} s; condition "
+            f"number of H up to {condition[worst]:.4g} (at {time_text(time[worst], self.step)} s)\n"
+            f"{aligned(header, rows)}"
+        )
+        return text if self.drive is None else f"{text}\n\n{self.drive.table()}"
 
     def _force_verdicts(self, part: Part) -> list[str]:
         """``force_verdicts``, and ``AT_REPLACED`` where replaced rows alone leave a limit open."""
@@ -240,7 +261,7 @@ class Digest:
     def as_json(self) -> dict[str, Any]:
         """What the summary says, for programs."""
         kept = self._joined()
-        worst = _worst_condition(kept)
+        worst = _largest(kept.condition)
         verdicts, known = self._force_verdicts(kept), np.isfinite(kept.L).all(axis=-1)
         return {
             "instants": len(self.time),
@@ -261,7 +282,7 @@ class Digest:
                     "peak_speed_m_per_s": np.abs(kept.L_dot[known, leg]).max(initial=0.0),
                     **({} if self.drive is None else self.drive.of_leg(leg)),
                 }
-                for leg, i in enumerate(_peaks(kept.F))
+                for leg, i in enumerate(_largest(kept.F))
             ],
         }
 
@@ -345,9 +366,9 @@ def _weights(time: Array) -> Array:
     return np.gradient(elapsed(time)) if len(time) > 1 else np.zeros(1)
 
 
-def _peaks(F: Array) -> NDArray[np.int64]:
-    """Index of each leg's largest force, (6,)."""
-    return np.asarray(np.argmax(np.nan_to_num(np.abs(F), nan=-1.0), axis=0))
+def _largest(values: Array) -> NDArray[np.int64]:
+    """Instants, (...), of the largest magnitudes of values (n, ...)."""
+    return np.asarray(np.argmax(np.nan_to_num(np.abs(values), nan=-1.0), axis=0))
 
 
 def peak_noise(F: Array, F_sd: Array) -> Array:
@@ -377,37 +398,6 @@ def _noisy(when: list[str], F: Array, F_sd: Array, share: float, cause: str, the
         f"({F[i, leg]:.6g} N with {SURE:g} standard deviations of {F_sd[i, leg]:.3g} N at {when[i]} s); "
         f"a warning beyond {100.0 * share:.3g} % (--noise-share {share:g})"
         + (f"; {others} more leg{'s' if others > 1 else ''} likewise" if others else "")
-    )
-
-
-def _worst_condition(part: Part) -> int:
-    """Index of the largest condition number."""
-    return int(np.argmax(np.nan_to_num(part.condition, nan=-1.0)))
-
-
-def _summary(robot: Robot, times: Array, part: Part, verdicts: list[str]) -> str:
-    """Lines of text about a run at some times, of which ``part`` has the extremes; verdicts of forces."""
-    time, F, F_sd, L, L_dot, condition = part[1:7]
-    peaks, known, step = _peaks(F), np.isfinite(L).all(axis=-1), least_step(times)
-    rows = [
-        (
-            str(leg + 1),
-            f"{F[i, leg]:.6g}" + ("" if F_sd is None else f" +- {F_sd[i, leg]:.2g}"),
-            time_text(time[i], step),
-            f"{robot.force_limit[leg]:g}"
-            + (f" {verdicts[leg]}" if np.isfinite(robot.force_limit[leg]) else ""),
-            f"{L[known, leg].min(initial=np.inf):.4g} to {L[known, leg].max(initial=-np.inf):.4g}",
-            f"{np.abs(L_dot[known, leg]).max(initial=0.0):.4g}",
-        )
-        for leg, i in enumerate(peaks)
-    ]
-    worst = _worst_condition(part)
-    count = f"{len(times)} instant{'s' if len(times) > 1 else ''}"
-    header = ("leg", "peak force, N", "at, s", "force_limit, N", "length, m", "speed, m/s")
-    return (
-        f"{count}, {time_text(times[0], step)} to {time_text(times[-1], step)} s; "
-        f"condition number of H up to {condition[worst]:.4g} (at {time_text(time[worst], step)} s)\n"
-        f"{aligned(header, rows)}"
     )
 
 
