@@ -194,22 +194,17 @@ def answer(found: Advice) -> list[str]:
         lines.append("Nothing is cheaper.")
     elif not reasons:
         lines.append("Cheaper ones leave nothing out that it has, yet err more.")
-    return lines + [f"Forced by {_named(left_out)}: {_costs(entry, found)}." for left_out, entry in reasons]
+    for left_out, entry in reasons:
+        names = " and ".join(words for term, words in TERMS.items() if term in left_out)
+        without = f"{entry.candidate.name}: {entry.operations} operations"
+        lines.append(f"Forced by {names}: without ({without}) {_beyond(entry, found.budget)}.")
+    return lines
 
 
 def closest(found: Advice) -> str:
     """What comes nearest to the budget, and by how much it is missed."""
     entry = found.closest
     return f"{entry.candidate.name}, {_beyond(entry, found.budget)}"
-
-
-def _named(left_out: frozenset[str]) -> str:
-    return " and ".join(words for term, words in TERMS.items() if term in left_out)
-
-
-def _costs(entry: Entry, found: Advice) -> str:
-    it = entry.candidate.name
-    return f"without ({it}: {entry.operations} operations) {_beyond(entry, found.budget)}"
 
 
 def _beyond(entry: Entry, budget: Budget) -> str:

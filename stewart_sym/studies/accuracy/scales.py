@@ -82,16 +82,15 @@ _WIDE = _Arithmetic(
 class Scales:
     """Errors of the forces over size and mass.
 
-    robot: what was scaled. sizes: m, (s,). platform_masses, leg_masses: kg, (p,) and (l,). errors:
-    (s, p, l, n) by arithmetic, of n poses each, in rounding units of that arithmetic, times the scaled
-    condition number of H, times the largest of |F|, |D| and |x|; ``double`` is missing where the C has no
-    wider type to check it by; errors are infinite where poses are unsolvable.
+    robot: what was scaled. sizes: m, (s,). masses: of the platform and of a leg's heaviest part, kg, (p,).
+    errors: (s, p, p, n) by arithmetic, of n poses each, in rounding units of that arithmetic, times the
+    scaled condition number of H, times the largest of |F|, |D| and |x|; ``double`` is missing where the C has
+    no wider type to check it by; errors are infinite where poses are unsolvable.
     """
 
     robot: str
     sizes: Array
-    platform_masses: Array
-    leg_masses: Array
+    masses: Array
     errors: Mapping[str, Array]
 
 
@@ -134,7 +133,6 @@ def scales_study(
     return Scales(
         robot.name,
         np.array(sizes),
-        np.array(masses),
         np.array(masses),
         {name: values.reshape(*shape[:3], machines * poses) for name, values in errors.items()},
     )
@@ -263,13 +261,12 @@ def csv_rows(data: Scales) -> str:
     for name in data.errors:
         header += [f"{name}_median", f"{name}_largest"]
     rows: list[tuple[str | float, ...]] = [tuple(header)]
-    for s, size in enumerate(data.sizes.tolist()):
-        for p, platform in enumerate(data.platform_masses.tolist()):
-            for leg, heaviest in enumerate(data.leg_masses.tolist()):
-                row = [size, platform, heaviest]
-                for errors in data.errors.values():
-                    row += [float(np.median(errors[s, p, leg])), float(errors[s, p, leg].max())]
-                rows.append(tuple(row))
+    sizes, masses = data.sizes.tolist(), data.masses.tolist()
+    for s, p, leg in np.ndindex(len(sizes), len(masses), len(masses)):
+        row = [sizes[s], masses[p], masses[leg]]
+        for errors in data.errors.values():
+            row += [float(np.median(errors[s, p, leg])), float(errors[s, p, leg].max())]
+        rows.append(tuple(row))
     return csv_text(rows)
 
 
@@ -295,7 +292,7 @@ def figure(data: Scales) -> Figure:
     )
     panels = picture.subplots(1, 3, sharey=True, width_ratios=(1.3, 1.0, 1.0))
     labels = ("radius of the base, m", "mass of the platform, kg", "heaviest part of a leg, kg")
-    steps = (data.sizes, data.platform_masses, data.leg_masses)
+    steps = (data.sizes, data.masses, data.masses)
     for axis, (axes, label, places) in enumerate(zip(panels, labels, steps, strict=True)):
         _panel(axes, data, axis, places)
         axes.set_xlabel(label)

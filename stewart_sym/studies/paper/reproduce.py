@@ -1,7 +1,6 @@
 """Section 5 of the paper computed again: Paths I-III, what each printed fault costs, work and energy."""
 
 import dataclasses
-import importlib
 from collections.abc import Mapping
 from dataclasses import dataclass
 
@@ -9,7 +8,7 @@ import numpy as np
 
 from ...backend import native
 from ...backend.c_kernel import library
-from ...backend.kernel import FORMULATIONS, kernel_name
+from ...backend.kernel import FORMULATIONS, kernel_name, module
 from ...dynamics.inverse import Formulation, inverse_dynamics, massless_forces
 from ...io.array_types import Array
 from ...io.progress import Progress, silent, tracked
@@ -232,16 +231,15 @@ def _kernel_forces(robot: Robot, motion: Motion, faults: frozenset[int]) -> Arra
 
 def operations() -> tuple[Operations, ...]:
     """Counts of the emitted kernels of the paper's kind of machine."""
-    return tuple(_operations(form, friction) for form in FORMULATIONS for friction in (False, True))
-
-
-def _operations(formulation: str, friction: bool) -> Operations:
-    kernel = importlib.import_module(f"stewart_sym.generated.{kernel_name(formulation, 'universal')}")
-    parts = kernel.OPERATIONS["friction" if friction else "frictionless"]
-    leg, platform, total = (np.array(parts[part]) for part in ("leg", "platform", "total"))
-    final = total - 6 * leg - platform
-    counts = (tuple(int(n) for n in part) for part in (leg, platform, final, total))
-    return Operations(formulation, friction, *counts)
+    found = []
+    for form in FORMULATIONS:
+        for friction in ("frictionless", "friction"):
+            parts = module(kernel_name(form, "universal")).OPERATIONS[friction]
+            leg, platform, total = (np.array(parts[part]) for part in ("leg", "platform", "total"))
+            final = total - 6 * leg - platform
+            counts = (tuple(part.tolist()) for part in (leg, platform, final, total))
+            found.append(Operations(form, friction == "friction", *counts))
+    return tuple(found)
 
 
 def _difference(robot: Robot, motion: Motion, faults: frozenset[int]) -> float:

@@ -20,9 +20,9 @@ POINTS = 49
 """How many distances a family has."""
 
 
-def distances(points: int = POINTS, nearest: float = 1e-16) -> Array:
-    """From 1 to the nearest, even in their logarithm, (points,)."""
-    return np.asarray(np.logspace(0.0, np.log10(nearest), points))
+def distances() -> Array:
+    """From 1 to 1e-16, even in their logarithm, (POINTS,)."""
+    return np.logspace(0.0, -16.0, POINTS)
 
 
 def exact(array: Array) -> NDArray[np.object_]:

@@ -117,7 +117,7 @@ _SOURCES = {
 
 
 def check_poses(
-    robots: Sequence[Robot], motions: Sequence[Motion], precision: str = "double", samples: int = SAMPLES
+    robots: Sequence[Robot], motions: Sequence[Motion], precision: str = "double"
 ) -> NDArray[Any]:
     """Check the answers to poses in quadruple precision: one record of ``RESULT`` each, (n,).
 
@@ -127,15 +127,13 @@ def check_poses(
     poses = np.array([motion_numbers(motion) for motion in motions])
     if precision == "float":
         numbers, poses = (array.astype(np.float32).astype(np.float64) for array in (numbers, poses))
-    return check_numbers(numbers, poses, precision, samples)
+    return check_numbers(numbers, poses, precision)
 
 
-def check_numbers(
-    numbers: Array, poses: Array, precision: str = "double", samples: int = SAMPLES
-) -> NDArray[Any]:
+def check_numbers(numbers: Array, poses: Array, precision: str = "double") -> NDArray[Any]:
     """The same of robots and motions as in the C structures, (n, 205) and (n, 30)."""
     results, sizes = np.zeros(len(numbers), dtype=RESULT), np.zeros(len(numbers))
-    given = _cases(KINDS[0], precision, True, samples, 0, numbers, sizes, poses, 1)
+    given = _cases(KINDS[0], precision, True, SAMPLES, 0, numbers, sizes, poses, 1)
     _call("sweep_cases", *given, DOUBTFUL, results)
     return results
 
@@ -190,12 +188,12 @@ def closed_form_errors(
 
 
 def random_case(
-    kind: str, numbers: Array, sizes: Array, each: int, seed: int, index: int, precision: str = "double"
+    kind: str, numbers: Array, sizes: Array, each: int, seed: int, index: int
 ) -> tuple[Array, Array]:
-    """Robot's numbers, (205,), and the motion's, (30,), of the case that ``check_random`` has at an index."""
+    """Robot's numbers, (205,), and the motion's, (30,), of the case in double that ``check_random`` has."""
     mine, motion = np.zeros(numbers.shape[1]), np.zeros(30)
     robot = index // each
-    drawn = (KINDS.index(kind), precision == "float", _nearest(precision), seed, index)
+    drawn = (KINDS.index(kind), False, _nearest("double"), seed, index)
     _call("show_case", *drawn, numbers[robot], sizes[robot], mine, motion)
     return mine, motion
 

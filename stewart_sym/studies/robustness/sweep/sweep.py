@@ -11,12 +11,11 @@ from ....io.array_types import Array, Codes, Flags
 from ....io.progress import Progress, silent
 from ....results import OK, STATUS_TEXT
 from ...common.output import aligned
+from ..family import WRONG
 from .machines import LEGS, machine_size, random_machine
 from .oracle import CLOSED_KERNELS, KERNELS, KINDS, MACHINE, check_random, closed_form_errors
 from .singular_machines import FAMILIES, singular_machine
 
-WRONG = 1000.0
-"""Rounding units over the problem's own condition number above which an answer is wrong."""
 GOOD = {"double": 1e12, "float": 1e3}
 """Condition number below which a pose must get an answer: the largest of the problem's own, the scaled one of
 H and that of the legs' frames."""
