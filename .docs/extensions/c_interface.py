@@ -6,7 +6,7 @@ from sphinx.util.docutils import SphinxDirective
 
 from stewart_sym.derive.kernel.interface import STRUCTS
 from stewart_sym.derive.kernel.tree.constants import STATUSES
-from stewart_sym.studies.common.markdown import table
+from stewart_sym.studies.common.output import table
 
 
 class Statuses(SphinxDirective):

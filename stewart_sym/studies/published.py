@@ -14,7 +14,7 @@ from pathlib import Path
 
 from .accuracy import published as accuracy
 from .benchmark import published as benchmark
-from .common.markdown import Figures
+from .common.output import Figures
 from .control import published as control
 from .microcontroller import published as microcontroller
 from .planning import published as planning

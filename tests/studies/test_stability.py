@@ -21,7 +21,7 @@ from stewart_sym.results import NOT_FINITE, OK
 from stewart_sym.studies.common.report import Picture
 from stewart_sym.studies.robustness import attitude, leg_frame, lengths, pictures, poses, runs, singular
 from stewart_sym.studies.robustness.family import Curve, verdict
-from stewart_sym.studies.robustness.solves import CANDIDATES
+from stewart_sym.studies.robustness.singular import CANDIDATES
 from stewart_sym.studies.robustness.study import Study
 from stewart_sym.studies.robustness.sweep import oracle
 from stewart_sym.studies.robustness.sweep.machines import LEGS, random_machine

@@ -1,7 +1,7 @@
 """Tables of the documentation from ``chart.json``: cost and error of each fidelity, what `advise` picks."""
 
 from ...backend import fidelity
-from ..common.markdown import Figures, paragraph, table
+from ..common.output import Figures, paragraph, table
 from .budget import MARGIN
 
 TOLERANCES = (("50 %", 0.5), ("5 %", 0.05), ("1 %", 0.01), ("1e-9", 1e-9))

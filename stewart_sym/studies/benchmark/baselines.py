@@ -14,8 +14,8 @@ from ...backend.c_kernel import address
 from ...dynamics.arrays import array_kernel
 from ...io.array_types import Array, Codes
 from ...reference import newton_euler
-from ..common import timing
 from ..common.loops import loop_source
+from ..common.timing import Task, over, repeated
 from .poses import Poses
 from .processor import Flags
 from .samples import CLOSED, NAME, PLAIN, Figure
@@ -103,9 +103,9 @@ class Called:
     empty: Part
     F: Callable[[], Array]
 
-    def tasks(self) -> dict[str, timing.Task]:
+    def tasks(self) -> dict[str, Task]:
         """What is to be timed, by the names that ``figures`` reads."""
-        return {self._task(part): timing.Task(part.run, part.units) for part in (*self.parts, self.empty)}
+        return {self._task(part): Task(part.run, part.units) for part in (*self.parts, self.empty)}
 
     def figures(self, raw: Mapping[str, Sequence[float]]) -> tuple[Figure, tuple[Figure, ...]]:
         """Time per pose, made of the parts round by round, and the parts, the last of them subtracted."""
@@ -119,16 +119,6 @@ class Called:
 
     def _task(self, part: Part) -> str:
         return f"{self.name}, {part.name}"
-
-
-def repeated(
-    call: Callable[[], object],
-    F: Callable[[], Array],
-    kept: object = None,
-    library: ctypes.CDLL | None = None,
-) -> Runner:
-    """Return a runner of one call for all poses."""
-    return Runner(timing.repeated(call), F, kept, library)
 
 
 def c_loop(library: ctypes.CDLL, machine: NDArray[Any], poses: Poses) -> Runner:
@@ -172,10 +162,8 @@ def succeed(status: int) -> None:
 
 def _reference(poses: Poses, _: Flags) -> Runner:
     robot, motion = poses.robot, poses.motion
-    return repeated(
-        lambda: newton_euler.inverse_dynamics(robot, motion),
-        lambda: newton_euler.inverse_dynamics(robot, motion).F,
-    )
+    run = repeated(lambda: newton_euler.inverse_dynamics(robot, motion))
+    return Runner(run, lambda: newton_euler.inverse_dynamics(robot, motion).F)
 
 
 def _casadi(name: str, what: str, equations: str) -> Candidate:
@@ -230,7 +218,8 @@ def _jax_batch(poses: Poses, _: Flags) -> Runner:
     forces = _jax_forces(poses)
     given = tuple(jnp.asarray(array) for array in poses.arrays)
     compiled = jax.jit(jax.vmap(forces)).lower(given).compile(compiler_options=_UNFUSED)
-    return repeated(lambda: compiled(given).block_until_ready(), lambda: np.asarray(compiled(given)))
+    run = repeated(lambda: compiled(given).block_until_ready())
+    return Runner(run, lambda: np.asarray(compiled(given)))
 
 
 JAX = Candidate("JAX, jit and vmap", "XLA, F alone", "batch", 100_000, _jax_batch, package="jax")
@@ -249,7 +238,7 @@ def jax_one_pose(poses: Poses) -> Called:
     )
 
     def loop(function: Any) -> Callable[[int], None]:
-        return timing.over(lambda pose: function(pose).block_until_ready(), [(pose,) for pose in given])
+        return over(lambda pose: function(pose).block_until_ready(), [(pose,) for pose in given])
 
     part = Part("kernel", "the compiled kernel", loop(compiled), len(given))
     empty = Part("empty call", "a compiled function that returns zeros", loop(nothing), len(given))

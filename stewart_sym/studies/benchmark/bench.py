@@ -29,7 +29,7 @@ from ...reference import newton_euler as reference
 from ...robot.robot import Robot
 from ..common import host, timing
 from ..common.loops import loop_source
-from ..common.timing import Task, measured, time_source
+from ..common.timing import Task, measured, repeated, time_source
 from . import compile_times as bench_compile
 from . import equation_kernels, reductions
 from .baselines import (
@@ -47,7 +47,6 @@ from .baselines import (
     checked,
     forces_loop,
     jax_one_pose,
-    repeated,
     succeed,
 )
 from .figures import Benchmark, PassFigures
@@ -95,8 +94,8 @@ def _batch(precision: forces.Precision, threads: int) -> _Make:
         arrays = [np.asarray(array, dtype=prepared.dtype) for array in poses.arrays]
         F = np.zeros((len(poses), 6), dtype=prepared.dtype)
         status = np.zeros(len(poses), dtype=np.int32)
-        found = checked(F, status)
-        return repeated(lambda: prepared.forces_into(arrays, F, status, threads), found, library=library)
+        run = repeated(lambda: prepared.forces_into(arrays, F, status, threads))
+        return Runner(run, checked(F, status), library=library)
 
     return make
 
@@ -107,8 +106,8 @@ def _columns(poses: Poses, flags: Flags) -> Runner:
     prepared = _compiled(library, poses.robot, "double")
     arrays = [_in_columns(array.reshape(len(poses), -1).T) for array in poses.arrays]
     F, status = _in_columns(np.zeros((6, len(poses)))), np.zeros(len(poses), dtype=np.int32)
-    found = checked(F.T, status)
-    return repeated(lambda: prepared.columns_into(arrays, F, status), found, library=library)
+    run = repeated(lambda: prepared.columns_into(arrays, F, status))
+    return Runner(run, checked(F.T, status), library=library)
 
 
 def _in_columns(array: Array) -> Array:
@@ -145,7 +144,7 @@ def _prepared_call(poses: Poses, _: Flags) -> Runner:
             F.append(slot.F.copy())
         return np.array(F)
 
-    return repeated(slot.solve, found)
+    return Runner(repeated(slot.solve), found)
 
 
 def _python_call(poses: Poses, _: Flags) -> Runner:
@@ -157,15 +156,14 @@ def _python_call(poses: Poses, _: Flags) -> Runner:
 
 def _numpy(poses: Poses, _: Flags) -> Runner:
     prepared, motion = numpy_kernel.NumpyKernel.prepare(poses.robot, NAME), poses.motion
-    return repeated(lambda: prepared.forces(motion), lambda: prepared.forces(motion).F)
+    return Runner(repeated(lambda: prepared.forces(motion)), lambda: prepared.forces(motion).F)
 
 
-def _operations() -> int:
-    return sum(kernel.module(NAME).OPERATIONS["friction"]["total"])
+def _operations(counts: str = "OPERATIONS") -> int:
+    return sum(getattr(kernel.module(NAME), counts)["friction"]["total"])
 
 
-def _force_operations() -> int:
-    return sum(kernel.module(NAME).FORCE_OPERATIONS["friction"]["total"])
+_force_operations = functools.partial(_operations, "FORCE_OPERATIONS")
 
 
 CORES = os.cpu_count() or 1

@@ -27,8 +27,8 @@ from ...reference.equations_of_motion import equations_of_motion
 from ...reference.regressor import regressor
 from ...robot.robot import Robot
 from ..common.loops import own_source
-from ..common.timing import Task
-from .baselines import AGREEMENT, SLOW, Runner, repeated, succeed
+from ..common.timing import Task, repeated
+from .baselines import AGREEMENT, SLOW, Runner, succeed
 from .engines.tree import Engine, Tree, tree
 from .figures import MotionFigures
 from .poses import Poses
@@ -338,7 +338,7 @@ def _batch(drives: ctypes.CDLL, each: Function, poses: Poses, F: Array, parts: S
         out = address(found[0]) if each.struct is None else pointers(found)
         succeed(function(address(machine), count, motions, *before, out, address(status)))
 
-    return repeated(call, lambda: np.hstack(found))
+    return Runner(repeated(call), lambda: np.hstack(found))
 
 
 def _numbers(part: Array) -> int:

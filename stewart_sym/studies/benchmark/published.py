@@ -1,7 +1,7 @@
 """Tables of the documentation from ``bench.json``: shares, times, builds, passes, motion, compiling."""
 
 from ...io.extras import install
-from ..common.markdown import Figures, paragraph, table
+from ..common.output import Figures, paragraph, table
 from .samples import CLOSED, FORWARD, PLAIN
 
 README_ROWS = (

@@ -11,7 +11,8 @@ from ...backend import kernel, native
 from ...backend.c_kernel import address, pointers
 from ...io.progress import Progress, silent
 from ...robot.robot import Robot
-from .baselines import FEW, MANY, Candidate, Runner, c_loop, checked, forces_loop, repeated, succeed
+from ..common.timing import repeated
+from .baselines import FEW, MANY, Candidate, Runner, c_loop, checked, forces_loop, succeed
 from .poses import Poses
 from .processor import Flags
 from .samples import NAME
@@ -66,7 +67,8 @@ class _Build:
         function = getattr(library, f"stewart_{NAME}_forces_batch")
         motions, count = pointers(poses.arrays), ctypes.c_size_t(len(poses))
         arguments = (address(model), count, motions, address(F), address(status))
-        return repeated(lambda: function(*arguments), checked(F, status), (model, poses, status), library)
+        run = repeated(lambda: function(*arguments))
+        return Runner(run, checked(F, status), (model, poses, status), library)
 
     def _model(self, robot: Robot, flags: Flags) -> NDArray[np.float64]:
         numbers, model = kernel.robot_numbers(robot), np.zeros(self.model_numbers)

@@ -1,7 +1,7 @@
 """The figures that the project sets itself targets for, for each kind of vector instructions."""
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from .samples import (
@@ -61,25 +61,10 @@ class Measured:
 
 @dataclass(frozen=True)
 class Share:
-    """One figure by target; ``bound`` and ``goal`` are the most that it is to be, or the ``least``."""
+    """One figure by target; ``bound`` and ``goal`` are the most that it is to be, or the ``least``.
 
-    name: str
-    unit: str
-    values: Mapping[str, float]
-    bound: float | None = None
-    goal: float | None = None
-    least: bool = False
-
-    def as_json(self) -> dict[str, Any]:
-        """Every field that says something, ready for ``json``."""
-        limits = {"at_least" if self.least else "at_most": self.bound, "goal": self.goal}
-        set_ = {name: limit for name, limit in limits.items() if limit is not None}
-        return {"name": self.name, "unit": self.unit, "values": dict(self.values), **set_}
-
-
-@dataclass(frozen=True)
-class _Line:
-    """A figure, its targets, and how it is made of a run's times for one kind of instructions."""
+    value: how it is made of a run's times for one kind of instructions. values: what it then is.
+    """
 
     name: str
     value: Callable[[Measured, str], float]
@@ -87,6 +72,13 @@ class _Line:
     goal: float | None = None
     unit: str = "ratio"
     least: bool = False
+    values: Mapping[str, float] = field(default_factory=dict)
+
+    def as_json(self) -> dict[str, Any]:
+        """Every field that says something, ready for ``json``."""
+        limits = {"at_least" if self.least else "at_most": self.bound, "goal": self.goal}
+        set_ = {name: limit for name, limit in limits.items() if limit is not None}
+        return {"name": self.name, "unit": self.unit, "values": dict(self.values), **set_}
 
 
 def _over(ours: str, theirs: str) -> Callable[[Measured, str], float]:
@@ -102,40 +94,40 @@ def _microseconds(name: str) -> Callable[[Measured, str], float]:
 
 
 _BASIS = f"over {BASIS:g} of CasADi's unfused C"
-_LINES = (
-    _Line("one pose, share of CasADi's closed form", _over(ONE_POSE, CLOSED), 0.23, 0.19),
-    _Line("one pose, share of CasADi's plain C", _over(ONE_POSE, PLAIN), 0.18, 0.15),
-    _Line("batch, share of CasADi's plain C", _over(BATCH, PLAIN), 0.08, 0.06),
-    _Line(
+_SHARES = (
+    Share("one pose, share of CasADi's closed form", _over(ONE_POSE, CLOSED), 0.23, 0.19),
+    Share("one pose, share of CasADi's plain C", _over(ONE_POSE, PLAIN), 0.18, 0.15),
+    Share("batch, share of CasADi's plain C", _over(BATCH, PLAIN), 0.08, 0.06),
+    Share(
         "batch, share of the limit reached",
         lambda found, target: found.limit(target) / found.time(BATCH, target),
         0.60,
         0.75,
         least=True,
     ),
-    _Line("batch, float, share of CasADi's plain C", _over(FLOAT, PLAIN), 0.045, 0.035),
-    _Line("equations, over inverse dynamics", _over(EQUATIONS, INVERSE)),
-    _Line("forward dynamics, over inverse dynamics", _over(FORWARD, INVERSE)),
-    _Line("derivatives, over inverse dynamics", _over(DERIVATIVES, INVERSE)),
-    _Line(f"equations, {_BASIS}", _over_basis(EQUATIONS), 1.6, 1.3),
-    _Line(f"forward dynamics, {_BASIS}", _over_basis(FORWARD), 1.2, 1),
-    _Line(f"derivatives, {_BASIS}", _over_basis(DERIVATIVES), 4, 3),
-    _Line("regressor 6 x 148, one pose", _microseconds(REGRESSOR), 1.5, 0.7, "us"),
-    _Line("regressor 6 x 148, batch", _microseconds(batched(REGRESSOR)), unit="us"),
+    Share("batch, float, share of CasADi's plain C", _over(FLOAT, PLAIN), 0.045, 0.035),
+    Share("equations, over inverse dynamics", _over(EQUATIONS, INVERSE)),
+    Share("forward dynamics, over inverse dynamics", _over(FORWARD, INVERSE)),
+    Share("derivatives, over inverse dynamics", _over(DERIVATIVES, INVERSE)),
+    Share(f"equations, {_BASIS}", _over_basis(EQUATIONS), 1.6, 1.3),
+    Share(f"forward dynamics, {_BASIS}", _over_basis(FORWARD), 1.2, 1),
+    Share(f"derivatives, {_BASIS}", _over_basis(DERIVATIVES), 4, 3),
+    Share("regressor 6 x 148, one pose", _microseconds(REGRESSOR), 1.5, 0.7, "us"),
+    Share("regressor 6 x 148, batch", _microseconds(batched(REGRESSOR)), unit="us"),
 )
 
 
 def shares(found: Measured) -> tuple[Share, ...]:
     """Every figure that the run has the times of."""
-    made = (_share(line, found) for line in _LINES)
+    made = (_of(share, found) for share in _SHARES)
     return tuple(share for share in made if share.values)
 
 
-def _share(line: _Line, found: Measured) -> Share:
+def _of(share: Share, found: Measured) -> Share:
     values = {}
     for peak in found.peaks:
         try:
-            values[peak.target] = line.value(found, peak.target)
+            values[peak.target] = share.value(found, peak.target)
         except KeyError:
             continue
-    return Share(line.name, line.unit, values, line.bound, line.goal, line.least)
+    return replace(share, values=values)

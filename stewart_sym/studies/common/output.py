@@ -1,8 +1,9 @@
-"""Tables of results as plain text and as CSV."""
+"""Tables of results as plain text, as CSV and, with paragraphs, as Markdown for the documentation."""
 
 import csv
 import io
 import math
+import textwrap
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
@@ -17,6 +18,9 @@ _ROWS = 1024
 
 Columns = dict[str, NDArray[Any]]
 """Columns (n,) by name."""
+
+Figures = dict[str, Any]
+"""What a study wrote as JSON."""
 
 
 def of_legs(name: str, values: NDArray[Any], ending: str = "") -> Columns:
@@ -71,3 +75,16 @@ def aligned(header: Sequence[str], rows: Sequence[Sequence[str]], left: int = 1)
         for row in table
     ]
     return "\n".join([lines[0], "-" * max(map(len, lines)), *lines[1:]])
+
+
+def paragraph(line: str) -> str:
+    """Markdown: lines of at most 110 columns and an empty one."""
+    return textwrap.fill(line, 110, break_on_hyphens=False, break_long_words=False) + "\n\n"
+
+
+def table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    """Markdown: header, rows and an empty line."""
+    lines = [header, ["---"] * len(header), *rows]
+    return (
+        "".join(f"|{'|'.join(f' {cell} ' if cell else ' ' for cell in cells)}|\n" for cells in lines) + "\n"
+    )

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from ..common.markdown import Figures, paragraph, table
+from ..common.output import Figures, paragraph, table
 from .control import Settings
 from .report import NAMES, vector
 

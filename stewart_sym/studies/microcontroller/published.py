@@ -1,7 +1,7 @@
 """Table of the documentation from ``controller.json``: instructions and memory on two microcontrollers."""
 
 from ...derive.emit.torque import torque_operations
-from ..common.markdown import Figures, paragraph, table
+from ..common.output import Figures, paragraph, table
 
 
 def tables(found: Figures) -> dict[str, str]:

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ..common.markdown import Figures, paragraph, table
+from ..common.output import Figures, paragraph, table
 
 
 def tables(found: Figures) -> dict[str, str]:

@@ -6,10 +6,9 @@ Without friction or drive, and with springs for actuators, the energy of machine
 import dataclasses
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, cast
+from typing import cast
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...backend.kernel import FORMULATIONS
 from ...dynamics.inverse import Formulation
@@ -54,10 +53,6 @@ class Drift:
         if self.scale == 0.0:
             return "nothing moved, so that no energy can drift"
         return f"energy with that of the springs changes by up to {self.worst:.2e} of the mean kinetic energy"
-
-    def columns(self) -> dict[str, NDArray[Any]]:
-        """Columns (n,) by name: time and drift."""
-        return {"time": self.times, "drift": self.drift}
 
 
 def energy_drift(

@@ -47,7 +47,9 @@ def report(robot: Robot, run: Simulation, law: ForceLaw, drifts: Mapping[Formula
         text += "\n" + energy_drift.summary(drifts)
         if any(len(drift.times) > 1 for drift in drifts.values()):
             figures["energy_drift"] = Picture(lambda: energy_drift.figure(drifts))
-    tables = {f"energy_drift_{name}": drift.columns() for name, drift in drifts.items()}
+    tables = {
+        f"energy_drift_{name}": {"time": drift.times, "drift": drift.drift} for name, drift in drifts.items()
+    }
     return Report(text, {"run": run_columns(run), **tables}, _data(run, fine, law, drifts, motors), figures)
 
 

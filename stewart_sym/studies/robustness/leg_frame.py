@@ -8,12 +8,12 @@ import numpy as np
 
 from ...io.array_types import Array
 from ...kinematics.inverse import leg_vectors
-from ...motion.motion import Motion
+from ...motion.motion import Motion, at_rest
 from ...precision.truth import digits
 from ...robot.robot import Robot
 from . import shipped
 from .family import Curve, Family, distances, exact
-from .sweep.machines import LEGS, at_rest, random_machine, random_motion
+from .sweep.machines import LEGS, random_machine, random_motion
 from .sweep.oracle import check_poses
 from .sweep.sweep import condition_of
 
@@ -59,7 +59,8 @@ def _walk(seed: int, legs: str, rest: bool) -> tuple[list[Robot], list[Motion]]:
     rng = np.random.default_rng(seed)
     robot = random_machine(rng, legs=legs)
     motion = random_motion(rng, robot)
-    motion = at_rest(motion) if rest else motion
+    if rest:
+        motion = at_rest(motion.R, motion.t, motion.F_ext, motion.M_ext)
     _, S, L = leg_vectors(robot, motion.R, motion.t)
     s = S[0] / L[0]
     across = np.cross(s, robot.k[0])

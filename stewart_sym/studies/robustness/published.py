@@ -1,6 +1,6 @@
 """Tables of the documentation from ``stability.json``: degenerate configurations and random cases."""
 
-from ..common.markdown import Figures, paragraph, table
+from ..common.output import Figures, paragraph, table
 
 
 def tables(found: Figures) -> dict[str, str]:

@@ -77,12 +77,6 @@ def random_motion(rng: np.random.Generator, robot: Robot) -> Motion:
     )
 
 
-def at_rest(motion: Motion) -> Motion:
-    """The pose and load of a motion without velocities and accelerations."""
-    none = np.zeros_like(motion.t)
-    return dataclasses.replace(motion, omega=none, v=none, alpha=none, a=none)
-
-
 def machine_size(robot: Robot) -> float:
     """Root mean square distance of the base points from their mean, m."""
     from_mean = robot.b - robot.b.mean(axis=0)
