@@ -17,10 +17,7 @@ extensions = [
     "sphinx.ext.autodoc",
     "numpydoc",
     "mathml",
-    "python_api",
-    "command_line",
-    "c_interface",
-    "machine",
+    "directives",
 ]
 source_suffix = {".md": "markdown"}
 exclude_patterns = ["_build", "tables"]

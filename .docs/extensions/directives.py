@@ -1,0 +1,150 @@
+"""What the pages of reference ask for by directives.
+
+``{statuses}`` and ``{structs}``: tables of the C interface, from the table that writes the headers.
+``{subcommands}``: a section for each subcommand, from its argparse parser.
+``{public} FOLDER ...``: the public names that modules in these folders define, by autodoc.
+``{machine} PATH``: the paper's machine on one of its paths, as ``stewart-sym view`` shows it.
+"""
+
+import argparse
+import inspect
+from importlib import import_module
+from typing import ClassVar
+
+from docutils import nodes
+from docutils.parsers.rst import directives
+from sphinx.application import Sphinx
+from sphinx.pycode import ModuleAnalyzer
+from sphinx.util.docutils import SphinxDirective
+
+import stewart_sym as ss
+from stewart_sym.cli import main
+from stewart_sym.derive.kernel.interface import STRUCTS
+from stewart_sym.derive.kernel.tree.constants import STATUSES
+from stewart_sym.studies.common.output import table
+from stewart_sym.viewer.view import frame
+
+_HEIGHT = 780
+"""Of the viewer."""
+
+
+class Statuses(SphinxDirective):
+    """Status codes."""
+
+    def run(self) -> list[nodes.Node]:
+        """One table."""
+        rows = [(str(code), f"`STEWART_{name}`", meaning) for name, code, meaning in STATUSES]
+        return self.parse_text_to_nodes(table(("status", "name", "meaning"), rows))
+
+
+class Structs(SphinxDirective):
+    """Members of every struct."""
+
+    def run(self) -> list[nodes.Node]:
+        """One table a struct, under its name."""
+        parts = []
+        for name, members in STRUCTS.items():
+            rows = [(f"`{each.name}{each.dims}`", each.unit, each.meaning) for each in members]
+            parts.append(f"**`stewart_{name}`**\n\n{table(('member', 'unit', 'meaning'), rows)}")
+        return self.parse_text_to_nodes("".join(parts))
+
+
+def parsers() -> dict[str, argparse.ArgumentParser]:
+    """Parser of each subcommand."""
+    (found,) = (each for each in main._parser()._actions if isinstance(each, argparse._SubParsersAction))
+    return dict(found.choices)
+
+
+class Subcommands(SphinxDirective):
+    """Usage, description, options and example of every subcommand."""
+
+    def run(self) -> list[nodes.Node]:
+        """One section a subcommand."""
+        return [self._section(name, parser) for name, parser in parsers().items()]
+
+    def _section(self, name: str, parser: argparse.ArgumentParser) -> nodes.section:
+        section = nodes.section("", nodes.title(text=name), ids=[nodes.make_id(f"stewart-sym-{name}")])
+        section += nodes.paragraph(text=parser.description)
+        section += _code(parser.format_usage().removeprefix("usage: "))
+        for group in parser._action_groups:
+            shown = [each for each in group._group_actions if each.dest != "help"]
+            if shown:
+                section += nodes.paragraph(
+                    "", "", nodes.strong(text=f"{group.title[0].upper()}{group.title[1:]}")
+                )
+                section += _options(parser, shown)
+        if parser.epilog:
+            section += _code(parser.epilog.removeprefix("Example: "))
+        return section
+
+
+def _options(parser: argparse.ArgumentParser, actions: list[argparse.Action]) -> nodes.definition_list:
+    formatter = parser._get_formatter()
+    found = nodes.definition_list()
+    for action in actions:
+        term = nodes.term("", "", nodes.literal(text=formatter._format_action_invocation(action)))
+        text = formatter._expand_help(action) if action.help else ""
+        found += nodes.definition_list_item("", term, nodes.definition("", nodes.paragraph(text=text)))
+    return found
+
+
+def _code(text: str) -> nodes.literal_block:
+    return nodes.literal_block(text.strip(), text.strip(), language="text")
+
+
+def public_names(folder: str) -> list[str]:
+    """Public names of one folder: functions first, then classes, then data."""
+    places = {name: place.lstrip(".") for name, place in ss._public().items()}
+    found = [name for name, place in places.items() if place.split(".")[0] == folder]
+    return sorted(found, key=lambda name: (inspect.isclass(getattr(ss, name)), name.lower()))
+
+
+class Public(SphinxDirective):
+    """Documents names by autodoc; of data, the text that follows them.
+
+    also: records that functions return, by their modules.
+    """
+
+    required_arguments = 1
+    final_argument_whitespace = True
+    option_spec: ClassVar = {"also": directives.unchanged}
+
+    def run(self) -> list[nodes.Node]:
+        """One entry a name."""
+        names = [name for folder in self.arguments[0].split() for name in public_names(folder)]
+        text = "".join(self._entry(name) for name in names)
+        for name in self.options.get("also", "").split():
+            text += f".. autoclass:: stewart_sym.{name}\n   :members:\n\n"
+        return self.parse_text_to_nodes(f"```{{eval-rst}}\n{text}```\n")
+
+    @staticmethod
+    def _entry(name: str) -> str:
+        value = getattr(ss, name)
+        if inspect.ismodule(value):
+            return f".. automodule:: stewart_sym.{name}\n   :members:\n\n"
+        if inspect.isclass(value):
+            return f".. autoclass:: stewart_sym.{name}\n   :members:\n\n"
+        if callable(value):
+            return f".. autofunction:: stewart_sym.{name}\n\n"
+        module = import_module(ss._public()[name], "stewart_sym").__name__
+        lines = ModuleAnalyzer.for_module(module).find_attr_docs()["", name]
+        text = "".join(f"   {line}\n" for line in lines)
+        return f".. py:data:: {name}\n   :module: stewart_sym\n\n{text}\n"
+
+
+class Machine(SphinxDirective):
+    """A frame with the viewer."""
+
+    required_arguments = 1
+
+    def run(self) -> list[nodes.Node]:
+        """HTML that other writers leave out."""
+        view = ss.view(ss.robots.dasgupta1998(), self.arguments[0])
+        return [nodes.raw("", frame(view, _HEIGHT), format="html")]
+
+
+def setup(app: Sphinx) -> dict[str, bool]:
+    """Register the directives."""
+    for directive in (Statuses, Structs, Subcommands, Public, Machine):
+        app.add_directive(directive.__name__.lower(), directive)
+    return {"parallel_read_safe": True}
