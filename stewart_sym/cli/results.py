@@ -63,7 +63,10 @@ def results(
             page = stack.enter_context(result_file(target, [BEGINNING], arguments.force))
         if arguments.json is not None:
             _need_another("--json", arguments.json, output)
-            _reject_json(arguments.json, *inputs)
+            reject_inputs("--json", arguments.json, *inputs)
+            if arguments.json.suffix in (".toml", ".csv"):
+                text = "expected a file for JSON, got one of input: name inputs before --json"
+                raise ValueError(f"--json {arguments.json}: {text}")
             beginning = json_text(made_by).removesuffix("\n}\n") + ","
             stream = stack.enter_context(result_file(arguments.json, [beginning], arguments.force))
         if stem is not None and output is not None:
@@ -92,15 +95,6 @@ def results(
     if str(arguments.json) != "-":
         for text in lines:
             print(*map(safe_text, text.split("\n")), sep="\n")
-
-
-def _reject_json(output: Path, *inputs: Path) -> None:
-    """ValueError if the file for JSON is an input, or the one argument that ``--json`` took for its file."""
-    reject_inputs("--json", output, *inputs)
-    if output.suffix in (".toml", ".csv"):
-        raise ValueError(
-            f"--json {output}: expected a file for JSON, got one of input: name inputs before --json"
-        )
 
 
 def _need_another(option: str, path: Path, *others: Path | None) -> None:

@@ -15,8 +15,7 @@ from ....motion.rotation import quaternion_from_rotation
 from ....robot.robot import Robot
 from ...common.timing import over
 from ..baselines import Called
-from .free_platform import States, newton_euler, states
-from .tree import base_frames, turned
+from .tree import States, base_frames, newton_euler, states, turned
 
 with needed_for("the comparison with Drake"):
     from pydrake.math import RigidTransform, RotationMatrix

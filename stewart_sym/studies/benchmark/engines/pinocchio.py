@@ -16,8 +16,7 @@ from ....motion.rotation import quaternion_from_rotation
 from ....robot.robot import Robot
 from ...common.timing import over
 from ..baselines import Called
-from .free_platform import States, newton_euler, states, turned_back
-from .tree import CARRIER, Engine, Tree, base_frames
+from .tree import CARRIER, Engine, States, Tree, base_frames, newton_euler, states, turned_back
 
 with needed_for("the comparison with Pinocchio"):
     import pinocchio as pin
