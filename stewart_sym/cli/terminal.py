@@ -8,7 +8,6 @@ import sys
 import time
 import warnings
 from collections.abc import Iterator
-from typing import TextIO
 
 from ..io.arguments import safe_text
 from ..io.progress import Progress, silent
@@ -78,14 +77,7 @@ def warnings_in_lines(*sources: object) -> Iterator[None]:
     lines: list[str] = []
     overflows: list[str] = []
 
-    def keep(
-        message: Warning | str,
-        category: type[Warning],
-        filename: str,
-        lineno: int,
-        file: TextIO | None = None,
-        line: str | None = None,
-    ) -> None:
+    def keep(message: Warning | str, category: type[Warning], *_: object, **__: object) -> None:
         of_numpy = category is RuntimeWarning and " encountered in " in str(message)
         (overflows if of_numpy else lines).append(one_line(message))
 

@@ -1,7 +1,7 @@
 """Budgets: the error and the time that a machine's motions allow, as a TOML file says, read and checked."""
 
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -94,26 +94,18 @@ def _names(value: object, where: str) -> list[str]:
 
 
 def _motion(robot: Robot, name: str, folder: Path, prefix: str) -> Motion:
+    rows: Sequence[object]
     if name in PATHS:
         path, dtau = path_for(robot, name)
         motion = path.sample(path.times(dtau))
-        found = _fault(robot, motion)
-        if found is not None:
-            raise ValueError(f"{prefix}path {name}: instant {found[0]}: {found[1]}")
-        return motion
-    trajectory = trajectory_for(robot, folder / name)
-    if isinstance(trajectory, JointTrajectory):
-        trajectory = on_platform(robot, trajectory, None)
-    found = _fault(robot, trajectory.motion)
-    if found is not None:
-        raise ValueError(f"{trajectory.source}: row {trajectory.rows[found[0]]}: {found[1]}")
-    return trajectory.motion
-
-
-def _fault(robot: Robot, motion: Motion) -> tuple[int, str] | None:
-    """Index of the first unsolvable pose, and why it is unsolvable."""
+        where, rows = f"{prefix}path {name}: instant", range(len(motion.t))
+    else:
+        trajectory = trajectory_for(robot, folder / name)
+        if isinstance(trajectory, JointTrajectory):
+            trajectory = on_platform(robot, trajectory, None)
+        motion, where, rows = trajectory.motion, f"{trajectory.source}: row", trajectory.rows
     status = inverse_dynamics(robot, motion).status
-    if not status.any():
-        return None
-    where, reason = first_fault(status, robot, motion)
-    return where[0], reason
+    if status.any():
+        first, reason = first_fault(status, robot, motion)
+        raise ValueError(f"{where} {rows[first[0]]}: {reason}")
+    return motion

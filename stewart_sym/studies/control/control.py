@@ -204,29 +204,18 @@ def follow(
     times = path.times(1.0 / settings.rate)
     if duration is not None:
         times = times[times <= duration]
-    wanted = _Samples(times, path.sample(times))
-    laws = controllers(robot, wanted, settings)
-    start = _start(wanted.motion[0], np.array(path.axes), settings, len(laws))
+    motion = path.sample(times)
+    at = {time: motion[i] for i, time in enumerate(times.tolist())}
+    laws = controllers(robot, at.__getitem__, settings)
+    start = _start(motion[0], np.array(path.axes), settings, len(laws))
     all_t, all_R, F = _runs(ForwardDynamics(robot), laws, times, start, settings.steps)
     found = {}
     for i, name in enumerate(laws):
         t, R = all_t[:, i], all_R[:, i]
-        position = np.linalg.norm(t - wanted.motion.t, axis=-1)
-        turn = vector_from_rotation(wanted.motion.R @ np.swapaxes(R, -1, -2))
+        position = np.linalg.norm(t - motion.t, axis=-1)
+        turn = vector_from_rotation(motion.R @ np.swapaxes(R, -1, -2))
         found[name] = Run(times, t, R, F[:, i], position, np.linalg.norm(turn, axis=-1))
     return found
-
-
-class _Samples:
-    """A path at the times of its samples, worked out once."""
-
-    def __init__(self, times: Array, motion: Motion) -> None:
-        self.motion = motion
-        rows = zip(motion.R, motion.t, motion.omega, motion.v, motion.alpha, motion.a, strict=True)  # type: ignore[arg-type]
-        self._at = {float(time): Motion.unchecked(*row) for time, row in zip(times, rows, strict=True)}
-
-    def __call__(self, time: float) -> Motion:
-        return self._at[time]
 
 
 def _runs(

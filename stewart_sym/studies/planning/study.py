@@ -177,7 +177,8 @@ def planned_path_III() -> PlannedPath:
 def durations() -> dict[str, Any]:
     """Path III planned anew, in one and a half times its least time: slowed, and with least of something."""
     robot, path = dasgupta1998(), planned_path_III().path
-    weight = np.abs(inverse_dynamics(robot, at_rest(*_poses(path))).F).max()
+    poses = path(np.linspace(0.0, 1.0, _SAMPLES))
+    weight = np.abs(inverse_dynamics(robot, at_rest(poses.R, poses.t)).F).max()
     limits = Limits(force=FORCE_OVER_REST * float(weight))
     quick = time_path(robot, path, limits=limits)
     duration = LONGER * quick.duration
@@ -200,11 +201,6 @@ def durations() -> dict[str, Any]:
             "energy_J": float(np.trapezoid(power, time)),
         }
     return found
-
-
-def _poses(path: PosePath) -> tuple[Array, Array]:
-    motion = path(np.linspace(0.0, 1.0, _SAMPLES))
-    return motion.R, motion.t
 
 
 def figures() -> dict[str, Any]:

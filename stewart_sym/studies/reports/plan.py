@@ -128,9 +128,10 @@ def summary(plan: Plan) -> str:
     found, planned = plan.certificate, plan.planned
     leg = int(np.argmax(found.force.value))
     fast = int(np.argmax(found.speed.value))
+    longer = planned.conditions.length / planned.straight_conditions.length
     lines = [
         f"duration   {plan.timed.duration:.6g} s, from rest to rest",
-        f"path       {_lengths(planned)}",
+        f"path       {longer:.4g} times as long as the straight one",
         f"condition  {_conditions(planned.conditions)}",
         f"straight   {_conditions(planned.straight_conditions)}",
         f"force      up to {found.force.value[leg]:.6g} N, leg {leg + 1} at {found.force.time[leg]:.6g} s",
@@ -146,11 +147,6 @@ def summary(plan: Plan) -> str:
     ]
     lines += [f"via pose {number}  {text}" for number, text in _freed(planned)]
     return "\n".join(lines)
-
-
-def _lengths(planned: PlannedPath) -> str:
-    path, straight = planned.conditions.length, planned.straight_conditions.length
-    return f"{path / straight:.4g} times as long as the straight one"
 
 
 def _conditions(found: Conditions) -> str:
