@@ -306,13 +306,11 @@ def _compiled(
     """Kernels, and bytes of their code, compiled side by side."""
     every = candidates(robot)
     with ThreadPoolExecutor(CORES) as pool:
-        made = [pool.submit(_kernel, robot, candidate) for candidate in every]
-        sizes = [pool.submit(_text, robot, candidate) for candidate in every]
-        pairs = list(zip(every, made, strict=True))
-        done = tracked(progress, pairs, lambda pair: f"compiling {pair[0].name}")
+        made = {each: pool.submit(_kernel, robot, each) for each in every}
+        sizes = {each: pool.submit(_text, robot, each) for each in every}
+        done = tracked(progress, made.items(), lambda pair: f"compiling {pair[0].name}")
         kernels = {each: future.result() for each, future in done}
-        measured = list(zip(every, sizes, strict=True))
-        ended = tracked(progress, measured, lambda pair: f"measuring the code of {pair[0].name}")
+        ended = tracked(progress, sizes.items(), lambda pair: f"measuring the code of {pair[0].name}")
         texts = {each: future.result() for each, future in ended}
     return {each: kernel for each, kernel in kernels.items() if kernel is not None}, texts
 
