@@ -225,7 +225,7 @@ class Digest:
             for leg, i in enumerate(_largest(F))
         ]
         first, last = (time_text(self.time[i], self.step) for i in (0, -1))
-        worst = _largest(condition)
+        worst = int(_largest(condition))
         header = ("leg", "peak force, N", "at, s", "force_limit, N", "length, m", "speed, m/s")
         text = (
             f"{len(self.time)} instant{'s' if len(self.time) > 1 else ''}, {first} to {last} s; condition "
@@ -261,7 +261,7 @@ class Digest:
     def as_json(self) -> dict[str, Any]:
         """What the summary says, for programs."""
         kept = self._joined()
-        worst = _largest(kept.condition)
+        worst = int(_largest(kept.condition))
         verdicts, known = self._force_verdicts(kept), np.isfinite(kept.L).all(axis=-1)
         return {
             "instants": len(self.time),
