@@ -125,7 +125,10 @@ def poses_of(
             warnings.warn(f"{log.source}: {doubt}", stacklevel=2)
     if isinstance(log, JointTrajectory):
         guess = None if start is None else (rotation_from_rpy(start[3:]), start[:3])
-        return on_platform(robot, log, guess, progress)
+        poses = on_platform(robot, log, guess, progress)
+        if start is not None and (doubt := side_doubt(robot, poses.at(some))) is not None:
+            warnings.warn(f"--start: {doubt}", stacklevel=2)
+        return poses
     if start is not None:
         raise ValueError("--start: is for a trajectory of leg lengths, this one is of poses")
     return log

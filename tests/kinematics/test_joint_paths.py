@@ -194,6 +194,7 @@ def test_start_chooses_the_assembly_mode(tmp_path: Path, capsys: pytest.CaptureF
     start = ["0.1", "0", "-0.4", "0", "0", "-0.2"]
     output = tmp_path / "forces.csv"
     assert main(["forces", str(PAPERS), str(trajectory), "-o", str(output), "--start", *start]) == 0
+    assert "--start: the platform is below the base, where gravity pulls" in capsys.readouterr().err
     guess = rotation_from_rpy([0.0, 0.0, -0.2]), np.array([0.1, 0.0, -0.4])
     below = ss.motion_from_lengths(dasgupta(), legs.L, legs.L_dot, legs.L_ddot, guess)
     assert np.all(below.t[:, 2] < 0.0)
