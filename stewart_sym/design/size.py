@@ -178,7 +178,7 @@ def checked_quantiles(quantiles: Sequence[float], where: str = "quantiles") -> A
 
 
 def _checked(robot: Robot, motions: object) -> list[tuple[Array, Motion]]:
-    if not isinstance(motions, Iterable):
+    if not isinstance(motions, Iterable) or isinstance(motions, Motion):
         raise ValueError(f"motions: expected pairs (time, motion), got {type(motions).__name__}")
     found = []
     for i, pair in enumerate(motions):

@@ -156,6 +156,7 @@ def test_what_is_no_question_is_one_line() -> None:
     for motions, message in (
         ([], "motions: expected one at least"),
         (3, "motions: expected pairs"),
+        (motion[0], "motions: expected pairs"),
         ([time], "motions[0]: expected a pair"),
         ([(time[:2], motion)], "motions[0]: expected a motion of the shape"),
         ([(time, motion), (time[::-1], motion)], "motions[1]: time: expected finite, rising"),
