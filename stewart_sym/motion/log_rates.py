@@ -212,9 +212,9 @@ def _derivatives(
     covariance, sigma = np.zeros((len(smooth.grid), 6, 6)), np.zeros(6)
     covariance[:, noisy], sigma[noisy] = smooth.covariance, smooth.sigma
     noise = Uncertainty(found, smooth.grid, covariance, sigma, "L" in log.written)
-    if log.smoothing.cutoff is None:
-        noise = _with_jumps(log, values - found[0], noise, tell)
-    if tell and log.smoothing.cutoff is not None:
+    if tell and log.smoothing.cutoff is None:
+        _warn_of_jumps(log, values - found[0], noise)
+    elif tell:
         _warn_of_cutoff(log, values, found)
     if tell and _matters(noise):
         more = _CORRELATED.format(level.correlation) if level.correlation > 1.0 else ""
@@ -222,36 +222,24 @@ def _derivatives(
     return found, noise
 
 
-# A smooth curve leaves what jumps by so many deviations of the noise, in few of the rows; rows about such a
-# one in which it rings, and by how much more than it leaves there.
-_TORN, _FEW, _RINGS, _MORE = 6.0, 0.05, 4, 2.0
+# A smooth curve leaves what jumps by so many deviations of the noise, in few of the rows.
+_TORN, _FEW = 6.0, 0.05
 
 
-def _with_jumps(log: Log, left: Array, noise: Uncertainty, tell: bool) -> Uncertainty:
-    """Uncertainty with deviations that grow as what the curve leaves, (n, 6), where accelerations jump."""
-    off = np.abs(left) / np.where(noise.sigma > 0.0, noise.sigma, np.inf)
-    torn = off.max(axis=1) > _TORN
-    if not torn.any() or torn.mean() > _FEW:
-        return noise
-    near = np.convolve(torn, np.ones(2 * _RINGS + 1), "same") > 0.5
-    rows = np.flatnonzero(near)
-    around = np.stack([off[np.clip(rows + shift, 0, len(off) - 1)] for shift in range(-_RINGS, _RINGS + 1)])
-    grown = np.where((most := around.max(axis=0)) > _TORN, most, 0.0)
-    own = _on_grid(log.time[rows], noise)[:, :, [0, 2, 5]]
-    changed = np.zeros((3, *left.shape))
-    changed[:, rows] = np.moveaxis(_MORE * np.sqrt(own) * grown[..., None], -1, 0)
-    if tell:
-        worst = int(np.argmax(off.max(axis=1)))
-        when = time_text(log.time[worst], float(np.median(np.diff(log.time))))
-        text = f"near {when} s a smooth motion is {off[worst].max():.2g} deviations of the noise off"
-        more = "do accelerations jump? Forces there overshoot, as their deviations say"
-        log.warn(f"{text}: {more}", 8)
-    return _with_changes(log.time, noise.coordinates, noise, changed, near)
+def _warn_of_jumps(log: Log, left: Array, noise: Uncertainty) -> None:
+    """Warn where accelerations jump by what the curve leaves, (n, 6)."""
+    off = (np.abs(left) / np.where(noise.sigma > 0.0, noise.sigma, np.inf)).max(axis=1)
+    if not 0.0 < np.mean(off > _TORN) <= _FEW:
+        return
+    worst = int(np.argmax(off))
+    when = time_text(log.time[worst], float(np.median(np.diff(log.time))))
+    text = f"near {when} s a smooth motion is {off[worst]:.2g} deviations of the noise off"
+    log.warn(f"{text}: do accelerations jump? Forces there overshoot, as their deviations say", 8)
 
 
 # A cut-off removes motion where what it removes is so many times what changes from row to row, and would be
 # this share of usual accelerations at the cut-off.
-_NOT_NOISE, _MISSED = 3.0, 0.05
+_NOT_NOISE, _MISSED = 3.0, 0.01
 
 
 def _warn_of_cutoff(log: Log, values: Array, found: Array) -> None:

@@ -46,6 +46,8 @@ PAIRS = ((0, 0), (1, 0), (1, 1), (2, 0), (2, 1), (2, 2))
 _CHUNK = 1 << 16
 # A step this many times as long as nine of ten splits a series, if both parts keep this many samples.
 _GAP, _FEWEST_SAMPLES = 8.0, 6
+# In a window accelerations that jump are likelier than the series' own order by so much in -2 log likelihood.
+_CLEARLY = 10.0
 # Least penalty of weight 1 of a curve that bends once in the longest step: with less, rounding bends it.
 _LEAST_BENT = 1e-6
 # Times are even if they are off multiples of the mean interval by less than this share of it.
@@ -409,15 +411,6 @@ class _Window(NamedTuple):
         spread = np.sum((y - y.sum(axis=0) / max(1, len(y))) ** 2, axis=0)
         return cls(G, pilot, project(rest), np.sum(rest**2, axis=0), spread, knots.density)
 
-    def columns(self, own: NDArray[np.int64]) -> _Window:
-        """The window of some columns alone."""
-        return self._replace(
-            pilot=self.pilot[:, own],
-            rest=self.rest[:, own],
-            residual=self.residual[own],
-            spread=self.spread[own],
-        )
-
     def likeliest(self, order: int, sigma: Array, weight: float | None = None) -> _Fit:
         """Posterior of the coefficients under noise sigma, (c,), with the likeliest weight or a given one."""
         modes = _modes(self.G.tobytes(), self.size, order, self.density)
@@ -454,6 +447,7 @@ def _smoothed(
     clock: _Clock, values: Array, sigma: Array, knots: _Knots, orders: NDArray[np.int64], weight: float | None
 ) -> Smooth:
     count, step = values.shape[1], clock.unit * knots.step
+    jumping = ORDERS[0] if weight is None else CUTOFF_ORDER
     coefficients = np.zeros((knots.cells + DEGREE, count))
     grid = np.arange(2 * knots.cells + 1) / 2.0
     covariance, resolved = np.zeros((len(grid), count, len(PAIRS))), np.zeros((len(grid), count))
@@ -464,15 +458,19 @@ def _smoothed(
         share = knots.share(start, grid[inside])
         centres = np.clip(np.arange(window.size) - DEGREE // 2, 0, width)
         blend = knots.share(start, (start + centres).astype(np.float64))
-        for order in np.unique(orders):
-            own = np.flatnonzero(orders == order)
-            fit = window.columns(own).likeliest(int(order), sigma[own], weight)
-            coefficients[start : start + window.size, own] += blend[:, None] * (fit.modes.X @ fit.mean)
-            resolved[inside, own] += share[:, None] * width / fit.free
+        fits = {order: window.likeliest(order, sigma, weight) for order in {jumping, *orders.tolist()}}
+        usual = np.array([fits[order].cost[i] for i, order in enumerate(orders.tolist())])
+        likely = np.where(fits[jumping].cost < usual - _CLEARLY, jumping, orders)
+        for order in np.unique(likely):
+            own, fit = np.flatnonzero(likely == order), fits[int(order)]
+            mean = fit.modes.X @ fit.mean[:, own]
+            coefficients[start : start + window.size, own] += blend[:, None] * mean
+            if order == ORDERS[0]:
+                resolved[inside, own] += share[:, None] * width / fit.free[own]
             for k, product in enumerate(_products(fit.modes, width)):
                 scaled = share[:, None] / step ** sum(PAIRS[k])
-                covariance[inside, own, k] += scaled * (product @ fit.variance)
-    covariance += _ramps(coefficients, orders, resolved, step)
+                covariance[inside, own, k] += scaled * (product @ fit.variance[:, own])
+    covariance += _ramps(coefficients, resolved, step)
     found = np.empty((3, *values.shape))
     for part in (slice(i, i + _CHUNK) for i in range(0, len(values), _CHUNK)):
         cell, u = places(clock.since[part], knots.step, knots.cells)
@@ -482,18 +480,18 @@ def _smoothed(
     return Smooth(found[0], found[1], found[2], sigma, clock.start + step * grid, covariance)
 
 
-def _ramps(coefficients: Array, orders: NDArray[np.int64], resolved: Array, step: float) -> Array:
+def _ramps(coefficients: Array, resolved: Array, step: float) -> Array:
     """Covariance at every half cell, (g, c, 6), that second rates add which may jump where they seem to rise.
 
-    Where the order says that they do, anything between the values before and after is as likely. resolved:
-    cells over which a jump becomes a ramp, (g, c).
+    Anything between the values before and after is as likely. resolved: cells over which a jump becomes a
+    ramp, (g, c); 0 where none is likely.
     """
     grid = np.arange(len(resolved)) / 2.0
     cell, u = places(grid, 1.0, len(coefficients) - DEGREE)
     seconds = along(b_splines(u, DEGREE, 2), cell, coefficients) / step**2
     off = np.zeros((3, *resolved.shape))
-    for i in np.flatnonzero(orders == ORDERS[0]):
-        before, after = (np.interp(grid + side * resolved[:, i], grid, seconds[:, i]) for side in (-1.0, 1.0))
+    for i, ramp in enumerate(resolved.T):
+        before, after = (np.interp(grid + side * ramp, grid, seconds[:, i]) for side in (-1.0, 1.0))
         off[2, :, i] = (after - before) / math.sqrt(12.0)
     off[1] = 0.25 * step * resolved * off[2]
     return np.stack([off[i] * off[j] for i, j in PAIRS], axis=-1)

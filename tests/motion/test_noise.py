@@ -317,6 +317,24 @@ def test_deviations_hold_where_accelerations_of_a_trapezoid_jump(rate: int, nois
     assert np.mean(off < sd) < 0.9
 
 
+@pytest.mark.parametrize(("rate", "noise"), [(100, 3e-6), (200, 2e-5), (1000, 1e-5)])
+def test_deviations_hold_about_an_emergency_stop_of_a_smooth_motion(rate: int, noise: float) -> None:
+    """A sine of 80 mm and 1 Hz that is stopped from 3.1 s on within 80 ms."""
+    time, turn = np.arange(5 * rate) / rate, 2.0 * np.pi
+    since = np.clip(time - 3.1, 0.0, 0.08)
+    before = 0.08 * np.sin(turn * np.minimum(time, 3.1))
+    speed = 0.08 * turn * np.cos(turn * 3.1)
+    rng = np.random.default_rng(rate)
+    noisy = before + speed * (since - 0.5 * since**2 / 0.08) + noise * rng.normal(size=time.shape)
+    found = ss.smooth(time, noisy[:, None])
+    stops = -speed / 0.08 * ((time > 3.1) & (time < 3.18))
+    true = np.where(time < 3.1, -(turn**2) * before, stops)
+    sd = np.sqrt(np.interp(time, found.grid, found.covariance[:, 0, 5]))
+    off = np.abs(found.second_rates[:, 0] - true)
+    assert np.mean(off > 4.0 * np.maximum(sd, 0.03)) < 2e-3
+    assert np.median(sd[time < 2.5]) < 0.1 * sd.max()
+
+
 @pytest.mark.parametrize("count", [200, 20_000])
 def test_numbers_that_stay_the_same_are_off_by_their_rounding_however_many_they_are(count: int) -> None:
     values = np.array([[0.65, 0.1235]]) * np.ones((count, 1))
