@@ -1,12 +1,13 @@
 """Smoothing splines of noisy samples: values, rates, second rates and their covariance; NumPy alone.
 
 A spline of degree 5 on even knots minimises squared residuals over the noise's variance plus the squared
-differences of order d of its coefficients over a variance of their own: a Gaussian prior. Marginal
-likelihood chooses that variance and d, so the spread of the posterior is what noise and unresolved motion
-leave open. The knots are refined until the penalty alone limits the resolution. Long series are smoothed in
-windows that overlap by half, so time and memory grow with their length alone; where samples are even, all
-inner windows share their matrices. What lies before and after a long gap is smoothed by itself: nothing is
-sampled in it, and equations of a curve that bridges it would be singular to rounding.
+differences of order d of its coefficients over a variance of their own: a Gaussian prior. Marginal likelihood
+chooses that variance and d, so the spread of the posterior is what noise and unresolved motion leave open; in
+windows for which it chooses accelerations that jump, what a jump may be is added. The knots are refined until
+the penalty alone limits the resolution. Long series are smoothed in windows that overlap by half, so time and
+memory grow with their length alone; where samples are even, all inner windows share their matrices. What lies
+before and after a long gap is smoothed by itself: nothing is sampled in it, and equations of a curve that
+bridges it would be singular to rounding.
 """
 
 from __future__ import annotations
