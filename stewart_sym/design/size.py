@@ -189,8 +189,8 @@ def _checked(robot: Robot, motions: object) -> list[tuple[Array, Motion]]:
         need_motion(robot, motion)
         if motion.shape != time.shape or time.ndim != 1 or not time.size:
             raise ValueError(
-                f"motions[{i}]: expected a motion of the shape of its time, (n,), got {motion.shape} and "
-                f"{time.shape}"
+                f"motions[{i}]: expected a motion of the shape of its time, (n,) with n >= 1, got "
+                f"{motion.shape} and {time.shape}"
             )
         if not np.isfinite(time).all() or np.any(np.diff(time) <= 0.0):
             raise ValueError(f"motions[{i}]: time: expected finite, rising instants")

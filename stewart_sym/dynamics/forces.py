@@ -234,7 +234,8 @@ class ForceKernel(Frozen):
     ) -> tuple[Array, NDArray[np.int32]]:
         """Actuator forces of motions in columns, for programs that keep each component by itself.
 
-        Nothing is transposed; arrays of another type, or in rows of different lengths, are copied.
+        Nothing is transposed; arrays of another type, or in rows of different lengths, are copied. Three
+        motions in rows have the shapes of three in columns: nothing tells them apart.
 
         Parameters
         ----------

@@ -38,7 +38,8 @@ def casadi_function(
         "forces" of R (3, 3), t, omega, v, alpha, a, F_ext, M_ext (3,) gives F (6,), N; "equations" of R, t,
         omega, v gives M, C (6, 6), g, friction, bias (6,), H and its rate H_dot (6, 6); "forward_dynamics" of
         R, t, omega, v, F, F_ext, M_ext gives a and alpha (3,). Arguments and results have these names.
-        `exact` with universal base joints has all three, other machines the forces.
+        `exact` with universal base joints has all three, `paper` and spherical joints the forces; none with
+        offset joints.
     formulation : {"exact", "paper"}, optional
         The corrected equations or those printed.
     checked : bool, optional

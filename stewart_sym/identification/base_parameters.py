@@ -152,6 +152,8 @@ def base_parameters(
     truth(friction, "friction")
     if motion is not None:
         instance(motion, Motion, "motion")
+        if 0 in motion.shape:
+            raise ValueError("motion: expected poses, got none")
     if shared is not None:
         option(shared, SHARED, "shared")
     stack = _stacked(robot, _random_motion(robot) if motion is None else motion)

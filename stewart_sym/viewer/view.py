@@ -109,7 +109,7 @@ def view(
         trajectory; a straight line; I, II or III, a path of the paper. None: at rest at the home pose. A
         motion without accelerations is shown without forces.
     times : array_like, optional
-        Of a Motion, s, (n,), increasing.
+        Of a Motion, s, (n,), increasing. None: for a motion of one pose.
 
     Returns
     -------
@@ -137,4 +137,6 @@ def _instants(robot: Robot, motion: object, times: object) -> Instants:
     if isinstance(motion, Trace):
         return of_run(robot, motion)
     instance(motion, Motion, "motion")
+    if times is None and cast(Motion, motion).shape not in ((), (1,)):
+        raise ValueError("times: expected the times of the motion's poses, s, got none")
     return of_motion(robot, cast(Motion, motion), times)

@@ -124,3 +124,5 @@ def test_what_has_no_base_parameters_is_rejected_in_one_line() -> None:
         ss.base_parameters(ball)
     with pytest.raises(ValueError, match="motion: expected a Motion"):
         ss.base_parameters(dasgupta(), 3)  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="motion: expected poses, got none"):
+        ss.base_parameters(dasgupta(), ss.PATHS["I"][0].sample(np.zeros(0)))

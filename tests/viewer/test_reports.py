@@ -194,6 +194,8 @@ def test_what_cannot_be_shown_is_named() -> None:
     time = np.linspace(0.0, 6.0, 5)
     with pytest.raises(ValueError, match="times: expected shape"):
         ss.view(robot, path.sample(time), time[:3])
+    with pytest.raises(ValueError, match="times: expected the times of the motion's poses"):
+        ss.view(robot, path.sample(time))
     with pytest.raises(ValueError, match="times: expected finite, increasing"):
         ss.view(robot, path.sample(time), 0.0 * time)
     with pytest.raises(ValueError, match="motion: expected I, II or III"):
