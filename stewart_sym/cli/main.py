@@ -10,7 +10,7 @@ import argparse
 import difflib
 import re
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from importlib import import_module
 from importlib.metadata import version
 from typing import Any, NoReturn
@@ -57,10 +57,12 @@ arguments, ``run`` takes them and returns the exit code.
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run one subcommand; ``argv``: without the program's name, None for this process's. Returns the code."""
-    parser = _parser()
+    words = sys.argv[1:] if argv is None else argv
     arguments = argparse.Namespace()
+    # That of the subcommand alone where there is one: the others take longer than many a subcommand runs.
+    parser = _parser(SUBCOMMANDS.keys() & words[:1] or SUBCOMMANDS)
     try:
-        parser.parse_args(argv, arguments)
+        parser.parse_args(words, arguments)
         take_work_area()
         # An error of the system that names no file is one of printing: all that write files name theirs.
         with named("standard output"):
@@ -135,7 +137,8 @@ class _Parser(argparse.ArgumentParser):
         self.exit(2, f"{PROGRAM}: error: {one_line(message)} (see {self.prog} --help)\n")
 
 
-def _parser() -> argparse.ArgumentParser:
+def _parser(names: Iterable[str] = SUBCOMMANDS) -> argparse.ArgumentParser:
+    """The parser of some subcommands."""
     parser = _Parser(
         prog=PROGRAM,
         description="Dynamics of the Stewart platform: derived by SymPy, emitted as C and NumPy, checked.",
@@ -143,8 +146,8 @@ def _parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("--version", action="version", version=f"{PROGRAM} {version('stewart-sym')}")
     subparsers = parser.add_subparsers(title="subcommands", metavar="SUBCOMMAND", required=True)
-    for name, place in SUBCOMMANDS.items():
-        module = import_module(f".{place}", __package__)
+    for name in names:
+        module = import_module(f".{SUBCOMMANDS[name]}", __package__)
         more = getattr(module, "MORE", "")
         text = f"{module.HELP[0].upper()}{module.HELP[1:]}. {more}".strip()
         added = subparsers.add_parser(
