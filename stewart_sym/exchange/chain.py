@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from ..io.array_types import Array
+from ..motion import rotation
 
 WORLD = "world"
 """Name of what does not move."""
@@ -201,9 +202,9 @@ def _split(joint: Joint, body: Body, cross: Callable[[Joint, Body], Body]) -> li
 def frame_along(axis: Array) -> Array:
     """A frame, (3, 3), axes in columns, whose third axis has the direction of a vector, (3,)."""
     z = axis / np.linalg.norm(axis)
-    x = np.cross(np.eye(3)[np.argmin(np.abs(z))], z)
+    x = rotation.cross(np.eye(3)[np.argmin(np.abs(z))], z)
     x = x / np.linalg.norm(x)
-    return np.stack([x, np.cross(z, x), z], axis=-1)
+    return np.stack([x, rotation.cross(z, x), z], axis=-1)
 
 
 def after(outer: tuple[Array, Array], R: Array, t: Array) -> tuple[Array, Array]:

@@ -8,6 +8,7 @@ import numpy as np
 
 from ..io.arguments import safe_text
 from ..io.array_types import Array
+from ..motion import rotation
 from ..robot.drive import Drive
 from ..robot.fields import DEFAULT_GRAVITY
 from ..robot.offsets import Offsets
@@ -239,12 +240,12 @@ class _Leg:
             if np.abs(own[:, 0] - self.s).max() < _ROUNDING:
                 return own
             k = np.eye(3)[np.argmin(np.abs(self.s))]
-        y = np.cross(k, self.s) if self.lines is None else self.lines.y
+        y = rotation.cross(k, self.s) if self.lines is None else self.lines.y
         sine = float(np.linalg.norm(y))
         if sine < _OPEN:
             raise self._error("expected a fixed axis across the leg in the file's pose, got one along it")
         y = y / sine
-        return np.stack([self.s, y, np.cross(self.s, y)], axis=-1)
+        return np.stack([self.s, y, rotation.cross(self.s, y)], axis=-1)
 
     def _part(self, body: Body, ends: Sequence[Step], part: str, crosses: Sequence[str]) -> dict[str, Any]:
         """Mass, centre of mass and inertia of the lower part, "d", or the upper one, "u", in its frame."""

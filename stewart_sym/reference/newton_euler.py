@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..motion.motion import Motion
+from ..motion.rotation import cross as _cross
 from ..results import JOINT_SINGULAR, NOT_FINITE, OK, SINGULAR, ZERO_LENGTH, Forces, Reactions
 from ..robot.offset_chains import applied as _mul
 from ..robot.offset_chains import transposed as _transpose
@@ -460,8 +461,3 @@ def without_overflow(found: dict[str, Array], status: Codes) -> Codes:
 def with_status(found: dict[str, Array], status: Codes) -> dict[str, Any]:
     """Results of the poses by name with NaN where the status is not 0, and the status."""
     return {name: blank(value, status != OK) for name, value in found.items()} | {"status": status}
-
-
-def _cross(a: Array, b: Array) -> Array:
-    """Vector product of vectors (..., 3)."""
-    return np.cross(a, b)

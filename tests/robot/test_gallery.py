@@ -10,7 +10,7 @@ import pytest
 import stewart_sym as ss
 from stewart_sym import robots
 from stewart_sym.cli.main import main
-from stewart_sym.motion.rotation import rotation_about_axes
+from stewart_sym.motion.rotation import cross, rotation_about_axes
 
 FOLDER = Path(robots.__file__).parent
 
@@ -54,32 +54,32 @@ def virtual_work_forces(robot: ss.Robot, motion: ss.Motion) -> np.ndarray:
     assert a is not None
     assert alpha is not None
     inertia = R @ robot.I_p @ R.T
-    total = np.concatenate([robot.M * (g - a), -inertia @ alpha - np.cross(omega, inertia @ omega)])
+    total = np.concatenate([robot.M * (g - a), -inertia @ alpha - cross(omega, inertia @ omega)])
     rows = []
     for i in range(6):
         b = R @ robot.p[i]
         leg = motion.t + b - robot.b[i]
         d = np.linalg.norm(leg)
         s = leg / d
-        point = np.hstack([E, np.cross(E, b).T])
-        v_b = v + np.cross(omega, b)
-        a_b = a + np.cross(alpha, b) + np.cross(omega, np.cross(omega, b))
-        d_dot, w = s @ v_b, np.cross(s, v_b) / d
-        d_ddot, w_dot = s @ a_b + d * (w @ w), (np.cross(s, a_b) - 2.0 * d_dot * w) / d
+        point = np.hstack([E, cross(E, b).T])
+        v_b = v + cross(omega, b)
+        a_b = a + cross(alpha, b) + cross(omega, cross(omega, b))
+        d_dot, w = s @ v_b, cross(s, v_b) / d
+        d_ddot, w_dot = s @ a_b + d * (w @ w), (cross(s, a_b) - 2.0 * d_dot * w) / d
         e_1, e_2 = robot.r_d0[i, 0], -robot.r_u0[i, 0]
-        turning = np.cross(E, s) @ point / d
+        turning = cross(E, s) @ point / d
         across = point - np.outer(s, s) @ point
         lower, upper = e_1 / d * across, np.outer(s, s) @ point + (d - e_2) / d * across
-        a_1 = e_1 * (np.cross(w_dot, s) + np.cross(w, np.cross(w, s)))
-        a_2 = (d - e_2) * (np.cross(w_dot, s) + np.cross(w, np.cross(w, s)))
-        a_2 = a_2 + 2.0 * d_dot * np.cross(w, s) + d_ddot * s
+        a_1 = e_1 * (cross(w_dot, s) + cross(w, cross(w, s)))
+        a_2 = (d - e_2) * (cross(w_dot, s) + cross(w, cross(w, s)))
+        a_2 = a_2 + 2.0 * d_dot * cross(w, s) + d_ddot * s
         for m, I_0, J, acceleration in (
             (robot.m_d[i], robot.I_d0[i], lower, a_1),
             (robot.m_u[i], robot.I_u0[i], upper, a_2),
         ):
             I = I_0[1, 1] * E + (I_0[0, 0] - I_0[1, 1]) * np.outer(s, s)  # noqa: E741
             total = total + J.T @ (m * (g - acceleration))
-            total = total + turning.T @ (-I @ w_dot - np.cross(w, I @ w))
+            total = total + turning.T @ (-I @ w_dot - cross(w, I @ w))
         rows.append(s @ point)
     return -np.linalg.solve(np.array(rows).T, total)
 

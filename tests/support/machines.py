@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from stewart_sym import robots
 from stewart_sym.derive.mechanics.formulation import Formulation
 from stewart_sym.motion.motion import Motion
+from stewart_sym.motion.rotation import cross
 from stewart_sym.robot.drive import Drive
 from stewart_sym.robot.offsets import Offsets
 from stewart_sym.robot.robot import Robot
@@ -210,9 +211,9 @@ def _good_pose(rng: np.random.Generator, robot: Robot) -> tuple[Array, Array]:
         q = robot.p @ R.T
         S = t + q - robot.b
         s = S / np.linalg.norm(S, axis=-1, keepdims=True)
-        H = np.vstack([s.T, np.cross(q, s).T / size])
+        H = np.vstack([s.T, cross(q, s).T / size])
         clear = robot.base_joint == "spherical" or np.all(
-            np.linalg.norm(np.cross(robot.k, s), axis=-1) > MIN_JOINT_SINE
+            np.linalg.norm(cross(robot.k, s), axis=-1) > MIN_JOINT_SINE
         )
         if clear and np.linalg.cond(H) < MAX_CONDITION:
             return R, t
@@ -230,7 +231,7 @@ def _axis_across(rng: np.random.Generator, direction: Array) -> Array:
     """A random unit vector at 45 degrees or more from a direction."""
     while True:
         k = _unit(rng.normal(size=3))
-        if np.linalg.norm(np.cross(k, _unit(direction))) > np.sqrt(0.5):
+        if np.linalg.norm(cross(k, _unit(direction))) > np.sqrt(0.5):
             return k
 
 
