@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from ..dynamics.home_pose import radius
 from ..io.array_types import Array
+from ..motion.rotation import cross
 from ..robot.robot import LEGS, Robot
 from .level_poses import (
     GOOD_CONDITION,
@@ -40,7 +41,8 @@ def of_order(robot: Robot, t: Array) -> Iterator[Doubt]:
     order = np.argsort(np.angle(around_b), kind="stable")
     b, p, heights = robot.b[order], robot.p[order], heights_of(robot, axis)
     ways = {(turn, k): np.roll(p[::turn], k, axis=0) for turn in (1, -1) for k in range(LEGS)}
-    best = {way: float(level_conditions(b, paired, heights).min()) for way, paired in ways.items()}
+    conditions = level_conditions(b, np.array(list(ways.values()))[:, None], heights)
+    best = dict(zip(ways, conditions.min(axis=-1).tolist(), strict=True))
     given, (turn, k) = best[1, 0], min(best, key=lambda way: best[way])
     ratio = given / best[turn, k] if np.isfinite(given) else np.inf
     turned = np.sum(around_p * np.conj(around_b))
@@ -63,10 +65,9 @@ def of_order(robot: Robot, t: Array) -> Iterator[Doubt]:
             f"{_level(given)} with the platform parallel to the base, at any height; likely cause: points of "
             f"wrong legs, or nearly parallel or concurrent legs",
         )
-    for i, j in itertools.combinations(range(LEGS), 2):
-        if _cross(robot, t, i, j):
-            yield _crossing(i, j)
-            return
+    for i, j in _meeting(robot, t):
+        yield _crossing(i, j)
+        return
     if crossed is not None:
         yield _crossing(*crossed[0], cause="platform points in another order than base points, or mirrored")
 
@@ -115,15 +116,20 @@ def _around(points: Array, axis: Array) -> NDArray[np.complex128]:
     return np.asarray(x + 1j * y)
 
 
-def _cross(robot: Robot, t: Array, i: int, j: int) -> bool:
-    """Whether two legs of a level pose meet away from their joints."""
-    a, b = robot.b[[i, j]]
-    u, v = t + robot.p[[i, j]] - robot.b[[i, j]]
-    normal = np.cross(u, v)
-    square = float(normal @ normal)
-    if square < 1e-6 * float(u @ u) * float(v @ v):
-        return False
-    along = [float(np.cross(b - a, other) @ normal) / square for other in (v, u)]
-    apart = abs(float((b - a) @ normal)) / np.sqrt(square)
-    inner = all(0.02 < share < 0.98 for share in along)
-    return inner and apart < 1e-4 * (radius(robot.b) + radius(robot.p))
+def _meeting(robot: Robot, t: Array) -> list[list[int]]:
+    """Pairs of legs of a level pose that meet away from their joints."""
+    pairs = np.array(list(itertools.combinations(range(LEGS), 2)))
+    (a, b), S = robot.b[pairs.T], t + robot.p - robot.b
+    u, v = S[pairs.T]
+    normal = cross(u, v)
+    square = _dot(normal, normal)
+    apart = _dot(b - a, normal)
+    along = np.array([_dot(cross(b - a, other), normal) for other in (v, u)]) / square
+    inner = np.all((along > 0.02) & (along < 0.98), axis=0)
+    near = np.abs(apart) < 1e-4 * (radius(robot.b) + radius(robot.p)) * np.sqrt(square)
+    found = pairs[(square >= 1e-6 * _dot(u, u) * _dot(v, v)) & inner & near]
+    return found.tolist()
+
+
+def _dot(x: Array, y: Array) -> Array:
+    return np.asarray((x * y).sum(axis=-1))

@@ -39,12 +39,14 @@ class Home:
     fits: bool
 
 
-def centred_H(b: Array, p: Array, R: Array, t: Array) -> tuple[Array, Array]:
-    """H with moments about the middle of the platform points over their radius, (n, 6, 6), and L, (n, 6)."""
-    q = p @ np.swapaxes(R, -1, -2)
+def centred_H(b: Array, q: Array, t: Array, unit: float) -> tuple[Array, Array]:
+    """H with moments about the middle of the platform points over a unit, m, (..., 6, 6), and L, (..., 6).
+
+    q: from the reference point to the platform points, base frame, m, (..., 6, 3). t: (..., 3).
+    """
     S = q + t[..., None, :] - b
     L = np.linalg.norm(S, axis=-1)
-    arm = (q - q.mean(axis=-2, keepdims=True)) / (radius(p) or 1.0)
+    arm = (q - q.mean(axis=-2, keepdims=True)) / (unit or 1.0)
     return np.swapaxes(length_rows(arm, S, L), -1, -2), L
 
 
@@ -108,8 +110,11 @@ def heights_of(robot: Robot, direction: Array) -> Array:
 
 
 def level_conditions(b: Array, p: Array, t: Array) -> Array:
-    """Scaled condition numbers of level poses at t (n, 3), (n,); infinity where H is singular."""
-    H, _ = centred_H(b, p, np.broadcast_to(np.eye(3), (len(t), 3, 3)), t)
+    """Scaled condition numbers of level poses at t (n, 3), (..., n); infinity where H is singular.
+
+    p: (6, 3), or the same points in several orders, (..., 1, 6, 3).
+    """
+    H, _ = centred_H(b, p, t, radius(p.reshape(-1, 3)))
     return scaled_condition_number(H, 1.0)
 
 

@@ -290,7 +290,7 @@ def _singular_shares(robot: Robot) -> tuple[Array, Array]:
     R = rotation_from_quaternion(rng.normal(size=(count, 4)))
     middle = robot.b.mean(axis=0) + size * rng.normal(size=(count, 3))
     t = middle - R @ robot.p.mean(axis=0)
-    H, L = centred_H(robot.b, robot.p, R, t)
+    H, L = centred_H(robot.b, robot.p @ np.swapaxes(R, -1, -2), t, radius(robot.p))
     values = np.linalg.svd(H, compute_uv=False)
     reach = np.abs(t).max(axis=-1) + np.abs(robot.p).max() + np.abs(robot.b).max()
     shares = np.nan_to_num(values[:, -1] / values[:, 0])
