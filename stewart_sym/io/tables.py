@@ -289,6 +289,8 @@ def need_schema(value: object, known: Sequence[int], where: str) -> int:
 
 def number(value: object, where: str, expected: str = "a finite number") -> float:
     """A finite number and no truth value."""
+    if type(value) is float and math.isfinite(value):
+        return value
     if isinstance(value, int | float | np.integer | np.floating) and not isinstance(value, bool):
         try:
             given = float(value)
@@ -304,17 +306,23 @@ def number(value: object, where: str, expected: str = "a finite number") -> floa
 
 def numbers(value: object, shape: tuple[int, ...], where: str) -> Array:
     """Return nested lists of finite numbers as a new float64 array of just that shape."""
-    expected = " x ".join(str(n) for n in shape) + " finite numbers"
-    return np.array(_flat(value, shape, where, expected)).reshape(shape)
+    return np.array(_flat(value, shape, where, shape)).reshape(shape)
 
 
-def _flat(value: object, shape: tuple[int, ...], where: str, expected: str) -> list[float]:
-    if not shape:
-        return [number(value, where, expected)]
+def _flat(value: object, shape: tuple[int, ...], where: str, whole: tuple[int, ...]) -> list[float]:
     items = value.tolist() if isinstance(value, np.ndarray) else value
     if not isinstance(items, list | tuple) or len(items) != shape[0]:
-        raise ValueError(f"{where}: expected {expected}, got {shown(items)}")
-    return [entry for item in items for entry in _flat(item, shape[1:], where, expected)]
+        raise ValueError(f"{where}: expected {_finite(whole)}, got {shown(items)}")
+    if len(shape) > 1:
+        return [entry for item in items for entry in _flat(item, shape[1:], where, whole)]
+    # Nearly all are, and this takes a fifth of the time.
+    if all(type(item) is float and math.isfinite(item) for item in items):
+        return list(items)
+    return [number(item, where, _finite(whole)) for item in items]
+
+
+def _finite(shape: tuple[int, ...]) -> str:
+    return " x ".join(str(n) for n in shape) + " finite numbers"
 
 
 def vector(value: object, where: str) -> Array:

@@ -125,6 +125,8 @@ def no_direction(value: object, where: str) -> Array:
 def inertia(value: object, where: str) -> Array:
     """A symmetric tensor, (3, 3)."""
     tensor = tables.numbers(value, (3, 3), where)
+    if (tensor == tensor.T).all():
+        return tensor
     skew = np.abs(tensor - tensor.T)
     if np.max(skew) > SYMMETRY_TOLERANCE * np.max(np.abs(tensor)):
         i, j = divmod(int(np.argmax(skew)), 3)
