@@ -1,6 +1,6 @@
-"""How tests are shared among workers: a module with a costly fixture in one worker, long modules first.
+"""How tests are shared among workers: modules, so that each makes once what its tests share, the long ones first.
 
-``--dist loadgroup --no-loadscope-reorder`` hands the tests out in this order, so that what remains for the
+``--dist loadgroup --no-loadscope-reorder`` hands the modules out in this order, so that what remains for the
 end is short and the workers finish together. Modules and not marks of ``xdist_group`` make the groups,
 since pytest-xdist 3.8 writes a mark into a node id that pytest 9.2 no longer reads.
 """
@@ -24,11 +24,6 @@ for library in ("OMP", "OPENBLAS", "MKL"):
     os.environ.setdefault(f"{library}_NUM_THREADS", "1")
 
 SHARING = (
-    ("test_bench_figures",),
-    ("test_build",),
-    ("test_cluster",),
-    ("test_controller",),
-    ("test_cpp",),
     ("test_cost_accuracy", "test_advice"),
     ("test_cost_plot", "test_pictures"),
     ("test_fmu", "test_fmu_files"),
@@ -42,56 +37,25 @@ SHARING = (
     ("test_wrong_constants", "test_bake"),
     # The library of the sweep.
     ("test_degenerate_families", "test_proportions", "test_stability"),
-    ("test_noise",),
-    ("test_along_path",),
-    ("test_reproduce",),
     # One browser.
     ("test_controls", "test_reports", "test_pixels"),
 )
-"""Modules in which tests share what takes seconds and is made once a worker."""
+"""Modules that share what takes seconds and is made once a worker."""
 GROUPS = {module: group[0] for group in SHARING for module in group}
 LONG = (
-    "test_generated",
-    "test_kit",
-    "test_kit_folder",
-    "test_vectors",
-    "test_language_kits",
-    "test_kit_use",
-    "test_stacks",
-    "test_controller",
-    "test_build",
-    "test_bench_figures",
-    "test_cost_accuracy",
-    "test_advice",
-    "test_fmu",
-    "test_fmu_files",
-    "test_cost_plot",
-    "test_cluster",
-    "test_bench_without_baselines",
-    "test_degenerate_families",
-    "test_bench",
-    "test_bounds",
-    "test_cpp",
-    "test_attack_c",
-    "test_plausibility",
-    "test_pictures",
-    "test_noise",
-    "test_worst_rounding",
-    "test_least_time",
-    "test_plan_command",
-    "test_wrong_constants",
-    "test_rotor",
-    "test_misra",
-    "test_packaging",
-    "test_long_logs",
-    "test_portability",
-    "test_bake",
-    "test_float",
-    "test_simulation",
-    "test_closed_form",
-    "test_reproduce",
+    *("test_generated", "test_degenerate_families", "test_cost_accuracy", "test_cost_plot", "test_bench"),
+    *("test_float", "test_rotor", "test_wrong_constants", "test_drive_terms", "test_controls", "test_fmu"),
+    *("test_figures", "test_near_joint", "test_joint_space", "test_log_faults", "test_noise"),
+    *("test_motor_limits", "test_bounds", "test_plan_command", "test_plausibility", "test_scalar"),
+    *("test_controller", "test_native", "test_kinematics_c", "test_cli", "test_design_commands"),
+    *("test_plan_path", "test_scene", "test_cli_forces", "test_inputs", "test_publish", "test_forces"),
+    *("test_identification_noise", "test_control", "test_motion_kernels", "test_hostile_files"),
+    *("test_static_c", "test_attack_c", "test_portability", "test_round_trip", "test_bench_figures"),
+    *("test_compilers", "test_build", "test_torque_kits", "test_singular_machines", "test_along_path"),
+    *("test_workspace", "test_regressor_c", "test_written_logs", "test_simulation", "test_cpp"),
+    *("test_extras", "test_rate_doubts", "test_mounting", "test_logs", "test_misra", "test_hidden_marks"),
 )
-"""Modules with tests of more than two seconds, the longest first."""
+"""Modules, or the first of those that share, whose tests take more than three seconds, the longest first."""
 
 
 _LOADED = (c_kernel.library, c_kernel.function, closed_form.library)
@@ -135,6 +99,11 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     items.sort(key=lambda item: rank.get(item.path.stem, len(LONG)))
 
 
+def pytest_unconfigure() -> None:
+    # What SymPy keeps takes pytest's last collection of garbage seconds.
+    gc.freeze()
+
+
 @pytest.hookimpl(optionalhook=True)
 def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
     if config.getvalue("dist") != "loadgroup":
@@ -143,6 +112,7 @@ def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
 
     class Modules(LoadScopeScheduling):
         def _split_scope(self, nodeid: str) -> str:
-            return GROUPS.get(PurePosixPath(nodeid.split("::")[0]).stem, nodeid)
+            module = PurePosixPath(nodeid.split("::")[0])
+            return GROUPS.get(module.stem, str(module))
 
     return Modules(config, log)
