@@ -12,7 +12,7 @@ from shells import shell_volume
 from sweeps import share, sweep
 
 import stewart_sym as ss
-from stewart_sym.design import cells
+from stewart_sym.design import cells, jobs
 from stewart_sym.design.pose_limits import REASONS, PoseExaminer
 from stewart_sym.design.workspace import WHOLE_TURN, Kind
 from stewart_sym.kinematics.clearance import PAIRS, distances_of, nearest_shares
@@ -238,7 +238,7 @@ def test_distances_of_legs_are_the_least_of_their_points() -> None:
             assert least - found[n, pair] < 2e-2 * least + 1e-3
 
 
-def test_what_is_no_question_is_one_line() -> None:
+def test_what_is_no_question_is_one_line(monkeypatch: pytest.MonkeyPatch) -> None:
     robot = limited(np.random.default_rng(2))
     free = dataclasses.replace(robot, length_limits=np.tile([0.0, math.inf], (6, 1)))
     assert "expected a box" in error_of(lambda: ss.workspace(free))
@@ -257,4 +257,5 @@ def test_what_is_no_question_is_one_line() -> None:
     assert error_of(lambda: ss.PoseLimits(load=[1.0])).startswith("load: expected")
     tight = ss.PoseLimits(clearance=10.0 * machine_size(robot))
     assert error_of(lambda: ss.workspace(robot, limits=tight)).startswith("clearance: expected less than")
+    monkeypatch.setattr(jobs, "_WAIT", "0.2s")
     assert error_of(lambda: ss.workspace(robot, scheduler="tcp://127.0.0.1:1")).startswith("scheduler: none")

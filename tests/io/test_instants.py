@@ -10,7 +10,8 @@ from stewart_sym.io.instants import even_clock, least_step, time_text
 @pytest.mark.parametrize("step", [1e-5, 1e-3, 0.0125, 0.5, 30.0])
 def test_different_instants_of_a_log_have_different_texts(start: float, step: float) -> None:
     times = start + step * np.arange(5000)
-    texts = [time_text(time, least_step(times)) for time in times]
+    least = least_step(times)
+    texts = [time_text(time, least) for time in times]
     assert len(set(texts)) == len(times)
     assert not any("e+" in text for text in texts)
     assert np.abs(np.array(texts, dtype=np.float64) - times).max() <= 0.5 * step
