@@ -1,4 +1,4 @@
-"""How tests are shared among workers: modules, so that each makes once what its tests share, the long ones first.
+"""How tests are shared among workers: by modules, which make once what their tests share, long ones first.
 
 ``--dist loadgroup --no-loadscope-reorder`` hands the modules out in this order, so that what remains for the
 end is short and the workers finish together. Modules and not marks of ``xdist_group`` make the groups,
@@ -56,6 +56,24 @@ LONG = (
     *("test_extras", "test_rate_doubts", "test_mounting", "test_logs", "test_misra", "test_hidden_marks"),
 )
 """Modules, or the first of those that share, whose tests take more than three seconds, the longest first."""
+
+
+_USUAL = ("stewart_exact", "stewart_exact_forces")
+
+
+@pytest.fixture(autouse=True, scope="session")
+def rare_kernels(pytestconfig: pytest.Config) -> Iterator[None]:
+    """All kernels but the usual one at -O0, which gives the same bits; slow tests take all as shipped."""
+    load = native.load
+
+    def quickly(name: str, sources: Any, flags: Any = (), defines: Any = None) -> Any:
+        rare = name.startswith("stewart_") and name not in _USUAL
+        return load(name, sources, (*flags, "-O0") if rare else flags, defines)
+
+    with pytest.MonkeyPatch.context() as changed:
+        if pytestconfig.getoption("markexpr") == "not slow":
+            changed.setattr(native, "load", quickly)
+        yield
 
 
 _LOADED = (c_kernel.library, c_kernel.function, closed_form.library)

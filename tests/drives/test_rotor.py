@@ -16,7 +16,6 @@ from pinocchio_model import Answer, pinocchio_inverse_dynamics
 from reduced_machines import as_simple_as
 
 import stewart_sym as ss
-from stewart_sym.backend import native
 from stewart_sym.backend.fidelity import DRIVE_FIDELITIES
 from stewart_sym.derive.mechanics.reduced_models import DRIVE_FIDELITIES as DERIVED
 from stewart_sym.dynamics.home_pose import home_pose
@@ -34,20 +33,6 @@ RELATIVE = 1e-10
 MACHINES, POSES = 12, 3
 BACKENDS: tuple[Literal["c", "numpy", "reference"], ...] = ("c", "numpy", "reference")
 QUANTITIES = ("F", "F_s", "F_u", "F_p", "M_p", "M_u")
-
-
-LARGE = ("stewart_exact_drive_bounds", "stewart_exact_drive_motion")
-
-
-@pytest.fixture(autouse=True)
-def compiled_quickly(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The largest libraries without optimising, which gives the same bits."""
-    load = native.load
-
-    def quickly(name: str, sources: Any, flags: Any = (), defines: Any = None) -> Any:
-        return load(name, sources, (*flags, "-O0") if name in LARGE else flags, defines)
-
-    monkeypatch.setattr(native, "load", quickly)
 
 
 @cache
