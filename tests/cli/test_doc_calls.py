@@ -35,7 +35,7 @@ def pieces(text: str) -> Iterator[str]:
 
 def swappable(code: str) -> list[str]:
     """Calls of this library in a piece of code with more positional arguments than types tell apart."""
-    tree = parsed(code)
+    tree = parsed(code) if "(" in code else None
     found = []
     for call in ast.walk(tree) if tree else ():
         if isinstance(call, ast.Call):

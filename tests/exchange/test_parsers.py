@@ -1,13 +1,12 @@
 """Exported files are read by others: SDF and URDF by Drake, whose parser is SDF's own, USD by OpenUSD."""
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 from machines import offset_case, random_robot
 from pxr import Usd, UsdGeom, UsdPhysics, UsdValidation
-from pydrake.multibody.parsing import Parser
-from pydrake.multibody.plant import MultibodyPlant
 
 import stewart_sym as ss
 
@@ -25,16 +24,20 @@ def moving_mass(robot: ss.Robot) -> float:
     return float(robot.M + robot.m_d.sum() + robot.m_u.sum() + crosses)
 
 
-def parsed(robot: ss.Robot, form: str) -> MultibodyPlant:
+def parsed(text: str, form: str) -> Any:
+    # Not at the top: Drake takes half a second, in every process that collects tests.
+    from pydrake.multibody.parsing import Parser
+    from pydrake.multibody.plant import MultibodyPlant
+
     plant = MultibodyPlant(0.0)
-    Parser(plant).AddModelsFromString(ss.export_model(robot, form).text, form)
+    Parser(plant).AddModelsFromString(text, form)
     return plant
 
 
 @pytest.mark.parametrize("name", MACHINES)
 def test_the_parser_of_sdf_finds_the_machine(name: str) -> None:
     robot = MACHINES[name]()
-    plant = parsed(robot, "sdf")
+    plant = parsed(ss.export_model(robot, "sdf").text, "sdf")
     kinds = [plant.get_joint(index).type_name() for index in plant.GetJointIndices()]
     at_base = ["universal"] if robot.base_joint == "universal" else ["ball_rpy"]
     if robot.offsets is not None:
@@ -56,15 +59,14 @@ def test_the_parser_of_sdf_finds_an_impossible_inertia() -> None:
     text = ss.export_model(robot, "sdf").text
     start = text.index("<ixx>")
     broken = text[:start] + "<ixx>1e9" + text[text.index("</ixx>", start) :]
-    plant = MultibodyPlant(0.0)
     with pytest.raises(RuntimeError, match="error: Failed to load"):
-        Parser(plant).AddModelsFromString(broken, "sdf")
+        parsed(broken, "sdf")
 
 
 @pytest.mark.parametrize("name", MACHINES)
 def test_the_parser_of_urdf_finds_the_tree_and_its_mass(name: str) -> None:
     robot = MACHINES[name]()
-    plant = parsed(robot, "urdf")
+    plant = parsed(ss.export_model(robot, "urdf").text, "urdf")
     plant.Finalize()
     turns = 2 if robot.base_joint == "universal" else 3
     assert plant.num_velocities() == 6 * (turns + 1) + 6

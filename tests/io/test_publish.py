@@ -2,6 +2,7 @@
 
 import contextlib
 import itertools
+import json
 import os
 import shutil
 import signal
@@ -321,43 +322,49 @@ def test_warnings_turned_into_errors_are_one_line() -> None:
 
 
 SIGNALLED = """
-import os, signal, sys, warnings
+import json, os, signal, sys
 from pathlib import Path
 from stewart_sym.cli import main as cli
 from stewart_sym.cli.machine import check
 from stewart_sym.io import writing as publish
 
-def run(arguments):
-    with publish.staged_folder(Path(sys.argv[1])) as folder:
-        (folder / "x").write_text("x")
-        try:
-            os.kill(os.getpid(), getattr(signal, sys.argv[2]))
-        except KeyboardInterrupt:
-            if sys.argv[3]:  # as an extension module that is being imported does
-                raise ImportError(sys.argv[3])
-            # as a library does that calls back
-    return 0
+def ended(target, name, ignored, error):
+    child = os.fork()
+    if child:
+        return os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
+    # A job in the background has some of them ignored, and so would its children.
+    default = signal.default_int_handler if name == "SIGINT" else signal.SIG_DFL
+    signal.signal(getattr(signal, name), signal.SIG_IGN if ignored else default)
 
-check.run = run
-sys.exit(cli.main(["check", "none.toml"]))
+    def run(arguments):
+        with publish.staged_folder(Path(target)) as folder:
+            (folder / "x").write_text("x")
+            try:
+                os.kill(os.getpid(), getattr(signal, name))
+            except KeyboardInterrupt:
+                if error:  # as an extension module that is being imported does
+                    raise ImportError(error)
+                # as a library does that calls back
+        return 0
+
+    check.run = run
+    os._exit(cli.main(["check", "none.toml"]))
+
+print([ended(*case) for case in json.loads(sys.argv[1])])
 """
 
 
-@pytest.mark.parametrize("name", ["SIGTERM", "SIGHUP", "SIGINT"])
-@pytest.mark.parametrize(("ignored", "error"), [(False, ""), (False, "initialization failed"), (True, "")])
 def test_a_signal_ends_a_run_even_where_a_library_swallows_it_and_an_ignored_one_does_not(
-    tmp_path: Path, name: str, ignored: bool, error: str
+    tmp_path: Path,
 ) -> None:
-    def handled() -> None:
-        # A job in the background has some of them ignored, and so would its children.
-        signal.signal(getattr(signal, name), signal.SIG_IGN if ignored else signal.SIG_DFL)
-
-    target = tmp_path / "out"
-    command = [sys.executable, "-c", SIGNALLED, str(target), name, error]
-    done = subprocess.run(command, preexec_fn=handled, capture_output=True, text=True)
-    code = 0 if ignored else 128 + getattr(signal, name)
-    assert (done.returncode, done.stderr) == (code, "")
-    assert target.exists() == ignored
+    kinds = ((False, ""), (False, "initialization failed"), (True, ""))
+    signals = itertools.product(("SIGTERM", "SIGHUP", "SIGINT"), kinds)
+    cases = [(str(tmp_path / str(i)), name, *kind) for i, (name, kind) in enumerate(signals)]
+    command = [sys.executable, "-c", SIGNALLED, json.dumps(cases)]
+    done = subprocess.run(command, capture_output=True, text=True)
+    codes = [0 if ignored else 128 + getattr(signal, name) for _, name, ignored, _ in cases]
+    assert (done.stdout, done.stderr) == (f"{codes}\n", "")
+    assert [Path(target).exists() for target, *_ in cases] == [ignored for _, _, ignored, _ in cases]
 
 
 def write_both(folder: Path) -> None:

@@ -205,9 +205,10 @@ def rotation(vector: Array) -> Array:
 
 def _good_pose(rng: np.random.Generator, robot: Robot) -> tuple[Array, Array]:
     size = machine_size(robot)
+    home = home_position(robot.b, size)
     for _ in range(1000):
         R = rotation(0.2 * rng.normal(size=3))
-        t = home_position(robot.b, size) + 0.15 * size * rng.normal(size=3)
+        t = home + 0.15 * size * rng.normal(size=3)
         q = robot.p @ R.T
         S = t + q - robot.b
         s = S / np.linalg.norm(S, axis=-1, keepdims=True)
@@ -215,7 +216,8 @@ def _good_pose(rng: np.random.Generator, robot: Robot) -> tuple[Array, Array]:
         clear = robot.base_joint == "spherical" or np.all(
             np.linalg.norm(cross(robot.k, s), axis=-1) > MIN_JOINT_SINE
         )
-        if clear and np.linalg.cond(H) < MAX_CONDITION:
+        values = np.linalg.svd(H, compute_uv=False)
+        if clear and values[0] < MAX_CONDITION * values[-1]:
             return R, t
     raise RuntimeError("no well-posed pose found in 1000 draws")
 
