@@ -39,16 +39,17 @@ def home_pose(robot: Robot) -> HomePose:
     length = characteristic_length(robot)
     t = level_positions(robot, up_direction(robot)) if robot.home is None else robot.home[None]
     L = level_lengths(robot, t)
-    forces = inverse_dynamics(robot, at_rest(np.eye(3), t), backend="numpy", on_singular="nan")
-    scaled = scaled_condition_number(forces.H, length)
     if robot.home is not None:
-        rule, best = "as the robot file states", 0
+        rule = "as the robot file states"
     elif np.all(np.isfinite(robot.length_limits)):
         rule = "the height that puts the legs, on average, in the middle of their length limits"
-        best = int(np.argmin(np.abs(L.mean(axis=-1) - robot.length_limits.mean())))
+        amid = int(np.argmin(np.abs(L.mean(axis=-1) - robot.length_limits.mean())))
+        t, L = t[amid, None], L[amid, None]
     else:
         rule = "no length limits are given: the height with the least scaled condition number"
-        best = int(np.argmin(np.nan_to_num(scaled, nan=np.inf)))
+    forces = inverse_dynamics(robot, at_rest(np.eye(3), t), backend="numpy", on_singular="nan")
+    scaled = scaled_condition_number(forces.H, length)
+    best = int(np.argmin(np.nan_to_num(scaled, nan=np.inf)))
     return HomePose(
         side=platform_side(robot),
         rule=rule,

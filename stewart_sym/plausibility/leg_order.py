@@ -40,24 +40,13 @@ def of_order(robot: Robot, t: Array) -> Iterator[Doubt]:
         return
     order = np.argsort(np.angle(around_b), kind="stable")
     b, p, heights = robot.b[order], robot.p[order], heights_of(robot, axis)
-    ways = {(turn, k): np.roll(p[::turn], k, axis=0) for turn in (1, -1) for k in range(LEGS)}
-    conditions = level_conditions(b, np.array(list(ways.values()))[:, None], heights)
-    best = dict(zip(ways, conditions.min(axis=-1).tolist(), strict=True))
-    given, (turn, k) = best[1, 0], min(best, key=lambda way: best[way])
-    ratio = given / best[turn, k] if np.isfinite(given) else np.inf
+    given = float(level_conditions(b, p, heights).min())
     turned = np.sum(around_p * np.conj(around_b))
     clear = abs(turned) > 0.5 * np.sum(np.abs(around_p) * np.abs(around_b))
-    twisted = clear and abs(np.angle(turned)) > TWISTED and ratio > 2.0
-    mispaired = given > GOOD_CONDITION and ratio > MISPAIRED and (turn, k) != (1, 0)
-    if mispaired or twisted:
-        shift = min(k, LEGS - k)
-        cause = "in the opposite sense (mirrored)" if turn < 0 else f"shifted by {shift} of six places"
-        yield Doubt(
-            "leg-order",
-            f"{_level(given)} with the platform parallel to the base, {best[turn, k]:.2g} with its points in "
-            f"another order; likely cause: platform points {cause} against the base points, or a platform "
-            "frame turned about its normal",
-        )
+    twisted = bool(clear and abs(np.angle(turned)) > TWISTED)
+    better = _better_order(b, p, heights, given, twisted) if twisted or given > GOOD_CONDITION else None
+    if better is not None:
+        yield better
         return
     if given > MOST_CONDITION:
         yield Doubt(
@@ -70,6 +59,26 @@ def of_order(robot: Robot, t: Array) -> Iterator[Doubt]:
         return
     if crossed is not None:
         yield _crossing(*crossed[0], cause="platform points in another order than base points, or mirrored")
+
+
+def _better_order(b: Array, p: Array, heights: Array, given: float, twisted: bool) -> Doubt | None:
+    """A doubt where another of the twelve orders has better level poses than that whose best is ``given``."""
+    ways = {(turn, k): np.roll(p[::turn], k, axis=0) for turn in (1, -1) for k in range(LEGS)}
+    conditions = level_conditions(b, np.array(list(ways.values()))[:, None], heights).min(axis=-1)
+    least = int(np.argmin(conditions))
+    turn, k = list(ways)[least]
+    ratio = given / conditions[least] if np.isfinite(given) else np.inf
+    mispaired = given > GOOD_CONDITION and ratio > MISPAIRED and (turn, k) != (1, 0)
+    if not mispaired and not (twisted and ratio > 2.0):
+        return None
+    shift = min(k, LEGS - k)
+    cause = "in the opposite sense (mirrored)" if turn < 0 else f"shifted by {shift} of six places"
+    return Doubt(
+        "leg-order",
+        f"{_level(given)} with the platform parallel to the base, {conditions[least]:.2g} with its points in "
+        f"another order; likely cause: platform points {cause} against the base points, or a platform "
+        "frame turned about its normal",
+    )
 
 
 def _crossing(i: int, j: int, cause: str = "their platform points exchanged") -> Doubt:
@@ -116,7 +125,7 @@ def _around(points: Array, axis: Array) -> NDArray[np.complex128]:
     return np.asarray(x + 1j * y)
 
 
-def _meeting(robot: Robot, t: Array) -> list[list[int]]:
+def _meeting(robot: Robot, t: Array) -> list[tuple[int, int]]:
     """Pairs of legs of a level pose that meet away from their joints."""
     pairs = np.array(list(itertools.combinations(range(LEGS), 2)))
     (a, b), S = robot.b[pairs.T], t + robot.p - robot.b
@@ -128,7 +137,7 @@ def _meeting(robot: Robot, t: Array) -> list[list[int]]:
     inner = np.all((along > 0.02) & (along < 0.98), axis=0)
     near = np.abs(apart) < 1e-4 * (radius(robot.b) + radius(robot.p)) * np.sqrt(square)
     found = pairs[(square >= 1e-6 * _dot(u, u) * _dot(v, v)) & inner & near]
-    return found.tolist()
+    return [(int(i), int(j)) for i, j in found]
 
 
 def _dot(x: Array, y: Array) -> Array:
