@@ -238,7 +238,7 @@ class _Task(NamedTuple):
             grid, profile = grid.fastest(_FEW_TURNS)
             used = grid.used(profile)
             if turn < _DIVISIONS:
-                grid = grid.divided(profile).after(profile)
+                grid = grid.divided(used).after(profile)
             elif used.max() <= 0.5 * (1.0 + AIM):
                 return grid, profile
             else:

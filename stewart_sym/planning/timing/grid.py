@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable
 from typing import NamedTuple
 
@@ -43,12 +44,13 @@ class Grid(NamedTuple):
     """Nodes s, (n,), terms there, and shares by which limits are tightened, (n, m), those of speed last.
 
     rate, second: s' and s'' of the motion found last, (n,), 0 before; friction and limits of power are taken
-    from these.
+    from these. between: terms at the places of every cell that are checked.
     """
 
     source: Source
     s: Array
     terms: Terms
+    between: Callable[[], Terms]
     margin: Array
     rate: Array
     second: Array
@@ -68,7 +70,10 @@ class Grid(NamedTuple):
         """A grid of just these nodes."""
         terms = source(s)
         none = np.zeros(len(s))
-        return cls(source, s, terms, np.full((len(s), terms.quantities), _MARGIN), none, none)
+        margin = np.full((len(s), terms.quantities), _MARGIN)
+        places = s[:-1, None] + np.diff(s)[:, None] * _shares(len(s) - 1)
+        between = functools.cache(lambda: source(places.ravel()))
+        return cls(source, s, terms, between, margin, none, none)
 
     def after(self, profile: Profile, share: float = 1.0) -> Grid:
         """The grid with the rates of a motion along the path, times a share."""
@@ -101,9 +106,8 @@ class Grid(NamedTuple):
         rows = terms.rows(self.rate[index], self.second[index], room, np.concatenate([after, before[twice]]))
         return bounds_of(rows, terms.caps * room[:, -1] ** 2, twice)
 
-    def divided(self, profile: Profile) -> Grid:
+    def divided(self, used: Array) -> Grid:
         """Cells in which a limit is exceeded, or none is active, in parts."""
-        used = self.used(profile)
         most = used.max(axis=-1)
         chosen = (most.max(axis=-1) > 1.0 + _ROUGH) | (most.min(axis=-1) < 1.0 - IDLE)
         inner = np.linspace(0.0, 1.0, _PARTS + 1)[1:-1]
@@ -123,12 +127,18 @@ class Grid(NamedTuple):
 
     def used(self, profile: Profile) -> Array:
         """Shares of the limits that are used in every cell, (cells, shares, m), that of speed last."""
-        shares = np.tile(_SHARES, (len(self.s) - 1, 1))
-        # At rest itself, where there is no friction, whatever rounding leaves of the rate.
-        shares[0, 0], shares[-1, -1] = 0.0, 1.0
+        shares = _shares(len(self.s) - 1)
         s, square, second = profile.inside(shares)
         square[0, 0] = square[-1, -1] = 0.0
-        return self.source(s.ravel()).used(square.ravel(), second.ravel()).reshape(*s.shape, -1)
+        return self.between().used(square.ravel(), second.ravel()).reshape(*s.shape, -1)
+
+
+def _shares(cells: int) -> Array:
+    """Where the places of each cell are, from 0 to 1."""
+    shares = np.tile(_SHARES, (cells, 1))
+    # At rest itself, where there is no friction, whatever rounding leaves of the rate.
+    shares[0, 0], shares[-1, -1] = 0.0, 1.0
+    return shares
 
 
 def _zeros(source: Source, s: Array) -> Array:

@@ -13,11 +13,13 @@ Bounds may have two forms, one of which is to hold, and may jump at a node.
 
 from __future__ import annotations
 
+import itertools
+import math
 from typing import NamedTuple
 
 import numpy as np
 
-from ...io.array_types import Array, Indices
+from ...io.array_types import Array, Flags, Indices
 from .motor_terms import Rows
 
 # A quantity on which s'' has less than this share of its largest effect along the path does not bound s''.
@@ -31,8 +33,8 @@ _ROUNDS = 4
 class Bounds(NamedTuple):
     """At n nodes: s'' >= low, s'' <= high, x <= cap, (n,).
 
-    low, high: of m quantities in two forms, (n + j, m, 2, 3), by (1, x, sqrt(x)): after each node, then
-    before those j at which bounds jump. before: which of them end at the node, (n,).
+    low, high: by (1, x, sqrt(x)) of m quantities in two forms, (n + j, 3, 2, m): after each node, then before
+    those j at which bounds jump. before: which of them end at the node, (n,).
     """
 
     low: Array
@@ -80,22 +82,32 @@ def bounds_of(rows: Rows, caps: Array, twice: Indices) -> Bounds:
     n = len(cap) - len(twice)
     before = np.arange(n)
     before[twice] = np.arange(n, len(cap))
+    low, high = (np.ascontiguousarray(side.transpose(0, 3, 2, 1)) for side in (low, high))
     return Bounds(low, high, np.minimum(cap[:n], cap[before]), before)
 
 
 def _first_contradiction(low: Array, high: Array) -> Array:
     """Least z at which no s'' is above all lower and below all upper bounds, (n,)."""
-    low, high = _finite_first(low), _finite_first(high)
-    gap = low[:, :, None, :, None] - high[:, None, :, None, :]
-    roots = first_root(gap[..., 0], gap[..., 1], gap[..., 2])
-    return np.asarray(roots.max(axis=(-2, -1)).min(axis=(1, 2), initial=np.inf))
+    first = np.full(len(low), np.inf)
+    for below, above in itertools.product(_by_forms(low), _by_forms(high)):
+        gap = below[:, :, None, :, None] - above[:, None, :, None, :]
+        roots = first_root(gap[..., 0], gap[..., 1], gap[..., 2]).max(axis=(-2, -1))
+        first = np.minimum(first, roots.min(axis=(1, 2), initial=np.inf))
+    return first
 
 
-def _finite_first(side: Array) -> Array:
-    """Bounds of each node, as many as there are finite ones at any; the others give no root."""
-    none = ~np.isfinite(side[..., 0, 0])
-    order = np.argsort(none, axis=1, kind="stable")[:, : int((~none).sum(axis=1).max(initial=0))]
-    return np.take_along_axis(side, order[..., None, None], axis=1)
+def _by_forms(side: Array) -> tuple[Array, Array]:
+    """Finite bounds whose forms are the same, in one, then the others; NaN gives no root.
+
+    Of each node as many as there are at any.
+    """
+    finite, same = np.isfinite(side[..., 0, 0]), (side[..., 0, :] == side[..., 1, :]).all(axis=-1)
+    return _chosen(side[:, :, :1], finite & same), _chosen(side, finite & ~same)
+
+
+def _chosen(side: Array, chosen: Flags) -> Array:
+    order = np.argsort(~chosen, axis=1, kind="stable")[:, : int(chosen.sum(axis=1).max(initial=0))]
+    return np.take_along_axis(np.where(chosen[..., None, None], side, np.nan), order[..., None, None], axis=1)
 
 
 def _bounding(side: Array) -> Array:
@@ -115,8 +127,9 @@ def first_root(c_0: Array, c_1: Array, c_2: Array) -> Array:
 def fastest(s: Array, bounds: Bounds) -> PhasePath:
     """The fastest s' from rest to rest."""
     step = np.diff(s)
-    stops = _stops(step, bounds)
-    x = _starts(step, bounds, stops)
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        stops = _stops(step, bounds)
+        x = _starts(step, bounds, stops)
     first, last = _seconds(step, bounds, x)
     return PhasePath(s, x, first, last, bounds.cap, stops)
 
@@ -124,33 +137,37 @@ def fastest(s: Array, bounds: Bounds) -> PhasePath:
 def _stops(step: Array, bounds: Bounds) -> Array:
     """Largest x at each node from which rest at the end can be reached."""
     stops = np.zeros(len(bounds.cap))
+    ways = _ways(step, bounds.low[: len(step)])
     for i in range(len(step) - 1, -1, -1):
-        h, low = step[i], bounds.low[i]
-        most = _most_left(h, bounds.low[bounds.before[i + 1]], stops[i + 1])[1]
-        root = _first_of_all(h * low[..., 0] - most, 1.0 + h * low[..., 1], h * low[..., 2])
-        stops[i] = min(bounds.cap[i], root * root)
+        most = _most_left(float(step[i]), bounds.low[bounds.before[i + 1]], float(stops[i + 1]))[1]
+        stops[i] = min(bounds.cap[i], _first_of_all(ways[i], most))
     return stops
 
 
-def _first_of_all(c_0: Array, c_1: Array, c_2: Array) -> float:
-    """Least root of any quantity; of its two forms, (m, 2), the greater."""
-    return float(first_root(c_0, c_1, c_2).max(axis=-1).min())
+def _ways(step: Array, side: Array) -> Array:
+    """In c + a x + b sqrt(x), x + step times bounds: c, 4 a, b, b^2 - 4 a c of each step, (n, 4, 2, m)."""
+    c, a, b = np.moveaxis(side * step[:, None, None, None], 1, 0)
+    a = 4.0 * (1.0 + a)
+    return np.stack([c, a, b, np.where(np.isfinite(c), b * b - a * c, np.nan)], axis=1)
+
+
+def _first_of_all(way: Array, value: float) -> float:
+    """Least x at which any quantity's is a value; of its two forms the greater."""
+    c, a, b, square = way
+    below = b + np.sqrt(square + a * value)
+    one, other = np.where(below > 0.0, 2.0 * (value - c) / below, np.inf)
+    return float(min(np.maximum(one, other).tolist())) ** 2
 
 
 def _most_left(h: float, low: Array, top: float) -> tuple[float, float]:
     """x in [0, top] at which x - h low(x) is largest, and that."""
-
-    def left(z: Array) -> Array:
-        return np.asarray(z * z - h * lowest(low, z * z))
-
-    z = float(np.sqrt(top))
-    ends = left(np.array([z, z * (1.0 - 1e-6)]))
-    if ends[0] >= ends[1]:
-        return top, float(ends[0])
-    a, b = 0.0, z
+    at_top, near = top - h * _tightest(low, top), top * (1.0 - 2e-6)
+    if at_top >= near - h * _tightest(low, near):
+        return top, at_top
+    a, b = 0.0, math.sqrt(top)
     for _ in range(_ROUNDS):
         tried = np.linspace(a, b, _SAMPLES)
-        found = left(tried)
+        found = tried * tried - h * lowest(low, tried * tried)
         k = int(np.argmax(found))
         a, b = tried[max(k - 1, 0)], tried[min(k + 1, _SAMPLES - 1)]
     return float(tried[k] ** 2), float(found[k])
@@ -159,44 +176,50 @@ def _most_left(h: float, low: Array, top: float) -> tuple[float, float]:
 def _starts(step: Array, bounds: Bounds, stops: Array) -> Array:
     """Largest x at each node that is reached from rest and can be stopped from."""
     x = np.zeros(len(stops))
-    for i, h in enumerate(step):
-        end = bounds.before[i + 1]
-        high, low = bounds.high[end], bounds.low[end]
-        gained = x[i] + h * float(highest(bounds.high[i], x[i]))
-        root = _first_of_all(-h * high[..., 0] - gained, 1.0 - h * high[..., 1], -h * high[..., 2])
-        x[i + 1] = min(stops[i + 1], root * root)
-        needed = x[i] + h * float(lowest(bounds.low[i], x[i]))
-        if x[i + 1] - h * float(lowest(low, x[i + 1])) < needed:
-            x[i + 1] = _least_above(h, low, x[i + 1], needed)
+    low, rising, ends = bounds.low, -bounds.high, bounds.before[1:].tolist()
+    ways, now = _ways(step, rising[ends]), 0.0
+    for i, (h, end) in enumerate(zip(step.tolist(), ends, strict=True)):
+        top = min(float(stops[i + 1]), _first_of_all(ways[i], now - h * _tightest(rising[i], now)))
+        needed = now + h * _tightest(low[i], now)
+        if top - h * _tightest(low[end], top) < needed:
+            top = _largest(h, low[end], top, needed)
+        x[i + 1] = now = top
     return x
 
 
-def _least_above(h: float, low: Array, top: float, needed: float) -> float:
+def _tightest(side: Array, x: float) -> float:
+    """``lowest`` at one node, where x is a number."""
+    c, a, b = side
+    one, other = c + a * x + b * math.sqrt(x)
+    return float(max(np.minimum(one, other).tolist()))
+
+
+def _largest(h: float, low: Array, top: float, needed: float) -> float:
     """Largest x <= top from which the step back to the node before is not too steep."""
-    good, _ = _most_left(h, low, top)
-    bad = top
-    for _ in range(50):
-        x = 0.5 * (good + bad)
-        if x - h * float(lowest(low, x)) >= needed:
-            good = x
-        else:
-            bad = x
-    return good
+    c, a, b = h * low
+    c, a = c + needed, 1.0 - a
+    twice = b + np.copysign(np.sqrt(b * b + 4.0 * a * c), b)
+    roots = np.stack([0.5 * twice / a, -2.0 * c / twice])
+    end = math.sqrt(top)
+    z = np.concatenate([[0.0], np.sort(roots[(roots > 0.0) & (roots < end)]), [end]])
+    middle = (0.5 * (z[1:] + z[:-1])) ** 2
+    kept = np.flatnonzero(middle - h * lowest(low, middle) >= needed)
+    return float(z[kept[-1] + 1] ** 2) if len(kept) else _most_left(h, low, top)[0]
 
 
 def lowest(low: Array, x: Array | float) -> Array:
-    """What lower bounds, (..., m, 2, 3), leave of s'' at x: the easier form of each, the tightest of all."""
-    return np.asarray(_values(low, x).min(axis=-1).max(axis=-1))
+    """What lower bounds, (..., 3, 2, m), leave of s'' at x: the easier form of each, the tightest of all."""
+    return np.asarray(_values(low, x).min(axis=-2).max(axis=-1))
 
 
 def highest(high: Array, x: Array | float) -> Array:
     """What upper bounds leave of s'' at x, likewise."""
-    return np.asarray(_values(high, x).max(axis=-1).min(axis=-1))
+    return np.asarray(_values(high, x).max(axis=-2).min(axis=-1))
 
 
-def _values(coefficients: Array, x: Array | float) -> Array:
+def _values(side: Array, x: Array | float) -> Array:
     at = np.asarray(x)[..., None, None]
-    return np.asarray(coefficients[..., 0] + coefficients[..., 1] * at + coefficients[..., 2] * np.sqrt(at))
+    return np.asarray(side[..., 0, :, :] + side[..., 1, :, :] * at + side[..., 2, :, :] * np.sqrt(at))
 
 
 def _seconds(step: Array, bounds: Bounds, x: Array) -> tuple[Array, Array]:
