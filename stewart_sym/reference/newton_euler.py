@@ -58,19 +58,25 @@ class _Positions:
 
 
 @dataclass(frozen=True, eq=False)
-class _Velocities(_Positions):
-    """The leg as a body, (6) and (10)-(16); `axis` carries M_u, `n` the normal to the joint's two axes."""
+class _Turning(_Positions):
+    """How the leg turns, (6) and (10); `axis` carries M_u, `n` the normal to the joint's two axes."""
 
     T: Array
     y: Array
     n: Array
     axis: Array
     W: Array
+    sin_joint: Array
+
+
+@dataclass(frozen=True, eq=False)
+class _Velocities(_Turning):
+    """The leg as a body, (11), (12), (15) and (16)."""
+
     r_d: Array
     r_u: Array
     I_d: Array
     I_u: Array
-    sin_joint: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -159,7 +165,10 @@ def actuator_wrench(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT
 
 def rotor_force(robot: Robot, motion: Motion) -> Array:
     """Part of the actuator forces that turns the rotors, N, (..., 6); the rest passes through the screws."""
-    return legs(robot, motion).F_rotor[..., 0]
+    with np.errstate(all="ignore"):
+        leg = _turning(robot, motion, EXACT)
+        Lddot, A = _seconds(robot, motion, leg, EXACT)
+        return _rotor_force(robot, leg, Lddot, A)[..., 0]
 
 
 def massless_forces(robot: Robot, motion: Motion) -> Array:
@@ -241,7 +250,7 @@ def _positions(robot: Robot, motion: Motion) -> _Positions:
     return _Positions(q=q, S=S, L=L, s=s, Sdot=Sdot, Ldot=Ldot)
 
 
-def _velocities(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT) -> _Velocities:
+def _turning(robot: Robot, motion: Motion, faults: frozenset[int]) -> _Turning:
     leg = _positions(robot, motion)
     s, L = leg.s, leg.L
     spherical = robot.base_joint == "spherical"
@@ -264,7 +273,12 @@ def _velocities(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT) ->
     W = _cross(s, leg.Sdot) / L  # (6)
     if not spherical and SPIN not in faults:
         W = W - _dot(W, n) / _dot(s, n) * s  # (6) corrected: W.n = 0
+    return _Turning(**vars(leg), T=T, y=y, n=n, axis=axis, W=W, sin_joint=sin_joint)
 
+
+def _velocities(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT) -> _Velocities:
+    leg = _turning(robot, motion, faults)
+    T, L = leg.T, leg.L
     r_d = _mul(T, robot.r_d0)  # (11)
     v = L * np.array([1.0, 0.0, 0.0])
     r_u = _mul(T, v + robot.r_u0)  # (12)
@@ -273,9 +287,27 @@ def _velocities(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT) ->
         I_u0 = I_u0 + (robot.m_u[:, None] * L**2)[..., None] * np.diag([0.0, 1.0, 1.0])
     I_d = T @ robot.I_d0 @ _transpose(T)  # (15)
     I_u = T @ I_u0 @ _transpose(T)  # (16)
-    return _Velocities(
-        **vars(leg), T=T, y=y, n=n, axis=axis, W=W, r_d=r_d, r_u=r_u, I_d=I_d, I_u=I_u, sin_joint=sin_joint
-    )
+    return _Velocities(**vars(leg), r_d=r_d, r_u=r_u, I_d=I_d, I_u=I_u)
+
+
+def _seconds(robot: Robot, motion: Motion, leg: _Turning, faults: frozenset[int]) -> tuple[Array, Array]:
+    """Lddot and A, (7)-(9)."""
+    a, alpha = _accelerations(motion)
+    s, L, Ldot, W, q, n = leg.s, leg.L, leg.Ldot, leg.W, leg.q, leg.n
+    omega, alpha = motion.omega[..., None, :], alpha[..., None, :]
+    Sddot = _cross(alpha, q) + _cross(omega, _cross(omega, q)) + a[..., None, :]  # (7)
+    W_s = _dot(s, W)  # 0 as printed, in (8) and (9)
+    W_t = W - W_s * s
+    Lddot = _dot(s, Sddot) + L * _dot(W_t, W_t)  # (8)
+    A = (_cross(s, Sddot) - 2 * Ldot * W_t) / L - W_s * _cross(s, W)  # (9)
+    if robot.base_joint != "spherical" and SPIN not in faults:
+        ndot = _cross(robot.k, _cross(W, leg.y))
+        A = A - (_dot(A, n) + _dot(W, ndot)) / _dot(s, n) * s  # (9) corrected: d/dt (W.n) = 0
+    return Lddot, A
+
+
+def _rotor_force(robot: Robot, leg: _Turning, Lddot: Array, A: Array) -> Array:
+    return robot.m_r[:, None] * Lddot + robot.j_r[:, None] * _dot(leg.s, A)
 
 
 @np.errstate(all="ignore")
@@ -287,32 +319,21 @@ def legs(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT) -> Legs:
     """
     if not faults <= {SPIN, MOMENT, TRANSPORT, SIGN}:
         raise ValueError(f"faults: expected numbers from 1 to 4, got {sorted(faults)}")
-    a, alpha = _accelerations(motion)
     leg = _velocities(robot, motion, faults)
-    s, L, Ldot, W, q, n = leg.s, leg.L, leg.Ldot, leg.W, leg.q, leg.n
-    omega, alpha = motion.omega[..., None, :], alpha[..., None, :]
+    Lddot, A = _seconds(robot, motion, leg, faults)
+    s, L, Ldot, W = leg.s, leg.L, leg.Ldot, leg.W
     g = robot.g
     m_d, m_u = robot.m_d[:, None], robot.m_u[:, None]
     spherical = robot.base_joint == "spherical"
-
-    Sddot = _cross(alpha, q) + _cross(omega, _cross(omega, q)) + a[..., None, :]  # (7)
-    W_s = _dot(s, W)  # 0 as printed, in (8) and (9)
-    W_t = W - W_s * s
-    Lddot = _dot(s, Sddot) + L * _dot(W_t, W_t)  # (8)
-    A = (_cross(s, Sddot) - 2 * Ldot * W_t) / L - W_s * _cross(s, W)  # (9)
-    if not spherical and SPIN not in faults:
-        ndot = _cross(robot.k, _cross(W, leg.y))
-        A = A - (_dot(A, n) + _dot(W, ndot)) / _dot(s, n) * s  # (9) corrected: d/dt (W.n) = 0
 
     a_d = _cross(A, leg.r_d) + _cross(W, _cross(W, leg.r_d))  # (13)
     a_u = (  # (14)
         Lddot * s + _cross(A, leg.r_u) + _cross(W, _cross(W, leg.r_u)) + 2 * Ldot * _cross(W, s)
     )
-    f = robot.C_s[:, None] * (W - omega)  # friction in (18)
+    f = robot.C_s[:, None] * (W - motion.omega[..., None, :])  # friction in (18)
     I_du = leg.I_d + leg.I_u
-    m_r, j_r = robot.m_r[:, None], robot.j_r[:, None]
-    F_rotor = m_r * Lddot + j_r * _dot(s, A)
-    h_rotor = j_r * (Lddot * s + Ldot * _cross(W, s))
+    F_rotor = _rotor_force(robot, leg, Lddot, A)
+    h_rotor = robot.j_r[:, None] * (Lddot * s + Ldot * _cross(W, s))
     C = (  # right side of (20)
         m_d * _cross(leg.r_d, a_d)
         + m_u * _cross(leg.r_u, a_u)
