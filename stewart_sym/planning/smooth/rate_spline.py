@@ -45,12 +45,12 @@ class RateSpline(NamedTuple):
 
     def values(self, c: Array, shares: Array = SHARES) -> Array:
         """y and its two derivatives at shares of every cell, (cells, k, 3)."""
-        inside = np.lib.stride_tricks.sliding_window_view(c, _ACTIVE)
-        return np.asarray(np.einsum("kdj,ij->ikd", self.basis(shares), inside))
+        inside, basis = np.lib.stride_tricks.sliding_window_view(c, _ACTIVE), self.basis(shares)
+        return np.asarray((inside @ basis.reshape(-1, _ACTIVE).T).reshape(self.cells, *basis.shape[:2]))
 
     def gradient(self, by_values: Array) -> Array:
         """Derivative by the coefficients of one by values at the samples, (cells, 5, 3)."""
-        each = np.einsum("kdj,ikd->ij", self.basis(SHARES), by_values)
+        each = by_values.reshape(self.cells, -1) @ self.basis(SHARES).reshape(-1, _ACTIVE)
         found = np.zeros(self.cells + 2)
         for j in range(_ACTIVE):
             found[j : j + self.cells] += each[:, j]
@@ -59,7 +59,9 @@ class RateSpline(NamedTuple):
     def band(self, by_values: Array) -> Array:
         """Second derivative by the coefficients of one by values, (cells, 5, 3, 3), as an upper band."""
         basis = self.basis(SHARES)
-        each = np.einsum("kdj,ikde,kel->ijl", basis, by_values, basis, optimize=True)
+        pairs = basis[:, :, None, :, None] * basis[:, None, :, None, :]
+        each = by_values.reshape(self.cells, -1) @ pairs.reshape(-1, _ACTIVE**2)
+        each = each.reshape(self.cells, _ACTIVE, _ACTIVE)
         found = np.zeros((_ACTIVE, self.cells + 2))
         for j in range(_ACTIVE):
             for k in range(j, _ACTIVE):
@@ -86,6 +88,10 @@ _STEPS = 400
 _CENTRING = 0.15
 _KEPT = 0.99
 _SHORTEST = 1e-9
+# Of a step at least this share of what its slope promises is gained, but for rounding.
+_FALL, _SAME = 1e-4, 1e-12
+# A fine for another duration over what one costs.
+_FINE = 1.5
 # Duality gap at which the search ends, over the cost.
 GAP = 1e-7
 
@@ -97,9 +103,9 @@ class Rooms(NamedTuple):
 
     def values(self, v: Array) -> Array:
         """How far limits are, (cells, 5, r), at y and its derivatives, (cells, 5, 3)."""
-        root = np.sqrt(v[..., 0])
-        terms = np.stack([np.ones_like(root), root, 1.0 / root, *np.moveaxis(v, -1, 0)], axis=-1)
-        return np.asarray(np.einsum("ikrt,ikt->ikr", self.k, terms))
+        root = np.sqrt(v[..., :1])
+        terms = np.concatenate([np.ones_like(root), root, 1.0 / root, v], axis=-1)
+        return np.asarray((self.k @ terms[..., None])[..., 0])
 
     def rates(self, v: Array) -> tuple[Array, Array]:
         """Their derivatives, (cells, 5, r, 3), and the second ones by y, (cells, 5, r)."""
@@ -131,14 +137,20 @@ def least(spline: RateSpline, c: Array, rooms: Rooms, cost: Cost, time: float | 
     f, by, twice = cost(v)
     mu = 1e-2 * max(abs(f), 1e-300) / g.size
     price = 0.0 if time is None else abs(f) / time
-    multiplier = mu / g
+    multiplier, late, fine = mu / g, 0.0, 0.0
+
+    def merit(v: Array, g: Array, f: float) -> float:
+        missed = 0.0 if time is None else duration(spline, v)[0] - time
+        return f - mu * float(np.log(g).sum()) + fine * abs(missed)
+
     for _ in range(_STEPS):
         slope, bend = rooms.rates(v)
-        stiff = np.einsum("ikr,ikra,ikrb->ikab", multiplier / g, slope, slope, optimize=True)
+        stiff = np.swapaxes(slope * (multiplier / g)[..., None], -1, -2) @ slope
         stiff[..., 0, 0] += np.sum(multiplier * np.maximum(-bend, 0.0), axis=-1)
         stiff = stiff + twice
         if time is not None:
             now, by_time, twice_time = duration(spline, v)
+            late = now - time
             stiff = stiff + max(price, 1e-6 * abs(f) / time) * twice_time
         band = spline.band(stiff)
         band[-1] *= 1.0 + 1e-12
@@ -147,20 +159,28 @@ def least(spline: RateSpline, c: Array, rooms: Rooms, cost: Cost, time: float | 
         if time is not None:
             row = spline.gradient(by_time)
             side = solveh_banded(band, row)
-            price = float((now - time + row @ step) / (row @ side))
+            price = float((late + row @ step) / (row @ side))
             step = step - price * side
+            fine = max(fine, _FINE * abs(price))
         moved = spline.values(step)
         change = mu / g - multiplier - multiplier / g * np.einsum("ikra,ika->ikr", slope, moved)
         share = _share(rooms, v, moved, g)
-        if share <= _SHORTEST:
+        # Cost, barrier and a fine for another duration fall along the step.
+        before, falls = merit(v, g, f), float(pull @ step) + fine * abs(late)
+        while share > _SHORTEST:
+            there = v + share * moved
+            g = rooms.values(there)
+            f, by, twice = cost(there)
+            if merit(there, g, f) <= before - _FALL * share * falls + _SAME * abs(f):
+                break
+            share *= 0.5
+        else:
             # So near a limit its distance is rounding: nothing is gained any more.
             break
-        c, v = c + share * step, v + share * moved
+        c, v = c + share * step, there
         falling = change < 0.0
         dual = min(1.0, _KEPT * float(np.min(-multiplier[falling] / change[falling], initial=np.inf)))
         multiplier = multiplier + dual * change
-        g = rooms.values(v)
-        f, by, twice = cost(v)
         gap = float(np.sum(multiplier * g))
         if gap <= GAP * abs(f) and np.abs(moved[..., 0] / v[..., 0]).max() < 1e-5:
             break
