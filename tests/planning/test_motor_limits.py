@@ -7,7 +7,7 @@ import pytest
 from least_time_oracles import extrapolated
 from machines import machine_size
 from motor_cases import QUANTITIES, motor_case
-from smooth_oracles import motor_duration, motor_nodes
+from smooth_oracles import motor_duration
 from sweeps import share
 
 from stewart_sym.drives.effort import drive_effort
@@ -25,15 +25,8 @@ from stewart_sym.reference.newton_euler import rotor_force
 def test_least_time_within_the_motors_limits_is_that_of_collocation(seed: int) -> None:
     robot, path = motor_case(seed)
     found = time_path(robot, path, cells=100)
-    nodes = found.profile.nodes
-
-    def duration(cells: int) -> float:
-        s = motor_nodes(robot, path, cells)
-        start = 0.9 * np.interp(s, nodes.s, nodes.rate)
-        start[1:-1] += 1e-3
-        return motor_duration(robot, path, s, start)
-
-    assert found.duration == pytest.approx(extrapolated(duration, 125), rel=1e-3)
+    expected = extrapolated(lambda cells: motor_duration(found, cells), 125)
+    assert found.duration == pytest.approx(expected, rel=1e-3)
 
 
 @pytest.mark.slow

@@ -11,10 +11,23 @@ import toppra
 from toppra.constraint.linear_constraint import LinearConstraint, canlinear_colloc_to_interpolate
 
 from stewart_sym.dynamics.inverse import inverse_dynamics
+from stewart_sym.planning.time_path import TimedPath
 from stewart_sym.planning.timing.path_terms import Path, travelled
 from stewart_sym.robot.robot import Robot
 
 _NO_SPEED_LIMIT = 1e6
+
+
+def graded(cells: int) -> np.ndarray:
+    """Nodes from 0 to 1, denser towards the ends, where friction grows as the root of the way."""
+    return 0.5 - 0.5 * np.cos(np.linspace(0.0, np.pi, cells + 1))
+
+
+def begun(found: TimedPath, s: np.ndarray, share: float = 0.9) -> np.ndarray:
+    """s' at nodes s from which a search begins: a share of those of a motion, none of them 0 between."""
+    rate = share * np.interp(s, found.profile.nodes.s, found.profile.nodes.rate)
+    rate[1:-1] += 1e-3
+    return rate
 
 
 def extrapolated(optimum: Callable[[int], float], cells: int) -> float:
@@ -35,7 +48,7 @@ def coefficients(robot: Robot, path: Path, s: np.ndarray) -> tuple[np.ndarray, .
 
 def toppra_duration(robot: Robot, path: Path, limit: np.ndarray, cells: int) -> float:
     """Of the fastest motion without viscous friction, s; ``limit``: of the forces, N, (6,)."""
-    s = np.linspace(0.0, 1.0, cells + 1)
+    s = graded(cells)
     line = toppra.SplineInterpolator([0.0, 0.5, 1.0], [[0.0], [0.5], [1.0]])
     solver = toppra.algorithm.TOPPRA(
         [_Forces(robot, path, limit)], line, gridpoints=s, solver_wrapper="seidel"
@@ -60,13 +73,10 @@ class _Forces(LinearConstraint):
         return *both[:5], None, np.tile([0.0, _NO_SPEED_LIMIT], (len(gridpoints), 1))
 
 
-def collocation_duration(robot: Robot, path: Path, limit: np.ndarray, cells: int, start: np.ndarray) -> float:
-    """Of the fastest motion with viscous friction, s: s'' constant in each cell, forces at both its ends.
-
-    start: s' at the nodes to begin from.
-    """
-    s = np.linspace(0.0, 1.0, cells + 1)
-    h = 1.0 / cells
+def collocation_duration(found: TimedPath, cells: int) -> float:
+    """Of the fastest motion with viscous friction, s: s'' constant in each cell, forces at both its ends."""
+    robot, path, limit, s = found.robot, found.path, found.robot.force_limit, graded(cells)
+    h = casadi.DM(np.diff(s))
     a, b, d, e = (casadi.DM(x / limit) for x in coefficients(robot, path, s))
     z = casadi.MX.sym("z", cells + 1)
     u = (z[1:] ** 2 - z[:-1] ** 2) / (2.0 * h)
@@ -81,6 +91,6 @@ def collocation_duration(robot: Robot, path: Path, limit: np.ndarray, cells: int
     solve = casadi.nlpsol("least_time", "ipopt", problem, options)
     highest = np.full(cells + 1, _NO_SPEED_LIMIT)
     highest[[0, -1]] = 0.0
-    found = solve(x0=start, lbx=np.zeros(cells + 1), ubx=highest, lbg=-1.0, ubg=1.0)
+    found = solve(x0=begun(found, s), lbx=np.zeros(cells + 1), ubx=highest, lbg=-1.0, ubg=1.0)
     assert solve.stats()["success"], solve.stats()["return_status"]
     return float(found["f"])

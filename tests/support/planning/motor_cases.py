@@ -1,11 +1,12 @@
 """Machines with drives whose limits bind along a path."""
 
 import dataclasses
+from functools import cache
 
 import numpy as np
 from via_cases import straight, via_case, with_limits
 
-from stewart_sym.drives.effort import drive_effort
+from stewart_sym.drives.effort import DriveEffort, drive_effort
 from stewart_sym.planning.pose_path import PosePath
 from stewart_sym.planning.time_path import time_path
 from stewart_sym.robot.drive import Drive
@@ -14,8 +15,9 @@ from stewart_sym.robot.robot import Robot
 QUANTITIES = ("torque", "speed", "current", "power")
 
 
-def motor_case(seed: int, binding: tuple[str, ...] = QUANTITIES) -> tuple[Robot, PosePath]:
-    """A machine whose motors' limits are below what its fastest motion within limits of force takes."""
+@cache
+def unlimited_case(seed: int) -> tuple[Robot, PosePath, DriveEffort]:
+    """A machine whose drives have no limits, a path, and what the fastest motion takes of the motors."""
     rng = np.random.default_rng(100 + seed)
     robot, poses = via_case(seed)
     path = straight(robot, poses)
@@ -40,13 +42,20 @@ def motor_case(seed: int, binding: tuple[str, ...] = QUANTITIES) -> tuple[Robot,
         torque_constant=0.1,
         resistance=0.2,
     )
-    free = time_path(dataclasses.replace(robot, drive=drive), path, cells=50)
+    robot = dataclasses.replace(robot, drive=drive)
+    free = time_path(robot, path, cells=50)
     times = np.linspace(0.0, free.duration, 801)
-    found = drive_effort(dataclasses.replace(robot, drive=drive), free.sample(times), times)
-    weight = 2.0 * force / turns
+    return robot, path, drive_effort(robot, free.sample(times), times)
+
+
+def motor_case(seed: int, binding: tuple[str, ...] = QUANTITIES) -> tuple[Robot, PosePath]:
+    """A machine whose motors' limits are below what its fastest motion within limits of force takes."""
+    robot, path, found = unlimited_case(seed)
+    assert robot.drive is not None
+    weight = 2.0 * robot.force_limit / np.abs(robot.drive.turns)
     shares = {"torque": 0.9, "current": 0.85, "speed": 0.8, "power": 0.6}
     limits = {f"{name}_limit": shares[name] * getattr(found, f"peak_{name}") for name in binding}
     for name, unit in (("torque", 1.0), ("current", 0.1)):
         if name in binding:
             limits[f"{name}_limit"] = np.maximum(limits[f"{name}_limit"], weight / unit / 2.5 * 1.1)
-    return dataclasses.replace(robot, drive=dataclasses.replace(drive, **limits)), path
+    return dataclasses.replace(robot, drive=dataclasses.replace(robot.drive, **limits)), path

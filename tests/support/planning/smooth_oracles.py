@@ -6,7 +6,7 @@ force: s'' constant in each cell of s. Jerk and energy: jerk of s constant in ea
 
 import casadi
 import numpy as np
-from least_time_oracles import coefficients
+from least_time_oracles import begun, coefficients, graded
 from scipy.optimize import brentq
 
 from stewart_sym.dynamics.inverse import inverse_dynamics
@@ -79,8 +79,10 @@ def motor_nodes(robot: Robot, path: Path, cells: int) -> np.ndarray:
     return np.union1d(even[apart], [*more, *(1.0 - more), *turns])
 
 
-def motor_duration(robot: Robot, path: Path, s: np.ndarray, start: np.ndarray) -> float:
-    """Least time within limits of force and of the motors, s; start: s' at the nodes s to begin from."""
+def motor_duration(found: TimedPath, cells: int) -> float:
+    """Least time within limits of force and of the motors, s."""
+    robot, path = found.robot, found.path
+    s = motor_nodes(robot, path, cells)
     drive, cells, h = robot.drive, len(s) - 1, np.diff(s)
     z = casadi.MX.sym("z", cells + 1)
     u = (z[1:] ** 2 - z[:-1] ** 2) / casadi.DM(2.0 * h)
@@ -117,12 +119,13 @@ def motor_duration(robot: Robot, path: Path, s: np.ndarray, start: np.ndarray) -
         "lbg": -casadi.inf,
         "ubg": np.concatenate([x.T.ravel() for x in high]),
     }
-    return _solved(problem, x0=start, **bounds)[0]
+    return _solved(problem, x0=begun(found, s), **bounds)[0]
 
 
-def peak_force(robot: Robot, path: Path, cells: int, start: np.ndarray, duration: float) -> float:
-    """Least peak force of motions of a duration, N."""
-    s, h = np.linspace(0.0, 1.0, cells + 1), 1.0 / cells
+def peak_force(found: TimedPath, cells: int) -> float:
+    """Least peak force of motions of the same duration, N."""
+    robot, path, duration, s = found.robot, found.path, found.duration, graded(cells)
+    h = casadi.DM(np.diff(s))
     z, peak = casadi.MX.sym("z", cells + 1), casadi.MX.sym("peak")
     u = (z[1:] ** 2 - z[:-1] ** 2) / (2.0 * h)
     limit = float(robot.force_limit.max())
@@ -137,7 +140,12 @@ def peak_force(robot: Robot, path: Path, cells: int, start: np.ndarray, duration
     top = np.full(cells + 2, 1e6)
     top[[0, cells]] = 0.0
     problem = {"x": casadi.vertcat(z, peak), "f": peak, "g": casadi.vertcat(*g)}
-    return limit * _solved(problem, x0=np.append(start, 1.0), lbx=0.0, ubx=top, lbg=-casadi.inf, ubg=0.0)[0]
+    return (
+        limit
+        * _solved(
+            problem, x0=np.append(begun(found, s, 1.0), 1.0), lbx=0.0, ubx=top, lbg=-casadi.inf, ubg=0.0
+        )[0]
+    )
 
 
 def smooth_optimum(
