@@ -302,7 +302,7 @@ class _Search:
         total = float(np.mean(k**p) ** (1.0 / p))
         by_pose = (total ** (1 - p) * k ** (p - 1) / n)[:, None] * by_twist / self.first[0]
         value = total / self.first[0]
-        for _, excess, by in costs.excesses(R, t):
+        for _, excess, by in costs.excesses(R, t, (k, by_twist)):
             over = np.maximum(excess, 0.0)
             value += penalty * float(np.sum(over**2)) / n
             by_pose += 2.0 * penalty / n * np.einsum("nk,nkj->nj", over, by)

@@ -86,8 +86,13 @@ class PoseCosts(Frozen):
         turn = cross(q, g + v[:, :, None] * cross(s, moment))
         return np.asarray(np.concatenate([g, turn], axis=-1).sum(axis=1))
 
-    def excesses(self, R: Array, t: Array) -> list[tuple[str, Array, Array]]:
-        """By limit: its name, by how much each pose breaks it, (n, k), and derivatives, (n, k, 6)."""
+    def excesses(
+        self, R: Array, t: Array, known: tuple[Array, Array] | None = None
+    ) -> list[tuple[str, Array, Array]]:
+        """By limit: its name, by how much each pose breaks it, (n, k), and derivatives, (n, k, 6).
+
+        known: what ``conditions`` found of these poses.
+        """
         # Points from the tool, about which the pose turns.
         arm = R @ self.tool
         q, S, L = leg_vectors(self.robot, R, t - arm)
@@ -102,7 +107,7 @@ class PoseCosts(Frozen):
         if self.limits.clearance > 0.0:
             found.append(("leg clearance", *self._clearances(q, S)))
         if self.limits.condition < math.inf:
-            value, rate = self.conditions(R, t)
+            value, rate = self.conditions(R, t) if known is None else known
             most = self.limits.condition
             found.append(("condition number", (value / most - 1.0 + ROOM)[:, None], rate[:, None] / most))
         return found

@@ -155,7 +155,7 @@ class PosePath(Frozen):
         if at.ndim != 1 or not np.all(np.abs(at - 0.5) <= 0.5 + _ROUNDING):
             raise ValueError(f"s: expected parameters in [0, 1], (n,), got {shown(s)}")
         at = np.clip(at, 0.0, 1.0)
-        y, y_1, y_2 = (b_spline_values(self.knots, at, order) @ self.coefficients for order in range(3))
+        y, y_1, y_2 = (spline_values(self.knots, self.coefficients, at, order) for order in range(3))
         motion = Motion.from_quaternion(y[:, :3], y[:, 3:], y_1[:, :3], y_1[:, 3:], y_2[:, :3], y_2[:, 3:])
         motion = motion.about_point(-self.tool) if self.tool.any() else motion
         if not self.load.any():
@@ -164,13 +164,17 @@ class PosePath(Frozen):
         return Motion.unchecked(**(vars(motion) | {"F_ext": F_ext, "M_ext": M_ext}))
 
 
-def b_spline_values(knots: Array, s: Array, order: int) -> Array:
-    """B-splines of the knots, or derivatives of an order, at s, (len(s), n)."""
+def spline_values(knots: Array, coefficients: Array, s: Array, order: int) -> Array:
+    """A spline of coefficients (c, k), or its derivative of an order, at s, (len(s), k)."""
     with needed_for("a path"):
         from scipy.interpolate import BSpline
-    count = len(knots) - DEGREE - 1
-    spline = BSpline(knots, np.eye(count), DEGREE)
+    spline = BSpline(knots, coefficients, DEGREE)
     return np.asarray(spline(s) if order == 0 else spline.derivative(order)(s))
+
+
+def b_spline_values(knots: Array, s: Array, order: int) -> Array:
+    """B-splines of the knots, or derivatives of an order, at s, (len(s), n)."""
+    return spline_values(knots, np.eye(len(knots) - DEGREE - 1), s, order)
 
 
 def knots_between(via: Array, cells: int) -> Array:
