@@ -264,7 +264,13 @@ class Motion(Frozen):
         *shape, _ = np.broadcast_shapes(*(array.shape for array in turns))
         theta, theta_dot, *second = (np.broadcast_to(array, (*shape, 3)) for array in turns)
         R, omega, alpha = rpy_motion(theta, theta_dot, second[0] if second else None)
-        given = {"t": t, "v": v, "a": a, "F_ext": F_ext, "M_ext": M_ext}
+        return cls._turned(R, omega, alpha, {"t": t, "v": v, "a": a, "F_ext": F_ext, "M_ext": M_ext})
+
+    @classmethod
+    def _turned(
+        cls, R: Array, omega: Array, alpha: Array | None, given: dict[str, ArrayLike | None]
+    ) -> Motion:
+        """Make a motion of a rotation, its rates, and what a caller gave."""
         checked = {
             name: finite_array(value, (3,), name)
             for name, value in given.items()
@@ -273,7 +279,7 @@ class Motion(Frozen):
         turned = {"R": R, "omega": omega} | ({} if alpha is None else {"alpha": alpha})
         for name, array in turned.items():
             if not np.isfinite(array).all():
-                finite_array(array, array.shape[len(shape) :], name)
+                finite_array(array, (3, 3) if name == "R" else (3,), name)
         return cls._sound(turned | checked)
 
     @classmethod
@@ -321,7 +327,7 @@ class Motion(Frozen):
         alpha = None if a is None else angular_acceleration_from_quaternion(*turns)
         omega = angular_velocity_from_quaternion(*turns[:2])
         R = rotation_from_quaternion(turns[0])
-        return cls(R, t, omega, v, alpha, a, F_ext, M_ext)  # type: ignore[arg-type]
+        return cls._turned(R, omega, alpha, {"t": t, "v": v, "a": a, "F_ext": F_ext, "M_ext": M_ext})
 
     @classmethod
     def from_rotation_vector(

@@ -177,13 +177,15 @@ def _starts(step: Array, bounds: Bounds, stops: Array) -> Array:
     """Largest x at each node that is reached from rest and can be stopped from."""
     x = np.zeros(len(stops))
     low, rising, ends = bounds.low, -bounds.high, bounds.before[1:].tolist()
-    ways, now = _ways(step, rising[ends]), 0.0
+    ways, now, least = _ways(step, rising[ends]), 0.0, _tightest(low[0], 0.0)
     for i, (h, end) in enumerate(zip(step.tolist(), ends, strict=True)):
         top = min(float(stops[i + 1]), _first_of_all(ways[i], now - h * _tightest(rising[i], now)))
-        needed = now + h * _tightest(low[i], now)
-        if top - h * _tightest(low[end], top) < needed:
-            top = _largest(h, low[end], top, needed)
-        x[i + 1] = now = top
+        needed, now, least = now + h * least, top, _tightest(low[end], top)
+        if now - h * least < needed:
+            now = _largest(h, low[end], top, needed)
+        if now < top or end != i + 1:
+            least = _tightest(low[i + 1], now)
+        x[i + 1] = now
     return x
 
 
