@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 import pytest
 from machines import dasgupta, random_motion, random_robot
-from quick_compiler import compile_quickly
 from small_bench import CONTESTANTS, Array, poses_of
 
 import stewart_sym as ss
@@ -28,6 +27,7 @@ from stewart_sym.studies.benchmark.processor import FUSED, Flags, targets
 from stewart_sym.studies.benchmark.samples import batched
 
 TENSORS = ("I_p", "I_d0", "I_u0")
+pytestmark = pytest.mark.usefixtures("quickly")
 
 
 def off(candidate: Candidate, share: float) -> Candidate:
@@ -54,10 +54,7 @@ def test_a_candidate_computes_the_forces_of_any_machine(candidate: Candidate, st
 @pytest.mark.parametrize(
     "candidate", [each for each in CONTESTANTS if each.function], ids=lambda candidate: candidate.name
 )
-def test_c_with_other_flags_computes_the_same_forces(
-    candidate: Candidate, stranger: Poses, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    compile_quickly(monkeypatch)
+def test_c_with_other_flags_computes_the_same_forces(candidate: Candidate, stranger: Poses) -> None:
     for flags in (FUSED, *(kind.flags for kind in targets()[1:])):
         other = dataclasses.replace(candidate, flags=flags)
         assert other.label != candidate.label
@@ -164,10 +161,7 @@ def test_every_pass_computes_the_forces_of_any_machine_from_its_own_model(strang
 
 
 @pytest.mark.slow
-def test_every_derived_pass_computes_the_forces_of_any_machine(
-    stranger: Poses, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    compile_quickly(monkeypatch)
+def test_every_derived_pass_computes_the_forces_of_any_machine(stranger: Poses) -> None:
     stages_compute_the_forces_of(stranger)
 
 
@@ -197,10 +191,7 @@ def test_a_pass_with_wrong_forces_stops_the_run(number: int, monkeypatch: pytest
 
 @pytest.mark.slow
 @pytest.mark.parametrize("friction", [False, True])
-def test_all_of_the_second_group_agree_on_any_machine(
-    friction: bool, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    compile_quickly(monkeypatch)
+def test_all_of_the_second_group_agree_on_any_machine(friction: bool) -> None:
     rng = np.random.default_rng(7 + friction)
     robot = random_robot(rng, friction=friction)
     group = equation_kernels.motion_group(poses_of(robot, random_motion(rng, robot, (20,))), targets())
@@ -252,7 +243,6 @@ def test_tensors_of_bodies_stay_and_others_become_possible(stranger: Poses) -> N
 def test_a_wrong_answer_of_the_second_group_stops_the_run(
     function: equation_kernels.Function, monkeypatch: pytest.MonkeyPatch, stranger: Poses
 ) -> None:
-    compile_quickly(monkeypatch)
     drives = equation_kernels.library()
 
     def wrong(robot: Robot, motion: ss.Motion, F: Array) -> list[Array]:

@@ -87,11 +87,12 @@ def _functions(compiler: native.Compiler, sources: Mapping[str, str], flags: Seq
     """Bytes of every function in the program that the sources make."""
     with _folder() as name:
         folder = Path(name)
+        nm = _nm(compiler, folder)
         for file, text in sources.items():
             (folder / file).write_text(text, encoding="utf-8", newline="\n")
         files = sorted(file for file in sources if file.endswith(".c"))
         native.ran((*compiler.command, *flags, *_LINK_FLAGS, *files, "-o", "program", "-lm"), folder)
-        return _sizes(native.ran((*_nm(compiler, folder), "-S", "program"), folder))
+        return _sizes(native.ran((*nm, "-S", "program"), folder))
 
 
 def _nm(compiler: native.Compiler, folder: Path) -> Sequence[str]:

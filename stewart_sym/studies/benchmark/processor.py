@@ -1,10 +1,11 @@
 """What the processor has to give: its clock, its vectors, and the width that compiled code uses of them."""
 
 import ctypes
+import functools
 import re
 import shutil
 import subprocess
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from ...backend import native
@@ -77,8 +78,8 @@ def additions() -> Task:
 
 # --- the width of compiled code ---------------------------------------------------------------
 
-_FUNCTION = re.compile(r"^[0-9a-f]+ <([^>]+)>:$")
-_CALL = re.compile(r"\t(?:call|jmp)q?\s.*<([^>+]+?)(?:@plt)?>$")
+_FUNCTION = re.compile(r"^[0-9a-f]+ <([^>]+)>:$", re.MULTILINE)
+_CALL = re.compile(r"\t(?:call|jmp)q?\s.*<([^>+]+?)(?:@plt)?>$", re.MULTILINE)
 _PACKED = re.compile(r"\tv?(?:fn?m)?(?:add|sub|mul|div|sqrt)\w*p[sd]\s.*%([xyz])mm")
 _BITS = {"x": 128, "y": 256, "z": 512}
 
@@ -89,31 +90,29 @@ def widest(library: ctypes.CDLL, function: str) -> int | None:
     None where ``objdump`` is missing or doesn't show the function, or the processor is no x86.
     """
     tool = shutil.which("objdump")
-    if tool is None:
-        return None
-    command = [tool, "-d", "--no-show-raw-insn", library._name]
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
-    if done.returncode or "x86-64" not in done.stdout:
-        return None
-    return _widest(done.stdout.splitlines(), function)
-
-
-def _widest(lines: Sequence[str], function: str) -> int | None:
-    bodies: dict[str, list[str]] = {}
-    for line in lines:
-        if begin := _FUNCTION.match(line):
-            body = bodies.setdefault(begin[1], [])
-        elif bodies:
-            body.append(line)
+    bodies = _disassembled(tool, library._name) if tool else {}
     if function not in bodies:
         return None
     waiting, seen = [function], {function}
     width = 64
     while waiting:
-        for line in bodies.get(waiting.pop(), ()):
-            if packed := _PACKED.search(line):
-                width = max(width, _BITS[packed[1]])
-            elif (call := _CALL.search(line)) and call[1] not in seen:
-                seen.add(call[1])
-                waiting.append(call[1])
+        body = bodies.get(waiting.pop(), "")
+        width = max((width, *(_BITS[letter] for letter in _PACKED.findall(body))))
+        calls = set(_CALL.findall(body)) - seen
+        seen |= calls
+        waiting.extend(calls)
     return width
+
+
+@functools.lru_cache(maxsize=4)
+def _disassembled(tool: str, library: str) -> dict[str, str]:
+    """Instructions of every function of a library; none where the tool fails or the processor is no x86."""
+    command = [tool, "-d", "--no-show-raw-insn", library]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    if done.returncode or "x86-64" not in done.stdout:
+        return {}
+    _, *parts = _FUNCTION.split(done.stdout)
+    bodies: dict[str, str] = {}
+    for name, body in zip(parts[::2], parts[1::2], strict=True):
+        bodies[name] = bodies.get(name, "") + body
+    return bodies

@@ -11,7 +11,9 @@ from numpy.typing import NDArray
 from quick_compiler import compile_quickly
 
 import stewart_sym as ss
+from stewart_sym.backend import native
 from stewart_sym.backend.c_kernel import c_sources
+from stewart_sym.dynamics import forces
 from stewart_sym.generated.interface import MODELS
 from stewart_sym.robot.robot import Robot
 from stewart_sym.studies.benchmark import bench
@@ -63,7 +65,12 @@ def shorten(patch: pytest.MonkeyPatch) -> None:
     derived = ModuleType("stewart_sym.derive.passes")
     derived.passes = some_passes  # type: ignore[attr-defined]
     patch.setitem(sys.modules, derived.__name__, derived)
+    few = 2 * forces.LEAST_SHARE
+    smaller = [dataclasses.replace(each, poses=min(each.poses, few)) for each in bench.OURS]
+    patch.setattr(bench, "OURS", tuple(smaller))
+    patch.setattr(bench, "LARGE", few)
     patch.setattr(bench, "QUICK_COMPILATIONS", 1)
+    patch.setattr(native, "compiled", lambda *given, make=native.compiled: make(*given, ("-O0",)))
     patch.setattr(timing, "SHORTEST", 1e-5)
     patch.setattr(bench, "time_source", lambda: {})
     patch.setattr(bench, "QUICK_ROUNDS", 3)
