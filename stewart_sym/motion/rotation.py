@@ -21,6 +21,7 @@ _Trig = tuple[Array, Array, Array, Array, Array, Array]
 BLOCK = 2048
 """Poses computed at a time."""
 
+_ONE = np.eye(3)
 _NEXT = np.array([1, 2, 0])
 _FEW = 300
 """Numbers below which the vector product of whole arrays costs less than that of their components."""
@@ -99,10 +100,10 @@ def rotation_from_vector(phi: ArrayLike) -> Array:
     phi: rad, (..., 3).  Result: (..., 3, 3).
     """
     phi = shaped_array(phi, (3,), "phi")
-    half = 0.5 * np.linalg.norm(phi, axis=-1)[..., None, None]
+    half = 0.5 * np.sqrt(np.sum(phi * phi, axis=-1))[..., None, None]
     N = cross_matrix(phi)
     # sin(x)/x in both terms of Rodrigues' formula, as nothing cancels in it.
-    return np.asarray(np.eye(3) + np.sinc(2.0 * half / np.pi) * N + 0.5 * np.sinc(half / np.pi) ** 2 * N @ N)
+    return np.asarray(_ONE + np.sinc(2.0 * half / np.pi) * N + 0.5 * np.sinc(half / np.pi) ** 2 * N @ N)
 
 
 def vector_from_rotation(R: ArrayLike) -> Array:
@@ -112,7 +113,7 @@ def vector_from_rotation(R: ArrayLike) -> Array:
     angles of 0 and of pi too, where only the sign of the vector is open.
     """
     quaternion = quaternion_from_rotation(R)
-    sine = np.linalg.norm(quaternion[..., 1:], axis=-1, keepdims=True)
+    sine = np.sqrt(np.sum(quaternion[..., 1:] ** 2, axis=-1, keepdims=True))
     angle = 2.0 * np.arctan2(sine, quaternion[..., :1])
     ratio = np.where(sine > 0.0, angle / np.where(sine > 0.0, sine, 1.0), 2.0)
     return np.asarray(ratio * quaternion[..., 1:])
@@ -126,7 +127,7 @@ def rotation_from_quaternion(e: ArrayLike) -> Array:
     (share,) = _shares(_quaternions(e, "e"))
     unit = share / np.linalg.norm(share, axis=-1, keepdims=True)
     N = cross_matrix(unit[..., 1:])
-    return np.asarray(np.eye(3) + 2.0 * unit[..., :1, None] * N + 2.0 * N @ N)
+    return np.asarray(_ONE + 2.0 * unit[..., :1, None] * N + 2.0 * N @ N)
 
 
 def angular_velocity_from_quaternion(e: ArrayLike, e_dot: ArrayLike) -> Array:
@@ -163,14 +164,11 @@ def quaternion_from_rotation(R: ArrayLike) -> Array:
     The largest eigenvector of a symmetric matrix linear in R: good to rounding at every rotation.
     """
     R = shaped_array(R, (3, 3), "R")
-    skew = np.stack(
-        [R[..., 2, 1] - R[..., 1, 2], R[..., 0, 2] - R[..., 2, 0], R[..., 1, 0] - R[..., 0, 1]], axis=-1
-    )
-    trace = np.trace(R, axis1=-2, axis2=-1)
+    turned = np.swapaxes(R, -1, -2)
     K = np.empty((*R.shape[:-2], 4, 4))
-    K[..., 0, 0] = trace
-    K[..., 0, 1:] = K[..., 1:, 0] = skew
-    K[..., 1:, 1:] = R + np.swapaxes(R, -1, -2) - trace[..., None, None] * np.eye(3)
+    K[..., 0, 0] = trace = R[..., 0, 0] + R[..., 1, 1] + R[..., 2, 2]
+    K[..., 0, 1:] = K[..., 1:, 0] = (turned - R)[..., (1, 2, 0), (2, 0, 1)]
+    K[..., 1:, 1:] = R + turned - trace[..., None, None] * _ONE
     quaternion = np.linalg.eigh(K)[1][..., -1]
     return np.where(quaternion[..., :1] < 0.0, -quaternion, quaternion)
 
@@ -222,7 +220,7 @@ def vector_second_rate(phi: ArrayLike, omega: ArrayLike, alpha: ArrayLike) -> Ar
 
 def orthonormal(R: Array) -> Array:
     """Return R, (..., 3, 3), without the rounding of one product: Newton's step to the nearest rotation."""
-    return np.asarray(R @ (3.0 * np.eye(3) - np.swapaxes(R, -1, -2) @ R) / 2.0)
+    return np.asarray(R @ (3.0 * _ONE - np.swapaxes(R, -1, -2) @ R) / 2.0)
 
 
 def cross(x: Array, y: Array) -> Array:

@@ -205,6 +205,8 @@ def test_too_few_cases_are_rejected_in_one_line(capsys: pytest.CaptureFixture[st
 
 @pytest.mark.slow
 def test_the_command_writes_the_study(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    for each in ("family", "scales"):
+        monkeypatch.setattr(f"stewart_sym.studies.robustness.{each}.POINTS", 9)
     monkeypatch.setattr(runs, "LONGEST", 0.05)
     monkeypatch.setattr(runs, "TIME_CONSTANTS", runs.TIME_CONSTANTS[:2])
     every: dict[str, Picture] = {}

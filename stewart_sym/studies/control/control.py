@@ -14,7 +14,7 @@ import numpy as np
 
 from ...dynamics.equations import ForwardDynamics, equations_of_motion
 from ...dynamics.forces import OnePose, prepare
-from ...dynamics.inverse import Formulation, massless_forces
+from ...dynamics.inverse import Formulation
 from ...io.array_types import Array
 from ...io.progress import Progress, silent, tracked
 from ...kinematics.inverse import inverse_kinematics
@@ -136,9 +136,9 @@ def papers_machines() -> dict[str, Robot]:
 class PreparedModel:
     """Inverse dynamics of one pose by the prepared C kernel, as the law of a controller calls it."""
 
-    def __init__(self, robot: Robot, formulation: Formulation = "exact") -> None:
+    def __init__(self, robot: Robot, formulation: Formulation = "exact", fidelity: str = "general") -> None:
         """Prepare the kernel and its buffers; raises as ``prepare``."""
-        self._slot: OnePose = prepare(robot, formulation).one_pose()
+        self._slot: OnePose = prepare(robot, formulation, fidelity=fidelity).one_pose()
         self._views = {each.name: getattr(self._slot, each.name) for each in fields(Motion)}
 
     def __call__(self, motion: Motion) -> Array:
@@ -155,7 +155,7 @@ def controllers(robot: Robot, wanted: Wanted, settings: Settings) -> dict[str, F
     models: dict[str, Model] = {
         "exact": PreparedModel(robot, "exact"),
         "paper": PreparedModel(robot, "paper"),
-        "massless": lambda motion: massless_forces(robot, motion),
+        "massless": PreparedModel(robot, fidelity="massless"),
     }
     inertia = equations_of_motion(robot, wanted(0.0)).M
     return {

@@ -2,6 +2,7 @@
 
 import warnings
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -118,9 +119,13 @@ def _curve(
 
 def _truth(robot: Robot, motion: Motion) -> NDArray[np.object_]:
     try:
-        return Truth(robot).forces(motion)
+        return _prepared_truth(robot).forces(motion)
     except ZeroDivisionError:
         return np.full(6, None, dtype=object)
+
+
+# Most families are of one machine, whose constants take a third of the time.
+_prepared_truth = lru_cache(maxsize=1)(Truth)
 
 
 def _forces(robot: Robot, motion: Motion) -> tuple[Array, NDArray[np.int32]]:
