@@ -19,7 +19,7 @@ from .mechanics.actuator_forces import (
     with_shared_pose,
 )
 from .mechanics.formulation import EXACT
-from .program.cse import shared_blocks
+from .program.cse import share, shared_blocks
 
 
 @dataclass(frozen=True)
@@ -45,7 +45,8 @@ def passes() -> tuple[Pass, ...]:
 def _plain(friction: bool) -> ForceKernel:
     """The named steps of the derivation; only the preparation of constants is shared, as in every pass."""
     raw = elimination_kernel(EXACT, friction)
-    return replace(shared_blocks(raw), leg=raw.leg, shared=raw.shared)
+    prepared = share(raw.prepare_leg), share(raw.prepare_platform)
+    return replace(raw, prepare_leg=prepared[0], prepare_platform=prepared[1])
 
 
 _ORDER: tuple[tuple[str, str, Callable[[bool], ForceKernel]], ...] = (

@@ -98,6 +98,7 @@ def _fused(function: Function) -> int:
     return sum(each.function == "fma" for each in calls_in(fused(function)))
 
 
+@cache
 def _fused_in(block: Block) -> int:
     """Products of a block that a sum takes with it."""
     results = [Let("", expression(expr)) for out in block.outputs for expr in out.exprs]

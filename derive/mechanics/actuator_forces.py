@@ -38,7 +38,7 @@ from .legs.joint_coordinates import (
 from .legs.leg import cross, skew
 from .legs.printed import printed_leg
 from .legs.rotor import NONE, Rotor, rotor_of
-from .platform import LegShare, platform
+from .platform import platform
 
 FROM_POSE = (*n.MOTION, p.B)
 
@@ -152,14 +152,12 @@ def force_kernel(form: Formulation, friction: bool = True) -> ForceKernel:
 
 def elimination_kernel(form: Formulation, friction: bool = True) -> ForceKernel:
     """The blocks of ``inverse_dynamics`` as they are, without what the forces do not need."""
-    block, share = platform()
-    return with_constants(form, friction, block, _plain_leg(form, share, friction), p.NOTHING_LUMPED)
+    return with_constants(form, friction, platform()[0], _plain_leg(form, friction), p.NOTHING_LUMPED)
 
 
 def with_shared_pose(form: Formulation, friction: bool = True) -> ForceKernel:
     """The legs of ``inverse_dynamics``, with B and the platform's part of c regrouped."""
-    _, share = platform()
-    leg = _turned_by_B(_plain_leg(form, share, friction))
+    leg = _turned_by_B(_plain_leg(form, friction))
     return with_constants(form, friction, shared(friction=False), leg, p.NOTHING_LUMPED)
 
 
@@ -434,9 +432,9 @@ def _printed_leg(form: Formulation, friction: bool, near_singular: bool) -> Bloc
     return closed_leg(build, meaning, *printed_leg(build, form, friction, near_singular))
 
 
-def _plain_leg(form: Formulation, share: LegShare, friction: bool) -> Block:
+def _plain_leg(form: Formulation, friction: bool) -> Block:
     """The leg as ``inverse_dynamics`` has it, without the outputs that the forces do not need."""
-    leg = leg_block(form, share, friction)
+    leg = leg_block(form, friction)
     kept = [out for out in leg.outputs if out.quantity != n.K]
     return replace(rebuilt(leg, list(leg.steps), kept, leg.inputs), name="leg_terms_of")
 

@@ -64,21 +64,21 @@ class BaseFrameLeg:
 @cache
 def kernel(form: Formulation, friction: bool = True) -> Kernel:
     """Derive the kernel of a formulation; without friction, the friction constants are zero throughout."""
-    platform_block, share = platform()
     return Kernel(
         form,
         friction,
-        leg=leg_block(form, share, friction),
-        platform=platform_block,
+        leg=leg_block(form, friction),
+        platform=platform()[0],
         reactions=reactions_block(form, friction),
     )
 
 
-def leg_block(form: Formulation, share: LegShare, friction: bool) -> Block:
+@cache
+def leg_block(form: Formulation, friction: bool) -> Block:
     """One leg's part of the inverse dynamics, (1)-(24) and its share of (35)."""
     build = Builder()
     leg = base_frame_leg(build, form, friction, with_reactions=False)
-    column, wrench = place_share(share, leg)
+    column, wrench = place_share(platform()[1], leg)
     outputs = [
         (n.q, leg.q),
         (n.L, leg.L),
