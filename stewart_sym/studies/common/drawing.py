@@ -63,7 +63,6 @@ def legend_below(figure: Figure, handles: list[Any] | None = None, **style: Any)
             frameon=False,
             **style,
         )
-        figure.draw_without_rendering()
         if legend.get_window_extent().width <= (1.0 - _MARGIN) * figure.bbox.width:
             return
         if columns > 1:
