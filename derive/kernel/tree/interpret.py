@@ -88,7 +88,7 @@ class Interpreter:
 
     def zero(self, kind: t.Type) -> Any:
         """A value of this type with zeros."""
-        return filled(self.program, kind, lambda name, kind: self.arithmetic.number(0))
+        return self._zeros(kind)()
 
     # ------------------------------------------------------------ statements, made into functions once
 
@@ -140,8 +140,21 @@ class Interpreter:
         if not isinstance(statement, t.Variable) or statement.value is not None:
             assert statement.value is not None
             return self._value(statement.value)
-        kind = statement.type
-        return lambda known: self.zero(kind)
+        make = self._zeros(statement.type)
+        return lambda known: make()
+
+    def _zeros(self, kind: t.Type) -> Callable[[], Any]:
+        """What makes values of this type with zeros."""
+        if isinstance(kind, t.Array):
+            count, *others = kind.dims
+            make = self._zeros(t.Array(kind.item, tuple(others)) if others else kind.item)
+            return lambda: [make() for _ in range(count)]
+        if isinstance(kind, t.Record):
+            members = self.program.structure(kind.name).members
+            parts = {each.name: self._zeros(each.type) for each in members}
+            return lambda: SimpleNamespace(**{name: make() for name, make in parts.items()})
+        zero = self.arithmetic.number(0)
+        return lambda: zero
 
     def _kept(self, statement: t.Let | t.Variable | t.Assign, value: Any, known: Known) -> Any:
         """What a statement stores."""
