@@ -14,6 +14,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from builds import CLIENT, QUICK, ROBOT, SYMBOL, needed, run, texts, written
+from kits import few_vectors
 from numpy.typing import NDArray
 from pages import blocks
 from sweeps import FULL
@@ -70,7 +71,8 @@ def generator(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture(scope="module")
 def files() -> dict[str, str]:
     """A kit of forces, file name -> text."""
-    return texts(Robot.from_toml(ROBOT), Choice())
+    with few_vectors():
+        return texts(Robot.from_toml(ROBOT), Choice())
 
 
 # --- a project that generates its kit -----------------------------------------------------------
