@@ -66,9 +66,14 @@ int attack_untouched(const void *bytes, size_t size)
     return size == 0 || (at[0] == ATTACK_UNTOUCHED && memcmp(at, at + 1, size - 1) == 0);
 }
 
+uint64_t attack_digest;
+
 int attack_finite(const stewart_real *numbers, size_t count)
 {
     size_t i;
+    for (i = 0; i < count * sizeof *numbers; ++i) {
+        attack_digest = (attack_digest ^ ((const unsigned char *)numbers)[i]) * 1099511628211u;
+    }
     for (i = 0; i < count; ++i) {
         if (!(fabs((double)numbers[i]) <= (double)ATTACK_MAX)) {
             return 0;

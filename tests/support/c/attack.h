@@ -64,7 +64,9 @@ void attack_arrays_free(attack_arrays *arrays);
 #define ATTACK_UNTOUCHED 0xA5
 stewart_real *attack_array(const attack_case *it, size_t numbers, void **block);
 int attack_untouched(const void *bytes, size_t size);
+/* Whether all are; they go into attack_digest, which tells whether two runs gave the same bits. */
 int attack_finite(const stewart_real *numbers, size_t count);
+extern uint64_t attack_digest;
 int attack_known(int status, unsigned allowed);
 /* What a batch has to return, from the status of each pose. */
 int attack_first(const int *status, size_t count);

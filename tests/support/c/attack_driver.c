@@ -1,4 +1,5 @@
 /* Runs random cases without a fuzzer, for any compiler:  attack_driver CASES SEED. See attack.c.
+ * Prints how many, and a digest of all that the kernels answered.
  *
  * Every kernel in turn gets sound cases of every count from 0 to 17, then cases spoilt by random commands.
  */
@@ -6,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+extern uint64_t attack_digest;
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 #define MOST_BYTES 96
@@ -41,6 +43,6 @@ int main(int count, char **words)
         LLVMFuzzerTestOneInput(data, size);
         free(data);
     }
-    printf("%lu cases\n", cases);
+    printf("%lu cases, %016llx\n", cases, (unsigned long long)attack_digest);
     return 0;
 }
