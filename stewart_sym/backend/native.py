@@ -58,17 +58,23 @@ _PROCESSOR_LINES = frozenset(
 _loaded: dict[str, ctypes.CDLL] = {}
 _turns: dict[str, threading.Lock] = {}
 _lock = threading.Lock()
+# A child forked while a compiler starts would hold its pipes open, and their end is waited for.
+_starting = threading.RLock()
 
 
 def _renew_locks() -> None:
     """Give a forked child locks of its own: the threads that owned them are not in it."""
-    global _lock
-    _lock = threading.Lock()
+    global _lock, _starting
+    _lock, _starting = threading.Lock(), threading.RLock()
     _turns.clear()
 
 
 if hasattr(os, "register_at_fork"):
-    os.register_at_fork(after_in_child=_renew_locks)
+    os.register_at_fork(
+        before=lambda: _starting.acquire(),
+        after_in_parent=lambda: _starting.release(),
+        after_in_child=_renew_locks,
+    )
 
 
 class CompilerError(RuntimeError):
@@ -246,17 +252,19 @@ def _run(command: Sequence[str], timeout: float, folder: Path) -> tuple[int, str
     env |= dict.fromkeys(("TMPDIR", "TMP", "TEMP", "ZIG_LOCAL_CACHE_DIR"), str(folder))
     # Zig's own choice is below the home folder, and it does not run at all where that can't be written.
     env.setdefault("ZIG_GLOBAL_CACHE_DIR", str(folder))
-    with subprocess.Popen(
-        command,
-        cwd=folder,
-        env=env,
-        stdin=subprocess.DEVNULL,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        encoding="utf-8",
-        errors="replace",
-        process_group=0,
-    ) as process:
+    with _starting:
+        process = subprocess.Popen(
+            command,
+            cwd=folder,
+            env=env,
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            encoding="utf-8",
+            errors="replace",
+            process_group=0,
+        )
+    with process:
         try:
             output, _ = process.communicate(timeout=timeout)
         except BaseException:

@@ -383,6 +383,37 @@ def test_a_child_forked_while_a_thread_compiles_can_load(cache: Path, tmp_path: 
     run_child(f"{code}SOURCES, STARTED = {ADD!r}, {str(started)!r}\n{FORKED_WHILE_COMPILING}")
 
 
+FORKED_WHILE_STARTING = """
+import os, signal, subprocess, threading, time
+start, begun = subprocess._fork_exec, threading.Event()
+
+def slowly(*arguments):
+    child = start(*arguments)
+    if threading.current_thread() is thread:
+        begun.set()
+        time.sleep(0.3)
+    return child
+
+native.find_compiler()
+subprocess._fork_exec = slowly
+thread = threading.Thread(target=lambda: native.load("adder", SOURCES))
+thread.start()
+begun.wait()
+child = os.fork()
+if child == 0:
+    signal.alarm(30)
+    assert native.load("adder", SOURCES).add(2, 3) == 5
+    os._exit(0)
+thread.join()
+assert os.waitpid(child, 0)[1] == 0
+print("/")
+"""
+
+
+def test_a_child_forked_while_a_compiler_starts_keeps_nobody_waiting(cache: Path) -> None:
+    run_child(f"from stewart_sym.backend import native\nSOURCES = {ADD!r}\n{FORKED_WHILE_STARTING}")
+
+
 FORKED_WHILE_IMPORTING = """
 import os, signal, sys, threading, time
 import stewart_sym as ss
