@@ -133,8 +133,8 @@ def _meeting(robot: Robot, t: Array) -> list[tuple[int, int]]:
     normal = cross(u, v)
     square = _dot(normal, normal)
     apart = _dot(b - a, normal)
-    along = np.array([_dot(cross(b - a, other), normal) for other in (v, u)]) / square
-    inner = np.all((along > 0.02) & (along < 0.98), axis=0)
+    along = np.array([_dot(cross(b - a, other), normal) for other in (v, u)])
+    inner = np.all((along > 0.02 * square) & (along < 0.98 * square), axis=0)
     near = np.abs(apart) < 1e-4 * (radius(robot.b) + radius(robot.p)) * np.sqrt(square)
     found = pairs[(square >= 1e-6 * _dot(u, u) * _dot(v, v)) & inner & near]
     return [(int(i), int(j)) for i, j in found]
