@@ -16,6 +16,7 @@ import tempfile
 import tomllib
 import unicodedata
 from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
 from typing import Any, BinaryIO
 
 import numpy as np
@@ -257,6 +258,14 @@ def require(table: Mapping[str, Any], keys: Sequence[str], prefix: str, reason: 
 
 
 # Single values
+
+
+def file_beside(value: object, source: str, key: str) -> Path:
+    """The file that a key of another file names, looked for beside that."""
+    path = Path(source).parent / one_line(value, f"{source}: {key}")
+    if not os.path.exists(path):
+        raise ValueError(f"{source}: {key}: expected a file, there is no {path}")
+    return path
 
 
 _CONTROL = {"Cc", "Cs", "Zl", "Zp"}

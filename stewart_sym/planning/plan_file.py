@@ -82,7 +82,7 @@ def read_plan(path: str | os.PathLike[str]) -> PlanRequest:
 
 
 def _request(d: Mapping[str, Any], source: str) -> PlanRequest:
-    file, folder = f"{source}: ", Path(source).parent
+    file = f"{source}: "
     top = tables.checked_table(d, file, _TOP_KEYS, ("schema", "robot"))
     tables.need_schema(top["schema"], (SCHEMA,), f"{file}schema")
     if ("via" in top) == ("via_file" in top):
@@ -96,10 +96,10 @@ def _request(d: Mapping[str, Any], source: str) -> PlanRequest:
     options["duration"] = tables.positive(top["duration"], f"{file}duration") if "duration" in top else None
     path_limits, limits = _limits(top.get("limits", {}), f"{file}limits.")
     load = _load(top.get("load", {}), f"{file}load.")
-    files = [Path(source), folder / tables.one_line(top["robot"], f"{file}robot")]
+    files = [Path(source), tables.file_beside(top["robot"], source, "robot")]
     given = _via_tables(top["via"], f"{file}via") if "via" in top else None
     if given is None:
-        files.append(folder / tables.one_line(top["via_file"], f"{file}via_file"))
+        files.append(tables.file_beside(top["via_file"], source, "via_file"))
     robot = Robot.from_toml(files[1])
     try:
         need_clearance(robot, path_limits.clearance)

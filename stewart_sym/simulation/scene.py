@@ -106,7 +106,6 @@ def _scene(d: Mapping[str, Any], source: str) -> Scene:
     file = f"{source}: "
     top = tables.checked_table(d, file, _TOP_KEYS, ("schema", "robot", "duration", "legs"))
     tables.need_schema(top["schema"], (SCHEMA,), f"{file}schema")
-    folder = Path(source).parent
     # What is wrong in this file comes before what is wrong in another.
     legs = _legs(top["legs"], f"{file}legs.")
     options: dict[str, Any] = {
@@ -126,12 +125,12 @@ def _scene(d: Mapping[str, Any], source: str) -> Scene:
     load = _vectors(top.get("load", {}), _LOAD_KEYS, (), f"{file}load.")
     _check_start(top, legs["law"], file)
     given = _vectors(top["state"], _STATE_KEYS, ("t", "theta"), f"{file}state.") if "state" in top else None
-    read = [Path(source), folder / tables.one_line(top["robot"], f"{file}robot")]
+    read = [Path(source), tables.file_beside(top["robot"], source, "robot")]
     robot = Robot.from_toml(read[1])
     tracked = legs["path"] if legs["law"] == "tracking" else None
     if tracked is not None and tracked not in PATHS:
-        read.append(folder / tracked)
-    wanted = None if tracked is None else _wanted(robot, tracked, folder, options["duration"])
+        read.append(tables.file_beside(tracked, source, "legs.path"))
+    wanted = None if tracked is None else _wanted(robot, tracked, read[-1], options["duration"])
     state = _state(given, wanted, load)
     try:
         law = _law(robot, legs, state, wanted)
@@ -204,11 +203,11 @@ def _vectors(value: object, keys: tuple[str, ...], needed: tuple[str, ...], pref
     return {key: tables.vector(given, prefix + key) for key, given in table.items()}
 
 
-def _wanted(robot: Robot, path: str, folder: Path, duration: float) -> Wanted:
-    """The motion along a path; warns of a file that ends in motion before the run does."""
+def _wanted(robot: Robot, path: str, file: Path, duration: float) -> Wanted:
+    """The motion along a path or that of a file; warns of one that ends in motion before the run does."""
     if path in PATHS:
         return along(path_for(robot, path).path)
-    found = trajectory_for(robot, folder / path)
+    found = trajectory_for(robot, file)
     if isinstance(found, JointTrajectory):
         raise ValueError(f"{found.source}: expected poses, t_* and theta_*, got leg lengths L_1 to L_6")
     last, whole = found.motion[-1], float(elapsed(found.time)[-1])

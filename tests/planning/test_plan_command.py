@@ -225,7 +225,11 @@ SECOND = "[[via]]\nt = [0.1, 0.0, 0.65]\ntheta = [0.0, 0.0, 0.0]\n"
             HEAD + FIRST + SECOND + "free.yaw = [0.1, 0.3]\n",
             "free.yaw: expected [low, high] with low <= 0 <= high",
         ),
-        (HEAD.replace("hexapod", "nothing") + FIRST + SECOND, "nothing.toml"),
+        (
+            HEAD.replace("hexapod", "nothing") + FIRST + SECOND,
+            "via.toml: robot: expected a file, there is no ",
+        ),
+        (HEAD + 'via_file = "none.csv"\n', "via.toml: via_file: expected a file, there is no "),
         ("", "the file is empty"),
     ],
 )

@@ -74,7 +74,7 @@ def test_margin_and_rate_have_defaults(scene: Path) -> None:
         ("schema = 1", "schema = ", "not valid TOML"),
         ("margin", "margn", 'margn: unknown key, did you mean "margin"?'),
         ("rate = 1000.0", "xyz = 1", "xyz: unknown key, expected one of schema, robot, motions"),
-        ("robots/robot.toml", "robots/none.toml", "none.toml: cannot read the robot file"),
+        ("robots/robot.toml", "robots/none.toml", "scene.toml: robot: expected a file, there is no "),
         ('"robots/robot.toml"', "7", "robot: expected one line of text, got 7"),
         ('robot = "robots/robot.toml"', "", "robot: missing"),
         ('motions = ["I"]', "motions = []", "motions: expected a list of one or more of I, II, III or CSV"),
@@ -82,7 +82,7 @@ def test_margin_and_rate_have_defaults(scene: Path) -> None:
         ('motions = ["I"]', "", "motions: missing"),
         ('motions = ["I"]', "motions = [1]", "motions: expected one line of text, got 1"),
         ('["I"]', '["I", "II", "I"]', "motions: expected each motion once, 'I' is given twice"),
-        ('["I"]', '["IV"]', "IV: cannot read the trajectory"),
+        ('["I"]', '["IV"]', "scene.toml: motions: expected a file, there is no "),
         ("tolerance = 0.05", "tolerance = 0", "tolerance: expected a number > 0, got 0"),
         ("tolerance = 0.05", "tolerance = -0.1", "tolerance: expected a number > 0, got -0.1"),
         ("tolerance = 0.05", "tolerance = nan", "tolerance: expected a finite number, got nan"),
@@ -106,8 +106,7 @@ def test_bad_scenes_are_rejected_in_one_line_and_leave_nothing(
     ]
     line = fails_in_one_line(capsys, subcommand, scene, *more)
     assert words in line
-    elsewhere = "cannot read the" in words
-    assert str(scene.parent if elsewhere else scene) in line
+    assert str(scene) in line
     assert folder_state(scene.parent) == before
 
 

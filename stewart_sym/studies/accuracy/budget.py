@@ -69,12 +69,11 @@ def _budget(d: Mapping[str, Any], source: str) -> Budget:
     if margin < 1.0:
         raise ValueError(f"{file}margin: expected a number >= 1, got {margin:g}")
     rate = tables.positive(top["rate"], f"{file}rate") if "rate" in top else None
-    folder = Path(source).parent
-    robot_file = folder / tables.one_line(top["robot"], f"{file}robot")
+    robot_file = tables.file_beside(top["robot"], source, "robot")
+    logs = {name: tables.file_beside(name, source, "motions") for name in names if name not in PATHS}
     robot = Robot.from_toml(robot_file)
-    motions = {name: _motion(robot, name, folder, f"{file}motions: ") for name in names}
-    read = (Path(source), robot_file, *(folder / name for name in names if name not in PATHS))
-    return Budget(robot, motions, tolerance, margin, rate, read)
+    motions = {name: _motion(robot, name, logs.get(name), f"{file}motions: ") for name in names}
+    return Budget(robot, motions, tolerance, margin, rate, (Path(source), robot_file, *logs.values()))
 
 
 def papers_motions() -> dict[str, Motion]:
@@ -93,14 +92,14 @@ def _names(value: object, where: str) -> list[str]:
     return names
 
 
-def _motion(robot: Robot, name: str, folder: Path, prefix: str) -> Motion:
+def _motion(robot: Robot, name: str, log: Path | None, prefix: str) -> Motion:
     rows: Sequence[object]
-    if name in PATHS:
+    if log is None:
         path, dtau = path_for(robot, name)
         motion = path.sample(path.times(dtau))
         where, rows = f"{prefix}path {name}: instant", range(len(motion.t))
     else:
-        trajectory = trajectory_for(robot, folder / name)
+        trajectory = trajectory_for(robot, log)
         if isinstance(trajectory, JointTrajectory):
             trajectory = on_platform(robot, trajectory, None)
         motion, where, rows = trajectory.motion, f"{trajectory.source}: row", trajectory.rows
