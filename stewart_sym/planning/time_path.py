@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Literal, NamedTuple
 
 import numpy as np
@@ -225,7 +227,7 @@ class _Task(NamedTuple):
                 return found
         # Where holding the machine takes nearly all of a limit, bounds at nodes leave out fast motions.
         smooth = self.smooth(limits)
-        other = smooth.profile(smooth.fastest())
+        other = smooth.profile(smooth.fastest(partial(self.progress, "finding the fastest smooth motion")))
         return other if found is None or other.duration < found.duration else found
 
     def _in_phase_plane(self, limits: Limits) -> tuple[Grid, Profile | None]:
@@ -260,19 +262,19 @@ class _Task(NamedTuple):
     def thriftiest(self, duration: float) -> Profile | None:
         """The motion of least energy in a duration; None where that is too short for a smooth one."""
         need_losses(self.robot)
-        self.progress("finding the motion of least energy")
+        shown = partial(self.progress, "finding the motion of least energy")
+        shown()
         smooth = self.smooth(self.limits)
         path = eased(self.path, smooth.ease)
         terms = terms_along(self.robot, path, smooth.nodes, self.limits, self.formulation, motors=True)
         assert terms.motors is not None
-        start = smooth.fastest()
+        start = smooth.fastest(shown)
         if smooth.profile(start).duration > duration * (1.0 - _NO_ROOM):
             return None
-        return smooth.profile(smooth.thriftiest(EnergyCost.of(terms.motors), start, duration))
+        return smooth.profile(smooth.thriftiest(EnergyCost.of(terms.motors), start, duration, shown))
 
     def gentlest(self, quickest: Profile, duration: float) -> Profile:
         """The motion of least peak force in a duration, a little faster, from the fastest of all."""
-        self.progress("finding the motion of least peak force")
         with needed_for("a motion"):
             from scipy.optimize import brentq
         own, nodes = force_limits(self.robot, self.limits), quickest.nodes
@@ -280,11 +282,17 @@ class _Task(NamedTuple):
         held = float(np.abs(terms.e[:, :LEGS]).max())
         highest = float(np.abs(terms.values(nodes.rate**2, nodes.second)[:, :LEGS]).max())
 
-        def limited(force: float) -> Limits:
-            return replace(self.limits, force=np.minimum(own, force))
+        tries = itertools.count(1)
+
+        def limited(force: float) -> tuple[_Task, Limits]:
+            text = f"finding the motion of least peak force, try {next(tries)}"
+            self.progress(text)
+            task = self._replace(progress=lambda _, share=None: self.progress(text, share))
+            return task, replace(self.limits, force=np.minimum(own, force))
 
         def excess(force: float) -> float:
-            return self._replace(cells=_ROUGH_CELLS).rough(limited(force)).duration ** -2 - duration**-2
+            task, limits = limited(force)
+            return task._replace(cells=_ROUGH_CELLS).rough(limits).duration ** -2 - duration**-2
 
         lowest = min(held * _ABOVE_REST, highest)
         # About 1 / time^2 grows with the force above what the machine takes at rest.
@@ -295,7 +303,8 @@ class _Task(NamedTuple):
         else:
             force = float(brentq(excess, lowest, highest, rtol=_SAME_FORCE))
         while force < highest:
-            profile = self.fastest(limited(force))
+            task, limits = limited(force)
+            profile = task.fastest(limits)
             if profile.duration <= duration:
                 return profile
             force *= 1.0 + 2.0 * max(profile.duration / duration - 1.0, _SAME_FORCE)

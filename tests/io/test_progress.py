@@ -11,6 +11,8 @@ from stewart_sym.io.progress import Progress, silent
 from stewart_sym.motion.log_reader import read_log
 from stewart_sym.motion.straight_line import PATHS
 from stewart_sym.motion.trajectory import Smoothing
+from stewart_sym.planning.time_path import time_path
+from stewart_sym.planning.timing.path_terms import Limits
 
 ROBOT = ss.robots.dasgupta1998()
 Work = Callable[[Path, Progress], list[np.ndarray]]
@@ -50,7 +52,15 @@ def exciting(_: Path, progress: Progress) -> list[np.ndarray]:
     return [found.path.sine, found.path.cosine]
 
 
-@pytest.mark.parametrize("work", [reading, reading_cells, finding_poses, finding_poses_at_rest, exciting])
+def timing(_: Path, progress: Progress) -> list[np.ndarray]:
+    limits = Limits(speed=1.0, jerk=20.0)
+    timed = time_path(ROBOT, PATHS["I"].path.sample, (1.0, 5.0), limits, cells=10, progress=progress)
+    return [timed.sample(np.linspace(0.0, timed.duration, 9)).t]
+
+
+@pytest.mark.parametrize(
+    "work", [reading, reading_cells, finding_poses, finding_poses_at_rest, exciting, timing]
+)
 def test_shares_rise_and_change_nothing(work: Work, tmp_path: Path) -> None:
     shown: list[tuple[str, float]] = []
 

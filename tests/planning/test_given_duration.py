@@ -127,7 +127,16 @@ def test_least_electrical_energy_has_friction_and_heat_of_windings_in_it() -> No
 def test_least_peak_force_is_that_of_collocation_and_below_that_of_simpler_motions() -> None:
     robot, path, quick = case(0)
     duration = 1.2 * quick.duration
-    plan = time_path(robot, path, least="peak-force", duration=duration, cells=100)
+    shown: list[str] = []
+
+    def progress(text: str, share: float | None = None) -> None:
+        shown.append(text)
+
+    options = {"least": "peak-force", "duration": duration, "progress": progress}
+    plan = time_path(robot, path, cells=100, **options)
+    tries = [text for text in shown if "least peak force, try " in text]
+    assert len(set(tries)) > 3
+    assert shown[-len(tries) :] == tries
     assert plan.duration == pytest.approx(duration, rel=1e-12)
     expected = extrapolated(lambda cells: peak_force(plan, cells), 100)
     assert peak(plan) == pytest.approx(expected, rel=1e-3)

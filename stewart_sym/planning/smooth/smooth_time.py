@@ -22,6 +22,9 @@ from ..timing.path_terms import Path, Terms, leg_accelerations, travelled
 from ..timing.phase_plane import Ease, Profile
 from .rate_spline import PARTS, Cost, RateSpline, Rooms, duration, in_cells, least
 
+Shown = Callable[[float], None]
+"""Called with the share of a search that is done."""
+
 _ROUNDS = 12
 _MARGIN = 5e-5
 _MORE, _KEPT = 1.2, 1e-7
@@ -98,13 +101,13 @@ class SmoothPath:
         k = np.concatenate(parts, axis=1)
         return Rooms(in_cells(k))
 
-    def fastest(self) -> Array:
+    def fastest(self, shown: Shown) -> Array:
         """Coefficients of least time."""
         c = np.ones(self.spline.cells + 2)
         free = float(self._free().min())
         while c[0] > _SLOWEST and self.used(c).max() > 1.0 - (1.0 - _ROOM) * free:
             c = _SLOWER * c
-        return self._settled(c, functools.partial(duration, self.spline), None)
+        return self._settled(c, functools.partial(duration, self.spline), None, shown)
 
     def _free(self) -> Array:
         """Shares of the limits that holding the machine leaves for a motion in every cell, (cells, m)."""
@@ -114,17 +117,18 @@ class SmoothPath:
         most = held.reshape(self.spline.cells, len(_BETWEEN), -1).max(axis=1)
         return np.asarray(np.maximum(1.0 - most, 0.0))
 
-    def thriftiest(self, cost: Cost, start: Array, time: float) -> Array:
+    def thriftiest(self, cost: Cost, start: Array, time: float, shown: Shown) -> Array:
         """Coefficients of least energy in a duration, from those of a faster motion."""
         share = duration(self.spline, self.spline.values(start))[0] / time
-        return self._settled(share**2 * start, cost, time)
+        return self._settled(share**2 * start, cost, time, shown)
 
-    def _settled(self, c: Array, cost: Cost, time: float | None) -> Array:
+    def _settled(self, c: Array, cost: Cost, time: float | None, shown: Shown) -> Array:
         """Coefficients of least cost that keep all limits between the samples too."""
         most = _ROOM * _beside(self._free(), np.minimum)
         margin = np.minimum(_MARGIN, most)
         turns, start = (1 if self.at.motors is None else _TURNS), c
         for turn in range(_ROUNDS):
+            shown(turn / _ROUNDS)
             rooms = self.rooms(c, margin)
             # The search begins far within the limits; for a given duration at a motion that takes as long.
             begin = self._slowed(_ROOM * c if time is None else start, rooms)
