@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -47,7 +48,7 @@ class PlanRequest:
     """What is to be planned; names and units are those of ``plan_path`` and ``time_path``.
 
     rate: of the trajectory, Hz. files: from which it was read: its own, the robot's, that of via poses
-    apart. doubt: what is doubtful about the via poses, a line or nothing.
+    apart. stated: keys of its own. doubt: what is doubtful about the via poses, a line or nothing.
     """
 
     robot: Robot
@@ -62,23 +63,25 @@ class PlanRequest:
     least: Least
     duration: float | None
     files: tuple[Path, ...]
+    stated: frozenset[str]
     doubt: str = ""
 
-    @property
-    def via_source(self) -> Path:
-        """The file in which the via poses stand."""
-        return self.files[-1] if len(self.files) > 2 else self.files[0]
+    def of_poses(self, text: str) -> str:
+        """A text about the via poses with the file in which they stand; one of TOML has them by its keys."""
+        return _of_poses(text, self.files)
 
 
-def read_plan(path: str | os.PathLike[str]) -> PlanRequest:
+@contextlib.contextmanager
+def read_plan(path: str | os.PathLike[str]) -> Iterator[PlanRequest]:
     """Read a file of via poses (TOML, schema 1); the files that it names are looked for beside it.
 
     Raises ValueError of one line, ``file: key: what was expected (at line n)``, for a file that cannot be
-    read and for every break of the schema, of this file or of one it names.
+    read and for every break of the schema, of this file or of one it names. The line is added to what the
+    block raises about a key of the file, too.
     """
     source = tables.file_name(path)
     with tables.toml_tables(source, "file of via poses") as d:
-        return _request(d, source)
+        yield _request(d, source)
 
 
 def _request(d: Mapping[str, Any], source: str) -> PlanRequest:
@@ -118,10 +121,24 @@ def _request(d: Mapping[str, Any], source: str) -> PlanRequest:
     try:
         need_poses(poses)
     except ValueError as error:
-        raise ValueError(f"{source if given else files[2]}: {error}") from None
+        raise ValueError(_of_poses(str(error), files)) from None
+    stated = frozenset(top)
     return PlanRequest(
-        robot, poses, path_limits, limits, load=load, files=tuple(files), doubt=doubt, **options
+        robot,
+        poses,
+        path_limits,
+        limits,
+        load=load,
+        files=tuple(files),
+        stated=stated,
+        doubt=doubt,
+        **options,
     )
+
+
+def _of_poses(text: str, files: Sequence[Path]) -> str:
+    apart = len(files) > 2
+    return f"{files[-1]}: {text}" if apart else f"{files[0]}: {text.replace('via pose ', 'via ', 1)}"
 
 
 def _limits(value: object, prefix: str) -> tuple[PoseLimits, Limits]:

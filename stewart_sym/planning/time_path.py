@@ -178,11 +178,7 @@ def time_path(
     instance(limits, Limits, "limits")
     whole_number(cells, "cells", 10, "a whole number from 10 to 100,000", 100_000)
     option(least, LEAST, "least")
-    if least == "time":
-        if duration is not None:
-            raise ValueError('duration: expected least = "energy" or "peak-force" beside it')
-    elif duration is None:
-        raise ValueError(f'duration: missing, expected beside least = "{least}"')
+    need_duration(least, duration)
     task = _Task(robot, path, (float(ends[0]), float(ends[1])), limits, formulation, cells, progress)
     task.need_possible()
     profile = task.fastest(limits)
@@ -315,6 +311,14 @@ class _Task(NamedTuple):
         if limits.jerk is not None:
             return self.fastest(limits)
         return Grid.at(self.source(limits), _first_nodes(*self.span, self.cells)).fastest()[1]
+
+
+def need_duration(least: Least, duration: float | None) -> None:
+    """Reject a duration of a motion of least time, and another motion without one."""
+    if least == "time" and duration is not None:
+        raise ValueError(f'duration: expected least "energy" or "peak-force" beside it, got "{least}"')
+    if least != "time" and duration is None:
+        raise ValueError(f'least: expected a duration beside "{least}"')
 
 
 def need_losses(robot: Robot) -> None:

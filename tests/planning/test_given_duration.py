@@ -164,7 +164,7 @@ def test_what_every_motion_takes_as_much_of_is_one_line() -> None:
     robot = with_limits(robot, path)
     with pytest.raises(ValueError, match="expected viscous friction or a resistance of windings"):
         time_path(robot, path, least="energy", duration=1e3, cells=50)
-    with pytest.raises(ValueError, match="duration: missing"):
+    with pytest.raises(ValueError, match='least: expected a duration beside "energy"'):
         time_path(robot, path, least="energy")
-    with pytest.raises(ValueError, match='duration: expected least = "energy" or "peak-force" beside it'):
+    with pytest.raises(ValueError, match='duration: expected least "energy" or "peak-force" beside it'):
         time_path(robot, path, duration=4.0)

@@ -97,11 +97,22 @@ def test_a_duration_has_a_motion_of_least_energy_or_peak_force(
     in_file = found(text='least = "peak-force"\nduration = 3.0\n' + SHORT)
     assert thrifty["energy_J"] < in_file["energy_J"]
     assert peak(in_file) < peak(thrifty)
-    capsys.readouterr()
-    too_short = ["--least", "energy", "--duration", "0.2"]
-    assert main(["plan", via(folder, SHORT), "-o", str(folder / "x"), *too_short]) == 2
-    assert "error: --duration: expected at least the least time, " in capsys.readouterr().err
-    assert not (folder / "x").exists()
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        (["--least", "energy", "--duration", "0.01"], "--duration: expected at least the least time, "),
+        (["--least", "energy"], '--least: expected a duration beside "energy"'),
+        (["--duration", "2"], '--duration: expected least "energy" or "peak-force" beside it, got "time"'),
+    ],
+)
+def test_an_error_about_an_option_names_it(
+    folder: Path, capsys: pytest.CaptureFixture[str], options: list[str], words: str
+) -> None:
+    assert main(["plan", via(folder, HEAD + FIRST + SECOND), "-o", str(folder / "out"), *options]) == 2
+    assert f"error: {words}" in capsys.readouterr().err
+    assert not (folder / "out").exists()
 
 
 @pytest.mark.slow
@@ -139,8 +150,20 @@ def test_angles_that_must_be_degrees_are_a_warning(folder: Path, capsys: pytest.
     assert main(["plan", via(folder, text), "-o", str(folder / "out")]) == 2
     warning, error = capsys.readouterr().err.splitlines()
     assert "via.toml: via: theta_z from -0.55 to 11.5 rad: are angles in degrees?" in warning
-    assert "via.toml: via pose 2: out of reach" in error
-    assert error.endswith("theta_z from -0.55 to 11.5 rad: are angles in degrees? Radians are expected")
+    assert "via.toml: via 2: out of reach" in error
+    assert error.endswith(
+        "theta_z from -0.55 to 11.5 rad: are angles in degrees? Radians are expected (at line 14)"
+    )
+
+
+def test_poses_that_must_be_in_millimetres_are_a_warning(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = (HEAD + FIRST + SECOND).replace("0.65]", "650.0]")
+    assert main(["plan", via(folder, text), "-o", str(folder / "out")]) == 2
+    warning, error = capsys.readouterr().err.splitlines()
+    assert warning.endswith("m beside legs of up to 0.95 m: in millimetres, expected metres?")
+    assert "via.toml: via 1: out of reach" in error
 
 
 def test_via_poses_may_stand_in_a_csv_file(folder: Path) -> None:
@@ -184,29 +207,37 @@ SECOND = "[[via]]\nt = [0.1, 0.0, 0.65]\ntheta = [0.0, 0.0, 0.0]\n"
         (HEAD + FIRST + SECOND.replace("0.1", "nan"), "via 2: t: expected 3 finite numbers"),
         (
             HEAD + FIRST + SECOND.replace("0.1", "9.0"),
-            "via pose 2: out of reach, it breaks the limit of leg length of leg",
+            "via 2: out of reach, it breaks the limit of leg length of leg",
         ),
         (
             HEAD + "[limits]\ncondition = 12.0\n" + FIRST + SECOND.replace("0.1", "900.0"),
-            "via pose 2: out of reach, it breaks the limit of leg length of leg",
+            "via 2: out of reach, it breaks the limit of leg length of leg",
         ),
         *(
             (
                 HEAD + FIRST + SECOND.replace("0.1", x) + "free.yaw = [-0.2, 0.2]\nfree.x = [-0.1, 0.0]\n",
-                "via pose 2: out of reach, the nearest that its freedom allows breaks the limit of",
+                "via 2: out of reach, the nearest that its freedom allows breaks the limit of",
             )
             for x in ("9.0", "900.0")
         ),
-        (HEAD + FIRST + SECOND + FIRST, "via pose 2: expected a path through it, the one found turns back"),
+        (HEAD + FIRST + SECOND + FIRST, "via 2: expected a path through it, the one found turns back"),
         (
             'least = "energy"\n' + HEAD + FIRST + SECOND,
-            'via.toml: duration: missing, expected beside least = "energy", or --duration',
+            'via.toml: least: expected a duration beside "energy" (at line 1)',
         ),
         (
             'least = "energy"\nduration = 1e9\n' + HEAD + FIRST + SECOND,
-            "duration: expected at most 10,000,000 instants, got 1e+09 s at a rate of",
+            "via.toml: duration: expected at most 10,000,000 instants, got 1e+09 s at a rate of",
         ),
-        (HEAD + FIRST + FIRST, "via pose 2: expected another pose than via pose 1"),
+        (
+            "rate = 1e9\n" + HEAD + FIRST + SECOND,
+            "via.toml: rate: expected at most 10,000,000 instants, got ",
+        ),
+        (
+            "duration = 2.0\n" + HEAD + FIRST + SECOND,
+            'via.toml: duration: expected least "energy" or "peak-force" beside it, got "time" (at line 1)',
+        ),
+        (HEAD + FIRST + FIRST, "via 2: expected another pose than via pose 1 (at line 6)"),
         (HEAD + "[limits]\nforce = 10.0\n" + FIRST + SECOND, "at rest at s ="),
         (
             HEAD + "[limits]\nforce = -1.0\n" + FIRST + SECOND,
@@ -214,7 +245,7 @@ SECOND = "[[via]]\nt = [0.1, 0.0, 0.65]\ntheta = [0.0, 0.0, 0.0]\n"
         ),
         (
             HEAD + "[limits]\ncondition = 1.1\n" + FIRST + SECOND,
-            "via pose 1: expected a condition number of at most 1.1",
+            "via 1: expected a condition number of at most 1.1",
         ),
         (
             HEAD + "[limits]\nclearance = 60.0\n" + FIRST + SECOND,
@@ -242,4 +273,4 @@ def test_a_singular_start_is_rejected(folder: Path) -> None:
     robot = (folder / "hexapod.toml").read_text().replace("length_limits = [0.55, 0.95]\n", "")
     (folder / "flat.toml").write_text(robot)
     text = (HEAD + FIRST + SECOND).replace("hexapod", "flat").replace("0.65]\ntheta", "0.05]\ntheta", 1)
-    check_rejected(folder, text, "via pose 1: expected a regular pose, it is singular")
+    check_rejected(folder, text, "via 1: expected a regular pose, it is singular")

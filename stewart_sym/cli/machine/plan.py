@@ -1,7 +1,9 @@
 """``stewart-sym plan``: a path through via poses away from singular ones, and the fastest motion along it."""
 
 import argparse
+import contextlib
 import warnings
+from collections.abc import Iterator, Set
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -46,23 +48,44 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    from ...drives.effort import DriveLimitWarning
-    from ...planning.certificate import certify_plan
     from ...planning.plan_file import read_plan
-    from ...planning.time_path import time_path
-    from ...studies.reports import plan
 
     need("scipy", "planning")
-    request = read_plan(arguments.via)
+    with read_plan(arguments.via) as request, _where_stated(arguments, request.stated):
+        return _plan(arguments, request)
+
+
+@contextlib.contextmanager
+def _where_stated(arguments: argparse.Namespace, stated: Set[str]) -> Iterator[None]:
+    """Let an error about what the file states, and no option, name the file. Limits may be the robot's."""
+    try:
+        yield
+    except ValueError as error:
+        key = str(error).partition(":")[0]
+        if key in stated - {"limits"} and getattr(arguments, key, None) is None:
+            raise ValueError(f"{arguments.via}: {error}") from None
+        raise
+
+
+def _plan(arguments: argparse.Namespace, request: "PlanRequest") -> int:
+    import numpy as np
+
+    from ...drives.effort import DriveLimitWarning
+    from ...kinematics.offset_legs import leg_lengths
+    from ...planning.certificate import certify_plan
+    from ...planning.time_path import need_duration, time_path
+    from ...studies.reports import plan
+    from ...studies.reports.doubts import metres_doubt
+
     robot, least = request.robot, arguments.least or request.least
     duration = request.duration if arguments.duration is None else arguments.duration
-    if duration is None and least != "time":
-        raise ValueError(
-            f'{arguments.via}: duration: missing, expected beside least = "{least}", or --duration'
-        )
-    if duration is not None and least != "time":
+    need_duration(least, duration)
+    if duration is not None:
         plan.need_instants(duration, request.rate)
     warn_of_doubts(robot, request.files[1])
+    t, R = (np.array([getattr(pose, name) for pose in request.poses]) for name in ("t", "R"))
+    if (doubt := metres_doubt(robot, leg_lengths(robot, R, t))) is not None:
+        warnings.warn(request.of_poses(f"via poses: {doubt}"), stacklevel=2)
     tables = ("trajectory.csv", "path.csv")
     with results(arguments, "report", *tables, read=request.files) as (take, progress):
         planned = _planned(request, progress)
@@ -107,4 +130,4 @@ def _planned(request: "PlanRequest", progress: Progress) -> "PlannedPath":
         )
     except ValueError as error:
         doubt = f"; {request.doubt}" if request.doubt else ""
-        raise ValueError(f"{request.via_source}: {error}{doubt}") from None
+        raise ValueError(request.of_poses(f"{error}{doubt}")) from None

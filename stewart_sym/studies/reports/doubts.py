@@ -41,6 +41,15 @@ def length_doubt(robot: Robot, lengths: Array, unit: str = "m") -> str | None:
     return f"lengths of {typical:.4g} m beside {of} {size:.4g} m: {cause}?"
 
 
+def metres_doubt(robot: Robot, lengths: Array) -> str | None:
+    """One line about leg lengths, m, far above those of the robot's size; None for others."""
+    size, (_, far), of = _size(robot)
+    typical = float(np.median(lengths))
+    if typical <= far * size:
+        return None
+    return f"lengths of {typical:.4g} m beside {of} {size:.4g} m: in millimetres, expected metres?"
+
+
 def _size(robot: Robot) -> tuple[float, tuple[float, float], str]:
     """Size, m, that lengths are compared with, the least and most share of it, and words for it."""
     limits = robot.length_limits[np.isfinite(robot.length_limits[:, 1]), 1]
@@ -111,15 +120,10 @@ def start_doubts(scene: Scene) -> list[str]:
     """Lines, each with its key, about a scene's start and springs that are no machine's like the robot."""
     robot, state, stated = scene.robot, scene.state, scene.stated
     start = "state.t" if "state.t" in stated else "legs.path"
-    size, (_, far), of = _size(robot)
     lengths = {start: leg_lengths(robot, state.R, state.t)}
     lengths |= {key: stated[key] for key in ("legs.rest_length",) if key in stated}
-    found = {
-        key: f"{key}: lengths of {typical:.4g} m beside {of} {size:.4g} m: in millimetres, expected metres?"
-        for key, L in lengths.items()
-        if (typical := float(np.median(L))) > far * size
-    }
-    lines = list(found.values())
+    found = {key: doubt for key, L in lengths.items() if (doubt := metres_doubt(robot, L))}
+    lines = [f"{key}: {doubt}" for key, doubt in found.items()]
     side = platform_side(robot)
     centre = state.t + state.R @ robot.p.mean(axis=0) - robot.b.mean(axis=0)
     if start not in found and side.certain and centre @ side.direction < 0.0:

@@ -16,6 +16,7 @@ from ...motion.motion import Motion
 from ...motion.rotation import rpy_from_rotation, vector_from_rotation
 from ...motion.straight_line import MOST_STEPS
 from ...planning.certificate import PlanCertificate
+from ...planning.plan_file import RATE
 from ...planning.plan_path import Conditions, PlannedPath
 from ...planning.time_path import TimedPath
 from ...planning.timing.path_terms import force_limits
@@ -77,8 +78,9 @@ class Plan:
 def need_instants(end: float, rate: float) -> None:
     """Reject a trajectory of a duration, s, that has too many instants at a rate, Hz."""
     if not end * rate < MOST_STEPS:
+        name = "rate" if end * RATE < MOST_STEPS else "duration"
         raise ValueError(
-            f"duration: expected at most {MOST_STEPS:,} instants, got {end:.6g} s at a rate of {rate:g} Hz"
+            f"{name}: expected at most {MOST_STEPS:,} instants, got {end:.6g} s at a rate of {rate:g} Hz"
         )
 
 
