@@ -8,6 +8,7 @@ SciPy or Matplotlib but those that use them.
 
 import argparse
 import difflib
+import itertools
 import re
 import sys
 from collections.abc import Iterable, Sequence
@@ -16,7 +17,7 @@ from importlib.metadata import version
 from typing import Any, NoReturn
 
 from ..backend.native import CompilerError
-from ..io.arguments import no_option
+from ..io.arguments import no_option, shown
 from ..io.blas import take_work_area
 from ..io.extras import needed_for
 from ..io.interrupts import as_interrupts, exit_code
@@ -116,25 +117,46 @@ class _Parser(argparse.ArgumentParser):
         """Options by their full names."""
         return {name: each for name, each in self._option_string_actions.items() if name.startswith("--")}
 
-    def parse_known_args(self, *args: Any, **kwargs: Any) -> tuple[Any, list[str]]:
-        """Reject unknown arguments here: a subparser would hand them on to the main one."""
-        found, unknown = super().parse_known_args(*args, **kwargs)
-        if unknown:
-            self.error(f"unrecognized arguments: {' '.join(unknown)}{self._near(unknown[0])}")
+    def parse_known_args(self, args: Any = None, namespace: Any = None) -> tuple[Any, list[str]]:
+        """Reject unknown arguments here: a subparser would hand them on to the main one.
+
+        Options come first: what is missing may be one of them, misspelt.
+        """
+        words = list(itertools.takewhile("--".__ne__, args or ()))
+        if self._subparsers:
+            # What follows a subcommand is for its own parser.
+            words = list(itertools.takewhile(lambda word: word.startswith("-"), words))
+        self._need_none([word for word in words if not self._known(word)])
+        found, unknown = super().parse_known_args(args, namespace)
+        self._need_none(unknown)
         return found, unknown
 
-    def _near(self, text: str) -> str:
-        """A known option much like the unknown one, as a hint."""
-        near = difflib.get_close_matches(text.partition("=")[0], list(self.actions), n=1)
-        return f", did you mean {near[0]}?" if near else ""
+    def _known(self, word: str) -> bool:
+        """Whether a word is an option, an abbreviated one, or none at all."""
+        name, known = word.partition("=")[0], self._option_string_actions
+        no_option = not name.startswith("-") or " " in word or _NEGATIVE.match(word)
+        return bool(no_option) or word[:2] in known or any(each.startswith(name) for each in known)
+
+    def _need_none(self, unknown: list[str]) -> None:
+        if unknown:
+            near = _near(unknown[0].partition("=")[0], self.actions)
+            self.error(f"unrecognized arguments: {' '.join(unknown)}{near}")
 
     def _check_value(self, action: argparse.Action, value: Any) -> None:
         if action.choices is not None and value not in action.choices:
-            raise argparse.ArgumentError(action, no_option(value, tuple(action.choices)))
+            near = _near(value, action.choices) if action.nargs == argparse.PARSER else ""
+            text = f"expected a subcommand, got {shown(value)}{near}"
+            raise argparse.ArgumentError(action, text if near else no_option(value, tuple(action.choices)))
 
     def error(self, message: str) -> NoReturn:
         """Exit with code 2."""
         self.exit(2, f"{PROGRAM}: error: {one_line(message)} (see {self.prog} --help)\n")
+
+
+def _near(text: str, names: Iterable[str]) -> str:
+    """A name much like an unknown one, as a hint."""
+    near = difflib.get_close_matches(text, list(names), n=1)
+    return f", did you mean {near[0]}?" if near else ""
 
 
 def _parser(names: Iterable[str] = SUBCOMMANDS) -> argparse.ArgumentParser:

@@ -316,7 +316,17 @@ def test_numbers_with_a_sign_and_an_exponent_are_no_options(capsys: pytest.Captu
             'argument --language: expected "c", "python", "matlab" or "rust", '
             "got 'julia' (see {} generate --help)",
         ),
-        (["bench", "--rounds", "x"], "unrecognized arguments: --rounds x (see {} bench --help)"),
+        (["bench", "--rounds", "x"], "unrecognized arguments: --rounds (see {} bench --help)"),
+        (
+            ["generate", "a", "--ouput", "b"],
+            "unrecognized arguments: --ouput, did you mean --output? (see {} generate --help)",
+        ),
+        (["plan", "-x"], "unrecognized arguments: -x (see {} plan --help)"),
+        (["--vresion"], "unrecognized arguments: --vresion, did you mean --version? (see {} --help)"),
+        (
+            ["plann", "--least"],
+            "argument SUBCOMMAND: expected a subcommand, got 'plann', did you mean plan? (see {} --help)",
+        ),
     ],
 )
 def test_an_unknown_option_or_choice_names_what_there_is_and_its_subcommands_help(
