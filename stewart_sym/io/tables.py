@@ -320,7 +320,12 @@ def numbers(value: object, shape: tuple[int, ...], where: str) -> Array:
 
 def _flat(value: object, shape: tuple[int, ...], where: str, whole: tuple[int, ...]) -> list[float]:
     items = value.tolist() if isinstance(value, np.ndarray) else value
-    if not isinstance(items, list | tuple) or len(items) != shape[0]:
+    # An entry that is no row says less than the rows together.
+    if (
+        not isinstance(items, list | tuple)
+        or len(items) != shape[0]
+        or (len(shape) > 1 and not all(isinstance(row, list | tuple | np.ndarray) for row in items))
+    ):
         raise ValueError(f"{where}: expected {_finite(whole)}, got {shown(items)}")
     if len(shape) > 1:
         return [entry for item in items for entry in _flat(item, shape[1:], where, whole)]

@@ -46,6 +46,8 @@ class PhysicalityWarning(UserWarning):
 class Robot(Frozen):
     """A Stewart platform with six legs, all of them distinct if need be.  SI units; arrays are read-only.
 
+    One entry alone may be given for an array (6, ...), that of all legs, but for ``b`` and ``p``.
+
     Attributes
     ----------
     name : str
@@ -168,9 +170,14 @@ class Robot(Frozen):
     def _per_leg(self, name: str, check: Check) -> Array:
         given = getattr(self, name)
         rows = given.tolist() if isinstance(given, np.ndarray) else given
-        if not isinstance(rows, list | tuple) or len(rows) != LEGS:
+        if isinstance(rows, list | tuple) and len(rows) == LEGS:
+            return np.array([check(row, f"robot: leg {i}: {name}") for i, row in enumerate(rows, 1)])
+        if name in ("b", "p"):
             raise ValueError(f"robot: {name}: expected one entry for each of six legs")
-        return np.array([check(row, f"robot: leg {i}: {name}") for i, row in enumerate(rows, 1)])
+        try:
+            return np.array([check(rows, f"robot: {name}")] * LEGS)
+        except ValueError as error:
+            raise ValueError(f"{error} (one for all legs, or six)") from None
 
     @classmethod
     def from_toml(cls, path: str | os.PathLike[str]) -> Robot:

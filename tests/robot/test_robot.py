@@ -156,9 +156,33 @@ def test_replace_makes_a_checked_copy() -> None:
         lambda: dataclasses.replace(robot, b=np.zeros((5, 3)))
     )
     assert "robot: M:" in error_of(lambda: dataclasses.replace(robot, M=math.nan))
+    message = error_of(lambda: dataclasses.replace(robot, I_p=[1, 1, 1]))
+    assert message == "robot: I_p: expected 3 x 3 finite numbers, got [1, 1, 1]"
     assert "robot: leg 1: length_limits" in error_of(
         lambda: dataclasses.replace(robot, length_limits=np.tile([0.3, np.inf], (6, 1)))
     )
+
+
+@pytest.mark.parametrize(
+    ("name", "one"),
+    [
+        ("m_d", 2.0),
+        ("C_p", 0),
+        ("force_limit", 50),
+        ("speed_limit", math.inf),
+        ("length_limits", [0.1, 0.2]),
+        ("joint_angle_limit", 0.5),
+        ("r_d0", [0.1, 0.0, 0.0]),
+        ("I_u0", np.eye(3)),
+    ],
+)
+def test_one_entry_is_that_of_all_legs(name: str, one: Any) -> None:
+    robot = dataclasses.replace(Robot.from_dict(machine()), home=[0.0, 0.0, 1.0])
+    found = dataclasses.replace(robot, **{name: one})
+    assert same(found, dataclasses.replace(robot, **{name: [one] * 6}))
+    message = error_of(lambda: dataclasses.replace(robot, **{name: [one] * 5}))
+    assert message.startswith(f"robot: {name}: expected ")
+    assert message.endswith("(one for all legs, or six)")
 
 
 def test_spherical_base_joint_has_no_axes() -> None:
