@@ -31,9 +31,10 @@ FUNCTIONS = {
 }
 """What there are formulas of, and the function of the kernel trees that computes it."""
 
-
 _REQUIRED = ("R", "t", "F")
 """Arguments that have no value by default."""
+_FOUND = ("alpha", "a")
+"""What forward dynamics finds."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,7 +54,8 @@ class Symbolic:
         The machine's prepared numbers by symbol: sums and products of the robot's own, M_P and J_P with what
         of the legs moves as the platform does, unlike the inertial parameters of these names.
     arguments : dict
-        R (3, 3), t, omega, v, alpha, a, F_ext, M_ext (3, 1), and F (6, 1) of forward dynamics.
+        R (3, 3), t, omega, v, alpha, a, F_ext, M_ext (3, 1); of forward dynamics F (6, 1), without alpha and
+        a. Where a matrix does not depend on one, as H on omega, this has no effect.
     meanings : dict
         Unit and meaning of each, by its name without leg and axis.
     """
@@ -144,9 +146,7 @@ class Symbolic:
                 if argument in self.arguments and argument not in given:
                     raise ValueError(f"{argument}: expected a value, got none")
             numbers = [
-                np.zeros(len(of))
-                if argument not in given
-                else _of_one_pose(argument, given[argument], of.shape)
+                np.zeros(len(of)) if argument not in given else _of_one_pose(argument, given[argument], of)
                 for argument, of in self.arguments.items()
             ]
             return np.asarray(made(*np.concatenate(numbers)), dtype=np.float64).reshape(shape)
@@ -204,16 +204,15 @@ def symbolic(robot: Robot, what: str, formulation: Formulation = "exact") -> Sym
     used = set().union(result.free_symbols, *(expr.free_symbols for _, expr in steps))
     constants = {symbol: value for symbol, value in found.constants.items() if symbol in used}
     meanings = described(symbol.name for symbol in constants)
-    return Symbolic(what, result, steps, constants, found.arguments, meanings)
+    given = found.arguments
+    arguments = {name: given[name] for name in given if "F" not in given or name not in _FOUND}
+    return Symbolic(what, result, steps, constants, arguments, meanings)
 
 
-def _of_one_pose(name: str, value: Any, shape: tuple[int, ...]) -> NDArray[np.float64]:
+def _of_one_pose(name: str, value: Any, symbols: Matrix) -> NDArray[np.float64]:
     """The numbers of an argument; ValueError that names it for other shapes and what is not finite."""
-    expected = shape if shape[1] > 1 else shape[:1]
-    found = finite_array(value, expected, name)
-    if found.shape != expected:
-        raise ValueError(f"{name}: expected shape {expected}, of one pose, got {found.shape}")
-    return found.ravel()
+    shape = symbols.shape if symbols.shape[1] > 1 else symbols.shape[:1]
+    return finite_array(value, shape, f"{name} of one pose", batch=False).ravel()
 
 
 def prepared(

@@ -88,6 +88,11 @@ class Offsets(Frozen):
         """Whether the upper parts turn about s in the lower ones."""
         return self.platform_joint == "universal"
 
+    @property
+    def nothing(self) -> bool:
+        """Whether the legs are ordinary ones."""
+        return not self.spins and not any(getattr(self, name).any() for name in SHAPES)
+
 
 def _six(value: Any, shape: tuple[int, ...], name: str) -> Array:
     """Numbers of each leg, checked; one number may stand for those of all."""
@@ -105,7 +110,8 @@ SHAPES: dict[str, tuple[int, ...]] = {
 
 def need_no_offsets(robot: Any) -> None:
     """Reject, by ValueError, a robot with offset joints: what is computed is of legs whose axes meet."""
-    if getattr(robot, "offsets", None) is not None:
+    offsets = getattr(robot, "offsets", None)
+    if offsets is not None and not offsets.nothing:
         raise ValueError("robot: offsets: expected none, offset joints are not supported here")
 
 
