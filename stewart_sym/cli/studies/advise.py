@@ -17,8 +17,8 @@ MORE = (
     "of one pose must not take longer than a period). Runs the motions at every fidelity, formulation and "
     "precision; the cheapest is the one with the fewest operations, float before double. Rounding is "
     "measured at 12 poses spread over each motion and where force and condition number are largest, the "
-    "model error at all poses. Exit code 2 where nothing is good enough. Takes half a minute, less when the "
-    "kernels are compiled."
+    "model error at all poses. Exit code 2 where nothing is good enough. Takes about a minute, half of it "
+    "when the kernels are compiled."
 )
 
 
