@@ -20,7 +20,7 @@ from ..results import OK
 from ..robot.offset_chains import SLIDING, columns_of_H
 from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot
-from .offset_legs import checked_motion
+from .offset_legs import checked_motion, rate_of_H
 
 MIN_JOINT_SINE = 0.3
 """Sine of the angle between a leg and its universal axis from which on the leg is clear of it."""
@@ -168,6 +168,8 @@ def wrench_matrix_rate(robot: Robot, motion: Motion) -> Array:
     ValueError
         As ``inverse_kinematics``.
     """
+    if getattr(robot, "offsets", None) is not None:
+        return rate_of_H(robot, motion)
     legs = _legs(robot, motion, ("L", "L_dot", "q", "s", "S_dot"))
     q, s = legs["q"], legs["s"]
     with np.errstate(all="ignore"):

@@ -138,6 +138,32 @@ def checked_motion(robot: Robot, motion: Motion) -> JointMotion:
     return moving
 
 
+def rate_of_H(robot: Robot, motion: Motion) -> Array:
+    """Time derivative of H along a motion, (..., 6, 6). Raises as ``checked_motion``."""
+    G = checked_motion(robot, motion).G
+    V = np.concatenate([motion.v, motion.omega], axis=-1)[..., None, :]
+    size = np.abs(V).max(axis=-1, keepdims=True)
+    size = np.where(size > 0.0, size, 1.0)
+    W = size * np.eye(6)
+    # Second rates of the joints at a constant twist V are a form c(V) = B(V, V), and that of G W is B(V, W).
+    # B(V, W) + B(W, V) comes from two values of c, B(V, W) - B(W, V) is that of two turns in either order.
+    both = 0.5 * (_at_twist(robot, motion, V + W) - _at_twist(robot, motion, V - W))
+    turn = np.concatenate([np.zeros_like(W[..., 3:]), np.cross(W[..., 3:], V[..., 3:])], axis=-1)
+    both += np.einsum("...ijk,...mk->...mij", G, turn)
+    return chain.columns_of_H(robot, np.moveaxis(0.5 * both / size[..., None], -3, -1))
+
+
+def _at_twist(robot: Robot, motion: Motion, twist: Array) -> Array:
+    """Second rates of the joints at each of the poses' constant twists, (..., m, 6)."""
+    v, omega = twist[..., :3], twist[..., 3:]
+    R, none = np.broadcast_to(motion.R[..., None, :, :], (*v.shape, 3)), np.zeros_like(v)
+    t = np.broadcast_to(motion.t[..., None, :], v.shape)
+    with np.errstate(all="ignore"):
+        found = joint_motion(robot, Motion.unchecked(R, t, omega, v, none, none)).accelerations
+    assert found is not None
+    return found
+
+
 def leg_lengths(robot: Robot, R: Array, t: Array) -> Array:
     """Lengths of the legs, m, (..., 6), with offset joints or without; NaN where a leg has no solution."""
     if robot.offsets is None:

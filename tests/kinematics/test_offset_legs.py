@@ -26,6 +26,19 @@ def test_rates_are_derivatives_along_a_path(joint: str) -> None:
         one, other = (getattr(ss.motor_angles(robot, at), name) for at in (after, before))
         wanted = getattr(motors, rate)
         np.testing.assert_allclose((one - other) / (2 * h), wanted, rtol=0, atol=1e-6 * np.abs(wanted).max())
+    one, other = (ss.wrench_matrix(robot, at) for at in (after, before))
+    wanted = ss.wrench_matrix_rate(robot, now)
+    np.testing.assert_allclose((one - other) / (2 * h), wanted, rtol=0, atol=1e-6 * np.abs(wanted).max())
+
+
+def test_the_rate_of_h_without_offsets_is_that_of_ordinary_legs() -> None:
+    robot, motion = offset_case(0)
+    plain = dataclasses.replace(robot, offsets=None)
+    wanted = ss.wrench_matrix_rate(plain, motion)
+    found = ss.wrench_matrix_rate(dataclasses.replace(robot, offsets=ss.Offsets()), motion)
+    np.testing.assert_allclose(found, wanted, rtol=0, atol=1e-13 * np.abs(wanted).max())
+    still = ss.Motion(motion.R, motion.t, *np.zeros((2, *motion.t.shape)))
+    assert not ss.wrench_matrix_rate(robot, still).any()
 
 
 @pytest.mark.parametrize("joint", PLATFORM_JOINTS)

@@ -26,7 +26,7 @@ SERVED = {
     *("forward_velocity", "forward_acceleration", "motion_from_lengths", "array_kernel", "ArrayKernel"),
     *("prepare", "LegSprings", "LegSprings.balanced", "ComputedTorque", "simulate", "singularity"),
     *("force_deviations", "motor_angles", "pose_of_motors", "capability", "drive_effort", "motor_forces"),
-    *("view", "export_model", "joint_angles", "size"),
+    *("view", "export_model", "joint_angles", "size", "wrench_matrix_rate"),
 }
 """Functions that compute offset joints."""
 OF_POINTS = {"up_direction", "characteristic_length"}
