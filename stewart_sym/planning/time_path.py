@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import Literal, NamedTuple
@@ -150,8 +151,7 @@ def time_path(
     least : {"time", "energy", "peak-force"}, optional
         What is made least. Energy: electrical, as ``drive_effort`` states it, work at the motors' shafts,
         given back where it is negative, and heat of their windings; without a drive the work of the leg
-        forces. Peak force: the largest of any leg, of motions that may stop anywhere, so that it is no less
-        than at rest.
+        forces. Peak force: the largest of any leg while the machine moves, which may be less than at rest.
     duration : float, optional
         Of the motion, s; needed for least energy and peak force.
 
@@ -260,24 +260,29 @@ class _Task(NamedTuple):
         need_losses(self.robot)
         shown = partial(self.progress, "finding the motion of least energy")
         shown()
-        smooth = self.smooth(self.limits)
+        smooth, start = self._faster(duration, shown)
+        if start is None:
+            return None
         path = eased(self.path, smooth.ease)
         terms = terms_along(self.robot, path, smooth.nodes, self.limits, self.formulation, motors=True)
         assert terms.motors is not None
+        return smooth.profile(smooth.cheapest(EnergyCost.of(terms.motors), start, duration, shown))
+
+    def _faster(self, duration: float, shown: Callable[..., None]) -> tuple[SmoothPath, Array | None]:
+        """The fastest smooth motion's coefficients, None where it takes a duration or longer."""
+        smooth = self.smooth(self.limits)
         start = smooth.fastest(shown)
-        if smooth.profile(start).duration > duration * (1.0 - _NO_ROOM):
-            return None
-        return smooth.profile(smooth.thriftiest(EnergyCost.of(terms.motors), start, duration, shown))
+        return smooth, start if smooth.profile(start).duration <= duration * (1.0 - _NO_ROOM) else None
 
     def gentlest(self, quickest: Profile, duration: float) -> Profile:
-        """The motion of least peak force in a duration, a little faster, from the fastest of all."""
+        """The motion of least peak force in a duration, or a little faster one, from the fastest of all."""
         with needed_for("a motion"):
             from scipy.optimize import brentq
         own, nodes = force_limits(self.robot, self.limits), quickest.nodes
         terms = self.source(self.limits)(nodes.s)
-        held = float(np.abs(terms.e[:, :LEGS]).max())
-        highest = float(np.abs(terms.values(nodes.rate**2, nodes.second)[:, :LEGS]).max())
-
+        at_rest = np.abs(terms.e[:, :LEGS]).max(axis=-1)
+        held, at_ends = float(at_rest.max()), float(max(at_rest[0], at_rest[-1]))
+        highest = self._peak(quickest)
         tries = itertools.count(1)
 
         def limited(force: float) -> tuple[_Task, Limits]:
@@ -293,7 +298,12 @@ class _Task(NamedTuple):
         lowest = min(held * _ABOVE_REST, highest)
         # About 1 / time^2 grows with the force above what the machine takes at rest.
         if excess(lowest) >= 0.0:
-            force = lowest
+            task, limits = limited(lowest)
+            profile = task.fastest(limits)
+            if profile.duration <= duration:
+                passes = held > at_ends * _ABOVE_REST
+                return self._below_rest(profile, duration) if passes else profile
+            force = lowest * (1.0 + _SAME_FORCE)
         elif excess(highest) <= 0.0:
             return quickest
         else:
@@ -305,6 +315,24 @@ class _Task(NamedTuple):
                 return profile
             force *= 1.0 + 2.0 * max(profile.duration / duration - 1.0, _SAME_FORCE)
         return quickest
+
+    def _below_rest(self, profile: Profile, duration: float) -> Profile:
+        """The motion of least peak force in a duration, which a faster one takes about as much as rest.
+
+        That is least where the machine moves on through the poses that take most at rest.
+        """
+        shown = partial(self.progress, "finding the motion of least peak force")
+        smooth, start = self._faster(duration, shown)
+        if start is None:
+            return profile
+        found = smooth.profile(smooth.gentlest(start, duration, shown))
+        return min((each.slowed(each.duration / duration) for each in (profile, found)), key=self._peak)
+
+    def _peak(self, profile: Profile) -> float:
+        """The largest force of a leg, N, at the nodes of a motion."""
+        nodes = profile.nodes
+        values = self.source(self.limits)(nodes.s).values(nodes.rate**2, nodes.second)
+        return float(np.abs(values[:, :LEGS]).max())
 
     def rough(self, limits: Limits) -> Profile:
         """The fastest motion on the first grid."""

@@ -17,6 +17,7 @@ from stewart_sym.planning.certificate import certify_plan
 from stewart_sym.planning.time_path import TimedPath, time_path
 from stewart_sym.planning.timing.path_terms import Limits, travelled
 from stewart_sym.robot.drive import Drive
+from stewart_sym.studies.reports.plan import Plan
 
 LONGER = 1.5
 """Durations over the least time."""
@@ -44,6 +45,17 @@ def work(plan: TimedPath, motion=None) -> float:
     motion = plan.sample(times) if motion is None else motion
     F = inverse_dynamics(plan.robot, motion, backend="reference").F
     return float(np.trapezoid(np.sum(F * inverse_kinematics(plan.robot, motion).L_dot, axis=-1), times))
+
+
+def test_energy_of_a_plan_is_summed_between_jumps_of_the_forces() -> None:
+    robot, _, quick = case(1)
+    ends = quick.profile.times
+    shares, weights = np.polynomial.legendre.leggauss(5)
+    times = ends[:-1, None] + 0.5 * np.diff(ends)[:, None] * (1.0 + shares)
+    motion = quick.sample(times)
+    power = np.sum(inverse_dynamics(robot, motion).F * inverse_kinematics(robot, motion).L_dot, axis=-1)
+    plan = Plan(robot, None, quick, None, rate=100.0)
+    assert plan.energy == pytest.approx(float(power @ weights @ np.diff(ends)) / 2.0, rel=1e-5)
 
 
 def peak(plan: TimedPath) -> float:
@@ -142,6 +154,19 @@ def test_least_peak_force_is_that_of_collocation_and_below_that_of_simpler_motio
     assert peak(plan) == pytest.approx(expected, rel=1e-3)
     for motion in simpler(plan, quick):
         assert peak(plan) < np.abs(inverse_dynamics(robot, motion).F).max()
+    assert certify_plan(plan).holds
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("longer", [2.0, 4.0])
+def test_least_peak_force_is_below_that_at_rest_where_the_machine_moves_on(longer: float) -> None:
+    robot, path, quick = case(3)
+    duration = longer * quick.duration
+    plan = time_path(robot, path, cells=100, least="peak-force", duration=duration)
+    at_rest = np.abs(inverse_dynamics(robot, travelled(path(np.linspace(0.0, 1.0, 801)), 0.0, 0.0)).F)
+    assert peak(plan) < 0.99 * at_rest.max()
+    assert plan.duration == pytest.approx(duration, rel=1e-12)
+    assert peak(plan) == pytest.approx(extrapolated(lambda cells: peak_force(plan, cells), 100), rel=1e-3)
     assert certify_plan(plan).holds
 
 

@@ -4,6 +4,7 @@ import contextlib
 import io
 import json
 import shutil
+import tomllib
 from pathlib import Path
 
 import numpy as np
@@ -93,7 +94,11 @@ def test_a_duration_has_a_motion_of_least_energy_or_peak_force(
     def peak(report: dict) -> float:
         return max(leg["peak_force_N"] for leg in report["legs"])
 
+    with (folder / "hexapod.toml").open("a") as file:
+        file.write('\n[trajectory]\neuler_order = "xyz"\n')
     thrifty = found("--least", "energy", "--duration", "3")
+    for stated, reported in zip(tomllib.loads(SHORT)["via"], thrifty["via_poses"], strict=True):
+        np.testing.assert_allclose(reported["theta_rad"], stated["theta"], atol=1e-15)
     in_file = found(text='least = "peak-force"\nduration = 3.0\n' + SHORT)
     assert thrifty["energy_J"] < in_file["energy_J"]
     assert peak(in_file) < peak(thrifty)

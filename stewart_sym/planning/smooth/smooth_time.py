@@ -1,4 +1,4 @@
-"""Smooth motions along a path within limits: least time with a limit of jerk, least energy in a given time.
+"""Smooth motions along a path within limits: least time; least energy or peak force in a given time.
 
 The path's parameter is eased, s = s(x), so that rest at the ends needs no rate 0 of x; y = x'^2 is a
 quadratic spline. Every limited quantity is then a sum of y, dy/dx, sqrt(y) and, for jerk, d2y/dx2.
@@ -20,6 +20,7 @@ from ..timing.grid import Source
 from ..timing.motor_terms import beside
 from ..timing.path_terms import Path, Terms, leg_accelerations, travelled
 from ..timing.phase_plane import Ease, Profile
+from .peak_cost import PeakCost
 from .rate_spline import PARTS, Cost, RateSpline, Rooms, duration, in_cells, least
 
 Shown = Callable[[float], None]
@@ -27,7 +28,7 @@ Shown = Callable[[float], None]
 
 _ROUNDS = 12
 _MARGIN = 5e-5
-_MORE, _KEPT = 1.2, 1e-7
+_MORE = 1.2
 # Largest share of a limit at the places between the samples that are checked.
 _AIM = 1.0 - 2e-5
 _BETWEEN = np.linspace(0.0, 1.0, 201)
@@ -36,6 +37,8 @@ _ROOM, _SLOWER = 0.9, 0.9
 _SLOWEST = 1e-6
 _STEP = 1e-5
 _NEARER = 0.01
+# Sharpness of the costs by which the least peak force is found, one after another.
+_SHARPER = (30.0, 100.0, 300.0, 1000.0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -117,10 +120,17 @@ class SmoothPath:
         most = held.reshape(self.spline.cells, len(_BETWEEN), -1).max(axis=1)
         return np.asarray(np.maximum(1.0 - most, 0.0))
 
-    def thriftiest(self, cost: Cost, start: Array, time: float, shown: Shown) -> Array:
-        """Coefficients of least energy in a duration, from those of a faster motion."""
-        share = duration(self.spline, self.spline.values(start))[0] / time
-        return self._settled(share**2 * start, cost, time, shown)
+    def cheapest(self, cost: Cost, start: Array, time: float, shown: Shown) -> Array:
+        """Coefficients of least cost in a duration, from those of a faster motion."""
+        return self._settled(self._lasting(start, time), cost, time, shown)
+
+    def gentlest(self, start: Array, time: float, shown: Shown) -> Array:
+        """Coefficients of least peak force in a duration, from those of a faster motion."""
+        c = start = self._lasting(start, time)
+        for turn, sharpness in enumerate(_SHARPER):
+            cost = PeakCost.of(self.at, self.spline.values(start), self.spline.values(c), sharpness)
+            c = self.cheapest(cost, c, time, functools.partial(_shown_of, shown, turn))
+        return c
 
     def _settled(self, c: Array, cost: Cost, time: float | None, shown: Shown) -> Array:
         """Coefficients of least cost that keep all limits between the samples too."""
@@ -134,26 +144,26 @@ class SmoothPath:
             begin = self._slowed(_ROOM * c if time is None else start, rooms)
             c = least(self.spline, begin, rooms, cost, time)
             excess = np.maximum(self.used(c) - _AIM, 0.0)
-            now = duration(self.spline, self.spline.values(c))[0]
-            if (
-                turn >= turns
-                and excess.max() <= 0.5 * (1.0 - _AIM)
-                and abs(now - (time or now)) <= _KEPT * now
-            ):
+            # Nearly at a stop the spline may be below 0 between the samples.
+            stops = time is not None and bool(np.isnan(excess).any())
+            if stops or (turn >= turns and excess.max() <= 0.5 * (1.0 - _AIM)):
                 break
             if turn + 1 >= turns:
                 # Before, what is too much is of friction at the rates of another motion.
                 margin = np.minimum(margin + _MORE * _beside(excess, np.maximum), most)
         return c if time is None else self._between(start, c, time)
 
+    def _lasting(self, c: Array, time: float) -> Array:
+        """Coefficients of the same motion, slower or faster, that takes a time."""
+        return np.asarray(c * (duration(self.spline, self.spline.values(c))[0] / time) ** 2)
+
     def _between(self, start: Array, c: Array, time: float) -> Array:
         """Coefficients as near to c as limits allow, towards those of a motion far within them."""
         share = 0.0
         while share < 1.0:
-            found = (1.0 - share) * c + share * start
-            found = found * (duration(self.spline, self.spline.values(found))[0] / time) ** 2
+            found = self._lasting((1.0 - share) * c + share * start, time)
             if self.used(found).max() <= 0.5 * (1.0 + _AIM):
-                return np.asarray(found)
+                return found
             share += _NEARER
         return start
 
@@ -165,6 +175,11 @@ class SmoothPath:
                 return share * c
             share *= _SLOWER
         raise ValueError("limits: expected limits that some slow and smooth motion keeps, none was found")
+
+
+def _shown_of(shown: Shown, turn: int, share: float) -> None:
+    """Progress of one of several searches."""
+    shown((turn + share) / len(_SHARPER))
 
 
 def _beside(cells: Array, of_two: np.ufunc) -> Array:

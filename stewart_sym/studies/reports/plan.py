@@ -13,7 +13,7 @@ from ...io.array_types import Array
 from ...kinematics.conditioning import characteristic_length, scaled_condition_number
 from ...kinematics.inverse import inverse_kinematics, wrench_matrix
 from ...motion.motion import Motion
-from ...motion.rotation import rpy_from_rotation, vector_from_rotation
+from ...motion.rotation import angles_from_rotation, vector_from_rotation
 from ...motion.straight_line import MOST_STEPS
 from ...planning.certificate import PlanCertificate
 from ...planning.plan_file import RATE
@@ -50,7 +50,7 @@ class Plan:
         """What the plan takes of the motors, between the trajectory's instants too; None without a drive."""
         if self.robot.drive is None:
             return None
-        times = np.union1d(self.times, np.linspace(0.0, self.timed.duration, _INSTANTS))
+        times = self._instants
         motion, found = self.timed.sample(times), DriveDigest(self.robot, times)
         F = inverse_dynamics(self.robot, motion, self.timed.formulation).F
         L_dot = inverse_kinematics(self.robot, motion).L_dot
@@ -62,10 +62,17 @@ class Plan:
         """Electrical energy that the plan takes, J; without a drive the work of the leg forces."""
         if self.motors is not None:
             return float(self.motors.summary.energy.sum())
-        times = np.linspace(0.0, self.timed.duration, _INSTANTS)
+        times = self._instants
         motion = self.timed.sample(times)
         F = inverse_dynamics(self.robot, motion, self.timed.formulation).F
         return float(trapezoids(times) @ np.sum(F * inverse_kinematics(self.robot, motion).L_dot, axis=-1))
+
+    @property
+    def _instants(self) -> Array:
+        """Instants between which accelerations do not jump, those of the trajectory among them, s."""
+        nodes = self.timed.profile.times[1:-1]
+        even = np.linspace(0.0, self.timed.duration, _INSTANTS)
+        return np.unique(np.concatenate([self.times, even, np.nextafter(nodes, 0.0), nodes]))
 
     @property
     def times(self) -> Array:
@@ -184,7 +191,10 @@ def data(plan: Plan) -> dict[str, Any]:
         "rate_Hz": plan.rate,
         "condition": vars(planned.conditions),
         "straight_condition": vars(planned.straight_conditions),
-        "via_poses": [{"t_m": pose.t, "theta_rad": rpy_from_rotation(pose.R)} for pose in planned.poses],
+        "via_poses": [
+            {"t_m": pose.t, "theta_rad": angles_from_rotation(pose.R, plan.robot.euler_order) + 0.0}
+            for pose in planned.poses
+        ],
         "legs": [
             {
                 "leg": leg + 1,
