@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -36,6 +36,7 @@ _STEEPEST, _CHANGING, _FEWEST_COLUMNS, _BEYOND = 1.3, 0.7, 3, 1.5
 # A grid shows in so many distinct numbers of so many rows, the closest of them up to so many steps apart.
 # Its step is so many times what the numbers resolve, and by so much coarser than that of what is written.
 _FEWEST_NUMBERS, _ROWS, _APART, _RESOLVED, _COARSER = 30, 10_000, 32, 2.5, 1.5
+_LEAST_GAPS = 50
 _SINGLE = 2.0**-23
 # Share of what they resolve that numbers are off a grid: half of it by rounding, the rest as the fit is.
 _OFF_GRID = 0.75
@@ -135,10 +136,7 @@ def _grid_step(values: Array) -> float:
     gaps = np.sort(np.diff(some))
     gaps = gaps[gaps > exact]
     for resolved in allowed:
-        for apart in range(1, _APART + 1):
-            step = _step_of_gaps(gaps, apart, resolved)
-            if step == 0.0:
-                continue
+        for step in _steps_of_gaps(gaps, resolved):
             counts = np.rint((some - some[0]) / step)
             counts -= counts.mean()
             step = float(counts @ (some - some.mean()) / (counts @ counts))
@@ -157,21 +155,32 @@ def _resolved(values: Array) -> tuple[float, float, float]:
     return 10.0**-_EXACT_DIGITS * largest, written, _SINGLE * largest
 
 
-def _step_of_gaps(gaps: Array, apart: int, resolved: float) -> float:
-    """Step of which gaps, (m,), in ascending order, are whole numbers, the least ``apart``; 0 for none."""
-    if not gaps.size or gaps[0] < (_RESOLVED - 1.0) * resolved:
-        return 0.0
-    near, reach = np.searchsorted(gaps, gaps[0] + 2.0 * resolved, side="right"), apart + 0.5
-    step = float(np.mean(gaps[:near])) / apart
-    while near < len(gaps):
+def _steps_of_gaps(gaps: Array, resolved: float) -> Iterator[float]:
+    """Steps of which gaps, (m,), in ascending order, are whole numbers: the least is 1 step, 2 or more."""
+    if gaps.size and gaps[0] >= (_RESOLVED - 1.0) * resolved:
+        # The least gaps leave few numbers open that the least of them may be.
+        for apart in _refined(gaps[:_LEAST_GAPS], np.arange(1.0, _APART + 1.0), resolved)[1]:
+            yield from _refined(gaps, np.array([apart]), resolved)[0].tolist()
+
+
+def _refined(gaps: Array, apart: Array, resolved: float) -> tuple[Array, Array]:
+    """Steps, (k,), of which all gaps, (m,), are whole numbers, and how many of them, (k,), the least is.
+
+    apart: numbers to be tried, (n,).
+    """
+    near, reach = np.searchsorted(gaps, gaps[0] + 2.0 * resolved, side="right"), 1.0
+    steps = np.mean(gaps[:near]) / apart
+    while np.any(near < len(gaps)):
         # Few steps first, by which the step is known well enough to count many.
-        near = np.searchsorted(gaps, reach * step)
-        counts = np.rint(gaps[:near] / step)
-        step = float(gaps[:near].sum() / counts.sum())
-        if np.abs(gaps[:near] - counts * step).max() > 2.0 * _OFF_GRID * resolved:
-            return 0.0
-        reach *= 2.0
-    return step
+        near = np.searchsorted(gaps, reach * (apart + 0.5) * steps)
+        within = np.arange(near.max(initial=0)) < near[:, None]
+        some = gaps[: within.shape[1]] * within
+        counts = np.rint(some / steps[:, None])
+        steps = some.sum(axis=1) / counts.sum(axis=1)
+        off = np.abs(some - counts * steps[:, None])
+        fits = off.max(axis=1, initial=0.0) <= 2.0 * _OFF_GRID * resolved
+        apart, steps, near, reach = apart[fits], steps[fits], near[fits], 2.0 * reach
+    return steps, apart
 
 
 def _on_grid(values: Array, step: float, resolved: float) -> bool:
