@@ -163,12 +163,15 @@ class RunningArrays(Running):
     @property
     def is_zero(self) -> bool:
         """Whether all are zero on every machine."""
-        return bool(np.all(self.size == 0.0) and np.all(self.error == 0.0))
+        return not (np.any(self.error) or np.any(self.size))
 
     @property
     def is_power(self) -> bool:
         """Whether all are zero or powers of two, and exactly so."""
-        return bool(np.all(self.error == 0.0) and np.isin(np.frexp(self.size)[0], (0.0, 0.5)).all())
+        if np.any(self.error):
+            return False
+        fraction = np.frexp(self.size)[0]
+        return bool(np.all((fraction == 0.0) | (fraction == 0.5)))
 
 
 def array(values: Any, shape: tuple[int, ...] | None = None) -> Objects:

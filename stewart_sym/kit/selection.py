@@ -151,26 +151,25 @@ class _Search:
     def shown(self, near: bool) -> tuple[dict[str, Array], Arrays]:
         """How far each constant shows, bounds by name, and on which motions (n,)."""
         draw = np.random.RandomState(_SEED)
-        pool = self._sound(self._pool(draw, near), near)
-        ratios = self._ratios(pool, near)
+        pool, forces = self._sound(self._pool(draw, near), near)
+        ratios = self._ratios(forces, near)
         for _ in range(0 if near else _GENERATIONS):
             # Those that hardly show, but may.
             weak = {name: row for name, row in ratios.items() if _HOPELESS < row.max(initial=0.0) < _ENOUGH}
             if not weak:
                 break
             parents = np.unique(np.argmax(_coarse(weak), axis=1))
-            children = self._sound(self._children(draw, pool, parents), near)
+            children, forces = self._sound(self._children(draw, pool, parents), near)
             pool = {name: np.concatenate([pool[name], children[name]]) for name in pool}
             # Elsewhere it is enough to know that the others show.
-            new = dict.fromkeys(ratios, np.zeros(len(children["t"]))) | self._ratios(children, near, weak)
+            new = dict.fromkeys(ratios, np.zeros(len(children["t"]))) | self._ratios(forces, near, weak)
             ratios = {name: np.concatenate([row, new[name]]) for name, row in ratios.items()}
         return ratios, pool
 
     # ------------------------------------------------------------ what shows
 
-    def _ratios(self, pool: Arrays, near: bool, only: Container[str] | None = None) -> dict[str, Array]:
+    def _ratios(self, forces: Forces, near: bool, only: Container[str] | None = None) -> dict[str, Array]:
         """Of each constant, or only some, the largest change of a force over its bound (n,)."""
-        forces = self._forces(pool, near)
         tolerance = FORCES_MARGIN * forces.bound * float(np.finfo(PRECISIONS[self.precision]).eps)
         # Beside a joint singularity bounds may be so wide that wrong answers pass.
         wide = tolerance.max(axis=-1) > SHARE[self.precision] * np.abs(forces.F).max(axis=-1)
@@ -200,8 +199,8 @@ class _Search:
 
     # ------------------------------------------------------------ motions
 
-    def _sound(self, pool: Arrays, near: bool) -> Arrays:
-        """Those in the precision that solve well, the load taken off where they ask for it."""
+    def _sound(self, pool: Arrays, near: bool) -> tuple[Arrays, Forces]:
+        """Those in the precision that solve well, the load taken off where they ask for it; their forces."""
         kind = PRECISIONS[self.precision]
         pool = {name: rounded(value, kind) for name, value in pool.items()}
         good = np.all([np.isfinite(pool[name].reshape(len(pool["t"]), -1)).all(axis=1) for name in MOTION], 0)
@@ -223,7 +222,7 @@ class _Search:
         pool = _some(pool, solves)
         return self._unloaded(pool, near)
 
-    def _unloaded(self, pool: Arrays, near: bool) -> Arrays:
+    def _unloaded(self, pool: Arrays, near: bool) -> tuple[Arrays, Forces]:
         """The pool with external wrenches, of four digits, that hold the platform, where they are wanted."""
         kind = PRECISIONS[self.precision]
         load = self._forces(pool, near).load
@@ -234,8 +233,12 @@ class _Search:
             for name, value in wrench.items()
         }
         pool = pool | {name: rounded(value, kind) for name, value in without.items()}
-        bound = self._forces(pool, near).bound
-        return _some(pool, np.isfinite(bound).all(axis=1) & np.isfinite(load).all(axis=1))
+        forces = self._forces(pool, near)
+        finite = np.isfinite(forces.bound).all(axis=1) & np.isfinite(load).all(axis=1)
+        if finite.all():
+            return pool, forces
+        pool = _some(pool, finite)
+        return pool, self._forces(pool, near)
 
     def _pool(self, draw: Any, near: bool) -> Arrays:
         places = self._places_near if near else self._places
