@@ -5,7 +5,7 @@
 
 #include <float.h>
 
-#if defined(WIDE) || defined(QUAD)
+#if defined(__OPTIMIZE__) && (defined(WIDE) || defined(QUAD))
 /* The truth is made in calls of a library or by the x87 unit: optimising it gains little and takes compilers long. */
 #pragma GCC optimize("O1")
 #endif
