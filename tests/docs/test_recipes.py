@@ -31,7 +31,7 @@ def test_a_line_gives_a_kernel_in_c_with_the_forces_of_such_a_machine(
     assert LEVEL.meaning in files["fidelities.py"]
 
     sources = {path.removeprefix("c/"): text for path, text in files.items() if path.startswith("c/")}
-    library = native.load(name, c_kernel.c_sources("exact") | sources)
+    library = native.load(name, c_kernel.c_sources("exact") | sources, ("-O0",))
     rng = np.random.default_rng(3)
     robot = as_simple_as(random_robot(rng), LEVEL)
     motion = random_motion(rng, robot)

@@ -74,7 +74,8 @@ _WIDE = _Arithmetic(
         "STEWART_EPSILON": "LDBL_EPSILON",
         "STEWART_MAX": "LDBL_MAX",
     },
-    ("-include", "float.h", "-include", "math.h"),
+    # The x87 unit gains little by optimisation, and compilers take long.
+    ("-include", "float.h", "-include", "math.h", "-O0"),
 )
 
 

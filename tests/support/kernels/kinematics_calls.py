@@ -52,7 +52,8 @@ def library(precision: str = "double", steps: int | None = None) -> ctypes.CDLL:
     defines = {"STEWART_FLOAT": 1} if precision == "float" else {}
     if steps is not None:
         defines["STEWART_MAX_STEPS"] = steps
-    return native.load("kinematics", c_sources("kinematics") | {"driver.c": DRIVER}, defines=defines)
+    sources = c_sources("kinematics") | {"driver.c": DRIVER}
+    return native.load("kinematics", sources, ("-O0",), defines)
 
 
 def numbers_of(robot: ss.Robot, precision: str) -> AnyArray:
