@@ -321,7 +321,8 @@ class _Modes:
     rho: Array
 
 
-@functools.lru_cache(maxsize=16)
+# Windows on which the knots were tried in every order are smoothed on them.
+@functools.lru_cache(maxsize=48)
 def _modes(samples: bytes, size: int, order: int, density: float) -> _Modes:
     """Modes by the bytes of G = B^T B."""
     rough = np.diff(np.eye(size), order, axis=0)
