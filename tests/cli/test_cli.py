@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from command_files import edit, results
 from command_line import fails_in_one_line, folder_state, read
+from kits import few_vectors
 
 from stewart_sym.backend.fidelity import DRIVE_FIDELITIES, FIDELITIES
 from stewart_sym.cli import main as cli
@@ -253,6 +254,7 @@ def test_generate_rejects_a_level_that_there_is_not(robot: Path, capsys: pytest.
     assert not (robot.parent / "kit").exists()
 
 
+@few_vectors()
 def test_generate_writes_a_kit_and_replaces_changed_files_only_by_force(
     robot: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

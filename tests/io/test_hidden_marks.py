@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from kits import few_vectors
 from log_files import NAMES, write
 
 import stewart_sym as ss
@@ -64,6 +65,7 @@ def test_a_name_is_read_with_the_numbers_of_what_is_not_seen(folder: Path) -> No
     ],
     ids=" ".join,
 )
+@few_vectors()
 def test_a_marked_name_is_shown_as_text(
     arguments: Sequence[str], folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -13,6 +13,7 @@ import array_api_strict
 import numpy as np
 import pytest
 from kernel_cases import EPSILON, ON_ARRAYS, beside_the_joint_axis, motion_numbers, robot_numbers
+from kits import few_vectors
 from machines import dasgupta, random_motion, random_robot, random_robot_of
 from motion_fields import FIELDS
 from sweeps import FULL, UNFUSED
@@ -153,6 +154,7 @@ def test_equations_and_forward_dynamics_are_those_of_the_library(whole: Program)
         assert found.status == moved.status == 0
 
 
+@few_vectors()
 def printed_python(robot: ss.Robot, folder: Path, **choice: Any) -> dict[str, Any]:
     """What a kit's modules define."""
     write_kit(robot, folder, Choice(language="python", **choice))

@@ -16,6 +16,7 @@ import numpy as np
 import pytest
 from command_line import fails_in_one_line, folder_state
 from cost_figures import CHEAP, DEAR, FRICTIONLESS, MIDDLE, SCENE, TOLERANCES, budget, entry, hasty, made_up
+from kits import few_vectors
 from machines import dasgupta, random_motion, random_robot, with_random_rotors
 from quick_compiler import compile_quickly
 from reduced_machines import as_simple_as
@@ -418,6 +419,7 @@ def test_every_long_part_of_advise_is_shown_and_its_share_where_it_is_known(
 
 
 @pytest.mark.usefixtures("quick")
+@few_vectors()
 def test_advise_generates_the_kernel_that_it_chose(scene: Path, capsys: pytest.CaptureFixture[str]) -> None:
     kit = scene.parent / "kit"
     assert main(["advise", str(scene), "--generate", str(kit)]) == 0
