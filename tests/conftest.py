@@ -12,6 +12,7 @@ from pathlib import PurePosixPath
 from typing import Any
 
 import pytest
+from sweeps import FULL
 
 from stewart_sym.backend import c_kernel, native
 from stewart_sym.dynamics import closed_form
@@ -62,8 +63,8 @@ _USUAL = ("stewart_exact", "stewart_exact_forces")
 
 
 @pytest.fixture(autouse=True, scope="session")
-def rare_kernels(pytestconfig: pytest.Config) -> Iterator[None]:
-    """All kernels but the usual one at -O0, which gives the same bits; slow tests take all as shipped."""
+def rare_kernels() -> Iterator[None]:
+    """All kernels but the usual one at -O0, which gives the bits of what ships: ``test_attack_c``."""
     load = native.load
 
     def quickly(name: str, sources: Any, flags: Any = (), defines: Any = None) -> Any:
@@ -72,7 +73,7 @@ def rare_kernels(pytestconfig: pytest.Config) -> Iterator[None]:
         return load(name, sources, (*flags, "-O0") if rare and "-O0" not in flags else flags, defines)
 
     with pytest.MonkeyPatch.context() as changed:
-        if pytestconfig.getoption("markexpr") == "not slow":
+        if not FULL:
             changed.setattr(native, "load", quickly)
         yield
 
