@@ -202,9 +202,12 @@ def _motion(robot: Robot, choice: Choice) -> Part:
         )
         for stem in stems
     ]
-    files = None if set(stems) == set(MOTION_FUNCTIONS) else motion_files(stems, form)
+    files = None if set(stems) == set(MOTION_FUNCTIONS) else _some_motion_files(tuple(stems), form)
     says = f"Closed form of the equations of motion: {', '.join(stem.replace('_', ' ') for stem in stems)}."
     return _part(file, functions, tuple(groups), says, SOLVE, files)
+
+
+_some_motion_files = lru_cache(maxsize=4)(motion_files)
 
 
 def _before_solves(kernel: str, stem: str) -> str:

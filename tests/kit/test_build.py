@@ -7,9 +7,14 @@ import dataclasses
 import os
 import shutil
 import sys
+from collections.abc import Iterator
+from contextlib import redirect_stderr, redirect_stdout
 from dataclasses import dataclass
 from importlib.metadata import version
+from io import StringIO
+from multiprocessing.connection import Listener
 from pathlib import Path
+from threading import Thread
 
 import numpy as np
 import pytest
@@ -33,39 +38,46 @@ Array = NDArray[np.float64]
 
 PAGE = ".docs/howto/cmake.md"
 GENERATOR = """\
-#!{python}
-# A kit of the same robot and choice is made once, and tests itself little: when it is asked for is what is
-# tested here.
-import functools, hashlib, pathlib, pickle, sys
-from stewart_sym.cli import main as cli
-from stewart_sym.kit import files, parts, write
+#!{python} -IS
+# Asks the process of the tests, which has the library loaded and derives a kernel once.
+import os, sys
+from multiprocessing.connection import Client
 
-def keep(module, name):
-    made = getattr(module, name)
-
-    def kept(*arguments):
-        path = pathlib.Path({folder!r}, hashlib.sha256(pickle.dumps((name, arguments))).hexdigest())
-        if not path.exists():
-            path.write_bytes(pickle.dumps(made(*arguments)))
-        return pickle.loads(path.read_bytes())
-
-    setattr(module, name, kept)
-
-files.vectors = functools.partial(files.vectors, count=1)
-keep(write, "kit")
-keep(parts, "motion_files")
-sys.exit(cli.main())
+with Client({address!r}) as tests:
+    tests.send((os.getcwd(), sys.argv[1:]))
+    code, said, error = tests.recv()
+sys.stdout.write(said)
+sys.stderr.write(error)
+sys.exit(code)
 """
 
 
 @pytest.fixture(scope="module")
-def generator(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The generator as a program."""
+def generator(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
+    """The generator as a program, whose kits test themselves little: when it is asked for is tested here."""
     program = tmp_path_factory.mktemp("bin") / "stewart-sym"
-    kept = str(tmp_path_factory.mktemp("kits"))
-    program.write_text(GENERATOR.format(python=sys.executable, folder=kept))
-    program.chmod(0o755)
-    return program
+    with few_vectors(), Listener() as listener:
+        Thread(target=answer, args=(listener,), daemon=True).start()
+        program.write_text(GENERATOR.format(python=sys.executable, address=listener.address))
+        program.chmod(0o755)
+        yield program
+
+
+def answer(listener: Listener) -> None:
+    """Run commands until the listener is closed."""
+    while True:
+        try:
+            asked = listener.accept()
+        except OSError:
+            return
+        before = os.getcwd()
+        # Closed whatever happens, so that the program ends.
+        with asked, redirect_stdout(StringIO()) as said, redirect_stderr(StringIO()) as error:
+            folder, words = asked.recv()
+            os.chdir(folder)
+            code = cli.main(words)
+            os.chdir(before)
+            asked.send((code, said.getvalue(), error.getvalue()))
 
 
 @pytest.fixture(scope="module")
