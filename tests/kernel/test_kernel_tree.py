@@ -196,12 +196,13 @@ def test_jax_compiles_and_differentiates_the_forces(tmp_path: Path) -> None:
         def forces(acceleration: Any, others: dict[str, Any]) -> Any:
             own = {"a": acceleration[..., :3], "alpha": acceleration[..., 3:]}
             given = printed["motion_of"](on, **own, **others)
-            return jnp.stack(printed["forces"](on, model, given).F, axis=-1)
+            F = jnp.stack(printed["forces"](on, model, given).F, axis=-1)
+            return F, F
 
         acceleration = jnp.concatenate([motion.a, motion.alpha], axis=-1)
         others = {name: jnp.asarray(getattr(motion, name)) for name in FIELDS if name not in ("a", "alpha")}
-        slopes = jax.vmap(jax.jacfwd(forces))(acceleration, others)
-        compiled = jax.jit(forces, compiler_options=UNFUSED)(acceleration, others)
+        both = jax.jit(jax.vmap(jax.jacfwd(forces, has_aux=True)), compiler_options=UNFUSED)
+        slopes, compiled = both(acceleration, others)
     kernel, zero = ss.prepare(robot, fidelity="massless"), np.zeros((7, 3))
     answer = kernel.forces(motion)
     np.testing.assert_allclose(compiled, answer, rtol=0, atol=1e-12 * np.abs(answer).max())
