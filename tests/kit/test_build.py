@@ -7,6 +7,7 @@ import dataclasses
 import os
 import shutil
 import sys
+import traceback
 from collections.abc import Iterator
 from contextlib import redirect_stderr, redirect_stdout
 from dataclasses import dataclass
@@ -70,12 +71,15 @@ def answer(listener: Listener) -> None:
             asked = listener.accept()
         except OSError:
             return
-        before = os.getcwd()
-        # Closed whatever happens, so that the program ends.
+        before, code = os.getcwd(), 70
         with asked, redirect_stdout(StringIO()) as said, redirect_stderr(StringIO()) as error:
             folder, words = asked.recv()
             os.chdir(folder)
-            code = cli.main(words)
+            try:
+                code = cli.main(words)
+            except BaseException:
+                # Told by the program, which would wait for an answer.
+                traceback.print_exc()
             os.chdir(before)
             asked.send((code, said.getvalue(), error.getvalue()))
 
