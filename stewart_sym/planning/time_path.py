@@ -86,6 +86,23 @@ class TimedPath:
         """Duration of the motion, s."""
         return self.profile.duration
 
+    def instants(self, count: int) -> Array:
+        """Return even instants, and both sides of every jump of the accelerations between them.
+
+        Parameters
+        ----------
+        count : int
+            How many even ones.
+
+        Returns
+        -------
+        ndarray
+            From 0 to the duration, s, (n,), n >= count.
+        """
+        nodes = self.profile.times[1:-1]
+        even = np.linspace(0.0, self.duration, count)
+        return np.unique(np.concatenate([even, np.nextafter(nodes, 0.0), nodes]))
+
     def sample(self, times: ArrayLike) -> Motion:
         """Return the motion at given times.
 

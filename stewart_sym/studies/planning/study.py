@@ -40,7 +40,7 @@ DURATION = 6.0
 FORCE_OVER_REST, LONGER = 1.5, 1.5
 """The limit of force is so many times the largest at rest, the duration so many times the least time."""
 
-_SAMPLES = 201
+_SAMPLES, _INSTANTS = 201, 10_001
 _MOST_CONDITION = 40.0
 # Durations of random paths, in units of the time in which the machine falls its own size.
 _DURATIONS = {"slow": 20.0, "fast": 3.0}
@@ -192,13 +192,15 @@ def durations() -> dict[str, Any]:
     time = np.linspace(0.0, duration, _SAMPLES)
     found: dict[str, Any] = {"least_time_s": quick.duration, "time_s": time, "motions": {}}
     for name, plan in plans.items():
-        motion = plan.sample(time)
+        instants = plan.instants(_INSTANTS)
+        motion = plan.sample(instants)
         F = inverse_dynamics(robot, motion).F
         power = np.sum(F * inverse_kinematics(robot, motion).L_dot, axis=-1)
         found["motions"][name] = {
             "rate_per_s": plan.profile.at(time).rate,
-            "force_N": np.abs(F).max(axis=-1),
-            "energy_J": float(np.trapezoid(power, time)),
+            "force_N": np.abs(inverse_dynamics(robot, plan.sample(time)).F).max(axis=-1),
+            "peak_force_N": float(np.abs(F).max()),
+            "energy_J": float(np.trapezoid(power, instants)),
         }
     return found
 
@@ -255,7 +257,7 @@ def durations_figure(found: dict[str, Any]) -> Figure:
     figure = new_figure(9.0, 4.0)
     left, right = figure.subplots(1, 2)
     for (name, values), color in zip(found["motions"].items(), _SHADES, strict=True):
-        label = f"{name}: {values['energy_J']:.4g} J, {max(values['force_N']):.4g} N"
+        label = f"{name}: {values['energy_J']:.3f} J, {values['peak_force_N'] / 1e3:.1f} kN"
         left.plot(found["time_s"], values["rate_per_s"], color=color, linewidth=1.4, label=label)
         right.plot(found["time_s"], values["force_N"], color=color, linewidth=1.4)
     left.set_ylabel("rate of the path parameter, 1/s")

@@ -50,7 +50,7 @@ class Plan:
         """What the plan takes of the motors, between the trajectory's instants too; None without a drive."""
         if self.robot.drive is None:
             return None
-        times = self._instants
+        times = np.union1d(self.times, self.timed.instants(_INSTANTS))
         motion, found = self.timed.sample(times), DriveDigest(self.robot, times)
         F = inverse_dynamics(self.robot, motion, self.timed.formulation).F
         L_dot = inverse_kinematics(self.robot, motion).L_dot
@@ -62,17 +62,10 @@ class Plan:
         """Electrical energy that the plan takes, J; without a drive the work of the leg forces."""
         if self.motors is not None:
             return float(self.motors.summary.energy.sum())
-        times = self._instants
+        times = self.timed.instants(_INSTANTS)
         motion = self.timed.sample(times)
         F = inverse_dynamics(self.robot, motion, self.timed.formulation).F
         return float(trapezoids(times) @ np.sum(F * inverse_kinematics(self.robot, motion).L_dot, axis=-1))
-
-    @property
-    def _instants(self) -> Array:
-        """Instants between which accelerations do not jump, those of the trajectory among them, s."""
-        nodes = self.timed.profile.times[1:-1]
-        even = np.linspace(0.0, self.timed.duration, _INSTANTS)
-        return np.unique(np.concatenate([self.times, even, np.nextafter(nodes, 0.0), nodes]))
 
     @property
     def times(self) -> Array:
