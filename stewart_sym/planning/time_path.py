@@ -334,9 +334,9 @@ class _Task(NamedTuple):
         return quickest
 
     def _below_rest(self, profile: Profile, duration: float) -> Profile:
-        """The motion of least peak force in a duration, which a faster one takes about as much as rest.
+        """The motion of less peak force in a duration than a faster one within the largest force at rest.
 
-        That is least where the machine moves on through the poses that take most at rest.
+        Less is possible where the machine moves on through the poses that take most at rest.
         """
         shown = partial(self.progress, "finding the motion of least peak force")
         smooth, start = self._faster(duration, shown)

@@ -11,6 +11,7 @@ from ...robot.robot import LEGS
 from ..timing.path_terms import Terms
 from .rate_spline import in_cells
 
+# How much nearness to the usual motion counts, over the spread of the bound.
 _USUAL = 1.0
 
 
