@@ -12,6 +12,10 @@ from pathlib import PurePosixPath
 from typing import Any
 
 import pytest
+
+# A process for each core: BLAS threads would wait for each other. Read when NumPy is loaded.
+os.environ.update({f"{library}_NUM_THREADS": "1" for library in ("OMP", "OPENBLAS", "MKL")})
+
 from sweeps import FULL
 
 from stewart_sym.backend import c_kernel, native
@@ -19,10 +23,6 @@ from stewart_sym.dynamics import closed_form
 
 # Derivations make much that stays: collecting garbage as often as usual takes a tenth of the time.
 gc.set_threshold(100_000, 50, 50)
-
-# A process for each core: BLAS threads would wait for each other.
-for library in ("OMP", "OPENBLAS", "MKL"):
-    os.environ.setdefault(f"{library}_NUM_THREADS", "1")
 
 SHARING = (
     ("test_cost_accuracy", "test_advice"),
