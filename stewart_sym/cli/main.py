@@ -155,8 +155,9 @@ class _Parser(argparse.ArgumentParser):
 
 def _near(text: str, names: Iterable[str]) -> str:
     """A name much like an unknown one, as a hint."""
-    near = difflib.get_close_matches(text, list(names), n=1)
-    return f", did you mean {near[0]}?" if near else ""
+    plain = {name.lstrip("-"): name for name in names}
+    near = difflib.get_close_matches(text.lstrip("-"), list(plain), n=1)
+    return f", did you mean {plain[near[0]]}?" if near else ""
 
 
 def _parser(names: Iterable[str] = SUBCOMMANDS) -> argparse.ArgumentParser:

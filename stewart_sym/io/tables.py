@@ -244,9 +244,9 @@ def checked_table(
 def _meant(key: str, known: Sequence[str]) -> str:
     """The known key that an unknown one is a plural of, those that have it as a word, or the one spelt most
     like it; or nothing."""
-    word = key.removesuffix("s")
+    word = f"{key[:-3]}y" if key.endswith("ies") else key.removesuffix("s")
     near = [word] if word in known else [each for each in known if word in each.removesuffix("s").split("_")]
-    near = near or difflib.get_close_matches(key, known, n=1, cutoff=0.5)
+    near = near or difflib.get_close_matches(key, known, n=1, cutoff=0.65)
     return " or ".join(f'"{each}"' for each in near)
 
 
