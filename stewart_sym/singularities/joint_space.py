@@ -206,6 +206,7 @@ def _follow(
     if start.status.any():
         raise LostError(0, fault(robot, L[0], int(start.status[0]), guess is not None))
     first = pose_of(robot, start.R, start.t, L[:1])
+    leap = length_steps.jump(np.arange(float(len(L))) if time is None else time, L)
     if time is None:
         time = length_steps.times_from_rates(L, L_dot)
         if time is None and length_steps.against_rates(L, L_dot):
@@ -214,7 +215,7 @@ def _follow(
         return at_rest(robot, first, L, progress)
     rates = length_steps.accelerations(time, L, L_dot) if L_ddot is None else L_ddot
     off = length_steps.step_beyond_rates(time, L, L_dot, rates)
-    for sample, reason in ((length_steps.jump(L), JUMPED), (off, OFF_RATES)):
+    for sample, reason in ((leap, JUMPED), (off, OFF_RATES)):
         if sample is not None:
             raise LostError(sample, reason)
     _reject_other_rates(time, L, L_dot, L_ddot)

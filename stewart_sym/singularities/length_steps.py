@@ -342,27 +342,38 @@ def accelerations(time: Array, L: Array, L_dot: Array) -> Array:
     return found
 
 
-def jump(L: Array) -> int | None:
+def jump(time: Array, L: Array) -> int | None:
     """Return the sample at which lengths, (n, 6), jump as no motion sampled often enough does, or None.
 
-    Second differences around a jump change sign and are ten times as large as all in their surroundings.
+    Accelerations around a jump change sign and are ten times as large as all in their surroundings, and so
+    is what they move in the steps there. After a longer step only the latter is, of noise after a shorter
+    one only the former are.
     """
-    second = np.diff(L, n=2, axis=0)
-    if len(second) < 4:
+    h = np.diff(elapsed(time))[:, None]
+    if len(h) < 5:
         return None
-    # Entry i belongs to sample i + 1; a jump from sample i + 1 to i + 2 shows in entries i and i + 1.
-    turned = second[:-1] * second[1:] < 0.0
-    size = np.max(np.where(turned, np.minimum(np.abs(second[:-1]), np.abs(second[1:])), 0.0), axis=-1)
+    bent = 2.0 * np.diff(np.diff(L, axis=0) / h, axis=0) / (h[1:] + h[:-1])
     steps = np.abs(np.diff(L, axis=0))
     resolution = float(np.min(steps[steps > 0.0], initial=np.inf))
     floor = 4.0 * resolution if np.isfinite(resolution) else 0.0
-    largest = np.max(np.abs(second), axis=-1)
-    for i in np.flatnonzero(size > floor):
+    # Entry i belongs to sample i + 1; a jump from sample i + 1 to i + 2 shows in entries i and i + 1.
+    seconds = (bent * h[1:] * h[:-1], bent)
+    sizes = [np.max(_of_both(second), axis=-1) for second in seconds]
+    largest = [np.max(np.abs(second), axis=-1) for second in seconds]
+    for i in np.flatnonzero(sizes[0] > floor):
         low, high = max(i - _SURROUNDINGS, 0), i + 2 + _SURROUNDINGS
-        around = np.concatenate([largest[low : max(i - 1, 0)], largest[i + 3 : high]])
-        if around.size and size[i] > _JUMP * np.max(around):
+        around = [np.concatenate([most[low : max(i - 1, 0)], most[i + 3 : high]]) for most in largest]
+        if around[0].size and all(
+            size[i] > _JUMP * np.max(near) for size, near in zip(sizes, around, strict=True)
+        ):
             return int(i + 2)
     return None
+
+
+def _of_both(second: Array) -> Array:
+    """The smaller of the sizes of each and the next, (n - 1, 6), where they change sign, else 0."""
+    turned = second[:-1] * second[1:] < 0.0
+    return np.where(turned, np.minimum(np.abs(second[:-1]), np.abs(second[1:])), 0.0)
 
 
 def step_beyond_rates(time: Array, L: Array, L_dot: Array, L_ddot: Array) -> int | None:

@@ -106,6 +106,21 @@ def test_jumps_are_named_and_not_followed_into_another_mode() -> None:
         ss.motion_from_lengths(robot, L, legs.L_dot)
 
 
+def test_a_longer_step_between_rows_is_no_jump_and_hides_none() -> None:
+    robot = dasgupta()
+    path, step = ss.PATHS["I"]
+    time = np.delete(path.times(step), 20)
+    motion = path.sample(time)
+    legs = ss.inverse_kinematics(robot, motion)
+    found = ss.motion_from_lengths(robot, legs.L, legs.L_dot, legs.L_ddot, time=time)
+    np.testing.assert_allclose(found.t, motion.t, atol=1e-12)
+    for row in (20, 21, 40):
+        L = legs.L.copy()
+        L[row:, 2] += 1.0
+        with pytest.raises(ValueError, match=rf"^L\[{row}\]: the lengths jump here"):
+            ss.motion_from_lengths(robot, L, legs.L_dot, time=time)
+
+
 def test_each_assembly_mode_is_kept() -> None:
     """Start the same lengths in two modes: both are followed, apart from each other all the way."""
     robot = dasgupta()
