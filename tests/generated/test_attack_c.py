@@ -76,8 +76,7 @@ def test_what_ships_gives_the_bits_of_c_that_is_not_optimised(
     for level in ("-O3", "-O0"):
         folder = tmp_path / level
         folder.mkdir()
-        # What is known of lines takes a quarter of the time of the optimiser.
-        shipped = [level, "-march=native", "-g0", *flags]
+        shipped = [level, "-march=native", *flags]
         need(folder, "gcc", shipped)
         program = attack_build.built(folder, "gcc", shipped, chosen=chosen, rotors=rotors)
         said.append(attack_build.ran([str(program), str(cases), "1"], folder))
