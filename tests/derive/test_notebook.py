@@ -14,6 +14,7 @@ from typing import Any
 
 import pytest
 from installed import REPOSITORY, install
+from quick_compiler import quick_path
 
 from stewart_sym.io.extras import EXTRAS
 
@@ -56,6 +57,7 @@ def test_a_plain_install_runs_it_with_its_extra_and_gives_the_committed_outputs(
     others = set(EXTRAS) - {"matplotlib", "mpl_toolkits"}
     (installed / "sitecustomize.py").write_text(WITHOUT.format(names=others))
     monkeypatch.setenv("PYTHONPATH", str(installed))
+    monkeypatch.setenv("PATH", quick_path(tmp_path / "compilers"))
     for variable in ("IPYTHONDIR", "JUPYTER_CONFIG_DIR", "JUPYTER_DATA_DIR", "JUPYTER_RUNTIME_DIR"):
         monkeypatch.setenv(variable, str(tmp_path / variable))
     used = subprocess.run(

@@ -7,15 +7,25 @@ from pathlib import Path
 
 REPOSITORY = Path(__file__).parents[2]
 FOLDERS = ("stewart_sym", "derive", "generated")
+WHEEL = """
+import sys
+from setuptools import build_meta
+build_meta.build_wheel(sys.argv[1])
+"""
 
 
 def install(folder: Path) -> Path:
-    """Install a copy of the sources below ``folder``, without what it depends on; returns where it is."""
+    """Install a copy of the sources below ``folder``, without what it depends on; returns where it is.
+
+    A wheel of Python alone is unpacked, which is what pip does with it in four times the time.
+    """
     source, target = folder / "source", folder / "installed"
     for name in FOLDERS:
         shutil.copytree(REPOSITORY / name, source / name, ignore=shutil.ignore_patterns("__pycache__"))
     for name in ("pyproject.toml", "README.md", "LICENSE"):
         shutil.copy(REPOSITORY / name, source)
-    options = ["--quiet", "--no-deps", "--no-index", "--no-build-isolation", "--target", str(target)]
-    subprocess.run([sys.executable, "-m", "pip", "install", *options, str(source)], check=True, cwd=folder)
+    run = [sys.executable, "-c", WHEEL, str(folder)]
+    subprocess.run(run, check=True, capture_output=True, cwd=source)
+    (wheel,) = folder.glob("*-none-any.whl")
+    shutil.unpack_archive(wheel, target, "zip")
     return target

@@ -6,7 +6,6 @@ import io
 import os
 import re
 import shlex
-import shutil
 import subprocess
 import sys
 import warnings
@@ -17,6 +16,7 @@ from typing import Any
 
 import matplotlib.image
 import numpy as np
+from quick_compiler import quick_path
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
@@ -207,13 +207,7 @@ def shell_output(commands: str, folder: Path) -> str:
     """What a shell prints of commands; they are found where this interpreter is, C is compiled quickly."""
     if not commands:
         return ""
-    compilers = folder / ".compilers"
-    if not compilers.exists():
-        compilers.mkdir()
-        for name in ("cc", "gcc"):
-            (compilers / name).write_text(f'#!/bin/sh\nexec {shutil.which(name)} "$@" -O0\n')
-            (compilers / name).chmod(0o755)
-    places = os.pathsep.join([str(compilers), str(Path(sys.executable).parent), os.environ["PATH"]])
+    places = os.pathsep.join([str(Path(sys.executable).parent), quick_path(folder / ".compilers")])
     done = subprocess.run(
         ["bash", "-e", "-c", commands],
         cwd=folder,
