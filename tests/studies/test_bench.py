@@ -122,6 +122,8 @@ def test_wrong_forces_stop_the_run_before_anything_is_timed(
 ) -> None:
     first, *others = getattr(bench, group)
     monkeypatch.setattr(bench, group, (off(first, 1e-9), *others))
+    monkeypatch.setattr(bench, "targets", lambda: targets()[:1])
+    monkeypatch.setattr(reductions, "stages", lambda _: ())
     monkeypatch.setattr(bench, "measured", None)
     with pytest.raises(ValueError, match=f"^{re.escape(first.name)}: forces differ"):
         bench.bench(quick=True)
@@ -180,6 +182,7 @@ def test_a_pass_with_wrong_forces_stops_the_run(number: int, monkeypatch: pytest
     candidates = [off(each, 1e-9) if i == number else each for i, each in enumerate(first.candidates)]
     bad = dataclasses.replace(first, candidates=tuple(candidates))
     monkeypatch.setattr(reductions, "stages", lambda _: (bad, *others))
+    monkeypatch.setattr(bench, "targets", lambda: targets()[:1])
     monkeypatch.setattr(bench, "measured", None)
     with pytest.raises(ValueError, match=r"^as derived, .*: forces differ"):
         bench.bench(quick=True)
