@@ -23,7 +23,7 @@ from ..motion.interpolation import Path
 from ..motion.motion import Motion
 from ..motion.rotation import cross
 from ..robot.robot import Robot
-from .search import minimum, root, runs, turning_points
+from .search import at_each, minima, minimum, root, runs, turning_points
 from .singular_poses import Singularity, last_directions, singularity
 
 # Intervals are searched unless the singular values at both ends exceed what twice the rate of H there allows.
@@ -449,31 +449,24 @@ def _leg_extremes(robot: Robot, path: Path, times: Array) -> tuple[LegExtreme, L
     """Least joint sine, least and greatest length of each leg."""
     filled = np.union1d(times, np.linspace(times[0], times[-1], _INSTANTS))
 
-    def sine(when: Array) -> Array:
+    def sought(when: Array) -> Array:
+        """Sines, lengths and negative lengths, (n, 18)."""
         _, S, L = leg_vectors(robot, *_pose(path(when)))
-        return joint_sines(robot, S / np.where(L > 0.0, L, 1.0)[..., None])
+        sines = joint_sines(robot, S / np.where(L > 0.0, L, 1.0)[..., None])
+        return np.concatenate([sines, L, -L], axis=-1)
 
-    def length(when: Array) -> Array:
-        return leg_vectors(robot, *_pose(path(when)))[2]
-
-    least = [_extreme(function, filled) for function in (sine, length, lambda when: -length(when))]
-    return least[0], least[1], LegExtreme(least[2].time, -least[2].value)
+    time, value = (each.reshape(3, 6) for each in _extremes(sought, filled))
+    return LegExtreme(time[0], value[0]), LegExtreme(time[1], value[1]), LegExtreme(time[2], -value[2])
 
 
-def _extreme(function: Callable[[Array], Array], points: Array) -> LegExtreme:
-    """Least of each column of a function of times, (n, 6)."""
-    values = _in_chunks(function, points)
-    time = np.empty(6)
-    for leg, i in enumerate(np.argmin(values, axis=0)):
-        low, high = points[max(i - 1, 0)], points[min(i + 1, len(points) - 1)]
-
-        def of_leg(when: Array, leg: int = leg) -> Array:
-            return np.asarray(function(when)[:, leg])
-
-        refined = minimum(of_leg, float(low), float(high))
-        given, better = function(np.array([points[i], refined]))[:, leg]
-        time[leg] = refined if better < given - _SHALLOW * abs(given) else points[i]
-    return LegExtreme(time, np.array([function(time[leg : leg + 1])[0, leg] for leg in range(6)]))
+def _extremes(function: Callable[[Array], Array], points: Array) -> tuple[Array, Array]:
+    """When each column of a function of times, (n, m), is least, (m,), and its value there, (m,)."""
+    i, last = np.argmin(_in_chunks(function, points), axis=0), len(points) - 1
+    sampled = points[i]
+    refined = minima(function, points[np.maximum(i - 1, 0)], points[np.minimum(i + 1, last)])
+    given, better = at_each(function, np.array([sampled, refined]))
+    time = np.where(better < given - _SHALLOW * np.abs(given), refined, sampled)
+    return time, at_each(function, time[None])[0]
 
 
 def _in_chunks(function: Callable[[Array], Array], times: Array) -> Array:

@@ -45,21 +45,42 @@ def root(function: Function, low: float, high: float) -> tuple[float, float]:
 
 def minimum(function: Function, low: float, high: float) -> float:
     """Return where the function is least in [low, high], as near as its values tell; one minimum inside."""
+    return float(minima(lambda points: function(points)[:, None], np.array([low]), np.array([high]))[0])
+
+
+def at_each(function: Function, points: Array) -> Array:
+    """Columns of a function of increasing numbers, (k,) to (k, m), at points of their own, (n, m)."""
+    every, place = np.unique(points, return_inverse=True)
+    return function(every)[place.reshape(points.shape), np.arange(points.shape[1])]
+
+
+def minima(function: Function, low: Array, high: Array) -> Array:
+    """Return where each column of a function, (k,) to (k, m), is least between ends of its own, (m,)."""
     goal = _MINIMUM * (high - low)
-    points = np.linspace(low, high, _PARTS + 1)
-    values = function(points)
+    points = _between(low, high)
+    values = at_each(function, points)
     while True:
-        i = int(np.argmin(np.where(np.isfinite(values), values, np.inf)))
-        best, least = float(points[i]), float(values[i])
-        low, high = float(points[max(i - 1, 0)]), float(points[min(i + 1, len(points) - 1)])
-        inner = _inside(low, high)
+        best, least = _least(points, values)
+        low = np.where(points < best, points, -np.inf).max(axis=0)
+        high = np.where(points > best, points, np.inf).min(axis=0)
+        low, high = (np.where(np.isfinite(end), end, best) for end in (low, high))
+        inner = _between(low, high)
         # Neighbouring numbers have nothing new between them.
-        if high - low <= goal or not np.any(inner != best):
+        new = np.any((inner > low) & (inner < high) & (inner != best), axis=0)
+        if not np.any((high - low > goal) & new):
             return best
-        points = np.unique(np.concatenate([[low, best, high], inner]))
-        values = function(points)
+        # A point that rounding alone sets apart from the best would cut off one of its sides.
+        inner = np.where(np.abs(inner - best) < 1e-3 / _PARTS * (high - low), best, inner)
+        points = np.concatenate([inner, [best]])
+        values = at_each(function, points)
         # Rounding may hide the best point found; it must not be lost for a worse one.
         values = np.where(points == best, np.minimum(values, least), values)
+
+
+def _least(points: Array, values: Array) -> tuple[Array, Array]:
+    """Of each column the point of the least value, and that value."""
+    i = np.argmin(np.where(np.isfinite(values), values, np.inf), axis=0)[None]
+    return np.take_along_axis(points, i, axis=0)[0], np.take_along_axis(values, i, axis=0)[0]
 
 
 def turning_points(function: Function, edges: Array, floor: Array) -> Array:
@@ -96,8 +117,12 @@ def turning_points(function: Function, edges: Array, floor: Array) -> Array:
 
 
 def _inside(low: float, high: float) -> Array:
-    points = np.linspace(low, high, _PARTS + 1)
+    points = _between(low, high)
     return np.unique(points[(points > low) & (points < high)])
+
+
+def _between(low: Array | float, high: Array | float) -> Array:
+    return np.linspace(low, high, _PARTS + 1)
 
 
 def _zeros(series: Array) -> Array:
