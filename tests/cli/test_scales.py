@@ -98,10 +98,10 @@ def off(one: float, other: float) -> float:
 
 
 COMMANDS = {
-    "size": ("hexapod.toml", "trajectory.csv", "-o", "out"),
-    "workspace": ("hexapod.toml", "-o", "out"),
-    "simulate": ("swing.toml", "-o", "out"),
-    "plan": ("via.toml", "-o", "out"),
+    "size": ("hexapod.toml", "trajectory.csv", "-o", "out", "--no-pictures"),
+    "workspace": ("hexapod.toml", "--poses", "20000", "-o", "out", "--no-pictures"),
+    "simulate": ("swing.toml", "-o", "out", "--no-pictures"),
+    "plan": ("via.toml", "-o", "out", "--no-pictures"),
     "forces": ("hexapod.toml", "trajectory.csv", "-o", "out.csv"),
 }
 FREE = ("condition_number", "sd_N", "time_s", "/steps", "certificate/instants")
