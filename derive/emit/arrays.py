@@ -92,7 +92,8 @@ def alike(program: t.Program, base: t.Program) -> set[str]:
     """Names of what two programs have in common, all that it needs included."""
     own, known = map(_by_name, (program, base))
     found = {name for name, part in own.items() if known.get(name) == part}
-    while lost := {name for name in found if not _needed(own[name]).intersection(own) <= found}:
+    needed = {name: _needed(own[name]).intersection(own) for name in found}
+    while lost := {name for name in found if not needed[name] <= found}:
         found -= lost
     return found
 
