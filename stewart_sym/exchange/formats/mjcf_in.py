@@ -1,6 +1,5 @@
 """MJCF, MuJoCo's format, as a model."""
 
-import math
 import xml.etree.ElementTree as ET
 from collections.abc import Mapping
 from dataclasses import replace
@@ -14,15 +13,16 @@ from ...motion.rotation import rotation_from_quaternion, rotation_from_vector
 from ...robot.bodies import Body as Solid
 from ...robot.bodies import joined
 from ...robot.fields import direction
-from ..chain import BETWEEN, WORLD, Body, Joint, Model, after, frame_along
+from ..chain import BETWEEN, WORLD, Body, Joint, Model, after
 from ..notes import json_table
+from .mjcf_geoms import solid
 from .xml_text import at_line, number, numbers
 
 _KINDS = {"hinge": "revolute", "slide": "prismatic", "ball": "spherical", "free": "free"}
 _ZERO = (0.0, 0.0, 0.0)
 _ENDLESS = (-np.inf, np.inf)
-_SIZES = {"sphere": 1, "capsule": 2, "cylinder": 2, "box": 3, "ellipsoid": 3}
-_DENSITY = 1000.0
+_STRAIGHT = 1e-10
+_TURNS = ("quat", "axisangle", "euler", "xyaxes", "zaxis")
 _PASSED_OVER = (
     *("compiler", "option", "size", "custom", "default", "asset", "visual", "statistic", "worldbody"),
     *("equality", "actuator", "keyframe", "sensor", "contact", "extension"),
@@ -135,7 +135,7 @@ class _Reader:
         for each in element:
             if each.tag != "default":
                 tag, given = _stated(each)
-                own[tag] = {**own.get(tag, {}), **given}
+                own[tag] = _over(own.get(tag, {}), given)
         self.classes[element.get("class", name)] = own
         for each in element.findall("default"):
             self._default(each, own, "main")
@@ -146,7 +146,7 @@ class _Reader:
         if name not in self.classes and name != "main":
             raise ValueError(f"{element.tag} {element.get('name', '')!r}: class {name!r}: missing")
         tag, given = _stated(element)
-        return {**self.classes.get(name, {}).get(tag, {}), **given}
+        return _over(self.classes.get(name, {}).get(tag, {}), given)
 
     # Tree
 
@@ -272,7 +272,7 @@ class _Reader:
                     continue
                 if given.get("shellinertia", "false") == "true":
                     self.left_out.append(f"that {named} is a shell")
-                part = _solid(given, *self._pose(given, named), named)
+                part = solid(given, *self._pose(given, named), named)
                 found += [] if part is None else [part]
             elif each.tag == "frame":
                 R, t = self._pose(each.attrib, where)
@@ -301,7 +301,7 @@ class _Reader:
             y = direction(y - (x @ y) * x, f"{where}: xyaxes")
             return np.stack([x, y, np.cross(x, y)], axis=-1)
         if "zaxis" in given:
-            return frame_along(direction(numbers(given["zaxis"], 3, f"{where}: zaxis"), f"{where}: zaxis"))
+            return _least_turn(direction(numbers(given["zaxis"], 3, f"{where}: zaxis"), f"{where}: zaxis"))
         return np.eye(3)
 
     def _euler(self, angles: Array) -> Array:
@@ -406,58 +406,26 @@ def _times(factor: float, limits: Array) -> Array:
     return np.sort(factor * limits) if factor else np.zeros(2)
 
 
+def _over(usual: Attributes, given: Attributes) -> dict[str, str]:
+    """Attributes over those of a class: an orientation replaces any other, a size the first numbers alone."""
+    turned = _TURNS if any(key in given for key in _TURNS) else ()
+    found = {key: value for key, value in usual.items() if key not in turned} | dict(given)
+    if "size" in usual and "size" in given:
+        own = given["size"].split()
+        found["size"] = " ".join(own + usual["size"].split()[len(own) :])
+    return found
+
+
+def _least_turn(z: Array) -> Array:
+    """The smallest rotation of (0, 0, 1) into a direction, (3,); into (0, 0, -1) that about x."""
+    across = np.array([-z[1], z[0], 0.0])
+    sine = float(np.linalg.norm(across))
+    axis = across / sine if sine > _STRAIGHT else np.array([1.0, 0.0, 0.0])
+    return rotation_from_vector(np.arctan2(sine, z[2]) * axis)
+
+
 def _has_joint(frame: ET.Element) -> bool:
     """Whether a frame, or one in it, has a joint of the body that it is in."""
     return any(
         each.tag in ("joint", "freejoint") or (each.tag == "frame" and _has_joint(each)) for each in frame
     )
-
-
-# Geoms
-
-
-def _solid(given: Attributes, R: Array, center: Array, where: str) -> Solid | None:
-    """The body of a geom, in the frame that R, (3, 3), and center, (3,), are in; None of one without a mass.
-
-    given: attributes, those of its class among them. Raises ValueError for a heavy geom of another type.
-    """
-    mass = number(given["mass"], f"{where}: mass") if "mass" in given else None
-    density = number(given.get("density"), f"{where}: density", _DENSITY)
-    if mass == 0.0 or (mass is None and density == 0.0):
-        return None
-    kind = given.get("type", "sphere")
-    if kind == "plane":
-        return None
-    if kind not in _SIZES:
-        raise ValueError(
-            f"{where}: expected an inertial of its body, got a {kind}, whose mass is not computed"
-        )
-    ends = numbers(given["fromto"], 6, f"{where}: fromto") if "fromto" in given else None
-    size = numbers(given.get("size"), _SIZES[kind] - (ends is not None), f"{where}: size")
-    if ends is not None:
-        along = ends[3:] - ends[:3]
-        R, center = frame_along(along), 0.5 * (ends[:3] + ends[3:])
-        half = 0.5 * float(np.linalg.norm(along))
-        size = np.array([size[0], half] if len(size) == 1 else [*size, half])
-    volume, squares = _volume(kind, size)
-    mass = density * volume if mass is None else mass
-    inertia = R @ np.diag(squares.sum() - squares) @ R.T
-    return Solid(mass, center, mass * inertia)
-
-
-def _volume(kind: str, size: Array) -> tuple[float, Array]:
-    """Volume, m^3, and mean squares of the coordinates, m^2, (3,)."""
-    if kind == "box":
-        return 8.0 * float(np.prod(size)), size**2 / 3.0
-    if kind in ("sphere", "ellipsoid"):
-        axes = np.resize(size, 3)
-        return 4.0 / 3.0 * math.pi * float(np.prod(axes)), axes**2 / 5.0
-    r, half = (float(value) for value in size)
-    cylinder = 2.0 * math.pi * r**2 * half
-    squares = cylinder * np.array([r**2 / 4.0, r**2 / 4.0, half**2 / 3.0])
-    if kind == "cylinder":
-        return cylinder, squares / cylinder
-    # Two half spheres, their centres of mass 3/8 of the radius outside the ends.
-    ball = 4.0 / 3.0 * math.pi * r**3
-    squares += ball * np.array([r**2 / 5.0, r**2 / 5.0, r**2 / 5.0 + half**2 + 0.75 * r * half])
-    return cylinder + ball, squares / (cylinder + ball)
