@@ -22,6 +22,10 @@ _KINDS = {
     "ball": "spherical",
     "fixed": "fixed",
 }
+_TRUE = ("true", "True", "TRUE", "1")
+_AXES_OF_MODEL, _NAMED_FRAMES = (1, 4), (1, 6)
+"""Last versions in which axes are in the frame of the model, and in which poses call what they are relative
+to ``frame`` and axes may have ``use_parent_model_frame``."""
 
 
 def model(root: ET.Element, loops: str | None = None) -> Model:
@@ -36,7 +40,7 @@ def model(root: ET.Element, loops: str | None = None) -> Model:
         names = ", ".join(repr(each.get("name", "")) for each in models[:LEGS]) or "none"
         raise ValueError(f"expected one model, got {len(models)}: {names}")
     gravity = None if world is None else world.findtext("gravity")
-    found = _Reader(models[0])
+    found = _Reader(models[0], _version(root))
     return Model(
         models[0].get("name", ""),
         None if gravity is None else numbers(gravity, 3, "gravity"),
@@ -45,6 +49,15 @@ def model(root: ET.Element, loops: str | None = None) -> Model:
         json_table(_notes(root, models[0]), NOTES),
         tuple(found.left_out),
     )
+
+
+def _version(root: ET.Element) -> tuple[int, ...]:
+    """The version of the format; without one none of the old rules counts."""
+    text = root.get("version", "2")
+    try:
+        return tuple(int(word) for word in text.split(".")[:2])
+    except ValueError:
+        raise ValueError(f"sdf: version: expected numbers with a point between, got {shown(text)}") from None
 
 
 def _notes(root: ET.Element, model: ET.Element) -> str | None:
@@ -57,12 +70,17 @@ def _notes(root: ET.Element, model: ET.Element) -> str | None:
 class _Reader:
     """Bodies and joints of one model."""
 
-    def __init__(self, element: ET.Element) -> None:
+    def __init__(self, element: ET.Element, version: tuple[int, ...]) -> None:
         for tag in ("model", "include"):
             for each in element.findall(tag):
                 got = shown(each.get("name") or each.findtext("uri", "").strip())
                 raise ValueError(f"{tag}{at_line(each)}: expected a model without models in it, got {got}")
-        self.element = element
+        self.element, self.version = element, version
+        where = f"model {element.get('name', '')!r}"
+        if element.get("placement_frame") or self._frame(element, where) not in ("", WORLD):
+            raise ValueError(
+                f"{where}: expected one that its own frame places in the world, got another frame"
+            )
         self.named = {
             name_of(each, "model"): each
             for tag in ("link", "frame", "joint")
@@ -75,10 +93,8 @@ class _Reader:
         self.left_out: list[str] = []
         self.bodies = [Body(WORLD), *(self._body(each) for each in element.findall("link"))]
         self.placed = {body.name: body for body in self.bodies}
-        static = (element.findtext("static") or "").strip() in ("true", "1")
-        if static:
-            name = element.get("name", "")
-            raise ValueError(f"model {name!r}: static: expected a model that moves, got a static one")
+        if _is_true(element.findtext("static")):
+            raise ValueError(f"{where}: static: expected a model that moves, got a static one")
         self.joints = [self._joint(each) for each in element.findall("joint")]
 
     def _own(self, element: ET.Element, where: str) -> tuple[Array, Array]:
@@ -108,10 +124,20 @@ class _Reader:
         self.found[name] = R, t
         return R, t
 
+    def _frame(self, element: ET.Element, where: str) -> str:
+        """The frame that the pose of an element names; empty where it names none."""
+        pose = element.find("pose")
+        if pose is None:
+            return ""
+        if pose.get("frame") and self.version > _NAMED_FRAMES:
+            raise ValueError(
+                f"{where}: pose: expected relative_to, as frame is called since SDF 1.7, got frame"
+            )
+        return pose.get("relative_to") or pose.get("frame") or ""
+
     def _relative(self, element: ET.Element) -> str:
         """What the pose of an element is relative to."""
-        pose = element.find("pose")
-        stated = "" if pose is None else pose.get("relative_to", "")
+        stated = self._frame(element, f"{element.tag} {element.get('name')!r}")
         if stated:
             return stated
         if element.tag == "joint":
@@ -129,6 +155,8 @@ class _Reader:
         if given is None:
             return Body(name, R, t)
         where = f"{where}: inertial"
+        if self._frame(given, where):
+            raise ValueError(f"{where}: pose: expected one in the frame of the link, got another frame")
         turn, center = self._own(given, where)
         mass = number(given.findtext("mass"), f"{where}: mass", 1.0)
         inertia = tensor(lambda key: given.findtext(f"inertia/{key}"), where, (1.0, 0.0))
@@ -140,8 +168,7 @@ class _Reader:
         for end in (parent, child):
             if end not in self.placed:
                 raise ValueError(f"{where}: link {end!r}: missing")
-        own = element.find("pose")
-        direct = own is None or not own.get("relative_to")
+        direct = not self._frame(element, where)
         place = self._own(element, where)[1] if direct else self.placed[child].local(self._pose(name)[1])
         if kind == "fixed":
             return Joint(name, "fixed", parent, child, place)
@@ -151,6 +178,19 @@ class _Reader:
             return found
         return self._turning(found, axes, where)
 
+    def _expressed_in(self, axis: ET.Element, where: str) -> str:
+        """The frame that an axis is in; empty where it is that of its joint."""
+        xyz, of_model = axis.find("xyz"), axis.findtext("use_parent_model_frame")
+        if xyz is not None and xyz.get("expressed_in"):
+            return xyz.get("expressed_in", "")
+        if of_model is None:
+            return "__model__" if self.version <= _AXES_OF_MODEL else ""
+        if self.version > _NAMED_FRAMES:
+            raise ValueError(
+                f"{where}: axis: expected expressed_in, as SDF has it since 1.7, got use_parent_model_frame"
+            )
+        return "__model__" if _is_true(of_model) else ""
+
     def _turning(self, joint: Joint, axes: list[ET.Element | None], where: str) -> Joint:
         directions, damping = [], []
         limits, effort, speed = (-np.inf, np.inf), np.inf, np.inf
@@ -158,7 +198,7 @@ class _Reader:
             if axis is None:
                 raise ValueError(f"{where}: expected an axis for each turn, got none")
             xyz = axis.find("xyz")
-            frame = "" if xyz is None else xyz.get("expressed_in", "")
+            frame = self._expressed_in(axis, where)
             local = numbers(None if xyz is None else xyz.text, 3, f"{where}: xyz", (0.0, 0.0, 1.0))
             if frame and frame not in self.named and frame not in self.found:
                 raise ValueError(f"{where}: xyz: frame {frame!r}: missing")
@@ -179,6 +219,10 @@ class _Reader:
         return replace(
             joint, axes=np.array(directions), damping=damping[0], limits=limits, effort=effort, speed=speed
         )
+
+
+def _is_true(text: str | None) -> bool:
+    return (text or "").strip() in _TRUE
 
 
 def _still() -> tuple[Array, Array]:
