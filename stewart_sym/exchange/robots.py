@@ -113,6 +113,9 @@ class _Leg:
         self.lower, self.upper = machine.bodies[leg.lower], machine.bodies[leg.upper]
         for body in (self.lower, self.upper):
             _need_mass(body, f"leg {number}")
+        for cross in (machine.bodies[name] for names in leg.crosses for name in names):
+            if cross.mass < 0.0:
+                raise self._error(f"body {cross.name!r}: expected a mass >= 0, got {cross.mass:g}")
         self.p = machine.point(leg.tip[-1], machine.platform)
         self.off = 0.0
         self.apart: list[tuple[float, Sequence[Step]]] = []

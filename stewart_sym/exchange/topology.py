@@ -221,12 +221,21 @@ def _turns(steps: Sequence[Step]) -> str:
     return "other"
 
 
+def _need_possible_mass(part: Body) -> None:
+    """Reject a part that would count for something else than its mass and inertia say."""
+    if part.mass < 0.0 or (part.mass == 0.0 and part.inertia.any()):
+        raise ValueError(f"body {part.name!r}: expected a mass > 0, got {part.mass:g}")
+
+
 def _merged(model: Model, members: Mapping[str, str]) -> dict[str, Body]:
     """What is fixed together as one body, in the frame of the first."""
     found = {}
     for name in dict.fromkeys(members.values()):
         parts = [body for body in model.bodies if members[body.name] == name]
         first = model.body(name)
+        if name != WORLD and len(parts) > 1:
+            for part in parts:
+                _need_possible_mass(part)
         heavy = [part for part in parts if part.mass > 0.0]
         if not heavy or heavy == [first]:
             found[name] = first

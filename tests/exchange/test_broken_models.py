@@ -31,6 +31,24 @@ LEG_7 = (
 TIP_3 = 'name="tip_3" site1="tip_3_a" site2="tip_3_b"'
 UPPER_3 = 'name="tip_3" body1="upper_3" '
 TIP_7 = '<connect name="tip_7" body1="upper_7" body2="platform" anchor="0 0 0"/></equality>'
+HEAVY = '<inertial><mass value="{}"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>'
+WELDED = {
+    "mjcf": (
+        '<site name="tip_1_b"',
+        '<body name="tool"><inertial mass="{}" pos="0 0 1" diaginertia="1 1 1"/></body>',
+    ),
+    "sdf": (
+        '<link name="lower_1">',
+        '<link name="tool"><inertial><mass>{}</mass></inertial></link><joint name="weld" type="fixed">'
+        "<parent>platform</parent><child>tool</child></joint>",
+    ),
+    "urdf": (
+        '<link name="lower_1">',
+        f'<link name="tool">{HEAVY}</link><joint name="weld" type="fixed"><parent link="platform"/>'
+        '<child link="tool"/></joint>',
+    ),
+}
+"""Where a tool that is fixed to the platform is put, and the tool without the number of its mass."""
 
 Change = Callable[[str], str]
 
@@ -60,6 +78,11 @@ def both(*changes: Change) -> Change:
 
 def instead(text: str) -> Change:
     return lambda _: text
+
+
+def with_tool(form: str, mass: str) -> Change:
+    place, tool = WELDED[form]
+    return to(place, tool.format(mass) + place)
 
 
 NO_LEG_6 = both(
@@ -161,6 +184,25 @@ BROKEN: dict[str, tuple[str, Change, str]] = {
     "number": ("mjcf", to('mass="3.0"', 'mass="3.0 kg"'), "'lower_1': inertial: mass: expected a number"),
     "not finite": ("mjcf", to('mass="3.0"', 'mass="nan"'), "body 'lower_1': inertial"),
     "negative": ("mjcf", to('mass="3.0"', 'mass="-3.0"'), "leg 1: body 'lower_1': expected a mass > 0"),
+    **{
+        f"tool of {mass} kg, {form}": (
+            form,
+            with_tool(form, mass),
+            f"body 'tool': expected a mass > 0, got {mass}",
+        )
+        for form in WELDED
+        for mass in ("-2", "0")
+    },
+    "tool of nan kg": (
+        "urdf",
+        with_tool("urdf", "nan"),
+        "'tool': inertial: mass: expected a number, got 'nan'",
+    ),
+    "cross": (
+        "urdf",
+        to('<link name="base_1_cross_1" />', f'<link name="base_1_cross_1">{HEAVY.format(-1)}</link>'),
+        "leg 1: body 'base_1_cross_1': expected a mass >= 0, got -1",
+    ),
     "no mass": ("mjcf", without('<inertial mass="40', "/>"), "the platform: body 'platform'"),
     "no site": ("mjcf", to('"tip_4_a" site2', '"tip_9" site2'), "connect 'tip_4': site 'tip_9': missing"),
     "free base": (
