@@ -12,7 +12,7 @@ import numpy as np
 from ..drives.friction import losses
 from ..io.arguments import instance, option, shown
 from ..io.tables import file_name, read_text
-from ..robot.robot import Robot
+from ..robot.robot import PhysicalityWarning, Robot, impossible_inertias
 from .chain import Model
 from .formats import mjcf_in, mjcf_out, sdf_in, sdf_out, urdf_in, urdf_out, usd_out
 from .formats.xml_text import HEADER, at_line, line_named, parsed
@@ -136,6 +136,11 @@ def import_model(path: str | os.PathLike[str]) -> ImportedModel:
     ------
     ValueError
         In one line: what of the file can't be read or is no Stewart platform, and where.
+
+    Warns
+    -----
+    PhysicalityWarning
+        For an inertia that no rigid body has.
     """
     source = file_name(path)
     text, beside = read_text(source, "model", _MOST_BYTES), loops_path(source)
@@ -145,10 +150,14 @@ def import_model(path: str | os.PathLike[str]) -> ImportedModel:
     except ValueError as error:
         raise ValueError(f"{source}: {error}") from None
     try:
-        return ImportedModel(*robot_of(_read(root, loops)))
+        robot, said = robot_of(_read(root, loops))
     except ValueError as error:
         line = line_named(str(error), root)
         raise ValueError(f"{source}: {error}{'' if line is None else f' (at line {line})'}") from None
+    for name, text in impossible_inertias(robot):
+        if name not in robot.accept:
+            warnings.warn(f"{source}: {text} [{name}]", PhysicalityWarning, stacklevel=2)
+    return ImportedModel(robot, said)
 
 
 def _warn_of_losses(robot: Robot, form: str) -> None:

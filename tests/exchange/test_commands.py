@@ -84,6 +84,16 @@ def test_a_part_that_simulators_reject_is_named_with_the_file(
     assert not (folder / "m.xml").exists()
 
 
+def test_import_warns_of_a_part_that_no_body_is(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["export", "hexapod.toml", "--format", "urdf", "-o", "m.urdf"]) == 0
+    text = Path("m.urdf").read_text(encoding="utf-8")
+    Path("m.urdf").write_text(text.replace('ixx="0.9"', 'ixx="-0.9"', 1), encoding="utf-8")
+    assert main(["import", "m.urdf", "-o", "back.toml"]) == 0
+    (line,) = capsys.readouterr().err.splitlines()
+    assert line.startswith("stewart-sym: warning: m.urdf: platform: inertia: physically impossible")
+    assert line.endswith("[platform-inertia]")
+
+
 def test_no_extra_is_needed(folder: Path) -> None:
     for command in (
         ["export", "hexapod.toml", "--format", "mjcf", "-o", "m.xml"],
