@@ -126,6 +126,7 @@ class Model:
 
     gravity: m/s^2, (3,), None where the file has none. notes: fields of a robot by name that the format
     has no place for, or that it gives less exactly. left_out: what of the file has no place in a model.
+    assumed: by the body's name, what is taken where the file states nothing.
     armatures: whether the format has a place for those of joints, so that none stated is none.
     """
 
@@ -135,6 +136,7 @@ class Model:
     joints: tuple[Joint, ...]
     notes: Mapping[str, Any] = field(default_factory=dict)
     left_out: tuple[str, ...] = ()
+    assumed: Mapping[str, str] = field(default_factory=dict)
     armatures: bool = False
 
     def body(self, name: str) -> Body:

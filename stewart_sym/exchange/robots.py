@@ -13,7 +13,7 @@ from ..robot.drive import Drive
 from ..robot.fields import DEFAULT_GRAVITY
 from ..robot.offsets import Offsets
 from ..robot.robot import Robot
-from .chain import Body, Joint, Model, same_frame
+from .chain import WORLD, Body, Joint, Model, same_frame
 from .machine import SLIDES
 from .notes import with_notes
 from .offset_legs import OffsetLines
@@ -77,6 +77,7 @@ def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
         said.append(f"armatures of the slides: rotors behind screws with a lead of {_LEAD:g} m")
     if robot.home is not None:
         lines.append("home: the pose in the file")
+    lines += [text for name, text in model.assumed.items() if machine.members[name] != WORLD]
     left_out = [f"left out: {text}" for text in model.left_out]
     return robot, tuple(lines + said + left_out + kept)
 

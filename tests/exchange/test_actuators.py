@@ -112,6 +112,12 @@ def test_the_smaller_limit_of_several_actuators_is_said_to_be_left_out(tmp_path:
     assert f"left out: {least}" in said
 
 
+def test_actuators_without_a_name_are_called_by_their_joints(tmp_path: Path) -> None:
+    said = imported(hexapod("", '<motor joint="#" ctrlrange="-9 8"/>'), tmp_path).assumptions
+    who = ", ".join(f"actuator of joint 'leg_{i}'" for i in range(1, 7))
+    assert f"left out: the limit of 8 N in one direction of {who}: 9 N, the other's, is force_limit" in said
+
+
 @pytest.mark.parametrize("attributes", ['biastype="affine"', 'gaintype="affine"', 'dyntype="integrator"'])
 def test_actuators_that_are_no_motors_are_limited_by_their_forces_alone(
     attributes: str, tmp_path: Path

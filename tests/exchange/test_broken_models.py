@@ -237,7 +237,11 @@ BROKEN: dict[str, tuple[str, Change, str]] = {
     "no ball": ("sdf", without('<joint name="tip_3"', "</joint>"), "joint 'base_3' to body 'upper_3', where"),
     "another's include": ("sdf", to('<link name="base">', INCLUDE), "include at line 10: expected a model"),
     "no name": ("sdf", to('<link name="lower_2">', "<link>"), "model: link at line"),
-    "no inertia": ("sdf", without("<inertial>", "</inertial>"), "leg 1: body 'lower_1': expected a mass > 0"),
+    "inertia not computed": (
+        "sdf",
+        both(to("<inertial>", '<inertial auto="true">'), without("<mass>", "</mass>")),
+        "link 'lower_1': inertial: expected mass and inertia, got auto, which is not computed",
+    ),
     "two slides of a leg": (
         "urdf",
         to(r'name="base_1_1" type="\w+"', 'name="base_1_1" type="prismatic"'),

@@ -44,6 +44,8 @@ _AS_GENERAL = {
     **dict.fromkeys(("position", "velocity", "intvelocity", "cylinder"), _SERVO),
 }
 """What the other elements set of a general actuator."""
+_TRANSMISSIONS = {"jointinparent": "joint", "cranksite": "site", "slidersite": "site"}
+"""Attributes that name what an actuator acts on; others are called as what they name."""
 _GAINS = {"position": "kp", "velocity": "kv", "intvelocity": "kp", "cylinder": "area", "adhesion": "gain"}
 
 Attributes = Mapping[str, str]
@@ -94,6 +96,7 @@ class _Reader:
         self.left_out = [f"{key} of the compiler" for key in masses if key in compiler]
         # Actuators by their limits in the two directions.
         self.uneven: dict[tuple[float, float], list[str]] = {}
+        self.servos: list[str] = []
 
     def model(self) -> Model:
         for world in self.root.findall("worldbody"):
@@ -118,6 +121,9 @@ class _Reader:
         for (least, most), where in self.uneven.items():
             actuators, other = ", ".join(where), f"{most:g} N, the other's, is force_limit"
             self.left_out.append(f"the limit of {least:g} N in one direction of {actuators}: {other}")
+        if self.servos:
+            limited = "force_limit is what limits their forces, not their controls"
+            self.left_out.append(f"gain, bias and dynamics of {', '.join(self.servos)}: {limited}")
         return Model(
             self.root.get("model", "MuJoCo Model"),
             gravity,
@@ -353,19 +359,23 @@ class _Reader:
             for each in section:
                 given = self._of(each, None)
                 joint = given.get("joint", given.get("jointinparent"))
-                if joint is not None:
-                    pushes.setdefault(joint, []).append(self._push(given))
+                where = _actuator(given)
+                if joint is None:
+                    self.left_out.append(f"{where}, which is no joint's")
+                else:
+                    pushes.setdefault(joint, []).append(self._push(given, where))
         return [
             joint if joint.cut else self._pushed(joint, pushes.get(joint.name, [])) for joint in self.joints
         ]
 
-    def _push(self, given: Attributes) -> _Push:
+    def _push(self, given: Attributes, where: str) -> _Push:
         """What an actuator does to its joint."""
-        where = f"actuator {given.get('name', '')!r}"
         forces = self._range(given, "forcerange", "forcelimited", where)
         if all(given.get(key, usual) == usual for key, usual in _MOTOR.items()):
             controls = self._range(given, "ctrlrange", "ctrllimited", where)
             forces = np.clip(_times(_first(given, "gainprm", where), controls), *forces)
+        else:
+            self.servos.append(where)
         gear = _first(given, "gear", where)
         damping, armature = (
             gear**2 * number(given.get(key), f"{where}: {key}", 0.0) for key in ("damping", "armature")
@@ -404,6 +414,16 @@ def _first(given: Attributes, key: str, where: str) -> float:
 def _times(factor: float, limits: Array) -> Array:
     """Limits from low to high, (2,), of what they limit times a factor."""
     return np.sort(factor * limits) if factor else np.zeros(2)
+
+
+def _actuator(given: Attributes) -> str:
+    """What messages call an actuator: by its name, or by what it acts on."""
+    if given.get("name"):
+        return f"actuator {given['name']!r}"
+    for key in ("joint", "tendon", "body", "site", *_TRANSMISSIONS):
+        if key in given:
+            return f"actuator of {_TRANSMISSIONS.get(key, key)} {given[key]!r}"
+    return "actuator without a name"
 
 
 def _over(usual: Attributes, given: Attributes) -> dict[str, str]:

@@ -48,6 +48,7 @@ def model(root: ET.Element, loops: str | None = None) -> Model:
         tuple(found.joints),
         json_table(_notes(root, models[0]), NOTES),
         tuple(found.left_out),
+        found.assumed,
     )
 
 
@@ -91,6 +92,7 @@ class _Reader:
             WORLD: _still(),
         }
         self.left_out: list[str] = []
+        self.assumed: dict[str, str] = {}
         self.bodies = [Body(WORLD), *(self._body(each) for each in element.findall("link"))]
         self.placed = {body.name: body for body in self.bodies}
         if _is_true(element.findtext("static")):
@@ -153,14 +155,31 @@ class _Reader:
             self.left_out.append(f"fluid_added_mass of {where}")
         given = link.find("inertial")
         if given is None:
-            return Body(name, R, t)
+            given = ET.Element("inertial")
         where = f"{where}: inertial"
         if self._frame(given, where):
             raise ValueError(f"{where}: pose: expected one in the frame of the link, got another frame")
+        self._assume(given, name, where)
         turn, center = self._own(given, where)
         mass = number(given.findtext("mass"), f"{where}: mass", 1.0)
         inertia = tensor(lambda key: given.findtext(f"inertia/{key}"), where, (1.0, 0.0))
         return Body(name, R, t, mass, center, turn @ inertia @ turn.T)
+
+    def _assume(self, given: ET.Element, name: str, where: str) -> None:
+        """Note what an inertial does not state."""
+        missing = {"mass": "1 kg"} if given.find("mass") is None else {}
+        missing |= {key: "1 kg m^2" for key in ("ixx", "iyy", "izz") if given.find(f"inertia/{key}") is None}
+        auto = _is_true(given.get("auto"))
+        if missing and auto:
+            raise ValueError(f"{where}: expected mass and inertia, got auto, which is not computed")
+        if missing:
+            taken = ", ".join(dict.fromkeys(missing.values()))
+            text = f"{', '.join(missing)}: not in the file, SDF's default is taken ({taken})"
+            self.assumed[name] = f"{where}: {text}"
+        if auto:
+            self.left_out.append(
+                f"auto of link {name!r}: the mass and inertia that its inertial states are taken"
+            )
 
     def _joint(self, element: ET.Element) -> Joint:
         name, kind, where = joint_of(element, _KINDS)
