@@ -86,7 +86,7 @@ class LegReactions:
     def __init__(self) -> None:
         self.F_s: Any = [0.0] * 3  # N: force on the leg at the spherical joint, base frame
         self.F_u: Any = [0.0] * 3  # N: force on the leg at the universal joint, base frame
-        # N: force of the lower part on the upper at the prismatic joint, base frame
+        # N: force of the lower part on the upper at the prismatic joint, without the viscous friction -C_p L_dot s, base frame
         self.F_p: Any = [0.0] * 3
         self.F_c: Any = [0.0] * 3  # N: constraint part of F_p, base frame
         # N m: moment of the lower part on the upper at the prismatic joint, base frame

@@ -75,7 +75,13 @@ c_moment = Quantity("c_moment", (3,), "N m", "part of c, moment rows, base frame
 bearing = Quantity("bearing", (), "m", "distance along the leg from the base point to where M_p is taken")
 F_s = Quantity("F_s", (3,), "N", "force on the leg at the spherical joint, base frame")
 F_u = Quantity("F_u", (3,), "N", "force on the leg at the universal joint, base frame")
-F_p = Quantity("F_p", (3,), "N", "force of the lower part on the upper at the prismatic joint, base frame")
+F_p = Quantity(
+    "F_p",
+    (3,),
+    "N",
+    "force of the lower part on the upper at the prismatic joint, without the viscous friction -C_p L_dot s, "
+    "base frame",
+)
 F_c = Quantity("F_c", (3,), "N", "constraint part of F_p, base frame")
 M_p = Quantity("M_p", (3,), "N m", "moment of the lower part on the upper at the prismatic joint, base frame")
 M_u = Quantity("M_u", (), "N m", "constraint moment on the leg at the universal joint")

@@ -22,7 +22,7 @@ typedef struct {
 typedef struct {
     stewart_real F_s[3]; /* N: force on the leg at the spherical joint, base frame */
     stewart_real F_u[3]; /* N: force on the leg at the universal joint, base frame */
-    stewart_real F_p[3]; /* N: force of the lower part on the upper at the prismatic joint, base frame */
+    stewart_real F_p[3]; /* N: force of the lower part on the upper at the prismatic joint, without the viscous friction -C_p L_dot s, base frame */
     stewart_real F_c[3]; /* N: constraint part of F_p, base frame */
     stewart_real M_p[3]; /* N m: moment of the lower part on the upper at the prismatic joint, base frame */
     stewart_real M_u; /* N m: constraint moment on the leg at the universal joint */

@@ -13,9 +13,9 @@ extern "C" {
 #endif
 
 /* R = Rz(theta_z) Ry(theta_y) Rx(theta_x), (38), omega and alpha from sines and cosines of theta_x, theta_y
- * and theta_z, rates, rad/s, and second rates, rad/s^2. The rates of the angles are not omega. Returns a
- * status: STEWART_NOT_FINITE if a number or result is not finite; other members of the motion stay as they
- * are. */
+ * and theta_z, rates, rad/s, and second rates, rad/s^2. The rates of the angles are not omega. That sine and
+ * cosine belong to one angle is not checked. Returns a status: STEWART_NOT_FINITE if a number or result is
+ * not finite; other members of the motion stay as they are. */
 STEWART_NODISCARD int stewart_motion_from_rpy(
     const stewart_real sine[3], const stewart_real cosine[3], const stewart_real theta_dot[3],
     const stewart_real theta_ddot[3], stewart_motion *motion);
