@@ -8,7 +8,9 @@ spline.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -243,3 +245,82 @@ def dense(cell: NDArray[np.int64], N: Array, width: int) -> Array:
     B = np.zeros((len(cell), width + DEGREE))
     B[np.arange(len(cell))[:, None], cell[:, None] + np.arange(DEGREE + 1)] = N
     return B
+
+
+# Even knots of splines, and the windows in which these are fitted
+
+WINDOW = 96
+"""Knot intervals of a window."""
+# Times are even if they are off multiples of the mean interval by less than this share of it.
+_UNEVEN = 1e-6
+
+
+class Clock(NamedTuple):
+    """Times of samples since the first, in units, s; of even samples whole numbers of their interval."""
+
+    start: float
+    unit: float
+    since: Array
+    even: bool
+
+    @classmethod
+    def of(cls, time: Array) -> Clock:
+        """The clock of increasing times."""
+        since = elapsed(time)
+        unit = float(since[-1]) / (len(time) - 1)
+        count = np.rint(since / unit)
+        even = bool(np.abs(since / unit - count).max() < _UNEVEN)
+        return cls(float(time[0]), unit, count, True) if even else cls(float(time[0]), 1.0, since, False)
+
+
+class Knots(NamedTuple):
+    """Even knots: their distance, the number of intervals between them, and samples in each on average.
+
+    whole: half a window holds a whole number of samples, so that windows see the same pattern of them.
+    """
+
+    step: float
+    cells: int
+    density: float
+    whole: bool
+
+    @classmethod
+    def of(cls, clock: Clock, cells: float) -> Knots:
+        """About so many intervals over the times: a few more where windows need them."""
+        span, half = float(clock.since[-1]), WINDOW // 2
+        step = span / cells
+        whole = clock.even and cells > WINDOW
+        if whole:
+            step = math.ceil(half * step) / half
+        needed = math.ceil(span / step * (1.0 - 1e-12))
+        return cls(step, needed if whole else whole_windows(needed), len(clock.since) * step / span, whole)
+
+    def place(self, cell: int) -> float:
+        """Time at which a cell begins."""
+        return float(round(cell * self.step)) if self.whole else cell * self.step
+
+    def windows(self) -> list[int]:
+        """First cell of every window; a single one takes all."""
+        return list(range(0, max(0, self.cells - WINDOW) + 1, WINDOW // 2))
+
+    def width(self, start: int) -> int:
+        """Cells of the window from cell ``start``; the last takes all that are left."""
+        left = self.cells - start
+        return left if left < 3 * WINDOW // 2 else WINDOW
+
+    def share(self, start: int, places: Array) -> Array:
+        """Weight of the window from cell ``start`` at places in cells: those of all windows add up to 1.
+
+        It is 0 next to an end that another window overlaps, where the one has fewer samples than the other.
+        """
+        margin = WINDOW / 6.0
+        last = start + self.width(start) >= self.cells
+        rise = np.ones_like(places) if start == 0 else (places - start) / margin - 1.0
+        fall = np.ones_like(places) if last else (start + WINDOW - places) / margin - 1.0
+        return np.clip(np.minimum(rise, fall), 0.0, 1.0)
+
+
+def whole_windows(cells: int) -> int:
+    """At least as many cells, such that windows fill them."""
+    half = WINDOW // 2
+    return cells if cells <= WINDOW else -(-cells // half) * half

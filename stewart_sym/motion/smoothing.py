@@ -25,15 +25,13 @@ from ..io.arguments import real_array, shown
 from ..io.array_types import Array
 from ..io.instants import elapsed
 from ..io.tables import positive
-from .interpolation import DEGREE, along, b_splines, dense, places
+from .interpolation import DEGREE, Clock, Knots, along, b_splines, dense, places, whole_windows
 from .noise_level import SEEN, Level, noise_level
 
 ORDERS = (3, 4, 6, 8)
 """Orders of differences in the penalty: the lowest suits accelerations that jump, high ones smooth motion."""
 CUTOFF_ORDER = 6
 """Order for a given cut-off: lower ones distort both ends of a motion by more than the stated deviations."""
-WINDOW = 96
-"""Knot intervals of a window."""
 _FEWEST_CELLS = 24
 # Samples of a chosen few windows settle knots and order for all of them.
 _TRIAL_WINDOWS = 8
@@ -51,8 +49,6 @@ _GAP, _FEWEST_SAMPLES = 8.0, 6
 _CLEARLY = 10.0
 # Least penalty of weight 1 of a curve that bends once in the longest step: with less, rounding bends it.
 _LEAST_BENT = 1e-6
-# Times are even if they are off multiples of the mean interval by less than this share of it.
-_UNEVEN = 1e-6
 
 
 class Smooth(NamedTuple):
@@ -153,11 +149,11 @@ def _breaks(time: Array) -> list[int]:
 
 def _part(time: Array, columns: Array, level: Level | None, cutoff: float | None) -> Smooth:
     """``smoothed`` of samples without a long gap."""
-    clock = _Clock.of(time)
+    clock = Clock.of(time)
     ones = np.ones(columns.shape[1])
     if cutoff is not None:
         check_cutoff(time, cutoff)
-        knots = _Knots.of(clock, 8.0 * cutoff * clock.unit * float(clock.since[-1]))
+        knots = Knots.of(clock, 8.0 * cutoff * clock.unit * float(clock.since[-1]))
         orders = np.full(len(ones), CUTOFF_ORDER)
         turns = cutoff * clock.unit * knots.step
         weight = float(np.sinc(turns) ** (2 * DEGREE + 2))
@@ -187,77 +183,6 @@ def _scaled(unit: Smooth, columns: Array) -> Smooth:
 # Knots
 
 
-class _Clock(NamedTuple):
-    """Times of samples since the first, in units, s; of even samples whole numbers of their interval."""
-
-    start: float
-    unit: float
-    since: Array
-    even: bool
-
-    @classmethod
-    def of(cls, time: Array) -> _Clock:
-        """The clock of increasing times."""
-        since = elapsed(time)
-        unit = float(since[-1]) / (len(time) - 1)
-        count = np.rint(since / unit)
-        even = bool(np.abs(since / unit - count).max() < _UNEVEN)
-        return cls(float(time[0]), unit, count, True) if even else cls(float(time[0]), 1.0, since, False)
-
-
-class _Knots(NamedTuple):
-    """Even knots: their distance, the number of intervals between them, and samples in each on average.
-
-    whole: half a window holds a whole number of samples, so that windows see the same pattern of them.
-    """
-
-    step: float
-    cells: int
-    density: float
-    whole: bool
-
-    @classmethod
-    def of(cls, clock: _Clock, cells: float) -> _Knots:
-        """About so many intervals over the times: a few more where windows need them."""
-        span, half = float(clock.since[-1]), WINDOW // 2
-        step = span / cells
-        whole = clock.even and cells > WINDOW
-        if whole:
-            step = math.ceil(half * step) / half
-        needed = math.ceil(span / step * (1.0 - 1e-12))
-        return cls(step, needed if whole else _whole(needed), len(clock.since) * step / span, whole)
-
-    def place(self, cell: int) -> float:
-        """Time at which a cell begins."""
-        return float(round(cell * self.step)) if self.whole else cell * self.step
-
-    def windows(self) -> list[int]:
-        """First cell of every window; a single one takes all."""
-        return list(range(0, max(0, self.cells - WINDOW) + 1, WINDOW // 2))
-
-    def width(self, start: int) -> int:
-        """Cells of the window from cell ``start``; the last takes all that are left."""
-        left = self.cells - start
-        return left if left < 3 * WINDOW // 2 else WINDOW
-
-    def share(self, start: int, places: Array) -> Array:
-        """Weight of the window from cell ``start`` at places in cells: those of all windows add up to 1.
-
-        It is 0 next to an end that another window overlaps, where the one has fewer samples than the other.
-        """
-        margin = WINDOW / 6.0
-        last = start + self.width(start) >= self.cells
-        rise = np.ones_like(places) if start == 0 else (places - start) / margin - 1.0
-        fall = np.ones_like(places) if last else (start + WINDOW - places) / margin - 1.0
-        return np.clip(np.minimum(rise, fall), 0.0, 1.0)
-
-
-def _whole(cells: int) -> int:
-    """At least as many cells, such that windows fill them."""
-    half = WINDOW // 2
-    return cells if cells <= WINDOW else -(-cells // half) * half
-
-
 def check_cutoff(time: Array, cutoff: float) -> None:
     """Raise ValueError unless samples at these times show a cut-off frequency, Hz."""
     nyquist = 0.5 / float(np.median(np.diff(elapsed(time))))
@@ -277,12 +202,12 @@ def _orders(since: Array, step: float) -> list[int]:
     ]
 
 
-def _resolve(clock: _Clock, values: Array, sigma: Array) -> tuple[_Knots, NDArray[np.int64], Array]:
+def _resolve(clock: Clock, values: Array, sigma: Array) -> tuple[Knots, NDArray[np.int64], Array]:
     """Knots so fine that the penalty limits the resolution, and the likeliest order and noise, (c,)."""
     since = clock.since
     cells = min(_FEWEST_CELLS, len(since))
     while True:
-        knots = _Knots.of(clock, cells)
+        knots = Knots.of(clock, cells)
         orders = _orders(since, knots.step)
         starts = knots.windows()
         trial = {starts[int(i)] for i in np.linspace(0, len(starts) - 1, min(len(starts), _TRIAL_WINDOWS))}
@@ -297,7 +222,7 @@ def _resolve(clock: _Clock, values: Array, sigma: Array) -> tuple[_Knots, NDArra
                 count[i] += found.noise[1]
         best = np.argmin(cost, axis=0)
         pick = (best, np.arange(len(best)))
-        finer = _whole(2 * cells)
+        finer = whole_windows(2 * cells)
         if free[pick].max() <= _FREE or finer > len(since):
             seen = np.sqrt(squares[pick] / np.maximum(count[pick], 1.0))
             return knots, np.array(orders)[best], np.where(count[pick] > 0.0, seen, sigma)
@@ -380,7 +305,7 @@ class _Window(NamedTuple):
         return len(self.G)
 
     @classmethod
-    def of(cls, since: Array, values: Array, knots: _Knots, start: int) -> _Window:
+    def of(cls, since: Array, values: Array, knots: Knots, start: int) -> _Window:
         """The window that begins with a cell."""
         begin, width = knots.place(start), knots.width(start)
         first, last = np.searchsorted(since, [begin, knots.place(start + width)])
@@ -446,7 +371,7 @@ class _Window(NamedTuple):
 
 
 def _smoothed(
-    clock: _Clock, values: Array, sigma: Array, knots: _Knots, orders: NDArray[np.int64], weight: float | None
+    clock: Clock, values: Array, sigma: Array, knots: Knots, orders: NDArray[np.int64], weight: float | None
 ) -> Smooth:
     count, step = values.shape[1], clock.unit * knots.step
     jumping = ORDERS[0] if weight is None else CUTOFF_ORDER

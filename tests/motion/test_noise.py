@@ -12,7 +12,7 @@ from noisy_logs import Array, Case, case, from_poses, logged, motion
 from sweeps import share
 
 import stewart_sym as ss
-from stewart_sym.motion import smoothing
+from stewart_sym.motion import interpolation, smoothing
 from stewart_sym.motion.log_reader import read_csv, read_log
 from stewart_sym.motion.noise_level import grid_steps, rounding_step, white_noise
 from stewart_sym.motion.rotation import rpy_from_rotation
@@ -179,9 +179,9 @@ def test_one_window_and_many_agree() -> None:
     cutoff = 60.0 / float(np.ptp(one.time))
     both = [ss.smooth(one.time, values, cutoff=cutoff)]
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(smoothing, "WINDOW", 4 * smoothing.WINDOW)
+        patch.setattr(interpolation, "WINDOW", 4 * interpolation.WINDOW)
         both.append(ss.smooth(one.time, values, cutoff=cutoff))
-    assert len(both[0].grid) > 2 * smoothing.WINDOW
+    assert len(both[0].grid) > 2 * interpolation.WINDOW
     sd = np.sqrt([np.interp(one.time, found.grid, found.covariance[:, 0, 5]) for found in both])
     np.testing.assert_allclose(sd[0][2:-2], sd[1][2:-2], rtol=0.02)
     np.testing.assert_allclose(sd[0], sd[1], rtol=0.05)  # the last knots are not the same
@@ -202,7 +202,7 @@ def test_windows_of_an_even_log_share_their_matrices(
     shared = len(calls)
     calls.clear()
     uneven = smoothing.smooth(time + 2e-5 * 0.01 * np.sin(time), values)
-    windows = (len(even.grid) // 2) / (smoothing.WINDOW // 2) - 1
+    windows = (len(even.grid) // 2) / (interpolation.WINDOW // 2) - 1
     assert windows > 10
     assert len(calls) - shared > windows - 4
     for rate, (one, other) in enumerate(zip(even[:3], uneven[:3], strict=True)):
