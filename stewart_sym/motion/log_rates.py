@@ -26,8 +26,8 @@ from .log_faults import (
     tell_plateaus,
     unseen,
 )
-from .noise_level import LEAST_SAMPLES, Level, decided_noise, noise_level
-from .smoothing import PAIRS, check_cutoff, smoothed
+from .noise_level import FEWEST_SAMPLES, LEAST_SAMPLES, Level, decided_noise, noise_level
+from .smoothing import PAIRS, check_cutoff, shown_noise, smoothed
 from .trajectory import Log, Replaced, Uncertainty
 
 _MIN_SPLINE_POINTS = 4
@@ -152,8 +152,9 @@ def _lost_steps(log: Log, values: Array) -> Array | float:
 def _replaced(log: Log, values: Array, steps: Array) -> tuple[Array, Uncertainty | None]:
     """``rates_of`` of rows that were measured."""
     _warn_of_stated(log, values, steps)
+    _warn_of_few(log, values)
     tell_plateaus(log, values, steps)
-    shown = noise_level(log.time, values, steps)
+    shown = shown_noise(log.time, values, steps)
     level = _level(log, shown)
     # Neither a cut-off nor a statement makes rows wrong that are within the scatter of all.
     bad = [] if "L" in log.written else faults(log.time, values, np.maximum(level.sigma, shown.sigma))
@@ -163,7 +164,7 @@ def _replaced(log: Log, values: Array, steps: Array) -> tuple[Array, Uncertainty
         return _derivatives(log, values, level)
     good = values - offsets(bad, values.shape)
     tell_no_repair(log, good, bad)
-    found, noise = _derivatives(log, good, _level(log, noise_level(log.time, good, steps)))
+    found, noise = _derivatives(log, good, _level(log, shown_noise(log.time, good, steps)))
     changed = found - _derivatives(log, values, level, tell=False)[0]
     size = np.abs(changed[2])
     near = np.asarray((size > _CHANGED * size.max(axis=0)).any(axis=1))
@@ -339,6 +340,18 @@ def _warn_of_stated(log: Log, values: Array, steps: Array) -> None:
         doubt = _doubt_of_noise(known, log.time, values[:, part], steps[part], text)
         if doubt is not None:
             log.warn(f"{statement}, but they {doubt}", 7)
+
+
+def _warn_of_few(log: Log, values: Array) -> None:
+    """Warn of rows that are too few to look for their noise."""
+    few = _MIN_SPLINE_POINTS <= len(log.time) < FEWEST_SAMPLES and np.ptp(values, axis=0).any()
+    if few and log.smoothing.on and log.smoothing.cutoff is None and not _stated(log).all():
+        text = (
+            f"{len(log.time)} rows are too few to distinguish noise from motion: forces and deviations are "
+            "those without noise beyond rounding; where there is more, state it "
+            "(--noise-position, --noise-angle; in Python Smoothing)"
+        )
+        log.warn(text, 7)
 
 
 def _doubt_of_noise(

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..io.array_types import Array
 from ..io.instants import elapsed
@@ -17,7 +18,9 @@ class LogWarning(UserWarning):
 
 
 LEAST_SAMPLES = 40
-"""Below which noise is not estimated from the samples themselves."""
+"""Below which differences of samples are too few to estimate noise."""
+FEWEST_SAMPLES = 12
+"""Below which noise is not distinguished from motion."""
 # Digits of a number that is taken for exact, and noise below that share of the largest value for none.
 _EXACT_DIGITS = 12
 # Least part that the samples have in a mode whose noise is counted.
@@ -29,6 +32,8 @@ _MEANS, _LEAST_MEANS = (2, 3, 4, 6, 8, 12, 16, 24, 32), 60
 # Share of what differences of order 5 show that those of order 8 show of noise, and growths that white
 # noise does not have: over all, and from single samples to means of two.
 _NOISE_LIKE, _CORRELATED, _AT_ONCE = 0.75, 1.6, 1.1
+# Least of these shares, and least share that small differences of order 3 are of the noise, if few tell.
+_LEAST_LIKE, _NOT_ABSENT = 0.2, 0.15
 # Growth, for each sample of the means, that noise has at most; share of the numbers that are to change;
 # columns that tell; noise beyond that of rounding.
 _STEEPEST, _CHANGING, _FEWEST_COLUMNS, _BEYOND = 1.3, 0.7, 3, 1.5
@@ -226,6 +231,17 @@ def white_noise(time: Array, values: Array) -> Array:
         usual = float(np.median(high[noisy]))
         noisy |= counts & (high > usual / _ALIKE) & (low < usual * _ALIKE)
     return np.where(noisy, high, 0.0)
+
+
+def like_noise(time: Array, values: Array, sigma: Array) -> NDArray[np.bool_]:
+    """Whether differences of columns, (n, c), n > 8, allow noise sigma, (c,): in none of them it is absent.
+
+    Those of order 8 of a smooth motion are much less than those of order 5, and those of order 3 vanish
+    between jumps of an acceleration.
+    """
+    low, high = (np.sqrt(np.mean(_differences(time, values, order) ** 2, axis=0)) for order in (5, 8))
+    small = _size_quantiles(_differences(time, values, 3))[0]
+    return (high > _LEAST_LIKE * low) & (small > _NOT_ABSENT * sigma)
 
 
 def _levels(time: Array, values: Array) -> tuple[Array, Array]:

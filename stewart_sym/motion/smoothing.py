@@ -26,7 +26,7 @@ from ..io.array_types import Array
 from ..io.instants import elapsed
 from ..io.tables import positive
 from .interpolation import DEGREE, Clock, Knots, along, b_splines, dense, places, whole_windows
-from .noise_level import SEEN, Level, noise_level
+from .noise_level import FEWEST_SAMPLES, LEAST_SAMPLES, SEEN, Level, like_noise, noise_level
 
 ORDERS = (3, 4, 6, 8)
 """Orders of differences in the penalty: the lowest suits accelerations that jump, high ones smooth motion."""
@@ -45,6 +45,10 @@ PAIRS = ((0, 0), (1, 0), (1, 1), (2, 0), (2, 1), (2, 2))
 _CHUNK = 1 << 16
 # A step this many times as long as nine of ten splits a series, if both parts keep this many samples.
 _GAP, _FEWEST_SAMPLES = 8.0, 6
+# By how much -2 log likelihood of all columns falls with noise in few samples where there is any.
+_DECIDED = 10.0
+# Samples beyond the order of a curve that show noise.
+_FEWEST_LEFT = 4
 # In a window accelerations that jump are likelier than the series' own order by so much in -2 log likelihood.
 _CLEARLY = 10.0
 # Least penalty of weight 1 of a curve that bends once in the longest step: with less, rounding bends it.
@@ -109,7 +113,7 @@ def smooth(
     if columns.ndim != 2 or len(columns) != len(when) or not columns.size or not np.isfinite(columns).all():
         raise ValueError(f"values: expected finite columns ({len(when)}, c), got shape {columns.shape}")
     cutoff = None if cutoff is None else positive(cutoff, "cutoff")
-    level = noise_level(when, columns)
+    level = shown_noise(when, columns)
     if sigma is not None:
         given = real_array(sigma, "sigma")
         if given.shape not in ((), columns.shape[1:]):
@@ -135,6 +139,23 @@ def smoothed(time: Array, columns: Array, level: Level | None, cutoff: float | N
     shares = np.diff(ends)[:, None] / len(time)
     sigma = np.sqrt(np.sum(shares * np.square([part.sigma for part in parts]), axis=0))
     return Smooth(*(np.concatenate(each) for each in zip(*parts, strict=True)))._replace(sigma=sigma)
+
+
+def shown_noise(time: Array, values: Array, step: Array | None = None) -> Level:
+    """``noise_level``, and of few samples, whose differences are too few, what is likeliest.
+
+    Of noise about a curve of any order and smoothness, each as likely as it makes the samples, the mean.
+    """
+    level = noise_level(time, values, step)
+    if not FEWEST_SAMPLES <= len(time) < LEAST_SAMPLES:
+        return level
+    clock = Clock.of(time)
+    knots = Knots.of(clock, _fewest_cells(len(time)))
+    window = _Window.of(clock.since, values, knots, 0)
+    sigma, gain = window.noise(_orders(clock.since, knots.step), level.least)
+    noisy = like_noise(time, values, sigma)
+    noisy &= np.sum(gain[noisy]) > _DECIDED
+    return Level(*(np.where(noisy, sigma, each) for each in level[:2]))
 
 
 def _breaks(time: Array) -> list[int]:
@@ -202,10 +223,15 @@ def _orders(since: Array, step: float) -> list[int]:
     ]
 
 
+def _fewest_cells(count: int) -> int:
+    """Knot intervals to begin with; of few samples so many that these alone limit a curve."""
+    return _FEWEST_CELLS if count >= LEAST_SAMPLES else LEAST_SAMPLES
+
+
 def _resolve(clock: Clock, values: Array, sigma: Array) -> tuple[Knots, NDArray[np.int64], Array]:
     """Knots so fine that the penalty limits the resolution, and the likeliest order and noise, (c,)."""
     since = clock.since
-    cells = min(_FEWEST_CELLS, len(since))
+    cells = _fewest_cells(len(since))
     while True:
         knots = Knots.of(clock, cells)
         orders = _orders(since, knots.step)
@@ -289,7 +315,7 @@ class _Window(NamedTuple):
 
     G = B^T B, (p, p). pilot: coefficients of a fit, (p, c); what differs from it is as small as the noise, so
     nothing cancels. rest: B^T times its residuals, (p, c). residual, spread: sums of squares, (c,), of the
-    residuals and about the mean. density: as of the knots.
+    residuals and about the mean. density: as of the knots. count: of samples.
     """
 
     G: Array
@@ -298,6 +324,7 @@ class _Window(NamedTuple):
     residual: Array
     spread: Array
     density: float
+    count: int
 
     @property
     def size(self) -> int:
@@ -336,18 +363,48 @@ class _Window(NamedTuple):
             pilot = pilot + inverse.T @ (inverse @ project(rest))
             rest = y - along(N, cell, pilot)
         spread = np.sum((y - y.sum(axis=0) / max(1, len(y))) ** 2, axis=0)
-        return cls(G, pilot, project(rest), np.sum(rest**2, axis=0), spread, knots.density)
+        return cls(G, pilot, project(rest), np.sum(rest**2, axis=0), spread, knots.density, len(y))
+
+    def _explained(self, order: int, weights: Array) -> tuple[_Modes, Array, Array, Array, Array, Array]:
+        """Modes, products of samples and pilot with these, (p, c), and for weights, (w,), what they leave.
+
+        Pull of the penalty and its sum with that of the samples, (w, p, 1), and sums of squares, (w, c).
+        """
+        modes = _modes(self.G.tobytes(), self.size, order, self.density)
+        z, bent = modes.X.T @ self.rest, modes.X.T @ (modes.M @ self.pilot)
+        pull = weights[:, None, None] * modes.rho
+        A = 1.0 - modes.rho + pull
+        squares = self.residual + np.sum(pull * bent**2 - (z - pull * bent) ** 2 / A, axis=1)
+        return modes, z, bent, pull, A, squares
+
+    def noise(self, orders: list[int], least: Array) -> tuple[Array, Array]:
+        """Noise, (c,), at least as large as given, and by how much likelier it is than the least alone, (c,).
+
+        The latter in -2 log likelihood.
+        """
+        floor = np.maximum(least, np.sqrt(np.finfo(float).tiny)) ** 2
+        costs, alone, variances = [], [], []
+        for order in (each for each in orders if self.count - each >= _FEWEST_LEFT):
+            modes, _, _, pull, _, squares = self._explained(order, _WEIGHTS)
+
+            for found, variance in (
+                (costs, np.maximum(squares / (self.count - order), floor)),
+                (alone, np.broadcast_to(floor, squares.shape)),
+            ):
+                loose = variance / np.maximum(self.spread, variance)
+                free = np.sum(np.log1p((1.0 - modes.rho) / (pull + loose[:, None])), axis=1)
+                found.append(free + self.count * np.log(variance) + squares / variance)
+            variances.append(np.maximum(squares / (self.count - order - 2), floor))
+        cost, variance = np.concatenate(costs), np.concatenate(variances)
+        likely = np.exp(0.5 * (cost.min(axis=0) - cost))
+        sigma = np.sqrt(np.sum(likely * variance, axis=0) / likely.sum(axis=0))
+        return sigma, np.concatenate(alone).min(axis=0) - cost.min(axis=0)
 
     def likeliest(self, order: int, sigma: Array, weight: float | None = None) -> _Fit:
         """Posterior of the coefficients under noise sigma, (c,), with the likeliest weight or a given one."""
-        modes = _modes(self.G.tobytes(), self.size, order, self.density)
-        rho = modes.rho
-        gamma, X = 1.0 - rho, modes.X
-        z, bent = X.T @ self.rest, X.T @ (modes.M @ self.pilot)
         weights = _WEIGHTS if weight is None else np.array([weight])
-        pull = weights[:, None, None] * rho
-        A = gamma + pull
-        squares = self.residual + np.sum(pull * bent**2 - (z - pull * bent) ** 2 / A, axis=1)
+        modes, z, bent, pull, A, squares = self._explained(order, weights)
+        rho, gamma = modes.rho, 1.0 - modes.rho
         loose = sigma**2 / np.maximum(self.spread, sigma**2)
         cost = np.sum(np.log1p(gamma / (pull + loose)), axis=1) + squares / sigma**2
         best = np.argmin(cost, axis=0)

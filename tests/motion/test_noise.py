@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from log_files import LENGTHS, NAMES, RATES, write
-from noisy_logs import Array, Case, case, from_poses, logged, motion
+from noisy_logs import WHITE, Array, Case, case, from_poses, logged, motion
 from sweeps import share
 
 import stewart_sym as ss
@@ -16,6 +16,7 @@ from stewart_sym.motion import interpolation, smoothing
 from stewart_sym.motion.log_reader import read_csv, read_log
 from stewart_sym.motion.noise_level import grid_steps, rounding_step, white_noise
 from stewart_sym.motion.rotation import rpy_from_rotation
+from stewart_sym.motion.smoothing import shown_noise
 from stewart_sym.motion.trajectory import JointTrajectory, Trajectory, Uncertainty
 from stewart_sym.singularities.joint_space import on_platform
 from stewart_sym.studies.reports.track import EXCEEDED, NOISE_SHARE, NOT_DECIDED, force_verdicts, peak_noise
@@ -158,6 +159,51 @@ def test_white_noise_is_measured() -> None:
     values = np.sin(time)[:, None] + 1e-3 * np.random.default_rng(1).normal(size=(900, 6))
     np.testing.assert_allclose(white_noise(time, values), 1e-3, rtol=0.3)
     np.testing.assert_allclose(ss.smooth(time, values).sigma, 1e-3, rtol=0.2)
+
+
+def first_rows(seed: int, count: int) -> Case:
+    one = case(seed)
+    return Case(one.robot, one.time[:count], one.true[:, :count], one.F[:count])
+
+
+@pytest.mark.parametrize("count", [12, 20, 30, 39])
+def test_noise_of_few_rows_is_found_and_its_deviations_cover_the_errors(count: int) -> None:
+    runs, found = [], []
+    for seed in range(10):
+        one = first_rows(seed, count)
+        trajectory = smoothed(one.time, np.round(logged(one, "white", seed), 7))
+        F = ss.inverse_dynamics(one.robot, trajectory.motion).F
+        runs.append((one, F, ss.force_deviations(one.robot, trajectory)))
+        assert trajectory.noise is not None
+        found.append(trajectory.noise.sigma)
+    assert np.median(found) == pytest.approx(WHITE, rel=0.3)
+    assert np.mean(np.array(found) > 0.2 * WHITE) > 0.95
+    assert coverage(runs, 1.96) > 0.9
+    assert coverage(runs, 5.0) > 0.985
+
+
+@pytest.mark.parametrize("count", [20, 39])
+@pytest.mark.parametrize("digits", [7, 15])
+def test_few_rows_without_noise_have_none(count: int, digits: int) -> None:
+    """Of smooth motions and of a move whose acceleration jumps."""
+    time = np.linspace(0.0, 1.0, count)
+    ramps = np.maximum(time[:, None] - [0.12, 0.37, 0.61, 0.88], 0.0)
+    moves = 0.5 * ramps**2 @ np.array([1.0, -1.0, -1.0, 1.0])
+    rounding = 1.01 * 10.0**-digits
+    for seed in range(10):
+        one = first_rows(seed, count)
+        assert (shown_noise(one.time, np.round(one.true[0], digits)).sigma < rounding).all()
+    assert shown_noise(time, np.round(moves[:, None], digits)).sigma < rounding
+
+
+@pytest.mark.parametrize(("count", "known"), [(8, None), (8, 1e-4), (12, None)])
+def test_too_few_rows_to_look_for_noise_are_named(count: int, known: float | None) -> None:
+    one = first_rows(0, count)
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        from_poses(one.time, *np.hsplit(logged(one, "white", 0), 2), ss.Smoothing(known, known))
+    named = [each for each in caught if "8 rows are too few to distinguish noise" in str(each.message)]
+    assert len(named) == (count == 8 and known is None)
 
 
 @pytest.mark.parametrize("even", [True, False])
