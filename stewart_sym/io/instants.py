@@ -19,16 +19,30 @@ _PART = 1 << 10
 # Rows that show an even clock; its step in units of what times are rounded to: the least, below which rows
 # may be missing instead, and the most, beyond which rounding tells in no rate.
 _CLOCK_ROWS, _CLOCK_LEAST, _CLOCK_MOST = 20, 2.0, 1e4
+# Steps of two units among those of one that show a clock of less than two, and how unlikely it must be that
+# rows missing at random lie as evenly.
+_LONG_STEPS, _UNLIKELY = 3, 1e-6
 # How far times are off it, in these units: half of one and jitter below that; how near to it the last is it.
 _OFF_CLOCK, _LAST = 0.75, 0.1
+# How far apart these are of a clock that is rounded without jitter.
+_EXACT = 1.1
 
 
 class Clock(NamedTuple):
-    """An even clock: times, s, (n,), from the first as written, its step and what they were rounded to, s."""
+    """An even clock: times, s, (n,), from the first as written, its step and what they were rounded to, s.
+
+    chance: of rows of a clock of whole units that are missing at random to have such times; 0: of none.
+    """
 
     times: Array
     step: float
     rounded: float
+    chance: float = 0.0
+
+    @property
+    def sure(self) -> bool:
+        """Whether the times alone leave no doubt of it."""
+        return self.chance < _UNLIKELY
 
 
 def even_clock(times: Array) -> Clock | None:
@@ -43,19 +57,39 @@ def even_clock(times: Array) -> Clock | None:
     count -= count[0]
     gaps = np.diff(count)
     usual = np.median(gaps)
-    if not np.any(gaps % gaps.min()) or not _CLOCK_LEAST <= usual <= _CLOCK_MOST:
+    # Steps of one and of two units are those of a clock between, or of one of one unit with rows missing.
+    short = gaps.min() == 1.0 and usual <= _CLOCK_LEAST
+    if not short and (not np.any(gaps % gaps.min()) or not _CLOCK_LEAST <= usual <= _CLOCK_MOST):
         return None
     # A step is rounded up or down.
-    step = gaps[np.abs(gaps - usual) <= 1.0].mean()
-    ticks = np.concatenate([[0.0], np.cumsum(np.maximum(np.rint(gaps / step), 1.0))])
+    step = gaps[gaps <= _CLOCK_LEAST if short else np.abs(gaps - usual) <= 1.0].mean()
+    steps = (
+        np.ones(len(gaps)) if short and gaps.max() <= _CLOCK_LEAST else np.maximum(np.rint(gaps / step), 1.0)
+    )
+    ticks = np.concatenate([[0.0], np.cumsum(steps)])
     since = ticks - ticks.mean()
     step = float(since @ (count - count.mean()) / (since @ since))
     off = count - step * ticks
-    if np.ptp(off) > 2.0 * _OFF_CLOCK:
+    if np.ptp(off) > (_EXACT if short else 2.0 * _OFF_CLOCK):
+        return None
+    chance = _chance(gaps[steps == 1.0]) if short else 0.0
+    if chance is None:
         return None
     if abs(off[-1]) < _LAST:
         step = float(count[-1] / ticks[-1])
-    return Clock(times[0] + step * ticks / per_second, step / per_second, 1.0 / per_second)
+    return Clock(times[0] + step * ticks / per_second, step / per_second, 1.0 / per_second, chance)
+
+
+def _chance(gaps: Array) -> float | None:
+    """Chance that steps of one and of two units, (n,), in any order are as even as those of a clock.
+
+    Of the orders of so many long ones about n are. None: too few of either.
+    """
+    count, long = len(gaps), int(np.count_nonzero(gaps > 1.0))
+    if not _LONG_STEPS <= long <= count - _LONG_STEPS:
+        return None
+    orders = math.lgamma(count + 1) - math.lgamma(long + 1) - math.lgamma(count - long + 1)
+    return math.exp(min(0.0, math.log(count) - orders))
 
 
 def elapsed(times: Array) -> Array:

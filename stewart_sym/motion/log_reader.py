@@ -10,11 +10,12 @@ import numpy as np
 
 from ..io.array_types import Array
 from ..io.extras import need
-from ..io.instants import even_clock
+from ..io.instants import Clock, even_clock
 from ..io.progress import Progress, silent
 from ..io.tables import file_name, opened
 from .log_rates import SPLINE, as_given, rates_of
 from .logs import LogFormat, need_columns, read_columns, stated_units
+from .noise_level import scatter
 from .rate_doubts import angular_velocity_doubt, rate_doubt
 from .rotation import rotation_about_axes
 from .trajectory import (
@@ -124,15 +125,39 @@ def with_units_of(path: str | os.PathLike[str], form: LogFormat) -> LogFormat:
         return form.with_units(stated_units(stream, source, form))
 
 
+# Times the scatter of numbers under other times from which on these are wrong.
+_CLEARLY = 1.5
+
+
 def _on_even_clock(log: Log) -> Log:
     """The log with the times of an even clock where these are rounded, with a warning."""
-    clock = even_clock(log.time)
+    clock, doubt = _clock(
+        log.time, np.stack([column for each in log.written.values() for column in each], -1)
+    )
+    if doubt is not None:
+        log.warn(f"time: {doubt}", 4)
+    return log if clock is None else dataclasses.replace(log, time=clock.times)
+
+
+def _clock(time: Array, columns: Array) -> tuple[Clock | None, str | None]:
+    """The even clock from which times, (n,), of columns, (n, c), are rounded, and a warning in words.
+
+    Where rows of a faster clock may be missing instead, the times count under which the numbers scatter less.
+    """
+    clock = even_clock(time)
     if clock is None:
-        return log
+        return None, None
     rounded, step = (f"{1e3 * number:.6g} ms" for number in (clock.rounded, clock.step))
-    text = f"time: rounded to {rounded}: rows are taken every {step}"
-    log.warn(text, 4)
-    return dataclasses.replace(log, time=clock.times)
+    text = f"rounded to {rounded}: rows are taken every {step}"
+    if clock.chance:
+        moving = columns[:, np.ptp(columns, axis=0) > 0.0]
+        even, written = (scatter(each, moving) for each in (clock.times, time))
+        more = float(np.median(even / np.maximum(written, np.finfo(float).tiny))) if moving.size else 1.0
+        if more > _CLEARLY:
+            return None, None
+        if not clock.sure and more > 1.0 / _CLEARLY:
+            return None, f"steps of {rounded} and twice that: rows missing, or rounded from every {step}?"
+    return clock, text
 
 
 def trajectory_from(log: PoseLog) -> Trajectory:
@@ -167,9 +192,9 @@ def read_leg_columns(
             "of day are those since its first row"
         )
     # As those of a trajectory with the same times are.
-    clock = even_clock(columns["time"])
-    time = columns["time"] if clock is None else clock.times
-    return time, np.stack([columns[name] for name in group], axis=-1), group
+    values = np.stack([columns[name] for name in group], axis=-1)
+    clock, _ = _clock(columns["time"], values)
+    return columns["time"] if clock is None else clock.times, values, group
 
 
 # Accelerations that no platform has, m/s^2, or m/s^2 per metre of a log's lengths where these are larger; and

@@ -7,9 +7,8 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ..io.array_types import Array
+from ..io.array_types import Array, Flags
 from ..io.instants import elapsed
 
 
@@ -105,6 +104,11 @@ def decided_noise(time: Array, values: Array, step: Array) -> float:
     agreed = (found.max(axis=0) < _AGREED * usual) & (usual < _AGREED * found.min(axis=0))
     agreed &= usual > np.maximum(_WELL_BEYOND * step / math.sqrt(12.0), 10.0**-_EXACT_DIGITS)
     return float(np.median(usual[agreed])) if 2 * np.count_nonzero(agreed) > len(usual) else 0.0
+
+
+def scatter(time: Array, values: Array) -> Array:
+    """Size of high differences of columns, (c,): the noise, or what times that are wrong make of a motion."""
+    return _levels(elapsed(time), values)[1]
 
 
 def rounding_steps(values: Array) -> Array:
@@ -233,7 +237,7 @@ def white_noise(time: Array, values: Array) -> Array:
     return np.where(noisy, high, 0.0)
 
 
-def like_noise(time: Array, values: Array, sigma: Array) -> NDArray[np.bool_]:
+def like_noise(time: Array, values: Array, sigma: Array) -> Flags:
     """Whether differences of columns, (n, c), n > 8, allow noise sigma, (c,): in none of them it is absent.
 
     Those of order 8 of a smooth motion are much less than those of order 5, and those of order 3 vanish
@@ -241,7 +245,7 @@ def like_noise(time: Array, values: Array, sigma: Array) -> NDArray[np.bool_]:
     """
     low, high = (np.sqrt(np.mean(_differences(time, values, order) ** 2, axis=0)) for order in (5, 8))
     small = _size_quantiles(_differences(time, values, 3))[0]
-    return (high > _LEAST_LIKE * low) & (small > _NOT_ABSENT * sigma)
+    return np.asarray((high > _LEAST_LIKE * low) & (small > _NOT_ABSENT * sigma))
 
 
 def _levels(time: Array, values: Array) -> tuple[Array, Array]:

@@ -155,7 +155,7 @@ def shown_noise(time: Array, values: Array, step: Array | None = None) -> Level:
     sigma, gain = window.noise(_orders(clock.since, knots.step), level.least)
     noisy = like_noise(time, values, sigma)
     noisy &= np.sum(gain[noisy]) > _DECIDED
-    return Level(*(np.where(noisy, sigma, each) for each in level[:2]))
+    return Level(np.where(noisy, sigma, level.sigma), np.where(noisy, sigma, level.least))
 
 
 def _breaks(time: Array) -> list[int]:
@@ -315,7 +315,7 @@ class _Window(NamedTuple):
 
     G = B^T B, (p, p). pilot: coefficients of a fit, (p, c); what differs from it is as small as the noise, so
     nothing cancels. rest: B^T times its residuals, (p, c). residual, spread: sums of squares, (c,), of the
-    residuals and about the mean. density: as of the knots. count: of samples.
+    residuals and about the mean. density: as of the knots. samples: how many.
     """
 
     G: Array
@@ -324,7 +324,7 @@ class _Window(NamedTuple):
     residual: Array
     spread: Array
     density: float
-    count: int
+    samples: int
 
     @property
     def size(self) -> int:
@@ -383,18 +383,20 @@ class _Window(NamedTuple):
         The latter in -2 log likelihood.
         """
         floor = np.maximum(least, np.sqrt(np.finfo(float).tiny)) ** 2
-        costs, alone, variances = [], [], []
-        for order in (each for each in orders if self.count - each >= _FEWEST_LEFT):
+        costs: list[Array] = []
+        alone: list[Array] = []
+        variances: list[Array] = []
+        for order in (each for each in orders if self.samples - each >= _FEWEST_LEFT):
             modes, _, _, pull, _, squares = self._explained(order, _WEIGHTS)
 
             for found, variance in (
-                (costs, np.maximum(squares / (self.count - order), floor)),
+                (costs, np.maximum(squares / (self.samples - order), floor)),
                 (alone, np.broadcast_to(floor, squares.shape)),
             ):
                 loose = variance / np.maximum(self.spread, variance)
                 free = np.sum(np.log1p((1.0 - modes.rho) / (pull + loose[:, None])), axis=1)
-                found.append(free + self.count * np.log(variance) + squares / variance)
-            variances.append(np.maximum(squares / (self.count - order - 2), floor))
+                found.append(free + self.samples * np.log(variance) + squares / variance)
+            variances.append(np.maximum(squares / (self.samples - order - 2), floor))
         cost, variance = np.concatenate(costs), np.concatenate(variances)
         likely = np.exp(0.5 * (cost.min(axis=0) - cost))
         sigma = np.sqrt(np.sum(likely * variance, axis=0) / likely.sum(axis=0))

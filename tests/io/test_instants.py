@@ -37,6 +37,26 @@ def test_the_even_clock_of_times_in_milliseconds_is_found(rate: float, start: fl
     np.testing.assert_allclose(found.times - found.times[0], (rows - rows[0]) / rate, rtol=0.0, atol=2e-4)
 
 
+@pytest.mark.parametrize("rows", [100, 1000])
+@pytest.mark.parametrize("rate", [51.0, 59.94, 60.0, 75.0, 80.0, 90.0])
+def test_a_clock_of_one_to_two_units_is_found_by_the_order_of_its_steps(rate: float, rows: int) -> None:
+    i = np.arange(rows)
+    found = even_clock(np.round(i / rate, 2))
+    assert found is not None
+    np.testing.assert_allclose(found.times - found.times[0], i / rate, rtol=0.0, atol=5e-3)
+    assert found.sure or rows == 100
+
+
+def test_rows_missing_at_random_are_seldom_those_of_a_clock_and_never_surely() -> None:
+    rng, found = np.random.default_rng(0), []
+    for _ in range(1000):
+        there = rng.random(rng.integers(30, 200)) > rng.choice([0.02, 0.05, 0.1, 0.3, 0.5])
+        found.append(even_clock(np.flatnonzero(there) / 100.0))
+    clocks = [each for each in found if each is not None]
+    assert len(clocks) < 5
+    assert not any(each.sure for each in clocks)
+
+
 def test_even_times_with_rows_missing_and_times_of_no_clock_are_left() -> None:
     rng = np.random.default_rng(1)
     i = np.arange(400)

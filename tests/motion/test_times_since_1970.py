@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from log_files import LENGTHS, POSE
+from log_files import LENGTHS, NAMES, POSE, write
 from machines import home_position, machine_size, random_robot
 from noisy_logs import WHITE, Array, coordinates, motion
 
@@ -133,3 +133,38 @@ def test_elapsed_times_of_neighbouring_doubles_differ() -> None:
         np.testing.assert_array_equal(elapsed(times), [0.0, np.spacing(start)])
     assert elapsed(np.array([5.0])) == [0.0]
     assert lost(np.array([])) == 0.0
+
+
+def read_at(folder: Path, written: Array, true: Array) -> tuple[Array, list[str]]:
+    """Times of a log that is written at some times of a motion at others, and warnings of them."""
+    turns = np.outer(true, 2.0 * np.pi * np.linspace(0.3, 0.8, 6)) + np.arange(6.0)
+    poses = 0.05 * np.sin(turns) + 1e-5 * np.random.default_rng(2).normal(size=turns.shape)
+    path = write(folder / "log.csv", NAMES, np.column_stack([written, poses]))
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        found = read_log(path)
+    return found.time, [str(each.message) for each in caught if "time: " in str(each.message)]
+
+
+@pytest.mark.parametrize("rate", [60.0, 75.0, 80.0, 90.0])
+def test_times_that_two_clocks_have_are_those_under_which_the_numbers_scatter_less(
+    tmp_path: Path, rate: float
+) -> None:
+    """Rounded to 10 ms, or of rows of a clock of 100 Hz of which some are missing as regularly."""
+    even = np.arange(300) / rate
+    written = np.round(even, 2)
+    found, told = read_at(tmp_path, written, even)
+    assert len(told) == 1
+    assert "rounded to 10 ms: rows are taken every" in told[0]
+    np.testing.assert_allclose(found - found[0], even, atol=1e-3)
+    found, told = read_at(tmp_path, written, written)
+    assert told == []
+    assert np.array_equal(found, written)
+
+
+def test_times_of_two_clocks_that_neither_order_nor_numbers_decide_are_named(tmp_path: Path) -> None:
+    times = np.array([0.01 * i for i in range(60) if i not in (12, 28, 44)])
+    found, told = read_at(tmp_path, times, np.zeros(len(times)))
+    assert len(told) == 1
+    assert "time: steps of 10 ms and twice that: rows missing, or rounded from every 10." in told[0]
+    assert np.array_equal(found, times)
