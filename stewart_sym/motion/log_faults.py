@@ -46,10 +46,11 @@ class Fault(NamedTuple):
 
 
 def faults(time: Array, values: Array, sigma: Array) -> list[Fault]:
-    """Return the faults of columns (n, c) with white noise sigma, (c,), 0 for none, in order of time.
+    """Return the faults of columns (n, c) with white noise sigma, (c,) or (n, c), in order of time.
 
-    An offset is seen from about nine deviations of the noise divided by the root of the samples that tell it,
-    and, without noise, from about what an acceleration of the motion moves between two samples.
+    Without noise sigma is 0. An offset is seen from about nine deviations of the noise divided by the root of
+    the samples that tell it, and, without noise, from about what an acceleration of the motion moves between
+    two samples.
     """
     found = _repeated(elapsed(time), values, sigma)
     corrected = values - offsets(found, values.shape)
@@ -71,7 +72,8 @@ def _repeated(time: Array, values: Array, sigma: Array) -> list[Fault]:
     same = np.concatenate([[False], (np.diff(values, axis=0) == 0.0).all(axis=1), [False]])
     edges = np.flatnonzero(np.diff(same.astype(np.int8))).reshape(-1, 2) + 1
     own, found = np.flatnonzero(~same[:-1]), []
-    clear = _MOVES * np.maximum(sigma, _DIGITS * np.abs(values).max(axis=0, initial=1.0))
+    most = np.atleast_2d(sigma).max(axis=0)
+    clear = _MOVES * np.maximum(most, _DIGITS * np.abs(values).max(axis=0, initial=1.0))
     for first, end in edges[edges[:, 1] - edges[:, 0] < _LONGEST]:
         i = int(np.searchsorted(own, first))
         near = own[max(i - 3, 0) : i + 3]
@@ -131,7 +133,8 @@ def _scan(time: Array, values: Array, sigma: Array) -> list[_Seen]:
             at = starts[:, None] + np.arange(length)
             t = time[at[:1] if even else at]
             t = 2.0 * (t - t[:, :1]) / (t[:, -1:] - t[:, :1]) - 1.0
-            found += _in_blocks(t, values[at], floor, degree, starts, len(time))
+            noise = floor if floor.ndim == 1 else floor[at].max(axis=1)
+            found += _in_blocks(t, values[at], noise, degree, starts, len(time))
     return found
 
 
@@ -147,8 +150,12 @@ def _starts(count: int, length: int) -> Iterator[NDArray[np.int64]]:
 def _in_blocks(
     t: Array, y: Array, sigma: Array, degree: int, starts: NDArray[np.int64], count: int
 ) -> list[_Seen]:
-    """Faults in blocks of samples, (b, l, c), at times from -1 to 1, (b, l) or (1, l)."""
+    """Faults in blocks of samples, (b, l, c), with noise sigma, (c,) or (b, c).
+
+    t: times from -1 to 1, (b, l) or (1, l).
+    """
     blocks, length, columns = y.shape
+    sigma = np.broadcast_to(sigma, (blocks, columns))
     B = np.linalg.qr(np.polynomial.legendre.legvander(t, degree))[0]
     y = y - y.mean(axis=1, keepdims=True)
     r = y - B @ (np.swapaxes(B, -1, -2) @ y)
@@ -182,7 +189,7 @@ def _in_blocks(
         plain = y[block, :, column].copy()
         plain[at : at + run if run else None] -= amount
         bend = float(np.abs(np.diff(plain, n=2)).max())
-        if abs(amount) < _BENDS * (bend - 10.0 * sigma[column]):
+        if abs(amount) < _BENDS * (bend - 10.0 * sigma[block, column]):
             continue
         weight = float(gain[block, column] / variance[block, column])
         found.append(_Seen(weight, length, Fault(int(column), row, row + run if run else None, amount)))

@@ -26,7 +26,7 @@ from .log_faults import (
     tell_plateaus,
     unseen,
 )
-from .noise_level import FEWEST_SAMPLES, LEAST_SAMPLES, Level, decided_noise, noise_level
+from .noise_level import FEWEST_SAMPLES, LEAST_SAMPLES, Level, decided_noise, noise_level, varying_noise
 from .smoothing import PAIRS, check_cutoff, shown_noise, smoothed
 from .trajectory import Log, Replaced, Uncertainty
 
@@ -154,17 +154,20 @@ def _replaced(log: Log, values: Array, steps: Array) -> tuple[Array, Uncertainty
     _warn_of_stated(log, values, steps)
     _warn_of_few(log, values)
     tell_plateaus(log, values, steps)
-    shown = shown_noise(log.time, values, steps)
+    shown = _varying(log, values, shown_noise(log.time, values, steps), tell=True)
     level = _level(log, shown)
     # Neither a cut-off nor a statement makes rows wrong that are within the scatter of all.
-    bad = [] if "L" in log.written else faults(log.time, values, np.maximum(level.sigma, shown.sigma))
+    sigma = np.maximum(level.of_samples(), shown.of_samples())
+    bad = [] if "L" in log.written else faults(log.time, values, sigma)
     if bad:
         tell_faults(log, bad)
     if not bad or not log.smoothing.on:
         return _derivatives(log, values, level)
     good = values - offsets(bad, values.shape)
     tell_no_repair(log, good, bad)
-    found, noise = _derivatives(log, good, _level(log, shown_noise(log.time, good, steps)))
+    found, noise = _derivatives(
+        log, good, _level(log, _varying(log, good, shown_noise(log.time, good, steps)))
+    )
     changed = found - _derivatives(log, values, level, tell=False)[0]
     size = np.abs(changed[2])
     near = np.asarray((size > _CHANGED * size.max(axis=0)).any(axis=1))
@@ -207,14 +210,25 @@ def _derivatives(
                 found[order, part][:, ~noisy] = spline(since[part], order)
     if not noisy.any():
         return found, None
-    own = Level(level.sigma[noisy], level.least[noisy])
-    smooth = smoothed(log.time, values[:, noisy], own if own.sigma.all() else None, log.smoothing.cutoff)
-    found[..., noisy] = [smooth.values, smooth.rates, smooth.second_rates]
-    covariance, sigma = np.zeros((len(smooth.grid), 6, 6)), np.zeros(6)
-    covariance[:, noisy], sigma[noisy] = smooth.covariance, smooth.sigma
-    noise = Uncertainty(found, smooth.grid, covariance, sigma, "L" in log.written)
+    noises: list[tuple[slice, Uncertainty | None]] = []
+    # Columns of the same scale share their matrices.
+    for part in (slice(0, 6),) if level.scale is None else [part for _, part in log.kinds()]:
+        own = np.flatnonzero(noisy[part]) + part.start
+        if not own.size:
+            continue
+        chosen = Level(level.sigma[own], level.least[own])
+        known = chosen if chosen.sigma.all() else None
+        scale = None if level.scale is None else level.scale[:, own[0]]
+        smooth = smoothed(log.time, values[:, own], known, log.smoothing.cutoff, scale)
+        found[..., own] = [smooth.values, smooth.rates, smooth.second_rates]
+        covariance, sigma = np.zeros((len(smooth.grid), 6, 6)), np.zeros(6)
+        covariance[:, own], sigma[own] = smooth.covariance, smooth.sigma
+        noises.append((part, Uncertainty(found, smooth.grid, covariance, sigma, "L" in log.written)))
+    noise = _joined(found, noises, "L" in log.written)
+    assert noise is not None
     if tell and log.smoothing.cutoff is None:
-        _warn_of_jumps(log, values - found[0], noise)
+        left = values - found[0]
+        _warn_of_jumps(log, left if level.scale is None else left / level.scale, noise)
     elif tell:
         _warn_of_cutoff(log, values, found)
     if tell and _matters(noise):
@@ -303,6 +317,39 @@ def _level(log: Log, shown: Level) -> Level:
         np.where(known > 0.0, known, shown.sigma),
         np.where(known > 0.0, known, shown.least),
         1.0 if known.all() else shown.correlation,
+        None if shown.scale is None or known.all() else np.where(known > 0.0, 1.0, shown.scale),
+    )
+
+
+def _varying(log: Log, values: Array, level: Level, tell: bool = False) -> Level:
+    """The level of the noise with its scale where it changes along the log, of each sensor by itself."""
+    if level.correlation > 1.0 or log.smoothing.cutoff is not None or not log.smoothing.on:
+        return level
+    for name, part in log.kinds():
+        varies = None
+        if (level.sigma[part] > level.least[part]).any() and log.smoothing.stated(name) is None:
+            varies = varying_noise(log.time, values[:, part], level.least[part])
+        if varies is not None:
+            sigma, scale = level.sigma.copy(), np.ones(values.shape) if level.scale is None else level.scale
+            sigma[part], scale[:, part] = varies[0], varies[1][:, None]
+            level = level._replace(sigma=sigma, scale=scale)
+            if tell:
+                _warn_of_varying(log, name, varies[1])
+    return level
+
+
+def _warn_of_varying(log: Log, name: str, scale: Array) -> None:
+    """Warn of noise of one kind of coordinates that is larger for a while, at rows times scale, (n,)."""
+    large = scale > math.sqrt(scale.max())
+    edges = np.flatnonzero(np.diff(large.astype(np.int8), prepend=0, append=0)).reshape(-1, 2)
+    step = float(np.median(np.diff(log.time)))
+    first, last = (time_text(log.time[i], step) for i in (edges[0, 0], edges[0, 1] - 1))
+    more = f", and in {len(edges) - 1} more stretches" if len(edges) > 1 else ""
+    times = float(np.median(scale[large]) / np.median(scale[~large]))
+    log.warn(
+        f"noise of {log.kind(name)[0]} is {times:.2g} times as large from {first} s to {last} s{more} as "
+        "elsewhere: smoothed and counted as it is there",
+        8,
     )
 
 

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
 
 from ..io.array_types import Array, Flags
 from ..io.instants import elapsed
@@ -37,6 +38,11 @@ _LEAST_LIKE, _NOT_ABSENT = 0.2, 0.15
 # columns that tell; noise beyond that of rounding.
 _STEEPEST, _CHANGING, _FEWEST_COLUMNS, _BEYOND = 1.3, 0.7, 3, 1.5
 
+# Differences in a stretch that shows the noise there, and how many times that of others it is that varies.
+_STRETCH, _VARIES = 48, 3.0
+# Differences that tell of a column at most.
+_MOST_DIFFERENCES = 20_000
+
 # A grid shows in so many distinct numbers of so many rows, the closest of them up to so many steps apart.
 # Its step is so many times what the numbers resolve, and by so much coarser than that of what is written.
 _FEWEST_NUMBERS, _ROWS, _APART, _RESOLVED, _COARSER = 30, 10_000, 32, 2.5, 1.5
@@ -58,12 +64,18 @@ class Level(NamedTuple):
     """Standard deviations of the noise of columns, (c,): as counted for white, and the least it can be.
 
     correlation: how much larger the noise of slow changes, which ``sigma`` is for, is than that from one
-    sample to the next; 1 for white noise.
+    sample to the next; 1 for white noise. scale: by how much the noise of each sample is larger than sigma,
+    (n, c); None: it is alike.
     """
 
     sigma: Array
     least: Array
     correlation: float = 1.0
+    scale: Array | None = None
+
+    def of_samples(self) -> Array:
+        """Deviation of the noise of each sample, (n, c), or of all of them alike, (c,)."""
+        return self.sigma if self.scale is None else self.sigma * self.scale
 
 
 def noise_level(time: Array, values: Array, step: Array | None = None) -> Level:
@@ -109,6 +121,42 @@ def decided_noise(time: Array, values: Array, step: Array) -> float:
 def scatter(time: Array, values: Array) -> Array:
     """Size of high differences of columns, (c,): the noise, or what times that are wrong make of a motion."""
     return _levels(elapsed(time), values)[1]
+
+
+def varying_noise(time: Array, values: Array, rounding: Array) -> tuple[Array, Array] | None:
+    """Noise of a sensor's columns, (n, c), that changes: its deviations, (c,), and times these at rows, (n,).
+
+    None: noise that stays, and that of rounding. Of a stretch of rows it is the least that differences of
+    several orders show: low ones of the motion are more, and high ones of accelerations that jump.
+    """
+    usual = np.median(np.abs(_differences(elapsed(time), values, 8)), axis=0) / _QUANTILES[1][1]
+    noisy = usual > _BEYOND * rounding
+    if len(time) < 2 * _STRETCH or 2 * np.count_nonzero(noisy) <= np.count_nonzero(np.ptp(values, axis=0)):
+        return None
+    unit, columns = usual[noisy], values[:, noisy]
+    sizes = [np.abs(_differences(elapsed(time), columns, order)) / unit for order in (3, 4, 5, 8)]
+    found = [
+        np.median(sliding_window_view(each, _STRETCH, axis=0)[:: _STRETCH // 4], axis=(1, 2))
+        for each in sizes
+    ]
+    count = min(map(len, found))
+    local = np.min([each[:count] for each in found], axis=0) / _QUANTILES[1][1]
+    local = np.maximum(local, np.median(rounding[noisy] / unit))
+    if local.max() < _VARIES * np.quantile(local, 0.1):
+        return None
+    every = max(1, (len(time) - 8) // _MOST_DIFFERENCES)
+    scale = np.zeros(len(time))
+    for i, here in enumerate(local):
+        first = i * (_STRETCH // 4)
+        # Stretches in which the noise begins show less of it than those beside them.
+        rows = slice(first * every if i else 0, (first + _STRETCH) * every + 8 if i < count - 1 else None)
+        scale[rows] = np.maximum(scale[rows], here)
+    scale /= np.quantile(scale, 0.1)
+    white = (
+        np.abs(_differences(elapsed(time), values, 8))
+        / scale[4 : len(time) - 4 : every, None][: len(sizes[3])]
+    )
+    return np.maximum(np.median(white, axis=0) / _QUANTILES[1][1], rounding), scale
 
 
 def rounding_steps(values: Array) -> Array:
@@ -303,7 +351,7 @@ def _size_quantiles(differences: Array) -> Array:
 def _differences(time: Array, values: Array, order: int) -> Array:
     """Divided differences of columns, (m, c): white noise of deviation 1 makes them of deviation 1."""
     count = len(time) - order
-    at = np.arange(0, count, max(1, count // 20_000))[:, None] + np.arange(order + 1)
+    at = np.arange(0, count, max(1, count // _MOST_DIFFERENCES))[:, None] + np.arange(order + 1)
     apart = (time[at][:, :, None] - time[at][:, None, :]) / (time[at[:, -1]] - time[at[:, 0]])[:, None, None]
     apart[:, np.arange(order + 1), np.arange(order + 1)] = 1.0
     factors = 1.0 / apart.prod(axis=-1)

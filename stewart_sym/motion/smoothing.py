@@ -130,10 +130,16 @@ def smooth(
     return smoothed(when, columns, None if sigma is None and cutoff is not None else level, cutoff)
 
 
-def smoothed(time: Array, columns: Array, level: Level | None, cutoff: float | None) -> Smooth:
-    """``smooth`` of checked arrays; without a level the noise is that of the residuals about the cut-off."""
+def smoothed(
+    time: Array, columns: Array, level: Level | None, cutoff: float | None, scale: Array | None = None
+) -> Smooth:
+    """``smooth`` of checked arrays; without a level the noise is that of the residuals about the cut-off.
+
+    scale: times the level of the noise of each sample, (n,).
+    """
     ends = [0, *_breaks(time), len(time)]
-    parts = [_part(time[i:j], columns[i:j], level, cutoff) for i, j in itertools.pairwise(ends)]
+    scale = np.ones(len(time)) if scale is None else scale
+    parts = [_part(time[i:j], columns[i:j], scale[i:j], level, cutoff) for i, j in itertools.pairwise(ends)]
     if len(parts) == 1:
         return parts[0]
     shares = np.diff(ends)[:, None] / len(time)
@@ -151,7 +157,7 @@ def shown_noise(time: Array, values: Array, step: Array | None = None) -> Level:
         return level
     clock = Clock.of(time)
     knots = Knots.of(clock, _fewest_cells(len(time)))
-    window = _Window.of(clock.since, values, knots, 0)
+    window = _Window.of(clock.since, values, np.ones(len(time)), knots, 0)
     sigma, gain = window.noise(_orders(clock.since, knots.step), level.least)
     noisy = like_noise(time, values, sigma)
     noisy &= np.sum(gain[noisy]) > _DECIDED
@@ -168,7 +174,7 @@ def _breaks(time: Array) -> list[int]:
     return found
 
 
-def _part(time: Array, columns: Array, level: Level | None, cutoff: float | None) -> Smooth:
+def _part(time: Array, columns: Array, scale: Array, level: Level | None, cutoff: float | None) -> Smooth:
     """``smoothed`` of samples without a long gap."""
     clock = Clock.of(time)
     ones = np.ones(columns.shape[1])
@@ -179,15 +185,17 @@ def _part(time: Array, columns: Array, level: Level | None, cutoff: float | None
         turns = cutoff * clock.unit * knots.step
         weight = float(np.sinc(turns) ** (2 * DEGREE + 2))
         weight *= (_EDGE / (2.0 * math.sin(math.pi * turns))) ** (2 * CUTOFF_ORDER)
-        found = _smoothed(clock, columns, ones if level is None else level.sigma, knots, orders, weight)
+        found = _smoothed(
+            clock, columns, scale, ones if level is None else level.sigma, knots, orders, weight
+        )
         return _scaled(found, columns) if level is None else found
     assert level is not None
-    knots, orders, seen = _resolve(clock, columns, level.sigma)
+    knots, orders, seen = _resolve(clock, columns, scale, level.sigma)
     # Modes that show less than rounding makes are those of numbers that stay the same: off alike by as much.
     still = seen < 0.5 * level.least
     likely = np.where(still, level.sigma, np.clip(seen, level.least, 1.5 * level.sigma))
     known = level.least == level.sigma
-    found = _smoothed(clock, columns, np.where(known, level.sigma, likely), knots, orders, None)
+    found = _smoothed(clock, columns, scale, np.where(known, level.sigma, likely), knots, orders, None)
     sigma = np.where(still, level.least, found.sigma)
     most = np.max(found.covariance[:, :, 0], axis=0)
     share = np.where(still, np.minimum(1.0, sigma**2 / np.where(most > 0.0, most, 1.0)), 1.0)
@@ -228,7 +236,9 @@ def _fewest_cells(count: int) -> int:
     return _FEWEST_CELLS if count >= LEAST_SAMPLES else LEAST_SAMPLES
 
 
-def _resolve(clock: Clock, values: Array, sigma: Array) -> tuple[Knots, NDArray[np.int64], Array]:
+def _resolve(
+    clock: Clock, values: Array, scale: Array, sigma: Array
+) -> tuple[Knots, NDArray[np.int64], Array]:
     """Knots so fine that the penalty limits the resolution, and the likeliest order and noise, (c,)."""
     since = clock.since
     cells = _fewest_cells(len(since))
@@ -239,7 +249,7 @@ def _resolve(clock: Clock, values: Array, sigma: Array) -> tuple[Knots, NDArray[
         trial = {starts[int(i)] for i in np.linspace(0, len(starts) - 1, min(len(starts), _TRIAL_WINDOWS))}
         cost, free, squares, count = np.zeros((4, len(orders), values.shape[1]))
         for start in trial:
-            window = _Window.of(since, values, knots, start)
+            window = _Window.of(since, values, scale, knots, start)
             for i, order in enumerate(orders):
                 found = window.likeliest(order, sigma)
                 cost[i] += found.cost
@@ -332,13 +342,14 @@ class _Window(NamedTuple):
         return len(self.G)
 
     @classmethod
-    def of(cls, since: Array, values: Array, knots: Knots, start: int) -> _Window:
-        """The window that begins with a cell."""
+    def of(cls, since: Array, values: Array, scale: Array, knots: Knots, start: int) -> _Window:
+        """The window that begins with a cell; of samples over their scale, whose noise is alike."""
         begin, width = knots.place(start), knots.width(start)
         first, last = np.searchsorted(since, [begin, knots.place(start + width)])
         end = len(since) if start + width >= knots.cells else int(last)
         cell, u = places(since[first:end] - begin, knots.step, width)
-        N, y = b_splines(u, DEGREE), values[first:end]
+        weights = 1.0 / scale[first:end, None]
+        N, y = weights * b_splines(u, DEGREE), weights * values[first:end]
         size, inner = width + DEGREE, range(DEGREE + 1)
         # Samples lie in order of time, those of a cell side by side.
         filled, starts = np.unique(cell, return_index=True)
@@ -430,7 +441,13 @@ class _Window(NamedTuple):
 
 
 def _smoothed(
-    clock: Clock, values: Array, sigma: Array, knots: Knots, orders: NDArray[np.int64], weight: float | None
+    clock: Clock,
+    values: Array,
+    scale: Array,
+    sigma: Array,
+    knots: Knots,
+    orders: NDArray[np.int64],
+    weight: float | None,
 ) -> Smooth:
     count, step = values.shape[1], clock.unit * knots.step
     jumping = ORDERS[0] if weight is None else CUTOFF_ORDER
@@ -438,7 +455,7 @@ def _smoothed(
     grid = np.arange(2 * knots.cells + 1) / 2.0
     covariance, resolved = np.zeros((len(grid), count, len(PAIRS))), np.zeros((len(grid), count))
     for start in knots.windows():
-        window = _Window.of(clock.since, values, knots, start)
+        window = _Window.of(clock.since, values, scale, knots, start)
         width = knots.width(start)
         inside = slice(2 * start, 2 * (start + width) + 1)
         share = knots.share(start, grid[inside])
