@@ -1,4 +1,4 @@
-"""Rows that no motion makes, columns that are clipped, rows that repeat or interpolate a slower sensor's.
+"""Rows that no motion makes, gaps, clipped columns, rows that repeat or interpolate a slower sensor's.
 
 For the former, blocks of samples, of several lengths, are fitted by polynomials. Where one offset explains
 what these leave, and no jump of a velocity, an acceleration or a jerk does nearly as well, it is a fault.
@@ -238,9 +238,8 @@ def tell_faults(log: Log, found: Sequence[Fault]) -> None:
     """Warn of rows that no motion makes: when, which columns and by how much."""
     by_rows: dict[tuple[int, int | None], list[str]] = {}
     for fault in found:
-        names = ("t", "t", "t", "theta", "theta", "theta")
-        unit = "m" if fault.column < 3 else "rad"
-        text = f"{names[fault.column]}_{'xyz'[fault.column % 3]} by {fault.size:.3g} {unit}"
+        name, unit = column_of(log, fault.column)
+        text = f"{name} by {fault.size:.3g} {unit}"
         by_rows.setdefault((fault.first, fault.end), []).append(text)
     lines = []
     for (first, end), texts in itertools.islice(by_rows.items(), _MOST_NAMED):
@@ -251,6 +250,13 @@ def tell_faults(log: Log, found: Sequence[Fault]) -> None:
     done = "replaced, and deviations there hold what this changes" if log.smoothing.on else "left as they are"
     cause = " (rows repeated or missing?)" if any(len(texts) >= _MANY for texts in by_rows.values()) else ""
     log.warn(f"numbers are off as no motion makes them{cause}: {'; '.join(lines)}{ending}: {done}", 7)
+
+
+def column_of(log: Log, column: int) -> tuple[str, str]:
+    """Name of one of the six coordinates, and its SI unit."""
+    name, part = next((name, part) for name, part in log.kinds() if column < part.stop)
+    i = column - part.start
+    return f"{name}_{('123456' if name == 'L' else 'xyz')[i]}", "rad" if name == "theta" else "m"
 
 
 def rows_text(log: Log, first: int, end: int | None) -> str:
@@ -281,6 +287,29 @@ def tell_no_repair(log: Log, good: Array, found: list[Fault]) -> None:
         f"{' and '.join(most)}: that is no repair, and the results are not to be trusted"
     )
     log.warn(text, 7)
+
+
+# A step in time that is this many times the usual one, and of nine in ten steps, is a gap.
+_GAP, _FEWEST_STEPS = 5.0, 4
+
+
+def tell_gap(log: Log) -> None:
+    """Warn of the longest gap in time, which a curve bridges."""
+    step = np.diff(log.time)
+    if len(step) < _FEWEST_STEPS:
+        return
+    usual, most = (float(x) for x in np.quantile(step, (0.5, 0.9)))
+    gaps = np.flatnonzero(step > _GAP * max(usual, most))
+    if not gaps.size:
+        return
+    i = int(gaps[np.argmax(step[gaps])])
+    start, end = (time_text(time, usual) for time in log.time[i : i + 2])
+    text = (
+        f"rows {log.rows[i]} and {log.rows[i + 1]}: nothing from {start} s to {end} s, "
+        f"{step[i] / usual:.3g} times the usual step of {usual:.3g} s"
+    )
+    more = f"; {gaps.size - 1} more gaps" if gaps.size > 1 else ""
+    log.warn(f"{text}{more}: bridged by a smooth curve", 6)
 
 
 # Rows of a slower sensor
@@ -406,16 +435,16 @@ def _clipped(time: Array, column: Array, extreme: float, step: float) -> Rows:
 def tell_plateaus(log: Log, values: Array, steps: Array) -> None:
     """Warn of columns, (n, 6), that are clipped: at which numbers and for how long."""
     found = plateaus(log.time, values, steps)
-    columns = [(name, i) for name, part in log.kinds() for i in range(part.stop - part.start)]
     for column in dict.fromkeys(each.column for each in found):
         own = [each for each in found if each.column == column]
-        name, i = columns[column]
-        at = " and ".join(f"{each.value / log.scale(name):.6g}" for each in own)
+        name = column_of(log, column)[0]
+        kind = name.rpartition("_")[0]
+        at = " and ".join(f"{each.value / log.scale(kind):.6g}" for each in own)
         rows = np.sort(np.concatenate([each.rows for each in own]))
         share = len(rows) / len(log.time)
         lasts = share * (log.time[-1] - log.time[0])
         text = (
-            f"{name}_{('123456' if name == 'L' else 'xyz')[i]} gets to {at} {log.unit(name)} or away at full "
+            f"{name} gets to {at} {log.unit(kind)} or away at full "
             f"speed and stays there for {lasts:.3g} s in all ({100.0 * share:.2g} % of the rows; first at "
             f"row {log.rows[rows[0]]}): is it clipped? forces there and nearby are wrong"
         )

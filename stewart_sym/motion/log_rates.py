@@ -16,12 +16,14 @@ from .log_faults import (
     Fault,
     Rows,
     Sampling,
+    column_of,
     faults,
     offsets,
     rows_text,
     slower_sampling,
     spread,
     tell_faults,
+    tell_gap,
     tell_no_repair,
     tell_plateaus,
     unseen,
@@ -49,7 +51,7 @@ def rates_of(log: Log, values: Array, steps: Array) -> tuple[Array, Uncertainty 
         for _, rows in parts:
             if len(rows) >= _MIN_SPLINE_POINTS:
                 check_cutoff(log.time[rows], cutoff)
-    _warn_of_gap(log)
+    tell_gap(log)
     if len(parts) == 1 and len(parts[0][1]) == len(values):
         return _replaced(log, values, steps)
     found, off, noises = np.empty((3, *values.shape)), np.zeros((3, *values.shape)), []
@@ -158,7 +160,7 @@ def _replaced(log: Log, values: Array, steps: Array) -> tuple[Array, Uncertainty
     level = _level(log, shown)
     # Neither a cut-off nor a statement makes rows wrong that are within the scatter of all.
     sigma = np.maximum(level.of_samples(), shown.of_samples())
-    bad = [] if "L" in log.written else faults(log.time, values, sigma)
+    bad = faults(log.time, values, sigma)
     if bad:
         tell_faults(log, bad)
     if not bad or not log.smoothing.on:
@@ -243,13 +245,18 @@ _TORN, _FEW = 6.0, 0.05
 
 def _warn_of_jumps(log: Log, left: Array, noise: Uncertainty) -> None:
     """Warn where accelerations jump by what the curve leaves, (n, 6)."""
-    off = (np.abs(left) / np.where(noise.sigma > 0.0, noise.sigma, np.inf)).max(axis=1)
-    if not 0.0 < np.mean(off > _TORN) <= _FEW:
+    off = np.abs(left) / np.where(noise.sigma > 0.0, noise.sigma, np.inf)
+    if not 0.0 < np.mean(off.max(axis=1) > _TORN) <= _FEW:
         return
-    worst = int(np.argmax(off))
-    when = time_text(log.time[worst], float(np.median(np.diff(log.time))))
-    text = f"near {when} s a smooth motion is {off[worst]:.2g} deviations of the noise off"
-    log.warn(f"{text}: do accelerations jump? Forces there overshoot, as their deviations say", 8)
+    row, column = (int(i) for i in np.unravel_index(np.argmax(off), off.shape))
+    when = time_text(log.time[row], float(np.median(np.diff(log.time))))
+    name, unit = column_of(log, column)
+    at_row = f"row {log.rows[row]}: {name} by {left[row, column]:.2g} {unit}"
+    text = (
+        f"near {when} s a smooth motion is {off[row, column]:.2g} deviations of the noise off ({at_row}): do "
+        "accelerations jump, or are rows wrong? Where they jump forces overshoot, as their deviations say"
+    )
+    log.warn(text, 8)
 
 
 # A cut-off removes motion where what it removes is so many times what changes from row to row, and would be
@@ -440,29 +447,6 @@ def as_given(log: Log, found: Array, steps: Sequence[Array]) -> Uncertainty | No
     covariance = np.zeros((2, 6, 6))
     covariance[:, :, [0, 2, 5]] = sigma.T**2
     return Uncertainty(found, log.time[[0, -1]], covariance, sigma[0])
-
-
-# A step in time that is this many times the usual one, and of nine in ten steps, is a gap.
-_GAP = 5.0
-
-
-def _warn_of_gap(log: Log) -> None:
-    """Warn of the longest gap in time, which a curve bridges."""
-    step = np.diff(log.time)
-    if len(step) < _MIN_SPLINE_POINTS:
-        return
-    usual, most = (float(x) for x in np.quantile(step, (0.5, 0.9)))
-    gaps = np.flatnonzero(step > _GAP * max(usual, most))
-    if not gaps.size:
-        return
-    i = int(gaps[np.argmax(step[gaps])])
-    start, end = (time_text(time, usual) for time in log.time[i : i + 2])
-    text = (
-        f"rows {log.rows[i]} and {log.rows[i + 1]}: nothing from {start} s to {end} s, "
-        f"{step[i] / usual:.3g} times the usual step of {usual:.3g} s"
-    )
-    more = f"; {gaps.size - 1} more gaps" if gaps.size > 1 else ""
-    log.warn(f"{text}{more}: bridged by a smooth curve", 6)
 
 
 def _replaced_rows(log: Log, bad: Sequence[Fault], near: Flags) -> tuple[Replaced, ...]:

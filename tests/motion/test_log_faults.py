@@ -270,6 +270,31 @@ def test_leg_lengths_of_a_slower_sensor_are_told() -> None:
     np.testing.assert_allclose(found[0, :-4], lengths[:-4], atol=1e-5)
 
 
+@pytest.mark.parametrize(("size", "last"), [(2e-4, 1), (2e-3, 1), (1e-2, 1), (5e-4, None)])
+def test_lengths_that_no_motion_makes_are_named_by_leg_and_row_and_replaced(
+    size: float, last: int | None
+) -> None:
+    """A row, or a step of one leg, in noise of 0.01 mm: accelerations are those without it."""
+    time = np.arange(0.0, 2.0, 0.002)
+    turn = np.linspace(5.0, 9.0, 6)
+    angle = time[:, None] * turn + np.arange(6.0)
+    lengths = 0.2 + 0.005 * np.sin(angle) + 1e-5 * np.random.default_rng(1).normal(size=angle.shape)
+    lengths[400 : None if last is None else 400 + last, 2] += size
+    log = Log("legs", range(2, len(time) + 2), time, {"L": [*lengths.T]})
+    with pytest.warns(ss.LogWarning) as caught:
+        found, noise = rates_of(log, log.vector("L"), log.steps("L"))
+    told = [str(each.message) for each in caught]
+    (line,) = (each for each in told if OFF in each)
+    assert f"{OFF}: row 402{' on' if last is None else ''} (0.8 s): L_3 by " in line
+    assert float(line.split("L_3 by ")[1].split()[0]) == pytest.approx(size, rel=0.1)
+    assert not any("accelerations jump" in each for each in told)
+    assert noise is not None
+    sd = np.sqrt([np.interp(time, noise.grid, each) for each in noise.covariance[:, :, 5].T]).T
+    off = np.abs(found[2] + 0.005 * turn**2 * np.sin(angle)) / sd
+    assert np.mean(off < 1.96) > 0.9
+    assert off.max() < 5.0
+
+
 def no_repair(told: list[str]) -> list[str]:
     return [line for line in told if "no repair, and the results are not to be trusted" in line]
 
