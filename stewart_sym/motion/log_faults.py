@@ -338,10 +338,11 @@ class Sampling(NamedTuple):
     kind: str
 
 
-def slower_sampling(values: Array, steps: Array) -> Sampling | None:
+def slower_sampling(time: Array, values: Array, steps: Array) -> Sampling | None:
     """Return which rows of columns (n, c), rounded to steps, (c,), were measured; None for all of them.
 
-    Held values change all at once and every few rows; interpolated ones bend so. Where nothing moves, rows
+    Held values change all at once and every few rows; interpolated ones bend so, by rows and by time: at a
+    gap in time they bend by rows alone. Where nothing moves, rows
     at the same distance stand for those that can't be distinguished.
     """
     rounding = (
@@ -351,7 +352,9 @@ def slower_sampling(values: Array, steps: Array) -> Sampling | None:
     repeated = _regular(np.max(change, axis=1, initial=0.0), 0.0, len(values))
     if repeated is not None:
         return Sampling(repeated, HELD)
-    bend = np.abs(np.diff(values, n=2, axis=0)) / rounding
+    before, after = np.diff(elapsed(time))[:-1, None], np.diff(elapsed(time))[1:, None]
+    by_time = 2.0 * (np.diff(values, axis=0)[1:] * before - np.diff(values, axis=0)[:-1] * after)
+    bend = np.minimum(np.abs(np.diff(values, n=2, axis=0)), np.abs(by_time) / (before + after)) / rounding
     bent = _regular(np.max(bend, axis=1, initial=0.0), 2.5, len(values))
     return None if bent is None else Sampling(bent, "interpolated linearly")
 
@@ -366,7 +369,7 @@ def _regular(size: Array, quiet: float, count: int) -> Rows | None:
     moving = gaps[gaps < 4.0 * usual]
     # A row at which a number happens not to change makes one distance of two.
     alike = np.abs(moving / np.maximum(np.rint(moving / usual), 1.0) - usual) <= 1.0
-    if usual < 2.0 or np.mean(alike) < _REGULAR or np.min(gaps) < 0.5 * usual:
+    if usual < 2.0 or np.mean(alike) < _REGULAR or np.min(gaps) <= 0.5 * usual:
         return None
     every = max(2, round(usual))
     seen = rows + 1

@@ -72,11 +72,15 @@ def _measured_rows(log: Log, values: Array, steps: Array) -> list[tuple[slice, R
     rows, kinds = np.arange(len(values)), log.kinds()
     if not log.smoothing.on:
         return [(slice(0, 6), rows)]
-    whole = slower_sampling(values, steps)
+    whole = slower_sampling(log.time, values, steps)
     if whole is not None:
         _tell_slower(log, "", whole)
         rows = whole.rows
-    own = [slower_sampling(values[rows, part], steps[part]) for _, part in kinds] if len(kinds) > 1 else []
+    own = (
+        [slower_sampling(log.time[rows], values[rows, part], steps[part]) for _, part in kinds]
+        if len(kinds) > 1
+        else []
+    )
     # What was interpolated has bends of its own, which are no sensor's.
     if all(each is None for each in own) or (whole is not None and whole.kind != HELD):
         return [(slice(0, 6), rows)]

@@ -148,7 +148,7 @@ def test_good_logs_are_neither_faulty_nor_correlated() -> None:
                 level = noise_level(time, values)
                 assert faults(time, values, level.sigma) == [], (seed, noise)
                 assert level.correlation == 1.0, (seed, noise)
-                assert slower_sampling(values, rounding_steps(values)) is None, (seed, noise)
+                assert slower_sampling(time, values, rounding_steps(values)) is None, (seed, noise)
 
 
 def test_a_fault_is_found_with_its_size_and_its_rows() -> None:
@@ -259,6 +259,14 @@ def test_a_slow_sensor_beside_a_slower_one_has_rows_of_its_own() -> None:
     count = len(values)
     assert any(f"{count} rows are held between {count // 2} measured" in line for line in told), told
     assert any(f"positions of {count} rows are held between {-(-count // 6)} " in line for line in told), told
+
+
+@pytest.mark.parametrize("apart", [104, 105, 106])
+def test_rows_that_are_missing_do_not_make_the_others_interpolated(apart: int) -> None:
+    """Counts of a sensor, which bend at missing rows alone, of which two are near each other."""
+    time = np.delete(np.arange(1000) / 500.0, [1, 100, apart, 200, 300, 400, 500, 600, 700])
+    counts = 5e-6 * np.rint(1e3 * np.sin(np.outer(time, np.arange(3.0, 9.0)) + np.arange(6.0)))
+    assert slower_sampling(time, counts, np.full(6, 5e-6)) is None
 
 
 def test_leg_lengths_of_a_slower_sensor_are_told() -> None:
