@@ -253,24 +253,31 @@ WINDOW = 96
 """Knot intervals of a window."""
 # Times are even if they are off multiples of the mean interval by less than this share of it.
 _UNEVEN = 1e-6
+# A step this many times as long as nine of ten splits a series, if both parts keep this many samples.
+_GAP, _FEWEST_SAMPLES = 8.0, 6
 
 
-class Clock(NamedTuple):
-    """Times of samples since the first, in units, s; of even samples whole numbers of their interval."""
+class Instants(NamedTuple):
+    """Times of samples since the first, in units, s; of even samples whole numbers of their interval.
+
+    scale: how many times the noise of a column that of each sample is, (n,).
+    """
 
     start: float
     unit: float
     since: Array
     even: bool
+    scale: Array
 
     @classmethod
-    def of(cls, time: Array) -> Clock:
-        """The clock of increasing times."""
+    def of(cls, time: Array, scale: Array) -> Instants:
+        """Of increasing times."""
         since = elapsed(time)
         unit = float(since[-1]) / (len(time) - 1)
         count = np.rint(since / unit)
         even = bool(np.abs(since / unit - count).max() < _UNEVEN)
-        return cls(float(time[0]), unit, count, True) if even else cls(float(time[0]), 1.0, since, False)
+        unit, since = (unit, count) if even else (1.0, since)
+        return cls(float(time[0]), unit, since, even, scale)
 
 
 class Knots(NamedTuple):
@@ -285,15 +292,15 @@ class Knots(NamedTuple):
     whole: bool
 
     @classmethod
-    def of(cls, clock: Clock, cells: float) -> Knots:
+    def of(cls, instants: Instants, cells: float) -> Knots:
         """About so many intervals over the times: a few more where windows need them."""
-        span, half = float(clock.since[-1]), WINDOW // 2
+        span, half = float(instants.since[-1]), WINDOW // 2
         step = span / cells
-        whole = clock.even and cells > WINDOW
+        whole = instants.even and cells > WINDOW
         if whole:
             step = math.ceil(half * step) / half
         needed = math.ceil(span / step * (1.0 - 1e-12))
-        return cls(step, needed if whole else whole_windows(needed), len(clock.since) * step / span, whole)
+        return cls(step, needed if whole else whole_windows(needed), len(instants.since) * step / span, whole)
 
     def place(self, cell: int) -> float:
         """Time at which a cell begins."""
@@ -309,18 +316,40 @@ class Knots(NamedTuple):
         return left if left < 3 * WINDOW // 2 else WINDOW
 
     def share(self, start: int, places: Array) -> Array:
-        """Weight of the window from cell ``start`` at places in cells: those of all windows add up to 1.
+        """Weight of a window from cell ``start`` at places in cells; of all windows they add up to 1.
 
-        It is 0 next to an end that another window overlaps, where the one has fewer samples than the other.
+        It is 0 next to an end that another window overlaps, where the one has fewer samples than the other,
+        and has no kinks, which would be accelerations where one curve is rougher than the other.
         """
-        margin = WINDOW / 6.0
+        margin = WINDOW / 24.0
+        overlap = WINDOW / 2.0 - 2.0 * margin
         last = start + self.width(start) >= self.cells
-        rise = np.ones_like(places) if start == 0 else (places - start) / margin - 1.0
-        fall = np.ones_like(places) if last else (start + WINDOW - places) / margin - 1.0
-        return np.clip(np.minimum(rise, fall), 0.0, 1.0)
+        rise = np.ones_like(places) if start == 0 else (places - start - margin) / overlap
+        fall = np.ones_like(places) if last else (start + WINDOW - places - margin) / overlap
+        x = np.clip(np.minimum(rise, fall), 0.0, 1.0)
+        return np.asarray(x**3 * (10.0 - x * (15.0 - 6.0 * x)))
 
 
 def whole_windows(cells: int) -> int:
     """At least as many cells, such that windows fill them."""
     half = WINDOW // 2
     return cells if cells <= WINDOW else -(-cells // half) * half
+
+
+def breaks(time: Array) -> list[int]:
+    """First samples after long gaps, so that each part has its fewest samples."""
+    step = np.diff(time)
+    found: list[int] = []
+    for i in (np.flatnonzero(step > _GAP * np.quantile(step, 0.9)) + 1).tolist():
+        if i - (found[-1] if found else 0) >= _FEWEST_SAMPLES and len(time) - i >= _FEWEST_SAMPLES:
+            found.append(i)
+    return found
+
+
+def check_cutoff(time: Array, cutoff: float) -> None:
+    """Raise ValueError unless samples at these times show a cut-off frequency, Hz."""
+    nyquist = 0.5 / float(np.median(np.diff(elapsed(time))))
+    if not 0.0 < cutoff < nyquist:
+        raise ValueError(
+            f"cutoff: expected a frequency > 0 and < {nyquist:g} Hz, half the rate, got {cutoff:g}"
+        )

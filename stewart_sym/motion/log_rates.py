@@ -11,6 +11,7 @@ import numpy as np
 from ..io.array_types import Array, Flags
 from ..io.extras import needed_for
 from ..io.instants import elapsed, lost, time_text
+from .interpolation import check_cutoff
 from .log_faults import (
     HELD,
     Fault,
@@ -29,7 +30,7 @@ from .log_faults import (
     unseen,
 )
 from .noise_level import FEWEST_SAMPLES, LEAST_SAMPLES, Level, decided_noise, noise_level, varying_noise
-from .smoothing import PAIRS, check_cutoff, shown_noise, smoothed
+from .smoothing import PAIRS, shown_noise, smoothed
 from .trajectory import Log, Replaced, Uncertainty
 
 _MIN_SPLINE_POINTS = 4

@@ -23,9 +23,19 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..io.arguments import real_array, shown
 from ..io.array_types import Array
-from ..io.instants import elapsed
 from ..io.tables import positive
-from .interpolation import DEGREE, Clock, Knots, along, b_splines, dense, places, whole_windows
+from .interpolation import (
+    DEGREE,
+    Instants,
+    Knots,
+    along,
+    b_splines,
+    breaks,
+    check_cutoff,
+    dense,
+    places,
+    whole_windows,
+)
 from .noise_level import FEWEST_SAMPLES, LEAST_SAMPLES, SEEN, Level, like_noise, noise_level
 
 ORDERS = (3, 4, 6, 8)
@@ -43,8 +53,6 @@ _WEIGHTS = 10.0 ** np.linspace(-9.0, 12.0, 127)
 PAIRS = ((0, 0), (1, 0), (1, 1), (2, 0), (2, 1), (2, 2))
 """Entries of a covariance: pairs of value, 0, rate, 1, and second rate, 2."""
 _CHUNK = 1 << 16
-# A step this many times as long as nine of ten splits a series, if both parts keep this many samples.
-_GAP, _FEWEST_SAMPLES = 8.0, 6
 # By how much -2 log likelihood of all columns falls with noise in few samples where there is any.
 _DECIDED = 10.0
 # Samples beyond the order of a curve that show noise.
@@ -137,9 +145,12 @@ def smoothed(
 
     scale: times the level of the noise of each sample, (n,).
     """
-    ends = [0, *_breaks(time), len(time)]
+    ends = [0, *breaks(time), len(time)]
     scale = np.ones(len(time)) if scale is None else scale
-    parts = [_part(time[i:j], columns[i:j], scale[i:j], level, cutoff) for i, j in itertools.pairwise(ends)]
+    parts = [
+        _part(Instants.of(time[i:j], scale[i:j]), columns[i:j], level, cutoff)
+        for i, j in itertools.pairwise(ends)
+    ]
     if len(parts) == 1:
         return parts[0]
     shares = np.diff(ends)[:, None] / len(time)
@@ -155,47 +166,34 @@ def shown_noise(time: Array, values: Array, step: Array | None = None) -> Level:
     level = noise_level(time, values, step)
     if not FEWEST_SAMPLES <= len(time) < LEAST_SAMPLES:
         return level
-    clock = Clock.of(time)
-    knots = Knots.of(clock, _fewest_cells(len(time)))
-    window = _Window.of(clock.since, values, np.ones(len(time)), knots, 0)
-    sigma, gain = window.noise(_orders(clock.since, knots.step), level.least)
+    instants = Instants.of(time, np.ones(len(time)))
+    knots = Knots.of(instants, _fewest_cells(len(time)))
+    window = _Window.of(instants, values, knots, 0)
+    sigma, gain = window.noise(_orders(instants.since, knots.step), level.least)
     noisy = like_noise(time, values, sigma)
     noisy &= np.sum(gain[noisy]) > _DECIDED
     return Level(np.where(noisy, sigma, level.sigma), np.where(noisy, sigma, level.least))
 
 
-def _breaks(time: Array) -> list[int]:
-    """First samples after long gaps, so that each part has its fewest samples."""
-    step = np.diff(time)
-    found: list[int] = []
-    for i in (np.flatnonzero(step > _GAP * np.quantile(step, 0.9)) + 1).tolist():
-        if i - (found[-1] if found else 0) >= _FEWEST_SAMPLES and len(time) - i >= _FEWEST_SAMPLES:
-            found.append(i)
-    return found
-
-
-def _part(time: Array, columns: Array, scale: Array, level: Level | None, cutoff: float | None) -> Smooth:
+def _part(instants: Instants, columns: Array, level: Level | None, cutoff: float | None) -> Smooth:
     """``smoothed`` of samples without a long gap."""
-    clock = Clock.of(time)
     ones = np.ones(columns.shape[1])
     if cutoff is not None:
-        check_cutoff(time, cutoff)
-        knots = Knots.of(clock, 8.0 * cutoff * clock.unit * float(clock.since[-1]))
+        check_cutoff(instants.unit * instants.since, cutoff)
+        knots = Knots.of(instants, 8.0 * cutoff * instants.unit * float(instants.since[-1]))
         orders = np.full(len(ones), CUTOFF_ORDER)
-        turns = cutoff * clock.unit * knots.step
+        turns = cutoff * instants.unit * knots.step
         weight = float(np.sinc(turns) ** (2 * DEGREE + 2))
         weight *= (_EDGE / (2.0 * math.sin(math.pi * turns))) ** (2 * CUTOFF_ORDER)
-        found = _smoothed(
-            clock, columns, scale, ones if level is None else level.sigma, knots, orders, weight
-        )
+        found = _smoothed(instants, columns, ones if level is None else level.sigma, knots, orders, weight)
         return _scaled(found, columns) if level is None else found
     assert level is not None
-    knots, orders, seen = _resolve(clock, columns, scale, level.sigma)
+    knots, orders, seen = _resolve(instants, columns, level.sigma)
     # Modes that show less than rounding makes are those of numbers that stay the same: off alike by as much.
     still = seen < 0.5 * level.least
     likely = np.where(still, level.sigma, np.clip(seen, level.least, 1.5 * level.sigma))
     known = level.least == level.sigma
-    found = _smoothed(clock, columns, scale, np.where(known, level.sigma, likely), knots, orders, None)
+    found = _smoothed(instants, columns, np.where(known, level.sigma, likely), knots, orders, None)
     sigma = np.where(still, level.least, found.sigma)
     most = np.max(found.covariance[:, :, 0], axis=0)
     share = np.where(still, np.minimum(1.0, sigma**2 / np.where(most > 0.0, most, 1.0)), 1.0)
@@ -210,15 +208,6 @@ def _scaled(unit: Smooth, columns: Array) -> Smooth:
 
 
 # Knots
-
-
-def check_cutoff(time: Array, cutoff: float) -> None:
-    """Raise ValueError unless samples at these times show a cut-off frequency, Hz."""
-    nyquist = 0.5 / float(np.median(np.diff(elapsed(time))))
-    if not 0.0 < cutoff < nyquist:
-        raise ValueError(
-            f"cutoff: expected a frequency > 0 and < {nyquist:g} Hz, half the rate, got {cutoff:g}"
-        )
 
 
 def _orders(since: Array, step: float) -> list[int]:
@@ -236,20 +225,18 @@ def _fewest_cells(count: int) -> int:
     return _FEWEST_CELLS if count >= LEAST_SAMPLES else LEAST_SAMPLES
 
 
-def _resolve(
-    clock: Clock, values: Array, scale: Array, sigma: Array
-) -> tuple[Knots, NDArray[np.int64], Array]:
+def _resolve(instants: Instants, values: Array, sigma: Array) -> tuple[Knots, NDArray[np.int64], Array]:
     """Knots so fine that the penalty limits the resolution, and the likeliest order and noise, (c,)."""
-    since = clock.since
+    since = instants.since
     cells = _fewest_cells(len(since))
     while True:
-        knots = Knots.of(clock, cells)
+        knots = Knots.of(instants, cells)
         orders = _orders(since, knots.step)
         starts = knots.windows()
         trial = {starts[int(i)] for i in np.linspace(0, len(starts) - 1, min(len(starts), _TRIAL_WINDOWS))}
         cost, free, squares, count = np.zeros((4, len(orders), values.shape[1]))
         for start in trial:
-            window = _Window.of(since, values, scale, knots, start)
+            window = _Window.of(instants, values, knots, start)
             for i, order in enumerate(orders):
                 found = window.likeliest(order, sigma)
                 cost[i] += found.cost
@@ -298,10 +285,16 @@ def _modes(samples: bytes, size: int, order: int, density: float) -> _Modes:
 
 
 @functools.lru_cache(maxsize=8)
+def _rates(width: int) -> list[Array]:
+    """Values, rates and second rates of B-splines of knots 1 apart at every half cell: (g, p) each."""
+    cell, u = places(np.arange(2 * width + 1) / 2.0, 1.0, width)
+    return [dense(cell, b_splines(u, DEGREE, rate), width) for rate in range(3)]
+
+
+@functools.lru_cache(maxsize=8)
 def _products(modes: _Modes, width: int) -> list[Array]:
     """Products of ``PAIRS`` at every half cell, of knots 1 apart: (g, p) each."""
-    cell, u = places(np.arange(2 * width + 1) / 2.0, 1.0, width)
-    rows = [dense(cell, b_splines(u, DEGREE, rate), width) @ modes.X for rate in range(3)]
+    rows = [each @ modes.X for each in _rates(width)]
     return [rows[i] * rows[j] for i, j in PAIRS]
 
 
@@ -342,13 +335,14 @@ class _Window(NamedTuple):
         return len(self.G)
 
     @classmethod
-    def of(cls, since: Array, values: Array, scale: Array, knots: Knots, start: int) -> _Window:
+    def of(cls, instants: Instants, values: Array, knots: Knots, start: int) -> _Window:
         """The window that begins with a cell; of samples over their scale, whose noise is alike."""
+        since = instants.since
         begin, width = knots.place(start), knots.width(start)
         first, last = np.searchsorted(since, [begin, knots.place(start + width)])
         end = len(since) if start + width >= knots.cells else int(last)
         cell, u = places(since[first:end] - begin, knots.step, width)
-        weights = 1.0 / scale[first:end, None]
+        weights = 1.0 / instants.scale[first:end, None]
         N, y = weights * b_splines(u, DEGREE), weights * values[first:end]
         size, inner = width + DEGREE, range(DEGREE + 1)
         # Samples lie in order of time, those of a cell side by side.
@@ -441,21 +435,21 @@ class _Window(NamedTuple):
 
 
 def _smoothed(
-    clock: Clock,
+    instants: Instants,
     values: Array,
-    scale: Array,
     sigma: Array,
     knots: Knots,
     orders: NDArray[np.int64],
     weight: float | None,
 ) -> Smooth:
-    count, step = values.shape[1], clock.unit * knots.step
+    count, step = values.shape[1], instants.unit * knots.step
     jumping = ORDERS[0] if weight is None else CUTOFF_ORDER
     coefficients = np.zeros((knots.cells + DEGREE, count))
     grid = np.arange(2 * knots.cells + 1) / 2.0
     covariance, resolved = np.zeros((len(grid), count, len(PAIRS))), np.zeros((len(grid), count))
+    apart = np.zeros((3, len(grid), count))
     for start in knots.windows():
-        window = _Window.of(clock.since, values, scale, knots, start)
+        window = _Window.of(instants, values, knots, start)
         width = knots.width(start)
         inside = slice(2 * start, 2 * (start + width) + 1)
         share = knots.share(start, grid[inside])
@@ -468,33 +462,36 @@ def _smoothed(
             own, fit = np.flatnonzero(likely == order), fits[int(order)]
             mean = fit.modes.X @ fit.mean[:, own]
             coefficients[start : start + window.size, own] += blend[:, None] * mean
+            for rate, rows in enumerate(_rates(width)):
+                apart[rate][inside, own] += share[:, None] * (rows @ mean) / step**rate
             if order == ORDERS[0]:
                 resolved[inside, own] += share[:, None] * width / fit.free[own]
             for k, product in enumerate(_products(fit.modes, width)):
                 scaled = share[:, None] / step ** sum(PAIRS[k])
                 covariance[inside, own, k] += scaled * (product @ fit.variance[:, own])
-    covariance += _ramps(coefficients, resolved, step)
+    covariance += _beside_noise(coefficients, resolved, apart, step)
     found = np.empty((3, *values.shape))
     for part in (slice(i, i + _CHUNK) for i in range(0, len(values), _CHUNK)):
-        cell, u = places(clock.since[part], knots.step, knots.cells)
+        cell, u = places(instants.since[part], knots.step, knots.cells)
         for rate in range(3):
             N = b_splines(u, DEGREE, rate) / step**rate
             found[rate, part] = along(N, cell, coefficients)
-    return Smooth(found[0], found[1], found[2], sigma, clock.start + step * grid, covariance)
+    return Smooth(found[0], found[1], found[2], sigma, instants.start + step * grid, covariance)
 
 
-def _ramps(coefficients: Array, resolved: Array, step: float) -> Array:
-    """Covariance at every half cell, (g, c, 6), that second rates add which may jump where they seem to rise.
+def _beside_noise(coefficients: Array, resolved: Array, apart: Array, step: float) -> Array:
+    """Covariance at every half cell, (g, c, 6), that jumps of second rates and joints of windows add.
 
-    Anything between the values before and after is as likely. resolved: cells over which a jump becomes a
-    ramp, (g, c); 0 where none is likely.
+    Where a second rate that may jump seems to rise, anything between what it is before and after is as
+    likely. resolved: cells over which a jump becomes a ramp, (g, c); 0 where none is likely. apart: mean of
+    the windows' own values, rates and second rates, (3, g, c), from which the joined curve differs.
     """
     grid = np.arange(len(resolved)) / 2.0
     cell, u = places(grid, 1.0, len(coefficients) - DEGREE)
-    seconds = along(b_splines(u, DEGREE, 2), cell, coefficients) / step**2
-    off = np.zeros((3, *resolved.shape))
+    joined = np.stack([along(b_splines(u, DEGREE, i), cell, coefficients) / step**i for i in range(3)])
+    joints, ramps = joined - apart, np.zeros(apart.shape)
     for i, ramp in enumerate(resolved.T):
-        before, after = (np.interp(grid + side * ramp, grid, seconds[:, i]) for side in (-1.0, 1.0))
-        off[2, :, i] = (after - before) / math.sqrt(12.0)
-    off[1] = 0.25 * step * resolved * off[2]
-    return np.stack([off[i] * off[j] for i, j in PAIRS], axis=-1)
+        before, after = (np.interp(grid + side * ramp, grid, joined[2, :, i]) for side in (-1.0, 1.0))
+        ramps[2, :, i] = (after - before) / math.sqrt(12.0)
+    ramps[1] = 0.25 * step * resolved * ramps[2]
+    return np.stack([ramps[i] * ramps[j] + joints[i] * joints[j] for i, j in PAIRS], axis=-1)

@@ -1,4 +1,4 @@
-"""Logs that are no motion under white noise: bad rows, correlated noise, rows that were not measured."""
+"""Logs that are no motion under white noise: bad rows, other noise, rows that were not measured."""
 
 import dataclasses
 import itertools
@@ -15,7 +15,7 @@ from whole_track import track
 import stewart_sym as ss
 from stewart_sym.motion.log_faults import Fault, faults, offsets, plateaus, slower_sampling, spread
 from stewart_sym.motion.log_rates import rates_of
-from stewart_sym.motion.noise_level import noise_level, rounding_steps
+from stewart_sym.motion.noise_level import noise_level, rounding_steps, varying_noise
 from stewart_sym.motion.trajectory import Log, Trajectory
 
 Array = NDArray[np.float64]
@@ -199,6 +199,51 @@ def test_correlated_noise_is_told_and_its_deviations_cover_the_errors(keeps: flo
         F, expected = (ss.inverse_dynamics(one.robot, each).F for each in (found.motion, motion(true)))
         inside.append(np.mean(np.abs(F - expected) < 1.96 * ss.force_deviations(one.robot, found)))
     assert np.mean(inside) > 0.88
+
+
+@pytest.mark.parametrize(("times", "kinds"), [(10.0, slice(0, 6)), (5.0, slice(0, 6)), (10.0, slice(0, 3))])
+def test_noise_that_grows_for_a_while_is_named_and_deviations_follow_it(times: float, kinds: slice) -> None:
+    inside, beyond = [], []
+    for seed in range(4):
+        rng, one = np.random.default_rng([seed, 9]), case(seed)
+        time = np.arange(600) * 0.01
+        true = coordinates(rng, 0.5, time, 1.0)
+        true[0, :, :3] += one.true[0, 0, :3]
+        sigma = np.full(true[0].shape, WHITE)
+        sigma[200:350, kinds] *= times
+        noisy = true[0] + sigma * rng.normal(size=sigma.shape)
+        with pytest.warns(ss.LogWarning, match="times as large from") as caught:
+            found = from_poses(time, *np.hsplit(noisy, 2))
+        told = [str(each.message) for each in caught if "times as large from" in str(each.message)]
+        assert len(told) == (kinds.stop // 3)
+        factor, first, last = map(
+            float, re.findall(r"is (\S+) times as large from (\S+) s to (\S+) s", told[0])[0]
+        )
+        assert factor == pytest.approx(times, rel=0.35)
+        assert (first, last) == (pytest.approx(2.0, abs=0.5), pytest.approx(3.5, abs=0.5))
+        F, expected = (ss.inverse_dynamics(one.robot, each).F for each in (found.motion, motion(true)))
+        z = np.abs(F - expected) / ss.force_deviations(one.robot, found)
+        inside.append(np.mean(z < 1.96))
+        beyond.append(np.mean(z[200:350] > 4.0))
+    assert np.mean(inside) > 0.9
+    assert np.mean(beyond) < 2e-3
+
+
+def test_noise_that_stays_does_not_vary() -> None:
+    """Beside smooth motions, moves whose accelerations jump, and rest."""
+    for seed in range(20):
+        rng, one = np.random.default_rng(seed), case(seed)
+        time = np.arange(len(one.time)) * (one.time[1] - one.time[0])
+        starts = np.sort(rng.uniform(0.0, time[-1], (8, 1, 3)), axis=0)
+        moves = np.sum(
+            np.array([1, -1, -1, 1, -1, 1, 1, -1.0])[:, None, None]
+            * np.maximum(time[:, None] - starts, 0.0) ** 2,
+            axis=0,
+        )
+        for true in (one.true[0, :, :3], one.true[0, :, 3:], moves / np.ptp(moves), 0.0 * moves):
+            for noise in (1e-3, 1e-5):
+                values = np.round(true + noise * rng.normal(size=true.shape), 7)
+                assert varying_noise(time, values, np.full(3, 3e-8)) is None, (seed, noise)
 
 
 def held(values: Array, every: int) -> Array:
