@@ -238,7 +238,7 @@ def _derivatives(
         _warn_of_jumps(log, left if level.scale is None else left / level.scale, noise)
     elif tell:
         _warn_of_cutoff(log, values, found)
-    if tell and _matters(noise):
+    if tell and _matters(noise) and not _too_few(log):
         more = _CORRELATED.format(level.correlation) if level.correlation > 1.0 else ""
         log.warn(f"{noise_text(noise)}: smoothed{more}", 7)
     return found, noise
@@ -401,10 +401,15 @@ def _warn_of_stated(log: Log, values: Array, steps: Array) -> None:
             log.warn(f"{statement}, but they {doubt}", 7)
 
 
+def _too_few(log: Log) -> bool:
+    """Whether rows are too few to look for noise that is not stated."""
+    looked_for = log.smoothing.on and log.smoothing.cutoff is None and not _stated(log).all()
+    return looked_for and len(log.time) < FEWEST_SAMPLES
+
+
 def _warn_of_few(log: Log, values: Array) -> None:
     """Warn of rows that are too few to look for their noise."""
-    few = _MIN_SPLINE_POINTS <= len(log.time) < FEWEST_SAMPLES and np.ptp(values, axis=0).any()
-    if few and log.smoothing.on and log.smoothing.cutoff is None and not _stated(log).all():
+    if _too_few(log) and len(log.time) >= _MIN_SPLINE_POINTS and np.ptp(values, axis=0).any():
         text = (
             f"{len(log.time)} rows are too few to distinguish noise from motion: forces and deviations are "
             "those without noise beyond rounding; where there is more, state it "
