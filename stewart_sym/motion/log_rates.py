@@ -356,11 +356,11 @@ def _warn_of_varying(log: Log, name: str, scale: Array) -> None:
     edges = np.flatnonzero(np.diff(large.astype(np.int8), prepend=0, append=0)).reshape(-1, 2)
     step = float(np.median(np.diff(log.time)))
     first, last = (time_text(log.time[i], step) for i in (edges[0, 0], edges[0, 1] - 1))
-    more = f", and in {len(edges) - 1} more stretches" if len(edges) > 1 else ""
+    more = f"; larger in {len(edges)} stretches in all" if len(edges) > 1 else ""
     times = float(np.median(scale[large]) / np.median(scale[~large]))
     log.warn(
-        f"noise of {log.kind(name)[0]} is {times:.2g} times as large from {first} s to {last} s{more} as "
-        "elsewhere: smoothed and counted as it is there",
+        f"noise of {log.kind(name)[0]} is {times:.2g} times as large from {first} s to {last} s as elsewhere"
+        f"{more}: smoothed and counted as it is there",
         8,
     )
 
