@@ -129,9 +129,11 @@ def varying_noise(time: Array, values: Array, rounding: Array) -> tuple[Array, A
     None: noise that stays, and that of rounding. Of a stretch of rows it is the least that differences of
     several orders show: low ones of the motion are more, and high ones of accelerations that jump.
     """
+    if len(time) < 2 * _STRETCH:
+        return None
     usual = np.median(np.abs(_differences(elapsed(time), values, 8)), axis=0) / _QUANTILES[1][1]
     noisy = usual > _BEYOND * rounding
-    if len(time) < 2 * _STRETCH or 2 * np.count_nonzero(noisy) <= np.count_nonzero(np.ptp(values, axis=0)):
+    if 2 * np.count_nonzero(noisy) <= np.count_nonzero(np.ptp(values, axis=0)):
         return None
     unit, columns = usual[noisy], values[:, noisy]
     sizes = [np.abs(_differences(elapsed(time), columns, order)) / unit for order in (3, 4, 5, 8)]
