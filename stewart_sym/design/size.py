@@ -2,22 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..drives.effort import at_instants, trapezoids
+from ..drives.effort import trapezoids
+from ..drives.instants import at_instants
+from ..drives.noise import all_deviations, at_replaced
+from ..drives.verdicts import SURE
 from ..dynamics.inverse import Formulation, inverse_dynamics, need_motion
 from ..io.arguments import instance, number_in, real_array, shown
-from ..io.array_types import Array
-from ..io.frozen import Frozen
+from ..io.array_types import Array, Flags
+from ..io.frozen import Frozen, read_only
 from ..io.progress import Progress, silent
 from ..kinematics.clearance import angles_between, neutral_directions
 from ..kinematics.inverse import inverse_kinematics
 from ..motion.motion import Motion
+from ..motion.trajectory import PoseLog, Trajectory
 from ..robot.robot import Robot
 
 QUANTILES = (0.5, 0.9, 0.99, 1.0)
@@ -42,6 +46,11 @@ class Course(Frozen):
         Of the motors, N m, rad/s and W, (n, 6); None of a robot without drives.
     current : ndarray, optional
         Of the motors, A, (n, 6); NaN of one without a torque_constant, None where none has one.
+    deviations : dict, optional
+        Standard deviations of the fields above and of power by noise of logs, arrays by their names; with
+        _rise and _fall those of the sizes of torque and current upward and downward. None without noise.
+    replaced : ndarray of bool, optional
+        Instants, (n,), whose deviations are those of replaced rows of a log; None without noise.
     """
 
     weight: Array
@@ -54,6 +63,8 @@ class Course(Frozen):
     motor_speed: Array | None = None
     motor_power: Array | None = None
     current: Array | None = None
+    deviations: Mapping[str, Array] | None = None
+    replaced: Flags | None = None
 
     @property
     def power(self) -> Array:
@@ -95,6 +106,9 @@ class Needs(Frozen):
         Root mean square of the torque, N m, (6,).
     course : Course
         All of it over time.
+    deviations : dict, optional
+        Standard deviations of the fields above and of stroke by noise of logs, arrays by their names: the
+        largest that errors at single instants can make, however these go together. None without noise.
     """
 
     margin: float
@@ -116,6 +130,7 @@ class Needs(Frozen):
     current: Array | None
     rms_torque: Array | None
     course: Course
+    deviations: Mapping[str, Array] | None = None
 
     @property
     def stroke(self) -> Array:
@@ -125,7 +140,7 @@ class Needs(Frozen):
 
 def size(
     robot: Robot,
-    motions: Sequence[tuple[ArrayLike, Motion]],
+    motions: Sequence[tuple[ArrayLike, Motion] | Trajectory | PoseLog],
     margin: float = 0.25,
     quantiles: Sequence[float] = QUANTILES,
     formulation: Formulation = "exact",
@@ -138,7 +153,8 @@ def size(
     robot : Robot
         The machine.
     motions : sequence of tuple
-        (time, motion) each: instants, s, (n,), rising, and the motion there with its load, (n,).
+        (time, motion) each: instants, s, (n,), rising, and the motion there with its load, (n,); or
+        trajectories, whose noise makes deviations.
     margin : float, optional
         Share that a limit should exceed the need by.
     quantiles : sequence of float, optional
@@ -163,10 +179,11 @@ def size(
     shares = checked_quantiles(quantiles)
     given = _checked(robot, motions)
     courses = []
-    for number, (time, motion) in enumerate(given):
+    for number, each in enumerate(given):
         progress("computing forces", number / len(given))
-        courses.append(_course(robot, time, motion, formulation))
-    return _needs(robot, courses, margin, shares)
+        courses.append(_course(robot, each.time, each.motion, formulation))
+    course = _joined(robot, courses, given, formulation)
+    return _needs(course, margin, shares)
 
 
 def checked_quantiles(quantiles: Sequence[float], where: str = "quantiles") -> Array:
@@ -177,11 +194,20 @@ def checked_quantiles(quantiles: Sequence[float], where: str = "quantiles") -> A
     return np.unique(shares)
 
 
-def _checked(robot: Robot, motions: object) -> list[tuple[Array, Motion]]:
+class _Given(NamedTuple):
+    time: Array
+    motion: Motion
+    log: Trajectory | PoseLog | None = None
+
+
+def _checked(robot: Robot, motions: object) -> list[_Given]:
     if not isinstance(motions, Iterable) or isinstance(motions, Motion):
         raise ValueError(f"motions: expected pairs (time, motion), got {type(motions).__name__}")
     found = []
     for i, pair in enumerate(motions):
+        log = None
+        if isinstance(pair, Trajectory | PoseLog):
+            log, pair = pair, (pair.time, pair.motion)
         if not isinstance(pair, tuple | list) or len(pair) != 2:
             raise ValueError(f"motions[{i}]: expected a pair (time, motion), got {type(pair).__name__}")
         time, motion = real_array(pair[0], f"motions[{i}]: time"), pair[1]
@@ -194,7 +220,7 @@ def _checked(robot: Robot, motions: object) -> list[tuple[Array, Motion]]:
             )
         if not np.isfinite(time).all() or np.any(np.diff(time) <= 0.0):
             raise ValueError(f"motions[{i}]: time: expected finite, rising instants")
-        found.append((time, motion))
+        found.append(_Given(time, motion, log))
     if not found:
         raise ValueError("motions: expected one at least, got none")
     return found
@@ -220,21 +246,55 @@ def _course(robot: Robot, time: Array, motion: Motion, formulation: Formulation)
     }
 
 
-def _needs(robot: Robot, courses: Sequence[dict[str, Array]], margin: float, shares: Array) -> Needs:
-    every = {name: np.concatenate([course[name] for course in courses]) for name in courses[0]}
+def _joined(
+    robot: Robot, courses: Sequence[dict[str, Array]], given: Sequence[_Given], formulation: Formulation
+) -> Course:
+    """All motions as one, with their deviations if any has them."""
+    every: dict[str, Any] = {
+        name: np.concatenate([course[name] for course in courses]) for name in courses[0]
+    }
+    neutral = []
     for end in ("base", "platform"):
         s = every[end]
         mean = np.average(s, axis=0, weights=every["weight"])
-        neutral = mean if robot.home is None else neutral_directions(robot)
-        every[end] = angles_between(s, neutral)
-    course = Course(**every)
-    F, power = course.F, course.power
+        neutral.append(mean if robot.home is None else neutral_directions(robot))
+        every[end] = angles_between(s, neutral[-1])
+    if all(each.log is None or each.log.noise is None for each in given):
+        return Course(**every)
+    parts = [
+        _noise(robot, each, course, formulation, np.array(neutral))
+        for each, course in zip(given, courses, strict=True)
+    ]
+    sd = {name: read_only(np.concatenate([part[name] for part, _ in parts])) for name in parts[0][0]}
+    return Course(**every, deviations=sd, replaced=np.concatenate([flags for _, flags in parts]))
+
+
+def _noise(
+    robot: Robot, given: _Given, course: dict[str, Array], formulation: Formulation, neutral: Array
+) -> tuple[dict[str, Array], Flags]:
+    """Deviations of a motion's course by its names, and which are those of replaced rows."""
+    trajectory = Trajectory(given.time, given.motion, "", ()) if given.log is None else given.log
+    found = all_deviations(robot, trajectory, formulation, neutral=neutral)
+    sd = {name: values for name, values in found._asdict().items() if name in (*course, "power")}
+    if found.motors is not None and robot.drive is not None:
+        motors = found.motors
+        sd |= {"torque": motors.torque, "motor_speed": motors.speed, "motor_power": motors.power}
+        sd |= {"torque_rise": motors.torque_rise, "torque_fall": motors.torque_fall}
+        if motors.current is not None:
+            constant = np.where(robot.drive.torque_constant > 0.0, robot.drive.torque_constant, np.nan)
+            sd |= {"current": motors.current}
+            sd |= {f"current_{side}": sd[f"torque_{side}"] / constant for side in ("rise", "fall")}
+    return sd, at_replaced(trajectory, given.time)
+
+
+def _needs(course: Course, margin: float, shares: Array) -> Needs:
+    F, power, weight = course.F, course.power, course.weight
 
     def over_time(values: Array | None) -> Any:
-        return None if values is None else weighted_quantiles(np.abs(values), course.weight, shares)
+        return None if values is None else weighted_quantiles(np.abs(values), weight, shares)
 
     def rms(values: Array | None) -> Any:
-        return None if values is None else np.sqrt(np.average(values**2, axis=0, weights=course.weight))
+        return None if values is None else np.sqrt(np.average(values**2, axis=0, weights=weight))
 
     return Needs(
         margin=margin,
@@ -256,7 +316,61 @@ def _needs(robot: Robot, courses: Sequence[dict[str, Array]], margin: float, sha
         current=over_time(course.current),
         rms_torque=rms(course.torque),
         course=course,
+        deviations=None if course.deviations is None else _deviations(course, course.deviations, shares),
     )
+
+
+_OVER_TIME = {"force": "F", "speed": "L_dot", "power": "power", "torque": "torque"} | {
+    name: name for name in ("motor_speed", "motor_power", "current")
+}
+"""Needs for shares of the time, with what they are sizes of."""
+
+
+def sides(sd: Mapping[str, Array], name: str) -> tuple[Array, Array]:
+    """Deviations, (n, 6), of the sizes of a course's field upward and downward."""
+    return sd.get(f"{name}_rise", sd[name]), sd.get(f"{name}_fall", sd[name])
+
+
+def _deviations(course: Course, sd: Mapping[str, Array], shares: Array) -> dict[str, Array]:
+    """Of needs, by their names: what errors of one deviation at every instant change at most.
+
+    Those of ``SURE`` deviations count as well, over ``SURE``: friction that steps leaves gaps between values.
+    """
+
+    def change(of: Callable[[Array], Array], values: Array, name: str) -> Array:
+        at, found = of(values), np.zeros(())
+        rise, fall = sides(sd, name)
+        for times in (1.0, SURE):
+            up, down = of(values + times * rise), of(values - times * fall)
+            found = np.maximum(found, np.maximum(up - at, at - down) / times)
+        return np.asarray(found)
+
+    def over_time(sizes: Array) -> Array:
+        return weighted_quantiles(sizes.clip(min=0.0), course.weight, shares)
+
+    def greatest(values: Array) -> Array:
+        return np.asarray(values.max(axis=0).clip(min=0.0))
+
+    def rms(name: str) -> Array:
+        return np.asarray(np.sqrt(np.average(sd[name] ** 2, axis=0, weights=course.weight)))
+
+    found = {
+        need: change(over_time, np.abs(getattr(course, name)), name)
+        for need, name in _OVER_TIME.items()
+        if name in sd
+    }
+    for need, name, sign in (
+        ("push", "F", 1),
+        ("pull", "F", -1),
+        ("driving", "power", 1),
+        ("braking", "power", -1),
+    ):
+        found[need] = change(greatest, sign * getattr(course, name), name)
+    ends = [change(lambda x: x.max(axis=0), sign * course.L, "L") for sign in (-1, 1)]
+    found |= {"length": np.stack(ends, axis=-1), "stroke": ends[0] + ends[1], "rms_force": rms("F")}
+    found |= {f"{end}_angle": change(greatest, getattr(course, end), end) for end in ("base", "platform")}
+    found |= {"rms_torque": rms("torque")} if "torque" in sd else {}
+    return {name: read_only(values) for name, values in found.items()}
 
 
 def weighted_quantiles(values: Array, weight: Array, shares: Array) -> Array:
@@ -269,56 +383,3 @@ def weighted_quantiles(values: Array, weight: Array, shares: Array) -> Array:
     first = np.argmax(reached >= wanted, axis=1)
     first[shares == 1.0] = len(values) - 1
     return np.take_along_axis(ranked, first, axis=0)
-
-
-def exceeded(robot: Robot, needs: Needs) -> list[str]:
-    """One line for each limit of the robot that a need exceeds, legs numbered from 1."""
-    lines = [
-        f"{name} of leg {i + 1}: {limit[i] * scale:.4g} {unit}, needed {need[i] * scale:.4g} {unit}"
-        for name, unit, scale, need, limit in _limited(robot, needs)
-        for i in np.flatnonzero(need > limit).tolist()
-    ]
-    low, high = robot.length_limits.T
-    for i in np.flatnonzero((needs.length[:, 0] < low) | (needs.length[:, 1] > high)).tolist():
-        least, most = needs.length[i]
-        lines.append(
-            f"length_limits of leg {i + 1}: {low[i]:.4g} to {high[i]:.4g} m, needed {least:.4g} to "
-            f"{most:.4g} m"
-        )
-    return lines
-
-
-def margin_missing(robot: Robot, needs: Needs) -> list[str]:
-    """One line for each limit of the robot that suffices, but not with the margin, legs numbered from 1."""
-    more = 1.0 + needs.margin
-    return [
-        f"{name} of leg {i + 1}: {limit[i] * scale:.4g} {unit}, needed {need[i] * scale:.4g} {unit}, with "
-        f"the margin {need[i] * more * scale:.4g} {unit}"
-        for name, unit, scale, need, limit in _limited(robot, needs)
-        for i in np.flatnonzero((need <= limit) & (need * more > limit)).tolist()
-    ]
-
-
-def _limited(robot: Robot, needs: Needs) -> Iterator[tuple[str, str, float, Array, Array]]:
-    """Name, unit, factor from SI to it, need and limit, (6,) each, of what a robot may limit."""
-    angles, course = robot.joint_angle_limit.T, needs.course
-    low, high = robot.length_limits.T
-    yield "force_limit", "N", 1.0, np.maximum(needs.push, needs.pull), robot.force_limit
-    yield "speed_limit", "m/s", 1.0, _peak(course.L_dot), robot.speed_limit
-    yield "stroke", "m", 1.0, needs.stroke, high - low
-    yield "joint_angle_limit at the base", "degrees", _DEGREES, needs.base_angle, angles[0]
-    yield "joint_angle_limit at the platform", "degrees", _DEGREES, needs.platform_angle, angles[1]
-    drive = robot.drive
-    if drive is not None and course.torque is not None and needs.rms_torque is not None:
-        yield "drive.torque_limit", "N m", 1.0, _peak(course.torque), np.asarray(drive.torque_limit)
-        yield "drive.rated_torque", "N m", 1.0, needs.rms_torque, np.asarray(drive.rated_torque)
-        yield "drive.speed_limit", "rad/s", 1.0, _peak(course.motor_speed), np.asarray(drive.speed_limit)
-        yield "drive.current_limit", "A", 1.0, _peak(course.current), np.asarray(drive.current_limit)
-        yield "drive.power_limit", "W", 1.0, _peak(course.motor_power), np.asarray(drive.power_limit)
-
-
-def _peak(values: Array | None) -> Array:
-    return np.zeros(6) if values is None else np.abs(values).max(axis=0)
-
-
-_DEGREES = 180.0 / np.pi

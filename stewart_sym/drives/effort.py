@@ -3,31 +3,32 @@
 from __future__ import annotations
 
 import warnings
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ..dynamics.inverse import Backend, Formulation, inverse_dynamics
 from ..io.arguments import finite_array, instance, real_array
-from ..io.array_types import Array
-from ..io.frozen import Frozen
+from ..io.array_types import Array, Flags
+from ..io.frozen import Frozen, read_only
 from ..io.instants import least_step, time_text
 from ..kinematics.inverse import inverse_kinematics
 from ..motion.motion import Motion
-from ..reference import newton_euler, offset_joints
+from ..motion.trajectory import PoseLog, Trajectory
 from ..robot.drive import Drive
-from ..robot.offset_chains import joint_motion, motor_motion
 from ..robot.robot import LEGS, Robot
-from .friction import friction_force
+from .instants import Instants, at_instants
+from .noise import MotorDeviations, all_deviations, at_replaced
+from .verdicts import Beyond, Extremes, Sides, spread_text, verdicts
 
 # A motion planned at a limit exceeds it by its own rounding, no more than this share of it.
 _USED_UP = 1e-6
 
 
 class DriveLimitWarning(UserWarning):
-    """A motion takes more of a motor than its limits allow."""
+    """A motion takes more of a motor than its limits allow, or may do so by the noise of its log."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,7 +60,11 @@ class DriveEffort(Frozen):
     energy : ndarray, optional
         Electrical, J, (6,), by the trapezoidal rule; None without times.
     exceeded : tuple
-        A line for each limit that is exceeded: by which legs, by how much and when.
+        A line for each limit that is exceeded, or not decided at the noise of a log: by which legs, by how
+        much and when.
+    deviations : dict, optional
+        Standard deviations by noise of a log, arrays by the names of the fields above; those of rms_torque
+        and energy, whose errors at different times need not cancel, at most so large. None without noise.
     """
 
     force: Array
@@ -77,11 +82,12 @@ class DriveEffort(Frozen):
     peak_power: Array
     energy: Array | None
     exceeded: tuple[str, ...]
+    deviations: Mapping[str, Array] | None = None
 
 
 def drive_effort(
     robot: Robot,
-    motion: Motion,
+    motion: Motion | Trajectory | PoseLog,
     time: ArrayLike | None = None,
     formulation: Formulation = "exact",
     backend: Backend = "c",
@@ -95,8 +101,9 @@ def drive_effort(
     ----------
     robot : Robot
         The machine, with a drive.
-    motion : Motion
-        With accelerations and any load, (...).
+    motion : Motion, Trajectory or PoseLog
+        With accelerations and any load, (...). A trajectory has its own times, and noise of its log makes
+        deviations.
     time : array_like, optional
         Of the instants, s, rising, (n,), for a motion of shape (n,): the energy, weights of the root mean
         square, and times in warnings. None: every instant counts the same, and warnings number them.
@@ -118,13 +125,23 @@ def drive_effort(
     instance(robot, Robot, "robot")
     if robot.drive is None:
         raise ValueError("robot: expected a drive, got a robot without one ([legs.drive] of its file)")
+    trajectory = None
+    if isinstance(motion, Trajectory | PoseLog):
+        if time is not None:
+            raise ValueError("time: expected None beside a trajectory, which has its own")
+        trajectory, time = motion, motion.time
+        motion = trajectory.motion
     instance(motion, Motion, "motion")
     when = None if time is None else _times(time, motion)
     F = inverse_dynamics(robot, motion, formulation, backend).F
     found = at_instants(robot, robot.drive, motion, F, inverse_kinematics(robot, motion).L_dot)
     weights = np.full(motion.shape, 1.0) if when is None else trapezoids(when)
     summary = Summary(robot.drive, 0.0 if when is None else least_step(when))
-    summary.add(found, weights, when)
+    sd = there = None
+    if trajectory is not None and trajectory.noise is not None:
+        sd = all_deviations(robot, trajectory, formulation, backend).motors
+        there = at_replaced(trajectory, trajectory.time)
+    summary.add(found, weights, when, sd, there)
     lines = tuple(summary.exceeded())
     for line in lines:
         warnings.warn(line, DriveLimitWarning, stacklevel=2)
@@ -134,7 +151,16 @@ def drive_effort(
         **{f"peak_{name}": summary.peaks[name] for name in PEAKS},
         energy=None if when is None else summary.energy,
         exceeded=lines,
+        deviations=None if sd is None else _deviations(sd, summary),
     )
+
+
+def _deviations(sd: MotorDeviations, summary: Summary) -> dict[str, Array]:
+    found = {name: values for name, values in sd._asdict().items() if values is not None}
+    found |= {f"peak_{name}": values for name, values in summary.peak_sd.items()}
+    rms = summary.rms_torque_sd
+    found |= {"energy": summary.energy_sd} | ({} if rms is None else {"rms_torque": rms})
+    return {name: read_only(values) for name, values in found.items()}
 
 
 def motor_forces(robot: Robot, current: ArrayLike) -> Array:
@@ -162,65 +188,6 @@ def motor_forces(robot: Robot, current: ArrayLike) -> Array:
         raise ValueError("robot: expected a drive with a torque_constant of every leg")
     given = finite_array(current, (LEGS,), "current")
     return np.asarray(robot.drive.turns * robot.drive.torque_constant * given)
-
-
-class Instants(NamedTuple):
-    """Fields of ``DriveEffort`` that are given at every instant, (..., 6)."""
-
-    force: Array
-    friction: Array
-    rotor: Array
-    torque: Array
-    speed: Array
-    current: Array | None
-    power: Array
-    electrical: Array
-
-
-def at_instants(robot: Robot, drive: Drive, motion: Motion, F: Array, L_dot: Array) -> Instants:
-    """What each instant takes, from forces of ``inverse_dynamics``, N, and rates of length, m/s, (..., 6).
-
-    NaN where these are.
-    """
-    with np.errstate(all="ignore"):
-        if robot.offsets is None:
-            rotor = newton_euler.rotor_force(robot, motion)
-        else:
-            rotor = offset_joints.rotor_force(robot, motion)
-            L_dot = motor_rates(robot, drive, motion, L_dot)
-    friction = friction_force(drive, F - rotor, L_dot)
-    return _instants(drive, F + friction, friction, rotor, L_dot)
-
-
-def of_motor_forces(robot: Robot, drive: Drive, motion: Motion, force: Array, L_dot: Array) -> Instants:
-    """What each instant of a run takes whose forces are those of the motors, N times torque, N, (..., 6).
-
-    Such are the forces of a simulation. Friction and rotors' parts are not told apart: NaN.
-    """
-    unknown = np.full(np.shape(force), np.nan)
-    return _instants(drive, force, unknown, unknown, motor_rates(robot, drive, motion, L_dot))
-
-
-def _instants(drive: Drive, force: Array, friction: Array, rotor: Array, L_dot: Array) -> Instants:
-    torque = force / drive.turns
-    speed = drive.turns * L_dot
-    power = electrical = torque * speed
-    current = None
-    if np.any(drive.torque_constant):
-        known = drive.torque_constant > 0.0
-        current = torque / np.where(known, drive.torque_constant, np.nan)
-        electrical = power + np.where(known, np.asarray(drive.resistance) * current**2, 0.0)
-    return Instants(force, friction, rotor, torque, speed, current, power, electrical)
-
-
-def motor_rates(robot: Robot, drive: Drive, motion: Motion, L_dot: Array) -> Array:
-    """Rates of the motors over their ``turns``, m/s, (..., 6): L_dot but for U-C-U legs.
-
-    Of these the motor sees the turning of the upper part as well.
-    """
-    if robot.offsets is None:
-        return L_dot
-    return motor_motion(robot, joint_motion(robot, motion).rates) / np.asarray(drive.turns)
 
 
 def trapezoids(time: Array) -> Array:
@@ -254,12 +221,23 @@ class Summary:
     def __init__(self, drive: Drive, step: float) -> None:
         """Begin a run; step: least time between instants, s, 0 where they have no times."""
         self.drive, self.step = drive, step
-        self.peaks = {name: np.zeros(LEGS) for name in PEAKS}
-        self.when: dict[str, list[str]] = {name: [""] * LEGS for name in PEAKS}
+        self.extremes = {name: Extremes() for name in PEAKS}
         self.energy, self.squares, self.span, self.count = np.zeros(LEGS), np.zeros(LEGS), 0.0, 0
+        # Of errors at single instants that all add up: how they go together is not known.
+        self.energy_sd, self._square_sd, self.noisy = np.zeros(LEGS), np.zeros(LEGS), False
 
-    def add(self, part: Instants, weights: Array, time: Array | None) -> None:
-        """Take in instants (..., 6) that stand for weights, s, (...), at times, s, (n,), if they have any."""
+    def add(
+        self,
+        part: Instants,
+        weights: Array,
+        time: Array | None,
+        sd: MotorDeviations | None = None,
+        there: Flags | None = None,
+    ) -> None:
+        """Take in instants (..., 6) that stand for weights, s, (...), at times, s, (n,), if they have any.
+
+        sd: deviations by noise. there: instants, (n,), at which they are those of replaced rows.
+        """
         if not part.torque.size:
             return
         flat = Instants(*(None if x is None else x.reshape(-1, LEGS) for x in part))  # type: ignore[arg-type]
@@ -268,43 +246,86 @@ class Summary:
         self.energy = self.energy + np.sum(each * np.where(good, flat.electrical, 0.0), axis=0)
         self.squares = self.squares + np.sum(each * np.where(good, flat.torque, 0.0) ** 2, axis=0)
         self.span += float(weights.sum())
-        for name in PEAKS if flat.current is not None else [name for name in PEAKS if name != "current"]:
-            sizes = np.nan_to_num(np.abs(getattr(flat, name)), nan=-1.0)
-            for leg, i in enumerate(np.argmax(sizes, axis=0).tolist()):
-                if sizes[i, leg] > self.peaks[name][leg] or not self.when[name][leg]:
-                    self.peaks[name][leg] = max(sizes[i, leg], 0.0)
-                    at = self.count + i
-                    self.when[name][leg] = (
-                        f"instant {at}" if time is None else f"{time_text(time[i], self.step)} s"
-                    )
+        if sd is not None:
+            self.noisy = True
+            counted = each > 0.0
+            self.energy_sd = self.energy_sd + np.sum(each * np.where(counted, sd.electrical, 0.0), axis=0)
+            self._square_sd = self._square_sd + np.sum(each * np.where(counted, sd.torque, 0.0) ** 2, axis=0)
+
+        def when(instants: list[int]) -> list[str]:
+            if time is None:
+                return [f"instant {self.count + i}" for i in instants]
+            return [f"{time_text(time[i], self.step)} s" for i in instants]
+
+        for name, extremes in self.extremes.items():
+            values = getattr(flat, name)
+            if values is not None:
+                extremes.add(np.abs(values), when, None if sd is None else self._sides(sd, name), there)
         self.count += len(flat.torque)
+
+    def _sides(self, sd: MotorDeviations, name: str) -> Array | Sides:
+        """Deviations of sizes, upward and downward where these differ."""
+        if name not in ("torque", "current"):
+            return np.asarray(getattr(sd, name))
+        with np.errstate(divide="ignore", invalid="ignore"):
+            unit = np.asarray(self.drive.torque_constant) if name == "current" else np.ones(LEGS)
+            return sd.torque_rise / unit, sd.torque_fall / unit
+
+    @property
+    def peaks(self) -> dict[str, Array]:
+        """Largest sizes by the names of ``PEAKS``, (6,)."""
+        return {name: extremes.peaks for name, extremes in self.extremes.items()}
+
+    @property
+    def peak_sd(self) -> dict[str, Array]:
+        """Their deviations by noise, (6,), of those that have them."""
+        found = {name: extremes.peak_sd for name, extremes in self.extremes.items()}
+        return {name: sd for name, sd in found.items() if sd is not None}
 
     @property
     def rms_torque(self) -> Array:
         """Root mean squares, N m, (6,)."""
         return np.asarray(np.sqrt(self.squares / self.span)) if self.span > 0.0 else np.zeros(LEGS)
 
+    @property
+    def rms_torque_sd(self) -> Array | None:
+        """Their deviations by noise, at most, N m, (6,); None without."""
+        if not self.noisy:
+            return None
+        return np.asarray(np.sqrt(self._square_sd / self.span)) if self.span > 0.0 else np.zeros(LEGS)
+
     def exceeded(self, share: float = _USED_UP) -> list[str]:
-        """One line for each limit exceeded by more than a share: which legs, the worst, how much and when."""
-        more = 1.0 + share
-        found = [
-            _line(name, self.peaks[name], getattr(self.drive, f"{name}_limit"), more, unit, self.when[name])
-            for name, unit in PEAKS.items()
+        """One line for each limit and verdict: which legs, the worst, how much and when.
+
+        share: of a limit, by which it must be exceeded.
+        """
+        rms = Extremes()
+        rms.add(self.rms_torque[None], lambda _: [""], _row(self.rms_torque_sd))
+        # Legs have a speed_limit too.
+        limits = [(f"drive.{name}_limit", name, unit, self.extremes[name]) for name, unit in PEAKS.items()]
+        limits += [("drive.rated_torque", "root mean square of torque", "N m", rms)]
+        return [
+            _line(name, what, unit, beyond, getattr(self.drive, name.removeprefix("drive.")))
+            for name, what, unit, extremes in limits
+            for beyond in extremes.beyond(getattr(self.drive, name.removeprefix("drive.")) * (1.0 + share))
         ]
-        rms = _line("rated_torque", self.rms_torque, self.drive.rated_torque, more, "N m", None)
-        return [line for line in (*found, rms) if line]
+
+    def verdicts(self, name: str) -> list[str]:
+        """Of each leg's limit of one of ``PEAKS``, or of "rated_torque"."""
+        if name == "rated_torque":
+            limits = self.drive.rated_torque * (1.0 + _USED_UP)
+            return verdicts(self.rms_torque[None], limits, _row(self.rms_torque_sd))
+        return self.extremes[name].verdicts(getattr(self.drive, f"{name}_limit") * (1.0 + _USED_UP))
 
 
-def _line(name: str, values: Array, limits: Array, more: float, unit: str, when: list[str] | None) -> str:
-    over = np.flatnonzero(values > limits * more).tolist()
-    if not over:
-        return ""
-    worst = max(over, key=lambda leg: float(values[leg] / limits[leg]))
-    # Legs have a speed_limit too.
-    limit = f"drive.{name}" if when is None else f"drive.{name}_limit"
-    legs = f"leg{'s' if len(over) > 1 else ''} {', '.join(str(leg + 1) for leg in over)}"
-    what = "root mean square of torque" if when is None else name
-    at = "" if when is None else f" at {when[worst]}"
-    most = "" if len(over) == 1 else f"worst leg {worst + 1}: "
-    worst_one = f"{most}{what} {values[worst]:.4g} {unit}{at}"
-    return f"{limit} exceeded by {legs}: {worst_one}, limit {limits[worst]:g} {unit}"
+def _row(values: Array | None) -> Array | None:
+    return None if values is None else values[None]
+
+
+def _line(name: str, what: str, unit: str, beyond: Beyond, limits: Array) -> str:
+    at = f" at {beyond.when}" if beyond.when else ""
+    value = f"{beyond.size:.4g}{spread_text(beyond.sd)} {unit}{at}"
+    return (
+        f"{name} {beyond.verdict} by {beyond.legs_text}: {beyond.worst_text}{what} {value}, "
+        f"limit {limits[beyond.worst]:g} {unit}"
+    )

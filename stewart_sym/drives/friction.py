@@ -43,13 +43,15 @@ def viscous(drive: Drive) -> Array:
     return np.asarray(drive.screw_viscous + drive.turns**2 * drive.motor_viscous)
 
 
-def friction_force(drive: Drive, F: Array, L_dot: Array) -> Array:
+def friction_force(drive: Drive, F: Array, L_dot: Array, sign: Array | None = None) -> Array:
     """Friction of the drives along the legs, N, (..., 6), positive when it opposes an extending leg.
 
     F: axial force between the parts of each leg, N, (..., 6). L_dot: rate of its length, m/s, (..., 6); at a
-    rate of 0 friction is 0, which is the middle of what it may be.
+    rate of 0 friction is 0, which is the middle of what it may be. sign: of dry friction, (..., 6); None:
+    that of the rate.
     """
-    sign = smooth_sign(L_dot, np.asarray(drive.smoothing))
+    if sign is None:
+        sign = smooth_sign(L_dot, np.asarray(drive.smoothing))
     dry = constant_part(drive, L_dot) + load_share(drive, F, sign) * np.abs(F)
     return np.asarray(sign * dry + viscous(drive) * L_dot)
 

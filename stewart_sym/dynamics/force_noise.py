@@ -21,8 +21,8 @@ from ..robot.robot import Robot
 from .forces import prepare
 from .inverse import Backend, Formulation, inverse_dynamics, with_compiler
 
-# Instants at a time: their eighteen deviations fit into memory whatever the length of the log.
-_CHUNK = 16_384
+CHUNK = 16_384
+"""Instants at a time: their eighteen deviations fit into memory whatever the length of the log."""
 
 
 def force_deviations(
@@ -54,32 +54,25 @@ def force_deviations(
     """
     instance(robot, Robot, "robot")
     need_trajectory(trajectory)
-    deviations = deviations_in_parts(robot, trajectory, formulation, backend)
+    forces = forces_of(robot, formulation, backend)
     count = len(trajectory.time)
-    parts = [deviations(slice(i, i + _CHUNK)) for i in range(0, count, _CHUNK)]
+    starts = range(0, count, CHUNK)
+    parts = [_deviations_of_forces(robot, trajectory, slice(i, i + CHUNK), forces) for i in starts]
     return np.concatenate(parts) if parts else np.empty((0, 6))
 
 
-def deviations_in_parts(
-    robot: Robot, trajectory: Trajectory | PoseLog, formulation: Formulation = "exact", backend: Backend = "c"
-) -> Callable[[slice], Array]:
-    """Return ``force_deviations`` as a function of some of the instants, at best 16,384 or fewer."""
-    forces = _forces(robot, formulation, backend)
-
-    def deviations(part: slice) -> Array:
-        F = forces(trajectory.at(part))
-        deviation = np.zeros(F.shape)
-        if trajectory.noise is not None:
-            L = _deviations(trajectory.noise, trajectory.time[part])
-            for other in _displaced(robot, trajectory, part, L):
-                moved = forces(other)
-                deviation = np.hypot(deviation, np.where(np.isfinite(moved), moved - F, np.inf))
-        return np.where(np.isfinite(F), deviation, np.nan)
-
-    return deviations
+def _deviations_of_forces(
+    robot: Robot, trajectory: Trajectory | PoseLog, part: slice, forces: Callable[[Motion], Array]
+) -> Array:
+    F = forces(trajectory.at(part))
+    deviation = np.zeros(F.shape)
+    for other in displaced(robot, trajectory, part):
+        moved = forces(other)
+        deviation = np.hypot(deviation, np.where(np.isfinite(moved), moved - F, np.inf))
+    return np.where(np.isfinite(F), deviation, np.nan)
 
 
-def _forces(robot: Robot, formulation: Formulation, backend: Backend) -> Callable[[Motion], Array]:
+def forces_of(robot: Robot, formulation: Formulation, backend: Backend) -> Callable[[Motion], Array]:
     """Forces of motions, (n, 6), NaN for unsolvable poses, by the fastest kernel of the backend."""
 
     def full(motion: Motion) -> Array:
@@ -91,7 +84,7 @@ def _forces(robot: Robot, formulation: Formulation, backend: Backend) -> Callabl
     return full if kernel is None else lambda motion: kernel.forces_and_status(motion)[0]
 
 
-def _deviations(noise: Uncertainty, time: Array) -> Array:
+def _factors(noise: Uncertainty, time: Array) -> Array:
     """Lower Cholesky factors of the covariances of value, rate and second rate, (n, 6, 3, 3)."""
     flat = noise.covariance.reshape(len(noise.grid), -1)
     at = np.clip(np.searchsorted(noise.grid, time, side="right") - 1, 0, len(noise.grid) - 2)
@@ -111,9 +104,14 @@ def _quotient(x: Array, y: Array) -> Array:
     return np.divide(x, y, out=np.zeros_like(x), where=y > 0.0)
 
 
-def _displaced(robot: Robot, trajectory: Trajectory | PoseLog, part: slice, L: Array) -> Iterator[Motion]:
-    """Motions displaced by each column of the factors that is not 0 throughout."""
-    assert trajectory.noise is not None
+def displaced(robot: Robot, trajectory: Trajectory | PoseLog, part: slice) -> Iterator[Motion]:
+    """Motions displaced by independent deviations of one each, those that are 0 throughout left out.
+
+    The root of the sum of squares of what they change of a quantity is its deviation.
+    """
+    if trajectory.noise is None:
+        return
+    L = _factors(trajectory.noise, trajectory.time[part])
     motion, tool = trajectory.at(part), trajectory.noise.tool
     coordinates = trajectory.noise.coordinates[:, part]
     inverse = inverse_jacobian(robot, motion.R, motion.t) if trajectory.noise.in_joints else None

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..drives.effort import at_instants
+from ..drives.instants import at_instants
 from ..dynamics.inverse import inverse_dynamics
 from ..io.arguments import instance
 from ..io.array_types import Array

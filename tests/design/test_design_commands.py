@@ -1,12 +1,14 @@
 """``workspace`` and ``size`` from the command line: what they write, and bad input that leaves nothing."""
 
 import json
+import re
 from pathlib import Path
 
 import numpy as np
 import pytest
 from command_files import edit, results
 from command_line import fails_in_one_line, folder_state, read
+from log_files import NAMES, write
 from pages import DOCS
 
 import stewart_sym as ss
@@ -138,6 +140,58 @@ def test_sizes_are_written_and_limits_that_do_not_suffice_are_named(
     robot = ss.Robot.from_toml("hexapod.toml")
     assert float(force["leg1"]) == data["force"][0][0] > robot.force_limit[0] / 1.25
     assert np.shape(data["length"]) == (6, 2)
+
+
+def test_noise_that_hides_the_forces_exceeds_no_limit_and_is_told(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A trapezoid of speed up to 0.125 m/s, whose smoothing leaves most of the noise."""
+    time = np.arange(200) / 50.0
+    ramps = np.maximum(time[:, None] - [1.01, 1.26, 1.66, 1.91], 0.0)
+    rows = 3e-4 * np.random.default_rng(0).normal(size=(200, 6))
+    rows[:, 2] += 0.65 + 0.25 * ramps**2 @ [1.0, -1.0, -1.0, 1.0]
+    write(folder / "noisy.csv", NAMES, np.column_stack([time, rows]))
+    text = (folder / "hexapod.toml").read_text()
+    (folder / "hexapod.toml").write_text(text + DRIVE)
+    assert command("size", "hexapod.toml", "noisy.csv", "--cutoff", 20, "--no-pictures") == 0
+    captured = capsys.readouterr()
+    assert "the log's noise leaves the forces of legs 1, 2, 3, 4, 5, 6 unknown: " in captured.err
+    data = json.loads((folder / "size" / "report.json").read_text())
+    assert data["exceeded"] == []
+    assert f"limits exceeded: 0, limits without the margin: 0, not decided: {len(data['not_decided'])}" in (
+        captured.err
+    )
+    limits = {line.split(": ")[1].partition(" of leg")[0] for line in data["not_decided"]}
+    assert limits == {"force_limit", "speed_limit", *(f"drive.{name}_limit" for name in ("torque", "speed"))}
+    assert all(line.startswith("not decided at this noise: ") for line in data["not_decided"])
+    assert all(f"N{line[1:]}" in captured.out for line in data["not_decided"])
+    assert re.search(r"^force, peak, N .*\n  \+-( +\S+){6}$", captured.out, re.MULTILINE)
+    assert {"force", "speed", "torque", "rms_torque", "length", "base_angle"} < set(data["deviations"])
+    row = next(row for row in read(folder / "size" / "needs.csv") if row["need"] == "force, peak")
+    assert float(row["leg1_sd"]) == data["deviations"]["force"][-1][0] > float(row["leg1"]) / 3.0
+
+    assert (
+        command("forces", "hexapod.toml", "noisy.csv", "--cutoff", 20, "-o", "F.csv", "--json", "F.json") == 0
+    )
+    captured = capsys.readouterr()
+    assert "exceeded by" not in captured.err
+    assert "unknown: " in captured.err
+    for name in limits:
+        assert f"{name} not decided at this noise by leg" in captured.err
+    found = json.loads((folder / "F.json").read_text())["legs"]
+    assert {leg["motor_torque_limit"] for leg in found} == {"not decided at this noise"}
+    assert all(leg["motor_peak_torque_sd_N_m"] > 0.0 and leg["motor_energy_sd_J"] > 0.0 for leg in found)
+    header = (folder / "F.csv").read_text().splitlines()[0].split(",")
+    assert {"F1_sd", "torque1_sd", "motor_speed6_sd", "power3_sd"} < set(header)
+
+
+DRIVE = """
+[legs.drive]
+lead = 0.01
+screw_coulomb = 5.0
+torque_limit = 0.8
+speed_limit = 120.0
+"""
 
 
 @pytest.mark.parametrize(

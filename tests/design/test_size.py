@@ -1,16 +1,23 @@
 """What motions need of legs and motors: against inverse dynamics, over time, with a margin, beside limits."""
 
 import dataclasses
+import warnings
 
 import numpy as np
 import pytest
 from command_line import error_of
 from machines import path_period, random_motion, random_path, random_robot
+from noisy_logs import Case, case, from_poses, logged, motion
 from scipy.integrate import trapezoid
+from sweeps import share
 
 import stewart_sym as ss
-from stewart_sym.design.size import exceeded, margin_missing, weighted_quantiles
+from stewart_sym.design.limits import exceeded, margin_missing, not_decided
+from stewart_sym.design.size import weighted_quantiles
+from stewart_sym.drives.verdicts import EXCEEDED, NOT_DECIDED, WITHIN, legs_text
+from stewart_sym.motion.trajectory import Trajectory
 from stewart_sym.studies.design.size import report
+from stewart_sym.studies.reports.track import Digest, in_parts
 
 
 def along(seed: int, count: int = 200) -> tuple[ss.Robot, np.ndarray, ss.Motion]:
@@ -169,3 +176,116 @@ def test_what_is_no_question_is_one_line() -> None:
         assert error_of(lambda quantiles=quantiles: ss.size(robot, pairs, quantiles=quantiles)).startswith(  # type: ignore[misc]
             "quantiles: expected"
         )
+
+
+SIZES = {
+    "force_limit": ("force", "force_limit"),
+    "speed_limit": ("speed", "speed_limit"),
+    "drive.torque_limit": ("torque", "torque_limit"),
+    "drive.speed_limit": ("motor_speed", "speed_limit"),
+    "drive.current_limit": ("current", "current_limit"),
+    "drive.power_limit": ("motor_power", "power_limit"),
+    "drive.rated_torque": ("rms_torque", "rated_torque"),
+}
+"""Limits, with the needs that they limit and the fields of robot or drive that state them."""
+
+
+def driven(one: Case) -> ss.Robot:
+    drive = ss.Drive(
+        lead=np.full(6, 1e-2),
+        rotor_inertia=1e-5,
+        efficiency=0.85,
+        screw_coulomb=0.1 * float(np.abs(one.F).mean()),
+        motor_viscous=1e-5,
+        torque_constant=0.3,
+        resistance=0.5,
+    )
+    return dataclasses.replace(one.robot, drive=drive, home=one.true[0, 0, :3])
+
+
+@pytest.fixture(scope="module", params=[3, pytest.param(share(100, 5), marks=pytest.mark.slow)])
+def noisy(request: pytest.FixtureRequest) -> list[tuple[ss.Robot, ss.Needs, Trajectory]]:
+    """Machines with drives, what their motions need, and logs of these with noise."""
+    found = []
+    for seed in range(request.param):
+        one = case(seed)
+        robot = driven(one)
+        true = ss.size(robot, [(one.time, motion(one.true))])
+        for noise in ("3", "4", "white"):
+            values = logged(one, noise, seed)
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore", ss.LogWarning)
+                found.append((robot, true, from_poses(one.time, values[:, :3], values[:, 3:])))
+    return found
+
+
+def test_deviations_of_needs_cover_the_errors_that_noise_makes(
+    noisy: list[tuple[ss.Robot, ss.Needs, Trajectory]],
+) -> None:
+    off: dict[str, list[np.ndarray]] = {}
+    for robot, true, log in noisy:
+        needs = ss.size(robot, [log])
+        for where, found, exact in (("course.", needs.course, true.course), ("", needs, true)):
+            assert found.deviations is not None
+            for name, sd in found.deviations.items():
+                if name.endswith(("_rise", "_fall")):
+                    continue
+                errors = np.abs(getattr(found, name) - getattr(exact, name))
+                assert np.all(errors[sd == 0.0] == 0.0), name
+                off.setdefault(where + name, []).append((errors / np.where(sd > 0.0, sd, 1.0)).ravel())
+    assert {"course.torque", "course.motor_power", "course.base", "length", "stroke", "rms_torque"} < set(off)
+    for name, sizes in off.items():
+        joined = np.concatenate(sizes)
+        assert np.mean(joined < 3.0) > 0.97, name
+        if name.startswith("course."):
+            assert np.mean(joined < 1.0) == pytest.approx(0.6827, abs=0.07), name
+            assert np.mean(joined < 1.96) == pytest.approx(0.95, abs=0.04), name
+
+
+def test_noise_makes_no_wrong_verdict_and_every_command_has_the_same(
+    noisy: list[tuple[ss.Robot, ss.Needs, Trajectory]],
+) -> None:
+    rng, seen = np.random.default_rng(0), set()
+    for robot, true, log in noisy:
+        peaks = {name: np.atleast_2d(getattr(true, need))[-1] for name, (need, _) in SIZES.items()}
+        limits = {name: peak * rng.uniform(0.97, 1.03, 6) for name, peak in peaks.items()}
+        limited = with_limits(robot, limits)
+        lines = verdicts_of_size(limited, ss.size(limited, [log]))
+        for name, peak in peaks.items():
+            for leg in range(6):
+                verdict = lines.get((name, leg), WITHIN)
+                seen.add(verdict)
+                if verdict != NOT_DECIDED:
+                    assert (verdict == EXCEEDED) == bool(peak[leg] > limits[name][leg]), (name, leg)
+        digest = Digest(limited, log.time)
+        for part in in_parts(limited, log):
+            digest.add(part)
+        told = " ".join(digest.doubts(1e9))
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", ss.DriveLimitWarning)
+            assert set(ss.drive_effort(limited, log).exceeded) <= set(digest.doubts(1e9))
+        for name, verdict in {(name, verdict) for (name, _), verdict in lines.items()}:
+            legs = [leg for leg in range(6) if lines.get((name, leg)) == verdict]
+            assert f"{name} {verdict} by {legs_text(legs)}: " in told
+        assert told.count("_limit ") + told.count("rated_torque ") == len(
+            {(name, verdict) for (name, _), verdict in lines.items()}
+        )
+    assert seen == {WITHIN, EXCEEDED, NOT_DECIDED}
+
+
+def with_limits(robot: ss.Robot, limits: dict[str, np.ndarray]) -> ss.Robot:
+    assert robot.drive is not None
+    stated = {name: limit for name, limit in limits.items() if not name.startswith("drive.")}
+    motors = {SIZES[name][1]: limit for name, limit in limits.items() if name.startswith("drive.")}
+    return dataclasses.replace(robot, drive=dataclasses.replace(robot.drive, **motors), **stated)
+
+
+def verdicts_of_size(robot: ss.Robot, needs: ss.Needs) -> dict[tuple[str, int], str]:
+    """By limit and leg, as the lines of ``size`` have them."""
+    lines = [f"{EXCEEDED}: {line}" for line in exceeded(robot, needs)] + not_decided(robot, needs)
+    found = {}
+    for line in lines:
+        verdict, name = line.split(": ")[:2]
+        limit, _, leg = name.partition(" of leg ")
+        found[limit, int(leg) - 1] = verdict
+    return found

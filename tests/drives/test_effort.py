@@ -17,6 +17,7 @@ from stewart_sym.cli.main import main
 from stewart_sym.drives.friction import friction_force
 from stewart_sym.dynamics.home_pose import home_pose
 from stewart_sym.motion.rotation import rpy_from_rotation
+from stewart_sym.motion.trajectory import Trajectory, Uncertainty
 from stewart_sym.reference import newton_euler
 
 LOSSY: dict[str, Any] = {
@@ -221,3 +222,45 @@ def test_forces_without_a_drive_has_no_motors(
     assert not (tmp_path / "F.csv").exists()
     assert main(command) == 0
     assert "torque" not in (tmp_path / "F.csv").read_text()
+
+
+def test_dry_friction_is_as_unsure_as_the_direction_of_the_leg(robot: ss.Robot) -> None:
+    """Rates have a deviation each; torques else depend on them by viscous friction alone."""
+    n, rate = 3, 1e-3
+    coulomb, turns = 40.0, 2.0 * np.pi / 5e-3
+    driven, still = with_drive(robot, screw_coulomb=coulomb), np.zeros((n, 3))
+    t = home_pose(robot).t * np.ones((n, 1))
+    up = ss.Motion.from_rpy(t, still, 0.05 * np.array([[0.0, 0.0, 1.0]] * n), still, still, still)
+    L_dot = ss.inverse_kinematics(robot, up).L_dot
+    for sure, least, most in ((0.1 * np.abs(L_dot).min(), 0.0, 1e-9), (np.abs(L_dot).max(), 1.0, 1.0)):
+        covariance = np.zeros((n, 6, 6))
+        covariance[:, :, 2] = sure**2
+        coordinates = np.concatenate([t, still], axis=1)
+        noise = Uncertainty(
+            np.array([coordinates, np.hstack([up.v, still]), 0.0 * coordinates]),
+            np.arange(n) * 1.0,
+            covariance,
+            np.full(6, rate),
+        )
+        log = Trajectory(np.arange(n) * 1.0, up, "log.csv", range(n), noise)
+        effort = ss.drive_effort(driven, log)
+        assert effort.deviations is not None
+        # Joints' friction is in both.
+        through = ss.drive_effort(with_drive(robot), log).deviations
+        assert through is not None
+        step = np.sqrt(effort.deviations["torque"] ** 2 - through["torque"] ** 2)
+        np.testing.assert_array_less(least * 2.0 * coulomb / 3.0 / turns * (1.0 - 1e-6), step + 1e-12)
+        np.testing.assert_array_less(step, most * 2.0 * coulomb / 3.0 / turns * (1.0 + 1e-6) + 1e-6)
+        assert np.all(effort.deviations["speed"] > 0.0)
+
+
+def test_a_trajectory_has_its_own_times(robot: ss.Robot) -> None:
+    time = np.linspace(0.0, 1.0, 50)
+    motion = swing(robot, time, 1.0)
+    driven = with_drive(robot, **LOSSY)
+    log = Trajectory(time, motion, "log.csv", range(50))
+    effort, same = ss.drive_effort(driven, log), ss.drive_effort(driven, motion, time)
+    assert effort.deviations is None
+    np.testing.assert_array_equal(effort.energy, same.energy)
+    with pytest.raises(ValueError, match=r"^time: expected None beside a trajectory"):
+        ss.drive_effort(driven, log, time)

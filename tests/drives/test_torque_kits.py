@@ -16,8 +16,8 @@ import stewart_sym as ss
 from stewart_sym.backend import native
 from stewart_sym.backend.kernel import MOTION
 from stewart_sym.derive.kernel.interface import STRUCTS
-from stewart_sym.drives.effort import at_instants
 from stewart_sym.drives.friction import drive_numbers, losses
+from stewart_sym.drives.instants import at_instants
 from stewart_sym.kit import Choice, kit, write_kit
 from stewart_sym.kit.choice import check
 from stewart_sym.kit.files import kit_names

@@ -1,6 +1,5 @@
 """Noise in logs: smoothed motions, the stated deviation of each force, and verdicts that hold."""
 
-import dataclasses
 import warnings
 from collections.abc import Callable
 from pathlib import Path
@@ -12,6 +11,7 @@ from noisy_logs import WHITE, Array, Case, case, from_poses, logged, motion
 from sweeps import share
 
 import stewart_sym as ss
+from stewart_sym.drives.verdicts import EXCEEDED, NOT_DECIDED, verdicts
 from stewart_sym.motion import interpolation, smoothing
 from stewart_sym.motion.log_reader import read_csv, read_log
 from stewart_sym.motion.noise_level import grid_steps, rounding_step, white_noise
@@ -19,7 +19,7 @@ from stewart_sym.motion.rotation import rpy_from_rotation
 from stewart_sym.motion.smoothing import shown_noise
 from stewart_sym.motion.trajectory import JointTrajectory, Trajectory, Uncertainty
 from stewart_sym.singularities.joint_space import on_platform
-from stewart_sym.studies.reports.track import EXCEEDED, NOISE_SHARE, NOT_DECIDED, force_verdicts, peak_noise
+from stewart_sym.studies.reports.track import NOISE_SHARE, peak_noise
 
 NOISES = ("3", "4", "5", "white")
 
@@ -67,16 +67,11 @@ def test_peaks_without_a_warning_are_within_two_percent_and_verdicts_hold(
             sure = peak_noise(F, sd) <= NOISE_SHARE
             assert np.all(np.abs(peak - true)[sure] <= 0.02 * true[sure])
             limit = true * rng.uniform(0.9, 1.1, 6)
-            verdicts = force_verdicts(_limited(one.robot, limit), F, sd)
-            for leg, verdict in enumerate(verdicts):
+            for leg, verdict in enumerate(verdicts(np.abs(F), limit, sd)):
                 decided[verdict != NOT_DECIDED] += 1
                 if verdict != NOT_DECIDED:
                     assert (verdict == EXCEEDED) == bool(true[leg] > limit[leg]), (leg, verdict)
     assert min(decided.values()) > 0
-
-
-def _limited(robot: ss.Robot, limit: Array) -> ss.Robot:
-    return dataclasses.replace(robot, force_limit=limit)
 
 
 def test_a_clean_log_is_interpolated_and_has_no_deviations() -> None:

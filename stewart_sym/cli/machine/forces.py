@@ -20,9 +20,10 @@ MORE = (
     "q_w q_x q_y q_z; optionally v_*, theta_dot_*, a_* and theta_ddot_* together (else a spline is fitted), "
     "F_ext_* and M_ext_* (platform frame). Or, in joint space: time, L_1 to L_6 (m), optionally L_dot_* and "
     "L_ddot_* together. SI units by default. Columns that show rounding or noise are smoothed; F1_sd to "
-    "F6_sd are the standard deviations of the forces due to the noise that remains, and a peak force within "
-    "three of them of its limit is reported as not decided. Moments M_p are taken about the base points. A "
-    "robot with a drive has columns torque1 (N m), motor_speed1 (rad/s), current1 (A) and power1 (W) as well."
+    "F6_sd are the standard deviations of the forces due to the noise that remains, and what is within three "
+    "deviations of its limit is reported as not decided. Moments M_p are taken about the base points. A "
+    "robot with a drive has columns torque1 (N m), motor_speed1 (rad/s), current1 (A) and power1 (W), with "
+    "noise torque1_sd and so on, as well."
 )
 
 

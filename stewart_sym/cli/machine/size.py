@@ -15,7 +15,8 @@ MORE = (
     "Trajectories as for forces, with their loads; all of them count together. Peaks, what is not exceeded "
     "for shares of the time, and the largest of each with a margin; limits of the robot file that are "
     "exceeded, or kept without the margin, are named. Of a robot with drives: torque, speed and power of the "
-    "motors as well. SI units, degrees."
+    "motors as well. With noise in a log, needs have standard deviations, and limits within three of them "
+    "are reported as not decided. SI units, degrees."
 )
 
 
@@ -50,8 +51,9 @@ _MOST_MARGIN = 5.0
 
 
 def run(arguments: argparse.Namespace) -> int:
-    from ...design.size import QUANTILES, checked_quantiles, exceeded, margin_missing, size
-    from ...studies.design.size import report, views
+    from ...design.limits import exceeded, margin_missing, not_decided
+    from ...design.size import QUANTILES, checked_quantiles, size
+    from ...studies.design.size import doubt, report, views
 
     quantiles = arguments.quantiles or QUANTILES
     checked_quantiles(quantiles, "--quantile")
@@ -61,13 +63,17 @@ def run(arguments: argparse.Namespace) -> int:
     robot = robot_of(arguments.robot)
     with results(arguments, "report", "needs.csv") as (take, progress):
         read = [trajectory_of(robot, path, arguments, progress) for path in arguments.trajectories]
-        motions = [(each.time, each.motion) for each in read]
-        needs = size(robot, motions, arguments.margin, quantiles, arguments.formulation, progress)
+        needs = size(robot, read, arguments.margin, quantiles, arguments.formulation, progress)
         names = [path.name for path in arguments.trajectories]
         found = report(robot, names, needs)
         take(dataclasses.replace(found, views=views(robot, names, read)))
-    over, short = exceeded(robot, needs), margin_missing(robot, needs)
-    if over or short:
-        told = f"limits exceeded: {len(over)}, limits without the margin: {len(short)}; {(over or short)[0]}"
+    over, short, unsure = (find(robot, needs) for find in (exceeded, margin_missing, not_decided))
+    unknown = doubt(needs)
+    if unknown is not None:
+        warnings.warn(unknown, stacklevel=2)
+    if over or short or unsure:
+        told = f"limits exceeded: {len(over)}, limits without the margin: {len(short)}"
+        told += f", not decided: {len(unsure)}" if unsure else ""
+        told += f"; {(over or unsure or short)[0]}"
         warnings.warn(f"{arguments.robot}: {told}", stacklevel=2)
     return 0

@@ -14,6 +14,7 @@ from ..options import log_options, output
 from ..results import need_html, reject_inputs, results
 
 if TYPE_CHECKING:
+    from ...motion.trajectory import PoseLog, Trajectory
     from ...robot.robot import Robot
     from ...viewer.instants import Instants
     from ...viewer.view import View
@@ -58,12 +59,13 @@ def run(arguments: argparse.Namespace) -> int:
         result_file(path, [BEGINNING], arguments.force) as stream,
     ):
         robot = _robot(arguments)
-        shown = View(robot, _motion(robot, arguments, progress))
+        instants, trajectory = _motion(robot, arguments, progress)
+        shown = View(robot, instants)
         progress("writing the page")
         stream.write(shown.html)
         said = [] if str(path) == "-" else [f"{shown.title}", f"Written to {path}"]
         take(Report("\n".join(said), data=_data(shown.instants)))
-    for line in _exceeded(shown):
+    for line in _exceeded(shown, trajectory):
         warnings.warn(line, stacklevel=2)
     if arguments.output is None and not _opened(path):
         print(f"No screen was found: open {path.resolve()} in a browser", file=sys.stderr)
@@ -83,17 +85,19 @@ def _robot(arguments: argparse.Namespace) -> "Robot":
     return dasgupta1998() if arguments.example else robot_of(arguments.robot)
 
 
-def _motion(robot: "Robot", arguments: argparse.Namespace, progress: Progress) -> "Instants":
-    """The motion that the arguments name."""
+def _motion(
+    robot: "Robot", arguments: argparse.Namespace, progress: Progress
+) -> "tuple[Instants, Trajectory | PoseLog | None]":
+    """The motion that the arguments name, and the trajectory if it is one."""
     from ...dynamics.home_pose import home_pose
     from ...motion.straight_line import PATHS
     from ...viewer import instants
 
     name = "I" if arguments.example else arguments.motion
     if name is None:
-        return instants.at_home(robot, home_pose(robot).t)
+        return instants.at_home(robot, home_pose(robot).t), None
     if name in PATHS:
-        return instants.of_path(robot, name)
+        return instants.of_path(robot, name), None
     path = Path(name)
     if path.is_dir():
         path = path / _RUN
@@ -103,21 +107,21 @@ def _motion(robot: "Robot", arguments: argparse.Namespace, progress: Progress) -
         )
     if _is_run(path):
         progress("reading the run")
-        return instants.of_run_file(robot, path)
+        return instants.of_run_file(robot, path), None
     trajectory = trajectory_of(robot, path, arguments, progress)
     progress("computing forces and singular instants")
-    return instants.of_trajectory(robot, trajectory)
+    return instants.of_trajectory(robot, trajectory), trajectory
 
 
-def _exceeded(shown: "View") -> list[str]:
-    """One line for each limit of the machine that the motion breaks."""
+def _exceeded(shown: "View", trajectory: "Trajectory | PoseLog | None") -> list[str]:
+    """One line for each limit of the machine that the motion breaks, or may break by noise."""
     import numpy as np
 
     from ...studies.reports.track import exceeded
 
     at = shown.instants
     F = next(iter(at.forces.values()), np.zeros_like(at.L))
-    return exceeded(shown.robot, at.time, F, at.L, at.L_dot)
+    return exceeded(shown.robot, at.time, F, at.L, at.L_dot, trajectory)
 
 
 def _is_run(path: Path) -> bool:

@@ -18,7 +18,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...drives.effort import motor_rates
+from ...drives.instants import motor_rates
 from ...dynamics.inverse import Formulation, inverse_dynamics
 from ...io.arguments import shown
 from ...io.array_types import Array, Indices

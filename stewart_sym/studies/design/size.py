@@ -7,11 +7,14 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Callable, Iterator, Sequence
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 
-from ...design.size import Needs, exceeded, margin_missing
+from ...design.limits import exceeded, margin_missing, not_decided
+from ...design.size import Needs
+from ...drives.verdicts import shows, unknown_forces
 from ...io.array_types import Array
 from ...motion.trajectory import PoseLog, Trajectory
 from ...robot.robot import LEGS, Robot
@@ -60,8 +63,16 @@ def share_text(share: float) -> str:
     return "peak" if share == 1.0 else f"{100.0 * share:g} % of time"
 
 
-def rows(needs: Needs) -> Iterator[tuple[str, str, Array]]:
-    """Name, unit and value for each leg, (6,), of every need, without the margin."""
+def doubt(needs: Needs) -> str | None:
+    """One line about forces that the noise of logs leaves unknown; None without."""
+    course = needs.course
+    if course.deviations is None or course.replaced is None:
+        return None
+    return unknown_forces(course.F, np.where(course.replaced[:, None], 0.0, course.deviations["F"]))
+
+
+def rows(needs: Needs | SimpleNamespace) -> Iterator[tuple[str, str, Array]]:
+    """Name, unit and value for each leg, (6,), of every need, without the margin; or their deviations."""
     for name in ("force", "speed", "power", "torque", "motor_speed", "current", "motor_power"):
         unit, values = _UNITS[name], getattr(needs, name)
         for share, at in zip(needs.quantiles, () if values is None else values, strict=values is not None):
@@ -82,17 +93,26 @@ def rows(needs: Needs) -> Iterator[tuple[str, str, Array]]:
     yield "platform joint", "degrees", np.degrees(needs.platform_angle)
 
 
+def _deviations(needs: Needs) -> Iterator[Array | None]:
+    """Those of ``rows``, (6,); None without noise."""
+    if needs.deviations is None:
+        yield from (None for _ in rows(needs))
+        return
+    optional = dict.fromkeys(("torque", "motor_speed", "motor_power", "current", "rms_torque"))
+    sd = SimpleNamespace(quantiles=needs.quantiles, **(optional | dict(needs.deviations)))
+    yield from (values for _, _, values in rows(sd))
+
+
 def _text(robot: Robot, sources: Sequence[str], needs: Needs) -> str:
     no_margin = ("shortest leg", "longest leg")
     more = 1.0 + needs.margin
-    cells = [
-        (
-            f"{name}, {unit}",
-            *(f"{value:.4g}" for value in values),
-            "" if name in no_margin else f"{more * np.nanmax(values):.4g}",
-        )
-        for name, unit, values in rows(needs)
-    ]
+    cells, noisy = [], False
+    for (name, unit, values), sd in zip(rows(needs), _deviations(needs), strict=True):
+        last = "" if name in no_margin else f"{more * np.nanmax(values):.4g}"
+        cells.append((f"{name}, {unit}", *(f"{value:.4g}" for value in values), last))
+        if sd is not None and shows(values, sd):
+            noisy = True
+            cells.append(("  +-", *(f"{off:.2g}" for off in sd), ""))
     legs = [f"leg {leg + 1}" for leg in range(LEGS)]
     neutral = "the home pose" if robot.home is not None else "the mean direction of each leg"
     lines = [
@@ -104,7 +124,13 @@ def _text(robot: Robot, sources: Sequence[str], needs: Needs) -> str:
         "",
         f"Joint angles are from {neutral}.",
     ]
+    unknown = doubt(needs)
+    if noisy:
+        lines.append("+-: standard deviations that the noise of the logs leaves, at most.")
+    if unknown is not None:
+        lines.append(f"{unknown[0].upper()}{unknown[1:]}.")
     verdict = [f"Exceeded: {line}" for line in exceeded(robot, needs)]
+    verdict += [f"{line[0].upper()}{line[1:]}" for line in not_decided(robot, needs)]
     verdict += [f"Margin missing: {line}" for line in margin_missing(robot, needs)]
     return "\n".join([*lines, *(verdict or ["Every limit of the robot file suffices."])])
 
@@ -119,13 +145,31 @@ def _data(robot: Robot, sources: Sequence[str], needs: Needs) -> dict[str, Any]:
         **kept,
         "exceeded": exceeded(robot, needs),
         "margin_missing": margin_missing(robot, needs),
+        **_data_of_noise(robot, needs),
         "units": {name: _UNITS[name] for name in kept},
     }
 
 
+def _data_of_noise(robot: Robot, needs: Needs) -> dict[str, Any]:
+    """What the noise of logs leaves open, for programs; nothing without noise."""
+    if needs.deviations is None:
+        return {}
+    unknown = doubt(needs)
+    return {
+        "deviations": dict(needs.deviations),
+        "not_decided": not_decided(robot, needs),
+        "doubts": [] if unknown is None else [unknown],
+    }
+
+
 def _table(needs: Needs) -> str:
-    header = ("need", "unit", *(f"leg{leg + 1}" for leg in range(LEGS)))
-    return csv_text([header, *((name, unit, *values.tolist()) for name, unit, values in rows(needs))])
+    legs = [f"leg{leg + 1}" for leg in range(LEGS)]
+    header = ("need", "unit", *legs, *(f"{leg}_sd" for leg in legs if needs.deviations is not None))
+    found = [
+        (name, unit, *values.tolist(), *([] if sd is None else sd.tolist()))
+        for (name, unit, values), sd in zip(rows(needs), _deviations(needs), strict=True)
+    ]
+    return csv_text([header, *found])
 
 
 def figure(robot: Robot, needs: Needs) -> Figure:

@@ -5,8 +5,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...drives.effort import PEAKS, Instants, Summary, trapezoids
-from ...io.array_types import Array
+from ...drives.effort import PEAKS, Summary, trapezoids
+from ...drives.instants import Instants
+from ...drives.noise import MotorDeviations
+from ...drives.verdicts import shows, spread_text
+from ...io.array_types import Array, Flags
 from ...io.instants import elapsed, least_step
 from ...robot.robot import LEGS, Robot
 from ..common.drawing import DARK, LEG_COLORS, Figure, as_written, new_figure
@@ -18,13 +21,13 @@ _HEADINGS = {"power": "shaft power"}
 _FAR = 3.0
 
 
-def drive_columns(part: Instants) -> Columns:
-    """Columns by name as written, N m, rad/s, A and W; the current where there is one."""
+def drive_columns(part: Instants, sd: MotorDeviations | None = None) -> Columns:
+    """Columns by name as written, N m, rad/s, A and W; the current where there is one, deviations if any."""
     found: Columns = {}
     for name, column in _COLUMNS.items():
-        values = getattr(part, name)
-        if values is not None:
-            found |= of_legs(column, values)
+        for ending, values in (("", getattr(part, name)), ("_sd", getattr(sd, name, None))):
+            if values is not None:
+                found |= of_legs(column, values, ending)
     return found
 
 
@@ -32,6 +35,12 @@ def no_instants(current: bool) -> Instants:
     """No instants at all, with or without currents: for the names of columns."""
     none = np.zeros((0, LEGS))
     return Instants(*(none,) * len(Instants._fields))._replace(current=none if current else None)
+
+
+def no_deviations(current: bool) -> MotorDeviations:
+    """Likewise of deviations."""
+    none = np.zeros((0, LEGS))
+    return MotorDeviations(*(none,) * 7)._replace(current=none if current else None)
 
 
 class DriveDigest:
@@ -48,9 +57,15 @@ class DriveDigest:
         self.summary = Summary(robot.drive, least_step(time))
         self._torque, self._speed = np.full((2, len(time), LEGS), np.nan, dtype=np.float32)
 
-    def add(self, part: Instants, where: slice) -> None:
-        """Take in the next instants."""
-        self.summary.add(part, self._weights[where], self.time[where])
+    def add(
+        self,
+        part: Instants,
+        where: slice,
+        sd: MotorDeviations | None = None,
+        there: Flags | None = None,
+    ) -> None:
+        """Take in the next instants; sd, there: as for ``Summary.add``."""
+        self.summary.add(part, self._weights[where], self.time[where], sd, there)
         self._torque[where], self._speed[where] = part.torque, part.speed
 
     @property
@@ -61,15 +76,19 @@ class DriveDigest:
     def table(self) -> str:
         """A line for each motor: peaks and root mean square beside their limits, energy."""
         found, drive = self.summary, self.drive
+        peaks, (sd, rms_sd, energy_sd) = found.peaks, self._shown_deviations()
         rows = [
             (
                 str(leg + 1),
                 *(
-                    _beside(found.peaks[name][leg], getattr(drive, f"{name}_limit")[leg])
+                    _beside(peaks[name][leg], getattr(drive, f"{name}_limit")[leg], _of(sd.get(name), leg))
                     for name in self._known()
                 ),
                 *(
-                    (_beside(found.rms_torque[leg], drive.rated_torque[leg]), f"{found.energy[leg]:.4g}")
+                    (
+                        _beside(found.rms_torque[leg], drive.rated_torque[leg], _of(rms_sd, leg)),
+                        _beside(found.energy[leg], np.inf, _of(energy_sd, leg)),
+                    )
                     if self.lasts
                     else ("-", "-")
                 ),
@@ -78,6 +97,14 @@ class DriveDigest:
         ]
         names = [f"{_HEADINGS.get(name, name)}, {PEAKS[name]}" for name in self._known()]
         return aligned(("motor", *names, "RMS torque, N m", "electrical energy, J"), rows)
+
+    def _shown_deviations(self) -> tuple[dict[str, Array], Array | None, Array | None]:
+        """Deviations of peaks, root mean square and energy by noise; none where no digit shows them."""
+        found = self.summary
+        peaks, sd = found.peaks, found.peak_sd
+        if found.noisy and any(shows(peaks[name], sd[name]) for name in sd):
+            return sd, found.rms_torque_sd, found.energy_sd
+        return {}, None, None
 
     def _known(self) -> list[str]:
         return [name for name in PEAKS if name != "current" or np.any(self.drive.torque_constant > 0.0)]
@@ -90,7 +117,19 @@ class DriveDigest:
             found[f"motor_peak_{name}_{units[name]}"] = float(self.summary.peaks[name][leg])
             found[f"motor_{name}_limit_{units[name]}"] = float(getattr(self.drive, f"{name}_limit")[leg])
         found["motor_rms_torque_N_m"] = float(self.summary.rms_torque[leg]) if self.lasts else None
-        return found | {"motor_energy_J": float(self.summary.energy[leg]) if self.lasts else None}
+        found["motor_energy_J"] = float(self.summary.energy[leg]) if self.lasts else None
+        return found | (self._noise_of_leg(leg, units) if self.summary.noisy else {})
+
+    def _noise_of_leg(self, leg: int, units: dict[str, str]) -> dict[str, Any]:
+        """Deviations of the same by noise, and the verdicts that they leave."""
+        found: dict[str, Any] = {}
+        for name, sd in self.summary.peak_sd.items():
+            found[f"motor_peak_{name}_sd_{units[name]}"] = float(sd[leg])
+            found[f"motor_{name}_limit"] = self.summary.verdicts(name)[leg]
+        rms_sd = _of(self.summary.rms_torque_sd, leg)
+        found["motor_rms_torque_sd_N_m"] = rms_sd if self.lasts else None
+        found["motor_rated_torque"] = self.summary.verdicts("rated_torque")[leg] if self.lasts else None
+        return found | {"motor_energy_sd_J": float(self.summary.energy_sd[leg]) if self.lasts else None}
 
     def figure(self) -> Figure:
         """Torque over time, and over speed with the motor's limits as a frame."""
@@ -122,5 +161,9 @@ def _near(limits: Array, values: NDArray[np.float32]) -> float | None:
     return narrowest if narrowest <= _FAR * largest else None
 
 
-def _beside(value: float, limit: float) -> str:
-    return f"{value:.4g}" + (f" of {limit:g}" if np.isfinite(limit) else "")
+def _of(sd: Array | None, leg: int) -> float | None:
+    return None if sd is None else float(sd[leg])
+
+
+def _beside(value: float, limit: float, sd: float | None) -> str:
+    return f"{value:.4g}{spread_text(sd, 2)}" + (f" of {limit:g}" if np.isfinite(limit) else "")

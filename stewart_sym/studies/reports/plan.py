@@ -7,7 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from ...drives.effort import at_instants, trapezoids
+from ...drives.effort import trapezoids
+from ...drives.instants import at_instants
 from ...dynamics.inverse import inverse_dynamics
 from ...io.array_types import Array
 from ...kinematics.conditioning import characteristic_length, scaled_condition_number

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from ...drives.effort import of_motor_forces
+from ...drives.instants import of_motor_forces
 from ...dynamics.inverse import Formulation
 from ...io.array_types import Array
 from ...io.instants import least_step, time_text

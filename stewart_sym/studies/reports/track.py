@@ -3,13 +3,15 @@
 import dataclasses
 import warnings
 from collections.abc import Iterator
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ...drives.effort import Instants, at_instants
-from ...dynamics.force_noise import deviations_in_parts
+from ...drives.instants import Instants, at_instants
+from ...drives.noise import Deviations, all_deviations, at_replaced, deviations_in_parts
+from ...drives.verdicts import AT_REPLACED, SURE, Beyond, Extremes, shows, spread_text, unknown_forces
 from ...dynamics.home_pose import home_pose
 from ...dynamics.inverse import Backend, Formulation, first_fault, inverse_dynamics, joint_reactions
 from ...io.array_types import Array, Codes, Flags
@@ -22,10 +24,7 @@ from ...motion.trajectory import PoseLog, Replaced, Trajectory
 from ...results import NOT_FINITE, OK, ZERO_LENGTH, Reactions
 from ...robot.robot import Robot
 from ..common.output import Columns, aligned, csv_lines, of_axes, of_legs
-from .drives import DriveDigest, drive_columns, no_instants
-
-SURE = 3.0
-"""Deviations within which a force is taken to lie: 99.7 % of normal errors."""
+from .drives import DriveDigest, drive_columns, no_deviations, no_instants
 
 NOISE_SHARE = 0.02
 """Share of a leg's peak force that noise may make of it, ``SURE`` deviations, without a warning."""
@@ -38,35 +37,37 @@ _PART = 1 << 14
 class Part(NamedTuple):
     """Some instants of a trajectory run through the dynamics, N, m and s, (n,), (n, 6).
 
-    where: which of the trajectory's. F_sd: deviations of F by noise, None for a log without.
+    where: which of the trajectory's. sd: deviations by noise, None for a log without. there: instants, (n,),
+    at which they are those of replaced rows.
     """
 
     where: slice
     time: Array
     F: Array
-    F_sd: Array | None
     L: Array
     L_dot: Array
     condition: Array
     status: Codes
-    reactions: Reactions | None
+    reactions: Reactions | None = None
     effort: Instants | None = None
+    sd: Deviations | None = None
+    there: Flags | None = None
 
     @property
     def columns(self) -> Columns:
         """Columns (n,) by name, as written.
 
         In SI units: time, F1..F6, with noise in the log F1_sd..F6_sd, L1..L6, condition_number, status; with
-        a drive torque1.., motor_speed1.., current1.. and power1..; with reactions the components of F_s, F_u,
-        F_p, F_c, M_p (about the base point), of U-C-U legs M_s, and M_u leg by leg.
+        a drive torque1.., motor_speed1.., current1.. and power1.., with noise torque1_sd.. and so on; with
+        reactions the components of F_s, F_u, F_p, F_c, M_p (about the base point), of U-C-U legs M_s, and M_u
+        leg by leg.
         """
-        found: Columns = {"time": self.time}
-        for name, ending, values in (("F", "", self.F), ("F", "_sd", self.F_sd), ("L", "", self.L)):
-            if values is not None:
-                found |= of_legs(name, values, ending)
-        found |= {"condition_number": self.condition, "status": self.status}
+        sd = self.sd
+        found: Columns = {"time": self.time} | of_legs("F", self.F)
+        found |= {} if sd is None else of_legs("F", sd.F, "_sd")
+        found |= of_legs("L", self.L) | {"condition_number": self.condition, "status": self.status}
         if self.effort is not None:
-            found |= drive_columns(self.effort)
+            found |= drive_columns(self.effort, None if sd is None else sd.motors)
         return found if self.reactions is None else found | _reaction_columns(self.reactions)
 
 
@@ -77,10 +78,13 @@ def header_lines() -> list[str]:
     reactions = Reactions(vectors, vectors, vectors, vectors, vectors, legs, n.astype(np.int32))
     more_reactions = dataclasses.replace(reactions, M_s=vectors)
     return [
-        next(csv_lines(Part(slice(0), n, legs, F_sd, legs, legs, n, n.astype(np.int32), more, e).columns))
-        for F_sd in (None, legs)
+        next(csv_lines(Part(slice(0), n, legs, legs, legs, n, n.astype(np.int32), more, e, sd).columns))
         for more in (None, reactions, more_reactions)
-        for e in (None, no_instants(False), no_instants(True))
+        for e, motors in (
+            (None, None),
+            *((no_instants(current), no_deviations(current)) for current in (False, True)),
+        )
+        for sd in (None, Deviations(legs, legs, legs, legs, motors=motors))
     ]
 
 
@@ -116,10 +120,25 @@ def in_parts(
                 _need_forces(robot, row)
             _tell(trajectory, start + at[0], reason, allow_singular)
             told = True
-        F_sd = None if deviations is None else deviations(where)
-        condition = condition_number(found.H)
+        sd = None if deviations is None else deviations(where)
+        time, condition = trajectory.time[where], condition_number(found.H)
         effort = None if robot.drive is None else at_instants(robot, robot.drive, motion, found.F, L_dot)
-        yield Part(where, trajectory.time[where], found.F, F_sd, L, L_dot, condition, status, more, effort)
+        there = None if sd is None else at_replaced(trajectory, time)
+        yield Part(where, time, found.F, L, L_dot, condition, status, more, effort, sd, there)
+
+
+class _Kept(NamedTuple):
+    """Instants at which something is extreme, (k,), (k, 6); deviations and ``there`` as of ``Part``."""
+
+    time: Array
+    F: Array
+    L: Array
+    L_dot: Array
+    condition: Array
+    there: Flags
+    F_sd: Array | None
+    L_sd: Array | None
+    L_dot_sd: Array | None
 
 
 class Digest:
@@ -133,29 +152,36 @@ class Digest:
         self.robot, self.time, self.weights, self.replaced = robot, time, _weights(time), replaced
         self.step = least_step(time)
         self.span, self.count = np.zeros((2, len(_LIMITS), 6))
-        self.kept: list[Part] = []
+        self.kept: list[_Kept] = []
+        self.extremes = [Extremes() for _ in _LIMITS]
         self.drive = None if robot.drive is None else DriveDigest(robot, time)
 
     def add(self, part: Part) -> None:
         """Take in the next part."""
+        sd = part.sd
+        there = np.zeros(len(part.time), dtype=bool) if part.there is None else part.there
         if self.drive is not None and part.effort is not None:
-            self.drive.add(part.effort, part.where)
+            self.drive.add(part.effort, part.where, None if sd is None else sd.motors, there)
         for k, limit in enumerate(_LIMITS):
-            over = limit.excess(self.robot, part) > 0.0
+            sizes = limit.sizes(part)
+            over = sizes > limit.bound(self.robot)
             self.span[k] += np.sum(self.weights[part.where, None] * over, axis=0)
             self.count[k] += np.count_nonzero(over, axis=0)
-        spread = 0.0 if part.F_sd is None else SURE * part.F_sd
+            if len(sizes):
+                off, values = None if sd is None else getattr(sd, limit.values), getattr(part, limit.values)
+                rows = partial(_rows, part.time, values)
+                self.extremes[k].add(sizes, rows, off, there)
+        spread = 0.0 if sd is None else SURE * sd.F
         known = np.isfinite(part.L).all(axis=-1, keepdims=True)
-        large = [np.abs(part.F), np.abs(part.F) + spread, np.abs(part.F) - spread]
+        large = [np.abs(part.F), np.abs(part.F) + spread]
         if self.replaced:
-            apart = np.where(self._at_replaced(part.time)[:, None], np.nan, spread)
-            large += [np.abs(part.F) + apart, np.abs(part.F) - apart]
+            large += [np.abs(part.F) + np.where(there[:, None], np.nan, spread)]
         large += [np.where(known, x, np.nan) for x in (part.L, -part.L, np.abs(part.L_dot))]
         extremes = np.hstack([*large, part.condition[:, None]])
-        picked = np.argmax(np.where(np.isnan(extremes), -np.inf, extremes), axis=0)
-        i = np.unique(picked)
-        arrays = [None if x is None else x[i] for x in part[1:-2]]
-        self.kept.append(Part(part.where, *arrays, None))  # type: ignore[arg-type,call-arg]
+        i = np.unique(np.argmax(np.where(np.isnan(extremes), -np.inf, extremes), axis=0))
+        arrays = (part.time, part.F, part.L, part.L_dot, part.condition, there)
+        deviations = (None, None, None) if sd is None else (sd.F[i], sd.L[i], sd.L_dot[i])
+        self.kept.append(_Kept(*(x[i] for x in arrays), *deviations))
 
     def doubts(self, noise_share: float) -> list[str]:
         """One line for each limit exceeded or not decided, and for noise of more than a share of a peak.
@@ -166,61 +192,50 @@ class Digest:
         beyond = self.exceeded() + ([] if self.drive is None else self.drive.summary.exceeded())
         if kept.F_sd is None:
             return beyond
-        there = self._at_replaced(kept.time)
-        names = self._replaced_names()
+        there, names = kept.there, self._replaced_names()
         causes = [("noise in the log", ~there)]
         causes += [(f"replaced rows ({names})", there)] if self.replaced else []
         when = [time_text(time, self.step) for time in kept.time]
         noisy = [_noisy(when, kept.F, kept.F_sd, noise_share, cause, at) for cause, at in causes]
-        return beyond + [line for line in noisy if line]
+        unknown = unknown_forces(kept.F, np.where(there[:, None], 0.0, kept.F_sd))
+        return [line for line in (unknown, *beyond, *noisy) if line]
 
     def exceeded(self) -> list[str]:
         """One line for each limit: which legs go beyond it, the worst of them, when and how long."""
-        kept = self._joined()
-        forces = self._force_verdicts(kept)
-        lines = []
-        for k, limit in enumerate(_LIMITS):
-            force = limit.name == "force_limit"
-            verdicts = forces if force else [EXCEEDED if n else WITHIN for n in self.count[k]]
-            for verdict in (EXCEEDED, NOT_DECIDED, AT_REPLACED):
-                legs = [leg for leg in range(6) if verdicts[leg] == verdict]
-                if legs:
-                    lines.append(self._of_legs(k, limit, f"{limit.name} {verdict}", legs, kept))
-        return lines
+        return [
+            self._of_legs(k, limit, found)
+            for k, limit in enumerate(_LIMITS)
+            for found in self.extremes[k].beyond(limit.bound(self.robot))
+        ]
 
-    def _of_legs(self, k: int, limit: "_Limit", what: str, legs: list[int], kept: Part) -> str:
+    def _of_legs(self, k: int, limit: "_Limit", found: Beyond) -> str:
         """One line about a limit and the legs in question."""
-        bound, least = limit.bound(self.robot), np.finfo(float).tiny
-        beyond = {leg: _excess(self.robot, limit, leg, kept) for leg in legs}
-        worst = max(legs, key=lambda leg: beyond[leg][1] / max(abs(float(bound[leg])), least))
-        i, sd = beyond[worst][0], kept.F_sd if limit.name == "force_limit" else None
-        spread = "" if sd is None else f" +- {sd[i, worst]:.3g}"
-        value = f"{getattr(kept, limit.values)[i, worst]:.6g}{spread} {limit.unit}"
-        value += f" at {time_text(kept.time[i], self.step)} s, limit {bound[worst]:g} {limit.unit}"
-        names = f"{'leg' if len(legs) == 1 else 'legs'} {', '.join(str(leg + 1) for leg in legs)}"
-        most = "" if len(legs) == 1 else f"worst leg {worst + 1}: "
-        text = f"{what} by {names}: {most}{value}"
+        worst, (time, values) = found.worst, found.when
+        bound = limit.sign * limit.bound(self.robot)[worst]
+        value = f"{values[worst]:.6g}{spread_text(found.sd)} {limit.unit}"
+        value += f" at {time_text(time, self.step)} s, limit {bound:g} {limit.unit}"
+        text = f"{limit.name} {found.verdict} by {found.legs_text}: {found.worst_text}{value}"
         if self.count[k, worst]:
             share = f"at {int(self.count[k, worst])} of {len(self.time)} instants"
             text += f"; beyond it for {self.span[k, worst]:.3g} s, {share}"
-        elif what.endswith(AT_REPLACED):
+        elif found.verdict == AT_REPLACED:
             text += f"; kept away from {self._replaced_names()}"
         return text
 
     def summary(self) -> str:
         """What it comes to, lines of text."""
         kept = self._joined()
-        time, F, F_sd, L, L_dot, condition = kept[1:7]
-        verdicts, limit = self._force_verdicts(kept), self.robot.force_limit
-        known = np.isfinite(L).all(axis=-1)
+        time, F, condition, F_sd = kept.time, kept.F, kept.condition, kept.F_sd
+        verdicts, limit = self._force_verdicts(), self.robot.force_limit
+        low, high, speed = _leg_extremes(kept)
         rows = [
             (
                 str(leg + 1),
-                f"{F[i, leg]:.6g}" + ("" if F_sd is None else f" +- {F_sd[i, leg]:.2g}"),
+                f"{F[i, leg]:.6g}{spread_text(None if F_sd is None else F_sd[i, leg], 2)}",
                 time_text(time[i], self.step),
                 f"{limit[leg]:g}" + (f" {verdicts[leg]}" if np.isfinite(limit[leg]) else ""),
-                f"{L[known, leg].min(initial=np.inf):.4g} to {L[known, leg].max(initial=-np.inf):.4g}",
-                f"{np.abs(L_dot[known, leg]).max(initial=0.0):.4g}",
+                f"{low.text(leg)} to {high.text(leg)}",
+                speed.text(leg),
             )
             for leg, i in enumerate(_largest(F))
         ]
@@ -234,24 +249,6 @@ class Digest:
         )
         return text if self.drive is None else f"{text}\n\n{self.drive.table()}"
 
-    def _force_verdicts(self, part: Part) -> list[str]:
-        """``force_verdicts``, and ``AT_REPLACED`` where replaced rows alone leave a limit open."""
-        verdicts, there = force_verdicts(self.robot, part.F, part.F_sd), self._at_replaced(part.time)
-        if part.F_sd is None or not there.any():
-            return verdicts
-        elsewhere = force_verdicts(self.robot, part.F, np.where(there[:, None], 0.0, part.F_sd))
-        return [
-            AT_REPLACED if one == NOT_DECIDED and other == WITHIN else one
-            for one, other in zip(verdicts, elsewhere, strict=True)
-        ]
-
-    def _at_replaced(self, time: Array) -> Flags:
-        """Instants, (n,), whose deviations hold what is changed by replaced rows."""
-        found = np.zeros(len(time), dtype=bool)
-        for span in self.replaced:
-            found |= (span.start <= time) & (time <= span.end)
-        return found
-
     def _replaced_names(self) -> str:
         names = list(dict.fromkeys(name for span in self.replaced for name in span.rows))
         return ", ".join(names[:_MOST_NAMED]) + (
@@ -262,7 +259,7 @@ class Digest:
         """What the summary says, for programs."""
         kept = self._joined()
         worst = int(_largest(kept.condition))
-        verdicts, known = self._force_verdicts(kept), np.isfinite(kept.L).all(axis=-1)
+        verdicts, (low, high, speed) = self._force_verdicts(), _leg_extremes(kept)
         return {
             "instants": len(self.time),
             "start_s": self.time[0],
@@ -277,21 +274,73 @@ class Digest:
                     "peak_force_time_s": kept.time[i],
                     "force_limit_N": self.robot.force_limit[leg],
                     "force_limit": verdicts[leg],
-                    "least_length_m": kept.L[known, leg].min(initial=np.inf),
-                    "greatest_length_m": kept.L[known, leg].max(initial=-np.inf),
-                    "peak_speed_m_per_s": np.abs(kept.L_dot[known, leg]).max(initial=0.0),
+                    "least_length_m": low.values[leg],
+                    "greatest_length_m": high.values[leg],
+                    "peak_speed_m_per_s": speed.values[leg],
+                    **self._noise_of_leg(leg, low.sd, high.sd, speed.sd),
                     **({} if self.drive is None else self.drive.of_leg(leg)),
                 }
                 for leg, i in enumerate(_largest(kept.F))
             ],
         }
 
-    def _joined(self) -> Part:
-        arrays = [
-            None if x[0] is None else np.concatenate(x)
-            for x in zip(*(p[1:-2] for p in self.kept), strict=True)
+    def _force_verdicts(self) -> list[str]:
+        return self.extremes[0].verdicts(self.robot.force_limit)
+
+    def _noise_of_leg(
+        self, leg: int, low: Array | None, high: Array | None, speed: Array | None
+    ) -> dict[str, Any]:
+        """Deviations of a leg's lengths and speed, (6,), and verdicts that they leave; none without noise."""
+        if low is None or high is None or speed is None:
+            return {}
+        found = [
+            extremes.verdicts(limit.bound(self.robot))[leg]
+            for extremes, limit in zip(self.extremes, _LIMITS, strict=True)
         ]
-        return Part(slice(None), *arrays, None)  # type: ignore[arg-type,call-arg]
+        return {
+            "least_length_sd_m": low[leg],
+            "greatest_length_sd_m": high[leg],
+            "peak_speed_sd_m_per_s": speed[leg],
+            "speed_limit": found[1],
+            "least_length_limit": found[3],
+            "greatest_length_limit": found[2],
+        }
+
+    def _joined(self) -> _Kept:
+        found: list[Any] = [None if x[0] is None else np.concatenate(x) for x in zip(*self.kept, strict=True)]
+        return _Kept(*found)
+
+
+def _rows(time: Array, values: Array, instants: list[int]) -> list[tuple[float, Array]]:
+    # Copies: a view would keep all of the part.
+    return [(float(time[i]), values[i].copy()) for i in instants]
+
+
+class _Extreme(NamedTuple):
+    """Extreme values of legs, (6,), with their deviations by noise, if any."""
+
+    values: Array
+    sd: Array | None
+
+    def text(self, leg: int) -> str:
+        """One leg's, with the deviation where digits of any leg's show it."""
+        sd = None if self.sd is None or not shows(self.values, self.sd) else float(self.sd[leg])
+        return f"{self.values[leg]:.4g}{spread_text(sd, 2)}"
+
+
+def _leg_extremes(kept: _Kept) -> tuple[_Extreme, _Extreme, _Extreme]:
+    """Least and greatest lengths, and largest speeds."""
+    known = np.isfinite(kept.L).all(axis=-1, keepdims=True)
+    longest, speeds = np.where(known, kept.L, -np.inf), np.where(known, np.abs(kept.L_dot), 0.0)
+    shortest, legs = np.where(known, kept.L, np.inf), np.arange(6)
+    found = []
+    for values, rows, sd in (
+        (shortest, np.argmin(shortest, axis=0), kept.L_sd),
+        (longest, np.argmax(longest, axis=0), kept.L_sd),
+        (speeds, np.argmax(speeds, axis=0), kept.L_dot_sd),
+    ):
+        found.append(_Extreme(values[rows, legs], None if sd is None else sd[rows, legs]))
+    return found[0], found[1], found[2]
 
 
 class _Limit(NamedTuple):
@@ -305,17 +354,20 @@ class _Limit(NamedTuple):
     values: str
     end: int | None = None
 
-    def bound(self, robot: Robot) -> Array:
-        """The limit of each leg, (6,)."""
-        limits: Array = getattr(robot, self.name)
-        return limits if self.end is None else limits[:, self.end]
+    @property
+    def sign(self) -> float:
+        """-1 for a lowest value: sizes and bounds are those of the opposite values."""
+        return -1.0 if self.end == 0 else 1.0
 
-    def excess(self, robot: Robot, part: Part) -> Array:
-        """By how much values are beyond it, (n, 6)."""
+    def bound(self, robot: Robot) -> Array:
+        """What the sizes of each leg should not exceed, (6,)."""
+        limits: Array = getattr(robot, self.name)
+        return limits if self.end is None else self.sign * limits[:, self.end]
+
+    def sizes(self, part: Part) -> Array:
+        """Values as they count, (n, 6)."""
         values: Array = getattr(part, self.values)
-        if self.end is None:
-            return np.abs(values) - self.bound(robot)
-        return np.asarray((values - self.bound(robot)) * (1.0 if self.end else -1.0))
+        return np.abs(values) if self.end is None else self.sign * values
 
 
 _LIMITS = (
@@ -326,15 +378,27 @@ _LIMITS = (
 )
 
 
-def exceeded(robot: Robot, time: Array, F: Array, L: Array, L_dot: Array) -> list[str]:
-    """One line for each limit that a run exceeds, as ``Digest.exceeded``; arrays (n, 6)."""
-    digest, none = Digest(robot, time), np.zeros(len(time))
-    digest.add(Part(slice(None), time, F, None, L, L_dot, none, none.astype(np.int32), None))
+def exceeded(
+    robot: Robot,
+    time: Array,
+    F: Array,
+    L: Array,
+    L_dot: Array,
+    trajectory: Trajectory | PoseLog | None = None,
+) -> list[str]:
+    """One line for each limit that a run exceeds, as ``Digest.exceeded``; arrays (n, 6).
+
+    trajectory: the run's, whose noise makes deviations.
+    """
+    none, sd, there = np.zeros(len(time)), None, None
+    replaced = () if trajectory is None else replaced_rows(trajectory)
+    if trajectory is not None and trajectory.noise is not None:
+        sd, there = all_deviations(robot, trajectory), at_replaced(trajectory, time)
+    digest = Digest(robot, time, replaced)
+    digest.add(Part(slice(None), time, F, L, L_dot, none, none.astype(np.int32), sd=sd, there=there))
     return digest.exceeded()
 
 
-WITHIN, EXCEEDED, NOT_DECIDED = "kept", "exceeded", "not decided at this noise"
-AT_REPLACED = "not decided at replaced rows"
 # One line names at most so many replaced rows.
 _MOST_NAMED = 4
 
@@ -342,23 +406,6 @@ _MOST_NAMED = 4
 def replaced_rows(trajectory: Trajectory | PoseLog) -> tuple[Replaced, ...]:
     """Rows of its log that a trajectory does not have as they were."""
     return () if trajectory.noise is None else trajectory.noise.replaced
-
-
-def force_verdicts(robot: Robot, F: Array, F_sd: Array | None = None) -> list[str]:
-    """``WITHIN``, ``EXCEEDED`` or ``NOT_DECIDED`` for each leg's force_limit; F, F_sd: N, (n, 6)."""
-    spread = np.zeros_like(F) if F_sd is None else SURE * F_sd
-    sure = np.any(np.abs(F) - spread > robot.force_limit, axis=0)
-    maybe = np.any(np.abs(F) + spread > robot.force_limit, axis=0)
-    return [EXCEEDED if sure[i] else NOT_DECIDED if maybe[i] else WITHIN for i in range(6)]
-
-
-def _excess(robot: Robot, limit: _Limit, leg: int, part: Part) -> tuple[int, float]:
-    """Instant at which a leg is farthest beyond its limit, by noise if by nothing else; how far."""
-    excess = limit.excess(robot, part)[:, leg]
-    if limit.name == "force_limit" and part.F_sd is not None and not (excess > 0.0).any():
-        excess = excess + SURE * part.F_sd[:, leg]
-    i = int(np.nanargmax(excess))
-    return i, float(excess[i])
 
 
 def _weights(time: Array) -> Array:

@@ -1,0 +1,77 @@
+"""What each instant of a motion takes of the motors: torque, speed, current and power."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ..io.array_types import Array
+from ..motion.motion import Motion
+from ..reference import newton_euler, offset_joints
+from ..robot.drive import Drive
+from ..robot.offset_chains import joint_motion, motor_motion
+from ..robot.robot import Robot
+from .friction import friction_force
+
+
+class Instants(NamedTuple):
+    """Fields of ``DriveEffort`` that are given at every instant, (..., 6)."""
+
+    force: Array
+    friction: Array
+    rotor: Array
+    torque: Array
+    speed: Array
+    current: Array | None
+    power: Array
+    electrical: Array
+
+
+def at_instants(robot: Robot, drive: Drive, motion: Motion, F: Array, L_dot: Array) -> Instants:
+    """What each instant takes, from forces of ``inverse_dynamics``, N, and rates of length, m/s, (..., 6).
+
+    NaN where these are.
+    """
+    rotor, L_dot = rotor_force(robot, motion), motor_rates(robot, drive, motion, L_dot)
+    friction = friction_force(drive, F - rotor, L_dot)
+    return _instants(drive, F + friction, friction, rotor, L_dot)
+
+
+def rotor_force(robot: Robot, motion: Motion) -> Array:
+    """Part of the motors' forces that turns the rotors, N, (..., 6)."""
+    with np.errstate(all="ignore"):
+        of = newton_euler if robot.offsets is None else offset_joints
+        return np.asarray(of.rotor_force(robot, motion))
+
+
+def of_motor_forces(robot: Robot, drive: Drive, motion: Motion, force: Array, L_dot: Array) -> Instants:
+    """What each instant of a run takes whose forces are those of the motors, N times torque, N, (..., 6).
+
+    Such are the forces of a simulation. Friction and rotors' parts are not told apart: NaN.
+    """
+    unknown = np.full(np.shape(force), np.nan)
+    return _instants(drive, force, unknown, unknown, motor_rates(robot, drive, motion, L_dot))
+
+
+def _instants(drive: Drive, force: Array, friction: Array, rotor: Array, L_dot: Array) -> Instants:
+    torque = force / drive.turns
+    speed = drive.turns * L_dot
+    power = electrical = torque * speed
+    current = None
+    if np.any(drive.torque_constant):
+        known = drive.torque_constant > 0.0
+        current = torque / np.where(known, drive.torque_constant, np.nan)
+        electrical = power + np.where(known, np.asarray(drive.resistance) * current**2, 0.0)
+    return Instants(force, friction, rotor, torque, speed, current, power, electrical)
+
+
+def motor_rates(robot: Robot, drive: Drive, motion: Motion, L_dot: Array) -> Array:
+    """Rates of the motors over their ``turns``, m/s, (..., 6): L_dot but for U-C-U legs.
+
+    Of these the motor sees the turning of the upper part as well.
+    """
+    if robot.offsets is None:
+        return L_dot
+    with np.errstate(all="ignore"):
+        return motor_motion(robot, joint_motion(robot, motion).rates) / np.asarray(drive.turns)

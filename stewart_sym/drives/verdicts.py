@@ -1,0 +1,205 @@
+"""Whether limits are kept: one rule for every quantity, with the deviations that noise in a log leaves."""
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ..io.array_types import Array, Flags
+from ..robot.robot import LEGS
+
+SURE = 3.0
+"""Deviations within which a value is taken to lie: 99.7 % of normal errors."""
+
+WITHIN, EXCEEDED, NOT_DECIDED = "kept", "exceeded", "not decided at this noise"
+AT_REPLACED = "not decided at replaced rows"
+
+# Deviation, as a share of a leg's peak force, from which on forces count as unknown.
+_UNKNOWN = 1.0 / 3.0
+_TINY = float(np.finfo(np.float64).tiny)
+
+
+Sides = tuple[Array, Array]
+"""Deviations upward and downward."""
+
+
+def verdicts(
+    sizes: Array, limits: Array, sd: Array | Sides | None = None, there: Flags | None = None
+) -> list[str]:
+    """``WITHIN``, ``EXCEEDED`` or ``NOT_DECIDED`` of each column, (n, m), for limits, (m,).
+
+    sd: deviations of the sizes, (n, m). there: instants, (n,), at which these hold what replaced rows change;
+    ``AT_REPLACED`` where they alone leave a limit open.
+    """
+    found = _verdicts(sizes, limits, sd)
+    if sd is None or there is None or not there.any():
+        return found
+    up, down = _sides(sd)
+    elsewhere = _verdicts(sizes, limits, (np.where(there[:, None], 0.0, up), down))
+    return [
+        AT_REPLACED if one == NOT_DECIDED and other == WITHIN else one
+        for one, other in zip(found, elsewhere, strict=True)
+    ]
+
+
+def _sides(sd: Array | Sides | None) -> Sides:
+    if sd is None:
+        return np.zeros(()), np.zeros(())
+    return sd if isinstance(sd, tuple) else (sd, sd)
+
+
+def _verdicts(sizes: Array, limits: Array, sd: Array | Sides | None) -> list[str]:
+    up, down = _sides(sd)
+    sure, maybe = (np.any(each > limits, axis=0) for each in (sizes - SURE * down, sizes + SURE * up))
+    return [EXCEEDED if sure[i] else NOT_DECIDED if maybe[i] else WITHIN for i in range(len(limits))]
+
+
+def farthest(sizes: Array, sd: Array | Sides | None, verdict: str) -> int:
+    """Which of the sizes of one leg, (n,), makes the verdict."""
+    return int(np.argmax(_scores(sizes, sd, verdict)))
+
+
+def _scores(sizes: Array, sd: Array | Sides | None, verdict: str) -> Array:
+    """Sizes as they count for a verdict, -inf where there are none."""
+    up, down = _sides(sd)
+    scores = sizes - SURE * down if verdict == EXCEEDED else sizes + SURE * up
+    return np.asarray(np.where(np.isnan(scores), -np.inf, scores))
+
+
+class Beyond(NamedTuple):
+    """A verdict about a limit: legs that it holds for, counted from 0, and the worst of them.
+
+    size, sd, when: the worst one's where it makes the verdict; sd is None without noise.
+    """
+
+    verdict: str
+    legs: list[int]
+    worst: int
+    size: float
+    sd: float | None
+    when: Any
+
+    @property
+    def legs_text(self) -> str:
+        """Legs as they are named: ``leg 1``, ``legs 1, 2``."""
+        return legs_text(self.legs)
+
+    @property
+    def worst_text(self) -> str:
+        """What names the worst of several legs, as a prefix."""
+        return "" if len(self.legs) == 1 else f"worst leg {self.worst + 1}: "
+
+
+class Extremes:
+    """Instants of a run at which sizes of six legs are largest, surely, possibly or as they are."""
+
+    def __init__(self) -> None:
+        """Begin a run."""
+        self._sizes: list[Array] = []
+        self._up: list[Array] = []
+        self._down: list[Array] = []
+        self._there: list[Flags] = []
+        self._when: list[Any] = []
+
+    def add(
+        self,
+        sizes: Array,
+        when: Callable[[list[int]], Iterable[Any]],
+        sd: Array | Sides | None = None,
+        there: Flags | None = None,
+    ) -> None:
+        """Take in instants, (n, 6), n > 0, NaN where there are none; when: what names some of them.
+
+        sd, there: as for ``verdicts``.
+        """
+        sizes = np.where(np.isnan(sizes), -np.inf, sizes)
+        scores, flags = [sizes], np.zeros(len(sizes), dtype=bool) if there is None else there
+        if sd is not None:
+            up, down = _sides(sd)
+            apart = np.where(flags[:, None], np.nan, 0.0)
+            scores += [sizes + SURE * x for x in (up, -down, up + apart, -down + apart)]
+        all_scores = np.hstack(scores)
+        i = np.unique(np.argmax(np.where(np.isnan(all_scores), -np.inf, all_scores), axis=0))
+        self._sizes.append(sizes[i])
+        self._there.append(flags[i])
+        self._when.extend(when(i.tolist()))
+        if sd is not None:
+            self._up.append(up[i])
+            self._down.append(down[i])
+
+    def _deviations(self) -> Sides | None:
+        return (np.concatenate(self._up), np.concatenate(self._down)) if self._up else None
+
+    @property
+    def peaks(self) -> Array:
+        """Largest sizes, (6,), at least 0."""
+        return np.asarray(np.concatenate([np.zeros((1, LEGS)), *self._sizes]).max(axis=0))
+
+    @property
+    def peak_sd(self) -> Array | None:
+        """Deviations of the largest sizes where these are, (6,); None without noise."""
+        sd = self._deviations()
+        if sd is None:
+            return None
+        at = np.argmax(np.concatenate(self._sizes), axis=0)
+        return np.asarray(np.maximum(*sd)[at, np.arange(LEGS)])
+
+    def verdicts(self, limits: Array) -> list[str]:
+        """As ``verdicts``, for limits (6,)."""
+        if not self._sizes:
+            return [WITHIN] * LEGS
+        return verdicts(np.concatenate(self._sizes), limits, self._deviations(), np.concatenate(self._there))
+
+    def beyond(self, limits: Array) -> Iterator[Beyond]:
+        """Every verdict but ``WITHIN`` that holds for a leg."""
+        found = self.verdicts(limits)
+        for verdict in (EXCEEDED, NOT_DECIDED, AT_REPLACED):
+            legs = [leg for leg in range(LEGS) if found[leg] == verdict]
+            if legs:
+                yield self._worst(verdict, legs, limits)
+
+    def _worst(self, verdict: str, legs: list[int], limits: Array) -> Beyond:
+        sizes, sd = np.concatenate(self._sizes), self._deviations()
+        scores = _scores(sizes, sd, verdict)
+        at = np.argmax(scores, axis=0)
+        with np.errstate(invalid="ignore"):
+            excess = (scores[at, np.arange(LEGS)] - limits) / np.maximum(np.abs(limits), _TINY)
+        worst = max(legs, key=lambda leg: float(excess[leg]))
+        i = int(at[worst])
+        off = None if sd is None else float(np.maximum(*sd)[i, worst])
+        return Beyond(verdict, legs, worst, float(sizes[i, worst]), off, self._when[i])
+
+
+def spread_text(sd: float | None, digits: int = 3) -> str:
+    """A deviation as it follows its value: `` +- 0.12``; nothing for none."""
+    return "" if sd is None else f" +- {sd:.{digits}g}"
+
+
+def shows(values: Array, sd: Array | None, digits: int = 4) -> bool:
+    """Whether deviations reach the digits that are written of the largest of values, (..., 6)."""
+    if sd is None:
+        return False
+    largest = np.nan_to_num(np.abs(values)).max(axis=-1, keepdims=True)
+    with np.errstate(divide="ignore"):
+        last = 0.5 * 10.0 ** (np.floor(np.log10(largest)) - digits + 1)
+    return bool(np.any((sd >= last) & (largest > 0.0)))
+
+
+def legs_text(legs: Sequence[int]) -> str:
+    """Legs counted from 0 as they are named: ``leg 1``, ``legs 1, 2``."""
+    return f"leg{'s' if len(legs) > 1 else ''} {', '.join(str(leg + 1) for leg in legs)}"
+
+
+def unknown_forces(F: Array, sd: Array) -> str | None:
+    """One line about legs whose peak force, of (n, 6), N, is not known by its deviation; None without."""
+    peaks = np.argmax(np.nan_to_num(np.abs(F), nan=-1.0), axis=0), np.arange(F.shape[1])
+    force, off = np.abs(F)[peaks], sd[peaks]
+    legs = np.flatnonzero(off > _UNKNOWN * force).tolist()
+    if not legs:
+        return None
+    worst = max(legs, key=lambda leg: float(off[leg]))
+    return (
+        f"the log's noise leaves the forces of {legs_text(legs)} unknown: {force[worst]:.4g}"
+        f"{spread_text(off[worst], 2)} N at the peak of leg {worst + 1}: expected a lower --cutoff, a slower "
+        "motion or a log with more rows before and after it, or poses that are measured better"
+    )
