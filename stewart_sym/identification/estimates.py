@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -16,7 +17,7 @@ from ..motion.motion import Motion
 from ..robot.robot import LEGS, Robot
 from .base_parameters import BaseParameters
 from .drive_terms import DriveEstimate, seen_by_motors
-from .fits import LOAD, Data, Fit, linear_system
+from .fits import LOAD, Data, Fit, fitted_forces, linear_system
 from .parameters import Parameters, inertial_parameters
 from .physical import Negative, negative
 from .tails import departure, tail
@@ -29,6 +30,8 @@ LEVEL = 1e-3
 _MOST_INFLATION = 3.0
 # Cosines over the instants, for each leg, by which the forces may still differ smoothly from the fitted ones.
 _COSINES = 20
+# Instants by which the fitted forces are differentiated.
+_NEAR = 7
 # Share of a column below which what the fit leaves of it counts as nothing.
 _NEW = 1e-8
 EXACT = ("motion: is taken as exact, expected its noise if its poses were measured",)
@@ -52,8 +55,8 @@ class Estimate:
     p_noise : float
         Probability of so large a residual under the stated noise.
     p_model : float
-        Probability of so large a smooth part of the residual, or of one that a changing load explains so
-        well; it does not depend on the stated size of the noise.
+        Probability of so large a smooth part of the residual, or of one that a changing load or forces that
+        lag measured poses explain so well; it does not depend on the stated size of the noise.
     inflation : float
         Factor on the deviations, at least 1, from the residual.
     verdict : str
@@ -73,6 +76,9 @@ class Estimate:
         The estimate that was not kept to possible bodies, then.
     drive : DriveEstimate, optional
         Terms of the drives, if they were sought.
+    lag : tuple of float, optional
+        By how much the forces lag the poses, s, as the residual shows it, and its standard deviation; of
+        measured poses alone. The values are those of no lag.
     """
 
     base: BaseParameters
@@ -90,6 +96,7 @@ class Estimate:
     parameters: Parameters | None = None
     free: Estimate | None = None
     drive: DriveEstimate | None = None
+    lag: tuple[float, float] | None = None
 
     @property
     def sigma(self) -> Array:
@@ -129,19 +136,21 @@ def tested_estimate(data: Data, fit: Fit, remedy: tuple[str, ...]) -> Estimate:
     spare = len(r) - data.left_out - fit.span.shape[1]
     misfit = math.sqrt(float(r @ r) / spare) if spare > 0 else math.nan
     noise_misfit, p_noise, noise_doubts = _noise_test(fit, data.left_out)
-    (smooth_misfit, p_smooth), (load_misfit, p_load) = (
-        _gain_test(fit, r, added, data.left_out) for added in (_smooth_forces(fit), _changing_load(data, fit))
-    )
+    lag, smooth, load = _model_tests(data, fit, r)
+    (smooth_misfit, p_smooth), (load_misfit, p_load) = smooth, load
+    tests = 2.0 if lag is None else 3.0
     doubts = list(noise_doubts) if p_noise < LEVEL else []
     inflation = max(1.0, noise_misfit) if p_noise < LEVEL else 1.0
-    if 2.0 * p_smooth < LEVEL:
+    if lag is not None and lag.named:
+        inflation = max(inflation, lag.inflation)
+    if tests * p_smooth < LEVEL:
         inflation = max(inflation, smooth_misfit)
         beside = "noise" if smooth_misfit >= 1.0 else "the stated noise, which is more than their scatter"
         doubts.append(
             f"forces: differ smoothly from the model's, {smooth_misfit:.2f} times as much as by {beside}: "
             "expected a model of all that moves, its friction and load, and poses that follow the motion"
         )
-    if 2.0 * p_load < LEVEL:
+    if tests * p_load < LEVEL:
         inflation = max(inflation, min(load_misfit, _MOST_INFLATION))
         doubts.append(
             f"load: the platform's mass or first moment changes on the way, {load_misfit:.3g} times as much "
@@ -159,6 +168,8 @@ def tested_estimate(data: Data, fit: Fit, remedy: tuple[str, ...]) -> Estimate:
             "rotors: forces are taken as the motors', with the rotor_inertia of the robot file: if it is not "
             "sure, seek reflected_mass of the drive; of forces measured in the legs, leave rotor_inertia out"
         )
+    if lag is not None and lag.named:
+        doubts.insert(0, lag.doubt)
     rejected = inflation > _MOST_INFLATION or not fit.converged or fit.curvature > _BENT
     verdict = "rejected" if rejected else "misfit" if doubts else "consistent" if spare > 0 else "untested"
     unknowns, rank = len(fit.values), data.base.rank
@@ -172,7 +183,7 @@ def tested_estimate(data: Data, fit: Fit, remedy: tuple[str, ...]) -> Estimate:
         covariance=own,
         misfit=misfit,
         p_noise=p_noise,
-        p_model=min(1.0, 2.0 * p_smooth, 2.0 * p_load),
+        p_model=min(1.0, *(tests * p for p in (p_smooth, p_load, 1.0 if lag is None else lag.p))),
         inflation=inflation,
         verdict=verdict,
         doubts=(*doubts, *(remedy if doubts else ())),
@@ -180,7 +191,87 @@ def tested_estimate(data: Data, fit: Fit, remedy: tuple[str, ...]) -> Estimate:
         near_zero=below.near_zero,
         motion=fit.motion,
         drive=None if terms is None else terms.estimate(fit.values[rank:], covariance[rank:, rank:]),
+        lag=None if lag is None else (lag.time, lag.sigma),
     )
+
+
+class _Lag(NamedTuple):
+    """By how much forces lag the poses, s, with its deviation, and the probability of so large a one.
+
+    inflation: of the deviations, from what it changes of the values. column: what a lag of 1 s adds to the
+    residual, without what the unknowns can explain. named: whether it is what explains the residual.
+    """
+
+    time: float
+    sigma: float
+    p: float
+    inflation: float
+    column: Array
+    named: bool = False
+
+    @property
+    def doubt(self) -> str:
+        """One line about it."""
+        how = "lag" if self.time > 0.0 else "are ahead of"
+        return (
+            f"times: the forces {how} the poses by {1e3 * abs(self.time):.3g} +- {1e3 * self.sigma:.2g} ms: "
+            "expected both at the same times, shift those of one by it"
+        )
+
+
+def _model_tests(
+    data: Data, fit: Fit, r: Array
+) -> tuple[_Lag | None, tuple[float, float], tuple[float, float]]:
+    """Lag of forces behind measured poses, and ``_gain_test`` of smooth forces and of a changing load.
+
+    Where a lag explains the residual, these are of what it leaves.
+    """
+    added = (_smooth_forces(fit), _changing_load(data, fit))
+    smooth, load = (_gain_test(fit, r, forces, data.left_out) for forces in added)
+    lag = _lag(data, fit, r)
+    if lag is None or 3.0 * lag.p >= LEVEL:
+        return lag, smooth, load
+    unit = lag.column / np.linalg.norm(lag.column)
+    other, left = fit._replace(span=np.column_stack([fit.span, unit])), r - unit * (unit @ r)
+    rest = [_gain_test(other, left, forces, data.left_out) for forces in added]
+    explained = float(unit @ r) ** 2
+    if all(3.0 * p >= LEVEL for _, p in rest) or explained > added[0].shape[1] * rest[0][0] ** 2:
+        return lag._replace(named=True), rest[0], rest[1]
+    return lag, smooth, load
+
+
+def _lag(data: Data, fit: Fit, r: Array) -> _Lag | None:
+    """The lag of a joint fit, to first order; None of another fit, and where forces don't show it."""
+    if fit.time is None:
+        return None
+    F = fitted_forces(data, fit)
+    column = np.zeros(len(r))
+    column[: F.size] = (-_rates(fit.time, F) / data.deviations).ravel()
+    along = fit.span.T @ column
+    seen = column - fit.span @ along
+    size, spare = float(np.linalg.norm(seen)), len(r) - data.left_out - fit.span.shape[1] - 1
+    if size <= _NEW * np.linalg.norm(column) or spare <= 0:
+        return None
+    explained = float(seen @ r / size) ** 2
+    rest = (float(r @ r) - explained) / spare
+    time, p = float(seen @ r) / size**2, tail(explained / rest, 1, spare) if rest > 0.0 else 1.0
+    off = time * (fit.back @ along) / np.linalg.norm(fit.back, axis=1)
+    return _Lag(time, max(1.0, math.sqrt(rest)) / size, p, math.sqrt(1.0 + float(np.mean(off**2))), seen)
+
+
+def _rates(time: Array, values: Array) -> Array:
+    """Rates of values, (n, m), at times, s, (n,), by polynomials through ``_NEAR`` of them around each."""
+    n, near = len(time), min(_NEAR, len(time))
+    first = np.clip(np.arange(n) - near // 2, 0, n - near)
+    at = first[:, None] + np.arange(near)
+    x = (time[at] - time[:, None]) / np.ptp(time[at], axis=1)[:, None]
+    apart = x[:, :, None] - x[:, None, :] + np.eye(near)
+    b = 1.0 / apart.prod(axis=-1)
+    own = at == np.arange(n)[:, None]
+    factors = np.where(own, 0.0, -b / np.where(own, 1.0, x) / b[own][:, None])
+    factors[own] = -factors.sum(axis=1)
+    factors /= np.ptp(time[at], axis=1)[:, None]
+    return np.asarray(np.einsum("nk,nkm->nm", factors, values[at]))
 
 
 def _noise_test(fit: Fit, left_out: int) -> tuple[float, float, tuple[str, ...]]:

@@ -9,6 +9,7 @@ import numpy as np
 from ..dynamics.equations import force_derivatives
 from ..dynamics.inverse import inverse_dynamics
 from ..io.array_types import Array
+from ..io.instants import elapsed
 from ..motion.motion import Motion
 from ..motion.smooth_motion import (
     Basis,
@@ -59,18 +60,24 @@ class Fit(NamedTuple):
     """A least-squares fit about its solution.
 
     parts: residual over deviations, of the forces and, in a joint fit, of the poses, (n, 6) each. values: of
-    base parameters and terms of the drives, (m,). covariance: (m, m). span: orthonormal basis of what the
-    unknowns can explain, (rows, unknowns).
-    curvature: as ``_curvature`` returns.
+    base parameters and terms of the drives, (m,). span: orthonormal basis of what the unknowns can explain,
+    (rows, unknowns). back: changes of values by residuals along it, (m, unknowns). curvature: as
+    ``_curvature`` returns. time: of the instants, s, (n,), of a joint fit.
     """
 
     parts: tuple[Array, ...]
     values: Array
-    covariance: Array
     span: Array
+    back: Array
     motion: Motion
     converged: bool = True
     curvature: float = 0.0
+    time: Array | None = None
+
+    @property
+    def covariance(self) -> Array:
+        """Of values, (m, m)."""
+        return np.asarray(self.back @ self.back.T)
 
 
 def exact_fit(data: Data, motion: Motion) -> Fit:
@@ -82,7 +89,7 @@ def exact_fit(data: Data, motion: Motion) -> Fit:
         raise ValueError(f"motion: excites {felt} of {data.base.rank} base parameters, expected all of them")
     span, back = factors(J)
     values = back @ (span.T @ y.ravel())
-    return Fit(((y - A @ values).reshape(-1, LEGS),), values, back @ back.T, span, motion)
+    return Fit(((y - A @ values).reshape(-1, LEGS),), values, span, back, motion)
 
 
 def _felt(J: Array) -> int:
@@ -212,10 +219,15 @@ def _with_deviations(data: Data, noise: PoseNoise, found: _Solution) -> Fit:
     """The solution as a fit, with its covariance and the error that comes of what is not linear in it."""
     basis, values, c, parts, converged = found
     span, back = factors(_jacobian(data, noise, basis, values, c))
-    spread = back[: data.unknowns]
     curvature = _curvature(data, noise, found, span, back) if converged else math.inf
     motion = basis.motion(c, data.motion)
-    return Fit(parts, values, spread @ spread.T, span, motion, converged, curvature)
+    return Fit(parts, values, span, back[: data.unknowns], motion, converged, curvature, elapsed(noise.time))
+
+
+def fitted_forces(data: Data, fit: Fit) -> Array:
+    """Forces that a fit has along its motion, N, (n, 6)."""
+    A, y = linear_system(data._replace(deviations=np.ones(data.forces.shape)), fit.motion)
+    return np.asarray(A @ fit.values + data.forces - y)
 
 
 def _curvature(data: Data, noise: PoseNoise, found: _Solution, span: Array, back: Array) -> float:

@@ -332,3 +332,26 @@ def test_experiments_with_noisy_poses_are_consistent_and_wrong_models_named() ->
     assert consistent >= 0.95 * count
     assert agreeing >= 0.95 * count
     assert np.mean(inside, axis=0) == pytest.approx([0.6827, 0.9545], abs=0.05)
+
+
+@pytest.mark.parametrize("seed", [0, 1])
+def test_forces_that_lag_the_poses_are_named_with_their_lag(seed: int) -> None:
+    found, machine = experiment(seed), robot(seed)
+    assert found.noise is not None
+    assert found.estimate.lag is not None
+    own, sigma = found.estimate.lag
+    assert abs(own) < 4.0 * sigma
+    exact = ss.inverse_dynamics(machine, found.excitation.motion).F
+    for lag, words in ((10.0 * sigma, "lag"), (-10.0 * sigma, "are ahead of")):
+        late = ss.inverse_dynamics(machine, found.excitation.path.sample(found.noise.time - lag)).F
+        F, base = found.F + late - exact, found.estimate.base
+        seen = ss.identify(machine, found.measured, F, 1.0, base, found.noise)
+        assert seen.lag is not None
+        assert seen.verdict in ("misfit", "rejected")
+        assert seen.doubts[0].startswith(f"times: the forces {words} the poses by ")
+        assert seen.lag[0] == pytest.approx(lag, abs=4.0 * sigma)
+        assert seen.lag[1] == pytest.approx(sigma, rel=0.2)
+        # What the lag changes of the values is in their deviations.
+        off = np.abs(seen.values - found.estimate.values) / found.estimate.sigma
+        assert np.sqrt(np.mean(off**2)) < seen.inflation
+    assert ss.identify(machine, found.excitation.motion, found.F, 1.0, base).lag is None

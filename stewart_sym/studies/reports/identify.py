@@ -307,6 +307,7 @@ def _data(robot: Robot, found: Estimate, sigma: ArrayLike, noise: PoseNoise | No
         "residual_probability": found.p_noise,
         "smooth_residual_probability": found.p_model,
         "inflation": found.inflation,
+        **({} if found.lag is None else {"force_lag_s": found.lag[0], "force_lag_sigma_s": found.lag[1]}),
         "doubts": found.doubts,
         "impossible": found.impossible,
         "near_zero": found.near_zero,
