@@ -200,6 +200,6 @@ def unknown_forces(F: Array, sd: Array) -> str | None:
     worst = max(legs, key=lambda leg: float(off[leg]))
     return (
         f"the log's noise leaves the forces of {legs_text(legs)} unknown: {force[worst]:.4g}"
-        f"{spread_text(off[worst], 2)} N at the peak of leg {worst + 1}: expected a lower --cutoff, a slower "
-        "motion or a log with more rows before and after it, or poses that are measured better"
+        f"{spread_text(off[worst], 2)} N at the peak of leg {worst + 1}; what helps: a lower --cutoff, a "
+        "slower motion, more rows before and after it, or poses that are measured better"
     )
