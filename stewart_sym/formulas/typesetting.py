@@ -8,6 +8,7 @@ import sympy as sp
 
 LEGS = range(1, 7)
 _OF_LEG = re.compile(r"(.+)_([1-6])")
+_NUMBERED = re.compile(r"([A-Za-z]+)(\d+)")
 
 Expr = Any
 Steps = Sequence[tuple[Any, Expr]]
@@ -44,6 +45,9 @@ class _Writer:
 
     def __init__(self, symbols: Iterable[Any]) -> None:
         self.known = {symbol.name for symbol in symbols}
+        numbered = filter(None, map(_NUMBERED.fullmatch, self.known))
+        # Letters of numbered steps that would look like components of a vector.
+        self.primed = {found[1] for found in numbered if f"{found[1]}_{found[2]}" in self.known}
         self.to_leg = {
             leg: {self.symbol(name, "i"): self.symbol(name, leg) for name in self.bases()} for leg in LEGS
         }
@@ -78,9 +82,14 @@ class _Writer:
 
     def __call__(self, expr: Expr) -> str:
         expr = sp.sympify(expr)
-        names = {symbol: _name(symbol.name) for symbol in expr.free_symbols}
+        names = {symbol: self.name(symbol.name) for symbol in expr.free_symbols}
         text: str = sp.latex(expr, symbol_names=names, mat_delim="[")
         return text
+
+    def name(self, name: str) -> str:
+        """A symbol, numbered steps with a prime where a vector has the same letter."""
+        step = _NUMBERED.fullmatch(name)
+        return f"{_word(step[1], 1)}'_{{{step[2]}}}" if step and step[1] in self.primed else _name(name)
 
 
 def _once(steps: Steps, write: _Writer) -> list[tuple[Any, Expr]]:
@@ -103,7 +112,7 @@ def _once(steps: Steps, write: _Writer) -> list[tuple[Any, Expr]]:
 
 def _name(name: str) -> str:
     """A symbol: the first word, upright where it is more than a letter, and an index of the others."""
-    first, *others = re.sub(r"^([A-Za-z]+)(\d+)", r"\1_\2", name).split("_")
+    first, *others = re.sub(rf"^{_NUMBERED.pattern}", r"\1_\2", name).split("_")
     letter = _word(first, 1)
     for rate in ("dot", "ddot"):
         if rate in others:

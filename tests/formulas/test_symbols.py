@@ -105,6 +105,15 @@ def test_a_derivative_by_its_steps_is_that_of_the_values() -> None:
         np.testing.assert_allclose(slope, expected, rtol=0, atol=1e-7 * np.abs(expected).max())
 
 
+@pytest.mark.parametrize("what", ["c", "H", "bias"])
+def test_latex_defines_no_name_twice(what: str) -> None:
+    text = ss.symbolic(dasgupta(), what).latex()
+    steps = text.split("\\par}")[0]
+    names = re.findall(r"^\$(.+?) = ", steps, re.MULTILINE)
+    assert names
+    assert len(set(names)) == len(names)
+
+
 def test_latex_of_the_paper_machines_m_fits_a_page() -> None:
     """A page in the size of footnotes has some 90 lines of 130 letters."""
     text = ss.symbolic(dasgupta(), "M").latex()
