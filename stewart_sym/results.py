@@ -80,8 +80,8 @@ class Reactions:
     status : ndarray of int
         As in ``Forces``.
     M_s : ndarray, optional
-        Constraint moment on the leg at a universal platform joint, N m, (..., 6, 3); None where the joint is
-        spherical.
+        Constraint moment on the leg at a universal platform joint, about the platform point, N m,
+        (..., 6, 3); None where the joint is spherical.
     """
 
     F_s: Array
