@@ -10,6 +10,8 @@ from .level_poses import Doubt, Home
 
 SLOW = 0.3
 """Of a leg's speed limit: a motor chosen for its leg drives it faster than this."""
+LEAST_CURRENT, MOST_CURRENT, MOST_VOLTAGE = 0.005, 3e3, 5e3
+"""A and V of a motor at its limits of torque and speed; mN m/A for N m/A makes them 1000 times off."""
 
 
 def of_torques(robot: Robot, F: Array) -> Iterator[Doubt]:
@@ -35,6 +37,20 @@ def of_torques(robot: Robot, F: Array) -> Iterator[Doubt]:
             return
 
 
+def of_slowness(robot: Robot) -> Iterator[Doubt]:
+    """Legs whose viscous friction alone takes their force limits before they reach their speed limits."""
+    with np.errstate(invalid="ignore"):
+        force = robot.C_p * robot.speed_limit
+    slow = np.flatnonzero((force > robot.force_limit) & np.isfinite(robot.speed_limit)).tolist()
+    if slow:
+        i = slow[0]
+        yield Doubt(
+            "friction",
+            f"C_p of {legs_text(slow)}: {robot.C_p[i]:.4g} N s/m, {force[i]:.4g} N at the speed_limit, where "
+            f"force_limit is {robot.force_limit[i]:.4g} N; likely cause: another unit",
+        )
+
+
 def of_speeds(robot: Robot) -> Iterator[Doubt]:
     """Motors whose speed limits leave the legs a small share of their own."""
     if robot.drive is None:
@@ -49,6 +65,30 @@ def of_speeds(robot: Robot) -> Iterator[Doubt]:
             f"speed_limit is {robot.speed_limit[i]:.4g} m/s; likely cause: revolutions a minute given, "
             "expected angle_unit a second, or a gear counted twice",
         )
+
+
+def of_currents(robot: Robot) -> Iterator[Doubt]:
+    """Torque constants by which motors need currents and voltages that those of machines do not."""
+    drive = robot.drive
+    if drive is None:
+        return
+    constant = np.where(drive.torque_constant > 0.0, drive.torque_constant, np.nan)
+    torque = np.minimum(drive.torque_limit, drive.rated_torque)
+    current = np.where(np.isfinite(torque), torque / constant, np.nan)
+    voltage = np.where(np.isfinite(drive.speed_limit), constant * drive.speed_limit, np.nan)
+    for unlike, given, need, unit in (
+        ((current > MOST_CURRENT) | (current < LEAST_CURRENT), torque, current, ("N m", "A")),
+        (voltage > MOST_VOLTAGE, drive.speed_limit, voltage, ("rad/s", "V")),
+    ):
+        legs = np.flatnonzero(unlike).tolist()
+        if legs:
+            i = legs[0]
+            yield Doubt(
+                "torque-constant",
+                f"torque_constant of the drives of {legs_text(legs)}: {constant[i]:.4g} N m/A, by which "
+                f"{given[i]:.4g} {unit[0]} need {need[i]:.3g} {unit[1]}; likely cause: another unit",
+            )
+            return
 
 
 # Lengths of parts

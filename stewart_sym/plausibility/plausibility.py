@@ -17,7 +17,7 @@ from ..kinematics.mounting import AssemblyModeWarning
 from ..motion.rotation import rotation_from_quaternion
 from ..robot.robot import LEGS, Robot, legs_text
 from .leg_order import of_order
-from .leg_parts import of_part_lengths, of_speeds, of_torques
+from .leg_parts import of_currents, of_part_lengths, of_slowness, of_speeds, of_torques
 from .level_poses import Doubt, Home, centred_H, home_of, level_home, parts_of
 from .points import MOST_LEGS, of_coincidence, of_exchange, of_limits, of_place, of_tool
 
@@ -113,6 +113,7 @@ def _of_numbers(robot: Robot) -> Iterator[Doubt]:
         yield from _of_friction(robot, size)
         yield from _of_rotors(robot)
         yield from of_speeds(robot)
+        yield from of_currents(robot)
     fast = np.flatnonzero(np.isfinite(robot.speed_limit) & (robot.speed_limit > MOST_SPEED))
     if fast.size:
         yield Doubt(
@@ -354,6 +355,8 @@ def _of_home(robot: Robot, home: Home) -> Iterator[Doubt]:
             f"{abs(home.F[worst]):.4g} N hold the machine at rest at the home pose; likely cause: "
             "force_limit in kN, masses in grams, or actuators too weak",
         )
+    else:
+        yield from of_slowness(robot)
     yield from of_torques(robot, home.F)
 
 

@@ -25,7 +25,8 @@ DOUBTS = (
     *("center-of-mass", "friction", "rotor-inertia", "tool"),
     *("singular-everywhere", "leg-order", "condition", "crossing", "joint-singularity"),
     *("overlap", "coincident"),
-    *("home", "length-limits", "part-length", "force-limit", "speed-limit", "drive-limit", "drive-speed"),
+    *("home", "length-limits", "part-length", "force-limit", "speed-limit"),
+    *("drive-limit", "drive-speed", "torque-constant"),
 )
 """Names of all warnings about a robot's numbers, as ``accept`` takes them: the first four are given on
 loading, the others by ``plausibility.doubts``."""

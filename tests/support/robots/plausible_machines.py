@@ -381,6 +381,27 @@ ABSURD: dict[str, tuple[Callable[[Robot], Robot], str, str]] = {
         "drive-speed",
         "revolutions a minute",
     ),
+    "torque constant in mN m/A": (
+        lambda robot: dataclasses.replace(
+            robot, drive=ss.Drive(lead=0.005, torque_constant=60.0, speed_limit=900.0, torque_limit=2.0)
+        ),
+        "torque-constant",
+        "900 rad/s need 5.4e+04 V",
+    ),
+    "torque constant in N m/mA": (
+        lambda robot: dataclasses.replace(
+            robot, drive=ss.Drive(lead=0.005, torque_constant=6e-5, rated_torque=1.0)
+        ),
+        "torque-constant",
+        "1 N m need 1.67e+04 A",
+    ),
+    "friction that no drive overcomes": (
+        lambda robot: dataclasses.replace(
+            robot, C_p=np.full(6, 2e4), speed_limit=np.full(6, 0.5), force_limit=np.full(6, 5e3)
+        ),
+        "friction",
+        "force_limit is 5000 N",
+    ),
     "speed limit in mm/s": (of(speed_limit=lambda v: 1e3 * v), "speed-limit", "given in mm/s"),
     "parts that overlap": (
         lambda robot: dataclasses.replace(
