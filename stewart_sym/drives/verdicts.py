@@ -1,12 +1,12 @@
 """Whether limits are kept: one rule for every quantity, with the deviations that noise in a log leaves."""
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from ..io.array_types import Array, Flags
-from ..robot.robot import LEGS
+from ..robot.robot import LEGS, legs_text
 
 SURE = 3.0
 """Deviations within which a value is taken to lie: 99.7 % of normal errors."""
@@ -183,11 +183,6 @@ def shows(values: Array, sd: Array | None, digits: int = 4) -> bool:
     with np.errstate(divide="ignore"):
         last = 0.5 * 10.0 ** (np.floor(np.log10(largest)) - digits + 1)
     return bool(np.any((sd >= last) & (largest > 0.0)))
-
-
-def legs_text(legs: Sequence[int]) -> str:
-    """Legs counted from 0 as they are named: ``leg 1``, ``legs 1, 2``."""
-    return f"leg{'s' if len(legs) > 1 else ''} {', '.join(str(leg + 1) for leg in legs)}"
 
 
 def unknown_forces(F: Array, sd: Array) -> str | None:
