@@ -133,7 +133,7 @@ class Estimate:
 def tested_estimate(data: Data, fit: Fit, remedy: tuple[str, ...]) -> Estimate:
     """The estimate of a fit whose residual was tested; ``remedy``: doubts to give where it fails."""
     r = np.concatenate([part.ravel() for part in fit.parts])
-    spare = len(r) - data.left_out - fit.span.shape[1]
+    spare = len(r) - data.left_out - fit.unknowns
     misfit = math.sqrt(float(r @ r) / spare) if spare > 0 else math.nan
     noise_misfit, p_noise, noise_doubts = _noise_test(fit, data.left_out)
     lag, smooth, load = _model_tests(data, fit, r)
@@ -232,7 +232,7 @@ def _model_tests(
     if lag is None or 3.0 * lag.p >= LEVEL:
         return lag, smooth, load
     unit = lag.column / np.linalg.norm(lag.column)
-    other, left = fit._replace(span=np.column_stack([fit.span, unit])), r - unit * (unit @ r)
+    other, left = fit._replace(beside=unit), r - unit * (unit @ r)
     rest = [_gain_test(other, left, forces, data.left_out) for forces in added]
     explained = float(unit @ r) ** 2
     if all(3.0 * p >= LEVEL for _, p in rest) or explained > added[0].shape[1] * rest[0][0] ** 2:
@@ -247,15 +247,14 @@ def _lag(data: Data, fit: Fit, r: Array) -> _Lag | None:
     F = fitted_forces(data, fit)
     column = np.zeros(len(r))
     column[: F.size] = (-_rates(fit.time, F) / data.deviations).ravel()
-    along = fit.span.T @ column
-    seen = column - fit.span @ along
-    size, spare = float(np.linalg.norm(seen)), len(r) - data.left_out - fit.span.shape[1] - 1
+    seen = fit.unexplained(column)
+    size, spare = float(np.linalg.norm(seen)), len(r) - data.left_out - fit.unknowns - 1
     if size <= _NEW * np.linalg.norm(column) or spare <= 0:
         return None
     explained = float(seen @ r / size) ** 2
     rest = (float(r @ r) - explained) / spare
     time, p = float(seen @ r) / size**2, tail(explained / rest, 1, spare) if rest > 0.0 else 1.0
-    off = time * (fit.back @ along) / np.linalg.norm(fit.back, axis=1)
+    off = time * fit.factors.solve(column)[: len(fit.values)] / np.sqrt(np.diagonal(fit.covariance))
     return _Lag(time, max(1.0, math.sqrt(rest)) / size, p, math.sqrt(1.0 + float(np.mean(off**2))), seen)
 
 
@@ -279,10 +278,10 @@ def _noise_test(fit: Fit, left_out: int) -> tuple[float, float, tuple[str, ...]]
 
     left_out: forces that do not count.
     """
-    worst, p, doubts, start = 0.0, 1.0, [], 0
-    for name, part in zip(("forces", "poses"), fit.parts, strict=False):
-        explained = float(np.sum(fit.span[start : start + part.size] ** 2))
-        spare, start = part.size - (left_out if start == 0 else 0) - explained, start + part.size
+    worst, p, doubts = 0.0, 1.0, []
+    shares = fit.factors.shares(fit.parts[0].size)
+    for name, part, share, absent in zip(("forces", "poses"), fit.parts, shares, (left_out, 0), strict=False):
+        spare = part.size - absent - share
         if spare < 1.0:
             continue
         ratio = float(np.sum(part**2)) / spare
@@ -317,10 +316,10 @@ def _gain_test(fit: Fit, r: Array, forces: Array, left_out: int) -> tuple[float,
     added = np.zeros((len(r), forces.shape[1]))
     added[: len(forces)] = forces
     size = np.linalg.norm(forces, axis=0).max(initial=0.0)
-    span, sizes, _ = np.linalg.svd(added - fit.span @ (fit.span.T @ added), full_matrices=False)
+    span, sizes, _ = np.linalg.svd(fit.unexplained(added), full_matrices=False)
     span = span[:, sizes > _NEW * size]
     extra = span.shape[1]
-    spare = len(r) - left_out - fit.span.shape[1] - extra
+    spare = len(r) - left_out - fit.unknowns - extra
     if extra == 0 or spare <= 0:
         return math.nan, 1.0
     explained = float(np.sum((span.T @ r) ** 2))

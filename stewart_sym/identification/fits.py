@@ -27,6 +27,7 @@ from ..robot.robot import LEGS, Robot
 from .base_parameters import BaseParameters
 from .drive_terms import Terms, rotor_forces
 from .excitation import force_regressor
+from .least_squares import Arrow, Factors, factors, solution
 from .parameters import inertial_parameters, is_friction, with_parameters
 
 # Singular values below this share of the largest say that the motion does not excite all parameters.
@@ -60,24 +61,34 @@ class Fit(NamedTuple):
     """A least-squares fit about its solution.
 
     parts: residual over deviations, of the forces and, in a joint fit, of the poses, (n, 6) each. values: of
-    base parameters and terms of the drives, (m,). span: orthonormal basis of what the unknowns can explain,
-    (rows, unknowns). back: changes of values by residuals along it, (m, unknowns). curvature: as
-    ``_curvature`` returns. time: of the instants, s, (n,), of a joint fit.
+    base parameters and terms of the drives, (m,). factors: of the derivatives of parts by all unknowns, the
+    values first. curvature: as ``_curvature`` returns. time: of the instants, s, (n,), of a joint fit.
+    beside: of length 1, what is explained as well and no unknown of ``factors`` explains, (rows,).
     """
 
     parts: tuple[Array, ...]
     values: Array
-    span: Array
-    back: Array
+    factors: Factors
     motion: Motion
     converged: bool = True
     curvature: float = 0.0
     time: Array | None = None
+    beside: Array | None = None
+
+    @property
+    def unknowns(self) -> int:
+        """How many there are, those of the motion too."""
+        return self.factors.unknowns + (0 if self.beside is None else 1)
 
     @property
     def covariance(self) -> Array:
         """Of values, (m, m)."""
-        return np.asarray(self.back @ self.back.T)
+        return self.factors.covariance(len(self.values))
+
+    def unexplained(self, y: Array) -> Array:
+        """What no unknown explains of y, (rows,) or (rows, columns)."""
+        left = y - self.factors.explained(y)
+        return left if self.beside is None else left - np.multiply.outer(self.beside, self.beside @ left)
 
 
 def exact_fit(data: Data, motion: Motion) -> Fit:
@@ -87,9 +98,16 @@ def exact_fit(data: Data, motion: Motion) -> Fit:
     felt = _felt(J[:, : data.base.rank])
     if felt < data.base.rank:
         raise ValueError(f"motion: excites {felt} of {data.base.rank} base parameters, expected all of them")
-    span, back = factors(J)
-    values = back @ (span.T @ y.ravel())
-    return Fit(((y - A @ values).reshape(-1, LEGS),), values, span, back, motion)
+    solved = factors(J)
+    values = solved.solve(y.ravel())
+    return Fit(((y - A @ values).reshape(-1, LEGS),), values, solved, motion)
+
+
+def _values_along(data: Data, motion: Motion) -> Array:
+    """Values of the fit along a motion that is known exactly."""
+    A, y = linear_system(data, motion)
+    values = by_normal_equations(A.reshape(-1, A.shape[-1]), y.ravel())
+    return exact_fit(data, motion).values if values is None else values
 
 
 def _felt(J: Array) -> int:
@@ -129,13 +147,6 @@ def _forces_of_rotors(data: Data, motion: Motion) -> Array:
     if robot.drive is None or not robot.has_rotors or (data.terms is not None and data.terms.of_rotors):
         return np.zeros((*motion.shape, LEGS))
     return np.asarray(rotor_forces(robot, motion, robot.drive) @ robot.m_r)
-
-
-def factors(J: Array) -> tuple[Array, Array]:
-    """Orthonormal basis of the range of J, of full rank, and B such that B basis^T is the pseudoinverse."""
-    lengths = np.linalg.norm(J, axis=0)
-    Q, corner = np.linalg.qr(J / lengths)
-    return Q, np.linalg.inv(corner) / lengths[:, None]
 
 
 # Joint fit by Gauss-Newton steps
@@ -183,17 +194,18 @@ class _Solution(NamedTuple):
 
 def _gauss_newton(data: Data, noise: PoseNoise, basis: Basis, c: Array) -> _Solution:
     """Least squares in the base parameters and, from c on, the coefficients of the motion."""
-    values = exact_fit(data, basis.motion(c, data.motion)).values
+    values = _values_along(data, basis.motion(c, data.motion))
     parts = _residuals(data, noise, basis, values, c)
     for _ in range(_STEPS):
         r = np.concatenate([part.ravel() for part in parts])
-        step, decrease = _least_squares(_jacobian(data, noise, basis, values, c), r)
-        if decrease < _NO_DECREASE:
+        J = _jacobian(data, noise, basis, values, c)
+        step = solution(J, r)
+        if float(r @ (J @ step)) < _NO_DECREASE:
             return _Solution(basis, values, c, parts, converged=True)
         for halving in range(_HALVINGS):
             share = 0.5**halving
             next_values = values + share * step[: data.unknowns]
-            next_c = c + share * step[data.unknowns :].reshape(6, -1).T
+            next_c = c + share * step[data.unknowns :].reshape(-1, 6)
             try:
                 next_parts = _residuals(data, noise, basis, next_values, next_c)
             except ValueError:
@@ -206,22 +218,13 @@ def _gauss_newton(data: Data, noise: PoseNoise, basis: Basis, c: Array) -> _Solu
     return _Solution(basis, values, c, parts, converged=False)
 
 
-def _least_squares(J: Array, r: Array) -> tuple[Array, float]:
-    """x of J x = r by least squares, and by how much it decreases the sum of squares."""
-    x = by_normal_equations(J, r)
-    if x is None:
-        span, back = factors(J)
-        x = back @ (span.T @ r)
-    return x, float((r @ J) @ x)
-
-
 def _with_deviations(data: Data, noise: PoseNoise, found: _Solution) -> Fit:
     """The solution as a fit, with its covariance and the error that comes of what is not linear in it."""
     basis, values, c, parts, converged = found
-    span, back = factors(_jacobian(data, noise, basis, values, c))
-    curvature = _curvature(data, noise, found, span, back) if converged else math.inf
+    solved = factors(_jacobian(data, noise, basis, values, c))
+    curvature = _curvature(data, noise, found, solved) if converged else math.inf
     motion = basis.motion(c, data.motion)
-    return Fit(parts, values, span, back[: data.unknowns], motion, converged, curvature, elapsed(noise.time))
+    return Fit(parts, values, solved, motion, converged, curvature, elapsed(noise.time))
 
 
 def fitted_forces(data: Data, fit: Fit) -> Array:
@@ -230,23 +233,24 @@ def fitted_forces(data: Data, fit: Fit) -> Array:
     return np.asarray(A @ fit.values + data.forces - y)
 
 
-def _curvature(data: Data, noise: PoseNoise, found: _Solution, span: Array, back: Array) -> float:
+def _curvature(data: Data, noise: PoseNoise, found: _Solution, solved: Factors) -> float:
     """Largest RMS error of values, in deviations, as the residual is not linear in these and the motion.
 
     Seen over opposite errors drawn as the fit states them; inf where such an error makes a pose unsolvable.
     """
     basis, values, c, parts, _ = found
     unknowns, centre, shifts = data.unknowns, np.concatenate([part.ravel() for part in parts]), []
-    sigma = np.linalg.norm(back[:unknowns], axis=1)
-    for z in np.random.default_rng(0).normal(size=(_DRAWS, back.shape[1])):
-        for errors in (z, -z):
-            step = back @ errors
-            shifted = values + step[:unknowns], c + step[unknowns:].reshape(6, -1).T
+    sigma = np.sqrt(np.diagonal(solved.covariance(unknowns)))
+    rng = np.random.default_rng(0)
+    for _ in range(_DRAWS):
+        drawn = solved.solve(rng.normal(size=len(centre)))
+        for step in (drawn, -drawn):
+            shifted = values + step[:unknowns], c + step[unknowns:].reshape(-1, 6)
             try:
                 changed = np.concatenate([part.ravel() for part in _residuals(data, noise, basis, *shifted)])
             except ValueError:
                 return math.inf
-            shifts.append(back[:unknowns] @ (span.T @ (changed - centre) + errors) / sigma)
+            shifts.append((solved.solve(changed - centre) + step)[:unknowns] / sigma)
     return float(np.max(np.sqrt(np.mean(np.square(shifts), axis=0))))
 
 
@@ -259,22 +263,27 @@ def _squares(parts: tuple[Array, ...]) -> float:
     return float(sum(np.sum(part**2) for part in parts))
 
 
-def _jacobian(data: Data, noise: PoseNoise, basis: Basis, values: Array, c: Array) -> Array:
+def _jacobian(data: Data, noise: PoseNoise, basis: Basis, values: Array, c: Array) -> Array | Arrow:
     """Derivatives of forces and poses over their deviations by all unknowns, (12 n, unknowns + 6 m)."""
     motion = basis.motion(c, data.motion)
     A, _ = linear_system(data, motion)
     maps = chain(basis, c, motion)
-    by_c = np.zeros((*motion.shape, LEGS, 6, basis.size))
+    local = basis.local
+    n, width = local[0].shape
+    by_c = np.zeros((n, LEGS, width, 6))
     for derivatives, parts in zip(_force_derivatives(data, motion, values), maps, strict=True):
-        for matrix, functions in zip(parts, basis, strict=False):
-            by_c += (derivatives @ matrix)[..., None] * functions[:, None, None, :]
+        for matrix, functions in zip(parts, local, strict=False):
+            by_c += (derivatives @ matrix)[:, :, None, :] * functions[:, None, :, None]
     by_c /= data.deviations[..., None, None]
-    poses = (noise.weights[:, None] * maps[0][0])[..., None] * basis.value[:, None, None, :]
-    unknowns = data.unknowns
-    J = np.zeros((2 * LEGS * len(by_c), unknowns + 6 * basis.size))
-    J[: LEGS * len(by_c), :unknowns] = A.reshape(-1, unknowns)
-    J[:, unknowns:] = np.concatenate([by_c, poses]).reshape(len(J), -1)
-    return J
+    poses = (noise.weights[:, None] * maps[0][0])[:, :, None, :] * local[0][:, None, :, None]
+    start = np.zeros(n, dtype=np.intp) if basis.start is None else 6 * basis.start
+    J = Arrow(
+        A.reshape(LEGS * n, -1),
+        np.concatenate([by_c, poses]).reshape(2 * LEGS * n, -1),
+        np.tile(np.repeat(start, LEGS), 2),
+        6 * basis.size,
+    )
+    return J.dense() if basis.start is None else J
 
 
 def _force_derivatives(data: Data, motion: Motion, values: Array) -> tuple[Array, ...]:

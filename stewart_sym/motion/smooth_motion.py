@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..io.arguments import instance, number_in, real_array, shown, whole_number
-from ..io.array_types import Array
+from ..io.array_types import Array, Indices
 from ..io.extras import needed_for
 from ..io.instants import elapsed
 from .motion import Motion
@@ -29,9 +29,9 @@ WITHOUT_PERIOD = "a smooth motion without a period"
 # Pitch angles beyond this, rad, leave roll and yaw too poorly determined to be smoothed.
 _STEEPEST = 1.4
 _DEGREE = 5
-# Share of a column's length that those before it leave of it, above which the normal equations have digits
-# enough.
-_DISTINCT = 1e-4
+DISTINCT = 1e-4
+"""Share of a column's length that those before it leave of it, above which normal equations have digits
+enough."""
 # Poses that the smallest spline goes through.
 _FEWEST = 7
 # Larger bases tried without a gain before the search for a basis ends.
@@ -95,20 +95,33 @@ class PoseNoise:
 
 
 class Basis(NamedTuple):
-    """Functions of time and their first two derivatives at n instants, (n, m) each."""
+    """Functions of time and their first two derivatives at n instants, (n, m) each.
+
+    start: the first of the ``_DEGREE`` + 1 functions that are not zero at each instant, (n,); None for all.
+    """
 
     value: Array
     first: Array
     second: Array
+    start: Indices | None = None
 
     @property
     def size(self) -> int:
         """How many functions, m."""
         return int(self.value.shape[1])
 
+    @property
+    def local(self) -> tuple[Array, Array, Array]:
+        """Those that are not zero, (n, ``_DEGREE`` + 1) each, or all."""
+        if self.start is None:
+            return self[:3]
+        near = self.start[:, None] + np.arange(_DEGREE + 1)
+        value, first, second = (np.take_along_axis(part, near, axis=1) for part in self[:3])
+        return value, first, second
+
     def motion(self, c: Array, load: Motion) -> Motion:
         """The motion of the coefficients c, (m, 6), under the load of another, (n,)."""
-        q, q_dot, q_ddot = (part @ c for part in self)
+        q, q_dot, q_ddot = (part @ c for part in self[:3])
         t, v, a = (y[:, :3] for y in (q, q_dot, q_ddot))
         theta, theta_dot, theta_ddot = (y[:, 3:] for y in (q, q_dot, q_ddot))
         return Motion.from_rpy(t, theta, v, theta_dot, a, theta_ddot, load.F_ext, load.M_ext)
@@ -241,7 +254,7 @@ def by_normal_equations(A: Array, y: Array) -> Array | None:
         G = np.linalg.cholesky(unit.T @ unit)
     except np.linalg.LinAlgError:
         return None
-    if G.diagonal().min() < _DISTINCT:
+    if G.diagonal().min() < DISTINCT:
         return None
     x = np.zeros((A.shape[1], *y.shape[1:]))
     for _ in range(2):
@@ -285,7 +298,7 @@ def chain(
     6) by q; by q, q_dot; and by q, q_dot, q_ddot. A turn dphi = E dq changes the angular velocity by
     d(dphi)/dt - omega x dphi, and this in turn the angular acceleration by its rate.
     """
-    q, q_dot, q_ddot = (part @ c for part in basis)
+    q, q_dot, q_ddot = (part @ c for part in basis[:3])
     E, E_dot, E_ddot = _turns(q[:, 3:], q_dot[:, 3:], q_ddot[:, 3:])
     W, A = cross_matrix(motion.omega), cross_matrix(np.asarray(motion.alpha))
     one, zero = np.broadcast_to(np.eye(3), E.shape), np.zeros(E.shape)
@@ -342,4 +355,6 @@ def _spline(time: Array, size: int) -> Basis:
     inner = np.interp(np.linspace(0.0, len(time) - 1.0, size - _DEGREE + 1), np.arange(len(time)), since)
     knots = np.concatenate([np.repeat(since[0], _DEGREE), inner, np.repeat(since[-1], _DEGREE)])
     functions = BSpline(knots, np.eye(size), _DEGREE)
-    return Basis(*(np.asarray(functions(since, order)) for order in range(3)))
+    start = np.clip(np.searchsorted(inner, since, side="right") - 1, 0, size - _DEGREE - 1)
+    value, first, second = (np.asarray(functions(since, order)) for order in range(3))
+    return Basis(value, first, second, start)

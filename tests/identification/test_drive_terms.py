@@ -312,10 +312,10 @@ def test_forces_change_with_the_motion_as_the_joint_fit_takes_them_to(
         step = np.zeros(c.size)
         step[k] = 1e-6
         change = [
-            fits._residuals(data, noise, basis, values, c + sign * step.reshape(6, -1).T)[0].ravel()
+            fits._residuals(data, noise, basis, values, c + sign * step.reshape(-1, 6))[0].ravel()
             for sign in (1.0, -1.0)
         ]
-        found = J[: q.size, data.unknowns + k]
+        found = (J @ np.concatenate([np.zeros(data.unknowns), 1e6 * step]))[: q.size]
         np.testing.assert_allclose(found, (change[1] - change[0]) / 2e-6, atol=1e-6 * np.abs(found).max())
 
 

@@ -128,13 +128,13 @@ def barely_moved(machine: Robot, found: ss.Experiment) -> Shift:
     assert found.noise is not None
     data = fits.Data(machine, found.measured, found.F + F, np.ones_like(F), base)
     fit = fits.joint_fit(data, found.noise)
-    added = np.zeros(len(fit.span))
+    added = np.zeros(2 * fit.parts[0].size)
     added[: F.size] = F.ravel()
     estimate = estimates.tested_estimate(data, fit, ())
     shift = estimate.values - found.estimate.values
     after = base.matrix @ ss.inertial_parameters(moved(machine, BARELY)).values - found.truth
     out = np.maximum(shift - np.maximum(after, 0.0), np.minimum(after, 0.0) - shift)
-    squares = float(np.sum((added - fit.span @ (fit.span.T @ added)) ** 2))
+    squares = float(np.sum(fit.unexplained(added) ** 2))
     return Shift(estimate, squares, float(np.max(out / estimate.sigma)))
 
 
@@ -222,7 +222,7 @@ def test_joint_fit_has_the_slopes_of_its_residual() -> None:
             return np.concatenate([part.ravel() for part in parts])
 
         slope = -(shifted(1.0) - shifted(-1.0)) / (2 * step)
-        assert np.max(np.abs(J @ np.concatenate([by_values, by_c.T.ravel()]) - slope)) < 1e-6 * np.max(
+        assert np.max(np.abs(J @ np.concatenate([by_values, by_c.ravel()]) - slope)) < 1e-6 * np.max(
             np.abs(slope)
         )
 
