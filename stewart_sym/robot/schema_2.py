@@ -41,7 +41,7 @@ _TOP_KEYS = (
     *("schema", "name", "length_unit", "angle_unit", "base_joint", "gravity", "accept"),
     *("base", "platform", "legs", "leg", "home", "trajectory"),
 )
-_NEEDED = ("schema", "name", "base", "platform", "legs")
+_NEEDED = ("schema", "name", "base", "platform")
 RING_KEYS = ("radius", "angles", "z")
 _POINT_KEYS = ("points", *RING_KEYS)
 _PARTS = {"lower": 1.0, "upper": -1.0}
@@ -132,7 +132,7 @@ class _Legs:
         home: Array | None,
     ) -> None:
         self.file, self.metres, self.degrees, self.joint, self.home = file, metres, degrees, joint, home
-        shared = tables.checked_table(top["legs"], f"{file}legs.", _SHARED_KEYS)
+        shared = tables.checked_table(top.get("legs", {}), f"{file}legs.", _SHARED_KEYS)
         given = top.get("leg", {})
         if not isinstance(given, Mapping):
             raise ValueError(f"{file}leg: expected tables [leg.1] to [leg.6], got {shown(given)}")

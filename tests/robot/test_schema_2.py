@@ -118,6 +118,12 @@ def test_a_leg_of_its_own_keeps_what_the_others_share(robot: Robot) -> None:
     np.testing.assert_array_equal(robot.speed_limit, np.full(6, 0.6))
 
 
+def test_legs_may_be_described_one_by_one_alone(robot: Robot) -> None:
+    tables = robot.to_dict()
+    del tables["legs"]
+    assert same(Robot.from_dict(tables), robot)
+
+
 def test_the_stroke_is_about_the_length_at_home(robot: Robot) -> None:
     L = np.linalg.norm(robot.home + robot.p - robot.b, axis=-1)
     np.testing.assert_allclose(robot.length_limits, np.stack([L - 0.15, L + 0.15], axis=-1), rtol=1e-15)
