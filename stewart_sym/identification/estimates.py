@@ -34,6 +34,8 @@ _COSINES = 20
 _NEAR = 7
 # Share of a column below which what the fit leaves of it counts as nothing.
 _NEW = 1e-8
+# Smooth residual beside what a lag explains of it, both as sums of squares, that may come of the lag too.
+_BEYOND_FIRST_ORDER = 0.25
 EXACT = ("motion: is taken as exact, expected its noise if its poses were measured",)
 
 
@@ -169,7 +171,7 @@ def tested_estimate(data: Data, fit: Fit, remedy: tuple[str, ...]) -> Estimate:
             "sure, seek reflected_mass of the drive; of forces measured in the legs, leave rotor_inertia out"
         )
     if lag is not None and lag.named:
-        doubts.insert(0, lag.doubt)
+        doubts.insert(0 if lag.alone else len(doubts), lag.doubt)
     rejected = inflation > _MOST_INFLATION or not fit.converged or fit.curvature > _BENT
     verdict = "rejected" if rejected else "misfit" if doubts else "consistent" if spare > 0 else "untested"
     unknowns, rank = len(fit.values), data.base.rank
@@ -199,7 +201,8 @@ class _Lag(NamedTuple):
     """By how much forces lag the poses, s, with its deviation, and the probability of so large a one.
 
     inflation: of the deviations, from what it changes of the values. column: what a lag of 1 s adds to the
-    residual, without what the unknowns can explain. named: whether it is what explains the residual.
+    residual, without what the unknowns can explain. named: whether it explains most of the residual. alone:
+    whether nothing else is missing.
     """
 
     time: float
@@ -208,15 +211,19 @@ class _Lag(NamedTuple):
     inflation: float
     column: Array
     named: bool = False
+    alone: bool = False
 
     @property
     def doubt(self) -> str:
         """One line about it."""
         how = "lag" if self.time > 0.0 else "are ahead of"
-        return (
-            f"times: the forces {how} the poses by {1e3 * abs(self.time):.3g} +- {1e3 * self.sigma:.2g} ms: "
-            "expected both at the same times, shift those of one by it"
-        )
+        size = f"the poses by {1e3 * abs(self.time):.3g} +- {1e3 * self.sigma:.2g} ms"
+        if not self.alone:
+            return (
+                f"times: forces that {how} {size} would explain a part of it, as may what is missing in the "
+                "model: shift the times of one only if nothing is"
+            )
+        return f"times: the forces {how} {size}: expected both at the same times, shift those of one by it"
 
 
 def _model_tests(
@@ -235,8 +242,11 @@ def _model_tests(
     other, left = fit._replace(beside=unit), r - unit * (unit @ r)
     rest = [_gain_test(other, left, forces, data.left_out) for forces in added]
     explained = float(unit @ r) ** 2
-    if all(3.0 * p >= LEVEL for _, p in rest) or explained > added[0].shape[1] * rest[0][0] ** 2:
-        return lag._replace(named=True), rest[0], rest[1]
+    beside = added[0].shape[1] * rest[0][0] ** 2
+    # What a lag of several rows changes is not linear in it.
+    alone = all(3.0 * p >= LEVEL for _, p in rest) or beside < _BEYOND_FIRST_ORDER * explained
+    if alone or explained > beside:
+        return lag._replace(named=True, alone=alone), rest[0], rest[1]
     return lag, smooth, load
 
 

@@ -359,6 +359,7 @@ def test_the_command_takes_currents(
     found = json.loads(capsys.readouterr().out)
     assert any("dry friction of up to 30 N in the robot file" in line for line in found["doubts"])
     assert not any("--noise-position" in line for line in found["doubts"])
+    assert found["robot_file"] == {"agreement": "not compared", "probability": None}
     words[1] = str(written(robot, tmp_path / "plain.toml"))
     assert main([*words, *out]) == 2
     assert "expected a drive with a torque_constant of every leg" in capsys.readouterr().err

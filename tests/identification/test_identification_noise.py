@@ -355,3 +355,18 @@ def test_forces_that_lag_the_poses_are_named_with_their_lag(seed: int) -> None:
         off = np.abs(seen.values - found.estimate.values) / found.estimate.sigma
         assert np.sqrt(np.mean(off**2)) < seen.inflation
     assert ss.identify(machine, found.excitation.motion, found.F, 1.0, base).lag is None
+
+
+def test_a_lag_that_explains_a_part_is_named_after_what_is_missing() -> None:
+    found, machine = experiment(0), robot(0)
+    assert found.noise is not None
+    assert found.estimate.lag is not None
+    lag = 60.0 * found.estimate.lag[1]
+    late = ss.inverse_dynamics(machine, found.excitation.path.sample(found.noise.time - lag)).F
+    F = found.F + late - ss.inverse_dynamics(machine, found.excitation.motion).F
+    missing = np.zeros_like(F)
+    missing[:, 2] = 8.0 * np.cos(17.0 * np.pi * np.arange(len(F)) / len(F))
+    for off, place, words in ((0.0, 0, "shift those of one by it"), (missing, -1, "a part of it")):
+        doubts = ss.identify(machine, found.measured, F + off, 1.0, found.estimate.base, found.noise).doubts
+        assert doubts[place].startswith("times: ")
+        assert words in doubts[place]

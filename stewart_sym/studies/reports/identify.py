@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from math import isnan
+from math import isnan, nan
 from typing import Any
 
 import numpy as np
@@ -184,7 +184,8 @@ def measured_report(
     agrees = "agrees" if p >= _FAR_LEVEL and not far else "does not agree"
     agreement = f"{agrees} with the forces, probability of such a departure {p:.2g}"
     if found.verdict == "rejected":
-        agreement = "not compared, for the fit is rejected"
+        agrees, p = "not compared", nan
+        agreement = f"{agrees}, for the fit is rejected"
         departure = np.full_like(departure, np.nan)
     named = f"; farther off than {_FAR:g} sigma: {', '.join(far)}" if far else ""
     tables: dict[str, str | Mapping[str, Array]] = {}
@@ -210,7 +211,7 @@ def measured_report(
         tables,
         {
             **_data(robot, found, sigma, noise),
-            "robot_file": {"agreement": agrees, "probability": p, "compared": found.verdict != "rejected"},
+            "robot_file": {"agreement": agrees, "probability": p},
             **({} if found.drive is None else {"drive": _drive_rows(given, found.drive)}),
         },
     )
