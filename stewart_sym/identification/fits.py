@@ -153,6 +153,8 @@ def _forces_of_rotors(data: Data, motion: Motion) -> Array:
 
 # Most steps of the joint fit, most halvings of one, and the decrease of the sum of squares at which it ends.
 _STEPS, _HALVINGS, _NO_DECREASE = 30, 10, 1e-4
+# Bases in a row whose fit does not converge, after which larger ones are not tried.
+_IN_VAIN = 3
 # Random errors by which a fit is tested for being linear within its deviations.
 _DRAWS = 8
 # Lead of a screw, m, whose rotor resists along the leg alone.
@@ -165,7 +167,7 @@ def joint_fit(data: Data, noise: PoseNoise) -> Fit:
     With one size more, what a basis cannot follow of the motion stays below the noise.
     """
     q = coordinates(data.motion, noise)
-    best, least, before = None, math.inf, q
+    best, least, before, vain = None, math.inf, q, 0
     share = weights_of_choice(noise, q) / noise.weights
     for basis in from_best(noise, q):
         if 6 * basis.size + data.unknowns >= 2 * q.size:
@@ -174,7 +176,8 @@ def joint_fit(data: Data, noise: PoseNoise) -> Fit:
         criterion = _squares((found.parts[0], share * found.parts[1])) + 2.0 * 6 * basis.size
         if best is None or found.converged:
             best = found
-        if criterion >= least:
+        vain = 0 if found.converged else vain + 1
+        if criterion >= least or vain == _IN_VAIN:
             break
         least, before = criterion, basis.value @ found.c
     if best is None:
