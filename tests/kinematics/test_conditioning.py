@@ -1,38 +1,22 @@
 """Condition numbers: the 2-norm ratio, infinite at singular poses, and free of units when scaled."""
 
 import dataclasses
-import warnings
 from typing import Any
 
 import numpy as np
 import pytest
-from machines import random_robot
+from machines import dasgupta, random_robot
 from numpy.typing import NDArray
 
-from stewart_sym import robots
 from stewart_sym.kinematics.conditioning import (
     characteristic_length,
     condition_number,
     scaled_condition_number,
 )
-from stewart_sym.kinematics.inverse import inverse_kinematics
+from stewart_sym.kinematics.inverse import wrench_matrix
 from stewart_sym.motion.motion import Motion
-from stewart_sym.motion.straight_line import PATHS
-from stewart_sym.robot.robot import Robot
 
 Array = NDArray[np.float64]
-
-
-def paper_robot() -> Robot:
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        return robots.dasgupta1998()
-
-
-def matrix_H(robot: Robot, motion: Motion) -> Array:
-    s = inverse_kinematics(robot, motion).s
-    q = np.einsum("...jk,ik->...ij", motion.R, robot.p)
-    return np.swapaxes(np.concatenate([s, np.cross(q, s)], axis=-1), -1, -2)
 
 
 def with_singular_values(values: list[float]) -> Array:
@@ -63,26 +47,13 @@ def test_singular_is_infinite_and_not_finite_is_nan() -> None:
     assert np.isfinite(condition_number(with_singular_values([1, 1, 1, 1, 1, 1e-13])))
 
 
-def test_paper_machine_has_the_published_numbers() -> None:
-    robot = paper_robot()
-    path, dtau = PATHS["I"]
-    numbers = condition_number(matrix_H(robot, path.sample(path.times(dtau))))
-    assert numbers.min() == pytest.approx(34.69, abs=0.005)
-    assert numbers.max() == pytest.approx(47.19, abs=0.005)
-    path, dtau = PATHS["III"]
-    times = path.times(dtau)
-    numbers = condition_number(matrix_H(robot, path.sample(times)))
-    assert times[np.argmax(numbers)] == pytest.approx(3.7)
-    assert numbers.max() == pytest.approx(2.1e4, rel=0.03)
-
-
 def test_scaled_number_does_not_change_with_the_unit_of_length() -> None:
     rng = np.random.default_rng(6)
     robot = random_robot(rng, scale=1.0)
     motion = Motion.from_rpy([0.1, 0.0, 1.5], 0.2 * rng.normal(size=3), np.zeros(3), np.zeros(3))
     millimetres = dataclasses.replace(robot, b=1e3 * robot.b, p=1e3 * robot.p)
     in_millimetres = dataclasses.replace(motion, t=1e3 * motion.t)
-    H, H_mm = matrix_H(robot, motion), matrix_H(millimetres, in_millimetres)
+    H, H_mm = wrench_matrix(robot, motion), wrench_matrix(millimetres, in_millimetres)
     scaled = scaled_condition_number(H, characteristic_length(robot))
     assert scaled_condition_number(H_mm, characteristic_length(millimetres)) == pytest.approx(float(scaled))
     assert condition_number(H_mm) > 10.0 * condition_number(H)
@@ -90,7 +61,7 @@ def test_scaled_number_does_not_change_with_the_unit_of_length() -> None:
 
 
 def test_characteristic_length_is_the_rms_radius_of_the_platform() -> None:
-    robot = paper_robot()
+    robot = dasgupta()
     radii = [sum(x * x for x in point) for point in robot.p.tolist()]
     assert characteristic_length(robot) == pytest.approx((sum(radii) / 6.0) ** 0.5)
 
@@ -101,12 +72,7 @@ def test_length_out_of_range_is_named(length: Any) -> None:
         scaled_condition_number(np.eye(6), length)
 
 
-@pytest.mark.parametrize("H", ["a", 1j * np.eye(6), [[1.0], [1.0, 2.0]], None], ids=str)
+@pytest.mark.parametrize("H", ["a", 1j * np.eye(6), [[1.0], [1.0, 2.0]], None, np.eye(3)], ids=str)
 def test_what_is_no_matrix_of_real_numbers_is_named(H: Any) -> None:
-    with pytest.raises(ValueError, match=r"\AH: expected real numbers of shape \(\.\.\., 6, 6\), got .*\Z"):
+    with pytest.raises(ValueError, match=r"\AH: expected .*shape \(\.\.\., 6, 6\), got .*\Z"):
         condition_number(H)
-
-
-def test_wrong_shape_is_named() -> None:
-    with pytest.raises(ValueError, match=r"^H: expected shape \(\.\.\., 6, 6\), got \(3, 3\)$"):
-        condition_number(np.eye(3))

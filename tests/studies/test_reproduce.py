@@ -51,11 +51,11 @@ def test_condition_number_of_path_one(found: Reproduction) -> None:
 
 
 def test_peaks_of_path_three(found: Reproduction) -> None:
-    for form, force in (("paper", 9.6e5), ("exact", 9.7e5)):
+    for form, force in (("paper", 9.60e5), ("exact", 9.73e5)):
         run = found.runs["III", form]
-        assert run.condition.max() == pytest.approx(2.1e4, rel=0.01)
+        assert run.condition.max() == pytest.approx(2.1e4, rel=0.005)
         assert run.time[run.condition.argmax()] == pytest.approx(3.7)
-        assert np.abs(run.F).max() == pytest.approx(force, rel=0.005)
+        assert np.abs(run.F).max() == pytest.approx(force, rel=0.001)
 
 
 def test_path_three_is_singular_between_two_instants_of_the_grid(found: Reproduction) -> None:
@@ -71,12 +71,12 @@ def test_both_formulations_share_massless_forces_and_condition(found: Reproducti
 
 @pytest.mark.parametrize(
     ("faults", "one", "two"),
-    [({1}, 0.0001, 0.005), ({2}, 0.0193, 0.0172), ({3}, 0.0008, 0.058), (PAPER, 0.019, 0.058)],
+    [({1}, 6.68e-5, 5.03e-3), ({2}, 0.01931, 0.01718), ({3}, 7.71e-4, 0.05801), (PAPER, 0.01924, 0.05781)],
 )
 def test_cost_of_the_printed_faults(found: Reproduction, faults: set[int], one: float, two: float) -> None:
     cost = next(cost for cost in found.fault_costs if cost.faults == faults)
-    assert cost.moving["I"] == pytest.approx(one, abs=5e-4)
-    assert cost.moving["II"] == pytest.approx(two, abs=5e-4)
+    assert cost.moving["I"] == pytest.approx(one, rel=2e-3)
+    assert cost.moving["II"] == pytest.approx(two, rel=2e-3)
 
 
 def test_only_the_joint_moment_and_the_sign_cost_anything_at_rest(found: Reproduction) -> None:
@@ -84,10 +84,10 @@ def test_only_the_joint_moment_and_the_sign_cost_anything_at_rest(found: Reprodu
     assert felt == {frozenset({2}), PAPER, frozenset({4})}
 
 
-@pytest.mark.parametrize(("path", "percent"), [("I", -0.71), ("II", -1.13), ("III", -0.045)])
+@pytest.mark.parametrize(("path", "percent"), [("I", -0.713), ("II", -1.129), ("III", -0.045)])
 def test_paper_misses_the_gain_of_energy(found: Reproduction, path: str, percent: float) -> None:
     mismatch = _mismatch(found, path, PAPER)
-    assert 100 * mismatch == pytest.approx(percent, abs=0.005)
+    assert 100 * mismatch == pytest.approx(percent, abs=0.001)
 
 
 def test_exact_meets_the_gain_of_energy_even_through_the_singular_pose(found: Reproduction) -> None:
