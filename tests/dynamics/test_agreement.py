@@ -115,14 +115,6 @@ def test_any_leading_shape_gives_the_poses_one_by_one(backend, shape: tuple[int,
         np.testing.assert_allclose(together.F[index], alone.F, rtol=1e-12, atol=0)
 
 
-def test_batches_in_c_are_bit_identical_to_single_poses() -> None:
-    rng = np.random.default_rng(8)
-    robot = random_robot(rng)
-    motion = random_motion(rng, robot, (50,))
-    together = ss.inverse_dynamics(robot, motion).F
-    assert all((together[i] == ss.inverse_dynamics(robot, motion[i]).F).all() for i in range(50))
-
-
 def test_no_load_is_zero_load() -> None:
     rng = np.random.default_rng(9)
     robot = random_robot(rng)

@@ -65,23 +65,6 @@ def test_numbers_that_overflow_are_reported(backend) -> None:
 
 
 @pytest.mark.parametrize(
-    ("arguments", "name"),
-    [
-        ({"formulation": "printed"}, "formulation"),
-        ({"backend": "fortran"}, "backend"),
-        ({"on_singular": "ignore"}, "on_singular"),
-        ({"formulation": ["exact"]}, "formulation"),
-        ({"backend": ["c"]}, "backend"),
-        ({"on_singular": None}, "on_singular"),
-    ],
-)
-def test_unknown_options_are_named(arguments: dict, name: str) -> None:
-    for function in (ss.inverse_dynamics, ss.joint_reactions):
-        with pytest.raises(ValueError, match=rf"^{name}: expected .*got"):
-            function(dasgupta(), at_rest([0.1, 0, 0.5]), **arguments)
-
-
-@pytest.mark.parametrize(
     "function", [ss.inverse_dynamics, ss.joint_reactions, ss.massless_forces, ss.inverse_kinematics]
 )
 def test_what_is_no_robot_or_motion_is_named(function: Callable[..., object]) -> None:

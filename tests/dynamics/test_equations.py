@@ -224,19 +224,6 @@ def test_leading_shapes_of_motion_and_forces_broadcast(backend: Any) -> None:
     assert ss.forward_dynamics(robot, motion[:0], F, backend=backend)[0].shape == (0, 3, 3)
 
 
-def test_legs_as_coordinates_have_the_same_kinetic_energy() -> None:
-    rng = np.random.default_rng(6)
-    robot = random_robot(rng, scale=1.0)
-    motion = random_motion(rng, robot, (2, 3))
-    inertia = ss.joint_space_inertia(robot, motion)
-    M = ss.equations_of_motion(robot, motion).M
-    L_dot = ss.inverse_kinematics(robot, motion).L_dot
-    in_legs = np.einsum("...i,...ij,...j->...", L_dot, inertia, L_dot)
-    np.testing.assert_allclose(in_legs, np.einsum("...i,...ij,...j->...", twist(motion), M, twist(motion)))
-    alone = ss.joint_space_inertia(robot, motion[1, 2])
-    np.testing.assert_allclose(alone, inertia[1, 2], rtol=1e-9, atol=1e-12 * np.abs(alone).max())
-
-
 def test_the_reference_has_equations_where_H_is_singular() -> None:
     """Parallel legs: nothing holds the platform sideways, yet forces and masses have their accelerations."""
     robot = random_robot(np.random.default_rng(7), scale=1.0)
@@ -272,14 +259,6 @@ def test_poses_without_an_answer_are_named_or_nan(backend: Any) -> None:
         ss.forward_dynamics(robot, motion, F, backend=backend, on_singular="warn")
 
 
-def test_inertias_of_no_body_are_an_error_and_not_an_acceleration() -> None:
-    robot = random_robot(np.random.default_rng(9), scale=1.0)
-    robot = dataclasses.replace(robot, I_p=-100 * robot.M * np.eye(3))
-    motion = random_motion(np.random.default_rng(9), robot)
-    with pytest.raises(ValueError, match=r"^motion: the inertia matrix M is not positive definite"):
-        ss.forward_dynamics(robot, motion, np.zeros(6))
-
-
 def test_cholesky_solves_and_tells_which_of_a_batch_is_not_positive() -> None:
     rng = np.random.default_rng(10)
     A = rng.normal(size=(3, 6, 6))
@@ -306,13 +285,3 @@ def test_bad_forces_are_rejected(F: Any, words: str) -> None:
     motion = random_motion(np.random.default_rng(11), robot, (2,))
     with pytest.raises(ValueError, match=words):
         ss.forward_dynamics(robot, motion, F)
-
-
-@pytest.mark.parametrize("option", ["formulation", "backend", "on_singular"])
-def test_unknown_options_are_rejected(option: str) -> None:
-    robot = random_robot(np.random.default_rng(12))
-    motion = random_motion(np.random.default_rng(12), robot)
-    with pytest.raises(ValueError, match=rf"^{option}: expected"):
-        ss.equations_of_motion(robot, motion, **{option: "fast"})  # type: ignore[arg-type]
-    with pytest.raises(ValueError, match=rf"^{option}: expected"):
-        ss.forward_dynamics(robot, motion, np.zeros(6), **{option: "fast"})  # type: ignore[arg-type]

@@ -167,14 +167,6 @@ def test_empty_and_many_dimensional_batches_work() -> None:
     assert (flat[17] == kernel.forces(motion[1, 0, 2])).all()
 
 
-@pytest.mark.parametrize(
-    ("arguments", "name"), [({"formulation": "x"}, "formulation"), ({"precision": "half"}, "precision")]
-)
-def test_unknown_options_are_named(arguments: dict, name: str) -> None:
-    with pytest.raises(ValueError, match=rf"^{name}: expected"):
-        ss.prepare(dasgupta(), **arguments)
-
-
 @pytest.mark.parametrize("threads", [0, -1, 1.5, True, "two"])
 def test_bad_thread_counts_are_named(threads) -> None:
     with pytest.raises(ValueError, match=r"^threads: expected"):

@@ -1,7 +1,6 @@
 """The generated kinematics in C, double and float: what NumPy finds, and nothing found that is wrong."""
 
 import ctypes
-import itertools
 import subprocess
 from pathlib import Path
 from string import Template
@@ -408,16 +407,3 @@ def test_no_pose_of_a_wide_workspace_is_silent(precision: str) -> None:
         )
         assert_nothing_is_silent(robot, *found, L, status)
         assert not status.any()
-
-
-def test_lengths_of_the_pose_found_match_at_50_digits() -> None:
-    rng, robot = np.random.default_rng(4), dasgupta()
-    R, t = paper_poses(rng, 20, angle=0.3, way=0.2)
-    L = lengths(robot, R, t)
-    R, t, status = forward(robot, L, *nudged(rng, R, t, 0.05, 0.05))
-    assert (status == results.OK).all()
-    with mpmath.workdps(50):
-        for pose, leg in itertools.product(range(len(L)), range(6)):
-            q = mpmath.matrix(R[pose]) * mpmath.matrix(robot.p[leg])
-            S = q + mpmath.matrix(t[pose]) - mpmath.matrix(robot.b[leg])
-            assert abs(mpmath.norm(S) - mpmath.mpf(L[pose, leg])) <= FOUND * np.finfo(np.float64).eps

@@ -89,6 +89,10 @@ def test_what_a_record_was_made_of_stays_the_callers_own() -> None:
     changed = dataclasses.replace(robot, m_u=masses)
     masses[0] = 7.0
     assert changed.m_u[0] == robot.m_u[0]
+    t = np.zeros(3)
+    own = ss.Motion(np.eye(3), t, t, t)
+    t[0] = 1.0
+    assert own.t[0] == 0.0
     # A shallow copy of a motion made for an inner loop must not close the caller's arrays.
     t = np.zeros(3)
     loose = ss.Motion.unchecked(np.eye(3), t, t.copy(), t.copy())

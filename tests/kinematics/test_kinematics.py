@@ -17,7 +17,6 @@ from stewart_sym.kinematics.inverse import (
 )
 from stewart_sym.motion.motion import Motion
 from stewart_sym.motion.rotation import rotation_from_rpy
-from stewart_sym.motion.straight_line import PATHS
 
 Array = NDArray[np.float64]
 
@@ -66,33 +65,6 @@ def test_legs_span_from_base_to_platform_points() -> None:
     np.testing.assert_array_equal(legs.L_dot, np.zeros(6))
 
 
-def test_leg_on_a_circle_keeps_its_length() -> None:
-    robot = dataclasses.replace(random_robot(np.random.default_rng(8), scale=1.0), p=np.zeros((6, 3)))
-    robot = dataclasses.replace(robot, b=np.zeros((6, 3)))
-    radius, rate = 2.0, 3.0
-    position = np.array([radius, 0.0, 0.0])
-    velocity = np.array([0.0, radius * rate, 0.0])
-    motion = Motion(np.eye(3), position, np.zeros(3), velocity, np.zeros(3), -(rate**2) * position)
-    legs = inverse_kinematics(robot, motion)
-    np.testing.assert_allclose(legs.L, radius)
-    np.testing.assert_allclose(legs.L_dot, 0.0, atol=1e-15)
-    assert legs.L_ddot is not None
-    np.testing.assert_allclose(legs.L_ddot, 0.0, atol=1e-14)
-
-
-def test_batch_is_its_poses() -> None:
-    rng = np.random.default_rng(9)
-    robot = random_robot(rng, scale=0.3)
-    motion = PATHS["I"].path.sample(np.linspace(0.0, 6.0, 12).reshape(4, 3))
-    legs = inverse_kinematics(robot, motion)
-    for name, tail in (("L", (6,)), ("L_dot", (6,)), ("L_ddot", (6,)), ("s", (6, 3)), ("S", (6, 3))):
-        whole = getattr(legs, name)
-        assert whole.shape == (4, 3, *tail)
-        np.testing.assert_allclose(
-            whole[2, 1], getattr(inverse_kinematics(robot, motion[2, 1]), name), rtol=1e-14, atol=1e-15
-        )
-
-
 def test_zero_length_is_checked_beside_the_terms_of_the_leg() -> None:
     """A leg from a base far away is known to rounding of the base's distance, one nearby much better."""
     robot = random_robot(np.random.default_rng(11), scale=1.0)
@@ -132,13 +104,6 @@ def test_H_maps_the_twist_to_leg_rates_and_its_rate_to_their_accelerations(seed:
     np.testing.assert_allclose(H.T @ twist, legs.L_dot, rtol=1e-12, atol=1e-13)
     np.testing.assert_allclose(H.T @ rate + H_dot.T @ twist, legs.L_ddot, rtol=1e-11, atol=1e-12)
     np.testing.assert_allclose(H, inverse_dynamics(robot, now).H, rtol=1e-12, atol=1e-13)
-
-
-def test_H_of_a_batch_is_that_of_its_poses() -> None:
-    robot = random_robot(np.random.default_rng(13), scale=0.3)
-    motion = PATHS["I"].path.sample(np.linspace(0.0, 6.0, 6).reshape(2, 3))
-    for function in (wrench_matrix, wrench_matrix_rate):
-        np.testing.assert_allclose(function(robot, motion)[1, 2], function(robot, motion[1, 2]), rtol=1e-13)
 
 
 def test_a_leg_near_its_universal_axis_is_not_clear_of_it() -> None:

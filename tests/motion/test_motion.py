@@ -208,16 +208,6 @@ def test_empty_batch() -> None:
     assert motion.shape == motion[:0].shape == (0,)
 
 
-def test_arrays_are_private_and_read_only() -> None:
-    t = np.zeros((5, 3))
-    motion = Motion(E, t, ZERO, ZERO)
-    t[0, 0] = 9.0
-    assert motion.t[0, 0] == 0.0
-    for array in (motion.R, motion.t, motion.omega, motion.v):
-        with pytest.raises(ValueError, match="read-only"):
-            array[...] = 1.0
-
-
 NAN = np.array([0.0, np.nan, 0.0])
 BAD: list[tuple[dict[str, Any], str]] = [
     ({"t": np.zeros(4)}, "t: expected shape (..., 3), got (4,)"),
