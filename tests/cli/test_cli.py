@@ -120,38 +120,22 @@ def test_check_says_when_friction_is_off(robot: Path, capsys: pytest.CaptureFixt
     assert "friction     off" in capsys.readouterr().out
 
 
-@pytest.mark.parametrize(
-    ("old", "new", "words"),
-    [
-        ("mass = 40.0", "mas = 40.0", '"mass"'),
-        ("mass = 40.0", "mass = -40.0", "platform.mass"),
-        ("mass = 40.0", "mass = nan", "platform.mass"),
-        ("mass = 40.0", 'mass = "40"', "platform.mass"),
-        ("mass = 40.0", "", "platform.mass"),
-        ("[0.050, 0.003, 0.004]", "[0.050, 0.9, 0.004]", "symmetric"),
-        ("universal_axis = [1.0000, 0.0000, 0.0000]", "universal_axis = [0, 0, 0]", "leg 4: universal_axis"),
-        ("[[leg]]\nbase_point = [0.6", "[[leg]]\n[[leg]]\nbase_point = [0.6", "got 7"),
-        ("schema = 1", "schema = ", "TOML"),
-    ],
-)
 def test_bad_robot_files_are_rejected_by_every_subcommand(
-    robot: Path, trajectory: Path, capsys: pytest.CaptureFixture[str], old: str, new: str, words: str
+    robot: Path, trajectory: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    edit(robot, old, new)
+    edit(robot, "mass = 40.0", "mass = -40.0")
     before = folder_state(robot.parent)
-    for subcommand in (
-        ["check", robot],
-        ["forces", robot, trajectory, "-o", robot.parent / "f.csv"],
-        ["generate", robot, "-o", robot.parent / "kit"],
-    ):
-        line = fails_in_one_line(capsys, *subcommand)
-        assert str(robot) in line
-        assert words in line
+    missing = robot.parent / "none.toml"
+    for file, words in ((robot, "platform.mass"), (missing, "cannot read the robot file")):
+        for subcommand in (
+            ["check", file],
+            ["forces", file, trajectory, "-o", robot.parent / "f.csv"],
+            ["generate", file, "-o", robot.parent / "kit"],
+        ):
+            line = fails_in_one_line(capsys, *subcommand)
+            assert str(file) in line
+            assert words in line
     assert folder_state(robot.parent) == before
-
-
-def test_a_missing_robot_file_is_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert str(tmp_path / "none.toml") in fails_in_one_line(capsys, "check", tmp_path / "none.toml")
 
 
 # derive

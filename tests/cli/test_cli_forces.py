@@ -4,14 +4,13 @@ import dataclasses
 import re
 import subprocess
 import sys
-from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 import pytest
 import whole_track
 from command_files import edit, results
-from command_line import fails_in_one_line, folder_state, read
+from command_line import fails_in_one_line, read
 from robot_files import written
 
 import stewart_sym as ss
@@ -110,36 +109,6 @@ def test_times_since_1970_are_printed_in_full(
     found = capsys.readouterr()
     assert "1700000000.5 s to 1700000002.5 s" in found.out
     assert "e+09" not in found.out + found.err
-
-
-@pytest.mark.parametrize(
-    ("edit_rows", "words"),
-    [
-        (lambda rows: [*rows[:3], rows[5], rows[4], *rows[6:]], "increasing times"),
-        (lambda rows: [*rows[:3], rows[3] + ",1.0", *rows[4:]], "expected 7 columns, got 8"),
-        (lambda rows: [*rows[:3], rows[3].rpartition(",")[0], *rows[4:]], "expected 7 columns, got 6"),
-        (lambda rows: [*rows[:3], rows[3].rpartition(",")[0] + ",nan", *rows[4:]], "finite number"),
-        (lambda rows: [*rows[:3], rows[3].rpartition(",")[0] + ",inf", *rows[4:]], "finite number"),
-        (lambda rows: [rows[0].replace("theta_x", "tetha_x"), *rows[1:]], "tetha_x"),
-        (lambda rows: rows[:1], "rows of numbers"),
-        (lambda rows: rows[:3], "at least 4 rows"),
-        (lambda rows: [], "empty"),
-    ],
-)
-def test_bad_trajectories_are_rejected(
-    robot: Path,
-    trajectory: Path,
-    capsys: pytest.CaptureFixture[str],
-    edit_rows: Callable[[list[str]], list[str]],
-    words: str,
-) -> None:
-    rows = edit_rows(trajectory.read_text().splitlines())
-    trajectory.write_text("".join(f"{row}\n" for row in rows))
-    before = folder_state(robot.parent)
-    line = fails_in_one_line(capsys, "forces", robot, trajectory, "-o", robot.parent / "f.csv")
-    assert str(trajectory) in line
-    assert words in line
-    assert folder_state(robot.parent) == before
 
 
 def test_a_missing_trajectory_is_named(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -289,26 +258,6 @@ def test_overflow_on_the_way_is_one_warning_and_none_beside_an_error(
     with pytest.raises(ValueError, match="inf"), warnings_in_lines():
         raise ValueError(large**3)
     assert capsys.readouterr().err == ""
-
-
-def test_forces_does_not_overwrite_its_inputs(
-    robot: Path, trajectory: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    before = folder_state(robot.parent)
-    for output in (robot, trajectory):
-        assert "is an input" in fails_in_one_line(capsys, "forces", robot, trajectory, "-o", output)
-    assert folder_state(robot.parent) == before
-
-
-def test_a_failed_run_keeps_the_earlier_output(
-    robot: Path, trajectory: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    output = robot.parent / "f.csv"
-    output.write_text("earlier")
-    trajectory.write_text("time\n")
-    fails_in_one_line(capsys, "forces", robot, trajectory, "-o", output)
-    assert output.read_text() == "earlier"
-    assert sorted(p.name for p in robot.parent.iterdir()) == ["f.csv", "robot.toml", "trajectory.csv"]
 
 
 def test_a_reader_that_goes_away_is_no_traceback(robot: Path) -> None:

@@ -10,11 +10,12 @@ import subprocess
 import sys
 import types
 from collections.abc import Iterator
-from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
 import pytest
+from command_line import fails_in_one_line, folder_state
+from robot_files import PAPERS
 from sweeps import FULL
 
 from stewart_sym.cli.main import main
@@ -22,19 +23,6 @@ from stewart_sym.io import interrupts
 from stewart_sym.io import writing as publish
 from stewart_sym.io.writing import RECORD, replaced_file, result_file, result_folder
 from stewart_sym.robot.robot import Robot
-
-PAPER = Path(str(files("stewart_sym.robots") / "dasgupta1998.toml"))
-
-
-def error(capsys: pytest.CaptureFixture[str], *arguments: object) -> str:
-    """The one line of a command that fails."""
-    assert main(list(map(str, arguments))) == 2
-    (line,) = capsys.readouterr().err.splitlines()
-    return line
-
-
-def folder_state(folder: Path) -> dict[str, bytes]:
-    return {str(p.relative_to(folder)): p.read_bytes() for p in folder.rglob("*") if p.is_file()}
 
 
 def write_file(path: Path, text: str) -> None:
@@ -46,7 +34,7 @@ def write_file(path: Path, text: str) -> None:
 def at_robot(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """The current folder, with the paper's machine in it as robot.toml."""
     monkeypatch.chdir(tmp_path)
-    shutil.copy(PAPER, "robot.toml")
+    shutil.copy(PAPERS, "robot.toml")
     return tmp_path
 
 
@@ -71,7 +59,9 @@ def test_a_file_of_others_is_not_replaced_without_force(
     )
     (at_robot / name).write_text("mine")
     before = folder_state(at_robot)
-    assert error(capsys, *command).endswith(f"{name}: exists with other content; use --force to overwrite")
+    assert fails_in_one_line(capsys, *command).endswith(
+        f"{name}: exists with other content; use --force to overwrite"
+    )
     assert folder_state(at_robot) == before
 
 
@@ -96,7 +86,7 @@ def test_a_single_file_of_others_is_not_replaced_without_force(
     (at_robot / name).write_text(content)
     before = folder_state(at_robot)
     said = f"stewart-sym: error: {name}: exists with other content; use --force to overwrite"
-    assert error(capsys, *TO_ONE_FILE[name]) == said
+    assert fails_in_one_line(capsys, *TO_ONE_FILE[name]) == said
     assert folder_state(at_robot) == before
     assert main([*TO_ONE_FILE[name], "--force"]) == 0
     assert (at_robot / name).read_text() != content
@@ -109,7 +99,7 @@ def test_a_single_file_of_the_same_subcommand_or_an_empty_one_is_replaced(at_rob
     assert main(TO_ONE_FILE[name]) == 0
     first = (at_robot / name).read_text()
     (at_robot / "path.csv").write_text(RISING.replace("0.5", "0.51"))
-    (at_robot / "robot.toml").write_text(PAPER.read_text().replace("mass = 40.0", "mass = 41.0"))
+    (at_robot / "robot.toml").write_text(PAPERS.read_text().replace("mass = 40.0", "mass = 41.0"))
     more = ["--reactions"] if name == "mine.csv" else []
     assert main([*TO_ONE_FILE[name], *more]) == 0
     assert name == "advice.json" or (at_robot / name).read_text() != first
@@ -124,18 +114,20 @@ def test_the_json_of_another_subcommand_is_not_replaced(
     asked = [*TO_ONE_FILE["mine.json"][:-1], "figures.json"]
     (at_robot / "path.csv").write_text(RISING)
     capsys.readouterr()
-    assert "figures.json: exists with other content" in error(capsys, *asked)
+    assert "figures.json: exists with other content" in fails_in_one_line(capsys, *asked)
 
 
+@pytest.mark.parametrize("name", ["path.csv", "robot.toml"])
 @pytest.mark.parametrize("option", ["-o", "--json"])
 def test_an_input_is_no_single_file_to_write_by_force_either(
-    at_robot: Path, option: str, capsys: pytest.CaptureFixture[str]
+    at_robot: Path, option: str, name: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (at_robot / "path.csv").write_text(RISING)
-    output = ["-o", "path.csv"] if option == "-o" else ["-o", "forces.csv", "--json", "path.csv"]
-    line = error(capsys, "forces", "robot.toml", "path.csv", *output, "--force")
-    assert line.endswith(f"{option} path.csv: is an input, name another file")
-    assert (at_robot / "path.csv").read_text() == RISING
+    before = folder_state(at_robot)
+    output = ["-o", name] if option == "-o" else ["-o", "forces.csv", "--json", name]
+    line = fails_in_one_line(capsys, "forces", "robot.toml", "path.csv", *output, "--force")
+    assert line.endswith(f"{option} {name}: is an input, name another file")
+    assert folder_state(at_robot) == before
 
 
 def test_a_file_that_appears_while_another_is_written_is_not_replaced(tmp_path: Path) -> None:
@@ -209,7 +201,7 @@ def test_an_empty_output_name_is_an_error(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     with pytest.raises(SystemExit, match="2"):
-        main(["forces", str(PAPER), "trajectory.csv", "-o", ""])
+        main(["forces", str(PAPERS), "trajectory.csv", "-o", ""])
     assert "-o/--output: expected a name, got nothing" in capsys.readouterr().err
 
 
@@ -282,7 +274,7 @@ def test_out_of_memory_is_one_line(
         raise MemoryError("Unable to allocate 4 GiB")
 
     monkeypatch.setattr(Robot, "from_toml", exhausted)
-    line = error(capsys, "check", PAPER)
+    line = fails_in_one_line(capsys, "check", PAPERS)
     assert line.endswith("error: out of memory: Unable to allocate 4 GiB")
 
 
@@ -315,7 +307,7 @@ def test_no_room_for_the_work_area_of_blas_is_an_error_and_no_endless_loop(where
 
 
 def test_warnings_turned_into_errors_are_one_line() -> None:
-    command = [sys.executable, "-W", "error", "-m", "stewart_sym.cli.main", "check", str(PAPER)]
+    command = [sys.executable, "-W", "error", "-m", "stewart_sym.cli.main", "check", str(PAPERS)]
     done = subprocess.run(command, capture_output=True, text=True)
     assert done.returncode in (0, 2)
     assert len(done.stderr.splitlines()) == (done.returncode == 2)
