@@ -43,11 +43,6 @@ NAMES = {
 # ---------------------------------------------------------------- what a kit does
 
 
-def test_kit_builds_silently_and_proves_itself(tmp_path: Path) -> None:
-    write_kit(machine("random"), tmp_path / "kit", Choice(("forces", "reactions")))
-    proves_itself(tmp_path / "kit", "gcc")
-
-
 @dataclasses.dataclass(frozen=True)
 class Wish:
     """A choice and the machine that it is for."""

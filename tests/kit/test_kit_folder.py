@@ -181,13 +181,6 @@ def test_folder_that_cannot_be_written_is_one_line(tmp_path: Path) -> None:
     assert os.listdir(tmp_path) == ["file"]
 
 
-def test_folder_in_the_place_of_a_file_is_rejected_even_with_force(tmp_path: Path) -> None:
-    (tmp_path / "stewart_robot.h").mkdir()
-    with pytest.raises(ValueError, match=r"robot\.h: expected a file or nothing, found a folder"):
-        put(kit_of(), tmp_path, force=True)
-    assert os.listdir(tmp_path) == ["stewart_robot.h"]
-
-
 @pytest.mark.parametrize(
     ("choice", "which", "message"),
     [

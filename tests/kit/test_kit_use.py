@@ -6,6 +6,7 @@ import os
 import re
 import shlex
 import subprocess
+from collections.abc import Callable
 from pathlib import Path
 
 import machines
@@ -166,11 +167,14 @@ def test_a_robot_file_that_is_an_input_is_not_replaced(tmp_path: Path) -> None:
     assert (tmp_path / "robot.toml").read_text() == "mine"
 
 
+@pytest.mark.parametrize(("make", "found"), [(os.mkfifo, "a device or a pipe"), (os.mkdir, "a folder")])
 @pytest.mark.parametrize("name", ["robot.toml", "manifest.json", "stewart.h"])
-def test_a_pipe_in_place_of_a_file_is_an_error_and_nothing_waits(tmp_path: Path, name: str) -> None:
-    os.mkfifo(tmp_path / name)
+def test_what_is_no_file_is_an_error_and_nothing_waits(
+    tmp_path: Path, name: str, make: Callable[[Path], None], found: str
+) -> None:
+    make(tmp_path / name)
     for force in (False, True):
-        with pytest.raises(ValueError, match=rf"{name}: expected a file or nothing, found a device"):
+        with pytest.raises(ValueError, match=rf"{name}: expected a file or nothing, found {found}$"):
             put(made(), tmp_path, force)
     assert os.listdir(tmp_path) == [name]
 

@@ -433,10 +433,6 @@ def test_advise_generates_the_kernel_that_it_chose(scene: Path, capsys: pytest.C
     assert main(["advise", str(scene), "--generate", str(kit), "--force", "--bake"]) == 0
 
 
-def test_advise_does_not_write_over_its_scene(scene: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert "is an input" in fails_in_one_line(capsys, "advise", scene, "--json", scene)
-
-
 @pytest.mark.slow
 @pytest.mark.usefixtures("quick")
 def test_chart_writes_tables_without_matplotlib(
