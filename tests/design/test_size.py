@@ -213,8 +213,7 @@ def noisy(request: pytest.FixtureRequest) -> list[tuple[ss.Robot, ss.Needs, Traj
         true = ss.size(robot, [(one.time, motion(one.true))])
         for noise in ("3", "4", "white"):
             values = logged(one, noise, seed)
-            with warnings.catch_warnings():
-                warnings.simplefilter("ignore", ss.LogWarning)
+            with warnings.catch_warnings(action="ignore", category=ss.LogWarning):
                 found.append((robot, true, from_poses(one.time, values[:, :3], values[:, 3:])))
     return found
 
@@ -261,8 +260,7 @@ def test_noise_makes_no_wrong_verdict_and_every_command_has_the_same(
         for part in in_parts(limited, log):
             digest.add(part)
         told = " ".join(digest.doubts(1e9))
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", ss.DriveLimitWarning)
+        with warnings.catch_warnings(action="ignore", category=ss.DriveLimitWarning):
             assert set(ss.drive_effort(limited, log).exceeded) <= set(digest.doubts(1e9))
         for name, verdict in {(name, verdict) for (name, _), verdict in lines.items()}:
             legs = [leg for leg in range(6) if lines.get((name, leg)) == verdict]

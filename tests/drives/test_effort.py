@@ -97,8 +97,7 @@ def test_electrical_energy_is_work_and_losses(seed: int) -> None:
     drive = robot.drive
     time = np.linspace(0.0, 1.3, 4001)
     motion = swing(robot, time, 2.0)
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
+    with warnings.catch_warnings(action="ignore"):
         found = ss.drive_effort(robot, motion, time)
     F, legs = found.force - found.friction - found.rotor, ss.inverse_kinematics(robot, motion)
     electrical = np.sum(

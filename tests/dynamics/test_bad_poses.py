@@ -58,8 +58,7 @@ def test_numbers_that_overflow_are_reported(backend) -> None:
     robot = random_robot(rng)
     motion = random_motion(rng, robot)
     huge = ss.Motion(motion.R, motion.t, motion.omega, np.full(3, 1e200), motion.alpha, motion.a)
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
+    with warnings.catch_warnings(action="error"):
         found = ss.inverse_dynamics(robot, huge, backend=backend, on_singular="nan")
     assert found.status == results.NOT_FINITE
 
@@ -104,8 +103,7 @@ def test_bad_bearings_are_named(bearing: Any, got: str) -> None:
 def test_reactions_that_overflow_are_reported(backend, shape: tuple[int, ...]) -> None:
     robot = dasgupta()
     motion = ss.Motion(np.eye(3), np.broadcast_to([0.13, 0.04, 0.6], (*shape, 3)), *np.zeros((4, 3)))
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
+    with warnings.catch_warnings(action="error"):
         found = ss.joint_reactions(robot, motion, backend=backend, bearing=1e308, on_singular="nan")
     assert np.all(found.status == results.NOT_FINITE)
     for name in ("F_s", "F_u", "F_p", "F_c", "M_p", "M_u"):
@@ -153,8 +151,7 @@ def test_without_a_compiler_numpy_serves_and_says_so_once(monkeypatch) -> None:
     robot, motion = dasgupta(), at_rest([0.1, 0, 0.5])
     with pytest.warns(RuntimeWarning, match="NumPy kernels serve"):
         first = ss.inverse_dynamics(robot, motion).F
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
+    with warnings.catch_warnings(action="error"):
         second = ss.inverse_dynamics(robot, motion).F
     assert (first == second).all()
     assert (first == ss.inverse_dynamics(robot, motion, backend="numpy").F).all()

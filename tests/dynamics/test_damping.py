@@ -26,8 +26,7 @@ def together(*motions: ss.Motion) -> ss.Motion:
 @pytest.mark.parametrize("formulation", ["exact", "paper"])
 def test_a_singular_pose_gets_forces_and_says_what_they_leave_wanting(backend, formulation) -> None:
     robot, pose = singular()
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
+    with warnings.catch_warnings(action="error"):
         found = ss.inverse_dynamics(robot, pose, formulation, backend, on_singular="damped")
     assert found.status == SINGULAR
     assert found.wrench_error is not None

@@ -194,8 +194,7 @@ def _parallel_legs() -> tuple[Robot, Motion]:
 @pytest.mark.parametrize("make", [_zero_length_leg, _parallel_legs])
 def test_massless_forces_without_an_answer_are_nan(make: object) -> None:
     robot, motion = make()  # type: ignore[operator]
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
+    with warnings.catch_warnings(action="error"):
         assert np.all(np.isnan(newton_euler.massless_forces(robot, motion)))
         newton_euler.energy(robot, motion)
         newton_euler.friction_power(robot, motion)

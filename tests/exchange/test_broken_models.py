@@ -263,8 +263,7 @@ BROKEN: dict[str, tuple[str, Change, str]] = {
 @pytest.fixture(scope="module")
 def exported() -> dict[str, ss.ModelFile]:
     robot = ss.Robot.from_toml(HEXAPOD)
-    with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always")
+    with warnings.catch_warnings(record=True, action="always") as caught:
         found = {name: ss.export_model(robot, name) for name in ("mjcf", "sdf", "urdf", "usd")}
     friction, place = "friction of spherical joints (C_s)", "has no place in the format"
     lines = [

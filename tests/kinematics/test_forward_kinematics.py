@@ -275,8 +275,7 @@ def test_failures_raise_warn_or_stay_silent_as_asked() -> None:
     assert caught[0].filename == __file__
     assert found.status.tolist() == [0, results.NOT_CONVERGED, results.NOT_CONVERGED]
     assert np.all(found.residual[1:] > 0.1)
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
+    with warnings.catch_warnings(action="error"):
         ss.forward_kinematics(robot, L, on_failure="nan")
     with pytest.raises(ValueError, match=rf"^L: {none}$"):
         ss.forward_kinematics(robot, L[1])

@@ -277,8 +277,7 @@ def test_two_sides_as_plausible_as_each_other_are_both_named() -> None:
     for call in (lambda: home_pose(robot), lambda: ss.forward_kinematics(robot, L)):
         with pytest.warns(ss.AssemblyModeWarning, match=f"^{text}$"):
             call()
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
+    with warnings.catch_warnings(action="error"):
         ss.forward_kinematics(robot, L, (np.eye(3), [0.0, 0.0, 0.5]))
 
 

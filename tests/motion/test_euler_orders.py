@@ -114,8 +114,7 @@ def test_rates_are_doubted_beside_angles_of_their_own_order(tmp_path: Path, orde
     time = np.linspace(0.0, 4.0, 161)
     path, form = tmp_path / "log.csv", ss.LogFormat(euler_order=order)
     found = waving(time)
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
+    with warnings.catch_warnings(action="error"):
         read_csv(saved(path, time, found), form)
     found[1:, :, 3:] *= -1.0
     with pytest.warns(ss.LogWarning, match="theta_x, theta_y, theta_z change by -1 times what theta_dot_x"):

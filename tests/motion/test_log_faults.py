@@ -43,8 +43,7 @@ def corrupted(kind: str, time: Array, values: Array, i: int) -> tuple[Array, Arr
 
 def read(time: Array, values: Array) -> tuple[Trajectory, list[str]]:
     """The trajectory of poses, and warnings."""
-    with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always")
+    with warnings.catch_warnings(record=True, action="always") as caught:
         found = from_poses(time, values[:, :3], values[:, 3:])
     return found, [str(each.message) for each in caught]
 

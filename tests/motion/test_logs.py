@@ -141,8 +141,7 @@ def test_units_that_no_machine_has_are_warned_of(
     odd = write(tmp_path / "odd.csv", NAMES, change(poses()))
     with pytest.warns(ss.LogWarning, match=words):
         read_csv(odd, smoothing=ss.Smoothing(on=False))
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
+    with warnings.catch_warnings(action="error"):
         read_csv(write(tmp_path / "good.csv", NAMES, poses()))
 
 
@@ -385,8 +384,7 @@ def shortest(table: Array) -> str:
 
 
 def cut_warnings(path: Path) -> list[str]:
-    with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always")
+    with warnings.catch_warnings(record=True, action="always") as caught:
         read_csv(path, smoothing=ss.Smoothing(on=False))
     return [str(each.message) for each in caught if "cut off" in str(each.message)]
 

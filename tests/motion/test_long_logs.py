@@ -60,8 +60,7 @@ def test_a_log_with_rates_is_read_in_twice_the_room_of_its_numbers(tmp_path: Pat
     path = tmp_path / "log.csv"
     with path.open("w", encoding="utf-8") as stream:
         stream.writelines(csv_lines(columns))
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
+    with warnings.catch_warnings(action="ignore"):
         log, most = peak(lambda: read_log(path))
     assert log.coordinates.shape == (3, count, 6)
     assert most < 2.45 * sum(column.nbytes for column in columns.values())

@@ -25,8 +25,7 @@ NOISES = ("3", "4", "5", "white")
 
 
 def smoothed(time: Array, values: Array) -> Trajectory:
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", ss.LogWarning)
+    with warnings.catch_warnings(action="ignore", category=ss.LogWarning):
         return from_poses(time, values[:, :3], values[:, 3:])
 
 
@@ -76,8 +75,7 @@ def test_peaks_without_a_warning_are_within_two_percent_and_verdicts_hold(
 
 def test_a_clean_log_is_interpolated_and_has_no_deviations() -> None:
     one = case(0)
-    with warnings.catch_warnings():
-        warnings.simplefilter("error", ss.LogWarning)
+    with warnings.catch_warnings(action="error", category=ss.LogWarning):
         trajectory = from_poses(one.time, one.true[0, :, :3], one.true[0, :, 3:])
     assert trajectory.noise is None
     np.testing.assert_array_equal(trajectory.motion.t, one.true[0, :, :3])
@@ -194,8 +192,7 @@ def test_few_rows_without_noise_have_none(count: int, digits: int) -> None:
 @pytest.mark.parametrize(("count", "known"), [(8, None), (8, 1e-4), (12, None)])
 def test_too_few_rows_to_look_for_noise_are_named(count: int, known: float | None) -> None:
     one = first_rows(0, count)
-    with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always")
+    with warnings.catch_warnings(record=True, action="always") as caught:
         from_poses(one.time, *np.hsplit(logged(one, "white", 0), 2), ss.Smoothing(known, known))
     named = [each for each in caught if "8 rows are too few to distinguish noise" in str(each.message)]
     assert len(named) == (count == 8 and known is None)

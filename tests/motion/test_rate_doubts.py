@@ -86,8 +86,7 @@ def test_rates_of_another_motion_are_warned_of(
     odd[:, columns] = change(odd[:, columns])
     for table in (good, odd):
         table[:, 1:] += scatter
-    with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always")
+    with warnings.catch_warnings(record=True, action="always") as caught:
         read_csv(write(tmp_path / "good.csv", names, good))
         assert not caught
         read_csv(write(tmp_path / "odd.csv", names, odd))
@@ -105,8 +104,7 @@ def test_an_angular_velocity_in_place_of_rates_of_angles_is_told_from_them(
         table[:, columns] *= 5.0
     form = ss.LogFormat(euler_order=order)
     path = write(tmp_path / "log.csv", names, table)
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
+    with warnings.catch_warnings(action="error"):
         read_csv(path, form)
     R, omega, alpha = motion_about_axes(*(table[:, columns] for columns in angles), order)
     turn = np.eye(3) if frame == "base" else R.swapaxes(-1, -2)
@@ -122,8 +120,7 @@ def test_accelerations_of_none_beside_velocities_are_warned_of(tmp_path: Path) -
     with pytest.warns(ss.LogWarning, match=r"v_x, v_y, v_z, .* do not change as a_x, a_y, a_z, .* say"):
         read_csv(write(tmp_path / "odd.csv", names, table))
     table[:, 7:] = 0.0
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
+    with warnings.catch_warnings(action="error"):
         read_csv(write(tmp_path / "rest.csv", names, table))
 
 
@@ -152,8 +149,7 @@ def test_rates_behind_a_filter_are_said_to_be_late(tmp_path: Path, lag: float) -
 def test_a_small_lag_is_none(tmp_path: Path) -> None:
     names, table = with_rates(np.arange(0.0, 8.0, 0.01))
     table[:, 7:] = with_rates(np.arange(0.0, 8.0, 0.01) - 0.005)[1][:, 7:]
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
+    with warnings.catch_warnings(action="error"):
         read_csv(write(tmp_path / "good.csv", names, table))
 
 
@@ -173,8 +169,7 @@ def test_rates_of_sparse_logs_and_of_rest_are_not_warned_of(tmp_path: Path, step
     names, table = with_rates(np.arange(0.0, 20.0, step))
     still = table.copy()
     still[:, 1:] = still[0, 1:]
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
+    with warnings.catch_warnings(action="error"):
         for numbers in (table, still, table[:1]):
             read_csv(write(tmp_path / "good.csv", names, numbers))
 

@@ -30,8 +30,7 @@ def written(folder: Path, sigma: float, angle: float) -> Path:
 
 def told(log: Path, known: ss.Smoothing, words: str, form: LogFormat = FORM) -> list[str]:
     """Warnings with these words when the log is read with what is known of its noise."""
-    with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always")
+    with warnings.catch_warnings(record=True, action="always") as caught:
         read_csv(log, form, known)
     return [str(each.message) for each in caught if words in str(each.message)]
 
@@ -120,8 +119,7 @@ def test_options_of_noise_are_in_the_units_of_the_log(
     told = capsys.readouterr()
     assert "noise of 0.0001 m and 0.00035 rad in the log" in told.err
     assert "stated" not in told.err
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
+    with warnings.catch_warnings(action="ignore"):
         noise = read_csv(log, FORM, ss.Smoothing(1e-4, np.radians(0.02)))
     expected = ss.force_deviations(ss.robots.dasgupta1998(), noise)
     table = np.genfromtxt(tmp_path / "f.csv", delimiter=",", names=True)
@@ -156,10 +154,9 @@ def test_a_cutoff_beyond_half_the_rate_is_the_error_alone(tmp_path: Path) -> Non
     log = written(tmp_path, 0.1, 0.02)
     rows = log.read_text().splitlines(keepends=True)
     log.write_text("".join(rows[:300] + rows[340:]))
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
-        with pytest.raises(ValueError, match="cutoff: expected a frequency > 0 and < 100 Hz"):
-            read_csv(log, FORM, ss.Smoothing(1e-6, cutoff=1000.0))
+    words = "cutoff: expected a frequency > 0 and < 100 Hz"
+    with warnings.catch_warnings(action="error"), pytest.raises(ValueError, match=words):
+        read_csv(log, FORM, ss.Smoothing(1e-6, cutoff=1000.0))
 
 
 @pytest.mark.parametrize("option", ["--noise-position", "--noise-angle", "--cutoff"])

@@ -50,8 +50,7 @@ def read(path: Path, kind: str, rate: int, unit: str, start: int, noise: float =
         for time, row in zip(times, values(kind, rate, noise).tolist(), strict=True)
     ]
     path.write_text("\n".join([header, *rows]) + "\n")
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", ss.LogWarning)
+    with warnings.catch_warnings(action="ignore", category=ss.LogWarning):
         found = read_log(path, LogFormat(time_unit=unit))
     np.testing.assert_array_equal(
         found.time, [float(TEXTS["s"](10**6 * start + 10**6 // rate * i)) for i in range(400)]
@@ -108,8 +107,7 @@ def test_digits_beyond_a_double_count_as_noise(tmp_path: Path) -> None:
         for when, row in zip(time.tolist(), q[0].tolist(), strict=True)
     )
     path.write_text("\n".join([",".join(["time", *POSE]), *rows]) + "\n")
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", ss.LogWarning)
+    with warnings.catch_warnings(action="ignore", category=ss.LogWarning):
         late = read_csv(path)
     assert late.noise is not None
     assert (late.noise.sigma > 0.0).all()
@@ -140,8 +138,7 @@ def read_at(folder: Path, written: Array, true: Array) -> tuple[Array, list[str]
     turns = np.outer(true, 2.0 * np.pi * np.linspace(0.3, 0.8, 6)) + np.arange(6.0)
     poses = 0.05 * np.sin(turns) + 1e-5 * np.random.default_rng(2).normal(size=turns.shape)
     path = write(folder / "log.csv", NAMES, np.column_stack([written, poses]))
-    with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always")
+    with warnings.catch_warnings(record=True, action="always") as caught:
         found = read_log(path)
     return found.time, [str(each.message) for each in caught if "time: " in str(each.message)]
 

@@ -19,8 +19,7 @@ FOLDER = Path(robots.__file__).parent
 def test_every_machine_is_a_function_a_file_and_without_a_doubt(
     name: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
+    with warnings.catch_warnings(action="error"):
         robot = getattr(ss.robots, name)()
     assert robot.name
     assert main(["check", str(FOLDER / f"{name}.toml")]) == 0

@@ -383,8 +383,7 @@ def test_arguments_of_a_wrong_kind_are_named_in_one_line(name: str) -> None:
                 continue
             told = f"{argument}: expected "
             try:
-                with warnings.catch_warnings():
-                    warnings.simplefilter("ignore")
+                with warnings.catch_warnings(action="ignore"):
                     call.function(**{**call.arguments, argument: value})
             except ValueError as error:
                 told = str(error)

@@ -344,8 +344,7 @@ def test_paper_machine_is_the_appendix() -> None:
 
 
 def test_paper_machine_is_silent_for_its_file_accepts_what_it_is() -> None:
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
+    with warnings.catch_warnings(action="error"):
         robot = robots.dasgupta1998()
         assert same(Robot.from_dict(robot.to_dict()), robot)
     assert robot.accept == ("platform-inertia", "lower-inertia", "upper-inertia")
@@ -374,8 +373,7 @@ def test_names_of_no_warning_are_not_accepted(accept: object, got: str) -> None:
 def test_paper_machine_warns_once_for_each_part_where_nothing_is_accepted(tmp_path: Path) -> None:
     path = tmp_path / "dasgupta1998.toml"
     path.write_text(re.sub(r"accept = .*\n", "", paper_text()), encoding="utf-8")
-    with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always")
+    with warnings.catch_warnings(record=True, action="always") as caught:
         robot = Robot.from_toml(path)
     messages = [str(w.message) for w in caught]
     assert all(w.category is PhysicalityWarning for w in caught)
@@ -389,8 +387,7 @@ def test_paper_machine_warns_once_for_each_part_where_nothing_is_accepted(tmp_pa
 
 
 def test_possible_machine_is_silent() -> None:
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
+    with warnings.catch_warnings(action="error"):
         robot = Robot.from_dict(machine())
     assert robot.physicality() == []
 

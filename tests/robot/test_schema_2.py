@@ -279,8 +279,7 @@ def test_a_body_that_cannot_be_is_warned_of_and_may_be_accepted(tmp_path: Path) 
     wrong = TEXT.replace("[0.005, 0.2, 0.2]", "[0.5, 0.2, 0.2]")
     with pytest.warns(PhysicalityWarning, match=r"lower part of leg 3: inertia.* \[lower-inertia\]"):
         robot_of(wrong, tmp_path)
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
+    with warnings.catch_warnings(action="error"):
         robot_of(wrong.replace("home =", 'accept = ["lower-inertia"]\nhome ='), tmp_path)
         foam = TEXT.replace("2700", "40")
         robot_of(foam, tmp_path)

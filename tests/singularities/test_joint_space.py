@@ -97,8 +97,7 @@ def logged(time: Array, L: Array, folder: Path) -> JointTrajectory:
     header = "time," + ",".join(f"L_{leg}" for leg in range(1, 7))
     table = np.hstack([time[:, None], L])
     np.savetxt(folder / "log.csv", table, fmt="%.12g", delimiter=",", header=header, comments="")
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", ss.LogWarning)
+    with warnings.catch_warnings(action="ignore", category=ss.LogWarning):
         log = read_log(folder / "log.csv")
     assert isinstance(log, JointTrajectory)
     return log

@@ -104,8 +104,7 @@ def test_a_choice_does_not_depend_on_times(on_path_i: CostAccuracy) -> None:
 
 def simple(level: str, seed: int) -> tuple[Robot, Motion]:
     rng = np.random.default_rng(seed)
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
+    with warnings.catch_warnings(action="ignore"):
         robot = as_simple_as(random_robot(rng), FIDELITIES[level])
     return robot, random_motion(rng, robot, (6,))
 

@@ -186,8 +186,7 @@ def output(commands: str, folder: Path) -> str:
         if words[:1] == ["stewart-sym"]:
             printed.write(shell_output("\n".join(shell), folder))
             shell = []
-            with contextlib.redirect_stdout(printed), warnings.catch_warnings():
-                warnings.simplefilter("default")
+            with contextlib.redirect_stdout(printed), warnings.catch_warnings(action="default"):
                 assert main(words[1:]) == 0, line
         else:
             shell.append(line)

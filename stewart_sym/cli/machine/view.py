@@ -135,8 +135,8 @@ def _data(shown: "Instants") -> dict[str, object]:
     """What the page shows, for programs."""
     import numpy as np
 
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", RuntimeWarning)  # legs that no force holds at any instant
+    # Legs that no force holds at any instant.
+    with warnings.catch_warnings(action="ignore", category=RuntimeWarning):
         peaks = {name: np.nanmax(np.abs(F), axis=0) for name, F in shown.forces.items()}
     return {
         "motion": shown.name,

@@ -152,8 +152,7 @@ def _batch(robot: Robot, motion: Motion) -> tuple[Array, int]:
 
 
 def _every(robot: Robot, motion: Motion, backend: Any) -> tuple[Array, int]:
-    with warnings.catch_warnings(), np.errstate(all="ignore"):
-        warnings.simplefilter("ignore", RuntimeWarning)
+    with warnings.catch_warnings(action="ignore", category=RuntimeWarning), np.errstate(all="ignore"):
         found = inverse_dynamics(robot, motion, backend=backend, on_singular="nan")
     return found.F, int(found.status)
 

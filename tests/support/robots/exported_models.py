@@ -10,6 +10,5 @@ HEXAPOD = Path(__file__).parents[3] / ".docs" / "examples" / "hexapod.toml"
 
 def exported(form: str = "mjcf") -> ss.ModelFile:
     """The documentation's hexapod."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
+    with warnings.catch_warnings(action="ignore"):
         return ss.export_model(ss.Robot.from_toml(HEXAPOD), form)
