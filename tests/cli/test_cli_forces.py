@@ -95,11 +95,7 @@ def test_times_since_1970_are_printed_in_full(
     cells = [row.split(",", 1) for row in rows]
     moved = [f"{1_700_000_000.5 + float(time):.2f},{rest}" for time, rest in cells]
     trajectory.write_text("\n".join([header, *moved]) + "\n")
-    robot.write_text(
-        robot.read_text().replace(
-            "[leg_defaults.lower]", "[leg_defaults]\nforce_limit = 1.0\n[leg_defaults.lower]"
-        )
-    )
+    edit(robot, "[leg_defaults.lower]", "[leg_defaults]\nforce_limit = 1.0\n[leg_defaults.lower]")
     asked = ["forces", str(robot), str(trajectory), "-o", str(trajectory.with_name("f.csv"))]
     assert main(asked) == 0
     found = capsys.readouterr()

@@ -9,6 +9,7 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
+from robot_files import PAPERS
 
 import stewart_sym as ss
 from stewart_sym.io import extras
@@ -90,7 +91,7 @@ print(json.dumps([told(command) for command in commands]))
 
 
 def test_a_missing_scipy_is_said_in_one_line_before_the_work(tmp_path: Path) -> None:
-    robot = str(PACKAGE / "robots" / "dasgupta1998.toml")
+    robot = str(PAPERS)
     log, scene, forces = (tmp_path / name for name in ("log.csv", "scene.toml", "forces.csv"))
     rows = (f"{0.1 * i!r},{0.2 + 0.01 * math.sin(i)!r},0.0,0.5,0.0,0.0,0.0" for i in range(60))
     log.write_text("\n".join(["time,t_x,t_y,t_z,theta_x,theta_y,theta_z", *rows]) + "\n")

@@ -14,7 +14,6 @@ import subprocess
 import sys
 import tomllib
 from collections.abc import Callable
-from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
@@ -23,6 +22,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from robot_files import PAPERS
 from sweeps import share
 
 import stewart_sym as ss
@@ -32,7 +32,7 @@ from stewart_sym.motion.log_reader import PLAIN, read_csv, read_leg_columns, rea
 from stewart_sym.robot.robot import Robot
 from stewart_sym.simulation.scene import read_scene
 
-ROBOT = (files("stewart_sym.robots") / "dasgupta1998.toml").read_bytes()
+ROBOT = PAPERS.read_bytes()
 SCENE = b"""schema = 1
 robot = "robot.toml"
 duration = 2.0

@@ -16,6 +16,7 @@ from kernel_cases import EPSILON, ON_ARRAYS, beside_the_joint_axis, motion_numbe
 from kits import few_vectors
 from machines import dasgupta, random_motion, random_robot, random_robot_of
 from motion_fields import FIELDS
+from robot_files import PAPERS
 from sweeps import FULL, UNFUSED
 
 import stewart_sym as ss
@@ -319,7 +320,6 @@ def test_a_language_is_one_module_and_one_registration(
             return {name.upper(): text for name, text in super().files(kit).items()}
 
     monkeypatch.setitem(languages.LANGUAGES, "shouting", Shouting())
-    robot = Path(ss.robots.__file__).parent / "dasgupta1998.toml"
-    assert main(["generate", str(robot), "-o", str(tmp_path), "--language", "shouting"]) == 0
+    assert main(["generate", str(PAPERS), "-o", str(tmp_path), "--language", "shouting"]) == 0
     assert (tmp_path / "SELF_TEST.PY").exists()
     assert "Python in capitals" in (tmp_path / "README.md").read_text()

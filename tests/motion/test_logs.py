@@ -9,9 +9,10 @@ from typing import Any
 
 import numpy as np
 import pytest
-from log_files import LENGTHS, NAMES, write
+from log_files import LENGTHS, NAMES, poses, write
 from machines import dasgupta, home_position, machine_size, random_robot
 from numpy.typing import NDArray
+from robot_files import PAPERS
 from whole_track import track
 
 import stewart_sym as ss
@@ -24,13 +25,6 @@ from stewart_sym.studies.reports.doubts import angle_doubt, length_doubt, side_d
 from stewart_sym.studies.reports.track import peak_noise
 
 Array = NDArray[np.float64]
-
-
-def poses(count: int = 41) -> Array:
-    """Times, s, and poses, m and rad, of a smooth motion of the paper's machine, (n, 7)."""
-    time = np.linspace(0.0, 2.0, count)
-    angle = 2.0 * np.pi * np.outer(time, [0.3, 0.4, 0.5, 0.35, 0.45, 0.25]) + np.arange(6)
-    return np.column_stack([time, [0.2, 0.0, 0.5, 0, 0, 0] + 0.03 * np.sin(angle)])
 
 
 def same(one: Trajectory, other: Trajectory, tolerance: float = 1e-6) -> None:
@@ -167,9 +161,8 @@ def test_the_unit_of_lengths_is_told_by_the_machines_size(limits: bool) -> None:
 
 
 def test_lengths_that_no_machine_has_are_warned_of_with_their_unit(
-    robot: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    limited(robot, 1e9)
     table = poses() * [1.0, *[1e2] * 3, *[1.0] * 3]
     for names, numbers in (
         (NAMES, table),
@@ -179,7 +172,7 @@ def test_lengths_that_no_machine_has_are_warned_of_with_their_unit(
         ),
     ):
         log = write(tmp_path / "log.csv", names, numbers)
-        main(["forces", str(robot), str(log), "-o", str(tmp_path / "f.csv")])
+        main(["forces", str(PAPERS), str(log), "-o", str(tmp_path / "f.csv")])
         assert "are they in another unit (--length-unit cm" in capsys.readouterr().err
 
 
@@ -245,25 +238,17 @@ def test_poses_on_the_other_side_of_the_base_are_doubted(gravity: float, where: 
         assert "does z of the log point the other way" in doubt
 
 
-@pytest.fixture
-def robot(tmp_path: Path) -> Path:
-    text = (Path(ss.__file__).parent / "robots" / "dasgupta1998.toml").read_text(encoding="utf-8")
-    path = tmp_path / "robot.toml"
-    path.write_text(
-        text.replace("[leg_defaults.lower]", "[leg_defaults]\nforce_limit = LIMIT\n[leg_defaults.lower]")
-    )
+def limited(folder: Path, limit: float) -> Path:
+    """The paper's robot file with a limit of its forces."""
+    text = PAPERS.read_text(encoding="utf-8")
+    limits = f"[leg_defaults]\nforce_limit = {limit!r}\n[leg_defaults.lower]"
+    path = folder / "robot.toml"
+    path.write_text(text.replace("[leg_defaults.lower]", limits), encoding="utf-8")
     return path
 
 
-def limited(robot: Path, limit: float) -> None:
-    text = robot.read_text(encoding="utf-8")
-    robot.write_text(text.replace("force_limit = LIMIT", f"force_limit = {limit!r}"), encoding="utf-8")
-
-
-def test_forces_reads_a_foreign_log_and_sums_up(
-    robot: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    limited(robot, 1e5)
+def test_forces_reads_a_foreign_log_and_sums_up(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    robot = limited(tmp_path, 1e5)
     table = np.round(poses(400) / [1e-3, 1e-3, 1e-3, 1e-3, *[np.pi / 180.0] * 3], 2)
     log = write(tmp_path / "log.csv", ["t", "X", "Y", "Z", "A", "B", "C"], table, ";", ",")
     columns = "time=t,t_x=X,t_y=Y,t_z=Z,theta_x=A,theta_y=B,theta_z=C"
@@ -279,23 +264,20 @@ def test_forces_reads_a_foreign_log_and_sums_up(
 
 
 def test_a_rate_that_leaves_few_instants_is_warned_of(
-    robot: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    limited(robot, 1e5)
     log = write(tmp_path / "log.csv", NAMES, poses())
     for rate, words in (("0.1", "1 instant of"), ("2", "5 instants of"), ("5", "")):
-        assert main(["forces", str(robot), str(log), "-o", str(tmp_path / "f.csv"), "--rate", rate]) == 0
+        assert main(["forces", str(PAPERS), str(log), "-o", str(tmp_path / "f.csv"), "--rate", rate]) == 0
         told = capsys.readouterr().err
         expected = f"log.csv: {words} 2 s at a rate of {rate} Hz, of 41 rows: what happens between"
         assert expected in told if words else "at a rate" not in told
 
 
-def test_a_limit_within_the_noise_is_not_decided(
-    robot: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_limit_within_the_noise_is_not_decided(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     table = poses(400)
     exact = ss.inverse_dynamics(dasgupta(), read_csv(write(tmp_path / "c.csv", NAMES, table)).motion).F
-    limited(robot, float(np.abs(exact).max()))
+    robot = limited(tmp_path, float(np.abs(exact).max()))
     log = write(tmp_path / "log.csv", NAMES, np.column_stack([table[:, 0], np.round(table[:, 1:], 3)]))
     assert main(["forces", str(robot), str(log), "-o", str(tmp_path / "f.csv")]) == 0
     assert "force_limit not decided at this noise by leg" in capsys.readouterr().err
@@ -321,29 +303,27 @@ def test_the_share_by_which_a_peak_may_be_higher_follows_from_the_numbers_beside
 
 
 def test_noise_that_no_force_shows_is_a_line_of_the_summary(
-    robot: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    limited(robot, 1e5)
     table = poses(400)
     log = write(tmp_path / "log.csv", NAMES, np.column_stack([table[:, 0], np.round(table[:, 1:], 9)]))
-    assert main(["forces", str(robot), str(log), "-o", str(tmp_path / "f.csv")]) == 0
+    assert main(["forces", str(PAPERS), str(log), "-o", str(tmp_path / "f.csv")]) == 0
     told = capsys.readouterr()
     assert "noise" not in told.err
     assert "noise of 2.9e-10 m and" in told.out
 
 
 def test_hints_name_arguments_in_python_and_options_on_the_command_line(
-    robot: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    limited(robot, 1e5)
     log = write(tmp_path / "log.csv", ["ms", *NAMES[1:]], poses())
     with pytest.raises(ValueError, match=r"give LogFormat\(columns=\{NAME: HEADER, ...\}\)$") as error:
         read_csv(log)
     assert "--" not in str(error.value)
-    assert main(["forces", str(robot), str(log), "-o", str(tmp_path / "f.csv")]) == 2
+    assert main(["forces", str(PAPERS), str(log), "-o", str(tmp_path / "f.csv")]) == 2
     assert capsys.readouterr().err.endswith("give --columns NAME=HEADER,...\n")
     late = write(tmp_path / "late.csv", NAMES, poses() * [1e6, *[1.0] * 6])
-    assert main(["forces", str(robot), str(late), "-o", str(tmp_path / "f.csv")]) == 0
+    assert main(["forces", str(PAPERS), str(late), "-o", str(tmp_path / "f.csv")]) == 0
     assert "another unit (--time-unit us)?" in capsys.readouterr().err
 
 
@@ -359,12 +339,11 @@ def test_hints_name_arguments_in_python_and_options_on_the_command_line(
     ],
 )
 def test_bad_options_are_one_line(
-    robot: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], options: list[str], words: str
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], options: list[str], words: str
 ) -> None:
-    limited(robot, 1e5)
     log = write(tmp_path / "log.csv", NAMES, poses())
     try:
-        code = main(["forces", str(robot), str(log), "-o", str(tmp_path / "f.csv"), *options])
+        code = main(["forces", str(PAPERS), str(log), "-o", str(tmp_path / "f.csv"), *options])
     except SystemExit as done:
         code = int(str(done.code))
     assert code == 2

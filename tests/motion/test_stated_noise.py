@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from log_files import NAMES, write
 from noisy_logs import Array, case
+from robot_files import PAPERS
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
@@ -15,7 +16,6 @@ from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.motion.logs import LogFormat
 from stewart_sym.motion.noise_level import decided_noise
 
-PAPERS = Path(ss.__file__).parent / "robots" / "dasgupta1998.toml"
 FORM = LogFormat(length_unit="mm", angle_unit="deg")
 
 

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from log_files import NAMES, RATES
+from log_files import NAMES, RATES, poses
 from numpy.typing import NDArray
 from robot_files import PAPERS
 
@@ -17,13 +17,6 @@ from stewart_sym.motion.trajectory import Trajectory
 
 OWN = ["Zeit [s]", "X [mm]", "Y [mm]", "Z [mm]", "Roll [°]", "Pitch [°]", "Yaw [°]"]
 MARKED = LogFormat(dict(zip(NAMES, OWN, strict=True)))
-
-
-def poses(count: int = 41) -> NDArray[np.float64]:
-    """Times, s, and poses, m and rad, of a smooth motion, (n, 7)."""
-    time = np.linspace(0.0, 2.0, count)
-    angle = 2.0 * np.pi * np.outer(time, [0.3, 0.4, 0.5, 0.35, 0.45, 0.25]) + np.arange(6)
-    return np.column_stack([time, [0.2, 0.0, 0.5, 0, 0, 0] + 0.03 * np.sin(angle)])
 
 
 def lines(names: list[str] = NAMES, delimiter: str = ",", decimal: str = ".", count: int = 41) -> list[str]:

@@ -15,7 +15,7 @@ import pytest
 from command_line import error_of
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from robot_files import same
+from robot_files import PAPERS, same
 
 from stewart_sym import robots
 from stewart_sym.robot.robot import PhysicalityWarning, Robot
@@ -372,7 +372,7 @@ def test_names_of_no_warning_are_not_accepted(accept: object, got: str) -> None:
 
 def test_paper_machine_warns_once_for_each_part_where_nothing_is_accepted(tmp_path: Path) -> None:
     path = tmp_path / "dasgupta1998.toml"
-    path.write_text(re.sub(r"accept = .*\n", "", paper_text()), encoding="utf-8")
+    path.write_text(re.sub(r"accept = .*\n", "", PAPERS.read_text(encoding="utf-8")), encoding="utf-8")
     with warnings.catch_warnings(record=True, action="always") as caught:
         robot = Robot.from_toml(path)
     messages = [str(w.message) for w in caught]
@@ -419,15 +419,13 @@ def test_physicality_names_the_legs() -> None:
     assert len(robot.physicality()) == 1
 
 
-def paper_text() -> str:
-    return (Path(robots.__file__).parent / "dasgupta1998.toml").read_text(encoding="utf-8")
-
-
 @pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.PhysicalityWarning")
 def test_file_error_begins_with_the_path(tmp_path: Path) -> None:
     path = tmp_path / "hexapod.toml"
     path.write_text(
-        paper_text().replace("universal_axis = [1.0000, 0.0000, 0.0000]", "universal_axis = [0, 0, 0]")
+        PAPERS.read_text(encoding="utf-8").replace(
+            "universal_axis = [1.0000, 0.0000, 0.0000]", "universal_axis = [0, 0, 0]"
+        )
     )
     message = error_of(lambda: Robot.from_toml(path))
     told = "leg 4: universal_axis: expected a non-zero direction, got (0, 0, 0) (at line 52)"

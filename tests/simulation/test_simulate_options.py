@@ -3,12 +3,13 @@
 import dataclasses
 import pickle
 import shutil
-from importlib.resources import as_file, files
 from pathlib import Path
 
 import numpy as np
 import pytest
+from command_files import edit
 from machines import dasgupta, home_position, machine_size, random_robot
+from robot_files import PAPERS
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
@@ -37,20 +38,15 @@ rate = 500.0
 
 @pytest.fixture
 def scene(tmp_path: Path) -> Path:
-    with as_file(files("stewart_sym.robots") / "dasgupta1998.toml") as source:
-        shutil.copy(source, tmp_path / "robot.toml")
+    shutil.copy(PAPERS, tmp_path / "robot.toml")
     path = tmp_path / "scene.toml"
     path.write_text(TRACK)
     return path
 
 
 def limit_forces(scene: Path, limit: float) -> None:
-    robot = scene.parent / "robot.toml"
     defaults = "[leg_defaults.lower]\n"
-    assert defaults in robot.read_text()
-    robot.write_text(
-        robot.read_text().replace(defaults, f"[leg_defaults]\nforce_limit = {limit}\n{defaults}")
-    )
+    edit(scene.parent / "robot.toml", defaults, f"[leg_defaults]\nforce_limit = {limit}\n{defaults}")
 
 
 def machine() -> tuple[ss.Robot, ss.Motion]:

@@ -11,6 +11,7 @@ import pytest
 from joint_paths import dipping_case, legs_along, lengths_to_singular, random_case, truth
 from machines import dasgupta, machine_size
 from numpy.typing import NDArray
+from robot_files import PAPERS
 from sweeps import share, sweep
 
 import stewart_sym as ss
@@ -254,8 +255,7 @@ def test_lengths_in_another_unit_are_named_with_the_fault_that_they_make(
 ) -> None:
     _, time, _, legs = wave(60)
     logged(time, 1e3 * legs[0], tmp_path)
-    robot_file = Path(ss.robots.__file__).parent / "dasgupta1998.toml"
-    assert main(["forces", str(robot_file), str(tmp_path / "log.csv"), "-o", str(tmp_path / "F.csv")]) == 2
+    assert main(["forces", str(PAPERS), str(tmp_path / "log.csv"), "-o", str(tmp_path / "F.csv")]) == 2
     *doubts, line = capsys.readouterr().err.splitlines()
     assert "row 2: no pose with these leg lengths" in line
     assert any("are they in another unit (--length-unit mm)?" in doubt for doubt in doubts)

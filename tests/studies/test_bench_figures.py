@@ -16,9 +16,9 @@ import matplotlib.image
 import numpy as np
 import pytest
 from machines import dasgupta
+from robot_files import PAPERS
 from small_bench import CONTESTANTS, shorten, some_passes
 
-import stewart_sym as ss
 from stewart_sym.backend.kernel import module
 from stewart_sym.cli.main import main
 from stewart_sym.dynamics import forces
@@ -37,9 +37,8 @@ from stewart_sym.studies.common import host, timing
 def run(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, bench.Benchmark]:
     """What the command wrote of a robot file, and what it had measured."""
     folder = tmp_path_factory.mktemp("bench")
-    source = Path(ss.__file__).parent / "robots" / "dasgupta1998.toml"
     file = folder / "mine.toml"
-    file.write_text(source.read_text().replace('name = "Dasgupta & Mruthyunjaya 1998"', 'name = "mine"'))
+    file.write_text(PAPERS.read_text().replace('name = "Dasgupta & Mruthyunjaya 1998"', 'name = "mine"'))
     measured: list[bench.Benchmark] = []
     plain = bench.bench
 

@@ -3,7 +3,6 @@
 import csv
 import dataclasses
 import json
-from importlib.resources import files
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -13,6 +12,7 @@ import pytest
 from command_line import fails_in_one_line, folder_state
 from machines import dasgupta, home_position, machine_size, random_motion, random_robot
 from numpy.typing import NDArray
+from robot_files import PAPERS
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
@@ -205,8 +205,7 @@ def test_control_writes_tables_curves_and_pictures_that_agree(
 def test_control_takes_a_robot_and_warns_of_its_limits(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    printed = files("stewart_sym.robots") / "dasgupta1998.toml"
-    text = printed.read_text(encoding="utf-8").replace("[[leg]]", "[[leg]]\nforce_limit = 1000.0")
+    text = PAPERS.read_text(encoding="utf-8").replace("[[leg]]", "[[leg]]\nforce_limit = 1000.0")
     file = tmp_path / "weak.toml"
     file.write_text(text.replace('Dasgupta & Mruthyunjaya 1998"', 'weak"'))
     out = tmp_path / "out"
