@@ -148,7 +148,6 @@ def test_gradients_by_jax_of_mapped_poses_are_the_derivatives_of_the_forces() ->
 
     rng = np.random.default_rng(36)
     with jax.enable_x64(True):
-        # The paper's machine is that of the compiled gradient below.
         for robot in (upside_down_in_millimetres(), *([dasgupta()] if FULL else [])):
             motion = random_motion(rng, robot, (5,))
             kernel = ss.array_kernel(robot, jnp)
@@ -172,23 +171,6 @@ def test_gradients_by_jax_of_mapped_poses_are_the_derivatives_of_the_forces() ->
                 answer = np.einsum("ni,nij->nj", weights, slope)
                 scale = np.einsum("ni,nij->nj", np.abs(weights), np.abs(slope)).max()
                 np.testing.assert_allclose(found, answer, rtol=0, atol=1e-9 * scale)
-
-
-@pytest.mark.slow
-def test_a_gradient_compiled_by_jax_is_the_derivative_of_the_force() -> None:
-    import jax
-    import jax.numpy as jnp
-
-    robot = dasgupta()
-    motion = random_motion(np.random.default_rng(38), robot, ())
-    with jax.enable_x64(True):
-        kernel = ss.array_kernel(robot, jnp)
-        given = {name: jnp.asarray(value) for name, value in fields(motion).items()}
-        force = jax.grad(lambda a: kernel.forces(**{**given, "a": a}).F[0])
-        compiled = jax.jit(force, compiler_options={"xla_disable_hlo_passes": "fusion"})
-        found = compiled(given["a"])
-    expected = ss.force_derivatives(robot, motion).by_acceleration[0, :3]
-    np.testing.assert_allclose(found, expected, rtol=0, atol=1e-9 * np.abs(expected).max())
 
 
 @pytest.mark.parametrize(

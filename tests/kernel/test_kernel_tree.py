@@ -9,7 +9,6 @@ from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
-import array_api_strict
 import numpy as np
 import pytest
 from kernel_cases import EPSILON, ON_ARRAYS, beside_the_joint_axis, motion_numbers, robot_numbers
@@ -163,22 +162,6 @@ def printed_python(robot: ss.Robot, folder: Path, **choice: Any) -> dict[str, An
     exec((folder / "stewart_arrays.py").read_text(), space)
     exec((folder / "robot.py").read_text().replace("from stewart_arrays import Robot", ""), space)
     return space
-
-
-@pytest.mark.parametrize("xp", [np, array_api_strict], ids=["numpy", "array_api_strict"])
-@pytest.mark.usefixtures("rounded_twice")
-def test_printed_python_runs_on_the_array_api_with_the_same_bits(xp: Any, tmp_path: Path) -> None:
-    rng = np.random.default_rng(10)
-    robot = random_robot(rng)
-    motion = random_motion(rng, robot, (3, 2))
-    printed = printed_python(robot, tmp_path)
-    on = printed["Arithmetic"](xp)
-    with np.errstate(all="ignore"):
-        model = printed["prepare"](on, printed["robot"]())
-        given = printed["motion_of"](on, **{name: getattr(motion, name) for name in FIELDS})
-        found = printed["forces"](on, model, given)
-    F = np.stack([np.asarray(each) for each in found.F], axis=-1)
-    np.testing.assert_array_equal(F, ss.prepare(robot).forces(motion))
 
 
 @pytest.mark.slow
