@@ -37,14 +37,17 @@ def test_reproduce_writes_tables_and_curves_without_matplotlib(
     assert float(rows[0]["F3"]) == pytest.approx(1419.36, abs=0.005)
 
 
-def test_reproduce_without_matplotlib_says_how_to_get_it_and_writes_nothing(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+@pytest.mark.parametrize(("command", "instead"), [("reproduce", ", or give --no-pictures"), ("bench", "")])
+def test_without_matplotlib_a_study_says_how_to_get_it_and_writes_nothing(
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+    command: str,
+    instead: str,
 ) -> None:
-    monkeypatch.delitem(sys.modules, "stewart_sym.studies.paper.plots", raising=False)
-    monkeypatch.delattr("stewart_sym.studies.paper.plots", raising=False)
     monkeypatch.setitem(sys.modules, "matplotlib", None)
-    line = fails_in_one_line(capsys, "reproduce", "-o", tmp_path / "out")
-    assert f"{install('plot')}, or give --no-pictures" in line
+    line = fails_in_one_line(capsys, command, "-o", tmp_path / "out")
+    assert line.endswith(f"{install('plot')}{instead}")
     assert not list(tmp_path.iterdir())
 
 

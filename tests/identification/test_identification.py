@@ -1,6 +1,5 @@
 """Identified parameters are the true ones to within their standard deviations, which are what they claim."""
 
-import csv
 import dataclasses
 import sys
 from functools import cache
@@ -8,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from command_line import fails_in_one_line
+from command_line import fails_in_one_line, read
 from machines import dasgupta, random_motion, random_robot
 from numpy.typing import NDArray
 from robot_files import PAPERS
@@ -222,8 +221,7 @@ def test_identify_writes_a_table_a_trajectory_and_forces(
         "report.txt",
         "trajectory.csv",
     ]
-    with open(target / "parameters.csv", newline="") as stream:
-        rows = list(csv.DictReader(stream))
+    rows = read(target / "parameters.csv")
     assert len(rows) == 100
     for row in rows:
         true, estimated, sigma, deviation = (
@@ -238,8 +236,7 @@ def test_written_trajectory_and_forces_give_the_written_estimates(simulated: Pat
     motion = read_log(simulated / "trajectory.csv").motion
     F = np.loadtxt(simulated / "forces.csv", delimiter=",", skiprows=1)[:, 1:]
     found = ss.identify(dasgupta(), motion, F, 1.0)
-    with open(simulated / "parameters.csv", newline="") as stream:
-        written = [float(row["estimated"]) for row in csv.DictReader(stream)]
+    written = [float(row["estimated"]) for row in read(simulated / "parameters.csv")]
     assert np.max(np.abs(found.values - written) / found.sigma) < 1e-6
 
 
@@ -253,10 +250,7 @@ def test_measured_forces_are_identified_with_a_wrong_robot_file(
     assert main(["identify", str(wrong), "--measured", *inputs, "-o", str(measured)]) == 0
     assert (measured / "report.txt").read_text() in capsys.readouterr().out
     assert sorted(p.name for p in measured.glob("[!.]*")) == ["parameters.csv", "report.json", "report.txt"]
-    tables = []
-    for folder in (simulated, measured):
-        with open(folder / "parameters.csv", newline="") as stream:
-            tables.append(list(csv.DictReader(stream)))
+    tables = [read(folder / "parameters.csv") for folder in (simulated, measured)]
     for before, after in zip(*tables, strict=True):
         assert after["formula"] == before["formula"]
         difference = float(after["estimated"]) - float(before["estimated"])
@@ -278,14 +272,11 @@ def test_bad_forces_are_rejected_in_one_line(
 ) -> None:
     forces = tmp_path / "forces.csv"
     forces.write_text((simulated / "forces.csv").read_text().replace(old, new, 1))
-    inputs = [str(simulated / "trajectory.csv"), str(forces)]
     capsys.readouterr()
-    assert main(["identify", str(PAPERS), "--measured", *inputs, "-o", str(tmp_path / "out")]) == 2
-    captured = capsys.readouterr()
-    assert captured.out == ""
-    assert len(captured.err.splitlines()) == 1
-    assert f"{forces}: " in captured.err
-    assert words in captured.err
+    inputs = "--measured", simulated / "trajectory.csv", forces
+    line = fails_in_one_line(capsys, "identify", PAPERS, *inputs, "-o", tmp_path / "out")
+    assert f"{forces}: " in line
+    assert words in line
     assert not (tmp_path / "out").exists()
 
 
@@ -295,10 +286,9 @@ def test_swapped_files_of_a_measurement_are_told(
 ) -> None:
     capsys.readouterr()
     trajectory, forces = (simulated / name for name in ("trajectory.csv", "forces.csv"))
-    command = ["identify", str(PAPERS), "--measured", str(forces), str(trajectory)]
-    command += ["--columns", "time=when,t_x=X,t_y=Y,t_z=Z,theta_x=A,theta_y=B,theta_z=C"] * renamed
-    assert main([*command, "-o", str(tmp_path / "out")]) == 2
-    (line,) = capsys.readouterr().err.splitlines()
+    columns = ["--columns", "time=when,t_x=X,t_y=Y,t_z=Z,theta_x=A,theta_y=B,theta_z=C"] * renamed
+    swapped = "--measured", forces, trajectory
+    line = fails_in_one_line(capsys, "identify", PAPERS, *swapped, *columns, "-o", tmp_path / "out")
     assert line.startswith(f"stewart-sym: error: {forces}: expected poses or leg lengths, got forces")
     assert line.endswith("look swapped")
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from command_line import fails_in_one_line
+from command_line import fails_in_one_line, read
 from log_files import NAMES, RATES
 from machines import dasgupta
 from noisy_experiments import change, excited, experiment, robot, truth
@@ -141,10 +141,7 @@ def test_command_states_noise_and_verdict(tmp_path: Path, capsys: pytest.Capture
     right = tmp_path / "right"
     told = [*measured, *STATED, "--period", period, "--harmonics", "5"]
     assert main(["identify", str(PAPERS), *told, "-o", str(right)]) == 0
-    tables = []
-    for folder in (simulated, right):
-        with open(folder / "parameters.csv", newline="") as stream:
-            tables.append(list(csv.DictReader(stream)))
+    tables = [read(folder / "parameters.csv") for folder in (simulated, right)]
     for before, after in zip(*tables, strict=True):
         off = float(after["estimated"]) - float(before["estimated"])
         assert abs(off) < 1e-2 * float(before["sigma"])
@@ -155,8 +152,7 @@ def test_command_states_noise_and_verdict(tmp_path: Path, capsys: pytest.Capture
     assert main(["identify", str(PAPERS), *measured, "-o", str(wrong)]) == 1
     err = capsys.readouterr().err
     assert "--noise-position" in err
-    with open(wrong / "parameters.csv", newline="") as stream:
-        assert {row["sigma"] for row in csv.DictReader(stream)} == {"inf"}
+    assert {row["sigma"] for row in read(wrong / "parameters.csv")} == {"inf"}
     report = (wrong / "report.txt").read_text()
     assert "verdict: rejected" in report
     assert "robot file: not compared" in report
@@ -179,10 +175,7 @@ def test_command_reads_logs_in_other_units_and_marks(tmp_path: Path) -> None:
     names = ["--columns", ",".join(f"{name}={'X' if name == 't_x' else name}" for name in (*NAMES, *RATES))]
     out = tmp_path / "out"
     assert main(["identify", str(PAPERS), *measured, *units, *names, "-o", str(out)]) == 0
-    tables = []
-    for folder in (simulated, out):
-        with open(folder / "parameters.csv", newline="") as stream:
-            tables.append(list(csv.DictReader(stream)))
+    tables = [read(folder / "parameters.csv") for folder in (simulated, out)]
     for before, after in zip(*tables, strict=True):
         assert float(after["estimated"]) == pytest.approx(
             float(before["estimated"]), abs=float(before["sigma"])
@@ -196,11 +189,9 @@ def test_command_keeps_to_possible_bodies(tmp_path: Path) -> None:
     measured = ["--measured", *(str(tmp_path / name) for name in ("trajectory.csv", "forces.csv"))]
     out = tmp_path / "out"
     assert main(["identify", str(PAPERS), *measured, "--physical", "--no-friction", "-o", str(out)]) == 0
-    with open(out / "bodies.csv", newline="") as stream:
-        rows = list(csv.DictReader(stream))
+    rows = read(out / "bodies.csv")
     assert [row["name"] for row in rows] == list(ss.inertial_parameters(dasgupta()).names)
-    with open(out / "parameters.csv", newline="") as stream:
-        assert not any(row["name"].startswith("C_") for row in csv.DictReader(stream))
+    assert not any(row["name"].startswith("C_") for row in read(out / "parameters.csv"))
 
 
 @pytest.mark.parametrize(

@@ -233,27 +233,6 @@ def test_a_path_through_an_upright_pitch_is_smooth() -> None:
     np.testing.assert_allclose(turned.alpha, plain.alpha @ turn.T, atol=1e-9 * np.abs(plain.alpha).max())
 
 
-@pytest.mark.parametrize(
-    ("change", "message"),
-    [
-        (lambda robot, poses: (robot, poses[:1]), "via poses: expected at least 2, got 1"),
-        (lambda robot, poses: (robot, ()), "via poses: expected at least 2, got 0"),
-        (lambda robot, poses: (robot, (poses[0], poses[0], poses[1])), "via pose 2: expected another pose"),
-        (
-            lambda robot, poses: (
-                dataclasses.replace(robot, length_limits=np.tile([0.0, 0.3 * machine_size(robot)], (6, 1))),
-                poses,
-            ),
-            "via pose 1: out of reach, it breaks the limit of leg length of leg",
-        ),
-    ],
-)
-def test_what_cannot_be_planned_is_one_line(change, message: str) -> None:
-    with pytest.raises(ValueError, match=message) as error:
-        plan_path(*change(*via_case(1)))
-    assert "\n" not in str(error.value)
-
-
 @pytest.mark.slow
 def test_a_limit_that_stands_in_the_way_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     """Ends with singular poses between them, and no higher condition number allowed than theirs."""

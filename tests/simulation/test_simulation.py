@@ -404,14 +404,6 @@ def test_bad_arguments_are_named(wrong: dict[str, Any], words: str) -> None:
         ss.simulate(robot, **arguments)
 
 
-def test_a_start_without_accelerations_is_rejected() -> None:
-    robot = machine()
-    state = home(robot)
-    on_base = ss.Motion(state.R, robot.b[3] - robot.p[3], ZERO, ZERO)
-    with pytest.raises(ValueError, match=r"^initial_state: no accelerations: a leg has length zero$"):
-        ss.simulate(robot, on_base, np.zeros(6), 0.1)
-
-
 @pytest.mark.parametrize("name", ["forces", "load"])
 def test_forces_and_loads_that_are_no_numbers_at_the_start_are_named(name: str) -> None:
     robot = machine()

@@ -6,7 +6,6 @@ import json
 import os
 import re
 import shutil
-import subprocess
 import sys
 import tomllib
 from pathlib import Path
@@ -22,7 +21,6 @@ from small_bench import CONTESTANTS, shorten, some_passes
 from stewart_sym.backend.kernel import module
 from stewart_sym.cli.main import main
 from stewart_sym.dynamics import forces
-from stewart_sym.io.extras import install
 from stewart_sym.io.progress import silent
 from stewart_sym.studies.benchmark import bench, compile_times, equation_kernels, reductions
 from stewart_sym.studies.benchmark.baselines import PEERS
@@ -327,18 +325,6 @@ def test_a_net_time_that_other_work_made_negative_does_not_stop_the_picture(
 
 def test_the_command_takes_any_robot_file(figures: dict[str, Any]) -> None:
     assert figures["robot"] == "mine"
-
-
-def test_without_matplotlib_one_line_says_what_to_install(tmp_path: Path) -> None:
-    code = "import sys; sys.modules['matplotlib'] = None; "
-    code += "from stewart_sym.cli.main import main; sys.exit(main())"
-    command = [sys.executable, "-c", code, "bench", "-o", str(tmp_path / "out")]
-    done = subprocess.run(command, capture_output=True, text=True)
-    assert done.returncode == 2
-    assert done.stdout == ""
-    (line,) = done.stderr.splitlines()
-    assert line.endswith(install("plot"))
-    assert not (tmp_path / "out").exists()
 
 
 def test_the_extra_names_what_the_bench_imports() -> None:

@@ -1,6 +1,5 @@
 """Control: errors are those of the model and not of the integration, and order as the models do."""
 
-import csv
 import dataclasses
 import json
 from pathlib import Path
@@ -9,7 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from command_line import fails_in_one_line, folder_state
+from command_line import fails_in_one_line, folder_state, read
 from machines import dasgupta, home_position, machine_size, random_motion, random_robot
 from numpy.typing import NDArray
 from robot_files import PAPERS
@@ -188,8 +187,7 @@ def test_control_writes_tables_curves_and_pictures_that_agree(
     assert {path.name for path in tmp_path.glob("[!.]*")} == names | {"path_II.csv", "path_II_friction.csv"}
     assert out.startswith((tmp_path / "control.txt").read_text())
     found = json.loads((tmp_path / "control.json").read_text())
-    with open(tmp_path / "control.csv", newline="") as stream:
-        table = list(csv.DictReader(stream))
+    table = read(tmp_path / "control.csv")
     rows = [row for machine in found["machines"].values() for row in machine["rows"]]
     assert [row["controller"] for row in rows] == 2 * list(CONTROLLERS)
     for row, line in zip(rows, table, strict=True):
