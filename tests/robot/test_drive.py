@@ -9,30 +9,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from robot_files import written
+from robot_files import PRESS, written
 
 import stewart_sym as ss
 from stewart_sym.robot.drive import NUMBERS
 
-MACHINE = """\
-schema = 2
-name = "press"
-length_unit = "mm"
-angle_unit = "deg"
-home = [0, 0, 700]
-base = { radius = 600, angles = [10, 110, 130, 230, 250, 350] }
-
-[platform]
-radius = 300
-angles = [50, 70, 170, 190, 290, 310]
-body = { shape = "plate", radius = 320, thickness = 20, density = 2700 }
-
-[legs]
-universal_axis = "tangential"
-lower = { shape = "tube", radius = 30, inner_radius = 25, length = 500, density = 7800 }
-upper = { shape = "rod", radius = 20, length = 450, mass = 3.5 }
-
-"""
 SHARED = """\
 [legs.drive]
 lead = 5
@@ -68,7 +49,7 @@ drive.back_efficiency = -0.1
 
 def read(text: str, folder: Path) -> ss.Robot:
     path = folder / "robot.toml"
-    path.write_text(MACHINE + text, encoding="utf-8")
+    path.write_text(PRESS + text, encoding="utf-8")
     return ss.Robot.from_toml(path)
 
 
@@ -195,7 +176,7 @@ def test_blank_names_and_numbers_beyond_a_double_are_said_to_be_so(
     old: str, new: str, message: str, tmp_path: Path
 ) -> None:
     path = tmp_path / "robot.toml"
-    path.write_text(MACHINE.replace(old, new, 1))
+    path.write_text(PRESS.replace(old, new, 1))
     with pytest.raises(ValueError, match=r"\A[^\n]*\(at line \d+\)\Z") as error:
         ss.Robot.from_toml(path)
     assert str(error.value).startswith(f"{path}: {message}")

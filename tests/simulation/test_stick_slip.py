@@ -1,11 +1,13 @@
 """Dry friction in a simulation: legs stick without creep, and what is lost is what friction took."""
 
 import dataclasses
+import tomllib
 from collections.abc import Callable
 
 import numpy as np
 import pytest
 from machines import random_motion, random_robot, with_random_rotors
+from robot_files import PRESS
 
 import stewart_sym as ss
 from stewart_sym.drives.friction import friction_force
@@ -30,18 +32,8 @@ HOME = ss.Motion(np.eye(3), np.array([0.0, 0.0, 0.7]), np.zeros(3), np.zeros(3))
 
 @pytest.fixture(scope="module")
 def bare() -> ss.Robot:
-    """A machine of 60 kg whose joints have no friction, nor its drives."""
-    turn = np.radians([[10, 110, 130, 230, 250, 350], [50, 70, 170, 190, 290, 310]])
-    b, p = (r * np.stack([np.cos(a), np.sin(a), 0 * a], -1) for r, a in zip((0.6, 0.3), turn, strict=True))
-    legs = np.ones(6)
-    tensor = np.diag([1e-3, 0.06, 0.06]) * np.ones((6, 1, 1))
-    return ss.Robot(
-        name="press", base_joint="universal", g=[0, 0, -9.81],
-        M=30.0, R_0=np.zeros(3), I_p=np.diag([1, 1, 1.5]),
-        b=b, p=p, k=np.cross([0, 0, 1.0], b), m_d=4 * legs, r_d0=np.tile([0.25, 0, 0], (6, 1)), I_d0=tensor,
-        m_u=2 * legs, r_u0=np.tile([-0.2, 0, 0], (6, 1)), I_u0=tensor,
-        C_u=0 * legs, C_p=0 * legs, C_s=0 * legs,
-    )  # fmt: skip
+    """A machine whose joints have no friction, nor its drives."""
+    return ss.Robot.from_dict(tomllib.loads(PRESS))
 
 
 @pytest.fixture(scope="module")

@@ -10,6 +10,26 @@ import stewart_sym as ss
 from stewart_sym.io.toml_text import toml_text
 
 PAPERS = Path(ss.robots.__file__).parent / "dasgupta1998.toml"
+PRESS = """\
+schema = 2
+name = "press"
+length_unit = "mm"
+angle_unit = "deg"
+home = [0, 0, 700]
+base = { radius = 600, angles = [10, 110, 130, 230, 250, 350] }
+
+[platform]
+radius = 300
+angles = [50, 70, 170, 190, 290, 310]
+body = { shape = "plate", radius = 320, thickness = 20, density = 2700 }
+
+[legs]
+universal_axis = "tangential"
+lower = { shape = "tube", radius = 30, inner_radius = 25, length = 500, density = 7800 }
+upper = { shape = "rod", radius = 20, length = 450, mass = 3.5 }
+
+"""
+"""A machine of six shapes, without limits or friction."""
 
 
 def written(robot: ss.Robot, path: Path) -> Path:
