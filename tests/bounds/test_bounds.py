@@ -219,13 +219,6 @@ def test_poses_without_an_answer_raise_warn_or_are_nan() -> None:
         assert np.isnan(values).all()
 
 
-def test_robots_without_universal_joints_are_rejected_in_one_line() -> None:
-    rng = np.random.default_rng(8)
-    robot = random_robot(rng, "spherical")
-    with pytest.raises(ValueError, match='robot: expected base_joint "universal", got "spherical"'):
-        ss.forces_with_bounds(robot, random_motion(rng, robot))
-
-
 def test_robots_that_float_cannot_hold_are_rejected() -> None:
     rng = np.random.default_rng(9)
     robot = random_robot(rng, scale=1e20)

@@ -52,13 +52,3 @@ def test_a_pose_without_a_regressor_is_named_or_is_nan_alone() -> None:
     for value in vars(ss.equations_by_parameter(robot, motion, on_singular="nan")).values():
         assert np.isnan(value[0]).all()
         assert np.isfinite(value[1]).all()
-
-
-def test_what_has_no_regressor_is_rejected() -> None:
-    rng = np.random.default_rng(0)
-    robot, ball = random_robot(rng), random_robot(rng, "spherical")
-    motion = random_motion(rng, robot, (2,))
-    with pytest.raises(ValueError, match=r'robot: expected base_joint "universal"'):
-        ss.equations_by_parameter(ball, motion)
-    with pytest.raises(ValueError, match="backend"):
-        ss.equations_by_parameter(robot, motion, backend="C")  # type: ignore[arg-type]

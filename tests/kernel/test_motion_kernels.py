@@ -148,6 +148,12 @@ def test_derivatives_of_the_forces_are_50_digit_differences(seed: int) -> None:
         assert np.abs(getattr(found, name) - expected).max() <= 1e-9 * np.abs(expected).max(), name
 
 
+def test_the_reference_has_no_derivatives() -> None:
+    robot, motion, _ = at_50_digits(0)
+    with pytest.raises(ValueError, match="backend: expected"):
+        ss.force_derivatives(robot, motion, backend="reference")  # type: ignore[arg-type]
+
+
 def test_linearisation_is_the_inverse_of_the_derivatives_of_the_forces() -> None:
     rng = np.random.default_rng(9)
     for _ in range(20):
@@ -200,17 +206,3 @@ def test_one_state_gives_what_the_batch_gives() -> None:
     acceleration, status = CClosedForm(robot).one_state()(motion, F)
     assert status == OK
     np.testing.assert_array_equal(acceleration, np.concatenate(ss.forward_dynamics(robot, motion, F)))
-
-
-def test_spherical_base_joints_and_unknown_backends_are_rejected_by_name() -> None:
-    rng = np.random.default_rng(14)
-    robot = random_robot(rng, "spherical")
-    motion = random_motion(rng, robot)
-    with pytest.raises(ValueError, match='robot: expected base_joint "universal"'):
-        ss.force_derivatives(robot, motion)
-    with pytest.raises(ValueError, match='robot: expected base_joint "universal"'):
-        ss.linearise(robot, motion, np.zeros(6))
-    with pytest.raises(ValueError, match="backend: expected"):
-        ss.force_derivatives(random_robot(rng), motion, backend="reference")  # type: ignore[arg-type]
-    with pytest.raises(ValueError, match="F: expected forces of shape"):
-        ss.linearise(random_robot(rng), motion, np.zeros(5))

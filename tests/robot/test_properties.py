@@ -368,6 +368,19 @@ CALLABLE = {
 CHOICES = ("formulation", "backend", "precision", "on_singular", "on_failure")
 
 
+OF_UNIVERSAL_JOINTS = (
+    *("forces_with_bounds", "force_derivatives", "linearise", "regressor", "equations_by_parameter"),
+    *("inertial_parameters", "base_parameters"),
+)
+
+
+@pytest.mark.parametrize("name", OF_UNIVERSAL_JOINTS)
+def test_what_is_of_universal_joints_alone_rejects_others(name: str) -> None:
+    call, ball = cached_calls()[name], random_robot(np.random.default_rng(8), "spherical")
+    with pytest.raises(ValueError, match=r'\Arobot: expected base_joint "universal", got "spherical"\Z'):
+        call.function(**{**call.arguments, "robot": ball})
+
+
 def test_every_public_name_is_called_or_a_record() -> None:
     assert public() == {name.partition(".")[0] for name in cached_calls()}
     assert set(ss.__all__) >= RECORDS
