@@ -120,28 +120,6 @@ def test_alpha_is_the_derivative_of_omega(
     np.testing.assert_allclose(alpha, difference, atol=3e-6)
 
 
-def test_from_rpy_fills_every_field() -> None:
-    rng = np.random.default_rng(1)
-    t, theta, v, theta_dot, a, theta_ddot, F, M = rng.normal(size=(8, 5, 3))
-    motion = Motion.from_rpy(t, theta, v, theta_dot, a, theta_ddot, F_ext=F, M_ext=M)
-    assert motion.shape == (5,)
-    for held, given_array in (
-        (motion.t, t),
-        (motion.v, v),
-        (motion.a, a),
-        (motion.F_ext, F),
-        (motion.M_ext, M),
-    ):
-        assert held is not None
-        np.testing.assert_array_equal(held, given_array)
-    np.testing.assert_array_equal(motion.R, rotation_from_rpy(theta))
-    _, omega, alpha = rpy_motion(theta, theta_dot, theta_ddot)
-    np.testing.assert_array_equal(motion.omega, omega)
-    assert motion.alpha is not None
-    assert alpha is not None
-    np.testing.assert_array_equal(motion.alpha, alpha)
-
-
 def test_absent_parts_stay_none() -> None:
     motion = Motion(E, ZERO, ZERO, ZERO)
     assert motion.alpha is motion.a is motion.F_ext is motion.M_ext is None
