@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 import pytest
-from machines import dasgupta, machine_size, path_period, random_motion, random_path, random_robot
+from machines import dasgupta, in_axes, machine_size, path_period, random_motion, random_path, random_robot
 from numpy.typing import NDArray
 from robot_files import written
 from sweeps import FULL
@@ -40,19 +40,6 @@ ON_ITS_SIDE = [
     np.array([[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]]),
     np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]]),
 ]
-
-
-def in_axes(robot: ss.Robot, Q: Array) -> ss.Robot:
-    """The same machine with the base and the platform frame turned: a vector x becomes Q x."""
-    return dataclasses.replace(
-        robot,
-        g=Q @ robot.g,
-        b=robot.b @ Q.T,
-        p=robot.p @ Q.T,
-        k=robot.k @ Q.T,
-        R_0=Q @ robot.R_0,
-        I_p=Q @ robot.I_p @ Q.T,
-    )
 
 
 def standing(seed: int) -> ss.Robot:

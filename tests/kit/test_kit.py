@@ -28,7 +28,6 @@ from stewart_sym.kit import FUNCTIONS, Choice, kit, kit_names, put, write_kit
 from stewart_sym.kit.choice import check
 from stewart_sym.kit.parts import parts
 from stewart_sym.kit.poses import sample
-from stewart_sym.robot.robot import Robot
 
 Array = NDArray[np.float64]
 FORMULATIONS = ("exact", "paper")
@@ -312,25 +311,12 @@ def test_any_name_compiles(tmp_path: Path, compiler: str) -> None:
 # ---------------------------------------------------------------- poses
 
 
-def turned(robot: Robot, base: Array, platform: Array) -> Robot:
-    """The same machine told in another base frame and with another frame on its platform."""
-    return dataclasses.replace(
-        robot,
-        b=robot.b @ base.T,
-        k=robot.k @ base.T,
-        g=base @ robot.g,
-        p=robot.p @ platform.T,
-        R_0=platform @ robot.R_0,
-        I_p=platform @ robot.I_p @ platform.T,
-    )
-
-
 def test_machines_that_hang_or_stand_on_a_wall_have_a_good_pose() -> None:
     hang = np.diag([1.0, -1.0, -1.0])
     wall = np.array([[0.0, 0, 1], [0, 1, 0], [-1, 0, 0]])
     for base in (hang, wall):
         for platform in (np.eye(3), base):
-            robot = turned(machine("random"), base, platform)
+            robot = machines.in_axes(machine("random"), base, platform)
             motion, forces, condition = sample(robot, "exact")
             assert int(forces.status) == 0
             assert condition < 50

@@ -69,6 +69,20 @@ def random_robot(
     )
 
 
+def in_axes(robot: Robot, base: Array, platform: Array | None = None) -> Robot:
+    """The same machine with both frames turned: x becomes `base` x, on the platform `platform` x if given."""
+    platform = base if platform is None else platform
+    return dataclasses.replace(
+        robot,
+        b=robot.b @ base.T,
+        k=robot.k @ base.T,
+        g=base @ robot.g,
+        p=robot.p @ platform.T,
+        R_0=platform @ robot.R_0,
+        I_p=platform @ robot.I_p @ platform.T,
+    )
+
+
 def with_random_rotors(rng: np.random.Generator, robot: Robot) -> Robot:
     """The machine with a rotor in each leg, whose inertia is a share of the lower part's.
 
