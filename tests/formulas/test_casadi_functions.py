@@ -7,9 +7,9 @@ from typing import Any
 import casadi
 import numpy as np
 import pytest
+from leaning_legs import leaning
 from machines import MACHINES, dasgupta, random_motion, random_robot
 from motion_fields import FIELDS
-from near_joint import leaning
 
 import stewart_sym as ss
 from stewart_sym.io.extras import install
@@ -62,7 +62,7 @@ def test_statuses_are_those_of_the_c_and_numbers_are_nan_there() -> None:
     upright = random_robot(rng)
     motion = random_motion(rng, upright)
     for sine, status in ((0.01, 0), (1e-5, 0), (1e-14, 3)):
-        robot = leaning(rng, upright, motion, 2, sine)
+        robot = leaning(upright, motion, sine, 2, rng.normal(size=3))
         F, codes = ss.prepare(robot).forces_and_status(motion)
         found = called(ss.casadi_function(robot), motion)
         assert found["status"] == codes == status

@@ -9,6 +9,7 @@ from importlib.resources import files
 from pathlib import Path
 
 import pytest
+from builds import written
 
 from stewart_sym.derive import package
 from stewart_sym.precision import quad
@@ -41,12 +42,6 @@ def checked(folder: Path, name: str, *flags: str) -> None:
     for command in commands:
         done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=folder)
         assert (done.returncode, done.stdout + done.stderr) == (0, ""), command
-
-
-def written(texts: dict[str, str], folder: Path) -> Path:
-    for name, text in texts.items():
-        (folder / name).write_text(text, encoding="utf-8")
-    return folder
 
 
 @pytest.mark.parametrize("name", OWN)

@@ -2,13 +2,13 @@
 
 import dataclasses
 import sys
-from functools import cache
 from pathlib import Path
 
 import numpy as np
 import pytest
 from command_line import fails_in_one_line, read
-from machines import dasgupta, random_motion, random_robot
+from machines import dasgupta, random_motion
+from noisy_experiments import excited, robot
 from numpy.typing import NDArray
 from robot_files import PAPERS
 
@@ -18,20 +18,10 @@ from stewart_sym.dynamics.home_pose import home_pose
 from stewart_sym.kinematics.conditioning import characteristic_length
 from stewart_sym.kinematics.inverse import inverse_kinematics
 from stewart_sym.motion.log_reader import read_log
-from stewart_sym.robot.robot import Robot
 from stewart_sym.studies.reports.identify import NORMAL
 
 Array = NDArray[np.float64]
 SIGMA = 0.5
-
-
-def robot(seed: int) -> Robot:
-    return random_robot(np.random.default_rng(seed))
-
-
-@cache
-def excited(seed: int) -> ss.Excitation:
-    return ss.choose_excitation(robot(seed), samples=100, candidates=5)
 
 
 def test_identified_parameters_are_within_three_sigma() -> None:
@@ -74,7 +64,8 @@ def test_masses_and_friction_of_the_robot_file_may_be_wrong_and_load_is_taken_of
     machine = robot(1)
     rng = np.random.default_rng(7)
     still = excited(1).motion
-    motion = dataclasses.replace(still, F_ext=rng.normal(size=(100, 3)), M_ext=rng.normal(size=(100, 3)))
+    load = rng.normal(size=(2, *still.shape, 3))
+    motion = dataclasses.replace(still, F_ext=load[0], M_ext=load[1])
     F = ss.inverse_dynamics(machine, motion).F
     guess = dataclasses.replace(
         machine, M=1.0, m_d=np.ones(6), m_u=np.ones(6), I_p=np.eye(3), C_p=np.zeros(6), R_0=np.zeros(3)

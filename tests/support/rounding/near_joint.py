@@ -12,6 +12,7 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
+from leaning_legs import leaning
 from machines import Array, random_motion, random_robot
 
 import stewart_sym as ss
@@ -42,15 +43,6 @@ _MACROS = {
     "STEWART_MAX": "FLT128_MAX",
 }
 _FLAGS = ("-include", "quadmath.h", "-Wl,--no-as-needed", "-lquadmath", "-O0")
-
-
-def leaning(rng: np.random.Generator, robot: Robot, motion: Motion, leg: int, sine: float) -> Robot:
-    """The machine with the fixed axis of a leg turned towards the leg."""
-    s = ss.inverse_kinematics(robot, motion).s[leg]
-    across = np.cross(s, rng.normal(size=3))
-    k = robot.k.copy()
-    k[leg] = np.sqrt(1 - sine**2) * s + sine * across / np.linalg.norm(across)
-    return dataclasses.replace(robot, k=k)
 
 
 def shortened(robot: Robot, motion: Motion, leg: int, length: float) -> Robot:
@@ -93,7 +85,8 @@ def random_case(rng: np.random.Generator, kind: str, deepest: float = 12.0) -> t
         robot = shortened(robot, motion, legs[0], 10 ** -rng.uniform(0.0, 7.0))
     if kind not in ("short", "heavy", "short and heavy"):
         for leg in legs:
-            robot = leaning(rng, robot, motion, leg, sine * (1 if leg == legs[0] else rng.uniform(0.1, 1)))
+            share = 1 if leg == legs[0] else rng.uniform(0.1, 1)
+            robot = leaning(robot, motion, sine * share, leg, rng.normal(size=3))
     if "heavy" in kind:
         robot = heavier(robot, legs[0], 10 ** rng.uniform(0.0, 6.0))
     F = ss.inverse_dynamics(robot, motion).F
