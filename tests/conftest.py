@@ -7,8 +7,9 @@ since pytest-xdist 3.8 writes a mark into a node id that pytest 9.2 no longer re
 
 import gc
 import os
+import shutil
 from collections.abc import Iterator
-from pathlib import PurePosixPath
+from pathlib import Path, PurePosixPath
 from typing import Any
 
 import pytest
@@ -76,6 +77,15 @@ def rare_kernels() -> Iterator[None]:
         if not FULL:
             changed.setattr(native, "load", quickly)
         yield
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The working folder, with the documentation's robot, log and scene."""
+    for name in ("hexapod.toml", "trajectory.csv", "swing.toml"):
+        shutil.copy(Path(__file__).parents[1] / ".docs" / "examples" / name, tmp_path)
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
 
 
 _LOADED = (c_kernel.library, c_kernel.function, closed_form.library)

@@ -9,7 +9,6 @@ import pytest
 from command_files import edit, results
 from command_line import fails_in_one_line, folder_state, read
 from log_files import NAMES, write
-from pages import DOCS
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
@@ -41,12 +40,8 @@ FREE = ("--ignore", "lengths", "--ignore", "joint-angles", "--box", -0.1, 0.1, -
 
 
 @pytest.fixture(autouse=True)
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    monkeypatch.chdir(tmp_path)
-    for name in ("hexapod.toml", "trajectory.csv"):
-        (tmp_path / name).write_bytes((DOCS / "examples" / name).read_bytes())
-    (tmp_path / "hanging.toml").write_text(HANGING)
-    return tmp_path
+def hanging(folder: Path) -> None:
+    (folder / "hanging.toml").write_text(HANGING)
 
 
 def command(*arguments: object) -> int:

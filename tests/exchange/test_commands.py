@@ -11,15 +11,6 @@ from command_line import fails_in_one_line
 import stewart_sym as ss
 from stewart_sym.cli.main import main
 
-HEXAPOD = Path(__file__).parents[2] / ".docs" / "examples" / "hexapod.toml"
-
-
-@pytest.fixture
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    (tmp_path / "hexapod.toml").write_bytes(HEXAPOD.read_bytes())
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
-
 
 @pytest.mark.parametrize("form", ["mjcf", "sdf", "urdf"])
 def test_a_robot_file_goes_out_and_comes_back(
@@ -72,7 +63,7 @@ def test_two_files_do_not_go_to_standard_output(folder: Path, capsys: pytest.Cap
 def test_a_part_that_simulators_reject_is_named_with_the_file(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    text, possible = HEXAPOD.read_text(encoding="utf-8"), "inertia = [0.9, 0.9, 1.6]"
+    text, possible = (folder / "hexapod.toml").read_text(encoding="utf-8"), "inertia = [0.9, 0.9, 1.6]"
     assert possible in text
     text = text.replace(possible, "inertia = [9.9, 0.9, 1.6]")
     (folder / "bad.toml").write_text(text, encoding="utf-8")

@@ -3,7 +3,6 @@
 import contextlib
 import io
 import json
-import shutil
 import tomllib
 from pathlib import Path
 
@@ -18,16 +17,9 @@ from stewart_sym.kinematics.inverse import inverse_kinematics
 from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.robot.robot import Robot
 
-EXAMPLES = DOCS / "examples"
-VIA = (EXAMPLES / "via.toml").read_text(encoding="utf-8")
+VIA = (DOCS / "examples" / "via.toml").read_text(encoding="utf-8")
 SHORT = "[[via]]".join(VIA.split("[[via]]")[:4])
 """The first three via poses."""
-
-
-@pytest.fixture
-def folder(tmp_path: Path) -> Path:
-    shutil.copy(EXAMPLES / "hexapod.toml", tmp_path)
-    return tmp_path
 
 
 def via(folder: Path, text: str = VIA) -> str:

@@ -13,16 +13,6 @@ from playwright.sync_api import Browser
 import stewart_sym as ss
 from stewart_sym.cli.main import main
 
-EXAMPLES = Path(__file__).parents[2] / ".docs" / "examples"
-
-
-@pytest.fixture
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    for name in ("hexapod.toml", "trajectory.csv"):
-        (tmp_path / name).write_bytes((EXAMPLES / name).read_bytes())
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
-
 
 def test_a_motion_beyond_a_limit_gives_a_warning(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["view", "hexapod.toml", "I", "-o", "out.html"]) == 0

@@ -20,16 +20,6 @@ from stewart_sym.cli.main import main
 from stewart_sym.studies.common.html_page import MOST_ROWS, html_page
 from stewart_sym.studies.common.report import Picture, Report
 
-EXAMPLES = Path(__file__).parents[2] / ".docs" / "examples"
-
-
-@pytest.fixture
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    for name in ("hexapod.toml", "trajectory.csv", "swing.toml"):
-        shutil.copy(EXAMPLES / name, tmp_path)
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
-
 
 @pytest.mark.slow
 def test_forces_have_their_motion_and_a_table_that_sorts(browser: Browser, folder: Path) -> None:
