@@ -14,8 +14,8 @@ Key = TypeVar("Key")
 SHORTEST = 2e-3
 """Seconds that one sample lasts at least."""
 
-ENORMOUS = 10**6
-"""Units of work from which on a run is its own warming up."""
+ENORMOUS = 10**5
+"""Units of work from which on a run is its own warming up: no cache holds what so many poses take."""
 
 
 @dataclass(frozen=True, eq=False)
