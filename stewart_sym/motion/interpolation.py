@@ -8,6 +8,7 @@ spline.
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Callable
 from typing import NamedTuple
@@ -226,10 +227,18 @@ def b_splines(u: Array, degree: int, rate: int = 0) -> Array:
     for k in range(1, degree - rate + 1):
         starts = np.arange(1 - k, 1)[:, None]
         rise, fall = (u - starts) / k * N, (starts + k - u) / k * N
-        N = np.pad(rise, ((1, 0), (0, 0))) + np.pad(fall, ((0, 1), (0, 0)))
+        N = _sum_of_neighbours(rise, fall)
     for _ in range(rate):
-        N = np.pad(N, ((1, 0), (0, 0))) - np.pad(N, ((0, 1), (0, 0)))
+        N = _sum_of_neighbours(N, -N)
     return N.T
+
+
+def _sum_of_neighbours(before: Array, here: Array) -> Array:
+    """Rows, one more than given, of what stands before each and at it."""
+    rows = np.zeros((len(here) + 1, here.shape[1]))
+    rows[1:] = before
+    rows[:-1] += here
+    return rows
 
 
 def along(N: Array, cell: NDArray[np.int64], coefficients: Array) -> Array:
@@ -245,6 +254,13 @@ def dense(cell: NDArray[np.int64], N: Array, width: int) -> Array:
     B = np.zeros((len(cell), width + DEGREE))
     B[np.arange(len(cell))[:, None], cell[:, None] + np.arange(DEGREE + 1)] = N
     return B
+
+
+@functools.lru_cache(maxsize=8)
+def rates_at_half_cells(width: int) -> list[Array]:
+    """Values, rates and second rates of B-splines of knots 1 apart at every half cell: (g, p) each."""
+    cell, u = places(np.arange(2 * width + 1) / 2.0, 1.0, width)
+    return [dense(cell, b_splines(u, DEGREE, rate), width) for rate in range(3)]
 
 
 # Even knots of splines, and the windows in which these are fitted

@@ -32,8 +32,8 @@ from .interpolation import (
     b_splines,
     breaks,
     check_cutoff,
-    dense,
     places,
+    rates_at_half_cells,
     whole_windows,
 )
 from .noise_level import FEWEST_SAMPLES, LEAST_SAMPLES, SEEN, Level, like_noise, noise_level
@@ -285,16 +285,9 @@ def _modes(samples: bytes, size: int, order: int, density: float) -> _Modes:
 
 
 @functools.lru_cache(maxsize=8)
-def _rates(width: int) -> list[Array]:
-    """Values, rates and second rates of B-splines of knots 1 apart at every half cell: (g, p) each."""
-    cell, u = places(np.arange(2 * width + 1) / 2.0, 1.0, width)
-    return [dense(cell, b_splines(u, DEGREE, rate), width) for rate in range(3)]
-
-
-@functools.lru_cache(maxsize=8)
 def _products(modes: _Modes, width: int) -> list[Array]:
     """Products of ``PAIRS`` at every half cell, of knots 1 apart: (g, p) each."""
-    rows = [each @ modes.X for each in _rates(width)]
+    rows = [each @ modes.X for each in rates_at_half_cells(width)]
     return [rows[i] * rows[j] for i, j in PAIRS]
 
 
@@ -373,13 +366,15 @@ class _Window(NamedTuple):
     def _explained(self, order: int, weights: Array) -> tuple[_Modes, Array, Array, Array, Array, Array]:
         """Modes, products of samples and pilot with these, (p, c), and for weights, (w,), what they leave.
 
-        Pull of the penalty and its sum with that of the samples, (w, p, 1), and sums of squares, (w, c).
+        Pull of the penalty and its sum with that of the samples, (p, w), and sums of squares, (w, c).
         """
         modes = _modes(self.G.tobytes(), self.size, order, self.density)
         z, bent = modes.X.T @ self.rest, modes.X.T @ (modes.M @ self.pilot)
-        pull = weights[:, None, None] * modes.rho
-        A = 1.0 - modes.rho + pull
-        squares = self.residual + np.sum(pull * bent**2 - (z - pull * bent) ** 2 / A, axis=1)
+        gamma, pull = 1.0 - modes.rho, modes.rho * weights
+        A = gamma + pull
+        share = (pull / A).T
+        # With the sum of pull bent^2 - (z - pull bent)^2 / A.
+        squares = self.residual + share @ (gamma * bent**2 + 2.0 * z * bent) - (1.0 / A).T @ z**2
         return modes, z, bent, pull, A, squares
 
     def noise(self, orders: list[int], least: Array) -> tuple[Array, Array]:
@@ -393,13 +388,11 @@ class _Window(NamedTuple):
         variances: list[Array] = []
         for order in (each for each in orders if self.samples - each >= _FEWEST_LEFT):
             modes, _, _, pull, _, squares = self._explained(order, _WEIGHTS)
-
             for found, variance in (
                 (costs, np.maximum(squares / (self.samples - order), floor)),
                 (alone, np.broadcast_to(floor, squares.shape)),
             ):
-                loose = variance / np.maximum(self.spread, variance)
-                free = np.sum(np.log1p((1.0 - modes.rho) / (pull + loose[:, None])), axis=1)
+                free = _freedom(modes, pull, variance / np.maximum(self.spread, variance))
                 found.append(free + self.samples * np.log(variance) + squares / variance)
             variances.append(np.maximum(squares / (self.samples - order - 2), floor))
         cost, variance = np.concatenate(costs), np.concatenate(variances)
@@ -412,10 +405,9 @@ class _Window(NamedTuple):
         weights = _WEIGHTS if weight is None else np.array([weight])
         modes, z, bent, pull, A, squares = self._explained(order, weights)
         rho, gamma = modes.rho, 1.0 - modes.rho
-        loose = sigma**2 / np.maximum(self.spread, sigma**2)
-        cost = np.sum(np.log1p(gamma / (pull + loose)), axis=1) + squares / sigma**2
+        cost = _freedom(modes, pull, sigma**2 / np.maximum(self.spread, sigma**2)) + squares / sigma**2
         best = np.argmin(cost, axis=0)
-        pull, A = pull[best, :, 0].T, A[best, :, 0].T
+        pull, A = pull[:, best], A[:, best]
         idle = (pull > 10.0 * gamma) & (gamma > SEEN)
         seen = np.maximum(gamma, SEEN)
         noise = np.where(idle, (gamma * bent + z) ** 2 / seen, 0.0)
@@ -432,6 +424,15 @@ class _Window(NamedTuple):
             free=np.sum(gamma / A, axis=0),
             noise=(noise.sum(axis=0), np.count_nonzero(idle, axis=0).astype(np.float64)),
         )
+
+
+def _freedom(modes: _Modes, pull: Array, loose: Array) -> Array:
+    """Sum over the modes of log(1 + gamma / (pull + loose)), (w, c); pull, (p, w); loose, (c,) or (w, c)."""
+    terms = pull[:, None] + np.atleast_2d(loose).T
+    terms = 1.0 + np.divide(1.0 - modes.rho[:, None], terms, out=terms)
+    # Logarithms of products take less time where a double holds these.
+    few = 5 if loose.min() > 1e-60 else 1
+    return np.log([terms[i : i + few].prod(axis=0) for i in range(0, len(terms), few)]).sum(axis=0).T
 
 
 def _smoothed(
@@ -462,7 +463,7 @@ def _smoothed(
             own, fit = np.flatnonzero(likely == order), fits[int(order)]
             mean = fit.modes.X @ fit.mean[:, own]
             coefficients[start : start + window.size, own] += blend[:, None] * mean
-            for rate, rows in enumerate(_rates(width)):
+            for rate, rows in enumerate(rates_at_half_cells(width)):
                 apart[rate][inside, own] += share[:, None] * (rows @ mean) / step**rate
             if order == ORDERS[0]:
                 resolved[inside, own] += share[:, None] * width / fit.free[own]
