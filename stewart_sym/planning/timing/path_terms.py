@@ -19,6 +19,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...drives.instants import motor_rates
+from ...dynamics.force_noise import forces_of
 from ...dynamics.inverse import Formulation, inverse_dynamics
 from ...io.arguments import shown
 from ...io.array_types import Array, Indices
@@ -166,12 +167,14 @@ def terms_along(
 
     motors: with those of the motors in any case. Raises ValueError at poses that have no forces.
     """
-    motion = path(s)
+    motion, forces_along = path(s), forces_of(robot, formulation, "c")
 
     def forces(rate: float, second: float) -> Array:
-        return inverse_dynamics(robot, travelled(motion, rate, second), formulation).F
+        return forces_along(travelled(motion, rate, second))
 
     still, ahead, back = forces(0.0, 0.0), forces(1.0, 0.0), forces(-1.0, 0.0)
+    if not np.isfinite(still).all():
+        inverse_dynamics(robot, motion, formulation)  # which names the poses
     columns = [(forces(0.0, 1.0) - still, 0.5 * (ahead + back) - still, 0.5 * (ahead - back), still)]
     limit = [force_limits(robot, limits)]
     names = [f"force of leg {leg + 1}" for leg in range(6)]
