@@ -203,7 +203,7 @@ def driven(one: Case) -> ss.Robot:
     return dataclasses.replace(one.robot, drive=drive, home=one.true[0, 0, :3])
 
 
-@pytest.fixture(scope="module", params=[3, pytest.param(share(100, 5), marks=pytest.mark.slow)])
+@pytest.fixture(scope="module", params=[3, pytest.param(share(100, 10), marks=pytest.mark.slow)])
 def noisy(request: pytest.FixtureRequest) -> list[tuple[ss.Robot, ss.Needs, Trajectory]]:
     """Machines with drives, what their motions need, and logs of these with noise."""
     found = []
