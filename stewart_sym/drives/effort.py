@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from ..dynamics.inverse import Backend, Formulation, inverse_dynamics
 from ..io.arguments import finite_array, instance, real_array
@@ -21,7 +21,7 @@ from ..robot.drive import Drive
 from ..robot.robot import LEGS, Robot
 from .instants import Instants, at_instants
 from .noise import MotorDeviations, all_deviations, at_replaced
-from .verdicts import Beyond, Extremes, Sides, spread_text, verdicts
+from .verdicts import Beyond, Extremes, Sides, codes, spread_text, verdicts
 
 # A motion planned at a limit exceeds it by its own rounding, no more than this share of it.
 _USED_UP = 1e-6
@@ -260,16 +260,8 @@ class Summary:
         for name, extremes in self.extremes.items():
             values = getattr(flat, name)
             if values is not None:
-                extremes.add(np.abs(values), when, None if sd is None else self._sides(sd, name), there)
+                extremes.add(np.abs(values), when, _sides(self.drive, sd, name), there)
         self.count += len(flat.torque)
-
-    def _sides(self, sd: MotorDeviations, name: str) -> Array | Sides:
-        """Deviations of sizes, upward and downward where these differ."""
-        if name not in ("torque", "current"):
-            return np.asarray(getattr(sd, name))
-        with np.errstate(divide="ignore", invalid="ignore"):
-            unit = np.asarray(self.drive.torque_constant) if name == "current" else np.ones(LEGS)
-            return sd.torque_rise / unit, sd.torque_fall / unit
 
     @property
     def peaks(self) -> dict[str, Array]:
@@ -299,16 +291,19 @@ class Summary:
 
         share: of a limit, by which it must be exceeded.
         """
+        return [line for _, line in self.told(share)]
+
+    def told(self, share: float = _USED_UP) -> Iterator[tuple[str, str]]:
+        """Verdicts and the lines of ``exceeded``."""
         rms = Extremes()
         rms.add(self.rms_torque[None], lambda _: [""], _row(self.rms_torque_sd))
         # Legs have a speed_limit too.
         limits = [(f"drive.{name}_limit", name, unit, self.extremes[name]) for name, unit in PEAKS.items()]
         limits += [("drive.rated_torque", "root mean square of torque", "N m", rms)]
-        return [
-            _line(name, what, unit, beyond, getattr(self.drive, name.removeprefix("drive.")))
-            for name, what, unit, extremes in limits
-            for beyond in extremes.beyond(getattr(self.drive, name.removeprefix("drive.")) * (1.0 + share))
-        ]
+        for name, what, unit, extremes in limits:
+            limit = getattr(self.drive, name.removeprefix("drive."))
+            for beyond in extremes.beyond(limit * (1.0 + share)):
+                yield beyond.verdict, _line(name, what, unit, beyond, limit)
 
     def verdicts(self, name: str) -> list[str]:
         """Of each leg's limit of one of ``PEAKS``, or of "rated_torque"."""
@@ -316,6 +311,28 @@ class Summary:
             limits = self.drive.rated_torque * (1.0 + _USED_UP)
             return verdicts(self.rms_torque[None], limits, _row(self.rms_torque_sd))
         return self.extremes[name].verdicts(getattr(self.drive, f"{name}_limit") * (1.0 + _USED_UP))
+
+
+def motor_codes(
+    drive: Drive, part: Instants, sd: MotorDeviations | None = None, there: Flags | None = None
+) -> dict[str, NDArray[np.uint8]]:
+    """``codes`` at instants by the names of ``PEAKS``, (n, 6); arguments as of ``Summary.add``."""
+    found = {}
+    for name in PEAKS:
+        values = getattr(part, name)
+        if values is not None:
+            limits = getattr(drive, f"{name}_limit") * (1.0 + _USED_UP)
+            found[name] = codes(np.abs(values), limits, _sides(drive, sd, name), there)
+    return found
+
+
+def _sides(drive: Drive, sd: MotorDeviations | None, name: str) -> Array | Sides | None:
+    """Deviations of sizes, upward and downward where these differ."""
+    if sd is None or name not in ("torque", "current"):
+        return None if sd is None else np.asarray(getattr(sd, name))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        unit = np.asarray(drive.torque_constant) if name == "current" else np.ones(LEGS)
+        return sd.torque_rise / unit, sd.torque_fall / unit
 
 
 def _row(values: Array | None) -> Array | None:

@@ -4,6 +4,7 @@ from collections.abc import Callable, Iterable, Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..io.array_types import Array, Flags
 from ..robot.robot import LEGS, legs_text
@@ -13,6 +14,8 @@ SURE = 3.0
 
 WITHIN, EXCEEDED, NOT_DECIDED = "kept", "exceeded", "not decided at this noise"
 AT_REPLACED = "not decided at replaced rows"
+VERDICTS = (WITHIN, AT_REPLACED, NOT_DECIDED, EXCEEDED)
+"""By their codes: that of several instants is the largest of theirs."""
 
 # Deviation, as a share of a leg's peak force, from which on forces count as unknown.
 _UNKNOWN = 1.0 / 3.0
@@ -23,35 +26,33 @@ Sides = tuple[Array, Array]
 """Deviations upward and downward."""
 
 
-def verdicts(
+def codes(
     sizes: Array, limits: Array, sd: Array | Sides | None = None, there: Flags | None = None
-) -> list[str]:
-    """``WITHIN``, ``EXCEEDED`` or ``NOT_DECIDED`` of each column, (n, m), for limits, (m,).
+) -> NDArray[np.uint8]:
+    """Places in ``VERDICTS``, (n, m), of sizes at instants, (n, m), for limits, (m,).
 
     sd: deviations of the sizes, (n, m). there: instants, (n,), at which these hold what replaced rows change;
     ``AT_REPLACED`` where they alone leave a limit open.
     """
-    found = _verdicts(sizes, limits, sd)
-    if sd is None or there is None or not there.any():
-        return found
     up, down = _sides(sd)
-    elsewhere = _verdicts(sizes, limits, (np.where(there[:, None], 0.0, up), down))
-    return [
-        AT_REPLACED if one == NOT_DECIDED and other == WITHIN else one
-        for one, other in zip(found, elsewhere, strict=True)
-    ]
+    sure, maybe = sizes - SURE * down > limits, sizes + SURE * up > limits
+    at = np.zeros(len(sizes), dtype=bool) if there is None else there
+    alone = at[:, None] & ~(sizes > limits)
+    found = np.where(maybe, np.where(alone, VERDICTS.index(AT_REPLACED), VERDICTS.index(NOT_DECIDED)), 0)
+    return np.where(sure, VERDICTS.index(EXCEEDED), found).astype(np.uint8)
+
+
+def verdicts(
+    sizes: Array, limits: Array, sd: Array | Sides | None = None, there: Flags | None = None
+) -> list[str]:
+    """The verdict of each column, (n, m), for limits, (m,); arguments as of ``codes``."""
+    return [VERDICTS[code] for code in codes(sizes, limits, sd, there).max(axis=0, initial=0)]
 
 
 def _sides(sd: Array | Sides | None) -> Sides:
     if sd is None:
         return np.zeros(()), np.zeros(())
     return sd if isinstance(sd, tuple) else (sd, sd)
-
-
-def _verdicts(sizes: Array, limits: Array, sd: Array | Sides | None) -> list[str]:
-    up, down = _sides(sd)
-    sure, maybe = (np.any(each > limits, axis=0) for each in (sizes - SURE * down, sizes + SURE * up))
-    return [EXCEEDED if sure[i] else NOT_DECIDED if maybe[i] else WITHIN for i in range(len(limits))]
 
 
 def farthest(sizes: Array, sd: Array | Sides | None, verdict: str) -> int:

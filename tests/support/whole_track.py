@@ -4,9 +4,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from stewart_sym.drives.leg_limits import replaced_rows
 from stewart_sym.motion.trajectory import PoseLog, Trajectory
 from stewart_sym.robot.robot import Robot
-from stewart_sym.studies.reports.track import NOISE_SHARE, Columns, Digest, in_parts, replaced_rows
+from stewart_sym.studies.reports.track import NOISE_SHARE, Columns, Digest, in_parts
 
 
 class Track(NamedTuple):

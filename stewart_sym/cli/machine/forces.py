@@ -58,13 +58,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
+    from ...drives.leg_limits import replaced_rows
     from ...io.writing import result_file
     from ...motion.interpolation import between
     from ...motion.log_rates import noise_text
     from ...studies.common.output import csv_lines
     from ...studies.common.report import Picture, Report, draw
     from ...studies.reports.singularities import crossing_warning
-    from ...studies.reports.track import Digest, header_lines, in_parts, replaced_rows
+    from ...studies.reports.track import Digest, header_lines, in_parts
     from ...viewer.instants import of_trajectory
     from ...viewer.view import View
 

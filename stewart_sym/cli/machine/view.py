@@ -117,11 +117,17 @@ def _exceeded(shown: "View", trajectory: "Trajectory | PoseLog | None") -> list[
     """One line for each limit of the machine that the motion breaks, or may break by noise."""
     import numpy as np
 
-    from ...studies.reports.track import exceeded
+    from ...drives.leg_limits import LegLimits, replaced_rows
+    from ...drives.noise import all_deviations, at_replaced
 
-    at = shown.instants
+    at, robot = shown.instants, shown.robot
     F = next(iter(at.forces.values()), np.zeros_like(at.L))
-    return exceeded(shown.robot, at.time, F, at.L, at.L_dot, trajectory)
+    sd = there = None
+    if trajectory is not None and trajectory.noise is not None:
+        sd, there = all_deviations(robot, trajectory), at_replaced(trajectory, at.time)
+    legs = LegLimits(robot, at.time, () if trajectory is None else replaced_rows(trajectory))
+    legs.add(slice(None), {"F": F, "L": at.L, "L_dot": at.L_dot}, sd, there)
+    return legs.exceeded()
 
 
 def _is_run(path: Path) -> bool:

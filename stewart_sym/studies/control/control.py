@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from ...drives.leg_limits import LegLimits
 from ...dynamics.equations import ForwardDynamics, equations_of_motion
 from ...dynamics.forces import OnePose, prepare
 from ...dynamics.inverse import Formulation
@@ -27,7 +28,6 @@ from ...robot.robot import Robot
 from ...robots import dasgupta1998
 from ...simulation.actuator_models import ForceLaw, GravityCompensation, Model, ModelTorque, Wanted
 from ...simulation.fixed_step import advance
-from ..reports.track import exceeded
 
 CONTROLLERS = ("exact", "paper", "massless", "gravity")
 TRACKED = ("I", "II")
@@ -186,11 +186,9 @@ def track_paths(
             raise ValueError(f"{robot.name}: Path {name}: {error}") from None
         run = runs[name]["exact"]
         motion = path.sample(run.time)
-        legs = inverse_kinematics(robot, motion)
-        beyond += [
-            f"{robot.name}: Path {name}, controller exact: {line}"
-            for line in exceeded(robot, run.time, run.F, legs.L, legs.L_dot)
-        ]
+        legs, limits = inverse_kinematics(robot, motion), LegLimits(robot, run.time)
+        limits.add(slice(None), {"F": run.F, "L": legs.L, "L_dot": legs.L_dot})
+        beyond += [f"{robot.name}: Path {name}, controller exact: {line}" for line in limits.exceeded()]
     return Study(robot, settings, runs, beyond)
 
 

@@ -117,19 +117,26 @@ class DriveDigest:
             found[f"motor_peak_{name}_{units[name]}"] = float(self.summary.peaks[name][leg])
             found[f"motor_{name}_limit_{units[name]}"] = float(getattr(self.drive, f"{name}_limit")[leg])
         found["motor_rms_torque_N_m"] = float(self.summary.rms_torque[leg]) if self.lasts else None
+        found["motor_rated_torque_N_m"] = float(self.drive.rated_torque[leg])
         found["motor_energy_J"] = float(self.summary.energy[leg]) if self.lasts else None
         return found | (self._noise_of_leg(leg, units) if self.summary.noisy else {})
 
     def _noise_of_leg(self, leg: int, units: dict[str, str]) -> dict[str, Any]:
-        """Deviations of the same by noise, and the verdicts that they leave."""
+        """Deviations of the same by noise."""
         found: dict[str, Any] = {}
         for name, sd in self.summary.peak_sd.items():
             found[f"motor_peak_{name}_sd_{units[name]}"] = float(sd[leg])
-            found[f"motor_{name}_limit"] = self.summary.verdicts(name)[leg]
         rms_sd = _of(self.summary.rms_torque_sd, leg)
         found["motor_rms_torque_sd_N_m"] = rms_sd if self.lasts else None
-        found["motor_rated_torque"] = self.summary.verdicts("rated_torque")[leg] if self.lasts else None
         return found | {"motor_energy_sd_J": float(self.summary.energy_sd[leg]) if self.lasts else None}
+
+    def verdicts(self, leg: int) -> dict[str, Any]:
+        """Of each limit of one motor, for programs."""
+        found: dict[str, Any] = {
+            f"motor_{name}_limit": self.summary.verdicts(name)[leg] for name in self._known()
+        }
+        rated = self.summary.verdicts("rated_torque")[leg] if self.lasts else None
+        return found | {"motor_rated_torque": rated}
 
     def figure(self) -> Figure:
         """Torque over time, and over speed with the motor's limits as a frame."""

@@ -3,20 +3,20 @@
 import dataclasses
 import warnings
 from collections.abc import Iterator
-from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...drives.instants import Instants, at_instants
-from ...drives.noise import Deviations, all_deviations, at_replaced, deviations_in_parts
-from ...drives.verdicts import AT_REPLACED, SURE, Beyond, Extremes, shows, spread_text, unknown_forces
+from ...drives.leg_limits import FORCE, LONGEST, SHORTEST, SPEED, LegLimits, replaced_names
+from ...drives.noise import Deviations, at_replaced, deviations_in_parts
+from ...drives.verdicts import SURE, shows, spread_text, unknown_forces
 from ...dynamics.home_pose import home_pose
 from ...dynamics.inverse import Backend, Formulation, first_fault, inverse_dynamics, joint_reactions
 from ...io.array_types import Array, Codes, Flags
 from ...io.error_policy import SingularPoseWarning
-from ...io.instants import elapsed, least_step, time_text
+from ...io.instants import least_step, time_text
 from ...kinematics.conditioning import condition_number
 from ...kinematics.inverse import LegKinematics, inverse_kinematics
 from ...motion.motion import Motion
@@ -29,6 +29,14 @@ from .drives import DriveDigest, drive_columns, no_deviations, no_instants
 NOISE_SHARE = 0.02
 """Share of a leg's peak force that noise may make of it, ``SURE`` deviations, without a warning."""
 
+
+# Limits of the legs, as programs find them.
+_LIMITS = {
+    "force_limit": FORCE,
+    "speed_limit": SPEED,
+    "least_length_limit": SHORTEST,
+    "greatest_length_limit": LONGEST,
+}
 
 # So many instants are computed at a time: all outputs of all instants at once would fill memory.
 _PART = 1 << 14
@@ -144,16 +152,15 @@ class _Kept(NamedTuple):
 class Digest:
     """What the summary and the doubts about a run of instants need of it, whatever their number.
 
-    Of each part the instants are kept at which something is extreme, and how long limits are exceeded.
+    Of each part the instants are kept at which something is extreme.
     """
 
     def __init__(self, robot: Robot, time: Array, replaced: tuple[Replaced, ...] = ()) -> None:
         """Begin a run at all these times, s, (n,); ``replaced``: of the log's rows."""
-        self.robot, self.time, self.weights, self.replaced = robot, time, _weights(time), replaced
+        self.robot, self.time, self.replaced = robot, time, replaced
         self.step = least_step(time)
-        self.span, self.count = np.zeros((2, len(_LIMITS), 6))
         self.kept: list[_Kept] = []
-        self.extremes = [Extremes() for _ in _LIMITS]
+        self.legs = LegLimits(robot, time, replaced)
         self.drive = None if robot.drive is None else DriveDigest(robot, time)
 
     def add(self, part: Part) -> None:
@@ -162,15 +169,7 @@ class Digest:
         there = np.zeros(len(part.time), dtype=bool) if part.there is None else part.there
         if self.drive is not None and part.effort is not None:
             self.drive.add(part.effort, part.where, None if sd is None else sd.motors, there)
-        for k, limit in enumerate(_LIMITS):
-            sizes = limit.sizes(part)
-            over = sizes > limit.bound(self.robot)
-            self.span[k] += np.sum(self.weights[part.where, None] * over, axis=0)
-            self.count[k] += np.count_nonzero(over, axis=0)
-            if len(sizes):
-                off, values = None if sd is None else getattr(sd, limit.values), getattr(part, limit.values)
-                rows = partial(_rows, part.time, values)
-                self.extremes[k].add(sizes, rows, off, there)
+        self.legs.add(part.where, {"F": part.F, "L": part.L, "L_dot": part.L_dot}, sd, there)
         spread = 0.0 if sd is None else SURE * sd.F
         known = np.isfinite(part.L).all(axis=-1, keepdims=True)
         large = [np.abs(part.F), np.abs(part.F) + spread]
@@ -189,10 +188,10 @@ class Digest:
         Replaced rows have a line of their own.
         """
         kept = self._joined()
-        beyond = self.exceeded() + ([] if self.drive is None else self.drive.summary.exceeded())
+        beyond = self.legs.exceeded() + ([] if self.drive is None else self.drive.summary.exceeded())
         if kept.F_sd is None:
             return beyond
-        there, names = kept.there, self._replaced_names()
+        there, names = kept.there, replaced_names(self.replaced)
         causes = [("noise in the log", ~there)]
         causes += [(f"replaced rows ({names})", there)] if self.replaced else []
         when = [time_text(time, self.step) for time in kept.time]
@@ -200,33 +199,11 @@ class Digest:
         unknown = unknown_forces(kept.F, np.where(there[:, None], 0.0, kept.F_sd))
         return [line for line in (unknown, *beyond, *noisy) if line]
 
-    def exceeded(self) -> list[str]:
-        """One line for each limit: which legs go beyond it, the worst of them, when and how long."""
-        return [
-            self._of_legs(k, limit, found)
-            for k, limit in enumerate(_LIMITS)
-            for found in self.extremes[k].beyond(limit.bound(self.robot))
-        ]
-
-    def _of_legs(self, k: int, limit: "_Limit", found: Beyond) -> str:
-        """One line about a limit and the legs in question."""
-        worst, (time, values) = found.worst, found.when
-        bound = limit.sign * limit.bound(self.robot)[worst]
-        value = f"{values[worst]:.6g}{spread_text(found.sd)} {limit.unit}"
-        value += f" at {time_text(time, self.step)} s, limit {bound:g} {limit.unit}"
-        text = f"{limit.name} {found.verdict} by {found.legs_text}: {found.worst_text}{value}"
-        if self.count[k, worst]:
-            share = f"at {int(self.count[k, worst])} of {len(self.time)} instants"
-            text += f"; beyond it for {self.span[k, worst]:.3g} s, {share}"
-        elif found.verdict == AT_REPLACED:
-            text += f"; kept away from {self._replaced_names()}"
-        return text
-
     def summary(self) -> str:
         """What it comes to, lines of text."""
         kept = self._joined()
         time, F, condition, F_sd = kept.time, kept.F, kept.condition, kept.F_sd
-        verdicts, limit = self._force_verdicts(), self.robot.force_limit
+        verdicts, limit = self.legs.verdicts(FORCE), self.robot.force_limit
         low, high, speed = _leg_extremes(kept)
         rows = [
             (
@@ -249,17 +226,12 @@ class Digest:
         )
         return text if self.drive is None else f"{text}\n\n{self.drive.table()}"
 
-    def _replaced_names(self) -> str:
-        names = list(dict.fromkeys(name for span in self.replaced for name in span.rows))
-        return ", ".join(names[:_MOST_NAMED]) + (
-            f" and {len(names) - _MOST_NAMED} more" if len(names) > _MOST_NAMED else ""
-        )
-
     def as_json(self) -> dict[str, Any]:
         """What the summary says, for programs."""
         kept = self._joined()
         worst = int(_largest(kept.condition))
-        verdicts, (low, high, speed) = self._force_verdicts(), _leg_extremes(kept)
+        low, high, speed = _leg_extremes(kept)
+        verdicts = {name: self.legs.verdicts(limit) for name, limit in _LIMITS.items()}
         return {
             "instants": len(self.time),
             "start_s": self.time[0],
@@ -273,37 +245,17 @@ class Digest:
                     "peak_force_sd_N": None if kept.F_sd is None else kept.F_sd[i, leg],
                     "peak_force_time_s": kept.time[i],
                     "force_limit_N": self.robot.force_limit[leg],
-                    "force_limit": verdicts[leg],
                     "least_length_m": low.values[leg],
                     "greatest_length_m": high.values[leg],
+                    "length_limits_m": self.robot.length_limits[leg],
                     "peak_speed_m_per_s": speed.values[leg],
-                    **self._noise_of_leg(leg, low.sd, high.sd, speed.sd),
-                    **({} if self.drive is None else self.drive.of_leg(leg)),
+                    "speed_limit_m_per_s": self.robot.speed_limit[leg],
+                    **{name: found[leg] for name, found in verdicts.items()},
+                    **_noise_of_leg(leg, low.sd, high.sd, speed.sd),
+                    **({} if self.drive is None else self.drive.of_leg(leg) | self.drive.verdicts(leg)),
                 }
                 for leg, i in enumerate(_largest(kept.F))
             ],
-        }
-
-    def _force_verdicts(self) -> list[str]:
-        return self.extremes[0].verdicts(self.robot.force_limit)
-
-    def _noise_of_leg(
-        self, leg: int, low: Array | None, high: Array | None, speed: Array | None
-    ) -> dict[str, Any]:
-        """Deviations of a leg's lengths and speed, (6,), and verdicts that they leave; none without noise."""
-        if low is None or high is None or speed is None:
-            return {}
-        found = [
-            extremes.verdicts(limit.bound(self.robot))[leg]
-            for extremes, limit in zip(self.extremes, _LIMITS, strict=True)
-        ]
-        return {
-            "least_length_sd_m": low[leg],
-            "greatest_length_sd_m": high[leg],
-            "peak_speed_sd_m_per_s": speed[leg],
-            "speed_limit": found[1],
-            "least_length_limit": found[3],
-            "greatest_length_limit": found[2],
         }
 
     def _joined(self) -> _Kept:
@@ -311,9 +263,15 @@ class Digest:
         return _Kept(*found)
 
 
-def _rows(time: Array, values: Array, instants: list[int]) -> list[tuple[float, Array]]:
-    # Copies: a view would keep all of the part.
-    return [(float(time[i]), values[i].copy()) for i in instants]
+def _noise_of_leg(leg: int, low: Array | None, high: Array | None, speed: Array | None) -> dict[str, float]:
+    """Deviations of a leg's lengths and speed, (6,); none without noise."""
+    if low is None or high is None or speed is None:
+        return {}
+    return {
+        "least_length_sd_m": low[leg],
+        "greatest_length_sd_m": high[leg],
+        "peak_speed_sd_m_per_s": speed[leg],
+    }
 
 
 class _Extreme(NamedTuple):
@@ -341,76 +299,6 @@ def _leg_extremes(kept: _Kept) -> tuple[_Extreme, _Extreme, _Extreme]:
     ):
         found.append(_Extreme(values[rows, legs], None if sd is None else sd[rows, legs]))
     return found[0], found[1], found[2]
-
-
-class _Limit(NamedTuple):
-    """A limit of the robot's legs: its name, unit, and the values of a part that it limits.
-
-    end: column of the lowest or highest value; None for the largest magnitude.
-    """
-
-    name: str
-    unit: str
-    values: str
-    end: int | None = None
-
-    @property
-    def sign(self) -> float:
-        """-1 for a lowest value: sizes and bounds are those of the opposite values."""
-        return -1.0 if self.end == 0 else 1.0
-
-    def bound(self, robot: Robot) -> Array:
-        """What the sizes of each leg should not exceed, (6,)."""
-        limits: Array = getattr(robot, self.name)
-        return limits if self.end is None else self.sign * limits[:, self.end]
-
-    def sizes(self, part: Part) -> Array:
-        """Values as they count, (n, 6)."""
-        values: Array = getattr(part, self.values)
-        return np.abs(values) if self.end is None else self.sign * values
-
-
-_LIMITS = (
-    _Limit("force_limit", "N", "F"),
-    _Limit("speed_limit", "m/s", "L_dot"),
-    _Limit("length_limits", "m", "L", 1),
-    _Limit("length_limits", "m", "L", 0),
-)
-
-
-def exceeded(
-    robot: Robot,
-    time: Array,
-    F: Array,
-    L: Array,
-    L_dot: Array,
-    trajectory: Trajectory | PoseLog | None = None,
-) -> list[str]:
-    """One line for each limit that a run exceeds, as ``Digest.exceeded``; arrays (n, 6).
-
-    trajectory: the run's, whose noise makes deviations.
-    """
-    none, sd, there = np.zeros(len(time)), None, None
-    replaced = () if trajectory is None else replaced_rows(trajectory)
-    if trajectory is not None and trajectory.noise is not None:
-        sd, there = all_deviations(robot, trajectory), at_replaced(trajectory, time)
-    digest = Digest(robot, time, replaced)
-    digest.add(Part(slice(None), time, F, L, L_dot, none, none.astype(np.int32), sd=sd, there=there))
-    return digest.exceeded()
-
-
-# One line names at most so many replaced rows.
-_MOST_NAMED = 4
-
-
-def replaced_rows(trajectory: Trajectory | PoseLog) -> tuple[Replaced, ...]:
-    """Rows of its log that a trajectory does not have as they were."""
-    return () if trajectory.noise is None else trajectory.noise.replaced
-
-
-def _weights(time: Array) -> Array:
-    """How long each instant stands for: half the way to both neighbours."""
-    return np.gradient(elapsed(time)) if len(time) > 1 else np.zeros(1)
 
 
 def _largest(values: Array) -> NDArray[np.int64]:

@@ -1,0 +1,147 @@
+"""Limits of the legs beside what a motion takes: force, speed and length, part after part."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from functools import partial
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..io.array_types import Array, Flags
+from ..io.instants import elapsed, least_step, time_text
+from ..motion.trajectory import PoseLog, Replaced, Trajectory
+from ..robot.robot import LEGS, Robot
+from .noise import Deviations
+from .verdicts import AT_REPLACED, Beyond, Extremes, codes, spread_text
+
+# One line names at most so many replaced rows.
+_MOST_NAMED = 4
+
+
+class LegLimit(NamedTuple):
+    """A limit of the legs: its name, unit, and which of F, L and L_dot it limits.
+
+    end: column of the lowest or highest value; None for the largest magnitude.
+    """
+
+    name: str
+    unit: str
+    values: str
+    end: int | None = None
+
+    @property
+    def sign(self) -> float:
+        """-1 for a lowest value: sizes and bounds are those of the opposite values."""
+        return -1.0 if self.end == 0 else 1.0
+
+    def bound(self, robot: Robot) -> Array:
+        """What the sizes of each leg should not exceed, (6,)."""
+        limits: Array = getattr(robot, self.name)
+        return limits if self.end is None else self.sign * limits[:, self.end]
+
+    def sizes(self, values: Array) -> Array:
+        """Values as they count, (n, 6)."""
+        return np.abs(values) if self.end is None else self.sign * values
+
+
+FORCE, SPEED, LONGEST, SHORTEST = LEG_LIMITS = (
+    LegLimit("force_limit", "N", "F"),
+    LegLimit("speed_limit", "m/s", "L_dot"),
+    LegLimit("length_limits", "m", "L", 1),
+    LegLimit("length_limits", "m", "L", 0),
+)
+
+
+def leg_codes(
+    robot: Robot, name: str, values: Array, sd: Array | None = None, there: Flags | None = None
+) -> NDArray[np.uint8]:
+    """``codes`` of the values named F, L or L_dot at instants, (n, 6); sd, there: as of ``codes``."""
+    found = [
+        codes(limit.sizes(values), limit.bound(robot), sd, there)
+        for limit in LEG_LIMITS
+        if limit.values == name
+    ]
+    return np.asarray(np.max(found, axis=0))
+
+
+class LegLimits:
+    """Which limits of the legs a run of instants keeps, and how long it exceeds the others."""
+
+    def __init__(self, robot: Robot, time: Array, replaced: tuple[Replaced, ...] = ()) -> None:
+        """Begin a run at all these times, s, (n,); ``replaced``: of the log's rows."""
+        self.robot, self.time, self.replaced = robot, time, replaced
+        self.step, self._weights = least_step(time), _weights(time)
+        self._span, self._count = np.zeros((2, len(LEG_LIMITS), LEGS))
+        self._extremes = [Extremes() for _ in LEG_LIMITS]
+
+    def add(
+        self,
+        where: slice,
+        values: Mapping[str, Array],
+        sd: Deviations | None = None,
+        there: Flags | None = None,
+    ) -> None:
+        """Take in F, L and L_dot, (n, 6), at some of the instants; there: as of ``codes``."""
+        time = self.time[where]
+        for k, limit in enumerate(LEG_LIMITS):
+            given = values[limit.values]
+            sizes = limit.sizes(given)
+            over = sizes > limit.bound(self.robot)
+            self._span[k] += np.sum(self._weights[where, None] * over, axis=0)
+            self._count[k] += np.count_nonzero(over, axis=0)
+            if len(sizes):
+                off = None if sd is None else getattr(sd, limit.values)
+                self._extremes[k].add(sizes, partial(_rows, time, given), off, there)
+
+    def exceeded(self) -> list[str]:
+        """One line for each limit: which legs go beyond it, the worst of them, when and how long."""
+        return [line for _, line in self.told()]
+
+    def told(self) -> Iterator[tuple[str, str]]:
+        """Verdicts and the lines of ``exceeded``."""
+        for k, limit in enumerate(LEG_LIMITS):
+            for found in self._extremes[k].beyond(limit.bound(self.robot)):
+                yield found.verdict, self._line(k, limit, found)
+
+    def _line(self, k: int, limit: LegLimit, found: Beyond) -> str:
+        """One line about a limit and the legs in question."""
+        worst, (time, values) = found.worst, found.when
+        bound = limit.sign * limit.bound(self.robot)[worst]
+        value = f"{values[worst]:.6g}{spread_text(found.sd)} {limit.unit}"
+        value += f" at {time_text(time, self.step)} s, limit {bound:g} {limit.unit}"
+        text = f"{limit.name} {found.verdict} by {found.legs_text}: {found.worst_text}{value}"
+        if self._count[k, worst]:
+            share = f"at {int(self._count[k, worst])} of {len(self.time)} instants"
+            text += f"; beyond it for {self._span[k, worst]:.3g} s, {share}"
+        elif found.verdict == AT_REPLACED:
+            text += f"; kept away from {replaced_names(self.replaced)}"
+        return text
+
+    def verdicts(self, limit: LegLimit) -> list[str]:
+        """The verdict of each leg."""
+        return self._extremes[LEG_LIMITS.index(limit)].verdicts(limit.bound(self.robot))
+
+
+def replaced_rows(trajectory: Trajectory | PoseLog) -> tuple[Replaced, ...]:
+    """Rows of its log that a trajectory does not have as they were."""
+    return () if trajectory.noise is None else trajectory.noise.replaced
+
+
+def replaced_names(replaced: tuple[Replaced, ...]) -> str:
+    """How a line names replaced rows, some of many."""
+    names = list(dict.fromkeys(name for span in replaced for name in span.rows))
+    return ", ".join(names[:_MOST_NAMED]) + (
+        f" and {len(names) - _MOST_NAMED} more" if len(names) > _MOST_NAMED else ""
+    )
+
+
+def _rows(time: Array, values: Array, instants: list[int]) -> list[tuple[float, Array]]:
+    # Copies: a view would keep all of the part.
+    return [(float(time[i]), values[i].copy()) for i in instants]
+
+
+def _weights(time: Array) -> Array:
+    """How long each instant stands for: half the way to both neighbours."""
+    return np.gradient(elapsed(time)) if len(time) > 1 else np.zeros(1)
