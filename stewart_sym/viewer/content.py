@@ -3,12 +3,18 @@
 from __future__ import annotations
 
 import base64
+import html
+import itertools
 import json
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ..drives.effort import PEAKS
+from ..drives.verdicts import EXCEEDED, VERDICTS, shows
+from ..io.arguments import safe_text
 from ..io.array_types import Array
 from ..io.instants import least_step, time_text
 from ..io.json_text import plain
@@ -18,6 +24,7 @@ from ..motion.rotation import quaternion_from_rotation
 from ..robot.offset_chains import chains
 from ..robot.robot import Robot
 from .instants import Event, Instants
+from .limits import Limits
 
 # Radius of a lower part and length of the axes as drawn, over the machine's size; how far a twist swings the
 # platform, over its characteristic length.
@@ -30,11 +37,13 @@ _LOWER, _LOWER_OF_LONGEST = 0.9, 0.62
 _WITHIN, _UPPER = 0.15, 0.93
 # Where the largest force exceeds the quantile by this factor, as beside a singular pose, colours end there.
 _QUANTILE, _PEAK = 0.9, 4.0
+# Digits that are shown of values, of lengths one more.
+_DIGITS = 5
 # Size below which machines are shown in millimetres, m.
 _SMALL = 2.0
 
 
-def content(robot: Robot, shown: Instants) -> dict[str, Any]:
+def content(robot: Robot, shown: Instants, limits: Limits) -> dict[str, Any]:
     """Everything that the page's scripts read."""
     scale, cut = _scale(shown)
     columns = {
@@ -46,11 +55,15 @@ def content(robot: Robot, shown: Instants) -> dict[str, Any]:
         "condition": _column(shown.condition),
         **{f"F_{name}": _column(F) for name, F in shown.forces.items()},
         **_chain_columns(robot, shown),
+        **_motor_columns(robot, shown, limits),
+        **{f"{name}_sd": _column(sd) for name, sd in _deviations(robot, shown, limits)},
     }
     return {
         "machine": _machine(robot, shown),
         "units": units(robot),
         "forces": list(shown.forces),
+        "motors": _motors(limits),
+        "verdicts": {name: [*_runs(codes)] for name, codes in limits.codes.items() if codes.any()},
         "scale": scale,
         "cut": cut,
         "columns": columns,
@@ -79,6 +92,28 @@ def parts_text(robot: Robot) -> str:
     return f"{which} of the legs' parts are assumed: the robot file states none."
 
 
+def noise_html(shown: Instants) -> str:
+    """A paragraph about what noise a log was found to have; nothing without."""
+    if shown.noise is None or not shown.noise.text:
+        return ""
+    text = html.escape(safe_text(shown.noise.text))
+    return f'<p id="noise">{text}; \u00b1 is the standard deviation that this leaves</p>'
+
+
+def limits_html(limits: Limits) -> str:
+    """A section about the limits of the robot file that are not kept; nothing of a robot without limits."""
+    if not limits.stated:
+        return ""
+    lines = [
+        f'<li class="{"beyond" if verdict == EXCEEDED else "doubtful"}">{html.escape(safe_text(line))}</li>'
+        for verdict, line in limits.told
+    ]
+    known = "forces, lengths, speeds and motors" if np.isfinite(limits.F).any() else "lengths and speeds"
+    kept = f"<p>The limits of {known} that the robot file states are kept.</p>"
+    said = f"<ul>{''.join(lines)}</ul>" if lines else kept
+    return f'<section id="limits" aria-label="Limits"><h2>Limits</h2>{said}</section>'
+
+
 # Parts
 
 
@@ -102,6 +137,56 @@ def _chain_columns(robot: Robot, shown: Instants) -> dict[str, dict[str, str]]:
     points = {"moving": at.A, "foot": at.T - at.L * at.s, "end": at.T}
     columns = {name: _column(robot.b + point) for name, point in points.items()}
     return columns | {"lower": _column(at.y), "upper": _column(at.U[..., 1])}
+
+
+def _motor_columns(robot: Robot, shown: Instants, limits: Limits) -> dict[str, dict[str, str]]:
+    """Torque of the motors, of which the page makes current and power, and speed where lengths don't tell."""
+    if limits.motors is None:
+        return {}
+    found = {"torque": _column(limits.motors.torque)}
+    return found if robot.offsets is None else found | {"speed": _column(limits.motors.speed)}
+
+
+def _deviations(robot: Robot, shown: Instants, limits: Limits) -> Iterator[tuple[str, Array]]:
+    """Names of columns and their deviations, of those that these change in digits that are shown."""
+    if shown.noise is None:
+        return
+    sd, motors = shown.noise.sd, limits.motors
+    found = [(f"F_{name}", F, shown.noise.forces[name]) for name, F in shown.forces.items()]
+    found += [("L", shown.L, sd.L), ("L_dot", shown.L_dot, sd.L_dot)]
+    if motors is not None and sd.motors is not None:
+        found += [(name, getattr(motors, name), getattr(sd.motors, name)) for name in ("torque", "power")]
+        found += [] if robot.offsets is None else [("speed", motors.speed, sd.motors.speed)]
+    for name, *pair in found:
+        peak, most = (np.nan_to_num(np.abs(each), nan=0.0).max(axis=0, initial=0.0) for each in pair)
+        if shows(peak, most, _DIGITS + (name == "L")):
+            yield name, pair[1]
+
+
+def _runs(codes: NDArray[np.uint8]) -> Iterator[list[int]]:
+    """Leg, first instant, the one after the last, and the code of all between, where a limit is not kept."""
+    for leg, column in enumerate(codes.T):
+        edges = [0, *(np.flatnonzero(np.diff(column)) + 1).tolist(), len(column)]
+        for first, after in itertools.pairwise(edges):
+            if column[first]:
+                yield [leg, first, after, int(column[first])]
+
+
+def _motors(limits: Limits) -> dict[str, Any] | None:
+    """Of the motors: what makes speeds of those of legs and currents of torques, limits, and mean torques."""
+    found = limits.summary
+    if found is None:
+        return None
+    drive, known = found.drive, np.isfinite(limits.F).any(axis=0) & (found.span > 0.0)
+    return {
+        "turns": drive.turns,
+        "constant": drive.torque_constant,
+        "limits": {name: getattr(drive, f"{name}_limit") for name in PEAKS},
+        "rated": drive.rated_torque,
+        "rms": np.where(known, found.rms_torque, np.nan),
+        "rmsDeviation": found.rms_torque_sd,
+        "rmsVerdict": [VERDICTS.index(each) for each in found.verdicts("rated_torque")],
+    }
 
 
 def _machine(robot: Robot, shown: Instants) -> dict[str, Any]:

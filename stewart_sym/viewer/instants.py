@@ -5,25 +5,29 @@ from __future__ import annotations
 import itertools
 import os
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ..drives.leg_limits import replaced_names, replaced_rows
+from ..drives.noise import Deviations, all_deviations, at_replaced
+from ..dynamics.force_noise import force_deviations
 from ..dynamics.inverse import inverse_dynamics
 from ..io.arguments import real_array
-from ..io.array_types import Array
+from ..io.array_types import Array, Flags
 from ..io.tables import file_name, opened
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
 from ..kinematics.inverse import inverse_kinematics
 from ..kinematics.mounting import path_for
 from ..kinematics.pose_search import jacobian
 from ..motion.interpolation import Path, between
+from ..motion.log_rates import noise_text
 from ..motion.log_reader import PLAIN
 from ..motion.logs import need_columns, read_columns
 from ..motion.motion import Motion, at_rest
 from ..motion.rotation import rotation_from_rpy
 from ..motion.straight_line import PATHS, StraightLinePath
-from ..motion.trajectory import PoseLog, Trajectory
+from ..motion.trajectory import PoseLog, Replaced, Trajectory
 from ..results import OK
 from ..robot.robot import Robot
 from ..simulation.trace import Simulation, Trace, leg_states
@@ -56,13 +60,29 @@ class Event:
 
 
 @dataclass(frozen=True, eq=False)
+class Noise:
+    """What noise of a log leaves open at n instants.
+
+    text: what the log was found to have and what was done about it. sd: standard deviations, of forces those
+    of the first formulation. forces: deviations of forces by the name of the formulation, N, (n, 6). there:
+    instants, (n,), at which they hold what replaced rows change. replaced: these rows.
+    """
+
+    text: str
+    sd: Deviations
+    forces: Mapping[str, Array]
+    there: Flags
+    replaced: tuple[Replaced, ...]
+
+
+@dataclass(frozen=True, eq=False)
 class Instants:
     """A machine's motion at n instants, to be looked at; SI units, base frame.
 
     name: of the motion, in words. time: s, (n,). motion: poses and rates, (n,). L, L_dot: m and m/s, (n, 6).
     forces: actuator forces by the name of their formulation or source, N, (n, 6); nan where none hold the
     pose. condition: of H with its moment rows over the characteristic length, (n,). events: singular instants
-    in order, or the one nearest to a singular pose.
+    in order, or the one nearest to a singular pose. noise: of the log; None without.
     """
 
     name: str
@@ -73,6 +93,7 @@ class Instants:
     forces: Mapping[str, Array]
     condition: Array
     events: tuple[Event, ...]
+    noise: Noise | None = None
 
 
 def at_home(robot: Robot, home: Array) -> Instants:
@@ -97,7 +118,8 @@ def of_trajectory(robot: Robot, trajectory: Trajectory | PoseLog) -> Instants:
     """A trajectory read from a file, by whose name it is called."""
     path = between(trajectory) if len(trajectory.time) > 1 else None
     name = os.path.basename(trajectory.source)
-    return _instants(robot, name, trajectory.time, trajectory.motion, path, trajectory.time)
+    found = _instants(robot, name, trajectory.time, trajectory.motion, path, trajectory.time)
+    return replace(found, noise=_noise(robot, trajectory, list(found.forces)))
 
 
 def of_run(robot: Robot, run: Trace) -> Instants:
@@ -179,6 +201,21 @@ def _instants(
         forces = {each: _forces(robot, motion, each) for each in formulations}
     events = _events(robot, time, motion, condition, path, breaks)
     return Instants(name, time, motion, legs.L, legs.L_dot, forces, condition, events)
+
+
+def _noise(robot: Robot, trajectory: Trajectory | PoseLog, formulations: list[str]) -> Noise | None:
+    if trajectory.noise is None:
+        return None
+    first, *others = formulations
+    sd = all_deviations(robot, trajectory, first)  # type: ignore[arg-type]
+    forces = {name: force_deviations(robot, trajectory, name) for name in others}  # type: ignore[arg-type]
+    replaced, said = replaced_rows(trajectory), []
+    if trajectory.noise.sigma.any():
+        said.append(f"{noise_text(trajectory.noise)}: smoothed")
+    if replaced:
+        said.append(f"replaced rows: {replaced_names(replaced)}")
+    text, there = "; ".join(said), at_replaced(trajectory, trajectory.time)
+    return Noise(text, sd, {first: sd.F} | forces, there, replaced)
 
 
 def _forces(robot: Robot, motion: Motion, formulation: str) -> Array:

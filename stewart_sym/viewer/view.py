@@ -5,6 +5,7 @@ from __future__ import annotations
 import html
 import os
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import Any, cast
 
@@ -17,8 +18,9 @@ from ..motion.straight_line import StraightLinePath
 from ..motion.trajectory import PoseLog, Trajectory
 from ..robot.robot import Robot
 from ..simulation.trace import Trace
-from .content import content, data_text, parts_text, units
+from .content import content, data_text, limits_html, noise_html, parts_text, units
 from .instants import Instants, at_home, of_motion, of_path, of_run, of_trajectory
+from .limits import Limits, limits
 from .page import document, filled, generator
 
 _HEIGHT = 900
@@ -44,6 +46,11 @@ class View:
         """Names of machine and motion."""
         return f"{safe_text(self.robot.name)}: {safe_text(self.instants.name)}"
 
+    @cached_property
+    def limits(self) -> Limits:
+        """The machine's limits beside the motion."""
+        return limits(self.robot, self.instants)
+
     @property
     def html(self) -> str:
         """The file's text."""
@@ -57,7 +64,9 @@ class View:
                 "moment": f"{(characteristic_length(self.robot) or 1.0) * shown['length']:.4g}",
                 "generator": html.escape(generator()),
                 "parts": parts_text(self.robot),
-                "data": data_text(content(self.robot, self.instants)),
+                "noise": noise_html(self.instants),
+                "limits": limits_html(self.limits),
+                "data": data_text(content(self.robot, self.instants, self.limits)),
             },
         )
         return document(self.title, body, "main")
@@ -97,8 +106,9 @@ def view(
     """Return a machine in motion, to be looked at in a notebook or saved as one HTML file.
 
     The file needs no network and no other file. It shows the machine in three dimensions with its legs
-    coloured by force, and forces, lengths, speeds and condition number over time. Forces are of both
-    formulations, of ``exact`` alone for a robot whose drive has rotor inertia.
+    coloured by force, and forces, lengths, speeds and condition number over time, beside the limits of legs
+    and motors; of a log with noise with the deviations that it leaves. Forces are of both formulations, of
+    ``exact`` alone for a robot whose drive has rotor inertia.
 
     Parameters
     ----------

@@ -235,7 +235,7 @@ def test_with_z_down_the_same_is_shown_upside_down() -> None:
     down = dataclasses.replace(robot, **names, I_p=Q @ robot.I_p @ Q)
     one, other = (ss.view(each, "I") for each in (robot, down))
     assert np.allclose(one.instants.forces["paper"], other.instants.forces["paper"], rtol=1e-9)
-    ups = [content(each.robot, each.instants)["machine"]["up"] for each in (one, other)]
+    ups = [content(each.robot, each.instants, each.limits)["machine"]["up"] for each in (one, other)]
     assert np.allclose(ups, [[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]])
 
 
@@ -252,9 +252,10 @@ def test_the_chains_of_offset_joints_are_as_long_as_stated() -> None:
     robot = dataclasses.replace(dasgupta(), offsets=offsets)
     path, _ = ss.PATHS["I"]
     time = np.linspace(0.0, 6.0, 7)
-    shown = ss.view(robot, path.sample(time), time).instants
+    view = ss.view(robot, path.sample(time), time)
+    shown = view.instants
     assert list(shown.forces) == ["exact"]
-    columns = content(robot, shown)["columns"]
+    columns = content(robot, shown, view.limits)["columns"]
     moving, foot, end, y = (
         np.frombuffer(base64.b64decode(columns[name]["data"]), np.float32).reshape(7, 6, 3)
         for name in ("moving", "foot", "end", "lower")

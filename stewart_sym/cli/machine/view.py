@@ -14,7 +14,6 @@ from ..options import log_options, output
 from ..results import need_html, reject_inputs, results
 
 if TYPE_CHECKING:
-    from ...motion.trajectory import PoseLog, Trajectory
     from ...robot.robot import Robot
     from ...viewer.instants import Instants
     from ...viewer.view import View
@@ -23,8 +22,9 @@ HELP = "show a machine in motion: one HTML file for any browser, without a netwo
 EXAMPLE = "stewart-sym view hexapod.toml trajectory.csv -o machine.html"
 MORE = (
     "The motion is I, II or III of the paper, a CSV file as for `forces`, or a folder or run.csv that "
-    "`simulate` wrote, whose own forces are shown; without one the machine is at its home pose. Without -o "
-    "the file is opened in a browser, where there is a screen."
+    "`simulate` wrote, whose own forces are shown; without one the machine is at its home pose. Limits of "
+    "legs and motors are compared as `forces` does, with the deviations that noise of a log leaves. Without "
+    "-o the file is opened in a browser, where there is a screen."
 )
 
 _RUN = "run.csv"
@@ -59,13 +59,12 @@ def run(arguments: argparse.Namespace) -> int:
         result_file(path, [BEGINNING], arguments.force) as stream,
     ):
         robot = _robot(arguments)
-        instants, trajectory = _motion(robot, arguments, progress)
-        shown = View(robot, instants)
+        shown = View(robot, _motion(robot, arguments, progress))
         progress("writing the page")
         stream.write(shown.html)
         said = [] if str(path) == "-" else [f"{shown.title}", f"Written to {path}"]
-        take(Report("\n".join(said), data=_data(shown.instants)))
-    for line in _exceeded(shown, trajectory):
+        take(Report("\n".join(said), data=_data(shown)))
+    for _, line in shown.limits.told:
         warnings.warn(line, stacklevel=2)
     if arguments.output is None and not _opened(path):
         print(f"No screen was found: open {path.resolve()} in a browser", file=sys.stderr)
@@ -85,19 +84,17 @@ def _robot(arguments: argparse.Namespace) -> "Robot":
     return dasgupta1998() if arguments.example else robot_of(arguments.robot)
 
 
-def _motion(
-    robot: "Robot", arguments: argparse.Namespace, progress: Progress
-) -> "tuple[Instants, Trajectory | PoseLog | None]":
-    """The motion that the arguments name, and the trajectory if it is one."""
+def _motion(robot: "Robot", arguments: argparse.Namespace, progress: Progress) -> "Instants":
+    """The motion that the arguments name."""
     from ...dynamics.home_pose import home_pose
     from ...motion.straight_line import PATHS
     from ...viewer import instants
 
     name = "I" if arguments.example else arguments.motion
     if name is None:
-        return instants.at_home(robot, home_pose(robot).t), None
+        return instants.at_home(robot, home_pose(robot).t)
     if name in PATHS:
-        return instants.of_path(robot, name), None
+        return instants.of_path(robot, name)
     path = Path(name)
     if path.is_dir():
         path = path / _RUN
@@ -107,27 +104,10 @@ def _motion(
         )
     if _is_run(path):
         progress("reading the run")
-        return instants.of_run_file(robot, path), None
+        return instants.of_run_file(robot, path)
     trajectory = trajectory_of(robot, path, arguments, progress)
     progress("computing forces and singular instants")
-    return instants.of_trajectory(robot, trajectory), trajectory
-
-
-def _exceeded(shown: "View", trajectory: "Trajectory | PoseLog | None") -> list[str]:
-    """One line for each limit of the machine that the motion breaks, or may break by noise."""
-    import numpy as np
-
-    from ...drives.leg_limits import LegLimits, replaced_rows
-    from ...drives.noise import all_deviations, at_replaced
-
-    at, robot = shown.instants, shown.robot
-    F = next(iter(at.forces.values()), np.zeros_like(at.L))
-    sd = there = None
-    if trajectory is not None and trajectory.noise is not None:
-        sd, there = all_deviations(robot, trajectory), at_replaced(trajectory, at.time)
-    legs = LegLimits(robot, at.time, () if trajectory is None else replaced_rows(trajectory))
-    legs.add(slice(None), {"F": F, "L": at.L, "L_dot": at.L_dot}, sd, there)
-    return legs.exceeded()
+    return instants.of_trajectory(robot, trajectory)
 
 
 def _is_run(path: Path) -> bool:
@@ -137,10 +117,11 @@ def _is_run(path: Path) -> bool:
     return {"omega_x", "F1", "kinetic"} <= {name.strip() for name in header}
 
 
-def _data(shown: "Instants") -> dict[str, object]:
+def _data(view: "View") -> dict[str, object]:
     """What the page shows, for programs."""
     import numpy as np
 
+    shown = view.instants
     # Legs that no force holds at any instant.
     with warnings.catch_warnings(action="ignore", category=RuntimeWarning):
         peaks = {name: np.nanmax(np.abs(F), axis=0) for name, F in shown.forces.items()}
@@ -151,12 +132,29 @@ def _data(shown: "Instants") -> dict[str, object]:
         "end_s": shown.time[-1],
         "scaled_condition_number_peak": shown.condition.max(),
         "peak_force_N": peaks,
+        "legs": _legs(view),
+        "doubts": [line for _, line in view.limits.told],
         "marked": [
             {"time_s": event.time, "singular": event.singular, "twist": event.at.twist}
             for event in shown.events
         ],
         "units": {"twist": "m/s and rad/s"},
     }
+
+
+def _legs(view: "View") -> object:
+    """Peaks of each leg beside its limits, with deviations and verdicts, as ``forces`` has them."""
+    import numpy as np
+
+    from ...studies.reports.track import Digest, Part
+
+    shown, found = view.instants, view.limits
+    sd, there = (None, None) if shown.noise is None else (shown.noise.sd, shown.noise.there)
+    status = np.zeros(len(shown.time), dtype=np.int32)
+    whole = Part(slice(None), shown.time, found.F, shown.L, shown.L_dot, shown.condition, status)
+    digest = Digest(view.robot, shown.time)
+    digest.add(whole._replace(effort=found.motors, sd=sd, there=there))
+    return digest.as_json()["legs"]
 
 
 def _opened(path: Path) -> bool:

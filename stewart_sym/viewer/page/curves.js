@@ -3,6 +3,7 @@
 
 import { themeText } from "./colours.js";
 import { shown, ticks, tickTexts } from "./numbers.js";
+import { amount } from "./quantities.js";
 
 const LEFT = 64;
 const RIGHT = 12;
@@ -11,8 +12,8 @@ const BOTTOM = 26;
 const SUPERSCRIPTS = "\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079";
 
 export class Panel {
-  // figure: an element with a canvas; series: { name, column, factor, colour, dashed, leg }, whose values are those of
-  // the column, of the leg where there is one, times the factor; limits: numbers.
+  // figure: an element with a canvas; series: { name, column, deviations, factor, colour, dashed, leg }, whose values are
+  // those of the column, of the leg where there is one, times the factor; limits: numbers.
   constructor(figure, motion, clock, { series, limits = [], logarithmic = false, unit, digits = 5 }) {
     Object.assign(this, { figure, motion, clock, series, limits, logarithmic, unit, digits });
     this.canvas = figure.querySelector("canvas");
@@ -67,7 +68,10 @@ export class Panel {
   point(event) {
     const box = this.plot.getBoundingClientRect();
     const i = this.motion.nearest(this.timeAt(event.clientX - box.left));
-    const lines = this.visible().map((each) => `${each.name}\u2002${shown(valueOf(each, i), this.digits)} ${this.unit}`);
+    const lines = this.visible().map((each) => {
+      const off = each.deviations ? each.deviations[6 * i + each.leg] * each.factor : NaN;
+      return `${each.name}\u2002${amount(valueOf(each, i), off, this.unit, this.digits)}`;
+    });
     this.tip.textContent = [this.clock.text(this.motion.time[i]), ...lines].join("\n");
     this.tip.hidden = false;
     const x = this.place(this.motion.time[i]);

@@ -22,6 +22,13 @@ export function readPage() {
   return page;
 }
 
+// Verdicts of limits at each instant, of the six legs: 0 but where runs, [leg, first, after, verdict], say otherwise.
+function spread(runs, count) {
+  const found = new Uint8Array(6 * count);
+  for (const [leg, first, after, verdict] of runs) for (let i = first; i < after; i++) found[6 * i + leg] = verdict;
+  return found;
+}
+
 // A motion: what the machine does at each instant. Every instant is kept; only drawings leave some out.
 export class Motion {
   constructor(page) {
@@ -31,6 +38,8 @@ export class Motion {
     this.start = this.time[0];
     this.duration = this.time[this.count - 1] - this.start;
     this.events = page.events;
+    this.verdicts = {};
+    for (const [name, runs] of Object.entries(page.verdicts)) this.verdicts[name] = spread(runs, this.count);
   }
 
   // Index of the instant nearest to a time, s.

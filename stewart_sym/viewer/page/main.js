@@ -8,8 +8,9 @@ import { Motion, readPage } from "./data.js";
 import { Pen } from "./draw.js";
 import { legFrame } from "./machine.js";
 import { shown } from "./numbers.js";
+import { amount, DOUBTFUL, EXCEEDED, ofLegs, ofLimit, ofMotors } from "./quantities.js";
 import { Ribbon, sceneAt } from "./scene.js";
-import { legTable, peaks, words } from "./tables.js";
+import { legTable } from "./tables.js";
 import { add, along, column, dot, minus, times, unit } from "./vectors.js";
 
 const find = (name) => document.getElementById(name);
@@ -31,17 +32,14 @@ const forceLimits = machine.forceLimit.map(number);
 const speedLimits = machine.speedLimit.map(number);
 const lengthLimits = machine.lengthLimits.map(([low, high]) => [number(low), number(high)]);
 const forceOf = (set, i, leg) => motion.ofLeg(`F_${set}`, i, leg);
-// Which legs are beyond a limit of force, length or speed at the clock's instant.
-function beyond(set) {
-  const i = clock.index;
-  return [0, 1, 2, 3, 4, 5].map((leg) => {
-    const [low, high] = lengthLimits[leg];
-    const length = motion.ofLeg("L", i, leg);
-    const pushed = set ? Math.abs(forceOf(set, i, leg)) : 0;
-    return (
-      pushed > forceLimits[leg] || length < low || length > high || Math.abs(motion.ofLeg("L_dot", i, leg)) > speedLimits[leg]
-    );
-  });
+const legs = [0, 1, 2, 3, 4, 5];
+const quantities = ofLegs(motion, sets, units);
+const motorQuantities = ofMotors(motion, page.motors);
+const others = [quantities.length, quantities.speed, ...motorQuantities];
+// Of each leg the gravest verdict of a limit at the clock's instant.
+function verdicts(set) {
+  const all = set ? [quantities.forces[set], ...others] : others;
+  return legs.map((leg) => Math.max(...all.map((each) => each.verdict(clock.index, leg))));
 }
 
 const limitText = (value, limit) =>
@@ -96,7 +94,7 @@ try {
 let style = null;
 function readStyle() {
   const colours = {};
-  for (const name of ["paper", "ink", "base", "platform", "joint", "fixed", "ghost", "ribbon", "warn"])
+  for (const name of ["paper", "ink", "base", "platform", "joint", "fixed", "ghost", "ribbon", "warn", "open"])
     colours[name] = themeColour(`--${name}`);
   colours.axes = ["--axis-x", "--axis-y", "--axis-z"].map((name) => themeColour(name));
   style = { colours, ink: colours.ink };
@@ -133,7 +131,7 @@ function paint() {
       const rgb = set ? forceColour(forceOf(set, clock.index, leg), page.scale) : [150, 150, 150];
       return [...rgb.map((each) => each / 255), 1];
     });
-    const scene = sceneAt(machine, pose, { ...state, colours: style.colours, force, beyond: beyond(set) });
+    const scene = sceneAt(machine, pose, { ...state, colours: style.colours, force, verdicts: verdicts(set) });
     if (state.ribbon && motion.count > 1) ribbon.add(scene, clock.index, style.colours.ribbon);
     pen.draw(scene, picture, camera.matrix(picture.width / picture.height), { ...style, sun });
   });
@@ -207,8 +205,8 @@ canvas.addEventListener("pointermove", (event) => {
   tip.hidden = !found;
   if (!found) return;
   const i = clock.index;
-  const lines = [`leg ${found.leg + 1}`, `length\u2002${shown(motion.ofLeg("L", i, found.leg) * units.length, 6)} ${units.lengthName}`];
-  if (found.set) lines.push(`force, ${found.set}\u2002${words(forceOf(found.set, i, found.leg), "N")}`);
+  const lines = [`leg ${found.leg + 1}`, `length\u2002${quantities.length.text(i, found.leg)}`];
+  if (found.set) lines.push(`force, ${found.set}\u2002${quantities.forces[found.set].text(i, found.leg)}`);
   tip.textContent = lines.join("\n");
   const [x, y] = [event.clientX - box.left, event.clientY - box.top];
   tip.style.left = `${Math.min(x + 14, box.width - tip.offsetWidth - 4)}px`;
@@ -219,7 +217,6 @@ canvas.addEventListener("pointerleave", () => (tip.hidden = true));
 // Curves
 
 const LEG_COLOURS = ["--leg-1", "--leg-2", "--leg-3", "--leg-4", "--leg-5", "--leg-6"];
-const legs = [0, 1, 2, 3, 4, 5];
 const distinct = (values) => [...new Set(values.filter((each) => Number.isFinite(each) && each !== 0))];
 const perLeg = (name, factor = 1, dashed = false, ending = "") =>
   legs.map((leg) => ({
@@ -228,6 +225,7 @@ const perLeg = (name, factor = 1, dashed = false, ending = "") =>
     colour: LEG_COLOURS[leg],
     dashed,
     column: motion.columns[name],
+    deviations: motion.columns[`${name}_sd`],
     factor,
   }));
 const panels = [];
@@ -265,52 +263,52 @@ for (const leg of legs) {
 
 // Tables
 
-const within = (value, [low, high]) => value >= low && value <= high;
-const columns = sets.map((set) => ({
-  head: sets.length > 1 ? `force, ${set}` : "force",
-  text: (i, leg) => ({ words: words(forceOf(set, i, leg), "N"), warn: Math.abs(forceOf(set, i, leg)) > forceLimits[leg] }),
-}));
+const asCell = (quantity) => ({
+  head: quantity.head,
+  text: (i, leg) => ({ words: quantity.text(i, leg), verdict: quantity.verdict(i, leg) }),
+});
+const forces = Object.values(quantities.forces);
+const columns = forces.map(asCell);
 if (sets.length && distinct(forceLimits).length)
   columns.push({
     head: "of its limit",
     text: (i, leg) => ({
-      words: limitText(forceOf(sets[0], i, leg), forceLimits[leg]),
-      warn: Math.abs(forceOf(sets[0], i, leg)) > forceLimits[leg],
+      words: limitText(forces[0].value(i, leg), forceLimits[leg]),
+      verdict: forces[0].verdict(i, leg),
     }),
   });
-columns.push(
-  {
-    head: "length",
-    text: (i, leg) => {
-      const value = motion.ofLeg("L", i, leg);
-      return {
-        words: words(value * units.length, units.lengthName, 6),
-        warn: !within(value, [lengthLimits[leg][0] || 0, lengthLimits[leg][1]]),
-      };
-    },
-  },
-  {
-    head: "speed",
-    text: (i, leg) => {
-      const value = motion.ofLeg("L_dot", i, leg);
-      return { words: words(value * units.length, `${units.lengthName}/s`), warn: Math.abs(value) > speedLimits[leg] };
-    },
-  },
-);
-const fillNow = legTable(find("now"), columns);
-const tops = Object.fromEntries(sets.map((set) => [set, peaks(motion.columns[`F_${set}`])]));
-const fastest = peaks(motion.columns.L_dot);
-const peakColumns = sets.map((set) => ({
-  head: `peak force${sets.length > 1 ? `, ${set}` : ""}`,
-  text: (_, leg) => ({ words: `${words(forceOf(set, tops[set][leg], leg), "N", 4)} at ${clock.text(motion.time[tops[set][leg]])}` }),
-}));
-peakColumns.push({
-  head: "peak speed",
-  text: (_, leg) => ({
-    words: `${words(motion.ofLeg("L_dot", fastest[leg], leg) * units.length, `${units.lengthName}/s`, 4)} at ${clock.text(motion.time[fastest[leg]])}`,
-  }),
-});
-legTable(find("peaks"), peakColumns)(0);
+columns.push(asCell(quantities.length), asCell(quantities.speed));
+const fillLegs = legTable(find("now"), columns);
+// The largest of the whole motion, with its verdict, and in words what more is to be said.
+const asPeak = (quantity, more) => {
+  const at = quantity.peaks();
+  const worst = legs.map((leg) => quantity.worst(leg));
+  return {
+    head: `peak ${quantity.head}`,
+    text: (_, leg) => ({ words: more(quantity.text(at[leg], leg, 4), at[leg], leg), verdict: worst[leg] }),
+  };
+};
+const withTime = (text, i) => `${text} at ${clock.text(motion.time[i])}`;
+legTable(find("peaks"), [...forces, quantities.speed].map((each) => asPeak(each, withTime)))(0);
+const motors = page.motors;
+for (const name of ["motors", "motors-whole"]) find(name).hidden = !motors;
+const fillMotors = legTable(find("motors-now"), motorQuantities.map(asCell));
+if (motors) {
+  const rated = motors.rated.map(number);
+  const meanSquare = {
+    head: "RMS torque",
+    text: (_, leg) => ({
+      words: ofLimit(amount(motors.rms[leg], motors.rmsDeviation?.[leg] ?? NaN, "N m", 4), rated[leg]),
+      verdict: motors.rmsVerdict[leg],
+    }),
+  };
+  const besideLimit = (each) => asPeak(each, (text, _, leg) => ofLimit(text, each.limits[leg]));
+  legTable(find("motors-peaks"), [...motorQuantities.map(besideLimit), meanSquare])(0);
+}
+const fillNow = (index) => {
+  fillLegs(index);
+  fillMotors(index);
+};
 
 // Clock and controls
 
@@ -474,6 +472,20 @@ for (const limit of distinct(forceLimits))
     }
 const limits = distinct(forceLimits);
 find("limit").textContent = limits.length ? `limit ${limits.map((each) => shown(each, 4)).join(", ")} N` : "no force limit";
+
+// Colours of limits that are not kept, of those verdicts that the motion has.
+const found = new Set([...forces, ...others].flatMap((each) => legs.map((leg) => each.worst(leg))));
+for (const [name, words, has] of [
+  ["--warn", "limit exceeded", found.has(EXCEEDED)],
+  ["--open", "not decided at this noise ?", DOUBTFUL.some((each) => found.has(each))],
+]) {
+  if (!has) continue;
+  const item = document.createElement("span");
+  const mark = document.createElement("i");
+  mark.style.background = `var(${name})`;
+  item.append(mark, words);
+  find("verdicts").append(item);
+}
 
 const dark = matchMedia("(prefers-color-scheme: dark)");
 function setTheme(name) {

@@ -2,11 +2,12 @@
 
 import { add, along, column, cross, minus, size, times, unit } from "./vectors.js";
 import { legFrame, moved, ring, toolPoint } from "./machine.js";
+import { DOUBTFUL, EXCEEDED } from "./quantities.js";
 import { placed } from "./shapes.js";
 
 const RIBBON_STEPS = 100;
 
-// look: colours by name, force colours of the six legs, which of them are beyond a limit, and the options.
+// look: colours by name, force colours of the six legs, verdicts of their limits, and the options.
 export function sceneAt(machine, pose, look) {
   const scene = { solids: { tube: [], ball: [], bar: [] }, lines: [], sheets: [], overlaid: look.skeleton };
   const draw = look.skeleton ? skeleton : bodies;
@@ -63,13 +64,18 @@ function key(scene, from, frame, length, out, wide, colour) {
   scene.solids.bar.push([...placed(origin, ...axes), ...colour, 1]);
 }
 
+function collarColour({ colours }, verdict) {
+  if (verdict === EXCEEDED) return colours.warn;
+  return DOUBTFUL.includes(verdict) ? colours.open : colours.joint;
+}
+
 // The lower part: a tube from the base point, with a collar where the rod comes out, which warns of a limit.
 function lowerPart(scene, machine, frame, leg, look) {
   const { thick } = machine;
   const length = machine.lower[leg];
   const from = along(frame.base, frame.x, 1.6 * thick);
   tube(scene, from, frame, length - 1.6 * thick, thick, look.force[leg], 0);
-  const collar = look.beyond[leg] ? look.colours.warn : look.colours.joint;
+  const collar = collarColour(look, look.verdicts[leg]);
   tube(scene, along(frame.base, frame.x, length - 0.7 * thick), frame, 0.7 * thick, 1.22 * thick, collar, 1);
   if (machine.universal)
     key(scene, along(frame.base, frame.x, 2 * thick), frame, length - 3 * thick, thick, 0.22 * thick, look.colours.joint);

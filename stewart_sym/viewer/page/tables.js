@@ -1,6 +1,6 @@
 // Tables of numbers: of the legs at the clock's instant, and their peaks. What is drawn can be read here.
 
-import { shown } from "./numbers.js";
+import { DOUBTFUL, EXCEEDED } from "./quantities.js";
 
 function cell(row, text, tag = "td") {
   const made = document.createElement(tag);
@@ -10,7 +10,8 @@ function cell(row, text, tag = "td") {
   return made;
 }
 
-// A table of six legs whose columns are { head, values(i, leg) }; returns what fills it for an instant.
+// A table of six legs whose columns are { head, text(i, leg) }, which returns words and the verdict of a limit; returns
+// what fills it for an instant.
 export function legTable(table, columns) {
   const top = table.createTHead().insertRow();
   for (const text of ["leg", ...columns.map(({ head }) => head)]) cell(top, text, "th");
@@ -24,26 +25,13 @@ export function legTable(table, columns) {
   return (index) => {
     for (let leg = 0; leg < 6; leg++)
       columns.forEach(({ text }, k) => {
-        const { words, warn } = text(index, leg);
+        const { words, verdict = 0 } = text(index, leg);
         const at = cells[leg][k];
-        if (at.textContent !== words) at.textContent = words;
-        at.classList.toggle("beyond", Boolean(warn));
+        const doubtful = DOUBTFUL.includes(verdict);
+        const said = doubtful ? `${words} ?` : words;
+        if (at.textContent !== said) at.textContent = said;
+        at.classList.toggle("beyond", verdict === EXCEEDED);
+        at.classList.toggle("doubtful", doubtful);
       });
   };
-}
-
-// Instant of the largest magnitude of each leg in a column of six values an instant.
-export function peaks(column) {
-  return Array.from({ length: 6 }, (_, leg) => {
-    let [best, most] = [0, -1];
-    for (let i = leg; i < column.length; i += 6) {
-      const value = Math.abs(column[i]);
-      if (value > most) [best, most] = [(i - leg) / 6, value];
-    }
-    return best;
-  });
-}
-
-export function words(value, unit, digits = 5) {
-  return Number.isFinite(value) ? `${shown(value, digits)} ${unit}` : "\u2013";
 }

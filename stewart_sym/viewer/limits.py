@@ -1,0 +1,78 @@
+"""Limits of a machine beside its motion: what is said of them, and where each is exceeded or not decided."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..drives.effort import Summary, motor_codes, trapezoids
+from ..drives.instants import Instants as Motors
+from ..drives.instants import at_instants, of_motor_forces
+from ..drives.leg_limits import LegLimits, leg_codes
+from ..drives.verdicts import NOT_DECIDED, unknown_forces
+from ..io.array_types import Array
+from ..io.instants import elapsed, least_step
+from ..robot.robot import Robot
+from .instants import FORMULATIONS, Instants
+
+_OF_LEGS = ("force_limit", "speed_limit", "length_limits")
+_OF_MOTORS = ("torque_limit", "speed_limit", "current_limit", "power_limit", "rated_torque")
+
+
+@dataclass(frozen=True, eq=False)
+class Limits:
+    """Limits of a machine beside its motion.
+
+    stated: whether it has any. told: verdicts and lines about those that are not kept, as ``forces`` says
+    them. codes: places in ``VERDICTS`` at each instant, (n, 6), by F and the formulation, L, L_dot, and of
+    motors torque, speed, current and power. F: forces that the motors are computed from, N, (n, 6). motors:
+    what the instants take of them, of a robot with a drive, and summary: of all of them.
+    """
+
+    stated: bool
+    told: tuple[tuple[str, str], ...]
+    codes: Mapping[str, NDArray[np.uint8]]
+    F: Array
+    motors: Motors | None
+    summary: Summary | None
+
+
+def limits(robot: Robot, shown: Instants) -> Limits:
+    """Compare a motion with all limits; without forces with those of lengths and speeds."""
+    name, noise = next(iter(shown.forces), None), shown.noise
+    F = np.full_like(shown.L, np.nan) if name is None else shown.forces[name]
+    sd, there = (None, None) if noise is None else (noise.sd, noise.there)
+    legs = LegLimits(robot, shown.time, () if noise is None else noise.replaced)
+    legs.add(slice(None), {"F": F, "L": shown.L, "L_dot": shown.L_dot}, sd, there)
+    unknown = None if noise is None else unknown_forces(F, np.where(noise.there[:, None], 0.0, noise.sd.F))
+    told = [*([] if unknown is None else [(NOT_DECIDED, unknown)]), *legs.told()]
+    codes = dict(_leg_codes(robot, shown))
+    if robot.drive is None:
+        return Limits(_stated(robot), tuple(told), codes, F, None, None)
+    of = at_instants if name in FORMULATIONS else of_motor_forces
+    motors = of(robot, robot.drive, shown.motion, F, shown.L_dot)
+    time, motors_sd = elapsed(shown.time), None if sd is None else sd.motors
+    summary = Summary(robot.drive, least_step(shown.time))
+    summary.add(motors, trapezoids(time), time, motors_sd, there)
+    codes |= motor_codes(robot.drive, motors, motors_sd, there)
+    return Limits(_stated(robot), (*told, *summary.told()), codes, F, motors, summary)
+
+
+def _leg_codes(robot: Robot, shown: Instants) -> Iterator[tuple[str, NDArray[np.uint8]]]:
+    noise = shown.noise
+    there = None if noise is None else noise.there
+    for name, F in shown.forces.items():
+        yield f"F_{name}", leg_codes(robot, "F", F, None if noise is None else noise.forces[name], there)
+    for name in ("L", "L_dot"):
+        sd = None if noise is None else getattr(noise.sd, name)
+        yield name, leg_codes(robot, name, getattr(shown, name), sd, there)
+
+
+def _stated(robot: Robot) -> bool:
+    found = [getattr(robot, name) for name in _OF_LEGS]
+    if robot.drive is not None:
+        found += [getattr(robot.drive, name) for name in _OF_MOTORS]
+    return any(bool(np.any(np.isfinite(each) & (np.asarray(each) != 0.0))) for each in found)

@@ -1,0 +1,101 @@
+// What the legs and their motors do and take at each instant: values, deviations by noise of a log, verdicts of limits.
+
+import { shown } from "./numbers.js";
+
+// Verdicts, as the program numbers them: kept is 0.
+export const DOUBTFUL = [1, 2];
+export const EXCEEDED = 3;
+
+const DEVIATION_DIGITS = 2;
+
+export class Quantity {
+  // column: its name; factors: of the six legs, from the column's values; name: of its verdicts.
+  constructor(motion, { head, unit, column, factors = [1, 1, 1, 1, 1, 1], name = column, digits = 5, limits = [] }) {
+    Object.assign(this, { motion, head, unit, column, factors, name, digits, limits });
+  }
+
+  value(i, leg) {
+    return this.motion.ofLeg(this.column, i, leg) * this.factors[leg];
+  }
+
+  // NaN without noise that digits show.
+  deviation(i, leg) {
+    return this.motion.ofLeg(`${this.column}_sd`, i, leg) * Math.abs(this.factors[leg]);
+  }
+
+  verdict(i, leg) {
+    return this.motion.verdicts[this.name]?.[6 * i + leg] ?? 0;
+  }
+
+  // Of the whole motion.
+  worst(leg) {
+    let found = 0;
+    for (let i = 0; i < this.motion.count; i++) found = Math.max(found, this.verdict(i, leg));
+    return found;
+  }
+
+  // Instant of the largest magnitude of each leg.
+  peaks() {
+    return [0, 1, 2, 3, 4, 5].map((leg) => {
+      let [best, most] = [0, -1];
+      for (let i = 0; i < this.motion.count; i++) {
+        const size = Math.abs(this.value(i, leg));
+        if (size > most) [best, most] = [i, size];
+      }
+      return best;
+    });
+  }
+
+  text(i, leg, digits = this.digits) {
+    return amount(this.value(i, leg), this.deviation(i, leg), this.unit, digits);
+  }
+}
+
+// Of mechanical power: that of torque and speed.
+class Power extends Quantity {
+  constructor(motion, torque, speed, options) {
+    super(motion, { column: "power", ...options });
+    this.value = (i, leg) => torque.value(i, leg) * speed.value(i, leg);
+  }
+}
+
+// A value with its deviation, whose digits end where those of the deviation do.
+export function amount(value, deviation, unit, digits = 5) {
+  if (!Number.isFinite(value)) return "\u2013";
+  if (Number.isNaN(deviation)) return `${shown(value, digits)} ${unit}`;
+  const known = power(value) - power(deviation) + DEVIATION_DIGITS;
+  return `${shown(value, Math.max(1, Math.min(digits, known || 1)))} \u00b1 ${shown(deviation, DEVIATION_DIGITS)} ${unit}`;
+}
+
+const power = (value) => Math.floor(Math.log10(Math.abs(value)));
+
+// The same of its limit, if there is one.
+export const ofLimit = (text, limit) => (Number.isFinite(limit) ? `${text} of ${Number(limit.toPrecision(6))}` : text);
+
+// Of the legs: forces by the names of their formulations, length and speed.
+export function ofLegs(motion, sets, { length, lengthName }) {
+  const factors = Array(6).fill(length);
+  const forces = Object.fromEntries(
+    sets.map((set) => [set, new Quantity(motion, { head: sets.length > 1 ? `force, ${set}` : "force", unit: "N", column: `F_${set}` })]),
+  );
+  return {
+    forces,
+    length: new Quantity(motion, { head: "length", unit: lengthName, column: "L", factors, digits: 6 }),
+    speed: new Quantity(motion, { head: "speed", unit: `${lengthName}/s`, column: "L_dot", factors }),
+  };
+}
+
+// Of the motors; none of a robot without a drive.
+export function ofMotors(motion, motors) {
+  if (!motors) return [];
+  const limits = Object.fromEntries(
+    Object.entries(motors.limits).map(([name, values]) => [name, values.map((each) => each ?? Infinity)]),
+  );
+  const own = motion.columns.speed ? { column: "speed" } : { column: "L_dot", factors: motors.turns, name: "speed" };
+  const currents = { column: "torque", factors: motors.constant.map((each) => (each > 0 ? 1 / each : NaN)), name: "current" };
+  const torque = new Quantity(motion, { head: "torque", unit: "N m", column: "torque", limits: limits.torque });
+  const speed = new Quantity(motion, { head: "speed", unit: "rad/s", ...own, limits: limits.speed });
+  const current = new Quantity(motion, { head: "current", unit: "A", ...currents, limits: limits.current });
+  const power = new Power(motion, torque, speed, { head: "shaft power", unit: "W", limits: limits.power });
+  return motors.constant.some((each) => each > 0) ? [torque, speed, current, power] : [torque, speed, power];
+}
