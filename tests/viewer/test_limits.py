@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from axe_playwright_python.sync_playwright import Axe
 from browser import Opened
 from machines import dasgupta
 from numpy.typing import NDArray
@@ -223,6 +224,14 @@ def test_collars_tell_what_noise_leaves_open(case: Case, opened: Opened) -> None
             (blue < 10) & (red > 150) & (np.abs(green / np.maximum(red, 1) - 0.7) < 0.03)
         )
         assert (orange > 50) == bool(code == 2 and case.noisy), code
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_axe_finds_no_violation(browser: Browser, case: Case, scheme: str) -> None:
+    found = Opened(browser, case.page, color_scheme=scheme, bypass_csp=True)
+    assert [each["id"] for each in Axe().run(found.page).response["violations"]] == []
+    found.close()
 
 
 def test_a_path_and_a_machine_without_limits_say_nothing_of_limits() -> None:
