@@ -163,7 +163,7 @@ class PoseExaminer(Frozen):
         if limits.lengths:
             low, high = robot.length_limits.T
             keep(np.all((low <= L[left]) & (L[left] <= high), axis=-1), LENGTH)
-        if limits.joint_angles and np.isfinite(robot.joint_angle_limit).any():
+        if limits.joint_angles and robot.limits_joint_angles:
             keep(self._angles_kept(R[left], S[left], L[left]), ANGLE)
         if limits.clearance > 0.0:
             apart = _apart(robot)

@@ -137,9 +137,12 @@ def joint_angles(robot: Robot, motion: Motion) -> JointAngles:
     """
     instance(robot, Robot, "robot")
     instance(motion, Motion, "motion")
-    neutral = neutral_directions(robot)
-    S = _along_legs(robot, motion)
-    return JointAngles(angles_between(S, neutral), angles_between(S @ motion.R, neutral))
+    return JointAngles(*angles_from(neutral_directions(robot), _along_legs(robot, motion), motion.R))
+
+
+def angles_from(neutral: Array, S: Array, R: Array) -> tuple[Array, Array]:
+    """Angles at base and platform, (..., 6), of legs along S, (..., 6, 3), from ``neutral_directions``."""
+    return angles_between(S, neutral), angles_between(S @ R, neutral)
 
 
 def neutral_directions(robot: Robot) -> Array:

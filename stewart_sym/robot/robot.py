@@ -287,6 +287,11 @@ class Robot(Frozen):
         """Whether any leg's rotor has inertia."""
         return self.drive is not None and bool(np.any(self.drive.rotor_inertia))
 
+    @property
+    def limits_joint_angles(self) -> bool:
+        """Whether any joint's angle has a limit."""
+        return bool(np.isfinite(self.joint_angle_limit).any())
+
     def physicality(self) -> list[str]:
         """Find the parts whose inertia no rigid body can have.
 

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
 from ..io.arguments import number_in
 from ..io.array_types import Array
+from ..kinematics.clearance import angles_from, neutral_directions
 from ..kinematics.conditioning import condition_number
 from ..kinematics.inverse import joint_sines
 from ..kinematics.pose_search import platform_size
@@ -17,7 +19,7 @@ from ..motion.rotation import cross
 from ..robot.robot import Robot
 from .trace import WATCHED, Actuators, LegStates, Piece, Stop, leg_states, motion_of
 
-NEAR_SINGULAR, CROSSING = 36, 37
+NEAR_SINGULAR, CROSSING = 48, 49
 """Columns of the watched margins: condition number of H, and det H on the side where the run began."""
 
 
@@ -103,7 +105,10 @@ class Watch:
         return float(brentq(margin, start, end, xtol=1e-14 * max(end, 1.0), rtol=1e-14))
 
     def _margins(self, when: Array, piece: Piece, actuators: Actuators) -> Array:
-        """(n, 38): shortest, longest, speed, force, length zero, joint sine, 6 each; condition, side of H."""
+        """(n, 50): six each of shortest, longest, speed, force, length zero, joint sine, angle at the base.
+
+        Six of angle at the platform; condition, side of H.
+        """
         robot = self.robot
         state = motion_of(piece.interpolant(when).T, piece.center)
         legs = leg_states(robot, state)
@@ -118,9 +123,20 @@ class Watch:
             self.force_limit - np.abs(F),
             legs.L - shortest,
             (joint_sines(robot, legs.s) if legs.sine is None else legs.sine) - self.thresholds.min_joint_sine,
+            *(robot.joint_angle_limit.T[:, None] - self._angles(legs, state)),
             *self._singular_margins(legs),
         ]
         return np.concatenate(margins, axis=-1)
+
+    def _angles(self, legs: LegStates, state: Motion) -> Array:
+        """Angles of the joints at base and platform, (2, n, 6); 0 where none has a limit."""
+        if not self.robot.limits_joint_angles:
+            return np.zeros((2, *legs.L.shape))
+        return np.stack(angles_from(self._neutral, legs.s, state.R))
+
+    @cached_property
+    def _neutral(self) -> Array:
+        return neutral_directions(self.robot)
 
     def _singular_margins(self, legs: LegStates) -> tuple[Array, Array]:
         if self.thresholds.max_condition == math.inf:
@@ -137,6 +153,7 @@ class Watch:
         legs = leg_states(robot, state)
         low, high = robot.length_limits[leg]
         length = f"{legs.L[0, leg]:.6g} m"
+        angles = np.degrees([self._angles(legs, state)[:, 0, leg], robot.joint_angle_limit[leg]]).T
         if row >= NEAR_SINGULAR:
             condition = condition_number(_scaled_H(legs, platform_size(robot)))[0]
             text = f"condition number of H reaches {condition:.4g} at {time:.9g} s"
@@ -155,6 +172,13 @@ class Watch:
             ),
             ("zero_length", f"length {length} is near zero"),
             ("joint singularity", "lies nearly along the fixed axis of its universal joint"),
+            *(
+                (
+                    "joint_angle_limit",
+                    f"joint angle at the {end} {angle:.6g} degrees reaches its limit {most:g} degrees",
+                )
+                for end, (angle, most) in zip(("base", "platform"), angles, strict=True)
+            ),
         )[row // 6]
         return Stop(kind, time, leg + 1, f"leg {leg + 1}: {text} at {time:.9g} s")
 

@@ -76,7 +76,8 @@ def simulate(
 ) -> Simulation:
     """Integrate the machine's motion from a state, under actuator forces, for a duration, s.
 
-    A run stops before its end where a leg reaches a limit of the robot or a threshold; the place is a root of
+    A run stops before its end where a leg or the angle of a joint reaches a limit of the robot, or a leg a
+    threshold; the place is a root of
     the interpolated motion, to rounding. Limits are looked at ``WATCHED`` times a step: a leg that passes one
     and is back within that is not seen. A singular pose that is crossed, where det H changes its sign, is
     seen however short the time near it; the run then ends where the condition number passes its threshold.

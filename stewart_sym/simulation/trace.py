@@ -39,8 +39,9 @@ class Stop:
     Attributes
     ----------
     kind : str
-        "duration" (it ran to its end), "length_limits", "speed_limit", "force_limit", "singular",
-        "zero_length", "joint singularity" or "failed" (no step is small enough).
+        "duration" (it ran to its end), "length_limits", "speed_limit", "force_limit",
+        "joint_angle_limit", "singular", "zero_length", "joint singularity" or "failed" (no step is small
+        enough).
     time : float
         s.
     leg : int

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from machines import dasgupta, home_position, machine_size, random_robot
+from machines import dasgupta, home_position, machine_size, offset_case, random_robot
 from numpy.typing import NDArray
 
 import stewart_sym as ss
@@ -219,6 +219,25 @@ def test_a_leg_at_its_speed_limit_stops_the_run() -> None:
     L_dot = ss.inverse_kinematics(machine(), run.motion).L_dot
     assert abs(L_dot[-1, run.stop.leg - 1]) == pytest.approx(0.5, abs=1e-12)
     assert np.abs(L_dot[:-1]).max() < 0.5
+
+
+@pytest.mark.parametrize("joint", [None, "spherical", "universal"], ids=["plain", "offsets", "U-C-U"])
+@pytest.mark.parametrize("end", ["base", "platform"])
+def test_a_joint_at_its_largest_angle_stops_the_run_at_the_root(end: str, joint: str | None) -> None:
+    robot = machine(base_joint="spherical") if joint is None else offset_case(3, joint)[0]
+    at_home = home_position(robot.b, machine_size(robot))
+    limits = np.full((6, 2), [np.pi, 0.1] if end == "platform" else [0.1, np.pi])
+    robot = dataclasses.replace(robot, home=at_home, joint_angle_limit=limits)
+    speed = 0.1 * machine_size(robot)
+    state = ss.Motion(np.eye(3), at_home, [0.0, 0.3, 1.0], [speed, 0.0, 0.0])
+    run = ss.simulate(robot, state, np.zeros(6), 3.0)
+    assert run.stop.kind == "joint_angle_limit"
+    assert run.stop.leg is not None
+    angles = getattr(ss.joint_angles(robot, run.motion), end)
+    assert angles[-1, run.stop.leg - 1] == pytest.approx(0.1, abs=1e-12)
+    assert angles[:-1].max() < 0.1
+    text = f"leg {run.stop.leg}: joint angle at the {end} 5.72958 degrees reaches its limit 5.72958 degrees"
+    assert run.stop.text == f"{text} at {run.stop.time:.9g} s"
 
 
 def test_a_law_at_its_force_limit_stops_the_run() -> None:

@@ -24,7 +24,7 @@ MORE = (
     'min_length, min_joint_sine. [legs]: law = "forces" with forces; "springs" with stiffness, damping, '
     'rest_length (without it they balance the weight at the start); "tracking" by computed torque with path '
     "(I, II, III or a CSV file as for `forces`), gains k_p and k_d, model, rate (Hz). SI units. A run stops "
-    "where a leg reaches a limit."
+    "where a leg reaches a limit of length, speed, force or joint angle."
 )
 
 

@@ -149,7 +149,7 @@ def _text(robot: Robot, limits: PoseLimits, found: Workspace) -> str:
 def _limits(robot: Robot, limits: PoseLimits) -> Iterator[str]:
     if limits.lengths and np.any((robot.length_limits[:, 0] > 0.0) | np.isfinite(robot.length_limits[:, 1])):
         yield "leg lengths"
-    if limits.joint_angles and np.isfinite(robot.joint_angle_limit).any():
+    if limits.joint_angles and robot.limits_joint_angles:
         yield "joint angles"
     if limits.clearance > 0.0:
         yield f"leg clearance {limits.clearance:g} m"
