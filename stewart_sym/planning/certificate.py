@@ -11,8 +11,9 @@ from ..drives.instants import at_instants
 from ..dynamics.inverse import inverse_dynamics
 from ..io.arguments import instance
 from ..io.array_types import Array
+from ..kinematics.clearance import joint_angles
 from ..kinematics.inverse import inverse_kinematics
-from ..singularities.along_path import Crossing, LegExtreme, singularities_along
+from ..singularities.along_path import Crossing, LegExtreme, extremes, singularities_along
 from .time_path import TimedPath
 from .timing.path_terms import force_limits, leg_accelerations, limited_speeds, travelled
 
@@ -52,6 +53,11 @@ class PlanCertificate:
         Largest share of any limit of force, speed, acceleration, jerk or of the motors.
     lengths_kept : bool
         Whether all legs stay within their lengths.
+    base_angle, platform_angle : LegExtreme, optional
+        Greatest angle of each joint at both ends, rad, and when, found between the instants as lengths are;
+        None of a robot that states no home pose, from which they are.
+    angles_kept : bool
+        Whether all of these are within the robot's ``joint_angle_limit``.
     active : float
         Share of the duration in which a limit is used to more than 99.9 %.
     crossings : tuple
@@ -67,6 +73,9 @@ class PlanCertificate:
     force: LegExtreme
     used: float
     lengths_kept: bool
+    base_angle: LegExtreme | None
+    platform_angle: LegExtreme | None
+    angles_kept: bool
     active: float
     crossings: tuple[Crossing, ...]
     nearest: Approached
@@ -74,7 +83,8 @@ class PlanCertificate:
     @property
     def holds(self) -> bool:
         """Whether every limit is kept, to 1e-6 of it, and no singular pose is crossed."""
-        return self.used <= 1.0 + ROUNDING and self.lengths_kept and not self.crossings
+        kept = self.used <= 1.0 + ROUNDING and self.lengths_kept and self.angles_kept
+        return kept and not self.crossings
 
 
 def certify_plan(plan: TimedPath) -> PlanCertificate:
@@ -109,7 +119,8 @@ def certify_plan(plan: TimedPath) -> PlanCertificate:
     def when(s: Array) -> Array:
         return np.asarray(np.interp(s, nodes.s, profile.times))
 
-    low, high = robot.length_limits.T
+    angles = [LegExtreme(when(found.time), found.value) for found in _angles(plan)]
+    (low, high), most_angles = robot.length_limits.T, robot.joint_angle_limit.T * (1.0 + ROUNDING)
     return PlanCertificate(
         instants=len(s),
         shortest=LegExtreme(when(along.shortest.time), along.shortest.value),
@@ -118,10 +129,26 @@ def certify_plan(plan: TimedPath) -> PlanCertificate:
         force=_extreme(times, force),
         used=max(float(most.max()), float(_jerk(plan, len(s)).max())),
         lengths_kept=bool((along.shortest.value >= low).all() and (along.longest.value <= high).all()),
+        base_angle=angles[0] if angles else None,
+        platform_angle=angles[1] if angles else None,
+        angles_kept=all((a.value <= most).all() for a, most in zip(angles, most_angles, strict=False)),
         active=_active(plan),
         crossings=along.crossings,
         nearest=Approached(float(when(np.array(along.nearest.time))), float(along.nearest.at.smallest)),
     )
+
+
+def _angles(plan: TimedPath) -> list[LegExtreme]:
+    """Greatest angles of the joints at base and platform along s; none without a home pose."""
+    if plan.robot.home is None:
+        return []
+
+    def sought(s: Array) -> Array:
+        found = joint_angles(plan.robot, plan.path(s))
+        return -np.concatenate([found.base, found.platform], axis=-1)
+
+    s, least = extremes(sought, plan.profile.nodes.s)
+    return [LegExtreme(s[end], -least[end]) for end in (slice(0, 6), slice(6, 12))]
 
 
 def _active(plan: TimedPath) -> float:

@@ -447,7 +447,6 @@ def _minima(values: Array) -> list[tuple[int, int, int]]:
 
 def _leg_extremes(robot: Robot, path: Path, times: Array) -> tuple[LegExtreme, LegExtreme, LegExtreme]:
     """Least joint sine, least and greatest length of each leg."""
-    filled = np.union1d(times, np.linspace(times[0], times[-1], _INSTANTS))
 
     def sought(when: Array) -> Array:
         """Sines, lengths and negative lengths, (n, 18)."""
@@ -455,12 +454,13 @@ def _leg_extremes(robot: Robot, path: Path, times: Array) -> tuple[LegExtreme, L
         sines = joint_sines(robot, S / np.where(L > 0.0, L, 1.0)[..., None])
         return np.concatenate([sines, L, -L], axis=-1)
 
-    time, value = (each.reshape(3, 6) for each in _extremes(sought, filled))
+    time, value = (each.reshape(3, 6) for each in extremes(sought, times))
     return LegExtreme(time[0], value[0]), LegExtreme(time[1], value[1]), LegExtreme(time[2], -value[2])
 
 
-def _extremes(function: Callable[[Array], Array], points: Array) -> tuple[Array, Array]:
+def extremes(function: Callable[[Array], Array], times: Array) -> tuple[Array, Array]:
     """When each column of a function of times, (n, m), is least, (m,), and its value there, (m,)."""
+    points = np.union1d(times, np.linspace(times[0], times[-1], _INSTANTS))
     i, last = np.argmin(_in_chunks(function, points), axis=0), len(points) - 1
     sampled = points[i]
     refined = minima(function, points[np.maximum(i - 1, 0)], points[np.minimum(i + 1, last)])

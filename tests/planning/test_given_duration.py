@@ -12,6 +12,7 @@ from via_cases import straight, via_case, with_limits
 
 from stewart_sym.drives.effort import drive_effort
 from stewart_sym.dynamics.inverse import inverse_dynamics
+from stewart_sym.kinematics.clearance import joint_angles
 from stewart_sym.kinematics.inverse import inverse_kinematics
 from stewart_sym.planning.certificate import certify_plan
 from stewart_sym.planning.time_path import TimedPath, time_path
@@ -45,6 +46,27 @@ def work(plan: TimedPath, motion=None) -> float:
     motion = plan.sample(times) if motion is None else motion
     F = inverse_dynamics(plan.robot, motion, backend="reference").F
     return float(np.trapezoid(np.sum(F * inverse_kinematics(plan.robot, motion).L_dot, axis=-1), times))
+
+
+@pytest.mark.parametrize("end", ["base", "platform"])
+def test_joint_angles_of_a_plan_are_held_against_their_limits_between_its_nodes(end: str) -> None:
+    robot, path, _ = case(2)
+    robot = dataclasses.replace(robot, home=path(np.zeros(1)).t[0])
+    plan = time_path(robot, path, cells=20)
+    free = certify_plan(plan)
+    extreme = getattr(free, f"{end}_angle")
+    dense = getattr(joint_angles(robot, plan.sample(np.linspace(0.0, plan.duration, 20_001))), end)
+    assert np.all(extreme.value >= dense.max(axis=0) * (1.0 - 1e-12))
+    np.testing.assert_allclose(extreme.value, dense.max(axis=0), rtol=1e-6)
+    at_nodes = getattr(joint_angles(robot, path(plan.profile.nodes.s)), end).max(axis=0)
+    leg, sides = int(np.argmax(extreme.value / at_nodes)), ["base", "platform"]
+    limit = np.full((6, 2), np.pi)
+    for most, kept in ((extreme.value[leg], True), (at_nodes[leg], False)):
+        limit[leg, sides.index(end)] = most
+        limited = dataclasses.replace(robot, joint_angle_limit=limit)
+        proof = certify_plan(dataclasses.replace(plan, robot=limited))
+        assert (proof.angles_kept, proof.holds) == (kept, kept)
+    assert certify_plan(dataclasses.replace(plan, robot=case(2)[0])).base_angle is None
 
 
 def test_energy_of_a_plan_is_summed_between_jumps_of_the_forces() -> None:

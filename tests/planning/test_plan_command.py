@@ -1,6 +1,7 @@
 """``stewart-sym plan``: what it writes, that it can be read again, and what it rejects in one line."""
 
 import contextlib
+import dataclasses
 import io
 import json
 import tomllib
@@ -15,6 +16,9 @@ from stewart_sym.drives.effort import DriveLimitWarning, drive_effort
 from stewart_sym.dynamics.inverse import inverse_dynamics
 from stewart_sym.kinematics.inverse import inverse_kinematics
 from stewart_sym.motion.log_reader import read_csv
+from stewart_sym.planning import certificate
+from stewart_sym.planning.certificate import PlanCertificate, certify_plan
+from stewart_sym.planning.time_path import TimedPath
 from stewart_sym.robot.robot import Robot
 
 VIA = (DOCS / "examples" / "via.toml").read_text(encoding="utf-8")
@@ -40,6 +44,34 @@ def test_the_example_is_planned_and_its_trajectory_keeps_the_limits(folder: Path
     F = inverse_dynamics(Robot.from_toml(folder / "hexapod.toml"), log.motion).F
     assert np.abs(F).max() <= 500.0 * (1.0 + 1e-9)
     assert np.abs(F).max() > 450.0
+
+
+def test_joint_angles_are_reported_beside_their_limits_and_named_where_these_are_broken(
+    folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = folder / "hexapod.toml"
+    text = file.read_text().replace("[base]", "home = [0.0, 0.0, 0.65]\n[base]")
+    file.write_text(text.replace("force_limit", "joint_angle_limit = [0.5, 0.6]\nforce_limit"))
+    found = []
+
+    def beyond(plan: TimedPath) -> PlanCertificate:
+        found.append(dataclasses.replace(certify_plan(plan), angles_kept=False))
+        return found[0]
+
+    monkeypatch.setattr(certificate, "certify_plan", beyond)
+    assert main(["plan", via(folder, SHORT), "-o", str(folder / "out"), "--no-pictures"]) == 1
+    out = capsys.readouterr().out
+    assert "certificate  does not hold: joint angles beyond their limits\n" in out
+    report = json.loads((folder / "out" / "report.json").read_text())
+    assert report["certificate"]["lengths_kept"]
+    assert not report["certificate"]["joint_angles_kept"]
+    for end, limit in (("base", 0.5), ("platform", 0.6)):
+        angle = getattr(found[0], f"{end}_angle")
+        leg = int(np.argmax(angle.value))
+        most = f"angle      at the {end} up to {np.degrees(angle.value[leg]):.6g} degrees, leg {leg + 1} at "
+        assert most in out
+        assert [each[f"peak_{end}_angle_rad"] for each in report["legs"]] == angle.value.tolist()
+        assert {each[f"{end}_angle_limit_rad"] for each in report["legs"]} == {limit}
 
 
 @pytest.mark.slow

@@ -1,6 +1,6 @@
 """A plan as ``plan`` writes it: trajectory, summary, figures for programs, pictures."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -142,14 +142,30 @@ def summary(plan: Plan) -> str:
         f"at {found.speed.time[fast]:.6g} s",
         f"energy     {plan.energy:.6g} J{'' if plan.motors is not None else ', work of the leg forces'}",
         f"length     {found.shortest.value.min():.6g} to {found.longest.value.max():.6g} m",
+        *_angles(found),
         f"limits     used to {100.0 * found.used:.5f} % at {found.instants:,} instants, "
         f"one is active in {100.0 * found.active:.4g} % of the time",
         f"crossings  {len(found.crossings)}; nearest to a singular pose at {found.nearest.time:.6g} s, "
         f"smallest singular value {found.nearest.smallest:.4g}",
-        f"certificate  {'holds' if found.holds else 'does not hold'}",
+        f"certificate  {_verdict(found)}",
     ]
     lines += [f"via pose {number}  {text}" for number, text in _freed(planned)]
     return "\n".join(lines)
+
+
+def _angles(found: PlanCertificate) -> Iterator[str]:
+    for name, angle in (("base", found.base_angle), ("platform", found.platform_angle)):
+        if angle is not None:
+            leg = int(np.argmax(angle.value))
+            most = f"up to {np.degrees(angle.value[leg]):.6g} degrees, leg {leg + 1}"
+            yield f"angle      at the {name} {most} at {angle.time[leg]:.6g} s"
+
+
+def _verdict(found: PlanCertificate) -> str:
+    """Whether the certificate holds, and what is beyond its limit if it is no share of one."""
+    beyond = {"leg lengths": not found.lengths_kept, "joint angles": not found.angles_kept}
+    names = " and ".join(name for name, over in beyond.items() if over)
+    return "holds" if found.holds else f"does not hold{names and f': {names} beyond their limits'}"
 
 
 def _conditions(found: Conditions) -> str:
@@ -198,6 +214,7 @@ def data(plan: Plan) -> dict[str, Any]:
                 "peak_force_N": found.force.value[leg],
                 "peak_force_time_s": found.force.time[leg],
                 "force_limit_N": limits[leg],
+                **_angles_of_leg(plan, leg),
                 **({} if plan.motors is None else plan.motors.of_leg(leg)),
             }
             for leg in range(6)
@@ -206,6 +223,8 @@ def data(plan: Plan) -> dict[str, Any]:
             "holds": found.holds,
             "instants": found.instants,
             "limit_used": found.used,
+            "lengths_kept": found.lengths_kept,
+            "joint_angles_kept": found.angles_kept,
             "active_time": found.active,
             "crossings_s": [crossing.time for crossing in found.crossings],
             "nearest_singular_pose_time_s": found.nearest.time,
@@ -217,6 +236,16 @@ def data(plan: Plan) -> dict[str, Any]:
             "active_time": "share of the duration",
         },
     }
+
+
+def _angles_of_leg(plan: Plan, leg: int) -> dict[str, Any]:
+    """Greatest angles of a leg's joints and their limits; none of a robot without a home pose."""
+    found: dict[str, Any] = {}
+    ends = {"base": plan.certificate.base_angle, "platform": plan.certificate.platform_angle}
+    for (end, angle), limit in zip(ends.items(), plan.robot.joint_angle_limit[leg], strict=True):
+        if angle is not None:
+            found |= {f"peak_{end}_angle_rad": angle.value[leg], f"{end}_angle_limit_rad": limit}
+    return found
 
 
 def condition_figure(plan: Plan) -> Figure:
