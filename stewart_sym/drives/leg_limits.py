@@ -1,4 +1,4 @@
-"""Limits of the legs beside what a motion takes: force, speed and length, part after part."""
+"""Limits of the legs beside what a motion takes: force, speed, length and joint angles, part after part."""
 
 from __future__ import annotations
 
@@ -11,34 +11,36 @@ from numpy.typing import NDArray
 
 from ..io.array_types import Array, Flags
 from ..io.instants import elapsed, least_step, time_text
+from ..kinematics.clearance import angles_from, neutral_directions
+from ..motion.motion import Motion
 from ..motion.trajectory import PoseLog, Replaced, Trajectory
 from ..robot.robot import LEGS, Robot
-from .noise import Deviations
+from .effort import trapezoids
+from .noise import Deviations, reached_legs
 from .verdicts import AT_REPLACED, Beyond, Extremes, codes, spread_text
 
 # One line names at most so many replaced rows.
 _MOST_NAMED = 4
+_DEGREES = 180.0 / np.pi
 
 
 class LegLimit(NamedTuple):
-    """A limit of the legs: its name, unit, and which of F, L and L_dot it limits.
+    """A limit of the legs: its name, unit, and which of F, L, L_dot, base and platform it limits.
 
-    end: column of the lowest or highest value; None for the largest magnitude.
+    end: column of its bounds; None for one bound of the magnitude. sign: -1 for a lowest value. scale: from
+    SI to the unit.
     """
 
     name: str
     unit: str
     values: str
     end: int | None = None
-
-    @property
-    def sign(self) -> float:
-        """-1 for a lowest value: sizes and bounds are those of the opposite values."""
-        return -1.0 if self.end == 0 else 1.0
+    sign: float = 1.0
+    scale: float = 1.0
 
     def bound(self, robot: Robot) -> Array:
         """What the sizes of each leg should not exceed, (6,)."""
-        limits: Array = getattr(robot, self.name)
+        limits: Array = getattr(robot, self.name.partition(" ")[0])
         return limits if self.end is None else self.sign * limits[:, self.end]
 
     def sizes(self, values: Array) -> Array:
@@ -46,18 +48,31 @@ class LegLimit(NamedTuple):
         return np.abs(values) if self.end is None else self.sign * values
 
 
-FORCE, SPEED, LONGEST, SHORTEST = LEG_LIMITS = (
+FORCE, SPEED, LONGEST, SHORTEST, BASE, PLATFORM = LEG_LIMITS = (
     LegLimit("force_limit", "N", "F"),
     LegLimit("speed_limit", "m/s", "L_dot"),
     LegLimit("length_limits", "m", "L", 1),
-    LegLimit("length_limits", "m", "L", 0),
+    LegLimit("length_limits", "m", "L", 0, sign=-1.0),
+    LegLimit("joint_angle_limit at the base", "degrees", "base", 0, scale=_DEGREES),
+    LegLimit("joint_angle_limit at the platform", "degrees", "platform", 1, scale=_DEGREES),
 )
+
+
+def limited_angles(robot: Robot, motion: Motion) -> dict[str, Array]:
+    """Angles of the joints by base and platform, rad, (n, 6); nothing of a robot that limits none.
+
+    NaN where a leg has no direction.
+    """
+    if not robot.limits_joint_angles:
+        return {}
+    angles = angles_from(neutral_directions(robot), reached_legs(robot, motion)[2], motion.R)
+    return dict(zip(("base", "platform"), angles, strict=True))
 
 
 def leg_codes(
     robot: Robot, name: str, values: Array, sd: Array | None = None, there: Flags | None = None
 ) -> NDArray[np.uint8]:
-    """``codes`` of the values named F, L or L_dot at instants, (n, 6); sd, there: as of ``codes``."""
+    """``codes`` of the values at instants, (n, 6), named as a limit's; sd, there: as of ``codes``."""
     found = [
         codes(limit.sizes(values), limit.bound(robot), sd, there)
         for limit in LEG_LIMITS
@@ -72,7 +87,7 @@ class LegLimits:
     def __init__(self, robot: Robot, time: Array, replaced: tuple[Replaced, ...] = ()) -> None:
         """Begin a run at all these times, s, (n,); ``replaced``: of the log's rows."""
         self.robot, self.time, self.replaced = robot, time, replaced
-        self.step, self._weights = least_step(time), _weights(time)
+        self.step, self._weights = least_step(time), trapezoids(elapsed(time))
         self._span, self._count = np.zeros((2, len(LEG_LIMITS), LEGS))
         self._extremes = [Extremes() for _ in LEG_LIMITS]
 
@@ -83,17 +98,21 @@ class LegLimits:
         sd: Deviations | None = None,
         there: Flags | None = None,
     ) -> None:
-        """Take in F, L and L_dot, (n, 6), at some of the instants; there: as of ``codes``."""
+        """Take in F, L, L_dot and ``limited_angles``, (n, 6), at some of the instants.
+
+        sd, there: as of ``codes``.
+        """
         time = self.time[where]
         for k, limit in enumerate(LEG_LIMITS):
-            given = values[limit.values]
+            given = values.get(limit.values)
+            if given is None or not len(given):
+                continue
             sizes = limit.sizes(given)
             over = sizes > limit.bound(self.robot)
             self._span[k] += np.sum(self._weights[where, None] * over, axis=0)
             self._count[k] += np.count_nonzero(over, axis=0)
-            if len(sizes):
-                off = None if sd is None else getattr(sd, limit.values)
-                self._extremes[k].add(sizes, partial(_rows, time, given), off, there)
+            off = None if sd is None else getattr(sd, limit.values)
+            self._extremes[k].add(sizes, partial(_rows, time, given), off, there)
 
     def exceeded(self) -> list[str]:
         """One line for each limit: which legs go beyond it, the worst of them, when and how long."""
@@ -108,8 +127,9 @@ class LegLimits:
     def _line(self, k: int, limit: LegLimit, found: Beyond) -> str:
         """One line about a limit and the legs in question."""
         worst, (time, values) = found.worst, found.when
-        bound = limit.sign * limit.bound(self.robot)[worst]
-        value = f"{values[worst]:.6g}{spread_text(found.sd)} {limit.unit}"
+        bound = limit.scale * limit.sign * limit.bound(self.robot)[worst]
+        sd = None if found.sd is None else limit.scale * found.sd
+        value = f"{limit.scale * values[worst]:.6g}{spread_text(sd)} {limit.unit}"
         value += f" at {time_text(time, self.step)} s, limit {bound:g} {limit.unit}"
         text = f"{limit.name} {found.verdict} by {found.legs_text}: {found.worst_text}{value}"
         if self._count[k, worst]:
@@ -121,7 +141,14 @@ class LegLimits:
 
     def verdicts(self, limit: LegLimit) -> list[str]:
         """The verdict of each leg."""
-        return self._extremes[LEG_LIMITS.index(limit)].verdicts(limit.bound(self.robot))
+        return self._of(limit).verdicts(limit.bound(self.robot))
+
+    def peaks(self, limit: LegLimit) -> tuple[Array, Array | None]:
+        """Largest sizes, (6,), and their deviations, None without noise."""
+        return self._of(limit).peaks, self._of(limit).peak_sd
+
+    def _of(self, limit: LegLimit) -> Extremes:
+        return self._extremes[LEG_LIMITS.index(limit)]
 
 
 def replaced_rows(trajectory: Trajectory | PoseLog) -> tuple[Replaced, ...]:
@@ -140,8 +167,3 @@ def replaced_names(replaced: tuple[Replaced, ...]) -> str:
 def _rows(time: Array, values: Array, instants: list[int]) -> list[tuple[float, Array]]:
     # Copies: a view would keep all of the part.
     return [(float(time[i]), values[i].copy()) for i in instants]
-
-
-def _weights(time: Array) -> Array:
-    """How long each instant stands for: half the way to both neighbours."""
-    return np.gradient(elapsed(time)) if len(time) > 1 else np.zeros(1)

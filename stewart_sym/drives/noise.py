@@ -14,7 +14,7 @@ import numpy as np
 from ..dynamics.force_noise import CHUNK, displaced, forces_of
 from ..dynamics.inverse import Backend, Formulation
 from ..io.array_types import Array, Flags
-from ..kinematics.clearance import angles_between
+from ..kinematics.clearance import angles_between, neutral_directions
 from ..kinematics.inverse import inverse_kinematics, leg_vectors
 from ..motion.motion import Motion
 from ..motion.rotation import cross
@@ -49,7 +49,7 @@ class Deviations(NamedTuple):
     """Standard deviations at n instants, (n, 6); infinite where a pose within the noise is unsolvable.
 
     F: N. L, L_dot: m and m/s. power: of F L_dot, W. base, platform: of the joints' angles, rad, if they were
-    asked for. motors: of a robot with a drive.
+    asked for or have limits. motors: of a robot with a drive.
     """
 
     F: Array
@@ -70,9 +70,12 @@ def deviations_in_parts(
 ) -> Callable[[slice], Deviations]:
     """Deviations of some of the instants, at best 16,384 or fewer.
 
-    neutral: directions from which angles of the joints at base and platform count, (2, 6, 3) or (6, 3).
+    neutral: directions from which angles of the joints at base and platform count, (2, 6, 3) or (6, 3); None:
+    those of a robot that limits these angles.
     """
     forces = forces_of(robot, formulation, backend)
+    if neutral is None and robot.limits_joint_angles:
+        neutral = neutral_directions(robot)
 
     def deviations(part: slice) -> Deviations:
         at = _State(robot, trajectory.at(part), forces, neutral)
@@ -135,7 +138,7 @@ class _State:
         neutral: Array | None,
         sign: Array | None = None,
     ) -> None:
-        self.F, (L, self.L_dot, s) = forces(motion), _legs(robot, motion)
+        self.F, (L, self.L_dot, s) = forces(motion), reached_legs(robot, motion)
         self.values = {"F": self.F, "L": L, "L_dot": self.L_dot}
         if neutral is not None:
             base, platform = np.broadcast_to(neutral, (2, *s.shape[1:]))
@@ -162,7 +165,7 @@ class _State:
         return found
 
 
-def _legs(robot: Robot, motion: Motion) -> tuple[Array, Array, Array]:
+def reached_legs(robot: Robot, motion: Motion) -> tuple[Array, Array, Array]:
     """Lengths, rates and directions of the legs; NaN where the legs of offset joints do not reach."""
     if robot.offsets is None:
         with np.errstate(all="ignore"):

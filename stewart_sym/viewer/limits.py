@@ -11,14 +11,14 @@ from numpy.typing import NDArray
 from ..drives.effort import Summary, motor_codes, trapezoids
 from ..drives.instants import Instants as Motors
 from ..drives.instants import at_instants, of_motor_forces
-from ..drives.leg_limits import LegLimits, leg_codes
+from ..drives.leg_limits import LegLimits, leg_codes, limited_angles
 from ..drives.verdicts import NOT_DECIDED, unknown_forces
 from ..io.array_types import Array
 from ..io.instants import elapsed, least_step
 from ..robot.robot import Robot
 from .instants import FORMULATIONS, Instants
 
-_OF_LEGS = ("force_limit", "speed_limit", "length_limits")
+_OF_LEGS = ("force_limit", "speed_limit", "length_limits", "joint_angle_limit")
 _OF_MOTORS = ("torque_limit", "speed_limit", "current_limit", "power_limit", "rated_torque")
 
 
@@ -46,7 +46,8 @@ def limits(robot: Robot, shown: Instants) -> Limits:
     F = np.full_like(shown.L, np.nan) if name is None else shown.forces[name]
     sd, there = (None, None) if noise is None else (noise.sd, noise.there)
     legs = LegLimits(robot, shown.time, () if noise is None else noise.replaced)
-    legs.add(slice(None), {"F": F, "L": shown.L, "L_dot": shown.L_dot}, sd, there)
+    values = {"F": F, "L": shown.L, "L_dot": shown.L_dot}
+    legs.add(slice(None), values | limited_angles(robot, shown.motion), sd, there)
     unknown = None if noise is None else unknown_forces(F, np.where(noise.there[:, None], 0.0, noise.sd.F))
     told = [*([] if unknown is None else [(NOT_DECIDED, unknown)]), *legs.told()]
     codes = dict(_leg_codes(robot, shown))

@@ -17,6 +17,7 @@ import stewart_sym as ss
 from stewart_sym.backend import c_kernel
 from stewart_sym.cli.main import main
 from stewart_sym.cli.terminal import warnings_in_lines
+from stewart_sym.drives.effort import trapezoids
 from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.studies.common.output import csv_lines
 from stewart_sym.studies.reports import track
@@ -80,7 +81,7 @@ def test_forces_warns_of_each_limit_in_one_line_with_its_legs_and_the_worst(
     ]
     assert len(lines) == 3
     i, leg = np.unravel_index(np.argmax(np.abs(F)), F.shape)
-    held = np.gradient(time)[np.abs(F[:, leg]) > 1000.0].sum()
+    held = trapezoids(time)[np.abs(F[:, leg]) > 1000.0].sum()
     worst = f"leg {leg + 1}: {F[i, leg]:.6g} N at {time[i]:g} s, limit 1000 N; beyond it for {held:.3g} s"
     assert any(worst in line for line in lines)
     for name in ("speed_limit", "length_limits"):
@@ -100,7 +101,7 @@ def test_times_since_1970_are_printed_in_full(
     assert main(asked) == 0
     found = capsys.readouterr()
     assert "21 instants, 1700000000.5 to 1700000002.5 s; " in found.out
-    assert re.search(r" at 170000000[012]\.\d s, limit 1 N", found.err)
+    assert re.search(r" at 170000000[012]\.\d s, limit 1 N; beyond it for 2 s, at 21 of 21 ins", found.err)
     assert main(["singularities", *asked[1:3], "-o", str(trajectory.parent / "s"), "--no-pictures"]) == 0
     found = capsys.readouterr()
     assert "1700000000.5 s to 1700000002.5 s" in found.out

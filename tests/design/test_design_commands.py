@@ -12,6 +12,8 @@ from log_files import NAMES, write
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
+from stewart_sym.motion.log_reader import read_csv
+from stewart_sym.robot.robot import legs_text
 
 HANGING = """\
 schema = 2
@@ -187,6 +189,43 @@ screw_coulomb = 5.0
 torque_limit = 0.8
 speed_limit = 120.0
 """
+
+
+def test_joint_angles_are_compared_by_forces_and_view_as_by_size(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file, home = folder / "hexapod.toml", "home = [0.0, 0.0, 0.65]\n"
+    edit(file, 'name = "hexapod"\n', f'name = "hexapod"\n{home}')
+    log = read_csv(folder / "trajectory.csv")
+    needs = ss.size(ss.Robot.from_toml(file), [log])
+    peaks = {"base": needs.base_angle, "platform": needs.platform_angle}
+    limits = [float(np.median(each)) for each in peaks.values()]
+    edit(file, "speed_limit", f"joint_angle_limit = {limits}\nspeed_limit")
+    assert command("size", "hexapod.toml", "trajectory.csv", "--no-pictures") == 0
+    exceeded = json.loads((folder / "size" / "report.json").read_text())["exceeded"]
+    capsys.readouterr()
+    told, tables = [], []
+    for name, output in (("forces", "F.csv"), ("view", "F.html")):
+        assert command(name, "hexapod.toml", "trajectory.csv", "-o", output, "--json", f"{name}.json") == 0
+        found = capsys.readouterr()
+        tables.append(found.out)
+        told.append([line.split("warning: ")[1] for line in found.err.splitlines() if "joint_ang" in line])
+    assert told[0] == told[1]
+    for leg in range(6):
+        assert f"  {', '.join(f'{np.degrees(peak[leg]):.4g}' for peak in peaks.values())}\n" in tables[0]
+    legs = json.loads((folder / "forces.json").read_text())["legs"]
+    for (end, peak), limit, line in zip(peaks.items(), limits, told[0], strict=True):
+        over = [leg for leg in range(6) if peak[leg] > limit]
+        assert 0 < len(over) < 6
+        assert line.startswith(f"joint_angle_limit at the {end} exceeded by {legs_text(over)}: worst leg ")
+        assert f" {np.degrees(peak.max()):.6g} +- " in line
+        assert f" s, limit {np.degrees(limit):g} degrees; beyond it for " in line
+        size = [each for each in exceeded if each.startswith(f"joint_angle_limit at the {end}")]
+        assert [int(each.partition(" of leg ")[2][0]) - 1 for each in size] == over
+        for leg, verdict in enumerate(legs):
+            assert verdict[f"{end}_angle_limit"] == ("exceeded" if leg in over else "kept")
+            assert verdict[f"{end}_angle_limit_rad"] == pytest.approx(limit)
+            assert verdict[f"peak_{end}_angle_rad"] == pytest.approx(peak[leg])
 
 
 @pytest.mark.parametrize(

@@ -181,6 +181,8 @@ def test_what_is_no_question_is_one_line() -> None:
 SIZES = {
     "force_limit": ("force", "force_limit"),
     "speed_limit": ("speed", "speed_limit"),
+    "joint_angle_limit at the base": ("base_angle", "joint_angle_limit"),
+    "joint_angle_limit at the platform": ("platform_angle", "joint_angle_limit"),
     "drive.torque_limit": ("torque", "torque_limit"),
     "drive.speed_limit": ("motor_speed", "speed_limit"),
     "drive.current_limit": ("current", "current_limit"),
@@ -273,7 +275,9 @@ def test_noise_makes_no_wrong_verdict_and_every_command_has_the_same(
 
 def with_limits(robot: ss.Robot, limits: dict[str, np.ndarray]) -> ss.Robot:
     assert robot.drive is not None
-    stated = {name: limit for name, limit in limits.items() if not name.startswith("drive.")}
+    stated = {name: limits[name] for name in ("force_limit", "speed_limit")}
+    angles = [limits[f"joint_angle_limit at the {end}"] for end in ("base", "platform")]
+    stated |= {"joint_angle_limit": np.stack(angles, axis=-1)}
     motors = {SIZES[name][1]: limit for name, limit in limits.items() if name.startswith("drive.")}
     return dataclasses.replace(robot, drive=dataclasses.replace(robot.drive, **motors), **stated)
 

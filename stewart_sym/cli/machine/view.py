@@ -146,6 +146,7 @@ def _legs(view: "View") -> object:
     """Peaks of each leg beside its limits, with deviations and verdicts, as ``forces`` has them."""
     import numpy as np
 
+    from ...drives.leg_limits import limited_angles
     from ...studies.reports.track import Digest, Part
 
     shown, found = view.instants, view.limits
@@ -153,7 +154,8 @@ def _legs(view: "View") -> object:
     status = np.zeros(len(shown.time), dtype=np.int32)
     whole = Part(slice(None), shown.time, found.F, shown.L, shown.L_dot, shown.condition, status)
     digest = Digest(view.robot, shown.time)
-    digest.add(whole._replace(effort=found.motors, sd=sd, there=there))
+    angles = limited_angles(view.robot, shown.motion)
+    digest.add(whole._replace(effort=found.motors, sd=sd, there=there, angles=angles))
     return digest.as_json()["legs"]
 
 

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from ...drives.leg_limits import LegLimits
+from ...drives.leg_limits import LegLimits, limited_angles
 from ...dynamics.equations import ForwardDynamics, equations_of_motion
 from ...dynamics.forces import OnePose, prepare
 from ...dynamics.inverse import Formulation
@@ -187,7 +187,8 @@ def track_paths(
         run = runs[name]["exact"]
         motion = path.sample(run.time)
         legs, limits = inverse_kinematics(robot, motion), LegLimits(robot, run.time)
-        limits.add(slice(None), {"F": run.F, "L": legs.L, "L_dot": legs.L_dot})
+        values = {"F": run.F, "L": legs.L, "L_dot": legs.L_dot}
+        limits.add(slice(None), values | limited_angles(robot, motion))
         beyond += [f"{robot.name}: Path {name}, controller exact: {line}" for line in limits.exceeded()]
     return Study(robot, settings, runs, beyond)
 

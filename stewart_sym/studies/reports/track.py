@@ -2,14 +2,25 @@
 
 import dataclasses
 import warnings
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...drives.instants import Instants, at_instants
-from ...drives.leg_limits import FORCE, LONGEST, SHORTEST, SPEED, LegLimits, replaced_names
+from ...drives.leg_limits import (
+    BASE,
+    FORCE,
+    LONGEST,
+    PLATFORM,
+    SHORTEST,
+    SPEED,
+    LegLimit,
+    LegLimits,
+    limited_angles,
+    replaced_names,
+)
 from ...drives.noise import Deviations, at_replaced, deviations_in_parts
 from ...drives.verdicts import SURE, shows, spread_text, unknown_forces
 from ...dynamics.home_pose import home_pose
@@ -46,7 +57,7 @@ class Part(NamedTuple):
     """Some instants of a trajectory run through the dynamics, N, m and s, (n,), (n, 6).
 
     where: which of the trajectory's. sd: deviations by noise, None for a log without. there: instants, (n,),
-    at which they are those of replaced rows.
+    at which they are those of replaced rows. angles: as of ``limited_angles``.
     """
 
     where: slice
@@ -60,6 +71,12 @@ class Part(NamedTuple):
     effort: Instants | None = None
     sd: Deviations | None = None
     there: Flags | None = None
+    angles: Mapping[str, Array] | None = None
+
+    @property
+    def limited(self) -> dict[str, Array]:
+        """What the legs' limits are compared with, as ``LegLimits`` takes it."""
+        return {"F": self.F, "L": self.L, "L_dot": self.L_dot, **(self.angles or {})}
 
     @property
     def columns(self) -> Columns:
@@ -132,7 +149,8 @@ def in_parts(
         time, condition = trajectory.time[where], condition_number(found.H)
         effort = None if robot.drive is None else at_instants(robot, robot.drive, motion, found.F, L_dot)
         there = None if sd is None else at_replaced(trajectory, time)
-        yield Part(where, time, found.F, L, L_dot, condition, status, more, effort, sd, there)
+        angles = limited_angles(robot, motion)
+        yield Part(where, time, found.F, L, L_dot, condition, status, more, effort, sd, there, angles)
 
 
 class _Kept(NamedTuple):
@@ -157,10 +175,9 @@ class Digest:
 
     def __init__(self, robot: Robot, time: Array, replaced: tuple[Replaced, ...] = ()) -> None:
         """Begin a run at all these times, s, (n,); ``replaced``: of the log's rows."""
-        self.robot, self.time, self.replaced = robot, time, replaced
-        self.step = least_step(time)
-        self.kept: list[_Kept] = []
+        self.robot, self.time, self.replaced, self.step = robot, time, replaced, least_step(time)
         self.legs = LegLimits(robot, time, replaced)
+        self.kept: list[_Kept] = []
         self.drive = None if robot.drive is None else DriveDigest(robot, time)
 
     def add(self, part: Part) -> None:
@@ -169,7 +186,7 @@ class Digest:
         there = np.zeros(len(part.time), dtype=bool) if part.there is None else part.there
         if self.drive is not None and part.effort is not None:
             self.drive.add(part.effort, part.where, None if sd is None else sd.motors, there)
-        self.legs.add(part.where, {"F": part.F, "L": part.L, "L_dot": part.L_dot}, sd, there)
+        self.legs.add(part.where, part.limited, sd, there)
         spread = 0.0 if sd is None else SURE * sd.F
         known = np.isfinite(part.L).all(axis=-1, keepdims=True)
         large = [np.abs(part.F), np.abs(part.F) + spread]
@@ -205,6 +222,7 @@ class Digest:
         time, F, condition, F_sd = kept.time, kept.F, kept.condition, kept.F_sd
         verdicts, limit = self.legs.verdicts(FORCE), self.robot.force_limit
         low, high, speed = _leg_extremes(kept)
+        angles = [found.scaled(BASE.scale) for found in self._angles().values()]
         rows = [
             (
                 str(leg + 1),
@@ -213,12 +231,14 @@ class Digest:
                 f"{limit[leg]:g}" + (f" {verdicts[leg]}" if np.isfinite(limit[leg]) else ""),
                 f"{low.text(leg)} to {high.text(leg)}",
                 speed.text(leg),
+                *([", ".join(each.text(leg) for each in angles)] if angles else []),
             )
             for leg, i in enumerate(_largest(F))
         ]
         first, last = (time_text(self.time[i], self.step) for i in (0, -1))
         worst = int(_largest(condition))
-        header = ("leg", "peak force, N", "at, s", "force_limit, N", "length, m", "speed, m/s")
+        header = ["leg", "peak force, N", "at, s", "force_limit, N", "length, m", "speed, m/s"]
+        header += ["joint angles, degrees"] if angles else []
         text = (
             f"{len(self.time)} instant{'s' if len(self.time) > 1 else ''}, {first} to {last} s; condition "
             f"number of H up to {condition[worst]:.4g} (at {time_text(time[worst], self.step)} s)\n"
@@ -250,6 +270,7 @@ class Digest:
                     "length_limits_m": self.robot.length_limits[leg],
                     "peak_speed_m_per_s": speed.values[leg],
                     "speed_limit_m_per_s": self.robot.speed_limit[leg],
+                    **self._angles_of_leg(leg),
                     **{name: found[leg] for name, found in verdicts.items()},
                     **_noise_of_leg(leg, low.sd, high.sd, speed.sd),
                     **({} if self.drive is None else self.drive.of_leg(leg) | self.drive.verdicts(leg)),
@@ -257,6 +278,20 @@ class Digest:
                 for leg, i in enumerate(_largest(kept.F))
             ],
         }
+
+    def _angles(self) -> "dict[LegLimit, _Extreme]":
+        """Largest angles of the joints, rad; none of a robot that limits none."""
+        limits = (BASE, PLATFORM) if self.robot.limits_joint_angles else ()
+        return {limit: _Extreme(*self.legs.peaks(limit)) for limit in limits}
+
+    def _angles_of_leg(self, leg: int) -> dict[str, Any]:
+        found: dict[str, Any] = {}
+        for limit, (values, sd) in self._angles().items():
+            found[f"peak_{limit.values}_angle_rad"] = values[leg]
+            found |= {} if sd is None else {f"peak_{limit.values}_angle_sd_rad": sd[leg]}
+            found[f"{limit.values}_angle_limit_rad"] = limit.bound(self.robot)[leg]
+            found[f"{limit.values}_angle_limit"] = self.legs.verdicts(limit)[leg]
+        return found
 
     def _joined(self) -> _Kept:
         found: list[Any] = [None if x[0] is None else np.concatenate(x) for x in zip(*self.kept, strict=True)]
@@ -279,6 +314,10 @@ class _Extreme(NamedTuple):
 
     values: Array
     sd: Array | None
+
+    def scaled(self, scale: float) -> "_Extreme":
+        """The same in another unit."""
+        return _Extreme(scale * self.values, None if self.sd is None else scale * self.sd)
 
     def text(self, leg: int) -> str:
         """One leg's, with the deviation where digits of any leg's show it."""
