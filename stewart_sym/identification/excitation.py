@@ -14,6 +14,7 @@ from ..io.arguments import finite_array, number_in, real_array, whole_number
 from ..io.array_types import Array
 from ..io.frozen import Frozen
 from ..io.progress import Progress, silent, tracked
+from ..kinematics.clearance import joint_angles
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
 from ..kinematics.inverse import inverse_kinematics
 from ..motion.motion import Motion
@@ -179,9 +180,9 @@ def choose_excitation(
 ) -> Excitation:
     """Draw Fourier series about the home pose and keep the one whose regressor is best conditioned.
 
-    Every candidate is made small enough for the robot's limits of length, speed and force (the last with the
-    robot's own parameters) and stays where the scaled condition number of H is at most three times that of
-    the home pose.
+    Every candidate is made small enough for the robot's limits of length, joint angle, speed and force (the
+    last with the robot's own parameters) and stays where the scaled condition number of H is at most three
+    times that of the home pose.
 
     Parameters
     ----------
@@ -270,9 +271,18 @@ def _allowed(robot: Robot, motion: Motion, condition: float) -> bool:
         np.all((legs.L >= shortest) & (legs.L <= longest))
         and np.all(np.abs(legs.L_dot) <= robot.speed_limit)
         and np.all(np.abs(found.F) <= robot.force_limit)
+        and _angles_kept(robot, motion)
         and np.all(scaled <= condition)
         and abs(np.sum(np.sign(np.linalg.det(found.H)))) == len(scaled)
     )
+
+
+def _angles_kept(robot: Robot, motion: Motion) -> bool:
+    if not robot.limits_joint_angles:
+        return True
+    angles = joint_angles(robot, motion)
+    base, platform = robot.joint_angle_limit.T
+    return bool(np.all(angles.base <= base) and np.all(angles.platform <= platform))
 
 
 def _condition(A: Array) -> float:

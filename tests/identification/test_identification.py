@@ -114,6 +114,12 @@ def test_excitation_keeps_within_the_limits_and_tells_more_the_more_is_tried() -
     limited = dataclasses.replace(
         machine, length_limits=limits, speed_limit=0.4 * np.max(np.abs(legs.L_dot), axis=0)
     )
+    angles = ss.joint_angles(dataclasses.replace(machine, home=home_pose(machine).t), free.motion)
+    narrow = np.stack([0.2 * angles.base.max(axis=0), 0.3 * angles.platform.max(axis=0)], axis=-1)
+    stiff = dataclasses.replace(machine, home=home_pose(machine).t, joint_angle_limit=narrow)
+    swung = ss.joint_angles(stiff, ss.choose_excitation(stiff, samples=100, candidates=3).motion)
+    assert np.all(swung.base <= narrow[:, 0])
+    assert np.all(swung.platform <= narrow[:, 1])
     kept = ss.choose_excitation(limited, samples=100, candidates=3)
     inside = inverse_kinematics(limited, kept.motion)
     assert np.all((inside.L >= limits[:, 0]) & (inside.L <= limits[:, 1]))
