@@ -432,7 +432,8 @@ def _freedom(modes: _Modes, pull: Array, loose: Array) -> Array:
     terms = 1.0 + np.divide(1.0 - modes.rho[:, None], terms, out=terms)
     # Logarithms of products take less time where a double holds these.
     few = 5 if loose.min() > 1e-60 else 1
-    return np.log([terms[i : i + few].prod(axis=0) for i in range(0, len(terms), few)]).sum(axis=0).T
+    products = [terms[i : i + few].prod(axis=0) for i in range(0, len(terms), few)]
+    return np.asarray(np.log(products).sum(axis=0).T)
 
 
 def _smoothed(
