@@ -16,7 +16,7 @@ from ..io.tables import file_name, opened
 from .log_rates import SPLINE, as_given, rates_of
 from .logs import LogFormat, need_columns, read_columns, stated_units
 from .noise_level import scatter
-from .rate_doubts import angular_velocity_doubt, rate_doubt
+from .rate_doubts import angular_velocity_doubt, rate_doubts
 from .rotation import rotation_about_axes
 from .trajectory import (
     DERIVATIVES,
@@ -271,12 +271,9 @@ def _warn_of_rates(log: Log, coordinates: Array, names: Sequence[str]) -> None:
         log.warn(f"coordinates change by {changed / expected:.2g} times what their rates say: {hint}?", 5)
         return
     kinds = len(names) // 3
-    for order in range(2):
-        columns, their_rates = (_components(*names[kinds * i :][:kinds]) for i in (order, order + 1))
-        values, rates = coordinates[order], coordinates[order + 1]
-        doubt = rate_doubt(log.time, values, rates, columns, their_rates, 6 // kinds)
-        if doubt:
-            log.warn(doubt, 5)
+    columns = [_components(*names[kinds * i :][:kinds]) for i in range(3)]
+    for _, doubt in rate_doubts(log.time, [*coordinates], columns, 6 // kinds):
+        log.warn(doubt, 5)
 
 
 def _joint_trajectory(log: Log) -> JointTrajectory:

@@ -34,7 +34,7 @@ from ..kinematics.pose_search import newton
 from ..motion.interpolation import between
 from ..motion.motion import Motion
 from ..motion.noise_level import LEAST_SAMPLES, rounding_steps, white_noise
-from ..motion.rate_doubts import rate_doubt
+from ..motion.rate_doubts import rate_doubts
 from ..motion.trajectory import JointTrajectory, Trajectory
 from ..results import SINGULAR
 from ..robot.robot import Robot
@@ -102,7 +102,9 @@ def motion_from_lengths(
     Raises
     ------
     ValueError
-        Naming the legs whose rates are of another motion; naming the sample where the lengths jump, differ
+        Naming the legs whose rates say other changes, beyond noise and rounding: by a delay (from 3 % of how
+        far the legs move), a factor (from 8 %) or because they are of another motion (from 30 % over some
+        stretch of samples, of which there are at least 8); naming the sample where the lengths jump, differ
         from what the rates say, belong to no pose, or lead through a singular one or so near one that this is
         not decided at their noise; and naming the argument for any other bad input.
     """
@@ -256,11 +258,9 @@ def _reject_other_rates(time: Array, L: Array, L_dot: Array, L_ddot: Array | Non
     columns = {"L": L, "L_dot": L_dot} | ({} if L_ddot is None else {"L_ddot": L_ddot})
     if not any(rates.any() for rates in [*columns.values()][1:]):  # poses at rest
         return
-    for (name, values), (rate, rates) in itertools.pairwise(columns.items()):
-        legs, legs_rates = ([f"{each}_{leg}" for leg in range(1, 7)] for each in (name, rate))
-        doubt = rate_doubt(time, values, rates, legs, legs_rates)
-        if doubt:
-            raise RatesError(f"{rate}: {doubt}")
+    legs = [[f"{name}_{leg}" for leg in range(1, 7)] for name in columns]
+    for i, doubt in rate_doubts(time, [*columns.values()], legs):
+        raise RatesError(f"{[*columns][i + 1]}: {doubt}")
 
 
 def _noise(time: Array, L: Array) -> Array:

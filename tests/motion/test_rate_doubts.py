@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 import stewart_sym as ss
 from stewart_sym.motion.log_reader import read_csv, read_log
-from stewart_sym.motion.rate_doubts import rate_doubt
+from stewart_sym.motion.rate_doubts import rate_doubt, rate_doubts
 from stewart_sym.motion.rotation import motion_about_axes
 
 Array = NDArray[np.float64]
@@ -93,6 +93,79 @@ def test_rates_of_another_motion_are_warned_of(
     assert any(re.search(f"odd.csv: {words}", str(each.message)) for each in caught)
 
 
+def wave(time: Array, frequency: float) -> Array:
+    """Values, rates from -1 to 1 and accelerations of a cosine, of rates that stay for 0 Hz, (3, n)."""
+    w = 2.0 * np.pi * frequency
+    if frequency == 0.0:
+        return np.array([time, np.ones_like(time), np.zeros_like(time)])
+    return np.array([np.sin(w * time) / w, np.cos(w * time), -w * np.sin(w * time)])
+
+
+TOLD, NOT_TOLD = (0.23, 0.35, 0.35, 0.35, 0.35, 0.35), (0.12, 0.02, 0.25, 0.25, 0.25, 0.25)
+
+
+@pytest.mark.parametrize("kind", [3, 6], ids=["poses", "legs"])
+@pytest.mark.parametrize("noise", [0.0, 0.01], ids=["", "noisy"])
+@pytest.mark.parametrize("sizes", [TOLD, NOT_TOLD], ids=["told", "not told"])
+def test_a_wrong_part_of_rates_is_told_whatever_its_frequency(
+    sizes: tuple[float, ...], noise: float, kind: int
+) -> None:
+    """Also where it is orthogonal to the motion and accelerations agree with it."""
+    time, rng = np.linspace(0.0, 1.0, 201), np.random.default_rng(0)
+    names = [[f"{each}_{axis}" for axis in "xyzuvw"] for each in "tva"]
+    for frequency, size in zip((0.0, 0.5, 2.0, 3.0, 10.0, 20.0), sizes, strict=True):
+        columns = np.repeat(wave(time, 1.0)[..., None], 6, axis=-1)
+        columns[1:, :, 2] += size * wave(time, frequency)[1:]
+        scatter = noise * np.array([0.02, 1.0, 6.0])
+        columns += scatter[:, None, None] * rng.normal(size=columns.shape)
+        expected = {0: "t_z do not change as v_z say"} if sizes is TOLD else {}
+        assert dict(rate_doubts(time, [*columns], names, kind)) == expected
+
+
+@pytest.mark.parametrize("noise", [0.0, 1e-3], ids=["", "noisy"])
+def test_rates_of_a_column_that_rests_are_compared(noise: float) -> None:
+    time = np.linspace(0.0, 1.0, 201)
+    names = [[f"{each}_{axis}" for axis in "xyz"] for each in "tv"]
+    columns = np.zeros((2, 201, 3))
+    columns[..., 0] = wave(time, 1.0)[:2]
+    columns += noise * np.random.default_rng(1).normal(size=columns.shape)
+    assert not dict(rate_doubts(time, [*columns], names, 3))
+    columns[1, :, 1] += 0.1 * wave(time, 3.0)[1]
+    assert dict(rate_doubts(time, [*columns], names, 3)) == {0: "t_y do not change as v_y say"}
+
+
+def faultless(seed: int) -> tuple[Array, Array]:
+    """Times and a motion with rates and accelerations, (3, n, 6), as logs have them, but without a fault."""
+    rng = np.random.default_rng(seed)
+    rows = int(10 ** rng.uniform(1.3, 3.3))
+    fastest = 10 ** rng.uniform(-1.0, 1.0)
+    time = np.arange(rows) / (fastest * rng.uniform(8.0, 200.0))
+    if seed % 3 == 0:
+        kept = rng.random(rows) > 0.15
+        gap = rows // 2 + np.arange(rows // 8)
+        kept[gap], kept[:8] = False, True
+        time = time[kept]
+    if seed % 7 == 0:
+        time += 0.3 * (time[1] - time[0]) * rng.uniform(-1.0, 1.0, len(time))
+    columns = np.zeros((3, len(time), 6))
+    for column in range(6):
+        for frequency in fastest * rng.uniform(0.1, 1.0, 3):
+            columns[..., column] += 0.03 * wave(time + rng.uniform(), frequency)
+    for numbers in columns:
+        if seed % 2 == 0:
+            numbers += 10 ** rng.uniform(-4.0, -1.0) * numbers.std() * rng.normal(size=numbers.shape)
+        if seed % 5 == 0:
+            step = 10 ** np.floor(np.log10(0.03 * numbers.std()))
+            numbers[:] = step * np.rint(numbers / step)
+    return time, columns
+
+
+def test_logs_without_a_fault_are_not_warned_of() -> None:
+    names = [[f"{each}_{i}" for i in range(6)] for each in "tva"]
+    found = {seed: dict(rate_doubts(*faultless(seed), names, (3, 6)[seed % 2])) for seed in range(100)}
+    assert not {seed: doubts for seed, doubts in found.items() if doubts}
+
+
 @pytest.mark.parametrize("order", ["zyx", "xyz"])
 @pytest.mark.parametrize("frame", ["base", "platform"])
 def test_an_angular_velocity_in_place_of_rates_of_angles_is_told_from_them(
@@ -168,7 +241,7 @@ def test_accelerations_with_ten_times_their_size_of_noise_are_of_the_same_motion
 def test_rates_of_sparse_logs_and_of_rest_are_not_warned_of(tmp_path: Path, step: float) -> None:
     names, table = with_rates(np.arange(0.0, 20.0, step))
     still = table.copy()
-    still[:, 1:] = still[0, 1:]
+    still[:, 1:7], still[:, 7:] = still[0, 1:7], 0.0
     with warnings.catch_warnings(action="error"):
         for numbers in (table, still, table[:1]):
             read_csv(write(tmp_path / "good.csv", names, numbers))

@@ -225,6 +225,11 @@ def test_rates_of_another_motion_are_named(samples: int, timed: bool) -> None:
     ):
         follow(L_dot, -L_ddot)
     if timed:
+        # Orthogonal to the motion, and accelerations that agree with it.
+        w, wrong = 4.0 * np.pi / (time[-1] - time[0]), np.eye(6)[2] * np.abs(L_dot).max()
+        faster = w * (time[:, None] - time[0])
+        with pytest.raises(ValueError, match=r"L_dot: L_3 do not change as L_dot_3 say"):
+            follow(L_dot + wrong * np.sin(faster), L_ddot + w * wrong * np.cos(faster))
         with pytest.raises(ValueError, match="L_dot: L_1 to L_6 change by 2 times what L_dot_1 to"):
             follow(0.5 * L_dot, L_ddot)
 
