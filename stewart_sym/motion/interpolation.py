@@ -263,6 +263,17 @@ def rates_at_half_cells(width: int) -> list[Array]:
     return [dense(cell, b_splines(u, DEGREE, rate), width) for rate in range(3)]
 
 
+def inverse_factor(M: Array) -> Array:
+    """Inverse of the Cholesky factor of normal equations, (p, p); ValueError where samples don't fix them."""
+    try:
+        return np.asarray(np.linalg.inv(np.linalg.cholesky(M)))
+    except np.linalg.LinAlgError:
+        raise ValueError(
+            "no smooth curve: the noise of some rows is too small beside that of others; leave these out, or "
+            "state the noise"
+        ) from None
+
+
 # Even knots of splines, and the windows in which these are fitted
 
 WINDOW = 96

@@ -29,11 +29,20 @@ from .log_faults import (
     tell_plateaus,
     unseen,
 )
-from .noise_level import FEWEST_SAMPLES, LEAST_SAMPLES, Level, decided_noise, noise_level, varying_noise
-from .smoothing import PAIRS, shown_noise, smoothed
+from .noise.in_log import (
+    MIN_SPLINE_POINTS,
+    chosen_level,
+    shown_level,
+    stated_noise,
+    too_few,
+    warn_of_few,
+    warn_of_stated,
+)
+from .noise.still_rows import Runs, held_offsets, still_runs, tell_still
+from .noise_level import Level
+from .smoothing import PAIRS, smoothed
 from .trajectory import Log, Replaced, Uncertainty
 
-_MIN_SPLINE_POINTS = 4
 # What needs SciPy, and what helps without.
 SPLINE = ("a trajectory without derivatives", ", or add columns of all velocities and accelerations")
 _PART = 1 << 14
@@ -50,7 +59,7 @@ def rates_of(log: Log, values: Array, steps: Array) -> tuple[Array, Uncertainty 
     cutoff = log.smoothing.cutoff
     if cutoff is not None and log.smoothing.on:
         for _, rows in parts:
-            if len(rows) >= _MIN_SPLINE_POINTS:
+            if len(rows) >= MIN_SPLINE_POINTS:
                 check_cutoff(log.time[rows], cutoff)
     tell_gap(log)
     if len(parts) == 1 and len(parts[0][1]) == len(values):
@@ -158,28 +167,49 @@ def _lost_steps(log: Log, values: Array) -> Array | float:
 
 def _replaced(log: Log, values: Array, steps: Array) -> tuple[Array, Uncertainty | None]:
     """``rates_of`` of rows that were measured."""
-    _warn_of_stated(log, values, steps)
-    _warn_of_few(log, values)
+    warn_of_stated(log, values, steps)
+    warn_of_few(log, values)
     tell_plateaus(log, values, steps)
-    shown = _varying(log, values, shown_noise(log.time, values, steps), tell=True)
-    level = _level(log, shown)
+    still = still_runs(log.time, values, steps)
+    if len(still):
+        tell_still(log, still)
+    shown = shown_level(log, values, steps, still, tell=True)
+    level = chosen_level(log, shown)
     # Neither a cut-off nor a statement makes rows wrong that are within the scatter of all.
     sigma = np.maximum(level.of_samples(), shown.of_samples())
     bad = faults(log.time, values, sigma)
     if bad:
         tell_faults(log, bad)
     if not bad or not log.smoothing.on:
-        return _derivatives(log, values, level)
+        return _curve(log, values, steps, level, still)
     good = values - offsets(bad, values.shape)
     tell_no_repair(log, good, bad)
-    found, noise = _derivatives(
-        log, good, _level(log, _varying(log, good, shown_noise(log.time, good, steps)))
-    )
+    own = chosen_level(log, shown_level(log, good, steps, still))
+    found, noise = _curve(log, good, steps, own, still)
     changed = found - _derivatives(log, values, level, tell=False)[0]
-    size = np.abs(changed[2])
-    near = np.asarray((size > _CHANGED * size.max(axis=0)).any(axis=1))
+    near = _near(changed)
     noise = _with_changes(log.time, found, noise, changed, near)
     return found, noise._replace(replaced=_replaced_rows(log, bad, near))
+
+
+def _near(changed: Array) -> Flags:
+    """Rows in which second rates of (3, n, c) change by a share of their largest change or more, (n,)."""
+    size = np.abs(changed[2])
+    return np.asarray((size > _CHANGED * size.max(axis=0)).any(axis=1))
+
+
+def _curve(
+    log: Log, values: Array, steps: Array, level: Level, still: Runs
+) -> tuple[Array, Uncertainty | None]:
+    """Coordinates and rates, (3, n, 6), and their uncertainty, where rows that stand still are off alike."""
+    found, noise = _derivatives(log, values, level)
+    if noise is None:
+        return found, noise
+    if len(still):
+        off = held_offsets(still, noise.sigma, len(values))
+        changed = _derivatives(log, values + off, level, tell=False)[0] - found
+        noise = _with_changes(log.time, found, noise, changed, _near(changed))
+    return found, noise
 
 
 def _with_changes(
@@ -204,7 +234,7 @@ def _derivatives(
     noisy = level.sigma > 0.0
     if log.smoothing.cutoff is not None:
         noisy[:] = True
-    if len(log.time) < _MIN_SPLINE_POINTS or not log.smoothing.on:
+    if len(log.time) < MIN_SPLINE_POINTS or not log.smoothing.on:
         noisy[:] = False
     found = np.empty((3, *values.shape))
     if not noisy.all():
@@ -238,7 +268,7 @@ def _derivatives(
         _warn_of_jumps(log, left if level.scale is None else left / level.scale, noise)
     elif tell:
         _warn_of_cutoff(log, values, found)
-    if tell and _matters(noise) and not _too_few(log):
+    if tell and _matters(noise) and not too_few(log):
         more = _CORRELATED.format(level.correlation) if level.correlation > 1.0 else ""
         log.warn(f"{noise_text(noise)}: smoothed{more}", 7)
     return found, noise
@@ -320,136 +350,13 @@ def noise_text(noise: Uncertainty) -> str:
     return f"noise of {text} in the log"
 
 
-def _level(log: Log, shown: Level) -> Level:
-    """Noise of six coordinates as stated or shown; with a cut-off only as stated."""
-    known = _stated(log)
-    if log.smoothing.cutoff is not None:
-        return Level(known, known)
-    return Level(
-        np.where(known > 0.0, known, shown.sigma),
-        np.where(known > 0.0, known, shown.least),
-        1.0 if known.all() else shown.correlation,
-        None if shown.scale is None or known.all() else np.where(known > 0.0, 1.0, shown.scale),
-    )
-
-
-def _varying(log: Log, values: Array, level: Level, tell: bool = False) -> Level:
-    """The level of the noise with its scale where it changes along the log, of each sensor by itself."""
-    if level.correlation > 1.0 or log.smoothing.cutoff is not None or not log.smoothing.on:
-        return level
-    for name, part in log.kinds():
-        varies = None
-        if (level.sigma[part] > level.least[part]).any() and log.smoothing.stated(name) is None:
-            varies = varying_noise(log.time, values[:, part], level.least[part])
-        if varies is not None:
-            sigma, scale = level.sigma.copy(), np.ones(values.shape) if level.scale is None else level.scale
-            sigma[part], scale[:, part] = varies[0], varies[1][:, None]
-            level = level._replace(sigma=sigma, scale=scale)
-            if tell:
-                _warn_of_varying(log, name, varies[1])
-    return level
-
-
-def _warn_of_varying(log: Log, name: str, scale: Array) -> None:
-    """Warn of noise of one kind of coordinates that is larger for a while, at rows times scale, (n,)."""
-    large = scale > math.sqrt(scale.max())
-    edges = np.flatnonzero(np.diff(large.astype(np.int8), prepend=0, append=0)).reshape(-1, 2)
-    step = float(np.median(np.diff(log.time)))
-    first, last = (time_text(log.time[i], step) for i in (edges[0, 0], edges[0, 1] - 1))
-    more = f"; larger in {len(edges)} stretches in all" if len(edges) > 1 else ""
-    times = float(np.median(scale[large]) / np.median(scale[~large]))
-    log.warn(
-        f"noise of {log.kind(name)[0]} is {times:.2g} times as large from {first} s to {last} s as elsewhere"
-        f"{more}: smoothed and counted as it is there",
-        8,
-    )
-
-
-def _stated(log: Log) -> Array:
-    """What is stated of the noise of six coordinates, (6,); 0 where nothing is."""
-    known = np.zeros(6)
-    for name, part in log.kinds():
-        known[part] = log.smoothing.stated(name) or 0.0
-    return known
-
-
-# Times that the scatter of a log is its stated noise without a warning. Smaller is soon harmful: the decided
-# scatter is within 1.3 of the noise. Larger may be: noise within the motion's own frequencies shows in no
-# scatter, but in how far the numbers move. A wrong unit makes at least 25.
-_SMALLER, _LARGER, _OF_RANGE, _OTHER_UNIT = 1.5, 30.0, 1.0 / 3.0, 10.0
-# Times that the noise of rounding is the stated noise without a warning.
-_ROUNDED = 3.0
-# Noise of so many times the largest number, m or rad, or 1, is none.
-_ABSURD = 10.0
-
-
-def _warn_of_stated(log: Log, values: Array, steps: Array) -> None:
-    """Warn of stated noise that is far from what the log shows beyond doubt, in the log's own units."""
-    for name, part in log.kinds():
-        known = log.smoothing.stated(name)
-        if known is None or (name == "L" and not log.smoothing.on):  # without it a noise of poses is stated
-            continue
-        what, text = log.kind(name)
-        statement = f"stated noise of {what} of {text(known)}"
-        most = _ABSURD * max(1.0, float(np.abs(values[:, part]).max()))
-        if known > most:
-            raise ValueError(
-                f"{log.source}: {statement}: expected less than {text(most)}; is its unit right?"
-            )
-        doubt = _doubt_of_noise(known, log.time, values[:, part], steps[part], text)
-        if doubt is not None:
-            log.warn(f"{statement}, but they {doubt}", 7)
-
-
-def _too_few(log: Log) -> bool:
-    """Whether rows are too few to look for noise that is not stated."""
-    looked_for = log.smoothing.on and log.smoothing.cutoff is None and not _stated(log).all()
-    return looked_for and len(log.time) < FEWEST_SAMPLES
-
-
-def _warn_of_few(log: Log, values: Array) -> None:
-    """Warn of rows that are too few to look for their noise."""
-    if _too_few(log) and len(log.time) >= _MIN_SPLINE_POINTS and np.ptp(values, axis=0).any():
-        text = (
-            f"{len(log.time)} rows are too few to distinguish noise from motion: forces and deviations are "
-            "those without noise beyond rounding; where there is more, state it "
-            "(--noise-position, --noise-angle; in Python Smoothing)"
-        )
-        log.warn(text, 7)
-
-
-def _doubt_of_noise(
-    known: float, time: Array, values: Array, steps: Array, text: Callable[[float], str]
-) -> str | None:
-    """What a sensor's columns, (n, c), say against noise that is stated, in words; None: nothing."""
-    shown = decided_noise(time, values, steps)
-    if not shown:
-        if len(time) < 2 * LEAST_SAMPLES:
-            return None
-        moving = steps[np.ptp(values, axis=0) > 0.0]
-        step = float(moving.min(initial=math.inf))
-        if known < step / math.sqrt(12.0) / _ROUNDED < math.inf:
-            return f"are rounded to {text(step)}, which alone makes {text(step / math.sqrt(12.0))}"
-        path = float(np.ptp(values, axis=0).max())
-        most = max(_OF_RANGE * path, _LARGER * float(noise_level(time, values, steps).sigma.max()))
-        return f"move over {text(path)} in all: is its unit right?" if known > most > 0.0 else None
-    if shown / _SMALLER <= known <= _LARGER * shown:
-        return None
-    cause = (
-        "is its unit right?"
-        if not shown / _OTHER_UNIT <= known < shown
-        else "stated too small, it leaves noise in the accelerations"
-    )
-    return f"scatter by {text(shown)}: {cause}"
-
-
 def as_given(log: Log, found: Array, steps: Sequence[Array]) -> Uncertainty | None:
     """Uncertainty of coordinates and rates, (3, n, 6), all of them measured and rounded to steps, (3, 6)."""
     if log.smoothing.cutoff is not None:
         text = "the file has rates, which are taken as they are: the cut-off changes nothing"
         log.warn(text, 5)
-    known = _stated(log)
-    _warn_of_stated(log, found[0], steps[0])
+    known = stated_noise(log)
+    warn_of_stated(log, found[0], steps[0])
     sigma = np.array(steps) / math.sqrt(12.0)
     sigma[0] = np.where(known > 0.0, known, sigma[0])
     if not sigma.any() or not log.smoothing.on:
@@ -478,9 +385,9 @@ def _replaced_rows(log: Log, bad: Sequence[Fault], near: Flags) -> tuple[Replace
 
 
 def _spline(since: Array, values: Array, source: str) -> Callable[..., Array]:
-    if len(since) < _MIN_SPLINE_POINTS:
+    if len(since) < MIN_SPLINE_POINTS:
         raise ValueError(
-            f"{source}: expected at least {_MIN_SPLINE_POINTS} rows to fit a spline, got {len(since)}; "
+            f"{source}: expected at least {MIN_SPLINE_POINTS} rows to fit a spline, got {len(since)}; "
             "add rows, or columns with velocities and accelerations"
         )
     with needed_for(*SPLINE):

@@ -38,8 +38,9 @@ _LEAST_LIKE, _NOT_ABSENT = 0.2, 0.15
 # columns that tell; noise beyond that of rounding.
 _STEEPEST, _CHANGING, _FEWEST_COLUMNS, _BEYOND = 1.3, 0.7, 3, 1.5
 
-# Differences in a stretch that shows the noise there, and how many times that of others it is that varies.
-_STRETCH, _VARIES = 48, 3.0
+# Differences in a stretch that shows the noise there, and how many times that of others it is that varies;
+# by more than the latter, rows that are nearly still count for so much that equations are singular.
+_STRETCH, _VARIES, _MOST_VARIED = 48, 3.0, 1e3
 # Differences that tell of a column at most.
 _MOST_DIFFERENCES = 20_000
 
@@ -143,7 +144,7 @@ def varying_noise(time: Array, values: Array, rounding: Array) -> tuple[Array, A
     ]
     count = min(map(len, found))
     local = np.min([each[:count] for each in found], axis=0) / _QUANTILES[1][1]
-    local = np.maximum(local, np.median(rounding[noisy] / unit))
+    local = np.maximum(local, max(float(np.median(rounding[noisy] / unit)), local.max() / _MOST_VARIED))
     if local.max() < _VARIES * np.quantile(local, 0.1):
         return None
     every = max(1, (len(time) - 8) // _MOST_DIFFERENCES)

@@ -32,6 +32,7 @@ from .interpolation import (
     b_splines,
     breaks,
     check_cutoff,
+    inverse_factor,
     places,
     rates_at_half_cells,
     whole_windows,
@@ -277,7 +278,7 @@ def _modes(samples: bytes, size: int, order: int, density: float) -> _Modes:
     P = density / _EDGE ** (2 * order) * rough.T @ rough
     # What is added to the penalty keeps a gap in the log regular.
     M = np.frombuffer(samples).reshape(size, size) + (P + 1e-12 * density * np.eye(size))
-    inverse = np.linalg.inv(np.linalg.cholesky(M))
+    inverse = inverse_factor(M)
     rho, V = np.linalg.eigh(inverse @ P @ inverse.T)
     rho = np.clip(rho, 0.0, 1.0)[:, None]
     rho[:order] = 0.0

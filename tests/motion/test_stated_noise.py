@@ -11,9 +11,9 @@ from robot_files import PAPERS
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
-from stewart_sym.motion.log_rates import _doubt_of_noise
 from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.motion.logs import LogFormat
+from stewart_sym.motion.noise.in_log import doubt_of_noise
 from stewart_sym.motion.noise_level import decided_noise
 
 FORM = LogFormat(length_unit="mm", angle_unit="deg")
@@ -46,7 +46,7 @@ def test_a_good_statement_of_noise_is_never_doubted() -> None:
         values = np.round(values / step) * step if step else values
         found = decided_noise(one.time, values, np.full(3, step))
         decided += found > 0.0
-        doubts = [_doubt_of_noise(k * sigma, one.time, values, np.full(3, step), str) for k in (1.0, 0.5)]
+        doubts = [doubt_of_noise(k * sigma, one.time, values, np.full(3, step), str) for k in (1.0, 0.5)]
         assert doubts[0] is None
         assert (doubts[1] is not None) == (found > 0.0)
     assert decided > 5

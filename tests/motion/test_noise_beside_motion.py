@@ -1,0 +1,80 @@
+"""Rows that stand still among noisy ones: named, and held by deviations."""
+
+import warnings
+
+import numpy as np
+import pytest
+from noisy_logs import Array, from_poses
+
+from stewart_sym.motion.noise.still_rows import still_runs
+from stewart_sym.motion.trajectory import Trajectory
+
+SIGMA = np.repeat([2e-5, 2e-4], 3)
+WAYS = np.array([0.01, 0.008, 0.015, 0.1, 0.05, 0.12])
+
+
+def there_and_back(time: Array) -> Array:
+    """Coordinates and second rates, (2, n, 6), of moves from 1 to 1.9 s and back from 2.6 to 3.5 s."""
+    rise = np.poly1d([70.0, -315.0, 540.0, -420.0, 126.0, 0.0, 0.0, 0.0, 0.0, 0.0])
+    found = np.zeros((2, len(time)))
+    for start, sign in ((1.0, 1.0), (2.6, -1.0)):
+        u = np.clip((time - start) / 0.9, 0.0, 1.0)
+        found += sign * np.array([rise(u), rise.deriv(2)(u) / 0.81])
+    return found[..., None] * WAYS
+
+
+def told(time: Array, values: Array) -> tuple[Trajectory, list[str]]:
+    """The trajectory of poses, (n, 6), and the warnings about it."""
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        trajectory = from_poses(time, values[:, :3], values[:, 3:])
+    return trajectory, [str(each.message) for each in caught]
+
+
+def off(trajectory: Trajectory, second: Array) -> Array:
+    """Errors of second rates of the position over their deviations, (n, 3)."""
+    assert trajectory.noise is not None
+    grid, variance = trajectory.noise.grid, trajectory.noise.covariance[:, :3, 5]
+    sd = np.sqrt([np.interp(trajectory.time, grid, column) for column in variance.T]).T
+    assert trajectory.motion.a is not None
+    return np.asarray((trajectory.motion.a - second[:, :3]) / sd)
+
+
+@pytest.mark.parametrize("rate", [100, 500])
+@pytest.mark.parametrize("held", ["exact", "noisy"])
+@pytest.mark.parametrize("rest", [0.3, 1.0])
+def test_rows_at_rest_tell_nothing_of_the_noise(rate: int, held: str, rest: float) -> None:
+    time = np.arange(round((1.0 - rest) * rate), round((3.5 + rest) * rate)) / rate
+    true, second = there_and_back(time)
+    values = true + SIGMA * np.random.default_rng(rate).normal(size=true.shape)
+    for start, end in ((0.0, 1.0), (1.9, 2.6), (3.5, 9.0)):
+        still = (time >= start) & (time <= end)
+        values[still] = (true if held == "exact" else values)[still][0]
+    trajectory, said = told(time, values)
+    assert trajectory.noise is not None
+    np.testing.assert_allclose(trajectory.noise.sigma, SIGMA, rtol=0.3)
+    z = off(trajectory, second)
+    assert 0.3 < np.sqrt(np.mean(z**2)) < 1.3
+    assert np.abs(z).max() < 6.0
+    assert sum("stand still at the same numbers" in line for line in said) == 1
+    assert not any("as no motion makes" in line for line in said)
+
+
+def test_rounded_rows_and_few_equal_ones_are_not_said_to_stand_still() -> None:
+    time = np.arange(1000) / 200.0
+    true, _ = there_and_back(time)
+    rounded = np.round(true, 4)
+    assert not len(still_runs(time, rounded, np.full(6, 1e-4)))
+    noisy = true + SIGMA * np.random.default_rng(0).normal(size=true.shape)
+    noisy[500:504] = noisy[500]
+    assert not len(still_runs(time, noisy, np.full(6, 1e-9)))
+
+
+def test_rows_that_hardly_scatter_beside_noisy_ones_end_in_no_error() -> None:
+    time = np.arange(200, 760) / 200.0
+    true, _ = there_and_back(time)
+    moves = ((time > 1.0) & (time < 1.9)) | ((time > 2.6) & (time < 3.5))
+    rng = np.random.default_rng(0)
+    noisy = true + SIGMA * np.where(moves, 1.0, 1e-7)[:, None] * rng.normal(size=true.shape)
+    trajectory, _ = told(time, noisy)
+    assert np.isfinite(trajectory.motion.a).all()
