@@ -38,6 +38,7 @@ from .noise.in_log import (
     warn_of_few,
     warn_of_stated,
 )
+from .noise.lines import line_covariance, lines, tell_lines
 from .noise.still_rows import Runs, held_offsets, still_runs, tell_still
 from .noise_level import Level
 from .smoothing import PAIRS, smoothed
@@ -150,6 +151,8 @@ def _on_grid(grid: Array, noise: Uncertainty) -> Array:
 _LOST = 1e-6
 # Share of the steps that are not faster than the speed that counts.
 _FAST = 0.9
+# Noise of so many steps of rounding leaves none of its own patterns.
+_DITHERED = 0.87
 # Share of the largest change of a second rate beyond which one counts.
 _CHANGED = 0.02
 
@@ -201,7 +204,10 @@ def _near(changed: Array) -> Flags:
 def _curve(
     log: Log, values: Array, steps: Array, level: Level, still: Runs
 ) -> tuple[Array, Uncertainty | None]:
-    """Coordinates and rates, (3, n, 6), and their uncertainty, where rows that stand still are off alike."""
+    """Coordinates and rates, (3, n, 6), and their uncertainty, also by what is left out that is no noise.
+
+    Rows that stand still are all off alike; lines may be motion.
+    """
     found, noise = _derivatives(log, values, level)
     if noise is None:
         return found, noise
@@ -209,6 +215,14 @@ def _curve(
         off = held_offsets(still, noise.sigma, len(values))
         changed = _derivatives(log, values + off, level, tell=False)[0] - found
         noise = _with_changes(log.time, found, noise, changed, _near(changed))
+    if log.smoothing.cutoff is None:
+        scale = np.ones(values.shape) if level.scale is None else level.scale
+        # Rounded numbers of a periodic motion have lines of their own.
+        seen = np.where(noise.sigma > _DITHERED * steps, noise.sigma, 0.0)
+        beside = lines(log.time, (values - found[0]) / scale, seen)
+        if beside:
+            tell_lines(log, beside)
+            noise = noise._replace(covariance=noise.covariance + line_covariance(beside, 6))
     return found, noise
 
 

@@ -1,4 +1,4 @@
-"""Rows that stand still among noisy ones: named, and held by deviations."""
+"""Rows that stand still among noisy ones, and lines beside white noise: named, and held by deviations."""
 
 import warnings
 
@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from noisy_logs import Array, from_poses
 
+from stewart_sym.motion.noise.lines import lines
 from stewart_sym.motion.noise.still_rows import still_runs
 from stewart_sym.motion.trajectory import Trajectory
 
@@ -78,3 +79,33 @@ def test_rows_that_hardly_scatter_beside_noisy_ones_end_in_no_error() -> None:
     noisy = true + SIGMA * np.where(moves, 1.0, 1e-7)[:, None] * rng.normal(size=true.shape)
     trajectory, _ = told(time, noisy)
     assert np.isfinite(trajectory.motion.a).all()
+
+
+@pytest.mark.parametrize(("frequency", "amplitude"), [(20.0, 1.5), (33.0, 1.5), (33.0, 50.0), (42.0, 50.0)])
+def test_vibration_is_named_and_its_forces_are_in_the_deviations(frequency: float, amplitude: float) -> None:
+    """At 100 Hz; amplitude over the deviation of the noise."""
+    time = np.arange(450) / 100.0
+    true, second = there_and_back(time)
+    phase = np.array([0.3, 1.0, 2.0, 3.0, 4.0, 5.0])
+    wave = amplitude * SIGMA * np.sin(2.0 * np.pi * frequency * time[:, None] + phase)
+    noisy = true + wave + SIGMA * np.random.default_rng(1).normal(size=true.shape)
+    trajectory, said = told(time, noisy)
+    assert sum(f"vibration of {frequency:.2g}" in line for line in said) == 1
+    z = off(trajectory, second - (2.0 * np.pi * frequency) ** 2 * wave)
+    assert 0.3 < np.sqrt(np.mean(z[20:-20] ** 2)) < 1.3
+    assert np.abs(z).max() < 4.0
+
+
+@pytest.mark.parametrize("count", [60, 300, 1000])
+def test_white_noise_has_no_line(count: int) -> None:
+    rng, time = np.random.default_rng(count), np.arange(count) / 100.0
+    assert not any(lines(time, rng.normal(size=(count, 6)), np.ones(6)) for _ in range(400))
+
+
+def test_a_motion_whose_accelerations_jump_has_no_line() -> None:
+    time = np.arange(1600) / 400.0
+    ramps = np.maximum(time[:, None] - [0.7, 0.825, 1.3, 1.425], 0.0)
+    true = (ramps**2 @ np.array([1.0, -1.0, -1.0, 1.0]))[:, None] * np.ones(6)
+    for seed in range(5):
+        _, said = told(time, true + 5e-5 * np.random.default_rng(seed).normal(size=true.shape))
+        assert not any("vibration" in line for line in said)
