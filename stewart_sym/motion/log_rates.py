@@ -153,6 +153,8 @@ _LOST = 1e-6
 _FAST = 0.9
 # Noise of so many steps of rounding leaves none of its own patterns.
 _DITHERED = 0.87
+# Times that what is left is stated noise that is too small.
+_TOO_SMALL = 2.0
 # Share of the largest change of a second rate beyond which one counts.
 _CHANGED = 0.02
 
@@ -216,10 +218,14 @@ def _curve(
         changed = _derivatives(log, values + off, level, tell=False)[0] - found
         noise = _with_changes(log.time, found, noise, changed, _near(changed))
     if log.smoothing.cutoff is None:
-        scale = np.ones(values.shape) if level.scale is None else level.scale
-        # Rounded numbers of a periodic motion have lines of their own.
-        seen = np.where(noise.sigma > _DITHERED * steps, noise.sigma, 0.0)
-        beside = lines(log.time, (values - found[0]) / scale, seen)
+        left = (values - found[0]) / (1.0 if level.scale is None else level.scale)
+        # Rounded numbers of a periodic motion have lines of their own, and so has what noise stated too
+        # small leaves.
+        doubtful = np.sqrt(np.mean(left**2, axis=0)) > _TOO_SMALL * np.where(
+            stated_noise(log) > 0.0, noise.sigma, np.inf
+        )
+        seen = np.where(doubtful | (noise.sigma < _DITHERED * steps), 0.0, noise.sigma)
+        beside = lines(log.time, left, seen)
         if beside:
             tell_lines(log, beside)
             noise = noise._replace(covariance=noise.covariance + line_covariance(beside, 6))

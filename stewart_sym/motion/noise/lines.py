@@ -55,7 +55,9 @@ def _lines(time: Array, left: Array, sigma: Array, parts: int) -> list[tuple[flo
     window = np.hanning(count + 2)[1:-1, None]
     power = np.abs(np.fft.rfft(window * left, axis=0)) ** 2 / np.sum(window**2)
     power = power[1:-1]
-    level = np.maximum(_beside(power) / math.log(2.0), 1.0)
+    # What is stated of the noise may be too small.
+    usual = np.maximum(_beside(power), np.median(power, axis=0))
+    level = np.maximum(usual / math.log(2.0), 1.0)
     # Minus the log of the probability of as much power: in one column, and as a bound in all of them.
     c, total = left.shape[1], np.sum(power / level, axis=1)
     joint = total - c - c * np.log(np.maximum(total / c, 1.0))
