@@ -37,6 +37,7 @@ from .interpolation import (
     rates_at_half_cells,
     whole_windows,
 )
+from .noise.beside import PAIRS, beside_noise
 from .noise_level import FEWEST_SAMPLES, LEAST_SAMPLES, SEEN, Level, like_noise, noise_level
 
 ORDERS = (3, 4, 6, 8)
@@ -51,8 +52,6 @@ _FREE = 1.0 / 3.0
 # A penalty of weight 1 halves the amplitude of motions with a period of eight knot intervals.
 _EDGE = 2.0 * math.sin(math.pi / 8.0)
 _WEIGHTS = 10.0 ** np.linspace(-9.0, 12.0, 127)
-PAIRS = ((0, 0), (1, 0), (1, 1), (2, 0), (2, 1), (2, 2))
-"""Entries of a covariance: pairs of value, 0, rate, 1, and second rate, 2."""
 _CHUNK = 1 << 16
 # By how much -2 log likelihood of all columns falls with noise in few samples where there is any.
 _DECIDED = 10.0
@@ -167,13 +166,21 @@ def shown_noise(time: Array, values: Array, step: Array | None = None) -> Level:
     level = noise_level(time, values, step)
     if not FEWEST_SAMPLES <= len(time) < LEAST_SAMPLES:
         return level
-    instants = Instants.of(time, np.ones(len(time)))
-    knots = Knots.of(instants, _fewest_cells(len(time)))
-    window = _Window.of(instants, values, knots, 0)
-    sigma, gain = window.noise(_orders(instants.since, knots.step), level.least)
+    sigma, gain = likeliest_noise(time, values, level.least)
     noisy = like_noise(time, values, sigma)
     noisy &= np.sum(gain[noisy]) > _DECIDED
     return Level(np.where(noisy, sigma, level.sigma), np.where(noisy, sigma, level.least))
+
+
+def likeliest_noise(time: Array, values: Array, least: Array) -> tuple[Array, Array]:
+    """Noise of columns of few samples, (c,), at least as large as given, and how much likelier it is, (c,).
+
+    Than the least alone, in -2 log likelihood.
+    """
+    instants = Instants.of(time, np.ones(len(time)))
+    knots = Knots.of(instants, max(len(time), LEAST_SAMPLES))
+    window = _Window.of(instants, values, knots, 0)
+    return window.noise(_orders(instants.since, knots.step), least)
 
 
 def _part(instants: Instants, columns: Array, level: Level | None, cutoff: float | None) -> Smooth:
@@ -472,7 +479,7 @@ def _smoothed(
             for k, product in enumerate(_products(fit.modes, width)):
                 scaled = share[:, None] / step ** sum(PAIRS[k])
                 covariance[inside, own, k] += scaled * (product @ fit.variance[:, own])
-    covariance += _beside_noise(coefficients, resolved, apart, step)
+    covariance += beside_noise(coefficients, resolved, apart, step)
     found = np.empty((3, *values.shape))
     for part in (slice(i, i + _CHUNK) for i in range(0, len(values), _CHUNK)):
         cell, u = places(instants.since[part], knots.step, knots.cells)
@@ -480,21 +487,3 @@ def _smoothed(
             N = b_splines(u, DEGREE, rate) / step**rate
             found[rate, part] = along(N, cell, coefficients)
     return Smooth(found[0], found[1], found[2], sigma, instants.start + step * grid, covariance)
-
-
-def _beside_noise(coefficients: Array, resolved: Array, apart: Array, step: float) -> Array:
-    """Covariance at every half cell, (g, c, 6), that jumps of second rates and joints of windows add.
-
-    Where a second rate that may jump seems to rise, anything between what it is before and after is as
-    likely. resolved: cells over which a jump becomes a ramp, (g, c); 0 where none is likely. apart: mean of
-    the windows' own values, rates and second rates, (3, g, c), from which the joined curve differs.
-    """
-    grid = np.arange(len(resolved)) / 2.0
-    cell, u = places(grid, 1.0, len(coefficients) - DEGREE)
-    joined = np.stack([along(b_splines(u, DEGREE, i), cell, coefficients) / step**i for i in range(3)])
-    joints, ramps = joined - apart, np.zeros(apart.shape)
-    for i, ramp in enumerate(resolved.T):
-        before, after = (np.interp(grid + side * ramp, grid, joined[2, :, i]) for side in (-1.0, 1.0))
-        ramps[2, :, i] = (after - before) / math.sqrt(12.0)
-    ramps[1] = 0.25 * step * resolved * ramps[2]
-    return np.stack([ramps[i] * ramps[j] + joints[i] * joints[j] for i, j in PAIRS], axis=-1)

@@ -109,3 +109,18 @@ def test_a_motion_whose_accelerations_jump_has_no_line() -> None:
     for seed in range(5):
         _, said = told(time, true + 5e-5 * np.random.default_rng(seed).normal(size=true.shape))
         assert not any("vibration" in line for line in said)
+
+
+@pytest.mark.parametrize("share", [0.06, 0.1])
+def test_small_noise_beside_a_motion_of_few_rows_a_period_is_found(share: float) -> None:
+    """A sinusoid of 5 Hz and 1 mm with noise of 1 um."""
+    rate, phase = 5.0 / share, np.array([0.3, 1.0, 2.0, 3.0, 4.0, 5.0])
+    time = np.arange(150) / rate
+    wave = 1e-3 * np.sin(10.0 * np.pi * time[:, None] + phase)
+    values = np.round(wave + 1e-6 * np.random.default_rng(3).normal(size=wave.shape), 9)
+    trajectory, _ = told(time, values)
+    assert trajectory.noise is not None
+    np.testing.assert_allclose(trajectory.noise.sigma, 1e-6, rtol=0.4)
+    z = off(trajectory, -((10.0 * np.pi) ** 2) * wave)
+    assert np.sqrt(np.mean(z**2)) < 1.4
+    assert np.abs(z).max() < 5.0

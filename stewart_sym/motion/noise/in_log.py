@@ -7,9 +7,17 @@ from collections.abc import Callable
 import numpy as np
 
 from ...io.array_types import Array
-from ...io.instants import time_text
-from ..noise_level import FEWEST_SAMPLES, LEAST_SAMPLES, Level, decided_noise, noise_level, varying_noise
-from ..smoothing import shown_noise, smoothed
+from ...io.instants import elapsed, time_text
+from ..noise_level import (
+    FEWEST_SAMPLES,
+    LEAST_SAMPLES,
+    Level,
+    decided_noise,
+    like_noise,
+    noise_level,
+    varying_noise,
+)
+from ..smoothing import likeliest_noise, shown_noise, smoothed
 from ..trajectory import Log
 from .still_rows import Runs, moving_rows
 
@@ -17,13 +25,50 @@ MIN_SPLINE_POINTS = 4
 """Fewest rows that a spline goes through."""
 
 
+# Stretches of rows in which noise is looked for by likelihood, and how far what they show differs.
+_STRETCHES, _LENGTH, _ALIKE = 4, 96, 3.0
+# By how much -2 log likelihood of all columns falls with noise; longest step over the usual one.
+_DECIDED, _UNEVEN = 100.0, 4.0
+
+
+def found_noise(time: Array, values: Array, steps: Array) -> Level:
+    """``shown_noise``, and where differences show none, that with which curves are likeliest.
+
+    Beside a motion of five to ten rows a period differences show the motion alone.
+    """
+    level = shown_noise(time, values, steps)
+    count = min(_LENGTH, len(time))
+    none = level.sigma <= level.least
+    if len(time) < LEAST_SAMPLES or 2 * np.count_nonzero(none) <= len(none):
+        return level
+    least = np.maximum(level.least, 1e-12 * np.abs(values).max(axis=0))[none] + np.finfo(float).tiny
+    found = []
+    for start in {int(i) for i in np.linspace(0, len(time) - count, _STRETCHES)}:
+        rows = slice(start, start + count)
+        step = np.diff(time[rows])
+        own = values[rows, none]
+        if step.max() > _UNEVEN * np.median(step):
+            return level
+        sigma, gain = likeliest_noise(time[rows], own, least)
+        noisy = like_noise(elapsed(time[rows]), own, sigma)
+        if np.sum(gain[noisy]) < _DECIDED or 2 * np.count_nonzero(noisy) < len(noisy):
+            return level
+        found.append(sigma)
+    usual = np.median(found, axis=0)
+    if np.max(found / usual) > _ALIKE or np.max(usual / found) > _ALIKE:
+        return level
+    sigma = level.sigma.copy()
+    sigma[none] = usual
+    return level._replace(sigma=sigma)
+
+
 def shown_level(log: Log, values: Array, steps: Array, still: Runs, tell: bool = False) -> Level:
     """Noise that coordinates, (n, 6), show, rounded to steps, (6,): of the rows that move."""
     if not len(still):
-        return with_scale(log, values, shown_noise(log.time, values, steps), tell)
+        return with_scale(log, values, found_noise(log.time, values, steps), tell)
     moving = moving_rows(still, len(values))
     time, values = log.time[moving], values[moving]
-    level = with_scale(dataclasses.replace(log, time=time), values, shown_noise(time, values, steps), tell)
+    level = with_scale(dataclasses.replace(log, time=time), values, found_noise(time, values, steps), tell)
     scale = level.scale
     if scale is not None:
         scale = np.stack([np.interp(log.time, time, column) for column in scale.T], axis=-1)
