@@ -61,13 +61,14 @@ def test_rows_at_rest_tell_nothing_of_the_noise(rate: int, held: str, rest: floa
     assert not any("as no motion makes" in line for line in said)
 
 
-def test_rounded_rows_and_few_equal_ones_are_not_said_to_stand_still() -> None:
-    time = np.arange(1000) / 200.0
-    true, _ = there_and_back(time)
-    rounded = np.round(true, 4)
-    assert not len(still_runs(time, rounded, np.full(6, 1e-4)))
+@pytest.mark.parametrize(("rate", "decimals"), [(200, 4), (1000, 5)])
+def test_rounded_rows_and_few_equal_ones_are_not_said_to_stand_still(rate: int, decimals: int) -> None:
+    time = np.arange(4 * rate) / rate
+    u = np.clip((time - 1.0) / 0.6, 0.0, 1.0) - np.clip((time - 2.6) / 0.5, 0.0, 1.0)
+    true = (u**3 * (10.0 - 15.0 * u + 6.0 * u**2))[:, None] * WAYS
+    assert not len(still_runs(time, np.round(true, decimals), np.full(6, 10.0**-decimals)))
     noisy = true + SIGMA * np.random.default_rng(0).normal(size=true.shape)
-    noisy[500:504] = noisy[500]
+    noisy[300:304] = noisy[300]
     assert not len(still_runs(time, noisy, np.full(6, 1e-9)))
 
 

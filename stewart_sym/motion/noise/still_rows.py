@@ -21,7 +21,7 @@ Runs = NDArray[np.int64]
 # Fewest rows of a stretch, and the probability that noise repeats numbers so often in any row of a log.
 _FEWEST, _BY_CHANCE = 6, 1e-6
 # Noise beyond that of rounding, and least probability of a repeated number.
-_BEYOND, _LEAST = 1.5, 1e-9
+_BEYOND, _LEAST = 3.0, 1e-9
 
 
 def still_runs(time: Array, values: Array, steps: Array) -> Runs:
