@@ -29,6 +29,7 @@ from .log_faults import (
     tell_plateaus,
     unseen,
 )
+from .noise.beside import PAIRS
 from .noise.in_log import (
     MIN_SPLINE_POINTS,
     chosen_level,
@@ -41,7 +42,7 @@ from .noise.in_log import (
 from .noise.lines import line_covariance, lines, tell_lines
 from .noise.still_rows import Runs, held_offsets, still_runs, tell_still
 from .noise_level import Level
-from .smoothing import PAIRS, smoothed
+from .smoothing import smoothed
 from .trajectory import Log, Replaced, Uncertainty
 
 # What needs SciPy, and what helps without.
@@ -290,7 +291,7 @@ def _derivatives(
         _warn_of_cutoff(log, values, found)
     if tell and _matters(noise) and not too_few(log):
         more = _CORRELATED.format(level.correlation) if level.correlation > 1.0 else ""
-        log.warn(f"{noise_text(noise)}: smoothed{more}", 7)
+        log.warn(f"{noise_text(noise)}: smoothed{more}", 8)
     return found, noise
 
 
@@ -311,7 +312,7 @@ def _warn_of_jumps(log: Log, left: Array, noise: Uncertainty) -> None:
         f"near {when} s a smooth motion is {off[row, column]:.2g} deviations of the noise off ({at_row}): do "
         "accelerations jump, or are rows wrong? Where they jump forces overshoot, as their deviations say"
     )
-    log.warn(text, 8)
+    log.warn(text, 9)
 
 
 # A cut-off removes motion where what it removes is so many times what changes from row to row, and would be
@@ -337,7 +338,7 @@ def _warn_of_cutoff(log: Log, values: Array, found: Array) -> None:
             parts.append(f"of {what} of {in_unit(most)}")
     if parts:
         text = f"the cut-off of {log.smoothing.cutoff:g} Hz removes changes {' and '.join(parts)}"
-        log.warn(f"{text}: motion, not noise, and the forces lack it", 8)
+        log.warn(f"{text}: motion, not noise, and the forces lack it", 9)
 
 
 # Noise without a warning: shares of the largest acceleration, gravity's at least, and of the path.

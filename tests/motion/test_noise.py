@@ -14,6 +14,7 @@ import stewart_sym as ss
 from stewart_sym.drives.verdicts import EXCEEDED, NOT_DECIDED, verdicts
 from stewart_sym.motion import interpolation, smoothing
 from stewart_sym.motion.log_reader import read_csv, read_log
+from stewart_sym.motion.noise.beside import PAIRS
 from stewart_sym.motion.noise_level import grid_steps, rounding_step, white_noise
 from stewart_sym.motion.rotation import rpy_from_rotation
 from stewart_sym.motion.smoothing import shown_noise
@@ -244,7 +245,7 @@ def test_windows_of_an_even_log_share_their_matrices(
     assert windows > 10
     assert len(calls) - shared > windows - 4
     for rate, (one, other) in enumerate(zip(even[:3], uneven[:3], strict=True)):
-        deviation = np.sqrt(even.covariance[..., smoothing.PAIRS.index((rate, rate))].max(axis=0))
+        deviation = np.sqrt(even.covariance[..., PAIRS.index((rate, rate))].max(axis=0))
         assert (np.abs(one - other) < 0.5 * deviation).all()
 
 

@@ -31,13 +31,13 @@ def still_runs(time: Array, values: Array, steps: Array) -> Runs:
     runs = runs[runs[:, 1] - runs[:, 0] >= _FEWEST]
     moving = moving_rows(runs, len(values))
     if not len(runs) or np.count_nonzero(moving) < LEAST_SAMPLES:
-        return runs[:0]
+        return np.zeros((0, 2), dtype=np.int64)
     sigma = white_noise(time[moving], values[moving])
     noisy = sigma > _BEYOND * steps / math.sqrt(12.0)
     # Of two numbers that scatter by sigma both are rounded to one with this probability.
     alike = steps[noisy] / (2.0 * math.sqrt(math.pi) * sigma[noisy])
     surprise = -np.sum(np.log(np.clip(alike, _LEAST, 1.0)))
-    return runs[(runs[:, 1] - runs[:, 0] - 1) * surprise > math.log(len(values) / _BY_CHANCE)]
+    return np.asarray(runs[(runs[:, 1] - runs[:, 0] - 1) * surprise > math.log(len(values) / _BY_CHANCE)])
 
 
 def moving_rows(runs: Runs, count: int) -> Flags:
