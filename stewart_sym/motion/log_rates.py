@@ -40,7 +40,7 @@ from .noise.in_log import (
     warn_of_stated,
 )
 from .noise.lines import line_covariance, lines, tell_lines
-from .noise.still_rows import Runs, held_offsets, still_runs, tell_still
+from .noise.still_rows import held_offsets, still_rows, tell_still
 from .noise_level import Level
 from .smoothing import smoothed
 from .trajectory import Log, Replaced, Uncertainty
@@ -176,10 +176,10 @@ def _replaced(log: Log, values: Array, steps: Array) -> tuple[Array, Uncertainty
     warn_of_stated(log, values, steps)
     warn_of_few(log, values)
     tell_plateaus(log, values, steps)
-    still = still_runs(log.time, values, steps)
-    if len(still):
-        tell_still(log, still)
-    shown = shown_level(log, values, steps, still, tell=True)
+    held = still_rows(log.time, values, steps)
+    if held.any():
+        tell_still(log, held)
+    shown = shown_level(log, values, steps, held, tell=True)
     level = chosen_level(log, shown)
     # Neither a cut-off nor a statement makes rows wrong that are within the scatter of all.
     sigma = np.maximum(level.of_samples(), shown.of_samples())
@@ -187,11 +187,11 @@ def _replaced(log: Log, values: Array, steps: Array) -> tuple[Array, Uncertainty
     if bad:
         tell_faults(log, bad)
     if not bad or not log.smoothing.on:
-        return _curve(log, values, steps, level, still)
+        return _curve(log, values, steps, level, held)
     good = values - offsets(bad, values.shape)
     tell_no_repair(log, good, bad)
-    own = chosen_level(log, shown_level(log, good, steps, still))
-    found, noise = _curve(log, good, steps, own, still)
+    own = chosen_level(log, shown_level(log, good, steps, held))
+    found, noise = _curve(log, good, steps, own, held)
     changed = found - _derivatives(log, values, level, tell=False)[0]
     near = _near(changed)
     noise = _with_changes(log.time, found, noise, changed, near)
@@ -205,17 +205,17 @@ def _near(changed: Array) -> Flags:
 
 
 def _curve(
-    log: Log, values: Array, steps: Array, level: Level, still: Runs
+    log: Log, values: Array, steps: Array, level: Level, held: Flags
 ) -> tuple[Array, Uncertainty | None]:
     """Coordinates and rates, (3, n, 6), and their uncertainty, also by what is left out that is no noise.
 
-    Rows that stand still are all off alike; lines may be motion.
+    Numbers that stand still are all off alike; lines may be motion.
     """
     found, noise = _derivatives(log, values, level)
     if noise is None:
         return found, noise
-    if len(still):
-        off = held_offsets(still, noise.sigma, len(values))
+    if held.any():
+        off = held_offsets(values, held, noise.sigma)
         changed = _derivatives(log, values + off, level, tell=False)[0] - found
         noise = _with_changes(log.time, found, noise, changed, _near(changed))
     if log.smoothing.cutoff is None:

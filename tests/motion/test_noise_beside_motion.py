@@ -7,7 +7,7 @@ import pytest
 from noisy_logs import Array, from_poses
 
 from stewart_sym.motion.noise.lines import lines
-from stewart_sym.motion.noise.still_rows import still_runs
+from stewart_sym.motion.noise.still_rows import still_rows
 from stewart_sym.motion.trajectory import Trajectory
 
 SIGMA = np.repeat([2e-5, 2e-4], 3)
@@ -61,15 +61,35 @@ def test_rows_at_rest_tell_nothing_of_the_noise(rate: int, held: str, rest: floa
     assert not any("as no motion makes" in line for line in said)
 
 
+@pytest.mark.parametrize("columns", [[3, 4, 5], [0, 1, 2], [2], [0, 4]])
+@pytest.mark.parametrize("rests", [[(1.9, 2.6)], [(3.5, 9.0)], [(0.0, 1.0), (1.9, 2.6), (3.5, 9.0)]])
+def test_some_numbers_at_rest_tell_nothing_of_their_noise(
+    columns: list[int], rests: list[tuple[float, float]]
+) -> None:
+    time = np.arange(0.3, 4.5, 0.005)
+    true, second = there_and_back(time)
+    values = true + SIGMA * np.random.default_rng(len(columns)).normal(size=true.shape)
+    for start, end in rests:
+        still = (time >= start) & (time <= end)
+        values[np.ix_(still, columns)] = values[still][0, columns]
+    trajectory, said = told(time, values)
+    assert trajectory.noise is not None
+    np.testing.assert_allclose(trajectory.noise.sigma, SIGMA, rtol=0.3)
+    assert np.abs(off(trajectory, second)).max() < 6.0
+    names = ", ".join(f"{'t' if column < 3 else 'theta'}_{'xyz'[column % 3]}" for column in columns)
+    assert sum(f" of {names} stand still at the same numbers" in line for line in said) == 1
+    assert not any("as no motion makes" in line for line in said)
+
+
 @pytest.mark.parametrize(("rate", "decimals"), [(200, 4), (1000, 5)])
 def test_rounded_rows_and_few_equal_ones_are_not_said_to_stand_still(rate: int, decimals: int) -> None:
     time = np.arange(4 * rate) / rate
     u = np.clip((time - 1.0) / 0.6, 0.0, 1.0) - np.clip((time - 2.6) / 0.5, 0.0, 1.0)
     true = (u**3 * (10.0 - 15.0 * u + 6.0 * u**2))[:, None] * WAYS
-    assert not len(still_runs(time, np.round(true, decimals), np.full(6, 10.0**-decimals)))
+    assert not np.any(still_rows(time, np.round(true, decimals), np.full(6, 10.0**-decimals)))
     noisy = true + SIGMA * np.random.default_rng(0).normal(size=true.shape)
     noisy[300:304] = noisy[300]
-    assert not len(still_runs(time, noisy, np.full(6, 1e-9)))
+    assert not np.any(still_rows(time, noisy, np.full(6, 1e-9)))
 
 
 def test_rows_that_hardly_scatter_beside_noisy_ones_end_in_no_error() -> None:

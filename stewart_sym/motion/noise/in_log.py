@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from ...io.array_types import Array
+from ...io.array_types import Array, Flags
 from ...io.instants import elapsed, time_text
 from ..noise_level import (
     FEWEST_SAMPLES,
@@ -19,7 +19,6 @@ from ..noise_level import (
 )
 from ..smoothing import likeliest_noise, shown_noise, smoothed
 from ..trajectory import Log
-from .still_rows import Runs, moving_rows
 
 MIN_SPLINE_POINTS = 4
 """Fewest rows that a spline goes through."""
@@ -62,11 +61,11 @@ def found_noise(time: Array, values: Array, steps: Array) -> Level:
     return level._replace(sigma=sigma)
 
 
-def shown_level(log: Log, values: Array, steps: Array, still: Runs, tell: bool = False) -> Level:
-    """Noise that coordinates, (n, 6), show, rounded to steps, (6,): of the rows that move."""
-    if not len(still):
+def shown_level(log: Log, values: Array, steps: Array, held: Flags, tell: bool = False) -> Level:
+    """Noise that coordinates, (n, 6), show, rounded to steps, (6,): of rows in which none is held still."""
+    if not held.any():
         return with_scale(log, values, found_noise(log.time, values, steps), tell)
-    moving = moving_rows(still, len(values))
+    moving = ~held.any(axis=1)
     time, values = log.time[moving], values[moving]
     level = with_scale(dataclasses.replace(log, time=time), values, found_noise(time, values, steps), tell)
     scale = level.scale
