@@ -34,6 +34,8 @@ _LOCK = 0.05
 _CLEAR, _OF_RATES, _LEAST = 8.0, 0.3, 1e-3
 # Changes over a stretch are this share of those over all, but for what moves on and on.
 _SHARE = 0.7
+# Second differences over first ones of a motion of nine rows a period.
+_FOLLOWED = 0.7
 # Steps of so many times the usual one are gaps.
 _GAP = 2.5
 # Steps of an even clock differ by less than this share.
@@ -245,7 +247,7 @@ def _compared(
         duration[gaps], jumps = 0.0, np.zeros(len(x))
         jumps[gaps + 1] = x[gaps + 1] - x[gaps]
         x = x - np.cumsum(jumps)
-    scatter, of_rates = (math.sqrt(float(np.mean(np.diff(each, n=2) ** 2)) / 6.0) for each in (x, rate))
+    scatter, of_rates = _scatter(x), _scatter(rate)
     of_each = math.hypot(max(scatter, step / math.sqrt(12.0)), clock * _rms(rate))
     # Numbers that stay the same over several rows count once.
     runs = 1 + np.count_nonzero(np.diff(rate))
@@ -267,6 +269,16 @@ def _compared(
             most = len(over) - 1
         rows *= 2
     return _Column(over, len(over) - 1 if most is None else most, moves)
+
+
+def _scatter(x: Array) -> float:
+    """Deviation of white noise that differences show: those of order 4 have less of a fast motion.
+
+    They are taken from nine rows a period on.
+    """
+    first, second, fourth = (_rms(np.diff(x, n=order)) if len(x) > order else math.inf for order in (1, 2, 4))
+    noise = second / math.sqrt(6.0)
+    return min(noise, fourth / math.sqrt(70.0)) if second < _FOLLOWED * first else noise
 
 
 def _changes(change: Array, by_rate: Array, of_rate: Array, noise: float, chance: float) -> _Changes:

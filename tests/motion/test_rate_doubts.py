@@ -166,6 +166,17 @@ def test_logs_without_a_fault_are_not_warned_of() -> None:
     assert not {seed: doubts for seed, doubts in found.items() if doubts}
 
 
+@pytest.mark.parametrize("rows", [12.5, 25.0])
+def test_rates_of_a_fast_motion_that_are_a_row_late_are_told(rows: float) -> None:
+    time, turn = np.arange(300) / 100.0, 2.0 * np.pi * 100.0 / rows
+    phase, late = (turn * (time - by)[:, None] + np.arange(6) for by in (0.0, 0.01))
+    motion = np.sin(phase), turn * np.cos(late), -(turn**2) * np.sin(late)
+    names = [[f"{each}_{i}" for i in range(6)] for each in "tva"]
+    (first, words), *_ = rate_doubts(time, motion, names)
+    assert first == 0
+    assert "ms late" in words
+
+
 @pytest.mark.parametrize("order", ["zyx", "xyz"])
 @pytest.mark.parametrize("frame", ["base", "platform"])
 def test_an_angular_velocity_in_place_of_rates_of_angles_is_told_from_them(

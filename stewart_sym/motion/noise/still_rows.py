@@ -27,9 +27,9 @@ def still_rows(time: Array, values: Array, steps: Array) -> Flags:
     All columns together, or some of them: noise of the others is told by rows in which all move.
     """
     held, count = np.zeros(values.shape, dtype=bool), values.shape[1]
-    for columns in (range(count), *([column] for column in range(count))):
+    for columns in (np.arange(count), *np.arange(count)[:, None]):
         own = held.copy()
-        own[np.ix_(_still(time, values[:, columns], steps[columns], count), columns)] = True
+        own[:, columns] |= _still(time, values[:, columns], steps[columns], count)[:, None]
         if np.count_nonzero(~own.any(axis=1)) >= LEAST_SAMPLES:
             held = own
     return held
