@@ -24,7 +24,7 @@ _BEYOND, _LEAST = 3.0, 1e-9
 def still_rows(time: Array, values: Array, steps: Array) -> Flags:
     """Which numbers of columns (n, c), rounded to steps, (c,), stay the same as no noise does, (n, c).
 
-    All columns together, or some of them: noise of the others is told by rows in which all move.
+    All columns together, or some of them: rows in which all move show the noise.
     """
     held, count = np.zeros(values.shape, dtype=bool), values.shape[1]
     for columns in (np.arange(count), *np.arange(count)[:, None]):
