@@ -4,6 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from ..drives.friction import constant_part, viscous
 from ..io.array_types import Array
 from ..robot.robot import Robot, legs_text
 from .level_poses import Doubt, Home
@@ -51,6 +52,29 @@ def of_slowness(robot: Robot) -> Iterator[Doubt]:
         )
 
 
+def of_drive_friction(robot: Robot) -> Iterator[Doubt]:
+    """Motors whose friction alone takes their torque limits, dry or at their speed limits."""
+    drive = robot.drive
+    if drive is None:
+        return
+    turns = np.abs(drive.turns)
+    at_rest = constant_part(drive, np.zeros(len(turns))) / turns
+    speed = np.minimum(robot.speed_limit, drive.speed_limit / turns)
+    moving = np.where(np.isfinite(speed), viscous(drive) / turns * speed, 0.0)
+    for torque, which in ((at_rest, "dry"), (moving, "viscous")):
+        legs = np.flatnonzero(torque > drive.torque_limit).tolist()
+        if legs:
+            i = legs[0]
+            where = "" if which == "dry" else " at the speed limit"
+            yield Doubt(
+                "friction",
+                f"{which} friction of the drives of {legs_text(legs)}: {torque[i]:.4g} N m of the "
+                f"motor{where}, where torque_limit is {drive.torque_limit[i]:.4g} N m; likely cause: another "
+                "unit, or friction of the motor given for the screw",
+            )
+            return
+
+
 def of_speeds(robot: Robot) -> Iterator[Doubt]:
     """Motors whose speed limits leave the legs a small share of their own."""
     if robot.drive is None:
@@ -76,17 +100,20 @@ def of_currents(robot: Robot) -> Iterator[Doubt]:
     torque = np.minimum(drive.torque_limit, drive.rated_torque)
     current = np.where(np.isfinite(torque), torque / constant, np.nan)
     voltage = np.where(np.isfinite(drive.speed_limit), constant * drive.speed_limit, np.nan)
-    for unlike, given, need, unit in (
-        ((current > MOST_CURRENT) | (current < LEAST_CURRENT), torque, current, ("N m", "A")),
-        (voltage > MOST_VOLTAGE, drive.speed_limit, voltage, ("rad/s", "V")),
+    drop = current * drive.resistance
+    of_torque = ("torque_constant", constant, "N m/A")
+    for unlike, (name, values, unit), given, need in (
+        ((current > MOST_CURRENT) | (current < LEAST_CURRENT), of_torque, (torque, "N m"), (current, "A")),
+        (voltage > MOST_VOLTAGE, of_torque, (drive.speed_limit, "rad/s"), (voltage, "V")),
+        (drop > MOST_VOLTAGE, ("resistance", drive.resistance, "ohm"), (current, "A"), (drop, "V")),
     ):
         legs = np.flatnonzero(unlike).tolist()
         if legs:
             i = legs[0]
             yield Doubt(
                 "torque-constant",
-                f"torque_constant of the drives of {legs_text(legs)}: {constant[i]:.4g} N m/A, by which "
-                f"{given[i]:.4g} {unit[0]} need {need[i]:.3g} {unit[1]}; likely cause: another unit",
+                f"{name} of the drives of {legs_text(legs)}: {values[i]:.4g} {unit}, by which "
+                f"{given[0][i]:.4g} {given[1]} need {need[0][i]:.3g} {need[1]}; likely cause: another unit",
             )
             return
 

@@ -17,7 +17,14 @@ from ..kinematics.mounting import AssemblyModeWarning
 from ..motion.rotation import rotation_from_quaternion
 from ..robot.robot import LEGS, Robot, legs_text
 from .leg_order import of_order
-from .leg_parts import of_currents, of_part_lengths, of_slowness, of_speeds, of_torques
+from .leg_parts import (
+    of_currents,
+    of_drive_friction,
+    of_part_lengths,
+    of_slowness,
+    of_speeds,
+    of_torques,
+)
 from .level_poses import Doubt, Home, centred_H, home_of, level_home, parts_of
 from .points import MOST_LEGS, of_coincidence, of_exchange, of_limits, of_place, of_tool
 
@@ -112,6 +119,7 @@ def _of_numbers(robot: Robot) -> Iterator[Doubt]:
         yield from _of_masses(robot, size)
         yield from _of_friction(robot, size)
         yield from _of_rotors(robot)
+        yield from of_drive_friction(robot)
         yield from of_speeds(robot)
         yield from of_currents(robot)
     fast = np.flatnonzero(np.isfinite(robot.speed_limit) & (robot.speed_limit > MOST_SPEED))

@@ -17,7 +17,7 @@ from ..io import tables
 from ..io.arguments import shown
 from ..io.array_types import Array
 from ..io.frozen import Frozen
-from .fields import LEGS, Check, LegTables
+from .fields import LEGS, Check, LegTables, legs_text
 
 _ONE_TURN = 2.0 * math.pi
 
@@ -227,7 +227,10 @@ def drive_of_tables(
     if not common and not all(own):
         alone = [prefix for prefix, mine in zip(drives.prefixes[1:], own, strict=True) if mine]
         prefix = (alone or drives.prefixes)[0].rstrip(".")
-        raise ValueError(f"{prefix}: expected a drive of every leg, or a table legs.drive with keys")
+        without = legs_text([i for i, mine in enumerate(own) if not mine])
+        raise ValueError(
+            f"{prefix}: expected a drive of every leg, or a table legs.drive with keys; missing for {without}"
+        )
     found = [_leg(drives, i, metres, degrees, spins) for i in range(LEGS)]
     return Drive(**{name: np.array([leg[name] for leg in found]) for name in NUMBERS})
 

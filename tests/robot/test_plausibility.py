@@ -289,7 +289,7 @@ def test_motors_that_friction_or_a_self_locking_screw_relieves_are_not_said_to_b
 
     assert names() == ["drive-limit"]
     assert names(efficiency=0.3, back_efficiency=-0.1) == []
-    assert names(screw_coulomb=1e4) == []
+    assert names(screw_coulomb=2e3) == []
     assert (
         "rated_torque of the drives of "
         in doubts(

@@ -395,6 +395,27 @@ ABSURD: dict[str, tuple[Callable[[Robot], Robot], str, str]] = {
         "torque-constant",
         "1 N m need 1.67e+04 A",
     ),
+    "winding in milliohm": (
+        lambda robot: dataclasses.replace(
+            robot, drive=ss.Drive(lead=0.005, torque_constant=0.1, resistance=400.0, torque_limit=2.0)
+        ),
+        "torque-constant",
+        "400 ohm, by which 20 A need 8e+03 V",
+    ),
+    "dry friction that no motor overcomes": (
+        lambda robot: dataclasses.replace(
+            robot, drive=ss.Drive(lead=0.005, motor_coulomb=2.5, torque_limit=2.0)
+        ),
+        "friction",
+        "2.5 N m of the motor, where torque_limit is 2 N m",
+    ),
+    "friction in which motors do not reach their speed": (
+        lambda robot: dataclasses.replace(
+            robot, drive=ss.Drive(lead=0.005, motor_viscous=0.002, torque_limit=2.0, speed_limit=1500.0)
+        ),
+        "friction",
+        "3 N m of the motor at the speed limit",
+    ),
     "friction that no drive overcomes": (
         lambda robot: dataclasses.replace(
             robot, C_p=np.full(6, 2e4), speed_limit=np.full(6, 0.5), force_limit=np.full(6, 5e3)
