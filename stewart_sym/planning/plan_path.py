@@ -348,11 +348,10 @@ def need_reachable(costs: PoseCosts, poses: Sequence[ViaPose], values: Array, si
         for name, excess, _ in reach.excesses(nearest.R[None], nearest.t[None]):
             if excess.max() > ROOM + (_TOUCHES if pose.free else 0.0):
                 leg = f" of leg {int(np.argmax(excess[0])) + 1}" if excess.shape[1] == 6 else ""
-                far = f", t of {np.linalg.norm(nearest.t):.4g} m in length"
-                raise ValueError(
-                    f"via pose {number}: out of reach, {who} breaks the limit of {name}{leg}"
-                    f"{'' if name == 'leg clearance' else far}"
-                )
+                out, far = "", ""
+                if name == "leg length":
+                    out, far = "out of reach, ", f", {np.linalg.norm(nearest.t):.4g} m from the base's origin"
+                raise ValueError(f"via pose {number}: {out}{who} breaks the limit of {name}{leg}{far}")
         if not pose.free and values[number - 1] > costs.limits.condition:
             raise ValueError(
                 f"via pose {number}: expected a condition number of at most {costs.limits.condition:g}, "

@@ -148,8 +148,8 @@ BAD = {
     "[leg.2]\ndrive = []\n": "leg.2.drive: expected a table, got [] (at line 19)",
     "[[legs.drive]]\nlead = 5\n": "legs.drive: expected a table, got [{'lead': 5}] (at line 18)",
     "[leg.3.drive]\nlead = 5\n": (
-        "leg.3.drive: expected a drive of every leg, or a table legs.drive with keys; missing for legs 1, 2, 4, "
-        "5, 6 (at line 18)"
+        "leg.3.drive: expected a drive of every leg, or a table legs.drive with keys; missing for legs "
+        "1, 2, 4, 5, 6 (at line 18)"
     ),
     "[legs.drive]\n": (
         "legs.drive: expected a drive of every leg, or a table legs.drive with keys; missing for all legs "
