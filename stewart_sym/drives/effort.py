@@ -21,10 +21,7 @@ from ..robot.drive import Drive
 from ..robot.robot import LEGS, Robot
 from .instants import Instants, at_instants
 from .noise import MotorDeviations, all_deviations, at_replaced
-from .verdicts import Beyond, Extremes, Sides, codes, spread_text, verdicts
-
-# A motion planned at a limit exceeds it by its own rounding, no more than this share of it.
-_USED_UP = 1e-6
+from .verdicts import USED_UP, Beyond, Extremes, Sides, codes, spread_text, verdicts
 
 
 class DriveLimitWarning(UserWarning):
@@ -286,14 +283,14 @@ class Summary:
             return None
         return np.asarray(np.sqrt(self._square_sd / self.span)) if self.span > 0.0 else np.zeros(LEGS)
 
-    def exceeded(self, share: float = _USED_UP) -> list[str]:
+    def exceeded(self, share: float = USED_UP) -> list[str]:
         """One line for each limit and verdict: which legs, the worst, how much and when.
 
         share: of a limit, by which it must be exceeded.
         """
         return [line for _, line in self.told(share)]
 
-    def told(self, share: float = _USED_UP) -> Iterator[tuple[str, str]]:
+    def told(self, share: float = USED_UP) -> Iterator[tuple[str, str]]:
         """Verdicts and the lines of ``exceeded``."""
         rms = Extremes()
         rms.add(self.rms_torque[None], lambda _: [""], _row(self.rms_torque_sd))
@@ -308,9 +305,9 @@ class Summary:
     def verdicts(self, name: str) -> list[str]:
         """Of each leg's limit of one of ``PEAKS``, or of "rated_torque"."""
         if name == "rated_torque":
-            limits = self.drive.rated_torque * (1.0 + _USED_UP)
+            limits = self.drive.rated_torque * (1.0 + USED_UP)
             return verdicts(self.rms_torque[None], limits, _row(self.rms_torque_sd))
-        return self.extremes[name].verdicts(getattr(self.drive, f"{name}_limit") * (1.0 + _USED_UP))
+        return self.extremes[name].verdicts(getattr(self.drive, f"{name}_limit") * (1.0 + USED_UP))
 
 
 def motor_codes(
@@ -321,7 +318,7 @@ def motor_codes(
     for name in PEAKS:
         values = getattr(part, name)
         if values is not None:
-            limits = getattr(drive, f"{name}_limit") * (1.0 + _USED_UP)
+            limits = getattr(drive, f"{name}_limit") * (1.0 + USED_UP)
             found[name] = codes(np.abs(values), limits, _sides(drive, sd, name), there)
     return found
 

@@ -17,7 +17,7 @@ from ..motion.trajectory import PoseLog, Replaced, Trajectory
 from ..robot.robot import LEGS, Robot
 from .effort import trapezoids
 from .noise import Deviations, reached_legs
-from .verdicts import AT_REPLACED, Beyond, Extremes, codes, spread_text
+from .verdicts import AT_REPLACED, USED_UP, Beyond, Extremes, codes, spread_text
 
 # One line names at most so many replaced rows.
 _MOST_NAMED = 4
@@ -42,6 +42,11 @@ class LegLimit(NamedTuple):
         """What the sizes of each leg should not exceed, (6,)."""
         limits: Array = getattr(robot, self.name.partition(" ")[0])
         return limits if self.end is None else self.sign * limits[:, self.end]
+
+    def most(self, robot: Robot) -> Array:
+        """The bound with room for rounding, (6,)."""
+        bound = self.bound(robot)
+        return np.asarray(bound + USED_UP * np.abs(bound))
 
     def sizes(self, values: Array) -> Array:
         """Values as they count, (n, 6)."""
@@ -74,7 +79,7 @@ def leg_codes(
 ) -> NDArray[np.uint8]:
     """``codes`` of the values at instants, (n, 6), named as a limit's; sd, there: as of ``codes``."""
     found = [
-        codes(limit.sizes(values), limit.bound(robot), sd, there)
+        codes(limit.sizes(values), limit.most(robot), sd, there)
         for limit in LEG_LIMITS
         if limit.values == name
     ]
@@ -108,7 +113,7 @@ class LegLimits:
             if given is None or not len(given):
                 continue
             sizes = limit.sizes(given)
-            over = sizes > limit.bound(self.robot)
+            over = sizes > limit.most(self.robot)
             self._span[k] += np.sum(self._weights[where, None] * over, axis=0)
             self._count[k] += np.count_nonzero(over, axis=0)
             off = None if sd is None else getattr(sd, limit.values)
@@ -121,7 +126,7 @@ class LegLimits:
     def told(self) -> Iterator[tuple[str, str]]:
         """Verdicts and the lines of ``exceeded``."""
         for k, limit in enumerate(LEG_LIMITS):
-            for found in self._extremes[k].beyond(limit.bound(self.robot)):
+            for found in self._extremes[k].beyond(limit.most(self.robot)):
                 yield found.verdict, self._line(k, limit, found)
 
     def _line(self, k: int, limit: LegLimit, found: Beyond) -> str:
@@ -141,7 +146,7 @@ class LegLimits:
 
     def verdicts(self, limit: LegLimit) -> list[str]:
         """The verdict of each leg."""
-        return self._of(limit).verdicts(limit.bound(self.robot))
+        return self._of(limit).verdicts(limit.most(self.robot))
 
     def peaks(self, limit: LegLimit) -> tuple[Array, Array | None]:
         """Largest sizes, (6,), and their deviations, None without noise."""

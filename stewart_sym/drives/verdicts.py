@@ -12,6 +12,9 @@ from ..robot.robot import LEGS, legs_text
 SURE = 3.0
 """Deviations within which a value is taken to lie: 99.7 % of normal errors."""
 
+USED_UP = 1e-6
+"""Share of a limit by which a motion planned at it, or stopped by it, exceeds it by its own rounding."""
+
 WITHIN, EXCEEDED, NOT_DECIDED = "kept", "exceeded", "not decided at this noise"
 AT_REPLACED = "not decided at replaced rows"
 VERDICTS = (WITHIN, AT_REPLACED, NOT_DECIDED, EXCEEDED)

@@ -15,6 +15,7 @@ from robot_files import written
 import stewart_sym as ss
 from stewart_sym.cli.main import main
 from stewart_sym.drives.friction import friction_force
+from stewart_sym.drives.leg_limits import LEG_LIMITS, LegLimits
 from stewart_sym.dynamics.home_pose import home_pose
 from stewart_sym.motion.rotation import rpy_from_rotation
 from stewart_sym.motion.trajectory import Trajectory, Uncertainty
@@ -263,3 +264,21 @@ def test_a_trajectory_has_its_own_times(robot: ss.Robot) -> None:
     np.testing.assert_array_equal(effort.energy, same.energy)
     with pytest.raises(ValueError, match=r"^time: expected None beside a trajectory"):
         ss.drive_effort(driven, log, time)
+
+
+def test_limits_of_legs_at_which_a_motion_stops_are_kept_but_for_its_rounding(robot: ss.Robot) -> None:
+    limited = dataclasses.replace(
+        robot,
+        length_limits=np.tile([0.4, 0.9], (6, 1)),
+        force_limit=np.full(6, 500.0),
+        speed_limit=np.full(6, 0.3),
+        home=np.array([0.0, 0.0, 0.6]),
+        joint_angle_limit=np.full((6, 2), 0.5),
+    )
+    for limit in LEG_LIMITS:
+        bound = limit.bound(limited)
+        for share, verdict in ((1e-9, "kept"), (1e-4, "exceeded")):
+            run = LegLimits(limited, np.array([0.0, 1.0]))
+            values = limit.sign * np.stack([bound, bound + share * np.abs(bound)])
+            run.add(slice(None), {limit.values: values})
+            assert run.verdicts(limit) == [verdict] * 6, (limit.name, share)
