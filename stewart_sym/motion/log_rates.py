@@ -40,6 +40,7 @@ from .noise.in_log import (
     warn_of_stated,
 )
 from .noise.lines import line_covariance, lines, tell_lines
+from .noise.sparse_rows import DEGREE, FEWEST, end_errors
 from .noise.still_rows import held_offsets, still_rows, tell_still
 from .noise_level import Level
 from .smoothing import smoothed
@@ -212,7 +213,11 @@ def _curve(
     Numbers that stand still are all off alike; lines may be motion.
     """
     found, noise = _derivatives(log, values, level)
-    if noise is None:
+    if log.smoothing.on and log.smoothing.cutoff is None and len(values) >= FEWEST:
+        off = end_errors(log, found)
+        if off is not None:
+            noise = _with_changes(log.time, found, noise, off, _near(off))
+    if noise is None or not noise.sigma.any():
         return found, noise
     if held.any():
         off = held_offsets(values, held, noise.sigma)
@@ -414,7 +419,9 @@ def _spline(since: Array, values: Array, source: str) -> Callable[..., Array]:
     with needed_for(*SPLINE):
         from scipy.interpolate import make_interp_spline
     try:
-        found: Callable[..., Array] = make_interp_spline(since, values, k=5 if len(since) > 5 else 3)
+        found: Callable[..., Array] = make_interp_spline(
+            since, values, k=DEGREE if len(since) > DEGREE else 3
+        )
         return found
     except (ValueError, np.linalg.LinAlgError) as error:
         raise ValueError(f"{source}: no spline fits these times: {' '.join(str(error).split())}") from None

@@ -1,4 +1,4 @@
-"""Rows that stand still among noisy ones, and lines beside white noise: named, and held by deviations."""
+"""Rows that stand still or are few, and lines beside white noise: named, and held by deviations."""
 
 import warnings
 
@@ -145,3 +145,33 @@ def test_small_noise_beside_a_motion_of_few_rows_a_period_is_found(share: float)
     z = off(trajectory, -((10.0 * np.pi) ** 2) * wave)
     assert np.sqrt(np.mean(z**2)) < 1.4
     assert np.abs(z).max() < 5.0
+
+
+def sinusoids(per_period: float, frequency: float, start: float) -> tuple[Array, Array, Array]:
+    """Times, coordinates and second rates, (n, 6), of eight periods."""
+    time = start + np.arange(8.0 * per_period) / per_period / frequency
+    w = 2.0 * np.pi * frequency
+    values = WAYS * np.sin(w * time[:, None] + [0.3, 1.1, 2.0, 0.5, 0.9, 1.4])
+    return time, values, -(w**2) * values
+
+
+@pytest.mark.parametrize("per_period", [5.0, 6.3, 7.1, 8.0, 9.3, 10.0, 12.0])
+@pytest.mark.parametrize("start", [0.0, 0.037, 0.081])
+def test_few_rows_a_period_are_named_and_their_errors_held(per_period: float, start: float) -> None:
+    time, values, second = sinusoids(per_period, 2.0, start)
+    trajectory, said = told(time, values)
+    assert sum("rows are too far apart" in line for line in said) == 1, said
+    assert trajectory.noise is not None
+    noise, off = trajectory.noise, np.abs(trajectory.noise.coordinates[2] - second)
+    sd = np.sqrt([np.interp(time, noise.grid, column) for column in noise.covariance[:, :, 5].T]).T
+    wrong = off > 0.01 * np.abs(second).max(axis=0)
+    assert wrong.any()
+    assert np.all(off[wrong] < 3.5 * sd[wrong])
+
+
+@pytest.mark.parametrize("per_period", [16.0, 30.0, 200.0])
+def test_many_rows_a_period_are_not_named(per_period: float) -> None:
+    time, values, _ = sinusoids(per_period, 2.0, 0.0)
+    trajectory, said = told(time, values)
+    assert said == []
+    assert trajectory.noise is None
