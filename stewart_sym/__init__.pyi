@@ -122,6 +122,7 @@ from .singularities.along_path import crossings as crossings
 from .singularities.along_path import force_residue as force_residue
 from .singularities.along_path import singularities_along as singularities_along
 from .singularities.joint_space import motion_from_lengths as motion_from_lengths
+from .singularities.joint_space import read_trajectory as read_trajectory
 from .singularities.singular_poses import Singularity as Singularity
 from .singularities.singular_poses import singularity as singularity
 from .viewer.view import View as View

@@ -13,8 +13,6 @@ if TYPE_CHECKING:
     from ..robot.robot import Robot
 
 
-# Instants that show on which side of the base a platform is.
-_SOME = 64
 FEW_ROWS = 10
 """So few rows of a trajectory don't show its motion."""
 
@@ -53,7 +51,7 @@ def trajectory_of(
     form = log_format(arguments, robot, source)
     smoothing = Smoothing(*stated_noise(arguments, form), arguments.cutoff, arguments.smoothing)
     log = read_log_of(robot, source, form, smoothing, progress)
-    trajectory = poses_of(robot, log, arguments, form, progress)
+    trajectory = poses_of(robot, log, arguments, progress)
     if arguments.rate is None:
         return trajectory
     few = resampled(trajectory, arguments.rate)
@@ -99,34 +97,21 @@ def poses_of(
     robot: "Robot",
     log: "Trajectory | PoseLog | JointTrajectory",
     arguments: argparse.Namespace,
-    form: "LogFormat",
     progress: Progress,
 ) -> "Trajectory | PoseLog":
     """Poses of a log that was read as the options say, found from leg lengths if it holds these."""
     import numpy as np
 
-    from ..kinematics.offset_legs import leg_lengths
+    from ..kinematics.log_doubts import side_doubt
     from ..motion.rotation import rotation_from_rpy
-    from ..motion.trajectory import JointTrajectory, PoseLog
+    from ..motion.trajectory import JointTrajectory
     from ..singularities.joint_space import on_platform
-    from ..studies.reports.doubts import angle_doubt, length_doubt, side_doubt, unit_doubt
 
-    unit, start = form.length_unit or "m", arguments.start
-    some = np.linspace(0, len(log.time) - 1, min(len(log.time), _SOME)).astype(np.int64)
-    if isinstance(log, JointTrajectory):
-        found = [length_doubt(robot, log.L[some], unit)]
-    else:
-        motion = log.at(some)
-        found = [length_doubt(robot, leg_lengths(robot, motion.R, motion.t), unit), side_doubt(robot, motion)]
-        if isinstance(log, PoseLog) and found[0] is None:
-            found += [unit_doubt(robot, log, some) or angle_doubt(robot, log, some)]
-    for doubt in found:
-        if doubt is not None:
-            warnings.warn(f"{log.source}: {doubt}", stacklevel=2)
+    start = None if arguments.start is None else np.asarray(arguments.start)
     if isinstance(log, JointTrajectory):
         guess = None if start is None else (rotation_from_rpy(start[3:]), start[:3])
         poses = on_platform(robot, log, guess, progress)
-        if start is not None and (doubt := side_doubt(robot, poses.at(some))) is not None:
+        if start is not None and (doubt := side_doubt(robot, poses.motion)) is not None:
             warnings.warn(f"--start: {doubt}", stacklevel=2)
         return poses
     if start is not None:

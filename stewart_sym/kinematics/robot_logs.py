@@ -1,6 +1,7 @@
 """Logs of a robot, read as its file says that they are written: tool point, order of rotations, lengths."""
 
 import os
+import warnings
 
 import numpy as np
 
@@ -8,8 +9,9 @@ from ..io.array_types import Array
 from ..io.progress import Progress, silent
 from ..motion.log_reader import AS_SHOWN, read_log, trajectory_from
 from ..motion.logs import LogFormat
-from ..motion.trajectory import JointTrajectory, PoseLog, Smoothing, Trajectory
+from ..motion.trajectory import JointTrajectory, LogWarning, PoseLog, Smoothing, Trajectory
 from ..robot.robot import Robot
+from .log_doubts import log_doubts
 from .offset_legs import leg_lengths
 
 
@@ -29,10 +31,17 @@ def read_log_of(
 
     form: None for the robot's. Motions made of the result are those of the reference point. Raises as
     ``read_log``, and ValueError for relative lengths without a home pose, or of legs that have none left.
+    Warns of what does not go with the robot.
     """
-    log = read_log(path, form_of(robot) if form is None else form, smoothing, progress)
-    if isinstance(log, PoseLog):
-        return log.of_tool(robot.tool)
+    form = form_of(robot) if form is None else form
+    log = read_log(path, form, smoothing, progress)
+    log = log.of_tool(robot.tool) if isinstance(log, PoseLog) else _of_joints(robot, log)
+    for doubt in log_doubts(robot, log, form.length_unit or "m"):
+        warnings.warn(f"{log.source}: {doubt}", LogWarning, stacklevel=3)
+    return log
+
+
+def _of_joints(robot: Robot, log: JointTrajectory) -> JointTrajectory:
     log = _loaded_at(robot.tool, log)
     return _absolute(robot, log) if log.relative else log
 

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import itertools
 import math
+import os
 from collections.abc import Callable
 
 import numpy as np
@@ -31,11 +32,14 @@ from ..kinematics.forward import (
     forward_velocity,
 )
 from ..kinematics.pose_search import newton
+from ..kinematics.robot_logs import read_log_of
 from ..motion.interpolation import between
+from ..motion.log_reader import AS_SHOWN, trajectory_from
+from ..motion.logs import LogFormat
 from ..motion.motion import Motion
 from ..motion.noise_level import LEAST_SAMPLES, rounding_steps, white_noise
 from ..motion.rate_doubts import rate_doubts
-from ..motion.trajectory import JointTrajectory, Trajectory
+from ..motion.trajectory import JointTrajectory, Smoothing, Trajectory
 from ..results import SINGULAR
 from ..robot.robot import Robot
 from . import length_steps
@@ -163,6 +167,50 @@ def on_platform(
         row = joints.rows[error.sample]
         raise ValueError(f"{joints.source}: row {row}: {error.reason}") from None
     return Trajectory(joints.time, motion, joints.source, joints.rows, joints.noise)
+
+
+def read_trajectory(
+    robot: Robot,
+    path: str | os.PathLike[str],
+    form: LogFormat | None = None,
+    smoothing: Smoothing = AS_SHOWN,
+    guess: Guess | None = None,
+) -> Trajectory:
+    """Read a log of the robot, poses or leg lengths, as the motion of its reference point.
+
+    Poses and loads are those of the robot's ``tool``, as in every subcommand. Warns of numbers that do not go
+    with each other or with the robot: noise, wrong rows, late rates, other units.
+
+    Parameters
+    ----------
+    robot : Robot
+        The machine, with the tool, the order of rotations and the kind of lengths of its logs.
+    path : path-like
+        CSV file, a row per instant: ``time`` and either ``t_x`` to ``t_z`` with ``theta_x`` to ``theta_z`` or
+        ``q_w`` to ``q_z``, or ``L_1`` to ``L_6``; optionally all rates and second rates, and loads.
+    form : LogFormat, optional
+        Names, units and marks of the file. None: SI units, ``euler_order`` and ``lengths`` of the robot.
+    smoothing : Smoothing, optional
+        What is known of the noise.
+    guess : tuple, optional
+        Of leg lengths: R and t near the first pose, as for ``forward_kinematics``.
+
+    Returns
+    -------
+    Trajectory
+        Times, the motion of the reference point, and the noise of the log.
+
+    Raises
+    ------
+    ValueError
+        Of one line that names the file and the row or column.
+    """
+    log = read_log_of(robot, path, form, smoothing)
+    if isinstance(log, JointTrajectory):
+        return on_platform(robot, log, guess)
+    if guess is not None:
+        raise ValueError(f"guess: is for leg lengths, {log.source} is of poses")
+    return trajectory_from(log)
 
 
 def _checked_deviations(sigma: ArrayLike, shape: tuple[int, ...]) -> Array:

@@ -17,11 +17,11 @@ from whole_track import track
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
+from stewart_sym.kinematics.log_doubts import angle_doubt, length_doubt, side_doubt
 from stewart_sym.motion.log_reader import FORCES, PLAIN, read_csv, read_leg_columns
 from stewart_sym.motion.logs import EULER_ORDERS, LENGTH_UNITS, LogFormat
 from stewart_sym.motion.rotation import quaternion_from_rotation, rotation_from_rpy
 from stewart_sym.motion.trajectory import PoseLog, Trajectory
-from stewart_sym.studies.reports.doubts import angle_doubt, length_doubt, side_doubt
 from stewart_sym.studies.reports.track import peak_noise
 
 Array = NDArray[np.float64]
@@ -152,10 +152,10 @@ def test_the_unit_of_lengths_is_told_by_the_machines_size(limits: bool) -> None:
     assert length_doubt(robot, L) is None
     for unit in ("mm", "cm", "in"):
         told = str(length_doubt(robot, L / LENGTH_UNITS[unit]))
-        assert re.search(rf"another unit \(--length-unit .*\b{unit}\b", told), told
-    assert "another unit (--length-unit m" in str(length_doubt(robot, 1e-3 * L, "mm"))
+        assert re.search(rf"another unit \(.*LogFormat\(length_unit='{unit}'\)", told), told
+    assert "another unit (LogFormat(length_unit='m')" in str(length_doubt(robot, 1e-3 * L, "mm"))
     beyond = 25.4 if limits else 100.0
-    assert "another unit (--length-unit mm)" in str(length_doubt(robot, beyond * L, "in"))
+    assert "another unit (LogFormat(length_unit='mm'))" in str(length_doubt(robot, beyond * L, "in"))
     assert "those of the robot file in metres" in str(length_doubt(robot, 1e-3 * L))
     assert "the log of another machine" in str(length_doubt(robot, 1e5 * L))
 

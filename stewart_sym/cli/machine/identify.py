@@ -139,7 +139,7 @@ def _measured(arguments: argparse.Namespace, progress: Progress) -> "tuple[Repor
             f"{poses}: expected poses or leg lengths, got forces F1 to F6: "
             "the two files of --measured look swapped"
         ) from None
-    trajectory = cast("Trajectory", poses_of(robot, log, arguments, form, progress))
+    trajectory = cast("Trajectory", poses_of(robot, log, arguments, progress))
     of_forces = dataclasses.replace(log_format(arguments), columns={})
     time, F, columns = read_leg_columns(forces, of_forces, (FORCES, CURRENTS))
     sigma = np.asarray(arguments.sigma)

@@ -71,11 +71,11 @@ def _plan(arguments: argparse.Namespace, request: "PlanRequest") -> int:
     import numpy as np
 
     from ...drives.effort import DriveLimitWarning
+    from ...kinematics.log_doubts import metres_doubt
     from ...kinematics.offset_legs import leg_lengths
     from ...planning.certificate import certify_plan
     from ...planning.time_path import need_duration, time_path
     from ...studies.reports import plan
-    from ...studies.reports.doubts import metres_doubt
 
     robot, least = request.robot, arguments.least or request.least
     duration = request.duration if arguments.duration is None else arguments.duration

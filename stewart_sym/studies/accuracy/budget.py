@@ -10,13 +10,11 @@ from ...dynamics.inverse import first_fault
 from ...io import tables
 from ...io.arguments import shown
 from ...kinematics.mounting import path_for
-from ...kinematics.robot_logs import trajectory_for
 from ...motion.motion import Motion
 from ...motion.straight_line import PATHS
-from ...motion.trajectory import JointTrajectory
 from ...reference.newton_euler import inverse_dynamics
 from ...robot.robot import Robot
-from ...singularities.joint_space import on_platform
+from ...singularities.joint_space import read_trajectory
 
 SCHEMA = 1
 MARGIN = 3.0
@@ -45,7 +43,7 @@ class Budget:
 def read_budget(path: str | os.PathLike[str]) -> Budget:
     """Read a scene file of ``advise`` (TOML, schema 1); the files that it names are looked for beside it.
 
-    Keys: ``robot`` (file), ``motions`` (names of the paper's paths or CSV files, as ``trajectory_for``),
+    Keys: ``robot`` (file), ``motions`` (names of the paper's paths or CSV files, as ``read_trajectory``),
     ``tolerance``, and optionally ``margin`` (>= 1) and ``rate`` (Hz).
 
     Raises ValueError of one line, ``file: key: what was expected (at line n)``, for a file that cannot be
@@ -99,9 +97,7 @@ def _motion(robot: Robot, name: str, log: Path | None, prefix: str) -> Motion:
         motion = path.sample(path.times(dtau))
         where, rows = f"{prefix}path {name}: instant", range(len(motion.t))
     else:
-        trajectory = trajectory_for(robot, log)
-        if isinstance(trajectory, JointTrajectory):
-            trajectory = on_platform(robot, trajectory, None)
+        trajectory = read_trajectory(robot, log)
         motion, where, rows = trajectory.motion, f"{trajectory.source}: row", trajectory.rows
     status = inverse_dynamics(robot, motion).status
     if status.any():

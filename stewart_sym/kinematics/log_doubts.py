@@ -1,0 +1,136 @@
+"""Doubts about a log of a robot: another unit of lengths or angles, a platform beyond the base."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..io.array_types import Array
+from ..motion.motion import Motion
+from ..motion.rotation import rotation_about_axes
+from ..motion.text.unit_row import LENGTH_UNITS
+from ..motion.trajectory import MOST_TURNS, JointTrajectory, PoseLog, angle_range
+from ..robot.robot import Robot
+from .mounting import platform_side
+from .offset_legs import leg_lengths
+from .pose_search import jacobian
+
+# Instants that show in which unit a log is, and on which side of the base its platform.
+_SOME = 64
+# Factors of a mistaken unit: metres read as millimetres, metres as centimetres, centimetres as millimetres. A
+# platform nearer to the base than this share of the base's size is doubtful.
+_TIMES, _NEAR = (1000, 100, 10), 0.2
+# Leg lengths outside these ranges, shares of the machine's size or of its longest leg, are doubtful; usual
+# ones, by which another unit is suggested.
+_SHARES_OF_SIZE, _SHARES_OF_LIMITS, _USUAL = (1.0 / 200.0, 20.0), (0.02, 5.0), (0.15, 3.0)
+LEAST_TURN = 0.5
+"""Least range of an angle, rad, that may be in degrees."""
+
+
+def log_doubts(robot: Robot, log: PoseLog | JointTrajectory, unit: str = "m") -> list[str]:
+    """One line about each doubt, by some instants; unit: of ``LENGTH_UNITS``, in which the log was read."""
+    some = np.linspace(0, len(log.time) - 1, min(len(log.time), _SOME)).astype(np.int64)
+    if isinstance(log, JointTrajectory):
+        found = [length_doubt(robot, log.L[some], unit)]
+    else:
+        motion = log.at(some)
+        found = [length_doubt(robot, leg_lengths(robot, motion.R, motion.t), unit), side_doubt(robot, motion)]
+        if found[0] is None:
+            found.append(unit_doubt(robot, log, some) or angle_doubt(robot, log, some))
+    return [doubt for doubt in found if doubt is not None]
+
+
+def length_doubt(robot: Robot, lengths: Array, unit: str = "m") -> str | None:
+    """One line about leg lengths, m, that are no machine's of the robot's size; None for plausible ones.
+
+    unit: of ``LENGTH_UNITS``, in which the log was read.
+    """
+    size, (near, far), of = _size(robot)
+    typical = float(np.median(lengths))
+    if near * size <= typical <= far * size:
+        return None
+    low, high = _USUAL
+    written = typical / LENGTH_UNITS[unit]
+    units = [name for name, factor in LENGTH_UNITS.items() if low * size <= factor * written <= high * size]
+    hints = [f"LogFormat(length_unit={name!r})" for name in units]
+    cause = (
+        f"are they in another unit ({' or '.join(hints)})"
+        if units
+        else f"is LogFormat(length_unit={unit!r}) right, and are those of the robot file in metres"
+        if typical < size
+        else "is it the log of another machine, or are those of the robot file not in metres"
+    )
+    return f"lengths of {typical:.4g} m beside {of} {size:.4g} m: {cause}?"
+
+
+def metres_doubt(robot: Robot, lengths: Array) -> str | None:
+    """One line about leg lengths, m, far above those of the robot's size; None for others."""
+    size, (_, far), of = _size(robot)
+    typical = float(np.median(lengths))
+    if typical <= far * size:
+        return None
+    return f"lengths of {typical:.4g} m beside {of} {size:.4g} m: in millimetres, expected metres?"
+
+
+def _size(robot: Robot) -> tuple[float, tuple[float, float], str]:
+    """Size, m, that lengths are compared with, the least and most share of it, and words for it."""
+    limits = robot.length_limits[np.isfinite(robot.length_limits[:, 1]), 1]
+    if limits.size:
+        return float(limits.max()), _SHARES_OF_LIMITS, "legs of up to"
+    size = max(float(np.ptp(robot.b, axis=0).max()), float(np.ptp(robot.p, axis=0).max()))
+    return size, _SHARES_OF_SIZE, "a machine of"
+
+
+def angle_doubt(robot: Robot, log: PoseLog, some: NDArray[np.int64]) -> str | None:
+    """One line about angles that the legs allow in degrees alone, at some instants; None else."""
+    theta, t = log.coordinates[0, :, 3:], log.coordinates[0, some, :3]
+    tool = np.zeros(3) if log.tool is None else log.tool
+    spans = np.ptp(theta, axis=0)
+    axis = int(np.argmax(spans))
+    if not log.in_radians or not LEAST_TURN < spans[axis] or np.any(spans > MOST_TURNS):
+        return None
+    R, in_degrees = (rotation_about_axes(each, log.order) for each in (theta[some], np.radians(theta[some])))
+    how = impossible(robot, t, R, tool)
+    if how is None or impossible(robot, t, in_degrees, tool) is not None:
+        return None
+    return (
+        f"{angle_range(theta, axis)} leads {how}, in degrees it does not: "
+        "are angles in degrees (LogFormat(angle_unit='deg'))?"
+    )
+
+
+def unit_doubt(robot: Robot, log: PoseLog, some: NDArray[np.int64]) -> str | None:
+    """One line about poses that the legs allow many times as far from the base alone; None else."""
+    t, R = log.coordinates[0, some, :3], rotation_about_axes(log.coordinates[0, some, 3:], log.order)
+    tool = np.zeros(3) if log.tool is None else log.tool
+    far = float(np.linalg.norm(t, axis=-1).max())
+    how = impossible(robot, t, R, tool) if far < _NEAR * np.ptp(robot.b, axis=0).max() else None
+    for times in _TIMES if how is not None else ():
+        if impossible(robot, times * t, R, tool) is None:
+            cause = f"t of up to {far:.3g} m leads {how}, {times} times as much does not"
+            return f"{cause}: is the unit of lengths right?"
+    return None
+
+
+def impossible(robot: Robot, t: Array, R: Array, tool: Array) -> str | None:
+    """Where poses of the tool lead that a machine does not reach: beyond limits, through singular poses."""
+    t = t - R @ tool
+    L = leg_lengths(robot, R, t)
+    if np.any((robot.length_limits[:, 0] > L) | (robot.length_limits[:, 1] < L)):
+        return "legs beyond length_limits"
+    turned = np.linalg.det(jacobian(robot, R, t))
+    return "through a singular pose" if np.ptp(np.sign(turned)) > 0.0 else None
+
+
+def side_doubt(robot: Robot, motion: Motion) -> str | None:
+    """One line about poses (n,) all on the other side of the base than gravity or home says; None else."""
+    side = platform_side(robot)
+    centre = motion.t + motion.R @ robot.p.mean(axis=0) - robot.b.mean(axis=0)
+    if not side.certain or np.any(centre @ side.direction >= 0.0):
+        return None
+    where, unless = ("on the other side of the base than at home", "")
+    if side.by_gravity:
+        where = "below the base, where gravity pulls,"
+        unless = " (forces are right as they are for a machine that hangs)"
+    return (
+        f"the platform is {where} at every instant: does z of the log point the other way than in the robot "
+        f"file?{unless}"
+    )
