@@ -64,8 +64,8 @@ def read_csv(
     ``noise``; rows that repeat or interpolate those of a slower sensor don't count; gaps in time are named.
     Times of an even clock that are rounded, to milliseconds say, are taken from it, with a ``LogWarning``.
 
-    form: names, units and marks of the file. smoothing: what is known of the noise.  The rows are taken as they
-    are: of a robot's tool, Euler order and relative lengths ``read_trajectory`` has regard.
+    form: names, units and marks of the file. smoothing: what is known of the noise.  The rows are taken as
+    they are: ``read_trajectory`` has regard to a robot's tool, Euler order and relative lengths.
 
     Raises ``ValueError`` of one line that names the file and the row (the header is row 1) or column, and
     ``ImportError`` when an interpolating spline is needed and SciPy is missing.

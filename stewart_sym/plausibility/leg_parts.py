@@ -11,6 +11,10 @@ from .level_poses import Doubt, Home
 
 SLOW = 0.3
 """Of a leg's speed limit: a motor chosen for its leg drives it faster than this."""
+LONGEST_STROKE = 1e3
+"""s in which a leg goes through its stroke at its speed limit: m/s for mm/s makes it 1000 times as long."""
+LEAST_ANGLE, LEAST_SHARE = 0.5 * np.pi * np.pi / 180.0, 0.25
+"""Of a joint, rad; less are radians for degrees, where stroke over length is more than four times that."""
 LEAST_CURRENT, MOST_CURRENT, MOST_VOLTAGE = 0.005, 3e3, 5e3
 """A and V of a motor at its limits of torque and speed; mN m/A for N m/A makes them 1000 times off."""
 
@@ -73,6 +77,31 @@ def of_drive_friction(robot: Robot) -> Iterator[Doubt]:
                 "unit, or friction of the motor given for the screw",
             )
             return
+
+
+def of_stroke(robot: Robot) -> Iterator[Doubt]:
+    """Speeds at which a leg takes very long for its stroke, and joints that hardly turn beside it."""
+    low, high = robot.length_limits.T
+    stroke = np.where(np.isfinite(high), high - low, 0.0)
+    slow = np.flatnonzero(stroke > LONGEST_STROKE * robot.speed_limit).tolist()
+    if slow:
+        i = slow[0]
+        yield Doubt(
+            "speed-limit",
+            f"speed_limit of {legs_text(slow)}: {robot.speed_limit[i]:.4g} m/s, {stroke[i]:.4g} m of stroke "
+            f"take {stroke[i] / robot.speed_limit[i]:.3g} s; likely cause: given in m/s in a file of another "
+            "length_unit",
+        )
+    share = np.divide(stroke, high, out=np.zeros(len(high)), where=np.isfinite(high))
+    least = robot.joint_angle_limit.min(axis=1)
+    tight = np.flatnonzero((least < LEAST_ANGLE) & (least < LEAST_SHARE * share)).tolist()
+    if tight:
+        i = tight[0]
+        yield Doubt(
+            "joint-angle",
+            f"joint_angle_limit of {legs_text(tight)}: {np.degrees(least[i]):.3g} degrees beside a stroke of "
+            f"{stroke[i]:.4g} m; likely cause: radians given, expected angle_unit",
+        )
 
 
 def of_speeds(robot: Robot) -> Iterator[Doubt]:

@@ -23,6 +23,7 @@ from .leg_parts import (
     of_part_lengths,
     of_slowness,
     of_speeds,
+    of_stroke,
     of_torques,
 )
 from .level_poses import Doubt, Home, centred_H, home_of, level_home, parts_of
@@ -366,6 +367,7 @@ def _of_home(robot: Robot, home: Home) -> Iterator[Doubt]:
     else:
         yield from of_slowness(robot)
     yield from of_torques(robot, home.F)
+    yield from of_stroke(robot)
 
 
 def _of_axes(robot: Robot, home: Home) -> Iterator[Doubt]:

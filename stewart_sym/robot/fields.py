@@ -26,7 +26,7 @@ DOUBTS = (
     *("singular-everywhere", "leg-order", "condition", "crossing", "joint-singularity"),
     *("overlap", "coincident"),
     *("home", "length-limits", "part-length", "force-limit", "speed-limit"),
-    *("drive-limit", "drive-speed", "torque-constant"),
+    *("drive-limit", "drive-speed", "torque-constant", "joint-angle"),
 )
 """Names of all warnings about a robot's numbers, as ``accept`` takes them: the first four are given on
 loading, the others by ``plausibility.doubts``."""

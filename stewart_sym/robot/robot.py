@@ -108,7 +108,7 @@ class Robot(Frozen):
     ------
     ValueError
         Naming the field when a value breaks a rule of the robot file. ``dataclasses.replace`` makes a changed
-        copy and checks it again.
+        copy and checks it again, but for what no body can be: see ``physicality``.
     """
 
     name: str

@@ -205,6 +205,10 @@ def read_trajectory(
     ValueError
         Of one line that names the file and the row or column.
     """
+    instance(robot, Robot, "robot")
+    instance(smoothing, Smoothing, "smoothing")
+    if form is not None:
+        instance(form, LogFormat, "form")
     log = read_log_of(robot, path, form, smoothing)
     if isinstance(log, JointTrajectory):
         return on_platform(robot, log, guess)

@@ -139,6 +139,19 @@ def test_notes_are_of_the_leg_that_they_name_in_files_of_another_order(
     assert any("notes: legs in the order of the file" in line for line in other.assumptions)
 
 
+def test_a_machine_in_a_room_has_a_link_called_world_that_is_not_the_root(tmp_path: Path) -> None:
+    robot = ROBOTS["random 0"]
+    file = ss.export_model(robot, "urdf")
+    bolts = (
+        '<link name="room"/><joint name="bolts" type="fixed"><parent link="room"/><child link="world"/>'
+        '<origin xyz="1 2 3"/></joint></robot>'
+    )
+    text = file.text.replace("</robot>", bolts)
+    found = ss.import_model(written(ss.ModelFile(text, file.loops), tmp_path / "room")).robot
+    np.testing.assert_allclose(found.b - robot.b, np.tile([1.0, 2.0, 3.0], (6, 1)), atol=1e-12)
+    np.testing.assert_allclose(found.p - found.p[0], robot.p - robot.p[0], atol=1e-12)
+
+
 def test_a_changed_armature_is_a_rotor_of_the_noted_drive(tmp_path: Path) -> None:
     robot = ROBOTS["motion simulator"]
     text = ss.export_model(robot, "mjcf").text

@@ -29,8 +29,8 @@ SERVED = {
     *("view", "export_model", "joint_angles", "size", "wrench_matrix_rate"),
 }
 """Functions that compute offset joints."""
-OF_POINTS = {"up_direction", "characteristic_length"}
-"""Functions of the joints' points alone."""
+OF_POINTS = {"up_direction", "characteristic_length", "read_trajectory"}
+"""Functions of the joints' points alone, or of files."""
 
 
 def _example() -> dict[str, Any]:

@@ -402,7 +402,7 @@ def test_arguments_of_a_wrong_kind_are_named_in_one_line(name: str) -> None:
                 told = str(error)
             if (
                 argument == "path"
-                and name in ("Robot.from_toml", "import_model")
+                and name in ("Robot.from_toml", "import_model", "read_trajectory")
                 and kind in ("text", "bytes")
             ):
                 told = told.replace("x: cannot read", "path: cannot read")

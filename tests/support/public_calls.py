@@ -158,6 +158,17 @@ def calls() -> dict[str, Call]:
         "ArrayKernel": Call(
             ss.ArrayKernel, {"robot": robot, "xp": np, "formulation": "exact", "dtype": None}, free=("dtype",)
         ),
+        "read_trajectory": Call(
+            ss.read_trajectory,
+            {
+                "robot": robot,
+                "path": "no.csv",
+                "form": ss.LogFormat(),
+                "smoothing": ss.Smoothing(),
+                "guess": (motion.R, motion.t),
+            },
+            free=("form", "guess"),
+        ),
         "export_model": Call(ss.export_model, {"robot": robot, "format": "mjcf"}),
         "import_model": Call(ss.import_model, {"path": "no.xml"}),
         "prepare": Call(

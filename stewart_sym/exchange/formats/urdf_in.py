@@ -29,12 +29,13 @@ _CLOSURE_KEYS = ("name", "type", "link_1", "point_1_m", "link_2", "point_2_m", "
 
 def model(root: ET.Element, loops: str | None) -> Model:
     """The model; ValueError of one line says what of the files can't be read, and where."""
+    apart = _apart_from_world(root)
     bodies, joints = _tree(root)
     if loops is None:
         raise ValueError("expected its loops in a second file beside it, NAME.loops.json, got none")
     given = _loops(loops)
     names = {body.name for body in bodies}
-    closures = [_closure(each, i, names) for i, each in enumerate(given.get("closures", ()), 1)]
+    closures = [_closure(each, i, names, apart) for i, each in enumerate(given.get("closures", ()), 1)]
     armature = given.get("armature_kg", {})
     joints = [
         replace(joint, armature=tables.not_negative(armature[joint.name], f"armature_kg: {joint.name}"))
@@ -47,6 +48,23 @@ def model(root: ET.Element, loops: str | None) -> Model:
     left_out = tuple(_left_out(root))
     moving = (*joints, *closures)
     return Model(root.get("name", ""), gravity, tuple(bodies), moving, notes, left_out, armatures=True)
+
+
+def _apart_from_world(root: ET.Element) -> dict[str, str]:
+    """Give a link that is carried but called as the world is another name; the new name by the old."""
+    ends = [
+        end for joint in root.findall("joint") for end in (*joint.findall("parent"), *joint.findall("child"))
+    ]
+    if WORLD not in (end.get("link") for end in ends if end.tag == "child"):
+        return {}
+    links, name = root.findall("link"), f"link {WORLD}"
+    while name in (link.get("name") for link in links):
+        name += "'"
+    for key, elements in (("name", links), ("link", ends)):
+        for each in elements:
+            if each.get(key) == WORLD:
+                each.set(key, name)
+    return {WORLD: name}
 
 
 def _left_out(root: ET.Element) -> Iterator[str]:
@@ -69,11 +87,12 @@ def _loops(text: str) -> dict[str, Any]:
     return found
 
 
-def _closure(given: object, number_: int, names: set[str]) -> Joint:
+def _closure(given: object, number_: int, names: set[str], apart: dict[str, str]) -> Joint:
     where = f"loops: closure {number_}: "
     table = tables.checked_table(given, where, _CLOSURE_KEYS, ("link_1", "point_1_m", "link_2", "point_2_m"))
     kind = tables.choice(table.get("type", "spherical"), ("spherical", "fixed"), f"{where}type")
     for key in ("link_1", "link_2"):
+        table = {**table, key: apart.get(str(table[key]), table[key])}
         if table[key] not in names:
             raise ValueError(f"{where}{key}: link {table[key]!r}: missing")
     return Joint(

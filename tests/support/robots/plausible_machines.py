@@ -424,6 +424,22 @@ ABSURD: dict[str, tuple[Callable[[Robot], Robot], str, str]] = {
         "force_limit is 5000 N",
     ),
     "speed limit in mm/s": (of(speed_limit=lambda v: 1e3 * v), "speed-limit", "given in mm/s"),
+    "speed limit in m/s in a file of millimetres": (
+        lambda robot: dataclasses.replace(
+            robot, length_limits=np.tile([0.5, 0.9], (6, 1)), speed_limit=np.full(6, 3e-4)
+        ),
+        "speed-limit",
+        "0.4 m of stroke take 1.33e+03 s",
+    ),
+    "joint angles in radians in a file of degrees": (
+        lambda robot: dataclasses.replace(
+            robot,
+            **{"home": np.array([0.0, 0.0, 0.6]), "length_limits": np.tile([0.5, 0.9], (6, 1))},
+            joint_angle_limit=np.full((6, 2), np.radians(0.6)),
+        ),
+        "joint-angle",
+        "0.6 degrees beside a stroke of 0.4 m",
+    ),
     "parts that overlap": (
         lambda robot: dataclasses.replace(
             robot, r_d0=np.tile([0.55, 0, 0], (6, 1)), r_u0=np.tile([-0.65, 0, 0], (6, 1))
