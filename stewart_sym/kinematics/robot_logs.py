@@ -9,7 +9,8 @@ from ..io.array_types import Array
 from ..io.progress import Progress, silent
 from ..motion.log_reader import AS_SHOWN, read_log, trajectory_from
 from ..motion.logs import LogFormat
-from ..motion.trajectory import JointTrajectory, LogWarning, PoseLog, Smoothing, Trajectory
+from ..motion.noise_level import LogWarning
+from ..motion.trajectory import JointTrajectory, PoseLog, Smoothing, Trajectory
 from ..robot.robot import Robot
 from .log_doubts import log_doubts
 from .offset_legs import leg_lengths

@@ -237,7 +237,12 @@ def need_columns(header: Sequence[str], columns: Sequence[str], source: str) -> 
 
 def _head(stream: BinaryIO, source: str, form: LogFormat) -> Head:
     delimiter = None if form.delimiter is None else DELIMITERS[form.delimiter]
-    return read_head(stream, source, form.columns.values(), delimiter)
+    head = read_head(stream, source, form.columns.values(), delimiter)
+    if len(head.names) == 1 and len(head.names[0].split()) > 1:
+        raise ValueError(
+            f"{source}: expected columns with commas, semicolons or tabs between them, got blanks"
+        )
+    return head
 
 
 def _clock(head: Head, header: list[str | None], source: str, form: LogFormat) -> Clock | None:
@@ -339,7 +344,8 @@ def _decimal(stream: BinaryIO, head: Head, form: LogFormat, dated: bool) -> str:
 def _expected_names(header: list[str], source: str, form: LogFormat) -> list[str | None]:
     """Names of the columns as expected; None for one that is skipped."""
     if not form.columns:
-        return [*header]
+        # A controller that ends every line with a delimiter writes a last column without a name.
+        return [*header[:-1], None] if "" in header[-1:] and "" not in header[:-1] else [*header]
     for name, given in form.columns.items():
         of = [each for each, other in form.columns.items() if other == given]
         if len(of) > 1:

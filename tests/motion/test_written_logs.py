@@ -95,6 +95,15 @@ def test_a_row_of_units_is_as_if_they_were_given(tmp_path: Path, units: str, for
     assert found.rows[0] == 4
 
 
+def test_a_delimiter_at_the_end_of_every_line_makes_no_column(tmp_path: Path) -> None:
+    alike(read(tmp_path, [line + "," for line in lines()], UNITS), read(tmp_path, lines(), UNITS))
+
+
+def test_columns_between_blanks_are_named(tmp_path: Path) -> None:
+    with pytest.raises(ValueError, match="with commas, semicolons or tabs between them, got blanks"):
+        read(tmp_path, [line.replace(",", "  ") for line in lines()])
+
+
 def test_rates_and_loads_have_units_too(tmp_path: Path) -> None:
     names = [*NAMES, *RATES, "F_ext_x", "F_ext_y", "F_ext_z"]
     units = "s,m,m,m,rad,rad,rad,m/s,m/s,m/s,rad/s,rad/s,rad/s,m/s²,m/s^2,m/s2,rad/s²,,,N,N,[N]"
@@ -121,7 +130,7 @@ def test_rates_and_loads_have_units_too(tmp_path: Path) -> None:
         (
             "s,mm,mm,mm,rad,rad,rad",
             LogFormat(length_unit="cm"),
-            r"t_x: the row of units says mm, expected that of LogFormat\(length_unit='cm'\)$",
+            r"the row of units says mm, expected that of LogFormat\(length_unit='cm'\)$",
         ),
     ],
 )

@@ -62,9 +62,10 @@ def units_of(
             raise ValueError(
                 f"{where}: {name}: expected one {kind} in the row of units, got {unit} and {stated}"
             )
+    for kind, unit in found.items():
         if given.get(kind) not in (None, unit):
             expected = f"LogFormat({kind}={given[kind]!r})"
-            raise ValueError(f"{where}: {name}: the row of units says {unit}, expected that of {expected}")
+            raise ValueError(f"{where}: the row of units says {unit}, expected that of {expected}")
     return found
 
 
