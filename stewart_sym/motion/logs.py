@@ -240,7 +240,7 @@ def _head(stream: BinaryIO, source: str, form: LogFormat) -> Head:
     head = read_head(stream, source, form.columns.values(), delimiter)
     if len(head.names) == 1 and len(head.names[0].split()) > 1:
         raise ValueError(
-            f"{source}: expected columns with commas, semicolons or tabs between them, got blanks"
+            f"{source}: expected commas, semicolons or tabs between columns, got blanks"
         )
     return head
 

@@ -100,7 +100,7 @@ def test_a_delimiter_at_the_end_of_every_line_makes_no_column(tmp_path: Path) ->
 
 
 def test_columns_between_blanks_are_named(tmp_path: Path) -> None:
-    with pytest.raises(ValueError, match="with commas, semicolons or tabs between them, got blanks"):
+    with pytest.raises(ValueError, match="expected commas, semicolons or tabs between columns"):
         read(tmp_path, [line.replace(",", "  ") for line in lines()])
 
 
