@@ -32,6 +32,8 @@ from .shared import Part, Source, header, top
 _ROWS = {n.H_force: 0, n.H_moment: 3}
 """First row of the part of a column of H."""
 _BASE_REACH = t.Field("base_reach", t.Real(), "m: largest coordinate of the base points")
+# Operations of a leg after its roots from which on it pays to take the roots of the next one before them.
+_WORTH_HANDING_ON = 40
 _WITHOUT_D = "#define STEWART_FORCE(D, x) (-(x))\n"
 
 
@@ -114,11 +116,15 @@ class _Source(Source):
         self.of_pose = kernel.shared.made
         self.given = kernel.leg.exprs
         self.roots, self.from_roots = as_far_as_roots(kernel.leg)
+        self.ahead = self.from_roots.operations().total > _WORTH_HANDING_ON
+        if not self.ahead:
+            self.from_roots = kernel.leg
         read = lay.names_used(self.from_roots)
-        self.handed_on = [step.name for step in self.roots.steps if step.name in read]
+        self.handed_on = [step.name for step in self.roots.steps if self.ahead and step.name in read]
         self.structures = p.structures(kernel) | self._structures()
         self.flags = p.flags(kernel) | {
             "ABOUT_TIP": int(kernel.about_tip),
+            "AHEAD": int(self.ahead),
             "HAS_C": int(n.c_force in self.given),
             "HAS_C_MOMENT": int(n.c_moment in self.given),
         }
@@ -209,9 +215,11 @@ class _Source(Source):
         yield made["Block"]
         if kernel.about_tip:
             yield made["LegBlock"]
-        yield from (made[each] for each in ("LegRoots", "Roots"))
+        if self.ahead:
+            yield from (made[each] for each in ("LegRoots", "Roots"))
         yield self._shared_of_block()
-        yield self._roots_of_leg()
+        if self.ahead:
+            yield self._roots_of_leg()
         yield self._leg_of_block()
         yield from self._batch(name)
 
@@ -303,7 +311,7 @@ class _Source(Source):
         return self.texts.function(written.roots_of_leg, given=given, count=leg.operations())
 
     def _leg_of_block(self) -> t.Function:
-        """The other steps of the leg's block as the body of a loop over the poses of a block."""
+        """The steps of the leg's block that are left as the body of a loop over the poses of a block."""
         kernel, exprs = self.kernel, self.given
         leg, about_tip = self.from_roots, kernel.about_tip
         loads = lay.loaded(leg, self._place("at", lay.LANE, leg=t.Name("leg")))
@@ -322,7 +330,9 @@ class _Source(Source):
         given: dict[str, Given] = {"BLOCK": body, "c" if about_tip else "own": False}
         given |= lay.checks(leg, t.at(t.of("shared", "least_L"), "l"), least)
         given |= {} if n.D in exprs else {"known": False}
-        return self.texts.function(written.leg_of_block, given=given, count=leg.operations())
+        given |= {} if self.ahead else {"roots": False}
+        says = "The leg from there on" if self.ahead else "A leg of the poses of a block"
+        return self.texts.function(written.leg_of_block, given=given, says=says, count=leg.operations())
 
     def _batch(self, name: str) -> Iterable[str | t.Function]:
         """The solve of a block, and block after block."""
@@ -335,6 +345,7 @@ class _Source(Source):
             t.Assign(t.at(t.of("one", q.name), "i"), t.at(t.of("at", q.name), "i", "l")) for q in given[1:]
         )
         of_block: dict[str, Given] = {
+            "ROOTS": t.at(t.of("roots", "leg"), "i") if self.ahead else False,
             "OWN": t.Select(first, t.Name("first"), t.Name("other")) if about_tip else False,
             "C": False if about_tip else t.at(t.of("out", "column"), 6),
             "KNOWN": t.at(t.of("out", "D"), "i") if has_d else False,

@@ -309,22 +309,6 @@ typedef struct {
     stewart_real q[3][POSES];
 } STEWART_ALIGNED leg_block;
 
-/* A leg of the poses of a block as far as its roots. */
-typedef struct {
-    stewart_real q_x[POSES];
-    stewart_real q_y[POSES];
-    stewart_real q_z[POSES];
-    stewart_real S_x[POSES];
-    stewart_real S_y[POSES];
-    stewart_real S_z[POSES];
-    stewart_real L[POSES];
-    stewart_real inv_L[POSES];
-} STEWART_ALIGNED leg_roots;
-
-typedef struct {
-    leg_roots leg[6];
-} STEWART_ALIGNED roots_of_legs;
-
 /* What each pose of a block has for all legs, and the platform's part of c. */
 static void shared_of_block(
     const stewart_exact_massless_static_model *STEWART_RESTRICT model,
@@ -364,11 +348,14 @@ static void shared_of_block(
     }
 }
 
-/* A leg of the poses of a block as far as its roots, 28 (12 mul, 14 add, 1 div, 1 sqrt) operations each.
- * Those of the next leg are taken before a leg goes on from its own, which are ready by then. */
-static void roots_of_leg(
+/* A leg of the poses of a block, 31 (15 mul, 14 add, 1 div, 1 sqrt) operations each: its column of H,
+ * its D and its part of c. A leg is q + t - b: one that is short beside q is so beside t or b as well,
+ * if less. */
+static void leg_of_block(
     const stewart_exact_massless_static_model *STEWART_RESTRICT model, int leg,
-    const motion_lanes *STEWART_RESTRICT at, leg_roots *STEWART_RESTRICT out)
+    const motion_lanes *STEWART_RESTRICT at, const shared_lanes *STEWART_RESTRICT shared,
+    stewart_real (*STEWART_RESTRICT column)[POSES], leg_block *STEWART_RESTRICT own,
+    stewart_real *STEWART_RESTRICT bad)
 {
     int l;
     for (l = 0; l < POSES; ++l) {
@@ -392,42 +379,10 @@ static void roots_of_leg(
         /* (2) leg length */
         const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
         const stewart_real inv_L = REAL(1)/L;
-        out->q_x[l] = q_x;
-        out->q_y[l] = q_y;
-        out->q_z[l] = q_z;
-        out->S_x[l] = S_x;
-        out->S_y[l] = S_y;
-        out->S_z[l] = S_z;
-        out->L[l] = L;
-        out->inv_L[l] = inv_L;
-    }
-}
-
-/* The leg from there on, 3 (3 mul, 0 add, 0 div, 0 sqrt) operations each: its column of H, its D and its
- * part of c. A leg is q + t - b: one that is short beside q is so beside t or b as well, if less. */
-static void leg_of_block(
-    const stewart_exact_massless_static_model *STEWART_RESTRICT model, int leg,
-    const motion_lanes *STEWART_RESTRICT at, const shared_lanes *STEWART_RESTRICT shared,
-    const leg_roots *STEWART_RESTRICT roots, stewart_real (*STEWART_RESTRICT column)[POSES],
-    leg_block *STEWART_RESTRICT own, stewart_real *STEWART_RESTRICT bad)
-{
-    int l;
-    (void)model;
-    (void)leg;
-    (void)at;
-    for (l = 0; l < POSES; ++l) {
-        const stewart_real S_x = roots->S_x[l];
-        const stewart_real S_y = roots->S_y[l];
-        const stewart_real S_z = roots->S_z[l];
-        const stewart_real inv_L = roots->inv_L[l];
         /* (3) unit vector along the leg */
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
         const stewart_real s_z = S_z*inv_L;
-        const stewart_real q_x = roots->q_x[l];
-        const stewart_real q_y = roots->q_y[l];
-        const stewart_real q_z = roots->q_z[l];
-        const stewart_real L = roots->L[l];
         column[0][l] = s_x;
         column[1][l] = s_y;
         column[2][l] = s_z;
@@ -456,20 +411,14 @@ static void forces_of_block(
 {
     int i, l;
     shared_lanes shared;
-    roots_of_legs roots;
     leg_block first;
     leg_block other;
     for (l = 0; l < POSES; ++l) {
         out->bad[l] = REAL(0);
     }
-    roots_of_leg(model, 0, at, &roots.leg[0]);
     shared_of_block(model, at, &shared, out->column[6]);
     for (i = 0; i < 6; ++i) {
-        if (i < 5) {
-            roots_of_leg(model, i + 1, at, &roots.leg[i + 1]);
-        }
-        leg_of_block(model, i, at, &shared, &roots.leg[i], out->column[i], i == 0 ? &first : &other,
-            out->bad);
+        leg_of_block(model, i, at, &shared, out->column[i], i == 0 ? &first : &other, out->bad);
         if (i == 0) {
             moments_of_first_without_c(first.q, out->column[6]);
         } else {

@@ -239,9 +239,7 @@ def _head(stream: BinaryIO, source: str, form: LogFormat) -> Head:
     delimiter = None if form.delimiter is None else DELIMITERS[form.delimiter]
     head = read_head(stream, source, form.columns.values(), delimiter)
     if len(head.names) == 1 and len(head.names[0].split()) > 1:
-        raise ValueError(
-            f"{source}: expected commas, semicolons or tabs between columns, got blanks"
-        )
+        raise ValueError(f"{source}: expected commas, semicolons or tabs between columns, got blanks")
     return head
 
 

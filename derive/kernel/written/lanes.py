@@ -191,8 +191,8 @@ def leg_of_block(
     known: "alone(array(POSES))",
     bad: "alone(array(POSES))",
 ) -> None:
-    """The leg from there on, $count operations each: its column of H, its D and its part of c. A leg is
-    q + t - b: one that is short beside q is so beside t or b as well, if less."""
+    """$says, $count operations each: its column of H, its D and its part of c. A leg is q + t - b: one that
+    is short beside q is so beside t or b as well, if less."""
     for l in range(POSES):
         BLOCK
         mark(bad[l], bad[l])
@@ -272,18 +272,21 @@ def load_block(
 def forces_of_block(model: "Model", at: "MotionLanes", out: "Block") -> None:
     """Forces of the poses of a block, and where a closer look is needed."""
     shared = blank(SharedLanes)
-    roots = blank(Roots)
+    if AHEAD:
+        roots = blank(Roots)
     if ABOUT_TIP:
         first = blank(LegBlock)
         other = blank(LegBlock)
     for l in range(POSES):
         out.bad[l] = 0.0
-    roots_of_leg(model, 0, at, roots.leg[0])
+    if AHEAD:
+        roots_of_leg(model, 0, at, roots.leg[0])
     shared_of_block(model, at, shared, out.column[6])
     for i in range(6):
-        if i < 5:
-            roots_of_leg(model, i + 1, at, roots.leg[i + 1])
-        leg_of_block(model, i, at, shared, roots.leg[i], out.column[i], OWN, C, KNOWN, out.bad)
+        if AHEAD:
+            if i < 5:
+                roots_of_leg(model, i + 1, at, roots.leg[i + 1])
+        leg_of_block(model, i, at, shared, ROOTS, out.column[i], OWN, C, KNOWN, out.bad)
         if ABOUT_TIP:
             if i == 0:
                 moments_of_first(first.q, FIRST_C, FIRST_MOMENT, out.column[6])
