@@ -16,16 +16,21 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.legend import Legend
 from matplotlib.text import Text
+from mpl_toolkits.mplot3d import Axes3D, proj3d
+from numpy.typing import NDArray
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
 from stewart_sym.dynamics.home_pose import home_pose
+from stewart_sym.motion.motion import at_rest
 from stewart_sym.robots import dasgupta1998
 from stewart_sym.studies.accuracy import bound_plot
 from stewart_sym.studies.common.drawing import legend_below, log_numbers
 from stewart_sym.studies.control import report
+from stewart_sym.studies.design import workspace
 from stewart_sym.studies.reports import energy_drift, machine_plot, run, singularities, singularities_plot
 
+Array = NDArray[np.float64]
 EXAMPLES = Path(__file__).parents[2] / ".docs" / "examples"
 
 
@@ -183,12 +188,103 @@ def test_any_logarithmic_axis_has_two_numbers_or_more(low: float, high: float) -
     assert axes.get_yscale() == ("linear" if high < 10.0 * low else "log")
 
 
-def test_a_machine_whose_z_axis_points_down_is_drawn_standing() -> None:
-    up = ss.robots.unal()
-    Q = np.diag([1.0, -1.0, -1.0])
-    turned = {name: getattr(up, name) @ Q for name in ("g", "R_0", "b", "p", "k", "home")}
-    down = dataclasses.replace(up, **turned, I_p=Q @ up.I_p @ Q)
-    for robot in (up, down):
-        in_space, above = machine_plot.figure(robot, home_pose(robot)).axes
-        inverted = (in_space.zaxis_inverted(), in_space.yaxis_inverted(), above.yaxis_inverted())
-        assert inverted == (robot is down,) * 3
+# Turned together with its base frame, a machine stands as before.
+HALF, THIRD = np.diag([1.0, -1.0, -1.0]), np.roll(np.eye(3), 1, axis=0)
+TURNS = {"z": np.eye(3), "-z": HALF, "-x": THIRD @ HALF, "y": THIRD @ THIRD}
+
+
+def _turned(name: str, Q: Array) -> ss.Robot:
+    robot = ss.robots.load(name)
+    vectors = {each: getattr(robot, each) @ Q for each in ("g", "R_0", "b", "p", "k", "tool")}
+    return dataclasses.replace(robot, **vectors, home=home_pose(robot).t @ Q, I_p=Q.T @ robot.I_p @ Q)
+
+
+def _at_home(robot: ss.Robot) -> Figure:
+    return machine_plot.figure(robot, home_pose(robot))
+
+
+def _nearest(robot: ss.Robot) -> Figure:
+    t = home_pose(robot).t
+
+    def path(time: Array) -> ss.Motion:
+        return at_rest(np.broadcast_to(np.eye(3), (*time.shape, 3, 3)), t * (1.0 + 0.1 * time[..., None]))
+
+    found = singularities.examine(robot, "outwards", path, np.array([0.0, 1.0]))
+    at = found.along.nearest
+    return singularities_plot.pose_figure(found, singularities.curves(found), at.time, at.at, "outwards")
+
+
+def _in_space(figure: Figure) -> Axes3D:
+    figure.draw_without_rendering()  # type: ignore[no-untyped-call]
+    (found,) = (axes for axes in figure.axes if isinstance(axes, Axes3D))
+    return found
+
+
+@pytest.mark.parametrize("upright", TURNS)
+@pytest.mark.parametrize("drawn", [_at_home, _nearest])
+def test_a_machine_stands_or_hangs_as_gravity_says(drawn: Callable[[ss.Robot], Figure], upright: str) -> None:
+    standing = _turned("unal", TURNS[upright])
+    for robot, above in ((standing, True), (dataclasses.replace(standing, g=-standing.g), False)):
+        axes = _in_space(drawn(robot))
+        base, platform = (
+            proj3d.proj_transform(*at.mean(axis=0), axes.get_proj())[1]
+            for at in (robot.b, robot.p + home_pose(robot).t)
+        )
+        assert (platform > base) == above
+
+
+@pytest.mark.parametrize(("name", "upright"), [("unal", "-z"), ("rubin_camera", "z"), ("dasgupta1998", "-x")])
+@pytest.mark.parametrize("drawn", [_at_home, _nearest])
+def test_numbers_and_names_of_a_machine_s_axes_are_seen_whole(
+    drawn: Callable[[ss.Robot], Figure], name: str, upright: str
+) -> None:
+    _need_whole(_in_space(drawn(_turned(name, TURNS[upright]))))
+
+
+@pytest.mark.parametrize("height", [0.1, 0.4, 1.2])
+def test_numbers_at_the_corners_of_a_box_are_apart(height: float) -> None:
+    figure = Figure(figsize=(6.0, 5.5), layout="constrained")
+    axes = figure.add_subplot(projection="3d")
+    # Such that the limits of all axes are ticks.
+    corner = np.array([0.1, 0.1, 0.5 * height]) - 0.04 / 1.08 * max(0.2, height)
+    machine_plot.frame(axes, dasgupta1998(), np.array([-corner, corner]))
+    _need_whole(_in_space(figure))
+
+
+def _need_whole(axes: Axes3D) -> None:
+    """Each edge has numbers; they and its name lie on the page, apart from all others."""
+    sides = (axes.xaxis, axes.yaxis, axes.zaxis)
+    assert all(len(_numbers(side)) >= 2 for side in sides)
+    boxes = [text.get_window_extent() for side in sides for text in (side.label, *_numbers(side))]
+    page = axes.figure.canvas.figure.bbox
+    assert all(page.count_contains(box.corners()) == 4 for box in boxes)
+    assert not any(one.overlaps(other) for one, other in itertools.combinations(boxes, 2))
+
+
+@pytest.mark.parametrize("upright", ["z", "-z"])
+def test_numbers_of_joints_stand_at_the_ends_of_their_lines(upright: str) -> None:
+    plan = _at_home(_turned("dasgupta1998", TURNS[upright])).axes[1]
+    assert plan.yaxis_inverted() == (upright == "-z")
+    thin = [line for line in plan.lines if line.get_linewidth() == 0.6]
+    lines = [plan.transData.transform(np.asarray(line.get_xydata())) for line in thin]
+    assert len(lines) == len(plan.texts) == 12
+    for text in plan.texts:
+        box = text.get_window_extent()
+        # Distances of a line's ends from the number; one alongside it is longer than the farther one.
+        away = [np.linalg.norm(line - np.clip(line, box.p0, box.p1), axis=1) for line in lines]
+        line = int(np.argmin([ends.min() for ends in away]))
+        assert np.linalg.norm(lines[line][0] - lines[line][1]) < away[line].max() + 5.0
+
+
+@pytest.mark.parametrize("upright", ["z", "-z"])
+def test_planes_through_a_workspace_have_up_upwards(upright: str) -> None:
+    robot = _turned("unal", TURNS[upright])
+    ends = np.array([0.0, 0.1])
+    planes = [
+        workspace.Slice(axes, ends, ends, np.zeros((2, 2), dtype=np.int8), np.ones((2, 2)))
+        for axes in ((0, 1), (0, 2), (1, 2))
+    ]
+    panels = workspace.figure(robot, ss.workspace(robot, poses=100, box=[[-0.1, 0.1]] * 3), planes).axes
+    for axes, down in zip(panels, [False] + [upright == "-z"] * 2, strict=False):
+        assert axes.yaxis_inverted() == down
+        assert ("z points down" in axes.get_ylabel()) == down

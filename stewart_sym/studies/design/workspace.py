@@ -23,6 +23,7 @@ from ...robot.robot import Robot
 from ..common.drawing import DARK, Axes, Figure, as_written, legend_below, new_figure
 from ..common.output import aligned, csv_text
 from ..common.report import SMALL, Picture, Report
+from ..reports.machine_plot import Z_DOWN, vertical
 
 POINTS = 121
 """How many poses a slice has along each axis."""
@@ -110,7 +111,7 @@ def report(robot: Robot, limits: PoseLimits, found: Workspace, planes: list[Slic
         "poses": found.poses,
         "units": {"box": _names(found), "extent": _names(found), "clear": _clear_unit(found)},
     }
-    figures = {"slices": Picture(lambda: figure(robot.name, found, planes), SMALL)}
+    figures = {"slices": Picture(lambda: figure(robot, found, planes), SMALL)}
     return Report(_text(robot, limits, found), {"slices": _table(planes)}, data, figures)
 
 
@@ -179,8 +180,8 @@ def _table(planes: list[Slice]) -> str:
     return csv_text(rows)
 
 
-def figure(name: str, found: Workspace, planes: list[Slice]) -> Figure:
-    """A panel for each plane; ``name``: of the robot."""
+def figure(robot: Robot, found: Workspace, planes: list[Slice]) -> Figure:
+    """A panel for each plane, t_z upright as gravity says."""
     shapes = np.array([_shape(plane) for plane in planes]).reshape(-1, 3)
     # A row is as wide as the picture; a picture of one row has panels of one height.
     widths = _WIDTH * shapes.mean(axis=0) / shapes.mean(axis=0).sum()
@@ -196,6 +197,9 @@ def figure(name: str, found: Workspace, planes: list[Slice]) -> Figure:
     mesh: Any = None
     for axes, plane in zip(panels.ravel(), planes, strict=True):
         mesh = _draw(axes, plane, norm)
+        if plane.axes[1] == AXES.index("t_z") and vertical(robot) == Z_DOWN:
+            axes.invert_yaxis()
+            axes.set_ylabel("t_z, m (z points down)")
         middle = np.concatenate([found.position, found.angles])
         scale = _scale(plane)
         axes.plot(*(scale * middle[list(plane.axes)]), marker="+", color=DARK, markersize=9.0)
@@ -205,7 +209,7 @@ def figure(name: str, found: Workspace, planes: list[Slice]) -> Figure:
     bar.ax.yaxis.set_minor_formatter(NullFormatter())
     size = f"{found.volume:.4g} ± {found.error:.1g} {found.unit.replace('^3', '³')}"
     drawn.suptitle(
-        f"{as_written(name)}: {_title(found)}\n{size}; planes through the pose marked +", fontsize=10.0
+        f"{as_written(robot.name)}: {_title(found)}\n{size}; planes through the pose marked +", fontsize=10.0
     )
     broken = sorted({int(code) for plane in planes for code in np.unique(plane.codes)} - {INSIDE})
     handles = [Patch(facecolor=_OUTSIDE[code], label=REASONS[code]) for code in broken]

@@ -13,12 +13,19 @@ from ...robot.robot import LEGS, Robot
 from ..common.drawing import BLUE, DARK, GREY, RED, Axes, Figure, as_written, name_points, new_figure
 from ..common.report import SMALL, Picture
 
+Z_DOWN = (2, True)
+"""What ``vertical`` returns of a machine whose z axis points down."""
+
 BASE, PLATFORM, LEG, MARK, OFFSET = DARK, BLUE, GREY, RED, "#2a7f3f"
 
-# A machine is drawn with z down if more than this share of gravity acts along z.
-_DOWN = 0.5
+# Gravity acts along z if at least this share of it does.
+_ALONG_Z = 0.5
 # Length of axes and arrows, and distance within which points are one, shares of the machine's size.
 _AXIS, _SAME = 0.12, 1e-3
+# Distances of numbers and names from the edges of a cube, about points; room for steps on the longest edge.
+_NUMBER, _NAME, _STEPS = 8.0, 29.0, 12.0
+# Sizes to choose from for the box; share of the page's height that stays free below it.
+_ZOOMS, _EDGE = np.linspace(1.0, 0.5, 21), 0.015
 
 
 def picture(robot: Robot, home: HomePose) -> Picture:
@@ -32,24 +39,30 @@ def figure(robot: Robot, home: HomePose) -> Figure:
     drawn.set_layout_engine("constrained", w_pad=0.2, h_pad=0.1, wspace=0.08)
     tips = home.t + robot.p
     in_space: Any = drawn.add_subplot(1, 2, 1, projection="3d")
-    z_down = bool(robot.g[2] > _DOWN * np.linalg.norm(robot.g))
-    extent = draw_legs(in_space, robot.b, tips, z_down) + _marks_in_space(in_space, robot, home, tips)
-    frame(in_space, np.concatenate(extent), z_down)
+    extent = draw_legs(in_space, robot, tips) + _marks_in_space(in_space, robot, home, tips)
     above = drawn.add_subplot(1, 2, 2)
-    along = "z" if z_down else "-z"
+    along = "z" if vertical(robot) == Z_DOWN else "-z"
     above.set_title(
         f"{as_written(robot.name)}: home pose, seen along {along}\nbase black, platform blue", fontsize=9.0
     )
     _from_above(above, robot, tips)
-    if z_down:
-        above.invert_yaxis()
+    frame(in_space, robot, np.concatenate(extent))
     return drawn
 
 
-def draw_legs(axes: Any, base: Array, tips: Array, z_down: bool = False) -> list[Array]:
+def vertical(robot: Robot) -> tuple[int, bool]:
+    """Axis of the base frame that is drawn upright, and whether it points down, as gravity says."""
+    along = np.abs(robot.g)
+    steep = along[2] >= _ALONG_Z * np.linalg.norm(robot.g)
+    axis = 2 if steep else int(np.argmax(along))
+    return axis, bool(robot.g[axis] > 0.0)
+
+
+def draw_legs(axes: Any, robot: Robot, tips: Array) -> list[Array]:
     """Draw both rings of points (6, 3) and the legs between them, numbered; returns what was drawn."""
+    base, (axis, down) = robot.b, vertical(robot)
     size = float(np.max(np.ptp(np.concatenate([base, tips]), axis=0)))
-    below = np.array([0.0, 0.0, 0.05 * size if z_down else -0.05 * size])
+    below = (0.05 if down else -0.05) * size * np.eye(3)[axis]
     for corners, color in ((base, BASE), (tips, PLATFORM)):
         ring = corners[_around(corners)]
         axes.plot(*np.concatenate([ring, ring[:1]]).T, color=color, linewidth=1.6)
@@ -59,20 +72,57 @@ def draw_legs(axes: Any, base: Array, tips: Array, z_down: bool = False) -> list
     return [base, tips]
 
 
-def frame(axes: Any, extent: Array, z_down: bool = False) -> None:
-    """Limits and names of the axes for what is drawn, (n, 3); with z down, y is turned round as well."""
+def frame(axes: Any, robot: Robot, extent: Array) -> None:
+    """Limits and names of the axes for what is drawn, (n, 3), upright; titles are there before.
+
+    The layout of the figure is fixed from here on.
+    """
     low, high = extent.min(axis=0), extent.max(axis=0)
     pad = 0.04 * float(np.max(high - low))
     for name, a, b in zip("xyz", low - pad, high + pad, strict=True):
         getattr(axes, f"set_{name}lim")(a, b)
         getattr(axes, f"set_{name}label")(f"{name}, m", fontsize=8.0)
-    if z_down:
-        axes.invert_yaxis()
-        axes.invert_zaxis()
-    axes.set_box_aspect(high - low + 2.0 * pad)
-    axes.locator_params(nbins=4)
-    axes.tick_params(labelsize=7.0, pad=0.0)
-    axes.view_init(elev=18.0, azim=-60.0)
+    sides = high - low + 2.0 * pad
+    _space(axes, sides)
+    axis, down = vertical(robot)
+    axes.view_init(elev=18.0, azim=-60.0, vertical_axis="xyz"[axis])
+    up, left, right = (getattr(axes, f"{'xyz'[(axis + i) % 3]}axis") for i in range(3))
+    # What is turned round is not mirrored.
+    for each in (up, right) if down else ():
+        each.set_inverted(True)
+    # Numbers of both lower edges keep off the corner where the edges meet.
+    for each, side in ((left, "right"), (right, "left")):
+        for label in each.get_ticklabels():
+            label.set_horizontalalignment(side)
+    _fit(axes, sides)
+
+
+def _space(axes: Any, sides: Array) -> None:
+    """Put few numbers on short edges; and them and names as far from edges as from those of a cube."""
+    for i, name in enumerate("xyz"):
+        axes.locator_params(name, nbins=int(np.clip(_STEPS * sides[i] / sides.max(), 2, 4)))
+        # Matplotlib's distances are shares of the sides that meet the edge.
+        longer = max(1.0, float(np.linalg.norm(sides) / np.sqrt(3.0) / np.delete(sides, i).mean()))
+        axes.tick_params(name, labelsize=7.0, pad=_NUMBER * (longer - 1.0))
+        getattr(axes, f"{name}axis").labelpad = 8.0 + _NAME * (longer - 1.0)
+
+
+def _fit(axes: Any, sides: Array) -> None:
+    """Draw the box with these sides as large as has room together with the numbers and names of its edges."""
+    from matplotlib.transforms import Bbox
+
+    pane, figure = axes.figure, axes.figure.canvas.figure
+    figure.draw_without_rendering()
+    figure.set_layout_engine("none")
+    room = axes.get_position(original=True).transformed(pane.transSubfigure)
+    # Below the axes the page has room as well.
+    floor = pane.bbox.y0 + _EDGE * pane.bbox.height
+    for zoom in _ZOOMS:
+        axes.set_box_aspect(sides, zoom=zoom)
+        figure.draw_without_rendering()
+        drawn = Bbox.union([edge.get_tightbbox(None) for edge in (axes.xaxis, axes.yaxis, axes.zaxis)])
+        if room.x0 <= drawn.x0 and drawn.x1 <= room.x1 and floor <= drawn.y0 and drawn.y1 <= room.y1:
+            break
 
 
 def _marks_in_space(axes: Any, robot: Robot, home: HomePose, tips: Array) -> list[Array]:
@@ -133,6 +183,8 @@ def _from_above(axes: Axes, robot: Robot, tips: Array) -> None:
     axes.set_aspect("equal")
     axes.margins(0.12)
     axes.set(xlabel="x, m", ylabel="y, m")
+    if vertical(robot) == Z_DOWN:
+        axes.invert_yaxis()
     name_points(axes, names, places, bars, size=9.0)
 
 

@@ -95,8 +95,8 @@ def pose_figure(found: Examination, columns: Columns, time: float, at: Singulari
         for mark in crossed:
             axes.axvline(mark, color=RED, linewidth=0.9, linestyle=(0, (4, 2)))
     machine = right.add_subplot(projection="3d")
-    draw_machine(machine, found.robot, found.path(np.array([time]))[0], at)
     figure.suptitle(as_written(title), fontsize=11.0)
+    draw_machine(machine, found.robot, found.path(np.array([time]))[0], at)
     return figure
 
 
@@ -105,7 +105,7 @@ def draw_machine(axes: Any, robot: Robot, pose: Motion, at: Singularity) -> None
     points = pose.t + robot.p @ pose.R.T
     both = np.concatenate([robot.b, points])
     size = float(np.max(np.ptp(both, axis=0)))
-    draw_legs(axes, robot.b, points)
+    draw_legs(axes, robot, points)
     v, omega = at.twist[:3], at.twist[3:]
     velocities = v + np.cross(omega, points - pose.t)
     arrows = velocities * _ARROW * size / np.max(np.linalg.norm(velocities, axis=-1))
@@ -115,12 +115,12 @@ def draw_machine(axes: Any, robot: Robot, pose: Motion, at: Singularity) -> None
         line = at.point + np.outer([-0.45 * size, 0.45 * size], at.axis)
         axes.plot(*line.T, color=RED, linewidth=1.0, linestyle=(0, (4, 2)))
         extent.append(line)
-    frame(axes, np.concatenate(extent))
     screw = "a translation"
     if np.isfinite(at.pitch):
         screw = f"screw axis dashed, pitch {float(at.pitch):.4g} m/rad"
     motion = "unconstrained twist" if at.lost else "twist that the legs resist least"
     axes.set_title(f"{motion}: velocities of the platform points\n{screw}", fontsize=9.0)
+    frame(axes, robot, np.concatenate(extent))
 
 
 # Parts
