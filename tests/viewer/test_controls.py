@@ -308,3 +308,32 @@ def test_twenty_thousand_instants_keep_every_number_and_every_peak(browser: Brow
     assert page.do("return viewer.panels[0].columns(viewer.panels[0].series[2]).length") < 1000
     assert f"5000 N at {time[peak]:.4f} s" in page.page.locator("#peaks tbody tr").nth(leg).inner_text()
     page.close()
+
+
+def levels(opened: Opened, panel: int, ranges: list[tuple[float, float]]) -> list[list[tuple[float, str]]]:
+    """Values and texts at which the axis of a panel is numbered, for each range."""
+    found: list[list[tuple[float, str]]] = opened.do(
+        f"const panel = Object.create(viewer.panels[{panel}]);"
+        f"return {json.dumps(ranges)}.map(([low, high]) => Object.assign(panel, {{ low, high }}).levels())"
+    )
+    return found
+
+
+def test_each_axis_has_two_numbers_or_more_whatever_its_range(opened: Opened) -> None:
+    ends = (
+        np.random.default_rng(2).uniform(1.0, 10.0, (400, 2)) * 10.0 ** np.arange(-12.0, 8.0, 0.05)[:, None]
+    )
+    ranges = [(-47.0, 47.0), (5.0 - 5e-6, 5.0 + 5e-6)]
+    ranges += [(-a, b) for a, b in ends.tolist()] + [(min(pair), max(pair)) for pair in ends.tolist()]
+    for (low, high), found in zip(ranges, levels(opened, 1, ranges), strict=True):
+        values, texts = zip(*found, strict=True)
+        assert len(set(texts)) == len(texts) >= 2
+        slack = 1e-6 * (high - low)
+        assert low - slack <= min(values) < max(values) <= high + slack
+        assert np.allclose(
+            [float(text.replace("\u2212", "-")) for text in texts], values, rtol=1e-9, atol=slack
+        )
+    powers = [
+        (low, low + wide) for low in (0.0, 0.62, 3.9) for wide in (1e-4, 0.15, 0.99, 1.0, 2.4, 2.5, 6.1, 12.0)
+    ]
+    assert min(len(found) for found in levels(opened, 3, powers)) >= 2

@@ -212,6 +212,15 @@ def test_deviations_stand_beside_the_values(case: Case, opened: Opened) -> None:
     assert np.allclose([sd for _, sd in numbers], columns(case, "F_sd")[i], rtol=0.06)
 
 
+def test_tables_are_seen_whole_on_a_screen_of_usual_width(opened: Opened) -> None:
+    size = opened.page.viewport_size
+    assert size is not None
+    opened.page.set_viewport_size({"width": 1300, "height": 900})
+    hidden = "[...document.querySelectorAll('.wide')].map((each) => each.scrollWidth - each.clientWidth)"
+    assert opened.do(f"return {hidden}") == [0, 0, 0, 0]
+    opened.page.set_viewport_size(size)
+
+
 def test_collars_tell_what_noise_leaves_open(case: Case, opened: Opened) -> None:
     """Of the light theme: orange without blue, which nothing else of the picture is."""
     found = opened.do("const { F_paper, ...shown } = viewer.motion.verdicts; return shown")

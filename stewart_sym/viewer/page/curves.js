@@ -189,7 +189,7 @@ export class Panel {
     levels.forEach(([value, text]) => {
       const y = Math.round(this.y(value)) + 0.5;
       line(pen, LEFT, y, LEFT + this.width, y);
-      pen.fillText(text, LEFT - 6, y);
+      pen.fillText(text, LEFT - 6, y, LEFT - 8);
     });
     const { start, duration } = this.motion;
     const times = ticks(start, start + duration, Math.max(2, this.width / 90));

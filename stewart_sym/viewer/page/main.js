@@ -279,6 +279,9 @@ if (sets.length && distinct(forceLimits).length)
   });
 columns.push(asCell(quantities.length), asCell(quantities.speed));
 const fillLegs = legTable(find("now"), columns);
+// Many columns, and numbers with deviations, take the width of the page.
+const noisy = Object.keys(motion.columns).some((name) => name.endsWith("_sd"));
+find("now").closest(".tables").classList.toggle("single", noisy || columns.length > 4);
 // The largest of the whole motion, with its verdict, and in words what more is to be said.
 const asPeak = (quantity, more) => {
   const at = quantity.peaks();

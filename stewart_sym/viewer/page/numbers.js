@@ -14,12 +14,20 @@ export function shown(value, digits = 5) {
   return text.replace("-", MINUS);
 }
 
-// Values at which an axis is numbered: a few multiples of 1, 2 or 5 times a power of ten.
+// Values at which an axis is numbered: multiples of 1, 2 or 5 times a power of ten, about as many as asked for, two at
+// least.
 export function ticks(low, high, count) {
   const raw = (high - low) / Math.max(1, count);
   if (!(raw > 0) || !Number.isFinite(raw)) return [low];
   const ten = 10 ** Math.floor(Math.log10(raw));
-  const step = [1, 2, 5, 10].map((each) => each * ten).find((each) => each >= raw * 0.999);
+  const steps = [0.5, 1, 2, 5, 10].map((each) => each * ten);
+  for (let s = steps.findIndex((each) => each >= raw * 0.999); ; s--) {
+    const found = multiples(steps[s], low, high);
+    if (found.length > 1 || s === 0) return found;
+  }
+}
+
+function multiples(step, low, high) {
   const found = [];
   for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; k++) found.push(k * step);
   return found;
@@ -28,12 +36,9 @@ export function ticks(low, high, count) {
 // Text of ticks, all with the decimals that tell them apart.
 export function tickTexts(values) {
   if (values.length < 2) return values.map((value) => shown(value, 3));
-  const step = values[1] - values[0];
   const largest = Math.max(...values.map(Math.abs));
-  if (largest >= 1e5) {
-    const digits = Math.max(0, Math.ceil(Math.log10(largest / step) - 1e-9));
-    return values.map((value) => (value === 0 ? "0" : value.toExponential(Math.min(digits, 3)).replace("-", MINUS)));
-  }
-  const decimals = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
-  return values.map((value) => value.toFixed(Math.min(decimals, 10)).replace("-", MINUS));
+  const [power, last] = [largest, values[1] - values[0]].map((each) => Math.floor(Math.log10(each) + 1e-9));
+  if (largest >= 1e6 || largest < 1e-3)
+    return values.map((value) => (value === 0 ? "0" : value.toExponential(power - last).replaceAll("-", MINUS)));
+  return values.map((value) => value.toFixed(Math.max(0, -last)).replace("-", MINUS));
 }

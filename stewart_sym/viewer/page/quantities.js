@@ -69,8 +69,11 @@ export function amount(value, deviation, unit, digits = 5) {
 
 const power = (value) => Math.floor(Math.log10(Math.abs(value)));
 
-// The same of its limit, if there is one.
-export const ofLimit = (text, limit) => (Number.isFinite(limit) ? `${text} of ${Number(limit.toPrecision(6))}` : text);
+// The same of its limit, if there is one, which may stand in the next line.
+export function ofLimit(text, limit) {
+  if (!Number.isFinite(limit)) return text;
+  return `${text.replaceAll(" ", "\u00a0")} of\u00a0${Number(limit.toPrecision(6))}`;
+}
 
 // Of the legs: forces by the names of their formulations, length and speed.
 export function ofLegs(motion, sets, { length, lengthName }) {
