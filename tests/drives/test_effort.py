@@ -180,13 +180,14 @@ def forces(folder: Path, robot: ss.Robot, time: np.ndarray, *options: str) -> li
     ]
 
 
-def test_forces_has_columns_table_and_picture_of_the_motors(
+def test_forces_has_columns_table_and_picture_of_the_motors_and_so_has_its_page(
     robot: ss.Robot, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     time = np.linspace(0.0, 2.0, 81)
     machine = with_drive(robot, **LOSSY, torque_limit=1.2, speed_limit=450.0)
     picture = tmp_path / "motors.png"
-    command = forces(tmp_path, machine, time, "--picture", str(picture), "--json", str(tmp_path / "F.json"))
+    more = ("--json", str(tmp_path / "F.json"), "--html", str(tmp_path / "F.html"))
+    command = forces(tmp_path, machine, time, "--picture", str(picture), *more)
     assert main(command) == 0
     out, err = capsys.readouterr()
     table = np.genfromtxt(tmp_path / "F.csv", delimiter=",", names=True)
@@ -208,6 +209,10 @@ def test_forces_has_columns_table_and_picture_of_the_motors(
     assert leg["motor_rms_torque_N_m"] == pytest.approx(found.rms_torque[2], rel=0.02)
     assert leg["motor_energy_J"] == pytest.approx(found.energy[2], rel=0.05)
     assert picture.read_bytes()[:4] == b"\x89PNG"
+    page = (tmp_path / "F.html").read_text(encoding="utf-8")
+    assert "motors: 6 rows" in page
+    assert f'data-value="{leg["motor_rms_torque_N_m"]!r}"' in page.split("motors: 6 rows")[-1]
+    assert 'alt="motor torque"' in page
     assert main(command) == 2
     assert "exists; use --force" in capsys.readouterr().err
     assert main([*command, "--force"]) == 0

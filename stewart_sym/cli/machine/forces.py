@@ -103,11 +103,16 @@ def run(arguments: argparse.Namespace) -> int:
                 lines.append(f"Drawn as {arguments.picture}")
             if trajectory.noise is not None and trajectory.noise.sigma.any():
                 lines.insert(1, f"{noise_text(trajectory.noise)}: F_sd is what it leaves")
-        if arguments.picture is not None and digest.drive is not None:
-            draw(Picture(digest.drive.figure), arguments.picture.with_suffix(""))
+        tables, figures = {}, {}
+        if digest.drive is not None:
+            tables["motors"] = digest.drive.csv()
+            if arguments.picture is not None:
+                figures["motor_torque"] = Picture(digest.drive.figure)
+                draw(figures["motor_torque"], arguments.picture.with_suffix(""))
         doubts = digest.doubts(arguments.noise_share)
         views = {"motion": lambda: View(robot, of_trajectory(robot, trajectory))}
-        take(Report("\n".join(lines), data={**digest.as_json(), "doubts": doubts}, views=views))
+        data = {**digest.as_json(), "doubts": doubts}
+        take(Report("\n".join(lines), tables, data, figures, views))
     for line in doubts:
         warnings.warn(line, stacklevel=2)
     return 0

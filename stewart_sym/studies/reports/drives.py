@@ -13,7 +13,7 @@ from ...io.array_types import Array, Flags
 from ...io.instants import elapsed, least_step
 from ...robot.robot import LEGS, Robot
 from ..common.drawing import DARK, LEG_COLORS, Figure, as_written, new_figure
-from ..common.output import Columns, aligned, of_legs
+from ..common.output import Columns, aligned, csv_text, of_legs
 
 _COLUMNS = {"torque": "torque", "speed": "motor_speed", "current": "current", "power": "power"}
 _HEADINGS = {"power": "shaft power"}
@@ -120,6 +120,12 @@ class DriveDigest:
         found["motor_rated_torque_N_m"] = float(self.drive.rated_torque[leg])
         found["motor_energy_J"] = float(self.summary.energy[leg]) if self.lasts else None
         return found | (self._noise_of_leg(leg, units) if self.summary.noisy else {})
+
+    def csv(self) -> str:
+        """Figures and verdicts of all motors, one a row, as CSV text."""
+        rows = [{"motor": leg + 1, **self.of_leg(leg), **self.verdicts(leg)} for leg in range(LEGS)]
+        names = [name.removeprefix("motor_") for name in rows[0]]
+        return csv_text([names, *([*row.values()] for row in rows)])
 
     def _noise_of_leg(self, leg: int, units: dict[str, str]) -> dict[str, Any]:
         """Deviations of the same by noise."""
