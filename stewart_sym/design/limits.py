@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..drives.verdicts import EXCEEDED, WITHIN, Sides, farthest, spread_text, verdicts
+from ..drives.verdicts import EXCEEDED, WITHIN, Sides, amount_text, farthest, verdicts
 from ..io.array_types import Array
 from ..robot.robot import Robot
 from .size import Needs, sides
@@ -40,8 +40,8 @@ class _Found(NamedTuple):
         """What is limited and what is needed, legs numbered from 1."""
         name, unit, scale = self.limited[:3]
         sd = None if self.sd is None else self.sd * scale
-        limit = f"{self.limited.limits[self.leg] * scale:.4g} {unit}"
-        needed = f"{self.needed * scale:.4g}{spread_text(sd)} {unit}"
+        limit = f"{self.limited.limits[self.leg] * scale:g} {unit}"
+        needed = f"{amount_text(self.needed * scale, sd)} {unit}"
         return f"{name} of leg {self.leg + 1}: {limit}, needed {needed}"
 
 
@@ -61,7 +61,7 @@ def margin_missing(robot: Robot, needs: Needs) -> list[str]:
     """One line for each limit of the robot that suffices, but not with the margin, legs numbered from 1."""
     more = 1.0 + needs.margin
     return [
-        f"{each.text}, with the margin {each.needed * more * each.limited.scale:.4g} {each.limited.unit}"
+        f"{each.text}, with the margin {each.needed * more * each.limited.scale:g} {each.limited.unit}"
         for each in _found(robot, needs)
         if each.verdict == WITHIN and each.needed * more > each.limited.limits[each.leg]
     ]
@@ -93,8 +93,8 @@ def _lengths(robot: Robot, needs: Needs) -> list[tuple[str, str]]:
     lines = []
     for i, verdict in enumerate(verdicts(beyond, np.zeros(6), sd, there)):
         off = (None, None) if needs.deviations is None else needs.deviations["length"][i]
-        least, most = (f"{x:.4g}{spread_text(each)}" for x, each in zip(needs.length[i], off, strict=True))
-        limits, needed = f"{low[i]:.4g} to {high[i]:.4g} m", f"needed {least} to {most} m"
+        least, most = (amount_text(*each) for each in zip(needs.length[i], off, strict=True))
+        limits, needed = f"{low[i]:g} to {high[i]:g} m", f"needed {least} to {most} m"
         lines.append((verdict, f"length_limits of leg {i + 1}: {limits}, {needed}"))
     return lines
 

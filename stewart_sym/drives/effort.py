@@ -21,7 +21,7 @@ from ..robot.drive import Drive
 from ..robot.robot import LEGS, Robot
 from .instants import Instants, at_instants
 from .noise import MotorDeviations, all_deviations, at_replaced
-from .verdicts import USED_UP, Beyond, Extremes, Sides, codes, spread_text, verdicts
+from .verdicts import USED_UP, Beyond, Extremes, Sides, amount_text, codes, verdicts
 
 
 class DriveLimitWarning(UserWarning):
@@ -338,7 +338,7 @@ def _row(values: Array | None) -> Array | None:
 
 def _line(name: str, what: str, unit: str, beyond: Beyond, limits: Array) -> str:
     at = f" at {beyond.when}" if beyond.when else ""
-    value = f"{beyond.size:.4g}{spread_text(beyond.sd)} {unit}{at}"
+    value = f"{amount_text(beyond.size, beyond.sd)} {unit}{at}"
     return (
         f"{name} {beyond.verdict} by {beyond.legs_text}: {beyond.worst_text}{what} {value}, "
         f"limit {limits[beyond.worst]:g} {unit}"

@@ -17,7 +17,7 @@ from ..motion.trajectory import PoseLog, Replaced, Trajectory
 from ..robot.robot import LEGS, Robot
 from .effort import trapezoids
 from .noise import Deviations, reached_legs
-from .verdicts import AT_REPLACED, USED_UP, Beyond, Extremes, codes, spread_text
+from .verdicts import AT_REPLACED, USED_UP, Beyond, Extremes, amount_text, codes
 
 # One line names at most so many replaced rows.
 _MOST_NAMED = 4
@@ -134,7 +134,7 @@ class LegLimits:
         worst, (time, values) = found.worst, found.when
         bound = limit.scale * limit.sign * limit.bound(self.robot)[worst]
         sd = None if found.sd is None else limit.scale * found.sd
-        value = f"{limit.scale * values[worst]:.6g}{spread_text(sd)} {limit.unit}"
+        value = f"{amount_text(limit.scale * values[worst], sd)} {limit.unit}"
         value += f" at {time_text(time, self.step)} s, limit {bound:g} {limit.unit}"
         text = f"{limit.name} {found.verdict} by {found.legs_text}: {found.worst_text}{value}"
         if self._count[k, worst]:

@@ -174,19 +174,22 @@ class Extremes:
         return Beyond(verdict, legs, worst, float(sizes[i, worst]), off, self._when[i])
 
 
-def spread_text(sd: float | None, digits: int = 3) -> str:
-    """A deviation as it follows its value: `` +- 0.12``; nothing for none."""
-    return "" if sd is None else f" +- {sd:.{digits}g}"
+def amount_text(value: float, sd: float | None, digits: int = 6) -> str:
+    """A value with its deviation, ``1.234 +- 0.012``, or alone where its digits don't show that."""
+    text = f"{value:.{digits}g}"
+    return text if sd is None or not shows(value, sd, digits) else f"{text} +- {spread_text(sd)}"
 
 
-def shows(values: Array, sd: Array | None, digits: int = 4) -> bool:
-    """Whether deviations reach the digits that are written of the largest of values, (..., 6)."""
-    if sd is None:
-        return False
-    largest = np.nan_to_num(np.abs(values)).max(axis=-1, keepdims=True)
+def spread_text(sd: float) -> str:
+    """A deviation: two digits of it."""
+    return f"{float(f'{sd:.2g}'):g}"
+
+
+def shows(values: Array | float, sd: Array | float, digits: int) -> Flags:
+    """Whether deviations reach half of the last of so many digits of their values."""
     with np.errstate(divide="ignore"):
-        last = 0.5 * 10.0 ** (np.floor(np.log10(largest)) - digits + 1)
-    return bool(np.any((sd >= last) & (largest > 0.0)))
+        last = 10.0 ** (np.floor(np.log10(np.abs(values))) - digits + 1)
+    return np.asarray(np.greater(sd, 0.0) & np.greater_equal(sd, 0.5 * last))
 
 
 def unknown_forces(F: Array, sd: Array) -> str | None:
@@ -198,7 +201,7 @@ def unknown_forces(F: Array, sd: Array) -> str | None:
         return None
     worst = max(legs, key=lambda leg: float(off[leg]))
     return (
-        f"the log's noise leaves the forces of {legs_text(legs)} unknown: {force[worst]:.4g}"
-        f"{spread_text(off[worst], 2)} N at the peak of leg {worst + 1}; what helps: a lower --cutoff, a "
-        "slower motion, more rows before and after it, or poses that are measured better"
+        f"the log's noise leaves the forces of {legs_text(legs)} unknown: "
+        f"{amount_text(force[worst], off[worst], 4)} N at the peak of leg {worst + 1}; what helps: "
+        "a lower --cutoff, a slower motion, more rows before and after it, or poses that are measured better"
     )

@@ -159,7 +159,7 @@ def _deviations(robot: Robot, shown: Instants, limits: Limits) -> Iterator[tuple
         found += [] if robot.offsets is None else [("speed", motors.speed, sd.motors.speed)]
     for name, *pair in found:
         peak, most = (np.nan_to_num(np.abs(each), nan=0.0).max(axis=0, initial=0.0) for each in pair)
-        if shows(peak, most, _DIGITS + (name == "L")):
+        if shows(peak, most, _DIGITS + (name == "L")).any():
             yield name, pair[1]
 
 

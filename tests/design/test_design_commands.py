@@ -218,7 +218,7 @@ def test_joint_angles_are_compared_by_forces_and_view_as_by_size(
         over = [leg for leg in range(6) if peak[leg] > limit]
         assert 0 < len(over) < 6
         assert line.startswith(f"joint_angle_limit at the {end} exceeded by {legs_text(over)}: worst leg ")
-        assert f" {np.degrees(peak.max()):.6g} +- " in line
+        assert f" {np.degrees(peak.max()):.6g} degrees at " in line
         assert f" s, limit {np.degrees(limit):g} degrees; beyond it for " in line
         size = [each for each in exceeded if each.startswith(f"joint_angle_limit at the {end}")]
         assert [int(each.partition(" of leg ")[2][0]) - 1 for each in size] == over

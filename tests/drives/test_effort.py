@@ -134,7 +134,7 @@ def test_limits_are_named_with_leg_value_and_time(robot: ss.Robot) -> None:
     limit[worst] = 0.9 * free.peak_torque[worst]
     tight = with_drive(robot, torque_limit=limit)
     at = int(np.argmax(np.abs(free.torque[:, worst])))
-    peak = f"{free.peak_torque[worst]:.4g} N m"
+    peak = f"{free.peak_torque[worst]:.6g} N m"
     words = rf"drive\.torque_limit exceeded by leg {worst + 1}: torque {peak} at {time[at]:g}\d* s"
     with pytest.warns(ss.DriveLimitWarning, match=words):
         assert len(ss.drive_effort(tight, motion, time).exceeded) == 1

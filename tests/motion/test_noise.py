@@ -11,7 +11,7 @@ from noisy_logs import WHITE, Array, Case, case, from_poses, logged, motion
 from sweeps import share
 
 import stewart_sym as ss
-from stewart_sym.drives.verdicts import EXCEEDED, NOT_DECIDED, verdicts
+from stewart_sym.drives.verdicts import EXCEEDED, NOT_DECIDED, amount_text, verdicts
 from stewart_sym.motion import interpolation, smoothing
 from stewart_sym.motion.log_reader import read_csv, read_log
 from stewart_sym.motion.noise.beside import PAIRS
@@ -446,3 +446,16 @@ def test_accelerations_under_a_cutoff_err_by_their_deviations_at_both_ends_too(c
     assert np.mean(np.array(shares) < 1.0) == pytest.approx(0.68, abs=0.08)
     assert np.mean(np.array(shares) < 2.0) == pytest.approx(0.95, abs=0.05)
     assert np.mean(np.array(shares) > 3.0) < 0.02
+
+
+@pytest.mark.parametrize("digits", [4, 6])
+def test_a_deviation_is_written_from_half_of_the_last_digit_on(digits: int) -> None:
+    for value in (17349.6, 0.751, -2.0, 1.25e-7, 9.87e9):
+        last = 10.0 ** (np.floor(np.log10(abs(value))) - digits + 1)
+        alone = f"{value:.{digits}g}"
+        text, _, sd = amount_text(value, 0.51 * last, digits).partition(" +- ")
+        assert (text, float(sd)) == (alone, pytest.approx(0.51 * last))
+        assert amount_text(value, 0.49 * last, digits) == amount_text(value, None, digits) == alone
+    assert amount_text(0.0, 1e-9, digits) == "0 +- 1e-09"
+    assert amount_text(0.0, 0.0, digits) == "0"
+    assert amount_text(16504.0, 163.0) == "16504 +- 160"

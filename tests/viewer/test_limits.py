@@ -221,6 +221,38 @@ def test_tables_are_seen_whole_on_a_screen_of_usual_width(opened: Opened) -> Non
     opened.page.set_viewport_size(size)
 
 
+def test_deviations_that_no_digit_shows_stand_nowhere_but_in_json(
+    browser: Browser, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    names, columns = moves(noisy=False)
+    table = {"header": ",".join(names[:7]), "delimiter": ",", "comments": ""}
+    np.savetxt("log.csv", columns[:, :7], fmt="%.11f", **table)
+    text = (EXAMPLES / "hexapod.toml").read_text(encoding="utf-8") + DRIVE + "rated_torque = 0.01\n"
+    Path("robot.toml").write_text(text.replace("force_limit = 500.0", "force_limit = 1.0"), encoding="utf-8")
+    told = io.StringIO()
+    with contextlib.redirect_stderr(told), contextlib.redirect_stdout(told):
+        for command, *more in (
+            ("forces", "-o", "F.csv"),
+            ("view", "-o", "F.html"),
+            ("size", "--no-pictures"),
+        ):
+            whole = [command, "robot.toml", "log.csv", *more, "--json", f"{command}.json"]
+            assert main(whole) == 0
+    assert told.getvalue().count("exceeded by") == 4
+    assert told.getvalue().count("Exceeded: ") == 12
+    assert "+-" not in told.getvalue()
+    for command in ("forces", "view"):
+        legs = legs_of(tmp_path / f"{command}.json")
+        assert all(leg["peak_force_sd_N"] > 0.0 and leg["motor_rms_torque_sd_N_m"] > 0.0 for leg in legs)
+    opened = Opened(browser, tmp_path / "F.html")
+    assert all(sd > 0.0 for sd in opened.do("return viewer.page.motors.rmsDeviation"))
+    cells = opened.page.locator("table td").all_inner_texts()
+    assert cells
+    assert not any("\u00b1" in cell for cell in cells)
+    opened.close()
+
+
 def test_collars_tell_what_noise_leaves_open(case: Case, opened: Opened) -> None:
     """Of the light theme: orange without blue, which nothing else of the picture is."""
     found = opened.do("const { F_paper, ...shown } = viewer.motion.verdicts; return shown")

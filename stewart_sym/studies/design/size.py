@@ -14,7 +14,7 @@ import numpy as np
 
 from ...design.limits import exceeded, margin_missing, not_decided
 from ...design.size import Needs
-from ...drives.verdicts import shows, unknown_forces
+from ...drives.verdicts import shows, spread_text, unknown_forces
 from ...io.array_types import Array
 from ...motion.trajectory import PoseLog, Trajectory
 from ...robot.robot import LEGS, Robot
@@ -32,6 +32,8 @@ _UNITS = (
 """Of what is given for programs."""
 
 _LIMIT: dict[str, Any] = {"color": "#9c1f1f", "linestyle": (0, (4, 2)), "linewidth": 1.1}
+_DIGITS = 4
+"""Of numbers in the table."""
 _MOST = 4000
 """Points of a leg that are drawn."""
 
@@ -108,11 +110,14 @@ def _text(robot: Robot, sources: Sequence[str], needs: Needs) -> str:
     more = 1.0 + needs.margin
     cells, noisy = [], False
     for (name, unit, values), sd in zip(rows(needs), _deviations(needs), strict=True):
-        last = "" if name in no_margin else f"{more * np.nanmax(values):.4g}"
-        cells.append((f"{name}, {unit}", *(f"{value:.4g}" for value in values), last))
-        if sd is not None and shows(values, sd):
+        last = "" if name in no_margin else f"{more * np.nanmax(values):.{_DIGITS}g}"
+        cells.append((f"{name}, {unit}", *(f"{value:.{_DIGITS}g}" for value in values), last))
+        seen = np.zeros(LEGS, dtype=bool) if sd is None else shows(values, sd, _DIGITS)
+        if sd is not None and seen.any():
             noisy = True
-            cells.append(("  +-", *(f"{off:.2g}" for off in sd), ""))
+            cells.append(
+                ("  +-", *(spread_text(off) if each else "" for off, each in zip(sd, seen, strict=True)), "")
+            )
     legs = [f"leg {leg + 1}" for leg in range(LEGS)]
     neutral = "the home pose" if robot.home is not None else "the mean direction of each leg"
     lines = [

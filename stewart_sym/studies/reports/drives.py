@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from ...drives.effort import PEAKS, Summary, trapezoids
 from ...drives.instants import Instants
 from ...drives.noise import MotorDeviations
-from ...drives.verdicts import shows, spread_text
+from ...drives.verdicts import amount_text
 from ...io.array_types import Array, Flags
 from ...io.instants import elapsed, least_step
 from ...robot.robot import LEGS, Robot
@@ -76,7 +76,7 @@ class DriveDigest:
     def table(self) -> str:
         """A line for each motor: peaks and root mean square beside their limits, energy."""
         found, drive = self.summary, self.drive
-        peaks, (sd, rms_sd, energy_sd) = found.peaks, self._shown_deviations()
+        peaks, sd = found.peaks, found.peak_sd
         rows = [
             (
                 str(leg + 1),
@@ -86,8 +86,10 @@ class DriveDigest:
                 ),
                 *(
                     (
-                        _beside(found.rms_torque[leg], drive.rated_torque[leg], _of(rms_sd, leg)),
-                        _beside(found.energy[leg], np.inf, _of(energy_sd, leg)),
+                        _beside(
+                            found.rms_torque[leg], drive.rated_torque[leg], _of(found.rms_torque_sd, leg)
+                        ),
+                        _beside(found.energy[leg], np.inf, found.energy_sd[leg]),
                     )
                     if self.lasts
                     else ("-", "-")
@@ -97,14 +99,6 @@ class DriveDigest:
         ]
         names = [f"{_HEADINGS.get(name, name)}, {PEAKS[name]}" for name in self._known()]
         return aligned(("motor", *names, "RMS torque, N m", "electrical energy, J"), rows)
-
-    def _shown_deviations(self) -> tuple[dict[str, Array], Array | None, Array | None]:
-        """Deviations of peaks, root mean square and energy by noise; none where no digit shows them."""
-        found = self.summary
-        peaks, sd = found.peaks, found.peak_sd
-        if found.noisy and any(shows(peaks[name], sd[name]) for name in sd):
-            return sd, found.rms_torque_sd, found.energy_sd
-        return {}, None, None
 
     def _known(self) -> list[str]:
         return [name for name in PEAKS if name != "current" or np.any(self.drive.torque_constant > 0.0)]
@@ -179,4 +173,4 @@ def _of(sd: Array | None, leg: int) -> float | None:
 
 
 def _beside(value: float, limit: float, sd: float | None) -> str:
-    return f"{value:.4g}{spread_text(sd, 2)}" + (f" of {limit:g}" if np.isfinite(limit) else "")
+    return amount_text(value, sd, 4) + (f" of {limit:g}" if np.isfinite(limit) else "")

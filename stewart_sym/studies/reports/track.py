@@ -22,7 +22,7 @@ from ...drives.leg_limits import (
     replaced_names,
 )
 from ...drives.noise import Deviations, at_replaced, deviations_in_parts
-from ...drives.verdicts import SURE, shows, spread_text, unknown_forces
+from ...drives.verdicts import SURE, amount_text, unknown_forces
 from ...dynamics.home_pose import home_pose
 from ...dynamics.inverse import Backend, Formulation, first_fault, inverse_dynamics, joint_reactions
 from ...io.array_types import Array, Codes, Flags
@@ -226,7 +226,7 @@ class Digest:
         rows = [
             (
                 str(leg + 1),
-                f"{F[i, leg]:.6g}{spread_text(None if F_sd is None else F_sd[i, leg], 2)}",
+                amount_text(F[i, leg], None if F_sd is None else F_sd[i, leg]),
                 time_text(time[i], self.step),
                 f"{limit[leg]:g}" + (f" {verdicts[leg]}" if np.isfinite(limit[leg]) else ""),
                 f"{low.text(leg)} to {high.text(leg)}",
@@ -320,9 +320,8 @@ class _Extreme(NamedTuple):
         return _Extreme(scale * self.values, None if self.sd is None else scale * self.sd)
 
     def text(self, leg: int) -> str:
-        """One leg's, with the deviation where digits of any leg's show it."""
-        sd = None if self.sd is None or not shows(self.values, self.sd) else float(self.sd[leg])
-        return f"{self.values[leg]:.4g}{spread_text(sd, 2)}"
+        """One leg's."""
+        return amount_text(self.values[leg], None if self.sd is None else self.sd[leg], 4)
 
 
 def _leg_extremes(kept: _Kept) -> tuple[_Extreme, _Extreme, _Extreme]:

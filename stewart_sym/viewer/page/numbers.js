@@ -6,13 +6,18 @@ const MINUS = "\u2212";
 export function shown(value, digits = 5) {
   if (!Number.isFinite(value)) return value > 0 ? "\u221e" : "\u2013";
   if (value === 0) return "0";
-  const power = Math.floor(Math.log10(Math.abs(value)));
-  const text =
-    power >= 7 || power < -4
-      ? value.toExponential(digits - 1)
-      : value.toFixed(Math.max(0, Math.min(10, digits - 1 - power)));
+  const text = isLong(value) ? value.toExponential(digits - 1) : value.toFixed(decimals(value, digits));
   return text.replace("-", MINUS);
 }
+
+// What one in its last place is worth; of 0 nothing.
+export function lastPlace(value, digits) {
+  return 10 ** (isLong(value) ? power(value) - digits + 1 : -decimals(value, digits));
+}
+
+export const power = (value) => Math.floor(Math.log10(Math.abs(value)));
+const isLong = (value) => power(value) >= 7 || power(value) < -4;
+const decimals = (value, digits) => Math.max(0, Math.min(10, digits - 1 - power(value)));
 
 // Values at which an axis is numbered: multiples of 1, 2 or 5 times a power of ten, about as many as asked for, two at
 // least.

@@ -1,6 +1,6 @@
 // What the legs and their motors do and take at each instant: values, deviations by noise of a log, verdicts of limits.
 
-import { shown } from "./numbers.js";
+import { lastPlace, power, shown } from "./numbers.js";
 
 // Verdicts, as the program numbers them: kept is 0.
 export const DOUBTFUL = [1, 2];
@@ -59,15 +59,14 @@ class Power extends Quantity {
   }
 }
 
-// A value with its deviation, whose digits end where those of the deviation do.
+// A value with its deviation, whose digits end where those of the deviation do; alone where they don't show that.
 export function amount(value, deviation, unit, digits = 5) {
   if (!Number.isFinite(value)) return "\u2013";
-  if (Number.isNaN(deviation)) return `${shown(value, digits)} ${unit}`;
+  const reaches = deviation > 0 && deviation >= 0.5 * lastPlace(value, digits);
+  if (!reaches) return `${shown(value, digits)} ${unit}`;
   const known = power(value) - power(deviation) + DEVIATION_DIGITS;
   return `${shown(value, Math.max(1, Math.min(digits, known || 1)))} \u00b1 ${shown(deviation, DEVIATION_DIGITS)} ${unit}`;
 }
-
-const power = (value) => Math.floor(Math.log10(Math.abs(value)));
 
 // The same of its limit, if there is one, which may stand in the next line.
 export function ofLimit(text, limit) {
