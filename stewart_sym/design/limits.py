@@ -9,7 +9,7 @@ import numpy as np
 
 from ..drives.verdicts import EXCEEDED, WITHIN, Sides, amount_text, farthest, verdicts
 from ..io.array_types import Array
-from ..robot.robot import Robot
+from ..robot.robot import LEGS, Robot
 from .size import Needs, sides
 
 _DEGREES = 180.0 / np.pi
@@ -26,77 +26,78 @@ class _Limited(NamedTuple):
     limits: Array
 
 
-class _Found(NamedTuple):
-    """A verdict on a leg, counted from 0; needed: the size that makes it; sd: None without noise."""
+class Compared(NamedTuple):
+    """Lines about limits that do not surely suffice with the margin, legs numbered from 1.
 
-    limited: _Limited
-    leg: int
-    verdict: str
-    needed: float
-    sd: float | None
+    Attributes
+    ----------
+    exceeded : list of str
+        Limits that a need exceeds.
+    not_decided : list of str
+        Limits that noise of a log leaves open, after the verdict.
+    margin_missing : list of str
+        Limits that suffice, but not with the margin.
+    margin_not_decided : list of str
+        Limits that suffice, but of which noise leaves open whether with the margin, after the verdict.
+    """
 
-    @property
-    def text(self) -> str:
-        """What is limited and what is needed, legs numbered from 1."""
-        name, unit, scale = self.limited[:3]
-        sd = None if self.sd is None else self.sd * scale
-        limit = f"{self.limited.limits[self.leg] * scale:g} {unit}"
-        needed = f"{amount_text(self.needed * scale, sd)} {unit}"
-        return f"{name} of leg {self.leg + 1}: {limit}, needed {needed}"
+    exceeded: list[str]
+    not_decided: list[str]
+    margin_missing: list[str]
+    margin_not_decided: list[str]
 
-
-def exceeded(robot: Robot, needs: Needs) -> list[str]:
-    """One line for each limit of the robot that a need exceeds, legs numbered from 1."""
-    lines = [each.text for each in _found(robot, needs) if each.verdict == EXCEEDED]
-    return lines + [line for verdict, line in _lengths(robot, needs) if verdict == EXCEEDED]
-
-
-def not_decided(robot: Robot, needs: Needs) -> list[str]:
-    """One line for each limit of the robot that noise of a log leaves open, legs numbered from 1."""
-    found = [(each.verdict, each.text) for each in _found(robot, needs)] + _lengths(robot, needs)
-    return [f"{verdict}: {line}" for verdict, line in found if verdict not in (EXCEEDED, WITHIN)]
+    def add(self, verdict: str, line: str, margin: str = "") -> None:
+        """Take in a verdict on a limit; margin: before the verdict on that with the margin."""
+        sure, possible = self[2:] if margin else self[:2]
+        if verdict == EXCEEDED:
+            sure.append(line)
+        elif verdict != WITHIN:
+            possible.append(f"{margin}{verdict}: {line}")
 
 
-def margin_missing(robot: Robot, needs: Needs) -> list[str]:
-    """One line for each limit of the robot that suffices, but not with the margin, legs numbered from 1."""
-    more = 1.0 + needs.margin
-    return [
-        f"{each.text}, with the margin {each.needed * more * each.limited.scale:g} {each.limited.unit}"
-        for each in _found(robot, needs)
-        if each.verdict == WITHIN and each.needed * more > each.limited.limits[each.leg]
-    ]
-
-
-def _found(robot: Robot, needs: Needs) -> Iterator[_Found]:
+def compared(robot: Robot, needs: Needs) -> Compared:
+    """Return how the needs keep a robot's limits, and, where they do, whether also with the margin."""
+    found, more = Compared([], [], [], []), 1.0 + needs.margin
     for limited in _limited(robot, needs):
-        _, _, _, sizes, sd, limits = limited
-        there = needs.course.replaced if len(sizes) > 1 else None
-        for leg, verdict in enumerate(verdicts(sizes, limits, sd, there)):
-            off = None if sd is None else (sd[0][:, leg], sd[1][:, leg])
-            # Of limits that are kept the peak is shown, whatever is possible.
-            i = farthest(sizes[:, leg], None if verdict == WITHIN else off, verdict)
-            yield _Found(
-                limited,
-                leg,
-                verdict,
-                float(sizes[i, leg]),
-                None if off is None else float(max(off[0][i], off[1][i])),
-            )
+        there = needs.course.replaced if len(limited.sizes) > 1 else None
+        alone, margin = (
+            verdicts(limited.sizes, limited.limits / share, limited.sd, there) for share in (1.0, more)
+        )
+        for leg in range(LEGS):
+            if alone[leg] == WITHIN:
+                found.add(margin[leg], _line(limited, leg, margin[leg], more), "margin ")
+            else:
+                found.add(alone[leg], _line(limited, leg, alone[leg]))
+    for verdict, line in _lengths(robot, needs):
+        found.add(verdict, line)
+    return found
 
 
-def _lengths(robot: Robot, needs: Needs) -> list[tuple[str, str]]:
+def _line(limited: _Limited, leg: int, verdict: str, more: float | None = None) -> str:
+    """What is limited, and the need that makes the verdict; more: what the margin makes of it."""
+    name, unit, scale, sizes, sd, limits = limited
+    off = None if sd is None else (sd[0][:, leg], sd[1][:, leg])
+    i = farthest(sizes[:, leg], off, verdict)
+
+    def amount(share: float) -> str:
+        one = None if off is None else share * float(max(off[0][i], off[1][i]))
+        return f"{amount_text(share * float(sizes[i, leg]), one)} {unit}"
+
+    line = f"{name} of leg {leg + 1}: {limits[leg] * scale:g} {unit}, needed {amount(scale)}"
+    return line if more is None else f"{line}, with the margin {amount(more * scale)}"
+
+
+def _lengths(robot: Robot, needs: Needs) -> Iterator[tuple[str, str]]:
     """Verdict on the lengths of each leg, and a line about them."""
     (low, high), course = robot.length_limits.T, needs.course
     sd = None if course.deviations is None else np.tile(course.deviations["L"], (2, 1))
     there = None if course.replaced is None else np.tile(course.replaced, 2)
     beyond = np.concatenate([low - course.L, course.L - high])
-    lines = []
-    for i, verdict in enumerate(verdicts(beyond, np.zeros(6), sd, there)):
-        off = (None, None) if needs.deviations is None else needs.deviations["length"][i]
-        least, most = (amount_text(*each) for each in zip(needs.length[i], off, strict=True))
-        limits, needed = f"{low[i]:g} to {high[i]:g} m", f"needed {least} to {most} m"
-        lines.append((verdict, f"length_limits of leg {i + 1}: {limits}, {needed}"))
-    return lines
+    for leg, verdict in enumerate(verdicts(beyond, np.zeros(LEGS), sd, there)):
+        off = (None, None) if needs.deviations is None else needs.deviations["length"][leg]
+        least, most = (amount_text(*each) for each in zip(needs.length[leg], off, strict=True))
+        limits = f"{low[leg]:g} to {high[leg]:g} m"
+        yield verdict, f"length_limits of leg {leg + 1}: {limits}, needed {least} to {most} m"
 
 
 def _limited(robot: Robot, needs: Needs) -> Iterator[_Limited]:

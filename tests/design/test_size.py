@@ -2,6 +2,7 @@
 
 import dataclasses
 import warnings
+from typing import NamedTuple
 
 import numpy as np
 import pytest
@@ -12,7 +13,7 @@ from scipy.integrate import trapezoid
 from sweeps import share
 
 import stewart_sym as ss
-from stewart_sym.design.limits import exceeded, margin_missing, not_decided
+from stewart_sym.design.limits import compared
 from stewart_sym.design.size import weighted_quantiles
 from stewart_sym.drives.verdicts import EXCEEDED, NOT_DECIDED, WITHIN, legs_text
 from stewart_sym.motion.trajectory import Trajectory
@@ -99,7 +100,7 @@ def names(lines: list[str]) -> list[str]:
 def test_limits_that_are_exceeded_or_kept_without_the_margin_are_named() -> None:
     robot, time, motion = along(5)
     needs = ss.size(robot, [(time, motion)], margin=0.5)
-    assert exceeded(robot, needs) + margin_missing(robot, needs) == []
+    assert compared(robot, needs) == ([], [], [], [])
     enough, few = 1.5 * needs.force[-1], needs.length + np.array([-1e-9, 1e-9])
     limited = dataclasses.replace(
         robot,
@@ -110,7 +111,8 @@ def test_limits_that_are_exceeded_or_kept_without_the_margin_are_named() -> None
         joint_angle_limit=np.full((6, 2), [np.pi, 1e-3]),
     )
     needs = ss.size(limited, [(time, motion)], margin=0.5)
-    over, short = (names(lines) for lines in (exceeded(limited, needs), margin_missing(limited, needs)))
+    found = compared(limited, needs)
+    over, short = names(found.exceeded), names(found.margin_missing)
     assert over == [f"joint_angle_limit at the platform of leg {leg}" for leg in range(1, 7)]
     assert short == [
         "force_limit of leg 3",
@@ -118,7 +120,7 @@ def test_limits_that_are_exceeded_or_kept_without_the_margin_are_named() -> None
         *(f"stroke of leg {i}" for i in range(1, 7)),
     ]
     short = dataclasses.replace(robot, length_limits=needs.length + np.array([1e-3, 1.0]))
-    assert any(line.startswith("length_limits of leg 6") for line in exceeded(short, needs))
+    assert any(line.startswith("length_limits of leg 6") for line in compared(short, needs).exceeded)
 
 
 def test_motors_are_sized_where_there_are_drives() -> None:
@@ -133,7 +135,7 @@ def test_motors_are_sized_where_there_are_drives() -> None:
     assert needs.rms_torque is not None
     np.testing.assert_allclose(needs.torque[-1], effort.peak_torque, rtol=1e-12)
     np.testing.assert_allclose(needs.rms_torque, effort.rms_torque, rtol=1e-9)
-    assert [line[:18] for line in exceeded(driven, needs)] == ["drive.torque_limit"] * 6
+    assert [line[:18] for line in compared(driven, needs).exceeded] == ["drive.torque_limit"] * 6
 
 
 def test_currents_are_needs_of_the_motors_that_have_a_torque_constant() -> None:
@@ -149,7 +151,7 @@ def test_currents_are_needs_of_the_motors_that_have_a_torque_constant() -> None:
     assert needs.torque is not None
     np.testing.assert_allclose(needs.current[:, 1:], needs.torque[:, 1:] / 0.5, rtol=1e-12)
     assert np.isnan(needs.current[:, 0]).all()
-    assert [line[:28] for line in exceeded(driven, needs)] == ["drive.current_limit of leg 2"]
+    assert [line[:28] for line in compared(driven, needs).exceeded] == ["drive.current_limit of leg 2"]
     written = report(driven, ["motion"], needs)
     row = next(line for line in written.text.splitlines() if line.startswith("current, peak, A"))
     assert "nan" not in row.split()[-1]
@@ -205,9 +207,16 @@ def driven(one: Case) -> ss.Robot:
     return dataclasses.replace(one.robot, drive=drive, home=one.true[0, 0, :3])
 
 
+class Noisy(NamedTuple):
+    robot: ss.Robot
+    true: ss.Needs
+    log: Trajectory
+    needs: ss.Needs
+
+
 @pytest.fixture(scope="module", params=[3, pytest.param(share(100, 10), marks=pytest.mark.slow)])
-def noisy(request: pytest.FixtureRequest) -> list[tuple[ss.Robot, ss.Needs, Trajectory]]:
-    """Machines with drives, what their motions need, and logs of these with noise."""
+def noisy(request: pytest.FixtureRequest) -> list[Noisy]:
+    """Machines with drives, what their motions need, logs of these with noise, and what they say of it."""
     found = []
     for seed in range(request.param):
         one = case(seed)
@@ -216,16 +225,14 @@ def noisy(request: pytest.FixtureRequest) -> list[tuple[ss.Robot, ss.Needs, Traj
         for noise in ("3", "4", "white"):
             values = logged(one, noise, seed)
             with warnings.catch_warnings(action="ignore", category=ss.LogWarning):
-                found.append((robot, true, from_poses(one.time, values[:, :3], values[:, 3:])))
+                log = from_poses(one.time, values[:, :3], values[:, 3:])
+            found.append(Noisy(robot, true, log, ss.size(robot, [log], margin=0.5)))
     return found
 
 
-def test_deviations_of_needs_cover_the_errors_that_noise_makes(
-    noisy: list[tuple[ss.Robot, ss.Needs, Trajectory]],
-) -> None:
+def test_deviations_of_needs_cover_the_errors_that_noise_makes(noisy: list[Noisy]) -> None:
     off: dict[str, list[np.ndarray]] = {}
-    for robot, true, log in noisy:
-        needs = ss.size(robot, [log])
+    for _, true, _, needs in noisy:
         for where, found, exact in (("course.", needs.course, true.course), ("", needs, true)):
             assert found.deviations is not None
             for name, sd in found.deviations.items():
@@ -243,15 +250,13 @@ def test_deviations_of_needs_cover_the_errors_that_noise_makes(
             assert np.mean(joined < 1.96) == pytest.approx(0.95, abs=0.04), name
 
 
-def test_noise_makes_no_wrong_verdict_and_every_command_has_the_same(
-    noisy: list[tuple[ss.Robot, ss.Needs, Trajectory]],
-) -> None:
+def test_noise_makes_no_wrong_verdict_and_every_command_has_the_same(noisy: list[Noisy]) -> None:
     rng, seen = np.random.default_rng(0), set()
-    for robot, true, log in noisy:
+    for robot, true, log, needs in noisy:
         peaks = {name: np.atleast_2d(getattr(true, need))[-1] for name, (need, _) in SIZES.items()}
         limits = {name: peak * rng.uniform(0.97, 1.03, 6) for name, peak in peaks.items()}
         limited = with_limits(robot, limits)
-        lines = verdicts_of_size(limited, ss.size(limited, [log]))
+        lines = verdicts_of_size(limited, needs)
         for name, peak in peaks.items():
             for leg in range(6):
                 verdict = lines.get((name, leg), WITHIN)
@@ -273,6 +278,28 @@ def test_noise_makes_no_wrong_verdict_and_every_command_has_the_same(
     assert seen == {WITHIN, EXCEEDED, NOT_DECIDED}
 
 
+def test_noise_makes_no_wrong_verdict_about_the_margin(noisy: list[Noisy]) -> None:
+    rng, seen, wrong = np.random.default_rng(1), set(), []
+    for robot, true, _, needs in noisy:
+        peaks = {name: np.atleast_2d(getattr(true, need))[-1] for name, (need, _) in SIZES.items()}
+        limits = {name: 1.5 * peak * rng.uniform(0.97, 1.03, 6) for name, peak in peaks.items()}
+        limited = with_limits(robot, limits)
+        found, written = compared(limited, needs), report(limited, ["log"], needs)
+        assert ("Every limit of the robot file suffices." in written.text) == (not any(found))
+        assert found._asdict() == {name: written.data[name] for name in found._fields}
+        missing = names(found.margin_missing)
+        possible = " ".join(found.not_decided + found.margin_not_decided)
+        for name, peak in peaks.items():
+            for leg in range(6):
+                told, kept = f"{name} of leg {leg + 1}", bool(1.5 * peak[leg] <= limits[name][leg])
+                decided = f" {told}:" not in possible
+                wrong.append(decided and (told in missing) == kept)
+                seen.add((decided, kept))
+    assert len(seen) == 4
+    # Of 16,000 errors some are more than three deviations.
+    assert np.mean(wrong) < 1e-3
+
+
 def with_limits(robot: ss.Robot, limits: dict[str, np.ndarray]) -> ss.Robot:
     assert robot.drive is not None
     stated = {name: limits[name] for name in ("force_limit", "speed_limit")}
@@ -284,9 +311,8 @@ def with_limits(robot: ss.Robot, limits: dict[str, np.ndarray]) -> ss.Robot:
 
 def verdicts_of_size(robot: ss.Robot, needs: ss.Needs) -> dict[tuple[str, int], str]:
     """By limit and leg, as the lines of ``size`` have them."""
-    lines = [f"{EXCEEDED}: {line}" for line in exceeded(robot, needs)] + not_decided(robot, needs)
-    found = {}
-    for line in lines:
+    lines, found = compared(robot, needs), {}
+    for line in [*(f"{EXCEEDED}: {line}" for line in lines.exceeded), *lines.not_decided]:
         verdict, name = line.split(": ")[:2]
         limit, _, leg = name.partition(" of leg ")
         found[limit, int(leg) - 1] = verdict

@@ -15,8 +15,8 @@ MORE = (
     "Trajectories as for forces, with their loads; all of them count together. Peaks, what is not exceeded "
     "for shares of the time, and the largest of each with a margin; limits of the robot file that are "
     "exceeded, or kept without the margin, are named. Of a robot with drives: torque, speed and power of the "
-    "motors as well. With noise in a log, needs have standard deviations, and limits within three of them "
-    "are reported as not decided. SI units, degrees."
+    "motors as well. With noise in a log, needs have standard deviations, and limits within three of them, "
+    "without or with the margin, are reported as not decided. SI units, degrees."
 )
 
 
@@ -51,7 +51,7 @@ _MOST_MARGIN = 5.0
 
 
 def run(arguments: argparse.Namespace) -> int:
-    from ...design.limits import exceeded, margin_missing, not_decided
+    from ...design.limits import compared
     from ...design.size import QUANTILES, checked_quantiles, size
     from ...studies.design.size import doubt, report, views
 
@@ -67,13 +67,14 @@ def run(arguments: argparse.Namespace) -> int:
         names = [path.name for path in arguments.trajectories]
         found = report(robot, names, needs)
         take(dataclasses.replace(found, views=views(robot, names, read)))
-    over, short, unsure = (find(robot, needs) for find in (exceeded, margin_missing, not_decided))
     unknown = doubt(needs)
     if unknown is not None:
         warnings.warn(unknown, stacklevel=2)
-    if over or short or unsure:
+    over, unsure, short, perhaps = compared(robot, needs)
+    lines = over + unsure + short + perhaps
+    if lines:
         told = f"limits exceeded: {len(over)}, limits without the margin: {len(short)}"
         told += f", not decided: {len(unsure)}" if unsure else ""
-        told += f"; {(over or unsure or short)[0]}"
-        warnings.warn(f"{arguments.robot}: {told}", stacklevel=2)
+        told += f", margin not decided: {len(perhaps)}" if perhaps else ""
+        warnings.warn(f"{arguments.robot}: {told}; {lines[0]}", stacklevel=2)
     return 0

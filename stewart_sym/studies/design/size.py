@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from ...design.limits import exceeded, margin_missing, not_decided
+from ...design.limits import Compared, compared
 from ...design.size import Needs
 from ...drives.verdicts import shows, spread_text, unknown_forces
 from ...io.array_types import Array
@@ -134,13 +134,16 @@ def _text(robot: Robot, sources: Sequence[str], needs: Needs) -> str:
         lines.append("+-: standard deviations that the noise of the logs leaves, at most.")
     if unknown is not None:
         lines.append(f"{unknown[0].upper()}{unknown[1:]}.")
-    verdict = [f"Exceeded: {line}" for line in exceeded(robot, needs)]
-    verdict += [f"{line[0].upper()}{line[1:]}" for line in not_decided(robot, needs)]
-    verdict += [f"Margin missing: {line}" for line in margin_missing(robot, needs)]
-    return "\n".join([*lines, *(verdict or ["Every limit of the robot file suffices."])])
+    found = compared(robot, needs)
+    told = [f"Exceeded: {line}" for line in found.exceeded]
+    told += [f"{line[0].upper()}{line[1:]}" for line in found.not_decided]
+    told += [f"Margin missing: {line}" for line in found.margin_missing]
+    told += [f"{line[0].upper()}{line[1:]}" for line in found.margin_not_decided]
+    return "\n".join([*lines, *(told or ["Every limit of the robot file suffices."])])
 
 
 def _data(robot: Robot, sources: Sequence[str], needs: Needs) -> dict[str, Any]:
+    found = compared(robot, needs)
     kept = {name: getattr(needs, name) for name in _UNITS if getattr(needs, name) is not None}
     return {
         "robot": robot.name,
@@ -148,21 +151,22 @@ def _data(robot: Robot, sources: Sequence[str], needs: Needs) -> dict[str, Any]:
         "margin": needs.margin,
         "quantiles": needs.quantiles,
         **kept,
-        "exceeded": exceeded(robot, needs),
-        "margin_missing": margin_missing(robot, needs),
-        **_data_of_noise(robot, needs),
+        "exceeded": found.exceeded,
+        "margin_missing": found.margin_missing,
+        **_data_of_noise(found, needs),
         "units": {name: _UNITS[name] for name in kept},
     }
 
 
-def _data_of_noise(robot: Robot, needs: Needs) -> dict[str, Any]:
+def _data_of_noise(found: Compared, needs: Needs) -> dict[str, Any]:
     """What the noise of logs leaves open, for programs; nothing without noise."""
     if needs.deviations is None:
         return {}
     unknown = doubt(needs)
     return {
         "deviations": dict(needs.deviations),
-        "not_decided": not_decided(robot, needs),
+        "not_decided": found.not_decided,
+        "margin_not_decided": found.margin_not_decided,
         "doubts": [] if unknown is None else [unknown],
     }
 
