@@ -238,17 +238,20 @@ def _shares(axes: Axes, sizes: Array, weight: Array, limit: Array) -> None:
 
 
 def _strokes(axes: Axes, robot: Robot, needs: Needs) -> None:
-    """Lengths that each leg takes, with the margin, and its limits."""
-    more = 0.5 * needs.margin * needs.stroke
-    for leg, color in enumerate(LEG_COLORS):
+    """Lengths that each leg takes, its stroke with the margin, and the limits, between which that may lie."""
+    strokes = (1.0 + needs.margin) * needs.stroke
+    for leg, (color, stroke) in enumerate(zip(LEG_COLORS, strokes, strict=True)):
         low, high = needs.length[leg]
-        axes.bar(
-            leg + 1, high - low + 2.0 * more[leg], bottom=low - more[leg], color=color, alpha=0.3, width=0.6
-        )
+        least, most = robot.length_limits[leg]
+        # Half of the margin at each end, but for limits that the other end leaves room beside.
+        bottom = min(max(0.5 * (low + high - stroke), least), most - stroke)
+        bottom = min(max(bottom, high - stroke), low)
+        axes.bar(leg + 1, stroke, bottom=bottom, color=color, alpha=0.3, width=0.6)
         axes.bar(leg + 1, high - low, bottom=low, color=color, width=0.6)
-        for limit in robot.length_limits[leg]:
+        for limit in (least, most):
             if np.isfinite(limit) and limit > 0.0:
                 axes.hlines(limit, leg + 0.6, leg + 1.4, **_LIMIT)
+    axes.use_sticky_edges = False
     axes.set(xlabel="leg", ylabel="length, m", xticks=range(1, LEGS + 1))
     axes.margins(y=0.08)
 
