@@ -238,7 +238,7 @@ def need_columns(header: Sequence[str], columns: Sequence[str], source: str) -> 
 def _head(stream: BinaryIO, source: str, form: LogFormat) -> Head:
     delimiter = None if form.delimiter is None else DELIMITERS[form.delimiter]
     head = read_head(stream, source, form.columns.values(), delimiter)
-    if len(head.names) == 1 and len(head.names[0].split()) > 1:
+    if len(head.names) == 1 and form.columns.get("time", "time") in head.names[0].split()[:-1]:
         raise ValueError(f"{source}: expected commas, semicolons or tabs between columns, got blanks")
     return head
 
