@@ -160,7 +160,8 @@ def _hidden(kit: Kit) -> str:
     says = []
     if kit.has_robot:
         says.append(
-            "It compares every number of the robot with the one that the kit was generated from, to the bit."
+            "It compares every number of `stewart_robot.c`, limits too, with the one that the kit was "
+            "generated from, to the bit."
         )
     if kit.hidden is not None:
         folded = f"It fails where a constant folded into the forces is wrong by {kit.changed:g} of itself"

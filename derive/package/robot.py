@@ -4,12 +4,11 @@ Takes the numbers of ``stewart_robot`` by name.
 """
 
 import hashlib
-import math
 from collections.abc import Mapping, Sequence
 
 from ..kernel.interface import STRUCTS
 from ..mechanics import quantities as n
-from .words import Numbers, braces, in_comment, literal, member, robot_symbol, stored, template
+from .words import Numbers, braces, in_comment, literals_of_legs, member, robot_symbol, stored, template
 
 HEADER, SOURCE = "stewart_robot.h", "stewart_robot.c"
 """File names of the constants: not the commonplace robot.h."""
@@ -52,11 +51,11 @@ def robot_files(
 
 
 def _six(numbers: Mapping[str, Sequence[float]], struct: str) -> str:
-    lines = []
-    for each in STRUCTS[struct]:
-        of_legs = ["STEWART_MAX" if math.isinf(x) else literal(x, each.name) for x in numbers[each.name]]
-        lines.append(f"    /* {each.name}, {each.unit} */\n    {braces(of_legs, '    ')},")
-    return "\n".join(lines)
+    units = {each.name: each.unit for each in STRUCTS[struct]}
+    return "\n".join(
+        f"    /* {name}, {units[name]} */\n    {braces(literals, '    ')},"
+        for name, literals in literals_of_legs(numbers, struct).items()
+    )
 
 
 def robot_digest(name: str, robot: Numbers, drives: Mapping[str, Sequence[float]] | None = None) -> str:

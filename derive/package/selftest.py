@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from ..kernel.interface import STRUCTS, Member
 from ..mechanics import quantities as n
 from .functions import MODEL, ROBOT, Function, includes, reads_robot
-from .words import Numbers, in_comment, literal, motion_members, template
+from .words import Numbers, in_comment, literal, literals_of_legs, motion_members, template
 
 PER_LINE = 4
 _ZERO = {q.name: [[0.0] * 3] * 3 if len(q.shape) == 2 else [0.0] * 3 for q in n.MOTION}
@@ -39,6 +39,7 @@ def selftest(
     name: str,
     symbol: str,
     robot: Sequence[float],
+    limits: Numbers,
     drives: Numbers | None,
     functions: Sequence[Function],
     cases: Mapping[str, Sequence[Case]],
@@ -48,8 +49,9 @@ def selftest(
     """``selftest.c``.
 
     name: the robot's; symbol: its constants in C; robot: their numbers, flat, in the order of
-    ``stewart_robot``; drives: those of ``stewart_drives`` by member, None without torques. cases: by the
-    functions' stems. rejected: of the forces, where they are among the functions.
+    ``stewart_robot``; limits, drives: those of ``stewart_limits`` and ``stewart_drives`` by member, drives
+    None without torques. cases: by the functions' stems. rejected: of the forces, where they are among the
+    functions.
 
     Raises ValueError naming what is not a finite number.
     """
@@ -59,7 +61,7 @@ def selftest(
         "version": version,
         "arithmetic": template("kit/arithmetic.h"),
         "includes": includes(functions),
-        "robot": (_robot(symbol, robot) if reads_robot(functions) else "") + _drives(symbol, drives),
+        "robot": _constants(symbol, robot, limits, drives) if reads_robot(functions) else "",
         "models": "".join(template("kit/selftest_model.c", {"prefix": p}) for p in _prefixes(functions)),
         "motions": _initialisers(motions or [_ZERO]),
         "motion_count": str(len(motions or [_ZERO])),
@@ -104,16 +106,20 @@ def _models(functions: Sequence[Function]) -> str:
     return template("kit/selftest_models.c", values) if prefixes else ""
 
 
-def _robot(symbol: str, numbers: Sequence[float]) -> str:
-    table = _table("robot_numbers", "stewart_real", [numbers])
-    return template("kit/selftest_robot.c", {"symbol": symbol, "numbers": table})
+def _constants(symbol: str, robot: Sequence[float], limits: Numbers, drives: Numbers | None) -> str:
+    """The numbers of each struct of ``stewart_robot.c``."""
+    of_legs = {"limits": limits} | ({} if drives is None else {"drives": drives})
+    found = _numbers("robot", symbol, [literal(number, "robot") for number in robot])
+    for struct, members in of_legs.items():
+        literals = [each for six in literals_of_legs(members, struct).values() for each in six]
+        found += _numbers(struct, f"{symbol}_{struct}", literals)
+    return found
 
 
-def _drives(symbol: str, drives: Numbers | None) -> str:
-    if drives is None:
-        return ""
-    table = _table("drives_numbers", "stewart_real", [drives[each.name] for each in STRUCTS["drives"]])
-    return template("kit/selftest_drives.c", {"symbol": symbol, "numbers": table})
+def _numbers(struct: str, symbol: str, literals: Sequence[str]) -> str:
+    table = _table_of(f"{struct}_numbers", "stewart_real", literals)
+    values = {"struct": struct, "macro": struct.upper(), "symbol": symbol, "numbers": table}
+    return template("kit/selftest_numbers.c", values)
 
 
 def _called(function: Function, suffix: str, declared: Iterable[str], body: Iterable[str]) -> str:
@@ -235,7 +241,10 @@ def _arrays(function: Function, cases: Sequence[Case], table: Mapping[int, int])
 
 def _table(name: str, kind: str, rows: Sequence[Sequence[float]]) -> str:
     """All rows in one flat array."""
-    numbers = [literal(float(number), name) for row in rows for number in row]
+    return _table_of(name, kind, [literal(float(number), name) for row in rows for number in row])
+
+
+def _table_of(name: str, kind: str, numbers: Sequence[str]) -> str:
     lines = [", ".join(numbers[i : i + PER_LINE]) for i in range(0, len(numbers), PER_LINE)]
     body = ",\n    ".join(lines)
     return f"static const {kind} {name}[{len(numbers)}] = {{\n    {body}}};"

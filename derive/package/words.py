@@ -7,6 +7,7 @@ import unicodedata
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
+from ..kernel.interface import STRUCTS
 from ..mechanics import quantities as n
 from ..print.template import filled_from
 from ..program.block import Quantity
@@ -56,6 +57,14 @@ def literal(number: Any, where: str) -> str:
     Raises ValueError naming ``where`` for what is not a finite number.
     """
     return f"REAL({_finite(number, where)!r})"
+
+
+def literals_of_legs(numbers: Numbers, struct: str) -> dict[str, list[str]]:
+    """Members of a struct of six numbers each, those that are infinite as the largest number."""
+    return {
+        each.name: ["STEWART_MAX" if math.isinf(x) else literal(x, each.name) for x in numbers[each.name]]
+        for each in STRUCTS[struct]
+    }
 
 
 def _finite(number: Any, where: str) -> float:

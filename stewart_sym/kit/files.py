@@ -87,6 +87,7 @@ def kit(robot: Robot, choice: Choice = DEFAULT, progress: Progress = silent) -> 
         robot.name,
         symbol,
         robot_values(robot, robot.has_rotors).tolist(),
+        _limits(robot),
         _drives(robot, choice),
         tested,
         cases,

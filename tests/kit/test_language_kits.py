@@ -285,6 +285,21 @@ def test_the_commands_of_a_readme_run_as_printed(
     assert f"\n\n{textwrap.indent(shown, '    ')}\n\n" in readme
 
 
+@BY_LANGUAGE
+def test_the_self_test_sees_the_last_bit_of_a_number_that_no_function_reads(
+    language: str, tmp_path: Path
+) -> None:
+    write_kit(dasgupta(), tmp_path, Choice(("kinematics",), language=language))
+    command, _ = LANGUAGES[language].run.split(" && ")
+    ran(command, tmp_path)
+    (path,) = (each for each in tmp_path.rglob("robot.*") if each.suffix in {".py", ".m", ".rs"})
+    text, mass = path.read_text(), dasgupta().M
+    path.write_text(text.replace(f" {mass!r}", f" {np.nextafter(mass, np.inf).item()!r}", 1))
+    assert path.read_text() != text
+    with pytest.raises(AssertionError, match="failed"):
+        ran(command, tmp_path)
+
+
 @pytest.mark.parametrize(
     ("language", "functions", "more"),
     [

@@ -1,18 +1,21 @@
 """A kit's self-test fails where one of its constants is wrong, but for folded ones that its README names."""
 
 import ctypes
+import dataclasses
 import re
 from collections.abc import Iterator
 from typing import Any
 
+import kits
 import machines
 import numpy as np
 import pytest
 
 from stewart_sym.backend import native
-from stewart_sym.derive.mechanics import quantities as n
+from stewart_sym.derive.kernel.interface import STRUCTS
 from stewart_sym.derive.package.words import robot_symbol
 from stewart_sym.kit import Choice, kit
+from stewart_sym.kit.choice import PRECISIONS
 from stewart_sym.kit.parts import folded_kernel
 from stewart_sym.kit.running import FORCES_MARGIN
 from stewart_sym.kit.selection import SHARE, Numbered, selection
@@ -85,22 +88,19 @@ def _baked(sources: dict[str, str]) -> Iterator[tuple[str, int]]:
 
 
 def _of_robot(sources: dict[str, str], symbol: str) -> Iterator[tuple[str, int]]:
-    """The same of the robot's constants."""
-    sources["stewart_robot.h"] = sources["stewart_robot.h"].replace("const stewart_robot", "stewart_robot")
-    text = sources["stewart_robot.c"].replace("const stewart_robot", "stewart_robot")
-    axes = {1: ("",), 3: ("_x", "_y", "_z"), 6: ("_xx", "_xy", "_xz", "_yy", "_yz", "_zz")}
-    named = []
-    for struct, prefix, legs in (("stewart_leg", "leg[{i}].", range(6)), ("stewart_robot", "", range(1))):
-        for member, size in re.findall(
-            r"stewart_real (\w+)(?:\[(\d)\])?;", _struct(sources["stewart.h"], struct)
-        ):
-            for i in legs:
-                for j, axis in enumerate(axes[int(size or 1)]):
-                    label = f"{member}{axis}" + (f" of leg {i + 1}" if struct == "stewart_leg" else "")
-                    index = f"[{j}]" if size else ""
-                    named.append((label, f"&{symbol}.{prefix.format(i=i)}{member}{index}"))
-    sources["stewart_robot.c"] = f"{text}\n{_pointers(address for _, address in named)}"
-    yield from ((label, i) for i, (label, _) in enumerate(named))
+    """The same of the constants of a robot without rotors, its limits and drives, by where they are."""
+    for name in ("stewart_robot.h", "stewart_robot.c"):
+        sources[name] = sources[name].replace("const stewart_", "stewart_")
+    owners = [(f"{symbol}.leg[{i}]", "leg") for i in range(6)]
+    owners += [(symbol, "platform"), (f"{symbol}_limits", "limits"), (f"{symbol}_drives", "drives")]
+    named = [
+        f"{owner}.{member.name}" + (f"[{i}]" if member.stored else "")
+        for owner, struct in owners
+        for member in STRUCTS[struct]
+        for i in range(member.count)
+    ]
+    sources["stewart_robot.c"] += _pointers(f"&{each}" for each in named)
+    yield from ((each, i) for i, each in enumerate(named))
 
 
 def _struct(text: str, name: str) -> str:
@@ -159,17 +159,20 @@ def test_the_readme_of_a_kit_names_the_constants_that_rounding_hides() -> None:
     assert all(f"`{name.partition(' of leg ')[0]}`" in text for name in hidden)
 
 
-def test_the_self_test_of_a_plain_kit_sees_the_last_bit_of_every_number() -> None:
-    """Zeros too, which a share of themselves does not change."""
-    robot = MACHINES["dasgupta"]
-    choice = Choice(("kinematics",))
+@pytest.mark.parametrize("precision", ["double", "float"])
+def test_the_self_test_sees_the_last_bit_of_every_number_that_is_not_folded_in(precision: str) -> None:
+    """Zeros too, which a share of themselves does not change, and limits, which no function reads."""
+    robot = dataclasses.replace(
+        kits.machine("random drive"), force_limit=[500.0] * 6, length_limits=[[0.1, 0.95]] * 6
+    )
+    choice = Choice(("torque",), precision=precision)
     mutants = Mutants(robot, choice)
     assert mutants.selftest() == 0
-    assert len(mutants.addresses) == sum(len(quantity.keys) for quantity in (*n.LEG * 6, *n.PLATFORM))
+    real = PRECISIONS[precision]
     for name in mutants.addresses:
-        assert mutants.selftest(name, float(np.nextafter(mutants.value(name), np.inf))), name
+        assert mutants.selftest(name, float(np.nextafter(real(mutants.value(name)), real(-np.inf)))), name
     text = " ".join(kit(robot, choice).files["README.md"].decode().split())
-    assert "compares every number of the robot with the one that the kit was generated from" in text
+    assert "compares every number of `stewart_robot.c`, limits too, with the one that the kit was" in text
     assert "but for those" not in text
 
 

@@ -5,7 +5,6 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterable, Mapping, Sequence
 
 from ...mechanics import quantities as n
-from ...program.block import Quantity
 from ..words import in_markdown, stored, template
 from .contents import Contents, Test
 
@@ -27,6 +26,8 @@ class Language(ABC):
     """The robot as an argument."""
     notes: str
     """What is peculiar to the language, for the README."""
+    legs: Sequence[str] = tuple(f"leg[{i}]" for i in range(6))
+    """The legs of a robot."""
 
     @abstractmethod
     def files(self, kit: Contents) -> dict[str, str]:
@@ -73,15 +74,16 @@ class Language(ABC):
         words = {"robot": kit.name, "outputs": kit.says, "version": kit.version, "crate": kit.symbol}
         return template(name, words | more)
 
-    def assignments(self, kit: Contents, made: str, legs: Iterable[str], end: str) -> str:
-        """Statements that fill a robot, one line a quantity; legs: what each is called."""
-        lines = [_assigned(made, q, stored(kit.numbers, q, "robot"), end) for q in n.PLATFORM]
-        for i, leg in enumerate(legs):
-            lines += [
-                _assigned(f"{made}.{leg}", q, stored(kit.numbers, q, "robot", i), end)
-                for q in n.of_leg(kit.numbers)
-            ]
-        return "\n".join(lines)
+    def statements(self, kit: Contents, statement: str, robot: str) -> str:
+        """One for each quantity of a robot; statement: with its name and its numbers as {}."""
+        made = [(q, f"{robot}.{q.name}", stored(kit.numbers, q, "robot")) for q in n.PLATFORM] + [
+            (q, f"{robot}.{leg}.{q.name}", stored(kit.numbers, q, "robot", i))
+            for i, leg in enumerate(self.legs)
+            for q in n.of_leg(kit.numbers)
+        ]
+        return "\n".join(
+            statement.format(name, array(values) if q.shape else repr(values[0])) for q, name, values in made
+        )
 
 
 _GUESS = """
@@ -98,10 +100,6 @@ def spoilt(test: Test) -> list[tuple[str, str]]:
         for name, value in test.given.items()
         for member in (_READ if isinstance(value, Mapping) else ("",))
     ]
-
-
-def _assigned(owner: str, quantity: Quantity, values: Sequence[float], end: str) -> str:
-    return f"    {owner}.{quantity.name} = {array(values) if quantity.shape else repr(values[0])}{end}"
 
 
 def array(values: Iterable[float]) -> str:

@@ -18,13 +18,15 @@ class MatlabKit(Language):
     example = "one_pose.m"
     prepare = "model = stewart.prepare(stewart.robot());"
     robot = "stewart.robot()"
+    legs = tuple(f"leg({i})" for i in range(1, 7))
     notes = template("matlab_notes.md").strip()
 
     def files(self, kit: Contents) -> dict[str, str]:
         shown = set(map(id, kit.shown.values()))
         tests = "\n".join(line for test in kit.tests for line in self._test(kit, test, id(test) in shown))
         calls = "\n".join(self.calls(kit).values())
-        fill = self.assignments(kit, "made", (f"leg({i})" for i in range(1, 7)), ";")
+        fill = self.statements(kit, "    {} = {};", "made")
+        same = self.statements(kit, "    failed = failed + ~isequal({}, {});", "robot")
         made = {f"+stewart/{name}": text for name, text in Matlab(of_one_pose(kit.program)).files().items()}
         statuses = [f"    made.{name} = {code}; % {says}" for name, (code, says) in kit.whole_numbers.items()]
         numbers = [f"    made.{name} = {value!r};" for name, value in constants("double").items()]
@@ -37,7 +39,7 @@ class MatlabKit(Language):
         return {
             **made,
             "+stewart/robot.m": self.filled("matlab_robot.m", kit, numbers=fill),
-            "self_test.m": self.filled("matlab_test.m", kit, prepare=prepare, tests=tests),
+            "self_test.m": self.filled("matlab_test.m", kit, same=same, prepare=prepare, tests=tests),
             self.example: self.filled(
                 "matlab_example.m",
                 kit,

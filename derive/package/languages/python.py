@@ -26,7 +26,8 @@ class PythonKit(Language):
             f"        {_plain(test.answers)!r},\n        {_plain(test.bounds)!r},\n    ],\n"
             for test in kit.tests
         )
-        fill = self.assignments(kit, "made", (f"leg[{i}]" for i in range(6)), "")
+        fill = self.statements(kit, "    {} = {}", "made")
+        same = self.statements(kit, "    failed += {} != {}", "machine")
         made = {
             "robot": kit.name.replace("\\", "\\\\").replace('"', '\\"'),
             "prepare": self.prepare if kit.prepared else "model = None",
@@ -43,7 +44,7 @@ class PythonKit(Language):
         return {
             "stewart_arrays.py": module(kit.program, arithmetic(kit.whole_numbers), kit.version),
             "robot.py": self.filled("python_robot.py", kit, **made, numbers=fill),
-            "self_test.py": self.filled("python_test.py", kit, **made, tests=tests),
+            "self_test.py": self.filled("python_test.py", kit, **made, same=same, tests=tests),
             "example.py": self.filled(
                 "python_example.py", kit, **made, given=_python_given(kit.given), calls="\n".join(calls)
             ),

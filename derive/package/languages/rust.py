@@ -27,6 +27,7 @@ class RustKit(Language):
         real, root = ("f64", "sqrt") if kit.precision == "double" else ("f32", "sqrtf")
         shown = set(map(id, kit.shown.values()))
         tests = "".join(self._test(kit, i, test, id(test) in shown) for i, test in enumerate(kit.tests))
+        same = self.statements(kit, "    assert_eq!({}, {});", "ROBOT")
         tests += template("rust_test_model.rs") if kit.prepared else ""
         calls = "\n".join(
             f'    {call}\n    println!("{output} {{:?}}", found);' for output, call in self.calls(kit).items()
@@ -44,7 +45,7 @@ class RustKit(Language):
                 constants="\n".join(numbers),
             ),
             "src/robot.rs": self.filled("rust_robot.rs", kit, numbers=_rust_robot(kit.numbers)),
-            "tests/self_test.rs": self.filled("rust_test.rs", kit, tests=tests),
+            "tests/self_test.rs": self.filled("rust_test.rs", kit, same=same, tests=tests),
             self.example: self.filled(
                 "rust_example.rs",
                 kit,
