@@ -1,7 +1,5 @@
 """Kernels as trees: one text gives the same numbers as the C in every language, and its reader is strict."""
 
-import subprocess
-import sys
 from dataclasses import replace
 from fractions import Fraction
 from math import isqrt
@@ -194,18 +192,6 @@ def test_jax_compiles_and_differentiates_the_forces(tmp_path: Path) -> None:
     by_acceleration = answer - kernel.forces(replace(motion, a=zero, alpha=zero))
     found = np.einsum("nij,nj->ni", np.asarray(slopes), np.asarray(acceleration))
     np.testing.assert_allclose(found, by_acceleration, rtol=0, atol=1e-11 * np.abs(answer).max())
-
-
-@pytest.mark.slow
-def test_a_wrong_number_fails_the_self_test_of_a_kit(tmp_path: Path) -> None:
-    write_kit(dasgupta(), tmp_path, Choice(("forces", "motion"), language="python"))
-    file = tmp_path / "robot.py"
-    text = file.read_text()
-    mass = next(line for line in text.splitlines() if line.strip().startswith("made.M ="))
-    file.write_text(text.replace(mass, f"{mass} * (1 + 1e-9)"))
-    found = subprocess.run([sys.executable, "self_test.py"], cwd=tmp_path, capture_output=True, text=True)
-    assert found.returncode == 1
-    assert int(found.stdout.split()[0]) > 0
 
 
 @pytest.mark.parametrize(
