@@ -72,7 +72,7 @@ def _interface(kernel: Kernel) -> str:
 
 def operations_table(counts: KernelOperations, frictionless: KernelOperations | None, prefix: str) -> str:
     """Operation counts part by part; with ``frictionless``, beside those without the friction terms."""
-    rows = ["Operations of one pose of inverse dynamics, six legs, solve included"]
+    rows = ["Operations of one pose of inverse dynamics, six legs, solve included, checks left out"]
     if frictionless is None:
         rows += [f"{part:8s} {count}" for part, count in counts.parts().items()]
     else:

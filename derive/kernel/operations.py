@@ -16,6 +16,7 @@ from ..mechanics.inverse_dynamics import Kernel
 from ..mechanics.lumped_constants import arm_c
 from ..program.block import Block, Operations, part_of
 from .elimination import BY_POINTERS, ONCE, blocks_in_lanes, in_lanes
+from .prepare import is_scaled
 from .shared import FORCE
 from .tree import read
 from .tree.counted import counted
@@ -121,7 +122,7 @@ def force_operations(kernel: ForceKernel, scalar_text: bool = False) -> KernelOp
 
     What a leg does not have, its part of c or its D, costs nothing to add. scalar_text: of the function that
     takes the legs one after the other: leg 1 as the others, platform point 1 before them, and the product of
-    the pivots.
+    the pivots. A solve that scales moments by a number folded in does so; a prepared model decides itself.
     """
     given = kernel.leg.made
     sums = LEGS * sum(3 for quantity in (n.c_force, n.c_moment) if quantity in given)
@@ -136,7 +137,7 @@ def force_operations(kernel: ForceKernel, scalar_text: bool = False) -> KernelOp
         leg=kernel.leg.operations(),
         platform=kernel.shared.operations() + shift + (point.operations() if scalar_text else NOTHING),
         sum_c=Operations(add=sums),
-        solve=solve_operations(solve),
+        solve=solve_operations(solve) + _scaling(kernel, scalar_text),
         forces=Operations(add=LEGS if n.D in given else 0),
         moments=moments,
         arms=arms,
@@ -146,3 +147,9 @@ def force_operations(kernel: ForceKernel, scalar_text: bool = False) -> KernelOp
         + (_fused_in(point) if scalar_text else 0)
         + _fused_solve(solve),
     )
+
+
+def _scaling(kernel: ForceKernel, scalar_text: bool) -> Operations:
+    """Moments of [H | c] over a length; of a block about platform point 1 leg 1 has none."""
+    columns = LEGS + (scalar_text or not kernel.about_tip)
+    return Operations(mul=3 * columns) if kernel.constants is not None and is_scaled(kernel) else NOTHING

@@ -15,7 +15,7 @@
  * Writes reactions: F_s[6][3] N, F_u[6][3] N, F_p[6][3] N, F_c[6][3] N, M_p[6][3] N m, M_u[6] N m.
  * Meanings, frames and storage order: stewart.h.
  *
- * Operations of one pose of inverse dynamics, six legs, solve included
+ * Operations of one pose of inverse dynamics, six legs, solve included, checks left out
  *          with friction                             without friction
  * leg      414 (229 mul, 181 add, 2 div, 2 sqrt)     364 (204 mul, 156 add, 2 div, 2 sqrt)
  * platform 219 (123 mul, 96 add, 0 div, 0 sqrt)      219 (123 mul, 96 add, 0 div, 0 sqrt)

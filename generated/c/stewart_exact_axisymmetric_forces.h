@@ -9,7 +9,7 @@
  *
  * Fidelity: axisymmetric legs.
  *
- * Operations of one pose of inverse dynamics, six legs, solve included
+ * Operations of one pose of inverse dynamics, six legs, solve included, checks left out
  * leg      194 (116 mul, 74 add, 2 div, 2 sqrt)
  * platform 186 (96 mul, 90 add, 0 div, 0 sqrt)
  * moments  21 (12 mul, 9 add, 0 div, 0 sqrt)

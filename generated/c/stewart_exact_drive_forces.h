@@ -7,7 +7,7 @@
  * vector instructions of the loops over lanes (gcc and clang: -O3 -std=c99 -fno-math-errno, and -march for the
  * machine; with -ffp-contract=off one pose and a batch agree to the last bit).
  *
- * Operations of one pose of inverse dynamics, six legs, solve included
+ * Operations of one pose of inverse dynamics, six legs, solve included, checks left out
  * leg      277 (163 mul, 110 add, 2 div, 2 sqrt)
  * platform 192 (99 mul, 93 add, 0 div, 0 sqrt)
  * moments  21 (12 mul, 9 add, 0 div, 0 sqrt)

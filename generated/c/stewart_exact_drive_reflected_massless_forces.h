@@ -9,7 +9,7 @@
  *
  * Fidelity: reflected masses, legs without mass of their own.
  *
- * Operations of one pose of inverse dynamics, six legs, solve included
+ * Operations of one pose of inverse dynamics, six legs, solve included, checks left out
  * leg      81 (42 mul, 37 add, 1 div, 1 sqrt)
  * platform 186 (96 mul, 90 add, 0 div, 0 sqrt)
  * moments  12 (6 mul, 6 add, 0 div, 0 sqrt)

@@ -9,7 +9,7 @@
  *
  * Fidelity: no friction.
  *
- * Operations of one pose of inverse dynamics, six legs, solve included
+ * Operations of one pose of inverse dynamics, six legs, solve included, checks left out
  * leg      234 (137 mul, 93 add, 2 div, 2 sqrt)
  * platform 186 (96 mul, 90 add, 0 div, 0 sqrt)
  * moments  21 (12 mul, 9 add, 0 div, 0 sqrt)

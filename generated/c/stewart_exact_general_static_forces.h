@@ -9,7 +9,7 @@
  *
  * Fidelity: at rest.
  *
- * Operations of one pose of inverse dynamics, six legs, solve included
+ * Operations of one pose of inverse dynamics, six legs, solve included, checks left out
  * leg      88 (53 mul, 31 add, 2 div, 2 sqrt)
  * platform 72 (39 mul, 33 add, 0 div, 0 sqrt)
  * moments  21 (12 mul, 9 add, 0 div, 0 sqrt)

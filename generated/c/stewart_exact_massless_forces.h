@@ -9,7 +9,7 @@
  *
  * Fidelity: legs without mass, (41).
  *
- * Operations of one pose of inverse dynamics, six legs, solve included
+ * Operations of one pose of inverse dynamics, six legs, solve included, checks left out
  * leg      31 (15 mul, 14 add, 1 div, 1 sqrt)
  * platform 174 (90 mul, 84 add, 0 div, 0 sqrt)
  * moments  12 (6 mul, 6 add, 0 div, 0 sqrt)

@@ -9,7 +9,7 @@
  *
  * Fidelity: legs without mass, with friction.
  *
- * Operations of one pose of inverse dynamics, six legs, solve included
+ * Operations of one pose of inverse dynamics, six legs, solve included, checks left out
  * leg      126 (76 mul, 46 add, 2 div, 2 sqrt)
  * platform 180 (93 mul, 87 add, 0 div, 0 sqrt)
  * moments  21 (12 mul, 9 add, 0 div, 0 sqrt)

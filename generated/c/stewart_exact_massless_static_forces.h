@@ -9,7 +9,7 @@
  *
  * Fidelity: at rest, legs without mass.
  *
- * Operations of one pose of inverse dynamics, six legs, solve included
+ * Operations of one pose of inverse dynamics, six legs, solve included, checks left out
  * leg      31 (15 mul, 14 add, 1 div, 1 sqrt)
  * platform 72 (39 mul, 33 add, 0 div, 0 sqrt)
  * moments  12 (6 mul, 6 add, 0 div, 0 sqrt)

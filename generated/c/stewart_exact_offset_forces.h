@@ -9,7 +9,7 @@
  *
  * Fidelity: offset joints; STEWART_NOT_FINITE also where a platform point lies where no leg with its offsets ends.
  *
- * Operations of one pose of inverse dynamics, six legs, solve included
+ * Operations of one pose of inverse dynamics, six legs, solve included, checks left out
  * leg      379 (222 mul, 151 add, 4 div, 2 sqrt)
  * platform 192 (99 mul, 93 add, 0 div, 0 sqrt)
  * moments  21 (12 mul, 9 add, 0 div, 0 sqrt)

@@ -9,7 +9,7 @@
  *
  * Fidelity: parts of the legs as points.
  *
- * Operations of one pose of inverse dynamics, six legs, solve included
+ * Operations of one pose of inverse dynamics, six legs, solve included, checks left out
  * leg      107 (60 mul, 45 add, 1 div, 1 sqrt)
  * platform 186 (96 mul, 90 add, 0 div, 0 sqrt)
  * moments  21 (12 mul, 9 add, 0 div, 0 sqrt)

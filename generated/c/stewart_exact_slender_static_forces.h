@@ -9,7 +9,7 @@
  *
  * Fidelity: at rest, centres of mass on the legs' axes.
  *
- * Operations of one pose of inverse dynamics, six legs, solve included
+ * Operations of one pose of inverse dynamics, six legs, solve included, checks left out
  * leg      40 (22 mul, 16 add, 1 div, 1 sqrt)
  * platform 72 (39 mul, 33 add, 0 div, 0 sqrt)
  * moments  21 (12 mul, 9 add, 0 div, 0 sqrt)

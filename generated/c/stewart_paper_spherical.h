@@ -15,7 +15,7 @@
  * Writes reactions: F_s[6][3] N, F_u[6][3] N, F_p[6][3] N, F_c[6][3] N, M_p[6][3] N m, M_u[6] N m.
  * Meanings, frames and storage order: stewart.h.
  *
- * Operations of one pose of inverse dynamics, six legs, solve included
+ * Operations of one pose of inverse dynamics, six legs, solve included, checks left out
  * leg      249 (144 mul, 103 add, 1 div, 1 sqrt)
  * platform 219 (123 mul, 96 add, 0 div, 0 sqrt)
  * sum of c 36 (0 mul, 36 add, 0 div, 0 sqrt)

@@ -7,7 +7,7 @@
  * vector instructions of the loops over lanes (gcc and clang: -O3 -std=c99 -fno-math-errno, and -march for the
  * machine; with -ffp-contract=off one pose and a batch agree to the last bit).
  *
- * Operations of one pose of inverse dynamics, six legs, solve included
+ * Operations of one pose of inverse dynamics, six legs, solve included, checks left out
  * leg      222 (129 mul, 91 add, 1 div, 1 sqrt)
  * platform 186 (96 mul, 90 add, 0 div, 0 sqrt)
  * moments  21 (12 mul, 9 add, 0 div, 0 sqrt)

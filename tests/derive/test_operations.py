@@ -24,8 +24,11 @@ from stewart_sym.derive.mechanics.closed_form.terms import F_LEG
 from stewart_sym.derive.mechanics.formulation import EXACT, FORMULATIONS
 from stewart_sym.derive.program.block import Operations
 from stewart_sym.dynamics import closed_form
+from stewart_sym.kit import Choice
+from stewart_sym.kit.parts import parts
 from stewart_sym.motion.motion import Motion
 from stewart_sym.robot.robot import Robot
+from stewart_sym.robot.units import rescaled
 
 PLAIN = """static stewart_forces forces;
     counts = Counts();
@@ -42,6 +45,14 @@ POSE = """static stewart_${KERNEL}_pose_model model;
     static Real F[6];
     counts = Counts();
     int status = stewart_${KERNEL}_pose_forces(&model, &motion, F);"""
+
+FOLDED_BLOCK = """static Real F[48];
+    stewart_motions all = {motion.R, motion.t, motion.omega, motion.v, motion.alpha, motion.a, 0, 0};
+    counts = Counts();
+    int status = ${FORCES}_batch(1, &all, F, 0);"""
+FOLDED_POSE = """static Real F[6];
+    counts = Counts();
+    int status = ${FORCES}(&motion, F);"""
 
 
 def sums(kernel: str, given: str) -> str:
@@ -156,6 +167,29 @@ def test_count_of_legs_one_after_the_other_is_what_their_function_executes(tmp_p
     checks = 4 + 5
     counted = executed("exact", "", POSE, robot, random_motion(rng, robot), tmp_path, sources)
     assert counted == (claimed.mul, claimed.add + checks, claimed.div, claimed.sqrt)
+
+
+@pytest.mark.parametrize("scalar", [pytest.param(False, marks=pytest.mark.slow), True])
+def test_count_with_folded_numbers_is_what_the_c_executes_where_moments_are_scaled(
+    scalar: bool, tmp_path: Path
+) -> None:
+    rng = np.random.default_rng(9)
+    robot = rescaled(random_robot(rng), 1 / 64, 1.0)
+    made = parts(robot, Choice(bake=True, scalar=scalar))
+    (forces,) = (each for each in made.functions if each.stem == "forces")
+    call = FOLDED_POSE if scalar else FOLDED_BLOCK
+    counted = executed(
+        "exact",
+        "",
+        Template(call).safe_substitute(FORCES=forces.symbol),
+        robot,
+        random_motion(rng, robot),
+        tmp_path,
+        {name: text for name, text in made.files.items() if name != "stewart_rotation.c"},
+    )
+    # Sums of sizes, as above, and the product of six constants that a compiler folds.
+    poses, checks = (1, 9 + 5) if scalar else (8, 0)
+    assert sum(counted) == poses * made.baked_operations + checks
 
 
 @pytest.mark.slow
