@@ -71,9 +71,10 @@ class LegReactions:
         # N: force of the lower part on the upper at the prismatic joint, without the viscous friction -C_p L_dot s, base frame
         self.F_p: Any = [0.0] * 3
         self.F_c: Any = [0.0] * 3  # N: constraint part of F_p, base frame
-        # N m: moment of the lower part on the upper at the prismatic joint, base frame
+        # N m: moment of the lower part, on which the gyroscopic moment of a rotor acts, on the upper at the prismatic joint, base frame
         self.M_p: Any = [0.0] * 3
-        self.M_u: Any = 0.0  # N m: constraint moment on the leg at the universal joint
+        # N m: constraint moment on the leg at the universal joint, along k x y, y the moving axis; in `paper` along s
+        self.M_u: Any = 0.0
 
 
 class Forces:

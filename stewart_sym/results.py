@@ -36,7 +36,7 @@ class Forces:
     K : ndarray
         Transverse force on the leg at its spherical joint, N, base frame, (..., 6, 3), (21).
     H : ndarray
-        Maps x to the wrench on the platform, (..., 6, 6); rows 0-2 unitless, rows 3-5 m, (36).
+        H x = c, (36); F acts on the platform by H F, x by -H x. (..., 6, 6); rows 0-2 unitless, rows 3-5 m.
     c : ndarray
         Wrench that the axial forces must balance, N and N m, base frame, (..., 6), (36).
     status : ndarray of int
@@ -73,7 +73,8 @@ class Reactions:
         Its constraint part, (28): F_p less s times the actuator's force on the upper part, which is F less
         what turns a rotor of the drive, N, (..., 6, 3).
     M_p : ndarray
-        Moment of the lower part on the upper at the prismatic joint, N m, (..., 6, 3), (17).
+        Moment of the lower part, on which the gyroscopic moment of a rotor acts, on the upper at the
+        prismatic joint, N m, (..., 6, 3), (17).
     M_u : ndarray
         Constraint moment on the leg at the universal joint, N m, (..., 6), (29), along k x y, y the moving
         axis; in `paper` along the leg.

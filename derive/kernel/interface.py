@@ -87,7 +87,12 @@ STRUCTS: dict[str, tuple[Member, ...]] = {
         _nested(
             "K", (6, 3), "N", "transverse forces on the legs at their spherical joints, base frame, (21)"
         ),
-        _nested("H", (6, 6), "1 and m", "row-major, from x to the wrench on the platform, (36)"),
+        _nested(
+            "H",
+            (6, 6),
+            "1 and m",
+            "row-major: H x = c, (36); F acts on the platform by H F, x by -H x",
+        ),
         _nested("c", (6,), _WRENCH, "wrench that x must balance, base frame, (36)"),
     ),
     "reactions": tuple(
@@ -343,9 +348,10 @@ CALLS: dict[str, Call] = {
         ),
     ),
     "forward_kinematics": Call(
-        "The pose that has given lengths of the legs, searched from a guess in `pose`: from one within 0.3 "
-        "rad it is the pose beside the guess; from afar another may come out, or STEWART_NOT_CONVERGED after "
-        "STEWART_MAX_STEPS steps. STEWART_SINGULAR: the lengths are met, but do not settle the pose.",
+        "A pose that has given lengths of the legs, searched from a guess in `pose`: near one, and far from "
+        "singular poses, mostly the pose beside it; else it may be another, also with STEWART_OK: compare it "
+        "with the guess. STEWART_NOT_CONVERGED: not found in STEWART_MAX_STEPS steps. STEWART_SINGULAR: the "
+        "lengths are met, but do not settle the pose.",
         (_in("L", 6, "m", "lengths of the legs"), _SEARCHED),
     ),
     "forward_velocity": Call(

@@ -83,5 +83,16 @@ F_p = Quantity(
     "base frame",
 )
 F_c = Quantity("F_c", (3,), "N", "constraint part of F_p, base frame")
-M_p = Quantity("M_p", (3,), "N m", "moment of the lower part on the upper at the prismatic joint, base frame")
-M_u = Quantity("M_u", (), "N m", "constraint moment on the leg at the universal joint")
+M_p = Quantity(
+    "M_p",
+    (3,),
+    "N m",
+    "moment of the lower part, on which the gyroscopic moment of a rotor acts, on the upper at the prismatic "
+    "joint, base frame",
+)
+M_u = Quantity(
+    "M_u",
+    (),
+    "N m",
+    "constraint moment on the leg at the universal joint, along k x y, y the moving axis; in `paper` along s",
+)

@@ -131,7 +131,7 @@ typedef struct {
     stewart_real D[6]; /* N: known part of the actuator forces, (24) */
     stewart_real x[6]; /* N: axial forces on the legs at their spherical joints, (22) */
     stewart_real K[6][3]; /* N: transverse forces on the legs at their spherical joints, base frame, (21) */
-    stewart_real H[6][6]; /* 1 and m: row-major, from x to the wrench on the platform, (36) */
+    stewart_real H[6][6]; /* 1 and m: row-major: H x = c, (36); F acts on the platform by H F, x by -H x */
     stewart_real c[6]; /* N and N m: wrench that x must balance, base frame, (36) */
 } stewart_forces;
 
@@ -151,8 +151,8 @@ typedef struct {
     stewart_real F_u[6][3]; /* N: force on the leg at the universal joint, base frame */
     stewart_real F_p[6][3]; /* N: force of the lower part on the upper at the prismatic joint, without the viscous friction -C_p L_dot s, base frame */
     stewart_real F_c[6][3]; /* N: constraint part of F_p, base frame */
-    stewart_real M_p[6][3]; /* N m: moment of the lower part on the upper at the prismatic joint, base frame */
-    stewart_real M_u[6]; /* N m: constraint moment on the leg at the universal joint */
+    stewart_real M_p[6][3]; /* N m: moment of the lower part, on which the gyroscopic moment of a rotor acts, on the upper at the prismatic joint, base frame */
+    stewart_real M_u[6]; /* N m: constraint moment on the leg at the universal joint, along k x y, y the moving axis; in `paper` along s */
 } stewart_reactions;
 
 /* Joint reactions of `count` poses. Any pointer may be null: not wanted. */

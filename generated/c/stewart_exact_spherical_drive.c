@@ -23,8 +23,10 @@ typedef struct {
     stewart_real F_u[3]; /* N: force on the leg at the universal joint, base frame */
     stewart_real F_p[3]; /* N: force of the lower part on the upper at the prismatic joint, without the viscous friction -C_p L_dot s, base frame */
     stewart_real F_c[3]; /* N: constraint part of F_p, base frame */
-    stewart_real M_p[3]; /* N m: moment of the lower part on the upper at the prismatic joint, base frame */
-    stewart_real M_u; /* N m: constraint moment on the leg at the universal joint */
+    /* N m: moment of the lower part, on which the gyroscopic moment of a rotor acts, on the upper at the
+     * prismatic joint, base frame */
+    stewart_real M_p[3];
+    stewart_real M_u; /* N m: constraint moment on the leg at the universal joint, along k x y, y the moving axis; in `paper` along s */
 } reaction_terms;
 
 /* One leg: D, K, its column of H and its part of c, (1)-(24), (35). Operations: 253 (146 mul, 105 add, 1

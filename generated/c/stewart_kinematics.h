@@ -48,7 +48,8 @@ STEWART_NODISCARD int stewart_inverse_kinematics(
  * Returns a status, and writes the pose only if it is STEWART_OK:
  * STEWART_OK: the lengths are those asked for to within 16 rounding units of the largest component of the
  *     terms of S = q + t - b, and R is a rotation to rounding. Six lengths belong to up to forty poses: it is
- *     the one next to the guess if the guess is near; from afar it may be any.
+ *     mostly the one next to a near guess; near singular poses, where two of them meet, and from afar it may
+ *     be another: compare it with the guess.
  * STEWART_NOT_CONVERGED: no such pose was found in STEWART_MAX_STEPS steps; or the guess's R is no rotation:
  *     det R < 0, or an entry of R^T R farther than 1/16 from that of E.
  * STEWART_SINGULAR: the lengths are met where H is so near to singular that lengths known to rounding leave

@@ -87,8 +87,8 @@ class Language(ABC):
 
 
 _GUESS = """
-`forward_kinematics` finds the pose beside its guess, whose R must be near a rotation; from afar another one
-may come out, or none."""
+`forward_kinematics` mostly finds the pose beside its guess, whose R must be near a rotation; near singular
+poses and from afar another one may come out, or none: compare it with the guess."""
 _READ = ("R", "t")
 """Members of a structure that every function reads."""
 
