@@ -177,9 +177,7 @@ def _parser(names: Iterable[str] = SUBCOMMANDS) -> argparse.ArgumentParser:
             name, help=module.HELP, description=text, epilog=f"Example: {module.EXAMPLE}"
         )
         module.add_arguments(added)
-        # Without those that are given or not, of which nothing can be wrong.
-        taking = [option for option, action in added.actions.items() if action.nargs != 0]
-        added.set_defaults(run=module.run, subcommand=name, options=taking)
+        added.set_defaults(run=module.run, subcommand=name, options=[*added.actions])
     return parser
 
 

@@ -235,8 +235,12 @@ def test_the_help_has_every_level(capsys: pytest.CaptureFixture[str]) -> None:
         assert re.search(rf"\b{level.removesuffix('_friction')}[ ,;]", told), level
 
 
-def test_generate_rejects_a_level_that_there_is_not(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    error = fails_in_one_line(capsys, "generate", robot, "-o", robot.parent / "kit", "--fidelity", "rigid")
+def test_generate_names_the_option_that_is_wrong(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    asked = ("generate", robot, "-o", robot.parent / "kit")
+    assert "error: --bake: expected language c, " in fails_in_one_line(
+        capsys, *asked, "--bake", "--language", "rust"
+    )
+    error = fails_in_one_line(capsys, *asked, "--fidelity", "rigid")
     assert "error: --fidelity: expected one of general, " in error
     assert not (robot.parent / "kit").exists()
 

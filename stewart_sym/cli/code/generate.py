@@ -27,9 +27,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="LIST",
         default="forces",
         help="some of forces, reactions (in C alone), motion (M, C, g, friction, bias, H, forward dynamics, "
-        "inertia at the actuators), derivatives (of the forces; linearisation), kinematics (inverse, "
-        "forward, velocities), torque (of the motors of a robot with a drive, in C alone), with commas; "
-        "default: forces",
+        "inertia at the actuators), derivatives (of the forces; linearisation), both for universal base "
+        "joints, kinematics (inverse, forward, velocities), torque (of the motors of a robot with a drive, "
+        "in C alone), with commas; default: forces",
     )
     formulation(parser)
     parser.add_argument(
@@ -55,7 +55,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         default="c",
         help="c; python: one module on arrays of NumPy, JAX, PyTorch; matlab: a package of functions, for "
         "Octave as well; rust: a crate, without its standard library as well; each with the robot's "
-        "constants, self-test, example and README, of forces, motion, derivatives, kinematics; default: c",
+        "constants, self-test, example and README, of forces, motion, derivatives, kinematics, without "
+        "--bake, --scalar and --fmu, and with --precision float in rust alone; default: c",
     )
     parser.add_argument("--list", action="store_true", help="print the names of the files, write none")
     output(parser, "DIR", "folder to write to", None)
