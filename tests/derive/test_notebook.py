@@ -1,7 +1,6 @@
 """The notebook of the derivation runs from start to end, and shows what the code gives now.
 
-``PYTHONPATH=tests/support python tests/derive/test_notebook.py`` runs it and writes the
-outputs into the committed file.
+``COMMAND`` runs it and writes the outputs into the committed file.
 """
 
 import os
@@ -19,7 +18,8 @@ from quick_compiler import quick_path
 from stewart_sym.io.extras import EXTRAS
 
 NOTEBOOK = resources.files("stewart_sym.derive") / "derivation.ipynb"
-REWRITE = "run `PYTHONPATH=tests/support python tests/derive/test_notebook.py` and look at the notebook"
+COMMAND = "PYTHONPATH=tests/support:tests/support/kernels python tests/derive/test_notebook.py"
+REWRITE = f"run `{COMMAND}` and look at the notebook"
 METADATA = {
     "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
     "language_info": {"name": "python"},

@@ -1,7 +1,7 @@
 """The stack that kits quote is what the cross compiler tells today.
 
-``PYTHONPATH=tests/support python tests/generated/test_stacks.py`` measures every function
-anew and rewrites ``stewart_sym/kit/stack.json``.
+``PYTHONPATH=tests/support:tests/support/packages python tests/generated/test_stacks.py`` measures every
+function anew and rewrites ``stewart_sym/kit/stack.json``.
 """
 
 import json
@@ -22,7 +22,7 @@ from stewart_sym.robot.robot import Robot
 from stewart_sym.studies.microcontroller import toolchain
 
 TABLE = Path(__file__).parents[2] / "stewart_sym" / "kit" / "stack.json"
-REWRITE = "run `PYTHONPATH=tests/support python tests/generated/test_stacks.py`"
+REWRITE = "run `PYTHONPATH=tests/support:tests/support/packages python tests/generated/test_stacks.py`"
 
 
 def robots() -> list[Robot]:
