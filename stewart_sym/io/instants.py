@@ -56,7 +56,7 @@ def even_clock(times: Array) -> Clock | None:
     count = np.rint(times * per_second)
     count -= count[0]
     gaps = np.diff(count)
-    usual = np.median(gaps)
+    usual = np.quantile(gaps, 0.5, method="lower")
     # Steps of one and of two units are those of a clock between, or of one of one unit with rows missing.
     short = gaps.min() == 1.0 and usual <= _CLOCK_LEAST
     if not short and (not np.any(gaps % gaps.min()) or not _CLOCK_LEAST <= usual <= _CLOCK_MOST):

@@ -72,3 +72,9 @@ def test_even_times_with_rows_missing_and_times_of_no_clock_are_left() -> None:
         np.array([0.0, 0.017, 0.033]),
     ):
         assert even_clock(times) is None
+
+
+@pytest.mark.parametrize("rows", range(20, 41))
+def test_uneven_times_have_no_even_clock(rows: int) -> None:
+    time = (np.arange(rows) + np.random.default_rng(rows).uniform(-0.2, 0.2, rows)) / 10.0
+    assert even_clock(np.round(time - time[0], 5)) is None

@@ -3,7 +3,6 @@
 import numpy as np
 
 from ...io.array_types import Array
-from ...io.extras import absent
 from ...io.instants import elapsed, time_text
 from ..trajectory import Log
 
@@ -11,8 +10,8 @@ DEGREE = 5
 """Of splines through rows."""
 FEWEST = 12
 """Rows of the shortest log whose ends are compared."""
-# Rows at an end that it is wrong in, and of the splines that begin farther inside.
-_END, _ROWS = 12, 40
+# Rows at an end that it is wrong in, and of the splines there, the first of which begins at the first row.
+_END, _ROWS = 8, 20
 # Accelerations that are off by this share of the largest, gravity's at least, are named.
 _OFF, _GRAVITY = 0.02, 9.81
 # Of values, rates and second rates as time runs backward.
@@ -22,11 +21,9 @@ _BACKWARD = np.array([1.0, -1.0, 1.0])[:, None, None]
 def end_errors(log: Log, found: Array) -> Array | None:
     """How far rates of rows at the ends may be off, (3, n, 6); None where that does not matter.
 
-    found: coordinates and rates, (3, n, 6). A spline that begins some rows later is off there as this one is
-    at its first row, whatever the phase of the motion, while this one is right. None without SciPy, too.
+    found: coordinates and rates, (3, n, 6). A spline that begins some rows later is off there as one through
+    all rows is at its first, whatever the phase of the motion, while that one is right there.
     """
-    if absent("scipy"):
-        return None
     since, errors = elapsed(log.time), np.zeros_like(found)
     end = min(_END, len(since) // 3)
     errors[1:, :end] = _first_rows(since, found, end)
@@ -36,8 +33,8 @@ def end_errors(log: Log, found: Array) -> Array | None:
     if not told:
         return None
     log.warn(
-        f"rows are too far apart for accelerations at the log's ends, off by up to {' and '.join(told)}, "
-        "as deviations say; what helps: rows more often, or some at rest before and after",
+        f"accelerations at the log's ends may be off by {' and '.join(told)}, as deviations say: rows are "
+        "too far apart, or accelerations jump; what helps: more rows, more of them at rest before and after",
         8,
     )
     return errors
@@ -45,18 +42,33 @@ def end_errors(log: Log, found: Array) -> Array | None:
 
 def _first_rows(since: Array, found: Array, end: int) -> Array:
     """``end_errors`` of the first rows, (2, end, 6), which fall from row to row."""
-    from scipy.interpolate import make_interp_spline
-
-    off = np.full((end, 2, end, found.shape[2]), np.nan)
-    for i in range(end):
-        rows = slice(i + 2, i + 2 + _ROWS)
-        spline = make_interp_spline(since[rows], found[0, rows], k=DEGREE)
-        for order in (1, 2):
-            inside = found[order, rows][:end]
-            off[i, order - 1, : len(inside)] = np.abs(spline(since[rows][:end], order) - inside)
-    # The median, since accelerations that jump inside are near the beginning of some of the splines.
-    usual = np.nanmedian(off, axis=0)
+    off = np.full((end + 1, 2, end, found.shape[2]), np.nan)
+    for i in range(end + 1):
+        start = i + (i > 0)
+        rows = slice(start, start + _ROWS)
+        rates = _rates(since[rows], found[0, rows])[:, :end]
+        off[i, :, : rates.shape[1]] = np.abs(rates - found[1:, rows][:, :end])
+    # The median, since accelerations that jump inside are near the beginning of some of the splines; and how
+    # far the curve is from the spline through its own values.
+    usual = np.maximum(np.nanmedian(off[1:], axis=0), off[0])
     return np.asarray(np.maximum.accumulate(usual[:, ::-1], axis=1)[:, ::-1])
+
+
+def _rates(since: Array, values: Array) -> Array:
+    """Rates and second rates, (2, n, c), of the spline through values, (n, c), whose ends are not knots."""
+    step = (since[-1] - since[0]) / (len(since) - 1)
+    x = (since - since[0]) / step
+    knots = x[3:-3]
+    powers = np.arange(DEGREE + 1)
+    steep = np.maximum(x[:, None] - knots, 0.0)
+
+    def columns(rate: int) -> Array:
+        factor = np.prod([np.ones(DEGREE + 1), *(powers - k for k in range(rate))], axis=0)
+        plain = factor * x[:, None] ** np.maximum(powers - rate, 0)
+        return np.hstack([plain, factor[-1] * steep ** (DEGREE - rate)])
+
+    c = np.linalg.solve(columns(0), values)
+    return np.stack([columns(rate) @ c / step**rate for rate in (1, 2)])
 
 
 def _text(log: Log, seconds: Array, errors: Array, name: str) -> str:
