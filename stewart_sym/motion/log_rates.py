@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from ..io.array_types import Array, Flags
-from ..io.extras import needed_for
+from ..io.extras import absent, needed_for
 from ..io.instants import elapsed, lost, time_text
 from .interpolation import check_cutoff
 from .log_faults import (
@@ -258,6 +258,8 @@ def _derivatives(
 ) -> tuple[Array, Uncertainty | None]:
     """``rates_of`` of numbers with a level of noise."""
     noisy = level.sigma > 0.0
+    if level.scale is None and not absent("scipy"):
+        noisy = level.sigma > _least_noise(log, values)
     if log.smoothing.cutoff is not None:
         noisy[:] = True
     if len(log.time) < MIN_SPLINE_POINTS or not log.smoothing.on:
@@ -271,9 +273,11 @@ def _derivatives(
         for part in (slice(i, i + _PART) for i in range(0, len(since), _PART)):
             for order in (1, 2):
                 found[order, part][:, ~noisy] = spline(since[part], order)
-    if not noisy.any():
-        return found, None
-    noises: list[tuple[slice, Uncertainty | None]] = []
+    fine = np.where(noisy | (not log.smoothing.on), 0.0, level.sigma)
+    noises: list[tuple[slice, Uncertainty | None]] = [
+        (slice(i, i + 1), _of_spline(log, found, np.where(np.arange(6) == i, fine, 0.0)))
+        for i in np.flatnonzero(fine)
+    ]
     # Columns of the same scale share their matrices.
     for part in (slice(0, 6),) if level.scale is None else [part for _, part in log.kinds()]:
         own = np.flatnonzero(noisy[part]) + part.start
@@ -288,7 +292,8 @@ def _derivatives(
         covariance[:, own], sigma[own] = smooth.covariance, smooth.sigma
         noises.append((part, Uncertainty(found, smooth.grid, covariance, sigma, "L" in log.written)))
     noise = _joined(found, noises, "L" in log.written)
-    assert noise is not None
+    if noise is None:
+        return found, None
     if tell and log.smoothing.cutoff is None:
         left = values - found[0]
         _warn_of_jumps(log, left if level.scale is None else left / level.scale, noise)
@@ -298,6 +303,33 @@ def _derivatives(
         more = _CORRELATED.format(level.correlation) if level.correlation > 1.0 else ""
         log.warn(f"{noise_text(noise)}: smoothed{more}", 8)
     return found, noise
+
+
+# Deviations of rates and second rates of a spline through rows of noise 1, 1 apart: at an end, and inside.
+_AT_END, _INSIDE = (11.6, 42.0), (1.38, 4.8)
+_INSIDE_FROM = 4
+
+
+def _least_noise(log: Log, values: Array) -> Array:
+    """Noise, (6,), that makes a small share of the largest accelerations of a spline through the rows.
+
+    A smooth curve would follow jumps of the accelerations worse.
+    """
+    least, step = np.empty(6), float(np.median(np.diff(log.time)))
+    for _, part in log.kinds():
+        bend = float(np.abs(np.diff(values[:, part], 2, axis=0)).max(initial=0.0))
+        least[part] = _LITTLE / _AT_END[1] * max(bend, _GRAVITY * step**2)
+    return least
+
+
+def _of_spline(log: Log, found: Array, sigma: Array) -> Uncertainty:
+    """Uncertainty of coordinates and rates, (3, n, 6), of a spline through rows with noise, (6,)."""
+    step, last = float(np.median(np.diff(log.time))), len(log.time) - 1
+    grid = log.time[[0, min(_INSIDE_FROM, last), max(last - _INSIDE_FROM, 0), last]]
+    covariance = np.zeros((len(grid), 6, len(PAIRS)))
+    for row, (rate, second) in zip(covariance, (_AT_END, _INSIDE, _INSIDE, _AT_END), strict=True):
+        row[:, [0, 2, 5]] = (sigma[:, None] * [1.0, rate / step, second / step**2]) ** 2
+    return Uncertainty(found, grid, covariance, sigma, "L" in log.written)
 
 
 # A smooth curve leaves what jumps by so many deviations of the noise, in few of the rows.

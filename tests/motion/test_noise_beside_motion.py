@@ -175,3 +175,15 @@ def test_many_rows_a_period_are_not_named(per_period: float) -> None:
     trajectory, said = told(time, values)
     assert said == []
     assert trajectory.noise is None
+
+
+@pytest.mark.parametrize("decimals", [9, 11, 13])
+def test_rounding_that_no_acceleration_shows_is_not_smoothed_beside_jumps(decimals: int) -> None:
+    """A trapezoid of speed after rest: the rows at rest stay at rest."""
+    time = np.arange(100) / 100.0
+    u, V = np.clip(time - 0.12, 0.0, 0.76), 1.0 / 0.57
+    way = np.where(u < 0.19, u**2 / 0.38, np.where(u < 0.57, u - 0.095, 0.57 - (0.76 - u) ** 2 / 0.38)) * V
+    trajectory, _ = told(time, np.round(way[:, None] * WAYS, decimals))
+    assert trajectory.motion.a is not None
+    rest = np.abs(trajectory.motion.a[:6]).max()
+    assert rest < 0.005 * np.abs(trajectory.motion.a).max()
