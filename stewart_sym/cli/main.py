@@ -69,7 +69,8 @@ def main(argv: Sequence[str] | None = None) -> int:
         with named("standard output"):
             given = (getattr(arguments, name, None) for name in ("robot", "trajectory"))
             sources = [path for path in given if path is not None]
-            with warnings_in_lines(*sources), as_interrupts(), needed_for(arguments.subcommand):
+            lines = warnings_in_lines(*sources, options=arguments.options)
+            with lines, as_interrupts(), needed_for(arguments.subcommand):
                 code: int = arguments.run(arguments)
             sys.stdout.flush()
         return code
@@ -79,7 +80,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         return exit_code()
     except (ValueError, OSError, ImportError, CompilerError, MemoryError, Warning) as error:
-        text = _of_option(_of_file(one_line(error), arguments), arguments)
+        line = one_line(error, getattr(arguments, "options", None))
+        text = _of_option(_of_file(line, arguments), arguments)
         print(f"{PROGRAM}: error: {text}", file=sys.stderr)
         try:
             sys.stdout.flush()

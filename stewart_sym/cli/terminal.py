@@ -7,7 +7,8 @@ import shutil
 import sys
 import time
 import warnings
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
+from functools import partial
 
 from ..io.arguments import safe_text
 from ..io.progress import Progress, silent
@@ -68,18 +69,18 @@ def _time(seconds: float) -> str:
 
 
 @contextlib.contextmanager
-def warnings_in_lines(*sources: object) -> Iterator[None]:
+def warnings_in_lines(*sources: object, options: Collection[str] | None = None) -> Iterator[None]:
     """Show the block's warnings at its end, one line each; those of an error come before it.
 
     NumPy's of single operations that overflow are one line together, of the inputs ``sources``, and none
-    where an error says more.
+    where an error says more. options: as of ``one_line``.
     """
     lines: list[str] = []
     overflows: list[str] = []
 
     def keep(message: Warning | str, category: type[Warning], *_: object, **__: object) -> None:
         of_numpy = category is RuntimeWarning and " encountered in " in str(message)
-        (overflows if of_numpy else lines).append(one_line(message))
+        (overflows if of_numpy else lines).append(one_line(message, options))
 
     with warnings.catch_warnings():
         warnings.showwarning = keep
@@ -94,24 +95,27 @@ def warnings_in_lines(*sources: object) -> Iterator[None]:
                 print(f"{PROGRAM}: warning: {text}", file=sys.stderr)
 
 
-def one_line(error: object) -> str:
-    """An error or warning in one line."""
+def one_line(error: object, options: Collection[str] | None = None) -> str:
+    """An error or warning in one line; options: of the subcommand, None for those of logs among them."""
     if isinstance(error, MemoryError):
         return f"out of memory: {error}" if str(error) else "out of memory"
     if isinstance(error, OSError) and error.strerror:
         text = error.strerror if error.filename is None else f"{error.filename}: {error.strerror}"
     else:
         text = str(error) or type(error).__name__
-    return safe_text(_ARGUMENT.sub(_as_option, " ".join(text.split())))
+    return safe_text(_ARGUMENT.sub(partial(_as_option, options), " ".join(text.split())))
 
 
 # What the library's messages give as an argument in Python is an option of the same name here.
 _ARGUMENT = re.compile(r"LogFormat\((\w+)=('\w+'|\{[^}]*\})\)")
 
 
-def _as_option(found: re.Match[str]) -> str:
+def _as_option(options: Collection[str] | None, found: re.Match[str]) -> str:
     value = found[2].strip("{}").replace("'", "").replace(": ", "=").replace(", ", ",")
-    return f"--{found[1].replace('_', '-')} {value}"
+    option = f"--{found[1].replace('_', '-')}"
+    if options is None or option in options or not option.endswith("-unit"):
+        return f"{option} {value}"
+    return f"{value} in a row of units below the header"
 
 
 def give_up_stdout() -> None:

@@ -128,12 +128,13 @@ def of_currents(robot: Robot) -> Iterator[Doubt]:
     constant = np.where(drive.torque_constant > 0.0, drive.torque_constant, np.nan)
     torque = np.minimum(drive.torque_limit, drive.rated_torque)
     current = np.where(np.isfinite(torque), torque / constant, np.nan)
-    voltage = np.where(np.isfinite(drive.speed_limit), constant * drive.speed_limit, np.nan)
+    speed = np.minimum(drive.speed_limit, np.abs(drive.turns) * robot.speed_limit)
+    voltage = np.where(np.isfinite(speed), constant * speed, np.nan)
     drop = current * drive.resistance
     of_torque = ("torque_constant", constant, "N m/A")
     for unlike, (name, values, unit), given, need in (
         ((current > MOST_CURRENT) | (current < LEAST_CURRENT), of_torque, (torque, "N m"), (current, "A")),
-        (voltage > MOST_VOLTAGE, of_torque, (drive.speed_limit, "rad/s"), (voltage, "V")),
+        (voltage > MOST_VOLTAGE, of_torque, (speed, "rad/s"), (voltage, "V")),
         (drop > MOST_VOLTAGE, ("resistance", drive.resistance, "ohm"), (current, "A"), (drop, "V")),
     ):
         legs = np.flatnonzero(unlike).tolist()

@@ -17,6 +17,7 @@ from whole_track import track
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
+from stewart_sym.cli.terminal import one_line
 from stewart_sym.kinematics.log_doubts import angle_doubt, length_doubt, side_doubt
 from stewart_sym.motion.log_reader import FORCES, PLAIN, read_csv, read_leg_columns
 from stewart_sym.motion.logs import EULER_ORDERS, LENGTH_UNITS, LogFormat
@@ -311,6 +312,14 @@ def test_noise_that_no_force_shows_is_a_line_of_the_summary(
     told = capsys.readouterr()
     assert "noise" not in told.err
     assert re.search(r"noise of [23]\.\de-10 m and", told.out), told.out
+
+
+def test_hints_name_a_row_of_units_where_no_option_has_them() -> None:
+    text = "log.csv: is it another unit (LogFormat(length_unit='mm'))?"
+    assert one_line(text, ["--length-unit"]) == "log.csv: is it another unit (--length-unit mm)?"
+    assert (
+        one_line(text, ["--json"]) == "log.csv: is it another unit (mm in a row of units below the header)?"
+    )
 
 
 def test_hints_name_arguments_in_python_and_options_on_the_command_line(

@@ -20,14 +20,15 @@ _MOST_FALLS = 5.0
 def start_doubts(scene: Scene) -> list[str]:
     """Lines, each with its key, about a scene's start and springs that are no machine's like the robot."""
     robot, state, stated = scene.robot, scene.state, scene.stated
-    start = "state.t" if "state.t" in stated else "legs.path"
-    lengths = {start: leg_lengths(robot, state.R, state.t)}
+    L = leg_lengths(robot, state.R, state.t)
+    # Of a path that is read from a file its reader has warned.
+    lengths = {"state.t": L} if "state.t" in stated else {}
     lengths |= {key: stated[key] for key in ("legs.rest_length",) if key in stated}
-    found = {key: doubt for key, L in lengths.items() if (doubt := metres_doubt(robot, L))}
+    found = {key: doubt for key, each in lengths.items() if (doubt := metres_doubt(robot, each))}
     lines = [f"{key}: {doubt}" for key, doubt in found.items()]
-    side = platform_side(robot)
+    side, start = platform_side(robot), "state.t"
     centre = state.t + state.R @ robot.p.mean(axis=0) - robot.b.mean(axis=0)
-    if start not in found and side.certain and centre @ side.direction < 0.0:
+    if start in stated and start not in found and side.certain and centre @ side.direction < 0.0:
         lines.append(
             f"{start}: the platform starts on the other side of the base than "
             f"{vector_text(side.direction + 0.0)}, {side.rule}: does z point the other way than in the "
@@ -45,7 +46,7 @@ def start_doubts(scene: Scene) -> list[str]:
             lines.append(
                 f"state.theta: {theta[axis]:.4g} rad about {'xyz'[axis]}: in degrees, expected radians?"
             )
-    return lines + _speed_doubts(stated, float(np.median(lengths[start])))
+    return lines + _speed_doubts(stated, float(np.median(L)))
 
 
 def _speed_doubts(stated: Mapping[str, Any], length: float) -> list[str]:
