@@ -204,7 +204,7 @@ def stated_units(stream: BinaryIO, source: str, form: LogFormat) -> dict[str, st
     """Units by kind, as in ``LogFormat``, that the file's row of units states; errors are its reader's."""
     with contextlib.suppress(ValueError), table_as_utf8(stream, source) as text:
         head = _head(text, source, form)
-        return units_of(head, _expected_names(head.names, source, form), source, form.units) or {}
+        return units_of(head, _expected_names(head.names, source, form), source, {}) or {}
     return {}
 
 
