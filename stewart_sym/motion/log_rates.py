@@ -299,7 +299,7 @@ def _derivatives(
         _warn_of_jumps(log, left if level.scale is None else left / level.scale, noise)
     elif tell:
         _warn_of_cutoff(log, values, found)
-    if tell and _matters(noise) and not too_few(log):
+    if tell and noisy.any() and _matters(noise) and not too_few(log):
         more = _CORRELATED.format(level.correlation) if level.correlation > 1.0 else ""
         log.warn(f"{noise_text(noise)}: smoothed{more}", 8)
     return found, noise
