@@ -7,7 +7,10 @@ import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from ...io.extras import needed_for
+from ...robot.robot import Robot
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes as Axes
@@ -22,10 +25,15 @@ LEG_COLORS = (BLUE, RED, "#2e7d4f", "#8e5ea2", "#b8860b", DARK)
 Place = tuple[float, float]
 """Data coordinates (x, y)."""
 
+Z_DOWN = (2, True)
+"""What ``vertical`` returns of a machine whose z axis points down."""
+
 _DECADES = 2.0
 """An axis over fewer decades also has ticks between the powers of ten, and all are plain numbers."""
 _MARGIN = 0.02
 """Share of the figure's width that stays free beside a legend."""
+_ALONG_Z = 0.5
+"""Gravity acts along z if at least this share of it does."""
 
 
 def new_figure(width: float, height: float) -> Figure:
@@ -136,3 +144,11 @@ def log_numbers(axis: Axis) -> None:
     if decades < _DECADES:
         axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
         axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:,.10g}"))
+
+
+def vertical(robot: Robot) -> tuple[int, bool]:
+    """Axis of the base frame that is drawn upright, and whether it points down, as gravity says."""
+    along = np.abs(robot.g)
+    steep = along[2] >= _ALONG_Z * np.linalg.norm(robot.g)
+    axis = 2 if steep else int(np.argmax(along))
+    return axis, bool(robot.g[axis] > 0.0)

@@ -20,10 +20,9 @@ from ...io.array_types import Array
 from ...io.progress import Progress, tracked
 from ...motion.rotation import rotation_from_rpy
 from ...robot.robot import Robot
-from ..common.drawing import DARK, Axes, Figure, as_written, legend_below, new_figure
+from ..common.drawing import DARK, Z_DOWN, Axes, Figure, as_written, legend_below, new_figure, vertical
 from ..common.output import aligned, csv_text
 from ..common.report import SMALL, Picture, Report
-from ..reports.machine_plot import Z_DOWN, vertical
 
 POINTS = 121
 """How many poses a slice has along each axis."""

@@ -10,16 +10,23 @@ from ...io.array_types import Array
 from ...motion.motion import Motion
 from ...robot.offset_chains import chains
 from ...robot.robot import LEGS, Robot
-from ..common.drawing import BLUE, DARK, GREY, RED, Axes, Figure, as_written, name_points, new_figure
+from ..common.drawing import (
+    BLUE,
+    DARK,
+    GREY,
+    RED,
+    Z_DOWN,
+    Axes,
+    Figure,
+    as_written,
+    name_points,
+    new_figure,
+    vertical,
+)
 from ..common.report import SMALL, Picture
-
-Z_DOWN = (2, True)
-"""What ``vertical`` returns of a machine whose z axis points down."""
 
 BASE, PLATFORM, LEG, MARK, OFFSET = DARK, BLUE, GREY, RED, "#2a7f3f"
 
-# Gravity acts along z if at least this share of it does.
-_ALONG_Z = 0.5
 # Length of axes and arrows, and distance within which points are one, shares of the machine's size.
 _AXIS, _SAME = 0.12, 1e-3
 # Distances of numbers and names from the edges of a cube, about points; room for steps on the longest edge.
@@ -48,14 +55,6 @@ def figure(robot: Robot, home: HomePose) -> Figure:
     _from_above(above, robot, tips)
     frame(in_space, robot, np.concatenate(extent))
     return drawn
-
-
-def vertical(robot: Robot) -> tuple[int, bool]:
-    """Axis of the base frame that is drawn upright, and whether it points down, as gravity says."""
-    along = np.abs(robot.g)
-    steep = along[2] >= _ALONG_Z * np.linalg.norm(robot.g)
-    axis = 2 if steep else int(np.argmax(along))
-    return axis, bool(robot.g[axis] > 0.0)
 
 
 def draw_legs(axes: Any, robot: Robot, tips: Array) -> list[Array]:
