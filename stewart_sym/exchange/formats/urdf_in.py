@@ -52,10 +52,9 @@ def model(root: ET.Element, loops: str | None) -> Model:
 
 def _apart_from_world(root: ET.Element) -> dict[str, str]:
     """Give a link that is carried but called as the world is another name; the new name by the old."""
-    ends = [
-        end for joint in root.findall("joint") for end in (*joint.findall("parent"), *joint.findall("child"))
-    ]
-    if WORLD not in (end.get("link") for end in ends if end.tag == "child"):
+    children = root.findall("joint/child")
+    ends = [*root.findall("joint/parent"), *children]
+    if WORLD not in (child.get("link") for child in children):
         return {}
     links, name = root.findall("link"), f"link {WORLD}"
     while name in (link.get("name") for link in links):
