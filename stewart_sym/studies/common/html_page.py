@@ -112,7 +112,7 @@ def _rows_of(caption: str, text: str) -> str:
 def _number(text: str) -> float | str:
     with contextlib.suppress(ValueError):
         number = float(text)
-        return number if math.isfinite(number) else text
+        return text if math.isnan(number) else number
     return text
 
 
@@ -145,7 +145,7 @@ def _cell(value: object) -> str:
     if isinstance(value, bool) or value is None:
         return f"<td>{'' if value is None else 'yes' if value else 'no'}</td>"
     if isinstance(value, int | float):
-        return f'<td data-value="{value!r}">{value:.6g}</td>'
+        return f'<td data-value="{str(value).replace("inf", "Infinity")}">{value:.6g}</td>'
     if isinstance(value, list) and all(isinstance(each, int | float) for each in value):
         if len(value) > _MOST_NUMBERS:
             return f"<td>{len(value)} numbers, {min(value):.4g} to {max(value):.4g}</td>"
