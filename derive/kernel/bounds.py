@@ -29,7 +29,7 @@ from .shared import legs_with_errors, shared
 from .tree import nodes as t
 from .tree.constants import SMALLEST
 from .tree.lower import expression
-from .tree.read import Given
+from .tree.read import LANES, Given
 from .written import batch
 from .written import bounds as written
 
@@ -92,18 +92,15 @@ class BoundedForces:
             p.PER_LENGTH,
             p.ARM_CUBE,
         )
-        added, slopes = (
-            [stored(part) for q in held for part in (q, err.error_of(q))]
-            for held in (ADDED, _LEGS_SLOPES.values())
-        )
+        added = [stored(part) for q in ADDED for part in (q, err.error_of(q))]
+        slopes = [stored(part, LANES) for q in _LEGS_SLOPES.values() for part in (q, err.error_of(q))]
         shared = err.with_errors(self.shared, kernel.shared.made)
         decides = [t.numbers("D"), *map(stored, CHECKED[1:])]
         decides += [t.numbers("reach"), t.numbers("arm", 3)]
         matrices = [t.numbers(each, 6, 6) for each in ("H", "H_err")] + [t.numbers("arm", 6, 3)]
         vectors = [t.numbers(each, 6) for each in ("c", "c_err", "c_own", "L", "reach")]
         flags = [t.Field("near", t.Integer()), t.Field("close", t.Integer())]
-        row = tuple(map(stored, (_Y_FORCE, _Y_MOMENT, _Y_ARM, _D_WEIGHT, n.x)))
-        of_six = "The same of six forces."
+        rows = [stored(q, LANES) for q in _ROW]
         says = "Constants of one leg; `_err`: bound of the error of what has this name."
         made = {
             "Leg": (f"{name}_leg", says, leg),
@@ -122,19 +119,19 @@ class BoundedForces:
                 "round away; near, close: whether a leg is near its joint singularity, or short.",
                 [*matrices, *vectors, *flags],
             ),
-            "ForceRow": (
-                "force_row",
-                "How a force hangs on D, on c and on the column of H of one leg: D_weight D - Y (c - H x); "
-                "Y_arm: Y_moment, but 0 for leg 1, whose force has no moment about platform point 1.",
-                row,
+            "Rows": (
+                "force_rows",
+                "How each force, in a lane, hangs on D, on c and on the column of H of one leg: D_weight D - "
+                "Y (c - H x); Y_arm: Y_moment, but 0 for leg 1, whose force has no moment about platform "
+                "point 1.",
+                rows,
             ),
-            "Rows": ("force_rows", of_six, [err.records_of("force_row", "force")]),
-            "SlopesOfLegs": (
-                "slopes_of_legs",
-                "Slope of a force along what the pose has for all legs, as far as it goes through the legs.",
+            "Slopes": (
+                "force_slopes",
+                "Slope of each force, in a lane, along what the pose has for all legs, as far as it goes "
+                "through the legs.",
                 slopes,
             ),
-            "Slopes": ("force_slopes", of_six, [err.records_of("slopes_of_legs", "force")]),
         }
         return {key: t.Structure(own, meaning, tuple(parts)) for key, (own, meaning, parts) in made.items()}
 
@@ -173,11 +170,9 @@ class BoundedForces:
         yield read(written.equations_of_pose, given=legs_with_errors("out", "leg"))
         yield read(written.pose_status)
         yield read(written.solution)
-        held = [part for q in _LEGS_SLOPES.values() for part in (q, err.error_of(q))]
-        zeros = tuple(
-            t.Assign(member(_OF_LEGS, q).part(q, i), t.Number(0.0)) for q in held for i in range(len(q.keys))
-        )
-        yield read(written.bound_of_pose, given={"CLEARED": zeros})
+        held = [*_ROW, *(part for q in _LEGS_SLOPES.values() for part in (q, err.error_of(q)))]
+        zeros = (t.Assign(_of_force(q).part(q, i), t.Number(0.0)) for q in held for i in range(len(q.keys)))
+        yield read(written.bound_of_pose, given={"CLEARED": tuple(zeros)})
         yield read(written.forces_of_pose)
         name = self.structures["Model"].name.removesuffix("_bounds_model")
         needed = [q for q in n.MOTION if q not in LOADS]
@@ -237,13 +232,12 @@ class BoundedForces:
             n.H_force: x * force,
             n.H_moment: x * by_arm,
         }
-        given = (_Y_FORCE, _Y_MOMENT, _Y_ARM, _D_WEIGHT, n.x)
-        found = adjoint(leg.block, weights, given, _inexact_inputs(leg))
+        found = adjoint(leg.block, weights, _ROW, _inexact_inputs(leg))
         outside = {name: found.slopes[name] for q in _LEGS_SLOPES for name in q.names}
         handed = []
         for q, to in _LEGS_SLOPES.items():
             for j, name in enumerate(q.names):
-                sums, slope = err.value_and_error(_OF_LEGS, to, j), outside[name]
+                sums, slope = err.value_and_error("slopes", to, j, _FORCE), outside[name]
                 handed.append(t.Do(t.Call("add", (*sums, expression(slope), _error_name(slope)))))
         return self._weighed(leg, found, {}, outside, handed)
 
@@ -257,7 +251,7 @@ class BoundedForces:
         slopes = {name: found.slopes[name] for name in n.R.names}
         handed = []
         for j, slope in enumerate(slopes.values()):
-            value, error = err.value_and_error(_OF_LEGS, _LEGS_SLOPES[n.R], j)
+            value, error = err.value_and_error("slopes", _LEGS_SLOPES[n.R], j, _FORCE)
             handed += [t.Assign(value, expression(slope)), t.Assign(error, _error_name(slope))]
         errors = component_errors(_LEGS_SLOPES.values())
         return self._weighed(self.shared, found, errors, slopes, handed)
@@ -281,7 +275,7 @@ class BoundedForces:
         inner = replace(slopes, limits=slopes.limits | {_only_name(slope) for slope in weighed.values()})
         whole = replace(block, limits=block.limits | inner.limits)
         terms = (t.Name(f"{_only_name(weighed[name])}_max") * own for name, own in sources.items())
-        error: t.Expression = t.Element(t.Name("error"), (t.Name("i"),))
+        error: t.Expression = t.Element(t.Name("error"), (_FORCE,))
         ready = {q.name for q in block.block.inputs} | {step.name for step in block.block.steps}
         return {
             "BODY": (
@@ -304,12 +298,14 @@ _Y_ARM = Quantity("Y_arm", (3,), "1/m", "the same; 0 for leg 1, whose arm is exa
 _D_WEIGHT = Quantity("D_weight", (), "1", "1 for the leg's own force, 0 for the others")
 _LEGS_SLOPES = {q: Quantity(f"{q.name}_legs", q.shape, "", "slope by the legs") for q in (n.R, B, q_1)}
 """What the legs add to the slope of a force along what the pose has for all of them."""
-_OF_ROW, _OF_LEGS = (t.at(t.of(each, "force"), "i") for each in ("rows", "slopes"))
+_ROW = (_Y_FORCE, _Y_MOMENT, _Y_ARM, _D_WEIGHT, n.x)
+_FORCE = t.Name("i")
+"""The lane of a force."""
 
 
 def _of_force(quantity: Quantity) -> Place:
     """Where a row of Y and the legs' slopes are."""
-    return member(_OF_LEGS if quantity in _LEGS_SLOPES.values() else _OF_ROW, quantity)
+    return member("rows" if quantity in _ROW else "slopes", quantity, _FORCE)
 
 
 def _inexact_inputs(block: RoundedBlock) -> list[str]:

@@ -54,11 +54,11 @@ def error_of(quantity: Quantity) -> Quantity:
 
 
 def value_and_error(
-    owner: str | t.Expression, quantity: Quantity, index: int
+    owner: str | t.Expression, quantity: Quantity, index: int, *lane: t.Expression
 ) -> tuple[t.Expression, t.Expression]:
     """One component and its error."""
-    error = error_of(quantity)
-    return member(owner, quantity).part(quantity, index), member(owner, error).part(error, index)
+    value, error = (member(owner, q, *lane).part(q, index) for q in (quantity, error_of(quantity)))
+    return value, error
 
 
 def texts_of_sums() -> dict[str, Given]:
@@ -85,7 +85,7 @@ def loaded(
         found += [t.Let(name, place.part(q, i)) for i, name in read]
         wrong = [(i, name) for i, name in read if block.errors[name] == error_symbol(name)]
         owner = place.array.owner if isinstance(place.array, t.Member) else place.array
-        found += [t.Let(f"{name}_err", value_and_error(owner, q, i)[1]) for i, name in wrong]
+        found += [t.Let(f"{name}_err", value_and_error(owner, q, i, *place.lane)[1]) for i, name in wrong]
         limits += [_limit(block, name) for name in q.names if name in block.limits]
     return (*found, *limits)
 

@@ -85,34 +85,25 @@ typedef struct {
     int close;
 } platform_equations;
 
-/* How a force hangs on D, on c and on the column of H of one leg: D_weight D - Y (c - H x); Y_arm:
- * Y_moment, but 0 for leg 1, whose force has no moment about platform point 1. */
+/* How each force, in a lane, hangs on D, on c and on the column of H of one leg: D_weight D - Y (c - H
+ * x); Y_arm: Y_moment, but 0 for leg 1, whose force has no moment about platform point 1. */
 typedef struct {
-    stewart_real Y_force[3];
-    stewart_real Y_moment[3];
-    stewart_real Y_arm[3];
-    stewart_real D_weight;
-    stewart_real x;
-} force_row;
-
-/* The same of six forces. */
-typedef struct {
-    force_row force[6];
+    stewart_real Y_force[3][LANES];
+    stewart_real Y_moment[3][LANES];
+    stewart_real Y_arm[3][LANES];
+    stewart_real D_weight[LANES];
+    stewart_real x[LANES];
 } force_rows;
 
-/* Slope of a force along what the pose has for all legs, as far as it goes through the legs. */
+/* Slope of each force, in a lane, along what the pose has for all legs, as far as it goes through the
+ * legs. */
 typedef struct {
-    stewart_real R_legs[9];
-    stewart_real R_legs_err[9];
-    stewart_real B_legs[9];
-    stewart_real B_legs_err[9];
-    stewart_real q_1_legs[3];
-    stewart_real q_1_legs_err[3];
-} slopes_of_legs;
-
-/* The same of six forces. */
-typedef struct {
-    slopes_of_legs force[6];
+    stewart_real R_legs[9][LANES];
+    stewart_real R_legs_err[9][LANES];
+    stewart_real B_legs[9][LANES];
+    stewart_real B_legs_err[9][LANES];
+    stewart_real q_1_legs[3][LANES];
+    stewart_real q_1_legs_err[3][LANES];
 } force_slopes;
 
 /* A lower limit of the size of what `value` stands for; 0, and so no bound, where half of it may be
@@ -1263,7 +1254,8 @@ static void leg_of_pose_near_singularity(
  * + ...) with E = R^T R - 1, which is symmetric, so that of the force's slopes along R only the
  * symmetric part of R^T times them counts; turning R as a whole is no error. */
 static stewart_real stretch_error(
-    const stewart_real R[9], const stewart_real stretch[9], stewart_real R_err, const slopes_of_legs *of)
+    const stewart_real R[9], const stewart_real stretch[9], stewart_real R_err, const force_slopes *of,
+    int force)
 {
     int i, j, k;
     stewart_real total = REAL(0);
@@ -1273,15 +1265,15 @@ static stewart_real stretch_error(
             stewart_real sum = REAL(0);
             stewart_real doubt = REAL(0);
             for (k = 0; k < 9; k += 3) {
-                const stewart_real one = R[k + i]*of->R_legs[k + j];
-                const stewart_real other = R[k + j]*of->R_legs[k + i];
+                const stewart_real one = R[k + i]*of->R_legs[k + j][force];
+                const stewart_real other = R[k + j]*of->R_legs[k + i][force];
                 sum = sum + (one + other);
                 doubt = doubt + REAL(5)*STEWART_UNIT*(STEWART_FABS(one) + STEWART_FABS(other));
-                doubt = doubt + STEWART_FABS(R[k + i])*of->R_legs_err[k + j];
-                doubt = doubt + STEWART_FABS(R[k + j])*of->R_legs_err[k + i];
+                doubt = doubt + STEWART_FABS(R[k + i])*of->R_legs_err[k + j][force];
+                doubt = doubt + STEWART_FABS(R[k + j])*of->R_legs_err[k + i][force];
             }
             total = total + stretch[3*i + j]*(STEWART_FABS(sum) + doubt)/REAL(4);
-            slopes = slopes + STEWART_FABS(of->R_legs[3*i + j]) + of->R_legs_err[3*i + j];
+            slopes = slopes + STEWART_FABS(of->R_legs[3*i + j][force]) + of->R_legs_err[3*i + j][force];
         }
     }
     return total + REAL(2)*R_err*R_err*slopes;
@@ -1404,7 +1396,8 @@ static stewart_real reciprocal_condition(
  * along it, at its largest; and adds to the slopes along R. */
 static void shared_errors(
     const stewart_exact_bounds_platform *platform, const stewart_motions *at, stewart_real R_err,
-    const force_rows *rows, int weighed, force_slopes *slopes, stewart_real error[6], shared_terms *out)
+    const force_rows *STEWART_RESTRICT rows, int weighed, force_slopes *STEWART_RESTRICT slopes,
+    stewart_real *STEWART_RESTRICT error, shared_terms *out)
 {
     int i;
     const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3], R_yy = at->R[4],
@@ -1770,33 +1763,30 @@ static void shared_errors(
     out->q_1[2] = q_1_z;
     out->q_1_err[2] = q_1_z_err;
     if (weighed != 0) {
-        for (i = 0; i < 6; ++i) {
-            const stewart_real Y_force_x = rows->force[i].Y_force[0], Y_force_y = rows->force[i].Y_force[1],
-                Y_force_z = rows->force[i].Y_force[2];
-            const stewart_real Y_moment_x = rows->force[i].Y_moment[0], Y_moment_y = rows->force[i].Y_moment[1],
-                Y_moment_z = rows->force[i].Y_moment[2];
-            const stewart_real R_legs_xx = slopes->force[i].R_legs[0], R_legs_xy = slopes->force[i].R_legs[1],
-                R_legs_xz = slopes->force[i].R_legs[2], R_legs_yx = slopes->force[i].R_legs[3], R_legs_yy = slopes->force[i].R_legs[4],
-                R_legs_yz = slopes->force[i].R_legs[5], R_legs_zx = slopes->force[i].R_legs[6], R_legs_zy = slopes->force[i].R_legs[7],
-                R_legs_zz = slopes->force[i].R_legs[8];
-            const stewart_real R_legs_xx_err = slopes->force[i].R_legs_err[0], R_legs_xy_err = slopes->force[i].R_legs_err[1],
-                R_legs_xz_err = slopes->force[i].R_legs_err[2], R_legs_yx_err = slopes->force[i].R_legs_err[3],
-                R_legs_yy_err = slopes->force[i].R_legs_err[4], R_legs_yz_err = slopes->force[i].R_legs_err[5],
-                R_legs_zx_err = slopes->force[i].R_legs_err[6], R_legs_zy_err = slopes->force[i].R_legs_err[7],
-                R_legs_zz_err = slopes->force[i].R_legs_err[8];
-            const stewart_real B_legs_xx = slopes->force[i].B_legs[0], B_legs_xy = slopes->force[i].B_legs[1],
-                B_legs_xz = slopes->force[i].B_legs[2], B_legs_yx = slopes->force[i].B_legs[3], B_legs_yy = slopes->force[i].B_legs[4],
-                B_legs_yz = slopes->force[i].B_legs[5], B_legs_zx = slopes->force[i].B_legs[6], B_legs_zy = slopes->force[i].B_legs[7],
-                B_legs_zz = slopes->force[i].B_legs[8];
-            const stewart_real B_legs_xx_err = slopes->force[i].B_legs_err[0], B_legs_xy_err = slopes->force[i].B_legs_err[1],
-                B_legs_xz_err = slopes->force[i].B_legs_err[2], B_legs_yx_err = slopes->force[i].B_legs_err[3],
-                B_legs_yy_err = slopes->force[i].B_legs_err[4], B_legs_yz_err = slopes->force[i].B_legs_err[5],
-                B_legs_zx_err = slopes->force[i].B_legs_err[6], B_legs_zy_err = slopes->force[i].B_legs_err[7],
-                B_legs_zz_err = slopes->force[i].B_legs_err[8];
-            const stewart_real q_1_legs_x = slopes->force[i].q_1_legs[0], q_1_legs_y = slopes->force[i].q_1_legs[1],
-                q_1_legs_z = slopes->force[i].q_1_legs[2];
-            const stewart_real q_1_legs_x_err = slopes->force[i].q_1_legs_err[0], q_1_legs_y_err = slopes->force[i].q_1_legs_err[1],
-                q_1_legs_z_err = slopes->force[i].q_1_legs_err[2];
+        for (i = 0; i < LANES; ++i) {
+            const stewart_real Y_force_x = rows->Y_force[0][i], Y_force_y = rows->Y_force[1][i], Y_force_z = rows->Y_force[2][i];
+            const stewart_real Y_moment_x = rows->Y_moment[0][i], Y_moment_y = rows->Y_moment[1][i],
+                Y_moment_z = rows->Y_moment[2][i];
+            const stewart_real R_legs_xx = slopes->R_legs[0][i], R_legs_xy = slopes->R_legs[1][i], R_legs_xz = slopes->R_legs[2][i],
+                R_legs_yx = slopes->R_legs[3][i], R_legs_yy = slopes->R_legs[4][i], R_legs_yz = slopes->R_legs[5][i],
+                R_legs_zx = slopes->R_legs[6][i], R_legs_zy = slopes->R_legs[7][i], R_legs_zz = slopes->R_legs[8][i];
+            const stewart_real R_legs_xx_err = slopes->R_legs_err[0][i], R_legs_xy_err = slopes->R_legs_err[1][i],
+                R_legs_xz_err = slopes->R_legs_err[2][i], R_legs_yx_err = slopes->R_legs_err[3][i],
+                R_legs_yy_err = slopes->R_legs_err[4][i], R_legs_yz_err = slopes->R_legs_err[5][i],
+                R_legs_zx_err = slopes->R_legs_err[6][i], R_legs_zy_err = slopes->R_legs_err[7][i],
+                R_legs_zz_err = slopes->R_legs_err[8][i];
+            const stewart_real B_legs_xx = slopes->B_legs[0][i], B_legs_xy = slopes->B_legs[1][i], B_legs_xz = slopes->B_legs[2][i],
+                B_legs_yx = slopes->B_legs[3][i], B_legs_yy = slopes->B_legs[4][i], B_legs_yz = slopes->B_legs[5][i],
+                B_legs_zx = slopes->B_legs[6][i], B_legs_zy = slopes->B_legs[7][i], B_legs_zz = slopes->B_legs[8][i];
+            const stewart_real B_legs_xx_err = slopes->B_legs_err[0][i], B_legs_xy_err = slopes->B_legs_err[1][i],
+                B_legs_xz_err = slopes->B_legs_err[2][i], B_legs_yx_err = slopes->B_legs_err[3][i],
+                B_legs_yy_err = slopes->B_legs_err[4][i], B_legs_yz_err = slopes->B_legs_err[5][i],
+                B_legs_zx_err = slopes->B_legs_err[6][i], B_legs_zy_err = slopes->B_legs_err[7][i],
+                B_legs_zz_err = slopes->B_legs_err[8][i];
+            const stewart_real q_1_legs_x = slopes->q_1_legs[0][i], q_1_legs_y = slopes->q_1_legs[1][i],
+                q_1_legs_z = slopes->q_1_legs[2][i];
+            const stewart_real q_1_legs_x_err = slopes->q_1_legs_err[0][i], q_1_legs_y_err = slopes->q_1_legs_err[1][i],
+                q_1_legs_z_err = slopes->q_1_legs_err[2][i];
             const stewart_real Y_force_x_max = STEWART_FABS(Y_force_x);
             const stewart_real Y_force_y_max = STEWART_FABS(Y_force_y);
             const stewart_real Y_force_z_max = STEWART_FABS(Y_force_z);
@@ -2190,24 +2180,24 @@ static void shared_errors(
                 + c_force_z_bar_max*c_force_z_own + Y_moment_x_max*c_moment_x_own + Y_moment_y_max*c_moment_y_own
                 + Y_moment_z_max*c_moment_z_own + q_1_x_bar_max*q_1_x_own + q_1_y_bar_max*q_1_y_own + q_1_z_bar_max*q_1_z_own
                 + Y_moment_x_max*c_tip_x_own + Y_moment_y_max*c_tip_y_own + Y_moment_z_max*c_tip_z_own;
-            slopes->force[i].R_legs[0] = R_xx_bar;
-            slopes->force[i].R_legs_err[0] = R_xx_bar_err;
-            slopes->force[i].R_legs[1] = R_xy_bar;
-            slopes->force[i].R_legs_err[1] = R_xy_bar_err;
-            slopes->force[i].R_legs[2] = R_xz_bar;
-            slopes->force[i].R_legs_err[2] = R_xz_bar_err;
-            slopes->force[i].R_legs[3] = R_yx_bar;
-            slopes->force[i].R_legs_err[3] = R_yx_bar_err;
-            slopes->force[i].R_legs[4] = R_yy_bar;
-            slopes->force[i].R_legs_err[4] = R_yy_bar_err;
-            slopes->force[i].R_legs[5] = R_yz_bar;
-            slopes->force[i].R_legs_err[5] = R_yz_bar_err;
-            slopes->force[i].R_legs[6] = R_zx_bar;
-            slopes->force[i].R_legs_err[6] = R_zx_bar_err;
-            slopes->force[i].R_legs[7] = R_zy_bar;
-            slopes->force[i].R_legs_err[7] = R_zy_bar_err;
-            slopes->force[i].R_legs[8] = R_zz_bar;
-            slopes->force[i].R_legs_err[8] = R_zz_bar_err;
+            slopes->R_legs[0][i] = R_xx_bar;
+            slopes->R_legs_err[0][i] = R_xx_bar_err;
+            slopes->R_legs[1][i] = R_xy_bar;
+            slopes->R_legs_err[1][i] = R_xy_bar_err;
+            slopes->R_legs[2][i] = R_xz_bar;
+            slopes->R_legs_err[2][i] = R_xz_bar_err;
+            slopes->R_legs[3][i] = R_yx_bar;
+            slopes->R_legs_err[3][i] = R_yx_bar_err;
+            slopes->R_legs[4][i] = R_yy_bar;
+            slopes->R_legs_err[4][i] = R_yy_bar_err;
+            slopes->R_legs[5][i] = R_yz_bar;
+            slopes->R_legs_err[5][i] = R_yz_bar_err;
+            slopes->R_legs[6][i] = R_zx_bar;
+            slopes->R_legs_err[6][i] = R_zx_bar_err;
+            slopes->R_legs[7][i] = R_zy_bar;
+            slopes->R_legs_err[7][i] = R_zy_bar_err;
+            slopes->R_legs[8][i] = R_zz_bar;
+            slopes->R_legs_err[8][i] = R_zz_bar_err;
         }
     }
 }
@@ -2216,8 +2206,9 @@ static void shared_errors(
  * what the pose has for all legs. */
 static void leg_errors(
     const stewart_exact_bounds_platform *platform, const stewart_exact_bounds_leg *leg,
-    const stewart_motions *at, const shared_terms *shared, stewart_real R_err, const force_rows *rows,
-    force_slopes *slopes, stewart_real error[6], leg_terms *out)
+    const stewart_motions *at, const shared_terms *shared, stewart_real R_err,
+    const force_rows *STEWART_RESTRICT rows, force_slopes *STEWART_RESTRICT slopes,
+    stewart_real *STEWART_RESTRICT error, leg_terms *out)
 {
     int i;
     const stewart_real b_x = leg->b[0], b_y = leg->b[1], b_z = leg->b[2];
@@ -2795,14 +2786,12 @@ static void leg_errors(
     out->arm_c_err[1] = arm_c_y_err;
     out->arm_c[2] = arm_c_z;
     out->arm_c_err[2] = arm_c_z_err;
-    for (i = 0; i < 6; ++i) {
-        const stewart_real Y_force_x = rows->force[i].Y_force[0], Y_force_y = rows->force[i].Y_force[1],
-            Y_force_z = rows->force[i].Y_force[2];
-        const stewart_real Y_moment_x = rows->force[i].Y_moment[0], Y_moment_y = rows->force[i].Y_moment[1],
-            Y_moment_z = rows->force[i].Y_moment[2];
-        const stewart_real Y_arm_x = rows->force[i].Y_arm[0], Y_arm_y = rows->force[i].Y_arm[1], Y_arm_z = rows->force[i].Y_arm[2];
-        const stewart_real D_weight = rows->force[i].D_weight;
-        const stewart_real x = rows->force[i].x;
+    for (i = 0; i < LANES; ++i) {
+        const stewart_real Y_force_x = rows->Y_force[0][i], Y_force_y = rows->Y_force[1][i], Y_force_z = rows->Y_force[2][i];
+        const stewart_real Y_moment_x = rows->Y_moment[0][i], Y_moment_y = rows->Y_moment[1][i], Y_moment_z = rows->Y_moment[2][i];
+        const stewart_real Y_arm_x = rows->Y_arm[0][i], Y_arm_y = rows->Y_arm[1][i], Y_arm_z = rows->Y_arm[2][i];
+        const stewart_real D_weight = rows->D_weight[i];
+        const stewart_real x = rows->x[i];
         const stewart_real Y_force_x_max = STEWART_FABS(Y_force_x);
         const stewart_real Y_force_y_max = STEWART_FABS(Y_force_y);
         const stewart_real Y_force_z_max = STEWART_FABS(Y_force_z);
@@ -3440,27 +3429,27 @@ static void leg_errors(
             + Y_moment_x_max*c_moment_x_own + Y_moment_y_max*c_moment_y_own + Y_moment_z_max*c_moment_z_own
             + H_moment_x_weight_max*H_moment_x_own + H_moment_y_weight_max*H_moment_y_own + H_moment_z_weight_max*H_moment_z_own
             + Y_arm_x_max*arm_c_x_own + Y_arm_y_max*arm_c_y_own + Y_arm_z_max*arm_c_z_own;
-        add(&slopes->force[i].R_legs[0], &slopes->force[i].R_legs_err[0], R_xx_bar, R_xx_bar_err);
-        add(&slopes->force[i].R_legs[1], &slopes->force[i].R_legs_err[1], R_xy_bar, R_xy_bar_err);
-        add(&slopes->force[i].R_legs[2], &slopes->force[i].R_legs_err[2], R_xz_bar, R_xz_bar_err);
-        add(&slopes->force[i].R_legs[3], &slopes->force[i].R_legs_err[3], R_yx_bar, R_yx_bar_err);
-        add(&slopes->force[i].R_legs[4], &slopes->force[i].R_legs_err[4], R_yy_bar, R_yy_bar_err);
-        add(&slopes->force[i].R_legs[5], &slopes->force[i].R_legs_err[5], R_yz_bar, R_yz_bar_err);
-        add(&slopes->force[i].R_legs[6], &slopes->force[i].R_legs_err[6], R_zx_bar, R_zx_bar_err);
-        add(&slopes->force[i].R_legs[7], &slopes->force[i].R_legs_err[7], R_zy_bar, R_zy_bar_err);
-        add(&slopes->force[i].R_legs[8], &slopes->force[i].R_legs_err[8], R_zz_bar, R_zz_bar_err);
-        add(&slopes->force[i].B_legs[0], &slopes->force[i].B_legs_err[0], B_xx_bar, B_xx_bar_err);
-        add(&slopes->force[i].B_legs[1], &slopes->force[i].B_legs_err[1], B_xy_bar, B_xy_bar_err);
-        add(&slopes->force[i].B_legs[2], &slopes->force[i].B_legs_err[2], B_xz_bar, B_xz_bar_err);
-        add(&slopes->force[i].B_legs[3], &slopes->force[i].B_legs_err[3], B_yx_bar, B_yx_bar_err);
-        add(&slopes->force[i].B_legs[4], &slopes->force[i].B_legs_err[4], B_yy_bar, B_yy_bar_err);
-        add(&slopes->force[i].B_legs[5], &slopes->force[i].B_legs_err[5], B_yz_bar, B_yz_bar_err);
-        add(&slopes->force[i].B_legs[6], &slopes->force[i].B_legs_err[6], B_zx_bar, B_zx_bar_err);
-        add(&slopes->force[i].B_legs[7], &slopes->force[i].B_legs_err[7], B_zy_bar, B_zy_bar_err);
-        add(&slopes->force[i].B_legs[8], &slopes->force[i].B_legs_err[8], B_zz_bar, B_zz_bar_err);
-        add(&slopes->force[i].q_1_legs[0], &slopes->force[i].q_1_legs_err[0], -arm_x_bar, arm_x_bar_err);
-        add(&slopes->force[i].q_1_legs[1], &slopes->force[i].q_1_legs_err[1], -arm_y_bar, arm_y_bar_err);
-        add(&slopes->force[i].q_1_legs[2], &slopes->force[i].q_1_legs_err[2], -arm_z_bar, arm_z_bar_err);
+        add(&slopes->R_legs[0][i], &slopes->R_legs_err[0][i], R_xx_bar, R_xx_bar_err);
+        add(&slopes->R_legs[1][i], &slopes->R_legs_err[1][i], R_xy_bar, R_xy_bar_err);
+        add(&slopes->R_legs[2][i], &slopes->R_legs_err[2][i], R_xz_bar, R_xz_bar_err);
+        add(&slopes->R_legs[3][i], &slopes->R_legs_err[3][i], R_yx_bar, R_yx_bar_err);
+        add(&slopes->R_legs[4][i], &slopes->R_legs_err[4][i], R_yy_bar, R_yy_bar_err);
+        add(&slopes->R_legs[5][i], &slopes->R_legs_err[5][i], R_yz_bar, R_yz_bar_err);
+        add(&slopes->R_legs[6][i], &slopes->R_legs_err[6][i], R_zx_bar, R_zx_bar_err);
+        add(&slopes->R_legs[7][i], &slopes->R_legs_err[7][i], R_zy_bar, R_zy_bar_err);
+        add(&slopes->R_legs[8][i], &slopes->R_legs_err[8][i], R_zz_bar, R_zz_bar_err);
+        add(&slopes->B_legs[0][i], &slopes->B_legs_err[0][i], B_xx_bar, B_xx_bar_err);
+        add(&slopes->B_legs[1][i], &slopes->B_legs_err[1][i], B_xy_bar, B_xy_bar_err);
+        add(&slopes->B_legs[2][i], &slopes->B_legs_err[2][i], B_xz_bar, B_xz_bar_err);
+        add(&slopes->B_legs[3][i], &slopes->B_legs_err[3][i], B_yx_bar, B_yx_bar_err);
+        add(&slopes->B_legs[4][i], &slopes->B_legs_err[4][i], B_yy_bar, B_yy_bar_err);
+        add(&slopes->B_legs[5][i], &slopes->B_legs_err[5][i], B_yz_bar, B_yz_bar_err);
+        add(&slopes->B_legs[6][i], &slopes->B_legs_err[6][i], B_zx_bar, B_zx_bar_err);
+        add(&slopes->B_legs[7][i], &slopes->B_legs_err[7][i], B_zy_bar, B_zy_bar_err);
+        add(&slopes->B_legs[8][i], &slopes->B_legs_err[8][i], B_zz_bar, B_zz_bar_err);
+        add(&slopes->q_1_legs[0][i], &slopes->q_1_legs_err[0][i], -arm_x_bar, arm_x_bar_err);
+        add(&slopes->q_1_legs[1][i], &slopes->q_1_legs_err[1][i], -arm_y_bar, arm_y_bar_err);
+        add(&slopes->q_1_legs[2][i], &slopes->q_1_legs_err[2][i], -arm_z_bar, arm_z_bar_err);
     }
 }
 
@@ -3468,8 +3457,9 @@ static void leg_errors(
  * what the pose has for all legs. */
 static void leg_errors_near_singularity(
     const stewart_exact_bounds_platform *platform, const stewart_exact_bounds_leg *leg,
-    const stewart_motions *at, const shared_terms *shared, stewart_real R_err, const force_rows *rows,
-    force_slopes *slopes, stewart_real error[6], leg_terms *out)
+    const stewart_motions *at, const shared_terms *shared, stewart_real R_err,
+    const force_rows *STEWART_RESTRICT rows, force_slopes *STEWART_RESTRICT slopes,
+    stewart_real *STEWART_RESTRICT error, leg_terms *out)
 {
     int i;
     const stewart_real b_x = leg->b[0], b_y = leg->b[1], b_z = leg->b[2];
@@ -4099,14 +4089,12 @@ static void leg_errors_near_singularity(
     out->arm_c_err[1] = arm_c_y_err;
     out->arm_c[2] = arm_c_z;
     out->arm_c_err[2] = arm_c_z_err;
-    for (i = 0; i < 6; ++i) {
-        const stewart_real Y_force_x = rows->force[i].Y_force[0], Y_force_y = rows->force[i].Y_force[1],
-            Y_force_z = rows->force[i].Y_force[2];
-        const stewart_real Y_moment_x = rows->force[i].Y_moment[0], Y_moment_y = rows->force[i].Y_moment[1],
-            Y_moment_z = rows->force[i].Y_moment[2];
-        const stewart_real Y_arm_x = rows->force[i].Y_arm[0], Y_arm_y = rows->force[i].Y_arm[1], Y_arm_z = rows->force[i].Y_arm[2];
-        const stewart_real D_weight = rows->force[i].D_weight;
-        const stewart_real x = rows->force[i].x;
+    for (i = 0; i < LANES; ++i) {
+        const stewart_real Y_force_x = rows->Y_force[0][i], Y_force_y = rows->Y_force[1][i], Y_force_z = rows->Y_force[2][i];
+        const stewart_real Y_moment_x = rows->Y_moment[0][i], Y_moment_y = rows->Y_moment[1][i], Y_moment_z = rows->Y_moment[2][i];
+        const stewart_real Y_arm_x = rows->Y_arm[0][i], Y_arm_y = rows->Y_arm[1][i], Y_arm_z = rows->Y_arm[2][i];
+        const stewart_real D_weight = rows->D_weight[i];
+        const stewart_real x = rows->x[i];
         const stewart_real Y_force_x_max = STEWART_FABS(Y_force_x);
         const stewart_real Y_force_y_max = STEWART_FABS(Y_force_y);
         const stewart_real Y_force_z_max = STEWART_FABS(Y_force_z);
@@ -4826,27 +4814,27 @@ static void leg_errors_near_singularity(
             + Y_moment_x_max*c_moment_x_own + Y_moment_y_max*c_moment_y_own + Y_moment_z_max*c_moment_z_own
             + H_moment_x_weight_max*H_moment_x_own + H_moment_y_weight_max*H_moment_y_own + H_moment_z_weight_max*H_moment_z_own
             + Y_arm_x_max*arm_c_x_own + Y_arm_y_max*arm_c_y_own + Y_arm_z_max*arm_c_z_own;
-        add(&slopes->force[i].R_legs[0], &slopes->force[i].R_legs_err[0], R_xx_bar, R_xx_bar_err);
-        add(&slopes->force[i].R_legs[1], &slopes->force[i].R_legs_err[1], R_xy_bar, R_xy_bar_err);
-        add(&slopes->force[i].R_legs[2], &slopes->force[i].R_legs_err[2], R_xz_bar, R_xz_bar_err);
-        add(&slopes->force[i].R_legs[3], &slopes->force[i].R_legs_err[3], R_yx_bar, R_yx_bar_err);
-        add(&slopes->force[i].R_legs[4], &slopes->force[i].R_legs_err[4], R_yy_bar, R_yy_bar_err);
-        add(&slopes->force[i].R_legs[5], &slopes->force[i].R_legs_err[5], R_yz_bar, R_yz_bar_err);
-        add(&slopes->force[i].R_legs[6], &slopes->force[i].R_legs_err[6], R_zx_bar, R_zx_bar_err);
-        add(&slopes->force[i].R_legs[7], &slopes->force[i].R_legs_err[7], R_zy_bar, R_zy_bar_err);
-        add(&slopes->force[i].R_legs[8], &slopes->force[i].R_legs_err[8], R_zz_bar, R_zz_bar_err);
-        add(&slopes->force[i].B_legs[0], &slopes->force[i].B_legs_err[0], B_xx_bar, B_xx_bar_err);
-        add(&slopes->force[i].B_legs[1], &slopes->force[i].B_legs_err[1], B_xy_bar, B_xy_bar_err);
-        add(&slopes->force[i].B_legs[2], &slopes->force[i].B_legs_err[2], B_xz_bar, B_xz_bar_err);
-        add(&slopes->force[i].B_legs[3], &slopes->force[i].B_legs_err[3], B_yx_bar, B_yx_bar_err);
-        add(&slopes->force[i].B_legs[4], &slopes->force[i].B_legs_err[4], B_yy_bar, B_yy_bar_err);
-        add(&slopes->force[i].B_legs[5], &slopes->force[i].B_legs_err[5], B_yz_bar, B_yz_bar_err);
-        add(&slopes->force[i].B_legs[6], &slopes->force[i].B_legs_err[6], B_zx_bar, B_zx_bar_err);
-        add(&slopes->force[i].B_legs[7], &slopes->force[i].B_legs_err[7], B_zy_bar, B_zy_bar_err);
-        add(&slopes->force[i].B_legs[8], &slopes->force[i].B_legs_err[8], B_zz_bar, B_zz_bar_err);
-        add(&slopes->force[i].q_1_legs[0], &slopes->force[i].q_1_legs_err[0], -arm_x_bar, arm_x_bar_err);
-        add(&slopes->force[i].q_1_legs[1], &slopes->force[i].q_1_legs_err[1], -arm_y_bar, arm_y_bar_err);
-        add(&slopes->force[i].q_1_legs[2], &slopes->force[i].q_1_legs_err[2], -arm_z_bar, arm_z_bar_err);
+        add(&slopes->R_legs[0][i], &slopes->R_legs_err[0][i], R_xx_bar, R_xx_bar_err);
+        add(&slopes->R_legs[1][i], &slopes->R_legs_err[1][i], R_xy_bar, R_xy_bar_err);
+        add(&slopes->R_legs[2][i], &slopes->R_legs_err[2][i], R_xz_bar, R_xz_bar_err);
+        add(&slopes->R_legs[3][i], &slopes->R_legs_err[3][i], R_yx_bar, R_yx_bar_err);
+        add(&slopes->R_legs[4][i], &slopes->R_legs_err[4][i], R_yy_bar, R_yy_bar_err);
+        add(&slopes->R_legs[5][i], &slopes->R_legs_err[5][i], R_yz_bar, R_yz_bar_err);
+        add(&slopes->R_legs[6][i], &slopes->R_legs_err[6][i], R_zx_bar, R_zx_bar_err);
+        add(&slopes->R_legs[7][i], &slopes->R_legs_err[7][i], R_zy_bar, R_zy_bar_err);
+        add(&slopes->R_legs[8][i], &slopes->R_legs_err[8][i], R_zz_bar, R_zz_bar_err);
+        add(&slopes->B_legs[0][i], &slopes->B_legs_err[0][i], B_xx_bar, B_xx_bar_err);
+        add(&slopes->B_legs[1][i], &slopes->B_legs_err[1][i], B_xy_bar, B_xy_bar_err);
+        add(&slopes->B_legs[2][i], &slopes->B_legs_err[2][i], B_xz_bar, B_xz_bar_err);
+        add(&slopes->B_legs[3][i], &slopes->B_legs_err[3][i], B_yx_bar, B_yx_bar_err);
+        add(&slopes->B_legs[4][i], &slopes->B_legs_err[4][i], B_yy_bar, B_yy_bar_err);
+        add(&slopes->B_legs[5][i], &slopes->B_legs_err[5][i], B_yz_bar, B_yz_bar_err);
+        add(&slopes->B_legs[6][i], &slopes->B_legs_err[6][i], B_zx_bar, B_zx_bar_err);
+        add(&slopes->B_legs[7][i], &slopes->B_legs_err[7][i], B_zy_bar, B_zy_bar_err);
+        add(&slopes->B_legs[8][i], &slopes->B_legs_err[8][i], B_zz_bar, B_zz_bar_err);
+        add(&slopes->q_1_legs[0][i], &slopes->q_1_legs_err[0][i], -arm_x_bar, arm_x_bar_err);
+        add(&slopes->q_1_legs[1][i], &slopes->q_1_legs_err[1][i], -arm_y_bar, arm_y_bar_err);
+        add(&slopes->q_1_legs[2][i], &slopes->q_1_legs_err[2][i], -arm_z_bar, arm_z_bar_err);
     }
 }
 
@@ -4960,74 +4948,88 @@ static void bound_of_pose(
     force_rows rows;
     force_slopes slopes;
     stewart_real stretch[9];
+    stewart_real error[LANES];
     const stewart_real R_err = rotation_error(at->R, stretch);
+    for (i = 0; i < LANES; ++i) {
+        error[i] = REAL(0);
+        rows.Y_force[0][i] = REAL(0);
+        rows.Y_force[1][i] = REAL(0);
+        rows.Y_force[2][i] = REAL(0);
+        rows.Y_moment[0][i] = REAL(0);
+        rows.Y_moment[1][i] = REAL(0);
+        rows.Y_moment[2][i] = REAL(0);
+        rows.Y_arm[0][i] = REAL(0);
+        rows.Y_arm[1][i] = REAL(0);
+        rows.Y_arm[2][i] = REAL(0);
+        rows.D_weight[i] = REAL(0);
+        rows.x[i] = REAL(0);
+        slopes.R_legs[0][i] = REAL(0);
+        slopes.R_legs[1][i] = REAL(0);
+        slopes.R_legs[2][i] = REAL(0);
+        slopes.R_legs[3][i] = REAL(0);
+        slopes.R_legs[4][i] = REAL(0);
+        slopes.R_legs[5][i] = REAL(0);
+        slopes.R_legs[6][i] = REAL(0);
+        slopes.R_legs[7][i] = REAL(0);
+        slopes.R_legs[8][i] = REAL(0);
+        slopes.R_legs_err[0][i] = REAL(0);
+        slopes.R_legs_err[1][i] = REAL(0);
+        slopes.R_legs_err[2][i] = REAL(0);
+        slopes.R_legs_err[3][i] = REAL(0);
+        slopes.R_legs_err[4][i] = REAL(0);
+        slopes.R_legs_err[5][i] = REAL(0);
+        slopes.R_legs_err[6][i] = REAL(0);
+        slopes.R_legs_err[7][i] = REAL(0);
+        slopes.R_legs_err[8][i] = REAL(0);
+        slopes.B_legs[0][i] = REAL(0);
+        slopes.B_legs[1][i] = REAL(0);
+        slopes.B_legs[2][i] = REAL(0);
+        slopes.B_legs[3][i] = REAL(0);
+        slopes.B_legs[4][i] = REAL(0);
+        slopes.B_legs[5][i] = REAL(0);
+        slopes.B_legs[6][i] = REAL(0);
+        slopes.B_legs[7][i] = REAL(0);
+        slopes.B_legs[8][i] = REAL(0);
+        slopes.B_legs_err[0][i] = REAL(0);
+        slopes.B_legs_err[1][i] = REAL(0);
+        slopes.B_legs_err[2][i] = REAL(0);
+        slopes.B_legs_err[3][i] = REAL(0);
+        slopes.B_legs_err[4][i] = REAL(0);
+        slopes.B_legs_err[5][i] = REAL(0);
+        slopes.B_legs_err[6][i] = REAL(0);
+        slopes.B_legs_err[7][i] = REAL(0);
+        slopes.B_legs_err[8][i] = REAL(0);
+        slopes.q_1_legs[0][i] = REAL(0);
+        slopes.q_1_legs[1][i] = REAL(0);
+        slopes.q_1_legs[2][i] = REAL(0);
+        slopes.q_1_legs_err[0][i] = REAL(0);
+        slopes.q_1_legs_err[1][i] = REAL(0);
+        slopes.q_1_legs_err[2][i] = REAL(0);
+    }
     for (i = 0; i < 6; ++i) {
-        bound[i] = REAL(0);
-        slopes.force[i].R_legs[0] = REAL(0);
-        slopes.force[i].R_legs[1] = REAL(0);
-        slopes.force[i].R_legs[2] = REAL(0);
-        slopes.force[i].R_legs[3] = REAL(0);
-        slopes.force[i].R_legs[4] = REAL(0);
-        slopes.force[i].R_legs[5] = REAL(0);
-        slopes.force[i].R_legs[6] = REAL(0);
-        slopes.force[i].R_legs[7] = REAL(0);
-        slopes.force[i].R_legs[8] = REAL(0);
-        slopes.force[i].R_legs_err[0] = REAL(0);
-        slopes.force[i].R_legs_err[1] = REAL(0);
-        slopes.force[i].R_legs_err[2] = REAL(0);
-        slopes.force[i].R_legs_err[3] = REAL(0);
-        slopes.force[i].R_legs_err[4] = REAL(0);
-        slopes.force[i].R_legs_err[5] = REAL(0);
-        slopes.force[i].R_legs_err[6] = REAL(0);
-        slopes.force[i].R_legs_err[7] = REAL(0);
-        slopes.force[i].R_legs_err[8] = REAL(0);
-        slopes.force[i].B_legs[0] = REAL(0);
-        slopes.force[i].B_legs[1] = REAL(0);
-        slopes.force[i].B_legs[2] = REAL(0);
-        slopes.force[i].B_legs[3] = REAL(0);
-        slopes.force[i].B_legs[4] = REAL(0);
-        slopes.force[i].B_legs[5] = REAL(0);
-        slopes.force[i].B_legs[6] = REAL(0);
-        slopes.force[i].B_legs[7] = REAL(0);
-        slopes.force[i].B_legs[8] = REAL(0);
-        slopes.force[i].B_legs_err[0] = REAL(0);
-        slopes.force[i].B_legs_err[1] = REAL(0);
-        slopes.force[i].B_legs_err[2] = REAL(0);
-        slopes.force[i].B_legs_err[3] = REAL(0);
-        slopes.force[i].B_legs_err[4] = REAL(0);
-        slopes.force[i].B_legs_err[5] = REAL(0);
-        slopes.force[i].B_legs_err[6] = REAL(0);
-        slopes.force[i].B_legs_err[7] = REAL(0);
-        slopes.force[i].B_legs_err[8] = REAL(0);
-        slopes.force[i].q_1_legs[0] = REAL(0);
-        slopes.force[i].q_1_legs[1] = REAL(0);
-        slopes.force[i].q_1_legs[2] = REAL(0);
-        slopes.force[i].q_1_legs_err[0] = REAL(0);
-        slopes.force[i].q_1_legs_err[1] = REAL(0);
-        slopes.force[i].q_1_legs_err[2] = REAL(0);
         for (j = 0; j < 3; ++j) {
-            rows.force[i].Y_force[j] = Y[i][j];
-            rows.force[i].Y_moment[j] = Y[i][j + 3];
+            rows.Y_force[j][i] = Y[i][j];
+            rows.Y_moment[j][i] = Y[i][j + 3];
         }
     }
-    shared_errors(&model->platform, at, R_err, &rows, 0, &slopes, bound, &shared);
+    shared_errors(&model->platform, at, R_err, &rows, 0, &slopes, error, &shared);
     for (j = 0; j < 3; ++j) {
         of->c_err[j] = shared.c_force_err[j];
         of->c_err[j + 3] = shared.c_tip_err[j];
     }
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
-            rows.force[j].D_weight = i == j ? REAL(1) : REAL(0);
-            rows.force[j].x = x[i];
+            rows.D_weight[j] = i == j ? REAL(1) : REAL(0);
+            rows.x[j] = x[i];
             for (k = 0; k < 3; ++k) {
-                rows.force[j].Y_arm[k] = i > 0 ? rows.force[j].Y_moment[k] : REAL(0);
+                rows.Y_arm[k][j] = i > 0 ? rows.Y_moment[k][j] : REAL(0);
             }
         }
         if (of->near != 0) {
             leg_errors_near_singularity(&model->platform, &model->leg[i], at, &shared, R_err, &rows,
-                &slopes, bound, &leg);
+                &slopes, error, &leg);
         } else {
-            leg_errors(&model->platform, &model->leg[i], at, &shared, R_err, &rows, &slopes, bound, &leg);
+            leg_errors(&model->platform, &model->leg[i], at, &shared, R_err, &rows, &slopes, error, &leg);
         }
         for (j = 0; j < 3; ++j) {
             of->H_err[j][i] = leg.H_force_err[j];
@@ -5037,9 +5039,9 @@ static void bound_of_pose(
             of->c_err[j + 3] = of->c_err[j + 3] + leg.c_moment_err[j] + by_arm;
         }
     }
-    shared_errors(&model->platform, at, R_err, &rows, 1, &slopes, bound, &shared);
+    shared_errors(&model->platform, at, R_err, &rows, 1, &slopes, error, &shared);
     for (i = 0; i < 6; ++i) {
-        bound[i] = bound[i] + stretch_error(at->R, stretch, R_err, &slopes.force[i]);
+        bound[i] = error[i] + stretch_error(at->R, stretch, R_err, &slopes, i);
     }
     solution_error(of, x, Y, bound);
     for (i = 0; i < 6; ++i) {

@@ -110,10 +110,10 @@ def shared_errors(
     platform: "Platform",
     at: "Motions",
     R_err: "Real",
-    rows: "Rows",
+    rows: "alone(Rows)",
     weighed: "Integer",
-    slopes: "Slopes",
-    error: "array(6)",
+    slopes: "alone(Slopes)",
+    error: "alone(array(LANES))",
     out: "Shared",
 ) -> None:
     """What one pose has for all legs, with errors; R_err: how far R is from a rotation. Where `weighed` is
@@ -121,7 +121,7 @@ def shared_errors(
     it, at its largest; and adds to the slopes along R."""
     BODY
     if weighed != 0:
-        for i in range(6):
+        for i in range(LANES):
             EACH
 
 
@@ -131,19 +131,21 @@ def leg_errors(
     at: "Motions",
     shared: "Shared",
     R_err: "Real",
-    rows: "Rows",
-    slopes: "Slopes",
-    error: "array(6)",
+    rows: "alone(Rows)",
+    slopes: "alone(Slopes)",
+    error: "alone(array(LANES))",
     out: "LegTerms",
 ) -> None:
     """One leg with its errors. Adds to the error of each force what they do to it, and to its slopes along
     what the pose has for all legs."""
     BODY
-    for i in range(6):
+    for i in range(LANES):
         EACH
 
 
-def stretch_error(R: "array(9)", stretch: "array(9)", R_err: "Real", of: "SlopesOfLegs") -> "Real":
+def stretch_error(
+    R: "array(9)", stretch: "array(9)", R_err: "Real", of: "Slopes", force: "Integer"
+) -> "Real":
     """Bounds what R does to a force by not being a rotation. R less the nearest one is R (E / 2 - 3 E^2 / 8 +
     ...) with E = R^T R - 1, which is symmetric, so that of the force's slopes along R only the symmetric part
     of R^T times them counts; turning R as a whole is no error."""
@@ -154,14 +156,14 @@ def stretch_error(R: "array(9)", stretch: "array(9)", R_err: "Real", of: "Slopes
             sum = 0.0
             doubt = 0.0
             for k in range(0, 9, 3):
-                one = R[k + i] * of.R_legs[k + j]
-                other = R[k + j] * of.R_legs[k + i]
+                one = R[k + i] * of.R_legs[k + j][force]
+                other = R[k + j] * of.R_legs[k + i][force]
                 sum = sum + (one + other)
                 doubt = doubt + 5.0 * UNIT * (size(one) + size(other))
-                doubt = doubt + size(R[k + i]) * of.R_legs_err[k + j]
-                doubt = doubt + size(R[k + j]) * of.R_legs_err[k + i]
+                doubt = doubt + size(R[k + i]) * of.R_legs_err[k + j][force]
+                doubt = doubt + size(R[k + j]) * of.R_legs_err[k + i][force]
             total = total + stretch[3 * i + j] * (size(sum) + doubt) / 4.0
-            slopes = slopes + size(of.R_legs[3 * i + j]) + of.R_legs_err[3 * i + j]
+            slopes = slopes + size(of.R_legs[3 * i + j][force]) + of.R_legs_err[3 * i + j][force]
     return total + 2.0 * R_err * R_err * slopes
 
 
@@ -328,38 +330,40 @@ def bound_of_pose(
     rows = blank(Rows)
     slopes = blank(Slopes)
     stretch = blank(array(9))
+    error = blank(array(LANES))
     R_err = rotation_error(at.R, stretch)
-    for i in range(6):
-        bound[i] = 0.0
+    for i in range(LANES):
+        error[i] = 0.0
         CLEARED
+    for i in range(6):
         for j in range(3):
-            rows.force[i].Y_force[j] = Y[i][j]
-            rows.force[i].Y_moment[j] = Y[i][j + 3]
-    shared_errors(model.platform, at, R_err, rows, 0, slopes, bound, shared)
+            rows.Y_force[j][i] = Y[i][j]
+            rows.Y_moment[j][i] = Y[i][j + 3]
+    shared_errors(model.platform, at, R_err, rows, 0, slopes, error, shared)
     for j in range(3):
         of.c_err[j] = shared.c_force_err[j]
         of.c_err[j + 3] = shared.c_tip_err[j]
     for i in range(6):
         for j in range(6):
-            rows.force[j].D_weight = where(i == j, 1.0, 0.0)
-            rows.force[j].x = x[i]
+            rows.D_weight[j] = where(i == j, 1.0, 0.0)
+            rows.x[j] = x[i]
             for k in range(3):
-                rows.force[j].Y_arm[k] = where(i > 0, rows.force[j].Y_moment[k], 0.0)
+                rows.Y_arm[k][j] = where(i > 0, rows.Y_moment[k][j], 0.0)
         if of.near != 0:
             leg_errors_near_singularity(
-                model.platform, model.leg[i], at, shared, R_err, rows, slopes, bound, leg
+                model.platform, model.leg[i], at, shared, R_err, rows, slopes, error, leg
             )
         else:
-            leg_errors(model.platform, model.leg[i], at, shared, R_err, rows, slopes, bound, leg)
+            leg_errors(model.platform, model.leg[i], at, shared, R_err, rows, slopes, error, leg)
         for j in range(3):
             of.H_err[j][i] = leg.H_force_err[j]
             of.H_err[j + 3][i] = where(i > 0, leg.H_moment_err[j], 0.0)
             of.c_err[j] = of.c_err[j] + leg.c_force_err[j]
             by_arm = where(i > 0, leg.arm_c_err[j], 0.0)
             of.c_err[j + 3] = of.c_err[j + 3] + leg.c_moment_err[j] + by_arm
-    shared_errors(model.platform, at, R_err, rows, 1, slopes, bound, shared)
+    shared_errors(model.platform, at, R_err, rows, 1, slopes, error, shared)
     for i in range(6):
-        bound[i] = bound[i] + stretch_error(at.R, stretch, R_err, slopes.force[i])
+        bound[i] = error[i] + stretch_error(at.R, stretch, R_err, slopes, i)
     solution_error(of, x, Y, bound)
     for i in range(6):
         bound[i] = SLACK * (bound[i] + UNIT * size(F[i]))
