@@ -48,7 +48,7 @@ def trajectory_of(
             if getattr(arguments, name) is not None:
                 option = name.replace("_", "-")
                 raise ValueError(f"--{option}: is for smoothing, expected no --no-smoothing beside it")
-    form = log_format(arguments, robot, source)
+    form = log_format(arguments, source)
     smoothing = Smoothing(*stated_noise(arguments, form), arguments.cutoff, arguments.smoothing)
     log = read_log_of(robot, source, form, smoothing, progress)
     trajectory = poses_of(robot, log, arguments, progress)
@@ -74,10 +74,8 @@ def stated_noise(arguments: argparse.Namespace, form: "LogFormat") -> "tuple[flo
     )
 
 
-def log_format(
-    arguments: argparse.Namespace, robot: "Robot | None" = None, source: Path | None = None
-) -> "LogFormat":
-    """How the options say that a trajectory's file is read, and where they don't, the robot file.
+def log_format(arguments: argparse.Namespace, source: Path | None = None) -> "LogFormat":
+    """How the options say that a trajectory's file is read.
 
     source: a file whose row of units states the units that no option does; without it these are open.
     """
@@ -85,11 +83,7 @@ def log_format(
     from ..motion.logs import LogFormat
 
     names = ("columns", "length_unit", "angle_unit", "time_unit", "delimiter", "decimal")
-    options = {name: getattr(arguments, name) for name in names}
-    for name in ("euler_order", "lengths"):
-        stated = getattr(arguments, name) or getattr(robot, name, None)
-        options |= {name: stated} if stated else {}
-    form = LogFormat(**options)
+    form = LogFormat(**{name: getattr(arguments, name) for name in (*names, "euler_order", "lengths")})
     return form if source is None else with_units_of(source, form)
 
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from ..io.array_types import Array
 from ..io.progress import Progress, silent
-from ..motion.log_reader import AS_SHOWN, read_log, trajectory_from
+from ..motion.log_reader import AS_SHOWN, PLAIN, read_log, trajectory_from
 from ..motion.logs import LogFormat
 from ..motion.noise_level import LogWarning
 from ..motion.trajectory import JointTrajectory, PoseLog, Smoothing, Trajectory
@@ -16,26 +16,25 @@ from .log_doubts import log_doubts
 from .offset_legs import leg_lengths
 
 
-def form_of(robot: Robot) -> LogFormat:
-    """How the robot's logs are written, in SI units."""
-    return LogFormat(euler_order=robot.euler_order, lengths=robot.lengths)
+def form_of(robot: Robot, form: LogFormat = PLAIN) -> LogFormat:
+    """How the robot's logs are written, where the form does not say otherwise."""
+    return form.or_else(robot.euler_order, robot.lengths)
 
 
 def read_log_of(
     robot: Robot,
     path: str | os.PathLike[str],
-    form: LogFormat | None = None,
+    form: LogFormat = PLAIN,
     smoothing: Smoothing = AS_SHOWN,
     progress: Progress = silent,
 ) -> PoseLog | JointTrajectory:
     """Read a log whose poses and loads are those of the robot's tool; relative lengths become absolute.
 
-    form: None for the robot's. Motions made of the result are those of the reference point. Raises as
-    ``read_log``, and ValueError for relative lengths without a home pose, or of legs that have none left.
-    Warns of what does not go with the robot.
+    What the form leaves open is the robot's. Motions made of the result are those of the reference point.
+    Raises as ``read_log``, and ValueError for relative lengths without a home pose, or of legs that have none
+    left. Warns of what does not go with the robot.
     """
-    form = form_of(robot) if form is None else form
-    log = read_log(path, form, smoothing, progress)
+    log = read_log(path, form_of(robot, form), smoothing, progress)
     log = log.of_tool(robot.tool) if isinstance(log, PoseLog) else _of_joints(robot, log)
     for doubt in log_doubts(robot, log, form.length_unit or "m"):
         warnings.warn(f"{log.source}: {doubt}", LogWarning, stacklevel=3)
@@ -56,7 +55,7 @@ def _loaded_at(tool: Array, log: JointTrajectory) -> JointTrajectory:
 
 
 def trajectory_for(
-    robot: Robot, path: str | os.PathLike[str], form: LogFormat | None = None, smoothing: Smoothing = AS_SHOWN
+    robot: Robot, path: str | os.PathLike[str], form: LogFormat = PLAIN, smoothing: Smoothing = AS_SHOWN
 ) -> Trajectory | JointTrajectory:
     """Read a log as ``read_log_of``, of poses as a motion of the reference point."""
     log = read_log_of(robot, path, form, smoothing)

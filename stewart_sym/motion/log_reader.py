@@ -109,6 +109,7 @@ def _read(path: str | os.PathLike[str], form: LogFormat, smoothing: Smoothing, p
     source = file_name(path)
     if form.columns:
         _check_header([*form.columns], "columns", "")
+    form = form.or_else("zyx", "absolute")
     with opened(source, "trajectory", _MOST_BYTES) as stream:
         check = partial(_check_log, smoothing=smoothing)
         columns, rows, form, _ = read_columns(stream, source, check, form, progress)

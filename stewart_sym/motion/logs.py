@@ -13,7 +13,7 @@ import io
 import itertools
 import math
 import warnings
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, BinaryIO, NamedTuple, Self
 
@@ -65,9 +65,11 @@ class LogFormat:
     delimiter, decimal : str, optional
         Of ``DELIMITERS``, ``DECIMALS``; None: detected.
     euler_order : str, optional
-        Of the rotations multiplied, "zyx" for R = Rz Ry Rx, (38); rates are those of its angles.
+        Of the rotations multiplied, "zyx" for R = Rz Ry Rx, (38); rates are those of its angles. None: that
+        of the robot, "zyx" where a log is read without one.
     lengths : str, optional
-        Leg lengths: of ``LENGTHS``; relative ones are less those of the robot's home pose.
+        Leg lengths: of ``LENGTHS``; relative ones are less those of the robot's home pose. None: those of
+        the robot, "absolute" where a log is read without one.
 
     Raises
     ------
@@ -81,21 +83,20 @@ class LogFormat:
     time_unit: str | None = None
     delimiter: str | None = None
     decimal: str | None = None
-    euler_order: str = "zyx"
-    lengths: str = "absolute"
+    euler_order: str | None = None
+    lengths: str | None = None
 
     def __post_init__(self) -> None:
         """Check every option."""
         texts = [*self.columns, *self.columns.values()] if isinstance(self.columns, Mapping) else [None]
         if not all(isinstance(each, str) for each in texts):
             raise ValueError(f"columns: expected a mapping of names, got {shown(self.columns)}")
-        option(self.euler_order, EULER_ORDERS, "euler_order")
-        option(self.lengths, LENGTHS, "lengths")
-        detected: dict[str, Mapping[str, object]]
-        detected = {**UNITS, "delimiter": DELIMITERS, "decimal": DECIMALS}
-        for name in (*_SI, "delimiter", "decimal"):
+        choices: dict[str, Iterable[str]] = {name: UNITS[name] for name in _SI}
+        choices |= {"delimiter": DELIMITERS, "decimal": DECIMALS}
+        choices |= {"euler_order": EULER_ORDERS, "lengths": LENGTHS}
+        for name, known in choices.items():
             if getattr(self, name) is not None:
-                option(getattr(self, name), tuple(detected[name]), name)
+                option(getattr(self, name), tuple(known), name)
 
     @property
     def units(self) -> dict[str, str | None]:
@@ -111,6 +112,23 @@ class LogFormat:
     def radians(self) -> float:
         """Radians in the unit of angle."""
         return ANGLE_UNITS[self.angle_unit or "rad"]
+
+    def or_else(self, euler_order: str, lengths: str) -> Self:
+        """The same with an order of rotations and a kind of lengths: the given ones, else these.
+
+        Parameters
+        ----------
+        euler_order, lengths : str
+            As the attributes.
+
+        Returns
+        -------
+        LogFormat
+            With both.
+        """
+        return dataclasses.replace(
+            self, euler_order=self.euler_order or euler_order, lengths=self.lengths or lengths
+        )
 
     def with_units(self, units: Mapping[str, str]) -> Self:
         """The same with a unit of each kind: the given one, else that of a row of units, else SI.

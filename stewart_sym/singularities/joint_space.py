@@ -34,7 +34,7 @@ from ..kinematics.forward import (
 from ..kinematics.pose_search import newton
 from ..kinematics.robot_logs import read_log_of
 from ..motion.interpolation import between
-from ..motion.log_reader import AS_SHOWN, trajectory_from
+from ..motion.log_reader import AS_SHOWN, PLAIN, trajectory_from
 from ..motion.logs import LogFormat
 from ..motion.motion import Motion
 from ..motion.noise_level import LEAST_SAMPLES, rounding_steps, white_noise
@@ -172,7 +172,7 @@ def on_platform(
 def read_trajectory(
     robot: Robot,
     path: str | os.PathLike[str],
-    form: LogFormat | None = None,
+    form: LogFormat = PLAIN,
     smoothing: Smoothing = AS_SHOWN,
     guess: Guess | None = None,
 ) -> Trajectory:
@@ -189,7 +189,7 @@ def read_trajectory(
         CSV file, a row per instant: ``time`` and either ``t_x`` to ``t_z`` with ``theta_x`` to ``theta_z`` or
         ``q_w`` to ``q_z``, or ``L_1`` to ``L_6``; optionally all rates and second rates, and loads.
     form : LogFormat, optional
-        Names, units and marks of the file. None: SI units, ``euler_order`` and ``lengths`` of the robot.
+        Names, units and marks of the file; an ``euler_order`` or ``lengths`` of None is the robot's.
     smoothing : Smoothing, optional
         What is known of the noise.
     guess : tuple, optional
@@ -207,8 +207,7 @@ def read_trajectory(
     """
     instance(robot, Robot, "robot")
     instance(smoothing, Smoothing, "smoothing")
-    if form is not None:
-        instance(form, LogFormat, "form")
+    instance(form, LogFormat, "form")
     log = read_log_of(robot, path, form, smoothing)
     if isinstance(log, JointTrajectory):
         return on_platform(robot, log, guess)

@@ -135,9 +135,9 @@ def test_the_robot_file_says_in_which_order_rotations_are_multiplied(robot: Robo
     poses = np.hstack([np.tile([0.0, 0.0, 0.6], (20, 1)), theta])
     path = saved_poses(tmp_path / "log.csv", np.linspace(0.0, 1.0, 20), poses)
     own = dataclasses.replace(robot, euler_order="xyz")
-    np.testing.assert_allclose(
-        trajectory_for(own, path).motion.R, rotation_about_axes(theta, "xyz"), atol=1e-14
-    )
+    for form in (ss.LogFormat(), ss.LogFormat(angle_unit="rad")):
+        found = trajectory_for(own, path, form).motion.R
+        np.testing.assert_allclose(found, rotation_about_axes(theta, "xyz"), atol=1e-14)
     stated = trajectory_for(own, path, ss.LogFormat(euler_order="zyx"))
     np.testing.assert_allclose(stated.motion.R, rotation_about_axes(theta, "zyx"), atol=1e-14)
 
@@ -151,8 +151,8 @@ def test_relative_lengths_are_less_those_of_the_home_pose(
     home = np.linalg.norm(robot.home + robot.p - robot.b, axis=-1)
     path = write(tmp_path / "log.csv", ["time", *LENGTHS], np.column_stack([time, L - home]))
     own = dataclasses.replace(robot, lengths="relative")
-    found = read_log_of(own, path)
-    np.testing.assert_allclose(found.L, L, rtol=1e-14)
+    for form in (ss.LogFormat(), ss.LogFormat(length_unit="m")):
+        np.testing.assert_allclose(read_log_of(own, path, form).L, L, rtol=1e-14)
     file, out = written(own, tmp_path / "robot.toml"), tmp_path / "forces.csv"
     assert main(["forces", str(file), str(path), "-o", str(out)]) == 0
     capsys.readouterr()

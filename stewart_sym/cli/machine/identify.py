@@ -128,7 +128,7 @@ def _measured(arguments: argparse.Namespace, progress: Progress) -> "tuple[Repor
         need("scipy", WITHOUT_PERIOD)
     robot = robot_of(arguments.robot)
     poses, forces = arguments.measured
-    form = log_format(arguments, robot, poses)
+    form = log_format(arguments, poses)
     try:
         # The fit has its own noise: what is stated is compared with the log alone.
         log = trajectory_for(robot, poses, form, Smoothing(*stated_noise(arguments, form), on=False))
