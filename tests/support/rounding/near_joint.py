@@ -1,28 +1,29 @@
 """Machines near the joint singularity of a leg, and what a rounding unit of every number does to each answer.
 
-The generated closed form is compiled for ``__float128`` as truth, and run once more for each input number
-(robot, motion, actuator forces) with that number changed by a share of itself: the sum of the absolute
-changes is the machine's own sensitivity.
+Truth is the sweep's closed form in ``__float128``, run once more for each input number (robot, motion,
+actuator forces) with that number changed by a share of itself: the sum of the absolute changes is the
+machine's own sensitivity.
 """
 
 import ctypes
 import dataclasses
 import functools
+import math
+import re
 from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 from leaning_legs import leaning
-from machines import Array, random_motion, random_robot
+from machines import Array, in_axes, random_motion, random_robot
+from sweep_machines import wider
 
 import stewart_sym as ss
 from stewart_sym.backend import native
-from stewart_sym.backend.c_kernel import address
-from stewart_sym.backend.kernel import MOTION, robot_numbers
-from stewart_sym.backend.numpy_kernel import loaded
-from stewart_sym.dynamics.closed_form import OUTPUTS, c_sources
+from stewart_sym.dynamics.closed_form import OUTPUTS
 from stewart_sym.motion.motion import Motion
 from stewart_sym.robot.robot import Robot
+from stewart_sym.studies.robustness.sweep import oracle
 
 EPSILON = np.finfo(np.float64).eps
 KINDS = (
@@ -34,15 +35,7 @@ BLOCKS = {
     name: shape for what in WHOLE for name, shape in ((f"{what}.{n}", s) for n, s in OUTPUTS[what].items())
 }
 """Every output, with the shape of a pose's part, in the order in which the truth stores them."""
-
-_MACROS = {
-    "STEWART_REAL": "__float128",
-    "STEWART_SQRT": "sqrtq",
-    "STEWART_FABS": "fabsq",
-    "STEWART_EPSILON": "FLT128_EPSILON",
-    "STEWART_MAX": "FLT128_MAX",
-}
-_FLAGS = ("-include", "quadmath.h", "-Wl,--no-as-needed", "-lquadmath", "-O0")
+_ENDS = np.cumsum([math.prod(shape) for shape in BLOCKS.values()])[:-1]
 
 
 def shortened(robot: Robot, motion: Motion, leg: int, length: float) -> Robot:
@@ -111,37 +104,32 @@ def truth(
     plain: without the code paths for lost digits, so that the truth shares nothing with them; it then loses
     digits itself, of 34, like the square of the sine's inverse and more.
 
-    rotation: with R made a rotation to all of 34 digits; the two agree for no other.
+    rotation: with the platform's frame turned so that R is one, a rotation to all of 34 digits; the two agree
+    for no other.
 
     samples: 0 for the sum over all numbers of absolute changes; else that many changes of all at once with
     random signs, the largest of which is taken: never more than the sum, and cheaper.
     """
-    given = loaded(motion)
-    numbers = np.concatenate([robot_numbers(robot), *(np.ravel(getattr(given, name)) for name in MOTION), F])
-    size = sum(int(np.prod(shape)) for shape in BLOCKS.values())
-    high, low, sensitivity = (np.full(size, np.nan) for _ in range(3))
-    status = np.zeros(len(WHOLE), dtype=np.int32)
-    _library().near_joint(
-        address(numbers),
-        ctypes.c_int(samples),
-        ctypes.c_int(plain),
-        ctypes.c_int(rotation),
-        address(high),
-        address(low),
-        address(sensitivity),
-        address(status),
-    )
-    return Truth(
-        dict(zip(WHOLE, status.tolist(), strict=True)),
-        _apart(high),
-        _apart(low),
-        _apart(sensitivity),
-    )
+    if rotation:
+        loads = {name: motion.R @ getattr(motion, name) for name in ("F_ext", "M_ext")}
+        robot = in_axes(robot, np.eye(3), motion.R)
+        motion = dataclasses.replace(motion, R=np.eye(3), **loads)
+    library = _plain_library() if plain else oracle._library()
+    *found, status = wider(robot, motion, F, samples or -1, library)
+    high, low, change = (dict(zip(BLOCKS, np.split(each, _ENDS), strict=True)) for each in found)
+    sensitivity = {name: EPSILON * each for name, each in change.items()}
+    return Truth(dict(zip(WHOLE, status.tolist(), strict=True)), high, low, sensitivity)
 
 
-def _apart(flat: Array) -> dict[str, Array]:
-    ends = np.cumsum([int(np.prod(shape)) for shape in BLOCKS.values()])
-    return dict(zip(BLOCKS, np.split(flat, ends[:-1]), strict=True))
+@functools.cache
+def _plain_library() -> ctypes.CDLL:
+    """The sweep's C of quadruple precision, where the code paths for lost digits begin nowhere."""
+    sources = {
+        name: re.sub(r"(#define STEWART_(?:LEANING|KEPT)) .*", r"\1 REAL(0)", text)
+        for name, text in oracle.sources().items()
+        if not name.endswith(".c") or name.startswith("quad_")
+    }
+    return native.load("stewart_plain", sources, oracle._FLAGS)
 
 
 def blocks(name: str, value: Array) -> list[Array]:
@@ -196,129 +184,3 @@ def of_reference(robot: Robot, motion: Motion, F: Array) -> tuple[dict[str, Arra
     found |= {"forward_dynamics.acceleration": np.concatenate([a, alpha])}
     status = dict.fromkeys(("equations", "bias", "joint_inertia", "forward_dynamics"), int(terms.status))
     return found, status
-
-
-@functools.cache
-def _library() -> ctypes.CDLL:
-    sources = {**c_sources(), "near_joint.c": _source()}
-    for name, value in PLAIN.items():
-        text, define = sources["stewart_exact_motion.c"], f"#define {name} ((stewart_real){value})"
-        assert define in text
-        switched = f"extern _Thread_local int near_plain;\n#define {name} REAL(near_plain ? 0 : {value})"
-        sources["stewart_exact_motion.c"] = text.replace(define, switched)
-    return native.load("stewart_near_joint", sources, _FLAGS, _MACROS)
-
-
-PLAIN = {"STEWART_LEANING": "0.125", "STEWART_KEPT": "0.0625"}
-"""Macros of the thresholds at which the code paths for lost digits begin."""
-
-
-def _source() -> str:
-    calls, offset = [], 0
-    for index, what in enumerate(WHOLE):
-        size = sum(int(np.prod(shape)) for shape in OUTPUTS[what].values())
-        argument = "at->F, " if what in ("forward_dynamics", "linearisation") else ""
-        struct = what in ("equations", "derivatives", "linearisation")
-        target = f"(stewart_{what} *)&out[{offset}]" if struct else f"&out[{offset}]"
-        calls.append(f"    status[{index}] = stewart_exact_{what}(&model, &at->motion, {argument}{target});")
-        offset += size
-    return (
-        _SOURCE.replace("@CALLS@", "\n".join(calls))
-        .replace("@SIZE@", str(offset))
-        .replace("@FUNCTIONS@", str(len(WHOLE)))
-    )
-
-
-_SOURCE = """\
-#include <stdint.h>
-#include "stewart_exact_motion.h"
-
-#define NUMBERS ((int)(sizeof(given) / sizeof(stewart_real)))
-
-typedef struct {
-    stewart_robot robot;
-    stewart_motion motion;
-    stewart_real F[6];
-} given;
-
-static void run(const given *at, stewart_real out[@SIZE@], int status[@FUNCTIONS@])
-{
-    stewart_exact_model model;
-    int i;
-    for (i = 0; i < @SIZE@; ++i) {
-        out[i] = nanq("");
-    }
-    stewart_exact_prepare(&at->robot, &model);
-@CALLS@
-}
-
-_Thread_local int near_plain;
-
-/* Rows of R, each made perpendicular to those before it, of length one. */
-static void rotate(stewart_real *R)
-{
-    int i, j, k;
-    for (i = 0; i < 9; i += 3) {
-        stewart_real size = 0;
-        for (j = 0; j < i; j += 3) {
-            const stewart_real along = R[i] * R[j] + R[i + 1] * R[j + 1] + R[i + 2] * R[j + 2];
-            for (k = 0; k < 3; ++k) {
-                R[i + k] -= along * R[j + k];
-            }
-        }
-        size = sqrtq(R[i] * R[i] + R[i + 1] * R[i + 1] + R[i + 2] * R[i + 2]);
-        for (k = 0; k < 3; ++k) {
-            R[i + k] /= size;
-        }
-    }
-}
-
-void near_joint(
-    const double *numbers, int samples, int plain, int rotation, double *high, double *low,
-    double *sensitivity, int *status)
-{
-    const stewart_real share = ldexpq(1, -70), unit = ldexpq(1, -52);
-    uint64_t seed = 88172645463325252ULL;
-    static _Thread_local stewart_real out[@SIZE@], moved[@SIZE@], total[@SIZE@];
-    given at;
-    stewart_real *to = (stewart_real *)&at;
-    int i, j, unused[@FUNCTIONS@];
-    for (i = 0; i < NUMBERS; ++i) {
-        to[i] = numbers[i];
-    }
-    near_plain = plain;
-    if (rotation) {
-        rotate(at.motion.R);
-    }
-    run(&at, out, status);
-    for (i = 0; i < @SIZE@; ++i) {
-        total[i] = 0;
-        high[i] = (double)out[i];
-        low[i] = (double)(out[i] - high[i]);
-    }
-    for (j = 0; j < (samples > 0 ? samples : NUMBERS); ++j) {
-        given other = at;
-        stewart_real *number = (stewart_real *)&other;
-        if (samples == 0) {
-            if (numbers[j] == 0) {
-                continue;
-            }
-            number[j] += number[j] * share;
-        }
-        for (i = 0; samples > 0 && i < NUMBERS; ++i) {
-            seed ^= seed << 13;
-            seed ^= seed >> 7;
-            seed ^= seed << 17;
-            number[i] += number[i] * (seed >> 63 ? share : -share);
-        }
-        run(&other, moved, unused);
-        for (i = 0; i < @SIZE@; ++i) {
-            const stewart_real change = fabsq(moved[i] - out[i]) / share * unit;
-            total[i] = samples == 0 ? total[i] + change : fmaxq(total[i], change);
-        }
-    }
-    for (i = 0; i < @SIZE@; ++i) {
-        sensitivity[i] = (double)total[i];
-    }
-}
-"""

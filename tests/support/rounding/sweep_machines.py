@@ -166,13 +166,13 @@ def joined(motions: list[ss.Motion]) -> ss.Motion:
 
 
 def wider(
-    robot: ss.Robot, motion: ss.Motion, F: Array, samples: int = 8
+    robot: ss.Robot, motion: ss.Motion, F: Array, samples: int = 8, library: ctypes.CDLL | None = None
 ) -> tuple[Array, Array, Array, NDArray[np.int32]]:
     """Outputs of the closed form's kernels in quadruple precision, high + low, their change and statuses."""
     high, low, change = np.zeros((3, OUTPUT_NUMBERS))
     status = np.zeros(len(oracle.CLOSED_KERNELS), dtype=np.int32)
     numbers, pose = robot_numbers(robot), oracle.motion_numbers(motion)
-    oracle._library().quad_closed_form(
+    (library or oracle._library()).quad_closed_form(
         *(address(np.ascontiguousarray(array)) for array in (numbers, pose, F)),
         ctypes.c_int(2 ** len(status) - 1),
         ctypes.c_double(1e-20),
