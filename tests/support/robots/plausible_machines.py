@@ -1,7 +1,9 @@
 """Sound machines, published ones and absurd ones."""
 
-import dataclasses
+import functools
 from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,6 +13,7 @@ from stewart_sym.motion.rotation import rotation_from_quaternion
 from stewart_sym.robot.robot import Robot
 
 Array = NDArray[np.float64]
+Change = Callable[[Robot], Robot]
 
 BASE, PLATFORM = (-10, 10, 110, 130, 230, 250), (-48, 48, 72, 168, 192, 288)
 
@@ -75,7 +78,7 @@ def machine_of(
     zero = np.zeros(3)
     rest = ss.Motion(R=np.eye(3), t=t, omega=zero, v=zero, alpha=zero, a=zero)
     hold = np.abs(ss.inverse_dynamics(robot, rest, backend="numpy").F).max()
-    return dataclasses.replace(
+    return replace(
         robot,
         length_limits=np.column_stack([L - stroke, L + stroke]),
         force_limit=rng.uniform(4.0, 20.0, 6) * (hold + 0.1 * M),
@@ -141,11 +144,7 @@ def published() -> dict[str, tuple[Array, Array, Array]]:
             ring(0.09, 90 - np.array([45, 75, 165, 195, 285, 315]), -0.052),
             0.75 * up,
         ),
-        "MathWorks 2002": (
-            sixth(3, 2.5, 0),
-            np.roll(sixth(1, 10, 0, 60), 1, axis=0),
-            2 * up,
-        ),
+        "MathWorks 2002": (sixth(3, 2.5, 0), np.roll(sixth(1, 10, 0, 60), 1, axis=0), 2 * up),
         "krex4715": (
             ring(0.12, [20, 100, 140, 220, 260, 340]),
             ring(0.095, [40, 80, 160, 200, 280, 320]),
@@ -172,7 +171,7 @@ def sound() -> Robot:
 
 def unlimited() -> Robot:
     none = sound()
-    return dataclasses.replace(
+    return replace(
         none,
         length_limits=np.tile([0.0, np.inf], (6, 1)),
         force_limit=np.full(6, np.inf),
@@ -180,320 +179,264 @@ def unlimited() -> Robot:
     )
 
 
-def of(**changes: Callable[[Array], object]) -> Callable[[Robot], Robot]:
-    """A change of a robot: field -> what becomes of its value."""
-    return lambda robot: dataclasses.replace(
-        robot, **{name: change(getattr(robot, name)) for name, change in changes.items()}
-    )
-
-
-def alike(unit: float) -> Callable[[Robot], Robot]:
-    """Limits that are those of all legs, in another unit: a platform far away has its legs within them."""
-    return of(length_limits=lambda x: np.tile([unit * x[:, 0].min(), unit * x[:, 1].max()], (6, 1)))
-
-
-def aside(leg: int, centers: str, across: float) -> Callable[[Robot], Robot]:
-    """The centre of mass of one part moved off the leg's axis, m."""
+def of(**changes: Any) -> Change:
+    """A change of a robot: field -> its new value, or what becomes of the old one."""
 
     def changed(robot: Robot) -> Robot:
-        values = getattr(robot, centers).copy()
-        values[leg, 1] += across
-        return dataclasses.replace(robot, **{centers: values})
+        old = {name: getattr(robot, name) for name in changes}
+        new = {name: change(old[name]) if callable(change) else change for name, change in changes.items()}
+        return replace(robot, **new)
 
     return changed
 
 
-def one_leg(name: str, leg: int, factor: float) -> Callable[[Robot], Robot]:
-    def changed(values: Array) -> Array:
-        values = values.copy()
-        values[leg] *= factor
-        return values
+def times(factor: float, *fields: str) -> Change:
+    return of(**dict.fromkeys(fields, lambda value: factor * value))
 
-    return of(**{name: changed})
+
+def driven(speed: float | None = None, **numbers: float) -> Change:
+    """Drives of these numbers; speed: the limit of the legs, m/s, as it is for None."""
+    limit = {} if speed is None else {"speed_limit": np.full(6, speed)}
+    return of(drive=ss.Drive(**{"lead": 0.005, **numbers}), **limit)
+
+
+def alike(unit: float) -> Change:
+    """Limits that are those of all legs, in another unit: a platform far away has its legs within them."""
+    return of(length_limits=lambda x: np.tile([unit * x[:, 0].min(), unit * x[:, 1].max()], (6, 1)))
+
+
+def one_leg(name: str, leg: int, factor: float) -> Change:
+    return of(**{name: lambda x: (x.T * np.where(np.arange(6) == leg, factor, 1.0)).T})
+
+
+def same(*legs: int, of_base: bool = True, of_platform: bool = True) -> Change:
+    """Each leg from the points of the leg with that number."""
+    points = {"b": of_base, "p": of_platform}
+    return of(**{name: lambda x: x[list(legs)] for name, chosen in points.items() if chosen})
 
 
 MIRROR, SECOND, OPPOSITE = [0, 5, 4, 3, 2, 1], [1, 0, 2, 3, 4, 5], [0, 4, 2, 3, 1, 5]
-ABSURD: dict[str, tuple[Callable[[Robot], Robot], str, str]] = {
-    # what is wrong: change of a sound machine, name of the doubt, words of its cause
-    "millimetres": (of(b=lambda b: 1e3 * b, p=lambda p: 1e3 * p), "length-unit", "points in millimetres"),
-    "base in millimetres": (of(b=lambda b: 1e3 * b), "proportion", "base points in millimetres"),
-    "platform in millimetres": (of(p=lambda p: 1e3 * p), "proportion", "platform points in millimetres"),
-    "one point in millimetres": (one_leg("b", 2, 1e3), "stray-point", "base_point of leg 3"),
-    "base and platform exchanged": (
-        lambda robot: dataclasses.replace(robot, b=robot.p * 0.6, p=robot.b),
-        "proportion",
-        "base_point and platform_point exchanged",
-    ),
-    "base and platform exchanged, of a body like the base": (
-        lambda robot: dataclasses.replace(
-            robot,
-            b=0.55 * robot.b,
-            p=robot.b,
-            I_p=robot.M * (0.3 * np.linalg.norm(robot.b[0])) ** 2 * np.eye(3),
+STROKE = np.tile([0.5, 0.9], (6, 1))
+FLAT = np.array([[0.6, 0.2, 0.1], [0.0, 0.4, -0.1], [0.0, 0.0, 0.0]])
+BY_DOUBT: dict[str, dict[str, tuple[Change, str]]] = {
+    # name of the doubt -> what is wrong: change of a sound machine, words of its cause
+    "length-unit": {
+        "millimetres": (times(1e3, "b", "p"), "points in millimetres"),
+        "a robot of 20 mm in millimetres": (
+            of(b=lambda b: 20.0 * b, p=lambda p: 20.0 * p, M=lambda M: 1e-5 * M),
+            "points in millimetres",
         ),
-        "proportion",
-        "which fits the base points; likely cause: base_point and platform_point exchanged",
-    ),
-    "base and platform exchanged, of axes along the base": (
-        lambda robot: dataclasses.replace(
-            robot, b=robot.p, p=1.3 * robot.b, k=np.cross([0.0, 0.0, 1.0], robot.b - robot.b.mean(axis=0))
+    },
+    "proportion": {
+        "base in millimetres": (times(1e3, "b"), "base points in millimetres"),
+        "platform in millimetres": (times(1e3, "p"), "platform points in millimetres"),
+        "base and platform exchanged": (
+            lambda robot: replace(robot, b=0.6 * robot.p, p=robot.b),
+            "base_point and platform_point exchanged",
         ),
-        "proportion",
-        "fixed axes along or across the ring of the platform points",
-    ),
-    "a base point copied": (
-        lambda robot: dataclasses.replace(robot, b=robot.b[[0, 1, 1, 3, 4, 5]]),
-        "coincident",
-        "base_point of legs 2, 3 in one place",
-    ),
-    "gravity in mm/s^2": (of(g=lambda g: 1e3 * g), "gravity", "given in mm/s^2"),
-    "mass in grams": (of(M=lambda M: 1e3 * M, m_d=lambda m: 1e3 * m, m_u=lambda m: 1e3 * m), "", "grams"),
-    "mass of the platform in grams": (of(M=lambda M: 1e3 * M, I_p=lambda I_p: 1e3 * I_p), "mass", "in grams"),
-    "a robot of 20 mm in millimetres": (
-        of(b=lambda b: 20.0 * b, p=lambda p: 20.0 * p, M=lambda M: 1e-5 * M),
-        "length-unit",
-        "points in millimetres",
-    ),
-    "platform's inertia 1e-6 of what it is": (
-        of(I_p=lambda inertia: 1e-6 * inertia),
-        "inertia-size",
-        "converted from kg mm^2 twice",
-    ),
-    "lower parts' inertia 1e-6 of what it is": (
-        of(I_d0=lambda inertia: 1e-6 * inertia),
-        "inertia-size",
-        "converted from kg mm^2 twice",
-    ),
-    "one upper part's inertia 1e-6 of what it is": (
-        one_leg("I_u0", 3, 1e-6),
-        "inertia-size",
-        "converted from kg mm^2 twice",
-    ),
-    "platform's inertia in kg mm^2": (
-        of(I_p=lambda inertia: 1e6 * inertia),
-        "inertia-size",
-        "platform: inertia",
-    ),
-    "platform's inertia in g cm^2": (of(I_p=lambda inertia: 1e7 * inertia), "inertia-size", "g cm^2"),
-    "upper parts' inertia in kg cm^2": (
-        of(I_u0=lambda inertia: 1e4 * inertia),
-        "inertia-size",
-        "upper part of all legs",
-    ),
-    "one lower part's inertia in kg mm^2": (one_leg("I_d0", 4, 1e6), "inertia-size", "lower part of leg 5"),
-    "platform's centre of mass in millimetres": (
-        of(R_0=lambda R_0: 1e3 * (R_0 + 0.1)),
-        "center-of-mass",
-        "platform: center_of_mass",
-    ),
-    "lower centres of mass in millimetres": (
-        of(r_d0=lambda r: 1e3 * r),
-        "center-of-mass",
-        "lower part of all legs: center_of_mass",
-    ),
-    "one lower centre of mass in metres in a file of millimetres": (
-        one_leg("r_d0", 1, 1e-3),
-        "center-of-mass",
-        "given in metres in a file of millimetres",
-    ),
-    "tool in millimetres": (of(tool=lambda _: [150.0, 0.0, -600.0]), "tool", "given in millimetres"),
-    "tool in metres in a file of millimetres": (
-        of(tool=lambda _: [1.5e-4, 0.0, -6e-4]),
-        "tool",
-        "given in metres in a file of millimetres",
-    ),
-    "upper centres of mass of the wrong sign": (
-        of(r_u0=lambda r: -r),
-        "center-of-mass",
-        "wrong sign, expected a negative",
-    ),
-    "lower centres of mass of the wrong sign": (
-        of(r_d0=lambda r: -0.5 * r),
-        "center-of-mass",
-        "wrong sign, expected a positive",
-    ),
-    "lower centre of mass off the leg's axis": (
-        aside(2, "r_d0", 0.6),
-        "center-of-mass",
-        "lower part of leg 3: center_of_mass 0.6 m off the leg's axis",
-    ),
-    "upper centres of mass along the third axis": (
-        of(r_u0=lambda r: r[:, [2, 1, 0]]),
-        "center-of-mass",
-        "expected the first along the leg",
-    ),
-    "friction of the legs in another unit": (of(C_p=lambda C: 1e5 * C), "friction", "C_p of all legs"),
-    "friction of one base joint in another unit": (
-        lambda robot: dataclasses.replace(robot, C_u=1e6 * np.eye(6)[1] * robot.M),
-        "friction",
-        "C_u of leg 2",
-    ),
-    "friction of the platform's joints in another unit": (
-        lambda robot: dataclasses.replace(robot, C_s=np.full(6, 1e6 * robot.M)),
-        "friction",
-        "C_s of all legs",
-    ),
-    "rotor inertia in kg cm^2": (
-        lambda robot: dataclasses.replace(robot, drive=ss.Drive(lead=-0.005, rotor_inertia=2.0)),
-        "rotor-inertia",
-        "rotor_inertia of all legs: 2 kg m^2 resists as 3.16e+06 kg",
-    ),
-    "platform points shifted by one": (of(p=lambda p: np.roll(p, 1, axis=0)), "leg-order", "shifted by 1"),
-    "platform points shifted by two": (of(p=lambda p: np.roll(p, 2, axis=0)), "leg-order", "shifted by 2"),
-    "platform points shifted by three": (of(p=lambda p: np.roll(p, 3, axis=0)), "leg-order", "shifted by 3"),
-    "platform points numbered the other way": (of(p=lambda p: p[MIRROR]), "", "mirrored"),
-    "platform points of a left-handed frame": (of(p=lambda p: p[MIRROR] * [1, -1, 1]), "", ""),
-    "two platform points exchanged": (of(p=lambda p: p[SECOND]), "crossing", "legs 1, 2 cross"),
-    "platform points of opposite legs exchanged": (
-        of(p=lambda p: p[OPPOSITE]),
-        "crossing",
-        "legs 2, 5 cross",
-    ),
-    "universal axis along the leg": (
-        lambda robot: dataclasses.replace(robot, k=robot.p + np.array([0, 0, 0.7]) - robot.b),
-        "joint-singularity",
-        "across the leg",
-    ),
-    "limits in millimetres, alike": (alike(1e3), "length-limits", "limits in millimetres"),
-    "limits in centimetres, alike": (alike(1e2), "length-limits", "limits in centimetres"),
-    "limits in millimetres": (of(length_limits=lambda x: 1e3 * x), "length-limits", "in millimetres"),
-    "limits in centimetres": (of(length_limits=lambda x: 1e2 * x), "length-limits", "in centimetres"),
-    "the stroke for limits": (
-        lambda robot: dataclasses.replace(robot, length_limits=np.tile([0.0, 0.2], (6, 1))),
-        "length-limits",
-        "the stroke given",
-    ),
-    "home of another point": (
-        lambda robot: dataclasses.replace(robot, home=np.array([0.0, 0.0, 1.7])),
-        "home",
-        "home of another point",
-    ),
-    "force limit in kN": (of(force_limit=lambda F: 1e-3 * F), "force-limit", "force_limit in kN"),
-    "motors without their gear": (
-        lambda robot: dataclasses.replace(robot, drive=ss.Drive(lead=0.005, torque_limit=1e-4)),
-        "drive-limit",
-        "motors too weak",
-    ),
-    "motors' speed in revolutions a minute": (
-        lambda robot: dataclasses.replace(
-            robot, speed_limit=np.full(6, 0.4), drive=ss.Drive(lead=0.005, speed_limit=np.radians(5000.0))
+        "base and platform exchanged, of a body like the base": (
+            lambda robot: replace(robot, b=0.55 * robot.b, p=robot.b, I_p=robot.M * 0.15**2 * np.eye(3)),
+            "which fits the base points; likely cause: base_point and platform_point exchanged",
         ),
-        "drive-speed",
-        "revolutions a minute",
-    ),
-    "torque constant in mN m/A": (
-        lambda robot: dataclasses.replace(
-            robot, drive=ss.Drive(lead=0.005, torque_constant=60.0, speed_limit=900.0, torque_limit=2.0)
+        "base and platform exchanged, of axes along the base": (
+            lambda robot: replace(
+                robot, b=robot.p, p=1.3 * robot.b, k=np.cross([0.0, 0.0, 1.0], robot.b - robot.b.mean(axis=0))
+            ),
+            "fixed axes along or across the ring of the platform points",
         ),
-        "torque-constant",
-        "rad/s need",
-    ),
-    "torque constant in N m/mA": (
-        lambda robot: dataclasses.replace(
-            robot, drive=ss.Drive(lead=0.005, torque_constant=6e-5, rated_torque=1.0)
+    },
+    "stray-point": {"one point in millimetres": (one_leg("b", 2, 1e3), "base_point of leg 3")},
+    "coincident": {
+        "a base point copied": (
+            same(0, 1, 1, 3, 4, 5, of_platform=False),
+            "base_point of legs 2, 3 in one place",
+        )
+    },
+    "gravity": {"gravity in mm/s^2": (times(1e3, "g"), "given in mm/s^2")},
+    "": {
+        "mass in grams": (times(1e3, "M", "m_d", "m_u"), "grams"),
+        "platform points numbered the other way": (of(p=lambda p: p[MIRROR]), "mirrored"),
+        "platform points of a left-handed frame": (of(p=lambda p: p[MIRROR] * [1, -1, 1]), ""),
+    },
+    "mass": {"mass of the platform in grams": (times(1e3, "M", "I_p"), "in grams")},
+    "inertia-size": {
+        "platform's inertia 1e-6 of what it is": (times(1e-6, "I_p"), "converted from kg mm^2 twice"),
+        "lower parts' inertia 1e-6 of what it is": (times(1e-6, "I_d0"), "converted from kg mm^2 twice"),
+        "one upper part's inertia 1e-6 of what it is": (
+            one_leg("I_u0", 3, 1e-6),
+            "converted from kg mm^2 twice",
         ),
-        "torque-constant",
-        "1 N m need 1.67e+04 A",
-    ),
-    "winding in milliohm": (
-        lambda robot: dataclasses.replace(
-            robot, drive=ss.Drive(lead=0.005, torque_constant=0.1, resistance=400.0, torque_limit=2.0)
+        "platform's inertia in kg mm^2": (times(1e6, "I_p"), "platform: inertia"),
+        "platform's inertia in g cm^2": (times(1e7, "I_p"), "g cm^2"),
+        "upper parts' inertia in kg cm^2": (times(1e4, "I_u0"), "upper part of all legs"),
+        "one lower part's inertia in kg mm^2": (one_leg("I_d0", 4, 1e6), "lower part of leg 5"),
+    },
+    "center-of-mass": {
+        "platform's centre of mass in millimetres": (
+            of(R_0=lambda R_0: 1e3 * (R_0 + 0.1)),
+            "platform: center_of_mass",
         ),
-        "torque-constant",
-        "400 ohm, by which 20 A need 8e+03 V",
-    ),
-    "dry friction that no motor overcomes": (
-        lambda robot: dataclasses.replace(
-            robot, drive=ss.Drive(lead=0.005, motor_coulomb=2.5, torque_limit=2.0)
+        "lower centres of mass in millimetres": (
+            times(1e3, "r_d0"),
+            "lower part of all legs: center_of_mass",
         ),
-        "friction",
-        "2.5 N m of the motor, where torque_limit is 2 N m",
-    ),
-    "friction in which motors do not reach their speed": (
-        lambda robot: dataclasses.replace(
-            robot, drive=ss.Drive(lead=0.005, motor_viscous=0.002, torque_limit=2.0, speed_limit=1500.0)
+        "one lower centre of mass in metres in a file of millimetres": (
+            one_leg("r_d0", 1, 1e-3),
+            "given in metres in a file of millimetres",
         ),
-        "friction",
-        "3 N m of the motor at the speed limit",
-    ),
-    "friction that no drive overcomes": (
-        lambda robot: dataclasses.replace(
-            robot, C_p=np.full(6, 2e4), speed_limit=np.full(6, 0.5), force_limit=np.full(6, 5e3)
+        "upper centres of mass of the wrong sign": (times(-1.0, "r_u0"), "wrong sign, expected a negative"),
+        "lower centres of mass of the wrong sign": (times(-0.5, "r_d0"), "wrong sign, expected a positive"),
+        "lower centre of mass off the leg's axis": (
+            of(r_d0=lambda r: r + 0.6 * np.outer(np.eye(6)[2], [0.0, 1.0, 0.0])),
+            "lower part of leg 3: center_of_mass 0.6 m off the leg's axis",
         ),
-        "friction",
-        "force_limit is 5000 N",
-    ),
-    "speed limit in mm/s": (of(speed_limit=lambda v: 1e3 * v), "speed-limit", "given in mm/s"),
-    "speed limit in m/s in a file of millimetres": (
-        lambda robot: dataclasses.replace(
-            robot, length_limits=np.tile([0.5, 0.9], (6, 1)), speed_limit=np.full(6, 3e-4)
+        "upper centres of mass along the third axis": (
+            of(r_u0=lambda r: r[:, [2, 1, 0]]),
+            "expected the first along the leg",
         ),
-        "speed-limit",
-        "0.4 m of stroke take 1.33e+03 s",
-    ),
-    "joint angles in radians in a file of degrees": (
-        lambda robot: dataclasses.replace(
-            robot,
-            **{"home": np.array([0.0, 0.0, 0.6]), "length_limits": np.tile([0.5, 0.9], (6, 1))},
-            joint_angle_limit=np.full((6, 2), np.radians(0.6)),
+    },
+    "tool": {
+        "tool in millimetres": (of(tool=[150.0, 0.0, -600.0]), "given in millimetres"),
+        "tool in metres in a file of millimetres": (
+            of(tool=[1.5e-4, 0.0, -6e-4]),
+            "given in metres in a file of millimetres",
         ),
-        "joint-angle",
-        "0.6 degrees beside a stroke of 0.4 m",
-    ),
-    "parts that overlap": (
-        lambda robot: dataclasses.replace(
-            robot, r_d0=np.tile([0.55, 0, 0], (6, 1)), r_u0=np.tile([-0.65, 0, 0], (6, 1))
+    },
+    "friction": {
+        "friction of the legs in another unit": (times(1e5, "C_p"), "C_p of all legs"),
+        "friction of one base joint in another unit": (
+            lambda robot: replace(robot, C_u=1e6 * np.eye(6)[1] * robot.M),
+            "C_u of leg 2",
         ),
-        "overlap",
-        "both measured from one end",
-    ),
-    "base points on one line": (
-        of(b=lambda b: b * [1, 0, 0]),
-        "singular-everywhere",
-        "base points on one line",
-    ),
-    "platform points on one line": (
-        of(p=lambda p: p @ np.diag([1, 0, 0]) @ np.array([[1, 2, 3], [0, 0, 0], [0, 0, 0]])),
-        "singular-everywhere",
-        "platform points on one line",
-    ),
-    "four legs from one base point": (
-        of(b=lambda b: b[[0, 0, 0, 0, 4, 5]]),
-        "singular-everywhere",
-        "base points of legs 1, 2, 3, 4 in one place",
-    ),
-    "similar hexagons": (of(p=lambda p: ring(0.3, BASE)), "singular-everywhere", "similar hexagons"),
-    "similar hexagons to four digits": (
-        of(b=lambda b: np.round(b, 4), p=lambda p: np.round(ring(0.3, BASE), 4)),
-        "singular-everywhere",
-        "similar hexagons",
-    ),
-    "affine hexagons": (
-        of(p=lambda p: ring(0.5, BASE) @ np.array([[0.6, 0.2, 0.1], [0.0, 0.4, -0.1], [0.0, 0.0, 0.0]])),
-        "singular-everywhere",
-        "similar hexagons",
-    ),
-    "all platform points in one place": (of(p=lambda p: p[[0] * 6]), "singular-everywhere", "in one place"),
-    "all points in one place each, written with decimals": (
-        of(b=lambda b: np.tile([0.6, 0.2, 0.0], (6, 1)), p=lambda p: np.tile([0.3, 0.0, 0.1], (6, 1))),
-        "singular-everywhere",
-        "all legs coincide",
-    ),
-    "all legs the same": (
-        of(b=lambda b: b[[0] * 6], p=lambda p: p[[0] * 6]),
-        "singular-everywhere",
-        "all legs coincide",
-    ),
-    "two legs the same": (
-        of(b=lambda b: b[[0, 0, 2, 3, 4, 5]], p=lambda p: p[[0, 0, 2, 3, 4, 5]]),
-        "singular-everywhere",
-        "legs 1, 2 coincide",
-    ),
-    "parallel legs": (of(p=lambda p: ring(0.5, BASE)), "singular-everywhere", "similar hexagons"),
-    "lower part in centimetres": (of(lower_length=lambda _: np.full(6, 30.0)), "part-length", "another unit"),
-    "parts that do not meet": (
-        of(lower_length=lambda _: np.full(6, 0.1), upper_length=lambda _: np.full(6, 0.1)),
-        "part-length",
-        "not measured from its joint",
-    ),
+        "friction of the platform's joints in another unit": (
+            lambda robot: replace(robot, C_s=np.full(6, 1e6 * robot.M)),
+            "C_s of all legs",
+        ),
+        "dry friction that no motor overcomes": (
+            driven(motor_coulomb=2.5, torque_limit=2.0),
+            "2.5 N m of the motor, where torque_limit is 2 N m",
+        ),
+        "friction in which motors do not reach their speed": (
+            driven(motor_viscous=0.002, torque_limit=2.0, speed_limit=1500.0),
+            "3 N m of the motor at the speed limit",
+        ),
+        "friction that no drive overcomes": (
+            of(C_p=np.full(6, 2e4), speed_limit=np.full(6, 0.5), force_limit=np.full(6, 5e3)),
+            "force_limit is 5000 N",
+        ),
+    },
+    "rotor-inertia": {
+        "rotor inertia in kg cm^2": (
+            driven(lead=-0.005, rotor_inertia=2.0),
+            "rotor_inertia of all legs: 2 kg m^2 resists as 3.16e+06 kg",
+        )
+    },
+    "leg-order": {
+        f"platform points shifted by {word}": (
+            of(p=functools.partial(np.roll, shift=by, axis=0)),
+            f"shifted by {by}",
+        )
+        for by, word in enumerate(("one", "two", "three"), 1)
+    },
+    "crossing": {
+        "two platform points exchanged": (of(p=lambda p: p[SECOND]), "legs 1, 2 cross"),
+        "platform points of opposite legs exchanged": (of(p=lambda p: p[OPPOSITE]), "legs 2, 5 cross"),
+    },
+    "joint-singularity": {
+        "universal axis along the leg": (
+            lambda robot: replace(robot, k=robot.p + np.array([0, 0, 0.7]) - robot.b),
+            "across the leg",
+        )
+    },
+    "length-limits": {
+        "limits in millimetres, alike": (alike(1e3), "limits in millimetres"),
+        "limits in centimetres, alike": (alike(1e2), "limits in centimetres"),
+        "limits in millimetres": (times(1e3, "length_limits"), "in millimetres"),
+        "limits in centimetres": (times(1e2, "length_limits"), "in centimetres"),
+        "the stroke for limits": (of(length_limits=np.tile([0.0, 0.2], (6, 1))), "the stroke given"),
+    },
+    "home": {"home of another point": (of(home=np.array([0.0, 0.0, 1.7])), "home of another point")},
+    "force-limit": {"force limit in kN": (times(1e-3, "force_limit"), "force_limit in kN")},
+    "drive-limit": {"motors without their gear": (driven(torque_limit=1e-4), "motors too weak")},
+    "drive-speed": {
+        "motors' speed in revolutions a minute": (
+            driven(0.4, speed_limit=np.radians(5000.0)),
+            "revolutions a minute",
+        )
+    },
+    "torque-constant": {
+        "torque constant in mN m/A": (
+            driven(torque_constant=60.0, speed_limit=900.0, torque_limit=2.0),
+            "rad/s need",
+        ),
+        "torque constant in N m/mA": (
+            driven(torque_constant=6e-5, rated_torque=1.0),
+            "1 N m need 1.67e+04 A",
+        ),
+        "winding in milliohm": (
+            driven(torque_constant=0.1, resistance=400.0, torque_limit=2.0),
+            "400 ohm, by which 20 A need 8e+03 V",
+        ),
+    },
+    "speed-limit": {
+        "speed limit in mm/s": (times(1e3, "speed_limit"), "given in mm/s"),
+        "speed limit in m/s in a file of millimetres": (
+            of(length_limits=STROKE, speed_limit=np.full(6, 3e-4)),
+            "0.4 m of stroke take 1.33e+03 s",
+        ),
+    },
+    "joint-angle": {
+        "joint angles in radians in a file of degrees": (
+            of(
+                home=np.array([0.0, 0.0, 0.6]),
+                length_limits=STROKE,
+                joint_angle_limit=np.full((6, 2), np.radians(0.6)),
+            ),
+            "0.6 degrees beside a stroke of 0.4 m",
+        )
+    },
+    "overlap": {
+        "parts that overlap": (
+            of(r_d0=np.tile([0.55, 0, 0], (6, 1)), r_u0=np.tile([-0.65, 0, 0], (6, 1))),
+            "both measured from one end",
+        )
+    },
+    "singular-everywhere": {
+        "base points on one line": (of(b=lambda b: b * [1, 0, 0]), "base points on one line"),
+        "platform points on one line": (
+            of(p=lambda p: np.outer(p[:, 0], [1, 2, 3])),
+            "platform points on one line",
+        ),
+        "four legs from one base point": (
+            same(0, 0, 0, 0, 4, 5, of_platform=False),
+            "base points of legs 1, 2, 3, 4 in one place",
+        ),
+        "similar hexagons": (of(p=ring(0.3, BASE)), "similar hexagons"),
+        "similar hexagons to four digits": (
+            of(b=lambda b: np.round(b, 4), p=np.round(ring(0.3, BASE), 4)),
+            "similar hexagons",
+        ),
+        "affine hexagons": (of(p=ring(0.5, BASE) @ FLAT), "similar hexagons"),
+        "all platform points in one place": (same(*[0] * 6, of_base=False), "in one place"),
+        "all points in one place each, written with decimals": (
+            of(b=np.tile([0.6, 0.2, 0.0], (6, 1)), p=np.tile([0.3, 0.0, 0.1], (6, 1))),
+            "all legs coincide",
+        ),
+        "all legs the same": (same(*[0] * 6), "all legs coincide"),
+        "two legs the same": (same(0, 0, 2, 3, 4, 5), "legs 1, 2 coincide"),
+        "parallel legs": (of(p=ring(0.5, BASE)), "similar hexagons"),
+    },
+    "part-length": {
+        "lower part in centimetres": (of(lower_length=np.full(6, 30.0)), "another unit"),
+        "parts that do not meet": (
+            of(lower_length=np.full(6, 0.1), upper_length=np.full(6, 0.1)),
+            "not measured from its joint",
+        ),
+    },
 }
+ABSURD: dict[str, tuple[Change, str, str]] = {
+    wrong: (change, doubt, words)
+    for doubt, cases in BY_DOUBT.items()
+    for wrong, (change, words) in cases.items()
+}
+"""What is wrong: change of a sound machine, name of the doubt or "" for any, words of its cause."""
