@@ -203,10 +203,7 @@ def test_sound_library_that_does_not_load_is_one_line(cache: Path) -> None:
     with pytest.raises(
         native.CompilerError, match=r"^the compiled library orphan can't be stored or loaded: .*nowhere"
     ):
-        native.load(
-            "orphan",
-            {"orphan.c": "int nowhere(void);\nint call(void) { return nowhere(); }\n"},
-        )
+        native.load("orphan", {"orphan.c": "int nowhere(void);\nint call(void) { return nowhere(); }\n"})
 
 
 def test_build_folders_are_removed(cache: Path, compiler: LoggedCompiler) -> None:

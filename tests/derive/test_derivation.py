@@ -4,13 +4,7 @@ import pytest
 import sympy as sp
 
 from stewart_sym.derive.mechanics import platform
-from stewart_sym.derive.mechanics.formulation import (
-    EXACT,
-    EXACT_SPHERICAL,
-    FORMULATIONS,
-    PAPER,
-    Formulation,
-)
+from stewart_sym.derive.mechanics.formulation import EXACT, EXACT_SPHERICAL, FORMULATIONS, PAPER, Formulation
 from stewart_sym.derive.mechanics.legs import leg
 from stewart_sym.derive.mechanics.legs.base_frame import Transverse, scalar_form, vector_form
 from stewart_sym.derive.program.block import Builder

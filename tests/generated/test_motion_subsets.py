@@ -9,19 +9,10 @@ import attack_build
 import pytest
 
 from stewart_sym.derive.emit import closed_form as emitted
-from stewart_sym.derive.generate import (
-    EXACT,
-    generator_version,
-    motion_files,
-    prepared_model,
-    reduced_motion,
-)
+from stewart_sym.derive.generate import EXACT, generator_version, motion_files, prepared_model, reduced_motion
 from stewart_sym.derive.mechanics.closed_form import NAMES
 
-KIT = [
-    ("equations", "bias", "forward_dynamics", "joint_inertia"),
-    ("derivatives", "linearisation"),
-]
+KIT = [("equations", "bias", "forward_dynamics", "joint_inertia"), ("derivatives", "linearisation")]
 SUBSETS = [*KIT, emitted.FUNCTIONS]
 WARNINGS = ["-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wunused", "-Wmissing-prototypes", "-Werror"]
 

@@ -317,11 +317,7 @@ def test_every_shape_of_the_elimination_finds_the_solution() -> None:
     """One text: rows as vectors, lanes, pointers, loops. One pose and eight agree to the bit."""
     by_pointers = read.function(written_scalar.solve, {}, {}, "by_pointers", given=BY_POINTERS)
     text = "\n".join(C(sizes={8: "LANES"}).function(by_pointers))
-    sources = {
-        **c_sources("exact"),
-        "by_pointers.h": text,
-        "driver.c": DRIVER,
-    }
+    sources = {**c_sources("exact"), "by_pointers.h": text, "driver.c": DRIVER}
     made = native.load("shapes", sources, ["-O1", "-ffp-contract=off"])
     made.of_pointers.restype = ctypes.c_double
     given = systems()

@@ -158,10 +158,7 @@ def wrapped(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFac
     return folder
 
 
-@pytest.mark.parametrize(
-    ("compiler", "standard"),
-    [("g++", "c++17"), ("clang++", "c++20")],
-)
+@pytest.mark.parametrize(("compiler", "standard"), [("g++", "c++17"), ("clang++", "c++20")])
 def test_functions_are_called_from_cpp(wrapped: Path, compiler: str, standard: str) -> None:
     needed(compiler)
     program = f"{compiler}-{standard}"

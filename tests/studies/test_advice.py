@@ -151,11 +151,7 @@ def test_both_misses_are_named_and_the_larger_comes_first() -> None:
     slow = dataclasses.replace(MIDDLE, one_pose=(201.0,))
     error = "the error is 4.0e-02, 10 times what is allowed"
     time = "a pose takes 201 ns, {:.3g} times what is allowed".format
-    for rate, expected in (
-        (1e9, f"{time(201)}; {error}"),
-        (1e7, f"{error}; {time(2.01)}"),
-        (1e6, error),
-    ):
+    for rate, expected in ((1e9, f"{time(201)}; {error}"), (1e7, f"{error}; {time(2.01)}"), (1e6, error)):
         said = closest(advice(made_up(slow), budget(0.004, 1.0, rate)))
         assert said == f"exact slender, double, {expected}"
 

@@ -108,10 +108,7 @@ def test_the_second_group_has_its_ratios_and_targets(figures: dict[str, Any], wr
 def test_json_has_every_candidate_with_positive_figures(figures: dict[str, Any]) -> None:
     for group, expected in (("ours", bench.OURS), ("calls", bench.CALLS)):
         assert [entry["name"] for entry in figures[group]] == [each.name for each in expected]
-    assert [entry["name"] for entry in figures["baselines"]] == [
-        *(each.name for each in PEERS),
-        "Pinocchio",
-    ]
+    assert [entry["name"] for entry in figures["baselines"]] == [*(each.name for each in PEERS), "Pinocchio"]
     groups = (figures[name] for name in ("ours", "calls", "baselines", "builds", "peaks"))
     for entry in (*itertools.chain(*groups), figures["cycle"]):
         low, high = entry["quartiles"]

@@ -18,15 +18,7 @@ from matplotlib.transforms import Bbox
 
 from stewart_sym.studies.accuracy import cost_plot
 from stewart_sym.studies.accuracy.cost import CostAccuracy, Entry, Errors
-from stewart_sym.studies.accuracy.cost_plot import (
-    ROUNDING,
-    TOTAL,
-    Point,
-    csv_rows,
-    figure,
-    front,
-    points,
-)
+from stewart_sym.studies.accuracy.cost_plot import ROUNDING, TOTAL, Point, csv_rows, figure, front, points
 from stewart_sym.studies.common.drawing import name_points
 from stewart_sym.studies.common.report import SMALL, Picture, draw
 

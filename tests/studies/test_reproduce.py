@@ -26,12 +26,7 @@ from stewart_sym.studies.paper.claims import (
     rank_correlation,
 )
 from stewart_sym.studies.paper.report import WIDTH, report
-from stewart_sym.studies.paper.reproduce import (
-    Reproduction,
-    reproduce,
-    run_columns,
-    work_energy,
-)
+from stewart_sym.studies.paper.reproduce import Reproduction, reproduce, run_columns, work_energy
 
 
 @pytest.fixture(scope="module")

@@ -147,8 +147,7 @@ def calls() -> dict[str, Call]:
         "symbolic": Call(ss.symbolic, {"robot": robot, "what": "H", "formulation": "exact"}),
         "Symbolic.derivative": Call(derivative, {"by": sp.Symbol("t_x", real=True)}),
         "casadi_function": Call(
-            ss.casadi_function,
-            {"robot": robot, "what": "forces", "formulation": "exact", "checked": False},
+            ss.casadi_function, {"robot": robot, "what": "forces", "formulation": "exact", "checked": False}
         ),
         "array_kernel": Call(
             ss.array_kernel,
@@ -172,8 +171,7 @@ def calls() -> dict[str, Call]:
         "export_model": Call(ss.export_model, {"robot": robot, "format": "mjcf"}),
         "import_model": Call(ss.import_model, {"path": "no.xml"}),
         "prepare": Call(
-            ss.prepare,
-            {"robot": robot, "formulation": "exact", "precision": "double", "fidelity": "general"},
+            ss.prepare, {"robot": robot, "formulation": "exact", "precision": "double", "fidelity": "general"}
         ),
         "ForceKernel.forces": Call(
             ss.prepare(robot).forces, {"motion": motion, "threads": 1, "on_singular": "raise"}

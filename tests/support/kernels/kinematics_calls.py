@@ -89,9 +89,7 @@ def velocity(
     twist, status = np.full_like(rates, np.nan), np.full(len(rates), -1, dtype=np.int32)
     numbers, pose = numbers_of(robot, precision), poses_of(R, t, precision)
     library(precision).velocity_all(
-        *map(address, (numbers,)),
-        ctypes.c_size_t(len(rates)),
-        *map(address, (pose, rates, twist, status)),
+        *map(address, (numbers,)), ctypes.c_size_t(len(rates)), *map(address, (pose, rates, twist, status))
     )
     assert np.isnan(twist[status != results.OK]).all()
     return twist, status

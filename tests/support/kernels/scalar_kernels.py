@@ -72,11 +72,7 @@ def library(formulation: str, joint: str, level: str, precision: str) -> tuple[c
 
 
 def compiled(kernel: Any, before: Any, precision: str) -> tuple[ctypes.CDLL, str]:
-    sources = {
-        "stewart.h": common_header(""),
-        **shared_headers(""),
-        **scalar.files(kernel, before, ""),
-    }
+    sources = {"stewart.h": common_header(""), **shared_headers(""), **scalar.files(kernel, before, "")}
     defines = {"STEWART_FLOAT": 1} if precision == "float" else None
     return native.load("scalar", sources, ["-O1", "-ffp-contract=off"], defines), kernel.name
 

@@ -15,12 +15,7 @@ import fmpy
 import machines
 import numpy as np
 import pytest
-from fmpy.fmi2 import (
-    FMU2Slave,
-    defaultCallbacks,
-    fmi2CallbackFunctions,
-    fmi2CallbackLoggerTYPE,
-)
+from fmpy.fmi2 import FMU2Slave, defaultCallbacks, fmi2CallbackFunctions, fmi2CallbackLoggerTYPE
 from kits import few_vectors
 from numpy.typing import NDArray
 

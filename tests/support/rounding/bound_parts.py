@@ -72,10 +72,7 @@ def holds() -> bool:
     for H, H_err, c, c_err, c_own, x, Y in _systems():
         doubt = c_err + H_err @ abs(x)
         error, found = abs(Y) @ doubt, np.zeros(6)
-        library.solution(
-            *(_at(each) for each in (H, H_err, c, c_err, c_own, x, Y, error)),
-            _at(found),
-        )
+        library.solution(*(_at(each) for each in (H, H_err, c, c_err, c_own, x, Y, error)), _at(found))
         least = np.array([_farthest(i, H, H_err, c, c_err + c_own, x, Y) for i in range(6)])
         if not (found >= least * (1 - NOISE)).all():
             return False

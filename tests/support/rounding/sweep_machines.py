@@ -200,13 +200,7 @@ OUTPUT_NUMBERS = sum(int(np.prod(shape)) for shapes in OUTPUTS.values() for shap
 
 
 def block_error(
-    part: tuple[int, ...],
-    length: float,
-    scaled: float,
-    found: Any,
-    high: Array,
-    low: Array,
-    change: Array,
+    part: tuple[int, ...], length: float, scaled: float, found: Any, high: Array, low: Array, change: Array
 ) -> float:
     """Error of a block in rounding units of its size times its condition number.
 
