@@ -16,12 +16,8 @@ from stewart_sym import robots
 from stewart_sym.cli.main import main
 
 NUMBERS = {
-    "--base-radius": 0.6,
-    "--platform-radius": 0.3,
-    "--height": 0.7,
-    "--platform-mass": 40.0,
-    "--leg-mass": 4.0,
-    "--stroke": 0.3,
+    **{"--base-radius": 0.6, "--platform-radius": 0.3, "--height": 0.7, "--stroke": 0.3},
+    **{"--platform-mass": 40.0, "--leg-mass": 4.0},
 }
 
 

@@ -43,16 +43,8 @@ def test_tests_run_from_the_sdist(tmp_path: Path) -> None:
     tracked = subprocess.run(["git", "ls-files"], check=True, capture_output=True, text=True, cwd=REPOSITORY)
     missing = [name for name in tracked.stdout.splitlines() if not (unpacked / name).exists()]
     assert missing == []
-    test = [
-        sys.executable,
-        "-m",
-        "pytest",
-        "-q",
-        "-n",
-        "0",
-        "tests/derive/test_conventions.py",
-        "tests/kinematics/test_kinematics.py",
-    ]
+    tests = ("tests/derive/test_conventions.py", "tests/kinematics/test_kinematics.py")
+    test = [sys.executable, "-m", "pytest", "-q", "-n", "0", *tests]
     subprocess.run(test, check=True, capture_output=True, cwd=unpacked)
 
 

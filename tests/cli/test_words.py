@@ -6,20 +6,7 @@ from pathlib import Path
 ROOT = Path(__file__).parents[2]
 FOLDERS = ("derive", "generated", "stewart_sym", "tests", ".ci", ".docs")
 TEXTS = {
-    ".py",
-    ".pyi",
-    ".c",
-    ".h",
-    ".in",
-    ".md",
-    ".toml",
-    ".cmake",
-    ".json",
-    ".ipynb",
-    ".sh",
-    ".m",
-    ".rs",
-    "",
+    *(".py", ".pyi", ".c", ".h", ".in", ".md", ".toml", ".cmake", ".json", ".ipynb", ".sh", ".m", ".rs", ""),
 }
 
 # What such a word has in it in small letters, pattern of what is not written, and what is.

@@ -20,17 +20,8 @@ def vector(name: str) -> sp.Matrix:
 
 
 def leg_frame_motion() -> leg.LegFrameMotion:
-    return leg.LegFrameMotion(
-        L,
-        1 / L,
-        sp.Matrix([K1, 0, K3]),
-        1 / K3,
-        K1 / K3,
-        vector("u"),
-        vector("e"),
-        vector("gamma"),
-        vector("w"),
-    )
+    k = sp.Matrix([K1, 0, K3])
+    return leg.LegFrameMotion(L, 1 / L, k, 1 / K3, K1 / K3, *map(vector, ("u", "e", "gamma", "w")))
 
 
 def solved(form: Formulation) -> tuple[dict[str, sp.Expr], leg.PartForces, leg.LegConstants, sp.Expr]:

@@ -131,15 +131,9 @@ def test_commands_that_are_not_run_install_and_name_extras_that_there_are() -> N
 
 
 def test_pictures_are_those_of_a_page_of_a_study_or_of_the_drawing(tmp_path: Path) -> None:
-    made = {
-        "path_I_forces.png",  # tests/studies/test_reproduce.py
-        "energy_drift.png",
-        "hexapod_forces.png",
-        "conventions.png",
-        "machine.png",
-        "exported_mujoco.png",
-    }
-    made |= {"slices.png", "size.png", "plan_durations.png"}
+    # path_I_forces: tests/studies/test_reproduce.py
+    made = {"path_I_forces.png", "energy_drift.png", "hexapod_forces.png", "conventions.png", "machine.png"}
+    made |= {"exported_mujoco.png", "slices.png", "size.png", "plan_durations.png"}
     made |= {f"{page.stem}.png" for page in (DOCS / "gallery").glob("*.md") if page.stem != "index"}
     assert {path.name for page in PAGES for path in pictures(page)} == {*made, *PICTURES}
     conventions_drawing.save(tmp_path / "conventions.png")

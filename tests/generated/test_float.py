@@ -128,16 +128,8 @@ def test_float_object_code_holds_no_double(
     target = compiled(compiler, [*flags, *FLOAT], source, tmp_path / "kernel.o")
     assert double_instructions(disassembled(target)) == set()
     listed = subprocess.run(["nm", "-u", str(target)], check=True, capture_output=True, text=True).stdout
-    assert {*listed.split()} <= {
-        "U",
-        "stewart_exact_forces",
-        "stewart_exact_forces_batch",
-        "sqrtf",
-        "memcpy",
-        "memmove",
-        "memset",
-        "_GLOBAL_OFFSET_TABLE_",
-    }
+    own, copies = {"stewart_exact_forces", "stewart_exact_forces_batch"}, {"memcpy", "memmove", "memset"}
+    assert {*listed.split()} <= own | copies | {"U", "sqrtf", "_GLOBAL_OFFSET_TABLE_"}
 
 
 @on_x86

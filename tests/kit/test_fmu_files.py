@@ -201,17 +201,12 @@ def test_another_tool_builds_the_unit_from_its_sources(
 def test_sanitizers_find_nothing_in_a_life_of_two_instances(case: str, tmp_path: Path) -> None:
     where, driver = folder(case) / "sources", Path(__file__).parents[1] / "support" / "c" / "fmi2_driver.c"
     program, values = tmp_path / "driver", references(case)
-    flags = [
-        "-std=c99",
-        "-g",
-        "-O0",
-        "-fsanitize=address,undefined",
-        "-fno-sanitize-recover=all",
-        "-I",
-        str(where),
-    ]
+    flags = ["-std=c99", "-g", "-O0", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
     flags += [f'-DUNIT_GUID="{guid(made(case).content)}"', f"-DUNIT_REALS={values['status']}"]
-    silent(["clang", *flags, str(driver), *map(str, where.glob("*.c")), "-o", str(program), "-lm"], tmp_path)
+    silent(
+        ["clang", *flags, f"-I{where}", str(driver), *map(str, where.glob("*.c")), "-o", str(program), "-lm"],
+        tmp_path,
+    )
     silent([str(program)], tmp_path)
 
 

@@ -86,17 +86,12 @@ def wishes(rng: random.Random) -> Iterator[Wish]:
     while True:
         functions = tuple(name for name in FUNCTIONS if rng.random() < 0.5)
         which = rng.choice(MACHINES)
-        level = rng.choice([None, *fidelity.available(machine(which))])
+        level, formulation = rng.choice([None, *fidelity.available(machine(which))]), rng.choice(FORMULATIONS)
         plain = "forces" not in functions
-        made = Choice(
-            functions,
-            rng.choice(FORMULATIONS),
-            None if plain else level,
-            not plain and rng.random() < 0.5,
-            not plain and rng.random() < 0.5,
-            rng.choice(("double", "float")),
-            not plain and rng.random() < 0.5,
-        )
+        bake, scalar = (not plain and rng.random() < 0.5 for _ in range(2))
+        precision = rng.choice(("double", "float"))
+        fmu = not plain and rng.random() < 0.5
+        made = Choice(functions, formulation, None if plain else level, bake, scalar, precision, fmu)
         wish = Wish(which, made)
         if wish.possible:
             yield wish

@@ -191,46 +191,23 @@ def test_python_takes_integers_for_what_they_are(kind: Any, kit_of: Callable[[st
     np.testing.assert_array_equal(found.F, arrays.forces(on, model, motion).F)
 
 
+VECTORS = [
+    ("forward_dynamics(model, motion, zeros(5, 1))", "F", 6, "5 x 1 of double"),
+    ("forward_dynamics(model, motion, eye(6))", "F", 6, "6 x 6 of double"),
+    ("forward_dynamics(model, motion, 'abcdef')", "F", 6, "1 x 6 of char"),
+    ("linearisation(model, motion, 1i * ones(6, 1))", "F", 6, "6 x 1 of double"),
+    ("forward_kinematics(robot, 1, guess)", "L", 6, "1 x 1 of double"),
+    ("forward_velocity(robot, guess, {1})", "L_dot", 6, "1 x 1 of cell"),
+    ("forces(model, setfield(motion, 't', [1 2]))", "t", 3, "1 x 2 of double"),
+    ("prepare(setfield(robot, 'M', [1 2]))", "M", 1, "1 x 2 of double"),
+    ("motion_of(eye(3), [0 0])", "t", 3, "1 x 2 of double"),
+    ("forces(model, setfield(motion, 'R', eye(3)))", "R", 9, "3 x 3 of double"),
+]
+"""Call, the vector that does not fit, its length, and what it is."""
 OCTAVE_SHAPES = [
-    (
-        "stewart.forward_dynamics(model, motion, zeros(5, 1))",
-        "F: expected a vector of 6 real numbers, got 5 x 1 of double",
-    ),
-    (
-        "stewart.forward_dynamics(model, motion, eye(6))",
-        "F: expected a vector of 6 real numbers, got 6 x 6 of double",
-    ),
-    (
-        "stewart.forward_dynamics(model, motion, 'abcdef')",
-        "F: expected a vector of 6 real numbers, got 1 x 6 of char",
-    ),
-    (
-        "stewart.linearisation(model, motion, 1i * ones(6, 1))",
-        "F: expected a vector of 6 real numbers, got 6 x 1 of double",
-    ),
-    (
-        "stewart.forward_kinematics(robot, 1, guess)",
-        "L: expected a vector of 6 real numbers, got 1 x 1 of double",
-    ),
-    (
-        "stewart.forward_velocity(robot, guess, {1})",
-        "L_dot: expected a vector of 6 real numbers, got 1 x 1 of cell",
-    ),
-    (
-        "stewart.forces(model, setfield(motion, 't', [1 2]))",
-        "t: expected a vector of 3 real numbers, got 1 x 2 of double",
-    ),
-    (
-        "stewart.prepare(setfield(robot, 'M', [1 2]))",
-        "M: expected a vector of 1 real numbers, got 1 x 2 of double",
-    ),
-    ("stewart.prepare(setfield(robot, 'leg', robot.leg(1:5)))", "leg: expected 6, got 5"),
-    ("stewart.motion_of(eye(3), [0 0])", "t: expected a vector of 3 real numbers, got 1 x 2 of double"),
-    (
-        "stewart.forces(model, setfield(motion, 'R', eye(3)))",
-        "R: expected a vector of 9 real numbers, got 3 x 3 of double",
-    ),
-    ("stewart.motion_of(eye(2))", "R: expected 3 x 3, got 2 x 2"),
+    ("prepare(setfield(robot, 'leg', robot.leg(1:5)))", "leg: expected 6, got 5"),
+    ("motion_of(eye(2))", "R: expected 3 x 3, got 2 x 2"),
+    *((call, f"{name}: expected a vector of {n} real numbers, got {got}") for call, name, n, got in VECTORS),
 ]
 
 
@@ -240,7 +217,7 @@ def test_matlab_names_the_argument_that_does_not_fit_and_takes_integers(
     lines = [
         "robot = stewart.robot(); model = stewart.prepare(robot);",
         "motion = stewart.motion_of(eye(3), [0; 0; 1]); guess = stewart.pose_at(eye(3), [0 0 1]);",
-        *(f"try, {call}; disp('none'); catch e, disp(e.message); end" for call, _ in OCTAVE_SHAPES),
+        *(f"try, stewart.{call}; disp('none'); catch e, disp(e.message); end" for call, _ in OCTAVE_SHAPES),
         "one = stewart.forward_dynamics(model, motion, int8([1 -2 3 0 5 0]));",
         "motion.t = single([0 0 1]);",
         "other = stewart.forward_dynamics(model, motion, [1 -2 3 0 5 0]');",

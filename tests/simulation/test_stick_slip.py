@@ -19,13 +19,8 @@ from stewart_sym.simulation.actuator_models import ForceLaw
 from stewart_sym.simulation.stick_slip import StickSlip
 
 DRIVE = ss.Drive(
-    lead=5e-3,
-    efficiency=0.9,
-    back_efficiency=0.8,
-    screw_coulomb=20.0,
-    screw_viscous=50.0,
-    stribeck=10.0,
-    stribeck_speed=5e-3,
+    **{"lead": 5e-3, "efficiency": 0.9, "back_efficiency": 0.8},
+    **{"screw_coulomb": 20.0, "screw_viscous": 50.0, "stribeck": 10.0, "stribeck_speed": 5e-3},
 )
 HOME = ss.Motion(np.eye(3), np.array([0.0, 0.0, 0.7]), np.zeros(3), np.zeros(3))
 

@@ -12,14 +12,9 @@ from stewart_sym.studies.benchmark.shares import BASIS, Measured, shares
 from stewart_sym.studies.common import timing
 
 NAMES = {
-    "one": "one pose",
-    "batch": "batch, one core",
-    "float": "batch, float",
-    "inverse": "inverse dynamics",
-    "forward": "forward dynamics",
-    "regressor": "regressor",
-    "plain": PLAIN,
-    "closed": CLOSED,
+    **{"one": "one pose", "batch": "batch, one core", "float": "batch, float"},
+    **{"inverse": "inverse dynamics", "forward": "forward dynamics", "regressor": "regressor"},
+    **{"plain": PLAIN, "closed": CLOSED},
 }
 
 

@@ -15,17 +15,9 @@ from playwright.sync_api import Browser, Page, sync_playwright
 Array = NDArray[np.float64]
 
 ARGUMENTS = (
-    "--no-sandbox",
-    "--disable-quic",
-    "--no-first-run",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-sync",
-    "--use-gl=angle",
-    "--use-angle=swiftshader",
-    "--enable-unsafe-swiftshader",
-    "--force-color-profile=srgb",
-    "--hide-scrollbars",
+    *("--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking"),
+    *("--disable-component-update", "--disable-sync", "--use-gl=angle", "--use-angle=swiftshader"),
+    *("--enable-unsafe-swiftshader", "--force-color-profile=srgb", "--hide-scrollbars"),
 )
 DOTS = 2
 """Dots of a pixel in either direction, so that ends are found to less than one."""

@@ -25,22 +25,8 @@ def named(name: str, array: NDArray[np.float64]) -> dict[str, mp.mpf]:
 
 def block_inputs(robot: Robot, motion: Motion, leg: int) -> dict[str, mp.mpf]:
     values: dict[str, mp.mpf] = {}
-    for name in (
-        "b",
-        "p",
-        "k",
-        "m_d",
-        "r_d0",
-        "I_d0",
-        "m_u",
-        "r_u0",
-        "I_u0",
-        "C_u",
-        "C_p",
-        "C_s",
-        "m_r",
-        "j_r",
-    ):
+    of_leg = ("b", "p", "k", "m_d", "r_d0", "I_d0", "m_u", "r_u0", "I_u0", "C_u", "C_p", "C_s", "m_r", "j_r")
+    for name in of_leg:
         values |= named(name, np.asarray(getattr(robot, name)[leg]))
     for name in ("M", "R_0", "I_p", "g"):
         values |= named(name, np.asarray(getattr(robot, name)))
