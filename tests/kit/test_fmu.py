@@ -11,14 +11,7 @@ import machines
 import numpy as np
 import pytest
 from fmpy.fmi1 import FMICallException
-from fmpy.fmi2 import (
-    defaultCallbacks,
-    fmi2CallbackFunctions,
-    fmi2CallbackLoggerTYPE,
-    fmi2CoSimulation,
-    fmi2LastSuccessfulTime,
-    fmi2ModelExchange,
-)
+from fmpy.fmi2 import fmi2CoSimulation, fmi2LastSuccessfulTime, fmi2ModelExchange
 from fmpy.validation import validate_fmu
 from fmu_units import (
     EVERY,
@@ -40,6 +33,7 @@ from fmu_units import (
     started,
     status,
     step,
+    told_to,
     unit,
 )
 
@@ -167,16 +161,9 @@ def test_units_of_measure_come_down_to_base_units() -> None:
         for name, unit in base.items()
     }
     assert exponents == {
-        "1": (0, 0, 0, 0),
-        "m": (0, 1, 0, 0),
-        "rad/s": (0, 0, -1, 1),
-        "m/s": (0, 1, -1, 0),
-        "rad/s2": (0, 0, -2, 1),
-        "m/s2": (0, 1, -2, 0),
-        "N": (1, 1, -2, 0),
-        "N.m": (1, 2, -2, 0),
-        "kg": (1, 0, 0, 0),
-        "kg.m2": (1, 2, 0, 0),
+        **{"1": (0, 0, 0, 0), "m": (0, 1, 0, 0), "kg": (1, 0, 0, 0), "kg.m2": (1, 2, 0, 0)},
+        **{"rad/s": (0, 0, -1, 1), "m/s": (0, 1, -1, 0), "rad/s2": (0, 0, -2, 1), "m/s2": (0, 1, -2, 0)},
+        **{"N": (1, 1, -2, 0), "N.m": (1, 2, -2, 0)},
     }
 
 
@@ -219,13 +206,10 @@ def test_singular_pose_has_its_status(tmp_path: Path) -> None:
         archive.extractall(tmp_path)
     row = np.zeros(30)
     row[:9], row[9:12] = np.eye(3).ravel(), [0.05, 0.02, 0.0]
-    with loaded("flat", tmp_path) as slave:
-        slave.instantiate()
-        started(slave)
+    with running("flat", place=tmp_path) as slave:
         before = slave.getReal(FORCES)
         assert step(slave, row).tolist() == before
         assert status(slave) == SINGULAR
-        slave.fmi2FreeInstance(slave.component)
 
 
 def test_number_too_large_for_float_is_not_finite() -> None:
@@ -344,22 +328,12 @@ def test_reset_gives_a_fresh_instance() -> None:
 @pytest.mark.parametrize("wrong", ["guid", "kind", "name"])
 def test_unit_rejects_what_does_not_belong_to_it(wrong: str) -> None:
     told: list[bytes] = []
-    callbacks = fmi2CallbackFunctions()
-    callbacks.allocateMemory, callbacks.freeMemory = (
-        defaultCallbacks.allocateMemory,
-        defaultCallbacks.freeMemory,
-    )
-    callbacks.logger = fmi2CallbackLoggerTYPE(lambda *entry: told.append(entry[4]))
+    callbacks = told_to(lambda *entry: told.append(entry[2]))
     with loaded("lanes") as slave:
         guid = slave.guid.replace(slave.guid[1], "x", 1) if wrong == "guid" else slave.guid
-        made_instance = slave.fmi2Instantiate(
+        name, kind = (
             b"" if wrong == "name" else b"one",
             fmi2ModelExchange if wrong == "kind" else fmi2CoSimulation,
-            guid.encode(),
-            b"",
-            ctypes.byref(callbacks),
-            0,
-            0,
         )
-        assert made_instance is None
+        assert slave.fmi2Instantiate(name, kind, guid.encode(), b"", ctypes.byref(callbacks), 0, 0) is None
     assert len(told) == 1

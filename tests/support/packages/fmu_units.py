@@ -6,7 +6,7 @@ import io
 import re
 import tempfile
 import zipfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -192,21 +192,26 @@ def loaded(case: str, place: Path | None = None) -> Iterator[FMU2Slave]:
         slave.freeLibrary()
 
 
-@contextmanager
-def running(case: str, log: list[tuple[int, str, str]] | None = None) -> Iterator[FMU2Slave]:
-    """An initialised instance; with a log, logging is on."""
-    callbacks = fmi2CallbackFunctions()
-    callbacks.allocateMemory, callbacks.freeMemory = (
-        defaultCallbacks.allocateMemory,
-        defaultCallbacks.freeMemory,
-    )
+def told_to(log: Callable[[int, bytes, bytes], object]) -> fmi2CallbackFunctions:
+    """What an instance calls: the memory's functions, and the log's with status, category and message."""
+    allocate, free = defaultCallbacks.allocateMemory, defaultCallbacks.freeMemory
+    callbacks = fmi2CallbackFunctions(allocateMemory=allocate, freeMemory=free)
+    callbacks.logger = fmi2CallbackLoggerTYPE(lambda _, __, *entry: log(*entry) and None)
+    return callbacks
 
-    def logger(_: object, __: bytes, status: int, category: bytes, message: bytes) -> None:
+
+@contextmanager
+def running(
+    case: str, log: list[tuple[int, str, str]] | None = None, place: Path | None = None
+) -> Iterator[FMU2Slave]:
+    """An initialised instance; with a log, logging is on."""
+
+    def note(status: int, category: bytes, message: bytes) -> None:
         assert log is not None
         log.append((status, category.decode(), message.decode()))
 
-    callbacks.logger = fmi2CallbackLoggerTYPE(logger)
-    with loaded(case) as slave:
+    callbacks = told_to(note)
+    with loaded(case, place) as slave:
         slave.instantiate(callbacks=callbacks, loggingOn=log is not None)
         started(slave)
         yield slave

@@ -3,7 +3,7 @@
 import dataclasses
 import re
 import subprocess
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from functools import cache
 from pathlib import Path
@@ -84,8 +84,9 @@ def build(folder: Path, compiler: str, level: str = "-O1") -> dict[str, Path]:
     return made
 
 
-def silently(command: list[str]) -> None:
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
+def silently(command: Sequence[str], folder: Path | None = None) -> None:
+    """Runs a command that must succeed without a word."""
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
     assert (done.returncode, done.stdout + done.stderr) == (0, "")
 
 
