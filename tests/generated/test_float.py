@@ -6,15 +6,14 @@ import math
 import platform
 import re
 import shutil
-import subprocess
 from pathlib import Path
 from typing import Any
 
-import attack_build
 import numpy as np
 import pytest
 import scalar_kernels
-from compiled_folder import c_folder
+from attack_build import GENERATED, SOME, SOME_WITH_ROTORS
+from builds import run
 from float_machines import BOUND, any_machine
 from machines import dasgupta, random_motion, random_robot, with_random_drives
 from motion_fields import FIELDS
@@ -40,7 +39,7 @@ from stewart_sym.robot.robot import Robot
 from stewart_sym.robot.units import Units
 from stewart_sym.studies.accuracy import scales
 
-SOURCES = sorted(path.name for path in c_folder().glob("*.c"))
+SOURCES = sorted(path.name for path in GENERATED.glob("*.c"))
 FORCES = [name for name in SOURCES if name.endswith("_forces.c")]
 # Of legs with rotors, whose printers and passes are those of the others, one kernel is in the fast tests.
 ANY_FORCES = [
@@ -80,13 +79,12 @@ def layout_of(source: str) -> list[str]:
 
 def compiled(compiler: str, flags: list[str], source: str, target: Path) -> Path:
     command = [compiler, "-std=c99", *flags, *layout_of(source), "-c", source, "-o", str(target)]
-    subprocess.run(command, check=True, cwd=c_folder())
+    run(*command, cwd=GENERATED)
     return target
 
 
 def disassembled(target: Path) -> str:
-    command = ["objdump", "-d", "--no-show-raw-insn", str(target)]
-    return subprocess.run(command, check=True, capture_output=True, text=True).stdout
+    return run("objdump", "-d", "--no-show-raw-insn", target)
 
 
 on_x86 = pytest.mark.skipif(
@@ -99,9 +97,8 @@ FAST = ["-O3", "-mavx2", "-mfma", "-fno-math-errno"]
 GENERAL = ["stewart_exact.c", "stewart_exact_forces.c", "stewart_exact_motion.c", "stewart_paper_forces.c"]
 # One printer writes all of them, and warnings of promotions are asked of each: of others than the general
 # ones, one of each kind in the build with the fewest instructions folded or left out.
-OTHERS = [f"{stem}.c" for stem in attack_build.SOME if f"{stem}.c" not in GENERAL]
-LONG = "stewart_exact_motion.c"
-OTHERS += [f"{stem}.c" for stem in attack_build.SOME_WITH_ROTORS]
+OTHERS = [f"{stem}.c" for stem in SOME if f"{stem}.c" not in GENERAL]
+OTHERS += [f"{stem}.c" for stem in SOME_WITH_ROTORS]
 LONG = "stewart_exact_motion.c"
 BUILDS = [(compiler, FAST, source) for compiler in COMPILERS for source in GENERAL if source != LONG]
 BUILDS += [("gcc", ["-O1", *FAST[1:]], source) for source in (*OTHERS, LONG)]
@@ -127,7 +124,7 @@ def test_float_object_code_holds_no_double(
 ) -> None:
     target = compiled(compiler, [*flags, *FLOAT], source, tmp_path / "kernel.o")
     assert double_instructions(disassembled(target)) == set()
-    listed = subprocess.run(["nm", "-u", str(target)], check=True, capture_output=True, text=True).stdout
+    listed = run("nm", "-u", target)
     own, copies = {"stewart_exact_forces", "stewart_exact_forces_batch"}, {"memcpy", "memmove", "memset"}
     assert {*listed.split()} <= own | copies | {"U", "sqrtf", "_GLOBAL_OFFSET_TABLE_"}
 
@@ -149,8 +146,7 @@ def test_the_reading_of_object_code_finds_double_arithmetic_and_a_single_promoti
 def test_float_compiles_without_a_silent_conversion(source: str) -> None:
     """In double, and by other compilers, some of them: ``test_generated``."""
     command = ["gcc", *STRICT, *FLOAT, *layout_of(source), "-fsyntax-only", source]
-    done = subprocess.run(command, capture_output=True, text=True, cwd=c_folder())
-    assert (done.returncode, done.stderr) == (0, "")
+    assert run(*command, cwd=GENERATED) == ""
 
 
 def test_the_float_model_has_the_size_that_python_allots(tmp_path: Path) -> None:
@@ -165,7 +161,7 @@ typedef char size_agrees[sizeof(stewart_{kernel}_model) == {numbers} * sizeof(fl
                              : -1];
 """
         (tmp_path / "size.c").write_text(check)
-        subprocess.run(["gcc", *FLOAT, *layout_of(source), "-c", "size.c"], check=True, cwd=tmp_path)
+        run("gcc", *FLOAT, *layout_of(source), "-c", "size.c", cwd=tmp_path)
 
 
 # --- accuracy ---------------------------------------------------------------------------------

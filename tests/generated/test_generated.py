@@ -5,12 +5,11 @@ That they are what the derivation writes ``.ci/newcomer`` checks, by ``derive --
 
 import itertools
 import re
-import subprocess
 from pathlib import Path
 
-import attack_build
 import pytest
-from compiled_folder import c_folder
+from attack_build import GENERATED, SOME
+from builds import run
 
 from stewart_sym.backend.kernel import defines_of
 from stewart_sym.derive.mechanics.formulation import FORMULATIONS
@@ -29,7 +28,7 @@ WAYS = [
     (*way, stem.removeprefix("stewart_"))
     for way in itertools.product(("gcc", "clang"), PRECISIONS, LANGUAGES)
     if way != OPTIMISED
-    for stem in attack_build.SOME
+    for stem in SOME
     if not stem.endswith("_motion")
 ]
 
@@ -37,10 +36,7 @@ WAYS = [
 def compiled_silently(compiler: str, precision: str, language: str, kernel: str, *flags: str) -> None:
     defines = [f"-D{name}" for name in defines_of(kernel)]
     command = [compiler, *LANGUAGES[language], *STRICT, *PRECISIONS[precision], *defines, *flags]
-    done = subprocess.run(
-        [*command, f"stewart_{kernel}.c"], capture_output=True, text=True, check=False, cwd=c_folder()
-    )
-    assert (done.returncode, done.stderr) == (0, "")
+    assert run(*command, f"stewart_{kernel}.c", cwd=GENERATED) == ""
 
 
 # What one compiler takes in one language, and the other in the other.
@@ -55,7 +51,7 @@ def test_c_compiles_silently(compiler: str, precision: str, language: str, kerne
     compiled_silently(compiler, precision, language, kernel, "-fsyntax-only")
 
 
-OF_EACH_KIND = sorted({*KERNELS, *(stem.removeprefix("stewart_") for stem in attack_build.SOME)})
+OF_EACH_KIND = sorted({*KERNELS, *(stem.removeprefix("stewart_") for stem in SOME)})
 
 
 SHORT = ("exact_forces", "exact_massless_static_forces", "kinematics", "legs", "torque")
@@ -73,11 +69,11 @@ def test_optimised_c_compiles_silently_and_calls_nothing_but_square_roots(
     """
     target = str(tmp_path / "k.o")
     compiled_silently("gcc", "double", "c99", kernel, "-O1", "-c", "-o", target)
-    undefined = {line.split()[-1] for line in attack_build.ran(["nm", "-u", target], tmp_path).splitlines()}
+    undefined = {line.split()[-1] for line in run("nm", "-u", target).splitlines()}
     forces = {"stewart_exact_forces", "stewart_exact_forces_batch"}
     copies = {"memcpy", "memmove", "memset"}
     assert undefined <= forces | copies | {"sqrt", "_GLOBAL_OFFSET_TABLE_"}
-    data = attack_build.ran(["nm", target], tmp_path)
+    data = run("nm", target)
     assert not re.search(r" [bBdDC] ", data), "a global variable"
 
 
@@ -92,7 +88,7 @@ def functions_on_plain_numbers(text: str) -> list[str]:
 def test_a_function_on_plain_numbers_stands_in_one_source_or_in_a_header() -> None:
     """Of more than a dozen lines; no program has both the kernels with rotors and those without."""
     places: dict[str, set[str]] = {}
-    for path in sorted(c_folder().glob("*.c")):
+    for path in sorted(GENERATED.glob("*.c")):
         for each in functions_on_plain_numbers(path.read_text()):
             places.setdefault(each, set()).add(path.name.replace("_drive", ""))
     assert len(places) > 20
@@ -105,13 +101,12 @@ def test_a_function_on_plain_numbers_stands_in_one_source_or_in_a_header() -> No
 def test_a_header_that_sources_share_compiles_alone(compiler: str, language: str) -> None:
     for name in HEADERS:
         command = [compiler, *LANGUAGES[language], *STRICT, "-fsyntax-only", "-include", name, "/dev/null"]
-        done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=c_folder())
-        assert (done.returncode, done.stderr) == (0, "")
+        assert run(*command, cwd=GENERATED) == ""
 
 
 @pytest.mark.parametrize("kernel", KERNELS)
 def test_headers_tell_what_they_are(kernel: str) -> None:
-    header = (c_folder() / f"stewart_{kernel}.h").read_text()
+    header = (GENERATED / f"stewart_{kernel}.h").read_text()
     formulation, _, joint = kernel.removesuffix("_drive").partition("_")
     assert f"`{formulation}`" in header
     assert f"Base joint: {joint or 'universal'}" in header
@@ -123,7 +118,7 @@ def test_headers_tell_what_they_are(kernel: str) -> None:
 @pytest.mark.parametrize("kernel", KERNELS)
 def test_lines_of_code_cite_the_equations(kernel: str) -> None:
     # The platform is the same for all, in a header.
-    source = "".join((c_folder() / f"stewart_{name}").read_text() for name in (f"{kernel}.c", "outputs.h"))
+    source = "".join((GENERATED / f"stewart_{name}").read_text() for name in (f"{kernel}.c", "outputs.h"))
     cited = set(re.findall(r"\((\d+)\)", source))
     expected = {"1", "2", "3", "4", "7", "21", "24", "30", "31", "32", "33", "34"}
     if "spherical" not in kernel:

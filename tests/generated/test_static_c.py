@@ -3,13 +3,12 @@
 import ast
 import re
 import shutil
-import subprocess
 from collections.abc import Iterator
 from importlib.resources import files
 from pathlib import Path
 
 import pytest
-from builds import written
+from builds import run, written
 
 from stewart_sym.derive import package
 from stewart_sym.precision import quad
@@ -40,8 +39,7 @@ def checked(folder: Path, name: str, *flags: str) -> None:
         lint = ("--enable=warning,portability", "--error-exitcode=1", "--inline-suppr", "-USTEWART_REAL")
         commands.append(("cppcheck", "-q", *lint, "--suppress=preprocessorErrorDirective", name))
     for command in commands:
-        done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=folder)
-        assert (done.returncode, done.stdout + done.stderr) == (0, ""), command
+        assert run(*command, cwd=folder) == "", command
 
 
 @pytest.mark.parametrize("name", OWN)
@@ -51,16 +49,14 @@ def test_the_c_of_the_sweep_compiles_without_a_warning(name: str, tmp_path: Path
     folder = written(SWEEP, tmp_path)
     compiler = "gcc" if shutil.which("gcc") else "cc"
     command = [compiler, *STRICT, "-Wno-float-conversion", name]
-    done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=folder)
-    assert (done.returncode, done.stderr) == (0, "")
+    assert run(*command, cwd=folder) == ""
 
 
 def test_the_c_of_quadruple_precision_compiles_without_a_warning(tmp_path: Path) -> None:
     folder = written(quad.sources("exact"), tmp_path)
     macros = [f"-D{name}={value}" for name, value in quad._MACROS.items()]
     command = ["gcc", *STRICT, "-include", "quadmath.h", *macros, "quad.c"]
-    done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=folder)
-    assert (done.returncode, done.stderr) == (0, "")
+    assert run(*command, cwd=folder) == ""
 
 
 @pytest.mark.parametrize("which", UNIT)
@@ -96,8 +92,7 @@ def static_c() -> list[Path]:
 def test_cppcheck_finds_nothing_in_static_c(path: Path) -> None:
     lint = ("--enable=warning,performance,portability", "--error-exitcode=1", "--language=c", "--std=c99")
     lint += ("--max-configs=64",)
-    done = subprocess.run(["cppcheck", "-q", *lint, str(path)], capture_output=True, text=True, check=False)
-    assert (done.returncode, done.stdout + done.stderr) == (0, "")
+    assert run("cppcheck", "-q", *lint, path) == ""
 
 
 @pytest.mark.parametrize("folder", sorted((REPOSITORY / "derive").rglob("templates")), ids=str)

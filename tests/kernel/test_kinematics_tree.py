@@ -1,6 +1,5 @@
 """The search of a pose and orientations: one text is run as it stands, in C and Octave alike."""
 
-import subprocess
 from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
@@ -10,6 +9,7 @@ import numpy as np
 import pytest
 from kernel_cases import EPSILON, ON_ARRAYS, motion_numbers, robot_numbers
 from kinematics_calls import forward, inverse, velocity
+from language_runs import ran
 from leg_lengths import lengths, nudged
 from machines import random_motion, random_robot
 
@@ -137,10 +137,7 @@ def test_octave_finds_the_pose_that_the_c_finds(tmp_path: Path) -> None:
             "printf('%d', found.status); printf(' %.17g', found.pose.R, found.pose.t);",
         ]
     )
-    done = subprocess.run(
-        ["octave-cli", "--eval", script], cwd=tmp_path, capture_output=True, text=True, check=True
-    )
-    status, *numbers = done.stdout.split()
+    status, *numbers = ran(["octave-cli", "--eval", script], tmp_path).split()
     R_c, t_c, codes = forward(robot, L, R, t)
     assert int(status) == codes[0] == OK
     np.testing.assert_array_equal(np.array(numbers, dtype=float), np.concatenate([R_c.ravel(), t_c.ravel()]))

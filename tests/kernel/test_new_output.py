@@ -14,6 +14,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from builds import run
 from machines import random_motion, random_robot
 
 import stewart_sym as ss
@@ -115,8 +116,7 @@ def kits(tmp_path_factory: pytest.TempPathFactory) -> Path:
     "language", [pytest.param(name, marks=() if name == "python" else pytest.mark.slow) for name in RUN]
 )
 def test_two_files_give_every_language_a_new_output(language: str, kits: Path) -> None:
-    done = subprocess.run(RUN[language], cwd=kits / language, capture_output=True, text=True)
-    assert done.returncode == 0, done.stdout + done.stderr
+    run(*RUN[language], cwd=kits / language)
 
 
 def test_the_same_two_files_give_c_a_new_output(kits: Path) -> None:

@@ -404,6 +404,8 @@ def test_kit_is_built_proved_and_installed_by_plain_make(tmp_path: Path, files: 
     objects = {path.name: path.stat().st_mtime_ns for path in kit.glob("*.o")}
     run("make", cwd=kit)
     assert {path.name: path.stat().st_mtime_ns for path in kit.glob("*.o")} == objects
+    for target in ("check", "test"):  # beside a folder that is called test
+        assert "selftest" in run("make", "-s", target, cwd=kit)
     run("make", "install", "PREFIX=/opt/kit", f"DESTDIR={tmp_path / 'staged here'}", cwd=kit)
     staged = tmp_path / "staged here" / "opt" / "kit"
     command = ("cc", "-I", staged / "include" / SYMBOL, tmp_path / "main.c", "-o", tmp_path / "user")
