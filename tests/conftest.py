@@ -31,8 +31,8 @@ SHARING = (
     ("test_fmu", "test_fmu_files"),
     # What is derived for the first is there for the others.
     (
-        *("test_generated", "test_motion_subsets", "test_operations", "test_regroup", "test_blocks"),
-        *("test_kernel_tree", "test_kinematics_tree", "test_closed_form", "test_motion_equations"),
+        *("test_generated", "test_motion_subsets", "test_operations", "test_fifty_digits", "test_blocks"),
+        *("test_kernel_tree", "test_kinematics_tree", "test_closed_form"),
         *("test_symbols", "test_casadi_functions"),
         *("test_kit", "test_kit_folder", "test_kit_use", "test_vectors", "test_language_kits", "test_stacks"),
     ),
@@ -50,7 +50,7 @@ LONG = (
     *("test_figures", "test_near_joint", "test_joint_space", "test_log_faults", "test_noise"),
     *("test_motor_limits", "test_bounds", "test_plan_command", "test_plausibility", "test_scalar"),
     *("test_controller", "test_native", "test_kinematics_c", "test_cli", "test_design_commands"),
-    *("test_plan_path", "test_scene", "test_cli_forces", "test_inputs", "test_publish", "test_forces"),
+    *("test_plan_path", "test_scene", "test_cli_forces", "test_publish", "test_forces"),
     *("test_identification_noise", "test_control", "test_motion_kernels", "test_hostile_files"),
     *("test_static_c", "test_attack_c", "test_portability", "test_round_trip", "test_bench_figures"),
     *("test_compilers", "test_build", "test_torque_kits", "test_singular_machines", "test_along_path"),

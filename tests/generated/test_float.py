@@ -14,11 +14,10 @@ import pytest
 import scalar_kernels
 from attack_build import GENERATED, SOME, SOME_WITH_ROTORS
 from builds import run
-from float_machines import BOUND, any_machine
 from machines import dasgupta, random_motion, random_robot, with_random_drives
 from motion_fields import FIELDS
 from numpy.typing import NDArray
-from scalar_kernels import numbers
+from scalar_kernels import BOUND, any_machine, numbers
 
 import stewart_sym as ss
 from stewart_sym.backend.c_kernel import c_sources

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from fifty_digits import DIGITS, block_inputs
 from machines import dasgupta, home_position, machine_size, random_motion, random_robot
+from motion_blocks import whole
 from mpmath import mp
-from regressor_blocks import whole
 
 import stewart_sym as ss
 from stewart_sym.backend import native

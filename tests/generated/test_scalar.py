@@ -6,11 +6,10 @@ from typing import Any, cast
 
 import numpy as np
 import pytest
-from float_machines import BOUND
 from leaning_legs import leaning
 from machines import random_motion, random_robot
 from near_singular import near_singular_motion
-from scalar_kernels import UNTOUCHED, Array, Kernel, compiled, numbers, plain_blocks, prepared
+from scalar_kernels import BOUND, UNTOUCHED, Array, Kernel, compiled, numbers, plain_blocks, prepared
 from sweeps import FULL
 from unsolvable_poses import leg_along_its_axis, singular, zero_length_leg
 

@@ -13,7 +13,18 @@ from typing import Any
 import numpy as np
 import pytest
 from command_line import fails_in_one_line, read
-from cost_figures import CHEAP, DEAR, FRICTIONLESS, MIDDLE, SCENE, TOLERANCES, budget, entry, hasty, made_up
+from cost_figures import (
+    CHEAP,
+    DEAR,
+    FRICTIONLESS,
+    MIDDLE,
+    SCENE,
+    TOLERANCES,
+    budget,
+    entry,
+    figures_of,
+    hasty,
+)
 from kits import few_vectors
 from machines import dasgupta, random_motion, random_robot, with_random_rotors
 from quick_compiler import compile_quickly
@@ -120,7 +131,7 @@ def test_a_machine_that_truly_is_simple_gets_the_simple_kernel(
 
 
 def test_the_first_that_keeps_tolerance_and_margin_is_chosen() -> None:
-    given = made_up(CHEAP, MIDDLE, DEAR)
+    given = figures_of(CHEAP, MIDDLE, DEAR)
     for tolerance, margin, expected in (
         (1.21, 3.0, CHEAP),
         (1.1, 3.0, MIDDLE),
@@ -139,7 +150,7 @@ def test_rounding_and_model_errors_add_up_on_the_worst_motion() -> None:
 
 def test_a_kernel_slower_than_the_rate_is_not_good_enough() -> None:
     slow = dataclasses.replace(CHEAP, one_pose=(5000.0,))
-    given = made_up(slow, MIDDLE, DEAR)
+    given = figures_of(slow, MIDDLE, DEAR)
     assert advice(given, budget(9.0, rate=1e6)).chosen is MIDDLE
     none = advice(given, budget(9.0, rate=1e8))
     assert none.chosen is None
@@ -152,12 +163,12 @@ def test_both_misses_are_named_and_the_larger_comes_first() -> None:
     error = "the error is 4.0e-02, 10 times what is allowed"
     time = "a pose takes 201 ns, {:.3g} times what is allowed".format
     for rate, expected in ((1e9, f"{time(201)}; {error}"), (1e7, f"{error}; {time(2.01)}"), (1e6, error)):
-        said = closest(advice(made_up(slow), budget(0.004, 1.0, rate)))
+        said = closest(advice(figures_of(slow), budget(0.004, 1.0, rate)))
         assert said == f"exact slender, double, {expected}"
 
 
 def test_where_nothing_is_good_enough_the_closest_is_named() -> None:
-    given = made_up(CHEAP, MIDDLE, dataclasses.replace(DEAR, errors={"I": Errors(0.03, 0.01, 0.0)}))
+    given = figures_of(CHEAP, MIDDLE, dataclasses.replace(DEAR, errors={"I": Errors(0.03, 0.01, 0.0)}))
     found = advice(given, budget(0.01))
     assert found.chosen is None
     assert found.closest.candidate == DEAR.candidate
@@ -198,13 +209,13 @@ def test_at_rest_inertia_forces_nothing(on_path_i: CostAccuracy) -> None:
 
 
 def test_the_cheapest_of_all_needs_no_reason() -> None:
-    assert answer(advice(made_up(CHEAP, DEAR), budget(9.0)))[1:] == ["Nothing is cheaper."]
+    assert answer(advice(figures_of(CHEAP, DEAR), budget(9.0)))[1:] == ["Nothing is cheaper."]
 
 
 def test_a_cheaper_kernel_with_more_physics_is_no_reason() -> None:
     richer = dataclasses.replace(entry("exact slender double", 1000, 0.5))
     poorer = entry("exact point_masses double", 1000, 0.1)
-    found = advice(made_up(richer, poorer), budget(0.4))
+    found = advice(figures_of(richer, poorer), budget(0.4))
     assert found.chosen is poorer
     assert answer(found)[1:] == ["Cheaper ones leave nothing out that it has, yet err more."]
 
@@ -299,7 +310,7 @@ def test_report_and_help_say_where_rounding_is_measured(
 
 
 def test_json_holds_what_was_found_and_no_infinity(on_path_i: CostAccuracy) -> None:
-    given = made_up(dataclasses.replace(CHEAP, errors={"I": Errors(math.inf, math.inf, math.inf)}), DEAR)
+    given = figures_of(dataclasses.replace(CHEAP, errors={"I": Errors(math.inf, math.inf, math.inf)}), DEAR)
     for found in (advice(on_path_i, budget(1e-9)), advice(given, budget(0.1))):
         written: dict[str, Any] = json.loads(json_text(as_json(found)))
         assert written["chosen"] == {"formulation": "exact", "fidelity": "general", "precision": "double"}

@@ -7,10 +7,12 @@ from block_forces import by_name
 from fifty_digits import DIGITS, block_inputs, named
 from machines import random_motion, random_robot
 from mpmath import mp
+from numpy.typing import NDArray
 
 from stewart_sym.derive.mechanics.closed_form import kernels
 from stewart_sym.derive.mechanics.closed_form.terms import SumKernel
 from stewart_sym.derive.mechanics.lumped_constants import ADDED, Lumped, prepare_leg, prepare_platform
+from stewart_sym.derive.mechanics.regressor import regressor
 from stewart_sym.motion.motion import Motion
 from stewart_sym.robot.robot import Robot
 
@@ -140,3 +142,24 @@ def unit(i: int) -> mp.matrix:
 def load(values: Values) -> mp.matrix:
     R = mp.matrix([[values[f"R_{i}{j}"] for j in "xyz"] for i in "xyz"])
     return stacked(R * vector(values, "F_ext"), R * vector(values, "M_ext"))
+
+
+Column = mp.matrix
+derived = functools.cache(regressor)
+
+
+def columns(raw: list[dict[str, mp.mpf]]) -> tuple[list[dict[str, Column]], dict[str, Column]]:
+    """Columns by parameter of each leg and of the platform, from the blocks."""
+
+    def found(block, values: dict[str, mp.mpf]) -> dict[str, Column]:
+        parts = block.run(values, mp.sqrt)
+        names = [name.removeprefix("force_") for name in parts if name.startswith("force_")]
+        return {name: mp.matrix([*parts[f"force_{name}"], *parts[f"moment_{name}"]]) for name in names}
+
+    return [found(derived().leg, values) for values in raw], found(derived().platform, raw[0])
+
+
+def whole(raw: list[dict[str, mp.mpf]]) -> NDArray[np.object_]:
+    """Y, (6, 148)."""
+    legs, platform = columns(raw)
+    return np.array([list(column) for part in (*legs, platform) for column in part.values()], dtype=object).T
