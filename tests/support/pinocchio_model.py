@@ -17,6 +17,7 @@ from stewart_sym.motion.motion import Motion
 from stewart_sym.robot.robot import Robot
 
 Array = NDArray[np.float64]
+WORLD = pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
 
 
 @dataclass(frozen=True)
@@ -92,45 +93,54 @@ class _Chain(ABC):
     """One leg: joints at the base, then the prismatic joint; the upper part's frame sits at the tip."""
 
     def __init__(self, robot: Robot, motion: Motion, i: int) -> None:
-        self.robot, self.i = robot, i
+        self.robot, self.motion, self.i = robot, motion, i
         model = self.model = pin.Model()
         model.gravity = pin.Motion(robot.g, np.zeros(3))
         self.lower = self._base_joints()
-        self.upper = model.addJoint(self.lower, pin.JointModelPX(), pin.SE3.Identity(), "prismatic")
-        at = pin.SE3.Identity()
+        self.upper, self.last = self._upper_joints()
         self._append_lower(pin.Inertia(robot.m_d[i], robot.r_d0[i], robot.I_d0[i]))
-        model.appendBodyToJoint(self.upper, pin.Inertia(robot.m_u[i], robot.r_u0[i], robot.I_u0[i]), at)
+        upper = pin.Inertia(robot.m_u[i], robot.r_u0[i], robot.I_u0[i])
+        model.appendBodyToJoint(self.upper, upper, pin.SE3.Identity())
         data = self.data = model.createData()
 
-        lever = motion.R @ robot.p[i]
-        S = motion.t + lever - robot.b[i]
+        self.lever = motion.R @ robot.p[i]
+        S = motion.t + self.lever - robot.b[i]
         omega = motion.omega
         a, alpha = _accelerations(motion)
-        Sdot = motion.v + np.cross(omega, lever)
-        Sddot = a + np.cross(alpha, lever) + np.cross(omega, np.cross(omega, lever))
+        Sdot = motion.v + np.cross(omega, self.lever)
+        Sddot = a + np.cross(alpha, self.lever) + np.cross(omega, np.cross(omega, self.lever))
         self.q = self._configuration(S)
-        pin.computeJointJacobians(model, data, self.q)
-        np.testing.assert_allclose(data.oMi[self.upper].translation, robot.b[i] + S, rtol=0, atol=1e-12)
-        world = pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
-        self.tip_jacobian = pin.getJointJacobian(model, data, self.upper, world)[:3]
-        self.v = self._joint_rates(Sdot)
+        self.tip_jacobian = self._tip_jacobian(self.q)
+        np.testing.assert_allclose(data.oMi[self.last].translation, robot.b[i] + S, rtol=0, atol=1e-12)
+        size = len(self.tip_jacobian)
+        self.v = self._joint_rates(np.concatenate([Sdot, omega])[:size])
         pin.forwardKinematics(model, data, self.q, self.v, np.zeros(model.nv))
-        drift = pin.getClassicalAcceleration(model, data, self.upper, world).linear
-        self.a = self._joint_rates(Sddot - drift)
-        W = pin.getVelocity(model, data, self.upper, world).angular
+        drift = pin.getClassicalAcceleration(model, data, self.last, WORLD).vector
+        self.a = self._joint_rates((np.concatenate([Sddot, alpha]) - drift)[:size])
+        W = pin.getVelocity(model, data, self.lower, WORLD).angular
         self.base_friction = -robot.C_u[i] * W
-        self.f = robot.C_s[i] * (W - omega)
+        self.f = robot.C_s[i] * (pin.getVelocity(model, data, self.upper, WORLD).angular - omega)
         pin.forwardKinematics(model, data, self.q, self.v, self.a)
         self.length = float(np.linalg.norm(S))
 
     @property
     def slide(self) -> int:
         """Place of the prismatic joint among the rates."""
-        return int(self.model.joints[self.upper].idx_v)
+        return int(self.model.joints[self.lower + 1].idx_v)
 
     def _append_lower(self, body: pin.Inertia) -> None:
         """Fasten the lower part."""
         self.model.appendBodyToJoint(self.lower, body, pin.SE3.Identity())
+
+    def _upper_joints(self) -> tuple[int, int]:
+        """Add the prismatic joint and what follows; numbers of the upper part's and of the tip's joint."""
+        tip = self.model.addJoint(self.lower, pin.JointModelPX(), pin.SE3.Identity(), "prismatic")
+        return tip, tip
+
+    def _tip_jacobian(self, q: Array) -> Array:
+        """Of the velocity of the tip; all joints are placed."""
+        pin.computeJointJacobians(self.model, self.data, q)
+        return np.asarray(pin.getJointJacobian(self.model, self.data, self.last, WORLD)[:3])
 
     @abstractmethod
     def _base_joints(self) -> int:
@@ -145,26 +155,27 @@ class _Chain(ABC):
         """Joint rates (or accelerations) that move the tip so."""
 
     @abstractmethod
-    def _constraint_moment(self, moment: Array) -> float:
-        """The part of the first joint's moment, in its own frame, that no axis lets go."""
+    def _constraint_moment(self) -> float:
+        """The part of the first joint's moment that no axis lets go."""
 
-    def torques(self, F_s: Array) -> Array:
-        """Torques and force of the joints when the tip feels F_s; friction at both ends is on."""
+    def torques(self, wrench: Array) -> Array:
+        """Torques and force of the joints when the tip feels a force or wrench; friction at both ends is on."""
         oMi = self.data.oMi
-        wrenches = [pin.Force.Zero() for _ in range(self.model.njoints)]
-        lower, upper = oMi[self.lower].rotation.T, oMi[self.upper].rotation.T
-        wrenches[self.lower] = pin.Force(np.zeros(3), lower @ self.base_friction)
-        wrenches[self.upper] = pin.Force(upper @ F_s, upper @ -self.f)
-        return np.array(pin.rnea(self.model, self.data, self.q, self.v, self.a, wrenches))
+        on = [pin.Force.Zero() for _ in range(self.model.njoints)]
+        none = np.zeros(3)
+        ends = ((self.lower, none, self.base_friction), (self.upper, none, -self.f))
+        for joint, force, moment in (*ends, (self.last, wrench[:3], wrench[3:] if len(wrench) > 3 else none)):
+            back = oMi[joint].rotation.T
+            on[joint] = on[joint] + pin.Force(back @ force, back @ moment)
+        return np.array(pin.rnea(self.model, self.data, self.q, self.v, self.a, on))
 
     def base_reaction(self) -> tuple[Array, float]:
-        """F_u in the base frame and M_u, after `torques` with the true tip force."""
-        rotation, reaction = self.data.oMi[1].rotation, self.data.f[1]
-        return rotation @ reaction.linear, self._constraint_moment(reaction.angular)
+        """F_u in the base frame and M_u, after `torques` with what the tip feels."""
+        return self.data.oMi[1].rotation @ self.data.f[1].linear, self._constraint_moment()
 
     def prismatic_reaction(self) -> tuple[Array, Array]:
-        """F_p, and M_p about the base point, base frame, after `torques` with the true tip force."""
-        placement, reaction = self.data.oMi[self.upper], self.data.f[self.upper]
+        """F_p, and M_p about the base point, base frame, after `torques` with what the tip feels."""
+        placement, reaction = self.data.oMi[self.lower + 1], self.data.f[self.lower + 1]
         force, moment = placement.rotation @ reaction.linear, placement.rotation @ reaction.angular
         lever = placement.translation - self.robot.b[self.i]
         friction = -self.robot.C_p[self.i] * self.v[self.slide] * placement.rotation[:, 0]
@@ -177,6 +188,13 @@ class _Chain(ABC):
         return float(self.length * force)
 
 
+def frame_along(x: Array) -> Array:
+    """A frame with its x axis along a unit vector."""
+    across = np.cross(x, np.eye(3)[np.argmin(np.abs(x))])
+    across /= np.linalg.norm(across)
+    return np.column_stack([x, across, np.cross(x, across)])
+
+
 class UniversalChain(_Chain):
     """Base, revolute about k, revolute about y, prismatic along s."""
 
@@ -184,10 +202,7 @@ class UniversalChain(_Chain):
 
     def _base_joints(self) -> int:
         # A frame with its x axis along k; then s = Rk Rx(q1) Ry(q2) e_x.
-        k = self.robot.k[self.i]
-        across = np.cross(k, np.eye(3)[np.argmin(np.abs(k))])
-        across /= np.linalg.norm(across)
-        self.frame = np.column_stack([k, across, np.cross(k, across)])
+        self.frame = frame_along(self.robot.k[self.i])
         at = pin.SE3(self.frame, self.robot.b[self.i])
         first = self.model.addJoint(0, pin.JointModelRX(), at, "fixed axis")
         return int(self.model.addJoint(first, pin.JointModelRY(), pin.SE3.Identity(), "moving axis"))
@@ -200,9 +215,9 @@ class UniversalChain(_Chain):
     def _joint_rates(self, tip: Array) -> Array:
         return np.linalg.solve(self.tip_jacobian, tip)
 
-    def _constraint_moment(self, moment: Array) -> float:
+    def _constraint_moment(self) -> float:
         # In the first joint's frame k is x and the second axis is y: the normal to both is z.
-        return float(moment[2])
+        return float(self.data.f[1].angular[2])
 
 
 class GearedChain(UniversalChain):
@@ -245,8 +260,8 @@ class GearedChain(UniversalChain):
         own = np.linalg.solve(self.tip_jacobian[:, :3], tip)
         return np.append(own, self.turns * own[2])
 
-    def torques(self, F_s: Array) -> Array:
-        fixed, moving, slide, rotor = super().torques(F_s)
+    def torques(self, wrench: Array) -> Array:
+        fixed, moving, slide, rotor = super().torques(wrench)
         return np.array([fixed, moving, slide + self.turns * rotor])
 
 
@@ -269,5 +284,5 @@ class SphericalChain(_Chain):
         spin = np.array([[1.0, 0.0, 0.0, 0.0]])
         return np.linalg.solve(np.vstack([spin, self.tip_jacobian]), np.concatenate([[0.0], tip]))
 
-    def _constraint_moment(self, moment: Array) -> float:
-        return float(moment[0])
+    def _constraint_moment(self) -> float:
+        return float(self.data.f[1].angular[0])

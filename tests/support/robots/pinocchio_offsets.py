@@ -9,14 +9,12 @@ from dataclasses import dataclass
 import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
-from pinocchio_model import _accelerations, _platform_wrench
+from pinocchio_model import WORLD, UniversalChain, _platform_wrench, frame_along
 
 from stewart_sym.motion.motion import Motion
 from stewart_sym.robot.robot import Robot
 
 Array = NDArray[np.float64]
-WORLD = pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
-SPRUNG = "spin"
 
 
 @dataclass(frozen=True)
@@ -42,7 +40,7 @@ class Answer:
 def pinocchio_offsets(robot: Robot, motion: Motion, lead: Array | None = None) -> Answer:
     """Forces of one pose; lead: m per turn of screws whose nuts turn the upper parts, (6,)."""
     legs = [OffsetChain(robot, motion, i) for i in range(6)]
-    n = legs[0].tip.shape[0]
+    n = len(legs[0].tip_jacobian)
     share = np.zeros(6) if lead is None else lead / (2 * np.pi)
     # Unknown: the wrench on each leg's end, n components, and the actuator's force F.
     rows, right = np.zeros((6 * (n + 1), 6 * (n + 1))), np.zeros(6 * (n + 1))
@@ -53,7 +51,7 @@ def pinocchio_offsets(robot: Robot, motion: Motion, lead: Array | None = None) -
     right[balance] = turn @ wanted
     for i, leg in enumerate(legs):
         own, free = slice(n * i, n * i + n), slice(n * i, n * i + n)
-        rows[free, own] = leg.tip.T
+        rows[free, own] = leg.tip_jacobian.T
         rows[free, 6 * n + i] = leg.actuated(share[i])
         right[free] = leg.torques(np.zeros(6)) + leg.sliding_friction()
         rows[balance, own] = leg.on_platform
@@ -61,15 +59,15 @@ def pinocchio_offsets(robot: Robot, motion: Motion, lead: Array | None = None) -
     found = np.linalg.solve(rows, right)
     wrenches, F = found[: 6 * n].reshape(6, n), found[6 * n :]
     for i, leg in enumerate(legs):
-        tau = leg.torques(leg.as_wrench(wrenches[i])) - leg.actuated(share[i]) * F[i]
+        tau = leg.torques(wrenches[i]) - leg.actuated(share[i]) * F[i]
         tau += leg.sliding_friction()
         np.testing.assert_allclose(tau, 0, atol=1e-8 * (np.abs(F).max() + 1))
     return Answer(
         F=F,
         F_s=wrenches[:, :3],
-        F_u=np.array([leg.reaction(1)[0] for leg in legs]),
-        F_p=np.array([leg.sliding() for leg in legs]),
-        M_u=np.array([leg.constraint() for leg in legs]),
+        F_u=np.array([leg.base_reaction()[0] for leg in legs]),
+        F_p=np.array([leg.prismatic_reaction()[0] for leg in legs]),
+        M_u=np.array([leg.base_reaction()[1] for leg in legs]),
         **{name: np.array([getattr(leg, at)[2] for leg in legs]) for name, at in _LENGTHS.items()},
         **{
             name: np.array([getattr(leg, at)[3] if n == 6 else 0.0 for leg in legs])
@@ -82,97 +80,55 @@ _LENGTHS = {"L": "q", "L_dot": "v", "L_ddot": "a"}
 _SPINS = {"spin": "q", "spin_dot": "v", "spin_ddot": "a"}
 
 
-class OffsetChain:
+class OffsetChain(UniversalChain):
     """One leg: revolute about k, revolute about y, prismatic along s; three more revolutes of U-C-U legs."""
 
-    def __init__(self, robot: Robot, motion: Motion, i: int) -> None:
-        self.robot, self.motion, self.i, self.o = robot, motion, i, robot.offsets
-        k = robot.k[i]
-        # A frame with its x axis along k; the moving axis is y of the first joint's frame, o = y x k its -z.
-        across = np.cross(k, np.eye(3)[np.argmin(np.abs(k))])
-        across /= np.linalg.norm(across)
-        self.frame = np.column_stack([k, across, np.cross(k, across)])
-        model = self.model = pin.Model()
-        model.gravity = pin.Motion(robot.g, np.zeros(3))
+    def _base_joints(self) -> int:
+        self.o, self.frame = self.robot.offsets, frame_along(self.robot.k[self.i])
         self.spins = self.o.platform_joint == "universal"
-        self._joints()
-        self._bodies()
-        self.data = model.createData()
-        self._place()
+        at = pin.SE3(self.frame, self.robot.b[self.i])
+        first = self.model.addJoint(0, pin.JointModelRX(), at, "fixed axis")
+        # The moving axis is y of the first joint's frame, o = y x k its -z.
+        at = pin.SE3(np.eye(3), np.array([0.0, 0.0, -self.o.cross[self.i]]))
+        return int(self.model.addJoint(first, pin.JointModelRY(), at, "moving axis"))
 
-    def _joints(self) -> None:
-        model, o, i = self.model, self.o, self.i
-        at = pin.SE3(self.frame, self.robot.b[i])
-        first = model.addJoint(0, pin.JointModelRX(), at, "fixed axis")
-        at = pin.SE3(np.eye(3), np.array([0.0, 0.0, -o.cross[i]]))
-        second = model.addJoint(first, pin.JointModelRY(), at, "moving axis")
+    def _upper_joints(self) -> tuple[int, int]:
+        model, o, i, none = self.model, self.o, self.i, pin.SE3.Identity()
         at = pin.SE3(np.eye(3), np.array([0.0, o.along[i], o.across[i]]))
-        self.last = self.upper = model.addJoint(second, pin.JointModelPX(), at, "sliding")
+        upper = model.addJoint(self.lower, pin.JointModelPX(), at, "sliding")
         if not self.spins:
-            return
-        none = pin.SE3.Identity()
-        self.upper = model.addJoint(self.upper, pin.JointModelRX(), none, "spin")
-        wrist = model.addJoint(self.upper, pin.JointModelRY(), none, "first axis of the platform joint")
+            return upper, upper
+        # The last joint's frame has its x axis along the second axis of the platform's joint.
+        self.on = self.motion.R @ frame_along(o.platform_axis[i])
+        upper = model.addJoint(upper, pin.JointModelRX(), none, "spin")
+        wrist = model.addJoint(upper, pin.JointModelRY(), none, "first axis of the platform joint")
         at = pin.SE3(np.eye(3), np.array([0.0, 0.0, -o.wrist[i]]))
-        self.last = model.addJoint(wrist, pin.JointModelRX(), at, "second axis")
+        return upper, model.addJoint(wrist, pin.JointModelRX(), at, "second axis")
 
-    def _bodies(self) -> None:
-        robot, i, o, none = self.robot, self.i, self.o, pin.SE3.Identity()
+    def _append_lower(self, body: pin.Inertia) -> None:
+        super()._append_lower(body)
+        i, o = self.i, self.o
         # Of the cross the axes o, y, k are -z, y, x of the first joint; only the inertia about k acts.
         center = np.array([o.cross_center[i][2], o.cross_center[i][1], -o.cross_center[i][0]])
         about = np.diag([o.cross_inertia[i], 0.3 * o.cross_inertia[i], 0.9 * o.cross_inertia[i]])
         if o.cross_mass[i] > 0:
-            self.model.appendBodyToJoint(1, pin.Inertia(o.cross_mass[i], center, about), none)
-        self.model.appendBodyToJoint(2, pin.Inertia(robot.m_d[i], robot.r_d0[i], robot.I_d0[i]), none)
-        self.model.appendBodyToJoint(
-            self.upper, pin.Inertia(robot.m_u[i], robot.r_u0[i], robot.I_u0[i]), none
-        )
+            self.model.appendBodyToJoint(1, pin.Inertia(o.cross_mass[i], center, about), pin.SE3.Identity())
 
-    def _place(self) -> None:
-        robot, motion, i = self.robot, self.motion, self.i
-        R, omega, (a, alpha) = motion.R, motion.omega, _accelerations(motion)
-        self.lever = R @ robot.p[i]
-        self.point = motion.t + self.lever
-        speed = motion.v + np.cross(omega, self.lever)
-        acceleration = a + np.cross(alpha, self.lever) + np.cross(omega, np.cross(omega, self.lever))
-        self._platform_axes()
-        self.q = self._solved(self._guess())
-        rates, seconds = speed, acceleration
-        if self.spins:
-            rates, seconds = np.concatenate([speed, omega]), np.concatenate([acceleration, alpha])
-        self.tip = self._tip_jacobian()
-        self.v = np.linalg.solve(self.tip, rates)
-        model, data = self.model, self.data
-        pin.forwardKinematics(model, data, self.q, self.v, np.zeros(model.nv))
-        drift = pin.getClassicalAcceleration(model, data, self.last, WORLD)
-        drift = np.concatenate([drift.linear, drift.angular]) if self.spins else drift.linear
-        self.a = np.linalg.solve(self.tip, seconds - drift)
-        pin.forwardKinematics(model, data, self.q, self.v, self.a)
-        W = pin.getVelocity(model, data, 2, WORLD).angular
-        self.base_friction = -robot.C_u[i] * W
-        self.f = robot.C_s[i] * (pin.getVelocity(model, data, self.upper, WORLD).angular - omega)
-        self.on_platform = np.zeros((6, len(self.tip)))
-        self.on_platform[:3, :3], self.on_platform[3:, :3] = np.eye(3), pin.skew(self.lever)
-        if self.spins:
-            self.on_platform[3:, 3:] = np.eye(3)
+    def _configuration(self, S: Array) -> Array:
+        return self._solved(self._guess(S), S + self.robot.b[self.i])
 
-    def _platform_axes(self) -> None:
-        """The last joint's frame in the platform's: its x axis along the second axis of the joint."""
-        if not self.spins:
-            return
-        x = self.o.platform_axis[self.i]
-        across = np.cross(x, np.eye(3)[np.argmin(np.abs(x))])
-        across /= np.linalg.norm(across)
-        self.on = self.motion.R @ np.column_stack([x, across, np.cross(x, across)])
+    @property
+    def on_platform(self) -> Array:
+        """Wrench on the platform about its origin, of what each component at the end of the leg is."""
+        columns = np.eye(6)
+        columns[3:, :3] = pin.skew(self.lever)
+        return columns[:, : len(self.tip_jacobian)]
 
-    def _guess(self) -> Array:
-        S = self.point - self.robot.b[self.i]
-        L = float(np.linalg.norm(S))
-        along, second, third = self.frame.T @ S / L
-        q = np.array([np.arctan2(second, -third), np.arccos(along), L])
+    def _guess(self, S: Array) -> Array:
+        q = super()._configuration(S)
         if not self.spins:
             return q
-        s, k = S / L, self.on[:, 0]
+        s, k = S / np.linalg.norm(S), self.on[:, 0]
         y = np.cross(k, s) / np.linalg.norm(np.cross(k, s))
         q = np.concatenate([q, np.zeros(3)])
         pin.forwardKinematics(self.model, self.data, q)
@@ -184,22 +140,21 @@ class OffsetChain:
         q[5] = np.arctan2(rest[2, 1], rest[1, 1])
         return q
 
-    def _solved(self, q: Array) -> Array:
+    def _solved(self, q: Array, point: Array) -> Array:
         for _ in range(60):
             J = self._tip_jacobian(q)
             at = self.data.oMi[self.last]
-            miss = self.point - at.translation
+            miss = point - at.translation
             if self.spins:
                 miss = np.concatenate([miss, pin.log3(self.on @ at.rotation.T)])
             q = q + np.linalg.solve(J, miss)
-        scale = np.abs(self.point).max() + np.abs(self.robot.b[self.i]).max()
+        scale = np.abs(point).max() + np.abs(self.robot.b[self.i]).max()
         assert np.abs(miss).max() < 1e-13 * max(1.0, scale), np.abs(miss).max()
         return q
 
-    def _tip_jacobian(self, q: Array | None = None) -> Array:
-        pin.computeJointJacobians(self.model, self.data, self.q if q is None else q)
-        J = pin.getJointJacobian(self.model, self.data, self.last, WORLD)
-        return J if self.spins else J[:3]
+    def _tip_jacobian(self, q: Array) -> Array:
+        velocity = super()._tip_jacobian(q)
+        return pin.getJointJacobian(self.model, self.data, self.last, WORLD) if self.spins else velocity
 
     def actuated(self, share: float) -> Array:
         """Generalised forces of a unit force of the actuator; share: lead over 2 pi."""
@@ -215,35 +170,7 @@ class OffsetChain:
         e[2] = self.robot.C_p[self.i] * self.v[2]
         return e
 
-    def as_wrench(self, wrench: Array) -> Array:
-        """A wrench at the end of the leg, (6,)."""
-        return wrench if self.spins else np.concatenate([wrench, np.zeros(3)])
-
-    def torques(self, wrench: Array) -> Array:
-        """Torques of the joints when the end feels a wrench, base axes; friction at both ends is on."""
-        oMi = self.data.oMi
-        on = [pin.Force.Zero() for _ in range(self.model.njoints)]
-
-        def add(joint: int, force: Array, moment: Array) -> None:
-            back = oMi[joint].rotation.T
-            on[joint] = on[joint] + pin.Force(back @ force, back @ moment)
-
-        add(2, np.zeros(3), self.base_friction)
-        add(self.upper, np.zeros(3), -self.f)
-        add(self.last, wrench[:3], wrench[3:])
-        return np.array(pin.rnea(self.model, self.data, self.q, self.v, self.a, on))
-
-    def reaction(self, joint: int) -> tuple[Array, Array]:
-        """Force and moment that a joint's child feels at its origin, base axes, after ``torques``."""
-        back, force = self.data.oMi[joint].rotation, self.data.f[joint]
-        return back @ force.linear, back @ force.angular
-
-    def constraint(self) -> float:
-        """Moment at the moving axis along the normal k x y to both axes."""
-        normal = np.cross(self.robot.k[self.i], self.data.oMi[2].rotation[:, 1])
-        return float(self.reaction(2)[1] @ normal)
-
-    def sliding(self) -> Array:
-        """F_p, without what friction takes."""
-        friction = -self.robot.C_p[self.i] * self.v[2] * self.data.oMi[3].rotation[:, 0]
-        return self.reaction(3)[0] - friction
+    def _constraint_moment(self) -> float:
+        # At the moving axis, along the normal k x y to both axes.
+        rotation = self.data.oMi[2].rotation
+        return float(rotation @ self.data.f[2].angular @ np.cross(self.robot.k[self.i], rotation[:, 1]))
