@@ -20,7 +20,6 @@ from numpy.typing import NDArray
 from scalar_kernels import BOUND, any_machine, numbers
 
 import stewart_sym as ss
-from stewart_sym.backend.c_kernel import c_sources
 from stewart_sym.derive.emit import lanes
 from stewart_sym.derive.mechanics import quantities as n
 from stewart_sym.derive.mechanics.baked_constants import baked
@@ -30,7 +29,6 @@ from stewart_sym.derive.mechanics.reduced_models import fidelity_kernel
 from stewart_sym.derive.program.cse import shared_blocks
 from stewart_sym.generated import arithmetic, every_output
 from stewart_sym.generated.fidelities import DRIVE_FIDELITIES, FIDELITIES
-from stewart_sym.generated.interface import MODELS
 from stewart_sym.motion.motion import Motion
 from stewart_sym.results import OK
 from stewart_sym.robot import units
@@ -39,7 +37,6 @@ from stewart_sym.robot.units import Units
 from stewart_sym.studies.accuracy import scales
 
 SOURCES = sorted(path.name for path in GENERATED.glob("*.c"))
-FORCES = [name for name in SOURCES if name.endswith("_forces.c")]
 # Of legs with rotors, whose printers and passes are those of the others, one kernel is in the fast tests.
 ANY_FORCES = [
     pytest.param(name, marks=[pytest.mark.slow] if re.search("_drive_.*forces", name) else [])
@@ -146,21 +143,6 @@ def test_float_compiles_without_a_silent_conversion(source: str) -> None:
     """In double, and by other compilers, some of them: ``test_generated``."""
     command = ["gcc", *STRICT, *FLOAT, *layout_of(source), "-fsyntax-only", source]
     assert run(*command, cwd=GENERATED) == ""
-
-
-def test_the_float_model_has_the_size_that_python_allots(tmp_path: Path) -> None:
-    for source in FORCES:
-        kernel = source.removeprefix("stewart_").removesuffix("_forces.c")
-        numbers = MODELS[kernel]
-        for name, text in c_sources(f"{kernel}_forces").items():
-            (tmp_path / name).write_text(text)
-        check = f"""#include "stewart_{kernel}_forces.h"
-typedef char size_agrees[sizeof(stewart_{kernel}_model) == {numbers} * sizeof(float)
-                             ? 1
-                             : -1];
-"""
-        (tmp_path / "size.c").write_text(check)
-        run("gcc", *FLOAT, *layout_of(source), "-c", "size.c", cwd=tmp_path)
 
 
 # --- accuracy ---------------------------------------------------------------------------------

@@ -13,6 +13,8 @@ from typing import Any
 import attack_build
 import pytest
 from builds import needed
+from builds import written as written_to
+from kits import c_of
 from sweeps import FULL
 
 import stewart_sym as ss
@@ -49,9 +51,7 @@ def closed_form(functions: tuple[str, ...]) -> dict[str, str]:
 
 def of_kit(**choice: Any) -> dict[str, str]:
     """The files of a kit of the paper's machine, its programs left out."""
-    files = kit(ss.robots.dasgupta1998(), Choice(**choice)).files
-    own = re.compile(r"stewart\w*\.[ch]$")
-    return {name: text.decode() for name, text in files.items() if own.match(name)}
+    return c_of(kit(ss.robots.dasgupta1998(), Choice(**choice)), r"stewart\w*\.[ch]")
 
 
 SOURCES: dict[str, tuple[Callable[[], dict[str, str]], str]] = {
@@ -85,9 +85,7 @@ def written(tmp_path_factory: pytest.TempPathFactory):
     def write(kind: str) -> Path:
         if kind not in made:
             make, pattern = SOURCES[kind]
-            folder = tmp_path_factory.mktemp("sources")
-            for name, text in make().items():
-                (folder / name).write_text(text)
+            folder = written_to(make(), tmp_path_factory.mktemp("sources"))
             (made[kind],) = (path for path in folder.glob("*.c") if re.search(pattern, path.name))
         return made[kind]
 
@@ -127,10 +125,7 @@ def test_float_departs_from_no_other_rule(written, kind: str) -> None:
 def test_sources_side_by_side_depart_from_one_rule_more(tmp_path: Path) -> None:
     needed("cppcheck")
     choice = Choice(("forces", "reactions", "kinematics"), fidelity="massless_static", scalar=True)
-    files = kit(ss.robots.dasgupta1998(), choice).files
-    for name, text in files.items():
-        if name.startswith("stewart") and name.endswith((".c", ".h")):
-            (tmp_path / name).write_bytes(text)
+    written_to(c_of(kit(ss.robots.dasgupta1998(), choice), r"stewart\w*\.[ch]"), tmp_path)
     sources = sorted(path.name for path in tmp_path.glob("*.c"))
     found = rules_found(tmp_path / sources[0], PRECISIONS[0], sources[1:])
     listed = {each.rule for each in deviations(["forces scalar", "reactions", "kinematics"])}

@@ -78,7 +78,8 @@ def machine_of(level: str, seed: int, joint: str = "universal") -> Robot:
 @pytest.mark.parametrize("precision", ["double", "float"])
 @pytest.mark.parametrize("level", LEVELS)
 def test_every_level_answers_as_with_lanes(level: str, precision: str) -> None:
-    for seed, scale in ((1, 1.0), (2, 1e-3), (3, 10.0)):
+    # Moments are taken over a length but for scales near one.
+    for seed, scale in ((1, 1.0), (2, 1e-3), (3, 10.0), (4, 100.0)):
         rng = np.random.default_rng(seed)
         robot = random_robot(rng, scale=scale)
         motion = random_motion(rng, robot, (20,))
@@ -104,17 +105,6 @@ def test_every_formulation_and_joint_answers_as_with_lanes(
         agree(
             prepared(robot, formulation, "general", precision), robot, motion, formulation, "general", BOUND
         )
-
-
-@pytest.mark.parametrize("scale", [1e-3, 1.0, 100.0])
-def test_moments_over_a_length_leave_the_forces_those_of_the_lanes(scale: float) -> None:
-    robot = random_robot(np.random.default_rng(7), scale=scale)
-    motion = random_motion(np.random.default_rng(8), robot, (200,))
-    for precision in ("double", "float"):
-        F, _ = prepared(robot, precision=precision).forces_and_status(motion)
-        expected = ss.prepare(robot, precision=precision).forces(motion)  # type: ignore[arg-type]
-        tolerance = {"double": 1e-11, "float": 1e-2}[precision] * np.abs(expected).max()
-        np.testing.assert_allclose(F, expected, rtol=0, atol=tolerance)
 
 
 # --- near failure -----------------------------------------------------------------------------

@@ -13,6 +13,7 @@ from pathlib import Path
 import attack_build
 import pytest
 from builds import needed, run, written
+from kits import c_of
 from machines import dasgupta
 from sweeps import FULL
 
@@ -181,11 +182,8 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """All sources, those of a kit beside the committed ones."""
     place = tmp_path_factory.mktemp("sources")
     shutil.copytree(attack_build.GENERATED, place, dirs_exist_ok=True)
-    made = kit(dasgupta(), Choice(("forces", "kinematics"), scalar=True))
-    for name, content in made.files.items():
-        if name.endswith((".c", ".h")):
-            (place / Path(name).name).write_bytes(content)
-    return place
+    made = c_of(kit(dasgupta(), Choice(("forces", "kinematics"), scalar=True)))
+    return written({Path(name).name: text for name, text in made.items()}, place)
 
 
 @pytest.mark.slow

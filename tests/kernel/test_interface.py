@@ -1,12 +1,12 @@
 """The interface table is what headers declare and what the package, kits and the sweep go by."""
 
 import re
-import subprocess
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
 
 import pytest
+from builds import run
 
 from stewart_sym import results
 from stewart_sym.backend import native
@@ -109,6 +109,6 @@ def test_prepared_models_have_the_size_of_the_table(name: str, tmp_path: Path) -
     compiler = native.find_compiler()
     if compiler is None:
         pytest.skip("needs a C compiler")
-    defines = [f"-D{each}" for each in defines_of(name)]
-    command = [*compiler.command, "-std=c99", "-fsyntax-only", *defines, "size.c"]
-    subprocess.run(command, check=True, cwd=tmp_path)
+    command = [*compiler.command, "-std=c99", "-fsyntax-only", *(f"-D{each}" for each in defines_of(name))]
+    for precision in ((), ("-DSTEWART_FLOAT",)):
+        run(*command, *precision, "size.c", cwd=tmp_path)

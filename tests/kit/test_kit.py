@@ -16,7 +16,7 @@ import builds
 import machines
 import numpy as np
 import pytest
-from kits import COMPILERS, STRICT, build, few_vectors, kit_of, machine, proves_itself, renamed, run
+from kits import COMPILERS, STRICT, build, c_of, few_vectors, kit_of, machine, proves_itself, renamed, run
 from numpy.typing import NDArray
 
 from stewart_sym import inverse_kinematics
@@ -194,10 +194,7 @@ def test_selftest_without_stdio_prints_nothing_and_needs_no_printf(tmp_path: Pat
 def test_constants_reach_the_compiled_robot_to_the_bit(which: str) -> None:
     robot = machine(which)
     made = kit(robot, Choice(("kinematics",)))
-    files = {name: text.decode() for name, text in made.files.items() if name.endswith((".h", ".c"))}
-    library = native.load(
-        "kit_robot", {name: files[name] for name in ("stewart.h", "stewart_robot.h", "stewart_robot.c")}
-    )
+    library = native.load("kit_robot", c_of(made, r"stewart\.h|stewart_robot\.[ch]"))
     numbers = kernel.robot_numbers(robot)
     found = (ctypes.c_double * numbers.size).in_dll(library, robot_symbol(robot.name))
     np.testing.assert_array_equal(np.array(found), numbers)

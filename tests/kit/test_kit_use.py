@@ -12,7 +12,7 @@ from pathlib import Path
 import machines
 import numpy as np
 import pytest
-from kits import kit_of, machine
+from kits import c_of, kit_of, machine
 
 from stewart_sym.backend import c_kernel, kernel, native
 from stewart_sym.cli.main import main
@@ -132,9 +132,7 @@ def test_names_of_sources_headers_and_macros_begin_with_the_prefix() -> None:
     """
     shared = HEADERS[1:]
     for choice in (EVERYTHING, Choice(bake=True, scalar=True)):
-        texts = {
-            name: text.decode() for name, text in made(choice).files.items() if name.endswith((".h", ".c"))
-        }
+        texts = c_of(made(choice))
         library = [name for name in texts if "/" not in name]
         assert all(name.startswith("stewart") for name in library)
         for name in library:
@@ -147,9 +145,7 @@ def test_names_of_sources_headers_and_macros_begin_with_the_prefix() -> None:
 @pytest.mark.slow
 def test_every_function_in_the_headers_of_a_kit_is_exercised_by_its_self_test() -> None:
     for choice in (Choice(("forces", "reactions", "motion", "derivatives", "kinematics")), Choice(bake=True)):
-        files = {
-            name: text.decode() for name, text in made(choice).files.items() if name.endswith((".h", ".c"))
-        }
+        files = c_of(made(choice))
         declared = {
             function
             for name, text in files.items()
@@ -196,9 +192,7 @@ def test_a_readme_says_that_keys_of_trajectories_do_not_apply() -> None:
 
 def test_version_and_limits_are_in_the_headers() -> None:
     robot = machines.dasgupta()
-    files = {
-        name: made().files[name].decode() for name in ("stewart.h", "stewart_robot.h", "stewart_robot.c")
-    }
+    files = c_of(made(), r"stewart\.h|stewart_robot\.[ch]")
     assert re.search(r'^#define STEWART_SYM_VERSION "\d+\.\d+', files["stewart.h"], re.M)
     library = native.load("kit_robot", files, ("-O1",))
     found = np.array((ctypes.c_double * 24).in_dll(library, f"{robot_symbol(robot.name)}_limits"))
@@ -213,10 +207,7 @@ def test_outputs_of_one_pose_may_overlap_the_motion(tmp_path: Path) -> None:
     robot = machines.dasgupta()
     at = sample(robot, "exact")[0]
     motion = np.concatenate([np.ravel(getattr(at, name)) for name in kernel.MOTION])
-    files = {
-        name: text.decode() for name, text in made().files.items() if re.match(r"stewart\w*\.[ch]$", name)
-    }
-    library = native.load("kit_of_all", files, ("-O1",))
+    library = native.load("kit_of_all", c_of(made(), r"stewart\w*\.[ch]"), ("-O1",))
     constants = kernel.robot_numbers(robot)
     model = np.zeros(4096)
     assert library.stewart_exact_prepare(c_kernel.address(constants), c_kernel.address(model)) == 0

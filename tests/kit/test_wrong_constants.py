@@ -33,10 +33,8 @@ class Mutants:
     """A compiled kit whose constants can be written; selftest: failed checks with one of them changed."""
 
     def __init__(self, robot: Robot, choice: Choice) -> None:
-        files = {name: text.decode() for name, text in kit(robot, choice).files.items()}
-        sources = {
-            name: text for name, text in files.items() if name.endswith((".h", ".c")) and "/" not in name
-        }
+        files = kits.c_of(kit(robot, choice))
+        sources = {name: text for name, text in files.items() if "/" not in name}
         sources["selftest.c"] = files["test/selftest.c"]
         self.addresses = dict(
             _baked(sources) if choice.bake else _of_robot(sources, robot_symbol(robot.name))

@@ -24,6 +24,7 @@ Array = NDArray[np.float64]
 pytestmark = pytest.mark.slow
 
 INSTANTS = 5
+REST = at_rest(np.eye(3)[None], np.array([[0.0, 0.0, 1.0]]))
 NEAR = 6.0
 """Pixels from another leg within which a pixel may be its."""
 STILL = "viewer.clock.pause(); for (const id of ['labels', 'tip']) document.getElementById(id).hidden = true;"
@@ -72,47 +73,52 @@ def off(points: Array, line: Array) -> Array:
     return np.asarray(np.linalg.norm(points - line[0] - share[:, None] * way, axis=-1))
 
 
-def instants_to_look_at(instants: Instants) -> list[int]:
-    return [int(i) for i in np.linspace(0, len(instants.time) - 1, INSTANTS)]
+def legs_seen(
+    opened: Opened, robot: Robot, instants: Instants
+) -> Iterator[tuple[NDArray[np.int64], Array, int, Array]]:
+    """At some instants the picture and the projected legs; each leg, and the colour of its force."""
+    for i in np.linspace(0, len(instants.time) - 1, INSTANTS).astype(int):
+        opened.do(f"viewer.clock.seek({float(instants.time[i])!r})")
+        picture, lines = opened.drawn(), projected(opened, robot, instants, i)
+        for leg in range(6):
+            yield picture, lines, leg, force_colour(instants, "exact", i, leg)
 
 
-def seek(opened: Opened, time: float) -> NDArray[np.int64]:
-    opened.do(f"viewer.clock.seek({time!r})")
-    return opened.drawn()
+def force_colour(instants: Instants, name: str, i: int, leg: int) -> Array:
+    """On the scale of the largest force of the motion."""
+    scale = max(float(np.abs(F).max()) for F in instants.forces.values())
+    return colour(float(instants.forces[name][i, leg]), scale)
 
 
 def test_pixels_of_lines_have_the_colours_of_the_forces_and_end_at_the_joints(
     opened: Opened, shown: tuple[Robot, Instants, str]
 ) -> None:
-    robot, instants, _ = shown
-    scale = float(np.abs(np.concatenate([*instants.forces.values()])).max())
     opened.do(LINES)
-    for i in instants_to_look_at(instants):
-        picture = seek(opened, float(instants.time[i]))
-        lines = projected(opened, robot, instants, i)
-        for leg in range(6):
-            wanted = colour(float(instants.forces["exact"][i, leg]), scale)
-            along = lines[leg, 0] + np.linspace(0.03, 0.97, 60)[:, None] * (lines[leg, 1] - lines[leg, 0])
-            free = np.all([off(along, lines[other]) > NEAR for other in range(6) if other != leg], axis=0)
-            seen = picture[tuple(np.floor(DOTS * along[free]).astype(int).T[::-1])]
-            assert free.sum() > 15
-            assert np.abs(seen - wanted).max() <= 2, (i, leg)
-            assert ends_off(picture, wanted, lines, leg) <= 1.0, (i, leg)
+    for picture, lines, leg, wanted in legs_seen(opened, *shown[:2]):
+        along = lines[leg, 0] + np.linspace(0.03, 0.97, 60)[:, None] * (lines[leg, 1] - lines[leg, 0])
+        free = np.all([off(along, lines[other]) > NEAR for other in range(6) if other != leg], axis=0)
+        seen = picture[tuple(np.floor(DOTS * along[free]).astype(int).T[::-1])]
+        assert free.sum() > 15
+        assert np.abs(seen - wanted).max() <= 2, leg
+        assert ends_off(picture, wanted, lines, leg) <= 1.0, leg
     opened.do(LINES)
+
+
+def still(browser: Browser, path: Path, robot: Robot, more: str = "") -> tuple[Opened, Array]:
+    """The page of a machine at rest, and its forces, N."""
+    view(robot, REST).save(path)
+    opened = Opened(browser, path)
+    opened.do(STILL + more)
+    return opened, ss.inverse_dynamics(robot, REST).F[0]
 
 
 def test_lines_of_sliding_are_drawn_where_the_offsets_put_them(browser: Browser, tmp_path: Path) -> None:
     robot = dataclasses.replace(dasgupta(), offsets=ss.Offsets(cross=np.full(6, 0.25)))
-    rest = at_rest(np.eye(3)[None], np.array([[0.0, 0.0, 1.0]]))
-    path = tmp_path / "offsets.html"
-    view(robot, rest).save(path)
-    opened = Opened(browser, path)
-    opened.do(STILL + LINES)
-    picture, at = opened.drawn(), chains(robot, rest)
-    F = ss.inverse_dynamics(robot, rest).F[0]
+    opened, F = still(browser, tmp_path / "offsets.html", robot, LINES)
+    picture, at = opened.drawn(), chains(robot, REST)
     lines = robot.b[:, None] + np.stack([at.T - at.L * at.s, at.T], axis=-2)[0]
     seen = pixels(lines.reshape(-1, 3), *eye(opened)).reshape(6, 2, 2)
-    straight = pixels(np.stack([robot.b, robot.p + rest.t[0]], axis=1).reshape(-1, 3), *eye(opened))
+    straight = pixels(np.stack([robot.b, robot.p + REST.t[0]], axis=1).reshape(-1, 3), *eye(opened))
     apart: list[float] = []
     for leg, (line, plain) in enumerate(zip(seen, straight.reshape(6, 2, 2), strict=True)):
         wanted = colour(float(F[leg]), float(np.abs(F).max()))
@@ -127,14 +133,9 @@ def test_lines_of_sliding_are_drawn_where_the_offsets_put_them(browser: Browser,
 def test_lower_parts_end_where_the_robot_states(browser: Browser, tmp_path: Path) -> None:
     lengths = np.linspace(0.4, 0.65, 6)
     robot = dataclasses.replace(dasgupta(), lower_length=lengths, upper_length=np.full(6, 0.6))
-    rest = at_rest(np.eye(3)[None], np.array([[0.0, 0.0, 1.0]]))
-    path = tmp_path / "parts.html"
-    view(robot, rest).save(path)
-    opened = Opened(browser, path)
-    opened.do(STILL)
+    opened, F = still(browser, tmp_path / "parts.html", robot)
     picture, thick = opened.drawn(), opened.do("return viewer.page.machine.thick")
-    F = ss.inverse_dynamics(robot, rest).F[0]
-    S = robot.p + rest.t[0] - robot.b
+    S = robot.p + REST.t[0] - robot.b
     s = S / np.linalg.norm(S, axis=-1, keepdims=True)
     # The collar at the end is of another colour.
     tips = robot.b + (lengths[:, None] - 0.7 * thick) * s
@@ -177,27 +178,21 @@ def ends_off(picture: NDArray[np.int64], wanted: Array, lines: Array, leg: int) 
 def test_bodies_of_legs_have_the_colours_of_the_forces(
     opened: Opened, shown: tuple[Robot, Instants, str]
 ) -> None:
-    robot, instants, _ = shown
-    scale = float(np.abs(np.concatenate([*instants.forces.values()])).max())
-    for i in instants_to_look_at(instants):
-        picture = seek(opened, float(instants.time[i]))
-        lines = projected(opened, robot, instants, i)
-        for leg in range(6):
-            wanted = colour(float(instants.forces["exact"][i, leg]), scale)
-            on = off(of_colour(picture, wanted), lines[leg]) < 12.0
-            assert on.sum() > 100, (i, leg, on.sum())
+    for picture, lines, leg, wanted in legs_seen(opened, *shown[:2]):
+        on = off(of_colour(picture, wanted), lines[leg]) < 12.0
+        assert on.sum() > 100, (leg, on.sum())
 
 
 def test_formulations_side_by_side_have_their_own_colours(
     opened: Opened, shown: tuple[Robot, Instants, str]
 ) -> None:
     robot, instants, _ = shown
-    scale = float(np.abs(np.concatenate([*instants.forces.values()])).max())
     opened.page.select_option("#sets", "side by side")
     opened.do(LINES)
     i, leg = 0, int(np.argmax(np.abs(instants.forces["exact"][0] - instants.forces["paper"][0])))
-    picture = seek(opened, float(instants.time[i]))
-    colours = [colour(float(instants.forces[name][i, leg]), scale) for name in ("exact", "paper")]
+    opened.do("viewer.clock.seek(0)")
+    picture = opened.drawn()
+    colours = [force_colour(instants, name, i, leg) for name in ("exact", "paper")]
     assert np.abs(colours[0] - colours[1]).max() > 4
     for which in (0, 1):
         line = projected(opened, robot, instants, i, which)[leg]
@@ -215,11 +210,10 @@ def test_other_machines_project_too(browser: Browser, tmp_path: Path, name: str)
     page = Opened(browser, tmp_path / "home.html")
     page.do(STILL + LINES)
     picture = page.drawn()
-    scale = float(np.abs(np.concatenate([*found.instants.forces.values()])).max())
     lines = projected(page, robot, found.instants, 0)
     inside = (lines > 0.0).all() and (lines < np.array(picture.shape[1::-1]) / DOTS).all()
     assert inside
     for leg in range(6):
-        wanted = colour(float(found.instants.forces["exact"][0, leg]), scale)
+        wanted = force_colour(found.instants, "exact", 0, leg)
         assert ends_off(picture, wanted, lines, leg) <= 1.0
     page.close()

@@ -16,7 +16,7 @@ import machines
 import numpy as np
 import pytest
 from fmpy.fmi2 import FMU2Slave, defaultCallbacks, fmi2CallbackFunctions, fmi2CallbackLoggerTYPE
-from kits import few_vectors
+from kits import c_of, few_vectors
 from numpy.typing import NDArray
 
 from stewart_sym import PATHS
@@ -87,28 +87,18 @@ def made(case: str) -> Made:
     robot = robot_of(case)
     with few_vectors(), pytest.MonkeyPatch.context() as patch:
         patch.setattr(native, "PORTABLE_FLAGS", flags(case))
-        files = kit(robot, CASES[case]).files
+        whole = kit(robot, CASES[case])
     unused = ("example/main.c", "test/selftest.c", "stewart_rotation.h", "stewart_rotation.c")
-    sources = {
-        name: text.decode()
-        for name, text in files.items()
-        if name.endswith((".c", ".h")) and name not in unused
-    }
+    sources = {name: text for name, text in c_of(whole).items() if name not in unused}
     header, prefix = forces_function(sources)
     kernel = UnitKernel(header, prefix, case == "baked", CASES[case].precision)
-    return Made(robot, kernel, sources, files[f"{robot_symbol(robot.name)}.fmu"])
+    return Made(robot, kernel, sources, whole.files[f"{robot_symbol(robot.name)}.fmu"])
 
 
 def forces_function(sources: dict[str, str]) -> tuple[str, str]:
-    for name, text in sources.items():
-        found = (
-            re.search(r"^STEWART_NODISCARD int (stewart_\w+)_forces\(", text, re.MULTILINE)
-            if name.endswith(".h")
-            else None
-        )
-        if found is not None:
-            return name, found[1]
-    raise AssertionError("no header declares forces")
+    declared = re.compile(r"^STEWART_NODISCARD int (stewart_\w+)_forces\(", re.MULTILINE)
+    headers = [(name, declared.search(text)) for name, text in sources.items() if name.endswith(".h")]
+    return next((name, found[1]) for name, found in headers if found)
 
 
 def flags(case: str) -> tuple[str, ...]:

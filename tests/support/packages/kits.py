@@ -61,6 +61,11 @@ def few_vectors() -> Iterator[None]:
         yield
 
 
+def c_of(made: Kit, pattern: str = r".*\.[ch]") -> dict[str, str]:
+    """Headers and sources of a kit, or those whose whole names a pattern has."""
+    return {name: text.decode() for name, text in made.files.items() if re.fullmatch(pattern, name)}
+
+
 @cache
 def kit_of(name: str = "Dasgupta & Mruthyunjaya 1998", choice: Choice = DEFAULT) -> Kit:
     """A kit of few vectors."""
