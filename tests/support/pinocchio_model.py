@@ -159,7 +159,7 @@ class _Chain(ABC):
         """The part of the first joint's moment that no axis lets go."""
 
     def torques(self, wrench: Array) -> Array:
-        """Torques and force of the joints when the tip feels a force or wrench; friction at both ends is on."""
+        """Torques and force of the joints when the tip feels a force or wrench; both ends have friction."""
         oMi = self.data.oMi
         on = [pin.Force.Zero() for _ in range(self.model.njoints)]
         none = np.zeros(3)
