@@ -3,6 +3,7 @@
 import copy
 import json
 import re
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -100,14 +101,21 @@ def written_tables(study: str, found: dict[str, Any]) -> str:
 
 
 def with_another(found: dict[str, Any], *place: Any) -> dict[str, Any]:
-    """The figures with another one in this place."""
+    """The figures with another one in this place; ... for all rows of a list."""
     changed = copy.deepcopy(found)
     *way, last = place
-    inner: Any = changed
+    inner: list[Any] = [changed]
     for step in way:
-        inner = inner[step]
-    inner[last] = "avx9" if isinstance(inner[last], str) else 7 * inner[last]
+        inner = [row for rows in inner for row in rows] if step is ... else [each[step] for each in inner]
+    for each in inner:
+        each[last] = "avx9" if isinstance(each[last], str) else 7 * (each[last] or 1)
     return changed
+
+
+def changes_tables(study: str, found: dict[str, Any], places: list[tuple[Any, ...]]) -> None:
+    """Each place that changes gives tables of its own."""
+    texts = {written_tables(study, with_another(found, *place)) for place in places}
+    assert len(texts | {written_tables(study, found)}) == 1 + len(places)
 
 
 def test_every_table_is_what_the_study_writes_of_its_figures() -> None:
@@ -217,7 +225,6 @@ def test_every_figure_that_changes_changes_a_table() -> None:
     found["passes"] = [{**each, **times}]
     found["motion"] = motion_figures()
     found |= made_up_builds()
-    texts = {written_tables("bench", found)}
     places: list[tuple[Any, ...]] = [
         ("machine", "vectors"),
         ("cores", "median"),
@@ -237,35 +244,47 @@ def test_every_figure_that_changes_changes_a_table() -> None:
         *(("motion", kind, -1, "median") for kind in ("ours", "baselines")),
         *(("passes", 0, kind, "median") for kind in ("one_pose", "batch")),
     ]
-    texts |= {written_tables("bench", with_another(found, *place)) for place in places}
-    assert len(texts) == 1 + len(places)
+    changes_tables("bench", found, places)
 
 
-def test_every_figure_of_control_that_is_shown_changes_a_table() -> None:
-    found = figures("control")
+def shown_of_control(found: dict[str, Any]) -> list[tuple[Any, ...]]:
+    """Of every controller of the machine as printed."""
     kinds = {"position": "mm", "orientation": "mrad"}
     shown = {f"{kind}_{of}_{unit}" for kind, unit in kinds.items() for of in ("rms", "max")}
     shown |= {f"{kind}_rms_{unit}_to_exact" for kind, unit in kinds.items()}
     shown |= {"force_peak_N", "force_rms_N", "force_peak_N_to_exact"}
     shown |= {"position_settled_rms_mm", "position_settled_rms_mm_to_exact"}
-    text = written_tables("control", found)
-    for name in shown:
-        changed = copy.deepcopy(found)
-        for row in changed["machines"]["printed"]["rows"]:
-            row[name] *= 7
-        assert written_tables("control", changed) != text, name
+    return [("machines", "printed", "rows", ..., name) for name in sorted(shown)]
 
 
-def test_every_figure_of_failures_that_is_shown_changes_a_table() -> None:
-    found = figures("stability")
-    text = written_tables("stability", found)
-    for name in ("worst", "digits", "rejected_at", "undetected"):
-        changed = copy.deepcopy(found)
-        for method in changed["families"][0]["methods"]:
-            method[name] = 7 * (method[name] or 1)
-        assert written_tables("stability", changed) != text, name
-    for name in ("cases", "wrong", "rejected_good"):
-        assert written_tables("stability", {**found, "sweep": {**found["sweep"], name: 12345}}) != text, name
+def shown_of_stability(found: dict[str, Any]) -> list[tuple[Any, ...]]:
+    methods = [
+        ("families", 0, "methods", ..., name) for name in ("worst", "digits", "rejected_at", "undetected")
+    ]
+    return [*methods, *(("sweep", name) for name in ("cases", "wrong", "rejected_good"))]
+
+
+def shown_of_chart(found: dict[str, Any]) -> list[tuple[Any, ...]]:
+    double = next(i for i, each in enumerate(found["candidates"]) if each["precision"] == "double")
+    general = len(found["candidates"]) - 1
+    return [
+        ("machine", "processor"),
+        ("software", "compiler"),
+        ("motions", "II", "peak_force_N"),
+        *(("candidates", double, name) for name in ("operations", "one_pose_ns", "text_bytes")),
+        ("candidates", double - 1, "one_pose_ns"),
+        *(("candidates", double, "errors", path, "model") for path in ("I", "II", "III")),
+        ("candidates", general, "errors", "III", "rounding"),
+        ("implementations", -1, "rounding", "III"),
+    ]
+
+
+@pytest.mark.parametrize("places", [shown_of_control, shown_of_stability, shown_of_chart])
+def test_every_figure_of_a_study_that_is_shown_changes_a_table(
+    places: Callable[[dict[str, Any]], list[tuple[Any, ...]]],
+) -> None:
+    study = places.__name__.removeprefix("shown_of_")
+    changes_tables(study, figures(study), places(figures(study)))
 
 
 @pytest.mark.slow
@@ -282,25 +301,6 @@ def test_the_committed_run_of_control_is_what_the_code_computes() -> None:
         for key, row in published_control.by_name(machine["rows"]).items():
             numbers = {name: value for name, value in row.items() if isinstance(value, float)}
             assert numbers == pytest.approx({name: rows[key][name] for name in numbers}, rel=1e-4), key
-
-
-def test_every_figure_of_the_chart_that_is_shown_changes_a_table() -> None:
-    found = figures("chart")
-    texts = {written_tables("chart", found)}
-    double = next(i for i, each in enumerate(found["candidates"]) if each["precision"] == "double")
-    general = len(found["candidates"]) - 1
-    places: list[tuple[Any, ...]] = [
-        ("machine", "processor"),
-        ("software", "compiler"),
-        ("motions", "II", "peak_force_N"),
-        *(("candidates", double, name) for name in ("operations", "one_pose_ns", "text_bytes")),
-        ("candidates", double - 1, "one_pose_ns"),
-        *(("candidates", double, "errors", path, "model") for path in ("I", "II", "III")),
-        ("candidates", general, "errors", "III", "rounding"),
-        ("implementations", -1, "rounding", "III"),
-    ]
-    texts |= {written_tables("chart", with_another(found, *place)) for place in places}
-    assert len(texts) == 1 + len(places)
 
 
 def test_the_committed_chart_is_what_the_code_computes() -> None:

@@ -2,12 +2,12 @@
 
 import ctypes
 from collections.abc import Callable
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import pytest
 from fifty_digits import DIGITS, block_inputs
+from leaning_legs import leaning
 from machines import dasgupta, home_position, machine_size, random_motion, random_robot
 from motion_blocks import whole
 from mpmath import mp
@@ -87,13 +87,9 @@ def near_joint_singularity(seed: int, sine: float) -> tuple[Robot, Motion]:
     rng = np.random.default_rng(seed)
     robot = random_robot(rng)
     motion = random_motion(rng, robot)
-    S = motion.t + robot.p @ motion.R.T - robot.b
-    k = np.array(robot.k)
     for leg in (1, 4):
-        along = S[leg] / np.linalg.norm(S[leg])
-        across = np.cross(along, rng.normal(size=3))
-        k[leg] = along + sine * across / np.linalg.norm(across)
-    return replace(robot, k=k / np.linalg.norm(k, axis=-1, keepdims=True)), motion
+        robot = leaning(robot, motion, sine, leg, rng.normal(size=3))
+    return robot, motion
 
 
 def changed(values: dict[str, mp.mpf], rng: np.random.Generator) -> dict[str, mp.mpf]:

@@ -5,44 +5,10 @@ from pathlib import Path
 
 import pytest
 
-from stewart_sym.derive.kernel.tree.nodes import (
-    Argument,
-    Array,
-    As,
-    Assign,
-    Binary,
-    Break,
-    Call,
-    Comment,
-    Constant,
-    Count,
-    Do,
-    Element,
-    Expression,
-    Field,
-    For,
-    From,
-    Function,
-    If,
-    Integer,
-    Let,
-    Member,
-    Name,
-    Negative,
-    Not,
-    Number,
-    Pointer,
-    Real,
-    Record,
-    Return,
-    Select,
-    Structure,
-    Table,
-    Variable,
-)
+from stewart_sym.derive.kernel.tree import nodes as t
 from stewart_sym.derive.print.c import C
 
-A, B, INDEX, LANE = Name("a"), Name("b"), Name("i"), Name("l")
+A, B, INDEX, LANE = t.Name("a"), t.Name("b"), t.Name("i"), t.Name("l")
 HEAD = """#include <math.h>
 #include <stddef.h>
 typedef double stewart_real;
@@ -62,118 +28,127 @@ typedef double stewart_real;
 """
 
 
-def at(array: Expression, *index: Expression | int) -> Element:
-    return Element(array, tuple(Number(i) if isinstance(i, int) else i for i in index))
+def at(array: t.Expression, *index: t.Expression | int) -> t.Element:
+    return t.Element(array, tuple(t.Number(i) if isinstance(i, int) else i for i in index))
 
 
 @pytest.mark.parametrize(
     ("node", "text", "bracketed"),
     [
-        (Binary("+", A, Binary("*", A, B)), "a + a*b", "a + (a*b)"),
-        (Binary("-", A, Binary("+", A, B)), "a - (a + b)", "a - (a + b)"),
-        (Binary("/", A, Binary("*", A, B)), "a/(a*b)", "a/(a*b)"),
-        (Binary("*", Negative(A), B), "(-a)*b", "(-a)*b"),
-        (Negative(Binary("*", A, B)), "-a*b", "-a*b"),
-        (Number(2.0), "REAL(2)", "REAL(2)"),
-        (Number(0.5), "STEWART_HALF", "STEWART_HALF"),
-        (As(Count(), Number(9)), "9U", "9U"),
-        (As(Count(), INDEX), "(size_t)i", "(size_t)i"),
-        (From(A, Binary("*", INDEX, Number(6))), "&a[i*6]", "&a[i*6]"),
-        (Not(Binary(">", A, B)), "!(a > b)", "!(a > b)"),
+        (t.Binary("+", A, t.Binary("*", A, B)), "a + a*b", "a + (a*b)"),
+        (t.Binary("-", A, t.Binary("+", A, B)), "a - (a + b)", "a - (a + b)"),
+        (t.Binary("/", A, t.Binary("*", A, B)), "a/(a*b)", "a/(a*b)"),
+        (t.Binary("*", t.Negative(A), B), "(-a)*b", "(-a)*b"),
+        (t.Negative(t.Binary("*", A, B)), "-a*b", "-a*b"),
+        (t.Number(2.0), "REAL(2)", "REAL(2)"),
+        (t.Number(0.5), "STEWART_HALF", "STEWART_HALF"),
+        (t.As(t.Count(), t.Number(9)), "9U", "9U"),
+        (t.As(t.Count(), INDEX), "(size_t)i", "(size_t)i"),
+        (t.From(A, t.Binary("*", INDEX, t.Number(6))), "&a[i*6]", "&a[i*6]"),
+        (t.Not(t.Binary(">", A, B)), "!(a > b)", "!(a > b)"),
         (
-            Binary("|", Binary("==", A, Constant("NULL")), Binary("<", Binary("+", A, B), B)),
+            t.Binary("|", t.Binary("==", A, t.Constant("NULL")), t.Binary("<", t.Binary("+", A, B), B)),
             "a == NULL || a + b < b",
             "(a == NULL) || ((a + b) < b)",
         ),
         (
-            Select(Binary("<=", A, Constant("MAX")), Number(1), Select(Binary(">", A, B), A, B)),
+            t.Select(t.Binary("<=", A, t.Constant("MAX")), t.Number(1), t.Select(t.Binary(">", A, B), A, B)),
             "a <= STEWART_MAX ? 1 : a > b ? a : b",
             "(a <= STEWART_MAX) ? 1 : (a > b) ? a : b",
         ),
-        (Call("size", (at(A, 0, INDEX),)), "STEWART_FABS(a[0][i])", "STEWART_FABS(a[0][i])"),
+        (t.Call("size", (at(A, 0, INDEX),)), "STEWART_FABS(a[0][i])", "STEWART_FABS(a[0][i])"),
     ],
 )
-def test_expressions_bind_as_the_tree_says(node: Expression, text: str, bracketed: str) -> None:
+def test_expressions_bind_as_the_tree_says(node: t.Expression, text: str, bracketed: str) -> None:
     assert C().text(node) == text
     assert C(brackets=True).text(node) == bracketed
 
 
-def every_statement() -> tuple[list[Structure], Table, list[Function]]:
-    real = Real()
-    pair = Structure(
+def every_statement() -> tuple[list[t.Structure], t.Table, list[t.Function]]:
+    real = t.Real()
+    pair = t.Structure(
         "pair",
         "Two numbers and lanes.",
-        (Field("a", real, "m: one"), Field("lanes", Array(real, (3, 8)))),
+        (t.Field("a", real, "m: one"), t.Field("lanes", t.Array(real, (3, 8)))),
         aligned=True,
     )
-    table = Table(
-        "numbers", Structure("row", "", (Field("x", real), Field("y", Array(real, (2,))))), ((1.0, 0.5, 3.0),)
+    table = t.Table(
+        "numbers",
+        t.Structure("row", "", (t.Field("x", real), t.Field("y", t.Array(real, (2,))))),
+        ((1.0, 0.5, 3.0),),
     )
-    to = Member(Name("to"), "lanes")
-    missing = Binary("|", *(Binary("==", Name(each), Constant("NULL")) for each in ("many", "out")))
-    inner = Function(
+    to = t.Member(t.Name("to"), "lanes")
+    missing = t.Binary("|", *(t.Binary("==", t.Name(each), t.Constant("NULL")) for each in ("many", "out")))
+    inner = t.Function(
         "inner",
         "Sums lanes; the comment of a function may be longer than one line of it can be, and is then broken "
         "between its words.",
         (
-            Argument("from", Array(real, (3, 8)), alone=True),
-            Argument("to", Record("pair"), changed=True, alone=True),
-            Argument("total", real, changed=True),
-            Argument("unread", Integer()),
+            t.Argument("from", t.Array(real, (3, 8)), alone=True),
+            t.Argument("to", t.Record("pair"), changed=True, alone=True),
+            t.Argument("total", real, changed=True),
+            t.Argument("unread", t.Integer()),
         ),
         None,
         (
-            Assign(Name("total"), Number(0.0)),
-            For(
+            t.Assign(t.Name("total"), t.Number(0.0)),
+            t.For(
                 "i",
-                Number(0),
-                Number(3),
+                t.Number(0),
+                t.Number(3),
                 (
-                    For(
+                    t.For(
                         "l",
-                        Number(0),
-                        Constant("LANES"),
-                        (Assign(at(to, INDEX, LANE), at(Name("from"), INDEX, LANE)),),
+                        t.Number(0),
+                        t.Constant("LANES"),
+                        (t.Assign(at(to, INDEX, LANE), at(t.Name("from"), INDEX, LANE)),),
                         kept=True,
                     ),
-                    Let("x", at(Name("from"), INDEX, 0)),
-                    Let("y", at(Name("from"), INDEX, 1)),
-                    If(Binary(">", Name("x"), Constant("MAX")), (Break(),), (Comment("Each."),)),
-                    Assign(Name("total"), Binary("+", Name("total"), Binary("*", Name("x"), Name("y")))),
+                    t.Let("x", at(t.Name("from"), INDEX, 0)),
+                    t.Let("y", at(t.Name("from"), INDEX, 1)),
+                    t.If(t.Binary(">", t.Name("x"), t.Constant("MAX")), (t.Break(),), (t.Comment("Each."),)),
+                    t.Assign(
+                        t.Name("total"),
+                        t.Binary("+", t.Name("total"), t.Binary("*", t.Name("x"), t.Name("y"))),
+                    ),
                 ),
             ),
         ),
         apart=True,
     )
-    outer = Function(
+    outer = t.Function(
         "outer",
         "Everything else.",
         (
-            Argument("given", Record("pair")),
-            Argument("count", Count()),
-            Argument("many", Pointer(real), changed=True),
-            Argument("out", Array(real, (3,)), changed=True),
+            t.Argument("given", t.Record("pair")),
+            t.Argument("count", t.Count()),
+            t.Argument("many", t.Pointer(real), changed=True),
+            t.Argument("out", t.Array(real, (3,)), changed=True),
         ),
-        Integer(),
+        t.Integer(),
         (
-            Variable("sum", real, Number(0.0)),
-            Variable("made", Record("pair")),
-            Variable("rows", Array(real, (2, 7)), blank=True, aligned=True),
-            Let("table", Name("numbers"), Pointer(Record("row"))),
-            Let("bad", Select(missing, Number(1), Number(0)), Integer()),
-            If(Binary("!=", Name("bad"), Number(0)), (Return(Number(5)),)),
-            Assign(at(Name("rows"), 0, 6), Member(Name("table"), "x")),
-            Do(Call("inner", (Member(Name("made"), "lanes"), Name("made"), Name("sum"), Number(1)))),
-            For(
-                "pose",
-                As(Count(), Number(0)),
-                Name("count"),
-                (Assign(at(Name("many"), Name("pose")), Member(Name("made"), "a")),),
-                type=Count(),
-                step=As(Count(), Constant("LANES")),
+            t.Variable("sum", real, t.Number(0.0)),
+            t.Variable("made", t.Record("pair")),
+            t.Variable("rows", t.Array(real, (2, 7)), blank=True, aligned=True),
+            t.Let("table", t.Name("numbers"), t.Pointer(t.Record("row"))),
+            t.Let("bad", t.Select(missing, t.Number(1), t.Number(0)), t.Integer()),
+            t.If(t.Binary("!=", t.Name("bad"), t.Number(0)), (t.Return(t.Number(5)),)),
+            t.Assign(at(t.Name("rows"), 0, 6), t.Member(t.Name("table"), "x")),
+            t.Do(
+                t.Call(
+                    "inner", (t.Member(t.Name("made"), "lanes"), t.Name("made"), t.Name("sum"), t.Number(1))
+                )
             ),
-            Assign(at(Name("out"), 0), at(Name("rows"), 0, 6)),
-            Return(Number(0)),
+            t.For(
+                "pose",
+                t.As(t.Count(), t.Number(0)),
+                t.Name("count"),
+                (t.Assign(at(t.Name("many"), t.Name("pose")), t.Member(t.Name("made"), "a")),),
+                type=t.Count(),
+                step=t.As(t.Count(), t.Constant("LANES")),
+            ),
+            t.Assign(at(t.Name("out"), 0), at(t.Name("rows"), 0, 6)),
+            t.Return(t.Number(0)),
         ),
         public=True,
     )

@@ -4,24 +4,8 @@ from typing import Any
 
 import pytest
 
+from stewart_sym.derive.kernel.tree import nodes as t
 from stewart_sym.derive.kernel.tree import read
-from stewart_sym.derive.kernel.tree.nodes import (
-    Assign,
-    Call,
-    Element,
-    Field,
-    For,
-    Function,
-    Let,
-    Name,
-    Number,
-    Pointer,
-    Real,
-    Return,
-    Structure,
-    Variable,
-    statements,
-)
 from stewart_sym.derive.print.c import C
 
 # What stands in these texts are names of the program that they are read into.
@@ -89,14 +73,14 @@ def returned(holds, code) -> None:
         return code
 
 
-def element(*index: Any) -> Element:
-    return Element(Name("A"), index)
+def element(*index: Any) -> t.Element:
+    return t.Element(t.Name("A"), index)
 
 
 def test_one_text_is_read_into_several_shapes() -> None:
     """Loops, or line after line; entries of an array, or variables; calls replaced by lines."""
     common = {"before": divided, "LAST": 3}
-    shapes = {"total": lambda *_: Name("sum"), "a": element, "ROLLED": 1, "LAST": 4}
+    shapes = {"total": lambda *_: t.Name("sum"), "a": element, "ROLLED": 1, "LAST": 4}
     rolled = "\n".join(C().function(read.function(shaped, {}, {}, given=common | shapes)))
     assert "for (i = 2; i >= 0; --i)" in rolled
     assert "for (j = i; j < 3; ++j)" in rolled
@@ -122,26 +106,28 @@ def test_lines_of_another_text_take_what_it_is_called_with() -> None:
 
 
 def test_conditions_loops_and_registers_are_settled_when_a_text_is_read() -> None:
-    added = (Assign(Name("y"), Number(1.0)),)
+    added = (t.Assign(t.Name("y"), t.Number(1.0)),)
     one = read.function(settled, {}, {}, given={"FIRST": 1, "ADDED": added})
     other = read.function(settled, {}, {}, given={"FIRST": 0, "ADDED": added})
     assert one.body[0] == added[0]
-    assert [each.name for each in one.body if isinstance(each, Let)] == ["part_0", "part_1"]
-    assert len({each.value for each in one.body if isinstance(each, Let)}) == 2
-    assert len({each.value for each in other.body if isinstance(each, Let)}) == 1
+    assert [each.name for each in one.body if isinstance(each, t.Let)] == ["part_0", "part_1"]
+    assert len({each.value for each in one.body if isinstance(each, t.Let)}) == 2
+    assert len({each.value for each in other.body if isinstance(each, t.Let)}) == 1
 
 
 def test_columns_are_a_range_that_stays_a_loop() -> None:
-    row, other = (each for each in read.function(scaled, {}, {}).body if isinstance(each, For))
-    assert (row.first, row.last, row.kept) == (Number(1), Number(3), True)
+    row, other = (each for each in read.function(scaled, {}, {}).body if isinstance(each, t.For))
+    assert (row.first, row.last, row.kept) == (t.Number(1), t.Number(3), True)
     assert not other.kept
 
 
 def test_a_name_ends_with_its_block_and_changes_make_variables() -> None:
     body = read.function(scoped, {}, {}).body
-    made = [each for each in statements(body) if isinstance(each, Let | Variable) and each.name == "code"]
+    made = [
+        each for each in t.statements(body) if isinstance(each, t.Let | t.Variable) and each.name == "code"
+    ]
     assert len(made) == 2
-    assert sum(isinstance(each, Return) for each in statements(body)) == 2
+    assert sum(isinstance(each, t.Return) for each in t.statements(body)) == 2
 
 
 def test_an_argument_given_as_false_is_left_out() -> None:
@@ -150,8 +136,8 @@ def test_an_argument_given_as_false_is_left_out() -> None:
 
 
 def test_what_an_address_in_a_structure_leads_to_is_no_part_of_it() -> None:
-    arrays = Structure("arrays", "", (Field("F", Pointer(Real())),))
-    signature = Function("take", "", (), None, (Return(None),))
+    arrays = t.Structure("arrays", "", (t.Field("F", t.Pointer(t.Real())),))
+    signature = t.Function("take", "", (), None, (t.Return(None),))
     found = read.function(through, {"Arrays": arrays}, {"take": signature})
     text = "\n".join(C().function(found))
     assert "to->F[pose*6U + 1U] = from_one[pose];" in text
@@ -170,4 +156,4 @@ def test_a_call_of_a_function_that_is_not_known_is_rejected() -> None:
 def test_calls_are_counted_against_their_arguments() -> None:
     none: tuple[Any, ...] = ()
     with pytest.raises(ValueError, match="zip"):
-        C([Function("f", "", none, None, none)]).text(Call("f", (Name("x"),)))
+        C([t.Function("f", "", none, None, none)]).text(t.Call("f", (t.Name("x"),)))

@@ -8,7 +8,6 @@ import subprocess
 import sys
 from collections.abc import Callable
 from functools import partial
-from itertools import pairwise
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -37,8 +36,6 @@ TAKES = {
     "forward_velocity": ("pose", "L_dot"),
 }
 OF_ROBOT = ("inverse_kinematics", "forward_kinematics", "forward_velocity")
-ENDS = [0, *np.cumsum([9 if name == "R" else 3 for name in MOTION]).tolist()]
-"""Where the members of a motion begin, and its end."""
 
 # ---------------------------------------------------------------- cases
 
@@ -102,6 +99,17 @@ def imported(folder: Path, name: str) -> ModuleType:
     return module
 
 
+def columns(function: str) -> dict[str, dict[str, slice]]:
+    """Of each argument the columns of its members, those of one without members under ""."""
+    found, first = {}, 0
+    for name in TAKES[function]:
+        found[name] = {}
+        for member in {"motion": MOTION, "pose": ("R", "t"), "guess": ("R", "t")}.get(name, ("",)):
+            last = first + {"R": 9, "": 6}.get(member, 3)
+            found[name][member], first = slice(first, last), last
+    return found
+
+
 Found = tuple[Array, list[Array]]
 """Statuses, and the numbers of each result."""
 
@@ -113,16 +121,11 @@ def in_python(folder: Path, cases: dict[str, Array]) -> dict[str, Found]:
     with np.errstate(all="ignore"):
         model = arrays.prepare(on, robot)
         for function, rows in cases.items():
-            given, first = {}, 0
-            for name in TAKES[function]:
-                part = rows[:, first : first + SIZES[name]]
-                first += SIZES[name]
-                given[name] = part
-                if name == "motion":
-                    members = np.split(part, ENDS[1:-1], axis=1)
-                    given[name] = arrays.motion_of(on, **dict(zip(MOTION, members, strict=True)))
-                elif name in ("pose", "guess"):
-                    given[name] = arrays.pose_at(on, R=part[:, :9], t=part[:, 9:])
+            given = {}
+            for name, parts in columns(function).items():
+                values = {member: rows[:, part] for member, part in parts.items()}
+                made = arrays.motion_of if name == "motion" else arrays.pose_at
+                given[name] = values[""] if "" in values else made(on, **values)
             result = getattr(arrays, function)(on, robot if function in OF_ROBOT else model, **given)
             numbers = np.stack([np.broadcast_to(each, len(rows)) for each in flat(result)], axis=1)
             found[function] = np.broadcast_to(result.status, len(rows)), list(numbers)
@@ -167,19 +170,9 @@ def in_octave(folder: Path, cases: dict[str, Array]) -> dict[str, Found]:
         literal = ";\n".join(" ".join(map(repr, row.tolist())) for row in rows)
         lines += [f"rows = [{literal}];".replace("inf", "Inf").replace("nan", "NaN")]
         lines += [f"for i = 1:{len(rows)}"]
-        first = 0
-        for name in TAKES[function]:
-            if name == "motion":
-                lines += [
-                    f"motion.{member} = rows(i, {a + 1}:{b});"
-                    for member, a, b in zip(MOTION, ENDS, ENDS[1:], strict=False)
-                ]
-            elif name in ("pose", "guess"):
-                lines += [f"{name}.R = rows(i, {first + 1}:{first + 9});"]
-                lines += [f"{name}.t = rows(i, {first + 10}:{first + 12});"]
-            else:
-                lines += [f"{name} = rows(i, {first + 1}:{first + SIZES[name]});"]
-            first += SIZES[name]
+        for name, parts in columns(function).items():
+            targets = {f"{name}.{member}".removesuffix("."): part for member, part in parts.items()}
+            lines += [f"{to} = rows(i, {part.start + 1}:{part.stop});" for to, part in targets.items()]
         subject = "robot" if function in OF_ROBOT else "model"
         lines += [f"show(stewart.{function}({', '.join([subject, *TAKES[function]])}));", "end"]
     (folder / "cases.m").write_text("\n".join(lines))
@@ -208,17 +201,14 @@ def in_rust(folder: Path, cases: dict[str, Array]) -> dict[str, Found]:
             "            row[i] = f64::from_le_bytes(each.try_into().unwrap());",
             "        }",
         ]
-        first = 0
-        for name in TAKES[function]:
-            members = {"motion": MOTION, "pose": ("R", "t"), "guess": ("R", "t")}.get(name, ())
+        for name, parts in columns(function).items():
+            slices = {member: f"row[{part.start}..{part.stop}]" for member, part in parts.items()}
+            fields = [f"{member}: {each}.try_into().unwrap()" for member, each in slices.items()]
             kind = "Motion" if name == "motion" else "Pose"
-            sizes = [9 if member == "R" else 3 for member in members] or [SIZES[name]]
-            ends = first + np.cumsum([0, *sizes])
-            parts = [f"row[{a}..{b}].try_into().unwrap()" for a, b in pairwise(ends)]
-            fields = ", ".join(f"{member}: {part}" for member, part in zip(members, parts, strict=False))
-            value = f"{kind} {{ {fields} }}" if members else parts[0]
-            lines += [f"        let {name}{'' if members else ': [Real; 6]'} = {value};"]
-            first += SIZES[name]
+            value = f"{kind} {{ {', '.join(fields)} }}"
+            if "" in slices:
+                kind, value = "[Real; 6]", f"{slices['']}.try_into().unwrap()"
+            lines += [f"        let {name}: {kind} = {value};"]
         subject = "&ROBOT" if function in OF_ROBOT else "&model"
         passed = ", ".join([subject, *(f"&{name}" for name in TAKES[function])])
         lines += [f'        println!("{{:?}}", {function}({passed}));', "    }"]
