@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from sweeps import slow_but
 
 from stewart_sym.cli.main import main
 
@@ -109,10 +110,7 @@ FREE = ("condition_number", "_sd_", "/deviations/", "time_s", "/steps", "certifi
 
 
 @pytest.mark.filterwarnings("ignore::UserWarning")
-@pytest.mark.parametrize(
-    "command",
-    ["forces", *(pytest.param(name, marks=pytest.mark.slow) for name in COMMANDS if name != "forces")],
-)
+@pytest.mark.parametrize("command", slow_but(["forces"], COMMANDS))
 def test_every_figure_of_a_command_scales_with_the_machine(
     command: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

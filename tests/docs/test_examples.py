@@ -24,6 +24,7 @@ from pages import (
     same_picture,
     text_of,
 )
+from sweeps import slow_but
 
 import stewart_sym as ss
 from stewart_sym.cli import main
@@ -52,9 +53,7 @@ def test_an_excerpt_shows_where_lines_are_left_out() -> None:
         assert not is_excerpt(text.split(), printed)
 
 
-@pytest.mark.parametrize(
-    "page", [pytest.param(page, marks=pytest.mark.slow if page in SHELL | LONG else ()) for page in RUNNING]
-)
+@pytest.mark.parametrize("page", slow_but(set(RUNNING) - SHELL - LONG, RUNNING))
 def test_examples_run_in_order_and_give_what_the_page_says(
     page: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -10,18 +10,14 @@ import pytest
 from leaning_legs import leaning
 from machines import MACHINES, dasgupta, random_motion, random_robot
 from motion_fields import FIELDS
+from sweeps import slow_but
 
 import stewart_sym as ss
 from stewart_sym.io.extras import install
 
 OF_MACHINES = pytest.mark.parametrize(
     ("machine", "checked"),
-    [
-        ("paper", True),
-        ("paper", False),
-        pytest.param("random", True, marks=pytest.mark.slow),
-        pytest.param("upside down, mm", False, marks=pytest.mark.slow),
-    ],
+    [("paper", True), ("paper", False), *slow_but((), [("random", True), ("upside down, mm", False)])],
 )
 
 

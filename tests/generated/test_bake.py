@@ -10,6 +10,7 @@ import pytest
 from machines import dasgupta, random_motion, random_robot
 from mpmath import mpf
 from numpy.typing import NDArray
+from sweeps import slow_but
 
 import stewart_sym as ss
 from stewart_sym.backend import fidelity, native
@@ -126,13 +127,10 @@ def test_a_constant_keeps_its_values() -> None:
     assert constants.values == {symbol: (mpf(2),)}
 
 
-@pytest.mark.parametrize(
-    "term",
-    [
-        *("friction", "centred platform"),
-        *(pytest.param(term, marks=pytest.mark.slow) for term in ("gravity", "flat base", "flat platform")),
-    ],
-)
+TERMS = ("friction", "centred platform", "gravity", "flat base", "flat platform")
+
+
+@pytest.mark.parametrize("term", slow_but(TERMS[:2], TERMS))
 def test_each_zero_saves_operations(term: str) -> None:
     robot = random_robot(np.random.default_rng(5))
     flat, nothing = np.array([1.0, 1.0, 0.0]), np.zeros(6)

@@ -18,6 +18,7 @@ from machines import dasgupta, random_motion, random_robot, with_random_drives
 from motion_fields import FIELDS
 from numpy.typing import NDArray
 from scalar_kernels import BOUND, any_machine, numbers
+from sweeps import slow_but
 
 import stewart_sym as ss
 from stewart_sym.derive.emit import lanes
@@ -175,10 +176,7 @@ def test_float_forces_are_within_100_units_times_condition_on_machines_of_any_si
 
 @pytest.mark.parametrize(
     ("fidelity", "rotors"),
-    [
-        *((level, False) for level in FIDELITIES),
-        *(pytest.param(level, True, marks=pytest.mark.slow) for level in DRIVE_FIDELITIES),
-    ],
+    [*((level, False) for level in FIDELITIES), *slow_but((), ((level, True) for level in DRIVE_FIDELITIES))],
 )
 def test_every_level_in_float_is_within_100_units_times_condition_of_its_double(
     fidelity: str, rotors: bool

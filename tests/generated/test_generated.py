@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 from attack_build import GENERATED, SOME
 from builds import run
+from sweeps import slow_but
 
 from stewart_sym.backend.kernel import defines_of
 from stewart_sym.derive.mechanics.formulation import FORMULATIONS
@@ -45,7 +46,7 @@ FAST_WAYS = {("gcc", "float", "c++"), ("clang", "double", "c99")}
 
 @pytest.mark.parametrize(
     ("compiler", "precision", "language", "kernel"),
-    [pytest.param(*way, marks=() if way[:3] in FAST_WAYS else pytest.mark.slow) for way in WAYS],
+    slow_but(FAST_WAYS, WAYS, lambda way: way[:3]),
 )
 def test_c_compiles_silently(compiler: str, precision: str, language: str, kernel: str) -> None:
     compiled_silently(compiler, precision, language, kernel, "-fsyntax-only")
@@ -57,9 +58,7 @@ OF_EACH_KIND = sorted({*KERNELS, *(stem.removeprefix("stewart_") for stem in SOM
 SHORT = ("exact_forces", "exact_massless_static_forces", "kinematics", "legs", "torque")
 
 
-@pytest.mark.parametrize(
-    "kernel", [pytest.param(name, marks=() if name in SHORT else pytest.mark.slow) for name in OF_EACH_KIND]
-)
+@pytest.mark.parametrize("kernel", slow_but(SHORT, OF_EACH_KIND))
 def test_optimised_c_compiles_silently_and_calls_nothing_but_square_roots(
     kernel: str, tmp_path: Path
 ) -> None:

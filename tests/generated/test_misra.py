@@ -15,7 +15,7 @@ import pytest
 from builds import needed
 from builds import written as written_to
 from kits import c_of
-from sweeps import FULL
+from sweeps import FULL, slow_but
 
 import stewart_sym as ss
 from stewart_sym.derive.emit.header import common_header
@@ -25,10 +25,6 @@ from stewart_sym.generated.interface import HEADERS
 from stewart_sym.kit import Choice, kit
 
 MOTION = ("equations", "forward_dynamics")
-SLOW = (
-    *("forces", "forces baked", "forces scalar", "forces scalar baked", "reactions", "motion", "derivatives"),
-    *("kinematics", "torque", "axial"),
-)
 PRECISIONS = ("-USTEWART_FLOAT", "-DSTEWART_FLOAT=1")
 ARITHMETIC = {"sqrt", "sqrtf", "fabs", "fabsf"}
 # What compilers make of copies of structs.
@@ -72,7 +68,7 @@ SOURCES: dict[str, tuple[Callable[[], dict[str, str]], str]] = {
     "robot": (lambda: of_kit(scalar=True), r"^stewart_robot\.c"),
 }
 """Kind of source -> how its files are made, and which of them is looked at."""
-EVERY = [pytest.param(name, marks=[pytest.mark.slow] if name in SLOW else []) for name in SOURCES]
+EVERY = slow_but(("rotation", "robot"), SOURCES)
 # But for what is printed as "motion" is, and is the longest of all.
 ANY = [each for each in EVERY if FULL or each.values != ("derivatives",)]
 

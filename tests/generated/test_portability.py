@@ -16,6 +16,7 @@ from pathlib import Path
 import attack_build
 import pytest
 from kits import few_vectors
+from sweeps import slow_but
 
 import stewart_sym as ss
 from stewart_sym.kit import Choice, Kit, kit, put
@@ -128,7 +129,7 @@ def checked(kit: Path, target: Target, flags: Iterable[str], folder: Path) -> No
 
 @pytest.mark.parametrize(
     ("name", "layout", "standard", "level", "precision"),
-    [pytest.param(*each, marks=() if each[:2] in QUICK else pytest.mark.slow) for each in COVERING],
+    slow_but(QUICK, COVERING, lambda each: each[:2]),
 )
 def test_a_kit_checks_itself(
     tmp_path: Path, name: str, layout: str, standard: str, level: str, precision: str

@@ -10,7 +10,7 @@ from leaning_legs import leaning
 from machines import random_motion, random_robot
 from near_singular import near_singular_motion
 from scalar_kernels import BOUND, UNTOUCHED, Array, Kernel, compiled, numbers, plain_blocks, prepared
-from sweeps import FULL
+from sweeps import FULL, slow_but
 from unsolvable_poses import leg_along_its_axis, singular, zero_length_leg
 
 import stewart_sym as ss
@@ -36,7 +36,7 @@ PLAIN = ["general", "massless_static"]
 # of every level proves itself in `test_kit`.
 SPANNING = ["general_static", "slender", "point_masses_friction"]
 OTHERS = [level for level in fidelity.FIDELITIES if level not in PLAIN and (FULL or level in SPANNING)]
-LEVELS = [*PLAIN, *(pytest.param(level, marks=pytest.mark.slow) for level in OTHERS)]
+LEVELS = slow_but(PLAIN, [*PLAIN, *OTHERS])
 
 
 def baked_kernel(robot: Robot, level: str, precision: str = "double") -> Kernel:
@@ -89,11 +89,7 @@ def test_every_level_answers_as_with_lanes(level: str, precision: str) -> None:
 @pytest.mark.parametrize("precision", ["double", "float"])
 @pytest.mark.parametrize(
     ("formulation", "joint"),
-    [
-        ("paper", "universal"),
-        ("exact", "spherical"),
-        pytest.param("paper", "spherical", marks=pytest.mark.slow),
-    ],
+    [("paper", "universal"), ("exact", "spherical"), *slow_but((), [("paper", "spherical")])],
 )
 def test_every_formulation_and_joint_answers_as_with_lanes(
     formulation: str, joint: str, precision: str
@@ -136,11 +132,7 @@ def test_near_a_joint_singularity_status_and_code_path_are_those_of_the_lanes(
 @pytest.mark.parametrize("precision", ["double", "float"])
 @pytest.mark.parametrize(
     ("joint", "level"),
-    [
-        ("universal", "general"),
-        pytest.param("spherical", "general", marks=pytest.mark.slow),
-        pytest.param("universal", "massless", marks=pytest.mark.slow),
-    ],
+    [("universal", "general"), *slow_but((), [("spherical", "general"), ("universal", "massless")])],
 )
 def test_near_singular_poses_have_the_status_of_the_lanes(joint: str, level: str, precision: str) -> None:
     rng = np.random.default_rng(10)
@@ -153,9 +145,7 @@ def test_near_singular_poses_have_the_status_of_the_lanes(joint: str, level: str
 
 
 @pytest.mark.parametrize("precision", ["double", "float"])
-@pytest.mark.parametrize(
-    "level", ["general", *(pytest.param(level, marks=pytest.mark.slow) for level in ("slender", "massless"))]
-)
+@pytest.mark.parametrize("level", slow_but(["general"], ["general", "slender", "massless"]))
 def test_zero_length_legs_have_the_status_of_the_lanes_at_every_length(level: str, precision: str) -> None:
     rng = np.random.default_rng(11)
     seen = set()

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from formulations import of_each_formulation
 from kernel_cases import EPSILON, ON_ARRAYS, beside_the_joint_axis, motion_numbers, robot_numbers
 from kits import few_vectors
 from machines import dasgupta, random_motion, random_robot, random_robot_of
@@ -23,13 +24,10 @@ from stewart_sym.derive.kernel.outputs import OUTPUTS, program
 from stewart_sym.derive.kernel.tree import read
 from stewart_sym.derive.kernel.tree.interpret import Arithmetic, Interpreter
 from stewart_sym.derive.kernel.tree.nodes import Array, Integer, Program, Record, Type
-from stewart_sym.derive.mechanics.formulation import EXACT, EXACT_DRIVE, FORMULATIONS, PAPER
+from stewart_sym.derive.mechanics.formulation import EXACT, EXACT_DRIVE, PAPER
 from stewart_sym.derive.mechanics.reduced_models import FIDELITIES
 from stewart_sym.derive.package import languages
 from stewart_sym.kit import Choice, write_kit
-
-FEW = (EXACT, EXACT_DRIVE, PAPER)
-"""Formulations whose forces are compared in the fast tests."""
 
 
 @pytest.fixture(scope="module")
@@ -44,13 +42,7 @@ def forces_of(tree: Program, robot: ss.Robot, motion: ss.Motion) -> tuple[np.nda
     return np.stack(np.broadcast_arrays(*found.F), axis=-1), np.asarray(found.status)
 
 
-@pytest.mark.parametrize(
-    "form",
-    [
-        pytest.param(form, marks=() if form in FEW else pytest.mark.slow, id=form.kernel_name)
-        for form in FORMULATIONS
-    ],
-)
+@of_each_formulation(EXACT, EXACT_DRIVE, PAPER)
 @pytest.mark.usefixtures("rounded_twice")
 def test_forces_are_those_of_the_c_batch_to_the_bit(form: Any) -> None:
     tree = program(reduced_forces(form))
@@ -279,6 +271,7 @@ def test_python_that_not_every_language_has_is_named(text: Any, named: str) -> N
         read.function(text, {}, {})
 
 
+@few_vectors()
 def test_a_language_is_one_module_and_one_registration(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:

@@ -16,6 +16,7 @@ import numpy as np
 import pytest
 from builds import run
 from machines import random_motion, random_robot
+from sweeps import slow_but
 
 import stewart_sym as ss
 from stewart_sym import derive
@@ -112,9 +113,7 @@ def kits(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
-@pytest.mark.parametrize(
-    "language", [pytest.param(name, marks=() if name == "python" else pytest.mark.slow) for name in RUN]
-)
+@pytest.mark.parametrize("language", slow_but(["python"], RUN))
 def test_two_files_give_every_language_a_new_output(language: str, kits: Path) -> None:
     run(*RUN[language], cwd=kits / language)
 

@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 from language_runs import RUNS, TAKES, Array, imported, machine, of_c, ran, sound
 from machines import dasgupta
-from sweeps import FULL
+from sweeps import FULL, slow_but
 
 from stewart_sym.derive.package.languages import LANGUAGES
 from stewart_sym.kit import Choice, kit, write_kit
@@ -77,10 +77,7 @@ def kit_of(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Path]:
     return made
 
 
-SLOW = {"python": (), "matlab": pytest.mark.slow, "rust": pytest.mark.slow}
-BY_LANGUAGE = pytest.mark.parametrize(
-    "language", [pytest.param(name, marks=marks) for name, marks in SLOW.items()]
-)
+BY_LANGUAGE = pytest.mark.parametrize("language", slow_but(["python"], LANGUAGES))
 
 
 @pytest.mark.slow
@@ -235,10 +232,10 @@ COMMAND = re.compile(r"^    ((?:python|octave-cli|cargo|stewart-sym) .*)$")
 @pytest.mark.parametrize(
     ("language", "functions"),
     [
-        ("python", ("kinematics",)),
-        ("matlab", ("kinematics",)),
-        pytest.param("rust", ("kinematics",), marks=pytest.mark.slow),
-        *(pytest.param(language, EVERY, marks=pytest.mark.slow) for language in LANGUAGES),
+        *slow_but(
+            ("python", "matlab"), ((name, ("kinematics",)) for name in LANGUAGES), lambda case: case[0]
+        ),
+        *slow_but((), ((language, EVERY) for language in LANGUAGES)),
     ],
     ids=lambda value: value if isinstance(value, str) else "+".join(value),
 )

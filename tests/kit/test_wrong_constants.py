@@ -10,6 +10,7 @@ import kits
 import machines
 import numpy as np
 import pytest
+from sweeps import slow_but
 
 from stewart_sym.backend import native
 from stewart_sym.derive.kernel.interface import STRUCTS
@@ -127,13 +128,9 @@ CASES = [
     ("dasgupta", "paper", "double"),
     ("spherical joints", "scalar", "float"),
 ]
-FAST = CASES[-1]
 
 
-@pytest.mark.parametrize(
-    ("which", "kind", "precision"),
-    [pytest.param(*case, marks=() if case == FAST else pytest.mark.slow) for case in CASES],
-)
+@pytest.mark.parametrize(("which", "kind", "precision"), slow_but(CASES[-1:], CASES))
 def test_every_wrong_constant_fails_the_self_test_or_is_named(which: str, kind: str, precision: str) -> None:
     robot = (MACHINES | SPHERICAL)[which]
     choice = Choice(bake=True, precision=precision, **KINDS[kind])

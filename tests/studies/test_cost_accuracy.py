@@ -14,6 +14,7 @@ from machines import dasgupta, random_motion, random_robot, random_robot_of
 from mpmath import mp
 from numpy.typing import NDArray
 from reduced_machines import at_rest
+from sweeps import slow_but
 
 import stewart_sym as ss
 from stewart_sym.backend import fidelity
@@ -144,10 +145,7 @@ def test_forces_at_50_digits_are_those_of_the_elimination(form: Any) -> None:
     np.testing.assert_allclose(found.astype(float), expected, rtol=0, atol=1e-13 * np.abs(expected).max())
 
 
-@pytest.mark.parametrize(
-    "level",
-    [pytest.param(level, marks=() if level in FAST_LEVELS else pytest.mark.slow) for level in FIDELITIES],
-)
+@pytest.mark.parametrize("level", slow_but(FAST_LEVELS, FIDELITIES))
 def test_every_fidelity_is_within_rounding_of_its_own_truth(level: str) -> None:
     rng = np.random.default_rng(6)
     robot = random_robot(rng)

@@ -18,6 +18,7 @@ import pytest
 from fmpy.fmi2 import FMU2Slave, defaultCallbacks, fmi2CallbackFunctions, fmi2CallbackLoggerTYPE
 from kits import c_of, few_vectors
 from numpy.typing import NDArray
+from sweeps import slow_but
 
 from stewart_sym import PATHS
 from stewart_sym.backend import native
@@ -39,8 +40,7 @@ CASES = {
     "baked": Choice(bake=True, fmu=True),
     "float": Choice(precision="float", fmu=True),
 }
-SLOW = ("baked", "scalar")
-EVERY = [pytest.param(case, marks=[pytest.mark.slow] if case in SLOW else []) for case in CASES]
+EVERY = slow_but(("lanes", "float"), CASES)
 PREPARED = [case for case in EVERY if case.values != ("baked",)]
 PAYLOAD = ("M", "R_0", "I_p", "g")
 FORCES = range(30, 36)
