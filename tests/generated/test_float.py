@@ -97,28 +97,18 @@ GENERAL = ["stewart_exact.c", "stewart_exact_forces.c", "stewart_exact_motion.c"
 OTHERS = [f"{stem}.c" for stem in SOME if f"{stem}.c" not in GENERAL]
 OTHERS += [f"{stem}.c" for stem in SOME_WITH_ROTORS]
 LONG = "stewart_exact_motion.c"
-BUILDS = [(compiler, FAST, source) for compiler in COMPILERS for source in GENERAL if source != LONG]
-BUILDS += [("gcc", ["-O1", *FAST[1:]], source) for source in (*OTHERS, LONG)]
+LISTED = [(compiler, FAST, source) for compiler in COMPILERS for source in GENERAL if source != LONG]
+LISTED += [("gcc", ["-O1", *FAST[1:]], source) for source in (*OTHERS, LONG)]
+BUILDS = {f"{source}-{compiler}{flags[0]}": (compiler, flags, source) for compiler, flags, source in LISTED}
 # A double in a source is in every build of it; that builds add none of their own is a slow test, and so are
 # long sources and those of the same printers.
-FAST_BUILDS = [("gcc", "stewart_exact_forces.c"), ("gcc", "stewart_kinematics.c"), ("gcc", OTHERS[-1])]
+FAST_BUILDS = ("stewart_exact_forces.c-gcc-O3", "stewart_kinematics.c-gcc-O1", f"{OTHERS[-1]}-gcc-O1")
 
 
 @on_x86
-@pytest.mark.parametrize(
-    ("compiler", "flags", "source"),
-    [
-        pytest.param(
-            *build,
-            id=f"{build[2]}-{build[0]}{build[1][0]}",
-            marks=() if (build[0], build[2]) in FAST_BUILDS else pytest.mark.slow,
-        )
-        for build in BUILDS
-    ],
-)
-def test_float_object_code_holds_no_double(
-    compiler: str, flags: list[str], source: str, tmp_path: Path
-) -> None:
+@pytest.mark.parametrize("build", slow_but(FAST_BUILDS, BUILDS))
+def test_float_object_code_holds_no_double(build: str, tmp_path: Path) -> None:
+    compiler, flags, source = BUILDS[build]
     target = compiled(compiler, [*flags, *FLOAT], source, tmp_path / "kernel.o")
     assert double_instructions(disassembled(target)) == set()
     listed = run("nm", "-u", target)

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from machines import dasgupta, random_robot
-from sweeps import FULL
+from sweeps import FULL, slow_but
 
 from stewart_sym.backend.native import CompilerError
 from stewart_sym.cli.main import main
@@ -29,6 +29,9 @@ STACK = 3 * 1024
 MEASURED = ("instructions", "near_singular_joints", "flash", "ram", "stack", "worst", "drive")
 DOCS = Path(__file__).parents[2] / ".docs"
 KITS = [(precision, baked) for precision in toolchain.CORES for baked in (False, True)]
+KIT_NAMES = {
+    f"{precision}-{'baked' if baked else 'general'}": (precision, baked) for precision, baked in KITS
+}
 OPPOSITE = [("double", False), ("float", True)]
 """Two kits that have both precisions, and constants both prepared and folded in."""
 QUICK = ("float", False)
@@ -56,18 +59,9 @@ def found(request: pytest.FixtureRequest) -> Study:
     return study_of(request.param)
 
 
-@pytest.fixture(
-    params=[
-        pytest.param(
-            kit,
-            id=f"{kit[0]}-{'baked' if kit[1] else 'general'}",
-            marks=() if kit == QUICK else pytest.mark.slow,
-        )
-        for kit in KITS
-    ]
-)
+@pytest.fixture(params=slow_but(["float-general"], KIT_NAMES))
 def row(request: pytest.FixtureRequest) -> Figures:
-    return measured(*request.param)
+    return measured(*KIT_NAMES[request.param])
 
 
 def test_answers_are_within_bounds_and_calls_without_an_answer_say_so(row: Figures) -> None:
