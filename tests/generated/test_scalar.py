@@ -52,7 +52,7 @@ def joined(motions: list[Motion]) -> Motion:
     return Motion(*(np.stack([getattr(pose, name) for pose in poses]) for name in MOTION))
 
 
-def agree(kernel: Kernel, robot: Robot, motion: Motion, formulation: str, level: str, units: float) -> None:
+def agree(kernel: Kernel, robot: Robot, motion: Motion, formulation: str, level: str) -> None:
     """Same statuses as with lanes; forces within units of rounding, condition and largest force."""
     lanes = ss.prepare(robot, formulation, kernel.precision, level)  # type: ignore[arg-type]
     F, status = kernel.forces_and_status(motion)
@@ -64,12 +64,8 @@ def agree(kernel: Kernel, robot: Robot, motion: Motion, formulation: str, level:
     largest = np.max(
         [np.abs(values).max(axis=-1) for values in (full.F, full.D, full.x, expected[good])], axis=0
     )
-    bound = units * EPSILON[kernel.precision] * condition * largest
+    bound = BOUND * EPSILON[kernel.precision] * condition * largest
     assert (np.abs(F[good] - expected[good]).max(axis=-1) <= bound).all()
-
-
-def machine_of(level: str, seed: int, joint: str = "universal") -> Robot:
-    return random_robot(np.random.default_rng(seed), joint)  # type: ignore[arg-type]
 
 
 # --- the same answers -------------------------------------------------------------------------
@@ -83,7 +79,7 @@ def test_every_level_answers_as_with_lanes(level: str, precision: str) -> None:
         rng = np.random.default_rng(seed)
         robot = random_robot(rng, scale=scale)
         motion = random_motion(rng, robot, (20,))
-        agree(prepared(robot, "exact", level, precision), robot, motion, "exact", level, BOUND)
+        agree(prepared(robot, "exact", level, precision), robot, motion, "exact", level)
 
 
 @pytest.mark.parametrize("precision", ["double", "float"])
@@ -98,9 +94,8 @@ def test_every_formulation_and_joint_answers_as_with_lanes(
         rng = np.random.default_rng(seed)
         robot = random_robot(rng, joint)
         motion = random_motion(rng, robot, (20,))
-        agree(
-            prepared(robot, formulation, "general", precision), robot, motion, formulation, "general", BOUND
-        )
+        kernel = prepared(robot, formulation, "general", precision)
+        agree(kernel, robot, motion, formulation, "general")
 
 
 # --- near failure -----------------------------------------------------------------------------
@@ -141,7 +136,7 @@ def test_near_singular_poses_have_the_status_of_the_lanes(joint: str, level: str
         # With universal axes, whose singularities are kept away from.
         axes = dataclasses.replace(robot, k=random_robot(rng).k, base_joint="universal")
         motion = joined([near_singular_motion(rng, axes) for _ in range(2)])
-        agree(prepared(robot, "exact", level, precision), robot, motion, "exact", level, BOUND)
+        agree(prepared(robot, "exact", level, precision), robot, motion, "exact", level)
 
 
 @pytest.mark.parametrize("precision", ["double", "float"])
@@ -180,7 +175,7 @@ def test_failures_have_the_status_of_the_lanes(make: Any, precision: str) -> Non
 
 @pytest.mark.parametrize("level", LEVELS)
 def test_numbers_that_are_not_finite_or_overflow_have_the_status_of_the_lanes(level: str) -> None:
-    robot = machine_of(level, 12)
+    robot = random_robot(np.random.default_rng(12))
     motion = numbers(random_motion(np.random.default_rng(13), robot))
     lanes = ss.prepare(robot, fidelity=level).one_pose()
     kernels = [prepared(robot, "exact", level), baked_kernel(robot, level)]
@@ -204,7 +199,7 @@ def test_numbers_that_are_not_finite_or_overflow_have_the_status_of_the_lanes(le
 
 @pytest.mark.parametrize("level", LEVELS if FULL else PLAIN)
 def test_an_unprepared_model_and_null_pointers_have_a_status(level: str) -> None:
-    robot = machine_of(level, 14)
+    robot = random_robot(np.random.default_rng(14))
     motion = numbers(random_motion(np.random.default_rng(15), robot))
     for precision in ("double", "float"):
         kernel = prepared(robot, "exact", level, precision)
@@ -223,7 +218,7 @@ def test_an_unprepared_model_and_null_pointers_have_a_status(level: str) -> None
 
 @pytest.mark.parametrize("level", LEVELS if FULL else PLAIN)
 def test_a_robot_that_is_not_finite_is_rejected_and_the_model_left_alone(level: str) -> None:
-    robot = machine_of(level, 16)
+    robot = random_robot(np.random.default_rng(16))
     kernel = prepared(robot, "exact", level)
     call = getattr(kernel.library, f"stewart_{kernel.name}_pose_prepare")
     numbers = robot_numbers(robot)

@@ -1,7 +1,8 @@
 """A new output is a written function and a line of ``RESULTS``: every language then has it, and proves it.
 
 Its call in C, by which kits and the library find it, follows from the line; a line that lacks what this takes
-is named at once.
+is named at once. A line of ``FIDELITIES`` gives a reduced model's kernel in C, and its forces are right;
+``test_kernel_tree`` adds a language.
 """
 
 import ctypes
@@ -16,15 +17,19 @@ import numpy as np
 import pytest
 from builds import run
 from machines import random_motion, random_robot
+from reduced_machines import as_simple_as, at_rest
 from sweeps import slow_but
 
 import stewart_sym as ss
 from stewart_sym import derive
-from stewart_sym.backend import kernel, native
+from stewart_sym.backend import c_kernel, kernel, native
+from stewart_sym.backend.c_kernel import address
 from stewart_sym.backend.kernel import MOTION
+from stewart_sym.derive import generate
 from stewart_sym.derive.kernel import interface, outputs
 from stewart_sym.derive.kernel.prepare import result
 from stewart_sym.derive.kernel.tree.nodes import Array, Field, Integer, Real, Type
+from stewart_sym.derive.mechanics.reduced_models import AXISYMMETRIC, FIDELITIES, Fidelity
 from stewart_sym.dynamics import closed_form
 from stewart_sym.generated.interface import MODELS
 from stewart_sym.kit.parts import robot_numbers
@@ -118,16 +123,23 @@ def test_two_files_give_every_language_a_new_output(language: str, kits: Path) -
     run(*RUN[language], cwd=kits / language)
 
 
+def in_c(
+    library: ctypes.CDLL, prefix: str, name: str, size: int, robot: ss.Robot, motion: ss.Motion
+) -> np.ndarray:
+    """Six numbers of a function whose prepared model has this size."""
+    numbers = np.concatenate([np.ravel(getattr(motion, part)) for part in MOTION])
+    arrays = [kernel.robot_numbers(robot), np.zeros(size), numbers, np.zeros(6)]
+    pointers = [address(each) for each in arrays]
+    assert getattr(library, f"stewart_{prefix}_prepare")(*pointers[:2]) == 0
+    assert getattr(library, f"stewart_{prefix}_{name}")(*pointers[1:]) == 0
+    return arrays[-1]
+
+
 def test_the_same_two_files_give_c_a_new_output(kits: Path) -> None:
     robot, motion, answer = case()
     made = {path.name: path.read_text() for path in (kits / "c").iterdir()}
     library = native.load("momentum", closed_form.c_sources() | made, ["-O0"])
-    model, found = np.zeros(MODELS["exact"]), np.zeros(6)
-    numbers = np.concatenate([np.ravel(getattr(motion, name)) for name in MOTION])
-    given = kernel.robot_numbers(robot)
-    pointers = [each.ctypes.data_as(ctypes.c_void_p) for each in (given, model, numbers, found)]
-    assert library.stewart_exact_prepare(*pointers[:2]) == 0
-    assert library.stewart_exact_momentum(*pointers[1:]) == 0
+    found = in_c(library, "exact", "momentum", MODELS["exact"], robot, motion)
     np.testing.assert_allclose(found, answer, rtol=0, atol=1e-14 * np.abs(answer).max())
 
 
@@ -154,3 +166,31 @@ def test_an_output_of_several_arrays_is_named(monkeypatch: pytest.MonkeyPatch) -
     monkeypatch.setitem(outputs.RESULTS, "both", both)
     with pytest.raises(ValueError, match=r"^RESULTS: both: expected one array, or .*, got 2 arrays$"):
         interface._of_result("both")
+
+
+# The recipe for a reduced model
+
+
+LEVEL = Fidelity("axisymmetric_at_rest", AXISYMMETRIC, False, False, "at rest, axisymmetric legs")
+
+
+@pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.PhysicalityWarning")
+def test_a_line_gives_a_kernel_in_c_with_the_forces_of_such_a_machine(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    assert LEVEL.name not in FIDELITIES
+    monkeypatch.setattr(generate, "FIDELITIES", {LEVEL.name: LEVEL})
+    monkeypatch.setattr(generate, "DRIVE_FIDELITIES", {})
+    made = generate._fidelities("test")
+    files = made.files
+    ((name, size),) = made.models.items()
+    assert LEVEL.meaning in files["fidelities.py"]
+
+    sources = {path.removeprefix("c/"): text for path, text in files.items() if path.startswith("c/")}
+    library = native.load(name, c_kernel.c_sources("exact") | sources, ("-O0",))
+    rng = np.random.default_rng(3)
+    robot = as_simple_as(random_robot(rng), LEVEL)
+    motion = random_motion(rng, robot)
+    F = in_c(library, name, "forces", size, robot, motion)
+    expected = ss.inverse_dynamics(robot, at_rest(motion))
+    np.testing.assert_allclose(F, expected.F, rtol=0, atol=1e-12 * np.abs(expected.F).max())
