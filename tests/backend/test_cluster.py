@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from logged_compiler import LoggedCompiler
 from machines import dasgupta, random_motion, random_robot
 
 import stewart_sym as ss
@@ -27,10 +28,10 @@ AXES = (np.linspace(-0.2, 0.2, 50), np.linspace(-0.2, 0.2, 40), np.linspace(0.4,
 
 
 class Cluster:
-    """A client of two workers, and a log of which process ran the compiler."""
+    """A client of two workers, and a compiler that notes which process ran it."""
 
-    def __init__(self, client: Any, log: Path) -> None:
-        self.client, self._log = client, log
+    def __init__(self, client: Any, compiler: LoggedCompiler) -> None:
+        self.client, self._compiler = client, compiler
 
     def compute(self, *arrays: Any) -> list[np.ndarray]:
         futures = self.client.compute(list(arrays))
@@ -41,7 +42,7 @@ class Cluster:
 
     @property
     def compilations(self) -> collections.Counter[int]:
-        return collections.Counter(int(line) for line in self._log.read_text().splitlines())
+        return collections.Counter(map(int, self._compiler.calls))
 
 
 @pytest.fixture(scope="module")
@@ -50,16 +51,10 @@ def cluster(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Cluster]:
     from distributed import Client, LocalCluster
 
     folder = tmp_path_factory.mktemp("cluster")
-    log, cache, script = folder / "log", folder / "cache", folder / "cc"
-    compiler = native.find_compiler()
-    assert compiler is not None
-    note = f'case "$*" in *--version*) ;; *) echo "$PPID" >> {shlex.quote(str(log))} ;; esac'
-    script.write_text(f'#!/bin/sh\n{note}\nexec {shlex.join(compiler.command)} "$@"\n')
-    script.chmod(0o755)
-    log.touch()
+    compiler = LoggedCompiler(folder, note="$PPID")
     with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("STEWART_SYM_CACHE", str(cache))
-        patch.setenv("CC", shlex.quote(str(script)))
+        patch.setenv("STEWART_SYM_CACHE", str(folder / "cache"))
+        patch.setenv("CC", shlex.quote(str(compiler.path)))
         timeouts = {"distributed.comm.timeouts.connect": f"{WAIT}s"}
         with (
             dask.config.set({**timeouts, "temporary-directory": str(folder)}),
@@ -76,7 +71,7 @@ def cluster(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Cluster]:
             Client(local, timeout=WAIT) as client,
         ):
             client.wait_for_workers(2, timeout=WAIT)
-            yield Cluster(client, log)
+            yield Cluster(client, compiler)
 
 
 @pytest.mark.slow

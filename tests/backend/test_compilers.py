@@ -11,7 +11,7 @@ import time
 from pathlib import Path
 
 import pytest
-from logged_compiler import ADD, CHILD, LoggedCompiler, load_adder, run_child
+from logged_compiler import ADD, CHILD, LoggedCompiler, load_adder, run_child, script
 
 from stewart_sym.backend import native
 
@@ -29,8 +29,7 @@ def test_no_compiler_is_one_line_that_says_what_to_do(no_compiler: None) -> None
 def test_order_of_compilers(no_compiler: None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     def install(folder: Path, name: str, code: int = 0) -> Path:
         folder.mkdir(parents=True, exist_ok=True)
-        (folder / name).write_text(f"#!/bin/sh\necho '{name} 1.0'\necho more\nexit {code}\n")
-        (folder / name).chmod(0o755)
+        script(folder / name, f"echo '{name} 1.0'\necho more\nexit {code}")
         return folder
 
     found = []
@@ -77,10 +76,7 @@ def test_broken_cc_is_named_and_nothing_else_is_tried(
     broken: str, cache: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     if broken == "failing":
-        script = tmp_path / "failing"
-        script.write_text("#!/bin/sh\necho 'licence expired'\nexit 3\n")
-        script.chmod(0o755)
-        broken = str(script)
+        broken = str(script(tmp_path / "failing", "echo 'licence expired'\nexit 3"))
     monkeypatch.setenv("CC", broken)
     with pytest.raises(native.CompilerError) as caught:
         load_adder()
@@ -116,10 +112,7 @@ def test_compile_error_shows_the_first_error_and_keeps_the_log(cache: Path, comp
 def test_compiler_that_writes_no_library_is_an_error(
     cache: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    script = tmp_path / "idle"
-    script.write_text("#!/bin/sh\nexit 0\n")
-    script.chmod(0o755)
-    monkeypatch.setenv("CC", str(script))
+    monkeypatch.setenv("CC", str(script(tmp_path / "idle", "exit 0")))
     with pytest.raises(native.CompilerError, match="compiled adder but wrote no library"):
         load_adder()
 

@@ -10,13 +10,12 @@ import pytest
 from counting_c import COUNTING, REPORT
 from formulations import OF_EACH_FORMULATION
 from machines import random_motion, random_robot, random_robot_of
+from scalar_kernels import with_headers
 
 from stewart_sym.backend.c_kernel import c_sources
 from stewart_sym.backend.kernel import defines_of, module, robot_numbers, takes_rotors
 from stewart_sym.derive.emit import lanes, scalar
 from stewart_sym.derive.emit.closed_form import sum_operations
-from stewart_sym.derive.emit.header import common_header
-from stewart_sym.derive.emit.shared import shared_headers
 from stewart_sym.derive.generate import reduced, reduced_forces, reduced_motion
 from stewart_sym.derive.kernel.operations import force_operations, kernel_operations, solve_operations
 from stewart_sym.derive.kernel.outputs import prefix_of
@@ -144,11 +143,7 @@ def test_frictionless_count_is_what_each_lane_of_such_a_kernel_executes(tmp_path
     rng = np.random.default_rng(6)
     robot = random_robot(rng, friction=False)
     kernel = reduced_forces(EXACT, friction=False)
-    sources = {
-        "stewart.h": common_header("test"),
-        **shared_headers("test"),
-        **lanes.files(kernel, "test", kernel),
-    }
+    sources = with_headers(lanes.files(kernel, "test", kernel))
     counted = executed("exact", "exact_forces", BLOCK, robot, random_motion(rng, robot), tmp_path, sources)
     assert counted == tuple(8 * n for n in module("exact").FORCE_OPERATIONS["frictionless"]["total"])
 
@@ -157,11 +152,7 @@ def test_count_of_legs_one_after_the_other_is_what_their_function_executes(tmp_p
     rng = np.random.default_rng(8)
     robot = random_robot(rng)
     kernel = reduced_forces(EXACT, friction=True)
-    sources = {
-        "stewart.h": common_header("test"),
-        **shared_headers("test"),
-        **scalar.files(kernel, None, "test"),
-    }
+    sources = with_headers(scalar.files(kernel, None, "test"))
     claimed = force_operations(kernel, scalar_text=True).total
     # Sums of sizes, which checks compare: of t and the machine, and of the forces.
     checks = 4 + 5

@@ -67,6 +67,13 @@ def machines(count: int) -> list[tuple[np.random.Generator, ss.Robot]]:
     return made
 
 
+def one_machine(count: int) -> tuple[np.random.Generator, ss.Robot, ss.Motion, Array]:
+    """A machine, some poses and their lengths."""
+    rng, robot = machines(1)[0]
+    motion = random_motion(rng, robot, (count,))
+    return rng, robot, motion, np.ascontiguousarray(ss.inverse_kinematics(robot, motion).L)
+
+
 # What the blocks say
 
 
@@ -253,9 +260,7 @@ def test_steps_are_those_of_the_header(precision: str) -> None:
 
 
 def test_guess_is_found_again_without_a_step() -> None:
-    rng, robot = machines(1)[0]
-    motion = random_motion(rng, robot, (10,))
-    L = ss.inverse_kinematics(robot, motion).L
+    _, robot, motion, L = one_machine(10)
     R, t, status = forward(robot, L, motion.R, motion.t)
     assert (status == results.OK).all()
     np.testing.assert_allclose(R, motion.R, rtol=0.0, atol=4 * np.finfo(np.float64).eps)
@@ -263,9 +268,7 @@ def test_guess_is_found_again_without_a_step() -> None:
 
 
 def test_a_guess_that_drifted_from_a_rotation_serves_and_another_does_not() -> None:
-    rng, robot = machines(1)[0]
-    motion = random_motion(rng, robot, (10,))
-    L = ss.inverse_kinematics(robot, motion).L
+    rng, robot, motion, L = one_machine(10)
     drifted = motion.R + 0.01 * rng.uniform(-1.0, 1.0, motion.R.shape)
     R, t, status = forward(robot, L, drifted, motion.t)
     assert (status == results.OK).all()
@@ -294,21 +297,19 @@ def test_lengths_out_of_reach_are_not_found(precision: str) -> None:
 
 @pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
 def test_numbers_that_are_not_finite_are_told(value: float) -> None:
-    rng, robot = machines(1)[0]
-    motion = random_motion(rng, robot, (1,))
-    legs = ss.inverse_kinematics(robot, motion)
+    _, robot, motion, L = one_machine(1)
+    L_dot = np.ones((1, 6))
     for i in range(12):
         pose = poses_of(motion.R, motion.t)
         pose[0, i] = value
         R, t = pose[:, :9].reshape(1, 3, 3), pose[:, 9:]
         status = np.full(1, -1, dtype=np.int32)
-        numbers, L = robot_numbers(robot), np.ascontiguousarray(legs.L)
+        numbers = robot_numbers(robot)
         kept = pose.copy()
         library().forward_all(*map(address, (numbers,)), ctypes.c_size_t(1), *map(address, (L, pose, status)))
         assert status.tolist() == [results.NOT_FINITE]
         np.testing.assert_array_equal(pose, kept)
-        assert velocity(robot, R, t, legs.L_dot)[1].tolist() == [results.NOT_FINITE]
-    L = legs.L.copy()
+        assert velocity(robot, R, t, L_dot)[1].tolist() == [results.NOT_FINITE]
     L[0, 3] = value
     assert forward(robot, L, motion.R, motion.t)[2].tolist() == [results.NOT_FINITE]
     assert velocity(robot, motion.R, motion.t, L)[1].tolist() == [results.NOT_FINITE]
@@ -316,9 +317,7 @@ def test_numbers_that_are_not_finite_are_told(value: float) -> None:
 
 @pytest.mark.parametrize("length", [0.0, -1.0])
 def test_lengths_that_are_not_positive_are_told(length: float) -> None:
-    rng, robot = machines(1)[0]
-    motion = random_motion(rng, robot, (1,))
-    L = ss.inverse_kinematics(robot, motion).L
+    _, robot, motion, L = one_machine(1)
     L[0, 5] = length
     assert forward(robot, L, motion.R, motion.t)[2].tolist() == [results.ZERO_LENGTH]
 

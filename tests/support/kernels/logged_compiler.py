@@ -30,16 +30,21 @@ CAP_DAC_OVERRIDE = 1
 PR_CAPBSET_DROP = 24
 
 
-class LoggedCompiler:
-    """The machine's compiler behind a script that writes down each compilation."""
+def script(path: Path, text: str) -> Path:
+    """A program of the shell."""
+    path.write_text(f"#!/bin/sh\n{text}\n")
+    path.chmod(0o755)
+    return path
 
-    def __init__(self, folder: Path, before: str = "", name: str = "logged-cc") -> None:
+
+class LoggedCompiler:
+    """The machine's compiler behind a script that writes down each compilation: its arguments, or a note."""
+
+    def __init__(self, folder: Path, before: str = "", name: str = "logged-cc", note: str = "$*") -> None:
         assert COMPILER is not None
-        self.path = folder / name
         self._log = folder / f"{name}.log"
-        log = f'case "$*" in *--version*) ;; *) echo "$*" >> {shlex.quote(str(self._log))} ;; esac'
-        self.path.write_text(f'#!/bin/sh\n{before}\n{log}\nexec {shlex.join(COMPILER.command)} "$@"\n')
-        self.path.chmod(0o755)
+        log = f'case "$*" in *--version*) ;; *) echo "{note}" >> {shlex.quote(str(self._log))} ;; esac'
+        self.path = script(folder / name, f'{before}\n{log}\nexec {shlex.join(COMPILER.command)} "$@"')
 
     @property
     def calls(self) -> list[str]:

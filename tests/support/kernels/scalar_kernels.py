@@ -74,9 +74,14 @@ def library(formulation: str, joint: str, level: str, precision: str) -> tuple[c
     return compiled(shared_blocks(plain_blocks(formulation, joint, level)), None, precision)
 
 
+def with_headers(sources: dict[str, str]) -> dict[str, str]:
+    """Sources with the headers that they share."""
+    return {"stewart.h": common_header(""), **shared_headers(""), **sources}
+
+
 def compiled(kernel: Any, before: Any, precision: str) -> tuple[ctypes.CDLL, str]:
-    sources = {"stewart.h": common_header(""), **shared_headers(""), **scalar.files(kernel, before, "")}
     defines = {"STEWART_FLOAT": 1} if precision == "float" else None
+    sources = with_headers(scalar.files(kernel, before, ""))
     return native.load("scalar", sources, ["-O1", "-ffp-contract=off"], defines), kernel.name
 
 
