@@ -7,6 +7,7 @@ from typing import Any
 import machines
 import numpy as np
 import pytest
+from kits import few_vectors
 from numpy.typing import NDArray
 from sweeps import share
 from vectors_in_c import KIND, WHOLE, Array, functions_of, machine, ratios, ratios_in_c
@@ -71,6 +72,7 @@ def test_derived_and_generated_forces_are_the_same_to_45_digits(base_joint: str,
     assert off(interpreter.forces(at)["F"], interpreter.inverse_dynamics(at)["F"]) < 1e-45
 
 
+@few_vectors()
 def test_forces_of_vectors_are_those_of_truth_to_the_bit() -> None:
     robot = machine()
     for level in ("general", "massless_static"):
