@@ -5,6 +5,7 @@ end is short and the workers finish together. Modules and not marks of ``xdist_g
 since pytest-xdist 3.8 writes a mark into a node id that pytest 9.2 no longer reads.
 """
 
+import functools
 import gc
 import os
 import shutil
@@ -17,6 +18,7 @@ import pytest
 # A process for each core: BLAS threads would wait for each other. Read when NumPy is loaded.
 os.environ.update({f"{library}_NUM_THREADS": "1" for library in ("OMP", "OPENBLAS", "MKL")})
 
+from command_line import Fails, Run, fails_in_one_line, told
 from sweeps import FULL
 
 from stewart_sym.backend import c_kernel, native
@@ -86,6 +88,18 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         shutil.copy(Path(__file__).parents[1] / ".docs" / "examples" / name, tmp_path)
     monkeypatch.chdir(tmp_path)
     return tmp_path
+
+
+@pytest.fixture
+def run(capsys: pytest.CaptureFixture[str]) -> Run:
+    """Runs a subcommand that must end with 0, or ``code``."""
+    return functools.partial(told, capsys)
+
+
+@pytest.fixture
+def fails(capsys: pytest.CaptureFixture[str]) -> Fails:
+    """Runs a subcommand that must fail, for its only line."""
+    return functools.partial(fails_in_one_line, capsys)
 
 
 _LOADED = (c_kernel.library, c_kernel.function, closed_form.library)

@@ -17,9 +17,8 @@ import pytest
 import sympy as sp
 from bound_cases import DTYPE, PRECISIONS, case, wild
 from fifty_digits import block_inputs, truth
-from machines import dasgupta, random_motion, random_robot
+from machines import dasgupta, machine_in_motion, random_motion, random_robot
 from mpmath import mp
-from numpy.typing import NDArray
 from sweeps import share
 from unsolvable_poses import singular
 
@@ -37,8 +36,6 @@ from stewart_sym.precision.quad import error, quad_forces
 from stewart_sym.results import BAD_ARGUMENT, OK, SINGULAR
 from stewart_sym.robot.robot import Robot
 from stewart_sym.studies.accuracy.bound_plot import bounds_study, csv_rows, figure
-
-Array = NDArray[Any]
 
 FAR = 1000.0
 """How far above the true error a bound may lie in 95 % of cases."""
@@ -148,8 +145,7 @@ def test_bound_holds_for_wild_rates_and_loads_and_legs_near_their_axes(precision
 
 def test_bound_counts_how_far_R_is_from_a_rotation() -> None:
     rng = np.random.default_rng(2)
-    robot = random_robot(rng)
-    motion = random_motion(rng, robot)
+    robot, motion = machine_in_motion(rng)
     off = Motion(
         motion.R + 1e-10 * rng.uniform(-1, 1, (3, 3)),
         *(getattr(motion, name) for name in ("t", "omega", "v", "alpha", "a", "F_ext", "M_ext")),
@@ -227,9 +223,7 @@ def test_robots_that_float_cannot_hold_are_rejected() -> None:
 
 
 def test_c_takes_one_pose_and_outputs_that_nobody_wants() -> None:
-    rng = np.random.default_rng(10)
-    robot = random_robot(rng)
-    motion = random_motion(rng, robot)
+    robot, motion = machine_in_motion(10)
     wanted = ss.forces_with_bounds(robot, motion)
     prepare = bounds.function("exact", "bounds", "double", "bounds_prepare")
     model = prepared_model(prepare, robot, MODELS["exact_bounds"], "double")

@@ -18,7 +18,7 @@ import pytest
 import worst_rounding as rounding
 from bound_cases import PRECISIONS, case, wild
 from drawn_poses import PATH, drawn
-from machines import random_motion, random_robot
+from machines import machine_in_motion
 from sweeps import share
 
 from stewart_sym.backend.c_kernel import c_sources
@@ -75,8 +75,7 @@ def poses(count: int) -> Iterator[rounding.Pose]:
     rng = np.random.default_rng(22)
     while count:
         if count % 2:
-            robot = random_robot(rng)
-            motion = random_motion(rng, robot)
+            robot, motion = machine_in_motion(rng)
         else:
             robot, motion, sine = drawn(rng, "float")
             if sine > PATH:

@@ -7,11 +7,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 from command_files import edit, results
-from command_line import fails_in_one_line, folder_state, read
+from command_line import Fails, Run, folder_state, read
 from log_files import NAMES, write
 
 import stewart_sym as ss
-from stewart_sym.cli.main import main
 from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.robot.robot import legs_text
 
@@ -46,15 +45,11 @@ def hanging(folder: Path) -> None:
     (folder / "hanging.toml").write_text(HANGING)
 
 
-def command(*arguments: object) -> int:
-    return main([*map(str, arguments)])
-
-
 @pytest.mark.slow
-def test_a_workspace_is_written_as_text_table_and_picture(folder: Path) -> None:
+def test_a_workspace_is_written_as_text_table_and_picture(folder: Path, run: Run) -> None:
     ranges = ("--turns", -0.3, 0.3, -0.3, 0.3, -0.3, 0.3, "--box", -0.2, 0.2, -0.2, 0.2, 0.55, 0.85)
     options = ("--kind", "total", *ranges, "--clearance", 0.07)
-    assert command("workspace", "hanging.toml", *options, "--condition", 20, *FEW) == 0
+    run("workspace", "hanging.toml", *options, "--condition", 20, *FEW)
     assert results(folder / "workspace") == ["report.json", "report.txt", "slices.csv", "slices.png"]
     report = (folder / "workspace" / "report.txt").read_text()
     assert "leg lengths, joint angles, leg clearance 0.07 m, scaled condition number 20, actuator" in report
@@ -66,16 +61,15 @@ def test_a_workspace_is_written_as_text_table_and_picture(folder: Path) -> None:
     assert {row["first_limit"] for row in rows} >= {"inside", "leg length", "joint angle"}
 
 
-def test_a_middle_beyond_the_limits_and_metres_read_as_millimetres_are_doubted(
-    capsys: pytest.CaptureFixture[str],
-) -> None:
+def test_a_middle_beyond_the_limits_and_metres_read_as_millimetres_are_doubted(run: Run) -> None:
     few = ("--poses", 500, "--no-pictures")
     for position, doubted in ((0.7, False), (700.0, True)):
-        assert command("workspace", "hanging.toml", *few, "--position", 0, 0, position) == 0
-        assert ("the pose in the middle breaks a limit" in capsys.readouterr().err) == doubted
+        told = run("workspace", "hanging.toml", *few, "--position", 0, 0, position).err
+        assert ("the pose in the middle breaks a limit" in told) == doubted
     for unit, doubted in (("m", False), ("mm", True)):
-        command("forces", "hexapod.toml", "trajectory.csv", "--length-unit", unit, "-o", "f.csv")
-        assert ("1000 times as much does not: is the unit of" in capsys.readouterr().err) == doubted
+        units = ("--length-unit", unit, "-o", "f.csv")
+        told = run("forces", "hexapod.toml", "trajectory.csv", *units).err
+        assert ("1000 times as much does not: is the unit of" in told) == doubted
 
 
 @pytest.mark.parametrize(
@@ -93,37 +87,30 @@ def test_a_middle_beyond_the_limits_and_metres_read_as_millimetres_are_doubted(
         (("--angles", 0, 0, 0.6), "joint angle"),
     ],
 )
-def test_the_limit_that_the_middle_breaks_is_named(
-    options: tuple, words: str, capsys: pytest.CaptureFixture[str]
-) -> None:
-    assert command("workspace", "hanging.toml", "--poses", 500, "--no-pictures", *options) == 0
-    errors = capsys.readouterr().err
+def test_the_limit_that_the_middle_breaks_is_named(options: tuple, words: str, run: Run) -> None:
+    errors = run("workspace", "hanging.toml", "--poses", 500, "--no-pictures", *options).err
     assert f"the pose in the middle breaks a limit, {words}" in errors
     assert ("--position" in errors) == (words.startswith("its legs"))
 
 
-def test_shares_given_in_per_cent_are_named(capsys: pytest.CaptureFixture[str]) -> None:
-    assert command("size", "hexapod.toml", "trajectory.csv", "--margin", 25, "--no-pictures") == 0
-    assert "--margin: 25 is a share, 2500 %: expected 0.25 for 25 %" in capsys.readouterr().err
-    assert command("size", "hexapod.toml", "trajectory.csv", "--quantile", 95) == 2
-    assert "--quantile: expected shares > 0 and <= 1, got" in capsys.readouterr().err
+def test_shares_given_in_per_cent_are_named(run: Run) -> None:
+    size = ("size", "hexapod.toml", "trajectory.csv", "--no-pictures")
+    assert "--margin: 25 is a share, 2500 %: expected 0.25 for 25 %" in run(*size, "--margin", 25).err
+    assert "--quantile: expected shares > 0 and <= 1, got" in run(*size, "--quantile", 95, code=2).err
 
 
-def test_ignored_limits_do_not_count(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_ignored_limits_do_not_count(folder: Path, run: Run) -> None:
     volumes = []
     for ignored in ((), ("--ignore", "joint-angles")):
-        assert command("workspace", "hanging.toml", *FEW, *ignored, "--no-pictures", "--json", "-") == 0
-        volumes.append(json.loads(capsys.readouterr().out)["volume"])
+        told = run("workspace", "hanging.toml", *FEW, *ignored, "--no-pictures", "--json", "-").out
+        volumes.append(json.loads(told)["volume"])
     assert volumes[0] < 0.9 * volumes[1]
 
 
-def test_sizes_are_written_and_limits_that_do_not_suffice_are_named(
-    folder: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_sizes_are_written_and_limits_that_do_not_suffice_are_named(folder: Path, run: Run) -> None:
     edit(folder / "hexapod.toml", "force_limit = 500.0", "force_limit = 150.0")
-    assert command("size", "hexapod.toml", "trajectory.csv", "trajectory.csv", "--quantile", 1) == 0
+    captured = run("size", "hexapod.toml", "trajectory.csv", "trajectory.csv", "--quantile", 1)
     assert results(folder / "size") == ["needs.csv", "report.json", "report.txt", "size.png"]
-    captured = capsys.readouterr()
     (line,) = captured.err.splitlines()
     assert line.startswith(
         "stewart-sym: warning: hexapod.toml: limits exceeded: 0, limits without the margin: 2; "
@@ -139,9 +126,7 @@ def test_sizes_are_written_and_limits_that_do_not_suffice_are_named(
     assert np.shape(data["length"]) == (6, 2)
 
 
-def test_noise_that_hides_the_forces_exceeds_no_limit_and_is_told(
-    folder: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_noise_that_hides_the_forces_exceeds_no_limit_and_is_told(folder: Path, run: Run) -> None:
     """A trapezoid of speed up to 0.125 m/s, whose smoothing leaves most of the noise."""
     time = np.arange(200) / 50.0
     ramps = np.maximum(time[:, None] - [1.01, 1.26, 1.66, 1.91], 0.0)
@@ -150,8 +135,7 @@ def test_noise_that_hides_the_forces_exceeds_no_limit_and_is_told(
     write(folder / "noisy.csv", NAMES, np.column_stack([time, rows]))
     text = (folder / "hexapod.toml").read_text()
     (folder / "hexapod.toml").write_text(text + DRIVE)
-    assert command("size", "hexapod.toml", "noisy.csv", "--cutoff", 20, "--no-pictures") == 0
-    captured = capsys.readouterr()
+    captured = run("size", "hexapod.toml", "noisy.csv", "--cutoff", 20, "--no-pictures")
     assert "the log's noise leaves the forces of all legs unknown: " in captured.err
     data = json.loads((folder / "size" / "report.json").read_text())
     assert data["exceeded"] == []
@@ -167,14 +151,12 @@ def test_noise_that_hides_the_forces_exceeds_no_limit_and_is_told(
     row = next(row for row in read(folder / "size" / "needs.csv") if row["need"] == "force, peak")
     assert float(row["leg1_sd"]) == data["deviations"]["force"][-1][0] > float(row["leg1"]) / 3.0
 
-    assert (
-        command("forces", "hexapod.toml", "noisy.csv", "--cutoff", 20, "-o", "F.csv", "--json", "F.json") == 0
-    )
-    captured = capsys.readouterr()
-    assert "exceeded by" not in captured.err
-    assert "unknown: " in captured.err
+    output = ("-o", "F.csv", "--json", "F.json")
+    told = run("forces", "hexapod.toml", "noisy.csv", "--cutoff", 20, *output).err
+    assert "exceeded by" not in told
+    assert "unknown: " in told
     for name in limits:
-        assert f"{name} not decided at this noise by " in captured.err
+        assert f"{name} not decided at this noise by " in told
     found = json.loads((folder / "F.json").read_text())["legs"]
     assert {leg["motor_torque_limit"] for leg in found} == {"not decided at this noise"}
     assert all(leg["motor_peak_torque_sd_N_m"] > 0.0 and leg["motor_energy_sd_J"] > 0.0 for leg in found)
@@ -191,9 +173,7 @@ speed_limit = 120.0
 """
 
 
-def test_joint_angles_are_compared_by_forces_and_view_as_by_size(
-    folder: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_joint_angles_are_compared_by_forces_and_view_as_by_size(folder: Path, run: Run) -> None:
     file, home = folder / "hexapod.toml", "home = [0.0, 0.0, 0.65]\n"
     edit(file, 'name = "hexapod"\n', f'name = "hexapod"\n{home}')
     log = read_csv(folder / "trajectory.csv")
@@ -201,13 +181,11 @@ def test_joint_angles_are_compared_by_forces_and_view_as_by_size(
     peaks = {"base": needs.base_angle, "platform": needs.platform_angle}
     limits = [float(np.median(each)) for each in peaks.values()]
     edit(file, "speed_limit", f"joint_angle_limit = {limits}\nspeed_limit")
-    assert command("size", "hexapod.toml", "trajectory.csv", "--no-pictures") == 0
+    run("size", "hexapod.toml", "trajectory.csv", "--no-pictures")
     exceeded = json.loads((folder / "size" / "report.json").read_text())["exceeded"]
-    capsys.readouterr()
     told, tables = [], []
     for name, output in (("forces", "F.csv"), ("view", "F.html")):
-        assert command(name, "hexapod.toml", "trajectory.csv", "-o", output, "--json", f"{name}.json") == 0
-        found = capsys.readouterr()
+        found = run(name, "hexapod.toml", "trajectory.csv", "-o", output, "--json", f"{name}.json")
         tables.append(found.out)
         told.append([line.split("warning: ")[1] for line in found.err.splitlines() if "joint_ang" in line])
     assert told[0] == told[1]
@@ -243,10 +221,10 @@ def test_joint_angles_are_compared_by_forces_and_view_as_by_size(
     ],
 )
 def test_bad_input_is_one_line_and_leaves_nothing(
-    folder: Path, capsys: pytest.CaptureFixture[str], arguments: tuple[object, ...], message: str
+    folder: Path, fails: Fails, arguments: tuple[object, ...], message: str
 ) -> None:
     before = folder_state(folder)
-    assert message in fails_in_one_line(capsys, *arguments)
+    assert message in fails(*arguments)
     assert folder_state(folder) == before
 
 
@@ -260,12 +238,12 @@ def test_bad_input_is_one_line_and_leaves_nothing(
     ],
 )
 def test_a_joint_angle_limit_that_is_none_is_named_with_its_line(
-    folder: Path, capsys: pytest.CaptureFixture[str], old: str, new: str, message: str
+    folder: Path, fails: Fails, old: str, new: str, message: str
 ) -> None:
     if not new:
         edit(folder / "hanging.toml", "stroke = [-150.0, 150.0]\n", "")
     edit(folder / "hanging.toml", old, new)
-    line = fails_in_one_line(capsys, "workspace", "hanging.toml")
+    line = fails("workspace", "hanging.toml")
     assert message in line
     assert "(at line " in line
 

@@ -7,8 +7,9 @@ from typing import Any, NamedTuple
 import numpy as np
 import pytest
 from command_line import error_of
-from machines import path_period, random_motion, random_path, random_robot
-from noisy_logs import Case, case, from_poses, logged, motion
+from machines import machine_in_motion, path_period, random_path, random_robot
+from motion_fields import motion_of
+from noisy_logs import Case, case, logged, read
 from scipy.integrate import trapezoid
 from sweeps import share
 
@@ -158,9 +159,7 @@ def test_currents_are_needs_of_the_motors_that_have_a_torque_constant() -> None:
 
 
 def test_what_is_no_question_is_one_line() -> None:
-    rng = np.random.default_rng(7)
-    robot = random_robot(rng)
-    motion = random_motion(rng, robot, (3,))
+    robot, motion = machine_in_motion(7, (3,))
     time = np.arange(3.0)
     for motions, message in (
         ([], "motions: expected one at least"),
@@ -221,11 +220,9 @@ def noisy(request: pytest.FixtureRequest) -> list[Noisy]:
     for seed in range(request.param):
         one = case(seed)
         robot = driven(one)
-        true = ss.size(robot, [(one.time, motion(one.true))])
+        true = ss.size(robot, [(one.time, motion_of(one.true))])
         for noise in ("3", "4", "white"):
-            values = logged(one, noise, seed)
-            with warnings.catch_warnings(action="ignore", category=ss.LogWarning):
-                log = from_poses(one.time, values[:, :3], values[:, 3:])
+            log, _ = read(one.time, logged(one, noise, seed))
             found.append(Noisy(robot, true, log, ss.size(robot, [log], margin=0.5)))
     return found
 

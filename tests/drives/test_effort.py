@@ -9,11 +9,12 @@ from typing import Any
 
 import numpy as np
 import pytest
+from command_line import Run
 from machines import random_robot
+from motion_fields import motion_of, waves
 from robot_files import written
 
 import stewart_sym as ss
-from stewart_sym.cli.main import main
 from stewart_sym.drives.friction import friction_force
 from stewart_sym.drives.leg_limits import LEG_LIMITS, LegLimits
 from stewart_sym.dynamics.home_pose import home_pose
@@ -34,13 +35,9 @@ def with_drive(robot: ss.Robot, lead: Any = 5e-3, **numbers: Any) -> ss.Robot:
 
 def swing(robot: ss.Robot, time: np.ndarray, period: float, size: float = 0.05) -> ss.Motion:
     """A closed motion about the home pose: angles and shifts are sines of several periods."""
-    w = 2.0 * np.pi / period * np.array([[1, 2, 1], [2, 1, 3]])
-    phase = np.array([[0.3, 1.1, 2.0], [0.7, 0.1, 1.9]])
-    at = w * time[:, None, None] + phase
-    value, rate, second = size * np.sin(at), size * w * np.cos(at), -size * w**2 * np.sin(at)
-    return ss.Motion.from_rpy(
-        home_pose(robot).t + value[:, 0], value[:, 1], rate[:, 0], rate[:, 1], second[:, 0], second[:, 1]
-    )
+    rate = 2.0 * np.pi / period * np.array([1, 2, 1, 2, 1, 3])
+    middle = np.append(home_pose(robot).t, np.zeros(3))
+    return motion_of(waves(time, middle, size, rate, [0.3, 1.1, 2.0, 0.7, 0.1, 1.9]))
 
 
 @pytest.fixture(scope="module")
@@ -181,15 +178,14 @@ def forces(folder: Path, robot: ss.Robot, time: np.ndarray, *options: str) -> li
 
 
 def test_forces_has_columns_table_and_picture_of_the_motors_and_so_has_its_page(
-    robot: ss.Robot, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    robot: ss.Robot, tmp_path: Path, run: Run
 ) -> None:
     time = np.linspace(0.0, 2.0, 81)
     machine = with_drive(robot, **LOSSY, torque_limit=1.2, speed_limit=450.0)
     picture = tmp_path / "motors.png"
     more = ("--json", str(tmp_path / "F.json"), "--html", str(tmp_path / "F.html"))
     command = forces(tmp_path, machine, time, "--picture", str(picture), *more)
-    assert main(command) == 0
-    out, err = capsys.readouterr()
+    out, err = run(*command)
     table = np.genfromtxt(tmp_path / "F.csv", delimiter=",", names=True)
     with pytest.warns(ss.DriveLimitWarning, match=r"\Adrive\.(speed|torque)_limit exceeded"):
         found = ss.drive_effort(machine, swing(machine, time, 2.0), time)
@@ -213,19 +209,16 @@ def test_forces_has_columns_table_and_picture_of_the_motors_and_so_has_its_page(
     assert "motors: 6 rows" in page
     assert f'data-value="{leg["motor_rms_torque_N_m"]!r}"' in page.split("motors: 6 rows")[-1]
     assert 'alt="motor torque"' in page
-    assert main(command) == 2
-    assert "exists; use --force" in capsys.readouterr().err
-    assert main([*command, "--force"]) == 0
+    assert "exists; use --force" in run(*command, code=2).err
+    run(*command, "--force")
 
 
-def test_forces_without_a_drive_has_no_motors(
-    robot: ss.Robot, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_forces_without_a_drive_has_no_motors(robot: ss.Robot, tmp_path: Path, run: Run) -> None:
     command = forces(tmp_path, robot, np.linspace(0.0, 2.0, 81))
-    assert main([*command, "--picture", str(tmp_path / "motors.png")]) == 2
-    assert "expected a robot with a drive" in capsys.readouterr().err
+    told = run(*command, "--picture", tmp_path / "motors.png", code=2).err
+    assert "expected a robot with a drive" in told
     assert not (tmp_path / "F.csv").exists()
-    assert main(command) == 0
+    run(*command)
     assert "torque" not in (tmp_path / "F.csv").read_text()
 
 

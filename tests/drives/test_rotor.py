@@ -9,7 +9,7 @@ from typing import Any, Literal
 import numpy as np
 import pytest
 from machines import random_motion, random_robot, rotation, with_random_rotors
-from motion_fields import acceleration
+from motion_fields import acceleration, motion_of, waves
 from numpy.typing import NDArray
 from pages import DOCS
 from pinocchio_model import Answer, pinocchio_inverse_dynamics
@@ -306,9 +306,5 @@ def brisk_motion(robot: Robot) -> Motion:
     """About a hertz, a twentieth of the platform's radius and a tenth of a radian to each side of home."""
     radius = np.linalg.norm(robot.p - robot.p.mean(axis=0), axis=1).mean()
     rate = 2 * np.pi * np.array([1.0, 1.3, 0.7, 0.9, 1.1, 1.4])
-    phase = rate * np.linspace(0, 1, 400)[:, None] + np.arange(6.0)
-    size = np.repeat([0.05 * radius, 0.1], 3)
-    x, x_dot, x_ddot = size * np.sin(phase), size * rate * np.cos(phase), -size * rate**2 * np.sin(phase)
-    parts = [half for each in (x, x_dot, x_ddot) for half in (each[:, :3], each[:, 3:])]
-    parts[0] = parts[0] + home_pose(robot).t
-    return Motion.from_rpy(*parts)
+    size, middle = np.repeat([0.05 * radius, 0.1], 3), np.append(home_pose(robot).t, np.zeros(3))
+    return motion_of(waves(np.linspace(0, 1, 400), middle, size, rate, np.arange(6.0)))

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from machines import random_motion, random_robot
+from machines import machine_in_motion, random_motion, random_robot
 from numpy.typing import NDArray
 from sweeps import share, sweep
 from unsolvable_poses import semiregular
@@ -37,8 +37,7 @@ def test_backends_agree_to_rounding(formulation, backend, base_joint: str) -> No
     """Forces and reactions of random machines, all terms on, beside the reference's."""
     rng = np.random.default_rng(100)
     for _ in range(share(400)):
-        robot = random_robot(rng, base_joint)
-        motion = random_motion(rng, robot, (POSES,))
+        robot, motion = machine_in_motion(rng, (POSES,), base_joint)
         bearing = rng.uniform(0, 1, 6)
         truth = ss.inverse_dynamics(robot, motion, formulation, "reference")
         found = ss.inverse_dynamics(robot, motion, formulation, backend)
@@ -100,9 +99,7 @@ def test_numpy_has_every_bit_and_status_of_c_however_many_poses_it_takes_at_once
 @pytest.mark.parametrize("backend", ["c", "numpy", "reference"])
 @pytest.mark.parametrize("shape", [(), (1,), (3, 4), (0,), (2, 0, 3)])
 def test_any_leading_shape_gives_the_poses_one_by_one(backend, shape: tuple[int, ...]) -> None:
-    rng = np.random.default_rng(7)
-    robot = random_robot(rng)
-    motion = random_motion(rng, robot, shape)
+    robot, motion = machine_in_motion(7, shape)
     together = ss.inverse_dynamics(robot, motion, backend=backend)
     reactions = ss.joint_reactions(robot, motion, backend=backend)
     assert together.F.shape == (*shape, 6)
@@ -129,9 +126,7 @@ def test_no_load_is_zero_load() -> None:
 
 def test_massless_legs_leave_F0() -> None:
     """With nearly weightless, frictionless legs the full forces are those of (41)."""
-    rng = np.random.default_rng(10)
-    robot = random_robot(rng, friction=False)
-    motion = random_motion(rng, robot, (4,))
+    robot, motion = machine_in_motion(10, (4,), friction=False)
     tiny = 1e-12
     light = ss.Robot(
         **{**vars(robot), **{n: tiny * getattr(robot, n) for n in ("m_d", "I_d0", "m_u", "I_u0")}}

@@ -8,7 +8,13 @@ from typing import Any
 import array_api_strict
 import numpy as np
 import pytest
-from machines import MACHINES, dasgupta, random_motion, random_robot, upside_down_in_millimetres
+from machines import (
+    MACHINES,
+    dasgupta,
+    machine_in_motion,
+    random_motion,
+    upside_down_in_millimetres,
+)
 from motion_fields import FIELDS
 from sweeps import FULL
 
@@ -48,8 +54,7 @@ def test_formulations_and_spherical_joints_have_their_forces_on_arrays() -> None
     rng = np.random.default_rng(33)
     for joint in ("universal", "spherical"):
         for formulation in ("exact", "paper"):
-            robot = random_robot(rng, joint)
-            motion = random_motion(rng, robot, (4,))
+            robot, motion = machine_in_motion(rng, (4,), joint)
             F = ss.array_kernel(robot, np, formulation=formulation).forces(**fields(motion)).F
             np.testing.assert_array_equal(F, ss.prepare(robot, formulation).forces(motion))
     kernel = ss.array_kernel(robot, np)
@@ -60,9 +65,7 @@ def test_formulations_and_spherical_joints_have_their_forces_on_arrays() -> None
 
 
 def test_statuses_on_arrays_are_those_of_the_c_and_numbers_are_nan_there() -> None:
-    rng = np.random.default_rng(34)
-    robot = random_robot(rng)
-    motion = random_motion(rng, robot, (3,))
+    robot, motion = machine_in_motion(34, (3,))
     t = motion.t.copy()
     t[0, 0] = np.inf
     t[1] = robot.b[2] - motion.R[1] @ robot.p[2]
@@ -132,9 +135,7 @@ def test_what_is_no_namespace_and_constants_that_overflow_are_one_line() -> None
 
 
 def test_single_precision_on_arrays_errs_as_single_precision_does() -> None:
-    rng = np.random.default_rng(35)
-    robot = random_robot(rng)
-    motion = random_motion(rng, robot, (20,))
+    robot, motion = machine_in_motion(35, (20,))
     found = ss.array_kernel(robot, np, dtype=np.float32).forces(**fields(motion))
     assert found.F.dtype == np.float32
     expected = ss.prepare(robot).forces(motion)

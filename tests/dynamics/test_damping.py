@@ -5,7 +5,8 @@ import warnings
 
 import numpy as np
 import pytest
-from machines import dasgupta, random_motion, random_robot
+from machines import dasgupta, machine_in_motion
+from motion_fields import UNLOADED, stacked
 from mpmath import mp
 from numpy.typing import NDArray
 from unsolvable_poses import BACKENDS, at_rest, leg_along_its_axis, singular, zero_length_leg
@@ -15,11 +16,10 @@ from stewart_sym.dynamics.damping import SHARE, damped_solution
 from stewart_sym.results import JOINT_SINGULAR, OK, SINGULAR, ZERO_LENGTH
 
 Array = NDArray[np.float64]
-FIELDS = ("R", "t", "omega", "v", "alpha", "a")
 
 
 def together(*motions: ss.Motion) -> ss.Motion:
-    return ss.Motion(*(np.stack([getattr(motion, name) for motion in motions]) for name in FIELDS))
+    return stacked(motions, UNLOADED)
 
 
 @pytest.mark.parametrize("backend", BACKENDS)
@@ -68,9 +68,7 @@ def test_all_other_poses_are_the_same_bits(backend) -> None:
 
 @pytest.mark.parametrize("base_joint", ["universal", "spherical"])
 def test_without_singular_poses_nothing_changes(base_joint: str) -> None:
-    rng = np.random.default_rng(1)
-    robot = random_robot(rng, base_joint)
-    motion = random_motion(rng, robot, (2, 5))
+    robot, motion = machine_in_motion(1, (2, 5), base_joint)
     damped = ss.inverse_dynamics(robot, motion, on_singular="damped")
     np.testing.assert_array_equal(damped.F, ss.inverse_dynamics(robot, motion).F)
     np.testing.assert_array_equal(damped.wrench_error, np.zeros((2, 5, 6)))

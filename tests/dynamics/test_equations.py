@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from machines import machine_size, random_motion, random_robot, rotation
+from machines import machine_in_motion, machine_size, random_motion, random_robot, rotation
 from motion_fields import acceleration
 from numpy.typing import NDArray
 
@@ -19,6 +19,10 @@ Array = NDArray[np.float64]
 BACKENDS = ("c", "numpy", "reference")
 FORMULATIONS = ("exact", "paper")
 JOINTS = ("universal", "spherical")
+
+
+def machines(base_joint: str, count: int = 2) -> list[tuple[ss.Robot, ss.Motion]]:
+    return [machine_in_motion(seed, (4,), base_joint) for seed in range(count)]
 
 
 def load_of(motion: ss.Motion) -> Array:
@@ -51,10 +55,7 @@ def worst(robot: ss.Robot, found: Array, true: Array) -> float:
 @pytest.mark.parametrize("formulation", FORMULATIONS)
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_the_terms_add_up_to_inverse_dynamics(backend: Any, formulation: Any, base_joint: str) -> None:
-    for seed in range(2):
-        rng = np.random.default_rng(seed)
-        robot = random_robot(rng, base_joint)
-        motion = random_motion(rng, robot, (4,))
+    for robot, motion in machines(base_joint):
         e = ss.equations_of_motion(robot, motion, formulation, backend)
         r = ss.inverse_dynamics(robot, motion, formulation, "reference")
         left = times(e.M, acceleration(motion)) + times(e.C, twist(motion)) + e.g + e.friction
@@ -68,14 +69,9 @@ def test_the_terms_add_up_to_inverse_dynamics(backend: Any, formulation: Any, ba
 @pytest.mark.parametrize("backend", ["c", "numpy"])
 def test_backends_agree_with_the_oracle(backend: Any, formulation: Any, base_joint: str) -> None:
     faults = newton_euler.PAPER if formulation == "paper" else newton_euler.EXACT
-    for seed in range(2):
-        rng = np.random.default_rng(seed)
-        robot = random_robot(rng, base_joint)
-        motion = random_motion(rng, robot, (4,))
-        found, true = (
-            ss.equations_of_motion(robot, motion, formulation, backend),
-            oracle(robot, motion, faults),
-        )
+    for robot, motion in machines(base_joint):
+        found = ss.equations_of_motion(robot, motion, formulation, backend)
+        true = oracle(robot, motion, faults)
         for name in ("M", "g", "friction", "bias"):
             a, b = getattr(found, name), getattr(true, name)
             np.testing.assert_allclose(a, b, rtol=1e-11, atol=1e-12 * np.abs(b).max(), err_msg=name)
@@ -86,10 +82,7 @@ def test_backends_agree_with_the_oracle(backend: Any, formulation: Any, base_joi
 def test_exact_M_is_symmetric_positive_definite_and_makes_the_kinetic_energy(
     backend: Any, base_joint: str
 ) -> None:
-    for seed in range(2):
-        rng = np.random.default_rng(seed)
-        robot = random_robot(rng, base_joint)
-        motion = random_motion(rng, robot, (4,))
+    for robot, motion in machines(base_joint):
         M = ss.equations_of_motion(robot, motion, backend=backend).M
         np.testing.assert_allclose(M, np.swapaxes(M, -1, -2), rtol=1e-12, atol=1e-13 * np.abs(M).max())
         assert np.linalg.eigvalsh(M).min() > 0
@@ -106,10 +99,7 @@ def test_paper_M_is_symmetric_positive_definite_and_too_large(backend: Any, base
 
     Fault 3 adds m_u L^2 of inertia; for spherical base joints it is all that is wrong.
     """
-    for seed in range(2):
-        rng = np.random.default_rng(seed)
-        robot = random_robot(rng, base_joint)
-        motion = random_motion(rng, robot, (4,))
+    for robot, motion in machines(base_joint):
         M = ss.equations_of_motion(robot, motion, "paper", backend).M
         np.testing.assert_allclose(M, np.swapaxes(M, -1, -2), rtol=1e-12, atol=1e-13 * np.abs(M).max())
         assert np.linalg.eigvalsh(M).min() > 0
@@ -131,9 +121,7 @@ def test_one_of_the_faults_1_and_2_without_the_other_makes_M_unsymmetric(fault: 
 def test_rate_of_exact_M_is_C_plus_its_transpose(backend: Any, base_joint: str) -> None:
     """So that dM/dt - 2 C is skew. The rate is a fourth-order difference along the motion."""
     for seed in range(2):
-        rng = np.random.default_rng(seed)
-        robot = random_robot(rng, base_joint, scale=1.0)
-        motion = random_motion(rng, robot)
+        robot, motion = machine_in_motion(seed, scale=1.0, base_joint=base_joint)
         h = 1e-3 * np.sqrt(machine_size(robot) / 9.81)
 
         def at(time: float, motion: ss.Motion = motion, robot: ss.Robot = robot) -> Array:
@@ -149,9 +137,7 @@ def test_rate_of_exact_M_is_C_plus_its_transpose(backend: Any, base_joint: str) 
 
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_g_is_the_slope_of_the_potential_and_friction_takes_its_power(backend: Any) -> None:
-    rng = np.random.default_rng(3)
-    robot = random_robot(rng, scale=1.0)
-    motion = random_motion(rng, robot, (4,))
+    robot, motion = machine_in_motion(3, (4,), scale=1.0)
     e = ss.equations_of_motion(robot, motion, backend=backend)
     power = np.einsum("ni,ni->n", e.friction, twist(motion))
     np.testing.assert_allclose(power, newton_euler.friction_power(robot, motion), rtol=1e-10)
@@ -188,10 +174,7 @@ def test_at_rest_there_is_no_coriolis_matrix_and_no_friction(backend: Any) -> No
 @pytest.mark.parametrize("formulation", FORMULATIONS)
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_forward_dynamics_inverts_inverse_dynamics(backend: Any, formulation: Any, base_joint: str) -> None:
-    for seed in range(3):
-        rng = np.random.default_rng(seed)
-        robot = random_robot(rng, base_joint)
-        motion = random_motion(rng, robot, (4,))
+    for robot, motion in machines(base_joint, 3):
         F = ss.inverse_dynamics(robot, motion, formulation, "reference").F
         free = dataclasses.replace(motion, alpha=None, a=None)
         a, alpha = ss.forward_dynamics(robot, free, F, formulation, backend)
@@ -212,8 +195,7 @@ def test_forward_dynamics_inverts_inverse_dynamics(backend: Any, formulation: An
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_leading_shapes_of_motion_and_forces_broadcast(backend: Any) -> None:
     rng = np.random.default_rng(5)
-    robot = random_robot(rng)
-    motion = random_motion(rng, robot, (2, 1))
+    robot, motion = machine_in_motion(rng, (2, 1))
     F = rng.normal(size=(3, 6)) * robot.M * 9.81
     a, alpha = ss.forward_dynamics(robot, motion, F, backend=backend)
     assert a.shape == alpha.shape == (2, 3, 3)

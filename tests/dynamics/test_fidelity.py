@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 from block_forces import forces
 from fifty_digits import truth
-from machines import random_motion, random_robot
+from machines import machine_in_motion, random_motion, random_robot
+from motion_fields import FIELDS, stacked
 from mpmath import mp
 from reduced_machines import as_simple_as, at_rest
 
@@ -18,7 +19,6 @@ from stewart_sym.derive.mechanics.reduced_models import (
     Fidelity,
     fidelity_kernel,
 )
-from stewart_sym.motion.motion import Motion
 
 EPSILON = np.finfo(np.float64).eps
 UNITS = 100
@@ -60,11 +60,10 @@ def test_one_pose_and_batch_agree_to_the_last_bit(level: Fidelity) -> None:
     robot = random_robot(rng)
     poses = [random_motion(rng, robot) for _ in range(11)]
     kernel = ss.prepare(robot, fidelity=level.name)
-    names = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
-    batch = kernel.forces(Motion(*(np.stack([getattr(pose, name) for pose in poses]) for name in names)))
+    batch = kernel.forces(stacked(poses))
     slot = kernel.one_pose()
     for pose, expected in zip(poses, batch, strict=True):
-        slot.numbers[:] = np.concatenate([np.ravel(getattr(pose, name)) for name in names])
+        slot.numbers[:] = np.concatenate([np.ravel(getattr(pose, name)) for name in FIELDS])
         assert slot.solve() == 0
         np.testing.assert_array_equal(slot.F, expected)
 
@@ -82,9 +81,7 @@ def test_massless_legs_cost_35_percent_and_slender_ones_75_percent_of_the_genera
 
 
 def test_at_rest_axisymmetric_legs_and_point_masses_are_slender_ones() -> None:
-    rng = np.random.default_rng(3)
-    robot = random_robot(rng)
-    motion = random_motion(rng, robot)
+    robot, motion = machine_in_motion(3)
     slender = fidelity_kernel(EXACT, FIDELITIES["slender_static"])
     with mp.workdps(50):
         expected = forces(slender, robot, motion)

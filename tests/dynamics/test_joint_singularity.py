@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from fifty_digits import truth
 from leaning_legs import leaning
-from machines import random_motion, random_robot
+from machines import machine_in_motion, random_motion, random_robot
 from mpmath import mp
 from reduced_machines import as_simple_as, at_rest
 
@@ -63,9 +63,7 @@ def test_moving_legs_without_axial_inertia_do_not_feel_the_joint_singularity_eit
 @pytest.mark.parametrize("formulation", ["exact", "paper"])
 @pytest.mark.parametrize("sine", [1e-2, 1e-4, 1e-6, 1e-8])
 def test_a_general_machine_loses_no_more_than_its_own_sensitivity(formulation: str, sine: float) -> None:
-    rng = np.random.default_rng(4)
-    robot = random_robot(rng)
-    motion = random_motion(rng, robot)
+    robot, motion = machine_in_motion(4)
     robot = leaning(robot, motion, sine)
     form = next(form for form in FORMULATIONS if form.kernel_name == formulation)
     with mp.workdps(50):
@@ -77,9 +75,7 @@ def test_a_general_machine_loses_no_more_than_its_own_sensitivity(formulation: s
 
 
 def test_one_pose_and_batch_take_the_same_code_path_near_the_joint_singularity() -> None:
-    rng = np.random.default_rng(5)
-    robot = random_robot(rng)
-    motion = random_motion(rng, robot, (9,))
+    robot, motion = machine_in_motion(5, (9,))
     robot = leaning(robot, motion[4], 1e-3)
     for formulation in ("exact", "paper"):
         kernel = ss.prepare(robot, formulation)  # type: ignore[arg-type]

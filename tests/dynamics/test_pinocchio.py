@@ -4,11 +4,10 @@ from functools import cache
 
 import numpy as np
 import pytest
-from machines import random_motion, random_robot
+from machines import machine_in_motion
 from pinocchio_model import Answer, pinocchio_inverse_dynamics
 from sweeps import share
 
-import stewart_sym as ss
 from stewart_sym.motion.motion import Motion
 from stewart_sym.reference import newton_euler
 from stewart_sym.reference.newton_euler import EXACT, PAPER
@@ -28,17 +27,6 @@ def test_exact_agrees_with_pinocchio() -> None:
     for seed in SEEDS:
         errors = _errors(*_universal(seed), EXACT)
         assert max(errors.values()) < RELATIVE, (seed, errors)
-
-
-def test_the_c_kernel_agrees_with_pinocchio() -> None:
-    for seed in SEEDS:
-        robot, motion, truth = _universal(seed)
-        forces, reactions = ss.inverse_dynamics(robot, motion), ss.joint_reactions(robot, motion)
-        for name in QUANTITIES:
-            computed = getattr(forces if name == "F" else reactions, name)
-            for i, answer in enumerate(truth):
-                expected = getattr(answer, name)
-                assert np.abs(computed[i] - expected).max() < RELATIVE * np.abs(expected).max(), (seed, name)
 
 
 def test_paper_differs_from_pinocchio_in_every_force() -> None:
@@ -69,14 +57,6 @@ def test_legs_with_two_spherical_joints_agree_with_pinocchio(faults: frozenset[i
         assert max(np.abs(answer.M_u).max() for answer in truth) < RELATIVE * scale
 
 
-def test_prepared_kernels_agree_with_pinocchio() -> None:
-    for seed in SEEDS:
-        robot, motion, truth = _universal(seed)
-        F = ss.prepare(robot).forces(motion)
-        for found, answer in zip(F, truth, strict=True):
-            assert np.abs(found - answer.F).max() < RELATIVE * np.abs(answer.F).max(), seed
-
-
 def _universal(seed: int) -> tuple[Robot, Motion, list[Answer]]:
     return _case(seed, "universal", True)
 
@@ -84,9 +64,7 @@ def _universal(seed: int) -> tuple[Robot, Motion, list[Answer]]:
 @cache
 def _case(seed: int, base_joint: str, friction: bool) -> tuple[Robot, Motion, list[Answer]]:
     """A machine, some motions of it and Pinocchio's answers; an external wrench is always on."""
-    rng = np.random.default_rng(seed)
-    robot = random_robot(rng, base_joint=base_joint, friction=friction)
-    motion = random_motion(rng, robot, (POSES,))
+    robot, motion = machine_in_motion(seed, (POSES,), base_joint, friction=friction)
     return robot, motion, [pinocchio_inverse_dynamics(robot, motion[i]) for i in range(POSES)]
 
 

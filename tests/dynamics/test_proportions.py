@@ -4,7 +4,7 @@ import dataclasses
 
 import numpy as np
 import pytest
-from machines import random_motion, random_robot
+from machines import machine_in_motion
 from sweeps import share, sweep
 
 import stewart_sym as ss
@@ -21,8 +21,7 @@ WIDEST = 50.0
 
 def proportioned(rng: np.random.Generator) -> tuple[ss.Robot, ss.Motion]:
     """A machine with a platform of 1 to 1e-5 of its base, some with a leg up to 1e4 times the others."""
-    robot = random_robot(rng)
-    motion = random_motion(rng, robot)
+    robot, motion = machine_in_motion(rng)
     small = 10 ** rng.uniform(-5, 0)
     load = None if motion.M_ext is None else small * motion.M_ext
     robot = dataclasses.replace(robot, p=small * robot.p, R_0=small * robot.R_0, I_p=small**2 * robot.I_p)
@@ -40,8 +39,7 @@ def far_off(
     rng: np.random.Generator, farthest: float = 4.0
 ) -> tuple[ss.Robot, ss.Motion, ss.Robot, ss.Motion]:
     """A machine, and the same from a reference point up to 1e4 platform radii away."""
-    robot = random_robot(rng)
-    motion = random_motion(rng, robot)
+    robot, motion = machine_in_motion(rng)
     d = rng.normal(size=3)
     d *= 10 ** rng.uniform(0, 4) * characteristic_length(robot) / np.linalg.norm(d)
     r = motion.R @ d

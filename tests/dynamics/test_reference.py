@@ -5,7 +5,7 @@ import warnings
 
 import numpy as np
 import pytest
-from machines import path_period, random_motion, random_path, random_robot
+from machines import machine_in_motion, path_period, random_motion, random_path, random_robot
 from numpy.typing import NDArray
 
 from stewart_sym.motion.motion import Motion
@@ -27,8 +27,7 @@ def test_reactions_satisfy_the_equations_of_both_leg_parts(
     faults: frozenset[int], base_joint: str, seed: int
 ) -> None:
     rng = np.random.default_rng(seed)
-    robot = random_robot(rng, base_joint, friction=base_joint == "universal")
-    motion = random_motion(rng, robot, (4,))
+    robot, motion = machine_in_motion(rng, (4,), base_joint, friction=base_joint == "universal")
     bearing = rng.uniform(-1, 1, 6)
     leg = newton_euler.legs(robot, motion, faults)
     j = newton_euler.joint_reactions(robot, motion, faults, bearing)
@@ -65,9 +64,7 @@ def test_reactions_satisfy_the_equations_of_both_leg_parts(
 @pytest.mark.parametrize("seed", range(4))
 @FORMULATIONS
 def test_reactions_satisfy_the_platforms_equations(faults: frozenset[int], seed: int) -> None:
-    rng = np.random.default_rng(seed)
-    robot = random_robot(rng)
-    motion = random_motion(rng, robot, (4,))
+    robot, motion = machine_in_motion(seed, (4,))
     leg = newton_euler.legs(robot, motion, faults)
     F_s = newton_euler.joint_reactions(robot, motion, faults).F_s
     assert motion.F_ext is not None
@@ -134,9 +131,7 @@ def test_printed_row_33_changes_only_the_sign_of_the_legs_forces() -> None:
 
 
 def test_faults_1_and_2_say_nothing_of_a_spherical_base_joint() -> None:
-    rng = np.random.default_rng(6)
-    robot = random_robot(rng, "spherical")
-    motion = random_motion(rng, robot, (3,))
+    robot, motion = machine_in_motion(6, (3,), "spherical")
     exact = newton_euler.joint_reactions(robot, motion)
     np.testing.assert_array_equal(
         newton_euler.joint_reactions(robot, motion, frozenset({1, 2})).F_u, exact.F_u

@@ -6,10 +6,8 @@ from pathlib import Path
 import mujoco
 import numpy as np
 import pytest
-from exported_models import exported
+from exported_models import exported, imported
 from numpy.typing import NDArray
-
-import stewart_sym as ss
 
 HUGE = 1e9
 """A control far outside the limits of all actuators."""
@@ -65,11 +63,6 @@ def hexapod(default: str, actuators: str, slide: str = "") -> str:
     return text.replace('type="slide"', f'type="slide" {slide}')
 
 
-def imported(text: str, folder: Path) -> ss.ImportedModel:
-    (folder / "model.xml").write_text(text, encoding="utf-8")
-    return ss.import_model(folder / "model.xml")
-
-
 def largest_forces(text: str) -> NDArray[np.float64]:
     """Largest forces of the slides in MuJoCo, (6,), the controls of each leg far outside on every side."""
     model = mujoco.MjModel.from_xml_string(text)
@@ -118,14 +111,19 @@ def test_actuators_without_a_name_are_called_by_their_joints(tmp_path: Path) -> 
     assert f"left out: the limit of 8 N in one direction of {who}: 9 N, the other's, is force_limit" in said
 
 
-@pytest.mark.parametrize("attributes", ['biastype="affine"', 'gaintype="affine"', 'dyntype="integrator"'])
-def test_actuators_that_are_no_motors_are_limited_by_their_forces_alone(
+@pytest.mark.parametrize(
+    "attributes",
+    ['biastype="affine"', 'gaintype="affine"', 'dyntype="integrator"', 'ctrllimited="false"'],
+)
+def test_actuators_without_limits_of_what_they_push_with_are_limited_by_their_forces_alone(
     attributes: str, tmp_path: Path
 ) -> None:
     default = f'<general {attributes} gear="7" ctrlrange="-5 5"/>'
     assert np.all(imported(hexapod(default, '<general joint="#"/>'), tmp_path).robot.force_limit == np.inf)
     limited = imported(hexapod(default, '<general joint="#" forcerange="-9 9"/>'), tmp_path)
     np.testing.assert_array_equal(limited.robot.force_limit, 63.0)
+    servo = '<position joint="#" ctrlrange="-5 5" forcerange="-80 80"/>'
+    np.testing.assert_array_equal(imported(hexapod("", servo), tmp_path).robot.force_limit, 80.0)
 
 
 def test_sections_of_defaults_count_together(tmp_path: Path) -> None:

@@ -7,10 +7,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from exported_models import HEXAPOD
 
 import stewart_sym as ss
 
-HEXAPOD = Path(__file__).parents[2] / ".docs" / "examples" / "hexapod.toml"
 ARM = (
     '<mujoco><worldbody><body name="a"><joint/><geom size=".1"/>'
     '<body name="b" pos="0 0 1"><joint axis="0 1 0"/><geom size=".1"/></body></body></worldbody></mujoco>'

@@ -6,29 +6,26 @@ import sys
 from pathlib import Path
 
 import pytest
-from command_line import fails_in_one_line
+from command_line import Fails, Run
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
 
 
 @pytest.mark.parametrize("form", ["mjcf", "sdf", "urdf"])
-def test_a_robot_file_goes_out_and_comes_back(
-    form: str, folder: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    assert main(["export", "hexapod.toml", "--format", form, "-o", "machine.xml"]) == 0
+def test_a_robot_file_goes_out_and_comes_back(form: str, folder: Path, run: Run) -> None:
+    told = run("export", "hexapod.toml", "--format", form, "-o", "machine.xml").out
     files = "machine.xml, machine.loops.json" if form == "urdf" else "machine.xml"
-    assert capsys.readouterr().out == f"Written to {files}\n"
-    assert main(["import", "machine.xml", "-o", "back.toml"]) == 0
-    out, err = capsys.readouterr()
+    assert told == f"Written to {files}\n"
+    out, err = run("import", "machine.xml", "-o", "back.toml")
     assert out.startswith("legs in the order of the file: 1 'lower_1' 'upper_1'")
     assert err == ""
     text = (folder / "back.toml").read_text(encoding="utf-8")
     assert text.startswith("# Imported by stewart-sym from machine.xml.\n# legs in the order of the file")
     assert ss.Robot.from_toml("back.toml").to_dict() == ss.Robot.from_toml("hexapod.toml").to_dict()
     # Its own files are replaced.
-    assert main(["export", "back.toml", "--format", form, "-o", "machine.xml"]) == 0
-    assert main(["import", "machine.xml", "-o", "back.toml"]) == 0
+    run("export", "back.toml", "--format", form, "-o", "machine.xml")
+    run("import", "machine.xml", "-o", "back.toml")
 
 
 def test_figures_go_to_json(folder: Path) -> None:
@@ -40,47 +37,40 @@ def test_figures_go_to_json(folder: Path) -> None:
     assert found["assumptions"][0].startswith("legs")
 
 
-def test_nothing_of_others_is_replaced(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_nothing_of_others_is_replaced(folder: Path, fails: Fails) -> None:
     (folder / "m.loops.json").write_text("mine")
     export = ["export", "hexapod.toml", "--format", "urdf", "-o", "m.urdf"]
-    assert "m.loops.json: exists with other content" in fails_in_one_line(capsys, *export)
+    assert "m.loops.json: exists with other content" in fails(*export)
     assert not (folder / "m.urdf").exists()
     over = ["export", "hexapod.toml", "--format", "mjcf", "-o", "hexapod.toml", "--force"]
-    assert "is an input" in fails_in_one_line(capsys, *over)
+    assert "is an input" in fails(*over)
     assert main([*export, "--force"]) == 0
-    capsys.readouterr()
     for place, said in (("hexapod.toml", "exists with other content"), ("m.urdf", "is an input")):
-        assert said in fails_in_one_line(capsys, "import", "m.urdf", "-o", place)
+        assert said in fails("import", "m.urdf", "-o", place)
 
 
-def test_two_files_do_not_go_to_standard_output(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_two_files_do_not_go_to_standard_output(folder: Path, run: Run, fails: Fails) -> None:
     export = ["export", "hexapod.toml", "--format"]
-    assert "-o -: expected a file" in fails_in_one_line(capsys, *export, "urdf", "-o", "-")
-    assert main([*export, "usd", "-o", "-"]) == 0
-    assert capsys.readouterr().out.startswith("#usda 1.0\n")
+    assert "-o -: expected a file" in fails(*export, "urdf", "-o", "-")
+    assert run(*export, "usd", "-o", "-").out.startswith("#usda 1.0\n")
 
 
-def test_a_part_that_simulators_reject_is_named_with_the_file(
-    folder: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_part_that_simulators_reject_is_named_with_the_file(folder: Path, run: Run) -> None:
     text, possible = (folder / "hexapod.toml").read_text(encoding="utf-8"), "inertia = [0.9, 0.9, 1.6]"
     assert possible in text
     text = text.replace(possible, "inertia = [9.9, 0.9, 1.6]")
     (folder / "bad.toml").write_text(text, encoding="utf-8")
-    code = main(["export", "bad.toml", "--format", "mjcf", "-o", "m.xml"])
-    err = capsys.readouterr().err.splitlines()
-    assert code == 2
+    err = run("export", "bad.toml", "--format", "mjcf", "-o", "m.xml", code=2).err.splitlines()
     assert err[-1].startswith("stewart-sym: error: bad.toml: platform: inertia: physically impossible")
     assert 'accept "platform-inertia"' in err[-1]
     assert not (folder / "m.xml").exists()
 
 
-def test_import_warns_of_a_part_that_no_body_is(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["export", "hexapod.toml", "--format", "urdf", "-o", "m.urdf"]) == 0
+def test_import_warns_of_a_part_that_no_body_is(folder: Path, run: Run) -> None:
+    run("export", "hexapod.toml", "--format", "urdf", "-o", "m.urdf")
     text = Path("m.urdf").read_text(encoding="utf-8")
     Path("m.urdf").write_text(text.replace('ixx="0.9"', 'ixx="-0.9"', 1), encoding="utf-8")
-    assert main(["import", "m.urdf", "-o", "back.toml"]) == 0
-    (line,) = capsys.readouterr().err.splitlines()
+    (line,) = run("import", "m.urdf", "-o", "back.toml").err.splitlines()
     assert line.startswith("stewart-sym: warning: m.urdf: platform: inertia: physically impossible")
     assert line.endswith("[platform-inertia]")
 

@@ -1,11 +1,11 @@
 """Exported machines accelerate in MuJoCo and Pinocchio as ours do, and stay where their forces hold them."""
 
 import dataclasses
-from pathlib import Path
 
 import mujoco
 import numpy as np
 import pytest
+from exported_models import HEXAPOD
 from exported_mujoco import Exported
 from exported_pinocchio import accelerations
 from machines import offset_case, random_motion, random_robot
@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 
 import stewart_sym as ss
 
-HEXAPOD = Path(__file__).parents[2] / ".docs" / "examples" / "hexapod.toml"
 SEEDS = range(8)
 OFFSET_SEEDS = range(6)
 NONE = np.zeros(6)

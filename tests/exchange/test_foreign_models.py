@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from exported_models import HEXAPOD, exported, imported
 from numpy.typing import NDArray
 
 import stewart_sym as ss
@@ -74,8 +75,7 @@ def model() -> str:
 
 @pytest.fixture
 def foreign(tmp_path: Path) -> ss.ImportedModel:
-    (tmp_path / "foreign.xml").write_text(model(), encoding="utf-8")
-    return ss.import_model(tmp_path / "foreign.xml")
+    return imported(model(), tmp_path)
 
 
 def test_points_axes_and_limits_are_found_whatever_the_frames(foreign: ss.ImportedModel) -> None:
@@ -97,8 +97,7 @@ def test_a_machine_that_is_turned_in_its_file_has_its_home_there(
     foreign: ss.ImportedModel, tmp_path: Path
 ) -> None:
     turned = model().replace('<body name="floor">', '<body name="floor" euler="0 0 90">')
-    (tmp_path / "turned.xml").write_text(turned, encoding="utf-8")
-    found = ss.import_model(tmp_path / "turned.xml")
+    found = imported(turned, tmp_path)
     assert "axes those of the base in the pose in the file" in "".join(found.assumptions)
     robot, R = foreign.robot, np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
     for name in ("b", "p", "home", "R_0"):
@@ -132,9 +131,7 @@ def test_what_is_fixed_to_the_platform_is_part_of_it(foreign: ss.ImportedModel) 
 
 
 def test_a_slide_that_is_stated_from_the_rod_to_the_cylinder_is_the_same(tmp_path: Path) -> None:
-    robot = ss.Robot.from_toml(Path(__file__).parents[2] / ".docs" / "examples" / "hexapod.toml")
-    with pytest.warns(UserWarning, match="sdf: friction of spherical joints"):
-        exported = ss.export_model(robot, "sdf").text
+    robot, text = ss.Robot.from_toml(HEXAPOD), exported("sdf").text
 
     def reversed_slide(found: re.Match[str]) -> str:
         start, low, between, high, end = found.groups()
@@ -144,9 +141,8 @@ def test_a_slide_that_is_stated_from_the_rod_to_the_cylinder_is_the_same(tmp_pat
         return f"{start}{-float(high)!r}{between}{-float(low)!r}{end}"
 
     joint = r'(<joint name="leg_1".*?<lower>)(.*?)(</lower>\s*<upper>)(.*?)(</upper>)'
-    changed = re.sub(joint, reversed_slide, exported, flags=re.DOTALL)
-    assert changed != exported
-    (tmp_path / "reversed.sdf").write_text(changed, encoding="utf-8")
-    found = ss.import_model(tmp_path / "reversed.sdf").robot
+    changed = re.sub(joint, reversed_slide, text, flags=re.DOTALL)
+    assert changed != text
+    found = imported(changed, tmp_path).robot
     np.testing.assert_allclose(found.length_limits, robot.length_limits, rtol=1e-12)
     assert found.to_dict()["leg"][1:] == robot.to_dict()["leg"][1:]

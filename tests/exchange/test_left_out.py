@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from exported_models import exported
+from exported_models import exported, written
 
 import stewart_sym as ss
 
@@ -76,10 +76,7 @@ def imported(folder: Path, form: str, *change: str) -> ss.ImportedModel:
     """The exported hexapod after a change of its text, in one place."""
     file = exported(form)
     assert change[0] in file.text
-    (folder / "model").write_text(file.text.replace(*change, 1), encoding="utf-8")
-    if file.loops is not None:
-        (folder / "model.loops.json").write_text(file.loops, encoding="utf-8")
-    return ss.import_model(folder / "model")
+    return ss.import_model(written(ss.ModelFile(file.text.replace(*change, 1), file.loops), folder / "model"))
 
 
 @pytest.mark.parametrize("name", LEFT_OUT)
@@ -129,33 +126,12 @@ def test_an_inertia_that_no_body_has_is_warned_of(tmp_path: Path) -> None:
 
 def test_shapes_outside_the_groups_that_count_have_no_mass(tmp_path: Path) -> None:
     geoms = '<geom size="0.1" mass="4" group="1"/><geom size="0.2" mass="9" group="3"/>'
-    (tmp_path / "model").write_text(
-        exported("mjcf")
-        .text.replace("<compiler ", '<compiler inertiagrouprange="0 1" inertiafromgeom="true" ')
-        .replace("<inertial ", f"{geoms}<inertial "),
-        encoding="utf-8",
-    )
-    robot = ss.import_model(tmp_path / "model").robot
+    counting = '<compiler inertiagrouprange="0 1" inertiafromgeom="true" '
+    text = exported().text.replace("<compiler ", counting).replace("<inertial ", f"{geoms}<inertial ")
+    robot = ss.import_model(written(ss.ModelFile(text, None), tmp_path / "model")).robot
     np.testing.assert_allclose([robot.M, *robot.m_d, *robot.m_u], 4.0)
 
 
 def test_gravity_that_is_switched_off_is_none(tmp_path: Path) -> None:
     change = "<option ", '<option><flag gravity="disable"/></option><option '
     assert not imported(tmp_path, "mjcf", *change).robot.g.any()
-
-
-@pytest.mark.parametrize(
-    ("actuator", "limit"),
-    [
-        ('<general joint="leg_1" gainprm="20" gear="2" ctrlrange="-5 5"/>', 200.0),
-        ('<general joint="leg_1" gainprm="20" gear="2" ctrlrange="-5 5" forcerange="-80 80"/>', 160.0),
-        ('<general joint="leg_1" biastype="affine" ctrlrange="-5 5"/>', np.inf),
-        ('<motor joint="leg_1" gear="2" ctrllimited="false" ctrlrange="-5 5"/>', np.inf),
-        ('<position joint="leg_1" ctrlrange="-5 5" forcerange="-80 80"/>', 80.0),
-    ],
-)
-def test_an_actuator_limits_its_leg_by_what_it_pushes_with(
-    actuator: str, limit: float, tmp_path: Path
-) -> None:
-    motor = '<motor name="leg_1" joint="leg_1" ctrlrange="-500.0 500.0" forcerange="-500.0 500.0" />'
-    assert imported(tmp_path, "mjcf", motor, actuator).robot.force_limit[0] == limit

@@ -6,9 +6,7 @@ from pathlib import Path
 import mujoco
 import numpy as np
 import pytest
-from exported_models import exported
-
-import stewart_sym as ss
+from exported_models import exported, imported
 
 LINE = 'fromto="0 0 0 0.1 0.05 0.02"'
 BOX = 'type="box" size="0.02 0.05 0.03"'
@@ -45,8 +43,7 @@ DEFAULTS = {
 
 
 def need_same_platform(folder: Path, text: str) -> None:
-    (folder / "model.xml").write_text(text, encoding="utf-8")
-    robot = ss.import_model(folder / "model.xml").robot
+    robot = imported(text, folder).robot
     model = mujoco.MjModel.from_xml_string(text)
     data = mujoco.MjData(model)
     mujoco.mj_forward(model, data)
@@ -115,6 +112,5 @@ def test_shapes_that_mujoco_rejects_are_rejected(geom: str, said: str, tmp_path:
     text = with_platform(f'<geom name="x" {geom}/>')
     with pytest.raises(ValueError, match=r"XML Error|Error:"):
         mujoco.MjModel.from_xml_string(text)
-    (tmp_path / "model.xml").write_text(text, encoding="utf-8")
     with pytest.raises(ValueError, match=re.escape(f"body 'platform': geom 'x': {said}")):
-        ss.import_model(tmp_path / "model.xml")
+        imported(text, tmp_path)

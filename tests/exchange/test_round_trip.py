@@ -10,14 +10,13 @@ from pathlib import Path
 import mujoco
 import numpy as np
 import pytest
+from exported_models import HEXAPOD, imported, written
 from machines import offset_case, random_robot, upside_down_in_millimetres
 
 import stewart_sym as ss
 from stewart_sym.exchange.chain import Model
-from stewart_sym.exchange.files import loops_path
 from stewart_sym.exchange.notes import differences, noted, with_notes
 
-HEXAPOD = Path(__file__).parents[2] / ".docs" / "examples" / "hexapod.toml"
 FORMATS = ("mjcf", "sdf", "urdf")
 NOT_POSSIBLE = ("I_p", "I_d0", "I_u0")
 pytestmark = [
@@ -80,13 +79,6 @@ KINDS = ("universal", "spherical")
 ROBOTS = robots()
 
 
-def written(file: ss.ModelFile, path: Path) -> Path:
-    path.write_text(file.text, encoding="utf-8")
-    if file.loops is not None:
-        loops_path(path).write_text(file.loops, encoding="utf-8")
-    return path
-
-
 def without_notes(file: ss.ModelFile) -> ss.ModelFile:
     notes = r"<custom>.*?</custom>|<stewart_sym:notes>.*?</stewart_sym:notes>"
     text = re.sub(notes, "", file.text, flags=re.DOTALL)
@@ -104,9 +96,9 @@ PAIRS += zip(sorted(ROBOTS.keys() - PARTICULAR), itertools.cycle(FORMATS))
 def test_a_robot_comes_back_and_is_exported_to_the_same_bytes(name: str, form: str, tmp_path: Path) -> None:
     robot = ROBOTS[name]
     file = ss.export_model(robot, form)
-    imported = ss.import_model(written(file, tmp_path / "model"))
-    assert not any("says otherwise" in line for line in imported.assumptions)
-    again = imported.robot
+    found = ss.import_model(written(file, tmp_path / "model"))
+    assert not any("says otherwise" in line for line in found.assumptions)
+    again = found.robot
     changed = set(differences(again, robot))
     # Simulators read no tensor that bodies can't have: those of these two machines are the nearest ones.
     expected = set(NOT_POSSIBLE) if name in ("dasgupta1998", "unal") and form != "urdf" else set()
@@ -156,10 +148,8 @@ def test_a_changed_armature_is_a_rotor_of_the_noted_drive(tmp_path: Path) -> Non
     robot = ROBOTS["motion simulator"]
     text = ss.export_model(robot, "mjcf").text
     armature = re.findall(r'armature="(.*?)"', text)[2]
-    path = tmp_path / "changed.xml"
     before, after, last = re.split(f'(armature="{armature}")', text, maxsplit=1)
-    path.write_text(before + after.replace(armature, repr(2.0 * float(armature))) + last, encoding="utf-8")
-    found = ss.import_model(path)
+    found = imported(before + after.replace(armature, repr(2.0 * float(armature))) + last, tmp_path)
     assert any("rotor_inertia follows the model" in line for line in found.assumptions)
     changed = np.asarray(found.robot.drive.rotor_inertia) / robot.drive.rotor_inertia
     assert sorted(changed.round(9)) == [1.0, 1.0, 1.0, 1.0, 1.0, 2.0]
@@ -255,8 +245,7 @@ def test_hostile_names_are_data(name: str, form: str, tmp_path: Path) -> None:
 
 def test_marks_that_turn_text_round_in_a_models_name_are_shown_as_their_numbers(tmp_path: Path) -> None:
     text = ss.export_model(ROBOTS["tsai2000"], "mjcf").text.replace("Tsai 2000", "a\u202eb&#10;c")
-    (tmp_path / "model.xml").write_text(text, encoding="utf-8")
-    assert ss.import_model(tmp_path / "model.xml").robot.name == "a[U+202E]b[U+000A]c"
+    assert imported(text, tmp_path).robot.name == "a[U+202E]b[U+000A]c"
 
 
 def test_an_inertia_of_no_body_is_rejected_in_one_line_that_says_what_to_do() -> None:
@@ -345,11 +334,9 @@ def test_offsets_of_the_model_count_where_its_note_says_otherwise(tmp_path: Path
     text = ss.export_model(OFFSETS["example"], "mjcf").text
     lower = r'(name="lower_1" pos=")\S+'
     # The loop is as much open as the axis was moved.
-    (tmp_path / "model.xml").write_text(re.sub(lower, r"\g<1>0.012", text), encoding="utf-8")
     with pytest.raises(ValueError, match="leg 1: joint 'tip_1': expected a loop that is closed"):
-        ss.import_model(tmp_path / "model.xml")
-    (tmp_path / "model.xml").write_text(re.sub(lower, r"\g<1>0.0101", text), encoding="utf-8")
-    found = ss.import_model(tmp_path / "model.xml")
+        imported(re.sub(lower, r"\g<1>0.012", text), tmp_path)
+    found = imported(re.sub(lower, r"\g<1>0.0101", text), tmp_path)
     assert found.robot.offsets.cross[0] == pytest.approx(0.0101)
     assert "offsets: the model says otherwise than the note, the model is taken" in found.assumptions
 
@@ -371,9 +358,8 @@ def test_a_note_of_offsets_that_is_none_is_rejected_in_one_line(tmp_path: Path) 
         "{&quot;offsets&quot;: {&quot;legs&quot;: {}, &quot;leg&quot;: [{},{},{},{},{},{}]}}",
     ):
         changed = re.sub(r'(name="stewart_sym" data=")[^"]*"', lambda m, n=note: f'{m[1]}{n}"', text)
-        (tmp_path / "model.xml").write_text(changed, encoding="utf-8")
         with pytest.raises(ValueError, match="notes: offsets: expected") as caught:
-            ss.import_model(tmp_path / "model.xml")
+            imported(changed, tmp_path)
         assert "\n" not in str(caught.value)
 
 

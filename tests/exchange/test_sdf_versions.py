@@ -5,10 +5,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from exported_models import exported
+from exported_models import exported, imported
 from numpy.typing import NDArray
-
-import stewart_sym as ss
 
 MODEL, JOINT = (f"<use_parent_model_frame>{flag}</use_parent_model_frame>" for flag in ("true", "0"))
 FRAME = '<frame name="f"><pose>0.3 -0.2 0.1 0.2 0.3 0.7</pose></frame>'
@@ -68,11 +66,6 @@ def axes_in_drake(text: str) -> NDArray[np.float64]:
     return np.array([[*turned(f"base_{i}").T[:2], slide] for i, slide in enumerate(slides, 1)])
 
 
-def imported(text: str, folder: Path) -> ss.Robot:
-    (folder / "model.sdf").write_text(text, encoding="utf-8")
-    return ss.import_model(folder / "model.sdf").robot
-
-
 @pytest.mark.parametrize("name", OLD)
 def test_an_old_version_is_the_machine_that_drake_takes_it_for(name: str, tmp_path: Path) -> None:
     number, source, changes = OLD[name]
@@ -80,7 +73,7 @@ def test_an_old_version_is_the_machine_that_drake_takes_it_for(name: str, tmp_pa
     old = changed(new, ('version="1.9"', f'version="{number}"'), *changes)
     axes = axes_in_drake(old)
     np.testing.assert_allclose(axes, axes_in_drake(new), rtol=0, atol=1e-12)
-    found, expected = imported(old, tmp_path), imported(new, tmp_path)
+    found, expected = (imported(text, tmp_path).robot for text in (old, new))
     assert found.to_dict() == expected.to_dict()
     np.testing.assert_allclose(np.einsum("ij,ij->i", found.k, axes[:, 0]), 1.0, rtol=1e-12)
     S = found.home + found.p - found.b

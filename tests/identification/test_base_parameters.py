@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 import pytest
 from machines import dasgupta, random_motion, random_robot
-from numpy.typing import NDArray
 from pages import table_row
 
 import stewart_sym as ss
@@ -16,7 +15,6 @@ from stewart_sym.identification.base_parameters import MERGED
 from stewart_sym.identification.parameters import leg_name
 from stewart_sym.robot.robot import Robot
 
-Array = NDArray[np.float64]
 EVERY = 148
 GENERAL = EVERY - 6 * len(dependencies())
 

@@ -7,10 +7,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from command_line import Run
 from robot_files import written
 
 import stewart_sym as ss
-from stewart_sym.cli.main import main
 from stewart_sym.identification import fits
 from stewart_sym.identification.drive_terms import drive_terms, need_terms, told_apart
 from stewart_sym.identification.estimation import Experiment
@@ -337,7 +337,7 @@ def tables(excited: ss.Excitation, folder: Path, measured: dict[str, np.ndarray]
 
 
 def test_the_command_takes_currents(
-    robot: ss.Robot, excited: ss.Excitation, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    robot: ss.Robot, excited: ss.Excitation, tmp_path: Path, run: Run
 ) -> None:
     drive = ss.Drive(lead=[5e-3, -5e-3, 4e-3, 4e-3, 1e-2, 1e-2], torque_constant=0.5, screw_coulomb=30.0)
     drive = dataclasses.replace(drive, screw_viscous=800.0, motor_viscous=1e-3)
@@ -347,40 +347,39 @@ def test_the_command_takes_currents(
     given = tables(excited, tmp_path, {f"current{leg + 1}": noisy[:, leg] for leg in range(6)})
     words = ["identify", str(written(machine, tmp_path / "robot.toml")), *given, "--drive", "coulomb"]
     out = ["--sigma", "0.01", "--json", "-", "-o", str(tmp_path / "found")]
-    assert main([*words, *out]) == 0
-    found = json.loads(capsys.readouterr().out)
+    found = json.loads(run(*words, *out).out)
     np.testing.assert_allclose(found["force_noise_N"], 0.01 * 0.5 * np.abs(drive.turns))
     assert found["verdict"] == "consistent"
     assert all(abs(row["estimated"] - 30.0) < 5.0 * row["sigma"] for row in found["drive"])
     assert [row["robot_file"] for row in found["drive"]] == [30.0] * 6
     # Viscous friction of the drives is in that of the prismatic joints.
     assert found["robot_file"]["agreement"] == "agrees"
-    assert main([*words[:-2], *out]) == 1
-    found = json.loads(capsys.readouterr().out)
+    found = json.loads(run(*words[:-2], *out, code=1).out)
     assert any("dry friction of up to 30 N in the robot file" in line for line in found["doubts"])
     assert not any("--noise-position" in line for line in found["doubts"])
     assert found["robot_file"] == {"agreement": "not compared", "probability": None}
     words[1] = str(written(robot, tmp_path / "plain.toml"))
-    assert main([*words, *out]) == 2
-    assert "expected a drive with a torque_constant of every leg" in capsys.readouterr().err
+    assert "expected a drive with a torque_constant of every leg" in run(*words, *out, code=2).err
 
 
 def test_the_command_seeks_terms_of_measured_forces(
-    robot: ss.Robot, excited: ss.Excitation, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    robot: ss.Robot, excited: ss.Excitation, tmp_path: Path, run: Run
 ) -> None:
     F = motor_forces(robot, excited.motion) + SIGMA * np.random.default_rng(1).normal(size=(120, 6))
     given = tables(excited, tmp_path, {f"F{leg + 1}": F[:, leg] for leg in range(6)})
     command = ["identify", str(written(robot, tmp_path / "robot.toml")), *given]
     command += ["--sigma", str(SIGMA), "--json", "-", "-o", str(tmp_path / "found")]
-    assert main([*command, "--drive", "coulomb,reflected_mass,viscous,offset"]) == 0
-    found = {row["name"]: row for row in json.loads(capsys.readouterr().out)["drive"]}
+    found = {
+        row["name"]: row
+        for row in json.loads(run(*command, "--drive", "coulomb,reflected_mass,viscous,offset").out)["drive"]
+    }
     for name, values in TRUE.items():
         for leg in range(6):
             row = found[f"{name}{leg + 1}"]
             assert abs(row["estimated"] - values[leg]) < 5.0 * row["sigma"]
     assert not found["viscous3"]["identifiable"]
-    assert main([*command, "--drive", "coulomb,stiction"]) == 2
-    assert "--drive: expected some of reflected_mass" in capsys.readouterr().err
+    told = run(*command, "--drive", "coulomb,stiction", code=2).err
+    assert "--drive: expected some of reflected_mass" in told
 
 
 def test_a_term_that_is_no_name_is_one_line() -> None:

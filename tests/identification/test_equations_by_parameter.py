@@ -4,16 +4,14 @@ from typing import Any
 
 import numpy as np
 import pytest
-from machines import dasgupta, random_motion, random_robot
+from machines import dasgupta, machine_in_motion
 
 import stewart_sym as ss
 
 
 @pytest.mark.parametrize("backend", ["c", "numpy", "reference"])
 def test_terms_by_parameter_sum_to_those_of_the_closed_form(backend: Any) -> None:
-    rng = np.random.default_rng(0)
-    robot = random_robot(rng)
-    motion = random_motion(rng, robot, (1, 2))
+    robot, motion = machine_in_motion(0, (1, 2))
     pi, found = (
         ss.inertial_parameters(robot).values,
         ss.equations_by_parameter(robot, motion, backend=backend),
@@ -28,9 +26,7 @@ def test_terms_by_parameter_sum_to_those_of_the_closed_form(backend: Any) -> Non
 
 
 def test_terms_by_parameter_sum_to_the_regressor() -> None:
-    rng = np.random.default_rng(7)
-    robot = random_robot(rng)
-    motion = random_motion(rng, robot, (4,))
+    robot, motion = machine_in_motion(7, (4,))
     found, Y = ss.equations_by_parameter(robot, motion), ss.regressor(robot, motion)
     twist, rate = (
         np.concatenate(pair, axis=-1) for pair in ((motion.v, motion.omega), (motion.a, motion.alpha))

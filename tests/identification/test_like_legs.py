@@ -7,12 +7,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from command_line import Run
 from machines import random_motion, random_robot
 from noisy_experiments import change
 from robot_files import written
 
 import stewart_sym as ss
-from stewart_sym.cli.main import main
 from stewart_sym.identification.base_parameters import alike
 from stewart_sym.identification.parameters import leg_name, with_parameters
 from stewart_sym.robot.robot import Robot
@@ -133,19 +133,17 @@ def test_values_below_zero_are_named_once_for_all_legs() -> None:
     assert [line.partition(":")[0] for line in found.impossible] == ["C_p"]
 
 
-def test_the_flag_reports_shared_parameters(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_flag_reports_shared_parameters(tmp_path: Path, run: Run) -> None:
     file = written(robot(1), tmp_path / "robot.toml")
     out = ["-o", str(tmp_path / "out"), "--samples", "60", "--candidates", "2", "--sigma", "0.5"]
-    assert main(["identify", str(file), "--shared", "legs", *out]) == 0
-    told = capsys.readouterr().out
+    told = run("identify", file, "--shared", "legs", *out).out
     assert "25 base parameters of 148" in told
     assert "all legs have the same" in told
     data = json.loads((tmp_path / "out" / "report.json").read_text())
     assert (data["shared"], len(data["parameters"])) == ("legs", 25)
     measured = ["--measured", *(str(tmp_path / "out" / name) for name in ("trajectory.csv", "forces.csv"))]
     again = ["-o", str(tmp_path / "again"), "--sigma", "0.5", "--shared", "legs", *measured]
-    assert main(["identify", str(file), *again]) == 0
-    assert "verdict: consistent" in capsys.readouterr().out
+    assert "verdict: consistent" in run("identify", file, *again).out
 
 
 def test_wrong_ways_of_sharing_are_named() -> None:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from command_line import fails_in_one_line, read
+from command_line import Fails, Run, read
 from log_files import NAMES, RATES
 from machines import dasgupta
 from noisy_experiments import change, excited, experiment, robot, truth
@@ -129,10 +129,10 @@ def test_forces_of_impossible_bodies_are_a_misfit_of_possible_ones() -> None:
 STATED = ("--noise-position", "1e-4", "--noise-angle", "1e-4")
 
 
-def test_command_states_noise_and_verdict(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_command_states_noise_and_verdict(tmp_path: Path, run: Run) -> None:
     few = ("--samples", "80", "--candidates", "2")
     simulated = tmp_path / "simulated"
-    assert main(["identify", str(PAPERS), *few, *STATED, "-o", str(simulated)]) == 0
+    run("identify", PAPERS, *few, *STATED, "-o", simulated)
     assert "verdict: consistent" in (simulated / "report.txt").read_text()
     with open(simulated / "trajectory.csv", newline="") as stream:
         assert next(csv.reader(stream)) == NAMES
@@ -140,18 +140,15 @@ def test_command_states_noise_and_verdict(tmp_path: Path, capsys: pytest.Capture
     period = str(ss.choose_excitation(dasgupta(), samples=8, candidates=1).path.period)
     right = tmp_path / "right"
     told = [*measured, *STATED, "--period", period, "--harmonics", "5"]
-    assert main(["identify", str(PAPERS), *told, "-o", str(right)]) == 0
+    run("identify", PAPERS, *told, "-o", right)
     tables = [read(folder / "parameters.csv") for folder in (simulated, right)]
     for before, after in zip(*tables, strict=True):
         off = float(after["estimated"]) - float(before["estimated"])
         assert abs(off) < 1e-2 * float(before["sigma"])
         assert float(after["robot_file"]) == pytest.approx(float(before["true"]))
     assert "robot file: agrees with the forces" in (right / "report.txt").read_text()
-    capsys.readouterr()
     wrong = tmp_path / "wrong"
-    assert main(["identify", str(PAPERS), *measured, "-o", str(wrong)]) == 1
-    err = capsys.readouterr().err
-    assert "--noise-position" in err
+    assert "--noise-position" in run("identify", PAPERS, *measured, "-o", wrong, code=1).err
     assert {row["sigma"] for row in read(wrong / "parameters.csv")} == {"inf"}
     report = (wrong / "report.txt").read_text()
     assert "verdict: rejected" in report
@@ -205,6 +202,6 @@ def test_command_keeps_to_possible_bodies(tmp_path: Path) -> None:
     ],
 )
 def test_command_names_bad_options_in_one_line(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], options: tuple[str, ...], words: str
+    tmp_path: Path, fails: Fails, options: tuple[str, ...], words: str
 ) -> None:
-    assert words in fails_in_one_line(capsys, "identify", PAPERS, *options, "-o", tmp_path / "out")
+    assert words in fails("identify", PAPERS, *options, "-o", tmp_path / "out")

@@ -1,17 +1,16 @@
 """Names with marks of direction, of no width, tags and quotes are read, and shown as text everywhere."""
 
-import sys
 import unicodedata
 from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
 import pytest
+from command_line import Run
 from kits import few_vectors
 from log_files import NAMES, write
 
 import stewart_sym as ss
-from stewart_sym.cli.main import main
 
 MARKED = (
     "\"quoted' </h1><b>&amp; */ ??/ \\ %s ]]> --> \u202egnp.exe\u2066\u200b\u00ad\ufeff\U000e0041\u00a0\u05d0"
@@ -66,16 +65,13 @@ def test_a_name_is_read_with_the_numbers_of_what_is_not_seen(folder: Path) -> No
     ids=" ".join,
 )
 @few_vectors()
-def test_a_marked_name_is_shown_as_text(
-    arguments: Sequence[str], folder: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_marked_name_is_shown_as_text(arguments: Sequence[str], folder: Path, run: Run) -> None:
     robot = ss.Robot.from_toml("marked.toml")
     time = np.linspace(0.0, 1.0, 20)
     turned = 0.01 * np.sin(time)[:, None] * np.ones(6)
     home = np.concatenate([robot.home if robot.home is not None else np.zeros(3), np.zeros(3)])
     write(folder / "log.csv", NAMES, np.column_stack([time, turned + home]))
-    assert main([*arguments]) == 0
-    out, err = capsys.readouterr()
+    out, err = run(*arguments)
     texts = written(folder) | {"terminal": out, "warnings": err}
     for name, text in texts.items():
         assert all_seen(text), name
@@ -84,15 +80,13 @@ def test_a_marked_name_is_shown_as_text(
         assert "</h1><b>" not in text or not name.endswith((".html", ".svg", ".xml", ".sdf", ".urdf")), name
 
 
-def test_a_marked_name_of_a_file_is_shown_as_text(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_marked_name_of_a_file_is_shown_as_text(folder: Path, run: Run) -> None:
     (folder / "marked.toml").rename(folder / "a\u202elmot.toml")
-    assert main(["check", "a\u202elmot.toml"]) == 0
-    assert main(["export", "a\u202elmot.toml", "--format", "mjcf", "-o", "b\u202elmx.xml"]) == 0
-    assert main(["import", "b\u202elmx.xml", "-o", "c\u202e.toml"]) == 0
-    with pytest.raises(SystemExit):
-        sys.exit(main(["check", "no\u202ebody.toml"]))
-    out, err = capsys.readouterr()
-    assert all_seen(out + err)
-    assert "Written to c[U+202E].toml" in out
-    assert "no[U+202E]body.toml" in err
+    checked = run("check", "a\u202elmot.toml")
+    exported = run("export", "a\u202elmot.toml", "--format", "mjcf", "-o", "b\u202elmx.xml")
+    imported = run("import", "b\u202elmx.xml", "-o", "c\u202e.toml")
+    missing = run("check", "no\u202ebody.toml", code=2)
+    assert all_seen("".join([*checked, *exported, *imported, *missing]))
+    assert "Written to c[U+202E].toml" in imported.out
+    assert "no[U+202E]body.toml" in missing.err
     assert all_seen((folder / "c\u202e.toml").read_text(encoding="utf-8"))

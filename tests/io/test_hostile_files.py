@@ -20,13 +20,13 @@ from typing import Any
 import attack_build
 import numpy as np
 import pytest
+from command_line import Run
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from robot_files import PAPERS
 from sweeps import share
 
 import stewart_sym as ss
-from stewart_sym.cli.main import main
 from stewart_sym.motion.log_reader import FORCES as FORCE_NAMES
 from stewart_sym.motion.log_reader import PLAIN, read_csv, read_leg_columns, read_log
 from stewart_sym.robot.robot import Robot
@@ -436,24 +436,21 @@ KINDS = {
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_a_mistake_is_placed_at_its_line(
-    kind: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_mistake_is_placed_at_its_line(kind: str, tmp_path: Path, run: Run) -> None:
     (tmp_path / "robot.toml").write_bytes(ROBOT)
     text, (command, *options) = KINDS[kind]
     (tmp_path / "file.toml").write_text(text.replace("schema = 1\n", "schema = 1\n\nmistake = 1\n", 1))
-    assert main([command, str(tmp_path / "file.toml"), *options]) == 2
     line = text.splitlines().index("schema = 1") + 3
-    told = capsys.readouterr().err
+    told = run(command, tmp_path / "file.toml", *options, code=2).err
     assert "file.toml: mistake: unknown key, " in told
     assert told.endswith(f" (at line {line})\n")
 
 
 @pytest.mark.parametrize(("expected", "got"), list(itertools.permutations(KINDS, 2)))
 def test_a_file_of_another_kind_is_called_what_it_is(
-    tmp_path: Path, expected: str, got: str, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path, expected: str, got: str, run: Run
 ) -> None:
     (tmp_path / "file.toml").write_text(KINDS[got][0])
     command, *options = KINDS[expected][1]
-    assert main([command, str(tmp_path / "file.toml"), *options]) == 2
-    assert capsys.readouterr().err.endswith(f"file.toml: expected a {expected}, got a {got}\n")
+    told = run(command, tmp_path / "file.toml", *options, code=2).err
+    assert told.endswith(f"file.toml: expected a {expected}, got a {got}\n")

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from command_line import fails_in_one_line, folder_state
+from command_line import Fails, Run, folder_state
 from robot_files import PAPERS
 from sweeps import FULL
 
@@ -51,7 +51,7 @@ def at_robot(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     ],
 )
 def test_a_file_of_others_is_not_replaced_without_force(
-    at_robot: Path, command: list[str], name: str, capsys: pytest.CaptureFixture[str]
+    at_robot: Path, command: list[str], name: str, fails: Fails
 ) -> None:
     (at_robot / "swing.toml").write_text(
         'schema = 1\nrobot = "robot.toml"\nduration = 0.01\n[state]\nt = [0.2, 0.0, 0.5]\n'
@@ -59,9 +59,7 @@ def test_a_file_of_others_is_not_replaced_without_force(
     )
     (at_robot / name).write_text("mine")
     before = folder_state(at_robot)
-    assert fails_in_one_line(capsys, *command).endswith(
-        f"{name}: exists with other content; use --force to overwrite"
-    )
+    assert fails(*command).endswith(f"{name}: exists with other content; use --force to overwrite")
     assert folder_state(at_robot) == before
 
 
@@ -79,14 +77,14 @@ TO_ONE_FILE = {
 @pytest.mark.parametrize("name", TO_ONE_FILE)
 @pytest.mark.parametrize("content", ["mine\n", "time,F1,F2,F3,F4,F5,F6\n0,1,2,3,4,5,6\n", '{"mine": 1}\n'])
 def test_a_single_file_of_others_is_not_replaced_without_force(
-    at_robot: Path, name: str, content: str, capsys: pytest.CaptureFixture[str]
+    at_robot: Path, name: str, content: str, fails: Fails
 ) -> None:
     """Measured forces begin with the same columns, and other programs write JSON as well."""
     (at_robot / "path.csv").write_text(RISING)
     (at_robot / name).write_text(content)
     before = folder_state(at_robot)
     said = f"stewart-sym: error: {name}: exists with other content; use --force to overwrite"
-    assert fails_in_one_line(capsys, *TO_ONE_FILE[name]) == said
+    assert fails(*TO_ONE_FILE[name]) == said
     assert folder_state(at_robot) == before
     assert main([*TO_ONE_FILE[name], "--force"]) == 0
     assert (at_robot / name).read_text() != content
@@ -107,25 +105,22 @@ def test_a_single_file_of_the_same_subcommand_or_an_empty_one_is_replaced(at_rob
     assert not (at_robot / RECORD).exists()
 
 
-def test_the_json_of_another_subcommand_is_not_replaced(
-    at_robot: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_the_json_of_another_subcommand_is_not_replaced(at_robot: Path, fails: Fails) -> None:
     assert main(TO_ONE_FILE["figures.json"]) == 0
     asked = [*TO_ONE_FILE["mine.json"][:-1], "figures.json"]
     (at_robot / "path.csv").write_text(RISING)
-    capsys.readouterr()
-    assert "figures.json: exists with other content" in fails_in_one_line(capsys, *asked)
+    assert "figures.json: exists with other content" in fails(*asked)
 
 
 @pytest.mark.parametrize("name", ["path.csv", "robot.toml"])
 @pytest.mark.parametrize("option", ["-o", "--json"])
 def test_an_input_is_no_single_file_to_write_by_force_either(
-    at_robot: Path, option: str, name: str, capsys: pytest.CaptureFixture[str]
+    at_robot: Path, option: str, name: str, fails: Fails
 ) -> None:
     (at_robot / "path.csv").write_text(RISING)
     before = folder_state(at_robot)
     output = ["-o", name] if option == "-o" else ["-o", "forces.csv", "--json", name]
-    line = fails_in_one_line(capsys, "forces", "robot.toml", "path.csv", *output, "--force")
+    line = fails("forces", "robot.toml", "path.csv", *output, "--force")
     assert line.endswith(f"{option} {name}: is an input, name another file")
     assert folder_state(at_robot) == before
 
@@ -175,7 +170,7 @@ def test_an_input_is_never_replaced(tmp_path: Path) -> None:
     ],
 )
 def test_no_file_that_a_subcommand_read_is_replaced_by_force(
-    at_robot: Path, command: list[str], name: str, capsys: pytest.CaptureFixture[str]
+    at_robot: Path, command: list[str], name: str, run: Run
 ) -> None:
     """Files that a scene names are inputs as well."""
     (at_robot / name).write_text(RISING)
@@ -186,8 +181,8 @@ def test_no_file_that_a_subcommand_read_is_replaced_by_force(
     )
     (at_robot / "enough.toml").write_text(f'{shared}motions = ["{name}"]\ntolerance = 0.01\n')
     before = folder_state(at_robot)
-    assert main([*command, "-o", ".", "--force", "--no-pictures"]) == 2
-    assert capsys.readouterr().err.endswith(f"error: {name}: is an input, name another folder\n")
+    told = run(*command, "-o", ".", "--force", "--no-pictures", code=2).err
+    assert told.endswith(f"error: {name}: is an input, name another folder\n")
     assert folder_state(at_robot) == before
 
 
@@ -197,12 +192,9 @@ def test_a_pipe_in_place_of_a_file_is_an_error_and_not_read(tmp_path: Path) -> N
         fill_results(tmp_path, {"x": "1"})
 
 
-def test_an_empty_output_name_is_an_error(
-    capsys: pytest.CaptureFixture[str],
-) -> None:
-    with pytest.raises(SystemExit, match="2"):
-        main(["forces", str(PAPERS), "trajectory.csv", "-o", ""])
-    assert "-o/--output: expected a name, got nothing" in capsys.readouterr().err
+def test_an_empty_output_name_is_an_error(run: Run) -> None:
+    told = run("forces", PAPERS, "trajectory.csv", "-o", "", code=2).err
+    assert "-o/--output: expected a name, got nothing" in told
 
 
 def test_a_replaced_file_keeps_its_permissions_and_a_new_one_has_the_usual(tmp_path: Path) -> None:
@@ -267,14 +259,12 @@ def test_what_killed_runs_left_behind_is_removed_and_what_others_write_is_not(tm
     assert (kept / "old" / "0").read_text() == "the only copy"
 
 
-def test_out_of_memory_is_one_line(
-    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_out_of_memory_is_one_line(fails: Fails, monkeypatch: pytest.MonkeyPatch) -> None:
     def exhausted(path: Path) -> Robot:
         raise MemoryError("Unable to allocate 4 GiB")
 
     monkeypatch.setattr(Robot, "from_toml", exhausted)
-    line = fails_in_one_line(capsys, "check", PAPERS)
+    line = fails("check", PAPERS)
     assert line.endswith("error: out of memory: Unable to allocate 4 GiB")
 
 

@@ -5,7 +5,7 @@ import dataclasses
 import mpmath
 import numpy as np
 import pytest
-from machines import dasgupta, random_motion, random_robot
+from machines import dasgupta, machine_in_motion, random_motion, random_robot
 from numpy.typing import NDArray
 
 import stewart_sym as ss
@@ -31,8 +31,7 @@ def turn_between(exact: mpmath.matrix, R: Array) -> float:
 @pytest.mark.parametrize("off", [0.0, 1e-9, 1e-4])
 def test_the_exact_pose_lies_within_what_is_proven(off: float) -> None:
     rng = np.random.default_rng(1)
-    robot = random_robot(rng)
-    motion = random_motion(rng, robot, (3,))
+    robot, motion = machine_in_motion(rng, (3,))
     L = lengths(robot, motion.R, motion.t)
     R = rotation_from_vector(off * rng.normal(size=(3, 3))) @ motion.R
     t = motion.t + off * rng.normal(size=(3, 3))
@@ -49,8 +48,7 @@ def test_the_exact_pose_lies_within_what_is_proven(off: float) -> None:
 def test_answers_of_forward_kinematics_are_proven_to_rounding() -> None:
     rng = np.random.default_rng(2)
     for _ in range(4):
-        robot = random_robot(rng)
-        motion = random_motion(rng, robot, (2,))
+        robot, motion = machine_in_motion(rng, (2,))
         L = lengths(robot, motion.R, motion.t)
         found = ss.forward_kinematics(robot, L, (motion.R, motion.t))
         proof = ss.certify_pose(robot, L, (found.R, found.t))
@@ -60,8 +58,7 @@ def test_answers_of_forward_kinematics_are_proven_to_rounding() -> None:
 
 def test_what_is_no_pose_of_the_lengths_is_not_proven() -> None:
     rng = np.random.default_rng(3)
-    robot = random_robot(rng, scale=1.0)
-    motion = random_motion(rng, robot, (20,))
+    robot, motion = machine_in_motion(rng, (20,), scale=1.0)
     L = lengths(robot, motion.R, motion.t)
     far = ss.certify_pose(robot, L, (motion.R, motion.t + 0.5 * rng.normal(size=(20, 3))))
     # Where something is proven of a pose so far off, the pose with these lengths is within its bound.
@@ -110,9 +107,7 @@ def test_the_middle_between_two_poses_near_a_singular_one_is_not_proven_as_eithe
 
 
 def test_an_error_of_the_lengths_shows_in_the_bound() -> None:
-    rng = np.random.default_rng(5)
-    robot = random_robot(rng, scale=1.0)
-    motion = random_motion(rng, robot)
+    robot, motion = machine_in_motion(5, scale=1.0)
     L = lengths(robot, motion.R, motion.t)
     for error in (1e-12, 1e-9, 1e-6):
         proof = ss.certify_pose(robot, L + error, (motion.R, motion.t))
@@ -135,9 +130,7 @@ def test_no_pose_proves_nothing_and_bad_arguments_are_named() -> None:
 
 
 def test_scale_does_not_matter_to_a_proof() -> None:
-    rng = np.random.default_rng(7)
-    robot = random_robot(rng, scale=1.0)
-    motion = random_motion(rng, robot)
+    robot, motion = machine_in_motion(7, scale=1.0)
     for scale in (1e-4, 1e3):
         scaled = dataclasses.replace(robot, b=scale * robot.b, p=scale * robot.p)
         t = scale * motion.t

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 from leg_lengths import HOME, STILL, Array, Poses, lengths, nudged, paper_poses
-from machines import dasgupta, machine_size, random_motion, random_robot, rotation
+from machines import dasgupta, machine_in_motion, machine_size, rotation
 from numpy.typing import NDArray
 from sweeps import share
 
@@ -49,9 +49,7 @@ def assert_nothing_is_silent(robot: ss.Robot, L: Array, found: ss.PlatformPose) 
 
 @pytest.mark.parametrize("seed", range(10))
 def test_default_guess_gives_back_the_poses_of_random_machines(seed: int) -> None:
-    rng = np.random.default_rng(seed)
-    robot = random_robot(rng, "spherical" if seed % 2 else "universal")
-    motion = random_motion(rng, robot, (20, 10))
+    robot, motion = machine_in_motion(seed, (20, 10), "spherical" if seed % 2 else "universal")
     L = ss.inverse_kinematics(robot, motion).L
     found = ss.forward_kinematics(robot, L)
     assert_nothing_is_silent(robot, L, found)
@@ -109,8 +107,7 @@ def test_no_pose_of_random_machines_is_missed() -> None:
     others = {"default": 0, "near": 0}
     for seed in range(share(100, 5)):
         rng = np.random.default_rng(seed)
-        robot = random_robot(rng)
-        motion = random_motion(rng, robot, (share(1000),))
+        robot, motion = machine_in_motion(rng, (share(1000),))
         L = ss.inverse_kinematics(robot, motion).L
         near = nudged(rng, motion.R, motion.t, 0.05, 0.05 * machine_size(robot))
         for name, guess in (("default", None), ("near", near)):
@@ -124,8 +121,7 @@ def test_no_pose_of_random_machines_is_missed() -> None:
 def test_platform_is_found_wherever_the_base_stands() -> None:
     for seed in range(15):
         rng = np.random.default_rng(seed)
-        robot = random_robot(rng, scale=1.0)
-        motion = random_motion(rng, robot, (20,))
+        robot, motion = machine_in_motion(rng, (20,), scale=1.0)
         Q, away = rotation(2.0 * rng.normal(size=3)), 3.0 * rng.normal(size=3)
         moved = dataclasses.replace(robot, b=robot.b @ Q.T + away, k=robot.k @ Q.T, g=Q @ robot.g)
         L = lengths(robot, motion.R, motion.t)
@@ -137,9 +133,7 @@ def test_platform_is_found_wherever_the_base_stands() -> None:
 
 
 def test_there_is_no_singularity_where_roll_pitch_yaw_has_one() -> None:
-    rng = np.random.default_rng(5)
-    robot = random_robot(rng, scale=1.0)
-    motion = random_motion(rng, robot, (50,))
+    robot, motion = machine_in_motion(5, (50,), scale=1.0)
     Q = rotation_from_rpy([0.0, 0.5 * np.pi, 0.0])
     turned = dataclasses.replace(robot, b=robot.b @ Q.T, k=robot.k @ Q.T)
     L = lengths(robot, motion.R, motion.t)
@@ -298,30 +292,6 @@ def test_limits_of_the_legs_are_heeded_unless_told_otherwise() -> None:
 
 
 # Velocity and acceleration
-
-
-def test_rates_are_the_derivatives_of_the_poses() -> None:
-    rng = np.random.default_rng(13)
-    robot = random_robot(rng, scale=1.0)
-    motion = random_motion(rng, robot, ())
-    L = ss.inverse_kinematics(robot, motion).L
-    L_dot, L_ddot = rng.normal(size=(2, 6))
-    v, omega = ss.forward_velocity(robot, motion.R, motion.t, L_dot)
-    a, alpha = ss.forward_acceleration(robot, motion.R, motion.t, v, omega, L_ddot)
-    h = 1e-4
-    time = np.array([-h, 0.0, h])[:, None]
-    poses = ss.forward_kinematics(robot, L + L_dot * time + 0.5 * L_ddot * time**2, (motion.R, motion.t))
-    scale = 1.0 + np.linalg.norm(v) ** 3 + np.linalg.norm(omega) ** 3 + np.linalg.norm(a)
-    np.testing.assert_allclose((poses.t[2] - poses.t[0]) / (2 * h), v, atol=1e-5 * scale)
-    np.testing.assert_allclose((poses.t[2] - 2 * poses.t[1] + poses.t[0]) / h**2, a, atol=1e-5 * scale)
-    # R'' R^T = [alpha]x + [omega]x^2, whose skew part is [alpha]x.
-    for found, wanted in (
-        ((poses.R[2] - poses.R[0]) / (2 * h), omega),
-        ((poses.R[2] - 2 * poses.R[1] + poses.R[0]) / h**2, alpha),
-    ):
-        N = found @ motion.R.T
-        skew = 0.5 * np.array([N[2, 1] - N[1, 2], N[0, 2] - N[2, 0], N[1, 0] - N[0, 1]])
-        np.testing.assert_allclose(skew, wanted, atol=1e-5 * scale)
 
 
 def test_rates_at_a_singular_pose_are_rejected() -> None:

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from command_line import fails_in_one_line
+from command_line import Fails, Run
 from leg_lengths import HOME, Array, Poses, lengths, paper_poses
 from machines import dasgupta, random_path, random_robot
 from robot_files import PAPERS
@@ -201,7 +201,7 @@ def test_lengths_without_rates_are_differentiated(tmp_path: Path) -> None:
     assert np.isfinite(forces_of(table)).all()
 
 
-def test_start_chooses_the_assembly_mode(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_start_chooses_the_assembly_mode(tmp_path: Path, run: Run) -> None:
     path, _ = ss.PATHS["I"]
     time = np.linspace(0.0, 6.0, 13)
     motion = path.sample(time)
@@ -209,8 +209,8 @@ def test_start_chooses_the_assembly_mode(tmp_path: Path, capsys: pytest.CaptureF
     legs = ss.inverse_kinematics(dasgupta(), motion)
     start = ["0.1", "0", "-0.4", "0", "0", "-0.2"]
     output = tmp_path / "forces.csv"
-    assert main(["forces", str(PAPERS), str(trajectory), "-o", str(output), "--start", *start]) == 0
-    assert "--start: the platform is below the base, where gravity pulls" in capsys.readouterr().err
+    told = run("forces", PAPERS, trajectory, "-o", output, "--start", *start).err
+    assert "--start: the platform is below the base, where gravity pulls" in told
     guess = rotation_from_rpy([0.0, 0.0, -0.2]), np.array([0.1, 0.0, -0.4])
     below = ss.motion_from_lengths(dasgupta(), legs.L, legs.L_dot, legs.L_ddot, guess)
     assert np.all(below.t[:, 2] < 0.0)
@@ -220,16 +220,10 @@ def test_start_chooses_the_assembly_mode(tmp_path: Path, capsys: pytest.CaptureF
     poses = tmp_path / "poses.csv"
     poses.write_text("time,t_x,t_y,t_z,theta_x,theta_y,theta_z\n" + "0,0.1,0,0.5,0,0,0\n")
     for arguments, expected in (
-        ([str(trajectory), "--start", *start[:5], "nan"], "--start: expected a finite number, got 'nan'"),
-        ([str(poses), "--start", *start], "spline"),
+        ([trajectory, "--start", *start[:5], "nan"], "--start: expected a finite number, got 'nan'"),
+        ([poses, "--start", *start], "spline"),
     ):
-        capsys.readouterr()
-        try:
-            code: object = main(["forces", str(PAPERS), *arguments, "-o", str(output)])
-        except SystemExit as stop:
-            code = stop.code
-        assert code == 2
-        assert expected in capsys.readouterr().err
+        assert expected in run("forces", PAPERS, *arguments, "-o", output, code=2).err
 
 
 GOOD = [",".join(["time", *LEGS]), *(f"{0.1 * i:g},0.6,0.6,0.6,0.6,0.6,0.{60 + i}" for i in range(6))]
@@ -258,17 +252,15 @@ BAD = [
 
 
 @pytest.mark.parametrize(("text", "expected"), BAD)
-def test_bad_lengths_are_one_line(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], text: str, expected: str
-) -> None:
+def test_bad_lengths_are_one_line(tmp_path: Path, fails: Fails, text: str, expected: str) -> None:
     path = tmp_path / "legs.csv"
     path.write_text(text)
-    line = fails_in_one_line(capsys, "forces", PAPERS, path, "-o", tmp_path / "f.csv")
+    line = fails("forces", PAPERS, path, "-o", tmp_path / "f.csv")
     assert line.startswith(f"stewart-sym: error: {path}: {expected}")
     assert not (tmp_path / "f.csv").exists()
 
 
-def test_a_row_without_a_pose_is_one_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_row_without_a_pose_is_one_line(tmp_path: Path, fails: Fails) -> None:
     path, step = ss.PATHS["I"]
     time = path.times(step)
     trajectory = joint_csv(tmp_path / "legs.csv", path.sample(time), time, rates=True)
@@ -278,7 +270,7 @@ def test_a_row_without_a_pose_is_one_line(tmp_path: Path, capsys: pytest.Capture
     lines[20] = ",".join(cells)
     # An empty line counts as a row of the file.
     trajectory.write_text("\n".join([*lines[:3], "", *lines[3:]]))
-    line = fails_in_one_line(capsys, "forces", PAPERS, trajectory, "-o", tmp_path / "f.csv")
+    line = fails("forces", PAPERS, trajectory, "-o", tmp_path / "f.csv")
     assert line.startswith(f"stewart-sym: error: {trajectory}: row 22: the lengths jump here")
     with pytest.raises(ValueError, match=r"legs.csv: expected poses, t_\* and theta_\*, got leg lengths"):
         read_csv(trajectory)

@@ -5,7 +5,6 @@ import dataclasses
 import numpy as np
 import pytest
 from machines import dasgupta, random_robot
-from numpy.typing import NDArray
 
 from stewart_sym.dynamics.inverse import inverse_dynamics
 from stewart_sym.kinematics.inverse import (
@@ -17,8 +16,6 @@ from stewart_sym.kinematics.inverse import (
 )
 from stewart_sym.motion.motion import Motion
 from stewart_sym.motion.rotation import rotation_from_rpy
-
-Array = NDArray[np.float64]
 
 
 def arc(rng: np.random.Generator, h: float) -> tuple[Motion, Motion, Motion]:

@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 import pytest
+from command_line import Run
 from machines import dasgupta, in_axes, machine_size, path_period, random_motion, random_path, random_robot
 from numpy.typing import NDArray
 from robot_files import written
@@ -94,14 +95,12 @@ class Outcomes(NamedTuple):
 @pytest.mark.parametrize(
     "seed", [0, *(pytest.param(seed, marks=pytest.mark.slow) for seed in range(1, SEEDS))]
 )
-def test_subcommands_give_the_mirrored_result_with_z_down(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], seed: int
-) -> None:
+def test_subcommands_give_the_mirrored_result_with_z_down(tmp_path: Path, run: Run, seed: int) -> None:
     robot = standing(seed)
     time = np.linspace(0.0, path_period(robot), 60)
     motion = random_path(np.random.default_rng(seed), robot, load=False)(time)
-    up = outcomes(robot, time, motion, tmp_path / "up", capsys)
-    down = outcomes(in_axes(robot, Z_DOWN), time, motion.in_axes(Z_DOWN), tmp_path / "down", capsys)
+    up = outcomes(robot, time, motion, tmp_path / "up", run)
+    down = outcomes(in_axes(robot, Z_DOWN), time, motion.in_axes(Z_DOWN), tmp_path / "down", run)
     assert len(up.check) == 3
     assert down.check == up.check
     for name, columns in up.tables.items():
@@ -119,9 +118,7 @@ def test_subcommands_give_the_mirrored_result_with_z_down(
         compare_estimates(one, other)
 
 
-def outcomes(
-    robot: ss.Robot, time: Array, motion: ss.Motion, folder: Path, capsys: pytest.CaptureFixture[str]
-) -> Outcomes:
+def outcomes(robot: ss.Robot, time: Array, motion: ss.Motion, folder: Path, run: Run) -> Outcomes:
     folder.mkdir()
     file = str(written(robot, folder / "robot.toml"))
     legs, poses, scene = (str(folder / name) for name in ("legs.csv", "poses.csv", "scene.toml"))
@@ -148,10 +145,8 @@ def outcomes(
     }
     for name, call in calls.items():
         output = folder / name
-        assert main([*call, "-o", str(output if output.parent == folder else output.parent)]) == 0, name
-    capsys.readouterr()
-    assert main(["check", file]) == 0
-    lines = capsys.readouterr().out.splitlines()
+        run(*call, "-o", output if output.parent == folder else output.parent)
+    lines = run("check", file).out.splitlines()
     tables, estimates = {}, []
     for name in calls:
         text = (folder / name).read_text().splitlines()

@@ -14,17 +14,14 @@ def test_rates_are_derivatives_along_a_path(joint: str) -> None:
     robot, _ = offset_case(0, joint, screws=True)
     path, h = random_path(np.random.default_rng(0), robot), 1e-5 * path_period(robot)
     before, now, after = (path(np.array([0.3 * path_period(robot) + step])) for step in (-h, 0.0, h))
-    legs, motors = ss.inverse_kinematics(robot, now), ss.motor_angles(robot, now)
-    pairs = {"L": ("L_dot", "L_ddot"), "L_dot": ("L_ddot", "")}
-    for name, (rate, _) in pairs.items():
-        change = getattr(ss.inverse_kinematics(robot, after), name) - getattr(
-            ss.inverse_kinematics(robot, before), name
-        )
-        wanted = getattr(legs, rate)
-        np.testing.assert_allclose(change / (2 * h), wanted, rtol=0, atol=1e-6 * np.abs(wanted).max())
-    for name, rate in (("angle", "rate"), ("rate", "acceleration")):
-        one, other = (getattr(ss.motor_angles(robot, at), name) for at in (after, before))
-        wanted = getattr(motors, rate)
+    for function, name, rate in (
+        (ss.inverse_kinematics, "L", "L_dot"),
+        (ss.inverse_kinematics, "L_dot", "L_ddot"),
+        (ss.motor_angles, "angle", "rate"),
+        (ss.motor_angles, "rate", "acceleration"),
+    ):
+        one, other = (getattr(function(robot, at), name) for at in (after, before))
+        wanted = getattr(function(robot, now), rate)
         np.testing.assert_allclose((one - other) / (2 * h), wanted, rtol=0, atol=1e-6 * np.abs(wanted).max())
     one, other = (ss.wrench_matrix(robot, at) for at in (after, before))
     wanted = ss.wrench_matrix_rate(robot, now)

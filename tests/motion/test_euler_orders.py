@@ -5,7 +5,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from log_files import write
+from log_files import NAMES, RATES, write
+from motion_fields import UNLOADED, motion_of, waves
 from numpy.typing import NDArray
 
 import stewart_sym as ss
@@ -28,22 +29,15 @@ from stewart_sym.motion.trajectory import Smoothing
 
 Array = NDArray[np.float64]
 
-GROUPS = (("t", "theta"), ("v", "theta_dot"), ("a", "theta_ddot"))
-COLUMNS = ["time", *(f"{name}_{axis}" for group in GROUPS for name in group for axis in "xyz")]
-FIELDS = ("R", "t", "omega", "v", "alpha", "a")
-
 
 def waving(time: Array) -> Array:
     """Coordinates, rates and second rates, (3, n, 6), of large turns in any order."""
-    middle, size = np.array([0.0, 0.0, 0.65, 0.3, -0.2, 0.5]), np.array([0.03, 0.04, 0.02, 0.6, 0.7, 0.5])
-    w = np.array([2.0, 3.0, 2.5, 1.7, 2.2, 1.3])
-    angle = np.outer(time, w) + np.arange(6)
-    rates = size * w * np.cos(angle), -size * w * w * np.sin(angle)
-    return np.array([middle + size * np.sin(angle), *rates])
+    middle, size = [0.0, 0.0, 0.65, 0.3, -0.2, 0.5], np.array([0.03, 0.04, 0.02, 0.6, 0.7, 0.5])
+    return waves(time, middle, size, [2.0, 3.0, 2.5, 1.7, 2.2, 1.3], np.arange(6))
 
 
 def saved(path: Path, time: Array, found: Array) -> Path:
-    return write(path, COLUMNS, np.column_stack([time, *found]))
+    return write(path, [*NAMES, *RATES], np.column_stack([time, *found]))
 
 
 def in_order(motion: Motion, order: str) -> Array:
@@ -54,22 +48,6 @@ def in_order(motion: Motion, order: str) -> Array:
     rates = angle_rates(theta, motion.omega, motion.alpha, order)
     places = (motion.t, motion.v, motion.a)
     return np.array([np.hstack(pair) for pair in zip(places, (theta, *rates), strict=True)])
-
-
-def of_waving(time: Array) -> Motion:
-    """The same numbers as angles of (38)."""
-    (t, theta), (v, theta_dot), (a, theta_ddot) = ((x[:, :3], x[:, 3:]) for x in waving(time))
-    return Motion.from_rpy(t, theta, v, theta_dot, a, theta_ddot)
-
-
-def test_a_turn_about_the_first_axis_of_xyz_is_about_the_base_axis(tmp_path: Path) -> None:
-    found = np.zeros((3, 1, 6))
-    found[0, 0, 2:] = 0.65, 0.0, 0.0, 0.3
-    found[1, 0, 3], found[2, 0, 3] = 0.5, 5.0
-    path = saved(tmp_path / "row.csv", np.zeros(1), found)
-    motion = read_csv(path, ss.LogFormat(euler_order="xyz")).motion
-    np.testing.assert_allclose(motion.omega[0], [0.5, 0.0, 0.0], atol=1e-15)
-    np.testing.assert_allclose(motion.alpha[0], [5.0, 0.0, 0.0], atol=1e-15)
 
 
 @pytest.mark.parametrize("order", EULER_ORDERS)
@@ -92,21 +70,13 @@ def test_angular_velocities_are_those_of_the_rotations_that_the_log_passes(
 @pytest.mark.parametrize("order", EULER_ORDERS)
 def test_one_motion_is_the_same_in_every_order(tmp_path: Path, order: str) -> None:
     time = np.linspace(0.0, 3.0, 61)
-    expected, found = of_waving(time), in_order(of_waving(time), order)
+    expected = motion_of(waving(time))
+    found = in_order(expected, order)
     found[..., 3:] = np.degrees(found[..., 3:])
     form = ss.LogFormat(euler_order=order, angle_unit="deg")
     motion = read_csv(saved(tmp_path / "log.csv", time, found), form).motion
-    for name in FIELDS:
+    for name in UNLOADED:
         np.testing.assert_allclose(getattr(motion, name), getattr(expected, name), atol=1e-12)
-
-
-@pytest.mark.parametrize("order", EULER_ORDERS)
-def test_rates_of_angles_are_the_inverse_of_their_motion(order: str) -> None:
-    x = waving(np.linspace(0.0, 3.0, 31))[..., 3:]
-    R, omega, alpha = motion_about_axes(*x, order)
-    theta = angles_from_rotation(R, order)
-    np.testing.assert_allclose(theta, x[0], atol=1e-14)
-    np.testing.assert_allclose(angle_rates(theta, omega, alpha, order), x[1:], atol=1e-12)
 
 
 @pytest.mark.parametrize("order", EULER_ORDERS)

@@ -3,12 +3,12 @@
 import dataclasses
 import itertools
 import re
-import warnings
 from collections.abc import Callable
 
 import numpy as np
 import pytest
-from noisy_logs import WHITE, Case, case, coordinates, from_poses, logged, motion
+from motion_fields import motion_of
+from noisy_logs import WHITE, Case, case, coordinates, from_poses, logged, read
 from numpy.typing import NDArray
 from whole_track import track
 
@@ -16,7 +16,7 @@ import stewart_sym as ss
 from stewart_sym.motion.log_faults import Fault, faults, offsets, plateaus, slower_sampling, spread
 from stewart_sym.motion.log_rates import rates_of
 from stewart_sym.motion.noise_level import noise_level, rounding_steps, varying_noise
-from stewart_sym.motion.trajectory import Log, Trajectory
+from stewart_sym.motion.trajectory import Log
 
 Array = NDArray[np.float64]
 FAULTS = ("repeated", "missing", "step", "spike", "zeros")
@@ -39,13 +39,6 @@ def corrupted(kind: str, time: Array, values: Array, i: int) -> tuple[Array, Arr
     else:
         values[i, 0] += 50 * WHITE
     return time, values
-
-
-def read(time: Array, values: Array) -> tuple[Trajectory, list[str]]:
-    """The trajectory of poses, and warnings."""
-    with warnings.catch_warnings(record=True, action="always") as caught:
-        found = from_poses(time, values[:, :3], values[:, 3:])
-    return found, [str(each.message) for each in caught]
 
 
 def true_forces(one: Case, kind: str, i: int) -> Array:
@@ -195,7 +188,7 @@ def test_correlated_noise_is_told_and_its_deviations_cover_the_errors(keeps: flo
         true[0, :, :3] += one.true[0, 0, :3]
         found, told = read(time, true[0] + WHITE * correlated(rng, true[0].shape, keeps))
         assert any("it is correlated" in line for line in told), told
-        F, expected = (ss.inverse_dynamics(one.robot, each).F for each in (found.motion, motion(true)))
+        F, expected = (ss.inverse_dynamics(one.robot, each).F for each in (found.motion, motion_of(true)))
         inside.append(np.mean(np.abs(F - expected) < 1.96 * ss.force_deviations(one.robot, found)))
     assert np.mean(inside) > 0.88
 
@@ -220,7 +213,7 @@ def test_noise_that_grows_for_a_while_is_named_and_deviations_follow_it(times: f
         )
         assert factor == pytest.approx(times, rel=0.35)
         assert (first, last) == (pytest.approx(2.0, abs=0.5), pytest.approx(3.5, abs=0.5))
-        F, expected = (ss.inverse_dynamics(one.robot, each).F for each in (found.motion, motion(true)))
+        F, expected = (ss.inverse_dynamics(one.robot, each).F for each in (found.motion, motion_of(true)))
         z = np.abs(F - expected) / ss.force_deviations(one.robot, found)
         inside.append(np.mean(z < 1.96))
         beyond.append(np.mean(z[200:350] > 4.0))
@@ -287,7 +280,7 @@ def test_a_slow_sensor_beside_a_fast_one_is_told_and_forces_hold_within_their_de
     assert any(line.startswith(f"poses: {name} of 1000 rows are ") for line in told), told
     assert any(" between 200 measured ones" in line for line in told), told
     assert not any(OFF in line for line in told)
-    F, expected = (ss.inverse_dynamics(one.robot, each).F for each in (found.motion, motion(true)))
+    F, expected = (ss.inverse_dynamics(one.robot, each).F for each in (found.motion, motion_of(true)))
     sd = ss.force_deviations(one.robot, found)
     assert np.abs(F - expected)[:-every].max() < 0.005 * np.abs(expected).max()
     assert np.all(np.abs(F - expected)[-every:] < 3.0 * sd[-every:] + 0.001 * np.abs(expected).max())

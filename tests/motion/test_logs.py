@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from command_line import Run
 from log_files import LENGTHS, NAMES, poses, write
 from machines import dasgupta, home_position, machine_size, random_robot
 from numpy.typing import NDArray
@@ -16,7 +17,6 @@ from robot_files import PAPERS
 from whole_track import track
 
 import stewart_sym as ss
-from stewart_sym.cli.main import main
 from stewart_sym.cli.terminal import one_line
 from stewart_sym.kinematics.log_doubts import angle_doubt, length_doubt, side_doubt
 from stewart_sym.motion.log_reader import FORCES, PLAIN, read_csv, read_leg_columns
@@ -161,20 +161,13 @@ def test_the_unit_of_lengths_is_told_by_the_machines_size(limits: bool) -> None:
     assert "the log of another machine" in str(length_doubt(robot, 1e5 * L))
 
 
-def test_lengths_that_no_machine_has_are_warned_of_with_their_unit(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_lengths_that_no_machine_has_are_warned_of_with_their_unit(tmp_path: Path, run: Run) -> None:
     table = poses() * [1.0, *[1e2] * 3, *[1.0] * 3]
-    for names, numbers in (
-        (NAMES, table),
-        (
-            ["time", *LENGTHS],
-            np.column_stack([table[:, 0], 1e2 * legs_of(dasgupta(), poses())]),
-        ),
-    ):
+    lengths = np.column_stack([table[:, 0], 1e2 * legs_of(dasgupta(), poses())])
+    for names, numbers, code in ((NAMES, table, 0), (["time", *LENGTHS], lengths, 2)):
         log = write(tmp_path / "log.csv", names, numbers)
-        main(["forces", str(PAPERS), str(log), "-o", str(tmp_path / "f.csv")])
-        assert "are they in another unit (--length-unit cm" in capsys.readouterr().err
+        told = run("forces", PAPERS, log, "-o", tmp_path / "f.csv", code=code).err
+        assert "are they in another unit (--length-unit cm" in told
 
 
 def test_small_angles_in_degrees_are_told_by_what_the_legs_allow() -> None:
@@ -248,15 +241,14 @@ def limited(folder: Path, limit: float) -> Path:
     return path
 
 
-def test_forces_reads_a_foreign_log_and_sums_up(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_forces_reads_a_foreign_log_and_sums_up(tmp_path: Path, run: Run) -> None:
     robot = limited(tmp_path, 1e5)
     table = np.round(poses(400) / [1e-3, 1e-3, 1e-3, 1e-3, *[np.pi / 180.0] * 3], 2)
     log = write(tmp_path / "log.csv", ["t", "X", "Y", "Z", "A", "B", "C"], table, ";", ",")
     columns = "time=t,t_x=X,t_y=Y,t_z=Z,theta_x=A,theta_y=B,theta_z=C"
     units = ["--length-unit", "mm", "--angle-unit", "deg", "--time-unit", "ms", "--rate", "50"]
     out = tmp_path / "f.csv"
-    assert main(["forces", str(robot), str(log), "-o", str(out), "--columns", columns, *units]) == 0
-    told = capsys.readouterr()
+    told = run("forces", robot, log, "-o", out, "--columns", columns, *units)
     assert "smoothed" in told.err
     assert "101 instants, 0 to 2 s" in told.out
     assert "100000 kept" in told.out
@@ -264,24 +256,21 @@ def test_forces_reads_a_foreign_log_and_sums_up(tmp_path: Path, capsys: pytest.C
     assert header[7:13] == [f"F{leg}_sd" for leg in range(1, 7)]
 
 
-def test_a_rate_that_leaves_few_instants_is_warned_of(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_rate_that_leaves_few_instants_is_warned_of(tmp_path: Path, run: Run) -> None:
     log = write(tmp_path / "log.csv", NAMES, poses())
     for rate, words in (("0.1", "1 instant of"), ("2", "5 instants of"), ("5", "")):
-        assert main(["forces", str(PAPERS), str(log), "-o", str(tmp_path / "f.csv"), "--rate", rate]) == 0
-        told = capsys.readouterr().err
+        told = run("forces", PAPERS, log, "-o", tmp_path / "f.csv", "--rate", rate).err
         expected = f"log.csv: {words} 2 s at a rate of {rate} Hz, of 41 rows: what happens between"
         assert expected in told if words else "at a rate" not in told
 
 
-def test_a_limit_within_the_noise_is_not_decided(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_limit_within_the_noise_is_not_decided(tmp_path: Path, run: Run) -> None:
     table = poses(400)
     exact = ss.inverse_dynamics(dasgupta(), read_csv(write(tmp_path / "c.csv", NAMES, table)).motion).F
     robot = limited(tmp_path, float(np.abs(exact).max()))
     log = write(tmp_path / "log.csv", NAMES, np.column_stack([table[:, 0], np.round(table[:, 1:], 3)]))
-    assert main(["forces", str(robot), str(log), "-o", str(tmp_path / "f.csv")]) == 0
-    assert "force_limit not decided at this noise by leg" in capsys.readouterr().err
+    told = run("forces", robot, log, "-o", tmp_path / "f.csv").err
+    assert "force_limit not decided at this noise by leg" in told
 
 
 def test_the_share_by_which_a_peak_may_be_higher_follows_from_the_numbers_beside_it(tmp_path: Path) -> None:
@@ -303,13 +292,10 @@ def test_the_share_by_which_a_peak_may_be_higher_follows_from_the_numbers_beside
     assert share == pytest.approx(peak_noise(F, ss.force_deviations(dasgupta(), trajectory)).max(), rel=0.01)
 
 
-def test_noise_that_no_force_shows_is_a_line_of_the_summary(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_noise_that_no_force_shows_is_a_line_of_the_summary(tmp_path: Path, run: Run) -> None:
     table = poses(400)
     log = write(tmp_path / "log.csv", NAMES, np.column_stack([table[:, 0], np.round(table[:, 1:], 9)]))
-    assert main(["forces", str(PAPERS), str(log), "-o", str(tmp_path / "f.csv")]) == 0
-    told = capsys.readouterr()
+    told = run("forces", PAPERS, log, "-o", tmp_path / "f.csv")
     assert "noise" not in told.err
     assert re.search(r"noise of [23]\.\de-10 m and", told.out), told.out
 
@@ -322,18 +308,15 @@ def test_hints_name_a_row_of_units_where_no_option_has_them() -> None:
     )
 
 
-def test_hints_name_arguments_in_python_and_options_on_the_command_line(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_hints_name_arguments_in_python_and_options_on_the_command_line(tmp_path: Path, run: Run) -> None:
     log = write(tmp_path / "log.csv", ["ms", *NAMES[1:]], poses())
     with pytest.raises(ValueError, match=r"give LogFormat\(columns=\{NAME: HEADER, ...\}\)$") as error:
         read_csv(log)
     assert "--" not in str(error.value)
-    assert main(["forces", str(PAPERS), str(log), "-o", str(tmp_path / "f.csv")]) == 2
-    assert capsys.readouterr().err.endswith("give --columns NAME=HEADER,...\n")
+    told = run("forces", PAPERS, log, "-o", tmp_path / "f.csv", code=2).err
+    assert told.endswith("give --columns NAME=HEADER,...\n")
     late = write(tmp_path / "late.csv", NAMES, poses() * [1e6, *[1.0] * 6])
-    assert main(["forces", str(PAPERS), str(late), "-o", str(tmp_path / "f.csv")]) == 0
-    assert "another unit (--time-unit us)?" in capsys.readouterr().err
+    assert "another unit (--time-unit us)?" in run("forces", PAPERS, late, "-o", tmp_path / "f.csv").err
 
 
 @pytest.mark.parametrize(
@@ -347,16 +330,10 @@ def test_hints_name_arguments_in_python_and_options_on_the_command_line(
         (["--noise-angle", "0"], "expected a number > 0"),
     ],
 )
-def test_bad_options_are_one_line(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], options: list[str], words: str
-) -> None:
+def test_bad_options_are_one_line(tmp_path: Path, run: Run, options: list[str], words: str) -> None:
     log = write(tmp_path / "log.csv", NAMES, poses())
-    try:
-        code = main(["forces", str(PAPERS), str(log), "-o", str(tmp_path / "f.csv"), *options])
-    except SystemExit as done:
-        code = int(str(done.code))
-    assert code == 2
-    assert words in capsys.readouterr().err.splitlines()[-1]
+    told = run("forces", PAPERS, log, "-o", tmp_path / "f.csv", *options, code=2).err
+    assert words in told.splitlines()[-1]
     assert not (tmp_path / "f.csv").exists()
 
 

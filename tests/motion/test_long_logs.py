@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import whole_track
+from command_line import Run
 from log_files import POSE, RATES
 from robot_files import PAPERS
 
@@ -103,14 +104,6 @@ def test_columns_are_read_in_less_room_than_their_text() -> None:
     assert most < 2.0 * len(text)
 
 
-@pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
-def test_line_ends_of_all_systems_are_read(end: str) -> None:
-    text = end.join(["time,a", "0.0,1.5", "1.0,2.5", ""])
-    columns, rows, *_ = read_columns(BytesIO(text.encode()), "log", lambda *_: None, LogFormat())
-    assert columns["a"].tolist() == [1.5, 2.5]
-    assert list(rows) == [2, 3]
-
-
 def test_a_track_in_parts_is_that_of_the_whole(monkeypatch: pytest.MonkeyPatch) -> None:
     robot, given = dasgupta1998(), trajectory(100)
     whole = whole_track.track(robot, given)
@@ -183,30 +176,26 @@ def test_forces_of_a_log_with_rates_take_a_few_numbers_of_room_for_each_row(
 )
 def test_what_is_wrong_deep_in_a_log_is_named_and_nothing_is_written(
     tmp_path: Path,
-    capsys: pytest.CaptureFixture[str],
+    run: Run,
     spoil: Callable[[list[bytes]], list[bytes]],
     words: str,
 ) -> None:
     log = full_log(tmp_path / "log.csv", 10_000)
     log.write_bytes(b"".join(spoil(log.read_bytes().splitlines(keepends=True))))
-    assert main(["forces", str(PAPERS), str(log), "-o", "-"]) == 2
-    told = capsys.readouterr()
+    told = run("forces", PAPERS, log, "-o", "-", code=2)
     assert told.out == ""
     assert words in told.err
     assert len(told.err.splitlines()) == 1
 
 
-def test_an_unsolvable_pose_deep_in_a_log_leaves_no_output(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_an_unsolvable_pose_deep_in_a_log_leaves_no_output(tmp_path: Path, run: Run) -> None:
     log = full_log(tmp_path / "log.csv", 20_001)
     lines = log.read_text().splitlines()
     base = ss.Robot.from_toml(PAPERS).b[0] - ss.Robot.from_toml(PAPERS).p[0]
     zero = ",".join(map(repr, [*base.tolist(), *[0.0] * 15]))
     lines[20_001] = lines[20_001].partition(",")[0] + "," + zero
     log.write_text("\n".join(lines) + "\n")
-    assert main(["forces", str(PAPERS), str(log), "-o", "-"]) == 2
-    told = capsys.readouterr()
+    told = run("forces", PAPERS, log, "-o", "-", code=2)
     assert (told.out, "row 20002: " in told.err) == ("", True)
 
 

@@ -7,7 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 from log_files import LENGTHS, NAMES, RATES, write
-from noisy_logs import WHITE, Array, Case, case, from_poses, logged, motion
+from motion_fields import motion_of
+from noisy_logs import WHITE, Array, Case, case, from_poses, logged, read
 from sweeps import share
 
 import stewart_sym as ss
@@ -25,11 +26,6 @@ from stewart_sym.studies.reports.track import NOISE_SHARE, peak_noise
 NOISES = ("3", "4", "5", "white")
 
 
-def smoothed(time: Array, values: Array) -> Trajectory:
-    with warnings.catch_warnings(action="ignore", category=ss.LogWarning):
-        return from_poses(time, values[:, :3], values[:, 3:])
-
-
 @pytest.fixture(scope="module", params=[4, pytest.param(share(200, 10), marks=pytest.mark.slow)])
 def sweep(request: pytest.FixtureRequest) -> dict[str, list[tuple[Case, Array, Array]]]:
     """Cases with smoothed forces and their deviations, (n, 6), for each kind of noise."""
@@ -37,7 +33,7 @@ def sweep(request: pytest.FixtureRequest) -> dict[str, list[tuple[Case, Array, A
     for seed in range(request.param):
         one = case(seed)
         for noise in NOISES:
-            trajectory = smoothed(one.time, logged(one, noise, seed))
+            trajectory, _ = read(one.time, logged(one, noise, seed))
             F = ss.inverse_dynamics(one.robot, trajectory.motion).F
             found[noise].append((one, F, ss.force_deviations(one.robot, trajectory)))
     return found
@@ -165,7 +161,7 @@ def test_noise_of_few_rows_is_found_and_its_deviations_cover_the_errors(count: i
     runs, found = [], []
     for seed in range(10):
         one = first_rows(seed, count)
-        trajectory = smoothed(one.time, np.round(logged(one, "white", seed), 7))
+        trajectory, _ = read(one.time, np.round(logged(one, "white", seed), 7))
         F = ss.inverse_dynamics(one.robot, trajectory.motion).F
         runs.append((one, F, ss.force_deviations(one.robot, trajectory)))
         assert trajectory.noise is not None
@@ -274,14 +270,14 @@ def test_deviations_of_leg_lengths_reach_the_forces(tmp_path: Path) -> None:
     runs = []
     for seed in range(4):
         one = case(seed)
-        legs = ss.inverse_kinematics(one.robot, motion(one.true))
+        legs = ss.inverse_kinematics(one.robot, motion_of(one.true))
         table = np.round(np.hstack([one.time[:, None], legs.L]), 5)
         path = write(tmp_path / "log.csv", ["time", *LENGTHS], table)
         with pytest.warns(ss.LogWarning, match="smoothed"):
             log = read_log(path)
         assert isinstance(log, JointTrajectory)
         log = log._replace(time=one.time)
-        trajectory = on_platform(one.robot, log, (motion(one.true).R[0], one.true[0, 0, :3]))
+        trajectory = on_platform(one.robot, log, (motion_of(one.true).R[0], one.true[0, 0, :3]))
         F = ss.inverse_dynamics(one.robot, trajectory.motion).F
         runs.append((one, F, ss.force_deviations(one.robot, trajectory)))
     assert coverage(runs, 1.0) == pytest.approx(0.68, abs=0.1)
@@ -290,7 +286,7 @@ def test_deviations_of_leg_lengths_reach_the_forces(tmp_path: Path) -> None:
 
 def test_deviations_of_leg_lengths_are_those_of_displaced_legs() -> None:
     one, n = case(0), 3
-    robot, state = one.robot, motion(one.true[:, :n])
+    robot, state = one.robot, motion_of(one.true[:, :n])
     legs = ss.inverse_kinematics(robot, state)
     spread = np.array([[2e-6, 0.0, 0.0], [1e-5, 3e-5, 0.0], [-4e-4, 2e-4, 5e-4]])
     covariance = np.broadcast_to((spread @ spread.T)[np.tril_indices(3)], (n, 6, 6))
@@ -311,7 +307,7 @@ def test_deviations_of_leg_lengths_are_those_of_displaced_legs() -> None:
 
 def test_resampling_keeps_the_path_and_its_deviations() -> None:
     one = case(2)
-    trajectory = smoothed(one.time, logged(one, "4", 2))
+    trajectory, _ = read(one.time, logged(one, "4", 2))
     rate = 3.0 / float(np.median(np.diff(one.time)))
     found = ss.resampled(trajectory, rate)
     np.testing.assert_allclose(np.diff(found.time), 1.0 / rate)

@@ -1,10 +1,8 @@
 """Rows that stand still or are few, and lines beside white noise: named, and held by deviations."""
 
-import warnings
-
 import numpy as np
 import pytest
-from noisy_logs import Array, from_poses
+from noisy_logs import Array, read
 
 from stewart_sym.motion.noise.lines import lines
 from stewart_sym.motion.noise.still_rows import still_rows
@@ -22,14 +20,6 @@ def there_and_back(time: Array) -> Array:
         u = np.clip((time - start) / 0.9, 0.0, 1.0)
         found += sign * np.array([rise(u), rise.deriv(2)(u) / 0.81])
     return found[..., None] * WAYS
-
-
-def told(time: Array, values: Array) -> tuple[Trajectory, list[str]]:
-    """The trajectory of poses, (n, 6), and the warnings about it."""
-    with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always")
-        trajectory = from_poses(time, values[:, :3], values[:, 3:])
-    return trajectory, [str(each.message) for each in caught]
 
 
 def off(trajectory: Trajectory, second: Array) -> Array:
@@ -51,7 +41,7 @@ def test_rows_at_rest_tell_nothing_of_the_noise(rate: int, held: str, rest: floa
     for start, end in ((0.0, 1.0), (1.9, 2.6), (3.5, 9.0)):
         still = (time >= start) & (time <= end)
         values[still] = (true if held == "exact" else values)[still][0]
-    trajectory, said = told(time, values)
+    trajectory, said = read(time, values)
     assert trajectory.noise is not None
     np.testing.assert_allclose(trajectory.noise.sigma, SIGMA, rtol=0.3)
     z = off(trajectory, second)
@@ -72,7 +62,7 @@ def test_some_numbers_at_rest_tell_nothing_of_their_noise(
     for start, end in rests:
         still = (time >= start) & (time <= end)
         values[np.ix_(still, columns)] = values[still][0, columns]
-    trajectory, said = told(time, values)
+    trajectory, said = read(time, values)
     assert trajectory.noise is not None
     np.testing.assert_allclose(trajectory.noise.sigma, SIGMA, rtol=0.3)
     assert np.abs(off(trajectory, second)).max() < 6.0
@@ -98,7 +88,7 @@ def test_rows_that_hardly_scatter_beside_noisy_ones_end_in_no_error() -> None:
     moves = ((time > 1.0) & (time < 1.9)) | ((time > 2.6) & (time < 3.5))
     rng = np.random.default_rng(0)
     noisy = true + SIGMA * np.where(moves, 1.0, 1e-7)[:, None] * rng.normal(size=true.shape)
-    trajectory, _ = told(time, noisy)
+    trajectory, _ = read(time, noisy)
     assert np.isfinite(np.asarray(trajectory.motion.a)).all()
 
 
@@ -110,7 +100,7 @@ def test_vibration_is_named_and_its_forces_are_in_the_deviations(frequency: floa
     phase = np.array([0.3, 1.0, 2.0, 3.0, 4.0, 5.0])
     wave = amplitude * SIGMA * np.sin(2.0 * np.pi * frequency * time[:, None] + phase)
     noisy = true + wave + SIGMA * np.random.default_rng(1).normal(size=true.shape)
-    trajectory, said = told(time, noisy)
+    trajectory, said = read(time, noisy)
     assert sum(f"vibration of {frequency:.2g}" in line for line in said) == 1
     z = off(trajectory, second - (2.0 * np.pi * frequency) ** 2 * wave)
     assert 0.3 < np.sqrt(np.mean(z[20:-20] ** 2)) < 1.3
@@ -128,7 +118,7 @@ def test_a_motion_whose_accelerations_jump_has_no_line() -> None:
     ramps = np.maximum(time[:, None] - [0.7, 0.825, 1.3, 1.425], 0.0)
     true = (ramps**2 @ np.array([1.0, -1.0, -1.0, 1.0]))[:, None] * np.ones(6)
     for seed in range(5):
-        _, said = told(time, true + 5e-5 * np.random.default_rng(seed).normal(size=true.shape))
+        _, said = read(time, true + 5e-5 * np.random.default_rng(seed).normal(size=true.shape))
         assert not any("vibration" in line for line in said)
 
 
@@ -139,7 +129,7 @@ def test_small_noise_beside_a_motion_of_few_rows_a_period_is_found(share: float)
     time = np.arange(150) / rate
     wave = 1e-3 * np.sin(10.0 * np.pi * time[:, None] + phase)
     values = np.round(wave + 1e-6 * np.random.default_rng(3).normal(size=wave.shape), 9)
-    trajectory, _ = told(time, values)
+    trajectory, _ = read(time, values)
     assert trajectory.noise is not None
     np.testing.assert_allclose(trajectory.noise.sigma, 1e-6, rtol=0.4)
     z = off(trajectory, -((10.0 * np.pi) ** 2) * wave)
@@ -159,7 +149,7 @@ def sinusoids(per_period: float, frequency: float, start: float) -> tuple[Array,
 @pytest.mark.parametrize("start", [0.0, 0.037, 0.081])
 def test_few_rows_a_period_are_named_and_their_errors_held(per_period: float, start: float) -> None:
     time, values, second = sinusoids(per_period, 2.0, start)
-    trajectory, said = told(time, values)
+    trajectory, said = read(time, values)
     assert sum("rows are too far apart" in line for line in said) == 1, said
     assert trajectory.noise is not None
     noise, off = trajectory.noise, np.abs(trajectory.noise.coordinates[2] - second)
@@ -172,7 +162,7 @@ def test_few_rows_a_period_are_named_and_their_errors_held(per_period: float, st
 @pytest.mark.parametrize("per_period", [16.0, 30.0, 200.0])
 def test_many_rows_a_period_are_not_named(per_period: float) -> None:
     time, values, _ = sinusoids(per_period, 2.0, 0.0)
-    trajectory, said = told(time, values)
+    trajectory, said = read(time, values)
     assert said == []
     assert trajectory.noise is None
 
@@ -183,7 +173,7 @@ def test_rounding_that_no_acceleration_shows_is_not_smoothed_beside_jumps(decima
     time = np.arange(100) / 100.0
     u, V = np.clip(time - 0.12, 0.0, 0.76), 1.0 / 0.57
     way = np.where(u < 0.19, u**2 / 0.38, np.where(u < 0.57, u - 0.095, 0.57 - (0.76 - u) ** 2 / 0.38)) * V
-    trajectory, _ = told(time, np.round(way[:, None] * WAYS, decimals))
+    trajectory, _ = read(time, np.round(way[:, None] * WAYS, decimals))
     assert trajectory.motion.a is not None
     rest = np.abs(trajectory.motion.a[:6]).max()
     assert rest < 0.005 * np.abs(trajectory.motion.a).max()

@@ -5,12 +5,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from command_line import Run
 from log_files import NAMES, write
 from noisy_logs import Array, case
 from robot_files import PAPERS
 
 import stewart_sym as ss
-from stewart_sym.cli.main import main
 from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.motion.logs import LogFormat
 from stewart_sym.motion.noise.in_log import doubt_of_noise
@@ -109,14 +109,11 @@ def test_a_statement_is_compared_with_the_motion_where_no_scatter_shows(
         read_csv(log, metres, ss.Smoothing(1e300))
 
 
-def test_options_of_noise_are_in_the_units_of_the_log(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_options_of_noise_are_in_the_units_of_the_log(tmp_path: Path, run: Run) -> None:
     log = written(tmp_path, 0.1, 0.02)
     units = ["--length-unit", "mm", "--angle-unit", "deg"]
     stated = ["--noise-position", "0.1", "--noise-angle", "0.02"]
-    assert main(["forces", str(PAPERS), str(log), "-o", str(tmp_path / "f.csv"), *units, *stated]) == 0
-    told = capsys.readouterr()
+    told = run("forces", PAPERS, log, "-o", tmp_path / "f.csv", *units, *stated)
     assert "noise of 0.0001 m and 0.00035 rad in the log" in told.err
     assert "stated" not in told.err
     with warnings.catch_warnings(action="ignore"):
@@ -160,12 +157,8 @@ def test_a_cutoff_beyond_half_the_rate_is_the_error_alone(tmp_path: Path) -> Non
 
 
 @pytest.mark.parametrize("option", ["--noise-position", "--noise-angle", "--cutoff"])
-def test_what_is_known_of_noise_is_not_silently_ignored(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], option: str
-) -> None:
+def test_what_is_known_of_noise_is_not_silently_ignored(tmp_path: Path, run: Run, option: str) -> None:
     log = written(tmp_path, 0.1, 0.02)
     out = ["-o", str(tmp_path / "f.csv"), "--no-smoothing", option, "0.1"]
-    assert main(["forces", str(PAPERS), str(log), *out]) == 2
-    assert capsys.readouterr().err == (
-        f"stewart-sym: error: {option}: is for smoothing, expected no --no-smoothing beside it\n"
-    )
+    told = run("forces", PAPERS, log, *out, code=2).err
+    assert told == (f"stewart-sym: error: {option}: is for smoothing, expected no --no-smoothing beside it\n")

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 from log_files import LENGTHS, NAMES, POSE, write
 from machines import home_position, machine_size, random_robot
-from noisy_logs import WHITE, Array, coordinates, motion
+from motion_fields import motion_of
+from noisy_logs import WHITE, Array, coordinates
 
 import stewart_sym as ss
 from stewart_sym.io.instants import elapsed, lost
@@ -36,7 +37,7 @@ def values(kind: str, rate: int, noise: float) -> Array:
     q[0, :, :3] += home_position(ROBOT.b, size)
     found = q[0]
     if kind == "lengths":
-        poses = motion(q)
+        poses = motion_of(q)
         found = leg_vectors(ROBOT, poses.R, poses.t)[2]
     return np.asarray(found + noise * rng.normal(size=found.shape))
 
@@ -111,7 +112,7 @@ def test_digits_beyond_a_double_count_as_noise(tmp_path: Path) -> None:
         late = read_csv(path)
     assert late.noise is not None
     assert (late.noise.sigma > 0.0).all()
-    off = np.abs(forces(late) - ss.inverse_dynamics(ROBOT, motion(q)).F)
+    off = np.abs(forces(late) - ss.inverse_dynamics(ROBOT, motion_of(q)).F)
     assert (off < 5.0 * ss.force_deviations(ROBOT, late)).mean() > 0.99
 
 

@@ -5,13 +5,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from command_line import Run
 from log_files import LENGTHS, NAMES, write
-from machines import random_motion, random_robot
-from motion_fields import FIELDS
+from machines import machine_in_motion, random_motion, random_robot
+from motion_fields import FIELDS, motion_of, waves
 from robot_files import written
 
 import stewart_sym as ss
-from stewart_sym.cli.main import main
 from stewart_sym.dynamics.force_noise import force_deviations
 from stewart_sym.kinematics.robot_logs import read_log_of, trajectory_for
 from stewart_sym.motion.log_reader import FORCES, read_csv
@@ -36,10 +36,8 @@ RATES, TURNS = np.array([3.0, 2.0, 1.5]), np.array([0.1, 0.08, 0.12])
 
 def waving(time: np.ndarray) -> Motion:
     """A motion of the reference point."""
-    middle, size = np.array([0.0, 0.0, 0.65]), np.array([0.05, 0.04, 0.03])
-    s, c = np.sin(np.outer(time, RATES)), np.cos(np.outer(time, RATES))
-    rates = (size * RATES * c, -TURNS * RATES * s, -size * RATES**2 * s, -TURNS * RATES**2 * c)
-    return Motion.from_rpy(middle + size * s, TURNS * c, *rates)
+    size, phase = np.array([0.05, 0.04, 0.03, *TURNS]), np.repeat([0.0, 0.5 * np.pi], 3)
+    return motion_of(waves(time, [0.0, 0.0, 0.65, 0.0, 0.0, 0.0], size, np.tile(RATES, 2), phase))
 
 
 def tool_poses(time: np.ndarray) -> np.ndarray:
@@ -74,8 +72,7 @@ def test_a_machine_named_by_another_reference_point_needs_the_same_forces() -> N
     """Loads included: the wrench is that about the new point."""
     rng = np.random.default_rng(31)
     for _ in range(5):
-        robot = random_robot(rng)
-        motion = random_motion(rng, robot, (3,))
+        robot, motion = machine_in_motion(rng, (3,))
         other = dataclasses.replace(robot, p=robot.p - TOOL, R_0=robot.R_0 - TOOL)
         expected = ss.inverse_dynamics(robot, motion).F
         found = ss.inverse_dynamics(other, motion.about_point(TOOL)).F
@@ -142,9 +139,7 @@ def test_the_robot_file_says_in_which_order_rotations_are_multiplied(robot: Robo
     np.testing.assert_allclose(stated.motion.R, rotation_about_axes(theta, "zyx"), atol=1e-14)
 
 
-def test_relative_lengths_are_less_those_of_the_home_pose(
-    robot: Robot, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_relative_lengths_are_less_those_of_the_home_pose(robot: Robot, tmp_path: Path, run: Run) -> None:
     time = np.linspace(0.0, 1.0, 101)
     motion = waving(time)
     L = ss.inverse_kinematics(robot, motion).L
@@ -154,13 +149,12 @@ def test_relative_lengths_are_less_those_of_the_home_pose(
     for form in (ss.LogFormat(), ss.LogFormat(length_unit="m")):
         np.testing.assert_allclose(read_log_of(own, path, form).L, L, rtol=1e-14)
     file, out = written(own, tmp_path / "robot.toml"), tmp_path / "forces.csv"
-    assert main(["forces", str(file), str(path), "-o", str(out)]) == 0
-    capsys.readouterr()
+    run("forces", file, path, "-o", out)
     forces = np.genfromtxt(out, delimiter=",", names=True)
     expected = ss.inverse_dynamics(robot, motion).F
     np.testing.assert_allclose(forces["F1"][10:-10], expected[10:-10, 0], rtol=1e-3)
-    assert main(["forces", str(file), str(path), "-o", str(out), "--lengths", "absolute"]) == 2
-    assert "expected a length > 0 m" in capsys.readouterr().err
+    told = run("forces", file, path, "-o", out, "--lengths", "absolute", code=2).err
+    assert "expected a length > 0 m" in told
     bare = dataclasses.replace(robot, home=None)
     with pytest.raises(ValueError, match=r"log\.csv: relative lengths: expected a robot file with a key"):
         read_log_of(bare, path, ss.LogFormat(lengths="relative"))
@@ -177,24 +171,23 @@ def test_the_motions_of_a_budget_are_those_of_the_reference_point(robot: Robot, 
 
 @pytest.mark.parametrize("order", ["zyx", "xyz"])
 def test_the_motion_that_identify_writes_is_read_as_the_robot_says(
-    order: str, robot: Robot, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    order: str, robot: Robot, tmp_path: Path, run: Run
 ) -> None:
     file = str(written(dataclasses.replace(robot, euler_order=order), tmp_path / "robot.toml"))
     out = [str(tmp_path / "out" / name) for name in ("trajectory.csv", "forces.csv")]
     options = ["--sigma", "1", "--samples", "80", "--candidates", "2", "-o", str(tmp_path / "out")]
-    assert main(["identify", file, *options]) == 0
-    capsys.readouterr()
+    run("identify", file, *options)
     poses = trajectory_for(Robot.from_toml(file), out[0])
     assert isinstance(poses, Trajectory)
     L = ss.inverse_kinematics(robot, poses.motion).L
     assert np.all((L >= robot.length_limits[:, 0]) & (L <= robot.length_limits[:, 1]))
-    assert main(["identify", file, "--sigma", "1", "-o", str(tmp_path / "again"), "--measured", *out]) == 0
-    assert "verdict: consistent" in capsys.readouterr().out
+    told = run("identify", file, "--sigma", "1", "-o", tmp_path / "again", "--measured", *out).out
+    assert "verdict: consistent" in told
 
 
 @pytest.mark.parametrize("command", ["forces", "singularities", "simulate", "identify"])
 def test_subcommands_read_rows_as_poses_of_the_tool(
-    command: str, robot: Robot, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    command: str, robot: Robot, tmp_path: Path, run: Run
 ) -> None:
     """As they read the same rows for the machine whose reference point is the tool."""
     there = dataclasses.replace(
@@ -217,8 +210,7 @@ def test_subcommands_read_rows_as_poses_of_the_tool(
             "simulate": ([str(scene), "--no-pictures"], "run.csv"),
             "identify": ([file, "--measured", log, str(forces), "--sigma", "0.1"], "report.txt"),
         }[command]
-        assert main([command, *call, "-o", str(out)]) == 0
-        capsys.readouterr()
+        run(command, *call, "-o", out)
         if command == "identify":
             results.append((out / table).read_text().splitlines()[1])
         else:

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from stewart_sym.io.extras import install
 from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.motion.motion import Motion
-from stewart_sym.motion.rotation import rotation_from_rpy, rpy_from_rotation
+from stewart_sym.motion.rotation import rotation_from_rpy
 from stewart_sym.motion.straight_line import PATHS, StraightLinePath
 
 Array = NDArray[np.float64]
@@ -281,15 +281,6 @@ def test_wrapped_angles_give_smooth_rates(tmp_path: Path) -> None:
     np.testing.assert_allclose(accelerations(motion)[1], 0.0, atol=1e-7)
 
 
-def test_path_survives_the_way_through_a_file(tmp_path: Path) -> None:
-    path, dtau = PATHS["I"]
-    times = path.times(dtau)
-    motion = path.sample(times)
-    table = np.column_stack([times, motion.t, rpy_from_rotation(motion.R)])
-    back = read_csv(write(tmp_path / "path.csv", POSE, table)).motion
-    np.testing.assert_allclose(back.v, motion.v, atol=2e-3)
-
-
 def test_forgiving_of_spaces_blank_lines_windows_and_byte_order_mark(tmp_path: Path) -> None:
     time, x, _, _ = smooth(6, 5)
     plain = write(tmp_path / "plain.csv", POSE, np.column_stack([time, x]))
@@ -369,12 +360,6 @@ def test_rows_are_counted_as_in_the_file(tmp_path: Path) -> None:
     path = tmp_path / "traj.csv"
     path.write_text("\n" + with_line(4, "\n0.2,0.1"), encoding="utf-8")
     assert error_of(lambda: read_csv(path)) == f"{path}: row 6: expected 7 columns, got 2"
-
-
-def test_one_row_with_derivatives_is_enough(tmp_path: Path) -> None:
-    path = tmp_path / "one.csv"
-    path.write_text("\n".join(FULL[:2]), encoding="utf-8")
-    assert read_csv(path)[1].shape == (1,)
 
 
 def test_without_scipy_the_error_says_what_to_install(

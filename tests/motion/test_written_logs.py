@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from command_line import Run
 from log_files import NAMES, RATES, poses
 from numpy.typing import NDArray
 from robot_files import PAPERS
@@ -261,15 +262,12 @@ def test_dated_forces_are_rejected_since_their_start_is_not_that_of_the_poses(tm
         read_leg_columns(path, PLAIN, (FORCES,))
 
 
-def test_velocities_alone_are_left_out_as_the_error_says(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_velocities_alone_are_left_out_as_the_error_says(tmp_path: Path, run: Run) -> None:
     header, *rows = lines()
     log, out = tmp_path / "log.csv", str(tmp_path / "f.csv")
     names = ",".join([header, *RATES[:6]])
     log.write_text("\n".join([names, *(f"{row},0,0,0,0,0,0" for row in rows)]) + "\n")
-    assert main(["forces", str(PAPERS), str(log), "-o", out]) == 2
-    told = capsys.readouterr().err
+    told = run("forces", PAPERS, log, "-o", out, code=2).err
     assert "missing column a_x: expected velocities and accelerations" in told
     option = told.partition("none of them: ")[2].split(" reads")[0]
     assert option.startswith("--columns time=time,")

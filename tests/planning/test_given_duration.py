@@ -8,7 +8,7 @@ import pytest
 from least_time_oracles import extrapolated
 from smooth_oracles import peak_force, smooth_optimum
 from sweeps import share
-from via_cases import straight, via_case, with_limits
+from via_cases import limited_case
 
 from stewart_sym.drives.effort import drive_effort
 from stewart_sym.dynamics.inverse import inverse_dynamics
@@ -27,9 +27,7 @@ LONGER = 1.5
 @cache
 def case(seed: int):
     """A machine with limits of force, a path, and its least time."""
-    robot, poses = via_case(seed)
-    path = straight(robot, poses)
-    robot = with_limits(robot, path)
+    robot, path = limited_case(seed)
     return robot, path, time_path(robot, path, cells=100)
 
 
@@ -48,24 +46,24 @@ def work(plan: TimedPath, motion=None) -> float:
     return float(np.trapezoid(np.sum(F * inverse_kinematics(plan.robot, motion).L_dot, axis=-1), times))
 
 
-@pytest.mark.parametrize("end", ["base", "platform"])
-def test_joint_angles_of_a_plan_are_held_against_their_limits_between_its_nodes(end: str) -> None:
+def test_joint_angles_of_a_plan_are_held_against_their_limits_between_its_nodes() -> None:
     robot, path, _ = case(2)
     robot = dataclasses.replace(robot, home=path(np.zeros(1)).t[0])
     plan = time_path(robot, path, cells=20)
     free = certify_plan(plan)
-    extreme = getattr(free, f"{end}_angle")
-    dense = getattr(joint_angles(robot, plan.sample(np.linspace(0.0, plan.duration, 20_001))), end)
-    assert np.all(extreme.value >= dense.max(axis=0) * (1.0 - 1e-12))
-    np.testing.assert_allclose(extreme.value, dense.max(axis=0), rtol=1e-6)
-    at_nodes = getattr(joint_angles(robot, path(plan.profile.nodes.s)), end).max(axis=0)
-    leg, sides = int(np.argmax(extreme.value / at_nodes)), ["base", "platform"]
-    limit = np.full((6, 2), np.pi)
-    for most, kept in ((extreme.value[leg], True), (at_nodes[leg], False)):
-        limit[leg, sides.index(end)] = most
-        limited = dataclasses.replace(robot, joint_angle_limit=limit)
-        proof = certify_plan(dataclasses.replace(plan, robot=limited))
-        assert (proof.angles_kept, proof.holds) == (kept, kept)
+    dense = joint_angles(robot, plan.sample(np.linspace(0.0, plan.duration, 20_001)))
+    nodes = joint_angles(robot, path(plan.profile.nodes.s))
+    for side, end in enumerate(("base", "platform")):
+        extreme, most_dense = getattr(free, f"{end}_angle"), getattr(dense, end).max(axis=0)
+        assert np.all(extreme.value >= most_dense * (1.0 - 1e-12))
+        np.testing.assert_allclose(extreme.value, most_dense, rtol=1e-6)
+        at_nodes = getattr(nodes, end).max(axis=0)
+        leg, limit = int(np.argmax(extreme.value / at_nodes)), np.full((6, 2), np.pi)
+        for most, kept in ((extreme.value[leg], True), (at_nodes[leg], False)):
+            limit[leg, side] = most
+            limited = dataclasses.replace(robot, joint_angle_limit=limit)
+            proof = certify_plan(dataclasses.replace(plan, robot=limited))
+            assert (proof.angles_kept, proof.holds) == (kept, kept)
     assert certify_plan(dataclasses.replace(plan, robot=case(2)[0])).base_angle is None
 
 
@@ -206,9 +204,7 @@ def test_in_the_least_time_there_is_one_motion() -> None:
 
 
 def test_what_every_motion_takes_as_much_of_is_one_line() -> None:
-    robot, poses = via_case(0, friction=False)
-    path = straight(robot, poses)
-    robot = with_limits(robot, path)
+    robot, path = limited_case(0, friction=False)
     with pytest.raises(ValueError, match="expected viscous friction or a resistance of windings"):
         time_path(robot, path, least="energy", duration=1e3, cells=50)
     with pytest.raises(ValueError, match='least: expected a duration beside "energy"'):

@@ -5,7 +5,7 @@ import dataclasses
 import numpy as np
 import pytest
 from least_time_oracles import coefficients, collocation_duration, extrapolated, toppra_duration
-from via_cases import planned_case, straight, via_case, with_limits
+from via_cases import limited_case, planned_case, straight, via_case
 
 from stewart_sym.dynamics.inverse import inverse_dynamics
 from stewart_sym.kinematics.inverse import inverse_kinematics
@@ -16,9 +16,7 @@ from stewart_sym.planning.timing.path_terms import Limits, terms_along
 
 @pytest.mark.parametrize("seed", [1, *(pytest.param(seed, marks=pytest.mark.slow) for seed in (6, 16, 30))])
 def test_least_time_without_viscous_friction_is_that_of_toppra(seed: int) -> None:
-    robot, poses = via_case(seed, friction=False)
-    path = straight(robot, poses)
-    robot = with_limits(robot, path)
+    robot, path = limited_case(seed, friction=False)
     found = time_path(robot, path, cells=150).duration
     expected = extrapolated(lambda cells: toppra_duration(robot, path, robot.force_limit, cells), 150)
     assert found == pytest.approx(expected, rel=3e-4)
@@ -27,9 +25,7 @@ def test_least_time_without_viscous_friction_is_that_of_toppra(seed: int) -> Non
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", [0, 4, 10])
 def test_least_time_with_viscous_friction_is_that_of_collocation(seed: int) -> None:
-    robot, poses = via_case(seed)
-    path = straight(robot, poses)
-    robot = with_limits(robot, path)
+    robot, path = limited_case(seed)
     found = time_path(robot, path, cells=150)
     expected = extrapolated(lambda cells: collocation_duration(found, cells), 125)
     assert found.duration == pytest.approx(expected, rel=3e-4)
@@ -56,9 +52,7 @@ def test_terms_are_those_of_the_vector_implementation() -> None:
 
 @pytest.mark.slow
 def test_all_kinds_of_limits_are_kept_in_time() -> None:
-    robot, poses = via_case(4)
-    path = straight(robot, poses)
-    robot = with_limits(robot, path)
+    robot, path = limited_case(4)
     free = time_path(robot, path, cells=100)
     legs = inverse_kinematics(robot, free.sample(np.linspace(0.0, free.duration, 2001)))
     motion = free.sample(np.linspace(0.0, free.duration, 2001))
@@ -82,9 +76,7 @@ def test_all_kinds_of_limits_are_kept_in_time() -> None:
 
 @pytest.mark.slow
 def test_the_motion_in_time_has_the_rates_of_its_poses() -> None:
-    robot, poses = via_case(5)
-    path = straight(robot, poses)
-    robot = with_limits(robot, path)
+    robot, path = limited_case(5)
     plan = time_path(robot, path, cells=100)
     times, h = np.linspace(0.05, 0.95, 41) * plan.duration, 1e-6 * plan.duration
     at, before, after = (plan.sample(times + shift) for shift in (0.0, -h, h))
@@ -98,9 +90,8 @@ def test_the_motion_in_time_has_the_rates_of_its_poses() -> None:
 
 
 def test_a_faster_motion_breaks_a_limit() -> None:
-    robot, poses = via_case(0)
-    path = straight(robot, poses)
-    plan = time_path(with_limits(robot, path), path, cells=50)
+    robot, path = limited_case(0)
+    plan = time_path(robot, path, cells=50)
     phase = plan.profile.phase
     faster = phase._replace(x=phase.x * 1.001, first=phase.first * 1.001, last=phase.last * 1.001)
     quick = dataclasses.replace(plan, profile=type(plan.profile).of(faster))

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from command_line import Run
 from pages import DOCS
 
 from stewart_sym.cli.main import main
@@ -47,7 +48,7 @@ def test_the_example_is_planned_and_its_trajectory_keeps_the_limits(folder: Path
 
 
 def test_joint_angles_are_reported_beside_their_limits_and_named_where_these_are_broken(
-    folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    folder: Path, monkeypatch: pytest.MonkeyPatch, run: Run
 ) -> None:
     file = folder / "hexapod.toml"
     text = file.read_text().replace("[base]", "home = [0.0, 0.0, 0.65]\n[base]")
@@ -59,8 +60,7 @@ def test_joint_angles_are_reported_beside_their_limits_and_named_where_these_are
         return found[0]
 
     monkeypatch.setattr(certificate, "certify_plan", beyond)
-    assert main(["plan", via(folder, SHORT), "-o", str(folder / "out"), "--no-pictures"]) == 1
-    out = capsys.readouterr().out
+    out = run("plan", via(folder, SHORT), "-o", folder / "out", "--no-pictures", code=1).out
     assert "certificate  does not hold: joint angles beyond their limits\n" in out
     report = json.loads((folder / "out" / "report.json").read_text())
     assert report["certificate"]["lengths_kept"]
@@ -76,7 +76,7 @@ def test_joint_angles_are_reported_beside_their_limits_and_named_where_these_are
 
 @pytest.mark.slow
 def test_limits_of_the_motors_bound_the_plan_and_their_rated_torque_is_checked(
-    folder: Path, capsys: pytest.CaptureFixture[str]
+    folder: Path, run: Run
 ) -> None:
     file = folder / "hexapod.toml"
     free = file.read_text()
@@ -84,8 +84,7 @@ def test_limits_of_the_motors_bound_the_plan_and_their_rated_torque_is_checked(
     drive += "rated_torque = 0.02\n"
     file.write_text(free + drive)
     out = folder / "out"
-    assert main(["plan", via(folder, SHORT), "-o", str(out), "--no-pictures"]) == 0
-    shown = capsys.readouterr()
+    shown = run("plan", via(folder, SHORT), "-o", out, "--no-pictures")
     found = json.loads((out / "report.json").read_text())
     speeds = [leg["motor_peak_speed_rad_per_s"] for leg in found["legs"]]
     assert 99.0 < max(speeds) <= 100.0 * (1.0 + 1e-9)
@@ -136,11 +135,9 @@ def test_a_duration_has_a_motion_of_least_energy_or_peak_force(
         (["--duration", "2"], '--duration: expected least "energy" or "peak-force" beside it, got "time"'),
     ],
 )
-def test_an_error_about_an_option_names_it(
-    folder: Path, capsys: pytest.CaptureFixture[str], options: list[str], words: str
-) -> None:
-    assert main(["plan", via(folder, HEAD + FIRST + SECOND), "-o", str(folder / "out"), *options]) == 2
-    assert f"error: {words}" in capsys.readouterr().err
+def test_an_error_about_an_option_names_it(folder: Path, run: Run, options: list[str], words: str) -> None:
+    told = run("plan", via(folder, HEAD + FIRST + SECOND), "-o", folder / "out", *options, code=2).err
+    assert f"error: {words}" in told
     assert not (folder / "out").exists()
 
 
@@ -157,10 +154,9 @@ def test_a_limit_of_jerk_stands_beside_the_others(folder: Path) -> None:
     assert np.abs(np.diff(legs, axis=0)).max() * 200.0 <= 200.0 * (1.0 + 1e-6)
 
 
-def test_a_rate_that_leaves_a_few_rows_is_a_warning(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_rate_that_leaves_a_few_rows_is_a_warning(folder: Path, run: Run) -> None:
     text = "rate = 2.0\n" + HEAD + FIRST + SECOND
-    assert main(["plan", via(folder, text), "-o", str(folder / "out"), "--no-pictures"]) == 0
-    (line,) = capsys.readouterr().err.splitlines()
+    (line,) = run("plan", via(folder, text), "-o", folder / "out", "--no-pictures").err.splitlines()
     duration = json.loads((folder / "out" / "report.json").read_text())["duration_s"]
     rows = len(read_csv(folder / "out" / "trajectory.csv").time)
     assert line.endswith(
@@ -174,10 +170,9 @@ def test_a_free_pose_may_be_given_out_of_reach(folder: Path) -> None:
     assert main(["plan", via(folder, text), "-o", str(folder / "out"), "--no-pictures"]) == 0
 
 
-def test_angles_that_must_be_degrees_are_a_warning(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_angles_that_must_be_degrees_are_a_warning(folder: Path, run: Run) -> None:
     text = VIA.replace("theta = [0.10, -0.10, 0.20]", "theta = [5.7, -5.7, 11.5]")
-    assert main(["plan", via(folder, text), "-o", str(folder / "out")]) == 2
-    warning, error = capsys.readouterr().err.splitlines()
+    warning, error = run("plan", via(folder, text), "-o", folder / "out", code=2).err.splitlines()
     assert "via.toml: via: theta_z from -0.55 to 11.5 rad: are angles in degrees?" in warning
     assert "via.toml: via 2: out of reach" in error
     assert error.endswith(
@@ -185,12 +180,9 @@ def test_angles_that_must_be_degrees_are_a_warning(folder: Path, capsys: pytest.
     )
 
 
-def test_poses_that_must_be_in_millimetres_are_a_warning(
-    folder: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_poses_that_must_be_in_millimetres_are_a_warning(folder: Path, run: Run) -> None:
     text = (HEAD + FIRST + SECOND).replace("0.65]", "650.0]")
-    assert main(["plan", via(folder, text), "-o", str(folder / "out")]) == 2
-    warning, error = capsys.readouterr().err.splitlines()
+    warning, error = run("plan", via(folder, text), "-o", folder / "out", code=2).err.splitlines()
     assert warning.endswith("m beside legs of up to 0.95 m: in millimetres, expected metres?")
     assert "via.toml: via 1: out of reach" in error
 

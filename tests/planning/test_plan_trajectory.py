@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from motion_fields import FIELDS, motion_of, waves
 from pages import DOCS
 
 from stewart_sym.cli.main import main
@@ -19,18 +20,13 @@ from stewart_sym.studies.common.output import csv_lines
 HEXAPOD = DOCS / "examples" / "hexapod.toml"
 VIA = (DOCS / "examples" / "via.toml").read_text(encoding="utf-8")
 LOAD = "\n[load]\nF_ext = [0.0, 0.0, -100.0]\nM_ext = [0.0, 5.0, 0.0]\n"
-FIELDS = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
-F_EXT, M_EXT = np.array([10.0, -20.0, -100.0]), np.array([1.0, 2.0, 3.0])
 
 
 def waving(time: np.ndarray, pitch: float = 0.2) -> Motion:
     """A motion of the reference point under a load."""
-    middle, size = np.array([0.0, 0.0, 0.65, 0.1, pitch, 0.3]), np.array([0.03, 0.04, 0.02, 0.3, 0.02, 0.3])
-    w = np.array([2.0, 3.0, 2.5, 1.7, 2.2, 1.3])
-    angle = np.outer(time, w) + np.arange(6)
-    rates = size * w * np.cos(angle), -size * w * w * np.sin(angle)
-    halves = (half for x in (middle + size * np.sin(angle), *rates) for half in (x[:, :3], x[:, 3:]))
-    return Motion.from_rpy(*halves, F_ext=F_EXT, M_ext=M_EXT)
+    middle, size = [0.0, 0.0, 0.65, 0.1, pitch, 0.3], np.array([0.03, 0.04, 0.02, 0.3, 0.02, 0.3])
+    values = waves(time, middle, size, [2.0, 3.0, 2.5, 1.7, 2.2, 1.3], np.arange(6))
+    return motion_of(values, F_ext=[10.0, -20.0, -100.0], M_ext=[1.0, 2.0, 3.0])
 
 
 def read_back(robot: Robot, motion: Motion, time: np.ndarray, folder: Path) -> tuple[set[str], Motion]:

@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 from machines import (
     PLATFORM_JOINTS,
+    machine_in_motion,
     machine_size,
     offset_case,
     offsets_of,
     path_period,
-    random_motion,
     random_path,
     random_robot,
 )
@@ -117,9 +117,7 @@ def test_a_gear_before_the_screw_moves_nothing_at_rest_and_turns_the_motor_by_it
 @pytest.mark.parametrize("joint", PLATFORM_JOINTS)
 def test_without_offsets_all_is_as_in_ordinary_legs(joint: str) -> None:
     for seed in range(6):
-        rng = np.random.default_rng(seed)
-        robot = random_robot(rng)
-        motion = random_motion(rng, robot, (4,))
+        robot, motion = machine_in_motion(seed, (4,))
         with_zeros = dataclasses.replace(robot, offsets=ss.Offsets())
         fast = ss.prepare(with_zeros).forces(motion) - ss.prepare(robot).forces(motion)
         forces, plain = ss.inverse_dynamics(with_zeros, motion), ss.inverse_dynamics(robot, motion)

@@ -6,24 +6,21 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from command_line import Run
 
 import stewart_sym as ss
 from stewart_sym import robots
-from stewart_sym.cli.main import main
 from stewart_sym.motion.rotation import cross, rotation_about_axes
 
 FOLDER = Path(robots.__file__).parent
 
 
 @pytest.mark.parametrize("name", robots.NAMES)
-def test_every_machine_is_a_function_a_file_and_without_a_doubt(
-    name: str, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_every_machine_is_a_function_a_file_and_without_a_doubt(name: str, run: Run) -> None:
     with warnings.catch_warnings(action="error"):
         robot = getattr(ss.robots, name)()
     assert robot.name
-    assert main(["check", str(FOLDER / f"{name}.toml")]) == 0
-    assert capsys.readouterr().err == ""
+    assert run("check", FOLDER / f"{name}.toml").err == ""
 
 
 def test_every_file_is_a_machine() -> None:

@@ -9,13 +9,13 @@ from typing import Any
 
 import numpy as np
 import pytest
+from command_line import Run
 from machines import offset_case
 from pages import DOCS
 from public_calls import calls
 
 import stewart_sym as ss
 from stewart_sym.backend.kernel import robot_numbers
-from stewart_sym.cli.main import main
 from stewart_sym.motion.rotation import rotation_from_rpy
 
 EXAMPLE = DOCS / "examples" / "offset-joints.toml"
@@ -200,9 +200,8 @@ def test_paper_and_levels_are_rejected() -> None:
         ss.prepare(universal)
 
 
-def test_subcommands_say_so_in_one_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["check", str(EXAMPLE)]) == 0
-    out = capsys.readouterr().out
+def test_subcommands_say_so_in_one_line(tmp_path: Path, run: Run) -> None:
+    out = run("check", EXAMPLE).out
     assert "offsets      10 mm from the fixed to the moving axis, 4 mm across it" in out
     assert "crosses      0.15 kg" in out
     lines = EXAMPLE.read_text(encoding="utf-8")
@@ -210,10 +209,8 @@ def test_subcommands_say_so_in_one_line(tmp_path: Path, capsys: pytest.CaptureFi
     path = tmp_path / "turning.toml"
     path.write_text(lines.replace("[legs.offsets]\n", f"[legs.offsets]\n{offsets}"), encoding="utf-8")
     log = str(DOCS / "examples" / "trajectory.csv")
-    assert main(["forces", str(path), log, "-o", str(tmp_path / "F.csv"), "--reactions"]) == 0
-    capsys.readouterr()
+    run("forces", path, log, "-o", tmp_path / "F.csv", "--reactions")
     for words in (["generate"], ["controller"]):
-        assert main([*words, str(EXAMPLE), "-o", str(tmp_path / words[0])]) == 2
-        error = capsys.readouterr().err.strip().splitlines()
+        error = run(*words, EXAMPLE, "-o", tmp_path / words[0], code=2).err.strip().splitlines()
         assert len(error) == 1
         assert error[0].startswith(f"stewart-sym: error: {EXAMPLE}: offsets: ")

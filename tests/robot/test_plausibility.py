@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from command_line import Run
 from machines import random_robot
 from plausible_machines import (
     ABSURD,
@@ -23,30 +24,25 @@ from robot_files import written
 from sweeps import share
 
 import stewart_sym as ss
-from stewart_sym.cli.main import main
 from stewart_sym.plausibility import plausibility
 from stewart_sym.plausibility.plausibility import doubts
 from stewart_sym.robot.robot import DOUBTS
 from stewart_sym.robots import dasgupta1998
 
 
-def test_check_warns_of_no_sound_machine(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_check_warns_of_no_sound_machine(tmp_path: Path, run: Run) -> None:
     rng, path = np.random.default_rng(200), tmp_path / "robot.toml"
     for i in range(share(100, 10)):
         written(sound_machine(rng), path)
-        assert main(["check", str(path)]) == 0
-        assert capsys.readouterr().err == "", i
+        assert run("check", path).err == "", i
 
 
-def test_check_names_both_sides_where_nothing_settles_which(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_check_names_both_sides_where_nothing_settles_which(tmp_path: Path, run: Run) -> None:
     flat = ss.robots.dasgupta1998()
     flat = dataclasses.replace(flat, b=flat.b * [1, 1, 0], p=flat.p * [1, 1, 0], g=np.zeros(3), accept=())
     path = tmp_path / "robot.toml"
     written(flat, path)
-    assert main(["check", str(path)]) == 0
-    told = capsys.readouterr()
+    told = run("check", path)
     assert "gravity is 0, the side (0, 0, 1) of the base is taken; (0, 0, -1) is as plausible" in told.out
     assert "as plausible" not in told.err
 
@@ -154,16 +150,13 @@ def test_the_rank_of_singular_machines_is_told_by_the_bound_of_rounding() -> Non
         assert shares.max() > 5 * plausibility.SINGULAR_SHARE
 
 
-def test_check_warns_in_one_line_and_the_file_may_accept_it(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_check_warns_in_one_line_and_the_file_may_accept_it(tmp_path: Path, run: Run) -> None:
     # Without limits that a thousandfold weight exceeds, which is a doubt of its own.
     robot = ABSURD["gravity in mm/s^2"][0](dataclasses.replace(sound(), force_limit=np.full(6, np.inf)))
     path = tmp_path / "robot.toml"
     for accept in ((), ("gravity",)):
         written(dataclasses.replace(robot, accept=accept), path)
-        assert main(["check", str(path)]) == 0
-        lines = capsys.readouterr().err.splitlines()
+        lines = run("check", path).err.splitlines()
         assert len(lines) == (not accept)
         for line in lines:
             assert line.startswith(f"stewart-sym: warning: {path}: gravity: 9810 m/s^2; likely cause: ")
@@ -190,30 +183,29 @@ def arguments_of(command: str, robot: Path, folder: Path) -> list[str]:
 
 
 @pytest.mark.parametrize("command", ["check", "generate", "forces", "singularities", "simulate"])
-def test_every_subcommand_warns_of_a_doubtful_robot(
-    command: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_every_subcommand_warns_of_a_doubtful_robot(command: str, tmp_path: Path, run: Run) -> None:
     for change, count in ((ABSURD["speed limit in mm/s"][0], 1), (lambda robot: robot, 0)):
         folder = tmp_path / str(count)
         folder.mkdir()
         path = folder / "robot.toml"
         written(change(sound()), path)
-        assert main(arguments_of(command, path, folder)) == 0
-        told = [line for line in capsys.readouterr().err.splitlines() if "[speed-limit]" in line]
+        told = [
+            line
+            for line in run(*arguments_of(command, path, folder)).err.splitlines()
+            if "[speed-limit]" in line
+        ]
         assert len(told) == count
 
 
-def test_check_writes_a_range_below_zero_in_words(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_check_writes_a_range_below_zero_in_words(tmp_path: Path, run: Run) -> None:
     for lead, told in ((-5e-3, "-0.005 to -0.0025 m"), (5e-3, "0.0025-0.005 m")):
         drive = ss.Drive(lead=lead * np.linspace(0.5, 1.0, 6))
         written(dataclasses.replace(sound(), drive=drive), tmp_path / "robot.toml")
-        assert main(["check", str(tmp_path / "robot.toml")]) == 0
-        assert f"{told} per turn of the motor, reflected mass 0 kg" in capsys.readouterr().out
+        shown = run("check", tmp_path / "robot.toml").out
+        assert f"{told} per turn of the motor, reflected mass 0 kg" in shown
 
 
-def test_check_tells_what_a_robot_states_of_its_drives(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_check_tells_what_a_robot_states_of_its_drives(tmp_path: Path, run: Run) -> None:
     path, numbers = tmp_path / "robot.toml", {"screw_coulomb": 40.0, "motor_coulomb": 0.08, "stribeck": 5.0}
     numbers |= {"torque_limit": 12.0, "rated_torque": 4.0, "speed_limit": 628.0, "power_limit": 900.0}
     numbers |= {"current_limit": 15.0, "torque_constant": 0.9, "stribeck_speed": 0.1}
@@ -224,8 +216,7 @@ def test_check_tells_what_a_robot_states_of_its_drives(
         sound(), drive=drive, home=[0.0, 0.0, 0.7], joint_angle_limit=angles, accept=("drive-limit",)
     )
     written(robot, path)
-    assert main(["check", str(path), "-o", str(tmp_path / "out"), "--no-pictures"]) == 0
-    told = capsys.readouterr().out
+    told = run("check", path, "-o", tmp_path / "out", "--no-pictures").out
     assert "drives       0.005 m per turn of the motor (leg 4: -0.005), reflected mass 0 kg, " in told
     assert "dry friction along the leg 40 N, more at rest 5 N, dry friction of the motor 0.08 N m\n" in told
     assert (
@@ -247,12 +238,11 @@ def test_check_tells_what_a_robot_states_of_its_drives(
 
 @pytest.mark.parametrize(("gravity", "stands", "hangs"), [(-9.81, "+z", "-z"), (9.81, "-z", "+z")])
 def test_check_says_on_which_side_of_the_base_a_platform_stands(
-    gravity: float, stands: str, hangs: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    gravity: float, stands: str, hangs: str, tmp_path: Path, run: Run
 ) -> None:
     path = tmp_path / "robot.toml"
     written(dataclasses.replace(sound(), g=[0.0, 0.0, gravity]), path)
-    assert main(["check", str(path)]) == 0
-    told = capsys.readouterr()
+    told = run("check", path)
     assert f"a platform on the {stands} side of the base stands on its legs (compression)" in told.out
     assert f"one on the {hangs} side hangs from them (tension)" in told.out
     (side,) = (line for line in told.out.splitlines() if line.startswith("side "))
@@ -261,19 +251,17 @@ def test_check_says_on_which_side_of_the_base_a_platform_stands(
     assert side.endswith(f"on the other side, (0, 0, {-sign:g}), it hangs below its base")
     assert told.err == ""
     written(dataclasses.replace(sound(), g=[0.0, 0.0, gravity], home=[0.0, 0.0, -0.4 * sign]), path)
-    assert main(["check", str(path)]) == 0
     stated = f"(0, 0, {-sign:g}) of the base, where the robot file states the home pose: "
-    assert f"{stated}the platform hangs below its base; on the other side, " in capsys.readouterr().out
+    assert f"{stated}the platform hangs below its base; on the other side, " in run("check", path).out
 
 
 @pytest.mark.parametrize("gravity", [[9.81, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 6.0, -7.0]])
 def test_check_names_no_side_where_gravity_does_not_act_across_the_base(
-    gravity: list[float], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    gravity: list[float], tmp_path: Path, run: Run
 ) -> None:
     path = tmp_path / "robot.toml"
     written(dataclasses.replace(unlimited(), g=gravity), path)
-    assert main(["check", str(path)]) == 0
-    assert "side of the base stands" not in capsys.readouterr().out
+    assert "side of the base stands" not in run("check", path).out
 
 
 def test_every_name_that_a_file_may_accept_is_one_of_an_absurd_machine() -> None:

@@ -242,22 +242,6 @@ def test_lengths_lead_back_to_the_motion(seed: int) -> None:
         assert (np.abs(found - expected) <= 1e-11 * condition * scale).all(), name
 
 
-@FEW
-@given(seed=seeds, backend=st.sampled_from(BACKENDS))
-def test_forces_lead_back_to_the_accelerations(seed: int, backend: Any) -> None:
-    robot, motion = machine(seed, (2,))
-    F = ss.inverse_dynamics(robot, motion, backend=backend).F
-    a, alpha = ss.forward_dynamics(robot, motion, F, backend=backend)
-    condition = (
-        ss.condition_number(ss.wrench_matrix(robot, motion))
-        * np.linalg.cond(ss.equations_of_motion(robot, motion).M)
-    )[:, None]
-    found, expected = np.hstack([a, alpha]), np.hstack([motion.a, motion.alpha])
-    assert (np.abs(found - expected) <= 1e-12 * condition * np.abs(expected).max()).all()
-    again = ss.inverse_dynamics(robot, dataclasses.replace(motion, a=a, alpha=alpha), backend=backend).F
-    assert (np.abs(again - F) <= 1e-11 * condition * np.abs(F).max()).all()
-
-
 # --- extremes: finite, or a status
 
 

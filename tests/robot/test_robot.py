@@ -227,21 +227,6 @@ WRONG: list[tuple[tuple[str | int, ...], Any, str]] = [
 ]
 
 
-def changed(path: tuple[str | int, ...], value: Any) -> Tables:
-    d = machine()
-    table: Any = d
-    for key in path[:-1]:
-        table = table[key]
-    table[path[-1]] = value
-    return d
-
-
-@pytest.mark.parametrize(("path", "value", "expected"), WRONG)
-def test_wrong_value_is_named(path: tuple[str | int, ...], value: Any, expected: str) -> None:
-    message = error_of(lambda: Robot.from_dict(changed(path, value)))
-    assert message.startswith(f"robot: {expected}")
-
-
 MISSING: list[tuple[tuple[str | int, ...], str]] = [
     (("schema",), "schema: missing"),
     (("name",), "name: missing"),
@@ -258,16 +243,6 @@ MISSING: list[tuple[tuple[str | int, ...], str]] = [
     (("leg", 4, "platform_point"), "leg 5: platform_point: missing"),
     (("leg", 5, "universal_axis"), "leg 6: universal_axis: missing"),
 ]
-
-
-@pytest.mark.parametrize(("path", "expected"), MISSING)
-def test_missing_key_is_named(path: tuple[str | int, ...], expected: str) -> None:
-    d = machine()
-    table: Any = d
-    for key in path[:-1]:
-        table = table[key]
-    del table[path[-1]]
-    assert error_of(lambda: Robot.from_dict(d)) == f"robot: {expected}"
 
 
 MISSPELT: list[tuple[tuple[str | int, ...], str]] = [
@@ -287,10 +262,28 @@ MISSPELT: list[tuple[tuple[str | int, ...], str]] = [
 ]
 
 
-@pytest.mark.parametrize(("path", "expected"), MISSPELT)
-def test_misspelt_key_is_named_with_the_nearest(path: tuple[str | int, ...], expected: str) -> None:
-    message = error_of(lambda: Robot.from_dict(changed(path, 1.0)))
-    assert message.startswith(f"robot: {expected}")
+EVERY = [
+    *WRONG,
+    *((path, None, expected) for path, expected in MISSING),
+    *((path, 1.0, expected) for path, expected in MISSPELT),
+]
+
+
+@pytest.mark.parametrize(("path", "value", "expected"), EVERY)
+def test_what_is_wrong_missing_or_misspelt_is_named(
+    path: tuple[str | int, ...], value: Any, expected: str
+) -> None:
+    """None: the key is left out."""
+    d = machine()
+    table: Any = d
+    for key in path[:-1]:
+        table = table[key]
+    if value is None:
+        del table[path[-1]]
+    else:
+        table[path[-1]] = value
+    message = error_of(lambda: Robot.from_dict(d))
+    assert message == f"robot: {expected}" if value is None else message.startswith(f"robot: {expected}")
 
 
 @pytest.mark.parametrize("count", [0, 5, 7])

@@ -8,10 +8,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from command_line import Run
 from robot_files import same, written
 
 import stewart_sym as ss
-from stewart_sym.cli.main import main
 from stewart_sym.robot.robot import PhysicalityWarning, Robot
 
 TEXT = """\
@@ -213,15 +213,12 @@ USED = {
 
 
 @pytest.mark.parametrize("use", USED)
-def test_check_has_no_doubt_about_what_people_build(
-    use: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_check_has_no_doubt_about_what_people_build(use: str, tmp_path: Path, run: Run) -> None:
     text = TEXT.replace(*USED[use])
     text = text.replace("schema = 2", 'schema = 2\nbase_joint = "spherical"') if use == "spherical" else text
     path = tmp_path / "robot.toml"
     path.write_text(text)
-    assert main(["check", str(path)]) == 0
-    assert capsys.readouterr().err == ""
+    assert run("check", path).err == ""
 
 
 DOUBTFUL = {
@@ -254,15 +251,11 @@ DOUBTFUL = {
 
 
 @pytest.mark.parametrize("wrong", DOUBTFUL)
-def test_check_warns_of_what_is_likely_wrong(
-    wrong: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_check_warns_of_what_is_likely_wrong(wrong: str, tmp_path: Path, run: Run) -> None:
     old, new, name, words = DOUBTFUL[wrong]
     path = tmp_path / "robot.toml"
     path.write_text(TEXT.replace(old, new, 1))
-    assert main(["check", str(path)]) == 0
-    # In metres 600 mm/s is too fast as well.
-    line, *more = capsys.readouterr().err.splitlines()
+    line, *more = run("check", path).err.splitlines()
     assert words in line
     assert line.endswith(f"{name}]")
     assert len(more) == (wrong == "millimetres")
@@ -376,14 +369,13 @@ MISTAKES: list[tuple[str, str, str, str]] = [
 
 @pytest.mark.parametrize(("old", "new", "told", "words"), MISTAKES)
 def test_a_mistake_is_one_line_with_key_and_line(
-    old: str, new: str, told: str, words: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    old: str, new: str, told: str, words: str, tmp_path: Path, run: Run
 ) -> None:
     text = TEXT.replace(old, new, 1)
     assert text != TEXT
     path = tmp_path / "robot.toml"
     path.write_text(text, encoding="utf-8")
-    assert main(["check", str(path)]) == 2
-    lines = capsys.readouterr().err.splitlines()
+    lines = run("check", path, code=2).err.splitlines()
     (line,) = lines
     message = line.removeprefix(f"stewart-sym: error: {path}: ")
     assert message.startswith(told)

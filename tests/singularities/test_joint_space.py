@@ -8,14 +8,15 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from command_line import Run
 from joint_paths import dipping_case, legs_along, lengths_to_singular, random_case, truth
 from machines import dasgupta, machine_size
+from motion_fields import UNLOADED
 from numpy.typing import NDArray
 from robot_files import PAPERS
 from sweeps import share, sweep
 
 import stewart_sym as ss
-from stewart_sym.cli.main import main
 from stewart_sym.motion.log_reader import read_log
 from stewart_sym.motion.trajectory import JointTrajectory
 from stewart_sym.singularities import joint_space
@@ -255,13 +256,11 @@ def test_a_machine_at_rest_stays_where_it_is() -> None:
         np.testing.assert_allclose(found.t[29:], motion.t[: count - 29], atol=1e-9)
 
 
-def test_lengths_in_another_unit_are_named_with_the_fault_that_they_make(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_lengths_in_another_unit_are_named_with_the_fault_that_they_make(tmp_path: Path, run: Run) -> None:
     _, time, _, legs = wave(60)
     logged(time, 1e3 * legs[0], tmp_path)
-    assert main(["forces", str(PAPERS), str(tmp_path / "log.csv"), "-o", str(tmp_path / "F.csv")]) == 2
-    *doubts, line = capsys.readouterr().err.splitlines()
+    told = run("forces", PAPERS, tmp_path / "log.csv", "-o", tmp_path / "F.csv", code=2).err
+    *doubts, line = told.splitlines()
     assert "row 2: no pose with these leg lengths" in line
     assert any("are they in another unit (--length-unit mm)?" in doubt for doubt in doubts)
 
@@ -304,5 +303,5 @@ def test_a_motion_found_in_parts_is_that_of_the_whole(monkeypatch: pytest.Monkey
     for size in (6000, 2500):
         monkeypatch.setattr(joint_space, "_PART", size)
         found.append(ss.motion_from_lengths(machine, L=legs.L, L_dot=legs.L_dot, L_ddot=legs.L_ddot))
-    for name in ("R", "t", "omega", "v", "alpha", "a"):
+    for name in UNLOADED:
         assert np.array_equal(getattr(found[0], name), getattr(found[1], name)), name

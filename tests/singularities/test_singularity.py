@@ -5,14 +5,13 @@ import dataclasses
 import numpy as np
 import pytest
 from hexagon_machines import Array, hexagons
-from machines import dasgupta, machine_size, random_motion, random_robot, rotation
+from machines import dasgupta, machine_in_motion, machine_size, rotation
 from unsolvable_poses import semiregular
 
 import stewart_sym as ss
 from stewart_sym.singularities.along_path import crossings
 from stewart_sym.singularities.singular_poses import screw
 
-EPSILON = np.finfo(np.float64).eps
 ROUNDING = 1e-14
 
 
@@ -35,8 +34,7 @@ def test_no_leg_moves_under_the_lost_motion_and_no_forces_hold_the_lost_wrench()
 @pytest.mark.parametrize("base_joint", ["universal", "spherical"])
 def test_a_regular_pose_has_the_motion_that_its_legs_feel_least(base_joint: str) -> None:
     rng = np.random.default_rng(5)
-    robot = random_robot(rng, base_joint)
-    motion = random_motion(rng, robot, (4, 3))
+    robot, motion = machine_in_motion(rng, (4, 3), base_joint)
     found, H = ss.singularity(robot, motion), ss.wrench_matrix(robot, motion)
     rates = np.einsum("...ij,...i->...j", H, found.twist)
     np.testing.assert_allclose(rates, found.smallest[..., None] * found.forces, atol=1e-13)
@@ -54,9 +52,7 @@ def test_a_regular_pose_has_the_motion_that_its_legs_feel_least(base_joint: str)
 
 
 def test_poses_are_taken_one_by_one_and_as_a_pair() -> None:
-    rng = np.random.default_rng(6)
-    robot = random_robot(rng)
-    motion = random_motion(rng, robot, (3,))
+    robot, motion = machine_in_motion(6, (3,))
     many, pair = ss.singularity(robot, motion), ss.singularity(robot, (motion.R, motion.t))
     for i in range(3):
         one = ss.singularity(robot, motion[i])
@@ -66,9 +62,7 @@ def test_poses_are_taken_one_by_one_and_as_a_pair() -> None:
 
 
 def test_the_screw_has_the_twists_velocities() -> None:
-    rng = np.random.default_rng(7)
-    robot = random_robot(rng)
-    motion = random_motion(rng, robot, (20,))
+    robot, motion = machine_in_motion(7, (20,))
     found = ss.singularity(robot, motion)
     v, omega = found.twist[:, :3], found.twist[:, 3:]
     on_axis = v + np.cross(omega, found.point - motion.t)

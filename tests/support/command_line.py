@@ -3,10 +3,35 @@
 import csv
 from collections.abc import Callable
 from pathlib import Path
+from typing import NamedTuple
 
 import pytest
 
 from stewart_sym.cli.main import main
+
+
+class Told(NamedTuple):
+    """What a subcommand printed."""
+
+    out: str
+    err: str
+
+
+Run = Callable[..., Told]
+Fails = Callable[..., str]
+"""Fixtures of ``conftest.py``: ``told`` and ``fails_in_one_line`` with what pytest captures."""
+
+
+def told(capsys: pytest.CaptureFixture[str], *arguments: object, code: int = 0) -> Told:
+    """Run a command that must end with the code; return what it prints."""
+    capsys.readouterr()
+    try:
+        found: object = main([*map(str, arguments)])
+    except SystemExit as stop:
+        found = stop.code
+    printed = Told(*capsys.readouterr())
+    assert found == code, printed.err
+    return printed
 
 
 def error_of(call: Callable[[], object]) -> str:
@@ -20,15 +45,10 @@ def error_of(call: Callable[[], object]) -> str:
 
 def fails_in_one_line(capsys: pytest.CaptureFixture[str], *arguments: object) -> str:
     """Run a command that must fail; return the only line it prints."""
-    try:
-        code: object = main([*map(str, arguments)])
-    except SystemExit as stop:
-        code = stop.code
-    captured = capsys.readouterr()
-    lines = captured.err.splitlines()
-    assert code == 2
-    assert captured.out == ""
-    assert len(lines) == 1, captured.err
+    out, err = told(capsys, *arguments, code=2)
+    lines = err.splitlines()
+    assert out == ""
+    assert len(lines) == 1, err
     assert lines[0].startswith("stewart-sym: error: ")
     return lines[0]
 

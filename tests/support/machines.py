@@ -165,6 +165,20 @@ def random_motion(
     )
 
 
+def machine_in_motion(
+    seed: int | list[int] | np.random.Generator,
+    shape: tuple[int, ...] = (),
+    base_joint: str = "universal",
+    friction: bool = True,
+    scale: float | None = None,
+    load: bool = True,
+) -> tuple[Robot, Motion]:
+    """A random machine and a motion of it."""
+    rng = np.random.default_rng(seed)
+    robot = random_robot(rng, base_joint, friction, scale)
+    return robot, random_motion(rng, robot, shape, load)
+
+
 def random_path(rng: np.random.Generator, robot: Robot, load: bool = True) -> Callable[[Array], Motion]:
     """A smooth path around the home position, of period `path_period`: time (n,), s -> Motion."""
     size, period = machine_size(robot), path_period(robot)

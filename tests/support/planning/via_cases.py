@@ -35,6 +35,13 @@ def with_limits(robot: Robot, path: PosePath) -> Robot:
     return dataclasses.replace(robot, force_limit=ROOM * np.abs(terms.e[:, :6]).max(axis=0))
 
 
+def limited_case(seed: int, friction: bool = True) -> tuple[Robot, PosePath]:
+    """A machine with limits of force and a straight path of via poses."""
+    robot, poses = via_case(seed, friction=friction)
+    path = straight(robot, poses)
+    return with_limits(robot, path), path
+
+
 def planned_case(seed: int, friction: bool = True) -> tuple[Robot, PosePath]:
     """A machine with limits of force and a planned path of six via poses."""
     robot, poses = via_case(seed, 6, friction)

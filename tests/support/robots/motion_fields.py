@@ -1,11 +1,34 @@
-"""Fields of a motion, and the vector of a matrix."""
+"""Fields of a motion, motions by coordinates and of several, and the vector of a matrix."""
+
+from collections.abc import Iterable
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from stewart_sym.motion.motion import Motion
 
 FIELDS = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
+UNLOADED = FIELDS[:6]
+
+
+def waves(
+    time: NDArray[np.float64], middle: ArrayLike, size: ArrayLike, rate: ArrayLike, phase: ArrayLike
+) -> NDArray[np.float64]:
+    """Coordinates middle + size sin(rate t + phase) with two derivatives, (3, n, 6)."""
+    w, angle = np.asarray(rate), np.multiply.outer(time, rate) + phase
+    return np.array([middle + size * np.sin(angle), size * w * np.cos(angle), -size * w**2 * np.sin(angle)])
+
+
+def motion_of(values: NDArray[np.float64], **loads: ArrayLike) -> Motion:
+    """The motion of coordinates with two derivatives, (3, ..., 6)."""
+    (t, theta), (v, theta_dot), (a, theta_ddot) = ((x[..., :3], x[..., 3:]) for x in values)
+    return Motion.from_rpy(t, theta, v, theta_dot, a, theta_ddot, **loads)
+
+
+def stacked(motions: Iterable[Motion], names: tuple[str, ...] = FIELDS) -> Motion:
+    """Motions of one instant as a batch."""
+    every = list(motions)
+    return Motion(*(np.stack([getattr(motion, name) for motion in every]) for name in names))
 
 
 def skew_part(matrix: NDArray[np.float64]) -> NDArray[np.float64]:

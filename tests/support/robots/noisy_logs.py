@@ -1,9 +1,11 @@
 """Smooth motions as logs with noise."""
 
+import warnings
 from typing import NamedTuple
 
 import numpy as np
 from machines import GRAVITY, home_position, machine_size, random_robot
+from motion_fields import motion_of
 from numpy.typing import NDArray
 
 import stewart_sym as ss
@@ -34,12 +36,6 @@ def coordinates(rng: np.random.Generator, size: float, time: Array, highest: flo
     return np.array(found) * np.repeat([size, 2.0], 3)
 
 
-def motion(values: Array) -> ss.Motion:
-    t, v, a = values[..., :3]
-    theta, theta_dot, theta_ddot = values[..., 3:]
-    return ss.Motion.from_rpy(t, theta, v, theta_dot, a, theta_ddot)
-
-
 def case(seed: int) -> Case:
     rng = np.random.default_rng(seed)
     robot = random_robot(rng, scale=float(rng.uniform(0.4, 2.0)))
@@ -49,7 +45,7 @@ def case(seed: int) -> Case:
     time = np.arange(0.0, rng.uniform(4.0, 12.0) / highest, 1.0 / (highest * rng.uniform(12.0, 60.0)))
     true = coordinates(rng, size, time, highest)
     true[0, :, :3] += home_position(robot.b, size)
-    return Case(robot, time, true, ss.inverse_dynamics(robot, motion(true)).F)
+    return Case(robot, time, true, ss.inverse_dynamics(robot, motion_of(true)).F)
 
 
 def logged(found: Case, noise: str, seed: int) -> Array:
@@ -65,3 +61,10 @@ def from_poses(time: Array, t: Array, theta: Array, smoothing: ss.Smoothing = AS
     written = {"t": [*t.T], "theta": [*theta.T]}
     log = Log("poses", range(len(time)), time, written, smoothing=smoothing)
     return trajectory_from(_pose_log(log))
+
+
+def read(time: Array, values: Array) -> tuple[Trajectory, list[str]]:
+    """The trajectory of poses, (n, 6), and the warnings about it."""
+    with warnings.catch_warnings(record=True, action="always") as caught:
+        found = from_poses(time, *np.hsplit(values, 2))
+    return found, [str(each.message) for each in caught]
