@@ -50,7 +50,7 @@ LONG = (
     *("test_generated", "test_degenerate_families", "test_cost_accuracy", "test_cost_plot", "test_bench"),
     *("test_float", "test_rotor", "test_wrong_constants", "test_drive_terms", "test_controls", "test_fmu"),
     *("test_figures", "test_near_joint", "test_joint_space", "test_log_faults", "test_noise"),
-    *("test_motor_limits", "test_bounds", "test_plan_command", "test_plausibility", "test_scalar"),
+    *("test_least_time", "test_bounds", "test_plan_command", "test_plausibility", "test_scalar"),
     *("test_controller", "test_native", "test_kinematics_c", "test_cli", "test_design_commands"),
     *("test_plan_path", "test_scene", "test_cli_forces", "test_publish", "test_forces"),
     *("test_identification_noise", "test_control", "test_motion_kernels", "test_hostile_files"),

@@ -16,9 +16,11 @@ import numpy as np
 import pytest
 import sympy as sp
 from bound_cases import DTYPE, PRECISIONS, case, wild
+from drawn_poses import LEAST, PATH, drawn
 from fifty_digits import block_inputs, truth
 from machines import dasgupta, machine_in_motion, random_motion, random_robot
 from mpmath import mp
+from numpy.typing import NDArray
 from sweeps import share
 from unsolvable_poses import singular
 
@@ -33,7 +35,7 @@ from stewart_sym.dynamics import bounds
 from stewart_sym.generated.interface import MODELS
 from stewart_sym.motion.motion import Motion
 from stewart_sym.precision.quad import error, quad_forces
-from stewart_sym.results import BAD_ARGUMENT, OK, SINGULAR
+from stewart_sym.results import BAD_ARGUMENT, JOINT_SINGULAR, OK, SINGULAR
 from stewart_sym.robot.robot import Robot
 from stewart_sym.studies.accuracy.bound_plot import bounds_study, csv_rows, figure
 
@@ -322,3 +324,36 @@ def test_adjoint_gives_the_slopes_of_the_formula() -> None:
     for name in ("x", "y"):
         wanted = 3 * sp.diff(block.formula("gain")[0], sp.Symbol(name, real=True)).subs(at)
         assert slopes[f"slope of {name}"][0] == pytest.approx(float(wanted), rel=1e-13)
+
+
+def swept_near_joint(precision: Any, cases: int) -> dict[str, int]:
+    """How many cases were solved on either path and not; every one is compared."""
+    rng = np.random.default_rng(12)
+    seen = {"near": 0, "far": 0, "singular": 0}
+    for _ in range(cases):
+        robot, motion, sine = drawn(rng, precision)
+        found = ss.forces_with_bounds(robot, motion, precision, on_singular="nan")
+        kernel = ss.prepare(robot, precision=precision)
+        assert found.status == kernel.status(motion)
+        if found.status != OK:
+            assert found.status == JOINT_SINGULAR
+            assert sine < 2 * LEAST * np.finfo(DTYPE[precision]).eps
+            seen["singular"] += 1
+            continue
+        seen["near" if sine < PATH else "far"] += 1
+        np.testing.assert_array_equal(found.F, kernel.forces(motion))
+        errors: NDArray[np.float64] = np.abs(error(found.F, quad_forces(robot, motion, DTYPE[precision])))
+        assert (errors <= found.bound).all()
+        assert np.isfinite(found.bound).all() or sine < 1e3 * LEAST * np.finfo(DTYPE[precision]).eps
+    return seen
+
+
+@pytest.mark.parametrize("precision", PRECISIONS)
+def test_forces_are_those_of_the_kernel_and_within_their_bound(precision: str) -> None:
+    assert min(swept_near_joint(precision, 60).values()) > 0
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("precision", PRECISIONS)
+def test_forces_are_those_of_the_kernel_and_within_their_bound_over_ten_thousand(precision: str) -> None:
+    swept_near_joint(precision, share(10_000, 50))

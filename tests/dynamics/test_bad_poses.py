@@ -1,7 +1,8 @@
-"""Unsolvable poses and bad arguments: one clear line, or a status and NaN, as the caller chooses."""
+"""Unsolvable poses and bad arguments: one clear line, or a status and NaN; others of a batch keep bits."""
 
 import dataclasses
 import re
+import threading
 import warnings
 from collections.abc import Callable
 from typing import Any
@@ -9,11 +10,20 @@ from typing import Any
 import numpy as np
 import pytest
 from machines import dasgupta, machine_in_motion, random_motion, random_robot
-from motion_fields import UNLOADED, stacked
-from unsolvable_poses import BACKENDS, CASES, at_rest
+from motion_fields import FIELDS, UNLOADED, stacked
+from numpy.typing import NDArray
+from unsolvable_poses import BACKENDS, CASES, at_rest, semiregular
 
 import stewart_sym as ss
 from stewart_sym import results
+from stewart_sym.backend.c_kernel import CKernel
+from stewart_sym.backend.fidelity import available
+from stewart_sym.backend.numpy_kernel import NumpyKernel
+from stewart_sym.dynamics import forces
+from stewart_sym.dynamics.closed_form import OUTPUTS, CClosedForm, NumpyClosedForm
+from stewart_sym.motion.motion import Motion
+from stewart_sym.results import JOINT_SINGULAR, NOT_FINITE, SINGULAR, ZERO_LENGTH
+from stewart_sym.robot.robot import Robot
 
 
 @pytest.mark.parametrize("backend", BACKENDS)
@@ -143,3 +153,205 @@ def test_without_a_compiler_numpy_serves_and_says_so_once(monkeypatch) -> None:
     assert (first == second).all()
     assert (first == ss.inverse_dynamics(robot, motion, backend="numpy").F).all()
     c_kernel.library.cache_clear()
+
+
+Array = NDArray[np.float64]
+POSES = 1003
+FORCED = ("forward_dynamics", "linearisation")
+
+
+def machine() -> Robot:
+    """Flat and of threefold symmetry: turned by 90 degrees about its axis, H is singular."""
+    rng = np.random.default_rng(70)
+    base, plate = (
+        semiregular([-12, 12, 108, 132, 228, 252], 1.0),
+        semiregular([-45, 45, 75, 165, 195, 285], 0.5),
+    )
+    return dataclasses.replace(random_robot(rng, scale=1.0), b=base, p=plate)
+
+
+def poisoned(robot: Robot) -> tuple[Motion, Motion, NDArray[np.int32]]:
+    """A sound batch, the same with its poison, and the status of each pose, -1 for any but 0."""
+    rng = np.random.default_rng(71)
+    sound = random_motion(rng, robot, (POSES,))
+    parts = {name: getattr(sound, name).copy() for name in FIELDS}
+    status = np.zeros(POSES, dtype=np.int32)
+    places = rng.permutation(POSES)[: POSES // 100 + 6]
+    for kind, i in enumerate(places):
+        if kind < 8:
+            parts[FIELDS[kind]][i].flat[-1] = (np.nan, np.inf, -np.inf)[kind % 3]
+            status[i] = NOT_FINITE
+        elif kind < 11:
+            leg = kind - 8
+            parts["t"][i] = robot.b[leg] - parts["R"][i] @ robot.p[leg]
+            status[i] = ZERO_LENGTH
+        elif kind < 14:
+            leg = kind - 8
+            parts["t"][i] = robot.b[leg] + robot.k[leg] - parts["R"][i] @ robot.p[leg]
+            status[i] = JOINT_SINGULAR
+        elif kind == 14:
+            parts["R"][i] = [[0, -1, 0], [1, 0, 0], [0, 0, 1]]
+            parts["t"][i] = (0, 0, 1)
+            status[i] = SINGULAR
+        else:
+            parts["t"][i] = 1e200
+            status[i] = NOT_FINITE
+    return sound, Motion.unchecked(**parts), status
+
+
+ROBOT = machine()
+SOUND, POISONED, STATUS = poisoned(ROBOT)
+GOOD = STATUS == 0
+
+
+def same_bits(left: Array, right: Array) -> bool:
+    return np.ascontiguousarray(left).tobytes() == np.ascontiguousarray(right).tobytes()
+
+
+def check(run: Callable[[Motion], tuple[dict[str, Any], NDArray[np.int32]]], codes: bool = True) -> None:
+    """run: motion -> results by name, and status."""
+    clean, none = run(SOUND)
+    spoilt, status = run(POISONED)
+    assert not none.any()
+    assert ((status == 0) == GOOD).all()
+    assert not codes or (status == STATUS).all()
+    for name, value in clean.items():
+        assert np.isfinite(value).all(), name
+        assert same_bits(spoilt[name][GOOD], value[GOOD]), name
+        assert np.isnan(spoilt[name][~GOOD]).all(), name
+
+
+def test_one_pose_in_a_hundred_is_poisoned_in_every_way() -> None:
+    assert np.count_nonzero(STATUS) == POSES // 100 + 6
+    assert set(STATUS) == {0, NOT_FINITE, ZERO_LENGTH, JOINT_SINGULAR, SINGULAR}
+
+
+@pytest.mark.parametrize("threads", [1, 2, 5])
+@pytest.mark.parametrize("precision", ["double", "float"])
+def test_forces_of_sound_poses_keep_every_bit(
+    precision: Any, threads: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(forces, "LEAST_SHARE", 100)
+    kernel = ss.prepare(ROBOT, precision=precision)
+
+    def run(motion: Motion) -> tuple[dict[str, Any], NDArray[np.int32]]:
+        with np.errstate(all="ignore"):
+            F, status = kernel.forces_and_status(motion, threads)
+        return {"F": F}, status
+
+    # In float a pose on the axis to rounding of double is beside it, or the other way round.
+    check(run, codes=precision == "double")
+
+
+@pytest.mark.parametrize("fidelity", [name for name in available(ROBOT) if name != "general"])
+def test_reduced_kernels_keep_every_bit(fidelity: str) -> None:
+    kernel = ss.prepare(ROBOT, fidelity=fidelity)
+    clean, none = kernel.forces_and_status(SOUND)
+    spoilt, status = kernel.forces_and_status(POISONED)
+    assert not none.any()
+    # What a level does not read, such as rates at rest, can't poison it.
+    assert not status[GOOD].any()
+    assert (status[~GOOD] != 0).sum() >= 8
+    assert same_bits(spoilt[GOOD], clean[GOOD])
+    assert np.isnan(spoilt[status != 0]).all()
+
+
+@pytest.mark.parametrize("kind", [CKernel, NumpyKernel])
+@pytest.mark.parametrize("formulation", ["exact", "paper"])
+def test_every_output_of_sound_poses_keeps_every_bit(kind: Any, formulation: str) -> None:
+    kernel = kind.prepare(ROBOT, formulation)
+    for compute in (kernel.forces, lambda motion: kernel.reactions(motion, np.full(6, 0.1))):
+
+        def run(motion: Motion, compute: Any = compute) -> tuple[dict[str, Any], NDArray[np.int32]]:
+            with np.errstate(all="ignore"):
+                found = {name: value for name, value in vars(compute(motion)).items() if value is not None}
+            return found, found.pop("status")
+
+        check(run)
+
+
+@pytest.mark.parametrize("kind", [CClosedForm, NumpyClosedForm])
+@pytest.mark.parametrize("what", OUTPUTS)
+def test_the_closed_form_of_sound_poses_keeps_every_bit(kind: Any, what: Any) -> None:
+    kernel = kind(ROBOT)
+    F = np.random.default_rng(72).normal(size=(POSES, 6)) if what in FORCED else None
+
+    # Not all functions read accelerations or loads, or solve with H.
+    clean, spoilt = (dict(kernel.run(what, motion, F)) for motion in (SOUND, POISONED))
+    none, status = clean.pop("status"), spoilt.pop("status")
+    assert not none.any()
+    assert not status[GOOD].any()
+    assert np.isin(status, [*(0, NOT_FINITE, ZERO_LENGTH, JOINT_SINGULAR, SINGULAR)]).all()
+    always = np.isin(STATUS, (ZERO_LENGTH, JOINT_SINGULAR))
+    assert (status[always] == STATUS[always]).all()
+    for name, value in clean.items():
+        assert same_bits(spoilt[name][GOOD], value[GOOD]), name
+        assert np.isfinite(spoilt[name][status == 0]).all(), name
+        assert np.isnan(spoilt[name][status != 0]).all(), name
+
+
+# --- threads
+
+
+def hammered(calls: list[Callable[[], bytes]], threads: int = 6, rounds: int = 12) -> bool:
+    """Whether many threads at once get what one alone gets, each in an order of its own."""
+    expected = [call() for call in calls]
+    wrong: list[tuple[int, int]] = []
+    start = threading.Barrier(threads)
+
+    def work(number: int) -> None:
+        order = np.random.default_rng(number).permutation(np.repeat(np.arange(len(calls)), rounds))
+        start.wait()
+        wrong.extend((number, int(i)) for i in order if calls[i]() != expected[i])
+
+    workers = [threading.Thread(target=work, args=(number,)) for number in range(threads)]
+    for worker in workers:
+        worker.start()
+    for worker in workers:
+        worker.join()
+    return not wrong
+
+
+def test_threads_share_a_closed_form_and_get_the_bits_of_one() -> None:
+    kernel, F = CClosedForm(ROBOT), np.ones((POSES, 6))
+
+    def call(what: Any, motion: Motion) -> Callable[[], bytes]:
+        forced = F if what in FORCED else None
+        return lambda: b"".join(v.tobytes() for v in kernel.run(what, motion, forced).values())
+
+    assert hammered([call(what, motion) for what in OUTPUTS for motion in (SOUND, POISONED)], rounds=1)
+
+
+def test_threads_share_force_kernels_whose_batches_are_shared_themselves(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(forces, "LEAST_SHARE", 50)
+    kernels = [
+        ss.prepare(robot, precision=precision)
+        for robot in (ROBOT, dasgupta())
+        for precision in ("double", "float")
+    ]
+
+    def call(kernel: ss.ForceKernel, motion: Motion, threads: int) -> Callable[[], bytes]:
+        def bits() -> bytes:
+            with np.errstate(all="ignore"):
+                return b"".join(part.tobytes() for part in kernel.forces_and_status(motion, threads))
+
+        return bits
+
+    assert hammered([call(k, m, n) for k in kernels for m in (SOUND, POISONED) for n in (1, 3)])
+
+
+def test_each_thread_has_its_own_buffers_of_one_pose() -> None:
+    kernel = ss.prepare(ROBOT)
+    numbers = [np.concatenate([np.ravel(getattr(SOUND[i], name)) for name in FIELDS]) for i in range(8)]
+
+    def call(i: int) -> Callable[[], bytes]:
+        def bits() -> bytes:
+            slot = kernel.one_pose()
+            slot.numbers[...] = numbers[i]
+            return bytes([slot.solve()]) + slot.F.tobytes()
+
+        return bits
+
+    assert hammered([call(i) for i in range(8)], rounds=50)

@@ -6,13 +6,23 @@ from typing import Any
 
 import numpy as np
 import pytest
+from fifty_digits import truth as true_forces
+from leaning_legs import leaning
+from machines import machine_in_motion, random_motion, random_robot
+from mpmath import mp
 from near_joint import BLOCKS, KINDS, Truth, blocks, excess, of_reference, outputs, random_case, truth
+from reduced_machines import as_simple_as, at_rest
 from sweeps import share, sweep
 
 import stewart_sym as ss
+from stewart_sym.backend import fidelity
+from stewart_sym.derive.mechanics.formulation import EXACT, FORMULATIONS
+from stewart_sym.derive.mechanics.reduced_models import FIDELITIES
 from stewart_sym.dynamics.closed_form import CClosedForm, NumpyClosedForm
+from stewart_sym.motion.motion import Motion
 from stewart_sym.reference import equations_of_motion
 from stewart_sym.results import JOINT_SINGULAR, OK, ZERO_LENGTH
+from stewart_sym.robot.robot import Robot
 
 MOST = 10.0
 FORMS = {"c": CClosedForm, "numpy": NumpyClosedForm}
@@ -125,3 +135,82 @@ def test_a_batch_of_calm_and_stiff_poses_gives_what_each_pose_gives() -> None:
                 np.testing.assert_allclose(
                     whole[name][i], one[name], rtol=1e-12, atol=1e-12 * np.abs(one[name]).max()
                 )
+
+
+EPSILON = np.finfo(np.float64).eps
+UNITS = 1000
+SINES = [1e-1, 1e-3, 1e-5, 1e-8, 1e-11]
+
+
+def calm(seed: int) -> tuple[Robot, Motion]:
+    """A machine at rest with axisymmetric legs: no force depends on the joint singularity."""
+    rng = np.random.default_rng(seed)
+    robot = as_simple_as(random_robot(rng), FIDELITIES["axisymmetric"])
+    return robot, at_rest(random_motion(rng, robot))
+
+
+@pytest.mark.parametrize("sine", SINES)
+def test_a_machine_that_does_not_feel_the_joint_singularity_keeps_its_digits(sine: float) -> None:
+    robot, motion = calm(1)
+    robot = leaning(robot, motion, sine)
+    with mp.workdps(50):
+        expected = np.array([float(F) for F in true_forces(EXACT, robot, motion)["F"]])
+    whole = ss.inverse_dynamics(robot, motion)
+    size = max(np.abs(values).max() for values in (whole.F, whole.D, whole.x))
+    bound = UNITS * EPSILON * ss.condition_number(whole.H) * size
+    names = [name for name in fidelity.FIDELITIES if not name.startswith(("massless", "point"))]
+    found = [ss.prepare(robot, fidelity=name).forces(motion) for name in names]
+    found += [ss.inverse_dynamics(robot, motion, backend=backend).F for backend in ("c", "numpy")]
+    for F in found:
+        assert np.abs(F - expected).max() <= bound
+
+
+@pytest.mark.parametrize("sine", SINES)
+def test_moving_legs_without_axial_inertia_do_not_feel_the_joint_singularity_either(sine: float) -> None:
+    rng = np.random.default_rng(1)
+    robot = as_simple_as(random_robot(rng), FIDELITIES["slender"])
+    motion = random_motion(rng, robot)
+    calm, near = leaning(robot, motion, 0.9), leaning(robot, motion, sine)
+    F = ss.prepare(calm).forces(motion)
+    bound = UNITS * EPSILON * ss.condition_number(ss.wrench_matrix(robot, motion))
+    paths = [ss.prepare(near).forces(motion)]
+    paths += [ss.inverse_dynamics(near, motion, backend=backend).F for backend in ("c", "numpy")]  # type: ignore[arg-type]
+    for path in paths:
+        assert np.abs(path - F).max() <= bound * np.abs(F).max()
+    expected, found = (np.concatenate(ss.forward_dynamics(each, motion, F)) for each in (calm, near))
+    assert np.abs(found - expected).max() <= bound * np.abs(expected).max()
+
+
+@pytest.mark.parametrize("formulation", ["exact", "paper"])
+@pytest.mark.parametrize("sine", [1e-2, 1e-4, 1e-6, 1e-8])
+def test_a_general_machine_loses_no_more_than_its_own_sensitivity(formulation: str, sine: float) -> None:
+    robot, motion = machine_in_motion(4)
+    robot = leaning(robot, motion, sine)
+    form = next(form for form in FORMULATIONS if form.kernel_name == formulation)
+    with mp.workdps(50):
+        expected = np.array([float(F) for F in true_forces(form, robot, motion)["F"]])
+    # The leg's spin grows like the inverse sine, and with it what the error of a number does to the forces.
+    kernel = ss.prepare(robot, formulation)  # type: ignore[arg-type]
+    error = np.abs(kernel.forces(motion) - expected).max() / np.abs(expected).max()
+    assert error <= UNITS * EPSILON * 60 / sine
+
+
+def test_one_pose_and_batch_take_the_same_code_path_near_the_joint_singularity() -> None:
+    robot, motion = machine_in_motion(5, (9,))
+    robot = leaning(robot, motion[4], 1e-3)
+    for formulation in ("exact", "paper"):
+        kernel = ss.prepare(robot, formulation)  # type: ignore[arg-type]
+        batch = kernel.forces(motion)
+        for i in range(9):
+            np.testing.assert_array_equal(kernel.forces(motion[i]), batch[i])
+
+
+def test_the_joint_singularity_itself_is_said_by_every_kernel() -> None:
+    robot, motion = calm(0)
+    for sine, status in ((3e-12, OK), (3e-13, JOINT_SINGULAR), (0.0, JOINT_SINGULAR)):
+        leaned = leaning(robot, motion, sine)
+        for name in ("general", "axisymmetric", "general_static"):
+            assert ss.prepare(leaned, fidelity=name).status(motion) == status
+        for backend in ("c", "numpy"):
+            found = ss.inverse_dynamics(leaned, motion, backend=backend, on_singular="nan")  # type: ignore[arg-type]
+            assert found.status == status

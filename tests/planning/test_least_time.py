@@ -1,17 +1,26 @@
-"""The fastest motion along a path: against toppra, collocation by IPOPT, and its own limits."""
+"""The fastest motion along a path and within limits of motors: against toppra, IPOPT and its own limits."""
 
 import dataclasses
 
 import numpy as np
 import pytest
 from least_time_oracles import coefficients, collocation_duration, extrapolated, toppra_duration
+from machines import machine_size
+from motor_cases import QUANTITIES, motor_case
+from smooth_oracles import motor_duration
+from sweeps import share
 from via_cases import limited_case, planned_case, straight, via_case
 
+from stewart_sym.drives.effort import drive_effort
 from stewart_sym.dynamics.inverse import inverse_dynamics
 from stewart_sym.kinematics.inverse import inverse_kinematics
 from stewart_sym.planning.certificate import certify_plan
 from stewart_sym.planning.time_path import time_path
-from stewart_sym.planning.timing.path_terms import Limits, terms_along
+from stewart_sym.planning.timing.grid import Grid
+from stewart_sym.planning.timing.motor_terms import rotor_terms
+from stewart_sym.planning.timing.path_terms import Limits, terms_along, travelled
+from stewart_sym.planning.timing.phase_plane import highest, lowest
+from stewart_sym.reference.newton_euler import rotor_force
 
 
 @pytest.mark.parametrize("seed", [1, *(pytest.param(seed, marks=pytest.mark.slow) for seed in (6, 16, 30))])
@@ -110,3 +119,116 @@ def test_what_bounds_no_motion_or_allows_none_is_one_line(limits: Limits, messag
     with pytest.raises(ValueError, match=message) as error:
         time_path(robot, straight(robot, poses), limits=limits)
     assert "\n" not in str(error.value)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(share(10, 10)))
+def test_least_time_within_the_motors_limits_is_that_of_collocation(seed: int) -> None:
+    robot, path = motor_case(seed)
+    found = time_path(robot, path, cells=100)
+    expected = extrapolated(lambda cells: motor_duration(found, cells), 125)
+    assert found.duration == pytest.approx(expected, rel=1e-3)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("quantity", ["speed", "current", "power"])
+def test_each_limit_of_the_motors_is_reached_and_kept_between_the_nodes(quantity: str) -> None:
+    robot, path = motor_case(1, (quantity,))
+    plan = time_path(robot, path, cells=100)
+    proof = certify_plan(plan)
+    assert proof.used <= 1.0 + 1e-6
+    assert proof.active >= 0.95
+    times = np.linspace(0.0, plan.duration, 4001)
+    found = drive_effort(robot, plan.sample(times), times)
+    share = getattr(found, f"peak_{quantity}") / getattr(robot.drive, f"{quantity}_limit")
+    assert 1.0 - 5e-3 < share.max() <= 1.0 + 1e-6
+
+
+@pytest.mark.filterwarnings("ignore::stewart_sym.drives.effort.DriveLimitWarning")
+@pytest.mark.parametrize(
+    ("seed", "jerk"),
+    [(0, 1.0), pytest.param(1, None, marks=pytest.mark.slow), pytest.param(3, None, marks=pytest.mark.slow)],
+)
+def test_motors_that_hold_the_machine_with_nearly_all_their_torque_move_it_as_fast_as_they_can(
+    seed: int, jerk: float | None
+) -> None:
+    """Not slower than the motion of stronger motors played more slowly."""
+    robot, path = motor_case(seed, ("torque",))
+    quick = time_path(robot, path, cells=100)
+    if jerk:
+        jerk *= 1e3 * machine_size(robot) / quick.duration**3
+    motors = terms_along(robot, path, np.linspace(0.0, 1.0, 2001), Limits(), "exact").motors
+    assert motors is not None
+    held = motors.at_rest()[:, :6].max(axis=0)
+    weak = dataclasses.replace(robot.drive, torque_limit=1.02 * held * robot.drive.torque_limit)
+    robot = dataclasses.replace(robot, drive=weak)
+    plan = time_path(robot, path, limits=Limits(jerk=jerk), cells=100)
+    proof = certify_plan(plan)
+    assert proof.holds
+    assert proof.active > 0.5
+    slow, times = 1.0, np.linspace(0.0, 1.0, 2001)
+    while True:
+        played = dataclasses.replace(quick, profile=quick.profile.slowed(slow))
+        effort = drive_effort(robot, played.sample(times * played.duration), times * played.duration)
+        if np.all(effort.peak_torque <= weak.torque_limit):
+            break
+        slow *= 0.9
+    assert plan.duration < played.duration
+
+
+@pytest.mark.slow
+def test_bounds_where_a_leg_turns_back_are_those_of_either_side() -> None:
+    robot, path = motor_case(1, ("torque",))
+
+    def source(s: np.ndarray):
+        return terms_along(robot, path, s, Limits(), "exact")
+
+    def room(low: np.ndarray, high: np.ndarray, x: float) -> np.ndarray:
+        return np.array([lowest(low, x), highest(high, x)])
+
+    grid = Grid.of(source, np.linspace(0.0, 1.0, 101))
+    bounds = grid.bounds()
+    nodes = np.flatnonzero(bounds.before != np.arange(len(grid.s)))
+    assert len(nodes) > 5
+    jumps = []
+    for i in nodes:
+        x = 0.5 * bounds.cap[i]
+        at_node = [room(bounds.low[k], bounds.high[k], x) for k in (bounds.before[i], i)]
+        for shifts, k, found in zip(([-2e-7, -1e-7], [1e-7, 2e-7]), (1, 0), at_node, strict=True):
+            near = Grid.at(source, grid.s[i] + np.array(shifts)).bounds()
+            np.testing.assert_allclose(found, room(near.low[k], near.high[k], x), rtol=1e-3)
+        jumps.append(np.abs(at_node[0] - at_node[1]).max() / np.abs(at_node).max())
+    assert max(jumps) > 0.01
+
+
+@pytest.mark.slow
+def test_terms_give_the_torques_of_the_drives() -> None:
+    robot, path = motor_case(0)
+    s, rng = np.linspace(0.02, 0.98, 41), np.random.default_rng(0)
+    square, second = rng.uniform(0.0, 2.0, 41), rng.normal(size=41)
+    motion = travelled(path(s), np.sqrt(square), second)
+    terms = terms_along(robot, path, s, Limits(), "exact").motors
+    found = terms.efforts(square, second) / robot.drive.turns
+    torque = drive_effort(dataclasses.replace(robot, drive=free(robot)), motion).torque
+    np.testing.assert_allclose(found, torque, atol=1e-9 * np.abs(torque).max())
+    a, b = rotor_terms(robot, path(s))
+    rotor = rotor_force(robot, motion)
+    np.testing.assert_allclose(
+        a * second[:, None] + b * square[:, None], rotor, atol=1e-12 * np.abs(rotor).max()
+    )
+
+
+def free(robot):
+    """The drive without limits."""
+    none = {f"{name}_limit": np.inf for name in QUANTITIES}
+    return dataclasses.replace(robot.drive, **none)
+
+
+@pytest.mark.slow
+def test_a_motor_that_cannot_move_the_machine_slowly_is_named() -> None:
+    robot, path = motor_case(1, ("torque",))
+    drive = dataclasses.replace(robot.drive, torque_limit=0.3 * robot.drive.torque_limit)
+    with pytest.raises(
+        ValueError, match=r"limits: torque of the motor of leg \d is .* times its limit at rest"
+    ):
+        time_path(dataclasses.replace(robot, drive=drive), path)
