@@ -132,8 +132,6 @@ def test_motors_are_sized_where_there_are_drives() -> None:
     needs = ss.size(driven, [(time, motion)])
     with pytest.warns(ss.DriveLimitWarning):
         effort = ss.drive_effort(driven, motion, time)
-    assert needs.torque is not None
-    assert needs.rms_torque is not None
     np.testing.assert_allclose(needs.torque[-1], effort.peak_torque, rtol=1e-12)
     np.testing.assert_allclose(needs.rms_torque, effort.rms_torque, rtol=1e-9)
     assert [line[:18] for line in compared(driven, needs).exceeded] == ["drive.torque_limit"] * 6
@@ -148,8 +146,6 @@ def test_currents_are_needs_of_the_motors_that_have_a_torque_constant() -> None:
     )
     driven = dataclasses.replace(robot, drive=drive)
     needs = ss.size(driven, [(time, motion)])
-    assert needs.current is not None
-    assert needs.torque is not None
     np.testing.assert_allclose(needs.current[:, 1:], needs.torque[:, 1:] / 0.5, rtol=1e-12)
     assert np.isnan(needs.current[:, 0]).all()
     assert [line[:28] for line in compared(driven, needs).exceeded] == ["drive.current_limit of leg 2"]
@@ -170,11 +166,11 @@ def test_what_is_no_question_is_one_line() -> None:
         ([(time, motion), (time[::-1], motion)], "motions[1]: time: expected finite, rising"),
         ([([0.0, np.nan, 1.0], motion)], "motions[0]: time: expected finite"),
     ):
-        assert error_of(lambda motions=motions: ss.size(robot, motions)).startswith(message)  # type: ignore[misc]
+        assert error_of(lambda motions=motions: ss.size(robot, motions)).startswith(message)
     pairs = [(time, motion)]
     assert error_of(lambda: ss.size(robot, pairs, margin=-0.1)).startswith("margin: expected")
     for quantiles in ([], [0.0], [1.1], [0.5, np.nan], "half"):
-        assert error_of(lambda quantiles=quantiles: ss.size(robot, pairs, quantiles=quantiles)).startswith(  # type: ignore[misc]
+        assert error_of(lambda quantiles=quantiles: ss.size(robot, pairs, quantiles=quantiles)).startswith(
             "quantiles: expected"
         )
 
@@ -231,7 +227,6 @@ def test_deviations_of_needs_cover_the_errors_that_noise_makes(noisy: list[Noisy
     off: dict[str, list[np.ndarray]] = {}
     for _, true, _, needs in noisy:
         for where, found, exact in (("course.", needs.course, true.course), ("", needs, true)):
-            assert found.deviations is not None
             for name, sd in found.deviations.items():
                 if name.endswith(("_rise", "_fall")):
                     continue
@@ -315,7 +310,6 @@ def test_the_picture_has_room_for_a_stroke_with_its_margin_where_the_limits_do(s
 
 
 def with_limits(robot: ss.Robot, limits: dict[str, np.ndarray]) -> ss.Robot:
-    assert robot.drive is not None
     stated = {name: limits[name] for name in ("force_limit", "speed_limit")}
     angles = [limits[f"joint_angle_limit at the {end}"] for end in ("base", "platform")]
     stated |= {"joint_angle_limit": np.stack(angles, axis=-1)}

@@ -251,7 +251,7 @@ def test_what_is_no_question_is_one_line(monkeypatch: pytest.MonkeyPatch) -> Non
     robot = limited(np.random.default_rng(2))
     free = dataclasses.replace(robot, length_limits=np.tile([0.0, math.inf], (6, 1)))
     assert "expected a box" in error_of(lambda: ss.workspace(free))
-    assert error_of(lambda: ss.workspace(robot, "all")).startswith("kind: expected")  # type: ignore[arg-type]
+    assert error_of(lambda: ss.workspace(robot, "all")).startswith("kind: expected")
     assert error_of(lambda: ss.workspace(robot, poses=3)).startswith("poses: expected")
     assert error_of(lambda: ss.workspace(robot, position=[0.0, math.nan, 0.0])).startswith(
         "position: expected"
@@ -389,8 +389,8 @@ def test_what_is_no_question_of_capability_is_one_line() -> None:
     motion = random_motion(rng, robot)
     free = dataclasses.replace(robot, force_limit=np.array([1.0, np.inf, 1.0, 1.0, np.inf, 1.0]))
     assert "legs 2, 5 have none" in error_of(lambda: ss.capability(free, motion))
-    assert error_of(lambda: ss.capability(robot, motion, "torque")).startswith("what: expected")  # type: ignore[arg-type]
-    assert error_of(lambda: ss.capability(robot, motion, others="any")).startswith("others: expected")  # type: ignore[arg-type]
+    assert error_of(lambda: ss.capability(robot, motion, "torque")).startswith("what: expected")
+    assert error_of(lambda: ss.capability(robot, motion, others="any")).startswith("others: expected")
     found = ss.capability(robot, motion)
     assert error_of(lambda: found.largest([0.0, 0.0, 0.0])).startswith("direction: expected")
     assert error_of(lambda: found.largest([0.0, np.nan, 0.0])).startswith("direction: expected")

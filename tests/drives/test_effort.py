@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from command_line import Run
+from command_line import Run, rejects
 from machines import random_robot
 from motion_fields import motion_of, waves
 from robot_files import written
@@ -155,8 +155,7 @@ def test_weights_of_unequal_steps_and_wrong_arguments(robot: ss.Robot) -> None:
     with pytest.raises(ValueError, match=r"robot: expected a drive, got a robot without one"):
         ss.drive_effort(robot, swing(robot, even, 2.0))
     for wrong in (even[::-1], even[1:], np.zeros(3001)):
-        with pytest.raises(ValueError, match=r"\Atime: expected"):
-            ss.drive_effort(machine, swing(robot, even, 2.0), wrong)
+        rejects(r"\Atime: expected", ss.drive_effort, machine, swing(robot, even, 2.0), wrong)
 
 
 def forces(folder: Path, robot: ss.Robot, time: np.ndarray, *options: str) -> list[str]:
@@ -242,10 +241,8 @@ def test_dry_friction_is_as_unsure_as_the_direction_of_the_leg(robot: ss.Robot) 
         )
         log = Trajectory(np.arange(n) * 1.0, up, "log.csv", range(n), noise)
         effort = ss.drive_effort(driven, log)
-        assert effort.deviations is not None
         # Joints' friction is in both.
         through = ss.drive_effort(with_drive(robot), log).deviations
-        assert through is not None
         step = np.sqrt(effort.deviations["torque"] ** 2 - through["torque"] ** 2)
         np.testing.assert_array_less(least * 2.0 * coulomb / 3.0 / turns * (1.0 - 1e-6), step + 1e-12)
         np.testing.assert_array_less(step, most * 2.0 * coulomb / 3.0 / turns * (1.0 + 1e-6) + 1e-6)
@@ -260,8 +257,7 @@ def test_a_trajectory_has_its_own_times(robot: ss.Robot) -> None:
     effort, same = ss.drive_effort(driven, log), ss.drive_effort(driven, motion, time)
     assert effort.deviations is None
     np.testing.assert_array_equal(effort.energy, same.energy)
-    with pytest.raises(ValueError, match=r"^time: expected None beside a trajectory"):
-        ss.drive_effort(driven, log, time)
+    rejects(r"^time: expected None beside a trajectory", ss.drive_effort, driven, log, time)
 
 
 def test_limits_of_legs_at_which_a_motion_stops_are_kept_but_for_its_rounding(robot: ss.Robot) -> None:

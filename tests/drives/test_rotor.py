@@ -8,7 +8,7 @@ from typing import Any, Literal
 
 import numpy as np
 import pytest
-from machines import random_motion, random_robot, rotation, with_random_rotors
+from machines import Array, random_motion, random_robot, rotation, with_random_rotors
 from motion_fields import acceleration, motion_of, waves
 from numpy.typing import NDArray
 from pages import DOCS
@@ -19,15 +19,9 @@ import stewart_sym as ss
 from stewart_sym.backend.fidelity import DRIVE_FIDELITIES
 from stewart_sym.derive.mechanics.reduced_models import DRIVE_FIDELITIES as DERIVED
 from stewart_sym.dynamics.home_pose import home_pose
-from stewart_sym.identification.parameters import inertial_parameters
-from stewart_sym.motion.motion import Motion
 from stewart_sym.reference import equations_of_motion as oracle
 from stewart_sym.reference import newton_euler
-from stewart_sym.robot.drive import Drive
-from stewart_sym.robot.robot import Robot
 from stewart_sym.studies.benchmark.equation_kernels import robot_of_bodies
-
-Array = NDArray[np.float64]
 
 RELATIVE = 1e-10
 MACHINES, POSES = 12, 3
@@ -36,7 +30,7 @@ QUANTITIES = ("F", "F_s", "F_u", "F_p", "M_p", "M_u")
 
 
 @cache
-def _case(seed: int) -> tuple[Robot, Motion, list[Answer]]:
+def _case(seed: int) -> tuple[ss.Robot, ss.Motion, list[Answer]]:
     rng = np.random.default_rng(seed)
     robot = with_random_rotors(rng, random_robot(rng))
     motion = random_motion(rng, robot, (POSES,))
@@ -98,7 +92,7 @@ def test_equations_of_motion_are_those_of_rotors_as_bodies(backend: Any) -> None
 def _pinocchio_equations(seed: int) -> Any:
     robot, motion, _ = _case(seed)
 
-    def wrench(robot: Robot, motion: Motion) -> tuple[Array, NDArray[np.int32]]:
+    def wrench(robot: ss.Robot, motion: ss.Motion) -> tuple[Array, NDArray[np.int32]]:
         H = ss.inverse_dynamics(robot, motion, backend="reference").H
         F = np.empty((*motion.shape, 6))
         for i in np.ndindex(motion.shape):
@@ -108,11 +102,10 @@ def _pinocchio_equations(seed: int) -> Any:
     return oracle.by_linearity(wrench, robot, motion[:1])
 
 
-def _without_momentum(robot: Robot) -> Robot:
+def _without_momentum(robot: ss.Robot) -> ss.Robot:
     """The same reflected masses of rotors without angular momentum: tiny ones that turn very fast."""
-    assert robot.drive is not None
     share = 1e-9
-    drive = Drive(lead=share * robot.drive.lead, rotor_inertia=share**2 * robot.drive.rotor_inertia)
+    drive = ss.Drive(lead=share * robot.drive.lead, rotor_inertia=share**2 * robot.drive.rotor_inertia)
     return dataclasses.replace(robot, drive=drive)
 
 
@@ -123,7 +116,7 @@ def test_derivatives_are_those_of_the_reference(backend: Any) -> None:
         motion = motion[0]
         found = ss.force_derivatives(robot, motion, backend=backend)
 
-        def F(robot: Robot, motion: Motion) -> Array:
+        def F(robot: ss.Robot, motion: ss.Motion) -> Array:
             return newton_euler.inverse_dynamics(robot, motion).F
 
         for name, fields in (
@@ -144,7 +137,7 @@ def test_linearised_motion_is_that_of_forward_dynamics(backend: Any) -> None:
         robot, motion, truth = _case(seed)
         motion, forces = motion[0], truth[0].F
 
-        def solved(robot: Robot, motion: Motion, forces: Array = forces) -> Array:
+        def solved(robot: ss.Robot, motion: ss.Motion, forces: Array = forces) -> Array:
             a, alpha = ss.forward_dynamics(robot, motion, forces, backend="reference")[:2]
             return np.concatenate([a, alpha])
 
@@ -159,7 +152,7 @@ def test_linearised_motion_is_that_of_forward_dynamics(backend: Any) -> None:
         assert np.abs(found.A[6:] - expected).max() < 1e-6 * np.abs(expected).max(), seed
 
 
-def _slope(function: Any, robot: Robot, motion: Motion, field: str, axis: int) -> Array:
+def _slope(function: Any, robot: ss.Robot, motion: ss.Motion, field: str, axis: int) -> Array:
     """Derivative by one component, by differences of the fourth order."""
     step = 1e-3 * (1.0 if field == "R" else max(float(np.abs(getattr(motion, field)).max()), 1e-2))
 
@@ -195,7 +188,7 @@ def test_reflected_masses_are_armature_to_mujoco() -> None:
 def test_a_drive_without_rotor_inertia_changes_no_bit() -> None:
     robot, motion, _ = _case(0)
     plain = dataclasses.replace(robot, drive=None)
-    driven = dataclasses.replace(robot, drive=Drive(lead=0.01))
+    driven = dataclasses.replace(robot, drive=ss.Drive(lead=0.01))
     assert ss.prepare(driven).name == ss.prepare(plain).name == "exact"
     for found in (ss.inverse_dynamics, ss.equations_of_motion, ss.force_derivatives):
         one, other = found(plain, motion), found(driven, motion)
@@ -261,7 +254,7 @@ def test_the_regressor_of_rotors_stands_beside_that_of_the_bodies() -> None:
         H = ss.inverse_dynamics(robot, motion).H
         F = np.array([answer.F for answer in truth])
         needed = (H @ F[..., None])[..., 0] + motion.external_wrench()
-        bodies = ss.regressor(robot, motion) @ inertial_parameters(robot).values
+        bodies = ss.regressor(robot, motion) @ ss.inertial_parameters(robot).values
         rotors = ss.rotor_regressor(robot, motion) @ np.concatenate([robot.m_r, robot.j_r])
         assert np.abs(bodies + rotors - needed).max() < RELATIVE * np.abs(needed).max()
         assert np.abs(rotors).max() > 1e-3 * np.abs(needed).max()
@@ -283,7 +276,7 @@ PRICES = {
 def test_what_the_momentum_of_rotors_costs_and_what_their_mass(name: str, lead: float) -> None:
     """Shares of the peak force, of rotors of 5e-5 kg m^2 in a brisk motion; docs: fidelity."""
     plain = ss.robots.load(name)
-    robot = dataclasses.replace(plain, drive=Drive(lead=lead, rotor_inertia=5e-5))
+    robot = dataclasses.replace(plain, drive=ss.Drive(lead=lead, rotor_inertia=5e-5))
     motion = brisk_motion(robot)
     F = ss.prepare(robot).forces(motion)
     shares = [
@@ -302,7 +295,7 @@ def test_the_prices_of_rotors_are_those_of_the_documentation() -> None:
         assert written == [price[column] for price in PRICES.values()]
 
 
-def brisk_motion(robot: Robot) -> Motion:
+def brisk_motion(robot: ss.Robot) -> ss.Motion:
     """About a hertz, a twentieth of the platform's radius and a tenth of a radian to each side of home."""
     radius = np.linalg.norm(robot.p - robot.p.mean(axis=0), axis=1).mean()
     rate = 2 * np.pi * np.array([1.0, 1.3, 0.7, 0.9, 1.1, 1.4])

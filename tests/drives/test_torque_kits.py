@@ -9,8 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from kits import build, few_vectors, proves_itself, run
-from machines import dasgupta, random_motion, random_robot, with_random_drives
-from numpy.typing import NDArray
+from machines import Array, dasgupta, random_motion, random_robot, with_random_drives
 
 import stewart_sym as ss
 from stewart_sym.backend import native
@@ -25,15 +24,12 @@ from stewart_sym.kit.interpreter import KitInterpreter
 from stewart_sym.kit.parts import fields
 from stewart_sym.kit.running import values
 from stewart_sym.reference import newton_euler
-from stewart_sym.robot.drive import Drive
-from stewart_sym.robot.robot import Robot
 
-Array = NDArray[np.float64]
 Six = ctypes.c_double * 6
 EPSILON = np.finfo(np.float64).eps
 
 
-def machine(rotors: bool, joint: str = "universal") -> Robot:
+def machine(rotors: bool, joint: str = "universal") -> ss.Robot:
     rng = np.random.default_rng(5)
     return with_random_drives(rng, random_robot(rng, joint), rotors)
 
@@ -41,7 +37,7 @@ def machine(rotors: bool, joint: str = "universal") -> Robot:
 class Compiled:
     """The torques of a kit."""
 
-    def __init__(self, robot: Robot) -> None:
+    def __init__(self, robot: ss.Robot) -> None:
         with few_vectors():
             files = kit(robot, Choice(("torque",))).files
         sources = {name: text.decode() for name, text in files.items() if name.endswith((".c", ".h"))}
@@ -58,21 +54,20 @@ class Compiled:
         return status, np.array(torque), np.array(current)
 
 
-def robot_named(robot: Robot) -> Robot:
+def robot_named(robot: ss.Robot) -> ss.Robot:
     return dataclasses.replace(robot, name="turned")
 
 
 @pytest.fixture(scope="module", params=[(True, "universal"), (True, "spherical"), (False, "universal")])
-def case(request: pytest.FixtureRequest) -> tuple[Robot, Compiled]:
+def case(request: pytest.FixtureRequest) -> tuple[ss.Robot, Compiled]:
     robot = robot_named(machine(*request.param))
     return robot, Compiled(robot)
 
 
 @pytest.mark.slow
-def test_torques_are_those_of_the_python_layer(case: tuple[Robot, Compiled]) -> None:
+def test_torques_are_those_of_the_python_layer(case: tuple[ss.Robot, Compiled]) -> None:
     robot, torques = case
     drive = robot.drive
-    assert drive is not None
     # Every kind of friction that a drive may have is in this test.
     assert len(losses(drive)) == 7
     motion = random_motion(np.random.default_rng(6), robot, (50,))
@@ -89,14 +84,13 @@ def test_torques_are_those_of_the_python_layer(case: tuple[Robot, Compiled]) -> 
             assert status == 0
             assert np.all(np.abs(torque - expected.torque[i]) * np.abs(drive.turns) <= 8 * EPSILON * size[i])
             assert np.all(current[~known] == 0.0)
-            assert expected.current is not None
             np.testing.assert_allclose(current[known], expected.current[i, known], rtol=1e-12)
 
 
 def test_stribecks_decay_is_the_exponential_to_rounding() -> None:
     ones = np.ones(6)
     robot = dataclasses.replace(
-        dasgupta(), name="turned", drive=Drive(2 * np.pi, stribeck=ones, stribeck_speed=ones)
+        dasgupta(), name="turned", drive=ss.Drive(2 * np.pi, stribeck=ones, stribeck_speed=ones)
     )
     torques = Compiled(robot)
     ratios = np.concatenate([np.linspace(-9.0, 9.0, 3001), np.geomspace(1e-200, 1.0, 101)])
@@ -116,7 +110,7 @@ def test_torques_are_odd_in_force_and_rate_and_change_with_the_direction_of_powe
     F, L_dot = np.full(6, 800.0), np.full(6, 0.25)
     np.testing.assert_array_equal(torques(-F, -F, -L_dot)[1], -torques(F, F, L_dot)[1])
     lifted, lowered = torques(F, F, L_dot)[1], torques(F, F, -L_dot)[1]
-    turns = machine(False).drive.turns  # type: ignore[union-attr]
+    turns = machine(False).drive.turns
     assert np.all(turns * lifted > 800.0)
     assert np.all(turns * lowered < 800.0)
 
@@ -139,7 +133,6 @@ def test_bad_numbers_and_missing_arrays_leave_torques_as_they_were() -> None:
 
 def test_constants_of_drives_are_in_the_order_of_the_struct() -> None:
     robot = robot_named(machine(True))
-    assert robot.drive is not None
     numbers = drive_numbers(robot.drive)
     expected = np.concatenate([numbers[each.name] for each in STRUCTS["drives"]])
     np.testing.assert_array_equal(np.array(Compiled(robot).drives), expected)
@@ -248,7 +241,6 @@ def test_axial_forces_of_reflected_masses_leave_these_out_alone() -> None:
     names = kit_names(robot, choice)
     assert "stewart_exact_drive_reflected_axial.c" in names
     assert "stewart_exact_drive_axial.c" not in names
-    assert robot.drive is not None
     motion = random_motion(np.random.default_rng(8), robot, (3,))
     F = ss.prepare(robot, fidelity="reflected_slender").forces(motion)
     numbers = {name: np.asarray(getattr(robot, name)) for name in fields(True)}

@@ -11,10 +11,7 @@ from unsolvable_poses import semiregular
 
 import stewart_sym as ss
 from stewart_sym.backend import c_kernel, kernel, numpy_kernel
-from stewart_sym.motion.motion import Motion
 from stewart_sym.motion.rotation import rotation_from_vector
-from stewart_sym.results import Forces, Reactions
-from stewart_sym.robot.robot import Robot
 
 FORCES = ("F", "D", "x", "K", "H", "c")
 REACTIONS = ("F_s", "F_u", "F_p", "F_c", "M_p", "M_u")
@@ -22,7 +19,9 @@ POSES = 8
 TOLERANCE = 1e-13
 
 
-def deviation(left: Forces | Reactions, right: Forces | Reactions, name: str) -> NDArray[np.float64]:
+def deviation(
+    left: ss.Forces | ss.Reactions, right: ss.Forces | ss.Reactions, name: str
+) -> NDArray[np.float64]:
     """Largest difference of each pose beside the largest entry of that pose."""
     a, b = (getattr(result, name).reshape(POSES, -1) for result in (left, right))
     size = np.abs(b).max(axis=1)
@@ -54,7 +53,7 @@ def test_backends_agree_to_rounding(formulation, backend, base_joint: str) -> No
 BASE, PLATE = [-12, 12, 108, 132, 228, 252], [-45, 45, 75, 165, 195, 285]
 
 
-def doubtful(rng: np.random.Generator, robot: Robot) -> Motion:
+def doubtful(rng: np.random.Generator, robot: ss.Robot) -> ss.Motion:
     """Random poses, among them turns about z to and through a singular one, in which pivots are equally large
     but for the last digits; legs of length zero or along their axes, numbers not finite or overflowing."""
     motion = random_motion(rng, robot, (60,))
@@ -65,7 +64,7 @@ def doubtful(rng: np.random.Generator, robot: Robot) -> Motion:
     t[32:35] = robot.b[:3] - np.einsum("nij,nj->ni", R[32:35], robot.p[:3])
     t[35:38] = robot.b[:3] + robot.k[:3] - np.einsum("nij,nj->ni", R[35:38], robot.p[:3])
     t[38], parts["alpha"][39], parts["F_ext"][40] = 1e200, np.nan, np.inf
-    return Motion.unchecked(**parts)
+    return ss.Motion.unchecked(**parts)
 
 
 @pytest.mark.parametrize(
@@ -119,8 +118,8 @@ def test_no_load_is_zero_load() -> None:
     zero = np.zeros((4, 3))
     loaded = ss.Motion(free.R, free.t, free.omega, free.v, free.alpha, free.a, zero, zero)
     for backend in ("c", "numpy", "reference"):
-        left = ss.inverse_dynamics(robot, free, backend=backend).F  # type: ignore[arg-type]
-        right = ss.inverse_dynamics(robot, loaded, backend=backend).F  # type: ignore[arg-type]
+        left = ss.inverse_dynamics(robot, free, backend=backend).F
+        right = ss.inverse_dynamics(robot, loaded, backend=backend).F
         assert (left == right).all()
 
 

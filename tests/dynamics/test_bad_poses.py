@@ -9,7 +9,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from machines import dasgupta, machine_in_motion, random_motion, random_robot
+from command_line import rejects
+from machines import Array, dasgupta, machine_in_motion, random_motion, random_robot
 from motion_fields import FIELDS, UNLOADED, stacked
 from numpy.typing import NDArray
 from unsolvable_poses import BACKENDS, CASES, at_rest, semiregular
@@ -21,9 +22,7 @@ from stewart_sym.backend.fidelity import available
 from stewart_sym.backend.numpy_kernel import NumpyKernel
 from stewart_sym.dynamics import forces
 from stewart_sym.dynamics.closed_form import OUTPUTS, CClosedForm, NumpyClosedForm
-from stewart_sym.motion.motion import Motion
 from stewart_sym.results import JOINT_SINGULAR, NOT_FINITE, SINGULAR, ZERO_LENGTH
-from stewart_sym.robot.robot import Robot
 
 
 @pytest.mark.parametrize("backend", BACKENDS)
@@ -34,9 +33,7 @@ def test_a_pose_without_an_answer_is_one_clear_line_or_nan_that_leaves_its_neigh
     make, code, text = CASES[case]
     robot, bad = make()
     for function in (ss.inverse_dynamics, ss.joint_reactions):
-        with pytest.raises(ValueError, match=re.escape(text)) as caught:
-            function(robot, bad, backend=backend)
-        assert "\n" not in str(caught.value)
+        rejects(re.escape(text), function, robot, bad, backend=backend)
     good = at_rest([0.13, 0.04, 0.6])
     both = stacked([good, bad, good], UNLOADED)
     found = ss.inverse_dynamics(robot, both, backend=backend, on_singular="nan")
@@ -65,10 +62,8 @@ def test_numbers_that_overflow_are_reported(backend) -> None:
 )
 def test_what_is_no_robot_or_motion_is_named(function: Callable[..., object]) -> None:
     robot, motion = dasgupta(), at_rest([0.1, 0, 0.5])
-    with pytest.raises(ValueError, match=r"^robot: expected a Robot, got Motion$"):
-        function(motion, motion)
-    with pytest.raises(ValueError, match=r"^motion: expected a Motion, got ndarray$"):
-        function(robot, motion.R)
+    rejects(r"^robot: expected a Robot, got Motion$", function, motion, motion)
+    rejects(r"^motion: expected a Motion, got ndarray$", function, robot, motion.R)
 
 
 @pytest.mark.parametrize("F", [np.zeros(5), np.zeros((2, 6)), 1.0, "a", None, [1j] * 6], ids=str)
@@ -105,8 +100,7 @@ def test_reactions_that_overflow_are_reported(backend, shape: tuple[int, ...]) -
     assert np.all(found.status == results.NOT_FINITE)
     for name in ("F_s", "F_u", "F_p", "F_c", "M_p", "M_u"):
         assert np.isnan(getattr(found, name)).all()
-    with pytest.raises(ValueError, match="a result overflows"):
-        ss.joint_reactions(robot, motion, backend=backend, bearing=1e308)
+    rejects("a result overflows", ss.joint_reactions, robot, motion, backend=backend, bearing=1e308)
 
 
 @pytest.mark.parametrize("backend", BACKENDS)
@@ -155,12 +149,11 @@ def test_without_a_compiler_numpy_serves_and_says_so_once(monkeypatch) -> None:
     c_kernel.library.cache_clear()
 
 
-Array = NDArray[np.float64]
 POSES = 1003
 FORCED = ("forward_dynamics", "linearisation")
 
 
-def machine() -> Robot:
+def machine() -> ss.Robot:
     """Flat and of threefold symmetry: turned by 90 degrees about its axis, H is singular."""
     rng = np.random.default_rng(70)
     base, plate = (
@@ -170,7 +163,7 @@ def machine() -> Robot:
     return dataclasses.replace(random_robot(rng, scale=1.0), b=base, p=plate)
 
 
-def poisoned(robot: Robot) -> tuple[Motion, Motion, NDArray[np.int32]]:
+def poisoned(robot: ss.Robot) -> tuple[ss.Motion, ss.Motion, NDArray[np.int32]]:
     """A sound batch, the same with its poison, and the status of each pose, -1 for any but 0."""
     rng = np.random.default_rng(71)
     sound = random_motion(rng, robot, (POSES,))
@@ -196,7 +189,7 @@ def poisoned(robot: Robot) -> tuple[Motion, Motion, NDArray[np.int32]]:
         else:
             parts["t"][i] = 1e200
             status[i] = NOT_FINITE
-    return sound, Motion.unchecked(**parts), status
+    return sound, ss.Motion.unchecked(**parts), status
 
 
 ROBOT = machine()
@@ -208,7 +201,7 @@ def same_bits(left: Array, right: Array) -> bool:
     return np.ascontiguousarray(left).tobytes() == np.ascontiguousarray(right).tobytes()
 
 
-def check(run: Callable[[Motion], tuple[dict[str, Any], NDArray[np.int32]]], codes: bool = True) -> None:
+def check(run: Callable[[ss.Motion], tuple[dict[str, Any], NDArray[np.int32]]], codes: bool = True) -> None:
     """run: motion -> results by name, and status."""
     clean, none = run(SOUND)
     spoilt, status = run(POISONED)
@@ -234,7 +227,7 @@ def test_forces_of_sound_poses_keep_every_bit(
     monkeypatch.setattr(forces, "LEAST_SHARE", 100)
     kernel = ss.prepare(ROBOT, precision=precision)
 
-    def run(motion: Motion) -> tuple[dict[str, Any], NDArray[np.int32]]:
+    def run(motion: ss.Motion) -> tuple[dict[str, Any], NDArray[np.int32]]:
         with np.errstate(all="ignore"):
             F, status = kernel.forces_and_status(motion, threads)
         return {"F": F}, status
@@ -262,7 +255,7 @@ def test_every_output_of_sound_poses_keeps_every_bit(kind: Any, formulation: str
     kernel = kind.prepare(ROBOT, formulation)
     for compute in (kernel.forces, lambda motion: kernel.reactions(motion, np.full(6, 0.1))):
 
-        def run(motion: Motion, compute: Any = compute) -> tuple[dict[str, Any], NDArray[np.int32]]:
+        def run(motion: ss.Motion, compute: Any = compute) -> tuple[dict[str, Any], NDArray[np.int32]]:
             with np.errstate(all="ignore"):
                 found = {name: value for name, value in vars(compute(motion)).items() if value is not None}
             return found, found.pop("status")
@@ -315,7 +308,7 @@ def hammered(calls: list[Callable[[], bytes]], threads: int = 6, rounds: int = 1
 def test_threads_share_a_closed_form_and_get_the_bits_of_one() -> None:
     kernel, F = CClosedForm(ROBOT), np.ones((POSES, 6))
 
-    def call(what: Any, motion: Motion) -> Callable[[], bytes]:
+    def call(what: Any, motion: ss.Motion) -> Callable[[], bytes]:
         forced = F if what in FORCED else None
         return lambda: b"".join(v.tobytes() for v in kernel.run(what, motion, forced).values())
 
@@ -332,7 +325,7 @@ def test_threads_share_force_kernels_whose_batches_are_shared_themselves(
         for precision in ("double", "float")
     ]
 
-    def call(kernel: ss.ForceKernel, motion: Motion, threads: int) -> Callable[[], bytes]:
+    def call(kernel: ss.ForceKernel, motion: ss.Motion, threads: int) -> Callable[[], bytes]:
         def bits() -> bytes:
             with np.errstate(all="ignore"):
                 return b"".join(part.tobytes() for part in kernel.forces_and_status(motion, threads))

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from command_line import rejects
 from machines import dasgupta, machine_in_motion, random_motion, random_robot
 from motion_fields import FIELDS, UNLOADED, stacked
 from unsolvable_poses import CASES, at_rest
@@ -19,7 +20,6 @@ from stewart_sym.backend.c_kernel import address, c_sources
 from stewart_sym.backend.kernel import robot_numbers
 from stewart_sym.dynamics import forces
 from stewart_sym.generated.interface import MODELS
-from stewart_sym.motion.motion import Motion
 
 
 def relative(left: np.ndarray, right: np.ndarray) -> np.ndarray:
@@ -120,8 +120,7 @@ def test_a_bad_pose_has_its_status_in_a_batch_and_alone(case: str) -> None:
         motion = stacked([*good[:place], bad, *good[place + 1 :]], UNLOADED)
         assert kernel.status(motion).tolist() == [code if i == place else 0 for i in range(11)]
         assert np.isnan(kernel.forces(motion, on_singular="nan")[place]).all()
-        with pytest.raises(ValueError, match=rf"motion\[{place}\]"):
-            kernel.forces(motion)
+        rejects(rf"motion\[{place}\]", kernel.forces, motion)
         with pytest.warns(ss.SingularPoseWarning):
             kernel.forces(motion, on_singular="warn")
     slot = kernel.one_pose()
@@ -144,8 +143,7 @@ def test_empty_and_many_dimensional_batches_work() -> None:
 
 @pytest.mark.parametrize("threads", [0, -1, 1.5, True, "two"])
 def test_bad_thread_counts_are_named(threads) -> None:
-    with pytest.raises(ValueError, match=r"^threads: expected"):
-        ss.prepare(dasgupta()).forces(at_rest([0.1, 0, 0.5]), threads=threads)
+    rejects(r"^threads: expected", ss.prepare(dasgupta()).forces, at_rest([0.1, 0, 0.5]), threads=threads)
 
 
 def test_the_prepared_model_has_the_size_that_python_allots(tmp_path: Path) -> None:
@@ -175,10 +173,10 @@ def test_batches_take_no_memory_beyond_inputs_and_outputs(how: str) -> None:
     motion = path.sample(np.linspace(0, 6, count))
     if how == "broadcast":
         rest = np.broadcast_to(np.zeros(3), (count, 3))
-        motion = Motion.unchecked(R=motion.R, t=motion.t, omega=rest, v=rest, alpha=rest, a=rest)
+        motion = ss.Motion.unchecked(R=motion.R, t=motion.t, omega=rest, v=rest, alpha=rest, a=rest)
     if how == "in columns":
         fields = {name: getattr(motion, name) for name in FIELDS}
-        motion = Motion.unchecked(**{**fields, "t": np.asfortranarray(motion.t)})
+        motion = ss.Motion.unchecked(**{**fields, "t": np.asfortranarray(motion.t)})
     kernel = ss.prepare(dasgupta(), precision="float" if how == "float" else "double")
     kernel.forces(motion[:8])
     tracemalloc.start()
@@ -236,8 +234,7 @@ def test_given_arrays_that_do_not_fit_are_named() -> None:
         ("status", (arrays, F, status.astype(np.int64))),
     ]
     for name, arguments in bad:
-        with pytest.raises(ValueError, match=rf"^{name}: expected"):
-            kernel.forces_into(*arguments)  # type: ignore[arg-type]
+        rejects(rf"^{name}: expected", kernel.forces_into, *arguments)
 
 
 def test_a_warning_points_at_the_line_of_the_caller() -> None:
@@ -254,16 +251,14 @@ def test_constants_that_overflow_the_precision_are_rejected() -> None:
     robot = dasgupta()
     heavy = dataclasses.replace(robot, M=1e39)
     ss.prepare(heavy)
-    with pytest.raises(ValueError, match="robot: M: expected a number that float can hold"):
-        ss.prepare(heavy, precision="float")
+    rejects("robot: M: expected a number that float can hold", ss.prepare, heavy, precision="float")
 
 
 def test_buffers_that_do_not_fit_are_named() -> None:
     kernel = ss.prepare(dasgupta())
     with pytest.raises(ValueError, match="F: expected 6 writeable numbers"):
         forces.OnePose(kernel, np.zeros(6, dtype=np.float32), np.zeros(30))
-    with pytest.raises(ValueError, match="numbers: expected 30 writeable numbers"):
-        forces.OnePose(kernel, np.zeros(6), np.zeros(29))
+    rejects("numbers: expected 30 writeable numbers", forces.OnePose, kernel, np.zeros(6), np.zeros(29))
 
 
 @pytest.mark.parametrize("precision", ["double", "float"])
@@ -290,7 +285,6 @@ def test_c_takes_axes_of_any_length_but_zero(exponent: float, precision: forces.
 def test_prepared_constants_begin_where_a_line_of_the_cache_does_and_stay_as_they_are(
     precision: str,
 ) -> None:
-    prepared = ss.prepare(ss.robots.dasgupta1998(), precision=precision)  # type: ignore[arg-type]
+    prepared = ss.prepare(ss.robots.dasgupta1998(), precision=precision)
     assert prepared.model.ctypes.data % 64 == 0
-    with pytest.raises(ValueError, match="cannot set WRITEABLE"):
-        prepared.model.setflags(write=True)
+    rejects("cannot set WRITEABLE", prepared.model.setflags, write=True)

@@ -19,10 +19,8 @@ from stewart_sym.backend import fidelity
 from stewart_sym.derive.mechanics.formulation import EXACT, FORMULATIONS
 from stewart_sym.derive.mechanics.reduced_models import FIDELITIES
 from stewart_sym.dynamics.closed_form import CClosedForm, NumpyClosedForm
-from stewart_sym.motion.motion import Motion
 from stewart_sym.reference import equations_of_motion
 from stewart_sym.results import JOINT_SINGULAR, OK, ZERO_LENGTH
-from stewart_sym.robot.robot import Robot
 
 MOST = 10.0
 FORMS = {"c": CClosedForm, "numpy": NumpyClosedForm}
@@ -142,7 +140,7 @@ UNITS = 1000
 SINES = [1e-1, 1e-3, 1e-5, 1e-8, 1e-11]
 
 
-def calm(seed: int) -> tuple[Robot, Motion]:
+def calm(seed: int) -> tuple[ss.Robot, ss.Motion]:
     """A machine at rest with axisymmetric legs: no force depends on the joint singularity."""
     rng = np.random.default_rng(seed)
     robot = as_simple_as(random_robot(rng), FIDELITIES["axisymmetric"])
@@ -174,7 +172,7 @@ def test_moving_legs_without_axial_inertia_do_not_feel_the_joint_singularity_eit
     F = ss.prepare(calm).forces(motion)
     bound = UNITS * EPSILON * ss.condition_number(ss.wrench_matrix(robot, motion))
     paths = [ss.prepare(near).forces(motion)]
-    paths += [ss.inverse_dynamics(near, motion, backend=backend).F for backend in ("c", "numpy")]  # type: ignore[arg-type]
+    paths += [ss.inverse_dynamics(near, motion, backend=backend).F for backend in ("c", "numpy")]
     for path in paths:
         assert np.abs(path - F).max() <= bound * np.abs(F).max()
     expected, found = (np.concatenate(ss.forward_dynamics(each, motion, F)) for each in (calm, near))
@@ -190,7 +188,7 @@ def test_a_general_machine_loses_no_more_than_its_own_sensitivity(formulation: s
     with mp.workdps(50):
         expected = np.array([float(F) for F in true_forces(form, robot, motion)["F"]])
     # The leg's spin grows like the inverse sine, and with it what the error of a number does to the forces.
-    kernel = ss.prepare(robot, formulation)  # type: ignore[arg-type]
+    kernel = ss.prepare(robot, formulation)
     error = np.abs(kernel.forces(motion) - expected).max() / np.abs(expected).max()
     assert error <= UNITS * EPSILON * 60 / sine
 
@@ -199,7 +197,7 @@ def test_one_pose_and_batch_take_the_same_code_path_near_the_joint_singularity()
     robot, motion = machine_in_motion(5, (9,))
     robot = leaning(robot, motion[4], 1e-3)
     for formulation in ("exact", "paper"):
-        kernel = ss.prepare(robot, formulation)  # type: ignore[arg-type]
+        kernel = ss.prepare(robot, formulation)
         batch = kernel.forces(motion)
         for i in range(9):
             np.testing.assert_array_equal(kernel.forces(motion[i]), batch[i])
@@ -212,5 +210,5 @@ def test_the_joint_singularity_itself_is_said_by_every_kernel() -> None:
         for name in ("general", "axisymmetric", "general_static"):
             assert ss.prepare(leaned, fidelity=name).status(motion) == status
         for backend in ("c", "numpy"):
-            found = ss.inverse_dynamics(leaned, motion, backend=backend, on_singular="nan")  # type: ignore[arg-type]
+            found = ss.inverse_dynamics(leaned, motion, backend=backend, on_singular="nan")
             assert found.status == status

@@ -8,7 +8,6 @@ from machines import machine_in_motion
 from sweeps import share, sweep
 
 import stewart_sym as ss
-from stewart_sym.kinematics.conditioning import characteristic_length
 from stewart_sym.studies.robustness.sweep.oracle import check_poses
 
 pytestmark = pytest.mark.usefixtures("sweep_library")
@@ -41,7 +40,7 @@ def far_off(
     """A machine, and the same from a reference point up to 1e4 platform radii away."""
     robot, motion = machine_in_motion(rng)
     d = rng.normal(size=3)
-    d *= 10 ** rng.uniform(0, 4) * characteristic_length(robot) / np.linalg.norm(d)
+    d *= 10 ** rng.uniform(0, 4) * ss.characteristic_length(robot) / np.linalg.norm(d)
     r = motion.R @ d
     a = motion.a - np.cross(motion.alpha, r) - np.cross(motion.omega, np.cross(motion.omega, r))
     moved = dataclasses.replace(

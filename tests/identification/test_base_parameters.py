@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from command_line import rejects
 from machines import dasgupta, machine_in_motion, random_motion, random_robot
 from pages import table_row
 
@@ -13,13 +14,12 @@ import stewart_sym as ss
 from stewart_sym.derive.mechanics.regressor import dependencies
 from stewart_sym.identification.base_parameters import MERGED
 from stewart_sym.identification.parameters import leg_name
-from stewart_sym.robot.robot import Robot
 
 EVERY = 148
 GENERAL = EVERY - 6 * len(dependencies())
 
 
-def names_at(robot: Robot, leg: int) -> dict[str, float]:
+def names_at(robot: ss.Robot, leg: int) -> dict[str, float]:
     """What a formula of ``MERGED`` may name: parameters of the platform and of one leg, and its p."""
     pi = ss.inertial_parameters(robot)
     values = dict(zip(pi.names, pi.values.tolist(), strict=True))
@@ -33,7 +33,7 @@ def leg_parameters() -> list[str]:
     ]
 
 
-def general_value(formula: str, robot: Robot, leg: int) -> float:
+def general_value(formula: str, robot: ss.Robot, leg: int) -> float:
     """A formula of ``MERGED`` for one leg or, with its sum over the legs, for the platform."""
     head, _, inner = formula.partition(" + sum")
     total = eval(head, {}, names_at(robot, leg))
@@ -117,8 +117,7 @@ def test_a_motion_tells_no_more_than_it_excites() -> None:
 
 
 def test_what_has_no_base_parameters_is_rejected_in_one_line() -> None:
-    with pytest.raises(ValueError, match="motion: expected a Motion"):
-        ss.base_parameters(dasgupta(), 3)  # type: ignore[arg-type]
+    rejects("motion: expected a Motion", ss.base_parameters, dasgupta(), 3)
     with pytest.raises(ValueError, match="motion: expected poses, got none"):
         ss.base_parameters(dasgupta(), ss.PATHS["I"][0].sample(np.zeros(0)))
 
@@ -157,8 +156,7 @@ def test_a_pose_without_a_regressor_is_named_or_is_nan_alone() -> None:
     zero = np.zeros((2, 3))
     S = np.array([robot.k[1], [0.0, 0.0, 1.0]])
     motion = ss.Motion(np.eye(3), robot.b[1] - robot.p[1] + S, zero, zero)
-    with pytest.raises(ValueError, match=r"motion\[0\].*leg 2"):
-        ss.equations_by_parameter(robot, motion)
+    rejects(r"motion\[0\].*leg 2", ss.equations_by_parameter, robot, motion)
     for value in vars(ss.equations_by_parameter(robot, motion, on_singular="nan")).values():
         assert np.isnan(value[0]).all()
         assert np.isfinite(value[1]).all()

@@ -7,13 +7,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from command_line import Run
+from command_line import Run, rejects
 from robot_files import written
 
 import stewart_sym as ss
 from stewart_sym.identification import fits
 from stewart_sym.identification.drive_terms import drive_terms, need_terms, told_apart
-from stewart_sym.identification.estimation import Experiment
 from stewart_sym.identification.excitation import force_regressor
 from stewart_sym.motion.rotation import rotation_from_vector
 from stewart_sym.motion.smooth_motion import coordinates, from_best, pose_fit
@@ -185,7 +184,7 @@ def test_a_rejected_fit_states_no_errors(robot: ss.Robot, excited: ss.Excitation
     F = ss.inverse_dynamics(machine, excited.motion).F
     estimate = ss.identify(robot, excited.motion, F, 1e-6, excited.base)
     right = excited.base.matrix @ ss.inertial_parameters(robot).values
-    found = Experiment(excited, excited.motion, F, 1e-6, None, right, estimate)
+    found = ss.Experiment(excited, excited.motion, F, 1e-6, None, right, estimate)
     assert np.isnan(found.deviation).all()
     text = simulated_report(robot, found).text
     assert "errors in standard deviations" not in text
@@ -212,7 +211,7 @@ def test_wrong_terms_are_named(robot: ss.Robot, excited: ss.Excitation) -> None:
         ):
             ss.identify(robot, excited.motion, F, SIGMA, excited.base, drive=wrong)
     with pytest.raises(ValueError, match=r"\Anoise: expected"):
-        ss.identify(robot, excited.motion, F, SIGMA, excited.base, 1e-4, drive=TERMS)  # type: ignore[arg-type]
+        ss.identify(robot, excited.motion, F, SIGMA, excited.base, 1e-4, drive=TERMS)
 
 
 def noisy(excited: ss.Excitation, size: float, seed: int) -> tuple[ss.Motion, ss.PoseNoise]:
@@ -383,5 +382,4 @@ def test_the_command_seeks_terms_of_measured_forces(
 
 
 def test_a_term_that_is_no_name_is_one_line() -> None:
-    with pytest.raises(ValueError, match=r"^drive: expected some of .*, got \[\]$"):
-        need_terms([[]])
+    rejects(r"^drive: expected some of .*, got \[\]$", need_terms, [[]])

@@ -6,20 +6,16 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from command_line import Fails, Run, read
-from machines import dasgupta, random_motion
+from command_line import Fails, Run, read, rejects
+from machines import Array, dasgupta, random_motion
 from noisy_experiments import excited, robot
-from numpy.typing import NDArray
 from robot_files import PAPERS
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
 from stewart_sym.dynamics.home_pose import home_pose
-from stewart_sym.kinematics.conditioning import characteristic_length
-from stewart_sym.kinematics.inverse import inverse_kinematics
 from stewart_sym.studies.reports.identify import NORMAL
 
-Array = NDArray[np.float64]
 SIGMA = 0.5
 
 
@@ -97,8 +93,7 @@ def test_what_a_motion_does_excite_can_be_identified() -> None:
     motion = path.sample(path.times(step))
     F = ss.inverse_dynamics(machine, motion).F
     base = ss.base_parameters(machine, motion)
-    with pytest.raises(ValueError, match=r"motion: excites \d+ of 100 base parameters"):
-        ss.identify(machine, motion[:10], F[:10], 1.0)
+    rejects(r"motion: excites \d+ of 100 base parameters", ss.identify, machine, motion[:10], F[:10], 1.0)
     found = ss.identify(machine, motion, F, 1.0, base)
     truth = base.matrix @ ss.inertial_parameters(machine).values
     assert np.max(np.abs(found.values - truth) / found.sigma) < 0.01
@@ -107,7 +102,7 @@ def test_what_a_motion_does_excite_can_be_identified() -> None:
 def test_excitation_keeps_within_the_limits_and_tells_more_the_more_is_tried() -> None:
     machine = robot(0)
     free = ss.choose_excitation(machine, samples=100, candidates=3)
-    legs = inverse_kinematics(machine, free.motion)
+    legs = ss.inverse_kinematics(machine, free.motion)
     middle, L = home_pose(machine).L, legs.L
     limits = np.column_stack([middle - 0.3 * np.ptp(L, axis=0), middle + 0.3 * np.ptp(L, axis=0)])
     limited = dataclasses.replace(
@@ -120,14 +115,14 @@ def test_excitation_keeps_within_the_limits_and_tells_more_the_more_is_tried() -
     assert np.all(swung.base <= narrow[:, 0])
     assert np.all(swung.platform <= narrow[:, 1])
     kept = ss.choose_excitation(limited, samples=100, candidates=3)
-    inside = inverse_kinematics(limited, kept.motion)
+    inside = ss.inverse_kinematics(limited, kept.motion)
     assert np.all((inside.L >= limits[:, 0]) & (inside.L <= limits[:, 1]))
     assert np.all(np.abs(inside.L_dot) <= limited.speed_limit)
     assert kept.condition > free.condition
     assert ss.choose_excitation(machine, samples=100, candidates=6).condition <= free.condition
     H = ss.inverse_dynamics(machine, free.motion).H
     bound = 3.0 * home_pose(machine).scaled_condition
-    assert np.max(ss.scaled_condition_number(H, characteristic_length(machine))) <= bound
+    assert np.max(ss.scaled_condition_number(H, ss.characteristic_length(machine))) <= bound
 
 
 def test_condition_is_that_of_the_singular_values() -> None:
@@ -159,17 +154,14 @@ def test_derivatives_of_a_fourier_path_are_those_of_differences() -> None:
     ],
 )
 def test_bad_arguments_of_the_excitation_are_named(name: str, value: object) -> None:
-    with pytest.raises(ValueError, match=f"^{name}: expected "):
-        ss.choose_excitation(robot(0), **{name: value})  # type: ignore[arg-type]
+    rejects(f"^{name}: expected ", ss.choose_excitation, robot(0), **{name: value})
 
 
 def test_machines_that_cannot_be_excited_are_rejected() -> None:
     machine = robot(0)
-    with pytest.raises(ValueError, match="without gravity"):
-        ss.choose_excitation(dataclasses.replace(machine, g=np.zeros(3)))
+    rejects("without gravity", ss.choose_excitation, dataclasses.replace(machine, g=np.zeros(3)))
     stiff = dataclasses.replace(machine, speed_limit=np.full(6, 1e-9))
-    with pytest.raises(ValueError, match="within the limits"):
-        ss.choose_excitation(stiff, candidates=1, samples=10)
+    rejects("within the limits", ss.choose_excitation, stiff, candidates=1, samples=10)
 
 
 @pytest.mark.parametrize(
@@ -185,8 +177,7 @@ def test_machines_that_cannot_be_excited_are_rejected() -> None:
 def test_bad_measurements_are_named(F: Array, sigma: float, words: str) -> None:
     machine = robot(0)
     motion = random_motion(np.random.default_rng(0), machine, (4,))
-    with pytest.raises(ValueError, match=words):
-        ss.identify(machine, motion, F, sigma)
+    rejects(words, ss.identify, machine, motion, F, sigma)
 
 
 # The command

@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 import pytest
+from command_line import rejects
 from machines import dasgupta, path_period, random_path
 from noisy_experiments import NOISE, SAMPLES, Array, change, excited, experiment, robot, truth
 from pages import prose_of
@@ -16,7 +17,6 @@ import stewart_sym as ss
 from stewart_sym.identification import estimates, fits
 from stewart_sym.motion import smooth_motion
 from stewart_sym.motion.rotation import rotation_from_vector
-from stewart_sym.robot.robot import Robot
 
 # Shares of the base's radius by which a payload moves, along each axis of the platform: LEAST is always
 # named, BARELY in nine cases of ten.
@@ -25,13 +25,12 @@ MOVED, LEAST, BARELY = 0.2, 0.13, 0.05
 NAMED = 60.0
 
 
-def moved(machine: Robot, share: float = MOVED) -> Robot:
+def moved(machine: ss.Robot, share: float = MOVED) -> ss.Robot:
     return dataclasses.replace(machine, R_0=machine.R_0 + share * np.linalg.norm(machine.b, axis=1).mean())
 
 
 def differentiated(found: ss.Experiment) -> ss.Motion:
     """The measured poses with the derivatives of an interpolating spline."""
-    assert found.noise is not None
     q = smooth_motion.coordinates(found.measured, found.noise)
     spline = make_interp_spline(found.noise.time, q, 5)
     parts = [spline(found.noise.time, order) for order in range(3)]
@@ -72,7 +71,6 @@ def test_motion_without_period_or_stated_noise_is_identified_as_well() -> None:
 def test_the_basis_of_a_motion_does_not_grow_with_a_noise_that_is_stated_too_small() -> None:
     """The largest, of three quarters of the instants, takes minutes."""
     found = experiment(0)
-    assert found.noise is not None
     right = dataclasses.replace(found.noise, period=None, harmonics=None)
     small = dataclasses.replace(right, position=right.position / 6, angle=right.angle / 6)
     q = smooth_motion.coordinates(found.measured, right)
@@ -90,12 +88,12 @@ def test_load_is_taken_off_along_the_smooth_motion() -> None:
     assert np.max(np.abs(seen.values - found.truth) / seen.sigma) < 4.0
 
 
-def change_by_load(machine: Robot, motion: ss.Motion, load: dict[str, Array]) -> Array:
+def change_by_load(machine: ss.Robot, motion: ss.Motion, load: dict[str, Array]) -> Array:
     loaded = dataclasses.replace(motion, **load)
     return ss.inverse_dynamics(machine, loaded).F - ss.inverse_dynamics(machine, motion).F
 
 
-def misfits(machine: Robot, found: ss.Experiment) -> dict[str, ss.Estimate]:
+def misfits(machine: ss.Robot, found: ss.Experiment) -> dict[str, ss.Estimate]:
     """Estimates from models that are wrong."""
     without = ss.base_parameters(machine, friction=False)
     F = found.F + moved_halfway(machine, found, LEAST)
@@ -106,7 +104,7 @@ def misfits(machine: Robot, found: ss.Experiment) -> dict[str, ss.Estimate]:
     }
 
 
-def moved_halfway(machine: Robot, found: ss.Experiment, share: float) -> Array:
+def moved_halfway(machine: ss.Robot, found: ss.Experiment, share: float) -> Array:
     """What the forces change by if the payload moves halfway through the motion, (n, 6)."""
     half = (np.arange(len(found.F)) >= len(found.F) // 2)[:, None]
     return half * change(machine, moved(machine, share), found.excitation.motion)
@@ -123,9 +121,8 @@ class Shift(NamedTuple):
     beyond: float
 
 
-def barely_moved(machine: Robot, found: ss.Experiment) -> Shift:
+def barely_moved(machine: ss.Robot, found: ss.Experiment) -> Shift:
     F, base = moved_halfway(machine, found, BARELY), found.estimate.base
-    assert found.noise is not None
     data = fits.Data(machine, found.measured, found.F + F, np.ones_like(F), base)
     fit = fits.joint_fit(data, found.noise)
     added = np.zeros(2 * fit.parts[0].size)
@@ -176,7 +173,6 @@ def test_a_fit_that_is_not_linear_within_its_deviations_is_rejected(scale: float
 
 def test_noise_beyond_the_stated_one_inflates_the_deviations() -> None:
     found = experiment(0)
-    assert found.noise is not None
     stated = dataclasses.replace(found.noise, position=NOISE / 2, angle=NOISE / 2)
     seen = ss.identify(robot(0), found.measured, found.F, 0.5, excited(0).base, stated)
     assert seen.verdict == "misfit"
@@ -198,7 +194,6 @@ def test_a_robot_file_that_is_off_is_named() -> None:
 
 def test_joint_fit_has_the_slopes_of_its_residual() -> None:
     found = experiment(0)
-    assert found.noise is not None
     base = found.estimate.base
     data = fits.Data(robot(0), found.measured, found.F, np.ones_like(found.F), base)
     (basis,) = smooth_motion.bases(found.noise)
@@ -262,8 +257,7 @@ def test_page_states_the_least_move_of_a_payload_that_is_always_named() -> None:
 )
 def test_bad_pose_noise_is_named(arguments: dict[str, object], words: str) -> None:
     good = {"time": np.arange(4.0), "position": NOISE, "angle": NOISE}
-    with pytest.raises(ValueError, match=f"^{words}"):
-        ss.PoseNoise(**{**good, **arguments})  # type: ignore[arg-type]
+    rejects(f"^{words}", ss.PoseNoise, **{**good, **arguments})
 
 
 def test_bases_are_tried_beyond_those_that_poses_tell() -> None:
@@ -279,13 +273,10 @@ def test_poses_that_no_noise_fits_are_named() -> None:
     way = excited(0)
     with pytest.raises(ValueError, match=r"^motion: expected measured poses that scatter"):
         ss.estimated_noise(way.time, way.motion, way.path.period, 5)
-    with pytest.raises(ValueError, match=rf"^motion: expected {SAMPLES} instants"):
-        ss.estimated_noise(way.time, way.motion[1:])
-    with pytest.raises(ValueError, match=r"^motion: expected more than 7 poses, got 7"):
-        ss.estimated_noise(way.time[:7], way.motion[:7])
+    rejects(rf"^motion: expected {SAMPLES} instants", ss.estimated_noise, way.time, way.motion[1:])
+    rejects(r"^motion: expected more than 7 poses, got 7", ss.estimated_noise, way.time[:7], way.motion[:7])
     steep = ss.Motion.from_rpy(np.zeros((9, 3)), np.tile([0.0, 1.5, 0.0], (9, 1)), *np.zeros((2, 9, 3)))
-    with pytest.raises(ValueError, match=r"^motion: expected theta_y within"):
-        ss.estimated_noise(np.arange(9.0), steep)
+    rejects(r"^motion: expected theta_y within", ss.estimated_noise, np.arange(9.0), steep)
 
 
 # The hundred experiments
@@ -337,8 +328,6 @@ def test_experiments_with_noisy_poses_are_consistent_and_wrong_models_named() ->
 @pytest.mark.parametrize("seed", [0, 1])
 def test_forces_that_lag_the_poses_are_named_with_their_lag(seed: int) -> None:
     found, machine = experiment(seed), robot(seed)
-    assert found.noise is not None
-    assert found.estimate.lag is not None
     own, sigma = found.estimate.lag
     assert abs(own) < 4.0 * sigma
     exact = ss.inverse_dynamics(machine, found.excitation.motion).F
@@ -346,7 +335,6 @@ def test_forces_that_lag_the_poses_are_named_with_their_lag(seed: int) -> None:
         late = ss.inverse_dynamics(machine, found.excitation.path.sample(found.noise.time - lag)).F
         F, base = found.F + late - exact, found.estimate.base
         seen = ss.identify(machine, found.measured, F, 1.0, base, found.noise)
-        assert seen.lag is not None
         assert seen.verdict in ("misfit", "rejected")
         assert seen.doubts[0].startswith(f"times: the forces {words} the poses by ")
         assert seen.lag[0] == pytest.approx(lag, abs=4.0 * sigma)
@@ -359,8 +347,6 @@ def test_forces_that_lag_the_poses_are_named_with_their_lag(seed: int) -> None:
 
 def test_a_lag_that_explains_a_part_is_named_after_what_is_missing() -> None:
     found, machine = experiment(0), robot(0)
-    assert found.noise is not None
-    assert found.estimate.lag is not None
     lag = 60.0 * found.estimate.lag[1]
     late = ss.inverse_dynamics(machine, found.excitation.path.sample(found.noise.time - lag)).F
     F = found.F + late - ss.inverse_dynamics(machine, found.excitation.motion).F

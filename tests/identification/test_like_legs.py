@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from command_line import Run
+from command_line import Run, rejects
 from machines import random_motion, random_robot
 from noisy_experiments import change
 from robot_files import written
@@ -15,14 +15,13 @@ from robot_files import written
 import stewart_sym as ss
 from stewart_sym.identification.base_parameters import alike
 from stewart_sym.identification.parameters import leg_name, with_parameters
-from stewart_sym.robot.robot import Robot
 
 SIGMA = 0.5
 OF_LEGS = ("m_d", "r_d0", "I_d0", "m_u", "r_u0", "I_u0", "C_u", "C_p", "C_s")
 
 
 @cache
-def robot(seed: int) -> Robot:
+def robot(seed: int) -> ss.Robot:
     """A random machine all whose legs are as its first."""
     machine = random_robot(np.random.default_rng(seed))
     same = {name: np.repeat(getattr(machine, name)[:1], 6, axis=0) for name in OF_LEGS}
@@ -116,7 +115,6 @@ def test_possible_bodies_are_the_same_in_every_leg() -> None:
     # The robot file's legs differ: they are where the fit begins.
     other = dataclasses.replace(machine, m_u=machine.m_u * np.linspace(0.8, 1.2, 6))
     found = ss.identify(other, way.motion, F, SIGMA, physical=True, shared="legs")
-    assert found.parameters is not None
     np.testing.assert_allclose(alike(found.parameters.values), found.parameters.values, rtol=1e-12)
     np.testing.assert_allclose(found.base.matrix @ found.parameters.values, found.values, rtol=1e-9)
     assert with_parameters(other, found.parameters.values).physicality() == []
@@ -148,8 +146,7 @@ def test_the_flag_reports_shared_parameters(tmp_path: Path, run: Run) -> None:
 
 def test_wrong_ways_of_sharing_are_named() -> None:
     base = ss.base_parameters(robot(0))
-    with pytest.raises(ValueError, match="shared: expected \"legs\", got 'arms'"):
-        ss.base_parameters(robot(0), shared="arms")
+    rejects("shared: expected \"legs\", got 'arms'", ss.base_parameters, robot(0), shared="arms")
     motion = excited(0).motion
     with pytest.raises(ValueError, match="shared: expected None beside base"):
         ss.identify(robot(0), motion, np.zeros((60, 6)), 1.0, base, shared="legs")

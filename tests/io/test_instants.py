@@ -31,7 +31,6 @@ def test_no_digits_are_printed_that_are_rounding() -> None:
 def test_the_even_clock_of_times_in_milliseconds_is_found(rate: float, start: float, missing: int) -> None:
     rows = np.sort(np.random.default_rng(0).choice(600, 600 - missing, replace=False))
     found = even_clock(np.round(start + rows / rate, 3))
-    assert found is not None
     assert found.rounded == 1e-3
     assert found.step == pytest.approx(1.0 / rate, rel=2e-4)
     np.testing.assert_allclose(found.times - found.times[0], (rows - rows[0]) / rate, rtol=0.0, atol=2e-4)
@@ -42,7 +41,6 @@ def test_the_even_clock_of_times_in_milliseconds_is_found(rate: float, start: fl
 def test_a_clock_of_one_to_two_units_is_found_by_the_order_of_its_steps(rate: float, rows: int) -> None:
     i = np.arange(rows)
     found = even_clock(np.round(i / rate, 2))
-    assert found is not None
     np.testing.assert_allclose(found.times - found.times[0], i / rate, rtol=0.0, atol=5e-3)
     assert found.sure or rows == 100
 

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from command_line import Fails, Run, folder_state
+from command_line import Fails, Run, folder_state, rejects
 from robot_files import PAPERS
 from sweeps import FULL
 
@@ -183,8 +183,7 @@ def test_no_file_that_a_subcommand_read_is_replaced_by_force(
 
 def test_a_pipe_in_place_of_a_file_is_an_error_and_not_read(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "x")
-    with pytest.raises(ValueError, match=r"x: expected a file or nothing, found a device or a pipe"):
-        fill_results(tmp_path, {"x": "1"})
+    rejects(r"x: expected a file or nothing, found a device or a pipe", fill_results, tmp_path, {"x": "1"})
 
 
 def test_an_empty_output_name_is_an_error(run: Run) -> None:
@@ -236,7 +235,6 @@ def test_what_killed_runs_left_behind_is_removed_and_what_others_write_is_not(tm
     command = [sys.executable, "-c", WRITING, str(tmp_path)]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
         try:
-            assert process.stdout is not None
             assert process.stdout.readline() == "writing\n"
             made = temporary()
             assert [path.is_dir() for path in sorted(made, key=Path.is_dir)] == [False, True]

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from command_line import Fails, Run
+from command_line import Fails, Run, rejects
 from leg_lengths import HOME, Array, Poses, lengths, paper_poses
 from machines import dasgupta, random_path, random_robot
 from robot_files import PAPERS
@@ -15,7 +15,6 @@ from stewart_sym.cli.main import main
 from stewart_sym.kinematics.pose_search import jacobian
 from stewart_sym.motion.log_reader import read_csv, read_log
 from stewart_sym.motion.rotation import rotation_from_rpy
-from stewart_sym.motion.trajectory import JointTrajectory
 from stewart_sym.studies.common.output import csv_lines
 
 # Joint-space trajectories
@@ -31,7 +30,7 @@ def test_paths_planned_in_joint_space_need_the_same_forces(name: str, guessed: b
     guess = (motion.R[0], motion.t[0]) if guessed else None
     back = ss.motion_from_lengths(robot, legs.L, legs.L_dot, legs.L_ddot, guess)
     for formulation in ("exact", "paper"):
-        F, wanted = (ss.inverse_dynamics(robot, m, formulation).F for m in (back, motion))  # type: ignore[arg-type]
+        F, wanted = (ss.inverse_dynamics(robot, m, formulation).F for m in (back, motion))
         np.testing.assert_allclose(F, wanted, rtol=1e-9)
 
 
@@ -98,8 +97,7 @@ def test_jumps_are_named_and_not_followed_into_another_mode() -> None:
     legs = ss.inverse_kinematics(robot, motion)
     L = legs.L.copy()
     L[30:, 2] += 1.0
-    with pytest.raises(ValueError, match=r"^L\[30\]: the lengths jump here"):
-        ss.motion_from_lengths(robot, L, legs.L_dot)
+    rejects(r"^L\[30\]: the lengths jump here", ss.motion_from_lengths, robot, L, legs.L_dot)
     L[0, 2] += 5.0
     with pytest.raises(
         ValueError, match=r"^L\[0\]: no pose with these leg lengths was found: none exists, legs 1 and 3 "
@@ -148,10 +146,8 @@ def joint_csv(path: Path, motion: ss.Motion, time: Array, rates: bool, loads: bo
     legs = ss.inverse_kinematics(dasgupta(), motion)
     columns = {"time": time, **dict(zip(LEGS, legs.L.T, strict=True))}
     if rates:
-        assert legs.L_ddot is not None
         columns |= dict(zip(RATES, [*legs.L_dot.T, *legs.L_ddot.T], strict=True))
     if loads:
-        assert motion.F_ext is not None
         columns |= {f"F_ext_{axis}": motion.F_ext[:, j] for j, axis in enumerate("xyz")}
     path.write_text("".join(csv_lines(columns)))
     return path
@@ -191,7 +187,6 @@ def test_lengths_without_rates_are_differentiated(tmp_path: Path) -> None:
     trajectory = tmp_path / "legs.csv"
     trajectory.write_text("".join(csv_lines({"time": time, **dict(zip(LEGS, L.T, strict=True))})))
     read = read_log(trajectory)
-    assert isinstance(read, JointTrajectory)
     slope = np.gradient(L, time, axis=0, edge_order=2)
     np.testing.assert_allclose(read.L_dot, slope, atol=2e-3)
     output = tmp_path / "forces.csv"
@@ -272,5 +267,4 @@ def test_a_row_without_a_pose_is_one_line(tmp_path: Path, fails: Fails) -> None:
     trajectory.write_text("\n".join([*lines[:3], "", *lines[3:]]))
     line = fails("forces", PAPERS, trajectory, "-o", tmp_path / "f.csv")
     assert line.startswith(f"stewart-sym: error: {trajectory}: row 22: the lengths jump here")
-    with pytest.raises(ValueError, match=r"legs.csv: expected poses, t_\* and theta_\*, got leg lengths"):
-        read_csv(trajectory)
+    rejects(r"legs.csv: expected poses, t_\* and theta_\*, got leg lengths", read_csv, trajectory)

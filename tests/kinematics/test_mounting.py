@@ -11,8 +11,16 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 from command_line import Run
-from machines import dasgupta, in_axes, machine_size, path_period, random_motion, random_path, random_robot
-from numpy.typing import NDArray
+from machines import (
+    Array,
+    dasgupta,
+    in_axes,
+    machine_size,
+    path_period,
+    random_motion,
+    random_path,
+    random_robot,
+)
 from robot_files import written
 from sweeps import FULL
 
@@ -22,13 +30,10 @@ from stewart_sym.dynamics.home_pose import home_pose
 from stewart_sym.kinematics.mounting import path_for, platform_side, upright
 from stewart_sym.kit.poses import sample
 from stewart_sym.motion.rotation import rpy_from_rotation
-from stewart_sym.motion.straight_line import PATHS
 from stewart_sym.simulation.scene import read_scene
 from stewart_sym.studies.accuracy.budget import read_budget
 from stewart_sym.studies.common.output import csv_lines
 from stewart_sym.studies.control import control
-
-Array = NDArray[np.float64]
 
 # One machine shows a lost sign; another, one that its numbers hide.
 SEEDS = 20 if FULL else 2
@@ -193,8 +198,8 @@ def compare_estimates(one: list[str], other: list[str]) -> None:
 def test_the_papers_paths_are_on_the_side_of_the_platform(tmp_path: Path) -> None:
     robot = dasgupta()
     for unturned in (robot, dataclasses.replace(robot, g=np.zeros(3))):
-        assert path_for(unturned, "I") == PATHS["I"]
-    path = PATHS["I"].path
+        assert path_for(unturned, "I") == ss.PATHS["I"]
+    path = ss.PATHS["I"].path
     F = ss.inverse_dynamics(robot, path.sample(path.breaks())).F
     for Q in (Z_DOWN, *ON_ITS_SIDE):
         other = in_axes(robot, Q)

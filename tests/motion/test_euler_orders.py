@@ -6,16 +6,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 from log_files import NAMES, RATES, write
+from machines import Array
 from motion_fields import UNLOADED, motion_of, waves
-from numpy.typing import NDArray
 
 import stewart_sym as ss
-from stewart_sym.dynamics.force_noise import force_deviations
 from stewart_sym.kinematics.robot_logs import read_log_of
 from stewart_sym.motion.interpolation import followed
 from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.motion.logs import EULER_ORDERS
-from stewart_sym.motion.motion import Motion
 from stewart_sym.motion.rotation import (
     angle_rates,
     angles_from_rotation,
@@ -25,9 +23,6 @@ from stewart_sym.motion.rotation import (
     rotation_from_rpy,
     rpy_from_rotation,
 )
-from stewart_sym.motion.trajectory import Smoothing
-
-Array = NDArray[np.float64]
 
 
 def waving(time: Array) -> Array:
@@ -40,11 +35,9 @@ def saved(path: Path, time: Array, found: Array) -> Path:
     return write(path, [*NAMES, *RATES], np.column_stack([time, *found]))
 
 
-def in_order(motion: Motion, order: str) -> Array:
+def in_order(motion: ss.Motion, order: str) -> Array:
     """A motion's coordinates with angles of an order, (3, n, 6)."""
     theta = angles_from_rotation(motion.R, order)
-    assert motion.alpha is not None
-    assert motion.a is not None
     rates = angle_rates(theta, motion.omega, motion.alpha, order)
     places = (motion.t, motion.v, motion.a)
     return np.array([np.hstack(pair) for pair in zip(places, (theta, *rates), strict=True)])
@@ -109,11 +102,11 @@ def test_deviations_of_forces_are_those_of_noisy_angles_of_the_order(
     time, sigma = np.linspace(0.0, 1.0, 21), 1e-5
     found, form = waving(time), ss.LogFormat(euler_order=order)
     found[..., 3:] *= 0.3
-    log = read_log_of(robot, saved(tmp_path / "log.csv", time, found), form, Smoothing(angle=sigma))
+    log = read_log_of(robot, saved(tmp_path / "log.csv", time, found), form, ss.Smoothing(angle=sigma))
 
     def forces(x: Array) -> Array:
         R, omega, alpha = motion_about_axes(*x[..., 3:], order)
-        return ss.inverse_dynamics(robot, Motion(R, x[0, :, :3], omega, x[1, :, :3], alpha, x[2, :, :3])).F
+        return ss.inverse_dynamics(robot, ss.Motion(R, x[0, :, :3], omega, x[1, :, :3], alpha, x[2, :, :3])).F
 
     shifts = sigma * np.eye(6)[3:]
     changes = [
@@ -121,7 +114,7 @@ def test_deviations_of_forces_are_those_of_noisy_angles_of_the_order(
         for shift in shifts
     ]
     expected = np.sqrt(np.sum(np.square(changes), axis=0))
-    np.testing.assert_allclose(force_deviations(robot, log), expected, rtol=1e-3)
+    np.testing.assert_allclose(ss.force_deviations(robot, log), expected, rtol=1e-3)
 
 
 @pytest.fixture

@@ -7,9 +7,9 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
+from machines import Array
 from motion_fields import motion_of
 from noisy_logs import WHITE, Case, case, coordinates, from_poses, logged, read
-from numpy.typing import NDArray
 from whole_track import track
 
 import stewart_sym as ss
@@ -18,7 +18,6 @@ from stewart_sym.motion.log_rates import rates_of
 from stewart_sym.motion.noise_level import noise_level, rounding_steps, varying_noise
 from stewart_sym.motion.trajectory import Log
 
-Array = NDArray[np.float64]
 FAULTS = ("repeated", "missing", "step", "spike", "zeros")
 OFF = "numbers are off as no motion makes them"
 # A step of 16 bits for 2 m.
@@ -333,7 +332,6 @@ def test_lengths_that_no_motion_makes_are_named_by_leg_and_row_and_replaced(
     assert f"{OFF}: row 402{' on' if last is None else ''} (0.8 s): L_3 by " in line
     assert float(line.split("L_3 by ")[1].split()[0]) == pytest.approx(size, rel=0.1)
     assert not any("accelerations jump" in each for each in told)
-    assert noise is not None
     sd = np.sqrt([np.interp(time, noise.grid, each) for each in noise.covariance[:, :, 5].T]).T
     off = np.abs(found[2] + 0.005 * turn**2 * np.sin(angle)) / sd
     assert np.mean(off < 1.96) > 0.9

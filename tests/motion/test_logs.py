@@ -9,10 +9,9 @@ from typing import Any
 
 import numpy as np
 import pytest
-from command_line import Run
+from command_line import Run, rejects
 from log_files import LENGTHS, NAMES, poses, write
-from machines import dasgupta, home_position, machine_size, random_robot
-from numpy.typing import NDArray
+from machines import Array, dasgupta, home_position, machine_size, random_robot
 from robot_files import PAPERS
 from whole_track import track
 
@@ -24,8 +23,6 @@ from stewart_sym.motion.logs import EULER_ORDERS, LENGTH_UNITS, LogFormat
 from stewart_sym.motion.rotation import quaternion_from_rotation, rotation_from_rpy
 from stewart_sym.motion.trajectory import PoseLog, Trajectory
 from stewart_sym.studies.reports.track import peak_noise
-
-Array = NDArray[np.float64]
 
 
 def same(one: Trajectory, other: Trajectory, tolerance: float = 1e-6) -> None:
@@ -80,8 +77,7 @@ def test_mistakes_among_given_names_are_theirs(tmp_path: Path, change: dict[str,
     given = ["Time [ms]", "X", "Y", "Z", "roll", "pitch", "yaw"]
     path = write(tmp_path / "own.csv", given, poses())
     columns = dict(zip(NAMES, given, strict=True)) | change
-    with pytest.raises(ValueError, match=f"^columns: {words}"):
-        read_csv(path, LogFormat(columns))
+    rejects(f"^columns: {words}", lambda: read_csv(path, LogFormat(columns)))
 
 
 def test_units_are_converted(tmp_path: Path) -> None:
@@ -109,8 +105,7 @@ def test_quaternions_are_poses(tmp_path: Path) -> None:
     path = write(tmp_path / "q.csv", names, np.hstack([table[:, :4], -2.0 * e]))
     same(read_csv(path), plain)
     write(path, names, np.hstack([table[:, :4], 0.0 * e]))
-    with pytest.raises(ValueError, match=r"q.csv: row 2: q: expected a quaternion, got length 0"):
-        read_csv(path)
+    rejects(r"q.csv: row 2: q: expected a quaternion, got length 0", read_csv, path)
 
 
 @pytest.mark.parametrize(
@@ -210,8 +205,7 @@ def test_decimal_commas_between_commas_are_named(tmp_path: Path, mark: str, word
     rows = [",".join(mark + f"{x:.6f}".replace(".", ",") + mark for x in row) for row in poses()]
     path = tmp_path / "comma.csv"
     path.write_text("\n".join([",".join(NAMES), *rows]) + "\n")
-    with pytest.raises(ValueError, match=f"comma.csv: row 2: .*{words}"):
-        read_csv(path)
+    rejects(f"comma.csv: row 2: .*{words}", read_csv, path)
 
 
 @pytest.mark.parametrize(("gravity", "where"), [(-9.81, "below the base"), (9.81, "than at home at every")])

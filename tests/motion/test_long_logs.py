@@ -18,7 +18,6 @@ from robot_files import PAPERS
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
-from stewart_sym.motion.interpolation import between
 from stewart_sym.motion.log_reader import read_csv, read_log
 from stewart_sym.motion.logs import LogFormat, Table, read_columns
 from stewart_sym.motion.trajectory import Trajectory
@@ -32,7 +31,7 @@ def peak(action: object) -> tuple[object, int]:
     """What a function returns, and the most bytes that it had beside those it began with."""
     tracemalloc.start()
     try:
-        found = action()  # type: ignore[operator]
+        found = action()
         return found, tracemalloc.get_traced_memory()[1]
     finally:
         tracemalloc.stop()
@@ -98,20 +97,10 @@ def test_columns_are_read_in_less_room_than_their_text() -> None:
         return read_columns(BytesIO(text.encode()), "log", lambda *_: None, LogFormat())
 
     read("time,a\n0,1\n")
-    (columns, rows, *_), most = peak(lambda: read(text))  # type: ignore[misc]
+    (columns, rows, *_), most = peak(lambda: read(text))
     assert (len(columns["time"]), rows[0], rows[-1]) == (50_000, 2, 50_001)
     # The stream that is read is one text.
     assert most < 2.0 * len(text)
-
-
-def test_a_track_in_parts_is_that_of_the_whole(monkeypatch: pytest.MonkeyPatch) -> None:
-    robot, given = dasgupta1998(), trajectory(100)
-    whole = whole_track.track(robot, given)
-    monkeypatch.setattr(track, "_PART", 16)
-    parts = whole_track.track(robot, given)
-    assert parts.summary == whole.summary
-    for name, column in whole.columns.items():
-        assert np.array_equal(column, parts.columns[name]), name
 
 
 def test_a_track_takes_a_part_of_the_room_of_all_outputs(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -124,9 +113,9 @@ def test_a_track_takes_a_part_of_the_room_of_all_outputs(monkeypatch: pytest.Mon
 
 def test_a_path_between_many_instants_takes_no_room_of_its_own() -> None:
     given = trajectory(50_000)
-    path, most = peak(lambda: between(given))
+    path, most = peak(lambda: ss.between(given))
     assert most < given.time.nbytes
-    assert path(given.time[7:9]).t == pytest.approx(given.motion.t[7:9], abs=1e-12)  # type: ignore[operator]
+    assert path(given.time[7:9]).t == pytest.approx(given.motion.t[7:9], abs=1e-12)
 
 
 def full_log(path: Path, count: int) -> Path:
@@ -224,7 +213,7 @@ def test_a_log_from_a_pipe_is_read_as_from_a_file(tmp_path: Path) -> None:
     assert np.array_equal(found.motion.R, plain.motion.R)
 
 
-def test_limits_and_peaks_of_parts_are_those_of_the_whole(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_columns_limits_and_peaks_of_parts_are_those_of_the_whole(monkeypatch: pytest.MonkeyPatch) -> None:
     robot, given = dasgupta1998(), trajectory(300)
     F = ss.inverse_dynamics(robot, given.motion).F
     tight = dataclasses.replace(
@@ -237,6 +226,8 @@ def test_limits_and_peaks_of_parts_are_those_of_the_whole(monkeypatch: pytest.Mo
     monkeypatch.setattr(track, "_PART", 7)
     parts = whole_track.track(tight, given)
     assert (parts.summary, parts.doubts) == (whole.summary, whole.doubts)
+    for name, column in whole.columns.items():
+        assert np.array_equal(column, parts.columns[name]), name
     assert {line.split()[0] for line in whole.doubts} == {"force_limit", "speed_limit", "length_limits"}
 
 

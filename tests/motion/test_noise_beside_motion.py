@@ -12,7 +12,6 @@ from robot_files import PAPERS
 
 import stewart_sym as ss
 from stewart_sym.motion.log_reader import read_csv
-from stewart_sym.motion.logs import LogFormat
 from stewart_sym.motion.noise.in_log import doubt_of_noise
 from stewart_sym.motion.noise.lines import lines
 from stewart_sym.motion.noise.still_rows import still_rows
@@ -35,10 +34,8 @@ def there_and_back(time: Array) -> Array:
 
 def off(trajectory: Trajectory, second: Array) -> Array:
     """Errors of second rates of the position over their deviations, (n, 3)."""
-    assert trajectory.noise is not None
     grid, variance = trajectory.noise.grid, trajectory.noise.covariance[:, :3, 5]
     sd = np.sqrt([np.interp(trajectory.time, grid, column) for column in variance.T]).T
-    assert trajectory.motion.a is not None
     return np.asarray((trajectory.motion.a - second[:, :3]) / sd)
 
 
@@ -53,7 +50,6 @@ def test_rows_at_rest_tell_nothing_of_the_noise(rate: int, held: str, rest: floa
         still = (time >= start) & (time <= end)
         values[still] = (true if held == "exact" else values)[still][0]
     trajectory, said = read(time, values)
-    assert trajectory.noise is not None
     np.testing.assert_allclose(trajectory.noise.sigma, SIGMA, rtol=0.3)
     z = off(trajectory, second)
     assert 0.3 < np.sqrt(np.mean(z**2)) < 1.3
@@ -74,7 +70,6 @@ def test_some_numbers_at_rest_tell_nothing_of_their_noise(
         still = (time >= start) & (time <= end)
         values[np.ix_(still, columns)] = values[still][0, columns]
     trajectory, said = read(time, values)
-    assert trajectory.noise is not None
     np.testing.assert_allclose(trajectory.noise.sigma, SIGMA, rtol=0.3)
     assert np.abs(off(trajectory, second)).max() < 6.0
     names = ", ".join(f"{'t' if column < 3 else 'theta'}_{'xyz'[column % 3]}" for column in columns)
@@ -141,7 +136,6 @@ def test_small_noise_beside_a_motion_of_few_rows_a_period_is_found(share: float)
     wave = 1e-3 * np.sin(10.0 * np.pi * time[:, None] + phase)
     values = np.round(wave + 1e-6 * np.random.default_rng(3).normal(size=wave.shape), 9)
     trajectory, _ = read(time, values)
-    assert trajectory.noise is not None
     np.testing.assert_allclose(trajectory.noise.sigma, 1e-6, rtol=0.4)
     z = off(trajectory, -((10.0 * np.pi) ** 2) * wave)
     assert np.sqrt(np.mean(z**2)) < 1.4
@@ -162,7 +156,6 @@ def test_few_rows_a_period_are_named_and_their_errors_held(per_period: float, st
     time, values, second = sinusoids(per_period, 2.0, start)
     trajectory, said = read(time, values)
     assert sum("rows are too far apart" in line for line in said) == 1, said
-    assert trajectory.noise is not None
     noise, off = trajectory.noise, np.abs(trajectory.noise.coordinates[2] - second)
     sd = np.sqrt([np.interp(time, noise.grid, column) for column in noise.covariance[:, :, 5].T]).T
     wrong = off > 0.01 * np.abs(second).max(axis=0)
@@ -185,12 +178,11 @@ def test_rounding_that_no_acceleration_shows_is_not_smoothed_beside_jumps(decima
     u, V = np.clip(time - 0.12, 0.0, 0.76), 1.0 / 0.57
     way = np.where(u < 0.19, u**2 / 0.38, np.where(u < 0.57, u - 0.095, 0.57 - (0.76 - u) ** 2 / 0.38)) * V
     trajectory, _ = read(time, np.round(way[:, None] * WAYS, decimals))
-    assert trajectory.motion.a is not None
     rest = np.abs(trajectory.motion.a[:6]).max()
     assert rest < 0.005 * np.abs(trajectory.motion.a).max()
 
 
-FORM = LogFormat(length_unit="mm", angle_unit="deg")
+FORM = ss.LogFormat(length_unit="mm", angle_unit="deg")
 
 
 def written(folder: Path, sigma: float, angle: float) -> Path:
@@ -202,7 +194,7 @@ def written(folder: Path, sigma: float, angle: float) -> Path:
     return write(folder / "log.csv", NAMES, np.column_stack([time, values + noise]))
 
 
-def told(log: Path, known: ss.Smoothing, words: str, form: LogFormat = FORM) -> list[str]:
+def told(log: Path, known: ss.Smoothing, words: str, form: ss.LogFormat = FORM) -> list[str]:
     """Warnings with these words when the log is read with what is known of its noise."""
     with warnings.catch_warnings(record=True, action="always") as caught:
         read_csv(log, form, known)
@@ -270,7 +262,7 @@ def test_a_statement_is_compared_with_the_motion_where_no_scatter_shows(
     time = np.linspace(0.0, 4.0, 401)
     table = np.column_stack([time, [0.2, 0.0, 0.5, 0, 0, 0] + 0.05 * np.sin(time[:, None] + np.arange(6))])
     log = write(tmp_path / "log.csv", NAMES, table if decimals is None else np.round(table, decimals))
-    metres = LogFormat()
+    metres = ss.LogFormat()
     words = "stated noise of positions of 0.1 m, but they move over 0.1 m in all: is its unit right?"
     assert words in told(log, ss.Smoothing(0.1), "stated", metres)[0]
     assert not told(log, ss.Smoothing(1e-3, 1e-3), "stated", metres)

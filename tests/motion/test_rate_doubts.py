@@ -8,14 +8,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 from log_files import write
-from numpy.typing import NDArray
+from machines import Array
 
 import stewart_sym as ss
 from stewart_sym.motion.log_reader import read_csv, read_log
 from stewart_sym.motion.rate_doubts import rate_doubt, rate_doubts
 from stewart_sym.motion.rotation import motion_about_axes
-
-Array = NDArray[np.float64]
 
 
 def with_rates(time: Array, legs: bool = False) -> tuple[list[str], Array]:
@@ -54,7 +52,7 @@ def test_rates_that_times_contradict_by_a_unit_are_warned_of(
     [
         (
             slice(7, 13),
-            lambda rates: -rates,
+            np.negative,
             "t_x, .*, theta_z change by -1 times what v_x, .* say: are signs opp",
         ),
         (
@@ -74,7 +72,7 @@ def test_rates_that_times_contradict_by_a_unit_are_warned_of(
             ".*theta_z change by 0.01[78] times what .*theta_dot_z say: are the latter in deg",
         ),
         (slice(10, 13), lambda rates: 0.0 * rates, ".*theta_z do not change as .*theta_dot_z say"),
-        (slice(13, 16), lambda rates: -rates, "v_x, v_y, v_z change by -1 times what a_x, a_y, a_z say"),
+        (slice(13, 16), np.negative, "v_x, v_y, v_z change by -1 times what a_x, a_y, a_z say"),
     ],
     ids=["minus", "three times", "by a quarter", "exchanged", "degrees", "none", "accelerations"],
 )

@@ -12,13 +12,9 @@ from motion_fields import FIELDS, motion_of, waves
 from robot_files import written
 
 import stewart_sym as ss
-from stewart_sym.dynamics.force_noise import force_deviations
 from stewart_sym.kinematics.robot_logs import read_log_of, trajectory_for
 from stewart_sym.motion.log_reader import FORCES, read_csv
-from stewart_sym.motion.motion import Motion
 from stewart_sym.motion.rotation import rotation_about_axes
-from stewart_sym.motion.trajectory import Trajectory
-from stewart_sym.robot.robot import Robot
 from stewart_sym.studies.accuracy.budget import read_budget
 
 TOOL = np.array([0.1, -0.2, 0.4])
@@ -26,7 +22,7 @@ LOADS = [f"{name}_{axis}" for name in ("F_ext", "M_ext") for axis in "xyz"]
 
 
 @pytest.fixture
-def robot() -> Robot:
+def robot() -> ss.Robot:
     plain = ss.Robot.from_toml(Path(__file__).parents[2] / ".docs" / "examples" / "hexapod.toml")
     return dataclasses.replace(plain, tool=TOOL, home=np.array([0.0, 0.0, 0.65]))
 
@@ -34,7 +30,7 @@ def robot() -> Robot:
 RATES, TURNS = np.array([3.0, 2.0, 1.5]), np.array([0.1, 0.08, 0.12])
 
 
-def waving(time: np.ndarray) -> Motion:
+def waving(time: np.ndarray) -> ss.Motion:
     """A motion of the reference point."""
     size, phase = np.array([0.05, 0.04, 0.03, *TURNS]), np.repeat([0.0, 0.5 * np.pi], 3)
     return motion_of(waves(time, [0.0, 0.0, 0.65, 0.0, 0.0, 0.0], size, np.tile(RATES, 2), phase))
@@ -62,7 +58,7 @@ def test_about_a_point_and_back_is_the_motion() -> None:
     back = motion.about_point(TOOL).about_point(-TOOL)
     for name in FIELDS:
         np.testing.assert_allclose(getattr(back, name), getattr(motion, name), rtol=1e-12, atol=1e-12)
-    bare = Motion(motion.R, motion.t, motion.omega, motion.v).about_point(TOOL)
+    bare = ss.Motion(motion.R, motion.t, motion.omega, motion.v).about_point(TOOL)
     assert bare.a is bare.alpha is bare.F_ext is bare.M_ext is None
     with pytest.raises(ValueError, match="read-only"):
         bare.t[...] = 0.0
@@ -79,7 +75,7 @@ def test_a_machine_named_by_another_reference_point_needs_the_same_forces() -> N
         np.testing.assert_allclose(found, expected, rtol=1e-9, atol=1e-9 * np.abs(expected).max())
 
 
-def test_rows_are_poses_of_the_tool(robot: Robot, tmp_path: Path) -> None:
+def test_rows_are_poses_of_the_tool(robot: ss.Robot, tmp_path: Path) -> None:
     time = np.linspace(0.0, 1.0, 201)
     motion = waving(time)
     path = saved_poses(tmp_path / "log.csv", time, tool_poses(time))
@@ -93,7 +89,7 @@ def test_rows_are_poses_of_the_tool(robot: Robot, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("moments", [True, False])
 def test_a_load_beside_lengths_acts_at_the_tool_as_beside_poses(
-    robot: Robot, tmp_path: Path, moments: bool
+    robot: ss.Robot, tmp_path: Path, moments: bool
 ) -> None:
     time = np.linspace(0.0, 1.0, 11)
     poses, load = tool_poses(time), np.tile([100.0, -50.0, 20.0, 3.0, 4.0, 5.0], (11, 1))
@@ -112,7 +108,7 @@ def test_a_load_beside_lengths_acts_at_the_tool_as_beside_poses(
         np.testing.assert_allclose(found.M_ext, moment, atol=1e-9)
 
 
-def test_deviations_of_forces_are_those_of_noise_at_the_tool(robot: Robot, tmp_path: Path) -> None:
+def test_deviations_of_forces_are_those_of_noise_at_the_tool(robot: ss.Robot, tmp_path: Path) -> None:
     """The same machine, its reference point at the tool, has them without a tool point."""
     rng = np.random.default_rng(32)
     time = np.linspace(0.0, 2.0, 201)
@@ -120,14 +116,14 @@ def test_deviations_of_forces_are_those_of_noise_at_the_tool(robot: Robot, tmp_p
     path = saved_poses(tmp_path / "log.csv", time, noisy)
     there = dataclasses.replace(robot, p=robot.p - TOOL, R_0=robot.R_0 - TOOL, tool=np.zeros(3))
     with pytest.warns(ss.LogWarning):
-        expected = force_deviations(there, trajectory_for(there, path))
+        expected = ss.force_deviations(there, trajectory_for(there, path))
     with pytest.warns(ss.LogWarning):
-        found = force_deviations(robot, read_log_of(robot, path))
+        found = ss.force_deviations(robot, read_log_of(robot, path))
     assert expected.min() > 0.0
     np.testing.assert_allclose(found, expected, rtol=1e-6)
 
 
-def test_the_robot_file_says_in_which_order_rotations_are_multiplied(robot: Robot, tmp_path: Path) -> None:
+def test_the_robot_file_says_in_which_order_rotations_are_multiplied(robot: ss.Robot, tmp_path: Path) -> None:
     theta = np.linspace([0.1, 0.2, -0.1], [0.2, -0.1, 0.3], 20)
     poses = np.hstack([np.tile([0.0, 0.0, 0.6], (20, 1)), theta])
     path = saved_poses(tmp_path / "log.csv", np.linspace(0.0, 1.0, 20), poses)
@@ -139,7 +135,7 @@ def test_the_robot_file_says_in_which_order_rotations_are_multiplied(robot: Robo
     np.testing.assert_allclose(stated.motion.R, rotation_about_axes(theta, "zyx"), atol=1e-14)
 
 
-def test_relative_lengths_are_less_those_of_the_home_pose(robot: Robot, tmp_path: Path, run: Run) -> None:
+def test_relative_lengths_are_less_those_of_the_home_pose(robot: ss.Robot, tmp_path: Path, run: Run) -> None:
     time = np.linspace(0.0, 1.0, 101)
     motion = waving(time)
     L = ss.inverse_kinematics(robot, motion).L
@@ -160,7 +156,7 @@ def test_relative_lengths_are_less_those_of_the_home_pose(robot: Robot, tmp_path
         read_log_of(bare, path, ss.LogFormat(lengths="relative"))
 
 
-def test_the_motions_of_a_budget_are_those_of_the_reference_point(robot: Robot, tmp_path: Path) -> None:
+def test_the_motions_of_a_budget_are_those_of_the_reference_point(robot: ss.Robot, tmp_path: Path) -> None:
     time = np.linspace(0.0, 1.0, 101)
     saved_poses(tmp_path / "log.csv", time, tool_poses(time))
     written(robot, tmp_path / "robot.toml")
@@ -171,14 +167,13 @@ def test_the_motions_of_a_budget_are_those_of_the_reference_point(robot: Robot, 
 
 @pytest.mark.parametrize("order", ["zyx", "xyz"])
 def test_the_motion_that_identify_writes_is_read_as_the_robot_says(
-    order: str, robot: Robot, tmp_path: Path, run: Run
+    order: str, robot: ss.Robot, tmp_path: Path, run: Run
 ) -> None:
     file = str(written(dataclasses.replace(robot, euler_order=order), tmp_path / "robot.toml"))
     out = [str(tmp_path / "out" / name) for name in ("trajectory.csv", "forces.csv")]
     options = ["--sigma", "1", "--samples", "80", "--candidates", "2", "-o", str(tmp_path / "out")]
     run("identify", file, *options)
-    poses = trajectory_for(Robot.from_toml(file), out[0])
-    assert isinstance(poses, Trajectory)
+    poses = trajectory_for(ss.Robot.from_toml(file), out[0])
     L = ss.inverse_kinematics(robot, poses.motion).L
     assert np.all((L >= robot.length_limits[:, 0]) & (L <= robot.length_limits[:, 1]))
     told = run("identify", file, "--sigma", "1", "-o", tmp_path / "again", "--measured", *out).out
@@ -187,7 +182,7 @@ def test_the_motion_that_identify_writes_is_read_as_the_robot_says(
 
 @pytest.mark.parametrize("command", ["forces", "singularities", "simulate", "identify"])
 def test_subcommands_read_rows_as_poses_of_the_tool(
-    command: str, robot: Robot, tmp_path: Path, run: Run
+    command: str, robot: ss.Robot, tmp_path: Path, run: Run
 ) -> None:
     """As they read the same rows for the machine whose reference point is the tool."""
     there = dataclasses.replace(

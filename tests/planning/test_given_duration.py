@@ -5,6 +5,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from command_line import rejects
 from least_time_oracles import extrapolated
 from smooth_oracles import peak_force, smooth_optimum
 from sweeps import share
@@ -207,7 +208,6 @@ def test_what_every_motion_takes_as_much_of_is_one_line() -> None:
     robot, path = limited_case(0, friction=False)
     with pytest.raises(ValueError, match="expected viscous friction or a resistance of windings"):
         time_path(robot, path, least="energy", duration=1e3, cells=50)
-    with pytest.raises(ValueError, match='least: expected a duration beside "energy"'):
-        time_path(robot, path, least="energy")
+    rejects('least: expected a duration beside "energy"', time_path, robot, path, least="energy")
     with pytest.raises(ValueError, match='duration: expected least "energy" or "peak-force" beside it'):
         time_path(robot, path, duration=4.0)

@@ -32,6 +32,10 @@ from stewart_sym.studies.common.output import csv_lines
 VIA = (DOCS / "examples" / "via.toml").read_text(encoding="utf-8")
 SHORT = "[[via]]".join(VIA.split("[[via]]")[:4])
 """The first three via poses."""
+HEAD = 'schema = 1\nrobot = "hexapod.toml"\n'
+FIRST = "[[via]]\nt = [0.0, 0.0, 0.65]\ntheta = [0.0, 0.0, 0.0]\n"
+SECOND = "[[via]]\nt = [0.1, 0.0, 0.65]\ntheta = [0.0, 0.0, 0.0]\n"
+PLAN = HEAD + FIRST + SECOND
 
 
 def via(folder: Path, text: str = VIA) -> str:
@@ -143,7 +147,7 @@ def test_a_duration_has_a_motion_of_least_energy_or_peak_force(
     ],
 )
 def test_an_error_about_an_option_names_it(folder: Path, run: Run, options: list[str], words: str) -> None:
-    told = run("plan", via(folder, HEAD + FIRST + SECOND), "-o", folder / "out", *options, code=2).err
+    told = run("plan", via(folder, PLAN), "-o", folder / "out", *options, code=2).err
     assert f"error: {words}" in told
     assert not (folder / "out").exists()
 
@@ -162,7 +166,7 @@ def test_a_limit_of_jerk_stands_beside_the_others(folder: Path) -> None:
 
 
 def test_a_rate_that_leaves_a_few_rows_is_a_warning(folder: Path, run: Run) -> None:
-    text = "rate = 2.0\n" + HEAD + FIRST + SECOND
+    text = "rate = 2.0\n" + PLAN
     (line,) = run("plan", via(folder, text), "-o", folder / "out", "--no-pictures").err.splitlines()
     duration = json.loads((folder / "out" / "report.json").read_text())["duration_s"]
     rows = len(read_csv(folder / "out" / "trajectory.csv").time)
@@ -188,7 +192,7 @@ def test_angles_that_must_be_degrees_are_a_warning(folder: Path, run: Run) -> No
 
 
 def test_poses_that_must_be_in_millimetres_are_a_warning(folder: Path, run: Run) -> None:
-    text = (HEAD + FIRST + SECOND).replace("0.65]", "650.0]")
+    text = PLAN.replace("0.65]", "650.0]")
     warning, error = run("plan", via(folder, text), "-o", folder / "out", code=2).err.splitlines()
     assert warning.endswith("m beside legs of up to 0.95 m: in millimetres, expected metres?")
     assert "via.toml: via 1: out of reach" in error
@@ -221,9 +225,8 @@ def check_rejected(folder: Path, text: str, words: str, out: str = "out") -> Non
     assert after == before
 
 
-HEAD = 'schema = 1\nrobot = "hexapod.toml"\n'
-FIRST = "[[via]]\nt = [0.0, 0.0, 0.65]\ntheta = [0.0, 0.0, 0.0]\n"
-SECOND = "[[via]]\nt = [0.1, 0.0, 0.65]\ntheta = [0.0, 0.0, 0.0]\n"
+def limited(limit: str) -> str:
+    return f"{HEAD}[limits]\n{limit}\n{FIRST}{SECOND}"
 
 
 @pytest.mark.parametrize(
@@ -233,61 +236,40 @@ SECOND = "[[via]]\nt = [0.1, 0.0, 0.65]\ntheta = [0.0, 0.0, 0.0]\n"
         (HEAD + "via = []\n", "via: expected at least 2 via poses, got 0 (at line 3)"),
         (HEAD, "via: expected either via poses or via_file"),
         (HEAD + FIRST + SECOND.replace("0.1", "nan"), "via 2: t: expected 3 finite numbers"),
+        (PLAN.replace("0.1", "9.0"), "via 2: out of reach, it breaks the limit of leg length of leg"),
         (
-            HEAD + FIRST + SECOND.replace("0.1", "9.0"),
-            "via 2: out of reach, it breaks the limit of leg length of leg",
-        ),
-        (
-            HEAD + "[limits]\ncondition = 12.0\n" + FIRST + SECOND.replace("0.1", "900.0"),
+            limited("condition = 12.0").replace("[0.1", "[900.0"),
             "via 2: out of reach, it breaks the limit of leg length of leg",
         ),
         *(
             (
-                HEAD + FIRST + SECOND.replace("0.1", x) + "free.yaw = [-0.2, 0.2]\nfree.x = [-0.1, 0.0]\n",
+                PLAN.replace("0.1", x) + "free.yaw = [-0.2, 0.2]\nfree.x = [-0.1, 0.0]\n",
                 "via 2: out of reach, the nearest that its freedom allows breaks the limit of",
             )
             for x in ("9.0", "900.0")
         ),
-        (HEAD + FIRST + SECOND + FIRST, "via 2: expected a path through it, the one found turns back"),
+        (PLAN + FIRST, "via 2: expected a path through it, the one found turns back"),
+        ('least = "energy"\n' + PLAN, 'via.toml: least: expected a duration beside "energy" (at line 1)'),
         (
-            'least = "energy"\n' + HEAD + FIRST + SECOND,
-            'via.toml: least: expected a duration beside "energy" (at line 1)',
-        ),
-        (
-            'least = "energy"\nduration = 1e9\n' + HEAD + FIRST + SECOND,
+            'least = "energy"\nduration = 1e9\n' + PLAN,
             "via.toml: duration: expected at most 10,000,000 instants, got 1e+09 s at a rate of",
         ),
+        ("rate = 1e9\n" + PLAN, "via.toml: rate: expected at most 10,000,000 instants, got "),
         (
-            "rate = 1e9\n" + HEAD + FIRST + SECOND,
-            "via.toml: rate: expected at most 10,000,000 instants, got ",
-        ),
-        (
-            "duration = 2.0\n" + HEAD + FIRST + SECOND,
+            "duration = 2.0\n" + PLAN,
             'via.toml: duration: expected least "energy" or "peak-force" beside it, got "time" (at line 1)',
         ),
         (HEAD + FIRST + FIRST, "via 2: expected another pose than via pose 1 (at line 6)"),
-        (HEAD + "[limits]\nforce = 10.0\n" + FIRST + SECOND, "at rest at s ="),
+        (limited("force = 10.0"), "at rest at s ="),
+        (limited("force = -1.0"), "limits.force: expected a number > 0, got -1 (at line 4)"),
+        (limited("condition = 1.1"), "via 1: expected a condition number of at most 1.1"),
         (
-            HEAD + "[limits]\nforce = -1.0\n" + FIRST + SECOND,
-            "limits.force: expected a number > 0, got -1 (at line 4)",
-        ),
-        (
-            HEAD + "[limits]\ncondition = 1.1\n" + FIRST + SECOND,
-            "via 1: expected a condition number of at most 1.1",
-        ),
-        (
-            HEAD + "[limits]\nclearance = 60.0\n" + FIRST + SECOND,
+            limited("clearance = 60.0"),
             "limits.clearance: expected less than 0.1039 m, the distance of joints of legs 1, 2, got 60 m",
         ),
-        (HEAD + "[limits]\nforces = 1.0\n" + FIRST + SECOND, 'did you mean "force"?'),
-        (
-            HEAD + FIRST + SECOND + "free.yaw = [0.1, 0.3]\n",
-            "free.yaw: expected [low, high] with low <= 0 <= high",
-        ),
-        (
-            HEAD.replace("hexapod", "nothing") + FIRST + SECOND,
-            "via.toml: robot: expected a file, there is no ",
-        ),
+        (limited("forces = 1.0"), 'did you mean "force"?'),
+        (PLAN + "free.yaw = [0.1, 0.3]\n", "free.yaw: expected [low, high] with low <= 0 <= high"),
+        (PLAN.replace("hexapod", "nothing"), "via.toml: robot: expected a file, there is no "),
         (HEAD + 'via_file = "none.csv"\n', "via.toml: via_file: expected a file, there is no "),
         ("", "the file is empty"),
     ],
@@ -300,7 +282,7 @@ def test_a_singular_start_is_rejected(folder: Path) -> None:
     """The platform in the plane of its base, level: no leg bears weight."""
     robot = (folder / "hexapod.toml").read_text().replace("length_limits = [0.55, 0.95]\n", "")
     (folder / "flat.toml").write_text(robot)
-    text = (HEAD + FIRST + SECOND).replace("hexapod", "flat").replace("0.65]\ntheta", "0.05]\ntheta", 1)
+    text = PLAN.replace("hexapod", "flat").replace("0.65]\ntheta", "0.05]\ntheta", 1)
     check_rejected(folder, text, "via 1: expected a regular pose, it is singular")
 
 

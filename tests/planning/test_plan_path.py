@@ -4,6 +4,7 @@ import dataclasses
 
 import numpy as np
 import pytest
+from command_line import rejects
 from machines import dasgupta, home_position, machine_size, random_robot
 from via_cases import via_case
 
@@ -55,11 +56,9 @@ def test_parameters_and_times_off_a_path_are_named() -> None:
     robot, poses = via_case(7)
     path = plan_path(robot, poses).path
     for s in ([-0.01], [1.1], [np.nan], 0.5, [[0.5]]):
-        with pytest.raises(ValueError, match=r"^s: expected parameters in \[0, 1\], \(n,\), got"):
-            path(s)
+        rejects(r"^s: expected parameters in \[0, 1\], \(n,\), got", path, s)
     for span in ((1.0, 0.0), (0.5, 0.5), (0.0, 2.0)):
-        with pytest.raises(ValueError, match=r"^span: expected a first s less|^s: expected parameters in"):
-            time_path(robot, path, span)
+        rejects(r"^span: expected a first s less|^s: expected parameters in", time_path, robot, path, span)
     timed = time_path(robot, path, limits=Limits(acceleration=1.0), cells=10)
     times = timed.duration * np.array([[0.1, 0.4], [0.6, 1.0]])
     np.testing.assert_allclose(timed.sample(times).t[1, 0], timed.sample(times[1, 0]).t, rtol=1e-12)

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from machines import random_motion, random_robot, rotation
+from machines import Array, random_motion, random_robot, rotation
 from motion_fields import FIELDS
 from numpy.typing import NDArray
 from public_calls import RECORDS, Call, calls, public
@@ -18,8 +18,6 @@ from public_calls import RECORDS, Call, calls, public
 import stewart_sym as ss
 from stewart_sym.motion.motion import Motion
 from stewart_sym.robot.robot import Robot
-
-Array = NDArray[np.float64]
 
 FEW = settings(derandomize=True, deadline=None, max_examples=8, suppress_health_check=[HealthCheck.too_slow])
 BACKENDS = ("c", "numpy", "reference")

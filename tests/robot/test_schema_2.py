@@ -9,12 +9,11 @@ from typing import Any
 
 import numpy as np
 import pytest
-from command_line import Run
+from command_line import Run, rejects
 from robot_files import same, written
 
 import stewart_sym as ss
 from stewart_sym.robot.bodies import INERTIA_KEYS, Body, body, joined
-from stewart_sym.robot.robot import PhysicalityWarning, Robot
 
 TEXT = """\
 schema = 2
@@ -56,18 +55,18 @@ lengths = "relative"
 """
 
 
-def robot_of(text: str, folder: Path) -> Robot:
+def robot_of(text: str, folder: Path) -> ss.Robot:
     path = folder / "robot.toml"
     path.write_text(text, encoding="utf-8")
-    return Robot.from_toml(path)
+    return ss.Robot.from_toml(path)
 
 
 @pytest.fixture
-def robot(tmp_path: Path) -> Robot:
+def robot(tmp_path: Path) -> ss.Robot:
     return robot_of(TEXT, tmp_path)
 
 
-def test_home_and_tool_are_lengths_in_other_units(robot: Robot) -> None:
+def test_home_and_tool_are_lengths_in_other_units(robot: ss.Robot) -> None:
     units = ss.Units.of(robot)
     small = units.robot(robot)
     np.testing.assert_array_equal(small.home, robot.home / units.length)
@@ -75,7 +74,7 @@ def test_home_and_tool_are_lengths_in_other_units(robot: Robot) -> None:
     assert same(units.inverse.robot(small), robot)
 
 
-def test_points_stand_on_their_circle_in_metres(robot: Robot) -> None:
+def test_points_stand_on_their_circle_in_metres(robot: ss.Robot) -> None:
     turn = np.radians([10, 110, 130, 230, 250, 350])
     expected = np.stack([0.6 * np.cos(turn), 0.6 * np.sin(turn), 0 * turn], axis=-1)
     np.testing.assert_allclose(robot.b, expected, atol=1e-15)
@@ -100,7 +99,7 @@ def test_lengths_are_the_doubles_next_to_what_is_written(tmp_path: Path) -> None
     assert robot_of(inches, tmp_path).tool.tolist() == [0.0254, 0.00254, 0.254]
 
 
-def test_bodies_are_those_of_their_shapes(robot: Robot) -> None:
+def test_bodies_are_those_of_their_shapes(robot: ss.Robot) -> None:
     plate = 2700 * math.pi * 0.32**2 * 0.02
     assert robot.M == pytest.approx(plate + 20.0, rel=1e-15)
     np.testing.assert_allclose(robot.R_0, [0, 0, 20.0 * 0.05 / robot.M], rtol=1e-14)
@@ -111,7 +110,7 @@ def test_bodies_are_those_of_their_shapes(robot: Robot) -> None:
     np.testing.assert_allclose(robot.I_u0[0], np.diag([3.5 * 0.02**2 / 2, across, across]), rtol=1e-14)
 
 
-def test_a_leg_of_its_own_keeps_what_the_others_share(robot: Robot) -> None:
+def test_a_leg_of_its_own_keeps_what_the_others_share(robot: ss.Robot) -> None:
     assert robot.m_d[2] == 9.0
     np.testing.assert_array_equal(robot.I_d0[2], np.diag([0.005, 0.2, 0.2]))
     np.testing.assert_array_equal(robot.C_u, [0, 0, 0.1, 0, 0, 0])
@@ -120,18 +119,18 @@ def test_a_leg_of_its_own_keeps_what_the_others_share(robot: Robot) -> None:
     np.testing.assert_array_equal(robot.speed_limit, np.full(6, 0.6))
 
 
-def test_legs_may_be_described_one_by_one_alone(robot: Robot) -> None:
+def test_legs_may_be_described_one_by_one_alone(robot: ss.Robot) -> None:
     tables = robot.to_dict()
     del tables["legs"]
-    assert same(Robot.from_dict(tables), robot)
+    assert same(ss.Robot.from_dict(tables), robot)
 
 
-def test_the_stroke_is_about_the_length_at_home(robot: Robot) -> None:
+def test_the_stroke_is_about_the_length_at_home(robot: ss.Robot) -> None:
     L = np.linalg.norm(robot.home + robot.p - robot.b, axis=-1)
     np.testing.assert_allclose(robot.length_limits, np.stack([L - 0.15, L + 0.15], axis=-1), rtol=1e-15)
 
 
-def test_metres_and_radians_say_the_same(robot: Robot, tmp_path: Path) -> None:
+def test_metres_and_radians_say_the_same(robot: ss.Robot, tmp_path: Path) -> None:
     turns = {"[10, 110, 130, 230, 250, 350]": np.radians([10, 110, 130, 230, 250, 350])}
     turns["[50, 70, 170, 190, 290, 310]"] = np.radians([50, 70, 170, 190, 290, 310])
     text = TEXT.replace('"mm"', '"m"').replace('"deg"', '"rad"')
@@ -147,7 +146,7 @@ def test_metres_and_radians_say_the_same(robot: Robot, tmp_path: Path) -> None:
         assert old in text, old
         text = text.replace(old, new)
     other = robot_of(text, tmp_path)
-    for field in dataclasses.fields(Robot):
+    for field in dataclasses.fields(ss.Robot):
         mine, others = getattr(robot, field.name), getattr(other, field.name)
         if isinstance(mine, np.ndarray):
             np.testing.assert_allclose(others, mine, rtol=4e-15, atol=1e-16, err_msg=field.name)
@@ -159,16 +158,16 @@ def test_a_robot_goes_through_tables_and_files_to_the_bit(joint: str, tmp_path: 
     if joint == "spherical":
         text = text.replace('universal_axis = "tangential"\n', "")
     found = robot_of(text, tmp_path)
-    assert same(Robot.from_dict(json.loads(json.dumps(found.to_dict()))), found)
+    assert same(ss.Robot.from_dict(json.loads(json.dumps(found.to_dict()))), found)
     assert found.to_dict()["schema"] == 2
-    assert same(Robot.from_toml(written(found, tmp_path / "again.toml")), found)
+    assert same(ss.Robot.from_toml(written(found, tmp_path / "again.toml")), found)
     none = {"lower_length": np.zeros(6), "upper_length": np.zeros(6), "home": None, "tool": np.zeros(3)}
     plain = dataclasses.replace(found, **none, euler_order="zyx", lengths="absolute")
     assert plain.to_dict()["schema"] == 1
-    assert same(Robot.from_dict(plain.to_dict()), plain)
+    assert same(ss.Robot.from_dict(plain.to_dict()), plain)
 
 
-def test_parts_are_as_long_as_their_shapes_or_as_they_state(robot: Robot, tmp_path: Path) -> None:
+def test_parts_are_as_long_as_their_shapes_or_as_they_state(robot: ss.Robot, tmp_path: Path) -> None:
     # Leg 3 has a lower part by its inertia, without a length.
     np.testing.assert_array_equal(robot.lower_length, [0.5, 0.5, 0.0, 0.5, 0.5, 0.5])
     np.testing.assert_array_equal(robot.upper_length, np.full(6, 0.45))
@@ -183,8 +182,7 @@ def test_parts_are_as_long_as_their_shapes_or_as_they_state(robot: Robot, tmp_pa
 @pytest.mark.parametrize("length", ["0", "-1", '"long"'])
 def test_a_length_that_no_part_has_is_rejected(length: str, tmp_path: Path) -> None:
     text = TEXT.replace("lower = { mass = 9.0,", f"lower = {{ length = {length}, mass = 9.0,")
-    with pytest.raises(ValueError, match=r"leg\.3\.lower\.length: expected"):
-        robot_of(text, tmp_path)
+    rejects(r"leg\.3\.lower\.length: expected", robot_of, text, tmp_path)
 
 
 def test_axes_by_name_are_what_the_name_says(tmp_path: Path) -> None:
@@ -197,7 +195,7 @@ def test_axes_by_name_are_what_the_name_says(tmp_path: Path) -> None:
         np.testing.assert_allclose(np.linalg.norm(found.k, axis=-1), 1.0, rtol=1e-15)
 
 
-def test_points_one_by_one_and_of_one_leg_stand_in_for_the_circle(robot: Robot, tmp_path: Path) -> None:
+def test_points_one_by_one_and_of_one_leg_stand_in_for_the_circle(robot: ss.Robot, tmp_path: Path) -> None:
     points = "points = " + str((1e3 * robot.b).tolist())
     listed = TEXT.replace("radius = 600\nangles = [10, 110, 130, 230, 250, 350]", points)
     np.testing.assert_allclose(robot_of(listed, tmp_path).b, robot.b, rtol=1e-15)
@@ -272,7 +270,7 @@ def test_every_point_may_have_a_radius_and_a_height_of_its_own(tmp_path: Path) -
 
 def test_a_body_that_cannot_be_is_warned_of_and_may_be_accepted(tmp_path: Path) -> None:
     wrong = TEXT.replace("[0.005, 0.2, 0.2]", "[0.5, 0.2, 0.2]")
-    with pytest.warns(PhysicalityWarning, match=r"lower part of leg 3: inertia.* \[lower-inertia\]"):
+    with pytest.warns(ss.PhysicalityWarning, match=r"lower part of leg 3: inertia.* \[lower-inertia\]"):
         robot_of(wrong, tmp_path)
     with warnings.catch_warnings(action="error"):
         robot_of(wrong.replace("home =", 'accept = ["lower-inertia"]\nhome ='), tmp_path)
@@ -386,8 +384,7 @@ def test_a_mistake_is_one_line_with_key_and_line(
 
 
 def test_tables_without_a_file_name_the_key_alone() -> None:
-    with pytest.raises(ValueError, match=r"\Arobot: base: missing\Z"):
-        Robot.from_dict({"schema": 2, "name": "x"})
+    rejects(r"\Arobot: base: missing\Z", ss.Robot.from_dict, {"schema": 2, "name": "x"})
     with pytest.raises(ValueError, match=r"\Arobot: lengths: \"relative\" is to the home pose"):
         dataclasses.replace(ss.robots.dasgupta1998(), lengths="relative")
 

@@ -5,15 +5,13 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
+from command_line import rejects
 from hexagon_machines import hexagons
-from machines import dasgupta, random_path, random_robot
+from machines import Array, dasgupta, random_path, random_robot
 from mpmath import mp
-from numpy.typing import NDArray
 
 import stewart_sym as ss
-from stewart_sym.singularities.along_path import crossings, force_residue, singularities_along
 
-Array = NDArray[np.float64]
 Path = Callable[[Array], ss.Motion]
 III = ss.PATHS["III"].path
 
@@ -69,8 +67,6 @@ def reshaped(share: Callable[[Array], Array], rate: Callable[[Array], Array], se
 
     def path(times: Array) -> ss.Motion:
         motion, pace = III.sample(share(times)), rate(times)[:, None]
-        assert motion.alpha is not None
-        assert motion.a is not None
         return ss.Motion(
             motion.R,
             motion.t,
@@ -90,7 +86,7 @@ def there_and_back(root: float, depth: float) -> Path:
 
 def test_the_crossing_of_path_iii_is_located_to_a_nanosecond(root: float) -> None:
     for times in (III.breaks(), III.times(0.1), [0.0, 6.0], [3.6, 3.7], np.linspace(0.0, 6.0, 601)):
-        (found,) = crossings(dasgupta(), III.sample, times)
+        (found,) = ss.crossings(dasgupta(), III.sample, times)
         assert abs(found.time - root) <= min(1e-9, 10 * found.uncertainty)
         assert found.uncertainty < 1e-11
         assert (found.before, found.after) == (-1, 1)
@@ -100,11 +96,11 @@ def test_the_crossing_of_path_iii_is_located_to_a_nanosecond(root: float) -> Non
 @pytest.mark.parametrize("formulation", ["exact", "paper"])
 def test_forces_go_to_one_infinity_before_and_to_the_other_after(root: float, formulation: str) -> None:
     robot = dasgupta()
-    (found,) = crossings(robot, III.sample, III.breaks())
-    A = force_residue(robot, III.sample(found.time), formulation)  # type: ignore[arg-type]
+    (found,) = ss.crossings(robot, III.sample, III.breaks())
+    A = ss.force_residue(robot, III.sample(found.time), formulation)
     for distance in (1e-3, 1e-5, 1e-7):
         times = root + np.array([-distance, distance])
-        before, after = ss.inverse_dynamics(robot, III.sample(times), formulation).F  # type: ignore[arg-type]
+        before, after = ss.inverse_dynamics(robot, III.sample(times), formulation).F
         assert (np.sign(before) == -np.sign(A)).all()
         assert (np.sign(after) == np.sign(A)).all()
         np.testing.assert_allclose(before, -A / distance, rtol=10 * distance + 1e-4)
@@ -117,15 +113,15 @@ def test_forces_go_to_one_infinity_before_and_to_the_other_after(root: float, fo
 def test_forces_need_known_options_and_accelerations() -> None:
     motion = III.sample(1.0)
     with pytest.raises(ValueError, match=r'^formulation: expected "exact" or "paper", got "?\'?printed'):
-        force_residue(dasgupta(), motion, "printed")  # type: ignore[arg-type]
+        ss.force_residue(dasgupta(), motion, "printed")
     with pytest.raises(ValueError, match=r"^motion: expected accelerations"):
-        force_residue(dasgupta(), ss.Motion(motion.R, motion.t, motion.omega, motion.v))
+        ss.force_residue(dasgupta(), ss.Motion(motion.R, motion.t, motion.omega, motion.v))
 
 
 @pytest.mark.parametrize("half", [0.5, 1e-2, 1e-3, 1e-4])
 def test_two_crossings_between_two_samples_are_both_found(root: float, half: float) -> None:
     path = there_and_back(root, half**2)
-    found = crossings(dasgupta(), path, [-0.9, 1.1])
+    found = ss.crossings(dasgupta(), path, [-0.9, 1.1])
     np.testing.assert_allclose([item.time for item in found], [-half, half], atol=1e-12 / half + 1e-12)
     assert [(item.before, item.after) for item in found] == [(1, -1), (-1, 1)]
 
@@ -140,13 +136,13 @@ def test_many_crossings_between_two_samples_are_all_found(root: float) -> None:
 
     expected = np.pi * np.arange(1, 13) / w
     for times in ([0.01, 1.0], np.linspace(0.01, 1.0, 17), np.linspace(0.01, 1.0, 401)):
-        found = crossings(dasgupta(), path, times)
+        found = ss.crossings(dasgupta(), path, times)
         np.testing.assert_allclose([item.time for item in found], expected, atol=1e-12)
 
 
 def test_a_sample_on_the_singular_pose_is_one_crossing(root: float) -> None:
     for times in ([3.0, root, 4.0], [3.0, np.nextafter(root, 4.0), 4.0]):
-        (found,) = crossings(dasgupta(), III.sample, times)
+        (found,) = ss.crossings(dasgupta(), III.sample, times)
         assert abs(found.time - root) <= 1e-11
 
 
@@ -154,7 +150,7 @@ def test_a_sample_on_the_singular_pose_is_one_crossing(root: float) -> None:
 def test_a_path_that_only_comes_near_reports_its_nearest_approach(root: float, depth: float) -> None:
     robot, path = dasgupta(), there_and_back(root, -depth)
     for times in ([-0.9, 1.1], np.linspace(-0.9, 1.1, 12), np.linspace(-0.9, 1.1, 201)):
-        found = singularities_along(robot, path, times)
+        found = ss.singularities_along(robot, path, times)
         assert found.crossings == ()
         (approach,) = found.approaches
         assert approach is found.nearest
@@ -165,7 +161,7 @@ def test_a_path_that_only_comes_near_reports_its_nearest_approach(root: float, d
 
 
 def test_a_path_nearest_at_its_end_says_so() -> None:
-    found = singularities_along(dasgupta(), ss.PATHS["I"].path.sample, ss.PATHS["I"].path.breaks())
+    found = ss.singularities_along(dasgupta(), ss.PATHS["I"].path.sample, ss.PATHS["I"].path.breaks())
     assert (found.crossings, found.approaches, found.nearest.time) == ((), (), 6.0)
 
 
@@ -178,7 +174,7 @@ def test_minima_of_random_paths_are_those_of_dense_samples() -> None:
         dense = ss.singularity(robot, path(times)).smallest
         inner = np.flatnonzero((dense[1:-1] < dense[:-2]) & (dense[1:-1] < dense[2:])) + 1
         for given in ([0.0, period], np.linspace(0.0, period, 9), np.linspace(0.0, period, 101)):
-            found = singularities_along(robot, path, given)
+            found = ss.singularities_along(robot, path, given)
             np.testing.assert_allclose(
                 [approach.time for approach in found.approaches], times[inner], atol=period / 4000
             )
@@ -192,7 +188,7 @@ def test_a_path_along_singular_poses_is_a_span_and_no_crossing() -> None:
         t = [0.0, 0.0, 1.0] + times[:, None] * up
         return ss.Motion(np.broadcast_to(R, (len(times), 3, 3)), t, zero, up, zero, zero)
 
-    found = singularities_along(robot, path, [0.0, 1.0, 2.0])
+    found = ss.singularities_along(robot, path, [0.0, 1.0, 2.0])
     assert found.crossings == ()
     assert found.approaches == ()
     assert found.spans == ((0.0, 2.0),)
@@ -206,7 +202,7 @@ def test_a_turn_of_similar_hexagons_crosses_at_90_degrees() -> None:
     def path(times: Array) -> ss.Motion:
         return ss.Motion.from_rpy([0.0, 0.0, 1.0], times[:, None] * spin, zero, spin, zero, zero)
 
-    found = crossings(robot, path, [-3.0, 3.0])
+    found = ss.crossings(robot, path, [-3.0, 3.0])
     np.testing.assert_allclose([item.time for item in found], [-np.pi / 2, np.pi / 2], atol=1e-12)
 
 
@@ -219,7 +215,7 @@ def test_a_leg_that_passes_through_length_zero_is_no_crossing() -> None:
         return ss.Motion(np.eye(3), start + times[:, None] * v, zero, v, zero, zero)
 
     for times in ([-0.5, 0.3], [-0.5, 0.0, 0.3]):
-        found = singularities_along(robot, path, times)
+        found = ss.singularities_along(robot, path, times)
         assert found.crossings == ()
         assert abs(found.shortest.time[2]) < 1e-7
         assert found.shortest.value[2] < 1e-7
@@ -229,7 +225,7 @@ def test_a_path_at_rest_has_no_minima() -> None:
     def path(times: Array) -> ss.Motion:
         return ss.Motion(np.eye(3), np.tile([0.1, 0.0, 0.5], (len(times), 1)), *np.zeros((4, 3)))
 
-    found = singularities_along(dasgupta(), path, [0.0, 1.0, 2.0])
+    found = ss.singularities_along(dasgupta(), path, [0.0, 1.0, 2.0])
     assert (found.crossings, found.approaches, found.spans) == ((), (), ())
 
 
@@ -237,7 +233,7 @@ def test_leg_extremes_are_those_of_dense_samples() -> None:
     rng = np.random.default_rng(3)
     robot = random_robot(rng)
     path = random_path(rng, robot)
-    found = singularities_along(robot, path, np.linspace(0.0, 1.0, 7))
+    found = ss.singularities_along(robot, path, np.linspace(0.0, 1.0, 7))
     legs = ss.inverse_kinematics(robot, path(np.linspace(0.0, 1.0, 20001)))
     sine = np.linalg.norm(np.cross(robot.k, legs.s), axis=-1)
     for extreme, expected in (
@@ -249,7 +245,7 @@ def test_leg_extremes_are_those_of_dense_samples() -> None:
     at = [ss.inverse_kinematics(robot, path(found.shortest.time[[leg]])).L[0, leg] for leg in range(6)]
     np.testing.assert_allclose(found.shortest.value, at, rtol=1e-15)
     assert (
-        singularities_along(random_robot(rng, "spherical"), path, [0.0, 0.1]).joint_sine.value == 1.0
+        ss.singularities_along(random_robot(rng, "spherical"), path, [0.0, 0.1]).joint_sine.value == 1.0
     ).all()
 
 
@@ -263,7 +259,7 @@ def test_a_leg_through_its_joint_singularity_is_found_between_samples() -> None:
     def path(times: Array) -> ss.Motion:
         return ss.Motion(np.eye(3), start + times[:, None] * v, zero, v, zero, zero)
 
-    sine = singularities_along(robot, path, [0.0, 1.0]).joint_sine
+    sine = ss.singularities_along(robot, path, [0.0, 1.0]).joint_sine
     assert sine.time[4] == pytest.approx(0.123, abs=1e-6)
     assert sine.value[4] < 1e-6
 
@@ -282,9 +278,8 @@ def test_a_leg_through_its_joint_singularity_is_found_between_samples() -> None:
     ],
 )
 def test_bad_arguments_are_one_line(arguments: tuple[object, ...], text: str) -> None:
-    for function in (crossings, singularities_along):
-        with pytest.raises(ValueError, match=rf"\A{text}.*\Z"):
-            function(*arguments)  # type: ignore[arg-type]
+    for function in (ss.crossings, ss.singularities_along):
+        rejects(rf"\A{text}.*\Z", function, *arguments)
 
 
 def test_times_since_1970_cost_no_more_and_change_nothing() -> None:
@@ -299,8 +294,8 @@ def test_times_since_1970_cost_no_more_and_change_nothing() -> None:
         return III.sample(np.clip(times - 1.7e9, 0.0, III.tau_f))
 
     times = np.linspace(0.0, III.tau_f, 401)
-    one = singularities_along(dasgupta(), from_zero, times)
-    other = singularities_along(dasgupta(), since_1970, 1.7e9 + times)
+    one = ss.singularities_along(dasgupta(), from_zero, times)
+    other = ss.singularities_along(dasgupta(), since_1970, 1.7e9 + times)
     assert asked["1970"] < 2 * asked["0"]
     assert [found.time for found in other.crossings] == pytest.approx(
         [1.7e9 + found.time for found in one.crossings], rel=0.0, abs=1e-6

@@ -136,7 +136,7 @@ def answered_with_limit(
         for family in FAMILIES:
             robot = singular_machine(rng, family, *_size_and_mass(rng, number), LEGS[number % len(LEGS)])
             motion = joined([random_motion(rng, robot) for _ in range(poses)])
-            status = ss.prepare(robot, "exact", precision).forces_and_status(motion)[1]  # type: ignore[arg-type]
+            status = ss.prepare(robot, "exact", precision).forces_and_status(motion)[1]
             answered += int(np.sum(status == OK))
     return answered
 

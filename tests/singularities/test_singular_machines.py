@@ -4,7 +4,7 @@ import dataclasses
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
+from machines import Array
 from sweep_machines import joined
 from sweeps import share, sweep
 
@@ -14,8 +14,6 @@ from stewart_sym.kinematics.conditioning import characteristic_length, scaled_co
 from stewart_sym.kinematics.inverse import wrench_matrix
 from stewart_sym.studies.robustness.sweep.machines import random_machine, random_motion
 from stewart_sym.studies.robustness.sweep.singular_machines import FAMILIES, NEARLY, singular_machine
-
-Array = NDArray[np.float64]
 
 LARGEST_CONDITION = {"double": 1e12, "float": 1e12 * np.finfo(np.float64).eps / np.finfo(np.float32).eps}
 """Up to these condition numbers of H no pose is singular to rounding."""

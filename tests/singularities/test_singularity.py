@@ -4,12 +4,12 @@ import dataclasses
 
 import numpy as np
 import pytest
+from command_line import rejects
 from hexagon_machines import Array, hexagons
 from machines import dasgupta, machine_in_motion, machine_size, rotation
 from unsolvable_poses import semiregular
 
 import stewart_sym as ss
-from stewart_sym.singularities.along_path import crossings
 from stewart_sym.singularities.singular_poses import screw
 
 ROUNDING = 1e-14
@@ -17,7 +17,7 @@ ROUNDING = 1e-14
 
 def crossing_pose() -> tuple[ss.Robot, ss.Motion]:
     robot, path = dasgupta(), ss.PATHS["III"].path
-    return robot, path.sample(crossings(robot, path.sample, path.breaks())[0].time)
+    return robot, path.sample(ss.crossings(robot, path.sample, path.breaks())[0].time)
 
 
 def test_no_leg_moves_under_the_lost_motion_and_no_forces_hold_the_lost_wrench() -> None:
@@ -131,13 +131,10 @@ def still(R: Array, height: float) -> ss.Motion:
     ],
 )
 def test_what_is_no_pose_is_named(pose: object, text: str) -> None:
-    with pytest.raises(ValueError, match=rf"\A{text}"):
-        ss.singularity(dasgupta(), pose)  # type: ignore[arg-type]
+    rejects(rf"\A{text}", ss.singularity, dasgupta(), pose)
 
 
 def test_a_leg_of_length_zero_has_no_direction() -> None:
     robot = dasgupta()
-    with pytest.raises(ValueError, match=r"^motion: leg 3 has length zero$"):
-        ss.singularity(robot, (np.eye(3), robot.b[2] - robot.p[2]))
-    with pytest.raises(ValueError, match=r"^robot: expected a Robot"):
-        ss.singularity(None, (np.eye(3), np.zeros(3)))  # type: ignore[arg-type]
+    rejects(r"^motion: leg 3 has length zero$", ss.singularity, robot, (np.eye(3), robot.b[2] - robot.p[2]))
+    rejects(r"^robot: expected a Robot", ss.singularity, None, (np.eye(3), np.zeros(3)))

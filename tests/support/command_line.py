@@ -3,7 +3,7 @@
 import csv
 from collections.abc import Callable
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import pytest
 
@@ -41,6 +41,13 @@ def error_of(call: Callable[[], object]) -> str:
     message = str(caught.value)
     assert "\n" not in message
     return message
+
+
+def rejects(words: str, call: Callable[..., object], *arguments: Any, **options: Any) -> None:
+    """A call must raise a ValueError of one line, in which the words, a regular expression, are found."""
+    with pytest.raises(ValueError, match=words) as caught:
+        call(*arguments, **options)
+    assert "\n" not in str(caught.value)
 
 
 def fails_in_one_line(capsys: pytest.CaptureFixture[str], *arguments: object) -> str:
