@@ -73,9 +73,7 @@ def figures(robot: ss.Robot, motion: ss.Motion, precision: str) -> Figures | Non
     with np.errstate(divide="ignore"):
         ratios = bound / errors
     return Figures(
-        float(ratios.min()),
-        float(bound.max() / errors.max()),
-        float(errors.max() / unit / condition),
+        float(ratios.min()), float(bound.max() / errors.max()), float(errors.max() / unit / condition)
     )
 
 

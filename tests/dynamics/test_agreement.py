@@ -112,9 +112,7 @@ def test_any_leading_shape_gives_the_poses_one_by_one(backend, shape: tuple[int,
 
 
 def test_no_load_is_zero_load() -> None:
-    rng = np.random.default_rng(9)
-    robot = random_robot(rng)
-    free = random_motion(rng, robot, (4,), load=False)
+    robot, free = machine_in_motion(9, (4,), load=False)
     zero = np.zeros((4, 3))
     loaded = ss.Motion(free.R, free.t, free.omega, free.v, free.alpha, free.a, zero, zero)
     for backend in ("c", "numpy", "reference"):

@@ -9,13 +9,7 @@ import array_api_strict
 import numpy as np
 import pytest
 from command_line import rejects
-from machines import (
-    MACHINES,
-    dasgupta,
-    machine_in_motion,
-    random_motion,
-    upside_down_in_millimetres,
-)
+from machines import MACHINES, dasgupta, machine_in_motion, random_motion, upside_down_in_millimetres
 from motion_fields import FIELDS
 from sweeps import FULL
 

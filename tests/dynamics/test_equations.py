@@ -215,9 +215,7 @@ def test_the_reference_has_equations_where_H_is_singular() -> None:
 
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_poses_without_an_answer_are_named_or_nan(backend: Any) -> None:
-    rng = np.random.default_rng(8)
-    robot = random_robot(rng, scale=1.0)
-    good = random_motion(rng, robot)
+    robot, good = machine_in_motion(8, scale=1.0)
     t = np.stack([good.t, robot.b[3] - good.R @ robot.p[3]])
     motion = ss.Motion(good.R, t, good.omega, good.v)
     F = np.ones(6)

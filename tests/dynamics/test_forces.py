@@ -55,10 +55,8 @@ def test_results_are_bit_identical_whatever_batch_position_and_threads(
     precision, base_joint: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(forces, "LEAST_SHARE", 1)
-    rng = np.random.default_rng(22)
-    robot = random_robot(rng, base_joint)
+    robot, motion = machine_in_motion(22, (37,), base_joint)
     kernel = ss.prepare(robot, precision=precision)
-    motion = random_motion(rng, robot, (37,))
     whole = kernel.forces(motion)
     assert all((kernel.forces(motion[i]) == whole[i]).all() for i in range(37))
     for start, stop in ((0, 1), (1, 10), (5, 37), (8, 16), (30, 37)):
@@ -74,10 +72,8 @@ def test_results_are_bit_identical_whatever_batch_position_and_threads(
 def test_a_batch_is_shared_in_parts_of_thousands_four_a_thread_at_most(
     count: int, threads: int, expected: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    rng = np.random.default_rng(30)
-    robot = random_robot(rng)
+    robot, some = machine_in_motion(30, (50,))
     kernel = ss.prepare(robot)
-    some = random_motion(rng, robot, (50,))
     arrays = [np.resize(getattr(some, name), (count, *getattr(some, name).shape[1:])) for name in FIELDS]
     run = forces.ForceKernel._run
     parts: list[tuple[int, int]] = []
@@ -98,10 +94,8 @@ def test_a_batch_is_shared_in_parts_of_thousands_four_a_thread_at_most(
 
 @pytest.mark.parametrize("precision", ["double", "float"])
 def test_one_pose_is_bit_identical_to_the_batch(precision) -> None:
-    rng = np.random.default_rng(23)
-    robot = random_robot(rng)
+    robot, motion = machine_in_motion(23, (20,))
     kernel = ss.prepare(robot, precision=precision)
-    motion = random_motion(rng, robot, (20,))
     whole = kernel.forces(motion)
     slot = kernel.one_pose()
     for i in range(20):
@@ -282,9 +276,7 @@ def test_c_takes_axes_of_any_length_but_zero(exponent: float, precision: forces.
 
 
 @pytest.mark.parametrize("precision", ["double", "float"])
-def test_prepared_constants_begin_where_a_line_of_the_cache_does_and_stay_as_they_are(
-    precision: str,
-) -> None:
+def test_prepared_constants_begin_where_a_line_of_the_cache_does_and_stay_as_they_are(precision: str) -> None:
     prepared = ss.prepare(ss.robots.dasgupta1998(), precision=precision)
     assert prepared.model.ctypes.data % 64 == 0
     rejects("cannot set WRITEABLE", prepared.model.setflags, write=True)

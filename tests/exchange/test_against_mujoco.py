@@ -220,8 +220,7 @@ def test_actuators_without_a_name_are_called_by_their_joints(tmp_path: Path) -> 
 
 
 @pytest.mark.parametrize(
-    "attributes",
-    ['biastype="affine"', 'gaintype="affine"', 'dyntype="integrator"', 'ctrllimited="false"'],
+    "attributes", ['biastype="affine"', 'gaintype="affine"', 'dyntype="integrator"', 'ctrllimited="false"']
 )
 def test_actuators_without_limits_of_what_they_push_with_are_limited_by_their_forces_alone(
     attributes: str, tmp_path: Path

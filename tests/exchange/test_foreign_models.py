@@ -157,11 +157,7 @@ LEFT_OUT = {
         ('<inertial mass="40.0"', '<geom name="x" size="0.1" mass="40" shellinertia="true"/><replaced '),
         "that body 'platform': geom 'x' is a shell",
     ),
-    "weight taken off": (
-        "mjcf",
-        (TOP, f'{TOP} gravcomp="1"'),
-        "gravcomp of body 'platform'",
-    ),
+    "weight taken off": ("mjcf", (TOP, f'{TOP} gravcomp="1"'), "gravcomp of body 'platform'"),
     "medium": ("mjcf", ("<option ", '<option density="1.2" '), "density of the medium around the machine"),
     "spring": ("mjcf", (SLIDE, f'{SLIDE} stiffness="9"'), "stiffness of joint 'leg_1'"),
     "one side": (
@@ -358,10 +354,7 @@ def test_an_old_version_is_the_machine_that_drake_takes_it_for(name: str, tmp_pa
 @pytest.mark.parametrize(
     ("change", "said"),
     [
-        (
-            (OF_MODEL, f"{MODEL}<xyz>"),
-            "joint 'base_1': axis: expected expressed_in, as SDF has it since 1.7",
-        ),
+        ((OF_MODEL, f"{MODEL}<xyz>"), "joint 'base_1': axis: expected expressed_in, as SDF has it since 1.7"),
         (
             ('"lower_1">\n    <pose>', '"lower_1"><pose frame="base">'),
             "link 'lower_1': pose: expected relative_to",

@@ -145,13 +145,7 @@ def test_derivatives_of_a_fourier_path_are_those_of_differences() -> None:
 
 @pytest.mark.parametrize(
     ("name", "value"),
-    [
-        ("period", 0.0),
-        ("period", float("nan")),
-        ("harmonics", 0),
-        ("samples", 1.5),
-        ("candidates", True),
-    ],
+    [("period", 0.0), ("period", float("nan")), ("harmonics", 0), ("samples", 1.5), ("candidates", True)],
 )
 def test_bad_arguments_of_the_excitation_are_named(name: str, value: object) -> None:
     rejects(f"^{name}: expected ", ss.choose_excitation, robot(0), **{name: value})

@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 import pytest
 from command_line import rejects
-from leg_lengths import HOME, STILL, Array, Poses, lengths, nudged, paper_poses
-from machines import dasgupta, machine_in_motion, machine_size, rotation
+from leg_lengths import HOME, STILL, Poses, lengths, nudged, paper_case, paper_poses
+from machines import Array, dasgupta, machine_in_motion, machine_size, rotation
 from numpy.typing import NDArray
 from sweeps import share
 
@@ -60,9 +60,7 @@ def test_default_guess_gives_back_the_poses_of_random_machines(seed: int) -> Non
 
 
 def test_default_guess_gives_back_the_poses_of_the_papers_machine() -> None:
-    robot = dasgupta()
-    R, t = paper_poses(np.random.default_rng(1), 1000, angle=0.1, way=0.1)
-    L = lengths(robot, R, t)
+    robot, R, t, L = paper_case(1, 1000)
     found = ss.forward_kinematics(robot, L)
     assert_nothing_is_silent(robot, L, found)
     np.testing.assert_allclose(found.R, R, atol=1e-12)
@@ -71,9 +69,7 @@ def test_default_guess_gives_back_the_poses_of_the_papers_machine() -> None:
 
 def test_near_guess_converges_quadratically_to_its_own_mode() -> None:
     rng = np.random.default_rng(2)
-    robot = dasgupta()
-    R, t = paper_poses(rng, 1000, angle=0.1, way=0.1)
-    L = lengths(robot, R, t)
+    robot, R, t, L = paper_case(rng, 1000)
     found = ss.forward_kinematics(robot, L, nudged(rng, R, t, angle=0.05, way=0.05))
     assert_nothing_is_silent(robot, L, found)
     assert same_pose(robot, found, R, t).all()
@@ -143,9 +139,7 @@ def test_there_is_no_singularity_where_roll_pitch_yaw_has_one() -> None:
 
 
 def test_a_pose_is_the_same_alone_and_among_others() -> None:
-    robot = dasgupta()
-    R, t = paper_poses(np.random.default_rng(6), 12, angle=0.1, way=0.1)
-    L = lengths(robot, R, t)
+    robot, _, _, L = paper_case(6, 12)
     L[3], L[7] = [5.0, 1.0, 1.0, 1.0, 1.0, 1.0], 1e308
     found = ss.forward_kinematics(robot, L.reshape(3, 2, 2, 6), on_failure="nan")
     assert found.R.shape == (3, 2, 2, 3, 3)
@@ -160,9 +154,7 @@ def test_a_pose_is_the_same_alone_and_among_others() -> None:
 
 
 def test_a_guess_broadcasts_and_is_left_as_it_was() -> None:
-    robot = dasgupta()
-    R, t = paper_poses(np.random.default_rng(7), 4, angle=0.1, way=0.1)
-    L = lengths(robot, R, t)
+    robot, R, _, L = paper_case(7, 4)
     R_0, t_0 = np.eye(3), np.tile(HOME, (5, 1, 1))
     found = ss.forward_kinematics(robot, L, (R_0, t_0))
     assert found.status.shape == (5, 4)
@@ -214,8 +206,7 @@ def test_rates_are_found_up_to_a_condition_number() -> None:
 
 
 def test_a_singular_pose_has_a_status_and_leaves_its_neighbours_alone() -> None:
-    robot = dasgupta()
-    R, t = paper_poses(np.random.default_rng(9), 3, angle=0.1, way=0.1)
+    robot, R, t, _ = paper_case(9, 3)
     R[1], t[1] = singular_pose()
     L = lengths(robot, R, t)
     found = ss.forward_kinematics(robot, L, (R, t), "nan")
@@ -232,8 +223,7 @@ def test_a_singular_pose_has_a_status_and_leaves_its_neighbours_alone() -> None:
 
 def test_a_machine_that_is_singular_everywhere_never_has_an_answer() -> None:
     """Platform similar to the base; and all points in one: every Jacobian is exactly singular."""
-    robot = dasgupta()
-    _, t = paper_poses(np.random.default_rng(10), 20, angle=0.1, way=0.1)
+    robot, _, t, _ = paper_case(10, 20)
     flat = robot.p * [1.0, 1.0, 0.0]
     similar = dataclasses.replace(robot, b=2.0 * flat, p=flat)
     found = ss.forward_kinematics(similar, lengths(similar, np.eye(3), t), (np.eye(3), t), "nan")
@@ -274,9 +264,7 @@ def test_failures_raise_warn_or_stay_silent_as_asked() -> None:
 
 
 def test_limits_of_the_legs_are_heeded_unless_told_otherwise() -> None:
-    robot = dasgupta()
-    R, t = paper_poses(np.random.default_rng(12), 3, angle=0.1, way=0.1)
-    L = lengths(robot, R, t)
+    robot, _, t, L = paper_case(12, 3)
     limits = np.tile([0.0, 10.0], (6, 1))
     limits[4] = sorted(L[:2, 4])
     limited = dataclasses.replace(robot, length_limits=limits)
@@ -292,8 +280,7 @@ def test_limits_of_the_legs_are_heeded_unless_told_otherwise() -> None:
 
 
 def test_rates_at_a_singular_pose_are_rejected() -> None:
-    robot = dasgupta()
-    R, t = paper_poses(np.random.default_rng(15), 3, angle=0.1, way=0.1)
+    robot, R, t, _ = paper_case(15, 3)
     R[1], t[1] = singular_pose()
     rejects(r"^L_dot\[1\]: H is singular there", ss.forward_velocity, robot, R, t, np.ones(6))
     with pytest.raises(ValueError, match=r"^L_ddot\[1\]: H is singular there"):

@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from command_line import Fails, Run, rejects
-from leg_lengths import HOME, Array, Poses, lengths, paper_poses
+from leg_lengths import HOME, Array, Poses, lengths, paper_legs, paper_poses
 from machines import dasgupta, random_path, random_robot
 from robot_files import PAPERS
 
@@ -23,10 +23,7 @@ from stewart_sym.studies.common.output import csv_lines
 @pytest.mark.parametrize("name", ["I", "II"])
 @pytest.mark.parametrize("guessed", [True, False])
 def test_paths_planned_in_joint_space_need_the_same_forces(name: str, guessed: bool) -> None:
-    robot = dasgupta()
-    path, step = ss.PATHS[name]
-    motion = path.sample(path.times(step))
-    legs = ss.inverse_kinematics(robot, motion)
+    robot, motion, legs = paper_legs(name)
     guess = (motion.R[0], motion.t[0]) if guessed else None
     back = ss.motion_from_lengths(robot, legs.L, legs.L_dot, legs.L_ddot, guess)
     for formulation in ("exact", "paper"):
@@ -35,10 +32,7 @@ def test_paths_planned_in_joint_space_need_the_same_forces(name: str, guessed: b
 
 
 def test_path_iii_leads_through_a_singular_pose_and_no_farther() -> None:
-    robot = dasgupta()
-    path, step = ss.PATHS["III"]
-    motion = path.sample(path.times(step))
-    legs = ss.inverse_kinematics(robot, motion)
+    robot, motion, legs = paper_legs("III")
     sign = np.linalg.slogdet(jacobian(robot, motion.R, motion.t))[0]
     turn = int(np.flatnonzero(sign != sign[0])[0])
     start = motion.R[0], motion.t[0]
@@ -91,10 +85,7 @@ def test_a_long_step_ends_where_many_short_ones_do() -> None:
 
 
 def test_jumps_are_named_and_not_followed_into_another_mode() -> None:
-    robot = dasgupta()
-    path, step = ss.PATHS["I"]
-    motion = path.sample(path.times(step))
-    legs = ss.inverse_kinematics(robot, motion)
+    robot, _, legs = paper_legs()
     L = legs.L.copy()
     L[30:, 2] += 1.0
     rejects(r"^L\[30\]: the lengths jump here", ss.motion_from_lengths, robot, L, legs.L_dot)
@@ -122,9 +113,7 @@ def test_a_longer_step_between_rows_is_no_jump_and_hides_none() -> None:
 
 def test_each_assembly_mode_is_kept() -> None:
     """Start the same lengths in two modes: both are followed, apart from each other all the way."""
-    robot = dasgupta()
-    path, step = ss.PATHS["I"]
-    legs = ss.inverse_kinematics(robot, path.sample(path.times(step)))
+    robot, _, legs = paper_legs()
     up = ss.motion_from_lengths(robot, legs.L, legs.L_dot)
     mirrored = up.t[0] * [1.0, 1.0, -1.0]
     down = ss.motion_from_lengths(robot, legs.L, legs.L_dot, guess=(up.R[0], mirrored))

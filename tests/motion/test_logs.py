@@ -3,7 +3,6 @@
 import dataclasses
 import re
 import warnings
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -109,26 +108,20 @@ def test_quaternions_are_poses(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("change", "words"),
+    ("factors", "words"),
     [
-        (lambda table: table * [1e3, *[1.0] * 6], "is time in another unit .LogFormat.time_unit='ms'"),
-        (
-            lambda table: table * [1e3, *[1e3] * 3, *[1.0] * 3],
-            "is time in another unit .LogFormat.time_unit='ms'",
-        ),
-        (
-            lambda table: table * [1e3, *[1e3] * 3, *[1e2] * 3],
-            "is time in another unit .LogFormat.time_unit='ms'",
-        ),
-        (lambda table: table * [1e6, *[1.0] * 6], "LogFormat.time_unit='us'"),
-        (lambda table: table * [*[1.0] * 4, *[50 * 180.0 / np.pi] * 3], "LogFormat.angle_unit='deg'"),
-        (lambda table: table * [1e-6, *[1.0] * 6], "LogFormat.time_unit"),
+        ((1e3, 1.0, 1.0), "is time in another unit .LogFormat.time_unit='ms'"),
+        ((1e3, 1e3, 1.0), "is time in another unit .LogFormat.time_unit='ms'"),
+        ((1e3, 1e3, 1e2), "is time in another unit .LogFormat.time_unit='ms'"),
+        ((1e6, 1.0, 1.0), "LogFormat.time_unit='us'"),
+        ((1.0, 1.0, 50 * 180.0 / np.pi), "LogFormat.angle_unit='deg'"),
+        ((1e-6, 1.0, 1.0), "LogFormat.time_unit"),
     ],
 )
 def test_units_that_no_machine_has_are_warned_of(
-    tmp_path: Path, change: Callable[[Array], Array], words: str
+    tmp_path: Path, factors: tuple[float, float, float], words: str
 ) -> None:
-    odd = write(tmp_path / "odd.csv", NAMES, change(poses()))
+    odd = write(tmp_path / "odd.csv", NAMES, poses() * np.repeat(factors, [1, 3, 3]))
     with pytest.warns(ss.LogWarning, match=words):
         read_csv(odd, smoothing=ss.Smoothing(on=False))
     with warnings.catch_warnings(action="error"):

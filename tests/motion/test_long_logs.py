@@ -164,10 +164,7 @@ def test_forces_of_a_log_with_rates_take_a_few_numbers_of_room_for_each_row(
     ],
 )
 def test_what_is_wrong_deep_in_a_log_is_named_and_nothing_is_written(
-    tmp_path: Path,
-    run: Run,
-    spoil: Callable[[list[bytes]], list[bytes]],
-    words: str,
+    tmp_path: Path, run: Run, spoil: Callable[[list[bytes]], list[bytes]], words: str
 ) -> None:
     log = full_log(tmp_path / "log.csv", 10_000)
     log.write_bytes(b"".join(spoil(log.read_bytes().splitlines(keepends=True))))

@@ -105,11 +105,8 @@ GRIDS = (2.0 / 2**16, 0.02 / 1024, np.pi / 180e3)
 def on_grid(step: float, start: float = 0.0) -> Array:
     """A motion of three axes, the last of which moves by a few steps, (1500, 3), on a grid."""
     time = np.arange(1500) / 500.0
-    motion = np.outer(np.sin(2.0 * time), [0.2, 0.02, 3.0 * step]) + 0.01 * np.cos(9.0 * time)[:, None] * [
-        1,
-        1,
-        0,
-    ]
+    ripple = 0.01 * np.cos(9.0 * time)[:, None] * [1, 1, 0]
+    motion = np.outer(np.sin(2.0 * time), [0.2, 0.02, 3.0 * step]) + ripple
     return np.asarray(start + step * np.rint(motion / step))
 
 
@@ -224,9 +221,7 @@ def test_one_window_and_many_agree() -> None:
 
 
 @pytest.mark.slow
-def test_windows_of_an_even_log_share_their_matrices(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_windows_of_an_even_log_share_their_matrices(monkeypatch: pytest.MonkeyPatch) -> None:
     rng = np.random.default_rng(8)
     time = 3.0 + 0.01 * np.arange(6_401)
     values = np.sin(np.outer(time, [3.0, 7.0])) + 1e-4 * rng.normal(size=(len(time), 2))

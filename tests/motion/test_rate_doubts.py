@@ -31,10 +31,7 @@ def with_rates(time: Array, legs: bool = False) -> tuple[list[str], Array]:
 
 
 @pytest.mark.parametrize("legs", [False, True], ids=["poses", "legs"])
-@pytest.mark.parametrize(
-    ("unit", "words"),
-    [(1e3, "ms"), (1e6, "us"), (1e-3, "are rates in another unit")],
-)
+@pytest.mark.parametrize(("unit", "words"), [(1e3, "ms"), (1e6, "us"), (1e-3, "are rates in another unit")])
 def test_rates_that_times_contradict_by_a_unit_are_warned_of(
     tmp_path: Path, unit: float, words: str, legs: bool
 ) -> None:
@@ -50,11 +47,7 @@ def test_rates_that_times_contradict_by_a_unit_are_warned_of(
 @pytest.mark.parametrize(
     ("columns", "change", "words"),
     [
-        (
-            slice(7, 13),
-            np.negative,
-            "t_x, .*, theta_z change by -1 times what v_x, .* say: are signs opp",
-        ),
+        (slice(7, 13), np.negative, "t_x, .*, theta_z change by -1 times what v_x, .* say: are signs opp"),
         (
             slice(7, 10),
             lambda rates: 3.0 * rates,

@@ -3,11 +3,12 @@
 import dataclasses
 import itertools
 import json
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 import pytest
-from command_line import Run
+from command_line import Run, Told
 from machines import random_robot
 from plausible_machines import (
     ABSURD,
@@ -29,20 +30,25 @@ from stewart_sym.plausibility.plausibility import doubts
 from stewart_sym.robot.robot import DOUBTS
 from stewart_sym.robots import dasgupta1998
 
+Check = Callable[[ss.Robot], Told]
 
-def test_check_warns_of_no_sound_machine(tmp_path: Path, run: Run) -> None:
-    rng, path = np.random.default_rng(200), tmp_path / "robot.toml"
+
+@pytest.fixture
+def check(tmp_path: Path, run: Run) -> Check:
+    """What ``check`` prints of a robot."""
+    return lambda robot: run("check", written(robot, tmp_path / "robot.toml"))
+
+
+def test_check_warns_of_no_sound_machine(check: Check) -> None:
+    rng = np.random.default_rng(200)
     for i in range(share(100, 10)):
-        written(sound_machine(rng), path)
-        assert run("check", path).err == "", i
+        assert check(sound_machine(rng)).err == "", i
 
 
-def test_check_names_both_sides_where_nothing_settles_which(tmp_path: Path, run: Run) -> None:
+def test_check_names_both_sides_where_nothing_settles_which(check: Check) -> None:
     flat = ss.robots.dasgupta1998()
     flat = dataclasses.replace(flat, b=flat.b * [1, 1, 0], p=flat.p * [1, 1, 0], g=np.zeros(3), accept=())
-    path = tmp_path / "robot.toml"
-    written(flat, path)
-    told = run("check", path)
+    told = check(flat)
     assert "gravity is 0, the side (0, 0, 1) of the base is taken; (0, 0, -1) is as plausible" in told.out
     assert "as plausible" not in told.err
 
@@ -197,11 +203,10 @@ def test_every_subcommand_warns_of_a_doubtful_robot(command: str, tmp_path: Path
         assert len(told) == count
 
 
-def test_check_writes_a_range_below_zero_in_words(tmp_path: Path, run: Run) -> None:
+def test_check_writes_a_range_below_zero_in_words(check: Check) -> None:
     for lead, told in ((-5e-3, "-0.005 to -0.0025 m"), (5e-3, "0.0025-0.005 m")):
         drive = ss.Drive(lead=lead * np.linspace(0.5, 1.0, 6))
-        written(dataclasses.replace(sound(), drive=drive), tmp_path / "robot.toml")
-        shown = run("check", tmp_path / "robot.toml").out
+        shown = check(dataclasses.replace(sound(), drive=drive)).out
         assert f"{told} per turn of the motor, reflected mass 0 kg" in shown
 
 
@@ -238,11 +243,9 @@ def test_check_tells_what_a_robot_states_of_its_drives(tmp_path: Path, run: Run)
 
 @pytest.mark.parametrize(("gravity", "stands", "hangs"), [(-9.81, "+z", "-z"), (9.81, "-z", "+z")])
 def test_check_says_on_which_side_of_the_base_a_platform_stands(
-    gravity: float, stands: str, hangs: str, tmp_path: Path, run: Run
+    gravity: float, stands: str, hangs: str, check: Check
 ) -> None:
-    path = tmp_path / "robot.toml"
-    written(dataclasses.replace(sound(), g=[0.0, 0.0, gravity]), path)
-    told = run("check", path)
+    told = check(dataclasses.replace(sound(), g=[0.0, 0.0, gravity]))
     assert f"a platform on the {stands} side of the base stands on its legs (compression)" in told.out
     assert f"one on the {hangs} side hangs from them (tension)" in told.out
     (side,) = (line for line in told.out.splitlines() if line.startswith("side "))
@@ -250,18 +253,16 @@ def test_check_says_on_which_side_of_the_base_a_platform_stands(
     assert f"(0, 0, {sign:g}) of the base, against gravity: the platform stands on its legs" in side
     assert side.endswith(f"on the other side, (0, 0, {-sign:g}), it hangs below its base")
     assert told.err == ""
-    written(dataclasses.replace(sound(), g=[0.0, 0.0, gravity], home=[0.0, 0.0, -0.4 * sign]), path)
+    there = dataclasses.replace(sound(), g=[0.0, 0.0, gravity], home=[0.0, 0.0, -0.4 * sign])
     stated = f"(0, 0, {-sign:g}) of the base, where the robot file states the home pose: "
-    assert f"{stated}the platform hangs below its base; on the other side, " in run("check", path).out
+    assert f"{stated}the platform hangs below its base; on the other side, " in check(there).out
 
 
 @pytest.mark.parametrize("gravity", [[9.81, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 6.0, -7.0]])
 def test_check_names_no_side_where_gravity_does_not_act_across_the_base(
-    gravity: list[float], tmp_path: Path, run: Run
+    gravity: list[float], check: Check
 ) -> None:
-    path = tmp_path / "robot.toml"
-    written(dataclasses.replace(unlimited(), g=gravity), path)
-    assert "side of the base stands" not in run("check", path).out
+    assert "side of the base stands" not in check(dataclasses.replace(unlimited(), g=gravity)).out
 
 
 def test_every_name_that_a_file_may_accept_is_one_of_an_absurd_machine() -> None:

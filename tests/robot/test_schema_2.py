@@ -55,10 +55,14 @@ lengths = "relative"
 """
 
 
-def robot_of(text: str, folder: Path) -> ss.Robot:
+def file_of(text: str, folder: Path) -> Path:
     path = folder / "robot.toml"
     path.write_text(text, encoding="utf-8")
-    return ss.Robot.from_toml(path)
+    return path
+
+
+def robot_of(text: str, folder: Path) -> ss.Robot:
+    return ss.Robot.from_toml(file_of(text, folder))
 
 
 @pytest.fixture
@@ -216,9 +220,7 @@ USED = {
 def test_check_has_no_doubt_about_what_people_build(use: str, tmp_path: Path, run: Run) -> None:
     text = TEXT.replace(*USED[use])
     text = text.replace("schema = 2", 'schema = 2\nbase_joint = "spherical"') if use == "spherical" else text
-    path = tmp_path / "robot.toml"
-    path.write_text(text)
-    assert run("check", path).err == ""
+    assert run("check", file_of(text, tmp_path)).err == ""
 
 
 DOUBTFUL = {
@@ -253,8 +255,7 @@ DOUBTFUL = {
 @pytest.mark.parametrize("wrong", DOUBTFUL)
 def test_check_warns_of_what_is_likely_wrong(wrong: str, tmp_path: Path, run: Run) -> None:
     old, new, name, words = DOUBTFUL[wrong]
-    path = tmp_path / "robot.toml"
-    path.write_text(TEXT.replace(old, new, 1))
+    path = file_of(TEXT.replace(old, new, 1), tmp_path)
     line, *more = run("check", path).err.splitlines()
     assert words in line
     assert line.endswith(f"{name}]")
@@ -373,10 +374,8 @@ def test_a_mistake_is_one_line_with_key_and_line(
 ) -> None:
     text = TEXT.replace(old, new, 1)
     assert text != TEXT
-    path = tmp_path / "robot.toml"
-    path.write_text(text, encoding="utf-8")
-    lines = run("check", path, code=2).err.splitlines()
-    (line,) = lines
+    path = file_of(text, tmp_path)
+    (line,) = run("check", path, code=2).err.splitlines()
     message = line.removeprefix(f"stewart-sym: error: {path}: ")
     assert message.startswith(told)
     number = int(message.removesuffix(")").rpartition("(at line ")[2])

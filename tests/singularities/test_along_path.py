@@ -9,10 +9,12 @@ from command_line import rejects
 from hexagon_machines import hexagons
 from machines import Array, dasgupta, random_path, random_robot
 from mpmath import mp
+from numpy.typing import ArrayLike
 
 import stewart_sym as ss
 
 Path = Callable[[Array], ss.Motion]
+E = np.eye(3)
 III = ss.PATHS["III"].path
 
 
@@ -67,16 +69,17 @@ def reshaped(share: Callable[[Array], Array], rate: Callable[[Array], Array], se
 
     def path(times: Array) -> ss.Motion:
         motion, pace = III.sample(share(times)), rate(times)[:, None]
-        return ss.Motion(
-            motion.R,
-            motion.t,
-            motion.omega * pace,
-            motion.v * pace,
-            motion.alpha * pace**2 + motion.omega * second,
-            motion.a * pace**2 + motion.v * second,
-        )
+        rates = (motion.omega * pace, motion.v * pace)
+        seconds = (motion.alpha * pace**2 + motion.omega * second, motion.a * pace**2 + motion.v * second)
+        return ss.Motion(motion.R, motion.t, *rates, *seconds)
 
     return path
+
+
+def along_line(start: ArrayLike, v: ArrayLike, R: ArrayLike = E) -> Path:
+    """A translation at constant speed."""
+    zero = np.zeros(3)
+    return lambda times: ss.Motion(R, start + np.multiply.outer(times, v), zero, v, zero, zero)
 
 
 def there_and_back(root: float, depth: float) -> Path:
@@ -182,12 +185,7 @@ def test_minima_of_random_paths_are_those_of_dense_samples() -> None:
 
 def test_a_path_along_singular_poses_is_a_span_and_no_crossing() -> None:
     robot, R = hexagons(np.pi / 2)
-    up, zero = np.array([0.0, 0.0, 0.1]), np.zeros(3)
-
-    def path(times: Array) -> ss.Motion:
-        t = [0.0, 0.0, 1.0] + times[:, None] * up
-        return ss.Motion(np.broadcast_to(R, (len(times), 3, 3)), t, zero, up, zero, zero)
-
+    path = along_line([0.0, 0.0, 1.0], [0.0, 0.0, 0.1], R)
     found = ss.singularities_along(robot, path, [0.0, 1.0, 2.0])
     assert found.crossings == ()
     assert found.approaches == ()
@@ -208,12 +206,8 @@ def test_a_turn_of_similar_hexagons_crosses_at_90_degrees() -> None:
 
 def test_a_leg_that_passes_through_length_zero_is_no_crossing() -> None:
     """Its direction turns round, and with it the sign of det H, but no freedom is lost there."""
-    robot, v, zero = dasgupta(), np.array([0.3, 0.1, 0.7]), np.zeros(3)
-    start = robot.b[2] - robot.p[2]
-
-    def path(times: Array) -> ss.Motion:
-        return ss.Motion(np.eye(3), start + times[:, None] * v, zero, v, zero, zero)
-
+    robot = dasgupta()
+    path = along_line(robot.b[2] - robot.p[2], [0.3, 0.1, 0.7])
     for times in ([-0.5, 0.3], [-0.5, 0.0, 0.3]):
         found = ss.singularities_along(robot, path, times)
         assert found.crossings == ()
@@ -222,9 +216,7 @@ def test_a_leg_that_passes_through_length_zero_is_no_crossing() -> None:
 
 
 def test_a_path_at_rest_has_no_minima() -> None:
-    def path(times: Array) -> ss.Motion:
-        return ss.Motion(np.eye(3), np.tile([0.1, 0.0, 0.5], (len(times), 1)), *np.zeros((4, 3)))
-
+    path = along_line([0.1, 0.0, 0.5], np.zeros(3))
     found = ss.singularities_along(dasgupta(), path, [0.0, 1.0, 2.0])
     assert (found.crossings, found.approaches, found.spans) == ((), (), ())
 
@@ -250,16 +242,11 @@ def test_leg_extremes_are_those_of_dense_samples() -> None:
 
 
 def test_a_leg_through_its_joint_singularity_is_found_between_samples() -> None:
-    robot, v, zero = dasgupta(), np.array([0.05, 0.02, 0.1]), np.zeros(3)
-    start = np.array([0.1, 0.0, 0.5])
+    robot, v, start = dasgupta(), np.array([0.05, 0.02, 0.1]), np.array([0.1, 0.0, 0.5])
     axes = robot.k.copy()
     axes[4] = robot.p[4] + start + 0.123 * v - robot.b[4]
     robot = dataclasses.replace(robot, k=axes)
-
-    def path(times: Array) -> ss.Motion:
-        return ss.Motion(np.eye(3), start + times[:, None] * v, zero, v, zero, zero)
-
-    sine = ss.singularities_along(robot, path, [0.0, 1.0]).joint_sine
+    sine = ss.singularities_along(robot, along_line(start, v), [0.0, 1.0]).joint_sine
     assert sine.time[4] == pytest.approx(0.123, abs=1e-6)
     assert sine.value[4] < 1e-6
 

@@ -40,10 +40,7 @@ from stewart_sym.precision.truth import digits
 from stewart_sym.results import OK
 from stewart_sym.studies.robustness.sweep import oracle
 from stewart_sym.studies.robustness.sweep.machines import LEGS, random_motion
-from stewart_sym.studies.robustness.sweep.singular_machines import (
-    FAMILIES,
-    singular_machine,
-)
+from stewart_sym.studies.robustness.sweep.singular_machines import FAMILIES, singular_machine
 from stewart_sym.studies.robustness.sweep.sweep import GOOD, condition_of, random_machines
 from stewart_sym.studies.robustness.sweep.sweep import sweep as random_sweep
 
@@ -217,15 +214,7 @@ def test_random_changes_of_the_inputs_do_not_understate_a_condition_number() -> 
 
     def error(seed: int, samples: int) -> float:
         found = oracle.closed_form_errors(
-            FAR,
-            mine[None],
-            sizes[2:],
-            1,
-            seed,
-            "double",
-            samples,
-            ("joint_inertia",),
-            motions=motion[None],
+            FAR, mine[None], sizes[2:], 1, seed, "double", samples, ("joint_inertia",), motions=motion[None]
         )
         return float(found["error"][0, column])
 

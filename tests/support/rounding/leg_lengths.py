@@ -1,12 +1,13 @@
 """Leg lengths of poses, and poses moved a little."""
 
+from typing import Any
+
 import numpy as np
-from numpy.typing import NDArray
+from machines import Array, dasgupta
 
 import stewart_sym as ss
 from stewart_sym.motion.rotation import rotation_from_rpy, rotation_from_vector
 
-Array = NDArray[np.float64]
 Poses = tuple[Array, Array]
 STILL = np.zeros(3)
 HOME = np.array([0.2, 0.0, 0.5])
@@ -16,6 +17,19 @@ def paper_poses(rng: np.random.Generator, count: int, angle: float, way: float) 
     """Poses of the paper's machine around the middle of Path I: angles within +-angle, position +-way."""
     R = rotation_from_rpy(rng.uniform(-angle, angle, (count, 3)))
     return R, HOME + rng.uniform(-way, way, (count, 3))
+
+
+def paper_case(rng: int | np.random.Generator, count: int) -> tuple[ss.Robot, Array, Array, Array]:
+    """The paper's machine, poses near the middle of Path I, and their leg lengths."""
+    robot, (R, t) = dasgupta(), paper_poses(np.random.default_rng(rng), count, angle=0.1, way=0.1)
+    return robot, R, t, lengths(robot, R, t)
+
+
+def paper_legs(name: str = "I") -> tuple[ss.Robot, ss.Motion, Any]:
+    """The paper's machine along one of its paths, and its legs."""
+    robot, (path, step) = dasgupta(), ss.PATHS[name]
+    motion = path.sample(path.times(step))
+    return robot, motion, ss.inverse_kinematics(robot, motion)
 
 
 def lengths(robot: ss.Robot, R: Array, t: Array) -> Array:
