@@ -202,14 +202,11 @@ def test_noise_that_grows_for_a_while_is_named_and_deviations_follow_it(times: f
         true[0, :, :3] += one.true[0, 0, :3]
         sigma = np.full(true[0].shape, WHITE)
         sigma[200:350, kinds] *= times
-        noisy = true[0] + sigma * rng.normal(size=sigma.shape)
-        with pytest.warns(ss.LogWarning, match="times as large from") as caught:
-            found = from_poses(time, *np.hsplit(noisy, 2))
-        told = [str(each.message) for each in caught if "times as large from" in str(each.message)]
+        found, said = read(time, true[0] + sigma * rng.normal(size=sigma.shape))
+        told = [line for line in said if "times as large from" in line]
         assert len(told) == (kinds.stop // 3)
-        factor, first, last = map(
-            float, re.findall(r"is (\S+) times as large from (\S+) s to (\S+) s", told[0])[0]
-        )
+        (numbers,) = re.findall(r"is (\S+) times as large from (\S+) s to (\S+) s", told[0])
+        factor, first, last = map(float, numbers)
         assert factor == pytest.approx(times, rel=0.35)
         assert (first, last) == (pytest.approx(2.0, abs=0.5), pytest.approx(3.5, abs=0.5))
         F, expected = (ss.inverse_dynamics(one.robot, each).F for each in (found.motion, motion_of(true)))
@@ -226,11 +223,8 @@ def test_noise_that_stays_does_not_vary() -> None:
         rng, one = np.random.default_rng(seed), case(seed)
         time = np.arange(len(one.time)) * (one.time[1] - one.time[0])
         starts = np.sort(rng.uniform(0.0, time[-1], (8, 1, 3)), axis=0)
-        moves = np.sum(
-            np.array([1, -1, -1, 1, -1, 1, 1, -1.0])[:, None, None]
-            * np.maximum(time[:, None] - starts, 0.0) ** 2,
-            axis=0,
-        )
+        ramps = np.maximum(time[:, None] - starts, 0.0) ** 2
+        moves = np.tensordot([1, -1, -1, 1, -1, 1, 1, -1], ramps, axes=1)
         for true in (one.true[0, :, :3], one.true[0, :, 3:], moves / np.ptp(moves), 0.0 * moves):
             for noise in (1e-3, 1e-5):
                 values = np.round(true + noise * rng.normal(size=true.shape), 7)

@@ -153,7 +153,7 @@ def test_motors_that_hold_the_machine_with_nearly_all_their_torque_move_it_as_fa
 ) -> None:
     """Not slower than the motion of stronger motors played more slowly."""
     robot, path = motor_case(seed, ("torque",))
-    quick = time_path(robot, path, cells=100)
+    quick = time_path(robot, path, cells=50)
     if jerk:
         jerk *= 1e3 * machine_size(robot) / quick.duration**3
     motors = terms_along(robot, path, np.linspace(0.0, 1.0, 2001), Limits(), "exact").motors
