@@ -1,5 +1,6 @@
 """Motion: angles and rates agree with each other, shapes broadcast, what is no motion is rejected by name."""
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -255,28 +256,17 @@ def test_rotation_functions_name_the_wrong_shape() -> None:
     assert error_of(lambda: rpy_from_rotation("a")).startswith("R: expected real numbers")
 
 
-def turning(rng: np.random.Generator) -> tuple[Any, Any]:
-    """Rotation vectors and quaternions of unlike length as functions of time, of one turning each."""
-    a, b, c = rng.normal(size=(3, 3))
-    e_0, e_1, e_2 = rng.normal(size=(3, 4))
-    return (
-        lambda s: (a + b * s + 0.5 * c * s * s, b + c * s, c),
-        lambda s: (e_0 + e_1 * s + 0.5 * e_2 * s * s, e_1 + e_2 * s, e_2),
-    )
-
-
-@pytest.mark.parametrize("kind", ["quaternion", "rotation vector"])
+@pytest.mark.parametrize(("size", "make"), [(4, Motion.from_quaternion), (3, Motion.from_rotation_vector)])
 @pytest.mark.parametrize("seed", range(4))
-def test_rates_of_quaternions_and_rotation_vectors_are_those_of_the_rotation(kind: str, seed: int) -> None:
-    vector, quaternion = turning(np.random.default_rng(seed))
-    zero = np.zeros(3)
+def test_rates_of_quaternions_and_rotation_vectors_are_those_of_the_rotation(
+    size: int, make: Callable[..., Motion], seed: int
+) -> None:
+    """Quaternions of any length."""
+    x, x_dot, x_ddot = np.random.default_rng(seed).normal(size=(3, size))
 
     def at(s: float) -> Motion:
-        if kind == "quaternion":
-            e, e_dot, e_ddot = quaternion(s)
-            return Motion.from_quaternion(zero, e, zero, e_dot, zero, e_ddot)
-        phi, phi_dot, phi_ddot = vector(s)
-        return Motion.from_rotation_vector(zero, phi, zero, phi_dot, zero, phi_ddot)
+        place, rate = x + x_dot * s + 0.5 * x_ddot * s * s, x_dot + x_ddot * s
+        return make(ZERO, place, ZERO, rate, ZERO, x_ddot)
 
     h = 1e-5
     here, before, after = at(0.0), at(-h), at(h)
