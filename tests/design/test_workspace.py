@@ -26,6 +26,7 @@ from stewart_sym.design.pose_limits import REASONS, PoseExaminer
 from stewart_sym.design.workspace import WHOLE_TURN, Kind
 from stewart_sym.kinematics.clearance import PAIRS, distances_of, nearest_shares
 from stewart_sym.kinematics.mounting import upright
+from stewart_sym.motion.motion import at_rest
 from stewart_sym.motion.rotation import rotation_from_rpy
 
 
@@ -115,13 +116,12 @@ def test_a_pose_breaks_the_first_limit_that_it_breaks() -> None:
     R = rotation_from_rpy(rng.uniform(-0.35, 0.35, (6000, 3)))
     poses = t + machine_size(robot) * rng.uniform([-0.5, -0.5, -1.3], [0.5, 0.5, 0.4], (6000, 3))
     codes = examiner.broken_limits(R, poses)
-    rest = np.zeros(3)
-    motion = ss.Motion(R, poses, rest, rest, rest, rest)
+    motion = at_rest(R, poses)
     L = ss.inverse_kinematics(robot, motion).L
     angles = ss.joint_angles(robot, motion)
     H = ss.wrench_matrix(robot, motion)
     size = ss.characteristic_length(robot)
-    home = ss.wrench_matrix(robot, ss.Motion(np.eye(3), t, rest, rest))
+    home = ss.wrench_matrix(robot, at_rest(np.eye(3), t))
     same = np.sign(np.linalg.det(H)) == np.sign(np.linalg.det(home))
     over = (poses + R @ robot.p.mean(axis=0) - robot.b.mean(axis=0)) @ examiner.up
     F = ss.inverse_dynamics(robot, motion, on_singular="nan").F
@@ -377,8 +377,7 @@ def test_an_exerted_force_is_the_load_that_fills_the_limits() -> None:
 def test_a_singular_pose_has_none() -> None:
     robot = dataclasses.replace(dasgupta(), force_limit=np.full(6, 1e4))
     t = np.stack([np.array([0.0, 0.0, 0.6]), robot.b[2] - robot.p[2]])
-    rest = np.zeros(3)
-    found = ss.capability(robot, ss.Motion(np.eye(3), t, rest, rest, rest, rest))
+    found = ss.capability(robot, at_rest(np.eye(3), t))
     assert np.isfinite(found.guaranteed).tolist() == [True, False]
     assert np.isnan(found.largest([0.0, 0.0, 1.0])).tolist() == [False, True]
 

@@ -16,6 +16,7 @@ from machines import (
     random_robot,
     with_random_rotors,
 )
+from unsolvable_poses import at_rest
 from work_and_energy import balance_of, breaks_of
 
 from stewart_sym.dynamics.forces import prepare
@@ -183,13 +184,13 @@ def test_unknown_faults_are_rejected() -> None:
 
 def _zero_length_leg() -> tuple[Robot, Motion]:
     robot = random_robot(np.random.default_rng(10))
-    return robot, _at_rest(robot.b[3] - robot.p[3])
+    return robot, at_rest(robot.b[3] - robot.p[3])
 
 
 def _parallel_legs() -> tuple[Robot, Motion]:
     robot = random_robot(np.random.default_rng(12))
     points = np.random.default_rng(13).integers(-8, 9, (6, 3)) / 8
-    return dataclasses.replace(robot, b=points, p=points, k=np.tile([1.0, 0, 0], (6, 1))), _at_rest([0, 0, 1])
+    return dataclasses.replace(robot, b=points, p=points, k=np.tile([1.0, 0, 0], (6, 1))), at_rest([0, 0, 1])
 
 
 @pytest.mark.parametrize("make", [_zero_length_leg, _parallel_legs])
@@ -199,11 +200,6 @@ def test_massless_forces_without_an_answer_are_nan(make: object) -> None:
         assert np.all(np.isnan(newton_euler.massless_forces(robot, motion)))
         newton_euler.energy(robot, motion)
         newton_euler.friction_power(robot, motion)
-
-
-def _at_rest(t: object) -> Motion:
-    none = np.zeros(3)
-    return Motion(np.eye(3), np.asarray(t, dtype=np.float64), none, none, none, none)
 
 
 def _random_case() -> tuple[Robot, Motion]:

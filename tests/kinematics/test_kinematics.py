@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from command_line import rejects
 from machines import Array, dasgupta, random_robot
+from motion_fields import motion_of
 
 from stewart_sym.dynamics.inverse import inverse_dynamics
 from stewart_sym.kinematics.conditioning import (
@@ -27,17 +28,10 @@ from stewart_sym.motion.rotation import rotation_from_rpy
 
 def arc(rng: np.random.Generator, h: float) -> tuple[Motion, Motion, Motion]:
     """Three poses at -h, 0 and h of one accelerated motion; the rates are those of the middle one."""
-    t, theta, v, theta_dot, a, theta_ddot = rng.normal(size=(6, 3)) + np.array([[0, 0, 9], *[[0, 0, 0]] * 5])
+    q, v, a = rng.normal(size=(3, 6)) + np.array([[0, 0, 9, 0, 0, 0], *[[0] * 6] * 2])
 
     def at(x: float) -> Motion:
-        return Motion.from_rpy(
-            t + v * x + 0.5 * a * x**2,
-            theta + theta_dot * x + 0.5 * theta_ddot * x**2,
-            v + a * x,
-            theta_dot + theta_ddot * x,
-            a,
-            theta_ddot,
-        )
+        return motion_of(np.array([q + v * x + 0.5 * a * x**2, v + a * x, a]))
 
     return at(-h), at(0.0), at(h)
 

@@ -7,9 +7,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 from command_line import Run, rejects
+from numpy.typing import ArrayLike
 
 import stewart_sym as ss
 from stewart_sym import robots
+from stewart_sym.motion.motion import at_rest
 from stewart_sym.motion.rotation import cross, rotation_about_axes
 
 FOLDER = Path(robots.__file__).parent
@@ -105,16 +107,15 @@ def test_tsais_motions_have_the_rates_of_their_poses(number: int) -> None:
     rejects("number: expected 1, 2, 3 or 4, got 5", ss.robots.tsai2000_motion, 5, 0.0)
 
 
-def home_forces(robot: ss.Robot) -> tuple[np.ndarray, np.ndarray]:
-    """Leg lengths and forces at rest at the home pose."""
-    zero = np.zeros(3)
-    motion = ss.Motion(np.eye(3), robot.home, zero, zero, zero, zero)
+def held(robot: ss.Robot, t: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
+    """Leg lengths and forces at rest at a level pose."""
+    motion = at_rest(np.eye(3), t)
     return ss.inverse_kinematics(robot, motion).L, ss.inverse_dynamics(robot, motion).F
 
 
 def test_the_simulink_platform_has_its_lengths_and_masses() -> None:
     robot = ss.robots.mathworks2002()
-    L, F = home_forces(robot)
+    L, F = held(robot, robot.home)
     np.testing.assert_allclose(L, 3.153801, atol=5e-7)
     np.testing.assert_allclose(robot.r_d0[:, 0], 3.0 / 8.0 * L, rtol=1e-6)
     np.testing.assert_allclose(
@@ -124,11 +125,9 @@ def test_the_simulink_platform_has_its_lengths_and_masses() -> None:
 
 
 def test_the_unal_hexapod_holds_its_weight_with_equal_forces() -> None:
-    robot = ss.robots.unal()
-    zero = np.zeros(3)
-    motion = ss.Motion(np.eye(3), [0.0, 0.0, 0.75], zero, zero, zero, zero)
-    np.testing.assert_allclose(ss.inverse_kinematics(robot, motion).L, 0.6664, atol=5e-5)
-    np.testing.assert_allclose(ss.inverse_dynamics(robot, motion).F, 5.890, atol=5e-4)
+    L, F = held(ss.robots.unal(), [0.0, 0.0, 0.75])
+    np.testing.assert_allclose(L, 0.6664, atol=5e-5)
+    np.testing.assert_allclose(F, 5.890, atol=5e-4)
 
 
 @pytest.mark.parametrize("name", ["rubin_camera", "rubin_m2"])
@@ -140,7 +139,6 @@ def test_rubin_hexapods_have_the_strut_lengths_of_their_documentation(name: str)
     R = rotation_about_axes(theta, robot.euler_order)
     ends = (x + robot.tool)[:, None] + (robot.p - robot.tool) @ np.swapaxes(R, -1, -2)
     expected = np.linalg.norm(ends - robot.b, axis=-1) - np.linalg.norm(robot.p - robot.b, axis=-1)
-    zero = np.zeros(3)
-    poses = ss.Motion(R, x + robot.tool, zero, zero).about_point(-robot.tool)
+    poses = at_rest(R, x + robot.tool).about_point(-robot.tool)
     found = ss.inverse_kinematics(robot, poses).L
     np.testing.assert_allclose(found - robot.length_limits.mean(axis=-1), expected, atol=1e-15)

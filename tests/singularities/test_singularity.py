@@ -15,6 +15,7 @@ import stewart_sym as ss
 from stewart_sym import results
 from stewart_sym.kinematics.conditioning import characteristic_length, scaled_condition_number
 from stewart_sym.kinematics.inverse import wrench_matrix
+from stewart_sym.motion.motion import at_rest
 from stewart_sym.singularities.singular_poses import screw
 from stewart_sym.studies.robustness.sweep.machines import random_machine, random_motion
 from stewart_sym.studies.robustness.sweep.singular_machines import FAMILIES, NEARLY, singular_machine
@@ -95,7 +96,7 @@ def test_similar_hexagons_turned_by_90_degrees_are_singular_at_every_height(
     robot, R = hexagons(np.radians(turn))
     found = ss.singularity(robot, (R, [0.0, 0.0, height]))
     assert found.lost == 1
-    assert np.abs(ss.wrench_matrix(robot, still(R, height)).T @ found.twist).max() <= ROUNDING
+    assert np.abs(ss.wrench_matrix(robot, at_rest(R, [0.0, 0.0, height])).T @ found.twist).max() <= ROUNDING
     # A screw along the axis of symmetry, as Fichter (1986) found.
     np.testing.assert_allclose(np.abs(found.axis), [0.0, 0.0, 1.0], atol=1e-10)
     np.testing.assert_allclose(found.point[:2], 0.0, atol=1e-10)
@@ -122,10 +123,6 @@ def test_a_flat_machine_has_lost_three_degrees_of_freedom() -> None:
     found = ss.singularity(robot, (R, np.zeros(3)))
     assert found.lost == 3
     assert found.smallest <= ROUNDING
-
-
-def still(R: Array, height: float) -> ss.Motion:
-    return ss.Motion(R, np.array([0.0, 0.0, height]), np.zeros(3), np.zeros(3))
 
 
 @pytest.mark.parametrize(
