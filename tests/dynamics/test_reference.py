@@ -16,8 +16,8 @@ from machines import (
     random_robot,
     with_random_rotors,
 )
+from motion_fields import balance_of, breaks_of
 from unsolvable_poses import at_rest
-from work_and_energy import balance_of, breaks_of
 
 from stewart_sym.dynamics.forces import prepare
 from stewart_sym.dynamics.inverse import inverse_dynamics

@@ -15,9 +15,9 @@ from machines import (
     random_path,
     random_robot,
 )
+from motion_fields import balance_of
 from pinocchio_offsets import Answer, pinocchio_offsets
 from reduced_machines import at_rest
-from work_and_energy import balance_of
 
 import stewart_sym as ss
 from stewart_sym.backend.kernel import OFFSET_KERNEL
