@@ -98,7 +98,6 @@ class Extremes:
     """Instants of a run at which sizes of six legs are largest, surely, possibly or as they are."""
 
     def __init__(self) -> None:
-        """Begin a run."""
         self._sizes: list[Array] = []
         self._up: list[Array] = []
         self._down: list[Array] = []

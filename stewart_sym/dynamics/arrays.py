@@ -81,7 +81,6 @@ class ArrayKernel(Frozen):
     _model: Any = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
-        """Prepare the constants in double, whatever the type of the kernel."""
         instance(self.robot, Robot, "robot")
         if self.robot.offsets is None:
             name = robot_kernel(self.robot, self.formulation)

@@ -49,7 +49,6 @@ class CClosedForm:
     """The C of the closed form with one robot's prepared constants. Calls release the interpreter lock."""
 
     def __init__(self, robot: Robot) -> None:
-        """Compile or find the kernels and prepare the robot's constants."""
         self._name = robot_kernel(robot, "exact")
         library(self._name)
         self._model = prepare(robot, "exact").model
@@ -90,7 +89,6 @@ class NumpyClosedForm:
     """The NumPy kernels of the closed form with one robot: those of arrays, with the C's bits."""
 
     def __init__(self, robot: Robot, real: type[np.floating[Any]] = np.float64) -> None:
-        """Prepare the robot's constants; real: type of real numbers."""
         self._source: Any = module(f"{robot_kernel(robot, 'exact')}_arrays")
         self._on = module("arithmetic").Arithmetic(np, real)
         with np.errstate(all="ignore"):

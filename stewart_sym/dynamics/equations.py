@@ -253,7 +253,6 @@ class ForwardDynamics:
     _wrench: ActuatorWrench = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
-        """Check the options and prepare the kernels."""
         instance(self.robot, Robot, "robot")
         wrench = _actuator_wrench(self.robot, self.formulation, self.backend)
         object.__setattr__(self, "_wrench", wrench)

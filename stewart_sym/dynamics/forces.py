@@ -74,7 +74,6 @@ class ForceKernel(Frozen):
     model: Array = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
-        """Check the options and let the C prepare its constants."""
         instance(self.robot, Robot, "robot")
         option(self.formulation, FORMULATIONS, "formulation")
         option(self.precision, ("double", "float"), "precision")
@@ -418,7 +417,6 @@ class OnePose:
         return int(self._call(*self._addresses))
 
     def __getattr__(self, name: str) -> Any:
-        """View of one input by name."""
         if name not in MOTION:
             raise AttributeError(name)
         at = list(MOTION).index(name)

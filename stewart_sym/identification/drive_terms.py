@@ -239,6 +239,5 @@ def told_apart(terms: Terms, A: Array, names: Sequence[str]) -> Terms:
 
 
 def _unit(columns: Array) -> Array:
-    """Columns of length 1, or of zeros."""
     lengths = np.linalg.norm(columns, axis=0)
     return np.asarray(columns / np.where(lengths > 0.0, lengths, 1.0))

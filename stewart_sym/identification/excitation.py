@@ -58,7 +58,6 @@ class FourierPath(Frozen):
     period: float
 
     def __post_init__(self) -> None:
-        """Check every argument."""
         for name, core in (("t0", (3,)), ("theta0", (3,)), ("sine", (6,)), ("cosine", (6,))):
             value = finite_array(getattr(self, name), core, name)
             if value.ndim != (1 if core == (3,) else 2):

@@ -142,7 +142,6 @@ class ArrowFactors:
     """
 
     def __init__(self, J: Arrow) -> None:
-        """Cholesky factors of the band and of what the few unknowns leave beside it."""
         from scipy.linalg import cholesky_banded
 
         self._lengths = np.sqrt(np.concatenate([np.sum(J.A**2, axis=0), J.band()[-1]]))

@@ -63,7 +63,6 @@ class deferred:  # noqa: N801 - a context manager
     """
 
     def __init__(self, defer: bool = True) -> None:
-        """Change nothing yet."""
         self._defer = defer
 
     def __enter__(self) -> None:
@@ -75,6 +74,5 @@ class deferred:  # noqa: N801 - a context manager
             check()
 
     def __exit__(self, *error: object) -> None:
-        """Set back what was."""
         global _deferred
         _deferred = self._before

@@ -107,7 +107,6 @@ def _measured_rows(log: Log, values: Array, steps: Array) -> list[tuple[slice, R
 
 
 def _tell_slower(log: Log, of: str, slower: Sampling) -> None:
-    """Warn of what a slower sensor measured."""
     count, taken = len(slower.rows), "each taken for its first row"
     text = f"{of}{len(log.time)} rows are {slower.kind} between {count} measured ones, {taken}"
     log.warn(text, 7)

@@ -46,7 +46,6 @@ class HeaderError(ValueError):
     """A header that is not the expected one; ``header``: its names as written."""
 
     def __init__(self, message: str, header: Sequence[str]) -> None:
-        """Keep both."""
         super().__init__(message)
         self.header = tuple(header)
 
@@ -87,7 +86,6 @@ class LogFormat:
     lengths: str | None = None
 
     def __post_init__(self) -> None:
-        """Check every option."""
         texts = [*self.columns, *self.columns.values()] if isinstance(self.columns, Mapping) else [None]
         if not all(isinstance(each, str) for each in texts):
             raise ValueError(f"columns: expected a mapping of names, got {shown(self.columns)}")
@@ -418,7 +416,6 @@ def _row(
 
 
 def _number(text: str, decimal: str) -> float:
-    """The number; nan for what is none."""
     if "_" in text or (decimal != "." and "." in text):
         return math.nan
     try:

@@ -70,7 +70,6 @@ class Motion(Frozen):
     M_ext: Array | None = None
 
     def __post_init__(self) -> None:
-        """Check every array and broadcast it."""
         if (self.alpha is None) != (self.a is None):
             missing = "alpha" if self.alpha is None else "a"
             raise ValueError(f"{missing}: expected both accelerations, alpha and a, or neither")
@@ -182,7 +181,6 @@ class Motion(Frozen):
         return Motion._sound(moved)
 
     def __iter__(self) -> Iterator[Motion]:
-        """Go along the first axis of ``shape``."""
         if not self.shape:
             raise TypeError("a motion of shape () is one instant and cannot be iterated over")
         return (self[i] for i in range(self.shape[0]))
@@ -270,7 +268,6 @@ class Motion(Frozen):
     def _turned(
         cls, R: Array, omega: Array, alpha: Array | None, given: dict[str, ArrayLike | None]
     ) -> Motion:
-        """Make a motion of a rotation, its rates, and what a caller gave."""
         checked = {
             name: finite_array(value, (3,), name)
             for name, value in given.items()

@@ -70,7 +70,6 @@ class PoseNoise:
     harmonics: int | None = None
 
     def __post_init__(self) -> None:
-        """Check every argument."""
         time = real_array(self.time, "time", "increasing instants, s, (n,)")
         if time.ndim != 1 or not np.isfinite(time).all() or not np.all(np.diff(time) > 0.0):
             raise ValueError(f"time: expected increasing instants, s, (n,), got {shown(self.time)}")

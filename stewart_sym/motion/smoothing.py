@@ -332,7 +332,6 @@ class _Window(NamedTuple):
 
     @property
     def size(self) -> int:
-        """Number of coefficients."""
         return len(self.G)
 
     @classmethod

@@ -61,7 +61,6 @@ class StraightLinePath:
     axes: Rows = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
     def __post_init__(self) -> None:
-        """Check every argument."""
         for field in fields(self)[:-1]:
             value = getattr(self, field.name)
             vector = field.name in ("t0", "theta0", "t1", "theta1")

@@ -63,7 +63,6 @@ class Smoothing:
     on: bool = True
 
     def __post_init__(self) -> None:
-        """Check the numbers."""
         for name in ("position", "angle", "cutoff"):
             if getattr(self, name) is not None and number(getattr(self, name), name) <= 0.0:
                 raise ValueError(f"{name}: expected a number > 0, got {getattr(self, name):g}")

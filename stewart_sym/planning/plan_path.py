@@ -240,11 +240,9 @@ class _Search:
         return np.zeros(len(self.family.free) + 7 * self.family.rest.shape[1])
 
     def path(self, x: Array, load: Array) -> PosePath:
-        """The path of variables."""
         return self.family.path(self.family.coefficients(*self.split(x)), self.costs.tool, load)
 
     def split(self, x: Array) -> tuple[Array, Array]:
-        """Free coordinates and w of the variables."""
         free = len(self.family.free)
         return x[:free], x[free:].reshape(-1, 7) / self.scale
 

@@ -43,7 +43,6 @@ class PoseCosts(Frozen):
     length: float = field(init=False)
 
     def __post_init__(self) -> None:
-        """Find the characteristic length."""
         self._set({"length": characteristic_length(self.robot) or 1.0, "tool": np.array(self.tool)})
 
     def conditions(self, R: Array, t: Array) -> tuple[Array, Array]:

@@ -64,7 +64,6 @@ class ViaPose(Frozen):
     high: Array = field(default_factory=lambda: np.zeros(6))
 
     def __post_init__(self) -> None:
-        """Check pose and box."""
         for name, core in (("R", (3, 3)), ("t", (3,))):
             finite_array(getattr(self, name), core, name, batch=False)
         motion = pose_of((self.R, self.t), "pose", "a pose (R, t)")
@@ -135,7 +134,6 @@ class PosePath(Frozen):
     load: Array
 
     def __post_init__(self) -> None:
-        """Freeze copies of the arrays."""
         shapes = {"knots": (), "coefficients": (7,), "via": (), "tool": (3,), "load": (6,)}
         self._set(
             {

@@ -223,7 +223,6 @@ class _Task(NamedTuple):
     progress: Progress
 
     def source(self, limits: Limits) -> Source:
-        """Terms along the path."""
         return lambda s: terms_along(self.robot, self.path, s, limits, self.formulation)
 
     def need_possible(self) -> None:
@@ -232,7 +231,6 @@ class _Task(NamedTuple):
         need_bounded(self.source(self.limits)(nodes), nodes, self.limits.jerk is not None)
 
     def fastest(self, limits: Limits) -> Profile:
-        """The fastest motion."""
         found = None
         if limits.jerk is None:
             grid, found = self._in_phase_plane(limits)
@@ -352,7 +350,6 @@ class _Task(NamedTuple):
         return float(np.abs(values[:, :LEGS]).max())
 
     def rough(self, limits: Limits) -> Profile:
-        """The fastest motion on the first grid."""
         if limits.jerk is not None:
             return self.fastest(limits)
         return Grid.at(self.source(limits), _first_nodes(*self.span, self.cells)).fastest()[1]

@@ -44,7 +44,6 @@ class Draft:
     z_down: bool = False
 
     def __post_init__(self) -> None:
-        """Check every number."""
         one_line(self.name, "name")
         option(self.length_unit, tuple(LENGTH_UNITS), "length_unit")
         for each in fields(self):

@@ -137,7 +137,6 @@ class Drive(Frozen):
     gear: Array = _ONE
 
     def __post_init__(self) -> None:
-        """Check every field and freeze private float64 copies."""
         if self.back_efficiency is None:
             self._set({"back_efficiency": _driven_back(_six(self.efficiency, "efficiency"))})
         checked = {each.name: _six(getattr(self, each.name), each.name) for each in fields(self)}
@@ -147,7 +146,6 @@ class Drive(Frozen):
         self._set(checked)
 
     def __eq__(self, other: object) -> bool:
-        """Whether every number is the same."""
         if not isinstance(other, Drive):
             return NotImplemented
         return all(np.array_equal(getattr(self, name), getattr(other, name)) for name in NUMBERS)

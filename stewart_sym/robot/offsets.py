@@ -66,7 +66,6 @@ class Offsets(Frozen):
     cross_inertia: Array = field(default_factory=lambda: np.zeros(LEGS))
 
     def __post_init__(self) -> None:
-        """Check every field."""
         tables.choice(self.platform_joint, PLATFORM_JOINTS, "platform_joint")
         found = {name: _six(getattr(self, name), shape, name) for name, shape in SHAPES.items()}
         for name in ("cross_mass", "cross_inertia"):

@@ -144,7 +144,6 @@ class Robot(Frozen):
     offsets: Offsets | None = None
 
     def __post_init__(self) -> None:
-        """Check every field and freeze private float64 copies of the arrays."""
         base_joint(self.base_joint, "robot: base_joint")
         checked: dict[str, Any] = {"name": tables.title(self.name, "robot: name")}
         checked["accept"] = accepted(self.accept, "robot: accept")

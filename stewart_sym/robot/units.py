@@ -95,7 +95,6 @@ class Units:
     time: float = 1.0
 
     def __post_init__(self) -> None:
-        """Check the units."""
         for field in dataclasses.fields(self):
             unit = getattr(self, field.name)
             good = isinstance(unit, float) and math.isfinite(unit) and math.frexp(unit)[0] == 0.5

@@ -93,7 +93,6 @@ class LostError(ValueError):
     """No motion at a sample: its index and why."""
 
     def __init__(self, sample: int, reason: str) -> None:
-        """Name the sample."""
         super().__init__(f"L[{sample}]: {reason}")
         self.sample, self.reason = sample, reason
 

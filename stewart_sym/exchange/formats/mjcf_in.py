@@ -369,7 +369,6 @@ class _Reader:
         ]
 
     def _push(self, given: Attributes, where: str) -> _Push:
-        """What an actuator does to its joint."""
         forces = self._range(given, "forcerange", "forcelimited", where)
         if all(given.get(key, usual) == usual for key, usual in _MOTOR.items()):
             controls = self._range(given, "ctrlrange", "ctrllimited", where)

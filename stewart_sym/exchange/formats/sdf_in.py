@@ -138,7 +138,6 @@ class _Reader:
         return pose.get("relative_to") or pose.get("frame") or ""
 
     def _relative(self, element: ET.Element) -> str:
-        """What the pose of an element is relative to."""
         stated = self._frame(element, f"{element.tag} {element.get('name')!r}")
         if stated:
             return stated

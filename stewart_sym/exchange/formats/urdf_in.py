@@ -67,7 +67,6 @@ def _apart_from_world(root: ET.Element) -> dict[str, str]:
 
 
 def _left_out(root: ET.Element) -> Iterator[str]:
-    """What a model has no place for."""
     for each in root.findall("joint"):
         where, dynamics = f"joint {each.get('name')!r}", each.find("dynamics")
         if each.find("mimic") is not None:
@@ -189,7 +188,6 @@ def _body(link: ET.Element, R: Array, t: Array) -> Body:
 
 
 def _origin(element: ET.Element, where: str) -> tuple[Array, Array]:
-    """Orientation and position."""
     origin = element.find("origin")
     if origin is None:
         return np.eye(3), np.zeros(3)

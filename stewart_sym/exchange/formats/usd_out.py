@@ -50,7 +50,6 @@ class _Prim:
     about: tuple[str, ...] = ()
 
     def text(self, indent: int = 0) -> Iterator[str]:
-        """Its lines."""
         pad = "    " * indent
         yield f'{pad}def {self.kind} "{self.name}"'
         about = [*self.about]

@@ -12,7 +12,6 @@ class Clock:
     """Seconds since the first of the texts that it is given: the nearest doubles of what is written."""
 
     def __init__(self) -> None:
-        """Begin before the first row."""
         self._kind, self._start, self._last, self._text = "", 0, 0, ""
 
     def seconds(self, text: str, where: str) -> float:

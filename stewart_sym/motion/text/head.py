@@ -30,14 +30,12 @@ class _Lines:
     """Lines of a stream as text: how many were taken, how many bytes, and how many of these by the last."""
 
     def __init__(self, stream: BinaryIO, size: int = 0, count: int = 0) -> None:
-        """Begin below so many bytes and lines."""
         stream.seek(size)
         self.count, self.size, self.last = count, size, 0
         # A file whose lines all end in a carriage return is one line to the stream.
         self._lines = (part for line in stream for part in line.splitlines(keepends=True))
 
     def __iter__(self) -> Iterator[str]:
-        """The lines not yet taken."""
         for line in self._lines:
             self.count, self.size, self.last = self.count + 1, self.size + len(line), len(line)
             yield (line.removeprefix(codecs.BOM_UTF8) if self.count == 1 else line).decode()
@@ -82,7 +80,6 @@ def without_row(stream: BinaryIO, head: Head) -> Head:
 
 
 def _first_row(lines: _Lines, names: list[str], delimiter: str) -> Head:
-    """The names and the first row that is not blank."""
     above, begin = lines.count, lines.size
     for line in lines:
         if line.strip():
@@ -105,7 +102,6 @@ def _delimiter(header: str) -> str:
 
 
 def _cells(lines: Iterable[str], delimiter: str) -> list[str]:
-    """Cells of the first row."""
     return [cell.strip() for cell in next(csv.reader(lines, delimiter=delimiter, skipinitialspace=True))]
 
 

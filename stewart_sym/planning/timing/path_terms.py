@@ -62,7 +62,6 @@ class Limits:
     platform_turn_rate: float | None = None
 
     def __post_init__(self) -> None:
-        """Check every number."""
         for name in ("force", "speed", "acceleration", "jerk"):
             value = getattr(self, name)
             object.__setattr__(self, name, None if value is None else six_positive(value, name))
