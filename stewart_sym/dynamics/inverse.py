@@ -14,6 +14,7 @@ from typing import Any, Literal, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike
 
+from .. import results
 from ..backend.c_kernel import CKernel
 from ..backend.kernel import FORMULATIONS, need_offset_formulation, robot_kernel
 from ..backend.native import CompilerError
@@ -25,16 +26,6 @@ from ..io.error_policy import ON_SINGULAR, OnSingular
 from ..kinematics.conditioning import characteristic_length
 from ..motion.motion import Motion
 from ..reference import newton_euler, offset_joints
-from ..results import (
-    JOINT_SINGULAR,
-    OK,
-    SINGULAR,
-    STATUS_TEXT,
-    UNREACHABLE,
-    ZERO_LENGTH,
-    Forces,
-    Reactions,
-)
 from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot
 from .damping import damped_solution
@@ -59,13 +50,13 @@ class _VectorKernel:
             need_offset_formulation(formulation)
         self.robot, self.faults = robot, faults_of(formulation)
 
-    def forces(self, motion: Motion) -> Forces:
+    def forces(self, motion: Motion) -> results.Forces:
         """Inverse dynamics of every pose; NaN where the status is not 0."""
         if self.robot.offsets is not None:
             return offset_joints.inverse_dynamics(self.robot, motion)
         return newton_euler.inverse_dynamics(self.robot, motion, self.faults)
 
-    def reactions(self, motion: Motion, bearing: Array) -> Reactions:
+    def reactions(self, motion: Motion, bearing: Array) -> results.Reactions:
         """Joint reactions of every pose; bearing (6,), m."""
         if self.robot.offsets is not None:
             return offset_joints.joint_reactions(self.robot, motion, bearing)
@@ -81,7 +72,7 @@ def inverse_dynamics(
     formulation: Formulation = "exact",
     backend: Backend = "c",
     on_singular: OnSingular = "raise",
-) -> Forces:
+) -> results.Forces:
     """Actuator forces that make the platform follow ``motion``, with D, x, K, H, c, (1)-(37).
 
     Parameters
@@ -115,7 +106,7 @@ def inverse_dynamics(
     kernel = _prepared(robot, motion, formulation, backend, on_singular)
     found = kernel.forces(motion)
     if on_singular == "damped":
-        error = np.where((found.status == OK)[..., None], np.zeros(6), np.nan)
+        error = np.where((found.status == results.OK)[..., None], np.zeros(6), np.nan)
         found = dataclasses.replace(found, wrench_error=error)
         found = _damped(found, motion, lambda poses: damped_terms(robot, poses, formulation))
     return _checked(found, found.F, robot, motion, on_singular)
@@ -128,7 +119,7 @@ def joint_reactions(
     backend: Backend = "c",
     bearing: ArrayLike | None = None,
     on_singular: OnSingular = "raise",
-) -> Reactions:
+) -> results.Reactions:
     """Forces and moments in the joints, (21), (26)-(29) and M_p of (17).
 
     Parameters
@@ -275,13 +266,13 @@ def _bearing(bearing: ArrayLike | None) -> Array:
     return np.broadcast_to(values, (6,))
 
 
-def _without_overflow(found: Reactions) -> Reactions:
+def _without_overflow(found: results.Reactions) -> results.Reactions:
     """Give poses whose reactions overflow, though the forces did not, a status and NaN like any other."""
     values = {name: each for name, each in vars(found).items() if name != "status" and each is not None}
     status = newton_euler.without_overflow(values, found.status)
     if (status == found.status).all():
         return found
-    return Reactions(**newton_euler.with_status(values, status))
+    return results.Reactions(**newton_euler.with_status(values, status))
 
 
 def damped_terms(robot: Robot, motion: Motion, formulation: str) -> dict[str, Array]:
@@ -306,12 +297,12 @@ def _damped_reactions(robot: Robot, motion: Motion, formulation: str, bearing: A
     return NumpyKernel.prepare(robot, formulation).reactions_of(motion, x, bearing)
 
 
-Result = TypeVar("Result", Forces, Reactions)
+Result = TypeVar("Result", results.Forces, results.Reactions)
 
 
 def _damped(found: Result, motion: Motion, values: Callable[[Motion], dict[str, Array]]) -> Result:
     """Results with the damped values of the poses, by name, where H is singular."""
-    singular = found.status == SINGULAR
+    singular = found.status == results.SINGULAR
     if not singular.any():
         return found
     changed = {}
@@ -325,7 +316,7 @@ def _checked(result: Result, values: Array, robot: Robot, motion: Motion, on_sin
     """The result, once its unsolvable poses are reported; values (..., 6) are finite where damped."""
     status = result.status
     if on_singular == "damped":
-        status = np.where(np.isfinite(values).all(axis=-1), OK, status).astype(np.int32)
+        status = np.where(np.isfinite(values).all(axis=-1), results.OK, status).astype(np.int32)
     report_faults(status, robot, motion, on_singular)
     return result
 
@@ -348,9 +339,9 @@ def first_fault(status: Codes, robot: Robot, motion: Motion) -> tuple[tuple[int,
 
 def _reason(code: int, robot: Robot, motion: Motion) -> str:
     """What a status says of one pose, with the leg that it is about."""
-    if code not in (ZERO_LENGTH, JOINT_SINGULAR, UNREACHABLE):
-        return STATUS_TEXT[code]
-    return f"{STATUS_TEXT[code]} (leg {_worst_leg(code, robot, motion) + 1})"
+    if code not in (results.ZERO_LENGTH, results.JOINT_SINGULAR, results.UNREACHABLE):
+        return results.STATUS_TEXT[code]
+    return f"{results.STATUS_TEXT[code]} (leg {_worst_leg(code, robot, motion) + 1})"
 
 
 def _worst_leg(code: int, robot: Robot, motion: Motion) -> int:
@@ -359,4 +350,6 @@ def _worst_leg(code: int, robot: Robot, motion: Motion) -> int:
         return offset_joints.worst_leg(code, robot, motion)
     S = robot.p @ motion.R.T + motion.t - robot.b
     L = np.linalg.norm(S, axis=-1)
-    return int(np.argmin(L if code == ZERO_LENGTH else np.linalg.norm(np.cross(robot.k, S), axis=-1) / L))
+    return int(
+        np.argmin(L if code == results.ZERO_LENGTH else np.linalg.norm(np.cross(robot.k, S), axis=-1) / L)
+    )

@@ -11,34 +11,10 @@ import numpy as np
 from ..io.array_types import Array, Flags
 from ..io.extras import absent, needed_for
 from ..io.instants import elapsed, lost, time_text
+from . import log_faults
 from .interpolation import check_cutoff
-from .log_faults import (
-    HELD,
-    Fault,
-    Rows,
-    Sampling,
-    column_of,
-    faults,
-    offsets,
-    rows_text,
-    slower_sampling,
-    spread,
-    tell_faults,
-    tell_gap,
-    tell_no_repair,
-    tell_plateaus,
-    unseen,
-)
+from .noise import in_log
 from .noise.beside import PAIRS
-from .noise.in_log import (
-    MIN_SPLINE_POINTS,
-    chosen_level,
-    shown_level,
-    stated_noise,
-    too_few,
-    warn_of_few,
-    warn_of_stated,
-)
 from .noise.lines import line_covariance, lines, tell_lines
 from .noise.sparse_rows import DEGREE, FEWEST, end_errors
 from .noise.still_rows import held_offsets, still_rows, tell_still
@@ -62,22 +38,22 @@ def rates_of(log: Log, values: Array, steps: Array) -> tuple[Array, Uncertainty 
     cutoff = log.smoothing.cutoff
     if cutoff is not None and log.smoothing.on:
         for _, rows in parts:
-            if len(rows) >= MIN_SPLINE_POINTS:
+            if len(rows) >= in_log.MIN_SPLINE_POINTS:
                 check_cutoff(log.time[rows], cutoff)
-    tell_gap(log)
+    log_faults.tell_gap(log)
     if len(parts) == 1 and len(parts[0][1]) == len(values):
         return _replaced(log, values, steps)
     found, off, noises = np.empty((3, *values.shape)), np.zeros((3, *values.shape)), []
     for columns, rows in parts:
         few, noise = _replaced(*_measured(log, values, steps, columns, rows))
-        found[..., columns] = spread(log.time, rows, few[..., columns])
-        off[..., columns] = unseen(log.time, rows, few[2, :, columns])
+        found[..., columns] = log_faults.spread(log.time, rows, few[..., columns])
+        off[..., columns] = log_faults.unseen(log.time, rows, few[2, :, columns])
         noises.append((columns, noise))
     joined, outside = _joined(found, noises, "L" in log.written), np.asarray(off.any(axis=(0, 2)))
     return found, _with_changes(log.time, found, joined, off, outside) if outside.any() else joined
 
 
-def _measured_rows(log: Log, values: Array, steps: Array) -> list[tuple[slice, Rows]]:
+def _measured_rows(log: Log, values: Array, steps: Array) -> list[tuple[slice, log_faults.Rows]]:
     """Columns of (n, 6) side by side with the rows at which a sensor measured them.
 
     Positions and angles may be of two sensors of which one is slower, or both.
@@ -85,17 +61,17 @@ def _measured_rows(log: Log, values: Array, steps: Array) -> list[tuple[slice, R
     rows, kinds = np.arange(len(values)), log.kinds()
     if not log.smoothing.on:
         return [(slice(0, 6), rows)]
-    whole = slower_sampling(log.time, values, steps)
+    whole = log_faults.slower_sampling(log.time, values, steps)
     if whole is not None:
         _tell_slower(log, "", whole)
         rows = whole.rows
     own = (
-        [slower_sampling(log.time[rows], values[rows, part], steps[part]) for _, part in kinds]
+        [log_faults.slower_sampling(log.time[rows], values[rows, part], steps[part]) for _, part in kinds]
         if len(kinds) > 1
         else []
     )
     # What was interpolated has bends of its own, which are no sensor's.
-    if all(each is None for each in own) or (whole is not None and whole.kind != HELD):
+    if all(each is None for each in own) or (whole is not None and whole.kind != log_faults.HELD):
         return [(slice(0, 6), rows)]
     found = []
     for (name, part), each in zip(kinds, own, strict=True):
@@ -106,13 +82,15 @@ def _measured_rows(log: Log, values: Array, steps: Array) -> list[tuple[slice, R
     return found
 
 
-def _tell_slower(log: Log, of: str, slower: Sampling) -> None:
+def _tell_slower(log: Log, of: str, slower: log_faults.Sampling) -> None:
     count, taken = len(slower.rows), "each taken for its first row"
     text = f"{of}{len(log.time)} rows are {slower.kind} between {count} measured ones, {taken}"
     log.warn(text, 7)
 
 
-def _measured(log: Log, values: Array, steps: Array, columns: slice, rows: Rows) -> tuple[Log, Array, Array]:
+def _measured(
+    log: Log, values: Array, steps: Array, columns: slice, rows: log_faults.Rows
+) -> tuple[Log, Array, Array]:
     """The log of some columns at the rows at which they were measured: others are 0."""
     written = {name: [x[rows] for x in vector] for name, vector in log.written.items()}
     few = dataclasses.replace(log, time=log.time[rows], rows=[log.rows[i] for i in rows], written=written)
@@ -173,24 +151,24 @@ def _lost_steps(log: Log, values: Array) -> Array | float:
 
 def _replaced(log: Log, values: Array, steps: Array) -> tuple[Array, Uncertainty | None]:
     """``rates_of`` of rows that were measured."""
-    warn_of_stated(log, values, steps)
-    warn_of_few(log, values)
-    tell_plateaus(log, values, steps)
+    in_log.warn_of_stated(log, values, steps)
+    in_log.warn_of_few(log, values)
+    log_faults.tell_plateaus(log, values, steps)
     held = still_rows(log.time, values, steps)
     if held.any():
         tell_still(log, held)
-    shown = shown_level(log, values, steps, held, tell=True)
-    level = chosen_level(log, shown)
+    shown = in_log.shown_level(log, values, steps, held, tell=True)
+    level = in_log.chosen_level(log, shown)
     # Neither a cut-off nor a statement makes rows wrong that are within the scatter of all.
     sigma = np.maximum(level.of_samples(), shown.of_samples())
-    bad = faults(log.time, values, sigma)
+    bad = log_faults.faults(log.time, values, sigma)
     if bad:
-        tell_faults(log, bad)
+        log_faults.tell_faults(log, bad)
     if not bad or not log.smoothing.on:
         return _curve(log, values, steps, level, held)
-    good = values - offsets(bad, values.shape)
-    tell_no_repair(log, good, bad)
-    own = chosen_level(log, shown_level(log, good, steps, held))
+    good = values - log_faults.offsets(bad, values.shape)
+    log_faults.tell_no_repair(log, good, bad)
+    own = in_log.chosen_level(log, in_log.shown_level(log, good, steps, held))
     found, noise = _curve(log, good, steps, own, held)
     changed = found - _derivatives(log, values, level, tell=False)[0]
     near = _near(changed)
@@ -227,7 +205,7 @@ def _curve(
         # Rounded numbers of a periodic motion have lines of their own, and so has what noise stated too
         # small leaves.
         doubtful = np.sqrt(np.mean(left**2, axis=0)) > _TOO_SMALL * np.where(
-            stated_noise(log) > 0.0, noise.sigma, np.inf
+            in_log.stated_noise(log) > 0.0, noise.sigma, np.inf
         )
         seen = np.where(doubtful | (noise.sigma < _DITHERED * steps), 0.0, noise.sigma)
         beside = lines(log.time, left, seen)
@@ -261,7 +239,7 @@ def _derivatives(
         noisy = level.sigma > _least_noise(log, values)
     if log.smoothing.cutoff is not None:
         noisy[:] = True
-    if len(log.time) < MIN_SPLINE_POINTS or not log.smoothing.on:
+    if len(log.time) < in_log.MIN_SPLINE_POINTS or not log.smoothing.on:
         noisy[:] = False
     found = np.empty((3, *values.shape))
     if not noisy.all():
@@ -298,7 +276,7 @@ def _derivatives(
         _warn_of_jumps(log, left if level.scale is None else left / level.scale, noise)
     elif tell:
         _warn_of_cutoff(log, values, found)
-    if tell and noisy.any() and _matters(noise) and not too_few(log):
+    if tell and noisy.any() and _matters(noise) and not in_log.too_few(log):
         more = _CORRELATED.format(level.correlation) if level.correlation > 1.0 else ""
         log.warn(f"{noise_text(noise)}: smoothed{more}", 8)
     return found, noise
@@ -342,7 +320,7 @@ def _warn_of_jumps(log: Log, left: Array, noise: Uncertainty) -> None:
         return
     row, column = (int(i) for i in np.unravel_index(np.argmax(off), off.shape))
     when = time_text(log.time[row], float(np.median(np.diff(log.time))))
-    name, unit = column_of(log, column)
+    name, unit = log_faults.column_of(log, column)
     at_row = f"row {log.rows[row]}: {name} by {left[row, column]:.2g} {unit}"
     text = (
         f"near {when} s a smooth motion is {off[row, column]:.2g} deviations of the noise off ({at_row}): do "
@@ -412,8 +390,8 @@ def as_given(log: Log, found: Array, steps: Sequence[Array]) -> Uncertainty | No
     if log.smoothing.cutoff is not None:
         text = "the file has rates, which are taken as they are: the cut-off changes nothing"
         log.warn(text, 5)
-    known = stated_noise(log)
-    warn_of_stated(log, found[0], steps[0])
+    known = in_log.stated_noise(log)
+    in_log.warn_of_stated(log, found[0], steps[0])
     sigma = np.array(steps) / math.sqrt(12.0)
     sigma[0] = np.where(known > 0.0, known, sigma[0])
     if not sigma.any() or not log.smoothing.on:
@@ -423,13 +401,13 @@ def as_given(log: Log, found: Array, steps: Sequence[Array]) -> Uncertainty | No
     return Uncertainty(found, log.time[[0, -1]], covariance, sigma[0])
 
 
-def _replaced_rows(log: Log, bad: Sequence[Fault], near: Flags) -> tuple[Replaced, ...]:
+def _replaced_rows(log: Log, bad: Sequence[log_faults.Fault], near: Flags) -> tuple[Replaced, ...]:
     """Spans of instants at which replaced rows count, with the faults that are nearest to each."""
     edges = np.flatnonzero(np.diff(np.concatenate([[False], near, [False]]).astype(np.int8)))
     rows = list(dict.fromkeys((fault.first, fault.end) for fault in bad))
     first = np.array([start for start, _ in rows])
     names = [
-        f"the step at row {log.rows[start]}" if end is None else rows_text(log, start, end)
+        f"the step at row {log.rows[start]}" if end is None else log_faults.rows_text(log, start, end)
         for start, end in rows
     ]
     found, last = [], len(log.time) - 1
@@ -442,9 +420,9 @@ def _replaced_rows(log: Log, bad: Sequence[Fault], near: Flags) -> tuple[Replace
 
 
 def _spline(since: Array, values: Array, source: str) -> Callable[..., Array]:
-    if len(since) < MIN_SPLINE_POINTS:
+    if len(since) < in_log.MIN_SPLINE_POINTS:
         raise ValueError(
-            f"{source}: expected at least {MIN_SPLINE_POINTS} rows to fit a spline, got {len(since)}; "
+            f"{source}: expected at least {in_log.MIN_SPLINE_POINTS} rows to fit a spline, got {len(since)}; "
             "add rows, or columns with velocities and accelerations"
         )
     with needed_for(*SPLINE):

@@ -16,16 +16,8 @@ from ..io.array_types import Array
 from ..kinematics.mounting import AssemblyModeWarning
 from ..motion.rotation import rotation_from_quaternion
 from ..robot.robot import LEGS, Robot, legs_text
+from . import leg_parts
 from .leg_order import of_order
-from .leg_parts import (
-    of_currents,
-    of_drive_friction,
-    of_part_lengths,
-    of_slowness,
-    of_speeds,
-    of_stroke,
-    of_torques,
-)
 from .level_poses import Doubt, Home, centred_H, home_of, level_home, parts_of
 from .points import MOST_LEGS, of_coincidence, of_exchange, of_limits, of_place, of_tool
 
@@ -120,9 +112,9 @@ def _of_numbers(robot: Robot) -> Iterator[Doubt]:
         yield from _of_masses(robot, size)
         yield from _of_friction(robot, size)
         yield from _of_rotors(robot)
-        yield from of_drive_friction(robot)
-        yield from of_speeds(robot)
-        yield from of_currents(robot)
+        yield from leg_parts.of_drive_friction(robot)
+        yield from leg_parts.of_speeds(robot)
+        yield from leg_parts.of_currents(robot)
     fast = np.flatnonzero(np.isfinite(robot.speed_limit) & (robot.speed_limit > MOST_SPEED))
     if fast.size:
         yield Doubt(
@@ -350,7 +342,7 @@ def _of_home(robot: Robot, home: Home) -> Iterator[Doubt]:
         yield _of_limits(robot, home)
         return
     parts = list(_of_parts(robot, home)) or list(_of_overlap(robot, home))
-    parts = parts or list(of_part_lengths(robot, home))
+    parts = parts or list(leg_parts.of_part_lengths(robot, home))
     if parts:
         yield from parts
         return
@@ -365,9 +357,9 @@ def _of_home(robot: Robot, home: Home) -> Iterator[Doubt]:
             "force_limit in kN, masses in grams, or actuators too weak",
         )
     else:
-        yield from of_slowness(robot)
-    yield from of_torques(robot, home.F)
-    yield from of_stroke(robot)
+        yield from leg_parts.of_slowness(robot)
+    yield from leg_parts.of_torques(robot, home.F)
+    yield from leg_parts.of_stroke(robot)
 
 
 def _of_axes(robot: Robot, home: Home) -> Iterator[Doubt]:

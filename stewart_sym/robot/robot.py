@@ -15,23 +15,12 @@ from ..io import tables
 from ..io.arguments import shown
 from ..io.array_types import Array
 from ..io.frozen import Frozen
-from . import schema_1, schema_2
+from . import fields, schema_1, schema_2
 from .bodies import low_densities
 from .drive import Drive
-from .fields import (
-    DEFAULTS,
-    FIELDS,
-    LEG_FIELDS,
-    POSE_FIELDS,
-    SYMMETRY_TOLERANCE,
-    Check,
-    accepted,
-    base_joint,
-    need_axisymmetric,
-    no_direction,
-)
 from .fields import DOUBTS as DOUBTS
 from .fields import LEGS as LEGS
+from .fields import base_joint
 from .fields import legs_text as legs_text
 from .offsets import Offsets
 
@@ -146,12 +135,14 @@ class Robot(Frozen):
     def __post_init__(self) -> None:
         base_joint(self.base_joint, "robot: base_joint")
         checked: dict[str, Any] = {"name": tables.title(self.name, "robot: name")}
-        checked["accept"] = accepted(self.accept, "robot: accept")
-        for name, check in ({name: check for name, (_, check) in FIELDS.items()} | POSE_FIELDS).items():
+        checked["accept"] = fields.accepted(self.accept, "robot: accept")
+        for name, check in (
+            {name: check for name, (_, check) in fields.FIELDS.items()} | fields.POSE_FIELDS
+        ).items():
             checked[name] = check(getattr(self, name), f"robot: {name}")
         spherical = self.base_joint == "spherical"
-        for name, (_, check) in LEG_FIELDS.items():
-            checked[name] = self._per_leg(name, no_direction if spherical and name == "k" else check)
+        for name, (_, check) in fields.LEG_FIELDS.items():
+            checked[name] = self._per_leg(name, fields.no_direction if spherical and name == "k" else check)
         if self.lengths == "relative" and checked["home"] is None:
             raise ValueError('robot: lengths: "relative" is to the home pose, expected home')
         if np.isfinite(checked["joint_angle_limit"]).any() and checked["home"] is None:
@@ -164,9 +155,9 @@ class Robot(Frozen):
         if self.offsets is not None and spherical:
             raise ValueError('robot: offsets: expected none when base_joint is "spherical"')
         if spherical:
-            need_axisymmetric(checked, lambda i, name: f"robot: leg {i + 1}: {name}")
+            fields.need_axisymmetric(checked, lambda i, name: f"robot: leg {i + 1}: {name}")
 
-    def _per_leg(self, name: str, check: Check) -> Array:
+    def _per_leg(self, name: str, check: fields.Check) -> Array:
         given = getattr(self, name)
         rows = given.tolist() if isinstance(given, np.ndarray) else given
         if isinstance(rows, list | tuple) and len(rows) == LEGS:
@@ -248,7 +239,7 @@ class Robot(Frozen):
         schema = _SCHEMAS[tables.need_schema(d["schema"], tuple(_SCHEMAS), f"{file}schema")]
         # Checked where a message can name the key, and so not again as fields.
         robot = object.__new__(cls)
-        robot._set(DEFAULTS | schema.values(d, file))
+        robot._set(fields.DEFAULTS | schema.values(d, file))
         return robot
 
     def to_dict(self) -> dict[str, Any]:
@@ -324,7 +315,7 @@ def impossible_inertias(robot: Robot) -> list[tuple[str, str]]:
 def inertia_fault(inertia: Array) -> list[str]:
     """What makes a tensor, (3, 3), that of no body; empty where it is one's."""
     A, B, C = (float(moment) for moment in np.linalg.eigvalsh(inertia))
-    tolerance = SYMMETRY_TOLERANCE * max(abs(A), abs(C))
+    tolerance = fields.SYMMETRY_TOLERANCE * max(abs(A), abs(C))
     moments = f"principal moments {A:.3g}, {B:.3g}, {C:.3g} kg m^2"
     # A thin rod has A = 0: the limit of possible bodies is let pass.
     if A + tolerance < 0.0:
