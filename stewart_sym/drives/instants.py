@@ -1,7 +1,5 @@
 """What each instant of a motion takes of the motors: torque, speed, current and power."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

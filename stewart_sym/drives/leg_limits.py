@@ -1,7 +1,5 @@
 """Limits of the legs beside what a motion takes: force, speed, length and joint angles, part after part."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from functools import partial
 from typing import NamedTuple

@@ -4,8 +4,6 @@ To first order in the noise, but for two things: of products the product of both
 and dry friction, which steps, may be that of any rate within ``SURE`` deviations.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
@@ -155,7 +153,7 @@ class _State:
             self.force = self.F + friction_force(self.drive, self.through, self.rate, self.sign)
             self.values |= {"force": self.force, "rate": self.rate}
 
-    def products(self, other: _State) -> dict[str, Array]:
+    def products(self, other: "_State") -> dict[str, Array]:
         """Changes of powers and heat, W, from this to another state, to first order."""
         found = {"power": self.F * (other.L_dot - self.L_dot) + self.L_dot * (other.F - self.F)}
         if self.drive is not None:

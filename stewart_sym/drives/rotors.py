@@ -1,7 +1,5 @@
 """What turns the rotors of the legs' drives, as forces along the legs by the platform's accelerations."""
 
-from __future__ import annotations
-
 import math
 from typing import NamedTuple
 

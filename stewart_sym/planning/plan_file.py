@@ -1,7 +1,5 @@
 """Plans as a TOML file states them: machine, via poses, limits; poses may stand in a CSV file beside it."""
 
-from __future__ import annotations
-
 import contextlib
 import os
 import warnings

@@ -3,8 +3,6 @@
 Derivatives are by twists: the position moves by dt, base frame, and R becomes exp([dphi]x) R.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass, field
 

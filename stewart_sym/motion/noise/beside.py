@@ -1,7 +1,5 @@
 """What is off in a smooth curve besides noise: jumps that it rounds off, joints of windows."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Lines in what a smooth curve leaves of a log: vibration, which may be motion and is no white noise."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from typing import NamedTuple

@@ -3,8 +3,6 @@
 They show nothing of the noise, and their numbers are off by one draw of it for all of them.
 """
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

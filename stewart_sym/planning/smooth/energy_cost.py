@@ -1,7 +1,5 @@
 """What a motion along a path takes of energy, with derivatives by the spline of its rates."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
@@ -35,7 +33,7 @@ class EnergyCost:
     rounded: Array
 
     @classmethod
-    def of(cls, motors: MotorTerms) -> EnergyCost:
+    def of(cls, motors: MotorTerms) -> "EnergyCost":
         """The cost by terms at the ends of all parts of cells; Stribeck's part is left out."""
         drive, side = motors.drive, np.sign(motors.rate)
         rotor = np.concatenate([motors.rotor, np.zeros_like(motors.rotor)])

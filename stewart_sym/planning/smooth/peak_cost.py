@@ -1,7 +1,5 @@
 """A smooth bound of the largest force of a leg along a path, with derivatives by the spline of its rates."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
@@ -31,7 +29,7 @@ class PeakCost:
     usual: Array
 
     @classmethod
-    def of(cls, terms: Terms, usual: Array, v: Array, sharpness: float) -> PeakCost:
+    def of(cls, terms: Terms, usual: Array, v: Array, sharpness: float) -> "PeakCost":
         """The cost by terms at the ends of all parts of cells; usual, v: y and derivatives of two motions.
 
         sharpness: over the peak of the second.

@@ -5,8 +5,6 @@ cost within limits is found by a primal-dual interior-point method that never le
 are sums over samples, so that the matrix of every step has three diagonals on either side.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import NamedTuple
 

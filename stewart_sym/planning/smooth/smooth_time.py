@@ -4,8 +4,6 @@ The path's parameter is eased, s = s(x), so that rest at the ends needs no rate 
 quadratic spline. Every limited quantity is then a sum of y, dy/dx, sqrt(y) and, for jerk, d2y/dx2.
 """
 
-from __future__ import annotations
-
 import functools
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -59,7 +57,7 @@ class SmoothPath:
     @classmethod
     def of(
         cls, source: Source, lengths: Callable[[Array], Array], ease: Ease, cells: int, jerk: Array
-    ) -> SmoothPath:
+    ) -> "SmoothPath":
         """A path by the source of its terms and ``lengths``, x -> derivatives of the legs' lengths by x."""
         spline = RateSpline(cells)
         nodes = np.linspace(0.0, 1.0, PARTS * cells + 1)

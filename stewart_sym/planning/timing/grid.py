@@ -1,7 +1,5 @@
 """The grid of a path: its terms, and by how much limits are tightened so that they hold between the nodes."""
 
-from __future__ import annotations
-
 import functools
 from collections.abc import Callable
 from typing import NamedTuple
@@ -56,7 +54,7 @@ class Grid(NamedTuple):
     second: Array
 
     @classmethod
-    def of(cls, source: Source, s: Array) -> Grid:
+    def of(cls, source: Source, s: Array) -> "Grid":
         """A grid of nodes s and of those between them at which s'' has no effect on a quantity."""
         zeros = np.sort(_zeros(source, s))
         # A node so near another that rounding shows in the step between them is left out.
@@ -66,7 +64,7 @@ class Grid(NamedTuple):
         return cls.at(source, np.union1d(s[~near], zeros))
 
     @classmethod
-    def at(cls, source: Source, s: Array) -> Grid:
+    def at(cls, source: Source, s: Array) -> "Grid":
         """A grid of just these nodes."""
         terms = source(s)
         none = np.zeros(len(s))
@@ -75,12 +73,12 @@ class Grid(NamedTuple):
         between = functools.cache(lambda: source(places.ravel()))
         return cls(source, s, terms, between, margin, none, none)
 
-    def after(self, profile: Profile, share: float = 1.0) -> Grid:
+    def after(self, profile: Profile, share: float = 1.0) -> "Grid":
         """The grid with the rates of a motion along the path, times a share."""
         square, second = (np.interp(self.s, profile.phase.s, x) for x in (profile.phase.x, profile.second))
         return self._replace(rate=share * np.sqrt(square), second=share**2 * second)
 
-    def fastest(self, turns: int = TURNS) -> tuple[Grid, Profile]:
+    def fastest(self, turns: int = TURNS) -> tuple["Grid", Profile]:
         """The fastest motion, in turns where bounds depend on its rates, and the grid with these."""
         grid, motors = self, self.terms.motors
         for _ in range(turns):
@@ -106,7 +104,7 @@ class Grid(NamedTuple):
         rows = terms.rows(self.rate[index], self.second[index], room, np.concatenate([after, before[twice]]))
         return bounds_of(rows, terms.caps * room[:, -1] ** 2, twice)
 
-    def divided(self, used: Array) -> Grid:
+    def divided(self, used: Array) -> "Grid":
         """Cells in which a limit is exceeded, or none is active, in parts."""
         most = used.max(axis=-1)
         chosen = (most.max(axis=-1) > 1.0 + _ROUGH) | (most.min(axis=-1) < 1.0 - IDLE)
@@ -114,7 +112,7 @@ class Grid(NamedTuple):
         start, step = self.s[:-1][chosen, None], np.diff(self.s)[chosen, None]
         return Grid.at(self.source, np.union1d(self.s, start + step * inner))
 
-    def tightened(self, used: Array, turn: int) -> Grid:
+    def tightened(self, used: Array, turn: int) -> "Grid":
         """Limits lower by what was exceeded beside each node, by more from turn to turn, from 1."""
         excess = np.maximum(used.max(axis=1) - AIM, 0.0)
         none = np.zeros((1, excess.shape[1]))

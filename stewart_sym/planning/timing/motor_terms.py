@@ -12,8 +12,6 @@ G_p >= -limit or G_q >= -limit, two forms of one row. Where the rate of a leg pa
 that of either side, whatever the time: the bounds before it and after it are two.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -45,13 +43,13 @@ class Rows(NamedTuple):
     high: Array
 
     @classmethod
-    def of_one_form(cls, parts: Sequence[Array], low: Array, high: Array) -> Rows:
+    def of_one_form(cls, parts: Sequence[Array], low: Array, high: Array) -> "Rows":
         """Rows whose forms are the same; parts: a, b, d, e, (n, r) each."""
         a, b, d, e = (np.stack([part, part], axis=-1) for part in parts)
         return cls(a, b, d, e, low, high)
 
     @classmethod
-    def together(cls, parts: Sequence[Rows]) -> Rows:
+    def together(cls, parts: Sequence["Rows"]) -> "Rows":
         """All rows of several."""
         return cls(*(np.concatenate(each, axis=1) for each in zip(*parts, strict=True)))
 
@@ -77,14 +75,14 @@ class MotorTerms(NamedTuple):
     power: Array
 
     @classmethod
-    def of(cls, robot: Robot, by_parameter: Motion, force: Array, rate: Array) -> MotorTerms:
+    def of(cls, robot: Robot, by_parameter: Motion, force: Array, rate: Array) -> "MotorTerms":
         """Terms of a motion by parameter; without a drive the motor's torque is the force of its leg."""
         drive = Drive(lead=np.array(2.0 * np.pi)) if robot.drive is None else robot.drive
         by_current = np.where(drive.torque_constant > 0.0, drive.torque_constant, 1.0) * drive.current_limit
         effort = np.abs(drive.turns) * np.minimum(drive.torque_limit, by_current)
         return cls(drive, force, rotor_terms(robot, by_parameter), rate, effort, drive.power_limit)
 
-    def at(self, index: Indices) -> MotorTerms:
+    def at(self, index: Indices) -> "MotorTerms":
         """The terms at some of the parameters."""
         parts = {name: getattr(self, name)[:, index] for name in ("force", "rotor")}
         return self._replace(**parts, rate=self.rate[index])

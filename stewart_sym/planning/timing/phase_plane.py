@@ -11,8 +11,6 @@ friction the x that are possible at a node are one interval; with it there may b
 Bounds may have two forms, one of which is to hold, and may jump at a node.
 """
 
-from __future__ import annotations
-
 import itertools
 import math
 from typing import NamedTuple
@@ -281,7 +279,7 @@ class Profile(NamedTuple):
     ease: Ease | None = None
 
     @classmethod
-    def of(cls, phase: PhasePath, ease: Ease | None = None) -> Profile:
+    def of(cls, phase: PhasePath, ease: Ease | None = None) -> "Profile":
         """The profile of a path in the phase plane."""
         return cls(phase, np.concatenate([[0.0], np.cumsum(durations(phase))]), ease)
 
@@ -290,7 +288,7 @@ class Profile(NamedTuple):
         """s, s' and s'' at the nodes."""
         return self._eased(self.phase.s, np.sqrt(self.phase.x), self.second)
 
-    def slowed(self, share: float) -> Profile:
+    def slowed(self, share: float) -> "Profile":
         """The same with all rates multiplied by a share."""
         phase = self.phase
         squared = {name: share**2 * getattr(phase, name) for name in ("x", "first", "last")}
