@@ -6,7 +6,7 @@ neighbours, so that the normal equations of the many are a band, beside which on
 
 from collections.abc import Iterator
 from itertools import pairwise
-from typing import NamedTuple, Protocol
+from typing import NamedTuple
 
 import numpy as np
 
@@ -17,33 +17,11 @@ from ..motion.smooth_motion import DISTINCT, by_normal_equations
 _TOGETHER = 256
 
 
-class Factors(Protocol):
-    """Normal equations of J, (rows, unknowns), solved."""
-
-    @property
-    def unknowns(self) -> int:
-        """How many unknowns."""
-        ...
-
-    def solve(self, y: Array) -> Array:
-        """x of J x = y by least squares, (unknowns,), for y (rows,)."""
-        ...
-
-    def explained(self, y: Array) -> Array:
-        """J x of it, for y (rows,) or (rows, columns)."""
-        ...
-
-    def shares(self, first: int) -> tuple[float, float]:
-        """How many unknowns the first rows determine, and the others: traces of the projection there."""
-        ...
-
-    def covariance(self, count: int) -> Array:
-        """Of the first unknowns, by errors of deviation 1 in every row."""
-        ...
-
-
 class DenseFactors(NamedTuple):
-    """Of a matrix: orthonormal basis of its range, and B such that B basis^T is the pseudoinverse."""
+    """Normal equations of J, (rows, unknowns), solved.
+
+    span: orthonormal basis of its range; back: B such that B basis^T is the pseudoinverse.
+    """
 
     span: Array
     back: Array
@@ -54,19 +32,19 @@ class DenseFactors(NamedTuple):
         return int(self.span.shape[1])
 
     def solve(self, y: Array) -> Array:
-        """x of J x = y by least squares."""
+        """x of J x = y by least squares, (unknowns,), for y (rows,)."""
         return np.asarray(self.back @ (self.span.T @ y))
 
     def explained(self, y: Array) -> Array:
-        """J x of it."""
+        """J x of it, for y (rows,) or (rows, columns)."""
         return np.asarray(self.span @ (self.span.T @ y))
 
     def shares(self, first: int) -> tuple[float, float]:
-        """Of the first rows and the others."""
+        """How many unknowns the first rows determine, and the others: traces of the projection there."""
         return float(np.sum(self.span[:first] ** 2)), float(np.sum(self.span[first:] ** 2))
 
     def covariance(self, count: int) -> Array:
-        """Of the first unknowns."""
+        """Of the first unknowns, by errors of deviation 1 in every row."""
         return np.asarray(self.back[:count] @ self.back[:count].T)
 
 
@@ -136,7 +114,7 @@ class Arrow(NamedTuple):
 
 
 class ArrowFactors:
-    """Of an arrow; needs SciPy.
+    """``DenseFactors`` of an arrow; needs SciPy.
 
     Raises numpy.linalg.LinAlgError where columns are nearly dependent.
     """
@@ -157,7 +135,7 @@ class ArrowFactors:
 
     @property
     def unknowns(self) -> int:
-        """How many unknowns."""
+        """See ``DenseFactors``."""
         return len(self._lengths)
 
     def solve(self, y: Array) -> Array:
@@ -214,6 +192,9 @@ def _columns(band: Array, columns: Indices) -> Array:
         here = columns[columns + above < many]
         found[here + above, here - columns[0]] = band[width - 1 - above, here + above]
     return found
+
+
+Factors = DenseFactors | ArrowFactors
 
 
 def factors(J: Array | Arrow) -> Factors:

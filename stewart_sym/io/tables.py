@@ -15,7 +15,7 @@ import stat
 import tempfile
 import tomllib
 import unicodedata
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, BinaryIO
 
@@ -344,20 +344,20 @@ def vector(value: object, where: str) -> Array:
     return numbers(value, (3,), where)
 
 
-def positive(value: object, where: str) -> float:
-    """A finite number > 0."""
-    given = number(value, where)
-    if given <= 0.0:
-        raise ValueError(f"{where}: expected a number > 0, got {given:g}")
-    return given
+def number_that(allowed: Callable[[float], bool], expected: str) -> Callable[[object, str], float]:
+    """A check of a finite number that is allowed."""
+
+    def checked(value: object, where: str) -> float:
+        given = number(value, where)
+        if not allowed(given):
+            raise ValueError(f"{where}: expected a number {expected}, got {given:g}")
+        return given
+
+    return checked
 
 
-def not_negative(value: object, where: str) -> float:
-    """A finite number >= 0."""
-    given = number(value, where)
-    if given < 0.0:
-        raise ValueError(f"{where}: expected a number >= 0, got {given:g}")
-    return given
+positive = number_that(lambda x: x > 0.0, "> 0")
+not_negative = number_that(lambda x: x >= 0.0, ">= 0")
 
 
 def per_leg(value: object, where: str) -> Array:

@@ -43,8 +43,7 @@ def length_doubt(robot: Robot, lengths: Array, unit: str = "m") -> str | None:
 
     unit: of ``LENGTH_UNITS``, in which the log was read.
     """
-    size, (near, far), of = _size(robot)
-    typical = float(np.median(lengths))
+    typical, size, (near, far), text = _beside_size(robot, lengths)
     if near * size <= typical <= far * size:
         return None
     low, high = _USUAL
@@ -58,25 +57,23 @@ def length_doubt(robot: Robot, lengths: Array, unit: str = "m") -> str | None:
         if typical < size
         else "is it the log of another machine, or are those of the robot file not in metres"
     )
-    return f"lengths of {typical:.4g} m beside {of} {size:.4g} m: {cause}?"
+    return f"{text}: {cause}?"
 
 
 def metres_doubt(robot: Robot, lengths: Array) -> str | None:
     """One line about leg lengths, m, far above those of the robot's size; None for others."""
-    size, (_, far), of = _size(robot)
-    typical = float(np.median(lengths))
-    if typical <= far * size:
-        return None
-    return f"lengths of {typical:.4g} m beside {of} {size:.4g} m: in millimetres, expected metres?"
+    typical, size, (_, far), text = _beside_size(robot, lengths)
+    return None if typical <= far * size else f"{text}: in millimetres, expected metres?"
 
 
-def _size(robot: Robot) -> tuple[float, tuple[float, float], str]:
-    """Size, m, that lengths are compared with, the least and most share of it, and words for it."""
+def _beside_size(robot: Robot, lengths: Array) -> tuple[float, float, tuple[float, float], str]:
+    """Usual length and the size it is compared with, m, least and most share of it, and words for both."""
     limits = robot.length_limits[np.isfinite(robot.length_limits[:, 1]), 1]
-    if limits.size:
-        return float(limits.max()), _SHARES_OF_LIMITS, "legs of up to"
-    size = max(float(np.ptp(robot.b, axis=0).max()), float(np.ptp(robot.p, axis=0).max()))
-    return size, _SHARES_OF_SIZE, "a machine of"
+    size, shares, of = float(limits.max(initial=0.0)), _SHARES_OF_LIMITS, "legs of up to"
+    if not limits.size:
+        size, shares, of = float(np.ptp([robot.b, robot.p], axis=1).max()), _SHARES_OF_SIZE, "a machine of"
+    typical = float(np.median(lengths))
+    return typical, size, shares, f"lengths of {typical:.4g} m beside {of} {size:.4g} m"
 
 
 def angle_doubt(robot: Robot, log: PoseLog, some: NDArray[np.int64]) -> str | None:

@@ -28,7 +28,6 @@ _CLEARLY, _EQUAL = 0.01, 1e-6
 _AGAINST_GRAVITY, _AT_HOME = "against gravity", "where the robot file states the home pose"
 # A direction whose x is smaller than this is far enough from the x axis.
 _ACROSS = 0.9
-_HEIGHTS = 400
 # Share of the largest coordinate below which that of a mean is rounding.
 _ROUNDING = 16 * np.finfo(float).eps
 
@@ -120,14 +119,14 @@ def upright(robot: Robot) -> Array:
     return np.column_stack([x, np.cross(z, x), z]) + 0.0
 
 
-def level_positions(robot: Robot, direction: Array) -> Array:
-    """Return positions, m, (400, 3), that centre the level platform's points on a line above the base's."""
+def level_positions(robot: Robot, direction: Array, count: int = 400) -> Array:
+    """Return positions, m, (count, 3), that centre the level platform's points on a line above the base's."""
     centre = robot.b.mean(axis=0) - robot.p.mean(axis=0)
     size = radius(robot.b) + radius(robot.p)
     # What the means of symmetric points leave for rounding is 0.
     largest = max(float(np.abs(robot.b).max()), float(np.abs(robot.p).max()))
     centre[np.abs(centre) < _ROUNDING * largest] = 0.0
-    return np.asarray(centre + np.linspace(0.05, 3.0, _HEIGHTS)[:, None] * size * direction)
+    return np.asarray(centre + np.linspace(0.05, 3.0, count)[:, None] * size * direction)
 
 
 def radius(points: Array) -> float:

@@ -8,15 +8,16 @@ from numpy.typing import NDArray
 
 from ..dynamics.home_pose import radius
 from ..io.array_types import Array
+from ..kinematics.mounting import level_positions
 from ..motion.rotation import cross
 from ..robot.robot import LEGS, Robot
 from .level_poses import (
     GOOD_CONDITION,
+    HEIGHTS,
     MISPAIRED,
     MOST_CONDITION,
     TWISTED,
     Doubt,
-    heights_of,
     level_conditions,
 )
 
@@ -39,7 +40,7 @@ def of_order(robot: Robot, t: Array) -> Iterator[Doubt]:
         yield _crossing(*crossed[0])
         return
     order = np.argsort(np.angle(around_b), kind="stable")
-    b, p, heights = robot.b[order], robot.p[order], heights_of(robot, axis)
+    b, p, heights = robot.b[order], robot.p[order], level_positions(robot, axis, HEIGHTS)
     given = float(level_conditions(b, p, heights).min())
     turned = np.sum(around_p * np.conj(around_b))
     clear = abs(turned) > 0.5 * np.sum(np.abs(around_p) * np.abs(around_b))

@@ -10,6 +10,7 @@ from ..dynamics.inverse import inverse_dynamics
 from ..io.array_types import Array
 from ..kinematics.conditioning import scaled_condition_number
 from ..kinematics.inverse import length_rows
+from ..kinematics.mounting import level_positions
 from ..motion.motion import at_rest
 from ..motion.rotation import rotation_from_vector
 from ..robot.robot import Robot
@@ -19,6 +20,8 @@ GOOD_CONDITION, MISPAIRED, TWISTED = 12.0, 6.0, np.radians(75.0)
 order have 15 and more, 6 times and more of what they have in the right order, or a platform twisted by 120
 degrees."""
 MOST_CONDITION = 1e3
+HEIGHTS = 50
+"""Level poses that are looked at on a line above the base."""
 
 
 class Doubt(NamedTuple):
@@ -67,7 +70,7 @@ def level_home(robot: Robot) -> Array:
     if not condition <= GOOD_CONDITION:
         normal = np.linalg.svd(robot.b - robot.b.mean(axis=0))[2][2]
         directions += [normal, -normal]
-    others = np.concatenate([heights_of(robot, direction) for direction in directions])
+    others = np.concatenate([level_positions(robot, direction, HEIGHTS) for direction in directions])
     found = level_conditions(robot.b, robot.p, others)
     lengths = level_lengths(robot, others)
     if limited:
@@ -100,13 +103,6 @@ def home_of(robot: Robot, t: Array) -> Home:
 def parts_of(robot: Robot) -> Array:
     """Distances of both centres of mass from their joints along each leg, together, m, (6,)."""
     return np.asarray(robot.r_d0[:, 0] - robot.r_u0[:, 0])
-
-
-def heights_of(robot: Robot, direction: Array) -> Array:
-    """Positions of the level platform, its middle along a direction from the base's, (50, 3)."""
-    middle = robot.b.mean(axis=0) - robot.p.mean(axis=0)
-    size = radius(robot.b) + radius(robot.p)
-    return np.asarray(middle + np.linspace(0.05, 3.0, 50)[:, None] * size * direction)
 
 
 def level_conditions(b: Array, p: Array, t: Array) -> Array:

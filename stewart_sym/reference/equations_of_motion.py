@@ -106,7 +106,7 @@ def _wide_wrench(faults: frozenset[int]) -> ActuatorWrench:
 
 def _wide_robot(robot: Robot) -> Any:
     wide = SimpleNamespace(
-        base_joint=robot.base_joint, **{name: _wide(getattr(robot, name)) for name in _NUMBERS}
+        base_joint=robot.base_joint, **{name: _wide(getattr(robot, name)) for name in (*GEOMETRY, *INERTIAL)}
     )
     if robot.base_joint == "universal":
         wide.k = wide.k / np.sqrt(np.sum(wide.k**2, axis=-1, keepdims=True))
@@ -136,10 +136,12 @@ def _wide(values: Any) -> Any:
     return np.vectorize(_digits().mpf, otypes=[object])(values)
 
 
-_NUMBERS = (
-    *("g", "M", "R_0", "I_p", "b", "p", "k"),
-    *("m_d", "r_d0", "I_d0", "m_u", "r_u0", "I_u0", "C_u", "C_p", "C_s", "m_r", "j_r"),
+GEOMETRY = ("g", "b", "p", "k")
+INERTIAL = (
+    *("M", "R_0", "I_p", "m_d", "r_d0", "I_d0", "m_u", "r_u0", "I_u0"),
+    *("C_u", "C_p", "C_s", "m_r", "j_r"),
 )
+"""Numbers of a robot that its forces depend on: gravity and geometry, and those in which they are linear."""
 
 
 def coriolis(h: Callable[[Array, Array], Array], robot: Robot, motion: Motion, M: Array) -> Array:

@@ -14,17 +14,14 @@ import numpy as np
 from ..motion.motion import Motion
 from ..robot.robot import LEGS, Robot
 from . import newton_euler
+from .equations_of_motion import GEOMETRY, INERTIAL
 from .newton_euler import Array, Codes
 
 
 def regressor(robot: Robot, motion: Motion) -> tuple[Array, Codes]:
     """Y, (..., 6, 148), formulation `exact`, and status, (...); NaN where that is not 0."""
-    zeros = {
-        name: np.zeros_like(np.asarray(getattr(robot, name)))
-        for name in ("M", "R_0", "I_p", "m_d", "r_d0", "I_d0", "m_u", "r_u0", "I_u0", "C_u", "C_p", "C_s")
-    }
-    zeros |= {"m_r": np.zeros(LEGS), "j_r": np.zeros(LEGS)}
-    given = {name: getattr(robot, name) for name in ("base_joint", "b", "p", "k", "g")}
+    zeros = {name: np.zeros_like(np.asarray(getattr(robot, name))) for name in INERTIAL}
+    given = {name: getattr(robot, name) for name in ("base_joint", *GEOMETRY)}
     unloaded = Motion.unchecked(motion.R, motion.t, motion.omega, motion.v, motion.alpha, motion.a)
 
     def wrench(where: Any, numbers: dict[str, Any]) -> Array:

@@ -22,16 +22,6 @@ from .fields import LEGS, Check, LegTables, legs_text
 _ONE_TURN = 2.0 * math.pi
 
 
-def _number_that(allowed: Callable[[float], bool], expected: str) -> Check:
-    def checked(value: object, where: str) -> float:
-        given = tables.number(value, where)
-        if not allowed(given):
-            raise ValueError(f"{where}: expected a number {expected}, got {given:g}")
-        return given
-
-    return checked
-
-
 class _Key(NamedTuple):
     """What one number of a drive is."""
 
@@ -42,10 +32,10 @@ class _Key(NamedTuple):
 
 
 NUMBERS: Mapping[str, _Key] = {
-    "lead": _Key(_number_that(lambda x: x != 0.0, "other than 0"), math.nan, "length"),
+    "lead": _Key(tables.number_that(lambda x: x != 0.0, "other than 0"), math.nan, "length"),
     "rotor_inertia": _Key(tables.not_negative, 0.0),
-    "efficiency": _Key(_number_that(lambda x: 0.0 < x <= 1.0, "> 0 and <= 1"), 1.0),
-    "back_efficiency": _Key(_number_that(lambda x: x <= 1.0, "<= 1"), 1.0),
+    "efficiency": _Key(tables.number_that(lambda x: 0.0 < x <= 1.0, "> 0 and <= 1"), 1.0),
+    "back_efficiency": _Key(tables.number_that(lambda x: x <= 1.0, "<= 1"), 1.0),
     "screw_coulomb": _Key(tables.not_negative, 0.0),
     "screw_viscous": _Key(tables.not_negative, 0.0),
     "motor_coulomb": _Key(tables.not_negative, 0.0),
