@@ -1,8 +1,6 @@
 """Inverse kinematics of the legs, (1)-(5), (8), and H of (36) with its rate, of the platform's motion."""
 
-import functools
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -30,8 +28,8 @@ ROUNDING = 16 * np.finfo(np.float64).eps
 
 
 BLOCK = 2048
-"""Poses whose legs are computed at a time: their numbers stay in the processor's second cache. From so many
-on the C computes them, where there is a compiler."""
+"""Poses whose legs are computed at a time: their numbers stay in the processor's cache. From so many on the C
+computes them, where there is a compiler."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,7 +95,7 @@ def legs_or_overflow(robot: Robot, motion: Motion) -> LegKinematics:
             S=moving.at.P,
         )
     found = _compiled_legs(robot, motion) if math.prod(motion.shape) >= BLOCK else None
-    return LegKinematics(**(found or _legs(robot, motion, tuple(_SHAPES))))
+    return LegKinematics(**found) if found else _legs(robot, motion)
 
 
 _SHAPES = STRUCTS["legs"]
@@ -141,9 +139,9 @@ def wrench_matrix(robot: Robot, motion: Motion) -> Array:
     """
     if getattr(robot, "offsets", None) is not None:
         return columns_of_H(robot, checked_motion(robot, motion).G)
-    legs = _legs(robot, motion, ("L", "q", "s"))
-    _reject_overflow(legs["L"])
-    return _columns(legs["s"], cross(legs["q"], legs["s"]))
+    q, S, L = _vectors(robot, motion)
+    _reject_overflow(L)
+    return np.swapaxes(length_rows(q, S, L), -1, -2)
 
 
 def wrench_matrix_rate(robot: Robot, motion: Motion) -> Array:
@@ -170,14 +168,14 @@ def wrench_matrix_rate(robot: Robot, motion: Motion) -> Array:
     """
     if getattr(robot, "offsets", None) is not None:
         return rate_of_H(robot, motion)
-    legs = _legs(robot, motion, ("L", "L_dot", "q", "s", "S_dot"))
-    q, s = legs["q"], legs["s"]
+    q, S, L = _vectors(robot, motion)
     with np.errstate(all="ignore"):
-        s_dot = (legs["S_dot"] - legs["L_dot"][..., None] * s) / legs["L"][..., None]
-        q_dot = cross(motion.omega[..., None, :], q)
-        H_dot = _columns(s_dot, cross(q_dot, s) + cross(q, s_dot))
-    _reject_overflow(legs["L"], H_dot)
-    return H_dot
+        s, q_dot = S / L[..., None], cross(motion.omega[..., None, :], q)
+        S_dot = q_dot + motion.v[..., None, :]
+        s_dot = (S_dot - _dot(s, S_dot)[..., None] * s) / L[..., None]
+        rows = np.concatenate([s_dot, cross(q_dot, s) + cross(q, s_dot)], axis=-1)
+    _reject_overflow(L, rows)
+    return np.swapaxes(rows, -1, -2)
 
 
 def leg_vectors(robot: Robot, R: Array, t: Array) -> tuple[Array, Array, Array]:
@@ -221,82 +219,44 @@ def clear_of_joint_singularities(robot: Robot, legs: LegKinematics) -> Flags:
     return np.asarray((joint_sines(robot, legs.s) >= MIN_JOINT_SINE).all(axis=-1))
 
 
-def _legs(robot: Robot, motion: Motion, wanted: Sequence[str]) -> dict[str, Any]:
-    """Quantities of all legs by name: L, L_dot, L_ddot (..., 6), None without accelerations; q, S, s, S_dot
-    (..., 6, 3).
-
-    Computed for blocks of poses, component by component: ten times as fast as on arrays whose last axis has
-    three numbers.
-    """
+def _vectors(robot: Robot, motion: Motion, start: int = 0) -> tuple[Array, Array, Array]:
+    """``leg_vectors``; ValueError names the first leg of length zero. start: number of the first pose."""
     instance(robot, Robot, "robot")
     instance(motion, Motion, "motion")
-    need_no_offsets(robot)
-    count = math.prod(motion.shape)
-    flat = {
-        name: array.reshape(count, 9 if name == "R" else 3)
-        for name in ("R", "t", "omega", "v", "alpha", "a")
-        if (array := getattr(motion, name)) is not None
-    }
-    shapes = {name: (6,) if name.startswith("L") else (6, 3) for name in wanted}
-    if motion.a is None:
-        shapes.pop("L_ddot", None)
-    found = {name: np.empty((count, *shape)) for name, shape in shapes.items()}
-    for start in range(0, count, BLOCK):
-        part = slice(start, start + BLOCK)
-        with np.errstate(all="ignore"):
-            block = _block(robot, {name: array[part].T.copy() for name, array in flat.items()})
-        _reject_short(block["L"][0], ROUNDING * block["reach"][0], motion.shape, start)
-        for name, array in found.items():
-            # As rows of six or eighteen numbers: copies of long rows are the fast ones.
-            rows = np.stack(block[name], axis=1).reshape(array[0].size, -1)
-            array.reshape(count, -1)[part] = rows.T
-    arrays: dict[str, Any] = {
-        name: array.reshape(*motion.shape, *shapes[name]) for name, array in found.items()
-    }
-    return dict.fromkeys(wanted) | arrays
-
-
-def _block(robot: Robot, at: dict[str, Array]) -> dict[str, list[Array]]:
-    """``_legs`` of n poses, component by component, (6, n); ``at``: components first, (3, n) or (9, n)."""
-    R, t = at["R"], at["t"]
-    (p_x, p_y, p_z), b = (column[:, None] for column in robot.p.T), robot.b.T[:, :, None]
-    q = [R[3 * i] * p_x + R[3 * i + 1] * p_y + R[3 * i + 2] * p_z for i in range(3)]
-    S = [q[i] + t[i] - b[i] for i in range(3)]
-    reach = functools.reduce(np.maximum, (np.abs(x) for terms in (q, t, b) for x in terms))
-    L = np.sqrt(_dot(S, S))
-    s = [x / L for x in S]
-    S_dot = [x + v for x, v in zip(_cross(at["omega"], q), at["v"], strict=True)]
-    L_dot = _dot(s, S_dot)
-    found = {"q": q, "S": S, "L": [L], "reach": [reach], "s": s, "S_dot": S_dot, "L_dot": [L_dot]}
-    if "a" in at:
-        turned = _cross(at["omega"], _cross(at["omega"], q))
-        own = _cross(at["alpha"], q)
-        S_ddot = [x + y + a for x, y, a in zip(own, turned, at["a"], strict=True)]
-        # L W.W of (8) from the part of S_dot across the leg: |W x S| = L |W|.
-        across = [x - L_dot * y for x, y in zip(S_dot, s, strict=True)]
-        found["L_ddot"] = [_dot(s, S_ddot) + _dot(across, across) / L]
-    return found
-
-
-def _cross(x: Sequence[Array] | Array, y: Sequence[Array] | Array) -> list[Array]:
-    return [x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]]
-
-
-def _dot(x: Sequence[Array], y: Sequence[Array]) -> Array:
-    return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]
-
-
-def _columns(force: Array, moment: Array) -> Array:
-    return np.swapaxes(np.concatenate([force, moment], axis=-1), -1, -2)
-
-
-def _reject_short(L: Array, rounding: Array, shape: tuple[int, ...], start: int) -> None:
-    """Name the first leg, (6, n), of length zero; ``start``: number of the first pose of ``shape``."""
-    short = np.argwhere((rounding >= L).T)
+    with np.errstate(all="ignore"):
+        q, S, L = leg_vectors(robot, motion.R, motion.t)
+        reach = np.maximum(np.abs(q).max(axis=-1), np.abs(robot.b).max(axis=-1))
+        reach = np.maximum(reach, np.abs(motion.t).max(axis=-1)[..., None])
+        short = np.argwhere(ROUNDING * reach >= L)
     if short.size:
-        pose, leg = (int(i) for i in short[0])
-        where = ", ".join(str(int(i)) for i in np.unravel_index(start + pose, shape)) if shape else ""
-        raise ValueError(f"motion: leg {leg + 1} has length zero{f' at motion[{where}]' if where else ''}")
+        *pose, leg = (int(i) for i in short[0])
+        where = f" at motion[{', '.join(str(start + i) for i in pose)}]" if pose else ""
+        raise ValueError(f"motion: leg {leg + 1} has length zero{where}")
+    return q, S, L
+
+
+@np.errstate(all="ignore")
+def _legs(robot: Robot, motion: Motion, start: int = 0) -> LegKinematics:
+    """Kinematics of all legs, long batches in blocks. start: number of the first pose."""
+    if len(motion.shape) == 1 and motion.shape[0] > BLOCK:
+        blocks = [_legs(robot, motion[i : i + BLOCK], i) for i in range(0, motion.shape[0], BLOCK)]
+        parts = zip(*(vars(block).values() for block in blocks), strict=True)
+        return LegKinematics(*(None if part[0] is None else np.concatenate(part) for part in parts))
+    q, S, L = _vectors(robot, motion, start)
+    s = S / L[..., None]
+    S_dot = tip_velocities(motion, q)
+    L_dot, L_ddot = _dot(s, S_dot), None
+    if motion.a is not None and motion.alpha is not None:
+        omega, alpha = motion.omega[..., None, :], motion.alpha[..., None, :]
+        S_ddot = cross(alpha, q) + cross(omega, cross(omega, q)) + motion.a[..., None, :]
+        # L W.W of (8) from the part of S_dot across the leg: |W x S| = L |W|.
+        across = S_dot - L_dot[..., None] * s
+        L_ddot = _dot(s, S_ddot) + _dot(across, across) / L
+    return LegKinematics(L, L_dot, L_ddot, s, S)
+
+
+def _dot(x: Array, y: Array) -> Array:
+    return np.asarray(np.einsum("...i,...i->...", x, y))
 
 
 def _reject_overflow(*results: Array | None) -> None:
