@@ -88,9 +88,9 @@ class CClosedForm:
 class NumpyClosedForm:
     """The NumPy kernels of the closed form with one robot: those of arrays, with the C's bits."""
 
-    def __init__(self, robot: Robot, real: type[np.floating[Any]] = np.float64) -> None:
+    def __init__(self, robot: Robot) -> None:
         self._source: Any = module(f"{robot_kernel(robot, 'exact')}_arrays")
-        self._on = module("arithmetic").Arithmetic(np, real)
+        self._on = module("arithmetic").Arithmetic(np, np.float64)
         with np.errstate(all="ignore"):
             self._model = self._source.prepare(self._on, robot_structure(self._source.Robot(), robot))
 

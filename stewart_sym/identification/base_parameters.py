@@ -183,7 +183,7 @@ def base_parameters(
         formulas=tuple(_formula(i, row, names) for i, row in zip(kept.tolist(), matrix, strict=True)),
         units=tuple(units[i] for i in kept),
         singular_values=values,
-        gap=_gap(values, rank),
+        gap=float(values[rank - 1] / values[rank]) if 0 < rank < len(values) and values[rank] else math.inf,
         lift=spread[:, kept],
         shared=shared,
     )
@@ -249,12 +249,6 @@ def _given_up(unfelt: Array, preferred: NDArray[np.intp]) -> NDArray[np.intp]:
         left = left - np.outer(left @ row, row)
         chosen.append(pick)
     return np.sort(np.array(chosen, dtype=np.intp))
-
-
-def _gap(values: Array, rank: int) -> float:
-    if rank in (0, len(values)) or values[rank] == 0.0:
-        return math.inf
-    return float(values[rank - 1] / values[rank])
 
 
 def _formula(own: int, row: Array, names: Sequence[str]) -> str:

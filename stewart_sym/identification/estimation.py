@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..dynamics.inverse import inverse_dynamics, need_motion, need_universal
-from ..io.arguments import finite_array, instance, real_array, truth
+from ..io.arguments import deviations, finite_array, instance, truth
 from ..io.array_types import Array
 from ..io.extras import need
 from ..motion.motion import Motion
@@ -145,7 +145,13 @@ def identify(
         raise ValueError(f"F: expected forces of shape {(*motion.shape, LEGS)}, got {forces.shape}")
     if noise is not None:
         instance(noise, PoseNoise, "noise")
-    data = Data(robot, motion, forces, _deviations(sigma, forces.shape), base)
+    data = Data(
+        robot,
+        motion,
+        forces,
+        deviations(sigma, forces.shape, f"> 0 N that broadcast with F, {forces.shape}"),
+        base,
+    )
     if drive is not None:
         data = _with_terms(data, need_terms(drive), noise)
     if noise is not None:
@@ -206,7 +212,7 @@ def simulated_experiment(
     instance(excited, Excitation, "excited")
     need_seed(seed)
     exact = inverse_dynamics(robot, excited.motion).F
-    deviation = float(_deviations(sigma, ()))
+    deviation = float(deviations(sigma, (), "> 0 N that broadcast with F"))
     rng = np.random.default_rng((seed, 1))
     F = exact + deviation * rng.normal(size=exact.shape)
     motion, path, noise = excited.motion, excited.path, None
@@ -218,19 +224,6 @@ def simulated_experiment(
     estimate = identify(robot, motion, F, deviation, excited.base, noise)
     right = excited.base.matrix @ inertial_parameters(robot).values
     return Experiment(excited, motion, F, deviation, noise, right, estimate)
-
-
-def _deviations(sigma: ArrayLike, shape: tuple[int, ...]) -> Array:
-    expected = "standard deviations > 0 N that broadcast with F"
-    values = real_array(sigma, "sigma", expected)
-    if not np.all(np.isfinite(values) & (values > 0.0)):
-        raise ValueError(
-            f"sigma: expected {expected}, got {values[~(values > 0.0) | ~np.isfinite(values)][0]}"
-        )
-    try:
-        return np.broadcast_to(values, shape)
-    except ValueError:
-        raise ValueError(f"sigma: expected {expected}, {shape}, got shape {values.shape}") from None
 
 
 def _possible(robot: Robot, found: Estimate) -> Estimate:

@@ -103,13 +103,6 @@ def exact_fit(data: Data, motion: Motion) -> Fit:
     return Fit(((y - A @ values).reshape(-1, LEGS),), values, solved, motion)
 
 
-def _values_along(data: Data, motion: Motion) -> Array:
-    """Values of the fit along a motion that is known exactly."""
-    A, y = linear_system(data, motion)
-    values = by_normal_equations(A.reshape(-1, A.shape[-1]), y.ravel())
-    return exact_fit(data, motion).values if values is None else values
-
-
 def _felt(J: Array) -> int:
     """Rank of J, its columns of length 1."""
     lengths = np.linalg.norm(J, axis=0)
@@ -197,7 +190,10 @@ class _Solution(NamedTuple):
 
 def _gauss_newton(data: Data, noise: PoseNoise, basis: Basis, c: Array) -> _Solution:
     """Least squares in the base parameters and, from c on, the coefficients of the motion."""
-    values = _values_along(data, basis.motion(c, data.motion))
+    motion = basis.motion(c, data.motion)
+    A, y = linear_system(data, motion)
+    values = by_normal_equations(A.reshape(-1, A.shape[-1]), y.ravel())
+    values = exact_fit(data, motion).values if values is None else values
     parts = _residuals(data, noise, basis, values, c)
     for _ in range(_STEPS):
         r = np.concatenate([part.ravel() for part in parts])

@@ -40,6 +40,19 @@ def real_array(value: object, name: str, expected: str = "real numbers") -> NDAr
     return np.array(given, dtype=np.float64)
 
 
+def deviations(sigma: object, shape: tuple[int, ...], rule: str) -> NDArray[np.float64]:
+    """Return standard deviations spread over a shape; rule: "> 0" or ">= 0", a unit, and over what."""
+    expected = f"standard deviations {rule}"
+    values = real_array(sigma, "sigma", expected)
+    bad = ~(np.isfinite(values) & (values >= 0.0 if rule.startswith(">=") else values > 0.0))
+    if bad.any():
+        raise ValueError(f"sigma: expected {expected}, got {values[bad][0]}")
+    try:
+        return np.broadcast_to(values, shape)
+    except ValueError:
+        raise ValueError(f"sigma: expected {expected}, got shape {values.shape}") from None
+
+
 def number_in(
     value: object, name: str, expected: str, low: float = 0.0, high: float = math.inf, closed: bool = False
 ) -> float:

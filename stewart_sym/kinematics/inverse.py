@@ -239,9 +239,10 @@ def _vectors(robot: Robot, motion: Motion, start: int = 0) -> tuple[Array, Array
 def _legs(robot: Robot, motion: Motion, start: int = 0) -> LegKinematics:
     """Kinematics of all legs, long batches in blocks. start: number of the first pose."""
     if len(motion.shape) == 1 and motion.shape[0] > BLOCK:
-        blocks = [_legs(robot, motion[i : i + BLOCK], i) for i in range(0, motion.shape[0], BLOCK)]
-        parts = zip(*(vars(block).values() for block in blocks), strict=True)
-        return LegKinematics(*(None if part[0] is None else np.concatenate(part) for part in parts))
+        blocks = [vars(_legs(robot, motion[i : i + BLOCK], i)) for i in range(0, motion.shape[0], BLOCK)]
+        names = [name for name, value in blocks[0].items() if value is not None]
+        whole: dict[str, Any] = {name: np.concatenate([block[name] for block in blocks]) for name in names}
+        return LegKinematics(**({"L_ddot": None} | whole))
     q, S, L = _vectors(robot, motion, start)
     s = S / L[..., None]
     S_dot = tip_velocities(motion, q)

@@ -35,15 +35,13 @@ def read_log_of(
     left. Warns of what does not go with the robot.
     """
     log = read_log(path, form_of(robot, form), smoothing, progress)
-    log = log.of_tool(robot.tool) if isinstance(log, PoseLog) else _of_joints(robot, log)
+    if isinstance(log, PoseLog):
+        log = log.of_tool(robot.tool)
+    else:
+        log = _loaded_at(robot.tool, _absolute(robot, log) if log.relative else log)
     for doubt in log_doubts(robot, log, form.length_unit or "m"):
         warnings.warn(f"{log.source}: {doubt}", LogWarning, stacklevel=3)
     return log
-
-
-def _of_joints(robot: Robot, log: JointTrajectory) -> JointTrajectory:
-    log = _loaded_at(robot.tool, log)
-    return _absolute(robot, log) if log.relative else log
 
 
 def _loaded_at(tool: Array, log: JointTrajectory) -> JointTrajectory:

@@ -125,7 +125,7 @@ def rate_doubt(
     seen = [i for i, each in enumerate(own) if each.size > max(least[i], _CLEAR * each.noise)]
     followed = np.ones(len(found), bool) if often is None else often
     beyond = {i: _contradicting(found, i, kind) if followed[i] else [] for i in range(len(found))}
-    bad = [i for i in beyond if beyond[i] or (i in seen and (_of_another(own[i]) or _scaled(own[i])))]
+    bad = [i for i in beyond if beyond[i] or (i in seen and _wrong(own[i]))]
     if not bad:
         return _lag({i: own[i] for i in seen if _late(own[i])}, names, rate_names)
     if len(bad) == len(found) == kind:
@@ -174,9 +174,13 @@ def _contradicting(found: Sequence[_Column], i: int, kind: int) -> list[_Changes
     ]
 
 
-def _of_another(column: _Changes) -> bool:
-    """Whether rates are those of another motion."""
-    return column.off > _OFF * column.size and abs(column.slope - 1.0) > _OFF
+def _wrong(column: _Changes) -> bool:
+    """Whether rates are those of another motion, or changes are what they say but for a factor."""
+    if column.off > _OFF * column.size and abs(column.slope - 1.0) > _OFF:
+        return True
+    factor = abs(column.ratio - 1.0)
+    quiet = column.noise < _QUIET * column.size
+    return quiet and factor > _FACTOR and column.left < _ALL_BUT * factor * column.size
 
 
 def _late(column: _Changes) -> bool:
@@ -227,13 +231,6 @@ def _left(time: Array, theta: Array, rates: Array) -> tuple[float, float]:
     compared = (_compared(time, *columns) for columns in zip(theta.T, rates.T, strict=True))
     found = [each.over[each.most] for each in compared]
     return math.hypot(*(each.off for each in found)), math.hypot(*(each.noise for each in found))
-
-
-def _scaled(column: _Changes) -> bool:
-    """Whether changes are what rates say but for a factor."""
-    factor = abs(column.ratio - 1.0)
-    quiet = column.noise < _QUIET * column.size
-    return quiet and factor > _FACTOR and column.left < _ALL_BUT * factor * column.size
 
 
 def _compared(

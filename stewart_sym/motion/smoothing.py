@@ -228,15 +228,11 @@ def _orders(since: Array, step: float) -> list[int]:
     ]
 
 
-def _fewest_cells(count: int) -> int:
-    """Knot intervals to begin with; of few samples so many that these alone limit a curve."""
-    return _FEWEST_CELLS if count >= LEAST_SAMPLES else LEAST_SAMPLES
-
-
 def _resolve(instants: Instants, values: Array, sigma: Array) -> tuple[Knots, NDArray[np.int64], Array]:
     """Knots so fine that the penalty limits the resolution, and the likeliest order and noise, (c,)."""
     since = instants.since
-    cells = _fewest_cells(len(since))
+    # Of few samples so many that these alone limit a curve.
+    cells = _FEWEST_CELLS if len(since) >= LEAST_SAMPLES else LEAST_SAMPLES
     while True:
         knots = Knots.of(instants, cells)
         orders = _orders(since, knots.step)

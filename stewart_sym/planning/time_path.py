@@ -197,7 +197,8 @@ def time_path(
     option(least, LEAST, "least")
     need_duration(least, duration)
     task = _Task(robot, path, (float(ends[0]), float(ends[1])), limits, formulation, cells, progress)
-    task.need_possible()
+    nodes = _first_nodes(*task.span, cells)
+    need_bounded(task.source(limits)(nodes), nodes, limits.jerk is not None)
     profile = task.fastest(limits)
     if duration is not None:
         given = positive(duration, "duration")
@@ -224,11 +225,6 @@ class _Task(NamedTuple):
 
     def source(self, limits: Limits) -> Source:
         return lambda s: terms_along(self.robot, self.path, s, limits, self.formulation)
-
-    def need_possible(self) -> None:
-        """Reject a path that cannot be travelled, and one on which nothing limits the motion."""
-        nodes = _first_nodes(*self.span, self.cells)
-        need_bounded(self.source(self.limits)(nodes), nodes, self.limits.jerk is not None)
 
     def fastest(self, limits: Limits) -> Profile:
         found = None

@@ -338,7 +338,9 @@ def _near(points: Array, i: int) -> list[int]:
 def _of_home(robot: Robot, home: Home) -> Iterator[Doubt]:
     if robot.base_joint == "universal":
         yield from _of_axes(robot, home)
-    if not home.fits or _too_long(robot):
+    # Legs that are no machine's of this size, though far away a pose has them.
+    too_long = np.mean(robot.length_limits[:, 0]) > MOST_LEGS * (radius(robot.b) + radius(robot.p))
+    if not home.fits or too_long:
         yield _of_limits(robot, home)
         return
     parts = list(_of_parts(robot, home)) or list(_of_overlap(robot, home))
@@ -374,12 +376,6 @@ def _of_axes(robot: Robot, home: Home) -> Iterator[Doubt]:
             "from the leg at the home pose, a joint singularity; likely cause: the leg's direction given, "
             "expected the axis fixed in the base, across the leg",
         )
-
-
-def _too_long(robot: Robot) -> bool:
-    """Whether limits ask for legs that are no machine's of this size, though far away a pose has them."""
-    low = robot.length_limits[:, 0]
-    return bool(np.mean(low) > MOST_LEGS * (radius(robot.b) + radius(robot.p)))
 
 
 def _of_limits(robot: Robot, home: Home) -> Doubt:

@@ -18,7 +18,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..io.arguments import finite_array, instance, real_array
+from ..io.arguments import deviations, finite_array, instance, real_array
 from ..io.array_types import Array
 from ..io.instants import elapsed
 from ..io.progress import Progress, silent
@@ -127,8 +127,12 @@ def motion_from_lengths(
         n, finite = len(lengths), bool(np.isfinite(when).all())
         if when.shape != (n,) or not finite or np.any(np.diff(when) <= 0.0):
             raise ValueError(f"time: expected {n} finite times, increasing, of shape ({n},)")
-    deviations = None if sigma is None else _checked_deviations(sigma, lengths.shape)
-    R, t = _follow(robot, when, lengths, rates["L_dot"], rates.get("L_ddot"), guess, deviations, progress)
+    noise = (
+        None
+        if sigma is None
+        else deviations(sigma, lengths.shape, f">= 0 m that broadcast to {lengths.shape}")
+    )
+    R, t = _follow(robot, when, lengths, rates["L_dot"], rates.get("L_ddot"), guess, noise, progress)
     v, omega = _in_parts(lambda i: forward_velocity(robot, R[i], t[i], rates["L_dot"][i], "nan"), len(t))
     a = alpha = None
     if "L_ddot" in rates:
@@ -214,17 +218,6 @@ def read_trajectory(
     if guess is not None:
         raise ValueError(f"guess: is for leg lengths, {log.source} is of poses")
     return trajectory_from(log)
-
-
-def _checked_deviations(sigma: ArrayLike, shape: tuple[int, ...]) -> Array:
-    expected = f"standard deviations >= 0 m that broadcast to {shape}"
-    values = real_array(sigma, "sigma", expected)
-    if not np.all(np.isfinite(values) & (values >= 0.0)):
-        raise ValueError(f"sigma: expected {expected}, got {values[~(values >= 0.0)].min(initial=np.nan):g}")
-    try:
-        return np.broadcast_to(values, shape)
-    except ValueError:
-        raise ValueError(f"sigma: expected {expected}, got shape {values.shape}") from None
 
 
 def _in_parts(function: Callable[[slice], tuple[Array, Array]], count: int) -> tuple[Array, Array]:

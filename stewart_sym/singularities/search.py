@@ -60,7 +60,8 @@ def minima(function: Function, low: Array, high: Array) -> Array:
     points = _between(low, high)
     values = at_each(function, points)
     while True:
-        best, least = _least(points, values)
+        i = np.argmin(np.where(np.isfinite(values), values, np.inf), axis=0)[None]
+        best, least = (np.take_along_axis(x, i, axis=0)[0] for x in (points, values))
         low = np.where(points < best, points, -np.inf).max(axis=0)
         high = np.where(points > best, points, np.inf).min(axis=0)
         low, high = (np.where(np.isfinite(end), end, best) for end in (low, high))
@@ -68,19 +69,13 @@ def minima(function: Function, low: Array, high: Array) -> Array:
         # Neighbouring numbers have nothing new between them.
         new = np.any((inner > low) & (inner < high) & (inner != best), axis=0)
         if not np.any((high - low > goal) & new):
-            return best
+            return np.asarray(best)
         # A point that rounding alone sets apart from the best would cut off one of its sides.
         inner = np.where(np.abs(inner - best) < 1e-3 / _PARTS * (high - low), best, inner)
         points = np.concatenate([inner, [best]])
         values = at_each(function, points)
         # Rounding may hide the best point found; it must not be lost for a worse one.
         values = np.where(points == best, np.minimum(values, least), values)
-
-
-def _least(points: Array, values: Array) -> tuple[Array, Array]:
-    """Of each column the point of the least value, and that value."""
-    i = np.argmin(np.where(np.isfinite(values), values, np.inf), axis=0)[None]
-    return np.take_along_axis(points, i, axis=0)[0], np.take_along_axis(values, i, axis=0)[0]
 
 
 def turning_points(function: Function, edges: Array, floor: Array) -> Array:

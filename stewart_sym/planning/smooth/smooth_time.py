@@ -127,7 +127,11 @@ class SmoothPath:
         c = start = self._lasting(start, time)
         for turn, sharpness in enumerate(_SHARPER):
             cost = PeakCost.of(self.at, self.spline.values(start), self.spline.values(c), sharpness)
-            c = self.cheapest(cost, c, time, functools.partial(_shown_of, shown, turn))
+
+            def part(share: float, turn: int = turn) -> None:
+                shown((turn + share) / len(_SHARPER))
+
+            c = self.cheapest(cost, c, time, part)
         return c
 
     def _settled(self, c: Array, cost: Cost, time: float | None, shown: Shown) -> Array:
@@ -173,11 +177,6 @@ class SmoothPath:
                 return share * c
             share *= _SLOWER
         raise ValueError("limits: expected limits that some slow and smooth motion keeps, none was found")
-
-
-def _shown_of(shown: Shown, turn: int, share: float) -> None:
-    """Progress of one of several searches."""
-    shown((turn + share) / len(_SHARPER))
 
 
 def _beside(cells: Array, of_two: np.ufunc) -> Array:
