@@ -19,8 +19,8 @@ from ..kinematics.inverse import inverse_kinematics
 from ..motion.motion import Motion
 from ..robot.drive import Drive
 from ..robot.robot import LEGS, Robot
+from .least_squares import departure
 from .parameters import rotor_regressor
-from .tails import departure
 
 DRIVE_TERMS = {"reflected_mass": "kg", "coulomb": "N", "offset": "N", "viscous": "N s/m"}
 """Terms that can be sought, in this order, and their units."""

@@ -18,9 +18,9 @@ from ..robot.robot import LEGS, Robot
 from .base_parameters import BaseParameters
 from .drive_terms import DriveEstimate, seen_by_motors
 from .fits import LOAD, Data, Fit, fitted_forces, linear_system
+from .least_squares import departure, tail
 from .parameters import Parameters, inertial_parameters
 from .physical import Negative, negative
-from .tails import departure, tail
 
 # By how many of its deviations a fit may be off as it is not linear within these.
 _BENT = 0.1

@@ -31,9 +31,9 @@ from .drive_terms import drive_terms, need_terms, told_apart, turning_legs
 from .estimates import EXACT, LEVEL, Estimate, tested_estimate
 from .excitation import Excitation, force_regressor, need_seed
 from .fits import Data, exact_fit, joint_fit
+from .least_squares import tail
 from .parameters import inertial_parameters
 from .physical import POSSIBLE, possible_fit
-from .tails import tail
 
 
 @dataclass(frozen=True, eq=False)

@@ -4,6 +4,7 @@ The first are parameters, the others coefficients of a motion. Those of a spline
 neighbours, so that the normal equations of the many are a band, beside which only the few remain.
 """
 
+import math
 from collections.abc import Iterator
 from itertools import pairwise
 from typing import NamedTuple
@@ -213,3 +214,25 @@ def solution(J: Array | Arrow, y: Array) -> Array:
     """x of J x = y by least squares."""
     x = None if isinstance(J, Arrow) else by_normal_equations(J, y)
     return factors(J).solve(y) if x is None else x
+
+
+# Tails of the distributions by which fits are tested
+
+
+def tail(ratio: float, freedom: float, other: float = math.inf) -> float:
+    """Probability of an F ratio above this one; chi-square over its freedom if ``other`` is infinite.
+
+    Paulson's normal approximation of its cube root, right to some per cent of the probability from 10 degrees
+    of freedom on, to a sixth from 4 on.
+    """
+    a, b = 2.0 / (9.0 * freedom), 2.0 / (9.0 * other)
+    root = math.cbrt(ratio)
+    return 0.5 * math.erfc(((1.0 - b) * root - (1.0 - a)) / math.sqrt(2.0 * (b * root**2 + a)))
+
+
+def departure(off: Array, covariance: Array) -> tuple[Array, float]:
+    """Differences (n,) of a covariance in their deviations, and the probability of ones so far from 0."""
+    sigma = np.sqrt(np.diagonal(covariance))
+    scaled = off / sigma
+    squares = float(scaled @ np.linalg.solve(covariance / np.outer(sigma, sigma), scaled))
+    return scaled, tail(squares / len(off), len(off))

@@ -27,7 +27,7 @@ from ..io.array_types import Array, Codes, Flags
 from ..io.error_policy import ON_FAULT, OnFault
 from ..motion.motion import Motion
 from ..reference.equations_of_motion import coriolis, with_rates
-from ..reference.regressor import regressor as reference_regressor
+from ..reference.equations_of_motion import regressor as reference_regressor
 from ..results import NOT_FINITE, OK
 from ..robot.robot import LEGS, Robot
 

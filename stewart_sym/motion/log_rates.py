@@ -12,9 +12,8 @@ from ..io.array_types import Array, Flags
 from ..io.extras import absent, needed_for
 from ..io.instants import elapsed, lost, time_text
 from . import log_faults
-from .interpolation import check_cutoff
+from .interpolation import PAIRS, check_cutoff
 from .noise import in_log
-from .noise.beside import PAIRS
 from .noise.lines import line_covariance, lines, tell_lines
 from .noise.sparse_rows import DEGREE, FEWEST, end_errors
 from .noise.still_rows import held_offsets, still_rows, tell_still

@@ -26,10 +26,12 @@ from ..io.array_types import Array
 from ..io.tables import positive
 from .interpolation import (
     DEGREE,
+    PAIRS,
     Instants,
     Knots,
     along,
     b_splines,
+    beside_noise,
     breaks,
     check_cutoff,
     inverse_factor,
@@ -37,7 +39,6 @@ from .interpolation import (
     rates_at_half_cells,
     whole_windows,
 )
-from .noise.beside import PAIRS, beside_noise
 from .noise_level import FEWEST_SAMPLES, LEAST_SAMPLES, SEEN, Level, like_noise, noise_level
 
 ORDERS = (3, 4, 6, 8)

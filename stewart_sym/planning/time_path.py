@@ -22,7 +22,7 @@ from ..io.tables import positive
 from ..motion.motion import Motion
 from ..robot.offsets import need_no_offsets
 from ..robot.robot import LEGS, Robot
-from .smooth.energy_cost import EnergyCost
+from .smooth.costs import EnergyCost
 from .smooth.smooth_time import SmoothPath, eased, length_rates
 from .timing.grid import AIM, Grid, Source
 from .timing.path_terms import Limits, Path, Terms, force_limits, terms_along, travelled

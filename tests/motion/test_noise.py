@@ -15,8 +15,8 @@ from sweeps import share
 import stewart_sym as ss
 from stewart_sym.drives.verdicts import EXCEEDED, NOT_DECIDED, amount_text, verdicts
 from stewart_sym.motion import interpolation, smoothing
+from stewart_sym.motion.interpolation import PAIRS
 from stewart_sym.motion.log_reader import read_csv, read_log
-from stewart_sym.motion.noise.beside import PAIRS
 from stewart_sym.motion.noise_level import grid_steps, rounding_step, white_noise
 from stewart_sym.motion.rotation import rpy_from_rotation
 from stewart_sym.motion.smoothing import shown_noise

@@ -18,7 +18,7 @@ from ..timing.grid import Source
 from ..timing.motor_terms import beside
 from ..timing.path_terms import Path, Terms, leg_accelerations, travelled
 from ..timing.phase_plane import Ease, Profile
-from .peak_cost import PeakCost
+from .costs import PeakCost
 from .rate_spline import PARTS, Cost, RateSpline, Rooms, duration, in_cells, least
 
 Shown = Callable[[float], None]

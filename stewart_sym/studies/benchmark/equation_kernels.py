@@ -23,8 +23,7 @@ from ...kinematics.inverse import wrench_matrix, wrench_matrix_rate
 from ...motion.motion import Motion
 from ...motion.rotation import cross_matrix, rotation_from_vector
 from ...reference import newton_euler
-from ...reference.equations_of_motion import equations_of_motion
-from ...reference.regressor import regressor
+from ...reference.equations_of_motion import equations_of_motion, regressor
 from ...robot.robot import Robot
 from ..common.loops import own_source
 from ..common.timing import Task, repeated
