@@ -8,13 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..io.array_types import Array, Flags
-from ..motion.rotation import (
-    cross,
-    orthonormal,
-    rotation_from_quaternion,
-    rotation_from_vector,
-    vector_from_rotation,
-)
+from ..motion import rotation
 from ..robot.robot import Robot
 from .conditioning import characteristic_length
 from .inverse import ROUNDING, leg_vectors, length_rows
@@ -151,7 +145,7 @@ def other_side(robot: Robot, L: Array, R: Array, t: Array) -> Found:
     near = way_to_singular(robot, R, t)
     step = np.where(np.isfinite(near.way), 2.0 * near.way, 0.0)[:, None] * near.direction
     angle = np.maximum(1.0, _size(step[:, 3:]))[:, None]
-    return newton(robot, L, rotation_from_vector(step[:, 3:] / angle) @ R, t + step[:, :3] / angle)
+    return newton(robot, L, rotation.rotation_from_vector(step[:, 3:] / angle) @ R, t + step[:, :3] / angle)
 
 
 class ToSingular(NamedTuple):
@@ -176,10 +170,10 @@ def way_to_singular(robot: Robot, R: Array, t: Array) -> ToSingular:
     U, s, V_T = np.linalg.svd(np.nan_to_num(length_rows(q, S, L) / unit))
     direction = V_T[:, -1] / unit
     L = np.where(L > 0.0, L, 1.0)[..., None]
-    q_dot = cross(direction[:, None, 3:], q)
+    q_dot = rotation.cross(direction[:, None, 3:], q)
     along, S_dot = S / L, direction[:, None, :3] + q_dot
     s_dot = (S_dot - along * np.sum(along * S_dot, axis=-1, keepdims=True)) / L
-    J_dot = np.concatenate([s_dot, cross(q_dot, along) + cross(q, s_dot)], axis=-1)
+    J_dot = np.concatenate([s_dot, rotation.cross(q_dot, along) + rotation.cross(q, s_dot)], axis=-1)
     rate = np.einsum("ni,nij,nj->n", U[..., -1], J_dot, direction)
     with np.errstate(divide="ignore", invalid="ignore"):
         way = -s[:, -1] / rate
@@ -188,7 +182,7 @@ def way_to_singular(robot: Robot, R: Array, t: Array) -> ToSingular:
 
 def distance(robot: Robot, one: tuple[Array, Array], other: tuple[Array, Array]) -> Array:
     """Return how far poses (n, ...) are from others, m, (n,): angles count times the platform's size."""
-    turn = vector_from_rotation(other[0] @ np.swapaxes(one[0], -1, -2))
+    turn = rotation.vector_from_rotation(other[0] @ np.swapaxes(one[0], -1, -2))
     return np.hypot(_size(other[1] - one[1]), platform_size(robot) * _size(turn))
 
 
@@ -219,7 +213,7 @@ def newton(robot: Robot, L: Array, R: Array, t: Array, most: float = 1.0) -> Fou
     if robot.offsets is not None:
         R, t, found, residual, steps = search(robot, L, R, t)
         return Found(R, t, residual, steps, found)
-    R, t = orthonormal(R), t.copy()
+    R, t = rotation.orthonormal(R), t.copy()
     length = platform_size(robot)
     damping = np.full(len(L), _FIRST_DAMPING)
     iterations = np.zeros(len(L), dtype=np.int64)
@@ -241,7 +235,7 @@ def newton(robot: Robot, L: Array, R: Array, t: Array, most: float = 1.0) -> Fou
             # Beyond its own reach or a turn of one radian a step has nothing to do with the machine.
             share = np.maximum(_size(d[:, :3]) / np.max(L[live], axis=-1), _size(d[:, 3:])) / most
             d /= np.maximum(1.0, share)[:, None]
-            R_1 = orthonormal(rotation_from_vector(d[:, 3:]) @ R[live])
+            R_1 = rotation.orthonormal(rotation.rotation_from_vector(d[:, 3:]) @ R[live])
             t_1 = t[live] + d[:, :3]
             nearer = _size(L[live] - leg_vectors(robot, R_1, t_1)[2]) < _size(miss)
             R[live[nearer]], t[live[nearer]] = R_1[nearer], t_1[nearer]
@@ -284,7 +278,7 @@ def _likely(robot: Robot) -> list[Poses]:
     normal = base_normal(robot)
     as_drawn = normal @ nearest @ normal > math.cos(math.radians(30.0)) and np.trace(nearest) > 1.0
     first = [np.eye(3), nearest] if as_drawn else [nearest, np.eye(3)]
-    turned = [rotation_from_vector(angle * normal) @ R for angle in _MORE_TURNS for R in first]
+    turned = [rotation.rotation_from_vector(angle * normal) @ R for angle in _MORE_TURNS for R in first]
     return [*((R, normal) for R in (*first, *turned)), *((R, -normal) for R in first)]
 
 
@@ -292,7 +286,7 @@ def _anywhere(robot: Robot, count: int) -> Poses:
     """Return orientations, (count, 3, 3), and sides, (count, 3), drawn evenly, alike in whatever axes."""
     rng, turn = np.random.default_rng(0), upright(robot)
     e, n = rng.normal(size=(count, 4)), rng.normal(size=(count, 3))
-    R = rotation_from_quaternion(e / _size(e)[:, None])
+    R = rotation.rotation_from_quaternion(e / _size(e)[:, None])
     return turn @ R @ turn.T, n / _size(n)[:, None] @ turn.T
 
 
@@ -313,4 +307,4 @@ def _about(robot: Robot, R: Array, t: Array, L: Array) -> Poses:
     width = 0.5 * np.arange(1, _MOST_ABOUT + 1)[:, None] / _MOST_ABOUT
     phi, step = width * rng.normal(size=(2, _MOST_ABOUT, 3)) @ turn.T
     mean = np.mean(L, axis=-1)[:, None, None]
-    return rotation_from_vector(phi) @ R[:, None], t[:, None] + mean * step
+    return rotation.rotation_from_vector(phi) @ R[:, None], t[:, None] + mean * step

@@ -20,15 +20,8 @@ from ..io.arguments import real_array
 from ..io.array_types import Array
 from ..io.instants import apart, elapsed, parts, time_text
 from ..io.tables import positive
+from . import rotation
 from .motion import Motion, at_rest
-from .rotation import (
-    angular_motion_from_vector,
-    orthonormal,
-    rotation_from_vector,
-    vector_from_rotation,
-    vector_rate,
-    vector_second_rate,
-)
 from .straight_line import MOST_STEPS
 from .trajectory import PoseLog, Trajectory, need_trajectory
 
@@ -81,7 +74,7 @@ def between(trajectory: Trajectory | PoseLog) -> Path:
             name: None if load is None or after is None else load + share * (after - load)
             for name, load, after in (("F_ext", start.F_ext, end.F_ext), ("M_ext", start.M_ext, end.M_ext))
         }
-        return Motion(orthonormal(R), t, omega, v, alpha, a, **loads)
+        return Motion(rotation.orthonormal(R), t, omega, v, alpha, a, **loads)
 
     return at
 
@@ -177,8 +170,8 @@ def _steps_of(h: Array, start: Motion, end: Motion) -> Array:
     """Coefficients as of ``quintic`` of positions and of rotation vectors from the start of each step."""
     assert start.alpha is not None
     assert end.alpha is not None
-    turn = vector_from_rotation(end.R @ np.swapaxes(start.R, -1, -2))
-    rates = vector_rate(turn, end.omega), vector_second_rate(turn, end.omega, end.alpha)
+    turn = rotation.vector_from_rotation(end.R @ np.swapaxes(start.R, -1, -2))
+    rates = rotation.vector_rate(turn, end.omega), rotation.vector_second_rate(turn, end.omega, end.alpha)
     turning = quintic(h, (np.zeros_like(turn), start.omega, start.alpha), (turn, *rates))
     places = quintic(h, *((each.t, each.v, np.asarray(each.a)) for each in (start, end)))
     return np.concatenate([places, turning], axis=-1)
@@ -187,8 +180,8 @@ def _steps_of(h: Array, start: Motion, end: Motion) -> Array:
 def _moved(c: Array, share: Array | float, h: Array, R: Array) -> tuple[Array, ...]:
     """R, t, omega, v, alpha and a at shares of steps h, s, of coefficients (6, ..., 6) that begin with R."""
     pose, rate, second = values(c, share, h)
-    omega, alpha = angular_motion_from_vector(pose[..., 3:], rate[..., 3:], second[..., 3:])
-    R = rotation_from_vector(pose[..., 3:]) @ R
+    omega, alpha = rotation.angular_motion_from_vector(pose[..., 3:], rate[..., 3:], second[..., 3:])
+    R = rotation.rotation_from_vector(pose[..., 3:]) @ R
     return R, pose[..., :3], omega, rate[..., :3], alpha, second[..., :3]
 
 

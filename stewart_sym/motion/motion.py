@@ -12,16 +12,7 @@ from numpy.typing import ArrayLike
 from ..io.arguments import finite_array, leading_shape
 from ..io.array_types import Array
 from ..io.frozen import Frozen, read_only
-from .rotation import (
-    angular_acceleration_from_quaternion,
-    angular_motion_from_vector,
-    angular_velocity_from_quaternion,
-    cross,
-    orthonormal,
-    rotation_from_quaternion,
-    rotation_from_vector,
-    rpy_motion,
-)
+from . import rotation
 
 ROTATION_TOLERANCE = 1e-9
 FLOAT_TOLERANCE = 16.0 * float(np.finfo(np.float32).eps)
@@ -169,13 +160,13 @@ class Motion(Frozen):
         """
         p = finite_array(point, (3,), "point")
         arm = self.R @ p
-        turned = cross(self.omega, arm)
+        turned = rotation.cross(self.omega, arm)
         moved = {"R": self.R, "t": self.t + arm, "omega": self.omega, "v": self.v + turned}
         if self.a is not None and self.alpha is not None:
-            a = self.a + cross(self.alpha, arm) + cross(self.omega, turned)
+            a = self.a + rotation.cross(self.alpha, arm) + rotation.cross(self.omega, turned)
             moved |= {"alpha": self.alpha, "a": a}
         if self.F_ext is not None:
-            moved |= {"F_ext": self.F_ext, "M_ext": cross(self.F_ext, p)}
+            moved |= {"F_ext": self.F_ext, "M_ext": rotation.cross(self.F_ext, p)}
         if self.M_ext is not None:
             moved["M_ext"] = self.M_ext + moved.get("M_ext", 0.0)
         return Motion._sound(moved)
@@ -261,7 +252,7 @@ class Motion(Frozen):
         turns = _turns((3,), {"theta": theta, "theta_dot": theta_dot, "theta_ddot": theta_ddot}, a)
         *shape, _ = np.broadcast_shapes(*(array.shape for array in turns))
         theta, theta_dot, *second = (np.broadcast_to(array, (*shape, 3)) for array in turns)
-        R, omega, alpha = rpy_motion(theta, theta_dot, second[0] if second else None)
+        R, omega, alpha = rotation.rpy_motion(theta, theta_dot, second[0] if second else None)
         return cls._turned(R, omega, alpha, {"t": t, "v": v, "a": a, "F_ext": F_ext, "M_ext": M_ext})
 
     @classmethod
@@ -321,9 +312,9 @@ class Motion(Frozen):
             As ``Motion``, and for a quaternion of length zero.
         """
         turns = _turns((4,), {"e": e, "e_dot": e_dot, "e_ddot": e_ddot}, a)
-        alpha = None if a is None else angular_acceleration_from_quaternion(*turns)
-        omega = angular_velocity_from_quaternion(*turns[:2])
-        R = rotation_from_quaternion(turns[0])
+        alpha = None if a is None else rotation.angular_acceleration_from_quaternion(*turns)
+        omega = rotation.angular_velocity_from_quaternion(*turns[:2])
+        R = rotation.rotation_from_quaternion(turns[0])
         return cls._turned(R, omega, alpha, {"t": t, "v": v, "a": a, "F_ext": F_ext, "M_ext": M_ext})
 
     @classmethod
@@ -369,8 +360,8 @@ class Motion(Frozen):
         """
         turns = _turns((3,), {"phi": phi, "phi_dot": phi_dot, "phi_ddot": phi_ddot}, a)
         second = np.zeros(3) if a is None else turns[2]
-        omega, alpha = angular_motion_from_vector(turns[0], turns[1], second)
-        R = rotation_from_vector(turns[0])
+        omega, alpha = rotation.angular_motion_from_vector(turns[0], turns[1], second)
+        R = rotation.rotation_from_vector(turns[0])
         second_rate = None if a is None else alpha
         return cls(R, t, omega, v, second_rate, a, F_ext, M_ext)  # type: ignore[arg-type]
 
@@ -418,7 +409,7 @@ def rotations(value: ArrayLike, name: str, batch: bool = True) -> Array:
     in_float = np.asarray(value).dtype == np.float32
     _check_rotation(R, FLOAT_TOLERANCE if in_float else ROTATION_TOLERANCE, name)
     # Newton's step squares what is off: twice, and only rounding of a double is left.
-    return orthonormal(orthonormal(R)) if in_float else R
+    return rotation.orthonormal(rotation.orthonormal(R)) if in_float else R
 
 
 def _check_rotation(R: Array, tolerance: float, name: str) -> None:

@@ -15,17 +15,10 @@ from numpy.typing import NDArray
 from ..io.arguments import instance
 from ..io.array_types import Array
 from ..io.tables import number
+from . import rotation
 from .logs import LogFormat
 from .motion import Motion
 from .noise_level import LogWarning, grid_steps, rounding_step
-from .rotation import (
-    FAR_FROM_LOCK,
-    distance_from_lock,
-    far_from_lock,
-    motion_about_axes,
-    rotation_about_axes,
-    rotation_from_quaternion,
-)
 
 # Trajectories from CSV
 
@@ -285,13 +278,13 @@ class Log:
             if (norms == 0.0).any():
                 row = self.rows[int(np.argmin(norms))]
                 raise ValueError(f"{self.source}: row {row}: q: expected a quaternion, got length 0")
-            theta, order = far_from_lock(rotation_from_quaternion(q))
+            theta, order = rotation.far_from_lock(rotation.rotation_from_quaternion(q))
             # The vector of a small rotation is twice that of its quaternion.
             step = np.full(3, 2.0 * self.steps("q").max() / float(np.median(norms)))
         else:
             theta, step = self.vector("theta"), self.steps("theta")
-            if distance_from_lock(theta, order).min() < FAR_FROM_LOCK:
-                theta, order = far_from_lock(rotation_about_axes(theta, order))
+            if rotation.distance_from_lock(theta, order).min() < rotation.FAR_FROM_LOCK:
+                theta, order = rotation.far_from_lock(rotation.rotation_about_axes(theta, order))
                 step = np.full(3, step.max())
         return np.unwrap(theta, axis=0), step, order
 
@@ -321,7 +314,7 @@ def _motion_of(numbers: Mapping[str, Array], order: str) -> Motion:
     if order == "zyx":
         return Motion.from_rpy(**numbers)
     theta, theta_dot, theta_ddot = (numbers[name] for name in ANGLES)
-    R, omega, alpha = motion_about_axes(theta, theta_dot, theta_ddot, order)
+    R, omega, alpha = rotation.motion_about_axes(theta, theta_dot, theta_ddot, order)
     others = {name: values for name, values in numbers.items() if name not in ANGLES}
     return Motion(R=R, omega=omega, alpha=alpha, **others)
 

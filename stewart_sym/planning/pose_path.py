@@ -17,14 +17,9 @@ from ..io.arguments import finite_array, real_array, shown
 from ..io.array_types import Array
 from ..io.extras import needed_for
 from ..io.frozen import Frozen
+from ..motion import rotation
 from ..motion.interpolation import DEGREE
 from ..motion.motion import Motion, pose_of
-from ..motion.rotation import (
-    quaternion_from_rotation,
-    quaternion_product,
-    rotation_from_quaternion,
-    rotation_from_vector,
-)
 
 COORDINATES = ("x", "y", "z", "roll", "pitch", "yaw")
 """What may be free: shifts along base axes, m, and turns about the tool's own axes, rad."""
@@ -90,12 +85,12 @@ class ViaPose(Frozen):
         ViaPose
             Its ``low`` and ``high`` are 0.
         """
-        return ViaPose(self.R @ rotation_from_vector(shift[3:]), self.t + shift[:3])
+        return ViaPose(self.R @ rotation.rotation_from_vector(shift[3:]), self.t + shift[:3])
 
 
 def coordinates(poses: Sequence[ViaPose]) -> Array:
     """Positions and unit quaternions, (k, 7), each quaternion on the same side as the one before."""
-    rows = [np.concatenate([pose.t, quaternion_from_rotation(pose.R)]) for pose in poses]
+    rows = [np.concatenate([pose.t, rotation.quaternion_from_rotation(pose.R)]) for pose in poses]
     for before, after in itertools.pairwise(rows):
         if before[3:] @ after[3:] < 0.0:
             after[3:] *= -1.0
@@ -106,7 +101,7 @@ def shifted(row: Array, shift: Array) -> Array:
     """Coordinates (7,) of a pose that differs by (6,)."""
     half = 0.5 * np.linalg.norm(shift[3:])
     turn = np.concatenate([[np.cos(half)], 0.5 * np.sinc(half / np.pi) * shift[3:]])
-    return np.concatenate([row[:3] + shift[:3], quaternion_product(row[3:], turn)])
+    return np.concatenate([row[:3] + shift[:3], rotation.quaternion_product(row[3:], turn)])
 
 
 @dataclass(frozen=True, eq=False)
@@ -269,7 +264,7 @@ def scales(length: float) -> Array:
 
 def poses_of(rows: Array) -> tuple[Array, Array]:
     """R and t of rows of coordinates, (n, 7)."""
-    return rotation_from_quaternion(rows[:, 3:]), rows[:, :3]
+    return rotation.rotation_from_quaternion(rows[:, 3:]), rows[:, :3]
 
 
 def by_coordinates(rows: Array, by_twist: Array) -> Array:

@@ -7,17 +7,7 @@ import numpy as np
 
 from ..io import tables
 from ..io.arguments import shown
-from .fields import (
-    DEFAULT_GRAVITY,
-    FIELDS,
-    LEG_FIELDS,
-    LEGS,
-    UNSTATED,
-    accepted,
-    base_joint,
-    limits,
-    need_axisymmetric,
-)
+from . import fields
 
 SCHEMA = 1
 
@@ -29,8 +19,8 @@ _TABLES["friction"] = ("universal", "prismatic", "spherical")
 _SHARED_KEYS = ("lower", "upper", "friction", "length_limits", "force_limit", "speed_limit")
 _LEG_KEYS = ("base_point", "platform_point", "universal_axis", *_SHARED_KEYS)
 
-_CHECKS = dict((*FIELDS.values(), *LEG_FIELDS.values())) | {
-    "length_limits": limits,
+_CHECKS = dict((*fields.FIELDS.values(), *fields.LEG_FIELDS.values())) | {
+    "length_limits": fields.limits,
     "force_limit": tables.positive,
     "speed_limit": tables.positive,
 }
@@ -43,49 +33,51 @@ def values(d: object, file: str) -> dict[str, Any]:
         if isinstance(d, Mapping) and key in d:
             raise ValueError(f"{file}{key}: expected schema = 2 beside it, got schema = 1")
     top = tables.checked_table(d, file, _TOP_KEYS, ("schema", "name", "platform", "leg"))
-    joint = base_joint(top.get("base_joint", "universal"), f"{file}base_joint")
-    own = _values({"gravity": top.get("gravity", DEFAULT_GRAVITY), "platform": top["platform"]}, file)
-    tables.require(own, [path for path, _ in FIELDS.values()], file, "missing")
+    joint = fields.base_joint(top.get("base_joint", "universal"), f"{file}base_joint")
+    own = _values({"gravity": top.get("gravity", fields.DEFAULT_GRAVITY), "platform": top["platform"]}, file)
+    tables.require(own, [path for path, _ in fields.FIELDS.values()], file, "missing")
     defaults = tables.checked_table(top.get("leg_defaults", {}), f"{file}leg_defaults.", _SHARED_KEYS)
-    shared = UNSTATED | _values(defaults, f"{file}leg_defaults.")
+    shared = fields.UNSTATED | _values(defaults, f"{file}leg_defaults.")
     given = top["leg"]
     if not isinstance(given, list | tuple):
         raise ValueError(f"{file}leg: expected six [[leg]] tables, got {shown(given)}")
-    if len(given) != LEGS:
+    if len(given) != fields.LEGS:
         raise ValueError(f"{file}leg: expected exactly six [[leg]] tables, got {len(given)}")
     legs = [_leg(table, shared, joint, f"{file}leg {i}: ") for i, table in enumerate(given, 1)]
-    found = {name: np.array([leg[path] for leg in legs]) for name, (path, _) in LEG_FIELDS.items()}
+    found = {name: np.array([leg[path] for leg in legs]) for name, (path, _) in fields.LEG_FIELDS.items()}
     if joint == "spherical":
-        need_axisymmetric(found, lambda i, name: f"{file}leg {i + 1}: {LEG_FIELDS[name][0]}")
+        fields.need_axisymmetric(found, lambda i, name: f"{file}leg {i + 1}: {fields.LEG_FIELDS[name][0]}")
     return {
-        **{name: own[path] for name, (path, _) in FIELDS.items()},
+        **{name: own[path] for name, (path, _) in fields.FIELDS.items()},
         **found,
         "name": tables.title(top["name"], f"{file}name"),
         "base_joint": joint,
-        "accept": accepted(top.get("accept", ()), f"{file}accept"),
+        "accept": fields.accepted(top.get("accept", ()), f"{file}accept"),
     }
 
 
-def tables_of(fields: Mapping[str, Any]) -> dict[str, Any]:
+def tables_of(given: Mapping[str, Any]) -> dict[str, Any]:
     """The tables of a robot file, plain values alone, from fields of a robot; ``values`` undoes it."""
-    own = nested({path: fields[name] for name, (path, _) in FIELDS.items()})
+    own = nested({path: given[name] for name, (path, _) in fields.FIELDS.items()})
     return {
         "schema": SCHEMA,
-        "name": fields["name"],
-        "base_joint": fields["base_joint"],
+        "name": given["name"],
+        "base_joint": given["base_joint"],
         "gravity": own["gravity"],
-        **({"accept": list(fields["accept"])} if fields["accept"] else {}),
+        **({"accept": list(given["accept"])} if given["accept"] else {}),
         "platform": own["platform"],
-        "leg": [leg_table(fields, i) for i in range(LEGS)],
+        "leg": [leg_table(given, i) for i in range(fields.LEGS)],
     }
 
 
-def leg_table(fields: Mapping[str, Any], i: int) -> dict[str, Any]:
+def leg_table(given: Mapping[str, Any], i: int) -> dict[str, Any]:
     """The table of one leg, counted from 0."""
-    found = {path: fields[name][i] for name, (path, _) in LEG_FIELDS.items()}
-    if fields["base_joint"] == "spherical":
+    found = {path: given[name][i] for name, (path, _) in fields.LEG_FIELDS.items()}
+    if given["base_joint"] == "spherical":
         del found["universal_axis"]
-    stated = (path for path, value in found.items() if not np.array_equal(value, UNSTATED.get(path, np.nan)))
+    stated = (
+        path for path, value in found.items() if not np.array_equal(value, fields.UNSTATED.get(path, np.nan))
+    )
     return nested({path: found[path] for path in stated})
 
 
@@ -107,7 +99,7 @@ def _leg(value: object, shared: Mapping[str, Any], joint: str, prefix: str) -> d
         raise ValueError(f'{prefix}universal_axis: expected none when base_joint is "spherical"')
     leg = {"universal_axis": np.zeros(3), **shared, **_values(table, prefix)}
     reason = "missing, here and in leg_defaults"
-    tables.require(leg, [path for path, _ in LEG_FIELDS.values()], prefix, reason)
+    tables.require(leg, [path for path, _ in fields.LEG_FIELDS.values()], prefix, reason)
     return leg
 
 

@@ -14,24 +14,9 @@ from ..io import tables
 from ..io.arguments import shown
 from ..io.array_types import Array
 from ..motion.text.unit_row import LENGTH_UNITS
-from . import schema_1
+from . import fields, schema_1
 from .bodies import INERTIA_KEYS, Metres, body
 from .drive import drive_of_tables, drive_tables
-from .fields import (
-    DEFAULT_GRAVITY,
-    LEG_FIELDS,
-    LEGS,
-    POSE_FIELDS,
-    UNSTATED,
-    LegTables,
-    accepted,
-    base_joint,
-    direction,
-    joint_angles,
-    limits,
-    need_axisymmetric,
-    vector_text,
-)
 from .offset_positions import lengths_at_home
 from .offsets import TABLES, Offsets, offset_tables, offsets_of_tables
 
@@ -50,7 +35,7 @@ _FRICTION_KEYS = ("universal", "prismatic", "spherical")
 _LIMIT_KEYS = ("length_limits", "stroke", "force_limit", "speed_limit", "joint_angle_limit")
 _SHARED_KEYS = ("universal_axis", *_PARTS, "friction", "drive", *TABLES, *_LIMIT_KEYS)
 _LEG_KEYS = ("base_point", "platform_point", *_SHARED_KEYS)
-_NUMBERS = tuple(str(i + 1) for i in range(LEGS))
+_NUMBERS = tuple(str(i + 1) for i in range(fields.LEGS))
 _TRAJECTORY_KEYS = ("tool", "euler_order", "lengths")
 AXES = ("tangential", "radial", "horizontal")
 """Fixed axes by name: along the circle about z whose middle is the mean of the base points, to that middle,
@@ -66,13 +51,13 @@ def values(d: object, file: str) -> dict[str, Any]:
     top = tables.checked_table(d, file, _TOP_KEYS, _NEEDED)
     metres = _metres(tables.choice(top.get("length_unit", "m"), tuple(LENGTH_UNITS), f"{file}length_unit"))
     degrees = tables.choice(top.get("angle_unit", "rad"), ("rad", "deg"), f"{file}angle_unit") == "deg"
-    joint = base_joint(top.get("base_joint", "universal"), f"{file}base_joint")
+    joint = fields.base_joint(top.get("base_joint", "universal"), f"{file}base_joint")
     home = metres(tables.vector(top["home"], f"{file}home")) if "home" in top else None
     own = {
         "name": tables.title(top["name"], f"{file}name"),
         "base_joint": joint,
-        "g": tables.vector(top.get("gravity", DEFAULT_GRAVITY), f"{file}gravity"),
-        "accept": accepted(top.get("accept", ()), f"{file}accept"),
+        "g": tables.vector(top.get("gravity", fields.DEFAULT_GRAVITY), f"{file}gravity"),
+        "accept": fields.accepted(top.get("accept", ()), f"{file}accept"),
         "home": home,
         **_trajectory(top.get("trajectory", {}), f"{file}trajectory.", metres, home),
     }
@@ -93,7 +78,11 @@ def values(d: object, file: str) -> dict[str, Any]:
     found = own | legs.values(rings[0], rings[1], offsets) | {"drive": drive, "offsets": offsets}
     # Conversions and sums may have overflown.
     for name, value in found.items():
-        if name not in UNSTATED and isinstance(value, float | np.ndarray) and not np.all(np.isfinite(value)):
+        if (
+            name not in fields.UNSTATED
+            and isinstance(value, float | np.ndarray)
+            and not np.all(np.isfinite(value))
+        ):
             where = f"{file}{_SECTIONS.get(name, 'legs')}"
             raise ValueError(f"{where}: expected numbers whose sums and squares are finite")
     return found
@@ -109,7 +98,7 @@ def _metres(unit: str) -> Metres:
 def _trajectory(value: object, prefix: str, metres: Metres, home: Array | None) -> dict[str, Any]:
     """How poses of the machine are given."""
     table = tables.checked_table(value, prefix, _TRAJECTORY_KEYS)
-    found = {key: POSE_FIELDS[key](given, prefix + key) for key, given in table.items()}
+    found = {key: fields.POSE_FIELDS[key](given, prefix + key) for key, given in table.items()}
     if found.get("lengths") == "relative" and home is None:
         raise ValueError(f'{prefix}lengths: "relative" is to the home pose, expected a key home')
     return found | ({"tool": metres(found["tool"])} if "tool" in found else {})
@@ -138,13 +127,13 @@ class _Legs:
             raise ValueError(f"{file}leg: expected tables [leg.1] to [leg.6], got {shown(given)}")
         some = tables.checked_table(given, f"{file}leg.", _NUMBERS)
         own = [tables.checked_table(some.get(n, {}), f"{file}leg.{n}.", _LEG_KEYS) for n in _NUMBERS]
-        self.tables = LegTables.of(shared, own, file)
+        self.tables = fields.LegTables.of(shared, own, file)
         self.friction = self.tables.inner("friction", _FRICTION_KEYS)
 
     def values(self, base: Array | None, platform: Array | None, offsets: Offsets | None) -> dict[str, Any]:
         """Fields with an entry for each leg, from the points of both rings, None for those not given."""
         ends = [
-            np.array([self._point(i, key, ring) for i in range(LEGS)])
+            np.array([self._point(i, key, ring) for i in range(fields.LEGS)])
             for key, ring in (("base_point", base), ("platform_point", platform))
         ]
         at_home = None if self.home is None else self.home + ends[1] - ends[0]
@@ -154,11 +143,13 @@ class _Legs:
             lengths = lengths_at_home(offsets, k, at_home)
         elif at_home is not None:
             lengths = np.linalg.norm(at_home, axis=-1)
-        legs = [self._leg(i, None if lengths is None else float(lengths[i])) for i in range(LEGS)]
-        paths = {name: path for name, (path, _) in LEG_FIELDS.items() if name not in "bpk"}
+        legs = [self._leg(i, None if lengths is None else float(lengths[i])) for i in range(fields.LEGS)]
+        paths = {name: path for name, (path, _) in fields.LEG_FIELDS.items() if name not in "bpk"}
         found = {name: np.array([leg[path] for leg in legs]) for name, path in paths.items()}
         if self.joint == "spherical":
-            need_axisymmetric(found, lambda i, name: self.tables.where(i, paths[name].partition(".")[0]))
+            fields.need_axisymmetric(
+                found, lambda i, name: self.tables.where(i, paths[name].partition(".")[0])
+            )
         return {"b": ends[0], "p": ends[1], "k": k, **found}
 
     def _point(self, i: int, key: str, ring: Array | None) -> Array:
@@ -171,8 +162,8 @@ class _Legs:
         return np.asarray(ring[i])
 
     def _axes(self, b: Array, at_home: Array | None) -> Array:
-        found = np.zeros((LEGS, 3))
-        for i in range(LEGS):
+        found = np.zeros((fields.LEGS, 3))
+        for i in range(fields.LEGS):
             given, where = self.tables.of_leg(i), self.tables.where(i, "universal_axis")
             if self.joint == "spherical":
                 if "universal_axis" in given:
@@ -192,7 +183,7 @@ class _Legs:
         for name in _FRICTION_KEYS:
             found[f"friction.{name}"] = self.friction.get(i, name, tables.not_negative, 0.0)
         for name in ("force_limit", "speed_limit"):
-            found[name] = self.tables.get(i, name, tables.positive, UNSTATED[name])
+            found[name] = self.tables.get(i, name, tables.positive, fields.UNSTATED[name])
         found["speed_limit"] = self.metres(found["speed_limit"])
         angles = self._joint_angles(i, at_home)
         return found | {"length_limits": self._length_limits(i, at_home), "joint_angle_limit": angles}
@@ -212,7 +203,7 @@ class _Legs:
         elif shared is None:
             raise ValueError(f"{self.file}legs.{part}: missing")
         tables.require(found, INERTIA_KEYS, f"{self.tables.where(i, part)}.", reason)
-        return {"length": UNSTATED[f"{part}.length"]} | found
+        return {"length": fields.UNSTATED[f"{part}.length"]} | found
 
     def _length_limits(self, i: int, at_home: float | None) -> Array:
         """Shortest and longest leg, m, (2,), by themselves or about the length at the home pose."""
@@ -221,17 +212,19 @@ class _Legs:
             if "length_limits" in table and "stroke" in table:
                 raise ValueError(f"{prefix}stroke: expected stroke or length_limits, got both")
             if "length_limits" in table:
-                return np.asarray(self.metres(limits(table["length_limits"], f"{prefix}length_limits")))
+                return np.asarray(
+                    self.metres(fields.limits(table["length_limits"], f"{prefix}length_limits"))
+                )
             if "stroke" in table:
                 return self._about_home(table["stroke"], f"{prefix}stroke", at_home)
-        return np.array(UNSTATED["length_limits"])
+        return np.array(fields.UNSTATED["length_limits"])
 
     def _joint_angles(self, i: int, at_home: float | None) -> Array:
         """Largest angles of both joints from the home pose, rad, (2,)."""
         given, where = self.tables.of_leg(i), self.tables.where(i, "joint_angle_limit")
         if "joint_angle_limit" not in given:
-            return np.array(UNSTATED["joint_angle_limit"])
-        found = joint_angles(given["joint_angle_limit"], where, 180.0 if self.degrees else np.pi)
+            return np.array(fields.UNSTATED["joint_angle_limit"])
+        found = fields.joint_angles(given["joint_angle_limit"], where, 180.0 if self.degrees else np.pi)
         if at_home is None:
             raise ValueError(f"{where}: is from the leg's direction at the home pose, expected a key home")
         return np.radians(found) if self.degrees else found
@@ -252,23 +245,23 @@ class _Legs:
         return length + np.asarray(stroke)
 
 
-def tables_of(fields: Mapping[str, Any]) -> dict[str, Any]:
+def tables_of(given: Mapping[str, Any]) -> dict[str, Any]:
     """The tables of a robot file, plain values alone and SI units; ``values`` undoes it to the bit."""
-    plain = schema_1.tables_of(fields)
+    plain = schema_1.tables_of(given)
     legs = plain.pop("leg")
-    platform = {"points": np.asarray(fields["p"]).tolist(), "body": plain.pop("platform")}
+    platform = {"points": np.asarray(given["p"]).tolist(), "body": plain.pop("platform")}
     ends = ("base_point", "platform_point")
-    home = fields["home"]
-    trajectory = {key: np.asarray(fields[key]).tolist() for key in _TRAJECTORY_KEYS}
-    drive = fields["drive"]
-    drives = [{}] * LEGS if drive is None else [{"drive": table} for table in drive_tables(drive)]
-    offsets = fields["offsets"]
-    shared, joints = ({}, [{}] * LEGS) if offsets is None else offset_tables(offsets)
+    home = given["home"]
+    trajectory = {key: np.asarray(given[key]).tolist() for key in _TRAJECTORY_KEYS}
+    drive = given["drive"]
+    drives = [{}] * fields.LEGS if drive is None else [{"drive": table} for table in drive_tables(drive)]
+    offsets = given["offsets"]
+    shared, joints = ({}, [{}] * fields.LEGS) if offsets is None else offset_tables(offsets)
     return {
         **plain,
         "schema": SCHEMA,
         **({} if home is None else {"home": home.tolist()}),
-        "base": {"points": np.asarray(fields["b"]).tolist()},
+        "base": {"points": np.asarray(given["b"]).tolist()},
         "platform": platform,
         "legs": shared,
         "leg": {
@@ -295,7 +288,7 @@ def points(table: Mapping[str, Any], prefix: str, metres: Metres, degrees: bool)
     radius = tables.per_leg(table["radius"], f"{prefix}radius")
     if np.any(radius <= 0.0):
         raise ValueError(f"{prefix}radius: expected a number > 0, got {shown(table['radius'])}")
-    angles = tables.numbers(table["angles"], (LEGS,), f"{prefix}angles")
+    angles = tables.numbers(table["angles"], (fields.LEGS,), f"{prefix}angles")
     turns = np.abs(angles) / (360.0 if degrees else 2.0 * math.pi)
     if np.any(turns > _MOST_TURNS):
         i = int(np.argmax(turns))
@@ -316,7 +309,7 @@ def points(table: Mapping[str, Any], prefix: str, metres: Metres, degrees: bool)
 
 
 def _listed(value: object, where: str, metres: Metres) -> Array:
-    if not isinstance(value, list | tuple) or len(value) != LEGS:
+    if not isinstance(value, list | tuple) or len(value) != fields.LEGS:
         raise ValueError(f"{where}: expected six points, got {shown(value)}")
     return np.stack([metres(tables.vector(point, f"{where} {i}")) for i, point in enumerate(value, 1)])
 
@@ -337,7 +330,7 @@ def axis(value: object, where: str, b: Array, middle: Array, home: Array | None)
     b: its base point, m. middle: of all base points. home: the leg at the home pose, from joint to joint.
     """
     if not isinstance(value, str):
-        return direction(value, where)
+        return fields.direction(value, where)
     name = tables.choice(value, AXES, where)
     along = b - middle
     if name == "horizontal":
@@ -346,5 +339,7 @@ def axis(value: object, where: str, b: Array, middle: Array, home: Array | None)
         along = home
     x, y, _ = along
     if x == y == 0.0:
-        raise ValueError(f'{where}: "{name}" is no direction at {vector_text(along)} m, expected a vector')
-    return direction(np.array([x, y, 0.0] if name == "radial" else [-y, x, 0.0]), where)
+        raise ValueError(
+            f'{where}: "{name}" is no direction at {fields.vector_text(along)} m, expected a vector'
+        )
+    return fields.direction(np.array([x, y, 0.0] if name == "radial" else [-y, x, 0.0]), where)

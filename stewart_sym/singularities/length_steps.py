@@ -14,13 +14,7 @@ from ..io.progress import Progress, tracked
 from ..kinematics.conditioning import characteristic_length
 from ..kinematics.inverse import leg_vectors
 from ..kinematics.pose_search import ToSingular, jacobian, newton, other_side, solve, way_to_singular
-from ..motion.rotation import (
-    cross,
-    rotation_from_vector,
-    vector_from_rotation,
-    vector_rate,
-    vector_second_rate,
-)
+from ..motion import rotation
 from ..robot.robot import Robot
 
 NO_WAY = (
@@ -188,11 +182,11 @@ def _misfit(robot: Robot, before: _State, after: _State, h: Array) -> Array:
     Both follow from what changes from one sample to the other by Hermite's rules, to h^5 and h^4.
     """
     h = h[:, None]
-    turn = vector_from_rotation(after.pose.R @ np.swapaxes(before.pose.R, -1, -2))
+    turn = rotation.vector_from_rotation(after.pose.R @ np.swapaxes(before.pose.R, -1, -2))
     with np.errstate(invalid="ignore"):
         omega, alpha = after.twist[:, 3:], after.rate[:, 3:]
-        twist = np.hstack([after.twist[:, :3], vector_rate(turn, omega)])
-        rate = np.hstack([after.rate[:, :3], vector_second_rate(turn, omega, alpha)])
+        twist = np.hstack([after.twist[:, :3], rotation.vector_rate(turn, omega)])
+        rate = np.hstack([after.rate[:, :3], rotation.vector_second_rate(turn, omega, alpha)])
         made = np.hstack([after.pose.t - before.pose.t, turn])
         step = made - 0.5 * h * (before.twist + twist) - h**2 / 12.0 * (before.rate - rate)
         change = twist - before.twist - 0.5 * h * (before.rate + rate)
@@ -204,12 +198,12 @@ def _misfit(robot: Robot, before: _State, after: _State, h: Array) -> Array:
 def _ahead(state: _State, h: Array) -> tuple[Array, Array]:
     step = h[:, None] * state.twist + 0.5 * h[:, None] ** 2 * state.rate
     turn = step[:, 3:] / np.maximum(1.0, np.linalg.norm(step[:, 3:], axis=-1, keepdims=True))
-    return rotation_from_vector(turn) @ state.pose.R, state.pose.t + step[:, :3]
+    return rotation.rotation_from_vector(turn) @ state.pose.R, state.pose.t + step[:, :3]
 
 
 def _apart(robot: Robot, one: tuple[Array, Array], other: tuple[Array, Array]) -> Array:
     """Difference of two poses (n, ...) as a twist, (n, 6), m, angles times the platform's size."""
-    turn = vector_from_rotation(other[0] @ np.swapaxes(one[0], -1, -2))
+    turn = rotation.vector_from_rotation(other[0] @ np.swapaxes(one[0], -1, -2))
     return np.hstack([other[1] - one[1], characteristic_length(robot) * turn])
 
 
@@ -219,9 +213,9 @@ def _state(robot: Robot, pose: _Pose, legs: Legs) -> _State:
     with np.errstate(all="ignore"):
         twist, regular = solve(pose.J, legs.L_dot)
         omega = twist[:, None, 3:]
-        S_dot = twist[:, None, :3] + cross(omega, q)
+        S_dot = twist[:, None, :3] + rotation.cross(omega, q)
         s = S / L[..., None]
-        centripetal = np.sum(s * cross(omega, cross(omega, q)), axis=-1)
+        centripetal = np.sum(s * rotation.cross(omega, rotation.cross(omega, q)), axis=-1)
         across = (np.sum(S_dot**2, axis=-1) - legs.L_dot**2) / L
         rate, _ = solve(pose.J, legs.L_ddot - centripetal - across)
     return _State(pose, *(np.where(regular[:, None], x, np.nan) for x in (twist, rate)))
