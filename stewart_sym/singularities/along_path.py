@@ -256,7 +256,7 @@ class _Search:
         self.length = characteristic_length(robot) or 1.0
         ends = path(times[[0, -1]])
         self.reach = float(leg_vectors(robot, *_pose(ends))[2].max()) or 1.0
-        at_times = _in_chunks(self._look_about, times) if everywhere else self._look_where_near()
+        at_times = _in_chunks(lambda part: self._look_about(part, everywhere), times)
         inner = np.setdiff1d(self._inner_points(at_times), times)
         order = np.argsort(np.concatenate([times, inner]))
         self.points = np.concatenate([times, inner])[order]
@@ -301,51 +301,32 @@ class _Search:
         floor = (_FLOOR + 6.0 * np.nan_to_num(moved)) * self._size
         return turning_points(self._determinants, edges, floor)
 
-    def _look_where_near(self) -> Array:
-        """``_look_about`` beside steps in which a singular value may vanish; bounds and no rate elsewhere.
+    def _look_about(self, times: Array, everywhere: bool) -> Array:
+        """A sample, the rate of its smallest singular value and a bound of any's, 1/s, (n, 5).
 
-        The smallest singular value is at least |det H| over the fifth power of the mean of the five others.
+        Unless everywhere, bounds stand for singular values, and no rate, but beside steps in which one may
+        vanish. The smallest is at least |det H| over the fifth power of the mean of the five others.
         """
-        n = len(self.times)
-        parts = [slice(i, min(i + _CHUNK, n - 1) + 1) for i in range(0, n - 1, _CHUNK)]
-        looks, steps = zip(*(self._look_coarsely(self.times[part]) for part in parts), strict=True)
-        found = np.concatenate([looks[0], *(look[1:] for look in looks[1:])])
-        _, least, _, _, speed = found.T
-        change = _SURE * np.maximum(
-            np.maximum(speed[:-1], speed[1:]) * np.diff(self.times), np.concatenate(steps)
-        )
-        near = ~(least[:-1] + least[1:] > change)
-        chosen = np.flatnonzero(np.append(near, False) | np.append(False, near))
-        if chosen.size:
-            found[chosen] = _in_chunks(self._look_about, self.times[chosen])
-        return found
-
-    def _look_coarsely(self, times: Array) -> tuple[Array, Array]:
-        """As ``_look_about`` with bounds in place of singular values; changes of H from time to time."""
         motion = self.path(times)
         H, L = self._scaled_H(motion)
-        good = _known(H)
-        found = np.full((len(times), 5), np.nan)
-        found[:, 0] = self._determinant(H, L)
-        found[:, 2] = np.linalg.norm(H, axis=(-2, -1))
-        with np.errstate(divide="ignore"):
-            volume = np.abs(found[:, 0]) / np.prod(L / self.reach, axis=-1)
-        found[:, 1] = volume / (found[:, 2] ** 2 / 5.0) ** 2.5
-        H_dot = _scaled_rate(self.robot, motion[good], self.length)
-        found[good, 4] = np.linalg.norm(H_dot, axis=(-2, -1))
-        return found, np.linalg.norm(np.diff(H, axis=0), axis=(-2, -1))
-
-    def _look_about(self, times: Array) -> Array:
-        """A sample, the rate of its smallest singular value and a bound of any's, 1/s, (n, 5)."""
-        motion = self.path(times)
-        H, L = self._scaled_H(motion)
-        good = _known(H)
-        u, s, v = last_directions(np.where(good[:, None, None], H, 0.0))
-        found = np.full((len(times), 5), np.nan)
-        found[:, :3] = self._sample(H, L, s)
-        H_dot = _scaled_rate(self.robot, motion[good], self.length)
-        found[good, 3] = np.einsum("ni,nij,nj->n", u[good], H_dot, v[good])
-        found[good, 4] = np.linalg.norm(H_dot, axis=(-2, -1))
+        good, found = _known(H), np.full((len(times), 5), np.nan)
+        H_dot = np.full(H.shape, np.nan)
+        H_dot[good] = _scaled_rate(self.robot, motion[good], self.length)
+        found[:, 4] = speed = np.linalg.norm(H_dot, axis=(-2, -1))
+        near = np.full(len(times), True)
+        if not everywhere:
+            found[:, 0], found[:, 2] = self._determinant(H, L), np.linalg.norm(H, axis=(-2, -1))
+            with np.errstate(divide="ignore"):
+                volume = np.abs(found[:, 0]) / np.prod(L / self.reach, axis=-1)
+            found[:, 1] = least = volume / (found[:, 2] ** 2 / 5.0) ** 2.5
+            change = np.maximum(speed[:-1], speed[1:]) * np.diff(times)
+            change = _SURE * np.maximum(change, np.linalg.norm(np.diff(H, axis=0), axis=(-2, -1)))
+            doubtful = ~(least[:-1] + least[1:] > change)
+            # At the ends of a part singular values are found in any case.
+            near = np.append(doubtful, True) | np.append(True, doubtful)
+        u, s, v = last_directions(np.where(good[near, None, None], H[near], 0.0))
+        found[near, :3] = self._sample(H[near], L[near], s)
+        found[near, 3] = np.einsum("ni,nij,nj->n", u, H_dot[near], v)
         return found
 
     def _crossings(self) -> list[Crossing]:
@@ -375,13 +356,12 @@ class _Search:
         return bool(np.min(L) <= _SHORT * self.reach)
 
     def _look(self, times: Array) -> Array:
-        return _in_chunks(self._look_once, times)
+        def once(times: Array) -> Array:
+            H, L = self._scaled_H(self.path(times))
+            s = np.linalg.svd(np.where(_known(H)[:, None, None], H, 0.0), compute_uv=False)
+            return self._sample(H, L, s.astype(np.float64))
 
-    def _look_once(self, times: Array) -> Array:
-        H, L = self._scaled_H(self.path(times))
-        good = _known(H)
-        s: Array = np.linalg.svd(np.where(good[:, None, None], H, 0.0), compute_uv=False).astype(np.float64)
-        return self._sample(H, L, s)
+        return _in_chunks(once, times)
 
     def _sample(self, H: Array, L: Array, s: Array) -> Array:
         """``_Samples`` as columns, (n, 3), of singular values s, (n, 6); inf where a leg has no direction."""
