@@ -53,19 +53,7 @@ AS_SHOWN = Smoothing()
 def read_csv(
     path: str | os.PathLike[str], form: LogFormat = PLAIN, smoothing: Smoothing = AS_SHOWN
 ) -> Trajectory:
-    """Read a trajectory of poses: a header line that names the columns, then one row per instant.
-
-    Columns, in any order: ``time`` (s), increasing; ``t_x t_y t_z`` (m) and ``theta_x theta_y theta_z`` (rad,
-    (38)) or a quaternion ``q_w q_x q_y q_z``; optionally all of ``v_*``, ``theta_dot_*``, ``a_*`` and
-    ``theta_ddot_*``, rates of the angles as written; optionally ``F_ext_*`` (N) and ``M_ext_*`` (N m),
-    platform frame.  Without derivatives, columns that show rounding or noise are smoothed, with a
-    ``LogWarning``, and all others interpolated by a spline of degree 5 (of degree 3 with 4 or 5 rows); the
-    angles are unwrapped first.  Rows that no motion makes are named and replaced, what this changes counts in
-    ``noise``; rows that repeat or interpolate those of a slower sensor don't count; gaps in time are named.
-    Times of an even clock that are rounded, to milliseconds say, are taken from it, with a ``LogWarning``.
-
-    form: names, units and marks of the file. smoothing: what is known of the noise.  The rows are taken as
-    they are: ``read_trajectory`` has regard to a robot's tool, Euler order and relative lengths.
+    """Read a trajectory of poses, as ``read_trajectory`` does without regard to a robot.
 
     Raises ``ValueError`` of one line that names the file and the row (the header is row 1) or column, and
     ``ImportError`` when an interpolating spline is needed and SciPy is missing.
@@ -82,10 +70,13 @@ def read_log(
     smoothing: Smoothing = AS_SHOWN,
     progress: Progress = silent,
 ) -> PoseLog | JointTrajectory:
-    """Read poses, as ``read_csv``, as coordinates, or leg lengths, with progress: the header tells which.
+    """Read poses as coordinates, or leg lengths, with progress: the header tells which.
 
-    Columns of the latter: ``time``; ``L_1`` to ``L_6`` (m); optionally all of ``L_dot_*`` and ``L_ddot_*``,
-    else those of a spline as for poses; optionally loads.  Raises as ``read_csv``.
+    Without derivatives, columns that show rounding or noise are smoothed, with a ``LogWarning``, and all
+    others interpolated by a spline of degree 5 (of degree 3 with 4 or 5 rows); angles are unwrapped first.
+    Rows that no motion makes are named and replaced, what this changes counts in ``noise``; rows that repeat
+    or interpolate those of a slower sensor don't count; gaps in time are named. Times of an even clock that
+    are rounded, to milliseconds say, are taken from it, with a ``LogWarning``.  Raises as ``read_csv``.
     """
     log = _on_even_clock(_read(path, form, smoothing, progress))
     progress(f"differentiating {len(log.rows)} rows")
