@@ -27,7 +27,7 @@ ROUNDING = 16 * np.finfo(np.float64).eps
 """A leg no longer than this share of the terms it is the sum of is rounding error and nothing else."""
 
 
-BLOCK = 2048
+BLOCK = 512
 """Poses whose legs are computed at a time: their numbers stay in the processor's cache. From so many on the C
 computes them, where there is a compiler."""
 
