@@ -18,8 +18,7 @@ from . import lumped_constants as p
 from . import quantities as n
 from .actuator_forces import ForceKernel
 from .formulation import EXACT, EXACT_DRIVE, Formulation
-from .legs import axisymmetric as axial_leg
-from .legs.leg import cross
+from .legs.leg import cross, leg_vector
 from .legs.rotor import FULL, NONE, REFLECTED, Rotor
 
 GENERAL = "general"
@@ -177,23 +176,56 @@ def _constants(legs: str) -> dict[sp.Symbol, sp.Expr]:
 
 
 def _leg_on_axis(level: Fidelity) -> Block:
-    """A leg without friction and without inertia about its axis."""
+    """A leg without friction and without inertia about its axis: it has no frame and no universal axis."""
     build = Builder()
-    at = axial_leg.axis(build)
-    S_dot, S_ddot = p.tip_motion(build, at.q)
+    q, _, L, inv_L, s = leg_vector(build)
+    S_dot, S_ddot = p.tip_motion(build, q)
     D, K = _ZERO, sp.zeros(3, 1)
     mass = level.rotor.mass
     if level.legs != MASSLESS:
         meaning = "one slender leg: D, its column of H and its part of c"
-        D, K = axial_leg.tip_force(build, at, S_dot, S_ddot, _across(level.legs), mass)
+        D, K = slender_force(build, s, L, inv_L, S_dot, S_ddot, _across(level.legs), mass)
     elif level.rotor == NONE:
         meaning = "one massless leg: its column of H"
     else:
         meaning = "one massless leg with a reflected mass: D and its column of H"
-        L_dot = build.scalar("L_dot", at.s.dot(S_dot), "(5)", "rate of the length")
-        turned = build.scalar("turned", (S_dot.dot(S_dot) - L_dot**2) * at.inv_L, "(8)", "L |s_dot|^2")
-        D = build.scalar("D", mass * (at.s.dot(S_ddot) + turned), "(24)", "force that turns the motor")
-    return actuator_forces.closed_leg(build, meaning, at.q, at.s, at.L, None, D, K, sp.zeros(3, 1))
+        L_dot = build.scalar("L_dot", s.dot(S_dot), "(5)", "rate of the length")
+        turned = build.scalar("turned", (S_dot.dot(S_dot) - L_dot**2) * inv_L, "(8)", "L |s_dot|^2")
+        D = build.scalar("D", mass * (s.dot(S_ddot) + turned), "(24)", "force that turns the motor")
+    return actuator_forces.closed_leg(build, meaning, q, s, L, None, D, K, sp.zeros(3, 1))
+
+
+def slender_force(
+    build: Builder,
+    s: sp.Matrix,
+    L: sp.Expr,
+    inv_L: sp.Expr,
+    S_dot: sp.Matrix,
+    S_ddot: sp.Matrix,
+    inertia: sp.Expr,
+    reflected: sp.Expr,
+) -> tuple[sp.Expr, sp.Matrix]:
+    """D and K of a slender leg, (21), (24); K carries a part along s, and D is to match.
+
+    inertia: of both parts about base and platform point, across the leg. With the upper part's mass on the
+    platform, the leg's kinetic energy is that of the turning s alone: (inertia + 2 L h) |s_dot|^2 / 2.
+    reflected: mass of a rotor, which moves with L; zero without one.
+    """
+    h = p.h_s.value
+    inv_L2 = build.scalar("inv_L2", inv_L**2)
+    L_dot = build.scalar("L_dot", s.dot(S_dot), "(5)", "rate of the length")
+    meaning = "K = K_a S_ddot + K_v S_dot - K_g g, up to a part along s"
+    K_a = build.scalar("K_a", (inertia + 2 * L * h) * inv_L2, "(21)", meaning)
+    L_share = build.scalar("L_share", 2 * inv_L * L_dot, "", "2 L_dot / L")
+    K_v = build.scalar("K_v", L_share * (h * inv_L - K_a), "(21)", meaning)
+    K_g = build.scalar("K_g", p.w_s.value * inv_L, "(21)", meaning)
+    force = K_a * S_ddot + K_v * S_dot - K_g * n.g.value
+    K = build.vector("K", force, "(21)", "force at the spherical joint, base frame")
+    turning = build.scalar("turning", (S_dot.dot(S_dot) - L_dot**2) * inv_L2, "(6)", "|s_dot|^2")
+    D = -h * turning - s.dot(K)
+    if reflected != 0:
+        D += reflected * (s.dot(S_ddot) + L * turning)
+    return build.scalar("D", D, "(24)", "known part of the actuator force, to match"), K
 
 
 def _platform_alone(friction: bool) -> Block:
