@@ -46,10 +46,7 @@ LICENCE, ROBOT = "LICENSE", "robot.toml"
 MANIFEST = "manifest.json"
 """What a later run reads to tell its own files from edited ones."""
 
-_TEXTS = (
-    *(build.SELFTEST, build.EXAMPLE, LICENCE, ROBOT, "README.md"),
-    *("Makefile", "CMakeLists.txt", "Config.cmake.in", "stewart.hpp"),
-)
+_TEXTS = (build.SELFTEST, build.EXAMPLE, LICENCE, ROBOT, "README.md", build.WRAPPER, *build.FILES)
 
 
 @dataclass(frozen=True)
@@ -183,16 +180,10 @@ def _flat(arrays: Mapping[str, Array], names: Iterable[str]) -> list[float]:
 
 
 def _build_files(symbol: str, made: Parts, texts: Mapping[str, str], choice: Choice) -> dict[str, str]:
-    package = build.Package(
-        symbol,
-        generator(),
-        sources=tuple(sorted(n for n in texts if n.endswith(".c") and "/" not in n)),
-        headers=tuple(sorted(n for n in texts if n.endswith(".h") and n not in made.shared)),
-        shared=made.shared,
-        precision=choice.precision,
-    )
-    wrapper = cpp.wrapper(made.functions, generator())
-    return build.build_files(package) | {build.WRAPPER: wrapper}
+    sources = sorted(n for n in texts if n.endswith(".c") and "/" not in n)
+    headers = sorted(n for n in texts if n.endswith(".h") and n not in made.shared)
+    files = build.build_files(symbol, generator(), sources, headers, made.shared, choice.precision)
+    return files | {build.WRAPPER: cpp.wrapper(made.functions, generator())}
 
 
 def _readme(robot: Robot, choice: Choice, made: Parts, found: Mapping[str, list[Vector]]) -> str:

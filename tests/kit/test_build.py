@@ -26,7 +26,7 @@ from pages import blocks
 from sweeps import FULL
 
 from stewart_sym.cli import main as cli
-from stewart_sym.derive.package import build as kit_build
+from stewart_sym.derive.package.build import build_files
 from stewart_sym.dynamics.equations import ForwardDynamics
 from stewart_sym.generated.interface import HEADERS
 from stewart_sym.kit import Choice
@@ -440,10 +440,10 @@ def test_make_fails_where_the_self_test_does(tmp_path: Path, files: dict[str, st
 
 
 def test_version_that_is_no_release_still_configures() -> None:
-    package = kit_build.Package("x", "1.2.0.dev3+gabc", ("a.c",), ("a.h",))
-    assert "project(x VERSION 1.2.0 LANGUAGES C)" in kit_build.cmake_lists(package)
+    files = build_files("x", "1.2.0.dev3+gabc", ("a.c",), ("a.h",))
+    assert "project(x VERSION 1.2.0 LANGUAGES C)" in files["CMakeLists.txt"]
     with pytest.raises(ValueError, match=r"^version: expected one that begins with a number, got 'new'$"):
-        kit_build.cmake_lists(kit_build.Package("x", "new", ("a.c",), ("a.h",)))
+        build_files("x", "new", ("a.c",), ("a.h",))
 
 
 def contents(folder: Path) -> dict[str, bytes]:

@@ -8,8 +8,8 @@ from builds import ROBOT, SYMBOL, needed, run, texts, written
 
 from stewart_sym.backend.c_kernel import c_sources
 from stewart_sym.derive.kernel.interface import CALLS
-from stewart_sym.derive.package import build as kit_build
 from stewart_sym.derive.package import cpp as kit_cpp
+from stewart_sym.derive.package.build import build_files
 from stewart_sym.derive.package.functions import MODEL, NOTHING, Function
 from stewart_sym.derive.package.functions import ROBOT as OF_ROBOT
 from stewart_sym.kit import Choice
@@ -150,8 +150,9 @@ def wrapped(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFac
     for choice in (Choice(("forces", "reactions", "motion", "derivatives")), Choice(bake=True)):
         files |= parts(robot, dataclasses.replace(choice, precision=request.param)).files
     sources = [name for name in files if name.endswith(".c") and "/" not in name]
-    package = kit_build.Package("all", "0", tuple(sources), ("stewart.h",))
-    files |= {"Makefile": kit_build.makefile(package), "stewart.hpp": kit_cpp.wrapper(FUNCTIONS, "0")}
+    files |= build_files("all", "0", sources, ("stewart.h",)) | {
+        "stewart.hpp": kit_cpp.wrapper(FUNCTIONS, "0")
+    }
     folder = written(files, tmp_path_factory.mktemp("wrapped"))
     (folder / "user.cpp").write_text(USER_CPP)
     run("make", "liball.a", "CFLAGS=-O0", cwd=folder)

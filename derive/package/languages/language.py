@@ -2,7 +2,7 @@
 
 import textwrap
 from abc import ABC, abstractmethod
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from ...mechanics import quantities as n
 from ..words import in_markdown, stored, template
@@ -89,17 +89,17 @@ class Language(ABC):
 _GUESS = """
 `forward_kinematics` mostly finds the pose beside its guess, whose R must be near a rotation; near singular
 poses and from afar another one may come out, or none: compare it with the guess."""
-_READ = ("R", "t")
-"""Members of a structure that every function reads."""
 
 
-def spoilt(test: Test) -> list[tuple[str, str]]:
-    """Arrays that a test replaces by NaN, as every function reads them: argument and member, "" without."""
-    return [
-        (name, member)
-        for name, value in test.given.items()
-        for member in (_READ if isinstance(value, Mapping) else ("",))
-    ]
+def spoilt(kit: Contents, test: Test) -> Iterator[tuple[str, str, list[str]]]:
+    """Arrays, read by every function, in which the first test of each puts NaN, in a copy called ``wrong``.
+
+    Argument that is copied, place of the array in the copy, arguments of the call.
+    """
+    for name, value in test.given.items() if test is kit.shown[test.function] else ():
+        arguments = ["wrong" if each == name else each for each in test.given]
+        for place in ("wrong.R", "wrong.t") if isinstance(value, Mapping) else ("wrong",):
+            yield name, place, arguments
 
 
 def array(values: Iterable[float]) -> str:

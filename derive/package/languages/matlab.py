@@ -22,8 +22,7 @@ class MatlabKit(Language):
     notes = template("matlab_notes.md").strip()
 
     def files(self, kit: Contents) -> dict[str, str]:
-        shown = set(map(id, kit.shown.values()))
-        tests = "\n".join(line for test in kit.tests for line in self._test(kit, test, id(test) in shown))
+        tests = "\n".join(line for test in kit.tests for line in self._test(kit, test))
         calls = "\n".join(self.calls(kit).values())
         fill = self.statements(kit, "    {} = {};", "made")
         same = self.statements(kit, "    failed = failed + ~isequal({}, {});", "robot")
@@ -49,28 +48,21 @@ class MatlabKit(Language):
             ),
         }
 
-    def _test(self, kit: Contents, test: Test, wrong: bool) -> list[str]:
-        names = [*test.given]
+    def _test(self, kit: Contents, test: Test) -> list[str]:
         subject = {"robot": "stewart.robot()"}.get(kit.subject(test.function), "model")
         lines = [
             *_matlab_given(test.given, "    "),
-            f"    {self.call(test.function, [subject, *names])};",
+            f"    {self.call(test.function, [subject, *test.given])};",
             f"    failed = failed + (found.status ~= {test.status});",
         ]
-        lines += [
-            f"    failed = failed + close(found.{name}, [{', '.join(map(repr, test.answers[name]))}], "
-            f"[{', '.join(map(repr, test.bounds[name]))}]);"
-            for name in (compared(kit.program, test.function) if test.answers else ())
-        ]
-        for name, member in spoilt(test) if wrong else ():
-            place = f"wrong.{member}" if member else "wrong"
-            wrong_call = self.call(
-                test.function, [subject, *("wrong" if each == name else each for each in names)]
-            )
+        for name in compared(kit.program, test.function) if test.answers else ():
+            answer, bound = array(test.answers[name]), array(test.bounds[name])
+            lines.append(f"    failed = failed + close(found.{name}, {answer}, {bound});")
+        for name, place, arguments in spoilt(kit, test):
             lines += [
                 f"    wrong = {name};",
                 f"    {place}(1) = NaN;",
-                f"    {wrong_call};",
+                f"    {self.call(test.function, [subject, *arguments])};",
                 "    failed = failed + (found.status ~= 1);",
             ]
         return lines

@@ -25,8 +25,7 @@ class RustKit(Language):
 
     def files(self, kit: Contents) -> dict[str, str]:
         real, root = ("f64", "sqrt") if kit.precision == "double" else ("f32", "sqrtf")
-        shown = set(map(id, kit.shown.values()))
-        tests = "".join(self._test(kit, i, test, id(test) in shown) for i, test in enumerate(kit.tests))
+        tests = "".join(self._test(kit, i, test) for i, test in enumerate(kit.tests, 1))
         same = self.statements(kit, "    assert_eq!({}, {});", "ROBOT")
         tests += template("rust_test_model.rs") if kit.prepared else ""
         calls = "\n".join(
@@ -61,12 +60,12 @@ class RustKit(Language):
             yield f"/// {says if name == 'MAX_STEPS' else f'Status: {says}'}."
             yield f"pub const {name}: usize = {code};"
 
-    def _test(self, kit: Contents, number: int, test: Test, wrong: bool) -> str:
+    def _test(self, kit: Contents, number: int, test: Test) -> str:
         subject = {"robot": "&ROBOT"}.get(kit.subject(test.function), "&prepare(&ROBOT)")
         lines = [
             "",
             "#[test]",
-            f"fn {test.function}_{number + 1}() {{",
+            f"fn {test.function}_{number}() {{",
             *_rust_given(test.given),
             f"    {self.call(test.function, [subject, *test.given])}",
             f"    assert_eq!(found.status, {test.status});",
@@ -79,11 +78,10 @@ class RustKit(Language):
                     for values in (test.answers, test.bounds)
                 ]
                 lines += [f'    close("{part}", &found.{part}, &{numbers[0]}, &{numbers[1]});']
-        for name, member in spoilt(test) if wrong else ():
-            arguments = ["wrong" if each == name else each for each in test.given]
+        for name, place, arguments in spoilt(kit, test):
             lines += [
                 f"    let mut wrong = {name};",
-                f"    wrong{f'.{member}' if member else ''}[0] = Real::NAN;",
+                f"    {place}[0] = Real::NAN;",
                 f"    {self.call(test.function, [subject, *arguments])}",
                 "    assert_eq!(found.status, NOT_FINITE);",
             ]
