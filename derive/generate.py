@@ -213,15 +213,9 @@ def _others(version: str) -> Made:
     return Made(files | _of_c(made))
 
 
-@cache
-def reduced_offset() -> ForceKernel:
-    """The force kernel of legs with offset joints as it is emitted: derived, then shared."""
-    return shared_blocks(offset_kernel())
-
-
 def _offset_joints(version: str) -> Made:
     """The forces of legs with offset joints."""
-    built = reduced_offset()
+    built = shared_blocks(offset_kernel())
     row = f'    "forces": {force_operations(built).total.total},'
     files = _of_c(lanes.files(built, version)) | {
         f"{built.name}_operations.py": filled("operations.py", version=version, rows=row),

@@ -159,12 +159,7 @@ def module_beside(bases: Mapping[str, t.Program], program: t.Program, version: s
 
 def imported(program: t.Program) -> str:
     """The import of what a program on arrays names in the module that they share."""
-    named = {
-        each.name
-        for function in program.functions
-        for each in t.parts_of(function.body)
-        if isinstance(each, t.Constant)
-    }
+    named = {each.name for each in t.parts_of(program.functions) if isinstance(each, t.Constant)}
     return f"from .arithmetic import {', '.join([*sorted(named & STATUS.keys()), 'Arithmetic'])}"
 
 

@@ -15,7 +15,7 @@ from ..kernel.tree.nodes import Array, Field, Number, Real, Statement, Structure
 from ..kernel.tree.read import Given
 from ..kernel.written import every_output as written
 from ..mechanics import quantities as n
-from ..mechanics.formulation import UNIVERSAL
+from ..mechanics.formulation import SPHERICAL, UNIVERSAL
 from ..mechanics.inverse_dynamics import Kernel
 from ..print.c import C
 from ..program.block import Block
@@ -49,9 +49,9 @@ def _about(kernel: Kernel) -> str:
         "paper": "Formulation `paper`: the equations as printed, faults included.",
     }[form.name]
     joint = {
-        True: "Base joint: universal, fixed axis k.",
-        False: "Base joint: spherical; legs must be axisymmetric; M_u is zero.",
-    }[form.base_joint == UNIVERSAL]
+        UNIVERSAL: "Base joint: universal, fixed axis k.",
+        SPHERICAL: "Base joint: spherical; legs must be axisymmetric; M_u is zero.",
+    }[form.base_joint]
     rotors = "\n * Each leg has a rotor that turns with its length: STEWART_ROTORS." if form.drive else ""
     return f"{first}\n * {joint}{rotors}"
 

@@ -39,10 +39,7 @@ MODEL_ONLY = ("Leg", "Robot", "LegConstants", "Added", "Platform", "Model", "Mot
 
 
 def files(
-    kernels: tuple[SumKernel, ...],
-    model: ForceKernel,
-    version: str,
-    functions: Collection[str] = FUNCTIONS,
+    kernels: tuple[SumKernel, ...], model: ForceKernel, version: str, functions: Collection[str] = FUNCTIONS
 ) -> dict[str, str]:
     """``stewart_<kernel>_motion.h`` and ``.c``: the functions and what they need, nothing else.
 

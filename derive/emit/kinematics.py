@@ -33,8 +33,8 @@ def kinematics_files(blocks: Kinematics, version: str) -> dict[str, str]:
         version,
         operations="\n".join(f" * {name:15s} {count}" for name, count in search_operations(blocks).items()),
         max_steps=SEARCH["MAX_STEPS"][0],
-        steps=_listed(STEPS["double"]),
-        float_steps=_listed(STEPS["float"]),
+        steps="{}, {} and {}".format(*STEPS["double"]),
+        float_steps="{}, {} and {}".format(*STEPS["float"]),
     )
 
 
@@ -47,10 +47,6 @@ def legs_files(blocks: Kinematics, version: str) -> dict[str, str]:
 def rotation_files(blocks: Iterable[Block], version: str) -> dict[str, str]:
     """``stewart_rotation``: R, omega and alpha of a motion from roll, pitch and yaw, or from a quaternion."""
     return _files("rotation", rotation_program(blocks), OF_STEWART_H, version)
-
-
-def _listed(numbers: tuple[int, int, int]) -> str:
-    return f"{numbers[0]}, {numbers[1]} and {numbers[2]}"
 
 
 def _files(

@@ -105,7 +105,9 @@ class _Source(Source):
             yield p.size_of(self.texts, by_legs=True)
             yield read(written.least_pivots)
             yield read(written.size_sum)
-            yield read(written.prepare, f"{name}_prepare", public=True, given=p.constants(kernel))
+            held = {"OF_LEG": kernel.leg_constants(), "OF_PLATFORM": kernel.platform_constants()}
+            given: dict[str, Given] = {each: lay.entries(constants) for each, constants in held.items()}
+            yield read(written.prepare, f"{name}_prepare", public=True, given=given)
         yield self.structures["PoseTerms"]
         yield read(written.pose_of, given={"SHARED": self._shared()}, count=kernel.shared.operations())
         yield self.structures["LegSizes"]

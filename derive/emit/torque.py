@@ -13,11 +13,6 @@ from .header import member_text
 from .kinematics import OF_STEWART_H, source
 from .shared import header
 
-_STATUSES = {
-    True: "STEWART_NOT_FINITE, STEWART_ZERO_LENGTH",
-    False: "STEWART_NOT_FINITE, STEWART_ZERO_LENGTH, STEWART_JOINT_SINGULAR",
-}
-
 
 def torque_operations(stribeck: bool = True) -> Operations:
     """Operations of six legs; stribeck: with friction of that name."""
@@ -67,7 +62,7 @@ def axial_files(form: Formulation, block: Block, version: str, reflected: bool =
         read="b, p and m_r" if masses else "b, p, k, m_r and j_r",
         turns="m_r L_ddot" if masses else "m_r L_ddot + j_r A.s",
         operations=axial_operations(block),
-        statuses=_STATUSES[masses],
+        statuses=f"STEWART_NOT_FINITE, STEWART_ZERO_LENGTH{'' if masses else ', STEWART_JOINT_SINGULAR'}",
     )
     text = source(file, of_one_pose(axial_program(block)), OF_STEWART_H, version)
     return made | {f"{file}.c": f"{text}\n{filled('axial.c', symbol=f'{file}_forces')}"}

@@ -33,9 +33,7 @@ def erring_outputs(block: RoundedBlock) -> tuple[Output, ...]:
 
 
 def with_errors(
-    block: RoundedBlock,
-    quantities: Iterable[Quantity],
-    made: Callable[[Quantity], t.Field] = stored,
+    block: RoundedBlock, quantities: Iterable[Quantity], made: Callable[[Quantity], t.Field] = stored
 ) -> list[t.Field]:
     """Members for values, and for errors where there are any."""
     return [

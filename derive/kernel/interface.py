@@ -87,12 +87,7 @@ STRUCTS: dict[str, tuple[Member, ...]] = {
         _nested(
             "K", (6, 3), "N", "transverse forces on the legs at their spherical joints, base frame, (21)"
         ),
-        _nested(
-            "H",
-            (6, 6),
-            "1 and m",
-            "row-major: H x = c, (36); F acts on the platform by H F, x by -H x",
-        ),
+        _nested("H", (6, 6), "1 and m", "row-major: H x = c, (36); F acts on the platform by H F, x by -H x"),
         _nested("c", (6,), _WRENCH, "wrench that x must balance, base frame, (36)"),
     ),
     "reactions": tuple(

@@ -82,6 +82,7 @@ def solve_operations(name: str) -> Operations:
     return Operations(*(each // count for each in (found.mul, found.add, found.div, found.sqrt)))
 
 
+@cache
 def _solve(name: str) -> tuple[Function, Function, int]:
     """What stands for F = D - x, which is counted apart; a solve; and how many systems it solves."""
     text, given, count = _SOLVES[name]
@@ -89,19 +90,13 @@ def _solve(name: str) -> tuple[Function, Function, int]:
     return force, read.function(text, {}, {force.name: force}, given=given), count
 
 
-@cache
-def _fused_solve(name: str) -> int:
-    """Products of a written solve that a sum takes with it."""
-    return _fused(_solve(name)[1])
-
-
 def _fused(function: Function) -> int:
+    """Products that a sum takes with it."""
     return sum(each.function == "fma" for each in calls_in(fused(function)))
 
 
 @cache
 def _fused_in(block: Block) -> int:
-    """Products of a block that a sum takes with it."""
     results = [Let("", expression(expr)) for out in block.outputs for expr in out.exprs]
     return _fused(Function("", "", (), None, (*steps_of(block.steps), *results)))
 
@@ -145,7 +140,7 @@ def force_operations(kernel: ForceKernel, scalar_text: bool = False) -> KernelOp
         + _fused_in(kernel.shared)
         + (_fused_in(kernel.shift) + arms * _fused_in(kernel.moments) if kernel.about_tip else 0)
         + (_fused_in(point) if scalar_text else 0)
-        + _fused_solve(solve),
+        + _fused(_solve(solve)[1]),
     )
 
 

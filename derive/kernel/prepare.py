@@ -34,10 +34,7 @@ ARM_CUBE = t.Field(
 ROBOT = t.Structure(
     "stewart_robot",
     "",
-    (
-        t.Field("leg", t.Array(t.Record("stewart_leg"), (6,))),
-        *map(lay.stored, n.PLATFORM),
-    ),
+    (t.Field("leg", t.Array(t.Record("stewart_leg"), (6,))), *map(lay.stored, n.PLATFORM)),
 )
 LEG = t.Structure("stewart_leg", "", tuple(map(lay.stored, n.OF_LEG)))
 MOTION = t.Structure("stewart_motion", "", tuple(map(lay.stored, n.MOTION)))
@@ -138,14 +135,6 @@ def raw(quantity: Quantity) -> lay.Place:
         return lay.Place(t.Member(t.Element(t.Member(t.Name("robot"), "leg"), (t.Number(0),)), "p"))
     owner = "sum" if quantity in ADDED else "robot" if quantity in n.PLATFORM else "leg"
     return lay.member(owner, quantity)
-
-
-def constants(kernel: ForceKernel) -> dict[str, Given]:
-    """What the texts of preparation go through: constants of a leg and of the platform."""
-    return {
-        "OF_LEG": lay.entries(kernel.leg_constants()),
-        "OF_PLATFORM": lay.entries(kernel.platform_constants()),
-    }
 
 
 def structures(kernel: ForceKernel) -> dict[str, t.Structure]:

@@ -48,7 +48,8 @@ def baked(kernel: ForceKernel, robot: Numbers, name: str) -> ForceKernel:
     """The kernel, not shared yet, with a robot's numbers folded in; ``name``: of the result."""
     kernel = replace(kernel, size=_size(robot), extent=_extent(robot))
     constants = _prepared(kernel, robot)
-    simple = {s: sp.Integer(int(v[0])) for s, v in constants.values.items() if _is_simple(v)}
+    shared = {symbol: values[0] for symbol, values in constants.values.items() if len(values) == 1}
+    simple = {symbol: sp.Integer(int(value)) for symbol, value in shared.items() if value in (-1, 0, 1)}
 
     def change(block: Block) -> Block:
         given = specialised(block, simple)
@@ -82,10 +83,6 @@ def _size(robot: Numbers) -> float:
 def _extent(robot: Numbers) -> float:
     """Largest sum of the sizes of a base or platform point's coordinates."""
     return max(sum(abs(float(x)) for x in point) for q in (n.p, n.b) for point in robot[q.name])
-
-
-def _is_simple(values: tuple[mpf, ...]) -> bool:
-    return len(values) == 1 and values[0] in (-1, 0, 1)
 
 
 # ---------------------------------------------------------------- preparation

@@ -37,12 +37,7 @@ DEVIATIONS = (
         "stewart.h holds the types of all kernels; a source uses some",
         KINDS,
     ),
-    Deviation(
-        "2.4",
-        "struct definitions that a source does not use",
-        "as 2.3",
-        KINDS,
-    ),
+    Deviation("2.4", "struct definitions that a source does not use", "as 2.3", KINDS),
     Deviation(
         "2.5",
         "macros that a source does not use",
@@ -87,10 +82,7 @@ DEVIATIONS = (
         CLOSED_FORM,
     ),
     Deviation(
-        "10.6",
-        "an expression assigned to a wider type",
-        "a status is chosen of two constants",
-        CLOSED_FORM,
+        "10.6", "an expression assigned to a wider type", "a status is chosen of two constants", CLOSED_FORM
     ),
     Deviation(
         "11.3",

@@ -7,17 +7,20 @@ import textwrap
 from collections.abc import Iterable, Mapping, Sequence
 
 from ..kernel.interface import Argument
-from .functions import MODEL, Function, includes
-from .selftest import Case
+from .functions import MODEL, Function, Vector, flat, includes
 from .words import braces, in_comment, literal, motion_members, template
 
 
 def example(
-    name: str, symbol: str, functions: Sequence[Function], cases: Mapping[str, Sequence[Case]], version: str
+    name: str,
+    symbol: str,
+    functions: Sequence[Function],
+    vectors: Mapping[str, Sequence[Vector]],
+    version: str,
 ) -> str:
-    """``example/main.c``. Arguments and errors as of ``selftest``; the first case of each is shown."""
-    shown = [(function, cases[function.stem][0]) for function in functions]
-    motions = [case.motion for _, case in shown if case.motion is not None]
+    """``example/main.c``. Arguments and errors as of ``selftest``; the first vector of each is shown."""
+    shown = [(function, vectors[function.stem][0]) for function in functions]
+    motions = [motion for _, vector in shown if (motion := vector.motion) is not None]
     parts = {
         "name": in_comment(name),
         "version": version,
@@ -25,13 +28,13 @@ def example(
         "motion": f"static const stewart_motion motion = {{\n{motion_members(motions[0], '    ')}\n}};\n"
         if motions
         else "",
-        "shown": "\n".join(_shown(function, case, symbol) for function, case in shown),
+        "shown": "\n".join(_shown(function, vector, symbol) for function, vector in shown),
         "calls": "\n".join(f"    failed |= show_{function.stem}();" for function in functions),
     }
     return template("kit/example.c", parts)
 
 
-def _shown(function: Function, case: Case, symbol: str) -> str:
+def _shown(function: Function, vector: Vector, symbol: str) -> str:
     subject = function.subject_argument(f"&{symbol}", "&model", f"&{symbol}_drives")
     arguments = ", ".join(_handed(each) for each in function.call.arguments)
     made = f"    status = {function.symbol}({subject}{arguments});"
@@ -43,7 +46,7 @@ def _shown(function: Function, case: Case, symbol: str) -> str:
             "    }"
         )
     model = [f"    static {function.prefix}_model model;"] if function.subject == MODEL else []
-    declared = [*model, *_declared(function, case.inputs), "    int status;"]
+    declared = [*model, *_declared(function, flat(vector.inputs, function.call.inputs)), "    int status;"]
     text = [
         *textwrap.wrap(f"/* {function.call.says} */", 108, subsequent_indent=" * ", break_long_words=False),
         f"static int show_{function.stem}(void)",
@@ -68,7 +71,7 @@ def _declared(function: Function, inputs: Sequence[float]) -> Iterable[str]:
     for argument in function.call.arguments:
         arrays = []
         for given in argument.takes:
-            values = [literal(float(value), given.name) for value in inputs[start : start + given.count]]
+            values = [literal(value, given.name) for value in inputs[start : start + given.count]]
             arrays.append(f"        {braces(values, ' ' * 8)}")
             start += given.count
         name, numbers = _local(argument), ",\n".join(arrays)

@@ -175,11 +175,12 @@ def _description(
     outputs = [i + 1 for i, v in enumerate(variables) if v.causality == "output"]
     outputs.append(len(variables) + 1)
     units = {v.unit: _dimension(v.unit) for v in variables}
+    bases = {
+        unit: "".join(f' {name}="{exponent}"' for name, exponent in dimension.items() if exponent)
+        for unit, dimension in units.items()
+    }
     lines = {
-        "units": [
-            f'    <Unit name="{unit}"><BaseUnit{_attributes(dimension)}/></Unit>'
-            for unit, dimension in units.items()
-        ],
+        "units": [f'    <Unit name="{unit}"><BaseUnit{base}/></Unit>' for unit, base in bases.items()],
         "files": [f'      <File name="{escape(file)}"/>' for file in files],
         "variables": [_scalar_variable(i, v) for i, v in enumerate(variables)],
         "unknowns": [f'      <Unknown index="{index}"/>' for index in outputs],
@@ -214,21 +215,16 @@ def _scalar_variable(reference: int, variable: Variable) -> str:
     )
 
 
-def _attributes(values: Mapping[str, int]) -> str:
-    return "".join(f' {name}="{value}"' for name, value in values.items() if value)
-
-
 def _page(
     name: str, kernel: UnitKernel, variables: Sequence[Variable], digest: str, common: Mapping[str, str]
 ) -> str:
-    groups = {
-        kind: [v for v in variables if v.causality == kind] for kind in ("input", "output", "parameter")
-    }
     rows = {
         kind: "\n".join(
-            f"<tr><td>{v.name}</td><td>{v.unit}</td><td>{escape(v.meaning)}</td></tr>" for v in group
+            f"<tr><td>{v.name}</td><td>{v.unit}</td><td>{escape(v.meaning)}</td></tr>"
+            for v in variables
+            if v.causality == kind
         )
-        for kind, group in groups.items()
+        for kind in ("input", "output", "parameter")
     }
     of_parameters = "index_parameters.html" if rows["parameter"] else "index_no_parameters.html"
     values = {

@@ -1,10 +1,13 @@
-"""The functions and parts of a kit; a part is one header and source with some functions."""
+"""The functions of a kit, their test vectors, and its parts, each a header and source with some functions."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
-from ..kernel.interface import CALLS, Call
+from ..kernel.interface import CALLS, Call, Member
+from ..mechanics import quantities as n
 from .robot import HEADER
+from .words import Numbers
 
 ROBOT, MODEL, DRIVES, NOTHING = "robot", "model", "drives", ""
 
@@ -75,6 +78,40 @@ class Part:
     def source(self) -> str:
         """File name of the source."""
         return f"{self.name}.c"
+
+
+@dataclass(frozen=True)
+class Vector:
+    """One call of one function: inputs, answers, how far from them rounding may take the C.
+
+    function: its name without prefix. inputs: flat arrays by name, exactly representable in the precision:
+    R (9,), t, omega, v, alpha, a, F_ext, M_ext (3,), the fields of ``stewart_motion``; where the function
+    needs them F, axial, L, L_dot, bearing (6,), R_guess (9,), t_guess (3,), sine, cosine, theta_dot,
+    theta_ddot (3,), e, e_dot, e_ddot (4,). answers: flat arrays by member of the
+    C struct, in its order, of 50 digits rounded to the nearest double. bounds: of the same shapes, > 0, the
+    largest error by rounding in rounding units: to be multiplied by the epsilon of the precision. ordinary:
+    whether its motion is one that a machine may make. status: other than 0 without answers.
+    """
+
+    function: str
+    inputs: dict[str, Any]
+    answers: dict[str, Any]
+    bounds: dict[str, Any]
+    ordinary: bool = True
+    status: int = 0
+
+    @property
+    def motion(self) -> Numbers | None:
+        """Fields of a ``stewart_motion``, R as (3, 3), what is not read at rest; None where none is read."""
+        if not CALLS[self.function].motion:
+            return None
+        fields = {q.name: list(map(float, self.inputs.get(q.name, (0.0,) * 3))) for q in n.MOTION}
+        return fields | {n.R.name: [fields[n.R.name][i : i + 3] for i in (0, 3, 6)]}
+
+
+def flat(arrays: Numbers, members: Iterable[Member]) -> list[float]:
+    """Numbers of a vector in the order of a call."""
+    return [float(number) for each in members for number in arrays[each.name]]
 
 
 def reads_robot(functions: Iterable[Function]) -> bool:

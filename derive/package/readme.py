@@ -9,7 +9,8 @@ from ..kernel.tree.constants import STATUSES
 from ..mechanics import quantities as n
 from ..print.c import wrapped
 from . import licence
-from .functions import DRIVES, MODEL, Function, Part
+from .deviations import deviations
+from .functions import DRIVES, MODEL, Function, Part, reads_robot
 from .words import in_markdown, shape, table, template
 
 
@@ -34,8 +35,7 @@ class Kit:
 
     name, symbol: the robot's. digest: of its constants. figures: by the functions' stems. options: as the
     command line takes them. precision: "double" or "float". stack_by: with what the stack was measured.
-    has_robot: whether stewart_robot.h is among the files. deviations: rule, what it is about, why it is not
-    kept. unit: file name of an FMI unit, "" without one. changed: relative error of a constant that the test
+    unit: file name of an FMI unit, "" without one. changed: relative error of a constant that the test
     vectors are made to detect; hidden: names of the constants folded into the forces for which no test vector
     detects it; None where none are folded in.
     """
@@ -48,17 +48,26 @@ class Kit:
     options: str
     precision: str
     stack_by: str
-    has_robot: bool
-    deviations: Sequence[tuple[str, str, str]]
     unit: str
     version: str
     changed: float
     hidden: Sequence[str] | None
 
+    @property
+    def functions(self) -> list[Function]:
+        """Those of all parts."""
+        return [function for part in self.parts for function in part.functions]
+
+    @property
+    def has_robot(self) -> bool:
+        """Whether stewart_robot.h is among the files."""
+        return reads_robot(self.functions)
+
 
 def readme(kit: Kit) -> str:
     """The text."""
-    functions = [function for part in kit.parts for function in part.functions]
+    functions = kit.functions
+    kinds = {kind for part in kit.parts for kind in part.kinds} | ({"robot"} if kit.has_robot else set())
     robot_says = "" if kit.has_robot else "The numbers are in the kernel. "
     values = {
         "title": in_markdown(kit.name),
@@ -79,7 +88,7 @@ def readme(kit: Kit) -> str:
         else "",
         "inputs": table((q.name, shape(q), q.unit, q.meaning) for q in n.MOTION),
         "status": table((f"STEWART_{name}", str(code), text) for name, code, text in STATUSES),
-        "deviations": table(kit.deviations),
+        "deviations": table((each.rule, each.what, each.reason) for each in deviations(kinds)),
         "digest": f"{robot_says}SHA-256 of name and constants: `{kit.digest}`",
         "hidden": _hidden(kit),
         "unit": template("kit/readme_unit.md", {"unit": kit.unit}) if kit.unit else "",
@@ -118,7 +127,7 @@ def _files(kit: Kit) -> list[tuple[str, str]]:
 
 def _drives(kit: Kit) -> str:
     """What a kit with torques says of the constants that they take."""
-    of_drives = any(function.subject == DRIVES for part in kit.parts for function in part.functions)
+    of_drives = any(function.subject == DRIVES for function in kit.functions)
     return f", and the constants of its drives, `{kit.symbol}_drives`" if of_drives else ""
 
 

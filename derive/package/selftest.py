@@ -4,35 +4,15 @@ Takes the functions of a kit and their test vectors.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 
 from ..kernel.interface import STRUCTS, Member
 from ..mechanics import quantities as n
-from .functions import MODEL, ROBOT, Function, includes, reads_robot
+from .functions import MODEL, ROBOT, Function, Vector, flat, includes, reads_robot
 from .words import Numbers, in_comment, literal, literals_of_legs, motion_members, template
 
 PER_LINE = 4
 _ZERO = {q.name: [[0.0] * 3] * 3 if len(q.shape) == 2 else [0.0] * 3 for q in n.MOTION}
 """The motion in a self-test whose functions read none."""
-
-
-@dataclass(frozen=True)
-class Rejected:
-    """A motion without forces, R as (3, 3), and the status that says so."""
-
-    motion: Numbers
-    status: int
-
-
-@dataclass(frozen=True)
-class Case:
-    """One call: the motion's fields, R as (3, 3), None where none is read; the other inputs; every answer and
-    its largest error in rounding units, flat, in the order of the call."""
-
-    motion: Numbers | None
-    inputs: Sequence[float]
-    answers: Sequence[float]
-    bounds: Sequence[float]
 
 
 def selftest(
@@ -42,20 +22,20 @@ def selftest(
     limits: Numbers,
     drives: Numbers | None,
     functions: Sequence[Function],
-    cases: Mapping[str, Sequence[Case]],
-    rejected: Sequence[Rejected],
+    vectors: Mapping[str, Sequence[Vector]],
+    rejected: Sequence[Vector],
     version: str,
 ) -> str:
     """``selftest.c``.
 
     name: the robot's; symbol: its constants in C; robot: their numbers, flat, in the order of
     ``stewart_robot``; limits, drives: those of ``stewart_limits`` and ``stewart_drives`` by member, drives
-    None without torques. cases: by the functions' stems. rejected: of the forces, where they are among the
-    functions.
+    None without torques. vectors: by the functions' stems. rejected: without forces, where these are among
+    the functions.
 
     Raises ValueError naming what is not a finite number.
     """
-    motions, table = _motions([case for function in functions for case in cases[function.stem]])
+    motions, table = _motions([vector for function in functions for vector in vectors[function.stem]])
     parts = {
         "name": in_comment(name),
         "version": version,
@@ -67,28 +47,28 @@ def selftest(
         "motion_count": str(len(motions or [_ZERO])),
         "pointers": template("kit/selftest_pointers.c") if any(f.batch for f in functions) else "",
         "calls": "\n".join(text for function in functions for text in (_call(function), _batch(function))),
-        "vectors": "\n".join(_arrays(function, cases[function.stem], table) for function in functions),
+        "vectors": "\n".join(_arrays(function, vectors[function.stem], table) for function in functions),
         "rejected": _rejected_motions(rejected) if any(f.stem == "forces" for f in functions) else "",
         "functions": str(len(functions)),
         "most": str(max(function.call.count for function in functions)),
         "most_inputs": str(max(1, *(each.call.taken for each in functions))),
         "reads_robot": "#define READS_ROBOT\n" if any(f.subject == ROBOT for f in functions) else "",
-        "rows": "\n".join(_row(function, cases[function.stem]) for function in functions),
+        "rows": "\n".join(_row(function, vectors[function.stem]) for function in functions),
         "prepared": _models(functions),
         "harness": template("kit/selftest_harness.c"),
     }
     return template("kit/selftest.c", parts)
 
 
-def _motions(cases: Sequence[Case]) -> tuple[list[Numbers], dict[int, int]]:
-    """Every motion once, and where that of a case stands, by the case's identity."""
+def _motions(vectors: Sequence[Vector]) -> tuple[list[Numbers], dict[int, int]]:
+    """Every motion once, and where that of a vector stands, by the vector's identity."""
     found: list[Numbers] = []
     table = {}
-    for case in cases:
-        if case.motion is not None:
-            if case.motion not in found:
-                found.append(case.motion)
-            table[id(case)] = found.index(case.motion)
+    for vector in vectors:
+        if (motion := vector.motion) is not None:
+            if motion not in found:
+                found.append(motion)
+            table[id(vector)] = found.index(motion)
     return found, table
 
 
@@ -117,7 +97,7 @@ def _constants(symbol: str, robot: Sequence[float], limits: Numbers, drives: Num
 
 
 def _numbers(struct: str, symbol: str, literals: Sequence[str]) -> str:
-    table = _table_of(f"{struct}_numbers", "stewart_real", literals)
+    table = _table(f"{struct}_numbers", literals)
     values = {"struct": struct, "macro": struct.upper(), "symbol": symbol, "numbers": table}
     return template("kit/selftest_numbers.c", values)
 
@@ -215,10 +195,10 @@ def _columns(function: Function) -> list[str]:
     ]
 
 
-def _rejected_motions(rejected: Sequence[Rejected]) -> str:
+def _rejected_motions(rejected: Sequence[Vector]) -> str:
     values = {
         "count": str(len(rejected)),
-        "motions": _initialisers([each.motion for each in rejected]),
+        "motions": _initialisers([each.motion or _ZERO for each in rejected]),
         "statuses": ", ".join(str(each.status) for each in rejected),
     }
     return template("kit/selftest_rejected.c", values)
@@ -228,36 +208,36 @@ def _initialisers(motions: Sequence[Numbers]) -> str:
     return ",\n".join(f"    {{\n{motion_members(motion, ' ' * 8)}\n    }}" for motion in motions)
 
 
-def _arrays(function: Function, cases: Sequence[Case], table: Mapping[int, int]) -> str:
+def _arrays(function: Function, vectors: Sequence[Vector], table: Mapping[int, int]) -> str:
     stem, call = function.stem, function.call
-    where = ", ".join(str(table.get(id(case), 0)) for case in cases)
-    parts = [f"static const unsigned char {stem}_motions[{len(cases)}] = {{{where}}};"]
-    if call.inputs:
-        parts.append(_table(f"{stem}_in", "stewart_real", [case.inputs for case in cases]))
-    parts.append(_table(f"{stem}_answers", "stewart_real", [case.answers for case in cases]))
-    parts.append(_table(f"{stem}_bounds", "stewart_real", [case.bounds for case in cases]))
+    where = ", ".join(str(table.get(id(vector), 0)) for vector in vectors)
+    parts = [f"static const unsigned char {stem}_motions[{len(vectors)}] = {{{where}}};"]
+    arrays = {
+        "in": [flat(each.inputs, call.inputs) for each in vectors],
+        "answers": [flat(each.answers, call.outputs) for each in vectors],
+        "bounds": [flat(each.bounds, call.outputs) for each in vectors],
+    }
+    for what, rows in arrays.items():
+        if any(rows):
+            numbers = [literal(number, f"{stem}_{what}") for row in rows for number in row]
+            parts.append(_table(f"{stem}_{what}", numbers))
     return "\n".join(parts) + "\n"
 
 
-def _table(name: str, kind: str, rows: Sequence[Sequence[float]]) -> str:
-    """All rows in one flat array."""
-    return _table_of(name, kind, [literal(float(number), name) for row in rows for number in row])
-
-
-def _table_of(name: str, kind: str, numbers: Sequence[str]) -> str:
+def _table(name: str, numbers: Sequence[str]) -> str:
     lines = [", ".join(numbers[i : i + PER_LINE]) for i in range(0, len(numbers), PER_LINE)]
     body = ",\n    ".join(lines)
-    return f"static const {kind} {name}[{len(numbers)}] = {{\n    {body}}};"
+    return f"static const stewart_real {name}[{len(numbers)}] = {{\n    {body}}};"
 
 
-def _row(function: Function, cases: Sequence[Case]) -> str:
+def _row(function: Function, vectors: Sequence[Vector]) -> str:
     stem, call = function.stem, function.call
     inputs = call.taken
     given = f"{stem}_in" if inputs else "NULL"
     batch = f"{stem}_batch" if function.batch else "NULL"
     prepared = int(function.subject == MODEL)
     return (
-        f'    {{"{stem}", {stem}_call, {batch}, {len(cases)}, {inputs}, {call.count}, '
+        f'    {{"{stem}", {stem}_call, {batch}, {len(vectors)}, {inputs}, {call.count}, '
         f"{int(call.motion)},\n"
         f"        {stem}_motions, {given}, {stem}_answers, {stem}_bounds, {prepared}}},"
     )

@@ -139,9 +139,6 @@ class C(Printer):
     def constant(self, name: str) -> str:
         return _PLAIN.get(name, f"STEWART_{name}")
 
-    def name(self, name: str) -> str:
-        return f"*{name}" if name in self.numbers else name
-
     def _text(self, node: t.Expression) -> tuple[str, int]:
         match node:
             case t.Name(name) if name in self.numbers:

@@ -5,7 +5,7 @@ import textwrap
 
 from ..kernel.tree import nodes as t
 from ..kernel.tree.nodes import snake
-from .spelling import Printer, written_to
+from .spelling import Printer
 
 
 class Matlab(Printer):
@@ -180,7 +180,7 @@ class Matlab(Printer):
             case _:
                 self.result = ""
         result = [] if function.result is None else [self.result or "result"]
-        left = _together([*result, *written_to(function)])
+        left = _together([*result, *(each.name for each in function.arguments if each.changed)])
         arguments = ", ".join(each.name for each in function.arguments)
         body = [line for line in self.body(function.body) if line.strip()]
         if function.public:

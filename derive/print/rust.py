@@ -17,8 +17,8 @@ class Rust(Printer):
 
     def source(self) -> str:
         """Structures and functions, without the constants that they read."""
-        lines = [line for each in self.program.structures for line in ("", *self.structure(each))]
-        return "\n".join([*lines, *self.functions(self.program), ""])
+        parts = [*map(self.structure, self.program.structures), *map(self.function, self.program.functions)]
+        return "\n".join([*(line for part in parts for line in ("", *part)), ""])
 
     # ------------------------------------------------------------ types
 

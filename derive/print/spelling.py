@@ -83,7 +83,7 @@ class Printer(ABC):
             case t.Constant(name):
                 return self.constant(name), ATOM
             case t.Name(name):
-                return self.name(name), ATOM
+                return name, ATOM
             case t.Member(owner, name):
                 return f"{self.text(owner, ATOM)}.{name}", ATOM
             case t.Element(array, index):
@@ -104,10 +104,6 @@ class Printer(ABC):
     def sign(self, operator: str) -> str:
         """An operator."""
         return {"&": self.both, "|": self.either, "!=": self.unequal}.get(operator, operator)
-
-    def name(self, name: str) -> str:
-        """A variable's name."""
-        return name
 
     def element(self, array: str, index: list[str]) -> str:
         """An element of an array, counted from zero."""
@@ -188,10 +184,6 @@ class Printer(ABC):
     continued = ""
     """What stands at the end of a line that goes on."""
 
-    def functions(self, program: t.Program) -> list[str]:
-        """All functions, with an empty line before each."""
-        return [line for each in program.functions for line in ("", *self.function(each))]
-
 
 def _level(node: t.Expression) -> int:
     return LEVELS[node.operator][0] if isinstance(node, t.Binary) else ATOM
@@ -208,8 +200,3 @@ def remark(meaning: str, width: int) -> list[str]:
         for each in meaning.split("\n\n")
     ]
     return [line for i, each in enumerate(paragraphs) for line in ([""] * bool(i) + each)]
-
-
-def written_to(function: t.Function) -> list[str]:
-    """Names of the arguments that a function changes."""
-    return [each.name for each in function.arguments if each.changed]

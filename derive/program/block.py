@@ -319,10 +319,7 @@ def _runner(expr: sp.Expr) -> _Runner:
 
 def count(exprs: Iterable[sp.Expr]) -> Operations:
     """Operations of a list of expressions, as the emitters print them."""
-    total = Operations()
-    for expr in exprs:
-        total = total + _count(sp.sympify(expr))
-    return total
+    return sum((_count(sp.sympify(expr)) for expr in exprs), Operations())
 
 
 @cache

@@ -3,7 +3,7 @@
 import hashlib
 import json
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from functools import cache, partial
 from importlib.resources import files as resources
@@ -12,19 +12,16 @@ from typing import Any
 import numpy as np
 
 from ..backend import fidelity
-from ..backend.kernel import MOTION
 from ..backend.kernel import robot_numbers as robot_values
 from ..derive.generate import generator_version
-from ..derive.kernel.interface import CALLS
 from ..derive.mechanics import quantities
 from ..derive.package import build, cpp, fmu, licence
-from ..derive.package.deviations import deviations
 from ..derive.package.example import example
-from ..derive.package.functions import Function, reads_robot
+from ..derive.package.functions import Function, Vector, reads_robot
 from ..derive.package.readme import Figures, readme
 from ..derive.package.readme import Kit as ReadmeKit
 from ..derive.package.robot import HEADER, SOURCE, robot_digest, robot_files
-from ..derive.package.selftest import Case, Rejected, selftest
+from ..derive.package.selftest import selftest
 from ..derive.package.words import robot_symbol
 from ..drives.friction import drive_numbers
 from ..dynamics.home_pose import home_pose
@@ -40,7 +37,7 @@ from .fmu import packed
 from .parts import Parts, generator, parts, robot_numbers
 from .poses import sample
 from .selection import SHARE, Numbered, selection
-from .vectors import Vector, rejected, vectors
+from .vectors import rejected, vectors
 
 LICENCE, ROBOT = "LICENSE", "robot.toml"
 MANIFEST = "manifest.json"
@@ -72,14 +69,9 @@ def kit(robot: Robot, choice: Choice = DEFAULT, progress: Progress = silent) -> 
     made = parts(robot, choice)
     progress("computing test vectors")
     found = _vectors(robot, choice, made)
-    cases = {stem: [_case(vector) for vector in group] for stem, group in found.items()}
-    tested = [function for function in made.functions if cases[function.stem]]
+    tested = [function for function in made.functions if found[function.stem]]
     texts = _sources(robot, choice, made)
     symbol = robot_symbol(robot.name)
-    unsolvable = [
-        Rejected(_motion(inputs), status)
-        for inputs, status in rejected(robot, choice.level, choice.precision)
-    ]
     texts[build.SELFTEST] = selftest(
         robot.name,
         symbol,
@@ -87,11 +79,11 @@ def kit(robot: Robot, choice: Choice = DEFAULT, progress: Progress = silent) -> 
         _limits(robot),
         _drives(robot, choice),
         tested,
-        cases,
-        unsolvable,
+        found,
+        rejected(robot, choice.level, choice.precision),
         generator(),
     )
-    texts[build.EXAMPLE] = example(robot.name, symbol, tested, cases, generator())
+    texts[build.EXAMPLE] = example(robot.name, symbol, tested, found, generator())
     texts |= _build_files(symbol, made, texts, choice)
     texts[LICENCE] = licence.TEXT
     texts[ROBOT] = robot_toml(robot, choice)
@@ -157,28 +149,6 @@ def _vectors(robot: Robot, choice: Choice, made: Parts) -> dict[str, list[Vector
     return found
 
 
-def _case(vector: Vector) -> Case:
-    call = CALLS[vector.function]
-    motion = _motion(vector.inputs) if call.motion else None
-    names = [out.name for out in call.outputs]
-    return Case(
-        motion,
-        _flat(vector.inputs, [given.name for given in call.inputs]),
-        _flat(vector.answers, names),
-        _flat(vector.bounds, names),
-    )
-
-
-def _motion(inputs: Mapping[str, Array]) -> dict[str, Any]:
-    """Fields of a ``stewart_motion``; what a function does not read stands still."""
-    given = {name: inputs.get(name, np.zeros(3)) for name in MOTION}
-    return {name: value.tolist() for name, value in given.items()} | {"R": given["R"].reshape(3, 3).tolist()}
-
-
-def _flat(arrays: Mapping[str, Array], names: Iterable[str]) -> list[float]:
-    return [float(number) for name in names for number in arrays[name]]
-
-
 def _build_files(symbol: str, made: Parts, texts: Mapping[str, str], choice: Choice) -> dict[str, str]:
     sources = sorted(n for n in texts if n.endswith(".c") and "/" not in n)
     headers = sorted(n for n in texts if n.endswith(".h") and n not in made.shared)
@@ -203,8 +173,6 @@ def _readme(robot: Robot, choice: Choice, made: Parts, found: Mapping[str, list[
             options=options(choice),
             precision=choice.precision,
             stack_by=_stack()["by"],
-            has_robot=reads_robot(made.functions),
-            deviations=_deviations(made),
             unit=f"{robot_symbol(robot.name)}.fmu" if choice.fmu else "",
             version=generator(),
             changed=SHARE[choice.precision],
@@ -219,12 +187,6 @@ def _hidden(robot: Robot, choice: Choice) -> tuple[str, ...] | None:
         return None
     level = fidelity.resolved(robot, choice.formulation, choice.level)
     return selection(Numbered.of(robot), choice.formulation, level, choice.precision, choice.bake).hidden
-
-
-def _deviations(made: Parts) -> list[tuple[str, str, str]]:
-    kinds = {kind for part in made.parts for kind in part.kinds}
-    kinds |= {"robot"} if reads_robot(made.functions) else set()
-    return [(each.rule, each.what, each.reason) for each in deviations(kinds)]
 
 
 def _errors(vectors_of: list[Vector]) -> Array:

@@ -38,7 +38,9 @@ def packed(symbol: str, texts: Mapping[str, str]) -> bytes:
         code = {
             path.removeprefix("sources/"): text for path, text in texts.items() if path.startswith("sources/")
         }
-        files[f"{folder}/{identifier}{_SUFFIX}"] = _binary(identifier, code)
+        with tempfile.TemporaryDirectory(prefix="stewart-sym-", ignore_cleanup_errors=True) as place:
+            made = native.compiled(Path(place), identifier, code, base=native.PORTABLE_FLAGS)
+            files[f"{folder}/{identifier}{_SUFFIX}"] = made.read_bytes()
     return _archive(files)
 
 
@@ -53,11 +55,6 @@ def binary_folder() -> str | None:
     if system is None or not (intel or system == "darwin") or native.find_compiler() is None:
         return None
     return f"binaries/{system}{64 if sys.maxsize > 2**32 else 32}"
-
-
-def _binary(identifier: str, sources: Mapping[str, str]) -> bytes:
-    with tempfile.TemporaryDirectory(prefix="stewart-sym-", ignore_cleanup_errors=True) as folder:
-        return native.compiled(Path(folder), identifier, sources, base=native.PORTABLE_FLAGS).read_bytes()
 
 
 def _archive(files: Mapping[str, bytes]) -> bytes:

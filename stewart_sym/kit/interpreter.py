@@ -114,6 +114,8 @@ class KitInterpreter:
 
     def found(self, function: str, at: Numbers) -> Found:
         """What a function of ``CALLS`` finds: by the method of its name, or as one of the closed form."""
+        if function in reduced_rotation():
+            return _rotated(function, at)
         own = getattr(self, function, None)
         return self._of_model(function, at) if own is None else own(at)
 
@@ -170,14 +172,6 @@ class KitInterpreter:
         law = torques_of_law(self.drives, at)
         off = {name: abs(values(found[name] - law[name])) / _UNIT for name in law}
         return {name: _with_errors(law[name], errors(found[name]) + off[name]) for name in law}
-
-    def motion_from_rpy(self, at: Numbers) -> Found:
-        """R, omega and alpha, (38), of sine, cosine, theta_dot, theta_ddot (3,) of ``at``."""
-        return _rotated("motion_from_rpy", at)
-
-    def motion_from_quaternion(self, at: Numbers) -> Found:
-        """The same of e, e_dot, e_ddot (4,), scalar first."""
-        return _rotated("motion_from_quaternion", at)
 
     # ------------------------------------------------------------ interpreters and constants
 
@@ -279,6 +273,7 @@ def _closed_form(rotors: bool) -> SimpleNamespace:
 
 
 def _rotated(function: str, at: Numbers) -> Found:
+    """R, omega and alpha, of numbers in the order of the call."""
     block = reduced_rotation()[function]
     run = Interpreter(rotation_program([block]), ON)
     return _flat(run.run(block.name, *(list(array(values)) for values in at.values())))

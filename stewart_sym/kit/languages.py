@@ -50,24 +50,23 @@ def texts(robot: Robot, choice: Choice) -> dict[str, str]:
     """The files of a kit but its manifest."""
     language = LANGUAGES[choice.language]
     outputs = tuple(output for group in choice.groups for output in GROUPS[group])
-    program = _program(robot, choice, outputs)
+    fidelity = resolved(robot, choice.formulation, choice.level)
+    form, level = form_and_level(robot.base_joint, choice.formulation, fidelity, robot.has_rotors)
+    program = output_program(form, outputs, level.name)
     found = vectors(
         robot, outputs, choice.formulation, fidelity=choice.level, precision=choice.precision, count=5
     )
+    unsolvable = rejected(robot, choice.level, choice.precision) if "forces" in outputs else []
     tests = [
         Test(
             vector.function,
             _given(program, vector.function, vector.inputs),
             _members(program, vector.function, vector.answers),
             _members(program, vector.function, vector.bounds),
+            vector.status,
         )
-        for vector in found
+        for vector in (*found, *unsolvable)
     ]
-    if "forces" in outputs:
-        tests += [
-            Test("forces", _given(program, "forces", inputs), {}, {}, status)
-            for inputs, status in rejected(robot, choice.level, choice.precision)
-        ]
     contents = Contents(
         robot.name,
         robot_symbol(robot.name),
@@ -84,12 +83,6 @@ def texts(robot: Robot, choice: Choice) -> dict[str, str]:
     made["LICENSE"] = licence.TEXT
     made["robot.toml"] = robot_toml(robot, choice)
     return made
-
-
-def _program(robot: Robot, choice: Choice, outputs: tuple[str, ...]) -> Program:
-    fidelity = resolved(robot, choice.formulation, choice.level)
-    form, level = form_and_level(robot.base_joint, choice.formulation, fidelity, robot.has_rotors)
-    return output_program(form, outputs, level.name)
 
 
 def _given(program: Program, function: str, inputs: Mapping[str, NDArray[np.float64]]) -> dict[str, Value]:
@@ -111,4 +104,5 @@ def _members(
     parts = dict(values)
     if "acceleration" in parts:
         parts["a"], parts["alpha"] = np.split(parts["acceleration"], 2)
-    return {path: parts[path.rpartition(".")[2]].tolist() for path in compared(program, function)}
+    paths = compared(program, function) if parts else ()
+    return {path: parts[path.rpartition(".")[2]].tolist() for path in paths}

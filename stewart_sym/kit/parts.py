@@ -151,7 +151,10 @@ def _derived(robot: Robot, choice: Choice, level: str) -> tuple[Part, int, int |
     says = f"Actuator forces, {form}, fidelity {level}: {meaning}; {', '.join(ways)}."
     suffix = "_pose" if choice.scalar else ""
     file = f"stewart_{made.name}_{'pose' if choice.scalar else 'forces'}"
-    sources = _printed(made, plain, choice)
+    if choice.scalar:
+        sources = scalar.files(made, plain if choice.bake else None, generator_version())
+    else:
+        sources = lanes.files(made, generator_version(), before=plain)
     without = f"stewart_{plain.name}{suffix}" if choice.bake else ""
     part = _force_part(file, f"stewart_{made.name}{suffix}", count, says, without, sources)
     return part, before, after
@@ -170,13 +173,6 @@ def folded_kernel(robot: Robot, formulation: str, level: str) -> ForceKernel:
     name += "" if level == "general" else f"_{level}"
     raw = derived_kernel(robot.base_joint, formulation, level, robot.has_rotors)
     return shared_blocks(baked(raw, robot_numbers(robot), name))
-
-
-def _printed(made: ForceKernel, plain: ForceKernel, choice: Choice) -> dict[str, str]:
-    generator = generator_version()
-    if choice.scalar:
-        return scalar.files(made, plain if choice.bake else None, generator)
-    return lanes.files(made, generator, before=plain)
 
 
 def _reactions(robot: Robot, choice: Choice) -> Part:

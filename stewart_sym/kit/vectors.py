@@ -9,7 +9,7 @@ whose operations are those of the C up to their grouping.
 """
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import lru_cache, partial
 
 import numpy as np
@@ -17,6 +17,7 @@ import numpy as np
 from ..backend import fidelity as fidelities
 from ..backend.kernel import MOTION, need_representable
 from ..derive.kernel.outputs import FORCED
+from ..derive.package.functions import Vector
 from ..drives.friction import drive_numbers
 from ..io.array_types import Array
 from ..kinematics.conditioning import characteristic_length, moments_over
@@ -50,26 +51,6 @@ _SAME = 1e-3
 # Sides of right-angled triangles over their longest; a quaternion of length other than one.
 _SINES, _COSINES = (3 / 5, -5 / 13, 15 / 17), (4 / 5, 12 / 13, -8 / 17)
 _QUATERNION = (1.5, 0.25, -0.5, 0.75)
-
-
-@dataclass(frozen=True)
-class Vector:
-    """One call of one function: inputs, answers, how far from them rounding may take the C.
-
-    function: its name without prefix. inputs: flat arrays by name, exactly representable in the precision:
-    R (9,), t, omega, v, alpha, a, F_ext, M_ext (3,), the fields of ``stewart_motion``; where the function
-    needs them F, axial, L, L_dot, bearing (6,), R_guess (9,), t_guess (3,), sine, cosine, theta_dot,
-    theta_ddot (3,), e, e_dot, e_ddot (4,). answers: flat arrays by member of the
-    C struct, in its order, of 50 digits rounded to the nearest double. bounds: of the same shapes, > 0, the
-    largest error by rounding in rounding units: to be multiplied by the epsilon of the precision. ordinary:
-    whether its motion is one that a machine may make.
-    """
-
-    function: str
-    inputs: dict[str, Array]
-    answers: dict[str, Array]
-    bounds: dict[str, Array]
-    ordinary: bool = True
 
 
 def vectors(
@@ -132,8 +113,8 @@ def _made(
     return tuple(found)
 
 
-def rejected(robot: Robot, fidelity: str, precision: str) -> list[tuple[dict[str, Array], int]]:
-    """Motions for which there are no forces, as ``Vector.inputs``, and the status that says so."""
+def rejected(robot: Robot, fidelity: str, precision: str) -> list[Vector]:
+    """Motions for which there are no forces, with the status that says so."""
     first = poses(robot, "exact", 1)[0]
     start = _input(robot, first, PRECISIONS[precision])
     still = start | {"R": np.eye(3).ravel()}
@@ -146,7 +127,7 @@ def rejected(robot: Robot, fidelity: str, precision: str) -> list[tuple[dict[str
         k = robot.k[4] / np.linalg.norm(robot.k[4])
         along = k * np.linalg.norm(start["t"] - robot.b[4])
         cases.append((still | {"t": robot.b[4] + along - robot.p[4]}, JOINT_SINGULAR))
-    return cases
+    return [Vector("forces", inputs, {}, {}, False, status) for inputs, status in cases]
 
 
 def knows_axes(robot: Robot, fidelity: str) -> bool:

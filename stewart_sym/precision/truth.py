@@ -4,9 +4,8 @@ What rounding errors are measured against; the numbers of robot and motion are t
 The equations are those of ``derive``, the digits SymPy's mpmath's.
 """
 
-from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cache, cached_property, lru_cache
+from functools import cache, cached_property
 from types import SimpleNamespace
 from typing import Any
 
@@ -47,9 +46,9 @@ def number_of_digits(_: str, value: Any) -> Any:
     return digits.mpf(value)
 
 
-@lru_cache(maxsize=16)
-def _forces(kernel: ForceKernel) -> Interpreter:
-    return Interpreter(program(kernel), ON_DIGITS)
+@cache
+def _forces(base_joint: str, formulation: str, fidelity: str, rotors: bool) -> Interpreter:
+    return Interpreter(program(derived_kernel(base_joint, formulation, fidelity, rotors)), ON_DIGITS)
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,22 +60,18 @@ class Truth:
     fidelity: str = "general"
 
     def forces(self, motion: Motion) -> NDArray[np.object_]:
-        """Actuator forces, N, of every pose of ``motion``, (..., 6), as 50-digit numbers."""
-        poses = loaded(motion)
+        """Actuator forces, N, of every pose of ``motion``, (..., 6), as 50-digit numbers: (35)-(37)."""
+        poses = vars(loaded(motion))
         F = np.empty((*motion.shape, 6), dtype=object)
         for where in np.ndindex(motion.shape):
-            F[where] = self._pose({q.name: getattr(poses, q.name)[where] for q in n.MOTION})
+            pose = {name: value[where] for name, value in poses.items()}
+            given = structure(n.MOTION, pose, number_of_digits)
+            F[where] = self._interpreter.run(FORCES, self._model, given).F
         return F
 
     def deviation(self, F: NDArray[Any], motion: Motion) -> Array:
         """Errors, N, of forces, (..., 6), that somebody computed for ``motion``."""
         return deviation(F, self.forces(motion))
-
-    def _pose(self, motion: Mapping[str, NDArray[Any]]) -> list[Any]:
-        """F = D - x with H x = c, (35)-(37)."""
-        given = structure(n.MOTION, motion, number_of_digits)
-        found: list[Any] = self._interpreter.run(FORCES, self._model, given).F
-        return found
 
     @cached_property
     def _model(self) -> SimpleNamespace:
@@ -84,11 +79,9 @@ class Truth:
         model: SimpleNamespace = self._interpreter.run("prepare", robot)
         return model
 
-    @cached_property
+    @property
     def _interpreter(self) -> Interpreter:
-        return _forces(
-            derived_kernel(self.robot.base_joint, self.formulation, self.fidelity, self.robot.has_rotors)
-        )
+        return _forces(self.robot.base_joint, self.formulation, self.fidelity, self.robot.has_rotors)
 
 
 @cache

@@ -293,9 +293,7 @@ def joint_slopes_kernel(rotor: Rotor) -> SumKernel:
             *zip(BY_POSE, (zero, zero, -f_S, (skew(by.force) + f_S + f_S_dot * W) * turn), strict=True),
             *zip(BY_TWIST, (zero, zero, -f_S_dot, f_S_dot * turn), strict=True),
             *zip(
-                TAU_BY,
-                (S, -reach * turn, S_dot, -pace * turn - S_ddot * skew(w_q) + by_omega),
-                strict=True,
+                TAU_BY, (S, -reach * turn, S_dot, -pace * turn - S_ddot * skew(w_q) + by_omega), strict=True
             ),
             *parts.columns_of_H(leg.at),
             *parts.checked(leg.at),

@@ -115,10 +115,7 @@ def equations_kernel(rotor: Rotor) -> terms.SumKernel:
     """M, C, g and friction apart, H and its rate."""
     summed = (*terms.INERTIA, *terms.CORIOLIS, *terms.GRAVITY, *terms.FRICTION)
     return terms.SumKernel(
-        "equations",
-        summed,
-        _equations_of_platform(),
-        equations_of_leg(near=False, rotor=rotor),
+        "equations", summed, _equations_of_platform(), equations_of_leg(near=False, rotor=rotor)
     )
 
 

@@ -184,10 +184,7 @@ def from_torques(build: Builder, leg: Leg, axial: sp.Expr, about_y: sp.Expr, abo
 
 def local_matrix(build: Builder, name: str, value: sp.Matrix) -> sp.Matrix:
     """Entries of a matrix of the leg frame or of the joint coordinates, named; zeros stay zeros."""
-    return sp.Matrix(
-        *value.shape,
-        lambda i, j: build.scalar(f"{name}_{i + 1}{j + 1}", value[i, j]),
-    )
+    return sp.Matrix(*value.shape, lambda i, j: build.scalar(f"{name}_{i + 1}{j + 1}", value[i, j]))
 
 
 def name_finite_rates(build: Builder, leg: Leg) -> None:

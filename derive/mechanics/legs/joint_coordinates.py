@@ -112,11 +112,7 @@ class JointForces:
 
 
 def joint_frame(
-    build: Builder,
-    with_z: bool = False,
-    early: bool = False,
-    leaning: bool = True,
-    rotor: Rotor = NONE,
+    build: Builder, with_z: bool = False, early: bool = False, leaning: bool = True, rotor: Rotor = NONE
 ) -> JointFrame:
     """(1)-(3) and (10), with the fixed axis as the measure of everything.
 
@@ -344,26 +340,22 @@ def joint_forces(
 
 
 def tip_force(build: Builder, at: JointFrame, forces: JointForces) -> tuple[sp.Expr, sp.Matrix]:
-    """D and K at the spherical joint, (21), (24); K = Q_k k + Q_y y carries a part along s, D is to match."""
+    """D and K at the spherical joint, (21), (24).
+
+    K = Q_y y + Q_z z has no part along s; without a z it is Q_k k + Q_y y, and D is to match.
+    """
     if at.z is not None:
-        return _transverse_tip_force(build, at, at.z, forces)
+        meaning = "K = Q_y y + Q_z z"
+        Q_y = build.scalar("Q_y", at.inv_rho * forces.about_k, "(21)", meaning)
+        Q_z = build.scalar("Q_z", -at.inv_L * forces.about_y, "(21)", meaning)
+        K = build.vector("K", Q_y * at.y + Q_z * at.z, "(21)", "force at the spherical joint, base frame")
+        return build.scalar("D", forces.along, "(24)", "known part of the actuator force, to match"), K
     meaning = "K = Q_k k + Q_y y, up to a part along s"
     Q_k = build.scalar("Q_k", -at.inv_rho * forces.about_y, "(21)", meaning)
     Q_y = build.scalar("Q_y", at.inv_rho * forces.about_k, "(21)", meaning)
     K = build.vector("K", Q_k * n.k.value + Q_y * at.y, "(21)", "force at the spherical joint, base frame")
     D = build.scalar("D", forces.along - at.k1 * Q_k, "(24)", "known part of the actuator force, to match")
     return D, K
-
-
-def _transverse_tip_force(
-    build: Builder, at: JointFrame, z: sp.Matrix, forces: JointForces
-) -> tuple[sp.Expr, sp.Matrix]:
-    """The same with K = Q_y y + Q_z z, which has no part along s."""
-    meaning = "K = Q_y y + Q_z z"
-    Q_y = build.scalar("Q_y", at.inv_rho * forces.about_k, "(21)", meaning)
-    Q_z = build.scalar("Q_z", -at.inv_L * forces.about_y, "(21)", meaning)
-    K = build.vector("K", Q_y * at.y + Q_z * z, "(21)", "force at the spherical joint, base frame")
-    return build.scalar("D", forces.along, "(24)", "known part of the actuator force, to match"), K
 
 
 def friction_moment(at: JointFrame, rates: JointRates, friction: bool = True) -> sp.Matrix:

@@ -139,10 +139,7 @@ def offset_inertia(build: Builder, at: JointFrame) -> JointInertia:
 
 
 def offset_forces(
-    build: Builder,
-    at: JointFrame,
-    rates: JointRates,
-    accelerations: JointAccelerations,
+    build: Builder, at: JointFrame, rates: JointRates, accelerations: JointAccelerations
 ) -> JointForces:
     """Lagrange's equations of the leg, (17)-(20), (23)."""
     found = joint_forces(build, at, rates, accelerations, inertia=offset_inertia(build, at))

@@ -13,6 +13,7 @@ import numpy as np
 
 from ...backend.kernel import MOTION
 from ...backend.native import CompilerError
+from ...derive.package.functions import Vector
 from ...derive.package.words import robot_symbol
 from ...io.array_types import Array
 from ...io.progress import Progress, silent, tracked
@@ -20,7 +21,7 @@ from ...kinematics.inverse import inverse_kinematics
 from ...kit import Choice, kit
 from ...kit.choice import STEMS, TORQUE
 from ...kit.poses import sample
-from ...kit.vectors import Vector, knows_axes, rejected, vectors
+from ...kit.vectors import knows_axes, rejected, vectors
 from ...motion.motion import Motion
 from ...results import NOT_FINITE
 from ...robot.robot import Robot
@@ -143,7 +144,7 @@ class Cases:
         start = self.tests[0].inputs
         far = {"double": 1e160, "float": 1e25}[self.precision]
         return [
-            *rejected(self.robot, self.level, self.precision),
+            *((each.inputs, each.status) for each in rejected(self.robot, self.level, self.precision)),
             (start | {"t": np.full(3, np.nan)}, NOT_FINITE),
             (start | {"t": np.full(3, far)}, NOT_FINITE),
             (start | {"F_ext": np.full(3, np.inf)}, NOT_FINITE),
