@@ -1,17 +1,11 @@
 """Kits in other languages than C: which functions they have, and their test vectors."""
 
-from collections.abc import Mapping
-
-import numpy as np
-from numpy.typing import NDArray
-
 from ..backend.fidelity import resolved
 from ..derive.generate import output_program
-from ..derive.kernel.tree.nodes import Program, Record
 from ..derive.mechanics import quantities as n
 from ..derive.package import licence
 from ..derive.package.languages import LANGUAGES
-from ..derive.package.languages.contents import Contents, Test, Value, compared
+from ..derive.package.languages.contents import Contents
 from ..derive.package.words import robot_symbol
 from ..io.arguments import option, shown
 from ..precision.truth import form_and_level
@@ -57,23 +51,13 @@ def texts(robot: Robot, choice: Choice) -> dict[str, str]:
         robot, outputs, choice.formulation, fidelity=choice.level, precision=choice.precision, count=5
     )
     unsolvable = rejected(robot, choice.level, choice.precision) if "forces" in outputs else []
-    tests = [
-        Test(
-            vector.function,
-            _given(program, vector.function, vector.inputs),
-            _members(program, vector.function, vector.answers),
-            _members(program, vector.function, vector.bounds),
-            vector.status,
-        )
-        for vector in (*found, *unsolvable)
-    ]
     contents = Contents(
         robot.name,
         robot_symbol(robot.name),
         robot_numbers(robot, any(each.name == n.m_r.name for each in program.structure("Leg").members)),
         program,
         outputs,
-        tuple(tests),
+        (*found, *unsolvable),
         choice.precision,
         options(choice),
         generator(),
@@ -83,26 +67,3 @@ def texts(robot: Robot, choice: Choice) -> dict[str, str]:
     made["LICENSE"] = licence.TEXT
     made["robot.toml"] = robot_toml(robot, choice)
     return made
-
-
-def _given(program: Program, function: str, inputs: Mapping[str, NDArray[np.float64]]) -> dict[str, Value]:
-    """Inputs by argument, after robot or model; what a vector has no number of is zero."""
-    found: dict[str, Value] = {}
-    for each in program.function(function).arguments[1:]:
-        if isinstance(each.type, Record):
-            suffix = "_guess" if each.name == "guess" else ""
-            members = [member.name for member in program.structure(each.type.name).members]
-            found[each.name] = {name: inputs.get(f"{name}{suffix}", np.zeros(3)).tolist() for name in members}
-        else:
-            found[each.name] = inputs[each.name].tolist()
-    return found
-
-
-def _members(
-    program: Program, function: str, values: Mapping[str, NDArray[np.float64]]
-) -> dict[str, list[float]]:
-    parts = dict(values)
-    if "acceleration" in parts:
-        parts["a"], parts["alpha"] = np.split(parts["acceleration"], 2)
-    paths = compared(program, function) if parts else ()
-    return {path: parts[path.rpartition(".")[2]].tolist() for path in paths}

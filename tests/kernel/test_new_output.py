@@ -62,10 +62,11 @@ from stewart_sym.derive.mechanics.formulation import EXACT
 from stewart_sym.derive.generate import motion_files, output_program
 from stewart_sym.derive.kernel.interface import CALLS
 from stewart_sym.derive.package.languages import LANGUAGES
-from stewart_sym.derive.package.languages.contents import Contents, Test
+from stewart_sym.derive.package.functions import Vector
+from stewart_sym.derive.package.languages.contents import Contents
 given = json.loads(sys.stdin.read())
 answers, bounds = ({"momentum": given[each]} for each in ("answer", "bound"))
-test = Test("momentum", {"motion": given["motion"]}, answers, bounds)
+test = Vector("momentum", given["motion"], answers, bounds)
 program = output_program(EXACT, ("momentum",))
 kit = Contents("one", "one", given["robot"], program, ("momentum",), (test,), "double", "", "test")
 texts = {name: language.files(kit) for name, language in LANGUAGES.items()}

@@ -6,25 +6,11 @@ from functools import cached_property
 
 from ...kernel.tree.constants import INTEGERS, STATUS
 from ...kernel.tree.nodes import Array, Constant, Program, Record, Type, parts_of
+from ..functions import Vector
 from ..words import Numbers
 
 Value = Sequence[float] | Mapping[str, Sequence[float]]
-"""What a function is given: numbers, or a structure's members."""
-
-
-@dataclass(frozen=True)
-class Test:
-    """One call: function, what it is given, answers and their bounds in rounding units.
-
-    given: by argument, without robot and model; answers, bounds: by member, of a structure in a result
-    ``pose.R``; all flat. Where status is not 0 nothing is computed.
-    """
-
-    function: str
-    given: Mapping[str, Value]
-    answers: Mapping[str, Sequence[float]]
-    bounds: Mapping[str, Sequence[float]]
-    status: int = 0
+"""What a function is given: numbers, or a structure's members, flat."""
 
 
 @dataclass(frozen=True)
@@ -41,7 +27,7 @@ class Contents:
     numbers: Numbers
     program: Program
     outputs: tuple[str, ...]
-    tests: tuple[Test, ...]
+    tests: tuple[Vector, ...]
     precision: str
     options: str
     version: str
@@ -57,17 +43,43 @@ class Contents:
         return any(each.name == "prepare" for each in self.program.functions)
 
     @property
-    def shown(self) -> dict[str, Test]:
+    def shown(self) -> dict[str, Vector]:
         """The first test of each function that has one."""
         return {each.function: each for each in reversed(self.tests)}
 
     @property
-    def given(self) -> dict[str, Value]:
+    def examples(self) -> dict[str, Value]:
         """An example of each argument of the functions, but robot and model."""
         found: dict[str, Value] = {}
         for test in self.shown.values():
-            found = {**test.given, **found}
+            found = {**self.given(test), **found}
         return found
+
+    def given(self, test: Vector) -> dict[str, Value]:
+        """Inputs by argument, after robot or model; what a vector has no number of is zero."""
+        found: dict[str, Value] = {}
+        for each in self.program.function(test.function).arguments[1:]:
+            if isinstance(each.type, Record):
+                suffix = "_guess" if each.name == "guess" else ""
+                members = (member.name for member in self.program.structure(each.type.name).members)
+                found[each.name] = {
+                    name: list(map(float, test.inputs.get(f"{name}{suffix}", (0.0,) * 3))) for name in members
+                }
+            else:
+                found[each.name] = list(map(float, test.inputs[each.name]))
+        return found
+
+    def compared(self, test: Vector) -> dict[str, tuple[list[float], list[float]]]:
+        """Answers and bounds by member of the result, as the function of this name has it; maybe none."""
+        answers, bounds = (
+            {name: list(map(float, numbers)) for name, numbers in arrays.items()}
+            for arrays in (test.answers, test.bounds)
+        )
+        for arrays in (answers, bounds):
+            if whole := arrays.get("acceleration"):
+                arrays |= {"a": whole[:3], "alpha": whole[3:]}
+        names = {path: path.rpartition(".")[2] for path in compared(self.program, test.function)}
+        return {path: (answers[name], bounds[name]) for path, name in names.items()} if answers else {}
 
     def subject(self, function: str) -> str:
         """``robot`` or ``model``, the first argument of a function."""

@@ -5,8 +5,9 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from ...mechanics import quantities as n
+from ..functions import Vector
 from ..words import in_markdown, stored, template
-from .contents import Contents, Test
+from .contents import Contents, Value
 
 
 class Language(ABC):
@@ -39,7 +40,7 @@ class Language(ABC):
 
     def calls(self, kit: Contents) -> dict[str, str]:
         """The call of each output that has a test."""
-        names = {each: each for each in kit.given} | {"model": "model", "robot": self.robot}
+        names = {each: each for each in kit.examples} | {"model": "model", "robot": self.robot}
         return {
             output: self.call(
                 output, [names.get(each.name, each.name) for each in kit.program.function(output).arguments]
@@ -91,13 +92,13 @@ _GUESS = """
 poses and from afar another one may come out, or none: compare it with the guess."""
 
 
-def spoilt(kit: Contents, test: Test) -> Iterator[tuple[str, str, list[str]]]:
+def spoilt(kit: Contents, test: Vector, given: Mapping[str, Value]) -> Iterator[tuple[str, str, list[str]]]:
     """Arrays, read by every function, in which the first test of each puts NaN, in a copy called ``wrong``.
 
-    Argument that is copied, place of the array in the copy, arguments of the call.
+    given: by argument. Argument that is copied, place of the array in the copy, arguments of the call.
     """
-    for name, value in test.given.items() if test is kit.shown[test.function] else ():
-        arguments = ["wrong" if each == name else each for each in test.given]
+    for name, value in given.items() if test is kit.shown[test.function] else ():
+        arguments = ["wrong" if each == name else each for each in given]
         for place in ("wrong.R", "wrong.t") if isinstance(value, Mapping) else ("wrong",):
             yield name, place, arguments
 

@@ -5,8 +5,9 @@ from collections.abc import Mapping, Sequence
 from ...kernel.tree.constants import constants
 from ...kernel.tree.settle import of_one_pose
 from ...print.matlab import Matlab
+from ..functions import Vector
 from ..words import template
-from .contents import Contents, Test, Value, compared
+from .contents import Contents, Value
 from .language import Language, array, spoilt
 
 
@@ -43,22 +44,22 @@ class MatlabKit(Language):
                 "matlab_example.m",
                 kit,
                 prepare=prepare,
-                given="\n".join(_matlab_given(kit.given, "")),
+                given="\n".join(_matlab_given(kit.examples, "")),
                 calls=calls,
             ),
         }
 
-    def _test(self, kit: Contents, test: Test) -> list[str]:
+    def _test(self, kit: Contents, test: Vector) -> list[str]:
+        given = kit.given(test)
         subject = {"robot": "stewart.robot()"}.get(kit.subject(test.function), "model")
         lines = [
-            *_matlab_given(test.given, "    "),
-            f"    {self.call(test.function, [subject, *test.given])};",
+            *_matlab_given(given, "    "),
+            f"    {self.call(test.function, [subject, *given])};",
             f"    failed = failed + (found.status ~= {test.status});",
         ]
-        for name in compared(kit.program, test.function) if test.answers else ():
-            answer, bound = array(test.answers[name]), array(test.bounds[name])
-            lines.append(f"    failed = failed + close(found.{name}, {answer}, {bound});")
-        for name, place, arguments in spoilt(kit, test):
+        for name, (answer, bound) in kit.compared(test).items():
+            lines.append(f"    failed = failed + close(found.{name}, {array(answer)}, {array(bound)});")
+        for name, place, arguments in spoilt(kit, test, given):
             lines += [
                 f"    wrong = {name};",
                 f"    {place}(1) = NaN;",

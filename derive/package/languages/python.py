@@ -1,7 +1,6 @@
 """A kit in Python: one module on arrays."""
 
 from collections.abc import Mapping, Sequence
-from typing import Any
 
 from ...emit.arrays import arithmetic, module
 from ..words import template
@@ -20,12 +19,11 @@ class PythonKit(Language):
     notes = template("python_notes.md").strip()
 
     def files(self, kit: Contents) -> dict[str, str]:
-        tests = "".join(
-            f"    [\n        {test.function!r},\n        {kit.subject(test.function)!r},\n"
-            f"        {_plain(test.given)!r},\n        {test.status},\n"
-            f"        {_plain(test.answers)!r},\n        {_plain(test.bounds)!r},\n    ],\n"
-            for test in kit.tests
-        )
+        tests = []
+        for test in kit.tests:
+            answers, bounds = ({path: of[i] for path, of in kit.compared(test).items()} for i in (0, 1))
+            row = [test.function, kit.subject(test.function), kit.given(test), test.status, answers, bounds]
+            tests += ["    [\n", *(f"        {each!r},\n" for each in row), "    ],\n"]
         fill = self.statements(kit, "    {} = {}", "made")
         same = self.statements(kit, "    failed += {} != {}", "machine")
         made = {
@@ -44,21 +42,14 @@ class PythonKit(Language):
         return {
             "stewart_arrays.py": module(kit.program, arithmetic(kit.whole_numbers), kit.version),
             "robot.py": self.filled("python_robot.py", kit, **made, numbers=fill),
-            "self_test.py": self.filled("python_test.py", kit, **made, same=same, tests=tests),
+            "self_test.py": self.filled("python_test.py", kit, **made, same=same, tests="".join(tests)),
             "example.py": self.filled(
-                "python_example.py", kit, **made, given=_python_given(kit.given), calls="\n".join(calls)
+                "python_example.py", kit, **made, given=_python_given(kit.examples), calls="\n".join(calls)
             ),
         }
 
     def call(self, function: str, arguments: Sequence[str]) -> str:
         return f"found = stewart_arrays.{function}({', '.join(['on', *arguments])})"
-
-
-def _plain(values: Mapping[str, Value]) -> dict[str, Any]:
-    return {
-        name: {key: list(each) for key, each in value.items()} if isinstance(value, Mapping) else list(value)
-        for name, value in values.items()
-    }
 
 
 def _python_given(given: Mapping[str, Value]) -> str:

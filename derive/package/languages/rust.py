@@ -7,8 +7,9 @@ from ...kernel.tree.settle import of_one_pose
 from ...mechanics import quantities as n
 from ...print.rust import Rust
 from ...program.block import Quantity
+from ..functions import Vector
 from ..words import Numbers, stored, template
-from .contents import Contents, Test, Value, compared
+from .contents import Contents, Value, compared
 from .language import Language, array, spoilt
 
 
@@ -49,7 +50,7 @@ class RustKit(Language):
                 "rust_example.rs",
                 kit,
                 prepare=self.prepare if kit.prepared else "",
-                given="\n".join(_rust_given(kit.given)),
+                given="\n".join(_rust_given(kit.examples)),
                 calls=calls,
             ),
         }
@@ -60,25 +61,24 @@ class RustKit(Language):
             yield f"/// {says if name == 'MAX_STEPS' else f'Status: {says}'}."
             yield f"pub const {name}: usize = {code};"
 
-    def _test(self, kit: Contents, number: int, test: Test) -> str:
+    def _test(self, kit: Contents, number: int, test: Vector) -> str:
+        given, dims = kit.given(test), compared(kit.program, test.function)
         subject = {"robot": "&ROBOT"}.get(kit.subject(test.function), "&prepare(&ROBOT)")
         lines = [
             "",
             "#[test]",
             f"fn {test.function}_{number}() {{",
-            *_rust_given(test.given),
-            f"    {self.call(test.function, [subject, *test.given])}",
+            *_rust_given(given),
+            f"    {self.call(test.function, [subject, *given])}",
             f"    assert_eq!(found.status, {test.status});",
         ]
-        for name, dims in compared(kit.program, test.function).items() if test.answers else ():
-            rows = [(name, 0)] if len(dims) == 1 else [(f"{name}[{i}]", i) for i in range(dims[0])]
-            for part, i in rows:
-                numbers = [
-                    array(list(values[name])[i * dims[-1] : (i + 1) * dims[-1]])
-                    for values in (test.answers, test.bounds)
-                ]
-                lines += [f'    close("{part}", &found.{part}, &{numbers[0]}, &{numbers[1]});']
-        for name, place, arguments in spoilt(kit, test):
+        for name, (answers, bounds) in kit.compared(test).items():
+            *rows, width = dims[name]
+            for i in range(*rows or (1,)):
+                part, of_row = f"{name}[{i}]" if rows else name, slice(i * width, (i + 1) * width)
+                answer, bound = array(answers[of_row]), array(bounds[of_row])
+                lines += [f'    close("{part}", &found.{part}, &{answer}, &{bound});']
+        for name, place, arguments in spoilt(kit, test, given):
             lines += [
                 f"    let mut wrong = {name};",
                 f"    {place}[0] = Real::NAN;",
