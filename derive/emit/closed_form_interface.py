@@ -7,6 +7,7 @@ from ..kernel import batches
 from ..kernel import layouts as lay
 from ..kernel import outputs as o
 from ..kernel.batches import LOADS, MOTIONS, copied, copies, loaded_one, missing
+from ..kernel.interface import CALLS
 from ..kernel.prepare import MOTION, result
 from ..kernel.tree import nodes as t
 from ..kernel.tree import read
@@ -32,14 +33,7 @@ PARTS = {
 
 def members(what: str) -> dict[str, int]:
     """Members of what a function fills, and how many numbers each has."""
-    filled = o.RESULTS[what]
-    found: dict[str, int] = {}
-    for each in filled.members:
-        if isinstance(each.type, t.Array):
-            whole = PARTS.get((filled.name, each.name), (each.name, 0))[0]
-            count = each.type.dims[0] * (each.type.dims[1] if len(each.type.dims) == 2 else 1)
-            found[whole] = found.get(whole, 0) + count
-    return found
+    return {each.name: each.count for each in CALLS[what].outputs}
 
 
 def members_in_order(what: str) -> Iterator[tuple[str, t.Expression, int]]:

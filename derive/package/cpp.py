@@ -11,7 +11,7 @@ from dataclasses import replace
 from ..kernel.interface import CALLS, Argument
 from ..kernel.outputs import FORCES, OUTPUTS
 from ..kernel.tree.constants import STATUSES
-from .functions import DRIVES, MODEL, NOTHING, ROBOT, Function
+from .functions import MODEL, NOTHING, Function
 from .words import template
 
 
@@ -57,19 +57,11 @@ def _short(name: str) -> str:
     return name.removeprefix("stewart_")
 
 
-_CLASSES = {
-    ROBOT: "class_of_robot",
-    MODEL: "class_of_model",
-    DRIVES: "class_of_drives",
-    NOTHING: "class_of_nothing",
-}
-
-
 def _class(name: str, functions: Sequence[Function]) -> str:
     first = functions[0]
     methods = "\n".join(text for function in functions for text in _methods(function))
     values = {"name": name, "prefix": first.prefix, "methods": methods}
-    return template(f"kit/{_CLASSES[first.subject]}.hpp", values)
+    return template(f"kit/class_of_{first.subject or 'nothing'}.hpp", values)
 
 
 def _methods(function: Function) -> Iterable[str]:

@@ -87,7 +87,13 @@ def unit(
     variables = _variables(pose, payload)
 
     def texts(guid: str) -> dict[str, str]:
-        common = {"version": escape(version), "guid": guid}
+        common = {
+            "version": escape(version),
+            "guid": guid,
+            "name": escape(name),
+            "says": escape(f"{kernel.says} SHA-256 of name and constants: {digest}".strip()),
+            "licence": escape(licence.SAYS),
+        }
         own = {
             **{f"sources/{name}": template(f"kit/{name}", common) for name in _STATIC},
             "sources/stewart_unit.h": _unit_header(symbol, kernel, variables, common),
@@ -95,9 +101,9 @@ def unit(
         held = own | {f"sources/{file}": text for file, text in sources.items()}
         compiled = sorted(path.removeprefix("sources/") for path in held if path.endswith(".c"))
         return held | {
-            "modelDescription.xml": _description(name, symbol, kernel, variables, compiled, digest, common),
+            "modelDescription.xml": _description(symbol, variables, compiled, common),
             "documentation/licenses/license.txt": licence.TEXT,
-            "documentation/index.html": _page(name, kernel, variables, digest, common),
+            "documentation/index.html": _page(kernel.precision, variables, common),
         }
 
     return texts(_guid(texts("")))
@@ -164,13 +170,7 @@ def _dimension(unit: str) -> dict[str, int]:
 
 
 def _description(
-    name: str,
-    symbol: str,
-    kernel: UnitKernel,
-    variables: Sequence[Variable],
-    files: Sequence[str],
-    digest: str,
-    common: Mapping[str, str],
+    symbol: str, variables: Sequence[Variable], files: Sequence[str], common: Mapping[str, str]
 ) -> str:
     outputs = [i + 1 for i, v in enumerate(variables) if v.causality == "output"]
     outputs.append(len(variables) + 1)
@@ -187,20 +187,13 @@ def _description(
         "codes": [f"{code} {text}" for _, code, text in STATUSES],
     }
     values = {
-        "name": escape(name),
         "identifier": model_identifier(symbol),
-        "says": escape(_says(kernel, digest)),
         "step": repr(STEP),
-        "licence": escape(licence.SAYS),
         "reference": str(len(variables)),
         **common,
         **{mark: ("; " if mark == "codes" else "\n").join(rows) for mark, rows in lines.items()},
     }
     return template("kit/modelDescription.xml", values)
-
-
-def _says(kernel: UnitKernel, digest: str) -> str:
-    return f"{kernel.says} SHA-256 of name and constants: {digest}".strip()
 
 
 def _scalar_variable(reference: int, variable: Variable) -> str:
@@ -215,9 +208,7 @@ def _scalar_variable(reference: int, variable: Variable) -> str:
     )
 
 
-def _page(
-    name: str, kernel: UnitKernel, variables: Sequence[Variable], digest: str, common: Mapping[str, str]
-) -> str:
+def _page(precision: str, variables: Sequence[Variable], common: Mapping[str, str]) -> str:
     rows = {
         kind: "\n".join(
             f"<tr><td>{v.name}</td><td>{v.unit}</td><td>{escape(v.meaning)}</td></tr>"
@@ -229,10 +220,7 @@ def _page(
     of_parameters = "index_parameters.html" if rows["parameter"] else "index_no_parameters.html"
     values = {
         **common,
-        "name": escape(name),
-        "says": escape(_says(kernel, digest)),
-        "licence": escape(licence.SAYS),
-        "real": kernel.precision,
+        "real": precision,
         "inputs": rows["input"],
         "outputs": rows["output"],
         "parameters": template(f"kit/{of_parameters}", {"rows": rows["parameter"]}),

@@ -11,7 +11,7 @@ from ..print.c import wrapped
 from . import licence
 from .deviations import deviations
 from .functions import DRIVES, MODEL, Function, Part, reads_robot
-from .words import in_markdown, shape, table, template
+from .words import in_markdown, table, template
 
 
 @dataclass(frozen=True)
@@ -86,7 +86,7 @@ def readme(kit: Kit) -> str:
         "prepared": template("kit/readme_prepared.md")
         if any(function.subject == MODEL for function in functions)
         else "",
-        "inputs": table((q.name, shape(q), q.unit, q.meaning) for q in n.MOTION),
+        "inputs": table((q.name, f"[{len(q.keys)}]", q.unit, q.meaning) for q in n.MOTION),
         "status": table((f"STEWART_{name}", str(code), text) for name, code, text in STATUSES),
         "deviations": table((each.rule, each.what, each.reason) for each in deviations(kinds)),
         "digest": f"{robot_says}SHA-256 of name and constants: `{kit.digest}`",
@@ -191,13 +191,11 @@ def _by_leg(names: Sequence[str]) -> str:
     for name in names:
         constant, _, leg = name.partition(" of leg ")
         legs.setdefault(constant, []).append(leg)
-    return "; ".join(f"`{name}`{_of_legs(which)}" for name, which in legs.items())
-
-
-def _of_legs(which: Sequence[str]) -> str:
-    if not which[0]:
-        return ""
-    return f" of leg{'s' if len(which) > 1 else ''} {', '.join(which)}"
+    found = []
+    for name, which in legs.items():
+        many = "s" if len(which) > 1 else ""
+        found.append(f"`{name}` of leg{many} {', '.join(which)}" if which[0] else f"`{name}`")
+    return "; ".join(found)
 
 
 _ARITHMETIC = {

@@ -113,11 +113,6 @@ def motion_members(motion: Numbers, indent: str) -> str:
     return "\n".join(member(q, stored(motion, q, "motion"), indent) for q in n.MOTION)
 
 
-def shape(quantity: Quantity) -> str:
-    """Dimensions of a quantity as it is stored, "" of a number."""
-    return f"[{len(quantity.keys)}]" if quantity.shape else ""
-
-
 def table(rows: Iterable[Sequence[str]]) -> str:
     """Rows of a Markdown table; the first cell is code."""
     return "\n".join(f"| `{first}` | {' | '.join(rest)} |" for first, *rest in rows)

@@ -1,7 +1,7 @@
 """The parts of a kit: which kernels a choice takes, committed ones or such as are derived for one robot."""
 
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from functools import cache, lru_cache
 from importlib.metadata import version
 
@@ -100,7 +100,7 @@ def parts(robot: Robot, choice: Choice) -> Parts:
         model = f"stewart_{robot_kernel(robot, 'exact')}_forces"
         if all(part.name != model for part in found):
             says = "The prepared constants that the equations of motion read; the forces come with them."
-            found.append(_part(model, (), ("forces",), says, LANES))
+            found.append(_part(model, {}, MODEL, ("forces",), says, shared=LANES))
         found.append(_motion(robot, choice))
     if _KINEMATICS in choice.functions:
         found.append(_kinematics())
@@ -124,14 +124,13 @@ def _force_part(
     file: str, prefix: str, count: int, says: str, plain: str = "", sources: Mapping[str, str] | None = None
 ) -> Part:
     """plain: prefix of the same kernel without a robot's numbers in it, "" where there are none."""
-    subject = NOTHING if plain else MODEL
-    plain = f"{plain}_forces" if plain else ""
     one_pose = file.endswith("_pose")
-    function = Function(
-        "forces", f"{prefix}_forces", f"{file}.h", subject, prefix, f"{count:,}", plain, one_pose
-    )
     kind = f"forces{' scalar' if one_pose else ''}{' baked' if plain else ''}"
-    return _part(file, [function], (kind,), says, SOLVE if one_pose else LANES, sources)
+    shared, subject = SOLVE if one_pose else LANES, NOTHING if plain else MODEL
+    part = _part(file, {"forces": f"{count:,}"}, subject, (kind,), says, prefix, shared, sources)
+    (function,) = part.functions
+    function = replace(function, plain=f"{plain}_forces" if plain else "", one_pose=one_pose)
+    return replace(part, functions=(function,))
 
 
 def _derived(robot: Robot, choice: Choice, level: str) -> tuple[Part, int, int | None]:
@@ -177,30 +176,21 @@ def folded_kernel(robot: Robot, formulation: str, level: str) -> ForceKernel:
 
 def _reactions(robot: Robot, choice: Choice) -> Part:
     name = robot_kernel(robot, choice.formulation)
-    count = f"{sum(module(name).OPERATIONS['friction']['total']):,}"
-    functions = [
-        Function(stem, f"stewart_{name}_{stem}", f"stewart_{name}.h", ROBOT, operations=count)
-        for stem in STEMS["reactions"]
-    ]
+    costs = dict.fromkeys(STEMS["reactions"], f"{sum(module(name).OPERATIONS['friction']['total']):,}")
     says = f"Inverse dynamics with D, K, H, c and the reactions in the joints, kernel `{name}`."
-    return _part(f"stewart_{name}", functions, ("reactions",), says, OUTPUTS)
+    file = f"stewart_{name}"
+    return _part(file, costs, ROBOT, ("reactions",), says, file, OUTPUTS)
 
 
 def _motion(robot: Robot, choice: Choice) -> Part:
     form = EXACT_DRIVE if robot.has_rotors else EXACT
-    name = form.kernel_name
-    file = f"stewart_{name}_motion"
-    groups = [group for group in ("motion", "derivatives") if group in choice.functions]
-    stems = [stem for group in groups for stem in STEMS[group]]
-    functions = [
-        Function(
-            stem, f"stewart_{name}_{stem}", f"{file}.h", MODEL, f"stewart_{name}", _before_solves(name, stem)
-        )
-        for stem in stems
-    ]
-    files = None if set(stems) == set(MOTION_FUNCTIONS) else _some_motion_files(tuple(stems), form)
+    prefix = f"stewart_{form.kernel_name}"
+    groups = tuple(group for group in ("motion", "derivatives") if group in choice.functions)
+    stems = tuple(stem for group in groups for stem in STEMS[group])
+    costs = {stem: _before_solves(form.kernel_name, stem) for stem in stems}
+    files = None if set(stems) == set(MOTION_FUNCTIONS) else _some_motion_files(stems, form)
     says = f"Closed form of the equations of motion: {', '.join(stem.replace('_', ' ') for stem in stems)}."
-    return _part(file, functions, tuple(groups), says, SOLVE, files)
+    return _part(f"{prefix}_motion", costs, MODEL, groups, says, prefix, SOLVE, files)
 
 
 _some_motion_files = lru_cache(maxsize=4)(motion_files)
@@ -213,19 +203,14 @@ def _before_solves(kernel: str, stem: str) -> str:
 
 
 def _kinematics() -> Part:
-    file = "stewart_kinematics"
     counts = {name: f"{each.total:,}" for name, each in search_operations(reduced_kinematics()).items()}
     costs = {
         "inverse_kinematics": counts["lengths, rates"],
         "forward_kinematics": f"{counts['search']} and {counts['step']} a step",
         "forward_velocity": counts["velocity"],
     }
-    functions = [
-        Function(stem, f"stewart_{stem}", f"{file}.h", ROBOT, operations=costs[stem])
-        for stem in STEMS[_KINEMATICS]
-    ]
     says = "Inverse and forward kinematics: leg lengths and rates, the pose from them."
-    return _part(file, functions, (_KINEMATICS,), says)
+    return _part("stewart_kinematics", costs, ROBOT, (_KINEMATICS,), says)
 
 
 def _torques(robot: Robot, choice: Choice) -> list[Part]:
@@ -237,46 +222,47 @@ def _torques(robot: Robot, choice: Choice) -> list[Part]:
         form, reflected = BY_KERNEL[name], rotor == "mass"
         file, block = axial_name(form, reflected), reduced_axial(form, reflected)
         made = axial_files(form, block, generator_version(), True) if reflected else None
-        count = f"{axial_operations(block).total:,}"
-        function = Function("axial_forces", f"{file}_forces", f"{file}.h", ROBOT, operations=count)
+        costs = {"axial_forces": f"{axial_operations(block).total:,}"}
         says = "Forces that pass through the screws, for the torques: F less what turns the rotors."
-        found.append(_part(file, [function], ("axial",), says, files=made))
-    file = "stewart_torque"
-    drive = robot.drive
-    assert drive is not None
-    count = f"{torque_operations(bool(np.any(drive.stribeck))).total:,}"
-    function = Function("motor_torques", "stewart_motor_torques", f"{file}.h", DRIVES, operations=count)
+        prefix = file.removesuffix("_axial")
+        found.append(_part(file, costs, ROBOT, ("axial",), says, prefix, files=made))
+    assert robot.drive is not None
+    costs = {"motor_torques": f"{torque_operations(bool(np.any(robot.drive.stribeck))).total:,}"}
     says = "Torques and currents of the motors, from forces of the legs and rates of their lengths."
     if robot.has_rotors and rotor == "none":
         says += (
             f" The forces of fidelity {choice.level} leave the rotors out: the torques lack what turns "
             "these, and `axial` is null."
         )
-    return [*found, _part(file, [function], (TORQUE,), says)]
+    return [*found, _part("stewart_torque", costs, DRIVES, (TORQUE,), says)]
 
 
 def _rotation() -> Part:
     says = "R, omega and alpha of a motion from roll, pitch and yaw, or a quaternion, and their rates."
-    file = "stewart_rotation"
-    functions = [
-        Function(stem, f"stewart_{stem}", f"{file}.h", NOTHING, operations=f"{block.operations().total}")
-        for stem, block in reduced_rotation().items()
-    ]
-    return _part(file, functions, ("rotation",), says)
+    costs = {stem: f"{block.operations().total}" for stem, block in reduced_rotation().items()}
+    return _part("stewart_rotation", costs, NOTHING, ("rotation",), says)
 
 
 def _part(
     file: str,
-    functions: Iterable[Function],
+    costs: Mapping[str, str],
+    subject: str,
     kinds: tuple[str, ...],
     says: str,
+    prefix: str = "stewart",
     shared: str = ARITHMETIC,
     files: Mapping[str, str] | None = None,
 ) -> Part:
-    """One header and source; shared: key of ``INCLUDED``; files: None for those of ``generated/c``."""
+    """One header and source, with functions ``<prefix>_<stem>``.
+
+    costs: operations by stem; shared: key of ``INCLUDED``; files: None for those of ``generated/c``.
+    """
     if files is None:
         files = {name: generated_c(name) for name in (f"{file}.h", f"{file}.c")}
-    return Part(file, files, tuple(functions), kinds, says, INCLUDED[shared])
+    functions = tuple(
+        Function(stem, f"{prefix}_{stem}", f"{file}.h", subject, prefix, cost) for stem, cost in costs.items()
+    )
+    return Part(file, files, functions, kinds, says, INCLUDED[shared])
 
 
 def generator() -> str:
