@@ -8,27 +8,22 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from ..kernel.interface import Argument
 from .functions import MODEL, Function, Vector, flat, includes
+from .robot import Machine
 from .words import braces, in_comment, literal, motion_members, template
 
 
-def example(
-    name: str,
-    symbol: str,
-    functions: Sequence[Function],
-    vectors: Mapping[str, Sequence[Vector]],
-    version: str,
-) -> str:
+def example(machine: Machine, functions: Sequence[Function], vectors: Mapping[str, Sequence[Vector]]) -> str:
     """``example/main.c``. Arguments and errors as of ``selftest``; the first vector of each is shown."""
     shown = [(function, vectors[function.stem][0]) for function in functions]
     motions = [motion for _, vector in shown if (motion := vector.motion) is not None]
     parts = {
-        "name": in_comment(name),
-        "version": version,
+        "name": in_comment(machine.name),
+        "version": machine.version,
         "includes": includes(functions),
         "motion": f"static const stewart_motion motion = {{\n{motion_members(motions[0], '    ')}\n}};\n"
         if motions
         else "",
-        "shown": "\n".join(_shown(function, vector, symbol) for function, vector in shown),
+        "shown": "\n".join(_shown(function, vector, machine.symbol) for function, vector in shown),
         "calls": "\n".join(f"    failed |= show_{function.stem}();" for function in functions),
     }
     return template("kit/example.c", parts)

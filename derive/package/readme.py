@@ -11,6 +11,7 @@ from ..print.c import wrapped
 from . import licence
 from .deviations import deviations
 from .functions import DRIVES, MODEL, Function, Part, reads_robot
+from .robot import Machine
 from .words import in_markdown, table, template
 
 
@@ -33,23 +34,19 @@ class Figures:
 class Kit:
     """What a README is about.
 
-    name, symbol: the robot's. digest: of its constants. figures: by the functions' stems. options: as the
-    command line takes them. precision: "double" or "float". stack_by: with what the stack was measured.
-    unit: file name of an FMI unit, "" without one. changed: relative error of a constant that the test
-    vectors are made to detect; hidden: names of the constants folded into the forces for which no test vector
-    detects it; None where none are folded in.
+    figures: by the functions' stems. options: as the command line takes them. precision: "double" or "float".
+    stack_by: with what the stack was measured. unit: file name of an FMI unit, "" without one. changed:
+    relative error of a constant that the test vectors are made to detect; hidden: names of the constants
+    folded into the forces for which no test vector detects it; None where none are folded in.
     """
 
-    name: str
-    symbol: str
-    digest: str
+    machine: Machine
     parts: Sequence[Part]
     figures: Mapping[str, Figures]
     options: str
     precision: str
     stack_by: str
     unit: str
-    version: str
     changed: float
     hidden: Sequence[str] | None
 
@@ -70,11 +67,11 @@ def readme(kit: Kit) -> str:
     kinds = {kind for part in kit.parts for kind in part.kinds} | ({"robot"} if kit.has_robot else set())
     robot_says = "" if kit.has_robot else "The numbers are in the kernel. "
     values = {
-        "title": in_markdown(kit.name),
-        "symbol": kit.symbol,
+        "title": in_markdown(kit.machine.name),
+        "symbol": kit.machine.symbol,
         "options": kit.options,
         "licence": licence.SAYS,
-        "version": kit.version,
+        "version": kit.machine.version,
         "arithmetic": _ARITHMETIC[kit.precision],
         "parts": "\n".join(f"- {part.says}" for part in kit.parts),
         "files": table(_files(kit)),
@@ -89,7 +86,7 @@ def readme(kit: Kit) -> str:
         "inputs": table((q.name, f"[{len(q.keys)}]", q.unit, q.meaning) for q in n.MOTION),
         "status": table((f"STEWART_{name}", str(code), text) for name, code, text in STATUSES),
         "deviations": table((each.rule, each.what, each.reason) for each in deviations(kinds)),
-        "digest": f"{robot_says}SHA-256 of name and constants: `{kit.digest}`",
+        "digest": f"{robot_says}SHA-256 of name and constants: `{kit.machine.digest}`",
         "hidden": _hidden(kit),
         "unit": template("kit/readme_unit.md", {"unit": kit.unit}) if kit.unit else "",
     }
@@ -97,11 +94,12 @@ def readme(kit: Kit) -> str:
 
 
 def _files(kit: Kit) -> list[tuple[str, str]]:
+    symbol = kit.machine.symbol
     robot = (
         [
             (
                 "stewart_robot.h`, `stewart_robot.c",
-                f"this robot's constants, `{kit.symbol}`, and limits, `{kit.symbol}_limits`{_drives(kit)}",
+                f"this robot's constants, `{symbol}`, and limits, `{symbol}_limits`{_drives(kit)}",
             )
         ]
         if kit.has_robot
@@ -128,7 +126,7 @@ def _files(kit: Kit) -> list[tuple[str, str]]:
 def _drives(kit: Kit) -> str:
     """What a kit with torques says of the constants that they take."""
     of_drives = any(function.subject == DRIVES for function in kit.functions)
-    return f", and the constants of its drives, `{kit.symbol}_drives`" if of_drives else ""
+    return f", and the constants of its drives, `{kit.machine.symbol}_drives`" if of_drives else ""
 
 
 def _stems(part: Part) -> str:

@@ -1,10 +1,8 @@
-"""``stewart_robot.h`` and ``.c``, the constants and limits of one machine as C source.
-
-Takes the numbers of ``stewart_robot`` by name.
-"""
+"""``stewart_robot.h`` and ``.c``, the constants and limits of one machine as C source."""
 
 import hashlib
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
 from ..kernel.interface import STRUCTS
 from ..mechanics import quantities as n
@@ -14,36 +12,53 @@ HEADER, SOURCE = "stewart_robot.h", "stewart_robot.c"
 """File names of the constants: not the commonplace robot.h."""
 
 
-def robot_files(
-    name: str,
-    robot: Numbers,
-    limits: Mapping[str, Sequence[float]],
-    version: str,
-    drives: Mapping[str, Sequence[float]] | None = None,
-) -> dict[str, str]:
+@dataclass(frozen=True)
+class Machine:
+    """One machine's numbers, for a kit of it.
+
+    numbers: fields of ``stewart_robot``, those of the legs with six rows, inertias (3, 3). limits: members of
+    ``stewart_limits``, six numbers each, infinite where there is none. drives: those of ``stewart_drives``,
+    None for a kit without torques. version: of the generator.
+    """
+
+    name: str
+    numbers: Numbers
+    limits: Mapping[str, Sequence[float]]
+    drives: Mapping[str, Sequence[float]] | None
+    version: str
+
+    @property
+    def symbol(self) -> str:
+        """Name of the constants in C."""
+        return robot_symbol(self.name)
+
+    @property
+    def digest(self) -> str:
+        """SHA-256 of name and constants, as hexadecimal digits; errors as of ``robot_files``."""
+        of_drives = "" if self.drives is None else f"\n{_six(self.drives, 'drives')}"
+        return hashlib.sha256(f"{self.name}\n{_initialiser(self.numbers)}{of_drives}".encode()).hexdigest()
+
+
+def robot_files(machine: Machine) -> dict[str, str]:
     """``stewart_robot.h`` and ``stewart_robot.c``: file name -> text.
 
-    robot: fields of ``stewart_robot``, those of the legs with six rows, inertias (3, 3). limits: members of
-    ``stewart_limits``, six numbers each, infinite where there is none. drives: those of ``stewart_drives``,
-    None for a kit without torques. Raises ValueError naming the field that is missing, has another shape or
-    is not finite.
+    Raises ValueError naming the field that is missing, has another shape or is not finite.
     """
-    symbol = robot_symbol(name)
     values = {
-        "name": in_comment(name),
-        "symbol": symbol,
-        "guard": f"{symbol.upper()}_H",
-        "version": version,
-        "digest": robot_digest(name, robot, drives),
-        "robot": _initialiser(robot),
+        "name": in_comment(machine.name),
+        "symbol": machine.symbol,
+        "guard": f"{machine.symbol.upper()}_H",
+        "version": machine.version,
+        "digest": machine.digest,
+        "robot": _initialiser(machine.numbers),
         "arithmetic": template("kit/arithmetic.h"),
-        "limits": _six(limits, "limits"),
+        "limits": _six(machine.limits, "limits"),
         "drives": "",
         "declared": "",
         "included": "stewart.h",
     }
-    if drives is not None:
-        of_drives = {"symbol": symbol, "numbers": _six(drives, "drives")}
+    if machine.drives is not None:
+        of_drives = {"symbol": machine.symbol, "numbers": _six(machine.drives, "drives")}
         values["drives"] = template("kit/stewart_drives.c", of_drives)
         values["declared"] = template("kit/stewart_drives.h", of_drives)
         values["included"] = "stewart_torque.h"
@@ -56,12 +71,6 @@ def _six(numbers: Mapping[str, Sequence[float]], struct: str) -> str:
         f"    /* {name}, {units[name]} */\n    {braces(literals, '    ')},"
         for name, literals in literals_of_legs(numbers, struct).items()
     )
-
-
-def robot_digest(name: str, robot: Numbers, drives: Mapping[str, Sequence[float]] | None = None) -> str:
-    """SHA-256 of name and constants, as hexadecimal digits; arguments and errors as of ``robot_files``."""
-    of_drives = "" if drives is None else f"\n{_six(drives, 'drives')}"
-    return hashlib.sha256(f"{name}\n{_initialiser(robot)}{of_drives}".encode()).hexdigest()
 
 
 def _initialiser(robot: Numbers) -> str:

@@ -8,7 +8,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from ..kernel.interface import STRUCTS, Member
 from ..mechanics import quantities as n
 from .functions import MODEL, ROBOT, Function, Vector, flat, includes, reads_robot
-from .words import Numbers, in_comment, literal, literals_of_legs, motion_members, template
+from .robot import Machine
+from .words import Numbers, in_comment, literal, literals_of_legs, motion_members, stored, template
 
 PER_LINE = 4
 _ZERO = {q.name: [[0.0] * 3] * 3 if len(q.shape) == 2 else [0.0] * 3 for q in n.MOTION}
@@ -16,32 +17,24 @@ _ZERO = {q.name: [[0.0] * 3] * 3 if len(q.shape) == 2 else [0.0] * 3 for q in n.
 
 
 def selftest(
-    name: str,
-    symbol: str,
-    robot: Sequence[float],
-    limits: Numbers,
-    drives: Numbers | None,
+    machine: Machine,
     functions: Sequence[Function],
     vectors: Mapping[str, Sequence[Vector]],
     rejected: Sequence[Vector],
-    version: str,
 ) -> str:
     """``selftest.c``.
 
-    name: the robot's; symbol: its constants in C; robot: their numbers, flat, in the order of
-    ``stewart_robot``; limits, drives: those of ``stewart_limits`` and ``stewart_drives`` by member, drives
-    None without torques. vectors: by the functions' stems. rejected: without forces, where these are among
-    the functions.
+    vectors: by the functions' stems. rejected: without forces, where these are among the functions.
 
     Raises ValueError naming what is not a finite number.
     """
     motions, table = _motions([vector for function in functions for vector in vectors[function.stem]])
     parts = {
-        "name": in_comment(name),
-        "version": version,
+        "name": in_comment(machine.name),
+        "version": machine.version,
         "arithmetic": template("kit/arithmetic.h"),
         "includes": includes(functions),
-        "robot": _constants(symbol, robot, limits, drives) if reads_robot(functions) else "",
+        "robot": _constants(machine) if reads_robot(functions) else "",
         "models": "".join(template("kit/selftest_model.c", {"prefix": p}) for p in _prefixes(functions)),
         "motions": _initialisers(motions or [_ZERO]),
         "motion_count": str(len(motions or [_ZERO])),
@@ -86,13 +79,16 @@ def _models(functions: Sequence[Function]) -> str:
     return template("kit/selftest_models.c", values) if prefixes else ""
 
 
-def _constants(symbol: str, robot: Sequence[float], limits: Numbers, drives: Numbers | None) -> str:
+def _constants(machine: Machine) -> str:
     """The numbers of each struct of ``stewart_robot.c``."""
-    of_legs = {"limits": limits} | ({} if drives is None else {"drives": drives})
-    found = _numbers("robot", symbol, [literal(number, "robot") for number in robot])
+    of_legs = {"limits": machine.limits} | ({} if machine.drives is None else {"drives": machine.drives})
+    legs = [(q, leg) for leg in range(6) for q in n.of_leg(machine.numbers)]
+    parts = [*legs, *((q, None) for q in n.PLATFORM)]
+    numbers = (number for q, leg in parts for number in stored(machine.numbers, q, "robot", leg))
+    found = _numbers("robot", machine.symbol, [literal(number, "robot") for number in numbers])
     for struct, members in of_legs.items():
         literals = [each for six in literals_of_legs(members, struct).values() for each in six]
-        found += _numbers(struct, f"{symbol}_{struct}", literals)
+        found += _numbers(struct, f"{machine.symbol}_{struct}", literals)
     return found
 
 

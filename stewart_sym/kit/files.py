@@ -4,7 +4,7 @@ import hashlib
 import json
 import math
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from functools import cache, partial
 from importlib.resources import files as resources
 from typing import Any
@@ -12,7 +12,6 @@ from typing import Any
 import numpy as np
 
 from ..backend import fidelity
-from ..backend.kernel import robot_numbers as robot_values
 from ..derive.generate import generator_version
 from ..derive.mechanics import quantities
 from ..derive.package import build, cpp, fmu, licence
@@ -20,9 +19,8 @@ from ..derive.package.example import example
 from ..derive.package.functions import Function, Vector, reads_robot
 from ..derive.package.readme import Figures, readme
 from ..derive.package.readme import Kit as ReadmeKit
-from ..derive.package.robot import HEADER, SOURCE, robot_digest, robot_files
+from ..derive.package.robot import HEADER, SOURCE, Machine, robot_files
 from ..derive.package.selftest import selftest
-from ..derive.package.words import robot_symbol
 from ..drives.friction import drive_numbers
 from ..dynamics.home_pose import home_pose
 from ..io.array_types import Array
@@ -70,36 +68,27 @@ def kit(robot: Robot, choice: Choice = DEFAULT, progress: Progress = silent) -> 
     progress("computing test vectors")
     found = _vectors(robot, choice, made)
     tested = [function for function in made.functions if found[function.stem]]
-    texts = _sources(robot, choice, made)
-    symbol = robot_symbol(robot.name)
-    texts[build.SELFTEST] = selftest(
-        robot.name,
-        symbol,
-        robot_values(robot, robot.has_rotors).tolist(),
-        _limits(robot),
-        _drives(robot, choice),
-        tested,
-        found,
-        rejected(robot, choice.level, choice.precision),
-        generator(),
-    )
-    texts[build.EXAMPLE] = example(robot.name, symbol, tested, found, generator())
-    texts |= _build_files(symbol, made, texts, choice)
+    machine = _machine(robot, choice)
+    texts = _sources(machine, made)
+    unsolvable = rejected(robot, choice.level, choice.precision)
+    texts[build.SELFTEST] = selftest(machine, tested, found, unsolvable)
+    texts[build.EXAMPLE] = example(machine, tested, found)
+    texts |= _build_files(machine, made, texts, choice.precision)
     texts[LICENCE] = licence.TEXT
     texts[ROBOT] = robot_toml(robot, choice)
     files = {name: text.encode() for name, text in texts.items()}
     if choice.fmu:
         progress("building the FMU")
-        files[f"{symbol}.fmu"] = _unit(robot, choice, made, texts)
-    files["README.md"] = _readme(robot, choice, made, found).encode()
-    files[MANIFEST] = _manifest(robot, choice, files)
+        files[f"{machine.symbol}.fmu"] = _unit(robot, choice, made, texts)
+    files["README.md"] = _readme(robot, choice, machine, made, found).encode()
+    files[MANIFEST] = _manifest(machine, choice, files)
     return Kit(dict(sorted(files.items())), made.operations, made.baked_operations)
 
 
 def _of_language(robot: Robot, choice: Choice) -> Kit:
     languages.check(choice)
     files = {name: text.encode() for name, text in languages.texts(robot, choice).items()}
-    files[MANIFEST] = _manifest(robot, choice, files)
+    files[MANIFEST] = _manifest(_machine(robot, choice), choice, files)
     return Kit(dict(sorted(files.items())), None, None)
 
 
@@ -108,31 +97,25 @@ def kit_names(robot: Robot, choice: Choice = DEFAULT) -> list[str]:
     check(choice, robot)
     if choice.language != "c":
         return list(_of_language(robot, choice).files)
-    unit = [f"{robot_symbol(robot.name)}.fmu"] if choice.fmu else []
-    return sorted([*_sources(robot, choice, parts(robot, choice)), *_TEXTS, *unit, MANIFEST])
+    machine = _machine(robot, choice)
+    unit = [f"{machine.symbol}.fmu"] if choice.fmu else []
+    return sorted([*_sources(machine, parts(robot, choice)), *_TEXTS, *unit, MANIFEST])
 
 
-def _sources(robot: Robot, choice: Choice, made: Parts) -> dict[str, str]:
+def _sources(machine: Machine, made: Parts) -> dict[str, str]:
     """Kernels and constants."""
-    texts = made.files
-    if reads_robot(made.functions):
-        drives = _drives(robot, choice)
-        texts |= robot_files(robot.name, robot_numbers(robot), _limits(robot), generator(), drives)
-    return texts
+    return made.files | (robot_files(machine) if reads_robot(made.functions) else {})
 
 
-def _drives(robot: Robot, choice: Choice) -> dict[str, list[float]] | None:
-    """Members of ``stewart_drives``, None of a kit without torques."""
-    if TORQUE not in choice.functions or robot.drive is None:
-        return None
-    return {name: numbers.tolist() for name, numbers in drive_numbers(robot.drive).items()}
-
-
-def _limits(robot: Robot) -> dict[str, list[float]]:
-    """Members of ``stewart_limits``."""
+def _machine(robot: Robot, choice: Choice) -> Machine:
+    """The robot's numbers; those of its drives for a kit with torques."""
     shortest, longest = robot.length_limits.T.tolist()
-    force, speed = robot.force_limit.tolist(), robot.speed_limit.tolist()
-    return {"shortest": shortest, "longest": longest, "force": force, "speed": speed}
+    limits = {"shortest": shortest, "longest": longest}
+    limits |= {"force": robot.force_limit.tolist(), "speed": robot.speed_limit.tolist()}
+    drives = None
+    if TORQUE in choice.functions and robot.drive is not None:
+        drives = {name: numbers.tolist() for name, numbers in drive_numbers(robot.drive).items()}
+    return Machine(robot.name, robot_numbers(robot), limits, drives, generator())
 
 
 def _vectors(robot: Robot, choice: Choice, made: Parts) -> dict[str, list[Vector]]:
@@ -149,14 +132,16 @@ def _vectors(robot: Robot, choice: Choice, made: Parts) -> dict[str, list[Vector
     return found
 
 
-def _build_files(symbol: str, made: Parts, texts: Mapping[str, str], choice: Choice) -> dict[str, str]:
+def _build_files(machine: Machine, made: Parts, texts: Mapping[str, str], precision: str) -> dict[str, str]:
     sources = sorted(n for n in texts if n.endswith(".c") and "/" not in n)
     headers = sorted(n for n in texts if n.endswith(".h") and n not in made.shared)
-    files = build.build_files(symbol, generator(), sources, headers, made.shared, choice.precision)
-    return files | {build.WRAPPER: cpp.wrapper(made.functions, generator())}
+    files = build.build_files(machine.symbol, machine.version, sources, headers, made.shared, precision)
+    return files | {build.WRAPPER: cpp.wrapper(made.functions, machine.version)}
 
 
-def _readme(robot: Robot, choice: Choice, made: Parts, found: Mapping[str, list[Vector]]) -> str:
+def _readme(
+    robot: Robot, choice: Choice, machine: Machine, made: Parts, found: Mapping[str, list[Vector]]
+) -> str:
     eps, stacks = float(np.finfo(PRECISIONS[choice.precision]).eps), _stack()["bytes"]
     figures = {}
     for function in made.functions:
@@ -165,16 +150,13 @@ def _readme(robot: Robot, choice: Choice, made: Parts, found: Mapping[str, list[
         figures[function.stem] = Figures(error, worst, stack, batch)
     return readme(
         ReadmeKit(
-            name=robot.name,
-            symbol=robot_symbol(robot.name),
-            digest=robot_digest(robot.name, robot_numbers(robot), _drives(robot, choice)),
+            machine=machine,
             parts=made.parts,
             figures=figures,
             options=options(choice),
             precision=choice.precision,
             stack_by=_stack()["by"],
-            unit=f"{robot_symbol(robot.name)}.fmu" if choice.fmu else "",
-            version=generator(),
+            unit=f"{machine.symbol}.fmu" if choice.fmu else "",
             changed=SHARE[choice.precision],
             hidden=_hidden(robot, choice),
         )
@@ -218,13 +200,10 @@ def _stack() -> dict[str, Any]:
     return found
 
 
-def _manifest(robot: Robot, choice: Choice, files: Mapping[str, bytes]) -> bytes:
+def _manifest(machine: Machine, choice: Choice, files: Mapping[str, bytes]) -> bytes:
     found = {
         "generator": f"stewart-sym {generator_version()}",
-        "robot": {
-            "name": robot.name,
-            "sha256": robot_digest(robot.name, robot_numbers(robot), _drives(robot, choice)),
-        },
+        "robot": {"name": machine.name, "sha256": machine.digest},
         "options": asdict(choice) | {"functions": list(choice.groups)},
         "files": {name: hashlib.sha256(content).hexdigest() for name, content in sorted(files.items())},
     }
@@ -241,6 +220,7 @@ def _unit(robot: Robot, choice: Choice, made: Parts, texts: Mapping[str, str]) -
     """The co-simulation unit of the forces; it starts at rest at home."""
     part = next(part for part in made.parts for function in part.functions if function.stem == "forces")
     (forces,) = part.functions
+    machine = replace(_machine(robot, choice), drives=None)
     start = _start(robot, choice.formulation)
     needed = {"stewart.h", part.header, part.source, *part.shared}
     payload = None
@@ -248,17 +228,16 @@ def _unit(robot: Robot, choice: Choice, made: Parts, texts: Mapping[str, str]) -
         needed |= {HEADER, SOURCE}
         # The robot's header has the numbers of its drives as well.
         needed |= {each.header for each in made.parts if TORQUE in each.kinds}
-        numbers = robot_numbers(robot)
-        payload = {quantity.name: numbers[quantity.name] for quantity in quantities.PLATFORM}
+        payload = {quantity.name: machine.numbers[quantity.name] for quantity in quantities.PLATFORM}
     prefix = forces.symbol.removesuffix("_forces")
     unit = fmu.unit(
-        robot.name,
-        robot_symbol(robot.name),
+        machine.name,
+        machine.symbol,
         {name: text for name, text in texts.items() if name in needed},
         fmu.UnitKernel(part.header, prefix, not forces.subject, choice.precision, part.says),
         {"R": start.R.tolist(), "t": start.t.tolist()},
         payload,
-        robot_digest(robot.name, robot_numbers(robot)),
-        generator(),
+        machine.digest,
+        machine.version,
     )
-    return packed(robot_symbol(robot.name), unit)
+    return packed(machine.symbol, unit)

@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 from stewart_sym import inverse_kinematics
 from stewart_sym.backend import c_kernel, fidelity, kernel, native
 from stewart_sym.derive.mechanics import quantities
-from stewart_sym.derive.package.robot import robot_files
+from stewart_sym.derive.package.robot import Machine, robot_files
 from stewart_sym.derive.package.words import robot_symbol
 from stewart_sym.kit import FUNCTIONS, Choice, kit, kit_names, put, write_kit
 from stewart_sym.kit.choice import check
@@ -342,7 +342,7 @@ def test_emitter_names_the_field_it_cannot_print(field: str, value: object, mess
     numbers = {name: np.asarray(getattr(robot, name)).tolist() for name in names}
     limits = dict.fromkeys(("shortest", "longest", "force", "speed"), [1.0] * 6)
     with pytest.raises(ValueError, match=re.escape(message)):
-        robot_files("x", {**numbers, field: value}, limits, "0")
+        robot_files(Machine("x", {**numbers, field: value}, limits, None, "0"))
     del numbers[field]
     with pytest.raises(ValueError, match=f"^robot: {field}: missing$"):
-        robot_files("x", numbers, limits, "0")
+        robot_files(Machine("x", numbers, limits, None, "0"))
