@@ -229,9 +229,9 @@ def _of_c(files: dict[str, str]) -> dict[str, str]:
 
 
 @cache
-def reduced_fidelity(level: Fidelity) -> ForceKernel:
-    """The force kernel of one level of ``exact`` as it is emitted: derived, reduced, then shared."""
-    return shared_blocks(fidelity_kernel(EXACT if level.rotor == NONE else EXACT_DRIVE, level))
+def reduced_fidelity(form: Formulation, level: Fidelity) -> ForceKernel:
+    """The force kernel of one level as it is emitted: derived, reduced, then shared."""
+    return shared_blocks(fidelity_kernel(form, level))
 
 
 def _fidelities(version: str) -> Made:
@@ -240,7 +240,7 @@ def _fidelities(version: str) -> Made:
     models: dict[str, int] = {}
     kernels = {}
     for level in (*FIDELITIES.values(), *DRIVE_FIDELITIES.values()):
-        built = reduced_fidelity(level)
+        built = reduced_fidelity(EXACT if level.rotor == NONE else EXACT_DRIVE, level)
         kernels[level] = built if built.fidelity != "general" else prepared_model(built.formulation)
         if built.fidelity != "general":
             models[built.name] = lanes.model_numbers(built)
@@ -273,7 +273,7 @@ def output_program(
     if of_model:
         built = prepared_model(form)
         if level != "general":
-            built = reduced_fidelity(level_of(level, form.drive))
+            built = reduced_fidelity(form, level_of(level, form.drive))
         sums = () if of_model == (FORCES,) else reduced_motion(sums_used(of_model), form)
         parts.append(program(built, sums, of_model, by_pivots))
     if of_robot := [each for each in outputs if each in search.PUBLIC]:

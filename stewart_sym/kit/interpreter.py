@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from ..backend.kernel import kernel_name, module
-from ..derive.generate import reduced_axial, reduced_kinematics, reduced_rotation
+from ..derive.generate import reduced_axial, reduced_fidelity, reduced_kinematics, reduced_rotation
 from ..derive.kernel.drives.torque import axial_program, torque_program
 from ..derive.kernel.kinematics import PUBLIC, rotation_program, search_program
 from ..derive.kernel.outputs import FORCED, FORCES, program
@@ -27,11 +27,10 @@ from ..derive.mechanics.formulation import BY_KERNEL, EXACT, EXACT_DRIVE
 from ..formulas.trees import robot_structure, structure
 from ..generated.arithmetic import Arithmetic as OnArrays
 from ..io.array_types import Array
-from ..precision.truth import ON_DIGITS, digits, number_of_digits
+from ..precision.truth import ON_DIGITS, digits, form_and_level, number_of_digits
 from ..results import OK
 from ..robot.robot import LEGS
 from . import running
-from .parts import plain_kernel
 from .running import HALF_UNIT, Objects, Running, array, errors, sizes, values
 
 Numbers = Mapping[str, Array]
@@ -239,7 +238,8 @@ def _axial(name: str, reflected: bool) -> Interpreter:
 
 @cache
 def _of_level(base_joint: str, formulation: str, fidelity: str, rotors: bool) -> Interpreter:
-    found = program(plain_kernel(base_joint, formulation, fidelity, rotors), by_pivots=True)
+    kernel = reduced_fidelity(*form_and_level(base_joint, formulation, fidelity, rotors))
+    found = program(kernel, by_pivots=True)
     return Interpreter(found, ON, _solvers(each.name for each in found.functions))
 
 

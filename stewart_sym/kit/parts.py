@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from functools import cache, lru_cache
+from functools import lru_cache
 from importlib.metadata import version
 
 import numpy as np
@@ -19,6 +19,7 @@ from ..derive.generate import (
     generator_version,
     motion_files,
     reduced_axial,
+    reduced_fidelity,
     reduced_kinematics,
     reduced_rotation,
 )
@@ -29,10 +30,11 @@ from ..derive.mechanics import quantities
 from ..derive.mechanics.actuator_forces import ForceKernel
 from ..derive.mechanics.baked_constants import baked
 from ..derive.mechanics.formulation import BY_KERNEL, EXACT, EXACT_DRIVE
+from ..derive.mechanics.reduced_models import fidelity_kernel
 from ..derive.package.functions import DRIVES, MODEL, NOTHING, ROBOT, Function, Part
 from ..derive.package.words import Numbers, robot_symbol
 from ..derive.program.cse import shared_blocks
-from ..precision.truth import derived_kernel
+from ..precision.truth import form_and_level
 from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot
 from .choice import STEMS, TORQUE, Choice
@@ -135,7 +137,7 @@ def _force_part(
 
 def _derived(robot: Robot, choice: Choice, level: str) -> tuple[Part, int, int | None]:
     """A kernel that is not among the committed ones: baked, or with its legs one after the other."""
-    plain = plain_kernel(robot.base_joint, choice.formulation, level, robot.has_rotors)
+    plain = reduced_fidelity(*form_and_level(robot.base_joint, choice.formulation, level, robot.has_rotors))
     made, before, after = plain, force_operations(plain, choice.scalar).total.total, None
     if choice.bake:
         made = folded_kernel(robot, choice.formulation, level)
@@ -159,18 +161,12 @@ def _derived(robot: Robot, choice: Choice, level: str) -> tuple[Part, int, int |
     return part, before, after
 
 
-@cache
-def plain_kernel(base_joint: str, formulation: str, level: str, rotors: bool = False) -> ForceKernel:
-    """The forces of a level as they are printed; rotors: whether the legs of the robot have them."""
-    return shared_blocks(derived_kernel(base_joint, formulation, level, rotors))
-
-
 @lru_cache(maxsize=4)
 def folded_kernel(robot: Robot, formulation: str, level: str) -> ForceKernel:
-    """The same with a robot's numbers folded in."""
+    """The forces of a level with a robot's numbers folded in."""
     name = robot_symbol(robot.name).removeprefix("stewart_")
     name += "" if level == "general" else f"_{level}"
-    raw = derived_kernel(robot.base_joint, formulation, level, robot.has_rotors)
+    raw = fidelity_kernel(*form_and_level(robot.base_joint, formulation, level, robot.has_rotors))
     return shared_blocks(baked(raw, robot_numbers(robot), name))
 
 

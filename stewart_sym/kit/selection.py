@@ -18,16 +18,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..backend.kernel import MOTION
+from ..derive.generate import reduced_fidelity
 from ..derive.mechanics.actuator_forces import ForceKernel
 from ..drives.friction import drive_numbers
 from ..io.array_types import Array
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
 from ..kinematics.inverse import inverse_kinematics, wrench_matrix
 from ..motion.motion import Motion
+from ..precision.truth import form_and_level
 from ..robot.robot import Robot
 from .choice import PRECISIONS
 from .interpreter import NEAR_JOINT_SINGULAR
-from .parts import fields, folded_kernel, plain_kernel
+from .parts import fields, folded_kernel
 from .poses import MAX_CONDITION, WHOLE, rounded, sample, significant, size_of, whole_turn
 from .running import FORCES_MARGIN
 from .sensitivity import Change, Forces, KernelConstants, changes
@@ -95,7 +97,7 @@ def selection(numbered: Numbered, formulation: str, fidelity: str, precision: st
     if folded:
         kernel = folded_kernel(robot, formulation, fidelity)
     else:
-        kernel = plain_kernel(robot.base_joint, formulation, fidelity, robot.has_rotors)
+        kernel = reduced_fidelity(*form_and_level(robot.base_joint, formulation, fidelity, robot.has_rotors))
     search = _Search(robot, kernel, precision, sample(robot, formulation)[0])
     ratios, motions = search.shown(near=False)
     hidden = _hidden(ratios)

@@ -19,7 +19,6 @@ from ..derive.kernel.outputs import FORCES, program
 from ..derive.kernel.tree.constants import unchecked
 from ..derive.kernel.tree.interpret import Arithmetic, Interpreter
 from ..derive.mechanics import quantities as n
-from ..derive.mechanics.actuator_forces import ForceKernel
 from ..derive.mechanics.formulation import BY_KERNEL, EXACT, Formulation
 from ..derive.mechanics.legs.rotor import NONE
 from ..derive.mechanics.reduced_models import Fidelity, fidelity_kernel, level_of
@@ -48,7 +47,8 @@ def number_of_digits(_: str, value: Any) -> Any:
 
 @cache
 def _forces(base_joint: str, formulation: str, fidelity: str, rotors: bool) -> Interpreter:
-    return Interpreter(program(derived_kernel(base_joint, formulation, fidelity, rotors)), ON_DIGITS)
+    kernel = fidelity_kernel(*form_and_level(base_joint, formulation, fidelity, rotors))
+    return Interpreter(program(kernel), ON_DIGITS)
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,16 +84,12 @@ class Truth:
         return _forces(self.robot.base_joint, self.formulation, self.fidelity, self.robot.has_rotors)
 
 
-@cache
-def derived_kernel(base_joint: str, formulation: str, fidelity: str, rotors: bool = False) -> ForceKernel:
-    """The blocks of the forces alone, before sharing; rotors: whether the legs of the robot have them."""
-    return fidelity_kernel(*form_and_level(base_joint, formulation, fidelity, rotors))
-
-
 def form_and_level(
     base_joint: str, formulation: str, fidelity: str, rotors: bool
 ) -> tuple[Formulation, Fidelity]:
     """The level of a robot's forces, and the formulation that has it: with rotors where the level has them.
+
+    rotors: whether the robot's legs have them.
 
     Reduced levels are those of legs with universal base joints, whatever the robot's base joints are.
     """
