@@ -17,7 +17,7 @@ from ..kernel.tree.constants import STATUSES
 from ..mechanics import quantities as n
 from ..program.block import AXES, Quantity
 from . import licence
-from . import robot as robot_text
+from .robot import HEADER, SOURCE, Machine
 from .words import Numbers, stored, template
 
 STEP = 0.001
@@ -56,52 +56,38 @@ class Variable:
     start: float | None = None
 
 
-def unit(
-    name: str,
-    symbol: str,
-    sources: Mapping[str, str],
-    kernel: UnitKernel,
-    pose: Numbers,
-    payload: Numbers | None,
-    digest: str,
-    version: str,
-) -> dict[str, str]:
+def unit(machine: Machine, sources: Mapping[str, str], kernel: UnitKernel, pose: Numbers) -> dict[str, str]:
     """All texts of the unit: path in the archive -> text; the C lies below ``sources/``.
 
-    name: the robot's. symbol: the identifier of its constants, also of the unit. sources: file name -> text
-    of every .h and .c that the kernel needs, the robot's too unless it is baked. kernel: how it is called.
-    pose: R (3, 3) and t (3,), m, that the inputs have until they are set, a pose with forces, so that the
-    unit runs before anything is connected; rates, accelerations and loads start at zero. payload: M, kg, R_0,
-    m, I_p (3, 3), kg m^2, and g, m/s^2, of the robot, which become tunable parameters; None for a baked
-    kernel. digest: of name and constants. version: of the generator.
+    machine: whose payload M, R_0, I_p and g become tunable parameters, unless the kernel is baked. sources:
+    file name -> text of every .h and .c that the kernel needs, the robot's too unless it is baked. kernel:
+    how it is called. pose: R (3, 3) and t (3,), m, that the inputs have until they are set, a pose with
+    forces, so that the unit runs before anything is connected; rates, accelerations and loads start at zero.
 
     The unit's GUID is a digest of all of these texts. Raises ValueError naming a number that is missing or
     not finite, or a file that is missing.
     """
-    bare = kernel.baked
-    if bare != (payload is None):
-        raise ValueError(f"payload: expected {'None' if bare else 'M, R_0, I_p and g'} for this kernel")
-    for file in (kernel.header, *(() if bare else (robot_text.HEADER, robot_text.SOURCE))):
+    for file in (kernel.header, *(() if kernel.baked else (HEADER, SOURCE))):
         if file not in sources:
             raise ValueError(f"sources: expected {file} among them")
-    variables = _variables(pose, payload)
+    variables = _variables(pose, None if kernel.baked else machine.numbers)
 
     def texts(guid: str) -> dict[str, str]:
         common = {
-            "version": escape(version),
+            "version": escape(machine.version),
             "guid": guid,
-            "name": escape(name),
-            "says": escape(f"{kernel.says} SHA-256 of name and constants: {digest}".strip()),
+            "name": escape(machine.name),
+            "says": escape(f"{kernel.says} SHA-256 of name and constants: {machine.digest}".strip()),
             "licence": escape(licence.SAYS),
         }
         own = {
             **{f"sources/{name}": template(f"kit/{name}", common) for name in _STATIC},
-            "sources/stewart_unit.h": _unit_header(symbol, kernel, variables, common),
+            "sources/stewart_unit.h": _unit_header(machine.symbol, kernel, variables, common),
         }
         held = own | {f"sources/{file}": text for file, text in sources.items()}
         compiled = sorted(path.removeprefix("sources/") for path in held if path.endswith(".c"))
         return held | {
-            "modelDescription.xml": _description(symbol, variables, compiled, common),
+            "modelDescription.xml": _description(machine.symbol, variables, compiled, common),
             "documentation/licenses/license.txt": licence.TEXT,
             "documentation/index.html": _page(kernel.precision, variables, common),
         }

@@ -13,7 +13,6 @@ import numpy as np
 
 from ..backend import fidelity
 from ..derive.generate import generator_version
-from ..derive.mechanics import quantities
 from ..derive.package import build, cpp, fmu, licence
 from ..derive.package.example import example
 from ..derive.package.functions import Function, Vector, reads_robot
@@ -223,21 +222,12 @@ def _unit(robot: Robot, choice: Choice, made: Parts, texts: Mapping[str, str]) -
     machine = replace(_machine(robot, choice), drives=None)
     start = _start(robot, choice.formulation)
     needed = {"stewart.h", part.header, part.source, *part.shared}
-    payload = None
     if forces.subject:
         needed |= {HEADER, SOURCE}
         # The robot's header has the numbers of its drives as well.
         needed |= {each.header for each in made.parts if TORQUE in each.kinds}
-        payload = {quantity.name: machine.numbers[quantity.name] for quantity in quantities.PLATFORM}
     prefix = forces.symbol.removesuffix("_forces")
-    unit = fmu.unit(
-        machine.name,
-        machine.symbol,
-        {name: text for name, text in texts.items() if name in needed},
-        fmu.UnitKernel(part.header, prefix, not forces.subject, choice.precision, part.says),
-        {"R": start.R.tolist(), "t": start.t.tolist()},
-        payload,
-        machine.digest,
-        machine.version,
-    )
-    return packed(machine.symbol, unit)
+    kernel = fmu.UnitKernel(part.header, prefix, not forces.subject, choice.precision, part.says)
+    sources = {name: text for name, text in texts.items() if name in needed}
+    pose = {"R": start.R.tolist(), "t": start.t.tolist()}
+    return packed(machine.symbol, fmu.unit(machine, sources, kernel, pose))

@@ -21,8 +21,8 @@ from fmu_units import (
     folder,
     forces,
     guid,
+    machine,
     made,
-    numbers,
     pose,
     references,
     running,
@@ -103,21 +103,16 @@ def test_long_symbol_gives_an_identifier_that_simulink_takes() -> None:
     [
         ({"pose": {"R": np.eye(3).tolist()}}, "pose: t: missing"),
         ({"pose": {"R": np.eye(3).tolist(), "t": [0.0, 0.0]}}, "pose: t: expected an entry [2]"),
-        ({"payload": None}, "payload: expected M, R_0, I_p and g for this kernel"),
         ({"sources": {}}, "sources: expected stewart_exact_forces.h among them"),
     ],
 )
 def test_what_is_missing_is_named(change: dict[str, object], message: str) -> None:
     robot = made("lanes").robot
     given = {
-        "name": robot.name,
-        "symbol": made("lanes").symbol,
+        "machine": machine(robot),
         "sources": made("lanes").sources,
         "kernel": made("lanes").kernel,
         "pose": pose(sample(robot, "exact")[0]),
-        "payload": numbers(robot),
-        "digest": "",
-        "version": "",
     }
     with pytest.raises(ValueError, match=rf"\A{re.escape(message)}\Z"):
         texts.unit(**(given | change))

@@ -25,10 +25,12 @@ from stewart_sym.backend import native
 from stewart_sym.backend.kernel import MOTION, robot_numbers
 from stewart_sym.derive.package import fmu
 from stewart_sym.derive.package.fmu import UnitKernel
+from stewart_sym.derive.package.robot import Machine
 from stewart_sym.derive.package.words import robot_symbol
 from stewart_sym.dynamics.home_pose import home_pose
 from stewart_sym.kit import Choice, kit
 from stewart_sym.kit.fmu import packed
+from stewart_sym.kit.parts import robot_numbers as fields
 from stewart_sym.motion.motion import Motion
 from stewart_sym.robot.robot import Robot
 
@@ -42,7 +44,6 @@ CASES = {
 }
 EVERY = slow_but(("lanes", "float"), CASES)
 PREPARED = [case for case in EVERY if case.values != ("baked",)]
-PAYLOAD = ("M", "R_0", "I_p", "g")
 FORCES = range(30, 36)
 NOT_FINITE, ZERO_LENGTH, SINGULAR = 1, 2, 4
 
@@ -67,8 +68,8 @@ def robot_of(case: str) -> Robot:
     return machines.dasgupta()
 
 
-def numbers(robot: Robot) -> dict[str, object]:
-    return {field: np.asarray(getattr(robot, field)).tolist() for field in PAYLOAD}
+def machine(robot: Robot) -> Machine:
+    return Machine(robot.name, fields(robot), {}, None, "1.2.3")
 
 
 def pose(motion: Motion) -> dict[str, object]:
@@ -77,9 +78,7 @@ def pose(motion: Motion) -> dict[str, object]:
 
 def unit(robot: Robot, kernel: UnitKernel, sources: dict[str, str]) -> bytes:
     start = {"R": np.eye(3).tolist(), "t": home_pose(robot).t.tolist()}
-    payload = None if kernel.baked else numbers(robot)
-    symbol = robot_symbol(robot.name)
-    return packed(symbol, fmu.unit(robot.name, symbol, sources, kernel, start, payload, "0" * 64, "1.2.3"))
+    return packed(robot_symbol(robot.name), fmu.unit(machine(robot), sources, kernel, start))
 
 
 @functools.cache
