@@ -6,7 +6,7 @@ from ..derive.mechanics import quantities as n
 from ..derive.package import licence
 from ..derive.package.languages import LANGUAGES
 from ..derive.package.languages.contents import Contents
-from ..derive.package.words import robot_symbol
+from ..derive.package.robot import Machine
 from ..io.arguments import option, shown
 from ..precision.truth import form_and_level
 from ..robot.robot import Robot
@@ -51,17 +51,10 @@ def texts(robot: Robot, choice: Choice) -> dict[str, str]:
         robot, outputs, choice.formulation, fidelity=choice.level, precision=choice.precision, count=5
     )
     unsolvable = rejected(robot, choice.level, choice.precision) if "forces" in outputs else []
-    contents = Contents(
-        robot.name,
-        robot_symbol(robot.name),
-        robot_numbers(robot, any(each.name == n.m_r.name for each in program.structure("Leg").members)),
-        program,
-        outputs,
-        (*found, *unsolvable),
-        choice.precision,
-        options(choice),
-        generator(),
-    )
+    rotors = any(each.name == n.m_r.name for each in program.structure("Leg").members)
+    machine = Machine(robot.name, robot_numbers(robot, rotors), {}, None, generator())
+    tests = (*found, *unsolvable)
+    contents = Contents(machine, program, outputs, tests, choice.precision, options(choice))
     made = language.files(contents)
     made["README.md"] = language.readme(contents, made[language.example])
     made["LICENSE"] = licence.TEXT

@@ -64,11 +64,13 @@ from stewart_sym.derive.kernel.interface import CALLS
 from stewart_sym.derive.package.languages import LANGUAGES
 from stewart_sym.derive.package.functions import Vector
 from stewart_sym.derive.package.languages.contents import Contents
+from stewart_sym.derive.package.robot import Machine
 given = json.loads(sys.stdin.read())
 answers, bounds = ({"momentum": given[each]} for each in ("answer", "bound"))
 test = Vector("momentum", given["motion"], answers, bounds)
 program = output_program(EXACT, ("momentum",))
-kit = Contents("one", "one", given["robot"], program, ("momentum",), (test,), "double", "", "test")
+machine = Machine("one", given["robot"], {}, None, "test")
+kit = Contents(machine, program, ("momentum",), (test,), "double", "")
 texts = {name: language.files(kit) for name, language in LANGUAGES.items()}
 call = CALLS["momentum"]
 declared = call.prototypes("stewart_exact_momentum", "const stewart_exact_model *model", call.has_batch)

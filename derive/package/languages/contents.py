@@ -7,7 +7,7 @@ from functools import cached_property
 from ...kernel.tree.constants import INTEGERS, STATUS
 from ...kernel.tree.nodes import Array, Constant, Program, Record, Type, parts_of
 from ..functions import Vector
-from ..words import Numbers
+from ..robot import Machine
 
 Value = Sequence[float] | Mapping[str, Sequence[float]]
 """What a function is given: numbers, or a structure's members, flat."""
@@ -17,20 +17,16 @@ Value = Sequence[float] | Mapping[str, Sequence[float]]
 class Contents:
     """What goes into a kit.
 
-    name, symbol: of the robot, the second fit for identifiers; numbers: quantity -> nested lists; outputs:
-    public functions of the program; tests: at least one of each that has any, those with status 0 first;
-    precision: "double" or "float"; options: of the command line.
+    outputs: public functions of the program; tests: at least one of each that has any, those with status 0
+    first; precision: "double" or "float"; options: of the command line.
     """
 
-    name: str
-    symbol: str
-    numbers: Numbers
+    machine: Machine
     program: Program
     outputs: tuple[str, ...]
     tests: tuple[Vector, ...]
     precision: str
     options: str
-    version: str
 
     @property
     def says(self) -> str:

@@ -54,9 +54,9 @@ class Language(ABC):
         return template(
             "readme.md",
             {
-                "robot": in_markdown(kit.name),
+                "robot": in_markdown(kit.machine.name),
                 "title": textwrap.fill(f"{self.title}; functions: {kit.says}.", 110),
-                "version": kit.version,
+                "version": kit.machine.version,
                 "options": kit.options,
                 "language": self.name,
                 "run": self.run,
@@ -72,15 +72,20 @@ class Language(ABC):
 
     def filled(self, name: str, kit: Contents, **more: str) -> str:
         """A template with the words that all take and with more of its own."""
-        words = {"robot": kit.name, "outputs": kit.says, "version": kit.version, "crate": kit.symbol}
+        words = {
+            "robot": kit.machine.name,
+            "outputs": kit.says,
+            "version": kit.machine.version,
+            "crate": kit.machine.symbol,
+        }
         return template(name, words | more)
 
     def statements(self, kit: Contents, statement: str, robot: str) -> str:
         """One for each quantity of a robot; statement: with its name and its numbers as {}."""
-        made = [(q, f"{robot}.{q.name}", stored(kit.numbers, q, "robot")) for q in n.PLATFORM] + [
-            (q, f"{robot}.{leg}.{q.name}", stored(kit.numbers, q, "robot", i))
+        made = [(q, f"{robot}.{q.name}", stored(kit.machine.numbers, q, "robot")) for q in n.PLATFORM] + [
+            (q, f"{robot}.{leg}.{q.name}", stored(kit.machine.numbers, q, "robot", i))
             for i, leg in enumerate(self.legs)
-            for q in n.of_leg(kit.numbers)
+            for q in n.of_leg(kit.machine.numbers)
         ]
         return "\n".join(
             statement.format(name, array(values) if q.shape else repr(values[0])) for q, name, values in made

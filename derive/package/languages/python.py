@@ -27,7 +27,7 @@ class PythonKit(Language):
         fill = self.statements(kit, "    {} = {}", "made")
         same = self.statements(kit, "    failed += {} != {}", "machine")
         made = {
-            "robot": kit.name.replace("\\", "\\\\").replace('"', '\\"'),
+            "robot": kit.machine.name.replace("\\", "\\\\").replace('"', '\\"'),
             "prepare": self.prepare if kit.prepared else "model = None",
         }
         calls = [
@@ -40,7 +40,7 @@ class PythonKit(Language):
             )
         ]
         return {
-            "stewart_arrays.py": module(kit.program, arithmetic(kit.whole_numbers), kit.version),
+            "stewart_arrays.py": module(kit.program, arithmetic(kit.whole_numbers), kit.machine.version),
             "robot.py": self.filled("python_robot.py", kit, **made, numbers=fill),
             "self_test.py": self.filled("python_test.py", kit, **made, same=same, tests="".join(tests)),
             "example.py": self.filled(

@@ -44,7 +44,7 @@ class RustKit(Language):
                 statuses="\n".join(self._numbers(kit)),
                 constants="\n".join(numbers),
             ),
-            "src/robot.rs": self.filled("rust_robot.rs", kit, numbers=_rust_robot(kit.numbers)),
+            "src/robot.rs": self.filled("rust_robot.rs", kit, numbers=_rust_robot(kit.machine.numbers)),
             "tests/self_test.rs": self.filled("rust_test.rs", kit, same=same, tests=tests),
             self.example: self.filled(
                 "rust_example.rs",
