@@ -109,7 +109,11 @@ class _Source(blocks.Batches):
 
     def __init__(self, kernels: tuple[SumKernel, ...], model: ForceKernel, asked: list[str]) -> None:
         super().__init__(model, asked, kernels)
-        self.program = o.program_in_lanes(model, kernels, _texts_for(asked))
+        # What is needed of the functions that serve other languages as well.
+        texts = [each for each in asked if each not in blocks.OWN]
+        texts += [f"{each}_sums" for each in asked if each in blocks.OWN]
+        texts += ["place_inertia_40"] if "derivatives" in asked else []
+        self.program = o.program_in_lanes(model, kernels, texts)
         named = {each.name: each for each in self.program.structures}
         records = {each: t.snake(each) for each in named}
         records |= {each.name: f"{what}_found" for what, each in o.RESULTS.items()}
@@ -228,9 +232,11 @@ class _Source(blocks.Batches):
             own = {"OUTSIDE": outside, "BLOCK": inside} | checks(block)
             name = f"{prefix}_of_{part}"
             yield self.read(written.leg_terms, name, apart=True, given=given | own, structures=structures)
+        # Of the motion what the platform reads, and the legs, for themselves and for how they are checked.
+        moved = {n.t, *(q for part in (kernel.pose, *legs.values()) for q in part.inputs)}
         given |= {
             "GIVEN": lay.entries(q for q in GIVEN if q in kernel.leg.inputs),
-            "MOVED": lay.entries(q for q in n.MOTION if q in _read_of(kernel)),
+            "MOVED": lay.entries(q for q in n.MOTION if q in moved),
             "OF_POSE": lay.entries(blocks.handed(kernel)),
         }
         yield self.read(written.sums, f"{prefix}_sums", structures=structures, given=given, names=names)
@@ -274,19 +280,6 @@ class _Source(blocks.Batches):
             *lay.set_in_order(t.Member(t.Name("out"), "sum"), _sums(kernel, block), lay.LANE),
             *lay.stores(kept, lambda q: lay.member("out", q, lay.LANE)),
         )
-
-
-def _texts_for(asked: list[str]) -> list[str]:
-    """What is needed of the functions that serve other languages as well."""
-    found = [each for each in asked if each not in blocks.OWN]
-    found += [f"{each}_sums" for each in asked if each in blocks.OWN]
-    return [*found, *(["place_inertia_40"] if "derivatives" in asked else [])]
-
-
-def _read_of(kernel: SumKernel) -> set[Quantity]:
-    """What the legs read, for themselves and for how they are checked, and the platform."""
-    near = () if kernel.near is None else kernel.near.inputs
-    return {*kernel.pose.inputs, *kernel.leg.inputs, *near, n.t}
 
 
 def _sums(kernel: SumKernel, block: Block) -> list[sp.Expr]:

@@ -54,6 +54,9 @@ def files(
         title, count = "of one machine, its numbers folded in.", force_operations(before).total.total
         says += f" Before the numbers were folded in a pose took {count} operations."
     plain = None if frictionless is None else force_operations(frictionless)
+    robot, leg = p.raw_structures(kernel)
+    # Of kernels that are prepared from more than ``stewart_robot``.
+    own = [] if robot is p.ROBOT else [leg, robot]
     texts = header(
         "forces.h",
         file,
@@ -63,16 +66,10 @@ def files(
         title=title,
         says="" if kernel.fidelity == "general" and before is None else f" * {says}\n *\n",
         operations=operations_table(force_operations(kernel), plain, " * "),
-        declarations=made.declared(*([] if made.baked else [*own_robot(kernel), made.structures["Model"]])),
+        declarations=made.declared(*([] if made.baked else [*own, made.structures["Model"]])),
     )
     defined = filled("registers.c") + ("" if n.D in made.given else _WITHOUT_D)
     return texts | {f"{file}.c": made.printed(top(file, version, HEADER, defined))}
-
-
-def own_robot(kernel: ForceKernel) -> list[t.Structure]:
-    """Leg and robot of kernels that are prepared from more than ``stewart_robot``."""
-    robot, leg = p.raw_structures(kernel)
-    return [] if robot is p.ROBOT else [leg, robot]
 
 
 def model_numbers(kernel: ForceKernel) -> int:

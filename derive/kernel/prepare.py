@@ -160,12 +160,9 @@ def literals(kernel: ForceKernel) -> str:
 # ---------------------------------------------------------------- as trees of other languages than C
 
 
-STATUS_FIELD = t.Field("status", t.Integer(), "0, or what is wrong")
-
-
 def result(name: str, meaning: str, *members: t.Field) -> t.Structure:
     """What a function returns: members, and a status."""
-    return t.Structure(name, meaning, (*members, STATUS_FIELD))
+    return t.Structure(name, meaning, (*members, t.Field("status", t.Integer(), "0, or what is wrong")))
 
 
 def machine_structures(drive: bool = False, more: tuple[Quantity, ...] = ()) -> list[t.Structure]:

@@ -40,8 +40,6 @@ from .legs.printed import printed_leg
 from .legs.rotor import NONE, Rotor, rotor_of
 from .platform import platform
 
-FROM_POSE = (*n.MOTION, p.B)
-
 
 @dataclass(frozen=True)
 class ForceKernel:
@@ -156,8 +154,11 @@ def elimination_kernel(form: Formulation, friction: bool = True) -> ForceKernel:
 
 
 def with_shared_pose(form: Formulation, friction: bool = True) -> ForceKernel:
-    """The legs of ``inverse_dynamics``, with B and the platform's part of c regrouped."""
-    leg = _turned_by_B(_plain_leg(form, friction))
+    """The legs of ``inverse_dynamics`` with S_ddot = B q + a, and the platform's part of c regrouped."""
+    leg = _plain_leg(form, friction)
+    ready = dict(zip(("S_ddot_x", "S_ddot_y", "S_ddot_z"), p.B.value * n.q.value + n.a.value, strict=True))
+    steps = [replace(step, expr=ready.get(step.name, step.expr)) for step in leg.steps]
+    leg = rebuilt(leg, steps, list(leg.outputs), (*leg.inputs, p.B))
     return with_constants(form, friction, shared(friction=False), leg, p.NOTHING_LUMPED)
 
 
@@ -400,7 +401,7 @@ def closed_leg(
     return build.block(
         "leg_terms_of",
         meaning,
-        (*n.OF_LEG, *p.LEG, *more, *FROM_POSE, n.g),
+        (*n.OF_LEG, *p.LEG, *more, *n.MOTION, p.B, n.g),
         [
             (n.q, q),
             (n.L, L),
@@ -437,10 +438,3 @@ def _plain_leg(form: Formulation, friction: bool) -> Block:
     leg = leg_block(form, friction)
     kept = [out for out in leg.outputs if out.quantity != n.K]
     return replace(rebuilt(leg, list(leg.steps), kept, leg.inputs), name="leg_terms_of")
-
-
-def _turned_by_B(leg: Block) -> Block:
-    """The leg with S_ddot = B q + a."""
-    ready = dict(zip(("S_ddot_x", "S_ddot_y", "S_ddot_z"), p.B.value * n.q.value + n.a.value, strict=True))
-    steps = [replace(step, expr=ready.get(step.name, step.expr)) for step in leg.steps]
-    return rebuilt(leg, steps, list(leg.outputs), (*leg.inputs, p.B))

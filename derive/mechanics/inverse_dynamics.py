@@ -24,7 +24,7 @@ from .legs.leg import (
     platform_point_motion,
 )
 from .legs.rotor import rotor_of
-from .platform import LegShare, platform
+from .platform import platform
 
 
 @dataclass(frozen=True)
@@ -78,7 +78,11 @@ def leg_block(form: Formulation, friction: bool) -> Block:
     """One leg's part of the inverse dynamics, (1)-(24) and its share of (35)."""
     build = Builder()
     leg = base_frame_leg(build, form, friction, with_reactions=False)
-    column, wrench = place_share(platform()[1], leg)
+    share = platform()[1]
+    values: dict[sp.Symbol, sp.Expr] = {}
+    for quantity, value in ((n.s, leg.s), (n.q, leg.q), (n.K, leg.K), (n.f, leg.f)):
+        values.update(zip(quantity.symbols, value, strict=True))
+    column, wrench = share.column.xreplace(values), share.wrench.xreplace(values)
     outputs = [
         (n.q, leg.q),
         (n.L, leg.L),
@@ -96,14 +100,6 @@ def leg_block(form: Formulation, friction: bool) -> Block:
         (*n.OF_LEG, n.g, *n.MOTION),
         outputs,
     )
-
-
-def place_share(share: LegShare, leg: BaseFrameLeg) -> tuple[sp.Matrix, sp.Matrix]:
-    """The leg's column of H and part of c with its own s, q, K and f."""
-    values: dict[sp.Symbol, sp.Expr] = {}
-    for quantity, value in ((n.s, leg.s), (n.q, leg.q), (n.K, leg.K), (n.f, leg.f)):
-        values.update(zip(quantity.symbols, value, strict=True))
-    return share.column.xreplace(values), share.wrench.xreplace(values)
 
 
 def reactions_block(form: Formulation, friction: bool) -> Block:

@@ -81,12 +81,6 @@ def _share_of(equations: PlatformEquations, leg: int) -> LegShare:
     )
 
 
-def platform_share(equations: PlatformEquations) -> sp.Matrix:
-    """The part of c that belongs to no leg, 6x1."""
-    of_legs = [symbol for leg in LEGS for quantity in _LEG_VECTORS for symbol in _indexed(quantity, leg)]
-    return equations.c.xreplace(dict.fromkeys(of_legs, sp.S.Zero))
-
-
 @cache
 def platform() -> tuple[Block, LegShare]:
     """The block of the platform's part of c, and the share of one leg."""
@@ -107,7 +101,8 @@ def platform() -> tuple[Block, LegShare]:
     F_load = build.vector("F_load", R * n.F_ext.value, "(33)", "external force, base frame")
     M_load = build.vector("M_load", R * n.M_ext.value, "(34)", "external moment, base frame")
     equations = equations_of_motion(N, R_G, F_load, E, M_load)
-    own = platform_share(equations)
+    of_legs = [symbol for leg in LEGS for quantity in _LEG_VECTORS for symbol in _indexed(quantity, leg)]
+    own = equations.c.xreplace(dict.fromkeys(of_legs, sp.S.Zero))
     block = build.block(
         "platform_wrench",
         "the platform's own part of c, (33)-(35)",

@@ -197,7 +197,13 @@ class Matlab(Printer):
             body.insert(0, "    constants = stewart.constants();")
         return [
             *self.lines("", f"function {left} = {function.name}({arguments})"),
-            *_help(function),
+            *textwrap.wrap(
+                f"%{function.name.upper()} {' '.join(function.meaning.split())}".rstrip(),
+                100,
+                subsequent_indent="% ",
+                break_long_words=False,
+                break_on_hyphens=False,
+            ),
             *body,
             "end",
         ]
@@ -206,13 +212,6 @@ class Matlab(Printer):
 def _together(names: list[str]) -> str:
     """The left side of an assignment to one name or several."""
     return names[0] if len(names) == 1 else f"[{', '.join(names)}]"
-
-
-def _help(function: t.Function) -> list[str]:
-    text = " ".join([function.name.upper(), *function.meaning.split()])
-    return textwrap.wrap(
-        text, 100, initial_indent="%", subsequent_indent="% ", break_long_words=False, break_on_hyphens=False
-    )
 
 
 def _plus(text: str, more: int) -> str:

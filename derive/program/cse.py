@@ -109,14 +109,12 @@ def _groups(steps: list[Step], shared: dict[sp.Symbol, sp.Expr]) -> list[list[St
     groups: list[list[Step]] = []
     for step in steps:
         needs = set().union(step.expr.free_symbols, *(reach.get(s, set()) for s in step.expr.free_symbols))
-        if groups and _joins(step, groups[-1], needs):
-            groups[-1].append(step)
+        group = groups[-1] if groups else []
+        alike = (
+            group and step.meaning and (step.equation, step.meaning) == (group[0].equation, group[0].meaning)
+        )
+        if alike and not needs & {member.symbol for member in group}:
+            group.append(step)
         else:
             groups.append([step])
     return groups
-
-
-def _joins(step: Step, group: list[Step], needs: set[sp.Symbol]) -> bool:
-    first = group[0]
-    alike = bool(step.meaning) and (step.equation, step.meaning) == (first.equation, first.meaning)
-    return alike and not needs & {member.symbol for member in group}

@@ -162,15 +162,6 @@ def _bend(net: sp.Matrix) -> sp.Matrix:
     return tip.hessian(names).xreplace(dict(zip(names, net, strict=True)))
 
 
-def _name_joint_motion(build: Builder, leg: parts.Leg) -> None:
-    """Names rates and accelerations of the joint coordinates."""
-    rates = joint_rates(build, leg.at, leg.S_dot)
-    S_ddot = build.vector(
-        "S_ddot", p.B.value * leg.at.q + n.a.value, "(7)", "acceleration of the platform point"
-    )
-    joint_accelerations(build, leg.at, rates, S_ddot)
-
-
 def _name_finite_motion(build: Builder, leg: parts.Leg, turned: bool) -> None:
     """Names what ``tip.gathered`` takes as given of the leg, its rates and accelerations.
 
@@ -220,7 +211,9 @@ def _tip_slopes(build: Builder, leg: parts.Leg, near: bool) -> _Slopes:
     if near:
         _name_finite_motion(build, leg, turned=False)
     else:
-        _name_joint_motion(build, leg)
+        rates, moved = joint_rates(build, leg.at, leg.S_dot), p.B.value * leg.at.q + n.a.value
+        S_ddot = build.vector("S_ddot", moved, "(7)", "acceleration of the platform point")
+        joint_accelerations(build, leg.at, rates, S_ddot)
     m, _ = parts.tip_inertia(build, leg)
     by = _torque_slopes(build, leg, near)
     T, value = leg.T, tip.gradients().value

@@ -30,7 +30,9 @@ def normal_form(expr: sp.Expr) -> sp.Expr:
     kappa, inv_rho, inv_L and inv_k3 are written out. ValueError if the expression is no polynomial in its
     other symbols.
     """
-    expr = sp.sympify(expr).xreplace(_QUOTIENTS).replace(_is_inverse, _inverse)
+    expr = sp.sympify(expr).xreplace(_QUOTIENTS)
+    powers = [power for power in expr.atoms(sp.Pow) if power.base in _INVERSES and power.exp.is_negative]
+    expr = expr.xreplace({power: _INVERSES[power.base] ** -power.exp for power in powers})
     rest = sorted(expr.free_symbols - set(_FIRST), key=str)
     ring = sp.ring([*_FIRST, *rest], sp.QQ, "grevlex")[0]
     left = ring.from_expr(expr).rem([ring.from_expr(relation) for relation in _RELATIONS])
@@ -40,11 +42,3 @@ def normal_form(expr: sp.Expr) -> sp.Expr:
 def vanishes(expr: sp.Expr | sp.Matrix) -> bool:
     """Whether the expression, or every entry of the matrix, is zero."""
     return all(normal_form(entry) == 0 for entry in (expr if isinstance(expr, sp.MatrixBase) else [expr]))
-
-
-def _is_inverse(expr: sp.Expr) -> bool:
-    return bool(expr.is_Pow and expr.base in _INVERSES and expr.exp.is_Integer and expr.exp < 0)
-
-
-def _inverse(power: sp.Pow) -> sp.Expr:
-    return _INVERSES[power.base] ** -power.exp
