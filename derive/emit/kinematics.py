@@ -26,7 +26,7 @@ _OF_POSES = OF_STEWART_H | {"Pose": "stewart_pose"}
 
 def kinematics_files(blocks: Kinematics, version: str) -> dict[str, str]:
     """``stewart_kinematics``: one pose, forward and inverse; its header says what it costs."""
-    return _files(
+    return files(
         "kinematics",
         of_one_pose(search_program(blocks, check=RETURNED)),
         _OF_POSES,
@@ -41,27 +41,26 @@ def kinematics_files(blocks: Kinematics, version: str) -> dict[str, str]:
 def legs_files(blocks: Kinematics, version: str) -> dict[str, str]:
     """``stewart_legs``: the legs of many poses."""
     operations = f" * Operations, six legs: {6 * blocks.second.operations()}."
-    return _files("legs", legs_batch(blocks), _OF_ARRAYS, version, False, operations=operations)
+    return files("legs", legs_batch(blocks), _OF_ARRAYS, version, False, operations=operations)
 
 
 def rotation_files(blocks: Iterable[Block], version: str) -> dict[str, str]:
     """``stewart_rotation``: R, omega and alpha of a motion from roll, pitch and yaw, or from a quaternion."""
-    return _files("rotation", rotation_program(blocks), OF_STEWART_H, version)
+    return files("rotation", rotation_program(blocks), OF_STEWART_H, version)
 
 
-def _files(
+def files(
     name: str, program: Program, records: dict[str, str], version: str, brackets: bool = True, **said: object
 ) -> dict[str, str]:
-    """Header and source by name; records: structures that a header has, by their names in the tree."""
-    file = f"stewart_{name}"
-    text = source(file, program, records, version, brackets)
-    after = "" if program.functions[-1].public else f"\n{filled(f'{name}.c')}"
-    return header(f"{name}.h", file, version, **said) | {f"{file}.c": text + after}
+    """Header and source of a program, from templates of a name.
 
-
-def source(file: str, program: Program, records: dict[str, str], version: str, brackets: bool = True) -> str:
-    """Structures and functions of a program; records: structures that a header has, as of ``_files``."""
+    records: structures that a header has, by their names in the tree. said: words of the templates, ``file``
+    among them where it is not called after the name.
+    """
+    file = str(said.get("file", f"stewart_{name}"))
     named = {each.name: snake(each.name) for each in program.structures} | records
     printer = C(program.functions, None, brackets, named, program.structures, fused=False)
     own = (each for each in program.structures if each.name not in records)
-    return printer.source(top(file, version, ARITHMETIC), *own, *program.functions)
+    text = printer.source(top(file, version, ARITHMETIC), *own, *program.functions)
+    after = "" if program.functions[-1].public else f"\n{filled(f'{name}.c', **said)}"
+    return header(f"{name}.h", file, version, **said) | {f"{file}.c": text + after}

@@ -7,11 +7,9 @@ from ..kernel.interface import STRUCTS
 from ..kernel.tree.counted import counted
 from ..kernel.tree.settle import of_one_pose
 from ..mechanics.formulation import SPHERICAL, Formulation
-from ..print.template import filled
 from ..program.block import Block, Operations
 from .header import member_text
-from .kinematics import OF_STEWART_H, source
-from .shared import header
+from .kinematics import OF_STEWART_H, files
 
 
 def torque_operations(stribeck: bool = True) -> Operations:
@@ -26,17 +24,15 @@ def torque_operations(stribeck: bool = True) -> Operations:
 
 def torque_files(version: str) -> dict[str, str]:
     """``stewart_torque``: torques and currents from forces and rates."""
-    file = "stewart_torque"
-    made = header(
-        "torque.h",
-        file,
+    return files(
+        "torque",
+        of_one_pose(torque_program()),
+        {"Drives": "stewart_drives"},
         version,
         operations=torque_operations(),
         without=torque_operations(stribeck=False),
         drives="\n".join(map(member_text, STRUCTS["drives"])),
     )
-    text = source(file, of_one_pose(torque_program()), {"Drives": "stewart_drives"}, version)
-    return made | {f"{file}.c": f"{text}\n{filled('torque.c')}"}
 
 
 def axial_name(form: Formulation, reflected: bool = False) -> str:
@@ -52,9 +48,10 @@ def axial_operations(block: Block) -> Operations:
 def axial_files(form: Formulation, block: Block, version: str, reflected: bool = False) -> dict[str, str]:
     """``stewart_..._axial`` of a formulation with rotors; block: a leg's; reflected: as ``axial_name``."""
     file, masses = axial_name(form, reflected), reflected or form.base_joint == SPHERICAL
-    made = header(
-        "axial.h",
-        file,
+    return files(
+        "axial",
+        of_one_pose(axial_program(block)),
+        OF_STEWART_H,
         version,
         rotors=True,
         file=file,
@@ -64,5 +61,3 @@ def axial_files(form: Formulation, block: Block, version: str, reflected: bool =
         operations=axial_operations(block),
         statuses=f"STEWART_NOT_FINITE, STEWART_ZERO_LENGTH{'' if masses else ', STEWART_JOINT_SINGULAR'}",
     )
-    text = source(file, of_one_pose(axial_program(block)), OF_STEWART_H, version)
-    return made | {f"{file}.c": f"{text}\n{filled('axial.c', symbol=f'{file}_forces')}"}
