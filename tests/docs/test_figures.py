@@ -22,8 +22,8 @@ from stewart_sym.simulation.scene import Scene, read_scene
 from stewart_sym.studies import published
 from stewart_sym.studies.accuracy.budget import papers_motions
 from stewart_sym.studies.benchmark import published as published_bench
-from stewart_sym.studies.benchmark.figures import MotionFigures
-from stewart_sym.studies.benchmark.samples import CLOSED, Figure
+from stewart_sym.studies.benchmark.figures import motion_figures as figures_of_motion
+from stewart_sym.studies.benchmark.samples import CLOSED, figure
 from stewart_sym.studies.common.host import DISTURBED
 from stewart_sym.studies.control import control
 from stewart_sym.studies.control import published as published_control
@@ -144,12 +144,12 @@ def test_a_page_without_marks_is_named() -> None:
 def test_times_on_the_page_are_those_of_the_benchmark() -> None:
     found = figures()
     closed = next(each["median"] for each in found["baselines"] if each["name"] == CLOSED)
-    for figure in (*found["ours"], *found["baselines"]):
-        assert table_row(BENCHMARKS, figure["name"]) == [
-            f"{figure['median']:.0f}",
-            f"{figure['median'] / closed:.2f}",
-            f"{figure['ratio_to_casadi']:.2f}",
-            figure.get("vectors", ""),
+    for each in (*found["ours"], *found["baselines"]):
+        assert table_row(BENCHMARKS, each["name"]) == [
+            f"{each['median']:.0f}",
+            f"{each['median'] / closed:.2f}",
+            f"{each['ratio_to_casadi']:.2f}",
+            each.get("vectors", ""),
         ]
     prose = prose_of(BENCHMARKS)
     for source in found["compiling"]:
@@ -180,16 +180,16 @@ def test_the_committed_run_keeps_what_the_kernels_promise() -> None:
 
 
 def motion_figures() -> dict[str, Any]:
-    """The second group as ``Benchmark.as_json`` writes it, from figures made up."""
+    """The second group as ``bench`` writes it, from figures made up."""
     ours, baselines = (
-        tuple(Figure(name, f"{name}, how", "one pose", 16, (time,)) for name, time in group)
+        [figure(name, f"{name}, how", "one pose", 16, (time,)) for name, time in group]
         for group in (
             (("inverse dynamics", 300.0), ("forward dynamics", 400.0), ("derivatives", 1500.0)),
             (("Pinocchio", 9000.0), ("MuJoCo", 8000.0)),
         )
     )
-    found = MotionFigures("machine", ours, baselines, (), (), 2e-8, {"Pinocchio": 1e-8, "MuJoCo": 2e-6})
-    return found.as_json()
+    differences = {"Pinocchio": 1e-8, "MuJoCo": 2e-6}
+    return figures_of_motion("machine", ours, baselines, [], [], 2e-8, differences)
 
 
 def test_motion_has_every_figure_with_its_target() -> None:
@@ -205,7 +205,7 @@ def test_motion_has_every_figure_with_its_target() -> None:
 
 
 def made_up_builds() -> dict[str, Any]:
-    """Shares, compiled C and the processor as ``Benchmark.as_json`` writes them."""
+    """Shares, compiled C and the processor as ``bench`` writes them."""
     ratios = {"ratio_to_closed_form": 0.5, "ratio_to_casadi": 0.25}
     build = {"name": "one pose", "vectors": "AVX2, 256 bit", "flags": ["-mno-avx512f"], "median": 9.0}
     peak = {"instructions": "AVX2", "numbers_in_a_vector": 4, "vectors_in_a_cycle": 2.0}

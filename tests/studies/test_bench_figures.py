@@ -1,6 +1,5 @@
 """What a run of the bench says: figures, ratios, tables, the picture, and how times are measured."""
 
-import dataclasses
 import itertools
 import json
 import os
@@ -29,37 +28,23 @@ from stewart_sym.studies.benchmark.plot import motion_picture, picture, report
 from stewart_sym.studies.benchmark.processor import targets
 from stewart_sym.studies.benchmark.samples import CLOSED, FORWARD, PLAIN, batched
 from stewart_sym.studies.common import host, timing
+from stewart_sym.studies.common.output import Figures
 
 
 @pytest.fixture(scope="module", params=[pytest.param("robot", marks=pytest.mark.slow)])
-def run(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, bench.Benchmark]:
-    """What the command wrote of a robot file, and what it had measured."""
+def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """What the command wrote of a robot file."""
     folder = tmp_path_factory.mktemp("bench")
     file = folder / "mine.toml"
     file.write_text(PAPERS.read_text().replace('name = "Dasgupta & Mruthyunjaya 1998"', 'name = "mine"'))
-    measured: list[bench.Benchmark] = []
-    plain = bench.bench
-
-    def keeping(*arguments: Any) -> bench.Benchmark:
-        measured.append(plain(*arguments))
-        return measured[-1]
-
     with pytest.MonkeyPatch.context() as patch:
         shorten(patch)
-        patch.setattr(bench, "bench", keeping)
         assert main(["bench", "--quick", "--robot", str(file), "-o", str(folder / "new")]) == 0
-    (found,) = measured
-    return folder / "new", found
+    return folder / "new"
 
 
 @pytest.fixture(scope="module")
-def written(run: tuple[Path, bench.Benchmark]) -> Path:
-    """What the command wrote."""
-    return run[0]
-
-
-@pytest.fixture(scope="module")
-def reduced() -> bench.Benchmark:
+def reduced() -> Figures:
     """A run on the paper's machine of our code alone, no passes, text or batches that fit; disturbed."""
     at = itertools.count(0.0, 1e6)
     with pytest.MonkeyPatch.context() as patch:
@@ -188,7 +173,7 @@ def test_text_is_found_with_either_compiler(command: str, monkeypatch: pytest.Mo
     monkeypatch.setenv("CC", command)
     size = compile_times.text_size()
     assert size is not None
-    assert {"stewart_exact_prepare", "stewart_exact_forces"} <= size.functions.keys()
+    assert {"stewart_exact_prepare", "stewart_exact_forces"} <= size["functions"].keys()
 
 
 def test_text_is_left_out_where_the_tools_are_missing(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -200,21 +185,19 @@ def test_text_is_left_out_where_the_tools_are_missing(monkeypatch: pytest.Monkey
 
 
 @pytest.mark.slow
-def test_tables_without_passes_and_text_are_left_out(reduced: bench.Benchmark) -> None:
-    assert reduced.as_json()["text"] is None
+def test_tables_without_passes_and_text_are_left_out(reduced: Figures) -> None:
+    assert reduced["text"] is None
     assert "after the pass" not in report(reduced)
-    assert reduced.robot == dasgupta().name
+    assert reduced["robot"] == dasgupta().name
     assert "bytes" not in report(reduced)
 
 
 @pytest.mark.slow
-def test_a_run_that_others_disturbed_says_so(
-    reduced: bench.Benchmark, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_run_that_others_disturbed_says_so(reduced: Figures, monkeypatch: pytest.MonkeyPatch) -> None:
     assert "100 % of the cores' time: the figures" in report(reduced)
     monkeypatch.setattr(host, "_work_of_others", lambda: 0.0)
-    undisturbed = reduced.machine | {"taken_by_others": host.Others().share()}
-    assert "took 0 % of the cores' time\n" in report(dataclasses.replace(reduced, machine=undisturbed))
+    undisturbed = reduced["machine"] | {"taken_by_others": host.Others().share()}
+    assert "took 0 % of the cores' time\n" in report(reduced | {"machine": undisturbed})
 
 
 def test_own_work_is_not_that_of_others() -> None:
@@ -289,18 +272,15 @@ def test_the_picture_shows_every_candidate(written: Path) -> None:
     assert 0.01 < np.mean(pixels[..., :3] < 0.9) < 0.5
 
 
-def disturbed(found: bench.Benchmark) -> bench.Benchmark:
-    """The slowest code's third quartile at a hundred times its median, as beside another job."""
-    slowest = max(found.baselines, key=lambda each: each.median)
-    raw = (*[slowest.median] * 3, *[400.0 * slowest.median] * 2)
-    wide = dataclasses.replace(slowest, raw=raw)
-    return dataclasses.replace(
-        found, baselines=tuple(wide if each is slowest else each for each in found.baselines)
-    )
+def disturbed(found: Figures) -> Figures:
+    """The slowest code's third quartile at 400 times its median, as beside another job."""
+    *others, slowest = sorted(found["baselines"], key=lambda each: float(each["median"]))
+    wide = slowest | {"quartiles": [slowest["median"], 400.0 * slowest["median"]]}
+    return found | {"baselines": [*others, wide]}
 
 
-def test_labels_in_the_picture_do_not_overlap(run: tuple[Path, bench.Benchmark]) -> None:
-    for canvas in (picture(run[1]), motion_picture(run[1]), picture(disturbed(run[1]))):
+def test_labels_in_the_picture_do_not_overlap(figures: Figures) -> None:
+    for canvas in (picture(figures), motion_picture(figures), picture(disturbed(figures))):
         canvas.draw_without_rendering()
         above = canvas.axes[0]
         boxes = [text.get_window_extent() for text in (*above.texts, *above.get_yticklabels())]
@@ -310,14 +290,12 @@ def test_labels_in_the_picture_do_not_overlap(run: tuple[Path, bench.Benchmark])
         assert all(canvas.bbox.x0 < box.x0 and box.x1 < canvas.bbox.x1 for box in boxes)
 
 
-def test_a_net_time_that_other_work_made_negative_does_not_stop_the_picture(
-    run: tuple[Path, bench.Benchmark],
-) -> None:
-    motion = run[1].motion
-    first, *others = motion.baselines
-    raw = (-30.0, -20.0, *first.raw[2:])
-    negative = dataclasses.replace(motion, baselines=(dataclasses.replace(first, raw=raw), *others))
-    motion_picture(dataclasses.replace(run[1], motion=negative)).draw_without_rendering()
+def test_a_net_time_that_other_work_made_negative_does_not_stop_the_picture(figures: Figures) -> None:
+    motion = figures["motion"]
+    first, *others = motion["baselines"]
+    times = {"median": -20.0, "quartiles": [-25.0, 20.0], "ratio_to_inverse_dynamics": -0.1}
+    negative = motion | {"baselines": [first | times, *others]}
+    motion_picture(figures | {"motion": negative}).draw_without_rendering()
 
 
 def test_the_command_takes_any_robot_file(figures: dict[str, Any]) -> None:
@@ -417,5 +395,5 @@ def test_a_coarse_clock_is_rejected(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.mark.slow
-def test_batches_that_do_not_fit_into_memory_are_left_out(reduced: bench.Benchmark) -> None:
-    assert {figure.poses for figure in reduced.sweep} == {8}
+def test_batches_that_do_not_fit_into_memory_are_left_out(reduced: Figures) -> None:
+    assert {figure["poses"] for figure in reduced["sweep"]} == {8}

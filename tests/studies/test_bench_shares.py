@@ -7,9 +7,10 @@ import pytest
 from stewart_sym.backend import native
 from stewart_sym.io.progress import silent
 from stewart_sym.studies.benchmark.processor import additions, multiply_add, targets, widest
-from stewart_sym.studies.benchmark.samples import CLOSED, PLAIN, Figure, Peak
-from stewart_sym.studies.benchmark.shares import BASIS, Measured, shares
+from stewart_sym.studies.benchmark.samples import CLOSED, PLAIN, figure, limits, of_c
+from stewart_sym.studies.benchmark.shares import BASIS, shares
 from stewart_sym.studies.common import timing
+from stewart_sym.studies.common.output import Figures
 
 NAMES = {
     **{"one": "one pose", "batch": "batch, one core", "float": "batch, float"},
@@ -18,20 +19,19 @@ NAMES = {
 }
 
 
-def made_up(**times: float) -> Measured:
-    """C of these names, its flags after two underlines, for AVX2, and a limit of 2 ns for 20 operations."""
-    peak = Peak("AVX2", ("-m",), Figure("multiply-add", "", "", 1, (0.1,)), 4)
+def made_up(**times: float) -> Figures:
+    """C of these names, its flags after two underlines, for AVX2, and a limit of 2 ns."""
     builds = [
-        Figure(NAMES[label], "", "", 1, (time,), target="AVX2", flags=("-m", *(["-fused"] if fused else [])))
+        of_c(figure(NAMES[label], "", "", 1, (time,)), "AVX2", ["-m", *(["-fused"] if fused else [])], None)
         for name, time in times.items()
         for label, _, fused in [name.partition("__")]
     ]
-    return Measured(builds, (peak,), 20)
+    return {"builds": builds, "peaks": [{"instructions": "AVX2", "limits": limits(20, 0.1)}]}
 
 
 def test_shares_are_of_the_faster_build_for_the_same_instructions() -> None:
     found = made_up(one=3.0, batch=4.0, plain=10.0, plain__fused=6.0, closed=5.0, closed__fused=7.0)
-    values = {each.name: each.values["AVX2"] for each in shares(found)}
+    values = {each["name"]: each["values"]["AVX2"] for each in shares(found)}
     assert values == pytest.approx(
         {
             "one pose, share of CasADi's closed form": 3 / 5,
@@ -44,13 +44,13 @@ def test_shares_are_of_the_faster_build_for_the_same_instructions() -> None:
 
 def test_functions_are_compared_with_one_pose_of_now_and_of_when_targets_were_set() -> None:
     found = made_up(inverse=2.0, forward=3.0, plain=10.0, plain__fused=6.0, regressor=1500.0)
-    made = {each.name: each for each in shares(found)}
+    made = {each["name"]: each for each in shares(found)}
     now, then, regressor = (made[name] for name in made if not name.startswith("one"))
-    assert now.values == {"AVX2": 1.5}
-    assert now.bound is None
-    assert then.values["AVX2"] == pytest.approx(3 / (BASIS * 10))
-    assert (then.bound, then.goal) == (1.2, 1.0)
-    assert (regressor.unit, regressor.values) == ("us", {"AVX2": 1.5})
+    assert now["values"] == {"AVX2": 1.5}
+    assert "at_most" not in now
+    assert then["values"]["AVX2"] == pytest.approx(3 / (BASIS * 10))
+    assert (then["at_most"], then["goal"]) == (1.2, 1.0)
+    assert (regressor["unit"], regressor["values"]) == ("us", {"AVX2": 1.5})
 
 
 # the processor

@@ -329,7 +329,7 @@ def _kernel(robot: Robot, candidate: Candidate) -> ForceKernel | None:
 def _text(robot: Robot, candidate: Candidate) -> int | None:
     name = fidelity.force_kernel_name(robot, candidate.formulation, candidate.fidelity)
     size = text_size(name, ("STEWART_FLOAT",) if candidate.precision == "float" else ())
-    return None if size is None else size.total
+    return None if size is None else int(size["total"])
 
 
 # --- errors -----------------------------------------------------------------------------------

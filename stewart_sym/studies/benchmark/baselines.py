@@ -15,10 +15,11 @@ from ...dynamics.arrays import array_kernel
 from ...io.array_types import Array, Codes
 from ...reference import newton_euler
 from ..common.loops import loop_source
+from ..common.output import Figures
 from ..common.timing import Task, over, repeated
 from .poses import Poses
 from .processor import Flags
-from .samples import CLOSED, NAME, PLAIN, Figure
+from .samples import CLOSED, NAME, PLAIN, figure
 
 if TYPE_CHECKING:
     from .baselines_casadi import Program
@@ -107,15 +108,13 @@ class Called:
         """What is to be timed, by the names that ``figures`` reads."""
         return {self._task(part): Task(part.run, part.units) for part in (*self.parts, self.empty)}
 
-    def figures(self, raw: Mapping[str, Sequence[float]]) -> tuple[Figure, tuple[Figure, ...]]:
+    def figures(self, raw: Mapping[str, Sequence[float]]) -> tuple[Figures, list[Figures]]:
         """Time per pose, made of the parts round by round, and the parts, the last of them subtracted."""
         *added, empty = (raw[name] for name in self.tasks())
-        times = tuple(sum(each) - none for *each, none in zip(*added, empty, strict=True))
-        parts = tuple(
-            Figure(part.name, part.what, "call", 1, tuple(raw[self._task(part)]))
-            for part in (*self.parts, self.empty)
-        )
-        return Figure(self.name, self.what, "call", 1, times), parts
+        times = [sum(each) - none for *each, none in zip(*added, empty, strict=True)]
+        parts = (*self.parts, self.empty)
+        of_parts = [figure(part.name, part.what, "call", 1, raw[self._task(part)]) for part in parts]
+        return figure(self.name, self.what, "call", 1, times), of_parts
 
     def _task(self, part: Part) -> str:
         return f"{self.name}, {part.name}"

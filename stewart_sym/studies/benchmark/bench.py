@@ -29,6 +29,7 @@ from ...reference import newton_euler as reference
 from ...robot.robot import Robot
 from ..common import host, timing
 from ..common.loops import loop_source
+from ..common.output import Figures
 from ..common.timing import Task, measured, repeated, time_source
 from . import compile_times as bench_compile
 from . import equation_kernels, reductions
@@ -49,10 +50,24 @@ from .baselines import (
     jax_one_pose,
     succeed,
 )
-from .figures import Benchmark, PassFigures
+from .figures import flatness, with_ratios
 from .poses import Poses, bench_poses
 from .processor import FUSED, Flags, Target, additions, multiply_add, targets, widest
-from .samples import BATCH, COLUMNS, FLOAT, NAME, ONE_POSE, Figure, Peak, Speedup
+from .samples import (
+    BATCH,
+    CLOSED,
+    COLUMNS,
+    FLOAT,
+    NAME,
+    ONE_POSE,
+    PLAIN,
+    figure,
+    limits,
+    of_c,
+    quickest,
+    sampled,
+)
+from .shares import shares
 
 ROUNDS, QUICK_ROUNDS = 41, 9
 COMPILATIONS, QUICK_COMPILATIONS = 7, 3
@@ -210,7 +225,7 @@ _ADDITION = "addition in a chain"
 # --- the run ----------------------------------------------------------------------------------
 
 
-def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = silent) -> Benchmark:
+def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = silent) -> Figures:
     """Measure everything on this machine.
 
     robot: None for the paper's machine near its Paths I and II; another one moves about its middle. quick:
@@ -258,45 +273,56 @@ def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = 
         for each in (*OURS, *baselines, *variants)
     }
     summed = {each.name: each.figures(raw) for each in called}
-    figures = (*built.values(), *(each.timed(raw) for each in motion.built))
-    names = [*dict.fromkeys(figure.name for figure in figures)]
-    return Benchmark(
-        robot=poses.robot.name,
-        rounds=rounds,
-        shortest_sample=timing.SHORTEST,
-        ours=tuple(built[each.label] for each in OURS),
-        baselines=(
-            *(_fastest(built.values(), each, kinds[0]) for each in baselines),
-            *(figure for figure, _ in summed.values()),
-        ),
-        builds=tuple(
-            sorted((each for each in figures if each.target), key=lambda each: names.index(each.name))
-        ),
-        cores=Speedup(CORES, LARGE, _times(raw[BATCH], raw[ALL_CORES])),
-        arithmetic=Speedup(CORES, 0, _times(raw[_multiply_add(kinds[0])], raw[ARITHMETIC])),
-        calls=tuple(_figure(each, raw) for each in CALLS),
-        parts={name: parts for name, (_, parts) in summed.items()},
-        sweep=sweep,
-        motion=motion.figures(raw),
-        passes=tuple(_pass_figures(stage, raw) for stage in stages),
-        compiling=compiling,
-        text=bench_compile.text_size(),
-        cycle=Figure(_ADDITION, "whole numbers", "loop", 1, raw[_ADDITION]),
-        peaks=tuple(
-            Peak(
-                kind.name,
-                kind.flags,
-                Figure("multiply-add", "fused", "loop", 1, raw[_multiply_add(kind)]),
-                loop.lanes,
-            )
-            for kind, loop in loops.items()
-        ),
-        differences=differences,
-        machine=machine,
-        software=host.software(*(COMPARED[name] for name in compared if name not in missing)),
-        clock=clock,
-        left_out=tuple(EXTRAS[name][0] for name in missing),
+    builds = [each for each in built.values() if "instructions" in each]
+    builds += [each.timed(raw) for each in motion.built]
+    names = [*dict.fromkeys(each["name"] for each in builds)]
+    cycle = figure(_ADDITION, "whole numbers", "loop", 1, raw[_ADDITION])
+    timed = with_ratios(
+        {
+            "ours": [built[each.label] for each in OURS],
+            "baselines": [
+                *(_fastest(built.values(), each, kinds[0]) for each in baselines),
+                *(sum_of_parts for sum_of_parts, _ in summed.values()),
+            ],
+            "builds": sorted(builds, key=lambda each: names.index(each["name"])),
+            "cycle": {**cycle, "unit": "ns", "clock_GHz": 1 / cycle["median"]},
+        }
     )
+    one_pose = timed["ours"][0]
+    calls = [_figure(each, raw) for each in CALLS]
+    peaks = [
+        _peak(kind, loop.lanes, raw, one_pose["operations"], cycle["median"]) for kind, loop in loops.items()
+    ]
+    return {
+        "schema": 4,
+        "unit": "ns/pose",
+        "robot": poses.robot.name,
+        "formulation": NAME,
+        "rounds": rounds,
+        "shortest_sample_s": timing.SHORTEST,
+        "machine": machine,
+        "software": host.software(*(COMPARED[name] for name in compared if name not in missing)),
+        "clock": clock,
+        "left_out": [EXTRAS[name][0] for name in missing],
+        **({"ratio_to": [CLOSED, PLAIN]} if "casadi" in present else {}),
+        "ours": timed["ours"],
+        "baselines": timed["baselines"],
+        "builds": timed["builds"],
+        "shares": shares(timed | {"peaks": peaks}),
+        "cores": _speedup(LARGE, raw[BATCH], raw[ALL_CORES]),
+        "cores_arithmetic": _speedup(0, raw[_multiply_add(kinds[0])], raw[ARITHMETIC]),
+        "parts": {name: parts for name, (_, parts) in summed.items()},
+        "calls": [{**each, "overhead_over_c_ns": each["median"] - one_pose["median"]} for each in calls],
+        "sweep": sweep,
+        "flatness": flatness(sweep),
+        "motion": motion.figures(raw),
+        "passes": [_pass_figures(stage, raw) for stage in stages],
+        "compiling": compiling,
+        "text": bench_compile.text_size(),
+        "cycle": timed["cycle"],
+        "peaks": peaks,
+        "largest_difference": differences,
+    }
 
 
 def _variants(candidates: Sequence[Candidate], kinds: Sequence[Target]) -> tuple[Candidate, ...]:
@@ -315,19 +341,20 @@ def _multiply_add(kind: Target) -> str:
     return ", ".join(("multiply-add", *kind.flags))
 
 
-def _built(figure: Figure, each: Candidate, runner: Runner, kinds: Sequence[Target]) -> Figure:
+def _built(found: Figures, each: Candidate, runner: Runner, kinds: Sequence[Target]) -> Figures:
     """The figure with what its C was compiled for; as it is where it is no C."""
     if each.function is None or runner.library is None:
-        return figure
+        return found
     kind = next(kind for kind in reversed(kinds) if kind.flags == each.flags[: len(kind.flags)])
-    bits = widest(runner.library, each.function)
-    return dataclasses.replace(figure, target=kind.name, flags=each.flags, bits=bits)
+    return of_c(found, kind.name, each.flags, widest(runner.library, each.function))
 
 
-def _fastest(built: Iterable[Figure], each: Candidate, kind: Target) -> Figure:
+def _fastest(built: Iterable[Figures], each: Candidate, kind: Target) -> Figures:
     """The fastest of a candidate's builds for a target; the only one of what is no C."""
-    mine = [figure for figure in built if figure.name == each.name and figure.target in ("", kind.name)]
-    return min(mine, key=lambda figure: figure.median)
+    of_kind = [found for found in built if found.get("instructions", kind.name) == kind.name]
+    found = quickest(mine for mine in of_kind if mine["name"] == each.name)
+    assert found is not None
+    return found
 
 
 def _on_all_cores(run: Callable[[int], object]) -> Callable[[int], None]:
@@ -343,19 +370,40 @@ def _on_all_cores(run: Callable[[int], object]) -> Callable[[int], None]:
     return run_all
 
 
-def _times(one: Sequence[float], many: Sequence[float]) -> tuple[float, ...]:
-    """How many times as fast the second is, round by round."""
-    return tuple(slow / fast for slow, fast in zip(one, many, strict=True))
+def _speedup(poses: int, one: Sequence[float], many: Sequence[float]) -> Figures:
+    """How many times as fast all cores are as one, round by round; no poses: arithmetic without memory."""
+    raw = tuple(slow / fast for slow, fast in zip(one, many, strict=True))
+    return sampled(cores=CORES, poses=poses, raw=raw) | {"unit": "times as fast as one core"}
 
 
-def _figure(each: Candidate, raw: Mapping[str, tuple[float, ...]]) -> Figure:
+def _figure(each: Candidate, raw: Mapping[str, tuple[float, ...]]) -> Figures:
     count = None if each.operations is None else each.operations()
-    return Figure(each.name, each.what, each.kind, each.poses, raw[each.label], count)
+    return figure(each.name, each.what, each.kind, each.poses, raw[each.label], count)
 
 
-def _pass_figures(stage: reductions.Stage, raw: Mapping[str, tuple[float, ...]]) -> PassFigures:
+def _pass_figures(stage: reductions.Stage, raw: Mapping[str, tuple[float, ...]]) -> Figures:
     one_pose, batch = (_figure(each, raw) for each in stage.candidates)
-    return PassFigures(stage.name, stage.meaning, stage.operations, one_pose, batch)
+    operations = dict(zip(("without_friction", "with_friction"), stage.operations, strict=True))
+    named = {"name": stage.name, "meaning": stage.meaning, "operations": operations}
+    return {**named, "one_pose": one_pose, "batch": batch}
+
+
+def _peak(
+    kind: Target, lanes: int, raw: Mapping[str, tuple[float, ...]], operations: int, cycle: float
+) -> Figures:
+    """The most that one core does with a target's instructions; lanes: numbers in one of them."""
+    found = figure("multiply-add", "fused", "loop", 1, raw[_multiply_add(kind)])
+    each = found["median"]
+    return {
+        **found,
+        "unit": "ns per fused multiply-add of one number, one core",
+        "instructions": kind.name,
+        "flags": kind.flags,
+        "rate_per_s": 1e9 / each,
+        "numbers_in_a_vector": lanes,
+        "vectors_in_a_cycle": cycle / (each * lanes),
+        "limits": limits(operations, each),
+    }
 
 
 def _called(poses: Poses, present: Collection[str | None]) -> tuple[Called, ...]:
@@ -395,7 +443,7 @@ def _differences(
     return found
 
 
-def _swept(poses: Poses, sizes: Sequence[int], rounds: int, progress: Progress) -> tuple[Figure, ...]:
+def _swept(poses: Poses, sizes: Sequence[int], rounds: int, progress: Progress) -> list[Figures]:
     """Batches of all sizes that fit into memory; small ones are the beginning of the largest."""
     swept = [each for each in OURS if each.sweep]
     room = _free_memory()
@@ -406,11 +454,11 @@ def _swept(poses: Poses, sizes: Sequence[int], rounds: int, progress: Progress) 
     runners = {(each.name, size): each.runner(largest.resized(size)) for size in sizes for each in swept}
     tasks = {key: Task(runner.run, key[1]) for key, runner in runners.items()}
     raw = measured(tasks, {key: min(rounds, _SWEEP_ROUNDS.get(key[1], rounds)) for key in tasks}, progress)
-    return tuple(
-        Figure(each.name, each.what, each.kind, size, raw[each.name, size])
+    return [
+        figure(each.name, each.what, each.kind, size, raw[each.name, size])
         for each in swept
         for size in sizes
-    )
+    ]
 
 
 def _free_memory() -> int:

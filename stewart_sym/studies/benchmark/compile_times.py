@@ -10,7 +10,8 @@ from tempfile import TemporaryDirectory
 
 from ...backend import c_kernel, native
 from ...io.progress import Progress, silent
-from .samples import NAME, CompileTime, TextSize
+from ..common.output import Figures
+from .samples import NAME, sampled
 
 COMPILED = (NAME, f"{NAME}_forces")
 """Kernels whose compilation is timed: every output, and the forces alone."""
@@ -34,17 +35,17 @@ int main(int count, char **words)
 _EMPTY = "int main(void)\n{\n    return 0;\n}\n"
 
 
-def compile_times(times: int, progress: Progress = silent) -> tuple[CompileTime, ...]:
-    """Compile each kernel anew ``times`` times, by turns, with the flags that all libraries are built with.
+def compile_times(count: int, progress: Progress = silent) -> list[Figures]:
+    """Seconds to compile each kernel anew, ``count`` times, by turns, with the flags of all libraries.
 
     Raises native.CompilerError.
     """
     raw: dict[str, list[float]] = {name: [] for name in COMPILED}
-    for number in range(times):
-        progress(f"compiling, {number + 1} of {times}", number / times)
+    for number in range(count):
+        progress(f"compiling, {number + 1} of {count}", number / count)
         for name in COMPILED:
             raw[name].append(_seconds(name))
-    return tuple(CompileTime(f"stewart_{name}.c", tuple(values)) for name, values in raw.items())
+    return [sampled(source=f"stewart_{name}.c", raw=times) | {"unit": "s"} for name, times in raw.items()]
 
 
 def _seconds(name: str) -> float:
@@ -55,7 +56,7 @@ def _seconds(name: str) -> float:
         return time.perf_counter() - start
 
 
-def text_size(name: str = NAME, defines: Sequence[str] = ()) -> TextSize | None:
+def text_size(name: str = NAME, defines: Sequence[str] = ()) -> Figures | None:
     """Bytes of the functions left of a kernel's forces in a program that prepares and computes one pose.
 
     name: of the kernel; defines: macros. Linked without the functions that nobody calls; counted by ``nm``,
@@ -75,7 +76,8 @@ def text_size(name: str = NAME, defines: Sequence[str] = ()) -> TextSize | None:
     except (native.CompilerError, FileNotFoundError):
         return None
     functions = {name: size for name, size in left.items() if name not in empty}
-    return TextSize(f"stewart_{name}_forces.c", flags, functions)
+    counted = {"source": f"stewart_{name}_forces.c", "flags": flags, "functions": functions}
+    return {**counted, "unit": "bytes", "total": sum(functions.values())}
 
 
 @functools.cache

@@ -7,7 +7,6 @@ import ctypes
 import dataclasses
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -26,13 +25,14 @@ from ...reference import newton_euler
 from ...reference.equations_of_motion import equations_of_motion, regressor
 from ...robot.robot import Robot
 from ..common.loops import own_source
+from ..common.output import Figures
 from ..common.timing import Task, repeated
 from .baselines import AGREEMENT, SLOW, Runner, succeed
 from .engines.tree import Engine, Tree, tree
-from .figures import MotionFigures
+from .figures import motion_figures
 from .poses import Poses
 from .processor import Flags, Target, widest
-from .samples import DERIVATIVES, EQUATIONS, FORWARD, INVERSE, NAME, REGRESSOR, Figure, batched
+from .samples import DERIVATIVES, EQUATIONS, FORWARD, INVERSE, NAME, REGRESSOR, batched, figure, of_c
 
 Run = Callable[[int], object]
 
@@ -193,19 +193,25 @@ def library(flags: Flags = ()) -> ctypes.CDLL:
 
 @dataclass(frozen=True, eq=False)
 class Built:
-    """A function compiled for a target and compared: its figure, still without times, and its loop."""
+    """A function compiled for a target and compared, for one pose or for many, and its loop."""
 
-    figure: Figure
+    name: str
+    what: str
+    kind: str
+    poses: int
+    target: Target
+    bits: int | None
     run: Run
 
     @property
     def task(self) -> str:
         """Name of its task, different from all of the first group."""
-        return _task(self.figure.name, "".join(f", {flag}" for flag in self.figure.flags))
+        return _task(self.name, "".join(f", {flag}" for flag in self.target.flags))
 
-    def timed(self, raw: Mapping[str, tuple[float, ...]]) -> Figure:
+    def timed(self, raw: Mapping[str, tuple[float, ...]]) -> Figures:
         """Its figure with ns per pose of its task."""
-        return dataclasses.replace(self.figure, raw=raw[self.task])
+        found = figure(self.name, self.what, self.kind, self.poses, raw[self.task])
+        return of_c(found, self.target.name, self.target.flags, self.bits)
 
 
 @dataclass(frozen=True, eq=False)
@@ -223,32 +229,26 @@ class MotionGroup:
     @property
     def tasks(self) -> Mapping[str, Task]:
         """What is to be timed by the names that ``figures`` reads."""
-        tasks = {each.task: Task(each.run, each.figure.poses) for each in self.built}
+        tasks = {each.task: Task(each.run, each.poses) for each in self.built}
         for engine in self.engines:
             tasks[_task(engine.name)] = Task(engine.run, POSES)
             tasks[_task(engine.name, _EMPTY)] = Task(engine.empty, POSES)
         return tasks
 
-    def figures(self, raw: Mapping[str, tuple[float, ...]]) -> MotionFigures:
+    def figures(self, raw: Mapping[str, tuple[float, ...]]) -> Figures:
         """The group's figures, one pose, for the first target from ns per pose of every task."""
         calls, empty, baselines = [], [], []
         for engine in self.engines:
             call, nothing = raw[_task(engine.name)], raw[_task(engine.name, _EMPTY)]
-            net = tuple(one - none for one, none in zip(call, nothing, strict=True))
-            calls.append(Figure(engine.name, engine.what, "call", 1, call))
-            empty.append(Figure(engine.name, "call over a model without bodies", "call", 1, nothing))
-            baselines.append(Figure(engine.name, f"{engine.what} - call", "call", 1, net))
-        first = self.built[0].figure.target
-        one_pose = [each for each in self.built if each.figure.kind == "one pose"]
-        return MotionFigures(
-            robot=self.robot.name,
-            ours=tuple(each.timed(raw) for each in one_pose if each.figure.target == first),
-            baselines=tuple(baselines),
-            calls=tuple(calls),
-            empty=tuple(empty),
-            opened=next((engine.opened for engine in self.engines if engine.opened is not None), None),
-            differences=self.differences,
-        )
+            net = [one - none for one, none in zip(call, nothing, strict=True)]
+            calls.append(figure(engine.name, engine.what, "call", 1, call))
+            empty.append(figure(engine.name, "call over a model without bodies", "call", 1, nothing))
+            baselines.append(figure(engine.name, f"{engine.what} - call", "call", 1, net))
+        first = self.built[0].target
+        one_pose = [each for each in self.built if (each.kind, each.target) == ("one pose", first)]
+        ours = [each.timed(raw) for each in one_pose]
+        opened = next((engine.opened for engine in self.engines if engine.opened is not None), None)
+        return motion_figures(self.robot.name, ours, baselines, calls, empty, opened, self.differences)
 
 
 def motion_group(poses: Poses, targets: Sequence[Target]) -> MotionGroup:
@@ -274,9 +274,9 @@ def motion_group(poses: Poses, targets: Sequence[Target]) -> MotionGroup:
                 (batched(each.name), f"{called}_batch", "batch", SLOW, many, f"{called}_batch"),
             ):
                 _compare(name, runner, parts, each.tolerance, differences)
-                bits = widest(drives, measured)
-                of_c: Any = {"target": target.name, "flags": target.flags, "bits": bits}
-                built.append(Built(Figure(name, what, kind, poses_of_it, (), **of_c), runner.run))
+                built.append(
+                    Built(name, what, kind, poses_of_it, target, widest(drives, measured), runner.run)
+                )
     baselines = engines(robot, tree(robot, motion, F))
     for baseline in baselines:
         found = baseline.accelerations()

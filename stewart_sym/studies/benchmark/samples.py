@@ -1,13 +1,12 @@
-"""Times of candidates with all their samples, and the names that they go by in ``bench``."""
+"""Times of candidates with all their samples, as JSON takes them, and the names that they go by."""
 
-import dataclasses
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import numpy as np
 
 from ...dynamics.inverse import Formulation
+from ..common.output import Figures
 
 NAME: Formulation = "exact"
 """The kernel that is measured."""
@@ -27,118 +26,48 @@ def batched(name: str) -> str:
     return f"{name}, batch"
 
 
-class Samples:
-    """Medians and quartiles of ``raw``."""
-
-    raw: tuple[float, ...]
-
-    @property
-    def median(self) -> float:
-        """Median of the samples."""
-        return float(np.median(self.raw))
-
-    @property
-    def quartiles(self) -> tuple[float, float]:
-        """First and third quartile of the samples."""
-        low, high = np.percentile(self.raw, (25, 75))
-        return float(low), float(high)
-
-    def as_json(self) -> dict[str, Any]:
-        """Every field, the median and the quartiles, ready for ``json``."""
-        assert dataclasses.is_dataclass(self)
-        fields = {field.name: getattr(self, field.name) for field in dataclasses.fields(self)}
-        return {**fields, "median": self.median, "quartiles": self.quartiles}
+def sampled(**fields: Any) -> Figures:
+    """The fields with median and quartiles of their samples, ``raw``."""
+    low, high = np.percentile(fields["raw"], (25, 75))
+    return {**fields, "median": float(np.median(fields["raw"])), "quartiles": (float(low), float(high))}
 
 
-@dataclass(frozen=True)
-class Figure(Samples):
-    """Nanoseconds a pose, one sample of each round in ``raw``; ``operations`` of a pose where counted.
+def figure(
+    name: str, what: str, kind: str, poses: int, raw: Sequence[float], operations: int | None = None
+) -> Figures:
+    """Nanoseconds a pose, one sample of each round; ``operations`` of a pose where counted."""
+    return sampled(name=name, what=what, kind=kind, poses=poses, raw=tuple(raw), operations=operations)
 
-    Of compiled C, ``target`` names the instructions, ``flags`` are the compiler's after those of every
-    library, and ``bits`` is the width of the widest vectors that the code computes with, where that is known.
+
+def of_c(found: Figures, instructions: str, flags: Sequence[str], bits: int | None) -> Figures:
+    """A figure of compiled C, with its instructions and the compiler's flags after those of every library.
+
+    bits: width of the widest vectors that the code computes with, where that is known.
     """
-
-    name: str
-    what: str
-    kind: str
-    poses: int
-    raw: tuple[float, ...]
-    operations: int | None = None
-    target: str = ""
-    flags: tuple[str, ...] = ()
-    bits: int | None = None
-
-    @property
-    def vectors(self) -> str:
-        """Instructions and width in a few words; empty where no C is compiled."""
-        if self.bits is None:
-            return self.target
-        return f"{self.target}, {self.bits} bit" if self.bits > 64 else f"{self.target}, scalar"
-
-    def as_json(self) -> dict[str, Any]:
-        """Every field, those of compiled C where it is C, ready for ``json``."""
-        fields = super().as_json()
-        build = {
-            "instructions": fields.pop("target"),
-            "flags": fields.pop("flags"),
-            "bits": fields.pop("bits"),
-        }
-        return {**fields, **build, "vectors": self.vectors} if self.target else fields
+    width = "" if bits is None else f", {bits} bit" if bits > 64 else ", scalar"
+    build = {"instructions": instructions, "flags": tuple(flags), "bits": bits}
+    return {**found, **build, "vectors": f"{instructions}{width}"}
 
 
-@dataclass(frozen=True)
-class Peak:
-    """The most that one core does with a target's instructions.
+def limits(operations: int, multiply_add: float) -> dict[str, float]:
+    """Least ns for so many operations, by what fills a lane; a division or a root counts as any other.
 
-    flags: of the compiler, after those of every library. multiply_add: ns for one fused multiply-add of one
-    number; lanes: numbers in one instruction.
+    multiply_add: ns for one fused multiply-add of one number.
     """
-
-    target: str
-    flags: tuple[str, ...]
-    multiply_add: Figure
-    lanes: int
-
-    def limits(self, operations: int) -> dict[str, float]:
-        """Least ns for so many operations, by what fills a lane; a division or a root counts as any other."""
-        each = operations * self.multiply_add.median
-        return {"limit, an operation a lane": each, "limit, all fused in pairs": each / 2}
+    each = operations * multiply_add
+    return {"limit, an operation a lane": each, "limit, all fused in pairs": each / 2}
 
 
-@dataclass(frozen=True)
-class Speedup(Samples):
-    """How many times as fast ``cores`` cores are as one over ``poses`` poses, round by round.
-
-    poses: 0 for arithmetic that needs no memory, which shows what the machine had to give.
-    """
-
-    cores: int
-    poses: int
-    raw: tuple[float, ...]
+def named(figures: Iterable[Figures], name: str) -> Figures | None:
+    """The figure of that name; None without one."""
+    return next((each for each in figures if each["name"] == name), None)
 
 
-@dataclass(frozen=True)
-class CompileTime(Samples):
-    """Seconds to compile one kernel's source into a library, one compilation each in ``raw``."""
-
-    source: str
-    raw: tuple[float, ...]
+def quickest(figures: Iterable[Figures]) -> Figures | None:
+    """The figure with the least median; None without any."""
+    return min(figures, key=lambda each: float(each["median"]), default=None)
 
 
-@dataclass(frozen=True)
-class TextSize:
-    """Bytes of machine code of each function that a program of one-pose calls is left with."""
-
-    source: str
-    flags: tuple[str, ...]
-    functions: Mapping[str, int]
-
-    @property
-    def total(self) -> int:
-        """Bytes of all of them."""
-        return sum(self.functions.values())
-
-    def as_json(self) -> dict[str, Any]:
-        """Every field and the sum, ready for ``json``."""
-        fields = {"source": self.source, "flags": self.flags, "functions": dict(self.functions)}
-        return {**fields, "unit": "bytes", "total": self.total}
+def builds_of(found: Figures, name: str, instructions: str) -> list[Figures]:
+    """A run's builds of that name for these instructions."""
+    return [each for each in found["builds"] if (each["name"], each["instructions"]) == (name, instructions)]

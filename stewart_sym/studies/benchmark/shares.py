@@ -1,9 +1,10 @@
 """The figures that the project sets itself targets for, for each kind of vector instructions."""
 
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
-from typing import Any
+import contextlib
+from collections.abc import Callable
+from dataclasses import dataclass
 
+from ..common.output import Figures
 from .samples import (
     BATCH,
     CLOSED,
@@ -15,82 +16,62 @@ from .samples import (
     ONE_POSE,
     PLAIN,
     REGRESSOR,
-    Figure,
-    Peak,
     batched,
+    builds_of,
+    quickest,
 )
 
 BASIS = 0.228
 """Share that one pose took, 163 of 715 ns, of CasADi's plain C, unfused, when targets were set."""
 
-
-@dataclass(frozen=True)
-class Measured:
-    """All compiled C, and the limits of a batch's operations, of one run."""
-
-    builds: Sequence[Figure]
-    peaks: Sequence[Peak]
-    operations: int
-
-    def fastest(self, name: str, target: str) -> Figure | None:
-        """The fastest build of that name for a target; None without one."""
-        return min(self._builds(name, target), key=lambda figure: figure.median, default=None)
-
-    def time(self, name: str, target: str) -> float:
-        """Its ns; KeyError without one."""
-        found = self.fastest(name, target)
-        if found is None:
-            raise KeyError(name)
-        return found.median
-
-    def basis(self, target: str) -> float:
-        """Ns of one pose as it was when targets were set, by CasADi's unfused C; KeyError without."""
-        found = self._builds(PLAIN, target)
-        if not found:
-            raise KeyError(PLAIN)
-        return BASIS * min(found, key=lambda figure: len(figure.flags)).median
-
-    def _builds(self, name: str, target: str) -> list[Figure]:
-        return [figure for figure in self.builds if (figure.name, figure.target) == (name, target)]
-
-    def limit(self, target: str) -> float:
-        """Least ns per pose, each operation filling the place of a multiply-add in a lane."""
-        (peak,) = (peak for peak in self.peaks if peak.target == target)
-        return next(iter(peak.limits(self.operations).values()))
+Value = Callable[[Figures, str], float]
+"""How a share is made of a run's builds and peaks for one kind of instructions; KeyError where it isn't."""
 
 
 @dataclass(frozen=True)
 class Share:
-    """One figure by target; ``bound`` and ``goal`` are the most that it is to be, or the ``least``.
-
-    value: how it is made of a run's times for one kind of instructions. values: what it then is.
-    """
+    """One figure; ``bound`` and ``goal`` are the most that it is to be, or the ``least``."""
 
     name: str
-    value: Callable[[Measured, str], float]
+    value: Value
     bound: float | None = None
     goal: float | None = None
     unit: str = "ratio"
     least: bool = False
-    values: Mapping[str, float] = field(default_factory=dict)
-
-    def as_json(self) -> dict[str, Any]:
-        """Every field that says something, ready for ``json``."""
-        limits = {"at_least" if self.least else "at_most": self.bound, "goal": self.goal}
-        set_ = {name: limit for name, limit in limits.items() if limit is not None}
-        return {"name": self.name, "unit": self.unit, "values": dict(self.values), **set_}
 
 
-def _over(ours: str, theirs: str) -> Callable[[Measured, str], float]:
-    return lambda found, target: found.time(ours, target) / found.time(theirs, target)
+def _time(found: Figures, name: str, kind: str) -> float:
+    """Ns of the quickest build."""
+    build = quickest(builds_of(found, name, kind))
+    if build is None:
+        raise KeyError(name)
+    return float(build["median"])
 
 
-def _over_basis(ours: str) -> Callable[[Measured, str], float]:
-    return lambda found, target: found.time(ours, target) / found.basis(target)
+def _basis(found: Figures, kind: str) -> float:
+    """Ns of one pose as it was when targets were set, by CasADi's unfused C."""
+    built = builds_of(found, PLAIN, kind)
+    if not built:
+        raise KeyError(PLAIN)
+    return BASIS * float(min(built, key=lambda each: len(each["flags"]))["median"])
 
 
-def _microseconds(name: str) -> Callable[[Measured, str], float]:
-    return lambda found, target: 1e-3 * found.time(name, target)
+def _limit(found: Figures, kind: str) -> float:
+    """Least ns per pose, each operation filling the place of a multiply-add in a lane."""
+    (limit,) = (peak["limits"] for peak in found["peaks"] if peak["instructions"] == kind)
+    return float(next(iter(limit.values())))
+
+
+def _over(ours: str, theirs: str) -> Value:
+    return lambda found, kind: _time(found, ours, kind) / _time(found, theirs, kind)
+
+
+def _over_basis(ours: str) -> Value:
+    return lambda found, kind: _time(found, ours, kind) / _basis(found, kind)
+
+
+def _microseconds(name: str) -> Value:
+    return lambda found, kind: 1e-3 * _time(found, name, kind)
 
 
 _BASIS = f"over {BASIS:g} of CasADi's unfused C"
@@ -100,7 +81,7 @@ _SHARES = (
     Share("batch, share of CasADi's plain C", _over(BATCH, PLAIN), 0.08, 0.06),
     Share(
         "batch, share of the limit reached",
-        lambda found, target: found.limit(target) / found.time(BATCH, target),
+        lambda found, kind: _limit(found, kind) / _time(found, BATCH, kind),
         0.60,
         0.75,
         least=True,
@@ -117,17 +98,16 @@ _SHARES = (
 )
 
 
-def shares(found: Measured) -> tuple[Share, ...]:
-    """Every figure that the run has the times of."""
-    made = (_of(share, found) for share in _SHARES)
-    return tuple(share for share in made if share.values)
-
-
-def _of(share: Share, found: Measured) -> Share:
-    values = {}
-    for peak in found.peaks:
-        try:
-            values[peak.target] = share.value(found, peak.target)
-        except KeyError:
-            continue
-    return replace(share, values=values)
+def shares(found: Figures) -> list[Figures]:
+    """Every figure that a run has the times of, by kind of instructions, with its bound and its goal."""
+    made = []
+    for share in _SHARES:
+        values = {}
+        for peak in found["peaks"]:
+            with contextlib.suppress(KeyError):
+                values[peak["instructions"]] = share.value(found, peak["instructions"])
+        limits = {"at_least" if share.least else "at_most": share.bound, "goal": share.goal}
+        stated = {name: limit for name, limit in limits.items() if limit is not None}
+        if values:
+            made.append({"name": share.name, "unit": share.unit, "values": values, **stated})
+    return made
