@@ -80,9 +80,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         return exit_code()
     except (ValueError, OSError, ImportError, CompilerError, MemoryError, Warning) as error:
-        line = one_line(error, getattr(arguments, "options", None))
-        text = _of_option(_of_file(line, arguments), arguments)
-        print(f"{PROGRAM}: error: {text}", file=sys.stderr)
+        print(f"{PROGRAM}: error: {_error_line(error, arguments)}", file=sys.stderr)
         try:
             sys.stdout.flush()
         except OSError:
@@ -90,17 +88,15 @@ def main(argv: Sequence[str] | None = None) -> int:
         return 2
 
 
-def _of_file(error: str, arguments: argparse.Namespace) -> str:
-    """The line of an error, with the robot's file where the library has its argument."""
-    file = getattr(arguments, "robot", None)
-    return error if file is None else error.replace("robot: ", f"{file}: ", error.startswith("robot: "))
-
-
-def _of_option(error: str, arguments: argparse.Namespace) -> str:
-    """The line of an error, with the option of the subcommand where the library has its argument."""
-    name = error.partition(":")[0]
+def _error_line(error: BaseException, arguments: argparse.Namespace) -> str:
+    """An error in one line, with the robot's file or an option where the library has its argument."""
+    options = getattr(arguments, "options", ())
+    line = one_line(error, options or None)
+    name, mark, rest = line.partition(":")
+    if name == "robot" and getattr(arguments, "robot", None) is not None:
+        name = str(arguments.robot)
     option = f"--{name.replace('_', '-')}"
-    return f"{option}{error[len(name) :]}" if option in getattr(arguments, "options", ()) else error
+    return f"{option if option in options else name}{mark}{rest}"
 
 
 _NEGATIVE = re.compile(r"-(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$")

@@ -4,17 +4,15 @@ import argparse
 import contextlib
 import math
 from pathlib import Path
+from typing import Any
+
+PAPERS = "the paper's machine"
 
 
-def robot_file(parser: argparse.ArgumentParser) -> None:
-    """Name of the robot file."""
-    parser.add_argument("robot", metavar="ROBOT.toml", type=Path, help="robot file, schema 1 or 2")
-
-
-def other_robot(parser: argparse.ArgumentParser) -> None:
-    """``--robot``."""
-    text = "robot file, schema 1 or 2; default: the paper's machine"
-    parser.add_argument("--robot", metavar="ROBOT.toml", type=Path, help=text)
+def robot_file(parser: argparse.ArgumentParser, name: str = "robot", default: str = "", **more: Any) -> None:
+    """Name of the robot file; default: in words, where there is one."""
+    text = f"robot file, schema 1 or 2; default: {default}" if default else "robot file, schema 1 or 2"
+    parser.add_argument(name, metavar="ROBOT.toml", type=Path, help=text, **more)
 
 
 def output(

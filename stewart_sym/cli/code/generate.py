@@ -2,15 +2,11 @@
 
 import argparse
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from ...io.arguments import no_option
 from ..inputs import robot_of
 from ..options import formulation, output, robot_file
 from ..results import results
-
-if TYPE_CHECKING:
-    from ...studies.common.report import Report
 
 HELP = "write a kit of one robot in C, Python, MATLAB or Rust: kernels, constants, self-test, example"
 EXAMPLE = "stewart-sym generate hexapod.toml -o kit --functions forces,kinematics && make -C kit"
@@ -74,28 +70,23 @@ def _language(name: str) -> str:
 
 def run(arguments: argparse.Namespace) -> int:
     from ...kit import Choice, kit_names, write_kit
-
-    robot = robot_of(arguments.robot)
-    names = ("formulation", "fidelity", "bake", "scalar", "precision", "fmu", "language")
-    functions = tuple(name.strip() for name in arguments.functions.split(","))
-    choice = Choice(functions, **{name: getattr(arguments, name) for name in names})
-    with results(arguments) as (take, progress):
-        if arguments.list:
-            take(_report([arguments.output / name for name in kit_names(robot, choice)]))
-        else:
-            inputs = [Path(arguments.robot)]
-            made, written = write_kit(robot, arguments.output, choice, arguments.force, inputs, progress)
-            take(_report(written, made.operations, made.baked_operations))
-    return 0
-
-
-def _report(files: "list[Path]", operations: int | None = None, baked: int | None = None) -> "Report":
-    """A kit's files, and operations of its forces per pose, before and after numbers are folded in."""
     from ...studies.common.report import Report
 
-    lines = [str(path) for path in files]
-    if operations is not None:
+    robot = robot_of(arguments.robot)
+    options = ("formulation", "fidelity", "bake", "scalar", "precision", "fmu", "language")
+    functions = tuple(name.strip() for name in arguments.functions.split(","))
+    choice = Choice(functions, **{name: getattr(arguments, name) for name in options})
+    with results(arguments) as (take, progress):
+        counts: dict[str, int | None] = {"operations_per_pose": None, "baked_operations_per_pose": None}
+        if arguments.list:
+            files = [arguments.output / name for name in kit_names(robot, choice)]
+        else:
+            inputs = [Path(arguments.robot)]
+            made, files = write_kit(robot, arguments.output, choice, arguments.force, inputs, progress)
+            counts = dict(zip(counts, (made.operations, made.baked_operations), strict=True))
+        operations, baked = counts.values()
         folded = "" if baked is None else f", with the numbers folded in {baked}"
-        lines.append(f"operations per pose: {operations}{folded}")
-    counts = {"operations_per_pose": operations, "baked_operations_per_pose": baked}
-    return Report("\n".join(lines), data={"files": lines[: len(files)], **counts})
+        of_forces = [] if operations is None else [f"operations per pose: {operations}{folded}"]
+        names = [str(path) for path in files]
+        take(Report("\n".join([*names, *of_forces]), data={"files": names, **counts}))
+    return 0

@@ -4,15 +4,11 @@ import argparse
 import dataclasses
 import warnings
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from ...io.extras import need
 from ..inputs import warn_of_doubts
 from ..options import output
 from ..results import results
-
-if TYPE_CHECKING:
-    from ...dynamics.inverse import Formulation
 
 HELP = "let a machine move under its legs' forces: a table, a summary and pictures"
 EXAMPLE = "stewart-sym simulate swing.toml -o swing"
@@ -41,8 +37,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     from ...simulation.actuator_models import LegSprings
     from ...simulation.scene import read_scene
-    from ...studies.reports import energy_drift, run
+    from ...studies.reports import run
     from ...studies.reports.doubts import start_doubts
+    from ...studies.reports.energy_drift import energy_drift
     from ...viewer.instants import of_run
     from ...viewer.view import View
 
@@ -55,13 +52,11 @@ def run(arguments: argparse.Namespace) -> int:
         raise ValueError("energy drift: expected a scene whose legs are springs")
     with results(arguments, "summary", "run.csv", read=scene.files) as (take, progress):
         done = scene.run(lambda share: progress("simulating", share))
-        drifts: dict[Formulation, energy_drift.Drift] = {}
+        drifts = None
         if arguments.energy_drift and isinstance(scene.law, LegSprings):
             progress("comparing the formulations")
-            drifts = energy_drift.energy_drift(
-                scene.law, scene.state, scene.duration, scene.rtol, scene.thresholds
-            )
-        report = run.report(scene.robot, done, scene.law, drifts)
+            drifts = energy_drift(scene.law, scene.state, scene.duration, scene.rtol, scene.thresholds)
+        report = run.report(scene.robot, done, scene.law, drifts or {})
         views = {"run": lambda: View(scene.robot, of_run(scene.robot, done))}
         take(dataclasses.replace(report, views=views))
     if arguments.pictures:

@@ -2,15 +2,10 @@
 
 import argparse
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from ..inputs import robot_of, trajectory_of
 from ..options import formulation, log_options, output, robot_file
 from ..results import results
-
-if TYPE_CHECKING:
-    from ...motion.interpolation import Path as MotionPath
-
 
 HELP = "where a path crosses singular poses, between samples too, and which twist is unconstrained there"
 EXAMPLE = "stewart-sym singularities hexapod.toml trajectory.csv -o singularities"
@@ -31,6 +26,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     from ...kinematics.mounting import path_for
+    from ...motion.interpolation import Path as MotionPath
     from ...motion.interpolation import between
     from ...motion.straight_line import PATHS
     from ...studies.reports import singularities

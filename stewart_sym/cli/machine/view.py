@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from ...io.progress import Progress
 from ..inputs import robot_of, trajectory_of
-from ..options import log_options, output
+from ..options import log_options, output, robot_file
 from ..results import need_html, reject_inputs, results
 
 if TYPE_CHECKING:
@@ -32,7 +32,7 @@ _DEFAULT = Path("machine.html")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("robot", metavar="ROBOT.toml", type=Path, nargs="?", help="robot file, schema 1 or 2")
+    robot_file(parser, nargs="?")
     parser.add_argument(
         "motion", metavar="MOTION", nargs="?", help="I, II, III, a CSV file, or what simulate wrote"
     )
@@ -43,11 +43,15 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     from ...io.writing import result_file
+    from ...robots import dasgupta1998
     from ...studies.common.report import Report
     from ...viewer.page import BEGINNING
     from ...viewer.view import View
 
-    _check(arguments)
+    if arguments.example and arguments.robot is not None:
+        raise ValueError("--example: is of the paper's machine, expected no ROBOT.toml beside it")
+    if not arguments.example and arguments.robot is None:
+        raise ValueError("ROBOT.toml: missing; or give --example")
     path = _DEFAULT if arguments.output is None else arguments.output
     read = [] if arguments.motion is None else [Path(arguments.motion)]
     reject_inputs("-o", path, *([] if arguments.robot is None else [arguments.robot]), *read)
@@ -58,7 +62,7 @@ def run(arguments: argparse.Namespace) -> int:
         results(arguments, read=read) as (take, progress),
         result_file(path, [BEGINNING], arguments.force) as stream,
     ):
-        robot = _robot(arguments)
+        robot = dasgupta1998() if arguments.example else robot_of(arguments.robot)
         shown = View(robot, _motion(robot, arguments, progress))
         progress("writing the page")
         stream.write(shown.html)
@@ -69,19 +73,6 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.output is None and not _opened(path):
         print(f"No screen was found: open {path.resolve()} in a browser", file=sys.stderr)
     return 0
-
-
-def _check(arguments: argparse.Namespace) -> None:
-    if arguments.example and arguments.robot is not None:
-        raise ValueError("--example: is of the paper's machine, expected no ROBOT.toml beside it")
-    if not arguments.example and arguments.robot is None:
-        raise ValueError("ROBOT.toml: missing; or give --example")
-
-
-def _robot(arguments: argparse.Namespace) -> "Robot":
-    from ...robots import dasgupta1998
-
-    return dasgupta1998() if arguments.example else robot_of(arguments.robot)
 
 
 def _motion(robot: "Robot", arguments: argparse.Namespace, progress: Progress) -> "Instants":

@@ -4,7 +4,7 @@ import argparse
 from pathlib import Path
 
 from ..inputs import robot_of
-from ..options import other_robot, output
+from ..options import PAPERS, output, robot_file
 from ..results import need_drawing, results
 
 HELP = "time the kernels beside CasADi, Drake, Pinocchio, MuJoCo, JAX and the processor's limit"
@@ -17,7 +17,7 @@ MORE = (
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--quick", action="store_true", help="fewer rounds and smaller batches")
-    other_robot(parser)
+    robot_file(parser, "--robot", PAPERS)
     output(parser, "DIR", "folder to write to", Path("bench"), html=True)
 
 

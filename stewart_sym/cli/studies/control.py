@@ -5,7 +5,7 @@ import warnings
 from pathlib import Path
 
 from ..inputs import robot_of
-from ..options import other_robot, output, positive
+from ..options import PAPERS, output, positive, robot_file
 from ..results import results
 
 HELP = "track the paper's paths with controllers that differ in their model: table, CSV, JSON, pictures"
@@ -20,7 +20,7 @@ MORE = (
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--path", choices=("I", "II"), help="track this path alone; default: both")
-    other_robot(parser)
+    robot_file(parser, "--robot", PAPERS)
     parser.add_argument(
         "--rate", metavar="HZ", type=positive, default=1000.0, help="of the controllers, Hz; default: 1000"
     )

@@ -1,10 +1,9 @@
 """``stewart-sym controller``: kernels on a microcontroller."""
 
 import argparse
-from pathlib import Path
 
 from ..inputs import robot_of
-from ..options import output
+from ..options import PAPERS, output, robot_file
 from ..results import results
 
 HELP = "kernels for a machine on a microcontroller, under emulation: forces, instructions, flash, stack"
@@ -20,13 +19,7 @@ MORE = (
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument(
-        "robot",
-        metavar="ROBOT.toml",
-        type=Path,
-        nargs="?",
-        help="robot file, schema 1 or 2; default: the paper's machine",
-    )
+    robot_file(parser, default=PAPERS, nargs="?")
     parser.add_argument(
         "--fidelity", metavar="LEVEL", default="general", help="a level of `generate`; default: general"
     )
