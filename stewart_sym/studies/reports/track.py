@@ -1,6 +1,5 @@
 """A trajectory run through the dynamics, as ``forces`` writes it: columns, limits exceeded, a summary."""
 
-import dataclasses
 import warnings
 from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
@@ -35,7 +34,7 @@ from ...motion.trajectory import PoseLog, Replaced, Trajectory
 from ...results import NOT_FINITE, OK, ZERO_LENGTH, Reactions
 from ...robot.robot import Robot
 from ..common.output import Columns, aligned, csv_lines, of_axes, of_legs
-from .drives import DriveDigest, drive_columns, no_deviations, no_instants
+from .drives import DriveDigest, drive_columns
 
 NOISE_SHARE = 0.02
 """Share of a leg's peak force that noise may make of it, ``SURE`` deviations, without a warning."""
@@ -96,20 +95,13 @@ class Part(NamedTuple):
         return found if self.reactions is None else found | _reaction_columns(self.reactions)
 
 
-def header_lines() -> list[str]:
-    """First line of the CSV file of each kind of run: with deviations or not, with reactions or not."""
+def beginnings() -> list[str]:
+    """How the CSV file of a run begins, with deviations or without; motors and reactions come after that."""
     n, legs = np.zeros(0), np.zeros((0, 6))
-    vectors = np.zeros((0, 6, 3))
-    reactions = Reactions(vectors, vectors, vectors, vectors, vectors, legs, n.astype(np.int32))
-    more_reactions = dataclasses.replace(reactions, M_s=vectors)
+    status = n.astype(np.int32)
     return [
-        next(csv_lines(Part(slice(0), n, legs, legs, legs, n, n.astype(np.int32), more, e, sd).columns))
-        for more in (None, reactions, more_reactions)
-        for e, motors in (
-            (None, None),
-            *((no_instants(current), no_deviations(current)) for current in (False, True)),
-        )
-        for sd in (None, Deviations(legs, legs, legs, legs, motors=motors))
+        next(csv_lines(Part(slice(0), n, legs, legs, legs, n, status, sd=sd).columns)).rstrip()
+        for sd in (None, Deviations(legs, legs, legs, legs))
     ]
 
 
@@ -143,7 +135,10 @@ def in_parts(
             if status[at] == NOT_FINITE and not allow_singular:
                 row = f"row {trajectory.rows[start + at[0]]} of {trajectory.source}"
                 _need_forces(robot, row)
-            _tell(trajectory, start + at[0], reason, allow_singular)
+            text = f"{trajectory.source}: row {trajectory.rows[start + at[0]]}: {reason}"
+            if not allow_singular:
+                raise ValueError(text)
+            warnings.warn(text, SingularPoseWarning, stacklevel=2)
             told = True
         sd = None if deviations is None else deviations(where)
         time, condition = trajectory.time[where], condition_number(found.H)
@@ -383,13 +378,6 @@ def _need_forces(robot: Robot, where: str) -> None:
         raise ValueError(
             f"robot {robot.name}: expected numbers whose forces do not overflow, at {where} they do"
         )
-
-
-def _tell(trajectory: Trajectory | PoseLog, i: int, reason: str, allowed: bool) -> None:
-    text = f"{trajectory.source}: row {trajectory.rows[i]}: {reason}"
-    if not allowed:
-        raise ValueError(text)
-    warnings.warn(text, SingularPoseWarning, stacklevel=3)
 
 
 def _lengths_and_rates(robot: Robot, motion: Motion, good: Flags) -> tuple[Array, Array]:
