@@ -203,8 +203,8 @@ def _machine(robot: Robot, shown: Instants) -> dict[str, Any]:
         "universal": robot.base_joint == "universal",
         "tool": robot.tool,
         "up": _up(robot),
-        "baseRing": _around(robot.b),
-        "platformRing": _around(robot.p),
+        "baseRing": around(robot.b),
+        "platformRing": around(robot.p),
         "lower": lower,
         "upper": upper,
         "forceLimit": robot.force_limit,
@@ -260,7 +260,7 @@ def _across(robot: Robot, shown: Instants) -> Array:
     return np.asarray(across / np.linalg.norm(across, axis=-1, keepdims=True))
 
 
-def _around(points: Array) -> NDArray[np.int64]:
+def around(points: Array) -> NDArray[np.int64]:
     """Order of points by their angle about their middle, in the plane that fits them best."""
     from_middle = points - points.mean(axis=0)
     across = from_middle @ np.linalg.svd(from_middle)[2][:2].T

@@ -304,7 +304,8 @@ def _cases_header(cases: Cases, kernel: str, symbol: str, torques: Sequence[str]
         names += [f'#include "{stem}.h"' for stem in ("stewart_robot", *torques)]
         names.append(f"#define DRIVES {robot_symbol(cases.robot.name)}_drives")
         names += [f"#define AXIAL {stem}_forces" for stem in torques if stem.endswith("_axial")]
-    axes = cases.near_singular_joints() if symbol else None
+    near = cases.near_singular_joints() if symbol else None
+    axes = None if near is None else _nested(near, "REAL({})")
     codes = ", ".join(str(code) for _, code in rejected)
     given = _motions(test.inputs for test in cases.tests)
     expected = np.array([test.answers["F"] for test in cases.tests])
@@ -322,7 +323,8 @@ def _cases_header(cases: Cases, kernel: str, symbol: str, torques: Sequence[str]
             f"static const double expected[MOTIONS][6] = {_nested(expected)};",
             f"static const double bounds[MOTIONS][6] = {_nested(bounds)};",
             f"static const stewart_motion rejected_motions[REJECTED] = {without};",
-            *([] if axes is None else ["#define NEAR_SINGULAR_JOINTS", _axes_text(axes)]),
+            *([] if axes is None else ["#define NEAR_SINGULAR_JOINTS"]),
+            *([] if axes is None else [f"static const stewart_real near_singular_joints[6][3] = {axes};"]),
             f"static const int rejected_status[REJECTED] = {{{codes}}};",
             *([f"static const stewart_real rates[MOTIONS][6] = {_rates(cases)};"] if torques else []),
             "",
@@ -337,10 +339,6 @@ def _rates(cases: Cases) -> str:
         at = {name: test.inputs[name].reshape(shape) for name, shape in MOTION.items()}
         rows.append(inverse_kinematics(cases.robot, Motion.unchecked(**at)).L_dot)
     return _nested(np.array(rows), "REAL({})")
-
-
-def _axes_text(axes: Array) -> str:
-    return f"static const stewart_real near_singular_joints[6][3] = {_nested(axes, 'REAL({})')};"
 
 
 def _motions(all_numbers: Any) -> str:

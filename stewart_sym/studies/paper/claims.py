@@ -106,10 +106,6 @@ def _short(number: float) -> str:
     return f"{digits}e{int(exponent)}"
 
 
-def _list(legs: list[int]) -> str:
-    return " and ".join(map(str, legs)) or "none"
-
-
 @_claim(
     "4.5",
     "4889 floating point operations a time-step without friction, only 3.36 times those of a serial arm",
@@ -171,7 +167,8 @@ def _maximum(found: Reproduction, form: str) -> Measured:
 @_claim("5.1, Fig. 6", "Path I: it jumps in legs 5 and 6, as F crosses zero", "those two legs")
 def _crossing(found: Reproduction, form: str) -> Measured:
     legs = crossing_legs(found.runs["I", form])
-    return Measured(f"F crosses zero in legs {_list(legs)}", _verdict(legs == [5, 6], set(legs) & {5, 6}))
+    named = " and ".join(map(str, legs)) or "none"
+    return Measured(f"F crosses zero in legs {named}", _verdict(legs == [5, 6], set(legs) & {5, 6}))
 
 
 @_claim(

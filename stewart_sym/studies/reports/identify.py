@@ -177,7 +177,10 @@ def measured_report(
     file = base.matrix @ inertial_parameters(robot).values
     far = [name for name, off in zip(base.names, departure, strict=True) if abs(off) > _FAR]
     if found.drive is not None:
-        off, p_terms = found.drive.departure(_comparable(given, found.drive))
+        # In viscous terms friction of the joints may be too.
+        of_joints = np.array([name.startswith("viscous") for name in found.drive.names])
+        of_drives = np.where(of_joints, np.nan, terms_of(given, found.drive.names))
+        off, p_terms = found.drive.departure(of_drives)
         far += [name for name, each in zip(found.drive.names, off, strict=True) if abs(each) > _FAR]
         # The smaller one of two.
         p = p if isnan(p_terms) else min(1.0, 2.0 * min(p, p_terms))
@@ -215,12 +218,6 @@ def measured_report(
             **({} if found.drive is None else {"drive": _drive_rows(given, found.drive)}),
         },
     )
-
-
-def _comparable(robot: Robot, found: DriveEstimate) -> Array:
-    """Terms of a robot's drives, (n,); NaN of viscous ones, in which friction of the joints may be too."""
-    of_joints = np.array([name.startswith("viscous") for name in found.names])
-    return np.where(of_joints, np.nan, terms_of(robot, found.names))
 
 
 def drive_lines(robot: Robot, found: DriveEstimate | None) -> list[str]:

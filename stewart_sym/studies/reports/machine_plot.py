@@ -3,13 +3,13 @@
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...dynamics.home_pose import HomePose, radius
 from ...io.array_types import Array
 from ...motion.motion import Motion
 from ...robot.offset_chains import chains
 from ...robot.robot import LEGS, Robot
+from ...viewer.content import around
 from ..common.drawing import (
     BLUE,
     DARK,
@@ -63,7 +63,7 @@ def draw_legs(axes: Any, robot: Robot, tips: Array) -> list[Array]:
     size = float(np.max(np.ptp(np.concatenate([base, tips]), axis=0)))
     below = (0.05 if down else -0.05) * size * np.eye(3)[axis]
     for corners, color in ((base, BASE), (tips, PLATFORM)):
-        ring = corners[_around(corners)]
+        ring = corners[around(corners)]
         axes.plot(*np.concatenate([ring, ring[:1]]).T, color=color, linewidth=1.6)
     for leg in range(LEGS):
         axes.plot(*np.stack([base[leg], tips[leg]]).T, color=LEG, linewidth=1.4)
@@ -172,7 +172,7 @@ def _from_above(axes: Axes, robot: Robot, tips: Array) -> None:
     places, names = [], []
     bars = [(_place(one), _place(other)) for one, other in zip(robot.b, tips, strict=True)]
     for corners, color in ((robot.b, BASE), (tips, PLATFORM)):
-        ring = corners[_around(corners)]
+        ring = corners[around(corners)]
         axes.plot(*np.concatenate([ring, ring[:1]]).T[:2], color=color, linewidth=1.2)
         axes.plot(*corners.T[:2], marker="o", color=color, markersize=4.0, linestyle="")
         places += [_place(corner) for corner in corners]
@@ -200,10 +200,3 @@ def _numbers(points: Array) -> list[tuple[str, tuple[float, float]]]:
         found.append((", ".join(str(i + 1) for i in same), _place(points[left[0]])))
         left = [i for i in left if i not in same]
     return found
-
-
-def _around(corners: Array) -> NDArray[np.int64]:
-    """Order of points by their angle about their middle, in the plane that fits them best."""
-    from_middle = corners - corners.mean(axis=0)
-    across = from_middle @ np.linalg.svd(from_middle)[2][:2].T
-    return np.argsort(np.arctan2(across[:, 1], across[:, 0]))

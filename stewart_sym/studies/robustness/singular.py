@@ -46,7 +46,10 @@ def families(seed: int = 6) -> list[Family]:
 
 def solve_curves(robots_: list[Robot], motions: list[Motion]) -> list[Curve]:
     """Every candidate on H x = c as double has them, beside 50 digits of the same H and c."""
-    systems = [_system(robot, motion) for robot, motion in zip(robots_, motions, strict=True)]
+    systems = [
+        (wrench_matrix(robot, motion), actuator_wrench(robot, motion)[0])
+        for robot, motion in zip(robots_, motions, strict=True)
+    ]
     lengths = [characteristic_length(robot) for robot in robots_]
     condition = np.array([_condition(H, length) for (H, _), length in zip(systems, lengths, strict=True)])
     truth = [_exact(H, c) for H, c in systems]
@@ -108,10 +111,6 @@ def _flat(rng: np.random.Generator) -> tuple[list[Robot], list[Motion]]:
     aside = np.array([0.1, 0.07, 0.0])
     motions = [replace(moving, R=R, t=aside + np.array([0.0, 0.0, d])) for d in distances()]
     return [robot] * len(motions), motions
-
-
-def _system(robot: Robot, motion: Motion) -> tuple[Array, Array]:
-    return wrench_matrix(robot, motion), actuator_wrench(robot, motion)[0]
 
 
 def _condition(H: Array, length: float) -> float:

@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 
 from ...io.progress import Progress, silent, tracked
-from ..common.output import aligned
+from ..common.output import Figures, aligned
 from ..common.report import Picture, Report
 from . import attitude, leg_frame, lengths, poses, runs, scales, singular
-from .family import WRONG, Curve, Family, Verdict, verdict
+from .family import WRONG, Family, verdict
 from .poses import OUTCOMES, Basins, basins
 from .sweep.sweep import GOOD, Sweep
 from .sweep.sweep import report as sweep_report
@@ -36,9 +36,16 @@ class Study:
     sweep: Sweep | None = None
 
 
-def verdicts(family: Family) -> list[tuple[Curve, Verdict]]:
-    """Each method's curve and its verdict."""
-    return [(curve, verdict(curve, family.distance)) for curve in family.curves]
+def methods(family: Family) -> list[Figures]:
+    """Each method's verdict, and whether its statuses are where they must be."""
+    found = []
+    for curve in family.curves:
+        each = verdict(curve, family.distance)
+        # Beyond the range of double a status may be on any pose.
+        right = each.undetected == 0 and (family.beyond_range or each.false_alarms == 0)
+        known = {"method": curve.method, "shipped": curve.shipped, "status": curve.status is not None}
+        found.append({**known, "right": right, **asdict(each)})
+    return found
 
 
 def study(progress: Progress = silent) -> Study:
@@ -67,16 +74,16 @@ def report(found: Study) -> str:
     for family in found.families:
         rows = [
             (
-                f"{'*' if curve.shipped else ' '} {curve.method}",
-                _number(each.worst),
-                _number(each.where),
-                f"{each.digits:.1f}",
-                _number(each.last),
-                "-" if each.rejected_at is None else _number(each.rejected_at),
-                f"{each.undetected}",
-                "right" if _right(family, each) else "WRONG",
+                f"{'*' if each['shipped'] else ' '} {each['method']}",
+                _number(each["worst"]),
+                _number(each["where"]),
+                f"{each['digits']:.1f}",
+                _number(each["last"]),
+                "-" if each["rejected_at"] is None else _number(each["rejected_at"]),
+                f"{each['undetected']}",
+                "right" if each["right"] else "WRONG",
             )
-            for curve, each in verdicts(family)
+            for each in methods(family)
         ]
         header = ("method", "worst", "at", "digits", "last answer at", "rejected at", "undetected", "status")
         lines = [f"{family.title}\n({family.axis})", aligned(header, rows), *family.notes]
@@ -110,16 +117,7 @@ def as_json(found: Study) -> dict[str, Any]:
             "remedy": family.remedy,
             "axis": family.axis,
             "notes": list(family.notes),
-            "methods": [
-                {
-                    "method": curve.method,
-                    "shipped": curve.shipped,
-                    "status": curve.status is not None,
-                    "right": _right(family, each),
-                    **asdict(each),
-                }
-                for curve, each in verdicts(family)
-            ],
+            "methods": methods(family),
         }
         for family in found.families
     ]
@@ -154,11 +152,6 @@ def sweep_json(found: Sweep) -> dict[str, Any]:
         "good_below": GOOD,
         "counts": counts,
     }
-
-
-def _right(family: Family, found: Verdict) -> bool:
-    """Whether the status is where it must be; beyond the range of double it may be on any pose."""
-    return found.undetected == 0 and (family.beyond_range or found.false_alarms == 0)
 
 
 def _number(value: float) -> str:
