@@ -22,8 +22,8 @@ from stewart_sym.simulation.scene import Scene, read_scene
 from stewart_sym.studies import published
 from stewart_sym.studies.accuracy.budget import papers_motions
 from stewart_sym.studies.benchmark import published as published_bench
+from stewart_sym.studies.benchmark.figures import CLOSED, figure
 from stewart_sym.studies.benchmark.figures import motion_figures as figures_of_motion
-from stewart_sym.studies.benchmark.samples import CLOSED, figure
 from stewart_sym.studies.common.host import DISTURBED
 from stewart_sym.studies.control import control
 from stewart_sym.studies.control import published as published_control

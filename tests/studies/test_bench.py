@@ -22,9 +22,9 @@ from stewart_sym.studies.benchmark.engines.drake_inverse import drake_inverse
 from stewart_sym.studies.benchmark.engines.pinocchio import pinocchio_rnea
 from stewart_sym.studies.benchmark.engines.tree import tree
 from stewart_sym.studies.benchmark.equation_kernels import engines
+from stewart_sym.studies.benchmark.figures import batched
 from stewart_sym.studies.benchmark.poses import Poses, bench_poses
 from stewart_sym.studies.benchmark.processor import FUSED, Flags, targets
-from stewart_sym.studies.benchmark.samples import batched
 
 TENSORS = ("I_p", "I_d0", "I_u0")
 pytestmark = pytest.mark.usefixtures("quickly")

@@ -23,10 +23,9 @@ from stewart_sym.dynamics import forces
 from stewart_sym.io.progress import silent
 from stewart_sym.studies.benchmark import bench, compile_times, equation_kernels, reductions
 from stewart_sym.studies.benchmark.baselines import PEERS
-from stewart_sym.studies.benchmark.figures import MOST
+from stewart_sym.studies.benchmark.figures import CLOSED, FORWARD, MOST, PLAIN, batched
 from stewart_sym.studies.benchmark.plot import motion_picture, picture, report
 from stewart_sym.studies.benchmark.processor import targets
-from stewart_sym.studies.benchmark.samples import CLOSED, FORWARD, PLAIN, batched
 from stewart_sym.studies.common import host, timing
 from stewart_sym.studies.common.output import Figures
 

@@ -6,9 +6,8 @@ import pytest
 
 from stewart_sym.backend import native
 from stewart_sym.io.progress import silent
+from stewart_sym.studies.benchmark.figures import BASIS, CLOSED, PLAIN, figure, limits, of_c, shares
 from stewart_sym.studies.benchmark.processor import additions, multiply_add, targets, widest
-from stewart_sym.studies.benchmark.samples import CLOSED, PLAIN, figure, limits, of_c
-from stewart_sym.studies.benchmark.shares import BASIS, shares
 from stewart_sym.studies.common import timing
 from stewart_sym.studies.common.output import Figures
 

@@ -17,9 +17,9 @@ from ...reference import newton_euler
 from ..common.loops import loop_source
 from ..common.output import Figures
 from ..common.timing import Task, over, repeated
+from .figures import CLOSED, NAME, PLAIN, figure
 from .poses import Poses
 from .processor import Flags
-from .samples import CLOSED, NAME, PLAIN, figure
 
 if TYPE_CHECKING:
     from .baselines_casadi import Program

@@ -50,10 +50,7 @@ from .baselines import (
     jax_one_pose,
     succeed,
 )
-from .figures import flatness, with_ratios
-from .poses import Poses, bench_poses
-from .processor import FUSED, Flags, Target, additions, multiply_add, targets, widest
-from .samples import (
+from .figures import (
     BATCH,
     CLOSED,
     COLUMNS,
@@ -62,12 +59,16 @@ from .samples import (
     ONE_POSE,
     PLAIN,
     figure,
+    flatness,
     limits,
     of_c,
     quickest,
     sampled,
+    shares,
+    with_ratios,
 )
-from .shares import shares
+from .poses import Poses, bench_poses
+from .processor import FUSED, Flags, Target, additions, multiply_add, targets, widest
 
 ROUNDS, QUICK_ROUNDS = 41, 9
 COMPILATIONS, QUICK_COMPILATIONS = 7, 3

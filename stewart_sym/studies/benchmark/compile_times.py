@@ -11,7 +11,7 @@ from tempfile import TemporaryDirectory
 from ...backend import c_kernel, native
 from ...io.progress import Progress, silent
 from ..common.output import Figures
-from .samples import NAME, sampled
+from .figures import NAME, sampled
 
 COMPILED = (NAME, f"{NAME}_forces")
 """Kernels whose compilation is timed: every output, and the forces alone."""

@@ -29,10 +29,20 @@ from ..common.output import Figures
 from ..common.timing import Task, repeated
 from .baselines import AGREEMENT, SLOW, Runner, succeed
 from .engines.tree import Engine, Tree, tree
-from .figures import motion_figures
+from .figures import (
+    DERIVATIVES,
+    EQUATIONS,
+    FORWARD,
+    INVERSE,
+    NAME,
+    REGRESSOR,
+    batched,
+    figure,
+    motion_figures,
+    of_c,
+)
 from .poses import Poses
 from .processor import Flags, Target, widest
-from .samples import DERIVATIVES, EQUATIONS, FORWARD, INVERSE, NAME, REGRESSOR, batched, figure, of_c
 
 Run = Callable[[int], object]
 

@@ -12,8 +12,7 @@ from ..common.drawing import Figure as Canvas
 from ..common.host import DISTURBED
 from ..common.output import Figures, aligned
 from ..common.report import SMALL, Picture, Report
-from .figures import MOST, ratios
-from .samples import CLOSED, PLAIN, named
+from .figures import CLOSED, MOST, PLAIN, named, ratios
 
 WIDTH = 110
 

@@ -2,7 +2,7 @@
 
 from ...io.extras import install
 from ..common.output import Figures, paragraph, table
-from .samples import CLOSED, FORWARD, PLAIN
+from .figures import CLOSED, FORWARD, PLAIN
 
 README_ROWS = (
     "one pose",

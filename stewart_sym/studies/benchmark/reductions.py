@@ -13,9 +13,9 @@ from ...io.progress import Progress, silent
 from ...robot.robot import Robot
 from ..common.timing import repeated
 from .baselines import FEW, MANY, Candidate, Runner, c_loop, checked, forces_loop, succeed
+from .figures import NAME
 from .poses import Poses
 from .processor import Flags
-from .samples import NAME
 
 if TYPE_CHECKING:
     from ...derive.passes import Pass
