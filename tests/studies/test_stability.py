@@ -168,8 +168,8 @@ def wrong_and_rejected(
     cases: int, legs: tuple[str, ...] = LEGS, kinds: tuple[str, ...] = oracle.KINDS
 ) -> Any:
     found = sweep(cases, seed=11, legs=legs, kinds=kinds)
-    assert found.cases >= cases
-    return found.wrong, found.rejected_good, list(found.shown)
+    assert found.figures["cases"] >= cases
+    return found.figures["wrong"], found.figures["rejected_good"], found.shown
 
 
 def test_random_cases_near_failure_are_right_or_say_so() -> None:

@@ -37,8 +37,8 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.cases is not None and arguments.output is None:
         with results(arguments) as (take, progress):
             swept = sweep(arguments.cases, arguments.seed, progress)
-            take(Report(report(swept), data=study.sweep_json(swept)))
-        return 1 if swept.wrong or swept.rejected_good else 0
+            take(Report(report(swept), data=swept.figures))
+        return 1 if swept.figures["wrong"] or swept.figures["rejected_good"] else 0
     arguments.output = arguments.output or Path("stability")
     with results(arguments, "stability") as (take, progress):
         found = study.study(progress)

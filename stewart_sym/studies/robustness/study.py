@@ -12,7 +12,7 @@ from ..common.report import Picture, Report
 from . import attitude, leg_frame, lengths, poses, runs, scales, singular
 from .family import WRONG, Family, verdict
 from .poses import OUTCOMES, Basins, basins
-from .sweep.sweep import GOOD, Sweep
+from .sweep.sweep import Sweep
 from .sweep.sweep import report as sweep_report
 
 PARTS = {
@@ -128,7 +128,7 @@ def as_json(found: Study) -> dict[str, Any]:
     return {
         "families": families,
         "basins": {"shares": shares, "poses": found.basins.poses, "proven": found.basins.proven},
-        "sweep": None if found.sweep is None else sweep_json(found.sweep),
+        "sweep": None if found.sweep is None else found.sweep.figures,
         "units": {
             "worst": "rounding units over the condition number of the problem",
             "where": "distance from the degenerate configuration, as of the family's axis",
@@ -138,19 +138,6 @@ def as_json(found: Study) -> dict[str, Any]:
             "wrong_above": "rounding units over the condition number of the problem",
             "good_below": "condition number",
         },
-    }
-
-
-def sweep_json(found: Sweep) -> dict[str, Any]:
-    """Counts of the sweep, as plain numbers."""
-    counts = [asdict(count) for count in found.counts]
-    return {
-        "cases": found.cases,
-        "wrong": found.wrong,
-        "rejected_good": found.rejected_good,
-        "wrong_above": WRONG,
-        "good_below": GOOD,
-        "counts": counts,
     }
 
 

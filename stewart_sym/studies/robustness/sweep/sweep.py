@@ -10,7 +10,7 @@ from ....backend.kernel import robot_numbers
 from ....io.array_types import Array, Codes, Flags
 from ....io.progress import Progress, silent
 from ....results import OK, STATUS_TEXT
-from ...common.output import aligned
+from ...common.output import Figures, aligned
 from ..family import WRONG
 from .machines import LEGS, machine_size, random_machine
 from .oracle import CLOSED_KERNELS, KERNELS, KINDS, MACHINE, check_random, closed_form_errors
@@ -31,49 +31,19 @@ CLOSED = ("forward_dynamics", "joint_inertia", "derivatives")
 
 
 @dataclass(frozen=True)
-class Count:
-    """One kernel on one kind of cases.
+class Sweep:
+    """What was found, a line on the worst case of each count that is not right, how many went to quad.
 
-    cases: how many. answered: with status ok. wrong: of those, how many err by more than ``WRONG`` units
-    times the condition number. rejected_good: cases with a status, their condition number below ``GOOD``.
-    worst: largest error over condition number with status ok, at distance ``where``. lowest: least
+    figures: for programs. ``counts`` has one for each kernel on each kind of cases: ``cases``, how many;
+    ``answered``, with status ok; ``wrong``, of those, how many err by more than ``WRONG`` units times the
+    condition number; ``rejected_good``, those with a status and a condition number below ``GOOD``;
+    ``worst``, largest error over condition number with status ok, at distance ``where``; ``lowest``, least
     condition number of a case with a status, inf if there is none.
     """
 
-    kind: str
-    precision: str
-    kernel: str
-    cases: int
-    answered: int
-    wrong: int
-    rejected_good: int
-    worst: float
-    where: float
-    lowest: float
-
-
-@dataclass(frozen=True)
-class Sweep:
-    """All counts, a line on the worst case of each that is not right, and how many were checked in quad."""
-
-    counts: tuple[Count, ...]
-    shown: tuple[str, ...]
+    figures: Figures
+    shown: list[str]
     in_quad: int
-
-    @property
-    def cases(self) -> int:
-        """Cases in all, each put to every kernel of forces."""
-        return sum(count.cases for count in self.counts if count.kernel == KERNELS[0])
-
-    @property
-    def wrong(self) -> int:
-        """Wrong answers with status ok."""
-        return sum(count.wrong for count in self.counts)
-
-    @property
-    def rejected_good(self) -> int:
-        """Statuses on good poses."""
-        return sum(count.rejected_good for count in self.counts)
 
 
 def sweep(
@@ -90,7 +60,7 @@ def sweep(
     """
     if cases < len(kinds) * FLOAT_SHARE:
         raise ValueError(f"cases: expected at least {len(kinds) * FLOAT_SHARE}, got {cases}")
-    counts: list[Count] = []
+    counts: list[Figures] = []
     shown: list[str] = []
     in_quad = 0
     done = 0.0
@@ -113,9 +83,17 @@ def sweep(
             for answer in answers:
                 count, index = _counted(answer, kind, precision)
                 counts.append(count)
-                if count.wrong or count.rejected_good:
+                if count["wrong"] or count["rejected_good"]:
                     shown.append(answer.text(index, count))
-    return Sweep(tuple(counts), tuple(shown), in_quad)
+    figures = {
+        "cases": sum(count["cases"] for count in counts if count["kernel"] == KERNELS[0]),
+        "wrong": sum(count["wrong"] for count in counts),
+        "rejected_good": sum(count["rejected_good"] for count in counts),
+        "wrong_above": WRONG,
+        "good_below": GOOD,
+        "counts": counts,
+    }
+    return Sweep(figures, shown, in_quad)
 
 
 @dataclass(frozen=True, eq=False)
@@ -131,11 +109,11 @@ class _Answers:
     of_pose: Array
     distance: Array
 
-    def text(self, index: int, count: Count) -> str:
+    def text(self, index: int, count: Figures) -> str:
         """One of them in a line."""
         return (
-            f"{count.kind}, {count.precision}, {self.kernel}: {STATUS_TEXT[int(self.status[index])]}, error "
-            f"{self.error[index]:.3g} units at condition {self.condition[index]:.3g}, distance "
+            f"{count['kind']}, {count['precision']}, {self.kernel}: {STATUS_TEXT[int(self.status[index])]}, "
+            f"error {self.error[index]:.3g} units at condition {self.condition[index]:.3g}, distance "
             f"{self.distance[index]:.3g}"
         )
 
@@ -179,25 +157,25 @@ def report(found: Sweep) -> str:
     """The counts as a table, and each case worth showing in a line."""
     rows = [
         (
-            f"{count.kind}, {count.precision}, {count.kernel}",
-            f"{count.cases}",
-            f"{count.answered}",
-            "-" if count.worst < 0.0 else f"{count.worst:.3g}",
-            f"{count.where:.1e}",
-            f"{count.wrong}",
-            f"{count.lowest:.1e}",
-            f"{count.rejected_good}",
+            f"{count['kind']}, {count['precision']}, {count['kernel']}",
+            f"{count['cases']}",
+            f"{count['answered']}",
+            "-" if count["worst"] < 0.0 else f"{count['worst']:.3g}",
+            f"{count['where']:.1e}",
+            f"{count['wrong']}",
+            f"{count['lowest']:.1e}",
+            f"{count['rejected_good']}",
         )
-        for count in found.counts
+        for count in found.figures["counts"]
     ]
     header = (
         *("near failure", "cases", "ok", "worst", "at distance", "wrong"),
         *("least rejected", "good rejected"),
     )
+    cases, wrong, rejected = (found.figures[name] for name in ("cases", "wrong", "rejected_good"))
     head = (
-        f"{found.cases} random cases near failure, each put to {len(KERNELS)} kernels, a part of them to "
-        f"{len(CLOSED)} more: {found.wrong} wrong "
-        f"answers with status ok, {found.rejected_good} statuses on good poses.\n"
+        f"{cases} random cases near failure, each put to {len(KERNELS)} kernels, a part of them to "
+        f"{len(CLOSED)} more: {wrong} wrong answers with status ok, {rejected} statuses on good poses.\n"
         f"worst: error in rounding units over the problem's own condition number; wrong: above {WRONG:g}, or "
         "with a singular machine.\n"
         "least rejected: least condition number of a case with a status; good: below "
@@ -231,7 +209,7 @@ def random_machines(
     )
 
 
-def _counted(found: _Answers, kind: str, precision: str) -> tuple[Count, int]:
+def _counted(found: _Answers, kind: str, precision: str) -> tuple[Figures, int]:
     """The count, and the index of the case most worth showing."""
     answered = found.made & (found.status == OK)
     # Where the pose is unsolvable any answer with status ok is wrong, however small its error.
@@ -239,17 +217,17 @@ def _counted(found: _Answers, kind: str, precision: str) -> tuple[Count, int]:
     ratio = np.where(answered, np.where(np.isnan(ratio), np.inf, ratio), -1.0)
     rejected = found.made & (found.status != OK) & (found.truth == OK)
     good = rejected & (found.of_pose < GOOD[precision])
-    worst = int(np.argmax(ratio))
-    count = Count(
-        kind,
-        precision,
-        found.kernel,
-        int(found.made.sum()),
-        int(answered.sum()),
-        int(np.sum(ratio > WRONG)),
-        int(good.sum()),
-        float(ratio[worst]),
-        float(found.distance[worst]),
-        float(found.of_pose[rejected].min(initial=np.inf)),
-    )
-    return count, int(np.flatnonzero(good)[0]) if good.any() and not count.wrong else worst
+    worst, wrong = int(np.argmax(ratio)), int(np.sum(ratio > WRONG))
+    count = {
+        "kind": kind,
+        "precision": precision,
+        "kernel": found.kernel,
+        "cases": int(found.made.sum()),
+        "answered": int(answered.sum()),
+        "wrong": wrong,
+        "rejected_good": int(good.sum()),
+        "worst": float(ratio[worst]),
+        "where": float(found.distance[worst]),
+        "lowest": float(found.of_pose[rejected].min(initial=np.inf)),
+    }
+    return count, int(np.flatnonzero(good)[0]) if good.any() and not wrong else worst
