@@ -287,43 +287,42 @@ def _noise(
     return sd, at_replaced(trajectory, given.time)
 
 
+_OVER_TIME = {"force": "F", "speed": "L_dot", "power": "power", "torque": "torque"} | {
+    name: name for name in ("motor_speed", "motor_power", "current")
+}
+"""Needs for shares of the time, with what they are sizes of."""
+_LARGEST = {"push": ("F", 1), "pull": ("F", -1), "driving": ("power", 1), "braking": ("power", -1)}
+"""Needs that are the largest of something, 0 at least, with its sign."""
+
+
 def _needs(course: Course, margin: float, shares: Array) -> Needs:
-    F, power, weight = course.F, course.power, course.weight
-
-    def over_time(values: Array | None) -> Any:
-        return None if values is None else weighted_quantiles(np.abs(values), weight, shares)
-
-    def rms(values: Array | None) -> Any:
-        return None if values is None else np.sqrt(np.average(values**2, axis=0, weights=weight))
-
+    over_time: dict[str, Any] = dict.fromkeys(_OVER_TIME)
+    for need, name in _OVER_TIME.items():
+        values = getattr(course, name)
+        if values is not None:
+            over_time[need] = weighted_quantiles(np.abs(values), course.weight, shares)
+    largest = {need: _largest(sign * getattr(course, name)) for need, (name, sign) in _LARGEST.items()}
     return Needs(
         margin=margin,
         quantiles=shares,
-        force=over_time(F),
-        speed=over_time(course.L_dot),
-        power=over_time(power),
-        push=F.max(axis=0).clip(min=0.0),
-        pull=(-F.min(axis=0)).clip(min=0.0),
-        rms_force=rms(F),
-        driving=power.max(axis=0).clip(min=0.0),
-        braking=(-power.min(axis=0)).clip(min=0.0),
+        **over_time,
+        **largest,
+        rms_force=_rms(course.F, course.weight),
         length=np.stack([course.L.min(axis=0), course.L.max(axis=0)], axis=-1),
         base_angle=course.base.max(axis=0),
         platform_angle=course.platform.max(axis=0),
-        torque=over_time(course.torque),
-        motor_speed=over_time(course.motor_speed),
-        motor_power=over_time(course.motor_power),
-        current=over_time(course.current),
-        rms_torque=rms(course.torque),
+        rms_torque=None if course.torque is None else _rms(course.torque, course.weight),
         course=course,
         deviations=None if course.deviations is None else _deviations(course, course.deviations, shares),
     )
 
 
-_OVER_TIME = {"force": "F", "speed": "L_dot", "power": "power", "torque": "torque"} | {
-    name: name for name in ("motor_speed", "motor_power", "current")
-}
-"""Needs for shares of the time, with what they are sizes of."""
+def _largest(values: Array) -> Array:
+    return np.asarray(values.max(axis=0).clip(min=0.0))
+
+
+def _rms(values: Array, weight: Array) -> Array:
+    return np.asarray(np.sqrt(np.average(values**2, axis=0, weights=weight)))
 
 
 def sides(sd: Mapping[str, Array], name: str) -> tuple[Array, Array]:
@@ -348,28 +347,21 @@ def _deviations(course: Course, sd: Mapping[str, Array], shares: Array) -> dict[
     def over_time(sizes: Array) -> Array:
         return weighted_quantiles(sizes.clip(min=0.0), course.weight, shares)
 
-    def greatest(values: Array) -> Array:
-        return np.asarray(values.max(axis=0).clip(min=0.0))
-
-    def rms(name: str) -> Array:
-        return np.asarray(np.sqrt(np.average(sd[name] ** 2, axis=0, weights=course.weight)))
-
     found = {
         need: change(over_time, np.abs(getattr(course, name)), name)
         for need, name in _OVER_TIME.items()
         if name in sd
     }
-    for need, name, sign in (
-        ("push", "F", 1),
-        ("pull", "F", -1),
-        ("driving", "power", 1),
-        ("braking", "power", -1),
-    ):
-        found[need] = change(greatest, sign * getattr(course, name), name)
+    for need, (name, sign) in _LARGEST.items():
+        found[need] = change(_largest, sign * getattr(course, name), name)
     ends = [change(lambda x: x.max(axis=0), sign * course.L, "L") for sign in (-1, 1)]
-    found |= {"length": np.stack(ends, axis=-1), "stroke": ends[0] + ends[1], "rms_force": rms("F")}
-    found |= {f"{end}_angle": change(greatest, getattr(course, end), end) for end in ("base", "platform")}
-    found |= {"rms_torque": rms("torque")} if "torque" in sd else {}
+    found |= {
+        "length": np.stack(ends, axis=-1),
+        "stroke": ends[0] + ends[1],
+        "rms_force": _rms(sd["F"], course.weight),
+    }
+    found |= {f"{end}_angle": change(_largest, getattr(course, end), end) for end in ("base", "platform")}
+    found |= {"rms_torque": _rms(sd["torque"], course.weight)} if "torque" in sd else {}
     return {name: read_only(values) for name, values in found.items()}
 
 

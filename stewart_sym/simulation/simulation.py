@@ -190,9 +190,6 @@ def simulate(
     )
 
 
-# Integration
-
-
 @dataclass(eq=False)
 class _Run:
     """One run's parts, and the integration from state to state.

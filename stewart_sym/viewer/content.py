@@ -114,9 +114,6 @@ def limits_html(limits: Limits) -> str:
     return f'<section id="limits" aria-label="Limits"><h2>Limits</h2>{said}</section>'
 
 
-# Parts
-
-
 def _column(values: Array, kind: str = "f4") -> dict[str, str]:
     """Numbers in base 64; single precision has the digits that are shown, times need all of theirs."""
     with np.errstate(over="ignore"):

@@ -176,9 +176,6 @@ def of_run_file(robot: Robot, path: str | os.PathLike[str]) -> Instants:
     return _instants(robot, "simulated run", time, motion, _path_of(time, motion), time, {"run": F})
 
 
-# Parts
-
-
 def _instants(
     robot: Robot,
     name: str,

@@ -120,9 +120,6 @@ def terms(candidate: Candidate, rotors: bool = False) -> frozenset[str]:
     return frozenset(kept)
 
 
-# --- words ------------------------------------------------------------------------------------
-
-
 def report(found: Advice) -> str:
     """Machine, budget, a table of all candidates and the answer, as one text."""
     cost = found.cost
@@ -216,9 +213,6 @@ def _beyond(entry: Entry, budget: Budget) -> str:
     ]
     largest, *others = sorted(said, key=lambda miss: -miss[0])
     return "; ".join(text for _, text in [largest, *(miss for miss in others if miss[0] > 1.0)])
-
-
-# --- for programs -----------------------------------------------------------------------------
 
 
 def as_json(found: Advice) -> dict[str, Any]:

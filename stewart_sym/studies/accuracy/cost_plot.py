@@ -92,8 +92,6 @@ def front(given: Sequence[Point]) -> list[Point]:
     return best
 
 
-# --- rows -------------------------------------------------------------------------------------
-
 _COLUMNS = ("error", "name", "ns", "motion", "largest", "pareto")
 
 
@@ -111,9 +109,6 @@ def csv_rows(found: CostAccuracy) -> str:
 
 def _of(every: Sequence[Point], panel: str) -> list[Point]:
     return [point for point in every if point.panel == panel]
-
-
-# --- the picture ------------------------------------------------------------------------------
 
 
 def figure(found: CostAccuracy) -> Figure:

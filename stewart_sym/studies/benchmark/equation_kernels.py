@@ -108,21 +108,20 @@ def _expected_derivatives(robot: Robot, motion: Motion, F: Array) -> tuple[Array
             columns.append((8 * near - far) / (12 * np.linalg.norm(direction)))
         return np.stack(columns, axis=-1)
 
-    return F, difference(_other_pose), difference(_other_twist), difference(_other_acceleration)
+    moves = (_other_pose, _other_rates("v", "omega"), _other_rates("a", "alpha"))
+    return F, *map(difference, moves)
 
 
 def _other_pose(motion: Motion, by: Array) -> Motion:
     return dataclasses.replace(motion, t=motion.t + by[:3], R=rotation_from_vector(by[3:]) @ motion.R)
 
 
-def _other_twist(motion: Motion, by: Array) -> Motion:
-    return dataclasses.replace(motion, v=motion.v + by[:3], omega=motion.omega + by[3:])
+def _other_rates(linear: str, angular: str) -> Callable[[Motion, Array], Motion]:
+    def moved(motion: Motion, by: Array) -> Motion:
+        parts = ((linear, by[:3]), (angular, by[3:]))
+        return dataclasses.replace(motion, **{name: getattr(motion, name) + part for name, part in parts})
 
-
-def _other_acceleration(motion: Motion, by: Array) -> Motion:
-    assert motion.a is not None
-    assert motion.alpha is not None
-    return dataclasses.replace(motion, a=motion.a + by[:3], alpha=motion.alpha + by[3:])
+    return moved
 
 
 def _expected_linearisation(robot: Robot, motion: Motion, F: Array) -> Sequence[Array]:

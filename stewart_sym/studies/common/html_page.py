@@ -58,9 +58,6 @@ def html_page(title: str, report: Report, progress: Progress = silent) -> str:
     return document(title, filled("report.html", values), "sort", ("style.css", "report.css"), inner)
 
 
-# Parts
-
-
 def _section(title: str, body: str) -> str:
     # The name of a file is left as it is.
     head = title if "." in title else title[:1].upper() + title[1:]

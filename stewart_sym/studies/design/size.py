@@ -60,11 +60,6 @@ def _view(robot: Robot, trajectory: Trajectory | PoseLog) -> View:
     return View(robot, of_trajectory(robot, trajectory))
 
 
-def share_text(share: float) -> str:
-    """A share of the time in words."""
-    return "peak" if share == 1.0 else f"{100.0 * share:g} % of time"
-
-
 def doubt(needs: Needs) -> str | None:
     """One line about forces that the noise of logs leaves unknown; None without."""
     course = needs.course
@@ -78,7 +73,8 @@ def rows(needs: Needs | SimpleNamespace) -> Iterator[tuple[str, str, Array]]:
     for name in ("force", "speed", "power", "torque", "motor_speed", "current", "motor_power"):
         unit, values = _UNITS[name], getattr(needs, name)
         for share, at in zip(needs.quantiles, () if values is None else values, strict=values is not None):
-            yield f"{name.replace('_', ' ')}, {share_text(float(share))}", unit, at
+            words = "peak" if share == 1.0 else f"{100.0 * float(share):g} % of time"
+            yield f"{name.replace('_', ' ')}, {words}", unit, at
         if name == "force":
             yield "force, rms", unit, needs.rms_force
             yield "push", unit, needs.push

@@ -154,7 +154,9 @@ def _operations_table(found: Reproduction) -> str:
     paper = (str(PAPER_FLOPS[part]) for part in ("leg", "platform", "final", "total"))
     cells = [("the paper's program", *paper, "", _arms(PAPER_FLOPS["total"]))]
     operations = sorted(found.operations, key=lambda row: row.formulation != "paper")
-    cells += [_operations_row(row) for row in operations]
+    for row in operations:
+        parts = (str(sum(part)) for part in (row.leg, row.platform, row.final, row.total))
+        cells.append((_kernel_name(row), *parts, "/".join(map(str, row.total)), _arms(sum(row.total))))
     header_apart = ("mul/add/div/sqrt of", "one leg", "platform", "final system")
     apart = [
         (_kernel_name(row), *("/".join(map(str, part)) for part in (row.leg, row.platform, row.final)))
@@ -168,11 +170,6 @@ def _operations_table(found: Reproduction) -> str:
         f"x arm: times the {SERIAL_ARM_FLOPS} operations of a serial arm of six joints (section 4.5). The "
         "paper counted MATLAB's flops, without friction.",
     )
-
-
-def _operations_row(row: Operations) -> tuple[str, ...]:
-    parts = (str(sum(part)) for part in (row.leg, row.platform, row.final, row.total))
-    return (_kernel_name(row), *parts, "/".join(map(str, row.total)), _arms(sum(row.total)))
 
 
 def _kernel_name(row: Operations) -> str:

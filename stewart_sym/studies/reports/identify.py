@@ -351,8 +351,8 @@ def simulated_report(robot: Robot, found: Experiment) -> Report:
             "deviation": found.deviation,
         },
         {
-            "trajectory": trajectory_columns(robot, found.excitation.time, found.measured),
-            "forces": force_columns(found),
+            "trajectory": trajectory_columns(robot, excited.time, found.measured),
+            "forces": {"time": excited.time} | of_legs("F", found.F),
         },
         {
             **_data(robot, estimate, found.sigma, found.noise),
@@ -367,8 +367,3 @@ def simulated_report(robot: Robot, found: Experiment) -> Report:
 def _count(robot: Robot, base: BaseParameters) -> str:
     text = f"{robot.name}: {base.rank} base parameters of {base.matrix.shape[1]}, gap {base.gap:.2g}"
     return text if base.shared is None else f"{text}; all legs have the same"
-
-
-def force_columns(found: Experiment) -> dict[str, Array]:
-    """Time and the noisy forces."""
-    return {"time": found.excitation.time} | of_legs("F", found.F)

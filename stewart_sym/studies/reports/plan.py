@@ -107,8 +107,9 @@ def conditions(robot: Robot, motion: Motion) -> Array:
 
 def report(plan: Plan) -> Report:
     """Everything about a plan, with its pictures."""
+    motion = plan.timed.sample(plan.times)
     tables = {
-        "trajectory": trajectory_columns(plan.robot, plan.times, plan.timed.sample(plan.times)),
+        "trajectory": trajectory_columns(plan.robot, plan.times, motion),
         "path": along(plan, plan.times),
     }
     text = summary(plan) if plan.motors is None else f"{summary(plan)}\n\n{plan.motors.table()}"
@@ -117,13 +118,8 @@ def report(plan: Plan) -> Report:
         "forces": Picture(lambda: forces_figure(plan)),
         "phase_plane": Picture(lambda: phase_figure(plan)),
     }
-    return Report(text, tables, data(plan), figures, {"motion": lambda: planned_view(plan)})
-
-
-def planned_view(plan: Plan) -> View:
-    """The planned motion at the trajectory's instants, as ``view`` shows it."""
-    motion = plan.timed.sample(plan.times)
-    return View(plan.robot, of_motion(plan.robot, motion, plan.times, "planned motion"))
+    view = {"motion": lambda: View(plan.robot, of_motion(plan.robot, motion, plan.times, "planned motion"))}
+    return Report(text, tables, data(plan), figures, view)
 
 
 def summary(plan: Plan) -> str:

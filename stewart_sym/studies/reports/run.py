@@ -1,6 +1,6 @@
 """A simulation's run as ``simulate`` writes it: columns by name, a summary, a picture."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -13,7 +13,7 @@ from ...motion.rotation import rpy_from_rotation
 from ...robot.robot import Robot
 from ...simulation.actuator_models import ForceLaw, LegSprings
 from ...simulation.trace import Simulation, Trace, leg_states
-from ..common.drawing import Axes, Figure, new_figure
+from ..common.drawing import Figure, new_figure
 from ..common.output import Columns, of_axes, of_legs
 from ..common.report import Picture, Report
 from . import energy_drift
@@ -175,7 +175,12 @@ def figure(run: Simulation, law: ForceLaw) -> Figure:
     picture = new_figure(10.0, 10.0)
     grid = picture.subplots(4, 2, sharex=True)
     for axes, (values, names, label) in zip(grid.flat, panels, strict=True):
-        _curves(axes, run.times, values, names, label)
+        for name, column in zip(names, values.T, strict=True):
+            axes.plot(run.times, column, linewidth=1.1, label=name)
+        axes.set_ylabel(label)
+        axes.margins(x=0.0)
+        # Beside the panel, where no curve can run through it.
+        axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=8.0)
     for axes in grid[-1]:
         axes.set_xlabel("time, s")
     picture.suptitle(run.stop.text, fontsize=10.0)
@@ -189,12 +194,3 @@ def _gained(run: Simulation, law: ForceLaw) -> tuple[Array, tuple[str, ...]]:
         parts["springs"] = law.energy(run.L)
     gained = np.stack([energy - energy[0] for energy in parts.values()], axis=-1)
     return np.column_stack([gained, gained.sum(axis=-1)]), (*parts, "sum")
-
-
-def _curves(axes: Axes, times: Array, values: Array, names: Sequence[str], label: str) -> None:
-    for name, column in zip(names, values.T, strict=True):
-        axes.plot(times, column, linewidth=1.1, label=name)
-    axes.set_ylabel(label)
-    axes.margins(x=0.0)
-    # Beside the panel, where no curve can run through it.
-    axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=8.0)

@@ -263,9 +263,6 @@ def twist_text(at: Singularity) -> str:
     return f"v = {_triple(at.twist[:3])} m/s, omega = {_triple(at.twist[3:])} rad/s"
 
 
-# Parts
-
-
 def _sides(
     robot: Robot, path: Path, along: PathSingularities, crossing: Crossing, formulation: Formulation
 ) -> Sides:

@@ -123,9 +123,6 @@ def draw_machine(axes: Any, robot: Robot, pose: Motion, at: Singularity) -> None
     frame(axes, robot, np.concatenate(extent))
 
 
-# Parts
-
-
 def _poses(found: Examination) -> Iterator[tuple[str, float, Singularity, str]]:
     """Name of the file, time, pose and title of each picture of the machine."""
     along = found.along

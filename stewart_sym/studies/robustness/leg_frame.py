@@ -1,6 +1,7 @@
 """Family 2: a leg comes to lie along its universal joint's fixed axis; ways to the sine between them."""
 
 import dataclasses
+from collections.abc import Callable
 from typing import Any
 
 import mpmath
@@ -113,16 +114,12 @@ def _spin(robots: list[Robot], motions: list[Motion]) -> Family:
     return _family("joint_sine", title, "", tuple(curves), error_axis="error over the spin")
 
 
-def _from_cosine(k: Array, s: Array) -> float:
-    return float(np.sqrt(1.0 - (k @ s) ** 2))
-
-
 def _from_product(k: Array, s: Array) -> float:
     return float(np.linalg.norm(np.cross(k, s)))
 
 
-SINES = {
-    "sqrt(1 - (k.s)^2)": _from_cosine,
+SINES: dict[str, Callable[[Array, Array], float]] = {
+    "sqrt(1 - (k.s)^2)": lambda k, s: float(np.sqrt(1.0 - (k @ s) ** 2)),
     "|k x s|": _from_product,
     "|k x s|, y made normal to s": _from_product,
 }

@@ -1,5 +1,6 @@
 """Families 1: H becomes singular, in four ways; candidate solves beside the shipped kernels."""
 
+import functools
 from collections.abc import Callable
 from dataclasses import replace
 
@@ -128,29 +129,19 @@ def _exact(H: Array, c: Array) -> list[mpmath.mpf] | None:
 # --- ways to solve H x = c, written plainly ---------------------------------------------------
 
 
-def without_pivoting(A: Array, y: Array) -> Array:
-    """Elimination in the order of the rows."""
-    return _eliminated(A, y, lambda A, k, scale: (k, k))
+def _largest(A: Array, k: int, scale: Array) -> tuple[int, int]:
+    """Row and column of the largest entry of what remains."""
+    i, j = np.unravel_index(np.argmax(np.abs(A[k:, k:])), (len(A) - k, len(A) - k))
+    return k + int(i), k + int(j)
 
 
-def partial_pivoting(A: Array, y: Array) -> Array:
-    """Elimination by the largest entry of each column."""
-    return _eliminated(A, y, lambda A, k, scale: (k + int(np.argmax(np.abs(A[k:, k]))), k))
-
-
-def scaled_pivoting(A: Array, y: Array) -> Array:
-    """Elimination by the entry of each column that is largest beside its row's largest."""
-    return _eliminated(A, y, lambda A, k, scale: (k + int(np.argmax(np.abs(A[k:, k]) / scale[k:])), k))
-
-
-def complete_pivoting(A: Array, y: Array) -> Array:
-    """Elimination by the largest entry of what remains, columns exchanged too."""
-
-    def largest(A: Array, k: int, scale: Array) -> tuple[int, int]:
-        i, j = np.unravel_index(np.argmax(np.abs(A[k:, k:])), (len(A) - k, len(A) - k))
-        return k + int(i), k + int(j)
-
-    return _eliminated(A, y, largest)
+_PIVOTS: dict[str, Callable[[Array, int, Array], tuple[int, int]]] = {
+    "no pivoting": lambda A, k, scale: (k, k),
+    "partial pivoting": lambda A, k, scale: (k + int(np.argmax(np.abs(A[k:, k]))), k),
+    "scaled pivoting": lambda A, k, scale: (k + int(np.argmax(np.abs(A[k:, k]) / scale[k:])), k),
+    "complete pivoting": _largest,
+}
+"""Row and column of a step's pivot in elimination; scale: the largest entry of each row at first."""
 
 
 def householder(A: Array, y: Array) -> Array:
@@ -167,19 +158,8 @@ def singular_values(A: Array, y: Array) -> Array:
 
 def refined(A: Array, y: Array) -> Array:
     """Partial pivoting and one step of refinement, its residual in double."""
-    x = partial_pivoting(A, y)
-    return x + partial_pivoting(A, y - A @ x)
-
-
-CANDIDATES: dict[str, Callable[[Array, Array], Array]] = {
-    "no pivoting": without_pivoting,
-    "partial pivoting": partial_pivoting,
-    "scaled pivoting": scaled_pivoting,
-    "complete pivoting": complete_pivoting,
-    "Householder QR": householder,
-    "SVD": singular_values,
-    "partial, refined": refined,
-}
+    x = _eliminated(A, y, _PIVOTS["partial pivoting"])
+    return x + _eliminated(A, y - A @ x, _PIVOTS["partial pivoting"])
 
 
 def _eliminated(A: Array, y: Array, pivot: Callable[[Array, int, Array], tuple[int, int]]) -> Array:
@@ -205,3 +185,11 @@ def _back(A: Array, y: Array) -> Array:
     for k in reversed(range(len(y))):
         x[k] = (y[k] - A[k, k + 1 :] @ x[k + 1 :]) / A[k, k]
     return x
+
+
+CANDIDATES: dict[str, Callable[[Array, Array], Array]] = {
+    **{name: functools.partial(_eliminated, pivot=pivot) for name, pivot in _PIVOTS.items()},
+    "Householder QR": householder,
+    "SVD": singular_values,
+    "partial, refined": refined,
+}

@@ -113,10 +113,6 @@ def _regulus(rng: np.random.Generator) -> Points:
     return _with(rng, line), _with(rng, line)
 
 
-def _two_legs_alike(rng: np.random.Generator) -> Points:
-    return _with(rng, _point(rng, 2)), _with(rng, _point(rng, 2))
-
-
 def _nearly_alike(rng: np.random.Generator, points: Points, groups: tuple[tuple[int, ...], ...]) -> Points:
     """The points on the finer grid, those of a group of legs beside those of its first, at any degree."""
     base, platform = (2**_FINE * each for each in points)
@@ -174,7 +170,7 @@ FAMILIES: dict[str, Callable[[np.random.Generator], Points]] = {
     # Lines that join corresponding points of two lines have rank 3, lines that meet two lines rank 4.
     "four legs of a regulus": _regulus,
     "five legs between two lines": lambda rng: (_with(rng, _line(rng, 5)), _with(rng, _line(rng, 5))),
-    "two legs alike": _two_legs_alike,
+    "two legs alike": lambda rng: (_with(rng, _point(rng, 2)), _with(rng, _point(rng, 2))),
     # Lines that join corresponding points of affine planes are linear in (1, x, y, x^2, x y, y^2), which six
     # points of a conic make dependent (Husty and Karger, 2000).
     "a conic and its affine image": lambda rng: _twice(_conic(rng)),
