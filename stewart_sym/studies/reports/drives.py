@@ -65,26 +65,17 @@ class DriveDigest:
         """A line for each motor: peaks and root mean square beside their limits, energy."""
         found, drive = self.summary, self.drive
         peaks, sd = found.peaks, found.peak_sd
-        rows = [
-            (
-                str(leg + 1),
-                *(
-                    _beside(peaks[name][leg], getattr(drive, f"{name}_limit")[leg], _of(sd.get(name), leg))
-                    for name in self._known()
-                ),
-                *(
-                    (
-                        _beside(
-                            found.rms_torque[leg], drive.rated_torque[leg], _of(found.rms_torque_sd, leg)
-                        ),
-                        _beside(found.energy[leg], np.inf, found.energy_sd[leg]),
-                    )
-                    if self.lasts
-                    else ("-", "-")
-                ),
-            )
-            for leg in range(LEGS)
-        ]
+        rows = []
+        for leg in range(LEGS):
+            cells = [
+                _beside(peaks[name][leg], getattr(drive, f"{name}_limit")[leg], _of(sd.get(name), leg))
+                for name in self._known()
+            ]
+            means = ["-", "-"]
+            if self.lasts:
+                rms = found.rms_torque[leg], drive.rated_torque[leg], _of(found.rms_torque_sd, leg)
+                means = [_beside(*rms), _beside(found.energy[leg], np.inf, found.energy_sd[leg])]
+            rows.append((str(leg + 1), *cells, *means))
         names = [f"{_HEADINGS.get(name, name)}, {PEAKS[name]}" for name in self._known()]
         return aligned(("motor", *names, "RMS torque, N m", "electrical energy, J"), rows)
 

@@ -1,20 +1,7 @@
 """Map of a workspace: condition number and peak actuator force at rest under gravity, on one machine or many.
 
-Ten million poses, 160 MB of results, on a cluster (extra ``cluster``)::
-
-    import dask.array as da
-    import numpy as np
-    from dask.distributed import Client
-    from stewart_sym import robots
-    from stewart_sym.studies.reports.workspace import grid, workspace_map
-
-    client = Client("tcp://scheduler:8786")  # or Client() for the cores of this machine
-    x, y, z = np.linspace(-0.2, 0.2, 200), np.linspace(-0.2, 0.2, 200), np.linspace(0.4, 0.8, 250)
-    condition, peak = workspace_map(robots.dasgupta1998(), grid(x, y, z))
-    best, usual = client.gather(client.compute([condition.min(), da.percentile(peak, 50)]))
-
-Every process of every worker compiles the kernel at most once, and not at all if its cache folder holds it.
-A program that starts workers itself, by ``Client()``, does so under ``if __name__ == "__main__":``.
+``.docs/howto/cluster.md`` shows how (extra ``cluster``). Every process of every worker compiles the kernel at
+most once, and not at all if its cache folder holds it.
 """
 
 from typing import Any
