@@ -6,8 +6,9 @@ kernel's own equations at 50 digits. All errors are shares of the largest actuat
 
 import ctypes
 import functools
+import itertools
 import statistics
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import Any, cast
@@ -230,7 +231,11 @@ def cost(
     ways = _ways(robot) if implementations else {}
     errors: dict[Candidate, dict[str, Errors]] = {candidate: {} for candidate in kernels}
     rounding: dict[str, dict[str, float]] = {way: {} for way in ways}
-    models = [(name, candidates) for name in cases for candidates in _by_model(kernels)]
+    # Candidates of the same equations, which share their truth, follow one another.
+    by_model = [
+        [*each] for _, each in itertools.groupby(kernels, lambda each: (each.formulation, each.fidelity))
+    ]
+    models = [(name, candidates) for name in cases for candidates in by_model]
     for name, candidates in tracked(progress, models, lambda model: f"computing {model[0]} at 50 digits"):
         errors_of = cases[name].errors({each: kernels[each] for each in candidates})
         for candidate, found in errors_of.items():
@@ -287,14 +292,6 @@ def _cost(entry: Entry) -> tuple[int, int, int, int]:
         FORMULATIONS.index(candidate.formulation),
         _RICHEST_FIRST.index(candidate.fidelity),
     )
-
-
-def _by_model(kernels: Iterable[Candidate]) -> list[list[Candidate]]:
-    """Candidates of the same equations, which share their truth, together."""
-    groups: dict[tuple[str, str], list[Candidate]] = {}
-    for candidate in kernels:
-        groups.setdefault((candidate.formulation, candidate.fidelity), []).append(candidate)
-    return list(groups.values())
 
 
 # --- compiling --------------------------------------------------------------------------------

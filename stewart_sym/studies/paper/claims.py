@@ -41,7 +41,8 @@ class Claim:
     exact: Measured
 
 
-Check = Callable[[Reproduction, str], Measured]
+Check = Callable[[Reproduction, str], tuple[object, ...]]
+"""What was computed in a formulation, in words with units; whether the claim holds, and perhaps partly."""
 _CLAIMS: list[tuple[str, str, str, Check]] = []
 
 
@@ -58,9 +59,13 @@ def _claim(where: str, says: str, rule: str) -> Callable[[Check], Check]:
 def claims(found: Reproduction) -> list[Claim]:
     """Check every claim, in the order of the text."""
     return [
-        Claim(where, says, rule, *(check(found, form) for form in ("paper", "exact")))
+        Claim(where, says, rule, *(_measured(*check(found, form)) for form in ("paper", "exact")))
         for where, says, rule, check in _CLAIMS
     ]
+
+
+def _measured(text: object, holds: object, partly: object = False) -> Measured:
+    return Measured(str(text), HOLDS if holds else PARTLY if partly else FAILS)
 
 
 def counted_fractions(run: PathRun) -> Array:
@@ -82,10 +87,6 @@ def rank_correlation(x: Array, y: Array) -> float:
 def largest(run: PathRun) -> float:
     """Largest |F| of any leg at any instant, N."""
     return float(np.max(np.abs(run.F)))
-
-
-def _verdict(holds: object, partly: object = False) -> str:
-    return HOLDS if holds else PARTLY if partly else FAILS
 
 
 def _share(fractions: Array) -> float:
@@ -111,10 +112,10 @@ def _short(number: float) -> str:
     "4889 floating point operations a time-step without friction, only 3.36 times those of a serial arm",
     "the emitted kernel needs no more",
 )
-def _cost(found: Reproduction, form: str) -> Measured:
+def _cost(found: Reproduction, form: str) -> tuple[object, ...]:
     total = sum(_kernel(found, form).total)
     text = f"{total}, {total / SERIAL_ARM_FLOPS:.2f} times the arm's {SERIAL_ARM_FLOPS}"
-    return Measured(text, _verdict(total <= PAPER_FLOPS["total"]))
+    return text, total <= PAPER_FLOPS["total"]
 
 
 @_claim(
@@ -122,53 +123,49 @@ def _cost(found: Reproduction, form: str) -> Measured:
     "Path I: forces of the same order as the weight of platform and payload",
     "median above 0.1, largest below 10 weights",
 )
-def _size(found: Reproduction, form: str) -> Measured:
+def _size(found: Reproduction, form: str) -> tuple[object, ...]:
     run = found.runs["I", form]
     weight = found.robot.M * float(np.linalg.norm(found.robot.g))
     median, top = float(np.median(np.abs(run.F))) / weight, largest(run) / weight
-    return Measured(
-        f"weight {weight:.0f} N; |F| median {median:.2f}, largest {top:.2f} weights",
-        _verdict(median > 0.1 and top < 10),
-    )
+    text = f"weight {weight:.0f} N; |F| median {median:.2f}, largest {top:.2f} weights"
+    return text, median > 0.1 and top < 10
 
 
 @_claim("5.1, Fig. 4", "Path I: forces vary smoothly", "no step above 5% of the largest |F|")
-def _smooth(found: Reproduction, form: str) -> Measured:
+def _smooth(found: Reproduction, form: str) -> tuple[object, ...]:
     run = found.runs["I", form]
     step = float(np.max(np.abs(np.diff(run.F, axis=0)))) / largest(run)
-    return Measured(f"largest change in one step of 0.1 s: {step:.1%} of largest |F|", _verdict(step < 0.05))
+    return f"largest change in one step of 0.1 s: {step:.1%} of largest |F|", step < 0.05
 
 
 @_claim("5.1, Fig. 5", "Path I: quite well-conditioned", "condition number below 100")
-def _conditioned(found: Reproduction, form: str) -> Measured:
+def _conditioned(found: Reproduction, form: str) -> tuple[object, ...]:
     k = found.runs["I", form].condition
-    return Measured(f"{k.min():.2f} to {k.max():.2f}", _verdict(k.max() < 100))
+    return f"{k.min():.2f} to {k.max():.2f}", k.max() < 100
 
 
 @_claim("5.1, Fig. 6", "Path I: dynamic fraction around 20% is quite common", "median 15 to 25%")
-def _common(found: Reproduction, form: str) -> Measured:
+def _common(found: Reproduction, form: str) -> tuple[object, ...]:
     fractions = counted_fractions(found.runs["I", form])
     low, median, high = np.quantile(fractions, [0.25, 0.5, 0.75])
-    return Measured(
-        f"median {median:.1%}, half of all in {low:.0%} to {high:.0%}", _verdict(0.15 < median < 0.25)
-    )
+    return f"median {median:.1%}, half of all in {low:.0%} to {high:.0%}", 0.15 < median < 0.25
 
 
 @_claim("5.1, Fig. 6", "Path I: its maximum may even go up to 40%", "largest 35 to 45%")
-def _maximum(found: Reproduction, form: str) -> Measured:
+def _maximum(found: Reproduction, form: str) -> tuple[object, ...]:
     run = found.runs["I", form]
     keep = [leg for leg in range(6) if leg + 1 not in crossing_legs(run)]
     peaks = np.abs(run.fraction[:, keep]).max(axis=0)
     top = float(peaks.max())
     text = f"{top:.1%} in leg {keep[int(peaks.argmax())] + 1}, of the legs that keep their sign"
-    return Measured(text, _verdict(0.35 < top < 0.45))
+    return text, 0.35 < top < 0.45
 
 
 @_claim("5.1, Fig. 6", "Path I: it jumps in legs 5 and 6, as F crosses zero", "those two legs")
-def _crossing(found: Reproduction, form: str) -> Measured:
+def _crossing(found: Reproduction, form: str) -> tuple[object, ...]:
     legs = crossing_legs(found.runs["I", form])
     named = " and ".join(map(str, legs)) or "none"
-    return Measured(f"F crosses zero in legs {named}", _verdict(legs == [5, 6], set(legs) & {5, 6}))
+    return f"F crosses zero in legs {named}", legs == [5, 6], set(legs) & {5, 6}
 
 
 @_claim(
@@ -176,17 +173,17 @@ def _crossing(found: Reproduction, form: str) -> Measured:
     "platform mass of the order of a leg's: dynamic fraction often above 60%",
     "in more than half of all (partly: a quarter)",
 )
-def _light(found: Reproduction, form: str) -> Measured:
+def _light(found: Reproduction, form: str) -> tuple[object, ...]:
     fractions = counted_fractions(found.light[form])
     share = float(np.mean(fractions > 0.6))
     text = f"Path I, platform {LIGHT_PLATFORM:g} kg: above 60% in {share:.0%} of all; "
-    return Measured(text + f"median {np.median(fractions):.0%}", _verdict(share > 0.5, share > 0.25))
+    return text + f"median {np.median(fractions):.0%}", share > 0.5, share > 0.25
 
 
 @_claim("5.1, Fig. 7", "Path II: significant rise in the bounds of the forces", "20% more (partly: more)")
-def _faster_forces(found: Reproduction, form: str) -> Measured:
+def _faster_forces(found: Reproduction, form: str) -> tuple[object, ...]:
     slow, fast = (largest(found.runs[name, form]) for name in ("I", "II"))
-    return Measured(f"largest |F| {slow:.0f} N to {fast:.0f} N", _verdict(fast > 1.2 * slow, fast > slow))
+    return f"largest |F| {slow:.0f} N to {fast:.0f} N", fast > 1.2 * slow, fast > slow
 
 
 @_claim(
@@ -194,10 +191,10 @@ def _faster_forces(found: Reproduction, form: str) -> Measured:
     "Path II: significant rise in the dynamic fractions",
     "median and upper tenth rise by a tenth (partly: one of them)",
 )
-def _faster_fractions(found: Reproduction, form: str) -> Measured:
+def _faster_fractions(found: Reproduction, form: str) -> tuple[object, ...]:
     slow, fast = (np.quantile(counted_fractions(found.runs[name, form]), [0.5, 0.9]) for name in ("I", "II"))
     text = f"median {slow[0]:.1%} to {fast[0]:.1%}, upper tenth {slow[1]:.1%} to {fast[1]:.1%}"
-    return Measured(text, _verdict(np.all(fast > 1.1 * slow), np.any(fast > 1.1 * slow)))
+    return text, np.all(fast > 1.1 * slow), np.any(fast > 1.1 * slow)
 
 
 @_claim(
@@ -205,7 +202,7 @@ def _faster_fractions(found: Reproduction, form: str) -> Measured:
     "Path II: steep changes of force come from steep changes of acceleration",
     "every such step exceeds all others (partly: the steepest does)",
 )
-def _steep(found: Reproduction, form: str) -> Measured:
+def _steep(found: Reproduction, form: str) -> tuple[object, ...]:
     run = found.runs["II", form]
     step = np.max(np.abs(np.diff(run.F, axis=0)), axis=-1)
     jumps = PATHS["II"].path.breaks()[1:-1]
@@ -214,27 +211,27 @@ def _steep(found: Reproduction, form: str) -> Measured:
     least, elsewhere = float(step[at].min()), float(np.delete(step, at).max())
     text = f"change in a step of 0.01 s: {least:.0f} to {step.max():.0f} N in the {len(at)} steps where an "
     text += f"acceleration jumps, at most {elsewhere:.0f} N in others"
-    return Measured(text, _verdict(least > elsewhere, step[at].max() > elsewhere))
+    return text, least > elsewhere, step[at].max() > elsewhere
 
 
 @_claim("5.2, Fig. 9", "Path III: forces of the order of 1e5 N", "1e5 to 1e6 N on the paper's time grid")
-def _singular(found: Reproduction, form: str) -> Measured:
+def _singular(found: Reproduction, form: str) -> tuple[object, ...]:
     run = found.runs["III", form]
     text = (
         f"{_short(largest(run))} N at {_worst_time(run):.1f} s; H is singular at {found.singular_time:.3f} s"
     )
-    return Measured(text, _verdict(1e5 <= largest(run) < 1e6, largest(run) >= 1e5))
+    return text, 1e5 <= largest(run) < 1e6, largest(run) >= 1e5
 
 
 @_claim(
     "5.2, Fig. 10", "Path III: the condition number rises sharply precisely there", "same instant of the grid"
 )
-def _precisely(found: Reproduction, form: str) -> Measured:
+def _precisely(found: Reproduction, form: str) -> tuple[object, ...]:
     run = found.runs["III", form]
     peak = float(run.time[run.condition.argmax()])
     worst = _worst_time(run)
     text = f"condition number {_short(run.condition.max())} at {peak:.1f} s, forces largest at {worst:.1f} s"
-    return Measured(text, _verdict(peak == worst))
+    return text, peak == worst
 
 
 @_claim(
@@ -242,16 +239,14 @@ def _precisely(found: Reproduction, form: str) -> Measured:
     "condition number of the order of 1e2 or 1e3: forces of the order of 1e4 N or more",
     "nine tenths of instants (partly: half)",
 )
-def _near_singular(found: Reproduction, form: str) -> Measured:
+def _near_singular(found: Reproduction, form: str) -> tuple[object, ...]:
     run = found.runs["III", form]
     near = (run.condition >= 1e2) & (run.condition < 1e4)
     top = np.max(np.abs(run.F), axis=-1)[near]
     share = float(np.mean(top >= 1e4))
     text = f"Path III, condition number {run.condition.min():.0f} to 1e4: largest |F| "
-    return Measured(
-        text + f"from {_short(top.min())} N, 1e4 N or more in {share:.0%} of instants",
-        _verdict(share > 0.9, share > 0.5),
-    )
+    text += f"from {_short(top.min())} N, 1e4 N or more in {share:.0%} of instants"
+    return text, share > 0.9, share > 0.5
 
 
 @_claim(
@@ -259,11 +254,10 @@ def _near_singular(found: Reproduction, form: str) -> Measured:
     "leg inertia generally contributes 20 to 50% of the forces",
     "more than half of all on every path (partly: a quarter on one)",
 )
-def _generally(found: Reproduction, form: str) -> Measured:
+def _generally(found: Reproduction, form: str) -> tuple[object, ...]:
     shares = [_share(counted_fractions(found.runs[name, form])) for name in PATHS]
     parts = ", ".join(f"{name} {share:.0%}" for name, share in zip(PATHS, shares, strict=True))
-    verdict = _verdict(min(shares) > 0.5, max(shares) > 0.25)
-    return Measured(f"share of all within 20 to 50%: {parts}", verdict)
+    return f"share of all within 20 to 50%: {parts}", min(shares) > 0.5, max(shares) > 0.25
 
 
 @_claim(
@@ -271,11 +265,11 @@ def _generally(found: Reproduction, form: str) -> Measured:
     "that fraction increases when the speed is high and the payload is less",
     "median rises in both cases (partly: in one)",
 )
-def _more(found: Reproduction, form: str) -> Measured:
+def _more(found: Reproduction, form: str) -> tuple[object, ...]:
     runs = (found.runs["I", form], found.runs["II", form], found.light[form])
     slow, fast, light = (float(np.median(counted_fractions(run))) for run in runs)
     text = f"median {slow:.1%}; ten times as fast {fast:.1%}; platform {LIGHT_PLATFORM:g} kg {light:.1%}"
-    return Measured(text, _verdict(fast > slow and light > slow, fast > slow or light > slow))
+    return text, fast > slow and light > slow, fast > slow or light > slow
 
 
 @_claim(
@@ -283,7 +277,7 @@ def _more(found: Reproduction, form: str) -> Measured:
     "the higher the condition number, the higher the forces",
     "rank correlation above 0.5 on every path (partly: on one)",
 )
-def _relation(found: Reproduction, form: str) -> Measured:
+def _relation(found: Reproduction, form: str) -> tuple[object, ...]:
     ranks = {}
     for name in PATHS:
         run = found.runs[name, form]
@@ -291,4 +285,4 @@ def _relation(found: Reproduction, form: str) -> Measured:
     text = "rank correlation of condition number and largest |F|: "
     text += ", ".join(f"{name} {value:+.2f}" for name, value in ranks.items())
     strong = [value > 0.5 for value in ranks.values()]
-    return Measured(text, _verdict(all(strong), any(strong)))
+    return text, all(strong), any(strong)

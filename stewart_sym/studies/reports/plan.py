@@ -174,15 +174,11 @@ def _freed(planned: PlannedPath) -> Sequence[tuple[int, str]]:
     found = []
     for number, (given, passed) in enumerate(zip(planned.given, planned.poses, strict=True), start=1):
         if given.free:
-            shift, turn = passed.t - given.t, vector_from_rotation(given.R.T @ passed.R)
-            parts = [
-                f"{name} {value:+.4g}" for name, value in zip(("x", "y", "z"), shift, strict=True) if value
-            ]
-            parts += [
-                f"{name} {value:+.4g}"
-                for name, value in zip(("roll", "pitch", "yaw"), turn, strict=True)
-                if abs(value) > 1e-12
-            ]
+            moves = np.concatenate([passed.t - given.t, vector_from_rotation(given.R.T @ passed.R)])
+            # Rounding turns by a little.
+            moves[3:][np.abs(moves[3:]) <= 1e-12] = 0.0
+            named = zip(("x", "y", "z", "roll", "pitch", "yaw"), moves, strict=True)
+            parts = [f"{name} {value:+.4g}" for name, value in named if value]
             found.append((number, "moved by " + (", ".join(parts) or "nothing")))
     return found
 
