@@ -3,6 +3,7 @@
 import argparse
 import contextlib
 import math
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -61,6 +62,26 @@ def json_file(parser: argparse.ArgumentParser) -> None:
     )
 
 
+def valued(
+    parser: argparse._ActionsContainer,
+    name: str,
+    kind: Callable[[str], Any],
+    text: str,
+    default: Any = None,
+    metavar: str | None = None,
+) -> None:
+    """An option with a value, whose default, if any, ends its help."""
+    said = f"{text}; default: {f'{default:g}' if isinstance(default, float) else default}"
+    said = text if default is None else said
+    parser.add_argument(f"--{name}", type=kind, default=default, metavar=metavar, help=said)
+
+
+def chosen(parser: argparse._ActionsContainer, name: str, choices: Sequence[str], text: str = "") -> None:
+    """An option with one of some values, the first by default."""
+    said = "; ".join(filter(None, (text, f"default: {choices[0]}")))
+    parser.add_argument(f"--{name}", choices=choices, default=choices[0], help=said)
+
+
 def path_name(text: str) -> Path:
     """A name of a file or folder."""
     if not text.strip():
@@ -104,30 +125,24 @@ def whole(text: str) -> int:
 def log_options(parser: argparse.ArgumentParser) -> None:
     """Options of how a trajectory's file is read."""
     group = log_form(parser)
-    group.add_argument("--rate", type=positive, metavar="HZ", help="resample; default: the log's own times")
+    valued(group, "rate", positive, "resample; default: the log's own times", metavar="HZ")
     noise_options(
         group,
         "standard deviation of the log's {}, in --{}-unit; default: estimated",
         "positions or leg lengths",
         "angles",
     )
-    group.add_argument(
-        "--cutoff",
-        type=positive,
-        metavar="HZ",
-        help="frequency at which smoothing halves the amplitude; default: the most likely",
-    )
+    text = "frequency at which smoothing halves the amplitude; default: the most likely"
+    valued(group, "cutoff", positive, text, metavar="HZ")
     group.add_argument(
         "--no-smoothing", dest="smoothing", action="store_false", help="interpolate the rows as they are"
     )
 
 
-def noise_options(
-    parser: argparse.ArgumentParser | argparse._ArgumentGroup, text: str, position: str, angle: str
-) -> None:
+def noise_options(parser: argparse._ActionsContainer, text: str, position: str, angle: str) -> None:
     """``--noise-position`` and ``--noise-angle``; ``text``: of the help, with what is meant and its unit."""
     for name, kind, what in (("position", "length", position), ("angle", "angle", angle)):
-        parser.add_argument(f"--noise-{name}", type=positive, metavar="SIGMA", help=text.format(what, kind))
+        valued(parser, f"noise-{name}", positive, text.format(what, kind), metavar="SIGMA")
 
 
 def log_form(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:
@@ -182,9 +197,4 @@ def column_names(text: str) -> dict[str, str]:
 
 def formulation(parser: argparse.ArgumentParser) -> None:
     """``--formulation``."""
-    parser.add_argument(
-        "--formulation",
-        choices=("exact", "paper"),
-        default="exact",
-        help="exact, or paper: the equations as printed; default: exact",
-    )
+    chosen(parser, "formulation", ("exact", "paper"), "exact, or paper: the equations as printed")

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from ...io.arguments import no_option
 from ..inputs import robot_of
-from ..options import formulation, output, robot_file
+from ..options import chosen, formulation, output, robot_file
 from ..results import results
 
 HELP = "write a kit of one robot in C, Python, MATLAB or Rust: kernels, constants, self-test, example"
@@ -43,7 +43,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         action="store_true",
         help="forces of one pose, legs one after the other: for processors without vector registers",
     )
-    parser.add_argument("--precision", choices=("double", "float"), default="double", help="default: double")
+    chosen(parser, "precision", ("double", "float"))
     parser.add_argument("--fmu", action="store_true", help="add a co-simulation unit, FMI 2.0, of the forces")
     parser.add_argument(
         "--language",

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from ...io.error_policy import SingularPoseWarning
 from ..inputs import robot_of, trajectory_of
-from ..options import formulation, log_options, output, positive, robot_file
+from ..options import chosen, formulation, log_options, output, positive, robot_file, valued
 from ..results import reject_inputs, results
 
 HELP = "actuator forces along a trajectory"
@@ -29,7 +29,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "trajectory", metavar="TRAJECTORY.csv", type=Path, help="times and poses, or leg lengths"
     )
     formulation(parser)
-    parser.add_argument("--backend", choices=("c", "numpy", "reference"), default="c", help="default: c")
+    chosen(parser, "backend", ("c", "numpy", "reference"))
     parser.add_argument("--reactions", action="store_true", help="write the joint reactions as well")
     parser.add_argument(
         "--picture",
@@ -42,13 +42,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         action="store_true",
         help="write nan and a status for unsolvable poses instead of rejecting the trajectory",
     )
-    parser.add_argument(
-        "--noise-share",
-        type=positive,
-        default=0.02,
-        metavar="SHARE",
-        help="warn where three standard deviations exceed this share of a leg's peak force; default: 0.02",
-    )
+    text = "warn where three standard deviations exceed this share of a leg's peak force"
+    valued(parser, "noise-share", positive, text, 0.02, "SHARE")
     log_options(parser)
     output(parser, "FILE.csv", "file to write, - for standard output", None, html=True)
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, cast
 from ...io.extras import need
 from ...io.progress import Progress
 from ..inputs import log_format, poses_of, robot_of, stated_noise
-from ..options import finite, log_form, noise_options, output, positive, robot_file, whole
+from ..options import finite, log_form, noise_options, output, positive, robot_file, valued, whole
 from ..results import results
 
 if TYPE_CHECKING:
@@ -39,12 +39,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "robot file only geometry, gravity and drives are used: where these have a rotor_inertia, F1 to F6 "
         "are forces of the motors (N times torque); --seed, --samples and --candidates are not used",
     )
-    parser.add_argument(
-        "--sigma",
-        type=positive,
-        default=1.0,
-        help="standard deviation of measured forces, N, or of measured currents, A; default: 1",
-    )
+    text = "standard deviation of measured forces, N, or of measured currents, A"
+    valued(parser, "sigma", positive, text, 1.0)
     noise_options(
         parser,
         "standard deviation of the measured {}, in --{}-unit: only the poses are used, and a smooth motion "
@@ -52,20 +48,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "position",
         "rotation about each axis",
     )
-    parser.add_argument(
-        "--seed", type=whole, default=0, help="of the random candidates and the simulated noise; default: 0"
-    )
-    parser.add_argument(
-        "--period",
-        type=finite,
-        help="of the motion, s; default: accelerations of the order of gravity, or for measured poses with "
-        "noise a motion without a period",
-    )
-    parser.add_argument(
-        "--harmonics",
-        type=whole,
-        help="of the Fourier series; default: 5, for measured poses chosen from the data",
-    )
+    valued(parser, "seed", whole, "of the random candidates and the simulated noise", 0)
+    text = "of the motion, s; default: accelerations of the order of gravity, or for measured poses with "
+    valued(parser, "period", finite, f"{text}noise a motion without a period")
+    text = "of the Fourier series; default: 5, for measured poses chosen from the data"
+    valued(parser, "harmonics", whole, text)
     parser.add_argument(
         "--no-friction",
         action="store_true",
@@ -85,8 +72,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="F1 to F6 are forces of the motors (N times torque), as currents always are: seek terms of the "
         "drives as well, some of reflected_mass, coulomb, offset, viscous",
     )
-    parser.add_argument("--samples", type=whole, default=200, help="instants of one period; default: 200")
-    parser.add_argument("--candidates", type=whole, default=50, help="random series to try; default: 50")
+    valued(parser, "samples", whole, "instants of one period", 200)
+    valued(parser, "candidates", whole, "random series to try", 50)
     log_form(parser)
     output(parser, "DIR", "folder to write to", None)
 

@@ -5,7 +5,7 @@ import sys
 import tomllib
 
 from ..inputs import warn_of_doubts
-from ..options import finite, output, positive
+from ..options import chosen, finite, output, positive, valued
 from ..results import results
 
 HELP = "write a commented robot file from a few numbers"
@@ -34,18 +34,14 @@ _ANGLE = 20.0
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--name", default="robot", help="of the machine; default: robot")
-    parser.add_argument(
-        "--length-unit", choices=("m", "cm", "mm", "in"), default="m", help="of all lengths; default: m"
-    )
+    valued(parser, "name", str, "of the machine", "robot")
+    chosen(parser, "length-unit", ("m", "cm", "mm", "in"), "of all lengths")
     for name, text in _NUMBERS.items():
         unit = "" if text.endswith("kg") else ", in --length-unit"
         parser.add_argument(_option(name), type=positive, metavar="X", help=f"{text}{unit}")
     parser.add_argument("--z-down", action="store_true", help="z points down; default: up")
     for name, text in _ANGLES.items():
-        parser.add_argument(
-            _option(name), type=finite, default=_ANGLE, metavar="DEG", help=f"{text}; default: {_ANGLE:g}"
-        )
+        valued(parser, name.replace("_", "-"), finite, text, _ANGLE, "DEG")
     output(parser, "ROBOT.toml", "file to write, - for standard output", None)
 
 

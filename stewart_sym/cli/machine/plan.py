@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from ...io.extras import need
 from ...io.progress import Progress
 from ..inputs import FEW_ROWS, warn_of_doubts
-from ..options import output, positive
+from ..options import output, positive, valued
 from ..results import results
 
 if TYPE_CHECKING:
@@ -41,9 +41,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--least", choices=_LEAST, help="what is made least, in place of the file's least; default: time"
     )
-    parser.add_argument(
-        "--duration", metavar="SECONDS", type=positive, help="of a motion of least energy or peak force"
-    )
+    valued(parser, "duration", positive, "of a motion of least energy or peak force", metavar="SECONDS")
     output(parser, "DIR", "folder to write to", Path("plan"), pictures=True, html=True)
 
 

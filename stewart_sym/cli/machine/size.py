@@ -6,7 +6,7 @@ import warnings
 from pathlib import Path
 
 from ..inputs import robot_of, trajectory_of
-from ..options import finite, formulation, log_options, output, positive, robot_file
+from ..options import finite, formulation, log_options, output, positive, robot_file, valued
 from ..results import results
 
 HELP = "which force, speed, power, stroke and joint angles motions need of every leg, beside its limits"
@@ -25,13 +25,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "trajectories", metavar="TRAJECTORY.csv", nargs="+", type=Path, help="times and poses, or leg lengths"
     )
-    parser.add_argument(
-        "--margin",
-        type=finite,
-        default=0.25,
-        metavar="SHARE",
-        help="share that a limit should exceed the need by; default: 0.25",
-    )
+    valued(parser, "margin", finite, "share that a limit should exceed the need by", 0.25, "SHARE")
     parser.add_argument(
         "--quantile",
         dest="quantiles",

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..inputs import robot_of
-from ..options import finite, output, positive, robot_file, whole
+from ..options import chosen, finite, output, positive, robot_file, valued, whole
 from ..results import results
 
 if TYPE_CHECKING:
@@ -30,12 +30,8 @@ _RANGES = ("X", "X", "Y", "Y", "Z", "Z")
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     robot_file(parser)
-    parser.add_argument(
-        "--kind",
-        choices=("constant", "orientation", "total"),
-        default="constant",
-        help="what varies: positions (constant orientation), rotations, or both; default: constant",
-    )
+    text = "what varies: positions (constant orientation), rotations, or both"
+    chosen(parser, "kind", ("constant", "orientation", "total"), text)
     for name, nargs, metavar, text in (
         ("position", 3, _TRIPLE, "t of the pose in the middle, m; default: the home pose"),
         ("angles", 3, _TRIPLE, "its roll, pitch and yaw, rad; default: parallel to the base"),
@@ -44,15 +40,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         ("load", 6, ("FX", "FY", "FZ", "MX", "MY", "MZ"), "load held at rest, N and N m, platform frame"),
     ):
         parser.add_argument(f"--{name}", nargs=nargs, type=finite, metavar=metavar, help=text)
-    parser.add_argument(
-        "--condition",
-        type=positive,
-        metavar="NUMBER",
-        help="largest scaled condition number of H; leaves out what lies beyond a singular pose as well",
-    )
-    parser.add_argument(
-        "--clearance", type=positive, metavar="M", help="least distance of the legs' centre lines, m"
-    )
+    text = "largest scaled condition number of H; leaves out what lies beyond a singular pose as well"
+    valued(parser, "condition", positive, text, metavar="NUMBER")
+    valued(parser, "clearance", positive, "least distance of the legs' centre lines, m", metavar="M")
     parser.add_argument(
         "--ignore",
         action="append",
@@ -60,15 +50,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         default=[],
         help="limits of the robot file to leave out",
     )
-    parser.add_argument(
-        "--poses", type=whole, default=1_000_000, metavar="N", help="how many to examine; default: 1000000"
-    )
-    parser.add_argument("--seed", type=whole, default=0, metavar="N", help="of the random poses; default: 0")
-    parser.add_argument(
-        "--scheduler",
-        metavar="ADDRESS",
-        help="run on a Dask scheduler, as tcp://host:8786, or local: a worker on each core; the same bits",
-    )
+    valued(parser, "poses", whole, "how many to examine", 1_000_000, "N")
+    valued(parser, "seed", whole, "of the random poses", 0, "N")
+    text = "run on a Dask scheduler, as tcp://host:8786, or local: a worker on each core; the same bits"
+    valued(parser, "scheduler", str, text, metavar="ADDRESS")
     output(parser, "DIR", "folder to write to", Path("workspace"), pictures=True)
 
 

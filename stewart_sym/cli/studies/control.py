@@ -5,7 +5,7 @@ import warnings
 from pathlib import Path
 
 from ..inputs import robot_of
-from ..options import PAPERS, output, positive, robot_file
+from ..options import PAPERS, output, positive, robot_file, valued
 from ..results import results
 
 HELP = "track the paper's paths with controllers that differ in their model: table, CSV, JSON, pictures"
@@ -21,9 +21,7 @@ MORE = (
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--path", choices=("I", "II"), help="track this path alone; default: both")
     robot_file(parser, "--robot", PAPERS)
-    parser.add_argument(
-        "--rate", metavar="HZ", type=positive, default=1000.0, help="of the controllers, Hz; default: 1000"
-    )
+    valued(parser, "rate", positive, "of the controllers, Hz", 1000.0, "HZ")
     output(parser, "DIR", "folder to write to", Path("control"), pictures=True)
 
 

@@ -3,7 +3,7 @@
 import argparse
 
 from ..inputs import robot_of
-from ..options import PAPERS, output, robot_file
+from ..options import PAPERS, output, robot_file, valued
 from ..results import results
 
 HELP = "kernels for a machine on a microcontroller, under emulation: forces, instructions, flash, stack"
@@ -20,9 +20,7 @@ MORE = (
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     robot_file(parser, default=PAPERS, nargs="?")
-    parser.add_argument(
-        "--fidelity", metavar="LEVEL", default="general", help="a level of `generate`; default: general"
-    )
+    valued(parser, "fidelity", str, "a level of `generate`", "general", "LEVEL")
     output(parser, "DIR", "folder for the table and controller.json", "none written")
 
 

@@ -4,7 +4,7 @@ import argparse
 import dataclasses
 from pathlib import Path
 
-from ..options import output, whole
+from ..options import output, valued, whole
 from ..results import results
 
 HELP = "approach every degenerate configuration with every method: tables, CSV, JSON, pictures"
@@ -21,10 +21,8 @@ CASES = 1_000_000
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument(
-        "--cases", metavar="N", type=whole, help=f"random cases near failure; with -o {CASES:,}"
-    )
-    parser.add_argument("--seed", type=whole, default=0, help="of the random cases; default: 0")
+    valued(parser, "cases", whole, f"random cases near failure; with -o {CASES:,}", metavar="N")
+    valued(parser, "seed", whole, "of the random cases", 0)
     output(parser, "DIR", "folder to write to", "stability", pictures=True, html=True)
 
 
