@@ -147,8 +147,15 @@ class LegLimits:
         return self._of(limit).verdicts(limit.most(self.robot))
 
     def peaks(self, limit: LegLimit) -> tuple[Array, Array | None]:
-        """Largest sizes, (6,), and their deviations, None without noise."""
-        return self._of(limit).peaks, self._of(limit).peak_sd
+        """Largest sizes, (6,), lengths as they are, and their deviations, None without noise."""
+        found = self._of(limit)
+        return found.peaks if limit.values != "L" else limit.sign * found.largest, found.peak_sd
+
+    def forces(self) -> tuple[Array, Array, Flags, Array | None]:
+        """Instants at which forces may be largest, s, (k,), these forces, N, (k, 6), there and sd."""
+        when, there, sd = self._of(FORCE).instants
+        time, F = zip(*when, strict=True)
+        return np.array(time), np.array(F), there, sd
 
     def _of(self, limit: LegLimit) -> Extremes:
         return self._extremes[LEG_LIMITS.index(limit)]

@@ -134,9 +134,19 @@ class Extremes:
         return (np.concatenate(self._up), np.concatenate(self._down)) if self._up else None
 
     @property
+    def instants(self) -> tuple[list[Any], Flags, Array | None]:
+        """What names them, which are those of replaced rows, (k,), and deviations upward, (k, 6), if any."""
+        return self._when, np.concatenate(self._there), np.concatenate(self._up) if self._up else None
+
+    @property
+    def largest(self) -> Array:
+        """Largest sizes, (6,), -inf where there are none."""
+        return np.asarray(np.concatenate([np.full((1, LEGS), -np.inf), *self._sizes]).max(axis=0))
+
+    @property
     def peaks(self) -> Array:
         """Largest sizes, (6,), at least 0."""
-        return np.asarray(np.concatenate([np.zeros((1, LEGS)), *self._sizes]).max(axis=0))
+        return np.maximum(self.largest, 0.0)
 
     @property
     def peak_sd(self) -> Array | None:

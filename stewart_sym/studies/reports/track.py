@@ -148,75 +148,48 @@ def in_parts(
         yield Part(where, time, found.F, L, L_dot, condition, status, more, effort, sd, there, angles)
 
 
-class _Kept(NamedTuple):
-    """Instants at which something is extreme, (k,), (k, 6); deviations and ``there`` as of ``Part``."""
-
-    time: Array
-    F: Array
-    L: Array
-    L_dot: Array
-    condition: Array
-    there: Flags
-    F_sd: Array | None
-    L_sd: Array | None
-    L_dot_sd: Array | None
-
-
 class Digest:
-    """What the summary and the doubts about a run of instants need of it, whatever their number.
-
-    Of each part the instants are kept at which something is extreme.
-    """
+    """What the summary and the doubts about a run of instants need of it, whatever their number."""
 
     def __init__(self, robot: Robot, time: Array, replaced: tuple[Replaced, ...] = ()) -> None:
         """Begin a run at all these times, s, (n,); ``replaced``: of the log's rows."""
         self.robot, self.time, self.replaced, self.step = robot, time, replaced, least_step(time)
         self.legs = LegLimits(robot, time, replaced)
-        self.kept: list[_Kept] = []
+        # Time and size of the largest condition number of each part.
+        self.conditions: list[tuple[float, float]] = []
         self.drive = None if robot.drive is None else DriveDigest(robot, time)
 
     def add(self, part: Part) -> None:
         """Take in the next part."""
         sd = part.sd
-        there = np.zeros(len(part.time), dtype=bool) if part.there is None else part.there
         if self.drive is not None and part.effort is not None:
-            self.drive.add(part.effort, part.where, None if sd is None else sd.motors, there)
-        self.legs.add(part.where, part.limited, sd, there)
-        spread = 0.0 if sd is None else SURE * sd.F
-        known = np.isfinite(part.L).all(axis=-1, keepdims=True)
-        large = [np.abs(part.F), np.abs(part.F) + spread]
-        if self.replaced:
-            large += [np.abs(part.F) + np.where(there[:, None], np.nan, spread)]
-        large += [np.where(known, x, np.nan) for x in (part.L, -part.L, np.abs(part.L_dot))]
-        extremes = np.hstack([*large, part.condition[:, None]])
-        i = np.unique(np.argmax(np.where(np.isnan(extremes), -np.inf, extremes), axis=0))
-        arrays = (part.time, part.F, part.L, part.L_dot, part.condition, there)
-        deviations = (None, None, None) if sd is None else (sd.F[i], sd.L[i], sd.L_dot[i])
-        self.kept.append(_Kept(*(x[i] for x in arrays), *deviations))
+            self.drive.add(part.effort, part.where, None if sd is None else sd.motors, part.there)
+        self.legs.add(part.where, part.limited, sd, part.there)
+        i = int(_largest(part.condition))
+        self.conditions.append((float(part.time[i]), float(part.condition[i])))
 
     def doubts(self, noise_share: float) -> list[str]:
         """One line for each limit exceeded or not decided, and for noise of more than a share of a peak.
 
         Replaced rows have a line of their own.
         """
-        kept = self._joined()
+        times, F, there, F_sd = self.legs.forces()
         beyond = self.legs.exceeded() + ([] if self.drive is None else self.drive.summary.exceeded())
-        if kept.F_sd is None:
+        if F_sd is None:
             return beyond
-        there, names = kept.there, replaced_names(self.replaced)
+        names = replaced_names(self.replaced)
         causes = [("noise in the log", ~there)]
         causes += [(f"replaced rows ({names})", there)] if self.replaced else []
-        when = [time_text(time, self.step) for time in kept.time]
-        noisy = [_noisy(when, kept.F, kept.F_sd, noise_share, cause, at) for cause, at in causes]
-        unknown = unknown_forces(kept.F, np.where(there[:, None], 0.0, kept.F_sd))
+        when = [time_text(time, self.step) for time in times]
+        noisy = [_noisy(when, F, F_sd, noise_share, cause, at) for cause, at in causes]
+        unknown = unknown_forces(F, np.where(there[:, None], 0.0, F_sd))
         return [line for line in (unknown, *beyond, *noisy) if line]
 
     def summary(self) -> str:
         """What it comes to, lines of text."""
-        kept = self._joined()
-        time, F, condition, F_sd = kept.time, kept.F, kept.condition, kept.F_sd
+        time, F, _, F_sd = self.legs.forces()
         verdicts, limit = self.legs.verdicts(FORCE), self.robot.force_limit
-        low, high, speed = _leg_extremes(kept)
+        low, high, speed = self._extremes()
         angles = [found.scaled(BASE.scale) for found in self._angles().values()]
         rows = [
             (
@@ -231,34 +204,34 @@ class Digest:
             for leg, i in enumerate(_largest(F))
         ]
         first, last = (time_text(self.time[i], self.step) for i in (0, -1))
-        worst = int(_largest(condition))
+        when, condition = self._worst_condition()
         header = ["leg", "peak force, N", "at, s", "force_limit, N", "length, m", "speed, m/s"]
         header += ["joint angles, degrees"] if angles else []
         text = (
             f"{len(self.time)} instant{'s' if len(self.time) > 1 else ''}, {first} to {last} s; condition "
-            f"number of H up to {condition[worst]:.4g} (at {time_text(time[worst], self.step)} s)\n"
+            f"number of H up to {condition:.4g} (at {time_text(when, self.step)} s)\n"
             f"{aligned(header, rows)}"
         )
         return text if self.drive is None else f"{text}\n\n{self.drive.table()}"
 
     def as_json(self) -> dict[str, Any]:
         """What the summary says, for programs."""
-        kept = self._joined()
-        worst = int(_largest(kept.condition))
-        low, high, speed = _leg_extremes(kept)
+        time, F, _, F_sd = self.legs.forces()
+        when, condition = self._worst_condition()
+        low, high, speed = self._extremes()
         verdicts = {name: self.legs.verdicts(limit) for name, limit in _LIMITS.items()}
         return {
             "instants": len(self.time),
             "start_s": self.time[0],
             "end_s": self.time[-1],
-            "condition_number_peak": kept.condition[worst],
-            "condition_number_peak_time_s": kept.time[worst],
+            "condition_number_peak": condition,
+            "condition_number_peak_time_s": when,
             "legs": [
                 {
                     "leg": leg + 1,
-                    "peak_force_N": kept.F[i, leg],
-                    "peak_force_sd_N": None if kept.F_sd is None else kept.F_sd[i, leg],
-                    "peak_force_time_s": kept.time[i],
+                    "peak_force_N": F[i, leg],
+                    "peak_force_sd_N": None if F_sd is None else F_sd[i, leg],
+                    "peak_force_time_s": time[i],
                     "force_limit_N": self.robot.force_limit[leg],
                     "least_length_m": low.values[leg],
                     "greatest_length_m": high.values[leg],
@@ -270,9 +243,13 @@ class Digest:
                     **_noise_of_leg(leg, low.sd, high.sd, speed.sd),
                     **({} if self.drive is None else self.drive.of_leg(leg) | self.drive.verdicts(leg)),
                 }
-                for leg, i in enumerate(_largest(kept.F))
+                for leg, i in enumerate(_largest(F))
             ],
         }
+
+    def _extremes(self) -> "list[_Extreme]":
+        """Least and greatest lengths, and largest speeds."""
+        return [_Extreme(*self.legs.peaks(limit)) for limit in (SHORTEST, LONGEST, SPEED)]
 
     def _angles(self) -> "dict[LegLimit, _Extreme]":
         """Largest angles of the joints, rad; none of a robot that limits none."""
@@ -288,9 +265,9 @@ class Digest:
             found[f"{limit.values}_angle_limit"] = self.legs.verdicts(limit)[leg]
         return found
 
-    def _joined(self) -> _Kept:
-        found: list[Any] = [None if x[0] is None else np.concatenate(x) for x in zip(*self.kept, strict=True)]
-        return _Kept(*found)
+    def _worst_condition(self) -> tuple[float, float]:
+        """When the condition number is largest, s, and how large."""
+        return self.conditions[int(_largest(np.array(self.conditions)[:, 1]))]
 
 
 def _noise_of_leg(leg: int, low: Array | None, high: Array | None, speed: Array | None) -> dict[str, float]:
@@ -317,21 +294,6 @@ class _Extreme(NamedTuple):
     def text(self, leg: int) -> str:
         """One leg's."""
         return amount_text(self.values[leg], None if self.sd is None else self.sd[leg], 4)
-
-
-def _leg_extremes(kept: _Kept) -> tuple[_Extreme, _Extreme, _Extreme]:
-    """Least and greatest lengths, and largest speeds."""
-    known = np.isfinite(kept.L).all(axis=-1, keepdims=True)
-    longest, speeds = np.where(known, kept.L, -np.inf), np.where(known, np.abs(kept.L_dot), 0.0)
-    shortest, legs = np.where(known, kept.L, np.inf), np.arange(6)
-    found = []
-    for values, rows, sd in (
-        (shortest, np.argmin(shortest, axis=0), kept.L_sd),
-        (longest, np.argmax(longest, axis=0), kept.L_sd),
-        (speeds, np.argmax(speeds, axis=0), kept.L_dot_sd),
-    ):
-        found.append(_Extreme(values[rows, legs], None if sd is None else sd[rows, legs]))
-    return found[0], found[1], found[2]
 
 
 def _largest(values: Array) -> NDArray[np.int64]:
