@@ -89,25 +89,22 @@ class DriveDigest:
         for name in self._known():
             found[f"motor_peak_{name}_{units[name]}"] = float(self.summary.peaks[name][leg])
             found[f"motor_{name}_limit_{units[name]}"] = float(getattr(self.drive, f"{name}_limit")[leg])
-        found["motor_rms_torque_N_m"] = float(self.summary.rms_torque[leg]) if self.lasts else None
+        summary, lasts = self.summary, self.lasts
+        found["motor_rms_torque_N_m"] = float(summary.rms_torque[leg]) if lasts else None
         found["motor_rated_torque_N_m"] = float(self.drive.rated_torque[leg])
-        found["motor_energy_J"] = float(self.summary.energy[leg]) if self.lasts else None
-        return found | (self._noise_of_leg(leg, units) if self.summary.noisy else {})
+        found["motor_energy_J"] = float(summary.energy[leg]) if lasts else None
+        if summary.noisy:
+            for name, sd in summary.peak_sd.items():
+                found[f"motor_peak_{name}_sd_{units[name]}"] = float(sd[leg])
+            found["motor_rms_torque_sd_N_m"] = _of(summary.rms_torque_sd, leg) if lasts else None
+            found["motor_energy_sd_J"] = float(summary.energy_sd[leg]) if lasts else None
+        return found
 
     def csv(self) -> str:
         """Figures and verdicts of all motors, one a row, as CSV text."""
         rows = [{"motor": leg + 1, **self.of_leg(leg), **self.verdicts(leg)} for leg in range(LEGS)]
         names = [name.removeprefix("motor_") for name in rows[0]]
         return csv_text([names, *([*row.values()] for row in rows)])
-
-    def _noise_of_leg(self, leg: int, units: dict[str, str]) -> dict[str, Any]:
-        """Deviations of the same by noise."""
-        found: dict[str, Any] = {}
-        for name, sd in self.summary.peak_sd.items():
-            found[f"motor_peak_{name}_sd_{units[name]}"] = float(sd[leg])
-        rms_sd = _of(self.summary.rms_torque_sd, leg)
-        found["motor_rms_torque_sd_N_m"] = rms_sd if self.lasts else None
-        return found | {"motor_energy_sd_J": float(self.summary.energy_sd[leg]) if self.lasts else None}
 
     def verdicts(self, leg: int) -> dict[str, Any]:
         """Of each limit of one motor, for programs."""

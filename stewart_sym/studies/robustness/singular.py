@@ -9,7 +9,7 @@ import numpy as np
 
 from ...dynamics.damping import damped_solution
 from ...io.array_types import Array
-from ...kinematics.conditioning import characteristic_length
+from ...kinematics.conditioning import characteristic_length, moments_over
 from ...kinematics.inverse import wrench_matrix
 from ...motion.motion import Motion
 from ...motion.rotation import rotation_from_rpy, rotation_from_vector, rpy_from_rotation
@@ -52,7 +52,8 @@ def solve_curves(robots_: list[Robot], motions: list[Motion]) -> list[Curve]:
         for robot, motion in zip(robots_, motions, strict=True)
     ]
     lengths = [characteristic_length(robot) for robot in robots_]
-    condition = np.array([_condition(H, length) for (H, _), length in zip(systems, lengths, strict=True)])
+    scaled = [moments_over(H, length) for (H, _), length in zip(systems, lengths, strict=True)]
+    condition = np.linalg.cond(np.array(scaled))
     truth = [_exact(H, c) for H, c in systems]
     found = []
     for name in (*CANDIDATES, DAMPED):
@@ -112,11 +113,6 @@ def _flat(rng: np.random.Generator) -> tuple[list[Robot], list[Motion]]:
     aside = np.array([0.1, 0.07, 0.0])
     motions = [replace(moving, R=R, t=aside + np.array([0.0, 0.0, d])) for d in distances()]
     return [robot] * len(motions), motions
-
-
-def _condition(H: Array, length: float) -> float:
-    sigma = np.linalg.svd(H / np.repeat([1.0, length], 3)[:, None], compute_uv=False)
-    return float(sigma[0] / max(sigma[-1], np.finfo(np.float64).tiny))
 
 
 def _exact(H: Array, c: Array) -> list[mpmath.mpf] | None:
