@@ -384,8 +384,9 @@ def _figure(each: Candidate, raw: Mapping[str, tuple[float, ...]]) -> Figures:
 
 def _pass_figures(stage: reductions.Stage, raw: Mapping[str, tuple[float, ...]]) -> Figures:
     one_pose, batch = (_figure(each, raw) for each in stage.candidates)
-    operations = dict(zip(("without_friction", "with_friction"), stage.operations, strict=True))
-    named = {"name": stage.name, "meaning": stage.meaning, "operations": operations}
+    without, with_friction = stage.source.operations
+    operations = {"without_friction": without, "with_friction": with_friction}
+    named = {"name": stage.source.name, "meaning": stage.source.meaning, "operations": operations}
     return {**named, "one_pose": one_pose, "batch": batch}
 
 

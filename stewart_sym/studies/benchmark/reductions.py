@@ -23,11 +23,9 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Stage:
-    """The kernel after one pass, alone and in a batch; operations: of a pose, without and with friction."""
+    """The kernel after one pass, alone and in a batch."""
 
-    name: str
-    meaning: str
-    operations: tuple[int, int]
+    source: "Pass"
     candidates: tuple[Candidate, Candidate]
 
 
@@ -45,7 +43,7 @@ def _stage(number: int, source: "Pass") -> Stage:
         Candidate(f"{source.name}, {kind}", source.meaning, kind, poses, make, lambda: source.operations[1])
         for kind, poses, make in (("one pose", FEW, build.one_pose), ("batch", MANY, build.batch))
     )
-    return Stage(source.name, source.meaning, source.operations, (one_pose, batch))
+    return Stage(source, (one_pose, batch))
 
 
 @dataclass(frozen=True)

@@ -114,16 +114,13 @@ def _errors(ax: Axes, family: Family, curves: list[Curve], ceiling: float) -> No
                 color=style["color"],
                 transform=ax.get_xaxis_transform(),
             )
-    seen = False
-    limits = _limits(curves)
-    for bound in limits:
-        shown = np.where(np.isfinite(bound) & (bound < ceiling), bound, np.nan)
+    limits = [np.where(bound < ceiling, bound, np.nan) for bound in _limits(curves)]
+    for shown in limits:
         ax.loglog(family.distance, shown, color="#555555", linestyle="--", linewidth=1.2)
-        seen = seen or bool(np.isfinite(shown).any())
     # The lowest part of the panel is kept for the statuses.
     ax.set_ylim(_FLOOR / 100.0, 3.0 * ceiling)
     # Lines without points, for the legend alone.
-    if seen:
+    if np.isfinite(limits).any():
         ax.plot([], [], color="#555555", linestyle="--", label=f"{WRONG:g} units x condition")
     if any(curve.status is not None and (curve.status != 0).any() for curve in curves):
         ax.plot([], [], color="#555555", linestyle="", marker="|", label="rejected, by its status")
