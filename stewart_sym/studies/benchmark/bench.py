@@ -229,7 +229,7 @@ _ADDITION = "addition in a chain"
 def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = silent) -> Figures:
     """Measure everything on this machine.
 
-    robot: None for the paper's machine near its Paths I and II; another one moves about its home pose. quick:
+    robot: None for the paper's machine near its Paths I and II; another one moves about its middle. quick:
     fewer rounds and sizes, and without JAX, which compiles for half a minute.
 
     Raises ValueError if the robot's base joints are not universal, if it has no regular poses there, if a

@@ -1,11 +1,10 @@
-"""Poses for ``bench``: of the paper's machine near its paths, of another one about its home pose."""
+"""Poses for ``bench``: of the paper's machine near its paths, of another one about its middle."""
 
 import functools
 from dataclasses import dataclass
 
 import numpy as np
 
-from ...backend.kernel import MOTION
 from ...io.array_types import Array
 from ...motion.motion import Motion
 from ...motion.rotation import rotation_from_rpy
@@ -13,9 +12,6 @@ from ...motion.straight_line import PATHS
 from ...reference import newton_euler as reference
 from ...robot.robot import Robot
 from ...robots import dasgupta1998
-from ..common.draws import Spread, random_motions
-
-_SPREAD, _GRAVITY = Spread(0.05, 0.1, 0.2), 9.81
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,24 +46,27 @@ def bench_poses(robot: Robot | None, count: int) -> Poses:
     """Poses that all differ, moving, loaded and regular, the same in every run.
 
     robot: None for the paper's machine. Raises ValueError if its base joints are not universal or it has no
-    regular poses about its home pose.
+    regular poses about its middle.
     """
     rng = np.random.default_rng(1998)
     if robot is None:
         robot = dasgupta1998()
-        arrays = _near_the_paths(rng, count, robot)
+        R, t, omega, v, alpha, a = _near_the_paths(rng, count)
     elif robot.base_joint != "universal":
         raise ValueError(f"{robot.name}: expected universal base joints, the baselines have no others")
     else:
-        motion = random_motions(rng, robot, count, _SPREAD, _GRAVITY, load=0.5 * robot.M)
-        arrays = tuple(getattr(motion, name) for name in MOTION)
+        R, t, omega, v, alpha, a = _near_the_middle(rng, count, robot)
+    weight = robot.M * 9.81
+    F_ext = 0.5 * weight * rng.normal(size=(count, 3))
+    M_ext = 0.5 * weight * float(np.ptp(robot.p)) * rng.normal(size=(count, 3))
+    arrays = (R, t, omega, v, alpha, a, F_ext, M_ext)
     poses = Poses(robot, tuple(np.ascontiguousarray(array, dtype=np.float64) for array in arrays))
     if reference.inverse_dynamics(robot, poses.motion).status.any():
-        raise ValueError(f"{robot.name}: no regular poses about its home pose")
+        raise ValueError(f"{robot.name}: no regular poses about the middle of its workspace")
     return poses
 
 
-def _near_the_paths(rng: np.random.Generator, count: int, robot: Robot) -> tuple[Array, ...]:
+def _near_the_paths(rng: np.random.Generator, count: int) -> tuple[Array, ...]:
     """Instants of Paths I and II by turns, each moved a little."""
     paths = [PATHS[name].path for name in ("I", "II")]
     at = [path.sample(path.tau_f * rng.uniform(size=count)) for path in paths]
@@ -80,6 +79,19 @@ def _near_the_paths(rng: np.random.Generator, count: int, robot: Robot) -> tuple
     R = taken("R") @ rotation_from_rpy(0.01 * rng.normal(size=(count, 3)))
     t = taken("t") + 0.003 * rng.normal(size=(count, 3))
     rates = (taken(name) + 0.02 * rng.normal(size=(count, 3)) for name in ("omega", "v", "alpha", "a"))
-    weight = robot.M * _GRAVITY
-    loads = (0.5 * weight * arm * rng.normal(size=(count, 3)) for arm in (1.0, float(np.ptp(robot.p))))
-    return R, t, *rates, *loads
+    return R, t, *rates
+
+
+def _near_the_middle(rng: np.random.Generator, count: int, robot: Robot) -> tuple[Array, ...]:
+    """Poses about the one where the platform is above the base by as much as the base is wide."""
+    centre = robot.b.mean(axis=0)
+    size = float(np.linalg.norm(robot.b - centre, axis=-1).mean())
+    up = -robot.g / np.linalg.norm(robot.g) if robot.g.any() else np.array([0.0, 0.0, 1.0])
+    home = centre + size * up - robot.p.mean(axis=0)
+    rate = np.sqrt(9.81 / size)
+
+    def some(scale: float) -> Array:
+        return scale * rng.normal(size=(count, 3))
+
+    R, t = rotation_from_rpy(some(0.1)), home + some(0.05 * size)
+    return R, t, some(0.2 * rate), some(0.2 * rate * size), some(0.2 * rate**2), some(0.2 * rate**2 * size)
