@@ -1,5 +1,6 @@
 """Logs of a robot, read as its file says that they are written: tool point, order of rotations, lengths."""
 
+import dataclasses
 import os
 import warnings
 
@@ -18,7 +19,8 @@ from .offset_legs import leg_lengths
 
 def form_of(robot: Robot, form: LogFormat = PLAIN) -> LogFormat:
     """How the robot's logs are written, where the form does not say otherwise."""
-    return form.or_else(robot.euler_order, robot.lengths)
+    order, lengths = form.euler_order or robot.euler_order, form.lengths or robot.lengths
+    return dataclasses.replace(form, euler_order=order, lengths=lengths)
 
 
 def read_log_of(

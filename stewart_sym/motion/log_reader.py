@@ -100,7 +100,6 @@ def _read(path: str | os.PathLike[str], form: LogFormat, smoothing: Smoothing, p
     source = file_name(path)
     if form.columns:
         _check_header([*form.columns], "columns", "")
-    form = form.or_else("zyx", "absolute")
     with opened(source, "trajectory", _MOST_BYTES) as stream:
         check = partial(_check_log, smoothing=smoothing)
         columns, rows, form, _ = read_columns(stream, source, check, form, progress)
@@ -294,7 +293,7 @@ def _pose_log(log: Log) -> PoseLog:
     _warn_of_angles(log)
     order = "zyx"
     if "v" in log.written:
-        order, names = log.form.euler_order, (*POSE, *DERIVATIVES)
+        order, names = log.form.order, (*POSE, *DERIVATIVES)
         # Before there are the other numbers: of a long log it takes half their room.
         theta = np.unwrap(log.vector("theta"), axis=0)
         found = np.empty((3, len(log.time), 6))
@@ -317,7 +316,7 @@ def _pose_log(log: Log) -> PoseLog:
     noise = None if noise is None else noise._replace(order=order)
     _warn_of_units(log, found)
     F_ext, M_ext = (log.load(name) for name in LOADS)
-    in_radians = "theta" in log.written and log.form.radians == 1.0 and order == log.form.euler_order
+    in_radians = "theta" in log.written and log.form.radians == 1.0 and order == log.form.order
     return PoseLog(log.time, found, F_ext, M_ext, log.source, log.rows, noise, in_radians, order=order)
 
 

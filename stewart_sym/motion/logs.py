@@ -102,6 +102,11 @@ class LogFormat:
         return {name: getattr(self, name) for name in _SI}
 
     @property
+    def order(self) -> str:
+        """Order of the rotations."""
+        return self.euler_order or "zyx"
+
+    @property
     def metres(self) -> float:
         """Metres in the unit of length."""
         return LENGTH_UNITS[self.length_unit or "m"]
@@ -110,23 +115,6 @@ class LogFormat:
     def radians(self) -> float:
         """Radians in the unit of angle."""
         return ANGLE_UNITS[self.angle_unit or "rad"]
-
-    def or_else(self, euler_order: str, lengths: str) -> Self:
-        """The same with an order of rotations and a kind of lengths: the given ones, else these.
-
-        Parameters
-        ----------
-        euler_order, lengths : str
-            As the attributes.
-
-        Returns
-        -------
-        LogFormat
-            With both.
-        """
-        return dataclasses.replace(
-            self, euler_order=self.euler_order or euler_order, lengths=self.lengths or lengths
-        )
 
     def with_units(self, units: Mapping[str, str]) -> Self:
         """The same with a unit of each kind: the given one, else that of a row of units, else SI.

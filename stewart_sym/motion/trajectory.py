@@ -271,7 +271,7 @@ class Log:
 
         The order is the log's own, of quaternions (38), unless two turns of it come near to one axis.
         """
-        order = self.form.euler_order
+        order = self.form.order
         if "q" in self.written:
             q = self.vector("q")
             norms = np.linalg.norm(q, axis=-1)
