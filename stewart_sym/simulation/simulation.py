@@ -22,7 +22,7 @@ from ..io.array_types import Array
 from ..io.extras import needed_for
 from ..motion.motion import Motion
 from ..motion.rotation import one_vector_rate, orthonormal, rotation_from_vector, turned_by
-from ..results import NOT_FINITE, OK, STATUS_TEXT
+from ..results import STATUS_TEXT
 from ..robot.robot import Robot
 from .actuator_models import ForceLaw
 from .limits import Thresholds, Watch, det_sign, need_between
@@ -196,6 +196,7 @@ class _Run:
 
     y, center: numbers of the chart at ``time``, s, and its centre. step: that which is tried next, s, None
     where the solver finds one. sampled: what the law commanded last, N, (6,), None unless it is sampled.
+    fault: the last status that is not 0. unknown: which input left the last accelerations without numbers.
     """
 
     robot: Robot
@@ -208,6 +209,7 @@ class _Run:
     watch: Watch
     reached: Callable[[float], None]
     fault: int = 0
+    unknown: str = ""
     sticking: StickSlip | None = None
     pieces: list[Piece] = field(default_factory=list)
     time: float = 0.0
@@ -228,9 +230,7 @@ class _Run:
             self._settle(first=sample == 1)
             if sample == 1:
                 if not np.isfinite(self._rates(0.0, self.y)).all():
-                    if self.fault in (OK, NOT_FINITE):
-                        self._need_finite()
-                    raise ValueError(f"initial_state: no accelerations: {self._reason()}")
+                    raise ValueError(self.unknown or f"initial_state: no accelerations: {self._reason()}")
                 self.fault = 0
             end = duration if rate is None else min(sample / rate, duration)
             while self.time < end:
@@ -249,7 +249,7 @@ class _Run:
             if solver.status == "failed":
                 text = f"no step is small enough at {solver.t:.9g} s: {self._reason()}"
                 if not self.pieces:
-                    raise ValueError(f"initial_state: {text}")
+                    raise ValueError(self.unknown or f"initial_state: {text}")
                 return Stop("failed", solver.t, None, text)
             dense = solver.dense_output()
             piece = Piece(solver.t_old, solver.t, dense, self.center, self.sampled, modes)
@@ -312,17 +312,9 @@ class _Run:
             found = self.sticking.solved(loaded, F)
             acceleration, status = found.acceleration, found.status
         self.fault = status or self.fault
+        if not np.isfinite(acceleration).all() and np.isfinite(y).all():
+            self.unknown = _unknown(time, loaded, F)
         return np.concatenate([state.v, one_vector_rate(y[3:6], state.omega), acceleration])
-
-    def _need_finite(self) -> None:
-        """Reject, by ValueError, a load and forces that are no numbers at the start."""
-        state = self._state()
-        for name, value in (
-            ("load", self._loaded(0.0, state).external_wrench()),
-            ("forces", self.actuators.at(0.0, state, self.sampled)),
-        ):
-            if not np.isfinite(value).all():
-                raise ValueError(f"{name}: expected six finite numbers at 0 s, got {shown(value)}")
 
     def _loaded(self, time: float, state: Motion) -> Motion:
         F_ext, M_ext = self.constant
@@ -334,7 +326,17 @@ class _Run:
         return Motion.unchecked(state.R, state.t, state.omega, state.v, F_ext=F_ext, M_ext=M_ext)
 
     def _reason(self) -> str:
+        if self.unknown:
+            return self.unknown
         return STATUS_TEXT[self.fault] if self.fault else "forces or accelerations grow without bound"
+
+
+def _unknown(time: float, state: Motion, F: Array) -> str:
+    """A line about a load or forces that are no finite numbers; nothing where both are."""
+    for name, value in (("load", state.external_wrench()), ("forces", F)):
+        if not np.isfinite(value).all():
+            return f"{name}: expected six finite numbers at {time:.9g} s, got {shown(value)}"
+    return ""
 
 
 def check_duration(duration: object) -> None:

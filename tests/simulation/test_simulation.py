@@ -367,12 +367,16 @@ def test_a_sampled_law_is_asked_once_a_period_and_held_between() -> None:
     assert F.tolist() == [100.0, 100.0, 200.0, 500.0, 500.0]
 
 
-def test_forces_that_are_no_numbers_end_the_run() -> None:
+@pytest.mark.parametrize("name", ["forces", "load"])
+@pytest.mark.parametrize("rate", [None, 100.0])
+def test_forces_and_loads_that_are_no_numbers_end_the_run_by_name(name: str, rate: float | None) -> None:
     robot = machine()
-    run = ss.simulate(robot, home(robot), lambda time, _: np.full(6, np.nan if time > 0.1 else 0.0), 1.0)
+    odd = {name: lambda time, _: np.full(6, np.nan if time > 0.099 else 0.0)}
+    run = ss.simulate(robot, home(robot), **{"forces": np.zeros(6), "duration": 1.0, "rate": rate} | odd)
     assert run.stop.kind == "failed"
-    assert run.stop.time == pytest.approx(0.1, abs=1e-9)
+    assert run.stop.time == pytest.approx(0.1 if rate and name == "forces" else 0.099, abs=1e-9)
     assert "no step is small enough" in run.stop.text
+    assert f"{name}: expected six finite numbers at {run.stop.time:.6g}" in run.stop.text
 
 
 def test_a_constant_load_is_the_same_as_one_by_function() -> None:
@@ -433,7 +437,7 @@ def test_forces_and_loads_that_are_no_numbers_at_the_start_are_named(name: str) 
 
 def test_forces_that_are_no_numbers_after_the_start_leave_no_run() -> None:
     robot = machine()
-    with pytest.raises(ValueError, match=r"^initial_state: no step is small enough at 0 s"):
+    with pytest.raises(ValueError, match=r"^forces: expected six finite numbers at \S+ s, got"):
         ss.simulate(robot, home(robot), lambda time, _: np.full(6, np.nan if time > 0.0 else 0.0), 1.0)
 
 
