@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import warnings
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import partial
@@ -181,7 +182,13 @@ def time_path(
     ------
     ValueError
         Naming the argument, or the limit that stands in the way and where: the machine must be able to stand
-        still at every pose of the path. For a duration below the least time, which it names.
+        still at every pose of the path. For a duration
+        below the least time, which it names.
+
+    Warns
+    -----
+    UserWarning
+        Where speeds alone are limited, so that forces of the fastest motion have no bound.
     """
     instance(robot, Robot, "robot")
     need_no_offsets(robot)
@@ -197,8 +204,12 @@ def time_path(
     option(least, LEAST, "least")
     need_duration(least, duration)
     task = _Task(robot, path, (float(ends[0]), float(ends[1])), limits, formulation, cells, progress)
-    nodes = _first_nodes(*task.span, cells)
-    need_bounded(task.source(limits)(nodes), nodes, limits.jerk is not None)
+    if not task.need_possible() and least == "time":
+        warnings.warn(
+            "limits: expected a limit of force, acceleration or jerk beside that of speed, there is none: "
+            "forces of the fastest motion have no bound",
+            stacklevel=2,
+        )
     profile = task.fastest(limits)
     if duration is not None:
         given = positive(duration, "duration")
@@ -225,6 +236,13 @@ class _Task(NamedTuple):
 
     def source(self, limits: Limits) -> Source:
         return lambda s: terms_along(self.robot, self.path, s, limits, self.formulation)
+
+    def need_possible(self) -> bool:
+        """Reject a path that cannot be travelled or limits nothing; whether more than speeds is limited."""
+        nodes, jerk = _first_nodes(*self.span, self.cells), self.limits.jerk is not None
+        terms = self.source(self.limits)(nodes)
+        need_bounded(terms, nodes, jerk)
+        return jerk or terms.motors is not None or bool(np.isfinite(terms.limit).any())
 
     def fastest(self, limits: Limits) -> Profile:
         found = None
@@ -264,7 +282,9 @@ class _Task(NamedTuple):
             return terms_along(self.robot, path, x, limits, self.formulation)
 
         jerk = np.array(limits.jerk or [np.inf] * LEGS)
-        return SmoothPath.of(source, lambda x: length_rates(self.robot, path, x), ease, cells, jerk)
+        found = SmoothPath.of(source, lambda x: length_rates(self.robot, path, x), ease, cells, jerk)
+        need_held(found.between, found.places)
+        return found
 
     def thriftiest(self, duration: float) -> Profile | None:
         """The motion of least energy in a duration; None where that is too short for a smooth one."""
@@ -379,7 +399,7 @@ def _first_nodes(start: float, end: float, cells: int) -> Array:
 
 
 def need_bounded(terms: Terms, s: Array, bounded: bool) -> None:
-    """Reject a path that rests, one that no limit bounds, and poses at which the machine can't stand still.
+    """Reject a path that no limit bounds, one that rests, and poses at which the machine can't stand still.
 
     bounded: whether the jerk is limited, which the terms do not say.
     """
@@ -389,6 +409,11 @@ def need_bounded(terms: Terms, s: Array, bounded: bool) -> None:
     if effect.min() <= _RESTS * effect.max():
         where = s[np.argmin(effect)]
         raise ValueError(f"path: expected a path that rests nowhere, it does at s = {where:.6g}")
+    need_held(terms, s)
+
+
+def need_held(terms: Terms, s: Array) -> None:
+    """Reject poses at which the machine can't stand still."""
     held = np.abs(terms.e) / terms.limit
     if held.max() >= _HOLD:
         i, k = np.unravel_index(int(np.argmax(held)), held.shape)

@@ -13,7 +13,7 @@ import numpy as np
 from ...io.array_types import Array
 from ...kinematics.inverse import inverse_kinematics
 from ...motion.motion import Motion
-from ...robot.robot import Robot
+from ...robot.robot import LEGS, Robot
 from ..timing.grid import Source
 from ..timing.motor_terms import beside
 from ..timing.path_terms import Path, Terms, leg_accelerations, travelled
@@ -43,7 +43,8 @@ _SHARPER = (30.0, 100.0, 300.0, 1000.0)
 class SmoothPath:
     """Terms of an eased path at samples and between; jerk: limits of the legs', m/s^3, (6,), or infinite.
 
-    legs: first to third derivatives of the lengths by x at samples, then between, (3, n, 6) each.
+    legs: first to third derivatives of the lengths by x at samples, then between, (3, n, 6) each. places: s
+    between.
     """
 
     spline: RateSpline
@@ -53,6 +54,7 @@ class SmoothPath:
     between: Terms
     legs: tuple[Array, Array]
     jerk: Array
+    places: Array
 
     @classmethod
     def of(
@@ -62,7 +64,9 @@ class SmoothPath:
         spline = RateSpline(cells)
         nodes = np.linspace(0.0, 1.0, PARTS * cells + 1)
         fine = (spline.edges[:-1, None] + _BETWEEN / cells).ravel()
-        return cls(spline, nodes, ease, source(nodes), source(fine), (lengths(nodes), lengths(fine)), jerk)
+        places = ease(fine, fine, fine).s
+        each = (lengths(nodes), lengths(fine))
+        return cls(spline, nodes, ease, source(nodes), source(fine), each, jerk, places)
 
     def profile(self, c: Array) -> Profile:
         """The motion of coefficients."""
@@ -176,7 +180,14 @@ class SmoothPath:
             if rooms.values(self.spline.values(share * c)).min() > 0.0:
                 return share * c
             share *= _SLOWER
-        raise ValueError("limits: expected limits that some slow and smooth motion keeps, none was found")
+        used = self.used(share * c)
+        cell, k = np.unravel_index(int(np.argmax(used)), used.shape)
+        names = (*self.at.all_names, *(f"jerk of leg {leg + 1}" for leg in range(LEGS)))
+        where = self.places[cell * len(_BETWEEN)]
+        raise ValueError(
+            f"limits: expected limits that some slow and smooth motion keeps, none was found: {names[k]} is "
+            f"{used[cell, k]:.4g} times its limit near s = {where:.6g} of the path"
+        )
 
 
 def _beside(cells: Array, of_two: np.ufunc) -> Array:

@@ -97,9 +97,14 @@ class Terms(NamedTuple):
     motors: MotorTerms | None
 
     @property
+    def all_names(self) -> tuple[str, ...]:
+        """Names of the quantities that are limited: of the coefficients, of the motors, and speed."""
+        return (*self.names, *(() if self.motors is None else self.motors.names), "speed")
+
+    @property
     def quantities(self) -> int:
-        """How many quantities are limited: those of the coefficients, those of the motors, and speed."""
-        return len(self.limit) + (0 if self.motors is None else len(self.motors.names)) + 1
+        """How many quantities are limited."""
+        return len(self.all_names)
 
     @property
     def crossings(self) -> Array:

@@ -128,7 +128,7 @@ def fastest(s: Array, bounds: Bounds) -> PhasePath:
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         stops = _stops(step, bounds)
         x = _starts(step, bounds, stops)
-    first, last = _seconds(step, bounds, x)
+        first, last = _seconds(step, bounds, x)
     return PhasePath(s, x, first, last, bounds.cap, stops)
 
 
@@ -223,15 +223,19 @@ def _values(side: Array, x: Array | float) -> Array:
 
 
 def _seconds(step: Array, bounds: Bounds, x: Array) -> tuple[Array, Array]:
-    """s'' at the start and the end of each cell: the same share of what is possible at both nodes."""
+    """s'' at the start and the end of each cell: the same share of what is possible at both nodes.
+
+    Where s'' has no bound at one of them, as near to the same at both as the other's bounds allow.
+    """
     start, end = slice(len(x) - 1), bounds.before[1:]
     low = lowest(bounds.low[start], x[:-1]), lowest(bounds.low[end], x[1:])
     high = highest(bounds.high[start], x[:-1]), highest(bounds.high[end], x[1:])
     total = np.diff(x) / step
     width = high[0] - low[0] + high[1] - low[1]
     share = (total - low[0] - low[1]) / np.where(width > 0.0, width, 1.0)
-    share = np.where(width > 0.0, share, 0.5)
-    first = low[0] + share * (high[0] - low[0])
+    same = low[0] + np.where(width > 0.0, share, 0.5) * (high[0] - low[0])
+    near = np.clip(0.5 * total, np.maximum(low[0], total - high[1]), np.minimum(high[0], total - low[1]))
+    first = np.where(np.isfinite(width), same, near)
     return first, total - first
 
 
