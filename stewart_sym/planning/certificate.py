@@ -15,6 +15,7 @@ from ..kinematics.clearance import joint_angles
 from ..kinematics.inverse import inverse_kinematics
 from ..singularities.along_path import Crossing, LegExtreme, extremes, singularities_along
 from .time_path import TimedPath
+from .timing.path_rates import need_rates
 from .timing.path_terms import force_limits, leg_accelerations, limited_speeds, travelled
 
 FINER = 100
@@ -24,6 +25,8 @@ ROUNDING = 1e-6
 """Share of a limit by which it may be exceeded."""
 
 _BLOCK = 1 << 14
+# Places at which the path's rates are held against its poses.
+_MOST_PLACES = 200_000
 _ACTIVE = 1e-3
 _INSTANTS = 20_001
 
@@ -99,6 +102,11 @@ def certify_plan(plan: TimedPath) -> PlanCertificate:
     -------
     PlanCertificate
         Extremes, and whether all limits hold.
+
+    Raises
+    ------
+    ValueError
+        For a path whose rates contradict its poses, or jump, as ``time_path`` does, on the finer grid.
     """
     instance(plan, TimedPath, "plan")
     robot, profile = plan.robot, plan.profile
@@ -109,6 +117,7 @@ def certify_plan(plan: TimedPath) -> PlanCertificate:
         np.append(x.ravel(), end)
         for x, end in zip(profile.inside(shares), (nodes.s[-1], 0.0, nodes.second[-1]), strict=True)
     )
+    need_rates(robot, plan.path, s[:: 1 + len(s) // _MOST_PLACES])
     parts = [slice(i, i + _BLOCK) for i in range(0, len(s), _BLOCK)]
     legs, forces, used = zip(*(_part(plan, s[p], square[p], second[p]) for p in parts), strict=True)
     speed, force, most = np.abs(np.concatenate(legs)), np.abs(np.concatenate(forces)), np.concatenate(used)

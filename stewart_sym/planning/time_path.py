@@ -26,6 +26,7 @@ from ..robot.robot import LEGS, Robot
 from .smooth.costs import EnergyCost
 from .smooth.smooth_time import SmoothPath, eased, length_rates
 from .timing.grid import AIM, Grid, Source
+from .timing.path_rates import need_rates
 from .timing.path_terms import Limits, Path, Terms, force_limits, terms_along, travelled
 from .timing.phase_plane import Ease, Profile
 
@@ -38,6 +39,8 @@ CELLS = 400
 SMOOTH_CELLS = 300
 """Most cells of the spline of a smooth motion."""
 
+# Places along the path at which its rates are held against its poses.
+_PLACES = 8193
 _DIVISIONS = 3
 _ROUNDS = 15
 # Share of a limit that holding the machine takes from which on two ways to the fastest motion are tried.
@@ -154,7 +157,7 @@ def time_path(
         The machine with its limits of force and speed.
     path : callable
         Parameters s, (n,), -> ``Motion`` whose rates and accelerations are first and second derivatives by s,
-        such as a ``PosePath``; its loads are kept. It rests nowhere.
+        such as a ``PosePath``; its loads are kept. It rests nowhere, and its rates do not jump.
     span : tuple of float, optional
         First and last s, the first less than the last.
     limits : Limits, optional
@@ -182,7 +185,8 @@ def time_path(
     ------
     ValueError
         Naming the argument, or the limit that stands in the way and where: the machine must be able to stand
-        still at every pose of the path. For a duration
+        still at every pose of the path. For a path whose rates contradict its poses, or jump, by more than
+        some thousandths, or whose accelerations are of other rates: naming a leg and where. For a duration
         below the least time, which it names.
 
     Warns
@@ -242,6 +246,7 @@ class _Task(NamedTuple):
         nodes, jerk = _first_nodes(*self.span, self.cells), self.limits.jerk is not None
         terms = self.source(self.limits)(nodes)
         need_bounded(terms, nodes, jerk)
+        need_rates(self.robot, self.path, np.linspace(*self.span, _PLACES))
         return jerk or terms.motors is not None or bool(np.isfinite(terms.limit).any())
 
     def fastest(self, limits: Limits) -> Profile:
