@@ -8,13 +8,15 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ..drives.effort import Summary
+from ..drives.instants import at_instants
+from ..drives.leg_limits import LEG_LIMITS, limited_angles
 from ..dynamics.home_pose import home_pose, radius, upright
 from ..dynamics.inverse import inverse_dynamics, need_universal
 from ..io.arguments import finite_array, number_in, real_array, whole_number
 from ..io.array_types import Array
 from ..io.frozen import Frozen
 from ..io.progress import Progress, silent, tracked
-from ..kinematics.clearance import joint_angles
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
 from ..kinematics.inverse import inverse_kinematics
 from ..motion.motion import Motion
@@ -179,8 +181,9 @@ def choose_excitation(
 ) -> Excitation:
     """Draw Fourier series about the home pose and keep the one whose regressor is best conditioned.
 
-    Every candidate is made small enough for the robot's limits of length, joint angle, speed and force (the
-    last with the robot's own parameters) and stays where the scaled condition number of H is at most three
+    Every candidate is made small enough for the limits of the robot's legs, of length, joint angle, speed and
+    force, and of its motors, of torque, its root mean square, speed, current and power (those that depend on
+    forces with the robot's own parameters), and stays where the scaled condition number of H is at most three
     times that of the home pose.
 
     Parameters
@@ -234,7 +237,10 @@ def choose_excitation(
         if best is None or condition < best.condition:
             best = Excitation(path, path.times(samples), motion, base, condition)
     if best is None:
-        raise ValueError("robot: found no motion about its home pose within the limits of its legs")
+        raise ValueError(
+            "robot: found no motion about its home pose within the limits of its legs and motors: "
+            "a longer period takes less of their speed and force"
+        )
     return best
 
 
@@ -264,24 +270,22 @@ def _allowed(robot: Robot, motion: Motion, condition: float) -> bool:
     if np.any(found.status):
         return False
     scaled = scaled_condition_number(found.H, characteristic_length(robot) or 1.0)
+    one_side = abs(np.sum(np.sign(np.linalg.det(found.H)))) == len(scaled)
+    return bool(np.all(scaled <= condition) and one_side and _limits_kept(robot, motion, found.F))
+
+
+def _limits_kept(robot: Robot, motion: Motion, F: Array) -> bool:
+    """Whether legs, by forces F, N, (n, 6), and their motors keep within their limits."""
     legs = inverse_kinematics(robot, motion)
-    shortest, longest = robot.length_limits.T
-    return bool(
-        np.all((legs.L >= shortest) & (legs.L <= longest))
-        and np.all(np.abs(legs.L_dot) <= robot.speed_limit)
-        and np.all(np.abs(found.F) <= robot.force_limit)
-        and _angles_kept(robot, motion)
-        and np.all(scaled <= condition)
-        and abs(np.sum(np.sign(np.linalg.det(found.H)))) == len(scaled)
-    )
-
-
-def _angles_kept(robot: Robot, motion: Motion) -> bool:
-    if not robot.limits_joint_angles:
+    values = {"F": F, "L": legs.L, "L_dot": legs.L_dot} | limited_angles(robot, motion)
+    stated = [limit for limit in LEG_LIMITS if limit.values in values]
+    if not all(np.all(limit.sizes(values[limit.values]) <= limit.bound(robot)) for limit in stated):
+        return False
+    if robot.drive is None:
         return True
-    angles = joint_angles(robot, motion)
-    base, platform = robot.joint_angle_limit.T
-    return bool(np.all(angles.base <= base) and np.all(angles.platform <= platform))
+    used = Summary(robot.drive, 0.0)
+    used.add(at_instants(robot, robot.drive, motion, F, legs.L_dot), np.ones(len(F)), None)
+    return not used.exceeded(0.0)
 
 
 def _condition(A: Array) -> float:

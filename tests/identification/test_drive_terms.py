@@ -44,6 +44,22 @@ def motor_forces(robot: ss.Robot, motion: ss.Motion) -> np.ndarray:
     return ss.inverse_dynamics(robot, motion).F + drive
 
 
+@pytest.mark.parametrize(
+    "name", ["torque_limit", "speed_limit", "current_limit", "power_limit", "rated_torque"]
+)
+def test_excitation_keeps_within_the_limits_of_the_motors(robot: ss.Robot, name: str) -> None:
+    driven = dataclasses.replace(robot, drive=ss.Drive(lead=5e-3, torque_constant=0.5))
+    still, free = (
+        ss.drive_effort(driven, ss.choose_excitation(driven, period, samples=60, candidates=1).motion)
+        for period in (1e3, None)
+    )
+    quantity = "rms_torque" if name == "rated_torque" else f"peak_{name.removesuffix('_limit')}"
+    limit = np.mean([getattr(each, quantity).max() for each in (still, free)])
+    limited = dataclasses.replace(driven, drive=dataclasses.replace(driven.drive, **{name: limit}))
+    motion = ss.choose_excitation(limited, samples=60, candidates=1).motion
+    assert ss.drive_effort(limited, motion).exceeded == ()
+
+
 def test_noisy_experiments_scatter_as_the_covariance_says(robot: ss.Robot, excited: ss.Excitation) -> None:
     count = 25
     exact = motor_forces(robot, excited.motion)

@@ -22,8 +22,7 @@ HELP = "identify inertial parameters from measured forces, or from a simulated m
 EXAMPLE = "stewart-sym identify hexapod.toml --sigma 0.5 -o identified"
 MORE = (
     "Without --measured the motion is the best of random Fourier series about the home pose, within "
-    "the limits of length, speed and force in the robot file, and the table gives the true values as "
-    "well. SI units."
+    "the limits of legs and motors in the robot file, and the table gives the true values as well. SI units."
 )
 
 
