@@ -162,9 +162,9 @@ def read_leg_columns(
 ) -> tuple[Array, Array, tuple[str, ...]]:
     """Read six columns over ``time`` (s), increasing: those of the first group that the file has.
 
-    Other columns, such as those that the command ``forces`` writes, are read over. form: unit of time, marks
-    and names of the columns. Returns times (n,), the columns (n, 6) and their names. Raises ``ValueError`` of
-    one line that names the file and the row or column.
+    Other columns, such as those that the command ``forces`` writes, are read over. form: marks, names of the
+    columns and, where no row of units states it, the unit of time. Returns times (n,), the columns (n, 6) and
+    their names. Raises ``ValueError`` of one line that names the file and the row or column.
     """
     source = file_name(path)
     group = groups[0]
@@ -177,6 +177,9 @@ def read_leg_columns(
         need_columns(header, wanted, source)
 
     with opened(source, "forces", _MOST_BYTES) as stream:
+        unit = stated_units(stream, source, form).get("time_unit", form.time_unit)
+        stream.seek(0)
+        form = dataclasses.replace(form, time_unit=unit)
         columns, rows, _, dated = read_columns(stream, source, check, form)
     if dated:
         raise ValueError(

@@ -221,6 +221,15 @@ def test_times_that_are_not_read_are_named(tmp_path: Path, times: list[str], tol
     rejects(told, read, tmp_path, [";".join(NAMES), *rows], form)
 
 
+@pytest.mark.parametrize(("row", "step"), [("", 1e-3), ("s,N,N,N,N,N,N\n", 1.0), ("us,,,,,,\n", 1e-6)])
+def test_forces_are_of_the_unit_of_time_of_their_own_row_of_units_or_else_of_the_given_one(
+    tmp_path: Path, row: str, step: float
+) -> None:
+    path = tmp_path / "forces.csv"
+    path.write_text(f"time,F1,F2,F3,F4,F5,F6\n{row}0,1,2,3,4,5,6\n1,1,2,3,4,5,7\n")
+    assert read_leg_columns(path, LogFormat(time_unit="ms"), (FORCES,))[0].tolist() == [0.0, step]
+
+
 def test_dated_forces_are_rejected_since_their_start_is_not_that_of_the_poses(tmp_path: Path) -> None:
     path = tmp_path / "forces.csv"
     path.write_text("time,F1,F2,F3,F4,F5,F6\n10:00:00,1,2,3,4,5,6\n")

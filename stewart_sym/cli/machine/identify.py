@@ -35,8 +35,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar=("TRAJECTORY.csv", "FORCES.csv"),
         help="the motion, as for forces, and columns time, F1 to F6 (N) at the same times, or else current1 "
         "to current6 (A), signed as the torque, of a machine whose drives have a torque_constant; of the "
-        "robot file only geometry, gravity and drives are used: where these have a rotor_inertia, F1 to F6 "
-        "are forces of the motors (N times torque); --seed, --samples and --candidates are not used",
+        "options of the trajectory's file --delimiter, --decimal and, where no row of units states it, "
+        "--time-unit are the second file's too; of the robot file only geometry, gravity and drives are "
+        "used: where these have a rotor_inertia, F1 to F6 are forces of the motors (N times torque); --seed, "
+        "--samples and --candidates are not used",
     )
     text = "standard deviation of measured forces, N, or of measured currents, A"
     valued(parser, "sigma", positive, text, 1.0)

@@ -71,7 +71,12 @@ def from_measurement(
     if np.any(off):
         i = int(np.argmax(off))
         expected = f"the time {time_text(trajectory.time[i])} of {trajectory.source}"
-        raise ValueError(f"{source}: instant {i + 1}: expected {expected}, got {time_text(time[i])}")
+        said = f"{source}: instant {i + 1}: expected {expected}, got {time_text(time[i])}"
+        for factor in (1e-6, 1e-3, 1e3, 1e6):
+            if np.allclose(time, factor * trajectory.time, _SAME_TIME, _SAME_TIME * factor * span):
+                said += f": all {factor:g} times as large, expected their unit in a row of units below the "
+                said += "header, or for both files in --time-unit"
+        raise ValueError(said)
     motion = trajectory.motion
     options = (friction, shared)
     if noise is not None and robot.tool.any():
