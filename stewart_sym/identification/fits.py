@@ -144,7 +144,8 @@ def _forces_of_rotors(data: Data, motion: Motion) -> Array:
 
 # Joint fit by Gauss-Newton steps
 
-# Most steps of the joint fit, most halvings of one, and the decrease of the sum of squares at which it ends.
+# Most steps of the joint fit, most halvings of one, and the decrease of the sum of squares at which it ends,
+# times the mean square where that is above 1, that of noise.
 _STEPS, _HALVINGS, _NO_DECREASE = 30, 10, 1e-4
 # Bases in a row whose fit does not converge, after which larger ones are not tried.
 _IN_VAIN = 3
@@ -199,7 +200,7 @@ def _gauss_newton(data: Data, noise: PoseNoise, basis: Basis, c: Array) -> _Solu
         r = np.concatenate([part.ravel() for part in parts])
         J = _jacobian(data, noise, basis, values, c)
         step = solution(J, r)
-        if float(r @ (J @ step)) < _NO_DECREASE:
+        if float(r @ (J @ step)) < _NO_DECREASE * max(1.0, float(np.mean(r**2))):
             return _Solution(basis, values, c, parts, converged=True)
         for halving in range(_HALVINGS):
             share = 0.5**halving

@@ -249,15 +249,16 @@ def by_normal_equations(A: Array, y: Array) -> Array | None:
     if not lengths.all():
         return None
     unit = A / lengths
+    squares = unit.T @ unit
     try:
-        G = np.linalg.cholesky(unit.T @ unit)
+        G = np.linalg.cholesky(squares)
     except np.linalg.LinAlgError:
         return None
     if G.diagonal().min() < DISTINCT:
         return None
     x = np.zeros((A.shape[1], *y.shape[1:]))
     for _ in range(2):
-        x += np.linalg.solve(G.T, np.linalg.solve(G, unit.T @ (y - unit @ x)))
+        x += np.linalg.solve(squares, unit.T @ (y - unit @ x))
     return np.asarray((x.T / lengths).T)
 
 

@@ -356,3 +356,13 @@ def test_a_lag_that_explains_a_part_is_named_after_what_is_missing() -> None:
         doubts = ss.identify(machine, found.measured, F + off, 1.0, found.estimate.base, found.noise).doubts
         assert doubts[place].startswith("times: ")
         assert words in doubts[place]
+
+
+def test_a_fit_that_misses_the_forces_by_far_ends_where_steps_are_small_beside_its_residual() -> None:
+    found, machine = experiment(0), robot(0)
+    assert found.noise is not None
+    late = ss.inverse_dynamics(machine, found.excitation.path.sample(found.noise.time - 0.0423)).F
+    F = found.F + late - ss.inverse_dynamics(machine, found.excitation.motion).F
+    seen = ss.identify(machine, found.measured, F, 1.0, found.estimate.base, found.noise)
+    assert seen.verdict == "rejected"
+    assert not any(line.startswith("fit: did not converge") for line in seen.doubts)
