@@ -1,7 +1,7 @@
 """What identification hands back: base parameters with their covariance and a verdict on the fit.
 
 The verdict is whether model and stated noise explain the residual: its size, its smooth part, a load that
-changes.
+changes, forces that drift.
 """
 
 from __future__ import annotations
@@ -36,6 +36,13 @@ _NEAR = 7
 _NEW = 1e-8
 # Smooth residual beside what a lag explains of it, both as sums of squares, that may come of the lag too.
 _BEYOND_FIRST_ORDER = 0.25
+# What is said of changes on the way: of the load, and of each leg's force.
+_CHANGES = (
+    "load: the platform's mass or first moment changes on the way, {:.3g} times as much as by noise: "
+    "expected a load that stays as it is, and forces that do not drift",
+    "drift: forces change steadily on the way, {:.3g} times as much as by noise: expected sensors whose "
+    "zeros stay as they are, and a load that does",
+)
 EXACT = ("motion: is taken as exact, expected its noise if its poses were measured",)
 
 
@@ -57,8 +64,9 @@ class Estimate:
     p_noise : float
         Probability of so large a residual under the stated noise.
     p_model : float
-        Probability of so large a smooth part of the residual, or of one that a changing load or forces that
-        lag measured poses explain so well; it does not depend on the stated size of the noise.
+        Probability of so large a smooth part of the residual, or of one that a changing load, forces that
+        drift or forces that lag measured poses explain so well; it does not depend on the stated size of the
+        noise.
     inflation : float
         Factor on the deviations, at least 1, from the residual.
     verdict : str
@@ -138,9 +146,8 @@ def tested_estimate(data: Data, fit: Fit, remedy: tuple[str, ...]) -> Estimate:
     spare = len(r) - data.left_out - fit.unknowns
     misfit = math.sqrt(float(r @ r) / spare) if spare > 0 else math.nan
     noise_misfit, p_noise, noise_doubts = _noise_test(fit, data.left_out)
-    lag, smooth, load = _model_tests(data, fit, r)
-    (smooth_misfit, p_smooth), (load_misfit, p_load) = smooth, load
-    tests = 2.0 if lag is None else 3.0
+    lag, (smooth_misfit, p_smooth), changes = _model_tests(data, fit, r)
+    tests = 3.0 if lag is None else 4.0
     doubts = list(noise_doubts) if p_noise < LEVEL else []
     inflation = max(1.0, noise_misfit) if p_noise < LEVEL else 1.0
     if lag is not None and lag.named:
@@ -152,12 +159,11 @@ def tested_estimate(data: Data, fit: Fit, remedy: tuple[str, ...]) -> Estimate:
             f"forces: differ smoothly from the model's, {smooth_misfit:.2f} times as much as by {beside}: "
             "expected a model of all that moves, its friction and load, and poses that follow the motion"
         )
-    if tests * p_load < LEVEL:
-        inflation = max(inflation, min(load_misfit, _MOST_INFLATION))
-        doubts.append(
-            f"load: the platform's mass or first moment changes on the way, {load_misfit:.3g} times as much "
-            "as by noise: expected a load that stays as it is, and forces that do not drift"
-        )
+    for (changed, p_changed), text in zip(changes, _CHANGES, strict=True):
+        if tests * p_changed < LEVEL:
+            inflation = max(inflation, min(changed, _MOST_INFLATION))
+            doubts.append(text.format(changed))
+            break  # A load that changes looks like a drift too.
     if not fit.converged:
         doubts.append("fit: did not converge, expected a smaller noise or a motion that excites more")
     elif fit.curvature > _BENT:
@@ -185,7 +191,9 @@ def tested_estimate(data: Data, fit: Fit, remedy: tuple[str, ...]) -> Estimate:
         covariance=own,
         misfit=misfit,
         p_noise=p_noise,
-        p_model=min(1.0, *(tests * p for p in (p_smooth, p_load, 1.0 if lag is None else lag.p))),
+        p_model=min(
+            1.0, *(tests * p for p in (p_smooth, *(p for _, p in changes), 1.0 if lag is None else lag.p))
+        ),
         inflation=inflation,
         verdict=verdict,
         doubts=(*doubts, *(remedy if doubts else ())),
@@ -228,26 +236,28 @@ class _Lag(NamedTuple):
 
 def _model_tests(
     data: Data, fit: Fit, r: Array
-) -> tuple[_Lag | None, tuple[float, float], tuple[float, float]]:
-    """Lag of forces behind measured poses, and ``_gain_test`` of smooth forces and of a changing load.
+) -> tuple[_Lag | None, tuple[float, float], list[tuple[float, float]]]:
+    """Lag of forces behind measured poses, and ``_gain_test`` of smooth forces and of ``_CHANGES``.
 
     Where a lag explains the residual, these are of what it leaves.
     """
-    added = (_smooth_forces(fit), _changing_load(data, fit))
-    smooth, load = (_gain_test(fit, r, forces, data.left_out) for forces in added)
+    line = np.linspace(-1.0, 1.0, len(fit.parts[0]))
+    drifting = np.asarray(np.kron(line[:, None], np.eye(LEGS)), dtype=np.float64)
+    added = (_smooth_forces(fit), _changing_load(data, fit), drifting)
+    smooth, *changes = (_gain_test(fit, r, forces, data.left_out) for forces in added)
     lag = _lag(data, fit, r)
-    if lag is None or 3.0 * lag.p >= LEVEL:
-        return lag, smooth, load
+    if lag is None or 4.0 * lag.p >= LEVEL:
+        return lag, smooth, changes
     unit = lag.column / np.linalg.norm(lag.column)
     other, left = fit._replace(beside=unit), r - unit * (unit @ r)
     rest = [_gain_test(other, left, forces, data.left_out) for forces in added]
     explained = float(unit @ r) ** 2
     beside = added[0].shape[1] * rest[0][0] ** 2
     # What a lag of several rows changes is not linear in it.
-    alone = all(3.0 * p >= LEVEL for _, p in rest) or beside < _BEYOND_FIRST_ORDER * explained
+    alone = all(4.0 * p >= LEVEL for _, p in rest) or beside < _BEYOND_FIRST_ORDER * explained
     if alone or explained > beside:
-        return lag._replace(named=True, alone=alone), rest[0], rest[1]
-    return lag, smooth, load
+        return lag._replace(named=True, alone=alone), rest[0], rest[1:]
+    return lag, smooth, changes
 
 
 def _lag(data: Data, fit: Fit, r: Array) -> _Lag | None:

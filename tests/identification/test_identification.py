@@ -28,6 +28,16 @@ def test_identified_parameters_are_within_three_sigma() -> None:
         assert np.array_equal(found.truth, found.estimate.base.matrix @ pi.values)
 
 
+@pytest.mark.parametrize(("most", "verdict"), [(0.0, "consistent"), (6.0, "misfit")])
+def test_forces_of_one_leg_that_drift_are_named(most: float, verdict: str) -> None:
+    machine, way = robot(0), excited(0)
+    F = ss.simulated_experiment(machine, way, SIGMA).F
+    F[:, 0] += most * SIGMA * np.linspace(0.0, 1.0, len(F))
+    found = ss.identify(machine, way.motion, F, SIGMA, way.base)
+    assert found.verdict == verdict
+    assert [line.startswith("drift: ") for line in found.doubts[:1]] == [True] * (verdict == "misfit")
+
+
 @pytest.mark.slow
 def test_deviations_are_normal_over_many_measurements() -> None:
     seed = 0
