@@ -3,11 +3,15 @@
 import argparse
 import warnings
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from ...io.error_policy import SingularPoseWarning
 from ..inputs import robot_of, trajectory_of
 from ..options import chosen, formulation, log_options, output, positive, robot_file, valued
 from ..results import reject_inputs, results
+
+if TYPE_CHECKING:
+    from ...robot.robot import Robot
 
 HELP = "actuator forces along a trajectory"
 EXAMPLE = "stewart-sym forces hexapod.toml log.csv -o forces.csv --length-unit mm --angle-unit deg"
@@ -56,16 +60,16 @@ def run(arguments: argparse.Namespace) -> int:
     from ...studies.common.output import csv_lines
     from ...studies.common.report import Picture, Report, draw
     from ...studies.reports.singularities import crossing_warning
-    from ...studies.reports.track import Digest, beginnings, in_parts
+    from ...studies.reports.track import Digest, header_lines, in_parts
     from ...viewer.instants import of_trajectory
     from ...viewer.view import View
 
     robot = robot_of(arguments.robot)
     if arguments.picture is not None:
-        _need_picture(arguments, robot.drive is not None)
+        _need_picture(arguments, robot)
     with (
         results(arguments) as (take, progress),
-        result_file(arguments.output, beginnings(), arguments.force) as stream,
+        result_file(arguments.output, header_lines(), arguments.force) as stream,
     ):
         trajectory = trajectory_of(robot, arguments.trajectory, arguments, progress)
         digest = Digest(robot, trajectory.time, replaced_rows(trajectory))
@@ -109,13 +113,13 @@ def run(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def _need_picture(arguments: argparse.Namespace, driven: bool) -> None:
+def _need_picture(arguments: argparse.Namespace, robot: "Robot") -> None:
     """Reject a picture of motors that there are not, of another kind, or in place of another file."""
     from ...io.extras import need
 
     need("matplotlib", "drawing")
     path = arguments.picture
-    if not driven:
+    if robot.drive is None:
         raise ValueError(f"--picture {path}: expected a robot with a drive ([legs.drive])")
     if path.suffix != ".png":
         raise ValueError(f"--picture {path}: expected a file that ends in .png")

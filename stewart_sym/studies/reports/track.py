@@ -1,5 +1,6 @@
 """A trajectory run through the dynamics, as ``forces`` writes it: columns, limits exceeded, a summary."""
 
+import dataclasses
 import warnings
 from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
@@ -34,7 +35,7 @@ from ...motion.trajectory import PoseLog, Replaced, Trajectory
 from ...results import NOT_FINITE, OK, ZERO_LENGTH, Reactions
 from ...robot.robot import Robot
 from ..common.output import Columns, aligned, csv_lines, of_axes, of_legs
-from .drives import DriveDigest, drive_columns
+from .drives import DriveDigest, drive_columns, no_deviations, no_instants
 
 NOISE_SHARE = 0.02
 """Share of a leg's peak force that noise may make of it, ``SURE`` deviations, without a warning."""
@@ -95,13 +96,20 @@ class Part(NamedTuple):
         return found if self.reactions is None else found | _reaction_columns(self.reactions)
 
 
-def beginnings() -> list[str]:
-    """How the CSV file of a run begins, with deviations or without; motors and reactions come after that."""
+def header_lines() -> list[str]:
+    """First line of the CSV file of each kind of run: with deviations or not, with reactions or not."""
     n, legs = np.zeros(0), np.zeros((0, 6))
-    status = n.astype(np.int32)
+    vectors = np.zeros((0, 6, 3))
+    reactions = Reactions(vectors, vectors, vectors, vectors, vectors, legs, n.astype(np.int32))
+    more_reactions = dataclasses.replace(reactions, M_s=vectors)
     return [
-        next(csv_lines(Part(slice(0), n, legs, legs, legs, n, status, sd=sd).columns)).rstrip()
-        for sd in (None, Deviations(legs, legs, legs, legs))
+        next(csv_lines(Part(slice(0), n, legs, legs, legs, n, n.astype(np.int32), more, e, sd).columns))
+        for more in (None, reactions, more_reactions)
+        for e, motors in (
+            (None, None),
+            *((no_instants(current), no_deviations(current)) for current in (False, True)),
+        )
+        for sd in (None, Deviations(legs, legs, legs, legs, motors=motors))
     ]
 
 
@@ -135,10 +143,7 @@ def in_parts(
             if status[at] == NOT_FINITE and not allow_singular:
                 row = f"row {trajectory.rows[start + at[0]]} of {trajectory.source}"
                 _need_forces(robot, row)
-            text = f"{trajectory.source}: row {trajectory.rows[start + at[0]]}: {reason}"
-            if not allow_singular:
-                raise ValueError(text)
-            warnings.warn(text, SingularPoseWarning, stacklevel=2)
+            _tell(trajectory, start + at[0], reason, allow_singular)
             told = True
         sd = None if deviations is None else deviations(where)
         time, condition = trajectory.time[where], condition_number(found.H)
@@ -340,6 +345,13 @@ def _need_forces(robot: Robot, where: str) -> None:
         raise ValueError(
             f"robot {robot.name}: expected numbers whose forces do not overflow, at {where} they do"
         )
+
+
+def _tell(trajectory: Trajectory | PoseLog, i: int, reason: str, allowed: bool) -> None:
+    text = f"{trajectory.source}: row {trajectory.rows[i]}: {reason}"
+    if not allowed:
+        raise ValueError(text)
+    warnings.warn(text, SingularPoseWarning, stacklevel=3)
 
 
 def _lengths_and_rates(robot: Robot, motion: Motion, good: Flags) -> tuple[Array, Array]:
