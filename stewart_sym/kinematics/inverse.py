@@ -1,6 +1,7 @@
 """Inverse kinematics of the legs, (1)-(5), (8), and H of (36) with its rate, of the platform's motion."""
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -28,8 +29,8 @@ ROUNDING = 16 * np.finfo(np.float64).eps
 
 
 BLOCK = 512
-"""Poses whose legs are computed at a time: their numbers stay in the processor's cache. From so many on the C
-computes them, where there is a compiler."""
+"""Poses whose legs are computed at a time: their numbers stay in the processor's cache. From half as many on
+the C computes them, where there is a compiler."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,8 +95,8 @@ def legs_or_overflow(robot: Robot, motion: Motion) -> LegKinematics:
             s=moving.at.s,
             S=moving.at.P,
         )
-    found = _compiled_legs(robot, motion) if math.prod(motion.shape) >= BLOCK else None
-    return LegKinematics(**found) if found else _legs(robot, motion)
+    found = _compiled_legs(robot, motion) if math.prod(motion.shape) >= BLOCK // 2 else None
+    return LegKinematics(**found) if found else LegKinematics(*_in_blocks(_legs, robot, motion))
 
 
 _SHAPES = STRUCTS["legs"]
@@ -139,9 +140,9 @@ def wrench_matrix(robot: Robot, motion: Motion) -> Array:
     """
     if getattr(robot, "offsets", None) is not None:
         return columns_of_H(robot, checked_motion(robot, motion).G)
-    q, S, L = _vectors(robot, motion)
+    L, rows = _in_blocks(_rows_of_H, robot, motion)
     _reject_overflow(L)
-    return np.swapaxes(length_rows(q, S, L), -1, -2)
+    return np.swapaxes(rows, -1, -2)
 
 
 def wrench_matrix_rate(robot: Robot, motion: Motion) -> Array:
@@ -168,12 +169,7 @@ def wrench_matrix_rate(robot: Robot, motion: Motion) -> Array:
     """
     if getattr(robot, "offsets", None) is not None:
         return rate_of_H(robot, motion)
-    q, S, L = _vectors(robot, motion)
-    with np.errstate(all="ignore"):
-        s, q_dot = S / L[..., None], cross(motion.omega[..., None, :], q)
-        S_dot = q_dot + motion.v[..., None, :]
-        s_dot = (S_dot - _dot(s, S_dot)[..., None] * s) / L[..., None]
-        rows = np.concatenate([s_dot, cross(q_dot, s) + cross(q, s_dot)], axis=-1)
+    L, rows = _in_blocks(_rows_of_H_dot, robot, motion)
     _reject_overflow(L, rows)
     return np.swapaxes(rows, -1, -2)
 
@@ -219,15 +215,23 @@ def clear_of_joint_singularities(robot: Robot, legs: LegKinematics) -> Flags:
     return np.asarray((joint_sines(robot, legs.s) >= MIN_JOINT_SINE).all(axis=-1))
 
 
-def _vectors(robot: Robot, motion: Motion, start: int = 0) -> tuple[Array, Array, Array]:
-    """``leg_vectors``; ValueError names the first leg of length zero. start: number of the first pose."""
+def _in_blocks(made: Callable[[Robot, Motion, int], tuple[Any, ...]], robot: Robot, motion: Motion) -> Any:
+    """Arrays made of a motion, of a long one in blocks; ``made`` takes the number of its first pose, too."""
     instance(robot, Robot, "robot")
     instance(motion, Motion, "motion")
     with np.errstate(all="ignore"):
-        q, S, L = leg_vectors(robot, motion.R, motion.t)
-        reach = np.maximum(np.abs(q).max(axis=-1), np.abs(robot.b).max(axis=-1))
-        reach = np.maximum(reach, np.abs(motion.t).max(axis=-1)[..., None])
-        short = np.argwhere(ROUNDING * reach >= L)
+        if len(motion.shape) != 1 or motion.shape[0] <= BLOCK:
+            return made(robot, motion, 0)
+        blocks = [made(robot, motion[i : i + BLOCK], i) for i in range(0, motion.shape[0], BLOCK)]
+    return [None if parts[0] is None else np.concatenate(parts) for parts in zip(*blocks, strict=True)]
+
+
+def _vectors(robot: Robot, motion: Motion, start: int) -> tuple[Array, Array, Array]:
+    """``leg_vectors``; ValueError names the first leg of length zero. start: number of the first pose."""
+    q, S, L = leg_vectors(robot, motion.R, motion.t)
+    reach = np.maximum(np.abs(q).max(axis=-1), np.abs(robot.b).max(axis=-1))
+    reach = np.maximum(reach, np.abs(motion.t).max(axis=-1)[..., None])
+    short = np.argwhere(ROUNDING * reach >= L)
     if short.size:
         *pose, leg = (int(i) for i in short[0])
         where = f" at motion[{', '.join(str(start + i) for i in pose)}]" if pose else ""
@@ -235,14 +239,21 @@ def _vectors(robot: Robot, motion: Motion, start: int = 0) -> tuple[Array, Array
     return q, S, L
 
 
-@np.errstate(all="ignore")
-def _legs(robot: Robot, motion: Motion, start: int = 0) -> LegKinematics:
-    """Kinematics of all legs, long batches in blocks. start: number of the first pose."""
-    if len(motion.shape) == 1 and motion.shape[0] > BLOCK:
-        blocks = [vars(_legs(robot, motion[i : i + BLOCK], i)) for i in range(0, motion.shape[0], BLOCK)]
-        names = [name for name, value in blocks[0].items() if value is not None]
-        whole: dict[str, Any] = {name: np.concatenate([block[name] for block in blocks]) for name in names}
-        return LegKinematics(**({"L_ddot": None} | whole))
+def _rows_of_H(robot: Robot, motion: Motion, start: int) -> tuple[Array, Array]:
+    q, S, L = _vectors(robot, motion, start)
+    return L, length_rows(q, S, L)
+
+
+def _rows_of_H_dot(robot: Robot, motion: Motion, start: int) -> tuple[Array, Array]:
+    q, S, L = _vectors(robot, motion, start)
+    s, q_dot = S / L[..., None], cross(motion.omega[..., None, :], q)
+    S_dot = q_dot + motion.v[..., None, :]
+    s_dot = (S_dot - _dot(s, S_dot)[..., None] * s) / L[..., None]
+    return L, np.concatenate([s_dot, cross(q_dot, s) + cross(q, s_dot)], axis=-1)
+
+
+def _legs(robot: Robot, motion: Motion, start: int) -> tuple[Array | None, ...]:
+    """Fields of ``LegKinematics``."""
     q, S, L = _vectors(robot, motion, start)
     s = S / L[..., None]
     S_dot = tip_velocities(motion, q)
@@ -253,7 +264,7 @@ def _legs(robot: Robot, motion: Motion, start: int = 0) -> LegKinematics:
         # L W.W of (8) from the part of S_dot across the leg: |W x S| = L |W|.
         across = S_dot - L_dot[..., None] * s
         L_ddot = _dot(s, S_ddot) + _dot(across, across) / L
-    return LegKinematics(L, L_dot, L_ddot, s, S)
+    return L, L_dot, L_ddot, s, S
 
 
 def _dot(x: Array, y: Array) -> Array:

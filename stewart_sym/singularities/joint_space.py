@@ -176,7 +176,7 @@ def on_platform(
 def read_trajectory(
     robot: Robot,
     path: str | os.PathLike[str],
-    form: LogFormat = PLAIN,
+    form: LogFormat | None = None,
     smoothing: Smoothing = AS_SHOWN,
     guess: Guess | None = None,
 ) -> Trajectory:
@@ -193,7 +193,8 @@ def read_trajectory(
         CSV file, a row per instant: ``time`` and either ``t_x`` to ``t_z`` with ``theta_x`` to ``theta_z`` or
         ``q_w`` to ``q_z``, or ``L_1`` to ``L_6``; optionally all rates and second rates, and loads.
     form : LogFormat, optional
-        Names, units and marks of the file; an ``euler_order`` or ``lengths`` of None is the robot's.
+        Names, units and marks of the file, None: SI units; an ``euler_order`` or ``lengths`` of None is the
+        robot's.
     smoothing : Smoothing, optional
         What is known of the noise.
     guess : tuple, optional
@@ -211,6 +212,7 @@ def read_trajectory(
     """
     instance(robot, Robot, "robot")
     instance(smoothing, Smoothing, "smoothing")
+    form = PLAIN if form is None else form
     instance(form, LogFormat, "form")
     log = read_log_of(robot, path, form, smoothing)
     if isinstance(log, JointTrajectory):
