@@ -100,6 +100,14 @@ def test_a_single_file_of_the_same_subcommand_or_an_empty_one_is_replaced(at_rob
     assert not (at_robot / RECORD).exists()
 
 
+def test_a_run_with_columns_of_its_reader_is_not_replaced(at_robot: Path, fails: Fails) -> None:
+    (at_robot / "path.csv").write_text(RISING)
+    assert main(TO_ONE_FILE["mine.csv"]) == 0
+    head, *rows = (at_robot / "mine.csv").read_text().splitlines()
+    (at_robot / "mine.csv").write_text("\n".join([f"{head},note", *(f"{row},mine" for row in rows)]))
+    assert "mine.csv: exists with other content" in fails(*TO_ONE_FILE["mine.csv"])
+
+
 def test_the_json_of_another_subcommand_is_not_replaced(at_robot: Path, fails: Fails) -> None:
     assert main(TO_ONE_FILE["figures.json"]) == 0
     asked = [*TO_ONE_FILE["mine.json"][:-1], "figures.json"]
