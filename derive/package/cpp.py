@@ -11,8 +11,15 @@ from dataclasses import replace
 from ..kernel.interface import CALLS, Argument
 from ..kernel.outputs import FORCES, OUTPUTS
 from ..kernel.tree.constants import STATUSES
-from .functions import MODEL, NOTHING, Function
+from .functions import DRIVES, MODEL, NOTHING, ROBOT, Function
 from .words import template
+
+_CLASSES = {
+    ROBOT: "class_of_robot",
+    MODEL: "class_of_model",
+    DRIVES: "class_of_drives",
+    NOTHING: "class_of_nothing",
+}
 
 
 def wrapper(functions: Sequence[Function], version: str) -> str:
@@ -61,7 +68,7 @@ def _class(name: str, functions: Sequence[Function]) -> str:
     first = functions[0]
     methods = "\n".join(text for function in functions for text in _methods(function))
     values = {"name": name, "prefix": first.prefix, "methods": methods}
-    return template(f"kit/class_of_{first.subject or 'nothing'}.hpp", values)
+    return template(f"kit/{_CLASSES[first.subject]}.hpp", values)
 
 
 def _methods(function: Function) -> Iterable[str]:

@@ -211,7 +211,7 @@ def test_a_log_from_a_pipe_is_read_as_from_a_file(tmp_path: Path) -> None:
 
 
 def test_columns_limits_and_peaks_of_parts_are_those_of_the_whole(monkeypatch: pytest.MonkeyPatch) -> None:
-    robot, given = dasgupta1998(), trajectory(300)
+    robot, given = dasgupta1998(), trajectory(250)
     F = ss.inverse_dynamics(robot, given.motion).F
     tight = dataclasses.replace(
         robot,

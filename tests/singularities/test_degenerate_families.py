@@ -93,8 +93,9 @@ def test_a_machine_off_its_family_is_not_singular() -> None:
 def test_no_kernel_of_the_sweep_answers_for_a_singular_machine() -> None:
     """Every kernel, both precisions."""
     found = random_sweep(share(100_000, 80), seed=23, kinds=(oracle.MACHINE,))
-    assert {count.kernel for count in found.counts} == {*oracle.KERNELS, "joint inertia", "derivatives"}
-    assert [count for count in found.counts if count.answered] == []
+    counts = found.figures["counts"]
+    assert {count["kernel"] for count in counts} == {*oracle.KERNELS, "joint inertia", "derivatives"}
+    assert [count for count in counts if count["answered"]] == []
 
 
 @sweep
