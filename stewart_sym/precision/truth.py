@@ -4,6 +4,7 @@ What rounding errors are measured against; the numbers of robot and motion are t
 The equations are those of ``derive``, the digits SymPy's mpmath's.
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache, cached_property
 from types import SimpleNamespace
@@ -64,10 +65,14 @@ class Truth:
         poses = vars(loaded(motion))
         F = np.empty((*motion.shape, 6), dtype=object)
         for where in np.ndindex(motion.shape):
-            pose = {name: value[where] for name, value in poses.items()}
-            given = structure(n.MOTION, pose, number_of_digits)
-            F[where] = self._interpreter.run(FORCES, self._model, given).F
+            F[where] = self.of_pose({name: value[where] for name, value in poses.items()})
         return F
+
+    def of_pose(self, motion: Mapping[str, NDArray[Any]]) -> list[Any]:
+        """Forces of one pose, whose numbers may have 50 digits."""
+        given = structure(n.MOTION, motion, number_of_digits)
+        found: list[Any] = self._interpreter.run(FORCES, self._model, given).F
+        return found
 
     def deviation(self, F: NDArray[Any], motion: Motion) -> Array:
         """Errors, N, of forces, (..., 6), that somebody computed for ``motion``."""

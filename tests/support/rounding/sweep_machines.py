@@ -48,7 +48,7 @@ def differences(robot: ss.Robot, motion: ss.Motion, acceleration: Any) -> list[A
             values = values + by * (N @ values) + by * by / 2 * (N @ (N @ values))
         else:
             values[axis] += by
-        return digits.matrix(list(truth._pose(given | {name: values})))
+        return digits.matrix(list(truth.of_pose(given | {name: values})))
 
     found = []
     for names in (("t", "R"), ("v", "omega")):
