@@ -21,18 +21,24 @@ def need_rates(robot: Robot, path: Path, s: Array) -> None:
     """Reject a path whose rates contradict its poses, or jump, by the lengths of legs at many s, (n,).
 
     Over each step a length changes by the step times a rate between those at its ends, wherever accelerations
-    jump: what a sum of trapezia may be off by is known.
+    jump: what the trapezoidal rule may be off by is known.
     """
     legs = inverse_kinematics(robot, path(s))
     assert legs.L_ddot is not None
     most = float(np.abs(legs.L_dot).max())
     _need_changes(
-        *(s, legs.L, legs.L_dot, _OF_WAY * most * float(s[-1] - s[0])),
+        s,
+        legs.L,
+        legs.L_dot,
+        _OF_WAY * most * float(s[-1] - s[0]),
         "expected rates by s that are those of the poses: the length of leg {} changes by {:.4g} m from s = "
         "{:.6g} to {:.6g}, {:.4g} m by its rates",
     )
     _need_changes(
-        *(s, legs.L_dot, legs.L_ddot, _OF_RATE * most),
+        s,
+        legs.L_dot,
+        legs.L_ddot,
+        _OF_RATE * most,
         "expected rates by s that do not jump, and accelerations that are theirs: the rate of leg {} changes "
         "by {:.4g} m from s = {:.6g} to {:.6g}, {:.4g} m by its accelerations",
     )
