@@ -1,10 +1,10 @@
 """Robots and trajectories that a subcommand is given, with a warning for each doubt about them."""
 
 import argparse
-import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from ..io.error_policy import warn
 from ..io.progress import Progress
 
 if TYPE_CHECKING:
@@ -32,7 +32,7 @@ def warn_of_doubts(robot: "Robot", source: Path) -> None:
     from ..robot.robot import PhysicalityWarning
 
     for name, text in doubts(robot):
-        warnings.warn(f"{source}: {text} [{name}]", PhysicalityWarning, stacklevel=3)
+        warn(f"{source}: {text} [{name}]", PhysicalityWarning)
 
 
 def trajectory_of(
@@ -56,11 +56,10 @@ def trajectory_of(
         return trajectory
     few = resampled(trajectory, arguments.rate)
     if len(few.time) < min(FEW_ROWS, len(trajectory.time)):
-        warnings.warn(
+        warn(
             f"{source}: {len(few.time)} instant{'s' * (len(few.time) > 1)} of "
             f"{trajectory.time[-1] - trajectory.time[0]:.4g} s at a rate of {arguments.rate:g} Hz, of "
-            f"{len(trajectory.time)} rows: what happens between them is missed",
-            stacklevel=2,
+            f"{len(trajectory.time)} rows: what happens between them is missed"
         )
     return few
 
@@ -106,7 +105,7 @@ def poses_of(
         guess = None if start is None else (rotation_from_rpy(start[3:]), start[:3])
         poses = on_platform(robot, log, guess, progress)
         if start is not None and (doubt := side_doubt(robot, poses.motion)) is not None:
-            warnings.warn(f"--start: {doubt}", stacklevel=2)
+            warn(f"--start: {doubt}")
         return poses
     if start is not None:
         raise ValueError("--start: is for a trajectory of leg lengths, this one is of poses")

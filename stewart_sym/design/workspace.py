@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import functools
 import math
-import warnings
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Literal
@@ -15,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..dynamics.home_pose import home_pose
 from ..io.arguments import finite_array, instance, option, whole_number
 from ..io.array_types import Array, Flags
+from ..io.error_policy import warn
 from ..io.frozen import Frozen
 from ..io.progress import Progress, silent
 from ..kinematics.conditioning import characteristic_length
@@ -152,7 +152,7 @@ def workspace(
     tallies = jobs.run(cells.jobs_of(grid, seed), look, scheduler, progress, f"examining {count} poses")
     found = cells.total(tallies, len(search), len(REASONS))
     if not found.codes[0]:
-        warnings.warn("workspace: no pose within the limits was found", WorkspaceWarning, stacklevel=2)
+        warn("workspace: no pose within the limits was found", WorkspaceWarning)
     return examined.workspace(grid, found)
 
 

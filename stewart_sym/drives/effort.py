@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
@@ -12,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..dynamics.inverse import Backend, Formulation, inverse_dynamics
 from ..io.arguments import finite_array, instance, real_array
 from ..io.array_types import Array, Flags
+from ..io.error_policy import warn
 from ..io.frozen import Frozen, read_only
 from ..io.instants import least_step, time_text
 from ..kinematics.inverse import inverse_kinematics
@@ -141,7 +141,7 @@ def drive_effort(
     summary.add(found, weights, when, sd, there)
     lines = tuple(summary.exceeded())
     for line in lines:
-        warnings.warn(line, DriveLimitWarning, stacklevel=2)
+        warn(line, DriveLimitWarning)
     return DriveEffort(
         **found._asdict(),
         rms_torque=summary.rms_torque,

@@ -92,5 +92,5 @@ def forces_with_bounds(
     code = function(name, "bounds", precision, "forces_bounded_batch")
     shapes = {"F": (6,), "bound": (6,), "rcond": ()}
     found = ForceBounds(**results_of(code, model, motion, shapes, apart=True))
-    report_faults(found.status, robot, motion, on_singular, stacklevel=3)
+    report_faults(found.status, robot, motion, on_singular)
     return found

@@ -75,7 +75,7 @@ def equations_of_motion(
     else:
         terms = closed.run("equations", motion)
         found = EquationsOfMotion(**{name: terms[name] for name in _TERMS}, status=terms["status"])
-    inverse.report_faults(found.status, robot, motion, on_singular, stacklevel=3)
+    inverse.report_faults(found.status, robot, motion, on_singular)
     return found
 
 
@@ -110,7 +110,7 @@ def force_derivatives(
     """
     inverse.need_motion(robot, motion)
     found = _with_closed_form(robot, backend, on_singular).run("derivatives", motion)
-    inverse.report_faults(found["status"], robot, motion, on_singular, stacklevel=3)
+    inverse.report_faults(found["status"], robot, motion, on_singular)
     return ForceDerivatives(**found)
 
 
@@ -144,7 +144,7 @@ def linearise(
     closed = _with_closed_form(robot, backend, on_singular)
     motion, forces = _together(motion, F)
     found = closed.run("linearisation", motion, forces)
-    inverse.report_faults(found["status"], robot, motion, on_singular, stacklevel=3)
+    inverse.report_faults(found["status"], robot, motion, on_singular)
     return Linearisation(**found)
 
 
@@ -184,7 +184,7 @@ def forward_dynamics(
     _need(robot, motion, on_singular)
     motion, forces = _together(motion, F)
     a, alpha, status = ForwardDynamics(robot, formulation, backend).solve(motion, forces)
-    inverse.report_faults(status, robot, motion, on_singular, stacklevel=3)
+    inverse.report_faults(status, robot, motion, on_singular)
     return Accelerations(a, alpha)
 
 
@@ -217,7 +217,7 @@ def joint_space_inertia(
     closed = _closed_form(robot, formulation, backend)
     if closed is not None:
         direct = closed.run("joint_inertia", motion)
-        inverse.report_faults(direct["status"], robot, motion, on_singular, stacklevel=3)
+        inverse.report_faults(direct["status"], robot, motion, on_singular)
         return np.asarray(direct["inertia"])
     found = _by_linearity(robot, motion, formulation, backend)
     ok = found.status == OK
@@ -228,7 +228,7 @@ def joint_space_inertia(
     status[ok] = np.where(regular, OK, SINGULAR)
     half = np.linalg.solve(H[regular], M[regular])
     inertia[status == OK] = np.swapaxes(np.linalg.solve(H[regular], np.swapaxes(half, -1, -2)), -1, -2)
-    inverse.report_faults(status, robot, motion, on_singular, stacklevel=3)
+    inverse.report_faults(status, robot, motion, on_singular)
     return inertia
 
 

@@ -121,7 +121,7 @@ class ForceKernel(Frozen):
         if on_singular == "damped" and (singular := status == SINGULAR).any():
             F[singular] = damped_terms(self.robot, motion[singular], self.formulation)["F"]
             status = np.where(np.isfinite(F).all(axis=-1), OK, status).astype(np.int32)
-        report_faults(status, self.robot, motion, on_singular, stacklevel=3)
+        report_faults(status, self.robot, motion, on_singular)
         return F
 
     def status(self, motion: Motion, threads: int = 1) -> NDArray[np.int32]:

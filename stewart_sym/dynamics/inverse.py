@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import dataclasses
 import functools
-import warnings
 from collections.abc import Callable
 from typing import Any, Literal, TypeVar
 
@@ -22,7 +21,7 @@ from ..backend.numpy_kernel import NumpyKernel
 from ..io import error_policy
 from ..io.arguments import instance, option, real_array
 from ..io.array_types import Array, Codes
-from ..io.error_policy import ON_SINGULAR, OnSingular
+from ..io.error_policy import ON_SINGULAR, OnSingular, warn
 from ..kinematics.conditioning import characteristic_length
 from ..motion.motion import Motion
 from ..reference import newton_euler, offset_joints
@@ -253,7 +252,7 @@ def with_compiler(compiled: Callable[[], Any], other: Callable[[], Any]) -> Any:
 
 @functools.cache
 def _say_once(text: str) -> None:
-    warnings.warn(text, RuntimeWarning, stacklevel=6)
+    warn(text, RuntimeWarning)
 
 
 def _bearing(bearing: ArrayLike | None) -> Array:
@@ -321,11 +320,9 @@ def _checked(result: Result, values: Array, robot: Robot, motion: Motion, on_sin
     return result
 
 
-def report_faults(status: Codes, robot: Robot, motion: Motion, on_singular: str, stacklevel: int = 4) -> None:
-    """Raise or warn, as ``on_singular`` says, if a pose is unsolvable; stacklevel: of the user's call."""
-    error_policy.report(
-        status, "motion", lambda at: _reason(int(status[at]), robot, motion[at]), on_singular, stacklevel + 1
-    )
+def report_faults(status: Codes, robot: Robot, motion: Motion, on_singular: str) -> None:
+    """Raise or warn, as ``on_singular`` says, if a pose is unsolvable."""
+    error_policy.report(status, "motion", lambda at: _reason(int(status[at]), robot, motion[at]), on_singular)
 
 
 def first_fault(status: Codes, robot: Robot, motion: Motion) -> tuple[tuple[int, ...], str]:

@@ -1,7 +1,6 @@
 """Robots to models in other programs' formats and back."""
 
 import os
-import warnings
 import xml.etree.ElementTree as ET
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -11,6 +10,7 @@ import numpy as np
 
 from ..drives.friction import losses
 from ..io.arguments import instance, option, shown
+from ..io.error_policy import warn
 from ..io.tables import file_name, read_text
 from ..robot.robot import PhysicalityWarning, Robot, impossible_inertias
 from .chain import Model
@@ -156,7 +156,7 @@ def import_model(path: str | os.PathLike[str]) -> ImportedModel:
         raise ValueError(f"{source}: {error}{'' if line is None else f' (at line {line})'}") from None
     for name, text in impossible_inertias(robot):
         if name not in robot.accept:
-            warnings.warn(f"{source}: {text} [{name}]", PhysicalityWarning, stacklevel=2)
+            warn(f"{source}: {text} [{name}]", PhysicalityWarning)
     return ImportedModel(robot, said)
 
 
@@ -178,7 +178,7 @@ def _warn_of_losses(robot: Robot, form: str) -> None:
     missing += [name for name in (*limits, "joint_angle_limit") if np.isfinite(getattr(robot, name)).any()]
     where = "left out" if form == "usd" else "noted only, for import"
     for what in missing:
-        warnings.warn(f"{form}: {what} has no place in the format: {where}", stacklevel=3)
+        warn(f"{form}: {what} has no place in the format: {where}")
 
 
 def loops_path(path: str | os.PathLike[str]) -> Path:

@@ -1,12 +1,12 @@
 """A robot as bodies and joints, at its home pose: six legs, the platform free, six closures at its points."""
 
-import warnings
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from ..io.array_types import Array
+from ..io.error_policy import warn
 from ..plausibility.level_poses import level_home
 from ..robot.bodies import tensors_of_bodies
 from ..robot.fields import LEGS, legs_text
@@ -72,10 +72,9 @@ def possible(robot: Robot, reader: str) -> Robot:
                 f'{text}: {reader} rejects it; correct it, or let the robot file accept "{name}" '
                 "to have the nearest possible tensor written"
             )
-        warnings.warn(
+        warn(
             f"{text}: {reader} rejects it, the nearest possible tensor is written [{name}]",
             PhysicalityWarning,
-            stacklevel=4,
         )
     return robot_of_bodies(robot)
 

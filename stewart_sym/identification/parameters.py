@@ -103,7 +103,7 @@ def regressor(
     option(on_singular, ON_FAULT, "on_singular")
     option(backend, BACKENDS, "backend")
     Y, status = evaluated(robot, motion, None if columns is None else _column_numbers(columns), backend)
-    report_faults(status, robot, motion, on_singular, stacklevel=3)
+    report_faults(status, robot, motion, on_singular)
     return Y
 
 
@@ -215,7 +215,7 @@ def rotor_regressor(robot: Robot, motion: Motion, on_singular: OnFault = "raise"
     ]
     Y = np.concatenate(columns, axis=-1)
     Y[status != 0] = np.nan
-    report_faults(status, robot, motion, on_singular, stacklevel=3)
+    report_faults(status, robot, motion, on_singular)
     return Y
 
 
@@ -298,7 +298,7 @@ def equations_by_parameter(
     terms = {"M": M, "C": C, "g": g, "friction": friction}
     for each in terms.values():
         each[:, status != OK] = np.nan
-    report_faults(status, robot, motion, on_singular, stacklevel=3)
+    report_faults(status, robot, motion, on_singular)
     return EquationsByParameter(**{name: np.moveaxis(each, 0, -1) for name, each in terms.items()})
 
 

@@ -1,5 +1,6 @@
-"""What is done about unsolvable poses: an error, a warning, NaN alone or damping, as the caller chooses."""
+"""Warnings at the user's line; what is done about unsolvable poses: an error, a warning, NaN or damping."""
 
+import inspect
 import warnings
 from collections.abc import Callable
 from typing import Any, Literal
@@ -15,19 +16,25 @@ ON_SINGULAR = (*ON_FAULT, "damped")
 a part of the wrench; poses that are unsolvable for other reasons give a warning."""
 
 Index = tuple[int, ...]
+_PACKAGE = __name__.partition(".")[0]
 
 
 class SingularPoseWarning(UserWarning):
     """Some poses have no finite answer; their results are NaN and their status says why."""
 
 
-def report(
-    status: NDArray[Any], name: str, reason: Callable[[Index], str], choice: str, stacklevel: int
-) -> None:
+def warn(text: str, category: type[Warning] = UserWarning) -> None:
+    """Warn at the line outside this package that has called it, however deep this is."""
+    frame, level = inspect.currentframe(), 0
+    while frame is not None and frame.f_globals.get("__name__", "").partition(".")[0] == _PACKAGE:
+        frame, level = frame.f_back, level + 1
+    warnings.warn(text, category, stacklevel=level + 1)
+
+
+def report(status: NDArray[Any], name: str, reason: Callable[[Index], str], choice: str) -> None:
     """Raise ValueError or warn, as ``choice`` of ON_SINGULAR says, if a status is not 0; "damped" warns.
 
     name: the argument that has the pose. reason: why the pose at an index is unsolvable.
-    stacklevel: of the user's call, as ``warnings.warn`` counts: 1 is this function.
     """
     if choice == "nan" or not status.any():
         return
@@ -36,7 +43,7 @@ def report(
     text = f"{place}: {reason(where)}{others}"
     if choice == "raise":
         raise ValueError(text)
-    warnings.warn(text, SingularPoseWarning, stacklevel=stacklevel)
+    warn(text, SingularPoseWarning)
 
 
 def first(status: NDArray[Any]) -> tuple[Index, str]:

@@ -153,7 +153,7 @@ def forward_kinematics(
         leg_lengths = np.broadcast_to(lengths, (*shape, 6))[at]
         return fault(robot, leg_lengths, int(result.status[at]), guess is not None)
 
-    error_policy.report(result.status, "L", reason, on_failure, stacklevel=3)
+    error_policy.report(result.status, "L", reason, on_failure)
     return result
 
 
@@ -286,7 +286,7 @@ def _rates(
     status = np.where(unsettled, SINGULAR, np.where(finite, OK, NOT_FINITE))
     solution[status != OK] = np.nan
 
-    error_policy.report(status, name, lambda at: REASONS[int(status[at])], on_failure, stacklevel=4)
+    error_policy.report(status, name, lambda at: REASONS[int(status[at])], on_failure)
     return solution[..., :3], solution[..., 3:]
 
 

@@ -5,7 +5,6 @@ The paper's paths are turned to that side.
 
 from __future__ import annotations
 
-import warnings
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -13,6 +12,7 @@ import numpy as np
 
 from ..io.arguments import instance
 from ..io.array_types import Array
+from ..io.error_policy import warn
 from ..motion.straight_line import PATHS, PaperPath
 from ..robot.robot import Robot
 from .conditioning import characteristic_length, scaled_condition_number
@@ -75,7 +75,7 @@ def up_direction(robot: Robot) -> Array:
     """
     side = platform_side(robot)
     if not side.settled:
-        warnings.warn(f"robot: {side.rule}", AssemblyModeWarning, stacklevel=2)
+        warn(f"robot: {side.rule}", AssemblyModeWarning)
     return side.direction
 
 

@@ -2,11 +2,11 @@
 
 import dataclasses
 import os
-import warnings
 
 import numpy as np
 
 from ..io.array_types import Array
+from ..io.error_policy import warn
 from ..io.progress import Progress, silent
 from ..motion.log_reader import AS_SHOWN, PLAIN, read_log, trajectory_from
 from ..motion.logs import LogFormat
@@ -42,7 +42,7 @@ def read_log_of(
     else:
         log = _loaded_at(robot.tool, _absolute(robot, log) if log.relative else log)
     for doubt in log_doubts(robot, log, form.length_unit or "m"):
-        warnings.warn(f"{log.source}: {doubt}", LogWarning, stacklevel=3)
+        warn(f"{log.source}: {doubt}", LogWarning)
     return log
 
 

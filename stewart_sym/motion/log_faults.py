@@ -249,7 +249,7 @@ def tell_faults(log: Log, found: Sequence[Fault]) -> None:
     ending = f"; and {more} more" if more > 0 else ""
     done = "replaced, and deviations there hold what this changes" if log.smoothing.on else "left as they are"
     cause = " (rows repeated or missing?)" if any(len(texts) >= _MANY for texts in by_rows.values()) else ""
-    log.warn(f"numbers are off as no motion makes them{cause}: {'; '.join(lines)}{ending}: {done}", 7)
+    log.warn(f"numbers are off as no motion makes them{cause}: {'; '.join(lines)}{ending}: {done}")
 
 
 def column_of(log: Log, column: int) -> tuple[str, str]:
@@ -286,7 +286,7 @@ def tell_no_repair(log: Log, good: Array, found: list[Fault]) -> None:
         f"{len(rows)} of {len(good)} rows ({100.0 * share:.2g} %) are replaced, and numbers change by up to "
         f"{' and '.join(most)}: that is no repair, and the results are not to be trusted"
     )
-    log.warn(text, 7)
+    log.warn(text)
 
 
 # A step in time that is this many times the usual one, and of nine in ten steps, is a gap.
@@ -309,7 +309,7 @@ def tell_gap(log: Log) -> None:
         f"{step[i] / usual:.3g} times the usual step of {usual:.3g} s"
     )
     more = f"; {gaps.size - 1} more gaps" if gaps.size > 1 else ""
-    log.warn(f"{text}{more}: bridged by a smooth curve", 6)
+    log.warn(f"{text}{more}: bridged by a smooth curve")
 
 
 # Rows of a slower sensor
@@ -451,7 +451,7 @@ def tell_plateaus(log: Log, values: Array, steps: Array) -> None:
             f"speed and stays there for {lasts:.3g} s in all ({100.0 * share:.2g} % of the rows; first at "
             f"row {log.rows[rows[0]]}): is it clipped? forces there and nearby are wrong"
         )
-        log.warn(text, 7)
+        log.warn(text)
 
 
 def spread(time: Array, rows: Rows, found: Array) -> Array:

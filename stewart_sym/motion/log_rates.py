@@ -84,7 +84,7 @@ def _measured_rows(log: Log, values: Array, steps: Array) -> list[tuple[slice, l
 def _tell_slower(log: Log, of: str, slower: log_faults.Sampling) -> None:
     count, taken = len(slower.rows), "each taken for its first row"
     text = f"{of}{len(log.time)} rows are {slower.kind} between {count} measured ones, {taken}"
-    log.warn(text, 7)
+    log.warn(text)
 
 
 def _measured(
@@ -277,7 +277,7 @@ def _derivatives(
         _warn_of_cutoff(log, values, found)
     if tell and noisy.any() and _matters(noise) and not in_log.too_few(log):
         more = _CORRELATED.format(level.correlation) if level.correlation > 1.0 else ""
-        log.warn(f"{noise_text(noise)}: smoothed{more}", 8)
+        log.warn(f"{noise_text(noise)}: smoothed{more}")
     return found, noise
 
 
@@ -325,7 +325,7 @@ def _warn_of_jumps(log: Log, left: Array, noise: Uncertainty) -> None:
         f"near {when} s a smooth motion is {off[row, column]:.2g} deviations of the noise off ({at_row}): do "
         "accelerations jump, or are rows wrong? Where they jump forces overshoot, as their deviations say"
     )
-    log.warn(text, 9)
+    log.warn(text)
 
 
 # A cut-off removes motion where what it removes is so many times what changes from row to row, and would be
@@ -351,7 +351,7 @@ def _warn_of_cutoff(log: Log, values: Array, found: Array) -> None:
             parts.append(f"of {what} of {in_unit(most)}")
     if parts:
         text = f"the cut-off of {log.smoothing.cutoff:g} Hz removes changes {' and '.join(parts)}"
-        log.warn(f"{text}: motion, not noise, and the forces lack it", 9)
+        log.warn(f"{text}: motion, not noise, and the forces lack it")
 
 
 # Noise without a warning: shares of the largest acceleration, gravity's at least, and of the path.
@@ -388,7 +388,7 @@ def as_given(log: Log, found: Array, steps: Sequence[Array]) -> Uncertainty | No
     """Uncertainty of coordinates and rates, (3, n, 6), all of them measured and rounded to steps, (3, 6)."""
     if log.smoothing.cutoff is not None:
         text = "the file has rates, which are taken as they are: the cut-off changes nothing"
-        log.warn(text, 5)
+        log.warn(text)
     known = in_log.stated_noise(log)
     in_log.warn_of_stated(log, found[0], steps[0])
     sigma = np.array(steps) / math.sqrt(12.0)

@@ -127,7 +127,7 @@ def _on_even_clock(log: Log) -> Log:
         log.time, np.stack([column for each in log.written.values() for column in each], -1)
     )
     if doubt is not None:
-        log.warn(f"time: {doubt}", 4)
+        log.warn(f"time: {doubt}")
     return log if clock is None else dataclasses.replace(log, time=clock.times)
 
 
@@ -203,7 +203,7 @@ def _warn_of_angles(log: Log) -> None:
         doubt = turn_doubt(np.unwrap(log.vector("theta"), axis=0))
         if doubt is not None:
             hint = ": are angles in degrees (LogFormat(angle_unit='deg'))?" if log.form.radians == 1.0 else ""
-            log.warn(f"{doubt}{hint}", 5)
+            log.warn(f"{doubt}{hint}")
     if "q" in log.written:
         q = np.abs(log.vector("q"))
         if (np.median(q, axis=0) @ (-1.0, 0.0, 0.0, 1.0)) > 0.5 * float(
@@ -212,7 +212,6 @@ def _warn_of_angles(log: Log) -> None:
             log.warn(
                 "q_z is the largest component: half a turn about z, or quaternions whose scalar comes last? "
                 "(LogFormat(columns={'q_w': 'q_z', 'q_x': 'q_w', 'q_y': 'q_x', 'q_z': 'q_y', ...}))",
-                5,
             )
 
 
@@ -235,7 +234,7 @@ def _warn_of_units(log: Log, coordinates: Array) -> None:
         hint = f"is time in another unit (LogFormat(time_unit='{slow[-1]}'))"
     else:
         return
-    log.warn(f"steps of {step:.4g} s and accelerations up to {largest:.2g} m/s^2: {hint}?", 5)
+    log.warn(f"steps of {step:.4g} s and accelerations up to {largest:.2g} m/s^2: {hint}?")
 
 
 # How far from a power of 1000 the ratio of changes to rates is where a unit is wrong: decades.
@@ -263,12 +262,12 @@ def _warn_of_rates(log: Log, coordinates: Array, names: Sequence[str]) -> None:
             if unit
             else "are rates in another unit"
         )
-        log.warn(f"coordinates change by {changed / expected:.2g} times what their rates say: {hint}?", 5)
+        log.warn(f"coordinates change by {changed / expected:.2g} times what their rates say: {hint}?")
         return
     kinds = len(names) // 3
     columns = [_components(*names[kinds * i :][:kinds]) for i in range(3)]
     for _, doubt in rate_doubts(log.time, [*coordinates], columns, 6 // kinds):
-        log.warn(doubt, 5)
+        log.warn(doubt)
 
 
 def _joint_trajectory(log: Log) -> JointTrajectory:
@@ -309,7 +308,7 @@ def _pose_log(log: Log) -> PoseLog:
         noise = as_given(log, found, steps)
         doubt = angular_velocity_doubt(log.time, found[0, :, 3:], found[1, :, 3:], order)
         if doubt:
-            log.warn(doubt, 4)
+            log.warn(doubt)
         else:
             _warn_of_rates(log, found, names)
     else:

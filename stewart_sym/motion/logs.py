@@ -12,7 +12,6 @@ import dataclasses
 import io
 import itertools
 import math
-import warnings
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, BinaryIO, NamedTuple, Self
@@ -21,6 +20,7 @@ import numpy as np
 
 from ..io.arguments import option, shown
 from ..io.array_types import Array
+from ..io.error_policy import warn
 from ..io.instants import time_text
 from ..io.progress import Progress, silent
 from ..io.tables import table_as_utf8
@@ -185,11 +185,10 @@ def read_columns(
         if not rows:
             raise ValueError(f"{source}: expected rows of numbers below the header, got none")
         if _cut_off(stream, head, decimal):
-            warnings.warn(
+            warn(
                 f"{source}: row {rows[-1]}: expected as many decimals as above or a line ending: "
                 "the file may be cut off",
                 LogWarning,
-                stacklevel=5,
             )
     # Divided, times are the nearest doubles of what is written.
     columns["time"] /= round(1.0 / TIME_UNITS[form.time_unit or "s"])
@@ -222,11 +221,10 @@ def _without_repeated(
     if not again.size:
         return columns, rows
     many = f"{again.size} rows have" if again.size > 1 else "1 row has"
-    warnings.warn(
+    warn(
         f"{source}: {many} the time and all numbers of the row above, the first is row {rows[again[0]]}: "
         "taken once",
         LogWarning,
-        stacklevel=6,
     )
     kept = np.delete(np.array(rows), again)
     return {name: np.delete(column, again) for name, column in columns.items()}, kept.tolist()

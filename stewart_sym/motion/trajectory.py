@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 import math
-import warnings
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -14,6 +13,7 @@ from numpy.typing import NDArray
 
 from ..io.arguments import instance
 from ..io.array_types import Array
+from ..io.error_policy import warn
 from ..io.tables import number
 from . import rotation
 from .logs import LogFormat
@@ -242,9 +242,9 @@ class Log:
         what = {"L": "lengths", "t": "positions", "theta": "angles"}[name]
         return what, lambda number: f"{number / scale:.2g} {unit}"
 
-    def warn(self, text: str, level: int) -> None:
-        """Warn of the log; level: as ``stacklevel`` of ``warnings.warn`` where this is called."""
-        warnings.warn(f"{self.source}: {text}", LogWarning, stacklevel=level + 1)
+    def warn(self, text: str) -> None:
+        """Warn of the log."""
+        warn(f"{self.source}: {text}", LogWarning)
 
     def load(self, name: str) -> Array | None:
         """An external force or moment, (n, 3)."""

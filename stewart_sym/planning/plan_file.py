@@ -2,7 +2,6 @@
 
 import contextlib
 import os
-import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -15,6 +14,7 @@ from ..design.pose_limits import PoseLimits, need_clearance
 from ..dynamics.inverse import Formulation
 from ..io import tables
 from ..io.array_types import Array
+from ..io.error_policy import warn
 from ..kinematics.robot_logs import form_of
 from ..motion.log_reader import read_poses
 from ..motion.noise_level import LogWarning
@@ -112,7 +112,7 @@ def _request(d: Mapping[str, Any], source: str) -> PlanRequest:
     else:
         doubt = _angle_doubt(given)
         if doubt:
-            warnings.warn(f"{source}: via: {doubt}", LogWarning, stacklevel=4)
+            warn(f"{source}: via: {doubt}", LogWarning)
         poses = tuple(
             ViaPose(rotation_about_axes(theta, robot.euler_order), t, *box) for t, theta, box in given
         )

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import itertools
-import warnings
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import partial
@@ -17,6 +16,7 @@ from ..drives.friction import viscous
 from ..dynamics.inverse import Formulation
 from ..io.arguments import finite_array, instance, option, real_array, shown, whole_number
 from ..io.array_types import Array
+from ..io.error_policy import warn
 from ..io.extras import needed_for
 from ..io.progress import Progress, silent
 from ..io.tables import positive
@@ -209,10 +209,9 @@ def time_path(
     need_duration(least, duration)
     task = _Task(robot, path, (float(ends[0]), float(ends[1])), limits, formulation, cells, progress)
     if not task.need_possible() and least == "time":
-        warnings.warn(
+        warn(
             "limits: expected a limit of force, acceleration or jerk beside that of speed, there is none: "
-            "forces of the fastest motion have no bound",
-            stacklevel=2,
+            "forces of the fastest motion have no bound"
         )
     profile = task.fastest(limits)
     if duration is not None:

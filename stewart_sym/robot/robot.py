@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import os
-import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
@@ -14,6 +13,7 @@ import numpy as np
 from ..io import tables
 from ..io.arguments import shown
 from ..io.array_types import Array
+from ..io.error_policy import warn
 from ..io.frozen import Frozen
 from . import fields, schema_1, schema_2
 from .bodies import low_densities
@@ -333,4 +333,4 @@ def _warn(robot: Robot, d: Mapping[str, Any], source: str) -> None:
         found.append(("density", text))
     for name, message in found:
         if name not in robot.accept:
-            warnings.warn(f"{source}: {message} [{name}]", PhysicalityWarning, stacklevel=3)
+            warn(f"{source}: {message} [{name}]", PhysicalityWarning)

@@ -1,7 +1,6 @@
 """Scenes: a simulation as a TOML file says it, read and checked into what ``simulate`` takes."""
 
 import os
-import warnings
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -14,6 +13,7 @@ from ..dynamics.inverse import Formulation
 from ..io import tables
 from ..io.arguments import shown
 from ..io.array_types import Array
+from ..io.error_policy import warn
 from ..io.instants import elapsed
 from ..kinematics.mounting import path_for
 from ..kinematics.robot_logs import trajectory_for
@@ -215,7 +215,7 @@ def _wanted(robot: Robot, path: str, file: Path, duration: float) -> Wanted:
     if whole < duration and max(speed, turning) > _RESTS:
         rates = f"{speed:.2g} m/s and {turning:.2g} rad/s, at {whole:.6g} s of a run of {duration:g} s"
         text = f"ends in motion, {rates}: the law then wants rest at once"
-        warnings.warn(f"{found.source}: {text}", LogWarning, stacklevel=4)
+        warn(f"{found.source}: {text}", LogWarning)
     return followed(found)
 
 

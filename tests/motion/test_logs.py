@@ -43,8 +43,11 @@ def test_rows_that_are_off_are_told_at_the_line_that_reads_the_log(tmp_path: Pat
     rows = poses(121)
     rows[60, 1] += 0.01
     with pytest.warns(ss.LogWarning, match="numbers are off as no motion makes them: row 62") as told:
-        read_csv(write(tmp_path / "spike.csv", NAMES, rows))
+        log = write(tmp_path / "spike.csv", NAMES, rows)
+        read_csv(log)
+        ss.read_trajectory(dasgupta(), log)
     assert {each.filename for each in told} == {__file__}
+    assert len({each.lineno for each in told}) == 2
 
 
 def test_names_are_mapped_and_other_columns_skipped(tmp_path: Path) -> None:

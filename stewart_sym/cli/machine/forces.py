@@ -1,11 +1,10 @@
 """``stewart-sym forces``: actuator forces along a trajectory."""
 
 import argparse
-import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from ...io.error_policy import SingularPoseWarning
+from ...io.error_policy import SingularPoseWarning, warn
 from ..inputs import robot_of, trajectory_of
 from ..options import chosen, formulation, log_options, output, positive, robot_file, valued
 from ..results import reject_inputs, results
@@ -90,7 +89,7 @@ def run(arguments: argparse.Namespace) -> int:
             progress("looking for singular poses")
             crossed = crossing_warning(robot, trajectory, between(trajectory))
             if crossed is not None:
-                warnings.warn(crossed, SingularPoseWarning, stacklevel=2)
+                warn(crossed, SingularPoseWarning)
         lines = []
         if str(arguments.output) != "-":
             lines = [digest.summary(), f"Written to {arguments.output}"]
@@ -109,7 +108,7 @@ def run(arguments: argparse.Namespace) -> int:
         data = {**digest.as_json(), "doubts": doubts}
         take(Report("\n".join(lines), tables, data, figures, views))
     for line in doubts:
-        warnings.warn(line, stacklevel=2)
+        warn(line)
     return 0
 
 

@@ -2,10 +2,10 @@
 
 import argparse
 import dataclasses
-import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING, cast
 
+from ...io.error_policy import warn
 from ...io.extras import need
 from ...io.progress import Progress
 from ..inputs import log_format, poses_of, robot_of, stated_noise
@@ -87,7 +87,7 @@ def run(arguments: argparse.Namespace) -> int:
         report, found = (_measured if arguments.measured else _simulated)(arguments, progress)
         take(report)
     for line in doubts(found):
-        warnings.warn(line, stacklevel=2)
+        warn(line)
     return 1 if found.verdict == "rejected" else 0
 
 

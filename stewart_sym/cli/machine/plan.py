@@ -2,11 +2,11 @@
 
 import argparse
 import contextlib
-import warnings
 from collections.abc import Iterator, Set
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from ...io.error_policy import warn
 from ...io.extras import need
 from ...io.progress import Progress
 from ..inputs import FEW_ROWS, warn_of_doubts
@@ -83,7 +83,7 @@ def _plan(arguments: argparse.Namespace, request: "PlanRequest") -> int:
     warn_of_doubts(robot, request.files[1])
     t, R = (np.array([getattr(pose, name) for pose in request.poses]) for name in ("t", "R"))
     if (doubt := metres_doubt(robot, leg_lengths(robot, R, t))) is not None:
-        warnings.warn(request.of_poses(f"via poses: {doubt}"), stacklevel=2)
+        warn(request.of_poses(f"via poses: {doubt}"))
     tables = ("trajectory.csv", "path.csv")
     with results(arguments, "report", *tables, read=request.files) as (take, progress):
         planned = _planned(request, progress)
@@ -100,15 +100,14 @@ def _plan(arguments: argparse.Namespace, request: "PlanRequest") -> int:
         found = plan.Plan(robot, planned, timed, certify_plan(timed), request.rate)
         take(plan.report(found))
     for line in [] if found.motors is None else found.motors.summary.exceeded(_BETWEEN):
-        warnings.warn(f"drive: {line}", DriveLimitWarning, stacklevel=2)
+        warn(f"drive: {line}", DriveLimitWarning)
     if len(found.times) < FEW_ROWS:
-        warnings.warn(
+        warn(
             f"{arguments.via}: rate: expected {FEW_ROWS} or more rows in trajectory.csv of a motion of "
-            f"{timed.duration:.4g} s, got {len(found.times)} at {request.rate:g} Hz",
-            stacklevel=2,
+            f"{timed.duration:.4g} s, got {len(found.times)} at {request.rate:g} Hz"
         )
     if not found.certificate.holds:
-        warnings.warn(f"{arguments.via}: the certificate does not hold, see the report", stacklevel=2)
+        warn(f"{arguments.via}: the certificate does not hold, see the report")
     return 0 if found.certificate.holds else 1
 
 

@@ -2,9 +2,9 @@
 
 import argparse
 import dataclasses
-import warnings
 from pathlib import Path
 
+from ...io.error_policy import warn
 from ...io.extras import need
 from ..inputs import warn_of_doubts
 from ..options import output
@@ -47,7 +47,7 @@ def run(arguments: argparse.Namespace) -> int:
     scene = read_scene(arguments.scene)
     warn_of_doubts(scene.robot, arguments.scene)
     for doubt in start_doubts(scene):
-        warnings.warn(f"{arguments.scene}: {doubt}", stacklevel=2)
+        warn(f"{arguments.scene}: {doubt}")
     if arguments.energy_drift and not isinstance(scene.law, LegSprings):
         raise ValueError("energy drift: expected a scene whose legs are springs")
     with results(arguments, "summary", "run.csv", read=scene.files) as (take, progress):
@@ -61,5 +61,5 @@ def run(arguments: argparse.Namespace) -> int:
         take(dataclasses.replace(report, views=views))
     if arguments.pictures:
         for name in {"run", *(["energy_drift"] if drifts else [])} - report.figures.keys():
-            warnings.warn(f"{name}.png: not drawn, the run ended where it began", stacklevel=2)
+            warn(f"{name}.png: not drawn, the run ended where it began")
     return 0

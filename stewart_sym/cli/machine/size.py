@@ -2,9 +2,9 @@
 
 import argparse
 import dataclasses
-import warnings
 from pathlib import Path
 
+from ...io.error_policy import warn
 from ..inputs import robot_of, trajectory_of
 from ..options import finite, formulation, log_options, output, positive, robot_file, valued
 from ..results import results
@@ -53,7 +53,7 @@ def run(arguments: argparse.Namespace) -> int:
     checked_quantiles(quantiles, "--quantile")
     if arguments.margin > _MOST_MARGIN:
         share = f"{arguments.margin:g} is a share, {100.0 * arguments.margin:g} %"
-        warnings.warn(f"--margin: {share}: expected 0.25 for 25 %", stacklevel=2)
+        warn(f"--margin: {share}: expected 0.25 for 25 %")
     robot = robot_of(arguments.robot)
     with results(arguments, "report", "needs.csv") as (take, progress):
         read = [trajectory_of(robot, path, arguments, progress) for path in arguments.trajectories]
@@ -63,12 +63,12 @@ def run(arguments: argparse.Namespace) -> int:
         take(dataclasses.replace(found, views=views(robot, names, read)))
     unknown = doubt(needs)
     if unknown is not None:
-        warnings.warn(unknown, stacklevel=2)
+        warn(unknown)
     over, unsure, short, perhaps = compared(robot, needs)
     lines = over + unsure + short + perhaps
     if lines:
         told = f"limits exceeded: {len(over)}, limits without the margin: {len(short)}"
         told += f", not decided: {len(unsure)}" if unsure else ""
         told += f", margin not decided: {len(perhaps)}" if perhaps else ""
-        warnings.warn(f"{arguments.robot}: {told}; {lines[0]}", stacklevel=2)
+        warn(f"{arguments.robot}: {told}; {lines[0]}")
     return 0

@@ -8,6 +8,7 @@ import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from ...io.error_policy import warn
 from ...io.progress import Progress
 from ..inputs import robot_of, trajectory_of
 from ..options import log_options, output, robot_file
@@ -69,7 +70,7 @@ def run(arguments: argparse.Namespace) -> int:
         said = [] if str(path) == "-" else [f"{shown.title}", f"Written to {path}"]
         take(Report("\n".join(said), data=_data(shown)))
     for _, line in shown.limits.told:
-        warnings.warn(line, stacklevel=2)
+        warn(line)
     if arguments.output is None and not _opened(path):
         print(f"No screen was found: open {path.resolve()} in a browser", file=sys.stderr)
     return 0

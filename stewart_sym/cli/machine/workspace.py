@@ -2,10 +2,10 @@
 
 import argparse
 import math
-import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from ...io.error_policy import warn
 from ..inputs import robot_of
 from ..options import chosen, finite, output, positive, robot_file, valued, whole
 from ..results import results
@@ -89,7 +89,7 @@ def run(arguments: argparse.Namespace) -> int:
         )
         if found.clear == 0.0:
             what = _broken(PoseExaminer(robot, limits), found)
-            warnings.warn(f"the pose in the middle breaks a limit, {what}", stacklevel=2)
+            warn(f"the pose in the middle breaks a limit, {what}")
         take(report(robot, limits, found, slices(robot, limits, found, progress)))
     return 0
 

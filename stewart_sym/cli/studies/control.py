@@ -1,9 +1,9 @@
 """``stewart-sym control``: controllers that differ in their model."""
 
 import argparse
-import warnings
 from pathlib import Path
 
+from ...io.error_policy import warn
 from ..inputs import robot_of
 from ..options import PAPERS, output, positive, robot_file, valued
 from ..results import results
@@ -41,5 +41,5 @@ def run(arguments: argparse.Namespace) -> int:
         take(full_report(studies))
     for study in studies.values():
         for line in study.exceeded:
-            warnings.warn(line, stacklevel=2)
+            warn(line)
     return 0

@@ -120,7 +120,6 @@ def _warn_of_varying(log: Log, name: str, scale: Array) -> None:
     log.warn(
         f"noise of {log.kind(name)[0]} is {times:.2g} times as large from {first} s to {last} s as elsewhere"
         f"{more}: smoothed and counted as it is there",
-        9,
     )
 
 
@@ -157,7 +156,7 @@ def warn_of_stated(log: Log, values: Array, steps: Array) -> None:
             )
         doubt = doubt_of_noise(known, log.time, values[:, part], steps[part], text)
         if doubt is not None:
-            log.warn(f"{statement}, but they {doubt}", 7)
+            log.warn(f"{statement}, but they {doubt}")
 
 
 def too_few(log: Log) -> bool:
@@ -174,7 +173,7 @@ def warn_of_few(log: Log, values: Array) -> None:
             "those without noise beyond rounding; where there is more, state it "
             "(--noise-position, --noise-angle; in Python Smoothing)"
         )
-        log.warn(text, 7)
+        log.warn(text)
 
 
 def doubt_of_noise(

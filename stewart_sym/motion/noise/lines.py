@@ -107,5 +107,4 @@ def tell_lines(log: Log, found: Sequence[Line]) -> None:
         f"vibration of {line.frequency:.3g} Hz, {' and '.join(parts)}{more} is left out as noise although it "
         "may be motion: deviations hold the forces that it would take; what helps: stated noise, a higher "
         "--cutoff, or rows more often",
-        8,
     )

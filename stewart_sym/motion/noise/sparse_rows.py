@@ -35,7 +35,6 @@ def end_errors(log: Log, found: Array) -> Array | None:
     log.warn(
         f"accelerations at the log's ends may be off by {' and '.join(told)}, as deviations say: rows are "
         "too far apart, or accelerations jump; what helps: more rows, more of them at rest before and after",
-        8,
     )
     return errors
 

@@ -81,5 +81,4 @@ def tell_still(log: Log, held: Flags) -> None:
     log.warn(
         f"{rows}{of} stand still at the same numbers from {start} s to {end} s, while others scatter{more}: "
         "the noise is that of the rows that move",
-        7,
     )
