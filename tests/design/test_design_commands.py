@@ -88,7 +88,7 @@ def test_a_middle_beyond_the_limits_and_metres_read_as_millimetres_are_doubted(r
     ],
 )
 def test_the_limit_that_the_middle_breaks_is_named(options: tuple, words: str, run: Run) -> None:
-    errors = run("workspace", "hanging.toml", "--poses", 500, "--no-pictures", *options).err
+    errors = run("workspace", "hanging.toml", "--poses", 100, "--no-pictures", *options).err
     assert f"the pose in the middle breaks a limit, {words}" in errors
     assert ("--position" in errors) == (words.startswith("its legs"))
 

@@ -33,7 +33,7 @@ def hasty(patch: pytest.MonkeyPatch) -> None:
     patch.setattr(study, "QUICK_ROUNDS", 1)
     patch.setattr(study, "ROUNDS", 1)
     patch.setattr(study, "MANY", 64)
-    patch.setattr(study, "SAMPLED", 4)
+    patch.setattr(study, "SAMPLED", 2)
     patch.setattr(study, "text_size", lambda *_: None)
 
 
