@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -16,6 +16,7 @@ from ..drives.verdicts import SURE
 from ..dynamics.inverse import Formulation, inverse_dynamics, need_motion
 from ..io.arguments import instance, number_in, real_array, shown
 from ..io.array_types import Array, Flags
+from ..io.error_policy import SingularPoseWarning, warn
 from ..io.frozen import Frozen, read_only
 from ..io.progress import Progress, silent
 from ..kinematics.clearance import angles_between, neutral_directions
@@ -23,6 +24,7 @@ from ..kinematics.inverse import inverse_kinematics
 from ..motion.motion import Motion
 from ..motion.trajectory import PoseLog, Trajectory
 from ..robot.robot import Robot
+from ..singularities.path_warnings import crossing_warning, row_warning
 
 QUANTILES = (0.5, 0.9, 0.99, 1.0)
 """Shares of the time by default; 1 is the peak."""
@@ -109,6 +111,8 @@ class Needs(Frozen):
     deviations : dict, optional
         Standard deviations of the fields above and of stroke by noise of logs, arrays by their names: the
         largest that errors at single instants can make, however these go together. None without noise.
+    crossings : tuple of str
+        A line about each motion that crosses a singular pose, where no force suffices.
     """
 
     margin: float
@@ -131,6 +135,7 @@ class Needs(Frozen):
     rms_torque: Array | None
     course: Course
     deviations: Mapping[str, Array] | None = None
+    crossings: tuple[str, ...] = ()
 
     @property
     def stroke(self) -> Array:
@@ -147,6 +152,8 @@ def size(
     progress: Progress = silent,
 ) -> Needs:
     """Return what motions and their loads need of every actuator and joint.
+
+    Warns of motions that cross singular poses: logs between their rows too, others by the signs of det H.
 
     Parameters
     ----------
@@ -182,8 +189,20 @@ def size(
     for number, each in enumerate(given):
         progress("computing forces", number / len(given))
         courses.append(_course(robot, each.time, each.motion, formulation))
-    course = _joined(robot, courses, given, formulation)
-    return _needs(course, margin, shares)
+    found = _needs(_joined(robot, courses, given, formulation), margin, shares)
+    lines = [_crossing(robot, each, number) for number, each in enumerate(given)]
+    crossed = tuple(line for line in lines if line is not None)
+    for line in crossed:
+        warn(line, SingularPoseWarning)
+    return replace(found, crossings=crossed)
+
+
+def _crossing(robot: Robot, given: _Given, number: int) -> str | None:
+    """One line about a singular pose that a motion crosses; rates of arrays may be those of other poses."""
+    if given.log is not None:
+        return crossing_warning(robot, given.log)
+    rows = range(len(given.time))
+    return row_warning(robot, Trajectory(given.time, given.motion, f"motions[{number}]", rows))
 
 
 def checked_quantiles(quantiles: Sequence[float], where: str = "quantiles") -> Array:

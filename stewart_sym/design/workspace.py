@@ -65,8 +65,8 @@ class Workspace(Frozen):
         The pose in the middle: t, m, (3,), and roll, pitch and yaw, rad, (3,).
     clear : float
         From the pose in the middle to the nearest examined one that breaks a limit, m, or rad for rotations:
-        a nearer one may have been missed, more poses come closer. 0 where itself does, nan of the total
-        workspace.
+        a nearer one may have been missed, more poses come closer. 0 where itself does, inf where none was
+        found, nan of the total workspace.
     reasons : dict
         Share of the examined poses by the first limit that each breaks, of ``REASONS``.
     poses : int
@@ -153,7 +153,7 @@ def workspace(
     found = cells.total(tallies, len(search), len(REASONS))
     if not found.codes[0]:
         warn("workspace: no pose within the limits was found", WorkspaceWarning)
-    return examined.workspace(grid, found)
+    return examined.workspace(grid, found, box is None)
 
 
 def middle(robot: Robot, position: ArrayLike | None, angles: ArrayLike) -> tuple[Array, Array]:
@@ -253,12 +253,14 @@ class Region(Frozen):
         shift = turn * 0.0 if self.kind == "orientation" else np.linalg.norm(half[:, :3], axis=-1)
         return self.examiner.surely_broken(*self.poses(middle), shift, turn)
 
-    def workspace(self, grid: Cells, found: Tally) -> Workspace:
-        """What was found in words of the user."""
+    def workspace(self, grid: Cells, found: Tally, within_reach: bool) -> Workspace:
+        """What was found in words of the user; within_reach: whether no leg reaches beyond the grid."""
         size, error = cells.volume(grid, found)
         examined = max(1, int(found.codes.sum()))
         own = self.examiner.broken_limits(self.rotation[None], self.position[None])[0]
-        clear = 0.0 if own else min(found.nearest, self._to_faces(grid.box))
+        clear = 0.0 if own else found.nearest
+        if within_reach and self.kind == "constant":
+            clear = min(clear, float(np.min(np.abs(grid.box - self.position[:, None]))))
         return Workspace(
             kind=self.kind,
             volume=size,
@@ -274,12 +276,6 @@ class Region(Frozen):
             },
             poses=examined,
         )
-
-    def _to_faces(self, box: Array) -> float:
-        """From the pose in the middle to the end of what was examined."""
-        if self.kind != "constant":
-            return math.pi
-        return float(np.min(np.abs(box - self.position[:, None])))
 
     def _as_angles(self, box: Array) -> Array:
         """Coordinates (d, 2) with the pitch in place of its sine."""

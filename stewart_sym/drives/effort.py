@@ -11,10 +11,11 @@ from numpy.typing import ArrayLike, NDArray
 from ..dynamics.inverse import Backend, Formulation, inverse_dynamics
 from ..io.arguments import finite_array, instance, real_array
 from ..io.array_types import Array, Flags
-from ..io.error_policy import warn
+from ..io.error_policy import SingularPoseWarning, warn
 from ..io.frozen import Frozen, read_only
 from ..io.instants import least_step, time_text
 from ..kinematics.inverse import inverse_kinematics
+from ..kinematics.log_doubts import side_change
 from ..motion.motion import Motion
 from ..motion.trajectory import PoseLog, Trajectory
 from ..robot.drive import Drive
@@ -89,7 +90,9 @@ def drive_effort(
     formulation: Formulation = "exact",
     backend: Backend = "c",
 ) -> DriveEffort:
-    """Torque, speed, current, power and energy of the motors along a motion; warns of limits exceeded.
+    """Torque, speed, current, power and energy of the motors along a motion.
+
+    Warns of limits exceeded, and of a singular pose between two instants, where no torque suffices.
 
     With N its turn per length the motor's torque is (F + friction) / N. F turns the rotor too; what is left
     of it passes through the screw, where efficiency and friction act.
@@ -142,6 +145,11 @@ def drive_effort(
     lines = tuple(summary.exceeded())
     for line in lines:
         warn(line, DriveLimitWarning)
+    at = None if when is None else side_change(robot, motion)
+    if at is not None:
+        between = " and ".join(time_text(time, least_step(when)) for time in when[at : at + 2])
+        text = f"motion: crosses a singular pose between {between} s, where det H changes its sign"
+        warn(f"{text}: torques grow without bound", SingularPoseWarning)
     return DriveEffort(
         **found._asdict(),
         rms_torque=summary.rms_torque,

@@ -8,6 +8,7 @@ from ..motion.motion import Motion
 from ..motion.rotation import rotation_about_axes
 from ..motion.text.unit_row import LENGTH_UNITS
 from ..motion.trajectory import MOST_TURNS, JointTrajectory, PoseLog, angle_range
+from ..robot.offset_chains import columns_of_H, joint_motion
 from ..robot.robot import Robot
 from .mounting import platform_side
 from .offset_legs import leg_lengths
@@ -115,6 +116,18 @@ def impossible(robot: Robot, t: Array, R: Array, tool: Array) -> str | None:
         return "legs beyond length_limits"
     turned = np.linalg.det(jacobian(robot, R, t))
     return "through a singular pose" if np.ptp(np.sign(turned)) > 0.0 else None
+
+
+def side_change(robot: Robot, motion: Motion) -> int | None:
+    """The first of poses (n,) after which det H changes its sign: between it and the next one is singular."""
+    with np.errstate(invalid="ignore"):
+        if robot.offsets is None:
+            H = jacobian(robot, motion.R, motion.t)
+        else:
+            H = columns_of_H(robot, joint_motion(robot, motion).G)
+        sign = np.sign(np.linalg.det(H))
+    changes = np.flatnonzero(sign[1:] * sign[:-1] < 0.0)
+    return int(changes[0]) if changes.size else None
 
 
 def side_doubt(robot: Robot, motion: Motion) -> str | None:

@@ -325,3 +325,28 @@ def verdicts_of_size(robot: ss.Robot, needs: ss.Needs) -> dict[tuple[str, int], 
         limit, _, leg = name.partition(" of leg ")
         found[limit, int(leg) - 1] = verdict
     return found
+
+
+@pytest.mark.parametrize("in_log", [False, True])
+def test_no_limit_suffices_for_a_motion_through_a_singular_pose(in_log: bool) -> None:
+    path = ss.PATHS["III"].path
+    time = path.times(0.3)
+    motion, rows = path.sample(time), range(2, len(time) + 2)
+    given: Any = Trajectory(time, motion, "III", rows) if in_log else (time, motion)
+    strong = dataclasses.replace(ss.robots.dasgupta1998(), force_limit=1e9, drive=ss.Drive(lead=0.005))
+    where = "at 3.67" if in_log else "between rows 12 and 13, where det H changes its sign"
+    with pytest.warns(ss.SingularPoseWarning, match=f"the path crosses a singular pose {where}"):
+        needs = ss.size(strong, [given])
+    written = report(strong, ["III"], needs)
+    assert written.data["crossings"] == list(needs.crossings)
+    assert needs.crossings[0] in written.text
+    assert "suffices" not in written.text
+    with pytest.warns(ss.SingularPoseWarning, match="between 3.6 and 3.9 s, where det H changes its sign"):
+        ss.drive_effort(strong, motion, time)
+
+
+def test_a_robot_without_limits_is_told_of_none() -> None:
+    time = np.linspace(0.0, 1.0, 5)
+    robot, motion = ss.robots.dasgupta1998(), ss.PATHS["I"].path.sample(time)
+    text = report(robot, ["I"], ss.size(robot, [(time, motion)])).text
+    assert text.endswith("The robot file states no limit.")

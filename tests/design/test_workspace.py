@@ -6,6 +6,7 @@ import math
 import numpy as np
 import pytest
 from command_line import error_of
+from exported_models import HEXAPOD
 from machines import (
     dasgupta,
     home_position,
@@ -24,6 +25,7 @@ from stewart_sym.design import cells, jobs
 from stewart_sym.design.capability import WHAT
 from stewart_sym.design.pose_limits import REASONS, PoseExaminer
 from stewart_sym.design.workspace import WHOLE_TURN, Kind
+from stewart_sym.dynamics.home_pose import home_pose
 from stewart_sym.kinematics.clearance import PAIRS, distances_of, nearest_shares
 from stewart_sym.kinematics.mounting import upright
 from stewart_sym.motion.motion import at_rest
@@ -229,6 +231,16 @@ def test_where_nothing_is_in_reach_that_is_said() -> None:
         made = ss.workspace(robot, box=100.0 * np.array(far), poses=1000)
     assert (made.volume, made.error, made.clear) == (0.0, 0.0, made.clear)
     assert np.isnan(made.extent).all()
+
+
+@pytest.mark.parametrize(("reach", "clear"), [((-0.02, 0.02), np.inf), ((0.0, 0.3), 0.2)])
+def test_of_a_box_only_poses_that_break_a_limit_bound_what_is_clear(
+    reach: tuple[float, float], clear: float
+) -> None:
+    """Whether the pose in the middle is at its corner or far from its faces."""
+    robot = ss.Robot.from_toml(HEXAPOD)
+    box = home_pose(robot).t[:, None] + np.array(reach)
+    assert ss.workspace(robot, box=box, poses=20_000).clear == pytest.approx(clear, rel=0.05)
 
 
 def test_distances_of_legs_are_the_least_of_their_points() -> None:

@@ -54,11 +54,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     from ...drives.leg_limits import replaced_rows
     from ...io.writing import result_file
-    from ...motion.interpolation import between
     from ...motion.log_rates import noise_text
+    from ...singularities.path_warnings import crossing_warning
     from ...studies.common.output import csv_lines
     from ...studies.common.report import Picture, Report, draw
-    from ...studies.reports.singularities import crossing_warning
     from ...studies.reports.track import Digest, header_lines, in_parts
     from ...viewer.instants import of_trajectory
     from ...viewer.view import View
@@ -85,11 +84,10 @@ def run(arguments: argparse.Namespace) -> int:
             stream.writelines(csv_lines(part.columns, header=part.where.start == 0))
             digest.add(part)
             progress(f"computing {count} instants", min(1.0, part.where.stop / count))
-        if len(trajectory.time) > 1:
-            progress("looking for singular poses")
-            crossed = crossing_warning(robot, trajectory, between(trajectory))
-            if crossed is not None:
-                warn(crossed, SingularPoseWarning)
+        progress("looking for singular poses")
+        crossed = crossing_warning(robot, trajectory)
+        if crossed is not None:
+            warn(crossed, SingularPoseWarning)
         lines = []
         if str(arguments.output) != "-":
             lines = [digest.summary(), f"Written to {arguments.output}"]

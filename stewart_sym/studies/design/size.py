@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from ...design.limits import Compared, compared
+from ...design.limits import Compared, compared, states_limits
 from ...design.size import Needs
 from ...drives.verdicts import shows, spread_text, unknown_forces
 from ...io.array_types import Array
@@ -131,11 +131,14 @@ def _text(robot: Robot, sources: Sequence[str], needs: Needs) -> str:
     if unknown is not None:
         lines.append(f"{unknown[0].upper()}{unknown[1:]}.")
     found = compared(robot, needs)
-    told = [f"Exceeded: {line}" for line in found.exceeded]
+    told = [*needs.crossings, *(f"Exceeded: {line}" for line in found.exceeded)]
     told += [f"{line[0].upper()}{line[1:]}" for line in found.not_decided]
     told += [f"Margin missing: {line}" for line in found.margin_missing]
     told += [f"{line[0].upper()}{line[1:]}" for line in found.margin_not_decided]
-    return "\n".join([*lines, *(told or ["Every limit of the robot file suffices."])])
+    if not told:
+        stated = states_limits(robot, needs)
+        told = ["Every limit of the robot file suffices." if stated else "The robot file states no limit."]
+    return "\n".join([*lines, *told])
 
 
 def _data(robot: Robot, sources: Sequence[str], needs: Needs) -> dict[str, Any]:
@@ -149,6 +152,7 @@ def _data(robot: Robot, sources: Sequence[str], needs: Needs) -> dict[str, Any]:
         **kept,
         "exceeded": found.exceeded,
         "margin_missing": found.margin_missing,
+        "crossings": list(needs.crossings),
         **_data_of_noise(found, needs),
         "units": {name: _UNITS[name] for name in kept},
     }

@@ -132,10 +132,9 @@ def _text(robot: Robot, limits: PoseLimits, found: Workspace) -> str:
         f"volume     {found.volume:.6g} +- {found.error:.1g} {found.unit}, of {found.poses:,} poses",
     ]
     if found.kind != "total":
-        lines.append(
-            f"clear      at most {found.clear:.4g} {_clear_unit(found)} from the pose in the middle, to the "
-            "nearest that was found beyond a limit"
-        )
+        clear = f"at most {found.clear:.4g} {_clear_unit(found)} from the pose in the middle, to the nearest"
+        clear = f"{clear} that" if np.isfinite(found.clear) else "no pose"
+        lines.append(f"clear      {clear} was found beyond a limit")
     rows = [
         (name, f"{low:.4g}", f"{high:.4g}", f"{least:.4g}", f"{most:.4g}")
         for name, (low, high), (least, most) in zip(_names(found), found.extent, found.box, strict=True)

@@ -1,6 +1,6 @@
 """What ``singularities`` writes of a path: where it crosses singular poses and what is lost there."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -13,18 +13,16 @@ from ...kinematics.conditioning import characteristic_length, moments_over
 from ...kinematics.inverse import ROUNDING, leg_vectors, wrench_matrix
 from ...kinematics.pose_search import jacobian
 from ...motion.interpolation import Path
-from ...motion.trajectory import PoseLog, Trajectory
 from ...results import OK
-from ...robot.offset_chains import columns_of_H, joint_motion
 from ...robot.robot import LEGS, Robot
 from ...singularities.along_path import (
     Crossing,
     LegExtreme,
     PathSingularities,
-    crossings,
     force_residue,
     singularities_along,
 )
+from ...singularities.path_warnings import sign_text, triple_text, twist_text
 from ...singularities.singular_poses import Singularity
 from ..common.output import Columns, aligned, of_axes, of_legs
 from ..common.report import Picture, Report
@@ -77,41 +75,6 @@ def examine(
     along = singularities_along(robot, path, times)
     sides = tuple(_sides(robot, path, along, found, formulation) for found in along.crossings)
     return Examination(robot, name, path, formulation, along, sides)
-
-
-def crossing_warning(robot: Robot, trajectory: Trajectory | PoseLog, path: Path) -> str | None:
-    """One line about the singular poses that a trajectory crosses; None if it crosses none."""
-    if robot.offsets is not None:
-        return _crossing_between_rows(robot, trajectory, path)
-    found = crossings(robot, path, trajectory.time)
-    if not found:
-        return None
-    first = found[0]
-    after = int(np.searchsorted(trajectory.time, first.time, side="right"))
-    rows = [trajectory.rows[min(max(i, 0), len(trajectory.rows) - 1)] for i in (after - 1, after)]
-    others = ", ".join(f"{other.time:.9f}" for other in found[1:4])
-    more = f"; {len(found) - 1} more, at {others}{' ...' if len(found) > 4 else ''} s" if others else ""
-    return (
-        f"{trajectory.source}: the path crosses a singular pose at {first.time:.9f} s, between rows "
-        f"{rows[0]} and {rows[1]}: det H goes from {_sign(first.before)} to {_sign(first.after)}, scaled "
-        f"condition number {float(first.at.condition):.3g}, leg forces grow without bound; unconstrained "
-        f"twist {twist_text(first.at)}{more}"
-    )
-
-
-def _crossing_between_rows(robot: Robot, trajectory: Trajectory | PoseLog, path: Path) -> str | None:
-    """The same with offset joints, from the signs of det H at the rows."""
-    with np.errstate(invalid="ignore"):
-        H = columns_of_H(robot, joint_motion(robot, path(trajectory.time)).G)
-        sign = np.sign(np.linalg.det(H))
-    changes = np.flatnonzero(sign[1:] * sign[:-1] < 0.0)
-    if not changes.size:
-        return None
-    i = int(changes[0])
-    return (
-        f"{trajectory.source}: the path crosses a singular pose between rows {trajectory.rows[i]} and "
-        f"{trajectory.rows[i + 1]}, where det H changes its sign: leg forces grow without bound"
-    )
 
 
 def report(found: Examination) -> str:
@@ -258,11 +221,6 @@ def curves(found: Examination) -> Columns:
     return columns
 
 
-def twist_text(at: Singularity) -> str:
-    """The unconstrained twist in words: [v; omega]."""
-    return f"v = {_triple(at.twist[:3])} m/s, omega = {_triple(at.twist[3:])} rad/s"
-
-
 def _sides(
     robot: Robot, path: Path, along: PathSingularities, crossing: Crossing, formulation: Formulation
 ) -> Sides:
@@ -280,7 +238,7 @@ def _crossing_lines(found: Examination, crossing: Crossing, sides: Sides) -> lis
     robot, leg = found.robot, sides.leg
     rates = wrench_matrix(robot, found.path(np.array([crossing.time])))[0].T @ crossing.at.twist
     lines = [
-        f"  det H          {_sign(crossing.before)} before, {_sign(crossing.after)} after",
+        f"  det H          {sign_text(crossing.before)} before, {sign_text(crossing.after)} after",
         *_pose_lines(crossing.at),
         f"  leg rates      at most {np.max(np.abs(rates)):.1e} m/s under this motion",
     ]
@@ -303,18 +261,18 @@ def _crossing_lines(found: Examination, crossing: Crossing, sides: Sides) -> lis
 
 
 def _pose_lines(at: Singularity) -> list[str]:
-    pitch, axis = float(at.pitch), _triple(at.axis)
+    pitch, axis = float(at.pitch), triple_text(at.axis)
     motion, wrench, idle = ("unconstrained", "lost wrench", "idle forces") if at.lost else NEAREST
     screw = f"translation along {axis}"
     if np.isfinite(pitch):
-        screw = f"turn about {axis} through {_triple(at.point)} m, pitch {pitch:.6g} m/rad"
+        screw = f"turn about {axis} through {triple_text(at.point)} m, pitch {pitch:.6g} m/rad"
     lines = [
         f"  condition      {float(at.condition):.6g} with moments divided by {at.length:.6g} m, smallest "
         f"singular value {float(at.smallest):.3g}",
         f"  {motion:<14} {twist_text(at)}",
         f"  as a screw     {screw}",
-        f"  {wrench:<14} force {_triple(at.wrench[:3])} N, moment {_triple(at.wrench[3:])} N m",
-        f"  {idle:<14} {_triple(at.forces)} N",
+        f"  {wrench:<14} force {triple_text(at.wrench[:3])} N, moment {triple_text(at.wrench[3:])} N m",
+        f"  {idle:<14} {triple_text(at.forces)} N",
     ]
     if int(at.lost) > 1:
         lines.append(f"  degrees of freedom lost  {int(at.lost)}; the twist is one of them")
@@ -348,14 +306,6 @@ def _near(time: float, at: Singularity) -> str:
         f"{time:.9f} s: smallest singular value {float(at.smallest):.6g}, "
         f"scaled condition number {float(at.condition):.6g}"
     )
-
-
-def _sign(side: int) -> str:
-    return "-" if side < 0 else "+"
-
-
-def _triple(values: Sequence[float] | Array) -> str:
-    return "(" + ", ".join(f"{round(float(value), 6) + 0.0:.6f}" for value in values) + ")"
 
 
 def _stacked(vectors: list[Array]) -> Array:

@@ -1,0 +1,60 @@
+"""Warnings that a log's path crosses singular poses, between its rows too, where forces have no bound."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from ..io.array_types import Array
+from ..kinematics.log_doubts import side_change
+from ..motion.interpolation import between
+from ..motion.trajectory import PoseLog, Trajectory
+from ..robot.robot import Robot
+from .along_path import crossings
+from .singular_poses import Singularity
+
+
+def crossing_warning(robot: Robot, log: Trajectory | PoseLog) -> str | None:
+    """One line about the singular poses that a log's path crosses; None if it crosses none."""
+    if robot.offsets is not None:
+        return row_warning(robot, log)
+    found = crossings(robot, between(log), log.time) if len(log.time) > 1 else ()
+    if not found:
+        return None
+    first = found[0]
+    after = int(np.searchsorted(log.time, first.time, side="right"))
+    rows = [log.rows[min(max(i, 0), len(log.rows) - 1)] for i in (after - 1, after)]
+    others = ", ".join(f"{other.time:.9f}" for other in found[1:4])
+    more = f"; {len(found) - 1} more, at {others}{' ...' if len(found) > 4 else ''} s" if others else ""
+    return (
+        f"{log.source}: the path crosses a singular pose at {first.time:.9f} s, between rows "
+        f"{rows[0]} and {rows[1]}: det H goes from {sign_text(first.before)} to {sign_text(first.after)}, "
+        f"scaled condition number {float(first.at.condition):.3g}, leg forces grow without bound; "
+        f"unconstrained twist {twist_text(first.at)}{more}"
+    )
+
+
+def row_warning(robot: Robot, log: Trajectory | PoseLog) -> str | None:
+    """The same by the signs of det H at the rows: with offset joints, or where rates are others'."""
+    i = side_change(robot, log.motion)
+    if i is None:
+        return None
+    rows = f"rows {log.rows[i]} and {log.rows[i + 1]}"
+    return (
+        f"{log.source}: the path crosses a singular pose between {rows}, where det H changes its sign: "
+        "leg forces grow without bound"
+    )
+
+
+def twist_text(at: Singularity) -> str:
+    """The unconstrained twist in words: [v; omega]."""
+    return f"v = {triple_text(at.twist[:3])} m/s, omega = {triple_text(at.twist[3:])} rad/s"
+
+
+def sign_text(side: int) -> str:
+    """The sign of det H."""
+    return "-" if side < 0 else "+"
+
+
+def triple_text(values: Sequence[float] | Array) -> str:
+    """Numbers with six decimals, none of them -0."""
+    return "(" + ", ".join(f"{round(float(value), 6) + 0.0:.6f}" for value in values) + ")"
