@@ -11,6 +11,8 @@ from .level_poses import Doubt, Home
 
 SLOW = 0.3
 """Of a leg's speed limit: a motor chosen for its leg drives it faster than this."""
+MOST_MOTOR_SPEED = 3200.0
+"""rad/s, 30,000 revolutions a minute."""
 LONGEST_STROKE = 1e3
 """s in which a leg goes through its stroke at its speed limit: m/s for mm/s makes it 1000 times as long."""
 LEAST_ANGLE, LEAST_SHARE = 0.5 * np.pi * np.pi / 180.0, 0.25
@@ -105,18 +107,27 @@ def of_stroke(robot: Robot) -> Iterator[Doubt]:
 
 
 def of_speeds(robot: Robot) -> Iterator[Doubt]:
-    """Motors whose speed limits leave the legs a small share of their own."""
+    """Motors whose speed limits leave the legs a small share of their own, or are those of no motor."""
     if robot.drive is None:
         return
-    speed = robot.drive.speed_limit / np.abs(robot.drive.turns)
-    slow = np.flatnonzero((speed < SLOW * robot.speed_limit) & np.isfinite(robot.speed_limit)).tolist()
-    if slow:
-        i = slow[0]
+    limit = robot.drive.speed_limit
+    fast = np.flatnonzero((limit > MOST_MOTOR_SPEED) & np.isfinite(limit)).tolist()
+    if fast:
+        most = float(limit[fast].max())
         yield Doubt(
             "drive-speed",
-            f"speed_limit of the drives of {legs_text(slow)}: {speed[i]:.4g} m/s of the leg, whose "
-            f"speed_limit is {robot.speed_limit[i]:.4g} m/s; likely cause: revolutions a minute given, "
-            "expected angle_unit a second, or a gear counted twice",
+            f"speed_limit of the drives of {legs_text(fast)}: {most:.4g} rad/s, {most * 30.0 / np.pi:.4g} "
+            "revolutions a minute; likely cause: revolutions a minute given, expected angle_unit a second",
+        )
+    speed = limit / np.abs(robot.drive.turns)
+    slow = np.flatnonzero((speed < SLOW * robot.speed_limit) & np.isfinite(robot.speed_limit)).tolist()
+    if slow:
+        i = min(slow, key=lambda leg: float(speed[leg] / robot.speed_limit[leg]))
+        yield Doubt(
+            "drive-speed",
+            f"speed_limit of the drives of {legs_text(slow)}: {speed[i]:.4g} m/s of leg {i + 1}, whose "
+            f"speed_limit is {robot.speed_limit[i]:.4g} m/s; likely cause: revolutions given, expected "
+            "angle_unit a second, or a gear counted twice",
         )
 
 

@@ -63,11 +63,15 @@ MOST_OVERLAP = 1.25
 have 1 when the leg is shortest."""
 
 
+_OF_SPEED = ("drive-speed", "torque-constant")
+"""Doubts that explain none about a machine at rest."""
+
+
 def doubts(robot: Robot) -> list[Doubt]:
     """Doubts about a robot but those that it accepts; impossible inertias are not among them.
 
     A doubt that explains others stands for them: where a unit is wrong or all poses are singular, nothing is
-    said of poses.
+    said of poses. Limits of motors' speeds explain none.
     """
     with np.errstate(all="ignore"), warnings.catch_warnings():
         # On which side of the base the platform is decides no doubt.
@@ -88,14 +92,15 @@ def _found(robot: Robot) -> list[Doubt]:
         return left([Doubt("length-unit", text)])
     reach = float(max(np.abs(robot.b).max(), np.abs(robot.p).max()))
     collapsed = min(base, platform) <= max(_SAME**2 * max(base, platform), _ROUNDING * reach)
-    found = [] if collapsed else left(_of_numbers(robot))
+    of_numbers = [] if collapsed else left(_of_numbers(robot))
+    found = [doubt for doubt in of_numbers if doubt.name not in _OF_SPEED]
     if not found:
         found = left(_of_geometry(robot)) or left(of_coincidence(robot))
     if not found:
         t = level_home(robot)
         found = left(of_place(robot)) or left(of_order(robot, t)) or left(of_limits(robot))
         found = (found or left(_of_home(robot, home_of(robot, t)))) + left(of_tool(robot))
-    return found
+    return of_numbers + [doubt for doubt in found if doubt not in of_numbers]
 
 
 # Single numbers

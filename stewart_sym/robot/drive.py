@@ -264,7 +264,9 @@ def _lead(given: Mapping[str, Any], where: Callable[[str], str], metres: Callabl
         return _ONE_TURN * float(metres(tables.positive(given["radius"], where("radius"))))
     if "lead" not in given:
         raise ValueError(f"{where('lead')}: missing, and radius as well")
-    return float(metres(NUMBERS["lead"].check(given["lead"], where("lead"))))
+    check = NUMBERS["lead"].check
+    # What is next to nothing in millimetres is nothing in metres.
+    return float(check(metres(check(given["lead"], where("lead"))), where("lead")))
 
 
 def drive_tables(drive: Drive) -> list[dict[str, float]]:

@@ -116,6 +116,7 @@ BAD = {
     # what is written, and the message without the file: key, what was expected, line
     "[legs.drive]\nefficiency = 0.9\n": ("legs.drive.lead: missing, and radius as well (at line 18)"),
     "[legs.drive]\nlead = 0\n": "legs.drive.lead: expected a number other than 0, got 0 (at line 19)",
+    "[legs.drive]\nlead = 5e-324\n": "legs.drive.lead: expected a number other than 0, got 0 (at line 19)",
     "[legs.drive]\nlead = '5'\n": "legs.drive.lead: expected a finite number, got '5' (at line 19)",
     "[legs.drive]\nlead = 5\nradius = 9\n": (
         "legs.drive.radius: expected lead or radius, got both (at line 20)"

@@ -14,6 +14,7 @@ from plausible_machines import (
     ABSURD,
     BASE,
     PLATFORM,
+    driven,
     machine_of,
     published,
     ring,
@@ -261,6 +262,11 @@ def test_every_name_that_a_file_may_accept_is_one_of_an_absurd_machine() -> None
     on_loading = {"platform-inertia", "lower-inertia", "upper-inertia", "density"}
     named = {name for _, name, _ in ABSURD.values()}
     assert set(DOUBTS) - on_loading - named == {"condition"}
+
+
+def test_motors_too_slow_and_too_weak_are_said_to_be_both() -> None:
+    robot = driven(0.4, speed_limit=np.radians(5000.0), torque_limit=1e-4)(sound())
+    assert [doubt.name for doubt in doubts(robot)] == ["drive-speed", "drive-limit"]
 
 
 def test_motors_that_friction_or_a_self_locking_screw_relieves_are_not_said_to_be_weak() -> None:

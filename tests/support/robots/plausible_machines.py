@@ -359,10 +359,11 @@ BY_DOUBT: dict[str, dict[str, tuple[Change, str]]] = {
     "force-limit": {"force limit in kN": (times(1e-3, "force_limit"), "force_limit in kN")},
     "drive-limit": {"motors without their gear": (driven(torque_limit=1e-4), "motors too weak")},
     "drive-speed": {
-        "motors' speed in revolutions a minute": (
+        "motors' speed in revolutions a minute": (driven(speed_limit=5000.0), "revolutions a minute given"),
+        "motors' speed in revolutions a minute among degrees": (
             driven(0.4, speed_limit=np.radians(5000.0)),
-            "revolutions a minute",
-        )
+            "revolutions given",
+        ),
     },
     "torque-constant": {
         "torque constant in mN m/A": (
