@@ -1,6 +1,5 @@
 """Figures of the paper's machine in cost and accuracy, a scene in a folder, and what a short bench needs."""
 
-import dataclasses
 from pathlib import Path
 
 import numpy as np
@@ -12,8 +11,9 @@ from robot_files import scene_of
 from small_bench import poses_of, shorten
 
 from stewart_sym.studies.accuracy.budget import papers_motions
-from stewart_sym.studies.accuracy.cost import CostAccuracy, cost
+from stewart_sym.studies.accuracy.cost import cost
 from stewart_sym.studies.benchmark.poses import Poses
+from stewart_sym.studies.common.output import Figures
 
 
 @pytest.fixture
@@ -23,7 +23,7 @@ def scene(tmp_path: Path) -> Path:
 
 
 @pytest.fixture(scope="session")
-def found() -> CostAccuracy:
+def found() -> Figures:
     """Figures of the paper's machine on all paths, and of other implementations."""
     with pytest.MonkeyPatch.context() as patch:
         hasty(patch)
@@ -31,10 +31,10 @@ def found() -> CostAccuracy:
 
 
 @pytest.fixture
-def on_path_i(found: CostAccuracy) -> CostAccuracy:
+def on_path_i(found: Figures) -> Figures:
     """The same on Path I alone."""
-    entries = tuple(dataclasses.replace(entry, errors={"I": entry.errors["I"]}) for entry in found.entries)
-    return dataclasses.replace(found, peaks={"I": found.peaks["I"]}, poses={"I": 61}, entries=entries)
+    entries = [entry | {"errors": {"I": entry["errors"]["I"]}} for entry in found["candidates"]]
+    return found | {"motions": {"I": found["motions"]["I"]}, "candidates": entries}
 
 
 @pytest.fixture

@@ -27,8 +27,8 @@ from stewart_sym.reference import newton_euler
 from stewart_sym.robot.robot import Robot
 from stewart_sym.studies.accuracy import cost as study
 from stewart_sym.studies.accuracy.budget import MARGIN, papers_motions, read_budget
-from stewart_sym.studies.accuracy.cost import Candidate, CostAccuracy, cost
-from stewart_sym.studies.common.output import csv_lines
+from stewart_sym.studies.accuracy.cost import Candidate, cost, entry_of, worst
+from stewart_sym.studies.common.output import Figures, csv_lines
 
 pytestmark = pytest.mark.usefixtures("quickly")
 
@@ -170,8 +170,9 @@ def test_deviations_keep_digits_that_double_has_not() -> None:
 # the figures
 
 
-def test_every_candidate_is_there_once_and_the_cheapest_comes_first(found: CostAccuracy) -> None:
-    names = [vars(entry.candidate) for entry in found.entries]
+def test_every_candidate_is_there_once_and_the_cheapest_comes_first(found: Figures) -> None:
+    kernel = ("formulation", "fidelity", "precision")
+    names = [{name: entry[name] for name in kernel} for entry in found["candidates"]]
     expected = [
         {"formulation": formulation, "fidelity": level, "precision": precision}
         for formulation, levels in (("exact", TABLE), ("paper", ["general"]))
@@ -179,7 +180,7 @@ def test_every_candidate_is_there_once_and_the_cheapest_comes_first(found: CostA
         for precision in ("double", "float")
     ]
     assert sorted(map(str, names)) == sorted(map(str, expected))
-    cost = [(entry.operations, entry.candidate.precision == "double") for entry in found.entries]
+    cost = [(entry["operations"], entry["precision"] == "double") for entry in found["candidates"]]
     assert cost == sorted(cost)
 
 
@@ -202,57 +203,61 @@ def model_errors(robot: Robot, motion: Motion) -> dict[str, tuple[float, float]]
 
 
 @pytest.mark.parametrize("path", ["I", "II", "III"])
-def test_model_errors_are_those_of_the_reference(found: CostAccuracy, path: str) -> None:
+def test_model_errors_are_those_of_the_reference(found: Figures, path: str) -> None:
     for name, expected in model_errors(dasgupta(), papers_motions()[path]).items():
         of = ("paper", "general") if name == "paper" else ("exact", name)
         for precision in ("double", "float"):
-            errors = found.entry(*of, precision).errors[path]
-            assert (errors.model, errors.model_rms) == pytest.approx(expected, rel=1e-6)
+            errors = entry_of(found, *of, precision)["errors"][path]
+            assert (errors["model"], errors["model_rms"]) == pytest.approx(expected, rel=1e-6)
 
 
-def test_exact_general_has_no_model_error_and_others_are_off(found: CostAccuracy) -> None:
-    for entry in found.entries:
-        right = (entry.candidate.formulation, entry.candidate.fidelity) == ("exact", "general")
-        assert (entry.model == 0.0) == right
-        assert (entry.model_rms == 0.0) == right
+def test_exact_general_has_no_model_error_and_others_are_off(found: Figures) -> None:
+    for entry in found["candidates"]:
+        right = (entry["formulation"], entry["fidelity"]) == ("exact", "general")
+        assert (worst(entry, "model") == 0.0) == right
+        assert (worst(entry, "model_rms") == 0.0) == right
 
 
-def test_rounding_errors_are_those_beside_50_digits(found: CostAccuracy) -> None:
+def peak_of(found: Figures, path: str) -> float:
+    return float(found["motions"][path]["peak_force_N"])
+
+
+def test_rounding_errors_are_those_beside_50_digits(found: Figures) -> None:
     robot, motions = dasgupta(), papers_motions()
     for name in ("general", "slender", "massless_static"):
         for precision, epsilon in (("double", EPSILON), ("float", np.finfo(np.float32).eps)):
-            errors = found.entry("exact", name, precision).errors["I"]
+            errors, peak = entry_of(found, "exact", name, precision)["errors"]["I"], peak_of(found, "I")
             F = ss.prepare(robot, "exact", precision, name).forces(motions["I"][:3])  # type: ignore[arg-type]
             off = np.abs(Truth(robot, "exact", name).deviation(F, motions["I"][:3])).max()
             # Three poses of those that were sampled or are like them.
-            assert 0.2 * off <= errors.rounding * found.peaks["I"] <= 100 * epsilon * found.peaks["I"]
+            assert 0.2 * off <= errors["rounding"] * peak <= 100 * epsilon * peak
 
 
-def test_rounding_in_float_is_the_worst_of_all_poses(found: CostAccuracy) -> None:
+def test_rounding_in_float_is_the_worst_of_all_poses(found: Figures) -> None:
     robot, motions = dasgupta(), papers_motions()
     for path, motion in motions.items():
         one, other = (ss.prepare(robot, "exact", p).forces(motion) for p in ("float", "double"))  # type: ignore[arg-type]
-        worst = np.abs(one - other).max() / found.peaks[path]
-        errors = found.entry("exact", "general", "float").errors[path]
-        assert errors.rounding == pytest.approx(worst, rel=1e-6)
+        largest = np.abs(one - other).max() / peak_of(found, path)
+        errors = entry_of(found, "exact", "general", "float")["errors"][path]
+        assert errors["rounding"] == pytest.approx(largest, rel=1e-6)
 
 
-def test_peaks_are_the_largest_forces(found: CostAccuracy) -> None:
+def test_peaks_are_the_largest_forces(found: Figures) -> None:
     for name, motion in papers_motions().items():
         F = newton_euler.inverse_dynamics(dasgupta(), motion).F
-        assert found.peaks[name] == pytest.approx(np.abs(F).max(), rel=1e-9)
-        assert found.poses[name] == 61
+        assert peak_of(found, name) == pytest.approx(np.abs(F).max(), rel=1e-9)
+        assert found["motions"][name]["poses"] == 61
 
 
-def test_other_implementations_are_near_the_truth(found: CostAccuracy) -> None:
-    assert [each.name for each in found.implementations] == [
+def test_other_implementations_are_near_the_truth(found: Figures) -> None:
+    assert [each["name"] for each in found["implementations"]] == [
         "every output",
         "NumPy kernel",
         "vector reference",
     ]
-    for each in found.implementations:
-        assert each.ns > 0.0
-        assert 0.0 < each.rounding["I"] < 1e-13
+    for each in found["implementations"]:
+        assert each["ns"] > 0.0
+        assert 0.0 < each["rounding"]["I"] < 1e-13
 
 
 def test_a_motion_without_forces_is_rejected(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -266,7 +271,7 @@ def test_constants_that_float_cannot_hold_leave_float_out(monkeypatch: pytest.Mo
     hasty(monkeypatch)
     robot = dataclasses.replace(dasgupta(), M=1e39)
     made = cost(robot, {"I": papers_motions()["I"][:4]})
-    assert {entry.candidate.precision for entry in made.entries} == {"double"}
+    assert {entry["precision"] for entry in made["candidates"]} == {"double"}
 
 
 def test_a_machine_with_spherical_base_joints_has_fewer_candidates(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -274,9 +279,9 @@ def test_a_machine_with_spherical_base_joints_has_fewer_candidates(monkeypatch: 
     rng = np.random.default_rng(8)
     robot = random_robot(rng, "spherical")
     made = cost(robot, {"some": random_motion(rng, robot, (4,))})
-    levels = {entry.candidate.fidelity for entry in made.entries}
+    levels = {entry["fidelity"] for entry in made["candidates"]}
     assert levels == set(fidelity.available(robot))
-    assert made.entry("exact", "general", "double").model == 0.0
+    assert worst(entry_of(made, "exact", "general", "double"), "model") == 0.0
 
 
 @pytest.mark.parametrize("precision", ["double", pytest.param("float", marks=pytest.mark.slow)])

@@ -1,7 +1,6 @@
 """The chart of speed against accuracy: every point is named and readable, and the front is the front."""
 
 import csv
-import dataclasses
 import io
 import itertools
 import math
@@ -10,14 +9,14 @@ from pathlib import Path
 import matplotlib.image
 import numpy as np
 import pytest
-from cost_figures import LEVELS, chart, made_up
+from cost_figures import LEVELS, PEAKS, chart, errors, made_up
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.transforms import Bbox
 
 from stewart_sym.studies.accuracy import cost_plot
-from stewart_sym.studies.accuracy.cost import CostAccuracy, Entry, Errors
+from stewart_sym.studies.accuracy.cost import entry_of, worst
 from stewart_sym.studies.accuracy.cost_plot import ROUNDING, TOTAL, Point, csv_rows, figure, front, points
 from stewart_sym.studies.common.drawing import name_points
 from stewart_sym.studies.common.report import SMALL, Picture, draw
@@ -59,11 +58,11 @@ def test_points_are_the_fidelities_and_the_implementations() -> None:
     kinds = {f"{kind}, {precision}" for kind in ("one pose", "batch") for precision in ("double", "float")}
     assert names[ROUNDING] == kinds | {"every output", "NumPy kernel", "vector reference"}
     (slender,) = (point for point in found if point.name == "slender")
-    entry = made_up().entry("exact", "slender", "double")
+    entry = entry_of(made_up(), "exact", "slender", "double")
     assert slender.errors == {
-        motion: errors.model + errors.rounding for motion, errors in entry.errors.items()
+        motion: each["model"] + each["rounding"] for motion, each in entry["errors"].items()
     }
-    assert slender.worst == entry.total > 0.061
+    assert slender.worst == worst(entry) > 0.061
     assert {point.name: point.beside for point in found if point.beside} == {
         f"{name}, float": name for name in (*exact, "paper")
     }
@@ -127,9 +126,9 @@ def test_no_name_covers_a_point(picture: Figure) -> None:
 @pytest.mark.usefixtures("unnamed")
 def test_errors_of_zero_have_a_band_below_all_others() -> None:
     found = made_up()
-    no_error = dict.fromkeys(found.peaks, Errors(0.0, 0.0, 0.0))
-    entries = [dataclasses.replace(e, errors=no_error) if e.model == 0.0 else e for e in found.entries]
-    axes = figure(dataclasses.replace(found, entries=tuple(entries))).axes[0]
+    no_error = {"errors": dict.fromkeys(PEAKS, errors(0.0, 0.0, 0.0))}
+    entries = [e | no_error if worst(e, "model") == 0.0 else e for e in found["candidates"]]
+    axes = figure(found | {"candidates": entries}).axes[0]
     labels = dict(zip(axes.get_yticks(), (t.get_text() for t in axes.get_yticklabels()), strict=True))
     none = next(y for y, text in labels.items() if text == "none")
     assert none == min(labels)
@@ -140,18 +139,11 @@ def test_errors_of_zero_have_a_band_below_all_others() -> None:
 @pytest.mark.usefixtures("unnamed")
 def test_points_without_an_answer_are_drawn_above_all_others() -> None:
     found = made_up()
-    float_ones = tuple(
-        Entry(
-            e.candidate,
-            e.operations,
-            e.one_pose,
-            e.batch,
-            e.text,
-            {"I": Errors(0.0, 0.0, math.inf if e.candidate.precision == "float" else 1e-15)},
-        )
-        for e in found.entries
-    )
-    given = CostAccuracy("machine", {"I": 1.0}, {"I": 9}, float_ones, ())
+    unsolvable = [
+        e | {"errors": {"I": errors(0.0, 0.0, math.inf if e["precision"] == "float" else 1e-15)}}
+        for e in found["candidates"]
+    ]
+    given = found | {"candidates": unsolvable, "implementations": []}
     left, right = ([text.get_text() for text in axes.get_yticklabels()] for axes in figure(given).axes)
     assert left[-1] == right[-1] == "unsolvable"
 
@@ -171,10 +163,9 @@ def test_float_kernels_are_hollow_and_may_be_on_the_front(picture: Figure) -> No
 @pytest.mark.slow
 @pytest.mark.usefixtures("unnamed")
 def test_a_run_that_others_disturbed_says_so(picture: Figure) -> None:
-    assert made_up().taken_by_others is None
+    assert made_up()["taken_by_others"] is None
     assert picture.get_suptitle().endswith("machine")
-    given = dataclasses.replace(made_up(), taken_by_others=0.42, load=3.25)
-    title = figure(given).get_suptitle()
+    title = figure(made_up() | {"taken_by_others": 0.42, "load": 3.25}).get_suptitle()
     assert title.count("\n") == 1
     assert title.endswith("took 42 % of the cores' time, load 3.2")
 

@@ -38,7 +38,7 @@ def run(arguments: argparse.Namespace) -> int:
     from ...kit import Choice, write_kit
     from ...studies.accuracy import advice
     from ...studies.accuracy.budget import read_budget
-    from ...studies.accuracy.cost import cost
+    from ...studies.accuracy.cost import candidate_of, cost
     from ...studies.common.report import Report
 
     with progress_line() as progress:
@@ -49,13 +49,7 @@ def run(arguments: argparse.Namespace) -> int:
         found = advice.advice(cost(budget.robot, budget.motions, progress=progress), budget)
         written: list[Path] = []
         if arguments.generate is not None and found.chosen is not None:
-            it = found.chosen.candidate
-            choice = Choice(
-                formulation=it.formulation,
-                fidelity=it.fidelity,
-                bake=arguments.bake,
-                precision=it.precision,
-            )
+            choice = Choice(**candidate_of(found.chosen)._asdict(), bake=arguments.bake)
             to = arguments.generate
             _, written = write_kit(budget.robot, to, choice, arguments.force, budget.files, progress)
         take(Report("\n".join([advice.report(found), *map(str, written)]), data=advice.as_json(found)))

@@ -10,9 +10,9 @@ from typing import Any
 
 from ...derive.mechanics.legs.rotor import FULL, NONE
 from ...derive.mechanics.reduced_models import DRIVE_FIDELITIES, FIDELITIES, Fidelity, level_of
-from ..common.output import aligned
+from ..common.output import Figures, aligned
 from .budget import Budget
-from .cost import SAMPLED, Candidate, CostAccuracy, Entry
+from .cost import SAMPLED, Candidate, candidate_of, worst
 
 TERMS: Mapping[str, str] = {
     "friction": "joint friction",
@@ -57,25 +57,25 @@ class Advice:
     """What to take. chosen: None where nothing keeps the budget; closest: what comes nearest to it then."""
 
     budget: Budget
-    cost: CostAccuracy
-    chosen: Entry | None
-    closest: Entry
+    cost: Figures
+    chosen: Figures | None
+    closest: Figures
 
-    def needed(self) -> tuple[tuple[frozenset[str], Entry], ...]:
+    def needed(self) -> tuple[tuple[frozenset[str], Figures], ...]:
         """The terms of the choice that no cheaper kernel may leave out, one by one or a few together.
 
         With each, the next cheaper kernel that leaves out these and no more than it has to.
         """
         if self.chosen is None:
             return ()
-        kept = terms(self.chosen.candidate, self.cost.rotors)
+        rotors, every = self.budget.robot.has_rotors, self.cost["candidates"]
+        kept = terms(candidate_of(self.chosen), rotors)
         if "rates" not in kept:
             kept -= _INERTIA
-        cheaper = self.cost.entries[: self.cost.entries.index(self.chosen)]
-        dropped: dict[frozenset[str], Entry] = {}
-        for entry in cheaper:
-            # The last is the dearest, the next cheaper one.
-            dropped[kept - terms(entry.candidate, self.cost.rotors)] = entry
+        # Of those without the same terms the last is the dearest, the next cheaper one.
+        dropped = {
+            kept - terms(candidate_of(entry), rotors): entry for entry in every[: every.index(self.chosen)]
+        }
         return tuple(
             (left_out, entry)
             for left_out, entry in reversed(dropped.items())
@@ -83,22 +83,22 @@ class Advice:
         )
 
 
-def advice(cost: CostAccuracy, budget: Budget) -> Advice:
+def advice(cost: Figures, budget: Budget) -> Advice:
     """Choose the first good enough candidate of those that ``cost`` lists by cost."""
-    chosen = next((entry for entry in cost.entries if excess(entry, budget) <= 1.0), None)
-    closest = min(cost.entries, key=lambda entry: excess(entry, budget))
+    chosen = next((entry for entry in cost["candidates"] if excess(entry, budget) <= 1.0), None)
+    closest = min(cost["candidates"], key=lambda entry: excess(entry, budget))
     return Advice(budget, cost, chosen, closest)
 
 
-def excess(entry: Entry, budget: Budget) -> float:
+def excess(entry: Figures, budget: Budget) -> float:
     """How many times a candidate exceeds the budget, in error or in time; good enough up to 1."""
     return max(_misses(entry, budget))
 
 
-def _misses(entry: Entry, budget: Budget) -> tuple[float, float]:
+def _misses(entry: Figures, budget: Budget) -> tuple[float, float]:
     """Error and time over what is allowed; no time is too long where the budget names no rate."""
-    error = entry.total * budget.margin / budget.tolerance
-    return error, 0.0 if budget.rate is None else entry.ns * 1e-9 * budget.rate
+    error = worst(entry) * budget.margin / budget.tolerance
+    return error, 0.0 if budget.rate is None else entry["one_pose_ns"] * 1e-9 * budget.rate
 
 
 def terms(candidate: Candidate, rotors: bool = False) -> frozenset[str]:
@@ -124,9 +124,10 @@ def report(found: Advice) -> str:
     """Machine, budget, a table of all candidates and the answer, as one text."""
     cost = found.cost
     motions = ", ".join(
-        f"{name} ({cost.poses[name]} poses, peak force {peak:.4g} N)" for name, peak in cost.peaks.items()
+        f"{name} ({motion['poses']} poses, peak force {motion['peak_force_N']:.4g} N)"
+        for name, motion in cost["motions"].items()
     )
-    head = f"{cost.robot}: {motions}\n{_limits(found.budget)}"
+    head = f"{cost['robot']}: {motions}\n{_limits(found.budget)}"
     return "\n\n".join([head, table(cost, found), "\n".join(answer(found))])
 
 
@@ -141,20 +142,20 @@ _COLUMNS = (
 )
 
 
-def table(cost: CostAccuracy, found: Advice | None = None) -> str:
+def table(cost: Figures, found: Advice | None = None) -> str:
     """All candidates, the cheapest first; with advice, the choice is marked."""
     header = [*_COLUMNS, *([] if found is None else [""])]
     rows = [
         (
-            entry.candidate.name,
-            str(entry.operations),
-            f"{entry.ns:.0f}",
-            f"{entry.batch_ns:.0f}",
-            "" if entry.text is None else str(entry.text),
-            *map(_share, (entry.model, entry.model_rms, entry.rounding, entry.total)),
+            candidate_of(entry).name,
+            str(entry["operations"]),
+            f"{entry['one_pose_ns']:.0f}",
+            f"{entry['batch_ns']:.0f}",
+            "" if entry["text_bytes"] is None else str(entry["text_bytes"]),
+            *(_share(worst(entry, *part)) for part in (("model",), ("model_rms",), ("rounding",), ())),
             *([] if found is None else [_mark(entry, found)]),
         )
-        for entry in cost.entries
+        for entry in cost["candidates"]
     ]
     note = "Errors are shares of the peak force of their motion, the worst motion counts."
     return f"{aligned(header, rows)}\n\n{note}\n{_WHERE}"
@@ -164,7 +165,7 @@ def _share(error: float) -> str:
     return f"{error:.1e}" if error else "0"
 
 
-def _mark(entry: Entry, found: Advice) -> str:
+def _mark(entry: Figures, found: Advice) -> str:
     if entry is found.chosen:
         return "chosen"
     return "good" if excess(entry, found.budget) <= 1.0 else ""
@@ -182,34 +183,34 @@ def answer(found: Advice) -> list[str]:
     """The choice, and one line for each reason why it is none of the cheaper ones."""
     if found.chosen is None:
         return [f"Nothing keeps the budget; closest: {closest(found)}."]
-    lines = [
-        f"Cheapest that is good enough: {found.chosen.candidate.name}: {found.chosen.operations} operations, "
-        f"error {found.chosen.total:.1e}."
-    ]
+    lines = [f"Cheapest that is good enough: {_cost(found.chosen)}, error {worst(found.chosen):.1e}."]
     reasons = found.needed()
-    if found.chosen is found.cost.entries[0]:
+    if found.chosen is found.cost["candidates"][0]:
         lines.append("Nothing is cheaper.")
     elif not reasons:
         lines.append("Cheaper ones leave nothing out that it has, yet err more.")
     for left_out, entry in reasons:
         names = " and ".join(words for term, words in TERMS.items() if term in left_out)
-        without = f"{entry.candidate.name}: {entry.operations} operations"
-        lines.append(f"Forced by {names}: without ({without}) {_beyond(entry, found.budget)}.")
+        lines.append(f"Forced by {names}: without ({_cost(entry)}) {_beyond(entry, found.budget)}.")
     return lines
+
+
+def _cost(entry: Figures) -> str:
+    return f"{candidate_of(entry).name}: {entry['operations']} operations"
 
 
 def closest(found: Advice) -> str:
     """What comes nearest to the budget, and by how much it is missed."""
     entry = found.closest
-    return f"{entry.candidate.name}, {_beyond(entry, found.budget)}"
+    return f"{candidate_of(entry).name}, {_beyond(entry, found.budget)}"
 
 
-def _beyond(entry: Entry, budget: Budget) -> str:
+def _beyond(entry: Figures, budget: Budget) -> str:
     """How a candidate misses the budget, the larger miss first."""
     error, time = _misses(entry, budget)
     said = [
-        (error, f"the error is {entry.total:.1e}, {error:.3g} times what is allowed"),
-        (time, f"a pose takes {entry.ns:.0f} ns, {time:.3g} times what is allowed"),
+        (error, f"the error is {worst(entry):.1e}, {error:.3g} times what is allowed"),
+        (time, f"a pose takes {entry['one_pose_ns']:.0f} ns, {time:.3g} times what is allowed"),
     ]
     largest, *others = sorted(said, key=lambda miss: -miss[0])
     return "; ".join(text for _, text in [largest, *(miss for miss in others if miss[0] > 1.0)])
@@ -219,14 +220,14 @@ def as_json(found: Advice) -> dict[str, Any]:
     """The budget, all figures, the choice and the reasons for it."""
     budget, chosen = found.budget, found.chosen
     return {
-        **found.cost.as_json(),
+        **found.cost,
         "tolerance": budget.tolerance,
         "margin": budget.margin,
         "rate_Hz": budget.rate,
-        "chosen": None if chosen is None else vars(chosen.candidate),
-        "closest": vars(found.closest.candidate),
+        "chosen": None if chosen is None else candidate_of(chosen)._asdict(),
+        "closest": candidate_of(found.closest)._asdict(),
         "needed": [
-            {"terms": sorted(left_out), "without": vars(entry.candidate), "error": entry.total}
+            {"terms": sorted(left_out), "without": candidate_of(entry)._asdict(), "error": worst(entry)}
             for left_out, entry in found.needed()
         ],
     }

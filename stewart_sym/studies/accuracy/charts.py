@@ -9,10 +9,10 @@ from ...backend.native import CompilerError
 from ...io.progress import Progress, silent
 from ...robot.robot import Robot
 from ..common import host
+from ..common.output import Figures
 from ..common.report import SMALL, Picture, Report
 from . import bound_plot, cost_plot, scales
 from .advice import table
-from .cost import CostAccuracy
 
 Chart = tuple[str, str, Picture]
 """A picture's name, its rows as CSV, and what draws it."""
@@ -20,18 +20,18 @@ Chart = tuple[str, str, Picture]
 _KINDS = ("png", "svg")
 
 
-def full_report(found: CostAccuracy, robot: Robot, progress: Progress = silent) -> Report:
+def full_report(found: Figures, robot: Robot, progress: Progress = silent) -> Report:
     """The table of ``found``, and every chart's rows with its picture."""
     every = list(charts(found, robot, progress))
     return Report(
         table(found),
         {name: rows for name, rows, _ in every},
-        {**found.as_json(), "machine": host.machine(), "software": host.software()},
+        {**found, "machine": host.machine(), "software": host.software()},
         {name: picture for name, _, picture in every},
     )
 
 
-def charts(found: CostAccuracy, robot: Robot, progress: Progress = silent) -> Iterator[Chart]:
+def charts(found: Figures, robot: Robot, progress: Progress = silent) -> Iterator[Chart]:
     """Speed against accuracy, rounding over the machine's size, and rounding with its bound.
 
     The last two are left out, with a warning, for machines and compilers that they can't be had with.

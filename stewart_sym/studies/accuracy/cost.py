@@ -11,7 +11,7 @@ import statistics
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from typing import Any, cast
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,6 +32,7 @@ from ...robot.robot import Robot
 from ..benchmark.compile_times import text_size
 from ..common import host
 from ..common.loops import own_source
+from ..common.output import Figures
 from ..common.timing import Task, measured, repeated
 
 PRECISIONS: tuple[Precision, ...] = ("float", "double")
@@ -52,8 +53,7 @@ _ROUNDING = 100 * float(np.finfo(np.float64).eps)
 # --- figures ----------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
-class Candidate:
+class Candidate(NamedTuple):
     """One kernel that a scene might do with."""
 
     formulation: str
@@ -66,145 +66,30 @@ class Candidate:
         return f"{self.formulation} {self.fidelity}, {self.precision}"
 
 
-@dataclass(frozen=True)
-class Errors:
-    """Errors on one motion, shares of its largest force; infinite where there are unsolvable poses.
-
-    model, model_rms: largest, and RMS over poses and legs, of the difference to `exact` general; 0 where two
-    double kernels of the same equations might differ by as much. rounding: largest at the sampled poses.
-    """
-
-    model: float
-    model_rms: float
-    rounding: float
-
-    @property
-    def total(self) -> float:
-        """Bound of the largest error: the two add up at worst."""
-        return self.model + self.rounding
+def candidate_of(entry: Figures) -> Candidate:
+    """The kernel that the figures are of."""
+    return Candidate(*(entry[name] for name in Candidate._fields))
 
 
-@dataclass(frozen=True)
-class Entry:
-    """A candidate's figures.
-
-    operations: of a pose. one_pose, batch: raw ns per pose, round by round. text: bytes of code of a program
-    that computes one pose at a time, None where no tool can tell. errors: by motion.
-    """
-
-    candidate: Candidate
-    operations: int
-    one_pose: tuple[float, ...]
-    batch: tuple[float, ...]
-    text: int | None
-    errors: Mapping[str, Errors]
-
-    @property
-    def ns(self) -> float:
-        """Median time of one pose, ns."""
-        return statistics.median(self.one_pose)
-
-    @property
-    def batch_ns(self) -> float:
-        """Median time of a pose in a batch, ns."""
-        return statistics.median(self.batch)
-
-    @property
-    def model(self) -> float:
-        """Largest error of the model on any motion."""
-        return max(errors.model for errors in self.errors.values())
-
-    @property
-    def model_rms(self) -> float:
-        """RMS error of the model on the motion where it is largest."""
-        return max(errors.model_rms for errors in self.errors.values())
-
-    @property
-    def rounding(self) -> float:
-        """Largest rounding error on any motion."""
-        return max(errors.rounding for errors in self.errors.values())
-
-    @property
-    def total(self) -> float:
-        """Bound of the largest error on any motion."""
-        return max(errors.total for errors in self.errors.values())
-
-    def as_json(self) -> dict[str, Any]:
-        """Every field, times with their medians, ready for ``json``."""
-        return {
-            **vars(self.candidate),
-            "operations": self.operations,
-            "one_pose_ns": self.ns,
-            "one_pose_raw_ns": self.one_pose,
-            "batch_ns": self.batch_ns,
-            "batch_raw_ns": self.batch,
-            "text_bytes": self.text,
-            "errors": {name: vars(errors) for name, errors in self.errors.items()},
-        }
+def entry_of(found: Figures, *kernel: str) -> Figures:
+    """Figures of one candidate, of a formulation, a fidelity and a precision."""
+    return next(entry for entry in found["candidates"] if candidate_of(entry) == kernel)
 
 
-@dataclass(frozen=True)
-class Implementation:
-    """Another way to compute the forces of `exact` general: raw ns per pose, rounding error by motion."""
-
-    name: str
-    raw: tuple[float, ...]
-    rounding: Mapping[str, float]
-
-    @property
-    def ns(self) -> float:
-        """Median time of a pose, ns."""
-        return statistics.median(self.raw)
-
-    def as_json(self) -> dict[str, Any]:
-        """Every field and the median, ready for ``json``."""
-        return {"name": self.name, "ns": self.ns, "raw_ns": self.raw, "rounding": self.rounding}
+def worst(entry: Figures, *parts: str) -> float:
+    """The largest error on any motion: of the parts named, which add up at worst, by default of all."""
+    named = parts or ("model", "rounding")
+    return float(max(sum(errors[part] for part in named) for errors in entry["errors"].values()))
 
 
-@dataclass(frozen=True)
-class CostAccuracy:
-    """All figures of one machine.
-
-    peaks: largest actuator force, N, and poses: how many, by motion. entries: the cheapest first, by
-    operations, then precision. implementations: empty unless they were asked for. taken_by_others, load: of
-    the cores' time while times were taken, 0 to 1, and busy processes in the last minute of it; None where
-    the system doesn't tell. rotors: whether the legs have them.
-    """
-
-    robot: str
-    peaks: Mapping[str, float]
-    poses: Mapping[str, int]
-    entries: tuple[Entry, ...]
-    implementations: tuple[Implementation, ...] = ()
-    taken_by_others: float | None = None
-    load: float | None = None
-    rotors: bool = False
-
-    def entry(self, formulation: str, fidelity: str, precision: str) -> Entry:
-        """Figures of one candidate."""
-        wanted = Candidate(formulation, fidelity, precision)
-        return next(entry for entry in self.entries if entry.candidate == wanted)
-
-    def as_json(self) -> dict[str, Any]:
-        """All figures, ready for ``json``; errors are null where poses are unsolvable."""
-        return {
-            "robot": self.robot,
-            "taken_by_others": self.taken_by_others,
-            "load": self.load,
-            "motions": {
-                name: {"poses": self.poses[name], "peak_force_N": peak} for name, peak in self.peaks.items()
-            },
-            "candidates": [entry.as_json() for entry in self.entries],
-            "implementations": [each.as_json() for each in self.implementations],
-            "units": {
-                "errors": "share of the motion's peak force",
-                "rounding": "share of the motion's peak force",
-                "operations": "per pose",
-                "ns": "per pose",
-                "taken_by_others": "share of the cores' time",
-                "load": "busy processes",
-            },
-        }
+_UNITS = {
+    "errors": "share of the motion's peak force",
+    "rounding": "share of the motion's peak force",
+    "operations": "per pose",
+    "ns": "per pose",
+    "taken_by_others": "share of the cores' time",
+    "load": "busy processes",
+}
 
 
 # --- the study --------------------------------------------------------------------------------
@@ -216,10 +101,18 @@ def cost(
     implementations: bool = False,
     rounds: int = QUICK_ROUNDS,
     progress: Progress = silent,
-) -> CostAccuracy:
+) -> Figures:
     """Measure every candidate on the motions, each of shape (n,), with an answer at every pose.
 
     implementations: also other ways to compute `exact` general, for comparison. rounds: of timing.
+
+    Of each motion the largest actuator force; of each candidate, the cheapest first, by operations, then
+    precision: operations of a pose, ns per pose, alone and in a batch, bytes of code of a program that
+    computes one pose at a time (None where no tool can tell), and by motion the largest error of the model
+    and its RMS over poses and legs, beside `exact` general (0 where two double kernels of the same equations
+    might differ by as much), and the largest of rounding at the sampled poses; infinite where there are
+    unsolvable poses. What others took of the cores' time meanwhile, and the load, are None where the system
+    doesn't tell.
 
     A precision that can't hold the robot's constants is left out. Raises ValueError where all forces of a
     motion are zero, native.CompilerError without a C compiler.
@@ -229,45 +122,48 @@ def cost(
     cases = {name: _Case.of(robot, motion, name) for name, motion in paths}
     progress("compiling the truth of 50 digits")
     ways = _ways(robot) if implementations else {}
-    errors: dict[Candidate, dict[str, Errors]] = {candidate: {} for candidate in kernels}
-    rounding: dict[str, dict[str, float]] = {way: {} for way in ways}
+    errors: dict[Candidate, Figures] = {candidate: {} for candidate in kernels}
     # Candidates of the same equations, which share their truth, follow one another.
     by_model = [
         [*each] for _, each in itertools.groupby(kernels, lambda each: (each.formulation, each.fidelity))
     ]
     models = [(name, candidates) for name in cases for candidates in by_model]
     for name, candidates in tracked(progress, models, lambda model: f"computing {model[0]} at 50 digits"):
-        errors_of = cases[name].errors({each: kernels[each] for each in candidates})
-        for candidate, found in errors_of.items():
+        for candidate, found in cases[name].errors({each: kernels[each] for each in candidates}).items():
             errors[candidate][name] = found
-    for name, case in cases.items():
-        for way, forces in ways.items():
-            rounding[way][name] = case.rounding_of(forces)
+    rounding = {
+        way: {name: case.rounding_of(forces) for name, case in cases.items()} for way, forces in ways.items()
+    }
     tasks = _tasks(tuple(motions.values()), kernels, ways)
     others = host.Others()
     raw = measured(tasks, dict.fromkeys(tasks, rounds), progress)
     taken, load = others.share(), host.load_average()
     entries = [
-        Entry(
-            candidate,
-            fidelity.operations(robot, candidate.formulation, candidate.fidelity),
-            raw[candidate, "one pose"],
-            raw[candidate, "batch"],
-            texts[candidate],
-            errors[candidate],
-        )
+        {
+            **candidate._asdict(),
+            "operations": fidelity.operations(robot, candidate.formulation, candidate.fidelity),
+            **_times("one_pose_", raw[candidate, "one pose"]),
+            **_times("batch_", raw[candidate, "batch"]),
+            "text_bytes": texts[candidate],
+            "errors": errors[candidate],
+        }
         for candidate in kernels
     ]
-    return CostAccuracy(
-        robot.name,
-        {name: case.peak for name, case in cases.items()},
-        {name: len(case.F) for name, case in cases.items()},
-        tuple(sorted(entries, key=_cost)),
-        tuple(Implementation(way, raw[way, ""], rounding[way]) for way in ways),
-        taken,
-        None if load is None else load[0],
-        robot.has_rotors,
-    )
+    return {
+        "robot": robot.name,
+        "taken_by_others": taken,
+        "load": None if load is None else load[0],
+        "motions": {name: {"poses": len(case.F), "peak_force_N": case.peak} for name, case in cases.items()},
+        "candidates": sorted(entries, key=_cost),
+        "implementations": [
+            {"name": way, **_times("", raw[way, ""]), "rounding": rounding[way]} for way in ways
+        ],
+        "units": _UNITS,
+    }
+
+
+def _times(name: str, raw: tuple[float, ...]) -> Figures:
+    return {f"{name}ns": statistics.median(raw), f"{name}raw_ns": raw}
 
 
 def candidates(robot: Robot) -> list[Candidate]:
@@ -283,14 +179,13 @@ def candidates(robot: Robot) -> list[Candidate]:
 _RICHEST_FIRST = tuple(dict.fromkeys((*fidelity.DRIVE_FIDELITIES, *fidelity.FIDELITIES)))
 
 
-def _cost(entry: Entry) -> tuple[int, int, int, int]:
+def _cost(entry: Figures) -> tuple[int, int, int, int]:
     """The same on every run, other than times: operations, width of the numbers; then the richer model."""
-    candidate = entry.candidate
     return (
-        entry.operations,
-        PRECISIONS.index(cast(Precision, candidate.precision)),
-        FORMULATIONS.index(candidate.formulation),
-        _RICHEST_FIRST.index(candidate.fidelity),
+        entry["operations"],
+        PRECISIONS.index(entry["precision"]),
+        FORMULATIONS.index(entry["formulation"]),
+        _RICHEST_FIRST.index(entry["fidelity"]),
     )
 
 
@@ -358,7 +253,7 @@ class _Case:
         accuracy = (_ROUNDING * condition * largest)[:, None]
         return cls(robot, motion, F, peak, accuracy, sorted(sample))
 
-    def errors(self, kernels: Mapping[Candidate, ForceKernel]) -> dict[Candidate, Errors]:
+    def errors(self, kernels: Mapping[Candidate, ForceKernel]) -> dict[Candidate, Figures]:
         """Of kernels of the same equations, one of them in double."""
         F = {each: kernel.forces(self.motion, on_singular="nan") for each, kernel in kernels.items()}
         in_double = next(forces for each, forces in F.items() if each.precision == "double")
@@ -370,11 +265,11 @@ class _Case:
         candidate = next(iter(kernels))
         truth = Truth(self.robot, candidate.formulation, candidate.fidelity).forces(self.motion[sample])
         return {
-            each: Errors(
-                float(off.max()) / self.peak,
-                float(np.sqrt(np.mean(off**2))) / self.peak,
-                float(_or_infinite(deviation(forces[sample], truth)).max()) / self.peak,
-            )
+            each: {
+                "model": float(off.max()) / self.peak,
+                "model_rms": float(np.sqrt(np.mean(off**2))) / self.peak,
+                "rounding": float(_or_infinite(deviation(forces[sample], truth)).max()) / self.peak,
+            }
             for each, forces in F.items()
         }
 

@@ -1,5 +1,6 @@
 """Speed against accuracy as a picture and as rows: time per pose over error, total and of rounding alone."""
 
+import itertools
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -18,8 +19,8 @@ from ..common.drawing import (
     new_figure,
 )
 from ..common.host import DISTURBED
-from ..common.output import csv_text
-from .cost import CostAccuracy, Entry
+from ..common.output import Figures, csv_text
+from .cost import candidate_of
 
 _EXACT, _PAPER, _FLOAT, _OTHER, _FRONT = BLUE, RED, "#2e7d32", "#5a5a5a", "#9a9a9a"
 _MARKERS = "os^vDPX*"
@@ -49,35 +50,35 @@ class Point:
         return max(self.errors.values())
 
 
-def points(found: CostAccuracy) -> list[Point]:
+def points(found: Figures) -> list[Point]:
     """Total errors of every fidelity, one pose in both precisions; rounding of every implementation."""
-    fidelities = [_of_fidelity(entry) for entry in found.entries]
-    general = [entry for entry in found.entries if entry.candidate.fidelity == "general"]
     kernels = [
         Point(
             ROUNDING,
-            f"{kind}, {entry.candidate.precision}",
+            f"{kind}, {entry['precision']}",
             ns,
-            {name: errors.rounding for name, errors in entry.errors.items()},
-            _EXACT if entry.candidate.precision == "double" else _FLOAT,
+            {name: errors["rounding"] for name, errors in entry["errors"].items()},
+            _EXACT if entry["precision"] == "double" else _FLOAT,
         )
-        for entry in general
-        if entry.candidate.formulation == "exact"
-        for kind, ns in (("one pose", entry.ns), ("batch", entry.batch_ns))
+        for entry in found["candidates"]
+        if candidate_of(entry)[:2] == ("exact", "general")
+        for kind, ns in (("one pose", entry["one_pose_ns"]), ("batch", entry["batch_ns"]))
     ]
-    others = [Point(ROUNDING, each.name, each.ns, each.rounding, _OTHER) for each in found.implementations]
-    return [*fidelities, *kernels, *others]
+    others = [
+        Point(ROUNDING, each["name"], each["ns"], each["rounding"], _OTHER)
+        for each in found["implementations"]
+    ]
+    return [*map(_of_fidelity, found["candidates"]), *kernels, *others]
 
 
-def _of_fidelity(entry: Entry) -> Point:
-    candidate = entry.candidate
-    in_double, exact = candidate.precision == "double", candidate.formulation == "exact"
-    name = candidate.fidelity if exact else "paper"
+def _of_fidelity(entry: Figures) -> Point:
+    in_double, exact = entry["precision"] == "double", entry["formulation"] == "exact"
+    name = entry["fidelity"] if exact else "paper"
     return Point(
         TOTAL,
-        name if in_double else f"{name}, {candidate.precision}",
-        entry.ns,
-        {motion: errors.total for motion, errors in entry.errors.items()},
+        name if in_double else f"{name}, {entry['precision']}",
+        entry["one_pose_ns"],
+        {motion: errors["model"] + errors["rounding"] for motion, errors in entry["errors"].items()},
         (_EXACT if exact else _PAPER) if in_double else _FLOAT,
         "" if in_double else name,
     )
@@ -95,7 +96,7 @@ def front(given: Sequence[Point]) -> list[Point]:
 _COLUMNS = ("error", "name", "ns", "motion", "largest", "pareto")
 
 
-def csv_rows(found: CostAccuracy) -> str:
+def csv_rows(found: Figures) -> str:
     """Every point of the picture and motion as CSV, all digits."""
     every = points(found)
     best = [point for panel in (TOTAL, ROUNDING) for point in front(_of(every, panel))]
@@ -111,13 +112,15 @@ def _of(every: Sequence[Point], panel: str) -> list[Point]:
     return [point for point in every if point.panel == panel]
 
 
-def figure(found: CostAccuracy) -> Figure:
+def figure(found: Figures) -> Figure:
     """Two panels, time per pose over the errors: of model and rounding together, and of rounding."""
     every = points(found)
-    marks = dict(zip(found.peaks, _MARKERS * len(found.peaks), strict=False))
+    marks = dict(zip(found["motions"], itertools.cycle(_MARKERS), strict=False))
     picture = new_figure(12.4, 7.8)
     left, right = picture.subplots(1, 2, width_ratios=(1.8, 1.0))
-    picture.suptitle("\n".join([f"Speed against accuracy: {as_written(found.robot)}", *_disturbance(found)]))
+    picture.suptitle(
+        "\n".join([f"Speed against accuracy: {as_written(found['robot'])}", *_disturbance(found)])
+    )
     _draw(left, _of(every, TOTAL), marks)
     _draw(right, _of(every, ROUNDING), marks)
     left.set_title("error of model and rounding: one pose in C, every fidelity", fontsize="medium")
@@ -129,12 +132,12 @@ def figure(found: CostAccuracy) -> Figure:
     return picture
 
 
-def _disturbance(found: CostAccuracy) -> list[str]:
+def _disturbance(found: Figures) -> list[str]:
     """What others did to the times, a line; nothing if they did little or the system doesn't tell."""
-    taken = found.taken_by_others
+    taken, busy = found["taken_by_others"], found["load"]
     if taken is None or taken <= DISTURBED:
         return []
-    load = "" if found.load is None else f", load {found.load:.1f}"
+    load = "" if busy is None else f", load {busy:.1f}"
     return [f"times disturbed: other processes took {100 * taken:.0f} % of the cores' time{load}"]
 
 

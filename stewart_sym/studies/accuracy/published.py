@@ -3,6 +3,7 @@
 from ...backend import fidelity
 from ..common.output import Figures, paragraph, table
 from .budget import MARGIN
+from .cost import candidate_of, entry_of
 
 TOLERANCES = (("50 %", 0.5), ("5 %", 0.05), ("1 %", 0.01), ("1e-9", 1e-9))
 README_LEVELS = ("massless", "slender", "frictionless", "paper", "general")
@@ -57,7 +58,7 @@ def fidelities(found: Figures) -> str:
             meaning(each),
             str(each["operations"]),
             f"{each['one_pose_ns']:.0f}",
-            f"{in_float(found, each)['one_pose_ns']:.0f}",
+            f"{entry_of(found, each['formulation'], each['fidelity'], 'float')['one_pose_ns']:.0f}",
             f"{each['text_bytes']:,}",
             *(percent(errors["model"]) for errors in each["errors"].values()),
         )
@@ -70,18 +71,6 @@ def fidelities(found: Figures) -> str:
 def name(each: Figures) -> str:
     """Name of a level as code."""
     return "`paper`" if each["formulation"] == "paper" else f"`{each['fidelity']}`"
-
-
-def in_float(found: Figures, double: Figures) -> Figures:
-    """The same level in single precision."""
-    same = ("formulation", "fidelity")
-    one: Figures
-    (one,) = (
-        each
-        for each in found["candidates"]
-        if each["precision"] == "float" and all(each[key] == double[key] for key in same)
-    )
-    return one
 
 
 def percent(error: float) -> str:
@@ -110,7 +99,7 @@ def implementations(found: Figures) -> str:
 
 def is_general(each: Figures) -> bool:
     """Whether nothing is left out."""
-    return (each["formulation"], each["fidelity"]) == ("exact", "general")
+    return candidate_of(each)[:2] == ("exact", "general")
 
 
 def advice(found: Figures) -> str:

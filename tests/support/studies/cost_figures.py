@@ -11,8 +11,9 @@ from stewart_sym.generated.fidelities import FIDELITIES as TABLE
 from stewart_sym.studies.accuracy import cost as study
 from stewart_sym.studies.accuracy import cost_plot
 from stewart_sym.studies.accuracy.budget import MARGIN, Budget, papers_motions
-from stewart_sym.studies.accuracy.cost import Candidate, CostAccuracy, Entry, Errors, Implementation
+from stewart_sym.studies.accuracy.cost import Candidate
 from stewart_sym.studies.common import timing
+from stewart_sym.studies.common.output import Figures
 
 FRICTIONLESS = TABLE["frictionless"]["operations"]["total"]
 TOLERANCES = (0.5, 0.05, 0.01, 1e-9)
@@ -41,14 +42,25 @@ def budget(tolerance: float, margin: float = MARGIN, rate: float | None = None) 
     return Budget(dasgupta(), {"I": papers_motions()["I"]}, tolerance, margin, rate)
 
 
-def entry(name: str, operations: int, error: float, ns: float = 100.0) -> Entry:
-    formulation, level, precision = name.split()
-    errors = {"I": Errors(error, error / 2, 0.0)}
-    return Entry(Candidate(formulation, level, precision), operations, (ns,), (ns / 2,), 1000, errors)
+def errors(model: float, model_rms: float, rounding: float) -> Figures:
+    return {"model": model, "model_rms": model_rms, "rounding": rounding}
 
 
-def figures_of(*entries: Entry) -> CostAccuracy:
-    return CostAccuracy("machine", {"I": 1000.0}, {"I": 61}, entries)
+def entry(name: str, operations: int, error: float, ns: float = 100.0) -> Figures:
+    times = {"one_pose_ns": ns, "batch_ns": ns / 2}
+    found = {
+        "operations": operations,
+        **times,
+        "text_bytes": 1000,
+        "errors": {"I": errors(error, error / 2, 0.0)},
+    }
+    return Candidate(*name.split())._asdict() | found
+
+
+def figures_of(*entries: Figures) -> Figures:
+    motions = {"I": {"poses": 61, "peak_force_N": 1000.0}}
+    others = {"taken_by_others": None, "load": None, "implementations": []}
+    return {"robot": "machine", "motions": motions, "candidates": [*entries], **others}
 
 
 CHEAP = entry("exact massless_static float", 400, 0.4)
@@ -56,6 +68,7 @@ MIDDLE = entry("exact slender double", 1100, 0.04)
 DEAR = entry("exact general double", 2000, 0.0, 300.0)
 
 
+PEAKS = {"I": 1434.0, "II": 2133.0, "poses.csv": 10.0}
 LEVELS = (
     ("exact massless_static", 475, 0.46),
     ("exact massless", 580, 0.23),
@@ -74,26 +87,23 @@ LEVELS = (
 )
 
 
-def made_up() -> CostAccuracy:
+def made_up() -> Figures:
     """Figures like those of the paper's machine."""
     entries = []
     for name, operations, off in LEVELS:
         for precision, unit in (("float", 1e-6), ("double", 1e-15)):
-            formulation, level = name.split()
             ns = 100.0 * (1 + operations / 2000) * (1.0 if precision == "double" else 0.8)
-            errors = {
-                motion: Errors(off * share, 0.3 * off * share, 2 * unit * share)
+            of_motions = {
+                motion: errors(off * share, 0.3 * off * share, 2 * unit * share)
                 for motion, share in (("I", 1.0), ("II", 0.7), ("poses.csv", 0.04))
             }
-            entries.append(
-                Entry(Candidate(formulation, level, precision), operations, (ns,), (ns / 2,), 9000, errors)
-            )
+            entries.append(entry(f"{name} {precision}", operations, off, ns) | {"errors": of_motions})
     others = [
-        Implementation(name, (ns,), {"I": 2e-15, "II": 1e-15, "poses.csv": 5e-14})
+        {"name": name, "ns": ns, "rounding": {"I": 2e-15, "II": 1e-15, "poses.csv": 5e-14}}
         for name, ns in (("every output", 760.0), ("NumPy kernel", 8e3), ("vector reference", 16e3))
     ]
-    peaks = {"I": 1434.0, "II": 2133.0, "poses.csv": 10.0}
-    return CostAccuracy("machine", peaks, dict.fromkeys(peaks, 61), tuple(entries), tuple(others))
+    motions = {name: {"poses": 61, "peak_force_N": peak} for name, peak in PEAKS.items()}
+    return figures_of(*entries) | {"motions": motions, "implementations": others}
 
 
 @functools.cache
