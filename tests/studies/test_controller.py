@@ -17,8 +17,9 @@ from stewart_sym.cli.main import main
 from stewart_sym.io.json_text import json_text
 from stewart_sym.results import JOINT_SINGULAR
 from stewart_sym.robot.robot import Robot
+from stewart_sym.studies.common.output import Figures
 from stewart_sym.studies.microcontroller import measure, published, report, toolchain
-from stewart_sym.studies.microcontroller.measure import Figures, Study
+from stewart_sym.studies.microcontroller.measure import right
 
 INSTRUCTIONS = {"double": 3300, "float": 2850}
 """Of a kit of a precision at the kit's own flags, at most."""
@@ -47,15 +48,14 @@ def measured(precision: str, baked: bool) -> Figures:
     return measure.measured(dasgupta(), "general", baked, precision)
 
 
-def study_of(kits: list[tuple[str, bool]]) -> Study:
-    rows = tuple(measured(*kit) for kit in kits)
-    return Study(dasgupta().name, "general", rows, toolchain.versions(), toolchain.FLAGS)
+def study_of(kits: list[tuple[str, bool]]) -> Figures:
+    return measure.of_rows(dasgupta(), "general", [measured(*kit) for kit in kits])
 
 
 @pytest.fixture(
     scope="module", params=[[QUICK], pytest.param(KITS, marks=pytest.mark.slow)], ids=["one kit", "all kits"]
 )
-def found(request: pytest.FixtureRequest) -> Study:
+def found(request: pytest.FixtureRequest) -> Figures:
     return study_of(request.param)
 
 
@@ -65,19 +65,19 @@ def row(request: pytest.FixtureRequest) -> Figures:
 
 
 def test_answers_are_within_bounds_and_calls_without_an_answer_say_so(row: Figures) -> None:
-    assert row.poses > measure.MOTIONS
-    assert (row.failed, row.rejected_wrongly, row.selftest) == (0, 0, 0)
+    assert row["poses"] > measure.MOTIONS
+    assert (row["failed"], row["rejected_wrongly"], row["selftest"]) == (0, 0, 0)
     # Arithmetic that errs by nothing was not run on the processor.
-    assert 0 < row.worst <= 1
-    assert row.right
+    assert 0 < row["worst"] <= 1
+    assert right(row)
 
 
 def test_a_pose_takes_no_more_instructions_than_a_controller_has(row: Figures) -> None:
-    assert 1000 < row.instructions <= INSTRUCTIONS[row.precision]
-    if not row.baked:
-        assert row.near_singular_joints is not None
+    assert 1000 < row["instructions"] <= INSTRUCTIONS[row["precision"]]
+    if not row["baked"]:
+        assert row["near_singular_joints"] is not None
         # All six legs near their joint singularities at once, which the limit for a pose does not cover.
-        assert row.instructions < row.near_singular_joints <= AT_MOST[False]
+        assert row["instructions"] < row["near_singular_joints"] <= AT_MOST[False]
 
 
 @pytest.mark.slow
@@ -90,44 +90,44 @@ def test_the_study_measures_every_kit_and_float_takes_no_more_instructions_than_
     )
     found = measure.study(dasgupta())
     assert found == kits
-    counts = {(row.precision, row.baked): row.instructions for row in found.rows}
+    counts = {(row["precision"], row["baked"]): row["instructions"] for row in found["rows"]}
     for baked in (False, True):
         assert counts["float", baked] <= counts["double", baked]
 
 
 def test_code_and_stack_are_small(row: Figures) -> None:
-    assert 1000 < row.flash["kernel"] + row.flash["robot"] <= FLASH[row.precision]
-    assert row.flash["image"] > row.flash["kernel"]
-    assert row.ram["kit"] == 0
-    assert 100 < row.stack["pose"] <= STACK
+    assert 1000 < row["flash"]["kernel"] + row["flash"]["robot"] <= FLASH[row["precision"]]
+    assert row["flash"]["image"] > row["flash"]["kernel"]
+    assert row["ram"]["kit"] == 0
+    assert 100 < row["stack"]["pose"] <= STACK
     # What was seen is no more than what the compiler says of all frames; a library's memcpy has small ones.
-    assert row.stack["pose"] <= row.stack["frames"] + 64 <= STACK
-    if not row.baked:
-        assert 100 < row.stack["prepare"] <= STACK
+    assert row["stack"]["pose"] <= row["stack"]["frames"] + 64 <= STACK
+    if not row["baked"]:
+        assert 100 < row["stack"]["prepare"] <= STACK
 
 
 def test_objects_ask_for_no_heap_no_libm_and_no_double(row: Figures) -> None:
-    assert row.foreign == ()
-    assert row.double == ()
+    assert row["foreign"] == []
+    assert row["double"] == []
 
 
-def test_the_report_and_the_published_table_say_what_was_found(found: Study) -> None:
+def test_the_report_and_the_published_table_say_what_was_found(found: Figures) -> None:
     text = report.report(found)
-    assert text.count("poses right") == len(found.rows)
+    assert text.count("poses right") == len(found["rows"])
     again = json.loads(json_text(report.full_report(found).data))
     said = published.tables(again)["controller"]
-    for each in found.rows:
-        assert f"{each.instructions:,}" in text
-        assert f"| {each.instructions:,} |" in said
+    for each in found["rows"]:
+        assert f"{each['instructions']:,}" in text
+        assert f"| {each['instructions']:,} |" in said
 
 
-def test_the_committed_figures_are_those_found_today_with_the_same_tools(found: Study) -> None:
+def test_the_committed_figures_are_those_found_today_with_the_same_tools(found: Figures) -> None:
     agrees_with_the_committed(found, "controller.json")
 
 
-def agrees_with_the_committed(found: Study, name: str) -> None:
+def agrees_with_the_committed(found: Figures, name: str) -> None:
     path = DOCS / name
-    committed, today = json.loads(path.read_text(encoding="utf-8")), json.loads(json_text(found.as_json()))
+    committed, today = json.loads(path.read_text(encoding="utf-8")), json.loads(json_text(found))
     for name in ("units", "generator"):
         committed.pop(name, None)
     shown = {(row["precision"], row["baked"]) for row in today["rows"]}
@@ -152,16 +152,16 @@ def test_what_torques_take_is_measured_and_published(tmp_path: Path) -> None:
         (DOCS / "examples" / "hexapod.toml").read_text(encoding="utf-8") + drive, encoding="utf-8"
     )
     robot = Robot.from_toml(file)
-    rows = tuple(measure.measured(robot, "general", baked, precision) for precision, baked in OPPOSITE)
-    found = Study(robot.name, "general", rows, toolchain.versions(), toolchain.FLAGS)
-    assert all(each.right for each in found.rows)
-    said = published.drive_tables(json.loads(json_text(found.as_json())))["controller_drive"]
-    for each in found.rows:
+    rows = [measure.measured(robot, "general", baked, precision) for precision, baked in OPPOSITE]
+    found = measure.of_rows(robot, "general", rows)
+    assert all(map(right, rows))
+    said = published.drive_tables(json.loads(json_text(found)))["controller_drive"]
+    for each in found["rows"]:
         # No more than the forces: what a controller adds to them.
-        assert 0 < each.drive["motor_torques"] < each.instructions
-        assert 0 < each.drive["axial_forces"] < each.instructions
-        assert f" {each.drive['motor_torques']:,} |" in said
-        assert f"{each.drive['motor_torques']:,}" in report.report(found)
+        assert 0 < each["drive"]["motor_torques"] < each["instructions"]
+        assert 0 < each["drive"]["axial_forces"] < each["instructions"]
+        assert f" {each['drive']['motor_torques']:,} |" in said
+        assert f"{each['drive']['motor_torques']:,}" in report.report(found)
     agrees_with_the_committed(found, "controller_drive.json")
 
 
@@ -223,9 +223,9 @@ def test_a_wrong_force_and_a_wrong_status_are_found(monkeypatch: pytest.MonkeyPa
         measure.Cases, "rejected", lambda *_: [(rejected[0][0], JOINT_SINGULAR), *rejected[1:]]
     )
     row = measure.measured(dasgupta(), "massless_static", True, "double")
-    assert (row.failed, row.rejected_wrongly) == (1, 1)
-    assert row.worst > 1
-    assert not row.right
+    assert (row["failed"], row["rejected_wrongly"]) == (1, 1)
+    assert row["worst"] > 1
+    assert not right(row)
 
 
 @pytest.mark.parametrize("tool", list(toolchain.PACKAGES))
@@ -241,7 +241,7 @@ def test_a_missing_tool_is_one_line_with_its_package(
 
 
 def test_the_command_writes_the_table_and_the_figures(
-    tmp_path: Path, found: Study, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path, found: Figures, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setattr(measure, "study", lambda *_: found)
     assert main(["controller", "-o", str(tmp_path / "out")]) == 0
@@ -259,8 +259,8 @@ def test_the_command_writes_the_table_and_the_figures(
 )
 def test_levels_run_on_the_processors(level: str, precision: str, baked: bool) -> None:
     row = measure.measured(random_robot(np.random.default_rng(1)), level, baked, precision)
-    assert row.right, row
-    assert row.instructions <= AT_MOST[baked]
+    assert right(row), row
+    assert row["instructions"] <= AT_MOST[baked]
 
 
 @pytest.mark.slow
@@ -271,7 +271,7 @@ def test_machines_of_other_sizes_and_joints_run_on_the_processors(
     """In float, which has the smaller range."""
     robot = random_robot(np.random.default_rng(2), joint, scale=scale)
     row = measure.measured(robot, "general", baked, "float")
-    assert row.right, row
+    assert right(row), row
 
 
 @pytest.mark.slow
@@ -280,9 +280,9 @@ def test_other_flags_keep_the_limits(flags: list[str], monkeypatch: pytest.Monke
     monkeypatch.setattr(toolchain, "FLAGS", (*toolchain.FLAGS, *flags))
     for precision, baked in OPPOSITE:
         row = measure.measured(dasgupta(), "general", baked, precision)
-        assert row.right
-        assert row.instructions <= AT_MOST[row.baked]
-        assert row.flash["kernel"] + row.flash["robot"] <= 24 * 1024
+        assert right(row)
+        assert row["instructions"] <= AT_MOST[row["baked"]]
+        assert row["flash"]["kernel"] + row["flash"]["robot"] <= 24 * 1024
 
 
 def test_the_self_test_of_a_kit_decides(tmp_path: Path) -> None:

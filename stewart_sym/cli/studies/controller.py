@@ -33,4 +33,4 @@ def run(arguments: argparse.Namespace) -> int:
     with results(arguments, "controller") as (take, progress):
         found = measure.study(robot, progress, arguments.fidelity)
         take(full_report(found))
-    return 0 if all(row.right for row in found.rows) else 2
+    return 0 if all(map(measure.right, found["rows"])) else 2

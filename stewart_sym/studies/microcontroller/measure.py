@@ -4,7 +4,7 @@ import re
 import shutil
 import tempfile
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
@@ -25,6 +25,7 @@ from ...kit.vectors import knows_axes, rejected, vectors
 from ...motion.motion import Motion
 from ...results import NOT_FINITE
 from ...robot.robot import Robot
+from ..common.output import Figures
 from . import toolchain
 from .toolchain import CORES, Core
 
@@ -39,71 +40,12 @@ _OF_DRIVES = ("_axial", "_torque")
 _HEAP = frozenset({"malloc", "calloc", "realloc", "free", "_sbrk", "_malloc_r", "_free_r"})
 
 
-@dataclass(frozen=True)
-class Figures:
-    """What one kit takes on its processor.
-
-    precision: "double" or "float"; baked; core: the processor, flags: its own of the compiler, board: QEMU's
-    with it. failed, rejected_wrongly: forces beyond their bound, and unsolvable poses without their
-    status; worst: largest error over its bound; poses: how many; selftest: exit code of the kit's own test.
-    instructions: executed for a pose at most, of the poses; near_singular_joints: the same with all
-    six legs near singularities of their joints, None where it cannot be tried: baked, or no universal joint.
-    flash: bytes of the ``kernel``'s code and constants, of the ``robot``'s numbers, and of all of the test's
-    program, ``image``; ram: bytes of the data of kernel and robot, ``kit``, and of the prepared constants,
-    ``model``, which the caller holds. stack: bytes below the caller that a ``pose`` was seen to write, and
-    that the preparation, ``prepare``, was; ``frames``: of all frames on the deepest way through a pose.
-    foreign: what the objects need of libraries beyond square root, size and copies; double: of a float kit,
-    instructions and helpers for doubles. drive: of a machine with a drive, instructions of ``motor_torques``
-    and, with rotors, of ``axial_forces``, their ``flash`` and, of the deeper of both, ``stack``.
-    """
-
-    precision: str
-    baked: bool
-    core: str
-    flags: tuple[str, ...]
-    board: str
-    failed: int
-    rejected_wrongly: int
-    worst: float
-    poses: int
-    selftest: int
-    instructions: int
-    near_singular_joints: int | None
-    flash: dict[str, int]
-    ram: dict[str, int]
-    stack: dict[str, int]
-    foreign: tuple[str, ...]
-    double: tuple[str, ...]
-    drive: dict[str, int]
-
-    @property
-    def right(self) -> bool:
-        """Whether all that was tried came out as it has to, and nothing is asked of heap or libm."""
-        tried = self.failed == 0 and self.rejected_wrongly == 0 and self.selftest == 0
-        return tried and not self.foreign and not self.double
-
-    @property
-    def name(self) -> str:
-        """The kit in words."""
-        return f"{'baked' if self.baked else 'general'}, {self.precision}"
+def right(row: Figures) -> bool:
+    """Whether all that was tried of a kit came out as it has to, and nothing is asked of heap or libm."""
+    return not any(row[name] for name in ("failed", "rejected_wrongly", "selftest", "foreign", "double"))
 
 
-@dataclass(frozen=True)
-class Study:
-    """Figures of the kits of one robot, and what made them."""
-
-    robot: str
-    fidelity: str
-    rows: tuple[Figures, ...]
-    tools: dict[str, str]
-    flags: tuple[str, ...]
-
-    def as_json(self) -> dict[str, Any]:
-        """Everything, as JSON takes it."""
-        return asdict(self)
-
-
-def study(robot: Robot, progress: Progress = silent, level: str = "general") -> Study:
+def study(robot: Robot, progress: Progress = silent, level: str = "general") -> Figures:
     """Measure general and baked kits, double on a Cortex-M7 and float on a Cortex-M4F.
 
     Raises CompilerError where a tool is missing or fails, ValueError as ``kit`` does.
@@ -117,7 +59,13 @@ def study(robot: Robot, progress: Progress = silent, level: str = "general") -> 
             progress, kits, lambda kit: f"{'baked' if kit[1] else 'general'} kit in {kit[0]}"
         )
     ]
-    return Study(robot.name, level, tuple(rows), toolchain.versions(), toolchain.FLAGS)
+    return of_rows(robot, level, rows)
+
+
+def of_rows(robot: Robot, level: str, rows: Sequence[Figures]) -> Figures:
+    """Figures of the kits of one robot, and what made them."""
+    made = {"tools": toolchain.versions(), "flags": toolchain.FLAGS}
+    return {"robot": robot.name, "fidelity": level, "rows": rows, **made}
 
 
 # --- cases ------------------------------------------------------------------------------------
@@ -164,7 +112,21 @@ class Cases:
 
 
 def measured(robot: Robot, level: str, bake: bool, precision: str) -> Figures:
-    """Write, build, run and measure one kit. CompilerError if it does not build or does not end."""
+    """Write, build, run and measure one kit. CompilerError if it does not build or does not end.
+
+    core: the processor, flags: its own of the compiler, board: QEMU's with it. failed, rejected_wrongly:
+    forces beyond their bound, and unsolvable poses without their status; worst: largest error over its bound;
+    poses: how many; selftest: exit code of the kit's own test. instructions: executed for a pose at most, of
+    the poses; near_singular_joints: the same with all six legs near singularities of their joints, None where
+    it cannot be tried: baked, or no universal joint. flash: bytes of the ``kernel``'s code and constants, of
+    the ``robot``'s numbers, and of all of the test's program, ``image``; ram: bytes of the data of kernel and
+    robot, ``kit``, and of the prepared constants, ``model``, which the caller holds. stack: bytes below the
+    caller that a ``pose`` was seen to write, and that the preparation, ``prepare``, was; ``frames``: of all
+    frames on the deepest way through a pose. foreign: what the objects need of libraries beyond square root,
+    size and copies; double: of a float kit, instructions and helpers for doubles. drive: of a machine with a
+    drive, instructions of ``motor_torques`` and, with rotors, of ``axial_forces``, their ``flash`` and, of
+    the deeper of both, ``stack``.
+    """
     core = CORES[precision]
     functions = ("forces",) if robot.drive is None else ("forces", TORQUE)
     made = kit(robot, Choice(functions, "exact", level, bake, True, precision)).files
@@ -240,30 +202,30 @@ def _figures(
     if precision == "float":
         double = set().union(*(toolchain.double_arithmetic(path) for path in objects))
         foreign |= asked & {"sqrt", "fabs"}
-    return Figures(
-        precision=precision,
-        baked=bake,
-        core=core.name,
-        flags=core.flags,
-        board=core.board,
-        failed=said["failed"][0],
-        rejected_wrongly=said["rejected_wrongly"][0],
-        worst=said["worst_error_ppm_of_bound"][0] / 1e6,
-        poses=len(said["ticks"]),
-        selftest=selftest,
-        instructions=counts["ticks"],
-        near_singular_joints=counts.get("ticks_near_singular_joints"),
-        flash={
+    return {
+        "precision": precision,
+        "baked": bake,
+        "core": core.name,
+        "flags": core.flags,
+        "board": core.board,
+        "failed": said["failed"][0],
+        "rejected_wrongly": said["rejected_wrongly"][0],
+        "worst": said["worst_error_ppm_of_bound"][0] / 1e6,
+        "poses": len(said["ticks"]),
+        "selftest": selftest,
+        "instructions": counts["ticks"],
+        "near_singular_joints": counts.get("ticks_near_singular_joints"),
+        "flash": {
             "kernel": parts[0]["flash"],
             "robot": sum(part["flash"] for part in parts[1:]),
             "image": toolchain.sizes(image)["flash"],
         },
-        ram=ram,
-        stack=stack,
-        foreign=tuple(sorted(foreign)),
-        double=tuple(sorted(double)),
-        drive=drive,
-    )
+        "ram": ram,
+        "stack": stack,
+        "foreign": sorted(foreign),
+        "double": sorted(double),
+        "drive": drive,
+    }
 
 
 _KNOWN = 200_000

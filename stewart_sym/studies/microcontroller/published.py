@@ -2,6 +2,7 @@
 
 from ...derive.emit.torque import torque_operations
 from ..common.output import Figures, paragraph, table
+from .report import name
 
 
 def tables(found: Figures) -> dict[str, str]:
@@ -42,7 +43,7 @@ def figures(rows: list[Figures]) -> str:
 def cells(row: Figures) -> tuple[str, ...]:
     """Cells of a kit."""
     return (
-        f"{'baked' if row['baked'] else 'general'}, `{row['precision']}`",
+        name(row, "`"),
         row["core"],
         number(row["instructions"]),
         number(row["near_singular_joints"]),

@@ -1,8 +1,9 @@
 """The study of a controller's processor for people and programs: a table and JSON."""
 
-from ..common.output import aligned
+from collections.abc import Sequence
+
+from ..common.output import Figures, aligned
 from ..common.report import Report
-from .measure import Figures, Study
 
 HEADER = (
     *("kit", "core", "answers", "worst/bound", "instructions", "near joints"),
@@ -21,53 +22,58 @@ _UNITS = {
 }
 
 
-def full_report(study: Study) -> Report:
+def full_report(found: Figures) -> Report:
     """The table, and all figures with the tools that made them."""
-    return Report(report(study), data={**study.as_json(), "units": _UNITS})
+    return Report(report(found), data={**found, "units": _UNITS})
 
 
-def report(study: Study) -> str:
+def report(found: Figures) -> str:
     """What was run, in some lines, and the table."""
+    rows = found["rows"]
     lines = [
-        f"{study.robot}, fidelity {study.fidelity}: one-pose kernels, {' '.join(study.flags)}",
-        *(f"{row.core}: {' '.join(row.flags)}, QEMU {row.board}" for row in study.rows if row.baked),
-        *study.tools.values(),
+        f"{found['robot']}, fidelity {found['fidelity']}: one-pose kernels, {' '.join(found['flags'])}",
+        *(f"{row['core']}: {' '.join(row['flags'])}, QEMU {row['board']}" for row in rows if row["baked"]),
+        *found["tools"].values(),
         "Instructions are executed ones of a call, the most of the poses tried; near joints: with all legs",
         "near the singularities of their universal joints. Flash, RAM and stack in bytes; stack of a pose as",
         "painted and found again, and of all frames on its deepest way, as the compiler says; of the",
         "preparation as painted.",
     ]
-    tables = [aligned(HEADER, [cells(row) for row in study.rows], left=3)]
-    if any(row.drive for row in study.rows):
-        tables.append(aligned(DRIVE_HEADER, [drive_cells(row) for row in study.rows], left=2))
+    tables = [aligned(HEADER, [cells(row) for row in rows], left=3)]
+    if any(row["drive"] for row in rows):
+        names = ("axial_forces", "motor_torques", "flash", "stack")
+        drives = [[name(row), row["core"], *_counts(row["drive"], names)] for row in rows]
+        tables.append(aligned(DRIVE_HEADER, drives, left=2))
     return "\n\n".join(["\n".join(lines), *tables])
 
 
-def drive_cells(row: Figures) -> list[str]:
-    """One line of the table of torques."""
-    names = ("axial_forces", "motor_torques", "flash", "stack")
-    return [row.name, row.core, *(f"{row.drive[name]:,}" if name in row.drive else "-" for name in names)]
+def name(row: Figures, quote: str = "") -> str:
+    """A kit in words."""
+    return f"{'baked' if row['baked'] else 'general'}, {quote}{row['precision']}{quote}"
 
 
 def cells(row: Figures) -> list[str]:
     """One line of the table."""
     return [
-        row.name,
-        row.core,
-        answers(row),
-        f"{row.worst:.3f}",
-        f"{row.instructions:,}",
-        "-" if row.near_singular_joints is None else f"{row.near_singular_joints:,}",
-        *(f"{row.flash[name]:,}" for name in ("kernel", "robot", "image")),
-        *(f"{row.ram[name]:,}" if name in row.ram else "-" for name in ("kit", "model")),
-        *(f"{row.stack[name]:,}" if name in row.stack else "-" for name in ("pose", "frames", "prepare")),
-        ", ".join(row.foreign) or "none",
-        (", ".join(row.double) or "none") if row.precision == "float" else "-",
+        name(row),
+        row["core"],
+        _answers(row),
+        f"{row['worst']:.3f}",
+        *_counts(row, ("instructions", "near_singular_joints")),
+        *_counts(row["flash"], ("kernel", "robot", "image")),
+        *_counts(row["ram"], ("kit", "model")),
+        *_counts(row["stack"], ("pose", "frames", "prepare")),
+        ", ".join(row["foreign"]) or "none",
+        (", ".join(row["double"]) or "none") if row["precision"] == "float" else "-",
     ]
 
 
-def answers(row: Figures) -> str:
+def _counts(found: Figures, names: Sequence[str]) -> list[str]:
+    return ["-" if found.get(name) is None else f"{found[name]:,}" for name in names]
+
+
+def _answers(row: Figures) -> str:
     """Whether forces, statuses and the kit's own test came out right."""
-    wrong = {"forces": row.failed, "statuses": row.rejected_wrongly, "self-test": row.selftest}
-    said = [f"{name} wrong" for name, count in wrong.items() if count]
-    return "; ".join(said) or f"{row.poses} poses right"
+    counts = {"forces": "failed", "statuses": "rejected_wrongly", "self-test": "selftest"}
+    said = [f"{what} wrong" for what, count in counts.items() if row[count]]
+    return "; ".join(said) or f"{row['poses']} poses right"
