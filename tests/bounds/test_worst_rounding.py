@@ -197,6 +197,5 @@ def test_values_are_handed_on_with_the_errors_of_the_same_values() -> None:
 # ---------------------------------------------------------------- two functions by themselves
 
 
-@needs_compiler
 def test_rotation_and_solution_are_bounded_by_themselves() -> None:
     assert parts.holds()

@@ -2,17 +2,17 @@
 
 ``rotation_error`` bounds how far R is from a rotation, ``solution_error`` the error of a solution with
 given errors of H and c. Every operation is rounded by one unit in the direction that makes the bound
-smallest; the exact value, or that of the worst H and c within their errors, must not be above it. Finds
-both functions in the text of the C.
+smallest; the exact value, or that of the worst H and c within their errors, must not be above it. Runs the
+text of the C, read as Python, for all cases at once.
 """
 
-import ctypes
-import functools
+import ast
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
-import worst_rounding as rounding
 from numpy.typing import NDArray
 
 from stewart_sym.backend.c_kernel import c_sources
@@ -24,65 +24,149 @@ SLIGHT = 0.01
 """Share of the bound's own rounding that squares of it may take."""
 NOISE = 1e-10
 """Relative error of the worst solution in double precision, and of squares of the unit."""
-VALUES = 4
-"""Statements of each function that round values."""
+
+_ROUNDED = ("product", "sum", "small", "rest", "total", "lack", "term")
+"""Values of both functions; what bounds an error has a margin of its own."""
+_KNOWN = {
+    "STEWART_FABS": np.abs,
+    "STEWART_HALF": 0.5,
+    "STEWART_UNIT": UNIT,
+    "STEWART_EPSILON": 2 * UNIT,
+    "STEWART_MAX": 1e300,
+    "STEWART_SLACK": 1.0,
+    "STEWART_INFINITY": np.inf,
+    "REAL": float,
+    "np": np,
+}
+_IN_PYTHON = (
+    (r"^static \w+ (\w+)\((.*?)\)\n\{", lambda m: f"def {m[1]}({_names(m[2])}):"),
+    (r"^ +/\*.*\*/$|^ +int .*;$|^ *\}$", ""),
+    (r"for \((\w) = (\d+); \w < (\d+); (?:\+\+\w|\w \+= (\d))\) \{",
+     lambda m: f"for {m[1]} in range({m[2]}, {m[3]}, {m[4] or 1}):"),
+    (r"if \(!\((.*)\)\) \{\n +(\w+\[i\]) = (\w+);", r"\2 = np.where(\1, \2, \3)"),
+    (r"if \(!\((.*)\)\) \{", r"if not (\1):"),
+    (r"stewart_real (\w+)\[6\]\[6\];", r"\1 = [[None for _ in range(6)] for _ in range(6)]"),
+    (r"stewart_real (\w+)\[(\d)\];", r"\1 = [None for _ in range(\2)]"),
+    (r"(?:const )?stewart_real (\w+ =)", r"\1"),
+    (r"(= |return )([^?;]*) \? (.*) : (.*);", r"\1np.where(\2, \3, \4)"),
+    (r"(high\[i\]) = R\[i\] \+ shift - shift;", r"\1 = np.rint(R[i] * 4096) / 4096"),
+    (r"->", "."),
+    (r";$", ""),
+)  # fmt: skip
 
 
-@functools.cache
-def _library() -> ctypes.CDLL:
+def _names(parameters: str) -> str:
+    return ", ".join(re.findall(r"(\w+)(?:\[\d\])*(?:,|$)", parameters))
+
+
+class _Rounding(ast.NodeTransformer):
+    """Hands every operation to ``rounded``."""
+
+    def visit_Subscript(self, node: ast.Subscript) -> ast.Subscript:
+        return node
+
+    def visit_BinOp(self, node: ast.BinOp) -> ast.Call:
+        self.generic_visit(node)
+        return ast.Call(ast.Name("rounded", ast.Load()), [node], [])
+
+
+def _rounds(node: ast.Assign) -> bool:
+    """Whether an operation gives a value; products of high parts are exact, and so are their sums."""
+    operations = any(isinstance(each, ast.BinOp) for each in ast.walk(node.value))
+    exact = ast.unparse(node.value).count("high") == 2
+    return operations and not exact and ast.unparse(node.targets[0]) in _ROUNDED
+
+
+def _function(name: str, statements: int) -> Callable[..., Any]:
+    """A function of the C, whose operations that round take their errors from the first argument."""
     text = c_sources("exact_bounds")["stewart_exact_bounds.c"]
-    parts = []
-    for name in ("rotation_error", "solution_error"):
-        found = re.search(rf"^static \w+ {name}\(.*?^\}}", text, re.M | re.S)
-        assert found
-        parts.append(found[0])
-    rotation = parts[0]
-    for old, new in (
-        ("high[i] = R[i] + shift - shift;", "high[i] = Number(rint(R[i].v * 4096) / 4096);"),
-        ("low[i] = R[i] - high[i];", "low[i] = Number(R[i].v - high[i].v);"),
-    ):
-        assert old in rotation
-        rotation = rotation.replace(old, new)
-    # Products of high parts are exact, and so are their sums; what bounds an error has a margin of its own.
-    values = r"(\n +(?:const stewart_real )?(?:product|sum|small|rest|total|lack|term) = [^;]+;)"
-    rotation, count = re.subn(values, r"exact = 0; \1 exact = 1;", rotation)
-    parts[1], more = re.subn(values, r"exact = 0; \1 exact = 1;", parts[1])
-    high = re.search(r"exact = 0; (\n +total = [^;]+high[^;]+;)", rotation)
-    assert high
-    assert count == more == VALUES
-    rotation = rotation.replace(high[0], high[1])
-    sources = {"parts.cpp": _NUMBER + rotation + parts[1] + _RUN}
-    return rounding.compiled(sources, "parts.cpp")
+    found = re.search(rf"^static \w+ {name}\(.*?^\}}", text, re.M | re.S)
+    assert found
+    body = found[0]
+    for old, new in _IN_PYTHON:
+        body = re.sub(old, new, body, flags=re.M | (re.S if old.startswith("^static") else 0))
+    tree = ast.parse(body)
+    rounding = [each for each in ast.walk(tree) if isinstance(each, ast.Assign) and _rounds(each)]
+    assert len(rounding) == statements
+    for each in rounding:
+        each.value = _Rounding().visit(each.value)
+    code = compile(ast.fix_missing_locations(tree), name, "exec")
+
+    def run(errors: Iterable[Array], *given: Any) -> Any:
+        each = iter(errors)
+        known = {**_KNOWN, "rounded": lambda value: value * (1 + next(each))}
+        exec(code, known)
+        return known[name](*given)
+
+    return run
+
+
+def _smallest(run: Callable[[Iterable[Array]], Array]) -> Array:
+    """The least that outputs, (count, cases), may come out as; ``run`` adds a last axis of ways to round."""
+    operations = 0
+
+    def exactly() -> Iterator[Array]:
+        nonlocal operations
+        while True:
+            operations += 1
+            yield np.zeros(1)
+
+    plain = run(exactly())
+    # Where there is no bound, no rounding makes one.
+    with np.errstate(invalid="ignore"):
+        slopes = run(UNIT * np.eye(operations)) - plain
+    against = np.where(slopes > 0, -UNIT, UNIT).transpose(2, 1, 0)
+    return np.einsum("ncn->nc", run(against))
 
 
 def holds() -> bool:
     """Whether the bounds are above the worst everywhere."""
-    library = _library()
-    for R in _rotations():
-        exact = abs(R.reshape(3, 3).T @ R.reshape(3, 3) - np.eye(3))
-        high = np.rint(R * 4096) / 4096
-        low, high, R_ = ((each.reshape(3, 3)) for each in (R - high, high, R))
-        sizes = abs(high.T) @ abs(low) + abs(low.T) @ abs(R_)
-        least = np.append(exact.ravel(), exact.sum(axis=1).max() / 2)
-        own = UNIT * np.append((sizes + exact).ravel(), (sizes + exact).sum(axis=1).max())
-        found = np.zeros(10)
-        library.rotation(_at(R), _at(found))
-        if not (found >= least - SLIGHT * own).all():
-            return False
-    for H, H_err, c, c_err, c_own, x, Y in _systems():
-        doubt = c_err + H_err @ abs(x)
-        error, found = abs(Y) @ doubt, np.zeros(6)
-        library.solution(*(_at(each) for each in (H, H_err, c, c_err, c_own, x, Y, error)), _at(found))
-        least = np.array([_farthest(i, H, H_err, c, c_err + c_own, x, Y) for i in range(6)])
-        if not (found >= least * (1 - NOISE)).all():
-            return False
-    return True
+    return _rotations_hold() and _solutions_hold()
 
 
-def _at(array: Array) -> ctypes.c_void_p:
-    assert array.flags.c_contiguous
-    assert array.dtype == np.float64
-    return ctypes.c_void_p(array.ctypes.data)
+def _rotations_hold() -> bool:
+    function, all_R = _function("rotation_error", statements=3), np.array([*_rotations()])
+
+    def run(errors: Iterable[Array]) -> Array:
+        stretch = 9 * [None]
+        worst = function(errors, all_R.T[..., None], stretch)
+        return np.stack([*stretch, worst])
+
+    R = all_R.reshape(-1, 3, 3)
+    high, exact = np.rint(R * 4096) / 4096, abs(_transposed(R) @ R - np.eye(3))
+    low = R - high
+    sizes = exact + abs(_transposed(high)) @ abs(low) + abs(_transposed(low)) @ abs(R)
+    least, own = (
+        np.column_stack([each.reshape(-1, 9), share * each.sum(axis=-1).max(axis=-1)])
+        for each, share in ((exact, 0.5), (sizes, 1.0))
+    )
+    return bool((_smallest(run).T >= least - SLIGHT * UNIT * own).all())
+
+
+def _solutions_hold() -> bool:
+    function, systems = _function("solution_error", statements=4), [*_systems()]
+    H, H_err, c, c_err, c_own, x, Y = (np.array(each) for each in zip(*systems, strict=True))
+    doubt = c_err + np.einsum("nij,nj->ni", H_err, abs(x))
+    first = np.einsum("nij,nj->ni", abs(Y), doubt)
+
+    def run(errors: Iterable[Array]) -> Array:
+        of = {"H": H, "H_err": H_err, "c": c, "c_err": c_err, "c_own": c_own}
+        error = [*_by_entry(first)]
+        equations = SimpleNamespace(**{name: _by_entry(each) for name, each in of.items()})
+        function(errors, equations, _by_entry(x), _by_entry(Y), error)
+        return np.stack(error)
+
+    least = [_farthest(i, H, H_err, c, c_err + c_own, x, Y) for i in range(6)]
+    return bool((_smallest(run) >= np.array(least) * (1 - NOISE)).all())
+
+
+def _transposed(matrices: Array) -> Array:
+    return np.swapaxes(matrices, -1, -2)
+
+
+def _by_entry(array: Array) -> Array:
+    """Of arrays (cases, ...): (..., cases, 1)."""
+    return np.moveaxis(array, 0, -1)[..., None]
 
 
 def _rotations() -> Iterator[Array]:
@@ -142,128 +226,14 @@ def _chain(order: NDArray[np.int64], residual: bool) -> tuple[Array, ...]:
     return H, np.zeros((6, 6)), right, zero, zero, x, np.ascontiguousarray(Y)
 
 
-def _farthest(i: int, H: Array, H_err: Array, c: Array, c_err: Array, x: Array, Y: Array) -> float:
-    """How far a solution may be from x in one place, with H and c anywhere within their errors."""
-    most = 0.0
+def _farthest(i: int, H: Array, H_err: Array, c: Array, c_err: Array, x: Array, Y: Array) -> Array:
+    """How far solutions, (cases,), may be from x in one place, with H and c anywhere within their errors."""
+    most = np.zeros(len(H))
     for sign in (-1.0, 1.0):
-        found, side = x, sign * np.where(Y[i] < 0, -1.0, 1.0)
+        found, side = x, sign * np.where(Y[:, i] < 0, -1.0, 1.0)
         for _ in range(4):
-            moved = H - side[:, None] * np.where(found < 0, -1.0, 1.0) * H_err
-            found = np.linalg.solve(moved, c + side * c_err)
-            most = max(most, abs(found[i] - x[i]))
-            side = sign * np.where(np.linalg.inv(moved)[i] < 0, -1.0, 1.0)
-    return float(most)
-
-
-_NUMBER = """\
-#include <cmath>
-#include <cstring>
-static int exact = 1, made;
-static double rounded[100000];
-struct Number {
-    double v;
-    Number() = default;
-    Number(double x) : v(x) {}
-};
-static Number made_of(double x)
-{
-    if (!exact) {
-        x *= 1 + rounded[made++];
-    }
-    return Number(x);
-}
-static Number operator+(Number a, Number b) { return made_of(a.v + b.v); }
-static Number operator-(Number a, Number b) { return made_of(a.v - b.v); }
-static Number operator*(Number a, Number b) { return made_of(a.v * b.v); }
-static Number operator/(Number a, Number b) { return made_of(a.v / b.v); }
-static Number operator-(Number a) { return Number(-a.v); }
-static bool operator<=(Number a, Number b) { return a.v <= b.v; }
-static bool operator>=(Number a, Number b) { return a.v >= b.v; }
-static bool operator>(Number a, Number b) { return a.v > b.v; }
-static bool operator==(Number a, Number b) { return a.v == b.v; }
-#define stewart_real Number
-#define REAL(value) Number(value)
-#define STEWART_FABS(value) Number(fabs((value).v))
-#define STEWART_HALF Number(0.5)
-#define STEWART_UNIT Number(5.9604644775390625e-08)
-#define STEWART_EPSILON Number(1.1920928955078125e-07)
-#define STEWART_MAX Number(1e300)
-#define STEWART_SLACK Number(1)
-#define STEWART_INFINITY Number(INFINITY)
-struct platform_equations {
-    Number c[6], c_err[6], c_own[6], H[6][6], H_err[6][6];
-};
-"""
-
-_RUN = """
-static void worst(void (*run)(double *), int count, double *least)
-{
-    double plain[10], moved[10];
-    static double slope[10][100000];
-    int i, k, operations;
-    memset(rounded, 0, sizeof rounded);
-    made = 0;
-    run(plain);
-    operations = made;
-    for (k = 0; k < operations; ++k) {
-        rounded[k] = 5.9604644775390625e-08;
-        made = 0;
-        run(moved);
-        rounded[k] = 0;
-        for (i = 0; i < count; ++i) {
-            slope[i][k] = moved[i] - plain[i];
-        }
-    }
-    for (i = 0; i < count; ++i) {
-        for (k = 0; k < operations; ++k) {
-            rounded[k] = slope[i][k] > 0 ? -5.9604644775390625e-08 : 5.9604644775390625e-08;
-        }
-        made = 0;
-        run(moved);
-        least[i] = moved[i];
-    }
-}
-
-static Number R[9], x[6], Y[6][6], error[6];
-static platform_equations of;
-
-static void run_rotation(double *out)
-{
-    Number stretch[9];
-    out[9] = rotation_error(R, stretch).v;
-    for (int i = 0; i < 9; ++i) {
-        out[i] = stretch[i].v;
-    }
-}
-
-static void run_solution(double *out)
-{
-    Number sum[6];
-    memcpy(sum, error, sizeof sum);
-    solution_error(&of, x, Y, sum);
-    for (int i = 0; i < 6; ++i) {
-        out[i] = sum[i].v;
-    }
-}
-
-extern "C" void rotation(const double *matrix, double *out)
-{
-    memcpy(R, matrix, sizeof R);
-    worst(run_rotation, 10, out);
-}
-
-extern "C" void solution(
-    const double *H, const double *H_err, const double *c, const double *c_err, const double *c_own,
-    const double *at, const double *inverse, const double *first, double *out)
-{
-    memcpy(of.H, H, sizeof of.H);
-    memcpy(of.H_err, H_err, sizeof of.H_err);
-    memcpy(of.c, c, sizeof of.c);
-    memcpy(of.c_err, c_err, sizeof of.c_err);
-    memcpy(of.c_own, c_own, sizeof of.c_own);
-    memcpy(x, at, sizeof x);
-    memcpy(Y, inverse, sizeof Y);
-    memcpy(error, first, sizeof error);
-    worst(run_solution, 6, out);
-}
-"""
+            moved = H - side[:, :, None] * np.where(found < 0, -1.0, 1.0)[:, None] * H_err
+            found = np.linalg.solve(moved, (c + side * c_err)[..., None])[..., 0]
+            most = np.maximum(most, abs(found[:, i] - x[:, i]))
+            side = sign * np.where(np.linalg.inv(moved)[:, i] < 0, -1.0, 1.0)
+    return most

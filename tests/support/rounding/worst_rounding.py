@@ -90,19 +90,14 @@ def _traced() -> tuple[ctypes.CDLL, list[str]]:
     text, groups = marked(sources["stewart_exact_bounds.c"])
     text = text.replace("#define STEWART_UNIT (STEWART_EPSILON *", "#define STEWART_UNIT (epsilon_here() *")
     files = {**sources, "stewart_exact_bounds.c": text, "traced.h": _NUMBER, "traced.cpp": _RUN}
-    return compiled(files, "traced.cpp"), groups
-
-
-def compiled(sources: dict[str, str], entry: str) -> ctypes.CDLL:
-    """The library of C++ sources, of which one file holds or includes all."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        for file, text in sources.items():
-            (folder / file).write_text(text, encoding="utf-8")
-        library = folder / "traced.so"
-        command = ["g++", "-O1", "-w", "-shared", "-fPIC", "-o", str(library), str(folder / entry)]
+        for file, content in files.items():
+            (folder / file).write_text(content, encoding="utf-8")
+        library = str(folder / "traced.so")
+        command = ["g++", "-O1", "-w", "-shared", "-fPIC", "-o", library, str(folder / "traced.cpp")]
         subprocess.run(command, check=True, timeout=300)
-        return ctypes.CDLL(str(library))
+        return ctypes.CDLL(library), groups
 
 
 def groups() -> list[str]:
