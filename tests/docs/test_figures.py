@@ -22,8 +22,9 @@ from stewart_sym.simulation.scene import Scene, read_scene
 from stewart_sym.studies import published
 from stewart_sym.studies.accuracy.budget import papers_motions
 from stewart_sym.studies.benchmark import published as published_bench
-from stewart_sym.studies.benchmark.figures import CLOSED, figure
-from stewart_sym.studies.benchmark.figures import motion_figures as figures_of_motion
+from stewart_sym.studies.benchmark.baselines import Called
+from stewart_sym.studies.benchmark.equation_kernels import MotionGroup
+from stewart_sym.studies.benchmark.figures import CLOSED, Timed
 from stewart_sym.studies.common.host import DISTURBED
 from stewart_sym.studies.control import control
 from stewart_sym.studies.control import published as published_control
@@ -55,8 +56,8 @@ def test_paper_differs_from_pinocchio_on_the_paths_by_what_the_page_says(name: s
 def test_work_differs_from_energy_by_what_the_page_says(name: str) -> None:
     robot = dasgupta(friction=False)
     paper, exact = (
-        100 * (found.work - found.gain) / found.gain
-        for found in (work_energy(robot, name, faults) for faults in (newton_euler.PAPER, newton_euler.EXACT))
+        100 * work_energy(robot, name, faults)["mismatch"]
+        for faults in (newton_euler.PAPER, newton_euler.EXACT)
     )
     assert table_row(FAULTS, name)[2:] == [f"{paper:.2f} %", "below 1e-10 %"]
     assert abs(exact) < 1e-10
@@ -76,7 +77,7 @@ def test_paper_differs_from_pinocchio_on_random_machines_by_what_the_page_says()
 
 
 def test_fault_2_costs_at_rest_what_the_page_says() -> None:
-    error = fault_cost(dasgupta(), frozenset({2})).at_rest["I"]
+    error = fault_cost(dasgupta(), frozenset({2}))["at_rest"]["I"]
     assert f"Fault 2 acts even at rest: {100 * error:.2f} %" in prose_of(FAULTS)
 
 
@@ -181,15 +182,22 @@ def test_the_committed_run_keeps_what_the_kernels_promise() -> None:
 
 def motion_figures() -> dict[str, Any]:
     """The second group as ``bench`` writes it, from figures made up."""
-    ours, baselines = (
-        [figure(name, f"{name}, how", "one pose", 16, (time,)) for name, time in group]
-        for group in (
-            (("inverse dynamics", 300.0), ("forward dynamics", 400.0), ("derivatives", 1500.0)),
-            (("Pinocchio", 9000.0), ("MuJoCo", 8000.0)),
-        )
-    )
+    raw: dict[Timed, tuple[float]] = {}
+
+    def timed(name: str, time: float, **more: Any) -> Timed:
+        made = Timed(len, 16, name, f"{name}, how", **more)
+        raw[made] = (time,)
+        return made
+
+    times = {"inverse dynamics": 300.0, "forward dynamics": 400.0, "derivatives": 1500.0}
+    build = {"instructions": "AVX2"}
+    ours = [timed(name, time, kind="one pose", build=build) for name, time in times.items()]
+    engines = [
+        Called(name, f"{name}, how", (timed(name, time), timed(name, 0.0)), list, opened=2e-8)
+        for name, time in (("Pinocchio", 9000.0), ("MuJoCo", 8000.0))
+    ]
     differences = {"Pinocchio": 1e-8, "MuJoCo": 2e-6}
-    return figures_of_motion("machine", ours, baselines, [], [], 2e-8, differences)
+    return MotionGroup(dasgupta(), tuple(ours), tuple(engines), differences).figures(raw)
 
 
 def test_motion_has_every_figure_with_its_target() -> None:

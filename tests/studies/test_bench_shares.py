@@ -6,7 +6,7 @@ import pytest
 
 from stewart_sym.backend import native
 from stewart_sym.io.progress import silent
-from stewart_sym.studies.benchmark.figures import BASIS, CLOSED, PLAIN, figure, limits, of_c, shares
+from stewart_sym.studies.benchmark.figures import BASIS, CLOSED, PLAIN, build_of, figure, limits, shares
 from stewart_sym.studies.benchmark.processor import additions, multiply_add, targets, widest
 from stewart_sym.studies.common import timing
 from stewart_sym.studies.common.output import Figures
@@ -21,7 +21,8 @@ NAMES = {
 def made_up(**times: float) -> Figures:
     """C of these names, its flags after two underlines, for AVX2, and a limit of 2 ns."""
     builds = [
-        of_c(figure(NAMES[label], "", "", 1, (time,)), "AVX2", ["-m", *(["-fused"] if fused else [])], None)
+        figure(NAMES[label], "", "", 1, (time,))
+        | build_of("AVX2", ["-m", *(["-fused"] if fused else [])], None)
         for name, time in times.items()
         for label, _, fused in [name.partition("__")]
     ]
@@ -60,7 +61,7 @@ def test_multiply_adds_are_what_their_count_says() -> None:
         loop = multiply_add(kind.flags)
         assert loop.set == kind.name
         assert loop.lanes in (2, 4, 8)
-        assert loop.count % (12 * loop.lanes) == 0
+        assert loop.units % (12 * loop.lanes) == 0
         loop.run(1)
 
 
@@ -70,7 +71,7 @@ def test_without_avx_512_code_is_compiled_for_avx2() -> None:
 
 
 def test_a_chain_of_additions_waits_for_each_one() -> None:
-    tasks = {"chain": additions(), "multiply-add": timing.Task(multiply_add().run, multiply_add().count)}
+    tasks = {"chain": additions(), "multiply-add": multiply_add()}
     raw = timing.measured(tasks, dict.fromkeys(tasks, 9), silent)
     clock = 1 / min(raw["chain"])
     assert 0.3 < clock < 8

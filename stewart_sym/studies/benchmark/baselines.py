@@ -2,7 +2,7 @@
 
 import ctypes
 import functools
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -16,8 +16,8 @@ from ...io.array_types import Array, Codes
 from ...reference import newton_euler
 from ..common.loops import loop_source
 from ..common.output import Figures
-from ..common.timing import Task, over, repeated
-from .figures import CLOSED, NAME, PLAIN, figure
+from ..common.timing import over, repeated
+from .figures import CLOSED, NAME, PLAIN, Raw, Timed, figure
 from .poses import Poses
 from .processor import Flags
 
@@ -39,12 +39,11 @@ AGREEMENT = 1e-10
 class Runner:
     """A candidate ready to run: ``run(n)`` computes all of its poses n times; ``F()`` tells what it found.
 
-    ``kept`` holds on to arrays of which C code has the addresses only. library: where the code is, if in C.
+    library: where the code is, if in C.
     """
 
     run: Callable[[int], object]
     F: Callable[[], Array]
-    kept: object = None
     library: ctypes.CDLL | None = None
 
 
@@ -82,42 +81,41 @@ class Candidate:
 
 
 @dataclass(frozen=True, eq=False)
-class Part:
-    """One loop that is timed: ``run(n)`` does ``units`` calls or solves n times."""
-
-    name: str
-    what: str
-    run: Callable[[int], object]
-    units: int
-
-
-@dataclass(frozen=True, eq=False)
 class Called:
-    """A baseline that Python calls pose by pose: ``F()`` are its forces.
+    """A baseline that Python calls pose by pose: ``found()`` are its forces, or accelerations, (n, 6).
 
-    Its time per pose is the sum of its parts less ``empty``, a call over nothing.
+    Its time per pose is the sum of its parts less the last of them, a call over nothing. tolerance: as
+    AGREEMENT. opened: by how much its loops are open, m; None where constraints are rigid.
     """
 
     name: str
     what: str
-    parts: tuple[Part, ...]
-    empty: Part
-    F: Callable[[], Array]
+    parts: tuple[Timed, ...]
+    found: Callable[[], Array]
+    tolerance: float = AGREEMENT
+    opened: float | None = None
 
-    def tasks(self) -> dict[str, Task]:
-        """What is to be timed, by the names that ``figures`` reads."""
-        return {self._task(part): Task(part.run, part.units) for part in (*self.parts, self.empty)}
+    def figures(self, raw: Raw) -> tuple[Figures, list[Figures]]:
+        """Time per pose, made of the parts round by round, and the parts."""
+        times = [sum(added) - none for *added, none in zip(*(raw[part] for part in self.parts), strict=True)]
+        parts = [part.figure(raw) for part in self.parts]
+        return figure(self.name, self.what, "call", 1, times), parts
 
-    def figures(self, raw: Mapping[str, Sequence[float]]) -> tuple[Figures, list[Figures]]:
-        """Time per pose, made of the parts round by round, and the parts, the last of them subtracted."""
-        *added, empty = (raw[name] for name in self.tasks())
-        times = [sum(each) - none for *each, none in zip(*added, empty, strict=True)]
-        parts = (*self.parts, self.empty)
-        of_parts = [figure(part.name, part.what, "call", 1, raw[self._task(part)]) for part in parts]
-        return figure(self.name, self.what, "call", 1, times), of_parts
 
-    def _task(self, part: Part) -> str:
-        return f"{self.name}, {part.name}"
+def difference(name: str, found: Array, parts: Sequence[Array], tolerance: float, of: str) -> float:
+    """Largest difference from the parts, (n, ...) each, as a share of a pose's largest.
+
+    Raises ValueError, which says of what, if it is too large.
+    """
+    ends = np.cumsum([part[0].size for part in parts])
+    worst = 0.0
+    for numbers, part in zip(np.split(found, ends[:-1], axis=-1), parts, strict=True):
+        truth = part.reshape(len(part), -1)
+        error, largest = np.abs(numbers - truth).max(axis=-1), np.abs(truth).max(axis=-1)
+        worst = max(worst, float(np.max(error / np.where(largest > 0, largest, 1.0))))
+    if not worst <= tolerance:
+        raise ValueError(f"{name}: {of} differ from the reference's by {worst:.1e}, expected {tolerance:g}")
+    return worst
 
 
 def c_loop(library: ctypes.CDLL, machine: NDArray[Any], poses: Poses) -> Runner:
@@ -126,13 +124,13 @@ def c_loop(library: ctypes.CDLL, machine: NDArray[Any], poses: Poses) -> Runner:
     Its arguments: the machine's numbers, count of poses, repeats, motions (count, 30) and F (count, 6); it
     returns a status.
     """
-    rows, F = poses.rows, np.zeros((len(poses), 6))
-    numbers, count, motions, out = address(machine), ctypes.c_size_t(len(poses)), address(rows), address(F)
+    rows, F, count = poses.rows, np.zeros((len(poses), 6)), ctypes.c_size_t(len(poses))
 
     def run(repeats: int) -> None:
-        succeed(library.drive(numbers, count, ctypes.c_size_t(repeats), motions, out))
+        given = (address(machine), count, ctypes.c_size_t(repeats), address(rows), address(F))
+        succeed(library.drive(*given))
 
-    return Runner(run, lambda: F, (machine, rows), library)
+    return Runner(run, lambda: F, library)
 
 
 def forces_loop() -> dict[str, str]:
@@ -239,7 +237,9 @@ def jax_one_pose(poses: Poses) -> Called:
     def loop(function: Any) -> Callable[[int], None]:
         return over(lambda pose: function(pose).block_until_ready(), [(pose,) for pose in given])
 
-    part = Part("kernel", "the compiled kernel", loop(compiled), len(given))
-    empty = Part("empty call", "a compiled function that returns zeros", loop(nothing), len(given))
+    parts = (
+        Timed(loop(compiled), len(given), "kernel", "the compiled kernel"),
+        Timed(loop(nothing), len(given), "empty call", "a compiled function that returns zeros"),
+    )
     found = np.array([compiled(pose) for pose in given])
-    return Called("JAX, jit", "XLA, F alone - call", (part,), empty, lambda: found)
+    return Called("JAX, jit", "XLA, F alone - call", parts, lambda: found)

@@ -34,7 +34,6 @@ from ..common.timing import Task, measured, repeated, time_source
 from . import compile_times as bench_compile
 from . import equation_kernels, reductions
 from .baselines import (
-    AGREEMENT,
     FEW,
     JAX,
     LARGE,
@@ -46,6 +45,7 @@ from .baselines import (
     Runner,
     c_loop,
     checked,
+    difference,
     forces_loop,
     jax_one_pose,
     succeed,
@@ -58,17 +58,19 @@ from .figures import (
     NAME,
     ONE_POSE,
     PLAIN,
+    Raw,
+    Timed,
+    build_of,
     figure,
     flatness,
     limits,
-    of_c,
     quickest,
     sampled,
     shares,
     with_ratios,
 )
 from .poses import Poses, bench_poses
-from .processor import FUSED, Flags, Target, additions, multiply_add, targets, widest
+from .processor import FUSED, Flags, MultiplyAdd, Target, additions, multiply_add, targets, widest
 
 ROUNDS, QUICK_ROUNDS = 41, 9
 COMPILATIONS, QUICK_COMPILATIONS = 7, 3
@@ -219,9 +221,6 @@ COMPARED = {"casadi": "casadi", "pinocchio": "pin", "pydrake": "drake", "mujoco"
 SLOW_TO_COMPILE = ("jax",)
 """Those that a quick run leaves alone."""
 
-ARITHMETIC = f"multiply-add, {CORES} cores"
-_ADDITION = "addition in a chain"
-
 
 # --- the run ----------------------------------------------------------------------------------
 
@@ -256,44 +255,38 @@ def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = 
     differences = _differences(poses, candidates, runners, called)
     motion = equation_kernels.motion_group(few, kinds)
 
+    timed = {each.label: _timed(each, runners[each.label], kinds) for each in candidates}
     loops = {kind: multiply_add(kind.flags) for kind in kinds}
-    first = loops[kinds[0]]
-    tasks = {each.label: Task(runners[each.label].run, each.poses) for each in candidates}
-    tasks |= {_multiply_add(kind): Task(loop.run, loop.count) for kind, loop in loops.items()}
-    tasks |= {ARITHMETIC: Task(_on_all_cores(first.run), CORES * first.count), _ADDITION: additions()}
-    tasks |= {name: task for each in called for name, task in each.tasks().items()}
-    tasks |= motion.tasks
+    first, chain = loops[kinds[0]], additions()
+    together = Task(_on_all_cores(first.run), CORES * first.units)
+    tasks = [*timed.values(), *loops.values(), together, chain, *motion.tasks]
+    tasks += [part for each in called for part in each.parts]
     rounds = QUICK_ROUNDS if quick else ROUNDS
     others = host.Others()
-    raw = measured(tasks, dict.fromkeys(tasks, rounds), progress)
+    raw = measured({task: task for task in tasks}, dict.fromkeys(tasks, rounds), progress)
     sweep = _swept(poses, QUICK_SIZES if quick else SIZES, rounds, progress)
     machine["taken_by_others"] = others.share()
     compiling = bench_compile.compile_times(QUICK_COMPILATIONS if quick else COMPILATIONS, progress)
-    built = {
-        each.label: _built(_figure(each, raw), each, runners[each.label], kinds)
-        for each in (*OURS, *baselines, *variants)
-    }
+    figures = {label: each.figure(raw) for label, each in timed.items()}
+    of_c = [each for each in figures.values() if "instructions" in each]
     summed = {each.name: each.figures(raw) for each in called}
-    builds = [each for each in built.values() if "instructions" in each]
-    builds += [each.timed(raw) for each in motion.built]
+    builds = [*of_c, *(each.figure(raw) for each in motion.built)]
     names = [*dict.fromkeys(each["name"] for each in builds)]
-    cycle = figure(_ADDITION, "whole numbers", "loop", 1, raw[_ADDITION])
-    timed = with_ratios(
+    cycle = figure("addition in a chain", "whole numbers", "loop", 1, raw[chain])
+    over_casadi = with_ratios(
         {
-            "ours": [built[each.label] for each in OURS],
+            "ours": [figures[each.label] for each in OURS],
             "baselines": [
-                *(_fastest(built.values(), each, kinds[0]) for each in baselines),
+                *(_fastest(figures, of_c, each, kinds[0]) for each in baselines),
                 *(sum_of_parts for sum_of_parts, _ in summed.values()),
             ],
             "builds": sorted(builds, key=lambda each: names.index(each["name"])),
             "cycle": {**cycle, "unit": "ns", "clock_GHz": 1 / cycle["median"]},
         }
     )
-    one_pose = timed["ours"][0]
-    calls = [_figure(each, raw) for each in CALLS]
-    peaks = [
-        _peak(kind, loop.lanes, raw, one_pose["operations"], cycle["median"]) for kind, loop in loops.items()
-    ]
+    one_pose = over_casadi["ours"][0]
+    calls = [figures[each.label] for each in CALLS]
+    peaks = [_peak(kind, loop, raw, one_pose["operations"], cycle["median"]) for kind, loop in loops.items()]
     return {
         "schema": 4,
         "unit": "ns/pose",
@@ -306,21 +299,21 @@ def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = 
         "clock": clock,
         "left_out": [EXTRAS[name][0] for name in missing],
         **({"ratio_to": [CLOSED, PLAIN]} if "casadi" in present else {}),
-        "ours": timed["ours"],
-        "baselines": timed["baselines"],
-        "builds": timed["builds"],
-        "shares": shares(timed | {"peaks": peaks}),
-        "cores": _speedup(LARGE, raw[BATCH], raw[ALL_CORES]),
-        "cores_arithmetic": _speedup(0, raw[_multiply_add(kinds[0])], raw[ARITHMETIC]),
+        "ours": over_casadi["ours"],
+        "baselines": over_casadi["baselines"],
+        "builds": over_casadi["builds"],
+        "shares": shares(over_casadi | {"peaks": peaks}),
+        "cores": _speedup(LARGE, raw[timed[BATCH]], raw[timed[ALL_CORES]]),
+        "cores_arithmetic": _speedup(0, raw[first], raw[together]),
         "parts": {name: parts for name, (_, parts) in summed.items()},
         "calls": [{**each, "overhead_over_c_ns": each["median"] - one_pose["median"]} for each in calls],
         "sweep": sweep,
         "flatness": flatness(sweep),
         "motion": motion.figures(raw),
-        "passes": [_pass_figures(stage, raw) for stage in stages],
+        "passes": [_pass_figures(stage, figures) for stage in stages],
         "compiling": compiling,
         "text": bench_compile.text_size(),
-        "cycle": timed["cycle"],
+        "cycle": over_casadi["cycle"],
         "peaks": peaks,
         "largest_difference": differences,
     }
@@ -338,24 +331,22 @@ def _variants(candidates: Sequence[Candidate], kinds: Sequence[Target]) -> tuple
     )
 
 
-def _multiply_add(kind: Target) -> str:
-    return ", ".join(("multiply-add", *kind.flags))
+def _timed(each: Candidate, runner: Runner, kinds: Sequence[Target]) -> Timed:
+    """A candidate as it is timed; C with what it was compiled for."""
+    count = None if each.operations is None else each.operations()
+    build: Figures = {}
+    if each.function is not None and runner.library is not None:
+        kind = next(kind for kind in reversed(kinds) if kind.flags == each.flags[: len(kind.flags)])
+        build = build_of(kind.name, each.flags, widest(runner.library, each.function))
+    return Timed(runner.run, each.poses, each.name, each.what, each.kind, count, build)
 
 
-def _built(found: Figures, each: Candidate, runner: Runner, kinds: Sequence[Target]) -> Figures:
-    """The figure with what its C was compiled for; as it is where it is no C."""
-    if each.function is None or runner.library is None:
-        return found
-    kind = next(kind for kind in reversed(kinds) if kind.flags == each.flags[: len(kind.flags)])
-    return of_c(found, kind.name, each.flags, widest(runner.library, each.function))
-
-
-def _fastest(built: Iterable[Figures], each: Candidate, kind: Target) -> Figures:
+def _fastest(
+    figures: Mapping[str, Figures], of_c: Iterable[Figures], each: Candidate, kind: Target
+) -> Figures:
     """The fastest of a candidate's builds for a target; the only one of what is no C."""
-    of_kind = [found for found in built if found.get("instructions", kind.name) == kind.name]
-    found = quickest(mine for mine in of_kind if mine["name"] == each.name)
-    assert found is not None
-    return found
+    builds = [found for found in of_c if (found["name"], found["instructions"]) == (each.name, kind.name)]
+    return quickest(builds) or figures[each.label]
 
 
 def _on_all_cores(run: Callable[[int], object]) -> Callable[[int], None]:
@@ -377,24 +368,17 @@ def _speedup(poses: int, one: Sequence[float], many: Sequence[float]) -> Figures
     return sampled(cores=CORES, poses=poses, raw=raw) | {"unit": "times as fast as one core"}
 
 
-def _figure(each: Candidate, raw: Mapping[str, tuple[float, ...]]) -> Figures:
-    count = None if each.operations is None else each.operations()
-    return figure(each.name, each.what, each.kind, each.poses, raw[each.label], count)
-
-
-def _pass_figures(stage: reductions.Stage, raw: Mapping[str, tuple[float, ...]]) -> Figures:
-    one_pose, batch = (_figure(each, raw) for each in stage.candidates)
+def _pass_figures(stage: reductions.Stage, figures: Mapping[str, Figures]) -> Figures:
+    one_pose, batch = (figures[each.label] for each in stage.candidates)
     without, with_friction = stage.source.operations
     operations = {"without_friction": without, "with_friction": with_friction}
     named = {"name": stage.source.name, "meaning": stage.source.meaning, "operations": operations}
     return {**named, "one_pose": one_pose, "batch": batch}
 
 
-def _peak(
-    kind: Target, lanes: int, raw: Mapping[str, tuple[float, ...]], operations: int, cycle: float
-) -> Figures:
-    """The most that one core does with a target's instructions; lanes: numbers in one of them."""
-    found = figure("multiply-add", "fused", "loop", 1, raw[_multiply_add(kind)])
+def _peak(kind: Target, loop: MultiplyAdd, raw: Raw, operations: int, cycle: float) -> Figures:
+    """The most that one core does with a target's instructions."""
+    found = figure("multiply-add", "fused", "loop", 1, raw[loop])
     each = found["median"]
     return {
         **found,
@@ -402,8 +386,8 @@ def _peak(
         "instructions": kind.name,
         "flags": kind.flags,
         "rate_per_s": 1e9 / each,
-        "numbers_in_a_vector": lanes,
-        "vectors_in_a_cycle": cycle / (each * lanes),
+        "numbers_in_a_vector": loop.lanes,
+        "vectors_in_a_cycle": cycle / (each * loop.lanes),
         "limits": limits(operations, each),
     }
 
@@ -429,20 +413,14 @@ def _differences(
 ) -> dict[str, float]:
     """Compare everybody's forces with the reference's."""
     truth = reference.inverse_dynamics(poses.robot, poses.motion).F
-    largest = np.abs(truth).max(axis=-1, keepdims=True)
-    found: dict[str, float] = {}
     for each in candidates:
         runners[each.label].run(1)
     answers = [(each.label, each.tolerance, runners[each.label].F()) for each in candidates]
-    answers += [(each.name, AGREEMENT, each.F()) for each in called]
-    for name, tolerance, forces_found in answers:
-        F = forces_found[: len(truth)]
-        found[name] = float(np.max(np.abs(F - truth[: len(F)]) / largest[: len(F)]))
-        if not found[name] <= tolerance:
-            raise ValueError(
-                f"{name}: forces differ from the reference's by {found[name]:.1e}, expected {tolerance:g}"
-            )
-    return found
+    answers += [(each.name, each.tolerance, each.found()) for each in called]
+    return {
+        name: difference(name, F[: len(truth)], [truth[: len(F)]], tolerance, "forces")
+        for name, tolerance, F in answers
+    }
 
 
 def _swept(poses: Poses, sizes: Sequence[int], rounds: int, progress: Progress) -> list[Figures]:
@@ -453,14 +431,14 @@ def _swept(poses: Poses, sizes: Sequence[int], rounds: int, progress: Progress) 
     sizes = [size for size in sizes if 2 * size * (240 + 52 * len(swept)) < room or size == min(sizes)]
     progress("preparing the batches")
     largest = poses.resized(max(sizes))
-    runners = {(each.name, size): each.runner(largest.resized(size)) for size in sizes for each in swept}
-    tasks = {key: Task(runner.run, key[1]) for key, runner in runners.items()}
-    raw = measured(tasks, {key: min(rounds, _SWEEP_ROUNDS.get(key[1], rounds)) for key in tasks}, progress)
-    return [
-        figure(each.name, each.what, each.kind, size, raw[each.name, size])
+    tasks = [
+        Timed(each.runner(largest.resized(size)).run, size, each.name, each.what, each.kind)
         for each in swept
         for size in sizes
     ]
+    taken = {task: min(rounds, _SWEEP_ROUNDS.get(task.units, rounds)) for task in tasks}
+    raw = measured({task: task for task in tasks}, taken, progress)
+    return [task.figure(raw) for task in tasks]
 
 
 def _free_memory() -> int:

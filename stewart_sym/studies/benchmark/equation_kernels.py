@@ -26,25 +26,26 @@ from ...reference.equations_of_motion import equations_of_motion, regressor
 from ...robot.robot import Robot
 from ..common.loops import own_source
 from ..common.output import Figures
-from ..common.timing import Task, repeated
-from .baselines import AGREEMENT, SLOW, Runner, succeed
-from .engines.tree import Engine, Tree, tree
+from ..common.timing import repeated
+from .baselines import AGREEMENT, SLOW, Called, Runner, difference, succeed
+from .engines.tree import Tree, tree
 from .figures import (
     DERIVATIVES,
     EQUATIONS,
     FORWARD,
     INVERSE,
+    MOST,
     NAME,
     REGRESSOR,
+    TIMES_FASTER,
+    Raw,
+    Timed,
     batched,
-    figure,
-    motion_figures,
-    of_c,
+    build_of,
+    quickest,
 )
 from .poses import Poses
 from .processor import Flags, Target, widest
-
-Run = Callable[[int], object]
 
 POSES = 16
 """Poses of every loop; few, so that all outputs but the largest, the regressor, stay in the first cache."""
@@ -201,63 +202,63 @@ def library(flags: Flags = ()) -> ctypes.CDLL:
 
 
 @dataclass(frozen=True, eq=False)
-class Built:
-    """A function compiled for a target and compared, for one pose or for many, and its loop."""
-
-    name: str
-    what: str
-    kind: str
-    poses: int
-    target: Target
-    bits: int | None
-    run: Run
-
-    @property
-    def task(self) -> str:
-        """Name of its task, different from all of the first group."""
-        return _task(self.name, "".join(f", {flag}" for flag in self.target.flags))
-
-    def timed(self, raw: Mapping[str, tuple[float, ...]]) -> Figures:
-        """Its figure with ns per pose of its task."""
-        found = figure(self.name, self.what, self.kind, self.poses, raw[self.task])
-        return of_c(found, self.target.name, self.target.flags, self.bits)
-
-
-@dataclass(frozen=True, eq=False)
 class MotionGroup:
     """Everybody of the group, built and compared.
 
-    built: ours, for all targets. differences: by candidate, share of a pose's largest.
+    built: ours, for one pose and for many, for all targets. differences: by candidate, share of a pose's
+    largest.
     """
 
     robot: Robot
-    built: tuple[Built, ...]
-    engines: tuple[Engine, ...]
+    built: tuple[Timed, ...]
+    engines: tuple[Called, ...]
     differences: Mapping[str, float]
 
     @property
-    def tasks(self) -> Mapping[str, Task]:
-        """What is to be timed by the names that ``figures`` reads."""
-        tasks = {each.task: Task(each.run, each.poses) for each in self.built}
-        for engine in self.engines:
-            tasks[_task(engine.name)] = Task(engine.run, POSES)
-            tasks[_task(engine.name, _EMPTY)] = Task(engine.empty, POSES)
-        return tasks
+    def tasks(self) -> tuple[Timed, ...]:
+        """What is to be timed."""
+        return (*self.built, *(part for engine in self.engines for part in engine.parts))
 
-    def figures(self, raw: Mapping[str, tuple[float, ...]]) -> Figures:
-        """The group's figures, one pose, for the first target from ns per pose of every task."""
-        calls, empty, baselines = [], [], []
+    def figures(self, raw: Raw) -> Figures:
+        """Those of one pose for the first target, with ratios to the first of ours and targets."""
+        first = self.built[0].build["instructions"]
+        ours = [
+            each.figure(raw)
+            for each in self.built
+            if (each.kind, each.build["instructions"]) == ("one pose", first)
+        ]
+        baselines, parts = [], []
         for engine in self.engines:
-            call, nothing = raw[_task(engine.name)], raw[_task(engine.name, _EMPTY)]
-            net = [one - none for one, none in zip(call, nothing, strict=True)]
-            calls.append(figure(engine.name, engine.what, "call", 1, call))
-            empty.append(figure(engine.name, "call over a model without bodies", "call", 1, nothing))
-            baselines.append(figure(engine.name, f"{engine.what} - call", "call", 1, net))
-        first = self.built[0].target
-        one_pose = [each for each in self.built if (each.kind, each.target) == ("one pose", first)]
-        ours = [each.timed(raw) for each in one_pose]
-        opened = next((engine.opened for engine in self.engines if engine.opened is not None), None)
-        return motion_figures(self.robot.name, ours, baselines, calls, empty, opened, self.differences)
+            net, (call, empty) = engine.figures(raw)
+            baselines.append(net)
+            parts.append((call, empty))
+        inverse, better = ours[0]["median"], quickest(baselines)
+        (forward,) = (each["median"] for each in ours if each["name"] == FORWARD)
+
+        def entry(figure: Figures, **more: float) -> Figures:
+            targets = dict(zip(("target", "goal"), MOST.get(figure["name"], ()), strict=False))
+            return {**figure, "ratio_to_inverse_dynamics": figure["median"] / inverse, **targets, **more}
+
+        compared: Figures = {}
+        if better is not None:
+            compared = {"better_baseline": better["name"], "times_faster": better["median"] / forward}
+        opened = [each.opened for each in self.engines if each.opened is not None]
+        return {
+            "unit": "ns/pose",
+            "robot": self.robot.name,
+            "inertia_tensors": "near the given ones, such as bodies can have",
+            "ratio_to": ours[0]["name"],
+            "ours": [entry(each) for each in ours],
+            "baselines": [
+                entry(each, ratio_to_forward_dynamics=each["median"] / forward) for each in baselines
+            ],
+            "calls": [call for call, _ in parts],
+            "empty_calls": [empty for _, empty in parts],
+            **compared,
+            "target_times_faster": TIMES_FASTER,
+            **({"loops_open_m": opened[0]} if opened else {}),
+            "largest_difference": dict(self.differences),
+        }
 
 
 def motion_group(poses: Poses, targets: Sequence[Target]) -> MotionGroup:
@@ -270,7 +271,7 @@ def motion_group(poses: Poses, targets: Sequence[Target]) -> MotionGroup:
     few = Poses(robot, poses.resized(POSES).arrays)
     motion, F = few.motion, np.ascontiguousarray(newton_euler.inverse_dynamics(robot, few.motion).F)
     expected = {each.name: each.expected(robot, motion, F) for each in FUNCTIONS}
-    built: list[Built] = []
+    built: list[Timed] = []
     differences: dict[str, float] = {}
     for target in targets:
         drives = library(target.flags)
@@ -278,24 +279,23 @@ def motion_group(poses: Poses, targets: Sequence[Target]) -> MotionGroup:
             called, parts = f"stewart_{NAME}_{each.function}", expected[each.name]
             one = _loop(drives, each, few, F, sum(map(_numbers, parts)))
             many = _batch(drives, each, few.resized(SLOW), np.resize(F, (SLOW, 6)), parts)
-            for name, what, kind, poses_of_it, runner, measured in (
+            for name, what, kind, count, runner, measured in (
                 (each.name, called, "one pose", POSES, one, f"drive_{each.function}"),
                 (batched(each.name), f"{called}_batch", "batch", SLOW, many, f"{called}_batch"),
             ):
-                _compare(name, runner, parts, each.tolerance, differences)
-                built.append(
-                    Built(name, what, kind, poses_of_it, target, widest(drives, measured), runner.run)
-                )
+                runner.run(1)
+                off = difference(name, runner.F()[:POSES], parts, each.tolerance, "numbers")
+                differences[name] = max(off, differences.get(name, 0.0))
+                build = build_of(target.name, target.flags, widest(drives, measured))
+                built.append(Timed(runner.run, count, name, what, kind, build=build))
     baselines = engines(robot, tree(robot, motion, F))
-    for baseline in baselines:
-        found = baseline.accelerations()
-        differences[baseline.name] = _difference(
-            baseline.name, found, [acceleration(motion)], baseline.tolerance
-        )
+    for engine in baselines:
+        truth = [acceleration(motion)]
+        differences[engine.name] = difference(engine.name, engine.found(), truth, engine.tolerance, "numbers")
     return MotionGroup(robot, tuple(built), baselines, differences)
 
 
-def engines(robot: Robot, tree: Tree) -> tuple[Engine, ...]:
+def engines(robot: Robot, tree: Tree) -> tuple[Called, ...]:
     """Pinocchio and MuJoCo, those of them that are installed, for the poses of the tree.
 
     Each closes the five loops by constraints and is called from Python, one pose per call, its state
@@ -311,14 +311,6 @@ def engines(robot: Robot, tree: Tree) -> tuple[Engine, ...]:
 
         found.append(mujoco_engine(robot, tree))
     return tuple(found)
-
-
-_EMPTY = ", nothing"
-"""Ending of the names of tasks that call the engine on a model without bodies."""
-
-
-def _task(name: str, kind: str = "") -> str:
-    return f"motion, {name}{kind}"
 
 
 def _loop(drives: ctypes.CDLL, each: Function, poses: Poses, F: Array, numbers: int) -> Runner:
@@ -351,27 +343,3 @@ def _batch(drives: ctypes.CDLL, each: Function, poses: Poses, F: Array, parts: S
 
 def _numbers(part: Array) -> int:
     return int(part[0].size)
-
-
-def _compare(
-    name: str, runner: Runner, parts: Sequence[Array], tolerance: float, differences: dict[str, float]
-) -> None:
-    """Run it once and note how far it is from the parts, as far as they go; ValueError if too far."""
-    runner.run(1)
-    found = _difference(name, runner.F()[: len(parts[0])], parts, tolerance)
-    differences[name] = max(found, differences.get(name, 0.0))
-
-
-def _difference(name: str, found: Array, parts: Sequence[Array], tolerance: float) -> float:
-    """Largest difference of the parts, each as a share of a pose's largest; ValueError if it is too large."""
-    ends = np.cumsum([_numbers(part) for part in parts])
-    worst = 0.0
-    for numbers, part in zip(np.split(found, ends[:-1], axis=-1), parts, strict=True):
-        truth = part.reshape(len(part), -1)
-        error, largest = np.abs(numbers - truth).max(axis=-1), np.abs(truth).max(axis=-1)
-        worst = max(worst, float(np.max(error / np.where(largest > 0, largest, 1.0))))
-    if not worst <= tolerance:
-        raise ValueError(
-            f"{name}: numbers differ from the reference's by {worst:.1e}, expected {tolerance:g}"
-        )
-    return worst

@@ -2,13 +2,14 @@
 
 import contextlib
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
 from ...dynamics.inverse import Formulation
 from ..common.output import Figures
+from ..common.timing import Task
 
 NAME: Formulation = "exact"
 """The kernel that is measured."""
@@ -47,14 +48,37 @@ def figure(
     return sampled(name=name, what=what, kind=kind, poses=poses, raw=tuple(raw), operations=operations)
 
 
-def of_c(found: Figures, instructions: str, flags: Sequence[str], bits: int | None) -> Figures:
-    """A figure of compiled C, with its instructions and the compiler's flags after those of every library.
+def build_of(instructions: str, flags: Sequence[str], bits: int | None) -> Figures:
+    """What a figure of compiled C says of it: instructions, and flags after those of every library.
 
     bits: width of the widest vectors that the code computes with, where that is known.
     """
     width = "" if bits is None else f", {bits} bit" if bits > 64 else ", scalar"
     build = {"instructions": instructions, "flags": tuple(flags), "bits": bits}
-    return {**found, **build, "vectors": f"{instructions}{width}"}
+    return {**build, "vectors": f"{instructions}{width}"}
+
+
+Raw = Mapping[Any, tuple[float, ...]]
+"""Ns a unit by what is timed, a sample of each round."""
+
+
+@dataclass(frozen=True, eq=False)
+class Timed(Task):
+    """What is timed, with what its figure says: ns a pose, of anything but poses a unit.
+
+    kind: "one pose", "batch", "call" or "loop". operations: of a pose where counted. build: of C.
+    """
+
+    name: str
+    what: str
+    kind: str = "call"
+    operations: int | None = None
+    build: Figures = field(default_factory=dict)
+
+    def figure(self, raw: Raw) -> Figures:
+        """The figure."""
+        poses = self.units if self.kind in ("one pose", "batch") else 1
+        return figure(self.name, self.what, self.kind, poses, raw[self], self.operations) | self.build
 
 
 def limits(operations: int, multiply_add: float) -> dict[str, float]:
@@ -115,50 +139,6 @@ def flatness(sweep: Sequence[Figures]) -> dict[str, float]:
     for each in sweep:
         medians.setdefault(each["name"], []).append(each["median"])
     return {name: max(of_name) / min(of_name) for name, of_name in medians.items()}
-
-
-def motion_figures(
-    robot: str,
-    ours: Sequence[Figures],
-    baselines: Sequence[Figures],
-    calls: Sequence[Figures],
-    empty: Sequence[Figures],
-    opened: float | None,
-    differences: Mapping[str, float],
-) -> Figures:
-    """Equations of motion, one pose, with ratios and targets.
-
-    ours: the first of which ratios refer to. baselines: those installed. calls, empty: what each baseline's
-    figure is the difference of, a call from Python and one over nothing. opened: m, how far MuJoCo's loops
-    are open, None without it. differences: by program, from the reference's numbers, share of a pose's
-    largest.
-    """
-    inverse, better = ours[0]["median"], quickest(baselines)
-    (forward,) = (each["median"] for each in ours if each["name"] == FORWARD)
-
-    def entry(figure: Figures) -> Figures:
-        targets = dict(zip(("target", "goal"), MOST.get(figure["name"], ()), strict=False))
-        return {**figure, "ratio_to_inverse_dynamics": figure["median"] / inverse, **targets}
-
-    compared = {}
-    if better is not None:
-        compared = {"better_baseline": better["name"], "times_faster": better["median"] / forward}
-    return {
-        "unit": "ns/pose",
-        "robot": robot,
-        "inertia_tensors": "near the given ones, such as bodies can have",
-        "ratio_to": ours[0]["name"],
-        "ours": [entry(figure) for figure in ours],
-        "baselines": [
-            {**entry(figure), "ratio_to_forward_dynamics": figure["median"] / forward} for figure in baselines
-        ],
-        "calls": calls,
-        "empty_calls": empty,
-        **compared,
-        "target_times_faster": TIMES_FASTER,
-        **({} if opened is None else {"loops_open_m": opened}),
-        "largest_difference": dict(differences),
-    }
 
 
 BASIS = 0.228

@@ -5,7 +5,6 @@ import functools
 import re
 import shutil
 import subprocess
-from collections.abc import Callable
 from dataclasses import dataclass
 
 from ...backend import native
@@ -28,15 +27,13 @@ class Target:
     flags: Flags = ()
 
 
-@dataclass(frozen=True)
-class MultiplyAdd:
-    """Independent fused multiply-adds at full width on one core; ``run(n)`` does ``count`` n times.
+@dataclass(frozen=True, eq=False)
+class MultiplyAdd(Task):
+    """Independent fused multiply-adds at full width on one core, of one number each.
 
     set: name of the vector instructions; lanes: numbers in a vector.
     """
 
-    run: Callable[[int], object]
-    count: int
     lanes: int
     set: str
 

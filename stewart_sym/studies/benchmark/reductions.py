@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 from ...backend import kernel, native
 from ...backend.c_kernel import address, pointers
 from ...io.progress import Progress, silent
-from ...robot.robot import Robot
 from ..common.timing import repeated
 from .baselines import FEW, MANY, Candidate, Runner, c_loop, checked, forces_loop, succeed
 from .figures import NAME
@@ -38,40 +37,32 @@ def stages(progress: Progress = silent) -> tuple[Stage, ...]:
 
 
 def _stage(number: int, source: "Pass") -> Stage:
-    build = _Build(f"bench_pass_{number}", {**source.sources, **forces_loop()}, source.model_numbers)
-    one_pose, batch = (
-        Candidate(f"{source.name}, {kind}", source.meaning, kind, poses, make, lambda: source.operations[1])
-        for kind, poses, make in (("one pose", FEW, build.one_pose), ("batch", MANY, build.batch))
-    )
-    return Stage(source, (one_pose, batch))
+    """The layout of the prepared model differs from pass to pass."""
+    sources = {**source.sources, **forces_loop()}
 
+    def built(poses: Poses, flags: Flags) -> tuple[ctypes.CDLL, NDArray[np.float64]]:
+        """The library, and the model of the poses' robot."""
+        library = native.load(f"bench_pass_{number}", sources, flags)
+        numbers, model = kernel.robot_numbers(poses.robot), np.zeros(source.model_numbers)
+        succeed(getattr(library, f"stewart_{NAME}_prepare")(address(numbers), address(model)))
+        return library, model
 
-@dataclass(frozen=True)
-class _Build:
-    """Sources of one pass, and how their functions are called; the layout of the model differs by pass."""
-
-    name: str
-    sources: dict[str, str]
-    model_numbers: int
-
-    def one_pose(self, poses: Poses, flags: Flags) -> Runner:
+    def one_pose(poses: Poses, flags: Flags) -> Runner:
         """``stewart_exact_forces`` called from a C loop."""
-        return c_loop(self._library(flags), self._model(poses.robot, flags), poses)
+        return c_loop(*built(poses, flags), poses)
 
-    def batch(self, poses: Poses, flags: Flags) -> Runner:
+    def batch(poses: Poses, flags: Flags) -> Runner:
         """``stewart_exact_forces_batch`` on one core, called from Python with given arrays."""
+        library, model = built(poses, flags)
         F, status = np.zeros((len(poses), 6)), np.zeros(len(poses), dtype=np.int32)
-        library, model = self._library(flags), self._model(poses.robot, flags)
-        function = getattr(library, f"stewart_{NAME}_forces_batch")
-        motions, count = pointers(poses.arrays), ctypes.c_size_t(len(poses))
-        arguments = (address(model), count, motions, address(F), address(status))
-        run = repeated(lambda: function(*arguments))
-        return Runner(run, checked(F, status), (model, poses, status), library)
+        function, count = getattr(library, f"stewart_{NAME}_forces_batch"), ctypes.c_size_t(len(poses))
+        run = repeated(
+            lambda: function(address(model), count, pointers(poses.arrays), address(F), address(status))
+        )
+        return Runner(run, checked(F, status), library)
 
-    def _model(self, robot: Robot, flags: Flags) -> NDArray[np.float64]:
-        numbers, model = kernel.robot_numbers(robot), np.zeros(self.model_numbers)
-        succeed(getattr(self._library(flags), f"stewart_{NAME}_prepare")(address(numbers), address(model)))
-        return model
-
-    def _library(self, flags: Flags) -> ctypes.CDLL:
-        return native.load(self.name, self.sources, flags)
+    alone, many = (
+        Candidate(f"{source.name}, {kind}", source.meaning, kind, poses, make, lambda: source.operations[1])
+        for kind, poses, make in (("one pose", FEW, one_pose), ("batch", MANY, batch))
+    )
+    return Stage(source, (alone, many))

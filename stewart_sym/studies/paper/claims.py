@@ -4,13 +4,13 @@ The paper's own numbers stand here and nowhere else.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 
 from ...io.array_types import Array
 from ...motion.straight_line import PATHS
-from .reproduce import LIGHT_PLATFORM, Operations, PathRun, Reproduction
+from ..common.output import Figures
+from .reproduce import LIGHT_PLATFORM, PathRun, Reproduction
 
 HOLDS, PARTLY, FAILS = "holds", "partly", "does not hold"
 
@@ -20,25 +20,6 @@ NEAR_ZERO = 0.1
 PAPER_FLOPS = {"leg": 694, "platform": 273, "final": 452, "total": 4889}
 SERIAL_ARM_FLOPS = 1454
 """Section 4.5: Newton-Euler inverse dynamics of a serial arm of six joints."""
-
-
-@dataclass(frozen=True)
-class Measured:
-    """What was computed for a claim in one formulation, in words with units, and the verdict."""
-
-    text: str
-    verdict: str
-
-
-@dataclass(frozen=True)
-class Claim:
-    """One claim of the text: where it stands, what it says, the verdict's rule, and both formulations."""
-
-    where: str
-    says: str
-    rule: str
-    paper: Measured
-    exact: Measured
 
 
 Check = Callable[[Reproduction, str], tuple[object, ...]]
@@ -56,16 +37,21 @@ def _claim(where: str, says: str, rule: str) -> Callable[[Check], Check]:
     return added
 
 
-def claims(found: Reproduction) -> list[Claim]:
-    """Check every claim, in the order of the text."""
+def claims(found: Reproduction) -> list[Figures]:
+    """Check every claim, in the order of the text.
+
+    Where it stands, what it says, the verdict's rule, and of each formulation what was computed, in words
+    with units, and the verdict.
+    """
     return [
-        Claim(where, says, rule, *(_measured(*check(found, form)) for form in ("paper", "exact")))
+        {"where": where, "says": says, "rule": rule}
+        | {form: _measured(*check(found, form)) for form in ("paper", "exact")}
         for where, says, rule, check in _CLAIMS
     ]
 
 
-def _measured(text: object, holds: object, partly: object = False) -> Measured:
-    return Measured(str(text), HOLDS if holds else PARTLY if partly else FAILS)
+def _measured(text: object, holds: object, partly: object = False) -> Figures:
+    return {"text": str(text), "verdict": HOLDS if holds else PARTLY if partly else FAILS}
 
 
 def counted_fractions(run: PathRun) -> Array:
@@ -93,10 +79,6 @@ def _share(fractions: Array) -> float:
     return float(np.mean((fractions >= 0.2) & (fractions <= 0.5)))
 
 
-def _kernel(found: Reproduction, form: str) -> Operations:
-    return next(row for row in found.operations if row.formulation == form and not row.friction)
-
-
 def _worst_time(run: PathRun) -> float:
     return float(run.time[np.max(np.abs(run.F), axis=-1).argmax()])
 
@@ -113,7 +95,8 @@ def _short(number: float) -> str:
     "the emitted kernel needs no more",
 )
 def _cost(found: Reproduction, form: str) -> tuple[object, ...]:
-    total = sum(_kernel(found, form).total)
+    kernels = {row["formulation"]: row for row in found.operations if not row["friction"]}
+    total = sum(kernels[form]["total"])
     text = f"{total}, {total / SERIAL_ARM_FLOPS:.2f} times the arm's {SERIAL_ARM_FLOPS}"
     return text, total <= PAPER_FLOPS["total"]
 

@@ -3,7 +3,6 @@
 import functools
 import textwrap
 from collections.abc import Sequence
-from dataclasses import asdict
 from typing import Any
 
 import numpy as np
@@ -11,11 +10,11 @@ import numpy as np
 from ...motion.straight_line import PATHS
 from ...reference.newton_euler import EXACT, PAPER
 from ...viewer.view import view
-from ..common.output import aligned
+from ..common.output import Figures, aligned
 from ..common.report import Report
-from .claims import NEAR_ZERO, PAPER_FLOPS, SERIAL_ARM_FLOPS, Claim, claims, counted_fractions
+from .claims import NEAR_ZERO, PAPER_FLOPS, SERIAL_ARM_FLOPS, claims, counted_fractions
 from .plots import pictures
-from .reproduce import Operations, Reproduction, run_columns
+from .reproduce import Reproduction, run_columns
 
 WIDTH = 110
 
@@ -42,22 +41,10 @@ def _data(found: Reproduction) -> dict[str, Any]:
         "robot": found.robot.name,
         "computed_by": found.backend,
         "impossible_inertias": found.robot.physicality(),
-        "claims": [asdict(row) for row in claims(found)],
-        "fault_costs": [
-            {"faults": sorted(cost.faults), "moving": cost.moving, "at_rest": cost.at_rest}
-            for cost in found.fault_costs
-        ],
-        "work_and_energy": [
-            {
-                "path": row.path,
-                "faults": sorted(row.faults),
-                "work_J": row.work,
-                "gain_J": row.gain,
-                "mismatch": row.mismatch,
-            }
-            for row in found.work_energy
-        ],
-        "operations": [asdict(row) for row in found.operations],
+        "claims": claims(found),
+        "fault_costs": found.fault_costs,
+        "work_and_energy": found.work_energy,
+        "operations": found.operations,
         "singular_time_path_III_s": found.singular_time,
         "units": {
             "fault_costs": "RMS of F - F_exact over RMS of F_exact",
@@ -89,9 +76,11 @@ def report(found: Reproduction) -> str:
 
 
 def _claims_table(found: Reproduction) -> str:
-    rows = claims(found)
     still = float(np.median(counted_fractions(found.rest["exact"])))
-    cells = [(row.where, row.says, row.paper.text, row.exact.text, _verdict(row), row.rule) for row in rows]
+    cells = [
+        (row["where"], row["says"], row["paper"]["text"], row["exact"]["text"], _verdict(row), row["rule"])
+        for row in claims(found)
+    ]
     return _section(
         "(a) What the text claims, and what was computed",
         _wrapped(
@@ -108,18 +97,17 @@ def _claims_table(found: Reproduction) -> str:
     )
 
 
-def _verdict(row: Claim) -> str:
-    same = row.paper.verdict == row.exact.verdict
-    return row.paper.verdict if same else f"{row.paper.verdict}; `exact` {row.exact.verdict}"
+def _verdict(row: Figures) -> str:
+    paper, exact = (row[form]["verdict"] for form in ("paper", "exact"))
+    return str(paper) if paper == exact else f"{paper}; `exact` {exact}"
 
 
 def _fault_table(found: Reproduction) -> str:
     header = ("fault kept", *(f"Path {name}" for name in PATHS), *(f"{name} at rest" for name in PATHS))
     cells = [
         (
-            _FAULT_NAMES[cost.faults],
-            *(_percent(cost.moving[name]) for name in PATHS),
-            *(_percent(cost.at_rest[name]) for name in PATHS),
+            _FAULT_NAMES[frozenset(cost["faults"])],
+            *(_percent(cost[how][name]) for how in ("moving", "at_rest") for name in PATHS),
         )
         for cost in found.fault_costs
     ]
@@ -135,7 +123,12 @@ def _fault_table(found: Reproduction) -> str:
 def _energy_table(found: Reproduction) -> str:
     header = ("path", "faults kept", "work, J", "gain, J", "(work - gain) / gain")
     cells = [
-        (row.path, _FAULT_NAMES[row.faults], f"{row.work:.6f}", f"{row.gain:.6f}", _mismatch(row.mismatch))
+        (
+            row["path"],
+            _FAULT_NAMES[frozenset(row["faults"])],
+            *(f"{row[name]:.6f}" for name in ("work_J", "gain_J")),
+            _mismatch(row["mismatch"]),
+        )
         for row in found.work_energy
     ]
     return _section(
@@ -153,13 +146,13 @@ def _operations_table(found: Reproduction) -> str:
     header = ("kernel", "one leg", "platform", "final system", "in all", "mul/add/div/sqrt", "x arm")
     paper = (str(PAPER_FLOPS[part]) for part in ("leg", "platform", "final", "total"))
     cells = [("the paper's program", *paper, "", _arms(PAPER_FLOPS["total"]))]
-    operations = sorted(found.operations, key=lambda row: row.formulation != "paper")
+    operations = sorted(found.operations, key=lambda row: row["formulation"] != "paper")
     for row in operations:
-        parts = (str(sum(part)) for part in (row.leg, row.platform, row.final, row.total))
-        cells.append((_kernel_name(row), *parts, "/".join(map(str, row.total)), _arms(sum(row.total))))
+        sums = (str(sum(row[part])) for part in ("leg", "platform", "final", "total"))
+        cells.append((_kernel_name(row), *sums, _counts(row["total"]), _arms(sum(row["total"]))))
     header_apart = ("mul/add/div/sqrt of", "one leg", "platform", "final system")
     apart = [
-        (_kernel_name(row), *("/".join(map(str, part)) for part in (row.leg, row.platform, row.final)))
+        (_kernel_name(row), *(_counts(row[part]) for part in ("leg", "platform", "final")))
         for row in operations
     ]
     return _section(
@@ -172,8 +165,12 @@ def _operations_table(found: Reproduction) -> str:
     )
 
 
-def _kernel_name(row: Operations) -> str:
-    return f"`{row.formulation}` {'with' if row.friction else 'without'} friction"
+def _kernel_name(row: Figures) -> str:
+    return f"`{row['formulation']}` {'with' if row['friction'] else 'without'} friction"
+
+
+def _counts(part: Sequence[int]) -> str:
+    return "/".join(map(str, part))
 
 
 def _arms(total: int) -> str:

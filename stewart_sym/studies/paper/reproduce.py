@@ -19,7 +19,7 @@ from ...reference import newton_euler
 from ...robot.robot import Robot
 from ...robots import dasgupta1998
 from ...singularities.along_path import crossings
-from ..common.output import Columns, of_legs
+from ..common.output import Columns, Figures, of_legs
 
 LIGHT_PLATFORM = 4.0
 """Platform mass, kg, of the order of one leg's, for the claim on the mass ratio."""
@@ -68,53 +68,14 @@ class PathRun:
             return self.Fd / self.F
 
 
-@dataclass(frozen=True)
-class FaultCost:
-    """What a set of printed faults changes, without friction, by path.
-
-    moving, at_rest: RMS over all legs and instants of F - F_exact over RMS of F_exact; at rest on the same
-    poses with rates and accelerations 0.
-    """
-
-    faults: frozenset[int]
-    moving: Mapping[str, float]
-    at_rest: Mapping[str, float]
-
-
-@dataclass(frozen=True)
-class WorkEnergy:
-    """Work of the actuators along a path and the gain of kinetic and potential energy, J, no friction."""
-
-    path: str
-    faults: frozenset[int]
-    work: float
-    gain: float
-
-    @property
-    def mismatch(self) -> float:
-        """(work - gain) / gain; 0 for right equations."""
-        return (self.work - self.gain) / self.gain
-
-
-@dataclass(frozen=True)
-class Operations:
-    """Operations of one emitted kernel, each (mul, add, div, sqrt); final: sum of c, solve, F = D - x."""
-
-    formulation: str
-    friction: bool
-    leg: tuple[int, ...]
-    platform: tuple[int, ...]
-    final: tuple[int, ...]
-    total: tuple[int, ...]
-
-
 @dataclass(frozen=True, eq=False)
 class Reproduction:
     """Everything that ``reproduce`` computed.
 
     runs: by (path, formulation). light: Path I with a platform of ``LIGHT_PLATFORM`` kg, by formulation.
     rest: Path I's poses at rest, by formulation. singular_time: time, s, at which H is singular on Path III.
-    backend: one line on what computed the runs.
+    backend: one line on what computed the runs. fault_costs, work_energy, operations: as the functions of
+    these names have them.
     """
 
     robot: Robot
@@ -123,9 +84,9 @@ class Reproduction:
     light: Mapping[str, PathRun]
     rest: Mapping[str, PathRun]
     singular_time: float
-    fault_costs: tuple[FaultCost, ...]
-    work_energy: tuple[WorkEnergy, ...]
-    operations: tuple[Operations, ...]
+    fault_costs: list[Figures]
+    work_energy: list[Figures]
+    operations: list[Figures]
 
 
 def reproduce(progress: Progress = silent) -> Reproduction:
@@ -136,14 +97,11 @@ def reproduce(progress: Progress = silent) -> Reproduction:
     progress("running Paths I-III")
     lighter = dataclasses.replace(robot, M=LIGHT_PLATFORM)
     runs = {(name, form): run_path(robot, name, form) for name in PATHS for form in FORMULATIONS}
-    costs = tuple(
-        fault_cost(robot, faults)
-        for faults in tracked(progress, FAULTS, lambda _: "measuring the printed faults")
-    )
+    every = tracked(progress, FAULTS, lambda _: "measuring the printed faults")
+    costs = [fault_cost(robot, faults) for faults in every]
     kept = [(name, faults) for name in PATHS for faults in (newton_euler.EXACT, *FAULTS)]
-    work = tuple(
-        work_energy(robot, *each) for each in tracked(progress, kept, lambda _: "comparing work and energy")
-    )
+    each = tracked(progress, kept, lambda _: "comparing work and energy")
+    work = [work_energy(robot, *of_path) for of_path in each]
     return Reproduction(
         robot=robot,
         backend=backend,
@@ -189,22 +147,26 @@ def without_friction(robot: Robot) -> Robot:
     return dataclasses.replace(robot, C_u=zero, C_p=zero, C_s=zero)
 
 
-def fault_cost(robot: Robot, faults: frozenset[int]) -> FaultCost:
-    """Measure what a set of faults costs on every path."""
+def fault_cost(robot: Robot, faults: frozenset[int]) -> Figures:
+    """Measure what a set of printed faults changes, without friction, by path.
+
+    Moving and at rest on the same poses: RMS over all legs and instants of F - F_exact over RMS of F_exact.
+    """
     frictionless = without_friction(robot)
     moving, resting = {}, {}
     for name, (path, dtau) in PATHS.items():
         motion = path.sample(path.times(dtau))
         moving[name] = _difference(frictionless, motion, faults)
         resting[name] = _difference(frictionless, at_rest(motion.R, motion.t), faults)
-    return FaultCost(faults, moving, resting)
+    return {"faults": sorted(faults), "moving": moving, "at_rest": resting}
 
 
-def work_energy(robot: Robot, name: str, faults: frozenset[int]) -> WorkEnergy:
-    """Integrate the actuators' power along a path, Gauss-Legendre between the jumps of acceleration.
+def work_energy(robot: Robot, name: str, faults: frozenset[int]) -> Figures:
+    """Work of the actuators along a path and the gain of kinetic and potential energy, J, no friction.
 
-    The forces of `exact` and `paper` are the kernels'; those of other faults, powers and energy are the
-    reference's.
+    The power is integrated by Gauss-Legendre between the jumps of acceleration. The mismatch, a share of the
+    gain, is 0 for right equations. The forces of `exact` and `paper` are the kernels'; those of other faults,
+    powers and energy are the reference's.
 
     It works through the singular pose of Path III as well: F grows without bound there, but its power
     F.Ldot = D.Ldot - c.twist does not.
@@ -217,8 +179,9 @@ def work_energy(robot: Robot, name: str, faults: frozenset[int]) -> WorkEnergy:
     F = _kernel_forces(frictionless, motion, faults)
     power = newton_euler.actuator_power(frictionless, motion, F)
     ends = newton_euler.energy(frictionless, path.sample(breaks[[0, -1]]))
-    work = float((half * _WEIGHTS).ravel() @ power)
-    return WorkEnergy(name, faults, work, float(ends[1] - ends[0]))
+    work, gain = float((half * _WEIGHTS).ravel() @ power), float(ends[1] - ends[0])
+    named = {"path": name, "faults": sorted(faults)}
+    return {**named, "work_J": work, "gain_J": gain, "mismatch": (work - gain) / gain}
 
 
 def _kernel_forces(robot: Robot, motion: Motion, faults: frozenset[int]) -> Array:
@@ -229,17 +192,21 @@ def _kernel_forces(robot: Robot, motion: Motion, faults: frozenset[int]) -> Arra
     return inverse_dynamics(robot, motion, formulation).F
 
 
-def operations() -> tuple[Operations, ...]:
-    """Counts of the emitted kernels of the paper's kind of machine."""
+def operations() -> list[Figures]:
+    """Counts of the emitted kernels of the paper's kind of machine, each (mul, add, div, sqrt).
+
+    The final system: sum of c, solve, F = D - x.
+    """
     found = []
     for form in FORMULATIONS:
         for friction in ("frictionless", "friction"):
             parts = module(kernel_name(form, "universal")).OPERATIONS[friction]
             leg, platform, total = (np.array(parts[part]) for part in ("leg", "platform", "total"))
             final = total - 6 * leg - platform
-            counts = (tuple(part.tolist()) for part in (leg, platform, final, total))
-            found.append(Operations(form, friction == "friction", *counts))
-    return tuple(found)
+            counts = {"leg": leg, "platform": platform, "final": final, "total": total}
+            named = {"formulation": form, "friction": friction == "friction"}
+            found.append(named | {part: each.tolist() for part, each in counts.items()})
+    return found
 
 
 def _difference(robot: Robot, motion: Motion, faults: frozenset[int]) -> float:

@@ -1,5 +1,6 @@
 """Forward dynamics by MuJoCo's ``mj_forward``, as a baseline of the equations of motion."""
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -9,7 +10,8 @@ from ....io.extras import needed_for
 from ....motion.rotation import quaternion_from_rotation
 from ....robot.robot import Robot
 from ...common.timing import over
-from .tree import CARRIER, Engine, Tree, base_frames
+from ..baselines import Called
+from .tree import CARRIER, Tree, base_frames, forward_dynamics
 
 with needed_for("the comparison with MuJoCo"):
     import mujoco
@@ -25,7 +27,7 @@ _CORRECTIONS = 3
 """Corrections of MuJoCo's joint coordinates; each leaves a small share of what was missing."""
 
 
-def mujoco_engine(robot: Robot, tree: Tree) -> Engine:
+def mujoco_engine(robot: Robot, tree: Tree) -> Called:
     """``mj_forward`` with five ``connect`` constraints, one step of Newton's method on dense matrices.
 
     Its constraints give way in proportion to their force. That is made up for: the legs are moved by
@@ -52,15 +54,9 @@ def mujoco_engine(robot: Robot, tree: Tree) -> Engine:
             moves += tree.gaps(joints()) / STIFFNESS
         for data, coordinates in zip(datas, tree.moved(moves), strict=True):
             data.qpos[:-4] = coordinates.ravel()
-    return Engine(
-        "MuJoCo",
-        "mj_forward, 5 loops",
-        forward,
-        over(mujoco.mj_forward, [(nothing, mujoco.MjData(nothing)) for _ in datas]),
-        lambda: tree.accelerations(joints()),
-        1e-4,
-        float(np.linalg.norm(moves, axis=-1).max()),
-    )
+    empty = over(mujoco.mj_forward, [(nothing, mujoco.MjData(nothing)) for _ in datas])
+    engine = forward_dynamics("MuJoCo", "mj_forward, 5 loops", tree, forward, empty, joints, 1e-4)
+    return replace(engine, opened=float(np.linalg.norm(moves, axis=-1).max()))
 
 
 def _xml(robot: Robot) -> str:

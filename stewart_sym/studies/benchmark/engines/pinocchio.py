@@ -10,13 +10,23 @@ from typing import Any
 
 import numpy as np
 
+from ....io.array_types import Array
 from ....io.extras import needed_for
 from ....motion.motion import Motion
 from ....motion.rotation import quaternion_from_rotation
 from ....robot.robot import Robot
 from ...common.timing import over
 from ..baselines import Called
-from .tree import CARRIER, Engine, States, Tree, base_frames, newton_euler, states, turned_back
+from .tree import (
+    CARRIER,
+    States,
+    Tree,
+    base_frames,
+    forward_dynamics,
+    newton_euler,
+    states,
+    turned_back,
+)
 
 with needed_for("the comparison with Pinocchio"):
     import pinocchio as pin
@@ -89,25 +99,23 @@ def _forces(count: int) -> Any:
     return forces
 
 
-def pinocchio_engine(robot: Robot, tree: Tree) -> Engine:
+def pinocchio_engine(robot: Robot, tree: Tree) -> Called:
     """``constraintDynamics``: the five points as rigid constraints, one step of its proximal solver."""
     solve, of_machine = _solver(*_closed_model(robot))
     nothing, of_nothing = _solver(pin.Model(), [])
     quaternions = quaternion_from_rotation(tree.relative)[:, _W_LAST]
-    joints = tree.legs.coordinates.reshape(len(quaternions), -1)
+    coordinates = tree.legs.coordinates.reshape(len(quaternions), -1)
     states = [
         (*state, *of_machine)
-        for state in zip(np.hstack([joints, quaternions]), tree.rates, tree.forces, strict=True)
+        for state in zip(np.hstack([coordinates, quaternions]), tree.rates, tree.forces, strict=True)
     ]
     none = [(*3 * (np.zeros(0),), *of_nothing)] * len(states)
-    return Engine(
-        "Pinocchio",
-        "constraintDynamics, 5 loops",
-        over(solve, states),
-        over(nothing, none),
-        lambda: tree.accelerations(np.array([solve(*state) for state in states])),
-        1e-6,
-    )
+    run, empty = over(solve, states), over(nothing, none)
+
+    def joints() -> Array:
+        return np.array([solve(*state) for state in states])
+
+    return forward_dynamics("Pinocchio", "constraintDynamics, 5 loops", tree, run, empty, joints, 1e-6)
 
 
 def _solver(model: Any, constraints: Sequence[Any]) -> tuple[Callable[..., Any], tuple[Any, ...]]:

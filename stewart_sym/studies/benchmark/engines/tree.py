@@ -18,7 +18,10 @@ from ....io.array_types import Array
 from ....motion.motion import Motion
 from ....motion.rotation import cross_matrix
 from ....robot.robot import Robot
-from ..baselines import Called, Part
+from ..baselines import Called
+from ..figures import Timed
+
+Run = Callable[[int], object]
 
 CARRIER = 5
 """The leg that carries the platform."""
@@ -33,23 +36,6 @@ def base_frames(robot: Robot) -> Array:
     across = np.cross(k, np.eye(3)[np.argmin(np.abs(k), axis=-1)])
     across /= np.linalg.norm(across, axis=-1, keepdims=True)
     return np.stack([k, across, np.cross(k, across)], axis=-1)
-
-
-@dataclass(frozen=True, eq=False)
-class Engine:
-    """One baseline: ``run(n)`` computes all poses n times, ``empty(n)`` calls as often over nothing.
-
-    accelerations: [a; alpha] of the platform that it found, (poses, 6). tolerance: of them, share of a pose's
-    largest. opened: by how much the loops are open, m; None where constraints are rigid.
-    """
-
-    name: str
-    what: str
-    run: Callable[[int], object]
-    empty: Callable[[int], object]
-    accelerations: Callable[[], Array]
-    tolerance: float
-    opened: float | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -197,8 +183,8 @@ def newton_euler(
     states: States,
     tau: Array,
     rates: Array,
-    run: Callable[[int], object],
-    empty: Callable[[int], object],
+    run: Run,
+    empty: Run,
 ) -> Called:
     """A baseline made of a call of an engine's inverse dynamics and a solve.
 
@@ -223,11 +209,26 @@ def newton_euler(
         return np.array(found + robot.C_p * legs.rates[..., 2])
 
     parts = (
-        Part(call, f"{call}, 24 joint coordinates", run, len(tau)),
-        Part("solve", "numpy.linalg.solve, 6x6", solve, _SOLVED),
+        Timed(run, len(tau), call, f"{call}, 24 joint coordinates"),
+        Timed(solve, _SOLVED, "solve", "numpy.linalg.solve, 6x6"),
+        Timed(empty, len(tau), "empty call", f"{call} over a model without joints"),
     )
-    nothing = Part("empty call", f"{call} over a model without joints", empty, len(tau))
-    return Called(name, "dynamics + solve - call", parts, nothing, F)
+    return Called(name, "dynamics + solve - call", parts, F)
+
+
+def forward_dynamics(
+    name: str, call: str, tree: Tree, run: Run, empty: Run, joints: Callable[[], Array], tolerance: float
+) -> Called:
+    """A baseline made of a call of an engine's forward dynamics with constraints that close the loops.
+
+    joints: the accelerations that it found, (n, 21); run, empty: its call over all poses, and over nothing.
+    """
+    count = len(tree.rates)
+    parts = (
+        Timed(run, count, name, call),
+        Timed(empty, count, name, "call over a model without bodies"),
+    )
+    return Called(name, f"{call} - call", parts, lambda: tree.accelerations(joints()), tolerance)
 
 
 def turned(matrix: Array, vector: Array) -> Array:
