@@ -1,5 +1,7 @@
 """`bench` without CasADi, Pinocchio, Drake or MuJoCo leaves them out, says so in a line, keeps the rest."""
 
+import contextlib
+import io
 import itertools
 import json
 import subprocess
@@ -8,33 +10,13 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from small_bench import shorten
 
-from stewart_sym.io.extras import install
-from stewart_sym.studies.benchmark import published
-
-BENCH = """
-import dataclasses, sys
-folder, hidden = sys.argv[1], sys.argv[2:]
-sys.modules.update(dict.fromkeys(hidden))
-from stewart_sym.backend import native
 from stewart_sym.cli.main import main
-from stewart_sym.studies.benchmark import bench, compile_times as bench_compile, reductions as bench_passes
-from stewart_sym.studies.common import timing
+from stewart_sym.io.extras import install
+from stewart_sym.studies.benchmark import bench, compile_times, published, reductions
+from stewart_sym.studies.benchmark.processor import targets
 
-# Samples so short that the figures mean nothing, of few poses and of code compiled at -O0 for one target;
-# what compares nothing with others is left out.
-load = native.load
-native.load = lambda name, sources, flags=(), defines=None: load(name, sources, (*flags, "-O0"), defines)
-timing.SHORTEST, bench.QUICK_ROUNDS, bench.QUICK_SIZES = 1e-5, 3, (8, 64)
-bench.LARGE = 8_000
-bench.OURS = tuple(dataclasses.replace(each, poses=min(each.poses, bench.LARGE)) for each in bench.OURS)
-bench.targets, bench.time_source = lambda kinds=bench.targets: kinds()[:1], lambda: {}
-bench_passes.stages = lambda _: ()
-bench_compile.compile_times = lambda *_: ()
-bench_compile.text_size = lambda: None
-code = main(["bench", "--quick", "-o", folder])
-sys.exit(code or any(sys.modules.get(name) for name in hidden))
-"""
 NAMES = {"casadi": "CasADi", "pinocchio": "Pinocchio", "pydrake": "Drake", "mujoco": "MuJoCo"}
 PEERS = {"casadi": ["CasADi", "CasADi, closed form"], "pinocchio": ["Pinocchio"], "mujoco": []}
 VERSIONS = {"casadi": "casadi", "pinocchio": "pin", "mujoco": "mujoco"}
@@ -45,19 +27,20 @@ pytestmark = pytest.mark.slow
 
 
 @pytest.fixture(scope="module")
-def hidden() -> tuple[str, ...]:
-    """Packages that cannot be imported."""
-    return HIDDEN
-
-
-@pytest.fixture(scope="module")
-def folder(hidden: tuple[str, ...], tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """What the command wrote without them; the test fails where it does."""
-    folder = tmp_path_factory.mktemp("bench") / "out"
-    done = subprocess.run([sys.executable, "-c", BENCH, folder, *hidden], capture_output=True, text=True)
-    assert done.returncode == 0, done.stderr
-    assert done.stderr == ""
-    assert done.stdout.startswith((folder / "bench.txt").read_text())
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """What the command wrote without them, of code for one target; what compares nothing is left out."""
+    folder, told, first = tmp_path_factory.mktemp("bench") / "out", io.StringIO(), targets()[:1]
+    with pytest.MonkeyPatch.context() as patch, contextlib.redirect_stderr(told):
+        shorten(patch)
+        patch.setitem(bench.COMPARED, "pydrake", "drake")
+        for name in HIDDEN:
+            patch.setitem(sys.modules, name, None)
+        patch.setattr(bench, "targets", lambda: first)
+        patch.setattr(reductions, "stages", lambda _: ())
+        patch.setattr(compile_times, "compile_times", lambda *_: ())
+        patch.setattr(compile_times, "text_size", lambda: None)
+        assert main(["bench", "--quick", "-o", str(folder)]) == 0
+    assert told.getvalue() == ""
     return folder
 
 
@@ -67,15 +50,15 @@ def figures(folder: Path) -> dict[str, Any]:
     return found
 
 
-def test_one_line_says_what_is_left_out_and_how_to_get_it(hidden: tuple[str, ...], folder: Path) -> None:
+def test_one_line_says_what_is_left_out_and_how_to_get_it(folder: Path) -> None:
     (line,) = [line for line in (folder / "bench.txt").read_text().splitlines() if "left out" in line]
     assert line.endswith(f"; {install('bench')}")
-    assert [name for name in NAMES.values() if name in line] == [NAMES[name] for name in hidden]
+    assert [name for name in NAMES.values() if name in line] == [NAMES[name] for name in HIDDEN]
 
 
-def test_the_json_holds_what_was_measured(hidden: tuple[str, ...], figures: dict[str, Any]) -> None:
-    there = [name for name in NAMES if name not in hidden]
-    assert figures["left_out"] == [NAMES[name] for name in hidden]
+def test_the_json_holds_what_was_measured(figures: dict[str, Any]) -> None:
+    there = [name for name in NAMES if name not in HIDDEN]
+    assert figures["left_out"] == [NAMES[name] for name in HIDDEN]
     expected = {"vector reference", *itertools.chain(*(PEERS[name] for name in there))}
     assert {entry["name"] for entry in figures["baselines"]} == expected
     assert {name for name in VERSIONS.values() if name in figures["software"]} == {
@@ -95,24 +78,24 @@ def test_the_json_holds_what_was_measured(hidden: tuple[str, ...], figures: dict
     assert ("loops_open_m" in motion) == ("mujoco" in there)
     assert any("CasADi" in each["name"] for each in figures["shares"]) == ("casadi" in there)
     compared = {*figures["largest_difference"], *motion["largest_difference"]}
-    assert not {NAMES[name] for name in hidden} & compared
+    assert not {NAMES[name] for name in HIDDEN} & compared
 
 
-def test_tables_and_pictures_do_without_them(hidden: tuple[str, ...], folder: Path) -> None:
+def test_tables_and_pictures_do_without_them(folder: Path) -> None:
     text = (folder / "bench.txt").read_text()
     shown = text.split(install("bench"))[1]
     drawn = "".join((folder / f"{name}.svg").read_text() for name in ("bench", "bench_motion"))
     for name, label in NAMES.items():
-        assert (label in shown) == (name not in hidden)
-        assert (label in drawn) == (name not in hidden)
+        assert (label in shown) == (name not in HIDDEN)
+        assert (label in drawn) == (name not in HIDDEN)
     assert all((folder / f"{name}.png").stat().st_size for name in ("bench", "bench_motion"))
     assert max(map(len, text.splitlines())) <= 115
     assert "nan" not in text
     assert "None" not in text
 
 
-def test_no_table_is_made_of_a_part(hidden: tuple[str, ...], figures: dict[str, Any]) -> None:
-    names = ", ".join(NAMES[name] for name in hidden)
+def test_no_table_is_made_of_a_part(figures: dict[str, Any]) -> None:
+    names = ", ".join(NAMES[name] for name in HIDDEN)
     with pytest.raises(ValueError, match=rf"^bench\.json: expected .*, got none of {names}: pip install "):
         published.tables(figures)
 
