@@ -1,7 +1,6 @@
 """``stewart-sym stability``: every method near degenerate configurations."""
 
 import argparse
-import dataclasses
 from pathlib import Path
 
 from ..options import output, valued, whole
@@ -41,6 +40,5 @@ def run(arguments: argparse.Namespace) -> int:
     with results(arguments, "stability") as (take, progress):
         found = study.study(progress)
         cases = CASES if arguments.cases is None else arguments.cases
-        found = dataclasses.replace(found, sweep=sweep(cases, arguments.seed, progress))
-        take(study.full_report(found, pictures(found)))
+        take(study.full_report(*found, sweep(cases, arguments.seed, progress), pictures(*found)))
     return 0

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from ...io.array_types import Array, Codes, Flags
 from ...precision.truth import digits
 from ...results import OK
+from ..common.output import Figures
 
 EPS = float(np.finfo(np.float64).eps)
 WRONG = 1000.0
@@ -62,32 +63,6 @@ class Curve:
         return np.where(self.answered, self.error / (self.epsilon * self.condition), np.nan)
 
 
-@dataclass(frozen=True)
-class Verdict:
-    """A curve in numbers.
-
-    worst: largest error in rounding units over the condition number with status ok, at distance ``where``.
-    digits: decimal digits left at the worst answer with status ok.
-    last: nearest distance with an answer. rejected_at: condition number of the first pose with a status, None
-    if there is none.
-    undetected: distances at which an answer is wrong and no status says so. false_alarms: distances at which
-    a good pose has a status.
-    """
-
-    worst: float
-    where: float
-    digits: float
-    last: float
-    rejected_at: float | None
-    undetected: int
-    false_alarms: int
-
-    @property
-    def right(self) -> bool:
-        """Whether there is a status where there must be one, and nowhere else."""
-        return self.undetected == 0 and self.false_alarms == 0
-
-
 @dataclass(frozen=True, eq=False)
 class Family:
     """A one-parameter family with every method's curve.
@@ -124,23 +99,29 @@ class Family:
         return found
 
 
-def verdict(curve: Curve, distance: Array) -> Verdict:
-    """Weigh a curve over its family's distances."""
+def verdict(curve: Curve, distance: Array) -> Figures:
+    """Weigh a curve over its family's distances.
+
+    worst: largest error in rounding units over the condition number with status ok, at distance ``where``.
+    digits: decimal digits left at the worst answer with status ok. last: nearest distance with an answer; NaN
+    all of them if there is none. rejected_at: condition number of the first pose with a status, None if there
+    is none. undetected: distances at which an answer is wrong and no status says so. false_alarms: distances
+    at which a good pose has a status.
+    """
     ratio, answered = curve.ratio, curve.answered
     of_pose = curve.condition if curve.pose is None else np.maximum(curve.condition, curve.pose)
     rejected = np.zeros(len(distance), dtype=np.bool_) if curve.status is None else curve.status != OK
-    if not answered.any():
-        nothing = float("nan")
-        first = float(of_pose[rejected].min(initial=np.inf))
-        return Verdict(nothing, nothing, nothing, nothing, first, 0, int(np.sum(rejected & (of_pose < GOOD))))
-    worst = int(np.nanargmax(ratio))
-    largest = float(np.max(curve.error[answered]))
-    return Verdict(
-        worst=float(ratio[worst]),
-        where=float(distance[worst]),
-        digits=max(0.0, float(-np.log10(max(largest, curve.epsilon / 2.0)))),
-        last=float(distance[answered].min()),
-        rejected_at=float(of_pose[rejected].min()) if rejected.any() else None,
-        undetected=int(np.sum(answered & (ratio > WRONG))),
-        false_alarms=int(np.sum(rejected & (of_pose < GOOD))),
-    )
+    found: Figures = dict.fromkeys(("worst", "where", "digits", "last"), float("nan"))
+    if answered.any():
+        worst, largest = int(np.nanargmax(ratio)), float(np.max(curve.error[answered]))
+        found = {
+            "worst": float(ratio[worst]),
+            "where": float(distance[worst]),
+            "digits": max(0.0, float(-np.log10(max(largest, curve.epsilon / 2.0)))),
+            "last": float(distance[answered].min()),
+        }
+    return found | {
+        "rejected_at": float(of_pose[rejected].min()) if rejected.any() else None,
+        "undetected": int(np.sum(answered & (ratio > WRONG))),
+        "false_alarms": int(np.sum(rejected & (of_pose < GOOD))),
+    }

@@ -4,7 +4,7 @@ Colours are Okabe and Ito's, distinct to the colour blind; no method is marked b
 """
 
 import functools
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -14,7 +14,6 @@ from ..common.drawing import Axes, Figure, legend_line, new_figure
 from ..common.report import SMALL, Picture
 from .family import WRONG, Curve, Family
 from .poses import OUTCOMES, Basins
-from .study import Study
 
 _COLORS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#8A8A00", "#7F7F7F")
 _MARKS = ("o", "s", "^", "v", "D", "P", "X", "*", "p")
@@ -22,12 +21,12 @@ _FLOOR = 1e-17
 _CEILING = 1e4
 
 
-def pictures(found: Study) -> dict[str, Picture]:
+def pictures(families: Sequence[Family], starts: Basins) -> dict[str, Picture]:
     """Every picture by name."""
     drawn: dict[str, Callable[[], Figure]] = {
-        family.name: functools.partial(family_figure, family) for family in found.families
+        family.name: functools.partial(family_figure, family) for family in families
     }
-    drawn["basins"] = functools.partial(basins_figure, found.basins)
+    drawn["basins"] = functools.partial(basins_figure, starts)
     return {name: Picture(draw, SMALL, dpi=130) for name, draw in drawn.items()}
 
 

@@ -1,8 +1,6 @@
 """The stability study whole: every family, its verdicts, the report, and the JSON for the README's table."""
 
-from collections.abc import Mapping
-from dataclasses import asdict, dataclass
-from typing import Any
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
@@ -27,13 +25,22 @@ PARTS = {
 """What makes the families, by what they are about."""
 
 
-@dataclass(frozen=True, eq=False)
-class Study:
-    """Families with their verdicts, the basins of forward kinematics, and the sweep if one was made."""
+def study(progress: Progress = silent) -> tuple[list[Family], Basins]:
+    """Make every family; takes about a minute. Raises native.CompilerError without ``__float128``."""
+    found: list[Family] = []
+    for _, families in tracked(progress, PARTS.items(), lambda part: f"approaching {part[0]}"):
+        found += families()
+    progress("looking for the basins of Newton's steps")
+    return found, basins()
 
-    families: tuple[Family, ...]
-    basins: Basins
-    sweep: Sweep | None = None
+
+def full_report(
+    families: Sequence[Family], starts: Basins, swept: Sweep, figures: Mapping[str, Picture]
+) -> Report:
+    """Verdicts on every method, the families' errors and the random cases, with the pictures given."""
+    data = as_json(families, starts, swept)
+    text = "\n\n".join([report(data["families"]), basins_report(starts), sweep_report(swept)])
+    return Report(text, {family.name: family.columns() for family in families}, data, figures)
 
 
 def methods(family: Family) -> list[Figures]:
@@ -42,28 +49,13 @@ def methods(family: Family) -> list[Figures]:
     for curve in family.curves:
         each = verdict(curve, family.distance)
         # Beyond the range of double a status may be on any pose.
-        right = each.undetected == 0 and (family.beyond_range or each.false_alarms == 0)
+        right = each["undetected"] == 0 and (family.beyond_range or each["false_alarms"] == 0)
         known = {"method": curve.method, "shipped": curve.shipped, "status": curve.status is not None}
-        found.append({**known, "right": right, **asdict(each)})
+        found.append({**known, "right": right, **each})
     return found
 
 
-def study(progress: Progress = silent) -> Study:
-    """Make every family; takes about a minute. Raises native.CompilerError without ``__float128``."""
-    found: list[Family] = []
-    for _, families in tracked(progress, PARTS.items(), lambda part: f"approaching {part[0]}"):
-        found += families()
-    progress("looking for the basins of Newton's steps")
-    return Study(tuple(found), basins())
-
-
-def full_report(found: Study, figures: Mapping[str, Picture]) -> Report:
-    """Verdicts and the families' errors, with the pictures given."""
-    tables = {family.name: family.columns() for family in found.families}
-    return Report(report(found), tables, as_json(found), figures)
-
-
-def report(found: Study) -> str:
+def report(families: Sequence[Figures]) -> str:
     """Every family's verdicts as text."""
     parts = [
         "Errors against 50 digits along families of poses that approach a degenerate configuration.\n"
@@ -71,7 +63,7 @@ def report(found: Study) -> str:
         "digits: left at the worst answer with status ok. rejected at: condition number of first status.\n"
         f"undetected: poses with a wrong answer (above {WRONG:g}) and status ok; * shipped, else a candidate."
     ]
-    for family in found.families:
+    for family in families:
         rows = [
             (
                 f"{'*' if each['shipped'] else ' '} {each['method']}",
@@ -83,14 +75,11 @@ def report(found: Study) -> str:
                 f"{each['undetected']}",
                 "right" if each["right"] else "WRONG",
             )
-            for each in methods(family)
+            for each in family["methods"]
         ]
         header = ("method", "worst", "at", "digits", "last answer at", "rejected at", "undetected", "status")
-        lines = [f"{family.title}\n({family.axis})", aligned(header, rows), *family.notes]
+        lines = [f"{family['title']}\n({family['axis']})", aligned(header, rows), *family["notes"]]
         parts.append("\n".join(lines))
-    parts.append(basins_report(found.basins))
-    if found.sweep is not None:
-        parts.append(sweep_report(found.sweep))
     return "\n\n".join(parts)
 
 
@@ -107,28 +96,20 @@ def basins_report(found: Basins) -> str:
     )
 
 
-def as_json(found: Study) -> dict[str, Any]:
+def as_json(families: Sequence[Family], starts: Basins, swept: Sweep) -> Figures:
     """Everything that the report says, as plain numbers."""
-    families = [
-        {
-            "name": family.name,
-            "title": family.title,
-            "fails": family.fails,
-            "remedy": family.remedy,
-            "axis": family.axis,
-            "notes": list(family.notes),
-            "methods": methods(family),
-        }
-        for family in found.families
-    ]
+    named = ("name", "title", "fails", "remedy", "axis", "notes")
     shares = {
-        method: [found.basins.share(method, outcome) for outcome in range(len(OUTCOMES))]
-        for method in found.basins.outcome
+        method: [starts.share(method, outcome) for outcome in range(len(OUTCOMES))]
+        for method in starts.outcome
     }
     return {
-        "families": families,
-        "basins": {"shares": shares, "poses": found.basins.poses, "proven": found.basins.proven},
-        "sweep": None if found.sweep is None else found.sweep.figures,
+        "families": [
+            {name: getattr(family, name) for name in named} | {"methods": methods(family)}
+            for family in families
+        ],
+        "basins": {"shares": shares, "poses": starts.poses, "proven": starts.proven},
+        "sweep": swept.figures,
         "units": {
             "worst": "rounding units over the condition number of the problem",
             "where": "distance from the degenerate configuration, as of the family's axis",
