@@ -176,6 +176,7 @@ def test_text_is_found_with_either_compiler(command: str, monkeypatch: pytest.Mo
 
 
 def test_text_is_left_out_where_the_tools_are_missing(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(compile_times, "SIZE_FLAGS", ("-O0",))
     monkeypatch.setattr(compile_times, "_LINK_FLAGS", ("-Wl,--no-such-option",))
     assert compile_times.text_size() is None
     monkeypatch.undo()

@@ -276,6 +276,7 @@ def test_constants_that_float_cannot_hold_leave_float_out(monkeypatch: pytest.Mo
 
 def test_a_machine_with_spherical_base_joints_has_fewer_candidates(monkeypatch: pytest.MonkeyPatch) -> None:
     hasty(monkeypatch)
+    monkeypatch.setattr(study, "PRECISIONS", ("double",))
     rng = np.random.default_rng(8)
     robot = random_robot(rng, "spherical")
     made = cost(robot, {"some": random_motion(rng, robot, (4,))})

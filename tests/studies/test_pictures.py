@@ -139,6 +139,14 @@ def test_the_energies_of_a_run_are_all_shown_and_their_sum_is_kept() -> None:
     assert any(axes.get_ylabel() == "kinetic energy, J" for axes in _run().axes)
 
 
+@pytest.fixture
+def as_it_comes(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Machines as large and with names of points where they come, which takes long to make better."""
+    for slow in ("_fit", "name_points"):
+        monkeypatch.setattr(machine_plot, slow, lambda *_, **__: None)
+
+
+@pytest.mark.usefixtures("as_it_comes")
 @pytest.mark.parametrize("name", [r"$\frac{$", r"$x$", r"5 \$ and $$", "$"])
 def test_a_machine_s_name_is_drawn_as_written(name: str) -> None:
     robot = dataclasses.replace(dasgupta1998(), name=name)
@@ -221,6 +229,7 @@ def _in_space(figure: Figure, laid_out: bool = True) -> Axes3D:
     return found
 
 
+@pytest.mark.usefixtures("as_it_comes")
 @pytest.mark.parametrize(
     ("drawn", "upright", "stands"), [(_at_home, "-x", True), (_nearest, "-z", True), (_nearest, "y", False)]
 )

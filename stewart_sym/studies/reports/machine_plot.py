@@ -108,17 +108,19 @@ def _space(axes: Any, sides: Array) -> None:
 
 def _fit(axes: Any, sides: Array) -> None:
     """Draw the box with these sides as large as has room together with the numbers and names of its edges."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.transforms import Bbox
 
     pane, figure = axes.figure, axes.figure.canvas.figure
     figure.draw_without_rendering()
     figure.set_layout_engine("none")
+    renderer = FigureCanvasAgg(figure).get_renderer()
     room = axes.get_position(original=True).transformed(pane.transSubfigure)
     # Below the axes the page has room as well.
     floor = pane.bbox.y0 + _EDGE * pane.bbox.height
     for zoom in _ZOOMS:
         axes.set_box_aspect(sides, zoom=zoom)
-        figure.draw_without_rendering()
+        axes.draw(renderer)
         drawn = Bbox.union([edge.get_tightbbox(None) for edge in (axes.xaxis, axes.yaxis, axes.zaxis)])
         if room.x0 <= drawn.x0 and drawn.x1 <= room.x1 and floor <= drawn.y0 and drawn.y1 <= room.y1:
             break
