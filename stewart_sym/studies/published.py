@@ -12,17 +12,17 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
-from .accuracy import published as accuracy
+from .accuracy import charts
 from .benchmark import published as benchmark
 from .common.output import Figures
-from .control import published as control
-from .microcontroller import published as microcontroller
-from .planning import published as planning
-from .robustness import published as robustness
+from .control import report as control
+from .microcontroller import report as microcontroller
+from .planning import study as planning
+from .robustness import study as robustness
 
 STUDIES: dict[str, Callable[[Figures], dict[str, str]]] = {
     "bench": benchmark.tables,
-    "chart": accuracy.tables,
+    "chart": charts.tables,
     "control": control.tables,
     "controller": microcontroller.tables,
     "controller_drive": microcontroller.drive_tables,

@@ -27,7 +27,6 @@ from stewart_sym.studies.benchmark.equation_kernels import MotionGroup
 from stewart_sym.studies.benchmark.figures import CLOSED, Timed
 from stewart_sym.studies.common.host import DISTURBED
 from stewart_sym.studies.control import control
-from stewart_sym.studies.control import published as published_control
 from stewart_sym.studies.control import report as control_report
 from stewart_sym.studies.paper.reproduce import fault_cost, work_energy
 
@@ -304,9 +303,9 @@ def test_the_committed_run_of_control_is_what_the_code_computes() -> None:
     assert found["settings"] == committed["settings"]
     assert found["machines"].keys() == committed["machines"].keys()
     for label, machine in found["machines"].items():
-        rows = published_control.by_name(committed["machines"][label]["rows"])
+        rows = control_report.by_name(committed["machines"][label]["rows"])
         assert machine["friction"] == committed["machines"][label]["friction"]
-        for key, row in published_control.by_name(machine["rows"]).items():
+        for key, row in control_report.by_name(machine["rows"]).items():
             numbers = {name: value for name, value in row.items() if isinstance(value, float)}
             assert numbers == pytest.approx({name: rows[key][name] for name in numbers}, rel=1e-4), key
 

@@ -18,7 +18,7 @@ from stewart_sym.io.json_text import json_text
 from stewart_sym.results import JOINT_SINGULAR
 from stewart_sym.robot.robot import Robot
 from stewart_sym.studies.common.output import Figures
-from stewart_sym.studies.microcontroller import measure, published, report, toolchain
+from stewart_sym.studies.microcontroller import measure, report, toolchain
 from stewart_sym.studies.microcontroller.measure import right
 
 INSTRUCTIONS = {"double": 3300, "float": 2850}
@@ -115,7 +115,7 @@ def test_the_report_and_the_published_table_say_what_was_found(found: Figures) -
     text = report.report(found)
     assert text.count("poses right") == len(found["rows"])
     again = json.loads(json_text(report.full_report(found).data))
-    said = published.tables(again)["controller"]
+    said = report.tables(again)["controller"]
     for each in found["rows"]:
         assert f"{each['instructions']:,}" in text
         assert f"| {each['instructions']:,} |" in said
@@ -155,7 +155,7 @@ def test_what_torques_take_is_measured_and_published(tmp_path: Path) -> None:
     rows = [measure.measured(robot, "general", baked, precision) for precision, baked in OPPOSITE]
     found = measure.of_rows(robot, "general", rows)
     assert all(map(right, rows))
-    said = published.drive_tables(json.loads(json_text(found)))["controller_drive"]
+    said = report.drive_tables(json.loads(json_text(found)))["controller_drive"]
     for each in found["rows"]:
         # No more than the forces: what a controller adds to them.
         assert 0 < each["drive"]["motor_torques"] < each["instructions"]

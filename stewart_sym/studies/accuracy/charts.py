@@ -5,14 +5,20 @@ import warnings
 from collections.abc import Callable, Iterator
 from typing import Any
 
+from ...backend import fidelity
 from ...backend.native import CompilerError
 from ...io.progress import Progress, silent
 from ...robot.robot import Robot
 from ..common import host
-from ..common.output import Figures
+from ..common.output import Figures, paragraph, table
 from ..common.report import SMALL, Picture, Report
 from . import bound_plot, cost_plot, scales
-from .advice import table
+from .advice import table as advice_table
+from .budget import MARGIN
+from .cost import candidate_of, entry_of
+
+_TOLERANCES = (("50 %", 0.5), ("5 %", 0.05), ("1 %", 0.01), ("1e-9", 1e-9))
+_README_LEVELS = ("massless", "slender", "frictionless", "paper", "general")
 
 Chart = tuple[str, str, Picture]
 """A picture's name, its rows as CSV, and what draws it."""
@@ -24,7 +30,7 @@ def full_report(found: Figures, robot: Robot, progress: Progress = silent) -> Re
     """The table of ``found``, and every chart's rows with its picture."""
     every = list(charts(found, robot, progress))
     return Report(
-        table(found),
+        advice_table(found),
         {name: rows for name, rows, _ in every},
         {**found, "machine": host.machine(), "software": host.software()},
         {name: picture for name, _, picture in every},
@@ -49,3 +55,116 @@ def charts(found: Figures, robot: Robot, progress: Progress = silent) -> Iterato
             warnings.warn(f"{name}: left out: {error}", stacklevel=2)
         else:
             yield name, module.csv_rows(made), Picture(functools.partial(module.figure, made), kinds=_KINDS)
+
+
+def tables(found: Figures) -> dict[str, str]:
+    """Tables of the documentation from ``chart.json``: cost and error of each level, what `advise` picks."""
+    return {
+        "chart_fidelities": _fidelities(found) + _implementations(found),
+        "chart_advice": _advice(found),
+        "readme_accuracy": _readme(found),
+    }
+
+
+def _readme(found: Figures) -> str:
+    """A few of the levels, in double, and the rounding error of the default kernel."""
+    shown = [each for each in found["candidates"] if _name(each).strip("`") in _README_LEVELS]
+    rows = [
+        (
+            f"{_name(each)}: {_meaning(each)}" + (", float" if each["precision"] == "float" else ""),
+            str(each["operations"]),
+            *(_percent(_total(each, path)) for path in ("I", "II")),
+        )
+        for each in shown
+        if each["precision"] == "double" or _is_general(each)
+    ]
+    return table(("kernel", "operations", "error, Path I", "error, Path II"), rows)
+
+
+def _meaning(each: Figures) -> str:
+    found: str = "as printed" if each["formulation"] == "paper" else fidelity.meaning(each["fidelity"])
+    return found
+
+
+def _fidelities(found: Figures) -> str:
+    machine, compiler = found["machine"], found["software"]["compiler"]
+    peaks = ", ".join(
+        f"{motion['peak_force_N']:,.0f} N on Path {name}" for name, motion in found["motions"].items()
+    )
+    lead = paragraph(
+        "What each level leaves out, what it costs (operations; nanoseconds per pose, one at a time, in "
+        "double and in float; bytes of code to prepare and compute one pose in double) and how far it is "
+        f"off on the paper's paths, largest error in per cent of the largest force ({peaks}); on "
+        f"{machine['cores']} cores of an {machine['processor']}, {compiler}:"
+    )
+    header = ("fidelity", "physics", "operations", "ns", "float, ns", "bytes")
+    rows = [
+        (
+            _name(each),
+            _meaning(each),
+            str(each["operations"]),
+            f"{each['one_pose_ns']:.0f}",
+            f"{entry_of(found, each['formulation'], each['fidelity'], 'float')['one_pose_ns']:.0f}",
+            f"{each['text_bytes']:,}",
+            *(_percent(errors["model"]) for errors in each["errors"].values()),
+        )
+        for each in found["candidates"]
+        if each["precision"] == "double"
+    ]
+    return lead + table((*header, *(f"Path {motion}" for motion in found["motions"])), rows)
+
+
+def _name(each: Figures) -> str:
+    return "`paper`" if each["formulation"] == "paper" else f"`{each['fidelity']}`"
+
+
+def _percent(error: float) -> str:
+    return f"{100 * error:.2g} %" if error else "0"
+
+
+def _implementations(found: Figures) -> str:
+    general = [each for each in found["candidates"] if _is_general(each)]
+    of = {each["precision"]: each["errors"] for each in general}
+    parts = [
+        f"{max(errors['rounding'] for errors in of[precision].values()):.0e} in {precision}"
+        for precision in ("double", "float")
+    ]
+    others = [
+        f"{max(each['rounding'].values()):.0e} in the {each['name']}"
+        for each in found["implementations"]
+        if each["name"] in ("NumPy kernel", "vector reference")
+    ]
+    return paragraph(
+        "Rounding adds to that, measured beside the same equations at 50 digits; for `general`, at worst (on "
+        f"Path III, through a singular pose), {', '.join([*parts, *others])}; for the others about as much."
+    )
+
+
+def _is_general(each: Figures) -> bool:
+    return candidate_of(each)[:2] == ("exact", "general")
+
+
+def _advice(found: Figures) -> str:
+    lead = paragraph(
+        "What `advise` picks on Path I: the kernel with the fewest operations, float before double, whose "
+        f"errors of model and rounding, times a margin of {MARGIN:g}, are within the tolerance:"
+    )
+    rows = []
+    for label, tolerance in _TOLERANCES:
+        each = _picked(found, tolerance)
+        error = _total(each)
+        rows.append((label, f"{_name(each)}, {each['precision']}", str(each["operations"]), f"{error:.1e}"))
+    return lead + table(("tolerance", "kernel", "operations", "error"), rows)
+
+
+def _picked(found: Figures, tolerance: float) -> Figures:
+    """The first of the candidates, which are listed by cost, that is good enough."""
+    good = (each for each in found["candidates"] if _total(each) * MARGIN <= tolerance)
+    return next(good)
+
+
+def _total(each: Figures, path: str = "I") -> float:
+    """Errors of model and rounding on a path, share of the largest force."""
+    errors = each["errors"][path]
+    found: float = errors["model"] + errors["rounding"]
+    return found

@@ -107,7 +107,7 @@ def cost(
     implementations: also other ways to compute `exact` general, for comparison. rounds: of timing.
 
     Of each motion the largest actuator force; of each candidate, the cheapest first, by operations, then
-    precision: operations of a pose, ns per pose, alone and in a batch, bytes of code of a program that
+    precision: operations per pose, ns per pose, alone and in a batch, bytes of code of a program that
     computes one pose at a time (None where no tool can tell), and by motion the largest error of the model
     and its RMS over poses and legs, beside `exact` general (0 where two double kernels of the same equations
     might differ by as much), and the largest of rounding at the sampled poses; infinite where there are

@@ -59,12 +59,12 @@ def build_of(instructions: str, flags: Sequence[str], bits: int | None) -> Figur
 
 
 Raw = Mapping[Any, tuple[float, ...]]
-"""Ns a unit by what is timed, a sample of each round."""
+"""Ns per unit by what is timed, a sample of each round."""
 
 
 @dataclass(frozen=True, eq=False)
 class Timed(Task):
-    """What is timed, with what its figure says: ns a pose, of anything but poses a unit.
+    """What is timed, with what its figure says: ns per pose, or per unit of anything else.
 
     kind: "one pose", "batch", "call" or "loop". operations: of a pose where counted. build: of C.
     """

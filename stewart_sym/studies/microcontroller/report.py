@@ -2,7 +2,8 @@
 
 from collections.abc import Sequence
 
-from ..common.output import Figures, aligned
+from ...derive.emit.torque import torque_operations
+from ..common.output import Figures, aligned, paragraph, table
 from ..common.report import Report
 
 HEADER = (
@@ -77,3 +78,83 @@ def _answers(row: Figures) -> str:
     counts = {"forces": "failed", "statuses": "rejected_wrongly", "self-test": "selftest"}
     said = [f"{what} wrong" for what, count in counts.items() if row[count]]
     return "; ".join(said) or f"{row['poses']} poses right"
+
+
+def tables(found: Figures) -> dict[str, str]:
+    """Table of the documentation from ``controller.json``: instructions and memory on both processors."""
+    rows = found["rows"]
+    assert not any(
+        row["foreign"] or row["double"] or row["failed"] or row["rejected_wrongly"] for row in rows
+    )
+    assert not any(row["ram"]["kit"] for row in rows)
+    header = (
+        *("kit", "processor", "instructions", "near singularity", "flash, kernel", "robot"),
+        *("RAM, model", "stack, pose", "preparation", "error over bound"),
+    )
+    remarks = paragraph(
+        "Near singularity: all six legs within 1/1000 rad of the fixed axes of their universal joints, the "
+        "longest path through the kernel. The model, prepared once, is the caller's; the kits have no data "
+        "of their own. From libraries the objects need only the square root and copies of memory; those in "
+        "`float` hold no double-precision instruction."
+    )
+    return {"controller": _conditions(found) + table(header, [_published(row) for row in rows]) + remarks}
+
+
+def _conditions(found: Figures) -> str:
+    compiler, emulator = found["tools"].values()
+    gcc = f"{compiler.split(' (')[0]} {compiler.rsplit(') ', 1)[-1].split()[0]}"
+    qemu = emulator.removeprefix("QEMU emulator version ").split(" (")[0]
+    least, most = (extreme(row["poses"] for row in found["rows"]) for extreme in (min, max))
+    poses = str(most) if least == most else f"{least} to {most}"
+    own = {row["core"]: f"`{' '.join(row['flags'])}` ({row['core']})" for row in found["rows"]}
+    return paragraph(
+        f"`stewart-sym controller` writes one-pose kernels for {found['robot']}, cross-compiles them with "
+        f"{gcc}, `{' '.join(found['flags'])}` and {' or '.join(own.values())}, and runs them "
+        f"under QEMU {qemu}, which counts instructions. The most of {poses} poses, one "
+        "of them with a leg near its joint singularity, all within the bounds of 50-digit forces; flash, RAM "
+        "and stack in bytes:"
+    )
+
+
+def _published(row: Figures) -> tuple[str, ...]:
+    return (
+        name(row, "`"),
+        row["core"],
+        _number(row["instructions"]),
+        _number(row["near_singular_joints"]),
+        _number(row["flash"]["kernel"]),
+        _number(row["flash"]["robot"]),
+        _number(row["ram"].get("model", 0)),
+        _number(max(row["stack"]["pose"], row["stack"]["frames"])),
+        _number(row["stack"].get("prepare")),
+        f"{row['worst']:.3f}",
+    )
+
+
+def _number(value: int | None) -> str:
+    return "" if value is None else f"{value:,}"
+
+
+def drive_tables(found: Figures) -> dict[str, str]:
+    """The same of a machine with a drive, with what its torques take."""
+    rows = found["rows"]
+    said = paragraph(
+        f"The same of the robot `{found['robot']}` with the drive of the page on drives: instructions of the "
+        "forces with rotors, and of what is called after them, `axial_forces`, which legs with rotors need "
+        f"alone, and `motor_torques`, {torque_operations(False).total} operations without Stribeck's "
+        f"friction, which this drive has none of, {torque_operations().total} with it, as "
+        "`stewart_torque.h` says; flash of torques is that of both functions, their stack the "
+        "deeper one; in bytes:"
+    )
+    header = (
+        *("kit", "processor", "forces", "near singularity", "axial", "torques"),
+        *("flash, forces", "flash, torques", "stack, forces", "stack, torques"),
+    )
+    return {"controller_drive": said + table(header, [_published_drive(row) for row in rows])}
+
+
+def _published_drive(row: Figures) -> tuple[str, ...]:
+    kit, core, forces, near, flash, _, _, stack, *_ = _published(row)
+    drive = row["drive"]
+    counts = (_number(drive.get(name)) for name in ("axial_forces", "motor_torques"))
+    return (kit, core, forces, near, *counts, flash, _number(drive["flash"]), stack, _number(drive["stack"]))

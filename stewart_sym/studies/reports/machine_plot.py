@@ -114,7 +114,8 @@ def _fit(axes: Any, sides: Array) -> None:
     pane, figure = axes.figure, axes.figure.canvas.figure
     figure.draw_without_rendering()
     figure.set_layout_engine("none")
-    renderer = FigureCanvasAgg(figure).get_renderer()
+    canvas: Any = FigureCanvasAgg(figure)
+    renderer = canvas.get_renderer()
     room = axes.get_position(original=True).transformed(pane.transSubfigure)
     # Below the axes the page has room as well.
     floor = pane.bbox.y0 + _EDGE * pane.bbox.height
