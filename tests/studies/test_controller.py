@@ -6,6 +6,7 @@ import shutil
 import subprocess
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -215,13 +216,19 @@ def test_a_circle_of_calls_has_no_depth_of_stack(tmp_path: Path) -> None:
 
 
 def test_a_wrong_force_and_a_wrong_status_are_found(monkeypatch: pytest.MonkeyPatch) -> None:
-    cases = measure.Cases.of(dasgupta(), "massless_static", True, "double")
-    cases.tests[3].answers["F"][2] *= 1 + 1e-9
-    rejected = cases.rejected()
-    monkeypatch.setattr(measure.Cases, "of", lambda *_: cases)
-    monkeypatch.setattr(
-        measure.Cases, "rejected", lambda *_: [(rejected[0][0], JOINT_SINGULAR), *rejected[1:]]
-    )
+    vectors, unsolvable = measure.vectors, measure.unsolvable_motions
+
+    def wrong_force(*given: Any) -> Any:
+        tests = vectors(*given)
+        tests[3].answers["F"][2] *= 1 + 1e-9
+        return tests
+
+    def wrong_status(*given: Any) -> Any:
+        (motion, _), *others = unsolvable(*given)
+        return [(motion, JOINT_SINGULAR), *others]
+
+    monkeypatch.setattr(measure, "vectors", wrong_force)
+    monkeypatch.setattr(measure, "unsolvable_motions", wrong_status)
     row = measure.measured(dasgupta(), "massless_static", True, "double")
     assert (row["failed"], row["rejected_wrongly"]) == (1, 1)
     assert row["worst"] > 1

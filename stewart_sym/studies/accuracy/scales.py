@@ -6,6 +6,7 @@ Each arithmetic is compared with one of more digits that is given the same numbe
 import ctypes
 import dataclasses
 import functools
+import itertools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -126,7 +127,9 @@ def scales_study(
     ):
         for k in range(machines):
             kind, motion = _case(rng, robot, k > 0, poses)
-            kind = _with_legs(kind, masses[leg] / masses[p])
+            factor = masses[leg] / masses[p] * kind.M / float(max(kind.m_d.max(), kind.m_u.max()))
+            parts = {name: getattr(kind, name) * factor for name in ("m_d", "m_u", "I_d0", "I_u0")}
+            kind = dataclasses.replace(kind, **parts)
             for s, size in enumerate(sizes):
                 case = _scaled(kind, motion, size, masses[p])
                 for name, found in _errors(*case, checked).items():
@@ -144,8 +147,11 @@ def scales_study(
 
 def _case(rng: np.random.Generator, robot: Robot, ragged: bool, poses: int) -> tuple[Robot, Motion]:
     """The robot, or a copy with its joints moved that has poses enough, and its motions, (poses,)."""
+    spread, kind = _RAGGED * radius(robot.b), robot
     for _ in range(_COPIES if ragged else 1):
-        kind = _ragged(rng, robot) if ragged else robot
+        if ragged:
+            b, p = (points + spread * rng.normal(size=(6, 3)) for points in (robot.b, robot.p))
+            kind = dataclasses.replace(robot, b=b, p=p)
         motion = _motions(rng, kind, poses)
         if motion.shape == (poses,):
             return kind, motion
@@ -153,12 +159,6 @@ def _case(rng: np.random.Generator, robot: Robot, ragged: bool, poses: int) -> t
         f"robot {robot.name!r}: too few poses around its home with a condition number below "
         f"{MAX_CONDITION:g} and legs clear of their universal axes"
     )
-
-
-def _ragged(rng: np.random.Generator, robot: Robot) -> Robot:
-    size = radius(robot.b)
-    b, p = (points + _RAGGED * size * rng.normal(size=(6, 3)) for points in (robot.b, robot.p))
-    return dataclasses.replace(robot, b=b, p=p)
 
 
 def _motions(rng: np.random.Generator, robot: Robot, count: int) -> Motion:
@@ -174,13 +174,6 @@ def _motions(rng: np.random.Generator, robot: Robot, count: int) -> Motion:
         if len(good) == count:
             break
     return motion[good]
-
-
-def _with_legs(robot: Robot, share: float) -> Robot:
-    """The robot with the heaviest part of its legs a share of the platform's mass."""
-    factor = share * robot.M / float(max(robot.m_d.max(), robot.m_u.max()))
-    parts = {name: getattr(robot, name) * factor for name in ("m_d", "m_u", "I_d0", "I_u0")}
-    return dataclasses.replace(robot, **parts)
 
 
 def _scaled(robot: Robot, motion: Motion, size: float, platform: float) -> tuple[Robot, Motion]:
@@ -222,16 +215,13 @@ def _errors(robot: Robot, motion: Motion, checked: Mapping[str, _Arithmetic]) ->
     full = inverse_dynamics(robot, motion, on_singular="nan")
     condition = scaled_condition_number(full.H, characteristic_length(robot))
     largest = np.max([np.abs(values).max(axis=-1) for values in (full.F, full.D, full.x)], axis=0)
-    return {
-        each: _error(_forces(name, how, numbers, motion), truth)
-        / (float(np.finfo(how.dtype).eps) * condition * largest)
-        for each, how in checked.items()
-    }
-
-
-def _error(found: Array, truth: Array) -> Array:
-    error = np.abs(found.astype(truth.dtype) - truth).max(axis=-1).astype(np.float64)
-    return np.where(np.isfinite(error), error, np.inf)
+    errors = {}
+    for each, how in checked.items():
+        found = _forces(name, how, numbers, motion).astype(truth.dtype)
+        error = np.abs(found - truth).max(axis=-1).astype(np.float64)
+        unit = float(np.finfo(how.dtype).eps) * condition * largest
+        errors[each] = np.where(np.isfinite(error), error, np.inf) / unit
+    return errors
 
 
 @functools.cache
@@ -264,16 +254,14 @@ def _forces(name: str, how: _Arithmetic, numbers: Array, motion: Motion) -> Arra
 def csv_rows(data: Scales) -> str:
     """A table as CSV, all digits: size, masses, and each arithmetic's median and largest error there."""
     header = ["size_m", "platform_mass_kg", "leg_mass_kg"]
-    for name in data.errors:
+    columns = []
+    for name, errors in data.errors.items():
         header += [f"{name}_median", f"{name}_largest"]
-    rows: list[tuple[str | float, ...]] = [tuple(header)]
-    sizes, masses = data.sizes.tolist(), data.masses.tolist()
-    for s, p, leg in np.ndindex(len(sizes), len(masses), len(masses)):
-        row = [sizes[s], masses[p], masses[leg]]
-        for errors in data.errors.values():
-            row += [float(np.median(errors[s, p, leg])), float(errors[s, p, leg].max())]
-        rows.append(tuple(row))
-    return csv_text(rows)
+        columns += [np.median(errors, axis=-1).ravel(), errors.max(axis=-1).ravel()]
+    masses = data.masses.tolist()
+    places = itertools.product(data.sizes.tolist(), masses, masses)
+    rows = zip(places, np.transpose(columns).tolist(), strict=True)
+    return csv_text([header, *((*place, *values) for place, values in rows)])
 
 
 # Okabe and Ito's colours, told apart by marks and dashes as well.

@@ -45,19 +45,11 @@ class Program:
     operations: int
 
 
-@dataclass(frozen=True)
-class _LegResult:
-    """What the platform needs of a leg: q, s, K, D of (1), (3), (21), (24), friction moment f of (18)."""
+LegEquations = Callable[[Numbers, Numbers], Numbers]
+"""Equations of a leg: from its numbers and those of the platform's motion, load and gravity.
 
-    q: Matrix
-    s: Matrix
-    K: Matrix
-    D: Matrix
-    f: Matrix
-
-
-LegEquations = Callable[[Numbers, Numbers], _LegResult]
-"""Equations of a leg: from its numbers and those of the platform's motion, load and gravity."""
+What the platform needs of it: q, s, K, D of (1), (3), (21), (24), friction moment f of (18).
+"""
 
 
 def program(equations: LegEquations) -> Program:
@@ -121,7 +113,7 @@ def _forces(robot: Matrix, numbers: Matrix, equations: LegEquations) -> Matrix:
     return D - casadi.solve(H, casadi.vertcat(force, moment))  # (37)
 
 
-def base_frame(leg: Numbers, at: Numbers) -> _LegResult:
+def base_frame(leg: Numbers, at: Numbers) -> Numbers:
     """Equations (1)-(24), corrected, in vectors of the base frame."""
     cross, dot = casadi.cross, casadi.dot
     omega, alpha, g = at.omega, at.alpha, at.g
@@ -162,10 +154,10 @@ def base_frame(leg: Numbers, at: Numbers) -> _LegResult:
     M_u = dot(s, C) / dot(s, n)  # (29)
     K = cross(C - M_u * n, s) / L  # (21)
     D = leg.m_u * dot(s, a_u - g) + leg.C_p * Ldot  # (24)
-    return _LegResult(q, s, K, D, f)
+    return Numbers(q=q, s=s, K=K, D=D, f=f)
 
 
-def leg_frame(leg: Numbers, at: Numbers) -> _LegResult:
+def leg_frame(leg: Numbers, at: Numbers) -> Numbers:
     """The same leg in components of its own frame T, where the inertias are constant and S = (L, 0, 0)."""
     cross, dot = casadi.cross, casadi.dot
     q = at.R @ leg.p
@@ -204,7 +196,7 @@ def leg_frame(leg: Numbers, at: Numbers) -> _LegResult:
     )
     K = T @ casadi.vertcat(0, (C[2] + kappa * C[0]) / L, -C[1] / L)
     D = leg.m_u * (a_u[0] - g[0]) + leg.C_p * Ldot
-    return _LegResult(q, s, K, D, T @ f)
+    return Numbers(q=q, s=s, K=K, D=D, f=T @ f)
 
 
 def _named(numbers: Matrix, sizes: Mapping[str, int]) -> Numbers:

@@ -1,7 +1,6 @@
 """What ``bench`` measured, as JSON takes it: samples with their medians, ratios, shares with targets."""
 
-import contextlib
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -144,90 +143,48 @@ def flatness(sweep: Sequence[Figures]) -> dict[str, float]:
 BASIS = 0.228
 """Share that one pose took, 163 of 715 ns, of CasADi's plain C, unfused, when targets were set."""
 
-Value = Callable[[Figures, str], float]
-"""How a share is made of a run's builds and peaks for one kind of instructions; KeyError where it isn't."""
+_LIMIT, _BASIS, _MICROSECOND = "limit", f"{BASIS:g} of CasADi's unfused C", "us"
 
-
-@dataclass(frozen=True)
-class Share:
-    """One figure; ``bound`` and ``goal`` are the most that it is to be, or the ``least``."""
-
-    name: str
-    value: Value
-    bound: float | None = None
-    goal: float | None = None
-    unit: str = "ratio"
-    least: bool = False
-
-
-def _time(found: Figures, name: str, kind: str) -> float:
-    """Ns of the quickest build."""
-    build = quickest(builds_of(found, name, kind))
-    if build is None:
-        raise KeyError(name)
-    return float(build["median"])
-
-
-def _basis(found: Figures, kind: str) -> float:
-    """Ns of one pose as it was when targets were set, by CasADi's unfused C."""
-    built = builds_of(found, PLAIN, kind)
-    if not built:
-        raise KeyError(PLAIN)
-    return BASIS * float(min(built, key=lambda each: len(each["flags"]))["median"])
-
-
-def _limit(found: Figures, kind: str) -> float:
-    """Least ns per pose, each operation filling the place of a multiply-add in a lane."""
-    (limit,) = (peak["limits"] for peak in found["peaks"] if peak["instructions"] == kind)
-    return float(next(iter(limit.values())))
-
-
-def _over(ours: str, theirs: str) -> Value:
-    return lambda found, kind: _time(found, ours, kind) / _time(found, theirs, kind)
-
-
-def _over_basis(ours: str) -> Value:
-    return lambda found, kind: _time(found, ours, kind) / _basis(found, kind)
-
-
-def _microseconds(name: str) -> Value:
-    return lambda found, kind: 1e-3 * _time(found, name, kind)
-
-
-_BASIS = f"over {BASIS:g} of CasADi's unfused C"
-_SHARES = (
-    Share("one pose, share of CasADi's closed form", _over(ONE_POSE, CLOSED), 0.23, 0.19),
-    Share("one pose, share of CasADi's plain C", _over(ONE_POSE, PLAIN), 0.18, 0.15),
-    Share("batch, share of CasADi's plain C", _over(BATCH, PLAIN), 0.08, 0.06),
-    Share(
-        "batch, share of the limit reached",
-        lambda found, kind: _limit(found, kind) / _time(found, BATCH, kind),
-        0.60,
-        0.75,
-        least=True,
-    ),
-    Share("batch, float, share of CasADi's plain C", _over(FLOAT, PLAIN), 0.045, 0.035),
-    Share("equations, over inverse dynamics", _over(EQUATIONS, INVERSE)),
-    Share("forward dynamics, over inverse dynamics", _over(FORWARD, INVERSE)),
-    Share("derivatives, over inverse dynamics", _over(DERIVATIVES, INVERSE)),
-    Share(f"equations, {_BASIS}", _over_basis(EQUATIONS), 1.6, 1.3),
-    Share(f"forward dynamics, {_BASIS}", _over_basis(FORWARD), 1.2, 1),
-    Share(f"derivatives, {_BASIS}", _over_basis(DERIVATIVES), 4, 3),
-    Share("regressor 6 x 148, one pose", _microseconds(REGRESSOR), 1.5, 0.7, "us"),
-    Share("regressor 6 x 148, batch", _microseconds(batched(REGRESSOR)), unit="us"),
+_SHARES: tuple[tuple[str, str, str, dict[str, float]], ...] = (
+    ("one pose, share of CasADi's closed form", ONE_POSE, CLOSED, {"at_most": 0.23, "goal": 0.19}),
+    ("one pose, share of CasADi's plain C", ONE_POSE, PLAIN, {"at_most": 0.18, "goal": 0.15}),
+    ("batch, share of CasADi's plain C", BATCH, PLAIN, {"at_most": 0.08, "goal": 0.06}),
+    ("batch, share of the limit reached", _LIMIT, BATCH, {"at_least": 0.60, "goal": 0.75}),
+    ("batch, float, share of CasADi's plain C", FLOAT, PLAIN, {"at_most": 0.045, "goal": 0.035}),
+    ("equations, over inverse dynamics", EQUATIONS, INVERSE, {}),
+    ("forward dynamics, over inverse dynamics", FORWARD, INVERSE, {}),
+    ("derivatives, over inverse dynamics", DERIVATIVES, INVERSE, {}),
+    (f"equations, over {_BASIS}", EQUATIONS, _BASIS, {"at_most": 1.6, "goal": 1.3}),
+    (f"forward dynamics, over {_BASIS}", FORWARD, _BASIS, {"at_most": 1.2, "goal": 1}),
+    (f"derivatives, over {_BASIS}", DERIVATIVES, _BASIS, {"at_most": 4, "goal": 3}),
+    ("regressor 6 x 148, one pose", REGRESSOR, _MICROSECOND, {"at_most": 1.5, "goal": 0.7}),
+    ("regressor 6 x 148, batch", batched(REGRESSOR), _MICROSECOND, {}),
 )
+"""Name, what is divided by what, as ``_times`` has them, and the most or the least that it is to be."""
 
 
 def shares(found: Figures) -> list[Figures]:
     """Every figure that a run has the times of, by kind of instructions, with its bound and its goal."""
+    times = {peak["instructions"]: _times(found, peak) for peak in found["peaks"]}
     made = []
-    for share in _SHARES:
-        values = {}
-        for peak in found["peaks"]:
-            with contextlib.suppress(KeyError):
-                values[peak["instructions"]] = share.value(found, peak["instructions"])
-        limits = {"at_least" if share.least else "at_most": share.bound, "goal": share.goal}
-        stated = {name: limit for name, limit in limits.items() if limit is not None}
+    for name, over, under, stated in _SHARES:
+        values = {kind: of[over] / of[under] for kind, of in times.items() if over in of and under in of}
         if values:
-            made.append({"name": share.name, "unit": share.unit, "values": values, **stated})
+            unit = "us" if under == _MICROSECOND else "ratio"
+            made.append({"name": name, "unit": unit, "values": values, **stated})
     return made
+
+
+def _times(found: Figures, peak: Figures) -> dict[str, float]:
+    """Ns by name for one kind of instructions: of the quickest builds, and of what they are compared with.
+
+    That is the least of a batch, each operation filling the place of a multiply-add in a lane, and one pose
+    as it was when targets were set, by CasADi's unfused C.
+    """
+    built = [each for each in found["builds"] if each["instructions"] == peak["instructions"]]
+    times = {each["name"]: each["median"] for each in sorted(built, key=lambda each: -each["median"])}
+    times |= {_LIMIT: next(iter(peak["limits"].values())), _MICROSECOND: 1e3}
+    plain = sorted((len(each["flags"]), each["median"]) for each in built if each["name"] == PLAIN)
+    if plain:
+        times[_BASIS] = BASIS * plain[0][1]
+    return times

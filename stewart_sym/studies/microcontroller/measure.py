@@ -4,7 +4,6 @@ import re
 import shutil
 import tempfile
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
@@ -19,7 +18,7 @@ from ...io.array_types import Array
 from ...io.progress import Progress, silent, tracked
 from ...kinematics.inverse import inverse_kinematics
 from ...kit import Choice, kit
-from ...kit.choice import STEMS, TORQUE
+from ...kit.choice import PRECISIONS, STEMS, TORQUE
 from ...kit.poses import sample
 from ...kit.vectors import knows_axes, rejected, vectors
 from ...motion.motion import Motion
@@ -68,46 +67,6 @@ def of_rows(robot: Robot, level: str, rows: Sequence[Figures]) -> Figures:
     return {"robot": robot.name, "fidelity": level, "rows": rows, **made}
 
 
-# --- cases ------------------------------------------------------------------------------------
-
-
-@dataclass(frozen=True)
-class Cases:
-    """The test vectors of a kit's forces, and what is further asked of them on a processor."""
-
-    robot: Robot
-    level: str
-    precision: str
-    tests: tuple[Vector, ...]
-
-    @classmethod
-    def of(cls, robot: Robot, level: str, bake: bool, precision: str) -> "Cases":
-        """Those that the kit's own self-test has."""
-        return cls(
-            robot, level, precision, vectors(robot, ("forces",), "exact", level, precision, MOTIONS, bake)
-        )
-
-    def rejected(self) -> list[tuple[dict[str, Array], int]]:
-        """Unsolvable motions and their status: the self-test's, and numbers none or too large."""
-        start = self.tests[0].inputs
-        far = {"double": 1e160, "float": 1e25}[self.precision]
-        return [
-            *((each.inputs, each.status) for each in rejected(self.robot, self.level, self.precision)),
-            (start | {"t": np.full(3, np.nan)}, NOT_FINITE),
-            (start | {"t": np.full(3, far)}, NOT_FINITE),
-            (start | {"F_ext": np.full(3, np.inf)}, NOT_FINITE),
-        ]
-
-    def near_singular_joints(self) -> Array | None:
-        """Fixed axes, (6, 3), with which all legs are near their joint singularities at the first motion."""
-        if not knows_axes(self.robot, self.level):
-            return None
-        s = inverse_kinematics(self.robot, sample(self.robot, "exact")[0]).s
-        across = np.cross(s, np.roll(s, 1, axis=-1))
-        across /= np.linalg.norm(across, axis=-1, keepdims=True)
-        return np.asarray(np.sqrt(1 - NEAR_JOINT_SINGULAR**2) * s + NEAR_JOINT_SINGULAR * across)
-
-
 # --- one kit ----------------------------------------------------------------------------------
 
 
@@ -130,7 +89,6 @@ def measured(robot: Robot, level: str, bake: bool, precision: str) -> Figures:
     core = CORES[precision]
     functions = ("forces",) if robot.drive is None else ("forces", TORQUE)
     made = kit(robot, Choice(functions, "exact", level, bake, True, precision)).files
-    cases = Cases.of(robot, level, bake, precision)
     with tempfile.TemporaryDirectory(prefix="stewart-sym-") as name:
         folder = Path(name)
         for file, content in made.items():
@@ -138,12 +96,11 @@ def measured(robot: Robot, level: str, bake: bool, precision: str) -> Figures:
         for file in _OWN:
             shutil.copyfile(str(files(__package__) / file), folder / file)
         kernel = next(path.stem for path in folder.glob("stewart_*_pose.c"))
-        symbol = "" if bake else robot_symbol(robot.name)
         torques = sorted(path.stem for path in folder.glob("*.c") if path.stem.endswith(_OF_DRIVES))
-        header = _cases_header(cases, kernel, symbol, torques)
+        header = _cases_header(robot, level, bake, precision, kernel, torques)
         (folder / "cases.h").write_text(header, encoding="utf-8")
         objects = [toolchain.compiled(core, folder / f"{kernel}.c")]
-        if symbol or torques:
+        if torques or not bake:
             objects.append(toolchain.compiled(core, folder / "stewart_robot.c"))
         objects += [toolchain.compiled(core, folder / f"{stem}.c") for stem in torques]
         start = toolchain.compiled(core, folder / "start.c", ["-Wno-pedantic"])
@@ -243,35 +200,41 @@ def _said(output: str) -> dict[str, list[int]]:
 # --- text of cases.h --------------------------------------------------------------------------
 
 
-def _cases_header(cases: Cases, kernel: str, symbol: str, torques: Sequence[str]) -> str:
+def _cases_header(
+    robot: Robot, level: str, bake: bool, precision: str, kernel: str, torques: Sequence[str]
+) -> str:
     """The kernel's names, motions with forces and bounds, and unsolvable motions.
 
-    symbol: the robot's in C, empty where the kernel holds its numbers. torques: names of their sources.
+    torques: names of their sources. The forces are those of the kit's own self-test.
     """
-    epsilon = float(np.finfo(np.float32 if cases.precision == "float" else np.float64).eps)
-    rejected = cases.rejected()
-    without = _motions(motion for motion, _ in rejected)
+    tests = vectors(robot, ("forces",), "exact", level, precision, MOTIONS, bake)
+    unsolvable = unsolvable_motions(robot, level, precision, tests[0].inputs)
+    symbol = robot_symbol(robot.name)
     names = [f'#include "{kernel}.h"', f"#define FORCES {kernel}_forces"]
-    if not symbol:
+    if bake:
         names.append("#define BAKED")
     else:
-        names += [
-            '#include "stewart_robot.h"',
-            f"#define MODEL {kernel}_model",
-            f"#define PREPARE {kernel}_prepare",
-        ]
-    if symbol or torques:
-        names.append(f"#define ROBOT {robot_symbol(cases.robot.name)}")
+        names += ['#include "stewart_robot.h"']
+        names += [f"#define {name.upper()} {kernel}_{name}" for name in ("model", "prepare")]
+    if torques or not bake:
+        names.append(f"#define ROBOT {symbol}")
     if torques:
         names += [f'#include "{stem}.h"' for stem in ("stewart_robot", *torques)]
-        names.append(f"#define DRIVES {robot_symbol(cases.robot.name)}_drives")
+        names.append(f"#define DRIVES {symbol}_drives")
         names += [f"#define AXIAL {stem}_forces" for stem in torques if stem.endswith("_axial")]
-    near = cases.near_singular_joints() if symbol else None
-    axes = None if near is None else _nested(near, "REAL({})")
-    codes = ", ".join(str(code) for _, code in rejected)
-    given = _motions(test.inputs for test in cases.tests)
-    expected = np.array([test.answers["F"] for test in cases.tests])
-    bounds = np.array([test.bounds["F"] for test in cases.tests]) * epsilon
+    more = []
+    if knows_axes(robot, level) and not bake:
+        axes = _nested(_near_singular_joints(robot), "REAL({})")
+        more.append("#define NEAR_SINGULAR_JOINTS")
+        more.append(f"static const stewart_real near_singular_joints[6][3] = {axes};")
+    if torques:
+        more.append(f"static const stewart_real rates[MOTIONS][6] = {_rates(robot, tests)};")
+    given, without = (
+        _motions(each) for each in ([test.inputs for test in tests], [motion for motion, _ in unsolvable])
+    )
+    expected = np.array([test.answers["F"] for test in tests])
+    bounds = np.array([test.bounds["F"] for test in tests]) * np.finfo(PRECISIONS[precision]).eps
+    codes = ", ".join(str(code) for _, code in unsolvable)
     return "\n".join(
         [
             "/* cases.h: written for one kernel. */",
@@ -279,27 +242,46 @@ def _cases_header(cases: Cases, kernel: str, symbol: str, torques: Sequence[str]
             "#include <stddef.h>",
             *names,
             "#define REAL(value) ((stewart_real)(value))",
-            f"#define MOTIONS {len(cases.tests)}",
-            f"#define REJECTED {len(rejected)}",
+            f"#define MOTIONS {len(tests)}",
+            f"#define REJECTED {len(unsolvable)}",
             f"static const stewart_motion motions[MOTIONS] = {given};",
             f"static const double expected[MOTIONS][6] = {_nested(expected)};",
             f"static const double bounds[MOTIONS][6] = {_nested(bounds)};",
             f"static const stewart_motion rejected_motions[REJECTED] = {without};",
-            *([] if axes is None else ["#define NEAR_SINGULAR_JOINTS"]),
-            *([] if axes is None else [f"static const stewart_real near_singular_joints[6][3] = {axes};"]),
             f"static const int rejected_status[REJECTED] = {{{codes}}};",
-            *([f"static const stewart_real rates[MOTIONS][6] = {_rates(cases)};"] if torques else []),
+            *more,
             "",
         ]
     )
 
 
-def _rates(cases: Cases) -> str:
+def unsolvable_motions(
+    robot: Robot, level: str, precision: str, start: dict[str, Array]
+) -> list[tuple[dict[str, Array], int]]:
+    """Motions and their status: those of the self-test, and from a start numbers none or too large."""
+    far = {"double": 1e160, "float": 1e25}[precision]
+    return [
+        *((each.inputs, each.status) for each in rejected(robot, level, precision)),
+        (start | {"t": np.full(3, np.nan)}, NOT_FINITE),
+        (start | {"t": np.full(3, far)}, NOT_FINITE),
+        (start | {"F_ext": np.full(3, np.inf)}, NOT_FINITE),
+    ]
+
+
+def _near_singular_joints(robot: Robot) -> Array:
+    """Fixed axes, (6, 3), with which all legs are near their joint singularities at the first motion."""
+    s = inverse_kinematics(robot, sample(robot, "exact")[0]).s
+    across = np.cross(s, np.roll(s, 1, axis=-1))
+    across /= np.linalg.norm(across, axis=-1, keepdims=True)
+    return np.asarray(np.sqrt(1 - NEAR_JOINT_SINGULAR**2) * s + NEAR_JOINT_SINGULAR * across)
+
+
+def _rates(robot: Robot, tests: Sequence[Vector]) -> str:
     """Rates of the legs of each test."""
     rows = []
-    for test in cases.tests:
+    for test in tests:
         at = {name: test.inputs[name].reshape(shape) for name, shape in MOTION.items()}
-        rows.append(inverse_kinematics(cases.robot, Motion.unchecked(**at)).L_dot)
+        rows.append(inverse_kinematics(robot, Motion.unchecked(**at)).L_dot)
     return _nested(np.array(rows), "REAL({})")
 
 

@@ -4,8 +4,9 @@
 ``plan_path_III.png`` and ``plan_durations.png``.
 """
 
+import functools
 import sys
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -49,21 +50,11 @@ _COLORS = {"slow": BLUE, "fast": RED, "straight": GREY, "planned": BLUE}
 _SHADES = (GREY, BLUE, RED)
 
 
-@dataclass(frozen=True)
-class Along:
-    """Condition numbers, (n,), and the largest force of any leg, N, (n,), along a path."""
+def along(robot: Robot, path: PosePath, duration: float) -> tuple[Array, Array]:
+    """Condition numbers, (n,), and the largest force of any leg, N, (n,), from rest to rest along a path.
 
-    condition: Array
-    force: Array
-
-    @property
-    def correlation(self) -> float:
-        """Rank correlation of the two."""
-        return float(spearmanr(self.condition, self.force).statistic)
-
-
-def along(robot: Robot, path: PosePath, duration: float) -> Along:
-    """Of a path from rest to rest, s = 10 x^3 - 15 x^4 + 6 x^5 with x the share of the time."""
+    s = 10 x^3 - 15 x^4 + 6 x^5 with x the share of the time.
+    """
     x = np.linspace(0.0, 1.0, _SAMPLES)
     s = x**3 * (10.0 - 15.0 * x + 6.0 * x**2)
     rate = 30.0 * x**2 * (1.0 - x) ** 2 / duration
@@ -71,7 +62,7 @@ def along(robot: Robot, path: PosePath, duration: float) -> Along:
     motion = travelled(path(s), rate, second)
     forces = inverse_dynamics(robot, motion).F
     condition = scaled_condition_number(wrench_matrix(robot, motion), characteristic_length(robot))
-    return Along(condition, np.abs(forces).max(axis=-1))
+    return condition, np.abs(forces).max(axis=-1)
 
 
 def via_poses(rng: np.random.Generator, robot: Robot, count: int) -> tuple[ViaPose, ...]:
@@ -111,11 +102,13 @@ def claim(count: int = PATH_COUNT) -> dict[str, Any]:
         if not np.isfinite(conditions_along(robot, path, _SAMPLES).peak):
             continue
         own = np.sqrt(1.0 / GRAVITY)
-        each = {name: along(robot, path, times * own) for name, times in _DURATIONS.items()}
-        for name, one in each.items():
-            found[name].append(one.correlation)
         weight = GRAVITY * (robot.M + robot.m_d.sum() + robot.m_u.sum())
-        peaks.append([each["slow"].condition.max(), *(one.force.max() / weight for one in each.values())])
+        forces = []
+        for name, times in _DURATIONS.items():
+            condition, force = along(robot, path, times * own)
+            found[name].append(float(spearmanr(condition, force).statistic))
+            forces.append(force.max() / weight)
+        peaks.append([condition.max(), *forces])
     columns = np.array(peaks).T
     return {
         "paths": count,
@@ -140,7 +133,7 @@ def gains(count: int = MACHINE_COUNT) -> dict[str, Any]:
         found = plan_path(robot, poses)
         before, after = found.straight_conditions, found.conditions
         duration = 2.0 * VIA_COUNT * np.sqrt(1.0 / GRAVITY)
-        forces = [float(along(robot, path, duration).force.max()) for path in (found.straight, found.path)]
+        forces = [float(along(robot, path, duration)[1].max()) for path in (found.straight, found.path)]
         ratios = [after.mean / before.mean, after.peak / before.peak, forces[1] / forces[0]]
         rows.append([*ratios, after.length / before.length])
     return dict(zip(("mean", "peak", "peak_force", "length"), np.array(rows).T, strict=True)) | {
@@ -152,18 +145,16 @@ def path_III() -> dict[str, Any]:
     """Path III between its own ends, and where its end may be yawed; forces of both in 6 s."""
     robot, planned = dasgupta1998(), planned_path_III()
     motion = PATHS["III"].path.sample(np.array([0.0, DURATION]))
-    before, after = (along(robot, path, DURATION) for path in (planned.straight, planned.path))
+    paths = {"straight": planned.straight, "planned": planned.path}
+    on = {name: along(robot, path, DURATION) for name, path in paths.items()}
     s = np.linspace(0.0, 1.0, 1001)
     return {
         "signs_of_det_H": np.sign(np.linalg.det(wrench_matrix(robot, motion))),
         "yaw_rad": float(vector_from_rotation(planned.given[1].R.T @ planned.poses[1].R)[2]),
-        "crossings": {
-            "straight": len(crossings(robot, planned.straight, s)),
-            "planned": len(crossings(robot, planned.path, s)),
-        },
+        "crossings": {name: len(crossings(robot, path, s)) for name, path in paths.items()},
         "conditions": {"straight": vars(planned.straight_conditions), "planned": vars(planned.conditions)},
-        "force_N": {"straight": before.force, "planned": after.force},
-        "condition": {"straight": before.condition, "planned": after.condition},
+        "force_N": {name: force for name, (_, force) in on.items()},
+        "condition": {name: condition for name, (condition, _) in on.items()},
     }
 
 
@@ -204,20 +195,6 @@ def durations() -> dict[str, Any]:
             "energy_J": float(np.trapezoid(power, instants)),
         }
     return found
-
-
-def figures() -> dict[str, Any]:
-    """All of the study."""
-    return {"claim": claim(), "gains": gains(), "path_III": path_III(), "durations": durations()}
-
-
-def pictures(found: dict[str, Any]) -> dict[str, Picture]:
-    """``plan_claim``, ``plan_path_III`` and ``plan_durations``."""
-    return {
-        "plan_claim": Picture(lambda: claim_figure(found["claim"]), SMALL),
-        "plan_path_III": Picture(lambda: path_figure(found["path_III"]), SMALL),
-        "plan_durations": Picture(lambda: durations_figure(found["durations"]), SMALL),
-    }
 
 
 def claim_figure(claim: dict[str, Any]) -> Figure:
@@ -336,11 +313,11 @@ def main(arguments: list[str]) -> int:
     """Write figures and pictures to a folder; returns the exit code."""
     folder = Path(arguments[0])
     folder.mkdir(parents=True, exist_ok=True)
-    found = figures()
+    found = {"claim": claim(), "gains": gains(), "path_III": path_III(), "durations": durations()}
     with replaced_file(folder / "plan.json") as stream:
         stream.write(json_text(found))
-    for name, picture in pictures(found).items():
-        draw(picture, folder / name)
+    for name, figure in (("claim", claim_figure), ("path_III", path_figure), ("durations", durations_figure)):
+        draw(Picture(functools.partial(figure, found[name]), SMALL), folder / f"plan_{name}")
     return 0
 
 

@@ -238,14 +238,13 @@ class Digest:
                     "peak_force_sd_N": None if F_sd is None else F_sd[i, leg],
                     "peak_force_time_s": time[i],
                     "force_limit_N": self.robot.force_limit[leg],
-                    "least_length_m": low.values[leg],
-                    "greatest_length_m": high.values[leg],
+                    **low.data(leg, "least_length", "m"),
+                    **high.data(leg, "greatest_length", "m"),
                     "length_limits_m": self.robot.length_limits[leg],
-                    "peak_speed_m_per_s": speed.values[leg],
+                    **speed.data(leg, "peak_speed", "m_per_s"),
                     "speed_limit_m_per_s": self.robot.speed_limit[leg],
                     **self._angles_of_leg(leg),
                     **{name: found[leg] for name, found in verdicts.items()},
-                    **_noise_of_leg(leg, low.sd, high.sd, speed.sd),
                     **({} if self.drive is None else self.drive.of_leg(leg) | self.drive.verdicts(leg)),
                 }
                 for leg, i in enumerate(_largest(F))
@@ -263,9 +262,8 @@ class Digest:
 
     def _angles_of_leg(self, leg: int) -> dict[str, Any]:
         found: dict[str, Any] = {}
-        for limit, (values, sd) in self._angles().items():
-            found[f"peak_{limit.values}_angle_rad"] = values[leg]
-            found |= {} if sd is None else {f"peak_{limit.values}_angle_sd_rad": sd[leg]}
+        for limit, angle in self._angles().items():
+            found |= angle.data(leg, f"peak_{limit.values}_angle", "rad")
             found[f"{limit.values}_angle_limit_rad"] = limit.bound(self.robot)[leg]
             found[f"{limit.values}_angle_limit"] = self.legs.verdicts(limit)[leg]
         return found
@@ -273,17 +271,6 @@ class Digest:
     def _worst_condition(self) -> tuple[float, float]:
         """When the condition number is largest, s, and how large."""
         return self.conditions[int(_largest(np.array(self.conditions)[:, 1]))]
-
-
-def _noise_of_leg(leg: int, low: Array | None, high: Array | None, speed: Array | None) -> dict[str, float]:
-    """Deviations of a leg's lengths and speed, (6,); none without noise."""
-    if low is None or high is None or speed is None:
-        return {}
-    return {
-        "least_length_sd_m": low[leg],
-        "greatest_length_sd_m": high[leg],
-        "peak_speed_sd_m_per_s": speed[leg],
-    }
 
 
 class _Extreme(NamedTuple):
@@ -296,8 +283,13 @@ class _Extreme(NamedTuple):
         """The same in another unit."""
         return _Extreme(scale * self.values, None if self.sd is None else scale * self.sd)
 
+    def data(self, leg: int, name: str, unit: str) -> dict[str, float]:
+        """One leg's, for programs."""
+        sd = {} if self.sd is None else {f"{name}_sd_{unit}": self.sd[leg]}
+        return {f"{name}_{unit}": self.values[leg], **sd}
+
     def text(self, leg: int) -> str:
-        """One leg's."""
+        """The same for people."""
         return amount_text(self.values[leg], None if self.sd is None else self.sd[leg], 4)
 
 

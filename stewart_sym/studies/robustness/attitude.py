@@ -60,11 +60,10 @@ def families(seed: int = 4) -> list[Family]:
             "roll-pitch-yaw at theta_y = 90 degrees",
             "give a rotation matrix, quaternion or rotation vector: they have no singularity; no status",
             "pitch from 90 degrees, rad",
-            distances(),
             tuple(curves),
-            {"largest second rate of the angles": second_rate},
-            "largest second rate of the angles, rad/s^2",
-            (
+            growth={"largest second rate of the angles": second_rate},
+            growth_axis="largest second rate of the angles, rad/s^2",
+            notes=(
                 f"angles: second rates grow to {second_rate.max():.1e} rad/s^2 for the same motion, and "
                 "rounding them moves alpha; no kernel sees angles.",
             ),

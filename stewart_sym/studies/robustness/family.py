@@ -78,8 +78,8 @@ class Family:
     fails: str
     remedy: str
     axis: str
-    distance: Array
     curves: tuple[Curve, ...]
+    distance: Array = field(default_factory=distances)
     growth: Mapping[str, Array] = field(default_factory=dict)
     growth_axis: str = ""
     notes: tuple[str, ...] = ()

@@ -52,7 +52,7 @@ def _family(
 ) -> Family:
     """A family over the angle between a leg and its fixed axis; ``more``: further fields of it."""
     axis = "angle between leg 1 and its fixed axis, rad"
-    return Family(name, title, fails, remedy, axis, distances(), curves, **more)
+    return Family(name, title, fails, remedy, axis, curves, **more)
 
 
 def _walk(seed: int, legs: str, rest: bool) -> tuple[list[Robot], list[Motion]]:

@@ -31,17 +31,15 @@ def _short(seed: int) -> Family:
         b[0] = tip - distance * way
         robots.append(dataclasses.replace(robot, b=b))
     motions = [motion] * len(robots)
-    growth_of_errors = {"condition of the pose": shipped.pose_condition(robots, motions)}
     return Family(
         "zero_length",
         "Forces where a leg's length goes to zero",
         "leg of length zero",
         "status 2 where the length is rounding error of its terms",
         "length of leg 1, m",
-        distances(),
         shipped.curves(robots, motions),
-        growth_of_errors,
-        "condition number",
+        growth={"condition of the pose": shipped.pose_condition(robots, motions)},
+        growth_axis="condition number",
     )
 
 
@@ -76,7 +74,6 @@ def _limits(seed: int) -> Family:
         "leg length at its limit",
         "status 8 in forward kinematics, from the first rounding unit on",
         "share of the length to the limit",
-        distances(),
         tuple(curves),
         error_axis="status of forward kinematics",
         by_status=True,

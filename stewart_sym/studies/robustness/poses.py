@@ -77,11 +77,10 @@ def families() -> list[Family]:
             "forward kinematics where two poses meet",
             "status 4 from a condition number of 4e6; `certify_pose` proves a pose",
             "time from the crossing, s",
-            distances(),
             (curve,),
-            {"proven bound of the position, m": position, "proven bound of the angle, rad": asked},
-            "proven bound",
-            (
+            growth={"proven bound of the position, m": position, "proven bound of the angle, rad": asked},
+            growth_axis="proven bound",
+            notes=(
                 f"certificate: {int(np.isfinite(position).sum())} of {int((status == 0).sum())} proven, "
                 f"down to {nearest:.1e} s; every error below its bound: {'yes' if held else 'NO'}.",
             ),

@@ -68,8 +68,8 @@ def _across() -> Family:
         "simulation across a singular pose",
         "forward dynamics needs no inverse of H; a run stops at a condition number of 1e6 by default",
         "relative tolerance of a step",
-        tolerances,
         tuple(curves),
+        tolerances,
         notes=(f"with the thresholds as they are the run ends: {stopped.stop.text}.",),
         error_axis="error of the position over the machine's size",
     )
@@ -106,11 +106,11 @@ def _stiff() -> Family:
         "stiff friction or springs",
         'DOP853 stays accurate with more steps; method "Radau" where they grow too many',
         "time constant of the friction, s",
-        times,
         tuple(
             Curve(name, np.array(curves[name]), allowed, np.array(status[name], np.int32), name != FIXED)
             for name in curves
         ),
+        times,
         {f"steps, {name}": np.array(steps[name]) for name in METHODS},
         "steps of a run",
         growth_title="the price",
@@ -152,8 +152,8 @@ def _long() -> Family:
         "long runs",
         "error grows with time at the rate of the tolerance; the energy shows it",
         "time, s",
-        times,
         tuple(curves),
+        times,
         error_axis="change of energy over kinetic energy",
     )
 

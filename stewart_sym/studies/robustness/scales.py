@@ -43,8 +43,8 @@ def families(seed: int = 7) -> list[Family]:
                 title[0].lower() + title[1:],
                 REMEDIES.get(name, "nothing to do: elimination and thresholds are relative"),
                 axis,
-                factors,
                 curves,
+                factors,
             )
         )
     return [*found, _extreme(seed)]
@@ -71,8 +71,8 @@ def _extreme(seed: int) -> Family:
         "overflow, underflow",
         "status 1 where a result or a square leaves the range of double",
         "radius of the base, m",
-        factors,
         curves,
+        factors,
         notes=tuple(notes),
         beyond_range=True,
     )

@@ -41,7 +41,7 @@ def families(seed: int = 6) -> list[Family]:
     ):
         cases = make(np.random.default_rng(seed))
         curves = (*solve_curves(*cases), *shipped.curves(*cases))
-        found.append(Family(f"singular_{name}", title, FAILS, REMEDY, axis, distances(), curves))
+        found.append(Family(f"singular_{name}", title, FAILS, REMEDY, axis, curves))
     return found
 
 

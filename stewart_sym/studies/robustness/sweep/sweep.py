@@ -1,13 +1,14 @@
 """Random cases near failure by the million: no wrong answer with status ok, no status on a good pose."""
 
 from dataclasses import dataclass
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ....backend.kernel import robot_numbers
-from ....io.array_types import Array, Codes, Flags
+from ....io.array_types import Array
 from ....io.progress import Progress, silent
 from ....results import OK, STATUS_TEXT
 from ...common.output import Figures, aligned
@@ -81,10 +82,14 @@ def sweep(
             in_quad += int(closed["in_quad"].sum())
             answers += [_of_closed_form(closed, kernel) for kernel in kernels]
             for answer in answers:
-                count, index = _counted(answer, kind, precision)
+                count, i = _counted(answer, kind, precision)
                 counts.append(count)
                 if count["wrong"] or count["rejected_good"]:
-                    shown.append(answer.text(index, count))
+                    shown.append(
+                        f"{kind}, {precision}, {answer.kernel}: {STATUS_TEXT[int(answer.status[i])]}, error "
+                        f"{answer.error[i]:.3g} units at condition {answer.condition[i]:.3g}, distance "
+                        f"{answer.distance[i]:.3g}"
+                    )
     figures = {
         "cases": sum(count["cases"] for count in counts if count["kernel"] == KERNELS[0]),
         "wrong": sum(count["wrong"] for count in counts),
@@ -96,60 +101,39 @@ def sweep(
     return Sweep(figures, shown, in_quad)
 
 
-@dataclass(frozen=True, eq=False)
-class _Answers:
-    """One kernel's answers, all (n,): error in rounding units, condition of the problem and of the pose."""
-
-    kernel: str
-    made: Flags
-    status: Codes
-    truth: Codes
-    error: Array
-    condition: Array
-    of_pose: Array
-    distance: Array
-
-    def text(self, index: int, count: Figures) -> str:
-        """One of them in a line."""
-        return (
-            f"{count['kind']}, {count['precision']}, {self.kernel}: {STATUS_TEXT[int(self.status[index])]}, "
-            f"error {self.error[index]:.3g} units at condition {self.condition[index]:.3g}, distance "
-            f"{self.distance[index]:.3g}"
-        )
-
-
 def condition_of(found: NDArray[Any]) -> Array:
     """The problem's own condition number, never less than the scaled one of H."""
     return np.asarray(np.maximum(np.maximum(found["own"], found["scaled"]), 1.0))
 
 
-def _of_forces(found: NDArray[Any], column: int) -> _Answers:
+def _of_forces(found: NDArray[Any], column: int) -> SimpleNamespace:
+    """One kernel's answers, all (n,): error in rounding units, condition of the problem and of the pose."""
     condition = condition_of(found)
-    return _Answers(
-        KERNELS[column],
-        found["made"] == 1,
-        found["status"][:, column],
-        found["truth"],
-        found["error"][:, column],
-        condition,
+    return SimpleNamespace(
+        kernel=KERNELS[column],
+        made=found["made"] == 1,
+        status=found["status"][:, column],
+        truth=found["truth"],
+        error=found["error"][:, column],
+        condition=condition,
         # Near the joint singularity a leg's frame loses its digits, even if this motion's forces do not.
-        np.maximum(condition, found["frames"]),
-        found["distance"],
+        of_pose=np.maximum(condition, found["frames"]),
+        distance=found["distance"],
     )
 
 
-def _of_closed_form(found: NDArray[Any], kernel: str) -> _Answers:
+def _of_closed_form(found: NDArray[Any], kernel: str) -> SimpleNamespace:
     column = CLOSED_KERNELS.index(kernel)
-    condition = found["condition"][:, column]
-    return _Answers(
-        kernel.replace("_", " "),
-        found["made"] == 1,
-        found["status"][:, column],
-        found["truth"][:, column],
-        np.where(found["error"][:, column] < 0.0, np.nan, found["error"][:, column] * condition),
-        condition,
-        np.maximum(np.maximum(condition, found["scaled"]), found["frames"]),
-        found["distance"],
+    condition, error = found["condition"][:, column], found["error"][:, column]
+    return SimpleNamespace(
+        kernel=kernel.replace("_", " "),
+        made=found["made"] == 1,
+        status=found["status"][:, column],
+        truth=found["truth"][:, column],
+        error=np.where(error < 0.0, np.nan, error * condition),
+        condition=condition,
+        of_pose=np.maximum(np.maximum(condition, found["scaled"]), found["frames"]),
+        distance=found["distance"],
     )
 
 
@@ -209,7 +193,7 @@ def random_machines(
     )
 
 
-def _counted(found: _Answers, kind: str, precision: str) -> tuple[Figures, int]:
+def _counted(found: SimpleNamespace, kind: str, precision: str) -> tuple[Figures, int]:
     """The count, and the index of the case most worth showing."""
     answered = found.made & (found.status == OK)
     # Where the pose is unsolvable any answer with status ok is wrong, however small its error.
