@@ -113,7 +113,9 @@ def figure(data: Bounds) -> Figure:
     axes = picture.subplots()
     for precision, found in data.items():
         color, mark = _MARKS[precision]
+        # A logarithmic axis has no place for an error of zero.
         seen = found.error > 0.0
+        undrawn, every = found.left_out + int(np.count_nonzero(~seen)), found.left_out + found.error.size
         axes.loglog(
             found.error[seen],
             found.bound[seen],
@@ -123,7 +125,7 @@ def figure(data: Bounds) -> Figure:
             markeredgewidth=0.0,
             alpha=0.45,
             label=f"{precision}: bound {np.median(found.ratio):.0f} times the error in the median\n"
-            + _undrawn(found),
+            f"{undrawn} of {every} poses left out: no force, bound or error",
         )
     _draw_limits(axes, data)
     axes.set(xlabel="true rounding error, largest of six forces, N", ylabel="bound, largest of six, N")
@@ -133,12 +135,6 @@ def figure(data: Bounds) -> Figure:
         log_numbers(axis)
     legend_below(picture, fontsize=8.0, markerscale=2.5)
     return picture
-
-
-def _undrawn(found: Precise) -> str:
-    """How many poses the picture leaves out; its axes have no place for an error of zero either."""
-    count = found.left_out + int(np.count_nonzero(found.error == 0.0))
-    return f"{count} of {found.left_out + found.error.size} poses left out: no force, bound or error"
 
 
 def _draw_limits(axes: Axes, data: Bounds) -> None:

@@ -151,16 +151,11 @@ def _advice(found: Figures) -> str:
     )
     rows = []
     for label, tolerance in _TOLERANCES:
-        each = _picked(found, tolerance)
+        # The first of those that are good enough, which are listed by cost.
+        each = next(each for each in found["candidates"] if _total(each) * MARGIN <= tolerance)
         error = _total(each)
         rows.append((label, f"{_name(each)}, {each['precision']}", str(each["operations"]), f"{error:.1e}"))
     return lead + table(("tolerance", "kernel", "operations", "error"), rows)
-
-
-def _picked(found: Figures, tolerance: float) -> Figures:
-    """The first of the candidates, which are listed by cost, that is good enough."""
-    good = (each for each in found["candidates"] if _total(each) * MARGIN <= tolerance)
-    return next(good)
 
 
 def _total(each: Figures, path: str = "I") -> float:

@@ -35,6 +35,7 @@ Numbers = SimpleNamespace
 
 _SYMMETRIC = (0, 1, 2, 1, 3, 4, 2, 4, 5)
 _FREE = ("INPUT", "OUTPUT", "PARAMETER", "CONST", "ASSIGN", "NEG")
+"""Instructions that compute nothing: moves and changes of sign."""
 
 
 @dataclass(frozen=True)
@@ -73,7 +74,9 @@ def program(equations: LegEquations) -> Program:
         "int casadi_forces(const double **arg, double **res, long long int *iw, double *w, int mem);\n"
     )
     loop = loop_source("casadi.h", body, "pose_numbers", "double")
-    return Program({"casadi_forces.c": _emitted(function), "casadi.h": header, **loop}, _operations(function))
+    free = {getattr(casadi, f"OP_{name}") for name in _FREE}
+    operations = sum(function.instruction_id(i) not in free for i in range(function.n_instructions()))
+    return Program({"casadi_forces.c": _emitted(function), "casadi.h": header, **loop}, operations)
 
 
 def _emitted(function: Any) -> str:
@@ -81,12 +84,6 @@ def _emitted(function: Any) -> str:
     generator.add(function)
     with tempfile.TemporaryDirectory(prefix="stewart-sym-") as folder:
         return Path(generator.generate(f"{folder}/")).read_text(encoding="utf-8")
-
-
-def _operations(function: Any) -> int:
-    """Instructions that compute: all but moves and changes of sign."""
-    free = {getattr(casadi, f"OP_{name}") for name in _FREE}
-    return sum(function.instruction_id(i) not in free for i in range(function.n_instructions()))
 
 
 def _forces(robot: Matrix, numbers: Matrix, equations: LegEquations) -> Matrix:

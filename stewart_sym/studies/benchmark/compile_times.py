@@ -94,7 +94,9 @@ def _functions(compiler: native.Compiler, sources: Mapping[str, str], flags: Seq
             (folder / file).write_text(text, encoding="utf-8", newline="\n")
         files = sorted(file for file in sources if file.endswith(".c"))
         native.ran((*compiler.command, *flags, *_LINK_FLAGS, *files, "-o", "program", "-lm"), folder)
-        return _sizes(native.ran((*nm, "-S", "program"), folder))
+        # Lines of address, size, kind and name; others have no size.
+        rows = [line.split() for line in native.ran((*nm, "-S", "program"), folder).splitlines()]
+        return {row[3]: int(row[1], 16) for row in rows if len(row) == 4 and row[2] in "tTwW"}
 
 
 def _nm(compiler: native.Compiler, folder: Path) -> Sequence[str]:
@@ -104,12 +106,6 @@ def _nm(compiler: native.Compiler, folder: Path) -> Sequence[str]:
     if found is None:
         raise FileNotFoundError("nm")
     return (found,)
-
-
-def _sizes(table: str) -> dict[str, int]:
-    """Bytes by name from lines of address, size, kind and name; other lines have no size."""
-    rows = [line.split() for line in table.splitlines()]
-    return {row[3]: int(row[1], 16) for row in rows if len(row) == 4 and row[2] in "tTwW"}
 
 
 def _folder() -> "TemporaryDirectory[str]":

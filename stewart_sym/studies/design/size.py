@@ -52,12 +52,8 @@ def views(
     made: dict[str, Callable[[], View]] = {}
     for number, (source, trajectory) in enumerate(zip(sources, read, strict=True), 1):
         name = f"{source}, motion {number}" if sources.count(source) > 1 else source
-        made[name] = functools.partial(_view, robot, trajectory)
+        made[name] = functools.partial(lambda each: View(robot, of_trajectory(robot, each)), trajectory)
     return made
-
-
-def _view(robot: Robot, trajectory: Trajectory | PoseLog) -> View:
-    return View(robot, of_trajectory(robot, trajectory))
 
 
 def doubt(needs: Needs) -> str | None:

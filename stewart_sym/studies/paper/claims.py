@@ -75,10 +75,6 @@ def largest(run: PathRun) -> float:
     return float(np.max(np.abs(run.F)))
 
 
-def _share(fractions: Array) -> float:
-    return float(np.mean((fractions >= 0.2) & (fractions <= 0.5)))
-
-
 def _worst_time(run: PathRun) -> float:
     return float(run.time[np.max(np.abs(run.F), axis=-1).argmax()])
 
@@ -238,7 +234,8 @@ def _near_singular(found: Reproduction, form: str) -> tuple[object, ...]:
     "more than half of all on every path (partly: a quarter on one)",
 )
 def _generally(found: Reproduction, form: str) -> tuple[object, ...]:
-    shares = [_share(counted_fractions(found.runs[name, form])) for name in PATHS]
+    fractions = (counted_fractions(found.runs[name, form]) for name in PATHS)
+    shares = [float(np.mean((each >= 0.2) & (each <= 0.5))) for each in fractions]
     parts = ", ".join(f"{name} {share:.0%}" for name, share in zip(PATHS, shares, strict=True))
     return f"share of all within 20 to 50%: {parts}", min(shares) > 0.5, max(shares) > 0.25
 

@@ -176,20 +176,15 @@ def work_energy(robot: Robot, name: str, faults: frozenset[int]) -> Figures:
     breaks = path.breaks()
     half = np.diff(breaks)[:, None] / 2
     motion = path.sample((breaks[:-1, None] + half * (_NODES + 1)).ravel())
-    F = _kernel_forces(frictionless, motion, faults)
+    if (formulation := _FORMULATION.get(faults)) is None:
+        F = newton_euler.inverse_dynamics(frictionless, motion, faults).F
+    else:
+        F = inverse_dynamics(frictionless, motion, formulation).F
     power = newton_euler.actuator_power(frictionless, motion, F)
     ends = newton_euler.energy(frictionless, path.sample(breaks[[0, -1]]))
     work, gain = float((half * _WEIGHTS).ravel() @ power), float(ends[1] - ends[0])
     named = {"path": name, "faults": sorted(faults)}
     return {**named, "work_J": work, "gain_J": gain, "mismatch": (work - gain) / gain}
-
-
-def _kernel_forces(robot: Robot, motion: Motion, faults: frozenset[int]) -> Array:
-    """The kernel's forces for `exact` and `paper`; single faults are the reference's alone."""
-    formulation = _FORMULATION.get(faults)
-    if formulation is None:
-        return newton_euler.inverse_dynamics(robot, motion, faults).F
-    return inverse_dynamics(robot, motion, formulation).F
 
 
 def operations() -> list[Figures]:

@@ -117,6 +117,7 @@ def _home_data(robot: Robot, home: HomePose) -> dict[str, Any]:
 
 def _description(robot: Robot, home: HomePose, unit: _Unit) -> str:
     """Everything about the robot in lines of text."""
+    bodies = dict.fromkeys(line.partition(": inertia")[0] for line in robot.physicality())
     rows = [
         ("name", robot.name),
         ("joints", f"{robot.base_joint} at the base, {_platform_joint(robot)} at the platform"),
@@ -138,7 +139,10 @@ def _description(robot: Robot, home: HomePose, unit: _Unit) -> str:
         ("friction", _friction(robot)),
         *([] if robot.drive is None else _drives(robot.drive, unit)),
         ("limits", _limits(robot, unit)),
-        ("inertias", _inertias(robot)),
+        (
+            "inertias",
+            f"that no rigid body can have: {', '.join(bodies)}" if bodies else "possible for rigid bodies",
+        ),
     ]
     return "\n".join([*_rows(rows), "", *_home_lines(robot, home, unit)])
 
@@ -310,11 +314,6 @@ def _limits(robot: Robot, length: _Unit) -> str:
         some = "" if given.all() else f" ({np.count_nonzero(given)} of 6 legs)"
         parts.append(f"joint angles from home {ends} degrees (base and platform joint){some}")
     return "; ".join(parts)
-
-
-def _inertias(robot: Robot) -> str:
-    parts = dict.fromkeys(line.partition(": inertia")[0] for line in robot.physicality())
-    return f"that no rigid body can have: {', '.join(parts)}" if parts else "possible for rigid bodies"
 
 
 def _range(values: Array) -> str:

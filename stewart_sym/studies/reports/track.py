@@ -143,7 +143,10 @@ def in_parts(
             if status[at] == NOT_FINITE and not allow_singular:
                 row = f"row {trajectory.rows[start + at[0]]} of {trajectory.source}"
                 _need_forces(robot, row)
-            _tell(trajectory, start + at[0], reason, allow_singular)
+            text = f"{trajectory.source}: row {trajectory.rows[start + at[0]]}: {reason}"
+            if not allow_singular:
+                raise ValueError(text)
+            warnings.warn(text, SingularPoseWarning, stacklevel=2)
             told = True
         sd = None if deviations is None else deviations(where)
         time, condition = trajectory.time[where], condition_number(found.H)
@@ -337,13 +340,6 @@ def _need_forces(robot: Robot, where: str) -> None:
         raise ValueError(
             f"robot {robot.name}: expected numbers whose forces do not overflow, at {where} they do"
         )
-
-
-def _tell(trajectory: Trajectory | PoseLog, i: int, reason: str, allowed: bool) -> None:
-    text = f"{trajectory.source}: row {trajectory.rows[i]}: {reason}"
-    if not allowed:
-        raise ValueError(text)
-    warnings.warn(text, SingularPoseWarning, stacklevel=3)
 
 
 def _lengths_and_rates(robot: Robot, motion: Motion, good: Flags) -> tuple[Array, Array]:

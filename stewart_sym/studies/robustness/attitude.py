@@ -22,7 +22,6 @@ from ...motion.rotation import (
 from ...precision.quad import error as quad_error
 from ...precision.quad import quad_forces
 from ...precision.truth import digits
-from ...robot.robot import Robot
 from .family import Curve, Family, distances
 from .sweep.machines import random_machine, random_motion
 from .sweep.oracle import check_poses
@@ -44,14 +43,16 @@ def families(seed: int = 4) -> list[Family]:
     # Rounding the rates of the angles changes alpha, and so the forces, by more than rounding alpha does.
     fastest = np.array([np.abs(second).max() + np.abs(first).max() ** 2 for first, second in rates])
     lost = 1.0 + fastest / np.abs(loaded(moving).alpha).max()
+    truths = [quad_forces(robot, pose, as_given=True) for pose in poses]
     curves = []
     for name in INPUTS:
-        error = [
-            _error(robot, pose, _rewritten(name, pose, theta, *rate)) / size
-            for pose, theta, rate, size in zip(poses, angles, rates, checked["size"], strict=True)
-        ]
+        error = []
+        for pose, theta, rate, truth in zip(poses, angles, rates, truths, strict=True):
+            given = _rewritten(name, pose, theta, *rate)
+            found = inverse_dynamics(robot, given, on_singular="nan").F
+            error.append(float(np.abs(quad_error(found, truth)).max()))
         condition = condition_of(checked) * (lost if name == INPUTS[0] else 1.0)
-        curves.append(Curve(name, np.array(error), condition, shipped=True))
+        curves.append(Curve(name, np.array(error) / checked["size"], condition, shipped=True))
     second_rate = np.array([np.abs(second).max() for _, second in rates])
     return [
         Family(
@@ -69,11 +70,6 @@ def families(seed: int = 4) -> list[Family]:
             ),
         )
     ]
-
-
-def _error(robot: Robot, pose: Motion, given: Motion) -> float:
-    found = inverse_dynamics(robot, given, on_singular="nan").F
-    return float(np.abs(quad_error(found, quad_forces(robot, pose, as_given=True))).max())
 
 
 def _rewritten(name: str, pose: Motion, theta: Array, first: Array, second: Array) -> Motion:

@@ -22,7 +22,13 @@ def families(seed: int = 7) -> list[Family]:
     found = []
     for name, title, axis, factors, make in (
         ("scale_length", "Machines of 1e-4 to 1e3 m", "radius of the base, m", lengths, _sized),
-        ("scale_mass", "Machines of 1e-6 to 1e6 kg", "mass of the platform, kg", masses, _heavy),
+        (
+            "scale_mass",
+            "Machines of 1e-6 to 1e6 kg",
+            "mass of the platform, kg",
+            masses,
+            lambda mass, seed: _sized(1.0, seed, mass),
+        ),
         ("scale_mixed", "Legs of 1e-6 to 1e6 times their mass", "factor of the legs' masses", masses, _mixed),
         (
             "scale_platform",
@@ -82,10 +88,6 @@ def _sized(size: float, seed: int, mass: float = 10.0) -> tuple[Robot, Motion]:
     rng = np.random.default_rng(seed)
     robot = random_machine(rng, size, mass)
     return robot, random_motion(rng, robot)
-
-
-def _heavy(mass: float, seed: int) -> tuple[Robot, Motion]:
-    return _sized(1.0, seed, mass)
 
 
 def _mixed(factor: float, seed: int) -> tuple[Robot, Motion]:
