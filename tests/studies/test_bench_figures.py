@@ -329,6 +329,8 @@ class Clock:
         self.now = 0
         self.calls: list[tuple[str, int]] = []
         monkeypatch.setattr("time.perf_counter_ns", lambda: self.now)
+        # Of all that the tests before have left.
+        monkeypatch.setattr("gc.collect", lambda: 0)
 
     def task(self, name: str, units: int, ns: int) -> timing.Task:
         def run(repeats: int) -> None:

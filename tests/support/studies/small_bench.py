@@ -1,6 +1,7 @@
 """The bench with few poses and rounds, and machines that are not the paper's."""
 
 import dataclasses
+import gc
 import sys
 from types import ModuleType
 
@@ -72,6 +73,7 @@ def shorten(patch: pytest.MonkeyPatch) -> None:
     patch.setattr(bench, "QUICK_COMPILATIONS", 1)
     patch.setattr(native, "compiled", lambda *given, make=native.compiled: make(*given, ("-O0",)))
     patch.setattr(timing, "SHORTEST", 1e-5)
+    patch.setattr(gc, "collect", lambda: 0)
     patch.setattr(bench, "time_source", lambda: {})
     patch.setattr(bench, "QUICK_ROUNDS", 3)
     patch.setattr(bench, "QUICK_SIZES", (8, 64))
