@@ -15,12 +15,12 @@ from typing import Any
 import numpy as np
 import pytest
 import sympy as sp
-from bound_cases import DTYPE, PRECISIONS, case, wild
 from command_line import rejects
 from drawn_poses import LEAST, PATH, drawn
 from fifty_digits import block_inputs, truth
 from machines import dasgupta, machine_in_motion, random_motion, random_robot
 from mpmath import mp
+from near_singular import DTYPE, PRECISIONS, case, wild
 from numpy.typing import NDArray
 from sweeps import share
 from unsolvable_poses import singular

@@ -10,8 +10,9 @@ from fifty_digits import truth as true_forces
 from leaning_legs import leaning
 from machines import machine_in_motion, random_motion, random_robot
 from mpmath import mp
-from near_joint import BLOCKS, KINDS, Truth, blocks, excess, of_reference, outputs, random_case, truth
+from near_joint import BLOCKS, KINDS, Truth, blocks, excess, of_reference, random_case, truth
 from reduced_machines import as_simple_as, at_rest
+from sweep_machines import outputs
 from sweeps import share, sweep
 
 import stewart_sym as ss

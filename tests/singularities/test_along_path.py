@@ -6,10 +6,10 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 from command_line import rejects
-from hexagon_machines import hexagons
 from machines import Array, dasgupta, random_path, random_robot
 from mpmath import mp
 from numpy.typing import ArrayLike
+from unsolvable_poses import hexagons
 
 import stewart_sym as ss
 

@@ -5,11 +5,10 @@ import dataclasses
 import numpy as np
 import pytest
 from command_line import rejects
-from hexagon_machines import Array, hexagons
-from machines import dasgupta, machine_in_motion, machine_size, rotation
+from machines import Array, dasgupta, machine_in_motion, machine_size, rotation
 from sweep_machines import joined
 from sweeps import share, sweep
-from unsolvable_poses import semiregular
+from unsolvable_poses import hexagons, semiregular
 
 import stewart_sym as ss
 from stewart_sym import results

@@ -3,8 +3,8 @@
 import dataclasses
 
 import numpy as np
-from bound_cases import DTYPE
 from machines import random_motion, random_robot
+from near_singular import DTYPE
 
 import stewart_sym as ss
 from stewart_sym.motion.motion import Motion

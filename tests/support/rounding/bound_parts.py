@@ -77,15 +77,19 @@ def _rounds(node: ast.Assign) -> bool:
     return operations and not exact and ast.unparse(node.targets[0]) in _ROUNDED
 
 
-def _function(name: str, statements: int) -> Callable[..., Any]:
-    """A function of the C, whose operations that round take their errors from the first argument."""
-    text = c_sources("exact_bounds")["stewart_exact_bounds.c"]
+def in_python(name: str, text: str) -> str:
+    """A function of the C as one of Python, whose choices are made value by value."""
     found = re.search(rf"^static \w+ {name}\(.*?^\}}", text, re.M | re.S)
     assert found
     body = found[0]
     for old, new in _IN_PYTHON:
         body = re.sub(old, new, body, flags=re.M | (re.S if old.startswith("^static") else 0))
-    tree = ast.parse(body)
+    return body
+
+
+def _function(name: str, statements: int) -> Callable[..., Any]:
+    """A function of the C, whose operations that round take their errors from the first argument."""
+    tree = ast.parse(in_python(name, c_sources("exact_bounds")["stewart_exact_bounds.c"]))
     rounding = [each for each in ast.walk(tree) if isinstance(each, ast.Assign) and _rounds(each)]
     assert len(rounding) == statements
     for each in rounding:

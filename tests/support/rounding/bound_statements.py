@@ -8,11 +8,12 @@ a statement with one term left out or one coefficient halved.
 
 import ast
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from bound_parts import in_python
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
@@ -92,18 +93,10 @@ def python(text: str) -> str:
 
 def helpers(c: str, rng: np.random.Generator) -> Names:
     """least, root_error and reciprocal_error as the C defines them, and a rounding unit of each sample."""
-    known: Names = {"sqrt": np.sqrt, "where": np.where, "abs": np.abs}
+    known: Names = {"sqrt": np.sqrt, "np": np, "abs": np.abs}
     known["unit"] = 10.0 ** rng.uniform(-9, -2, SAMPLES)
-    for name, heads, body in re.findall(
-        r"^static stewart_real (least|root_error|reciprocal_error)\((.*?)\)\n\{\n(.*?)^\}", c, re.M | re.S
-    ):
-        lines = python(re.sub(r"const stewart_real (\w+)", r"\1", body)).replace(";", "")
-        lines = re.sub(r"return (.*) \? (.*) : (.*)", r"return where(\1, \2, \3)", lines)
-        arguments = ", ".join(re.findall(r"stewart_real (\w+)", heads))
-        code = f"def {name}({arguments}):\n" + "\n".join(
-            f" {line.strip()}" for line in lines.strip().split("\n")
-        )
-        exec(code, known)
+    for name in ("least", "root_error", "reciprocal_error"):
+        exec(python(in_python(name, c)), known)
     return known
 
 
@@ -226,48 +219,25 @@ def holds(text: str, known: Names, least: Array) -> bool:
 
 def mutants(text: str) -> list[str]:
     """The expression with one term of one sum left out, or one whole coefficient halved, each in turn."""
-    found: list[str] = []
-    _vary(text, lambda new: found.append(new))
-    return [each for each in dict.fromkeys(found) if each != text]
+    tree = ast.parse(python(text), mode="eval").body
+    return ["0", *dict.fromkeys(map(ast.unparse, _varied(tree)))]
 
 
-def _vary(text: str, told: Callable[[str], None]) -> None:
-    terms = split(text, " + ")
-    for i, term in enumerate(terms):
-        told(" + ".join([*terms[:i], *terms[i + 1 :]]) or "REAL(0)")
-
-        def with_term(new: str, i: int = i) -> None:
-            told(" + ".join([*terms[:i], new, *terms[i + 1 :]]))
-
-        whole = re.match(r"(?:REAL\()?(\d+)\)?( ?\*)", term)
-        if whole:
-            with_term(f"REAL({int(whole[1]) / 2}){term[whole.end(1) :].removeprefix(')')}")
-        for start, end in _brackets(term):
-            if not term[start:end].isdigit():
-                _vary_arguments(term, start, end, with_term)
-
-
-def _vary_arguments(term: str, start: int, end: int, told: Callable[[str], None]) -> None:
-    """Vary what stands in the brackets of a term, argument by argument."""
-    parts = split(term[start:end], ", ")
-    for j, part in enumerate(parts):
-
-        def with_part(new: str, j: int = j) -> None:
-            told(term[:start] + ", ".join([*parts[:j], new, *parts[j + 1 :]]) + term[end:])
-
-        if " + " in part or "*" in part:
-            _vary(part, with_part)
-
-
-def _brackets(term: str) -> list[tuple[int, int]]:
-    """The outermost brackets of a term, their insides."""
-    spans, depth, start = [], 0, 0
-    for i, sign in enumerate(term):
-        if sign == "(":
-            depth += 1
-            start = i + 1 if depth == 1 else start
-        elif sign == ")":
-            depth -= 1
-            if depth == 0:
-                spans.append((start, i))
-    return spans
+def _varied(node: ast.expr) -> Iterator[ast.expr]:
+    if isinstance(node, ast.Call):
+        for i, part in enumerate(node.args):
+            none = [] if isinstance(part, ast.Name | ast.Constant) else [ast.Constant(0)]
+            for new in (*_varied(part), *none):
+                yield ast.Call(node.func, [*node.args[:i], new, *node.args[i + 1 :]], [])
+    if not isinstance(node, ast.BinOp):
+        return
+    left, right = node.left, node.right
+    if isinstance(node.op, ast.Add):
+        yield left
+        # Of a longer sum the terms before are left out one by one.
+        if not isinstance(left, ast.BinOp) or not isinstance(left.op, ast.Add):
+            yield right
+    if isinstance(node.op, ast.Mult) and isinstance(left, ast.Constant) and isinstance(left.value, int):
+        yield ast.BinOp(ast.Constant(left.value / 2), node.op, right)
+    yield from (ast.BinOp(new, node.op, right) for new in _varied(left))
+    yield from (ast.BinOp(left, node.op, new) for new in _varied(right))

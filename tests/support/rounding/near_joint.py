@@ -10,8 +10,6 @@ import dataclasses
 import functools
 import math
 import re
-from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 from leaning_legs import leaning
@@ -30,10 +28,7 @@ KINDS = (
     *("lean", "two lean", "all lean", "short", "heavy", "short and heavy", "lean and heavy"),
     *("axisymmetric", "slender"),
 )
-WHOLE = ("equations", "bias", "forward_dynamics", "joint_inertia", "derivatives", "linearisation")
-BLOCKS = {
-    name: shape for what in WHOLE for name, shape in ((f"{what}.{n}", s) for n, s in OUTPUTS[what].items())
-}
+BLOCKS = {f"{what}.{name}": shape for what, parts in OUTPUTS.items() for name, shape in parts.items()}
 """Every output, with the shape of a pose's part, in the order in which the truth stores them."""
 _ENDS = np.cumsum([math.prod(shape) for shape in BLOCKS.values()])[:-1]
 
@@ -118,7 +113,7 @@ def truth(
     *found, status = wider(robot, motion, F, samples or -1, library)
     high, low, change = (dict(zip(BLOCKS, np.split(each, _ENDS), strict=True)) for each in found)
     sensitivity = {name: EPSILON * each for name, each in change.items()}
-    return Truth(dict(zip(WHOLE, status.tolist(), strict=True)), high, low, sensitivity)
+    return Truth(dict(zip(OUTPUTS, status.tolist(), strict=True)), high, low, sensitivity)
 
 
 @functools.cache
@@ -160,18 +155,6 @@ def _ratio(error: Array, allowed: float) -> float:
     if not np.isfinite(error).all():
         return np.inf
     return float(error.max() / allowed) if allowed > 0 else float(0 if error.max() == 0 else np.inf)
-
-
-def outputs(
-    closed: Any, motion: Motion, F: Array, functions: Sequence[str] = WHOLE
-) -> tuple[dict[str, Array], dict[str, int]]:
-    """Every output of a closed form's kernels by the names of ``BLOCKS``, and each function's status."""
-    found, status = {}, {}
-    for what in functions:
-        result = closed.run(what, motion, F if what in ("forward_dynamics", "linearisation") else None)
-        status[what] = int(result.pop("status"))
-        found |= {f"{what}.{name}": value for name, value in result.items()}
-    return found, status
 
 
 def of_reference(robot: Robot, motion: Motion, F: Array) -> tuple[dict[str, Array], dict[str, int]]:

@@ -14,6 +14,7 @@ from stewart_sym.backend.kernel import MOTION, robot_numbers
 from stewart_sym.dynamics.closed_form import OUTPUTS, NumpyClosedForm
 from stewart_sym.precision.truth import Truth, digits
 from stewart_sym.results import OK
+from stewart_sym.studies.robustness.family import exact
 from stewart_sym.studies.robustness.sweep import oracle
 from stewart_sym.studies.robustness.sweep.machines import LEGS, random_machine
 
@@ -92,17 +93,10 @@ def fifty_digits(robot: ss.Robot, motion: ss.Motion, F: Array) -> dict[str, Arra
 
 def columns_of_fifty_digits(robot: ss.Robot, motion: ss.Motion) -> Any:
     """H at 50 digits, moments about the reference point."""
-    R, t, b, p = (digits.matrix(array.tolist()) for array in (motion.R, motion.t, robot.b, robot.p))
-    H = digits.matrix(6, 6)
-    for leg in range(6):
-        q = R * p[leg, :].T
-        S = q + t - b[leg, :].T
-        s = S / digits.sqrt(sum(x * x for x in S))
-        H[:3, leg] = s
-        for i in range(3):
-            j, k = (i + 1) % 3, (i + 2) % 3
-            H[3 + i, leg] = q[j] * s[k] - q[k] * s[j]
-    return H
+    R, t, b, p = map(exact, (motion.R, motion.t, robot.b, robot.p))
+    q = p @ R.T
+    s = np.array([S / digits.sqrt(S @ S) for S in q + t - b])
+    return digits.matrix(np.hstack([s, np.cross(q, s)]).T.tolist())
 
 
 # --- helpers ----------------------------------------------------------------------------------------
@@ -183,17 +177,21 @@ def wider(
     return high, low, change, status
 
 
+def outputs(closed: Any, motion: ss.Motion, F: Array) -> tuple[dict[str, Array], dict[str, int]]:
+    """Every output of a closed form's kernels by function and name, and each function's status."""
+    found, status = {}, {}
+    for what in OUTPUTS:
+        result = closed.run(what, motion, F if what in ("forward_dynamics", "linearisation") else None)
+        status[what] = int(result.pop("status"))
+        found |= {f"{what}.{name}": value for name, value in result.items()}
+    return found, status
+
+
 def numpy_outputs(robot: ss.Robot, motion: ss.Motion, F: Array) -> tuple[Array, list[int]]:
     """The same numbers of the NumPy kernels, one output after the other, and their statuses."""
-    kernel = NumpyClosedForm(robot)
-    found = [
-        kernel.run(what, motion, F if what in ("forward_dynamics", "linearisation") else None)
-        for what in OUTPUTS
-    ]
-    flat = [
-        np.ravel(each[name]) for each, names in zip(found, OUTPUTS.values(), strict=True) for name in names
-    ]
-    return np.concatenate(flat), [int(each["status"]) for each in found]
+    found, status = outputs(NumpyClosedForm(robot), motion, F)
+    names = [f"{what}.{name}" for what, names in OUTPUTS.items() for name in names]
+    return np.concatenate([np.ravel(found[name]) for name in names]), [*status.values()]
 
 
 OUTPUT_NUMBERS = sum(int(np.prod(shape)) for shapes in OUTPUTS.values() for shape in shapes.values())

@@ -4,18 +4,18 @@ import dataclasses
 from collections.abc import Callable
 
 import numpy as np
-from machines import dasgupta
+from machines import dasgupta, rotation
 from numpy.typing import NDArray
 
 import stewart_sym as ss
 from stewart_sym import results
+from stewart_sym.motion import motion
 
 BACKENDS = ["c", "numpy", "reference"]
 
 
 def at_rest(t: list[float]) -> ss.Motion:
-    zero = np.zeros(3)
-    return ss.Motion(np.eye(3), np.array(t), zero, zero, zero, zero)
+    return motion.at_rest(np.eye(3), np.array(t))
 
 
 def zero_length_leg() -> tuple[ss.Robot, ss.Motion]:
@@ -43,6 +43,13 @@ def singular() -> tuple[ss.Robot, ss.Motion]:
     )
     zero = np.zeros(3)
     return robot, ss.Motion.from_rpy([0, 0, 1.0], [0, 0, np.pi / 2], zero, zero, zero, zero)
+
+
+def hexagons(turn: float) -> tuple[ss.Robot, NDArray[np.float64]]:
+    """Base and platform similar hexagons, long sides of one above short sides of the other; turned, rad."""
+    base, plate = [-12, 12, 108, 132, 228, 252], [-48, 48, 72, 168, 192, 288]
+    robot = dataclasses.replace(dasgupta(), b=semiregular(base, 1.0), p=semiregular(plate, 0.6))
+    return robot, rotation(np.array([0.0, 0.0, turn]))
 
 
 Case = tuple[Callable[[], tuple[ss.Robot, ss.Motion]], int, str]
