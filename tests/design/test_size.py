@@ -245,9 +245,7 @@ def test_deviations_of_needs_cover_the_errors_that_noise_makes(noisy: list[Noisy
 def test_noise_makes_no_wrong_verdict_and_every_command_has_the_same(noisy: list[Noisy]) -> None:
     rng, seen = np.random.default_rng(0), set()
     for robot, true, log, needs in noisy:
-        peaks = {name: np.atleast_2d(getattr(true, need))[-1] for name, (need, _) in SIZES.items()}
-        limits = {name: peak * rng.uniform(0.97, 1.03, 6) for name, peak in peaks.items()}
-        limited = with_limits(robot, limits)
+        peaks, limits, limited = limited_near(rng, robot, true)
         lines = verdicts_of_size(limited, needs)
         for name, peak in peaks.items():
             for leg in range(6):
@@ -273,9 +271,7 @@ def test_noise_makes_no_wrong_verdict_and_every_command_has_the_same(noisy: list
 def test_noise_makes_no_wrong_verdict_about_the_margin(noisy: list[Noisy]) -> None:
     rng, seen, wrong = np.random.default_rng(1), set(), []
     for robot, true, _, needs in noisy:
-        peaks = {name: np.atleast_2d(getattr(true, need))[-1] for name, (need, _) in SIZES.items()}
-        limits = {name: 1.5 * peak * rng.uniform(0.97, 1.03, 6) for name, peak in peaks.items()}
-        limited = with_limits(robot, limits)
+        peaks, limits, limited = limited_near(rng, robot, true, 1.5)
         found, written = compared(limited, needs), report(limited, ["log"], needs)
         assert ("Every limit of the robot file suffices." in written.text) == (not any(found))
         assert found._asdict() == {name: written.data[name] for name in found._fields}
@@ -283,7 +279,7 @@ def test_noise_makes_no_wrong_verdict_about_the_margin(noisy: list[Noisy]) -> No
         possible = " ".join(found.not_decided + found.margin_not_decided)
         for name, peak in peaks.items():
             for leg in range(6):
-                told, kept = f"{name} of leg {leg + 1}", bool(1.5 * peak[leg] <= limits[name][leg])
+                told, kept = f"{name} of leg {leg + 1}", bool(peak[leg] <= limits[name][leg])
                 decided = f" {told}:" not in possible
                 wrong.append(decided and (told in missing) == kept)
                 seen.add((decided, kept))
@@ -309,12 +305,18 @@ def test_the_picture_has_room_for_a_stroke_with_its_margin_where_the_limits_do(s
         assert within == (f"stroke of leg {leg + 1}" not in short)
 
 
-def with_limits(robot: ss.Robot, limits: dict[str, np.ndarray]) -> ss.Robot:
+def limited_near(
+    rng: np.random.Generator, robot: ss.Robot, true: ss.Needs, factor: float = 1.0
+) -> tuple[dict[str, np.ndarray], dict[str, np.ndarray], ss.Robot]:
+    """Peaks of the needs times a factor, limits beside them, and the robot with these limits."""
+    peaks = {name: factor * np.atleast_2d(getattr(true, need))[-1] for name, (need, _) in SIZES.items()}
+    limits = {name: peak * rng.uniform(0.97, 1.03, 6) for name, peak in peaks.items()}
     stated = {name: limits[name] for name in ("force_limit", "speed_limit")}
     angles = [limits[f"joint_angle_limit at the {end}"] for end in ("base", "platform")]
     stated |= {"joint_angle_limit": np.stack(angles, axis=-1)}
     motors = {SIZES[name][1]: limit for name, limit in limits.items() if name.startswith("drive.")}
-    return dataclasses.replace(robot, drive=dataclasses.replace(robot.drive, **motors), **stated)
+    drive = dataclasses.replace(robot.drive, **motors)
+    return peaks, limits, dataclasses.replace(robot, drive=drive, **stated)
 
 
 def verdicts_of_size(robot: ss.Robot, needs: ss.Needs) -> dict[tuple[str, int], str]:

@@ -13,7 +13,6 @@ from typing import Any
 import matplotlib.image
 import numpy as np
 import pytest
-from machines import dasgupta
 from robot_files import PAPERS
 from small_bench import CONTESTANTS, shorten, some_passes
 
@@ -21,10 +20,10 @@ from stewart_sym.backend.kernel import module
 from stewart_sym.cli.main import main
 from stewart_sym.dynamics import forces
 from stewart_sym.io.progress import silent
-from stewart_sym.studies.benchmark import bench, compile_times, equation_kernels, reductions
+from stewart_sym.studies.benchmark import bench, compile_times, equation_kernels
 from stewart_sym.studies.benchmark.baselines import PEERS
 from stewart_sym.studies.benchmark.figures import CLOSED, FORWARD, MOST, PLAIN, batched
-from stewart_sym.studies.benchmark.plot import motion_picture, picture, report
+from stewart_sym.studies.benchmark.plot import motion_picture, picture
 from stewart_sym.studies.benchmark.processor import targets
 from stewart_sym.studies.common import host, timing
 from stewart_sym.studies.common.output import Figures
@@ -40,21 +39,6 @@ def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
         shorten(patch)
         assert main(["bench", "--quick", "--robot", str(file), "-o", str(folder / "new")]) == 0
     return folder / "new"
-
-
-@pytest.fixture(scope="module")
-def reduced() -> Figures:
-    """A run on the paper's machine of our code alone, no passes, text or batches that fit; disturbed."""
-    at = itertools.count(0.0, 1e6)
-    with pytest.MonkeyPatch.context() as patch:
-        shorten(patch)
-        patch.setattr(bench, "COMPARED", {})
-        patch.setattr(bench, "targets", lambda: targets()[:1])
-        patch.setattr(bench, "QUICK_SIZES", (8, 10**12))
-        patch.setattr(reductions, "stages", lambda _: ())
-        patch.setattr(compile_times, "text_size", lambda: None)
-        patch.setattr(host, "_work_of_others", lambda: next(at))
-        return bench.bench(quick=True)
 
 
 @pytest.fixture(scope="module")
@@ -182,22 +166,6 @@ def test_text_is_left_out_where_the_tools_are_missing(monkeypatch: pytest.Monkey
     monkeypatch.undo()
     monkeypatch.setattr(shutil, "which", lambda name: None if "nm" in name else f"/usr/bin/{name}")
     assert compile_times.text_size() is None
-
-
-@pytest.mark.slow
-def test_tables_without_passes_and_text_are_left_out(reduced: Figures) -> None:
-    assert reduced["text"] is None
-    assert "after the pass" not in report(reduced)
-    assert reduced["robot"] == dasgupta().name
-    assert "bytes" not in report(reduced)
-
-
-@pytest.mark.slow
-def test_a_run_that_others_disturbed_says_so(reduced: Figures, monkeypatch: pytest.MonkeyPatch) -> None:
-    assert "100 % of the cores' time: the figures" in report(reduced)
-    monkeypatch.setattr(host, "_work_of_others", lambda: 0.0)
-    undisturbed = reduced["machine"] | {"taken_by_others": host.Others().share()}
-    assert "took 0 % of the cores' time\n" in report(reduced | {"machine": undisturbed})
 
 
 def test_own_work_is_not_that_of_others() -> None:
@@ -394,8 +362,3 @@ def test_a_coarse_clock_is_rejected(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("time.perf_counter_ns", lambda: next(ticks))
     with pytest.raises(ValueError, match="clock is too coarse"):
         timing.time_source()
-
-
-@pytest.mark.slow
-def test_batches_that_do_not_fit_into_memory_are_left_out(reduced: Figures) -> None:
-    assert {figure["poses"] for figure in reduced["sweep"]} == {8}

@@ -7,15 +7,18 @@ import json
 import subprocess
 import sys
 from pathlib import Path
-from typing import Any
 
 import pytest
+from machines import dasgupta
 from small_bench import shorten
 
 from stewart_sym.cli.main import main
 from stewart_sym.io.extras import install
 from stewart_sym.studies.benchmark import bench, compile_times, published, reductions
+from stewart_sym.studies.benchmark.plot import report
 from stewart_sym.studies.benchmark.processor import targets
+from stewart_sym.studies.common import host
+from stewart_sym.studies.common.output import Figures
 
 NAMES = {"casadi": "CasADi", "pinocchio": "Pinocchio", "pydrake": "Drake", "mujoco": "MuJoCo"}
 PEERS = {"casadi": ["CasADi", "CasADi, closed form"], "pinocchio": ["Pinocchio"], "mujoco": []}
@@ -28,8 +31,12 @@ pytestmark = pytest.mark.slow
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """What the command wrote without them, of code for one target; what compares nothing is left out."""
+    """What the command wrote without them, of code for one target; what compares nothing is left out.
+
+    Others disturb the run, and some batches do not fit into memory.
+    """
     folder, told, first = tmp_path_factory.mktemp("bench") / "out", io.StringIO(), targets()[:1]
+    at = itertools.count(0.0, 1e6)
     with pytest.MonkeyPatch.context() as patch, contextlib.redirect_stderr(told):
         shorten(patch)
         patch.setitem(bench.COMPARED, "pydrake", "drake")
@@ -39,14 +46,16 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
         patch.setattr(reductions, "stages", lambda _: ())
         patch.setattr(compile_times, "compile_times", lambda *_: ())
         patch.setattr(compile_times, "text_size", lambda: None)
+        patch.setattr(bench, "QUICK_SIZES", (8, 10**12))
+        patch.setattr(host, "_work_of_others", lambda: next(at))
         assert main(["bench", "--quick", "-o", str(folder)]) == 0
     assert told.getvalue() == ""
     return folder
 
 
 @pytest.fixture(scope="module")
-def figures(folder: Path) -> dict[str, Any]:
-    found: dict[str, Any] = json.loads((folder / "bench.json").read_text())
+def figures(folder: Path) -> Figures:
+    found: Figures = json.loads((folder / "bench.json").read_text())
     return found
 
 
@@ -56,7 +65,7 @@ def test_one_line_says_what_is_left_out_and_how_to_get_it(folder: Path) -> None:
     assert [name for name in NAMES.values() if name in line] == [NAMES[name] for name in HIDDEN]
 
 
-def test_the_json_holds_what_was_measured(figures: dict[str, Any]) -> None:
+def test_the_json_holds_what_was_measured(figures: Figures) -> None:
     there = [name for name in NAMES if name not in HIDDEN]
     assert figures["left_out"] == [NAMES[name] for name in HIDDEN]
     expected = {"vector reference", *itertools.chain(*(PEERS[name] for name in there))}
@@ -94,7 +103,28 @@ def test_tables_and_pictures_do_without_them(folder: Path) -> None:
     assert "None" not in text
 
 
-def test_no_table_is_made_of_a_part(figures: dict[str, Any]) -> None:
+def test_tables_without_passes_and_text_are_left_out(folder: Path, figures: Figures) -> None:
+    text = (folder / "bench.txt").read_text()
+    assert figures["text"] is None
+    assert figures["robot"] == dasgupta().name
+    assert "after the pass" not in text
+    assert "bytes" not in text
+
+
+def test_a_run_that_others_disturbed_says_so(
+    folder: Path, figures: Figures, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert "100 % of the cores' time: the figures" in (folder / "bench.txt").read_text()
+    monkeypatch.setattr(host, "_work_of_others", lambda: 0.0)
+    undisturbed = figures["machine"] | {"taken_by_others": host.Others().share()}
+    assert "took 0 % of the cores' time\n" in report(figures | {"machine": undisturbed})
+
+
+def test_batches_that_do_not_fit_into_memory_are_left_out(figures: Figures) -> None:
+    assert {figure["poses"] for figure in figures["sweep"]} == {8}
+
+
+def test_no_table_is_made_of_a_part(figures: Figures) -> None:
     names = ", ".join(NAMES[name] for name in HIDDEN)
     with pytest.raises(ValueError, match=rf"^bench\.json: expected .*, got none of {names}: pip install "):
         published.tables(figures)

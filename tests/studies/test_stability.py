@@ -19,8 +19,17 @@ from stewart_sym.precision.quad import quad_forces
 from stewart_sym.precision.truth import Truth, deviation
 from stewart_sym.results import NOT_FINITE, OK
 from stewart_sym.studies.common.report import Picture
-from stewart_sym.studies.robustness import attitude, leg_frame, lengths, pictures, poses, runs, singular
-from stewart_sym.studies.robustness.family import Curve, verdict
+from stewart_sym.studies.robustness import (
+    attitude,
+    leg_frame,
+    lengths,
+    pictures,
+    poses,
+    runs,
+    shipped,
+    singular,
+)
+from stewart_sym.studies.robustness.family import Curve, distances, verdict
 from stewart_sym.studies.robustness.singular import CANDIDATES
 from stewart_sym.studies.robustness.sweep import oracle
 from stewart_sym.studies.robustness.sweep.machines import LEGS, random_machine
@@ -81,8 +90,6 @@ def test_long_double_and_quadruple_precision_find_the_same() -> None:
 def test_the_condition_of_a_leg_frame_is_one_over_the_sine() -> None:
     robots, motions = leg_frame._walk(2, LEGS[1], rest=True)
     frames = oracle.check_poses(robots[8:30], motions[8:30])["frames"]
-    from stewart_sym.studies.robustness.family import distances
-
     assert frames == pytest.approx(1.0 / np.sin(distances()[8:30]), rel=1e-4)
 
 
@@ -110,7 +117,6 @@ def test_candidate_solves_solve(name: str) -> None:
 @pytest.mark.parametrize("path", ["_one_pose", "_batch", "_closed_form"])
 def test_an_error_of_a_code_path_is_no_status(path: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """Constants that overflow have a status; any other error is one."""
-    from stewart_sym.studies.robustness import shipped
 
     def wrong(*_: object, **__: object) -> None:
         raise ValueError("wrong")
@@ -127,9 +133,6 @@ def test_an_error_of_a_code_path_is_no_status(path: str, monkeypatch: pytest.Mon
 
 def test_near_a_singular_pose_every_kernel_is_right_or_says_so() -> None:
     robots, motions = singular.path_III()
-    from stewart_sym.studies.robustness import shipped
-    from stewart_sym.studies.robustness.family import distances
-
     for curve in shipped.curves(robots[::4], motions[::4]):
         found = verdict(curve, distances()[::4])
         assert found["undetected"] == found["false_alarms"] == 0, curve.method

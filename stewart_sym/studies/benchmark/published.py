@@ -26,18 +26,17 @@ def tables(found: Figures) -> dict[str, str]:
             f"{install('bench')} and run `stewart-sym bench` again"
         )
     return {
-        "bench_shares": shares(found),
-        "bench_builds": builds(found),
-        "bench_times": times(found) + cores(found) + sizes(found) + calls(found),
-        "bench_passes": passes(found),
+        "bench_shares": _shares(found),
+        "bench_builds": _builds(found),
+        "bench_times": _times(found) + _cores(found) + _sizes(found) + _calls(found),
+        "bench_passes": _passes(found),
         "bench_motion": motion(found["motion"], found["rounds"]),
-        "bench_compiling": compiling(found),
-        "readme_speed": readme(found),
+        "bench_compiling": _compiling(found),
+        "readme_speed": _readme(found),
     }
 
 
-def readme(found: Figures) -> str:
-    """A few of the times, of the forces with their ratio to CasADi's closed form and of forward dynamics."""
+def _readme(found: Figures) -> str:
     forces = {each["name"]: each["median"] for each in (*found["ours"], *found["baselines"])}
     named = {name: forces[name] for name in README_ROWS if name in forces}
     rows = [(name, f"{time:.0f}", f"{time / forces[CLOSED]:.2f}") for name, time in named.items()]
@@ -48,7 +47,7 @@ def readme(found: Figures) -> str:
     return table(("forces with friction and load", "ns per pose", "of CasADi's closed form"), rows)
 
 
-def shares(found: Figures) -> str:
+def _shares(found: Figures) -> str:
     """The figures with targets, a column for each kind of instructions."""
     made = found["shares"]
     kinds = [*dict.fromkeys(kind for each in made for kind in each["values"])]
@@ -64,7 +63,7 @@ def shares(found: Figures) -> str:
     return table(("", *kinds, "at most", "goal"), rows)
 
 
-def builds(found: Figures) -> str:
+def _builds(found: Figures) -> str:
     """Time of all C by instructions and flags, with cycles; the clock and the limits that follow from it."""
     made = found["builds"]
     rows = [
@@ -84,7 +83,6 @@ def builds(found: Figures) -> str:
 
 
 def _limits(found: Figures) -> str:
-    """How the limits of a batch are reckoned."""
     operations = found["ours"][0]["operations"]
     each = "; ".join(
         f"{peak['instructions']} {operations:,} operations / {peak['numbers_in_a_vector']} numbers in a "
@@ -99,8 +97,7 @@ def _limits(found: Figures) -> str:
     )
 
 
-def times(found: Figures) -> str:
-    """Times of the forces and their ratios to CasADi's closed form and plain C."""
+def _times(found: Figures) -> str:
     machine, compiler = found["machine"], found["software"]["compiler"]
     vectors = f" with {machine['vectors']}" if machine["vectors"] else ""
     every = (*found["ours"], *found["baselines"])
@@ -123,8 +120,7 @@ def times(found: Figures) -> str:
     ) + table(("", "ns per pose", "of the closed form", "of the plain C", "vectors"), rows)
 
 
-def cores(found: Figures) -> str:
-    """What a second core gives."""
+def _cores(found: Figures) -> str:
     speedup = found["cores"]
     low, high = speedup["quartiles"]
     return paragraph(
@@ -134,8 +130,7 @@ def cores(found: Figures) -> str:
     )
 
 
-def sizes(found: Figures) -> str:
-    """Time per pose over the size of a batch."""
+def _sizes(found: Figures) -> str:
     (name, flatness), *_ = found["flatness"].items()
     swept = [each for each in found["sweep"] if each["name"] == name]
     counts = [f"{each['poses']:.0e}".replace("e+0", "e") for each in swept]
@@ -145,8 +140,7 @@ def sizes(found: Figures) -> str:
     ) + table(("poses", *counts), [("ns per pose", *(f"{each['median']:.0f}" for each in swept))])
 
 
-def calls(found: Figures) -> str:
-    """What a call from Python costs."""
+def _calls(found: Figures) -> str:
     rows = [
         (f"`{call}`", f"{each['median'] / 1e3:.2f}", f"{each['overhead_over_c_ns'] / 1e3:.2f}")
         for call, each in zip(("slot.solve()", "inverse_dynamics()"), found["calls"], strict=True)
@@ -155,8 +149,7 @@ def calls(found: Figures) -> str:
     return lead + table(("", "us per call", "us over C"), rows)
 
 
-def passes(found: Figures) -> str:
-    """What each reduction of the derivation gains."""
+def _passes(found: Figures) -> str:
     batch = found["passes"][0]["batch"]["poses"]
     rows = [
         (
@@ -218,8 +211,7 @@ def motion(found: Figures, rounds: int) -> str:
     return lead + table(("", "ns per pose", "ratio", "at most"), rows) + about
 
 
-def compiling(found: Figures) -> str:
-    """Time to compile and bytes of machine code."""
+def _compiling(found: Figures) -> str:
     seconds = " and ".join(f"`{each['source']}` in {each['median']:.2f} s" for each in found["compiling"])
     line = f"At the benchmark's flags the compiler builds {seconds}."
     size = found["text"]

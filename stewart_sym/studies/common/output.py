@@ -12,6 +12,7 @@ import orjson
 from numpy.typing import NDArray
 
 from ...motion.rotation import quaternion_from_rotation
+from ...robot.robot import LEGS
 
 _ROWS = 1024
 
@@ -26,6 +27,11 @@ Figures = dict[str, Any]
 def of_legs(name: str, values: NDArray[Any], ending: str = "") -> Columns:
     """Columns of each leg, ``name1`` to ``name6``, from (n, 6)."""
     return {f"{name}{leg + 1}{ending}": column for leg, column in enumerate(values.T)}
+
+
+def by_leg(columns: Mapping[str, Any]) -> list[Figures]:
+    """A row for each leg, numbered from 1, of columns (6, ...)."""
+    return [{"leg": leg + 1} | {name: values[leg] for name, values in columns.items()} for leg in range(LEGS)]
 
 
 def of_axes(name: str, values: NDArray[Any]) -> Columns:

@@ -94,37 +94,35 @@ class DriveDigest:
     def _known(self) -> list[str]:
         return [name for name in PEAKS if name != "current" or np.any(self.drive.torque_constant > 0.0)]
 
-    def of_leg(self, leg: int) -> dict[str, Any]:
-        """The same of one leg, for programs."""
+    def columns(self) -> dict[str, Any]:
+        """The same, (6,) each, for programs; None for what a run without a duration has not."""
         units = {"torque": "N_m", "speed": "rad_per_s", "current": "A", "power": "W"}
+        summary, none = self.summary, [None] * LEGS
         found: dict[str, Any] = {}
         for name in self._known():
-            found[f"motor_peak_{name}_{units[name]}"] = float(self.summary.peaks[name][leg])
-            found[f"motor_{name}_limit_{units[name]}"] = float(getattr(self.drive, f"{name}_limit")[leg])
-        summary, lasts = self.summary, self.lasts
-        found["motor_rms_torque_N_m"] = float(summary.rms_torque[leg]) if lasts else None
-        found["motor_rated_torque_N_m"] = float(self.drive.rated_torque[leg])
-        found["motor_energy_J"] = float(summary.energy[leg]) if lasts else None
+            found[f"motor_peak_{name}_{units[name]}"] = summary.peaks[name]
+            found[f"motor_{name}_limit_{units[name]}"] = getattr(self.drive, f"{name}_limit")
+        found["motor_rms_torque_N_m"] = summary.rms_torque if self.lasts else none
+        found["motor_rated_torque_N_m"] = self.drive.rated_torque
+        found["motor_energy_J"] = summary.energy if self.lasts else none
         if summary.noisy:
-            for name, sd in summary.peak_sd.items():
-                found[f"motor_peak_{name}_sd_{units[name]}"] = float(sd[leg])
-            found["motor_rms_torque_sd_N_m"] = _of(summary.rms_torque_sd, leg) if lasts else None
-            found["motor_energy_sd_J"] = float(summary.energy_sd[leg]) if lasts else None
+            found |= {f"motor_peak_{name}_sd_{units[name]}": sd for name, sd in summary.peak_sd.items()}
+            known = self.lasts and summary.rms_torque_sd is not None
+            found["motor_rms_torque_sd_N_m"] = summary.rms_torque_sd if known else none
+            found["motor_energy_sd_J"] = summary.energy_sd if self.lasts else none
         return found
+
+    def verdicts(self) -> dict[str, Any]:
+        """Of each limit, (6,), for programs."""
+        found: dict[str, Any] = {f"motor_{name}_limit": self.summary.verdicts(name) for name in self._known()}
+        rated = self.summary.verdicts("rated_torque") if self.lasts else [None] * LEGS
+        return found | {"motor_rated_torque": rated}
 
     def csv(self) -> str:
         """Figures and verdicts of all motors, one a row, as CSV text."""
-        rows = [{"motor": leg + 1, **self.of_leg(leg), **self.verdicts(leg)} for leg in range(LEGS)]
-        names = [name.removeprefix("motor_") for name in rows[0]]
-        return csv_text([names, *([*row.values()] for row in rows)])
-
-    def verdicts(self, leg: int) -> dict[str, Any]:
-        """Of each limit of one motor, for programs."""
-        found: dict[str, Any] = {
-            f"motor_{name}_limit": self.summary.verdicts(name)[leg] for name in self._known()
-        }
-        rated = self.summary.verdicts("rated_torque")[leg] if self.lasts else None
-        return found | {"motor_rated_torque": rated}
+        columns = {"motor": range(1, LEGS + 1), **self.columns(), **self.verdicts()}
+        names = [name.removeprefix("motor_") for name in columns]
+        return csv_text([names, *zip(*(np.asarray(each).tolist() for each in columns.values()), strict=True)])
 
     def figure(self) -> Figure:
         """Torque over time, and over speed with the motor's limits as a frame."""

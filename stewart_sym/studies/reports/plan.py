@@ -26,7 +26,7 @@ from ...viewer.instants import of_motion
 from ...viewer.view import View
 from ..common.drawing import BLUE, GREY, LEG_COLORS, RED, Figure, legend_below, log_numbers, new_figure
 from ..common.motion_columns import trajectory_columns
-from ..common.output import Columns, of_legs
+from ..common.output import Columns, by_leg, of_legs
 from ..common.report import Picture, Report
 from .drives import DriveDigest
 
@@ -186,7 +186,19 @@ def _freed(planned: PlannedPath) -> Sequence[tuple[int, str]]:
 def data(plan: Plan) -> dict[str, Any]:
     """What the summary says, for programs."""
     found, planned = plan.certificate, plan.planned
-    limits = force_limits(plan.robot, plan.timed.limits)
+    legs = {
+        "least_length_m": found.shortest.value,
+        "greatest_length_m": found.longest.value,
+        "peak_speed_m_per_s": found.speed.value,
+        "peak_force_N": found.force.value,
+        "peak_force_time_s": found.force.time,
+        "force_limit_N": force_limits(plan.robot, plan.timed.limits),
+    }
+    ends = {"base": found.base_angle, "platform": found.platform_angle}
+    for (end, angle), limit in zip(ends.items(), plan.robot.joint_angle_limit.T, strict=True):
+        # A robot without a home pose has none.
+        if angle is not None:
+            legs |= {f"peak_{end}_angle_rad": angle.value, f"{end}_angle_limit_rad": limit}
     return {
         "duration_s": plan.timed.duration,
         "energy_J": plan.energy,
@@ -197,20 +209,7 @@ def data(plan: Plan) -> dict[str, Any]:
             {"t_m": pose.t, "theta_rad": angles_from_rotation(pose.R, plan.robot.euler_order) + 0.0}
             for pose in planned.poses
         ],
-        "legs": [
-            {
-                "leg": leg + 1,
-                "least_length_m": found.shortest.value[leg],
-                "greatest_length_m": found.longest.value[leg],
-                "peak_speed_m_per_s": found.speed.value[leg],
-                "peak_force_N": found.force.value[leg],
-                "peak_force_time_s": found.force.time[leg],
-                "force_limit_N": limits[leg],
-                **_angles_of_leg(plan, leg),
-                **({} if plan.motors is None else plan.motors.of_leg(leg)),
-            }
-            for leg in range(6)
-        ],
+        "legs": by_leg(legs | ({} if plan.motors is None else plan.motors.columns())),
         "certificate": {
             "holds": found.holds,
             "instants": found.instants,
@@ -228,16 +227,6 @@ def data(plan: Plan) -> dict[str, Any]:
             "active_time": "share of the duration",
         },
     }
-
-
-def _angles_of_leg(plan: Plan, leg: int) -> dict[str, Any]:
-    """Greatest angles of a leg's joints and their limits; none of a robot without a home pose."""
-    found: dict[str, Any] = {}
-    ends = {"base": plan.certificate.base_angle, "platform": plan.certificate.platform_angle}
-    for (end, angle), limit in zip(ends.items(), plan.robot.joint_angle_limit[leg], strict=True):
-        if angle is not None:
-            found |= {f"peak_{end}_angle_rad": angle.value[leg], f"{end}_angle_limit_rad": limit}
-    return found
 
 
 def condition_figure(plan: Plan) -> Figure:

@@ -14,7 +14,7 @@ from ...robot.robot import Robot
 from ...simulation.actuator_models import ForceLaw, LegSprings
 from ...simulation.trace import Simulation, Trace, leg_states
 from ..common.drawing import Figure, new_figure
-from ..common.output import Columns, of_axes, of_legs
+from ..common.output import Columns, by_leg, of_axes, of_legs
 from ..common.report import Picture, Report
 from . import energy_drift
 from .drives import DriveDigest
@@ -75,25 +75,22 @@ def _data(
 ) -> dict[str, Any]:
     """What the summary says, for programs."""
     peaks, drift, drives = np.argmax(np.abs(fine.F), axis=0), _drift(run, fine, law), run.drives
+    legs = {
+        "peak_force_N": np.take_along_axis(fine.F, peaks[None], axis=0)[0],
+        "peak_force_time_s": fine.times[peaks],
+        "least_length_m": fine.L.min(axis=0),
+        "greatest_length_m": fine.L.max(axis=0),
+        "saturated_s": run.saturation.time,
+        "saturation_excess_N": run.saturation.excess,
+        **({} if motors is None else motors.columns()),
+    }
     work = (
         {} if drives is None else {"motors_work_J": drives.done.sum(), "drive_friction_J": drives.lost.sum()}
     )
     return {
         "stop": {"kind": run.stop.kind, "time_s": run.stop.time, "leg": run.stop.leg, "text": run.stop.text},
         "steps": run.steps,
-        "legs": [
-            {
-                "leg": leg + 1,
-                "peak_force_N": fine.F[peak, leg],
-                "peak_force_time_s": fine.times[peak],
-                "least_length_m": fine.L[:, leg].min(),
-                "greatest_length_m": fine.L[:, leg].max(),
-                "saturated_s": run.saturation.time[leg],
-                "saturation_excess_N": run.saturation.excess[leg],
-                **({} if motors is None else motors.of_leg(leg)),
-            }
-            for leg, peak in enumerate(peaks)
-        ],
+        "legs": by_leg(legs),
         "energy_start_J": run.energy[0],
         "energy_end_J": run.energy[-1],
         "kinetic_energy_peak_J": fine.kinetic.max(),

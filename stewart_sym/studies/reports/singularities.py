@@ -24,7 +24,7 @@ from ...singularities.along_path import (
 )
 from ...singularities.path_warnings import sign_text, triple_text, twist_text
 from ...singularities.singular_poses import Singularity
-from ..common.output import Columns, aligned, of_axes, of_legs
+from ..common.output import Columns, aligned, by_leg, of_axes, of_legs
 from ..common.report import Picture, Report
 
 DISTANCES = tuple(10.0**-n for n in range(1, 8))
@@ -126,18 +126,16 @@ def _data(found: Examination) -> dict[str, Any]:
         "nearest": {"time_s": along.nearest.time, **_pose_data(along.nearest.at)},
         "minima": [{"time_s": each.time, **_pose_data(each.at)} for each in along.approaches],
         "singular_throughout_s": along.spans,
-        "legs": [
+        "legs": by_leg(
             {
-                "leg": leg + 1,
-                "least_joint_sine": along.joint_sine.value[leg],
-                "least_joint_sine_time_s": along.joint_sine.time[leg],
-                "least_length_m": along.shortest.value[leg],
-                "least_length_time_s": along.shortest.time[leg],
-                "greatest_length_m": along.longest.value[leg],
-                "greatest_length_time_s": along.longest.time[leg],
+                "least_joint_sine": along.joint_sine.value,
+                "least_joint_sine_time_s": along.joint_sine.time,
+                "least_length_m": along.shortest.value,
+                "least_length_time_s": along.shortest.time,
+                "greatest_length_m": along.longest.value,
+                "greatest_length_time_s": along.longest.time,
             }
-            for leg in range(LEGS)
-        ],
+        ),
     }
 
 

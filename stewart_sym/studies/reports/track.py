@@ -33,8 +33,8 @@ from ...kinematics.inverse import LegKinematics, inverse_kinematics
 from ...motion.motion import Motion
 from ...motion.trajectory import PoseLog, Replaced, Trajectory
 from ...results import NOT_FINITE, OK, ZERO_LENGTH, Reactions
-from ...robot.robot import Robot
-from ..common.output import Columns, aligned, csv_lines, of_axes, of_legs
+from ...robot.robot import LEGS, Robot
+from ..common.output import Columns, aligned, by_leg, csv_lines, of_axes, of_legs
 from .drives import DriveDigest, drive_columns, no_deviations, no_instants
 
 NOISE_SHARE = 0.02
@@ -227,31 +227,31 @@ class Digest:
         time, F, _, F_sd = self.legs.forces()
         when, condition = self._worst_condition()
         low, high, speed = self._extremes()
-        verdicts = {name: self.legs.verdicts(limit) for name, limit in _LIMITS.items()}
+        peak, robot = _largest(F), self.robot
+        legs = {
+            "peak_force_N": np.take_along_axis(F, peak[None], axis=0)[0],
+            "peak_force_sd_N": [None] * LEGS if F_sd is None else np.take_along_axis(F_sd, peak[None], 0)[0],
+            "peak_force_time_s": time[peak],
+            "force_limit_N": robot.force_limit,
+            **low.data("least_length", "m"),
+            **high.data("greatest_length", "m"),
+            "length_limits_m": robot.length_limits,
+            **speed.data("peak_speed", "m_per_s"),
+            "speed_limit_m_per_s": robot.speed_limit,
+        }
+        for limit, angle in self._angles().items():
+            legs |= angle.data(f"peak_{limit.values}_angle", "rad")
+            legs[f"{limit.values}_angle_limit_rad"] = limit.bound(robot)
+            legs[f"{limit.values}_angle_limit"] = self.legs.verdicts(limit)
+        legs |= {name: self.legs.verdicts(limit) for name, limit in _LIMITS.items()}
+        legs |= {} if self.drive is None else self.drive.columns() | self.drive.verdicts()
         return {
             "instants": len(self.time),
             "start_s": self.time[0],
             "end_s": self.time[-1],
             "condition_number_peak": condition,
             "condition_number_peak_time_s": when,
-            "legs": [
-                {
-                    "leg": leg + 1,
-                    "peak_force_N": F[i, leg],
-                    "peak_force_sd_N": None if F_sd is None else F_sd[i, leg],
-                    "peak_force_time_s": time[i],
-                    "force_limit_N": self.robot.force_limit[leg],
-                    **low.data(leg, "least_length", "m"),
-                    **high.data(leg, "greatest_length", "m"),
-                    "length_limits_m": self.robot.length_limits[leg],
-                    **speed.data(leg, "peak_speed", "m_per_s"),
-                    "speed_limit_m_per_s": self.robot.speed_limit[leg],
-                    **self._angles_of_leg(leg),
-                    **{name: found[leg] for name, found in verdicts.items()},
-                    **({} if self.drive is None else self.drive.of_leg(leg) | self.drive.verdicts(leg)),
-                }
-                for leg, i in enumerate(_largest(F))
-            ],
+            "legs": by_leg(legs),
         }
 
     def _extremes(self) -> "list[_Extreme]":
@@ -262,14 +262,6 @@ class Digest:
         """Largest angles of the joints, rad; none of a robot that limits none."""
         limits = (BASE, PLATFORM) if self.robot.limits_joint_angles else ()
         return {limit: _Extreme(*self.legs.peaks(limit)) for limit in limits}
-
-    def _angles_of_leg(self, leg: int) -> dict[str, Any]:
-        found: dict[str, Any] = {}
-        for limit, angle in self._angles().items():
-            found |= angle.data(leg, f"peak_{limit.values}_angle", "rad")
-            found[f"{limit.values}_angle_limit_rad"] = limit.bound(self.robot)[leg]
-            found[f"{limit.values}_angle_limit"] = self.legs.verdicts(limit)[leg]
-        return found
 
     def _worst_condition(self) -> tuple[float, float]:
         """When the condition number is largest, s, and how large."""
@@ -286,13 +278,12 @@ class _Extreme(NamedTuple):
         """The same in another unit."""
         return _Extreme(scale * self.values, None if self.sd is None else scale * self.sd)
 
-    def data(self, leg: int, name: str, unit: str) -> dict[str, float]:
-        """One leg's, for programs."""
-        sd = {} if self.sd is None else {f"{name}_sd_{unit}": self.sd[leg]}
-        return {f"{name}_{unit}": self.values[leg], **sd}
+    def data(self, name: str, unit: str) -> dict[str, Any]:
+        """The same by name, for programs."""
+        return {f"{name}_{unit}": self.values} | ({} if self.sd is None else {f"{name}_sd_{unit}": self.sd})
 
     def text(self, leg: int) -> str:
-        """The same for people."""
+        """One leg's, for people."""
         return amount_text(self.values[leg], None if self.sd is None else self.sd[leg], 4)
 
 

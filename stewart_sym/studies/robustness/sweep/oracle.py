@@ -132,10 +132,8 @@ def check_poses(
 
 def check_numbers(numbers: Array, poses: Array, precision: str = "double") -> NDArray[Any]:
     """The same of robots and motions as in the C structures, (n, 205) and (n, 30)."""
-    results, sizes = np.zeros(len(numbers), dtype=RESULT), np.zeros(len(numbers))
-    given = _cases(KINDS[0], precision, True, SAMPLES, 0, numbers, sizes, poses, 1)
-    _call("sweep_cases", *given, DOUBTFUL, results)
-    return results
+    given = (RESULT, KINDS[0], numbers, np.zeros(len(numbers)), 1, 0)
+    return _checked("sweep_cases", *given, DOUBTFUL, precision=precision, in_quad=True, motions=poses)
 
 
 def check_random(
@@ -154,10 +152,8 @@ def check_random(
     Distances are spread evenly in their logarithm, from 1 to a tenth of a rounding unit. Doubtful answers
     are checked again in quadruple precision. Raises native.CompilerError without ``__float128``.
     """
-    results = np.zeros(len(numbers) * each, dtype=RESULT)
-    given = _cases(kind, precision, False, samples, seed, numbers, sizes, None, each)
-    _call("sweep_cases", *given, doubtful, results)
-    return results
+    given = (RESULT, kind, numbers, sizes, each, seed)
+    return _checked("sweep_cases", *given, doubtful, precision=precision, samples=samples)
 
 
 def closed_form_errors(
@@ -179,12 +175,11 @@ def closed_form_errors(
     the doubtful ones again. motions: given ones, (robots * each, 30), in place of random ones. Of machines
     that are singular at every pose the statuses alone. Raises native.CompilerError without ``__float128``.
     """
-    results = np.zeros(len(numbers) * each, dtype=CLOSED_RESULT)
     blocks = np.array([*BLOCKS.values()], dtype=np.int32)
     chosen = sum(1 << CLOSED_KERNELS.index(kernel) for kernel in kernels)
-    given = _cases(kind, precision, in_quad, samples, seed, numbers, sizes, motions, each)
-    _call("closed_form_cases", *given, chosen, blocks, len(blocks), doubtful, results)
-    return results
+    given = (CLOSED_RESULT, kind, numbers, sizes, each, seed, chosen, blocks, len(blocks), doubtful)
+    how: Any = {"precision": precision, "in_quad": in_quad, "samples": samples, "motions": motions}
+    return _checked("closed_form_cases", *given, **how)
 
 
 def random_case(
@@ -210,20 +205,25 @@ def _nearest(precision: str) -> float:
     return float(1.0 - np.log10(epsilon))
 
 
-def _cases(
+def _checked(
+    function: str,
+    result: np.dtype[Any],
     kind: str,
-    precision: str,
-    in_quad: bool,
-    samples: int,
-    seed: int,
     numbers: Array,
     sizes: Array,
-    motions: Array | None,
     each: int,
-) -> tuple[Any, ...]:
-    """What both functions that check cases are given first."""
+    seed: int,
+    *last: Any,
+    precision: str = "double",
+    in_quad: bool = False,
+    samples: int = SAMPLES,
+    motions: Array | None = None,
+) -> NDArray[Any]:
+    """Records of the C function that checks cases; ``last``: its arguments before them."""
+    found = np.zeros(len(numbers) * each, dtype=result)
     how = (KINDS.index(kind), precision == "float", in_quad, samples, _nearest(precision), seed)
-    return (*how, len(numbers), numbers, sizes, motions, each)
+    _call(function, *how, len(numbers), numbers, sizes, motions, each, *last, found)
+    return found
 
 
 def _call(name: str, *arguments: Any) -> None:
