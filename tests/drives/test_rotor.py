@@ -177,11 +177,11 @@ def test_reflected_masses_are_armature_to_mujoco() -> None:
         robot = _without_momentum(robot_of_bodies(robot))
         F = ss.inverse_dynamics(robot, motion).F
         engine = constraints.mujoco_engine(robot, tree.tree(robot, motion, F))
-        found, expected = engine.accelerations(), acceleration(motion)
+        found, expected = engine.found(), acceleration(motion)
         shares = np.abs(found - expected).max(axis=-1) / np.abs(expected).max(axis=-1)
         assert shares.max() < 4e-6, seed
         plain = dataclasses.replace(robot, drive=None)
-        others = constraints.mujoco_engine(plain, tree.tree(plain, motion, F)).accelerations()
+        others = constraints.mujoco_engine(plain, tree.tree(plain, motion, F)).found()
         assert np.abs(others - expected).max() > 1e-2 * np.abs(expected).max()
 
 
