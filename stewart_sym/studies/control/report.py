@@ -128,7 +128,7 @@ def figure(study: Study) -> Figure:
 
 def tables(found: Figures) -> dict[str, str]:
     """Table of the documentation from ``control.json``: tracking errors by the model in the controller."""
-    printed, friction = (_by_name(found["machines"][label]["rows"]) for label in ("printed", "friction"))
+    printed, friction = (by_name(found["machines"][label]["rows"]) for label in ("printed", "friction"))
     parts = [
         _published_conditions(found["settings"]),
         _figures(found["machines"]["printed"]["rows"]),
@@ -139,7 +139,8 @@ def tables(found: Figures) -> dict[str, str]:
     return {"control": "".join(parts)}
 
 
-def _by_name(rows: list[Figures]) -> dict[tuple[str, str], Figures]:
+def by_name(rows: list[Figures]) -> dict[tuple[str, str], Figures]:
+    """Rows by path and controller."""
     return {(row["path"], row["controller"]): row for row in rows}
 
 
