@@ -167,7 +167,7 @@ def _hidden(robot: Robot, choice: Choice) -> tuple[str, ...] | None:
     if "forces" not in choice.functions or not choice.bake:
         return None
     level = fidelity.resolved(robot, choice.formulation, choice.level)
-    return selection(Numbered.of(robot), choice.formulation, level, choice.precision, choice.bake).hidden
+    return selection(Numbered.of(robot), choice.formulation, level, choice.precision).hidden
 
 
 def _errors(vectors_of: list[Vector]) -> Array:

@@ -18,21 +18,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..backend.kernel import MOTION
-from ..derive.generate import reduced_fidelity
 from ..derive.mechanics.actuator_forces import ForceKernel
 from ..drives.friction import drive_numbers
 from ..io.array_types import Array
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
 from ..kinematics.inverse import inverse_kinematics, wrench_matrix
 from ..motion.motion import Motion
-from ..precision.truth import form_and_level
 from ..robot.robot import Robot
 from .choice import PRECISIONS
 from .interpreter import NEAR_JOINT_SINGULAR
 from .parts import fields, folded_kernel
 from .poses import MAX_CONDITION, WHOLE, rounded, sample, significant, size_of, whole_turn
 from .running import FORCES_MARGIN
-from .sensitivity import Change, Forces, KernelConstants, changes
+from .sensitivity import Change, Forces, changes
 
 Arrays = dict[str, Array]
 
@@ -87,17 +85,14 @@ class Numbered:
 
 
 @lru_cache(maxsize=64)
-def selection(numbered: Numbered, formulation: str, fidelity: str, precision: str, folded: bool) -> Selection:
+def selection(numbered: Numbered, formulation: str, fidelity: str, precision: str) -> Selection:
     """The motions on which a kernel of a robot's forces is tested, besides ordinary ones.
 
-    fidelity: a level that there is. folded: whether the constants are those of the code with the robot's
-    numbers folded in, or else the robot's own. Raises ValueError for a robot without a good pose.
+    They show the constants of the kernel with the robot's numbers folded in, whether a kit's code has them or
+    prepares its own. fidelity: a level that there is. Raises ValueError for a robot without a good pose.
     """
     robot = numbered.robot
-    if folded:
-        kernel = folded_kernel(robot, formulation, fidelity)
-    else:
-        kernel = reduced_fidelity(*form_and_level(robot.base_joint, formulation, fidelity, robot.has_rotors))
+    kernel = folded_kernel(robot, formulation, fidelity)
     search = _Search(robot, kernel, precision, sample(robot, formulation)[0])
     ratios, motions = search.shown(near=False)
     hidden = _hidden(ratios)
@@ -186,18 +181,11 @@ class _Search:
         return found
 
     def _forces(self, pool: Arrays, near: bool) -> Forces:
-        motions = {name: np.moveaxis(pool[name], 0, -1) for name in MOTION}
-        return Forces(self._constants, motions, near)
-
-    @cached_property
-    def _constants(self) -> KernelConstants:
-        kind = np.float64 if self.kernel.constants is not None else PRECISIONS[self.precision]
-        numbers = {name: rounded(getattr(self.robot, name), kind) for name in fields(self.robot.has_rotors)}
-        return KernelConstants(self.kernel, numbers)
+        return Forces(self.kernel, {name: np.moveaxis(pool[name], 0, -1) for name in MOTION}, near)
 
     @cached_property
     def _changes(self) -> list[Change]:
-        return list(changes(self._constants, SHARE[self.precision]))
+        return list(changes(self.kernel, SHARE[self.precision]))
 
     # ------------------------------------------------------------ motions
 

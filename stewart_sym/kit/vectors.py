@@ -108,7 +108,7 @@ def _made(
             made(function, at) for at in motions if function not in _BACKWARD or _settled(robot, at, kind)
         ]
         if function == "forces":
-            chosen = selection(numbered, formulation, level, precision, baked).motions
+            chosen = selection(numbered, formulation, level, precision).motions
             found += [replace(made(function, at), ordinary=False) for at in chosen]
     return tuple(found)
 

@@ -20,7 +20,7 @@ from stewart_sym.kit.choice import PRECISIONS
 from stewart_sym.kit.parts import folded_kernel
 from stewart_sym.kit.running import FORCES_MARGIN
 from stewart_sym.kit.selection import SHARE, Numbered, selection
-from stewart_sym.kit.sensitivity import Forces, KernelConstants, changes
+from stewart_sym.kit.sensitivity import Forces, changes
 from stewart_sym.robot.robot import Robot
 
 MACHINES = {
@@ -139,7 +139,7 @@ def test_every_wrong_constant_fails_the_self_test_or_is_named(which: str, kind: 
     share = SHARE[precision]
     wrong = [name for name in mutants.addresses if mutants.value(name)]
     passed = {name for name in wrong if not mutants.selftest(name, mutants.value(name) * (1.0 + share))}
-    hidden = selection(Numbered.of(robot), choice.formulation, "general", precision, True).hidden
+    hidden = selection(Numbered.of(robot), choice.formulation, "general", precision).hidden
     assert passed <= set(hidden)
     assert len(wrong) - len(passed) > (80 if kind != "paper" and which in MACHINES else 40)
 
@@ -148,7 +148,7 @@ def test_every_wrong_constant_fails_the_self_test_or_is_named(which: str, kind: 
 def test_the_readme_of_a_kit_names_the_constants_that_rounding_hides() -> None:
     robot = MACHINES["dasgupta"]
     text = " ".join(kit(robot, Choice(bake=True, precision="float")).files["README.md"].decode().split())
-    hidden = selection(Numbered.of(robot), "exact", "general", "float", True).hidden
+    hidden = selection(Numbered.of(robot), "exact", "general", "float").hidden
     assert "wrong by 0.001 of itself" in text
     assert hidden
     assert all(f"`{name.partition(' of leg ')[0]}`" in text for name in hidden)
@@ -192,13 +192,13 @@ def random_motions(robot: Robot, count: int, seed: int) -> dict[str, np.ndarray]
 def test_no_motion_of_a_sweep_shows_what_is_named(which: str) -> None:
     """Rounding errors of other terms are larger than changes of these constants, wherever the platform is."""
     robot = MACHINES[which]
-    hidden = set(selection(Numbered.of(robot), "exact", "general", "float", True).hidden)
-    constants = KernelConstants(folded_kernel(robot, "exact", "general"), {})
-    forces = Forces(constants, random_motions(robot, 2000, 5), near=False)
+    hidden = set(selection(Numbered.of(robot), "exact", "general", "float").hidden)
+    kernel = folded_kernel(robot, "exact", "general")
+    forces = Forces(kernel, random_motions(robot, 2000, 5), near=False)
     tolerance = FORCES_MARGIN * forces.bound * float(np.finfo(np.float32).eps)
     largest = {
         name: float(np.nanmax(moved / tolerance))
-        for change in changes(constants, SHARE["float"])
+        for change in changes(kernel, SHARE["float"])
         for name, moved in zip(change.names, forces.moved(change), strict=True)
         if name in hidden
     }
