@@ -17,6 +17,7 @@ from ..kernel.tree.constants import STATUSES
 from ..mechanics import quantities as n
 from ..program.block import AXES, Quantity
 from . import licence
+from .functions import Function, Part
 from .robot import HEADER, SOURCE, Machine
 from .words import Numbers, stored, template
 
@@ -30,22 +31,6 @@ _BASE_UNITS["N"] = {"kg": 1, "m": 1, "s": -2}
 
 
 @dataclass(frozen=True)
-class UnitKernel:
-    """How the unit calls the kernel.
-
-    header: the file that declares it. prefix: of its functions, as ``stewart_exact``. baked: there is
-    ``<prefix>_forces`` alone, without a ``<prefix>_model`` that ``<prefix>_prepare`` makes. precision:
-    "double" or "float", that of ``stewart.h``. says: lines about it, plain text.
-    """
-
-    header: str
-    prefix: str
-    baked: bool = False
-    precision: str = "double"
-    says: str = ""
-
-
-@dataclass(frozen=True)
 class Variable:
     """A variable of the unit; start: None for what the unit computes."""
 
@@ -56,21 +41,25 @@ class Variable:
     start: float | None = None
 
 
-def unit(machine: Machine, sources: Mapping[str, str], kernel: UnitKernel, pose: Numbers) -> dict[str, str]:
+def unit(
+    machine: Machine, sources: Mapping[str, str], kernel: Part, precision: str, pose: Numbers
+) -> dict[str, str]:
     """All texts of the unit: path in the archive -> text; the C lies below ``sources/``.
 
     machine: whose payload M, R_0, I_p and g become tunable parameters, unless the kernel is baked. sources:
     file name -> text of every .h and .c that the kernel needs, the robot's too unless it is baked. kernel:
-    how it is called. pose: R (3, 3) and t (3,), m, that the inputs have until they are set, a pose with
-    forces, so that the unit runs before anything is connected; rates, accelerations and loads start at zero.
+    the part of the forces. precision: "double" or "float", that of ``stewart.h``. pose: R (3, 3) and t (3,),
+    m, that the inputs have until they are set, a pose with forces, so that the unit runs before anything is
+    connected; rates, accelerations and loads start at zero.
 
     The unit's GUID is a digest of all of these texts. Raises ValueError naming a number that is missing or
     not finite, or a file that is missing.
     """
-    for file in (kernel.header, *(() if kernel.baked else (HEADER, SOURCE))):
+    (forces,) = kernel.functions
+    for file in (kernel.header, *((HEADER, SOURCE) if forces.subject else ())):
         if file not in sources:
             raise ValueError(f"sources: expected {file} among them")
-    variables = _variables(pose, None if kernel.baked else machine.numbers)
+    variables = _variables(pose, machine.numbers if forces.subject else None)
 
     def texts(guid: str) -> dict[str, str]:
         common = {
@@ -82,14 +71,14 @@ def unit(machine: Machine, sources: Mapping[str, str], kernel: UnitKernel, pose:
         }
         own = {
             **{f"sources/{name}": template(f"kit/{name}", common) for name in _STATIC},
-            "sources/stewart_unit.h": _unit_header(machine.symbol, kernel, variables, common),
+            "sources/stewart_unit.h": _unit_header(machine.symbol, forces, variables, common),
         }
         held = own | {f"sources/{file}": text for file, text in sources.items()}
         compiled = sorted(path.removeprefix("sources/") for path in held if path.endswith(".c"))
         return held | {
             "modelDescription.xml": _description(machine.symbol, variables, compiled, common),
             "documentation/licenses/license.txt": licence.TEXT,
-            "documentation/index.html": _page(kernel.precision, variables, common),
+            "documentation/index.html": _page(precision, variables, common),
         }
 
     return texts(_guid(texts("")))
@@ -231,19 +220,20 @@ def _guid(texts: Mapping[str, str]) -> str:
 
 
 def _unit_header(
-    symbol: str, kernel: UnitKernel, variables: Sequence[Variable], common: Mapping[str, str]
+    symbol: str, forces: Function, variables: Sequence[Variable], common: Mapping[str, str]
 ) -> str:
     counts = {kind: sum(v.causality == kind for v in variables) for kind in ("input", "output", "parameter")}
     literals = [f"{0.0 if v.start is None else v.start!r}, /* {v.name} */" for v in variables]
     meanings = [f'"{text}", /* STEWART_{code} */' for code, _, text in STATUSES]
     motion, place = _taken(n.MOTION, "motion", 0)
     payload, _ = _taken(n.PLATFORM, "robot", place + counts["output"])
-    model = {"symbol": symbol, "prefix": kernel.prefix, "payload": _continued(payload)}
+    prefix = forces.symbol.removesuffix("_forces")
+    model = {"symbol": symbol, "prefix": prefix, "payload": _continued(payload)}
     values = {
         **common,
-        "header": kernel.header,
-        "model": "" if kernel.baked else template("kit/stewart_unit_model.h", model),
-        "prefix": kernel.prefix,
+        "header": forces.header,
+        "model": template("kit/stewart_unit_model.h", model) if forces.subject else "",
+        "prefix": prefix,
         "inputs": str(counts["input"]),
         "reals": str(len(variables)),
         "start": _continued(literals),

@@ -226,8 +226,6 @@ def _unit(robot: Robot, choice: Choice, made: Parts, texts: Mapping[str, str]) -
         needed |= {HEADER, SOURCE}
         # The robot's header has the numbers of its drives as well.
         needed |= {each.header for each in made.parts if TORQUE in each.kinds}
-    prefix = forces.symbol.removesuffix("_forces")
-    kernel = fmu.UnitKernel(part.header, prefix, not forces.subject, choice.precision, part.says)
     sources = {name: text for name, text in texts.items() if name in needed}
     pose = {"R": start.R.tolist(), "t": start.t.tolist()}
-    return packed(machine.symbol, fmu.unit(machine, sources, kernel, pose))
+    return packed(machine.symbol, fmu.unit(machine, sources, part, choice.precision, pose))

@@ -202,7 +202,7 @@ def test_singular_pose_has_its_status(tmp_path: Path) -> None:
     )
     files = kit(flat, Choice(("kinematics",))).files
     sources = made("lanes").sources | {"stewart_robot.c": files["stewart_robot.c"].decode()}
-    with zipfile.ZipFile(io.BytesIO(unit(flat, made("lanes").kernel, sources))) as archive:
+    with zipfile.ZipFile(io.BytesIO(unit(flat, sources))) as archive:
         archive.extractall(tmp_path)
     row = np.zeros(30)
     row[:9], row[9:12] = np.eye(3).ravel(), [0.05, 0.02, 0.0]

@@ -62,7 +62,7 @@ def test_guid_follows_the_contents(monkeypatch: pytest.MonkeyPatch) -> None:
     changed = sources | {"stewart_robot.c": sources["stewart_robot.c"].replace("REAL(40.0)", "REAL(41.0)")}
     assert changed != sources
     monkeypatch.setattr(native, "find_compiler", lambda: None)
-    units.append(guid(unit(made("lanes").robot, made("lanes").kernel, changed)))
+    units.append(guid(unit(made("lanes").robot, changed)))
     assert len(set(units)) == 4
     assert all(re.fullmatch(r"\{[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}\}", one) for one in units)
     assert guid(made("lanes").content).encode() in contents(made("lanes").content)["sources/stewart_unit.h"]
@@ -84,7 +84,7 @@ def test_any_name_is_described(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) 
     name = 'a<b> & "c" ünï 机器人 @GUID@ @VERSION@ \\ */ /*'
     monkeypatch.setattr(native, "find_compiler", lambda: None)
     odd = dataclasses.replace(made("lanes").robot, name=name)
-    (tmp_path / "unit.fmu").write_bytes(unit(odd, made("lanes").kernel, made("lanes").sources))
+    (tmp_path / "unit.fmu").write_bytes(unit(odd, made("lanes").sources))
     assert validate_fmu(str(tmp_path / "unit.fmu")) == []
     told = fmpy.read_model_description(str(tmp_path / "unit.fmu"))
     assert told.modelName == name
@@ -112,6 +112,7 @@ def test_what_is_missing_is_named(change: dict[str, object], message: str) -> No
         "machine": machine(robot),
         "sources": made("lanes").sources,
         "kernel": made("lanes").kernel,
+        "precision": "double",
         "pose": pose(sample(robot, "exact")[0]),
     }
     with pytest.raises(ValueError, match=rf"\A{re.escape(message)}\Z"):

@@ -24,12 +24,13 @@ from stewart_sym import PATHS
 from stewart_sym.backend import native
 from stewart_sym.backend.kernel import MOTION, robot_numbers
 from stewart_sym.derive.package import fmu
-from stewart_sym.derive.package.fmu import UnitKernel
+from stewart_sym.derive.package.functions import Part
 from stewart_sym.derive.package.robot import Machine
 from stewart_sym.derive.package.words import robot_symbol
 from stewart_sym.dynamics.home_pose import home_pose
 from stewart_sym.kit import Choice, kit
 from stewart_sym.kit.fmu import packed
+from stewart_sym.kit.parts import parts
 from stewart_sym.kit.parts import robot_numbers as fields
 from stewart_sym.motion.motion import Motion
 from stewart_sym.robot.robot import Robot
@@ -53,7 +54,7 @@ class Made:
     """A unit and what it was made of."""
 
     robot: Robot
-    kernel: UnitKernel
+    kernel: Part
     sources: dict[str, str]
     content: bytes
 
@@ -76,9 +77,11 @@ def pose(motion: Motion) -> dict[str, object]:
     return {field: getattr(motion, field).tolist() for field in ("R", "t")}
 
 
-def unit(robot: Robot, kernel: UnitKernel, sources: dict[str, str]) -> bytes:
+def unit(robot: Robot, sources: dict[str, str]) -> bytes:
+    """A unit of the kernel in lanes."""
     start = {"R": np.eye(3).tolist(), "t": home_pose(robot).t.tolist()}
-    return packed(robot_symbol(robot.name), fmu.unit(machine(robot), sources, kernel, start))
+    texts = fmu.unit(machine(robot), sources, made("lanes").kernel, "double", start)
+    return packed(robot_symbol(robot.name), texts)
 
 
 @functools.cache
@@ -89,15 +92,8 @@ def made(case: str) -> Made:
         whole = kit(robot, CASES[case])
     unused = ("example/main.c", "test/selftest.c", "stewart_rotation.h", "stewart_rotation.c")
     sources = {name: text for name, text in c_of(whole).items() if name not in unused}
-    header, prefix = forces_function(sources)
-    kernel = UnitKernel(header, prefix, case == "baked", CASES[case].precision)
+    kernel = parts(robot, CASES[case]).parts[0]
     return Made(robot, kernel, sources, whole.files[f"{robot_symbol(robot.name)}.fmu"])
-
-
-def forces_function(sources: dict[str, str]) -> tuple[str, str]:
-    declared = re.compile(r"^STEWART_NODISCARD int (stewart_\w+)_forces\(", re.MULTILINE)
-    headers = [(name, declared.search(text)) for name, text in sources.items() if name.endswith(".h")]
-    return next((name, found[1]) for name, found in headers if found)
 
 
 def flags(case: str) -> tuple[str, ...]:
@@ -131,15 +127,15 @@ def library(case: str) -> ctypes.CDLL:
 
 def forces(case: str, rows: Array, robot: Robot | None = None) -> Array:
     """Forces (n, 6) of motions (n, 30), every one of which has some."""
-    kernel, code = made(case).kernel, library(case)
-    real = np.float32 if kernel.precision == "float" else np.float64
+    (function,), code = made(case).kernel.functions, library(case)
+    real = np.float32 if CASES[case].precision == "float" else np.float64
     constants = robot_numbers(made(case).robot if robot is None else robot).astype(real)
     model, found = ctypes.create_string_buffer(1 << 15), np.zeros((len(rows), 78), dtype=real)
-    owner = [] if kernel.baked else [model]
-    if not kernel.baked:
-        assert getattr(code, f"{kernel.prefix}_prepare")(pointer(constants), model) == 0
+    owner = [model] if function.subject else []
+    if owner:
+        assert getattr(code, f"{function.prefix}_prepare")(pointer(constants), model) == 0
     for row, F in zip(np.ascontiguousarray(rows, dtype=real), found, strict=True):
-        assert getattr(code, f"{kernel.prefix}_forces")(*owner, pointer(row), pointer(F)) == 0
+        assert getattr(code, function.symbol)(*owner, pointer(row), pointer(F)) == 0
     return found[:, :6].astype(np.float64)
 
 
