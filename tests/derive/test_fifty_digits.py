@@ -1,13 +1,12 @@
 """Blocks and what the C makes of them at 50 digits: forces, regrouped blocks, closed form and regressor."""
 
 import functools
+from typing import Any
 
 import numpy as np
 import pytest
-from block_forces import forces
-from fifty_digits import DIGITS, truth
+from fifty_digits import DIGITS, columns, forces, further, orthonormal, orthonormal_inputs, truth
 from machines import dasgupta, random_motion, random_robot, random_robot_of
-from motion_blocks import STEP, blocks, case, columns, inertia, moved, nothing, summed, symbolic, vector
 from motion_fields import FIELDS
 from mpmath import mp
 from numpy.typing import NDArray
@@ -19,7 +18,9 @@ from stewart_sym.derive.mechanics.actuator_forces import force_kernel
 from stewart_sym.derive.mechanics.formulation import EXACT, FORMULATIONS, PAPER, Formulation
 from stewart_sym.derive.mechanics.regressor import dependencies
 from stewart_sym.derive.program.cse import share
+from stewart_sym.kit.interpreter import KitInterpreter
 from stewart_sym.motion.motion import Motion
+from stewart_sym.precision.truth import digits
 from stewart_sym.robot.robot import Robot
 
 UNITS = 40
@@ -96,25 +97,23 @@ def test_named_steps_survive_sharing() -> None:
     assert [step.name for step in share(leg).steps if step.name in set(names)] == names
 
 
-def small(difference: mp.matrix, beside: mp.matrix) -> bool:
-    return mp.mnorm(difference, mp.inf) <= 1e-25 * mp.mnorm(beside, mp.inf)
-
-
 def test_rate_of_the_inertia_less_twice_the_coriolis_matrix_is_skew() -> None:
-    with mp.workdps(DIGITS):
-        _, _, raw = case(0)
-        kernel, zero = symbolic()["equations"], [mp.mpf(0)] * 6
-        forth, back = (
-            summed(kernel, moved(raw, sign * STEP * twist, nothing(), nothing()), zero)
-            for twist in (vector(raw[0], "v", "omega"),)
-            for sign in (1, -1)
-        )
-        found = summed(kernel, raw, zero)
-        rate = (inertia(forth) - inertia(back)) / (2 * STEP)
-        C = blocks(*(found[f"C_{name}"] for name in ("vv", "vw", "wv", "ww")))
-        skew = rate - 2 * C
-        assert small(skew + skew.T, C)
-        assert small((forth["H"] - back["H"]) / (2 * STEP) - found["H_dot"], found["H_dot"])
+    rng = np.random.default_rng(0)
+    robot = random_robot(rng)
+    numbers, at = orthonormal(robot, random_motion(rng, robot))
+    run, step = KitInterpreter(numbers, "universal"), digits.mpf("1e-15")
+
+    def matrices(h: Any) -> dict[str, NDArray[Any]]:
+        """A moment further along the motion."""
+        moment = further(at, t=h * at["v"], R=h * at["omega"])
+        found = run.found("equations", moment)
+        return {name: np.array([each.value for each in found[name]]) for name in ("M", "C", "H", "H_dot")}
+
+    now, forth, back = map(matrices, (0 * step, step, -step))
+    rate = {name: (forth[name] - back[name]) / (2 * step) for name in ("M", "H")}
+    skew = (rate["M"] - 2 * now["C"]).reshape(6, 6)
+    assert abs(skew + skew.T).max() <= 1e-25 * abs(now["C"]).max()
+    assert abs(rate["H"] - now["H_dot"]).max() <= 1e-25 * abs(now["H_dot"]).max()
 
 
 Array = NDArray[np.float64]
@@ -150,7 +149,9 @@ def test_columns_that_are_sums_of_others_on_every_machine_are_so_at_50_digits() 
     assert len(dependent) == 8
     for seed in range(3):
         with mp.workdps(DIGITS):
-            _, _, raw = case(seed)
+            rng = np.random.default_rng(seed)
+            robot = random_robot(rng)
+            raw = orthonormal_inputs(robot, random_motion(rng, robot))
             legs, platform = columns(raw)
             for leg, values in zip(legs, raw, strict=True):
                 for lost, shares in dependent.items():

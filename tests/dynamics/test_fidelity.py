@@ -2,8 +2,7 @@
 
 import numpy as np
 import pytest
-from block_forces import forces
-from fifty_digits import truth
+from fifty_digits import forces, truth
 from machines import machine_in_motion, random_motion, random_robot
 from motion_fields import FIELDS, stacked
 from mpmath import mp

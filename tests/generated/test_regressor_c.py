@@ -6,10 +6,9 @@ from typing import Any
 
 import numpy as np
 import pytest
-from fifty_digits import DIGITS, block_inputs
+from fifty_digits import DIGITS, block_inputs, whole_regressor
 from leaning_legs import leaning
 from machines import dasgupta, home_position, machine_size, random_motion, random_robot
-from motion_blocks import whole
 from mpmath import mp
 
 import stewart_sym as ss
@@ -109,9 +108,8 @@ def test_error_is_a_few_times_the_sensitivity_near_joint_singularities(seed: int
     with mp.workdps(DIGITS):
         rng = np.random.default_rng(2)
         raw = [block_inputs(robot, motion, leg) for leg in range(6)]
-        true, *others = (
-            whole(given) for given in (raw, *([changed(each, rng) for each in raw] for _ in range(4)))
-        )
+        others = [whole_regressor([changed(each, rng) for each in raw]) for _ in range(4)]
+        true = whole_regressor(raw)
         spread = np.max([np.abs(other - true) for other in others], axis=0).astype(float)
         error = np.abs(Y - true).astype(float)
     size = np.abs(true).astype(float)

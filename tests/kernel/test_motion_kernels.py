@@ -5,17 +5,16 @@ import functools
 
 import numpy as np
 import pytest
-from fifty_digits import DIGITS, truth
+from fifty_digits import as_stored
 from kernel_cases import beside_the_joint_axis
 from machines import dasgupta, random_motion, random_robot
-from motion_blocks import blocks, inertia, inputs, moved, nothing, stacked, summed, symbolic, unit
 from motion_fields import FIELDS, acceleration
-from mpmath import mp
 from numpy.typing import NDArray
 
 import stewart_sym as ss
-from stewart_sym.derive.mechanics.formulation import EXACT
 from stewart_sym.dynamics.closed_form import OUTPUTS, CClosedForm, NumpyClosedForm
+from stewart_sym.kit.interpreter import KitInterpreter
+from stewart_sym.kit.running import values
 from stewart_sym.motion.motion import Motion
 from stewart_sym.results import INDEFINITE, JOINT_SINGULAR, OK, SINGULAR
 from stewart_sym.robot.robot import Robot
@@ -92,41 +91,19 @@ def test_numpy_has_the_statuses_of_the_c_batch_where_h_is_singular() -> None:
 
 
 @functools.cache
-def at_50_digits(seed: int) -> tuple[Robot, Motion, dict[str, mp.matrix]]:
-    """A machine, a motion, its equations and forces, and by differences the derivatives of the forces."""
+def at_50_digits(seed: int) -> tuple[Robot, Motion, dict[str, Array]]:
+    """A machine, a motion, its equations, forces and their derivatives, rounded once.
+
+    That the derivatives are differences of the forces, and the equations inverse dynamics,
+    ``tests/kit/test_vectors`` shows.
+    """
     rng = np.random.default_rng(seed)
     robot = dasgupta() if seed == 0 else random_robot(rng)
     motion = random_motion(rng, robot)
-    with mp.workdps(DIGITS):
-        raw = inputs(robot, motion)
-        F = truth(EXACT, robot, motion, raw)["F"]
-        found = summed(symbolic()["equations"], raw, [mp.mpf(0)] * 6)
-        parts = {
-            "F": F,
-            "M": inertia(found),
-            "C": blocks(*(found[f"C_{name}"] for name in ("vv", "vw", "wv", "ww"))),
-            "g": stacked(found["g_force"], found["g_moment"]),
-            "friction": stacked(found["friction_force"], found["friction_moment"]),
-            "H": found["H"],
-            "H_dot": found["H_dot"],
-        }
-        for name, place in (("by_pose", 0), ("by_twist", 1), ("by_acceleration", 2)):
-            parts[name] = slopes(robot, motion, raw, place)
-    return robot, motion, parts
-
-
-def slopes(robot: Robot, motion: Motion, raw: list, place: int) -> mp.matrix:
-    """Central differences of F, column by column."""
-    columns = mp.matrix(6, 6)
-    for i in range(6):
-        change = [nothing(), nothing(), nothing()]
-        change[place] = unit(i)
-        size = sum(change[place])
-        forth = truth(EXACT, robot, motion, moved(raw, *change))["F"]
-        back = truth(EXACT, robot, motion, moved(raw, *(-part for part in change)))["F"]
-        for j in range(6):
-            columns[j, i] = (forth[j] - back[j]) / (2 * size)
-    return columns
+    numbers, at = as_stored(robot, motion)
+    run = KitInterpreter(numbers, "universal")
+    found = run.found("equations", at) | run.derivatives(at)
+    return robot, motion, {name: values(each) for name, each in found.items()}
 
 
 @pytest.mark.parametrize("seed", range(2))
@@ -134,17 +111,17 @@ def test_equations_agree_with_50_digits_to_rounding(seed: int) -> None:
     robot, motion, true = at_50_digits(seed)
     found = CClosedForm(robot).run("equations", motion)
     for name in ("M", "C", "g", "friction", "H", "H_dot"):
-        expected = np.array(true[name].tolist(), dtype=np.float64).reshape(found[name].shape)
+        expected = true[name].reshape(found[name].shape)
         scale = max(np.abs(expected).max(), 1e-12)
         assert np.abs(found[name] - expected).max() <= 400 * EPSILON * scale, name
 
 
 @pytest.mark.parametrize("seed", range(2))
-def test_derivatives_of_the_forces_are_50_digit_differences(seed: int) -> None:
+def test_derivatives_of_the_forces_agree_with_50_digits(seed: int) -> None:
     robot, motion, true = at_50_digits(seed)
     found = ss.force_derivatives(robot, motion)
     for name in ("F", "by_pose", "by_twist", "by_acceleration"):
-        expected = np.array(true[name].tolist(), dtype=np.float64).reshape(getattr(found, name).shape)
+        expected = true[name].reshape(getattr(found, name).shape)
         assert np.abs(getattr(found, name) - expected).max() <= 1e-9 * np.abs(expected).max(), name
 
 

@@ -7,6 +7,7 @@ from typing import Any
 import machines
 import numpy as np
 import pytest
+from fifty_digits import as_stored, further, orthonormal
 from kits import few_vectors
 from numpy.typing import NDArray
 from sweeps import share
@@ -18,30 +19,13 @@ from stewart_sym.kinematics.conditioning import characteristic_length, scaled_co
 from stewart_sym.kinematics.inverse import clear_of_joint_singularities
 from stewart_sym.kit.choice import STEMS
 from stewart_sym.kit.interpreter import KitInterpreter
-from stewart_sym.kit.parts import fields as fields_of
 from stewart_sym.kit.poses import MAX_CONDITION, poses, sample
 from stewart_sym.kit.running import Running
 from stewart_sym.kit.vectors import FEW, FUNCTIONS, KINEMATICS, ROTATION, Vector, vectors
 from stewart_sym.motion.motion import Motion
-from stewart_sym.precision.truth import Truth
+from stewart_sym.precision.truth import Truth, digits
 from stewart_sym.reference import newton_euler
 from stewart_sym.robot.robot import Robot
-
-
-def numbers_of(robot: Robot, **other: Any) -> dict[str, Any]:
-    """A robot as readings take it, with other arrays in place of some."""
-    fields = fields_of(rotors=False)
-    return {name: other.get(name, np.asarray(getattr(robot, name), dtype=np.float64)) for name in fields}
-
-
-def exactly_orthonormal(robot: Robot) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Constants and a motion whose axes and rotation are of length one to the last digit."""
-    motion = sample(robot, "exact")[0]
-    axes = np.eye(3)[[0, 1, 0, 1, 1, 0]] if robot.base_joint == "universal" else np.zeros((6, 3))
-    at = {name: getattr(motion, name).ravel() for name in MOTION}
-    at["R"] = np.eye(3).ravel()
-    return numbers_of(robot, k=axes), at
-
 
 WITHOUT_DRIVE = tuple(name for name in FUNCTIONS if name not in STEMS["torque"])
 
@@ -57,6 +41,11 @@ def of(function: str) -> list[Vector]:
     return [vector for vector in everything() if vector.function == function]
 
 
+def exactly_orthonormal(base_joint: str = "universal") -> tuple[dict[str, Any], dict[str, Any]]:
+    robot = machine(base_joint)
+    return orthonormal(robot, sample(robot, "exact")[0])
+
+
 def off(found: NDArray[Any], wanted: NDArray[Any]) -> float:
     """Largest difference of 50-digit numbers over the largest of them."""
     scale = max(abs(number.value) for number in wanted.flat)
@@ -67,8 +56,8 @@ def off(found: NDArray[Any], wanted: NDArray[Any]) -> float:
 @pytest.mark.parametrize("base_joint", ["universal", "spherical"])
 def test_derived_and_generated_forces_are_the_same_to_45_digits(base_joint: str, formulation: str) -> None:
     """Where rotation and axes are of length one exactly: the two readings share no text of the equations."""
-    robot, at = exactly_orthonormal(machine(base_joint))
-    interpreter = KitInterpreter(robot, base_joint, formulation)
+    numbers, at = exactly_orthonormal(base_joint)
+    interpreter = KitInterpreter(numbers, base_joint, formulation)
     assert off(interpreter.forces(at)["F"], interpreter.inverse_dynamics(at)["F"]) < 1e-45
 
 
@@ -84,12 +73,12 @@ def test_forces_of_vectors_are_those_of_truth_to_the_bit() -> None:
 
 def test_closed_form_is_the_inverse_dynamics_to_45_digits() -> None:
     """M [a; alpha] + bias = H F + external wrench, and forward dynamics goes back."""
-    robot, at = exactly_orthonormal(machine())
-    interpreter = KitInterpreter(robot, "universal")
+    numbers, at = exactly_orthonormal()
+    interpreter = KitInterpreter(numbers, "universal")
     F, terms = interpreter.forces(at)["F"], interpreter.found("equations", at)
     M, H = terms["M"].reshape(6, 6), terms["H"].reshape(6, 6)
     acceleration = np.concatenate([at["a"], at["alpha"]])
-    load = np.concatenate([at["F_ext"], at["M_ext"]])
+    load = np.concatenate([at["R"].reshape(3, 3) @ at[name] for name in ("F_ext", "M_ext")])
     assert off(M @ acceleration + terms["bias"], H @ F + load) < 1e-45
     assert off(interpreter.found("bias", at)["bias"], terms["bias"]) < 1e-45
     held = {**at, "F": np.array([number.value for number in F])}
@@ -101,38 +90,27 @@ def moved(at: dict[str, Any], column: int, step: Any) -> dict[str, Any]:
     """The motion with one of [dt; dphi], [v; omega], [a; alpha] a step further."""
     kind, i = divmod(column, 6)
     name = (("t", "R"), ("v", "omega"), ("a", "alpha"))[kind][i // 3]
-    further = np.array([step * (j == i % 3) for j in range(3)])
-    if name != "R":
-        return {**at, name: at[name] + further}
-    return {**at, "R": _cayley(further, at["R"].reshape(3, 3)).ravel()}
-
-
-def _cayley(by: NDArray[Any], R: NDArray[Any]) -> NDArray[Any]:
-    x, y, z = by
-    turn = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-    return np.asarray(R + (turn + turn @ turn / 2) @ R / (1 + by @ by / 4))
+    return further(at, **{name: np.array([step * (j == i % 3) for j in range(3)])})
 
 
 def test_derivatives_are_differences_of_the_forces_to_25_digits() -> None:
-    robot, at = exactly_orthonormal(machine())
-    at = {name: np.array([Running(number).value for number in array]) for name, array in at.items()}
-    interpreter = KitInterpreter(robot, "universal")
+    numbers, at = exactly_orthonormal()
+    interpreter = KitInterpreter(numbers, "universal")
     found = interpreter.derivatives(at)
-    step = Running(1e-15).value
+    step = digits.mpf("1e-15")
     by = np.concatenate([found[f"by_{name}"].reshape(6, 6) for name in ("pose", "twist", "acceleration")], 1)
-    for column in (0, 2, 3, 4, 5, 6, 8, 9, 11, 13, 16):
+    for column in range(18):
         there, back = (interpreter.forces(moved(at, column, sign * step))["F"] for sign in (1, -1))
         assert off((there - back) / (2 * step), by[:, column]) < 1e-25
 
 
 def test_linearisation_is_that_of_forward_dynamics_to_25_digits() -> None:
-    robot, at = exactly_orthonormal(machine())
-    at = {name: np.array([Running(number).value for number in array]) for name, array in at.items()}
-    at["F"] = np.array([Running(number).value for number in (10.0, -20.0, 30.0, 40.0, -50.0, 60.0)])
-    interpreter = KitInterpreter(robot, "universal")
+    numbers, at = exactly_orthonormal()
+    at["F"] = np.array([*map(digits.mpf, (10, -20, 30, 40, -50, 60))])
+    interpreter = KitInterpreter(numbers, "universal")
     found = interpreter.found("linearisation", at)
     A, B = found["A"].reshape(12, 12), found["B"].reshape(12, 6)
-    step = Running(1e-15).value
+    step = digits.mpf("1e-15")
     for column in (1, 3, 5, 7, 9, 11):
         pair = [interpreter.found("forward_dynamics", moved(at, column, sign * step)) for sign in (1, -1)]
         slope = (pair[0]["acceleration"] - pair[1]["acceleration"]) / (2 * step)
@@ -228,9 +206,10 @@ def test_forces_of_a_machine_slightly_other_are_out_of_bounds(field: str) -> Non
 @pytest.mark.slow
 def test_numbers_of_float_vectors_fit_into_floats_and_answers_are_of_these() -> None:
     robot = machine()
+    stored, _ = as_stored(robot, sample(robot, "exact")[0])
     rounded = dataclasses.replace(
         robot,
-        **{name: value.astype(np.float32).astype(float)[()] for name, value in numbers_of(robot).items()},
+        **{name: value.astype(np.float32).astype(float)[()] for name, value in stored.items()},
     )
     for vector in vectors(robot, IN_FLOAT, precision="float"):
         for values in vector.inputs.values():
