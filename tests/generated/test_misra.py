@@ -14,15 +14,14 @@ import attack_build
 import pytest
 from builds import needed
 from builds import written as written_to
-from kits import c_of
+from kits import c_of, kit_of
 from sweeps import FULL, slow_but
 
-import stewart_sym as ss
 from stewart_sym.derive.emit.header import common_header
 from stewart_sym.derive.generate import motion_files
 from stewart_sym.derive.package.deviations import DEVIATIONS, KINDS, deviations
 from stewart_sym.generated.interface import HEADERS
-from stewart_sym.kit import Choice, kit
+from stewart_sym.kit import Choice
 
 MOTION = ("equations", "forward_dynamics")
 PRECISIONS = ("-USTEWART_FLOAT", "-DSTEWART_FLOAT=1")
@@ -47,7 +46,7 @@ def closed_form(functions: tuple[str, ...]) -> dict[str, str]:
 
 def of_kit(**choice: Any) -> dict[str, str]:
     """The files of a kit of the paper's machine, its programs left out."""
-    return c_of(kit(ss.robots.dasgupta1998(), Choice(**choice)), r"stewart\w*\.[ch]")
+    return c_of(kit_of(choice=Choice(**choice)), r"stewart\w*\.[ch]")
 
 
 SOURCES: dict[str, tuple[Callable[[], dict[str, str]], str]] = {
@@ -121,7 +120,7 @@ def test_float_departs_from_no_other_rule(written, kind: str) -> None:
 def test_sources_side_by_side_depart_from_one_rule_more(tmp_path: Path) -> None:
     needed("cppcheck")
     choice = Choice(("forces", "reactions", "kinematics"), fidelity="massless_static", scalar=True)
-    written_to(c_of(kit(ss.robots.dasgupta1998(), choice), r"stewart\w*\.[ch]"), tmp_path)
+    written_to(c_of(kit_of(choice=choice), r"stewart\w*\.[ch]"), tmp_path)
     sources = sorted(path.name for path in tmp_path.glob("*.c"))
     found = rules_found(tmp_path / sources[0], PRECISIONS[0], sources[1:])
     listed = {each.rule for each in deviations(["forces scalar", "reactions", "kinematics"])}

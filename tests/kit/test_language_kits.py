@@ -18,7 +18,7 @@ from machines import dasgupta
 from sweeps import FULL, slow_but
 
 from stewart_sym.derive.package.languages import LANGUAGES
-from stewart_sym.kit import Choice, kit, write_kit
+from stewart_sym.kit import Choice, put, write_kit
 from stewart_sym.results import JOINT_SINGULAR, NOT_CONVERGED, NOT_FINITE, OK, SINGULAR, ZERO_LENGTH
 
 EVERY = ("forces", "motion", "derivatives", "kinematics")
@@ -263,7 +263,7 @@ def test_the_commands_of_a_readme_run_as_printed(
 def test_the_self_test_sees_the_last_bit_of_a_number_that_no_function_reads(
     language: str, tmp_path: Path
 ) -> None:
-    write_kit(dasgupta(), tmp_path, Choice(("kinematics",), language=language))
+    put(kits.kit_of(choice=Choice(("kinematics",), language=language)), tmp_path)
     command, _ = LANGUAGES[language].run.split(" && ")
     ran(command, tmp_path)
     (path,) = (each for each in tmp_path.rglob("robot.*") if each.suffix in {".py", ".m", ".rs"})
@@ -289,12 +289,13 @@ def test_a_readme_names_the_statuses_that_its_kit_may_return(
     if functions == EVERY:
         text = (kit_of(language) / "README.md").read_text()
     else:
-        text = kit(dasgupta(), Choice(functions, language=language)).files["README.md"].decode()
+        text = kits.kit_of(choice=Choice(functions, language=language)).files["README.md"].decode()
     codes = {int(code) for code in re.findall(r"^\| (\d) \| `[A-Z_]+` \| .+ \|$", text, re.M)}
     assert codes == {0, 1, 2, 4} | more
 
 
 def test_a_robot_s_name_may_hold_quotes(tmp_path: Path) -> None:
     robot = replace(dasgupta(), name='a "big" one\\"""')
-    write_kit(robot, tmp_path, Choice(language="python"))
+    with kits.few_vectors():
+        write_kit(robot, tmp_path, Choice(language="python"))
     ran("python self_test.py && python example.py", tmp_path)

@@ -199,6 +199,7 @@ def test_no_motion_of_a_sweep_shows_what_is_named(which: str) -> None:
     largest = {
         name: float(np.nanmax(moved / tolerance))
         for change in changes(kernel, SHARE["float"])
+        if hidden.intersection(change.names)
         for name, moved in zip(change.names, forces.moved(change), strict=True)
         if name in hidden
     }
