@@ -2,8 +2,8 @@
 
 from random import Random
 
-from ..kernel.drives.torque import axial_program, torque_program
 from ..kernel.interface import STRUCTS
+from ..kernel.torque import axial_program, torque_program
 from ..kernel.tree.counted import counted
 from ..kernel.tree.settle import of_one_pose
 from ..mechanics.formulation import SPHERICAL, Formulation

@@ -6,7 +6,7 @@ the slope of a force along every step (``adjoint``), which tells what that error
 """
 
 import operator
-from collections.abc import Container, Iterable, Mapping, Sequence
+from collections.abc import Callable, Container, Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import reduce
 from math import prod
@@ -19,16 +19,34 @@ from ..mechanics.lumped_constants import ADDED, B, arm_c, c_tip, q_1
 from ..program.adjoint import Adjoint, adjoint
 from ..program.block import Output, Quantity
 from ..program.order import ready_in
-from ..program.rounding import RoundedBlock, component_errors, error_symbol, rounded
+from ..program.rounding import (
+    RECIPROCAL,
+    ROOT,
+    RoundedBlock,
+    RoundedStep,
+    component_errors,
+    error_symbol,
+    rounded,
+)
 from . import batches
-from . import error_steps as err
 from . import prepare as p
 from .batches import LOADS, MOTIONS, missing, parts_at, parts_of_one
-from .layouts import CHECKED, Place, Written, described, largest, lines, member, stored, stores
+from .layouts import (
+    CHECKED,
+    Place,
+    Written,
+    described,
+    largest,
+    lines,
+    member,
+    names_used,
+    stored,
+    stores,
+)
 from .shared import legs_with_errors, shared
 from .tree import nodes as t
 from .tree.constants import SMALLEST
-from .tree.lower import expression
+from .tree.lower import expression, remark
 from .tree.read import LANES, Given
 from .written import batch
 from .written import bounds as written
@@ -82,19 +100,19 @@ class BoundedForces:
 
     def _structures(self) -> dict[str, t.Structure]:
         kernel, name = self.kernel, f"stewart_{self.kernel.formulation.kernel_name}_bounds"
-        leg = err.with_errors(self.prepare_leg, kernel.leg_constants(), described)
-        platform = err.with_errors(self.prepare_platform, kernel.platform_constants(), described)
+        leg = _with_errors(self.prepare_leg, kernel.leg_constants(), described)
+        platform = _with_errors(self.prepare_platform, kernel.platform_constants(), described)
         length = "m: root mean square distance of the platform points from the reference point"
         model = (
-            err.records_of(f"{name}_leg", "leg"),
+            t.Field("leg", t.Array(t.Record(f"{name}_leg"), (6,))),
             t.Field("platform", t.Record(f"{name}_platform")),
             t.Field("length", t.Real(), length),
             p.PER_LENGTH,
             p.ARM_CUBE,
         )
-        added = [stored(part) for q in ADDED for part in (q, err.error_of(q))]
-        slopes = [stored(part, LANES) for q in _LEGS_SLOPES.values() for part in (q, err.error_of(q))]
-        shared = err.with_errors(self.shared, kernel.shared.made)
+        added = [stored(part) for q in ADDED for part in (q, _error_of(q))]
+        slopes = [stored(part, LANES) for q in _LEGS_SLOPES.values() for part in (q, _error_of(q))]
+        shared = _with_errors(self.shared, kernel.shared.made)
         decides = [t.numbers("D"), *map(stored, CHECKED[1:])]
         decides += [t.numbers("reach"), t.numbers("arm", 3)]
         matrices = [t.numbers(each, 6, 6) for each in ("H", "H_err")] + [t.numbers("arm", 6, 3)]
@@ -111,7 +129,7 @@ class BoundedForces:
             "LegTerms": (
                 "leg_terms",
                 "What a leg gives to the platform's equations; k3: sine of its angle to the fixed axis.",
-                [*decides, *err.with_errors(self.legs[""], _ERRING)],
+                [*decides, *_with_errors(self.legs[""], _ERRING)],
             ),
             "Equations": (
                 "platform_equations",
@@ -156,7 +174,7 @@ class BoundedForces:
         yield read(written.prepare_platform, given={"BODY": self._prepared(self.prepare_platform)})
         yield p.size_of(self.texts, by_legs=True)
         public = self.structures["Model"].name.removesuffix("model") + "prepare"
-        yield read(written.prepare, public, public=True, given=err.texts_of_sums() | p.HANDED_OVER)
+        yield read(written.prepare, public, public=True, given=_texts_of_sums() | p.HANDED_OVER)
         yield read(written.shared_of_pose, given={"BODY": self._values(self.shared)})
         for end, leg in self.legs.items():
             yield read(written.leg_of_pose, f"leg_of_pose{end}", given=self._leg(leg))
@@ -170,7 +188,7 @@ class BoundedForces:
         yield read(written.equations_of_pose, given=legs_with_errors("out", "leg"))
         yield read(written.pose_status)
         yield read(written.solution)
-        held = [*_ROW, *(part for q in _LEGS_SLOPES.values() for part in (q, err.error_of(q)))]
+        held = [*_ROW, *(part for q in _LEGS_SLOPES.values() for part in (q, _error_of(q)))]
         zeros = (t.Assign(_of_force(q).part(q, i), t.Number(0.0)) for q in held for i in range(len(q.keys)))
         yield read(written.bound_of_pose, given={"CLEARED": tuple(zeros)})
         yield read(written.forces_of_pose)
@@ -197,16 +215,16 @@ class BoundedForces:
         """A block of preparation with its errors."""
         return (
             *p.axis(block.block),
-            *err.loaded(block, lambda q: member("added", q) if q in ADDED else p.raw(q)),
-            *err.step_statements(block),
-            *err.stored_outputs(block, block.block.outputs),
+            *_loaded(block, lambda q: member("added", q) if q in ADDED else p.raw(q)),
+            *_step_statements(block),
+            *_stored_outputs(block, block.block.outputs),
         )
 
     def _values(self, block: RoundedBlock) -> tuple[t.Statement, ...]:
         """A block without its errors."""
         return (
             *lines(block.block, self._layout, ready=block.ready),
-            *stores(err.kept_outputs(block), lambda q: member("out", q)),
+            *stores(_kept_outputs(block), lambda q: member("out", q)),
         )
 
     def _leg(self, leg: RoundedBlock) -> dict[str, Given]:
@@ -237,7 +255,7 @@ class BoundedForces:
         handed = []
         for q, to in _LEGS_SLOPES.items():
             for j, name in enumerate(q.names):
-                sums, slope = err.value_and_error("slopes", to, j, _FORCE), outside[name]
+                sums, slope = _value_and_error("slopes", to, j, _FORCE), outside[name]
                 handed.append(t.Do(t.Call("add", (*sums, expression(slope), _error_name(slope)))))
         return self._weighed(leg, found, {}, outside, handed)
 
@@ -251,7 +269,7 @@ class BoundedForces:
         slopes = {name: found.slopes[name] for name in n.R.names}
         handed = []
         for j, slope in enumerate(slopes.values()):
-            value, error = err.value_and_error("slopes", _LEGS_SLOPES[n.R], j, _FORCE)
+            value, error = _value_and_error("slopes", _LEGS_SLOPES[n.R], j, _FORCE)
             handed += [t.Assign(value, expression(slope)), t.Assign(error, _error_name(slope))]
         errors = component_errors(_LEGS_SLOPES.values())
         return self._weighed(self.shared, found, errors, slopes, handed)
@@ -279,13 +297,13 @@ class BoundedForces:
         ready = {q.name for q in block.block.inputs} | {step.name for step in block.block.steps}
         return {
             "BODY": (
-                *err.loaded(whole, self._layout),
-                *err.step_statements(whole, weighed, err.unread_errors(whole, inner)),
-                *err.stored_outputs(block, err.erring_outputs(block)),
+                *_loaded(whole, self._layout),
+                *_step_statements(whole, weighed, _unread_errors(whole, inner)),
+                *_stored_outputs(block, _erring_outputs(block)),
             ),
             "EACH": (
-                *err.loaded(inner, _of_force, ready),
-                *err.step_statements(inner),
+                *_loaded(inner, _of_force, ready),
+                *_step_statements(inner),
                 t.Assign(error, reduce(operator.add, terms, error)),
                 *more,
             ),
@@ -326,3 +344,153 @@ def _only_name(slope: sp.Expr) -> str:
 
 def _error_name(slope: sp.Expr) -> t.Name:
     return t.Name(f"{_only_name(slope)}_err")
+
+
+# ---------------------------------------------------------------- steps with their errors
+
+
+def _unread_errors(block: RoundedBlock, slopes: RoundedBlock) -> set[str]:
+    """Steps whose error neither another step, nor a slope, nor a limit, nor anything outside reads."""
+    read = {symbol for each in (*block.steps, *slopes.steps) for symbol in each.carried.free_symbols}
+    read |= {block.output_error(expr) for out in _erring_outputs(block) for expr in out.exprs}
+    names = {each.step.name for each in block.steps if error_symbol(each.step.name) not in read}
+    return names - block.limits
+
+
+def _kept_outputs(block: RoundedBlock) -> tuple[Output, ...]:
+    """Outputs but those by which a leg is checked."""
+    return tuple(out for out in block.block.outputs if out.quantity not in CHECKED)
+
+
+def _erring_outputs(block: RoundedBlock) -> tuple[Output, ...]:
+    """Outputs whose errors are handed out; that of D is weighed at once."""
+    return tuple(out for out in _kept_outputs(block) if out.quantity != n.D)
+
+
+def _with_errors(
+    block: RoundedBlock, quantities: Iterable[Quantity], made: Callable[[Quantity], t.Field] = stored
+) -> list[t.Field]:
+    """Members for values, and for errors where there are any."""
+    found = []
+    for q in quantities:
+        found += [made(q), *([stored(_error_of(q))] if block.inexact(q) else [])]
+    return found
+
+
+def _error_of(quantity: Quantity) -> Quantity:
+    """The error of a quantity."""
+    return Quantity(f"{quantity.name}_err", quantity.shape, quantity.unit, "", quantity.symmetric)
+
+
+def _value_and_error(
+    owner: str | t.Expression, quantity: Quantity, index: int, *lane: t.Expression
+) -> tuple[t.Expression, t.Expression]:
+    """One component and its error."""
+    value, error = (member(owner, q, *lane).part(q, index) for q in (quantity, _error_of(quantity)))
+    return value, error
+
+
+def _texts_of_sums() -> dict[str, Given]:
+    """Sums of what the legs add to the platform, with errors."""
+    total, more = (
+        [_value_and_error(each, q, i) for q in ADDED for i in range(len(q.keys))] for each in ("sum", "found")
+    )
+    return {
+        "CLEARED": tuple(t.Assign(each, t.Number(0.0)) for pair in total for each in pair),
+        "SUMMED": tuple(t.Do(t.Call("add", (*to, *term))) for to, term in zip(total, more, strict=True)),
+    }
+
+
+def _loaded(
+    block: RoundedBlock, layout: Callable[[Quantity], Place], ready: Container[str] = ()
+) -> tuple[t.Statement, ...]:
+    """Values, errors and largest sizes of the inputs that are read, without those that are ``ready``."""
+    used = names_used(block.block) | block.limits
+    found: list[t.Statement] = []
+    limits: list[t.Statement] = []
+    for q in (q for q in block.block.inputs if q.name not in ready):
+        place = layout(q)
+        read = [(i, name) for i, name in enumerate(q.names) if name in used]
+        found += [t.Let(name, place.part(q, i)) for i, name in read]
+        wrong = [(i, name) for i, name in read if block.errors[name] == error_symbol(name)]
+        owner = place.array.owner if isinstance(place.array, t.Member) else place.array
+        found += [t.Let(f"{name}_err", _value_and_error(owner, q, i, *place.lane)[1]) for i, name in wrong]
+        limits += [_limit(block, name) for name in q.names if name in block.limits]
+    return (*found, *limits)
+
+
+def _limit(block: RoundedBlock, name: str) -> t.Let:
+    size, error = t.Call("size", (t.Name(name),)), block.errors[name]
+    return t.Let(f"{name}_max", size + expression(error) if error != 0 else size)
+
+
+def _step_statements(
+    block: RoundedBlock, apart: Container[str] = (), unread: Container[str] = ()
+) -> Iterable[t.Statement]:
+    """Each step: its value, the bound of its error, and its largest size where that is needed.
+
+    apart: steps whose own rounding gets a name. unread: steps whose whole error nothing reads.
+    """
+    before = None
+    for each in block.steps:
+        step = each.step
+        yield from remark(step, before)
+        before = step
+        yield t.Let(step.name, expression(step.expr, block.order_of(step)))
+        own = _own_error(each)
+        if each.rounds and step.name in apart:
+            yield t.Let(f"{step.name}_own", own)
+            own = t.Name(f"{step.name}_own")
+        if not each.exact and step.name not in unread:
+            yield t.Let(f"{step.name}_err", _error(each, own))
+        if step.name in block.limits:
+            yield _limit(block, step.name)
+
+
+def _own_error(each: RoundedStep) -> t.Expression:
+    """What the step's own operations round away."""
+    value = t.Name(each.step.name)
+    sizes = [expression(each.rounded)] if each.rounded != 0 else []
+    if each.kind == ROOT:
+        return t.Call("root_error", (value, _units(sizes)))
+    return _units([*sizes, t.Call("size", (value,))] if each.own else sizes)
+
+
+def _error(each: RoundedStep, own: t.Expression) -> t.Expression:
+    """The bound: errors of what goes in, and the step's own."""
+    value = t.Name(each.step.name)
+    carried = [expression(each.carried)] if each.carried != 0 else []
+    if each.kind == RECIPROCAL:
+        return t.Call("reciprocal_error", (value, expression(each.step.expr.base), _total(carried)))
+    if each.kind == ROOT:
+        inner = [_units([expression(each.rounded)])] if each.rounded != 0 else []
+        return t.Call("root_error", (value, _total([*carried, *inner])))
+    return _total([*carried, own] if each.rounds else carried)
+
+
+def _total(terms: list[t.Expression]) -> t.Expression:
+    return reduce(operator.add, terms) if terms else t.Number(0.0)
+
+
+def _units(sizes: list[t.Expression]) -> t.Expression:
+    """Sizes times the rounding unit."""
+    return _times(t.Constant("UNIT"), _total(sizes)) if sizes else t.Number(0.0)
+
+
+def _times(factor: t.Expression, value: t.Expression) -> t.Expression:
+    """A product from left to right."""
+    if isinstance(value, t.Binary) and value.operator == "*":
+        return _times(factor, value.left) * value.right
+    return factor * value
+
+
+def _stored_outputs(block: RoundedBlock, outputs: Iterable[Output]) -> Iterable[t.Statement]:
+    """Values and errors handed out."""
+    for out in outputs:
+        q = out.quantity
+        owner = "added" if q in ADDED else "out"
+        for i, expr in enumerate(out.exprs):
+            value, error = _value_and_error(owner, q, i)
+            yield t.Assign(value, expression(expr))
+            if block.inexact(q) or q in ADDED:
+                yield t.Assign(error, expression(block.output_error(expr)))

@@ -16,9 +16,9 @@ import numpy as np
 
 from ..backend.kernel import kernel_name, module
 from ..derive.generate import reduced_axial, reduced_fidelity, reduced_kinematics, reduced_rotation
-from ..derive.kernel.drives.torque import axial_program, torque_program
 from ..derive.kernel.kinematics import PUBLIC, rotation_program, search_program
 from ..derive.kernel.outputs import FORCED, FORCES, program
+from ..derive.kernel.torque import axial_program, torque_program
 from ..derive.kernel.tree.constants import constants
 from ..derive.kernel.tree.interpret import Arithmetic, Interpreter
 from ..derive.kernel.tree.nodes import Program

@@ -2,16 +2,15 @@
 
 from math import factorial
 
-from ...mechanics import quantities as n
-from ...program.block import Block
-from ..elimination import RETURNED
-from ..interface import STRUCTS
-from ..layouts import Arguments, Written, block_function, structure
-from ..prepare import machine_structures, result
-from ..tree import nodes as t
-from ..tree.read import Entries, Given
-from ..written import legs
-from . import written
+from ..mechanics import quantities as n
+from ..program.block import Block
+from .elimination import RETURNED
+from .interface import STRUCTS
+from .layouts import Arguments, Written, block_function, structure
+from .prepare import machine_structures, result
+from .tree import nodes as t
+from .tree.read import Entries, Given
+from .written import legs
 
 DRIVES = t.Structure(
     "Drives",
@@ -37,7 +36,7 @@ def torque_program() -> t.Program:
     last, *factors = (t.Number(1.0 / factorial(k)) for k in range(12, 1, -1))
     series: dict[str, Given] = {"LAST": last, "FACTORS": Entries(tuple(factors))}
     made = Written.of((DRIVES, _TORQUES), given=series)
-    made.add(written.decay_of, written.sign_of, written.motor_torques)
+    made.add(legs.decay_of, legs.sign_of, legs.motor_torques)
     return made.program("torque")
 
 
@@ -46,5 +45,5 @@ def axial_program(block: Block) -> t.Program:
     of_leg: Arguments = {"leg": ("Leg", n.OF_LEG), "motion": ("Motion", n.MOTION)}
     held = (*machine_structures(drive=True), structure("RotorTerms", "A leg.", block.made), _AXIAL)
     made = Written.of(held, [block_function(block, "axial_terms", "RotorTerms", of_leg)], RETURNED)
-    made.add(legs.largest_component, legs.reach_of, legs.fault_of, written.axial_forces)
+    made.add(legs.largest_component, legs.reach_of, legs.fault_of, legs.axial_forces)
     return made.program("axial")

@@ -1,1 +1,0 @@
-"""Torques of the motors."""
