@@ -108,9 +108,8 @@ class Forces:
         dx = np.abs(self._inverse) @ (factors @ np.abs(self._x)[..., None] + dc[..., None])
         self.F = np.where(good[:, None], D - self._x, np.nan)
         self.bound = np.where(good[:, None], dD + dx[..., 0] + HALF_UNIT * np.abs(self.F), np.nan)
-        force, moment = c[:, :3], c[:, 3:]
-        if self._tip:
-            moment = moment + np.cross(np.transpose(self._tip), force)
+        force = c[:, :3]
+        moment = c[:, 3:] + np.cross(np.transpose(self._tip), force)
         self.load = np.concatenate([force, moment], axis=1)
 
     @cached_property
@@ -126,20 +125,17 @@ class Forces:
     def _rows(self, constants: dict[str, Any], sqrt: Callable[[Any], Any]) -> tuple[Any, Rows, Rows, Rows]:
         """D, and rows of H and c of the legs and of c of the platform.
 
-        Moments are about where platform point 1 is with the constants of the first call, if the kernel takes
-        them about that.
+        Moments are about where platform point 1 is with the constants of the first call.
         """
         known = self._motion | constants
         pose = _run(self._kernel.shared, known, sqrt)
         leg = _run(self._leg, known | pose, sqrt)
-        H, H_moment, c, c_moment = (_of(leg, q) for q in (n.H_force, n.H_moment, n.c_force, n.c_moment))
+        H, c, c_moment = (_of(leg, q) for q in (n.H_force, n.c_force, n.c_moment))
         force, moment = (_of(pose, q) for q in (n.c_force, n.c_moment))
-        if self._kernel.about_tip:
-            tip, arms = self._arms(_of(leg, n.q))
-            moment = _less(moment, _cross(tip, force))
-            H_moment = _cross(arms, H)
-            c_moment = [one + other for one, other in zip(_cross(arms, c), c_moment, strict=True)]
-        return leg.get(n.D.name, 0.0), H + H_moment, c + c_moment, force + moment
+        tip, arms = self._arms(_of(leg, n.q))
+        moment = _less(moment, _cross(tip, force))
+        c_moment = [one + other for one, other in zip(_cross(arms, c), c_moment, strict=True)]
+        return leg.get(n.D.name, 0.0), H + _cross(arms, H), c + c_moment, force + moment
 
     def _arms(self, q: Rows) -> tuple[Rows, Rows]:
         """Platform point 1, and the arms of the legs from it."""
