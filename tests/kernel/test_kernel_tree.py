@@ -4,7 +4,6 @@ from dataclasses import replace
 from fractions import Fraction
 from math import isqrt
 from pathlib import Path
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -23,7 +22,7 @@ from stewart_sym.derive.generate import prepared_model, reduced_fidelity, reduce
 from stewart_sym.derive.kernel.outputs import OUTPUTS, program
 from stewart_sym.derive.kernel.tree import read
 from stewart_sym.derive.kernel.tree.interpret import Arithmetic, Interpreter
-from stewart_sym.derive.kernel.tree.nodes import Array, Integer, Program, Record, Type
+from stewart_sym.derive.kernel.tree.nodes import Integer, Program, Record
 from stewart_sym.derive.mechanics.formulation import EXACT, EXACT_DRIVE, PAPER
 from stewart_sym.derive.mechanics.reduced_models import FIDELITIES
 from stewart_sym.derive.package import languages
@@ -78,20 +77,10 @@ def test_a_model_that_nobody_prepared_has_the_status_that_it_has_in_c() -> None:
     object.__setattr__(kernel, "model", np.zeros_like(kernel.model))
     run, rng = Interpreter(tree, ON_ARRAYS), np.random.default_rng(14)
     for motion in (random_motion(rng, dasgupta()), ss.Motion(np.eye(3), np.zeros(3), *np.zeros((4, 3)))):
-        model = zeros(tree, Record("Model"))
+        model = run.zero(Record("Model"))
         with np.errstate(all="ignore"):
             found = run.run("forces", model, motion_numbers(motion))
         assert found.status == kernel.forces_and_status(motion)[1] != 0
-
-
-def zeros(tree: Program, kind: Type) -> Any:
-    if isinstance(kind, Array):
-        count, *others = kind.dims
-        return [zeros(tree, Array(kind.item, tuple(others)) if others else kind.item) for _ in range(count)]
-    if isinstance(kind, Record):
-        members = tree.structure(kind.name).members
-        return SimpleNamespace(**{each.name: zeros(tree, each.type) for each in members})
-    return 0 if isinstance(kind, Integer) else np.float64(0.0)
 
 
 def test_a_machine_that_is_singular_everywhere_is_so_for_the_tree() -> None:

@@ -2,15 +2,16 @@
 
 from dataclasses import replace
 from types import SimpleNamespace
-from typing import Any
 
 import numpy as np
 from machines import random_motion
 
 import stewart_sym as ss
+from stewart_sym.backend.numpy_kernel import loaded
 from stewart_sym.derive.kernel.tree.constants import constants
 from stewart_sym.derive.kernel.tree.interpret import Arithmetic
 from stewart_sym.derive.mechanics import quantities as n
+from stewart_sym.formulas.trees import robot_structure
 
 EPSILON = 2.0**-52
 ON_ARRAYS = Arithmetic(
@@ -24,29 +25,14 @@ ON_ARRAYS = Arithmetic(
 )
 
 
-def fields(quantities: Any, owner: Any, leg: int | None = None) -> dict[str, Any]:
-    """Members of a structure, components first and poses last."""
-    found = {}
-    for q in quantities:
-        value = np.asarray(getattr(owner, q.name), dtype=float)
-        value = value if leg is None else value[leg]
-        parts = [value[(..., *key)] for key in q.keys]
-        found[q.name] = parts if q.shape else parts[0]
-    return found
-
-
 def robot_numbers(robot: ss.Robot) -> SimpleNamespace:
-    legs = [SimpleNamespace(**fields(n.OF_LEG, robot, i)) for i in range(6)]
-    return SimpleNamespace(**fields(n.PLATFORM, robot), leg=legs)
+    return robot_structure(robot, lambda _, value: value)
 
 
 def motion_numbers(motion: ss.Motion) -> SimpleNamespace:
-    still = np.zeros(motion.t.shape)
-    loads = {
-        name: still if getattr(motion, name) is None else getattr(motion, name) for name in ("F_ext", "M_ext")
-    }
-    given = {q.name: loads.get(q.name, getattr(motion, q.name)) for q in n.MOTION}
-    return SimpleNamespace(**fields(n.MOTION, SimpleNamespace(**given)))
+    """Components first and poses last."""
+    numbers = vars(loaded(motion))
+    return SimpleNamespace(**{q.name: [numbers[q.name][(..., *key)] for key in q.keys] for q in n.MOTION})
 
 
 def beside_the_joint_axis(rng: np.random.Generator, robot: ss.Robot, sine: float) -> ss.Motion:
