@@ -145,16 +145,8 @@ class Interpreter:
 
     def _zeros(self, kind: t.Type) -> Callable[[], Any]:
         """What makes values of this type with zeros."""
-        if isinstance(kind, t.Array):
-            count, *others = kind.dims
-            make = self._zeros(t.Array(kind.item, tuple(others)) if others else kind.item)
-            return lambda: [make() for _ in range(count)]
-        if isinstance(kind, t.Record):
-            members = self.program.structure(kind.name).members
-            parts = {each.name: self._zeros(each.type) for each in members}
-            return lambda: SimpleNamespace(**{name: make() for name, make in parts.items()})
         zero = self.arithmetic.number(0)
-        return lambda: zero
+        return lambda: filled(self.program, kind, lambda *_: zero)
 
     def _kept(self, statement: t.Let | t.Variable | t.Assign, value: Any, known: Known) -> Any:
         """What a statement stores."""
