@@ -1,19 +1,17 @@
 """Operation counts: what the headers claim is what the C executes, and it stays below the limits."""
 
-import subprocess
-from collections.abc import Sequence
 from pathlib import Path
 from string import Template
 
 import numpy as np
 import pytest
-from counting_c import COUNTING, REPORT
+from counting_c import REPORT, counted
 from formulations import OF_EACH_FORMULATION
 from machines import random_motion, random_robot, random_robot_of
 from scalar_kernels import with_headers
 
 from stewart_sym.backend.c_kernel import c_sources
-from stewart_sym.backend.kernel import defines_of, module, robot_numbers, takes_rotors
+from stewart_sym.backend.kernel import module
 from stewart_sym.derive.emit import lanes, scalar
 from stewart_sym.derive.emit.closed_form import sum_operations
 from stewart_sym.derive.generate import reduced, reduced_forces, reduced_motion
@@ -67,43 +65,14 @@ def sums(kernel: str, given: str) -> str:
 
 
 def executed(
-    kernel: str,
-    source: str,
-    call: str,
-    robot: Robot,
-    motion: Motion,
-    folder: Path,
-    sources: dict[str, str] | None = None,
-) -> tuple[int, ...]:
-    """(mul, add, div, sqrt) that a call executes, counted by the C's own arithmetic type."""
-    (counts,) = all_executed(kernel, sources or c_sources(source), [call], robot, motion, folder)
-    return counts
-
-
-def all_executed(
-    kernel: str, texts: dict[str, str], calls: Sequence[str], robot: Robot, motion: Motion, folder: Path
+    kernel: str, texts: dict[str, str], robot: Robot, motion: Motion, folder: Path, *calls: str
 ) -> list[tuple[int, ...]]:
-    """The counts of several calls, compiled once.
-
-    texts: the C by file name.
-    """
-    for name, text in texts.items():
-        (folder / name).write_text(text)
-    parts = [motion.R, motion.t, motion.omega, motion.v, motion.alpha, motion.a, motion.F_ext, motion.M_ext]
-    numbers = np.concatenate([np.ravel(part) for part in parts if part is not None])
+    """(mul, add, div, sqrt) that each call executes; texts: the C by file name."""
     includes = "\n".join(f'#include "{name}"' for name in sorted(texts) if name.endswith(".c"))
-    done = "\n".join(f"{{ {call}{REPORT} }}" for call in calls)
-    given = {"ROBOT": robot_numbers(robot, takes_rotors(kernel)), "MOTION": numbers}
-    listed = {mark: ", ".join(repr(float(v)) for v in values) for mark, values in given.items()}
-    calls_of_kernel = Template(done).substitute(KERNEL=kernel)
-    program = Template(COUNTING).substitute(INCLUDES=includes, CALL=calls_of_kernel, **listed)
-    (folder / "count.cpp").write_text(program)
-    defines = [f"-D{name}" for name in defines_of(kernel)]
-    subprocess.run(["g++", "-O0", "-w", *defines, "count.cpp", "-o", "count"], check=True, cwd=folder)
-    lines = subprocess.run(["./count"], check=True, capture_output=True, text=True, cwd=folder).stdout
-    found = [tuple(int(word) for word in line.split()) for line in lines.splitlines()]
-    assert [status for status, *_ in found] == [0] * len(calls)
-    return [line[1:] for line in found]
+    done = Template("\n".join(f"{{ {call}{REPORT} }}" for call in calls)).substitute(KERNEL=kernel)
+    found = counted(texts, includes, done, robot, motion, folder, kernel)
+    assert [status for status, _ in found] == [0] * len(calls)
+    return [counts for _, counts in found]
 
 
 @OF_EACH_FORMULATION
@@ -111,8 +80,8 @@ def test_header_counts_are_the_operations_that_the_c_executes(form, tmp_path: Pa
     rng = np.random.default_rng(3)
     robot = random_robot_of(rng, form)
     name = form.kernel_name
-    counted = executed(name, name, PLAIN, robot, random_motion(rng, robot), tmp_path)
-    assert counted == module(name).OPERATIONS["friction"]["total"]
+    (found,) = executed(name, c_sources(name), robot, random_motion(rng, robot), tmp_path, PLAIN)
+    assert found == module(name).OPERATIONS["friction"]["total"]
 
 
 @OF_EACH_FORMULATION
@@ -120,8 +89,9 @@ def test_header_counts_of_the_force_kernel_are_what_each_lane_executes(form, tmp
     rng = np.random.default_rng(4)
     robot = random_robot_of(rng, form)
     name = form.kernel_name
-    counted = executed(name, f"{name}_forces", BLOCK, robot, random_motion(rng, robot), tmp_path)
-    assert counted == tuple(8 * n for n in module(name).FORCE_OPERATIONS["friction"]["total"])
+    sources = c_sources(f"{name}_forces")
+    (found,) = executed(name, sources, robot, random_motion(rng, robot), tmp_path, BLOCK)
+    assert found == tuple(8 * n for n in module(name).FORCE_OPERATIONS["friction"]["total"])
 
 
 @pytest.mark.slow
@@ -136,7 +106,7 @@ def test_counts_of_the_closed_form_are_what_the_c_executes(tmp_path: Path) -> No
         claims.append((claimed.mul, claimed.add, claimed.div, claimed.sqrt))
     motion = random_motion(rng, robot)
     assert len(calls) == 6
-    assert all_executed("exact", closed_form.c_sources(), calls, robot, motion, tmp_path) == claims
+    assert executed("exact", closed_form.c_sources(), robot, motion, tmp_path, *calls) == claims
 
 
 def test_frictionless_count_is_what_each_lane_of_such_a_kernel_executes(tmp_path: Path) -> None:
@@ -144,8 +114,8 @@ def test_frictionless_count_is_what_each_lane_of_such_a_kernel_executes(tmp_path
     robot = random_robot(rng, friction=False)
     kernel = reduced_forces(EXACT, friction=False)
     sources = with_headers(lanes.files(kernel, "test", kernel))
-    counted = executed("exact", "exact_forces", BLOCK, robot, random_motion(rng, robot), tmp_path, sources)
-    assert counted == tuple(8 * n for n in module("exact").FORCE_OPERATIONS["frictionless"]["total"])
+    (found,) = executed("exact", sources, robot, random_motion(rng, robot), tmp_path, BLOCK)
+    assert found == tuple(8 * n for n in module("exact").FORCE_OPERATIONS["frictionless"]["total"])
 
 
 def test_count_of_legs_one_after_the_other_is_what_their_function_executes(tmp_path: Path) -> None:
@@ -156,8 +126,8 @@ def test_count_of_legs_one_after_the_other_is_what_their_function_executes(tmp_p
     claimed = force_operations(kernel, scalar_text=True).total
     # Sums of sizes, which checks compare: of t and the machine, and of the forces.
     checks = 4 + 5
-    counted = executed("exact", "", POSE, robot, random_motion(rng, robot), tmp_path, sources)
-    assert counted == (claimed.mul, claimed.add + checks, claimed.div, claimed.sqrt)
+    (found,) = executed("exact", sources, robot, random_motion(rng, robot), tmp_path, POSE)
+    assert found == (claimed.mul, claimed.add + checks, claimed.div, claimed.sqrt)
 
 
 @pytest.mark.parametrize("scalar", [pytest.param(False, marks=pytest.mark.slow), True])
@@ -169,18 +139,12 @@ def test_count_with_folded_numbers_is_what_the_c_executes_where_moments_are_scal
     made = parts(robot, Choice(bake=True, scalar=scalar))
     (forces,) = (each for each in made.functions if each.stem == "forces")
     call = FOLDED_POSE if scalar else FOLDED_BLOCK
-    counted = executed(
-        "exact",
-        "",
-        Template(call).safe_substitute(FORCES=forces.symbol),
-        robot,
-        random_motion(rng, robot),
-        tmp_path,
-        {name: text for name, text in made.files.items() if name != "stewart_rotation.c"},
-    )
+    sources = {name: text for name, text in made.files.items() if name != "stewart_rotation.c"}
+    done = Template(call).safe_substitute(FORCES=forces.symbol)
+    (found,) = executed("exact", sources, robot, random_motion(rng, robot), tmp_path, done)
     # Sums of sizes, as above, and the product of six constants that a compiler folds.
     poses, checks = (1, 9 + 5) if scalar else (8, 0)
-    assert sum(counted) == poses * made.baked_operations + checks
+    assert sum(found) == poses * made.baked_operations + checks
 
 
 @pytest.mark.slow

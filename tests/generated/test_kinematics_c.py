@@ -1,7 +1,6 @@
 """The generated kinematics in C, double and float: what NumPy finds, and nothing found that is wrong."""
 
 import ctypes
-import subprocess
 from pathlib import Path
 from string import Template
 
@@ -9,7 +8,7 @@ import mpmath
 import numpy as np
 import pytest
 import sympy as sp
-from counting_c import COUNTING, REPORT
+from counting_c import REPORT, counted, listed
 from kinematics_calls import PRECISIONS, AnyArray, Array, forward, inverse, library, poses_of, velocity
 from leg_lengths import lengths, nudged, paper_poses
 from machines import dasgupta, machine_size, random_motion, random_robot
@@ -151,34 +150,18 @@ def test_header_counts_are_what_the_c_executes(tmp_path: Path) -> None:
     robot = random_robot(rng)
     motion = random_motion(rng, robot)
     R, t = nudged(rng, motion.R[None], motion.t[None], 0.3, 0.3 * machine_size(robot))
-    parts = [motion.R, motion.t, motion.omega, motion.v, motion.alpha, motion.a, motion.F_ext, motion.M_ext]
-
-    def listed(*values: AnyArray | None) -> str:
-        return ", ".join(repr(float(v)) for value in values if value is not None for v in np.ravel(value))
-
-    numbers = {
-        "FAR": f"{{{{{listed(R)}}}, {{{listed(t)}}}}}",
-        "EXACT": f"{{{{{listed(motion.R)}}}, {{{listed(motion.t)}}}}}",
-        "LENGTHS": listed(ss.inverse_kinematics(robot, motion).L),
-        "ROBOT": listed(robot_numbers(robot)),
-        "MOTION": listed(*parts),
-    }
-    calls = Template(COUNTED + REPORT).substitute(numbers)
-    program = Template(COUNTING).substitute(numbers, INCLUDES=BOUND, CALL=calls)
-    for name, text in (c_sources("kinematics") | {"count.cpp": program}).items():
-        (tmp_path / name).write_text(text)
-    subprocess.run(["g++", "-O1", "-w", "count.cpp", "-o", "count"], check=True, cwd=tmp_path)
-    lines = subprocess.run(["./count"], check=True, capture_output=True, text=True, cwd=tmp_path).stdout
-    status, counts = [], []
-    for line in lines.splitlines():
-        first, *rest = (int(word) for word in line.split())
-        status.append(first)
-        counts.append(Operations(*rest))
+    calls = Template(COUNTED + REPORT).substitute(
+        FAR=f"{{{{{listed(R)}}}, {{{listed(t)}}}}}",
+        EXACT=f"{{{{{listed(motion.R)}}}, {{{listed(motion.t)}}}}}",
+        LENGTHS=listed(ss.inverse_kinematics(robot, motion).L),
+    )
+    found = counted(c_sources("kinematics"), BOUND, calls, robot, motion, tmp_path)
+    status, counts = [each for each, _ in found], [Operations(*each) for _, each in found]
     assert status[:4] == [results.OK] * 4
     assert status[4:6] == [results.NOT_CONVERGED] * 2
-    found = search_operations(reduced_kinematics())
-    assert counts[:4] == [found[name] for name in ("lengths", "lengths, rates", "velocity", "search")]
-    assert counts[5] == counts[4] + found["step"]
+    claimed = search_operations(reduced_kinematics())
+    assert counts[:4] == [claimed[name] for name in ("lengths", "lengths, rates", "velocity", "search")]
+    assert counts[5] == counts[4] + claimed["step"]
 
 
 # Agreement with NumPy

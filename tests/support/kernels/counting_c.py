@@ -1,5 +1,16 @@
 """C that counts its own operations."""
 
+import subprocess
+from collections.abc import Mapping
+from pathlib import Path
+from string import Template
+
+import numpy as np
+
+from stewart_sym.backend.kernel import MOTION, defines_of, robot_numbers, takes_rotors
+from stewart_sym.motion.motion import Motion
+from stewart_sym.robot.robot import Robot
+
 COUNTING = r"""
 #include <cstddef>
 #include <cmath>
@@ -59,3 +70,35 @@ int main() {
 """
 REPORT = r"""
     std::printf("%d %ld %ld %ld %ld\n", status, counts.mul, counts.add, counts.div, counts.sqrt);"""
+
+
+def listed(*values: object) -> str:
+    """Numbers of arrays as C has them."""
+    return ", ".join(repr(float(number)) for value in values for number in np.ravel(value))
+
+
+def counted(
+    texts: Mapping[str, str],
+    includes: str,
+    calls: str,
+    robot: Robot,
+    motion: Motion,
+    folder: Path,
+    kernel: str = "exact",
+) -> list[tuple[int, tuple[int, ...]]]:
+    """Status and (mul, add, div, sqrt) of each call that is reported, by the C's own arithmetic type.
+
+    texts: the C by file name; kernel: for whose robots it is.
+    """
+    given = {
+        "ROBOT": listed(robot_numbers(robot, takes_rotors(kernel))),
+        "MOTION": listed(*(getattr(motion, name) for name in MOTION)),
+    }
+    program = Template(COUNTING).substitute(given, INCLUDES=includes, CALL=calls)
+    for name, text in {**texts, "count.cpp": program}.items():
+        (folder / name).write_text(text)
+    flags = [f"-D{name}" for name in defines_of(kernel)]
+    subprocess.run(["g++", "-O0", "-w", *flags, "count.cpp", "-o", "count"], check=True, cwd=folder)
+    lines = subprocess.run(["./count"], check=True, capture_output=True, text=True, cwd=folder).stdout
+    rows = [[int(word) for word in line.split()] for line in lines.splitlines()]
+    return [(status, tuple(counts)) for status, *counts in rows]
