@@ -1,58 +1,27 @@
 """C++ that wraps a kit's functions: called from C++17 and C++20, no status ignored."""
 
 import dataclasses
+from functools import cache
 from pathlib import Path
 
 import pytest
 from builds import ROBOT, SYMBOL, needed, run, texts, written
+from kits import few_vectors
 
-from stewart_sym.backend.c_kernel import c_sources
 from stewart_sym.derive.kernel.interface import CALLS
 from stewart_sym.derive.package import cpp as kit_cpp
 from stewart_sym.derive.package.build import build_files
-from stewart_sym.derive.package.functions import MODEL, NOTHING, Function
-from stewart_sym.derive.package.functions import ROBOT as OF_ROBOT
+from stewart_sym.derive.package.functions import MODEL, Function
 from stewart_sym.kit import Choice
-from stewart_sym.kit.choice import STEMS
 from stewart_sym.kit.parts import parts
 from stewart_sym.robot.robot import Robot
 
 STRICT = ("-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror")
 
 
-# --- C++ ----------------------------------------------------------------------------------------
+GROUPS = ("forces", "reactions", "motion", "derivatives", "kinematics")
 
 
-MOTION = (*STEMS["motion"], *STEMS["derivatives"])
-BAKED = f"{SYMBOL}_forces"
-
-
-def of_model(stem: str, header: str, prefix: str = "stewart_exact") -> Function:
-    return Function(stem, f"{prefix}_{stem}", header, MODEL, prefix)
-
-
-FUNCTIONS = (
-    of_model("forces", "stewart_exact_forces.h"),
-    *(of_model(stem, "stewart_exact_motion.h") for stem in MOTION),
-    *(
-        Function(stem, f"stewart_exact_{stem}", "stewart_exact.h", OF_ROBOT, "")
-        for stem in ("inverse_dynamics", "joint_reactions")
-    ),
-    Function("forces", BAKED, f"{BAKED}.h", NOTHING, ""),
-)
-KINEMATICS_H = """
-#pragma once
-#include "stewart.h"
-extern "C" {
-typedef struct { stewart_real R[9]; stewart_real t[3]; } stewart_pose;
-int stewart_inverse_kinematics(
-    const stewart_robot *robot, const stewart_motion *motion, stewart_real L[6], stewart_real L_dot[6]);
-int stewart_forward_kinematics(const stewart_robot *robot, const stewart_real L[6], stewart_pose *pose);
-int stewart_forward_velocity(
-    const stewart_robot *robot, const stewart_pose *pose, const stewart_real L_dot[6], stewart_real v[3],
-    stewart_real omega[3]);
-}
-"""
 USER_CPP = f"""
 #include <array>
 #include <cmath>
@@ -141,20 +110,27 @@ int main()
 CPP = ("-fno-exceptions", "-fno-rtti", *STRICT)
 
 
+@cache
+def wrapped_functions() -> list[Function]:
+    """Those of a kit with everything but torques, and forces with the robot's numbers folded in."""
+    robot = Robot.from_toml(ROBOT)
+    whole, baked = parts(robot, Choice(GROUPS)), parts(robot, Choice(bake=True))
+    return [*whole.functions, *baked.parts[0].functions]
+
+
 @pytest.fixture(scope="module", params=["double", pytest.param("float", marks=pytest.mark.slow)])
 def wrapped(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Folder of a kit with everything that C++ wraps, and its library."""
     needed("make")
     robot = Robot.from_toml(ROBOT)
-    files = texts(robot, Choice(("kinematics",), precision=request.param))
-    for choice in (Choice(("forces", "reactions", "motion", "derivatives")), Choice(bake=True)):
+    with few_vectors():
+        files = texts(robot, Choice(("kinematics",), precision=request.param))
+    for choice in (Choice(GROUPS), Choice(bake=True)):
         files |= parts(robot, dataclasses.replace(choice, precision=request.param)).files
     sources = [name for name in files if name.endswith(".c") and "/" not in name]
-    files |= build_files("all", "0", sources, ("stewart.h",)) | {
-        "stewart.hpp": kit_cpp.wrapper(FUNCTIONS, "0")
-    }
+    files |= build_files("all", "0", sources, ("stewart.h",))
+    files |= {"stewart.hpp": kit_cpp.wrapper(wrapped_functions(), "0"), "user.cpp": USER_CPP}
     folder = written(files, tmp_path_factory.mktemp("wrapped"))
-    (folder / "user.cpp").write_text(USER_CPP)
     run("make", "liball.a", "CFLAGS=-O0", cwd=folder)
     return folder
 
@@ -168,34 +144,31 @@ def test_functions_are_called_from_cpp(wrapped: Path, compiler: str, standard: s
     run(wrapped / program)
 
 
+def test_every_function_is_wrapped() -> None:
+    torques = {"axial_forces", "motor_torques"}  # ``test_torque_kits``
+    assert {function.stem for function in wrapped_functions()} | torques == set(CALLS)
+
+
 @pytest.mark.parametrize("compiler", ["g++", "clang++"])
-def test_every_function_can_be_wrapped_and_no_status_ignored(tmp_path: Path, compiler: str) -> None:
+def test_no_status_is_ignored(wrapped: Path, compiler: str) -> None:
     needed(compiler)
-    stems = ("inverse_kinematics", "forward_kinematics", "forward_velocity")
-    functions = [Function(s, f"stewart_{s}", "stewart_kinematics.h", OF_ROBOT, "") for s in stems]
-    turned = {"motion_from_rpy", "motion_from_quaternion"}  # of a kit of the forces, made elsewhere
-    turned |= {"axial_forces", "motor_torques"}  # below
-    assert {function.stem for function in (*FUNCTIONS, *functions)} | turned == set(CALLS)
-    (tmp_path / "stewart_kinematics.h").write_text(KINEMATICS_H)
-    (tmp_path / "stewart.h").write_text(c_sources("exact")["stewart.h"])
-    (tmp_path / "stewart.hpp").write_text(kit_cpp.wrapper(functions, "0"))
     use = (
         '#include "stewart.hpp"\n'
-        "status call(const stewart_robot &robot, stewart_pose &pose);\n"
-        "status call(const stewart_robot &robot, stewart_pose &pose)\n{\n"
+        "stewart::status call(const stewart_robot &robot, stewart_pose &pose);\n"
+        "stewart::status call(const stewart_robot &robot, stewart_pose &pose)\n{\n"
         "    const std::array<stewart::real, 6> L{};\n"
         "    KEEP stewart::kinematics_kernel(robot).forward_kinematics(L, pose);\n}\n"
-    ).replace("status call", "stewart::status call")
-    command = (compiler, "-std=c++17", "-fsyntax-only", *CPP, "user.cpp")
-    (tmp_path / "user.cpp").write_text(use.replace("KEEP", "return"))
-    run(*command, cwd=tmp_path)
-    (tmp_path / "user.cpp").write_text(use.replace("KEEP", "").replace("\n}\n", "\n    return {};\n}\n"))
-    assert "nodiscard" in run(*command, cwd=tmp_path, code=1)
+    )
+    command = (compiler, "-std=c++17", "-fsyntax-only", *CPP, "call.cpp")
+    (wrapped / "call.cpp").write_text(use.replace("KEEP", "return"))
+    run(*command, cwd=wrapped)
+    (wrapped / "call.cpp").write_text(use.replace("KEEP", "").replace("\n}\n", "\n    return {};\n}\n"))
+    assert "nodiscard" in run(*command, cwd=wrapped, code=1)
 
 
 def test_kernels_of_one_pose_have_no_batch_and_unknown_functions_are_told() -> None:
-    pose = of_model("forces", "stewart_exact_pose.h", "stewart_exact_pose")
-    pose = dataclasses.replace(pose, one_pose=True)
+    name = "stewart_exact_pose"
+    pose = Function("forces", f"{name}_forces", f"{name}.h", MODEL, name, one_pose=True)
     text = kit_cpp.wrapper([pose], "0")
     assert "class exact_pose_kernel" in text
     assert "batch" not in text
