@@ -3,7 +3,6 @@
 import ctypes
 import dataclasses
 import functools
-from typing import Any
 
 import numpy as np
 import pytest
@@ -20,27 +19,20 @@ from stewart_sym.derive.mechanics.baked_constants import _Constants
 from stewart_sym.derive.mechanics.quantities import Quantity
 from stewart_sym.derive.package.words import robot_symbol
 from stewart_sym.kit import Choice
-from stewart_sym.kit.parts import Parts, parts
+from stewart_sym.kit.parts import parts
 from stewart_sym.motion.motion import Motion
 from stewart_sym.robot.robot import Robot
 
-EPSILON = np.finfo(np.float64).eps
 Array = NDArray[np.float64]
 
 
-def compiled(robot: Robot, made: Parts, level: str) -> Any:
-    """The batch of a baked kernel."""
-    own = {name: text for name, text in made.files.items() if name.startswith("stewart")}
-    suffix = "" if level == "general" else f"_{level}"
-    return getattr(native.load("baked", own, ["-O0"]), f"{robot_symbol(robot.name)}{suffix}_forces_batch")
-
-
-def baked_forces(robot: Robot, motion: Motion, level: str) -> Array:
+def baked_forces(robot: Robot, motion: Motion) -> Array:
+    files = parts(robot, Choice(bake=True)).files
+    call = getattr(native.load("baked", files, ["-O0"]), f"{robot_symbol(robot.name)}_forces_batch")
     count = motion.t.shape[0]
     F, status = np.full((count, 6), np.nan), np.zeros(count, dtype=np.int32)
     arrays = [np.ascontiguousarray(getattr(motion, name)) for name in MOTION]
     pointers = (ctypes.c_void_p * len(arrays))(*map(address, arrays))
-    call = compiled(robot, parts(robot, Choice(fidelity=level, bake=True)), level)
     call(ctypes.c_size_t(count), pointers, address(F), address(status))
     assert (status == 0).all()
     return F
@@ -76,18 +68,6 @@ def simple_robot() -> Robot:
     )
 
 
-@pytest.mark.parametrize("level", ["general", "massless_static"])
-def test_baked_forces_are_those_of_the_prepared_kernel(level: str) -> None:
-    for robot in (dasgupta(), random_robot(np.random.default_rng(3))):
-        motion = motions(robot)
-        found = baked_forces(robot, motion, level)
-        expected = ss.prepare(robot, fidelity=level).forces(motion)
-        whole = ss.inverse_dynamics(robot, motion)
-        size = np.abs([whole.F, whole.D, whole.x]).max(axis=(0, 2))
-        bound = 100 * EPSILON * ss.condition_number(whole.H) * size
-        assert (np.abs(found - expected).max(axis=1) <= bound).all()
-
-
 @pytest.mark.parametrize(
     "level", ["general", "frictionless", "slender_friction", "point_masses", "massless_static"]
 )
@@ -107,7 +87,7 @@ def test_terms_that_are_zero_for_a_robot_disappear_from_its_kernel() -> None:
     assert general <= cost("frictionless") <= fidelity.operations(robot, fidelity="axisymmetric")
     assert general <= slim + 5
     motion = motions(robot)
-    found, expected = baked_forces(robot, motion, "general"), ss.inverse_dynamics(robot, motion).F
+    found, expected = baked_forces(robot, motion), ss.inverse_dynamics(robot, motion).F
     assert np.abs(found - expected).max() <= 1e-11 * np.abs(expected).max()
 
 

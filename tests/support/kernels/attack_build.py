@@ -24,27 +24,18 @@ def oracles(rotors: bool = False) -> dict[str, tuple[str, str]]:
     found = {}
     for path in sorted(GENERATED.glob("*.c")):
         kernel = path.stem.removeprefix("stewart_")
-        if ("_drive" in kernel) != rotors:
-            continue
-        if kernel == "rotation":  # no pointer beyond its three vectors; held to ``Motion`` with the kits
-            continue
-        if kernel.endswith("_motion"):
-            found[path.stem] = (kernel.removesuffix("_motion"), "motion")
-        elif kernel.endswith("_regressor"):
-            found[path.stem] = (kernel.removesuffix("_regressor"), "regressor")
-        elif kernel.endswith("_bounds"):
-            found[path.stem] = (kernel.removesuffix("_bounds"), "bounds")
-        elif kernel.endswith("_axial"):
-            found[path.stem] = (kernel.removesuffix("_axial"), "axial")
-        elif kernel in ("kinematics", "legs", "torque"):
-            found[path.stem] = (kernel, kernel)
-        elif kernel.endswith("_forces"):
-            found[path.stem] = (kernel.removesuffix("_forces"), "forces")
-        else:
-            found[path.stem] = (kernel, "dynamics")
+        # Of rotations no pointer leads beyond three vectors; they are held to ``Motion`` with the kits.
+        if ("_drive" in kernel) == rotors and kernel != "rotation":
+            stem, _, kind = kernel.rpartition("_")
+            if kind in ("motion", "regressor", "bounds", "axial", "forces"):
+                found[path.stem] = (stem, kind)
+            else:
+                found[path.stem] = (kernel, kernel if kernel in ALONE else "dynamics")
     return found
 
 
+ALONE = ("kinematics", "legs", "torque")
+"""Sources with an oracle of their own."""
 SOME = (
     *("stewart_exact", "stewart_exact_motion", "stewart_exact_bounds", "stewart_kinematics"),
     *("stewart_legs", "stewart_exact_regressor", "stewart_torque"),
