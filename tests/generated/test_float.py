@@ -121,7 +121,7 @@ def test_float_object_code_holds_no_double(build: str, tmp_path: Path) -> None:
 def test_the_reading_of_object_code_finds_double_arithmetic_and_a_single_promotion(
     compiler: str, tmp_path: Path
 ) -> None:
-    target = compiled(compiler, ["-O2"], "stewart_exact_forces.c", tmp_path / "kernel.o")
+    target = compiled(compiler, ["-O2"], "stewart_kinematics.c", tmp_path / "kernel.o")
     assert {"mulsd", "addsd", "sqrtsd"} & double_instructions(disassembled(target))
     slip = tmp_path / "slip.c"
     slip.write_text("float slip(float x) { return (float)(0.1 * x); }\n")

@@ -7,47 +7,25 @@ import ast
 import re
 import shutil
 from collections.abc import Iterator
-from importlib.resources import files
 from pathlib import Path
 
 import attack_build
 import pytest
 from builds import needed, run, written
-from kits import c_of
-from machines import dasgupta
+from kits import c_of, kit_of
 from sweeps import FULL
 
-from stewart_sym.derive import package
-from stewart_sym.kit import Choice, kit
+from stewart_sym.kit import Choice
 from stewart_sym.precision import quad
 from stewart_sym.studies.robustness.sweep import oracle
 
 REPOSITORY = Path(__file__).parents[2]
 STRICT = ("-std=gnu99", "-fsyntax-only", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Werror")
-TEMPLATES = files(package) / "templates" / "kit"
 LONGEST = 20
 """Lines of another language that may stand in a Python string."""
 
 SWEEP = oracle.sources()
 OWN = sorted(name for name in SWEEP if not name.startswith("stewart_") and name.endswith(".c"))
-UNIT = {
-    "prepared": '#include "stewart_exact_forces.h"\n#define ROBOT {0}\n#define MODEL stewart_exact_model\n'
-    "#define PREPARE stewart_exact_prepare\n#define KERNEL stewart_exact_forces\n"
-    "#define TAKE_PAYLOAD(value, robot) narrowed(value, 1, &robot.M);\n",
-    "baked": '#include "stewart.h"\nint of_robot(const stewart_motion *motion, stewart_real F[6]);\n'
-    "#define KERNEL of_robot\n",
-}
-"""Two units as ``stewart_unit.h`` may describe them, but for what both have."""
-
-
-def checked(folder: Path, name: str, *flags: str) -> None:
-    """Compile a file without a word of gcc and clang, and let cppcheck read it."""
-    commands = [(compiler, *STRICT, *flags, name) for compiler in ("gcc", "clang") if shutil.which(compiler)]
-    if shutil.which("cppcheck"):
-        lint = ("--enable=warning,portability", "--error-exitcode=1", "--inline-suppr", "-USTEWART_REAL")
-        commands.append(("cppcheck", "-q", *lint, "--suppress=preprocessorErrorDirective", name))
-    for command in commands:
-        assert run(*command, cwd=folder) == "", command
 
 
 @pytest.mark.parametrize("name", OWN)
@@ -65,23 +43,6 @@ def test_the_c_of_quadruple_precision_compiles_without_a_warning(tmp_path: Path)
     macros = [f"-D{name}={value}" for name, value in quad._MACROS.items()]
     command = ["gcc", *STRICT, "-include", "quadmath.h", *macros, "quad.c"]
     assert run(*command, cwd=folder) == ""
-
-
-@pytest.mark.parametrize("which", UNIT)
-def test_the_c_of_the_unit_is_c_before_it_is_filled(which: str, tmp_path: Path) -> None:
-    """``$version`` stands in comments alone."""
-    for name in ("stewart_fmi2.h", "stewart_fmi2.c"):
-        (tmp_path / name).write_text((TEMPLATES / f"{name}.in").read_text(encoding="utf-8"))
-    for path in (files("stewart_sym.generated") / "c").iterdir():
-        if path.name.endswith(".h"):
-            (tmp_path / path.name).write_text(path.read_text(encoding="utf-8"))
-    common = (
-        '#define GUID "{}"\n#define INPUTS 30u\n#define REALS 37u\n#define START_VALUES {0}\n'
-        '#define STATUS_MEANINGS {"solved"}\n'
-        "#define TAKE_MOTION(value, motion) narrowed(value, 9, motion.R);\n"
-    )
-    (tmp_path / "stewart_unit.h").write_text(UNIT[which] + common)
-    checked(tmp_path, "stewart_fmi2.c")
 
 
 def static_c() -> list[Path]:
@@ -182,7 +143,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """All sources, those of a kit beside the committed ones."""
     place = tmp_path_factory.mktemp("sources")
     shutil.copytree(attack_build.GENERATED, place, dirs_exist_ok=True)
-    made = c_of(kit(dasgupta(), Choice(("forces", "kinematics"), scalar=True)))
+    made = c_of(kit_of(choice=Choice(("forces", "kinematics"), scalar=True)))
     return written({Path(name).name: text for name, text in made.items()}, place)
 
 
