@@ -4,7 +4,6 @@ import ctypes
 from pathlib import Path
 from string import Template
 
-import mpmath
 import numpy as np
 import pytest
 import sympy as sp
@@ -21,7 +20,6 @@ from stewart_sym.backend.kernel import robot_numbers
 from stewart_sym.derive.emit.kinematics import STEPS
 from stewart_sym.derive.generate import reduced_kinematics
 from stewart_sym.derive.kernel.kinematics import search_operations
-from stewart_sym.derive.mechanics import quantities as n
 from stewart_sym.derive.mechanics.kinematics import kinematics, turn
 from stewart_sym.derive.program.block import Operations
 from stewart_sym.kinematics.conditioning import characteristic_length, scaled_condition_number
@@ -74,44 +72,6 @@ def one_machine(count: int) -> tuple[np.random.Generator, ss.Robot, ss.Motion, A
 
 
 # What the blocks say
-
-
-def test_row_and_rate_are_the_slope_of_the_length() -> None:
-    """Along the twist [v; omega], by differences at 50 digits."""
-    blocks, h = kinematics(), mpmath.mpf(10) ** -15
-    rng = np.random.default_rng(0)
-    given = {
-        name: mpmath.mpf(float(rng.normal()))
-        for quantity in (n.R, n.t, n.b, n.p, n.omega, n.v)
-        for name in quantity.names
-    }
-
-    def leg(step: mpmath.mpf) -> dict[str, mpmath.mpf]:
-        by = {name: step * given[other] for name, other in zip(turn.names, n.omega.names, strict=True)}
-        Q = mpmath.matrix(3, 3)
-        R = mpmath.matrix(3, 3)
-        for at, entry, name in zip(n.R.keys, blocks.turned.run(by, mpmath.sqrt)["Q"], n.R.names, strict=True):
-            Q[at], R[at] = entry, given[name]
-        QR = Q * R
-        here = given | {name: QR[at] for at, name in zip(n.R.keys, n.R.names, strict=True)}
-        here |= {to: given[to] + step * given[v] for to, v in zip(n.t.names, n.v.names, strict=True)}
-        found = blocks.vectors.run(here, mpmath.sqrt)
-        return {
-            name: entry
-            for out in blocks.vectors.outputs
-            for name, entry in zip(out.quantity.names, found[out.quantity.name], strict=True)
-        }
-
-    with mpmath.workdps(50):
-        slope = (leg(h)["L"] - leg(-h)["L"]) / (2 * h)
-        here = given | leg(mpmath.mpf(0))
-        row = blocks.row.run(here, mpmath.sqrt)
-        twist = [given[name] for name in (*n.v.names, *n.omega.names)]
-        by_row = mpmath.fdot((*row["H_force"], *row["H_moment"]), twist)
-        (by_rate,) = blocks.rate.run(here, mpmath.sqrt)["L_dot"]
-        assert abs(slope) > 0.1
-        assert abs(by_row - slope) < 1e-28
-        assert abs(by_rate - slope) < 1e-28
 
 
 def test_turn_is_a_rotation_that_agrees_with_the_exponential_to_second_order() -> None:

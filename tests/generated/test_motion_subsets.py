@@ -85,12 +85,6 @@ def test_a_subset_derived_alone_is_written_as_with_all_kernels(written, function
         assert text == (folder / name).read_text()
 
 
-@pytest.mark.slow
-def test_the_files_of_all_functions_are_the_committed_ones() -> None:
-    for name, text in motion_files(emitted.FUNCTIONS).items():
-        assert text == (attack_build.GENERATED / name).read_text()
-
-
 @pytest.mark.parametrize("functions", [(), ("bias", "forces")])
 def test_other_functions_and_none_are_rejected_by_name(functions: tuple[str, ...]) -> None:
     with pytest.raises(ValueError, match="functions: expected some of equations, "):
