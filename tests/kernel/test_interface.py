@@ -68,19 +68,6 @@ def test_every_declared_function_stands_in_the_table() -> None:
     assert {each.stem for each in functions()} == set(CALLS)
 
 
-@pytest.mark.parametrize("name", [name for name in STRUCTS if name not in ("platform", "legs", "rotor")])
-def test_structs_have_the_members_of_the_table(name: str) -> None:
-    text = "".join(headers().values())
-    (body,) = set(re.findall(rf"typedef struct {{\n([^}}]*)}} stewart_{name};", text))
-    members = re.findall(r"stewart_real (\w+)((?:\[\d+\])*);", body)
-    table = (*STRUCTS["leg"], *STRUCTS["rotor"]) if name == "leg" else STRUCTS[name]
-    assert members == [(each.name, each.dims) for each in table]
-    if f"stewart_{name}_arrays" in text:
-        (body,) = set(re.findall(rf"typedef struct {{\n([^}}]*)}} stewart_{name}_arrays;", text))
-        pointers = re.findall(r"stewart_real \*(\w+); /\* \[count\]((?:\[\d+\])*)", body)
-        assert pointers == members
-
-
 def test_status_codes_are_the_same_everywhere() -> None:
     codes = {name: code for name, code, _ in STATUSES}
     assert {name: code for name, (code, _) in STATUS.items()}.items() <= codes.items()

@@ -1,24 +1,21 @@
-"""The search of a pose and orientations: one text is run as it stands, in C and Octave alike."""
+"""The search of a pose: one text is run as it stands and in C alike."""
 
 from dataclasses import replace
-from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
-from kernel_cases import EPSILON, ON_ARRAYS, motion_numbers, robot_numbers
+from kernel_cases import ON_ARRAYS, motion_numbers, robot_numbers
 from kinematics_calls import forward, inverse, velocity
-from language_runs import ran
 from leg_lengths import lengths, nudged
 from machines import random_motion, random_robot
 
 import stewart_sym as ss
-from stewart_sym.derive.generate import reduced_kinematics, reduced_rotation
-from stewart_sym.derive.kernel.kinematics import PUBLIC, rotation_program, search_program
+from stewart_sym.derive.generate import reduced_kinematics
+from stewart_sym.derive.kernel.kinematics import PUBLIC, search_program
 from stewart_sym.derive.kernel.tree.interpret import Interpreter
 from stewart_sym.derive.kernel.tree.nodes import Program
-from stewart_sym.kit import Choice, write_kit
 from stewart_sym.results import NOT_CONVERGED, NOT_FINITE, OK, SINGULAR, ZERO_LENGTH
 
 Array = np.ndarray
@@ -96,48 +93,3 @@ def test_a_pose_that_lengths_leave_open_is_singular(tree: Program) -> None:
     np.testing.assert_array_equal(found.status, forward(flat, L, R, t)[2])
     assert set(found.status) == {SINGULAR}
     assert np.isnan(stacked(found.pose.t)).all()
-
-
-def test_orientations_are_those_of_the_library() -> None:
-    tree = rotation_program(reduced_rotation().values())
-    rng = np.random.default_rng(34)
-    theta, rate, second = rng.normal(size=(3, 3, 8))
-    found = run(tree, "turned_by_angles", np.sin(theta), np.cos(theta), rate, second)
-    motion = ss.Motion.from_rpy(
-        *(np.zeros((8, 3)), theta.T, np.zeros((8, 3)), rate.T, np.zeros((8, 3)), second.T)
-    )
-    np.testing.assert_allclose(stacked(found.R), motion.R.reshape(-1, 9), rtol=0, atol=8 * EPSILON)
-    np.testing.assert_allclose(stacked(found.omega), motion.omega, rtol=0, atol=64 * EPSILON)
-    np.testing.assert_allclose(stacked(found.alpha), motion.alpha, rtol=0, atol=64 * EPSILON)
-    assert (run(tree, "orientation_status", found) == OK).all()
-    found.alpha[2] = np.where(np.arange(8) == 3, np.nan, found.alpha[2])
-    assert list(np.flatnonzero(run(tree, "orientation_status", found))) == [3]
-
-
-def one_pose(seed: int) -> tuple[ss.Robot, Array, Array, Array]:
-    """A robot, lengths, and a guess."""
-    rng = np.random.default_rng(seed)
-    robot = random_robot(rng)
-    motion = random_motion(rng, robot, (1,))
-    return robot, lengths(robot, motion.R, motion.t), *nudged(rng, motion.R, motion.t, 0.1, 0.1)
-
-
-def literals(values: Any) -> str:
-    return ", ".join(repr(float(value)) for value in np.ravel(values))
-
-
-@pytest.mark.slow
-def test_octave_finds_the_pose_that_the_c_finds(tmp_path: Path) -> None:
-    robot, L, R, t = one_pose(35)
-    write_kit(robot, tmp_path, Choice(("kinematics",), language="matlab"))
-    script = "\n".join(
-        [
-            f"guess.R = [{literals(R)}]; guess.t = [{literals(t)}];",
-            f"found = stewart.forward_kinematics(stewart.robot(), [{literals(L)}], guess);",
-            "printf('%d', found.status); printf(' %.17g', found.pose.R, found.pose.t);",
-        ]
-    )
-    status, *numbers = ran(["octave-cli", "--eval", script], tmp_path).split()
-    R_c, t_c, codes = forward(robot, L, R, t)
-    assert int(status) == codes[0] == OK
-    np.testing.assert_array_equal(np.array(numbers, dtype=float), np.concatenate([R_c.ravel(), t_c.ravel()]))

@@ -13,7 +13,6 @@ from stewart_sym.derive.kernel.tree.interpret import Arithmetic
 from stewart_sym.derive.mechanics import quantities as n
 from stewart_sym.formulas.trees import robot_structure
 
-EPSILON = 2.0**-52
 ON_ARRAYS = Arithmetic(
     np.asarray,
     {"NAN": np.nan, **constants("double")},
