@@ -37,10 +37,10 @@ class Change(NamedTuple):
 
 
 def constants_of(kernel: ForceKernel) -> dict[str, Any]:
-    """The constants folded into a kernel: numbers that all legs share, and (6, 1)."""
+    """The constants folded into a kernel: (6, 1) of the legs, then numbers that all legs share."""
     assert kernel.constants is not None
-    held = ((q.name, np.array(values)) for q, values in kernel.constants.items())
-    return {name: values[:, None] if len(values) > 1 else values[0] for name, values in held}
+    of_legs = {q.name: np.array(values)[:, None] for q, values in kernel.constants.items() if len(values) > 1}
+    return of_legs | {q.name: np.float64(value) for q, value in kernel.literals().items()}
 
 
 def changes(kernel: ForceKernel, share: float) -> Iterator[Change]:
