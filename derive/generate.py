@@ -286,7 +286,7 @@ def motion_files(functions: Collection[str], form: Formulation = EXACT) -> dict[
 
     form: of ``WHOLE``. Raises ValueError for other functions and for none.
     """
-    sums = reduced_motion(motion.kernels_of(functions), form)
+    sums = reduced_motion(sums_used(functions), form)
     return motion.files(sums, prepared_model(form), generator_version(), functions)
 
 

@@ -20,7 +20,7 @@ from ..kernel.written.motion import lanes as written
 from ..kernel.written.motion import results
 from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel
-from ..mechanics.closed_form import GIVEN, NAMES
+from ..mechanics.closed_form import GIVEN
 from ..mechanics.closed_form.terms import SumKernel
 from ..print.c import C
 from ..print.template import filled
@@ -43,10 +43,9 @@ def files(
 ) -> dict[str, str]:
     """``stewart_<kernel>_motion.h`` and ``.c``: the functions and what they need, nothing else.
 
-    kernels: at least those of ``kernels_of``. functions: out of FUNCTIONS. Raises ValueError for others and
-    for none.
+    kernels: at least those of which the functions use sums. functions: out of FUNCTIONS.
     """
-    asked = asked_for(functions)
+    asked = [what for what in FUNCTIONS if what in functions]
     file = f"stewart_{model.formulation.kernel_name}_motion"
     before = "\n".join([top(file, version, HEADER), filled("motion.c")])
     made = _Source(kernels, model, asked)
@@ -80,22 +79,6 @@ def _header(made: "_Source", kernels: tuple[SumKernel, ...], version: str) -> di
             line for what in ORDER if what in asked for line in printer.declaration(public[what][1])
         ),
     )
-
-
-def kernels_of(functions: Collection[str]) -> tuple[str, ...]:
-    """Names of the kernels whose sums the functions need, in the order of ``closed_form.NAMES``.
-
-    functions: out of FUNCTIONS. Raises ValueError for others and for none.
-    """
-    used = o.sums_used(asked_for(functions))
-    return tuple(name for name in NAMES if name in used)
-
-
-def asked_for(functions: Collection[str]) -> list[str]:
-    """The functions in the order of their declarations."""
-    if not functions or not set(functions) <= set(FUNCTIONS):
-        raise ValueError(f"functions: expected some of {', '.join(FUNCTIONS)}, got {list(functions)}")
-    return [what for what in FUNCTIONS if what in functions]
 
 
 def sum_operations(kernel: SumKernel) -> Operations:

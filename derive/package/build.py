@@ -29,13 +29,10 @@ def build_files(
     symbol: C identifier, name of library, package and CMake target, for CMake 3.15 or newer. version: of the
     generator. sources: ``.c`` files of the library; headers: those that callers include; shared: others, that
     sources include. precision: in the files alone, as stewart.h of a float kit defines float by itself.
-
-    Raises ValueError for a version that does not begin with a number.
     """
     # All that CMake takes: "0.2.0" of "0.2.0.dev1".
     number = re.match(r"\d+(\.\d+){0,3}", version)
-    if number is None:
-        raise ValueError(f"version: expected one that begins with a number, got {version!r}")
+    assert number is not None
     installed = (*headers, WRAPPER)
     words = {
         "symbol": symbol,

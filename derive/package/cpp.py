@@ -8,7 +8,7 @@ import textwrap
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
-from ..kernel.interface import CALLS, Argument
+from ..kernel.interface import Argument
 from ..kernel.outputs import FORCES, OUTPUTS
 from ..kernel.tree.constants import STATUSES
 from .functions import DRIVES, MODEL, NOTHING, ROBOT, Function
@@ -27,12 +27,7 @@ def wrapper(functions: Sequence[Function], version: str) -> str:
 
     There is a class for each prepared model, for each header whose functions take a robot or its drives, and
     for each baked kernel; each name of ``_ALIASES`` stands for the first class that has such functions.
-
-    Raises ValueError for a function that is not in ``interface.CALLS``.
     """
-    for function in functions:
-        if function.stem not in CALLS:
-            raise ValueError(f"functions: expected some of {', '.join(CALLS)}, got {function.stem!r}")
     classes: dict[str, list[Function]] = {}
     for function in functions:
         classes.setdefault(_class_name(function), []).append(function)

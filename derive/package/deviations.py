@@ -127,9 +127,7 @@ TOGETHER = Deviation(
 
 
 def deviations(kinds: Collection[str]) -> tuple[Deviation, ...]:
-    """The deviations of a kit whose sources are of these kinds. Raises ValueError for unknown ones."""
-    if not set(kinds) <= set(KINDS):
-        raise ValueError(f"kinds: expected some of {', '.join(KINDS)}, got {list(kinds)}")
+    """The deviations of a kit whose sources are of these kinds."""
     several = len(set(kinds) & set(TOGETHER.kinds)) > 1
     return tuple(
         each for each in (*DEVIATIONS, *([TOGETHER] if several else [])) if set(kinds) & set(each.kinds)

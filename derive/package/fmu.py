@@ -18,7 +18,7 @@ from ..mechanics import quantities as n
 from ..program.block import AXES, Quantity
 from . import licence
 from .functions import Function, Part
-from .robot import HEADER, SOURCE, Machine
+from .robot import Machine
 from .words import Numbers, stored, template
 
 STEP = 0.001
@@ -52,13 +52,9 @@ def unit(
     m, that the inputs have until they are set, a pose with forces, so that the unit runs before anything is
     connected; rates, accelerations and loads start at zero.
 
-    The unit's GUID is a digest of all of these texts. Raises ValueError naming a number that is missing or
-    not finite, or a file that is missing.
+    The unit's GUID is a digest of all of these texts. Raises ValueError naming a number that is not finite.
     """
     (forces,) = kernel.functions
-    for file in (kernel.header, *((HEADER, SOURCE) if forces.subject else ())):
-        if file not in sources:
-            raise ValueError(f"sources: expected {file} among them")
     variables = _variables(pose, machine.numbers if forces.subject else None)
 
     def texts(guid: str) -> dict[str, str]:

@@ -42,7 +42,7 @@ class Machine:
 def robot_files(machine: Machine) -> dict[str, str]:
     """``stewart_robot.h`` and ``stewart_robot.c``: file name -> text.
 
-    Raises ValueError naming the field that is missing, has another shape or is not finite.
+    Raises ValueError naming the field that is not finite.
     """
     values = {
         "name": in_comment(machine.name),

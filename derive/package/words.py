@@ -5,6 +5,8 @@ import math
 import re
 import unicodedata
 from collections.abc import Iterable, Mapping, Sequence
+from functools import reduce
+from operator import getitem
 from typing import Any
 
 from ..kernel.interface import STRUCTS
@@ -68,7 +70,7 @@ def literals_of_legs(numbers: Numbers, struct: str) -> dict[str, list[str]]:
 
 
 def _finite(number: Any, where: str) -> float:
-    if isinstance(number, bool) or not isinstance(number, int | float) or not math.isfinite(number):
+    if not math.isfinite(number):
         raise ValueError(f"{where}: expected finite numbers, got {number!r}")
     return float(number)
 
@@ -76,22 +78,10 @@ def _finite(number: Any, where: str) -> float:
 def stored(numbers: Numbers, quantity: Quantity, owner: str, leg: int | None = None) -> list[float]:
     """The components that ``stewart.h`` stores, in its order.
 
-    Raises ValueError naming owner and quantity that is missing, has another shape or is not finite.
+    Raises ValueError naming owner and quantity that is not finite.
     """
-    where = f"{owner}: {quantity.name}"
-    if quantity.name not in numbers:
-        raise ValueError(f"{where}: missing")
-    value, prefix = numbers[quantity.name], () if leg is None else (leg,)
-    return [_finite(_entry(value, (*prefix, *key), where), where) for key in quantity.keys]
-
-
-def _entry(value: Any, key: Sequence[int], where: str) -> Any:
-    try:
-        for i in key:
-            value = value[i]
-    except (IndexError, TypeError):
-        raise ValueError(f"{where}: expected an entry {list(key)}") from None
-    return value
+    value = numbers[quantity.name] if leg is None else numbers[quantity.name][leg]
+    return [_finite(reduce(getitem, key, value), f"{owner}: {quantity.name}") for key in quantity.keys]
 
 
 def member(quantity: Quantity, numbers: Sequence[float], indent: str) -> str:

@@ -10,7 +10,6 @@ import pytest
 
 from stewart_sym.derive.emit import closed_form as emitted
 from stewart_sym.derive.generate import EXACT, generator_version, motion_files, prepared_model, reduced_motion
-from stewart_sym.derive.mechanics.closed_form import NAMES
 
 KIT = [("equations", "bias", "forward_dynamics", "joint_inertia"), ("derivatives", "linearisation")]
 SUBSETS = [*KIT, emitted.FUNCTIONS]
@@ -63,29 +62,8 @@ def test_every_function_of_a_subset_is_that_of_the_whole(written) -> None:
         assert all(body in whole for body in bodies)
 
 
-@pytest.mark.parametrize(
-    ("functions", "needed"),
-    [
-        (("bias",), ("bias",)),
-        (("joint_inertia",), ("equations",)),
-        (KIT[0], ("equations", "bias", "forward_dynamics", "joint_rows")),
-        (KIT[1], ("forward_dynamics", "derivatives", "joint_rows", "joint_slopes")),
-        (emitted.FUNCTIONS, NAMES),
-    ],
-    ids="+".join,
-)
-def test_kernels_of_a_subset_are_those_it_needs(functions: tuple[str, ...], needed: tuple[str, ...]) -> None:
-    assert emitted.kernels_of(functions) == needed
-
-
 @pytest.mark.parametrize("functions", KIT, ids="+".join)
 def test_a_subset_derived_alone_is_written_as_with_all_kernels(written, functions: tuple[str, ...]) -> None:
     folder = written(functions)
     for name, text in motion_files(functions).items():
         assert text == (folder / name).read_text()
-
-
-@pytest.mark.parametrize("functions", [(), ("bias", "forces")])
-def test_other_functions_and_none_are_rejected_by_name(functions: tuple[str, ...]) -> None:
-    with pytest.raises(ValueError, match="functions: expected some of equations, "):
-        motion_files(functions)

@@ -166,11 +166,9 @@ def test_no_status_is_ignored(wrapped: Path, compiler: str) -> None:
     assert "nodiscard" in run(*command, cwd=wrapped, code=1)
 
 
-def test_kernels_of_one_pose_have_no_batch_and_unknown_functions_are_told() -> None:
+def test_kernels_of_one_pose_have_no_batch() -> None:
     name = "stewart_exact_pose"
     pose = Function("forces", f"{name}_forces", f"{name}.h", MODEL, name, one_pose=True)
     text = kit_cpp.wrapper([pose], "0")
     assert "class exact_pose_kernel" in text
     assert "batch" not in text
-    with pytest.raises(ValueError, match=r"^functions: expected some of forces, .*, got 'torque'$"):
-        kit_cpp.wrapper([dataclasses.replace(pose, stem="torque")], "0")

@@ -21,9 +21,7 @@ from fmu_units import (
     folder,
     forces,
     guid,
-    machine,
     made,
-    pose,
     references,
     running,
     some_rows,
@@ -36,7 +34,6 @@ from stewart_sym.backend import native
 from stewart_sym.derive.package import fmu as texts
 from stewart_sym.kit import kit
 from stewart_sym.kit.fmu import binary_folder
-from stewart_sym.kit.poses import sample
 
 
 def test_archive_holds_description_page_all_sources_and_the_binary() -> None:
@@ -96,27 +93,6 @@ def test_long_symbol_gives_an_identifier_that_simulink_takes() -> None:
     assert len(set(short)) == 2
     assert all(re.fullmatch(r"[a-z]\w{0,62}", one) for one in short)
     assert texts.model_identifier("stewart_robot_x") == "stewart_robot_x"
-
-
-@pytest.mark.parametrize(
-    ("change", "message"),
-    [
-        ({"pose": {"R": np.eye(3).tolist()}}, "pose: t: missing"),
-        ({"pose": {"R": np.eye(3).tolist(), "t": [0.0, 0.0]}}, "pose: t: expected an entry [2]"),
-        ({"sources": {}}, "sources: expected stewart_exact_forces.h among them"),
-    ],
-)
-def test_what_is_missing_is_named(change: dict[str, object], message: str) -> None:
-    robot = made("lanes").robot
-    given = {
-        "machine": machine(robot),
-        "sources": made("lanes").sources,
-        "kernel": made("lanes").kernel,
-        "precision": "double",
-        "pose": pose(sample(robot, "exact")[0]),
-    }
-    with pytest.raises(ValueError, match=rf"\A{re.escape(message)}\Z"):
-        texts.unit(**(given | change))
 
 
 # --- the C ------------------------------------------------------------------------------------
