@@ -94,17 +94,6 @@ def test_sharing_keeps_the_named_steps_and_their_order(form) -> None:
         assert kept == names
 
 
-@OF_EACH_FORMULATION
-def test_every_step_uses_inputs_and_earlier_steps_only(form) -> None:
-    for block in derived(form).blocks:
-        for program in (block, share(block)):
-            known = {name for quantity in program.inputs for name in quantity.names}
-            for step in program.steps:
-                assert {symbol.name for symbol in step.expr.free_symbols} <= known
-                assert step.name not in known
-                known.add(step.name)
-
-
 @pytest.mark.slow
 def test_frictionless_blocks_do_not_know_friction() -> None:
     for form in FORMULATIONS:

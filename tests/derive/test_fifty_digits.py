@@ -17,7 +17,6 @@ from stewart_sym.derive.kernel.operations import force_operations
 from stewart_sym.derive.mechanics.actuator_forces import force_kernel
 from stewart_sym.derive.mechanics.formulation import EXACT, FORMULATIONS, PAPER, Formulation
 from stewart_sym.derive.mechanics.regressor import dependencies
-from stewart_sym.derive.program.cse import share
 from stewart_sym.kit.interpreter import KitInterpreter
 from stewart_sym.motion.motion import Motion
 from stewart_sym.precision.truth import digits
@@ -89,12 +88,6 @@ def test_paper_needs_no_more_than_exact() -> None:
             force_operations(reduced_forces(form, friction)).total.total for form in (PAPER, EXACT)
         )
         assert paper <= exact
-
-
-def test_named_steps_survive_sharing() -> None:
-    leg = derived(EXACT, True).leg
-    names = [step.name for step in leg.steps]
-    assert [step.name for step in share(leg).steps if step.name in set(names)] == names
 
 
 def test_rate_of_the_inertia_less_twice_the_coriolis_matrix_is_skew() -> None:
