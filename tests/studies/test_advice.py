@@ -1,5 +1,6 @@
 """The advice is the cheapest that is good enough, with its reasons, on paper and on the command line."""
 
+import dataclasses
 import json
 import math
 import re
@@ -54,6 +55,7 @@ from stewart_sym.studies.accuracy.advice import (
     excess,
     report,
     terms,
+    without_effect,
 )
 from stewart_sym.studies.accuracy.budget import MARGIN, Budget, papers_motions
 from stewart_sym.studies.accuracy.charts import charts
@@ -206,6 +208,15 @@ def test_at_rest_inertia_forces_nothing(on_path_i: Figures) -> None:
     assert found.chosen is not None
     assert found.chosen["fidelity"] == "general_static"
     assert reasons(found) == {frozenset({"off-axis"}): "exact slender_static, double"}
+
+
+def test_what_a_machine_has_not_forces_nothing() -> None:
+    rng = np.random.default_rng(0)
+    robot = random_robot(rng)
+    assert without_effect(robot) == frozenset()
+    smooth = dataclasses.replace(robot, **dict.fromkeys(("C_u", "C_p", "C_s"), np.zeros(6)))
+    assert without_effect(smooth) == {"friction"}
+    assert without_effect(random_robot(rng, "spherical")) == {"off-axis", "axial", "momentum"}
 
 
 def test_the_cheapest_of_all_needs_no_reason() -> None:

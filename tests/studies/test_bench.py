@@ -148,6 +148,13 @@ def test_a_machine_that_is_singular_everywhere_is_rejected() -> None:
         bench_poses(none, 10)
 
 
+def test_a_robot_with_rotors_is_timed_without_them() -> None:
+    robot = ss.robots.rubin_m2()
+    driven = dataclasses.replace(robot, drive=ss.Drive(lead=0.005, rotor_inertia=1e-5))
+    with pytest.warns(UserWarning, match="timed without its rotors"):
+        assert not bench_poses(driven, 10).robot.has_rotors
+
+
 def test_fewer_poses_are_the_first_without_a_copy_and_more_come_round_again() -> None:
     poses = bench_poses(None, 10)
     fewer, more = poses.resized(4), poses.resized(25)

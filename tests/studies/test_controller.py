@@ -129,16 +129,16 @@ def test_the_committed_figures_are_those_found_today_with_the_same_tools(found: 
 def agrees_with_the_committed(found: Figures, name: str) -> None:
     path = DOCS / name
     committed, today = json.loads(path.read_text(encoding="utf-8")), json.loads(json_text(found))
-    for name in ("units", "generator"):
-        committed.pop(name, None)
+    for key in ("units", "generator"):
+        committed.pop(key, None)
     shown = {(row["precision"], row["baked"]) for row in today["rows"]}
     assert shown <= {(row["precision"], row["baked"]) for row in committed["rows"]}
     committed["rows"] = [row for row in committed["rows"] if (row["precision"], row["baked"]) in shown]
     if committed["tools"] != today["tools"]:
         for each in (committed, today):
             for row in each["rows"]:
-                for name in MEASURED:
-                    row.pop(name)
+                for key in MEASURED:
+                    row.pop(key)
         del committed["tools"], today["tools"]
     assert committed == today, f"run `stewart-sym controller -o DIR` and copy its figures to .docs/{name}"
 

@@ -61,6 +61,12 @@ def test_a_scene_is_what_its_file_says(scene: Path) -> None:
     np.testing.assert_allclose(read.motions["legs.csv"].t, motion.t, atol=1e-9)
 
 
+def test_a_motion_through_a_singular_pose_is_told(scene: Path) -> None:
+    scene.write_text(SCENE.replace('"I"', '"III"'))
+    with pytest.warns(ss.SingularPoseWarning, match="path III: the path crosses a singular pose at 3.67"):
+        read_budget(scene)
+
+
 def test_margin_and_rate_have_defaults(scene: Path) -> None:
     scene.write_text(SCENE.replace("margin = 2", "").replace("rate = 1000.0", ""))
     read = read_budget(scene)

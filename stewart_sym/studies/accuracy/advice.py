@@ -8,8 +8,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
 from ...derive.mechanics.legs.rotor import FULL, NONE
 from ...derive.mechanics.reduced_models import DRIVE_FIDELITIES, FIDELITIES, Fidelity, level_of
+from ...robot.fields import need_axisymmetric
+from ...robot.robot import Robot
 from ..common.output import Figures, aligned
 from .budget import Budget
 from .cost import SAMPLED, Candidate, candidate_of, worst
@@ -69,7 +73,7 @@ class Advice:
         if self.chosen is None:
             return ()
         rotors, every = self.budget.robot.has_rotors, self.cost["candidates"]
-        kept = terms(candidate_of(self.chosen), rotors)
+        kept = terms(candidate_of(self.chosen), rotors) - without_effect(self.budget.robot)
         if "rates" not in kept:
             kept -= _INERTIA
         # Of those without the same terms the last is the dearest, the next cheaper one.
@@ -118,6 +122,28 @@ def terms(candidate: Candidate, rotors: bool = False) -> frozenset[str]:
     if candidate.precision == "double":
         kept.add("digits")
     return frozenset(kept)
+
+
+def without_effect(robot: Robot) -> frozenset[str]:
+    """The terms of which a robot has nothing; between spherical joints legs do not spin."""
+    tensors = np.stack([robot.I_d0, robot.I_u0])
+    gone = {
+        "friction": not np.any([robot.C_u, robot.C_p, robot.C_s]),
+        "off-axis": _of_revolution(robot),
+        "axial": robot.base_joint == "spherical" or not tensors[..., 0, :].any(),
+        "rods": not tensors[..., 1:, 1:].any(),
+        "masses": not np.any([robot.m_d, robot.m_u]),
+        "momentum": robot.base_joint == "spherical",
+    }
+    return frozenset(name for name, nothing in gone.items() if nothing)
+
+
+def _of_revolution(robot: Robot) -> bool:
+    try:
+        need_axisymmetric(vars(robot), lambda *_: "legs")
+    except ValueError:
+        return False
+    return True
 
 
 def report(found: Advice) -> str:

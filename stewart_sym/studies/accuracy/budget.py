@@ -1,7 +1,7 @@
 """Budgets: the error and the time that a machine's motions allow, as a TOML file says, read and checked."""
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -9,12 +9,15 @@ from typing import Any
 from ...dynamics.inverse import first_fault
 from ...io import tables
 from ...io.arguments import shown
+from ...io.error_policy import SingularPoseWarning, warn
 from ...kinematics.mounting import path_for
 from ...motion.motion import Motion
 from ...motion.straight_line import PATHS
+from ...motion.trajectory import Trajectory
 from ...reference.newton_euler import inverse_dynamics
 from ...robot.robot import Robot
 from ...singularities.joint_space import read_trajectory
+from ...singularities.path_warnings import crossing_warning
 
 SCHEMA = 1
 MARGIN = 3.0
@@ -91,16 +94,18 @@ def _names(value: object, where: str) -> list[str]:
 
 
 def _motion(robot: Robot, name: str, log: Path | None, prefix: str) -> Motion:
-    rows: Sequence[object]
     if log is None:
         path, dtau = path_for(robot, name)
-        motion = path.sample(path.times(dtau))
-        where, rows = f"{prefix}path {name}: instant", range(len(motion.t))
+        times = path.times(dtau)
+        found = Trajectory(times, path.sample(times), f"{prefix}path {name}", range(len(times)))
     else:
-        trajectory = read_trajectory(robot, log)
-        motion, where, rows = trajectory.motion, f"{trajectory.source}: row", trajectory.rows
-    status = inverse_dynamics(robot, motion).status
+        found = read_trajectory(robot, log)
+    status = inverse_dynamics(robot, found.motion).status
     if status.any():
-        first, reason = first_fault(status, robot, motion)
-        raise ValueError(f"{where} {rows[first[0]]}: {reason}")
-    return motion
+        first, reason = first_fault(status, robot, found.motion)
+        where = f"{'instant' if log is None else 'row'} {found.rows[first[0]]}"
+        raise ValueError(f"{found.source}: {where}: {reason}")
+    crossed = crossing_warning(robot, found)
+    if crossed is not None:
+        warn(f"{crossed}; errors are shares of a peak that the instants happen to have", SingularPoseWarning)
+    return found.motion

@@ -1,11 +1,12 @@
 """Poses for ``bench``: of the paper's machine near its paths, of another one about its middle."""
 
 import functools
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from ...io.array_types import Array
+from ...io.error_policy import warn
 from ...motion.motion import Motion
 from ...motion.rotation import rotation_from_rpy
 from ...motion.straight_line import PATHS
@@ -55,6 +56,9 @@ def bench_poses(robot: Robot | None, count: int) -> Poses:
     elif robot.base_joint != "universal":
         raise ValueError(f"{robot.name}: expected universal base joints, the baselines have no others")
     else:
+        if robot.has_rotors:
+            warn(f"{robot.name}: timed without its rotors, which the baselines do not have")
+            robot = replace(robot, drive=None)
         R, t, omega, v, alpha, a = _near_the_middle(rng, count, robot)
     weight = robot.M * 9.81
     F_ext = 0.5 * weight * rng.normal(size=(count, 3))
