@@ -148,6 +148,16 @@ def test_points_without_an_answer_are_drawn_above_all_others() -> None:
     assert left[-1] == right[-1] == "unsolvable"
 
 
+@pytest.mark.usefixtures("unnamed")
+def test_the_legend_names_no_color_without_points() -> None:
+    def named(drawn: Figure) -> set[str]:
+        return {text.get_text() for text in drawn.legends[0].get_texts()}
+
+    made = made_up()
+    exact = [each for each in made["candidates"] if each["formulation"] == "exact"]
+    assert named(figure(made)) - named(figure(made | {"candidates": exact})) == {"paper, double"}
+
+
 def test_float_kernels_are_hollow_and_may_be_on_the_front(picture: Figure) -> None:
     every = [point for point in points(made_up()) if point.panel == TOTAL]
     hollow = {

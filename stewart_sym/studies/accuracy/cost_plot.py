@@ -2,7 +2,7 @@
 
 import itertools
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence, Set
 from dataclasses import dataclass
 from typing import Any
 
@@ -126,7 +126,7 @@ def figure(found: Figures) -> Figure:
     left.set_title("error of model and rounding: one pose in C, every fidelity", fontsize="medium")
     right.set_title("error of rounding: exact, general", fontsize="medium")
     left.set_ylabel("largest error, share of the motion's peak force")
-    _legend(picture, marks)
+    _legend(picture, marks, {point.color for point in every})
     for axes, panel in ((left, TOTAL), (right, ROUNDING)):
         _name(axes, _of(every, panel))
     return picture
@@ -207,7 +207,7 @@ def _limits(axes: Axes, given: Sequence[Point], height: Callable[[float], float]
     axes.xaxis.set_minor_formatter(NullFormatter())
 
 
-def _legend(picture: Figure, marks: Mapping[str, str]) -> None:
+def _legend(picture: Figure, marks: Mapping[str, str], drawn: Set[str]) -> None:
     dots: Any = {"color": _OTHER, "linestyle": "", "markersize": 5.0}
     colors = {"exact, double": _EXACT, "paper, double": _PAPER, "float": _FLOAT, "other code": _OTHER}
     handles = [
@@ -215,7 +215,11 @@ def _legend(picture: Figure, marks: Mapping[str, str]) -> None:
             legend_line(f"Path {name}" if name in PATHS else name, marker=mark, **dots)
             for name, mark in marks.items()
         ),
-        *(legend_line(label, color=color, linewidth=3.0) for label, color in colors.items()),
+        *(
+            legend_line(label, color=color, linewidth=3.0)
+            for label, color in colors.items()
+            if color in drawn
+        ),
         legend_line("the same in float", color=_FLOAT, linestyle=":", marker="o", **_HOLLOW),
         legend_line("Pareto front, worst motion", color=_FRONT, linewidth=4.0, alpha=0.35),
     ]
