@@ -21,8 +21,7 @@ from stewart_sym.results import NOT_FINITE, OK
 from stewart_sym.studies.common.report import Picture
 from stewart_sym.studies.robustness import (
     attitude,
-    leg_frame,
-    lengths,
+    legs,
     pictures,
     poses,
     runs,
@@ -88,7 +87,7 @@ def test_long_double_and_quadruple_precision_find_the_same() -> None:
 
 
 def test_the_condition_of_a_leg_frame_is_one_over_the_sine() -> None:
-    robots, motions = leg_frame._walk(2, LEGS[1], rest=True)
+    robots, motions = legs._walk(2, LEGS[1], rest=True)
     frames = oracle.check_poses(robots[8:30], motions[8:30])["frames"]
     assert frames == pytest.approx(1.0 / np.sin(distances()[8:30]), rel=1e-4)
 
@@ -141,14 +140,14 @@ def test_near_a_singular_pose_every_kernel_is_right_or_says_so() -> None:
 
 @pytest.mark.slow
 def test_the_sine_from_the_cosine_loses_what_the_product_keeps() -> None:
-    family = next(each for each in leg_frame.families() if each.name == "joint_sine")
+    family = next(each for each in legs.axis_families() if each.name == "joint_sine")
     found = {curve.method: verdict(curve, family.distance) for curve in family.curves}
     assert found["sqrt(1 - (k.s)^2)"]["worst"] > 1e6
     assert found["|k x s|"]["worst"] < 10
 
 
 def test_limits_of_length_are_told_from_the_first_rounding_unit_on() -> None:
-    family = lengths._limits(3)
+    family = legs._limits(3)
     assert all(np.all(curve.error == 0.0) for curve in family.curves)
     assert any((curve.status != OK).any() for curve in family.curves if curve.status is not None)
 

@@ -59,7 +59,6 @@ def read_budget(path: str | os.PathLike[str]) -> Budget:
 
 
 def _budget(d: Mapping[str, Any], source: str) -> Budget:
-    """The budget of a file's tables."""
     file = f"{source}: "
     needed = ("schema", "robot", "motions", "tolerance")
     top = tables.checked_table(d, file, _KEYS, needed)

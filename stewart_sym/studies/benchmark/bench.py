@@ -350,7 +350,6 @@ def _fastest(
 
 
 def _on_all_cores(run: Callable[[int], object]) -> Callable[[int], None]:
-    """The same work on every core at once."""
     workers = ThreadPoolExecutor(CORES)
 
     def run_all(repeats: int) -> None:
@@ -411,7 +410,6 @@ def _called(poses: Poses, present: Collection[str | None]) -> tuple[Called, ...]
 def _differences(
     poses: Poses, candidates: Sequence[Candidate], runners: Mapping[str, Runner], called: Sequence[Called]
 ) -> dict[str, float]:
-    """Compare everybody's forces with the reference's."""
     truth = reference.inverse_dynamics(poses.robot, poses.motion).F
     for each in candidates:
         runners[each.label].run(1)

@@ -48,7 +48,6 @@ def _readme(found: Figures) -> str:
 
 
 def _shares(found: Figures) -> str:
-    """The figures with targets, a column for each kind of instructions."""
     made = found["shares"]
     kinds = [*dict.fromkeys(kind for each in made for kind in each["values"])]
     rows = [

@@ -155,7 +155,6 @@ def _cell(value: object) -> str:
 
 
 def _words(name: str) -> str:
-    """The name of a key or a file in words."""
     return re.sub(r"_+", " ", name)
 
 

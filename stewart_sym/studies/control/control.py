@@ -241,7 +241,6 @@ def _reject(laws: Mapping[str, ForceLaw], time: float, reasons: Sequence[str]) -
 
 
 def _start(wanted: Motion, axes: Array, settings: Settings, count: int) -> Motion:
-    """The state that every controller starts from, (count,)."""
     R = rotation_from_vector(axes @ settings.offset_phi) @ wanted.R
     t = wanted.t + axes @ settings.offset_t
     return Motion(

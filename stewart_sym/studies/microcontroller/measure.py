@@ -277,7 +277,6 @@ def _near_singular_joints(robot: Robot) -> Array:
 
 
 def _rates(robot: Robot, tests: Sequence[Vector]) -> str:
-    """Rates of the legs of each test."""
     rows = []
     for test in tests:
         at = {name: test.inputs[name].reshape(shape) for name, shape in MOTION.items()}

@@ -36,7 +36,6 @@ def full_report(found: Reproduction) -> Report:
 
 
 def _data(found: Reproduction) -> dict[str, Any]:
-    """The tables for programs."""
     return {
         "robot": found.robot.name,
         "computed_by": found.backend,

@@ -101,7 +101,6 @@ def _offset_data(robot: Robot) -> dict[str, Any]:
 
 
 def _home_data(robot: Robot, home: HomePose) -> dict[str, Any]:
-    """The home pose, for programs."""
     return {
         "rule": home.rule,
         "above": home.side.direction,
@@ -116,7 +115,6 @@ def _home_data(robot: Robot, home: HomePose) -> dict[str, Any]:
 
 
 def _description(robot: Robot, home: HomePose, unit: _Unit) -> str:
-    """Everything about the robot in lines of text."""
     bodies = dict.fromkeys(line.partition(": inertia")[0] for line in robot.physicality())
     rows = [
         ("name", robot.name),

@@ -73,7 +73,6 @@ def _data(
     drifts: Mapping[Formulation, Drift],
     motors: DriveDigest | None,
 ) -> dict[str, Any]:
-    """What the summary says, for programs."""
     peaks, drift, drives = np.argmax(np.abs(fine.F), axis=0), _drift(run, fine, law), run.drives
     legs = {
         "peak_force_N": np.take_along_axis(fine.F, peaks[None], axis=0)[0],

@@ -105,7 +105,6 @@ def full_report(found: Examination, figures: Mapping[str, Picture]) -> Report:
 
 
 def _data(found: Examination) -> dict[str, Any]:
-    """What the text says, for programs."""
     along = found.along
     return {
         "robot": found.robot.name,

@@ -7,7 +7,7 @@ import numpy as np
 from ...io.progress import Progress, silent, tracked
 from ..common.output import Figures, aligned, paragraph, table
 from ..common.report import Picture, Report
-from . import attitude, leg_frame, lengths, poses, runs, scales, singular
+from . import attitude, legs, poses, runs, scales, singular
 from .family import WRONG, Family, verdict
 from .poses import OUTCOMES, Basins, basins
 from .sweep.sweep import Sweep
@@ -15,8 +15,8 @@ from .sweep.sweep import report as sweep_report
 
 PARTS = {
     "H singular": singular.families,
-    "the universal joint's singularity": leg_frame.families,
-    "lengths": lengths.families,
+    "the universal joint's singularity": legs.axis_families,
+    "lengths": legs.length_families,
     "orientation": attitude.families,
     "forward kinematics": poses.families,
     "simulation": runs.families,
