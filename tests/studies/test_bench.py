@@ -16,7 +16,7 @@ from stewart_sym.exchange.machine import robot_of_bodies
 from stewart_sym.io.extras import EXTRAS
 from stewart_sym.robot.bodies import tensors_of_bodies
 from stewart_sym.robot.robot import Robot
-from stewart_sym.studies.benchmark import baselines, bench, equation_kernels, reductions
+from stewart_sym.studies.benchmark import baselines, bench, equation_kernels
 from stewart_sym.studies.benchmark.baselines import JAX, Called, Candidate, Runner, jax_one_pose
 from stewart_sym.studies.benchmark.engines.drake_inverse import drake_inverse
 from stewart_sym.studies.benchmark.engines.pinocchio import pinocchio_rnea
@@ -123,7 +123,7 @@ def test_wrong_forces_stop_the_run_before_anything_is_timed(
     first, *others = getattr(bench, group)
     monkeypatch.setattr(bench, group, (off(first, 1e-9), *others))
     monkeypatch.setattr(bench, "targets", lambda: targets()[:1])
-    monkeypatch.setattr(reductions, "stages", lambda _: ())
+    monkeypatch.setattr(bench, "stages", lambda _: ())
     monkeypatch.setattr(bench, "measured", None)
     with pytest.raises(ValueError, match=f"^{re.escape(first.name)}: forces differ"):
         bench.bench(quick=True)
@@ -175,7 +175,7 @@ def test_every_derived_pass_computes_the_forces_of_any_machine(stranger: Poses) 
 
 def stages_compute_the_forces_of(stranger: Poses) -> None:
     F = ss.inverse_dynamics(stranger.robot, stranger.motion, backend="reference").F
-    for stage in reductions.stages():
+    for stage in baselines.stages():
         for candidate in stage.candidates:
             runner = candidate.runner(stranger)
             runner.run(1)
@@ -185,10 +185,10 @@ def stages_compute_the_forces_of(stranger: Poses) -> None:
 @pytest.mark.usefixtures("small")
 @pytest.mark.parametrize("number", [0, 1], ids=["one pose", "batch"])
 def test_a_pass_with_wrong_forces_stops_the_run(number: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    first, *others = reductions.stages()
+    first, *others = baselines.stages()
     candidates = [off(each, 1e-9) if i == number else each for i, each in enumerate(first.candidates)]
     bad = dataclasses.replace(first, candidates=tuple(candidates))
-    monkeypatch.setattr(reductions, "stages", lambda _: (bad, *others))
+    monkeypatch.setattr(bench, "stages", lambda _: (bad, *others))
     monkeypatch.setattr(bench, "targets", lambda: targets()[:1])
     monkeypatch.setattr(bench, "measured", None)
     with pytest.raises(ValueError, match=r"^as derived, .*: forces differ"):

@@ -14,7 +14,7 @@ from small_bench import shorten
 
 from stewart_sym.cli.main import main
 from stewart_sym.io.extras import install
-from stewart_sym.studies.benchmark import bench, compile_times, published, reductions
+from stewart_sym.studies.benchmark import bench, compile_times, published
 from stewart_sym.studies.benchmark.plot import report
 from stewart_sym.studies.benchmark.processor import targets
 from stewart_sym.studies.common import host
@@ -43,7 +43,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
         for name in HIDDEN:
             patch.setitem(sys.modules, name, None)
         patch.setattr(bench, "targets", lambda: first)
-        patch.setattr(reductions, "stages", lambda _: ())
+        patch.setattr(bench, "stages", lambda _: ())
         patch.setattr(compile_times, "compile_times", lambda *_: ())
         patch.setattr(compile_times, "text_size", lambda: None)
         patch.setattr(bench, "QUICK_SIZES", (8, 10**12))

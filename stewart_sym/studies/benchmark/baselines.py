@@ -1,4 +1,4 @@
-"""What a candidate of ``bench`` is, and those that are not ours: a reference, CasADi, JAX."""
+"""What a candidate of ``bench`` is, and those that are not ours: a reference, CasADi, JAX, passes."""
 
 import ctypes
 import functools
@@ -10,9 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...backend import kernel, native
-from ...backend.c_kernel import address
+from ...backend.c_kernel import address, pointers
 from ...dynamics.arrays import array_kernel
 from ...io.array_types import Array, Codes
+from ...io.progress import Progress, silent
 from ...reference import newton_euler
 from ..common.loops import loop_source
 from ..common.output import Figures
@@ -22,6 +23,7 @@ from .poses import Poses
 from .processor import Flags
 
 if TYPE_CHECKING:
+    from ...derive.passes import Pass
     from .baselines_casadi import Program
 
 
@@ -243,3 +245,54 @@ def jax_one_pose(poses: Poses) -> Called:
     )
     found = np.array([compiled(pose) for pose in given])
     return Called("JAX, jit", "XLA, F alone - call", parts, lambda: found)
+
+
+# --- the derivation's reduction passes --------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Stage:
+    """The kernel after one pass, alone and in a batch."""
+
+    source: "Pass"
+    candidates: tuple[Candidate, Candidate]
+
+
+def stages(progress: Progress = silent) -> tuple[Stage, ...]:
+    """Derive the kernel after every pass, in their order."""
+    from ...derive.passes import passes
+
+    progress("deriving the passes")
+    return tuple(_stage(number, each) for number, each in enumerate(passes(), 1))
+
+
+def _stage(number: int, source: "Pass") -> Stage:
+    """The layout of the prepared model differs from pass to pass."""
+    sources = {**source.sources, **forces_loop()}
+
+    def built(poses: Poses, flags: Flags) -> tuple[ctypes.CDLL, NDArray[np.float64]]:
+        """The library, and the model of the poses' robot."""
+        library = native.load(f"bench_pass_{number}", sources, flags)
+        numbers, model = kernel.robot_numbers(poses.robot), np.zeros(source.model_numbers)
+        succeed(getattr(library, f"stewart_{NAME}_prepare")(address(numbers), address(model)))
+        return library, model
+
+    def one_pose(poses: Poses, flags: Flags) -> Runner:
+        """``stewart_exact_forces`` called from a C loop."""
+        return c_loop(*built(poses, flags), poses)
+
+    def batch(poses: Poses, flags: Flags) -> Runner:
+        """``stewart_exact_forces_batch`` on one core, called from Python with given arrays."""
+        library, model = built(poses, flags)
+        F, status = np.zeros((len(poses), 6)), np.zeros(len(poses), dtype=np.int32)
+        function, count = getattr(library, f"stewart_{NAME}_forces_batch"), ctypes.c_size_t(len(poses))
+        run = repeated(
+            lambda: function(address(model), count, pointers(poses.arrays), address(F), address(status))
+        )
+        return Runner(run, checked(F, status), library)
+
+    alone, many = (
+        Candidate(f"{source.name}, {kind}", source.meaning, kind, poses, make, lambda: source.operations[1])
+        for kind, poses, make in (("one pose", FEW, one_pose), ("batch", MANY, batch))
+    )
+    return Stage(source, (alone, many))

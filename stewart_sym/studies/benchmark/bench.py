@@ -32,7 +32,7 @@ from ..common.loops import loop_source
 from ..common.output import Figures
 from ..common.timing import Task, measured, repeated, time_source
 from . import compile_times as bench_compile
-from . import equation_kernels, reductions
+from . import equation_kernels
 from .baselines import (
     FEW,
     JAX,
@@ -43,11 +43,13 @@ from .baselines import (
     Called,
     Candidate,
     Runner,
+    Stage,
     c_loop,
     checked,
     difference,
     forces_loop,
     jax_one_pose,
+    stages,
     succeed,
 )
 from .figures import (
@@ -243,11 +245,11 @@ def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = 
     missing = absent(*compared)
     present = {None, *compared} - {*missing}
     baselines = tuple(each for each in (*PEERS, JAX) if each.package in present)
-    stages = reductions.stages(progress)
+    passes = stages(progress)
     kinds = targets()
     variants = _variants((*OURS, *baselines), kinds)
     candidates = (*OURS, *CALLS, *baselines, *variants)
-    candidates += tuple(each for stage in stages for each in stage.candidates)
+    candidates += tuple(each for stage in passes for each in stage.candidates)
     sized = functools.cache(poses.resized)
     runners = {each.label: each.runner(sized(each.poses)) for each in candidates}
     called = _called(few, present)
@@ -310,7 +312,7 @@ def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = 
         "sweep": sweep,
         "flatness": flatness(sweep),
         "motion": motion.figures(raw),
-        "passes": [_pass_figures(stage, figures) for stage in stages],
+        "passes": [_pass_figures(stage, figures) for stage in passes],
         "compiling": compiling,
         "text": bench_compile.text_size(),
         "cycle": over_casadi["cycle"],
@@ -367,7 +369,7 @@ def _speedup(poses: int, one: Sequence[float], many: Sequence[float]) -> Figures
     return sampled(cores=CORES, poses=poses, raw=raw) | {"unit": "times as fast as one core"}
 
 
-def _pass_figures(stage: reductions.Stage, figures: Mapping[str, Figures]) -> Figures:
+def _pass_figures(stage: Stage, figures: Mapping[str, Figures]) -> Figures:
     one_pose, batch = (figures[each.label] for each in stage.candidates)
     without, with_friction = stage.source.operations
     operations = {"without_friction": without, "with_friction": with_friction}

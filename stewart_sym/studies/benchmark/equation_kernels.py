@@ -227,11 +227,8 @@ class MotionGroup:
             for each in self.built
             if (each.kind, each.build["instructions"]) == ("one pose", first)
         ]
-        baselines, parts = [], []
-        for engine in self.engines:
-            net, (call, empty) = engine.figures(raw)
-            baselines.append(net)
-            parts.append((call, empty))
+        summed = [engine.figures(raw) for engine in self.engines]
+        baselines = [net for net, _ in summed]
         inverse, better = ours[0]["median"], quickest(baselines)
         (forward,) = (each["median"] for each in ours if each["name"] == FORWARD)
 
@@ -252,8 +249,8 @@ class MotionGroup:
             "baselines": [
                 entry(each, ratio_to_forward_dynamics=each["median"] / forward) for each in baselines
             ],
-            "calls": [call for call, _ in parts],
-            "empty_calls": [empty for _, empty in parts],
+            "calls": [call for _, (call, _) in summed],
+            "empty_calls": [empty for _, (_, empty) in summed],
             **compared,
             "target_times_faster": TIMES_FASTER,
             **({"loops_open_m": opened[0]} if opened else {}),
