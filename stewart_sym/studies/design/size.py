@@ -3,8 +3,6 @@
 The picture has force over speed, shares of the time, strokes, joint angles.
 """
 
-from __future__ import annotations
-
 import functools
 from collections.abc import Callable, Iterator, Sequence
 from types import SimpleNamespace

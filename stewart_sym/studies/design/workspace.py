@@ -3,8 +3,6 @@
 The picture has the planes, by condition number and broken limit.
 """
 
-from __future__ import annotations
-
 import itertools
 import math
 from collections.abc import Iterator, Sequence
