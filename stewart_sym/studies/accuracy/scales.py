@@ -53,31 +53,24 @@ _STANDARD_GRAVITY = 9.81
 _RAGGED = 0.08
 
 
-@dataclass(frozen=True, eq=False)
-class _Arithmetic:
-    """How the C is compiled, and the type of its numbers."""
-
-    dtype: type[np.floating[Any]]
-    defines: Mapping[str, str | int]
-    flags: tuple[str, ...] = ()
-
-
-_ARITHMETIC: Mapping[str, _Arithmetic] = {
-    DOUBLE: _Arithmetic(np.float64, {}),
-    FLOAT: _Arithmetic(np.float32, {"STEWART_FLOAT": 1}),
+_WIDE = "long double"
+_ARITHMETIC: Mapping[str, tuple[type[np.floating[Any]], Mapping[str, str | int], tuple[str, ...]]] = {
+    DOUBLE: (np.float64, {}, ()),
+    FLOAT: (np.float32, {"STEWART_FLOAT": 1}, ()),
+    _WIDE: (
+        np.longdouble,
+        {
+            "STEWART_REAL": "long double",
+            "STEWART_SQRT(value)": "sqrtl(value)",
+            "STEWART_FABS(value)": "fabsl(value)",
+            "STEWART_EPSILON": "LDBL_EPSILON",
+            "STEWART_MAX": "LDBL_MAX",
+        },
+        # The x87 unit gains little by optimisation, and compilers take long.
+        ("-include", "float.h", "-include", "math.h", "-O0"),
+    ),
 }
-_WIDE = _Arithmetic(
-    np.longdouble,
-    {
-        "STEWART_REAL": "long double",
-        "STEWART_SQRT(value)": "sqrtl(value)",
-        "STEWART_FABS(value)": "fabsl(value)",
-        "STEWART_EPSILON": "LDBL_EPSILON",
-        "STEWART_MAX": "LDBL_MAX",
-    },
-    # The x87 unit gains little by optimisation, and compilers take long.
-    ("-include", "float.h", "-include", "math.h", "-O0"),
-)
+"""Type of the numbers, and the macros and flags with which the C is compiled."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -118,7 +111,7 @@ def scales_study(
     """
     robot = robots.dasgupta1998() if robot is None else robot
     rng = np.random.default_rng(seed)
-    checked = {name: how for name, how in _ARITHMETIC.items() if name != DOUBLE or _is_wider()}
+    checked = [DOUBLE, FLOAT] if _is_wider() else [FLOAT]
     shape = (len(sizes), len(masses), len(masses), machines, poses)
     errors = {name: np.empty(shape) for name in checked}
     pairs = list(np.ndindex(len(masses), len(masses)))
@@ -207,37 +200,38 @@ def _is_wider() -> bool:
     return bool(np.finfo(np.longdouble).eps < np.finfo(np.float64).eps / 64)
 
 
-def _errors(robot: Robot, motion: Motion, checked: Mapping[str, _Arithmetic]) -> dict[str, Array]:
+def _errors(robot: Robot, motion: Motion, checked: Sequence[str]) -> dict[str, Array]:
     """Errors, (n,), by arithmetic, all of them given the same numbers, which float can hold."""
     numbers = _rounded(robot_numbers(robot))
     name = kernel_name("exact", robot.base_joint)
-    truth = _forces(name, _WIDE if _is_wider() else _ARITHMETIC[DOUBLE], numbers, motion)
+    truth = _forces(name, _WIDE if _is_wider() else DOUBLE, numbers, motion)
     full = inverse_dynamics(robot, motion, on_singular="nan")
     condition = scaled_condition_number(full.H, characteristic_length(robot))
     largest = np.max([np.abs(values).max(axis=-1) for values in (full.F, full.D, full.x)], axis=0)
     errors = {}
-    for each, how in checked.items():
-        found = _forces(name, how, numbers, motion).astype(truth.dtype)
+    for each in checked:
+        found = _forces(name, each, numbers, motion).astype(truth.dtype)
         error = np.abs(found - truth).max(axis=-1).astype(np.float64)
-        unit = float(np.finfo(how.dtype).eps) * condition * largest
+        unit = float(np.finfo(_ARITHMETIC[each][0]).eps) * condition * largest
         errors[each] = np.where(np.isfinite(error), error, np.inf) / unit
     return errors
 
 
 @functools.cache
-def _functions(name: str, how: _Arithmetic) -> ctypes.CDLL:
-    return native.load(f"stewart_{name}_forces", c_sources(f"{name}_forces"), how.flags, how.defines)
+def _functions(name: str, arithmetic: str) -> ctypes.CDLL:
+    _, defines, flags = _ARITHMETIC[arithmetic]
+    return native.load(f"stewart_{name}_forces", c_sources(f"{name}_forces"), flags, defines)
 
 
-def _forces(name: str, how: _Arithmetic, numbers: Array, motion: Motion) -> Array:
+def _forces(name: str, arithmetic: str, numbers: Array, motion: Motion) -> Array:
     """Forces, N, (n, 6), NaN where the pose is unsolvable, of a robot's numbers."""
-    functions = _functions(name, how)
-    given = numbers.astype(how.dtype)
-    model = np.zeros(MODELS[name], dtype=how.dtype)
+    functions, dtype = _functions(name, arithmetic), _ARITHMETIC[arithmetic][0]
+    given = numbers.astype(dtype)
+    model = np.zeros(MODELS[name], dtype=dtype)
     count = motion.t.shape[0]
-    F = np.full((count, 6), np.nan, dtype=how.dtype)
+    F = np.full((count, 6), np.nan, dtype=dtype)
     if getattr(functions, f"stewart_{name}_prepare")(address(given), address(model)) == OK:
-        arrays = [np.ascontiguousarray(getattr(motion, field), dtype=how.dtype) for field in MOTION]
+        arrays = [np.ascontiguousarray(getattr(motion, field), dtype=dtype) for field in MOTION]
         getattr(functions, f"stewart_{name}_forces_batch")(
             address(model),
             ctypes.c_size_t(count),
