@@ -2,7 +2,7 @@
 
 import functools
 import warnings
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from typing import Any
 
 from ...backend import fidelity
@@ -20,30 +20,16 @@ from .cost import candidate_of, entry_of
 _TOLERANCES = (("50 %", 0.5), ("5 %", 0.05), ("1 %", 0.01), ("1e-9", 1e-9))
 _README_LEVELS = ("massless", "slender", "frictionless", "paper", "general")
 
-Chart = tuple[str, str, Picture]
-"""A picture's name, its rows as CSV, and what draws it."""
-
 _KINDS = ("png", "svg")
 
 
 def full_report(found: Figures, robot: Robot, progress: Progress = silent) -> Report:
-    """The table of ``found``, and every chart's rows with its picture."""
-    every = list(charts(found, robot, progress))
-    return Report(
-        advice_table(found),
-        {name: rows for name, rows, _ in every},
-        {**found, "machine": host.machine(), "software": host.software()},
-        {name: picture for name, _, picture in every},
-    )
-
-
-def charts(found: Figures, robot: Robot, progress: Progress = silent) -> Iterator[Chart]:
     """Speed against accuracy, rounding over the machine's size, and rounding with its bound.
 
     The last two are left out, with a warning, for machines and compilers that they can't be had with.
     """
-    drawn = Picture(lambda: cost_plot.figure(found), SMALL, _KINDS)
-    yield "chart", cost_plot.csv_rows(found), drawn
+    rows = {"chart": cost_plot.csv_rows(found)}
+    pictures = {"chart": Picture(lambda: cost_plot.figure(found), SMALL, _KINDS)}
     studies: dict[str, tuple[Any, Callable[..., Any]]] = {
         "scales": (scales, scales.scales_study),
         "bounds": (bound_plot, bound_plot.bounds_study),
@@ -54,7 +40,10 @@ def charts(found: Figures, robot: Robot, progress: Progress = silent) -> Iterato
         except (ValueError, CompilerError) as error:
             warnings.warn(f"{name}: left out: {error}", stacklevel=2)
         else:
-            yield name, module.csv_rows(made), Picture(functools.partial(module.figure, made), kinds=_KINDS)
+            rows[name] = module.csv_rows(made)
+            pictures[name] = Picture(functools.partial(module.figure, made), kinds=_KINDS)
+    data = {**found, "machine": host.machine(), "software": host.software()}
+    return Report(advice_table(found), rows, data, pictures)
 
 
 def tables(found: Figures) -> dict[str, str]:
