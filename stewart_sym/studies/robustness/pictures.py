@@ -4,7 +4,7 @@ Colours are Okabe and Ito's, distinct to the colour blind; no method is marked b
 """
 
 import functools
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -23,9 +23,7 @@ _CEILING = 1e4
 
 def pictures(families: Sequence[Family], starts: Basins) -> dict[str, Picture]:
     """Every picture by name."""
-    drawn: dict[str, Callable[[], Figure]] = {
-        family.name: functools.partial(family_figure, family) for family in families
-    }
+    drawn = {family.name: functools.partial(family_figure, family) for family in families}
     drawn["basins"] = functools.partial(basins_figure, starts)
     return {name: Picture(draw, SMALL, dpi=130) for name, draw in drawn.items()}
 
