@@ -14,7 +14,6 @@ from ...dynamics.forces import Precision
 from ...dynamics.home_pose import radius
 from ...io.array_types import Array, Flags
 from ...io.progress import Progress, silent, tracked
-from ...motion.motion import Motion
 from ...precision.quad import error, quad_forces
 from ...results import OK
 from ...robot.robot import Robot
@@ -77,24 +76,20 @@ def bounds_study(
     for precision, dtype in tracked(
         progress, _PRECISIONS.items(), lambda each: f"bounding the rounding errors of {each[0]}"
     ):
-        found[precision] = _compared(robot, motion, precision, dtype)
+        given = forces_with_bounds(robot, motion, precision, on_singular="nan")
+        errors = np.abs(error(given.F, quad_forces(robot, motion, dtype)))
+        bound = given.bound.astype(np.float64)
+        kept = (given.status == OK) & np.isfinite(bound).all(axis=-1) & np.isfinite(errors).all(axis=-1)
+        errors, bound = errors[kept], bound[kept]
+        found[precision] = Precise(
+            error=errors.max(axis=-1),
+            bound=bound.max(axis=-1),
+            rcond=given.rcond[kept].astype(np.float64),
+            covered=(errors <= bound).all(axis=-1),
+            robot=robot.name,
+            left_out=int(np.count_nonzero(~kept)),
+        )
     return found
-
-
-def _compared(robot: Robot, motion: Motion, precision: Precision, dtype: type[np.floating[Any]]) -> Precise:
-    given = forces_with_bounds(robot, motion, precision, on_singular="nan")
-    errors = np.abs(error(given.F, quad_forces(robot, motion, dtype)))
-    bound = given.bound.astype(np.float64)
-    kept = (given.status == OK) & np.isfinite(bound).all(axis=-1) & np.isfinite(errors).all(axis=-1)
-    errors, bound = errors[kept], bound[kept]
-    return Precise(
-        error=errors.max(axis=-1),
-        bound=bound.max(axis=-1),
-        rcond=given.rcond[kept].astype(np.float64),
-        covered=(errors <= bound).all(axis=-1),
-        robot=robot.name,
-        left_out=int(np.count_nonzero(~kept)),
-    )
 
 
 def csv_rows(data: Bounds) -> str:

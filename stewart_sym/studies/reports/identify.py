@@ -77,19 +77,16 @@ def from_measurement(
                 said += f": all {factor:g} times as large, expected their unit in a row of units below the "
                 said += "header, or for both files in --time-unit"
         raise ValueError(said)
-    motion = trajectory.motion
-    options = (friction, shared)
-    if noise is not None and robot.tool.any():
+    moved, motion, of_tool = robot, trajectory.motion, noise is not None and robot.tool.any()
+    if of_tool:
         # The noise is that of the measured poses, which are poses of the tool.
         moved, motion = about_point(robot, robot.tool), motion.about_point(robot.tool)
-        smooth = smoothed(motion, noise)[0]
-        found = identify(
-            moved, motion, F, sigma, base_parameters(moved, smooth, *options), noise, physical, drive=drive
-        )
-        base = base_parameters(robot, smooth.about_point(-robot.tool), *options)
+    smooth = motion if noise is None else smoothed(motion, noise)[0]
+    base = base_parameters(moved, smooth, friction, shared)
+    found = identify(moved, motion, F, sigma, base, noise, physical, drive=drive)
+    if of_tool:
+        base = base_parameters(robot, smooth.about_point(-robot.tool), friction, shared)
         return about_reference(robot, base, found, robot.tool)
-    base = base_parameters(robot, motion if noise is None else smoothed(motion, noise)[0], *options)
-    found = identify(robot, motion, F, sigma, base, noise, physical, drive=drive)
     if noise is None and found.verdict in ("misfit", "rejected"):
         found = replace(found, doubts=(*found.doubts, *_scatter(trajectory, form)))
     dry_sought = drive is not None and "coulomb" in drive
