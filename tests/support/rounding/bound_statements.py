@@ -178,15 +178,12 @@ def sampled(function: Function, claim: Claim, rng: np.random.Generator, base: Na
     words = set(re.findall(r"[A-Za-z_]\w*", f"{python(value)} {python(claim.text)}")) - set(base)
     stems = {re.sub(r"_(err|own|max)$", "", word) for word in words} - {"unit", "R"}
     known: Names = dict(base)
-    errors = {}
     inputs = sorted(set(re.findall(r"[A-Za-z_]\w*", python(value))) - set(base)) if value else []
     erring = [y for y in inputs if f"{y}_err" in function.texts or (y.startswith("R_") and len(y) == 4)]
     known["R_err"] = 10.0 ** rng.uniform(-6, -1, SAMPLES)
     for y in sorted(stems | set(inputs)):
         if y != claim.name or claim.kind == "max":
             known[y] = rng.choice([-1.0, 1.0], SAMPLES) * 10.0 ** rng.uniform(-5, 5, SAMPLES)
-    for y in sorted(stems | set(inputs)):
-        if y != claim.name or claim.kind == "max":
             shared = y.startswith("R_") and len(y) == 4
             known[f"{y}_err"] = abs(known[y]) * 10.0 ** rng.uniform(-6, -1, SAMPLES)
             size = abs(known[y])

@@ -121,19 +121,14 @@ class Pose:
         self._rest = np.concatenate([np.ravel(values) for values in at[1:]]).astype(Real)
         self.F, first = np.zeros(6, Real), np.zeros(6, Real)
         self._slopes, shares = np.zeros((6, 3, 3), Real), np.zeros((6, len(names)), Real)
-        found = (self.F, first, self._slopes, shares)
-        if self._record(names, found):
+        self._library.set_unit(ctypes.c_double(unit))
+        given = np.concatenate([self._R.ravel(), self._rest])
+        arguments = map(_pointer, (self._numbers, given, self.F, first, self._slopes, shares))
+        if self._library.record(ctypes.c_int(len(names)), *arguments):
             raise ValueError("motion: expected a pose that can be solved")
         of_R = [unit * _worst_strain(self._R, slope)[1] for slope in self._slopes]
         self.first_order = (first + of_R).astype(float)
         self.of_group = shares.astype(float)
-
-    def _record(self, names: list[str], found: tuple[Array, ...]) -> int:
-        self._library.set_unit(ctypes.c_double(self._unit))
-        given = np.concatenate([self._R.ravel(), self._rest])
-        arguments = map(_pointer, (self._numbers, given, *found))
-        status: int = self._library.record(ctypes.c_int(len(names)), *arguments)
-        return status
 
     def worst(self, force: int, group: int = EVERY) -> tuple[float, float]:
         """Error and bound of one force, N, when all that rounds does so against it.
