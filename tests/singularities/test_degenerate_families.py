@@ -186,7 +186,7 @@ def test_good_poses_are_answered() -> None:
     """Statuses by kernel and precision on poses up to the condition number where they must have an answer."""
     cases = share(1_000_000, 1_000)
     each = min(500, cases // 20)
-    numbers, sizes = random_machines(np.random.default_rng(25), -(-cases // each), LEGS, False)
+    numbers, sizes = random_machines(np.random.default_rng(25), -(-cases // each), False)
     found: dict[tuple[str, str], int] = {}
     for precision in PRECISIONS:
         forces = oracle.check_random("singular", numbers, sizes, each, 26, precision, samples=0)
@@ -209,7 +209,7 @@ def test_good_poses_are_answered() -> None:
 def test_random_changes_of_the_inputs_do_not_understate_a_condition_number() -> None:
     """An error that is within the limit by the changes of every input is, whichever changes are drawn."""
     rng = np.random.default_rng([11, oracle.KINDS.index(FAR)])
-    numbers, sizes = random_machines(rng, 3, LEGS, False)
+    numbers, sizes = random_machines(rng, 3, False)
     mine, motion = oracle.random_case(FAR, numbers, sizes, 60, 11, 131)
     column = oracle.CLOSED_KERNELS.index("joint_inertia")
 
@@ -262,7 +262,7 @@ def within(kind: str, kernel: str) -> float:
 def beyond(kind: str, precision: str, cases: int) -> list[str]:
     """Kernels that err by more than ``within``, or reject a good pose: the worst case of each in a line."""
     seed, each = 29, cases // MACHINES
-    numbers, sizes = random_machines(np.random.default_rng(seed), MACHINES, LEGS, False)
+    numbers, sizes = random_machines(np.random.default_rng(seed), MACHINES, False)
     forces = oracle.check_random(kind, numbers, sizes, each, seed, precision, 8, WITHIN)
     closed = oracle.closed_form_errors(
         kind, numbers, sizes, each, seed, precision, samples=8, in_quad=True, doubtful=WITHIN

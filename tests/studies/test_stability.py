@@ -167,21 +167,11 @@ def test_damped_steps_find_more_poses_than_newton_s_own() -> None:
     assert found.proven == 1.0
 
 
-def wrong_and_rejected(
-    cases: int, legs: tuple[str, ...] = LEGS, kinds: tuple[str, ...] = oracle.KINDS
-) -> Any:
-    found = sweep(cases, seed=11, legs=legs, kinds=kinds)
+@pytest.mark.parametrize("cases", [2_000, pytest.param(share(100_000), marks=pytest.mark.slow)])
+def test_random_cases_near_failure_are_right_or_say_so(cases: int) -> None:
+    found = sweep(cases, seed=11)
     assert found.figures["cases"] >= cases
-    return found.figures["wrong"], found.figures["rejected_good"], found.shown
-
-
-def test_random_cases_near_failure_are_right_or_say_so() -> None:
-    assert wrong_and_rejected(2_000) == (0, 0, [])
-
-
-@pytest.mark.slow
-def test_many_random_cases_near_failure_are_right_or_say_so() -> None:
-    assert wrong_and_rejected(share(100_000)) == (0, 0, [])
+    assert (found.figures["wrong"], found.figures["rejected_good"], found.shown) == (0, 0, [])
 
 
 def test_a_case_shown_is_the_case_that_was_checked() -> None:

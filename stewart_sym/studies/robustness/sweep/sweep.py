@@ -47,16 +47,9 @@ class Sweep:
     in_quad: int
 
 
-def sweep(
-    cases: int,
-    seed: int = 0,
-    progress: Progress = silent,
-    kinds: tuple[str, ...] = KINDS,
-    legs: tuple[str, ...] = LEGS,
-) -> Sweep:
+def sweep(cases: int, seed: int = 0, progress: Progress = silent, kinds: tuple[str, ...] = KINDS) -> Sweep:
     """Check random cases near failure in double, and a tenth as many in float, in equal parts of each kind.
 
-    kinds: of ``KINDS``; legs: of the machines, of ``LEGS``, in turn.
     Raises ValueError for less than one case of each, native.CompilerError without ``__float128``.
     """
     if cases < len(kinds) * FLOAT_SHARE:
@@ -72,7 +65,7 @@ def sweep(
             wanted = -(-cases // (share * len(kinds)))
             each = min(PER_MACHINE, max(1, wanted // 20))
             rng = np.random.default_rng([seed, KINDS.index(kind)])
-            numbers, sizes = random_machines(rng, -(-wanted // each), legs, kind == MACHINE)
+            numbers, sizes = random_machines(rng, -(-wanted // each), kind == MACHINE)
             found = check_random(kind, numbers, sizes, each, seed, precision)
             in_quad += int(found["in_quad"].sum())
             answers = [_of_forces(found, column) for column in range(len(KERNELS))]
@@ -169,9 +162,7 @@ def report(found: Sweep) -> str:
     return head + aligned(header, rows) + ("\n\n" + "\n".join(found.shown) if found.shown else "")
 
 
-def random_machines(
-    rng: np.random.Generator, count: int, every: tuple[str, ...], singular: bool
-) -> tuple[Array, Array]:
+def random_machines(rng: np.random.Generator, count: int, singular: bool) -> tuple[Array, Array]:
     """Numbers (count, 205) and sizes (count,), half of one metre's order, half anywhere in the extremes.
 
     singular: machines of the families of ``singular_machines`` in turn.
@@ -179,7 +170,7 @@ def random_machines(
     machines = []
     families = tuple(FAMILIES)
     for number in range(count):
-        legs = every[number // 2 % len(every)]
+        legs = LEGS[number // 2 % len(LEGS)]
         size, mass = (10.0 ** rng.uniform(*np.log10(extremes)) for extremes in (SIZES, MASSES))
         size, mass = (size, mass) if number % 2 else (1.0, 10.0)
         machines.append(
