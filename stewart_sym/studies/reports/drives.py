@@ -31,18 +31,6 @@ def drive_columns(part: Instants, sd: MotorDeviations | None = None) -> Columns:
     return found
 
 
-def no_instants(current: bool) -> Instants:
-    """No instants at all, with or without currents: for the names of columns."""
-    none = np.zeros((0, LEGS))
-    return Instants(*(none,) * len(Instants._fields))._replace(current=none if current else None)
-
-
-def no_deviations(current: bool) -> MotorDeviations:
-    """Likewise of deviations."""
-    none = np.zeros((0, LEGS))
-    return MotorDeviations(*(none,) * 7)._replace(current=none if current else None)
-
-
 class DriveDigest:
     """Peaks, root mean squares and energy of the motors over a run, and what a picture of it needs."""
 

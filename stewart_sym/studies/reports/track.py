@@ -21,7 +21,7 @@ from ...drives.leg_limits import (
     limited_angles,
     replaced_names,
 )
-from ...drives.noise import Deviations, at_replaced, deviations_in_parts
+from ...drives.noise import Deviations, MotorDeviations, at_replaced, deviations_in_parts
 from ...drives.verdicts import SURE, amount_text, unknown_forces
 from ...dynamics.home_pose import home_pose
 from ...dynamics.inverse import Backend, Formulation, first_fault, inverse_dynamics, joint_reactions
@@ -35,7 +35,7 @@ from ...motion.trajectory import PoseLog, Replaced, Trajectory
 from ...results import NOT_FINITE, OK, ZERO_LENGTH, Reactions
 from ...robot.robot import LEGS, Robot
 from ..common.output import Columns, aligned, by_leg, csv_lines, of_axes, of_legs
-from .drives import DriveDigest, drive_columns, no_deviations, no_instants
+from .drives import DriveDigest, drive_columns
 
 NOISE_SHARE = 0.02
 """Share of a leg's peak force that noise may make of it, ``SURE`` deviations, without a warning."""
@@ -98,17 +98,17 @@ class Part(NamedTuple):
 
 def header_lines() -> list[str]:
     """First line of the CSV file of each kind of run: with deviations or not, with reactions or not."""
-    n, legs = np.zeros(0), np.zeros((0, 6))
-    vectors = np.zeros((0, 6, 3))
-    reactions = Reactions(vectors, vectors, vectors, vectors, vectors, legs, n.astype(np.int32))
-    more_reactions = dataclasses.replace(reactions, M_s=vectors)
+    none, legs, vectors = np.zeros(0), np.zeros((0, LEGS)), np.zeros((0, LEGS, 3))
+    status = none.astype(np.int32)
+    reactions = Reactions(vectors, vectors, vectors, vectors, vectors, legs, status)
+    drives: list[tuple[Instants | None, MotorDeviations | None]] = [(None, None)]
+    for current in (None, legs):
+        effort = Instants(*(legs,) * len(Instants._fields))._replace(current=current)
+        drives.append((effort, MotorDeviations(*(legs,) * 7)._replace(current=current)))
     return [
-        next(csv_lines(Part(slice(0), n, legs, legs, legs, n, n.astype(np.int32), more, e, sd).columns))
-        for more in (None, reactions, more_reactions)
-        for e, motors in (
-            (None, None),
-            *((no_instants(current), no_deviations(current)) for current in (False, True)),
-        )
+        next(csv_lines(Part(slice(0), none, legs, legs, legs, none, status, more, effort, sd).columns))
+        for more in (None, reactions, dataclasses.replace(reactions, M_s=vectors))
+        for effort, motors in drives
         for sd in (None, Deviations(legs, legs, legs, legs, motors=motors))
     ]
 
