@@ -320,7 +320,9 @@ def _needs(course: Course, margin: float, shares: Array) -> Needs:
         values = getattr(course, name)
         if values is not None:
             over_time[need] = weighted_quantiles(np.abs(values), course.weight, shares)
-    largest = {need: _largest(sign * getattr(course, name)) for need, (name, sign) in _LARGEST.items()}
+    largest: dict[str, Any] = {
+        need: _largest(sign * getattr(course, name)) for need, (name, sign) in _LARGEST.items()
+    }
     return Needs(
         margin=margin,
         quantiles=shares,

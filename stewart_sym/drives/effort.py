@@ -145,11 +145,8 @@ def drive_effort(
     lines = tuple(summary.exceeded())
     for line in lines:
         warn(line, DriveLimitWarning)
-    at = None if when is None else side_change(robot, motion)
-    if at is not None:
-        between = " and ".join(time_text(time, least_step(when)) for time in when[at : at + 2])
-        text = f"motion: crosses a singular pose between {between} s, where det H changes its sign"
-        warn(f"{text}: torques grow without bound", SingularPoseWarning)
+    if when is not None:
+        _warn_of_crossing(robot, motion, when)
     return DriveEffort(
         **found._asdict(),
         rms_torque=summary.rms_torque,
@@ -158,6 +155,14 @@ def drive_effort(
         exceeded=lines,
         deviations=None if sd is None else _deviations(sd, summary),
     )
+
+
+def _warn_of_crossing(robot: Robot, motion: Motion, when: Array) -> None:
+    at = side_change(robot, motion)
+    if at is not None:
+        between = " and ".join(time_text(time, least_step(when)) for time in when[at : at + 2])
+        text = f"motion: crosses a singular pose between {between} s, where det H changes its sign"
+        warn(f"{text}: torques grow without bound", SingularPoseWarning)
 
 
 def _deviations(sd: MotorDeviations, summary: Summary) -> dict[str, Array]:
