@@ -9,7 +9,7 @@ import pytest
 from leaning_legs import leaning
 from machines import random_motion, random_robot
 from near_singular import near_singular_motion
-from scalar_kernels import BOUND, UNTOUCHED, Array, Kernel, compiled, numbers, plain_blocks, prepared
+from scalar_kernels import BOUND, UNTOUCHED, Array, Kernel, compiled, numbers, prepared
 from sweeps import FULL, slow_but
 from unsolvable_poses import leg_along_its_axis, singular, zero_length_leg
 
@@ -18,14 +18,12 @@ from stewart_sym.backend import fidelity, native
 from stewart_sym.backend.c_kernel import c_sources
 from stewart_sym.backend.kernel import MOTION, robot_numbers
 from stewart_sym.backend.numpy_kernel import loaded
-from stewart_sym.derive.emit import scalar
 from stewart_sym.derive.kernel.elimination import BY_POINTERS
 from stewart_sym.derive.kernel.tree import read
 from stewart_sym.derive.kernel.written import scalar as written_scalar
-from stewart_sym.derive.mechanics import quantities as n
-from stewart_sym.derive.mechanics.baked_constants import baked
 from stewart_sym.derive.print.c import C
-from stewart_sym.derive.program.cse import shared_blocks
+from stewart_sym.kit import Choice
+from stewart_sym.kit.parts import parts
 from stewart_sym.motion.motion import Motion
 from stewart_sym.results import BAD_ARGUMENT, JOINT_SINGULAR, NOT_FINITE, OK, SINGULAR, ZERO_LENGTH
 from stewart_sym.robot.robot import Robot
@@ -40,11 +38,7 @@ LEVELS = slow_but(PLAIN, [*PLAIN, *OTHERS])
 
 
 def baked_kernel(robot: Robot, level: str, precision: str = "double") -> Kernel:
-    level = fidelity.resolved(robot, "exact", level)
-    raw = plain_blocks("exact", robot.base_joint if level == "general" else "universal", level)
-    given = {q.name: np.asarray(getattr(robot, q.name)).tolist() for q in n.LEG + n.PLATFORM}
-    found, name = compiled(shared_blocks(baked(raw, given, "machine")), shared_blocks(raw), precision)
-    return Kernel(found, name, precision, None)
+    return Kernel(*compiled(robot, precision, bake=True, fidelity=level), precision, None)
 
 
 def joined(motions: list[Motion]) -> Motion:
@@ -209,7 +203,7 @@ def test_an_unprepared_model_and_null_pointers_have_a_status(level: str) -> None
         assert (F == UNTOUCHED).all()
         given, F = motion.astype(kernel.dtype), np.full(6, UNTOUCHED, dtype=kernel.dtype)
         pointers = [cast(Array, kernel.model).ctypes.data, given.ctypes.data, F.ctypes.data]
-        call = getattr(kernel.library, f"stewart_{kernel.name}_pose_forces")
+        call = getattr(kernel.library, f"{kernel.prefix}_forces")
         for missing in range(3):
             some = [None if i == missing else pointer for i, pointer in enumerate(pointers)]
             assert call(*map(ctypes.c_void_p, some)) == BAD_ARGUMENT
@@ -220,7 +214,7 @@ def test_an_unprepared_model_and_null_pointers_have_a_status(level: str) -> None
 def test_a_robot_that_is_not_finite_is_rejected_and_the_model_left_alone(level: str) -> None:
     robot = random_robot(np.random.default_rng(16))
     kernel = prepared(robot, "exact", level)
-    call = getattr(kernel.library, f"stewart_{kernel.name}_pose_prepare")
+    call = getattr(kernel.library, f"{kernel.prefix}_prepare")
     numbers = robot_numbers(robot)
     model = np.full(1000, UNTOUCHED)
     lanes = ss.prepare(robot, fidelity=level).function("prepare")
@@ -244,10 +238,9 @@ def test_a_robot_that_is_not_finite_is_rejected_and_the_model_left_alone(level: 
 @pytest.mark.slow
 def test_kernels_with_and_without_lanes_stand_side_by_side() -> None:
     """No name of the one is a name of the other."""
-    kernel = shared_blocks(plain_blocks("exact", "universal", "general"))
     sources = {
         **c_sources("exact_forces"),
-        **scalar.files(kernel, None, ""),
+        **parts(random_robot(np.random.default_rng(0)), Choice(scalar=True)).files,
         "both.c": '#include "stewart_exact_forces.h"\n#include "stewart_exact_pose.h"\n',
     }
     both = native.load("both", sources, ["-O0"])

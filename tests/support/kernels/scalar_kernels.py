@@ -11,14 +11,12 @@ from machines import random_motion, random_robot
 from numpy.typing import NDArray
 
 from stewart_sym.backend import fidelity, native
-from stewart_sym.backend.kernel import MOTION, kernel_name, robot_numbers
+from stewart_sym.backend.kernel import MOTION, robot_numbers
 from stewart_sym.backend.numpy_kernel import loaded
-from stewart_sym.derive.emit import scalar
 from stewart_sym.derive.emit.header import common_header
 from stewart_sym.derive.emit.shared import shared_headers
-from stewart_sym.derive.mechanics.formulation import FORMULATIONS
-from stewart_sym.derive.mechanics.reduced_models import FIDELITIES, fidelity_kernel
-from stewart_sym.derive.program.cse import shared_blocks
+from stewart_sym.kit import Choice
+from stewart_sym.kit.parts import parts
 from stewart_sym.motion.motion import Motion
 from stewart_sym.results import OK
 from stewart_sym.robot import units
@@ -33,7 +31,7 @@ class Kernel:
     """A compiled one-pose kernel with a robot prepared for it, if it takes one."""
 
     library: ctypes.CDLL
-    name: str
+    prefix: str
     precision: str
     model: Array | None
 
@@ -46,7 +44,7 @@ class Kernel:
         arguments = [given.ctypes.data, F.ctypes.data]
         if self.model is not None:
             arguments.insert(0, self.model.ctypes.data)
-        status = getattr(self.library, f"stewart_{self.name}_pose_forces")(*map(ctypes.c_void_p, arguments))
+        status = getattr(self.library, f"{self.prefix}_forces")(*map(ctypes.c_void_p, arguments))
         return status, F
 
     def forces_and_status(self, motion: Motion) -> tuple[Array, NDArray[np.int32]]:
@@ -63,15 +61,19 @@ def numbers(motion: Motion) -> Array:
     return np.concatenate([np.ravel(getattr(poses, name)) for name in MOTION])
 
 
-@functools.cache
-def plain_blocks(formulation: str, joint: str, level: str) -> Any:
-    name = kernel_name(formulation, joint)
-    return fidelity_kernel(next(f for f in FORMULATIONS if f.kernel_name == name), FIDELITIES[level])
+def compiled(robot: Robot, precision: str, **choice: Any) -> tuple[ctypes.CDLL, str]:
+    """The kernel of a kit, and the prefix of its functions."""
+    made = parts(robot, Choice(scalar=True, precision=precision, **choice))
+    (forces,) = made.parts[0].functions
+    sources = {name: text for name, text in made.files.items() if "rotation" not in name}
+    library = native.load("scalar", sources, ["-O1", "-ffp-contract=off"])
+    return library, forces.symbol.removesuffix("_forces")
 
 
 @functools.cache
 def library(formulation: str, joint: str, level: str, precision: str) -> tuple[ctypes.CDLL, str]:
-    return compiled(shared_blocks(plain_blocks(formulation, joint, level)), None, precision)
+    robot = random_robot(np.random.default_rng(0), joint)
+    return compiled(robot, precision, formulation=formulation, fidelity=level)
 
 
 def with_headers(sources: dict[str, str]) -> dict[str, str]:
@@ -79,23 +81,17 @@ def with_headers(sources: dict[str, str]) -> dict[str, str]:
     return {"stewart.h": common_header(""), **shared_headers(""), **sources}
 
 
-def compiled(kernel: Any, before: Any, precision: str) -> tuple[ctypes.CDLL, str]:
-    defines = {"STEWART_FLOAT": 1} if precision == "float" else None
-    sources = with_headers(scalar.files(kernel, before, ""))
-    return native.load("scalar", sources, ["-O1", "-ffp-contract=off"], defines), kernel.name
-
-
 def prepared(
     robot: Robot, formulation: str = "exact", level: str = "general", precision: str = "double"
 ) -> Kernel:
     level = fidelity.resolved(robot, formulation, level)
     joint = robot.base_joint if level == "general" else "universal"
-    found, name = library(formulation, joint, level, precision)
+    found, prefix = library(formulation, joint, level, precision)
     dtype = np.float32 if precision == "float" else np.float64
     raw, model = robot_numbers(robot).astype(dtype), np.full(1000, np.nan, dtype=dtype)
-    call = getattr(found, f"stewart_{name}_pose_prepare")
+    call = getattr(found, f"{prefix}_prepare")
     assert call(ctypes.c_void_p(raw.ctypes.data), ctypes.c_void_p(model.ctypes.data)) == OK
-    return Kernel(found, name, precision, model)
+    return Kernel(found, prefix, precision, model)
 
 
 BOUND = 100.0
