@@ -1,6 +1,5 @@
 """The generated kinematics in C, double and float: what NumPy finds, and nothing found that is wrong."""
 
-import ctypes
 from pathlib import Path
 from string import Template
 
@@ -8,7 +7,17 @@ import numpy as np
 import pytest
 import sympy as sp
 from counting_c import REPORT, counted, listed
-from kinematics_calls import PRECISIONS, AnyArray, Array, forward, inverse, library, poses_of, velocity
+from kinematics_calls import (
+    PRECISIONS,
+    AnyArray,
+    Array,
+    called,
+    forward,
+    inverse,
+    library,
+    poses_of,
+    velocity,
+)
 from leg_lengths import lengths, nudged, paper_poses
 from machines import dasgupta, machine_size, random_motion, random_robot
 from numpy.typing import NDArray
@@ -246,10 +255,8 @@ def test_numbers_that_are_not_finite_are_told(value: float) -> None:
         pose = poses_of(motion.R, motion.t)
         pose[0, i] = value
         R, t = pose[:, :9].reshape(1, 3, 3), pose[:, 9:]
-        status = np.full(1, -1, dtype=np.int32)
-        numbers = robot_numbers(robot)
         kept = pose.copy()
-        library().forward_all(*map(address, (numbers,)), ctypes.c_size_t(1), *map(address, (L, pose, status)))
+        status = called("stewart_forward_kinematics", robot, "double", L, pose)
         assert status.tolist() == [results.NOT_FINITE]
         np.testing.assert_array_equal(pose, kept)
         assert velocity(robot, R, t, L_dot)[1].tolist() == [results.NOT_FINITE]
