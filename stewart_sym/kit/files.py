@@ -212,7 +212,7 @@ def _manifest(machine: Machine, choice: Choice, files: Mapping[str, bytes]) -> b
 def _start(robot: Robot, formulation: str) -> Motion:
     """The pose at which a unit starts: home, or the example's where home has no forces."""
     home = home_pose(robot)
-    return at_rest(np.eye(3), home.t) if home.status == OK else sample(robot, formulation)[0]
+    return at_rest(np.eye(3), home.t) if home.status == OK else sample(robot, formulation)
 
 
 def _unit(robot: Robot, choice: Choice, made: Parts, texts: Mapping[str, str]) -> bytes:

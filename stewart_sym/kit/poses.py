@@ -51,8 +51,8 @@ _LOADS = (0.0, -1.0, 2.0, 0.5, -3.0)
 
 
 @lru_cache(maxsize=16)
-def sample(robot: Robot, formulation: str) -> tuple[Motion, Forces, float]:
-    """The motion of the example, its forces and the condition number of H, moments over a length.
+def sample(robot: Robot, formulation: str) -> Motion:
+    """The motion of the example.
 
     The pose is a slight turn away from home, where the middle of the platform points is straight above the
     middle of the base points, on the side of ``platform_side``, 1.1 times the machine's radius away, and the
@@ -67,8 +67,7 @@ def sample(robot: Robot, formulation: str) -> tuple[Motion, Forces, float]:
         for bound in (GOOD_CONDITION, MAX_CONDITION):
             good = np.flatnonzero(clear & also & (condition <= bound))
             if good.size:
-                motion = poses[int(good[0])]
-                return motion, _forces(robot, motion, formulation), float(condition[good[0]])
+                return poses[int(good[0])]
     raise ValueError(
         f"robot {robot.name!r}: no good pose for the example: wherever the platform is put, H is singular or "
         f"its condition number above {MAX_CONDITION:g}, or a leg is near its universal axis"
@@ -82,7 +81,7 @@ def poses(robot: Robot, formulation: str, count: int) -> Motion:
     the length limits come first, then those with good condition numbers. Some are at rest, others move
     backwards or without load. A machine may have fewer than requested. Raises ValueError as ``sample``.
     """
-    first, _, _ = sample(robot, formulation)
+    first = sample(robot, formulation)
     around, condition, clear, within = _checked(robot, _neighbours(robot, first), formulation)
     fit = clear & (condition <= MAX_CONDITION)
     # The order of numbers is kept within a rank: the sort is stable.

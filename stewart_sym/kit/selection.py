@@ -93,7 +93,7 @@ def selection(numbered: Numbered, formulation: str, fidelity: str, precision: st
     """
     robot = numbered.robot
     kernel = folded_kernel(robot, formulation, fidelity)
-    search = _Search(robot, kernel, precision, sample(robot, formulation)[0])
+    search = _Search(robot, kernel, precision, sample(robot, formulation))
     ratios, motions = search.shown(near=False)
     hidden = _hidden(ratios)
     chosen = [_flat(motions, i) for i in _cover(ratios)]

@@ -289,8 +289,8 @@ def test_upright_turns_z_to_the_side() -> None:
 
 def test_the_poses_of_a_kit_are_on_the_side_of_the_platform() -> None:
     robot = random_robot(np.random.default_rng(5))
-    above, _, _ = sample(robot, "exact")
-    below, _, _ = sample(dataclasses.replace(robot, g=-robot.g), "exact")
+    above = sample(robot, "exact")
+    below = sample(dataclasses.replace(robot, g=-robot.g), "exact")
     side = ss.up_direction(robot)
     assert (above.t + above.R @ robot.p.mean(axis=0) - robot.b.mean(axis=0)) @ side > 0.0
     assert (below.t + below.R @ robot.p.mean(axis=0) - robot.b.mean(axis=0)) @ side < 0.0

@@ -204,7 +204,7 @@ def test_version_and_limits_are_in_the_headers() -> None:
 
 def test_outputs_of_one_pose_may_overlap_the_motion(tmp_path: Path) -> None:
     robot = machines.dasgupta()
-    at = sample(robot, "exact")[0]
+    at = sample(robot, "exact")
     motion = np.concatenate([np.ravel(getattr(at, name)) for name in kernel.MOTION])
     library = native.load("kit_of_all", c_of(made(), r"stewart\w*\.[ch]"), ("-O1",))
     constants = kernel.robot_numbers(robot)

@@ -43,7 +43,7 @@ def of(function: str) -> list[Vector]:
 
 def exactly_orthonormal(base_joint: str = "universal") -> tuple[dict[str, Any], dict[str, Any]]:
     robot = machine(base_joint)
-    return orthonormal(robot, sample(robot, "exact")[0])
+    return orthonormal(robot, sample(robot, "exact"))
 
 
 def off(found: NDArray[Any], wanted: NDArray[Any]) -> float:
@@ -206,7 +206,7 @@ def test_forces_of_a_machine_slightly_other_are_out_of_bounds(field: str) -> Non
 @pytest.mark.slow
 def test_numbers_of_float_vectors_fit_into_floats_and_answers_are_of_these() -> None:
     robot = machine()
-    stored, _ = as_stored(robot, sample(robot, "exact")[0])
+    stored, _ = as_stored(robot, sample(robot, "exact"))
     rounded = dataclasses.replace(
         robot,
         **{name: value.astype(np.float32).astype(float)[()] for name, value in stored.items()},
@@ -240,7 +240,7 @@ def test_bounds_are_positive_and_of_two_digits_and_large_functions_have_few_vect
 def test_poses_begin_with_the_examples_and_are_all_good() -> None:
     robot = machine()
     motions = poses(robot, "exact", 8)
-    example = sample(robot, "exact")[0]
+    example = sample(robot, "exact")
     for name in MOTION:
         np.testing.assert_array_equal(getattr(motions, name)[0], getattr(example, name))
     assert motions.shape == (8,)

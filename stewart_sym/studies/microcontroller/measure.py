@@ -270,7 +270,7 @@ def unsolvable_motions(
 
 def _near_singular_joints(robot: Robot) -> Array:
     """Fixed axes, (6, 3), with which all legs are near their joint singularities at the first motion."""
-    s = inverse_kinematics(robot, sample(robot, "exact")[0]).s
+    s = inverse_kinematics(robot, sample(robot, "exact")).s
     across = np.cross(s, np.roll(s, 1, axis=-1))
     across /= np.linalg.norm(across, axis=-1, keepdims=True)
     return np.asarray(np.sqrt(1 - NEAR_JOINT_SINGULAR**2) * s + NEAR_JOINT_SINGULAR * across)
