@@ -25,7 +25,6 @@ from fmu_units import (
     forces,
     loaded,
     made,
-    path,
     references,
     rows_of,
     running,
@@ -37,7 +36,7 @@ from fmu_units import (
     unit,
 )
 
-from stewart_sym import inverse_dynamics
+from stewart_sym import PATHS, inverse_dynamics
 from stewart_sym.dynamics.home_pose import home_pose
 from stewart_sym.kit import Choice, kit
 
@@ -59,7 +58,7 @@ def test_path_gives_the_forces_of_the_kernel_to_the_bit(case: str) -> None:
     interval, count = 0.05, 40
     times = interval * np.arange(count + 1)
     names = list(references(case))
-    rows = rows_of(path(case, times))
+    rows = rows_of(PATHS["I"].path.sample(times))
     signals = np.zeros(count + 1, dtype=[("time", float), *((name, float) for name in names[:30])])
     signals["time"] = times
     for name, column in zip(names[:30], rows.T, strict=True):

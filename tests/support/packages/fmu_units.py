@@ -20,7 +20,6 @@ from kits import c_of, few_vectors
 from numpy.typing import NDArray
 from sweeps import slow_but
 
-from stewart_sym import PATHS
 from stewart_sym.backend import native
 from stewart_sym.backend.kernel import MOTION, robot_numbers
 from stewart_sym.derive.package import fmu
@@ -63,30 +62,17 @@ class Made:
         return robot_symbol(self.robot.name)
 
 
-def robot_of(case: str) -> Robot:
-    if case == "spherical":
-        return machines.random_robot(np.random.default_rng(3), "spherical")
-    return machines.dasgupta()
-
-
-def machine(robot: Robot) -> Machine:
-    return Machine(robot.name, fields(robot), {}, None, "1.2.3")
-
-
-def pose(motion: Motion) -> dict[str, object]:
-    return {field: getattr(motion, field).tolist() for field in ("R", "t")}
-
-
 def unit(robot: Robot, sources: dict[str, str]) -> bytes:
     """A unit of the kernel in lanes."""
     start = {"R": np.eye(3).tolist(), "t": home_pose(robot).t.tolist()}
-    texts = fmu.unit(machine(robot), sources, made("lanes").kernel, "double", start)
+    machine = Machine(robot.name, fields(robot), {}, None, "1.2.3")
+    texts = fmu.unit(machine, sources, made("lanes").kernel, "double", start)
     return packed(robot_symbol(robot.name), texts)
 
 
 @functools.cache
 def made(case: str) -> Made:
-    robot = robot_of(case)
+    robot = machines.dasgupta()
     with few_vectors(), pytest.MonkeyPatch.context() as patch:
         patch.setattr(native, "PORTABLE_FLAGS", flags(case))
         whole = kit(robot, CASES[case])
@@ -150,12 +136,6 @@ def rows_of(motion: Motion) -> Array:
     return np.concatenate(
         [np.zeros((count, 3)) if value is None else value.reshape(count, -1) for value in fields], axis=1
     )
-
-
-def path(case: str, times: Array) -> Motion:
-    if case == "spherical":
-        return machines.random_path(np.random.default_rng(4), made(case).robot)(times)
-    return PATHS["I"].path.sample(times)
 
 
 # --- an instance ------------------------------------------------------------------------------
