@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 from attack_build import GENERATED, SOME
 from builds import run
+from kits import STRICT
 from sweeps import slow_but
 
 from stewart_sym.backend.kernel import defines_of
@@ -17,7 +18,6 @@ from stewart_sym.derive.mechanics.formulation import FORMULATIONS
 from stewart_sym.generated.interface import HEADERS
 
 KERNELS = [form.kernel_name for form in FORMULATIONS]
-STRICT = ["-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Wdouble-promotion", "-Werror"]
 REPOSITORY = Path(__file__).parents[2]
 
 

@@ -20,7 +20,7 @@ from threading import Thread
 import numpy as np
 import pytest
 from builds import CLIENT, QUICK, ROBOT, SYMBOL, needed, run, texts, written
-from kits import few_vectors
+from kits import contents, few_vectors
 from numpy.typing import NDArray
 from pages import blocks
 from sweeps import FULL
@@ -442,7 +442,3 @@ def test_make_fails_where_the_self_test_does(tmp_path: Path, files: dict[str, st
 def test_version_that_is_no_release_still_configures() -> None:
     files = build_files("x", "1.2.0.dev3+gabc", ("a.c",), ("a.h",))
     assert "project(x VERSION 1.2.0 LANGUAGES C)" in files["CMakeLists.txt"]
-
-
-def contents(folder: Path) -> dict[str, bytes]:
-    return {path.name: path.read_bytes() for path in folder.iterdir() if path.is_file()}

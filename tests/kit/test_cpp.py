@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 from builds import ROBOT, SYMBOL, needed, run, texts, written
-from kits import few_vectors
+from kits import STRICT, few_vectors
 
 from stewart_sym.derive.kernel.interface import CALLS
 from stewart_sym.derive.package import cpp as kit_cpp
@@ -15,9 +15,6 @@ from stewart_sym.derive.package.functions import MODEL, Function
 from stewart_sym.kit import Choice
 from stewart_sym.kit.parts import parts
 from stewart_sym.robot.robot import Robot
-
-STRICT = ("-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror")
-
 
 GROUPS = ("forces", "reactions", "motion", "derivatives", "kinematics")
 
