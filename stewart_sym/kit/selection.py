@@ -231,12 +231,11 @@ class _Search:
         return pool, self._forces(pool, near)
 
     def _pool(self, draw: Any, near: bool) -> Arrays:
-        places = self._places_near if near else self._places
         still, moving = self._kinds()
         groups = [(_NEAR, [*still, *moving])] if near else [(_AT_REST, still), (_MOVING, moving)]
         rows: dict[str, list[Any]] = {name: [] for name in (*MOTION, "unloaded")}
         for count, kinds in groups:
-            for (R, t), kind in itertools.product(list(places(draw, count)), kinds):
+            for (R, t), kind in itertools.product(list(self._places(draw, count, near)), kinds):
                 given = {"R": R, "t": t} | kind
                 for name, row in rows.items():
                     row.append(given.get(name, 1.0 if name == "unloaded" else np.zeros(3)))
@@ -263,22 +262,16 @@ class _Search:
     def _size(self) -> float:
         return size_of(self.robot)
 
-    def _turn(self, draw: Any) -> Array:
-        turn, over = whole_turn(int(draw.randint(3, 31)), *map(int, draw.randint(-4, 5, 3)))
-        return np.asarray((turn @ np.rint(self.first.R * WHOLE)) / (over * WHOLE))
-
-    def _places(self, draw: Any, count: int) -> Iterator[tuple[Array, Array]]:
-        """Turns and positions about the example's."""
+    def _places(self, draw: Any, count: int, near: bool) -> Iterator[tuple[Array, Array]]:
+        """Turns, and positions about the example's; near: with a leg near the fixed axis of its joint."""
         centre = self.robot.p.mean(axis=0)
         for _ in range(count):
-            R = self._turn(draw)
-            t = self.first.t + (self.first.R - R) @ centre + self._size * draw.randint(-16, 17, 3) / 20.0
-            yield R, significant(t, 6)
-
-    def _places_near(self, draw: Any, count: int) -> Iterator[tuple[Array, Array]]:
-        """Turns and positions with a leg near the fixed axis of its universal joint."""
-        for _ in range(count):
-            R = self._turn(draw)
+            turn, over = whole_turn(int(draw.randint(3, 31)), *map(int, draw.randint(-4, 5, 3)))
+            R = (turn @ np.rint(self.first.R * WHOLE)) / (over * WHOLE)
+            if not near:
+                t = self.first.t + (self.first.R - R) @ centre + self._size * draw.randint(-16, 17, 3) / 20.0
+                yield R, significant(t, 6)
+                continue
             leg, end = int(draw.randint(6)), 2.0 * draw.randint(2) - 1.0
             k = end * self.robot.k[leg] / np.linalg.norm(self.robot.k[leg])
             across = np.cross(k, draw.randint(-50, 51, 3) + np.array([0.1, 0.2, 0.3]))
