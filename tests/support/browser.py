@@ -61,14 +61,19 @@ class Opened:
         self.page.on("request", lambda request: self.requests.append(request.url))
         self.page.goto(path.as_uri())
         self.page.wait_for_function("() => document.readyState === 'complete'")
+        self.settle()
 
     def do(self, script: str) -> Any:
         """What a function of the page returns."""
         return self.page.evaluate(f"() => {{ {script} }}")
 
+    def settle(self) -> None:
+        """Wait until what changed is drawn."""
+        self.do("return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
+
     def drawn(self) -> NDArray[np.int64]:
         """Dots of the machine's picture, (height, width, 3), 0 to 255, once what changed is drawn."""
-        self.do("return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
+        self.settle()
         # The browser puts a canvas on whole dots; a picture of the canvas alone would be cut on whole pixels.
         box = self.do(
             "const { x, y, width, height } = scene.getBoundingClientRect(); return [x, y, width, height]"
