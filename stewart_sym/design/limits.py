@@ -75,9 +75,8 @@ def compared(robot: Robot, needs: Needs) -> Compared:
 
 def states_limits(robot: Robot, needs: Needs) -> bool:
     """Whether there is a limit that needs can exceed."""
-    most = {f"joint_angle_limit at the {end}": np.pi for end in ("base", "platform")}
-    stated = (np.any(each.limits < most.get(each.name, np.inf)) for each in _limited(robot, needs))
-    return bool(np.any(robot.length_limits[:, 0] > 0.0)) or any(map(bool, stated))
+    shortest = bool(np.any(robot.length_limits[:, 0] > 0.0))
+    return shortest or any(np.isfinite(each.limits).any() for each in _limited(robot, needs))
 
 
 def _line(limited: _Limited, leg: int, verdict: str, more: float | None = None) -> str:
