@@ -14,7 +14,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-import sympy as sp
 from command_line import rejects
 from drawn_poses import LEAST, PATH, drawn
 from fifty_digits import block_inputs, truth
@@ -30,8 +29,6 @@ from stewart_sym.backend import native
 from stewart_sym.backend.c_kernel import address, c_sources, library, prepared_model
 from stewart_sym.backend.kernel import MOTION
 from stewart_sym.derive.mechanics.formulation import EXACT
-from stewart_sym.derive.program.adjoint import adjoint
-from stewart_sym.derive.program.block import Builder, Quantity, run
 from stewart_sym.dynamics import bounds
 from stewart_sym.generated.interface import MODELS
 from stewart_sym.precision.quad import error, quad_forces
@@ -298,27 +295,6 @@ def idealised(values: dict[str, Any]) -> dict[str, Any]:
         **{names[i][j]: R[i, j] for i in range(3) for j in range(3)},
         **{f"k_{i}": values[f"k_{i}"] / size for i in "xyz"},
     }
-
-
-def test_adjoint_gives_the_slopes_of_the_formula() -> None:
-    x, y, gain = (Quantity(name, (), "", "") for name in ("x", "y", "gain"))
-    build = Builder()
-    square = build.scalar("square", x.value**2 + 3 * y.value)
-    root = build.scalar("root", sp.sqrt(square + x.value * y.value))
-    inverse = build.scalar("inverse", 1 / root)
-    block = build.block(
-        "some", "", (x, y), [(gain, inverse * square - 2 * x.value), (Quantity("other", (), "", ""), root)]
-    )
-    weight = Quantity("weight", (), "", "")
-    found = adjoint(block, {gain: weight.value}, (weight,), ("x", "y"))
-    values = {"x": 0.75, "y": 0.625, "weight": 3.0}
-    for step in block.steps:
-        values[step.name] = run(step.expr, values, np.sqrt)
-    slopes = found.block.run(values, np.sqrt)
-    at = {symbol: values[symbol.name] for symbol in (x.value, y.value)}
-    for name in ("x", "y"):
-        wanted = 3 * sp.diff(block.formula("gain")[0], sp.Symbol(name, real=True)).subs(at)
-        assert slopes[f"slope of {name}"][0] == pytest.approx(float(wanted), rel=1e-13)
 
 
 def swept_near_joint(precision: Any, cases: int) -> dict[str, int]:

@@ -12,8 +12,6 @@ from mpmath import mp
 from numpy.typing import NDArray
 
 import stewart_sym as ss
-from stewart_sym.derive.generate import reduced_forces
-from stewart_sym.derive.kernel.operations import force_operations
 from stewart_sym.derive.mechanics.actuator_forces import force_kernel
 from stewart_sym.derive.mechanics.formulation import EXACT, FORMULATIONS, PAPER, Formulation
 from stewart_sym.derive.mechanics.regressor import dependencies
@@ -71,23 +69,6 @@ def test_forces_are_those_of_the_elimination(form: Formulation, friction: bool) 
         found = forces(derived(form, friction), robot, motion)
         # R and k are orthonormal to double rounding only, and the two forms use that at different places.
         assert mp.mnorm(found - expected, mp.inf) <= ROUNDING * mp.mnorm(expected, mp.inf)
-
-
-def test_regrouping_saves_operations_in_every_formulation() -> None:
-    from stewart_sym.backend.kernel import module
-
-    for form in FORMULATIONS:
-        for label, counts in module(form.kernel_name).OPERATIONS.items():
-            regrouped = force_operations(reduced_forces(form, label == "friction"))
-            assert regrouped.total.total < sum(counts["total"])
-
-
-def test_paper_needs_no_more_than_exact() -> None:
-    for friction in (True, False):
-        paper, exact = (
-            force_operations(reduced_forces(form, friction)).total.total for form in (PAPER, EXACT)
-        )
-        assert paper <= exact
 
 
 def test_rate_of_the_inertia_less_twice_the_coriolis_matrix_is_skew() -> None:

@@ -15,11 +15,10 @@ from stewart_sym.backend.kernel import module
 from stewart_sym.derive.emit import lanes, scalar
 from stewart_sym.derive.emit.closed_form import sum_operations
 from stewart_sym.derive.generate import reduced_forces, reduced_motion
-from stewart_sym.derive.kernel.operations import force_operations, solve_operations
+from stewart_sym.derive.kernel.operations import force_operations
 from stewart_sym.derive.kernel.outputs import prefix_of
 from stewart_sym.derive.mechanics.closed_form.terms import F_LEG
 from stewart_sym.derive.mechanics.formulation import EXACT
-from stewart_sym.derive.program.block import Operations
 from stewart_sym.dynamics import closed_form
 from stewart_sym.kit import Choice
 from stewart_sym.kit.parts import parts
@@ -166,14 +165,3 @@ def test_paper_kernel_is_cheaper_than_the_papers_program() -> None:
     assert sum(claimed["platform"]) < 273
     assert sum(claimed["solve"]) < 452
     assert sum(claimed["total"]) < 4889
-
-
-def test_a_solve_counts_what_its_text_does() -> None:
-    """Counted here from the numbers of rows and columns; the product of the pivots is five more."""
-    below = [5 - k for k in range(6)]
-    update = sum(rows * (6 - k) for k, rows in enumerate(below))
-    whole = Operations(mul=sum(below) + update + 15 + 6, add=update + 15, div=6)
-    assert solve_operations("every output") == whole
-    tip = Operations(mul=whole.mul - 3 * 7 - 1, add=whole.add - 3 * 6, div=6)
-    assert solve_operations("pivots about tip") == tip
-    assert solve_operations("one pose") == tip + Operations(mul=5 + 1)

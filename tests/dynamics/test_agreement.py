@@ -95,22 +95,6 @@ def test_numpy_has_every_bit_and_status_of_c_however_many_poses_it_takes_at_once
     assert {1, 2, 4} <= set(expected.status)
 
 
-@pytest.mark.parametrize("backend", ["c", "numpy", "reference"])
-@pytest.mark.parametrize("shape", [(), (1,), (3, 4), (0,), (2, 0, 3)])
-def test_any_leading_shape_gives_the_poses_one_by_one(backend, shape: tuple[int, ...]) -> None:
-    robot, motion = machine_in_motion(7, shape)
-    together = ss.inverse_dynamics(robot, motion, backend=backend)
-    reactions = ss.joint_reactions(robot, motion, backend=backend)
-    assert together.F.shape == (*shape, 6)
-    assert together.K.shape == reactions.F_s.shape == (*shape, 6, 3)
-    assert together.H.shape == (*shape, 6, 6)
-    assert reactions.M_u.shape == (*shape, 6)
-    assert together.status.shape == shape
-    for index in np.ndindex(shape):
-        alone = ss.inverse_dynamics(robot, motion[index], backend=backend)
-        np.testing.assert_allclose(together.F[index], alone.F, rtol=1e-12, atol=0)
-
-
 def test_no_load_is_zero_load() -> None:
     robot, free = machine_in_motion(9, (4,), load=False)
     zero = np.zeros((4, 3))

@@ -10,7 +10,6 @@ from machines import Array, machine_in_motion, machine_size, random_motion, rand
 from motion_fields import acceleration
 
 import stewart_sym as ss
-from stewart_sym.dynamics.equations import solve_positive
 from stewart_sym.reference import newton_euler
 from stewart_sym.reference.equations_of_motion import equations_of_motion as oracle
 
@@ -104,14 +103,6 @@ def test_paper_M_is_symmetric_positive_definite_and_too_large(backend: Any, base
         assert np.abs(more).max() > 1e-3 * np.abs(M).max()
 
 
-@pytest.mark.parametrize("fault", [newton_euler.SPIN, newton_euler.MOMENT])
-def test_one_of_the_faults_1_and_2_without_the_other_makes_M_unsymmetric(fault: int) -> None:
-    rng = np.random.default_rng(0)
-    robot = random_robot(rng)
-    M = oracle(robot, random_motion(rng, robot), frozenset({fault})).M
-    assert np.abs(M - M.T).max() > 1e-3 * np.abs(M).max()
-
-
 @pytest.mark.parametrize("base_joint", JOINTS)
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_rate_of_exact_M_is_C_plus_its_transpose(backend: Any, base_joint: str) -> None:
@@ -188,20 +179,6 @@ def test_forward_dynamics_inverts_inverse_dynamics(backend: Any, formulation: An
         assert (error < 1e-12 * condition * large).all()
 
 
-@pytest.mark.parametrize("backend", BACKENDS)
-def test_leading_shapes_of_motion_and_forces_broadcast(backend: Any) -> None:
-    rng = np.random.default_rng(5)
-    robot, motion = machine_in_motion(rng, (2, 1))
-    F = rng.normal(size=(3, 6)) * robot.M * 9.81
-    a, alpha = ss.forward_dynamics(robot, motion, F, backend=backend)
-    assert a.shape == alpha.shape == (2, 3, 3)
-    one = ss.forward_dynamics(robot, motion[1, 0], F[2], backend=backend)
-    np.testing.assert_allclose((a[1, 2], alpha[1, 2]), one, rtol=1e-10)
-    empty = ss.equations_of_motion(robot, motion[:0], backend=backend)
-    assert empty.M.shape == empty.C.shape == (0, 1, 6, 6)
-    assert ss.forward_dynamics(robot, motion[:0], F, backend=backend)[0].shape == (0, 3, 3)
-
-
 def test_the_reference_has_equations_where_H_is_singular() -> None:
     """Parallel legs: nothing holds the platform sideways, yet forces and masses have their accelerations."""
     robot = random_robot(np.random.default_rng(7), scale=1.0)
@@ -232,30 +209,3 @@ def test_poses_without_an_answer_are_named_or_nan(backend: Any) -> None:
     assert np.isnan(e.M[1]).all()
     with pytest.warns(ss.SingularPoseWarning):
         ss.forward_dynamics(robot, motion, F, backend=backend, on_singular="warn")
-
-
-def test_cholesky_solves_and_tells_which_of_a_batch_is_not_positive() -> None:
-    rng = np.random.default_rng(10)
-    A = rng.normal(size=(3, 6, 6))
-    M = A @ np.swapaxes(A, -1, -2) + np.eye(6)
-    M[1, 4, 4] = -1.0
-    w = rng.normal(size=(3, 6))
-    with np.errstate(invalid="ignore"):
-        x, definite = solve_positive(M, w)
-    assert definite.tolist() == [True, False, True]
-    np.testing.assert_allclose(x[::2], np.linalg.solve(M[::2], w[::2][..., None])[..., 0], rtol=1e-11)
-
-
-@pytest.mark.parametrize(
-    ("F", "words"),
-    [
-        (np.zeros(5), r"^F: expected forces of shape \(..., 6\), got \(5,\)$"),
-        (np.full(6, np.nan), r"^F: expected finite forces, got nan$"),
-        ("six", r"^F: expected forces of shape"),
-        (np.zeros((3, 6)), r"^F: expected a leading shape that broadcasts with \(2,\), got \(3,\)$"),
-    ],
-)
-def test_bad_forces_are_rejected(F: Any, words: str) -> None:
-    robot = random_robot(np.random.default_rng(11))
-    motion = random_motion(np.random.default_rng(11), robot, (2,))
-    rejects(words, ss.forward_dynamics, robot, motion, F)

@@ -4,9 +4,7 @@ import copy
 import dataclasses
 import gc
 import pickle
-import subprocess
 import tracemalloc
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -16,10 +14,9 @@ from motion_fields import FIELDS, UNLOADED, stacked
 from unsolvable_poses import CASES, at_rest
 
 import stewart_sym as ss
-from stewart_sym.backend.c_kernel import address, c_sources
+from stewart_sym.backend.c_kernel import address
 from stewart_sym.backend.kernel import robot_numbers
 from stewart_sym.dynamics import forces
-from stewart_sym.generated.interface import MODELS
 
 
 def relative(left: np.ndarray, right: np.ndarray) -> np.ndarray:
@@ -138,24 +135,6 @@ def test_empty_and_many_dimensional_batches_work() -> None:
 @pytest.mark.parametrize("threads", [0, -1, 1.5, True, "two"])
 def test_bad_thread_counts_are_named(threads) -> None:
     rejects(r"^threads: expected", ss.prepare(dasgupta()).forces, at_rest([0.1, 0, 0.5]), threads=threads)
-
-
-def test_the_prepared_model_has_the_size_that_python_allots(tmp_path: Path) -> None:
-    for kernel in ("exact", "paper", "exact_spherical", "paper_spherical"):
-        for name, text in c_sources(f"{kernel}_forces").items():
-            (tmp_path / name).write_text(text)
-        program = f"""#include <stdio.h>
-#include "stewart_{kernel}_forces.h"
-int main(void)
-{{
-    printf("%d", (int)(sizeof(stewart_{kernel}_model) / sizeof(stewart_real)));
-    return 0;
-}}
-"""
-        (tmp_path / "main.c").write_text(program)
-        subprocess.run(["gcc", "main.c", "-o", "size"], check=True, cwd=tmp_path)
-        done = subprocess.run(["./size"], check=True, capture_output=True, text=True, cwd=tmp_path)
-        assert int(done.stdout) == MODELS[kernel]
 
 
 @pytest.mark.parametrize(

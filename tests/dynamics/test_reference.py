@@ -10,7 +10,6 @@ from command_line import rejects
 from machines import (
     Array,
     machine_in_motion,
-    path_period,
     random_motion,
     random_path,
     random_robot,
@@ -95,66 +94,12 @@ def test_reactions_satisfy_the_platforms_equations(faults: frozenset[int], seed:
     )
 
 
-@pytest.mark.parametrize("seed", range(4))
-@pytest.mark.parametrize("base_joint", ["universal", "spherical"])
-def test_leg_rates_are_the_derivatives_of_the_leg_frame(base_joint: str, seed: int) -> None:
-    """W and A, spin included, against central differences of T, W and L along a smooth path."""
-    rng = np.random.default_rng(seed)
-    robot = random_robot(rng, base_joint)
-    h = 1e-4 * path_period(robot)
-    time = rng.uniform(0, path_period(robot))
-    leg = newton_euler.legs(robot, random_path(rng, robot)(time + h * np.array([-2.0, -1.0, 0.0, 1.0, 2.0])))
-
-    def derivative(value: Array) -> Array:
-        stencil = np.array([1.0, -8.0, 0.0, 8.0, -1.0]) / (12 * h)
-        return np.tensordot(stencil, value, axes=1)
-
-    W, A, Lddot = leg.W[2], leg.A[2], leg.Lddot[2]
-    _assert_close(derivative(leg.W), A)
-    _assert_close(derivative(leg.L), leg.Ldot[2])
-    _assert_close(derivative(leg.Ldot), Lddot)
-    _assert_close(derivative(leg.s), np.cross(W, leg.s[2]))
-    if base_joint == "universal":
-        _assert_close(derivative(leg.y), np.cross(W, leg.y[2]))
-    else:
-        _assert_close(np.sum(W * leg.s[2], axis=-1), np.zeros(6), scale=float(np.abs(W).max()))
-
-
-def test_moment_at_the_prismatic_joint_moves_with_the_bearing() -> None:
-    robot, motion = _random_case()
-    at_base = newton_euler.joint_reactions(robot, motion)
-    at_bearing = newton_euler.joint_reactions(robot, motion, bearing=0.7)
-    one_each = newton_euler.joint_reactions(robot, motion, bearing=np.full(6, 0.7))
-    r = 0.7 * newton_euler.legs(robot, motion).s
-    _assert_close(at_bearing.M_p, at_base.M_p - np.cross(r, at_base.F_p), tolerance=1e-12)
-    np.testing.assert_array_equal(at_bearing.M_p, one_each.M_p)
-
-
 def test_printed_row_33_changes_only_the_sign_of_the_legs_forces() -> None:
     robot, motion = _random_case()
     right = newton_euler.inverse_dynamics(robot, motion, PAPER)
     printed = newton_euler.inverse_dynamics(robot, motion, PAPER | {4})
     _assert_close(printed.c[..., :3] - right.c[..., :3], 2 * right.K.sum(axis=-2), tolerance=1e-10)
     np.testing.assert_array_equal(printed.c[..., 3:], right.c[..., 3:])
-
-
-def test_faults_1_and_2_say_nothing_of_a_spherical_base_joint() -> None:
-    robot, motion = machine_in_motion(6, (3,), "spherical")
-    exact = newton_euler.joint_reactions(robot, motion)
-    np.testing.assert_array_equal(
-        newton_euler.joint_reactions(robot, motion, frozenset({1, 2})).F_u, exact.F_u
-    )
-    assert np.all(exact.M_u == 0)
-
-
-def test_spherical_base_joint_is_any_universal_joint_that_does_not_spin_or_hold() -> None:
-    """With axisymmetric legs, faults 1 and 2 turn a universal joint of any axis into a spherical one."""
-    rng = np.random.default_rng(7)
-    spherical = random_robot(rng, "spherical", friction=False)
-    universal = dataclasses.replace(spherical, base_joint="universal", k=rng.normal(size=(6, 3)))
-    motion = random_motion(rng, spherical, (3,))
-    expected = newton_euler.inverse_dynamics(spherical, motion).F
-    _assert_close(newton_euler.inverse_dynamics(universal, motion, frozenset({1, 2})).F, expected, 1e-11)
 
 
 # Shapes, loads and arguments

@@ -7,16 +7,12 @@ import functools
 import numpy as np
 import pytest
 from machines import dasgupta, random_motion, random_robot
-from mpmath import mpf
 from numpy.typing import NDArray
-from sweeps import slow_but
 
 import stewart_sym as ss
 from stewart_sym.backend import fidelity, native
 from stewart_sym.backend.c_kernel import address
 from stewart_sym.backend.kernel import MOTION
-from stewart_sym.derive.mechanics.baked_constants import _Constants
-from stewart_sym.derive.mechanics.quantities import Quantity
 from stewart_sym.derive.package.words import robot_symbol
 from stewart_sym.kit import Choice
 from stewart_sym.kit.parts import parts
@@ -95,35 +91,3 @@ def _baked_operations(robot: Robot, level: str) -> int:
     count = parts(robot, Choice(fidelity=level, bake=True)).baked_operations
     assert count is not None
     return count
-
-
-def test_a_constant_keeps_its_values() -> None:
-    constants = _Constants()
-    length, count = Quantity("l", (), "m", "length"), 6
-    symbol = constants.add(length, (mpf(2),) * count)
-    assert constants.add(length, (mpf(2),)) == symbol
-    with pytest.raises(ValueError, match=r"^l: expected the values that the name has already"):
-        constants.add(length, (mpf(3),) * count)
-    assert constants.values == {symbol: (mpf(2),)}
-
-
-TERMS = ("friction", "centred platform", "gravity", "flat base", "flat platform")
-
-
-@pytest.mark.parametrize("term", slow_but(TERMS[:2], TERMS))
-def test_each_zero_saves_operations(term: str) -> None:
-    robot = random_robot(np.random.default_rng(5))
-    flat, nothing = np.array([1.0, 1.0, 0.0]), np.zeros(6)
-    change: dict[str, dict[str, Array]] = {
-        "friction": {"C_u": nothing, "C_p": nothing, "C_s": nothing},
-        "gravity": {"g": np.array([0.0, 0.0, -9.81])},
-        "flat base": {"b": robot.b * flat},
-        "flat platform": {"p": robot.p * flat},
-        "centred platform": {"R_0": np.zeros(3)},
-    }
-    simpler = dataclasses.replace(robot, **change[term])
-    # With the legs' masses on it, only a platform with massless legs has its centre of mass at R_0.
-    level = "massless" if term == "centred platform" else "general"
-    before, after = (_baked_operations(each, level) for each in (robot, simpler))
-    print(term, before, after)
-    assert after < before

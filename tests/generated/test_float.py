@@ -32,7 +32,6 @@ from stewart_sym.generated import arithmetic, every_output
 from stewart_sym.generated.fidelities import DRIVE_FIDELITIES, FIDELITIES
 from stewart_sym.motion.motion import Motion
 from stewart_sym.results import OK
-from stewart_sym.robot import units
 from stewart_sym.robot.robot import Robot
 from stewart_sym.robot.units import Units
 from stewart_sym.studies.accuracy import scales
@@ -285,17 +284,6 @@ def test_moments_are_taken_over_a_power_of_two_unless_the_platform_is_of_about_a
 def plain(robot: Robot) -> dict[str, Any]:
     """The robot's numbers by name."""
     return {q.name: np.asarray(getattr(robot, q.name)).tolist() for q in n.LEG + n.PLATFORM}
-
-
-def test_units_know_the_dimension_of_every_number() -> None:
-    powers = {
-        "1": (0, 0, 0), "m": (1, 0, 0), "kg": (0, 1, 0), "kg m^2": (2, 1, 0), "m/s": (1, 0, -1),
-        "m/s^2": (1, 0, -2), "rad/s": (0, 0, -1), "rad/s^2": (0, 0, -2), "N": (1, 1, -2),
-        "N m": (2, 1, -2), "N m s": (2, 1, -1), "N s/m": (0, 1, -1),
-    }  # fmt: skip
-    for table, quantities in ((units.ROBOT, n.LEG + n.PLATFORM), (units.MOTION, n.MOTION)):
-        for quantity in quantities:
-            assert table.get(quantity.name, (0, 0, 0)) == powers[quantity.unit], quantity.name
 
 
 def test_a_machine_without_gravity_or_load_has_units() -> None:

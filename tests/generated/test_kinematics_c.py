@@ -5,7 +5,6 @@ from string import Template
 
 import numpy as np
 import pytest
-import sympy as sp
 from counting_c import REPORT, counted, listed
 from kinematics_calls import (
     PRECISIONS,
@@ -29,7 +28,6 @@ from stewart_sym.backend.kernel import robot_numbers
 from stewart_sym.derive.emit.kinematics import STEPS
 from stewart_sym.derive.generate import reduced_kinematics
 from stewart_sym.derive.kernel.kinematics import search_operations
-from stewart_sym.derive.mechanics.kinematics import kinematics, turn
 from stewart_sym.derive.program.block import Operations
 from stewart_sym.kinematics.conditioning import characteristic_length, scaled_condition_number
 from stewart_sym.kinematics.pose_search import jacobian
@@ -81,18 +79,6 @@ def one_machine(count: int) -> tuple[np.random.Generator, ss.Robot, ss.Motion, A
 
 
 # What the blocks say
-
-
-def test_turn_is_a_rotation_that_agrees_with_the_exponential_to_second_order() -> None:
-    Q = sp.Matrix(3, 3, kinematics().turned.formula("Q"))
-    assert (Q.T * Q - sp.eye(3)).applyfunc(sp.simplify).is_zero_matrix
-    x, y, z = turn.symbols
-    spin = sp.Matrix([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-    small = sp.Symbol("small")
-    scaled = Q.subs({s: small * s for s in (x, y, z)}, simultaneous=True)
-    for order, term in enumerate((sp.eye(3), spin, spin**2 / 2)):
-        slope = scaled.diff(small, order).subs(small, 0) / sp.factorial(order)
-        assert (slope - term).applyfunc(sp.simplify).is_zero_matrix
 
 
 COUNTED = """stewart_pose far = ${FAR}, exact = ${EXACT};
@@ -336,23 +322,3 @@ def test_near_singular_poses_are_singular_or_right(shift: float, precision: str)
     speeds, status = velocity(robot, R, t, np.ones_like(L), precision)
     assert (status[condition(robot, R, t) > 1.01 * most] == results.SINGULAR).all()
     assert np.isfinite(speeds[status == results.OK]).all()
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("precision", PRECISIONS)
-def test_no_pose_of_a_wide_workspace_is_silent(precision: str) -> None:
-    """25,000 poses of the paper's machine, singular ones among them, and 2,500 of machines of any size."""
-    rng, robot = np.random.default_rng(3), dasgupta()
-    R, t = paper_poses(rng, 25_000, angle=0.4, way=0.2)
-    L = lengths(robot, R, t)
-    *found, status = forward(robot, L, *nudged(rng, R, t, 0.05, 0.05), precision)
-    assert_nothing_is_silent(robot, *found, L, status)
-    assert np.count_nonzero(status == results.NOT_CONVERGED) < 2e-4 * len(L)
-    for rng, robot in machines(10):
-        motion = random_motion(rng, robot, (250,))
-        L = ss.inverse_kinematics(robot, motion).L
-        *found, status = forward(
-            robot, L, *nudged(rng, motion.R, motion.t, 0.2, 0.2 * machine_size(robot)), precision
-        )
-        assert_nothing_is_silent(robot, *found, L, status)
-        assert not status.any()

@@ -8,7 +8,7 @@ import pytest
 from fifty_digits import as_stored
 from kernel_cases import beside_the_joint_axis
 from machines import dasgupta, random_motion, random_robot
-from motion_fields import FIELDS, acceleration
+from motion_fields import FIELDS
 from numpy.typing import NDArray
 
 import stewart_sym as ss
@@ -24,19 +24,8 @@ EPSILON = np.finfo(np.float64).eps
 FORCED = ("forward_dynamics", "linearisation")
 
 
-def batch(rng: np.random.Generator, robot: Robot, count: int) -> Motion:
-    motions = [random_motion(rng, robot) for _ in range(count)]
-    return Motion(*(np.stack([getattr(motion, name) for motion in motions]) for name in FIELDS))
-
-
 def forces(robot: Robot, motion: Motion) -> Array:
     return ss.inverse_dynamics(robot, motion).F
-
-
-def apart(found: Array, expected: Array) -> Array:
-    """Largest difference of each pose beside its largest entry."""
-    axes = tuple(range(1, found.ndim))
-    return np.abs(found - expected).max(axis=axes) / np.abs(expected).max(axis=axes)
 
 
 def check_bits(robot: Robot, motion: Motion) -> set[int]:
@@ -58,8 +47,8 @@ def test_numpy_has_the_bits_of_the_c_batch() -> None:
     rng = np.random.default_rng(7)
     for _ in range(6):
         robot = random_robot(rng)
-        assert check_bits(robot, batch(rng, robot, 4)) == {0}
-    assert check_bits(dasgupta(), batch(rng, dasgupta(), 4)) == {0}
+        assert check_bits(robot, random_motion(rng, robot, (4,))) == {0}
+    assert check_bits(dasgupta(), random_motion(rng, dasgupta(), (4,))) == {0}
 
 
 @pytest.mark.usefixtures("rounded_twice")
@@ -78,7 +67,9 @@ def test_numpy_has_the_bits_of_the_c_batch_with_long_arms_and_unlike_inertias() 
     for heavy, light in ((1e9, 1e-9), (1e-6, 1e7), (1e30, 1e-300)):
         robot = random_robot(rng, scale=300.0)
         unlike = dataclasses.replace(robot, m_u=heavy * robot.m_u, I_u0=heavy * robot.I_u0, M=light * robot.M)
-        seen |= check_bits(dataclasses.replace(unlike, I_p=light * robot.I_p), batch(rng, robot, 2))
+        seen |= check_bits(
+            dataclasses.replace(unlike, I_p=light * robot.I_p), random_motion(rng, robot, (2,))
+        )
     assert 0 in seen
 
 
@@ -87,7 +78,7 @@ def test_numpy_has_the_statuses_of_the_c_batch_where_h_is_singular() -> None:
     rng = np.random.default_rng(19)
     robot = random_robot(rng)
     flat = dataclasses.replace(robot, b=robot.b * [1.0, 0.0, 0.0])
-    assert SINGULAR in check_bits(flat, batch(rng, robot, 5))
+    assert SINGULAR in check_bits(flat, random_motion(rng, robot, (5,)))
 
 
 @functools.cache
@@ -129,37 +120,6 @@ def test_the_reference_has_no_derivatives() -> None:
     robot, motion, _ = at_50_digits(0)
     with pytest.raises(ValueError, match="backend: expected"):
         ss.force_derivatives(robot, motion, backend="reference")  # type: ignore[arg-type]
-
-
-def test_linearisation_is_the_inverse_of_the_derivatives_of_the_forces() -> None:
-    rng = np.random.default_rng(9)
-    for _ in range(20):
-        robot = random_robot(rng)
-        motion = batch(rng, robot, 2)
-        d = ss.force_derivatives(robot, motion)
-        found = ss.linearise(robot, motion, d.F)
-        B = np.linalg.inv(d.by_acceleration)
-        slack = 1e-11 * np.linalg.cond(d.by_acceleration)
-        assert (apart(found.acceleration, acceleration(motion)) <= slack).all()
-        assert (apart(found.B[:, 6:], B) <= slack).all()
-        assert not found.B[:, :6].any()
-        assert (apart(found.A[:, 6:, :6], -B @ d.by_pose) <= slack).all()
-        assert (apart(found.A[:, 6:, 6:], -B @ d.by_twist) <= slack).all()
-        omega_cross = np.cross(motion.omega[:, None], np.eye(3), axisb=-1)
-        np.testing.assert_array_equal(found.A[:, 3:6, 3:6], np.swapaxes(omega_cross, -1, -2))
-        np.testing.assert_array_equal(found.A[:, :6, 6:], np.broadcast_to(np.eye(6), (2, 6, 6)))
-
-
-def test_joint_space_inertia_is_that_of_the_matrices() -> None:
-    rng = np.random.default_rng(10)
-    robot = random_robot(rng)
-    motion = batch(rng, robot, 5)
-    H, M = ss.wrench_matrix(robot, motion), ss.equations_of_motion(robot, motion).M
-    inverse = np.linalg.inv(H)
-    expected = inverse @ M @ np.swapaxes(inverse, -1, -2)
-    assert (
-        apart(ss.joint_space_inertia(robot, motion), expected) <= 1e-12 * ss.condition_number(H) ** 2
-    ).all()
 
 
 @pytest.mark.parametrize("backend", ["c", "numpy"])

@@ -11,7 +11,7 @@ from fifty_digits import as_stored, further, orthonormal
 from kits import few_vectors
 from numpy.typing import NDArray
 from sweeps import share
-from vectors_in_c import KIND, WHOLE, Array, functions_of, machine, ratios, ratios_in_c
+from vectors_in_c import KIND, WHOLE, functions_of, machine, ratios, ratios_in_c
 
 import stewart_sym as ss
 from stewart_sym.backend.kernel import MOTION
@@ -21,11 +21,10 @@ from stewart_sym.kit.choice import STEMS
 from stewart_sym.kit.interpreter import KitInterpreter
 from stewart_sym.kit.poses import MAX_CONDITION, poses, sample
 from stewart_sym.kit.running import Running
-from stewart_sym.kit.vectors import FEW, FUNCTIONS, KINEMATICS, Vector, vectors
+from stewart_sym.kit.vectors import FEW, FUNCTIONS, Vector, vectors
 from stewart_sym.motion.motion import Motion
 from stewart_sym.precision.truth import Truth, digits
 from stewart_sym.reference import newton_euler
-from stewart_sym.robot.robot import Robot
 
 WITHOUT_DRIVE = tuple(name for name in FUNCTIONS if name not in STEMS["torque"])
 
@@ -135,25 +134,6 @@ def test_answers_are_those_of_the_reference(base_joint: str, formulation: str) -
             for name, answer in vector.answers.items():
                 value = np.asarray(getattr(wanted, name)).ravel()
                 np.testing.assert_allclose(answer, value, rtol=0, atol=1e-11 * max(np.abs(value).max(), 1e-3))
-
-
-@pytest.mark.slow
-def test_kinematics_answers_are_what_python_finds() -> None:
-    robot = machine()
-    for vector in (vector for function in KINEMATICS for vector in of(function)):
-        given = {n: a.reshape(3, 3) if n.startswith("R") else a for n, a in vector.inputs.items()}
-        assert ratios(vector, kinematics(robot, vector.function, given), "double").max() < 1
-
-
-def kinematics(robot: Robot, function: str, given: dict[str, Array]) -> dict[str, Array]:
-    if function == "inverse_kinematics":
-        legs = ss.inverse_kinematics(robot, Motion(**given))
-        return {"L": legs.L, "L_dot": legs.L_dot}
-    if function == "forward_kinematics":
-        pose = ss.forward_kinematics(robot, given["L"], (given["R_guess"], given["t_guess"]))
-        return {"R": pose.R.ravel(), "t": pose.t}
-    v, omega = ss.forward_velocity(robot, given["R"], given["t"], given["L_dot"])
-    return {"v": v, "omega": omega}
 
 
 def test_forward_kinematics_is_asked_only_where_lengths_settle_the_pose() -> None:
