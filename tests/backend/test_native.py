@@ -18,19 +18,6 @@ from stewart_sym.backend import native
 # --- cache
 
 
-def test_second_process_does_not_compile(cache: Path, compiler: LoggedCompiler) -> None:
-    first = run_child()
-    second = run_child()
-    assert first == second
-    assert first.parent == cache.resolve()
-    assert len(compiler.calls) == 1
-
-
-def test_same_key_is_the_same_object(cache: Path, compiler: LoggedCompiler) -> None:
-    assert load_adder() is load_adder()
-    assert len(compiler.calls) == 1
-
-
 def test_threads_share_one_compilation(cache: Path, compiler: LoggedCompiler) -> None:
     libraries: list[ctypes.CDLL] = []
     threads = [threading.Thread(target=lambda: libraries.append(load_adder())) for _ in range(8)]
@@ -95,11 +82,6 @@ def test_change_of_source_header_flag_or_macro_compiles_again(cache: Path, compi
     assert len(set(map(id, libraries))) == 6
     assert len({library._name for library in libraries}) == 6
     assert len(compiler.calls) == 6
-
-
-def test_macros_reach_the_source(cache: Path) -> None:
-    library = native.load("macro", {"macro.c": "int value(void) { return N; }\n"}, defines={"N": 41})
-    assert library.value() == 41
 
 
 def test_change_of_processor_compiles_again(

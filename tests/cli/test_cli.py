@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 from command_files import edit, results
 from command_line import fails_in_one_line, folder_state, read
-from kits import few_vectors
 
 from stewart_sym.backend.fidelity import DRIVE_FIDELITIES, FIDELITIES
 from stewart_sym.cli import main as cli
@@ -243,24 +242,6 @@ def test_generate_names_the_option_that_is_wrong(robot: Path, capsys: pytest.Cap
     error = fails_in_one_line(capsys, *asked, "--fidelity", "rigid")
     assert "error: --fidelity: expected one of general, " in error
     assert not (robot.parent / "kit").exists()
-
-
-@few_vectors()
-def test_generate_writes_a_kit_and_replaces_changed_files_only_by_force(
-    robot: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    target = robot.parent / "kit"
-    asked = ["generate", str(robot), "-o", str(target), "--formulation", "paper", "--scalar"]
-    assert main(asked) == 0
-    *listed, count = capsys.readouterr().out.splitlines()
-    assert re.fullmatch(r"operations per pose: \d+", count)
-    assert listed == sorted(str(path) for path in target.rglob("*") if path.is_file())
-    written = folder_state(target)
-    (target / "stewart_robot.c").write_text("mine")
-    assert "stewart_robot.c" in fails_in_one_line(capsys, *asked)
-    assert (target / "stewart_robot.c").read_text() == "mine"
-    assert main([*asked, "--force"]) == 0
-    assert folder_state(target) == written
 
 
 def test_generate_lists_the_files_and_writes_none(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -11,11 +11,8 @@ from command_line import Run, rejects
 from robot_files import written
 
 import stewart_sym as ss
-from stewart_sym.identification import fits
-from stewart_sym.identification.drive_terms import drive_terms, need_terms, told_apart
-from stewart_sym.identification.excitation import force_regressor
+from stewart_sym.identification.drive_terms import need_terms
 from stewart_sym.motion.rotation import rotation_from_vector
-from stewart_sym.motion.smooth_motion import coordinates, from_best, pose_fit
 from stewart_sym.motion.trajectory import Trajectory
 from stewart_sym.studies.reports.identify import from_measurement, measured_report, simulated_report
 
@@ -300,38 +297,6 @@ def test_coulomb_friction_of_legs_at_rest_is_told_by_no_pose(robot: ss.Robot, ex
     noise = ss.PoseNoise(excited.time, 1e-4, 1e-4)
     with pytest.raises(ValueError, match=r'\Amotion: expected legs that move, for "coulomb"'):
         ss.identify(robot, still, np.zeros((n, 6)), SIGMA, excited.base, noise, drive=("coulomb",))
-
-
-@pytest.mark.parametrize("lead", [None, 5e-3])
-def test_forces_change_with_the_motion_as_the_joint_fit_takes_them_to(
-    robot: ss.Robot, excited: ss.Excitation, lead: float | None
-) -> None:
-    """Derivatives by the coefficients of the motion, negative terms included, beside differences."""
-    sought = ("reflected_mass", "coulomb", "offset", "viscous")
-    if lead is not None:
-        robot = dataclasses.replace(robot, drive=ss.Drive(lead=lead, rotor_inertia=1e-5))
-    base = ss.base_parameters(robot, excited.motion, friction=False)
-    measured, noise = noisy(excited, 1e-4, 0)
-    q = coordinates(measured, noise)
-    basis = next(from_best(noise, q))
-    c = pose_fit(basis, q)
-    along = basis.motion(c, measured)
-    terms = told_apart(
-        drive_terms(robot, along, sought, False), force_regressor(robot, along, base), base.names
-    )
-    data = fits.Data(robot, measured, np.zeros((len(q), 6)), np.ones((len(q), 6)), base, terms)
-    values = base.matrix @ ss.inertial_parameters(robot).values
-    values = np.concatenate([values, np.random.default_rng(4).normal(0.0, 100.0, data.unknowns - base.rank)])
-    J = fits._jacobian(data, noise, basis, values, c)
-    for k in (3, 40):
-        step = np.zeros(c.size)
-        step[k] = 1e-6
-        change = [
-            fits._residuals(data, noise, basis, values, c + sign * step.reshape(-1, 6))[0].ravel()
-            for sign in (1.0, -1.0)
-        ]
-        found = (J @ np.concatenate([np.zeros(data.unknowns), 1e6 * step]))[: q.size]
-        np.testing.assert_allclose(found, (change[1] - change[0]) / 2e-6, atol=1e-6 * np.abs(found).max())
 
 
 def tables(excited: ss.Excitation, folder: Path, measured: dict[str, np.ndarray]) -> list[str]:

@@ -409,8 +409,8 @@ def write_file(path: Path, text: str, failure: Exception | None = None) -> None:
             raise failure
 
 
-def fill_folder(path: Path, names: str, failure: Exception | None = None) -> None:
-    with staged_folder(path) as folder:
+def fill_folder(path: Path, names: str, failure: Exception | None = None, gone: str = "") -> None:
+    with staged_folder(path, [Path(name) for name in gone]) as folder:
         for name in names:
             (folder / name).write_text(name)
         if failure:
@@ -460,11 +460,11 @@ def test_a_folder_is_filled_all_or_nothing(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("fault", [OSError(5, "Input/output error"), KeyboardInterrupt()])
-@pytest.mark.parametrize("call", range(1, 6))
+@pytest.mark.parametrize("call", range(1, 7))
 def test_a_folder_whose_filling_fails_is_as_it_was(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, call: int, fault: BaseException
 ) -> None:
-    """Five moves: an old x aside and a new one in, an old y aside and a new one in, a new z in."""
+    """Six moves: an old x aside and a new one in, the same of y, a new z in, and w away, which is gone."""
     target = tmp_path / "a"
     fill_folder(target, "xyw")
     (target / "x").write_text("old")
@@ -478,7 +478,7 @@ def test_a_folder_whose_filling_fails_is_as_it_was(
 
     monkeypatch.setattr(Path, "rename", failing)
     with pytest.raises((OSError, KeyboardInterrupt)) as caught:
-        fill_folder(target, "xyz")
+        fill_folder(target, "xyz", gone="w")
     assert folder_state(tmp_path) == before
     if isinstance(caught.value, OSError):
-        assert caught.value.filename == str(target / "xxyyz"[call - 1])
+        assert caught.value.filename == str(target / "xxyyzw"[call - 1])

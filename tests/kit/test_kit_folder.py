@@ -1,6 +1,5 @@
 """A kit spares what is in its folder, repeats to the byte, and a failure leaves no trace."""
 
-import errno
 import hashlib
 import json
 import os
@@ -124,50 +123,6 @@ def test_new_folder_has_the_users_mode_and_nothing_lies_beside_it(tmp_path: Path
 
 
 # ---------------------------------------------------------------- failures
-
-
-@pytest.mark.parametrize("fault", [OSError(errno.ENOSPC, "No space left on device"), KeyboardInterrupt()])
-def test_failure_while_writing_leaves_no_trace(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, fault: BaseException
-) -> None:
-    made = kit_of()
-    fail_at_call(monkeypatch, "write_bytes", 4, fault)
-    with pytest.raises((ValueError, KeyboardInterrupt)) as caught:
-        put(made, tmp_path / "kit")
-    assert os.listdir(tmp_path) == []
-    if isinstance(fault, OSError):
-        assert str(caught.value) == f"{tmp_path / 'kit'}: No space left on device"
-
-
-@pytest.mark.parametrize("fault", [OSError(errno.EIO, "Input/output error"), KeyboardInterrupt()])
-@pytest.mark.parametrize("call", range(1, 26))
-def test_failure_while_replacing_leaves_the_old_kit_whole(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, call: int, fault: BaseException
-) -> None:
-    """Two moves for each of the files that both have, one for each that only one of them has."""
-    old, new = kit_of("Old"), kit_of("New", Choice(bake=True, scalar=True))
-    put(old, tmp_path)
-    calls = fail_at_call(monkeypatch, "rename", call, fault)
-    try:
-        put(new, tmp_path)
-    except (ValueError, KeyboardInterrupt):
-        assert contents(tmp_path) == old.files
-    else:
-        assert calls[0] < call
-        assert contents(tmp_path) == new.files
-
-
-def fail_at_call(monkeypatch: pytest.MonkeyPatch, method: str, call: int, fault: BaseException) -> list[int]:
-    real, calls = getattr(Path, method), [0]
-
-    def failing(self: Path, argument: object) -> object:
-        calls[0] += 1
-        if calls[0] == call:
-            raise fault
-        return real(self, argument)
-
-    monkeypatch.setattr(Path, method, failing)
-    return calls
 
 
 def test_folder_that_cannot_be_written_is_one_line(tmp_path: Path) -> None:

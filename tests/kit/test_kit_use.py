@@ -155,13 +155,6 @@ def test_every_function_in_the_headers_of_a_kit_is_exercised_by_its_self_test() 
         assert all(f"{function}(" in files["test/selftest.c"] for function in declared)
 
 
-def test_a_robot_file_that_is_an_input_is_not_replaced(tmp_path: Path) -> None:
-    (tmp_path / "robot.toml").write_text("mine")
-    with pytest.raises(ValueError, match=r"robot\.toml: is an input, name another folder$"):
-        put(made(), tmp_path, force=True, inputs=[tmp_path / "robot.toml"])
-    assert (tmp_path / "robot.toml").read_text() == "mine"
-
-
 @pytest.mark.parametrize(("make", "found"), [(os.mkfifo, "a device or a pipe"), (os.mkdir, "a folder")])
 @pytest.mark.parametrize("name", ["robot.toml", "manifest.json", "stewart.h"])
 def test_what_is_no_file_is_an_error_and_nothing_waits(

@@ -15,7 +15,6 @@ from sweeps import share
 import stewart_sym as ss
 from stewart_sym.drives.verdicts import EXCEEDED, NOT_DECIDED, amount_text, verdicts
 from stewart_sym.motion import interpolation, smoothing
-from stewart_sym.motion.interpolation import PAIRS
 from stewart_sym.motion.log_reader import read_csv, read_log
 from stewart_sym.motion.noise_level import grid_steps, rounding_step, white_noise
 from stewart_sym.motion.rotation import rpy_from_rotation
@@ -142,13 +141,6 @@ def test_clean_polynomials_are_on_no_grid() -> None:
     assert not grid_steps(np.pi * np.stack([i, i**2, np.cumsum(np.minimum(i, 100.0))])).any()
 
 
-def test_white_noise_is_measured() -> None:
-    time = np.linspace(0.0, 3.0, 900)
-    values = np.sin(time)[:, None] + 1e-3 * np.random.default_rng(1).normal(size=(900, 6))
-    np.testing.assert_allclose(white_noise(time, values), 1e-3, rtol=0.3)
-    np.testing.assert_allclose(ss.smooth(time, values).sigma, 1e-3, rtol=0.2)
-
-
 def first_rows(seed: int, count: int) -> Case:
     one = case(seed)
     return Case(one.robot, one.time[:count], one.true[:, :count], one.F[:count])
@@ -218,26 +210,6 @@ def test_one_window_and_many_agree() -> None:
     np.testing.assert_allclose(sd[0][2:-2], sd[1][2:-2], rtol=0.02)
     np.testing.assert_allclose(sd[0], sd[1], rtol=0.05)  # the last knots are not the same
     assert np.all(np.abs(both[0].second_rates - both[1].second_rates)[:, 0] < 0.05 * sd[0])
-
-
-@pytest.mark.slow
-def test_windows_of_an_even_log_share_their_matrices(monkeypatch: pytest.MonkeyPatch) -> None:
-    rng = np.random.default_rng(8)
-    time = 3.0 + 0.01 * np.arange(6_401)
-    values = np.sin(np.outer(time, [3.0, 7.0])) + 1e-4 * rng.normal(size=(len(time), 2))
-    calls: list[int] = []
-    eigh = np.linalg.eigh
-    monkeypatch.setattr(np.linalg, "eigh", lambda matrix: calls.append(len(matrix)) or eigh(matrix))
-    even = smoothing.smooth(time, values)
-    shared = len(calls)
-    calls.clear()
-    uneven = smoothing.smooth(time + 2e-5 * 0.01 * np.sin(time), values)
-    windows = (len(even.grid) // 2) / (interpolation.WINDOW // 2) - 1
-    assert windows > 10
-    assert len(calls) - shared > windows - 4
-    for rate, (one, other) in enumerate(zip(even[:3], uneven[:3], strict=True)):
-        deviation = np.sqrt(even.covariance[..., PAIRS.index((rate, rate))].max(axis=0))
-        assert (np.abs(one - other) < 0.5 * deviation).all()
 
 
 @pytest.mark.slow

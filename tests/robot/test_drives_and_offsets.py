@@ -176,24 +176,6 @@ def test_a_bad_drive_gives_one_line_with_key_and_line(text: str, tmp_path: Path)
     assert "at line" in str(error.value)
 
 
-@pytest.mark.parametrize(
-    ("old", "new", "message"),
-    [
-        ('"press"', '""', "name: expected text that is not blank, got '' (at line 2)"),
-        ("radius = 600", "radius = 1e400", "base.radius: expected "),
-    ],
-)
-def test_blank_names_and_numbers_beyond_a_double_are_said_to_be_so(
-    old: str, new: str, message: str, tmp_path: Path
-) -> None:
-    path = tmp_path / "robot.toml"
-    path.write_text(PRESS.replace(old, new, 1))
-    with pytest.raises(ValueError, match=r"\A[^\n]*\(at line \d+\)\Z") as error:
-        ss.Robot.from_toml(path)
-    assert str(error.value).startswith(f"{path}: {message}")
-    assert "1e400" not in new or "a double holds up to 1.8e+308" in str(error.value)
-
-
 def test_fields_are_checked_by_name() -> None:
     for field, value, words in (
         ("efficiency", 0.0, "efficiency: expected a number > 0 and <= 1, got 0"),

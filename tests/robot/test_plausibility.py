@@ -9,7 +9,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 from command_line import Run, Told
-from machines import random_robot
 from plausible_machines import (
     ABSURD,
     BASE,
@@ -54,28 +53,12 @@ def test_check_names_both_sides_where_nothing_settles_which(check: Check) -> Non
     assert "as plausible" not in told.err
 
 
-def test_the_machines_of_other_tests_are_not_doubted_where_matter_can_be_so_dense() -> None:
-    rng = np.random.default_rng(201)
-    for joint in ("universal", "spherical"):
-        for _ in range(8):
-            robot = random_robot(rng, joint)
-            robot = dataclasses.replace(robot, M=min(robot.M, 1e4 * np.abs(robot.p).max() ** 3))
-            robot = dataclasses.replace(robot, I_p=robot.I_p * robot.M / max(robot.M, 1.0))
-            assert doubts(robot) == []
-    assert doubts(ss.robots.dasgupta1998()) == []
-
-
 @pytest.mark.parametrize("limited", [True, False])
 @pytest.mark.parametrize("name", published())
 def test_published_machines_are_not_doubted(name: str, limited: bool) -> None:
     rng = np.random.default_rng(1)
     for joint in ("universal", "spherical"):
         assert doubts(machine_of(rng, *published()[name], joint, limited)) == []
-
-
-def test_a_sound_machine_to_change() -> None:
-    assert doubts(sound()) == []
-    assert doubts(unlimited()) == []
 
 
 # Without limits nothing says where the machine stands and what it carries.

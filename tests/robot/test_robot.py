@@ -174,6 +174,7 @@ def test_spherical_base_joint_has_no_axes() -> None:
 WRONG: list[tuple[tuple[str | int, ...], Any, str]] = [
     (("schema",), 3, "schema: expected 1 or 2, got 3"),
     (("name",), 5, "name: expected one line of text, got 5"),
+    (("name",), "", "name: expected text that is not blank, got ''"),
     (("name",), "two\nlines", "name: expected one line of text"),
     (("name",), "a\u0000b", "name: expected one line of text, got 'a\\x00b', which has U+0000"),
     (("name",), "a\u2028b", "name: expected one line of text, got 'a\\u2028b', which has U+2028"),

@@ -9,7 +9,7 @@ from machines import dasgupta, home_position, machine_size, offset_case, random_
 from numpy.typing import NDArray
 
 import stewart_sym as ss
-from stewart_sym.motion.rotation import rotation_from_vector, vector_from_rotation, vector_rate
+from stewart_sym.motion.rotation import rotation_from_vector, vector_from_rotation
 from stewart_sym.reference import newton_euler
 from stewart_sym.simulation.actuator_models import along
 from stewart_sym.studies.reports import energy_drift
@@ -150,34 +150,6 @@ def test_orientation_passes_gimbal_lock_of_roll_pitch_yaw() -> None:
     assert np.abs(np.swapaxes(at.R, -1, -2) @ at.R - np.eye(3)).max() < 1e-14
     energy = run.energy
     assert np.ptp(energy) < 1e-9 * run.kinetic.max()
-
-
-def test_attitude_stays_orthonormal_over_many_turns_of_the_chart() -> None:
-    rng = np.random.default_rng(0)
-    phi = rng.normal(size=(50, 3))
-    R = rotation_from_vector(phi)
-    np.testing.assert_allclose(np.swapaxes(R, -1, -2) @ R, np.broadcast_to(np.eye(3), R.shape), atol=1e-15)
-    short = phi / np.maximum(1.0, np.linalg.norm(phi, axis=-1, keepdims=True) / 3.1)
-    np.testing.assert_allclose(vector_from_rotation(rotation_from_vector(short)), short, atol=1e-13)
-    tiny = 1e-9 * phi
-    np.testing.assert_allclose(vector_from_rotation(rotation_from_vector(tiny)), tiny, atol=1e-15)
-    half_turn = np.pi * phi[0] / np.linalg.norm(phi[0])
-    np.testing.assert_allclose(
-        np.abs(vector_from_rotation(rotation_from_vector(half_turn))), np.abs(half_turn)
-    )
-
-
-@pytest.mark.parametrize("size", [1e-8, 0.01, 0.049, 0.051, 1.0, 3.0])
-def test_rate_of_the_rotation_vector_turns_the_rotation_with_omega(size: float) -> None:
-    rng = np.random.default_rng(1)
-    phi, omega = rng.normal(size=(2, 3))
-    phi *= size / np.linalg.norm(phi)
-    h = 1e-4
-    rate = vector_rate(phi, omega)
-    ends = [rotation_from_vector(phi + x * rate) for x in (-2 * h, -h, h, 2 * h)]
-    R_dot = (8 * (ends[2] - ends[1]) - (ends[3] - ends[0])) / (12 * h)
-    turned = R_dot @ rotation_from_vector(phi).T
-    np.testing.assert_allclose([turned[2, 1], turned[0, 2], turned[1, 0]], omega, rtol=1e-9, atol=1e-9)
 
 
 # Limits
@@ -402,20 +374,12 @@ def test_output_is_on_the_grid_and_ends_with_the_run() -> None:
     ("wrong", "words"),
     [
         ({"duration": 0.0}, r"^duration: expected a number > 0, got 0.0$"),
-        ({"duration": "long"}, r"^duration: expected"),
         ({"duration": 1e9}, r"^duration: expected at most 86400 s, a day, got 1000000000.0$"),
-        ({"forces": np.zeros(5)}, r"^forces: expected six finite numbers or a law"),
         ({"forces": lambda time, state: np.zeros(3)}, r"^forces: expected six numbers from the law at 0 s"),
-        ({"method": "Euler"}, r"^method: expected"),
-        ({"formulation": "none"}, r"^formulation: expected"),
         ({"rate": -1.0}, r"^rate: expected a number > 0"),
-        ({"output_step": np.inf}, r"^output_step: expected"),
         ({"output_step": 1e-12}, r"^output_step: expected at least 1e-08 s, for at most 10000000 instants"),
-        ({"rtol": np.nan}, r"^rtol: expected"),
         ({"rtol": 1e-14}, r"^rtol: expected a number in \[1e-13, 0.01\], got 1e-14$"),
         ({"rtol": 0.1}, r"^rtol: expected"),
-        ({"thresholds": 3}, r"^thresholds: expected a Thresholds, got int$"),
-        ({"load": [0.0] * 6}, r"^load: expected a function \(time, state\) -> six numbers, got list$"),
         ({"initial_state": ss.PATHS["I"].path.sample([0.0, 1.0])}, r"^initial_state: expected one state"),
         ({"load": lambda time, state: 1.0}, r"^load: expected six numbers"),
     ],
@@ -459,10 +423,3 @@ def test_times_outside_a_run_are_rejected() -> None:
 def test_bad_thresholds_are_named(wrong: dict[str, Any], words: str) -> None:
     with pytest.raises(ValueError, match=words):
         ss.Thresholds(**wrong)
-
-
-@pytest.mark.parametrize(("name", "value"), [("stiffness", np.zeros(5)), ("damping", np.inf)])
-def test_bad_springs_are_named(name: str, value: Any) -> None:
-    numbers = {"stiffness": 1.0, "rest_length": 1.0, "damping": 0.0} | {name: value}
-    with pytest.raises(ValueError, match=rf"^{name}: expected one finite number or six"):
-        ss.LegSprings(machine(), **numbers)
