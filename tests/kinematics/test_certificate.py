@@ -6,6 +6,7 @@ import mpmath
 import numpy as np
 import pytest
 from command_line import rejects
+from leg_lengths import lengths
 from machines import (
     Array,
     dasgupta,
@@ -23,11 +24,6 @@ from stewart_sym.kinematics.pose_search import distance, newton
 from stewart_sym.motion.rotation import rotation_from_rpy, rotation_from_vector
 from stewart_sym.studies.robustness.poses import _exact_pose
 from stewart_sym.studies.robustness.singular import path_III
-
-
-def lengths(robot: ss.Robot, R: Array, t: Array) -> Array:
-    q = np.einsum("...jk,ik->...ij", R, robot.p)
-    return np.asarray(np.linalg.norm(q + t[..., None, :] - robot.b, axis=-1))
 
 
 def turn_between(exact: mpmath.matrix, R: Array) -> float:

@@ -233,13 +233,8 @@ def test_axes_that_no_rotation_turns_are_rejected(Q: Array, expected: str) -> No
 @pytest.mark.parametrize(
     ("wrong", "expected"),
     [
-        ({"theta": NAN}, "theta: expected finite numbers"),
-        ({"theta_dot": np.zeros(2)}, "theta_dot: expected shape (..., 3)"),
         ({"theta_ddot": None}, "theta_ddot: expected both accelerations"),
         ({"a": None}, "a: expected both accelerations"),
-        ({"a": NAN}, "a: expected finite numbers"),
-        ({"t": None}, "t: expected real numbers"),
-        ({"v": None}, "v: expected real numbers"),
         ({"theta": np.zeros((2, 3)), "theta_dot": np.zeros((3, 3))}, "theta_dot: expected a leading shape"),
         ({"t": np.zeros((2, 3)), "theta": np.zeros((3, 3))}, "t: expected a leading shape"),
     ],
@@ -247,13 +242,6 @@ def test_axes_that_no_rotation_turns_are_rejected(Q: Array, expected: str) -> No
 def test_from_rpy_names_the_wrong_argument(wrong: dict[str, Any], expected: str) -> None:
     good = dict.fromkeys(("t", "theta", "v", "theta_dot", "a", "theta_ddot"), ZERO)
     assert error_of(lambda: Motion.from_rpy(**(good | wrong))).startswith(expected)
-
-
-def test_rotation_functions_name_the_wrong_shape() -> None:
-    assert error_of(lambda: rotation_from_rpy(np.zeros(4))).startswith("theta: expected shape (..., 3)")
-    assert error_of(lambda: rpy_from_rotation(ZERO)).startswith("R: expected shape (..., 3, 3)")
-    assert error_of(lambda: rotation_from_rpy(["a"] * 3)).startswith("theta: expected real numbers")
-    assert error_of(lambda: rpy_from_rotation("a")).startswith("R: expected real numbers")
 
 
 @pytest.mark.parametrize(("size", "make"), [(4, Motion.from_quaternion), (3, Motion.from_rotation_vector)])

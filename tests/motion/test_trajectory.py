@@ -19,10 +19,7 @@ from stewart_sym.io.extras import install
 from stewart_sym.motion.interpolation import between, followed
 from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.motion.rotation import (
-    angular_motion_from_vector,
     rotation_from_rpy,
-    rotation_from_vector,
-    vector_second_rate,
 )
 from stewart_sym.motion.trajectory import Trajectory
 
@@ -429,22 +426,6 @@ def test_positions_are_the_spline_that_gave_the_rates(tmp_path) -> None:
     times = np.linspace(time[0], time[-1], 200)
     spline = make_interp_spline(time - time[0], t, k=5)
     np.testing.assert_allclose(path(times).t, spline(times - time[0]), atol=1e-9)
-
-
-@pytest.mark.parametrize("angle", [0.0, 1e-9, 1e-3, 0.5, 0.999, 1.001, 3.0, 5.5])
-def test_second_rates_of_a_rotation_vector_and_back(angle: float) -> None:
-    rng = np.random.default_rng(2)
-    direction, rate, second = rng.normal(size=(3, 3))
-    phi = angle * direction / np.linalg.norm(direction)
-    omega, alpha = angular_motion_from_vector(phi, rate, second)
-    np.testing.assert_allclose(vector_second_rate(phi, omega, alpha), second, atol=1e-11)
-    h = 1e-5
-
-    def later(time: float) -> Array:
-        return rotation_from_vector(phi + time * rate + time**2 / 2 * second)
-
-    spin = (later(h) - later(-h)) / (2 * h) @ later(0.0).T
-    np.testing.assert_allclose(skew_part(spin), omega, atol=1e-7)
 
 
 def test_times_outside_and_single_instants_are_rejected() -> None:

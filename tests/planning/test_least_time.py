@@ -5,7 +5,7 @@ import dataclasses
 import numpy as np
 import pytest
 from command_line import rejects
-from least_time_oracles import coefficients, collocation_duration, extrapolated, toppra_duration
+from least_time_oracles import collocation_duration, extrapolated, toppra_duration
 from machines import machine_size
 from motor_cases import QUANTITIES, motor_case
 from smooth_oracles import motor_duration
@@ -18,10 +18,8 @@ from stewart_sym.kinematics.inverse import inverse_kinematics
 from stewart_sym.planning.certificate import certify_plan
 from stewart_sym.planning.time_path import time_path
 from stewart_sym.planning.timing.grid import Grid
-from stewart_sym.planning.timing.motor_terms import rotor_terms
-from stewart_sym.planning.timing.path_terms import Limits, terms_along, travelled
+from stewart_sym.planning.timing.path_terms import Limits, terms_along
 from stewart_sym.planning.timing.phase_plane import highest, lowest
-from stewart_sym.reference.newton_euler import rotor_force
 
 
 @pytest.mark.parametrize("seed", [1, *(pytest.param(seed, marks=pytest.mark.slow) for seed in (6, 16, 30))])
@@ -50,14 +48,6 @@ def test_limits_hold_between_the_nodes_and_one_is_active() -> None:
     assert found.active >= 0.99
     assert found.holds
     assert found.crossings == ()
-
-
-def test_terms_are_those_of_the_vector_implementation() -> None:
-    robot, poses = via_case(3)
-    path, s = straight(robot, poses), np.linspace(0.0, 1.0, 11)
-    found = terms_along(robot, path, s, Limits(force=1.0), "exact")
-    for ours, theirs in zip((found.a, found.b, found.d, found.e), coefficients(robot, path, s), strict=True):
-        np.testing.assert_allclose(ours, theirs, rtol=0.0, atol=1e-9 * np.abs(theirs).max())
 
 
 @pytest.mark.slow
@@ -197,23 +187,6 @@ def test_bounds_where_a_leg_turns_back_are_those_of_either_side() -> None:
             np.testing.assert_allclose(found, room(near.low[k], near.high[k], x), rtol=1e-3)
         jumps.append(np.abs(at_node[0] - at_node[1]).max() / np.abs(at_node).max())
     assert max(jumps) > 0.01
-
-
-@pytest.mark.slow
-def test_terms_give_the_torques_of_the_drives() -> None:
-    robot, path = motor_case(0)
-    s, rng = np.linspace(0.02, 0.98, 41), np.random.default_rng(0)
-    square, second = rng.uniform(0.0, 2.0, 41), rng.normal(size=41)
-    motion = travelled(path(s), np.sqrt(square), second)
-    terms = terms_along(robot, path, s, Limits(), "exact").motors
-    found = terms.efforts(square, second) / robot.drive.turns
-    torque = drive_effort(dataclasses.replace(robot, drive=free(robot)), motion).torque
-    np.testing.assert_allclose(found, torque, atol=1e-9 * np.abs(torque).max())
-    a, b = rotor_terms(robot, path(s))
-    rotor = rotor_force(robot, motion)
-    np.testing.assert_allclose(
-        a * second[:, None] + b * square[:, None], rotor, atol=1e-12 * np.abs(rotor).max()
-    )
 
 
 def free(robot):

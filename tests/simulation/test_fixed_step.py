@@ -54,18 +54,6 @@ def test_twice_the_steps_leave_a_sixteenth_of_the_error() -> None:
     assert fine < 1e-5
 
 
-@pytest.mark.parametrize("load", [False, True])
-def test_fixed_and_adaptive_steps_go_the_same_way(load: bool) -> None:
-    robot = machine()
-    state = swinging(robot, load=load)
-    F = holding(robot, state)
-    end, status = advance(ForwardDynamics(robot), state, F, DURATION, 100)
-    run = ss.simulate(robot, state[0], F[0], DURATION, rtol=1e-11)
-    assert not status.any()
-    assert run.stop.kind == "duration"
-    assert distance(end, run.motion[-1:]) < 1e-8
-
-
 def test_a_rotation_stays_one_over_many_steps() -> None:
     robot = machine()
     still = dataclasses.replace(robot, g=np.zeros(3))

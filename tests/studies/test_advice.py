@@ -99,20 +99,6 @@ def test_path_i_gets_four_answers_and_each_is_the_cheapest(on_path_i: Figures) -
     assert answers[-1] == ("exact", "general", "double")
 
 
-def test_a_choice_does_not_depend_on_times(on_path_i: Figures) -> None:
-    rng = np.random.default_rng(9)
-    for tolerance in TOLERANCES:
-        chosen = advice(on_path_i, budget(tolerance)).chosen
-        entries = [
-            entry | {"one_pose_ns": float(rng.uniform(10, 1000)), "batch_ns": 1.0}
-            for entry in on_path_i["candidates"]
-        ]
-        again = advice(on_path_i | {"candidates": entries}, budget(tolerance)).chosen
-        assert again is not None
-        assert chosen is not None
-        assert candidate_of(again) == candidate_of(chosen)
-
-
 def simple(level: str, seed: int) -> tuple[Robot, Motion]:
     rng = np.random.default_rng(seed)
     with warnings.catch_warnings(action="ignore"):

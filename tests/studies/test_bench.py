@@ -12,15 +12,12 @@ from machines import dasgupta, random_motion, random_robot
 from small_bench import CONTESTANTS, Array, poses_of
 
 import stewart_sym as ss
-from stewart_sym.exchange.machine import robot_of_bodies
 from stewart_sym.io.extras import EXTRAS
-from stewart_sym.robot.bodies import tensors_of_bodies
 from stewart_sym.robot.robot import Robot
 from stewart_sym.studies.benchmark import baselines, bench, equation_kernels
 from stewart_sym.studies.benchmark.baselines import JAX, Called, Candidate, Runner, jax_one_pose
 from stewart_sym.studies.benchmark.engines.drake_inverse import drake_inverse
 from stewart_sym.studies.benchmark.engines.pinocchio import pinocchio_rnea
-from stewart_sym.studies.benchmark.engines.tree import tree
 from stewart_sym.studies.benchmark.equation_kernels import engines
 from stewart_sym.studies.benchmark.figures import batched
 from stewart_sym.studies.benchmark.poses import Poses, bench_poses
@@ -213,39 +210,6 @@ def test_all_of_the_second_group_agree_on_any_machine(friction: bool) -> None:
     gc.collect()
     for task in group.tasks:
         task.run(1)
-
-
-@pytest.mark.parametrize("number", [0, 1], ids=["Pinocchio", "MuJoCo"])
-@pytest.mark.parametrize("change", ["rates", "friction", "load", "gravity"])
-def test_a_baseline_has_rates_friction_load_and_gravity(number: int, change: str, stranger: Poses) -> None:
-    motion, none = stranger.motion[:2], np.zeros(6)
-    robot, zero = stranger.robot, np.zeros((2, 3))
-    F = ss.inverse_dynamics(robot, motion, backend="reference").F
-    changed = {
-        "rates": (robot, dataclasses.replace(motion, omega=zero, v=zero)),
-        "friction": (dataclasses.replace(robot, C_u=none, C_p=none, C_s=none), motion),
-        "load": (robot, dataclasses.replace(motion, F_ext=zero, M_ext=zero)),
-        "gravity": (dataclasses.replace(robot, g=np.zeros(3)), motion),
-    }
-    robot, other = changed[change]
-    a, alpha = ss.forward_dynamics(robot, other, F, backend="reference")
-    truth = np.concatenate([a, alpha], axis=-1)
-    found = engines(robot, tree(robot, other, F))[number].found()
-    assert np.abs(found - truth).max() <= 1e-5 * np.abs(truth).max()
-    assert np.abs(truth - equation_kernels.acceleration(motion)).max() > 1e-2 * np.abs(truth).max()
-
-
-def test_tensors_of_bodies_stay_and_others_become_possible(stranger: Poses) -> None:
-    robot = stranger.robot
-    for tensors in (getattr(robot, name) for name in TENSORS):
-        np.testing.assert_array_equal(tensors_of_bodies(tensors), tensors)
-    printed = dasgupta()
-    assert printed.physicality()
-    possible = robot_of_bodies(printed)
-    assert not possible.physicality()
-    for name in TENSORS:
-        once = getattr(possible, name)
-        np.testing.assert_array_equal(tensors_of_bodies(once), once)
 
 
 @pytest.mark.parametrize("function", equation_kernels.FUNCTIONS, ids=lambda function: function.name)

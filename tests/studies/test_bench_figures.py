@@ -89,6 +89,7 @@ def test_json_has_every_candidate_with_positive_figures(figures: dict[str, Any])
 
 
 def test_json_says_where_and_with_what_it_ran(figures: dict[str, Any]) -> None:
+    assert figures["robot"] == "mine"
     assert figures["machine"]["processor"]
     assert figures["machine"]["cores"] >= 1
     assert {"-O3", "-ffp-contract=off"} <= set(figures["software"]["flags"])
@@ -264,10 +265,6 @@ def test_a_net_time_that_other_work_made_negative_does_not_stop_the_picture(figu
     times = {"median": -20.0, "quartiles": [-25.0, 20.0], "ratio_to_inverse_dynamics": -0.1}
     negative = motion | {"baselines": [first | times, *others]}
     motion_picture(figures | {"motion": negative}).draw_without_rendering()
-
-
-def test_the_command_takes_any_robot_file(figures: dict[str, Any]) -> None:
-    assert figures["robot"] == "mine"
 
 
 def test_the_extra_names_what_the_bench_imports() -> None:

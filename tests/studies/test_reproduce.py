@@ -34,17 +34,6 @@ def found() -> Reproduction:
     return reproduce()
 
 
-def test_forces_of_the_papers_first_instant(found: Reproduction) -> None:
-    expected = [388.20, -1118.99, 1419.36, -618.53, -75.55, 386.97]
-    np.testing.assert_allclose(found.runs["I", "paper"].F[0], expected, atol=0.005)
-
-
-def test_condition_number_of_path_one(found: Reproduction) -> None:
-    condition = found.runs["I", "paper"].condition
-    assert condition.min() == pytest.approx(34.69, abs=0.005)
-    assert condition.max() == pytest.approx(47.19, abs=0.005)
-
-
 def test_peaks_of_path_three(found: Reproduction) -> None:
     for form, force in (("paper", 9.60e5), ("exact", 9.73e5)):
         run = found.runs["III", form]
