@@ -16,8 +16,7 @@ from machines import (
     random_robot,
 )
 from motion_fields import balance_of
-from pinocchio_offsets import Answer, pinocchio_offsets
-from reduced_machines import at_rest
+from pinocchio_model import Answer, pinocchio_inverse_dynamics
 
 import stewart_sym as ss
 from stewart_sym.backend.kernel import OFFSET_KERNEL
@@ -35,7 +34,7 @@ EPS = float(np.finfo(np.float64).eps)
 @cache
 def _case(seed: int, joint: str) -> tuple[ss.Robot, ss.Motion, Answer]:
     robot, motion = offset_case(seed, joint)
-    return robot, motion, pinocchio_offsets(robot, motion)
+    return robot, motion, pinocchio_inverse_dynamics(robot, motion)
 
 
 def _error(found: object, wanted: np.ndarray) -> float:
@@ -81,35 +80,14 @@ def test_lengths_and_spins_with_their_rates_agree_with_pinocchio(joint: str) -> 
         robot, motion, truth = _case(seed, joint)
         legs = ss.inverse_kinematics(robot, motion)
         moving = offset_joints.legs(robot, motion).moving
-        found = {"L": legs.L, "L_dot": legs.L_dot, "L_ddot": legs.L_ddot}
+        found = [(truth.sliding, legs.L, legs.L_dot, legs.L_ddot)]
         if joint == "universal":
-            found |= {"spin": moving.at.spin[..., 0], "spin_dot": moving.rates[..., 3]}
-            found["spin_ddot"] = moving.accelerations[..., 3]
-        for name, value in found.items():
-            assert _error(value, getattr(truth, name)) < RELATIVE, (seed, name)
-
-
-def test_a_screw_that_turns_the_upper_part_agrees_with_pinocchio() -> None:
-    for seed in range(4):
-        robot, motion = offset_case(seed, "universal", screws=True)
-        bare = dataclasses.replace(robot, drive=dataclasses.replace(robot.drive, rotor_inertia=0.0))
-        truth = pinocchio_offsets(bare, motion, robot.drive.lead)
-        assert _error(ss.inverse_dynamics(bare, motion).F, truth.F) < RELATIVE, seed
-        other = pinocchio_offsets(bare, motion)
-        assert _error(other.F, truth.F) > 1e-4, seed
-
-
-def test_a_gear_before_the_screw_moves_nothing_at_rest_and_turns_the_motor_by_its_ratio() -> None:
-    robot, motion = offset_case(3, "universal", screws=True)
-    direct = dataclasses.replace(robot, drive=dataclasses.replace(robot.drive, gear=1.0))
-    np.testing.assert_allclose(
-        ss.motor_angles(robot, motion).angle,
-        robot.drive.gear * ss.motor_angles(direct, motion).angle,
-        rtol=1e-14,
-    )
-    rest = at_rest(motion)
-    F = ss.inverse_dynamics(direct, rest).F
-    np.testing.assert_allclose(ss.inverse_dynamics(robot, rest).F, F, atol=1e-12 * np.abs(F).max())
+            found.append(
+                (truth.spin, moving.at.spin[..., 0], moving.rates[..., 3], moving.accelerations[..., 3])
+            )
+        for wanted, *orders in found:
+            for order, value in enumerate(orders):
+                assert _error(value, wanted[:, order]) < RELATIVE, (seed, order)
 
 
 @pytest.mark.parametrize("joint", PLATFORM_JOINTS)

@@ -1,9 +1,9 @@
 """The machine in Pinocchio: six serial chains and a free body, joined by forces. An independent check.
 
 Takes nothing from stewart_sym but the numbers of a Robot and of one Motion. Joint angles, rates and
-accelerations come from Pinocchio's own Jacobians; forces from its recursive Newton-Euler over each chain,
-the torques of the passive joints being zero, together with the platform's six equations: eighteen equations
-in the eighteen components of the forces at the spherical joints.
+accelerations come from Pinocchio's own Jacobians, with offset joints by Newton's steps begun at the leg
+without offsets; forces from its recursive Newton-Euler over each chain, the torques of the passive joints
+being zero, together with the platform's six equations.
 """
 
 from abc import ABC, abstractmethod
@@ -22,7 +22,12 @@ WORLD = pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
 
 @dataclass(frozen=True)
 class Answer:
-    """What Pinocchio says of one pose: F, M_u (6,); F_s, F_u, F_p, M_p (base point), (6, 3), base frame."""
+    """What Pinocchio says of one pose: F, M_u (6,); F_s, F_u, F_p, M_p (base point), (6, 3), base frame.
+
+    F_s: on the leg by the platform; F_u: on the leg at its fixed axis; M_u: along the normal to both axes,
+    with offsets at the moving one. sliding, spin: position, rate and acceleration of sliding, and of the
+    upper parts' turn where they do turn, (6, 3).
+    """
 
     F: Array
     F_s: Array
@@ -30,36 +35,49 @@ class Answer:
     F_p: Array
     M_p: Array
     M_u: Array
+    sliding: Array
+    spin: Array
 
 
-def pinocchio_inverse_dynamics(robot: Robot, motion: Motion) -> Answer:
-    """Actuator forces and joint reactions of one pose (leading shape ())."""
-    plain = SphericalChain if robot.base_joint == "spherical" else UniversalChain
-    chain = GearedChain if robot.has_rotors else plain
+def pinocchio_inverse_dynamics(robot: Robot, motion: Motion, lead: Array | None = None) -> Answer:
+    """Actuator forces and joint reactions of one pose (leading shape ()).
+
+    lead: m per turn of screws whose nuts turn the upper parts, (6,).
+    """
+    chain = _chain_of(robot)
     legs = [chain(robot, motion, i) for i in range(6)]
-
-    rows, right = np.zeros((18, 18)), np.zeros(18)
-    right[12:] = _platform_wrench(robot, motion) + sum(
-        np.concatenate([np.zeros(3), motion.R.T @ leg.f]) for leg in legs
+    n = len(legs[0].tip_jacobian)
+    share = np.zeros(6) if lead is None else lead / (2 * np.pi)
+    # Unknown: the force or wrench on each leg's end, n components, and the actuator's force F.
+    rows, right = np.zeros((6 * (n + 1), 6 * (n + 1))), np.zeros(6 * (n + 1))
+    balance = slice(6 * n, None)
+    turn = np.zeros((6, 6))
+    turn[:3, :3] = turn[3:, 3:] = motion.R
+    right[balance] = turn @ _platform_wrench(robot, motion)
+    for i, leg in enumerate(legs):
+        own = slice(n * i, n * i + n)
+        rows[own, own] = leg.tip_jacobian.T[leg.free]
+        rows[own, 6 * n + i] = leg.actuated(share[i])[leg.free]
+        right[own] = (leg.torques(np.zeros(n)) + leg.sliding_friction())[leg.free]
+        rows[balance, own] = leg.on_platform
+        right[balance] += np.concatenate([np.zeros(3), leg.f])
+    found = np.linalg.solve(rows, right)
+    wrenches, F = found[: 6 * n].reshape(6, n), found[6 * n :]
+    for i, leg in enumerate(legs):
+        left = leg.torques(wrenches[i]) - leg.actuated(share[i]) * F[i] + leg.sliding_friction()
+        np.testing.assert_allclose(left, 0, atol=1e-8 * (np.abs(F).max() + 1))
+    F_u, M_u = zip(*(leg.base_reaction() for leg in legs), strict=True)
+    F_p, M_p = zip(*(leg.prismatic_reaction() for leg in legs), strict=True)
+    return Answer(
+        F=F,
+        F_s=wrenches[:, :3],
+        F_u=np.array(F_u),
+        F_p=np.array(F_p),
+        M_p=np.array(M_p),
+        M_u=np.array(M_u),
+        sliding=np.array([leg.moved(leg.lower + 1) for leg in legs]),
+        spin=np.array([leg.moved(leg.upper) for leg in legs]),
     )
-    for i, leg in enumerate(legs):
-        tau_0 = leg.torques(np.zeros(3))
-        J = leg.tip_jacobian
-        rows[2 * i : 2 * i + 2, 3 * i : 3 * i + 3] = J.T[leg.passive]
-        right[2 * i : 2 * i + 2] = tau_0[leg.passive]
-        rows[12:15, 3 * i : 3 * i + 3] = motion.R.T
-        rows[15:18, 3 * i : 3 * i + 3] = pin.skew(robot.p[i]) @ motion.R.T
-    F_s = np.asarray(np.linalg.solve(rows, right).reshape(6, 3), dtype=np.float64)
-
-    F, M_u = np.zeros(6), np.zeros(6)
-    F_u, F_p, M_p = np.zeros((6, 3)), np.zeros((6, 3)), np.zeros((6, 3))
-    for i, leg in enumerate(legs):
-        tau = leg.torques(F_s[i])
-        np.testing.assert_allclose(tau[:-1], 0, atol=1e-9 * leg.moment_scale(F_s[i]))
-        F[i] = tau[-1] + robot.C_p[i] * leg.v[leg.slide]
-        F_u[i], M_u[i] = leg.base_reaction()
-        F_p[i], M_p[i] = leg.prismatic_reaction()
-    return Answer(F=F, F_s=F_s, F_u=F_u, F_p=F_p, M_p=M_p, M_u=M_u)
 
 
 def _platform_wrench(robot: Robot, motion: Motion) -> Array:
@@ -92,6 +110,9 @@ def _accelerations(motion: Motion) -> tuple[Array, Array]:
 class _Chain(ABC):
     """One leg: joints at the base, then the prismatic joint; the upper part's frame sits at the tip."""
 
+    free = slice(None)
+    """Coordinates that are independent and move the tip."""
+
     def __init__(self, robot: Robot, motion: Motion, i: int) -> None:
         self.robot, self.motion, self.i = robot, motion, i
         model = self.model = pin.Model()
@@ -121,7 +142,6 @@ class _Chain(ABC):
         self.base_friction = -robot.C_u[i] * W
         self.f = robot.C_s[i] * (pin.getVelocity(model, data, self.upper, WORLD).angular - omega)
         pin.forwardKinematics(model, data, self.q, self.v, self.a)
-        self.length = float(np.linalg.norm(S))
 
     @property
     def slide(self) -> int:
@@ -181,11 +201,27 @@ class _Chain(ABC):
         friction = -self.robot.C_p[self.i] * self.v[self.slide] * placement.rotation[:, 0]
         return force - friction, moment + np.cross(lever, force)
 
-    def moment_scale(self, F_s: Array) -> float:
-        """Of the moments that balance each other in the joints."""
-        mass = self.robot.m_d[self.i] + self.robot.m_u[self.i] + self.robot.M
-        force = mass * (np.linalg.norm(self.robot.g) + np.abs(self.a).max()) + np.linalg.norm(F_s)
-        return float(self.length * force)
+    @property
+    def on_platform(self) -> Array:
+        """Wrench on the platform about its origin, of what each component at the end of the leg is."""
+        columns = np.eye(6)
+        columns[3:, :3] = pin.skew(self.lever)
+        return columns[:, : len(self.tip_jacobian)]
+
+    def actuated(self, share: float) -> Array:
+        """Generalised forces of a unit force of the actuator; share: lead over 2 pi, of parts that turn."""
+        e = np.zeros(self.model.nv)
+        e[self.slide] = 1.0
+        return e
+
+    def sliding_friction(self) -> Array:
+        """Generalised force against the friction of sliding."""
+        return self.robot.C_p[self.i] * self.v[self.slide] * self.actuated(0.0)
+
+    def moved(self, joint: int) -> Array:
+        """Coordinate of a joint with its rate and acceleration."""
+        at = self.model.joints[joint]
+        return np.array([self.q[at.idx_q], self.v[at.idx_v], self.a[at.idx_v]])
 
 
 def frame_along(x: Array) -> Array:
@@ -197,8 +233,6 @@ def frame_along(x: Array) -> Array:
 
 class UniversalChain(_Chain):
     """Base, revolute about k, revolute about y, prismatic along s."""
-
-    passive = slice(0, 2)
 
     def _base_joints(self) -> int:
         # A frame with its x axis along k; then s = Rk Rx(q1) Ry(q2) e_x.
@@ -220,6 +254,87 @@ class UniversalChain(_Chain):
         return float(self.data.f[1].angular[2])
 
 
+class OffsetChain(UniversalChain):
+    """One leg: revolute about k, revolute about y, prismatic along s; three more revolutes of U-C-U legs."""
+
+    def _base_joints(self) -> int:
+        self.o, self.frame = self.robot.offsets, frame_along(self.robot.k[self.i])
+        self.spins = self.o.platform_joint == "universal"
+        at = pin.SE3(self.frame, self.robot.b[self.i])
+        first = self.model.addJoint(0, pin.JointModelRX(), at, "fixed axis")
+        # The moving axis is y of the first joint's frame, o = y x k its -z.
+        at = pin.SE3(np.eye(3), np.array([0.0, 0.0, -self.o.cross[self.i]]))
+        return int(self.model.addJoint(first, pin.JointModelRY(), at, "moving axis"))
+
+    def _upper_joints(self) -> tuple[int, int]:
+        model, o, i, none = self.model, self.o, self.i, pin.SE3.Identity()
+        at = pin.SE3(np.eye(3), np.array([0.0, o.along[i], o.across[i]]))
+        upper = model.addJoint(self.lower, pin.JointModelPX(), at, "sliding")
+        if not self.spins:
+            return upper, upper
+        # The last joint's frame has its x axis along the second axis of the platform's joint.
+        self.on = self.motion.R @ frame_along(o.platform_axis[i])
+        upper = model.addJoint(upper, pin.JointModelRX(), none, "spin")
+        wrist = model.addJoint(upper, pin.JointModelRY(), none, "first axis of the platform joint")
+        at = pin.SE3(np.eye(3), np.array([0.0, 0.0, -o.wrist[i]]))
+        return upper, model.addJoint(wrist, pin.JointModelRX(), at, "second axis")
+
+    def _append_lower(self, body: pin.Inertia) -> None:
+        super()._append_lower(body)
+        i, o = self.i, self.o
+        # Of the cross the axes o, y, k are -z, y, x of the first joint; only the inertia about k acts.
+        center = np.array([o.cross_center[i][2], o.cross_center[i][1], -o.cross_center[i][0]])
+        about = np.diag([o.cross_inertia[i], 0.3 * o.cross_inertia[i], 0.9 * o.cross_inertia[i]])
+        if o.cross_mass[i] > 0:
+            self.model.appendBodyToJoint(1, pin.Inertia(o.cross_mass[i], center, about), pin.SE3.Identity())
+
+    def _configuration(self, S: Array) -> Array:
+        return self._solved(self._guess(S), S + self.robot.b[self.i])
+
+    def _guess(self, S: Array) -> Array:
+        q = super()._configuration(S)
+        if not self.spins:
+            return q
+        s, k = S / np.linalg.norm(S), self.on[:, 0]
+        y = np.cross(k, s) / np.linalg.norm(np.cross(k, s))
+        q = np.concatenate([q, np.zeros(3)])
+        pin.forwardKinematics(self.model, self.data, q)
+        T = self.data.oMi[3].rotation
+        q[3] = np.arctan2(T[:, 2] @ y, T[:, 1] @ y)
+        q[4] = np.arctan2(-np.linalg.norm(np.cross(k, s)), k @ s)
+        pin.forwardKinematics(self.model, self.data, q)
+        rest = self.data.oMi[self.last].rotation.T @ self.on
+        q[5] = np.arctan2(rest[2, 1], rest[1, 1])
+        return q
+
+    def _solved(self, q: Array, point: Array) -> Array:
+        for _ in range(60):
+            J = self._tip_jacobian(q)
+            at = self.data.oMi[self.last]
+            miss = point - at.translation
+            if self.spins:
+                miss = np.concatenate([miss, pin.log3(self.on @ at.rotation.T)])
+            q = q + np.linalg.solve(J, miss)
+        scale = np.abs(point).max() + np.abs(self.robot.b[self.i]).max()
+        assert np.abs(miss).max() < 1e-13 * max(1.0, scale), np.abs(miss).max()
+        return q
+
+    def _tip_jacobian(self, q: Array) -> Array:
+        velocity = super()._tip_jacobian(q)
+        return pin.getJointJacobian(self.model, self.data, self.last, WORLD) if self.spins else velocity
+
+    def actuated(self, share: float) -> Array:
+        e = super().actuated(share)
+        if self.spins:
+            e[self.slide + 1] = share
+        return e
+
+    def _constraint_moment(self) -> float:
+        # At the moving axis, along the normal k x y to both axes.
+        rotation = self.data.oMi[2].rotation
+        return float(rotation @ self.data.f[2].angular @ np.cross(self.robot.k[self.i], rotation[:, 1]))
+
+
 class GearedChain(UniversalChain):
     """The same with the rotor as a body of its own, that turns on the lower part by N times the length.
 
@@ -227,6 +342,7 @@ class GearedChain(UniversalChain):
     projection: joint torques and forces are those of the coordinates that are left.
     """
 
+    free = slice(0, 3)
     MASS, ACROSS = 0.02, 0.8
     """Mass of a rotor, of its lower part's, and its inertia across its axis, of that about it."""
 
@@ -262,13 +378,13 @@ class GearedChain(UniversalChain):
 
     def torques(self, wrench: Array) -> Array:
         fixed, moving, slide, rotor = super().torques(wrench)
-        return np.array([fixed, moving, slide + self.turns * rotor])
+        return np.array([fixed, moving, slide + self.turns * rotor, 0.0])
 
 
 class SphericalChain(_Chain):
     """Base, spherical joint without spin, prismatic along s."""
 
-    passive = slice(1, 3)
+    free = slice(1, None)
 
     def _base_joints(self) -> int:
         at = pin.SE3(np.eye(3), self.robot.b[self.i])
@@ -286,3 +402,11 @@ class SphericalChain(_Chain):
 
     def _constraint_moment(self) -> float:
         return float(self.data.f[1].angular[0])
+
+
+def _chain_of(robot: Robot) -> type[_Chain]:
+    if robot.offsets is not None:
+        return OffsetChain
+    if robot.has_rotors:
+        return GearedChain
+    return SphericalChain if robot.base_joint == "spherical" else UniversalChain
