@@ -142,25 +142,6 @@ def test_condition_is_that_of_the_singular_values() -> None:
     assert way.condition == pytest.approx(np.linalg.cond(A / np.linalg.norm(A, axis=0)), rel=1e-6)
 
 
-def test_derivatives_of_a_fourier_path_are_those_of_differences() -> None:
-    path = excited(0).path
-    time, step = path.times(7), 1e-5 * path.period
-    (_, x_dot, x_ddot), before, after = (path.coordinates(time + shift) for shift in (0.0, -step, step))
-    for derivative, i in ((x_dot, 0), (x_ddot, 1)):
-        difference = (after[i] - before[i]) / (2 * step)
-        assert np.max(np.abs(difference - derivative)) <= 1e-7 * np.max(np.abs(derivative))
-    assert np.allclose(path.coordinates(path.period)[0], path.coordinates(0.0)[0], rtol=0, atol=1e-12)
-    assert path.sample(np.zeros((2, 3))).shape == (2, 3)
-
-
-@pytest.mark.parametrize(
-    ("name", "value"),
-    [("period", 0.0), ("period", float("nan")), ("harmonics", 0), ("samples", 1.5), ("candidates", True)],
-)
-def test_bad_arguments_of_the_excitation_are_named(name: str, value: object) -> None:
-    rejects(f"^{name}: expected ", ss.choose_excitation, robot(0), **{name: value})
-
-
 def test_machines_that_cannot_be_excited_are_rejected() -> None:
     machine = robot(0)
     rejects("without gravity", ss.choose_excitation, dataclasses.replace(machine, g=np.zeros(3)))
