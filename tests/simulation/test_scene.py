@@ -108,12 +108,6 @@ def test_a_run_is_shown_on_its_own_machine_alone(scene: Path, capsys: pytest.Cap
     assert not (folder / "other.html").exists()
 
 
-def test_balanced_springs_hold_the_machine(scene: Path) -> None:
-    scene.write_text(SWING.replace("v = [0.05, 0.02, 0.03]", ""))
-    run = read_scene(scene).run()
-    np.testing.assert_allclose(run.t[-1], [0.2, 0.0, 0.8], atol=1e-9)
-
-
 def test_energy_drift_is_written_and_drawn(scene: Path, capsys: pytest.CaptureFixture[str]) -> None:
     output = scene.parent / "out"
     assert main(["simulate", str(scene), "-o", str(output), "--energy-drift"]) == 0
