@@ -222,6 +222,15 @@ def test_joint_fit_has_the_slopes_of_its_residual() -> None:
         )
 
 
+def test_tail_is_that_of_the_distributions() -> None:
+    from scipy import stats
+
+    for freedom, other in ((30, np.inf), (120, 500.0), (1000, np.inf)):
+        law = stats.chi2(freedom, scale=1 / freedom) if np.isinf(other) else stats.f(freedom, other)
+        for p in (0.5, 0.05, 1e-3, 1e-4):
+            assert estimates.tail(law.isf(p), freedom, other) == pytest.approx(p, rel=0.1)
+
+
 # Bodies
 
 

@@ -9,7 +9,7 @@ from machines import dasgupta, home_position, machine_size, offset_case, random_
 from numpy.typing import NDArray
 
 import stewart_sym as ss
-from stewart_sym.motion.rotation import rotation_from_vector, vector_from_rotation
+from stewart_sym.motion.rotation import rotation_from_vector, vector_from_rotation, vector_rate
 from stewart_sym.reference import newton_euler
 from stewart_sym.simulation.actuator_models import along
 from stewart_sym.studies.reports import energy_drift
@@ -150,6 +150,19 @@ def test_orientation_passes_gimbal_lock_of_roll_pitch_yaw() -> None:
     assert np.abs(np.swapaxes(at.R, -1, -2) @ at.R - np.eye(3)).max() < 1e-14
     energy = run.energy
     assert np.ptp(energy) < 1e-9 * run.kinetic.max()
+
+
+@pytest.mark.parametrize("size", [1e-8, 0.01, 0.049, 0.051, 1.0, 3.0])
+def test_rate_of_the_rotation_vector_turns_the_rotation_with_omega(size: float) -> None:
+    rng = np.random.default_rng(1)
+    phi, omega = rng.normal(size=(2, 3))
+    phi *= size / np.linalg.norm(phi)
+    h = 1e-4
+    rate = vector_rate(phi, omega)
+    ends = [rotation_from_vector(phi + x * rate) for x in (-2 * h, -h, h, 2 * h)]
+    R_dot = (8 * (ends[2] - ends[1]) - (ends[3] - ends[0])) / (12 * h)
+    turned = R_dot @ rotation_from_vector(phi).T
+    np.testing.assert_allclose([turned[2, 1], turned[0, 2], turned[1, 0]], omega, rtol=1e-9, atol=1e-9)
 
 
 # Limits
