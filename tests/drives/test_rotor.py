@@ -3,13 +3,12 @@ bodies of their own, and of MuJoCo with reflected masses; without rotor inertia 
 
 import dataclasses
 from functools import cache
-from importlib import import_module
 from typing import Any, Literal
 
 import numpy as np
 import pytest
 from machines import Array, random_motion, random_robot, rotation, with_random_rotors
-from motion_fields import acceleration, motion_of, waves
+from motion_fields import motion_of, waves
 from numpy.typing import NDArray
 from pages import DOCS
 from pinocchio_model import Answer, pinocchio_inverse_dynamics
@@ -21,7 +20,6 @@ from stewart_sym.derive.mechanics.reduced_models import DRIVE_FIDELITIES as DERI
 from stewart_sym.dynamics.home_pose import home_pose
 from stewart_sym.reference import equations_of_motion as oracle
 from stewart_sym.reference import newton_euler
-from stewart_sym.studies.benchmark.equation_kernels import robot_of_bodies
 
 RELATIVE = 1e-10
 MACHINES, POSES = 12, 3
@@ -58,18 +56,6 @@ def test_the_kernels_of_the_forces_alone_are_right_and_their_bounds_hold() -> No
         bounded = ss.forces_with_bounds(robot, motion)
         assert np.all(np.abs(bounded.F - expected) < bounded.bound + 1e-13 * peak)
         assert bounded.bound.max() < 1e-9 * peak
-
-
-def test_a_rotor_moves_every_force_and_its_momentum_those_across() -> None:
-    for seed in range(MACHINES):
-        robot, motion, _ = _case(seed)
-        F, K = (getattr(ss.inverse_dynamics(robot, motion), name) for name in ("F", "K"))
-        fast = ss.inverse_dynamics(_without_momentum(robot), motion)
-        none = ss.inverse_dynamics(dataclasses.replace(robot, drive=None), motion)
-        assert np.abs(F - none.F).max() > 1e-2 * np.abs(F).max()
-        assert np.abs(F - fast.F).max() > 1e-5 * np.abs(F).max()
-        assert np.abs(K - fast.K).max() > 1e-5 * np.abs(K).max()
-        assert np.abs(fast.K - none.K).max() < 1e-7 * np.abs(K).max()
 
 
 @pytest.mark.parametrize("backend", BACKENDS)
@@ -131,27 +117,6 @@ def test_derivatives_are_those_of_the_reference(backend: Any) -> None:
             assert np.abs(slopes - expected).max() < 1e-7 * np.abs(expected).max(), (seed, name)
 
 
-@pytest.mark.parametrize("backend", ["c", "numpy"])
-def test_linearised_motion_is_that_of_forward_dynamics(backend: Any) -> None:
-    for seed in range(3):
-        robot, motion, truth = _case(seed)
-        motion, forces = motion[0], truth[0].F
-
-        def solved(robot: ss.Robot, motion: ss.Motion, forces: Array = forces) -> Array:
-            a, alpha = ss.forward_dynamics(robot, motion, forces, backend="reference")[:2]
-            return np.concatenate([a, alpha])
-
-        found = ss.linearise(robot, motion, forces, backend=backend)
-        expected = np.column_stack(
-            [
-                _slope(solved, robot, motion, field, axis)
-                for field in ("t", "R", "v", "omega")
-                for axis in range(3)
-            ]
-        )
-        assert np.abs(found.A[6:] - expected).max() < 1e-6 * np.abs(expected).max(), seed
-
-
 def _slope(function: Any, robot: ss.Robot, motion: ss.Motion, field: str, axis: int) -> Array:
     """Derivative by one component, by differences of the fourth order."""
     step = 1e-3 * (1.0 if field == "R" else max(float(np.abs(getattr(motion, field)).max()), 1e-2))
@@ -165,24 +130,6 @@ def _slope(function: Any, robot: ss.Robot, motion: ss.Motion, field: str, axis: 
         return np.asarray(function(robot, dataclasses.replace(motion, **{field: value})))
 
     return (8 * (at(1) - at(-1)) - (at(2) - at(-2))) / (12 * step)
-
-
-def test_reflected_masses_are_armature_to_mujoco() -> None:
-    tree, constraints = (
-        import_module(f"stewart_sym.studies.benchmark.engines.{name}")
-        for name in ("tree", "mujoco_constraints")
-    )
-    for seed in range(5):
-        robot, motion, _ = _case(seed)
-        robot = _without_momentum(robot_of_bodies(robot))
-        F = ss.inverse_dynamics(robot, motion).F
-        engine = constraints.mujoco_engine(robot, tree.tree(robot, motion, F))
-        found, expected = engine.found(), acceleration(motion)
-        shares = np.abs(found - expected).max(axis=-1) / np.abs(expected).max(axis=-1)
-        assert shares.max() < 4e-6, seed
-        plain = dataclasses.replace(robot, drive=None)
-        others = constraints.mujoco_engine(plain, tree.tree(plain, motion, F)).found()
-        assert np.abs(others - expected).max() > 1e-2 * np.abs(expected).max()
 
 
 def test_a_drive_without_rotor_inertia_changes_no_bit() -> None:

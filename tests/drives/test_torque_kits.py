@@ -15,7 +15,7 @@ import stewart_sym as ss
 from stewart_sym.backend import native
 from stewart_sym.backend.kernel import MOTION
 from stewart_sym.derive.kernel.interface import STRUCTS
-from stewart_sym.drives.friction import drive_numbers, losses
+from stewart_sym.drives.friction import losses
 from stewart_sym.drives.instants import at_instants
 from stewart_sym.kit import Choice, kit, write_kit
 from stewart_sym.kit.choice import check
@@ -105,16 +105,6 @@ def test_without_axial_forces_they_are_those_of_the_motors() -> None:
     assert np.any(torques(F, 0.5 * F, L_dot)[1] != torques(F, F, L_dot)[1])
 
 
-def test_torques_are_odd_in_force_and_rate_and_change_with_the_direction_of_power() -> None:
-    torques = Compiled(robot_named(machine(False)))
-    F, L_dot = np.full(6, 800.0), np.full(6, 0.25)
-    np.testing.assert_array_equal(torques(-F, -F, -L_dot)[1], -torques(F, F, L_dot)[1])
-    lifted, lowered = torques(F, F, L_dot)[1], torques(F, F, -L_dot)[1]
-    turns = machine(False).drive.turns
-    assert np.all(turns * lifted > 800.0)
-    assert np.all(turns * lowered < 800.0)
-
-
 def test_bad_numbers_and_missing_arrays_leave_torques_as_they_were() -> None:
     torques = Compiled(robot_named(machine(False)))
     good = np.ones(6)
@@ -129,14 +119,6 @@ def test_bad_numbers_and_missing_arrays_leave_torques_as_they_were() -> None:
     assert torques.torques(None, Six(), None, Six(), Six(), None) == ss.results.BAD_ARGUMENT
     assert torques.torques(torques.drives, Six(), None, None, Six(), None) == ss.results.BAD_ARGUMENT
     assert torques.torques(torques.drives, Six(), None, Six(), Six(), None) == 0
-
-
-def test_constants_of_drives_are_in_the_order_of_the_struct() -> None:
-    robot = robot_named(machine(True))
-    numbers = drive_numbers(robot.drive)
-    expected = np.concatenate([numbers[each.name] for each in STRUCTS["drives"]])
-    np.testing.assert_array_equal(np.array(Compiled(robot).drives), expected)
-    assert set(numbers) == {each.name for each in STRUCTS["drives"]}
 
 
 def test_torques_need_a_drive() -> None:

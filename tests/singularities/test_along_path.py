@@ -193,17 +193,6 @@ def test_a_path_along_singular_poses_is_a_span_and_no_crossing() -> None:
     assert found.nearest.at.lost == 1
 
 
-def test_a_turn_of_similar_hexagons_crosses_at_90_degrees() -> None:
-    robot, _ = hexagons(1.0)
-    spin, zero = np.array([0.0, 0.0, 1.0]), np.zeros(3)
-
-    def path(times: Array) -> ss.Motion:
-        return ss.Motion.from_rpy([0.0, 0.0, 1.0], times[:, None] * spin, zero, spin, zero, zero)
-
-    found = ss.crossings(robot, path, [-3.0, 3.0])
-    np.testing.assert_allclose([item.time for item in found], [-np.pi / 2, np.pi / 2], atol=1e-12)
-
-
 def test_a_leg_that_passes_through_length_zero_is_no_crossing() -> None:
     """Its direction turns round, and with it the sign of det H, but no freedom is lost there."""
     robot = dasgupta()

@@ -124,19 +124,6 @@ def test_a_flat_machine_has_lost_three_degrees_of_freedom() -> None:
     assert found.smallest <= ROUNDING
 
 
-@pytest.mark.parametrize(
-    ("pose", "text"),
-    [
-        (None, r"pose: expected a Motion or a pose \(R, t\), got NoneType"),
-        ((np.eye(3),), r"pose: expected a Motion or a pose \(R, t\), got tuple"),
-        ((np.ones((3, 3)), np.zeros(3)), "pose: R: expected a rotation matrix"),
-        ((np.eye(3), [0.0, np.nan, 0.0]), "pose: t: expected finite numbers"),
-    ],
-)
-def test_what_is_no_pose_is_named(pose: object, text: str) -> None:
-    rejects(rf"\A{text}", ss.singularity, dasgupta(), pose)
-
-
 def test_a_leg_of_length_zero_has_no_direction() -> None:
     robot = dasgupta()
     rejects(r"^motion: leg 3 has length zero$", ss.singularity, robot, (np.eye(3), robot.b[2] - robot.p[2]))
