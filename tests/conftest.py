@@ -33,8 +33,7 @@ SHARING = (
     ("test_fmu", "test_fmu_files"),
     # What is derived for the first is there for the others.
     (
-        *("test_generated", "test_motion_subsets", "test_operations", "test_fifty_digits", "test_blocks"),
-        *("test_kernel_tree", "test_kinematics_tree", "test_closed_form"),
+        *("test_generated", "test_operations", "test_fifty_digits", "test_kernel_tree"),
         *("test_symbols", "test_casadi_functions"),
         *("test_kit", "test_kit_folder", "test_kit_use", "test_vectors", "test_language_kits", "test_stacks"),
     ),

@@ -117,6 +117,27 @@ def test_derivatives_are_those_of_the_reference(backend: Any) -> None:
             assert np.abs(slopes - expected).max() < 1e-7 * np.abs(expected).max(), (seed, name)
 
 
+@pytest.mark.parametrize("backend", ["c", "numpy"])
+def test_linearised_motion_is_that_of_forward_dynamics(backend: Any) -> None:
+    for seed in range(3):
+        robot, motion, truth = _case(seed)
+        motion, forces = motion[0], truth[0].F
+
+        def solved(robot: ss.Robot, motion: ss.Motion, forces: Array = forces) -> Array:
+            a, alpha = ss.forward_dynamics(robot, motion, forces, backend="reference")[:2]
+            return np.concatenate([a, alpha])
+
+        found = ss.linearise(robot, motion, forces, backend=backend)
+        expected = np.column_stack(
+            [
+                _slope(solved, robot, motion, field, axis)
+                for field in ("t", "R", "v", "omega")
+                for axis in range(3)
+            ]
+        )
+        assert np.abs(found.A[6:] - expected).max() < 1e-6 * np.abs(expected).max(), seed
+
+
 def _slope(function: Any, robot: ss.Robot, motion: ss.Motion, field: str, axis: int) -> Array:
     """Derivative by one component, by differences of the fourth order."""
     step = 1e-3 * (1.0 if field == "R" else max(float(np.abs(getattr(motion, field)).max()), 1e-2))
