@@ -116,6 +116,7 @@ def test_forces_are_those_of_the_prepared_kernel_to_the_last_bit(precision: Any)
             np.testing.assert_array_equal(found.F, wanted)
 
 
+@pytest.mark.slow
 def test_bound_holds_where_products_are_fused_into_sums(monkeypatch: pytest.MonkeyPatch) -> None:
     """In float, whose bounds round as coarsely as the forces."""
     flags = ("-O1", "-ffp-contract=fast")

@@ -69,6 +69,7 @@ def test_the_oracle_gives_the_volumes_of_a_shell_and_of_a_lens() -> None:
 
 
 @sweep
+@pytest.mark.slow
 def test_the_exact_volume_is_within_the_error() -> None:
     found = np.array(deviations(range(share(20, 5)), share(300_000, 10)))
     assert np.all(np.abs(found) <= 1.0)

@@ -5,12 +5,12 @@ import dataclasses
 import numpy as np
 import pytest
 from machines import machine_in_motion
-from sweeps import share, sweep
+from sweeps import share
 
 import stewart_sym as ss
 from stewart_sym.studies.robustness.sweep.oracle import check_poses
 
-pytestmark = pytest.mark.usefixtures("sweep_library")
+pytestmark = [pytest.mark.slow, pytest.mark.usefixtures("sweep_library")]
 
 UNITS = 10.0
 """Largest error in rounding units of the largest force, times the condition number."""
@@ -71,7 +71,6 @@ def checked(precision: str, seeds: range) -> np.ndarray:
     return np.asarray(found["error"] / condition[:, None])
 
 
-@sweep
 @pytest.mark.parametrize("precision", ["double", "float"])
 def test_no_kernel_loses_digits_with_the_proportions(precision: str) -> None:
     error = checked(precision, range(share(10_000, 100)))
@@ -79,7 +78,6 @@ def test_no_kernel_loses_digits_with_the_proportions(precision: str) -> None:
     assert error.max() <= UNITS
 
 
-@sweep
 @pytest.mark.parametrize("precision", ["double", "float"])
 def test_nor_with_the_distance_of_the_reference_point(precision: str) -> None:
     error = checked_from_afar(precision, range(share(10_000, 250)))

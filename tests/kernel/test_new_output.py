@@ -18,7 +18,6 @@ import pytest
 from builds import run
 from machines import random_motion, random_robot
 from reduced_machines import as_simple_as, at_rest
-from sweeps import slow_but
 
 import stewart_sym as ss
 from stewart_sym import derive
@@ -121,7 +120,8 @@ def kits(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
-@pytest.mark.parametrize("language", slow_but(["python"], RUN))
+@pytest.mark.slow
+@pytest.mark.parametrize("language", RUN)
 def test_two_files_give_every_language_a_new_output(language: str, kits: Path) -> None:
     run(*RUN[language], cwd=kits / language)
 

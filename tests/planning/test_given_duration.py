@@ -47,6 +47,7 @@ def work(plan: TimedPath, motion=None) -> float:
     return float(np.trapezoid(np.sum(F * inverse_kinematics(plan.robot, motion).L_dot, axis=-1), times))
 
 
+@pytest.mark.slow
 def test_joint_angles_of_a_plan_are_held_against_their_limits_between_its_nodes() -> None:
     robot, path, _ = case(2)
     robot = dataclasses.replace(robot, home=path(np.zeros(1)).t[0])

@@ -3,7 +3,6 @@ lose no more than the problem itself does: every kernel, by wider arithmetic.
 """
 
 import dataclasses
-import itertools
 from fractions import Fraction
 from typing import Any
 
@@ -27,7 +26,7 @@ from sweep_machines import (
     numpy_outputs,
     wider,
 )
-from sweeps import FULL, share, sweep
+from sweeps import FULL, share
 from sympy import QQ
 from sympy.polys.matrices import DomainMatrix
 
@@ -44,7 +43,7 @@ from stewart_sym.studies.robustness.sweep.singular_machines import FAMILIES, sin
 from stewart_sym.studies.robustness.sweep.sweep import GOOD, condition_of, random_machines
 from stewart_sym.studies.robustness.sweep.sweep import sweep as random_sweep
 
-pytestmark = pytest.mark.usefixtures("sweep_library")
+pytestmark = [pytest.mark.slow, pytest.mark.usefixtures("sweep_library")]
 
 FAR = "far reference point"
 UNLIKE = ("proportions", FAR)
@@ -89,7 +88,6 @@ def test_a_machine_off_its_family_is_not_singular() -> None:
         assert exact_determinant(beside, motion.R, motion.t) != 0
 
 
-@sweep
 def test_no_kernel_of_the_sweep_answers_for_a_singular_machine() -> None:
     """Every kernel, both precisions."""
     found = random_sweep(share(100_000, 80), seed=23, kinds=(oracle.MACHINE,))
@@ -98,13 +96,11 @@ def test_no_kernel_of_the_sweep_answers_for_a_singular_machine() -> None:
     assert [count for count in counts if count["answered"]] == []
 
 
-@sweep
 @pytest.mark.parametrize("family", FAMILIES)
 def test_no_backend_answers_for_a_singular_machine(family: str) -> None:
     assert backends_that_answer(family, share(20), share(240)) == {}
 
 
-@sweep
 @pytest.mark.parametrize("precision", PRECISIONS)
 def test_a_quarter_of_the_limit_of_a_small_pivot_would_find_singular_machines(
     precision: str, monkeypatch: pytest.MonkeyPatch
@@ -181,7 +177,6 @@ def statuses(robot: ss.Robot, motion: ss.Motion) -> list[tuple[str, NDArray[Any]
 # --- good poses ---------------------------------------------------------------------------------
 
 
-@sweep
 def test_good_poses_are_answered() -> None:
     """Statuses by kernel and precision on poses up to the condition number where they must have an answer."""
     cases = share(1_000_000, 1_000)
@@ -223,7 +218,6 @@ def test_random_changes_of_the_inputs_do_not_understate_a_condition_number() -> 
     assert max(error(seed, oracle.SAMPLES) for seed in range(24)) <= WITHIN
 
 
-@sweep
 @pytest.mark.parametrize("backend", ["numpy", "reference"])
 def test_other_backends_answer_the_good_poses_too(backend: Any) -> None:
     numbers, sizes, robots = machines_of(27, 12)
@@ -239,13 +233,8 @@ def test_other_backends_answer_the_good_poses_too(backend: Any) -> None:
 # --- near joint singularities, and out of proportion ----------------------------------------------
 
 
-@pytest.mark.parametrize(
-    ("kind", "precision"),
-    [
-        pytest.param(kind, precision, marks=sweep if number == 0 else pytest.mark.slow)
-        for number, (kind, precision) in enumerate(itertools.product(KINDS, PRECISIONS))
-    ],
-)
+@pytest.mark.parametrize("precision", PRECISIONS)
+@pytest.mark.parametrize("kind", KINDS)
 def test_every_kernel_is_as_good_as_its_problem_allows(kind: str, precision: str) -> None:
     assert beyond(kind, precision, share(4_000, 250)) == []
 
@@ -292,7 +281,6 @@ def beyond(kind: str, precision: str, cases: int) -> list[str]:
     return lines
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("kind", KINDS)
 def test_numpy_is_as_good_as_its_problem_allows(kind: str) -> None:
     numbers, sizes, robots = machines_of(31, 6 if FULL else 2)
@@ -341,7 +329,6 @@ def test_wider_arithmetic_agrees_with_fifty_digits_of_the_derived_equations(kind
             assert error < 2.0, (name, index)
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("kind", KINDS)
 def test_wider_arithmetic_agrees_with_differences_of_the_derived_equations(kind: str) -> None:
     numbers, sizes, robots = machines_of(35, 3)

@@ -36,7 +36,7 @@ from stewart_sym.studies.robustness.sweep.sweep import sweep
 
 REPOSITORY = Path(__file__).parents[2]
 
-pytestmark = pytest.mark.usefixtures("sweep_library")
+pytestmark = [pytest.mark.slow, pytest.mark.usefixtures("sweep_library")]
 
 
 def test_the_check_agrees_with_fifty_digits() -> None:
@@ -138,7 +138,6 @@ def test_near_a_singular_pose_every_kernel_is_right_or_says_so() -> None:
         assert found["worst"] < 100, curve.method
 
 
-@pytest.mark.slow
 def test_the_sine_from_the_cosine_loses_what_the_product_keeps() -> None:
     family = next(each for each in legs.axis_families() if each.name == "joint_sine")
     found = {curve.method: verdict(curve, family.distance) for curve in family.curves}
@@ -167,8 +166,8 @@ def test_damped_steps_find_more_poses_than_newton_s_own() -> None:
     assert found.proven == 1.0
 
 
-@pytest.mark.parametrize("cases", [2_000, pytest.param(share(100_000), marks=pytest.mark.slow)])
-def test_random_cases_near_failure_are_right_or_say_so(cases: int) -> None:
+def test_random_cases_near_failure_are_right_or_say_so() -> None:
+    cases = share(100_000)
     found = sweep(cases, seed=11)
     assert found.figures["cases"] >= cases
     assert (found.figures["wrong"], found.figures["rejected_good"], found.shown) == (0, 0, [])
@@ -196,7 +195,6 @@ def test_too_few_cases_are_rejected_in_one_line(capsys: pytest.CaptureFixture[st
     assert capsys.readouterr().err.startswith("stewart-sym: error: --cases: expected at least")
 
 
-@pytest.mark.slow
 def test_the_command_writes_the_study(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     for each in ("family", "scales"):
         monkeypatch.setattr(f"stewart_sym.studies.robustness.{each}.POINTS", 9)
