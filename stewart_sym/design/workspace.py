@@ -204,9 +204,7 @@ class Region(Frozen):
             centres, radii = robot.b, longest + np.linalg.norm(robot.p, axis=-1)
         low, high = np.max(centres - radii[:, None], axis=0), np.min(centres + radii[:, None], axis=0)
         if not np.all(np.isfinite(low) & np.isfinite(high)):
-            raise ValueError(
-                "robot: length_limits: no leg has an upper limit that counts, expected a box (--box)"
-            )
+            raise ValueError("robot: length_limits: no leg has an upper limit that counts, expected a box")
         if np.any(high <= low):
             raise ValueError("robot: length_limits: the longest legs reach no common position")
         return np.stack([low, high], axis=-1)
