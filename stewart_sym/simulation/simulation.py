@@ -99,7 +99,7 @@ def simulate(
     duration : float
         Length of the run, s, at most ``LONGEST``.
     rate : float, optional
-        Of the calls of a law, Hz; None: as often as the integration needs.
+        Of the calls of a law, Hz, at most ``MOST_INSTANTS`` of them; None: as often as the integration needs.
     load : Load, optional
         (time, state) -> [F_ext; M_ext], platform frame, in place of the state's load.
     formulation : {"exact", "paper"}, optional
@@ -142,6 +142,11 @@ def simulate(
     check_duration(duration)
     if rate is not None:
         need_between(rate, "rate", 0.0, math.inf)
+        if duration * rate > MOST_INSTANTS:
+            raise ValueError(
+                f"rate: expected at most {MOST_INSTANTS / duration:g} Hz, for at most {MOST_INSTANTS} calls of "
+                f"the law in {duration:g} s, got {shown(rate)}"
+            )
     check_rtol(rtol)
     check_output_step(output_step, duration)
     for name, function, call in (

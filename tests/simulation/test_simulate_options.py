@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from command_files import edit
 from machines import dasgupta, home_position, machine_size, random_robot
+from pages import DOCS
 from robot_files import PAPERS
 
 import stewart_sym as ss
@@ -62,6 +63,14 @@ def test_plain_numbers_turn_as_arrays_do(size: float) -> None:
     R = rotation_from_vector(rng.normal(size=3))
     np.testing.assert_allclose(turned_by(phi, R), rotation_from_vector(phi) @ R, rtol=0.0, atol=1e-15)
     np.testing.assert_allclose(one_vector_rate(phi, omega), vector_rate(phi, omega), rtol=0.0, atol=5e-15)
+
+
+def test_springs_so_stiff_that_trial_states_are_infinite_stop_at_the_force_limit() -> None:
+    robot = ss.Robot.from_toml(DOCS / "examples" / "hexapod.toml")
+    start = ss.Motion(np.eye(3), [0.03, 0.0, 0.65], omega=ZERO, v=[0.0, 0.2, 0.0])
+    springs = ss.LegSprings.balanced(robot, start, stiffness=2e12, damping=0.0)
+    run = ss.simulate(robot, start, springs, 1.0)
+    assert "force 500 N reaches its limit 500 N" in run.stop.text
 
 
 @pytest.mark.parametrize("rate", [None, 200.0])
