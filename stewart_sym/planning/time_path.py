@@ -26,7 +26,7 @@ from ..robot.robot import LEGS, Robot
 from .smooth.costs import EnergyCost
 from .smooth.smooth_time import SmoothPath, eased, length_rates
 from .timing.grid import AIM, Grid, Source
-from .timing.path_rates import need_rates
+from .timing.path_rates import need_motions, need_rates
 from .timing.path_terms import Limits, Path, Terms, force_limits, terms_along, travelled
 from .timing.phase_plane import Ease, Profile
 
@@ -207,6 +207,7 @@ def time_path(
     whole_number(cells, "cells", 10, "a whole number from 10 to 100,000", 100_000)
     option(least, LEAST, "least")
     need_duration(least, duration)
+    need_motions(path, ends)
     task = _Task(robot, path, (float(ends[0]), float(ends[1])), limits, formulation, cells, progress)
     if not task.need_possible() and least == "time":
         warn(
@@ -384,14 +385,14 @@ def need_duration(least: Least, duration: float | None) -> None:
 
 
 def need_losses(robot: Robot) -> None:
-    """Reject a machine whose every motion takes the same energy."""
-    losses = [robot.C_u, robot.C_p, robot.C_s]
-    if robot.drive is not None:
-        losses += [robot.drive.resistance, viscous(robot.drive)]
+    """Reject a machine whose every motion takes the same energy, but for Stribeck's part of friction."""
+    losses, drive = [robot.C_u, robot.C_p, robot.C_s], robot.drive
+    if drive is not None:
+        losses += [drive.resistance, viscous(drive), 1.0 - drive.efficiency, 1.0 - drive.back_efficiency]
     if not any(np.any(loss) for loss in losses):
         raise ValueError(
-            "robot: expected viscous friction or a resistance of windings, without them every motion along "
-            "the path takes the same energy"
+            "robot: expected viscous friction, a resistance of windings or an efficiency below 1, without "
+            "them every motion along the path takes the same energy"
         )
 
 

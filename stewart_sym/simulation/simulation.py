@@ -144,8 +144,8 @@ def simulate(
         need_between(rate, "rate", 0.0, math.inf)
         if duration * rate > MOST_INSTANTS:
             raise ValueError(
-                f"rate: expected at most {MOST_INSTANTS / duration:g} Hz, for at most {MOST_INSTANTS} calls of "
-                f"the law in {duration:g} s, got {shown(rate)}"
+                f"rate: expected at most {MOST_INSTANTS / duration:g} Hz, for at most {MOST_INSTANTS} calls "
+                f"in {duration:g} s, got {shown(rate)}"
             )
     check_rtol(rtol)
     check_output_step(output_step, duration)

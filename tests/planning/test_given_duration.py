@@ -155,6 +155,12 @@ def test_least_electrical_energy_has_friction_and_heat_of_windings_in_it() -> No
     free = dataclasses.replace(robot, drive=dataclasses.replace(drive, resistance=0.0, efficiency=1.0))
     cold = time_path(free, path, least="energy", duration=duration, cells=50)
     assert own < energy(cold.sample(x)) * (1.0 - 1e-4)
+    # What is lost by an efficiency alone depends on the motion as well.
+    robot = dataclasses.replace(
+        free, C_u=0.0, C_p=0.0, C_s=0.0, drive=dataclasses.replace(drive, resistance=0.0)
+    )
+    worn = time_path(robot, path, least="energy", duration=duration, cells=50)
+    assert energy(worn.sample(x)) < 0.995 * min(energy(motion) for motion in simpler(worn, quick))
 
 
 @pytest.mark.slow
@@ -207,7 +213,7 @@ def test_in_the_least_time_there_is_one_motion() -> None:
 
 def test_what_every_motion_takes_as_much_of_is_one_line() -> None:
     robot, path = limited_case(0, friction=False)
-    with pytest.raises(ValueError, match="expected viscous friction or a resistance of windings"):
+    with pytest.raises(ValueError, match="expected viscous friction, a resistance of windings or an efficie"):
         time_path(robot, path, least="energy", duration=1e3, cells=50)
     rejects('least: expected a duration beside "energy"', time_path, robot, path, least="energy")
     with pytest.raises(ValueError, match='duration: expected least "energy" or "peak-force" beside it'):

@@ -12,6 +12,7 @@ from smooth_oracles import motor_duration
 from sweeps import share
 from via_cases import limited_case, planned_case, straight, via_case
 
+import stewart_sym as ss
 from stewart_sym.drives.effort import drive_effort
 from stewart_sym.dynamics.inverse import inverse_dynamics
 from stewart_sym.kinematics.inverse import inverse_kinematics
@@ -108,6 +109,22 @@ def test_a_faster_motion_breaks_a_limit() -> None:
 def test_what_bounds_no_motion_or_allows_none_is_one_line(limits: Limits, message: str) -> None:
     robot, poses = via_case(1)
     rejects(message, time_path, robot, straight(robot, poses), limits=limits)
+
+
+@pytest.mark.parametrize(
+    ("found", "words"),
+    [
+        (np.zeros((2, 6)), "path: expected a Motion, got ndarray"),
+        (
+            ss.Motion(np.eye(3), np.zeros((2, 3)), np.zeros(3), np.zeros(3)),
+            "path: expected motions with accel",
+        ),
+        (ss.Motion(np.eye(3), *np.zeros((5, 3))), "path: expected a motion of shape"),
+    ],
+)
+def test_a_path_that_gives_something_else_is_one_line(found: object, words: str) -> None:
+    robot, _ = limited_case(0)
+    rejects(words, time_path, robot, lambda s: found)
 
 
 @pytest.mark.slow

@@ -296,7 +296,7 @@ def test_bad_scenes_are_rejected_in_one_line_and_leave_nothing(
         ('path = "II"', 'path = "none.csv"', "legs.path: expected a file, there is no "),
         ('path = "II"', "", "legs.path: missing"),
         ("k_p = 400", "k_p = -1", "legs.k_p: expected a number >= 0, got -1"),
-        ("k_p = 400", "k_p = 400\nrate = 1e9", "rate: expected at most 2e+08 Hz, for at most 10000000 calls"),
+        ("rate = 500.0", "rate = 1e9", "rate: expected at most 2e+08 Hz, for at most 10000000 calls"),
         ('model = "paper"', 'model = "best"', 'legs.model: expected "exact" or "paper"'),
     ],
 )

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from ...io.arguments import instance
 from ...io.array_types import Array
 from ...kinematics.inverse import inverse_kinematics
+from ...motion.motion import Motion
 from ...robot.robot import Robot
 from .path_terms import Path
 
@@ -15,6 +17,16 @@ _STRETCHES = (16, 512)
 _OFF, _NOISE = 1e-3, 8.0
 # Lengths may be off by a share of the longest way of a leg, their rates jump by a share of the largest.
 _OF_WAY, _OF_RATE = 1e-6, 1e-3
+
+
+def need_motions(path: Path, ends: Array) -> None:
+    """Reject a function that gives no motion with accelerations for each of the first and last s, (2,)."""
+    found = path(ends)
+    instance(found, Motion, "path")
+    if found.a is None or found.alpha is None:
+        raise ValueError("path: expected motions with accelerations alpha and a, got none")
+    if found.shape != (2,):
+        raise ValueError(f"path: expected a motion of shape (n,) at s (n,), got {found.shape} at (2,)")
 
 
 def need_rates(robot: Robot, path: Path, s: Array) -> None:

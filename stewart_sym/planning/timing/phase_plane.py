@@ -61,8 +61,12 @@ def bounds_of(rows: Rows, caps: Array, twice: Indices) -> Bounds:
     twice: nodes at which bounds jump, (j,).
     """
     effect = np.abs(rows.a).max(axis=-1)
-    free = effect <= _NO_EFFECT * effect.max(axis=0)
-    a = np.where(free[..., None], 1.0, rows.a)
+    least_a = _NO_EFFECT * effect.max(axis=0)
+    free = effect <= least_a
+    # Of one form alone, as by a leg that the motors do not see: a bound far away.
+    slight = np.abs(rows.a) < least_a[..., None]
+    a = np.where(slight, np.copysign(least_a[..., None], rows.a), rows.a)
+    a = np.where(free[..., None], 1.0, a)
     rest = -np.stack([rows.e, rows.b, rows.d], axis=-1) / a[..., None]
     low, high = rest.copy(), rest.copy()
     least, most = rows.low[..., None], rows.high[..., None]
