@@ -120,19 +120,36 @@ def difference(name: str, found: Array, parts: Sequence[Array], tolerance: float
     return worst
 
 
-def c_loop(library: ctypes.CDLL, machine: NDArray[Any], poses: Poses) -> Runner:
+def c_loop(
+    library: ctypes.CDLL, machine: NDArray[Any], poses: Poses, numbers: int = 6, F: Any = None, of: str = ""
+) -> Runner:
     """Return a runner of a library's ``drive``, a C loop that calls a one-pose function over all poses.
 
-    Its arguments: the machine's numbers, count of poses, repeats, motions (count, 30) and F (count, 6); it
-    returns a status.
+    numbers: how many come out of each. F: forces, (count, 6), that it is given. of: ending of its name.
     """
-    rows, F, count = poses.rows, np.zeros((len(poses), 6)), ctypes.c_size_t(len(poses))
+    rows, found = poses.rows, np.zeros((len(poses), numbers))
+    drive, counts = getattr(library, f"drive{of}"), (ctypes.c_size_t(len(poses)), ctypes.c_size_t(numbers))
 
     def run(repeats: int) -> None:
-        given = (address(machine), count, ctypes.c_size_t(repeats), address(rows), address(F))
-        succeed(library.drive(*given))
+        arrays = map(address, (rows, F, found))
+        succeed(drive(address(machine), *counts, ctypes.c_size_t(repeats), *arrays))
 
-    return Runner(run, lambda: F, library)
+    return Runner(run, lambda: found, library)
+
+
+def c_batch(function: Any, machine: NDArray[Any], poses: Poses, out: Any, before: Any = ()) -> Runner:
+    """Return a runner of a C function for all poses in one call.
+
+    out: the array that it fills, (count, ...), or those of a struct. before: arrays that it takes first.
+    """
+    status, count = np.zeros(len(poses), dtype=np.int32), ctypes.c_size_t(len(poses))
+
+    def call() -> None:
+        given = (address(machine), count, pointers(poses.arrays), *map(address, before))
+        to = address(out) if isinstance(out, np.ndarray) else pointers(out)
+        succeed(function(*given, to, address(status)))
+
+    return Runner(repeated(call), lambda: out if isinstance(out, np.ndarray) else np.hstack(out))
 
 
 def forces_loop() -> dict[str, str]:
@@ -284,12 +301,8 @@ def _stage(number: int, source: "Pass") -> Stage:
     def batch(poses: Poses, flags: Flags) -> Runner:
         """``stewart_exact_forces_batch`` on one core, called from Python with given arrays."""
         library, model = built(poses, flags)
-        F, status = np.zeros((len(poses), 6)), np.zeros(len(poses), dtype=np.int32)
-        function, count = getattr(library, f"stewart_{NAME}_forces_batch"), ctypes.c_size_t(len(poses))
-        run = repeated(
-            lambda: function(address(model), count, pointers(poses.arrays), address(F), address(status))
-        )
-        return Runner(run, checked(F, status), library)
+        function = getattr(library, f"stewart_{NAME}_forces_batch")
+        return c_batch(function, model, poses, np.zeros((len(poses), 6)))
 
     alone, many = (
         Candidate(f"{source.name}, {kind}", source.meaning, kind, poses, make, lambda: source.operations[1])

@@ -11,7 +11,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...backend import c_kernel, native
-from ...backend.c_kernel import address, pointers
 from ...backend.kernel import robot_numbers
 from ...dynamics import forces
 from ...dynamics.equations import joint_space_inertia
@@ -24,10 +23,9 @@ from ...motion.rotation import cross_matrix, rotation_from_vector
 from ...reference import newton_euler
 from ...reference.equations_of_motion import equations_of_motion, regressor
 from ...robot.robot import Robot
-from ..common.loops import own_source
+from ..common.loops import loops
 from ..common.output import Figures
-from ..common.timing import repeated
-from .baselines import AGREEMENT, SLOW, Called, Runner, difference, succeed
+from .baselines import AGREEMENT, SLOW, Called, c_batch, c_loop, difference
 from .engines.tree import Tree, tree
 from .figures import (
     DERIVATIVES,
@@ -183,17 +181,16 @@ def library(flags: Flags = ()) -> ctypes.CDLL:
 
     flags: after those of every library.
     """
-    loops = "".join(
-        f"#define DRIVE drive_{each.function}\n#define CALL(motion, F, out) "
-        f'stewart_{NAME}_{each.function}(machine, motion, {each.arguments})\n#include "loop_of_outputs.h"\n'
+    calls = {
+        f"drive_{each.function}": f"stewart_{NAME}_{each.function}(machine, motion, {each.arguments})"
         for each in FUNCTIONS
-    )
+    }
+    before = f'#include "stewart_{NAME}_motion.h"\n#include "stewart_{NAME}_regressor.h"\n'
     sources = {
         **c_kernel.c_sources(f"{NAME}_forces"),
         **c_kernel.c_sources(f"{NAME}_motion"),
         **c_kernel.c_sources(f"{NAME}_regressor"),
-        "loop_of_outputs.h": own_source("loop_of_outputs.h"),
-        "drive.c": f'#include "stewart_{NAME}_motion.h"\n#include "stewart_{NAME}_regressor.h"\n{loops}',
+        **loops(before, calls),
     }
     return native.load("bench_motion", sources, flags)
 
@@ -274,8 +271,12 @@ def motion_group(poses: Poses, targets: Sequence[Target]) -> MotionGroup:
         drives = library(target.flags)
         for each in FUNCTIONS:
             called, parts = f"stewart_{NAME}_{each.function}", expected[each.name]
-            one = _loop(drives, each, few, F, sum(map(_numbers, parts)))
-            many = _batch(drives, each, few.resized(SLOW), np.resize(F, (SLOW, 6)), parts)
+            machine, counts = each.machine(robot), [int(part[0].size) for part in parts]
+            one = c_loop(drives, machine, few, sum(counts), F, f"_{each.function}")
+            before = [np.resize(F, (SLOW, 6)) if word == "F" else None for word in each.before]
+            found = [np.zeros((SLOW, numbers)) for numbers in counts]
+            out = found[0] if each.struct is None else found
+            many = c_batch(getattr(drives, f"{called}_batch"), machine, few.resized(SLOW), out, before)
             for name, what, kind, count, runner, measured in (
                 (each.name, called, "one pose", POSES, one, f"drive_{each.function}"),
                 (batched(each.name), f"{called}_batch", "batch", SLOW, many, f"{called}_batch"),
@@ -308,35 +309,3 @@ def engines(robot: Robot, tree: Tree) -> tuple[Called, ...]:
 
         found.append(mujoco_engine(robot, tree))
     return tuple(found)
-
-
-def _loop(drives: ctypes.CDLL, each: Function, poses: Poses, F: Array, numbers: int) -> Runner:
-    """A loop over the poses in C; ``numbers`` come out of each."""
-    drive, machine = getattr(drives, f"drive_{each.function}"), each.machine(poses.robot)
-    rows, out = poses.rows, np.zeros((len(poses), numbers))
-    count, width = ctypes.c_size_t(len(poses)), ctypes.c_size_t(numbers)
-
-    def run(repeats: int) -> None:
-        given = (address(machine), count, ctypes.c_size_t(repeats), address(rows), address(F))
-        succeed(drive(*given, width, address(out)))
-
-    return Runner(run, lambda: out)
-
-
-def _batch(drives: ctypes.CDLL, each: Function, poses: Poses, F: Array, parts: Sequence[Array]) -> Runner:
-    """All poses in one call; ``parts`` tell how many numbers come out of each."""
-    function, machine = getattr(drives, f"stewart_{NAME}_{each.function}_batch"), each.machine(poses.robot)
-    found = [np.zeros((len(poses), _numbers(part))) for part in parts]
-    status, count = np.zeros(len(poses), dtype=np.int32), ctypes.c_size_t(len(poses))
-
-    def call() -> None:
-        motions = pointers(poses.arrays)
-        before = [address(F if word == "F" else None) for word in each.before]
-        out = address(found[0]) if each.struct is None else pointers(found)
-        succeed(function(address(machine), count, motions, *before, out, address(status)))
-
-    return Runner(repeated(call), lambda: np.hstack(found))
-
-
-def _numbers(part: Array) -> int:
-    return int(part[0].size)

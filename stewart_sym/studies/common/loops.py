@@ -1,21 +1,32 @@
-"""C files of the studies, and loops that call a function for one pose after the other."""
+"""C files of the studies, and loops that call functions for one pose after the other."""
 
+from collections.abc import Mapping
 from importlib.resources import files
 
 
 def loop_source(
     header: str, body: str, pose: str = "stewart_motion", number: str = "stewart_real"
 ) -> dict[str, str]:
-    """C of the ``drive`` that ``c_loop`` calls: file name -> text.
+    """C of the loop ``drive``, which ``c_loop`` calls: file name -> text.
 
     body: of the function of ``machine``, ``motion`` and ``F`` that puts one pose's forces into F and returns
     a status; pose, number: types of the last two.
     """
-    call = (
-        f'#include <string.h>\n#include "{header}"\n#define POSE {pose}\n#define NUMBER {number}\n'
-        f"static int call(const void *machine, const POSE *motion, NUMBER *F)\n{{\n{body}\n}}\n"
+    arguments = f"const void *machine, const {pose} *motion, {number} *F"
+    text = f'#include <string.h>\n#include "{header}"\nstatic int call({arguments})\n{{\n{body}\n}}\n'
+    return loops(text, {"drive": "call(machine, motion, out)"}, pose, number)
+
+
+def loops(
+    before: str, calls: Mapping[str, str], pose: str = "stewart_motion", number: str = "stewart_real"
+) -> dict[str, str]:
+    """The same of several loops; calls: of ``machine``, ``motion``, ``F`` and ``out``, by their names."""
+    each = (
+        f'#define DRIVE {name}\n#define CALL(motion, F, out) {call}\n#include "loop.h"\n'
+        for name, call in calls.items()
     )
-    return {"loop.c": own_source("loop.c"), "call.h": call}
+    text = f"{before}#define POSE {pose}\n#define NUMBER {number}\n{''.join(each)}"
+    return {"loop.h": own_source("loop.h"), "loop.c": text}
 
 
 def own_source(name: str) -> str:
