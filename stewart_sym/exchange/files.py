@@ -10,7 +10,7 @@ import numpy as np
 
 from ..drives.friction import losses
 from ..io.arguments import instance, option, shown
-from ..io.error_policy import warn
+from ..io.error_policy import errors_of, warn
 from ..io.tables import file_name, read_text
 from ..robot.robot import PhysicalityWarning, Robot, impossible_inertias
 from .chain import Model
@@ -145,10 +145,8 @@ def import_model(path: str | os.PathLike[str]) -> ImportedModel:
     source = file_name(path)
     text, beside = read_text(source, "model", _MOST_BYTES), loops_path(source)
     loops = read_text(str(beside), "loops", _MOST_BYTES) if beside.is_file() else None
-    try:
+    with errors_of(f"{source}: "):
         root = parsed(text)
-    except ValueError as error:
-        raise ValueError(f"{source}: {error}") from None
     try:
         robot, said = robot_of(_read(root, loops))
     except ValueError as error:

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from ..io.error_policy import errors_of
 from ..io.json_text import json_text
 from ..robot.drive import Drive, drive_of_tables, drive_tables
 from ..robot.fields import LEGS, LegTables
@@ -92,10 +93,8 @@ def with_notes(robot: Robot, model: Model) -> tuple[Robot, list[str]]:
         ]:
             del taken[name]
             said.append(f"{name}: from the home pose, of which the model has none, the note is left out")
-    try:
+    with errors_of("notes: "):
         return replace(robot, **taken), said
-    except ValueError as error:
-        raise ValueError(f"notes: {error}") from None
 
 
 def _restored(name: str, noted: Any) -> Any:

@@ -1,8 +1,9 @@
 """Warnings at the user's line; what is done about unsolvable poses: an error, a warning, NaN or damping."""
 
+import contextlib
 import inspect
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any, Literal
 
 import numpy as np
@@ -21,6 +22,15 @@ _PACKAGE = __name__.partition(".")[0]
 
 class SingularPoseWarning(UserWarning):
     """Some poses have no finite answer; their results are NaN and their status says why."""
+
+
+@contextlib.contextmanager
+def errors_of(where: str) -> Iterator[None]:
+    """Let a ValueError of the block begin with where it is, such as ``file: key: ``."""
+    try:
+        yield
+    except ValueError as error:
+        raise ValueError(f"{where}{error}") from None
 
 
 def warn(text: str, category: type[Warning] = UserWarning) -> None:

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from ..io.arguments import finite_array, leading_shape
 from ..io.array_types import Array
+from ..io.error_policy import errors_of
 from ..io.frozen import Frozen, read_only
 from . import rotation
 
@@ -379,10 +380,8 @@ def pose_of(value: object, name: str, expected: str) -> Motion:
     if not isinstance(value, tuple | list) or len(value) != 2:
         raise ValueError(f"{name}: expected {expected}, got {type(value).__name__}")
     R, t = value
-    try:
+    with errors_of(f"{name}: "):
         return Motion(R, t, np.zeros(3), np.zeros(3))
-    except ValueError as error:
-        raise ValueError(f"{name}: {error}") from None
 
 
 def _turns(core: tuple[int, ...], given: dict[str, ArrayLike | None], a: ArrayLike | None) -> list[Array]:

@@ -14,7 +14,7 @@ from ..design.pose_limits import PoseLimits, need_clearance
 from ..dynamics.inverse import Formulation
 from ..io import tables
 from ..io.array_types import Array
-from ..io.error_policy import warn
+from ..io.error_policy import errors_of, warn
 from ..kinematics.robot_logs import form_of
 from ..motion.log_reader import read_poses
 from ..motion.noise_level import LogWarning
@@ -102,10 +102,8 @@ def _request(d: Mapping[str, Any], source: str) -> PlanRequest:
     if given is None:
         files.append(tables.file_beside(top["via_file"], source, "via_file"))
     robot = Robot.from_toml(files[1])
-    try:
+    with errors_of(f"{file}limits."):
         need_clearance(robot, path_limits.clearance)
-    except ValueError as error:
-        raise ValueError(f"{file}limits.{error}") from None
     doubt = ""
     if given is None:
         poses = tuple(ViaPose(*pose) for pose in zip(*read_poses(files[2], form_of(robot)), strict=True))
@@ -146,10 +144,8 @@ def _limits(value: object, prefix: str) -> tuple[PoseLimits, Limits]:
         check = six_positive if key in _LEG_LIMITS else tables.positive
         found[key] = check(given, prefix + key)
     own = {key: found.pop(key) for key in _POSE_LIMITS if key in found}
-    try:
+    with errors_of(prefix):
         return PoseLimits(**own), Limits(**found)
-    except ValueError as error:
-        raise ValueError(f"{prefix}{error}") from None
 
 
 def _load(value: object, prefix: str) -> Array:

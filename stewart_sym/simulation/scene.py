@@ -13,7 +13,7 @@ from ..dynamics.inverse import Formulation
 from ..io import tables
 from ..io.arguments import shown
 from ..io.array_types import Array
-from ..io.error_policy import warn
+from ..io.error_policy import errors_of, warn
 from ..io.instants import elapsed
 from ..kinematics.mounting import path_for
 from ..kinematics.robot_logs import trajectory_for
@@ -83,10 +83,8 @@ class Scene:
     def run(self, progress: Progress | None = None) -> Simulation:
         """Run the simulation; progress and what is raised: as for ``simulate``, with the scene's file."""
         options = {name: getattr(self, name) for name in _OPTIONS}
-        try:
+        with errors_of("".join(f"{file}: " for file in self.files[:1])):
             return simulate(self.robot, self.state, self.law, self.duration, **options, progress=progress)
-        except ValueError as error:
-            raise ValueError(": ".join([*map(str, self.files[:1]), str(error)])) from error
 
 
 def read_scene(path: str | os.PathLike[str]) -> Scene:
@@ -112,12 +110,10 @@ def _scene(d: Mapping[str, Any], source: str) -> Scene:
         key: tables.positive(top[key], file + key) if key in top else default
         for key, default in (("duration", None), ("output_step", None), ("rtol", 1e-9))
     }
-    try:
+    with errors_of(file):
         check_duration(options["duration"])
         check_rtol(options["rtol"])
         check_output_step(options["output_step"], options["duration"])
-    except ValueError as error:
-        raise ValueError(f"{file}{error}") from None
     choices = {"method": METHODS, "formulation": FORMULATIONS, "on_force_limit": ON_FORCE_LIMIT}
     for key, known in choices.items():
         options[key] = tables.choice(top.get(key, known[0]), known, file + key)
@@ -132,10 +128,8 @@ def _scene(d: Mapping[str, Any], source: str) -> Scene:
         read.append(tables.file_beside(tracked, source, "legs.path"))
     wanted = None if tracked is None else _wanted(robot, tracked, read[-1], options["duration"])
     state = _state(given, wanted, load)
-    try:
+    with errors_of(f"{file}legs: "):
         law = _law(robot, legs, state, wanted)
-    except ValueError as error:
-        raise ValueError(f"{file}legs: {error}") from None
     rate = legs.get("rate")
     options |= {"thresholds": thresholds, "files": tuple(read)}
     if wanted is not None and "load" not in top and _load_of(wanted(0.0)) is not None:
@@ -192,10 +186,8 @@ _LAW_KEYS: dict[str, dict[str, Callable[[object, str], Any]]] = {
 def _thresholds(value: object, prefix: str) -> Thresholds:
     table = tables.checked_table(value, prefix, _THRESHOLD_KEYS)
     numbers = {key: tables.positive(given, prefix + key) for key, given in table.items()}
-    try:
+    with errors_of(prefix):
         return Thresholds(**numbers)
-    except ValueError as error:
-        raise ValueError(f"{prefix}{error}") from None
 
 
 def _vectors(value: object, keys: tuple[str, ...], needed: tuple[str, ...], prefix: str) -> dict[str, Array]:

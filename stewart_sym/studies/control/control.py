@@ -17,6 +17,7 @@ from ...dynamics.equations import ForwardDynamics, equations_of_motion
 from ...dynamics.forces import OnePose, prepare
 from ...dynamics.inverse import Formulation
 from ...io.array_types import Array
+from ...io.error_policy import errors_of
 from ...io.progress import Progress, silent, tracked
 from ...kinematics.inverse import inverse_kinematics
 from ...kinematics.mounting import path_for
@@ -180,10 +181,8 @@ def track_paths(
     beyond: list[str] = []
     for name in tracked(progress, paths, lambda name: f"tracking Path {name}"):
         path = path_for(robot, name).path
-        try:
+        with errors_of(f"{robot.name}: Path {name}: "):
             runs[name] = follow(robot, path, settings)
-        except ValueError as error:
-            raise ValueError(f"{robot.name}: Path {name}: {error}") from None
         run = runs[name]["exact"]
         motion = path.sample(run.time)
         legs, limits = inverse_kinematics(robot, motion), LegLimits(robot, run.time)
