@@ -83,7 +83,6 @@ def _needed(part: t.Structure | t.Function) -> set[str]:
 
 
 def _by_name(program: t.Program) -> dict[str, t.Structure | t.Function]:
-    """Structures and functions of a program."""
     parts: tuple[t.Structure | t.Function, ...] = (*program.structures, *program.functions)
     return {each.name: each for each in parts}
 

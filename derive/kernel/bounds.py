@@ -378,7 +378,6 @@ def _with_errors(
 
 
 def _error_of(quantity: Quantity) -> Quantity:
-    """The error of a quantity."""
     return Quantity(f"{quantity.name}_err", quantity.shape, quantity.unit, "", quantity.symmetric)
 
 

@@ -197,6 +197,5 @@ def _element(node: t.Statement) -> t.Element | None:
 
 
 def _array(node: t.Statement) -> t.Expression | None:
-    """The array of that element."""
     element = _element(node)
     return None if element is None else element.array

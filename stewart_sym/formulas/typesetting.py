@@ -147,7 +147,6 @@ def _numbers(constants: Mapping[Any, float], write: _Writer) -> list[str]:
 
 
 def _meanings(meanings: Mapping[str, tuple[str, str]]) -> list[str]:
-    """A table of the constants' units and meanings."""
     rows = [
         rf"${_name(name)}$ & {_unit(unit)} & {_prose(meaning)} \\"
         for name, (unit, meaning) in meanings.items()

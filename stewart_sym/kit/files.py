@@ -102,7 +102,6 @@ def kit_names(robot: Robot, choice: Choice = DEFAULT) -> list[str]:
 
 
 def _sources(machine: Machine, made: Parts) -> dict[str, str]:
-    """Kernels and constants."""
     return made.files | (robot_files(machine) if reads_robot(made.functions) else {})
 
 

@@ -315,7 +315,6 @@ def _accelerations(legs: Any, summed: Any, out: Any) -> None:
 
 
 def _symmetric(parts: list[Running]) -> list[list[Running]]:
-    """A matrix of its parts xx xy xz yy yz zz."""
     xx, xy, xz, yy, yz, zz = parts
     return [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
 

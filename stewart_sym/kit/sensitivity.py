@@ -171,7 +171,6 @@ def _stacked(rows: Rows, shape: tuple[int, ...]) -> Array:
 
 
 def _with_errors(rows: Rows, shape: tuple[int, ...]) -> tuple[Array, Array]:
-    """Values and errors."""
     numbers = [RunningArrays.of(row) for row in rows]
     values, errors = ([getattr(each, what) for each in numbers] for what in ("value", "error"))
     return _stacked(values, shape), _stacked(errors, shape)

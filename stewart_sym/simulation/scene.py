@@ -100,7 +100,6 @@ def read_scene(path: str | os.PathLike[str]) -> Scene:
 
 
 def _scene(d: Mapping[str, Any], source: str) -> Scene:
-    """The scene of a file's tables."""
     file = f"{source}: "
     top = tables.checked_table(d, file, _TOP_KEYS, ("schema", "robot", "duration", "legs"))
     tables.need_schema(top["schema"], (SCHEMA,), f"{file}schema")

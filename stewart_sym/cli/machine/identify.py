@@ -92,7 +92,6 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def _measured(arguments: argparse.Namespace, progress: Progress) -> "tuple[Report, Estimate]":
-    """The report on measured forces, and the estimate."""
     import numpy as np
 
     from ...drives.effort import motor_forces
@@ -147,7 +146,6 @@ def _measured(arguments: argparse.Namespace, progress: Progress) -> "tuple[Repor
 
 
 def _simulated(arguments: argparse.Namespace, progress: Progress) -> "tuple[Report, Estimate]":
-    """The report on a simulated measurement, and the estimate."""
     from ...identification.estimation import simulated_experiment
     from ...identification.excitation import choose_excitation
     from ...motion.logs import LogFormat

@@ -77,7 +77,6 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def _motion(robot: "Robot", arguments: argparse.Namespace, progress: Progress) -> "Instants":
-    """The motion that the arguments name."""
     from ...dynamics.home_pose import home_pose
     from ...motion.straight_line import PATHS
     from ...viewer import instants
@@ -110,7 +109,6 @@ def _is_run(path: Path) -> bool:
 
 
 def _data(view: "View") -> dict[str, object]:
-    """What the page shows, for programs."""
     import numpy as np
 
     shown = view.instants

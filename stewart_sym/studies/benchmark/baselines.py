@@ -288,7 +288,6 @@ def _stage(number: int, source: "Pass") -> Stage:
     sources = {**source.sources, **forces_loop()}
 
     def built(poses: Poses, flags: Flags) -> tuple[ctypes.CDLL, NDArray[np.float64]]:
-        """The library, and the model of the poses' robot."""
         library = native.load(f"bench_pass_{number}", sources, flags)
         numbers, model = kernel.robot_numbers(poses.robot), np.zeros(source.model_numbers)
         succeed(getattr(library, f"stewart_{NAME}_prepare")(address(numbers), address(model)))
