@@ -190,8 +190,9 @@ def of(**changes: Any) -> Change:
     return changed
 
 
-def times(factor: float, *fields: str) -> Change:
-    return of(**dict.fromkeys(fields, lambda value: factor * value))
+def scaled(**factors: float) -> Change:
+    """A change of a robot: field -> the factor of its numbers."""
+    return of(**{name: lambda value, factor=factor: factor * value for name, factor in factors.items()})
 
 
 def driven(speed: float | None = None, **numbers: float) -> Change:
@@ -218,97 +219,105 @@ def same(*legs: int, of_base: bool = True, of_platform: bool = True) -> Change:
 MIRROR, SECOND, OPPOSITE = [0, 5, 4, 3, 2, 1], [1, 0, 2, 3, 4, 5], [0, 4, 2, 3, 1, 5]
 STROKE = np.tile([0.5, 0.9], (6, 1))
 FLAT = np.array([[0.6, 0.2, 0.1], [0.0, 0.4, -0.1], [0.0, 0.0, 0.0]])
+OF_MILLIMETRES = "given in metres in a file of millimetres"
+TWICE = "converted from kg mm^2 twice"
+
+
+def along_base(robot: Robot) -> Robot:
+    """Base and platform exchanged, with fixed axes along the base."""
+    k = np.cross([0.0, 0.0, 1.0], robot.b - robot.b.mean(axis=0))
+    return replace(robot, b=robot.p, p=1.3 * robot.b, k=k)
+
+
+def like_base(robot: Robot) -> Robot:
+    """Base and platform exchanged, with a body like the base."""
+    return replace(robot, b=0.55 * robot.b, p=robot.b, I_p=robot.M * 0.15**2 * np.eye(3))
+
+
+def along_legs(robot: Robot) -> Robot:
+    return replace(robot, k=robot.p + np.array([0, 0, 0.7]) - robot.b)
+
+
+def few_degrees(robot: Robot) -> Robot:
+    """Joint angles in radians in a file of degrees."""
+    limits = {"length_limits": STROKE, "joint_angle_limit": np.full((6, 2), np.radians(0.6))}
+    return replace(robot, home=np.array([0.0, 0.0, 0.6]), **limits)
+
+
+def from_one_end(robot: Robot) -> Robot:
+    """Centres of mass of both parts measured from one end of the leg."""
+    return replace(robot, r_d0=np.tile([0.55, 0, 0], (6, 1)), r_u0=np.tile([-0.65, 0, 0], (6, 1)))
+
+
+def in_two_places(robot: Robot) -> Robot:
+    return replace(robot, b=np.tile([0.6, 0.2, 0.0], (6, 1)), p=np.tile([0.3, 0.0, 0.1], (6, 1)))
+
+
+def slow_by_friction(robot: Robot) -> Robot:
+    limits = {"speed_limit": np.full(6, 0.5), "force_limit": np.full(6, 5e3)}
+    return replace(robot, C_p=np.full(6, 2e4), **limits)
+
+
 BY_DOUBT: dict[str, dict[str, tuple[Change, str]]] = {
     # name of the doubt -> what is wrong: change of a sound machine, words of its cause
     "length-unit": {
-        "millimetres": (times(1e3, "b", "p"), "points in millimetres"),
-        "a robot of 20 mm in millimetres": (
-            of(b=lambda b: 20.0 * b, p=lambda p: 20.0 * p, M=lambda M: 1e-5 * M),
-            "points in millimetres",
-        ),
+        "millimetres": (scaled(b=1e3, p=1e3), "points in millimetres"),
+        "20 mm in millimetres": (scaled(b=20.0, p=20.0, M=1e-5), "points in millimetres"),
     },
     "proportion": {
-        "base in millimetres": (times(1e3, "b"), "base points in millimetres"),
-        "platform in millimetres": (times(1e3, "p"), "platform points in millimetres"),
-        "base and platform exchanged": (
+        "base in millimetres": (scaled(b=1e3), "base points in millimetres"),
+        "platform in millimetres": (scaled(p=1e3), "platform points in millimetres"),
+        "exchanged": (
             lambda robot: replace(robot, b=0.6 * robot.p, p=robot.b),
             "base_point and platform_point exchanged",
         ),
-        "base and platform exchanged, of a body like the base": (
-            lambda robot: replace(robot, b=0.55 * robot.b, p=robot.b, I_p=robot.M * 0.15**2 * np.eye(3)),
-            "which fits the base points; likely cause: base_point and platform_point exchanged",
-        ),
-        "base and platform exchanged, of axes along the base": (
-            lambda robot: replace(
-                robot, b=robot.p, p=1.3 * robot.b, k=np.cross([0.0, 0.0, 1.0], robot.b - robot.b.mean(axis=0))
-            ),
-            "fixed axes along or across the ring of the platform points",
-        ),
+        "exchanged, body": (like_base, "which fits the base points; likely cause: base_point and platform"),
+        "exchanged, axes": (along_base, "fixed axes along or across the ring of the platform points"),
     },
     "stray-point": {"one point in millimetres": (one_leg("b", 2, 1e3), "base_point of leg 3")},
     "coincident": {
-        "a base point copied": (
-            same(0, 1, 1, 3, 4, 5, of_platform=False),
-            "base_point of legs 2, 3 in one place",
-        )
+        "point copied": (same(0, 1, 1, 3, 4, 5, of_platform=False), "base_point of legs 2, 3 in one place")
     },
-    "gravity": {"gravity in mm/s^2": (times(1e3, "g"), "given in mm/s^2")},
+    "gravity": {"gravity in mm/s^2": (scaled(g=1e3), "given in mm/s^2")},
     "": {
-        "mass in grams": (times(1e3, "M", "m_d", "m_u"), "grams"),
+        "mass in grams": (scaled(M=1e3, m_d=1e3, m_u=1e3), "grams"),
         "platform points numbered the other way": (of(p=lambda p: p[MIRROR]), "mirrored"),
         "platform points of a left-handed frame": (of(p=lambda p: p[MIRROR] * [1, -1, 1]), ""),
     },
-    "mass": {"mass of the platform in grams": (times(1e3, "M", "I_p"), "in grams")},
+    "mass": {"platform in grams": (scaled(M=1e3, I_p=1e3), "in grams")},
     "inertia-size": {
-        "platform's inertia 1e-6 of what it is": (times(1e-6, "I_p"), "converted from kg mm^2 twice"),
-        "lower parts' inertia 1e-6 of what it is": (times(1e-6, "I_d0"), "converted from kg mm^2 twice"),
-        "one upper part's inertia 1e-6 of what it is": (
-            one_leg("I_u0", 3, 1e-6),
-            "converted from kg mm^2 twice",
-        ),
-        "platform's inertia in kg mm^2": (times(1e6, "I_p"), "platform: inertia"),
-        "platform's inertia in g cm^2": (times(1e7, "I_p"), "g cm^2"),
-        "upper parts' inertia in kg cm^2": (times(1e4, "I_u0"), "upper part of all legs"),
-        "one lower part's inertia in kg mm^2": (one_leg("I_d0", 4, 1e6), "lower part of leg 5"),
+        "platform's 1e-6 of what it is": (scaled(I_p=1e-6), TWICE),
+        "one upper part's 1e-6 of what it is": (one_leg("I_u0", 3, 1e-6), TWICE),
+        "platform's in kg mm^2": (scaled(I_p=1e6), "platform: inertia"),
+        "upper parts' in kg cm^2": (scaled(I_u0=1e4), "kg cm^2"),
+        "one lower part's in kg mm^2": (one_leg("I_d0", 4, 1e6), "lower part of leg 5"),
     },
     "center-of-mass": {
-        "platform's centre of mass in millimetres": (
-            of(R_0=lambda R_0: 1e3 * (R_0 + 0.1)),
-            "platform: center_of_mass",
-        ),
-        "lower centres of mass in millimetres": (
-            times(1e3, "r_d0"),
-            "lower part of all legs: center_of_mass",
-        ),
-        "one lower centre of mass in metres in a file of millimetres": (
-            one_leg("r_d0", 1, 1e-3),
-            "given in metres in a file of millimetres",
-        ),
-        "upper centres of mass of the wrong sign": (times(-1.0, "r_u0"), "wrong sign, expected a negative"),
-        "lower centres of mass of the wrong sign": (times(-0.5, "r_d0"), "wrong sign, expected a positive"),
-        "lower centre of mass off the leg's axis": (
+        "platform's in mm": (of(R_0=lambda R_0: 1e3 * (R_0 + 0.1)), "platform: center_of_mass"),
+        "lower ones in mm": (scaled(r_d0=1e3), "lower part of all legs: center_of_mass"),
+        "lower one in m in a file of mm": (one_leg("r_d0", 1, 1e-3), OF_MILLIMETRES),
+        "upper ones of the wrong sign": (scaled(r_u0=-1.0), "wrong sign, expected a negative"),
+        "lower ones of the wrong sign": (scaled(r_d0=-0.5), "wrong sign, expected a positive"),
+        "lower one beside the leg": (
             of(r_d0=lambda r: r + 0.6 * np.outer(np.eye(6)[2], [0.0, 1.0, 0.0])),
             "lower part of leg 3: center_of_mass 0.6 m off the leg's axis",
         ),
-        "upper centres of mass along the third axis": (
+        "upper ones along the third axis": (
             of(r_u0=lambda r: r[:, [2, 1, 0]]),
             "expected the first along the leg",
         ),
     },
     "tool": {
         "tool in millimetres": (of(tool=[150.0, 0.0, -600.0]), "given in millimetres"),
-        "tool in metres in a file of millimetres": (
-            of(tool=[1.5e-4, 0.0, -6e-4]),
-            "given in metres in a file of millimetres",
-        ),
+        "tool in metres in a file of millimetres": (of(tool=[1.5e-4, 0.0, -6e-4]), OF_MILLIMETRES),
     },
     "friction": {
-        "friction of the legs in another unit": (times(1e5, "C_p"), "C_p of all legs"),
-        "friction of one base joint in another unit": (
+        "C_p in another unit": (scaled(C_p=1e5), "C_p of all legs"),
+        "C_u in another unit": (
             lambda robot: replace(robot, C_u=1e6 * np.eye(6)[1] * robot.M),
             "C_u of leg 2",
         ),
-        "friction of the platform's joints in another unit": (
+        "C_s in another unit": (
             lambda robot: replace(robot, C_s=np.full(6, 1e6 * robot.M)),
             "C_s of all legs",
         ),
@@ -320,10 +329,7 @@ BY_DOUBT: dict[str, dict[str, tuple[Change, str]]] = {
             driven(motor_viscous=0.002, torque_limit=2.0, speed_limit=1500.0),
             "3 N m of the motor at the speed limit",
         ),
-        "friction that no drive overcomes": (
-            of(C_p=np.full(6, 2e4), speed_limit=np.full(6, 0.5), force_limit=np.full(6, 5e3)),
-            "force_limit is 5000 N",
-        ),
+        "friction that no drive overcomes": (slow_by_friction, "force_limit is 5000 N"),
     },
     "rotor-inertia": {
         "rotor inertia in kg cm^2": (
@@ -332,82 +338,51 @@ BY_DOUBT: dict[str, dict[str, tuple[Change, str]]] = {
         )
     },
     "leg-order": {
-        f"platform points shifted by {word}": (
+        f"platform points shifted by {by}": (
             of(p=functools.partial(np.roll, shift=by, axis=0)),
             f"shifted by {by}",
         )
-        for by, word in enumerate(("one", "two", "three"), 1)
+        for by in (1, 2, 3)
     },
     "crossing": {
         "two platform points exchanged": (of(p=lambda p: p[SECOND]), "legs 1, 2 cross"),
         "platform points of opposite legs exchanged": (of(p=lambda p: p[OPPOSITE]), "legs 2, 5 cross"),
     },
-    "joint-singularity": {
-        "universal axis along the leg": (
-            lambda robot: replace(robot, k=robot.p + np.array([0, 0, 0.7]) - robot.b),
-            "across the leg",
-        )
-    },
+    "joint-singularity": {"universal axis along the leg": (along_legs, "across the leg")},
     "length-limits": {
         "limits in millimetres, alike": (alike(1e3), "limits in millimetres"),
         "limits in centimetres, alike": (alike(1e2), "limits in centimetres"),
-        "limits in millimetres": (times(1e3, "length_limits"), "in millimetres"),
-        "limits in centimetres": (times(1e2, "length_limits"), "in centimetres"),
+        "limits in millimetres": (scaled(length_limits=1e3), "in millimetres"),
+        "limits in centimetres": (scaled(length_limits=1e2), "in centimetres"),
         "the stroke for limits": (of(length_limits=np.tile([0.0, 0.2], (6, 1))), "the stroke given"),
     },
     "home": {"home of another point": (of(home=np.array([0.0, 0.0, 1.7])), "home of another point")},
-    "force-limit": {"force limit in kN": (times(1e-3, "force_limit"), "force_limit in kN")},
+    "force-limit": {"force limit in kN": (scaled(force_limit=1e-3), "force_limit in kN")},
     "drive-limit": {"motors without their gear": (driven(torque_limit=1e-4), "motors too weak")},
     "drive-speed": {
-        "motors' speed in revolutions a minute": (driven(speed_limit=5000.0), "revolutions a minute given"),
-        "motors' speed in revolutions a minute among degrees": (
-            driven(0.4, speed_limit=np.radians(5000.0)),
-            "revolutions given",
-        ),
+        "revolutions a minute": (driven(speed_limit=5000.0), "revolutions a minute given"),
+        "revolutions among degrees": (driven(0.4, speed_limit=np.radians(5000.0)), "revolutions given"),
     },
     "torque-constant": {
-        "torque constant in mN m/A": (
-            driven(torque_constant=60.0, speed_limit=900.0, torque_limit=2.0),
-            "rad/s need",
-        ),
-        "torque constant in N m/mA": (
-            driven(torque_constant=6e-5, rated_torque=1.0),
-            "1 N m need 1.67e+04 A",
-        ),
+        "mN m/A": (driven(torque_constant=60.0, speed_limit=900.0, torque_limit=2.0), "rad/s need"),
+        "N m/mA": (driven(torque_constant=6e-5, rated_torque=1.0), "1 N m need 1.67e+04 A"),
         "winding in milliohm": (
             driven(torque_constant=0.1, resistance=400.0, torque_limit=2.0),
             "400 ohm, by which 20 A need 8e+03 V",
         ),
     },
     "speed-limit": {
-        "speed limit in mm/s": (times(1e3, "speed_limit"), "given in mm/s"),
+        "speed limit in mm/s": (scaled(speed_limit=1e3), "given in mm/s"),
         "speed limit in m/s in a file of millimetres": (
             of(length_limits=STROKE, speed_limit=np.full(6, 3e-4)),
             "0.4 m of stroke take 1.33e+03 s",
         ),
     },
-    "joint-angle": {
-        "joint angles in radians in a file of degrees": (
-            of(
-                home=np.array([0.0, 0.0, 0.6]),
-                length_limits=STROKE,
-                joint_angle_limit=np.full((6, 2), np.radians(0.6)),
-            ),
-            "0.6 degrees beside a stroke of 0.4 m",
-        )
-    },
-    "overlap": {
-        "parts that overlap": (
-            of(r_d0=np.tile([0.55, 0, 0], (6, 1)), r_u0=np.tile([-0.65, 0, 0], (6, 1))),
-            "both measured from one end",
-        )
-    },
+    "joint-angle": {"in radians among degrees": (few_degrees, "0.6 degrees beside a stroke of 0.4 m")},
+    "overlap": {"parts that overlap": (from_one_end, "both measured from one end")},
     "singular-everywhere": {
-        "base points on one line": (of(b=lambda b: b * [1, 0, 0]), "base points on one line"),
-        "platform points on one line": (
-            of(p=lambda p: np.outer(p[:, 0], [1, 2, 3])),
-            "platform points on one line",
-        ),
+        "base on one line": (of(b=lambda b: b * [1, 0, 0]), "base points on one line"),
+        "platform on one line": (of(p=lambda p: np.outer(p[:, 0], [1, 2, 3])), "platform points on one line"),
         "four legs from one base point": (
             same(0, 0, 0, 0, 4, 5, of_platform=False),
             "base points of legs 1, 2, 3, 4 in one place",
@@ -419,10 +394,7 @@ BY_DOUBT: dict[str, dict[str, tuple[Change, str]]] = {
         ),
         "affine hexagons": (of(p=ring(0.5, BASE) @ FLAT), "similar hexagons"),
         "all platform points in one place": (same(*[0] * 6, of_base=False), "in one place"),
-        "all points in one place each, written with decimals": (
-            of(b=np.tile([0.6, 0.2, 0.0], (6, 1)), p=np.tile([0.3, 0.0, 0.1], (6, 1))),
-            "all legs coincide",
-        ),
+        "all points in one place each": (in_two_places, "all legs coincide"),
         "all legs the same": (same(*[0] * 6), "all legs coincide"),
         "two legs the same": (same(0, 0, 2, 3, 4, 5), "legs 1, 2 coincide"),
         "parallel legs": (of(p=ring(0.5, BASE)), "similar hexagons"),
