@@ -174,11 +174,8 @@ def test_robots_are_listed_shown_and_copied(tmp_path: Path, capsys: pytest.Captu
     assert json.loads(capsys.readouterr().out)["robots"]["unal"]["platform_mass_kg"] == 2.146
 
 
-@pytest.mark.parametrize("name", ["rubin_m2", "tsai2000"])
-def test_check_draws_the_machine_into_a_folder(
-    name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    file = Path(robots.__file__).parent / f"{name}.toml"
+def test_check_draws_the_machine_into_a_folder(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = Path(robots.__file__).parent / "tsai2000.toml"
     assert main(["check", str(file), "-o", str(tmp_path / "out")]) == 0
     text = capsys.readouterr().out
     assert {path.name for path in (tmp_path / "out").glob("[!.]*")} == {

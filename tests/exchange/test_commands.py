@@ -66,15 +66,6 @@ def test_a_part_that_simulators_reject_is_named_with_the_file(folder: Path, run:
     assert not (folder / "m.xml").exists()
 
 
-def test_import_warns_of_a_part_that_no_body_is(folder: Path, run: Run) -> None:
-    run("export", "hexapod.toml", "--format", "urdf", "-o", "m.urdf")
-    text = Path("m.urdf").read_text(encoding="utf-8")
-    Path("m.urdf").write_text(text.replace('ixx="0.9"', 'ixx="-0.9"', 1), encoding="utf-8")
-    (line,) = run("import", "m.urdf", "-o", "back.toml").err.splitlines()
-    assert line.startswith("stewart-sym: warning: m.urdf: platform: inertia: physically impossible")
-    assert line.endswith("[platform-inertia]")
-
-
 def test_no_extra_is_needed(folder: Path) -> None:
     for command in (
         ["export", "hexapod.toml", "--format", "mjcf", "-o", "m.xml"],

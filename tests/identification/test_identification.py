@@ -14,7 +14,6 @@ from robot_files import PAPERS
 import stewart_sym as ss
 from stewart_sym.cli.main import main
 from stewart_sym.dynamics.home_pose import home_pose
-from stewart_sym.studies.reports.identify import NORMAL
 
 SIGMA = 0.5
 
@@ -36,25 +35,6 @@ def test_forces_of_one_leg_that_drift_are_named(most: float, verdict: str) -> No
     found = ss.identify(machine, way.motion, F, SIGMA, way.base)
     assert found.verdict == verdict
     assert [line.startswith("drift: ") for line in found.doubts[:1]] == [True] * (verdict == "misfit")
-
-
-@pytest.mark.slow
-def test_deviations_are_normal_over_many_measurements() -> None:
-    seed = 0
-    runs = [ss.simulated_experiment(robot(seed), excited(seed), SIGMA, noise) for noise in range(100)]
-    size = np.abs([run.deviation for run in runs])
-    for width, normal in zip((1, 2, 3), NORMAL, strict=True):
-        # Parameters of one measurement depend on each other, so the spread is that of whole measurements.
-        shares = np.mean(size <= width, axis=1)
-        spread = np.std(shares) / np.sqrt(len(runs))
-        assert abs(np.mean(shares) - normal) < 4.0 * spread
-    weighed = [
-        (run.estimate.values - run.truth)
-        @ np.linalg.solve(run.estimate.covariance, run.estimate.values - run.truth)
-        for run in runs
-    ]
-    rank = runs[0].estimate.base.rank
-    assert np.mean(weighed) == pytest.approx(rank, abs=4.0 * np.sqrt(2.0 * rank / len(runs)))
 
 
 def test_without_noise_to_speak_of_the_parameters_come_back() -> None:

@@ -66,16 +66,6 @@ def test_what_every_leg_has_of_its_own_is_as_before() -> None:
     np.testing.assert_array_equal(base.lift, np.eye(148)[:, base.kept])
 
 
-@pytest.mark.parametrize("seed", range(3))
-def test_without_noise_to_speak_of_they_come_back(seed: int) -> None:
-    found = ss.simulated_experiment(robot(seed), excited(seed), 1e-9)
-    assert np.max(np.abs(found.deviation)) < 1e4
-    Y = ss.regressor(robot(seed), excited(seed).motion)
-    lengths = np.linalg.norm(Y @ found.estimate.base.lift, axis=(0, 1))
-    error = np.abs(found.estimate.values - found.truth) * lengths
-    assert np.max(error) <= 1e-8 * np.max(np.abs(found.truth) * lengths)
-
-
 def test_noisy_forces_give_them_within_what_the_covariance_says() -> None:
     runs = [ss.simulated_experiment(robot(1), excited(1), SIGMA, noise) for noise in range(40)]
     off = [run.estimate.values - run.truth for run in runs]

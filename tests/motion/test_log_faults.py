@@ -404,11 +404,3 @@ def test_a_gap_in_time_is_told_with_its_ends_and_its_size(gap: bool) -> None:
     ends = f"rows 59 and 60: nothing from {one.time[59]:.6g} s to {one.time[80]:.6g} s, 21 times the usual"
     assert [ends in line for line in lines] == [True] * gap
     assert f"step of {step:.3g} s" in "".join(lines) or not gap
-
-
-def test_rounding_that_no_force_shows_is_not_warned_of_and_a_tenth_of_a_millimetre_is() -> None:
-    one = case(0)
-    quiet, told = read(one.time, np.round(one.true[0], 9))
-    assert told == []
-    assert quiet.noise is not None
-    assert any("smoothed" in line for line in read(one.time, np.round(one.true[0], 4))[1])

@@ -256,15 +256,6 @@ def test_a_rate_that_leaves_few_instants_is_warned_of(tmp_path: Path, run: Run) 
         assert expected in told if words else "at a rate" not in told
 
 
-def test_a_limit_within_the_noise_is_not_decided(tmp_path: Path, run: Run) -> None:
-    table = poses(400)
-    exact = ss.inverse_dynamics(dasgupta(), read_csv(write(tmp_path / "c.csv", NAMES, table)).motion).F
-    robot = limited(tmp_path, float(np.abs(exact).max()))
-    log = write(tmp_path / "log.csv", NAMES, np.column_stack([table[:, 0], np.round(table[:, 1:], 3)]))
-    told = run("forces", robot, log, "-o", tmp_path / "f.csv").err
-    assert "force_limit not decided at this noise by leg" in told
-
-
 def test_the_share_by_which_a_peak_may_be_higher_follows_from_the_numbers_beside_it(tmp_path: Path) -> None:
     table = poses(400)
     rough = write(tmp_path / "log.csv", NAMES, np.column_stack([table[:, 0], np.round(table[:, 1:], 3)]))

@@ -19,7 +19,7 @@ from robot_files import PAPERS
 import stewart_sym as ss
 from stewart_sym.cli.main import main
 from stewart_sym.motion.log_reader import read_csv, read_log
-from stewart_sym.motion.logs import LogFormat, Table, read_columns
+from stewart_sym.motion.logs import LogFormat, read_columns
 from stewart_sym.motion.trajectory import Trajectory
 from stewart_sym.robots import dasgupta1998
 from stewart_sym.singularities import along_path, joint_space
@@ -86,29 +86,6 @@ def test_every_number_is_read_back_as_it_was() -> None:
     known = ~np.isnan(given)
     assert (np.isnan(found) == ~known).all()
     assert (found[known].view(np.int64) == given[known].view(np.int64)).all()
-
-
-def test_columns_are_read_in_less_room_than_their_text() -> None:
-    rng = np.random.default_rng(2)
-    numbers = {name: rng.normal(size=50_000) for name in "abcd"}
-    text = "".join(csv_lines({"time": np.arange(50_000.0), **numbers}))
-
-    def read(text: str) -> Table:
-        return read_columns(BytesIO(text.encode()), "log", lambda *_: None, LogFormat())
-
-    read("time,a\n0,1\n")
-    (columns, rows, *_), most = peak(lambda: read(text))
-    assert (len(columns["time"]), rows[0], rows[-1]) == (50_000, 2, 50_001)
-    # The stream that is read is one text.
-    assert most < 2.0 * len(text)
-
-
-def test_a_track_takes_a_part_of_the_room_of_all_outputs(monkeypatch: pytest.MonkeyPatch) -> None:
-    robot, given = dasgupta1998(), trajectory(20_000)
-    monkeypatch.setattr(track, "_PART", 1024)
-    whole_track.track(robot, trajectory(100))
-    _, most = peak(lambda: whole_track.track(robot, given))
-    assert most < 20_000 * 8 * 60
 
 
 def test_a_path_between_many_instants_takes_no_room_of_its_own() -> None:

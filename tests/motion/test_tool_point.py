@@ -13,7 +13,7 @@ from robot_files import written
 
 import stewart_sym as ss
 from stewart_sym.kinematics.robot_logs import read_log_of, trajectory_for
-from stewart_sym.motion.log_reader import FORCES, read_csv
+from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.motion.rotation import rotation_about_axes
 from stewart_sym.studies.accuracy.budget import read_budget
 
@@ -180,7 +180,7 @@ def test_the_motion_that_identify_writes_is_read_as_the_robot_says(
     assert "verdict: consistent" in told
 
 
-@pytest.mark.parametrize("command", ["forces", "singularities", "simulate", "identify"])
+@pytest.mark.parametrize("command", ["singularities", "simulate"])
 def test_subcommands_read_rows_as_poses_of_the_tool(
     command: str, robot: ss.Robot, tmp_path: Path, run: Run
 ) -> None:
@@ -190,8 +190,6 @@ def test_subcommands_read_rows_as_poses_of_the_tool(
     )
     time = np.linspace(0.0, 1.0, 101)
     log = str(saved_poses(tmp_path / "log.csv", time, tool_poses(time)))
-    F = ss.inverse_dynamics(robot, waving(time)).F
-    forces = write(tmp_path / "F.csv", ["time", *FORCES], np.column_stack([time, F]))
     legs = '[legs]\nlaw = "tracking"\npath = "log.csv"\nk_p = 100.0\nk_d = 20.0\n'
     written(robot, tmp_path / "tool.toml")
     written(there, tmp_path / "there.toml")
@@ -199,20 +197,11 @@ def test_subcommands_read_rows_as_poses_of_the_tool(
     for name in ("tool", "there"):
         file, scene, out = str(tmp_path / f"{name}.toml"), tmp_path / f"{name}_scene.toml", tmp_path / name
         scene.write_text(f'schema = 1\nrobot = "{name}.toml"\nduration = 0.05\noutput_step = 0.01\n{legs}')
-        call, table = {
-            "forces": ([file, log], ""),
-            "singularities": ([file, log, "--no-pictures"], "path.csv"),
-            "simulate": ([str(scene), "--no-pictures"], "run.csv"),
-            "identify": ([file, "--measured", log, str(forces), "--sigma", "0.1"], "report.txt"),
-        }[command]
-        run(command, *call, "-o", out)
-        if command == "identify":
-            results.append((out / table).read_text().splitlines()[1])
-        else:
-            read = np.genfromtxt(out / table, delimiter=",", names=True)
-            # Instants between the ends of a path are where it bends, as seen from its point.
-            results.append([read[f"{'F' if command == 'forces' else 'L'}{i + 1}"][[0, -1]] for i in range(6)])
-    if command == "identify":
-        assert results[0] == results[1]
-    else:
-        np.testing.assert_allclose(results[0], results[1], rtol=1e-8)
+        inputs, table = {"singularities": ([file, log], "path.csv"), "simulate": ([scene], "run.csv")}[
+            command
+        ]
+        run(command, *inputs, "--no-pictures", "-o", out)
+        read = np.genfromtxt(out / table, delimiter=",", names=True)
+        # Instants between the ends of a path are where it bends, as seen from its point.
+        results.append([read[f"L{i + 1}"][[0, -1]] for i in range(6)])
+    np.testing.assert_allclose(results[0], results[1], rtol=1e-8)

@@ -262,23 +262,16 @@ def test_the_command_writes_the_table_and_the_figures(
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    ("level", "precision", "baked"), [("massless", "double", False), ("slender_friction", "float", True)]
+    ("level", "scale", "joint", "baked"),
+    [("massless", 1e-3, "spherical", False), ("slender_friction", 10.0, "universal", True)],
 )
-def test_levels_run_on_the_processors(level: str, precision: str, baked: bool) -> None:
-    row = measure.measured(random_robot(np.random.default_rng(1)), level, baked, precision)
-    assert right(row), row
-    assert row["instructions"] <= AT_MOST[baked]
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(("scale", "joint", "baked"), [(1e-3, "universal", False), (10.0, "spherical", True)])
-def test_machines_of_other_sizes_and_joints_run_on_the_processors(
-    scale: float, joint: str, baked: bool
+def test_levels_of_machines_of_other_sizes_and_joints_run_on_the_processors(
+    level: str, scale: float, joint: str, baked: bool
 ) -> None:
     """In float, which has the smaller range."""
-    robot = random_robot(np.random.default_rng(2), joint, scale=scale)
-    row = measure.measured(robot, "general", baked, "float")
+    row = measure.measured(random_robot(np.random.default_rng(2), joint, scale=scale), level, baked, "float")
     assert right(row), row
+    assert row["instructions"] <= AT_MOST[baked]
 
 
 @pytest.mark.slow

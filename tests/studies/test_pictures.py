@@ -5,7 +5,6 @@ import functools
 import itertools
 import re
 from collections.abc import Callable
-from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
@@ -20,7 +19,6 @@ from mpl_toolkits.mplot3d import Axes3D, proj3d
 from numpy.typing import NDArray
 
 import stewart_sym as ss
-from stewart_sym.cli.main import main
 from stewart_sym.dynamics.home_pose import home_pose
 from stewart_sym.motion.motion import at_rest
 from stewart_sym.robots import dasgupta1998
@@ -31,7 +29,6 @@ from stewart_sym.studies.design import workspace
 from stewart_sym.studies.reports import energy_drift, machine_plot, run, singularities, singularities_plot
 
 Array = NDArray[np.float64]
-EXAMPLES = Path(__file__).parents[2] / ".docs" / "examples"
 
 
 def _control() -> Figure:
@@ -157,16 +154,6 @@ def test_a_machine_s_name_is_drawn_as_written(name: str) -> None:
     drawn, formula = title._preprocess_math(title.get_text())  # type: ignore[attr-defined]
     assert drawn.startswith(f"{name}: home pose")
     assert not formula
-
-
-def test_check_draws_a_machine_whose_name_is_no_formula(tmp_path: Path) -> None:
-    text = (EXAMPLES / "hexapod.toml").read_text(encoding="utf-8")
-    assert 'name = "hexapod"' in text
-    (tmp_path / "robot.toml").write_text(
-        text.replace('name = "hexapod"', r"name = '$\frac{$'"), encoding="utf-8"
-    )
-    assert main(["check", str(tmp_path / "robot.toml"), "-o", str(tmp_path / "out")]) == 0
-    assert list((tmp_path / "out").glob("*.png"))
 
 
 @pytest.mark.parametrize("length", [5, 60, 110])

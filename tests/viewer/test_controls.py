@@ -224,14 +224,6 @@ def test_singular_instants_are_marked_and_their_twist_moves_no_leg(opened: Opene
     assert opened.do("return viewer.state.twist") is None
 
 
-def test_every_instant_is_kept_whatever_is_drawn(opened: Opened) -> None:
-    time = np.linspace(0.0, 6.0, 5000)
-    path, _ = ss.PATHS["I"]
-    shown = ss.view(dasgupta(), path.sample(time), time)
-    data = json.loads(re.findall(r'id="data">(.*?)</script>', shown.html)[0])
-    assert len(data["columns"]["time"]["data"]) >= 5000 * 8
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_axe_finds_no_violation(browser: Browser, path: Path, scheme: str) -> None:
@@ -267,24 +259,6 @@ def test_print_is_light_and_shows_machine_and_curves(browser: Browser, path: Pat
     found.do("dispatchEvent(new Event('afterprint'))")
     assert found.do("return document.documentElement.dataset.theme") == "dark"
     assert "@media print" in text_of("style.css")
-    found.close()
-
-
-def test_a_leg_beyond_its_limit_is_marked(browser: Browser, tmp_path: Path) -> None:
-    robot = dasgupta()
-    path, _ = ss.PATHS["I"]
-    F = ss.inverse_dynamics(robot, path.sample(0.0)).F
-    order = np.argsort(np.abs(F))
-    robot = dataclasses.replace(robot, force_limit=np.full(6, np.abs(F[order[-2:]]).mean()))
-    ss.view(robot, "I").save(tmp_path / "limit.html")
-    found = Opened(browser, tmp_path / "limit.html")
-    found.drawn()
-    marked = found.do(
-        "return [...document.querySelectorAll('#now tbody tr')].map((row) => !!row.querySelector('.beyond'))"
-    )
-    assert np.flatnonzero(marked).tolist() == [order[-1]]
-    assert found.page.locator("#bar i").count() == 2
-    assert found.said == []
     found.close()
 
 

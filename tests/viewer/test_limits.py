@@ -153,6 +153,8 @@ def test_the_page_says_what_the_command_warns_of(case: Case, opened: Opened) -> 
     assert lines.all_inner_texts() == case.warned
     classes = [line.get_attribute("class") for line in lines.all()]
     assert classes == ["beyond" if f" {EXCEEDED} by " in line else "doubtful" for line in case.warned]
+    # Of the one limit of all legs on the scale of colours, on either side.
+    assert opened.page.locator("#bar i").count() == 2
     noise = opened.page.locator("#noise")
     assert noise.count() == case.noisy
     legend = ["limit exceeded", "not decided at this noise ?"]

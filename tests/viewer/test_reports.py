@@ -272,16 +272,6 @@ def test_the_chains_of_offset_joints_are_as_long_as_stated() -> None:
     assert np.allclose(np.sum(y * (end - foot), axis=-1), 0.0, atol=1e-6)
 
 
-def test_a_motion_beyond_a_limit_gives_a_warning(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["view", "hexapod.toml", "I", "-o", "out.html"]) == 0
-    err = capsys.readouterr().err
-    assert err.startswith(
-        "stewart-sym: warning: length_limits exceeded by legs 1, 3, 6: worst leg 1: 0.441606 m"
-    )
-    assert main(["view", "hexapod.toml", "trajectory.csv", "-o", "out.html"]) == 0
-    assert capsys.readouterr().err == ""
-
-
 def test_a_file_in_another_s_place_is_named(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     said = fails_in_one_line(capsys, "view", "trajectory.csv", "-o", "out.html")
     assert said.endswith("trajectory.csv: expected a robot file, got a table of values, as of a CSV file")
