@@ -9,24 +9,22 @@ from pathlib import Path
 import numpy as np
 import pytest
 from command_files import edit, results
-from command_line import fails_in_one_line, folder_state, read
+from command_line import Fails, Run, folder_state, read
 
 from stewart_sym.backend.fidelity import DRIVE_FIDELITIES, FIDELITIES
 from stewart_sym.cli import main as cli
 from stewart_sym.cli import terminal
-from stewart_sym.cli.main import main
 from stewart_sym.io.extras import install
 
 # reproduce
 
 
 def test_reproduce_writes_tables_and_curves_without_matplotlib(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path, run: Run, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     target = tmp_path / "deep" / "out"
-    assert main(["reproduce", "--no-pictures", "-o", str(target)]) == 0
-    captured = capsys.readouterr()
+    captured = run("reproduce", "--no-pictures", "-o", target)
     assert captured.err == ""
     names = [f"path_{p}_{f}.csv" for p in ("I", "II", "III") for f in ("exact", "paper")]
     assert results(target) == sorted([*names, "report.json", "report.txt"])
@@ -39,39 +37,38 @@ def test_reproduce_writes_tables_and_curves_without_matplotlib(
 @pytest.mark.parametrize(("command", "instead"), [("reproduce", ", or give --no-pictures"), ("bench", "")])
 def test_without_matplotlib_a_study_says_how_to_get_it_and_writes_nothing(
     tmp_path: Path,
-    capsys: pytest.CaptureFixture[str],
+    fails: Fails,
     monkeypatch: pytest.MonkeyPatch,
     command: str,
     instead: str,
 ) -> None:
     monkeypatch.setitem(sys.modules, "matplotlib", None)
-    line = fails_in_one_line(capsys, command, "-o", tmp_path / "out")
+    line = fails(command, "-o", tmp_path / "out")
     assert line.endswith(f"{install('plot')}{instead}")
     assert not list(tmp_path.iterdir())
 
 
 def test_reproduce_rejects_a_folder_it_cannot_write_before_computing(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path, fails: Fails, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def unreachable(*_: object) -> None:
         raise AssertionError("computed before the folder was tried")
 
     monkeypatch.setattr("stewart_sym.studies.paper.reproduce.reproduce", unreachable)
     (tmp_path / "file").write_text("x")
-    line = fails_in_one_line(capsys, "reproduce", "--no-pictures", "-o", tmp_path / "file" / "out")
+    line = fails("reproduce", "--no-pictures", "-o", tmp_path / "file" / "out")
     assert str(tmp_path / "file" / "out") in line
     assert folder_state(tmp_path) == {"file": b"x"}
 
 
 def test_reproduce_interrupted_is_quiet_and_leaves_nothing(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path, run: Run, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def interrupted(*_: object) -> None:
         raise KeyboardInterrupt
 
     monkeypatch.setattr("stewart_sym.studies.paper.reproduce.reproduce", interrupted)
-    assert main(["reproduce", "--no-pictures", "-o", str(tmp_path / "out")]) == 130
-    captured = capsys.readouterr()
+    captured = run("reproduce", "--no-pictures", "-o", tmp_path / "out", code=130)
     assert (captured.out, captured.err) == ("", "")
     assert not list(tmp_path.iterdir())
 
@@ -79,17 +76,13 @@ def test_reproduce_interrupted_is_quiet_and_leaves_nothing(
 # check
 
 
-def test_check_describes_the_papers_machine_and_warns_in_one_line_each(
-    robot: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    assert main(["check", str(robot)]) == 0
-    assert capsys.readouterr().err == ""
+def test_check_describes_the_papers_machine_and_warns_in_one_line_each(robot: Path, run: Run) -> None:
+    assert run("check", robot).err == ""
     accepted = 'accept = ["platform-inertia", "lower-inertia", "upper-inertia"]\n'
     text = robot.read_text(encoding="utf-8")
     assert accepted in text
     robot.write_text(text.replace(accepted, ""), encoding="utf-8")
-    assert main(["check", str(robot)]) == 0
-    captured = capsys.readouterr()
+    captured = run("check", robot)
     for words in (
         "universal at the base, spherical at the platform",
         "4 kg each",
@@ -103,27 +96,23 @@ def test_check_describes_the_papers_machine_and_warns_in_one_line_each(
     assert all(line.startswith(f"stewart-sym: warning: {robot}: ") for line in warnings)
 
 
-def test_check_puts_the_home_pose_in_the_middle_of_the_length_limits(
-    robot: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_check_puts_the_home_pose_in_the_middle_of_the_length_limits(robot: Path, run: Run) -> None:
     edit(robot, "[leg_defaults.lower]", "[leg_defaults]\nlength_limits = [0.8, 1.2]\n\n[leg_defaults.lower]")
-    assert main(["check", str(robot)]) == 0
-    out = capsys.readouterr().out
+    out = run("check", robot).out
     assert "length 0.8 to 1.2 m" in out
     lengths = next(line for line in out.splitlines() if line.startswith("leg lengths"))
     values = [float(word) for word in lengths[lengths.index("(") + 1 : lengths.index(")")].split(",")]
     assert np.mean(values) == pytest.approx(1.0, abs=0.01)
 
 
-def test_check_says_when_friction_is_off(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_check_says_when_friction_is_off(robot: Path, run: Run) -> None:
     for coefficient in ("0.0001", "0.001", "0.0002"):
         edit(robot, f"= {coefficient}\n", "= 0.0\n")
-    assert main(["check", str(robot)]) == 0
-    assert "friction     off" in capsys.readouterr().out
+    assert "friction     off" in run("check", robot).out
 
 
 def test_bad_robot_files_are_rejected_by_every_subcommand(
-    robot: Path, trajectory: Path, capsys: pytest.CaptureFixture[str]
+    robot: Path, trajectory: Path, fails: Fails
 ) -> None:
     edit(robot, "mass = 40.0", "mass = -40.0")
     before = folder_state(robot.parent)
@@ -134,7 +123,7 @@ def test_bad_robot_files_are_rejected_by_every_subcommand(
             ["forces", file, trajectory, "-o", robot.parent / "f.csv"],
             ["generate", file, "-o", robot.parent / "kit"],
         ):
-            line = fails_in_one_line(capsys, *subcommand)
+            line = fails(*subcommand)
             assert str(file) in line
             assert words in line
     assert folder_state(robot.parent) == before
@@ -144,39 +133,36 @@ def test_bad_robot_files_are_rejected_by_every_subcommand(
 
 
 def test_derive_check_tells_which_files_differ(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path, run: Run, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("stewart_sym.derive.generate.generated_files", _two_files)
     target = tmp_path / "generated"
-    assert main(["derive", "-o", str(target)]) == 0
-    out = capsys.readouterr().out
+    out = run("derive", "-o", target).out
     assert "exact" in out
     assert "operations per pose: 10\n" in out
-    assert main(["derive", "--check", "-o", str(target)]) == 0
-    assert "all 2 files are as derived" in capsys.readouterr().out
+    assert "all 2 files are as derived" in run("derive", "--check", "-o", target).out
     (target / "c" / "stewart_exact.c").write_text("int y;\n")
     (target / "stray.py").write_text("")
     (target / "exact.py").unlink()
     before = folder_state(target)
-    assert main(["derive", "--check", "-o", str(target)]) == 1
-    lines = capsys.readouterr().out.splitlines()
+    lines = run("derive", "--check", "-o", target, code=1).out.splitlines()
     assert lines[-3:] == ["differs: c/stewart_exact.c", "missing: exact.py", "not generated: stray.py"]
     assert folder_state(target) == before
 
 
 def test_derive_rejects_a_folder_it_cannot_write_before_deriving(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path, fails: Fails, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("stewart_sym.derive.generate.generated_files", None)
     (tmp_path / "file").write_text("x")
     for extra in ([], ["--check"]):
-        line = fails_in_one_line(capsys, "derive", "-o", tmp_path / "file", *extra)
+        line = fails("derive", "-o", tmp_path / "file", *extra)
         assert str(tmp_path / "file") in line
     assert folder_state(tmp_path) == {"file": b"x"}
 
 
 def test_derive_with_a_file_in_the_way_of_a_folder_leaves_no_trace(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path, run: Run, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     files = {"__init__.py": "", "assembly.py": "", "c/stewart.h": "", "exact.py": ""}
 
@@ -189,8 +175,10 @@ def test_derive_with_a_file_in_the_way_of_a_folder_leaves_no_trace(
     for name in ("c", "exact.py"):
         (tmp_path / "dd" / name).write_text("x")
     before = folder_state(tmp_path)
-    assert main(["derive", "-o", str(tmp_path / "dd"), "--force"]) == 2
-    assert f"{tmp_path / 'dd' / 'c'}: is in the way, expected a folder" in capsys.readouterr().err
+    assert (
+        f"{tmp_path / 'dd' / 'c'}: is in the way, expected a folder"
+        in run("derive", "-o", tmp_path / "dd", "--force", code=2).err
+    )
     assert folder_state(tmp_path) == before
 
 
@@ -203,12 +191,9 @@ def _two_files(progress: Callable[[str, float, float], None], _processes: int) -
 # generate
 
 
-def test_generate_says_what_folding_the_numbers_in_saves(
-    robot: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_generate_says_what_folding_the_numbers_in_saves(robot: Path, run: Run) -> None:
     target = robot.parent / "kit"
-    assert main(["generate", str(robot), "-o", str(target), "--bake", "--fidelity", "massless"]) == 0
-    count = capsys.readouterr().out.splitlines()[-1]
+    count = run("generate", robot, "-o", target, "--bake", "--fidelity", "massless").out.splitlines()[-1]
     found = re.fullmatch(r"operations per pose: (\d+), with the numbers folded in (\d+)", count)
     assert found is not None
     assert int(found[2]) < int(found[1])
@@ -216,64 +201,53 @@ def test_generate_says_what_folding_the_numbers_in_saves(
 
 @pytest.mark.parametrize("command", [["check"], ["generate", "-o", "kit"]], ids=["check", "generate"])
 def test_points_whose_squares_overflow_are_the_files(
-    robot: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], command: list[str]
+    robot: Path, monkeypatch: pytest.MonkeyPatch, run: Run, command: list[str]
 ) -> None:
     monkeypatch.chdir(robot.parent)
     text = robot.read_text(encoding="utf-8")
     robot.write_text(re.sub(r"(platform_point = \[)[^,]+", r"\g<1>8e200", text, count=1), encoding="utf-8")
-    assert main([command[0], str(robot), *command[1:]]) == 2
-    error = capsys.readouterr().err.splitlines()[-1]
+    error = run(command[0], robot, *command[1:], code=2).err.splitlines()[-1]
     assert re.fullmatch(rf"stewart-sym: error: {robot}: expected .* points whose squares are finite", error)
 
 
-def test_the_help_has_every_level(capsys: pytest.CaptureFixture[str]) -> None:
-    with pytest.raises(SystemExit, match="0"):
-        main(["generate", "--help"])
-    told = " ".join(capsys.readouterr().out.split())
+def test_the_help_has_every_level(run: Run) -> None:
+    told = " ".join(run("generate", "--help").out.split())
     for level in (*FIDELITIES, *DRIVE_FIDELITIES):
         assert re.search(rf"\b{level.removesuffix('_friction')}[ ,;]", told), level
 
 
-def test_generate_names_the_option_that_is_wrong(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_generate_names_the_option_that_is_wrong(robot: Path, fails: Fails) -> None:
     asked = ("generate", robot, "-o", robot.parent / "kit")
-    assert "error: --bake: expected language c, " in fails_in_one_line(
-        capsys, *asked, "--bake", "--language", "rust"
-    )
-    error = fails_in_one_line(capsys, *asked, "--fidelity", "rigid")
+    assert "error: --bake: expected language c, " in fails(*asked, "--bake", "--language", "rust")
+    error = fails(*asked, "--fidelity", "rigid")
     assert "error: --fidelity: expected one of general, " in error
     assert not (robot.parent / "kit").exists()
 
 
-def test_generate_lists_the_files_and_writes_none(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_generate_lists_the_files_and_writes_none(robot: Path, run: Run) -> None:
     target = robot.parent / "kit"
     asked = ["generate", str(robot), "-o", str(target), "--functions", "kinematics, reactions"]
-    assert main([*asked, "--list"]) == 0
-    listed = capsys.readouterr().out.splitlines()
+    listed = run(*asked, "--list").out.splitlines()
     assert not target.exists()
-    assert main(asked) == 0
-    assert capsys.readouterr().out.splitlines() == listed
+    assert run(*asked).out.splitlines() == listed
 
 
 # the command as a whole
 
 
 @pytest.mark.parametrize("name", [name for name in cli.SUBCOMMANDS if name != "cmake-dir"])
-def test_help_shows_an_example(name: str, capsys: pytest.CaptureFixture[str]) -> None:
-    with pytest.raises(SystemExit, match="0"):
-        main([name, "--help"])
-    assert f"Example: stewart-sym {name}" in " ".join(capsys.readouterr().out.split())
+def test_help_shows_an_example(name: str, run: Run) -> None:
+    assert f"Example: stewart-sym {name}" in " ".join(run(name, "--help").out.split())
 
 
 @pytest.mark.parametrize("arguments", [[], ["chek"], ["check"], ["forces", "a", "b"], ["check", "a", "--x"]])
-def test_a_wrong_command_is_one_line_that_names_the_help(
-    arguments: list[str], capsys: pytest.CaptureFixture[str]
-) -> None:
-    assert "--help" in fails_in_one_line(capsys, *arguments)
+def test_a_wrong_command_is_one_line_that_names_the_help(arguments: list[str], fails: Fails) -> None:
+    assert "--help" in fails(*arguments)
 
 
-def test_numbers_with_a_sign_and_an_exponent_are_no_options(capsys: pytest.CaptureFixture[str]) -> None:
+def test_numbers_with_a_sign_and_an_exponent_are_no_options(fails: Fails) -> None:
     load = ["--load", "-1e2", "-.5", "-3.", "-2E-3", "-1.5e+1", "0"]
-    assert "no.toml" in fails_in_one_line(capsys, "workspace", "no.toml", *load, "-o", "none")
+    assert "no.toml" in fails("workspace", "no.toml", *load, "-o", "none")
 
 
 @pytest.mark.parametrize(
@@ -304,29 +278,25 @@ def test_numbers_with_a_sign_and_an_exponent_are_no_options(capsys: pytest.Captu
     ],
 )
 def test_an_unknown_option_or_choice_names_what_there_is_and_its_subcommands_help(
-    arguments: list[str], text: str, capsys: pytest.CaptureFixture[str]
+    arguments: list[str], text: str, fails: Fails
 ) -> None:
-    assert fails_in_one_line(capsys, *arguments) == f"stewart-sym: error: {text.format('stewart-sym')}"
+    assert fails(*arguments) == f"stewart-sym: error: {text.format('stewart-sym')}"
 
 
 @pytest.mark.parametrize("name", cli.SUBCOMMANDS)
 def test_no_folder_is_called_like_standard_output(
-    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, run: Run, fails: Fails
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    with pytest.raises(SystemExit, match="0"):
-        main([name, "--help"])
-    options = re.findall(r"^  (?:-o.*, )?(--\w+) DIR", capsys.readouterr().out, re.MULTILINE)
+    options = re.findall(r"^  (?:-o.*, )?(--\w+) DIR", run(name, "--help").out, re.MULTILINE)
     for option in options:
-        error = fails_in_one_line(capsys, name, option, "-")
+        error = fails(name, option, "-")
         assert error.endswith(f"expected a folder, got - for standard output (see stewart-sym {name} --help)")
     assert not list(tmp_path.iterdir())
 
 
-def test_version(capsys: pytest.CaptureFixture[str]) -> None:
-    with pytest.raises(SystemExit, match="0"):
-        main(["--version"])
-    assert capsys.readouterr().out.startswith("stewart-sym 0.")
+def test_version(run: Run) -> None:
+    assert run("--version").out.startswith("stewart-sym 0.")
 
 
 def test_checking_a_robot_loads_nothing_heavy(robot: Path) -> None:

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 import whole_track
 from command_files import edit, results
-from command_line import fails_in_one_line, read
+from command_line import Fails, Run, read
 from robot_files import written
 
 import stewart_sym as ss
@@ -21,14 +21,6 @@ from stewart_sym.drives.effort import trapezoids
 from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.studies.common.output import csv_lines
 from stewart_sym.studies.reports import track
-
-
-def run(*arguments: object, **options: object) -> "subprocess.CompletedProcess[str]":
-    command = [sys.executable, "-m", "stewart_sym.cli.main", *map(str, arguments)]
-    return subprocess.run(command, capture_output=True, text=True, **options)  # type: ignore[call-overload, no-any-return]
-
-
-# forces
 
 
 def test_forces_writes_what_the_library_computes(robot: Path, trajectory: Path) -> None:
@@ -47,13 +39,12 @@ def test_forces_writes_what_the_library_computes(robot: Path, trajectory: Path) 
 
 @pytest.mark.parametrize("formulation", ["exact", "paper"])
 def test_forces_takes_formulation_backend_and_reactions(
-    robot: Path, trajectory: Path, capsys: pytest.CaptureFixture[str], formulation: str
+    robot: Path, trajectory: Path, run: Run, formulation: str
 ) -> None:
     written = []
     for backend in ("c", "numpy", "reference"):
         arguments = ["--formulation", formulation, "--backend", backend, "--reactions", "-o", "-"]
-        assert main(["forces", str(robot), str(trajectory), *arguments]) == 0
-        written.append(capsys.readouterr().out.splitlines())
+        written.append(run("forces", robot, trajectory, *arguments).out.splitlines())
     header = written[0][0].split(",")
     assert len(header) == 1 + 12 + 2 + 6 * 16
     values = np.array([[line.split(",") for line in lines[1:]] for lines in written], dtype=np.float64)
@@ -65,12 +56,12 @@ def test_forces_takes_formulation_backend_and_reactions(
 
 
 def test_forces_warns_of_each_limit_in_one_line_with_its_legs_and_the_worst(
-    robot: Path, trajectory: Path, capsys: pytest.CaptureFixture[str]
+    robot: Path, trajectory: Path, run: Run
 ) -> None:
     limits = "[leg_defaults]\nlength_limits = [0.45, 5]\nforce_limit = 1000\nspeed_limit = 0.01\n"
     edit(robot, "[leg_defaults.lower]", f"{limits}\n[leg_defaults.lower]")
-    assert main(["forces", str(robot), str(trajectory), "-o", str(robot.parent / "f.csv")]) == 0
-    lines = [line for line in capsys.readouterr().err.splitlines() if "exceeded" in line]
+    told = run("forces", robot, trajectory, "-o", robot.parent / "f.csv").err
+    lines = [line for line in told.splitlines() if "exceeded" in line]
     rows = read(robot.parent / "f.csv")
     time = np.array([float(row["time"]) for row in rows])
     F = np.array([[float(row[f"F{leg}"]) for leg in range(1, 7)] for row in rows])
@@ -88,9 +79,7 @@ def test_forces_warns_of_each_limit_in_one_line_with_its_legs_and_the_worst(
         assert any(f"{name} exceeded by " in line for line in lines)
 
 
-def test_times_since_1970_are_printed_in_full(
-    robot: Path, trajectory: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_times_since_1970_are_printed_in_full(robot: Path, trajectory: Path, run: Run) -> None:
     """In the summary, the warning of a limit and the report of singular poses."""
     header, *rows = trajectory.read_text().splitlines()
     cells = [row.split(",", 1) for row in rows]
@@ -98,25 +87,23 @@ def test_times_since_1970_are_printed_in_full(
     trajectory.write_text("\n".join([header, *moved]) + "\n")
     edit(robot, "[leg_defaults.lower]", "[leg_defaults]\nforce_limit = 1.0\n[leg_defaults.lower]")
     asked = ["forces", str(robot), str(trajectory), "-o", str(trajectory.with_name("f.csv"))]
-    assert main(asked) == 0
-    found = capsys.readouterr()
+    found = run(*asked)
     assert "21 instants, 1700000000.5 to 1700000002.5 s; " in found.out
     assert re.search(r" at 170000000[012]\.\d s, limit 1 N; beyond it for 2 s, at 21 of 21 ins", found.err)
-    assert main(["singularities", *asked[1:3], "-o", str(trajectory.parent / "s"), "--no-pictures"]) == 0
-    found = capsys.readouterr()
+    found = run("singularities", *asked[1:3], "-o", trajectory.parent / "s", "--no-pictures")
     assert "1700000000.5 s to 1700000002.5 s" in found.out
     assert "e+09" not in found.out + found.err
 
 
-def test_a_missing_trajectory_is_named(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_missing_trajectory_is_named(robot: Path, fails: Fails) -> None:
     missing = robot.parent / "none.csv"
-    line = fails_in_one_line(capsys, "forces", robot, missing, "-o", robot.parent / "f.csv")
+    line = fails("forces", robot, missing, "-o", robot.parent / "f.csv")
     assert str(missing) in line
     assert not (robot.parent / "f.csv").exists()
 
 
 def test_a_pose_without_an_answer_is_rejected_unless_it_is_allowed(
-    robot: Path, capsys: pytest.CaptureFixture[str]
+    robot: Path, run: Run, fails: Fails
 ) -> None:
     # Leg 1 has length zero at the second instant: t = b_1 - p_1.
     poses = [[0.1, 0.0, 0.4], [0.3, 0.2, -0.1], [0.1, 0.0, 0.5]]
@@ -128,14 +115,11 @@ def test_a_pose_without_an_answer_is_rejected_unless_it_is_allowed(
     trajectory = robot.parent / "short.csv"
     trajectory.write_text("".join(csv_lines(columns)))
     output = robot.parent / "f.csv"
-    line = fails_in_one_line(capsys, "forces", robot, trajectory, "-o", output)
+    line = fails("forces", robot, trajectory, "-o", output)
     assert line.endswith(f"{trajectory}: row 3: a leg has length zero (leg 1)")
     assert not output.exists()
-    assert (
-        main(["forces", str(robot), str(trajectory), "-o", str(output), "--allow-singular", "--reactions"])
-        == 0
-    )
-    assert f"{trajectory}: row 3: a leg has length zero (leg 1)" in capsys.readouterr().err
+    told = run("forces", robot, trajectory, "-o", output, "--allow-singular", "--reactions").err
+    assert f"{trajectory}: row 3: a leg has length zero (leg 1)" in told
     rows = read(output)
     assert [row["status"] for row in rows] == ["0", "2", "0"]
     assert (rows[1]["F1"], rows[1]["L1"], rows[1]["M_u1"]) == ("nan", "nan", "nan")
@@ -143,16 +127,18 @@ def test_a_pose_without_an_answer_is_rejected_unless_it_is_allowed(
 
 
 def test_an_output_that_cannot_be_written_is_named_before_the_trajectory_is_read(
-    robot: Path, capsys: pytest.CaptureFixture[str]
+    robot: Path, fails: Fails
 ) -> None:
     for output in (robot.parent / "no" / "f.csv", robot / "f.csv", robot.parent):
-        line = fails_in_one_line(capsys, "forces", robot, robot.parent / "none.csv", "-o", output)
+        line = fails("forces", robot, robot.parent / "none.csv", "-o", output)
         assert str(output) in line
     assert list(robot.parent.iterdir()) == [robot]
 
 
 def test_a_full_disk_is_blamed_on_the_output(robot: Path, trajectory: Path) -> None:
-    done = run("forces", robot, trajectory, "-o", "/dev/full")
+    module = [sys.executable, "-m", "stewart_sym.cli.main"]
+    command = [*module, "forces", str(robot), str(trajectory), "-o", "/dev/full"]
+    done = subprocess.run(command, capture_output=True, text=True)
     assert (done.returncode, done.stdout) == (2, "")
     assert done.stderr == "stewart-sym: error: /dev/full: No space left on device\n"
 
@@ -172,15 +158,12 @@ def test_a_standard_output_that_takes_nothing_is_one_line(
     assert lines == ["stewart-sym: error: standard output: No space left on device"]
 
 
-def test_warnings_come_before_the_error_that_ends_a_command(
-    robot: Path, trajectory: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_warnings_come_before_the_error_that_ends_a_command(robot: Path, trajectory: Path, run: Run) -> None:
     # Millimetres as leg lengths in m: the likely cause is a warning, what came of it the error.
     lengths = [f"{time},{','.join(6 * [str(900 + time)])}" for time in range(8)]
     header = ",".join(["time", *(f"L_{leg}" for leg in range(1, 7))])
     trajectory.write_text("\n".join([header, *lengths]) + "\n")
-    assert main(["forces", str(robot), str(trajectory), "-o", "-"]) == 2
-    captured = capsys.readouterr()
+    captured = run("forces", robot, trajectory, "-o", "-", code=2)
     *warned, error = captured.err.splitlines()
     assert captured.out == ""
     assert error.startswith("stewart-sym: error: ")
@@ -190,11 +173,11 @@ def test_warnings_come_before_the_error_that_ends_a_command(
 
 
 def test_a_rejected_compiler_flag_is_not_blamed_on_the_trajectory(
-    robot: Path, trajectory: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+    robot: Path, trajectory: Path, fails: Fails, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     c_kernel.library.cache_clear()
     monkeypatch.setenv("CC", "gcc -ffast-math")
-    line = fails_in_one_line(capsys, "forces", robot, trajectory, "-o", robot.parent / "f.csv")
+    line = fails("forces", robot, trajectory, "-o", robot.parent / "f.csv")
     assert line.startswith("stewart-sym: error: CC: -ffast-math is rejected")
     assert str(trajectory) not in line
 
@@ -256,11 +239,12 @@ def test_a_reader_that_goes_away_is_no_traceback(robot: Path) -> None:
 
 
 def test_forces_warns_of_a_singular_pose_between_samples(
-    robot: Path, crossing: Path, trajectory: Path, capsys: pytest.CaptureFixture[str]
+    robot: Path, crossing: Path, trajectory: Path, run: Run
 ) -> None:
     output = robot.parent / "f.csv"
-    assert main(["forces", str(robot), str(crossing), "-o", str(output)]) == 0
-    (line,) = [line for line in capsys.readouterr().err.splitlines() if "singular" in line]
+    (line,) = [
+        line for line in run("forces", robot, crossing, "-o", output).err.splitlines() if "singular" in line
+    ]
     found = re.search(r"crosses a singular pose at (\d\.\d{9}) s, between rows 14 and 15: .* - to \+", line)
     assert found is not None, line
     assert float(found[1]) == pytest.approx(3.6705, abs=1e-3)
@@ -269,29 +253,27 @@ def test_forces_warns_of_a_singular_pose_between_samples(
     )
     assert len(read(output)) == 21
     assert {row["status"] for row in read(output)} == {"0"}
-    assert main(["forces", str(robot), str(trajectory), "-o", str(output)]) == 0
-    assert "singular" not in capsys.readouterr().err
+    assert "singular" not in run("forces", robot, trajectory, "-o", output).err
 
 
 def test_forces_of_a_single_instant_are_no_path_and_take_no_energy(
-    robot: Path, crossing: Path, capsys: pytest.CaptureFixture[str]
+    robot: Path, crossing: Path, run: Run
 ) -> None:
     crossing.write_text("".join(crossing.read_text().splitlines(keepends=True)[:2]))
     driven = dataclasses.replace(ss.Robot.from_toml(robot), drive=ss.Drive(lead=0.005))
     written(driven, robot)
-    assert main(["forces", str(robot), str(crossing), "-o", str(robot.parent / "f.csv")]) == 0
-    text = capsys.readouterr().out
+    text = run("forces", robot, crossing, "-o", robot.parent / "f.csv").out
     assert text.startswith("1 instant, ")
     assert all(line.split()[-2:] == ["-", "-"] for line in text.splitlines()[-7:-1])
 
 
-def test_singularities_reports_time_twist_and_signs(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_singularities_reports_time_twist_and_signs(robot: Path, run: Run) -> None:
     folder = robot.parent / "found"
-    assert main(["singularities", str(robot), "III", "-o", str(folder)]) == 0
+    told = run("singularities", robot, "III", "-o", folder).out
     pictures, tables = ["crossing_1.png", "path.png"], ["events.csv", "path.csv"]
     assert results(folder) == sorted([*pictures, *tables, "report.json", "report.txt"])
     text = (folder / "report.txt").read_text()
-    assert capsys.readouterr().out.startswith(text)
+    assert told.startswith(text)
     assert "Crossing 1 at 3.670504110" in text
     assert "det H          - before, + after" in text
     assert "most affected  leg 2: -inf before, +inf after" in text
@@ -304,13 +286,10 @@ def test_singularities_reports_time_twist_and_signs(robot: Path, capsys: pytest.
     assert max(sides) > 1e6
 
 
-def test_singularities_of_a_path_that_crosses_none(
-    robot: Path, trajectory: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_singularities_of_a_path_that_crosses_none(robot: Path, trajectory: Path, run: Run) -> None:
     folder = robot.parent / "found"
-    assert main(["singularities", str(robot), str(trajectory), "-o", str(folder), "--no-pictures"]) == 0
+    out = run("singularities", robot, trajectory, "-o", folder, "--no-pictures").out
     assert results(folder) == ["events.csv", "path.csv", "report.json", "report.txt"]
-    out = capsys.readouterr().out
     assert "crossings  0" in out
     assert "Nearest approach at" in out
     events = read(folder / "events.csv")
@@ -318,16 +297,16 @@ def test_singularities_of_a_path_that_crosses_none(
 
 
 def test_singularities_rejects_in_one_line(
-    robot: Path, trajectory: Path, crossing: Path, capsys: pytest.CaptureFixture[str]
+    robot: Path, trajectory: Path, crossing: Path, fails: Fails
 ) -> None:
     folder = robot.parent / "found"
-    line = fails_in_one_line(capsys, "singularities", robot, "IV", "-o", folder)
+    line = fails("singularities", robot, "IV", "-o", folder)
     assert line.endswith("IV: expected I, II, III or a CSV file, there is no such file")
     start = ["--start", *"000000"]
     for path in (trajectory, "III"):
-        line = fails_in_one_line(capsys, "singularities", robot, path, "-o", folder, *start)
+        line = fails("singularities", robot, path, "-o", folder, *start)
         assert "--start: is for a trajectory of leg lengths" in line
     crossing.write_text("".join(crossing.read_text().splitlines(keepends=True)[:2]))
-    line = fails_in_one_line(capsys, "singularities", robot, crossing, "-o", folder)
+    line = fails("singularities", robot, crossing, "-o", folder)
     assert line.endswith("expected at least 2 instants, got 1")
     assert not folder.exists()

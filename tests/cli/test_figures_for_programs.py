@@ -7,11 +7,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from command_line import fails_in_one_line
+from command_line import Fails, Run
 
 from stewart_sym.cli import main as cli
 from stewart_sym.cli import terminal
-from stewart_sym.cli.main import SUBCOMMANDS, main
+from stewart_sym.cli.main import SUBCOMMANDS
 from stewart_sym.io.json_text import json_text
 from stewart_sym.io.progress import tracked
 
@@ -33,11 +33,8 @@ def test_every_subcommand_but_that_of_a_path_has_it() -> None:
 
 
 @pytest.mark.parametrize("option", [["--json"], ["--json", "-"]])
-def test_on_standard_output_stands_nothing_but_the_figures(
-    robot: Path, capsys: pytest.CaptureFixture[str], option: list[str]
-) -> None:
-    assert main(["check", str(robot), *option]) == 0
-    found = strict(capsys.readouterr().out)
+def test_on_standard_output_stands_nothing_but_the_figures(robot: Path, run: Run, option: list[str]) -> None:
+    found = strict(run("check", robot, *option).out)
     assert isinstance(found, dict)
     assert found["platform_mass_kg"] == 40.0
     # The paper's machine has no limits, and JSON has no infinity.
@@ -45,27 +42,21 @@ def test_on_standard_output_stands_nothing_but_the_figures(
     assert len(found["home_pose"]["holding_forces_N"]) == 6
 
 
-def test_a_file_has_the_figures_beside_the_text(
-    robot: Path, trajectory: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_file_has_the_figures_beside_the_text(robot: Path, trajectory: Path, run: Run) -> None:
     csv, figures = robot.parent / "forces.csv", robot.parent / "figures.json"
-    assert main(["forces", str(robot), str(trajectory), "-o", str(csv), "--json", str(figures)]) == 0
+    printed = run("forces", robot, trajectory, "-o", csv, "--json", figures).out
     found = strict(figures.read_text())
     assert isinstance(found, dict)
-    printed = capsys.readouterr().out
     for leg, row in zip(found["legs"], printed.splitlines()[3:], strict=False):
         assert row.split()[:2] == [str(leg["leg"]), f"{leg['peak_force_N']:.6g}"]
     written = np.genfromtxt(csv, delimiter=",", names=True)
     assert abs(found["legs"][2]["peak_force_N"]) == np.abs(written["F3"]).max()
 
 
-def test_a_folder_has_the_same_figures(
-    robot: Path, trajectory: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_folder_has_the_same_figures(robot: Path, trajectory: Path, run: Run) -> None:
     folder = robot.parent / "out"
     asked = ["singularities", str(robot), str(trajectory), "-o", str(folder), "--no-pictures", "--json"]
-    assert main(asked) == 0
-    text = capsys.readouterr().out
+    text = run(*asked).out
     found = strict(text)
     assert isinstance(found, dict)
     assert text == (folder / "report.json").read_text()
@@ -73,12 +64,10 @@ def test_a_folder_has_the_same_figures(
     assert found["nearest"]["scaled_condition_number"] > 1.0
 
 
-def test_inputs_and_forces_are_not_written_over(
-    robot: Path, trajectory: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_inputs_and_forces_are_not_written_over(robot: Path, trajectory: Path, fails: Fails) -> None:
     # The one argument that may be left out is taken for the option's.
-    assert "name inputs before" in fails_in_one_line(capsys, "chart", "--json", robot.parent / "scene.toml")
-    line = fails_in_one_line(capsys, "forces", robot, trajectory, "-o", "-", "--json")
+    assert "name inputs before" in fails("chart", "--json", robot.parent / "scene.toml")
+    line = fails("forces", robot, trajectory, "-o", "-", "--json")
     assert "is where another result goes" in line
 
 

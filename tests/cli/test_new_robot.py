@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from command_line import fails_in_one_line
+from command_line import Fails, Run
 
 import stewart_sym as ss
 from stewart_sym import robots
@@ -25,12 +25,11 @@ def options(numbers: dict[str, float]) -> list[str]:
     return [text for name, value in numbers.items() for text in (name, repr(value))]
 
 
-def test_a_new_file_has_the_numbers_given_and_no_doubt(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_new_file_has_the_numbers_given_and_no_doubt(tmp_path: Path, run: Run) -> None:
     path = tmp_path / "robot.toml"
-    assert main(["new", "-o", str(path), "--name", 'a "quoted\\" name', *options(NUMBERS)]) == 0
-    assert capsys.readouterr().out == f"Written to {path}\n"
+    assert (
+        run("new", "-o", path, "--name", 'a "quoted\\" name', *options(NUMBERS)).out == f"Written to {path}\n"
+    )
     robot = ss.Robot.from_toml(path)
     assert robot.name == 'a "quoted\\" name'
     assert np.linalg.norm(robot.b, axis=-1) == pytest.approx(0.6, rel=1e-15)
@@ -42,11 +41,10 @@ def test_a_new_file_has_the_numbers_given_and_no_doubt(
     assert robot.length_limits.mean(axis=-1) == pytest.approx(L)
     assert np.ptp(L) < 1e-15
     assert f"{float(f'{L[0]:.4g}')!r} m from joint to joint" in path.read_text()
-    assert main(["check", str(path)]) == 0
-    assert capsys.readouterr().err == ""
+    assert run("check", path).err == ""
 
 
-def test_new_files_of_many_machines_pass_check(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_new_files_of_many_machines_pass_check(tmp_path: Path, run: Run) -> None:
     path = tmp_path / "robot.toml"
     for unit, platform, angle, height, stroke in itertools.product(
         (1.0, 1000.0), (0.15, 0.5), (5, 30), (0.5, 0.9), (0.2, 0.36)
@@ -57,8 +55,7 @@ def test_new_files_of_many_machines_pass_check(tmp_path: Path, capsys: pytest.Ca
         numbers |= {"--platform-mass": 25.0, "--leg-mass": 3.0, "--platform-angle": angle}
         chosen = ["--length-unit", "mm"] if unit > 1.0 else []
         assert main(["new", "-o", str(path), "--force", *chosen, *options(numbers)]) == 0
-        assert main(["check", str(path)]) == 0
-        assert capsys.readouterr().err == "", numbers
+        assert run("check", path).err == "", numbers
 
 
 def test_millimetres_and_metres_make_the_same_machine(tmp_path: Path) -> None:
@@ -72,14 +69,13 @@ def test_millimetres_and_metres_make_the_same_machine(tmp_path: Path) -> None:
         np.testing.assert_allclose(getattr(made[0], name), getattr(made[1], name), rtol=1e-14, atol=1e-16)
 
 
-def test_z_may_point_down(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_z_may_point_down(tmp_path: Path, run: Run) -> None:
     """The same machine turned about x."""
     up, down = tmp_path / "up.toml", tmp_path / "down.toml"
     assert main(["new", "-o", str(up), *options(NUMBERS)]) == 0
     assert main(["new", "-o", str(down), "--z-down", *options(NUMBERS)]) == 0
     assert "gravity = [0.0, 0.0, 9.81]      # base frame: z is down\n" in down.read_text()
-    assert main(["check", str(down)]) == 0
-    assert capsys.readouterr().err == ""
+    assert run("check", down).err == ""
     forces = []
     for path, upward in ((up, 1.0), (down, -1.0)):
         robot = ss.Robot.from_toml(path)
@@ -89,11 +85,11 @@ def test_z_may_point_down(tmp_path: Path, capsys: pytest.CaptureFixture[str]) ->
     np.testing.assert_allclose(*forces, rtol=1e-12)
 
 
-def test_a_file_is_replaced_by_force_alone(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_file_is_replaced_by_force_alone(tmp_path: Path, fails: Fails) -> None:
     path = tmp_path / "robot.toml"
     path.write_text("mine = 1\n")
     command = ["new", "-o", str(path), *options(NUMBERS)]
-    assert "use --force to overwrite" in fails_in_one_line(capsys, *command)
+    assert "use --force to overwrite" in fails(*command)
     assert path.read_text() == "mine = 1\n"
     assert main([*command, "--force"]) == 0
     edited = path.read_text().replace("mass = 40.0", "mass = 41.0")
@@ -114,20 +110,17 @@ def test_a_file_is_replaced_by_force_alone(tmp_path: Path, capsys: pytest.Captur
     ],
 )
 def test_numbers_that_no_machine_has_are_named_by_their_option(
-    changed: dict[str, float], told: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    changed: dict[str, float], told: str, tmp_path: Path, fails: Fails
 ) -> None:
     path = tmp_path / "robot.toml"
-    assert told in fails_in_one_line(capsys, "new", "-o", str(path), *options({**NUMBERS, **changed}))
+    assert told in fails("new", "-o", str(path), *options({**NUMBERS, **changed}))
     assert not path.exists()
 
 
-def test_a_doubtful_machine_is_written_with_a_warning(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_doubtful_machine_is_written_with_a_warning(tmp_path: Path, run: Run) -> None:
     path = tmp_path / "robot.toml"
     large = {name: value * (1.0 if "mass" in name else 1000.0) for name, value in NUMBERS.items()}
-    assert main(["new", "-o", str(path), *options(large)]) == 0
-    told = capsys.readouterr().err
+    told = run("new", "-o", path, *options(large)).err
     assert f"{path}: base points 600 m" in told
     assert "[length-unit]" in told
 
@@ -138,46 +131,41 @@ class Terminal(io.StringIO):
 
 
 def test_what_is_not_given_is_asked_for_on_a_terminal(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path, run: Run, fails: Fails, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path = tmp_path / "robot.toml"
     given = {"--base-radius": 600.0, "--leg-mass": 4.0}
     monkeypatch.setattr(sys, "stdin", Terminal("300\n700 mm\n700\n40\n300\n"))
-    assert main(["new", "-o", str(path), "--length-unit", "mm", *options(given)]) == 0
-    asked = capsys.readouterr().err
+    asked = run("new", "-o", path, "--length-unit", "mm", *options(given)).err
     assert asked.count("radius of the platform joints' circle, mm: ") == 1
     assert asked.count("at home, mm: ") == 2
     assert "expected a finite number, got '700 mm'" in asked
     assert ss.Robot.from_toml(path).home[2] == 0.7
     monkeypatch.setattr(sys, "stdin", Terminal("300\n"))
-    assert main(["new", "-o", str(tmp_path / "other.toml"), *options(given)]) == 2
-    assert capsys.readouterr().err.endswith("--height: missing, the answers ended\n")
+    assert run("new", "-o", tmp_path / "other.toml", *options(given), code=2).err.endswith(
+        "--height: missing, the answers ended\n"
+    )
     monkeypatch.setattr(sys, "stdin", io.StringIO())
-    assert "standard input is no terminal" in fails_in_one_line(capsys, "new", "-o", str(path))
+    assert "standard input is no terminal" in fails("new", "-o", str(path))
 
 
-def test_robots_are_listed_shown_and_copied(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["robots"]) == 0
-    listed = capsys.readouterr().out
+def test_robots_are_listed_shown_and_copied(tmp_path: Path, run: Run, fails: Fails) -> None:
+    listed = run("robots").out
     assert [line.split()[0] for line in listed.splitlines()[2:]] == list(robots.NAMES)
-    assert main(["robots", "--show", "unal"]) == 0
-    assert capsys.readouterr().out == robots.text("unal")
+    assert run("robots", "--show", "unal").out == robots.text("unal")
     path = tmp_path / "mine.toml"
     for _ in range(2):
-        assert main(["robots", "--show", "tsai2000", "-o", str(path)]) == 0
+        run("robots", "--show", "tsai2000", "-o", path)
     assert path.read_text() == robots.text("tsai2000")
-    capsys.readouterr()
-    assert "use --force" in fails_in_one_line(capsys, "robots", "--show", "unal", "-o", str(path))
-    assert "expected --show NAME" in fails_in_one_line(capsys, "robots", "-o", str(path))
-    assert '--show: expected "dasgupta1998"' in fails_in_one_line(capsys, "robots", "--show", "tsai")
-    assert main(["robots", "--json"]) == 0
-    assert json.loads(capsys.readouterr().out)["robots"]["unal"]["platform_mass_kg"] == 2.146
+    assert "use --force" in fails("robots", "--show", "unal", "-o", str(path))
+    assert "expected --show NAME" in fails("robots", "-o", str(path))
+    assert '--show: expected "dasgupta1998"' in fails("robots", "--show", "tsai")
+    assert json.loads(run("robots", "--json").out)["robots"]["unal"]["platform_mass_kg"] == 2.146
 
 
-def test_check_draws_the_machine_into_a_folder(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_check_draws_the_machine_into_a_folder(tmp_path: Path, run: Run) -> None:
     file = Path(robots.__file__).parent / "tsai2000.toml"
-    assert main(["check", str(file), "-o", str(tmp_path / "out")]) == 0
-    text = capsys.readouterr().out
+    text = run("check", file, "-o", tmp_path / "out").out
     assert {path.name for path in (tmp_path / "out").glob("[!.]*")} == {
         "machine.png",
         "report.json",
@@ -197,9 +185,8 @@ def test_points_in_one_place_are_named_together() -> None:
 
 
 def test_check_says_how_trajectories_are_read_and_what_stroke_is_left(
-    capsys: pytest.CaptureFixture[str],
+    run: Run,
 ) -> None:
-    assert main(["check", str(Path(robots.__file__).parent / "rubin_camera.toml")]) == 0
-    told = capsys.readouterr().out
+    told = run("check", Path(robots.__file__).parent / "rubin_camera.toml").out
     assert "poses of the point (0, 0, -2758.4) mm of the platform, R = Rx Ry Rz" in told
     assert "stroke left  -14.1 to +14.1 mm" in told

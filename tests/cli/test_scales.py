@@ -9,9 +9,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from command_line import Run
 from sweeps import slow_but
-
-from stewart_sym.cli.main import main
 
 EXAMPLES = Path(__file__).parents[2] / ".docs" / "examples"
 DRIVE = {
@@ -112,15 +111,14 @@ FREE = ("condition_number", "_sd_", "/deviations/", "time_s", "/steps", "certifi
 @pytest.mark.filterwarnings("ignore::UserWarning")
 @pytest.mark.parametrize("command", slow_but(["forces"], COMMANDS))
 def test_every_figure_of_a_command_scales_with_the_machine(
-    command: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    command: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, run: Run
 ) -> None:
     found = []
     for name, scale in (("plain", (1.0, 1.0)), ("small", (LENGTH, MASS))):
         examples(tmp_path / name, *scale)
         monkeypatch.chdir(tmp_path / name)
-        assert main([command, *COMMANDS[command], "--json", "found.json"]) == 0
+        run(command, *COMMANDS[command], "--json", "found.json")
         found.append(dict(leaves(json.loads(Path("found.json").read_text()))))
-    capsys.readouterr()
     plain, small = found
     assert plain.keys() == small.keys()
     apart = {where: off(plain[where], small[where]) for where in plain if not any(x in where for x in FREE)}

@@ -4,11 +4,10 @@ import dataclasses
 from pathlib import Path
 
 import numpy as np
-import pytest
+from command_line import Run
 from conventions_drawing import figure
 
 import stewart_sym as ss
-from stewart_sym.cli.main import main
 
 REPOSITORY = Path(__file__).parents[2]
 PAGE = REPOSITORY / ".docs" / "conventions.md"
@@ -20,13 +19,11 @@ def test_the_page_names_every_part_of_a_motion_and_every_reaction() -> None:
     assert not [name for name in fields if f"`{name}`" not in page and name not in ("status", "F_c")]
 
 
-def test_the_page_is_linked_where_a_new_user_looks(capsys: pytest.CaptureFixture[str]) -> None:
-    with pytest.raises(SystemExit, match="0"):
-        main(["check", "--help"])
+def test_the_page_is_linked_where_a_new_user_looks(run: Run) -> None:
     places = [
         (REPOSITORY / "README.md").read_text(encoding="utf-8"),
         (REPOSITORY / "derive" / "derivation.ipynb").read_text(encoding="utf-8"),
-        capsys.readouterr().out.replace("\n", " "),
+        run("check", "--help").out.replace("\n", " "),
     ]
     assert all(".docs/conventions.md" in place for place in places)
 

@@ -115,7 +115,7 @@ def test_limits_of_the_motors_bound_the_plan_and_their_rated_torque_is_checked(
 
 @pytest.mark.slow
 def test_a_duration_has_a_motion_of_least_energy_or_peak_force(
-    folder: Path, capsys: pytest.CaptureFixture[str]
+    folder: Path,
 ) -> None:
     def found(*options: str, text: str = SHORT) -> dict:
         out = folder / "-".join(("out", *options))

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from command_line import fails_in_one_line, folder_state, read
+from command_line import Fails, Run, folder_state, read
 from robot_files import scene_of, written
 
 import stewart_sym as ss
@@ -61,10 +61,9 @@ def scene(tmp_path: Path) -> Path:
     return scene_of(SWING, tmp_path)
 
 
-def test_a_scene_runs_as_the_library_does(scene: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_scene_runs_as_the_library_does(scene: Path, run: Run) -> None:
     output = scene.parent / "deep" / "out"
-    assert main(["simulate", str(scene), "-o", str(output)]) == 0
-    captured = capsys.readouterr()
+    captured = run("simulate", scene, "-o", output)
     assert sorted(path.name for path in output.glob("[!.]*")) == [
         "run.csv",
         "run.png",
@@ -86,31 +85,21 @@ def test_a_scene_runs_as_the_library_does(scene: Path, capsys: pytest.CaptureFix
     np.testing.assert_array_equal(theta, rpy_from_rotation(run.R))
 
 
-def test_a_run_is_shown_on_its_own_machine_alone(scene: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_run_is_shown_on_its_own_machine_alone(scene: Path, run: Run) -> None:
     folder, robot = scene.parent, ss.Robot.from_toml(scene.parent / "robots" / "robot.toml")
     other = written(dataclasses.replace(robot, p=1.01 * robot.p), folder / "other.toml")
     assert main(["simulate", str(scene), "-o", str(folder / "out"), "--no-pictures"]) == 0
+    run("view", folder / "robots" / "robot.toml", folder / "out", "-o", folder / "own.html")
     assert (
-        main(
-            [
-                "view",
-                str(folder / "robots" / "robot.toml"),
-                str(folder / "out"),
-                "-o",
-                str(folder / "own.html"),
-            ]
-        )
-        == 0
+        "got one of another machine: at 0 s leg 1 is "
+        in run("view", other, folder / "out", "-o", folder / "other.html", code=2).err
     )
-    capsys.readouterr()
-    assert main(["view", str(other), str(folder / "out"), "-o", str(folder / "other.html")]) == 2
-    assert "got one of another machine: at 0 s leg 1 is " in capsys.readouterr().err
     assert not (folder / "other.html").exists()
 
 
-def test_energy_drift_is_written_and_drawn(scene: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_energy_drift_is_written_and_drawn(scene: Path, run: Run) -> None:
     output = scene.parent / "out"
-    assert main(["simulate", str(scene), "-o", str(output), "--energy-drift"]) == 0
+    told = run("simulate", scene, "-o", output, "--energy-drift").out
     tables = {name: f"energy_drift_{name}.csv" for name in ("exact", "paper")}
     names = ["energy_drift.png", *tables.values(), "run.csv", "run.png", "summary.json", "summary.txt"]
     assert sorted(path.name for path in output.glob("[!.]*")) == names
@@ -119,17 +108,15 @@ def test_energy_drift_is_written_and_drawn(scene: Path, capsys: pytest.CaptureFi
     }
     assert worst["exact"] < 1e-9
     assert worst["paper"] > 1e-5
-    assert f"{worst['paper']:.2e}" in capsys.readouterr().out
+    assert f"{worst['paper']:.2e}" in told
 
 
-def test_tables_need_no_matplotlib(
-    scene: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_tables_need_no_matplotlib(scene: Path, fails: Fails, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delitem(sys.modules, "stewart_sym.studies.paper.plots", raising=False)
     monkeypatch.delattr("stewart_sym.studies.paper.plots", raising=False)
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     before = folder_state(scene.parent)
-    assert install("plot") in fails_in_one_line(capsys, "simulate", scene, "-o", scene.parent / "out")
+    assert install("plot") in fails("simulate", scene, "-o", scene.parent / "out")
     assert folder_state(scene.parent) == before
     assert main(["simulate", str(scene), "-o", str(scene.parent / "out"), "--no-pictures"]) == 0
     assert sorted(path.name for path in (scene.parent / "out").glob("[!.]*")) == [
@@ -193,12 +180,11 @@ def test_tracking_takes_rates_and_loads_as_the_file_has_them(scene: Path) -> Non
     assert heavier.t[-1, 2] < tracked.t[-1, 2] - 1e-4
 
 
-def test_a_run_is_no_log(scene: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_run_is_no_log(scene: Path, run: Run, fails: Fails) -> None:
     out = scene.parent / "out"
-    assert main(["simulate", str(scene), "-o", str(out), "--no-pictures"]) == 0
-    capsys.readouterr()
+    run("simulate", scene, "-o", out, "--no-pictures")
     robot = str(scene.parent / "robots" / "robot.toml")
-    line = fails_in_one_line(capsys, "forces", robot, str(out / "run.csv"), "-o", str(out / "f.csv"))
+    line = fails("forces", robot, str(out / "run.csv"), "-o", str(out / "f.csv"))
     assert "run.csv: expected a log, got a run of simulate, which view reads" in line
 
 
@@ -212,13 +198,12 @@ def test_constant_forces_and_a_load(scene: Path) -> None:
     assert run.t[-1, 2] > read_scene(scene).run().t[-1, 2] + 0.01
 
 
-def test_a_run_that_stops_says_which_leg_and_when(scene: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_run_that_stops_says_which_leg_and_when(scene: Path, run: Run) -> None:
     robot = scene.parent / "robots" / "robot.toml"
     limits = "[leg_defaults]\nspeed_limit = 0.2\n\n[leg_defaults.lower]"
     robot.write_text(robot.read_text().replace("[leg_defaults.lower]", limits))
     scene.write_text(SWING.replace("duration = 0.1", "duration = 9").replace("v = [0.05", "v = [0.4"))
-    assert main(["simulate", str(scene), "-o", str(scene.parent / "out"), "--no-pictures"]) == 0
-    out = capsys.readouterr().out
+    out = run("simulate", scene, "-o", scene.parent / "out", "--no-pictures").out
     assert "stopped    leg " in out
     assert "reaches its limit 0.2 m/s at " in out
 
@@ -237,11 +222,14 @@ def test_a_run_that_stops_says_which_leg_and_when(scene: Path, capsys: pytest.Ca
     ],
 )
 def test_a_start_that_is_no_machines_is_warned_of(
-    scene: Path, capsys: pytest.CaptureFixture[str], old: str, new: str, words: str
+    scene: Path, run: Run, old: str, new: str, words: str
 ) -> None:
     scene.write_text(SWING.replace(old, new, 1).replace("duration = 0.1", "duration = 0.01"))
-    assert main(["simulate", str(scene), "-o", str(scene.parent / "out"), "--no-pictures"]) == 0
-    told = [line for line in capsys.readouterr().err.splitlines() if str(scene) in line]
+    told = [
+        line
+        for line in run("simulate", scene, "-o", scene.parent / "out", "--no-pictures").err.splitlines()
+        if str(scene) in line
+    ]
     assert len(told) == bool(words)
     assert words in "".join(told)
 
@@ -279,12 +267,12 @@ def test_a_start_that_is_no_machines_is_warned_of(
     ],
 )
 def test_bad_scenes_are_rejected_in_one_line_and_leave_nothing(
-    scene: Path, capsys: pytest.CaptureFixture[str], old: str, new: str, words: str
+    scene: Path, fails: Fails, old: str, new: str, words: str
 ) -> None:
     assert old in SWING
     scene.write_text(SWING.replace(old, new, 1))
     before = folder_state(scene.parent)
-    line = fails_in_one_line(capsys, "simulate", scene, "-o", scene.parent / "out")
+    line = fails("simulate", scene, "-o", scene.parent / "out")
     assert words in line
     assert str(scene) in line
     assert folder_state(scene.parent) == before
@@ -300,25 +288,23 @@ def test_bad_scenes_are_rejected_in_one_line_and_leave_nothing(
         ('model = "paper"', 'model = "best"', 'legs.model: expected "exact" or "paper"'),
     ],
 )
-def test_bad_tracking_is_rejected(
-    scene: Path, capsys: pytest.CaptureFixture[str], old: str, new: str, words: str
-) -> None:
+def test_bad_tracking_is_rejected(scene: Path, fails: Fails, old: str, new: str, words: str) -> None:
     scene.write_text(TRACK.replace(old, new, 1))
-    assert words in fails_in_one_line(capsys, "simulate", scene, "-o", scene.parent / "out")
+    assert words in fails("simulate", scene, "-o", scene.parent / "out")
     assert not (scene.parent / "out").exists()
 
 
-def test_what_goes_wrong_in_the_run_leaves_nothing(scene: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_what_goes_wrong_in_the_run_leaves_nothing(scene: Path, fails: Fails) -> None:
     legs = '[legs]\nlaw = "forces"\nforces = [0, 0, 0, 0, 0, 0]\n'
     # Platform point 2 on base point 2.
     state = SWING.partition("[legs]")[0].replace("[0.2, 0.0, 0.8]", "[-0.2, 0.3, 0.1]")
     scene.write_text(state.replace("[0.1, 0.0, 0.2]", "[0.0, 0.0, 0.0]") + legs)
     before = folder_state(scene.parent)
-    line = fails_in_one_line(capsys, "simulate", scene, "-o", scene.parent / "out")
+    line = fails("simulate", scene, "-o", scene.parent / "out")
     assert "initial_state: no accelerations: a leg has length zero" in line
     scene.write_text(TRACK)
-    assert "expected a scene whose legs are springs" in fails_in_one_line(
-        capsys, "simulate", scene, "-o", scene.parent / "out", "--energy-drift"
+    assert "expected a scene whose legs are springs" in fails(
+        "simulate", scene, "-o", scene.parent / "out", "--energy-drift"
     )
     scene.write_text(state + legs)
     assert folder_state(scene.parent).keys() == before.keys()

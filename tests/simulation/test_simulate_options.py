@@ -8,12 +8,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 from command_files import edit
+from command_line import Run
 from machines import dasgupta, home_position, machine_size, random_robot
 from pages import DOCS
 from robot_files import PAPERS
 
 import stewart_sym as ss
-from stewart_sym.cli.main import main
 from stewart_sym.dynamics.closed_form import CClosedForm
 from stewart_sym.motion.rotation import one_vector_rate, rotation_from_vector, turned_by, vector_rate
 from stewart_sym.simulation.actuator_models import along
@@ -157,15 +157,14 @@ def test_a_law_that_follows_a_path_starts_on_it() -> None:
         ss.simulate(robot, "path", law, 0.02, on_force_limit="clip")
 
 
-def test_a_scene_starts_on_its_path_and_saturates(scene: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    run = read_scene(scene).run()
-    limit = float(np.abs(run.F).max()) - 5.0
+def test_a_scene_starts_on_its_path_and_saturates(scene: Path, run: Run) -> None:
+    found = read_scene(scene).run()
+    limit = float(np.abs(found.F).max()) - 5.0
     limit_forces(scene, limit)
     done = read_scene(scene)
     assert done.on_force_limit == "saturate"
     np.testing.assert_array_equal(done.state.t, ss.PATHS["I"].path.sample(0.0).t)
-    assert main(["simulate", str(scene), "-o", str(scene.parent / "out"), "--no-pictures"]) == 0
-    assert "N beyond its limit" in capsys.readouterr().out
+    assert "N beyond its limit" in run("simulate", scene, "-o", scene.parent / "out", "--no-pictures").out
 
 
 @pytest.mark.parametrize(
@@ -181,12 +180,9 @@ def test_a_scene_starts_on_its_path_and_saturates(scene: Path, capsys: pytest.Ca
         (TRACK[TRACK.index("[legs]") :], '[legs]\nlaw = "springs"\nstiffness = 1e4', "start: expected"),
     ],
 )
-def test_bad_starts_are_named(
-    scene: Path, capsys: pytest.CaptureFixture[str], old: str, new: str, words: str
-) -> None:
+def test_bad_starts_are_named(scene: Path, run: Run, old: str, new: str, words: str) -> None:
     scene.write_text(TRACK.replace(old, new))
-    assert main(["simulate", str(scene), "-o", str(scene.parent / "out")]) == 2
-    assert f"scene.toml: {words}" in capsys.readouterr().err
+    assert f"scene.toml: {words}" in run("simulate", scene, "-o", scene.parent / "out", code=2).err
 
 
 @pytest.mark.parametrize("rate", [None, 200.0])
@@ -202,17 +198,16 @@ def test_progress_is_told_in_shares_that_end_at_one(rate: float | None) -> None:
         ss.simulate(robot, state, np.zeros(6), 0.05, progress=3)
 
 
-def test_no_picture_of_empty_axes(scene: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_no_picture_of_empty_axes(scene: Path, run: Run) -> None:
     pytest.importorskip("matplotlib")
     robot, state = machine()
     limited = dataclasses.replace(robot, force_limit=np.ones(6))
-    run = ss.simulate(limited, state, np.full(6, 2.0), 0.1)
-    assert len(run.times) == 1
-    assert not report(limited, run, np.ones(6), {}).figures
+    found = ss.simulate(limited, state, np.full(6, 2.0), 0.1)
+    assert len(found.times) == 1
+    assert not report(limited, found, np.ones(6), {}).figures
     limit_forces(scene, 1e-3)
     scene.write_text(TRACK.replace('"saturate"', '"stop"'))
-    assert main(["simulate", str(scene), "-o", str(scene.parent / "out")]) == 0
-    assert "run.png: not drawn" in capsys.readouterr().err
+    assert "run.png: not drawn" in run("simulate", scene, "-o", scene.parent / "out").err
     assert not (scene.parent / "out" / "run.png").exists()
 
 

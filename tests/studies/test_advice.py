@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from command_line import fails_in_one_line, read
+from command_line import Fails, Run, read
 from cost_figures import (
     CHEAP,
     DEAR,
@@ -296,13 +296,9 @@ def test_the_report_has_every_figure(on_path_i: Figures) -> None:
     assert text.count("chosen") == 1
 
 
-def test_report_and_help_say_where_rounding_is_measured(
-    on_path_i: Figures, capsys: pytest.CaptureFixture[str]
-) -> None:
-    with pytest.raises(SystemExit):
-        main(["advise", "--help"])
+def test_report_and_help_say_where_rounding_is_measured(on_path_i: Figures, run: Run) -> None:
     said = f"Rounding is measured at {study.SAMPLED} poses spread over each motion and where force"
-    for text in (capsys.readouterr().out, report(advice(on_path_i, budget(0.05)))):
+    for text in (run("advise", "--help").out, report(advice(on_path_i, budget(0.05)))):
         assert said in " ".join(text.split())
 
 
@@ -359,10 +355,9 @@ def test_pictures_that_a_machine_cannot_have_are_left_out_with_a_warning(
 
 
 @pytest.mark.usefixtures("quick")
-def test_advise_prints_and_writes_its_answer(scene: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_advise_prints_and_writes_its_answer(scene: Path, run: Run) -> None:
     output = scene.parent / "advice.json"
-    assert main(["advise", str(scene), "--json", str(output)]) == 0
-    captured = capsys.readouterr()
+    captured = run("advise", scene, "--json", output)
     assert "Cheapest that is good enough: exact general_static, float" in captured.out
     assert "Forced by centres of mass off the legs' axes" in captured.out
     written = json.loads(output.read_text())
@@ -370,22 +365,16 @@ def test_advise_prints_and_writes_its_answer(scene: Path, capsys: pytest.Capture
     assert (written["tolerance"], written["margin"], written["rate_Hz"]) == (0.05, 2.0, 1000.0)
 
 
-def test_advise_runs_the_whole_study(
-    scene: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_advise_runs_the_whole_study(scene: Path, run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     hasty(monkeypatch)
-    assert main(["advise", str(scene)]) == 0
-    assert "Cheapest that is good enough: exact general_static, float" in capsys.readouterr().out
+    assert "Cheapest that is good enough: exact general_static, float" in run("advise", scene).out
 
 
 @pytest.mark.usefixtures("quick")
-def test_advise_without_an_answer_prints_the_table_and_fails_in_one_line(
-    scene: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_advise_without_an_answer_prints_the_table_and_fails_in_one_line(scene: Path, run: Run) -> None:
     scene.write_text(SCENE.replace("0.05", "1e-17"))
     output, kit = scene.parent / "advice.json", scene.parent / "kit"
-    assert main(["advise", str(scene), "--json", str(output), "--generate", str(kit)]) == 2
-    captured = capsys.readouterr()
+    captured = run("advise", scene, "--json", output, "--generate", kit, code=2)
     assert captured.out.count("\n") > 28
     (line,) = captured.err.splitlines()
     assert f"{scene}: nothing keeps the budget; closest: exact general, double" in line
@@ -396,11 +385,10 @@ def test_advise_without_an_answer_prints_the_table_and_fails_in_one_line(
 @pytest.mark.slow
 @pytest.mark.usefixtures("quick")
 def test_every_long_part_of_advise_is_shown_and_its_share_where_it_is_known(
-    monkeypatch: pytest.MonkeyPatch, scene: Path, capsys: pytest.CaptureFixture[str]
+    monkeypatch: pytest.MonkeyPatch, scene: Path, run: Run
 ) -> None:
     monkeypatch.setattr(sys.stderr, "isatty", lambda: True, raising=False)
-    assert main(["advise", str(scene), "--generate", str(scene.parent / "kit")]) == 0
-    shown = capsys.readouterr().err
+    shown = run("advise", scene, "--generate", scene.parent / "kit").err
     for part in ("reading the motions", "generating kernels", "computing test vectors"):
         assert f"{part} ..." in shown
     hasty(monkeypatch)
@@ -420,35 +408,34 @@ def test_every_long_part_of_advise_is_shown_and_its_share_where_it_is_known(
 
 @pytest.mark.usefixtures("quick")
 @few_vectors()
-def test_advise_generates_the_kernel_that_it_chose(scene: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_advise_generates_the_kernel_that_it_chose(scene: Path, run: Run, fails: Fails) -> None:
     kit = scene.parent / "kit"
-    assert main(["advise", str(scene), "--generate", str(kit)]) == 0
+    printed = run("advise", scene, "--generate", kit).out
     names = sorted(path.name for path in kit.iterdir())
     assert "stewart_exact_general_static_forces.c" in names
-    printed = capsys.readouterr().out
     assert all(str(kit / name) in printed for name in names)
     # Nothing is replaced unasked.
     (kit / "stewart_robot.c").write_text("mine")
-    assert "use --force" in fails_in_one_line(capsys, "advise", scene, "--generate", kit)
-    assert main(["advise", str(scene), "--generate", str(kit), "--force", "--bake"]) == 0
+    assert "use --force" in fails("advise", scene, "--generate", kit)
+    run("advise", scene, "--generate", kit, "--force", "--bake")
 
 
 @pytest.mark.slow
 @pytest.mark.usefixtures("quick")
 def test_chart_writes_tables_without_matplotlib(
-    scene: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+    scene: Path, run: Run, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     few(monkeypatch)
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     output = scene.parent / "out"
-    assert main(["chart", str(scene), "-o", str(output), "--no-pictures"]) == 0
+    told = run("chart", scene, "-o", output, "--no-pictures").out
     assert sorted(path.name for path in output.glob("[!.]*")) == TABLES
-    assert (output / "chart.txt").read_text() in capsys.readouterr().out
+    assert (output / "chart.txt").read_text() in told
 
 
 @pytest.mark.slow
 def test_chart_of_the_papers_machine_needs_no_scene(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, found: Figures
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, found: Figures
 ) -> None:
     asked: list[list[str]] = []
 
@@ -471,4 +458,3 @@ def test_chart_of_the_papers_machine_needs_no_scene(
     written = json.loads((tmp_path / "out" / "chart.json").read_text())
     assert written["software"]["compiler"]
     assert len(written["candidates"]) == len(found["candidates"])
-    capsys.readouterr()

@@ -8,13 +8,13 @@ from typing import Any
 
 import numpy as np
 import pytest
-from command_line import fails_in_one_line, folder_state, read
+from command_line import Fails, folder_state, read
+from command_line import Run as RunCommand
 from machines import dasgupta, home_position, machine_size, random_motion, random_robot
 from numpy.typing import NDArray
 from robot_files import PAPERS
 
 import stewart_sym as ss
-from stewart_sym.cli.main import main
 from stewart_sym.simulation.actuator_models import GravityCompensation, ModelTorque, along
 from stewart_sym.studies.control import control
 from stewart_sym.studies.control.control import CONTROLLERS, PreparedModel, Run, Settings, figures, follow
@@ -178,11 +178,8 @@ def test_figures_are_those_of_the_run() -> None:
 # The command
 
 
-def test_control_writes_tables_curves_and_pictures_that_agree(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    assert main(["control", "-o", str(tmp_path), "--path", "II", "--rate", "200"]) == 0
-    out = capsys.readouterr().out
+def test_control_writes_tables_curves_and_pictures_that_agree(tmp_path: Path, run: RunCommand) -> None:
+    out = run("control", "-o", tmp_path, "--path", "II", "--rate", "200").out
     names = {"control.csv", "control.json", "control.txt", "control.png", "control_friction.png"}
     assert {path.name for path in tmp_path.glob("[!.]*")} == names | {"path_II.csv", "path_II_friction.csv"}
     assert out.startswith((tmp_path / "control.txt").read_text())
@@ -200,22 +197,20 @@ def test_control_writes_tables_curves_and_pictures_that_agree(
     assert found["settings"]["rate"] == 200.0
 
 
-def test_control_takes_a_robot_and_warns_of_its_limits(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_control_takes_a_robot_and_warns_of_its_limits(tmp_path: Path, run: RunCommand) -> None:
     text = PAPERS.read_text(encoding="utf-8").replace("[[leg]]", "[[leg]]\nforce_limit = 1000.0")
     file = tmp_path / "weak.toml"
     file.write_text(text.replace('Dasgupta & Mruthyunjaya 1998"', 'weak"'))
     out = tmp_path / "out"
-    arguments = ["control", "-o", str(out), "--path", "II", "--rate", "100", "--robot", str(file)]
-    assert main([*arguments, "--no-pictures"]) == 0
+    arguments = ["control", "-o", out, "--path", "II", "--rate", "100", "--robot", file]
+    told = run(*arguments, "--no-pictures").err
     assert {path.name for path in out.glob("[!.]*")} == {
         "control.csv",
         "control.json",
         "control.txt",
         "path_II.csv",
     }
-    assert "weak: Path II, controller exact: force_limit exceeded by leg" in capsys.readouterr().err
+    assert "weak: Path II, controller exact: force_limit exceeded by leg" in told
 
 
 @pytest.mark.parametrize(
@@ -229,8 +224,8 @@ def test_control_takes_a_robot_and_warns_of_its_limits(
     ],
 )
 def test_what_cannot_be_tracked_is_one_line_and_leaves_nothing(
-    arguments: list[str], words: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    arguments: list[str], words: str, tmp_path: Path, fails: Fails
 ) -> None:
     before = folder_state(tmp_path)
-    assert words in fails_in_one_line(capsys, "control", "-o", tmp_path / "out", *arguments)
+    assert words in fails("control", "-o", tmp_path / "out", *arguments)
     assert folder_state(tmp_path) == before

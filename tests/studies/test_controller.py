@@ -10,11 +10,11 @@ from typing import Any
 
 import numpy as np
 import pytest
+from command_line import Run
 from machines import dasgupta, random_robot
 from sweeps import FULL, slow_but
 
 from stewart_sym.backend.native import CompilerError
-from stewart_sym.cli.main import main
 from stewart_sym.io.json_text import json_text
 from stewart_sym.results import JOINT_SINGULAR
 from stewart_sym.robot.robot import Robot
@@ -237,22 +237,20 @@ def test_a_wrong_force_and_a_wrong_status_are_found(monkeypatch: pytest.MonkeyPa
 
 @pytest.mark.parametrize("tool", list(toolchain.PACKAGES))
 def test_a_missing_tool_is_one_line_with_its_package(
-    tool: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    tool: str, monkeypatch: pytest.MonkeyPatch, run: Run
 ) -> None:
     real = shutil.which
     monkeypatch.setattr(shutil, "which", lambda name: None if name == tool else real(name))
-    assert main(["controller"]) == 2
-    (line,) = capsys.readouterr().err.splitlines()
+    (line,) = run("controller", code=2).err.splitlines()
     assert line.startswith(f"stewart-sym: error: {tool} not found")
     assert f"apt-get install {toolchain.PACKAGES[tool]}" in line
 
 
 def test_the_command_writes_the_table_and_the_figures(
-    tmp_path: Path, found: Figures, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path, found: Figures, monkeypatch: pytest.MonkeyPatch, run: Run
 ) -> None:
     monkeypatch.setattr(measure, "study", lambda *_: found)
-    assert main(["controller", "-o", str(tmp_path / "out")]) == 0
-    printed = capsys.readouterr().out
+    printed = run("controller", "-o", tmp_path / "out").out
     assert report.report(found) in printed
     assert json.loads((tmp_path / "out" / "controller.json").read_text()) == json.loads(
         json_text({"generator": "stewart-sym controller", **report.full_report(found).data})

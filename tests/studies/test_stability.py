@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from command_line import Run
 from machines import random_motion, random_robot
 from sweeps import share
 
@@ -179,9 +180,10 @@ def test_the_command_prints_the_sweep(capsys: pytest.CaptureFixture[str]) -> Non
     assert "random cases near failure" in capsys.readouterr().out
 
 
-def test_too_few_cases_are_rejected_in_one_line(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["stability", "--cases", "3"]) == 2
-    assert capsys.readouterr().err.startswith("stewart-sym: error: --cases: expected at least")
+def test_too_few_cases_are_rejected_in_one_line(run: Run) -> None:
+    assert run("stability", "--cases", "3", code=2).err.startswith(
+        "stewart-sym: error: --cases: expected at least"
+    )
 
 
 def test_the_command_writes_the_study(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

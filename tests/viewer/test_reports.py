@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from axe_playwright_python.sync_playwright import Axe
 from browser import Opened
-from command_line import fails_in_one_line
+from command_line import Fails
 from machines import dasgupta
 from matplotlib.figure import Figure
 from playwright.sync_api import Browser
@@ -125,16 +125,14 @@ def test_figures_are_drawn_as_svg() -> None:
     assert 'src="data:image/svg+xml;base64,' in text
 
 
-def test_a_page_goes_over_no_input_and_no_other_result(
-    folder: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_page_goes_over_no_input_and_no_other_result(folder: Path, fails: Fails) -> None:
     forces = ("forces", "hexapod.toml", "trajectory.csv", "-o", "forces.csv")
-    line = fails_in_one_line(capsys, *forces, "--html", "hexapod.toml")
+    line = fails(*forces, "--html", "hexapod.toml")
     assert "--html hexapod.toml: is an input" in line
-    line = fails_in_one_line(capsys, *forces, "--html", "forces.csv")
+    line = fails(*forces, "--html", "forces.csv")
     assert "is where another result goes" in line
     (folder / "mine.html").write_text("<p>mine")
-    line = fails_in_one_line(capsys, *forces, "--html", "mine.html")
+    line = fails(*forces, "--html", "mine.html")
     assert "exists with other content" in line
     assert (folder / "mine.html").read_text() == "<p>mine"
     assert not (folder / "forces.csv").exists()
@@ -151,10 +149,10 @@ def test_a_page_goes_over_no_input_and_no_other_result(
     ],
 )
 def test_view_says_in_one_line_what_is_wrong(
-    folder: Path, capsys: pytest.CaptureFixture[str], arguments: tuple[str, ...], words: str
+    folder: Path, fails: Fails, arguments: tuple[str, ...], words: str
 ) -> None:
     before = sorted(folder.iterdir())
-    assert words in fails_in_one_line(capsys, "view", *arguments)
+    assert words in fails("view", *arguments)
     assert sorted(folder.iterdir()) == before
 
 
@@ -272,19 +270,17 @@ def test_the_chains_of_offset_joints_are_as_long_as_stated() -> None:
     assert np.allclose(np.sum(y * (end - foot), axis=-1), 0.0, atol=1e-6)
 
 
-def test_a_file_in_another_s_place_is_named(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    said = fails_in_one_line(capsys, "view", "trajectory.csv", "-o", "out.html")
+def test_a_file_in_another_s_place_is_named(folder: Path, fails: Fails) -> None:
+    said = fails("view", "trajectory.csv", "-o", "out.html")
     assert said.endswith("trajectory.csv: expected a robot file, got a table of values, as of a CSV file")
     Path("report.json").write_text('{\n "generator": "x"\n}\n', encoding="utf-8")
-    said = fails_in_one_line(capsys, "view", "hexapod.toml", "report.json", "-o", "out.html")
+    said = fails("view", "hexapod.toml", "report.json", "-o", "out.html")
     assert said.endswith("report.json: expected a CSV file with a header line, got '{'")
-    said = fails_in_one_line(capsys, "view", "hexapod.toml", "-o", "out.txt")
+    said = fails("view", "hexapod.toml", "-o", "out.txt")
     assert said.endswith("-o out.txt: expected a file that ends in .html")
-    said = fails_in_one_line(
-        capsys, "forces", "hexapod.toml", "trajectory.csv", "-o", "f.csv", "--html", "out.pdf"
-    )
+    said = fails("forces", "hexapod.toml", "trajectory.csv", "-o", "f.csv", "--html", "out.pdf")
     assert said.endswith("--html out.pdf: expected a file that ends in .html")
-    said = fails_in_one_line(capsys, "view", "report.json", "-o", "out.html")
+    said = fails("view", "report.json", "-o", "out.html")
     assert said.endswith("report.json: expected a robot file, got '{'")
 
 
