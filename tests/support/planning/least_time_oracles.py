@@ -73,24 +73,40 @@ class _Forces(LinearConstraint):
         return *both[:5], None, np.tile([0.0, _NO_SPEED_LIMIT], (len(gridpoints), 1))
 
 
-def collocation_duration(found: TimedPath, cells: int) -> float:
-    """Of the fastest motion with viscous friction, s: s'' constant in each cell, forces at both its ends."""
-    robot, path, limit, s = found.robot, found.path, found.robot.force_limit, graded(cells)
-    h = casadi.DM(np.diff(s))
-    a, b, d, e = (casadi.DM(x / limit) for x in coefficients(robot, path, s))
-    z = casadi.MX.sym("z", cells + 1)
-    u = (z[1:] ** 2 - z[:-1] ** 2) / (2.0 * h)
-
-    def shares(rows: slice) -> casadi.MX:
-        rate, second = (casadi.repmat(x, 1, 6) for x in (z[rows], u))
-        return a[rows, :] * second + b[rows, :] * rate**2 + d[rows, :] * rate + e[rows, :]
-
-    ends = casadi.vertcat(casadi.vec(shares(slice(0, cells))), casadi.vec(shares(slice(1, cells + 1))))
-    problem = {"x": z, "f": casadi.sum1(2.0 * h / (z[1:] + z[:-1])), "g": ends}
+def solved(problem: dict, **bounds: object) -> tuple[float, np.ndarray]:
+    """The optimum by IPOPT and where it is."""
     options = {"ipopt.print_level": 0, "print_time": False, "ipopt.tol": 1e-9, "ipopt.sb": "yes"}
-    solve = casadi.nlpsol("least_time", "ipopt", problem, options)
-    highest = np.full(cells + 1, _NO_SPEED_LIMIT)
-    highest[[0, -1]] = 0.0
-    found = solve(x0=begun(found, s), lbx=np.zeros(cells + 1), ubx=highest, lbg=-1.0, ubg=1.0)
+    solve = casadi.nlpsol("oracle", "ipopt", problem, options | {"ipopt.max_iter": 1000})
+    found = solve(**bounds)
     assert solve.stats()["success"], solve.stats()["return_status"]
-    return float(found["f"])
+    return float(found["f"]), np.array(found["x"])[:, 0]
+
+
+class Cells:
+    """Motions with s'' constant in each cell between nodes s, by their s' at the nodes."""
+
+    def __init__(self, found: TimedPath, s: np.ndarray) -> None:
+        """Of the machine and path of a motion."""
+        self.robot, self.path, self.s, count = found.robot, found.path, s, len(s) - 1
+        self.z = casadi.MX.sym("z", len(s))
+        self.ends = (slice(0, count), slice(1, count + 1))
+        h = casadi.DM(np.diff(s))
+        self.second = (self.z[1:] ** 2 - self.z[:-1] ** 2) / (2.0 * h)
+        self.duration = casadi.sum1(2.0 * h / (self.z[1:] + self.z[:-1]))
+        self.most = np.full(len(s), _NO_SPEED_LIMIT)
+        self.most[[0, -1]] = 0.0
+
+    def forces(self, rows: slice, unit: np.ndarray | float) -> casadi.MX:
+        """At an end of every cell, over a unit, (cells, 6)."""
+        a, b, d, e = (casadi.DM(x / unit) for x in coefficients(self.robot, self.path, self.s[rows]))
+        rate, second = (casadi.repmat(x, 1, 6) for x in (self.z[rows], self.second))
+        return a * second + b * rate**2 + d * rate + e
+
+
+def collocation_duration(found: TimedPath, cells: int) -> float:
+    """Of the fastest motion with viscous friction, s: forces within limits at both ends of each cell."""
+    motions = Cells(found, graded(cells))
+    shares = [casadi.vec(motions.forces(rows, found.robot.force_limit)) for rows in motions.ends]
+    problem = {"x": motions.z, "f": motions.duration, "g": casadi.vertcat(*shares)}
+    x0 = begun(found, motions.s)
+    return solved(problem, x0=x0, lbx=0.0, ubx=motions.most, lbg=-1.0, ubg=1.0)[0]

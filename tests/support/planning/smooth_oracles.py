@@ -6,7 +6,7 @@ force: s'' constant in each cell of s. Jerk and energy: jerk of s constant in ea
 
 import casadi
 import numpy as np
-from least_time_oracles import begun, coefficients, graded
+from least_time_oracles import Cells, begun, coefficients, graded, solved
 from scipy.optimize import brentq
 
 from stewart_sym.dynamics.inverse import inverse_dynamics
@@ -15,15 +15,6 @@ from stewart_sym.planning.time_path import TimedPath
 from stewart_sym.planning.timing.path_terms import Path, travelled
 from stewart_sym.reference.newton_euler import rotor_force
 from stewart_sym.robot.robot import Robot
-
-_OPTIONS = {"ipopt.print_level": 0, "print_time": False, "ipopt.tol": 1e-9, "ipopt.sb": "yes"}
-
-
-def _solved(problem: dict, **bounds: object) -> tuple[float, np.ndarray]:
-    solve = casadi.nlpsol("oracle", "ipopt", problem, _OPTIONS | {"ipopt.max_iter": 1000})
-    found = solve(**bounds)
-    assert solve.stats()["success"], solve.stats()["return_status"]
-    return float(found["f"]), np.array(found["x"])[:, 0]
 
 
 def _efforts(robot: Robot, path: Path, s: np.ndarray, side: np.ndarray):
@@ -81,71 +72,42 @@ def motor_nodes(robot: Robot, path: Path, cells: int) -> np.ndarray:
 
 def motor_duration(found: TimedPath, cells: int) -> float:
     """Least time within limits of force and of the motors, s."""
-    robot, path = found.robot, found.path
-    s = motor_nodes(robot, path, cells)
-    drive, cells, h = robot.drive, len(s) - 1, np.diff(s)
-    z = casadi.MX.sym("z", cells + 1)
-    u = (z[1:] ** 2 - z[:-1] ** 2) / casadi.DM(2.0 * h)
+    robot, path, drive = found.robot, found.path, found.robot.drive
+    motions = Cells(found, motor_nodes(robot, path, cells))
+    s, z = motions.s, motions.z
     n = np.abs(2.0 * np.pi / drive.lead)
     torque = n * np.minimum(drive.torque_limit, drive.torque_constant * drive.current_limit)
     middle = np.sign(inverse_kinematics(robot, path(0.5 * (s[1:] + s[:-1]))).L_dot)
     rate = np.abs(inverse_kinematics(robot, path(s)).L_dot)
-    g, high = [], []
-    for rows in (slice(0, cells), slice(1, cells + 1)):
-        a, b, d, e = (casadi.DM(x / robot.force_limit) for x in coefficients(robot, path, s[rows]))
-        second, first = casadi.repmat(u, 1, 6), casadi.repmat(z[rows], 1, 6)
-        force = a * second + b * first**2 + d * first + e
-        p, q = _efforts(robot, path, s[rows], middle)(u, z[rows])
+    g = []
+    for rows in motions.ends:
+        force = motions.forces(rows, robot.force_limit)
+        p, q = _efforts(robot, path, s[rows], middle)(motions.second, z[rows])
         g += [force, -force]
-        high += [np.ones((cells, 6))] * 2
         if np.isfinite(torque).all():
-            scale = casadi.DM(np.broadcast_to(torque, (cells, 6)))
+            scale = casadi.DM(np.broadcast_to(torque, middle.shape))
             g += [p / scale, q / scale, -q / scale]
-            high += [np.ones((cells, 6))] * 3
         if np.isfinite(drive.power_limit).all():
-            speed = casadi.DM(rate[rows] / drive.power_limit) * first
+            speed = casadi.DM(rate[rows] / drive.power_limit) * casadi.repmat(z[rows], 1, 6)
             g += [p * speed, q * speed, -q * speed]
-            high += [np.ones((cells, 6))] * 3
     most = (drive.speed_limit / n / np.maximum(rate, 1e-300)).min(axis=1)
-    most[[0, -1]] = 0.0
-    problem = {
-        "x": z,
-        "f": casadi.sum1(casadi.DM(2.0 * h) / (z[1:] + z[:-1])),
-        "g": casadi.vertcat(*(casadi.vec(each) for each in g)),
-    }
-    bounds = {
-        "lbx": 0.0,
-        "ubx": np.minimum(most, 1e6),
-        "lbg": -casadi.inf,
-        "ubg": np.concatenate([x.T.ravel() for x in high]),
-    }
-    return _solved(problem, x0=begun(found, s), **bounds)[0]
+    problem = {"x": z, "f": motions.duration, "g": casadi.vertcat(*map(casadi.vec, g))}
+    bounds = {"lbx": 0.0, "ubx": np.minimum(most, motions.most), "lbg": -casadi.inf, "ubg": 1.0}
+    return solved(problem, x0=begun(found, s), **bounds)[0]
 
 
 def peak_force(found: TimedPath, cells: int) -> float:
     """Least peak force of motions of the same duration, N."""
-    robot, path, duration, s = found.robot, found.path, found.duration, graded(cells)
-    h = casadi.DM(np.diff(s))
-    z, peak = casadi.MX.sym("z", cells + 1), casadi.MX.sym("peak")
-    u = (z[1:] ** 2 - z[:-1] ** 2) / (2.0 * h)
-    limit = float(robot.force_limit.max())
-    coefs = [x / limit for x in coefficients(robot, path, s)]
-    g = [casadi.sum1(2.0 * h / (z[1:] + z[:-1])) / duration - 1.0]
-    for rows in (slice(0, cells), slice(1, cells + 1)):
-        a, b, d, e = (casadi.DM(x[rows]) for x in coefs)
-        second, first = casadi.repmat(u, 1, 6), casadi.repmat(z[rows], 1, 6)
-        force = casadi.vec(a * second + b * first**2 + d * first + e)
-        own = np.repeat(robot.force_limit / limit, cells)
+    motions, peak = Cells(found, graded(cells)), casadi.MX.sym("peak")
+    limit = float(found.robot.force_limit.max())
+    own = np.repeat(found.robot.force_limit / limit, cells)
+    g = [motions.duration / found.duration - 1.0]
+    for rows in motions.ends:
+        force = casadi.vec(motions.forces(rows, limit))
         g += [force - peak, -force - peak, force - own, -force - own]
-    top = np.full(cells + 2, 1e6)
-    top[[0, cells]] = 0.0
-    problem = {"x": casadi.vertcat(z, peak), "f": peak, "g": casadi.vertcat(*g)}
-    return (
-        limit
-        * _solved(
-            problem, x0=np.append(begun(found, s, 1.0), 1.0), lbx=0.0, ubx=top, lbg=-casadi.inf, ubg=0.0
-        )[0]
-    )
+    problem = {"x": casadi.vertcat(motions.z, peak), "f": peak, "g": casadi.vertcat(*g)}
+    x0, most = np.append(begun(found, motions.s, 1.0), 1.0), np.append(motions.most, 1e6)
+    return limit * solved(problem, x0=x0, lbx=0.0, ubx=most, lbg=-casadi.inf, ubg=0.0)[0]
 
 
 def smooth_optimum(
@@ -217,7 +179,7 @@ def smooth_optimum(
     bound = np.ones(g.shape[1])
     bound[:equal] = 0.0
     scale = cost if duration is None else cost / float(np.abs(robot.force_limit).max())
-    found, x = _solved({"x": x, "f": scale, "g": g.T}, x0=x0, lbx=low, ubx=high, lbg=-bound, ubg=bound)
+    found, x = solved({"x": x, "f": scale, "g": g.T}, x0=x0, lbx=low, ubx=high, lbg=-bound, ubg=bound)
     return found if duration is None else _work(robot, path, x, steps, duration)
 
 
