@@ -1,11 +1,11 @@
-"""The fastest motion along a path and within limits of motors: against toppra, IPOPT and its own limits."""
+"""The fastest motion along a path and within limits of motors: against IPOPT and its own limits."""
 
 import dataclasses
 
 import numpy as np
 import pytest
 from command_line import rejects
-from least_time_oracles import collocation_duration, extrapolated, toppra_duration
+from least_time_oracles import collocation_duration, extrapolated
 from machines import machine_size
 from motor_cases import QUANTITIES, motor_case
 from smooth_oracles import motor_duration
@@ -23,18 +23,18 @@ from stewart_sym.planning.timing.path_terms import Limits, terms_along
 from stewart_sym.planning.timing.phase_plane import highest, lowest
 
 
-@pytest.mark.parametrize("seed", [1, *(pytest.param(seed, marks=pytest.mark.slow) for seed in (6, 16, 30))])
-def test_least_time_without_viscous_friction_is_that_of_toppra(seed: int) -> None:
-    robot, path = limited_case(seed, friction=False)
-    found = time_path(robot, path, cells=150).duration
-    expected = extrapolated(lambda cells: toppra_duration(robot, path, robot.force_limit, cells), 150)
-    assert found == pytest.approx(expected, rel=3e-4)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("seed", [0, 4, 10])
-def test_least_time_with_viscous_friction_is_that_of_collocation(seed: int) -> None:
-    robot, path = limited_case(seed)
+@pytest.mark.parametrize(
+    ("seed", "friction"),
+    [
+        (1, False),
+        *(pytest.param(seed, False, marks=pytest.mark.slow) for seed in (6, 16, 30)),
+        *(pytest.param(seed, True, marks=pytest.mark.slow) for seed in (0, 4, 10)),
+    ],
+)
+def test_least_time_is_that_of_collocation_with_viscous_friction_and_without(
+    seed: int, friction: bool
+) -> None:
+    robot, path = limited_case(seed, friction=friction)
     found = time_path(robot, path, cells=150)
     expected = extrapolated(lambda cells: collocation_duration(found, cells), 125)
     assert found.duration == pytest.approx(expected, rel=3e-4)

@@ -1,14 +1,9 @@
-"""Least time along a path by other programs: toppra without viscous friction, CasADi with IPOPT with it.
-
-Both take the coefficients of forces from the vector implementation, `backend="reference"`.
-"""
+"""Least time along a path by CasADi with IPOPT, forces from the vector implementation."""
 
 from collections.abc import Callable
 
 import casadi
 import numpy as np
-import toppra
-from toppra.constraint.linear_constraint import LinearConstraint, canlinear_colloc_to_interpolate
 
 from stewart_sym.dynamics.inverse import inverse_dynamics
 from stewart_sym.planning.time_path import TimedPath
@@ -46,33 +41,6 @@ def coefficients(robot: Robot, path: Path, s: np.ndarray) -> tuple[np.ndarray, .
     return forces(0.0, 1.0) - still, 0.5 * (ahead + back) - still, 0.5 * (ahead - back), still
 
 
-def toppra_duration(robot: Robot, path: Path, limit: np.ndarray, cells: int) -> float:
-    """Of the fastest motion without viscous friction, s; ``limit``: of the forces, N, (6,)."""
-    s = graded(cells)
-    line = toppra.SplineInterpolator([0.0, 0.5, 1.0], [[0.0], [0.5], [1.0]])
-    solver = toppra.algorithm.TOPPRA(
-        [_Forces(robot, path, limit)], line, gridpoints=s, solver_wrapper="seidel"
-    )
-    _, rate, _ = solver.compute_parameterization(0.0, 0.0)
-    return float(np.sum(2.0 * np.diff(s) / (rate[1:] + rate[:-1])))
-
-
-class _Forces(LinearConstraint):
-    def __init__(self, robot: Robot, path: Path, limit: np.ndarray) -> None:
-        super().__init__()
-        self.robot, self.path, self.limit = robot, path, limit
-        self.dof, self.identical = 1, True
-        self.set_discretization_type(1)
-
-    def compute_constraint_params(self, path: object, gridpoints: np.ndarray, *_: object) -> tuple:
-        a, b, _, e = coefficients(self.robot, self.path, np.asarray(gridpoints))
-        sides = np.concatenate([np.eye(6), -np.eye(6)])
-        both = canlinear_colloc_to_interpolate(
-            a, b, e, sides, np.tile(self.limit, 2), None, None, gridpoints, identical=True
-        )
-        return *both[:5], None, np.tile([0.0, _NO_SPEED_LIMIT], (len(gridpoints), 1))
-
-
 def solved(problem: dict, **bounds: object) -> tuple[float, np.ndarray]:
     """The optimum by IPOPT and where it is."""
     options = {"ipopt.print_level": 0, "print_time": False, "ipopt.tol": 1e-9, "ipopt.sb": "yes"}
@@ -104,7 +72,7 @@ class Cells:
 
 
 def collocation_duration(found: TimedPath, cells: int) -> float:
-    """Of the fastest motion with viscous friction, s: forces within limits at both ends of each cell."""
+    """Of the fastest motion, s: forces within limits at both ends of each cell."""
     motions = Cells(found, graded(cells))
     shares = [casadi.vec(motions.forces(rows, found.robot.force_limit)) for rows in motions.ends]
     problem = {"x": motions.z, "f": motions.duration, "g": casadi.vertcat(*shares)}
