@@ -59,15 +59,6 @@ def deviations(seeds: range, poses: int) -> list[float]:
     return found
 
 
-def test_the_oracle_gives_the_volumes_of_a_shell_and_of_a_lens() -> None:
-    one = shell_volume(np.array([[0.1, 0.2, 0.3]]), np.array([[0.5, 1.0]]), -9.0)
-    assert one == pytest.approx(4.0 / 3.0 * np.pi * (1.0 - 0.125), rel=1e-12)
-    d = 0.7
-    apart = np.array([[0.0, 0.0, 0.0], [0.4, 0.3, np.sqrt(d**2 - 0.25)]])
-    lens = shell_volume(apart, np.array([[0.0, 1.0], [0.0, 1.0]]), -9.0)
-    assert lens == pytest.approx(np.pi * (4.0 + d) * (2.0 - d) ** 2 / 12.0, rel=1e-6)
-
-
 @sweep
 @pytest.mark.slow
 def test_the_exact_volume_is_within_the_error() -> None:

@@ -196,14 +196,6 @@ def test_machines_with_offset_joints_accelerate_in_both_engines_as_in_the_refere
     assert max(each for _, each in worst.values()) < PINOCCHIO, worst
 
 
-@pytest.mark.parametrize("name", ["cross", "along", "across", "cross_mass", "cross_center", "cross_inertia"])
-def test_other_offsets_are_found_out(name: str) -> None:
-    robot, motion, F, truth = offset_machine(3)
-    changed = dataclasses.replace(robot.offsets, **{name: 1.01 * getattr(robot.offsets, name)})
-    other = dataclasses.replace(robot, offsets=changed)
-    assert off(accelerations(other, motion, F), truth) > PINOCCHIO
-
-
 @pytest.mark.parametrize("seed", [1, 2])
 def test_rotors_resist_in_mujoco_as_their_reflected_mass(seed: int) -> None:
     robot, motion, F, truth = case(seed, C_s=NONE)
