@@ -111,9 +111,7 @@ def test_check_says_when_friction_is_off(robot: Path, run: Run) -> None:
     assert "friction     off" in run("check", robot).out
 
 
-def test_bad_robot_files_are_rejected_by_every_subcommand(
-    robot: Path, trajectory: Path, fails: Fails
-) -> None:
+def test_bad_robot_files_are_rejected_by_all_subcommands(robot: Path, trajectory: Path, fails: Fails) -> None:
     edit(robot, "mass = 40.0", "mass = -40.0")
     before = folder_state(robot.parent)
     missing = robot.parent / "none.toml"
@@ -132,9 +130,7 @@ def test_bad_robot_files_are_rejected_by_every_subcommand(
 # derive
 
 
-def test_derive_check_tells_which_files_differ(
-    tmp_path: Path, run: Run, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_derive_check_tells_what_differs(tmp_path: Path, run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("stewart_sym.derive.generate.generated_files", _two_files)
     target = tmp_path / "generated"
     out = run("derive", "-o", target).out

@@ -102,9 +102,7 @@ def test_a_missing_trajectory_is_named(robot: Path, fails: Fails) -> None:
     assert not (robot.parent / "f.csv").exists()
 
 
-def test_a_pose_without_an_answer_is_rejected_unless_it_is_allowed(
-    robot: Path, run: Run, fails: Fails
-) -> None:
+def test_a_pose_without_an_answer_is_rejected_unless_allowed(robot: Path, run: Run, fails: Fails) -> None:
     # Leg 1 has length zero at the second instant: t = b_1 - p_1.
     poses = [[0.1, 0.0, 0.4], [0.3, 0.2, -0.1], [0.1, 0.0, 0.5]]
     names = [
@@ -126,9 +124,7 @@ def test_a_pose_without_an_answer_is_rejected_unless_it_is_allowed(
     assert np.isfinite(float(rows[2]["L1"]))
 
 
-def test_an_output_that_cannot_be_written_is_named_before_the_trajectory_is_read(
-    robot: Path, fails: Fails
-) -> None:
+def test_an_output_that_cannot_be_written_is_named_before_work(robot: Path, fails: Fails) -> None:
     for output in (robot.parent / "no" / "f.csv", robot / "f.csv", robot.parent):
         line = fails("forces", robot, robot.parent / "none.csv", "-o", output)
         assert str(output) in line
@@ -144,9 +140,7 @@ def test_a_full_disk_is_blamed_on_the_output(robot: Path, trajectory: Path) -> N
 
 
 @pytest.mark.parametrize("arguments", [["check"], ["forces", "-o", "-"]], ids=["check", "forces"])
-def test_a_standard_output_that_takes_nothing_is_one_line(
-    robot: Path, trajectory: Path, arguments: list[str]
-) -> None:
+def test_a_full_standard_output_is_one_line(robot: Path, trajectory: Path, arguments: list[str]) -> None:
     subcommand, *options = arguments
     inputs = [robot, trajectory][: 1 if subcommand == "check" else 2]
     module = [sys.executable, "-W", "ignore", "-m", "stewart_sym.cli.main"]
@@ -219,7 +213,7 @@ def test_numbers_of_a_robot_that_overflow_are_not_blamed_on_the_trajectory(
         assert "C_p" in big
 
 
-def test_overflow_on_the_way_is_one_warning_and_none_beside_an_error(
+def test_overflow_on_the_way_is_one_warning_none_beside_an_error(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     large = np.array([1e300])
@@ -238,9 +232,7 @@ def test_a_reader_that_goes_away_is_no_traceback(robot: Path) -> None:
     assert done.stderr == ""
 
 
-def test_forces_warns_of_a_singular_pose_between_samples(
-    robot: Path, crossing: Path, trajectory: Path, run: Run
-) -> None:
+def test_forces_warns_of_crossings_between(robot: Path, crossing: Path, trajectory: Path, run: Run) -> None:
     output = robot.parent / "f.csv"
     (line,) = [
         line for line in run("forces", robot, crossing, "-o", output).err.splitlines() if "singular" in line
@@ -256,9 +248,7 @@ def test_forces_warns_of_a_singular_pose_between_samples(
     assert "singular" not in run("forces", robot, trajectory, "-o", output).err
 
 
-def test_forces_of_a_single_instant_are_no_path_and_take_no_energy(
-    robot: Path, crossing: Path, run: Run
-) -> None:
+def test_forces_of_one_instant_are_no_path_and_take_no_energy(robot: Path, crossing: Path, run: Run) -> None:
     crossing.write_text("".join(crossing.read_text().splitlines(keepends=True)[:2]))
     driven = dataclasses.replace(ss.Robot.from_toml(robot), drive=ss.Drive(lead=0.005))
     written(driven, robot)
@@ -296,9 +286,7 @@ def test_singularities_of_a_path_that_crosses_none(robot: Path, trajectory: Path
     assert {event["crossing"] for event in events} == {"0"}
 
 
-def test_singularities_rejects_in_one_line(
-    robot: Path, trajectory: Path, crossing: Path, fails: Fails
-) -> None:
+def test_singularities_fails_in_one_line(robot: Path, trajectory: Path, crossing: Path, fails: Fails) -> None:
     folder = robot.parent / "found"
     line = fails("singularities", robot, "IV", "-o", folder)
     assert line.endswith("IV: expected I, II, III or a CSV file, there is no such file")

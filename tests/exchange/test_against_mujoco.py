@@ -92,9 +92,7 @@ def test_sizes_of_shapes_are_those_of_mujoco(shape: str, tmp_path: Path) -> None
 
 
 @pytest.mark.parametrize(("default", "shape"), DEFAULTS.values(), ids=DEFAULTS)
-def test_shapes_take_from_their_class_what_they_take_in_mujoco(
-    default: str, shape: str, tmp_path: Path
-) -> None:
+def test_shapes_take_of_their_class_what_mujoco_takes(default: str, shape: str, tmp_path: Path) -> None:
     need_same_platform(tmp_path, with_platform(f"<geom {shape}/>", default))
 
 
@@ -185,9 +183,7 @@ def largest_forces(text: str) -> NDArray[np.float64]:
 
 
 @pytest.mark.parametrize("name", ACTUATORS)
-def test_a_leg_is_limited_to_the_largest_force_that_its_actuators_have_in_mujoco(
-    name: str, tmp_path: Path
-) -> None:
+def test_a_leg_is_limited_to_the_largest_force_of_its_actuators_in_mujoco(name: str, tmp_path: Path) -> None:
     default, actuators, limit = ACTUATORS[name]
     text = hexapod(default, actuators)
     np.testing.assert_allclose(largest_forces(text), limit, rtol=1e-12)

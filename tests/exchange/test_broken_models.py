@@ -266,7 +266,7 @@ LOOPS: dict[str, tuple[Change, str]] = {
 
 
 @pytest.mark.parametrize("name", LOOPS)
-def test_broken_loops_of_a_urdf_give_one_line(
+def test_broken_loops_of_urdf_are_one_line(
     name: str, exported: dict[str, ss.ModelFile], tmp_path: Path
 ) -> None:
     change, said = LOOPS[name]
@@ -284,9 +284,7 @@ def test_a_urdf_without_its_loops_says_where_they_are_looked_for(
     rejects(r"model\.urdf: expected its loops in .* NAME\.loops\.json, got none", ss.import_model, path)
 
 
-def test_a_note_that_the_model_contradicts_is_not_taken(
-    exported: dict[str, ss.ModelFile], tmp_path: Path
-) -> None:
+def test_a_note_against_the_model_is_not_taken(exported: dict[str, ss.ModelFile], tmp_path: Path) -> None:
     robot = ss.Robot.from_toml(HEXAPOD)
     path = tmp_path / "model.xml"
     text = exported["mjcf"].text

@@ -94,9 +94,7 @@ def test_points_axes_and_limits_are_found_whatever_the_frames(foreign: ss.Import
     np.testing.assert_allclose(robot.C_s, [0.0, 0.0, 0.0, 0.0, 0.0, 0.3])
 
 
-def test_a_machine_that_is_turned_in_its_file_has_its_home_there(
-    foreign: ss.ImportedModel, tmp_path: Path
-) -> None:
+def test_a_machine_turned_in_its_file_has_its_home_there(foreign: ss.ImportedModel, tmp_path: Path) -> None:
     turned = model().replace('<body name="floor">', '<body name="floor" euler="0 0 90">')
     found = imported(turned, tmp_path)
     assert "axes those of the base in the pose in the file" in "".join(found.assumptions)

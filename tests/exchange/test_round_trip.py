@@ -108,9 +108,7 @@ def test_a_robot_comes_back_and_is_exported_to_the_same_bytes(name: str, form: s
 
 
 @pytest.mark.parametrize(("form", "moved"), [("mjcf", "lower_3"), ("sdf", "base_3"), ("urdf", "base_3_1")])
-def test_notes_are_of_the_leg_that_they_name_in_files_of_another_order(
-    form: str, moved: str, tmp_path: Path
-) -> None:
+def test_notes_are_of_the_leg_they_name_in_files_of_any_order(form: str, moved: str, tmp_path: Path) -> None:
     """As another program writes it: leg 3 first, and prefixes of XML namespaces of its own."""
     robot = dataclasses.replace(ROBOTS["motion simulator"], C_s=np.arange(6.0))
     file = ss.export_model(robot, form)
@@ -204,9 +202,7 @@ def test_notes_come_back_from_a_model_as_mujoco_itself_writes_it(tmp_path: Path)
 
 @pytest.mark.parametrize("form", FORMATS)
 @pytest.mark.parametrize("name", ["tsai2000", "random 0", "random 1"])
-def test_bodies_and_joints_alone_give_the_robot_but_for_rounding(
-    name: str, form: str, tmp_path: Path
-) -> None:
+def test_bodies_and_joints_alone_are_the_robot_to_rounding(name: str, form: str, tmp_path: Path) -> None:
     robot = ROBOTS[name]
     again = ss.import_model(written(without_notes(ss.export_model(robot, form)), tmp_path / "model")).robot
     unstated = {"mjcf": {"C_s", "speed_limit"}, "sdf": {"C_s"}, "urdf": set()}[form]
@@ -314,9 +310,7 @@ OFFSETS = {
 
 @pytest.mark.parametrize("form", FORMATS)
 @pytest.mark.parametrize("name", OFFSETS)
-def test_offset_joints_come_back_and_are_exported_to_the_same_bytes(
-    name: str, form: str, tmp_path: Path
-) -> None:
+def test_offset_joints_come_back_and_go_out_to_the_same_bytes(name: str, form: str, tmp_path: Path) -> None:
     robot = OFFSETS[name]
     file = ss.export_model(robot, form)
     found = ss.import_model(written(file, tmp_path / "model"))

@@ -82,9 +82,7 @@ def test_noisy_experiments_scatter_as_the_covariance_says(robot: ss.Robot, excit
     assert np.mean(squares) == pytest.approx(18.0, abs=4.0 * math.sqrt(2.0 * 18.0 / count))
 
 
-def test_terms_are_exact_without_noise_and_do_not_change_the_bodies(
-    robot: ss.Robot, excited: ss.Excitation
-) -> None:
+def test_terms_are_exact_without_noise_and_change_no_bodies(robot: ss.Robot, excited: ss.Excitation) -> None:
     found = ss.identify(
         robot, excited.motion, motor_forces(robot, excited.motion), 1e-6, excited.base, drive=TERMS
     )
@@ -184,9 +182,7 @@ def test_forces_of_motors_identify_the_bodies_beside_the_rotors_of_the_robot_fil
     assert any(line.startswith("rotors: ") for line in wrong.doubts)
 
 
-def test_measured_poses_identify_the_bodies_beside_the_rotors(
-    robot: ss.Robot, excited: ss.Excitation
-) -> None:
+def test_measured_poses_identify_bodies_beside_the_rotors(robot: ss.Robot, excited: ss.Excitation) -> None:
     found = ss.simulated_experiment(with_rotors(robot), excited, 5.0, 0, 1e-4, 1e-4)
     assert found.estimate.verdict == "consistent"
     assert math.sqrt(np.mean(found.deviation**2)) == pytest.approx(1.0, abs=0.25)
@@ -258,9 +254,7 @@ def test_of_noisy_poses_bodies_and_terms_scatter_as_the_covariance_says(
         assert np.mean(found) == pytest.approx(1.0, abs=4.0 * math.sqrt(2.0 / (unknowns * count)))
 
 
-def test_terms_of_the_robot_file_are_compared_as_its_bodies_are(
-    robot: ss.Robot, excited: ss.Excitation
-) -> None:
+def test_terms_of_the_robot_file_are_compared_as_bodies_are(robot: ss.Robot, excited: ss.Excitation) -> None:
     drive = ss.Drive(lead=5e-3, rotor_inertia=2e-5, screw_coulomb=30.0)
     machine = dataclasses.replace(robot, drive=drive)
     F = ss.drive_effort(machine, excited.motion).force + SIGMA * np.random.default_rng(6).normal(
@@ -316,9 +310,7 @@ def tables(excited: ss.Excitation, folder: Path, measured: dict[str, np.ndarray]
     return ["--measured", str(folder / "log.csv"), str(folder / "measured.csv")]
 
 
-def test_the_command_takes_currents(
-    robot: ss.Robot, excited: ss.Excitation, tmp_path: Path, run: Run
-) -> None:
+def test_command_takes_currents(robot: ss.Robot, excited: ss.Excitation, tmp_path: Path, run: Run) -> None:
     drive = ss.Drive(lead=[5e-3, -5e-3, 4e-3, 4e-3, 1e-2, 1e-2], torque_constant=0.5, screw_coulomb=30.0)
     drive = dataclasses.replace(drive, screw_viscous=800.0, motor_viscous=1e-3)
     machine = dataclasses.replace(robot, drive=drive)

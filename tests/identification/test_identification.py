@@ -181,7 +181,7 @@ def test_identify_writes_a_table_a_trajectory_and_forces(tmp_path: Path, run: Ru
     assert rows[-10]["formula"] == "M + m_u1 + m_u2 + m_u3 + m_u4 + m_u5 + m_u6"
 
 
-def test_measured_forces_are_identified_with_a_wrong_robot_file(
+def test_measured_forces_are_identified_beside_a_wrong_file(
     simulated: Path, tmp_path: Path, run: Run
 ) -> None:
     measured = tmp_path / "measured"
@@ -222,9 +222,7 @@ def test_bad_forces_are_rejected_in_one_line(
 
 
 @pytest.mark.parametrize("renamed", [False, True])
-def test_swapped_files_of_a_measurement_are_told(
-    simulated: Path, tmp_path: Path, fails: Fails, renamed: bool
-) -> None:
+def test_swapped_measurements_are_told(simulated: Path, tmp_path: Path, fails: Fails, renamed: bool) -> None:
     trajectory, forces = (simulated / name for name in ("trajectory.csv", "forces.csv"))
     columns = ["--columns", "time=when,t_x=X,t_y=Y,t_z=Z,theta_x=A,theta_y=B,theta_z=C"] * renamed
     swapped = "--measured", forces, trajectory

@@ -49,9 +49,7 @@ def test_possible_machines_are_not_named_and_impossible_ones_are() -> None:
 
 
 @pytest.mark.parametrize(("deviations", "sure"), [(0.1, False), (3.5, False), (4.5, True), (100.0, True)])
-def test_a_value_below_zero_by_its_noise_alone_is_not_distinguishable_from_0(
-    deviations: float, sure: bool
-) -> None:
+def test_a_value_below_zero_by_noise_is_not_distinguishable_from_0(deviations: float, sure: bool) -> None:
     base, values = truth(robot(0))
     i = base.names.index("C_p3")
     values[i], sigma = -0.02, 0.02 / deviations

@@ -24,9 +24,7 @@ def excited(robot: ss.Robot) -> ss.Excitation:
     return ss.choose_excitation(robot, samples=120, candidates=5)
 
 
-def test_exact_forces_give_the_robots_own_parameters_about_either_point(
-    robot: ss.Robot, excited: ss.Excitation
-) -> None:
+def test_exact_forces_give_the_parameters_about_either_point(robot: ss.Robot, excited: ss.Excitation) -> None:
     F = ss.inverse_dynamics(robot, excited.motion).F
     moved = about_point(robot, TOOL)
     motion = excited.motion.about_point(TOOL)
@@ -39,9 +37,7 @@ def test_exact_forces_give_the_robots_own_parameters_about_either_point(
     np.testing.assert_allclose(back.sigma, direct.sigma, rtol=1e-5)
 
 
-def test_noisy_poses_of_the_tool_are_taken_as_they_were_measured(
-    robot: ss.Robot, excited: ss.Excitation
-) -> None:
+def test_noisy_poses_of_the_tool_are_taken_as_measured(robot: ss.Robot, excited: ss.Excitation) -> None:
     rng = np.random.default_rng(3)
     sigma, position, angle = 0.5, 2e-5, 2e-5
     exact = excited.motion.about_point(TOOL)

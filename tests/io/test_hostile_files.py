@@ -113,9 +113,7 @@ def test_the_sound_files_are_read(name: str, tmp_path: Path) -> None:
         (lambda sound: b"", ""),
     ],
 )
-def test_odd_bytes_are_rejected(
-    name: str, spoil: Callable[[bytes], bytes], told: str, tmp_path: Path
-) -> None:
+def test_odd_bytes_are_no_file(name: str, spoil: Callable[[bytes], bytes], told: str, tmp_path: Path) -> None:
     read, sound = READERS[name]
     assert told in rejected(read, written(tmp_path, spoil(sound)))
 
@@ -443,9 +441,7 @@ def test_a_mistake_is_placed_at_its_line(kind: str, tmp_path: Path, run: Run) ->
 
 
 @pytest.mark.parametrize(("expected", "got"), list(itertools.permutations(KINDS, 2)))
-def test_a_file_of_another_kind_is_called_what_it_is(
-    tmp_path: Path, expected: str, got: str, run: Run
-) -> None:
+def test_a_file_of_another_kind_is_called_that(tmp_path: Path, expected: str, got: str, run: Run) -> None:
     (tmp_path / "file.toml").write_text(KINDS[got][0])
     command, *options = KINDS[expected][1]
     told = run(command, tmp_path / "file.toml", *options, code=2).err

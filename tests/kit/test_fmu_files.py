@@ -65,7 +65,7 @@ def test_guid_follows_the_contents(monkeypatch: pytest.MonkeyPatch) -> None:
     assert guid(made("lanes").content).encode() in contents(made("lanes").content)["sources/stewart_unit.h"]
 
 
-def test_without_a_compiler_the_unit_has_its_sources_alone(
+def test_without_a_compiler_the_unit_has_sources_alone(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(native, "find_compiler", lambda: None)
@@ -135,9 +135,7 @@ def test_prefix_is_put_before_every_function(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-def test_another_tool_builds_the_unit_from_its_sources(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_another_tool_builds_the_unit_of_sources(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     case = "lanes"
     for name, content in contents(made(case).content).items():
         if not name.startswith("binaries/"):

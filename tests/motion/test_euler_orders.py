@@ -44,9 +44,7 @@ def in_order(motion: ss.Motion, order: str) -> Array:
 
 
 @pytest.mark.parametrize("order", EULER_ORDERS)
-def test_angular_velocities_are_those_of_the_rotations_that_the_log_passes(
-    tmp_path: Path, order: str
-) -> None:
+def test_angular_velocities_are_those_of_rotations_that_the_log_passes(tmp_path: Path, order: str) -> None:
     time, h = np.linspace(0.0, 3.0, 61), 1e-4
     path = saved(tmp_path / "log.csv", time, waving(time))
     motion = read_csv(path, ss.LogFormat(euler_order=order)).motion
@@ -96,7 +94,7 @@ def test_angles_whose_rates_are_without_bounds_as_roll_pitch_yaw_are_read(tmp_pa
 
 
 @pytest.mark.parametrize("order", ["xyz", "yxz"])
-def test_deviations_of_forces_are_those_of_noisy_angles_of_the_order(
+def test_deviations_are_those_of_noisy_angles_of_the_order(
     tmp_path: Path, robot: ss.Robot, order: str
 ) -> None:
     time, sigma = np.linspace(0.0, 1.0, 21), 1e-5
@@ -124,9 +122,7 @@ def robot() -> ss.Robot:
 
 @pytest.mark.parametrize("pitch", [60.0, 90.0, 120.0])
 @pytest.mark.parametrize("written", ["quaternions", "angles"])
-def test_a_platform_whose_frame_is_pitched_moves_as_any_other(
-    tmp_path: Path, written: str, pitch: float
-) -> None:
+def test_a_platform_with_a_pitched_frame_moves_as_any(tmp_path: Path, written: str, pitch: float) -> None:
     """Roll and yaw are about one axis at a right angle, where their rates have no bounds."""
     time = np.linspace(0.0, 2.0, 401)
     found = waving(time)

@@ -55,9 +55,7 @@ def true_forces(one: Case, kind: str, i: int) -> Array:
         ),
     ],
 )
-def test_rows_that_no_motion_makes_are_named_and_forces_hold_within_their_deviations(
-    kind: str, noise: str
-) -> None:
+def test_rows_that_no_motion_makes_are_named_and_forces_hold_within_deviations(kind: str, noise: str) -> None:
     for seed in range(2):
         one = case(seed)
         i = int(np.random.default_rng([seed, 7]).integers(len(one.time) // 4, 3 * len(one.time) // 4))
@@ -309,9 +307,7 @@ def test_leg_lengths_of_a_slower_sensor_are_told() -> None:
 
 
 @pytest.mark.parametrize(("size", "last"), [(2e-4, 1), (2e-3, 1), (1e-2, 1), (5e-4, None)])
-def test_lengths_that_no_motion_makes_are_named_by_leg_and_row_and_replaced(
-    size: float, last: int | None
-) -> None:
+def test_lengths_that_no_motion_makes_are_named_by_row_and_replaced(size: float, last: int | None) -> None:
     """A row, or a step of one leg, in noise of 0.01 mm: accelerations are those without it."""
     time = np.arange(0.0, 2.0, 0.002)
     turn = np.linspace(5.0, 9.0, 6)

@@ -377,9 +377,7 @@ def test_bad_arguments_are_named(call: Callable[[], object], text: str) -> None:
 
 @pytest.mark.parametrize("decimals", [4, 6, 7, 10])
 @pytest.mark.parametrize("missing", [5, 10, 20, 40, 400])
-def test_rows_beside_a_gap_of_any_length_err_by_what_their_deviations_say(
-    decimals: int, missing: int
-) -> None:
+def test_rows_beside_gaps_of_any_length_err_by_what_their_deviations_say(decimals: int, missing: int) -> None:
     """No curve through the gap, which nothing holds there, swings at its ends."""
     time = np.delete(np.arange(801) / 200, slice(200, 200 + missing))
     size, frequency = np.array([0.05, 0.04, 0.03, 0.1]), np.array([5.0, 4.0, 5.6, 4.4])

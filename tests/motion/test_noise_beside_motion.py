@@ -72,9 +72,7 @@ def test_rows_at_rest_tell_nothing_of_the_noise(rate: int, held: str, rest: floa
 
 @pytest.mark.parametrize("columns", [[3, 4, 5], [0, 1, 2], [2], [0, 4]])
 @pytest.mark.parametrize("rests", [RESTS[1:2], RESTS[2:], RESTS])
-def test_some_numbers_at_rest_tell_nothing_of_their_noise(
-    columns: list[int], rests: list[tuple[float, float]]
-) -> None:
+def test_columns_at_rest_tell_nothing_of_noise(columns: list[int], rests: list[tuple[float, float]]) -> None:
     _, said = read_standing(np.arange(0.3, 4.5, 0.005), len(columns), rests, columns)
     names = ", ".join(f"{'t' if column < 3 else 'theta'}_{'xyz'[column % 3]}" for column in columns)
     assert sum(f" of {names} stand still" in line for line in said) == 1
@@ -259,9 +257,7 @@ def test_a_statement_far_from_the_scatter_is_a_warning_naming_both(
 
 
 @pytest.mark.parametrize("decimals", [3, None])
-def test_a_statement_is_compared_with_the_motion_where_no_scatter_shows(
-    tmp_path: Path, decimals: int | None
-) -> None:
+def test_a_statement_is_compared_with_motion_without_scatter(tmp_path: Path, decimals: int | None) -> None:
     time = np.linspace(0.0, 4.0, 401)
     table = np.column_stack([time, [0.2, 0.0, 0.5, 0, 0, 0] + 0.05 * np.sin(time[:, None] + np.arange(6))])
     log = write(tmp_path / "log.csv", NAMES, table if decimals is None else np.round(table, decimals))

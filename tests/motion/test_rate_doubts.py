@@ -32,9 +32,7 @@ def with_rates(time: Array, legs: bool = False) -> tuple[list[str], Array]:
 
 @pytest.mark.parametrize("legs", [False, True], ids=["poses", "legs"])
 @pytest.mark.parametrize(("unit", "words"), [(1e3, "ms"), (1e6, "us"), (1e-3, "are rates in another unit")])
-def test_rates_that_times_contradict_by_a_unit_are_warned_of(
-    tmp_path: Path, unit: float, words: str, legs: bool
-) -> None:
+def test_rates_of_another_unit_of_time_are_told(tmp_path: Path, unit: float, words: str, legs: bool) -> None:
     names, table = with_rates(np.linspace(0.0, 2.0, 41), legs)
     table[:, 0] *= unit
     with pytest.warns(
@@ -98,9 +96,7 @@ TOLD, NOT_TOLD = (0.23, 0.35, 0.35, 0.35, 0.35, 0.35), (0.12, 0.02, 0.25, 0.25, 
 @pytest.mark.parametrize("kind", [3, 6], ids=["poses", "legs"])
 @pytest.mark.parametrize("noise", [0.0, 0.01], ids=["", "noisy"])
 @pytest.mark.parametrize("sizes", [TOLD, NOT_TOLD], ids=["told", "not told"])
-def test_a_wrong_part_of_rates_is_told_whatever_its_frequency(
-    sizes: tuple[float, ...], noise: float, kind: int
-) -> None:
+def test_a_wrong_part_of_any_frequency_is_told(sizes: tuple[float, ...], noise: float, kind: int) -> None:
     """Also where it is orthogonal to the motion and accelerations agree with it."""
     time, rng = np.linspace(0.0, 1.0, 201), np.random.default_rng(0)
     names = [[f"{each}_{axis}" for axis in "xyzuvw"] for each in "tva"]

@@ -144,9 +144,7 @@ def read_at(folder: Path, written: Array, true: Array) -> tuple[Array, list[str]
 
 
 @pytest.mark.parametrize("rate", [60.0, 75.0, 80.0, 90.0])
-def test_times_that_two_clocks_have_are_those_under_which_the_numbers_scatter_less(
-    tmp_path: Path, rate: float
-) -> None:
+def test_times_of_two_clocks_are_those_under_which_numbers_scatter_less(tmp_path: Path, rate: float) -> None:
     """Rounded to 10 ms, or of rows of a clock of 100 Hz of which some are missing as regularly."""
     even = np.arange(300) / rate
     written = np.round(even, 2)

@@ -88,7 +88,7 @@ def test_rows_are_poses_of_the_tool(robot: ss.Robot, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("moments", [True, False])
-def test_a_load_beside_lengths_acts_at_the_tool_as_beside_poses(
+def test_a_load_beside_lengths_or_poses_acts_at_the_tool(
     robot: ss.Robot, tmp_path: Path, moments: bool
 ) -> None:
     time = np.linspace(0.0, 1.0, 11)
@@ -181,9 +181,7 @@ def test_the_motion_that_identify_writes_is_read_as_the_robot_says(
 
 
 @pytest.mark.parametrize("command", ["singularities", "simulate"])
-def test_subcommands_read_rows_as_poses_of_the_tool(
-    command: str, robot: ss.Robot, tmp_path: Path, run: Run
-) -> None:
+def test_subcommands_read_poses_of_the_tool(command: str, robot: ss.Robot, tmp_path: Path, run: Run) -> None:
     """As they read the same rows for the machine whose reference point is the tool."""
     there = dataclasses.replace(
         robot, p=robot.p - TOOL, R_0=robot.R_0 - TOOL, tool=np.zeros(3), home=robot.home + TOOL

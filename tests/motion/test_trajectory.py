@@ -117,9 +117,7 @@ def test_between_breaks_accelerations_integrate_to_velocities(path: ss.StraightL
     end=st.tuples(*[st.floats(-5.0, 5.0)] * 3).filter(lambda x: np.linalg.norm(x) > 1e-3),
     tau=st.floats(0.0, 1.0),
 )
-def test_path_is_symmetric_in_time(
-    share: float, tau_f: float, end: tuple[float, float, float], tau: float
-) -> None:
+def test_paths_are_symmetric(share: float, tau_f: float, end: tuple[float, float, float], tau: float) -> None:
     speed = float(np.linalg.norm(end)) / tau_f * (1.0 + share)
     path = ss.StraightLinePath((0, 0, 0), (0, 0, 0), end, (0, 0, 0), tau_f, V=speed, Omega=1.0)
     size = float(np.linalg.norm(end))

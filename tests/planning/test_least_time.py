@@ -31,9 +31,7 @@ from stewart_sym.planning.timing.phase_plane import highest, lowest
         *(pytest.param(seed, True, marks=pytest.mark.slow) for seed in (0, 4, 10)),
     ],
 )
-def test_least_time_is_that_of_collocation_with_viscous_friction_and_without(
-    seed: int, friction: bool
-) -> None:
+def test_least_time_is_that_of_collocation_with_viscous_friction_or_none(seed: int, friction: bool) -> None:
     robot, path = limited_case(seed, friction=friction)
     found = time_path(robot, path, cells=150)
     expected = extrapolated(lambda cells: collocation_duration(found, cells), 125)

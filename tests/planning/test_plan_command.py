@@ -86,9 +86,7 @@ def test_joint_angles_are_reported_beside_their_limits_and_named_where_these_are
 
 
 @pytest.mark.slow
-def test_limits_of_the_motors_bound_the_plan_and_their_rated_torque_is_checked(
-    folder: Path, run: Run
-) -> None:
+def test_limits_of_motors_bound_the_plan_and_their_rated_torque_is_checked(folder: Path, run: Run) -> None:
     file = folder / "hexapod.toml"
     free = file.read_text()
     drive = "\n[legs.drive]\nlead = -0.005\ntorque_constant = 0.5\nspeed_limit = 100.0\ntorque_limit = 0.2\n"

@@ -235,9 +235,7 @@ def test_check_says_on_which_side_of_the_base_a_platform_stands(
 
 
 @pytest.mark.parametrize("gravity", [[9.81, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 6.0, -7.0]])
-def test_check_names_no_side_where_gravity_does_not_act_across_the_base(
-    gravity: list[float], check: Check
-) -> None:
+def test_check_names_no_side_where_gravity_is_not_across_the_base(gravity: list[float], check: Check) -> None:
     assert "side of the base stands" not in check(dataclasses.replace(unlimited(), g=gravity)).out
 
 

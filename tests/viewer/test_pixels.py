@@ -175,17 +175,13 @@ def ends_off(picture: NDArray[np.int64], wanted: Array, lines: Array, leg: int) 
     return max(abs(float(each)) for each, skip in zip(found, crowded, strict=True) if not skip)
 
 
-def test_bodies_of_legs_have_the_colours_of_the_forces(
-    opened: Opened, shown: tuple[Robot, Instants, str]
-) -> None:
+def test_bodies_of_legs_have_the_forces_colours(opened: Opened, shown: tuple[Robot, Instants, str]) -> None:
     for picture, lines, leg, wanted in legs_seen(opened, *shown[:2]):
         on = off(of_colour(picture, wanted), lines[leg]) < 12.0
         assert on.sum() > 100, (leg, on.sum())
 
 
-def test_formulations_side_by_side_have_their_own_colours(
-    opened: Opened, shown: tuple[Robot, Instants, str]
-) -> None:
+def test_formulations_have_colours_side_by_side(opened: Opened, shown: tuple[Robot, Instants, str]) -> None:
     robot, instants, _ = shown
     opened.page.select_option("#sets", "side by side")
     opened.do(LINES)

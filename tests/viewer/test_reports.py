@@ -148,9 +148,7 @@ def test_a_page_goes_over_no_input_and_no_other_result(folder: Path, fails: Fail
         (("hexapod.toml", "hexapod.toml"), "unknown column"),
     ],
 )
-def test_view_says_in_one_line_what_is_wrong(
-    folder: Path, fails: Fails, arguments: tuple[str, ...], words: str
-) -> None:
+def test_view_fails_in_one_line(folder: Path, fails: Fails, arguments: tuple[str, ...], words: str) -> None:
     before = sorted(folder.iterdir())
     assert words in fails("view", *arguments)
     assert sorted(folder.iterdir()) == before
