@@ -115,49 +115,21 @@ def sound_machine(rng: np.random.Generator) -> Robot:
     return machine_of(rng, b, p, t, joint, bool(rng.random() < 0.6), gravity)
 
 
-# Published machines: base points, platform points, home position
-
-
 def published() -> dict[str, tuple[Array, Array, Array]]:
-    m2_b = [[0, 1701.8, 114.3], [-1542.35, -719.21, 114.3], [1542.35, -719.21, 114.3]]
-    m2_b += [[0.79, 1460.49, 228.6], [-1503.37, 7.66, 228.6], [1503.37, 7.66, 228.6]]
-    m2_p = [[0, 1701.8, 607.3], [-1542.35, -719.21, 607.3], [1542.35, -719.21, 607.3]]
-    m2_p += [[493.79, 1460.49, 228.6], [-1256.87, -419.29, 228.6], [1256.87, -419.29, 228.6]]
-    camera_b = [[227.6, 653.8], [-227.6, 653.8], [-680, -129.7], [-452.3, -524], [452.3, -524], [680, -129.7]]
-    camera_p = [[472.8, 512.2], [-472.8, 512.2], [-680, 153.3], [-207.2, -665.5], [207.2, -665.5]]
-    camera_p += [[680, 153.3]]
-    tsai_b = [[-2.12, 1.374], [-2.38, 1.224], [-2.38, -1.224], [-2.12, -1.374], [0, -0.15], [0, 0.15]]
-    tsai_p = [[0.17, 0.595], [-0.6, 0.15], [-0.6, -0.15], [0.17, -0.595], [0.43, -0.445], [0.43, 0.445]]
+    """Base points, platform points and home position of the package's machines and of others."""
 
-    def flat(points: object, z: float, unit: float = 1.0) -> Array:
-        return unit * np.column_stack([np.asarray(points, dtype=np.float64), np.full(6, z)])
+    def pairs(radius: float, half: float) -> Array:
+        return ring(radius, [c + d * half for c in (0, 120, 240) for d in (-1, 1)])
 
-    def sixth(radius: float, half: float, z: float, start: float = 0.0) -> Array:
-        return ring(radius, [start + c + d * half for c in (0, 120, 240) for d in (-1, 1)], z)
-
-    zero = np.zeros(3)
     up = np.array([0.0, 0.0, 1.0])
-    return {
-        "Tsai 2000": (flat(tsai_b, 0), flat(tsai_p, -0.4), np.array([-1.5, 0, 1])),
-        "UNAL": (
-            ring(0.15, 90 - np.array([10, 110, 130, 230, 250, 350]), 0.038),
-            ring(0.09, 90 - np.array([45, 75, 165, 195, 285, 315]), -0.052),
-            0.75 * up,
-        ),
-        "MathWorks 2002": (sixth(3, 2.5, 0), np.roll(sixth(1, 10, 0, 60), 1, axis=0), 2 * up),
+    ours = [ss.robots.load(name) for name in ss.robots.NAMES if name != "dasgupta1998"]
+    return {robot.name: (robot.b, robot.p, robot.home) for robot in ours} | {
         "krex4715": (
             ring(0.12, [20, 100, 140, 220, 260, 340]),
             ring(0.095, [40, 80, 160, 200, 280, 320]),
             0.39 * up,
         ),
-        "Rubin camera": (flat(camera_b, -525, 1e-3), flat(camera_p, -121.4, 1e-3), zero),
-        "Rubin M2": (1e-3 * np.array(m2_b), 1e-3 * np.array(m2_p), zero),
-        "nano-hexapod": (
-            sixth(0.115, 10, 0.015),
-            ring(0.09, [-50, 50, 70, 170, 190, -70], -0.015),
-            0.09 * up,
-        ),
-        "TU Braunschweig": (sixth(0.25145, 48.53, 0), sixth(0.2169, 12.86, 0), 0.5 * up),
+        "TU Braunschweig": (pairs(0.25145, 48.53), pairs(0.2169, 12.86), 0.5 * up),
     }
 
 
