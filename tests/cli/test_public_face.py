@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from machines import random_motion, random_robot
+from machines import machine_in_motion
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
@@ -129,9 +129,7 @@ def test_signatures_name_their_types_and_fit_a_screen() -> None:
 
 
 def test_pairs_of_results_say_which_is_which() -> None:
-    rng = np.random.default_rng(1)
-    robot = random_robot(rng)
-    motion = random_motion(rng, robot)
+    robot, motion = machine_in_motion(1)
     found = ss.inverse_dynamics(robot, motion)
     legs = ss.inverse_kinematics(robot, motion)
     dynamics = ss.forward_dynamics(robot, motion, found.F)

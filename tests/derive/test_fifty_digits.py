@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 from fifty_digits import DIGITS, columns, forces, further, orthonormal, orthonormal_inputs, truth
-from machines import dasgupta, random_motion, random_robot, random_robot_of
+from machines import dasgupta, machine_in_motion, random_motion, random_robot, random_robot_of
 from motion_fields import FIELDS
 from mpmath import mp
 from numpy.typing import NDArray
@@ -106,9 +106,7 @@ def wrench(robot: Robot, motion: Motion) -> Array:
 @pytest.mark.parametrize("friction", [True, False])
 @pytest.mark.parametrize("seed", range(10))
 def test_regressor_times_parameters_is_the_wrench_of_actuators_and_load(seed: int, friction: bool) -> None:
-    rng = np.random.default_rng(seed)
-    robot = random_robot(rng, friction=friction)
-    motion = random_motion(rng, robot, (5, 2))
+    robot, motion = machine_in_motion(seed, (5, 2), friction=friction)
     Y, pi = ss.regressor(robot, motion), ss.inertial_parameters(robot)
     assert Y.shape == (5, 2, 6, 148)
     expected = wrench(robot, motion)
@@ -151,7 +149,6 @@ def test_parameters_are_named_and_placed_as_the_columns() -> None:
 
 def test_regressor_depends_on_the_geometry_alone() -> None:
     rng = np.random.default_rng(4)
-    robot = random_robot(rng)
-    motion = random_motion(rng, robot, (3,))
+    robot, motion = machine_in_motion(rng, (3,))
     other = ss.Robot(**{**vars(random_robot(rng)), "b": robot.b, "p": robot.p, "k": robot.k, "g": robot.g})
     assert np.array_equal(ss.regressor(robot, motion), ss.regressor(other, motion))

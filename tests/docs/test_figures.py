@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from machines import dasgupta, random_motion, random_robot
+from machines import dasgupta, machine_in_motion
 from numpy.typing import NDArray
 from pages import DOCS, PAGES, TOP, blocks, prepared, prose_of, table_row
 from pinocchio_model import pinocchio_inverse_dynamics
@@ -65,9 +65,7 @@ def test_work_differs_from_energy_by_what_the_page_says(name: str) -> None:
 def test_paper_differs_from_pinocchio_on_random_machines_by_what_the_page_says() -> None:
     errors = []
     for seed in range(60):
-        rng = np.random.default_rng(seed)
-        robot = random_robot(rng)
-        motion = random_motion(rng, robot, (3,))
+        robot, motion = machine_in_motion(seed, (3,))
         truth = np.array([pinocchio_inverse_dynamics(robot, motion[i]).F for i in range(3)])
         errors.append(rms(ss.inverse_dynamics(robot, motion, "paper").F - truth, truth))
     said = re.search(r"off by (\d+) % at least and by (\d+) % in the median", prose_of(FAULTS))

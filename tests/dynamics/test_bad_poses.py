@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 from command_line import rejects
-from machines import Array, dasgupta, random_motion, random_robot
+from machines import Array, dasgupta, machine_in_motion, random_motion, random_robot
 from motion_fields import FIELDS, UNLOADED, stacked
 from numpy.typing import NDArray
 from unsolvable_poses import BACKENDS, CASES, at_rest, semiregular
@@ -66,8 +66,7 @@ def test_reactions_that_overflow_are_reported(backend, shape: tuple[int, ...]) -
 def test_a_leg_of_length_zero_is_seen_wherever_the_base_stands(backend, base_joint: str) -> None:
     """Of S = q + t - b only rounding is left, of the size of the base's distance and not of the leg's."""
     rng = np.random.default_rng(7)
-    robot = random_robot(rng, base_joint)
-    poses = random_motion(rng, robot, (18,), load=False)
+    robot, poses = machine_in_motion(rng, (18,), base_joint, load=False)
     for i in range(18):
         offset = 10 ** rng.uniform(-2, 4) * rng.uniform(-1, 1, 3)
         away, leg = dataclasses.replace(robot, b=robot.b + offset), i % 6

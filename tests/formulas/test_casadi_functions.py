@@ -8,7 +8,7 @@ import casadi
 import numpy as np
 import pytest
 from leaning_legs import leaning
-from machines import MACHINES, dasgupta, random_motion, random_robot
+from machines import MACHINES, dasgupta, machine_in_motion, random_motion
 from motion_fields import FIELDS
 from sweeps import slow_but
 
@@ -55,8 +55,7 @@ def test_values_are_those_of_the_c(machine: str, checked: bool) -> None:
 
 def test_statuses_are_those_of_the_c_and_numbers_are_nan_there() -> None:
     rng = np.random.default_rng(51)
-    upright = random_robot(rng)
-    motion = random_motion(rng, upright)
+    upright, motion = machine_in_motion(rng)
     for sine, status in ((0.01, 0), (1e-5, 0), (1e-14, 3)):
         robot = leaning(upright, motion, sine, 2, rng.normal(size=3))
         F, codes = ss.prepare(robot).forces_and_status(motion)

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 import sympy as sp
-from machines import MACHINES, dasgupta, random_motion, random_robot
+from machines import MACHINES, dasgupta, machine_in_motion, random_motion, random_robot
 from motion_fields import FIELDS
 
 import stewart_sym as ss
@@ -56,9 +56,7 @@ def test_formulas_of_any_machine_have_the_values_of_the_c() -> None:
     ("formulation", "joint"), [("exact", "spherical"), ("paper", "universal"), ("paper", "spherical")]
 )
 def test_every_formulation_has_formulas_of_its_forces(formulation: Any, joint: str) -> None:
-    rng = np.random.default_rng(41)
-    robot = random_robot(rng, joint)
-    motion = random_motion(rng, robot)
+    robot, motion = machine_in_motion(41, base_joint=joint)
     expected = ss.inverse_dynamics(robot, motion, formulation=formulation)
     for name in ("F", "D"):
         close(value(ss.symbolic(robot, name, formulation=formulation), motion), getattr(expected, name))

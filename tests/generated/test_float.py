@@ -14,7 +14,7 @@ import pytest
 import scalar_kernels
 from attack_build import GENERATED, SOME, SOME_WITH_ROTORS
 from builds import run
-from machines import dasgupta, random_motion, random_robot, with_random_drives
+from machines import dasgupta, machine_in_motion, random_motion, random_robot, with_random_drives
 from motion_fields import FIELDS
 from numpy.typing import NDArray
 from scalar_kernels import BOUND, any_machine, numbers
@@ -204,8 +204,7 @@ def same_bits(left: NDArray[np.float64], right: NDArray[np.float64]) -> bool:
 def test_units_are_powers_of_two_near_the_machine_and_change_back_to_the_bit(base_joint: str) -> None:
     rng = np.random.default_rng(62)
     for scale in (1e-4, 1e-3, 0.1, 1.0, 10.0, 1e3):
-        robot = random_robot(rng, base_joint, scale=scale)
-        motion = random_motion(rng, robot, (4,))
+        robot, motion = machine_in_motion(rng, (4,), base_joint, scale=scale)
         own = Units.of(robot)
         assert all(math.frexp(unit)[0] == 0.5 for unit in dataclasses.astuple(own))
         small, moved = own.robot(robot), own.motion(motion)
@@ -229,8 +228,7 @@ def test_units_are_powers_of_two_near_the_machine_and_change_back_to_the_bit(bas
 def test_no_unit_changes_a_bit_of_the_forces(base_joint: str, precision: Any) -> None:
     rng = np.random.default_rng(63)
     for scale, other in ((1e-3, 2.0**-20), (1e-3, 2.0**20), (1e3, 2.0**-8), (1.0, 2.0**10)):
-        robot = random_robot(rng, base_joint, scale=scale)
-        motion = random_motion(rng, robot, (20,))
+        robot, motion = machine_in_motion(rng, (20,), base_joint, scale=scale)
         # Both outside the sizes at which moments stay in metres, but for the last.
         unit = Units(other, 2.0**-20, 2.0**5)
         given = [(robot, motion), (unit.robot(robot), unit.motion(motion))]

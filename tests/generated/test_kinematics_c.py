@@ -18,7 +18,7 @@ from kinematics_calls import (
     velocity,
 )
 from leg_lengths import lengths, nudged, paper_poses
-from machines import dasgupta, machine_size, random_motion, random_robot
+from machines import dasgupta, machine_in_motion, machine_size, random_motion, random_robot
 from numpy.typing import NDArray
 
 import stewart_sym as ss
@@ -102,8 +102,7 @@ BOUND = """static int most_steps = 1;
 
 def test_header_counts_are_what_the_c_executes(tmp_path: Path) -> None:
     rng = np.random.default_rng(5)
-    robot = random_robot(rng)
-    motion = random_motion(rng, robot)
+    robot, motion = machine_in_motion(rng)
     R, t = nudged(rng, motion.R[None], motion.t[None], 0.3, 0.3 * machine_size(robot))
     calls = Template(COUNTED + REPORT).substitute(
         FAR=f"{{{{{listed(R)}}}, {{{listed(t)}}}}}",

@@ -6,7 +6,7 @@ from contextlib import contextmanager
 
 import numpy as np
 import pytest
-from machines import dasgupta, home_position, machine_size, random_motion, random_robot
+from machines import dasgupta, home_position, machine_in_motion, machine_size, random_motion
 
 import stewart_sym as ss
 from stewart_sym import results
@@ -36,9 +36,7 @@ def numpy_alone(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
 def test_many_poses_are_those_of_numpy(
     scale: float, accelerations: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    rng = np.random.default_rng(5)
-    robot = random_robot(rng, scale=scale)
-    motion = random_motion(rng, robot, (3, MANY // 3 + 1))
+    robot, motion = machine_in_motion(5, (3, MANY // 3 + 1), scale=scale)
     if not accelerations:
         motion = ss.Motion(motion.R, motion.t, motion.omega, motion.v)
     assert inverse._compiled_legs(robot, motion) is not None

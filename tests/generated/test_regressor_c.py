@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from fifty_digits import DIGITS, block_inputs, whole_regressor
 from leaning_legs import leaning
-from machines import dasgupta, home_position, machine_size, random_motion, random_robot
+from machines import dasgupta, home_position, machine_in_motion, machine_size, random_motion
 from mpmath import mp
 
 import stewart_sym as ss
@@ -58,9 +58,7 @@ def faulty(robot: Robot) -> tuple[Motion, list[int]]:
 @pytest.mark.parametrize("seed", range(8))
 @pytest.mark.usefixtures("rounded_twice")
 def test_numpy_has_the_same_bits_and_the_reference_the_same_numbers(seed: int) -> None:
-    rng = np.random.default_rng(seed)
-    robot = random_robot(rng)
-    motion = random_motion(rng, robot, (3, 5))
+    robot, motion = machine_in_motion(seed, (3, 5))
     Y = ss.regressor(robot, motion)
     np.testing.assert_array_equal(Y, ss.regressor(robot, motion, backend="numpy"))
     expected = ss.regressor(robot, motion, backend="reference")
@@ -72,8 +70,7 @@ def test_numpy_has_the_same_bits_and_the_reference_the_same_numbers(seed: int) -
 def test_one_pose_is_the_batch_and_chosen_columns_are_those_of_all_bit_for_bit() -> None:
     rng = np.random.default_rng(3)
     for _ in range(4):
-        robot = random_robot(rng)
-        motion = random_motion(rng, robot, (11,))
+        robot, motion = machine_in_motion(rng, (11,))
         Y = ss.regressor(robot, motion)
         np.testing.assert_array_equal(ss.regressor(robot, motion, columns=SOME), Y[..., SOME])
         for i in range(11):
@@ -84,8 +81,7 @@ def test_one_pose_is_the_batch_and_chosen_columns_are_those_of_all_bit_for_bit()
 def near_joint_singularity(seed: int, sine: float) -> tuple[Robot, Motion]:
     """A machine and a pose with legs 2 and 5 at an angle of this sine to their axes."""
     rng = np.random.default_rng(seed)
-    robot = random_robot(rng)
-    motion = random_motion(rng, robot)
+    robot, motion = machine_in_motion(rng)
     for leg in (1, 4):
         robot = leaning(robot, motion, sine, leg, rng.normal(size=3))
     return robot, motion
@@ -122,8 +118,7 @@ def test_float_has_the_digits_of_float() -> None:
     """Beside the largest column of the same parameter, of any leg."""
     rng = np.random.default_rng(5)
     for _ in range(20):
-        robot = random_robot(rng, scale=1.0)
-        motion = random_motion(rng, robot)
+        robot, motion = machine_in_motion(rng, scale=1.0)
         found, status = one_pose(robot, motion, dtype=np.float32)
         assert status == OK
         expected, _ = one_pose(robot, motion)
@@ -199,9 +194,7 @@ def test_without_a_compiler_numpy_serves_and_says_so(monkeypatch: pytest.MonkeyP
     def nothing(name: str) -> ctypes.CDLL:
         raise native.CompilerError("none")
 
-    rng = np.random.default_rng(1)
-    robot = random_robot(rng)
-    motion = random_motion(rng, robot, (2,))
+    robot, motion = machine_in_motion(1, (2,))
     expected = ss.regressor(robot, motion)
     monkeypatch.setattr(parameters, "library", nothing)
     inverse._say_once.cache_clear()

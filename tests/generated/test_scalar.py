@@ -7,7 +7,7 @@ from typing import Any, cast
 import numpy as np
 import pytest
 from leaning_legs import leaning
-from machines import random_motion, random_robot
+from machines import machine_in_motion, random_motion, random_robot
 from near_singular import near_singular_motion
 from scalar_kernels import BOUND, UNTOUCHED, Array, Kernel, compiled, numbers, prepared
 from sweeps import FULL, slow_but
@@ -70,9 +70,7 @@ def agree(kernel: Kernel, robot: Robot, motion: Motion, formulation: str, level:
 def test_every_level_answers_as_with_lanes(level: str, precision: str) -> None:
     # Moments are taken over a length but for scales near one.
     for seed, scale in ((1, 1.0), (2, 1e-3), (3, 10.0), (4, 100.0)):
-        rng = np.random.default_rng(seed)
-        robot = random_robot(rng, scale=scale)
-        motion = random_motion(rng, robot, (20,))
+        robot, motion = machine_in_motion(seed, (20,), scale=scale)
         agree(prepared(robot, "exact", level, precision), robot, motion, "exact", level)
 
 
@@ -85,9 +83,7 @@ def test_every_formulation_and_joint_answers_as_with_lanes(
     formulation: str, joint: str, precision: str
 ) -> None:
     for seed in range(3):
-        rng = np.random.default_rng(seed)
-        robot = random_robot(rng, joint)
-        motion = random_motion(rng, robot, (20,))
+        robot, motion = machine_in_motion(seed, (20,), joint)
         kernel = prepared(robot, formulation, "general", precision)
         agree(kernel, robot, motion, formulation, "general")
 
@@ -103,8 +99,7 @@ def test_near_a_joint_singularity_status_and_code_path_are_those_of_the_lanes(
     rng = np.random.default_rng(9)
     seen = set()
     for sine in 10.0 ** rng.uniform(-17, 0, 40):
-        robot = random_robot(rng)
-        motion = random_motion(rng, robot)
+        robot, motion = machine_in_motion(rng)
         robot = leaning(robot, motion, float(sine))
         kernel = prepared(robot, formulation, "general", precision)
         lanes = ss.prepare(robot, formulation, precision)  # type: ignore[arg-type]

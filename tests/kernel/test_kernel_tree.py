@@ -14,7 +14,7 @@ import pytest
 from formulations import of_each_formulation
 from kernel_cases import ON_ARRAYS, beside_the_joint_axis, motion_numbers, robot_numbers
 from kits import few_vectors
-from machines import dasgupta, random_motion, random_robot, random_robot_of
+from machines import dasgupta, machine_in_motion, random_motion, random_robot, random_robot_of
 from motion_fields import FIELDS
 from robot_files import PAPERS
 from sweeps import FULL, UNFUSED
@@ -72,9 +72,7 @@ def test_near_and_at_a_joint_singularity_forces_and_statuses_are_those_of_the_c(
 
 @pytest.mark.usefixtures("rounded_twice")
 def test_fidelities_have_trees_as_well() -> None:
-    rng = np.random.default_rng(8)
-    robot = random_robot(rng)
-    motion = random_motion(rng, robot, (5,))
+    robot, motion = machine_in_motion(8, (5,))
     for name in ("slender_friction",) if not FULL else set(FIDELITIES) - {"general"}:
         F, status = forces_of(program(reduced_fidelity(EXACT, FIDELITIES[name])), robot, motion)
         expected, codes = ss.prepare(robot, fidelity=name).forces_and_status(motion)
@@ -97,9 +95,7 @@ def test_jax_compiles_and_differentiates_the_forces(tmp_path: Path) -> None:
     import jax
     import jax.numpy as jnp
 
-    rng = np.random.default_rng(12)
-    robot = random_robot(rng)
-    motion = random_motion(rng, robot, (7,))
+    robot, motion = machine_in_motion(12, (7,))
     with jax.enable_x64(True):
         printed = printed_python(robot, tmp_path, fidelity="massless")
         on = printed["Arithmetic"](jnp)

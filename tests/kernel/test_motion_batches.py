@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from machines import random_motion, random_robot
+from machines import machine_in_motion
 
 import stewart_sym as ss
 from stewart_sym import results
@@ -31,8 +31,7 @@ def cases() -> list[tuple[ss.Robot, ss.Motion]]:
     found = []
     for seed in range(6):
         rng = np.random.default_rng(seed)
-        robot = random_robot(rng, scale=1e-3 if seed == 5 else None)
-        motion = random_motion(rng, robot, (COUNT,))
+        robot, motion = machine_in_motion(rng, (COUNT,), scale=1e-3 if seed == 5 else None)
         if seed == 4:
             robot = dataclasses.replace(robot, p=robot.b)
         parts = {name: np.array(getattr(motion, name)) for name in MOTION}

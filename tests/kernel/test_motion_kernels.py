@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from fifty_digits import as_stored
 from kernel_cases import beside_the_joint_axis
-from machines import dasgupta, random_motion, random_robot
+from machines import dasgupta, machine_in_motion, random_motion, random_robot
 from motion_fields import FIELDS
 from numpy.typing import NDArray
 
@@ -136,9 +136,7 @@ def test_inertias_of_no_body_have_a_status_of_their_own(backend: str) -> None:
 
 
 def test_one_state_gives_what_the_batch_gives() -> None:
-    rng = np.random.default_rng(13)
-    robot = random_robot(rng)
-    motion = random_motion(rng, robot)
+    robot, motion = machine_in_motion(13)
     F = forces(robot, motion)
     acceleration, status = CClosedForm(robot).one_state()(motion, F)
     assert status == OK

@@ -16,7 +16,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from builds import run
-from machines import random_motion, random_robot
+from machines import machine_in_motion, random_motion, random_robot
 from reduced_machines import as_simple_as, at_rest
 
 import stewart_sym as ss
@@ -89,9 +89,7 @@ RUN = {
 
 def case() -> tuple[ss.Robot, ss.Motion, np.ndarray]:
     """A machine, a motion and the momentum that it has."""
-    rng = np.random.default_rng(51)
-    robot = random_robot(rng)
-    motion = random_motion(rng, robot)
+    robot, motion = machine_in_motion(51)
     M = ss.equations_of_motion(robot, motion).M
     return robot, motion, M @ np.concatenate([motion.v, motion.omega])
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from command_line import Fails, folder_state, read
 from command_line import Run as RunCommand
-from machines import dasgupta, home_position, machine_size, random_motion, random_robot
+from machines import dasgupta, home_position, machine_in_motion, machine_size, random_robot
 from numpy.typing import NDArray
 from robot_files import PAPERS
 
@@ -99,9 +99,7 @@ def test_on_heavy_legs_exact_errs_less_than_paper_and_paper_less_than_massless()
 
 
 def test_models_are_the_inverse_dynamics_they_are_named_after() -> None:
-    rng = np.random.default_rng(4)
-    robot = random_robot(rng)
-    motion = random_motion(rng, robot, load=False)
+    robot, motion = machine_in_motion(4, load=False)
     laws = control.controllers(robot, lambda _: motion, STEADY)
     expected = {
         "exact": ss.inverse_dynamics(robot, motion).F,
@@ -117,8 +115,7 @@ def test_models_are_the_inverse_dynamics_they_are_named_after() -> None:
 
 def test_gravity_compensation_pushes_by_the_wrench_of_its_gains() -> None:
     rng = np.random.default_rng(7)
-    robot = random_robot(rng)
-    state = random_motion(rng, robot, load=False)
+    robot, state = machine_in_motion(rng, load=False)
     off = 0.01 * rng.normal(size=3)
     wanted = ss.Motion(state.R, state.t + off, ZERO, ZERO, ZERO, ZERO)
     inertia = ss.equations_of_motion(robot, state).M

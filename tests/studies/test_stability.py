@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 from command_line import Run
-from machines import random_motion, random_robot
+from machines import machine_in_motion, random_motion, random_robot
 from sweeps import share
 
 import stewart_sym as ss
@@ -58,9 +58,7 @@ def test_the_check_agrees_with_fifty_digits() -> None:
 
 
 def test_the_check_sees_an_error_of_a_few_units() -> None:
-    rng = np.random.default_rng(2)
-    robot = random_robot(rng)
-    motion = random_motion(rng, robot)
+    robot, motion = machine_in_motion(2)
     wrong = dataclasses.replace(robot, M=robot.M * (1.0 + 1e-9))
     truth = Truth(wrong).forces(motion)
     checked = oracle.check_poses([robot], [motion])

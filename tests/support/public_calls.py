@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 import sympy as sp
-from machines import random_motion, random_robot
+from machines import machine_in_motion
 
 import stewart_sym as ss
 from stewart_sym.motion.trajectory import Trajectory
@@ -41,8 +41,7 @@ class Call:
 def calls() -> dict[str, Call]:
     """Name, as in ``stewart_sym.__all__`` up to a dot -> call; shapes () where there is a choice."""
     rng = np.random.default_rng(60)
-    robot = random_robot(rng, scale=1.0)
-    motion = random_motion(rng, robot)
+    robot, motion = machine_in_motion(rng, scale=1.0)
     parts = {name: getattr(motion, name) for name in ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")}
     F = ss.inverse_dynamics(robot, motion).F
     driven = dataclasses.replace(robot, drive=ss.Drive(lead=5e-3, torque_constant=0.5))

@@ -3,7 +3,7 @@
 import dataclasses
 
 import numpy as np
-from machines import random_motion, random_robot
+from machines import machine_in_motion
 
 from stewart_sym.planning.plan_path import plan_path
 from stewart_sym.planning.pose_path import Family, PosePath, ViaPose
@@ -16,9 +16,7 @@ ROOM = 2.5
 
 def via_case(seed: int, count: int = 5, friction: bool = True) -> tuple[Robot, tuple[ViaPose, ...]]:
     """A machine without limits, and via poses."""
-    rng = np.random.default_rng(seed)
-    robot = random_robot(rng, friction=friction)
-    motion = random_motion(rng, robot, (count,), load=False)
+    robot, motion = machine_in_motion(seed, (count,), friction=friction, load=False)
     return robot, tuple(ViaPose(R, t) for R, t in zip(motion.R, motion.t, strict=True))
 
 

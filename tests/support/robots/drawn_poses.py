@@ -3,7 +3,7 @@
 import dataclasses
 
 import numpy as np
-from machines import random_motion, random_robot
+from machines import machine_in_motion
 from near_singular import DTYPE
 
 import stewart_sym as ss
@@ -25,8 +25,7 @@ def drawn(rng: np.random.Generator, precision: str) -> tuple[Robot, Motion, floa
     sine = np.exp(rng.uniform(np.log(0.5 * least), np.log(0.5)))
     if rng.random() < 0.25:
         sine = PATH * (1 + 1e-6 * rng.normal())
-    robot = random_robot(rng)
-    motion = random_motion(rng, robot)
+    robot, motion = machine_in_motion(rng)
     s = ss.inverse_kinematics(robot, motion).s
     across = np.cross(s, rng.normal(size=(6, 3)))
     across /= np.linalg.norm(across, axis=-1, keepdims=True)

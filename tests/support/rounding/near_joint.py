@@ -13,7 +13,7 @@ import re
 
 import numpy as np
 from leaning_legs import leaning
-from machines import Array, in_axes, random_motion, random_robot
+from machines import Array, in_axes, machine_in_motion
 from sweep_machines import wider
 
 import stewart_sym as ss
@@ -61,8 +61,7 @@ def axisymmetric(robot: Robot, axial_inertia: float) -> Robot:
 
 def random_case(rng: np.random.Generator, kind: str, deepest: float = 12.0) -> tuple[Robot, Motion, Array]:
     """A machine near a degenerate leg, its motion and actuator forces of the size that the motion needs."""
-    robot = random_robot(rng, friction=bool(rng.integers(2)))
-    motion = random_motion(rng, robot)
+    robot, motion = machine_in_motion(rng, friction=bool(rng.integers(2)))
     if rng.integers(4) == 0:
         motion = dataclasses.replace(motion, omega=np.zeros(3), v=np.zeros(3))
     sine = 10 ** -rng.uniform(0.0, deepest)
