@@ -23,7 +23,7 @@ import pytest
 from command_line import Run, rejects
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from robot_files import PAPERS
+from robot_files import PAPERS, PRESS
 from sweeps import share
 
 import stewart_sym as ss
@@ -340,19 +340,13 @@ ODD = st.one_of(
 def sound_tables(schema: int) -> dict[str, Any]:
     if schema == 1:
         return ss.robots.dasgupta1998().to_dict()
-    camera = tomllib.loads(ss.robots.text("rubin_camera"))
-    piece = {"shape": "box", "size": [100.0, 100.0, 50.0], "density": 2700.0, "center": [0.0, 0.0, 30.0]}
-    camera["platform"]["body"] = [
-        camera["platform"]["body"],
-        piece,
-        {**camera["legs"]["lower"], "axis": [1, 0, 0]},
-    ]
-    del camera["platform"]["body"][2]["length"]
-    camera["platform"]["body"][2] |= {"shape": "plate", "thickness": 5.0, "inner_radius": 1.0}
-    camera["base"] = {"radius": 700.0, "angles": [0.1, 1.0, 2.2, 3.1, 4.3, 5.2], "z": -100.0}
-    camera["leg"] = {"3": {"lower": {"mass": 2.0, "center_of_mass": [300, 0, 0], "inertia": [0.1, 0.2, 0.2]}}}
-    camera["legs"]["friction"] = {"prismatic": 3.0}
-    return camera
+    tables = tomllib.loads(PRESS + "friction = { prismatic = 3.0 }\nstroke = [-150, 150]\n")
+    tables["leg"] = {"3": {"lower": {"mass": 2.0, "center_of_mass": [300, 0, 0], "inertia": [0.1, 0.2, 0.2]}}}
+    plate = {**tables["platform"]["body"], "inner_radius": 10.0, "axis": [1, 0, 0]}
+    box = {"shape": "box", "size": [100.0, 100.0, 50.0], "density": 2700.0, "center": [0.0, 0.0, 30.0]}
+    tables["platform"]["body"] = [plate, box]
+    tables["base"]["z"] = -100.0
+    return tables
 
 
 @st.composite
