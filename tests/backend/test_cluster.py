@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from command_line import rejects
 from logged_compiler import LoggedCompiler
 from machines import dasgupta, random_motion, random_robot
 
@@ -176,8 +177,7 @@ def test_the_grid_runs_through_z_first() -> None:
     [(np.zeros((4, 2)), np.zeros(3), "t"), (np.zeros((4, 3)), np.zeros((5, 3)), "theta")],
 )
 def test_points_of_another_shape_are_rejected(t: np.ndarray, theta: np.ndarray, name: str) -> None:
-    with pytest.raises(ValueError, match=rf"^{name}: expected"):
-        workspace_map(dasgupta(), t, theta)
+    rejects(rf"^{name}: expected", workspace_map, dasgupta(), t, theta)
 
 
 def same_bits(one: np.ndarray, other: np.ndarray) -> bool:

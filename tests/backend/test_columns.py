@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from command_line import rejects
 from machines import random_motion, random_robot
 from motion_fields import FIELDS
 from numpy.typing import NDArray
@@ -174,8 +175,7 @@ def test_arrays_that_do_not_fit_are_named_in_one_line() -> None:
         ("threads", (arrays, F, status, 0)),
     ]
     for name, arguments in bad_ones:
-        with pytest.raises(ValueError, match=rf"^{name}: expected .*\Z"):
-            kernel.columns_into(*arguments)
+        rejects(rf"^{name}: expected .*\Z", kernel.columns_into, *arguments)
 
 
 def test_what_is_wrong_with_an_array_is_told() -> None:
@@ -202,8 +202,7 @@ def test_what_is_wrong_with_an_array_is_told() -> None:
     ]
     for said, arguments in bad_ones:
         pattern = re.escape(said).replace(r"\.\*", ".*")
-        with pytest.raises(ValueError, match=rf"^{pattern}.*\Z"):
-            kernel.columns_into(*arguments)
+        rejects(rf"^{pattern}.*\Z", kernel.columns_into, *arguments)
     with pytest.raises(ValueError, match=r"^t: expected an array of real numbers, got one of complex128\Z"):
         kernel.forces_of_columns(arrays[0], 1j * arrays[1], *arrays[2:])
     with pytest.raises(ValueError, match=r"^F: expected memory of its own, got some of R\Z"):

@@ -7,6 +7,7 @@ from typing import Any
 import casadi
 import numpy as np
 import pytest
+from command_line import rejects
 from leaning_legs import leaning
 from machines import MACHINES, dasgupta, machine_in_motion, random_motion
 from motion_fields import FIELDS
@@ -126,8 +127,7 @@ def test_ipopt_finds_the_height_of_least_forces() -> None:
 def test_a_missing_casadi_and_other_names_are_one_line(monkeypatch: pytest.MonkeyPatch) -> None:
     with pytest.raises(ValueError, match=r'^what: expected "forces", "equations" or "forward_dynamics", got'):
         ss.casadi_function(dasgupta(), "inertia")
-    with pytest.raises(ValueError, match=r"^checked: expected True or False"):
-        ss.casadi_function(dasgupta(), checked="no")
+    rejects(r"^checked: expected True or False", ss.casadi_function, dasgupta(), checked="no")
     monkeypatch.setitem(sys.modules, "casadi", None)
     with pytest.raises(
         ImportError, match=f"^a CasADi function needs CasADi: {re.escape(install('casadi'))}$"

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 import sympy as sp
+from command_line import rejects
 from machines import MACHINES, dasgupta, machine_in_motion, random_motion, random_robot
 from motion_fields import FIELDS
 
@@ -149,14 +150,12 @@ def test_every_constant_has_a_unit_and_a_meaning_in_the_text_as_well(what: str) 
     ("what", "line"), [("N", r'what: expected "F", .* or "alpha", got \'N\''), (3, "what: expected")]
 )
 def test_a_name_without_formulas_is_one_line(what: Any, line: str) -> None:
-    with pytest.raises(ValueError, match=f"^{line}"):
-        ss.symbolic(dasgupta(), what)
+    rejects(f"^{line}", ss.symbolic, dasgupta(), what)
 
 
 def test_what_spherical_joints_lack_is_one_line() -> None:
     robot = random_robot(np.random.default_rng(44), "spherical")
-    with pytest.raises(ValueError, match=r'^M: expected formulation "exact" and universal base joints'):
-        ss.symbolic(robot, "M")
+    rejects(r'^M: expected formulation "exact" and universal base joints', ss.symbolic, robot, "M")
     with pytest.raises(ValueError, match=r"^argument: expected"):
         ss.symbolic(robot, "H").function()(q=3)
     with pytest.raises(ValueError, match=r"^argument: expected .*, got 'alpha'$"):
@@ -177,8 +176,7 @@ def test_what_spherical_joints_lack_is_one_line() -> None:
 )
 def test_arguments_that_do_not_fit_are_one_line(wrong: dict[str, Any], line: str) -> None:
     evaluate = ss.symbolic(dasgupta(), "H").function()
-    with pytest.raises(ValueError, match=f"^{line}"):
-        evaluate(**{"R": np.eye(3), "t": [0.1, 0.0, 0.5]} | wrong)
+    rejects(f"^{line}", evaluate, **{"R": np.eye(3), "t": [0.1, 0.0, 0.5]} | wrong)
 
 
 @pytest.mark.parametrize(("what", "missing"), [("H", "R"), ("H", "t"), ("a", "F")])

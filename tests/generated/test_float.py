@@ -14,6 +14,7 @@ import pytest
 import scalar_kernels
 from attack_build import GENERATED, SOME, SOME_WITH_ROTORS
 from builds import run
+from command_line import rejects
 from machines import dasgupta, machine_in_motion, random_motion, random_robot, with_random_drives
 from motion_fields import FIELDS
 from numpy.typing import NDArray
@@ -297,8 +298,7 @@ def test_a_machine_without_gravity_or_load_has_units() -> None:
 @pytest.mark.parametrize("bad", [0.0, -2.0, 3.0, math.inf, math.nan, 2, 2.0**200])
 @pytest.mark.parametrize("name", ["length", "mass", "time"])
 def test_a_unit_that_is_no_power_of_two_is_named(name: str, bad: float) -> None:
-    with pytest.raises(ValueError, match=rf"^{name}: expected a power of two"):
-        Units(**{name: bad})
+    rejects(rf"^{name}: expected a power of two", Units, **{name: bad})
 
 
 # --- study ------------------------------------------------------------------------------------

@@ -16,6 +16,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from builds import run
+from command_line import rejects
 from machines import machine_in_motion, random_motion, random_robot
 from reduced_machines import as_simple_as, at_rest
 
@@ -157,16 +158,14 @@ def test_a_member_that_is_no_array_of_numbers_is_named(kind: Type) -> None:
     energy = result("KineticEnergy", "Kinetic energy.", Field("energy", kind, "J: it"))
     expected = 'Field("energy", _numbers(n), ...), of one number _numbers(1)'
     text = f"RESULTS: kinetic_energy: energy: expected {expected}, got {kind}"
-    with pytest.raises(ValueError, match=f"^{re.escape(text)}$"):
-        outputs.check_arrays(outputs.RESULTS | {"kinetic_energy": energy})
+    rejects(f"^{re.escape(text)}$", outputs.check_arrays, outputs.RESULTS | {"kinetic_energy": energy})
 
 
 def test_an_output_of_several_arrays_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     numbers = Array(Real(), (3,))
     both = result("Both", "Two arrays.", Field("one", numbers, "m: it"), Field("other", numbers, "m: it"))
     monkeypatch.setitem(outputs.RESULTS, "both", both)
-    with pytest.raises(ValueError, match=r"^RESULTS: both: expected one array, or .*, got 2 arrays$"):
-        interface._of_result("both")
+    rejects(r"^RESULTS: both: expected one array, or .*, got 2 arrays$", interface._of_result, "both")
 
 
 # The recipe for a reduced model

@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from command_line import rejects
 from kits import contents, kit_of, machine
 
 from stewart_sym import robots
@@ -70,10 +71,7 @@ def test_files_that_the_new_kit_has_not_are_removed_and_edited_ones_only_with_fo
     (tmp_path / "stewart_robot.h").write_text("mine", encoding="utf-8")
     edited = contents(tmp_path)
     baked = kit_of(choice=Choice(bake=True, scalar=True))
-    with pytest.raises(
-        ValueError, match=r"^\S+robot\.h: was edited and is not part of this kit; use --force to"
-    ):
-        put(baked, tmp_path)
+    rejects(r"^\S+robot\.h: was edited and is not part of this kit; use --force to", put, baked, tmp_path)
     assert contents(tmp_path) == edited
     with pytest.raises(ValueError, match=r"^\S+robot\.h: is an input, name another folder$"):
         put(baked, tmp_path, force=True, inputs=[tmp_path / "stewart_robot.h"])

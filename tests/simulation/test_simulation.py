@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from command_line import rejects
 from machines import dasgupta, home_position, machine_size, offset_case, random_robot
 from numpy.typing import NDArray
 
@@ -400,8 +401,7 @@ def test_output_is_on_the_grid_and_ends_with_the_run() -> None:
 def test_bad_arguments_are_named(wrong: dict[str, Any], words: str) -> None:
     robot = machine()
     arguments = {"initial_state": home(robot), "forces": np.zeros(6), "duration": 0.1} | wrong
-    with pytest.raises(ValueError, match=words):
-        ss.simulate(robot, **arguments)
+    rejects(words, ss.simulate, robot, **arguments)
 
 
 @pytest.mark.parametrize("name", ["forces", "load"])
@@ -421,8 +421,7 @@ def test_forces_that_are_no_numbers_after_the_start_leave_no_run() -> None:
 def test_times_outside_a_run_are_rejected() -> None:
     robot = machine()
     run = ss.simulate(robot, home(robot), np.zeros(6), 0.1)
-    with pytest.raises(ValueError, match=r"^times: expected times in \[0, 0.1\] s, got 0.2$"):
-        run.at([0.05, 0.2])
+    rejects(r"^times: expected times in \[0, 0.1\] s, got 0.2$", run.at, [0.05, 0.2])
 
 
 @pytest.mark.parametrize(
@@ -434,5 +433,4 @@ def test_times_outside_a_run_are_rejected() -> None:
     ],
 )
 def test_bad_thresholds_are_named(wrong: dict[str, Any], words: str) -> None:
-    with pytest.raises(ValueError, match=words):
-        ss.Thresholds(**wrong)
+    rejects(words, ss.Thresholds, **wrong)

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from command_line import Fails, Run, read
+from command_line import Fails, Run, read, rejects
 from cost_figures import (
     CHEAP,
     DEAR,
@@ -244,8 +244,7 @@ def test_terms_of_rotors_are_what_the_derivation_says() -> None:
 def test_a_kind_of_leg_without_terms_is_named_at_once() -> None:
     level = Fidelity("hollow_friction", "hollow", True, True, "hollow legs, with friction")
     expected = "_LEGS in advice.py: expected the terms of 'hollow', legs of hollow_friction, got none"
-    with pytest.raises(ValueError, match=f"^{re.escape(expected)}$"):
-        check_legs({level.name: level})
+    rejects(f"^{re.escape(expected)}$", check_legs, {level.name: level})
 
 
 def test_a_level_has_the_terms_of_its_legs_by_any_name(monkeypatch: pytest.MonkeyPatch) -> None:

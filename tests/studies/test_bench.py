@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from command_line import rejects
 from machines import dasgupta, random_motion, random_robot
 from small_bench import CONTESTANTS, Array, poses_of
 
@@ -122,8 +123,7 @@ def test_wrong_forces_stop_the_run_before_anything_is_timed(
     monkeypatch.setattr(bench, "targets", lambda: targets()[:1])
     monkeypatch.setattr(bench, "stages", lambda _: ())
     monkeypatch.setattr(bench, "measured", None)
-    with pytest.raises(ValueError, match=f"^{re.escape(first.name)}: forces differ"):
-        bench.bench(quick=True)
+    rejects(f"^{re.escape(first.name)}: forces differ", bench.bench, quick=True)
 
 
 def test_poses_all_differ_and_are_the_same_in_every_run() -> None:
@@ -134,15 +134,13 @@ def test_poses_all_differ_and_are_the_same_in_every_run() -> None:
 
 def test_a_machine_without_universal_joints_is_rejected() -> None:
     robot = random_robot(np.random.default_rng(3), "spherical")
-    with pytest.raises(ValueError, match="expected universal base joints"):
-        bench_poses(robot, 10)
+    rejects("expected universal base joints", bench_poses, robot, 10)
 
 
 def test_a_machine_that_is_singular_everywhere_is_rejected() -> None:
     robot = dasgupta()
     none = dataclasses.replace(robot, p=np.tile(robot.p[:1], (6, 1)))
-    with pytest.raises(ValueError, match="no regular poses"):
-        bench_poses(none, 10)
+    rejects("no regular poses", bench_poses, none, 10)
 
 
 def test_a_robot_with_rotors_is_timed_without_them() -> None:
@@ -188,8 +186,7 @@ def test_a_pass_with_wrong_forces_stops_the_run(number: int, monkeypatch: pytest
     monkeypatch.setattr(bench, "stages", lambda _: (bad, *others))
     monkeypatch.setattr(bench, "targets", lambda: targets()[:1])
     monkeypatch.setattr(bench, "measured", None)
-    with pytest.raises(ValueError, match=r"^as derived, .*: forces differ"):
-        bench.bench(quick=True)
+    rejects(r"^as derived, .*: forces differ", bench.bench, quick=True)
 
 
 # equations of motion and their baselines

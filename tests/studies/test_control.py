@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from command_line import Fails, folder_state, read
+from command_line import Fails, folder_state, read, rejects
 from command_line import Run as RunCommand
 from machines import dasgupta, home_position, machine_in_motion, machine_size, random_robot
 from numpy.typing import NDArray
@@ -142,16 +142,14 @@ def test_bad_gains_are_named(wrong: dict[str, Any], words: str) -> None:
         "k_p": 1.0,
         "k_d": 1.0,
     }
-    with pytest.raises(ValueError, match=f"^{words}"):
-        GravityCompensation(**{**good, **wrong})
+    rejects(f"^{words}", GravityCompensation, **{**good, **wrong})
 
 
 def test_a_controller_without_an_answer_is_named_with_path_and_time() -> None:
     light = dataclasses.replace(
         dasgupta(), p=dasgupta().p[[0, 0, 2, 2, 4, 4]], b=dasgupta().b[[0, 0, 2, 2, 4, 4]]
     )
-    with pytest.raises(ValueError, match=r"^Dasgupta & Mruthyunjaya 1998: Path II: "):
-        control.track_paths(light, ("II",))
+    rejects(r"^Dasgupta & Mruthyunjaya 1998: Path II: ", control.track_paths, light, ("II",))
 
 
 def test_figures_are_those_of_the_run() -> None:

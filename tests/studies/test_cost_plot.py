@@ -9,6 +9,7 @@ from pathlib import Path
 import matplotlib.image
 import numpy as np
 import pytest
+from command_line import rejects
 from cost_figures import LEVELS, PEAKS, chart, errors, made_up
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -208,8 +209,7 @@ def test_places_are_the_same_on_every_run() -> None:
 
 
 def test_too_many_names_are_rejected() -> None:
-    with pytest.raises(ValueError, match="expected room for all of them"):
-        crowd([(5.0, 5.0)] * 40, (2.0, 1.5))
+    rejects("expected room for all of them", crowd, [(5.0, 5.0)] * 40, (2.0, 1.5))
 
 
 def test_pictures_are_written_as_png_and_svg(tmp_path: Path, picture: Figure) -> None:

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from axe_playwright_python.sync_playwright import Axe
 from browser import Opened
-from command_line import Fails
+from command_line import Fails, rejects
 from machines import dasgupta
 from matplotlib.figure import Figure
 from playwright.sync_api import Browser
@@ -184,12 +184,9 @@ def test_what_cannot_be_shown_is_named() -> None:
         ss.view(robot, path.sample(time))
     with pytest.raises(ValueError, match="times: expected finite, increasing"):
         ss.view(robot, path.sample(time), 0.0 * time)
-    with pytest.raises(ValueError, match="motion: expected I, II or III"):
-        ss.view(robot, "IV")
-    with pytest.raises(ValueError, match="times: are for a Motion"):
-        ss.view(robot, "I", time)
-    with pytest.raises(ValueError, match="motion"):
-        ss.view(robot, 3)  # type: ignore[arg-type]
+    rejects("motion: expected I, II or III", ss.view, robot, "IV")
+    rejects("times: are for a Motion", ss.view, robot, "I", time)
+    rejects("motion", ss.view, robot, 3)
 
 
 def test_a_motion_without_accelerations_is_shown_without_forces() -> None:
