@@ -209,7 +209,9 @@ def trapezoids(time: Array) -> Array:
 def _times(time: ArrayLike, motion: Motion) -> Array:
     when = real_array(time, "time", "times of shape (n,)")
     if motion.shape != when.shape or when.ndim != 1 or len(when) < 2:
-        raise ValueError(f"time: expected one for each instant, {motion.shape}, got shape {when.shape}")
+        raise ValueError(
+            f"time: expected one for each of two instants or more, {motion.shape}, got shape {when.shape}"
+        )
     if not np.isfinite(when).all():
         i = int(np.flatnonzero(~np.isfinite(when))[0])
         raise ValueError(f"time: expected finite times, got {when[i]} at index {i}")

@@ -38,6 +38,8 @@ _ROUNDING = 1e-11
 _NOTHING = 1e-9
 # A parameter is preferred to be given up if its share in a change of parameters without effect exceeds this.
 _CLEAR = 1e-2
+# Share of its size by which a machine's geometry may differ from another's and count as the same.
+_SAME = 1e-6
 _POSES = 100
 _MOST_DRAWS = 20
 # Sine of the least angle between a leg and its universal axis, and the least length beside the base's radius.
@@ -77,6 +79,8 @@ class BaseParameters:
         be trusted.
     shared : str, optional
         ``"legs"`` where all legs share their parameters, whose names have no number then.
+    robot : Robot
+        The machine, of which geometry and gravity count.
     """
 
     rank: int
@@ -88,7 +92,8 @@ class BaseParameters:
     singular_values: Array
     gap: float
     lift: Array
-    shared: str | None = None
+    shared: str | None
+    robot: Robot
 
     def columns(self) -> NDArray[np.intp]:
         """Which columns of Y count.
@@ -186,7 +191,17 @@ def base_parameters(
         gap=float(values[rank - 1] / values[rank]) if 0 < rank < len(values) and values[rank] else math.inf,
         lift=spread[:, kept],
         shared=shared,
+        robot=robot,
     )
+
+
+def need_base(base: BaseParameters, robot: Robot) -> None:
+    """Reject base parameters of a machine of other geometry or gravity."""
+    instance(base, BaseParameters, "base")
+    for name in ("b", "p", "k", "g"):
+        own, other = (np.asarray(getattr(each, name)) for each in (robot, base.robot))
+        if np.abs(own - other).max() > _SAME * np.abs(own).max():
+            raise ValueError(f"base: found for a machine of another {name}, expected base_parameters(robot)")
 
 
 def alike(pi: Array) -> Array:

@@ -26,7 +26,7 @@ from ..motion.motion import Motion
 from ..motion.rotation import rotation_from_vector
 from ..motion.smooth_motion import WITHOUT_PERIOD, PoseNoise, smoothed
 from ..robot.robot import LEGS, Robot
-from .base_parameters import BaseParameters, base_parameters
+from .base_parameters import BaseParameters, base_parameters, need_base
 from .drive_terms import drive_terms, need_terms, told_apart, turning_legs
 from .estimates import EXACT, LEVEL, Estimate, tested_estimate
 from .excitation import Excitation, force_regressor, need_seed
@@ -99,7 +99,7 @@ def identify(
     sigma : array_like
         Standard deviation of each force, N, broadcasts to F's shape.
     base : BaseParameters, optional
-        None for ``base_parameters(robot)``.
+        None for ``base_parameters(robot)``; of a machine of the same geometry and gravity.
     noise : PoseNoise, optional
         Of the poses at n instants, of which only these and the load then count; the rates are those of the
         smooth motion that explains poses and forces best, and the deviations hold the noise of both. None:
@@ -139,7 +139,7 @@ def identify(
     if base is None:
         base = base_parameters(robot, shared=shared)
     instance(motion, Motion, "motion")
-    instance(base, BaseParameters, "base")
+    need_base(base, robot)
     forces = finite_array(F, (LEGS,), "F")
     if forces.shape != (*motion.shape, LEGS):
         raise ValueError(f"F: expected forces of shape {(*motion.shape, LEGS)}, got {forces.shape}")
