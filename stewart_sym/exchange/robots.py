@@ -204,7 +204,8 @@ class _Leg:
         """Reject axes that do not meet and loops that are open in the file's pose."""
         for off, steps in self.apart:
             where = f"joints {' and '.join(repr(step.joint.name) for step in steps)}"
-            self._near(off, self.L, where, "axes that meet", f"{off:.3g} m between them")
+            # The point where they are taken to meet is in the middle of two axes.
+            self._near(off, self.L, where, "axes that meet", f"{2.0 * off:.3g} m between them")
         for each in (*self.leg.base, self.leg.slide, *self.leg.tip):
             joint = each.joint
             if joint.cut:

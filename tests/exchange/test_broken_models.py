@@ -151,7 +151,10 @@ OF_MJCF: dict[str, tuple[Change, str]] = {
         "leg 2: joint 'leg_2': expected sliding along the line between the ends, got 5.71 deg off",
     ),
     "oblique axes": (to('axis="0.0 1.0 0.0"', 'axis="0.3 1.0 0.0"'), "leg 1: joint 'base_1_1': expected"),
-    "offset axes": (to('name="base_1_2"', 'name="base_1_2" pos="0 0 0.05"'), "joints 'base_1_1' and"),
+    "offset axes": (
+        to('name="base_1_2"', 'name="base_1_2" pos="0 0 0.05"'),
+        "leg 1: joints 'base_1_1' and 'base_1_2': expected axes that meet, got 0.0129 m between them",
+    ),
     "one ball": (BALL_AT_1, "leg 1: joint 'base_1_2': expected a universal joint at"),
     "number": (to('mass="3.0"', 'mass="3.0 kg"'), "'lower_1': inertial: mass: expected a number"),
     "not finite": (to('mass="3.0"', 'mass="nan"'), "body 'lower_1': inertial"),
