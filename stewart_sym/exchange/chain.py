@@ -87,7 +87,8 @@ class Joint:
     ``free``.
     point: in the child's frame, (3,), m. parent_point: of a cut, in the parent's. axes: directions, world
     frame, (n, 3), those nearer the parent first. damping: N m s or N s/m. armature: kg or kg m^2, inertia of
-    the drive as seen by the joint. position: coordinate in which the model stands. limits: of it.
+    the drive as seen by the joint. position: coordinate in which the model stands, of a fixed
+    cut the angle by which it is open, rad. limits: of it.
     effort, speed: limits of the drive, N or N m, m/s or rad/s. driven: whether it has a drive.
     """
 

@@ -120,8 +120,8 @@ def import_model(path: str | os.PathLike[str]) -> ImportedModel:
 
     Base, platform and legs are found by how bodies are joined: six chains from the base to one body, each of
     two revolute joints or a universal or spherical one, a prismatic joint, and a spherical one. Loops may be
-    cut anywhere and must be closed in the pose of the file. Axes at the base that miss each other are read
-    where the file has the note of ``export_model`` that they are meant to.
+    cut anywhere and must be closed in the pose of the file, as must welds. Axes at the base that miss each
+    other are read where the file has the note of ``export_model`` that they are meant to.
 
     Parameters
     ----------

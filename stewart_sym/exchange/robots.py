@@ -19,6 +19,7 @@ from .notes import with_notes
 from .offset_legs import OffsetLines
 from .topology import Leg, Machine, Step, machine_of
 
+_CLOSED = "that is closed in the pose of the file"
 _OPEN = 1e-3
 """How far joints may be from where they belong, over the leg's length, and directions, rad."""
 _SAID = 1e-9
@@ -42,7 +43,7 @@ def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
             where = f"leg {leg.number}: joint {leg.leg.base[0].joint.name!r}"
             expected = f"expected a {usual} joint at the base as leg {kinds.index(usual) + 1} has"
             raise ValueError(f"{where}: {expected}, got a {leg.base_joint} one")
-    off = max(leg.off for leg in legs)
+    off = max(_off_welds(machine, model, legs[0].L), *(leg.off for leg in legs))
     if off > _SAID:
         said.insert(0, f"axes and loops are off by up to {off:.2g} rad or of a leg, taken as exact")
     platform = machine.bodies[machine.platform]
@@ -80,6 +81,19 @@ def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
     lines += [text for name, text in model.assumed.items() if machine.members[name] != WORLD]
     left_out = [f"left out: {text}" for text in model.left_out]
     return robot, tuple(lines + said + left_out + kept)
+
+
+def _off_welds(machine: Machine, model: Model, length: float) -> float:
+    """How far welds are open, over a length, and rad; ValueError for those that are open by far."""
+    off = 0.0
+    for joint in model.joints:
+        if joint.kind == "fixed" and joint.cut:
+            gap = machine.gap(joint)
+            off = max(off, gap / length, joint.position)
+            if off > _OPEN:
+                by = f"{gap:.3g} m" if gap > _OPEN * length else f"{np.degrees(joint.position):.3g} deg"
+                raise ValueError(f"joint {joint.name!r}: expected a weld {_CLOSED}, got one open by {by}")
+    return off
 
 
 def _ordered(machine: Machine, model: Model, said: list[str]) -> tuple[Machine, str]:
@@ -209,10 +223,9 @@ class _Leg:
         for each in (*self.leg.base, self.leg.slide, *self.leg.tip):
             joint = each.joint
             if joint.cut:
-                here = self.machine.placed[joint.parent].placed(joint.parent_point)
-                gap = float(np.linalg.norm(here - self.machine.place(each)))
-                where, expected = f"joint {joint.name!r}", "a loop that is closed in the pose of the file"
-                self._near(gap, self.L, where, expected, f"one open by {gap:.3g} m")
+                gap = self.machine.gap(joint)
+                expected, got = f"a loop {_CLOSED}", f"one open by {gap:.3g} m"
+                self._near(gap, self.L, f"joint {joint.name!r}", expected, got)
 
     def _axis(self) -> Array | None:
         """The fixed axis of a universal joint, (3,), None of a spherical one."""

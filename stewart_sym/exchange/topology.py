@@ -3,6 +3,8 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from ..io.array_types import Array
 from ..robot import bodies
 from ..robot.fields import LEGS
@@ -66,6 +68,11 @@ class Machine:
     def place(self, step: Step) -> Array:
         """Point of a joint in the world, (3,), on its child's side."""
         return self.placed[step.joint.child].placed(step.joint.point)
+
+    def gap(self, cut: Joint) -> float:
+        """How far the points of a cut are from each other in the pose of the file, m."""
+        ends = self.placed[cut.parent].placed(cut.parent_point), self.placed[cut.child].placed(cut.point)
+        return float(np.linalg.norm(ends[0] - ends[1]))
 
 
 def machine_of(model: Model) -> Machine:

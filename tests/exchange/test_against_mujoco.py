@@ -254,3 +254,46 @@ def test_damping_and_armatures_of_actuators_are_those_of_their_slides(tmp_path: 
         mujoco.mj_forward(model, data)
         accelerations.append(data.qacc)
     np.testing.assert_allclose(accelerations[0], accelerations[1], rtol=1e-6)
+
+
+BODIES, SITES = 'body1="platform" body2="load"', 'site1="there" site2="here"'
+WELDS = {
+    "as drawn": (BODIES, ""),
+    "no quaternion": (f'{BODIES} relpose="9 9 9 0 0 0 0"', ""),
+    "point": (f'{BODIES} anchor="1 2 3"', ""),
+    "as stated": (f'{BODIES} relpose="0.1 0.2 0.3 1 0 0 1"', ""),
+    "point of the second": (f'{BODIES} relpose="0.1 0.7 0.3 1 0 0 1" anchor="0.5 0 0"', ""),
+    "sites": (SITES, ""),
+    "elsewhere": (f'{BODIES} relpose="0.1 0.2 0.6 1 0 0 1"', "0.3 m"),
+    "turned": (f'{BODIES} relpose="0.1 0.2 0.3 1 0 0 0"', "90 deg"),
+    "point of the second elsewhere": (
+        f'{BODIES} relpose="0.1 0.2 0.3 1 0 0 1" anchor="0.5 0 0"',
+        "0.5 m",
+    ),
+    "sites turned": ('site1="there" site2="here turned"', "60 deg"),
+}
+"""Attributes of a weld of a load, and how far it is open in the pose of the file, where it is."""
+
+
+@pytest.mark.parametrize("name", WELDS)
+def test_a_weld_holds_a_load_where_mujoco_holds_it(name: str, tmp_path: Path) -> None:
+    weld, gap = WELDS[name]
+    text = exported().text.replace("</equality>", f"<weld {weld}/></equality>")
+    x, y, z = (float(each) for each in re.findall(r'"platform" pos="(\S+) (\S+) (\S+)"', text)[0])
+    load = (
+        f'<body name="load" pos="{x + 0.1!r} {y + 0.2!r} {z + 0.3!r}" euler="0 0 {np.pi / 2!r}"><freejoint/>'
+        f'<geom size="0.1" mass="7"/><site name="here"/><site name="here turned" euler="{np.pi / 3!r} 0 0"/>'
+    )
+    there = f'<site name="there" pos="0.1 0.2 0.3" euler="0 0 {np.pi / 2!r}"/>'
+    text = text.replace("</worldbody>", f"{load}</body></worldbody>")
+    text = text.replace('<site name="tip_1_b"', f'{there}<site name="tip_1_b"')
+    model = mujoco.MjModel.from_xml_string(text)
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    # The weld is the last constraint.
+    assert (np.abs(data.efc_pos[-6:]).max() < 1e-9) == (not gap)
+    if gap:
+        said = f"expected a weld that is closed in the pose of the file, got one open by {gap}"
+        rejects(said, imported, text, tmp_path)
+    else:
+        assert imported(text, tmp_path).robot.M == 47.0

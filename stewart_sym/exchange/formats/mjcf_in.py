@@ -9,7 +9,7 @@ import numpy as np
 
 from ...io.arguments import shown
 from ...io.array_types import Array
-from ...motion.rotation import rotation_from_quaternion, rotation_from_vector
+from ...motion.rotation import rotation_from_quaternion, rotation_from_vector, vector_from_rotation
 from ...robot.bodies import Body as Solid
 from ...robot.bodies import joined
 from ...robot.fields import direction
@@ -90,7 +90,7 @@ class _Reader:
             self._default(each, self.classes.get("main", {}), "main")
         self.bodies: list[Body] = [Body(WORLD)]
         self.joints: list[Joint] = []
-        self.sites: dict[str, tuple[str, Array]] = {}
+        self.sites: dict[str, tuple[str, Array, Array]] = {}
         self.forces: dict[str, tuple[str, Array]] = {}
         masses = ("settotalmass", "boundmass", "boundinertia", "balanceinertia")
         self.left_out = [f"{key} of the compiler" for key in masses if key in compiler]
@@ -165,12 +165,11 @@ class _Reader:
                 turn, place = self._pose(each.attrib, "frame")
                 self._inside(each, name, R @ turn, t + R @ place, each.get("childclass") or inherited)
             elif each.tag == "site" and "name" in each.attrib:
-                where = f"site {each.attrib['name']!r}: pos"
-                place = numbers(self._of(each, inherited).get("pos"), 3, where, _ZERO)
+                turn, place = self._pose(self._of(each, inherited), f"site {each.attrib['name']!r}")
                 body = next(body for body in self.bodies if body.name == name)
                 own = np.array_equal(R, body.R) and np.array_equal(t, body.t)
                 inside = place if own else body.local(t + R @ place)
-                self.sites[each.attrib["name"]] = name, inside
+                self.sites[each.attrib["name"]] = name, R @ turn, inside
 
     def _body(self, element: ET.Element, parent: str, R: Array, t: Array, inherited: str | None) -> None:
         name = element.get("name") or f"body {len(self.bodies)}"
@@ -329,9 +328,10 @@ class _Reader:
             return
         if element.get("active") == "false":
             return
-        kind = "spherical" if element.tag == "connect" else "fixed"
+        kind, R, Q = "spherical" if element.tag == "connect" else "fixed", np.eye(3), np.eye(3)
         if "site1" in element.attrib or "site2" in element.attrib:
-            (one, here), (other, there) = (self._site(element.get(key), where) for key in ("site1", "site2"))
+            ends = [self._site(element.get(key), where) for key in ("site1", "site2")]
+            (one, R, here), (other, Q, there) = ends
         elif "body1" not in element.attrib:
             raise ValueError(f"{where}: expected body1, or site1 and site2, got none")
         else:
@@ -342,10 +342,18 @@ class _Reader:
                     raise ValueError(f"{where}: body {body!r}: missing")
             least = None if kind == "spherical" else _ZERO
             here = numbers(element.get("anchor"), 3, f"{where}: anchor", least)
-            there = placed[other].local(placed[one].placed(here))
-        self.joints.append(Joint(name, kind, one, other, there, cut=True, parent_point=here))
+            # The pose of the second body in the first one, of which the point is the second one's.
+            pose = numbers(element.get("relpose"), 7, f"{where}: relpose", np.zeros(7))
+            if kind == "fixed" and pose[3:].any():
+                here, there = pose[:3], here
+                R, Q = placed[one].R @ rotation_from_quaternion(pose[3:]), placed[other].R
+            else:
+                there = placed[other].local(placed[one].placed(here))
+        angle = float(np.linalg.norm(vector_from_rotation(R.T @ Q)))
+        cut = Joint(name, kind, one, other, there, position=angle, cut=True, parent_point=here)
+        self.joints.append(cut)
 
-    def _site(self, name: str | None, where: str) -> tuple[str, Array]:
+    def _site(self, name: str | None, where: str) -> tuple[str, Array, Array]:
         if name is None:
             raise ValueError(f"{where}: expected site1 and site2, got one")
         if name not in self.sites:
