@@ -63,7 +63,7 @@ class ImportedModel:
     robot : Robot
         The machine.
     assumptions : tuple of str
-        What was found how, and what had to be assumed, a line each.
+        What was found how, what had to be assumed, and what is left out, a line each.
     """
 
     robot: Robot

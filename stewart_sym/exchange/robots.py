@@ -1,6 +1,6 @@
 """The robot that a model is, and what had to be assumed."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -79,7 +79,7 @@ def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
     if robot.home is not None:
         lines.append("home: the pose in the file")
     lines += [text for name, text in model.assumed.items() if machine.members[name] != WORLD]
-    left_out = [f"left out: {text}" for text in model.left_out]
+    left_out = [f"left out: {text}" for text in _grouped([*model.left_out, *_beside_slides(model)])]
     return robot, tuple(lines + said + left_out + kept)
 
 
@@ -94,6 +94,25 @@ def _off_welds(machine: Machine, model: Model, length: float) -> float:
                 by = f"{gap:.3g} m" if gap > _OPEN * length else f"{np.degrees(joint.position):.3g} deg"
                 raise ValueError(f"joint {joint.name!r}: expected a weld {_CLOSED}, got one open by {by}")
     return off
+
+
+def _beside_slides(model: Model) -> Iterator[str]:
+    """What of joints that do not slide has no place in a robot."""
+    for joint in model.joints:
+        if joint.kind != "prismatic" and joint.armature:
+            yield f"armature {joint.armature:g} of joint {joint.name!r}"
+        if joint.kind == "free" and joint.damping:
+            yield f"damping {joint.damping:g} of joint {joint.name!r}"
+
+
+def _grouped(left_out: Sequence[str]) -> Iterator[str]:
+    """Lines of the same of several joints as one line."""
+    joints: dict[str, list[str]] = {}
+    for text in dict.fromkeys(left_out):
+        what, found, name = text.partition(" of joint ")
+        joints.setdefault(what if found else text, []).append(name)
+    for what, names in joints.items():
+        yield what + (f" of joint{'s' if len(names) > 1 else ''} {', '.join(names)}" if any(names) else "")
 
 
 def _ordered(machine: Machine, model: Model, said: list[str]) -> tuple[Machine, str]:
@@ -161,9 +180,6 @@ class _Leg:
         if self.lines is not None:
             cross = machine.bodies[leg.crosses[0][0]]
             self.offset = self.lines.offsets(self.s) | self.lines.cross(cross)
-        for joint in (step.joint for step in (*leg.base, *leg.tip)):
-            if joint.armature:
-                said.append(f"leg {number}: armature {joint.armature:g} of {joint.name!r} is left out")
 
     def _lines(self) -> OffsetLines:
         """Both axes at the base and the end of the line of sliding."""

@@ -155,6 +155,17 @@ OF_MJCF: dict[str, tuple[Change, str]] = {
         to('name="base_1_2"', 'name="base_1_2" pos="0 0 0.05"'),
         "leg 1: joints 'base_1_1' and 'base_1_2': expected axes that meet, got 0.0129 m between them",
     ),
+    "attribute": (
+        to('"leg_2" type="slide"', '"leg_2" type="slide" dampping="20"'),
+        "joint 'leg_2': dampping: unknown key, did you mean \"damping\"?",
+    ),
+    **{
+        f"no {flag}": (
+            to("<option ", f'<option><flag {flag}="disable"/></option><option '),
+            f"option: flag: {flag}: expected enable, since it closes loops, got disable",
+        )
+        for flag in ("equality", "constraint")
+    },
     "one ball": (BALL_AT_1, "leg 1: joint 'base_1_2': expected a universal joint at"),
     "number": (to('mass="3.0"', 'mass="3.0 kg"'), "'lower_1': inertial: mass: expected a number"),
     "not finite": (to('mass="3.0"', 'mass="nan"'), "body 'lower_1': inertial"),
@@ -265,6 +276,10 @@ LOOPS: dict[str, tuple[Change, str]] = {
     "no link": (to('"upper_3"', '"upper_9"'), "loops: closure 3: link_1: link 'upper_9': missing"),
     "kind": (to('"spherical"', '"hinge"'), "loops: closure 1: type"),
     "damping": (to('"damping_N_m_s": 0.02', '"damping_N_m_s": -1'), "expected a number >= 0"),
+    "armature of none": (
+        to('"armature_kg": {', '"armature_kg": {"Leg_1": 30'),
+        'loops: armature_kg: Leg_1: unknown key, did you mean "leg_1"?',
+    ),
 }
 
 

@@ -171,7 +171,75 @@ LEFT_OUT = {
     "tendon": (
         "mjcf",
         ('<motor name="leg_1" joint="leg_1"', '<motor tendon="rope"/><motor name="leg_1" joint="leg_1"'),
-        "actuator of tendon 'rope', which is no joint's",
+        "actuator of tendon 'rope', which is no slide's",
+    ),
+    "motor of a hinge": (
+        "mjcf",
+        ('<motor name="leg_1" joint="leg_1"', '<motor joint="base_1_1"/><motor name="leg_1" joint="leg_1"'),
+        "actuator of joint 'base_1_1', which is no slide's",
+    ),
+    "spring and damper": (
+        "mjcf",
+        (SLIDE, f'{SLIDE} springdamper="0.1 1"'),
+        "springdamper of joint 'leg_1'",
+    ),
+    "damping of the platform": (
+        "mjcf",
+        ('<freejoint name="free" />', '<joint name="free" type="free" damping="5"/>'),
+        "damping 5 of joint 'free'",
+    ),
+    "armature of the platform": (
+        "mjcf",
+        ('<freejoint name="free" />', '<joint name="free" type="free" armature="2"/>'),
+        "armature 2 of joint 'free'",
+    ),
+    "armature of a hinge": (
+        "mjcf",
+        ('<joint name="base_1_1"', '<joint name="base_1_1" armature="0.1"'),
+        "armature 0.1 of joint 'base_1_1'",
+    ),
+    "no actuation": (
+        "mjcf",
+        ("<option ", '<option><flag actuation="disable"/></option><option '),
+        "that the option disables actuators",
+    ),
+    "limits of one axis": (
+        "sdf",
+        ("<lower>-1e+16</lower>", "<lower>-0.05</lower>"),
+        "limits -0.05 to inf rad of joint 'base_1'",
+    ),
+    "limits of a turn": (
+        "urdf",
+        ('"base_1_1" type="continuous">', '"base_1_1" type="revolute"><limit lower="-0.05" upper="0.1"/>'),
+        "limits -0.05 to 0.1 rad of joint 'base_1_1'",
+    ),
+    "velocity that decays": (
+        "sdf",
+        (
+            '<link name="platform">',
+            '<link name="platform"><velocity_decay><angular>0.3</angular></velocity_decay>',
+        ),
+        "velocity_decay of link 'platform'",
+    ),
+    "no effort in SDF": (
+        "sdf",
+        ("<effort>500.0</effort>", "<effort>0</effort>"),
+        "limit effort 0, taken as none, of joint 'leg_1'",
+    ),
+    "no effort in URDF": (
+        "urdf",
+        ('effort="500.0"', 'effort="0"'),
+        "limit effort 0, taken as none, of joint 'leg_1'",
+    ),
+    "damping of the platform in URDF": (
+        "urdf",
+        ('type="floating">', 'type="floating"><dynamics damping="5"/>'),
+        "damping 5 of joint 'free'",
+    ),
+    "for Gazebo": (
+        "urdf",
+        ("</robot>", '<gazebo reference="leg_1"><springStiffness>5</springStiffness></gazebo></robot>'),
+        "section 'gazebo' of the file",
     ),
     "computed inertia": (
         "sdf",
@@ -271,6 +339,41 @@ def test_shapes_outside_the_groups_that_count_have_no_mass(tmp_path: Path) -> No
     np.testing.assert_allclose([robot.M, *robot.m_d, *robot.m_u], 4.0)
 
 
+def test_the_same_of_several_joints_is_left_out_in_one_line(tmp_path: Path) -> None:
+    found = imported(model().replace('axis="0 1 0"', 'axis="0 1 0" range="-90 45"'), tmp_path).assumptions
+    joints = ", ".join(f"'second{i}'" for i in range(6))
+    assert [f"left out: limits -1.571 to 0.7854 rad of joints {joints}"] == [
+        line for line in found if line.startswith("left out: ")
+    ]
+
+
+ALL = {"stiffness", "springdamper", "frictionloss"}
+SPRINGS = 'axis="0 1 0" stiffness="9" springdamper="1 1" frictionloss="2"'
+
+
+@pytest.mark.parametrize(
+    ("flags", "values", "left_out"),
+    [
+        ('damper="disable"', {"C_u": 0.0, "C_p": 0.0}, ALL),
+        ('spring="disable"', {"C_u": 0.4, "C_p": 7.0}, ALL - {"stiffness"}),
+        ('passive="disable"', {"C_u": 0.0, "C_p": 0.0}, {"frictionloss"}),
+        ('spring="disable" damper="disable" frictionloss="disable"', {"C_u": 0.0}, set()),
+        ('limit="disable"', {"length_limits": [0.0, np.inf]}, ALL),
+        ('clampctrl="disable"', {"force_limit": np.inf}, ALL),
+        ('contact="disable" limit="enable"', {"C_u": 0.4, "force_limit": 500.0}, ALL),
+    ],
+)
+def test_what_a_flag_switches_off_is_not_read(
+    flags: str, values: dict[str, object], left_out: set[str], tmp_path: Path
+) -> None:
+    changes = ('axis="0 1 0"', SPRINGS), ("<worldbody>", f"<option><flag {flags}/></option><worldbody>")
+    found = imported(changed(model(), *changes), tmp_path)
+    for name, value in values.items():
+        field = getattr(found.robot, name)
+        np.testing.assert_array_equal(field, np.broadcast_to(value, field.shape))
+    assert set(re.findall(r"left out: (\w+)", "\n".join(found.assumptions))) == left_out
+
+
 def test_gravity_that_is_switched_off_is_none(tmp_path: Path) -> None:
     change = "<option ", '<option><flag gravity="disable"/></option><option '
     assert not altered(tmp_path, "mjcf", *change).robot.g.any()
@@ -368,8 +471,10 @@ def test_an_old_version_is_the_machine_that_drake_takes_it_for(name: str, tmp_pa
         (("<pose>1 2 3", '<pose relative_to="x">1 2 3'), "model 'hexapod': expected one that its own frame"),
         (
             ('version="1.9"', 'version="new"'),
-            "sdf: version: expected numbers with a point between, got 'new'",
+            "sdf: version: expected one such as 1.9, got 'new'",
         ),
+        (('version="1.9"', 'version="2.0"'), "sdf: version: expected one such as 1.9, got '2.0'"),
+        ((' version="1.9"', ""), "sdf: version: expected one such as 1.9, got none"),
     ],
 )
 def test_other_frames_are_rejected(change: tuple[str, str], said: str, tmp_path: Path) -> None:

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ...io import tables
 from ...io.arguments import shown
 from ...io.array_types import Array
 from ...motion.rotation import rotation_from_quaternion, rotation_from_vector, vector_from_rotation
@@ -16,13 +17,29 @@ from ...robot.fields import direction
 from ..chain import BETWEEN, WORLD, Body, Joint, Model, after
 from ..notes import json_table
 from .mjcf_geoms import solid
-from .xml_text import at_line, number, numbers
+from .xml_text import at_line, number, numbers, turn_limits
 
 _KINDS = {"hinge": "revolute", "slide": "prismatic", "ball": "spherical", "free": "free"}
 _ZERO = (0.0, 0.0, 0.0)
 _ENDLESS = (-np.inf, np.inf)
 _STRAIGHT = 1e-10
 _TURNS = ("quat", "axisangle", "euler", "xyaxes", "zaxis")
+_JOINT_KEYS = (
+    *("name", "class", "group", "user", "align", "type", "pos", "axis", "ref", "damping", "armature"),
+    *("range", "limited", "margin", "actuatorfrcrange", "actuatorfrclimited", "actuatorgravcomp"),
+    *("stiffness", "springref", "springyield", "springdamper", "frictionloss"),
+    *("solreflimit", "solimplimit", "solreffriction", "solimpfriction"),
+)
+"""All that MuJoCo knows of a joint."""
+_SWITCHED = {
+    "spring": ("stiffness",),
+    "damper": ("damping",),
+    "passive": ("stiffness", "damping", "springdamper", "gravcomp", "density", "viscosity"),
+    "frictionloss": ("frictionloss",),
+    "limit": ("range", "limited"),
+    "clampctrl": ("ctrlrange", "ctrllimited"),
+}
+"""Attributes without effect where a flag is disabled; ``passive``, an old one, is springs and dampers."""
 _PASSED_OVER = (
     *("compiler", "option", "size", "custom", "default", "asset", "visual", "statistic", "worldbody"),
     *("equality", "actuator", "keyframe", "sensor", "contact", "extension"),
@@ -75,7 +92,7 @@ class _Reader:
                 got = shown(element.get("file") or element.get("name") or element.tag)
                 raise ValueError(f"{where}: expected a flat model, as mj_saveLastXML writes it, got {got}")
         self.root = root
-        compiler = {key: value for each in root.iter("compiler") for key, value in each.attrib.items()}
+        compiler = _merged(root, ".//compiler")
         self.unit = 1.0 if compiler.get("angle", "degree") == "radian" else np.pi / 180.0
         self.order = compiler.get("eulerseq", "xyz")
         self.autolimits = compiler.get("autolimits", "true") == "true"
@@ -85,6 +102,9 @@ class _Reader:
             raise ValueError(f"compiler: coordinate: expected local, got {shown(compiler['coordinate'])}")
         if len(self.order) != 3 or not set(self.order.lower()) <= set("xyz"):
             raise ValueError(f"compiler: eulerseq: expected three of x, y, z, got {shown(self.order)}")
+        self.option = _merged(root, "option")
+        self.disabled = _disabled(root)
+        self.off = {key for flag in self.disabled for key in _SWITCHED.get(flag, ())}
         self.classes: dict[str, dict[str, dict[str, str]]] = {}
         for each in root.findall("default"):
             self._default(each, self.classes.get("main", {}), "main")
@@ -94,6 +114,8 @@ class _Reader:
         self.forces: dict[str, tuple[str, Array]] = {}
         masses = ("settotalmass", "boundmass", "boundinertia", "balanceinertia")
         self.left_out = [f"{key} of the compiler" for key in masses if key in compiler]
+        if "actuation" in self.disabled or "actuatorgroupdisable" in self.option:
+            self.left_out.append("that the option disables actuators")
         # Actuators by their limits in the two directions.
         self.uneven: dict[tuple[float, float], list[str]] = {}
         self.servos: list[str] = []
@@ -107,12 +129,11 @@ class _Reader:
         for each in self.root:
             if each.tag not in _PASSED_OVER:
                 self.left_out.append(f"section {each.tag!r} of the file")
-        option = {key: value for each in self.root.findall("option") for key, value in each.attrib.items()}
-        gravity = numbers(option.get("gravity"), 3, "option: gravity", (0.0, 0.0, -9.81))
-        if self.root.find("option/flag[@gravity='disable']") is not None:
+        gravity = numbers(self.option.get("gravity"), 3, "option: gravity", (0.0, 0.0, -9.81))
+        if "gravity" in self.disabled:
             gravity = np.zeros(3)
         for key in ("density", "viscosity"):
-            if number(option.get(key), f"option: {key}", 0.0):
+            if key not in self.off and number(self.option.get(key), f"option: {key}", 0.0):
                 self.left_out.append(f"{key} of the medium around the machine")
         custom = self.root.find("custom/text[@name='stewart_sym']")
         # MuJoCo writes quotation marks as text inside the element.
@@ -147,12 +168,13 @@ class _Reader:
             self._default(each, own, "main")
 
     def _of(self, element: ET.Element, inherited: str | None) -> dict[str, str]:
-        """Attributes of an element with those of its class."""
+        """Attributes of an element with those of its class, without what a flag switches off."""
         name = element.get("class") or inherited or "main"
         if name not in self.classes and name != "main":
             raise ValueError(f"{element.tag} {element.get('name', '')!r}: class {name!r}: missing")
         tag, given = _stated(element)
-        return _over(self.classes.get(name, {}).get(tag, {}), given)
+        found = _over(self.classes.get(name, {}).get(tag, {}), given)
+        return {key: value for key, value in found.items() if key not in self.off}
 
     # Tree
 
@@ -177,7 +199,7 @@ class _Reader:
         inherited = element.get("childclass") or inherited
         turn, place = self._pose(element.attrib, where)
         R, t = after((R, t), turn, place)
-        if number(element.get("gravcomp"), f"{where}: gravcomp", 0.0):
+        if "gravcomp" not in self.off and number(element.get("gravcomp"), f"{where}: gravcomp", 0.0):
             self.left_out.append(f"gravcomp of {where}")
         joints = self._joints(element, name, inherited)
         at = parent
@@ -215,14 +237,17 @@ class _Reader:
     def _joint(self, given: Attributes, kind: str, parent: str, child: str, R: Array, where: str) -> Joint:
         name = given.get("name") or f"joint {len(self.joints) + 1}"
         where = f"{where}: joint {name!r}"
+        tables.checked_table(given, f"{where}: ", _JOINT_KEYS)
         axes = np.zeros((0, 3))
         if kind in ("revolute", "prismatic"):
             axis = numbers(given.get("axis"), 3, f"{where}: axis", (0.0, 0.0, 1.0))
             axes = (R @ direction(axis, f"{where}: axis"))[None]
-        for key in ("stiffness", "frictionloss"):
-            if number(given.get(key), f"{where}: {key}", 0.0):
+        for key in ("stiffness", "springdamper", "frictionloss"):
+            if _first(given, key, where, "0"):
                 self.left_out.append(f"{key} of joint {name!r}")
         limits = self._range(given, "range", "limited", where)
+        if kind in ("revolute", "spherical"):
+            self.left_out += turn_limits(self.unit * limits, f"joint {name!r}")
         self.forces[name] = where, self._range(given, "actuatorfrcrange", "actuatorfrclimited", where)
         return Joint(
             name,
@@ -363,13 +388,14 @@ class _Reader:
     def _driven(self) -> list[Joint]:
         """The joints with the limits of the actuators that push them."""
         pushes: dict[str, list[_Push]] = {}
+        slides = {joint.name for joint in self.joints if joint.kind == "prismatic"}
         for section in self.root.findall("actuator"):
             for each in section:
                 given = self._of(each, None)
                 joint = given.get("joint", given.get("jointinparent"))
                 where = _actuator(given)
-                if joint is None:
-                    self.left_out.append(f"{where}, which is no joint's")
+                if joint not in slides:
+                    self.left_out.append(f"{where}, which is no slide's")
                 else:
                     pushes.setdefault(joint, []).append(self._push(given, where))
         return [
@@ -404,6 +430,20 @@ class _Reader:
         )
 
 
+def _merged(root: ET.Element, path: str) -> dict[str, str]:
+    """Attributes of all elements at a path, those of later ones over those of earlier ones."""
+    return {key: value for each in root.findall(path) for key, value in each.attrib.items()}
+
+
+def _disabled(root: ET.Element) -> set[str]:
+    """Flags that are disabled; ValueError for those without which nothing closes loops."""
+    flags = {key for key, value in _merged(root, "option/flag").items() if value == "disable"}
+    for key in ("constraint", "equality"):
+        if key in flags:
+            raise ValueError(f"option: flag: {key}: expected enable, since it closes loops, got disable")
+    return flags | {"passive"} if {"spring", "damper"} <= flags else flags
+
+
 def _stated(element: ET.Element) -> tuple[str, dict[str, str]]:
     """What an element is and its attributes; of an actuator those of a general one."""
     if element.tag not in _ACTUATORS:
@@ -413,9 +453,9 @@ def _stated(element: ET.Element) -> tuple[str, dict[str, str]]:
     return "general", found if gain is None else {**found, "gainprm": gain}
 
 
-def _first(given: Attributes, key: str, where: str) -> float:
-    """The first one of several numbers; 1 where there are none."""
-    return number(next(iter(given.get(key, "1").split()), ""), f"{where}: {key}")
+def _first(given: Attributes, key: str, where: str, usual: str = "1") -> float:
+    """The first one of several numbers; the usual one where there are none."""
+    return number(next(iter(given.get(key, usual).split()), ""), f"{where}: {key}")
 
 
 def _times(factor: float, limits: Array) -> Array:

@@ -1,5 +1,6 @@
 """SDF, the format of Gazebo, as a model."""
 
+import re
 import xml.etree.ElementTree as ET
 from dataclasses import replace
 
@@ -12,7 +13,18 @@ from ...robot.fields import LEGS, direction
 from ..chain import WORLD, Body, Joint, Model, after
 from ..notes import json_table
 from .sdf_out import NOTES, SPACE
-from .xml_text import at_line, interval, joint_of, largest, name_of, number, numbers, tensor
+from .xml_text import (
+    at_line,
+    interval,
+    joint_of,
+    largest,
+    name_of,
+    no_limits,
+    number,
+    numbers,
+    tensor,
+    turn_limits,
+)
 
 _KINDS = {
     "prismatic": "prismatic",
@@ -53,12 +65,12 @@ def model(root: ET.Element, loops: str | None = None) -> Model:
 
 
 def _version(root: ET.Element) -> tuple[int, ...]:
-    """The version of the format; without one none of the old rules counts."""
-    text = root.get("version", "2")
-    try:
-        return tuple(int(word) for word in text.split(".")[:2])
-    except ValueError:
-        raise ValueError(f"sdf: version: expected numbers with a point between, got {shown(text)}") from None
+    """The version of the format, which says what frames poses and axes are in."""
+    text = root.get("version", "")
+    if not re.fullmatch(r"1\.\d{1,4}(\.\d+)*", text):
+        got = shown(text) if text else "none"
+        raise ValueError(f"sdf: version: expected one such as 1.9, got {got}")
+    return tuple(int(word) for word in text.split(".")[:2])
 
 
 def _notes(root: ET.Element, model: ET.Element) -> str | None:
@@ -152,6 +164,9 @@ class _Reader:
             self.left_out.append(f"that {where} has no weight")
         if link.find("inertial/fluid_added_mass") is not None:
             self.left_out.append(f"fluid_added_mass of {where}")
+        decay = [each for key in ("linear", "angular") for each in link.findall(f"velocity_decay/{key}")]
+        if any(number(each.text, f"{where}: velocity_decay", 0.0) for each in decay):
+            self.left_out.append(f"velocity_decay of {where}")
         given = link.find("inertial")
         if given is None:
             given = ET.Element("inertial")
@@ -229,6 +244,10 @@ class _Reader:
             if axis.find("mimic") is not None:
                 self.left_out.append(f"mimic of {where}")
             limits = interval(axis.findtext("limit/lower"), axis.findtext("limit/upper"), where)
+            if joint.kind == "prismatic":
+                self.left_out += no_limits({each.tag: each.text for each in axis.findall("limit/*")}, where)
+            else:
+                self.left_out += turn_limits(limits, where)
             effort = largest(axis.findtext("limit/effort"), f"{where}: effort")
             speed = largest(axis.findtext("limit/velocity"), f"{where}: velocity")
         if max(damping) != min(damping):

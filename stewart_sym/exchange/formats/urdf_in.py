@@ -13,7 +13,18 @@ from ...motion.rotation import rotation_from_rpy
 from ...robot.fields import direction
 from ..chain import WORLD, Body, Joint, Model, after
 from ..notes import json_table
-from .xml_text import at_line, interval, joint_of, largest, name_of, number, numbers, tensor
+from .xml_text import (
+    at_line,
+    interval,
+    joint_of,
+    largest,
+    name_of,
+    no_limits,
+    number,
+    numbers,
+    tensor,
+    turn_limits,
+)
 
 _KINDS = {
     "prismatic": "prismatic",
@@ -36,7 +47,8 @@ def model(root: ET.Element, loops: str | None) -> Model:
     given = _loops(loops)
     names = {body.name for body in bodies}
     closures = [_closure(each, i, names, apart) for i, each in enumerate(given.get("closures", ()), 1)]
-    armature = given.get("armature_kg", {})
+    known = [joint.name for joint in joints]
+    armature = tables.checked_table(given.get("armature_kg", {}), "loops: armature_kg: ", known)
     joints = [
         replace(joint, armature=tables.not_negative(armature[joint.name], f"armature_kg: {joint.name}"))
         if joint.name in armature
@@ -67,21 +79,27 @@ def _apart_from_world(root: ET.Element) -> dict[str, str]:
 
 
 def _left_out(root: ET.Element) -> Iterator[str]:
+    if root.find("gazebo") is not None:
+        yield "section 'gazebo' of the file"
     for each in root.findall("joint"):
         where, dynamics = f"joint {each.get('name')!r}", each.find("dynamics")
         if each.find("mimic") is not None:
             yield f"mimic of {where}"
         if dynamics is not None and number(dynamics.get("friction"), f"{where}: friction", 0.0):
             yield f"friction of {where}"
+        limit, kind = each.find("limit"), each.get("type")
+        if limit is not None and kind == "prismatic":
+            yield from no_limits(limit.attrib, where)
+        if limit is not None and kind == "revolute":
+            yield from turn_limits(interval(limit.get("lower"), limit.get("upper"), where), where)
 
 
 def _loops(text: str) -> dict[str, Any]:
     found = tables.checked_table(json_table(text, "loops"), "loops: ", _FILE_KEYS)
     if not isinstance(found.get("closures", []), list):
         raise ValueError("loops: closures: expected a list")
-    for key in ("armature_kg", "notes"):
-        if not isinstance(found.get(key, {}), dict):
-            raise ValueError(f"loops: {key}: expected a table")
+    if not isinstance(found.get("notes", {}), dict):
+        raise ValueError("loops: notes: expected a table")
     return found
 
 
@@ -156,14 +174,15 @@ def _carried(element: ET.Element, links: dict[str, ET.Element], parent: Body) ->
     R, t = after((parent.R, parent.t), turn, place)
     child = _end(element, "child")
     body = _body(links[child], R, t)
-    joint = Joint(name, _KINDS[kind], parent.name, child)
+    dynamics = element.find("dynamics")
+    damping = 0.0 if dynamics is None else number(dynamics.get("damping"), f"{where}: damping", 0.0)
+    joint = Joint(name, _KINDS[kind], parent.name, child, damping=damping)
     if joint.kind in ("fixed", "free"):
         return body, joint
     axis = element.find("axis")
     local = numbers(None if axis is None else axis.get("xyz"), 3, f"{where}: axis", (1.0, 0.0, 0.0))
-    limit, dynamics = element.find("limit"), element.find("dynamics")
-    damping = 0.0 if dynamics is None else number(dynamics.get("damping"), f"{where}: damping", 0.0)
-    joint = replace(joint, axes=(R @ direction(local, f"{where}: axis"))[None], damping=damping)
+    limit = element.find("limit")
+    joint = replace(joint, axes=(R @ direction(local, f"{where}: axis"))[None])
     if limit is None or kind != "prismatic":
         return body, joint
     return body, replace(

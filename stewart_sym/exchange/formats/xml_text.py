@@ -3,7 +3,7 @@
 import math
 import re
 import xml.etree.ElementTree as ET
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Mapping
 from typing import Any
 from xml.parsers import expat
 
@@ -160,6 +160,21 @@ def largest(text: str | None, where: str) -> float:
     """A limit of a size; infinite where there is none: not stated, of ``NO_LIMIT``, 0 or negative."""
     found = float(numbers(text, 1, where, [NO_LIMIT], finite=False)[0])
     return found if 0.0 < found < NO_LIMIT else math.inf
+
+
+def turn_limits(limits: Any, joint: str) -> list[str]:
+    """What is left out where the angle of a joint has limits, rad, (2,); those of a robot are of its legs."""
+    low, high = limits
+    return [f"limits {low:.4g} to {high:.4g} rad of {joint}"] if np.isfinite([low, high]).any() else []
+
+
+def no_limits(given: Mapping[str, str | None], joint: str) -> list[str]:
+    """What is left out where limits of a drive are 0, by their names: ``largest`` takes them for none."""
+    return [
+        f"limit {key} 0, taken as none, of {joint}"
+        for key in ("effort", "velocity")
+        if not numbers(given.get(key), 1, f"{joint}: {key}", [NO_LIMIT], finite=False).any()
+    ]
 
 
 def at_line(element: ET.Element) -> str:
