@@ -440,8 +440,6 @@ def one_vector_rate(phi: Array, omega: Array) -> tuple[float, float, float]:
     u, v, w = omega.tolist()
     square = x * x + y * y + z * z
     half = 0.5 * math.sqrt(square)
-    if not math.isfinite(half):
-        return math.nan, math.nan, math.nan
     if half < 0.025:
         c = (1.0 + square / 60.0 * (1.0 + square / 42.0 * (1.0 + square / 40.0))) / 12.0
     else:
