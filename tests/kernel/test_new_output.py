@@ -137,6 +137,7 @@ def in_c(
     return arrays[-1]
 
 
+@pytest.mark.slow
 def test_the_same_two_files_give_c_a_new_output(kits: Path) -> None:
     robot, motion, answer = case()
     made = {path.name: path.read_text() for path in (kits / "c").iterdir()}
@@ -145,6 +146,7 @@ def test_the_same_two_files_give_c_a_new_output(kits: Path) -> None:
     np.testing.assert_allclose(found, answer, rtol=0, atol=1e-14 * np.abs(answer).max())
 
 
+@pytest.mark.slow
 def test_its_call_is_what_the_header_declares(kits: Path) -> None:
     header = " ".join((kits / "c" / "stewart_exact_motion.h").read_text().replace("(\n    ", "(").split())
     declared, *others = json.loads((kits / "call.json").read_text())
