@@ -113,8 +113,9 @@ def _joined(
     grid = functools.reduce(np.union1d, (noise.grid for _, noise in some))
     covariance, sigma = np.zeros((len(grid), 6, len(PAIRS))), np.zeros(6)
     for columns, noise in some:
-        covariance[:, columns] = _on_grid(grid, noise)[:, columns]
-        sigma[columns] = noise.sigma[columns]
+        # Of the same columns some may be smoothed and others not: each noise is 0 in those of another.
+        covariance[:, columns] += _on_grid(grid, noise)[:, columns]
+        sigma[columns] += noise.sigma[columns]
     replaced = tuple(itertools.chain.from_iterable(noise.replaced for _, noise in some))
     return Uncertainty(found, grid, covariance, sigma, in_joints, replaced)
 
@@ -291,9 +292,14 @@ def _least_noise(log: Log, values: Array) -> Array:
 
     A smooth curve would follow jumps of the accelerations worse.
     """
-    least, step = np.empty(6), float(np.median(np.diff(log.time)))
+    steps = np.diff(log.time)[:, None]
+    least, step = np.empty(6), float(np.median(steps))
+    before, after = steps[:-1], steps[1:]
     for _, part in log.kinds():
-        bend = float(np.abs(np.diff(values[:, part], 2, axis=0)).max(initial=0.0))
+        change = np.diff(values[:, part], axis=0)
+        # Twice how far a row is off the line of its neighbours, as even rows have it: a gap bends no more.
+        bent = 2.0 * np.abs(change[1:] * before - change[:-1] * after) / (before + after)
+        bend = float(np.max(bent * step**2 / np.maximum(before * after, step**2), initial=0.0))
         least[part] = _LITTLE / _AT_END[1] * max(bend, _GRAVITY * step**2)
     return least
 

@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 from command_line import rejects
 from log_files import LENGTHS, NAMES, RATES, write
+from machines import home_position, machine_size, random_robot
 from motion_fields import motion_of
-from noisy_logs import WHITE, Array, Case, case, from_poses, logged, read
+from noisy_logs import WHITE, Array, Case, case, coordinates, from_poses, logged, read
 from sweeps import share
 
 import stewart_sym as ss
@@ -139,6 +140,21 @@ def test_clean_polynomials_are_on_no_grid() -> None:
     """Even speed and even acceleration are whole numbers of a step in each row."""
     i = np.arange(300.0)
     assert not grid_steps(np.pi * np.stack([i, i**2, np.cumsum(np.minimum(i, 100.0))])).any()
+
+
+@pytest.mark.parametrize("missing", [0, 12])
+@pytest.mark.parametrize("sigma", [(4e-9, 5e-8), (1e-5, 4e-9), (3e-7, 3e-7)])
+def test_columns_are_smoothed_beside_others_and_gaps_and_deviations_hold_all_of_them(
+    sigma: tuple[float, float], missing: int
+) -> None:
+    rng = np.random.default_rng(4)
+    robot, time = random_robot(rng), np.delete(np.arange(601) / 200.0, slice(260, 260 + missing))
+    true = coordinates(rng, machine_size(robot), time, 0.8)
+    true[0, :, :3] += home_position(robot.b, machine_size(robot))
+    trajectory, _ = read(time, true[0] + np.repeat(sigma, 3) * rng.normal(size=true[0].shape))
+    F, sd = ss.inverse_dynamics(robot, motion_of(true)).F, ss.force_deviations(robot, trajectory)
+    assert np.abs((ss.inverse_dynamics(robot, trajectory.motion).F - F) / sd).max() < 6.0
+    assert np.median(sd) < 1e-3 * np.abs(F).max()
 
 
 def first_rows(seed: int, count: int) -> Case:
