@@ -235,7 +235,7 @@ def _derivatives(
 ) -> tuple[Array, Uncertainty | None]:
     """``rates_of`` of numbers with a level of noise."""
     noisy = level.sigma > 0.0
-    if level.scale is None and not absent("scipy"):
+    if level.scale is None and len(log.time) >= in_log.MIN_SPLINE_POINTS and not absent("scipy"):
         noisy = level.sigma > _least_noise(log, values)
     if log.smoothing.cutoff is not None:
         noisy[:] = True

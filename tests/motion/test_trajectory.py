@@ -317,11 +317,13 @@ BAD: list[tuple[str, str]] = [
         with_line(1, ",".join(POSE + RATES[:6]), FULL),
         "missing column a_x: expected velocities and accelerations",
     ),
+    ("\n".join(GOOD[:2]), "expected at least 4 rows to fit a spline, got 1"),
     ("\n".join(GOOD[:4]), "expected at least 4 rows to fit a spline, got 3"),
     (with_line(3, '0.1,"' + "9" * 200_000 + '",0,0.5,0,0,0'), "row 3: not valid CSV"),
 ]
 
 
+@pytest.mark.filterwarnings("error::RuntimeWarning")
 @pytest.mark.parametrize(("text", "expected"), BAD)
 def test_bad_csv_is_named(tmp_path: Path, text: str, expected: str) -> None:
     path = tmp_path / "traj.csv"
