@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -23,7 +23,7 @@ from ..io.tables import positive
 from . import rotation
 from .motion import Motion, at_rest
 from .straight_line import MOST_STEPS
-from .trajectory import PoseLog, Trajectory, need_trajectory
+from .trajectory import PoseLog, Replaced, Trajectory, Uncertainty, need_trajectory
 
 Path = Callable[[Array], Motion]
 """Times, s, (n,) -> the motion there, of shape (n,)."""
@@ -118,7 +118,9 @@ def _need_interpolable(trajectory: Trajectory | PoseLog) -> None:
 def resampled(trajectory: Trajectory | PoseLog, rate: float) -> Trajectory:
     """Return the trajectory at even times from its first instant on, ``rate`` of them per second, Hz.
 
-    Each takes the row of the instant before it.
+    Each takes the row of the instant before it. In long gaps of a log deviations hold what noise at both ends
+    leaves open, and by how much as long polynomials miss the motion elsewhere; instants there count as
+    replaced rows.
 
     Parameters
     ----------
@@ -148,13 +150,72 @@ def resampled(trajectory: Trajectory | PoseLog, rate: float) -> Trajectory:
     when = np.minimum(time[0] + np.arange(int(count) + 1) / rate, time[-1])
     i, share = _steps(time, when)
     rows = tuple(trajectory.rows[int(k)] for k in i)
-    noise = trajectory.noise
+    noise, gaps = trajectory.noise, breaks(since)
+    if noise is None and gaps and isinstance(trajectory, PoseLog):
+        sure, tool = np.zeros((2, 6, len(PAIRS))), trajectory.tool
+        of = trajectory.coordinates
+        noise = Uncertainty(of, time[[0, -1]], sure, np.zeros(6), tool=tool, order=trajectory.order)
     if noise is not None:
         start, end = noise.coordinates[:, :-1], noise.coordinates[:, 1:]
         h = np.diff(since)[:, None]
         c = quintic(h, tuple(start), tuple(end))
+        if gaps:
+            noise = _in_gaps(noise, time, gaps, trajectory.rows)
         noise = noise._replace(coordinates=np.stack(values(c[:, i], share, h[i])))
     return Trajectory(when, path(when), trajectory.source, rows, noise)
+
+
+# Instants of a gap at which covariances are given, and places of a log at which as long ones are tried.
+_IN_GAP, _TRIED = 17, 200
+
+
+def _in_gaps(noise: Uncertainty, time: Array, gaps: list[int], rows: Sequence[int]) -> Uncertainty:
+    """Uncertainty of coordinates, in gaps, before some of the instants, that of quintics through them."""
+    since, share, first = elapsed(time), np.linspace(0.0, 1.0, _IN_GAP)[:, None], 0
+    missed = functools.cache(functools.partial(_missed, since, noise.coordinates))
+    units = np.eye(6).reshape(2, 3, 6)
+    grids, covariances, spans = [], [], []
+    at_ends = noise.covariances(time[np.add.outer(gaps, [-1, 0]).ravel()]).reshape(len(gaps), 2, 6, -1)
+    for i, both in zip(gaps, at_ends, strict=True):
+        ends, h = time[i - 1 : i + 1], since[i : i + 1] - since[i - 1]
+        # What value, rate and second rate at each end make of those inside, (g, 6).
+        made = values(quintic(h, *map(tuple, units))[:, None], share, h)
+        known = np.zeros((len(noise.sigma), 6, 6))
+        for end, of in enumerate(both):
+            for k, (p, q) in enumerate(PAIRS):
+                known[:, 3 * end + p, 3 * end + q] = known[:, 3 * end + q, 3 * end + p] = of[:, k]
+        off = missed(float(f"{h[0]:.2g}"))
+        inside = [off[p] * off[q] + np.einsum("ga,cab,gb->gc", made[p], known, made[q]) for p, q in PAIRS]
+        before, after = np.searchsorted(noise.grid, ends[0]), np.searchsorted(noise.grid, ends[1], "right")
+        grids += [noise.grid[first:before], ends[0] + h * share[:, 0]]
+        covariances += [noise.covariance[first:before], np.stack(inside, axis=-1)]
+        spans.append(Replaced(float(ends[0]), float(ends[1]), (f"the gap before row {rows[i]}",)))
+        first = int(after)
+    return noise._replace(
+        grid=np.concatenate([*grids, noise.grid[first:]]),
+        covariance=np.concatenate([*covariances, noise.covariance[first:]]),
+        replaced=(*noise.replaced, *spans),
+    )
+
+
+def _missed(since: Array, rows: Array, h: float) -> Array:
+    """By how much quintics over a time h miss values and rates of rows, (3, n, c), at most: (3, g, c).
+
+    Where no rows are that far apart without a gap, over less, and what is missed of values grows with its
+    sixth power.
+    """
+    edges = np.array([0, *breaks(since), len(since)])
+    until = np.repeat(since[edges[1:] - 1], np.diff(edges))
+    tried = min(h, float(np.max(until - since))) * (1.0 - 1e-9)
+    first = np.flatnonzero(since + tried <= until)
+    first = first[np.linspace(0, len(first) - 1, min(len(first), _TRIED)).astype(np.int64)]
+    last = np.searchsorted(since, since[first] + tried)
+    at = first[:, None] + np.rint((last - first)[:, None] * np.linspace(0.0, 1.0, _IN_GAP)).astype(np.int64)
+    step = (since[last] - since[first])[:, None, None]
+    share = (since[at] - since[first, None])[..., None] / step
+    c = quintic(step, tuple(rows[:, first, None]), tuple(rows[:, last, None]))
+    missed = np.abs(rows[:, at] - np.stack(values(c, share, step))).max(axis=1)
+    return np.asarray(missed * (h / tried) ** np.array([6.0, 5.0, 4.0])[:, None, None])
 
 
 def _steps(time: Array, when: Array) -> tuple[NDArray[np.int64], Array]:

@@ -309,7 +309,7 @@ def tell_gap(log: Log) -> None:
         f"{step[i] / usual:.3g} times the usual step of {usual:.3g} s"
     )
     more = f"; {gaps.size - 1} more gaps" if gaps.size > 1 else ""
-    log.warn(f"{text}{more}: bridged by a smooth curve")
+    log.warn(f"{text}{more}: bridged by a smooth curve, as if the motion there were like elsewhere")
 
 
 # Rows of a slower sensor

@@ -114,16 +114,10 @@ def _joined(
     covariance, sigma = np.zeros((len(grid), 6, len(PAIRS))), np.zeros(6)
     for columns, noise in some:
         # Of the same columns some may be smoothed and others not: each noise is 0 in those of another.
-        covariance[:, columns] += _on_grid(grid, noise)[:, columns]
+        covariance[:, columns] += noise.covariances(grid)[:, columns]
         sigma[columns] += noise.sigma[columns]
     replaced = tuple(itertools.chain.from_iterable(noise.replaced for _, noise in some))
     return Uncertainty(found, grid, covariance, sigma, in_joints, replaced)
-
-
-def _on_grid(grid: Array, noise: Uncertainty) -> Array:
-    """Covariance at other times, (g, 6, 6)."""
-    flat = noise.covariance.reshape(len(noise.grid), -1)
-    return np.stack([np.interp(grid, noise.grid, x) for x in flat.T], axis=-1).reshape(-1, 6, len(PAIRS))
 
 
 # Share of the usual step in time, rounded off, from which on accelerations tell.
@@ -226,7 +220,7 @@ def _with_changes(
     squares *= near[rows, None, None]
     grid = np.union1d(noise.grid, time[rows])
     changes = noise._replace(grid=time[rows], covariance=squares)
-    covariance = _on_grid(grid, noise) + _on_grid(grid, changes)
+    covariance = noise.covariances(grid) + changes.covariances(grid)
     return noise._replace(grid=grid, covariance=covariance)
 
 

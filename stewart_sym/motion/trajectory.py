@@ -103,11 +103,15 @@ class Uncertainty(NamedTuple):
     tool: Array | None = None
     order: str = "zyx"
 
+    def covariances(self, time: Array) -> Array:
+        """At times, (n, 6, 6)."""
+        flat = self.covariance.reshape(len(self.grid), -1)
+        found = np.stack([np.interp(time, self.grid, x) for x in flat.T], axis=-1)
+        return found.reshape(-1, *self.covariance.shape[1:])
+
     def variances(self, time: Array) -> Array:
         """Of each coordinate's value at times, (n, 6)."""
-        return np.stack(
-            [np.interp(time, self.grid, column) for column in self.covariance[:, :, 0].T], axis=-1
-        )
+        return self.covariances(time)[..., 0]
 
 
 class Trajectory(NamedTuple):

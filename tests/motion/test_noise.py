@@ -16,11 +16,11 @@ from sweeps import share
 import stewart_sym as ss
 from stewart_sym.drives.verdicts import EXCEEDED, NOT_DECIDED, amount_text, verdicts
 from stewart_sym.motion import interpolation, smoothing
-from stewart_sym.motion.log_reader import read_csv, read_log
+from stewart_sym.motion.log_reader import _pose_log, read_csv, read_log
 from stewart_sym.motion.noise_level import grid_steps, rounding_step, white_noise
 from stewart_sym.motion.rotation import rpy_from_rotation
 from stewart_sym.motion.smoothing import shown_noise
-from stewart_sym.motion.trajectory import Trajectory, Uncertainty
+from stewart_sym.motion.trajectory import Log, PoseLog, Trajectory, Uncertainty
 from stewart_sym.singularities.joint_space import on_platform
 from stewart_sym.studies.reports.track import NOISE_SHARE, peak_noise
 
@@ -142,19 +142,46 @@ def test_clean_polynomials_are_on_no_grid() -> None:
     assert not grid_steps(np.pi * np.stack([i, i**2, np.cumsum(np.minimum(i, 100.0))])).any()
 
 
+def with_gap(sigma: tuple[float, float], missing: slice, highest: float) -> tuple[ss.Robot, Array, PoseLog]:
+    """A robot, a motion up to a frequency, (3, 601, 6) at 200 Hz, and its log, which has a gap."""
+    rng, time = np.random.default_rng(4), np.arange(601) / 200.0
+    robot = random_robot(rng)
+    true = coordinates(rng, machine_size(robot), time, highest)
+    true[0, :, :3] += home_position(robot.b, machine_size(robot))
+    values = true[0] + np.repeat(sigma, 3) * rng.normal(size=true[0].shape)
+    t, theta = np.hsplit(np.delete(values, missing, axis=0), 2)
+    written = {"t": [*t.T], "theta": [*theta.T]}
+    with warnings.catch_warnings(action="ignore"):
+        return robot, true, _pose_log(Log("poses", range(len(t)), np.delete(time, missing), written))
+
+
 @pytest.mark.parametrize("missing", [0, 12])
 @pytest.mark.parametrize("sigma", [(4e-9, 5e-8), (1e-5, 4e-9), (3e-7, 3e-7)])
 def test_columns_are_smoothed_beside_others_and_gaps_and_deviations_hold_all_of_them(
     sigma: tuple[float, float], missing: int
 ) -> None:
-    rng = np.random.default_rng(4)
-    robot, time = random_robot(rng), np.delete(np.arange(601) / 200.0, slice(260, 260 + missing))
-    true = coordinates(rng, machine_size(robot), time, 0.8)
-    true[0, :, :3] += home_position(robot.b, machine_size(robot))
-    trajectory, _ = read(time, true[0] + np.repeat(sigma, 3) * rng.normal(size=true[0].shape))
+    robot, true, trajectory = with_gap(sigma, slice(260, 260 + missing), 0.8)
+    true = np.delete(true, slice(260, 260 + missing), axis=1)
     F, sd = ss.inverse_dynamics(robot, motion_of(true)).F, ss.force_deviations(robot, trajectory)
     assert np.abs((ss.inverse_dynamics(robot, trajectory.motion).F - F) / sd).max() < 6.0
     assert np.median(sd) < 1e-3 * np.abs(F).max()
+
+
+@pytest.mark.parametrize(
+    ("sigma", "missing", "highest"),
+    [(1e-4, 12, 0.8), (1e-4, 20, 0.8), (1e-4, 100, 0.8), (1e-7, 60, 2.5), (0.0, 60, 2.5)],
+)
+def test_deviations_hold_what_a_bridge_over_a_gap_leaves_open(
+    sigma: float, missing: int, highest: float
+) -> None:
+    gap = slice(260, 260 + missing)
+    robot, true, trajectory = with_gap((sigma, sigma), gap, highest)
+    found = ss.resampled(trajectory, 200.0)
+    F, sd = ss.inverse_dynamics(robot, motion_of(true)).F, ss.force_deviations(robot, found)
+    z = (ss.inverse_dynamics(robot, found.motion).F - F)[gap] / sd[gap]
+    assert 0.2 < np.sqrt(np.mean(z**2)) < 2.0
+    assert np.abs(z).max() < 6.0
+    assert found.noise.replaced[-1].rows == ("the gap before row 260",)
 
 
 def first_rows(seed: int, count: int) -> Case:
