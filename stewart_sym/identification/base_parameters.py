@@ -200,6 +200,9 @@ def need_base(base: BaseParameters, robot: Robot) -> None:
     instance(base, BaseParameters, "base")
     for name in ("b", "p", "k", "g"):
         own, other = (np.asarray(getattr(each, name)) for each in (robot, base.robot))
+        if name == "k":
+            # An axis either way round.
+            other = other * np.where(np.sum(own * other, axis=-1) < 0.0, -1.0, 1.0)[:, None]
         if np.abs(own - other).max() > _SAME * np.abs(own).max():
             raise ValueError(f"base: found for a machine of another {name}, expected base_parameters(robot)")
 

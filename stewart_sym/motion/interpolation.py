@@ -118,9 +118,9 @@ def _need_interpolable(trajectory: Trajectory | PoseLog) -> None:
 def resampled(trajectory: Trajectory | PoseLog, rate: float) -> Trajectory:
     """Return the trajectory at even times from its first instant on, ``rate`` of them per second, Hz.
 
-    Each takes the row of the instant before it. In long gaps of a log deviations hold what noise at both ends
-    leaves open, and by how much as long polynomials miss the motion elsewhere; instants there count as
-    replaced rows.
+    Each takes the row of the instant before it. In long gaps of a log of poses, or of one with noise,
+    deviations hold what noise at both ends leaves open, and by how much as long polynomials miss the motion
+    elsewhere; instants there count as replaced rows. Of a trajectory without noise there are none.
 
     Parameters
     ----------
@@ -445,6 +445,8 @@ def breaks(time: Array) -> list[int]:
     """First samples after long gaps, so that each part has its fewest samples."""
     step = np.diff(time)
     found: list[int] = []
+    if len(time) < 2 * _FEWEST_SAMPLES:
+        return found
     for i in (np.flatnonzero(step > _GAP * np.quantile(step, 0.9)) + 1).tolist():
         if i - (found[-1] if found else 0) >= _FEWEST_SAMPLES and len(time) - i >= _FEWEST_SAMPLES:
             found.append(i)

@@ -12,7 +12,7 @@ from ..io.array_types import Array, Flags
 from ..io.extras import absent, needed_for
 from ..io.instants import elapsed, lost, time_text
 from . import log_faults
-from .interpolation import PAIRS, check_cutoff
+from .interpolation import PAIRS, breaks, check_cutoff
 from .noise import in_log
 from .noise.lines import line_covariance, lines, tell_lines
 from .noise.sparse_rows import DEGREE, FEWEST, end_errors
@@ -239,11 +239,13 @@ def _derivatives(
     if not noisy.all():
         found[0][:, ~noisy] = values[:, ~noisy]
         since = elapsed(log.time)
-        spline = _spline(since, values[:, ~noisy], log.source)
-        # In parts, since a spline's values come in arrays of their own.
-        for part in (slice(i, i + _PART) for i in range(0, len(since), _PART)):
-            for order in (1, 2):
-                found[order, part][:, ~noisy] = spline(since[part], order)
+        # What is before a long gap says nothing of what is after it, and a spline through both overshoots.
+        for first, end in itertools.pairwise([0, *breaks(since), len(since)]):
+            spline = _spline(since[first:end], values[first:end, ~noisy], log.source)
+            # In parts, since a spline's values come in arrays of their own.
+            for part in (slice(i, min(i + _PART, end)) for i in range(first, end, _PART)):
+                for order in (1, 2):
+                    found[order, part][:, ~noisy] = spline(since[part], order)
     fine = np.where(noisy | (not log.smoothing.on), 0.0, level.sigma)
     noises: list[tuple[slice, Uncertainty | None]] = [
         (slice(i, i + 1), _of_spline(log, found, np.where(np.arange(6) == i, fine, 0.0)))
@@ -300,10 +302,14 @@ def _least_noise(log: Log, values: Array) -> Array:
 
 def _of_spline(log: Log, found: Array, sigma: Array) -> Uncertainty:
     """Uncertainty of coordinates and rates, (3, n, 6), of a spline through rows with noise, (6,)."""
-    step, last = float(np.median(np.diff(log.time))), len(log.time) - 1
-    grid = log.time[[0, min(_INSIDE_FROM, last), max(last - _INSIDE_FROM, 0), last]]
-    covariance = np.zeros((len(grid), 6, len(PAIRS)))
-    for row, (rate, second) in zip(covariance, (_AT_END, _INSIDE, _INSIDE, _AT_END), strict=True):
+    step, edges = float(np.median(np.diff(log.time))), [0, *breaks(elapsed(log.time)), len(log.time)]
+    rows, kinds = [], []
+    for first, end in itertools.pairwise(edges):
+        last = end - 1
+        rows += [first, min(first + _INSIDE_FROM, last), max(last - _INSIDE_FROM, first), last]
+        kinds += [_AT_END, _INSIDE, _INSIDE, _AT_END]
+    grid, covariance = log.time[rows], np.zeros((len(rows), 6, len(PAIRS)))
+    for row, (rate, second) in zip(covariance, kinds, strict=True):
         row[:, [0, 2, 5]] = (sigma[:, None] * [1.0, rate / step, second / step**2]) ** 2
     return Uncertainty(found, grid, covariance, sigma, "L" in log.written)
 

@@ -348,7 +348,7 @@ def test_the_same_of_several_joints_is_left_out_in_one_line(tmp_path: Path) -> N
 
 
 ALL = {"stiffness", "springdamper", "frictionloss"}
-SPRINGS = 'axis="0 1 0" stiffness="9" springdamper="1 1" frictionloss="2"'
+SPRINGS = 'axis="0 1 0" stiffness="0 9" springdamper="1 1" frictionloss="2"'
 
 
 @pytest.mark.parametrize(

@@ -184,6 +184,13 @@ def test_deviations_hold_what_a_bridge_over_a_gap_leaves_open(
     assert found.noise.replaced[-1].rows == ("the gap before row 260",)
 
 
+def test_rows_of_a_clean_log_beside_a_gap_are_as_good_as_those_at_its_ends() -> None:
+    robot, true, trajectory = with_gap((0.0, 0.0), slice(260, 300), 10.0)
+    F = ss.inverse_dynamics(robot, motion_of(np.delete(true, slice(260, 300), axis=1))).F
+    error = np.abs(ss.inverse_dynamics(robot, trajectory.motion).F - F).max(axis=-1) / np.abs(F).max()
+    assert error[258:262].max() < 3.0 * error[[0, 1, -2, -1]].max() < 0.03
+
+
 def first_rows(seed: int, count: int) -> Case:
     one = case(seed)
     return Case(one.robot, one.time[:count], one.true[:, :count], one.F[:count])

@@ -243,7 +243,7 @@ class _Reader:
             axis = numbers(given.get("axis"), 3, f"{where}: axis", (0.0, 0.0, 1.0))
             axes = (R @ direction(axis, f"{where}: axis"))[None]
         for key in ("stiffness", "springdamper", "frictionloss"):
-            if _first(given, key, where, "0"):
+            if any(number(each, f"{where}: {key}") for each in given.get(key, "0").split()):
                 self.left_out.append(f"{key} of joint {name!r}")
         limits = self._range(given, "range", "limited", where)
         if kind in ("revolute", "spherical"):
@@ -453,9 +453,9 @@ def _stated(element: ET.Element) -> tuple[str, dict[str, str]]:
     return "general", found if gain is None else {**found, "gainprm": gain}
 
 
-def _first(given: Attributes, key: str, where: str, usual: str = "1") -> float:
-    """The first one of several numbers; the usual one where there are none."""
-    return number(next(iter(given.get(key, usual).split()), ""), f"{where}: {key}")
+def _first(given: Attributes, key: str, where: str) -> float:
+    """The first one of several numbers; 1 where there are none."""
+    return number(next(iter(given.get(key, "1").split()), ""), f"{where}: {key}")
 
 
 def _times(factor: float, limits: Array) -> Array:

@@ -1,9 +1,14 @@
-"""Rows so few that accelerations at the ends of a log are a guess, as splines without the first rows show."""
+"""Rows so few that accelerations at the ends of a log, or beside long gaps, are a guess: splines without the
+first rows show it.
+"""
+
+import itertools
 
 import numpy as np
 
 from ...io.array_types import Array
 from ...io.instants import elapsed, time_text
+from ..interpolation import breaks
 from ..trajectory import Log
 
 DEGREE = 5
@@ -25,15 +30,21 @@ def end_errors(log: Log, found: Array) -> Array | None:
     all rows is at its first, whatever the phase of the motion, while that one is right there.
     """
     since, errors = elapsed(log.time), np.zeros_like(found)
-    end = min(_END, len(since) // 3)
-    errors[1:, :end] = _first_rows(since, found, end)
-    errors[1:, -end:] = _first_rows(-since[::-1], _BACKWARD * found[:, ::-1], end)[:, ::-1]
+    gaps = breaks(since)
+    for first, last in itertools.pairwise([0, *gaps, len(since)]):
+        part, end = slice(first, last), min(_END, (last - first) // 3)
+        if last - first < FEWEST:
+            continue
+        errors[1:, first : first + end] = _first_rows(since[part], found[:, part], end)
+        backward = _first_rows(-since[part][::-1], _BACKWARD * found[:, part][:, ::-1], end)
+        errors[1:, last - end : last] = backward[:, ::-1]
     said = (_text(log, found[2, :, part], errors[2, :, part], name) for name, part in log.kinds())
     told = [text for text in said if text]
     if not told:
         return None
+    where = "the log's ends" + (" and beside its gaps" if gaps else "")
     log.warn(
-        f"accelerations at the log's ends may be off by {' and '.join(told)}, as deviations say: rows are "
+        f"accelerations at {where} may be off by {' and '.join(told)}, as deviations say: rows are "
         "too far apart, or accelerations jump; what helps: more rows, more of them at rest before and after",
     )
     return errors
