@@ -8,12 +8,14 @@ import numpy as np
 
 from ..io.arguments import safe_text
 from ..io.array_types import Array
+from ..io.error_policy import errors_of
 from ..motion import rotation
 from ..robot.drive import Drive
 from ..robot.fields import DEFAULT_GRAVITY
 from ..robot.offsets import Offsets
 from ..robot.robot import Robot
 from .chain import WORLD, Body, Joint, Model, same_frame
+from .crosses import LOWER, PLATFORM, UPPER, Cross, crosses_of, largest_error, lines_of, with_crosses
 from .machine import SLIDES
 from .notes import with_notes
 from .offset_legs import OffsetLines
@@ -25,6 +27,10 @@ _OPEN = 1e-3
 _SAID = 1e-9
 """From here on a deviation is reported."""
 _ROUNDING = 1e-9
+_MOST_OFF = 0.01
+"""Largest error of a force that is only reported, over the mean load of a leg."""
+_SAME_MASS = 1e-12
+_G = float(np.linalg.norm(DEFAULT_GRAVITY))
 _LEAD = 0.005
 """Lead of a screw, m, where a model states an armature and no screw."""
 
@@ -35,6 +41,7 @@ def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
     machine, order = _ordered(machine_of(model), model, said)
     # Axes that miss each other are an error of the file unless it notes that they are meant to.
     offset = "offsets" in model.notes
+    open_by = _open_by(machine, model)
     legs = [_Leg(machine, leg, i, said, offset) for i, leg in enumerate(machine.legs, 1)]
     kinds = [leg.base_joint for leg in legs]
     usual = max(kinds, key=kinds.count)
@@ -43,11 +50,13 @@ def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
             where = f"leg {leg.number}: joint {leg.leg.base[0].joint.name!r}"
             expected = f"expected a {usual} joint at the base as leg {kinds.index(usual) + 1} has"
             raise ValueError(f"{where}: {expected}, got a {leg.base_joint} one")
-    off = max(_off_welds(machine, model, legs[0].L), *(leg.off for leg in legs))
+    off = max(open_by, *(leg.off for leg in legs))
     if off > _SAID:
         said.insert(0, f"axes and loops are off by up to {off:.2g} rad or of a leg, taken as exact")
     platform = machine.bodies[machine.platform]
     _need_mass(platform, "the platform")
+    crosses = [each for leg in legs for each in leg.crosses]
+    platform = with_crosses(platform, crosses, PLATFORM)
     # A frame of its own is turned to that of the base, so that the pose in the file is a home pose.
     level = same_frame(platform.R, np.eye(3))
     R = np.eye(3) if level else platform.R
@@ -56,6 +65,9 @@ def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
         frame = f"the origin of {machine.platform!r}, axes those of the base in the pose in the file"
     who = ", ".join(f"{i} {leg.lower!r} {leg.upper!r}" for i, leg in enumerate(machine.legs, 1))
     lines = [f"legs in the order of {order}: {who}", f"base frame: the world's; platform frame: {frame}"]
+    others = [repr(name) for name, first in machine.members.items() if first == machine.platform][1:]
+    if others:
+        lines.append(f"platform: {machine.platform!r}, the heaviest of the bodies that the legs hold")
     if model.gravity is None:
         lines.append("gravity: not in the file, (0, 0, -9.81) m/s^2 is taken")
     found: dict[str, Any] = {
@@ -73,7 +85,10 @@ def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
         offsets: dict[str, Any] = {key: [leg.offset[key] for leg in legs] for key in legs[0].offset}
         found["offsets"] = Offsets(**offsets)
     drive = _drive(legs)
-    robot, kept = with_notes(Robot(**found, drive=drive), model)
+    robot = Robot(**found, drive=drive)
+    lines.append(_mass_kept(machine, model, robot))
+    said += _crosses_said(legs, platform, robot)
+    robot, kept = with_notes(robot, model)
     if drive is not None and robot.drive is drive:
         said.append(f"armatures of the slides: rotors behind screws with a lead of {_LEAD:g} m")
     if robot.home is not None:
@@ -83,16 +98,53 @@ def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
     return robot, tuple(lines + said + left_out + kept)
 
 
-def _off_welds(machine: Machine, model: Model, length: float) -> float:
-    """How far welds are open, over a length, and rad; ValueError for those that are open by far."""
-    off = 0.0
+def _mass_kept(machine: Machine, model: Model, robot: Robot) -> str:
+    """Compare the mass of the bodies that move in the file and in the robot; ValueError if it differs."""
+    moving = sum(body.mass for body in model.bodies if machine.members[body.name] != WORLD)
+    crosses = 0.0 if robot.offsets is None else float(robot.offsets.cross_mass.sum())
+    kept = robot.M + float(robot.m_d.sum()) + float(robot.m_u.sum()) + crosses
+    if abs(kept - moving) > _SAME_MASS * moving:
+        got = f"expected {moving:.13g} kg as in the file, got {kept:.13g} kg"
+        raise ValueError(f"mass of the bodies that move: {got}")
+    return f"mass of the bodies that move: {moving:.7g} kg in the file, {kept:.7g} kg imported"
+
+
+def _crosses_said(legs: Sequence["_Leg"], platform: Body, robot: Robot) -> Iterator[str]:
+    """State where the bodies between axes are, and the effect; ValueError where it is large."""
+    crosses = [leg.crosses for leg in legs]
+    # Where the file has no gravity, the earth's says how large a lost moment is.
+    g = float(np.linalg.norm(robot.g)) or _G
+    s, p = np.array([leg.s for leg in legs]), np.array([platform.R @ leg.p for leg in legs])
+    error = largest_error(crosses, p, s, g)
+    load = g * (robot.M + float(robot.m_d.sum()) + float(robot.m_u.sum())) / len(legs)
+    if error > _MOST_OFF * load:
+        every = [each for of_leg in crosses for each in of_leg]
+        worst = max(every, key=lambda each: each.body.mass * each.lost)
+        raise ValueError(
+            f"body {worst.body.name!r}: expected its center of mass where the axes meet, got "
+            f"{1e3 * worst.lost:.3g} mm off, which changes forces by up to {error:.3g} N"
+        )
+    return lines_of(crosses, error)
+
+
+def _open_by(machine: Machine, model: Model) -> float:
+    """Compute by how much welds and loops are open, over a leg, and rad; ValueError names all far open."""
+    ends = [(machine.place(leg.base[0]), machine.place(leg.tip[-1])) for leg in machine.legs]
+    length, off = float(np.median([np.linalg.norm(tip - base) for base, tip in ends])), 0.0
+    far: dict[str, list[tuple[str, str]]] = {}
     for joint in model.joints:
-        if joint.kind == "fixed" and joint.cut:
-            gap = machine.gap(joint)
-            off = max(off, gap / length, joint.position)
-            if off > _OPEN:
-                by = f"{gap:.3g} m" if gap > _OPEN * length else f"{np.degrees(joint.position):.3g} deg"
-                raise ValueError(f"joint {joint.name!r}: expected a weld {_CLOSED}, got one open by {by}")
+        if joint.cut:
+            gap, angle = machine.gap(joint), joint.position if joint.kind == "fixed" else 0.0
+            off = max(off, gap / length, angle)
+            if max(gap / length, angle) > _OPEN:
+                by = f"{gap:.3g} m" if gap > _OPEN * length else f"{np.degrees(angle):.3g} deg"
+                far.setdefault("weld" if joint.kind == "fixed" else "loop", []).append((repr(joint.name), by))
+    for what, found in far.items():
+        names, by = (", ".join(words) for words in zip(*found, strict=True))
+        if len(found) == 1:
+            raise ValueError(f"joint {names}: expected a {what} {_CLOSED}, got one open by {by}")
+        expected = f"expected {what}s that are closed in the pose of the file"
+        raise ValueError(f"joints {names}: {expected}, got ones open by {by}")
     return off
 
 
@@ -147,10 +199,6 @@ class _Leg:
         self.lower, self.upper = machine.bodies[leg.lower], machine.bodies[leg.upper]
         for body in (self.lower, self.upper):
             _need_mass(body, f"leg {number}")
-        for cross in (machine.bodies[name] for names in leg.crosses for name in names):
-            if cross.mass < 0.0:
-                raise self._error(f"body {cross.name!r}: expected a mass >= 0, got {cross.mass:g}")
-        self.p = machine.point(leg.tip[-1], machine.platform)
         self.off = 0.0
         self.apart: list[tuple[float, Sequence[Step]]] = []
         self.tip = self._common(leg.tip)
@@ -158,17 +206,21 @@ class _Leg:
         self.b = self._common(leg.base) if self.lines is None else self.lines.b
         self.foot = self.b if self.lines is None else self.lines.A
         self.L, self.s = self._sliding()
-        self._need_closed()
+        self.p = self._platform_point()
+        self._need_meeting()
         k = self._axis()
         self.base_joint = "spherical" if k is None else "universal"
         self.sign = self._sign(leg.slide)
         self.frame = self._frame(k)
+        self.crosses = self._crosses(k)
+        self.lower = with_crosses(self.lower, self.crosses, LOWER)
+        self.upper = with_crosses(self.upper, self.crosses, UPPER)
         self.values = {
             "b": self.b,
             "p": self.p,
             "k": np.zeros(3) if k is None else k,
-            **self._part(self.lower, leg.base, "d", leg.crosses[0]),
-            **self._part(self.upper, leg.tip, "u", leg.crosses[1]),
+            **self._part(self.lower, leg.base, "d"),
+            **self._part(self.upper, leg.tip, "u"),
             "C_u": self._damping(leg.base),
             "C_p": leg.slide.joint.damping,
             "C_s": self._damping(leg.tip),
@@ -230,18 +282,17 @@ class _Leg:
             raise self._error(f"{where}: expected {expected}, got {got}")
         self.off = max(self.off, off / limit)
 
-    def _need_closed(self) -> None:
-        """Reject axes that do not meet and loops that are open in the file's pose."""
+    def _need_meeting(self) -> None:
+        """Reject axes that do not meet in the file's pose, and those that are parallel."""
         for off, steps in self.apart:
             where = f"joints {' and '.join(repr(step.joint.name) for step in steps)}"
             # The point where they are taken to meet is in the middle of two axes.
             self._near(off, self.L, where, "axes that meet", f"{2.0 * off:.3g} m between them")
-        for each in (*self.leg.base, self.leg.slide, *self.leg.tip):
-            joint = each.joint
-            if joint.cut:
-                gap = self.machine.gap(joint)
-                expected, got = f"a loop {_CLOSED}", f"one open by {gap:.3g} m"
-                self._near(gap, self.L, f"joint {joint.name!r}", expected, got)
+            axes = np.concatenate([step.axes for step in steps])
+            if np.linalg.norm(rotation.cross(axes[1:], axes[:-1]), axis=-1).min() < _OPEN:
+                raise self._error(
+                    f"{where}: expected each axis at an angle to the next one, got parallel ones"
+                )
 
     def _axis(self) -> Array | None:
         """The fixed axis of a universal joint, (3,), None of a spherical one."""
@@ -281,7 +332,7 @@ class _Leg:
         y = y / sine
         return np.stack([self.s, y, rotation.cross(self.s, y)], axis=-1)
 
-    def _part(self, body: Body, ends: Sequence[Step], part: str, crosses: Sequence[str]) -> dict[str, Any]:
+    def _part(self, body: Body, ends: Sequence[Step], part: str) -> dict[str, Any]:
         """Mass, centre of mass and inertia of the lower part, "d", or the upper one, "u", in its frame."""
         step = ends[-1] if part == "d" else ends[0]
         origin = self.machine.point(step, body.name) if len(ends) == 1 else None
@@ -295,10 +346,6 @@ class _Leg:
             inertia = 0.5 * (inertia + inertia.T)
         if part == "d" and self.lines is not None:
             return {"m_d": body.mass, "r_d0": center, "I_d0": inertia}
-        if part == "d" and self.base_joint == "universal":
-            inertia = inertia + self._crosses(crosses)
-        elif any(self.machine.bodies[name].mass > 0.0 for name in crosses):
-            self.said.append(f"leg {self.number}: bodies between the axes of a spherical joint are left out")
         if self.base_joint == "spherical":
             center, inertia = self._round(center, inertia)
         return {f"m_{part}": body.mass, f"r_{part}0": center, f"I_{part}0": inertia}
@@ -317,20 +364,18 @@ class _Leg:
         self.off = max(self.off, off)
         return line, whole
 
-    def _crosses(self, crosses: Sequence[str]) -> Array | float:
-        """What a cross, which turns about the fixed axis alone, adds to the inertia of the lower part."""
-        added: Array | float = 0.0
-        k = np.array(next(axis for step in self.leg.base for axis in step.axes))
-        for body in (self.machine.bodies[name] for name in crosses):
-            if not body.mass and not body.inertia.any():
-                continue
-            arm = body.placed(body.center) - self.b
-            if np.linalg.norm(arm) > _OPEN * self.L:
-                raise self._error(f"body {body.name!r}: expected its centre of mass where the axes meet")
-            about = k @ body.R @ body.inertia @ body.R.T @ k
-            added = added + about * np.diag([1.0, 0.0, 1.0])
-            self.said.append(f"leg {self.number}: inertia of {body.name!r} counts as the lower part's")
-        return added
+    def _platform_point(self) -> Array:
+        """The point where the axes at the platform meet, (3,), in the platform's frame."""
+        if len(self.leg.tip) == 1:
+            return self.machine.point(self.leg.tip[0], self.machine.platform)
+        p = self.machine.bodies[self.machine.platform].local(self.tip)
+        return np.where(np.abs(p) < _ROUNDING * self.L, 0.0, p)
+
+    def _crosses(self, k: Array | None) -> list[Cross]:
+        """Bodies between axes, as mass of the parts; a cross of offset axes is a part of its own."""
+        leg = self.leg if self.lines is None else replace(self.leg, crosses=((), self.leg.crosses[1]))
+        with errors_of(f"leg {self.number}: "):
+            return list(crosses_of(self.machine, leg, np.array([self.b, self.tip]), k))
 
     def _damping(self, steps: Sequence[Step]) -> float:
         """Damping of the joints at one end, whose axes share one number."""

@@ -49,7 +49,8 @@ class Machine:
     """The rigid bodies of a model by name, its platform and six legs.
 
     placed: all bodies of the model; bodies: what is fixed together being one, by the first one's name and in
-    its frame; members: that name by the names of all.
+    its frame; members: that name by the names of all. The platform has the name and the frame of the body
+    that the legs hold.
     """
 
     placed: Mapping[str, Body]
@@ -79,25 +80,14 @@ def machine_of(model: Model) -> Machine:
     """Find base, platform and legs; ValueError of one line says what is none of a Stewart platform's."""
     _need_unique(model)
     members = _members(model)
-    joints = [joint for joint in model.joints if joint.kind not in ("fixed", "free")]
-    around: dict[str, list[Joint]] = {}
-    for joint in joints:
-        ends = members[joint.parent], members[joint.child]
-        if ends[0] == ends[1]:
-            raise ValueError(
-                f"joint {joint.name!r}: expected one between two bodies, got {joint.parent!r} and "
-                f"{joint.child!r}, which are fixed together otherwise"
-            )
-        for end in ends:
-            around.setdefault(end, []).append(joint)
+    around = _around(model, members)
     for joint in model.joints:
         if joint.kind == "free" and WORLD not in (members[joint.parent], members[joint.child]):
             got = f"one between {joint.parent!r} and {joint.child!r}"
             raise ValueError(f"joint {joint.name!r}: expected a free joint to the base alone, got {got}")
-    first = around.get(WORLD, [])
-    if not first:
+    if not around.get(WORLD):
         raise ValueError(_no_base(model))
-    chains = [_chain(joint, members, around) for joint in first]
+    chains = [_chain(joint, members, around) for joint in around[WORLD]]
     platform = _platform(chains, around)
     if len(around[platform]) != LEGS:
         names = sorted(
@@ -106,6 +96,11 @@ def machine_of(model: Model) -> Machine:
         raise ValueError(
             f"joint {names[0]!r}: expected nothing but six legs at the platform {platform!r}, got one more"
         )
+    held = _held(model, members, platform, around[platform])
+    if held != platform:
+        platform, members = held, _members(model, held)
+        around = _around(model, members)
+        chains = [_chain(joint, members, around) for joint in around[WORLD]]
     reached = {WORLD, *(step.reached for chain in chains for step in chain)}
     loose = sorted(set(members.values()) - reached)
     if loose:
@@ -113,6 +108,43 @@ def machine_of(model: Model) -> Machine:
     legs = tuple(_leg(chain, i + 1) for i, chain in enumerate(chains))
     placed = {body.name: body for body in model.bodies}
     return Machine(placed, _merged(model, members), members, platform, legs)
+
+
+def _around(model: Model, members: Mapping[str, str]) -> dict[str, list[Joint]]:
+    """Collect the joints that move, by the bodies that they join."""
+    found: dict[str, list[Joint]] = {}
+    for joint in model.joints:
+        if joint.kind in ("fixed", "free"):
+            continue
+        ends = members[joint.parent], members[joint.child]
+        if ends[0] == ends[1]:
+            raise ValueError(
+                f"joint {joint.name!r}: expected one between two bodies, got {joint.parent!r} and "
+                f"{joint.child!r}, which are fixed together otherwise"
+            )
+        for end in ends:
+            found.setdefault(end, []).append(joint)
+    return found
+
+
+def _held(model: Model, members: Mapping[str, str], platform: str, joints: Sequence[Joint]) -> str:
+    """Find the body that the legs hold among those fixed together: the heaviest that several legs meet in.
+
+    Bodies that hang on one other and have one leg at most, as forks of joints and loads, are none.
+    """
+    legs = {body.name: 0 for body in model.bodies if members[body.name] == platform}
+    for joint in joints:
+        legs[joint.parent if joint.parent in legs else joint.child] += 1
+    fixed: dict[str, set[str]] = {name: set() for name in legs}
+    for joint in model.joints:
+        if joint.kind == "fixed" and joint.parent in legs and joint.parent != joint.child:
+            fixed[joint.parent].add(joint.child)
+            fixed[joint.child].add(joint.parent)
+    while hanging := [name for name in legs if legs[name] < 2 and len(fixed[name]) == 1]:
+        (other,) = fixed.pop(hanging[0])
+        legs[other] += legs.pop(hanging[0])
+        fixed[other].remove(hanging[0])
+    return max(legs, key=lambda name: model.body(name).mass)
 
 
 def _need_unique(model: Model) -> None:
@@ -126,10 +158,10 @@ def _need_unique(model: Model) -> None:
                 raise ValueError(f"joint {joint.name!r}: body {end!r}: missing")
 
 
-def _members(model: Model) -> dict[str, str]:
-    """For each body the first one that is fixed together with it; the world is first."""
+def _members(model: Model, first: str = WORLD) -> dict[str, str]:
+    """Find for each body the first one that is fixed together with it; the world and ``first`` are first."""
     found = {body.name: body.name for body in model.bodies}
-    order = {WORLD: -1} | {body.name: i for i, body in enumerate(model.bodies) if body.name != WORLD}
+    order = {body.name: i for i, body in enumerate(model.bodies)} | {first: -1, WORLD: -2}
     for joint in model.joints:
         if joint.kind == "fixed":
             one, other = sorted((found[joint.parent], found[joint.child]), key=lambda name: order[name])

@@ -125,7 +125,7 @@ OF_MJCF: dict[str, tuple[Change, str]] = {
         to(TIP_3, UPPER_3 + "body2='x' anchor='0 0 0'"),
         "connect 'tip_3': body 'x': missing",
     ),
-    "welded end": (to('<connect name="tip_3"', '<weld name="tip_3"'), "by way of 'lower_3', 'upper_3'"),
+    "welded end": (to('<connect name="tip_3"', '<weld name="tip_3"'), "by way of 'lower_3', 'platform'"),
     "welded slide": (without('<joint name="leg_3"', "/>"), "revolute 'base_3_2', spherical 'tip_3'"),
     "mesh": (
         to('<inertial mass="40', '<geom name="hull" type="mesh" mass="1" mesh="m"/><site name="40'),
@@ -143,7 +143,7 @@ OF_MJCF: dict[str, tuple[Change, str]] = {
     ),
     "gear": (to('<motor name="leg_2"', '<motor name="leg_2" gear="x"'), "actuator 'leg_2': gear"),
     "no closures": (without("<equality>", "</equality>"), "'base_6_1' to body 'upper_6', where"),
-    "open loop": (to('"platform" pos="-0.0', '"platform" pos="0.1'), "leg 1: joint 'tip_1'"),
+    "open loop": (to('"platform" pos="-0.0', '"platform" pos="0.1'), "joints 'tip_1', 'tip_2'"),
     "no slide": (to('"leg_2" type="slide"', '"leg_2" type="hinge"'), "revolute 'leg_2'"),
     "two slides": (to('<joint name="base_1_1"', '<joint type="slide"/><joint name="b"'), "'leg_1'"),
     "oblique slide": (
