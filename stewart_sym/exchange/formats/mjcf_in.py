@@ -65,6 +65,8 @@ _TRANSMISSIONS = {"jointinparent": "joint", "cranksite": "site", "slidersite": "
 """Attributes that name what an actuator acts on; others are called as what they name."""
 _GAINS = {"position": "kp", "velocity": "kv", "intvelocity": "kp", "cylinder": "area", "adhesion": "gain"}
 
+_ALIGNED = "freejoint align: MuJoCo moves to the center of mass, and turns, the frame"
+
 Attributes = Mapping[str, str]
 
 
@@ -95,6 +97,9 @@ class _Reader:
         compiler = _merged(root, ".//compiler")
         self.unit = 1.0 if compiler.get("angle", "degree") == "radian" else np.pi / 180.0
         self.order = compiler.get("eulerseq", "xyz")
+        self.aligning = compiler.get("alignfree", "false")
+        # Bodies whose frames MuJoCo moves, with what it says of them, and whether their axes are known.
+        self.aligned: dict[str, bool] = {}
         self.autolimits = compiler.get("autolimits", "true") == "true"
         self.from_geoms = compiler.get("inertiafromgeom", "auto") == "true"
         self.groups = numbers(compiler.get("inertiagrouprange"), 2, "compiler: inertiagrouprange", (0.0, 5.0))
@@ -152,6 +157,7 @@ class _Reader:
             driven,
             json_table(notes, "custom: text 'stewart_sym'"),
             tuple(dict.fromkeys(self.left_out)),
+            assumed={name: f"{_ALIGNED} of {name!r}, which is taken" for name in self.aligned},
             armatures=True,
         )
 
@@ -212,7 +218,10 @@ class _Reader:
             at = child
         if not joints:
             self.joints.append(Joint(f"{name}, fixed", "fixed", parent, name))
-        self.bodies.append(self._with_inertia(Body(name, R, t), element, inherited, where))
+        body = self._with_inertia(Body(name, R, t), element, inherited, where)
+        if self._aligns(element):
+            body, self.aligned[name] = _in_inertial_frame(body, self._axes_of_inertia(element, where))
+        self.bodies.append(body)
         self._inside(element, name, R, t, inherited)
 
     def _joints(self, element: ET.Element, name: str, inherited: str | None) -> list[tuple[Attributes, str]]:
@@ -292,6 +301,21 @@ class _Reader:
             inertia = R @ np.diag(numbers(given.get("diaginertia"), 3, f"{where}: diaginertia")) @ R.T
         return replace(body, mass=mass, center=center, inertia=0.5 * (inertia + inertia.T))
 
+    def _aligns(self, element: ET.Element) -> bool:
+        """Return True if MuJoCo moves the frame of a body to its inertial frame: one that carries no other."""
+        free = element.find("freejoint")
+        if free is None or element.find(".//body") is not None:
+            return False
+        stated = free.get("align", "auto")
+        return (self.aligning if stated == "auto" else stated) == "true"
+
+    def _axes_of_inertia(self, element: ET.Element, where: str) -> Array | None:
+        """Principal axes in the body's frame, (3, 3), if the file states them, else None."""
+        given = element.find("inertial")
+        if given is None or self.from_geoms or "fullinertia" in given.attrib:
+            return None
+        return self._turn(given.attrib, where)
+
     def _solids(self, element: ET.Element, inherited: str | None, where: str) -> list[Solid]:
         """What has a mass of its own among the geoms of a body, and of frames in it."""
         found = []
@@ -365,6 +389,10 @@ class _Reader:
             for body in (one, other):
                 if body not in placed:
                     raise ValueError(f"{where}: body {body!r}: missing")
+            for body in (one, other):
+                if not self.aligned.get(body, True):
+                    expected = f"expected site1 and site2, since MuJoCo turns the frame of {body!r}"
+                    raise ValueError(f"{where}: {expected} (freejoint align), got bodies")
             least = None if kind == "spherical" else _ZERO
             here = numbers(element.get("anchor"), 3, f"{where}: anchor", least)
             # The pose of the second body in the first one, of which the point is the second one's.
@@ -428,6 +456,24 @@ class _Reader:
             effort=self._larger(limits, where),
             driven=bool(pushes),
         )
+
+
+def _in_inertial_frame(body: Body, axes: Array | None) -> tuple[Body, bool]:
+    """A body in the frame of its inertia, and whether the axes are those that MuJoCo takes.
+
+    axes: principal axes, (3, 3), in the body's frame, or None where MuJoCo computes them.
+    """
+    known = axes is not None
+    if axes is None:
+        # MuJoCo has the largest moment first.
+        axes = np.linalg.eigh(body.inertia)[1][:, ::-1]
+        moments = np.diag(body.inertia)
+        if not (body.inertia - np.diag(moments)).any() and np.all(np.diff(moments) <= 0.0):
+            axes, known = np.eye(3), True
+        axes = axes * np.sign(np.linalg.det(axes))
+    inertia = axes.T @ body.inertia @ axes
+    moved = Body(body.name, body.R @ axes, body.placed(body.center), body.mass)
+    return replace(moved, inertia=0.5 * (inertia + inertia.T)), known
 
 
 def _merged(root: ET.Element, path: str) -> dict[str, str]:
