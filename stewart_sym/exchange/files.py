@@ -20,11 +20,12 @@ from .machine import model_of, possible
 from .notes import differences, noted
 from .robots import robot_of
 
-PROGRAMS = {"mjcf": "MuJoCo", "sdf": "Gazebo", "urdf": "Pinocchio", "usd": "Isaac Sim"}
+PROGRAMS = {"mjcf": "MuJoCo", "sdf": "Gazebo", "drake": "Drake", "urdf": "Pinocchio", "usd": "Isaac Sim"}
 """Formats, and a program that reads each."""
 _WRITERS: dict[str, Callable[[Model], tuple[str, str | None]]] = {
     "mjcf": mjcf_out.written,
     "sdf": sdf_out.written,
+    "drake": sdf_out.written_for_drake,
     "urdf": urdf_out.written,
     "usd": usd_out.written,
 }
@@ -82,7 +83,8 @@ def export_model(robot: Robot, format: str) -> ModelFile:  # noqa: A002 # the op
     robot : Robot
         The machine.
     format : str
-        ``"mjcf"`` (MuJoCo), ``"sdf"`` (Gazebo, Drake), ``"urdf"`` (ROS, Pinocchio) or ``"usd"`` (Isaac Sim).
+        ``"mjcf"`` (MuJoCo), ``"sdf"`` (SDF for Gazebo), ``"drake"`` (SDF for Drake), ``"urdf"`` (ROS,
+        Pinocchio, Drake), or ``"usd"`` (Isaac Sim). Gazebo and Drake close loops in different ways.
 
     Returns
     -------
@@ -166,14 +168,14 @@ def _warn_of_losses(robot: Robot, form: str) -> None:
     Friction of drives is nowhere but in the notes.
     """
     lost = [] if form == "urdf" else ["C_s"]
-    lost += ["C_u"] if form in ("sdf", "usd") and robot.base_joint == "spherical" else []
+    lost += ["C_u"] if form in ("sdf", "drake", "usd") and robot.base_joint == "spherical" else []
     found = [name for name in lost if np.any(getattr(robot, name))]
     missing = [f"friction of spherical joints ({', '.join(found)})"] if found else []
-    if form == "sdf" and robot.drive is not None and np.any(robot.drive.rotor_inertia):
+    if form in ("sdf", "drake") and robot.drive is not None and np.any(robot.drive.rotor_inertia):
         missing.append("inertia of rotors")
     lossy = [] if robot.drive is None else losses(robot.drive)
     missing += [f"friction of drives ({', '.join(lossy)})"] if lossy else []
-    limits = [] if form in ("sdf", "urdf") else ["speed_limit"]
+    limits = [] if form in ("sdf", "drake", "urdf") else ["speed_limit"]
     missing += [name for name in (*limits, "joint_angle_limit") if np.isfinite(getattr(robot, name)).any()]
     where = "left out" if form == "usd" else "noted only, for import"
     for what in missing:

@@ -12,7 +12,7 @@ import stewart_sym as ss
 from stewart_sym.cli.main import main
 
 
-@pytest.mark.parametrize("form", ["mjcf", "sdf", "urdf"])
+@pytest.mark.parametrize("form", ["mjcf", "sdf", "drake", "urdf"])
 def test_a_robot_file_goes_out_and_comes_back(form: str, folder: Path, run: Run) -> None:
     told = run("export", "hexapod.toml", "--format", form, "-o", "machine.xml").out
     files = "machine.xml, machine.loops.json" if form == "urdf" else "machine.xml"

@@ -1,6 +1,7 @@
 """Exported files are read by Drake and OpenUSD, and accelerate in MuJoCo and Pinocchio as ours do."""
 
 import dataclasses
+import re
 from pathlib import Path
 from typing import Any
 
@@ -11,10 +12,12 @@ from exported_models import HEXAPOD
 from exported_mujoco import Exported
 from exported_pinocchio import accelerations
 from machines import offset_case, random_motion, random_robot
+from model_statics import balanced
 from numpy.typing import NDArray
 from pxr import Usd, UsdGeom, UsdPhysics, UsdValidation
 
 import stewart_sym as ss
+from stewart_sym.plausibility.level_poses import level_home
 
 MACHINES = {
     "mathworks2002": ss.robots.mathworks2002,
@@ -30,12 +33,12 @@ def moving_mass(robot: ss.Robot) -> float:
     return float(robot.M + robot.m_d.sum() + robot.m_u.sum() + crosses)
 
 
-def parsed(text: str, form: str) -> Any:
+def parsed(text: str, form: str, step: float = 0.0) -> Any:
     # Not at the top: Drake takes half a second, in every process that collects tests.
     from pydrake.multibody.parsing import Parser
     from pydrake.multibody.plant import MultibodyPlant
 
-    plant = MultibodyPlant(0.0)
+    plant = MultibodyPlant(step)
     Parser(plant).AddModelsFromString(text, form)
     return plant
 
@@ -69,6 +72,51 @@ def test_the_parser_of_urdf_finds_the_tree_and_its_mass(name: str) -> None:
     assert plant.num_velocities() == 6 * (turns + 1) + 6
     total = plant.CalcTotalMass(plant.CreateDefaultContext())
     np.testing.assert_allclose(total, moving_mass(robot))
+
+
+def closures_in_drake(
+    robot: ss.Robot, form: str
+) -> tuple[Any, Any, NDArray[np.float64], NDArray[np.float64]]:
+    """The plant at home, its context, how far closures are open, (6, 3), and their Jacobian, (18, n)."""
+    from pydrake.math import RigidTransform
+    from pydrake.multibody.tree import JacobianWrtVariable
+
+    text = ss.export_model(robot, form).text
+    plant = parsed(text, "urdf" if form == "urdf" else "sdf", 1e-3)
+    plant.mutable_gravity_field().set_gravity_vector(robot.g)
+    plant.Finalize()
+    context, world = plant.CreateDefaultContext(), plant.world_frame()
+    plant.SetFreeBodyPose(context, plant.GetBodyByName("platform"), RigidTransform(robot.home))
+    gaps, rows = [], []
+    values = re.findall(r'<drake:ball_constraint_(?:body|p)_\w+(?:>| \w+=")([^<"]+)', text)
+    for one, first, other, second in zip(*(values[i::4] for i in range(4)), strict=True):
+        ends = []
+        for body, place in ((one, first), (other, second)):
+            frame, point = plant.GetFrameByName(body), np.array(place.split(), dtype=np.float64)
+            place = plant.CalcPointsPositions(context, frame, point, world).ravel()
+            kind = JacobianWrtVariable.kV
+            J = plant.CalcJacobianTranslationalVelocity(context, kind, frame, point, world, world)
+            ends.append((place, J))
+        gaps.append(ends[0][0] - ends[1][0])
+        rows.append(ends[0][1] - ends[1][1])
+    return plant, context, np.array(gaps), np.concatenate(rows)
+
+
+@pytest.mark.parametrize("form", ["drake", "urdf"])
+@pytest.mark.parametrize("name", MACHINES)
+def test_drake_closes_the_loops_and_needs_our_forces_at_rest(name: str, form: str) -> None:
+    robot = MACHINES[name]()
+    if robot.home is None:
+        robot = dataclasses.replace(robot, home=level_home(robot))
+    plant, context, gaps, J = closures_in_drake(robot, form)
+    assert plant.num_constraints() == plant.num_actuators() == len(gaps) == 6
+    assert np.abs(gaps).max() < 1e-12
+    slides = [plant.GetJointByName(f"leg_{i}").velocity_start() for i in range(1, 7)]
+    found = balanced(-plant.CalcGravityGeneralizedForces(context), J, slides)
+    zero = np.zeros(3)
+    at_home = ss.Motion(np.eye(3), robot.home, zero, zero, zero, zero)
+    truth = ss.inverse_dynamics(robot, at_home).F
+    np.testing.assert_allclose(found, truth, rtol=0, atol=1e-9 * np.abs(truth).max())
 
 
 @pytest.fixture(params=MACHINES)

@@ -1,4 +1,4 @@
-"""Random machines in MJCF and URDF: forces are those of MuJoCo and Pinocchio, or one line says what is wrong."""
+"""Forces and masses of random machines in MJCF and URDF, compared with MuJoCo and Pinocchio."""
 
 import json
 import re
@@ -34,7 +34,9 @@ def forces(found: ss.ImportedModel, R: NDArray[np.float64], t: NDArray[np.float6
     return F[[numbers.index(str(i)) for i in range(1, 7)]]
 
 
-def need_same_forces(made: Family, found: ss.ImportedModel, engine: InMujoco | InPinocchio, seed: int) -> None:
+def need_same_forces(
+    made: Family, found: ss.ImportedModel, engine: InMujoco | InPinocchio, seed: int
+) -> None:
     slides = [f"slide{i}" for i in range(1, 7)]
     signs = np.array([grows(made, i) for i in range(6)])
     R_0, t_0 = engine.frame(TOP)

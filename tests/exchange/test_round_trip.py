@@ -18,7 +18,7 @@ import stewart_sym as ss
 from stewart_sym.exchange.chain import Model
 from stewart_sym.exchange.notes import differences, noted, with_notes
 
-FORMATS = ("mjcf", "sdf", "urdf")
+FORMATS = ("mjcf", "sdf", "drake", "urdf")
 NOT_POSSIBLE = ("I_p", "I_d0", "I_u0")
 pytestmark = [
     pytest.mark.filterwarnings("ignore:.*(noted only|left out)"),
@@ -205,9 +205,9 @@ def test_notes_come_back_from_a_model_as_mujoco_itself_writes_it(tmp_path: Path)
 def test_bodies_and_joints_alone_are_the_robot_to_rounding(name: str, form: str, tmp_path: Path) -> None:
     robot = ROBOTS[name]
     again = ss.import_model(written(without_notes(ss.export_model(robot, form)), tmp_path / "model")).robot
-    unstated = {"mjcf": {"C_s", "speed_limit"}, "sdf": {"C_s"}, "urdf": set()}[form]
+    unstated = {"mjcf": {"C_s", "speed_limit"}, "sdf": {"C_s"}, "drake": {"C_s"}, "urdf": set()}[form]
     unstated |= {"lower_length", "upper_length"}
-    unstated |= {"C_u"} if form == "sdf" and robot.base_joint == "spherical" else set()
+    unstated |= {"C_u"} if form in ("sdf", "drake") and robot.base_joint == "spherical" else set()
     for field in set(differences(again, robot)) - unstated - {"home"}:
         value = np.asarray(getattr(robot, field))
         np.testing.assert_allclose(
@@ -247,7 +247,7 @@ def test_marks_that_turn_text_round_in_a_models_name_are_shown_as_their_numbers(
 
 def test_an_inertia_of_no_body_is_rejected_in_one_line_that_says_what_to_do() -> None:
     robot = dataclasses.replace(ROBOTS["dasgupta1998"], accept=())
-    for form in ("mjcf", "sdf", "usd"):
+    for form in ("mjcf", "sdf", "drake", "usd"):
         rejects(r'platform: .* break A .* accept "platform-inertia"', ss.export_model, robot, form)
     assert ss.export_model(robot, "urdf").text == ss.export_model(ROBOTS["dasgupta1998"], "urdf").text
 

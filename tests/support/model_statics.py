@@ -1,6 +1,5 @@
-"""Forces that hold a model at rest in MuJoCo and in Pinocchio: of its slides, with those that close its loops."""
+"""Actuator forces that hold a model at rest in MuJoCo and in Pinocchio, with its loops closed."""
 
-import json
 from collections.abc import Iterator, Mapping
 
 import mujoco
@@ -14,7 +13,7 @@ _CLOSED, _BALANCED = 1e-12, 1e-9
 
 
 def balanced(bias: Array, J: Array, slides: list[int]) -> Array:
-    """Forces of the slides that balance a load together with constraints, (6,)."""
+    """Compute the forces of the slides, (6,), that balance a load together with constraints."""
     A = np.concatenate([J.T, np.eye(len(bias))[:, slides]], axis=1)
     found, _, rank, _ = np.linalg.lstsq(A, bias, rcond=1e-12)
     if np.abs(A @ found - bias).max() > _BALANCED * np.abs(bias).max():
@@ -34,15 +33,13 @@ class InMujoco:
         mujoco.mj_forward(self.model, self.data)
 
     def frame(self, body: str) -> tuple[Array, Array]:
-        """Orientation and position of a body."""
+        """Return orientation and position of a body."""
         found = self.data.body(body)
         return found.xmat.reshape(3, 3).copy(), found.xpos.copy()
 
     def move(self, rng: np.random.Generator, size: float) -> None:
         """Move to another pose with closed loops."""
-        mujoco.mj_integratePos(
-            self.model, self.data.qpos, size * rng.uniform(-1, 1, self.model.nv), 1.0
-        )
+        mujoco.mj_integratePos(self.model, self.data.qpos, size * rng.uniform(-1, 1, self.model.nv), 1.0)
         for _ in range(_STEPS):
             mujoco.mj_forward(self.model, self.data)
             step = np.linalg.lstsq(self._jacobian(), -self.data.efc_pos, rcond=1e-10)[0]
@@ -52,7 +49,7 @@ class InMujoco:
             raise AssertionError("the loops do not close")
 
     def forces(self, slides: list[str]) -> Array:
-        """Forces of slides, along their coordinates, (6,)."""
+        """Compute the forces of slides, along their coordinates, (6,)."""
         places = [int(self.model.joint(name).dofadr[0]) for name in slides]
         return balanced(self.data.qfrc_bias.copy(), self._jacobian(), places)
 
@@ -70,7 +67,7 @@ class InPinocchio:
         self._update()
 
     def frame(self, link: str) -> tuple[Array, Array]:
-        """Orientation and position of a link."""
+        """Return orientation and position of a link."""
         found = self.data.oMf[self.model.getFrameId(link)]
         return found.rotation.copy(), found.translation.copy()
 
@@ -88,7 +85,7 @@ class InPinocchio:
             raise AssertionError("the loops do not close")
 
     def forces(self, slides: list[str]) -> Array:
-        """Forces of slides, along their coordinates, (6,)."""
+        """Compute the forces of slides, along their coordinates, (6,)."""
         places = [self.model.joints[self.model.getJointId(name)].idx_v for name in slides]
         bias = pin.computeGeneralizedGravity(self.model, self.data, self.q)
         self._update()
@@ -117,14 +114,9 @@ class InPinocchio:
         return np.concatenate(found)
 
     def _point(self, closure: Mapping[str, object], end: str) -> Array:
-        """Jacobian of a point of a link, (6, nv), world axes."""
+        """Compute the Jacobian of a point of a link, (6, nv), world axes."""
         link = self.model.getFrameId(closure[f"link_{end}"])
         axes = pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
         J = pin.getFrameJacobian(self.model, self.data, link, axes)
         arm = self.data.oMf[link].rotation @ np.array(closure[f"point_{end}_m"])
         return np.concatenate([J[:3] - np.cross(arm, J[3:].T).T, J[3:]])
-
-
-def read(loops: str) -> Mapping[str, object]:
-    """The loops of a URDF."""
-    return dict(json.loads(loops))

@@ -8,7 +8,7 @@ from ..inputs import robot_of
 from ..options import output, robot_file
 from ..results import reject_inputs, results
 
-HELP = "write the machine for MuJoCo, Gazebo, ROS, Pinocchio or Isaac Sim"
+HELP = "write the machine for MuJoCo, Gazebo, Drake, ROS, Pinocchio, or Isaac Sim"
 EXAMPLE = "stewart-sym export hexapod.toml --format mjcf -o hexapod.xml"
 MORE = (
     "The machine stands at its home pose, the platform free, closed by six spherical joints. Friction, "
@@ -22,9 +22,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     robot_file(parser)
     parser.add_argument(
         "--format",
-        choices=("mjcf", "sdf", "urdf", "usd"),
+        choices=("mjcf", "sdf", "drake", "urdf", "usd"),
         required=True,
-        help="mjcf: MuJoCo; sdf: Gazebo, Drake; urdf: ROS, Pinocchio; usd: Isaac Sim, as text",
+        help="mjcf: MuJoCo; sdf: Gazebo; drake: Drake, as SDF with its ball constraints; "
+        "urdf: ROS, Pinocchio, Drake; usd: Isaac Sim, as text",
     )
     output(parser, "FILE", "file to write, - for standard output", None)
 

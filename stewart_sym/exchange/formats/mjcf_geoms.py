@@ -35,7 +35,8 @@ def solid(given: Mapping[str, str], R: Array, center: Array, where: str) -> Soli
     if kind not in _SIZES or "mesh" in given:
         got = kind if kind not in _SIZES else "mesh"
         raise ValueError(
-            f"{where}: expected an inertial of its body, got a {got}, whose mass is not computed"
+            f"{where}: expected an inertial of its body, got a {got}, whose mass is not computed; let MuJoCo "
+            'write it: mj_saveLastXML with saveinertial="true" of the compiler'
         )
     size = _sizes(given, 1 if "fromto" in given else _SIZES[kind], where)
     if "fromto" in given:

@@ -1,7 +1,6 @@
 """MJCF, MuJoCo's format, as a model."""
 
 import xml.etree.ElementTree as ET
-from collections.abc import Mapping
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -16,6 +15,18 @@ from ...robot.bodies import joined
 from ...robot.fields import direction
 from ..chain import BETWEEN, WORLD, Body, Joint, Model, after
 from ..notes import json_table
+from .mjcf_attributes import (
+    MOTOR,
+    SWITCHED,
+    Attributes,
+    actuator,
+    disabled,
+    first,
+    merged,
+    over,
+    stated,
+    times,
+)
 from .mjcf_geoms import solid
 from .xml_text import at_line, number, numbers, turn_limits
 
@@ -23,7 +34,6 @@ _KINDS = {"hinge": "revolute", "slide": "prismatic", "ball": "spherical", "free"
 _ZERO = (0.0, 0.0, 0.0)
 _ENDLESS = (-np.inf, np.inf)
 _STRAIGHT = 1e-10
-_TURNS = ("quat", "axisangle", "euler", "xyaxes", "zaxis")
 _JOINT_KEYS = (
     *("name", "class", "group", "user", "align", "type", "pos", "axis", "ref", "damping", "armature"),
     *("range", "limited", "margin", "actuatorfrcrange", "actuatorfrclimited", "actuatorgravcomp"),
@@ -31,43 +41,12 @@ _JOINT_KEYS = (
     *("solreflimit", "solimplimit", "solreffriction", "solimpfriction"),
 )
 """All that MuJoCo knows of a joint."""
-_SWITCHED = {
-    "spring": ("stiffness",),
-    "damper": ("damping",),
-    "passive": ("stiffness", "damping", "springdamper", "gravcomp", "density", "viscosity"),
-    "frictionloss": ("frictionloss",),
-    "limit": ("range", "limited"),
-    "clampctrl": ("ctrlrange", "ctrllimited"),
-}
-"""Attributes without effect where a flag is disabled; ``passive``, an old one, is springs and dampers."""
 _PASSED_OVER = (
     *("compiler", "option", "size", "custom", "default", "asset", "visual", "statistic", "worldbody"),
     *("equality", "actuator", "keyframe", "sensor", "contact", "extension"),
 )
 """Sections that are read, or that say nothing of how a machine moves by itself."""
-_ACTUATORS = (
-    *("general", "motor", "position", "velocity", "intvelocity", "damper", "cylinder", "muscle"),
-    *("adhesion", "dcmotor", "plugin"),
-)
-"""Elements of one kind of thing: the defaults of a class are those of all of them."""
-_MOTOR = {"dyntype": "none", "gaintype": "fixed", "biastype": "none"}
-"""What a general actuator is that pushes with its control times a gain."""
-_SERVO = {"gaintype": "fixed", "biastype": "affine"}
-_AS_GENERAL = {
-    "general": {},
-    "motor": {**_MOTOR, "gainprm": "1"},
-    "adhesion": {**_MOTOR, "ctrllimited": "true"},
-    "damper": {**_MOTOR, "gaintype": "affine"},
-    **dict.fromkeys(("position", "velocity", "intvelocity", "cylinder"), _SERVO),
-}
-"""What the other elements set of a general actuator."""
-_TRANSMISSIONS = {"jointinparent": "joint", "cranksite": "site", "slidersite": "site"}
-"""Attributes that name what an actuator acts on; others are called as what they name."""
-_GAINS = {"position": "kp", "velocity": "kv", "intvelocity": "kp", "cylinder": "area", "adhesion": "gain"}
-
 _ALIGNED = "freejoint align: MuJoCo moves to the center of mass, and turns, the frame"
-
-Attributes = Mapping[str, str]
 
 
 class _Push(NamedTuple):
@@ -94,7 +73,7 @@ class _Reader:
                 got = shown(element.get("file") or element.get("name") or element.tag)
                 raise ValueError(f"{where}: expected a flat model, as mj_saveLastXML writes it, got {got}")
         self.root = root
-        compiler = _merged(root, ".//compiler")
+        compiler = merged(root, ".//compiler")
         self.unit = 1.0 if compiler.get("angle", "degree") == "radian" else np.pi / 180.0
         self.order = compiler.get("eulerseq", "xyz")
         self.aligning = compiler.get("alignfree", "false")
@@ -107,9 +86,9 @@ class _Reader:
             raise ValueError(f"compiler: coordinate: expected local, got {shown(compiler['coordinate'])}")
         if len(self.order) != 3 or not set(self.order.lower()) <= set("xyz"):
             raise ValueError(f"compiler: eulerseq: expected three of x, y, z, got {shown(self.order)}")
-        self.option = _merged(root, "option")
-        self.disabled = _disabled(root)
-        self.off = {key for flag in self.disabled for key in _SWITCHED.get(flag, ())}
+        self.option = merged(root, "option")
+        self.disabled = disabled(root)
+        self.off = {key for flag in self.disabled for key in SWITCHED.get(flag, ())}
         self.classes: dict[str, dict[str, dict[str, str]]] = {}
         for each in root.findall("default"):
             self._default(each, self.classes.get("main", {}), "main")
@@ -167,8 +146,8 @@ class _Reader:
         own = {tag: dict(values) for tag, values in outer.items()}
         for each in element:
             if each.tag != "default":
-                tag, given = _stated(each)
-                own[tag] = _over(own.get(tag, {}), given)
+                tag, given = stated(each)
+                own[tag] = over(own.get(tag, {}), given)
         self.classes[element.get("class", name)] = own
         for each in element.findall("default"):
             self._default(each, own, "main")
@@ -178,8 +157,8 @@ class _Reader:
         name = element.get("class") or inherited or "main"
         if name not in self.classes and name != "main":
             raise ValueError(f"{element.tag} {element.get('name', '')!r}: class {name!r}: missing")
-        tag, given = _stated(element)
-        found = _over(self.classes.get(name, {}).get(tag, {}), given)
+        tag, given = stated(element)
+        found = over(self.classes.get(name, {}).get(tag, {}), given)
         return {key: value for key, value in found.items() if key not in self.off}
 
     # Tree
@@ -302,7 +281,7 @@ class _Reader:
         return replace(body, mass=mass, center=center, inertia=0.5 * (inertia + inertia.T))
 
     def _aligns(self, element: ET.Element) -> bool:
-        """Return True if MuJoCo moves the frame of a body to its inertial frame: one that carries no other."""
+        """Return True if MuJoCo moves the frame of a body to its inertial frame: if it carries no other."""
         free = element.find("freejoint")
         if free is None or element.find(".//body") is not None:
             return False
@@ -421,7 +400,7 @@ class _Reader:
             for each in section:
                 given = self._of(each, None)
                 joint = given.get("joint", given.get("jointinparent"))
-                where = _actuator(given)
+                where = actuator(given)
                 if joint not in slides:
                     self.left_out.append(f"{where}, which is no slide's")
                 else:
@@ -432,16 +411,16 @@ class _Reader:
 
     def _push(self, given: Attributes, where: str) -> _Push:
         forces = self._range(given, "forcerange", "forcelimited", where)
-        if all(given.get(key, usual) == usual for key, usual in _MOTOR.items()):
+        if all(given.get(key, usual) == usual for key, usual in MOTOR.items()):
             controls = self._range(given, "ctrlrange", "ctrllimited", where)
-            forces = np.clip(_times(_first(given, "gainprm", where), controls), *forces)
+            forces = np.clip(times(first(given, "gainprm", where), controls), *forces)
         else:
             self.servos.append(where)
-        gear = _first(given, "gear", where)
+        gear = first(given, "gear", where)
         damping, armature = (
             gear**2 * number(given.get(key), f"{where}: {key}", 0.0) for key in ("damping", "armature")
         )
-        return _Push(where, _times(gear, forces), damping, armature)
+        return _Push(where, times(gear, forces), damping, armature)
 
     def _pushed(self, joint: Joint, pushes: list[_Push]) -> Joint:
         """The joint with what all that push it do together, the force within its own limits."""
@@ -474,59 +453,6 @@ def _in_inertial_frame(body: Body, axes: Array | None) -> tuple[Body, bool]:
     inertia = axes.T @ body.inertia @ axes
     moved = Body(body.name, body.R @ axes, body.placed(body.center), body.mass)
     return replace(moved, inertia=0.5 * (inertia + inertia.T)), known
-
-
-def _merged(root: ET.Element, path: str) -> dict[str, str]:
-    """Attributes of all elements at a path, those of later ones over those of earlier ones."""
-    return {key: value for each in root.findall(path) for key, value in each.attrib.items()}
-
-
-def _disabled(root: ET.Element) -> set[str]:
-    """Flags that are disabled; ValueError for those without which nothing closes loops."""
-    flags = {key for key, value in _merged(root, "option/flag").items() if value == "disable"}
-    for key in ("constraint", "equality"):
-        if key in flags:
-            raise ValueError(f"option: flag: {key}: expected enable, since it closes loops, got disable")
-    return flags | {"passive"} if {"spring", "damper"} <= flags else flags
-
-
-def _stated(element: ET.Element) -> tuple[str, dict[str, str]]:
-    """What an element is and its attributes; of an actuator those of a general one."""
-    if element.tag not in _ACTUATORS:
-        return element.tag, element.attrib
-    found = {**element.attrib, **_AS_GENERAL.get(element.tag, {"biastype": element.tag})}
-    gain = element.get(_GAINS.get(element.tag, ""))
-    return "general", found if gain is None else {**found, "gainprm": gain}
-
-
-def _first(given: Attributes, key: str, where: str) -> float:
-    """The first one of several numbers; 1 where there are none."""
-    return number(next(iter(given.get(key, "1").split()), ""), f"{where}: {key}")
-
-
-def _times(factor: float, limits: Array) -> Array:
-    """Limits from low to high, (2,), of what they limit times a factor."""
-    return np.sort(factor * limits) if factor else np.zeros(2)
-
-
-def _actuator(given: Attributes) -> str:
-    """What messages call an actuator: by its name, or by what it acts on."""
-    if given.get("name"):
-        return f"actuator {given['name']!r}"
-    for key in ("joint", "tendon", "body", "site", *_TRANSMISSIONS):
-        if key in given:
-            return f"actuator of {_TRANSMISSIONS.get(key, key)} {given[key]!r}"
-    return "actuator without a name"
-
-
-def _over(usual: Attributes, given: Attributes) -> dict[str, str]:
-    """Attributes over those of a class: an orientation replaces any other, a size the first numbers alone."""
-    turned = _TURNS if any(key in given for key in _TURNS) else ()
-    found = {key: value for key, value in usual.items() if key not in turned} | dict(given)
-    if "size" in usual and "size" in given:
-        own = given["size"].split()
-        found["size"] = " ".join(own + usual["size"].split()[len(own) :])
-    return found
 
 
 def _least_turn(z: Array) -> Array:

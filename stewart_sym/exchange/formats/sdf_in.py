@@ -12,7 +12,7 @@ from ...motion.rotation import rotation_from_quaternion, rotation_from_rpy
 from ...robot.fields import LEGS, direction
 from ..chain import WORLD, Body, Joint, Model, after
 from ..notes import json_table
-from .sdf_out import NOTES, SPACE
+from .sdf_out import BALL, NOTES, SPACE
 from .xml_text import (
     at_line,
     interval,
@@ -51,7 +51,7 @@ def model(root: ET.Element, loops: str | None = None) -> Model:
     if len(models) != 1:
         names = ", ".join(repr(each.get("name", "")) for each in models[:LEGS]) or "none"
         raise ValueError(f"expected one model, got {len(models)}: {names}")
-    gravity = None if world is None else world.findtext("gravity")
+    gravity = None if world is None else _value(world, "gravity")
     found = _Reader(models[0], _version(root))
     return Model(
         models[0].get("name", ""),
@@ -110,6 +110,7 @@ class _Reader:
         if _is_true(element.findtext("static")):
             raise ValueError(f"{where}: static: expected a model that moves, got a static one")
         self.joints = [self._joint(each) for each in element.findall("joint")]
+        self.joints += [self._ball(each, i) for i, each in enumerate(element.findall(BALL), 1)]
 
     def _own(self, element: ET.Element, where: str) -> tuple[Array, Array]:
         """Orientation and position that an element states."""
@@ -165,7 +166,7 @@ class _Reader:
         if link.find("inertial/fluid_added_mass") is not None:
             self.left_out.append(f"fluid_added_mass of {where}")
         decay = [each for key in ("linear", "angular") for each in link.findall(f"velocity_decay/{key}")]
-        if any(number(each.text, f"{where}: velocity_decay", 0.0) for each in decay):
+        if any(number(_value(each), f"{where}: velocity_decay", 0.0) for each in decay):
             self.left_out.append(f"velocity_decay of {where}")
         given = link.find("inertial")
         if given is None:
@@ -175,17 +176,20 @@ class _Reader:
             raise ValueError(f"{where}: pose: expected one in the frame of the link, got another frame")
         self._assume(given, name, where)
         turn, center = self._own(given, where)
-        mass = number(given.findtext("mass"), f"{where}: mass", 1.0)
-        inertia = tensor(lambda key: given.findtext(f"inertia/{key}"), where, (1.0, 0.0))
+        mass = number(_value(given, "mass"), f"{where}: mass", 1.0)
+        inertia = tensor(lambda key: _value(given, f"inertia/{key}"), where, (1.0, 0.0))
         return Body(name, R, t, mass, center, turn @ inertia @ turn.T)
 
     def _assume(self, given: ET.Element, name: str, where: str) -> None:
         """Note what an inertial does not state."""
-        missing = {"mass": "1 kg"} if given.find("mass") is None else {}
-        missing |= {key: "1 kg m^2" for key in ("ixx", "iyy", "izz") if given.find(f"inertia/{key}") is None}
+        missing = {"mass": "1 kg"} if _value(given, "mass") is None else {}
+        missing |= {
+            key: "1 kg m^2" for key in ("ixx", "iyy", "izz") if _value(given, f"inertia/{key}") is None
+        }
         auto = _is_true(given.get("auto"))
         if missing and auto:
-            raise ValueError(f"{where}: expected mass and inertia, got auto, which is not computed")
+            remedy = "write what gz sdf -p --expand-auto-inertials prints"
+            raise ValueError(f"{where}: expected mass and inertia, got auto, which is not computed; {remedy}")
         if missing:
             taken = ", ".join(dict.fromkeys(missing.values()))
             text = f"{', '.join(missing)}: not in the file, SDF's default is taken ({taken})"
@@ -197,11 +201,9 @@ class _Reader:
 
     def _joint(self, element: ET.Element) -> Joint:
         name, kind, where = joint_of(element, _KINDS)
-        parent, child = _text(element, "parent"), _text(element, "child")
-        for end in (parent, child):
-            if end not in self.placed:
-                raise ValueError(f"{where}: link {end!r}: missing")
-        direct = not self._frame(element, where)
+        ends = [_text(element, end) for end in ("parent", "child")]
+        parent, child = (self._link(end, where) for end in ends)
+        direct = not self._frame(element, where) and child == ends[1]
         place = self._own(element, where)[1] if direct else self.placed[child].local(self._pose(name)[1])
         if kind == "fixed":
             return Joint(name, "fixed", parent, child, place)
@@ -211,9 +213,43 @@ class _Reader:
             return found
         return self._turning(found, axes, where)
 
+    def _link(self, name: str, where: str) -> str:
+        """Find the link that a frame, as joints may name since SDF 1.7, is fixed to; the link of a link."""
+        seen = []
+        while name not in self.placed:
+            seen.append(name)
+            element = self.named.get(name)
+            if (
+                self.version <= _NAMED_FRAMES
+                or seen.count(name) > 1
+                or (element is None and name != "__model__")
+            ):
+                raise ValueError(f"{where}: link {seen[0]!r}: missing")
+            if element is None:
+                links = self.element.findall("link")
+                name = self.element.get("canonical_link") or links[0].attrib["name"]
+            elif element.tag == "joint":
+                name = _text(element, "child")
+            else:
+                name = element.get("attached_to") or "__model__"
+        return name
+
+    def _ball(self, element: ET.Element, number_: int) -> Joint:
+        """Read a closure as Drake has it, which has no name."""
+        where = f"{BALL} {number_}"
+        bodies = [_value(element, f"{BALL}_body_{end}") or "" for end in "AB"]
+        one, other = (self._link(name, where) for name in bodies)
+        points = [numbers(_value(element, f"{BALL}_p_{key}"), 3, f"{where}: p_{key}") for key in ("AP", "BQ")]
+        if (one, other) != tuple(bodies):
+            got = ", ".join(map(repr, bodies))
+            raise ValueError(f"{where}: expected links, got {got}")
+        return Joint(
+            f"ball_constraint_{number_}", "spherical", one, other, points[1], cut=True, parent_point=points[0]
+        )
+
     def _expressed_in(self, axis: ET.Element, where: str) -> str:
         """The frame that an axis is in; empty where it is that of its joint."""
-        xyz, of_model = axis.find("xyz"), axis.findtext("use_parent_model_frame")
+        xyz, of_model = axis.find("xyz"), _value(axis, "use_parent_model_frame")
         if xyz is not None and xyz.get("expressed_in"):
             return xyz.get("expressed_in", "")
         if of_model is None:
@@ -230,32 +266,40 @@ class _Reader:
         for axis in axes:
             if axis is None:
                 raise ValueError(f"{where}: expected an axis for each turn, got none")
-            xyz = axis.find("xyz")
+            axis.find("xyz")
             frame = self._expressed_in(axis, where)
-            local = numbers(None if xyz is None else xyz.text, 3, f"{where}: xyz", (0.0, 0.0, 1.0))
+            local = numbers(_value(axis, "xyz"), 3, f"{where}: xyz", (0.0, 0.0, 1.0))
             if frame and frame not in self.named and frame not in self.found:
                 raise ValueError(f"{where}: xyz: frame {frame!r}: missing")
             R, _ = self._pose(frame or joint.name)
             directions.append(R @ direction(local, f"{where}: xyz"))
-            damping.append(number(axis.findtext("dynamics/damping"), f"{where}: damping", 0.0))
+            damping.append(number(_value(axis, "dynamics/damping"), f"{where}: damping", 0.0))
             for key in ("friction", "spring_stiffness"):
-                if number(axis.findtext(f"dynamics/{key}"), f"{where}: {key}", 0.0):
+                if number(_value(axis, f"dynamics/{key}"), f"{where}: {key}", 0.0):
                     self.left_out.append(f"{key} of {where}")
             if axis.find("mimic") is not None:
                 self.left_out.append(f"mimic of {where}")
-            limits = interval(axis.findtext("limit/lower"), axis.findtext("limit/upper"), where)
+            limits = interval(_value(axis, "limit/lower"), _value(axis, "limit/upper"), where)
             if joint.kind == "prismatic":
-                self.left_out += no_limits({each.tag: each.text for each in axis.findall("limit/*")}, where)
+                self.left_out += no_limits(
+                    {each.tag: _value(each) for each in axis.findall("limit/*")}, where
+                )
             else:
                 self.left_out += turn_limits(limits, where)
-            effort = largest(axis.findtext("limit/effort"), f"{where}: effort")
-            speed = largest(axis.findtext("limit/velocity"), f"{where}: velocity")
+            effort = largest(_value(axis, "limit/effort"), f"{where}: effort")
+            speed = largest(_value(axis, "limit/velocity"), f"{where}: velocity")
         if max(damping) != min(damping):
             got = ", ".join(f"{each:g}" for each in damping)
             raise ValueError(f"{where}: expected the same damping about both axes, got {got}")
         return replace(
             joint, axes=np.array(directions), damping=damping[0], limits=limits, effort=effort, speed=speed
         )
+
+
+def _value(element: ET.Element, path: str = ".") -> str | None:
+    """Return the text of an element, or None where it is missing or empty, which takes its default."""
+    text = (element.text if path == "." else element.findtext(path)) or ""
+    return text if text.strip() else None
 
 
 def _is_true(text: str | None) -> bool:

@@ -1,4 +1,7 @@
-"""A model as SDF, the format of Gazebo, which Drake reads too: a world with a model of links and joints."""
+"""A model as SDF, the format of Gazebo and of Drake: a world with a model of links and joints.
+
+Gazebo closes loops by joints, which Drake rejects; Drake closes them by constraints of its own.
+"""
 
 import json
 import xml.etree.ElementTree as ET
@@ -13,13 +16,28 @@ from .xml_text import NO_LIMIT, TENSOR, added, document
 SPACE = "urn:stewart-sym"
 """XML namespace of what the format has no place for."""
 NOTES = "stewart_sym:notes"
+BALL = "drake:ball_constraint"
+"""Closure of a loop as Drake reads it, in SDF and URDF."""
+DRAKE = "http://drake.mit.edu"
+"""XML namespace of what is for Drake alone."""
 _KINDS = {"prismatic": "prismatic", "revolute": "revolute", "universal": "universal", "spherical": "ball"}
 _PLUGIN = {"filename": "gz-sim-apply-joint-force-system", "name": "gz::sim::systems::ApplyJointForce"}
 
 
 def written(model: Model) -> tuple[str, None]:
-    """The file."""
+    """Write the file for Gazebo."""
+    return _document(model, False), None
+
+
+def written_for_drake(model: Model) -> tuple[str, None]:
+    """Write the file for Drake."""
+    return _document(model, True), None
+
+
+def _document(model: Model, drake: bool) -> str:
     root = ET.Element("sdf", {"version": "1.9", "xmlns:stewart_sym": SPACE})
+    if drake:
+        root.set("xmlns:drake", DRAKE)
     world = added(root, "world", name="scene")
     added(world, "gravity", model.gravity)
     light = added(world, "light", name="light", type="directional")
@@ -34,15 +52,26 @@ def written(model: Model) -> tuple[str, None]:
         if body.name != WORLD:
             _link(inside, body)
     for joint in model.joints:
-        if joint.kind != "free":
-            _joint(inside, model, joint)
+        if drake and joint.cut:
+            _ball(inside, joint)
+        elif joint.kind != "free":
+            _joint(inside, model, joint, drake)
     for joint in model.joints:
-        if joint.driven:
+        if joint.driven and not drake:
             plugin = added(inside, "plugin", **_PLUGIN)
             added(plugin, "joint_name", joint.name)
     if model.notes:
         added(inside, NOTES, json.dumps(model.notes))
-    return document(root), None
+    return document(root)
+
+
+def _ball(parent: ET.Element, joint: Joint) -> None:
+    """A closure as Drake has it."""
+    ball = added(parent, BALL)
+    added(ball, f"{BALL}_body_A", joint.parent)
+    added(ball, f"{BALL}_p_AP", joint.parent_point)
+    added(ball, f"{BALL}_body_B", joint.child)
+    added(ball, f"{BALL}_p_BQ", joint.point)
 
 
 def _allowed(name: str) -> str:
@@ -67,7 +96,7 @@ def _pose(place: Array, R: Array) -> Array:
     return np.concatenate([place, rpy_from_rotation(R)])
 
 
-def _joint(parent: ET.Element, model: Model, joint: Joint) -> None:
+def _joint(parent: ET.Element, model: Model, joint: Joint, drake: bool) -> None:
     element = added(parent, "joint", name=joint.name, type=_KINDS[joint.kind])
     added(element, "parent", "base" if joint.parent == WORLD else joint.parent)
     added(element, "child", joint.child)
@@ -81,16 +110,19 @@ def _joint(parent: ET.Element, model: Model, joint: Joint) -> None:
             added(turned, "xyz", axis, expressed_in="__model__")
         dynamics = added(turned, "dynamics")
         added(dynamics, "damping", joint.damping)
-        _limits(turned, joint)
+        _limits(turned, joint, drake)
 
 
-def _limits(axis: ET.Element, joint: Joint) -> None:
+def _limits(axis: ET.Element, joint: Joint, drake: bool) -> None:
     limit = added(axis, "limit")
     low, high = joint.travel(NO_LIMIT)
     added(limit, "lower", low)
     added(limit, "upper", high)
     if np.isfinite(joint.effort):
         added(limit, "effort", joint.effort)
+    elif drake and not joint.driven:
+        # Drake gives every other joint an actuator.
+        added(limit, "effort", 0.0)
     if np.isfinite(joint.speed):
         added(limit, "velocity", joint.speed)
 

@@ -13,6 +13,7 @@ from ...motion.rotation import rotation_from_rpy
 from ...robot.fields import direction
 from ..chain import WORLD, Body, Joint, Model, after
 from ..notes import json_table
+from .sdf_out import BALL
 from .xml_text import (
     at_line,
     interval,
@@ -42,11 +43,14 @@ def model(root: ET.Element, loops: str | None) -> Model:
     """The model; ValueError of one line says what of the files can't be read, and where."""
     apart = _apart_from_world(root)
     bodies, joints = _tree(root)
-    if loops is None:
-        raise ValueError("expected its loops in a second file beside it, NAME.loops.json, got none")
-    given = _loops(loops)
+    balls = root.findall(BALL)
+    if loops is None and not balls:
+        raise ValueError(f"expected its loops in NAME.loops.json or as {BALL}, got none")
+    given = {} if loops is None else _loops(loops)
     names = {body.name for body in bodies}
     closures = [_closure(each, i, names, apart) for i, each in enumerate(given.get("closures", ()), 1)]
+    if "closures" not in given:
+        closures = [_ball(each, i, names, apart) for i, each in enumerate(balls, 1)]
     known = [joint.name for joint in joints]
     armature = tables.checked_table(given.get("armature_kg", {}), "loops: armature_kg: ", known)
     joints = [
@@ -58,6 +62,8 @@ def model(root: ET.Element, loops: str | None) -> Model:
     gravity = tables.vector(given["gravity_m_s2"], "gravity_m_s2") if "gravity_m_s2" in given else None
     notes = given.get("notes", {})
     left_out = tuple(_left_out(root))
+    if loops is None:
+        left_out += ("what NAME.loops.json would state: friction of closures, armatures, and notes",)
     moving = (*joints, *closures)
     return Model(root.get("name", ""), gravity, tuple(bodies), moving, notes, left_out, armatures=True)
 
@@ -120,6 +126,26 @@ def _closure(given: object, number_: int, names: set[str], apart: dict[str, str]
         damping=tables.not_negative(table.get("damping_N_m_s", 0.0), f"{where}damping_N_m_s"),
         cut=True,
         parent_point=tables.vector(table["point_1_m"], f"{where}point_1_m"),
+    )
+
+
+def _ball(given: ET.Element, number_: int, names: set[str], apart: dict[str, str]) -> Joint:
+    """Read a closure as Drake has it, which has no name."""
+    where, ends, points = f"{BALL} {number_}", [], []
+    for body, point in (("body_A", "p_AP"), ("body_B", "p_BQ")):
+        found = {key: given.find(f"{BALL}_{key}") for key in (body, point)}
+        name, place = (
+            None if each is None else each.get(key)
+            for each, key in zip(found.values(), ("name", "value"), strict=True)
+        )
+        name = apart.get(name or "", name or "")
+        if name not in names:
+            raise ValueError(f"{where}: link {name!r}: missing")
+        ends.append(name)
+        points.append(numbers(place, 3, f"{where}: {point}"))
+    one, other = ends
+    return Joint(
+        f"ball_constraint_{number_}", "spherical", one, other, points[1], cut=True, parent_point=points[0]
     )
 
 

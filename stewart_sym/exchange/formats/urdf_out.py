@@ -11,6 +11,7 @@ import numpy as np
 from ...io.json_text import json_text
 from ...motion.rotation import rpy_from_rotation
 from ..chain import WORLD, Body, Joint, Model, Shape, in_single_axes
+from .sdf_out import BALL, DRAKE
 from .xml_text import NO_LIMIT, TENSOR, added, document
 
 ROOT = "base"
@@ -22,7 +23,7 @@ _KINDS = {"prismatic": "prismatic", "revolute": "continuous", "free": "floating"
 def written(model: Model) -> tuple[str, str]:
     """The file and that of its loops."""
     tree = in_single_axes(model, ("universal", "spherical"), lambda joint, body: Body(""))
-    root = ET.Element("robot", name=model.name)
+    root = ET.Element("robot", {"name": model.name, "xmlns:drake": DRAKE})
     # By this name, simulators find that the base does not move.
     added(root, "link", name=WORLD)
     held = added(root, "joint", name="fixed_base", type="fixed")
@@ -36,7 +37,19 @@ def written(model: Model) -> tuple[str, str]:
     for joint in tree.joints:
         if joint.driven:
             _transmission(root, joint)
+    for joint in tree.joints:
+        if joint.cut:
+            _ball(root, joint)
     return document(root), json_text(_loops(model))
+
+
+def _ball(root: ET.Element, joint: Joint) -> None:
+    """A closure as Drake has it, which other programs pass over."""
+    ball = added(root, BALL)
+    added(ball, f"{BALL}_body_A", name=_name(joint.parent))
+    added(ball, f"{BALL}_p_AP", value=joint.parent_point)
+    added(ball, f"{BALL}_body_B", name=_name(joint.child))
+    added(ball, f"{BALL}_p_BQ", value=joint.point)
 
 
 def _loops(model: Model) -> dict[str, Any]:

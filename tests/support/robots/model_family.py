@@ -1,7 +1,8 @@
-"""Random Stewart platforms as trees of bodies with cuts, as MJCF and as URDF: joints as other programs have them.
+"""Random Stewart platforms as trees of bodies with cuts, in MJCF and URDF, with joints as in public files.
 
-A machine is six chains of bodies from the base to the platform. Each is cut where two bodies are fixed together
-or meet in a ball, so that a tree remains; the platform is free or hangs on one leg, and legs hang on it.
+A machine consists of six chains of bodies from the base to the platform. Each chain is cut where two bodies
+are fixed together or meet in a ball, so that a tree remains. The platform is free or hangs on one leg, and
+legs may hang on the platform.
 """
 
 import json
@@ -31,7 +32,7 @@ class Part:
 
 
 class Edge(NamedTuple):
-    """How two bodies are joined, the first one nearer the base: ``hinge``, ``slide``, ``ball`` or ``fixed``."""
+    """Joint of two bodies, the first one nearer the base: ``hinge``, ``slide``, ``ball``, or ``fixed``."""
 
     kind: str
     one: str
@@ -45,8 +46,8 @@ class Edge(NamedTuple):
 class Family:
     """One machine.
 
-    edges: of the tree, from the parent to the child. cuts: edges that close loops. off: whether a center of mass
-    is off the axes. fault: whether it is no machine of ours. Slides are called ``slide1`` to ``slide6``.
+    edges: edges of the tree, from the parent to the child. cuts: edges that close loops. off: whether centers
+    of mass may be off the axes. fault: whether import rejects the machine. s: directions of the legs, (6, 3).
     """
 
     parts: dict[str, Part]
@@ -61,7 +62,7 @@ class Family:
 
 
 def across(rng: np.random.Generator, axis: Array, least: float = 0.3) -> Array:
-    """A random direction at an angle to another."""
+    """Return a random direction at an angle to another."""
     while True:
         found = rng.normal(size=3)
         found /= np.linalg.norm(found)
@@ -74,7 +75,7 @@ def turn(rng: np.random.Generator, angle: float = 3.0) -> Array:
 
 
 def tensor(rng: np.random.Generator, size: float, mass: float, along: Array | None = None) -> Array:
-    """An inertia that a body can have; of one of revolution about a direction if one is given."""
+    """Return a possible inertia, of a body of revolution if a direction is given."""
     squares = mass * size**2 * rng.uniform(0.05, 1.0, 3)
     if along is not None:
         return (squares[0] + squares[1]) * np.eye(3) + (squares[0] - squares[1]) * np.outer(along, along)
@@ -101,7 +102,7 @@ class _Maker:
         self.parts[name] = Part(name, R, point + rng.uniform(-0.05, 0.05, 3), mass, center, inertia)
 
     def small(self, name: str, point: Array, kept: list[Array]) -> None:
-        """A cross or fork, without a mass, with its mass where the axes meet, along axes, or off them."""
+        """Add a cross or fork without a mass, or with its mass where the axes meet or apart from it."""
         rng = self.rng
         if rng.random() < 0.4:
             self.part(name, point, 0.0, point, np.zeros((3, 3)))
@@ -114,7 +115,7 @@ class _Maker:
         self.part(name, point, mass, center, tensor(rng, 0.01, mass))
 
     def hinge(self, one: str, other: str, point: Array, axis: Array, name: str) -> Edge:
-        """A hinge with its anchor somewhere on its axis, or beside it where the axes are to miss each other."""
+        """Make a hinge with its anchor somewhere on its axis, or off it if axes are to miss each other."""
         rng = self.rng
         at = point + self.moved * rng.uniform(-1, 1) * axis
         if self.fault == "missed" and name == "tip3_2":
@@ -147,7 +148,7 @@ class _Maker:
         self.chains.append(edges)
 
     def three(self, s: Array) -> list[Array]:
-        """Three axes, each at an angle to the next one and all at angles to a plane."""
+        """Return three axes at angles to each other."""
         rng = self.rng
         R = turn(rng)
         if rng.random() < 0.5:
@@ -155,10 +156,12 @@ class _Maker:
             x = np.cross(x, s) / np.linalg.norm(np.cross(x, s))
             R = np.stack([s, x, np.cross(s, x)])
         R = R[rng.permutation(3)]
-        return [rotation_from_vector(rng.uniform(-0.15, 0.15, 3) * self.rng.choice([0, 1])) @ axis for axis in R]
+        return [
+            rotation_from_vector(rng.uniform(-0.15, 0.15, 3) * self.rng.choice([0, 1])) @ axis for axis in R
+        ]
 
     def long(self, name: str, point: Array, s: Array) -> None:
-        """A part of a leg; of revolution about the leg where that can spin."""
+        """Add a part of a leg, a body of revolution if the leg can spin."""
         rng = self.rng
         mass, center = rng.uniform(0.3, 4.0), point + rng.uniform(-0.2, 0.2) * s
         if not self.spherical:
@@ -186,7 +189,7 @@ class _Maker:
 
 
 def family(seed: int, urdf: bool = False) -> Family:
-    """The machine of a seed; one for URDF has joints with one axis alone, at the origins of links."""
+    """Make the machine of a seed; for URDF every joint has one axis, at the origin of a link."""
     rng = np.random.default_rng([seed, urdf])
     make = _Maker(rng, urdf)
     turns = np.radians([-10.0, 10.0, 110.0, 130.0, 230.0, 250.0]) + rng.uniform(-0.1, 0.1, 6)
@@ -197,7 +200,9 @@ def family(seed: int, urdf: bool = False) -> Family:
     T = middle + p @ lean.T
     mass = rng.uniform(5.0, 40.0)
     make.part(TOP, middle, mass, middle + rng.uniform(-0.05, 0.05, 3), tensor(rng, 0.2, mass))
-    make.parts[BASE] = Part(BASE, turn(rng), rng.uniform(-0.1, 0.1, 3), 3.0, np.zeros(3), tensor(rng, 0.2, 3.0))
+    make.parts[BASE] = Part(
+        BASE, turn(rng), rng.uniform(-0.1, 0.1, 3), 3.0, np.zeros(3), tensor(rng, 0.2, 3.0)
+    )
     order = rng.permutation(6)
     for i in order:
         foot = BASE
@@ -217,7 +222,11 @@ def _cut(rng: np.random.Generator, make: _Maker, s: Array, urdf: bool) -> Family
     if not urdf or all(edge.kind != "ball" for edge in make.chains[0]):
         carried = 0 if rng.random() < 0.4 else None
     for number, chain in enumerate(make.chains):
-        at = [i for i, edge in enumerate(chain) if edge.kind == "fixed" or (edge.kind == "ball" and edge.other == TOP)]
+        at = [
+            i
+            for i, edge in enumerate(chain)
+            if edge.kind == "fixed" or (edge.kind == "ball" and edge.other == TOP)
+        ]
         cut = len(chain) if number == carried else int(rng.choice(at))
         edges += chain[:cut]
         cuts += chain[cut : cut + 1]
@@ -243,12 +252,20 @@ def _cut(rng: np.random.Generator, make: _Maker, s: Array, urdf: bool) -> Family
                 make.parts[edge.other] = replace(make.parts[edge.other], t=edge.point)
     align = free and TOP not in held and rng.random() < 0.5
     return Family(
-        make.parts, tuple(edges), tuple(cuts), gravity, free, align, make.off, make.fault == "universal tip" or make.missed, s
+        make.parts,
+        tuple(edges),
+        tuple(cuts),
+        gravity,
+        free,
+        align,
+        make.off,
+        make.fault == "universal tip" or make.missed,
+        s,
     )
 
 
 def grows(made: Family, i: int) -> float:
-    """1 where the coordinate of the slide of leg i, from 0, grows with the leg, else -1."""
+    """Return 1 if the coordinate of the slide of leg i, from 0, grows with the leg, else -1."""
     edge = next(edge for edge in made.edges if edge.name == f"slide{i + 1}")
     outward = 1.0 if edge.one.startswith("lower") else -1.0
     return float(np.sign(edge.axis @ made.s[i])) * outward
@@ -259,7 +276,7 @@ def _text(values: Array) -> str:
 
 
 def mjcf(made: Family, seed: int) -> str:
-    """MJCF, siblings in random order; bodies without a mass as joints of the next body."""
+    """Write MJCF with siblings in random order; a body without a mass becomes a joint of the next body."""
     rng = np.random.default_rng([seed, 2])
     sites: dict[str, list[str]] = {name: [] for name in made.parts}
     equality = []
@@ -283,7 +300,7 @@ def mjcf(made: Family, seed: int) -> str:
             )
 
     def inside(name: str, frame: tuple[Array, Array], joints: str = "") -> str:
-        """The bodies that one carries, in a frame."""
+        """Write the bodies that one carries, in a frame."""
         carried = [edge for edge in made.edges if edge.one == name]
         found = []
         for number in rng.permutation(len(carried)):
@@ -328,18 +345,18 @@ def mjcf(made: Family, seed: int) -> str:
 
 
 def urdf(made: Family, seed: int, drake: bool) -> tuple[str, str | None]:
-    """URDF with links and joints in random order, and its loops; ``drake``: these as ball constraints in it."""
+    """Write URDF with links and joints in random order, and its loops, or ball constraints of Drake."""
     rng = np.random.default_rng([seed, 3])
     items = []
     for part in made.parts.values():
         inertial = ""
         if part.mass:
-            place, I = part.R.T @ (part.center - part.t), part.R.T @ part.inertia @ part.R
-            six = zip(("xx", "xy", "xz", "yy", "yz", "zz"), I[np.triu_indices(3)], strict=True)
-            moments = " ".join(f'i{key}="{float(value)!r}"' for key, value in six)
+            place, moments = part.R.T @ (part.center - part.t), part.R.T @ part.inertia @ part.R
+            six = zip(("xx", "xy", "xz", "yy", "yz", "zz"), moments[np.triu_indices(3)], strict=True)
+            six_ = " ".join(f'i{key}="{float(value)!r}"' for key, value in six)
             inertial = (
                 f'<inertial><origin xyz="{_text(place)}"/><mass value="{float(part.mass)!r}"/>'
-                f"<inertia {moments}/></inertial>"
+                f"<inertia {six_}/></inertial>"
             )
         items.append(f'<link name="{part.name}">{inertial}</link>')
     items.append('<link name="world"/>')
@@ -354,7 +371,8 @@ def urdf(made: Family, seed: int, drake: bool) -> tuple[str, str | None]:
         limit = '<limit lower="-1" upper="1" effort="1e16" velocity="1e16"/>' if edge.kind == "slide" else ""
         items.append(
             f'<joint name="{edge.name}" type="{kinds[edge.kind]}"><parent link="{edge.one}"/>'
-            f'<child link="{edge.other}"/><origin xyz="{_text(place)}" rpy="{_text(angles)}"/>{axis}{limit}</joint>'
+            f'<child link="{edge.other}"/><origin xyz="{_text(place)}" rpy="{_text(angles)}"/>{axis}{limit}'
+            "</joint>"
         )
     closures = []
     for edge in made.cuts:

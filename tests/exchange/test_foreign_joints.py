@@ -1,0 +1,265 @@
+"""Joints as others write them: masses between axes, platform frames, empty elements, closures of Drake."""
+
+import re
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import mujoco
+import numpy as np
+import pytest
+from command_line import rejects
+from exported_models import exported, imported, written
+from model_family import TOP, Family, family, grows, mjcf, urdf
+from model_statics import InMujoco
+from numpy.typing import NDArray
+
+import stewart_sym as ss
+
+Array = NDArray[np.float64]
+MASS, OFF = 0.02, 0.002
+
+
+def first_with(said: Callable[[Family], bool], urdf_: bool = False) -> tuple[int, Family]:
+    """The first machine of the family, none with a fault, of which something holds."""
+    made = ((seed, family(seed, urdf_)) for seed in range(400))
+    return next((seed, each) for seed, each in made if not each.fault and not each.off and said(each))
+
+
+def axes_at(made: Family, joint: str) -> list[Array]:
+    """Axes of the hinges at one end of a leg, in the order of their names."""
+    edges = sorted(
+        (edge.name, edge.axis) for edge in (*made.edges, *made.cuts) if edge.name.startswith(f"{joint}_")
+    )
+    return [axis for _, axis in edges if axis is not None]
+
+
+def with_mass(made: Family, name: str, point: Array, off: Array) -> Family:
+    """The machine with 20 g in a body between axes, the center of mass off the point where they meet."""
+    inertia = 1e-6 * np.eye(3)
+    part = replace(made.parts[name], mass=MASS, center=point + off, inertia=inertia)
+    return replace(made, parts={**made.parts, name: part})
+
+
+def at_rest(found: ss.ImportedModel, engine: InMujoco, made: Family) -> tuple[Array, Array]:
+    """Forces of the legs at home, here and in MuJoCo, (6,) each."""
+    zero = np.zeros(3)
+    motion = ss.Motion(np.eye(3), found.robot.home, zero, zero, zero, zero)
+    numbers = re.findall(r"\d 'lower(\d)' 'upper\d'", found.assumptions[0])
+    F = ss.inverse_dynamics(found.robot, motion).F[[numbers.index(str(i)) for i in range(1, 7)]]
+    truth = engine.forces([f"slide{i}" for i in range(1, 7)])
+    return F, np.array([grows(made, i) for i in range(6)]) * truth
+
+
+def universal(made: Family) -> bool:
+    return "cross1_1" in made.parts and "cross1_2" not in made.parts
+
+
+def three_hinges(made: Family) -> bool:
+    return universal(made) and "end1_2" in made.parts
+
+
+@pytest.mark.parametrize("name", ["cross1_1", "end1_1", "end1_2"])
+def test_a_cross_with_its_mass_off_the_axes_is_imported_with_its_effect(name: str, tmp_path: Path) -> None:
+    seed, made = first_with(three_hinges)
+    joint = "base1" if name.startswith("cross") else "tip1"
+    axes = axes_at(made, joint)
+    point = np.linalg.lstsq(
+        sum(np.eye(3) - np.outer(axis, axis) for axis in axes),
+        sum(
+            (np.eye(3) - np.outer(edge.axis, edge.axis)) @ edge.point
+            for edge in (*made.edges, *made.cuts)
+            if edge.name.startswith(f"{joint}_")
+        ),
+        rcond=None,
+    )[0]
+    # Across both neighboring axes, where no part takes over its weight's moment.
+    pair = axes[:2] if name.endswith("_1") else axes[1:]
+    off = OFF * np.cross(*pair) / np.linalg.norm(np.cross(*pair))
+    errors = []
+    for each in (np.zeros(3), off):
+        changed = with_mass(made, name, point, each)
+        text = mjcf(changed, seed)
+        found = imported(text, tmp_path)
+        stated = re.findall(r"off by up to (\S+) N", "\n".join(found.assumptions))
+        F, truth = at_rest(found, InMujoco(text), changed)
+        errors.append((float(np.abs(F - truth).max()), [float(value) for value in stated]))
+    (exact, nothing), (error, (bound,)) = errors
+    assert nothing == []
+    assert exact < 1e-8 * np.abs(truth).max() < error < bound < 1e-3 * np.abs(truth).max()
+
+
+def test_a_cross_far_off_the_axes_is_one_line_with_its_effect(tmp_path: Path) -> None:
+    seed, made = first_with(universal)
+    point = made.parts["lower1"].center
+    text = mjcf(with_mass(made, "cross1_1", point, np.zeros(3)), seed)
+    heavy = text.replace(f'mass="{MASS!r}"', 'mass="2"')
+    assert heavy != text
+    said = r"body 'cross1_1': expected its center of mass where the axes meet, got \S+ mm off, which changes"
+    rejects(rf"{said} forces by up to \S+ N", imported, heavy, tmp_path)
+
+
+def test_the_mass_of_the_file_and_of_the_robot_are_printed(tmp_path: Path) -> None:
+    seed, made = first_with(three_hinges)
+    found = imported(mjcf(made, seed), tmp_path)
+    mass = found.robot.M + found.robot.m_d.sum() + found.robot.m_u.sum()
+    assert (
+        f"mass of the bodies that move: {mass:.7g} kg in the file, {mass:.7g} kg imported"
+        in found.assumptions
+    )
+
+
+@pytest.mark.parametrize("load", [0.5, 60.0])
+def test_the_platform_is_the_heaviest_body_that_the_legs_hold(load: float, tmp_path: Path) -> None:
+    def loaded(made: Family) -> bool:
+        part = made.parts.get("load")
+        return part is not None and part.mass == load and "fork1" in made.parts and not made.align
+
+    seed, made = first_with(loaded)
+    text = mjcf(made, seed)
+    found = imported(text, tmp_path)
+    np.testing.assert_allclose(found.robot.home, InMujoco(text).frame(TOP)[1], rtol=0, atol=1e-12)
+    assert any(line.startswith(f"platform: {TOP!r}, the heaviest") for line in found.assumptions)
+
+
+@pytest.mark.parametrize("change", [("", 'align="true"'), ('alignfree="true"', "")])
+@pytest.mark.parametrize("turned", [False, True])
+def test_the_frame_of_an_aligned_platform_is_that_of_mujoco(
+    change: tuple[str, str], turned: bool, tmp_path: Path
+) -> None:
+    compiler, align = change
+    text = re.sub("<custom>.*?</custom>", "", exported().text, flags=re.DOTALL)
+    text = text.replace("<compiler ", f"<compiler {compiler} ")
+    text = text.replace('<freejoint name="free"', f'<freejoint name="free" {align}')
+    inertial = re.search(r'<body name="platform".*?(<inertial [^>]*/>)', text, re.DOTALL)
+    assert inertial is not None
+    diagonal = '<inertial mass="40" pos="0.01 0.02 0.03" diaginertia="0.9 0.8 0.7"'
+    text = text.replace(inertial[1], diagonal + (' euler="0.3 0.2 0.1"/>' if turned else "/>"))
+    found = imported(text, tmp_path)
+    model = mujoco.MjModel.from_xml_string(text)
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    np.testing.assert_allclose(found.robot.home, data.body("platform").xpos, rtol=0, atol=1e-12)
+    points = np.array([data.site(f"tip_{i}_b").xpos for i in range(1, 7)])
+    np.testing.assert_allclose(found.robot.p, points - data.body("platform").xpos, rtol=0, atol=1e-12)
+    np.testing.assert_allclose(found.robot.R_0, 0.0, atol=1e-12)
+    assert any("the frame of 'platform', which is taken" in line for line in found.assumptions)
+
+
+def test_anchors_in_a_frame_that_mujoco_turns_are_one_line(tmp_path: Path) -> None:
+    text = exported().text.replace('<freejoint name="free"', '<freejoint name="free" align="true"')
+    old = '<connect name="tip_1" site1="tip_1_a" site2="tip_1_b" />'
+    assert old in text
+    text = text.replace(old, '<connect name="tip_1" body1="upper_1" body2="platform" anchor="0 0 0"/>')
+    rejects("expected site1 and site2, since MuJoCo turns the frame of 'platform'", imported, text, tmp_path)
+
+
+def test_the_remedy_for_the_mass_of_a_mesh_works(tmp_path: Path) -> None:
+    corners = " ".join(f"{x} {y} {z}" for x in (-0.2, 0.2) for y in (-0.3, 0.3) for z in (-0.02, 0.02))
+    text = exported().text.replace("<asset>", f'<asset><mesh name="deck" vertex="{corners}"/>')
+    start = text.index('<body name="platform"')
+    inside = re.sub("<inertial .*?/>", '<geom type="mesh" mesh="deck" mass="6"/>', text[start:])
+    text = text[:start] + inside
+    rejects('mj_saveLastXML with saveinertial="true"', imported, text, tmp_path)
+    model = mujoco.MjModel.from_xml_string(text.replace("<compiler ", '<compiler saveinertial="true" '))
+    mujoco.mj_saveLastXML(str(tmp_path / "saved.xml"), model)
+    assert ss.import_model(tmp_path / "saved.xml").robot.M == 6.0
+
+
+@pytest.mark.parametrize("kind", ["weld", "loop"])
+def test_all_open_welds_or_loops_are_reported_at_once(kind: str, tmp_path: Path) -> None:
+    def closed_by(made: Family) -> bool:
+        kinds = ["fixed" if kind == "weld" else "ball"]
+        return sum(edge.kind in kinds for edge in made.cuts) > 2
+
+    seed, made = first_with(closed_by)
+    text = mjcf(made, seed)
+    tag, moved = ("weld", 0) if kind == "weld" else ("connect", 0)
+    names = re.findall(rf'<{tag} name="(\w+)" site1', text)
+    for number, name in enumerate(names, 1):
+        text, count = re.subn(rf'(<site name="{name}b" pos=")(\S+)', rf"\g<1>{number / 10}", text)
+        moved += count
+    assert moved == len(names) > 1
+    with pytest.raises(
+        ValueError, match=f"expected {kind}s that are closed in the pose of the file"
+    ) as caught:
+        imported(text, tmp_path)
+    assert all(repr(name) in str(caught.value) for name in names)
+    assert str(caught.value).count(" m") >= len(names)
+
+
+def test_empty_elements_of_sdf_take_their_defaults(tmp_path: Path) -> None:
+    text, loops = exported("sdf").text, None
+    emptied = {
+        r"<effort>[^<]*</effort>": "<effort/>",
+        r"<velocity>[^<]*</velocity>": "<velocity></velocity>",
+        r"<damping>[^<]*</damping>": "<damping> </damping>",
+        r"<lower>[^<]*</lower>": "<lower/>",
+        r"<ixy>[^<]*</ixy>": "<ixy/>",
+        r"<gravity>[^<]*</gravity>": "<gravity/>",
+    }
+    left = text
+    for old, new in emptied.items():
+        left, count = re.subn(old, new, left)
+        assert count
+        text = re.sub(old, "", text)
+    notes = r"<stewart_sym:notes>.*?</stewart_sym:notes>"
+    robots = [
+        ss.import_model(written(ss.ModelFile(re.sub(notes, "", each), loops), tmp_path / f"{name}.sdf"))
+        for name, each in (("empty", left), ("missing", text))
+    ]
+    assert robots[0].robot.to_dict() == robots[1].robot.to_dict()
+    assert robots[0].assumptions == robots[1].assumptions
+
+
+FRAMES = (
+    '<frame name="wrist" attached_to="upper_3"><pose>0.1 0.2 0.3 0.4 0.5 0.6</pose></frame>'
+    '<frame name="hand" attached_to="wrist"/><frame name="deck" attached_to="tip_1"/>'
+)
+
+
+def test_joints_of_sdf_may_name_frames_since_1_7(tmp_path: Path) -> None:
+    text = exported("sdf").text
+    named = text.replace("<parent>upper_3</parent>", "<parent>hand</parent>")
+    point = r"(<child>)platform(</child>\s*<pose)(>)"
+    head, tail = named[: named.index('name="tip_3"')], named[named.index('name="tip_3"') :]
+    tail, count = re.subn(point, r'\1deck\2 relative_to="platform"\3', tail, count=1)
+    assert count == 1
+    named = (head + tail).replace("<link", f"{FRAMES}<link", 1)
+    robots = [imported(each, tmp_path).robot for each in (text, named)]
+    np.testing.assert_allclose(robots[1].p, robots[0].p, rtol=0, atol=1e-12)
+    old = named.replace('version="1.9"', 'version="1.6"')
+    rejects("link 'hand': missing", imported, old, tmp_path)
+    circle = named.replace('attached_to="wrist"', 'attached_to="hand"')
+    rejects("link 'hand': missing", imported, circle, tmp_path)
+
+
+def test_ball_constraints_close_a_urdf_as_its_loops_do(tmp_path: Path) -> None:
+    def by_balls(made: Family) -> bool:
+        return all(edge.kind == "ball" for edge in made.cuts)
+
+    seed, made = first_with(by_balls, True)
+    made = replace(made, gravity=np.array([0.0, 0.0, -9.81]))
+    alone = ss.import_model(written(ss.ModelFile(*urdf(made, seed, drake=True)), tmp_path / "alone.urdf"))
+    beside = ss.import_model(written(ss.ModelFile(*urdf(made, seed, drake=False)), tmp_path / "beside.urdf"))
+    assert alone.robot.to_dict() == beside.robot.to_dict()
+    assert "left out: what NAME.loops.json would state: friction of closures, armatures, and notes" in (
+        alone.assumptions
+    )
+
+
+@pytest.mark.parametrize(
+    ("form", "change", "said"),
+    [
+        ("drake", ("_body_A>upper_1<", "_body_A>upper_9<"), "ball_constraint 1: link 'upper_9': missing"),
+        ("drake", ("_p_AP>0.0 0.0 0.0<", "_p_AP>0.0 0.0<"), "ball_constraint 1: p_AP: expected 3 numbers"),
+        ("urdf", ('_body_A name="upper_1"', '_body_A name="upper_9"'), "1: link 'upper_9': missing"),
+        ("urdf", ('_p_AP value="0.0 0.0 0.0"', '_p_AP value="0"'), "1: p_AP: expected 3 numbers, got '0'"),
+    ],
+)
+def test_a_broken_ball_constraint_is_one_line(
+    form: str, change: tuple[str, str], said: str, tmp_path: Path
+) -> None:
+    text = exported(form).text
+    assert change[0] in text
+    rejects(re.escape(said), imported, text.replace(*change, 1), tmp_path)
