@@ -19,11 +19,22 @@ _SAME = 1e-9
 class Cross:
     """A body between two axes of a joint, as mass of a part of the machine.
 
-    body: as in the file. part: ``LOWER``, ``UPPER`` or ``PLATFORM``. solid: mass, center of mass, and inertia
-    that the part takes over, world frame. lost: distance (m) by which the center of mass is moved such that
-    the weight has another moment. lateral, twist: bounds on the wrong force at the end of the leg, across it,
-    and on the wrong moment at the platform, over the moment that is lost. in_motion: whether forces in motion
-    are exact as those at rest.
+    Attributes
+    ----------
+    body : Body
+        Body of the file.
+    part : str
+        ``LOWER``, ``UPPER``, or ``PLATFORM``.
+    solid : bodies.Body
+        Mass, center of mass, and inertia that are added to the part, world frame.
+    lost : float
+        Distance (m) by which the center of mass is moved and its moment changes.
+    lateral : float
+        Bound on the error of the lateral force at the end of the leg over the lost moment (1/m).
+    twist : float
+        Bound on the error of the moment on the platform over the lost moment.
+    in_motion : bool
+        True if forces in motion are exact, as forces at rest are.
     """
 
     body: Body
@@ -63,7 +74,7 @@ def _cross(
     s = S / L
     arm = body.placed(body.center) - point
     inertia = body.R @ body.inertia @ body.R.T
-    # A leg between two spherical joints spins, so that only what is on its line keeps its place.
+    # A leg between two spherical joints spins: only mass on its line keeps its place.
     stays = [k is not None or float(np.linalg.norm(cross(axes[0], s))) < _SAME for axes in sides]
     part = LOWER if base else UPPER if len(sides[0]) == 1 else PLATFORM
     kept, rest = np.zeros(3), arm
@@ -113,7 +124,7 @@ def with_crosses(body: Body, crosses: Sequence[Cross], part: str) -> Body:
 
 
 def largest_error(crosses: Sequence[Sequence[Cross]], p: Array, s: Array, g: float) -> float:
-    """Bound the error of the forces of the legs at rest, N, from the moments that are lost.
+    """Compute a bound on the error of the forces of the legs at rest (N) from the lost moments.
 
     crosses: of each leg. p: joint points from the platform's origin, (6, 3), and s: directions of the legs,
     (6, 3), in the pose of the file. g: size of gravity, m/s^2.
@@ -131,7 +142,7 @@ def largest_error(crosses: Sequence[Sequence[Cross]], p: Array, s: Array, g: flo
 
 
 def lines_of(crosses: Sequence[Sequence[Cross]], error: float) -> Iterator[str]:
-    """State which bodies between axes count as which part, and the effect of this."""
+    """Write a line for each part about the bodies that count as it, and one about the effect."""
     for part in (LOWER, UPPER, PLATFORM):
         taken = [each for of_leg in crosses for each in of_leg if each.part == part]
         if not taken:
@@ -139,7 +150,7 @@ def lines_of(crosses: Sequence[Sequence[Cross]], error: float) -> Iterator[str]:
         names = ", ".join(repr(each.body.name) for each in taken)
         count = f"{'count' if len(taken) > 1 else 'counts'} as the {part}"
         off = max(each.lost for each in taken)
-        exact = f"the center of mass up to {1e3 * off:.3g} mm off is taken as where the axes meet"
+        exact = f"the center of mass up to {1e3 * off:.3g} mm off is taken at their intersection"
         exact = exact if off else "which leaves forces at rest as they are"
         moving = "" if all(each.in_motion for each in taken) else "; in motion they turn as that does"
         yield f"between the axes of joints: {names} {count}, {exact}{moving}"

@@ -110,9 +110,9 @@ def _mass_kept(machine: Machine, model: Model, robot: Robot) -> str:
 
 
 def _crosses_said(legs: Sequence["_Leg"], platform: Body, robot: Robot) -> Iterator[str]:
-    """State where the bodies between axes are, and the effect; ValueError where it is large."""
+    """Write lines about the bodies between axes and the effect; ValueError if the effect is large."""
     crosses = [leg.crosses for leg in legs]
-    # Where the file has no gravity, the earth's says how large a lost moment is.
+    # If the file has no gravity, the effect in motion has the size of that under the earth's.
     g = float(np.linalg.norm(robot.g)) or _G
     s, p = np.array([leg.s for leg in legs]), np.array([platform.R @ leg.p for leg in legs])
     error = largest_error(crosses, p, s, g)
@@ -121,7 +121,7 @@ def _crosses_said(legs: Sequence["_Leg"], platform: Body, robot: Robot) -> Itera
         every = [each for of_leg in crosses for each in of_leg]
         worst = max(every, key=lambda each: each.body.mass * each.lost)
         raise ValueError(
-            f"body {worst.body.name!r}: expected its center of mass where the axes meet, got "
+            f"body {worst.body.name!r}: expected its center of mass at the intersection of the axes, got "
             f"{1e3 * worst.lost:.3g} mm off, which changes forces by up to {error:.3g} N"
         )
     return lines_of(crosses, error)
@@ -283,7 +283,7 @@ class _Leg:
         self.off = max(self.off, off / limit)
 
     def _need_meeting(self) -> None:
-        """Reject axes that do not meet in the file's pose, and those that are parallel."""
+        """Reject axes that do not meet in the file's pose, and successive axes that are parallel."""
         for off, steps in self.apart:
             where = f"joints {' and '.join(repr(step.joint.name) for step in steps)}"
             # The point where they are taken to meet is in the middle of two axes.
@@ -365,14 +365,14 @@ class _Leg:
         return line, whole
 
     def _platform_point(self) -> Array:
-        """The point where the axes at the platform meet, (3,), in the platform's frame."""
+        """Compute the intersection of the axes at the platform, (3,), in the platform's frame."""
         if len(self.leg.tip) == 1:
             return self.machine.point(self.leg.tip[0], self.machine.platform)
         p = self.machine.bodies[self.machine.platform].local(self.tip)
         return np.where(np.abs(p) < _ROUNDING * self.L, 0.0, p)
 
     def _crosses(self, k: Array | None) -> list[Cross]:
-        """Bodies between axes, as mass of the parts; a cross of offset axes is a part of its own."""
+        """Assign the bodies between axes to parts, except a cross of offset axes."""
         leg = self.leg if self.lines is None else replace(self.leg, crosses=((), self.leg.crosses[1]))
         with errors_of(f"leg {self.number}: "):
             return list(crosses_of(self.machine, leg, np.array([self.b, self.tip]), k))

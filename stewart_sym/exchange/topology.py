@@ -48,9 +48,9 @@ class Leg:
 class Machine:
     """The rigid bodies of a model by name, its platform and six legs.
 
-    placed: all bodies of the model; bodies: what is fixed together being one, by the first one's name and in
-    its frame; members: that name by the names of all. The platform has the name and the frame of the body
-    that the legs hold.
+    placed: all bodies of the model; bodies: rigid bodies, each with the name and the frame of its first
+    member; members: name of the rigid body by the name of each member. The first member of the platform is
+    the heaviest body to which several legs are attached.
     """
 
     placed: Mapping[str, Body]
@@ -128,9 +128,9 @@ def _around(model: Model, members: Mapping[str, str]) -> dict[str, list[Joint]]:
 
 
 def _held(model: Model, members: Mapping[str, str], platform: str, joints: Sequence[Joint]) -> str:
-    """Find the body that the legs hold among those fixed together: the heaviest that several legs meet in.
+    """Find the heaviest body to which several legs are attached, among the members of the platform.
 
-    Bodies that hang on one other and have one leg at most, as forks of joints and loads, are none.
+    A member that is fixed to one other member and has one leg at most, as a fork or a load, does not count.
     """
     legs = {body.name: 0 for body in model.bodies if members[body.name] == platform}
     for joint in joints:

@@ -17,14 +17,14 @@ SWITCHED = {
     "limit": ("range", "limited"),
     "clampctrl": ("ctrlrange", "ctrllimited"),
 }
-"""Attributes without effect where a flag is disabled; ``passive``, an old one, is springs and dampers."""
+"""Attributes without effect if a flag is disabled; the old flag ``passive`` disables springs and dampers."""
 _ACTUATORS = (
     *("general", "motor", "position", "velocity", "intvelocity", "damper", "cylinder", "muscle"),
     *("adhesion", "dcmotor", "plugin"),
 )
-"""Elements of one kind of thing: the defaults of a class are those of all of them."""
+"""Elements of one kind, which share the defaults of a class."""
 MOTOR = {"dyntype": "none", "gaintype": "fixed", "biastype": "none"}
-"""What a general actuator is that pushes with its control times a gain."""
+"""Attributes of a general actuator whose force is its control times a gain."""
 _SERVO = {"gaintype": "fixed", "biastype": "affine"}
 _AS_GENERAL = {
     "general": {},
@@ -33,21 +33,21 @@ _AS_GENERAL = {
     "damper": {**MOTOR, "gaintype": "affine"},
     **dict.fromkeys(("position", "velocity", "intvelocity", "cylinder"), _SERVO),
 }
-"""What the other elements set of a general actuator."""
+"""Attributes of a general actuator that the other elements set."""
 _TRANSMISSIONS = {"jointinparent": "joint", "cranksite": "site", "slidersite": "site"}
-"""Attributes that name what an actuator acts on; others are called as what they name."""
+"""Attributes that name the object of an actuator by another word than the tag of the object."""
 _GAINS = {"position": "kp", "velocity": "kv", "intvelocity": "kp", "cylinder": "area", "adhesion": "gain"}
 
 Attributes = Mapping[str, str]
 
 
 def merged(root: ET.Element, path: str) -> dict[str, str]:
-    """Attributes of all elements at a path, those of later ones over those of earlier ones."""
+    """Merge the attributes of all elements at a path; later elements override earlier ones."""
     return {key: value for each in root.findall(path) for key, value in each.attrib.items()}
 
 
 def disabled(root: ET.Element) -> set[str]:
-    """Flags that are disabled; ValueError for those without which nothing closes loops."""
+    """Return the disabled flags; ValueError if one of them is needed to close loops."""
     flags = {key for key, value in merged(root, "option/flag").items() if value == "disable"}
     for key in ("constraint", "equality"):
         if key in flags:
@@ -56,7 +56,7 @@ def disabled(root: ET.Element) -> set[str]:
 
 
 def stated(element: ET.Element) -> tuple[str, dict[str, str]]:
-    """What an element is and its attributes; of an actuator those of a general one."""
+    """Return the tag and the attributes of an element; an actuator becomes a general one."""
     if element.tag not in _ACTUATORS:
         return element.tag, element.attrib
     found = {**element.attrib, **_AS_GENERAL.get(element.tag, {"biastype": element.tag})}
@@ -65,17 +65,17 @@ def stated(element: ET.Element) -> tuple[str, dict[str, str]]:
 
 
 def first(given: Attributes, key: str, where: str) -> float:
-    """The first one of several numbers; 1 where there are none."""
+    """Return the first one of several numbers, or 1 if there is none."""
     return number(next(iter(given.get(key, "1").split()), ""), f"{where}: {key}")
 
 
 def times(factor: float, limits: Array) -> Array:
-    """Limits from low to high, (2,), of what they limit times a factor."""
+    """Multiply limits by a factor and sort them from low to high, (2,)."""
     return np.sort(factor * limits) if factor else np.zeros(2)
 
 
 def actuator(given: Attributes) -> str:
-    """What messages call an actuator: by its name, or by what it acts on."""
+    """Return the name of an actuator for messages, from its own name or from its object."""
     if given.get("name"):
         return f"actuator {given['name']!r}"
     for key in ("joint", "tendon", "body", "site", *_TRANSMISSIONS):
@@ -85,7 +85,7 @@ def actuator(given: Attributes) -> str:
 
 
 def over(usual: Attributes, given: Attributes) -> dict[str, str]:
-    """Attributes over those of a class: an orientation replaces any other, a size the first numbers alone."""
+    """Override the attributes of a class: an orientation replaces any other, a size its first numbers."""
     turned = _TURNS if any(key in given for key in _TURNS) else ()
     found = {key: value for key, value in usual.items() if key not in turned} | dict(given)
     if "size" in usual and "size" in given:

@@ -77,7 +77,7 @@ class _Reader:
         self.unit = 1.0 if compiler.get("angle", "degree") == "radian" else np.pi / 180.0
         self.order = compiler.get("eulerseq", "xyz")
         self.aligning = compiler.get("alignfree", "false")
-        # Bodies whose frames MuJoCo moves, with what it says of them, and whether their axes are known.
+        # Bodies whose frames MuJoCo moves, with True if the axes of the new frame are known.
         self.aligned: dict[str, bool] = {}
         self.autolimits = compiler.get("autolimits", "true") == "true"
         self.from_geoms = compiler.get("inertiafromgeom", "auto") == "true"
@@ -289,7 +289,7 @@ class _Reader:
         return (self.aligning if stated == "auto" else stated) == "true"
 
     def _axes_of_inertia(self, element: ET.Element, where: str) -> Array | None:
-        """Principal axes in the body's frame, (3, 3), if the file states them, else None."""
+        """Return the principal axes in the body's frame, (3, 3), or None if the file does not state them."""
         given = element.find("inertial")
         if given is None or self.from_geoms or "fullinertia" in given.attrib:
             return None
@@ -438,9 +438,9 @@ class _Reader:
 
 
 def _in_inertial_frame(body: Body, axes: Array | None) -> tuple[Body, bool]:
-    """A body in the frame of its inertia, and whether the axes are those that MuJoCo takes.
+    """Move the frame of a body to its inertial frame; return True as well if MuJoCo takes the same axes.
 
-    axes: principal axes, (3, 3), in the body's frame, or None where MuJoCo computes them.
+    axes: principal axes, (3, 3), in the body's frame, or None if MuJoCo computes them.
     """
     known = axes is not None
     if axes is None:

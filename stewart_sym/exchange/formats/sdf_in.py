@@ -297,7 +297,7 @@ class _Reader:
 
 
 def _value(element: ET.Element, path: str = ".") -> str | None:
-    """Return the text of an element, or None where it is missing or empty, which takes its default."""
+    """Return the text of an element, or None if it is missing or empty and has its default."""
     text = (element.text if path == "." else element.findtext(path)) or ""
     return text if text.strip() else None
 

@@ -19,7 +19,7 @@ NOTES = "stewart_sym:notes"
 BALL = "drake:ball_constraint"
 """Closure of a loop as Drake reads it, in SDF and URDF."""
 DRAKE = "http://drake.mit.edu"
-"""XML namespace of what is for Drake alone."""
+"""XML namespace of elements for Drake alone."""
 _KINDS = {"prismatic": "prismatic", "revolute": "revolute", "universal": "universal", "spherical": "ball"}
 _PLUGIN = {"filename": "gz-sim-apply-joint-force-system", "name": "gz::sim::systems::ApplyJointForce"}
 
@@ -66,7 +66,7 @@ def _document(model: Model, drake: bool) -> str:
 
 
 def _ball(parent: ET.Element, joint: Joint) -> None:
-    """A closure as Drake has it."""
+    """Write a closure as a ball constraint of Drake."""
     ball = added(parent, BALL)
     added(ball, f"{BALL}_body_A", joint.parent)
     added(ball, f"{BALL}_p_AP", joint.parent_point)

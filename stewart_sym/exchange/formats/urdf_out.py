@@ -44,7 +44,7 @@ def written(model: Model) -> tuple[str, str]:
 
 
 def _ball(root: ET.Element, joint: Joint) -> None:
-    """A closure as Drake has it, which other programs pass over."""
+    """Write a closure as a ball constraint of Drake, which other programs ignore."""
     ball = added(root, BALL)
     added(ball, f"{BALL}_body_A", name=_name(joint.parent))
     added(ball, f"{BALL}_p_AP", value=joint.parent_point)
