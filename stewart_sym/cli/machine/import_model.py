@@ -11,7 +11,8 @@ HELP = "make a robot file of a model in MJCF, SDF or URDF"
 EXAMPLE = "stewart-sym import hexapod.xml -o imported.toml"
 MORE = (
     "Base, platform and legs are found by how bodies are joined; what was found and what had to be assumed "
-    "is printed and stands in the robot file as comments. Of a URDF, the loops are read from NAME.loops.json."
+    "is printed and stands in the robot file as comments. The loops of a URDF are read from NAME.loops.json, "
+    "or from its drake:ball_constraint elements."
 )
 
 _BEGINNING = "# Imported by stewart-sym"

@@ -96,7 +96,8 @@ class _Reader:
         self.joints: list[Joint] = []
         self.sites: dict[str, tuple[str, Array, Array]] = {}
         self.forces: dict[str, tuple[str, Array]] = {}
-        masses = ("settotalmass", "boundmass", "boundinertia", "balanceinertia")
+        self.total = number(compiler.get("settotalmass"), "compiler: settotalmass", -1.0)
+        masses = ("boundmass", "boundinertia", "balanceinertia")
         self.left_out = [f"{key} of the compiler" for key in masses if key in compiler]
         if "actuation" in self.disabled or "actuatorgroupdisable" in self.option:
             self.left_out.append("that the option disables actuators")
@@ -107,6 +108,11 @@ class _Reader:
     def model(self) -> Model:
         for world in self.root.findall("worldbody"):
             self._inside(world, WORLD, np.eye(3), np.zeros(3), None)
+        if self.total > 0.0:
+            scale = self.total / (sum(body.mass for body in self.bodies) or 1.0)
+            self.bodies = [
+                replace(body, mass=scale * body.mass, inertia=scale * body.inertia) for body in self.bodies
+            ]
         for section in self.root.findall("equality"):
             for each in section:
                 self._closure(each)
