@@ -202,7 +202,7 @@ def _crossing(robot: Robot, given: _Given, number: int) -> str | None:
     if given.log is not None:
         return crossing_warning(robot, given.log)
     rows = range(len(given.time))
-    return row_warning(robot, Trajectory(given.time, given.motion, f"motions[{number}]", rows))
+    return row_warning(robot, Trajectory(given.time, given.motion, f"motions[{number}]", rows), "instants")
 
 
 def checked_quantiles(quantiles: Sequence[float], where: str = "quantiles") -> Array:

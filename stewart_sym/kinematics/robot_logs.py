@@ -70,7 +70,7 @@ def _absolute(robot: Robot, log: JointTrajectory) -> JointTrajectory:
     if np.any(L <= 0.0):
         i, leg = (int(index) for index in np.argwhere(L <= 0.0)[0])
         raise ValueError(
-            f"{log.source}: row {log.rows[i]}: L_{leg + 1}: expected a length > 0 m, got {L[i, leg]:g} with "
+            f"{log.source}: line {log.rows[i]}: L_{leg + 1}: expected a length > 0 m, got {L[i, leg]:g} with "
             "that of the home pose"
         )
     return log._replace(L=L, relative=False)

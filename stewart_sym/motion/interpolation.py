@@ -189,7 +189,7 @@ def _in_gaps(noise: Uncertainty, time: Array, gaps: list[int], rows: Sequence[in
         before, after = np.searchsorted(noise.grid, ends[0]), np.searchsorted(noise.grid, ends[1], "right")
         grids += [noise.grid[first:before], ends[0] + h * share[:, 0]]
         covariances += [noise.covariance[first:before], np.stack(inside, axis=-1)]
-        spans.append(Replaced(float(ends[0]), float(ends[1]), (f"the gap before row {rows[i]}",)))
+        spans.append(Replaced(float(ends[0]), float(ends[1]), (f"the gap before line {rows[i]}",)))
         first = int(after)
     return noise._replace(
         grid=np.concatenate([*grids, noise.grid[first:]]),

@@ -262,7 +262,7 @@ def column_of(log: Log, column: int) -> tuple[str, str]:
 def rows_text(log: Log, first: int, end: int | None) -> str:
     """Rows of a fault, ``end`` None: to the log's end."""
     last = len(log.rows) if end is None else min(end, len(log.rows))
-    rows = f"row {log.rows[first]}"
+    rows = f"line {log.rows[first]}"
     if last - first > 1:
         rows += " on" if last == len(log.rows) else f" to {log.rows[last - 1]}"
     return rows
@@ -305,7 +305,7 @@ def tell_gap(log: Log) -> None:
     i = int(gaps[np.argmax(step[gaps])])
     start, end = (time_text(time, usual) for time in log.time[i : i + 2])
     text = (
-        f"rows {log.rows[i]} and {log.rows[i + 1]}: nothing from {start} s to {end} s, "
+        f"lines {log.rows[i]} and {log.rows[i + 1]}: nothing from {start} s to {end} s, "
         f"{step[i] / usual:.3g} times the usual step of {usual:.3g} s"
     )
     more = f"; {gaps.size - 1} more gaps" if gaps.size > 1 else ""
@@ -449,7 +449,7 @@ def tell_plateaus(log: Log, values: Array, steps: Array) -> None:
         text = (
             f"{name} gets to {at} {log.unit(kind)} or away at full "
             f"speed and stays there for {lasts:.3g} s in all ({100.0 * share:.2g} % of the rows; first at "
-            f"row {log.rows[rows[0]]}): is it clipped? forces there and nearby are wrong"
+            f"line {log.rows[rows[0]]}): is it clipped? forces there and nearby are wrong"
         )
         log.warn(text)
 

@@ -326,7 +326,7 @@ def _warn_of_jumps(log: Log, left: Array, noise: Uncertainty) -> None:
     row, column = (int(i) for i in np.unravel_index(np.argmax(off), off.shape))
     when = time_text(log.time[row], float(np.median(np.diff(log.time))))
     name, unit = log_faults.column_of(log, column)
-    at_row = f"row {log.rows[row]}: {name} by {left[row, column]:.2g} {unit}"
+    at_row = f"line {log.rows[row]}: {name} by {left[row, column]:.2g} {unit}"
     text = (
         f"near {when} s a smooth motion is {off[row, column]:.2g} deviations of the noise off ({at_row}): do "
         "accelerations jump, or are rows wrong? Where they jump forces overshoot, as their deviations say"
@@ -412,7 +412,7 @@ def _replaced_rows(log: Log, bad: Sequence[log_faults.Fault], near: Flags) -> tu
     rows = list(dict.fromkeys((fault.first, fault.end) for fault in bad))
     first = np.array([start for start, _ in rows])
     names = [
-        f"the step at row {log.rows[start]}" if end is None else log_faults.rows_text(log, start, end)
+        f"the step at line {log.rows[start]}" if end is None else log_faults.rows_text(log, start, end)
         for start, end in rows
     ]
     found, last = [], len(log.time) - 1

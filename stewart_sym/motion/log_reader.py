@@ -55,7 +55,7 @@ def read_csv(
 ) -> Trajectory:
     """Read a trajectory of poses, as ``read_trajectory`` does without regard to a robot.
 
-    Raises ``ValueError`` of one line that names the file and the row (the header is row 1) or column, and
+    Raises ``ValueError`` of one line that names the file and the line or column, and
     ``ImportError`` when an interpolating spline is needed and SciPy is missing.
     """
     found = read_log(path, form, smoothing)
@@ -159,12 +159,12 @@ def trajectory_from(log: PoseLog) -> Trajectory:
 
 def read_leg_columns(
     path: str | os.PathLike[str], form: LogFormat, groups: Sequence[tuple[str, ...]]
-) -> tuple[Array, Array, tuple[str, ...]]:
+) -> tuple[Array, Array, tuple[str, ...], Sequence[int]]:
     """Read six columns over ``time`` (s), increasing: those of the first group that the file has.
 
     Other columns, such as those that the command ``forces`` writes, are read over. form: marks, names of the
-    columns and, where no row of units states it, the unit of time. Returns times (n,), the columns (n, 6) and
-    their names. Raises ``ValueError`` of one line that names the file and the row or column.
+    columns and, where no row of units states it, the unit of time. Returns times (n,), the columns (n, 6),
+    their names, and the lines of the file. Raises ``ValueError`` that names the file and the line or column.
     """
     source = file_name(path)
     group = groups[0]
@@ -183,13 +183,13 @@ def read_leg_columns(
         columns, rows, _, dated = read_columns(stream, source, check, form)
     if dated:
         raise ValueError(
-            f"{source}: row {rows[0]}: time: expected seconds as in the trajectory, of which dates and times "
-            "of day are those since its first row"
+            f"{source}: line {rows[0]}: time: expected seconds as in the trajectory, of which dates and "
+            "times of day are those since its first row"
         )
     # As those of a trajectory with the same times are.
     values = np.stack([columns[name] for name in group], axis=-1)
     clock, _ = _clock(columns["time"], values)
-    return columns["time"] if clock is None else clock.times, values, group
+    return columns["time"] if clock is None else clock.times, values, group, rows
 
 
 # Accelerations that no platform has, m/s^2, or m/s^2 per metre of a log's lengths where these are larger; and
@@ -276,7 +276,7 @@ def _joint_trajectory(log: Log) -> JointTrajectory:
     if np.any(L <= 0.0) and not relative:
         i, leg = (int(index) for index in np.argwhere(L <= 0.0)[0])
         raise ValueError(
-            f"{log.source}: row {log.rows[i]}: L_{leg + 1}: expected a length > 0 m, got {L[i, leg]:g}"
+            f"{log.source}: line {log.rows[i]}: L_{leg + 1}: expected a length > 0 m, got {L[i, leg]:g}"
         )
     if "L_dot" in log.written:
         found = np.stack([L, *map(log.vector, _LENGTH_DERIVATIVES)])

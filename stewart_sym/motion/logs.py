@@ -1,6 +1,6 @@
 """CSV logs as named columns of numbers: delimiter, decimal comma, names and units as given or detected.
 
-Every error is one line that names the file and the row; the header is row 1 where the file begins with it.
+Every error is one line that names the file and the line.
 """
 
 from __future__ import annotations
@@ -186,7 +186,7 @@ def read_columns(
             raise ValueError(f"{source}: expected rows of numbers below the header, got none")
         if _cut_off(stream, head, decimal):
             warn(
-                f"{source}: row {rows[-1]}: expected as many decimals as above or a line ending: "
+                f"{source}: line {rows[-1]}: expected as many decimals as above or a line ending: "
                 "the file may be cut off",
                 LogWarning,
             )
@@ -198,7 +198,7 @@ def read_columns(
         i = int(late[0])
         before, after = map(time_text, columns["time"][i : i + 2])
         raise ValueError(
-            f"{source}: row {rows[i + 1]}: time: expected increasing times, got {after} after {before}"
+            f"{source}: line {rows[i + 1]}: time: expected increasing times, got {after} after {before}"
         )
     return Table(columns, rows, form, clock is not None)
 
@@ -222,7 +222,7 @@ def _without_repeated(
         return columns, rows
     many = f"{again.size} rows have" if again.size > 1 else "1 row has"
     warn(
-        f"{source}: {many} the time and all numbers of the row above, the first is row {rows[again[0]]}: "
+        f"{source}: {many} the time and all numbers of the row above, the first is line {rows[again[0]]}: "
         "taken once",
         LogWarning,
     )
@@ -252,7 +252,7 @@ def _clock(head: Head, header: list[str | None], source: str, form: LogFormat) -
         return None
     if form.time_unit not in (None, "s"):
         raise ValueError(
-            f"{source}: row {head.above + 1}: time: expected {form.time_unit} "
+            f"{source}: line {head.above + 1}: time: expected {form.time_unit} "
             f"(LogFormat(time_unit={form.time_unit!r})), got {text!r}: dates and times of day have no unit"
         )
     return Clock()
@@ -291,11 +291,11 @@ def _columns(
                 rows.append(row)
                 if len(rows) % _ROWS == 0:
                     read()
-                values = _row(cells, header, f"{source}: row {row}: ", decimal, clock)
+                values = _row(cells, header, f"{source}: line {row}: ", decimal, clock)
                 for column, value in zip(numbers, values, strict=True):
                     column.append(value)
         except csv.Error as error:
-            raise ValueError(f"{source}: row {above + reader.line_num}: not valid CSV: {error}") from None
+            raise ValueError(f"{source}: line {above + reader.line_num}: not valid CSV: {error}") from None
     names = (name for name in header if name is not None)
     return {name: np.frombuffer(column) for name, column in zip(names, numbers, strict=True)}, rows
 

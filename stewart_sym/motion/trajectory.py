@@ -117,7 +117,7 @@ class Uncertainty(NamedTuple):
 class Trajectory(NamedTuple):
     """A trajectory of n instants: time, s, (n,), and the motion, of shape (n,).
 
-    source: the file it comes from. rows: where in it the instants stand; the header is row 1. noise: None for
+    source: the file it comes from. rows: lines of the file at which the instants stand. noise: None for
     a log without.
     """
 
@@ -154,7 +154,7 @@ class PoseLog(NamedTuple):
     order: str = "zyx"
 
     def at(self, index: slice | NDArray[np.int64]) -> Motion:
-        """The motion at some of the instants; ValueError of one line that names file and row."""
+        """The motion at some of the instants; ValueError of one line that names file and line."""
         names, chosen = ("t", "theta", *DERIVATIVES), self.coordinates[:, index]
         # Arguments of ``Motion.from_rpy``.
         numbers = {name: chosen[i // 2, ..., 3 * (i % 2) :][..., :3] for i, name in enumerate(names)}
@@ -281,7 +281,7 @@ class Log:
             norms = np.linalg.norm(q, axis=-1)
             if (norms == 0.0).any():
                 row = self.rows[int(np.argmin(norms))]
-                raise ValueError(f"{self.source}: row {row}: q: expected a quaternion, got length 0")
+                raise ValueError(f"{self.source}: line {row}: q: expected a quaternion, got length 0")
             theta, order = rotation.far_from_lock(rotation.rotation_from_quaternion(q))
             # The vector of a small rotation is twice that of its quaternion.
             step = np.full(3, 2.0 * self.steps("q").max() / float(np.median(norms)))
@@ -329,5 +329,5 @@ def _first_bad_row(numbers: Mapping[str, Array], rows: NDArray[np.int64], order:
         try:
             _motion_of({name: values[i] for name, values in numbers.items()}, order)
         except ValueError:
-            return f"row {row}: "
+            return f"line {row}: "
     return ""

@@ -169,7 +169,7 @@ def on_platform(
         raise ValueError(f"{joints.source}: {error}") from None
     except LostError as error:
         row = joints.rows[error.sample]
-        raise ValueError(f"{joints.source}: row {row}: {error.reason}") from None
+        raise ValueError(f"{joints.source}: line {row}: {error.reason}") from None
     return Trajectory(joints.time, motion, joints.source, joints.rows, joints.noise)
 
 

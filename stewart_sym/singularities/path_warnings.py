@@ -26,19 +26,19 @@ def crossing_warning(robot: Robot, log: Trajectory | PoseLog) -> str | None:
     others = ", ".join(f"{other.time:.9f}" for other in found[1:4])
     more = f"; {len(found) - 1} more, at {others}{' ...' if len(found) > 4 else ''} s" if others else ""
     return (
-        f"{log.source}: the path crosses a singular pose at {first.time:.9f} s, between rows "
+        f"{log.source}: the path crosses a singular pose at {first.time:.9f} s, between lines "
         f"{rows[0]} and {rows[1]}: det H goes from {sign_text(first.before)} to {sign_text(first.after)}, "
         f"scaled condition number {float(first.at.condition):.3g}, leg forces grow without bound; "
         f"unconstrained twist {twist_text(first.at)}{more}"
     )
 
 
-def row_warning(robot: Robot, log: Trajectory | PoseLog) -> str | None:
-    """The same by the signs of det H at the rows: with offset joints, or where rates are others'."""
+def row_warning(robot: Robot, log: Trajectory | PoseLog, places: str = "lines") -> str | None:
+    """Return the warning from the signs of det H at the rows; places: noun for the numbers of the rows."""
     i = side_change(robot, log.motion)
     if i is None:
         return None
-    rows = f"rows {log.rows[i]} and {log.rows[i + 1]}"
+    rows = f"{places} {log.rows[i]} and {log.rows[i + 1]}"
     return (
         f"{log.source}: the path crosses a singular pose between {rows}, where det H changes its sign: "
         "leg forces grow without bound"

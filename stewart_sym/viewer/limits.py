@@ -55,9 +55,9 @@ def limits(robot: Robot, shown: Instants) -> Limits:
         return Limits(_stated(robot), tuple(told), codes, F, None, None)
     of = at_instants if name in FORMULATIONS else of_motor_forces
     motors = of(robot, robot.drive, shown.motion, F, shown.L_dot)
-    time, motors_sd = elapsed(shown.time), None if sd is None else sd.motors
+    motors_sd = None if sd is None else sd.motors
     summary = Summary(robot.drive, least_step(shown.time))
-    summary.add(motors, trapezoids(time), time, motors_sd, there)
+    summary.add(motors, trapezoids(elapsed(shown.time)), shown.time, motors_sd, there)
     codes |= motor_codes(robot.drive, motors, motors_sd, there)
     return Limits(_stated(robot), (*told, *summary.told()), codes, F, motors, summary)
 

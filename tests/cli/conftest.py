@@ -40,7 +40,7 @@ def trajectory(tmp_path: Path) -> Path:
 
 @pytest.fixture
 def crossing(tmp_path: Path) -> Path:
-    """Path III with its rates every 0.3 s; H is singular between rows 14 and 15."""
+    """Path III with its rates every 0.3 s; H is singular between lines 14 and 15."""
     target = tmp_path / "crossing.csv"
     path = ss.PATHS["III"].path
     time = path.times(0.3)

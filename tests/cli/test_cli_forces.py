@@ -114,10 +114,10 @@ def test_a_pose_without_an_answer_is_rejected_unless_allowed(robot: Path, run: R
     trajectory.write_text("".join(csv_lines(columns)))
     output = robot.parent / "f.csv"
     line = fails("forces", robot, trajectory, "-o", output)
-    assert line.endswith(f"{trajectory}: row 3: a leg has length zero (leg 1)")
+    assert line.endswith(f"{trajectory}: line 3: a leg has length zero (leg 1)")
     assert not output.exists()
     told = run("forces", robot, trajectory, "-o", output, "--allow-singular", "--reactions").err
-    assert f"{trajectory}: row 3: a leg has length zero (leg 1)" in told
+    assert f"{trajectory}: line 3: a leg has length zero (leg 1)" in told
     rows = read(output)
     assert [row["status"] for row in rows] == ["0", "2", "0"]
     assert (rows[1]["F1"], rows[1]["L1"], rows[1]["M_u1"]) == ("nan", "nan", "nan")
@@ -187,9 +187,9 @@ def test_reactions_that_overflow_are_a_pose_without_an_answer(
     monkeypatch.setattr(track, "joint_reactions", far)
     read_back = read_csv(trajectory)
     machine = ss.Robot.from_toml(robot)
-    with pytest.raises(ValueError, match=r"csv: row 2: an input is not finite, or a result overflows"):
+    with pytest.raises(ValueError, match=r"csv: line 2: an input is not finite, or a result overflows"):
         whole_track.track(machine, read_back, reactions=True)
-    with pytest.warns(ss.SingularPoseWarning, match=r"csv: row 2: "):
+    with pytest.warns(ss.SingularPoseWarning, match=r"csv: line 2: "):
         columns = whole_track.track(machine, read_back, reactions=True, allow_singular=True).columns
     assert np.all(columns["status"] == 1)
     assert np.all(np.isnan(columns["M_p1_x"]))
@@ -237,7 +237,7 @@ def test_forces_warns_of_crossings_between(robot: Path, crossing: Path, trajecto
     (line,) = [
         line for line in run("forces", robot, crossing, "-o", output).err.splitlines() if "singular" in line
     ]
-    found = re.search(r"crosses a singular pose at (\d\.\d{9}) s, between rows 14 and 15: .* - to \+", line)
+    found = re.search(r"crosses a singular pose at (\d\.\d{9}) s, between lines 14 and 15: .* - to \+", line)
     assert found is not None, line
     assert float(found[1]) == pytest.approx(3.6705, abs=1e-3)
     assert re.search(

@@ -336,7 +336,7 @@ def test_no_limit_suffices_for_a_motion_through_a_singular_pose(in_log: bool) ->
     motion, rows = path.sample(time), range(2, len(time) + 2)
     given: Any = Trajectory(time, motion, "III", rows) if in_log else (time, motion)
     strong = dataclasses.replace(ss.robots.dasgupta1998(), force_limit=1e9, drive=ss.Drive(lead=0.005))
-    where = "at 3.67" if in_log else "between rows 12 and 13, where det H changes its sign"
+    where = "at 3.67" if in_log else "between instants 12 and 13, where det H changes its sign"
     with pytest.warns(ss.SingularPoseWarning, match=f"the path crosses a singular pose {where}"):
         needs = ss.size(strong, [given])
     written = report(strong, ["III"], needs)

@@ -205,9 +205,9 @@ def test_measured_forces_are_identified_beside_a_wrong_file(
     [
         ("time,F1", "time,G1", "missing column F1"),
         ("time,F1,F2", "time,F1,F1", "column F1 is given twice"),
-        ("\n0.0,", "\n0.001,", "instant 1: expected the time 0"),
+        ("\n0.0,", "\n0.001,", "line 2: time: expected the time 0"),
         ("\n0.0,", "\nms,N,N,N,N,N,N\n0.0,", "all 0.001 times as large, expected their unit in"),
-        ("\n0.0,", "\nzero,", "row 2: time: expected a finite number"),
+        ("\n0.0,", "\nzero,", "line 2: time: expected a finite number"),
         ("\n0.0,", "\n-1.0,1,1,1,1,1,1\n0.0,", "expected 60 rows"),
     ],
 )

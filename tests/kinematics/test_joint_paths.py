@@ -215,13 +215,13 @@ FULL = [",".join(["time", *LEGS, *RATES]), "0," + ",".join(["0.6"] * 18)]
 
 
 def with_line(number: int, line: str, lines: list[str] = GOOD) -> str:
-    """The text with row ``number`` replaced; row 1 is the header."""
+    """The text with line ``number`` replaced; line 1 is the header."""
     return "\n".join([*lines[: number - 1], line, *lines[number:]]) + "\n"
 
 
 BAD = [
-    (with_line(3, "0.1,0.6,0.6,0.6,0.6,0.6,-0.6"), "row 3: L_6: expected a length > 0 m, got -0.6"),
-    (with_line(6, "0.4,0,0.6,0.6,0.6,0.6,0.6"), "row 6: L_1: expected a length > 0 m, got 0"),
+    (with_line(3, "0.1,0.6,0.6,0.6,0.6,0.6,-0.6"), "line 3: L_6: expected a length > 0 m, got -0.6"),
+    (with_line(6, "0.4,0,0.6,0.6,0.6,0.6,0.6"), "line 6: L_1: expected a length > 0 m, got 0"),
     (with_line(1, "time,L_1,L_2,L_3,L_4,L_5"), "missing column L_6"),
     (with_line(1, "time,L_1,L_2,L_3,L_4,L_5,L_7"), "unknown column 'L_7', expected time and either t_x"),
     (
@@ -255,5 +255,5 @@ def test_a_row_without_a_pose_is_one_line(tmp_path: Path, fails: Fails) -> None:
     # An empty line counts as a row of the file.
     trajectory.write_text("\n".join([*lines[:3], "", *lines[3:]]))
     line = fails("forces", PAPERS, trajectory, "-o", tmp_path / "f.csv")
-    assert line.startswith(f"stewart-sym: error: {trajectory}: row 22: the lengths jump here")
+    assert line.startswith(f"stewart-sym: error: {trajectory}: line 22: the lengths jump here")
     rejects(r"legs.csv: expected poses, t_\* and theta_\*, got leg lengths", read_csv, trajectory)

@@ -62,7 +62,7 @@ def test_rows_that_no_motion_makes_are_named_and_forces_hold_within_deviations(k
         values = one.true[0] if noise == "clean" else logged(one, noise, seed)
         found, told = read(*corrupted(kind, one.time, values, i))
         (line,) = (text for text in told if OFF in text)
-        rows = [int(row) for row in re.findall(r"row (\d+)", line)]
+        rows = [int(row) for row in re.findall(r"line (\d+)", line)]
         assert rows
         assert all(abs(row - i) <= 1 for row in rows), (seed, i, line)
         assert f"({one.time[rows[0]]:.6g} s): t_x by " in line or "theta" in line
@@ -85,7 +85,7 @@ def test_a_limit_that_replaced_rows_alone_leave_open_names_them(kind: str, noise
     trajectory, _ = read(one.time, values)
     robot = dataclasses.replace(one.robot, force_limit=np.full(6, 1.5 * np.abs(one.F).max()))
     found = track(robot, trajectory)
-    name = f"the step at row {i}" if kind == "step" else f"row {i}"
+    name = f"the step at line {i}" if kind == "step" else f"line {i}"
     limit, share = (line for line in found.doubts if "replaced rows" in line)
     assert limit.startswith("force_limit not decided at replaced rows by all legs: ")
     assert limit.endswith(f"; kept away from {name}")
@@ -98,7 +98,7 @@ def test_a_limit_that_replaced_rows_alone_leave_open_names_them(kind: str, noise
 def test_without_smoothing_bad_rows_are_named_and_left() -> None:
     one = case(0)
     time, values = corrupted("spike", one.time, one.true[0], 99)
-    with pytest.warns(ss.LogWarning, match=r"row 99 \(.* s\): t_x by 0.005 m: left as they are"):
+    with pytest.warns(ss.LogWarning, match=r"line 99 \(.* s\): t_x by 0.005 m: left as they are"):
         found = from_poses(time, values[:, :3], values[:, 3:], ss.Smoothing(on=False))
     assert found.motion.t[99, 0] == values[99, 0]
     assert found.noise is None
@@ -319,7 +319,7 @@ def test_lengths_that_no_motion_makes_are_named_by_row_and_replaced(size: float,
         found, noise = rates_of(log, log.vector("L"), log.steps("L"))
     told = [str(each.message) for each in caught]
     (line,) = (each for each in told if OFF in each)
-    assert f"{OFF}: row 402{' on' if last is None else ''} (0.8 s): L_3 by " in line
+    assert f"{OFF}: line 402{' on' if last is None else ''} (0.8 s): L_3 by " in line
     assert float(line.split("L_3 by ")[1].split()[0]) == pytest.approx(size, rel=0.1)
     assert not any("accelerations jump" in each for each in told)
     sd = np.sqrt([np.interp(time, noise.grid, each) for each in noise.covariance[:, :, 5].T]).T
@@ -359,7 +359,7 @@ def test_a_column_that_is_clipped_is_told_with_its_limits_and_how_long_it_stays(
     (line,) = (line for line in read(time, values)[1] if "clipped" in line)
     share = np.mean((values[:, 3] == -0.13) | (values[:, 3] == 0.15))
     assert line.startswith("poses: theta_x gets to -0.13 and 0.15 rad or away at full speed")
-    assert f"for {share * time[-1]:.3g} s in all ({100 * share:.2g} % of the rows; first at row " in line
+    assert f"for {share * time[-1]:.3g} s in all ({100 * share:.2g} % of the rows; first at line " in line
 
 
 def test_short_steps_between_rests_are_no_clipping() -> None:
@@ -397,6 +397,6 @@ def test_a_gap_in_time_is_told_with_its_ends_and_its_size(gap: bool) -> None:
     keep[60:80] = not gap
     _, told = read(one.time[keep], one.true[0][keep])
     lines = [line for line in told if "bridged" in line]
-    ends = f"rows 59 and 60: nothing from {one.time[59]:.6g} s to {one.time[80]:.6g} s, 21 times the usual"
+    ends = f"lines 59 and 60: nothing from {one.time[59]:.6g} s to {one.time[80]:.6g} s, 21 times the usual"
     assert [ends in line for line in lines] == [True] * gap
     assert f"step of {step:.3g} s" in "".join(lines) or not gap

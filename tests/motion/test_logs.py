@@ -47,7 +47,7 @@ def test_rows_that_are_off_are_told_at_the_line_that_reads_the_log(
     rows = poses(121)
     rows[60, 1] += 0.01
     log = write(tmp_path / "spike.csv", NAMES, rows)
-    with pytest.warns(ss.LogWarning, match="numbers are off as no motion makes them: row 62") as told:
+    with pytest.warns(ss.LogWarning, match="numbers are off as no motion makes them: line 62") as told:
         read(log)
     assert {each.filename for each in told} == {__file__}
 
@@ -109,7 +109,7 @@ def test_quaternions_are_poses(tmp_path: Path) -> None:
     path = write(tmp_path / "q.csv", names, np.hstack([table[:, :4], -2.0 * e]))
     same(read_csv(path), plain)
     write(path, names, np.hstack([table[:, :4], 0.0 * e]))
-    rejects(r"q.csv: row 2: q: expected a quaternion, got length 0", read_csv, path)
+    rejects(r"q.csv: line 2: q: expected a quaternion, got length 0", read_csv, path)
 
 
 @pytest.mark.parametrize(
@@ -203,7 +203,7 @@ def test_decimal_commas_between_commas_are_named(tmp_path: Path, mark: str, word
     rows = [",".join(mark + f"{x:.6f}".replace(".", ",") + mark for x in row) for row in poses()]
     path = tmp_path / "comma.csv"
     path.write_text("\n".join([",".join(NAMES), *rows]) + "\n")
-    rejects(f"comma.csv: row 2: .*{words}", read_csv, path)
+    rejects(f"comma.csv: line 2: .*{words}", read_csv, path)
 
 
 @pytest.mark.parametrize(("gravity", "where"), [(-9.81, "below the base"), (9.81, "than at home at every")])
@@ -343,7 +343,7 @@ def test_a_log_that_ends_within_its_last_number_is_warned_of(tmp_path: Path, cut
     path = tmp_path / "cut.csv"
     path.write_text(fixed(poses(count), 6)[:-cut])
     (line,) = cut_warnings(path)
-    assert line.startswith(f"{path}: row {count + 1}: ")
+    assert line.startswith(f"{path}: line {count + 1}: ")
 
 
 @pytest.mark.parametrize("kind", ["fixed", "shortest", "seventeen", "trimmed", "at rest", "ended", "crlf"])

@@ -130,13 +130,13 @@ def test_forces_of_a_log_with_rates_take_a_few_numbers_of_room_for_each_row(
     [
         (
             lambda lines: [*lines[:9000], lines[9000].replace(b",", b",x", 1), *lines[9001:]],
-            "row 9001: t_x: ",
+            "line 9001: t_x: ",
         ),
         (
             lambda lines: [*lines[:9000], lines[9000].rpartition(b",")[0] + b"\n"],
-            "row 9001: expected 19 columns",
+            "line 9001: expected 19 columns",
         ),
-        (lambda lines: [*lines[:9000], lines[8000]], "row 9001: time: expected increasing times"),
+        (lambda lines: [*lines[:9000], lines[8000]], "line 9001: time: expected increasing times"),
         (lambda lines: [*lines[:9000], b"\xff\n"], "UTF-8 text, byte"),
     ],
 )
@@ -159,7 +159,7 @@ def test_an_unsolvable_pose_deep_in_a_log_leaves_no_output(tmp_path: Path, run: 
     lines[20_001] = lines[20_001].partition(",")[0] + "," + zero
     log.write_text("\n".join(lines) + "\n")
     told = run("forces", PAPERS, log, "-o", "-", code=2)
-    assert (told.out, "row 20002: " in told.err) == ("", True)
+    assert (told.out, "line 20002: " in told.err) == ("", True)
 
 
 def test_blank_lines_and_quoted_cells_deep_in_a_log_keep_numbers_and_rows(tmp_path: Path) -> None:

@@ -181,7 +181,7 @@ def test_deviations_hold_what_a_bridge_over_a_gap_leaves_open(
     z = (ss.inverse_dynamics(robot, found.motion).F - F)[gap] / sd[gap]
     assert 0.2 < np.sqrt(np.mean(z**2)) < 2.0
     assert np.abs(z).max() < 6.0
-    assert found.noise.replaced[-1].rows == ("the gap before row 260",)
+    assert found.noise.replaced[-1].rows == ("the gap before line 260",)
 
 
 def test_rows_of_a_clean_log_beside_a_gap_are_as_good_as_those_at_its_ends() -> None:

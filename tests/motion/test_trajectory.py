@@ -294,19 +294,19 @@ FULL = [",".join(POSE + RATES), *(f"{0.1 * i:g}," + ",".join(["0"] * 18) for i i
 
 
 def with_line(number: int, line: str, lines: list[str] = GOOD) -> str:
-    """The text with row ``number`` replaced; row 1 is the header."""
+    """The text with line ``number`` replaced; line 1 is the header."""
     return "\n".join([*lines[: number - 1], line, *lines[number:]]) + "\n"
 
 
 BAD: list[tuple[str, str]] = [
     ("", "the file is empty"),
     (GOOD[0], "expected rows of numbers below the header, got none"),
-    (with_line(4, "0.2,0.1,0,0.5,0,0"), "row 4: expected 7 columns, got 6"),
-    (with_line(5, "0.1,0.1,0,0.5,0,0,0"), "row 5: time: expected increasing times, got 0.1 after 0.2"),
-    (with_line(3, "0.1,left,0,0.5,0,0,0"), "row 3: t_x: expected a finite number, got 'left'"),
-    (with_line(3, "0.1,1_0,0,0.5,0,0,0"), "row 3: t_x: expected a finite number, got '1_0'"),
-    (with_line(7, "0.5,0.1,0,0.5,0,0,nan"), "row 7: theta_z: expected a finite number, got 'nan'"),
-    (with_line(7, "0.5,0.1,0,1e999,0,0,0"), "row 7: t_z: expected a finite number, got '1e999'"),
+    (with_line(4, "0.2,0.1,0,0.5,0,0"), "line 4: expected 7 columns, got 6"),
+    (with_line(5, "0.1,0.1,0,0.5,0,0,0"), "line 5: time: expected increasing times, got 0.1 after 0.2"),
+    (with_line(3, "0.1,left,0,0.5,0,0,0"), "line 3: t_x: expected a finite number, got 'left'"),
+    (with_line(3, "0.1,1_0,0,0.5,0,0,0"), "line 3: t_x: expected a finite number, got '1_0'"),
+    (with_line(7, "0.5,0.1,0,0.5,0,0,nan"), "line 7: theta_z: expected a finite number, got 'nan'"),
+    (with_line(7, "0.5,0.1,0,1e999,0,0,0"), "line 7: t_z: expected a finite number, got '1e999'"),
     (GOOD[1] + "\n" + GOOD[2], "unknown column '0'"),
     (with_line(1, "time,t_x,t_y,t_z,theta_x,theta_y"), "missing column theta_z"),
     (with_line(1, "t_x,t_y,t_z,theta_x,theta_y,theta_z,F_ext_x"), "missing column time"),
@@ -319,7 +319,7 @@ BAD: list[tuple[str, str]] = [
     ),
     ("\n".join(GOOD[:2]), "expected at least 4 rows to fit a spline, got 1"),
     ("\n".join(GOOD[:4]), "expected at least 4 rows to fit a spline, got 3"),
-    (with_line(3, '0.1,"' + "9" * 200_000 + '",0,0.5,0,0,0'), "row 3: not valid CSV"),
+    (with_line(3, '0.1,"' + "9" * 200_000 + '",0,0.5,0,0,0'), "line 3: not valid CSV"),
 ]
 
 
@@ -354,13 +354,13 @@ def test_a_row_that_makes_no_motion_is_named(tmp_path: Path) -> None:
     path.write_text("\n\n".join([*FULL, ",".join(["0.3", *turning[1:]])]), encoding="utf-8")
     with np.errstate(all="ignore"):
         message = error_of(lambda: read_csv(path))
-    assert message.startswith(f"{path}: row 7: alpha: expected finite numbers")
+    assert message.startswith(f"{path}: line 7: alpha: expected finite numbers")
 
 
 def test_rows_are_counted_as_in_the_file(tmp_path: Path) -> None:
     path = tmp_path / "traj.csv"
     path.write_text("\n" + with_line(4, "\n0.2,0.1"), encoding="utf-8")
-    assert error_of(lambda: read_csv(path)) == f"{path}: row 6: expected 7 columns, got 2"
+    assert error_of(lambda: read_csv(path)) == f"{path}: line 6: expected 7 columns, got 2"
 
 
 def test_without_scipy_the_error_says_what_to_install(

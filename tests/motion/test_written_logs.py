@@ -71,7 +71,7 @@ def test_names_in_a_comment_above_bare_numbers_are_the_header(tmp_path: Path, ma
 
 
 def test_a_separator_that_is_none_is_named(tmp_path: Path) -> None:
-    with pytest.raises(ValueError, match="row 1: sep=: expected a comma, a semicolon or a tab, got"):
+    with pytest.raises(ValueError, match="line 1: sep=: expected a comma, a semicolon or a tab, got"):
         read(tmp_path, ["sep=|", *lines(NAMES, "|")])
 
 
@@ -105,8 +105,8 @@ def test_rates_and_loads_have_units_too(tmp_path: Path) -> None:
     rows = [",".join([f"0.{i}", *["0"] * 21]) for i in range(1, 6)]
     assert len(read(tmp_path, [",".join(names), units, *rows]).time) == 5
     for right, wrong, told in (
-        ("[N]", "kN", "row 2: F_ext_z: .* in a row of units N, got 'kN'"),
-        ("m/s2", "m/s", "row 2: a_z: .* in a row of units m/s2 or cm/s2 or mm/s2 or in/s2, got 'm/s'"),
+        ("[N]", "kN", "line 2: F_ext_z: .* in a row of units N, got 'kN'"),
+        ("m/s2", "m/s", "line 2: a_z: .* in a row of units m/s2 or cm/s2 or mm/s2 or in/s2, got 'm/s'"),
     ):
         rejects(told, read, tmp_path, [",".join(names), units.replace(right, wrong), *rows])
 
@@ -126,7 +126,7 @@ def test_rates_and_loads_have_units_too(tmp_path: Path) -> None:
 def test_units_that_are_none_or_others_are_named(tmp_path: Path, units: str, told: str) -> None:
     header, *rows = lines()
     form = LogFormat(length_unit="cm" if "cm" in told else "m")
-    rejects(f"row 2: {told}", read, tmp_path, [header, units, *rows], form)
+    rejects(f"line 2: {told}", read, tmp_path, [header, units, *rows], form)
 
 
 def test_stated_noise_is_in_the_unit_of_the_row_of_units(tmp_path: Path) -> None:
@@ -145,14 +145,14 @@ def test_rows_written_twice_are_taken_once_and_counted(tmp_path: Path) -> None:
     header, *rows = lines()
     plain = read(tmp_path, [header, *rows])
     with pytest.warns(
-        LogWarning, match=r": 3 rows have the time and .* the first is row 7: taken once$"
+        LogWarning, match=r": 3 rows have the time and .* the first is line 7: taken once$"
     ) as told:
         found = read(tmp_path, [header, *rows[:5], rows[4], *rows[5:9], *rows[8:], rows[-1]])
     alike(found, plain)
     assert [found.rows[i] for i in (4, 5, 40)] == [6, 8, 44]
     assert {each.filename for each in told} == {__file__}
     other = rows[5].rpartition(",")[0] + ",0.5"
-    with pytest.raises(ValueError, match=r"row 8: time: expected increasing times, got 0.25 after"):
+    with pytest.raises(ValueError, match=r"line 8: time: expected increasing times, got 0.25 after"):
         read(tmp_path, [header, *rows[:6], other, *rows[6:]])
 
 
@@ -162,13 +162,13 @@ def test_thousands_separators_are_named_in_their_own_cell(tmp_path: Path, form: 
     cells = text[row - 1].split(";")
     cells[3] = "3.400,00"
     text[row - 1] = ";".join(cells)
-    rejects(rf"row {row}: t_z: .* got '3.400,00': thousands separators are not", read, tmp_path, text, form)
+    rejects(rf"line {row}: t_z: .* got '3.400,00': thousands separators are not", read, tmp_path, text, form)
 
 
 def test_a_point_beside_decimal_commas_is_no_decimal_mark(tmp_path: Path) -> None:
     header, *rows = lines(NAMES, ";", ",")
     rows[3] = rows[3].replace(",", ".", 2)
-    with pytest.raises(ValueError, match=r"row 5: time: .*: decimals have a comma .*, thousands"):
+    with pytest.raises(ValueError, match=r"line 5: time: .*: decimals have a comma .*, thousands"):
         read(tmp_path, [header, *rows], LogFormat(decimal="comma"))
 
 
@@ -205,14 +205,14 @@ def test_dates_and_times_of_day_are_seconds_since_the_first_row(
     [
         (
             ["23:59:59.9", "00:00:00.1"],
-            "row 3: time: expected increasing times, got 00:00:00.1 after 23:59:59.9: past midnight dates",
+            "line 3: time: expected increasing times, got 00:00:00.1 after 23:59:59.9: past midnight dates",
         ),
-        (["31.03.2024 01:59:40,0"], "row 2: time: .* '31.03.2024 01:59:40,0': dates as"),
-        (["10:00:00", "0.5"], "row 3: time: expected a time of day as in the first row, got"),
-        (["0.5", "10:00:00"], "row 3: time: expected a finite number, got '10:00:00': dates as"),
-        (["2026-11-26 10:00", "10:01"], "row 3: time: expected a date and time as in the first"),
-        (["2026-13-26 10:00"], "row 2: time: expected a finite number, got '2026-13-26 10:00'"),
-        (["10:00:00"], "row 2: time: expected ms .LogFormat.time_unit='ms'"),
+        (["31.03.2024 01:59:40,0"], "line 2: time: .* '31.03.2024 01:59:40,0': dates as"),
+        (["10:00:00", "0.5"], "line 3: time: expected a time of day as in the first row, got"),
+        (["0.5", "10:00:00"], "line 3: time: expected a finite number, got '10:00:00': dates as"),
+        (["2026-11-26 10:00", "10:01"], "line 3: time: expected a date and time as in the first"),
+        (["2026-13-26 10:00"], "line 2: time: expected a finite number, got '2026-13-26 10:00'"),
+        (["10:00:00"], "line 2: time: expected ms .LogFormat.time_unit='ms'"),
     ],
 )
 def test_times_that_are_not_read_are_named(tmp_path: Path, times: list[str], told: str) -> None:
@@ -233,7 +233,7 @@ def test_forces_are_of_the_unit_of_time_of_their_own_row_of_units_or_else_of_the
 def test_dated_forces_are_rejected_since_their_start_is_not_that_of_the_poses(tmp_path: Path) -> None:
     path = tmp_path / "forces.csv"
     path.write_text("time,F1,F2,F3,F4,F5,F6\n10:00:00,1,2,3,4,5,6\n")
-    rejects("row 2: time: expected seconds as in the trajectory", read_leg_columns, path, PLAIN, (FORCES,))
+    rejects("line 2: time: expected seconds as in the trajectory", read_leg_columns, path, PLAIN, (FORCES,))
 
 
 def test_velocities_alone_are_left_out_as_the_error_says(tmp_path: Path, run: Run) -> None:

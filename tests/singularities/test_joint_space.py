@@ -33,7 +33,7 @@ def drawn(seed: int, most: int) -> tuple[ss.Robot, float, Array, ss.Motion, tupl
 
 
 def sample_of(error: ValueError) -> int:
-    found = re.search(r"(?:L\[|row )(\d+)", str(error))
+    found = re.search(r"(?:L\[|line )(\d+)", str(error))
     return int(found[1])
 
 
@@ -252,7 +252,7 @@ def test_lengths_in_another_unit_are_named_with_the_fault_that_they_make(tmp_pat
     logged(time, 1e3 * legs[0], tmp_path)
     told = run("forces", PAPERS, tmp_path / "log.csv", "-o", tmp_path / "F.csv", code=2).err
     *doubts, line = told.splitlines()
-    assert "row 2: no pose with these leg lengths" in line
+    assert "line 2: no pose with these leg lengths" in line
     assert any("are they in another unit (--length-unit mm)?" in doubt for doubt in doubts)
 
 

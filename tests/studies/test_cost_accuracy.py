@@ -132,7 +132,7 @@ def test_a_pose_without_an_answer_is_named(scene: Path, capsys: pytest.CaptureFi
     (scene.parent / "poses.csv").write_text("".join(csv_lines(columns)))
     scene.write_text(SCENE.replace('"I"', '"poses.csv"'))
     line = fails_in_one_line(capsys, "advise", scene)
-    assert "poses.csv: row 3: a leg has length zero" in line
+    assert "poses.csv: line 3: a leg has length zero" in line
 
 
 # 50 digits

@@ -128,7 +128,7 @@ def _measured(arguments: argparse.Namespace, progress: Progress) -> "tuple[Repor
         ) from None
     trajectory = cast("Trajectory", poses_of(robot, log, arguments, progress))
     of_forces = dataclasses.replace(log_format(arguments), columns={})
-    time, F, columns = read_leg_columns(forces, of_forces, (FORCES, CURRENTS))
+    time, F, columns, lines = read_leg_columns(forces, of_forces, (FORCES, CURRENTS))
     sigma = np.asarray(arguments.sigma)
     if columns == CURRENTS:
         F, sigma = motor_forces(robot, F), np.abs(motor_forces(robot, np.full(LEGS, arguments.sigma)))
@@ -140,7 +140,7 @@ def _measured(arguments: argparse.Namespace, progress: Progress) -> "tuple[Repor
         )
     model = (not arguments.no_friction, arguments.physical)
     found = from_measurement(
-        robot, trajectory, time, F, sigma, str(forces), noise, *model, form, arguments.shared, terms
+        robot, trajectory, time, F, sigma, str(forces), noise, *model, form, arguments.shared, terms, lines
     )
     return measured_report(robot, found, sigma, noise, columns == CURRENTS), found
 

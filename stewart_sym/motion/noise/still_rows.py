@@ -73,7 +73,7 @@ def tell_still(log: Log, held: Flags) -> None:
     longest = runs[int(np.argmax(runs[:, 1] - runs[:, 0]))]
     step = float(np.median(np.diff(log.time)))
     start, end = (time_text(log.time[i], step) for i in (longest[0], longest[1] - 1))
-    rows = f"rows {log.rows[longest[0]]} to {log.rows[longest[1] - 1]}"
+    rows = f"lines {log.rows[longest[0]]} to {log.rows[longest[1] - 1]}"
     own = held[longest[0] : longest[1]].any(axis=0)
     of = "" if own.all() else f" of {', '.join(column_of(log, int(i))[0] for i in np.flatnonzero(own))}"
     share = 100.0 * float(np.mean(still))

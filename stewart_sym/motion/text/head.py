@@ -52,7 +52,7 @@ def read_head(stream: BinaryIO, source: str, given: Collection[str], delimiter: 
         for line in lines:
             text = line.strip().strip('"')
             if text.lower().startswith("sep="):
-                stated = stated or _separator(line, f"{source}: row {lines.count}")
+                stated = stated or _separator(line, f"{source}: line {lines.count}")
             elif text.startswith(("#", "%")) and not text.startswith((*given,)):
                 comment = text.lstrip("#% ")
             elif text.strip(' \t,;"'):
@@ -71,7 +71,7 @@ def read_head(stream: BinaryIO, source: str, given: Collection[str], delimiter: 
             raise ValueError(f"{source}: expected a CSV file with a header line, got {shown(names[0])}")
         return _first_row(lines, names, delimiter)
     except csv.Error as error:
-        raise ValueError(f"{source}: row {lines.count}: not valid CSV: {error}") from None
+        raise ValueError(f"{source}: line {lines.count}: not valid CSV: {error}") from None
 
 
 def without_row(stream: BinaryIO, head: Head) -> Head:

@@ -44,7 +44,7 @@ def units_of(
     cells = {name: cell for name, cell in zip(header, head.first, strict=False) if name is not None}
     if len(head.first) != len(header) or not any(cells.values()) or any(map(is_value, cells.values())):
         return None
-    where = f"{source}: row {head.above + 1}"
+    where = f"{source}: line {head.above + 1}"
     found: dict[str, str] = {}
     for name, cell in cells.items():
         kind, times = _QUANTITIES.get(name.rpartition("_")[0] or name.rstrip("123456"), ("", 0))

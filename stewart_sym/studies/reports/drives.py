@@ -35,13 +35,13 @@ class DriveDigest:
     """Peaks, root mean squares and energy of the motors over a run, and what a picture of it needs."""
 
     def __init__(self, robot: Robot, time: Array, weights: Array | None = None) -> None:
-        """Begin a run at all these times, s, (n,), of a robot with a drive.
+        """Begin a run at all these times (s), (n,), of a robot with a drive.
 
-        weights: of the times in integrals, s, (n,); None: those of the trapezoidal rule.
+        weights: weights of the times in integrals (s), (n,); default: the trapezoidal rule.
         """
         assert robot.drive is not None
-        self.drive, self.name, self.time = robot.drive, robot.name, elapsed(time)
-        self._weights = trapezoids(self.time) if weights is None else weights
+        self.drive, self.name, self.time = robot.drive, robot.name, time
+        self._weights = trapezoids(elapsed(time)) if weights is None else weights
         self.summary = Summary(robot.drive, least_step(time))
         self._torque, self._speed = np.full((2, len(time), LEGS), np.nan, dtype=np.float32)
 
@@ -59,7 +59,7 @@ class DriveDigest:
     @property
     def lasts(self) -> bool:
         """Whether the run has a duration, without which there is neither mean nor energy."""
-        return len(self.time) > 1 and bool(self.time[-1] > 0.0)
+        return len(self.time) > 1 and bool(self.time[-1] > self.time[0])
 
     def table(self) -> str:
         """A line for each motor: peaks and root mean square beside their limits, energy."""

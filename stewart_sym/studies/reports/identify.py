@@ -54,13 +54,14 @@ def from_measurement(
     form: LogFormat = IN_SI,
     shared: str | None = None,
     drive: Sequence[str] | None = None,
+    lines: Sequence[int] | None = None,
 ) -> Estimate:
     """Identify what the motion of a trajectory excites from forces measured at the same times.
 
     time, F: instants, s, (n,), and forces, N, (n, 6), as read from ``source``. sigma, noise, physical, drive:
     as for ``identify``. friction, shared: as for ``base_parameters``. form: of the
-    trajectory's file, whose units doubts name. Raises ValueError naming the source for other times than those
-    of the trajectory.
+    trajectory's file, whose units doubts name. lines: lines of ``source``; default: 2 and on. Raises
+    ValueError naming the source for other times than those of the trajectory.
     """
     if len(time) != len(trajectory.time):
         raise ValueError(
@@ -71,7 +72,8 @@ def from_measurement(
     if np.any(off):
         i = int(np.argmax(off))
         expected = f"the time {time_text(trajectory.time[i])} of {trajectory.source}"
-        said = f"{source}: instant {i + 1}: expected {expected}, got {time_text(time[i])}"
+        line = i + 2 if lines is None else lines[i]
+        said = f"{source}: line {line}: time: expected {expected}, got {time_text(time[i])}"
         for factor in (1e-6, 1e-3, 1e3, 1e6):
             if np.allclose(time, factor * trajectory.time, _SAME_TIME, _SAME_TIME * factor * span):
                 said += f": all {factor:g} times as large, expected their unit in a row of units below the "

@@ -123,8 +123,8 @@ def in_parts(
 ) -> Iterator[Part]:
     """Run a trajectory part after part.
 
-    Raises ValueError, naming file and row, for an unsolvable pose; ``allow_singular`` leaves nan and a status
-    there and warns of the first instead.
+    Raises ValueError, naming file and line, for an unsolvable pose; ``allow_singular`` leaves nan and a
+    status there and warns of the first instead.
     """
     deviations, told = None, False
     if trajectory.noise is not None:
@@ -141,9 +141,9 @@ def in_parts(
         if status.any() and not told:
             at, reason = first_fault(status, robot, motion)
             if status[at] == NOT_FINITE and not allow_singular:
-                row = f"row {trajectory.rows[start + at[0]]} of {trajectory.source}"
+                row = f"line {trajectory.rows[start + at[0]]} of {trajectory.source}"
                 _need_forces(robot, row)
-            text = f"{trajectory.source}: row {trajectory.rows[start + at[0]]}: {reason}"
+            text = f"{trajectory.source}: line {trajectory.rows[start + at[0]]}: {reason}"
             if not allow_singular:
                 raise ValueError(text)
             warnings.warn(text, SingularPoseWarning, stacklevel=2)
