@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -76,6 +76,12 @@ class PoseLimits(Frozen):
         self._set({"load": finite_array(self.load, (6,), "load").reshape(6)})
 
 
+def at_reference(robot: Robot, limits: PoseLimits) -> PoseLimits:
+    """Return the limits with a load at the robot's tool as the equal load at the reference point."""
+    force, moment = limits.load[:3], limits.load[3:]
+    return replace(limits, load=np.concatenate([force, moment + np.cross(robot.tool, force)]))
+
+
 def need_clearance(robot: Robot, clearance: float) -> None:
     """Reject a clearance, m, that two neighbouring joints leave in no pose."""
     distances = joined(robot)
@@ -125,20 +131,21 @@ class PoseExaminer(Frozen):
             found[part] = self._block(R[part], t[part])
         return found
 
-    def surely_broken(self, R: Array, t: Array, shift: Array, turn: Array) -> Flags:
-        """Whether a limit is broken by every pose that is near enough to one of R (n, 3, 3), t (n, 3), (n,).
+    def surely_broken(self, R: Array, t: Array, shift: Array, turn: Array, point: Array) -> Flags:
+        """Return True, (n,), if every pose near one of R (n, 3, 3), t (n, 3) breaks a limit.
 
-        shift: m, (n,). turn: rad, (n,). By leg lengths and the side of the base, which are bounded.
+        shift: largest distance (m), (n,), of a platform point, (3,). turn: largest rotation about the point
+        (rad), (n,). Only leg lengths and the side of the base are tested, because both have bounds.
         """
         robot = self.robot
         _, _, L = leg_vectors(robot, R, t)
         middle = robot.p.mean(axis=0)
         over = (R @ middle + t - robot.b.mean(axis=0)) @ self.up
         slack = _SAME * characteristic_length(robot)
-        broken = over + shift + turn * np.linalg.norm(middle) < -slack
+        broken = over + shift + turn * np.linalg.norm(middle - point) < -slack
         if self.limits.lengths:
             low, high = robot.length_limits.T
-            change = shift[:, None] + turn[:, None] * np.linalg.norm(robot.p, axis=-1) + slack
+            change = shift[:, None] + turn[:, None] * np.linalg.norm(robot.p - point, axis=-1) + slack
             broken |= np.any((L + change < low) | (L - change > high), axis=-1)
         return np.asarray(broken)
 

@@ -22,7 +22,7 @@ from ..motion.rotation import rotation_from_rpy
 from ..robot.robot import Robot
 from . import cells, jobs
 from .cells import Cells, Tally
-from .pose_limits import REASONS, PoseExaminer, PoseLimits
+from .pose_limits import REASONS, PoseExaminer, PoseLimits, at_reference
 
 Kind = Literal["constant", "orientation", "total"]
 
@@ -60,9 +60,10 @@ class Workspace(Frozen):
         Where poses were looked for: least and greatest t_x, t_y, t_z, m, and theta_x, theta_y, theta_z, rad,
         those of them that vary, (3, 2) or (6, 2).
     extent : ndarray
-        Of the poses within the limits, as ``box``; nan where none was found.
+        Least and greatest coordinates of poses found within the limits, as ``box``; nan without any. The
+        workspace reaches at least so far.
     position, angles : ndarray
-        The pose in the middle: t, m, (3,), and roll, pitch and yaw, rad, (3,).
+        Pose in the middle: position of the tool (m), (3,), and roll, pitch, and yaw (rad), (3,).
     clear : float
         From the pose in the middle to the nearest examined one that breaks a limit, m, or rad for rotations:
         a nearer one may have been missed, more poses come closer. 0 where itself does, inf where none was
@@ -71,6 +72,8 @@ class Workspace(Frozen):
         Share of the examined poses by the first limit that each breaks, of ``REASONS``.
     poses : int
         How many were examined for the volume.
+    tool : ndarray
+        Platform point whose positions are given (m), platform frame, (3,).
     """
 
     kind: str
@@ -84,6 +87,12 @@ class Workspace(Frozen):
     clear: float
     reasons: dict[str, float]
     poses: int
+    tool: Array
+
+    @property
+    def is_known(self) -> bool:
+        """True if the volume exceeds its error."""
+        return self.volume > self.error
 
 
 def workspace(
@@ -102,7 +111,8 @@ def workspace(
     """Return the size of a workspace, with its error, and what bounds it.
 
     The box is halved until there is a cell for each two poses, without what is surely beyond the leg lengths
-    or on the other side of the base; two random poses of each cell are examined.
+    or on the other side of the base; two random poses of each cell are examined. Positions are those of the
+    robot's tool, the reference point if the robot file states none. A load of the limits acts at the tool.
 
     Parameters
     ----------
@@ -113,7 +123,7 @@ def workspace(
     limits : PoseLimits, optional
         Limits to keep; by default those that the robot states.
     position : array_like, optional
-        t of the pose in the middle, m, (3,); default: the home pose.
+        Position of the tool in the middle pose (m), (3,); default: the home pose.
     angles : array_like, optional
         Its roll, pitch and yaw, rad, (3,); default: parallel to the base.
     box : array_like, optional
@@ -144,7 +154,9 @@ def workspace(
     limits = PoseLimits() if limits is None else limits
     count = whole_number(poses, "poses", 100, "a whole number from 100 to 10^12", _MOST)
     seed = whole_number(seed, "seed", 0, "a whole number from 0 to 2^63 - 1", 2**63 - 1)
-    examined = Region(PoseExaminer(robot, limits), kind, *middle(robot, position, angles))
+    examined = Region(
+        PoseExaminer(robot, at_reference(robot, limits)), kind, *middle(robot, position, angles)
+    )
     search = examined.box(box, turns)
     progress("leaving out what legs can't reach")
     grid = cells.cells_of(search, count, examined.weights, examined.surely_broken)
@@ -153,18 +165,30 @@ def workspace(
     found = cells.total(tallies, len(search), len(REASONS))
     if not found.codes[0]:
         warn("workspace: no pose within the limits was found", WorkspaceWarning)
-    return examined.workspace(grid, found, box is None)
+    result = examined.workspace(grid, found, box is None)
+    if found.codes[0] and not result.is_known:
+        sizes = f"{result.error:.2g} and {result.volume:.2g} {result.unit}"
+        warn(
+            f"workspace: the error exceeds the volume ({sizes}), {found.codes[0]} of {result.poses} poses "
+            "are within the limits; volume and extents are unknown; "
+            "examine more poses, or give narrower ranges of positions and rotations",
+            WorkspaceWarning,
+        )
+    return result
 
 
 def middle(robot: Robot, position: ArrayLike | None, angles: ArrayLike) -> tuple[Array, Array]:
-    """Position, m, and roll, pitch and yaw, rad, of the pose in the middle, both (3,)."""
-    t = home_pose(robot).t if position is None else finite_array(position, (3,), "position", batch=False)
+    """Return the tool's position (m) and roll, pitch, and yaw (rad) of the pose in the middle, both (3,)."""
+    if position is None:
+        t = home_pose(robot).t + robot.tool
+    else:
+        t = finite_array(position, (3,), "position", batch=False)
     return t.copy(), finite_array(angles, (3,), "angles", batch=False)
 
 
 @dataclass(frozen=True, eq=False)
 class Region(Frozen):
-    """Poses of one kind by coordinates that measure them evenly: t; of rotations roll, sin pitch, yaw."""
+    """Poses of one kind by coordinates that measure them evenly: tool position; roll, sin pitch, yaw."""
 
     examiner: PoseExaminer
     kind: Kind
@@ -198,10 +222,10 @@ class Region(Frozen):
         """Positions that the longest legs reach: between the balls' faces, (3, 2)."""
         robot, limits = self.examiner.robot, self.examiner.limits
         longest = robot.length_limits[:, 1] if limits.lengths else np.full(len(robot.b), math.inf)
-        arm = robot.p @ self.rotation.T
+        arm = (robot.p - robot.tool) @ self.rotation.T
         centres, radii = robot.b - arm, longest
         if self.kind == "total":
-            centres, radii = robot.b, longest + np.linalg.norm(robot.p, axis=-1)
+            centres, radii = robot.b, longest + np.linalg.norm(arm, axis=-1)
         low, high = np.max(centres - radii[:, None], axis=0), np.min(centres + radii[:, None], axis=0)
         if not np.all(np.isfinite(low) & np.isfinite(high)):
             raise ValueError("robot: length_limits: no leg has an upper limit that counts, expected a box")
@@ -210,23 +234,29 @@ class Region(Frozen):
         return np.stack([low, high], axis=-1)
 
     def poses(self, coordinates: Array) -> tuple[Array, Array]:
-        """R (n, 3, 3) and t (n, 3) of coordinates (n, d)."""
+        """Return R (n, 3, 3) and t of the reference point, (n, 3), for coordinates (n, d)."""
         n = len(coordinates)
-        t = np.broadcast_to(self.position, (n, 3)) if self.kind == "orientation" else coordinates[:, :3]
+        at_tool = np.broadcast_to(self.position, (n, 3)) if self.kind == "orientation" else coordinates[:, :3]
         if self.kind == "constant":
-            return np.broadcast_to(self.rotation, (n, 3, 3)), t
+            return np.broadcast_to(self.rotation, (n, 3, 3)), at_tool - self.arm
         theta = coordinates[:, -3:].copy()
         theta[:, 1] = _pitch(theta[:, 1])
-        return rotation_from_rpy(theta), t
+        R = rotation_from_rpy(theta)
+        return R, at_tool - R @ self.examiner.robot.tool
 
     def examine(self, coordinates: Array) -> tuple[NDArray[np.int8], Array]:
         """First broken limit of each pose and its distance from the middle, m or rad, both (n,)."""
         R, t = self.poses(coordinates)
         return self.examiner.broken_limits(R, t), self._distances(R, t)
 
+    @property
+    def arm(self) -> Array:
+        """Vector from the reference point to the tool in the pose in the middle (m), base frame, (3,)."""
+        return np.asarray(self.rotation @ self.examiner.robot.tool)
+
     def _distances(self, R: Array, t: Array) -> Array:
         if self.kind == "constant":
-            return np.asarray(np.linalg.norm(t - self.position, axis=-1))
+            return np.asarray(np.linalg.norm(t + self.arm - self.position, axis=-1))
         if self.kind == "orientation":
             # |R - R_0| in Frobenius' norm is 2 sqrt(2) sin(angle / 2).
             apart = np.linalg.norm(R - self.rotation, axis=(-2, -1)) / math.sqrt(8.0)
@@ -249,13 +279,13 @@ class Region(Frozen):
             middle[:, -2] = np.sin(pitch.mean(axis=0))
             turn = half[:, -3] + 0.5 * (pitch[1] - pitch[0]) + half[:, -1]
         shift = turn * 0.0 if self.kind == "orientation" else np.linalg.norm(half[:, :3], axis=-1)
-        return self.examiner.surely_broken(*self.poses(middle), shift, turn)
+        return self.examiner.surely_broken(*self.poses(middle), shift, turn, self.examiner.robot.tool)
 
     def workspace(self, grid: Cells, found: Tally, within_reach: bool) -> Workspace:
         """What was found in words of the user; within_reach: whether no leg reaches beyond the grid."""
         size, error = cells.volume(grid, found)
         examined = max(1, int(found.codes.sum()))
-        own = self.examiner.broken_limits(self.rotation[None], self.position[None])[0]
+        own = self.examiner.broken_limits(self.rotation[None], (self.position - self.arm)[None])[0]
         clear = 0.0 if own else found.nearest
         if within_reach and self.kind == "constant":
             clear = min(clear, float(np.min(np.abs(grid.box - self.position[:, None]))))
@@ -273,6 +303,7 @@ class Region(Frozen):
                 name: count / examined for name, count in zip(REASONS, found.codes.tolist(), strict=True)
             },
             poses=examined,
+            tool=self.examiner.robot.tool.copy(),
         )
 
     def _as_angles(self, box: Array) -> Array:

@@ -29,7 +29,7 @@ def crossing_warning(robot: Robot, log: Trajectory | PoseLog) -> str | None:
         f"{log.source}: the path crosses a singular pose at {first.time:.9f} s, between lines "
         f"{rows[0]} and {rows[1]}: det H goes from {sign_text(first.before)} to {sign_text(first.after)}, "
         f"scaled condition number {float(first.at.condition):.3g}, leg forces grow without bound; "
-        f"unconstrained twist {twist_text(first.at)}{more}"
+        f"unconstrained twist{' of the reference point' * robot.tool.any()} {twist_text(first.at)}{more}"
     )
 
 

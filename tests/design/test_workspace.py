@@ -23,8 +23,8 @@ from sweeps import share, sweep
 import stewart_sym as ss
 from stewart_sym.design import cells, jobs
 from stewart_sym.design.capability import WHAT
-from stewart_sym.design.pose_limits import REASONS, PoseExaminer
-from stewart_sym.design.workspace import WHOLE_TURN, Kind
+from stewart_sym.design.pose_limits import REASONS, PoseExaminer, at_reference
+from stewart_sym.design.workspace import WHOLE_TURN, Kind, WorkspaceWarning
 from stewart_sym.dynamics.home_pose import home_pose
 from stewart_sym.kinematics.clearance import PAIRS, distances_of, nearest_shares
 from stewart_sym.kinematics.mounting import upright
@@ -92,6 +92,53 @@ def test_volumes_of_rotations_are_those_of_independent_random_poses(kind: Kind) 
     assert made.error < (0.1 if kind == "orientation" else 0.5) * made.volume
 
 
+@pytest.mark.parametrize("seed", range(3))
+def test_positions_and_rotations_are_those_of_the_tool(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    plain = limited(rng)
+    robot = dataclasses.replace(plain, tool=machine_size(plain) * np.array([0.1, -0.2, 0.9]))
+    angles = rng.uniform(-0.2, 0.2, 3)
+    one, other = (ss.workspace(each, angles=angles, poses=20_000) for each in (plain, robot))
+    arm = rotation_from_rpy(angles) @ robot.tool
+    np.testing.assert_allclose(other.box, one.box + arm[:, None], rtol=1e-12)
+    assert abs(other.volume - one.volume) < other.error + one.error
+    turns = np.array([[-0.6, 0.6]] * 3)
+    found = ss.workspace(robot, "orientation", turns=turns, poses=100_000)
+    np.testing.assert_allclose(found.position, home_pose(robot).t + robot.tool)
+    R = rotation_from_rpy(rng.uniform(*turns.T, (200_000, 3)))
+    q = np.einsum("njk,ik->nij", R, robot.p)
+    t = found.position - R @ robot.tool
+    L = np.linalg.norm(t[:, None] + q - robot.b, axis=-1)
+    inside = np.all((robot.length_limits[:, 0] <= L) & (L <= robot.length_limits[:, 1]), axis=-1)
+    pitch = np.arctan2(-R[:, 2, 0], np.hypot(R[:, 0, 0], R[:, 1, 0]))
+    volume = np.prod(np.ptp(turns, axis=1)) * np.mean(inside * np.cos(pitch))
+    assert abs(found.volume - volume) < found.error + 0.02 * volume
+
+
+def test_a_load_acts_at_the_tool() -> None:
+    robot = dataclasses.replace(dasgupta(), tool=np.array([0.0, 0.0, 1.5]), force_limit=5000.0)
+    load = np.array([300.0, -200.0, 100.0, 5.0, 6.0, 7.0])
+    at = at_reference(robot, ss.PoseLimits(load=load)).load
+    F, M = load[:3], load[3:]
+    moved = at_rest(np.eye(3), robot.tool, F, M).about_point(-robot.tool)
+    np.testing.assert_allclose(at, np.concatenate([moved.F_ext, moved.M_ext]))
+    limits, box = ss.PoseLimits(load=load), home_pose(robot).t[:, None] + [[-0.2, 0.2]] * np.ones((3, 1))
+    found = ss.workspace(robot, limits=limits, box=box + robot.tool[:, None], poses=2000)
+    plain = dataclasses.replace(robot, tool=np.zeros(3))
+    same = ss.workspace(plain, limits=ss.PoseLimits(load=at), box=box, poses=2000)
+    assert found.reasons == same.reasons
+    assert 0.1 < found.reasons["inside"] < 0.9
+
+
+def test_a_volume_below_its_error_is_doubted() -> None:
+    robot = limited(np.random.default_rng(0))
+    t, size = home_position(robot.b, machine_size(robot)), machine_size(robot)
+    box = np.stack([t - 0.3 * size, t + 0.3 * size], axis=-1)
+    with pytest.warns(WorkspaceWarning, match="the error exceeds the volume"):
+        found = ss.workspace(robot, "total", position=t, box=box, poses=2000)
+    assert not found.is_known
+
+
 def test_a_pose_breaks_the_first_limit_that_it_breaks() -> None:
     rng = np.random.default_rng(3)
     robot = limited(rng)
@@ -139,7 +186,7 @@ def test_cells_that_are_left_out_hold_no_pose_within_the_limits() -> None:
     turn, shift = rng.uniform(0.0, 0.4, 300), rng.uniform(0.0, 0.3, 300) * machine_size(robot)
     R = rotation_from_rpy(rng.uniform(-0.4, 0.4, (300, 3)))
     t = home_position(robot.b, machine_size(robot)) + machine_size(robot) * rng.uniform(-0.4, 0.4, (300, 3))
-    broken = examiner.surely_broken(R, t, shift, turn)
+    broken = examiner.surely_broken(R, t, shift, turn, np.zeros(3))
     assert 20 < np.count_nonzero(broken) < 280
     for i in np.flatnonzero(broken):
         axis, direction = rng.normal(size=(2, 400, 3))

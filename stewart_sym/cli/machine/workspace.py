@@ -18,6 +18,7 @@ HELP = "how far a machine reaches: volume of its workspace with an error, what b
 EXAMPLE = "stewart-sym workspace hexapod.toml --condition 20 -o workspace"
 MORE = (
     "Limits of the robot file count: leg lengths, joint angles, and forces that hold the machine at rest. "
+    "Positions are those of the robot file's tool, by default the reference point. "
     "Positions at one orientation, rotations at one position, or both; the volume of rotations is the "
     "integral of cos(theta_y) over roll, pitch and yaw, rad^3, of 8 pi^2 in all. The error is three standard "
     "deviations. m, rad and N."
@@ -33,11 +34,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     text = "what varies: positions (constant orientation), rotations, or both"
     chosen(parser, "kind", ("constant", "orientation", "total"), text)
     for name, nargs, metavar, text in (
-        ("position", 3, _TRIPLE, "t of the pose in the middle, m; default: the home pose"),
+        ("position", 3, _TRIPLE, "position of the tool in the middle pose (m); default: the home pose"),
         ("angles", 3, _TRIPLE, "its roll, pitch and yaw, rad; default: parallel to the base"),
         ("box", 6, _RANGES, "least and greatest t_x, t_y, t_z, m; default: where the longest legs reach"),
         ("turns", 6, _RANGES, "least and greatest roll, pitch and yaw, rad; default: all rotations"),
-        ("load", 6, ("FX", "FY", "FZ", "MX", "MY", "MZ"), "load held at rest, N and N m, platform frame"),
+        (
+            "load",
+            6,
+            ("FX", "FY", "FZ", "MX", "MY", "MZ"),
+            "load on the tool at rest (N and N m), platform frame",
+        ),
     ):
         parser.add_argument(f"--{name}", nargs=nargs, type=finite, metavar=metavar, help=text)
     text = "largest scaled condition number of H; leaves out what lies beyond a singular pose as well"
@@ -60,7 +66,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     import numpy as np
 
-    from ...design.pose_limits import PoseExaminer, PoseLimits
+    from ...design.pose_limits import PoseExaminer, PoseLimits, at_reference
     from ...design.workspace import workspace
     from ...studies.design.workspace import report, slices
 
@@ -88,7 +94,7 @@ def run(arguments: argparse.Namespace) -> int:
             progress=progress,
         )
         if found.clear == 0.0:
-            what = _broken(PoseExaminer(robot, limits), found)
+            what = _broken(PoseExaminer(robot, at_reference(robot, limits)), found)
             warn(f"the pose in the middle breaks a limit, {what}")
         take(report(robot, limits, found, slices(robot, limits, found, progress)))
     return 0
@@ -100,7 +106,8 @@ def _broken(examiner: "PoseExaminer", found: "Workspace") -> str:
     from ...kinematics.offset_legs import leg_lengths
     from ...motion.rotation import rotation_from_rpy
 
-    R, t = rotation_from_rpy(found.angles[None]), found.position[None]
+    R = rotation_from_rpy(found.angles[None])
+    t = found.position - R @ found.tool
     code = int(examiner.broken_limits(R, t)[0])
     if code == LENGTH:
         L = leg_lengths(examiner.robot, R, t)

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...design.pose_limits import INSIDE, REASONS, PoseExaminer, PoseLimits
+from ...design.pose_limits import INSIDE, REASONS, PoseExaminer, PoseLimits, at_reference
 from ...design.workspace import Workspace
 from ...io.array_types import Array
 from ...io.progress import Progress, tracked
@@ -59,7 +59,7 @@ def slices(robot: Robot, limits: PoseLimits, found: Workspace, progress: Progres
     """Planes through the pose in the middle, of each two positions and of each two angles that vary."""
     varying = {"constant": [0], "orientation": [3], "total": [0, 3]}[found.kind]
     pairs = [(i + start, j + start) for start in varying for i, j in itertools.combinations(range(3), 2)]
-    examiner, first = PoseExaminer(robot, limits), varying[0]
+    examiner, first = PoseExaminer(robot, at_reference(robot, limits)), varying[0]
     made = []
     for axes in tracked(progress, pairs, lambda axes: f"plane of {' and '.join(AXES[i] for i in axes)}"):
         ends = [_ends(found, axis, axis - first) for axis in axes]
@@ -67,7 +67,8 @@ def slices(robot: Robot, limits: PoseLimits, found: Workspace, progress: Progres
         poses = np.tile(np.concatenate([found.position, found.angles]), (POINTS, POINTS, 1))
         poses[..., axes[0]], poses[..., axes[1]] = one[:, None], other
         flat = poses.reshape(-1, 6)
-        R, t = rotation_from_rpy(flat[:, 3:]), flat[:, :3]
+        R = rotation_from_rpy(flat[:, 3:])
+        t = flat[:, :3] - R @ found.tool
         shape = (POINTS, POINTS)
         codes, condition = examiner.broken_limits(R, t), examiner.conditions(R, t)
         made.append(Slice(axes, one, other, codes.reshape(shape), condition.reshape(shape)))
@@ -101,6 +102,7 @@ def report(robot: Robot, limits: PoseLimits, found: Workspace, planes: list[Slic
         "unit": found.unit,
         "box": found.box,
         "extent": found.extent,
+        "tool_m": found.tool,
         "position_m": found.position,
         "angles_rad": found.angles,
         "clear": found.clear,
@@ -127,8 +129,11 @@ def _text(robot: Robot, limits: PoseLimits, found: Workspace) -> str:
         f"robot      {robot.name}",
         f"workspace  {_title(found)}",
         f"limits     {', '.join(_limits(robot, limits)) or 'none'}",
-        f"volume     {found.volume:.6g} +- {found.error:.1g} {found.unit}, of {found.poses:,} poses",
+        f"volume     {_size(found)}, of {found.poses:,} poses",
     ]
+    if found.tool.any():
+        point = ", ".join(f"{x:.4g}" for x in found.tool)
+        lines.insert(2, f"point      tool of the robot file, ({point}) m, platform frame: positions and load")
     if found.kind != "total":
         clear = f"at most {found.clear:.4g} {_clear_unit(found)} from the pose in the middle, to the nearest"
         clear = f"{clear} that" if np.isfinite(found.clear) else "no pose"
@@ -137,10 +142,17 @@ def _text(robot: Robot, limits: PoseLimits, found: Workspace) -> str:
         (name, f"{low:.4g}", f"{high:.4g}", f"{least:.4g}", f"{most:.4g}")
         for name, (low, high), (least, most) in zip(_names(found), found.extent, found.box, strict=True)
     ]
-    header = ("coordinate", "within from", "to", "looked from", "to")
+    header = ("coordinate", "at least from", "to", "searched from", "to")
     lines += ["", aligned(header, rows), ""]
     shares = [(name, f"{100.0 * share:.2f}") for name, share in found.reasons.items()]
     return "\n".join([*lines, aligned(("first limit that breaks", "% of poses"), shares)])
+
+
+def _size(found: Workspace) -> str:
+    """Return the volume with its error; only an upper bound if the error is larger."""
+    if not found.is_known:
+        return f"at most {found.volume + found.error:.2g} {found.unit}"
+    return f"{found.volume:.6g} +- {found.error:.1g} {found.unit}"
 
 
 def _limits(robot: Robot, limits: PoseLimits) -> Iterator[str]:
@@ -203,7 +215,7 @@ def figure(robot: Robot, found: Workspace, planes: list[Slice]) -> Figure:
     bar.ax.yaxis.set_major_locator(LogLocator(subs=(1.0, 1.5, 2.0, 3.0, 5.0, 7.0)))
     bar.ax.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:.4g}"))
     bar.ax.yaxis.set_minor_formatter(NullFormatter())
-    size = f"{found.volume:.4g} ± {found.error:.1g} {found.unit.replace('^3', '³')}"
+    size = _size(found).replace("+-", "±").replace("^3", "³")
     drawn.suptitle(
         f"{as_written(robot.name)}: {_title(found)}\n{size}; planes through the pose marked +", fontsize=10.0
     )

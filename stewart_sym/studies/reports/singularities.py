@@ -86,6 +86,8 @@ def report(found: Examination) -> str:
         f"crossings  {len(along.crossings)}",
         f"nearest    {_near(along.nearest.time, along.nearest.at)}",
     ]
+    if found.robot.tool.any():
+        lines.append("twists     velocities of the reference point, not of the tool of the robot file")
     lines += [f"singular   from {start:.9f} s to {end:.9f} s throughout" for start, end in along.spans]
     for number, (crossing, sides) in enumerate(zip(along.crossings, found.sides, strict=True), 1):
         at = f"{crossing.time:.12f} s (rounding leaves {crossing.uncertainty:.1e} s open)"
@@ -109,6 +111,7 @@ def _data(found: Examination) -> dict[str, Any]:
     return {
         "robot": found.robot.name,
         "path": found.name,
+        "twist_point_m": np.zeros(3),
         "start_s": along.start,
         "end_s": along.end,
         "crossings": [
