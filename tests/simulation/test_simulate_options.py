@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from command_files import edit
-from command_line import Run
+from command_line import Fails, Run
 from machines import dasgupta, home_position, machine_size, random_robot
 from pages import DOCS
 from robot_files import PAPERS
@@ -198,17 +198,22 @@ def test_progress_is_told_in_shares_that_end_at_one(rate: float | None) -> None:
         ss.simulate(robot, state, np.zeros(6), 0.05, progress=3)
 
 
-def test_no_picture_of_empty_axes(scene: Path, run: Run) -> None:
+def test_a_run_that_stops_at_its_start_is_an_error_and_writes_nothing(scene: Path, fails: Fails) -> None:
+    limit_forces(scene, 1e-3)
+    scene.write_text(TRACK.replace('"saturate"', '"stop"'))
+    line = fails("simulate", scene, "-o", scene.parent / "out", "--no-pictures")
+    assert line.startswith(f"stewart-sym: error: {scene}: ")
+    assert "reaches its limit 0.001 N at 0 s" in line
+    assert not (scene.parent / "out").exists()
+
+
+def test_no_picture_of_empty_axes() -> None:
     pytest.importorskip("matplotlib")
     robot, state = machine()
     limited = dataclasses.replace(robot, force_limit=np.ones(6))
     found = ss.simulate(limited, state, np.full(6, 2.0), 0.1)
     assert len(found.times) == 1
     assert not report(limited, found, np.ones(6), {}).figures
-    limit_forces(scene, 1e-3)
-    scene.write_text(TRACK.replace('"saturate"', '"stop"'))
-    assert "run.png: not drawn" in run("simulate", scene, "-o", scene.parent / "out").err
-    assert not (scene.parent / "out" / "run.png").exists()
 
 
 def test_a_sampled_run_asks_the_machine_a_dozen_times_a_sample_and_each_instant_once(

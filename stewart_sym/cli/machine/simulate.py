@@ -20,7 +20,7 @@ MORE = (
     'min_length, min_joint_sine. [legs]: law = "forces" with forces; "springs" with stiffness, damping, '
     'rest_length (without it they balance the weight at the start); "tracking" by computed torque with path '
     "(I, II, III or a CSV file as for `forces`), gains k_p and k_d, model, rate (Hz). SI units. A run stops "
-    "where a leg reaches a limit of length, speed, force or joint angle."
+    "where a leg reaches a limit of length, speed, force or joint angle, which is an error at the start."
 )
 
 
@@ -52,6 +52,9 @@ def run(arguments: argparse.Namespace) -> int:
         raise ValueError("energy drift: expected a scene whose legs are springs")
     with results(arguments, "summary", "run.csv", read=scene.files) as (take, progress):
         done = scene.run(lambda share: progress("simulating", share))
+        if done.stop.kind != "duration" and done.stop.time == 0.0:
+            why = f"the run stops at its start, nothing was written: {done.stop.text}"
+            raise ValueError(f"{arguments.scene}: {why}; start within the limits")
         drifts = None
         if arguments.energy_drift and isinstance(scene.law, LegSprings):
             progress("comparing the formulations")
@@ -59,7 +62,4 @@ def run(arguments: argparse.Namespace) -> int:
         report = run.report(scene.robot, done, scene.law, drifts or {})
         views = {"run": lambda: View(scene.robot, of_run(scene.robot, done))}
         take(dataclasses.replace(report, views=views))
-    if arguments.pictures:
-        for name in {"run", *(["energy_drift"] if drifts else [])} - report.figures.keys():
-            warn(f"{name}.png: not drawn, the run ended where it began")
     return 0
