@@ -13,8 +13,12 @@ SLOW = 0.3
 """Of a leg's speed limit: a motor chosen for its leg drives it faster than this."""
 MOST_MOTOR_SPEED = 3200.0
 """rad/s, 30,000 revolutions a minute."""
-LONGEST_STROKE = 1e3
-"""s in which a leg goes through its stroke at its speed limit: m/s for mm/s makes it 1000 times as long."""
+LONGEST_STROKE = 300.0
+"""Time of a stroke at the speed limit (s). Telescopes have 60; m/s for mm/s make 0.5 s 500 s."""
+LEAST_STROKE = 5e-4
+"""Stroke over length of a leg. Piezo stacks have 1e-3; meters for millimeters make 0.3 of it 3e-4."""
+FASTER = 100.0
+"""Leg speed at the motor's speed limit, over the leg's own limit."""
 LEAST_ANGLE, LEAST_SHARE = 0.5 * np.pi * np.pi / 180.0, 0.25
 """Of a joint, rad; less are radians for degrees, where stroke over length is more than four times that."""
 LEAST_CURRENT, MOST_CURRENT, MOST_VOLTAGE = 0.005, 3e3, 5e3
@@ -82,9 +86,18 @@ def of_drive_friction(robot: Robot) -> Iterator[Doubt]:
 
 
 def of_stroke(robot: Robot) -> Iterator[Doubt]:
-    """Speeds at which a leg takes very long for its stroke, and joints that hardly turn beside it."""
+    """Yield doubts about strokes, about speeds that take long for them, and about joints that hardly turn."""
     low, high = robot.length_limits.T
     stroke = np.where(np.isfinite(high), high - low, 0.0)
+    short = np.flatnonzero((stroke > 0.0) & (stroke < LEAST_STROKE * high)).tolist()
+    if short:
+        i = short[0]
+        yield Doubt(
+            "length-limits",
+            f"length_limits of {legs_text(short)}: a stroke of {stroke[i]:.3g} m in legs of {high[i]:.4g} m; "
+            "likely cause: stroke or limits given in m in a file of another length_unit",
+        )
+        return
     slow = np.flatnonzero(stroke > LONGEST_STROKE * robot.speed_limit).tolist()
     if slow:
         i = slow[0]
@@ -94,6 +107,17 @@ def of_stroke(robot: Robot) -> Iterator[Doubt]:
             f"take {stroke[i] / robot.speed_limit[i]:.3g} s; likely cause: given in m/s in a file of another "
             "length_unit",
         )
+    elif robot.drive is not None:
+        speed = robot.drive.speed_limit / np.abs(robot.drive.turns)
+        slow = np.flatnonzero(np.isfinite(speed) & (speed > FASTER * robot.speed_limit)).tolist()
+        if slow:
+            i = slow[0]
+            yield Doubt(
+                "speed-limit",
+                f"speed_limit of {legs_text(slow)}: {robot.speed_limit[i]:.4g} m/s, the motor drives leg "
+                f"{i + 1} at up to {speed[i]:.4g} m/s; likely cause: given in m/s in a file of another "
+                "length_unit",
+            )
     share = np.divide(stroke, high, out=np.zeros(len(high)), where=np.isfinite(high))
     least = robot.joint_angle_limit.min(axis=1)
     tight = np.flatnonzero((least < LEAST_ANGLE) & (least < LEAST_SHARE * share)).tolist()

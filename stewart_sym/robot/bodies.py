@@ -73,6 +73,21 @@ def low_densities(table: Mapping[str, Any], prefix: str = "") -> dict[str, float
     return found
 
 
+def inertias_of_parts(table: Mapping[str, Any], prefix: str = "") -> dict[str, Array]:
+    """Return the inertia (kg m^2), (3, 3), of each part of the bodies that are lists, by its key."""
+    found: dict[str, Array] = {}
+    for key, value in table.items():
+        where = prefix + key
+        if isinstance(value, Mapping):
+            found |= inertias_of_parts(value, f"{where}.")
+        for i, part in enumerate(value if isinstance(value, list | tuple) else (), 1):
+            if isinstance(part, Mapping) and "inertia" in part and len(value) > 1:
+                found[f"{where} {i}: inertia"] = _tensor(part["inertia"], where)
+            elif isinstance(part, Mapping):
+                found |= inertias_of_parts(part, f"{where} {i}: ")
+    return found
+
+
 def joined(parts: list[Body]) -> Body:
     """One body of several parts."""
     mass = float(np.sum([part.mass for part in parts]))
@@ -147,12 +162,16 @@ def _by_inertia(table: dict[str, Any], prefix: str, metres: Metres, whole: bool)
     if "center_of_mass" in table:
         found["center_of_mass"] = metres(tables.vector(table["center_of_mass"], f"{prefix}center_of_mass"))
     if "inertia" in table:
-        given, where = table["inertia"], f"{prefix}inertia"
-        plain = isinstance(given, list | tuple) and not any(isinstance(row, list | tuple) for row in given)
-        found["inertia"] = np.diag(tables.vector(given, where)) if plain else inertia(given, where)
+        found["inertia"] = _tensor(table["inertia"], f"{prefix}inertia")
     if "length" in table:
         found["length"] = float(metres(tables.positive(table["length"], f"{prefix}length")))
     return found
+
+
+def _tensor(given: Any, where: str) -> Array:
+    """Return an inertia (kg m^2), (3, 3), from three moments or a matrix."""
+    plain = isinstance(given, list | tuple) and not any(isinstance(row, list | tuple) for row in given)
+    return np.diag(tables.vector(given, where)) if plain else inertia(given, where)
 
 
 def _cylinder(table: dict[str, Any], prefix: str, metres: Metres, axis: Array) -> tuple[float, float, Array]:

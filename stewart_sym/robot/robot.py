@@ -16,7 +16,7 @@ from ..io.array_types import Array
 from ..io.error_policy import warn
 from ..io.frozen import Frozen
 from . import fields, schema_1, schema_2
-from .bodies import low_densities
+from .bodies import inertias_of_parts, low_densities
 from .drive import Drive
 from .fields import DOUBTS as DOUBTS
 from .fields import LEGS as LEGS
@@ -327,7 +327,13 @@ def inertia_fault(inertia: Array) -> list[str]:
 
 def _warn(robot: Robot, d: Mapping[str, Any], source: str) -> None:
     """Warn of what is doubtful in the tables alone, or impossible."""
-    found, low = impossible_inertias(robot), low_densities(d)
+    of_parts, low = [], low_densities(d)
+    for key, tensor in inertias_of_parts(d).items():
+        body = next((each for each in ("lower", "upper") if each in key), "platform")
+        of_parts += [(f"{body}-inertia", f"{key}: {fault}") for fault in inertia_fault(tensor)]
+    # A part that is impossible explains a sum that is.
+    of_sums = [each for each in impossible_inertias(robot) if each[0] not in dict(of_parts)]
+    found = of_sums + of_parts
     if low:
         text = f"{', '.join(low)}: {min(low.values()):g} kg/m^3; likely cause: given in g/cm^3"
         found.append(("density", text))

@@ -44,6 +44,33 @@ def test_a_new_file_has_the_numbers_given_and_no_doubt(tmp_path: Path, run: Run)
     assert run("check", path).err == ""
 
 
+def test_a_stroke_in_meters_among_millimeters_is_doubted_by_new_and_check(tmp_path: Path, run: Run) -> None:
+    path = tmp_path / "robot.toml"
+    large = {name: 1000.0 * value if value < 1.0 else value for name, value in NUMBERS.items()}
+    command = ("new", "-o", path, "--length-unit", "mm", *options({**large, "--stroke": 0.3}))
+    for told in (run(*command), run("check", path)):
+        (line,) = told.err.splitlines()
+        assert "stroke or limits given in m in a file of another length_unit [length-limits]" in line
+
+
+@pytest.mark.parametrize("body", ["platform", "lower"])
+def test_an_impossible_part_is_doubted_though_the_whole_is_possible(
+    body: str, tmp_path: Path, run: Run
+) -> None:
+    path = tmp_path / "robot.toml"
+    run("new", "-o", path, *options(NUMBERS))
+    key = {"platform": "body", "lower": "lower"}[body]
+    start = path.read_text().index(f"\n{key} = ") + len(f"\n{key} = ")
+    whole = path.read_text()[start:].partition("\n")[0]
+    part = "{ mass = 0.5, center_of_mass = [0.1, 0.0, 0.0], inertia = [1e-3, 1e-3, 2.2e-3] }"
+    path.write_text(path.read_text().replace(whole, f"[{whole}, {part}]"))
+    (line,) = run("check", path).err.splitlines()
+    assert f"{key} 2: inertia: physically impossible" in line
+    assert line.endswith(f"[{body}-inertia]")
+    path.write_text(path.read_text().replace("2.2e-3]", "2e-3]"))
+    assert run("check", path).err == ""
+
+
 def test_new_files_of_many_machines_pass_check(tmp_path: Path, run: Run) -> None:
     path = tmp_path / "robot.toml"
     for unit, platform, angle, height, stroke in itertools.product(

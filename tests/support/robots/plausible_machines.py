@@ -173,6 +173,12 @@ def driven(speed: float | None = None, **numbers: float) -> Change:
     return of(drive=ss.Drive(**{"lead": 0.005, **numbers}), **limit)
 
 
+def short_stroke(robot: Robot) -> Robot:
+    """The machine with a stroke of 0.3 mm about the leg lengths of its home pose."""
+    middle = robot.length_limits.mean(axis=1)
+    return replace(robot, length_limits=np.column_stack([middle - 1.5e-4, middle + 1.5e-4]))
+
+
 def alike(unit: float) -> Change:
     """Limits that are those of all legs, in another unit: a platform far away has its legs within them."""
     return of(length_limits=lambda x: np.tile([unit * x[:, 0].min(), unit * x[:, 1].max()], (6, 1)))
@@ -326,6 +332,7 @@ BY_DOUBT: dict[str, dict[str, tuple[Change, str]]] = {
         "limits in centimetres, alike": (alike(1e2), "limits in centimetres"),
         "limits in millimetres": (scaled(length_limits=1e3), "in millimetres"),
         "limits in centimetres": (scaled(length_limits=1e2), "in centimetres"),
+        "a stroke in metres in a file of millimetres": (short_stroke, "a stroke of 0.0003 m in legs of"),
         "the stroke for limits": (of(length_limits=np.tile([0.0, 0.2], (6, 1))), "the stroke given"),
     },
     "home": {"home of another point": (of(home=np.array([0.0, 0.0, 1.7])), "home of another point")},
@@ -346,8 +353,12 @@ BY_DOUBT: dict[str, dict[str, tuple[Change, str]]] = {
     "speed-limit": {
         "speed limit in mm/s": (scaled(speed_limit=1e3), "given in mm/s"),
         "speed limit in m/s in a file of millimetres": (
-            of(length_limits=STROKE, speed_limit=np.full(6, 3e-4)),
-            "0.4 m of stroke take 1.33e+03 s",
+            of(length_limits=STROKE, speed_limit=np.full(6, 6e-4)),
+            "0.4 m of stroke take 667 s",
+        ),
+        "speed limit far below the motors' in a file of millimetres": (
+            driven(2.4e-3, speed_limit=np.radians(18000.0)),
+            "the motor drives leg 1 at up to 0.25 m/s",
         ),
     },
     "joint-angle": {"in radians among degrees": (few_degrees, "0.6 degrees beside a stroke of 0.4 m")},
