@@ -50,7 +50,7 @@ def trajectory_of(
                 raise ValueError(f"--{option}: is for smoothing, expected no --no-smoothing beside it")
     form = log_format(arguments, source)
     smoothing = Smoothing(*stated_noise(arguments, form), arguments.cutoff, arguments.smoothing)
-    log = read_log_of(robot, source, form, smoothing, progress)
+    log = read_log_of(robot, source, log_format(arguments), smoothing, progress)
     trajectory = poses_of(robot, log, arguments, progress)
     if arguments.rate is None:
         return trajectory

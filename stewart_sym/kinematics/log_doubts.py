@@ -1,5 +1,7 @@
 """Doubts about a log of a robot: another unit of lengths or angles, a platform beyond the base."""
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -7,7 +9,7 @@ from ..io.array_types import Array
 from ..motion.motion import Motion
 from ..motion.rotation import rotation_about_axes
 from ..motion.text.unit_row import LENGTH_UNITS
-from ..motion.trajectory import MOST_TURNS, JointTrajectory, PoseLog, angle_range
+from ..motion.trajectory import MOST_TURNS, JointTrajectory, Log, PoseLog, angle_range
 from ..robot.offset_chains import columns_of_H, joint_motion
 from ..robot.robot import Robot
 from .mounting import platform_side
@@ -37,6 +39,65 @@ def log_doubts(robot: Robot, log: PoseLog | JointTrajectory, unit: str = "m") ->
         if found[0] is None:
             found.append(unit_doubt(robot, log, some) or angle_doubt(robot, log, some))
     return [doubt for doubt in found if doubt is not None]
+
+
+# Quantiles between which angles range, so that a few wrong rows do not count.
+_RANGE = (0.05, 0.95)
+
+
+def need_units(robot: Robot, log: Log) -> None:
+    """Raise ValueError with the remedy if lengths or angles fit the robot in another unit only.
+
+    Numbers whose unit is stated are left to ``log_doubts``.
+    """
+    some = np.linspace(0, len(log.time) - 1, min(len(log.time), _SOME)).astype(np.int64)
+    written = {name: [x[some] for x in vector] for name, vector in log.written.items()}
+    few = replace(log, time=log.time[some], rows=[log.rows[i] for i in some], written=written)
+    if "length_unit" not in log.stated:
+        _need_length_unit(robot, log, few)
+    if "angle_unit" not in log.stated and "theta" in log.written:
+        _need_angle_unit(robot, log, few)
+
+
+def _need_length_unit(robot: Robot, log: Log, few: Log) -> None:
+    low, high = _USUAL
+    if "L" in few.written:
+        lengths = few.vector("L")
+        if log.form.lengths == "relative":
+            lengths, low = np.abs(lengths), 0.0
+    else:
+        lengths = leg_lengths(robot, *_reference_poses(robot, few))
+    typical, size, (near, far), text = _beside_size(robot, lengths)
+    units = [name for name, each in LENGTH_UNITS.items() if low * size <= each * typical <= high * size]
+    if units and not (near * size if low else 0.0) <= typical <= far * size:
+        remedies = " or ".join(f"LogFormat(length_unit={name!r})" for name in units)
+        raise ValueError(
+            f"{log.source}: {text} if read in m; give {remedies}, or LogFormat(length_unit='m') if m is right"
+        )
+
+
+def _need_angle_unit(robot: Robot, log: Log, few: Log) -> None:
+    theta = np.unwrap(log.vector("theta"), axis=0)
+    spans = np.ptp(np.quantile(theta, _RANGE, axis=0), axis=0)
+    if spans.max() <= LEAST_TURN:
+        return
+    t, order = few.vector("t"), log.form.order
+    some = few.vector("theta")
+    R, in_degrees = (rotation_about_axes(angles, order) for angles in (some, np.radians(some)))
+    wrong = np.any(spans > MOST_TURNS) or impossible(robot, t, R, robot.tool) is not None
+    if wrong and impossible(robot, t, in_degrees, robot.tool) is None:
+        axis = int(np.argmax(spans))
+        raise ValueError(
+            f"{log.source}: {angle_range(theta, axis)}, which the legs allow in degrees alone; give "
+            "LogFormat(angle_unit='deg'), or LogFormat(angle_unit='rad') if rad is right"
+        )
+
+
+def _reference_poses(robot: Robot, log: Log) -> tuple[Array, Array]:
+    """Return R (n, 3, 3) and t of the reference point (m), (n, 3), of a log of the tool's poses."""
+    theta, _, order = log.angles()
+    R = rotation_about_axes(theta, order)
+    return R, log.vector("t") - R @ robot.tool
 
 
 def length_doubt(robot: Robot, lengths: Array, unit: str = "m") -> str | None:

@@ -2,18 +2,19 @@
 
 import dataclasses
 import os
+from functools import partial
 
 import numpy as np
 
 from ..io.array_types import Array
 from ..io.error_policy import warn
 from ..io.progress import Progress, silent
-from ..motion.log_reader import AS_SHOWN, PLAIN, read_log, trajectory_from
+from ..motion.log_reader import AS_SHOWN, PLAIN, read_log, trajectory_from, with_units_of
 from ..motion.logs import LogFormat
 from ..motion.noise_level import LogWarning
 from ..motion.trajectory import JointTrajectory, PoseLog, Smoothing, Trajectory
 from ..robot.robot import Robot
-from .log_doubts import log_doubts
+from .log_doubts import log_doubts, need_units
 from .offset_legs import leg_lengths
 
 
@@ -34,14 +35,15 @@ def read_log_of(
 
     What the form leaves open is the robot's. Motions made of the result are those of the reference point.
     Raises as ``read_log``, and ValueError for relative lengths without a home pose, or of legs that have none
-    left. Warns of what does not go with the robot.
+    left, and for numbers that fit the robot in another unit only, if neither the form nor the file states the
+    unit. Warns of what does not go with the robot.
     """
-    log = read_log(path, form_of(robot, form), smoothing, progress)
+    log = read_log(path, form_of(robot, form), smoothing, progress, partial(need_units, robot))
     if isinstance(log, PoseLog):
         log = log.of_tool(robot.tool)
     else:
         log = _loaded_at(robot.tool, _absolute(robot, log) if log.relative else log)
-    for doubt in log_doubts(robot, log, form.length_unit or "m"):
+    for doubt in log_doubts(robot, log, with_units_of(path, form).length_unit or "m"):
         warn(f"{log.source}: {doubt}", LogWarning)
     return log
 

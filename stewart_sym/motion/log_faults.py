@@ -247,7 +247,9 @@ def tell_faults(log: Log, found: Sequence[Fault]) -> None:
         lines.append(f"{rows_text(log, first, end)} ({when} s): {', '.join(texts)}")
     more = len(by_rows) - len(lines)
     ending = f"; and {more} more" if more > 0 else ""
-    done = "replaced, and deviations there hold what this changes" if log.smoothing.on else "left as they are"
+    done = "left as they are"
+    if log.smoothing.on or log.smoothing.repair:
+        done = "replaced, and deviations there hold what this changes"
     cause = " (rows repeated or missing?)" if any(len(texts) >= _MANY for texts in by_rows.values()) else ""
     log.warn(f"numbers are off as no motion makes them{cause}: {'; '.join(lines)}{ending}: {done}")
 

@@ -158,7 +158,7 @@ def _replaced(log: Log, values: Array, steps: Array) -> tuple[Array, Uncertainty
     bad = log_faults.faults(log.time, values, sigma)
     if bad:
         log_faults.tell_faults(log, bad)
-    if not bad or not log.smoothing.on:
+    if not bad or not (log.smoothing.on or log.smoothing.repair):
         return _curve(log, values, steps, level, held)
     good = values - log_faults.offsets(bad, values.shape)
     log_faults.tell_no_repair(log, good, bad)

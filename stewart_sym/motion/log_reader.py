@@ -3,7 +3,7 @@
 import dataclasses
 import math
 import os
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
 
 import numpy as np
@@ -69,6 +69,7 @@ def read_log(
     form: LogFormat = PLAIN,
     smoothing: Smoothing = AS_SHOWN,
     progress: Progress = silent,
+    check: Callable[[Log], None] = lambda log: None,
 ) -> PoseLog | JointTrajectory:
     """Read poses as coordinates, or leg lengths, with progress: the header tells which.
 
@@ -76,9 +77,12 @@ def read_log(
     others interpolated by a spline of degree 5 (of degree 3 with 4 or 5 rows); angles are unwrapped first.
     Rows that no motion makes are named and replaced, what this changes counts in ``noise``; rows that repeat
     or interpolate those of a slower sensor don't count; gaps in time are named. Times of an even clock that
-    are rounded, to milliseconds say, are taken from it, with a ``LogWarning``.  Raises as ``read_csv``.
+    are rounded, to milliseconds say, are taken from it, with a ``LogWarning``. ``check`` may reject the log
+    before its rates are computed. Raises as ``read_csv``.
     """
-    log = _on_even_clock(_read(path, form, smoothing, progress))
+    log = _read(path, form, smoothing, progress)
+    check(log)
+    log = _on_even_clock(log)
     progress(f"differentiating {len(log.rows)} rows")
     return _joint_trajectory(log) if "L" in log.written else _pose_log(log)
 
@@ -102,10 +106,10 @@ def _read(path: str | os.PathLike[str], form: LogFormat, smoothing: Smoothing, p
         _check_header([*form.columns], "columns", "")
     with opened(source, "trajectory", _MOST_BYTES) as stream:
         check = partial(_check_log, smoothing=smoothing)
-        columns, rows, form, _ = read_columns(stream, source, check, form, progress)
+        columns, rows, form, _, stated = read_columns(stream, source, check, form, progress)
     names = {name.rpartition("_")[0] for name in columns} - {""}
     written = {name: [columns[c] for c in _components(name)] for name in names}
-    return Log(source, rows, columns["time"], written, form, smoothing)
+    return Log(source, rows, columns["time"], written, form, smoothing, stated)
 
 
 def with_units_of(path: str | os.PathLike[str], form: LogFormat) -> LogFormat:
@@ -180,7 +184,7 @@ def read_leg_columns(
         unit = stated_units(stream, source, form).get("time_unit", form.time_unit)
         stream.seek(0)
         form = dataclasses.replace(form, time_unit=unit)
-        columns, rows, _, dated = read_columns(stream, source, check, form)
+        columns, rows, _, dated, _ = read_columns(stream, source, check, form)
     if dated:
         raise ValueError(
             f"{source}: line {rows[0]}: time: expected seconds as in the trajectory, of which dates and "

@@ -43,6 +43,8 @@ class Smoothing:
         Frequency, Hz, at which the amplitude is halved; None: the likeliest.
     on : bool, optional
         False interpolates whatever the noise.
+    repair : bool, optional
+        True replaces rows that no motion makes even without smoothing.
 
     Raises
     ------
@@ -54,6 +56,7 @@ class Smoothing:
     angle: float | None = None
     cutoff: float | None = None
     on: bool = True
+    repair: bool = False
 
     def __post_init__(self) -> None:
         for name in ("position", "angle", "cutoff"):
@@ -213,7 +216,10 @@ IN_SI = LogFormat().with_units({})
 
 @dataclass(frozen=True, eq=False)
 class Log:
-    """A trajectory as read: the components of vectors by name, (n,) each, as written."""
+    """A trajectory as read: the components of vectors by name, (n,) each, as written.
+
+    stated: names of the units that an option or a row of units states.
+    """
 
     source: str
     rows: Sequence[int]
@@ -221,6 +227,7 @@ class Log:
     written: Mapping[str, Sequence[Array]]
     form: LogFormat = IN_SI
     smoothing: Smoothing = dataclasses.field(default_factory=Smoothing)
+    stated: frozenset[str] = frozenset()
 
     def scale(self, name: str) -> float:
         """SI units in the unit in which vectors of that name are written."""

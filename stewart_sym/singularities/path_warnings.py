@@ -25,11 +25,12 @@ def crossing_warning(robot: Robot, log: Trajectory | PoseLog) -> str | None:
     rows = [log.rows[min(max(i, 0), len(log.rows) - 1)] for i in (after - 1, after)]
     others = ", ".join(f"{other.time:.9f}" for other in found[1:4])
     more = f"; {len(found) - 1} more, at {others}{' ...' if len(found) > 4 else ''} s" if others else ""
+    of = " of the reference point" if robot.tool.any() else ""
     return (
         f"{log.source}: the path crosses a singular pose at {first.time:.9f} s, between lines "
         f"{rows[0]} and {rows[1]}: det H goes from {sign_text(first.before)} to {sign_text(first.after)}, "
         f"scaled condition number {float(first.at.condition):.3g}, leg forces grow without bound; "
-        f"unconstrained twist{' of the reference point' * robot.tool.any()} {twist_text(first.at)}{more}"
+        f"unconstrained twist{of} {twist_text(first.at)}{more}"
     )
 
 

@@ -157,7 +157,7 @@ def test_warnings_come_before_the_error_that_ends_a_command(robot: Path, traject
     lengths = [f"{time},{','.join(6 * [str(900 + time)])}" for time in range(8)]
     header = ",".join(["time", *(f"L_{leg}" for leg in range(1, 7))])
     trajectory.write_text("\n".join([header, *lengths]) + "\n")
-    captured = run("forces", robot, trajectory, "-o", "-", code=2)
+    captured = run("forces", robot, trajectory, "-o", "-", "--length-unit", "m", code=2)
     *warned, error = captured.err.splitlines()
     assert captured.out == ""
     assert error.startswith("stewart-sym: error: ")

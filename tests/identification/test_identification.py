@@ -1,6 +1,7 @@
 """Identified parameters are the true ones to within their standard deviations, which are what they claim."""
 
 import dataclasses
+import json
 import sys
 from pathlib import Path
 
@@ -14,6 +15,8 @@ from robot_files import PAPERS
 import stewart_sym as ss
 from stewart_sym.cli.main import main
 from stewart_sym.dynamics.home_pose import home_pose
+from stewart_sym.identification.excitation import choose_excitation
+from stewart_sym.motion.rotation import rpy_from_rotation
 
 SIGMA = 0.5
 
@@ -181,6 +184,31 @@ def test_identify_writes_a_table_a_trajectory_and_forces(tmp_path: Path, run: Ru
         assert (estimated - true) / sigma == pytest.approx(deviation)
         assert row["name"] in printed
     assert rows[-10]["formula"] == "M + m_u1 + m_u2 + m_u3 + m_u4 + m_u5 + m_u6"
+
+
+@pytest.mark.parametrize("noisy", [False, True])
+def test_wrong_rows_of_a_log_are_left_out_of_the_fit(noisy: bool, tmp_path: Path, run: Run) -> None:
+    machine, rng = ss.Robot.from_toml(PAPERS), np.random.default_rng(5)
+    chosen = choose_excitation(machine, harmonics=3, samples=600, candidates=5)
+    F = ss.inverse_dynamics(machine, chosen.motion).F + 0.5 * rng.normal(size=(600, 6))
+    t, theta = chosen.motion.t.copy(), rpy_from_rotation(chosen.motion.R)
+    if noisy:
+        t, theta = t + 1e-5 * rng.normal(size=t.shape), theta + 1e-5 * rng.normal(size=t.shape)
+    t[[150, 400], 0] += 0.02
+    for name, columns, values in (
+        ("log.csv", "t_x,t_y,t_z,theta_x,theta_y,theta_z", np.hstack([t, theta])),
+        ("forces.csv", "F1,F2,F3,F4,F5,F6", F),
+    ):
+        rows = np.column_stack([chosen.time, values])
+        np.savetxt(tmp_path / name, rows, "%.17g", ",", header=f"time,{columns}", comments="")
+    noise = ["--noise-position", "1e-5", "--noise-angle", "1e-5"] * noisy
+    measured = ("--measured", tmp_path / "log.csv", tmp_path / "forces.csv", "--sigma", "0.5")
+    told = run("identify", PAPERS, *measured, *noise, "-o", tmp_path / "out")
+    found = json.loads((tmp_path / "out" / "report.json").read_text())
+    assert found["verdict"] == "consistent"
+    assert found["robot_file"]["agreement"] == "agrees"
+    assert "of 600 instants at wrong rows are left out of the fit" in told.err
+    assert "line 152" in told.err
 
 
 def test_measured_forces_are_identified_beside_a_wrong_file(

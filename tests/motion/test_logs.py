@@ -154,12 +154,14 @@ def test_the_unit_of_lengths_is_told_by_the_machines_size(limits: bool) -> None:
     assert "the log of another machine" in str(length_doubt(robot, 1e5 * L))
 
 
-def test_lengths_that_no_machine_has_are_warned_of_with_their_unit(tmp_path: Path, run: Run) -> None:
+def test_lengths_that_no_machine_has_are_named_with_their_unit(tmp_path: Path, run: Run) -> None:
     table = poses() * [1.0, *[1e2] * 3, *[1.0] * 3]
     lengths = np.column_stack([table[:, 0], 1e2 * legs_of(dasgupta(), poses())])
     for names, numbers, code in ((NAMES, table, 0), (["time", *LENGTHS], lengths, 2)):
         log = write(tmp_path / "log.csv", names, numbers)
-        told = run("forces", PAPERS, log, "-o", tmp_path / "f.csv", code=code).err
+        command = ("forces", PAPERS, log, "-o", tmp_path / "f.csv")
+        assert "give --length-unit cm" in run(*command, code=2).err
+        told = run(*command, "--length-unit", "m", code=code).err
         assert "are they in another unit (--length-unit cm" in told
 
 

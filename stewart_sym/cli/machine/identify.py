@@ -118,7 +118,8 @@ def _measured(arguments: argparse.Namespace, progress: Progress) -> "tuple[Repor
     form = log_format(arguments, poses)
     try:
         # The fit has its own noise: what is stated is compared with the log alone.
-        log = trajectory_for(robot, poses, form, Smoothing(*stated_noise(arguments, form), on=False))
+        smoothing = Smoothing(*stated_noise(arguments, form), on=False, repair=True)
+        log = trajectory_for(robot, poses, log_format(arguments), smoothing)
     except HeaderError as error:
         if not set(FORCES) <= set(error.header):
             raise

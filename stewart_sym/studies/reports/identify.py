@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ...drives.noise import at_replaced
 from ...dynamics.inverse import inverse_dynamics
 from ...identification.base_parameters import BaseParameters, base_parameters
 from ...identification.drive_terms import DriveEstimate, seen_by_motors, terms_of
@@ -79,6 +80,10 @@ def from_measurement(
                 said += f": all {factor:g} times as large, expected their unit in a row of units below the "
                 said += "header, or for both files in --time-unit"
         raise ValueError(said)
+    bad = at_replaced(trajectory, trajectory.time)
+    if bad.any():
+        trajectory = Trajectory(trajectory.time[~bad], trajectory.motion[~bad], trajectory.source, ())
+        F, noise = F[~bad], None if noise is None else replace(noise, time=noise.time[~bad])
     moved, motion, of_tool = robot, trajectory.motion, noise is not None and robot.tool.any()
     if of_tool:
         # The noise is that of the measured poses, which are poses of the tool.
@@ -86,6 +91,9 @@ def from_measurement(
     smooth = motion if noise is None else smoothed(motion, noise)[0]
     base = base_parameters(moved, smooth, friction, shared)
     found = identify(moved, motion, F, sigma, base, noise, physical, drive=drive)
+    if bad.any():
+        said = f"motion: {np.count_nonzero(bad)} of {len(bad)} instants at wrong rows are left out of the fit"
+        found = replace(found, doubts=(*found.doubts, f"{said}; check these rows"))
     if of_tool:
         base = base_parameters(robot, smooth.about_point(-robot.tool), friction, shared)
         return about_reference(robot, base, found, robot.tool)
