@@ -10,6 +10,7 @@ from ..mechanics import quantities as n
 from ..print.c import wrapped
 from . import licence
 from .deviations import deviations
+from .forces_name import FORCES_HEADER
 from .functions import DRIVES, MODEL, Function, Part, reads_robot
 from .robot import Machine
 from .words import in_markdown, table, template
@@ -80,6 +81,7 @@ def readme(kit: Kit) -> str:
         "stack_baked": _STACK_BAKED if any(function.plain for function in functions) else "",
         "functions": "\n".join(map(_function, functions)),
         "batches": template("kit/readme_batches.md") if any(function.batch for function in functions) else "",
+        "one_name": _ONE_NAME if any(each.stem == "forces" for each in functions) else "",
         "prepared": template("kit/readme_prepared.md")
         if any(function.subject == MODEL for function in functions)
         else "",
@@ -107,10 +109,13 @@ def _files(kit: Kit) -> list[tuple[str, str]]:
     )
     shared = dict.fromkeys(name for part in kit.parts for name in part.shared)
     unit = [(kit.unit, "co-simulation unit, FMI 2.0")] if kit.unit else []
+    named = "`stewart_kit_forces`: the forces by one name, with and without `--bake`"
+    one_name = [(FORCES_HEADER, named)] if any(each.stem == "forces" for each in kit.functions) else []
     return [
         ("stewart.h", "types and status codes"),
         ("`, `".join(shared), "arithmetic and functions that the sources share; callers include none of it"),
         *((f"{part.header}`, `{part.source}", _stems(part) or part.says) for part in kit.parts),
+        *one_name,
         *robot,
         ("test/selftest.c", "calls every function with inputs whose answers were computed at 50 digits"),
         ("example/main.c", "an example: every function once"),
@@ -201,4 +206,9 @@ _ARITHMETIC = {
     "float": "Arithmetic is `float`; no `double` is in the object code.",
 }
 
+_ONE_NAME = """`stewart_kit.h` gives the forces one name in every kit, with `--bake` or without. A program
+that calls `stewart_kit_prepare(&model)` once and `stewart_kit_forces(&model, &motion, F)` at each pose
+compiles with either kit; `model` is a `stewart_kit_model`, which is empty in a kit with `--bake`.
+
+"""
 _STACK_BAKED = ", with the numbers folded in as much as without"

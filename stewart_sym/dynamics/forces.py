@@ -13,11 +13,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..backend.c_kernel import address, function, prepared_model
-from ..backend.fidelity import force_kernel_name
+from ..backend.fidelity import force_kernel_name, rotor_of
 from ..backend.kernel import FORMULATIONS, MOTION, takes_rotors
 from ..generated.interface import MODELS
 from ..io.arguments import instance, option, whole_number
-from ..io.error_policy import ON_SINGULAR, OnSingular
+from ..io.error_policy import ON_SINGULAR, OnSingular, warn
 from ..io.frozen import Frozen
 from ..motion.motion import Motion
 from ..results import NOT_FINITE, OK, SINGULAR, UNREACHABLE
@@ -452,8 +452,20 @@ def prepare(
     ------
     ValueError
         For an unknown formulation, precision or fidelity, native.CompilerError without a C compiler.
+
+    Warns
+    -----
+    UserWarning
+        If the fidelity leaves out the rotors of the robot's drives.
     """
-    return ForceKernel(robot, formulation, precision, fidelity)
+    kernel = ForceKernel(robot, formulation, precision, fidelity)
+    if robot.has_rotors and rotor_of(robot, fidelity) == "none" and fidelity != "no_rotor":
+        moving = robot.M + float(robot.m_d.sum() + robot.m_u.sum())
+        warn(
+            f"fidelity {fidelity}: leaves out rotors with up to {robot.m_r.max():.3g} kg of reflected mass "
+            f"in each leg, platform and legs have {moving:.3g} kg; forces lack as much at accelerations"
+        )
+    return kernel
 
 
 def _parts(count: int, threads: int) -> list[tuple[int, int]]:

@@ -15,6 +15,7 @@ from ..backend import fidelity
 from ..derive.generate import generator_version
 from ..derive.package import build, cpp, fmu, licence
 from ..derive.package.example import example
+from ..derive.package.forces_name import forces_header
 from ..derive.package.functions import Function, Vector, reads_robot
 from ..derive.package.readme import Figures, readme
 from ..derive.package.readme import Kit as ReadmeKit
@@ -23,6 +24,7 @@ from ..derive.package.selftest import selftest
 from ..drives.friction import drive_numbers
 from ..dynamics.home_pose import home_pose
 from ..io.array_types import Array
+from ..io.error_policy import warn
 from ..io.json_text import json_text
 from ..io.progress import Progress, silent
 from ..motion.motion import Motion, at_rest
@@ -31,6 +33,7 @@ from ..robot.robot import Robot
 from . import languages
 from .choice import DEFAULT, PRECISIONS, STEMS, TORQUE, Choice, check, options, robot_toml
 from .fmu import packed
+from .left_out import left_out
 from .parts import Parts, generator, parts, robot_numbers
 from .poses import sample
 from .selection import SHARE, Numbered, selection
@@ -59,9 +62,12 @@ class Kit:
 def kit(robot: Robot, choice: Choice = DEFAULT, progress: Progress = silent) -> Kit:
     """The kit of a robot. Raises ValueError for an unknown option, or if no pose suits the self-test."""
     check(choice, robot)
+    missing = left_out(robot, choice)
+    if missing:
+        warn(f"{missing}; for all of it choose fidelity general")
     if choice.language != "c":
         progress(f"generating {choice.language}")
-        return _of_language(robot, choice)
+        return _of_language(robot, choice, missing)
     progress("generating kernels")
     made = parts(robot, choice)
     progress("computing test vectors")
@@ -79,14 +85,22 @@ def kit(robot: Robot, choice: Choice = DEFAULT, progress: Progress = silent) -> 
     if choice.fmu:
         progress("building the FMU")
         files[f"{machine.symbol}.fmu"] = _unit(robot, choice, made, texts)
-    files["README.md"] = _readme(robot, choice, machine, made, found).encode()
+    files["README.md"] = _with_missing(_readme(robot, choice, machine, made, found), missing).encode()
     files[MANIFEST] = _manifest(machine, choice, files)
     return Kit(dict(sorted(files.items())), made.operations, made.baked_operations)
 
 
-def _of_language(robot: Robot, choice: Choice) -> Kit:
+def _with_missing(readme: str, missing: str) -> str:
+    """Return a README with a paragraph about the physics that the forces leave out."""
+    title, rest = readme.split("\n\n", 1)
+    return f"{title}\n\nThe {missing}.\n\n{rest}" if missing else readme
+
+
+def _of_language(robot: Robot, choice: Choice, missing: str = "") -> Kit:
     languages.check(choice)
-    files = {name: text.encode() for name, text in languages.texts(robot, choice).items()}
+    texts = languages.texts(robot, choice)
+    texts["README.md"] = _with_missing(texts["README.md"], missing)
+    files = {name: text.encode() for name, text in texts.items()}
     files[MANIFEST] = _manifest(_machine(robot, choice), choice, files)
     return Kit(dict(sorted(files.items())), None, None)
 
@@ -102,7 +116,9 @@ def kit_names(robot: Robot, choice: Choice = DEFAULT) -> list[str]:
 
 
 def _sources(machine: Machine, made: Parts) -> dict[str, str]:
-    return made.files | (robot_files(machine) if reads_robot(made.functions) else {})
+    forces = [each for each in made.functions if each.stem == "forces"]
+    named = forces_header(machine, forces[0]) if forces else {}
+    return made.files | named | (robot_files(machine) if reads_robot(made.functions) else {})
 
 
 def _machine(robot: Robot, choice: Choice) -> Machine:

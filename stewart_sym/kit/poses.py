@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..backend.kernel import MOTION
+from ..dynamics.home_pose import home_pose
 from ..dynamics.inverse import Formulation, inverse_dynamics
 from ..io.array_types import Array, Flags
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
@@ -54,13 +55,14 @@ _LOADS = (0.0, -1.0, 2.0, 0.5, -3.0)
 def sample(robot: Robot, formulation: str) -> Motion:
     """The motion of the example.
 
-    The pose is a slight turn away from home, where the middle of the platform points is straight above the
-    middle of the base points, on the side of ``platform_side``, 1.1 times the machine's radius away, and the
-    frames are parallel; everything moves and is loaded. A machine on a wall or with another frame on its
-    platform gets another axis, distance or quarter turns: the first, in a fixed order, that solves with a
-    good condition number, clear of the legs' universal axes and, if possible, within their length limits.
-    Raises ValueError if there is none.
+    The pose is the home pose, rounded; everything moves and is loaded by about the platform's weight. If the
+    home pose is ill-conditioned or near a leg's universal axis, the pose is a slight turn away from parallel
+    frames, with another axis, distance, or quarter turns: the first, in a fixed order, that solves with a
+    good condition number and, if possible, within the length limits. Raises ValueError if there is none.
     """
+    home, condition, clear, within = _checked(robot, _at_home(robot), formulation)
+    if home.shape != (0,) and clear[0] and within[0] and condition[0] <= MAX_CONDITION:
+        return home[0]
     # NumPy, as it rounds like the C and is there without a compiler.
     poses, condition, clear, within = _checked(robot, _candidates(robot), formulation)
     for also in (within, np.full_like(within, True)):
@@ -130,6 +132,12 @@ def _checked(robot: Robot, motions: Motion, formulation: str) -> tuple[Motion, A
 
 def _forces(robot: Robot, motion: Motion, formulation: str) -> Forces:
     return inverse_dynamics(robot, motion, cast(Formulation, formulation), "numpy", "nan")
+
+
+def _at_home(robot: Robot) -> Motion:
+    """Return the motion at the home pose, (1,), in numbers of few digits."""
+    off = home_pose(robot).t + robot.p.mean(axis=0) - robot.b.mean(axis=0)
+    return _motion(robot, np.eye(3)[None], off[None], np.ones(1), np.ones(1))
 
 
 def _candidates(robot: Robot) -> Motion:

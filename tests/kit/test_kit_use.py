@@ -14,13 +14,15 @@ import numpy as np
 import pytest
 from kits import c_of, kit_of, machine
 
+import stewart_sym as ss
 from stewart_sym.backend import c_kernel, kernel, native
 from stewart_sym.cli.main import main
 from stewart_sym.derive.package.words import robot_symbol
+from stewart_sym.dynamics.home_pose import home_pose
 from stewart_sym.generated.interface import HEADERS
 from stewart_sym.kit import Choice, Kit, kit, put, write_kit
 from stewart_sym.kit.poses import sample
-from stewart_sym.motion.motion import Motion
+from stewart_sym.motion.motion import Motion, at_rest
 from stewart_sym.robot.robot import Robot
 
 GENERATED = Path(kernel.__file__).parent.parent / "generated"
@@ -280,3 +282,47 @@ def test_no_orientation_comes_of_what_is_not_finite_or_zero() -> None:
     for size in (0.0, 1e-170, 1e200):
         status, motion = oriented("stewart_motion_from_quaternion", *(size * cases[function][0],) * 3)
         assert (status, set(motion)) == (1, {1.0})
+
+
+USER = """#include <stdio.h>
+#include "stewart_kit.h"
+int main(void) {
+    static stewart_kit_model model;
+    static const stewart_motion motion = {
+        {1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, STEWART_T}, {0}, {0}, {0}, {0}, {0}, {0}};
+    stewart_real F[6];
+    int i, status = stewart_kit_prepare(&model);
+    if (status == STEWART_OK) { status = stewart_kit_forces(&model, &motion, F); }
+    for (i = 0; i < 6 && status == STEWART_OK; ++i) { printf("%.12g ", (double)F[i]); }
+    return status;
+}
+"""
+
+
+@pytest.mark.parametrize("scalar", [False, True])
+def test_one_program_runs_with_baked_and_other_kits(scalar: bool, tmp_path: Path) -> None:
+    robot, printed = machines.dasgupta(), []
+    height = float(home_pose(robot).t[2])
+    for bake in (False, True):
+        folder = tmp_path / str(bake)
+        write_kit(robot, folder, Choice(bake=bake, scalar=scalar))
+        (tmp_path / "user.c").write_text(USER.replace("STEWART_T", repr(height)))
+        sources = [*map(str, folder.glob("*.c")), str(tmp_path / "user.c")]
+        flags = ["-std=c99", "-Wall", "-Wextra", "-pedantic", "-Werror", f"-I{folder}"]
+        program = str(tmp_path / f"user{bake}")
+        subprocess.run(["cc", *flags, *sources, "-lm", "-o", program], check=True)
+        out = subprocess.run([program], check=True, capture_output=True, text=True).stdout
+        printed.append([float(each) for each in out.split()])
+    np.testing.assert_allclose(printed[1], printed[0], rtol=1e-9)
+    F = ss.inverse_dynamics(robot, at_rest(np.eye(3), np.array([0.0, 0.0, height]))).F
+    np.testing.assert_allclose(printed[0], F, rtol=1e-9)
+
+
+@pytest.mark.parametrize("name", [*ss.robots.NAMES])
+def test_the_example_is_at_the_home_pose_under_about_the_weight(name: str) -> None:
+    robot = ss.robots.load(name)
+    motion = sample(robot, "exact")
+    np.testing.assert_allclose(motion.t, home_pose(robot).t, atol=1e-3 * np.ptp(robot.b, axis=0).max())
+    np.testing.assert_array_equal(motion.R, np.eye(3))
+    weight = 9.81 * robot.M
+    assert 0.1 * weight < np.linalg.norm(motion.F_ext) < weight

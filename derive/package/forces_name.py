@@ -1,0 +1,29 @@
+"""Header of a kit that gives the forces one name, with and without the robot's numbers folded in."""
+
+from .functions import MODEL, Function
+from .robot import HEADER, Machine
+from .words import in_comment, template
+
+FORCES_HEADER = "stewart_kit.h"
+"""File name of the header."""
+
+
+def forces_header(machine: Machine, function: Function) -> dict[str, str]:
+    """Return the header of the forces by its file name; ``function``: the forces of the kit."""
+    of_model = function.subject == MODEL
+    own = ('#include "stewart.h"', f'#include "{HEADER}"', f'#include "{function.header}"')
+    words = {
+        "name": in_comment(machine.name),
+        "version": machine.version,
+        "includes": "\n".join(own if of_model else (own[0], own[2])),
+        "unused": "" if of_model else ", which are in the kernel: nothing is read",
+        "model": f"{function.prefix}_model" if of_model else "struct { char unused; }",
+        "prepare": f"return {function.prefix}_prepare(&{machine.symbol}, model);"
+        if of_model
+        else "model->unused = 0;\n    return STEWART_OK;",
+        "symbol": function.symbol,
+        "subject": "model, " if of_model else "",
+        "ignored": "" if of_model else "(void)model;\n    ",
+    }
+    batch = template("kit/stewart_kit_batch.h", words) if function.batch else ""
+    return {FORCES_HEADER: template("kit/stewart_kit.h", words | {"batch": batch})}
