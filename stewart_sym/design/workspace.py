@@ -110,9 +110,9 @@ def workspace(
 ) -> Workspace:
     """Return the size of a workspace, with its error, and what bounds it.
 
-    The box is halved until there is a cell for each two poses, without what is surely beyond the leg lengths
-    or on the other side of the base; two random poses of each cell are examined. Positions are those of the
-    robot's tool, the reference point if the robot file states none. A load of the limits acts at the tool.
+    The box is halved until there is a cell for each two poses, without cells beyond the leg lengths or on the
+    other side of the base. Two random poses of each cell are examined. Positions refer to the robot's tool,
+    the reference point if the robot file states none. A load of the limits acts at the tool.
 
     Parameters
     ----------

@@ -456,13 +456,13 @@ def prepare(
     Warns
     -----
     UserWarning
-        If the fidelity leaves out the rotors of the robot's drives.
+        If the fidelity omits the rotors of the robot's drives.
     """
     kernel = ForceKernel(robot, formulation, precision, fidelity)
     if robot.has_rotors and rotor_of(robot, fidelity) == "none" and fidelity != "no_rotor":
         moving = robot.M + float(robot.m_d.sum() + robot.m_u.sum())
         warn(
-            f"fidelity {fidelity}: leaves out rotors with up to {robot.m_r.max():.3g} kg of reflected mass "
+            f"fidelity {fidelity}: omits rotors with up to {robot.m_r.max():.3g} kg of reflected mass "
             f"in each leg, platform and legs have {moving:.3g} kg; forces lack as much at accelerations"
         )
     return kernel

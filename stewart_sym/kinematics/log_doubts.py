@@ -48,14 +48,14 @@ _RANGE = (0.05, 0.95)
 def need_units(robot: Robot, log: Log) -> None:
     """Raise ValueError with the remedy if lengths or angles fit the robot in another unit only.
 
-    Numbers whose unit is stated are left to ``log_doubts``.
+    ``log_doubts`` warns of numbers with a given unit.
     """
     some = np.linspace(0, len(log.time) - 1, min(len(log.time), _SOME)).astype(np.int64)
     written = {name: [x[some] for x in vector] for name, vector in log.written.items()}
     few = replace(log, time=log.time[some], rows=[log.rows[i] for i in some], written=written)
-    if "length_unit" not in log.stated:
+    if "length_unit" not in log.given_units:
         _need_length_unit(robot, log, few)
-    if "angle_unit" not in log.stated and "theta" in log.written:
+    if "angle_unit" not in log.given_units and "theta" in log.written:
         _need_angle_unit(robot, log, few)
 
 

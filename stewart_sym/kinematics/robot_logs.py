@@ -35,8 +35,8 @@ def read_log_of(
 
     What the form leaves open is the robot's. Motions made of the result are those of the reference point.
     Raises as ``read_log``, and ValueError for relative lengths without a home pose, or of legs that have none
-    left, and for numbers that fit the robot in another unit only, if neither the form nor the file states the
-    unit. Warns of what does not go with the robot.
+    left. Raises ValueError for numbers that fit the robot in another unit only, if neither the form nor the
+    file states the unit. Warns of other numbers that do not fit the robot.
     """
     log = read_log(path, form_of(robot, form), smoothing, progress, partial(need_units, robot))
     if isinstance(log, PoseLog):

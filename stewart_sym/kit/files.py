@@ -91,7 +91,7 @@ def kit(robot: Robot, choice: Choice = DEFAULT, progress: Progress = silent) -> 
 
 
 def _with_missing(readme: str, missing: str) -> str:
-    """Return a README with a paragraph about the physics that the forces leave out."""
+    """Return a README with a paragraph about the physics that the forces omit."""
     title, rest = readme.split("\n\n", 1)
     return f"{title}\n\nThe {missing}.\n\n{rest}" if missing else readme
 

@@ -1,4 +1,4 @@
-"""Physics that a robot file states and a fidelity level leaves out, with its effect on the forces."""
+"""Physics of a robot file that a fidelity level omits, with its effect on the forces."""
 
 from collections.abc import Iterator
 
@@ -17,7 +17,7 @@ _ROUNDING = 1e-12
 
 
 def left_out(robot: Robot, choice: Choice) -> str:
-    """Return a clause about the stated physics that the forces of a kit leave out; "" if there is none."""
+    """Return a clause about the physics of the robot file that the forces of a kit omit, or an empty text."""
     if choice.level == "general" or "forces" not in choice.functions:
         return ""
     level = fidelity.resolved(robot, choice.formulation, choice.level)
@@ -30,14 +30,14 @@ def left_out(robot: Robot, choice: Choice) -> str:
         return ""
     named = ", ".join(_named(robot, level))
     return (
-        f"fidelity {choice.level} ({fidelity.meaning(level, robot.has_rotors)}) leaves out physics of the "
+        f"fidelity {choice.level} ({fidelity.meaning(level, robot.has_rotors)}) omits physics of the "
         f"robot file{f', such as {named}' if named else ''}; forces differ by up to {error:.3g} N, "
         f"{100.0 * error / largest:.2g} % of the largest, in motions about the home pose"
     )
 
 
 def _named(robot: Robot, level: str) -> Iterator[str]:
-    """Yield the physics that a level leaves out for certain."""
+    """Yield the physics that a level omits for certain."""
     rotor = fidelity.rotor_of(robot, level)
     if robot.has_rotors and rotor == "none":
         yield f"rotors with up to {robot.m_r.max():.3g} kg of reflected mass in each leg"

@@ -57,12 +57,13 @@ def sample(robot: Robot, formulation: str) -> Motion:
 
     The pose is the home pose, rounded; everything moves and is loaded by about the platform's weight. If the
     home pose is ill-conditioned or near a leg's universal axis, the pose is a slight turn away from parallel
-    frames, with another axis, distance, or quarter turns: the first, in a fixed order, that solves with a
-    good condition number and, if possible, within the length limits. Raises ValueError if there is none.
+    frames, with another axis, distance, or quarter turns. It is the first, in a fixed order, that solves with
+    a good condition number and, if possible, within the length limits. Raises ValueError if there is none.
     """
-    home, condition, clear, within = _checked(robot, _at_home(robot), formulation)
-    if home.shape != (0,) and clear[0] and within[0] and condition[0] <= MAX_CONDITION:
-        return home[0]
+    if characteristic_length(robot) > 0.0:
+        home, condition, clear, within = _checked(robot, _at_home(robot), formulation)
+        if home.shape != (0,) and clear[0] and within[0] and condition[0] <= MAX_CONDITION:
+            return home[0]
     # NumPy, as it rounds like the C and is there without a compiler.
     poses, condition, clear, within = _checked(robot, _candidates(robot), formulation)
     for also in (within, np.full_like(within, True)):

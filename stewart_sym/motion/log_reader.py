@@ -77,8 +77,8 @@ def read_log(
     others interpolated by a spline of degree 5 (of degree 3 with 4 or 5 rows); angles are unwrapped first.
     Rows that no motion makes are named and replaced, what this changes counts in ``noise``; rows that repeat
     or interpolate those of a slower sensor don't count; gaps in time are named. Times of an even clock that
-    are rounded, to milliseconds say, are taken from it, with a ``LogWarning``. ``check`` may reject the log
-    before its rates are computed. Raises as ``read_csv``.
+    are rounded, such as to milliseconds, are taken from it, with a ``LogWarning``. ``check`` may reject the
+    log before its rates are computed. Raises as ``read_csv``.
     """
     log = _read(path, form, smoothing, progress)
     check(log)
@@ -106,10 +106,10 @@ def _read(path: str | os.PathLike[str], form: LogFormat, smoothing: Smoothing, p
         _check_header([*form.columns], "columns", "")
     with opened(source, "trajectory", _MOST_BYTES) as stream:
         check = partial(_check_log, smoothing=smoothing)
-        columns, rows, form, _, stated = read_columns(stream, source, check, form, progress)
+        columns, rows, form, _, given_units = read_columns(stream, source, check, form, progress)
     names = {name.rpartition("_")[0] for name in columns} - {""}
     written = {name: [columns[c] for c in _components(name)] for name in names}
-    return Log(source, rows, columns["time"], written, form, smoothing, stated)
+    return Log(source, rows, columns["time"], written, form, smoothing, given_units)
 
 
 def with_units_of(path: str | os.PathLike[str], form: LogFormat) -> LogFormat:
@@ -166,8 +166,8 @@ def read_leg_columns(
 ) -> tuple[Array, Array, tuple[str, ...], Sequence[int]]:
     """Read six columns over ``time`` (s), increasing: those of the first group that the file has.
 
-    Other columns, such as those that the command ``forces`` writes, are read over. form: marks, names of the
-    columns and, where no row of units states it, the unit of time. Returns times (n,), the columns (n, 6),
+    Other columns, such as the columns of the command ``forces``, are skipped. form: marks, names of the
+    columns and, without a row of units, the unit of time. Returns times (n,), the columns (n, 6),
     their names, and the lines of the file. Raises ``ValueError`` that names the file and the line or column.
     """
     source = file_name(path)

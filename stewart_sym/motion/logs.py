@@ -137,15 +137,15 @@ class LogFormat:
 class Table(NamedTuple):
     """Columns of a file by name, as written but for time in s, the rows where they stand, and its format.
 
-    dated: whether dates or times of day are written, whose seconds are those since the first row. stated:
-    names of the units that the given format or a row of units states, such as ``length_unit``.
+    dated: whether dates or times of day are written, whose seconds are those since the first row.
+    given_units: names of the units, such as ``length_unit``, in the given format or in a row of units.
     """
 
     columns: dict[str, Array]
     rows: Sequence[int]
     form: LogFormat
     dated: bool
-    stated: frozenset[str]
+    given_units: frozenset[str]
 
 
 def read_columns(
@@ -173,7 +173,7 @@ def read_columns(
         except ValueError as error:
             raise HeaderError(str(error), head.names) from None
         units = units_of(head, header, source, form.units)
-        stated = frozenset(name for name, unit in form.units.items() if unit) | frozenset(units or {})
+        given_units = frozenset(name for name, unit in form.units.items() if unit) | frozenset(units or {})
         form = form.with_units(units or {})
         if units is not None:
             head = without_row(stream, head)
@@ -203,7 +203,7 @@ def read_columns(
         raise ValueError(
             f"{source}: line {rows[i + 1]}: time: expected increasing times, got {after} after {before}"
         )
-    return Table(columns, rows, form, clock is not None, stated)
+    return Table(columns, rows, form, clock is not None, given_units)
 
 
 def stated_units(stream: BinaryIO, source: str, form: LogFormat) -> dict[str, str]:

@@ -120,7 +120,7 @@ class Uncertainty(NamedTuple):
 class Trajectory(NamedTuple):
     """A trajectory of n instants: time, s, (n,), and the motion, of shape (n,).
 
-    source: the file it comes from. rows: lines of the file at which the instants stand. noise: None for
+    source: the file it comes from. rows: line of each instant in the file. noise: None for
     a log without.
     """
 
@@ -218,7 +218,7 @@ IN_SI = LogFormat().with_units({})
 class Log:
     """A trajectory as read: the components of vectors by name, (n,) each, as written.
 
-    stated: names of the units that an option or a row of units states.
+    given_units: names of the units in an option or in a row of units.
     """
 
     source: str
@@ -227,7 +227,7 @@ class Log:
     written: Mapping[str, Sequence[Array]]
     form: LogFormat = IN_SI
     smoothing: Smoothing = dataclasses.field(default_factory=Smoothing)
-    stated: frozenset[str] = frozenset()
+    given_units: frozenset[str] = frozenset()
 
     def scale(self, name: str) -> float:
         """SI units in the unit in which vectors of that name are written."""

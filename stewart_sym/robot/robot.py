@@ -327,7 +327,8 @@ def inertia_fault(inertia: Array) -> list[str]:
 
 def _warn(robot: Robot, d: Mapping[str, Any], source: str) -> None:
     """Warn of what is doubtful in the tables alone, or impossible."""
-    of_parts, low = [], low_densities(d)
+    of_parts: list[tuple[str, str]] = []
+    low = low_densities(d)
     for key, tensor in inertias_of_parts(d).items():
         body = next((each for each in ("lower", "upper") if each in key), "platform")
         of_parts += [(f"{body}-inertia", f"{key}: {fault}") for fault in inertia_fault(tensor)]

@@ -28,11 +28,11 @@ def test_generate_warns_of_rotors_left_out_with_their_effect(language: str, tmp_
     written(robot, tmp_path / "robot.toml")
     command = ["generate", tmp_path / "robot.toml", "-o", tmp_path / "kit", "--language", language]
     told = run(*command, "--fidelity", "slender").err
-    (line,) = [each for each in told.splitlines() if "leaves out" in each]
+    (line,) = [each for each in told.splitlines() if "omits" in each]
     assert f"rotors with up to {robot.m_r.max():.3g} kg of reflected mass in each leg" in line
     motion = poses(robot, "exact", 8)
     full = ss.inverse_dynamics(robot, motion).F
-    with pytest.warns(UserWarning, match="leaves out rotors"):
+    with pytest.warns(UserWarning, match="omits rotors"):
         kernel = ss.prepare(robot, fidelity="slender")
     error = np.abs(kernel.forces_and_status(motion)[0] - full).max()
     found = re.search(r"differ by up to (\S+) N, (\S+) % of the largest", line)

@@ -62,7 +62,7 @@ def from_measurement(
     time, F: instants, s, (n,), and forces, N, (n, 6), as read from ``source``. sigma, noise, physical, drive:
     as for ``identify``. friction, shared: as for ``base_parameters``. form: of the
     trajectory's file, whose units doubts name. lines: lines of ``source``; default: 2 and on. Raises
-    ValueError naming the source for other times than those of the trajectory.
+    ValueError naming the source if its times differ from the times of the trajectory.
     """
     if len(time) != len(trajectory.time):
         raise ValueError(

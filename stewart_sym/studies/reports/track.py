@@ -123,8 +123,8 @@ def in_parts(
 ) -> Iterator[Part]:
     """Run a trajectory part after part.
 
-    Raises ValueError, naming file and line, for an unsolvable pose; ``allow_singular`` leaves nan and a
-    status there and warns of the first instead.
+    Raises ValueError, naming file and line, for an unsolvable pose. ``allow_singular`` writes nan and a
+    status and warns of the first instead.
     """
     deviations, told = None, False
     if trajectory.noise is not None:

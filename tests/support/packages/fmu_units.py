@@ -76,7 +76,13 @@ def made(case: str) -> Made:
     with few_vectors(), pytest.MonkeyPatch.context() as patch:
         patch.setattr(native, "PORTABLE_FLAGS", flags(case))
         whole = kit(robot, CASES[case])
-    unused = ("example/main.c", "test/selftest.c", "stewart_rotation.h", "stewart_rotation.c")
+    unused = (
+        "stewart_kit.h",
+        "example/main.c",
+        "test/selftest.c",
+        "stewart_rotation.h",
+        "stewart_rotation.c",
+    )
     sources = {name: text for name, text in c_of(whole).items() if name not in unused}
     kernel = parts(robot, CASES[case]).parts[0]
     return Made(robot, kernel, sources, whole.files[f"{robot_symbol(robot.name)}.fmu"])
