@@ -33,6 +33,7 @@ def kinematics_files(blocks: Kinematics, version: str) -> dict[str, str]:
         version,
         operations="\n".join(f" * {name:15s} {count}" for name, count in search_operations(blocks).items()),
         max_steps=SEARCH["MAX_STEPS"][0],
+        max_searches=SEARCH["MAX_SEARCHES"][0],
         steps="{}, {} and {}".format(*STEPS["double"]),
         float_steps="{}, {} and {}".format(*STEPS["float"]),
     )

@@ -343,10 +343,10 @@ CALLS: dict[str, Call] = {
         ),
     ),
     "forward_kinematics": Call(
-        "A pose that has given lengths of the legs, searched from a guess in `pose`: near one, and far from "
-        "singular poses, mostly the pose beside it; else it may be another, also with STEWART_OK: compare it "
-        "with the guess. STEWART_NOT_CONVERGED: not found in STEWART_MAX_STEPS steps. STEWART_SINGULAR: the "
-        "lengths are met, but do not settle the pose.",
+        "A pose that has given lengths of the legs, searched from a guess in `pose`: the nearest of those "
+        "found by up to STEWART_MAX_SEARCHES searches. From a guess farther than 0.05 (m and rad) another "
+        "may be nearer: compare it with the guess. STEWART_NOT_CONVERGED: not found in STEWART_MAX_STEPS "
+        "steps of each. STEWART_SINGULAR: the lengths are met, but do not settle the pose.",
         (_in("L", 6, "m", "lengths of the legs"), _SEARCHED),
     ),
     "forward_velocity": Call(

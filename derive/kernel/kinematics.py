@@ -88,10 +88,11 @@ def search_operations(blocks: k.Kinematics) -> dict[str, Operations]:
 
     def numbers(name: str) -> float:
         # R is a rotation already, as far as a search of no steps can tell.
-        return next(turn) if name == "R" else moving if name == "moving" else draw.uniform(0.5, 1.5)
+        known = {"moving": moving, "damping": 0}
+        return next(turn) if name == "R" else known[name] if name in known else draw.uniform(0.5, 1.5)
 
     def run(function: str, steps: int = 0) -> Operations:
-        return counted(program, function, numbers, {"MAX_STEPS": steps})
+        return counted(program, function, numbers, {"MAX_STEPS": steps, "MAX_SEARCHES": 1})
 
     moving, turn = 0, itertools.cycle((1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0))
     lengths = run("rates_of")
@@ -149,6 +150,7 @@ _SEARCHED = (
             t.numbers("A", 6, 7, meaning="1: rows [s, q x s / size] of J, and a right side; then a triangle"),
             t.numbers("L", 6, meaning="m: lengths"),
             t.Field("reach", t.Real(), "m: largest component of the terms of S = q + t - b"),
+            t.Field("of_inverse", t.Real(), "1: square of the size of J^-1"),
         ),
     ),
     result("FoundPose", "What the search of a pose finds.", t.Field("pose", t.Record("Pose"), "the pose")),

@@ -42,6 +42,7 @@ typedef struct {
     stewart_real A[6][7]; /* 1: rows [s, q x s / size] of J, and a right side; then a triangle */
     stewart_real L[6]; /* m: lengths */
     stewart_real reach; /* m: largest component of the terms of S = q + t - b */
+    stewart_real of_inverse; /* 1: square of the size of J^-1 */
 } legs_at_pose;
 
 /* What the search of a pose finds. */
@@ -315,8 +316,8 @@ static void substitute(stewart_real A[6][7], stewart_real x[6])
 
 /* 1 where the triangle's condition number, by Frobenius norms, exceeds 1 / (16 sqrt(eps)), else 0. Two
  * poses with the same lengths meet where H is singular, and sqrt(eps) from there they differ by
- * rounding: lengths known to rounding leave the pose open. */
-static int is_open(stewart_real A[6][7])
+ * rounding: lengths known to rounding leave the pose open. Stores |J^-1|^2 in ``legs``. */
+static int is_open(legs_at_pose *legs)
 {
     int i;
     int j;
@@ -327,18 +328,19 @@ static int is_open(stewart_real A[6][7])
     stewart_real of_inverse = REAL(0);
     int regular = 1;
     for (k = 0; k < 6; ++k) {
-        regular = (STEWART_FABS(A[k][k]) > REAL(0)) ? regular : 0;
-        pivot[k] = (STEWART_FABS(A[k][k]) > REAL(0)) ? REAL(1)/A[k][k] : REAL(0);
+        regular = (STEWART_FABS(legs->A[k][k]) > REAL(0)) ? regular : 0;
+        pivot[k] = (STEWART_FABS(legs->A[k][k]) > REAL(0)) ? REAL(1)/legs->A[k][k] : REAL(0);
         for (i = (k + 1) - 1; i >= 0; --i) {
             stewart_real entry = (i == k) ? REAL(1) : REAL(0);
             for (j = i + 1; j < k + 1; ++j) {
-                entry = entry - (A[i][j]*inverse[j]);
+                entry = entry - (legs->A[i][j]*inverse[j]);
             }
             inverse[i] = entry*pivot[i];
-            total = total + (A[i][k]*A[i][k]);
+            total = total + (legs->A[i][k]*legs->A[i][k]);
             of_inverse = of_inverse + (inverse[i]*inverse[i]);
         }
     }
+    legs->of_inverse = of_inverse;
     return ((regular == 1) && ((REAL(256)*STEWART_EPSILON*total*of_inverse) <= REAL(1))) ? 0 : 1;
 }
 
@@ -388,10 +390,10 @@ static int make_rotation(stewart_real R[9])
     return near;
 }
 
-/* Length of a vector. */
-static stewart_real length_of(const stewart_real vector[3])
+/* Return the square of a vector's length. */
+static stewart_real square_of(const stewart_real vector[3])
 {
-    return STEWART_SQRT((vector[0]*vector[0]) + (vector[1]*vector[1]) + (vector[2]*vector[2]));
+    return (vector[0]*vector[0]) + (vector[1]*vector[1]) + (vector[2]*vector[2]);
 }
 
 /* Puts lengths asked for less those of a pose, m, beside J; returns the largest of them in size. */
@@ -407,69 +409,121 @@ static stewart_real compare(const stewart_real L[6], legs_at_pose *legs)
     return worst;
 }
 
-/* [along; turn] by which the legs no longer miss their lengths, or as much of it as is to be trusted: no
- * more than a quarter of a radian and of the longest leg. Beyond it (2) is far from the straight line
- * that it is taken for. With it, steps need no damping: taking back those that lead away loses more
- * poses. */
-static void newton_step(
-    legs_at_pose *legs, stewart_real per_size, stewart_real longest, stewart_real along[3],
+/* Turn [J | miss] into [J^T J + damping E | J^T miss], the equations of a Levenberg-Marquardt step. */
+static void damp(stewart_real A[6][7], stewart_real damping)
+{
+    int i;
+    int j;
+    int k;
+    stewart_real J[6][7] = {{0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0,
+        0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}};
+    for (i = 0; i < 6; ++i) {
+        for (j = 0; j < 7; ++j) {
+            J[i][j] = A[i][j];
+        }
+    }
+    for (i = 0; i < 6; ++i) {
+        for (j = 0; j < 7; ++j) {
+            stewart_real total = (i == j) ? damping : REAL(0);
+            for (k = 0; k < 6; ++k) {
+                total = total + (J[k][i]*J[k][j]);
+            }
+            A[i][j] = total;
+        }
+    }
+}
+
+/* Return 1 over the largest of six lengths (1/m). */
+static stewart_real per_longest_of(const stewart_real L[6])
+{
+    int i;
+    stewart_real longest = L[0];
+    for (i = 1; i < 6; ++i) {
+        longest = STEWART_LARGER(L[i], longest);
+    }
+    return REAL(1)/longest;
+}
+
+/* Split a step x into [along; turn], no longer than a quarter of a radian and of the longest leg. */
+static void trusted(
+    const stewart_real x[6], stewart_real per_size, stewart_real per_longest, stewart_real along[3],
     stewart_real turn[3])
 {
     int i;
-    stewart_real x[6] = {0, 0, 0, 0, 0, 0};
-    reflect(legs->A);
-    substitute(legs->A, x);
     for (i = 0; i < 3; ++i) {
         along[i] = x[i];
         turn[i] = x[i + 3]*per_size;
     }
-    stewart_real shorter = STEWART_LARGER(length_of(along)/(REAL(0.25)*longest), REAL(1));
-    shorter = STEWART_LARGER(length_of(turn)/REAL(0.25), shorter);
-    shorter = REAL(1)/shorter;
+    const stewart_real way = REAL(16)*per_longest*per_longest*square_of(along);
+    const stewart_real angle = REAL(16)*square_of(turn);
+    const stewart_real excess = STEWART_LARGER(STEWART_LARGER(way, angle), REAL(1));
+    const stewart_real shorter = REAL(1)/STEWART_SQRT(excess);
     for (i = 0; i < 3; ++i) {
         along[i] = along[i]*shorter;
         turn[i] = turn[i]*shorter;
     }
 }
 
-/* Steps from a pose, with its legs, to lengths L; returns 1 if they were found, else 0. */
-static int search(
-    const stewart_robot *robot, const stewart_real L[6], stewart_real per_size, stewart_pose *pose,
-    legs_at_pose *legs)
+/* [along; turn] by which the legs no longer miss their lengths, or as much of it as is to be trusted: no
+ * more than a quarter of a radian and of the longest leg. Beyond it (2) is far from the straight line
+ * that it is taken for. With it, steps need no damping: taking back those that lead away loses more
+ * poses. */
+static void newton_step(
+    legs_at_pose *legs, stewart_real per_size, stewart_real per_longest, stewart_real along[3],
+    stewart_real turn[3])
+{
+    stewart_real x[6] = {0, 0, 0, 0, 0, 0};
+    reflect(legs->A);
+    substitute(legs->A, x);
+    trusted(x, per_size, per_longest, along, turn);
+}
+
+/* Move a pose by a step if ``going`` is 1. */
+static void move(stewart_pose *pose, const stewart_real along[3], const stewart_real turn[3], int going)
 {
     int i;
     int j;
+    stewart_real R[9] = {0, 0, 0, 0, 0, 0, 0, 0, 0};
+    small_turn turned;
+    turned = turned_by(turn);
+    for (i = 0; i < 3; ++i) {
+        for (j = 0; j < 3; ++j) {
+            const stewart_real part = (turned.Q[3*i]*pose->R[j]) + (turned.Q[(3*i) + 1]*pose->R[3 + j]);
+            R[(3*i) + j] = part + (turned.Q[(3*i) + 2]*pose->R[6 + j]);
+        }
+    }
+    (void)polish(R, STEWART_HALF);
+    for (i = 0; i < 9; ++i) {
+        pose->R[i] = (going == 1) ? R[i] : pose->R[i];
+    }
+    for (i = 0; i < 3; ++i) {
+        pose->t[i] = (going == 1) ? pose->t[i] + along[i] : pose->t[i];
+    }
+}
+
+/* Step from a pose, with its legs, to lengths L. The first four steps are damped. Return 1 if a pose
+ * with these lengths was found, else 0. */
+static int search(
+    const stewart_robot *robot, const stewart_real L[6], stewart_real per_size, stewart_real damping,
+    stewart_pose *pose, legs_at_pose *legs)
+{
     int step;
     stewart_real along[3] = {0, 0, 0};
     stewart_real turn[3] = {0, 0, 0};
-    stewart_real R[9] = {0, 0, 0, 0, 0, 0, 0, 0, 0};
-    stewart_real longest = L[0];
+    const stewart_real per_longest = per_longest_of(L);
     int status = STEWART_OK;
-    for (i = 1; i < 6; ++i) {
-        longest = STEWART_LARGER(L[i], longest);
-    }
     stewart_real worst = compare(L, legs);
     int going = 1;
     for (step = 0; step < STEWART_MAX_STEPS; ++step) {
         going = (status == STEWART_OK) ? going : 0;
         going = (worst > (REAL(4)*STEWART_EPSILON*legs->reach)) ? going : 0;
         if (going == 1) {
-            newton_step(legs, per_size, longest, along, turn);
-            small_turn turned;
-            turned = turned_by(turn);
-            for (i = 0; i < 3; ++i) {
-                for (j = 0; j < 3; ++j) {
-                    const stewart_real part = (turned.Q[3*i]*pose->R[j]) + (turned.Q[(3*i) + 1]*pose->R[3 + j]);
-                    R[(3*i) + j] = part + (turned.Q[(3*i) + 2]*pose->R[6 + j]);
-                }
+            const stewart_real part = (step < 4) ? damping : REAL(0);
+            if (part > REAL(0)) {
+                damp(legs->A, part);
             }
-            (void)polish(R, STEWART_HALF);
-            for (i = 0; i < 9; ++i) {
-                pose->R[i] = R[i];
-            }
-            for (i = 0; i < 3; ++i) {
-                pose->t[i] = pose->t[i] + along[i];
-            }
+            newton_step(legs, per_size, per_longest, along, turn);
+            move(pose, along, turn, going);
             status = legs_at(robot, pose, per_size, legs);
             worst = compare(L, legs);
         } else {
@@ -499,31 +553,224 @@ static int first_fault(const stewart_real L[6], const stewart_pose *guess)
     return status;
 }
 
-/* The last pose tried for lengths L, from a guess, and a status. */
+/* Estimate the direction x, of length 1, that changes the lengths least, by inverse iteration. */
+static void flattest(stewart_real A[6][7], stewart_real x[6])
+{
+    int i;
+    int j;
+    int turn;
+    for (i = 0; i < 6; ++i) {
+        x[i] = REAL(1);
+    }
+    for (turn = 0; turn < 3; ++turn) {
+        for (i = 0; i < 6; ++i) {
+            stewart_real total = x[i];
+            for (j = 0; j < i; ++j) {
+                total = total - (A[j][i]*A[j][6]);
+            }
+            A[i][6] = (STEWART_FABS(A[i][i]) > REAL(0)) ? total/A[i][i] : REAL(0);
+        }
+        substitute(A, x);
+        stewart_real square = REAL(0);
+        for (i = 0; i < 6; ++i) {
+            square = square + (x[i]*x[i]);
+        }
+        const stewart_real per_norm = (square > REAL(0)) ? REAL(1)/STEWART_SQRT(square) : REAL(0);
+        for (i = 0; i < 6; ++i) {
+            x[i] = x[i]*per_norm;
+        }
+    }
+}
+
+/* Compute the cross product of x and y. */
+static void cross(const stewart_real x[3], const stewart_real y[3], stewart_real out[3])
+{
+    out[0] = (x[1]*y[2]) - (x[2]*y[1]);
+    out[1] = (x[2]*y[0]) - (x[0]*y[2]);
+    out[2] = (x[0]*y[1]) - (x[1]*y[0]);
+}
+
+/* Move a pose near the one with the same lengths behind the next singular pose. The step goes along the
+ * flattest direction, twice as far as the rate of the lengths takes to become 0. */
+static void go_beyond(
+    const stewart_robot *robot, stewart_real per_size, stewart_real per_longest, stewart_pose *pose,
+    legs_at_pose *legs)
+{
+    int i;
+    int j;
+    stewart_real x[6] = {0, 0, 0, 0, 0, 0};
+    stewart_real v[3] = {0, 0, 0};
+    stewart_real omega[3] = {0, 0, 0};
+    stewart_real turning[3] = {0, 0, 0};
+    (void)legs_at(robot, pose, per_size, legs);
+    reflect(legs->A);
+    flattest(legs->A, x);
+    for (i = 0; i < 3; ++i) {
+        v[i] = x[i];
+        omega[i] = x[i + 3]*per_size;
+    }
+    stewart_real square = REAL(0);
+    stewart_real bent = REAL(0);
+    for (i = 0; i < 6; ++i) {
+        leg_vectors leg;
+        leg = vectors_of(&robot->leg[i], pose);
+        cross(omega, leg.q, turning);
+        stewart_real rate = REAL(0);
+        stewart_real speed = REAL(0);
+        stewart_real inward = REAL(0);
+        stewart_real around = REAL(0);
+        stewart_real along = REAL(0);
+        for (j = 0; j < 3; ++j) {
+            const stewart_real moving = v[j] + turning[j];
+            rate = rate + (leg.S[j]*moving);
+            speed = speed + (moving*moving);
+            around = around + (omega[j]*leg.q[j]);
+        }
+        for (j = 0; j < 3; ++j) {
+            inward = inward + (leg.S[j]*leg.q[j]);
+            along = along + (leg.S[j]*omega[j]);
+        }
+        rate = rate/leg.L;
+        const stewart_real second = (((speed - (rate*rate)) + (along*around)) - (square_of(omega)*inward))/leg.L;
+        square = square + (rate*rate);
+        bent = bent + (rate*second);
+    }
+    stewart_real way = (STEWART_FABS(bent) > REAL(0)) ? ((-REAL(2))*square)/bent : REAL(0);
+    way = (STEWART_FABS(way) <= STEWART_MAX) ? way : REAL(0);
+    for (i = 0; i < 6; ++i) {
+        x[i] = way*x[i];
+    }
+    trusted(x, per_size, per_longest, v, omega);
+    move(pose, v, omega, 1);
+}
+
+/* Compute the squares of the distance (m^2) and of the angle (rad^2) between poses. */
+static void apart(const stewart_pose *one, const stewart_pose *other, stewart_real squares[2])
+{
+    int i;
+    stewart_real way = REAL(0);
+    stewart_real chord = REAL(0);
+    for (i = 0; i < 9; ++i) {
+        const stewart_real gap = one->R[i] - other->R[i];
+        chord = chord + (gap*gap);
+    }
+    for (i = 0; i < 3; ++i) {
+        const stewart_real gap = one->t[i] - other->t[i];
+        way = way + (gap*gap);
+    }
+    chord = STEWART_HALF*chord;
+    squares[0] = way;
+    squares[1] = chord*(REAL(1) + (chord*(REAL(0.08333333333333333) + (REAL(0.011111111111111112)*chord))));
+}
+
+/* Return 1 if any other pose with the same lengths is farther away than twice a distance, else 0.
+ *
+ * ``away`` is the square of the distance. The proof bounds the second derivatives of the lengths. */
+static int is_nearest(
+    const stewart_robot *robot, stewart_real per_size, stewart_real away, const legs_at_pose *legs)
+{
+    int i;
+    int j;
+    stewart_real shortest = legs->L[0];
+    stewart_real arm = REAL(0);
+    for (i = 0; i < 6; ++i) {
+        shortest = (legs->L[i] < shortest) ? legs->L[i] : shortest;
+        stewart_real square = REAL(0);
+        for (j = 0; j < 3; ++j) {
+            square = square + (robot->leg[i].p[j]*robot->leg[i].p[j]);
+        }
+        arm = STEWART_LARGER(square, arm);
+    }
+    arm = arm*per_size*per_size;
+    const stewart_real bend = ((REAL(1) + arm)/shortest) + (STEWART_SQRT(arm)*per_size);
+    return ((bend*bend*away*legs->of_inverse) <= REAL(1)) ? 1 : 0;
+}
+
+/* Replace ``pose``, the nearest found so far, by the first pose of a search, and return a status. The
+ * third search starts behind the next singular pose, the others at the guess. */
+static int start_of(
+    const stewart_robot *robot, int number, const stewart_real L[6], stewart_real per_size,
+    const stewart_pose *guess, stewart_pose *pose, legs_at_pose *legs)
+{
+    int i;
+    if (number == 2) {
+        go_beyond(robot, per_size, per_longest_of(L), pose, legs);
+    } else {
+        for (i = 0; i < 9; ++i) {
+            pose->R[i] = guess->R[i];
+        }
+        for (i = 0; i < 3; ++i) {
+            pose->t[i] = guess->t[i];
+        }
+    }
+    const int status = legs_at(robot, pose, per_size, legs);
+    return status;
+}
+
+/* Return the pose for lengths L that is nearest to a guess, and a status. */
 static found_pose pose_of(const stewart_robot *robot, const stewart_real L[6], const stewart_pose *guess)
 {
     int i;
+    int turn;
     found_pose out = {{{0, 0, 0, 0, 0, 0, 0, 0, 0}, {0, 0, 0}}, 0};
     legs_at_pose legs = {{{0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0,
-        0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}}, {0, 0, 0, 0, 0, 0}, 0};
-    const stewart_real per_size = REAL(1)/platform_size(robot);
+        0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}}, {0, 0, 0, 0, 0, 0}, 0, 0};
+    stewart_pose start = {{0, 0, 0, 0, 0, 0, 0, 0, 0}, {0, 0, 0}};
+    stewart_pose pose = {{0, 0, 0, 0, 0, 0, 0, 0, 0}, {0, 0, 0}};
+    stewart_real squares[2] = {0, 0};
+    const stewart_real length = platform_size(robot);
+    const stewart_real per_size = REAL(1)/length;
     int status = first_fault(L, guess);
     for (i = 0; i < 9; ++i) {
-        out.pose.R[i] = guess->R[i];
+        start.R[i] = guess->R[i];
     }
     for (i = 0; i < 3; ++i) {
-        out.pose.t[i] = guess->t[i];
+        start.t[i] = guess->t[i];
     }
-    const int near = make_rotation(out.pose.R);
+    const int near = make_rotation(start.R);
     status = ((status != STEWART_OK) || (near == 1)) ? status : STEWART_NOT_CONVERGED;
-    int fault = legs_at(robot, &out.pose, per_size, &legs);
-    status = (status == STEWART_OK) ? fault : status;
-    if (status == STEWART_OK) {
-        const int found = search(robot, L, per_size, &out.pose, &legs);
-        reflect(legs.A);
-        fault = (is_open(legs.A) == 1) ? STEWART_SINGULAR : fault;
-        status = (found == 1) ? fault : STEWART_NOT_CONVERGED;
+    int going = (status == STEWART_OK) ? 1 : 0;
+    stewart_real best = STEWART_MAX;
+    for (i = 0; i < 9; ++i) {
+        out.pose.R[i] = start.R[i];
     }
+    for (i = 0; i < 3; ++i) {
+        out.pose.t[i] = start.t[i];
+    }
+    for (turn = 0; turn < STEWART_MAX_SEARCHES; ++turn) {
+        if (going == 1) {
+            for (i = 0; i < 9; ++i) {
+                pose.R[i] = out.pose.R[i];
+            }
+            for (i = 0; i < 3; ++i) {
+                pose.t[i] = out.pose.t[i];
+            }
+            int fault = start_of(robot, turn, L, per_size, &start, &pose, &legs);
+            status = ((turn == 0) && (status == STEWART_OK)) ? fault : status;
+            going = (status == STEWART_OK) ? going : 0;
+            const stewart_real damping = (turn == 1) ? REAL(0.001) : REAL(0);
+            const int found = search(robot, L, per_size, damping, &pose, &legs);
+            reflect(legs.A);
+            const int unsettled = is_open(&legs);
+            fault = (unsettled == 1) ? STEWART_SINGULAR : STEWART_OK;
+            apart(&pose, &start, squares);
+            const stewart_real away = squares[0] + squares[1];
+            const int take = ((going == 1) && (found == 1) && (away < best)) ? 1 : 0;
+            best = (take == 1) ? away : best;
+            status = (take == 1) ? fault : status;
+            for (i = 0; i < 9; ++i) {
+                out.pose.R[i] = (take == 1) ? pose.R[i] : out.pose.R[i];
+            }
+            for (i = 0; i < 3; ++i) {
+                out.pose.t[i] = (take == 1) ? pose.t[i] : out.pose.t[i];
+            }
+            const int settled = is_nearest(robot, per_size, squares[0] + (length*length*squares[1]), &legs);
+            going = ((found == 1) && (settled == 1)) ? 0 : going;
+        } else {
+            break;
+        }
+    }
+    status = ((status == STEWART_OK) && (best >= STEWART_MAX)) ? STEWART_NOT_CONVERGED : status;
     out.status = status;
     return out;
 }
@@ -534,7 +781,7 @@ static twist twist_of(const stewart_robot *robot, const stewart_pose *pose, cons
     int i;
     twist out = {{0, 0, 0}, {0, 0, 0}, 0};
     legs_at_pose legs = {{{0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0,
-        0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}}, {0, 0, 0, 0, 0, 0}, 0};
+        0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}}, {0, 0, 0, 0, 0, 0}, 0, 0};
     stewart_real x[6] = {0, 0, 0, 0, 0, 0};
     const stewart_real per_size = REAL(1)/platform_size(robot);
     int status = legs_at(robot, pose, per_size, &legs);
@@ -543,7 +790,8 @@ static twist twist_of(const stewart_robot *robot, const stewart_pose *pose, cons
     }
     reflect(legs.A);
     substitute(legs.A, x);
-    status = ((status == STEWART_OK) && (is_open(legs.A) == 1)) ? STEWART_SINGULAR : status;
+    const int unsettled = is_open(&legs);
+    status = ((status == STEWART_OK) && (unsettled == 1)) ? STEWART_SINGULAR : status;
     for (i = 0; i < 3; ++i) {
         out.v[i] = x[i];
         out.omega[i] = x[i + 3]*per_size;

@@ -9,12 +9,14 @@
  * Operations, six legs
  * lengths         162 (72 mul, 84 add, 0 div, 6 sqrt)
  * lengths, rates  270 (126 mul, 132 add, 6 div, 6 sqrt)
- * search          1068 (564 mul, 471 add, 20 div, 13 sqrt)
- * step            975 (513 mul, 426 add, 22 div, 14 sqrt)
+ * search          1161 (606 mul, 519 add, 22 div, 14 sqrt)
+ * step            975 (516 mul, 426 add, 20 div, 13 sqrt)
  * velocity        969 (509 mul, 421 add, 26 div, 13 sqrt)
- * A search takes the operations of `search` once and those of a step for each that it goes. Steps from
+ * A search takes the operations of `search` once and the operations of `step` for each step. Steps from
  * guesses within 0.001, 0.05 and 0.3 rad of the pose, and as many lengths of the longest leg: in 99 of 100
- * poses of random machines no more than 3, 4 and 6 (double) and 2, 3 and 5 (float).
+ * poses of random machines no more than 3, 4 and 6 (double) and 2, 3 and 5 (float). A second and a third
+ * search follow unless a bound proves that the first result is the nearest to the guess, as it mostly does
+ * within 0.02 (m and rad) of a pose that is not near a singular one. STEWART_MAX_SEARCHES 1 omits them.
  */
 #ifndef STEWART_KINEMATICS_H
 #define STEWART_KINEMATICS_H
@@ -25,9 +27,12 @@
 extern "C" {
 #endif
 
-/* Steps after which the search of a pose gives up: the bound of its time. */
+/* Steps after which a search of a pose gives up, and number of searches: their product bounds the time. */
 #if !defined(STEWART_MAX_STEPS)
 #define STEWART_MAX_STEPS 30
+#endif
+#if !defined(STEWART_MAX_SEARCHES)
+#define STEWART_MAX_SEARCHES 3
 #endif
 
 /* Pose of the platform. */
@@ -43,15 +48,16 @@ typedef struct {
 STEWART_NODISCARD int stewart_inverse_kinematics(
     const stewart_robot *robot, const stewart_motion *motion, stewart_real L[6], stewart_real L_dot[6]);
 
-/* Pose in which the legs have the lengths L, m, > 0, from a guess: `pose` in. Newton's steps on (2), none
- * longer than a quarter of a radian and of the longest leg.
+/* Pose in which the legs have the lengths L, m, > 0, from a guess: `pose` in. Up to three searches by
+ * Newton's steps on (2), none longer than a quarter of a radian and of the longest leg: from the guess; from
+ * the guess with four damped steps first; and from behind the singular pose next to the result.
  * Returns a status, and writes the pose only if it is STEWART_OK:
  * STEWART_OK: the lengths are those asked for to within 16 rounding units of the largest component of the
- *     terms of S = q + t - b, and R is a rotation to rounding. Six lengths belong to up to forty poses: it is
- *     mostly the one next to a near guess; near singular poses, where two of them meet, and from afar it may
- *     be another: compare it with the guess.
- * STEWART_NOT_CONVERGED: no such pose was found in STEWART_MAX_STEPS steps; or the guess's R is no rotation:
- *     det R < 0, or an entry of R^T R farther than 1/16 from that of E.
+ *     terms of S = q + t - b, and R is a rotation to rounding. Six lengths belong to up to forty poses: of
+ *     the poses found, this one is the nearest to the guess, by the root of the sum of squares in m and rad.
+ *     From a guess farther than 0.05 (m and rad) compare it with the guess.
+ * STEWART_NOT_CONVERGED: none of the searches found such a pose in STEWART_MAX_STEPS steps; or the guess's R
+ *     is no rotation: det R < 0, or an entry of R^T R farther than 1/16 from that of E.
  * STEWART_SINGULAR: the lengths are met where H is so near to singular that lengths known to rounding leave
  *     the pose open: its condition number, by Frobenius norms and with moments over the root mean square
  *     distance of the platform points from the reference point, exceeds 1 / (16 sqrt(eps)). That number is no

@@ -87,8 +87,8 @@ def forward_kinematics(
     """Return the poses in which the legs have the lengths L, by damped Newton steps on (2).
 
     A pose with status 0 has lengths within 16 rounding units of the largest component of the terms of S = q +
-    t - b. Of the assembly modes found from a guess it is the one nearest to it, angles counted times the
-    platform's size. Where none is found, the error says what was tried, or why there is none.
+    t - b. Of the assembly modes found from a guess it is the one nearest to it, by the root of the sum of
+    squares in m and rad. Where none is found, the error says what was tried, or why there is none.
 
     Parameters
     ----------

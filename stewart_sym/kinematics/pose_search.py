@@ -26,6 +26,8 @@ _FIRST_DAMPING, _LEAST_DAMPING, _MOST_DAMPING = 1e-6, 1e-14, 1e3
 _MORE_TURNS = (0.5, -0.5, 1.0, -1.0)
 # Limit of a short step: rad, and share of the longest leg.
 _SHORT = 0.1
+# Steps of a search that takes none back: the limit and number of them, and the damping of the first four.
+_FREE, _FREE_STEPS, _FIRST_FREE = 0.25, 30, 1e-3
 # Starts after which the search is given up: without a guess, and about one.
 MOST_STARTS, _MOST_ABOUT = 100, 20
 # So many sets of lengths are tried from all starts at once, which bounds memory.
@@ -108,22 +110,23 @@ def _parts(indices: NDArray[np.intp]) -> Iterator[NDArray[np.intp]]:
 def nearest_found(robot: Robot, L: Array, R: Array, t: Array) -> Found:
     """Return of the poses found from a guess, (n, ...), the one nearest to it.
 
-    Where the first lies farther away than the next singular pose does, or none was found, short steps are
-    tried as well, and from what is found then the other side of the singular poses; in the end starts about
-    the guess.
+    Unless a bound proves that the first is the nearest, short steps are tried as well, and steps that are
+    never taken back, the first four of them damped or not; then the other side of the singular poses next to
+    what these find; in the end starts about the guess.
     """
     best = newton(robot, L, R, t)
-    far = distance(robot, (R, t), best[:2]) > np.abs(way_to_singular(robot, best.R, best.t)[0])
-    doubtful = np.flatnonzero((~best.found | far) & ~_impossible(robot, L))
+    doubtful = np.flatnonzero(~(best.found & _is_nearest(robot, (R, t), best)) & ~_impossible(robot, L))
     if not doubtful.size:
         return best
     guess, lengths = (R[doubtful], t[doubtful]), L[doubtful]
     short = newton(robot, lengths, *guess, _SHORT)
-    first = best.R[doubtful], best.t[doubtful]
-    tries = [short, *(other_side(robot, lengths, *poses) for poses in (first, short[:2]))]
-    for found in tries:
+    free = [newton(robot, lengths, *guess, _FREE, damping)[:2] for damping in (0.0, _FIRST_FREE)]
+    tries = [best.at(doubtful), short, *(newton(robot, lengths, *poses) for poses in free)]
+    tries += [other_side(robot, lengths, *found[:2]) for found in tries]
+    for found in tries[1:]:
         old = best.at(doubtful)
-        nearer = distance(robot, guess, found[:2]) < distance(robot, guess, old[:2])
+        # The same pose found again differs by rounding.
+        nearer = distance(guess, found[:2]) < (1.0 - 1e-9) * distance(guess, old[:2])
         take = np.flatnonzero(found.found & (nearer | ~old.found))
         _replace(best, doubtful[take], found.at(take))
     # Lengths all but met belong to a singular pose or to one beside it.
@@ -180,10 +183,29 @@ def way_to_singular(robot: Robot, R: Array, t: Array) -> ToSingular:
     return ToSingular(way, direction, U[..., -1], 0.5 * s[:, -1] * np.abs(way))
 
 
-def distance(robot: Robot, one: tuple[Array, Array], other: tuple[Array, Array]) -> Array:
-    """Return how far poses (n, ...) are from others, m, (n,): angles count times the platform's size."""
+def distance(one: Poses, other: Poses, length: float = 1.0) -> Array:
+    """Return the distance between poses (n, ...), (n,): the root of the sum of squares in m and rad.
+
+    length: m, by which angles are multiplied instead of 1 m.
+    """
     turn = rotation.vector_from_rotation(other[0] @ np.swapaxes(one[0], -1, -2))
-    return np.hypot(_size(other[1] - one[1]), platform_size(robot) * _size(turn))
+    return np.hypot(_size(other[1] - one[1]), length * _size(turn))
+
+
+def _is_nearest(robot: Robot, guess: Poses, found: Found) -> Flags:
+    """Return True for poses, (n,), that a bound proves to be the nearest to the guess.
+
+    The bound limits the second derivatives of the lengths: any other pose is at least twice as far away.
+    """
+    length = platform_size(robot)
+    with np.errstate(over="ignore", invalid="ignore"):
+        q, S, L = leg_vectors(robot, found.R, found.t)
+        least = np.linalg.svd(
+            np.nan_to_num(length_rows(q, S, L) / np.repeat([1.0, length], 3)), compute_uv=False
+        )[:, -1]
+        arm = np.max(_size(q), axis=-1) / length
+        bend = (1.0 + arm**2) / np.min(L, axis=-1) + arm / length
+        return np.asarray(bend * distance(guess, found[:2], length) <= least)
 
 
 def _impossible(robot: Robot, L: Array) -> Flags:
@@ -202,8 +224,10 @@ def impossible_pairs(robot: Robot, L: Array) -> Flags:
     return np.asarray((too_far | too_near) & ~np.eye(6, dtype=np.bool_))
 
 
-def newton(robot: Robot, L: Array, R: Array, t: Array, most: float = 1.0) -> Found:
+def newton(robot: Robot, L: Array, R: Array, t: Array, most: float = 1.0, free: float | None = None) -> Found:
     """Return what is found from poses (n, ...) for lengths L, (n, 6); most: of a step, see below.
+
+    free: damping of the first four steps of a search that takes no step back.
 
     Each step is a twist: t <- t + dt, R <- exp([dphi]x) R.  It solves (J^T J + damping E) d = J^T (L - |S|),
     angles times the platform's size; damping falls with every step that brings the lengths nearer, until the
@@ -215,11 +239,11 @@ def newton(robot: Robot, L: Array, R: Array, t: Array, most: float = 1.0) -> Fou
         return Found(R, t, residual, steps, found)
     R, t = rotation.orthonormal(R), t.copy()
     length = platform_size(robot)
-    damping = np.full(len(L), _FIRST_DAMPING)
+    damping = np.full(len(L), _FIRST_DAMPING if free is None else free)
     iterations = np.zeros(len(L), dtype=np.int64)
     live = np.arange(len(L))
     with np.errstate(over="ignore", invalid="ignore"):
-        for _ in range(_MOST_STEPS):
+        for step in range(_MOST_STEPS if free is None else _FREE_STEPS):
             q, S, now = leg_vectors(robot, R[live], t[live])
             miss = L[live] - now
             far = np.max(np.abs(miss), axis=-1) > _GOAL * _reach(robot, q, t[live])
@@ -237,9 +261,12 @@ def newton(robot: Robot, L: Array, R: Array, t: Array, most: float = 1.0) -> Fou
             d /= np.maximum(1.0, share)[:, None]
             R_1 = rotation.orthonormal(rotation.rotation_from_vector(d[:, 3:]) @ R[live])
             t_1 = t[live] + d[:, :3]
-            nearer = _size(L[live] - leg_vectors(robot, R_1, t_1)[2]) < _size(miss)
+            nearer = (free is not None) | (_size(L[live] - leg_vectors(robot, R_1, t_1)[2]) < _size(miss))
             R[live[nearer]], t[live[nearer]] = R_1[nearer], t_1[nearer]
             iterations[live] += 1
+            if free is not None:
+                damping[live] = free if step < 3 else 0.0
+                continue
             damping[live] = np.where(
                 nearer,
                 np.maximum(damping[live] * 1e-2, _LEAST_DAMPING),

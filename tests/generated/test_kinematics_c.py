@@ -94,6 +94,7 @@ COUNTED = """stewart_pose far = ${FAR}, exact = ${EXACT};
     COUNT(stewart_forward_kinematics(&robot, L, &far));"""
 BOUND = """static int most_steps = 1;
 #define STEWART_MAX_STEPS most_steps
+#define STEWART_MAX_SEARCHES 1
 #include "stewart_kinematics.c"
 #define COUNT(call) counts = Counts(); status = call; \\
     std::printf("%d %ld %ld %ld %ld\\n", status, counts.mul, counts.add, counts.div, counts.sqrt)

@@ -178,11 +178,11 @@ def compare(seeds: range, poses: int) -> tuple[int, int]:
         found = ss.forward_kinematics(robot, L, guess)
         for i in range(poses):
             at = guess[0][i], guess[1][i]
-            own = float(distance(robot, at, (found.R[i], found.t[i])))
+            own = float(distance(at, (found.R[i], found.t[i])))
             for method in ("lm", "trf"):
                 other = plain(robot, L[i], *at, method)
                 if other is not None:
-                    its = float(distance(robot, at, other))
+                    its = float(distance(at, other))
                     assert own <= its * (1.0 + 1e-6) + 1e-7 * machine_size(robot), (seed, i, method)
                     count, farther = count + 1, farther + (own < 0.99 * its)
     return count, farther

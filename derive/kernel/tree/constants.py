@@ -21,7 +21,8 @@ STATUS = {
 
 SEARCH = {
     "NOT_CONVERGED": next((code, says) for name, code, says in STATUSES if name == "NOT_CONVERGED"),
-    "MAX_STEPS": (30, "steps after which the search of a pose ends"),
+    "MAX_STEPS": (30, "steps after which a search of a pose ends"),
+    "MAX_SEARCHES": (3, "searches of a pose that may not be the nearest to the guess"),
 }
 INTEGERS = STATUS | SEARCH
 """Whole numbers that written functions may use."""

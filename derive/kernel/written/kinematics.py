@@ -1,7 +1,9 @@
 """Kinematics of the legs, forward and inverse, in the part of Python that ``read`` reads.
 
 The search of a pose is Newton's on (2). Each step solves J d = miss by Householder's reflections, which
-leave the singular values of J as they are, so that its triangle also says how near to singular H is.
+leave the singular values of J as they are, so that its triangle also says how near to singular H is. If a
+bound does not prove that the pose found is the nearest to the guess, a damped search and a search from
+behind the next singular pose follow, and the nearest result counts.
 """
 
 
@@ -124,25 +126,26 @@ def substitute(A: "array(6, 7)", x: "array(6)") -> None:
         x[i] = where(size(A[i][i]) > 0.0, total / A[i][i], 0.0)
 
 
-def is_open(A: "array(6, 7)") -> "Integer":
+def is_open(legs: "LegsAtPose") -> "Integer":
     """1 where the triangle's condition number, by Frobenius norms, exceeds 1 / (16 sqrt(eps)), else 0. Two
     poses with the same lengths meet where H is singular, and sqrt(eps) from there they differ by
-    rounding: lengths known to rounding leave the pose open."""
+    rounding: lengths known to rounding leave the pose open. Stores |J^-1|^2 in ``legs``."""
     pivot = array(6)
     inverse = array(6)
     total = 0.0
     of_inverse = 0.0
     regular = 1
     for k in range(6):
-        regular = where(size(A[k][k]) > 0.0, regular, 0)
-        pivot[k] = where(size(A[k][k]) > 0.0, 1.0 / A[k][k], 0.0)
+        regular = where(size(legs.A[k][k]) > 0.0, regular, 0)
+        pivot[k] = where(size(legs.A[k][k]) > 0.0, 1.0 / legs.A[k][k], 0.0)
         for i in reversed(range(k + 1)):
             entry = where(i == k, 1.0, 0.0)
             for j in range(i + 1, k + 1):
-                entry = entry - A[i][j] * inverse[j]
+                entry = entry - legs.A[i][j] * inverse[j]
             inverse[i] = entry * pivot[i]
-            total = total + A[i][k] * A[i][k]
+            total = total + legs.A[i][k] * legs.A[i][k]
             of_inverse = of_inverse + inverse[i] * inverse[i]
+    legs.of_inverse = of_inverse
     return where((regular == 1) & (256.0 * EPSILON * total * of_inverse <= 1.0), 0, 1)
 
 
@@ -183,9 +186,9 @@ def make_rotation(R: "array(9)") -> "Integer":
     return near
 
 
-def length_of(vector: "array(3)") -> "Real":
-    """Length of a vector."""
-    return sqrt(vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2])
+def square_of(vector: "array(3)") -> "Real":
+    """Return the square of a vector's length."""
+    return vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2]
 
 
 def compare(L: "array(6)", legs: "LegsAtPose") -> "Real":
@@ -198,8 +201,47 @@ def compare(L: "array(6)", legs: "LegsAtPose") -> "Real":
     return worst
 
 
+def damp(A: "array(6, 7)", damping: "Real") -> None:
+    """Turn [J | miss] into [J^T J + damping E | J^T miss], the equations of a Levenberg-Marquardt step."""
+    J = array(6, 7)
+    for i in range(6):
+        for j in range(7):
+            J[i][j] = A[i][j]
+    for i in range(6):
+        for j in range(7):
+            total = where(i == j, damping, 0.0)
+            for k in range(6):
+                total = total + J[k][i] * J[k][j]
+            A[i][j] = total
+
+
+def per_longest_of(L: "array(6)") -> "Real":
+    """Return 1 over the largest of six lengths (1/m)."""
+    longest = L[0]
+    for i in range(1, 6):
+        longest = larger(L[i], longest)
+    return 1.0 / longest
+
+
+def trusted(
+    x: "array(6)", per_size: "Real", per_longest: "Real", along: "array(3)", turn: "array(3)"
+) -> None:
+    """Split a step x into [along; turn], no longer than a quarter of a radian and of the longest leg."""
+    for i in range(3):
+        along[i] = x[i]
+        turn[i] = x[i + 3] * per_size
+    # ``larger`` may evaluate its arguments twice.
+    way = 16.0 * per_longest * per_longest * square_of(along)
+    angle = 16.0 * square_of(turn)
+    excess = larger(larger(way, angle), 1.0)
+    shorter = 1.0 / sqrt(excess)
+    for i in range(3):
+        along[i] = along[i] * shorter
+        turn[i] = turn[i] * shorter
+
+
 def newton_step(
-    legs: "LegsAtPose", per_size: "Real", longest: "Real", along: "array(3)", turn: "array(3)"
+    legs: "LegsAtPose", per_size: "Real", per_longest: "Real", along: "array(3)", turn: "array(3)"
 ) -> None:
     """[along; turn] by which the legs no longer miss their lengths, or as much of it as is to be trusted:
     no more than a quarter of a radian and of the longest leg. Beyond it (2) is far from the straight
@@ -208,43 +250,44 @@ def newton_step(
     x = array(6)
     reflect(legs.A)
     substitute(legs.A, x)
-    for i in range(3):
-        along[i] = x[i]
-        turn[i] = x[i + 3] * per_size
-    shorter = larger(length_of(along) / (0.25 * longest), 1.0)
-    shorter = larger(length_of(turn) / 0.25, shorter)
-    shorter = 1.0 / shorter
-    for i in range(3):
-        along[i] = along[i] * shorter
-        turn[i] = turn[i] * shorter
+    trusted(x, per_size, per_longest, along, turn)
 
 
-def search(robot: "Robot", L: "array(6)", per_size: "Real", pose: "Pose", legs: "LegsAtPose") -> "Integer":
-    """Steps from a pose, with its legs, to lengths L; returns 1 if they were found, else 0."""
+def move(pose: "Pose", along: "array(3)", turn: "array(3)", going: "Integer") -> None:
+    """Move a pose by a step if ``going`` is 1."""
+    R = array(9)
+    turned = turned_by(turn)
+    for i in range(3):
+        for j in range(3):
+            part = turned.Q[3 * i] * pose.R[j] + turned.Q[3 * i + 1] * pose.R[3 + j]
+            R[3 * i + j] = part + turned.Q[3 * i + 2] * pose.R[6 + j]
+    polish(R, 0.5)
+    for i in range(9):
+        pose.R[i] = where(going == 1, R[i], pose.R[i])
+    for i in range(3):
+        pose.t[i] = where(going == 1, pose.t[i] + along[i], pose.t[i])
+
+
+def search(
+    robot: "Robot", L: "array(6)", per_size: "Real", damping: "Real", pose: "Pose", legs: "LegsAtPose"
+) -> "Integer":
+    """Step from a pose, with its legs, to lengths L. The first four steps are damped. Return 1 if a pose
+    with these lengths was found, else 0."""
     along = array(3)
     turn = array(3)
-    R = array(9)
-    longest = L[0]
+    per_longest = per_longest_of(L)
     status = OK
-    for i in range(1, 6):
-        longest = larger(L[i], longest)
     worst = compare(L, legs)
     going = 1
     for step in range(MAX_STEPS):
         going = where(status == OK, going, 0)
         going = where(worst > 4.0 * EPSILON * legs.reach, going, 0)
         if anywhere(going == 1):
-            newton_step(legs, per_size, longest, along, turn)
-            turned = turned_by(turn)
-            for i in range(3):
-                for j in range(3):
-                    part = turned.Q[3 * i] * pose.R[j] + turned.Q[3 * i + 1] * pose.R[3 + j]
-                    R[3 * i + j] = part + turned.Q[3 * i + 2] * pose.R[6 + j]
-            polish(R, 0.5)
-            for i in range(9):
-                pose.R[i] = where(going == 1, R[i], pose.R[i])
-            for i in range(3):
-                pose.t[i] = where(going == 1, pose.t[i] + along[i], pose.t[i])
+            part = where(step < 4, damping, 0.0)
+            if anywhere(part > 0.0):
+                damp(legs.A, part)
+            newton_step(legs, per_size, per_longest, along, turn)
+            move(pose, along, turn, going)
             status = legs_at(robot, pose, per_size, legs)
             worst = compare(L, legs)
         else:
@@ -264,29 +307,178 @@ def first_fault(L: "array(6)", guess: "Pose") -> "Integer":
     return status
 
 
+def flattest(A: "array(6, 7)", x: "array(6)") -> None:
+    """Estimate the direction x, of length 1, that changes the lengths least, by inverse iteration."""
+    for i in range(6):
+        x[i] = 1.0
+    for turn in range(3):
+        for i in range(6):
+            total = x[i]
+            for j in range(i):
+                total = total - A[j][i] * A[j][6]
+            A[i][6] = where(size(A[i][i]) > 0.0, total / A[i][i], 0.0)
+        substitute(A, x)
+        square = 0.0
+        for i in range(6):
+            square = square + x[i] * x[i]
+        per_norm = where(square > 0.0, 1.0 / sqrt(square), 0.0)
+        for i in range(6):
+            x[i] = x[i] * per_norm
+
+
+def cross(x: "array(3)", y: "array(3)", out: "array(3)") -> None:
+    """Compute the cross product of x and y."""
+    out[0] = x[1] * y[2] - x[2] * y[1]
+    out[1] = x[2] * y[0] - x[0] * y[2]
+    out[2] = x[0] * y[1] - x[1] * y[0]
+
+
+def go_beyond(
+    robot: "Robot", per_size: "Real", per_longest: "Real", pose: "Pose", legs: "LegsAtPose"
+) -> None:
+    """Move a pose near the one with the same lengths behind the next singular pose. The step goes along the
+    flattest direction, twice as far as the rate of the lengths takes to become 0."""
+    x = array(6)
+    v = array(3)
+    omega = array(3)
+    turning = array(3)
+    legs_at(robot, pose, per_size, legs)
+    reflect(legs.A)
+    flattest(legs.A, x)
+    for i in range(3):
+        v[i] = x[i]
+        omega[i] = x[i + 3] * per_size
+    square = 0.0
+    bent = 0.0
+    for i in range(6):
+        leg = vectors_of(robot.leg[i], pose)
+        cross(omega, leg.q, turning)
+        rate = 0.0
+        speed = 0.0
+        inward = 0.0
+        around = 0.0
+        along = 0.0
+        for j in range(3):
+            moving = v[j] + turning[j]
+            rate = rate + leg.S[j] * moving
+            speed = speed + moving * moving
+            around = around + omega[j] * leg.q[j]
+        for j in range(3):
+            inward = inward + leg.S[j] * leg.q[j]
+            along = along + leg.S[j] * omega[j]
+        rate = rate / leg.L
+        second = (speed - rate * rate + along * around - square_of(omega) * inward) / leg.L
+        square = square + rate * rate
+        bent = bent + rate * second
+    way = where(size(bent) > 0.0, -2.0 * square / bent, 0.0)
+    way = where(size(way) <= MAX, way, 0.0)
+    for i in range(6):
+        x[i] = way * x[i]
+    trusted(x, per_size, per_longest, v, omega)
+    move(pose, v, omega, 1)
+
+
+def apart(one: "Pose", other: "Pose", squares: "array(2)") -> None:
+    """Compute the squares of the distance (m^2) and of the angle (rad^2) between poses."""
+    way = 0.0
+    chord = 0.0
+    for i in range(9):
+        gap = one.R[i] - other.R[i]
+        chord = chord + gap * gap
+    for i in range(3):
+        gap = one.t[i] - other.t[i]
+        way = way + gap * gap
+    # The angle follows from its chord, 2 sin(angle / 2), whose square is half of the sum, by a series.
+    chord = 0.5 * chord
+    squares[0] = way
+    squares[1] = chord * (1.0 + chord * (0.08333333333333333 + 0.011111111111111112 * chord))
+
+
+def is_nearest(robot: "Robot", per_size: "Real", away: "Real", legs: "LegsAtPose") -> "Integer":
+    """Return 1 if any other pose with the same lengths is farther away than twice a distance, else 0.
+
+    ``away`` is the square of the distance. The proof bounds the second derivatives of the lengths."""
+    shortest = legs.L[0]
+    arm = 0.0
+    for i in range(6):
+        shortest = where(legs.L[i] < shortest, legs.L[i], shortest)
+        square = 0.0
+        for j in range(3):
+            square = square + robot.leg[i].p[j] * robot.leg[i].p[j]
+        arm = larger(square, arm)
+    arm = arm * per_size * per_size
+    bend = (1.0 + arm) / shortest + sqrt(arm) * per_size
+    return where(bend * bend * away * legs.of_inverse <= 1.0, 1, 0)
+
+
+def start_of(
+    robot: "Robot",
+    number: "Integer",
+    L: "array(6)",
+    per_size: "Real",
+    guess: "Pose",
+    pose: "Pose",
+    legs: "LegsAtPose",
+) -> "Integer":
+    """Replace ``pose``, the nearest found so far, by the first pose of a search, and return a status. The
+    third search starts behind the next singular pose, the others at the guess."""
+    if number == 2:
+        go_beyond(robot, per_size, per_longest_of(L), pose, legs)
+    else:
+        for each in numbers(guess):
+            pose[each] = guess[each]
+    status = legs_at(robot, pose, per_size, legs)
+    return status
+
+
 def pose_of(robot: "Robot", L: "array(6)", guess: "Pose") -> "FoundPose":
-    """The last pose tried for lengths L, from a guess, and a status."""
+    """Return the pose for lengths L that is nearest to a guess, and a status."""
     out = FoundPose()
     legs = LegsAtPose()
-    per_size = 1.0 / platform_size(robot)
+    start = Pose()
+    pose = Pose()
+    squares = array(2)
+    length = platform_size(robot)
+    per_size = 1.0 / length
     status = first_fault(L, guess)
     for number in numbers(guess):
-        out.pose[number] = guess[number]
-    near = make_rotation(out.pose.R)
+        start[number] = guess[number]
+    near = make_rotation(start.R)
     status = where((status != OK) | (near == 1), status, NOT_CONVERGED)
-    fault = legs_at(robot, out.pose, per_size, legs)
-    status = where(status == OK, fault, status)
-    if anywhere(status == OK):
-        found = search(robot, L, per_size, out.pose, legs)
-        reflect(legs.A)
-        fault = where(is_open(legs.A) == 1, SINGULAR, fault)
-        status = where(status == OK, where(found == 1, fault, NOT_CONVERGED), status)
+    going = where(status == OK, 1, 0)
+    best = MAX
+    for number in numbers(start):
+        out.pose[number] = start[number]
+    for turn in range(MAX_SEARCHES):
+        if anywhere(going == 1):
+            for number in numbers(start):
+                pose[number] = out.pose[number]
+            fault = start_of(robot, turn, L, per_size, start, pose, legs)
+            status = where((turn == 0) & (status == OK), fault, status)
+            going = where(status == OK, going, 0)
+            damping = where(turn == 1, 1e-3, 0.0)
+            found = search(robot, L, per_size, damping, pose, legs)
+            reflect(legs.A)
+            unsettled = is_open(legs)
+            fault = where(unsettled == 1, SINGULAR, OK)
+            apart(pose, start, squares)
+            away = squares[0] + squares[1]
+            take = where((going == 1) & (found == 1) & (away < best), 1, 0)
+            best = where(take == 1, away, best)
+            status = where(take == 1, fault, status)
+            for number in numbers(start):
+                out.pose[number] = where(take == 1, pose[number], out.pose[number])
+            settled = is_nearest(robot, per_size, squares[0] + length * length * squares[1], legs)
+            going = where((found == 1) & (settled == 1), 0, going)
+        else:
+            break
+    status = where((status == OK) & (best >= MAX), NOT_CONVERGED, status)
     out.status = status
     return out
 
 
 def forward_kinematics(robot: "Robot", L: "array(6)", guess: "Pose") -> "FoundPose":
-    """Pose in which the legs have the lengths L, m, by Newton's steps from a guess, and a status."""
+    """Return the pose with leg lengths L (m) nearest to a guess, by up to three searches, and a status."""
     out = pose_of(robot, L, guess)
     for number in numbers(guess):
         out.pose[number] = where(out.status == OK, out.pose[number], NAN)
@@ -304,7 +496,8 @@ def twist_of(robot: "Robot", pose: "Pose", L_dot: "array(6)") -> "Twist":
         legs.A[i][6] = L_dot[i]
     reflect(legs.A)
     substitute(legs.A, x)
-    status = where((status == OK) & (is_open(legs.A) == 1), SINGULAR, status)
+    unsettled = is_open(legs)
+    status = where((status == OK) & (unsettled == 1), SINGULAR, status)
     for i in range(3):
         out.v[i] = x[i]
         out.omega[i] = x[i + 3] * per_size

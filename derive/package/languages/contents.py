@@ -94,7 +94,7 @@ class Contents:
     @property
     def returned(self) -> dict[str, tuple[int, str]]:
         """Value and meaning of each status that a function may return, by name."""
-        possible = {"OK", *self.read} - {"MAX_STEPS"}
+        possible = {"OK", *self.read} - {"MAX_STEPS", "MAX_SEARCHES"}
         if not self.prepared:
             possible.discard("JOINT_SINGULAR")  # kinematics alone needs no joint axes
         return {name: of for name, of in INTEGERS.items() if name in possible}

@@ -93,8 +93,8 @@ class Language(ABC):
 
 
 _GUESS = """
-`forward_kinematics` mostly finds the pose beside its guess, whose R must be near a rotation; near singular
-poses and from afar another one may come out, or none: compare it with the guess."""
+`forward_kinematics` returns the nearest to its guess of the poses found by up to three searches. The guess's
+R must be near a rotation. From a guess farther than 0.05 (m and rad) compare the result with the guess."""
 
 
 def spoilt(kit: Contents, test: Vector, given: Mapping[str, Value]) -> Iterator[tuple[str, str, list[str]]]:

@@ -58,7 +58,7 @@ class RustKit(Language):
     def _numbers(self, kit: Contents) -> Iterable[str]:
         """Statuses and limits."""
         for name, (code, says) in kit.whole_numbers.items():
-            yield f"/// {says if name == 'MAX_STEPS' else f'Status: {says}'}."
+            yield f"/// {says if name in ('MAX_STEPS', 'MAX_SEARCHES') else f'Status: {says}'}."
             yield f"pub const {name}: usize = {code};"
 
     def _test(self, kit: Contents, number: int, test: Vector) -> str:
