@@ -108,7 +108,7 @@ STRUCTS: dict[str, tuple[Member, ...]] = {
         _flat("by_twist", (6, 6), "N s/m and N s/rad", "row-major"),
         _flat("by_acceleration", (6, 6), "N s^2/m and N s^2/rad", "row-major"),
     ),
-    "linearisation": (
+    "linearization": (
         _ACCELERATION,
         _flat("A", (12, 12), "mixed", "12 by 12, row-major"),
         _flat("B", (12, 6), "mixed", "12 by 6, row-major"),
@@ -329,9 +329,9 @@ CALLS: dict[str, Call] = {
         (_MOTION, _struct("derivatives")),
         True,
     ),
-    "linearisation": Call(
+    "linearization": Call(
         "Forward dynamics and d/dt [dt; dphi; dv; domega] = A [dt; dphi; dv; domega] + B dF.",
-        (_MOTION, _GIVEN_F, _struct("linearisation")),
+        (_MOTION, _GIVEN_F, _struct("linearization")),
         True,
     ),
     "inverse_kinematics": Call(

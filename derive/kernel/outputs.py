@@ -364,9 +364,9 @@ RESULTS = {
         Field("by_twist", _numbers(6, 6), "N s/m, N s: by [v; omega]"),
         Field("by_acceleration", _numbers(6, 6), "kg, kg m: by [a; alpha]"),
     ),
-    "linearisation": _result(
-        "Linearisation",
-        "Forward dynamics and its linearisation.",
+    "linearization": _result(
+        "LinearizationResult",
+        "Forward dynamics and its linearization.",
         Field("a", _numbers(3), "m/s^2: acceleration of the reference point"),
         Field("alpha", _numbers(3), "rad/s^2: angular acceleration"),
         Field("A", _numbers(12, 12), "by [dt; dphi; dv; domega]"),
@@ -392,7 +392,7 @@ def check_arrays(results: Mapping[str, Structure]) -> None:
 
 check_arrays(RESULTS)
 OUTPUTS = tuple(RESULTS)
-FORCED = ("forward_dynamics", "linearisation")
+FORCED = ("forward_dynamics", "linearization")
 """Outputs that take the actuator forces."""
 
 _STRUCTURES = (
@@ -415,7 +415,7 @@ _STRUCTURES = (
     _result("Apart", "What the rows give.", Field("x", _numbers(6), "m/s^2, rad/s^2: a and alpha")),
     _result(
         "SlopesApart",
-        "What the rows give of a linearisation.",
+        "What the rows give of a linearization.",
         Field("x", _numbers(6), "m/s^2, rad/s^2: a and alpha"),
         Field("A", _numbers(6, 24), "the rows solved"),
     ),

@@ -9,7 +9,7 @@ import numpy as np
 from ..generated.interface import STRUCTS
 from ..io.arguments import option
 from ..io.array_types import Array
-from ..robot.offsets import Offsets, need_no_offsets
+from ..robot.offsets import JointOffsets, need_no_offsets
 from ..robot.robot import Robot
 
 FORMULATIONS = ("exact", "paper")
@@ -53,7 +53,7 @@ def offset_kernel(robot: Robot, formulation: str) -> str:
     Raises ValueError for another formulation than "exact" and for universal platform joints.
     """
     need_offset_formulation(formulation)
-    if robot.offsets is not None and robot.offsets.spins:
+    if robot.offsets is not None and robot.offsets.has_spinning_parts:
         raise ValueError(
             'robot: offsets: platform_joint: expected "spherical", since no kernel has other ones; '
             "inverse_dynamics computes them"
@@ -92,7 +92,7 @@ def robot_numbers(robot: Robot, rotors: bool = False) -> Array:
 
 def offset_numbers(robot: Robot) -> Array:
     """The robot as the numbers of ``struct stewart_offset_robot``, in its order."""
-    offsets = Offsets() if robot.offsets is None else robot.offsets
+    offsets = JointOffsets() if robot.offsets is None else robot.offsets
     own = [columns(getattr(robot, name)) for name in (*LEG, *ROTOR)]
     return _numbers(robot, own + [columns(getattr(offsets, name)) for name in OFFSETS])
 

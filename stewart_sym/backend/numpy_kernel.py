@@ -12,7 +12,7 @@ import numpy as np
 from ..generated.interface import OUTPUTS
 from ..io.array_types import Array, Codes
 from ..motion.motion import Motion
-from ..results import OK, Forces, Reactions
+from ..results import OK, InverseDynamicsResult, JointReactionsResult
 from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot
 from .kernel import LEG, MOTION, PLATFORM, ROTOR, columns, module, robot_kernel, stored
@@ -33,7 +33,7 @@ class NumpyKernel:
         """Choose the module."""
         return cls(robot_kernel(robot, formulation), robot)
 
-    def forces(self, motion: Motion) -> Forces:
+    def forces(self, motion: Motion) -> InverseDynamicsResult:
         """Inverse dynamics of every pose; NaN where the status is not 0."""
         source, suspect = module(self.name), np.zeros(math.prod(motion.shape), dtype=np.bool_)
 
@@ -48,10 +48,10 @@ class NumpyKernel:
         found, status = on_arrays(solved, self._robot, motion, OUTPUTS["inverse_dynamics"])
         if suspect.any():
             close = suspect.reshape(motion.shape)
-            few = Motion.unchecked(**{name: value[close] for name, value in vars(loaded(motion)).items()})
+            few = Motion._unchecked(**{name: value[close] for name, value in vars(loaded(motion)).items()})
             status[close] = on_arrays(checked, self._robot, few, {})[1]
             _blank(found, status)
-        return Forces(**found, status=status)
+        return InverseDynamicsResult(**found, status=status)
 
     def terms(self, motion: Motion) -> dict[str, Array]:
         """D, K, H and c of every pose, nothing solved: numbers where H is singular, no status."""
@@ -78,12 +78,12 @@ class NumpyKernel:
 
         return on_arrays(run, self._robot, motion, OUTPUTS["joint_reactions"])[0]
 
-    def reactions(self, motion: Motion, bearing: Array) -> Reactions:
+    def reactions(self, motion: Motion, bearing: Array) -> JointReactionsResult:
         """Joint reactions of every pose; ``bearing`` (6,), m. NaN where the status is not 0."""
         forces = self.forces(motion)
         found = self.reactions_of(motion, forces.x, bearing)
         _blank(found, forces.status)
-        return Reactions(**found, status=forces.status)
+        return JointReactionsResult(**found, status=forces.status)
 
     @functools.cached_property
     def _robot(self) -> SimpleNamespace:

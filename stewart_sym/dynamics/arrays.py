@@ -250,35 +250,6 @@ def _prepared(robot: Robot, library: str, formulation: Formulation, dtype: Any) 
     return ArrayKernel(robot, import_module(library), formulation, dtype)
 
 
-def array_kernel(robot: Robot, xp: Any, formulation: Formulation = "exact", dtype: Any = None) -> ArrayKernel:
-    """Forces, equations of motion and forward dynamics on the arrays of a library.
-
-    Parameters
-    ----------
-    robot : Robot
-        The machine.
-    xp : object
-        An array namespace: ``numpy``, ``jax.numpy``, ``torch``, or another that follows the array API
-        standard.
-    formulation : {"exact", "paper"}, optional
-        The corrected equations or those printed.
-    dtype : object, optional
-        Type of real numbers; None for ``xp.float64`` or what the library puts in its place, as JAX
-        without ``jax_enable_x64`` does.
-
-    Returns
-    -------
-    ArrayKernel
-        The functions ``forces``, ``equations`` and ``forward_dynamics``.
-
-    Raises
-    ------
-    ValueError
-        For an unknown formulation, for no namespace, and for constants whose products overflow.
-    """
-    return ArrayKernel(robot, xp, formulation, dtype)
-
-
 def robot_structure(made: Any, robot: Any) -> Any:
     """A generated module's structure filled with a robot's numbers, legs first; (6,) of symmetric tensors."""
     for i, leg in enumerate(made.leg):

@@ -50,7 +50,7 @@ class ForceKernel(Frozen):
     Safe to share between threads.
 
     In float the solve takes its moments over a length, a power of two near the size of the platform, so that
-    pivots are as good on a machine of a millimetre as on one of ten metres; motions and forces are in SI
+    pivots are as good on a machine of a millimeter as on one of ten meters; motions and forces are in SI
     units.
 
     Attributes
@@ -78,7 +78,7 @@ class ForceKernel(Frozen):
         option(self.formulation, FORMULATIONS, "formulation")
         option(self.precision, ("double", "float"), "precision")
         rotors, offsets = takes_rotors(self.name), self.robot.offsets is not None
-        prepare = self.function("prepare")
+        prepare = self.c_function("prepare")
         model = prepared_model(prepare, self.robot, MODELS[self.name], self.precision, rotors, offsets)
         # As it lies in memory; a copy would be slower.
         object.__setattr__(self, "model", model)
@@ -147,7 +147,7 @@ class ForceKernel(Frozen):
         need_motion(self.robot, motion)
         return self.forces_and_status(motion, threads)[1]
 
-    def one_pose(self) -> "OnePose":
+    def single_pose(self) -> "OnePose":
         """Buffers for one pose at a time, for loops where every microsecond counts.
 
         Returns
@@ -219,7 +219,7 @@ class ForceKernel(Frozen):
         need_apart(arrays, F, status)
         self._shared(count, threads, lambda start, n: self._run(arrays, F, status, start, n, stride))
 
-    def forces_of_columns(
+    def forces_soa(
         self,
         R: ArrayLike,
         t: ArrayLike,
@@ -354,7 +354,7 @@ class ForceKernel(Frozen):
         widths = WIDTHS if stride is None else [1] * len(WIDTHS)
         places = [address(array, start * n) for array, n in zip((*arrays, F), widths, strict=True)]
         counts = [count] if stride is None else [count, stride]
-        self.function("forces_batch" if stride is None else "forces_columns")(
+        self.c_function("forces_batch" if stride is None else "forces_columns")(
             address(self.model),
             *map(ctypes.c_size_t, counts),
             (ctypes.c_void_p * len(arrays))(*places[:-1]),
@@ -367,7 +367,7 @@ class ForceKernel(Frozen):
         """Name of the generated kernel, as in ``stewart_<name>_forces.c``."""
         return force_kernel_name(self.robot, self.formulation, self.fidelity)
 
-    def function(self, what: str) -> Any:
+    def c_function(self, name: str) -> Any:
         """A C function of the kernel's compiled library.
 
         Parameters
@@ -380,7 +380,7 @@ class ForceKernel(Frozen):
         callable
             A function of ``ctypes``.
         """
-        return function(self.name, "forces", self.precision, what)
+        return function(self.name, "forces", self.precision, name)
 
 
 @dataclass(frozen=True, eq=False)
@@ -405,7 +405,7 @@ class OnePose:
             if array.dtype != wanted or array.shape != (size,) or not array.flags.carray:
                 raise ValueError(f"{name}: expected {size} writeable numbers of {wanted}")
         addresses = tuple(address(array, 0) for array in (self.kernel.model, self.numbers, self.F))
-        object.__setattr__(self, "_call", self.kernel.function("forces"))
+        object.__setattr__(self, "_call", self.kernel.c_function("forces"))
         object.__setattr__(self, "_addresses", addresses)
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -422,38 +422,6 @@ class OnePose:
         at = list(MOTION).index(name)
         start = sum(_WIDTHS[:at])
         return self.numbers[start : start + _WIDTHS[at]].reshape(MOTION[name])
-
-
-def prepare(
-    robot: Robot,
-    formulation: Formulation = "exact",
-    precision: Precision = "double",
-    fidelity: str = "general",
-) -> ForceKernel:
-    """Prepare a robot's constants for the fast force kernel, compiling it on first use.
-
-    Parameters
-    ----------
-    robot : Robot
-        The machine.
-    formulation : {"exact", "paper"}, optional
-        The corrected equations or those printed.
-    precision : {"double", "float"}, optional
-        Of the numbers in C.
-    fidelity : str, optional
-        How much of the legs' physics, one of ``fidelity.FIDELITIES``.
-
-    Returns
-    -------
-    ForceKernel
-        The robot with its prepared constants.
-
-    Raises
-    ------
-    ValueError
-        For an unknown formulation, precision or fidelity, native.CompilerError without a C compiler.
-    """
-    return ForceKernel(robot, formulation, precision, fidelity)
 
 
 def _parts(count: int, threads: int) -> list[tuple[int, int]]:

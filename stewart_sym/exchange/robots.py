@@ -11,7 +11,7 @@ from ..io.array_types import Array
 from ..motion import rotation
 from ..robot.drive import Drive
 from ..robot.fields import DEFAULT_GRAVITY
-from ..robot.offsets import Offsets
+from ..robot.offsets import JointOffsets
 from ..robot.robot import Robot
 from .chain import WORLD, Body, Joint, Model, same_frame
 from .machine import SLIDES
@@ -65,18 +65,18 @@ def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
         "M": platform.mass,
         "R_0": R @ platform.center,
         "I_p": R @ platform.inertia @ R.T,
-        "home": platform.t,
+        "home_position": platform.t,
         **{key: [leg.values[key] for leg in legs] for key in legs[0].values},
         "p": [R @ leg.p for leg in legs],
     }
     if offset:
         offsets: dict[str, Any] = {key: [leg.offset[key] for leg in legs] for key in legs[0].offset}
-        found["offsets"] = Offsets(**offsets)
+        found["offsets"] = JointOffsets(**offsets)
     drive = _drive(legs)
     robot, kept = with_notes(Robot(**found, drive=drive), model)
     if drive is not None and robot.drive is drive:
         said.append(f"armatures of the slides: rotors behind screws with a lead of {_LEAD:g} m")
-    if robot.home is not None:
+    if robot.home_position is not None:
         lines.append("home: the pose in the file")
     lines += [text for name, text in model.assumed.items() if machine.members[name] != WORLD]
     left_out = [f"left out: {text}" for text in _grouped([*model.left_out, *_beside_slides(model)])]
@@ -282,7 +282,7 @@ class _Leg:
         return np.stack([self.s, y, rotation.cross(self.s, y)], axis=-1)
 
     def _part(self, body: Body, ends: Sequence[Step], part: str, crosses: Sequence[str]) -> dict[str, Any]:
-        """Mass, centre of mass and inertia of the lower part, "d", or the upper one, "u", in its frame."""
+        """Mass, center of mass and inertia of the lower part, "d", or the upper one, "u", in its frame."""
         step = ends[-1] if part == "d" else ends[0]
         origin = self.machine.point(step, body.name) if len(ends) == 1 else None
         if origin is None:
@@ -326,7 +326,7 @@ class _Leg:
                 continue
             arm = body.placed(body.center) - self.b
             if np.linalg.norm(arm) > _OPEN * self.L:
-                raise self._error(f"body {body.name!r}: expected its centre of mass where the axes meet")
+                raise self._error(f"body {body.name!r}: expected its center of mass where the axes meet")
             about = k @ body.R @ body.inertia @ body.R.T @ k
             added = added + about * np.diag([1.0, 0.0, 1.0])
             self.said.append(f"leg {self.number}: inertia of {body.name!r} counts as the lower part's")

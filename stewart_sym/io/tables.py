@@ -154,7 +154,7 @@ def _is_utf8(data: bytes) -> bool:
 
 _KINDS = {
     "robot file": ({"platform", "leg"}, {"platform", "base"}),
-    "scene of simulate": ({"duration", "legs"},),
+    "scene of simulate": ({"duration", "actuation"},),
     "scene of advise": ({"motions", "tolerance"},),
     "file of via poses": ({"robot", "via"}, {"robot", "via_file"}),
 }
@@ -242,7 +242,7 @@ def checked_table(
 
 
 def _meant(key: str, known: Sequence[str]) -> str:
-    """The known key that an unknown one is a plural of, those that have it as a word, or the one spelt most
+    """The known key that an unknown one is a plural of, those that have it as a word, or the one spelled most
     like it; or nothing."""
     word = f"{key[:-3]}y" if key.endswith("ies") else key.removesuffix("s")
     near = [word] if word in known else [each for each in known if word in each.removesuffix("s").split("_")]

@@ -223,7 +223,7 @@ def _torques(robot: Robot, choice: Choice) -> list[Part]:
         prefix = file.removesuffix("_axial")
         found.append(_part(file, costs, ROBOT, ("axial",), says, prefix, files=made))
     assert robot.drive is not None
-    costs = {"motor_torques": f"{torque_operations(bool(np.any(robot.drive.stribeck))).total:,}"}
+    costs = {"motor_torques": f"{torque_operations(bool(np.any(robot.drive.stribeck_force))).total:,}"}
     says = "Torques and currents of the motors, from forces of the legs and rates of their lengths."
     if robot.has_rotors and rotor == "none":
         says += (

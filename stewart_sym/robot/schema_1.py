@@ -52,7 +52,7 @@ def values(d: object, file: str) -> dict[str, Any]:
         **found,
         "name": tables.title(top["name"], f"{file}name"),
         "base_joint": joint,
-        "accept": fields.accepted(top.get("accept", ()), f"{file}accept"),
+        "suppressed_warnings": fields.accepted(top.get("accept", ()), f"{file}accept"),
     }
 
 
@@ -64,7 +64,7 @@ def tables_of(given: Mapping[str, Any]) -> dict[str, Any]:
         "name": given["name"],
         "base_joint": given["base_joint"],
         "gravity": own["gravity"],
-        **({"accept": list(given["accept"])} if given["accept"] else {}),
+        **({"accept": list(given["suppressed_warnings"])} if given["suppressed_warnings"] else {}),
         "platform": own["platform"],
         "leg": [leg_table(given, i) for i in range(fields.LEGS)],
     }

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from command_line import rejects
 from exported_models import HEXAPOD, imported, written
-from machines import offset_case, random_robot, upside_down_in_millimetres
+from machines import offset_case, random_robot, upside_down_in_millimeters
 
 import stewart_sym as ss
 from stewart_sym.exchange.chain import Model
@@ -57,7 +57,7 @@ def robots() -> dict[str, ss.Robot]:
     """Machines of all kinds, one with every field that no format has a place for."""
     found = {name: ss.robots.load(name) for name in ss.robots.NAMES}
     found |= {f"random {i}": random_robot(np.random.default_rng(i), kind) for i, kind in enumerate(KINDS)}
-    found["upside down, mm"] = upside_down_in_millimetres()
+    found["upside down, mm"] = upside_down_in_millimeters()
     hexapod = ss.Robot.from_toml(HEXAPOD)
     limits = {
         "speed_limit": np.linspace(0.1, 0.6, 6),
@@ -80,11 +80,13 @@ KINDS = ("universal", "spherical")
 ROBOTS = robots()
 
 
-def without_notes(file: ss.ModelFile) -> ss.ModelFile:
+def without_notes(file: ss.ExportedModel) -> ss.ExportedModel:
     notes = r"<custom>.*?</custom>|<stewart_sym:notes>.*?</stewart_sym:notes>"
     text = re.sub(notes, "", file.text, flags=re.DOTALL)
-    loops = None if file.loops is None else json.dumps({**json.loads(file.loops), "notes": {}})
-    return ss.ModelFile(text, loops)
+    loops = (
+        None if file.loop_closures is None else json.dumps({**json.loads(file.loop_closures), "notes": {}})
+    )
+    return ss.ExportedModel(text, loops)
 
 
 PARTICULAR = ("dasgupta1998", "random 0", "random 1", "upside down, mm", "motion simulator", "all")
@@ -119,14 +121,14 @@ def test_notes_are_of_the_leg_they_name_in_files_of_any_order(form: str, moved: 
     parent.insert(next(i for i, child in enumerate(parent) if child.tag == element.tag), element)
     changed = ET.tostring(root, encoding="unicode")
     assert form != "sdf" or "<ns0:notes>" in changed
-    path = written(ss.ModelFile(changed, file.loops), tmp_path / "model")
+    path = written(ss.ExportedModel(changed, file.loop_closures), tmp_path / "model")
     found = ss.import_model(path)
     assert found.assumptions[0].startswith("legs in the order of the notes: 1 'lower_1' 'upper_1', 2 ")
     assert differences(found.robot, robot) == {}
     # Legs of other names are those of the file.
     renamed = changed.replace("leg_", "strut_")
-    loops = None if file.loops is None else file.loops.replace("leg_", "strut_")
-    other = ss.import_model(written(ss.ModelFile(renamed, loops), tmp_path / "renamed"))
+    loops = None if file.loop_closures is None else file.loop_closures.replace("leg_", "strut_")
+    other = ss.import_model(written(ss.ExportedModel(renamed, loops), tmp_path / "renamed"))
     assert any("notes: legs in the order of the file" in line for line in other.assumptions)
 
 
@@ -138,7 +140,7 @@ def test_a_machine_in_a_room_has_a_link_called_world_that_is_not_the_root(tmp_pa
         '<origin xyz="1 2 3"/></joint></robot>'
     )
     text = file.text.replace("</robot>", bolts)
-    found = ss.import_model(written(ss.ModelFile(text, file.loops), tmp_path / "room")).robot
+    found = ss.import_model(written(ss.ExportedModel(text, file.loop_closures), tmp_path / "room")).robot
     np.testing.assert_allclose(found.b - robot.b, np.tile([1.0, 2.0, 3.0], (6, 1)), atol=1e-12)
     np.testing.assert_allclose(found.p - found.p[0], robot.p - robot.p[0], atol=1e-12)
 
@@ -155,15 +157,17 @@ def test_a_changed_armature_is_a_rotor_of_the_noted_drive(tmp_path: Path) -> Non
     assert dataclasses.replace(found.robot.drive, rotor_inertia=robot.drive.rotor_inertia) == robot.drive
 
 
-def without_armatures(file: ss.ModelFile, table: bool = True) -> ss.ModelFile:
+def without_armatures(file: ss.ExportedModel, table: bool = True) -> ss.ExportedModel:
     """A file without armatures; ``table``: whether that of them stays, empty."""
     text = re.sub(r' armature=".*?"', "", file.text)
-    if file.loops is None:
-        return ss.ModelFile(text, None)
-    loops = {key: {} if key == "armature_kg" else value for key, value in json.loads(file.loops).items()}
+    if file.loop_closures is None:
+        return ss.ExportedModel(text, None)
+    loops = {
+        key: {} if key == "armature_kg" else value for key, value in json.loads(file.loop_closures).items()
+    }
     if not table:
         del loops["armature_kg"]
-    return ss.ModelFile(text, json.dumps(loops))
+    return ss.ExportedModel(text, json.dumps(loops))
 
 
 @pytest.mark.parametrize(("form", "table"), [("mjcf", True), ("urdf", True), ("urdf", False)])
@@ -246,14 +250,14 @@ def test_marks_that_turn_text_round_in_a_models_name_are_shown_as_their_numbers(
 
 
 def test_an_inertia_of_no_body_is_rejected_in_one_line_that_says_what_to_do() -> None:
-    robot = dataclasses.replace(ROBOTS["dasgupta1998"], accept=())
+    robot = dataclasses.replace(ROBOTS["dasgupta1998"], suppressed_warnings=())
     for form in ("mjcf", "sdf", "usd"):
         rejects(r'platform: .* break A .* accept "platform-inertia"', ss.export_model, robot, form)
     assert ss.export_model(robot, "urdf").text == ss.export_model(ROBOTS["dasgupta1998"], "urdf").text
 
 
 def test_an_inertia_of_no_body_that_is_accepted_is_written_as_the_nearest_possible() -> None:
-    with pytest.warns(ss.PhysicalityWarning) as caught:
+    with pytest.warns(ss.RobotWarning) as caught:
         file = ss.export_model(ROBOTS["dasgupta1998"], "mjcf")
     assert len([each for each in caught if "nearest possible" in str(each.message)]) == 3
     model = mujoco.MjModel.from_xml_string(file.text)
@@ -302,7 +306,7 @@ def test_shapes_have_the_lengths_of_the_parts_that_the_robot_states(tmp_path: Pa
 OFFSETS = {
     "example": ss.Robot.from_toml(HEXAPOD.with_name("offset-joints.toml")),
     "without crosses": dataclasses.replace(
-        ROBOTS["mathworks2002"], offsets=ss.Offsets(cross=0.01, across=-0.02)
+        ROBOTS["mathworks2002"], offsets=ss.JointOffsets(axis_offset=0.01, slide_offset_z=-0.02)
     ),
     **{f"random {seed}": offset_case(seed)[0] for seed in range(2)},
 }
@@ -315,7 +319,7 @@ def test_offset_joints_come_back_and_go_out_to_the_same_bytes(name: str, form: s
     file = ss.export_model(robot, form)
     found = ss.import_model(written(file, tmp_path / "model"))
     assert set(differences(found.robot, robot)) == {"offsets"}
-    for each in dataclasses.fields(ss.Offsets):
+    for each in dataclasses.fields(ss.JointOffsets):
         np.testing.assert_array_equal(
             getattr(found.robot.offsets, each.name), getattr(robot.offsets, each.name)
         )
@@ -330,7 +334,7 @@ def test_offsets_of_the_model_count_where_its_note_says_otherwise(tmp_path: Path
     with pytest.raises(ValueError, match="leg 1: joint 'tip_1': expected a loop that is closed"):
         imported(re.sub(lower, r"\g<1>0.012", text), tmp_path)
     found = imported(re.sub(lower, r"\g<1>0.0101", text), tmp_path)
-    assert found.robot.offsets.cross[0] == pytest.approx(0.0101)
+    assert found.robot.offsets.axis_offset[0] == pytest.approx(0.0101)
     assert "offsets: the model says otherwise than the note, the model is taken" in found.assumptions
 
 
@@ -352,7 +356,7 @@ def test_a_note_of_offsets_that_is_none_is_rejected_in_one_line(tmp_path: Path) 
 
 def test_a_leg_along_its_fixed_axis_is_rejected() -> None:
     robot = ROBOTS["mathworks2002"]
-    leg = robot.home + robot.p - robot.b
+    leg = robot.home_position + robot.p - robot.b
     k = np.array([*leg[:1], *robot.k[1:]])
     with pytest.raises(ValueError, match="leg 1: expected a fixed axis across the leg at home"):
         ss.export_model(dataclasses.replace(robot, k=k), "mjcf")

@@ -18,7 +18,7 @@ from hypothesis import strategies as st
 from robot_files import PAPERS, same
 
 from stewart_sym import robots
-from stewart_sym.robot.robot import PhysicalityWarning, Robot
+from stewart_sym.robot.robot import Robot, RobotWarning
 
 Tables = dict[str, Any]
 
@@ -156,7 +156,7 @@ def test_replace_makes_a_checked_copy() -> None:
     ],
 )
 def test_one_entry_is_that_of_all_legs(name: str, one: Any) -> None:
-    robot = dataclasses.replace(Robot.from_dict(machine()), home=[0.0, 0.0, 1.0])
+    robot = dataclasses.replace(Robot.from_dict(machine()), home_position=[0.0, 0.0, 1.0])
     found = dataclasses.replace(robot, **{name: one})
     assert same(found, dataclasses.replace(robot, **{name: [one] * 6}))
     message = error_of(lambda: dataclasses.replace(robot, **{name: [one] * 5}))
@@ -199,12 +199,12 @@ WRONG: list[tuple[tuple[str | int, ...], Any, str]] = [
     (
         ("leg_defaults", "friction", "universal"),
         -1e-9,
-        "leg_defaults.friction.universal: expected a number >= 0",
+        "leg_defaults.damping.universal: expected a number >= 0",
     ),
     (
         ("leg_defaults", "friction", "spherical"),
         math.inf,
-        "leg_defaults.friction.spherical: expected a finite",
+        "leg_defaults.damping.spherical: expected a finite",
     ),
     (("leg",), {}, "leg: expected six [[leg]] tables"),
     (("leg", 3), "x", "leg 4: expected a table, got 'x'"),
@@ -216,7 +216,7 @@ WRONG: list[tuple[tuple[str | int, ...], Any, str]] = [
     (("leg", 0, "base_point"), [0, 0], "leg 1: base_point: expected 3 finite numbers, got [0, 0]"),
     (("leg", 5, "platform_point", 2), False, "leg 6: platform_point: expected 3 finite numbers, got False"),
     (("leg", 2, "lower", "mass"), -2.5, "leg 3: lower.mass: expected a number > 0, got -2.5"),
-    (("leg", 2, "friction", "prismatic"), "high", "leg 3: friction.prismatic: expected a finite number"),
+    (("leg", 2, "friction", "prismatic"), "high", "leg 3: damping.prismatic: expected a finite number"),
     (
         ("leg", 2, "length_limits"),
         [2.0, 0.5],
@@ -239,7 +239,7 @@ MISSING: list[tuple[tuple[str | int, ...], str]] = [
     (("leg_defaults",), "leg 1: lower.mass: missing, here and in leg_defaults"),
     (("leg_defaults", "upper"), "leg 1: upper.mass: missing, here and in leg_defaults"),
     (("leg_defaults", "lower", "inertia"), "leg 1: lower.inertia: missing, here and in leg_defaults"),
-    (("leg_defaults", "friction"), "leg 1: friction.universal: missing, here and in leg_defaults"),
+    (("leg_defaults", "friction"), "leg 1: damping.universal: missing, here and in leg_defaults"),
     (("leg", 1, "base_point"), "leg 2: base_point: missing"),
     (("leg", 4, "platform_point"), "leg 5: platform_point: missing"),
     (("leg", 5, "universal_axis"), "leg 6: universal_axis: missing"),
@@ -254,7 +254,7 @@ MISSPELT: list[tuple[tuple[str | int, ...], str]] = [
     (("leg_defaults", "base_point"), "leg_defaults.base_point: unknown key"),
     (
         ("leg_defaults", "friction", "prism"),
-        'leg_defaults.friction.prism: unknown key, did you mean "prismatic"?',
+        'leg_defaults.damping.prism: unknown key, did you mean "prismatic"?',
     ),
     (("leg", 2, "universal_axes"), 'leg 3: universal_axes: unknown key, did you mean "universal_axis"?'),
     (("leg", 2, "lower", "mas"), 'leg 3: lower.mas: unknown key, did you mean "mass"?'),
@@ -341,14 +341,14 @@ def test_paper_machine_is_silent_for_its_file_accepts_what_it_is() -> None:
     with warnings.catch_warnings(action="error"):
         robot = robots.dasgupta1998()
         assert same(Robot.from_dict(robot.to_dict()), robot)
-    assert robot.accept == ("platform-inertia", "lower-inertia", "upper-inertia")
-    assert len(robot.physicality()) == 3
+    assert robot.suppressed_warnings == ("platform-inertia", "lower-inertia", "upper-inertia")
+    assert len(robot.find_invalid_inertias()) == 3
 
 
 @pytest.mark.parametrize("accepted", ["platform-inertia", "lower-inertia", "upper-inertia"])
 def test_a_file_accepts_the_warnings_that_it_names_and_no_other(accepted: str) -> None:
     d = robots.dasgupta1998().to_dict() | {"accept": [accepted]}
-    with pytest.warns(PhysicalityWarning) as caught:
+    with pytest.warns(RobotWarning) as caught:
         Robot.from_dict(d)
     assert len(caught) == 2
     assert not any(accepted in str(w.message) for w in caught)
@@ -366,12 +366,14 @@ def test_names_of_no_warning_are_not_accepted(accept: object, got: str) -> None:
 
 def test_paper_machine_warns_once_for_each_part_where_nothing_is_accepted(tmp_path: Path) -> None:
     path = tmp_path / "dasgupta1998.toml"
-    path.write_text(re.sub(r"accept = .*\n", "", PAPERS.read_text(encoding="utf-8")), encoding="utf-8")
+    path.write_text(
+        re.sub(r"suppress_warnings = .*\n", "", PAPERS.read_text(encoding="utf-8")), encoding="utf-8"
+    )
     with warnings.catch_warnings(record=True, action="always") as caught:
         robot = Robot.from_toml(path)
     messages = [str(w.message) for w in caught]
-    assert all(w.category is PhysicalityWarning for w in caught)
-    assert len(messages) == len(robot.physicality()) == 3
+    assert all(w.category is RobotWarning for w in caught)
+    assert len(messages) == len(robot.find_invalid_inertias()) == 3
     for message, part_name in zip(
         messages, ("platform:", "lower part of all legs:", "upper part of all legs:"), strict=True
     ):
@@ -383,7 +385,7 @@ def test_paper_machine_warns_once_for_each_part_where_nothing_is_accepted(tmp_pa
 def test_possible_machine_is_silent() -> None:
     with warnings.catch_warnings(action="error"):
         robot = Robot.from_dict(machine())
-    assert robot.physicality() == []
+    assert robot.find_invalid_inertias() == []
 
 
 @pytest.mark.parametrize(
@@ -401,16 +403,16 @@ def test_possible_inertias_are_those_of_bodies(moments: tuple[float, float, floa
     c, s = math.cos(0.6), math.sin(0.6)
     turn = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
     robot = dataclasses.replace(Robot.from_dict(machine()), I_p=turn @ np.diag(moments) @ turn.T)
-    assert (robot.physicality() == []) == possible
+    assert (robot.find_invalid_inertias() == []) == possible
 
 
 def test_physicality_names_the_legs() -> None:
     d = machine()
     for i in (1, 4):
         d["leg"][i]["upper"] = {"inertia": [[1, 0, 0], [0, 1, 0], [0, 0, 5]]}
-    with pytest.warns(PhysicalityWarning, match=r"robot: upper part of legs 2, 5: inertia"):
+    with pytest.warns(RobotWarning, match=r"robot: upper part of legs 2, 5: inertia"):
         robot = Robot.from_dict(d)
-    assert len(robot.physicality()) == 1
+    assert len(robot.find_invalid_inertias()) == 1
 
 
 @pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.PhysicalityWarning")

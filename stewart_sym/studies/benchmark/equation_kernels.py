@@ -56,7 +56,7 @@ SOLVED = 1e-8
 
 
 def _model(robot: Robot) -> Array:
-    return forces.prepare(robot, NAME).model
+    return forces.ForceKernel(robot, NAME).model
 
 
 @dataclass(frozen=True, eq=False)
@@ -123,7 +123,7 @@ def _other_rates(linear: str, angular: str) -> Callable[[Motion, Array], Motion]
     return moved
 
 
-def _expected_linearisation(robot: Robot, motion: Motion, F: Array) -> Sequence[Array]:
+def _expected_linearization(robot: Robot, motion: Motion, F: Array) -> Sequence[Array]:
     """Acceleration, A and B: at constant forces dF is zero, and [dphi] turns with the platform."""
     _, by_pose, by_twist, by_acceleration = _expected_derivatives(robot, motion, F)
     inverse = np.linalg.inv(by_acceleration)
@@ -155,12 +155,12 @@ FUNCTIONS = (
     ),
     Function(DERIVATIVES, "derivatives", _expected_derivatives, DIFFERENCES, struct="stewart_derivatives"),
     Function(
-        "linearisation",
-        "linearisation",
-        _expected_linearisation,
+        "linearization",
+        "linearization",
+        _expected_linearization,
         DIFFERENCES,
         before=("F",),
-        struct="stewart_linearisation",
+        struct="stewart_linearization",
     ),
     Function(
         REGRESSOR,

@@ -87,14 +87,14 @@ def solve_inertia(
 
 
 def accelerations_of(legs: "Legs", summed: "array(COUNT)", out: "Found") -> None:
-    """The accelerations of a pose; INDEFINITE where elimination leaves too little of M."""
+    """The accelerations of a pose; MASS_MATRIX_INDEFINITE where elimination leaves too little of M."""
     pivot = blank(array(6))
     out.status = legs.status
     if legs.status == OK:
         solve_inertia(summed, 1, out.acceleration, pivot)
         for k in each(6):
             if out.status == OK and not pivot[k] > KEPT * inertia[k, k]:
-                out.status = where(size(pivot[k]) <= MAX, INDEFINITE, NOT_FINITE)
+                out.status = where(size(pivot[k]) <= MAX, MASS_MATRIX_INDEFINITE, NOT_FINITE)
 
 
 # ---------------------------------------------------------------- derivatives
