@@ -14,7 +14,7 @@ from ..io.array_types import Array, Codes
 from ..motion.motion import Motion
 from ..results import OK, InverseDynamicsResult, JointReactionsResult
 from ..robot.offsets import need_no_offsets
-from ..robot.robot import Robot
+from ..robot.robot import Robot, of_symbol
 from .kernel import LEG, MOTION, PLATFORM, ROTOR, columns, module, robot_kernel, stored
 
 # Poses that the NumPy kernels take at once: larger arrays do not fit into the cache.
@@ -134,9 +134,9 @@ def _arithmetic() -> Any:
 def legs_side_by_side(robot: Robot) -> SimpleNamespace:
     """The robot as a structure of a generated module, a number of the legs as (6, 1)."""
     need_no_offsets(robot)
-    legs = {name: columns(getattr(robot, name)).T[..., None] for name in (*LEG, *ROTOR)}
-    leg = {name: list(rows) if np.ndim(getattr(robot, name)) > 1 else rows[0] for name, rows in legs.items()}
-    platform = {name: stored(np.asarray(getattr(robot, name))) for name in PLATFORM}
+    legs = {name: columns(of_symbol(robot, name)).T[..., None] for name in (*LEG, *ROTOR)}
+    leg = {name: list(rows) if np.ndim(of_symbol(robot, name)) > 1 else rows[0] for name, rows in legs.items()}
+    platform = {name: stored(np.asarray(of_symbol(robot, name))) for name in PLATFORM}
     parts = {name: list(each) if each.shape else each for name, each in platform.items()}
     return SimpleNamespace(leg=SimpleNamespace(**leg), **parts)
 

@@ -125,7 +125,7 @@ def _limited(robot: Robot, needs: ActuatorRequirementsResult) -> Iterator[_Limit
     yield _Limited("speed_limit", "m/s", 1.0, *peak("L_dot"), robot.speed_limit)
     yield _Limited("stroke", "m", 1.0, *whole(needs.stroke, "stroke"), high - low)
     for end, limits in zip(("base", "platform"), robot.joint_angle_limit.T, strict=True):
-        yield _Limited(f"joint_angle_limit at the {end}", "degrees", _DEGREES, *peak(end), limits)
+        yield _Limited(f"joint_angle_limit at the {end}", "degrees", _DEGREES, *peak(f"{end}_angle"), limits)
     if drive is not None and needs.rms_torque is not None:
         rms = whole(needs.rms_torque, "rms_torque")
         yield _Limited("drive.torque_limit", "N m", 1.0, *peak("torque"), np.asarray(drive.torque_limit))

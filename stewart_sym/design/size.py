@@ -256,12 +256,12 @@ def _course(robot: Robot, time: Array, motion: Motion, formulation: Formulation)
             motors["current"] = effort.current
     return {
         **motors,
-        "weight": trapezoids(time) if len(time) > 1 else np.ones(1),
+        "time_weight": trapezoids(time) if len(time) > 1 else np.ones(1),
         "F": F,
         "L": legs.L,
         "L_dot": legs.L_dot,
-        "base": legs.s,
-        "platform": legs.s @ motion.R,
+        "base_angle": legs.s,
+        "platform_angle": legs.s @ motion.R,
     }
 
 
@@ -273,9 +273,9 @@ def _joined(
         name: np.concatenate([course[name] for course in courses]) for name in courses[0]
     }
     neutral = []
-    for end in ("base", "platform"):
+    for end in ("base_angle", "platform_angle"):
         s = every[end]
-        mean = np.average(s, axis=0, weights=every["weight"])
+        mean = np.average(s, axis=0, weights=every["time_weight"])
         neutral.append(mean if robot.home_position is None else neutral_directions(robot))
         every[end] = angles_between(s, neutral[-1])
     if all(each.log is None or each.log.noise is None for each in given):
@@ -294,7 +294,9 @@ def _noise(
     """Deviations of a motion's course by its names, and which are those of replaced rows."""
     trajectory = Trajectory(given.time, given.motion, "", ()) if given.log is None else given.log
     found = all_deviations(robot, trajectory, formulation, neutral=neutral)
-    sd = {name: values for name, values in found._asdict().items() if name in (*course, "power")}
+    ends = {"base": "base_angle", "platform": "platform_angle"}
+    named = {ends.get(name, name): values for name, values in found._asdict().items()}
+    sd = {name: values for name, values in named.items() if name in (*course, "power")}
     if found.motors is not None and robot.drive is not None:
         motors = found.motors
         sd |= {"torque": motors.torque, "motor_speed": motors.speed, "motor_power": motors.power}
@@ -386,7 +388,9 @@ def _deviations(course: ActuatorHistory, sd: Mapping[str, Array], shares: Array)
         "stroke": ends[0] + ends[1],
         "rms_force": _rms(sd["F"], course.time_weight),
     }
-    found |= {f"{end}_angle": change(_largest, getattr(course, end), end) for end in ("base", "platform")}
+    found |= {
+        end: change(_largest, getattr(course, end), end) for end in ("base_angle", "platform_angle")
+    }
     found |= {"rms_torque": _rms(sd["torque"], course.time_weight)} if "torque" in sd else {}
     return {name: read_only(values) for name, values in found.items()}
 

@@ -15,7 +15,7 @@ from ..io.arguments import instance, leading_shape
 from ..io.frozen import Frozen
 from ..results import OK
 from ..robot.offsets import need_no_offsets
-from ..robot.robot import Robot
+from ..robot.robot import Robot, of_symbol
 from .inverse import Formulation
 
 
@@ -257,9 +257,9 @@ def robot_structure(made: Any, robot: Any) -> Any:
             need_no_offsets(robot)
         for name in vars(leg):
             owner = robot.offsets if name in OFFSETS else robot
-            setattr(leg, name, _components(getattr(owner, name)[i]))
+            setattr(leg, name, _components(of_symbol(owner, name)[i]))
     for name in vars(made).keys() - {"leg"}:
-        setattr(made, name, _components(getattr(robot, name)))
+        setattr(made, name, _components(of_symbol(robot, name)))
     return made
 
 

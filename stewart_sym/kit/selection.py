@@ -24,7 +24,7 @@ from ..io.array_types import Array
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
 from ..kinematics.inverse import inverse_kinematics, wrench_matrix
 from ..motion.motion import Motion
-from ..robot.robot import Robot
+from ..robot.robot import Robot, of_symbol
 from .choice import PRECISIONS
 from .interpreter import NEAR_JOINT_SINGULAR
 from .parts import fields, folded_kernel
@@ -79,7 +79,7 @@ class Numbered:
     def of(cls, robot: Robot) -> Self:
         """The robot by its numbers, limits among them."""
         names = (*fields(robot.has_rotors), "length_limits")
-        numbers = [np.asarray(getattr(robot, name)) for name in names]
+        numbers = [np.asarray(of_symbol(robot, name)) for name in names]
         numbers += [] if robot.drive is None else [*drive_numbers(robot.drive).values()]
         return cls(robot, tuple(each.tobytes() for each in numbers), robot.base_joint)
 

@@ -26,7 +26,7 @@ from ..kinematics.inverse import wrench_matrix
 from ..motion.motion import Motion
 from ..motion.rotation import orthonormal
 from ..results import JOINT_SINGULAR, SINGULAR, ZERO_LENGTH
-from ..robot.robot import LEGS, Robot
+from ..robot.robot import LEGS, Robot, of_symbol
 from .choice import PRECISIONS, STEMS
 from .interpreter import Found, KitInterpreter, Numbers
 from .parts import fields as fields_of
@@ -91,7 +91,7 @@ def _made(
 ) -> tuple[Vector, ...]:
     robot, kind = numbered.robot, PRECISIONS[precision]
     constants = {
-        name: np.asarray(getattr(robot, name), dtype=np.float64) for name in fields_of(robot.has_rotors)
+        name: np.asarray(of_symbol(robot, name), dtype=np.float64) for name in fields_of(robot.has_rotors)
     }
     if not baked:
         constants = {name: rounded(value, kind) for name, value in constants.items()}

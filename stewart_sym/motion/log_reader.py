@@ -175,6 +175,9 @@ def read_leg_columns(
         nonlocal group
         group = next((each for each in groups if each[0] in header), group)
         wanted = ["time", *group]
+        former = next((old for names in groups for old in map(_former, names) if old in header), None)
+        if former is not None and group[0] not in header:
+            raise ValueError(f"{source}: column {former}: renamed; write {former[:-1]}_{former[-1]}")
         _check_names(header, [*wanted, *header], source)
         need_columns(header, wanted, source)
 
@@ -192,6 +195,11 @@ def read_leg_columns(
     values = np.stack([columns[name] for name in group], axis=-1)
     clock, _ = _clock(columns["time"], values)
     return columns["time"] if clock is None else clock.times, values, group
+
+
+def _former(name: str) -> str:
+    """Return the former name of a column, F1 for F_1."""
+    return "".join(name.rsplit("_", 1))
 
 
 # Accelerations that no platform has, m/s^2, or m/s^2 per meter of a log's lengths where these are larger; and

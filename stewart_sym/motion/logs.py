@@ -91,7 +91,7 @@ class TrajectoryFormat:
             raise ValueError(f"columns: expected a mapping of names, got {shown(self.columns)}")
         choices: dict[str, Iterable[str]] = {name: UNITS[name] for name in _SI}
         choices |= {"delimiter": DELIMITERS, "decimal": DECIMALS}
-        choices |= {"euler_order": EULER_ORDERS, "lengths": LENGTHS}
+        choices |= {"euler_order": EULER_ORDERS, "length_mode": LENGTHS}
         for name, known in choices.items():
             if getattr(self, name) is not None:
                 option(getattr(self, name), tuple(known), name)

@@ -139,7 +139,7 @@ def _wide(values: Any) -> Any:
 GEOMETRY = ("g", "b", "p", "k")
 INERTIAL = (
     *("M", "R_0", "I_p", "m_d", "r_d0", "I_d0", "m_u", "r_u0", "I_u0"),
-    *("C_u", "C_p", "C_s", "m_r", "j_r"),
+    *("C_u", "C_p", "C_s", "reflected_mass", "rotor_momentum"),
 )
 """Numbers of a robot that its forces depend on: gravity and geometry, and those in which they are linear."""
 

@@ -201,7 +201,7 @@ FIELDS: dict[str, tuple[str, Check]] = {
     "R_0": ("platform.center_of_mass", tables.vector),
     "I_p": ("platform.inertia", inertia),
 }
-"""Path in a robot file of schema 1 and check of each field."""
+"""Path in a robot file, without the folder of the body, and check of each field."""
 
 LEG_FIELDS: dict[str, tuple[str, Check]] = {
     "b": ("base_point", tables.vector),
@@ -231,7 +231,7 @@ POSE_FIELDS: dict[str, Check] = {
     "euler_order": lambda value, where: tables.choice(value, EULER_ORDERS, where),
     "length_mode": lambda value, where: tables.choice(value, LENGTHS, where),
 }
-"""Check of the fields that say how poses of the machine are given; schema 1 has none of them."""
+"""Check of the fields that say how poses of the machine are given."""
 
 DEFAULTS: dict[str, Any] = {
     "home_position": None,
@@ -241,4 +241,4 @@ DEFAULTS: dict[str, Any] = {
     "drive": None,
     "offsets": None,
 }
-"""Fields that schema 1 does not have."""
+"""Values of the fields that a robot file may leave out."""

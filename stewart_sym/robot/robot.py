@@ -15,7 +15,7 @@ from ..io.arguments import shown
 from ..io.array_types import Array
 from ..io.error_policy import warn
 from ..io.frozen import Frozen
-from . import fields, schema_1, schema_2
+from . import fields, schema_2
 from .bodies import low_densities
 from .drive import Drive
 from .fields import DOUBTS as DOUBTS
@@ -23,8 +23,6 @@ from .fields import LEGS as LEGS
 from .fields import base_joint
 from .fields import legs_text as legs_text
 from .offsets import JointOffsets
-
-_SCHEMAS = {1: schema_1, 2: schema_2}
 
 
 class RobotWarning(UserWarning):
@@ -173,7 +171,7 @@ class Robot(Frozen):
 
     @classmethod
     def from_toml(cls, path: str | os.PathLike[str]) -> Robot:
-        """Read a robot file (TOML, schema 1 or 2).
+        """Read a robot file (TOML, schema 2).
 
         Parameters
         ----------
@@ -238,10 +236,10 @@ class Robot(Frozen):
         if not isinstance(d, Mapping):
             raise ValueError(f"{source}: expected a table, got {shown(d)}")
         tables.require(d, ("schema",), file, "missing")
-        schema = _SCHEMAS[tables.need_schema(d["schema"], tuple(_SCHEMAS), f"{file}schema")]
+        _need_schema(d["schema"], f"{file}schema")
         # Checked where a message can name the key, and so not again as fields.
         robot = object.__new__(cls)
-        robot._set(fields.DEFAULTS | schema.values(d, file))
+        robot._set(fields.DEFAULTS | schema_2.values(d, file))
         return robot
 
     def to_dict(self) -> dict[str, Any]:
@@ -250,14 +248,9 @@ class Robot(Frozen):
         Returns
         -------
         dict
-            Of schema 1 where that has all that the robot is, else of schema 2; SI units. ``from_dict`` undoes
-            it to the bit.
+            Tables of schema 2 in SI units. ``from_dict`` undoes the conversion to the bit.
         """
-        plain = self.home_position is None and self.length_mode == "absolute" and self.euler_order == "zyx"
-        plain = plain and self.drive is None and self.offsets is None
-        plain = plain and not (self.lower_length.any() or self.upper_length.any())
-        tables_of = schema_1.tables_of if plain and not self.tool.any() else schema_2.tables_of
-        return tables_of(vars(self))
+        return schema_2.tables_of(vars(self))
 
     @property
     def reflected_mass(self) -> Array:
@@ -298,6 +291,20 @@ class Robot(Frozen):
         return [message for _, message in impossible_inertias(self)]
 
 
+_SYMBOLS = {
+    "m_r": "reflected_mass",
+    "j_r": "rotor_momentum",
+    "cross": "axis_offset",
+    "along": "slide_offset_y",
+    "across": "slide_offset_z",
+}
+
+
+def of_symbol(owner: Any, symbol: str) -> Any:
+    """Return the attribute of a robot or of its offsets for a symbol of the generated code."""
+    return getattr(owner, _SYMBOLS.get(symbol, symbol))
+
+
 # Physicality
 
 
@@ -325,6 +332,17 @@ def inertia_fault(inertia: Array) -> list[str]:
     if A + B + tolerance < C:
         return [f"physically impossible: {moments} break A + B >= C by {C - A - B:.2g} kg m^2"]
     return []
+
+
+def _need_schema(value: object, where: str) -> None:
+    """Reject every schema but the one that is read, with the remedy for files of schema 1."""
+    if type(value) is int and value == 1:
+        remedy = (
+            'write schema = 2, six points in [base] and [platform], the inertia in [platform.body], what legs '
+            'share in [legs], and [leg.1] to [leg.6] in place of [[leg]]'
+        )
+        raise ValueError(f"{where}: schema 1 is no longer read; {remedy}")
+    tables.need_schema(value, (schema_2.SCHEMA,), where)
 
 
 def _warn(robot: Robot, d: Mapping[str, Any], source: str) -> None:

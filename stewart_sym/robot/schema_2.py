@@ -14,7 +14,7 @@ from ..io import tables
 from ..io.arguments import shown
 from ..io.array_types import Array
 from ..motion.text.unit_row import LENGTH_UNITS
-from . import fields, schema_1
+from . import fields
 from .bodies import INERTIA_KEYS, Meters, body
 from .drive import drive_of_tables, drive_tables
 from .offset_positions import lengths_at_home
@@ -254,30 +254,49 @@ class _Legs:
 
 
 def tables_of(given: Mapping[str, Any]) -> dict[str, Any]:
-    """The tables of a robot file, plain values alone and SI units; ``values`` undoes it to the bit."""
-    plain = schema_1.tables_of(given)
-    legs = plain.pop("leg")
-    platform = {"points": np.asarray(given["p"]).tolist(), "body": plain.pop("platform")}
-    ends = ("base_point", "platform_point")
-    home = given["home_position"]
+    """Return the tables of a robot file, plain values in SI units; ``values`` undoes it to the bit."""
+    body = _nested({name.partition(".")[2]: given[key] for key, (name, _) in fields.FIELDS.items() if key != "g"})
+    home, drive, offsets = given["home_position"], given["drive"], given["offsets"]
     trajectory = {key: np.asarray(given[key]).tolist() for key in _TRAJECTORY_KEYS}
-    drive = given["drive"]
     drives = [{}] * fields.LEGS if drive is None else [{"drive": table} for table in drive_tables(drive)]
-    offsets = given["offsets"]
     shared, joints = ({}, [{}] * fields.LEGS) if offsets is None else offset_tables(offsets)
+    accepted = given["suppressed_warnings"]
     return {
-        **plain,
         "schema": SCHEMA,
+        "name": given["name"],
+        "base_joint": given["base_joint"],
+        "gravity": np.asarray(given["g"]).tolist(),
+        **({"suppress_warnings": list(accepted)} if accepted else {}),
         **({} if home is None else {"home_position": home.tolist()}),
         "base": {"points": np.asarray(given["b"]).tolist()},
-        "platform": platform,
+        "platform": {"points": np.asarray(given["p"]).tolist(), "body": body},
         "legs": shared,
         "leg": {
-            n: {key: value for key, value in leg.items() if key not in ends} | own | joint
-            for n, leg, own, joint in zip(_NUMBERS, legs, drives, joints, strict=True)
+            n: _leg_table(given, i) | own | joint
+            for i, (n, own, joint) in enumerate(zip(_NUMBERS, drives, joints, strict=True))
         },
         "trajectory": trajectory,
     }
+
+
+def _leg_table(given: Mapping[str, Any], i: int) -> dict[str, Any]:
+    """Return the table of one leg, counted from 0, without its points."""
+    found = {path: given[name][i] for name, (path, _) in fields.LEG_FIELDS.items() if name not in ("b", "p")}
+    if given["base_joint"] == "spherical":
+        del found["universal_axis"]
+    stated = (
+        path for path, value in found.items() if not np.array_equal(value, fields.UNSTATED.get(path, np.nan))
+    )
+    return _nested({path: found[path] for path in stated})
+
+
+def _nested(found: Mapping[str, Any]) -> dict[str, Any]:
+    """Return tables of plain values by their paths."""
+    top: dict[str, Any] = {}
+    for path, value in found.items():
+        table, _, key = path.rpartition(".")
+        (top.setdefault(table, {}) if table else top)[key] = np.asarray(value).tolist()
+    return top
 
 
 # Points and axes

@@ -29,27 +29,26 @@ def part(mass: float, x: float) -> Tables:
 
 
 def machine() -> Tables:
-    """A possible machine with distinct legs; leg 3 overrides the defaults in part."""
+    """Return a possible machine with distinct legs; leg 3 overrides in part what legs share."""
     angles = np.arange(6) * np.pi / 3
-    legs: list[Tables] = [
-        {
-            "base_point": [math.cos(a), math.sin(a), 0.01 * i],
-            "platform_point": [0.5 * math.cos(a + 0.4), 0.5 * math.sin(a + 0.4), 0.0],
-            "universal_axis": [-3.0 * math.sin(a), 3.0 * math.cos(a), 0.1],
-        }
-        for i, a in enumerate(angles)
-    ]
-    legs[2] |= {"lower": {"mass": 7.5}, "friction": {"prismatic": 2.0}, "length_limits": [0.5, 2.0]}
-    legs[2] |= {"force_limit": 900.0, "speed_limit": 0.7}
+    legs: Tables = {
+        str(i): {"universal_axis": [-3.0 * math.sin(a), 3.0 * math.cos(a), 0.1]}
+        for i, a in enumerate(angles, 1)
+    }
+    legs["3"] |= {"lower": {"mass": 7.5}, "damping": {"prismatic": 2.0}, "length_limits": [0.5, 2.0]}
+    legs["3"] |= {"force_limit": 900.0, "speed_limit": 0.7}
+    body = {**part(40.0, 0.04), "inertia": [[1.0, 0.0, 0.1], [0.0, 1.1, 0.0], [0.1, 0.0, 1.5]]}
+    above = [[0.5 * math.cos(a + 0.4), 0.5 * math.sin(a + 0.4), 0.0] for a in angles]
     return {
-        "schema": 1,
+        "schema": 2,
         "name": "test machine",
         "gravity": [0.1, -0.2, -9.7],
-        "platform": {**part(40.0, 0.04), "inertia": [[1.0, 0.0, 0.1], [0.0, 1.1, 0.0], [0.1, 0.0, 1.5]]},
-        "leg_defaults": {
+        "base": {"points": [[math.cos(a), math.sin(a), 0.01 * i] for i, a in enumerate(angles)]},
+        "platform": {"points": above, "body": body},
+        "legs": {
             "lower": part(3.0, 0.4),
             "upper": part(1.0, -0.6),
-            "friction": {"universal": 0.1, "prismatic": 1, "spherical": 0.0},
+            "damping": {"universal": 0.1, "prismatic": 1, "spherical": 0.0},
         },
         "leg": legs,
     }
@@ -57,10 +56,10 @@ def machine() -> Tables:
 
 def spherical_machine() -> Tables:
     d = machine() | {"base_joint": "spherical"}
-    for leg in d["leg"]:
+    for leg in d["leg"].values():
         del leg["universal_axis"]
     for name in ("lower", "upper"):
-        body = d["leg_defaults"][name]
+        body = d["legs"][name]
         body["center_of_mass"][1:] = [0.0, 0.0]
         body["inertia"] = [[0.02, 0.0, 0.0], [0.0, 0.3, 0.0], [0.0, 0.0, 0.3]]
     return d
@@ -83,7 +82,7 @@ def test_values_stand_where_the_contract_puts_them() -> None:
 @pytest.mark.parametrize("scale", [5e-324, 1e-200, 1e-3, 1e200, 1e308])
 def test_axis_of_any_length_is_a_direction(scale: float) -> None:
     d = machine()
-    d["leg"][0]["universal_axis"] = [0.0, scale, -scale]
+    d["leg"]["1"]["universal_axis"] = [0.0, scale, -scale]
     np.testing.assert_allclose(Robot.from_dict(d).k[0], [0.0, math.sqrt(0.5), -math.sqrt(0.5)], rtol=1e-15)
 
 
@@ -95,8 +94,8 @@ def test_gravity_defaults_to_minus_z() -> None:
 
 def test_legs_need_no_defaults() -> None:
     d = machine()
-    defaults = d.pop("leg_defaults")
-    for leg in d["leg"]:
+    defaults = d.pop("legs")
+    for leg in d["leg"].values():
         for key, table in defaults.items():
             leg[key] = {**table, **leg.get(key, {})}
     assert same(Robot.from_dict(d), Robot.from_dict(machine()))
@@ -114,7 +113,7 @@ def test_to_dict_round_trips_exactly(tables: Callable[[], Tables]) -> None:
 @given(axis=st.tuples(*[st.floats(-1e6, 1e6)] * 3).filter(any))
 def test_any_axis_round_trips_exactly(axis: tuple[float, float, float]) -> None:
     d = machine()
-    d["leg"][4]["universal_axis"] = list(axis)
+    d["leg"]["5"]["universal_axis"] = list(axis)
     robot = Robot.from_dict(d)
     assert np.linalg.norm(robot.k[4]) == pytest.approx(1.0, abs=1e-15)
     assert same(robot, Robot.from_dict(robot.to_dict()))
@@ -172,7 +171,8 @@ def test_spherical_base_joint_has_no_axes() -> None:
 
 # Every wrong value: where it stands, what it is, what the message must hold.
 WRONG: list[tuple[tuple[str | int, ...], Any, str]] = [
-    (("schema",), 3, "schema: expected 1 or 2, got 3"),
+    (("schema",), 3, "schema: expected 2, got 3"),
+    (("schema",), 1, "schema: schema 1 is no longer read; write schema = 2, "),
     (("name",), 5, "name: expected one line of text, got 5"),
     (("name",), "", "name: expected text that is not blank, got ''"),
     (("name",), "two\nlines", "name: expected one line of text"),
@@ -182,49 +182,49 @@ WRONG: list[tuple[tuple[str | int, ...], Any, str]] = [
     (("gravity",), [0.0, -9.81], "gravity: expected 3 finite numbers"),
     (("gravity",), [0.0, 0.0, math.inf], "gravity: expected 3 finite numbers, got inf"),
     (("platform",), 40.0, "platform: expected a table, got 40.0"),
-    (("platform", "mass"), 0.0, "platform.mass: expected a number > 0, got 0"),
-    (("platform", "mass"), "40", "platform.mass: expected a finite number, got '40'"),
-    (("platform", "mass"), math.nan, "platform.mass: expected a finite number, got nan"),
-    (("platform", "mass"), 10**400, "platform.mass: expected a finite number"),
-    (("platform", "center_of_mass"), [0, 0, 0, 0], "platform.center_of_mass: expected 3 finite numbers"),
-    (("platform", "inertia"), [[1, 0, 0], [0, 1, 0]], "platform.inertia: expected 3 x 3 finite numbers"),
+    (("platform", "body", "mass"), 0.0, "platform.body.mass: expected a number > 0, got 0"),
+    (("platform", "body", "mass"), "40", "platform.body.mass: expected a finite number, got '40'"),
+    (("platform", "body", "mass"), math.nan, "platform.body.mass: expected a finite number, got nan"),
+    (("platform", "body", "mass"), 10**400, "platform.body.mass: expected a finite number"),
+    (("platform", "body", "center_of_mass"), [0, 0, 0, 0], "platform.body.center_of_mass: expected 3 finite numbers"),
+    (("platform", "body", "inertia"), [[1, 0, 0], [0, 1, 0]], "platform.body.inertia: expected 3 x 3 finite numbers"),
     (
-        ("platform", "inertia"),
+        ("platform", "body", "inertia"),
         [[1, 0.2, 0], [0.1, 1, 0], [0, 0, 1]],
-        "platform.inertia: expected a symmetric tensor, got 0.2 at (1, 2) and 0.1 at (2, 1)",
+        "platform.body.inertia: expected a symmetric tensor, got 0.2 at (1, 2) and 0.1 at (2, 1)",
     ),
-    (("platform", "inertia", 1, 1), math.nan, "platform.inertia: expected 3 x 3 finite numbers, got nan"),
-    (("leg_defaults",), 1, "leg_defaults: expected a table"),
-    (("leg_defaults", "lower", "inertia", 0, 1), 0.5, "leg_defaults.lower.inertia: expected a symmetric"),
+    (("platform", "body", "inertia", 1, 1), math.nan, "platform.body.inertia: expected 3 x 3 finite numbers, got nan"),
+    (("legs",), 1, "legs: expected a table"),
+    (("legs", "lower", "inertia", 0, 1), 0.5, "legs.lower.inertia: expected a symmetric"),
     (
-        ("leg_defaults", "friction", "universal"),
+        ("legs", "damping", "universal"),
         -1e-9,
-        "leg_defaults.damping.universal: expected a number >= 0",
+        "legs.damping.universal: expected a number >= 0",
     ),
     (
-        ("leg_defaults", "friction", "spherical"),
+        ("legs", "damping", "spherical"),
         math.inf,
-        "leg_defaults.damping.spherical: expected a finite",
+        "legs.damping.spherical: expected a finite",
     ),
     (("leg",), {}, "leg: expected six [[leg]] tables"),
-    (("leg", 3), "x", "leg 4: expected a table, got 'x'"),
+    (("leg", 3), "x", "leg.4.expected a table, got 'x'"),
     (
-        ("leg", 2, "universal_axis"),
+        ("leg", "3", "universal_axis"),
         [0, 0, 0],
-        "leg 3: universal_axis: expected a non-zero direction, got (0, 0, 0)",
+        "leg.3.universal_axis: expected a non-zero direction, got (0, 0, 0)",
     ),
-    (("leg", 0, "base_point"), [0, 0], "leg 1: base_point: expected 3 finite numbers, got [0, 0]"),
-    (("leg", 5, "platform_point", 2), False, "leg 6: platform_point: expected 3 finite numbers, got False"),
-    (("leg", 2, "lower", "mass"), -2.5, "leg 3: lower.mass: expected a number > 0, got -2.5"),
-    (("leg", 2, "friction", "prismatic"), "high", "leg 3: damping.prismatic: expected a finite number"),
+    (("leg", "1", "base_point"), [0, 0], "leg.1.base_point: expected 3 finite numbers, got [0, 0]"),
+    (("leg", "6", "platform_point", 2), False, "leg.6.platform_point: expected 3 finite numbers, got False"),
+    (("leg", "3", "lower", "mass"), -2.5, "leg.3.lower.mass: expected a number > 0, got -2.5"),
+    (("leg", "3", "damping", "prismatic"), "high", "leg.3.damping.prismatic: expected a finite number"),
     (
-        ("leg", 2, "length_limits"),
+        ("leg", "3", "length_limits"),
         [2.0, 0.5],
-        "leg 3: length_limits: expected [min, max] with 0 <= min < max",
+        "leg.3.length_limits: expected [min, max] with 0 <= min < max",
     ),
-    (("leg", 2, "length_limits"), [-0.1, 0.5], "leg 3: length_limits: expected [min, max]"),
-    (("leg", 2, "length_limits"), [0.5], "leg 3: length_limits: expected 2 finite numbers"),
-    (("leg", 2, "force_limit"), 0, "leg 3: force_limit: expected a number > 0"),
+    (("leg", "3", "length_limits"), [-0.1, 0.5], "leg.3.length_limits: expected [min, max]"),
+    (("leg", "3", "length_limits"), [0.5], "leg.3.length_limits: expected 2 finite numbers"),
+    (("leg", "3", "force_limit"), 0, "leg.3.force_limit: expected a number > 0"),
 ]
 
 
@@ -233,31 +233,31 @@ MISSING: list[tuple[tuple[str | int, ...], str]] = [
     (("name",), "name: missing"),
     (("platform",), "platform: missing"),
     (("leg",), "leg: missing"),
-    (("platform", "mass"), "platform.mass: missing"),
-    (("platform", "center_of_mass"), "platform.center_of_mass: missing"),
-    (("platform", "inertia"), "platform.inertia: missing"),
-    (("leg_defaults",), "leg 1: lower.mass: missing, here and in leg_defaults"),
-    (("leg_defaults", "upper"), "leg 1: upper.mass: missing, here and in leg_defaults"),
-    (("leg_defaults", "lower", "inertia"), "leg 1: lower.inertia: missing, here and in leg_defaults"),
-    (("leg_defaults", "friction"), "leg 1: damping.universal: missing, here and in leg_defaults"),
-    (("leg", 1, "base_point"), "leg 2: base_point: missing"),
-    (("leg", 4, "platform_point"), "leg 5: platform_point: missing"),
-    (("leg", 5, "universal_axis"), "leg 6: universal_axis: missing"),
+    (("platform", "body", "mass"), "platform.body.mass: missing"),
+    (("platform", "body", "center_of_mass"), "platform.body.center_of_mass: missing"),
+    (("platform", "body", "inertia"), "platform.body.inertia: missing"),
+    (("legs",), "leg.1.lower.mass: missing, here and in legs"),
+    (("legs", "upper"), "leg.1.upper.mass: missing, here and in legs"),
+    (("legs", "lower", "inertia"), "leg.1.lower.inertia: missing, here and in legs"),
+    (("legs", "damping"), "leg.1.damping.universal: missing, here and in legs"),
+    (("leg", "2", "base_point"), "leg.2.base_point: missing"),
+    (("leg", "5", "platform_point"), "leg.5.platform_point: missing"),
+    (("leg", "6", "universal_axis"), "leg.6.universal_axis: missing"),
 ]
 
 
 MISSPELT: list[tuple[tuple[str | int, ...], str]] = [
     (("gravitation",), 'gravitation: unknown key, did you mean "gravity"?'),
     (("legs",), 'legs: unknown key, did you mean "leg"?'),
-    (("platform", "centre_of_mass"), 'platform.centre_of_mass: unknown key, did you mean "center_of_mass"?'),
-    (("leg_defaults", "lowr"), 'leg_defaults.lowr: unknown key, did you mean "lower"?'),
-    (("leg_defaults", "base_point"), "leg_defaults.base_point: unknown key"),
+    (("platform", "body", "center_of_mass"), 'platform.body.center_of_mass: unknown key, did you mean "center_of_mass"?'),
+    (("legs", "lowr"), 'legs.lowr: unknown key, did you mean "lower"?'),
+    (("legs", "base_point"), "legs.base_point: unknown key"),
     (
-        ("leg_defaults", "friction", "prism"),
-        'leg_defaults.damping.prism: unknown key, did you mean "prismatic"?',
+        ("legs", "damping", "prism"),
+        'legs.damping.prism: unknown key, did you mean "prismatic"?',
     ),
-    (("leg", 2, "universal_axes"), 'leg 3: universal_axes: unknown key, did you mean "universal_axis"?'),
-    (("leg", 2, "lower", "mas"), 'leg 3: lower.mas: unknown key, did you mean "mass"?'),
+    (("leg", "3", "universal_axes"), 'leg.3.universal_axes: unknown key, did you mean "universal_axis"?'),
+    (("leg", "3", "lower", "mas"), 'leg.3.lower.mas: unknown key, did you mean "mass"?'),
     (("platform", "qqq"), "platform.qqq: unknown key, expected one of mass, center_of_mass, inertia"),
     (("two\nlines",), "'two\\nlines': unknown key"),
 ]
