@@ -68,6 +68,8 @@ from .kinematics.forward import forward_velocity as forward_velocity
 from .kinematics.inverse import inverse_kinematics as inverse_kinematics
 from .kinematics.inverse import wrench_matrix as wrench_matrix
 from .kinematics.inverse import wrench_matrix_rate as wrench_matrix_rate
+from .kinematics.jacobian import inverse_jacobian as inverse_jacobian
+from .kinematics.jacobian import jacobian as jacobian
 from .kinematics.mounting import AssemblyModeWarning as AssemblyModeWarning
 from .kinematics.mounting import up_direction as up_direction
 from .kinematics.offset_legs import MotorAnglesResult as MotorAnglesResult

@@ -135,7 +135,9 @@ def legs_side_by_side(robot: Robot) -> SimpleNamespace:
     """The robot as a structure of a generated module, a number of the legs as (6, 1)."""
     need_no_offsets(robot)
     legs = {name: columns(of_symbol(robot, name)).T[..., None] for name in (*LEG, *ROTOR)}
-    leg = {name: list(rows) if np.ndim(of_symbol(robot, name)) > 1 else rows[0] for name, rows in legs.items()}
+    leg = {
+        name: list(rows) if np.ndim(of_symbol(robot, name)) > 1 else rows[0] for name, rows in legs.items()
+    }
     platform = {name: stored(np.asarray(of_symbol(robot, name))) for name in PLATFORM}
     parts = {name: list(each) if each.shape else each for name, each in platform.items()}
     return SimpleNamespace(leg=SimpleNamespace(**leg), **parts)

@@ -84,7 +84,9 @@ def log_format(arguments: argparse.Namespace, source: Path | None = None) -> "Tr
     from ..motion.logs import TrajectoryFormat
 
     names = ("columns", "length_unit", "angle_unit", "time_unit", "delimiter", "decimal")
-    form = TrajectoryFormat(**{name: getattr(arguments, name) for name in (*names, "euler_order")}, length_mode=arguments.lengths)
+    form = TrajectoryFormat(
+        **{name: getattr(arguments, name) for name in (*names, "euler_order")}, length_mode=arguments.lengths
+    )
     return form if source is None else with_units_of(source, form)
 
 

@@ -388,9 +388,7 @@ def _deviations(course: ActuatorHistory, sd: Mapping[str, Array], shares: Array)
         "stroke": ends[0] + ends[1],
         "rms_force": _rms(sd["F"], course.time_weight),
     }
-    found |= {
-        end: change(_largest, getattr(course, end), end) for end in ("base_angle", "platform_angle")
-    }
+    found |= {end: change(_largest, getattr(course, end), end) for end in ("base_angle", "platform_angle")}
     found |= {"rms_torque": _rms(sd["torque"], course.time_weight)} if "torque" in sd else {}
     return {name: read_only(values) for name, values in found.items()}
 

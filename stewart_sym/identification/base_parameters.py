@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from ..dynamics.home_pose import home_pose, radius, upright
 from ..dynamics.inverse import need_universal
 from ..generated import exact_regressor
-from ..io.arguments import instance, option, truth
+from ..io.arguments import instance, truth
 from ..io.array_types import Array, Flags
 from ..kinematics.conditioning import characteristic_length
 from ..kinematics.inverse import inverse_kinematics, joint_sines

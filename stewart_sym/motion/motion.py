@@ -20,7 +20,7 @@ FLOAT_TOLERANCE = 16.0 * float(np.finfo(np.float32).eps)
 """Of R given as float32: its own rounding and that of the few operations that made it."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, kw_only=True)
 class Motion(Frozen):
     """Motion of the platform's reference point and frame; SI units, base frame unless said otherwise.
 
@@ -364,7 +364,9 @@ class Motion(Frozen):
         omega, alpha = rotation.angular_motion_from_vector(turns[0], turns[1], second)
         R = rotation.rotation_from_vector(turns[0])
         second_rate = None if a is None else alpha
-        return cls(R, t, omega, v, second_rate, a, F_ext, M_ext)  # type: ignore[arg-type]
+        return cls(  # type: ignore[arg-type]
+            R=R, t=t, omega=omega, v=v, alpha=second_rate, a=a, F_ext=F_ext, M_ext=M_ext
+        )
 
 
 def at_rest(

@@ -56,7 +56,7 @@ class SmoothingOptions:
     enabled: bool = True
 
     def __post_init__(self) -> None:
-        for name in ("position", "angle", "cutoff"):
+        for name in ("position_std", "angle_std", "cutoff_frequency"):
             if getattr(self, name) is not None and number(getattr(self, name), name) <= 0.0:
                 raise ValueError(f"{name}: expected a number > 0, got {getattr(self, name):g}")
 

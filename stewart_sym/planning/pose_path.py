@@ -62,10 +62,15 @@ class ViaPose(Frozen):
         for name, core in (("R", (3, 3)), ("t", (3,))):
             finite_array(getattr(self, name), core, name, batch=False)
         motion = pose_of((self.R, self.t), "pose", "a pose (R, t)")
-        low, high = (finite_array(getattr(self, name), (6,), name, batch=False) for name in ("tolerance_low", "tolerance_high"))
+        low, high = (
+            finite_array(getattr(self, name), (6,), name, batch=False)
+            for name in ("tolerance_low", "tolerance_high")
+        )
         if (low > 0.0).any() or (high < 0.0).any():
             raise ValueError("tolerance_low, tolerance_high: expected six numbers <= 0 and six >= 0")
-        self._set({"R": np.array(motion.R), "t": np.array(motion.t), "tolerance_low": low, "tolerance_high": high})
+        self._set(
+            {"R": np.array(motion.R), "t": np.array(motion.t), "tolerance_low": low, "tolerance_high": high}
+        )
 
     @property
     def has_tolerance(self) -> bool:

@@ -252,6 +252,53 @@ class Robot(Frozen):
         """
         return schema_2.tables_of(vars(self))
 
+    # Readable names of the paper's symbols.
+
+    @property
+    def platform_mass(self) -> float:
+        """Platform mass with payload (kg)."""
+        return self.M
+
+    @property
+    def platform_com(self) -> Array:
+        """Center of mass of the platform (m), platform frame, shape (3,)."""
+        return self.R_0
+
+    @property
+    def platform_inertia(self) -> Array:
+        """Inertia of the platform about its center of mass (kg m^2), platform frame, shape (3, 3)."""
+        return self.I_p
+
+    @property
+    def base_points(self) -> Array:
+        """Base points (m), base frame, shape (6, 3)."""
+        return self.b
+
+    @property
+    def platform_points(self) -> Array:
+        """Platform points (m), platform frame, shape (6, 3)."""
+        return self.p
+
+    @property
+    def universal_axes(self) -> Array:
+        """Unit fixed axes of the universal joints, base frame, shape (6, 3)."""
+        return self.k
+
+    @property
+    def lower_mass(self) -> Array:
+        """Masses of the lower parts (kg), shape (6,)."""
+        return self.m_d
+
+    @property
+    def upper_mass(self) -> Array:
+        """Masses of the upper parts (kg), shape (6,)."""
+        return self.m_u
+
+    @property
+    def gravity(self) -> Array:
+        """Gravity (m/s^2), base frame, shape (3,)."""
+        return self.g
+
     @property
     def reflected_mass(self) -> Array:
         """Reflected masses of the rotors, J_r N^2, kg, (6,); zero without a drive."""
@@ -338,8 +385,8 @@ def _need_schema(value: object, where: str) -> None:
     """Reject every schema but the one that is read, with the remedy for files of schema 1."""
     if type(value) is int and value == 1:
         remedy = (
-            'write schema = 2, six points in [base] and [platform], the inertia in [platform.body], what legs '
-            'share in [legs], and [leg.1] to [leg.6] in place of [[leg]]'
+            "write schema = 2, six points in [base] and [platform], the inertia in [platform.body], what legs "
+            "share in [legs], and [leg.1] to [leg.6] in place of [[leg]]"
         )
         raise ValueError(f"{where}: schema 1 is no longer read; {remedy}")
     tables.need_schema(value, (schema_2.SCHEMA,), where)

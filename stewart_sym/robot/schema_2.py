@@ -255,7 +255,9 @@ class _Legs:
 
 def tables_of(given: Mapping[str, Any]) -> dict[str, Any]:
     """Return the tables of a robot file, plain values in SI units; ``values`` undoes it to the bit."""
-    body = _nested({name.partition(".")[2]: given[key] for key, (name, _) in fields.FIELDS.items() if key != "g"})
+    body = _nested(
+        {name.partition(".")[2]: given[key] for key, (name, _) in fields.FIELDS.items() if key != "g"}
+    )
     home, drive, offsets = given["home_position"], given["drive"], given["offsets"]
     trajectory = {key: np.asarray(given[key]).tolist() for key in _TRAJECTORY_KEYS}
     drives = [{}] * fields.LEGS if drive is None else [{"drive": table} for table in drive_tables(drive)]

@@ -19,6 +19,7 @@ from machines import dasgupta, random_motion, random_robot
 
 import stewart_sym as ss
 from stewart_sym.backend import native
+from stewart_sym.backend.kernel import MOTION
 from stewart_sym.motion.motion import Motion
 from stewart_sym.studies.reports.workspace import grid, map_block, workspace_map
 
@@ -112,7 +113,7 @@ def test_a_prepared_kernel_runs_unchanged_under_map_blocks_and_apply_gufunc(
     arrays = [getattr(motion, field.name) for field in dataclasses.fields(motion)]
     blocks = [da.from_array(array, chunks=(37, *array.shape[1:])) for array in arrays]
     by_gufunc = da.apply_gufunc(
-        lambda *block: kernel.forces(Motion(*block), threads=2),
+        lambda *block: kernel.forces(Motion(**dict(zip(MOTION, block, strict=True))), threads=2),
         "(i,i)" + 7 * ",(i)" + "->(j)",
         *blocks,
         output_dtypes=kernel.dtype,

@@ -144,7 +144,7 @@ def test_bound_counts_how_far_R_is_from_a_rotation() -> None:
     robot, motion = machine_in_motion(rng)
     off = ss.Motion(
         R=motion.R + 1e-10 * rng.uniform(-1, 1, (3, 3)),
-        *(getattr(motion, name) for name in ("t", "omega", "v", "alpha", "a", "F_ext", "M_ext")),
+        **{name: getattr(motion, name) for name in ("t", "omega", "v", "alpha", "a", "F_ext", "M_ext")},
     )
     near, far = (ss.force_error_bounds(robot, m) for m in (motion, off))
     errors = np.abs(error(far.F, quad_forces(robot, off)))

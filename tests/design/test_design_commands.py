@@ -174,7 +174,7 @@ speed_limit = 120.0
 
 
 def test_joint_angles_are_compared_by_forces_and_view_as_by_size(folder: Path, run: Run) -> None:
-    file, home_position = folder / "hexapod.toml", "home_position = [0.0, 0.0, 0.65]\n"
+    file, home = folder / "hexapod.toml", "home_position = [0.0, 0.0, 0.65]\n"
     edit(file, 'name = "hexapod"\n', f'name = "hexapod"\n{home}')
     log = read_csv(folder / "trajectory.csv")
     needs = ss.actuator_requirements(ss.Robot.from_toml(file), [log])

@@ -52,7 +52,14 @@ def test_a_pose_without_an_answer_is_one_clear_line_or_nan_that_leaves_its_neigh
 @pytest.mark.parametrize("shape", [(), (3,)])
 def test_reactions_that_overflow_are_reported(backend, shape: tuple[int, ...]) -> None:
     robot = dasgupta()
-    motion = ss.Motion(R=np.eye(3), t=np.broadcast_to([0.13, 0.04, 0.6], (*shape, 3)), *np.zeros((4, 3)))
+    motion = ss.Motion(
+        R=np.eye(3),
+        t=np.broadcast_to([0.13, 0.04, 0.6], (*shape, 3)),
+        omega=np.zeros(3),
+        v=np.zeros(3),
+        alpha=np.zeros(3),
+        a=np.zeros(3),
+    )
     with warnings.catch_warnings(action="error"):
         found = ss.joint_reactions(robot, motion, backend=backend, bearing_distance=1e308, on_singular="nan")
     assert np.all(found.status == results.NOT_FINITE)

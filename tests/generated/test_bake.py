@@ -37,7 +37,7 @@ def baked_forces(robot: Robot, motion: Motion) -> Array:
 def motions(robot: Robot, count: int = 9) -> Motion:
     rng = np.random.default_rng(8)
     poses = [random_motion(rng, robot) for _ in range(count)]
-    return Motion(*(np.stack([getattr(pose, name) for pose in poses]) for name in MOTION))
+    return Motion(**{name: np.stack([getattr(pose, name) for pose in poses]) for name in MOTION})
 
 
 def simple_robot() -> Robot:

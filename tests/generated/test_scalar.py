@@ -43,7 +43,7 @@ def baked_kernel(robot: Robot, level: str, precision: str = "double") -> Kernel:
 
 def joined(motions: list[Motion]) -> Motion:
     poses = [loaded(motion) for motion in motions]
-    return Motion(*(np.stack([getattr(pose, name) for pose in poses]) for name in MOTION))
+    return Motion(**{name: np.stack([getattr(pose, name) for pose in poses]) for name in MOTION})
 
 
 def agree(kernel: Kernel, robot: Robot, motion: Motion, formulation: str, level: str) -> None:

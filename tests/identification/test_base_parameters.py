@@ -106,7 +106,9 @@ def test_machines_whose_forces_tell_less_lose_what_is_not_felt() -> None:
 
 def test_a_motion_tells_no_more_than_it_excites() -> None:
     robot = dasgupta()
-    at_rest = ss.Motion(R=np.eye(3), t=[0.1, 0.0, 0.5], *np.zeros((4, 3)))
+    at_rest = ss.Motion(
+        R=np.eye(3), t=[0.1, 0.0, 0.5], omega=np.zeros(3), v=np.zeros(3), alpha=np.zeros(3), a=np.zeros(3)
+    )
     assert ss.base_parameters(robot, at_rest).rank == 6
     path, step = ss.PAPER_PATHS["I"]
     motion = path.sample(path.time_grid(step))

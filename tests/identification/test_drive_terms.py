@@ -290,7 +290,10 @@ def test_few_noisy_poses_are_one_line(robot: ss.Robot, excited: ss.Excitation, r
 def test_coulomb_friction_of_legs_at_rest_is_told_by_no_pose(robot: ss.Robot, excited: ss.Excitation) -> None:
     n = len(excited.time)
     still = ss.Motion(
-        *(np.repeat(x[:1], n, axis=0) for x in (excited.motion.R, excited.motion.t)), *[np.zeros((n, 3))] * 2
+        R=np.repeat(excited.motion.R[:1], n, axis=0),
+        t=np.repeat(excited.motion.t[:1], n, axis=0),
+        omega=np.zeros((n, 3)),
+        v=np.zeros((n, 3)),
     )
     noise = ss.PoseNoise(excited.time, 1e-4, 1e-4)
     with pytest.raises(ValueError, match=r'\Amotion: expected legs that move, for "coulomb"'):

@@ -35,7 +35,9 @@ def records() -> dict[str, Frozen]:
         "Robot": robot,
         "Motion": random_motion(rng, robot, (3,)),
         "Motion of one instant": random_motion(rng, robot),
-        "Motion, broadcast": ss.Motion(R=np.eye(3), t=rng.normal(size=(4, 3)), *np.zeros((2, 3))),
+        "Motion, broadcast": ss.Motion(
+            R=np.eye(3), t=rng.normal(size=(4, 3)), omega=np.zeros(3), v=np.zeros(3)
+        ),
         "ForceKernel": ss.ForceKernel(robot, precision="float"),
         "FourierPath": ss.FourierPath([0, 0, 1], [0, 0, 0], np.ones((2, 6)), np.ones((2, 6)), 2.0),
         "LegSprings": ss.LegSprings(robot, 1e6, 1.0, np.arange(6.0)),

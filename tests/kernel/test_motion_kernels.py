@@ -57,7 +57,7 @@ def test_numpy_has_the_bits_of_the_c_batch_near_joint_singularities() -> None:
     rng = np.random.default_rng(17)
     robot = random_robot(rng)
     motions = [beside_the_joint_axis(rng, robot, sine) for sine in (0.12, 0.015, 1e-5, 1e-10, 0.0)]
-    motion = Motion(*(np.stack([getattr(each, name) for each in motions]) for name in FIELDS))
+    motion = Motion(**{name: np.stack([getattr(each, name) for each in motions]) for name in FIELDS})
     assert check_bits(robot, motion) == {0, JOINT_SINGULAR}
 
 

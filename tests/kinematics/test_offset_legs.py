@@ -35,7 +35,7 @@ def test_the_rate_of_h_without_offsets_is_that_of_ordinary_legs() -> None:
     wanted = ss.wrench_matrix_rate(plain, motion)
     found = ss.wrench_matrix_rate(dataclasses.replace(robot, offsets=ss.JointOffsets()), motion)
     np.testing.assert_allclose(found, wanted, rtol=0, atol=1e-13 * np.abs(wanted).max())
-    still = ss.Motion(R=motion.R, t=motion.t, *np.zeros((2, *motion.t.shape)))
+    still = ss.Motion(R=motion.R, t=motion.t, omega=np.zeros(motion.t.shape), v=np.zeros(motion.t.shape))
     assert not ss.wrench_matrix_rate(robot, still).any()
 
 

@@ -36,17 +36,19 @@ def test_rotations_in_float_are_taken_to_the_nearest_rotation_in_double() -> Non
     rng = np.random.default_rng(32)
     exact = rotation_from_rpy(rng.uniform(-4.0, 4.0, (1000, 3)))
     rounded = exact.astype(np.float32)
-    motion = Motion(R=rounded, *np.zeros((3, 3)))
+    motion = Motion(R=rounded, t=np.zeros(3), omega=np.zeros(3), v=np.zeros(3))
     assert motion.R.dtype == np.float64
     assert np.abs(motion.R - exact).max() < np.finfo(np.float32).eps
     product = np.swapaxes(motion.R, -1, -2) @ motion.R
     assert np.abs(product - np.eye(3)).max() < 8 * np.finfo(np.float64).eps
     # A slice and a second Motion of what is stored leave its bits alone.
-    assert np.array_equal(Motion(R=motion.R, *np.zeros((3, 3)))[3:7].R, motion.R[3:7])
+    assert np.array_equal(
+        Motion(R=motion.R, t=np.zeros(3), omega=np.zeros(3), v=np.zeros(3))[3:7].R, motion.R[3:7]
+    )
     for bad in (rounded.astype(np.float64), rounded * np.float32(1.0 + 1e-5), -rounded):
         rejects(r"R.*: expected a rotation matrix", Motion, bad, *np.zeros((3, 3)))
     with pytest.raises(ValueError, match=r"numbers of single precision, give R as an array of float32$"):
-        Motion(R=rounded.tolist(), *np.zeros((3, 3)))
+        Motion(R=rounded.tolist(), t=np.zeros(3), omega=np.zeros(3), v=np.zeros(3))
 
 
 @pytest.mark.parametrize("size", [5e-324, 1e-200, 1e200, 4e307])

@@ -384,7 +384,8 @@ def wild(count: int = 7) -> Trajectory:
     rng = np.random.default_rng(0)
     R = np.array([rotation(vector) for vector in rng.normal(size=(count, 3))])
     time = np.cumsum(rng.uniform(0.3, 1.0, count))
-    motion = ss.Motion(R=R, *rng.normal(size=(5, count, 3)), *rng.normal(size=(2, count, 3)))
+    names = ("t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
+    motion = ss.Motion(R=R, **dict(zip(names, rng.normal(size=(7, count, 3)), strict=True)))
     return Trajectory(time, motion, "wild.csv", tuple(range(2, count + 2)))
 
 

@@ -117,7 +117,12 @@ def test_what_bounds_no_motion_or_allows_none_is_one_line(limits: PathLimits, me
             ss.Motion(R=np.eye(3), t=np.zeros((2, 3)), omega=np.zeros(3), v=np.zeros(3)),
             "path: expected motions with accel",
         ),
-        (ss.Motion(R=np.eye(3), *np.zeros((5, 3))), "path: expected a motion of shape"),
+        (
+            ss.Motion(
+                R=np.eye(3), t=np.zeros(3), omega=np.zeros(3), v=np.zeros(3), alpha=np.zeros(3), a=np.zeros(3)
+            ),
+            "path: expected a motion of shape",
+        ),
     ],
 )
 def test_a_path_that_gives_something_else_is_one_line(found: object, words: str) -> None:

@@ -293,7 +293,9 @@ def test_a_stroke_is_about_the_length_along_the_line_of_sliding(joint: dict[str,
     del d["legs"]["length_limits"]
     d["legs"]["stroke"] = [-50.0, 30.0]
     robot = ss.Robot.from_dict(d)
-    L = ss.inverse_kinematics(robot, ss.Motion(R=np.eye(3), t=robot.home_position, *np.zeros((2, 3)))).L
+    L = ss.inverse_kinematics(
+        robot, ss.Motion(R=np.eye(3), t=robot.home_position, omega=np.zeros(3), v=np.zeros(3))
+    ).L
     np.testing.assert_allclose(robot.length_limits, np.stack([L - 0.05, L + 0.03], axis=-1), rtol=1e-14)
     plain = np.linalg.norm(robot.home_position + robot.p - robot.b, axis=-1)
     assert np.abs(L - plain).min() > 1e-3
@@ -306,7 +308,9 @@ def test_joints_swing_as_the_lines_of_sliding_do() -> None:
     d["legs"]["offsets"] |= UNIVERSAL
     robot = ss.Robot.from_dict(d)
     R = rotation_from_rpy(np.array([0.1, -0.05, 0.2]))
-    home, away = (ss.Motion(R=turn, t=robot.home_position, *np.zeros((2, 3))) for turn in (np.eye(3), R))
+    home, away = (
+        ss.Motion(R=turn, t=robot.home_position, omega=np.zeros(3), v=np.zeros(3)) for turn in (np.eye(3), R)
+    )
     s, neutral = (ss.inverse_kinematics(robot, pose).s for pose in (away, home))
     found = ss.joint_angles(robot, away)
     np.testing.assert_allclose(np.cos(found.base), np.sum(s * neutral, axis=-1), rtol=1e-12)
@@ -354,7 +358,9 @@ def test_results_are_those_of_offsets() -> None:
     assert ss.singularity(robot, motion).condition_number != ss.singularity(plain, motion).condition_number
     fixed = ss.Motion(R=motion.R, t=motion.t, omega=0 * motion.t, v=0 * motion.t)
     springs = ss.LegSprings.in_equilibrium(robot, fixed, 1e6)
-    held = ss.Motion(R=motion.R, t=motion.t, *np.zeros((4, 3)))
+    held = ss.Motion(
+        R=motion.R, t=motion.t, omega=np.zeros(3), v=np.zeros(3), alpha=np.zeros(3), a=np.zeros(3)
+    )
     np.testing.assert_allclose(springs(0.0, fixed), ss.inverse_dynamics(robot, held).F, rtol=1e-6)
     rejects("offsets", robot_numbers, robot)
 

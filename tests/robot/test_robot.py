@@ -186,14 +186,26 @@ WRONG: list[tuple[tuple[str | int, ...], Any, str]] = [
     (("platform", "body", "mass"), "40", "platform.body.mass: expected a finite number, got '40'"),
     (("platform", "body", "mass"), math.nan, "platform.body.mass: expected a finite number, got nan"),
     (("platform", "body", "mass"), 10**400, "platform.body.mass: expected a finite number"),
-    (("platform", "body", "center_of_mass"), [0, 0, 0, 0], "platform.body.center_of_mass: expected 3 finite numbers"),
-    (("platform", "body", "inertia"), [[1, 0, 0], [0, 1, 0]], "platform.body.inertia: expected 3 x 3 finite numbers"),
+    (
+        ("platform", "body", "center_of_mass"),
+        [0, 0, 0, 0],
+        "platform.body.center_of_mass: expected 3 finite numbers",
+    ),
+    (
+        ("platform", "body", "inertia"),
+        [[1, 0, 0], [0, 1, 0]],
+        "platform.body.inertia: expected 3 x 3 finite numbers",
+    ),
     (
         ("platform", "body", "inertia"),
         [[1, 0.2, 0], [0.1, 1, 0], [0, 0, 1]],
         "platform.body.inertia: expected a symmetric tensor, got 0.2 at (1, 2) and 0.1 at (2, 1)",
     ),
-    (("platform", "body", "inertia", 1, 1), math.nan, "platform.body.inertia: expected 3 x 3 finite numbers, got nan"),
+    (
+        ("platform", "body", "inertia", 1, 1),
+        math.nan,
+        "platform.body.inertia: expected 3 x 3 finite numbers, got nan",
+    ),
     (("legs",), 1, "legs: expected a table"),
     (("legs", "lower", "inertia", 0, 1), 0.5, "legs.lower.inertia: expected a symmetric"),
     (
@@ -249,7 +261,10 @@ MISSING: list[tuple[tuple[str | int, ...], str]] = [
 MISSPELT: list[tuple[tuple[str | int, ...], str]] = [
     (("gravitation",), 'gravitation: unknown key, did you mean "gravity"?'),
     (("legs",), 'legs: unknown key, did you mean "leg"?'),
-    (("platform", "body", "center_of_mass"), 'platform.body.center_of_mass: unknown key, did you mean "center_of_mass"?'),
+    (
+        ("platform", "body", "center_of_mass"),
+        'platform.body.center_of_mass: unknown key, did you mean "center_of_mass"?',
+    ),
     (("legs", "lowr"), 'legs.lowr: unknown key, did you mean "lower"?'),
     (("legs", "base_point"), "legs.base_point: unknown key"),
     (

@@ -71,7 +71,7 @@ def reshaped(share: Callable[[Array], Array], rate: Callable[[Array], Array], se
         motion, pace = III.sample(share(times)), rate(times)[:, None]
         rates = (motion.omega * pace, motion.v * pace)
         seconds = (motion.alpha * pace**2 + motion.omega * second, motion.a * pace**2 + motion.v * second)
-        return ss.Motion(R=motion.R, t=motion.t, *rates, *seconds)
+        return ss.Motion(R=motion.R, t=motion.t, omega=rates[0], v=rates[1], alpha=seconds[0], a=seconds[1])
 
     return path
 

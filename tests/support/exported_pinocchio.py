@@ -48,7 +48,7 @@ def accelerations(robot: ss.Robot, motion: ss.Motion, F: Array) -> Array:
 
 def _state(robot: ss.Robot, motion: ss.Motion, model: pin.Model) -> tuple[Array, Array]:
     """Joint coordinates and rates."""
-    q, v, home_position = pin.neutral(model), np.zeros(model.nv), model_of(robot)
+    q, v, home = pin.neutral(model), np.zeros(model.nv), model_of(robot)
     arm = robot.p @ motion.R.T
     S, Sdot = motion.t + arm - robot.b, motion.v + np.cross(motion.omega, arm)
     L = np.linalg.norm(S, axis=-1)

@@ -125,6 +125,8 @@ def calls() -> dict[str, Call]:
     add(ss.inverse_kinematics, **both)
     add(ss.wrench_matrix, **both)
     add(ss.wrench_matrix_rate, **both)
+    add(ss.inverse_jacobian, **both)
+    add(ss.jacobian, **both)
     add(ss.forward_kinematics, robot=robot, L=legs.L, guess=guess, on_failure="raise", limits=True)
     add(ss.forward_velocity, **pose, L_dot=legs.L_dot, on_failure="raise")
     add(ss.forward_acceleration, **pose, v=vector, omega=vector, L_ddot=legs.L_ddot, on_failure="raise")

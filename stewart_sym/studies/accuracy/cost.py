@@ -312,7 +312,7 @@ def _tasks(
         F, status = np.zeros((MANY, 6), dtype=kernel.dtype), np.zeros(MANY, dtype=np.int32)
         batch = functools.partial(kernel.forces_into, arrays, F, status)
         tasks[candidate, "batch"] = Task(repeated(batch), MANY)
-    motion = Motion(*slow)
+    motion = Motion(**dict(zip(MOTION, slow, strict=True)))
     for name, forces in ways.items():
         tasks[name, ""] = Task(repeated(functools.partial(forces, motion)), SLOW)
     return tasks

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ...backend.kernel import MOTION
 from ...io.array_types import Array
 from ...io.error_policy import warn
 from ...motion.motion import Motion
@@ -35,7 +36,7 @@ class Poses:
     @functools.cached_property
     def motion(self) -> Motion:
         """The same as a Motion."""
-        return Motion(*self.arrays)
+        return Motion(**dict(zip(MOTION, self.arrays, strict=True)))
 
     @functools.cached_property
     def rows(self) -> Array:

@@ -325,7 +325,9 @@ def _noisy(when: list[str], F: Array, F_sd: Array, share: float, cause: str, the
 def _need_forces(robot: Robot, where: str) -> None:
     """Reject a robot whose numbers are so large that forces overflow at home, at rates of 1 in SI units."""
     with warnings.catch_warnings(action="ignore"):
-        slow = Motion(R=np.eye(3), t=home_pose(robot).t, *np.ones((4, 3)))
+        slow = Motion(
+            R=np.eye(3), t=home_pose(robot).t, omega=np.ones(3), v=np.ones(3), alpha=np.ones(3), a=np.ones(3)
+        )
         found = inverse_dynamics(robot, slow, backend="numpy", on_singular="nan")
     if found.status == NOT_FINITE:
         raise ValueError(

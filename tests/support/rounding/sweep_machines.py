@@ -149,7 +149,7 @@ def robot_of(robot: ss.Robot, numbers: Array) -> ss.Robot:
 def motion_of(numbers: Array) -> ss.Motion:
     """The motion of shape () with the numbers of the C structure."""
     parts = np.split(numbers, np.cumsum([9, *[3] * 6]))
-    return ss.Motion(R=parts[0].reshape(3, 3), *parts[1:])
+    return ss.Motion(R=parts[0].reshape(3, 3), **dict(zip(list(MOTION)[1:], parts[1:], strict=True)))
 
 
 def joined(motions: list[ss.Motion]) -> ss.Motion:
