@@ -113,6 +113,8 @@ class EquationsOfMotionResult:
     friction : ndarray
         Wrench that overcomes the friction of the eighteen joints, N and N m, (..., 6).
     bias : ndarray
+        C [v; omega] + g, N and N m, (..., 6).
+    bias_and_friction : ndarray
         C [v; omega] + g + friction, N and N m, (..., 6).
     status : ndarray of int
         As in ``InverseDynamicsResult``; all else is NaN where it is not 0.
@@ -123,6 +125,7 @@ class EquationsOfMotionResult:
     g: Array
     friction: Array
     bias: Array
+    bias_and_friction: Array
     status: Codes
 
 

@@ -98,7 +98,8 @@ STRUCTS: dict[str, tuple[Member, ...]] = {
         _flat("C", (6, 6), "the same over s", "Coriolis and centrifugal matrix, row-major"),
         _flat("g", (6,), _WRENCH, "gravity"),
         _flat("friction", (6,), _WRENCH, "friction of the joints"),
-        _flat("bias", (6,), _WRENCH, "C [v; omega] + g + friction"),
+        _flat("bias", (6,), _WRENCH, "C [v; omega] + g"),
+        _flat("bias_and_friction", (6,), _WRENCH, "C [v; omega] + g + friction"),
         _flat("H", (6, 6), "1 and m", "from actuator forces to the wrench, row-major"),
         _flat("H_dot", (6, 6), "1/s and m/s", "rate of H, row-major"),
     ),
@@ -309,9 +310,9 @@ CALLS: dict[str, Call] = {
         (_MOTION, _struct("equations")),
         True,
     ),
-    "bias": Call(
+    "bias_and_friction": Call(
         "C [v; omega] + g + friction alone.",
-        (_MOTION, _out(_flat("bias", (6,), _WRENCH, "force and moment, base frame"))),
+        (_MOTION, _out(_flat("bias_and_friction", (6,), _WRENCH, "force and moment, base frame"))),
         True,
     ),
     "forward_dynamics": Call(

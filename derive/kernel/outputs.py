@@ -276,7 +276,7 @@ def _complete(block: Block, quantities: tuple[Quantity, ...]) -> Block:
 # ---------------------------------------------------------------- closed form
 
 
-PREFIX = {"forward_dynamics": "forward"}
+PREFIX = {"forward_dynamics": "forward", "bias_and_friction": "bias"}
 """Prefix of the names of a kernel's functions, where it is not the name of the kernel."""
 
 
@@ -340,11 +340,16 @@ RESULTS = {
         Field("C", _numbers(6, 6), "kg/s, kg m/s, kg m^2/s: Coriolis matrix"),
         Field("g", _numbers(6), "N, N m: gravity"),
         Field("friction", _numbers(6), "N, N m: friction"),
-        Field("bias", _numbers(6), "N, N m: C [v; omega] + g + friction"),
+        Field("bias", _numbers(6), "N, N m: C [v; omega] + g"),
+        Field("bias_and_friction", _numbers(6), "N, N m: C [v; omega] + g + friction"),
         Field("H", _numbers(6, 6), "1 and m: from F to the wrench on the platform"),
         Field("H_dot", _numbers(6, 6), "1/s and m/s: its rate"),
     ),
-    "bias": _result("Bias", "C [v; omega] + g + friction.", Field("bias", _numbers(6), "N, N m: the sum")),
+    "bias_and_friction": _result(
+        "BiasAndFriction",
+        "C [v; omega] + g + friction.",
+        Field("bias_and_friction", _numbers(6), "N, N m: the sum"),
+    ),
     "forward_dynamics": _result(
         "Accelerations",
         "Accelerations of the platform.",

@@ -29,7 +29,7 @@ class ArrayForces(NamedTuple):
 class ArrayEquations(NamedTuple):
     """M [a; alpha] + C [v; omega] + g + friction = H F + [R F_ext; R M_ext], and status (...).
 
-    M, C, H: (..., 6, 6); g, friction, bias = C [v; omega] + g + friction: (..., 6). N and N m, base frame.
+    M, C, H: (..., 6, 6); g, friction, bias = C [v; omega] + g, bias_and_friction: (..., 6). N and N m, base frame.
     """
 
     M: Any
@@ -37,6 +37,7 @@ class ArrayEquations(NamedTuple):
     g: Any
     friction: Any
     bias: Any
+    bias_and_friction: Any
     H: Any
     status: Any
 
@@ -147,7 +148,7 @@ class ArrayKernel(Frozen):
         return self._run("forces", ArrayForces, given | {"F_ext": F_ext, "M_ext": M_ext})
 
     def equations(self, R: Any, t: Any, omega: Any = None, v: Any = None) -> ArrayEquations:
-        """Terms of the equations of motion: M, C, g, friction, bias and H.
+        """Terms of the equations of motion: M, C, g, friction, bias, bias_and_friction, and H.
 
         Parameters
         ----------

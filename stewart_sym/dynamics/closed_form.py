@@ -26,7 +26,14 @@ from .forces import ForceKernel
 
 OUTPUTS: Mapping[str, Mapping[str, tuple[int, ...]]] = {
     what: _OUTPUTS[what]
-    for what in ("equations", "bias", "forward_dynamics", "joint_inertia", "derivatives", "linearization")
+    for what in (
+        "equations",
+        "bias_and_friction",
+        "forward_dynamics",
+        "joint_inertia",
+        "derivatives",
+        "linearization",
+    )
 }
 """What the functions hand out that sweeps hold against wider arithmetic, with the shape of a pose's part."""
 

@@ -79,7 +79,7 @@ def equations_of_motion(
     return found
 
 
-_TERMS = ("M", "C", "g", "friction", "bias")
+_TERMS = ("M", "C", "g", "friction", "bias", "bias_and_friction")
 
 
 def force_derivatives(

@@ -26,7 +26,7 @@ Expression = Any
 FUNCTIONS = {
     "F": "forces",
     **dict.fromkeys(("D", "K", "H", "c"), "terms"),
-    **dict.fromkeys(("M", "C", "g", "friction", "bias"), "equations"),
+    **dict.fromkeys(("M", "C", "g", "friction", "bias", "bias_and_friction"), "equations"),
     **dict.fromkeys(("a", "alpha"), "forward_dynamics"),
 }
 """What there are formulas of, and the function of the kernel trees that computes it."""
@@ -175,7 +175,7 @@ def symbolic(robot: Robot, quantity: str, formulation: Formulation = "exact") ->
     robot : Robot
         The machine.
     quantity : str
-        "F", "D", "K", "H" or "c" of (21), (24), (36), (37); "M", "C", "g", "friction" or "bias" of the
+        "F", "D", "K", "H" or "c" of (21), (24), (36), (37); "M", "C", "g", "friction", "bias", or "bias_and_friction" of the
         equations of motion; "a" or "alpha" of forward dynamics. Those of the last two are of `exact` and
         universal base joints. The formulas are those of a regular pose: no leg near the fixed axis of its
         universal joint, status 0, and no exchange of rows in the solves for F, a and alpha, so that F has a

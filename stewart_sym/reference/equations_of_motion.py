@@ -52,7 +52,9 @@ def _terms(wrench: ActuatorWrench, robot: Robot, motion: Motion) -> tuple[dict[s
     C = coriolis(
         lambda v, omega: wrench(bare, with_rates(motion, v, omega, still, still))[0], robot, motion, M
     )
-    return {"M": M, "C": C, "g": g, "friction": (resisted - inertial) / _SLOWLY, "bias": bias}, status
+    friction = (resisted - inertial) / _SLOWLY
+    terms = {"M": M, "C": C, "g": g, "friction": friction, "bias": bias - friction}
+    return terms | {"bias_and_friction": bias}, status
 
 
 _SLOWLY = 2.0**-100

@@ -97,7 +97,7 @@ def test_check_describes_the_papers_machine_and_warns_in_one_line_each(robot: Pa
 
 
 def test_check_puts_the_home_pose_in_the_middle_of_the_length_limits(robot: Path, run: Run) -> None:
-    edit(robot, "[leg_defaults.lower]", "[leg_defaults]\nlength_limits = [0.8, 1.2]\n\n[leg_defaults.lower]")
+    edit(robot, "[legs.lower]", "[legs]\nlength_limits = [0.8, 1.2]\n\n[legs.lower]")
     out = run("check", robot).out
     assert "length 0.8 to 1.2 m" in out
     lengths = next(line for line in out.splitlines() if line.startswith("leg lengths"))

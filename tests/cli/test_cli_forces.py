@@ -31,9 +31,9 @@ def test_forces_writes_what_the_library_computes(robot: Path, trajectory: Path) 
     expected = ss.inverse_dynamics(ss.Robot.from_toml(robot), motion)
     for i, row in enumerate(rows):
         assert float(row["time"]) == time[i]
-        assert [float(row[f"F{leg}"]) for leg in range(1, 7)] == expected.F[i].tolist()
+        assert [float(row[f"F_{leg}"]) for leg in range(1, 7)] == expected.F[i].tolist()
         assert row["status"] == "0"
-    assert list(rows[0])[7:] == [*(f"L{leg}" for leg in range(1, 7)), "condition_number", "status"]
+    assert list(rows[0])[7:] == [*(f"L_{leg}" for leg in range(1, 7)), "condition_number", "status"]
     assert len(rows) == len(time)
 
 
@@ -58,13 +58,13 @@ def test_forces_takes_formulation_backend_and_reactions(
 def test_forces_warns_of_each_limit_in_one_line_with_its_legs_and_the_worst(
     robot: Path, trajectory: Path, run: Run
 ) -> None:
-    limits = "[leg_defaults]\nlength_limits = [0.45, 5]\nforce_limit = 1000\nspeed_limit = 0.01\n"
-    edit(robot, "[leg_defaults.lower]", f"{limits}\n[leg_defaults.lower]")
+    limits = "[legs]\nlength_limits = [0.45, 5]\nforce_limit = 1000\nspeed_limit = 0.01\n"
+    edit(robot, "[legs.lower]", f"{limits}\n[legs.lower]")
     told = run("forces", robot, trajectory, "-o", robot.parent / "f.csv").err
     lines = [line for line in told.splitlines() if "exceeded" in line]
     rows = read(robot.parent / "f.csv")
     time = np.array([float(row["time"]) for row in rows])
-    F = np.array([[float(row[f"F{leg}"]) for leg in range(1, 7)] for row in rows])
+    F = np.array([[float(row[f"F_{leg}"]) for leg in range(1, 7)] for row in rows])
     over = np.flatnonzero((np.abs(F) > 1000.0).any(axis=0))
     legs = f"leg{'s' if len(over) > 1 else ''} {', '.join(str(leg + 1) for leg in over)}"
     assert [line.split(": warning: ")[1].split(":")[0] for line in lines if "force_limit" in line] == [
@@ -85,7 +85,7 @@ def test_times_since_1970_are_printed_in_full(robot: Path, trajectory: Path, run
     cells = [row.split(",", 1) for row in rows]
     moved = [f"{1_700_000_000.5 + float(time):.2f},{rest}" for time, rest in cells]
     trajectory.write_text("\n".join([header, *moved]) + "\n")
-    edit(robot, "[leg_defaults.lower]", "[leg_defaults]\nforce_limit = 1.0\n[leg_defaults.lower]")
+    edit(robot, "[legs.lower]", "[legs]\nforce_limit = 1.0\n[legs.lower]")
     asked = ["forces", str(robot), str(trajectory), "-o", str(trajectory.with_name("f.csv"))]
     found = run(*asked)
     assert "21 instants, 1700000000.5 to 1700000002.5 s; " in found.out

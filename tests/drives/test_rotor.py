@@ -64,7 +64,7 @@ def test_equations_of_motion_are_those_of_rotors_as_bodies(backend: Any) -> None
         robot, motion, _ = _case(seed)
         found = ss.equations_of_motion(robot, motion[:1], backend=backend)
         expected = _pinocchio_equations(seed)
-        for name in ("M", "C", "g", "friction", "bias"):
+        for name in ("M", "C", "g", "friction", "bias", "bias_and_friction"):
             a, b = getattr(found, name), getattr(expected, name)
             assert np.abs(a - b).max() < RELATIVE * np.abs(b).max(), (seed, name)
         F = ss.inverse_dynamics(robot, motion[:1], backend=backend).F

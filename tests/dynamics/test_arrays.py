@@ -34,7 +34,7 @@ def test_numbers_on_arrays_are_those_of_the_c(xp: Any, machine: str) -> None:
     np.testing.assert_array_equal(np.asarray(F.F), ss.ForceKernel(robot).forces(motion))
     assert F.status.shape == (3, 2)
     found, expected = kernel.equations(**fields(motion, RATES)), ss.equations_of_motion(robot, motion)
-    for name in ("M", "C", "g", "friction", "bias"):
+    for name in ("M", "C", "g", "friction", "bias", "bias_and_friction"):
         answer = getattr(expected, name)
         np.testing.assert_allclose(
             np.asarray(getattr(found, name)), answer, rtol=0, atol=1e-14 * np.abs(answer).max()

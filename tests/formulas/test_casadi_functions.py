@@ -40,7 +40,7 @@ def test_values_are_those_of_the_c(machine: str, checked: bool) -> None:
     )
     terms = called(ss.casadi_function(robot, "equations", checked=checked), motion)
     answers = ss.equations_of_motion(robot, motion)
-    for name in ("M", "C", "g", "friction", "bias"):
+    for name in ("M", "C", "g", "friction", "bias", "bias_and_friction"):
         answer = getattr(answers, name)
         np.testing.assert_allclose(terms[name], answer, rtol=0, atol=1e-14 * np.abs(answer).max())
     moved = called(ss.casadi_function(robot, "forward_dynamics", checked=checked), motion, F=expected.F)

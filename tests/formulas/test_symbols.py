@@ -14,7 +14,7 @@ from motion_fields import FIELDS
 import stewart_sym as ss
 
 OF_FORCES = ("F", "D", "K", "H", "c")
-OF_MOTION = ("M", "C", "g", "friction", "bias")
+OF_MOTION = ("M", "C", "g", "friction", "bias", "bias_and_friction")
 
 
 def value(formulas: ss.SymbolicResult, motion: ss.Motion, **more: Any) -> np.ndarray:

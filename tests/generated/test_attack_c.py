@@ -129,7 +129,7 @@ def test_every_kernel_has_an_oracle(rotors: bool) -> None:
     assert set(attack_build.SOME_WITH_ROTORS if rotors else attack_build.SOME) <= set(attacked)
     for stem, (kernel, kind) in attacked.items():
         header = (attack_build.GENERATED / f"{stem}.h").read_text()
-        entries = {"forces": "_prepare", "dynamics": "_joint_reactions_batch", "motion": "_bias"}
+        entries = {"forces": "_prepare", "dynamics": "_joint_reactions_batch", "motion": "_bias_and_friction"}
         entries |= {"bounds": "_forces_bounded_batch", "legs": "_batch", "regressor": "_regressor_batch"}
         entries |= {"axial": "_axial_forces"}
         if kind == "torque":

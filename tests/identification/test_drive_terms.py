@@ -323,7 +323,7 @@ def test_command_takes_currents(robot: ss.Robot, excited: ss.Excitation, tmp_pat
     machine = dataclasses.replace(robot, drive=drive)
     noisy = ss.drive_effort(machine, excited.motion).current
     noisy = noisy + 0.01 * np.random.default_rng(2).normal(size=noisy.shape)
-    given = tables(excited, tmp_path, {f"current{leg + 1}": noisy[:, leg] for leg in range(6)})
+    given = tables(excited, tmp_path, {f"current_{leg + 1}": noisy[:, leg] for leg in range(6)})
     words = ["identify", str(written(machine, tmp_path / "robot.toml")), *given, "--drive", "coulomb"]
     out = ["--sigma", "0.01", "--json", "-", "-o", str(tmp_path / "found")]
     found = json.loads(run(*words, *out).out)
@@ -345,7 +345,7 @@ def test_the_command_seeks_terms_of_measured_forces(
     robot: ss.Robot, excited: ss.Excitation, tmp_path: Path, run: Run
 ) -> None:
     F = motor_forces(robot, excited.motion) + SIGMA * np.random.default_rng(1).normal(size=(120, 6))
-    given = tables(excited, tmp_path, {f"F{leg + 1}": F[:, leg] for leg in range(6)})
+    given = tables(excited, tmp_path, {f"F_{leg + 1}": F[:, leg] for leg in range(6)})
     command = ["identify", str(written(robot, tmp_path / "robot.toml")), *given]
     command += ["--sigma", str(SIGMA), "--json", "-", "-o", str(tmp_path / "found")]
     found = {

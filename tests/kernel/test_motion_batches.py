@@ -17,7 +17,7 @@ from stewart_sym.dynamics.forces import ForceKernel
 from stewart_sym.generated.interface import STRUCTS
 from stewart_sym.io.array_types import Array
 
-WHAT = ("equations", "bias", "forward_dynamics", "derivatives", "linearization", "joint_inertia")
+WHAT = ("equations", "bias_and_friction", "forward_dynamics", "derivatives", "linearization", "joint_inertia")
 FORCED = ("forward_dynamics", "linearization")
 COUNT = 27
 """Three blocks of eight poses, and three more."""

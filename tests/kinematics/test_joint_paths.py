@@ -149,7 +149,7 @@ def written(path: Path) -> dict[str, Array]:
 
 
 def forces_of(table: dict[str, Array]) -> Array:
-    return np.column_stack([table[f"F{leg}"] for leg in range(1, 7)])
+    return np.column_stack([table[f"F_{leg}"] for leg in range(1, 7)])
 
 
 @pytest.mark.parametrize("loads", [True, False])
@@ -181,7 +181,7 @@ def test_lengths_without_rates_are_differentiated(tmp_path: Path) -> None:
     output = tmp_path / "forces.csv"
     assert main(["forces", str(PAPERS), str(trajectory), "-o", str(output)]) == 0
     table = written(output)
-    np.testing.assert_allclose(np.column_stack([table[f"L{leg}"] for leg in range(1, 7)]), L, atol=1e-13)
+    np.testing.assert_allclose(np.column_stack([table[f"L_{leg}"] for leg in range(1, 7)]), L, atol=1e-13)
     assert np.isfinite(forces_of(table)).all()
 
 

@@ -227,9 +227,9 @@ def test_poses_on_the_other_side_of_the_base_are_doubted(gravity: float, where: 
 def limited(folder: Path, limit: float) -> Path:
     """The paper's robot file with a limit of its forces."""
     text = PAPERS.read_text(encoding="utf-8")
-    limits = f"[leg_defaults]\nforce_limit = {limit!r}\n[leg_defaults.lower]"
+    limits = f"[legs]\nforce_limit = {limit!r}\n[legs.lower]"
     path = folder / "robot.toml"
-    path.write_text(text.replace("[leg_defaults.lower]", limits), encoding="utf-8")
+    path.write_text(text.replace("[legs.lower]", limits), encoding="utf-8")
     return path
 
 
@@ -245,7 +245,7 @@ def test_forces_reads_a_foreign_log_and_sums_up(tmp_path: Path, run: Run) -> Non
     assert "101 instants, 0 to 2 s" in told.out
     assert "100000 kept" in told.out
     header = out.read_text().splitlines()[0].split(",")
-    assert header[7:13] == [f"F{leg}_sd" for leg in range(1, 7)]
+    assert header[7:13] == [f"F_{leg}_std" for leg in range(1, 7)]
 
 
 def test_a_rate_that_leaves_few_instants_is_warned_of(tmp_path: Path, run: Run) -> None:
@@ -376,6 +376,6 @@ def test_times_rounded_to_milliseconds_are_those_of_their_even_clock(tmp_path: P
         found = read_csv(write(tmp_path / "log.csv", NAMES, rows))
     np.testing.assert_allclose(found.time, plain.time, rtol=0.0, atol=1e-5)
     np.testing.assert_allclose(found.motion.a, plain.motion.a, atol=1e-3 * np.abs(plain.motion.a).max())
-    names = ["time", *(f"F{leg}" for leg in range(1, 7))]
+    names = ["time", *(f"F_{leg}" for leg in range(1, 7))]
     time, *_ = read_leg_columns(write(tmp_path / "forces.csv", names, rows), PLAIN, (FORCES,))
     np.testing.assert_array_equal(time, found.time)

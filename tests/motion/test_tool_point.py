@@ -207,5 +207,5 @@ def test_subcommands_read_poses_of_the_tool(command: str, robot: ss.Robot, tmp_p
         run(command, *inputs, "--no-pictures", "-o", out)
         read = np.genfromtxt(out / table, delimiter=",", names=True)
         # Instants between the ends of a path are where it bends, as seen from its point.
-        results.append([read[f"L{i + 1}"][[0, -1]] for i in range(6)])
+        results.append([read[f"L_{i + 1}"][[0, -1]] for i in range(6)])
     np.testing.assert_allclose(results[0], results[1], rtol=1e-8)

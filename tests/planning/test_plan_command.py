@@ -336,4 +336,4 @@ def test_forces_of_the_written_trajectory_are_the_plans_own(tmp_path: Path) -> N
         np.genfromtxt(path, delimiter=",", names=True) for path in (out / "path.csv", Path(forces))
     )
     for leg in range(1, 7):
-        np.testing.assert_allclose(found[f"F{leg}"], expected[f"F{leg}"], rtol=0.0, atol=1e-9)
+        np.testing.assert_allclose(found[f"F_{leg}"], expected[f"F_{leg}"], rtol=0.0, atol=1e-9)

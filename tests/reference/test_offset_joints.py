@@ -142,7 +142,7 @@ def test_equations_of_motion_and_forward_dynamics_undo_inverse_dynamics(joint: s
     forces = ss.inverse_dynamics(robot, motion)
     e = ss.equations_of_motion(robot, motion)
     acceleration = np.concatenate([motion.a, motion.alpha], axis=-1)
-    needed = np.einsum("...ij,...j->...i", e.M, acceleration) + e.bias
+    needed = np.einsum("...ij,...j->...i", e.M, acceleration) + e.bias_and_friction
     given = np.einsum("...ij,...j->...i", forces.H, forces.F) + motion.external_wrench()
     assert _error(given, needed) < 1e-12
     assert _error(ss.forward_dynamics(robot, motion, F=forces.F).a, motion.a) < 1e-11

@@ -53,7 +53,10 @@ def results(robot: Robot, motion: Motion, backend: Any = "c") -> Results:
     linear = ss.linearize(robot, motion, dynamics.F, backend=closed)
     return {
         **{name: getattr(dynamics, name) for name in ("F", "D", "x", "K", "H", "c")},
-        **{name: getattr(equations, name) for name in ("M", "C", "g", "friction", "bias")},
+        **{
+            name: getattr(equations, name)
+            for name in ("M", "C", "g", "friction", "bias", "bias_and_friction")
+        },
         **{name: getattr(reactions, name) for name in ("F_s", "F_u", "F_p", "F_c", "M_p", "M_u")},
         **{name: getattr(legs, name) for name in ("L", "L_dot", "L_ddot", "s", "S")},
         **{name: getattr(derivatives, name) for name in ("by_pose", "by_twist", "by_acceleration")},
@@ -193,7 +196,7 @@ def test_results_follow_the_order_of_the_legs(seed: int, order: list[int]) -> No
     robot, motion = machine(seed)
     other = dataclasses.replace(robot, **{name: getattr(robot, name)[order] for name in PER_LEG})
     found, expected = results(other, motion), results(robot, motion)
-    of_platform = ("a", "alpha", "M", "C", "g", "friction", "bias", "c")
+    of_platform = ("a", "alpha", "M", "C", "g", "friction", "bias", "bias_and_friction", "c")
     for name in (set(SCALARS) | set(VECTORS)) - set(of_platform):
         expected[name] = expected[name][order]
     expected["joint_inertia"] = expected["joint_inertia"][:, order]

@@ -165,9 +165,14 @@ def test_a_robot_goes_through_tables_and_files_to_the_bit(joint: str, tmp_path: 
     assert same(ss.Robot.from_dict(json.loads(json.dumps(found.to_dict()))), found)
     assert found.to_dict()["schema"] == 2
     assert same(ss.Robot.from_toml(written(found, tmp_path / "again.toml")), found)
-    none = {"lower_length": np.zeros(6), "upper_length": np.zeros(6), "home": None, "tool": np.zeros(3)}
+    none = {
+        "lower_length": np.zeros(6),
+        "upper_length": np.zeros(6),
+        "home_position": None,
+        "tool": np.zeros(3),
+    }
     plain = dataclasses.replace(found, **none, euler_order="zyx", length_mode="absolute")
-    assert plain.to_dict()["schema"] == 1
+    assert plain.to_dict()["schema"] == 2
     assert same(ss.Robot.from_dict(plain.to_dict()), plain)
 
 
@@ -343,7 +348,7 @@ MISTAKES: list[tuple[str, str, str, str]] = [
     ("[leg.3]", "[leg.7]", "leg.7: unknown key, expected one of 1, 2, 3, 4, 5, 6", "[leg.7]"),
     ("[leg.3]", "[[leg]]", "leg: expected tables [leg.1] to [leg.6], got ", "[[leg]]"),
     ("mass = 9.0, ", "", "leg.3.lower.mass: missing, since legs.lower is by shape", "= [250"),
-    ("schema = 2", "schema = 1", "base: expected schema = 2 beside it, got schema = 1", "[base]"),
+    ("schema = 2", "schema = 1", "schema: schema 1 is no longer read; write schema = 2", "schema = 1"),
     ("[250, 0, 0]", "[250, 0]", "leg.3.lower.center_of_mass: expected 3 finite numbers", "[250, 0]"),
     ("[0.005, 0.2, 0.2]", "[[1, 2, 0], [0, 1, 0], [0, 0, 1]]", "leg.3.lower.inertia: expected a sym", "9.0"),
     ("friction.universal = 0.1", "friction.universal = true", "leg.3.damping.universal: expected a", "true"),

@@ -204,8 +204,8 @@ def test_constant_forces_and_a_load(scene: Path) -> None:
 
 def test_a_run_that_stops_says_which_leg_and_when(scene: Path, run: Run) -> None:
     robot = scene.parent / "robots" / "robot.toml"
-    limits = "[leg_defaults]\nspeed_limit = 0.2\n\n[leg_defaults.lower]"
-    robot.write_text(robot.read_text().replace("[leg_defaults.lower]", limits))
+    limits = "[legs]\nspeed_limit = 0.2\n\n[legs.lower]"
+    robot.write_text(robot.read_text().replace("[legs.lower]", limits))
     scene.write_text(SWING.replace("duration = 0.1", "duration = 9").replace("v = [0.05", "v = [0.4"))
     out = run("simulate", scene, "-o", scene.parent / "out", "--no-pictures").out
     assert "stopped    leg " in out

@@ -46,8 +46,8 @@ def scene(tmp_path: Path) -> Path:
 
 
 def limit_forces(scene: Path, limit: float) -> None:
-    defaults = "[leg_defaults.lower]\n"
-    edit(scene.parent / "robot.toml", defaults, f"[leg_defaults]\nforce_limit = {limit}\n{defaults}")
+    defaults = "[legs.lower]\n"
+    edit(scene.parent / "robot.toml", defaults, f"[legs]\nforce_limit = {limit}\n{defaults}")
 
 
 def machine() -> tuple[ss.Robot, ss.Motion]:

@@ -197,7 +197,9 @@ def test_control_writes_tables_curves_and_pictures_that_agree(tmp_path: Path, ru
 
 
 def test_control_takes_a_robot_and_warns_of_its_limits(tmp_path: Path, run: RunCommand) -> None:
-    text = PAPERS.read_text(encoding="utf-8").replace("[[leg]]", "[[leg]]\nforce_limit = 1000.0")
+    text = PAPERS.read_text(encoding="utf-8").replace(
+        "[legs.lower]", "[legs]\nforce_limit = 1000.0\n\n[legs.lower]"
+    )
     file = tmp_path / "weak.toml"
     file.write_text(text.replace('Dasgupta & Mruthyunjaya 1998"', 'weak"'))
     out = tmp_path / "out"

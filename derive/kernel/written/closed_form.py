@@ -66,26 +66,27 @@ def equations(model: "Model", motion: "Motion") -> "Equations":
             out.H_dot[i][j] = legs.leg[j].H_dot_force[i]
             out.H_dot[i + 3][j] = legs.leg[j].H_dot_moment[i]
     for i in range(6):
-        total_bias = out.g[i] + out.friction[i]
+        total_bias = out.g[i]
         for j in range(3):
             total_bias = total_bias + out.C[i][j] * motion.v[j] + out.C[i][j + 3] * motion.omega[j]
         out.bias[i] = total_bias
+        out.bias_and_friction[i] = total_bias + out.friction[i]
     out.status = legs.status
     check_equations(out)
     return out
 
 
-def bias(model: "Model", motion: "Motion") -> "Bias":
+def bias_and_friction(model: "Model", motion: "Motion") -> "BiasAndFriction":
     """C [v; omega] + g + friction without C."""
-    out = blank(Bias)
+    out = blank(BiasAndFriction)
     legs = blank(BiasLegs)
     summed = blank(BiasSums)
     bias_sums(model, motion, legs, summed)
     for i in range(3):
-        out.bias[i] = summed.bias_force[i]
-        out.bias[i + 3] = summed.bias_moment[i]
+        out.bias_and_friction[i] = summed.bias_force[i]
+        out.bias_and_friction[i + 3] = summed.bias_moment[i]
     out.status = legs.status
-    check_bias(out)
+    check_bias_and_friction(out)
     return out
 
 

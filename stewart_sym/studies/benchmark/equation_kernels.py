@@ -88,7 +88,7 @@ class Function:
 def _expected_equations(robot: Robot, motion: Motion, F: Array) -> Sequence[Array]:
     found = equations_of_motion(robot, motion)
     H, H_dot = wrench_matrix(robot, motion), wrench_matrix_rate(robot, motion)
-    return found.M, found.C, found.g, found.friction, found.bias, H, H_dot
+    return found.M, found.C, found.g, found.friction, found.bias, found.bias_and_friction, H, H_dot
 
 
 def _expected_derivatives(robot: Robot, motion: Motion, F: Array) -> tuple[Array, ...]:
@@ -143,7 +143,11 @@ def acceleration(motion: Motion) -> Array:
 
 FUNCTIONS = (
     Function(INVERSE, "forces", lambda robot, motion, F: (F,)),
-    Function("bias", "bias", lambda robot, motion, F: (equations_of_motion(robot, motion).bias,)),
+    Function(
+        "bias",
+        "bias_and_friction",
+        lambda robot, motion, F: (equations_of_motion(robot, motion).bias_and_friction,),
+    ),
     Function(EQUATIONS, "equations", _expected_equations, struct="stewart_equations"),
     Function(
         FORWARD, "forward_dynamics", lambda robot, motion, F: (acceleration(motion),), SOLVED, before=("F",)

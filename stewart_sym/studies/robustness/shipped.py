@@ -169,7 +169,7 @@ def _closed_form(robot: Robot, motion: Motion) -> tuple[Array, int]:
     load = np.concatenate(
         [motion.R @ (np.zeros(3) if part is None else part) for part in (motion.F_ext, motion.M_ext)]
     )
-    wrench = found.M @ np.concatenate([motion.a, motion.alpha]) + found.bias - load
+    wrench = found.M @ np.concatenate([motion.a, motion.alpha]) + found.bias_and_friction - load
     try:
         return np.linalg.solve(wrench_matrix(robot, motion), wrench), OK
     except (np.linalg.LinAlgError, ValueError):

@@ -20,7 +20,7 @@ static int one(int what, const MODEL *model, const stewart_motion *motion, const
 {
     switch (what) {
     case EQUATIONS: return KERNEL_NAME(_equations)(model, motion, (stewart_equations *)(void *)out);
-    case BIAS: return KERNEL_NAME(_bias)(model, motion, out);
+    case BIAS: return KERNEL_NAME(_bias_and_friction)(model, motion, out);
     case FORWARD_DYNAMICS: return KERNEL_NAME(_forward_dynamics)(model, motion, F, out);
     case JOINT_INERTIA: return KERNEL_NAME(_joint_inertia)(model, motion, out);
     case DERIVATIVES: return KERNEL_NAME(_derivatives)(model, motion, (stewart_derivatives *)(void *)out);

@@ -82,7 +82,7 @@ def fifty_digits(robot: ss.Robot, motion: ss.Motion, F: Array) -> dict[str, Arra
     return {
         "M": M,
         "H": H,
-        "bias": bias,
+        "bias and friction": bias,
         "forward dynamics": acceleration,
         "joint inertia": inverse * M * inverse.T,
         "F": inverse * (M * moving + loaded_bias),

@@ -35,11 +35,12 @@ def matrices(
         SYMMETRIC
     for i in range(6):
         for l in range(lanes):
-            total = number[(G + i) * lanes + l] + number[(FRICTION + i) * lanes + l]
+            total = number[(G + i) * lanes + l]
             for j in each(3):
                 total = total + number[(C + 6 * i + j) * lanes + l] * v[j * lanes + l]
                 total = total + number[(C + 6 * i + j + 3) * lanes + l] * omega[j * lanes + l]
             number[(BIAS + i) * lanes + l] = total
+            number[(WITH_FRICTION + i) * lanes + l] = total + number[(FRICTION + i) * lanes + l]
 
 
 def not_finite(number: "alone(Pointer(Real))", count: "Integer", none: "alone(array(LANES))") -> None:
@@ -51,8 +52,8 @@ def not_finite(number: "alone(Pointer(Real))", count: "Integer", none: "alone(ar
             none[l] = none[l] + 0.0 * number[LANES * i + l]
 
 
-def bias(model: "Model", motion: "Motion", out: "array(6)") -> "Integer":
-    """Bias of one pose."""
+def bias_and_friction(model: "Model", motion: "Motion", out: "array(6)") -> "Integer":
+    """Bias of one pose, with friction."""
     legs = blank(Legs)
     number = blank(array(6))
     none = 0.0

@@ -38,7 +38,7 @@ static void solved(
             continue;
         }
         status[k] = k == 0 ? stewart_exact_equations(&model, &at, &out->equations)
-            : k == 1       ? stewart_exact_bias(&model, &at, out->bias)
+            : k == 1       ? stewart_exact_bias_and_friction(&model, &at, out->bias)
             : k == 2       ? stewart_exact_forward_dynamics(&model, &at, F, out->acceleration)
             : k == 3       ? stewart_exact_joint_inertia(&model, &at, out->inertia)
             : k == 4       ? stewart_exact_derivatives(&model, &at, &out->derivatives)
