@@ -98,7 +98,7 @@ class Polytope(Frozen):
             For d = 6, whose parts have different units.
         """
         if self.normals.shape[-1] == 6:
-            raise ValueError(f"guaranteed: expected d = 3, {self.quantity} has parts of different units")
+            raise ValueError(f"inscribed_radius: expected d = 3, {self.quantity} has parts of different units")
         return np.asarray(self.offsets.min(axis=-1))
 
     def vertices(self) -> Array:

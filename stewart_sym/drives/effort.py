@@ -255,13 +255,13 @@ class Summary:
         flat = Instants(*(None if x is None else x.reshape(-1, LEGS) for x in part))  # type: ignore[arg-type]
         good = np.isfinite(flat.torque)
         each = weights.ravel()[:, None] * good
-        self.energy = self.energy + np.sum(each * np.where(good, flat.electrical, 0.0), axis=0)
+        self.energy = self.energy + np.sum(each * np.where(good, flat.electrical_power, 0.0), axis=0)
         self.squares = self.squares + np.sum(each * np.where(good, flat.torque, 0.0) ** 2, axis=0)
         self.span += float(weights.sum())
         if sd is not None:
             self.noisy = True
             counted = each > 0.0
-            self.energy_sd = self.energy_sd + np.sum(each * np.where(counted, sd.electrical, 0.0), axis=0)
+            self.energy_sd = self.energy_sd + np.sum(each * np.where(counted, sd.electrical_power, 0.0), axis=0)
             self._square_sd = self._square_sd + np.sum(each * np.where(counted, sd.torque, 0.0) ** 2, axis=0)
 
         def when(instants: list[int]) -> list[str]:

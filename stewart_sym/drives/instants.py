@@ -23,7 +23,7 @@ class Instants(NamedTuple):
     speed: Array
     current: Array | None
     power: Array
-    electrical: Array
+    electrical_power: Array
 
 
 def at_instants(robot: Robot, drive: Drive, motion: Motion, F: Array, L_dot: Array) -> Instants:

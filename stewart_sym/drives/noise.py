@@ -38,7 +38,7 @@ class MotorDeviations(NamedTuple):
     speed: Array
     current: Array | None
     power: Array
-    electrical: Array
+    electrical_power: Array
     torque_rise: Array
     torque_fall: Array
 

@@ -51,7 +51,7 @@ def damped_least_squares(
     ValueError
         Naming the argument.
     """
-    rcond = number_in(rcond, "share", "a number > 0 and < 1", high=1.0)
+    rcond = number_in(rcond, "rcond", "a number > 0 and < 1", high=1.0)
     scaled, wrench = moments_over(H, length), real_array(c, "c", "wrenches of shape (..., 6)")
     if wrench.shape[-1:] != (6,):
         raise ValueError(f"c: expected wrenches of shape (..., 6), got shape {wrench.shape}")

@@ -131,7 +131,7 @@ def identify(
         base parameter; pass ``base_parameters(robot, motion)`` to identify what it does excite.
     """
     need_universal(robot)
-    truth(enforce_physical, "physical")
+    truth(enforce_physical, "enforce_physical")
     if enforce_physical:
         need("scipy", POSSIBLE)
     if isinstance(pose_noise, PoseNoise) and pose_noise.period is None:
@@ -213,7 +213,7 @@ def simulate_experiment(
     Experiment
         Motion, forces, estimate and true values.
     """
-    instance(excitation, Excitation, "excited")
+    instance(excitation, Excitation, "excitation")
     need_seed(seed)
     exact = inverse_dynamics(robot, excitation.motion).F
     deviation = float(deviations(force_std, (), "> 0 N that broadcast with F"))

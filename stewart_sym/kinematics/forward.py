@@ -118,7 +118,7 @@ def forward_kinematics(
     """
     instance(robot, Robot, "robot")
     option(on_failure, ON_FAULT, "on_failure")
-    truth(check_limits, "limits")
+    truth(check_limits, "check_limits")
     lengths = checked_lengths(L)
     shape = lengths.shape[:-1]
     poses = None

@@ -198,7 +198,7 @@ def read_leg_columns(
 
 
 def _former(name: str) -> str:
-    """Return the former name of a column, F1 for F_1."""
+    """Return the former name of a column, without its last underscore."""
     return "".join(name.rsplit("_", 1))
 
 

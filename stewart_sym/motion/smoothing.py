@@ -124,9 +124,9 @@ def smooth_samples(
     cutoff = None if cutoff is None else positive(cutoff, "cutoff")
     level = shown_noise(when, columns)
     if noise_std is not None:
-        given = real_array(noise_std, "sigma")
+        given = real_array(noise_std, "noise_std")
         if given.shape not in ((), columns.shape[1:]):
-            raise ValueError(f"sigma: expected one number or {columns.shape[1]}, got shape {given.shape}")
+            raise ValueError(f"noise_std: expected one number or {columns.shape[1]}, got shape {given.shape}")
         known = np.array(np.broadcast_to(given, columns.shape[1:]))
         level = Level(known, known)
     if noise_std is not None or cutoff is None:
@@ -135,7 +135,7 @@ def smooth_samples(
             text = "shows no noise: expected sigma, or columns to be smoothed"
             raise ValueError(f"values: column {int(np.argmax(bad)) + 1} {text}")
         if bad.any():
-            raise ValueError(f"sigma: expected deviations > 0, got {level.sigma[bad][0]:g}")
+            raise ValueError(f"noise_std: expected deviations > 0, got {level.sigma[bad][0]:g}")
     return smoothed(when, columns, None if noise_std is None and cutoff is not None else level, cutoff)
 
 
@@ -157,7 +157,7 @@ def smoothed(
     shares = np.diff(ends)[:, None] / len(time)
     sigma = np.sqrt(np.sum(shares * np.square([part.noise_std for part in parts]), axis=0))
     return SmoothSamplesResult(*(np.concatenate(each) for each in zip(*parts, strict=True)))._replace(
-        sigma=sigma
+        noise_std=sigma
     )
 
 
@@ -210,14 +210,14 @@ def _part(
     sigma = np.where(still, level.least, found.noise_std)
     most = np.max(found.covariance[:, :, 0], axis=0)
     share = np.where(still, np.minimum(1.0, sigma**2 / np.where(most > 0.0, most, 1.0)), 1.0)
-    return found._replace(sigma=sigma, covariance=found.covariance * share[:, None])
+    return found._replace(noise_std=sigma, covariance=found.covariance * share[:, None])
 
 
 def _scaled(unit: SmoothSamplesResult, columns: Array) -> SmoothSamplesResult:
     """A fit under noise of deviation 1 with the deviation that its residuals show."""
     leverage = np.mean(unit.covariance[..., 0], axis=0)
     left = np.mean((columns - unit.values) ** 2, axis=0) / np.maximum(1.0 - leverage, 1.0 / len(columns))
-    return unit._replace(sigma=np.sqrt(left), covariance=unit.covariance * left[:, None])
+    return unit._replace(noise_std=np.sqrt(left), covariance=unit.covariance * left[:, None])
 
 
 # Knots

@@ -140,7 +140,7 @@ def plan_path(
     smoothness_weight = not_negative(smoothness_weight, "smoothness_weight")
     wrench = finite_array(load, (6,), "load")
     if not isinstance(via_poses, Sequence):
-        raise ValueError(f"poses: expected a list of ViaPose, got {shown(via_poses)}")
+        raise ValueError(f"via_poses: expected a list of ViaPose, got {shown(via_poses)}")
     via_poses = tuple(via_poses)
     need_poses(via_poses)
     search = _Search.of(robot, via_poses, limits, objective, smoothness_weight)

@@ -128,7 +128,7 @@ class TimedPath:
         when = real_array(time, "time")
         # A duration that was asked for is kept to rounding.
         if when.size and not (when.min() >= 0.0 and when.max() <= self.duration * (1.0 + _SAME_TIME)):
-            raise ValueError(f"times: expected times in [0, {self.duration:.9g}] s")
+            raise ValueError(f"time: expected times in [0, {self.duration:.9g}] s")
         place = self.profile.at(np.minimum(when.ravel(), self.duration))
         motion = traveled(self.path(place.s), place.rate, place.second)
         return motion[np.arange(when.size).reshape(when.shape)]
@@ -204,7 +204,7 @@ def parameterize_path(
     option(formulation, FORMULATIONS, "formulation")
     limits = PathLimits() if limits is None else limits
     instance(limits, PathLimits, "limits")
-    whole_number(grid_size, "cells", 10, "a whole number from 10 to 100,000", 100_000)
+    whole_number(grid_size, "grid_size", 10, "a whole number from 10 to 100,000", 100_000)
     option(minimize, MINIMIZE, "minimize")
     need_duration(minimize, duration)
     need_motions(path, ends)

@@ -110,7 +110,7 @@ SHAPES: dict[str, tuple[int, ...]] = {
 def need_no_offsets(robot: Any) -> None:
     """Reject, by ValueError, a robot with offset joints: what is computed is of legs whose axes meet."""
     offsets = getattr(robot, "offsets", None)
-    if offsets is not None and not offsets.nothing:
+    if offsets is not None and not offsets.is_zero:
         raise ValueError("robot: offsets: expected none, offset joints are not supported here")
 
 

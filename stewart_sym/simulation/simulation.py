@@ -142,7 +142,7 @@ def simulate(
     need_between(atol, "atol", 0.0, math.inf)
     check_duration(duration)
     if control_rate is not None:
-        need_between(control_rate, "rate", 0.0, math.inf)
+        need_between(control_rate, "control_rate", 0.0, math.inf)
         if duration * control_rate > MOST_INSTANTS:
             raise ValueError(
                 f"rate: expected at most {MOST_INSTANTS / duration:g} Hz, for at most {MOST_INSTANTS} calls "

@@ -213,7 +213,7 @@ def read_trajectory(
     instance(robot, Robot, "robot")
     instance(smoothing, SmoothingOptions, "smoothing")
     file_format = PLAIN if file_format is None else file_format
-    instance(file_format, TrajectoryFormat, "form")
+    instance(file_format, TrajectoryFormat, "file_format")
     log = read_log_of(robot, path, file_format, smoothing)
     if isinstance(log, JointTrajectory):
         return on_platform(robot, log, guess)

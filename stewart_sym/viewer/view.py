@@ -133,7 +133,7 @@ def view(
     """
     instance(robot, Robot, "robot")
     if time is not None and not isinstance(motion, Motion):
-        raise ValueError("times: are for a Motion, expected none")
+        raise ValueError("time: are for a Motion, expected none")
     return Viewer(robot, _instants(robot, motion, time))
 
 

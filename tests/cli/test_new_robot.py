@@ -65,7 +65,7 @@ def test_millimeters_and_meters_make_the_same_machine(tmp_path: Path) -> None:
         path = tmp_path / f"{unit}.toml"
         assert main(["new", "-o", str(path), "--length-unit", unit, *options(numbers)]) == 0
         made.append(ss.Robot.from_toml(path))
-    for name in ("b", "p", "M", "I_p", "m_d", "I_d0", "r_u0", "I_u0", "length_limits", "home"):
+    for name in ("b", "p", "M", "I_p", "m_d", "I_d0", "r_u0", "I_u0", "length_limits", "home_position"):
         np.testing.assert_allclose(getattr(made[0], name), getattr(made[1], name), rtol=1e-14, atol=1e-16)
 
 

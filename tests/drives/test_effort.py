@@ -23,9 +23,9 @@ from stewart_sym.motion.trajectory import Trajectory, Uncertainty
 from stewart_sym.reference import newton_euler
 
 LOSSY: dict[str, Any] = {
-    "efficiency": 0.9, "back_efficiency": 0.8, "screw_coulomb": 20.0, "screw_viscous": 150.0,
-    "motor_coulomb": 0.02, "motor_viscous": 2e-4, "stribeck": 8.0, "stribeck_speed": 5e-3,
-    "smoothing": 1e-3, "torque_constant": 0.5, "resistance": 2.0, "rotor_inertia": 3e-5,
+    "efficiency": 0.9, "backdrive_efficiency": 0.8, "screw_coulomb": 20.0, "screw_viscous": 150.0,
+    "motor_coulomb": 0.02, "motor_viscous": 2e-4, "stribeck_force": 8.0, "stribeck_speed": 5e-3,
+    "regularization_speed": 1e-3, "torque_constant": 0.5, "resistance": 2.0, "rotor_inertia": 3e-5,
 }  # fmt: skip
 
 
@@ -49,7 +49,7 @@ def robot() -> ss.Robot:
 @pytest.mark.parametrize("F", [800.0, -800.0])
 @pytest.mark.parametrize("rate", [0.1, -0.1])
 def test_torque_is_what_the_formulas_of_a_screw_give(lead: float, F: float, rate: float) -> None:
-    drive = ss.Drive(lead=lead, **{**LOSSY, "smoothing": 0.0, "stribeck": 0.0})
+    drive = ss.Drive(lead=lead, **{**LOSSY, "regularization_speed": 0.0, "stribeck_force": 0.0})
     sign, turns = math.copysign(1.0, rate), 2 * math.pi / lead
     ideal = F / (turns * 0.9) if F * rate > 0 else F * 0.8 / turns
     screw = (20.0 * sign + 150.0 * rate) / turns

@@ -192,7 +192,7 @@ def test_of_legs_that_may_spin_the_reflected_mass_is_left(backend: Any) -> None:
 
 
 @pytest.mark.parametrize("name", [each for each in DRIVE_FIDELITIES if each.startswith("reflected")])
-@pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.PhysicalityWarning")
+@pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.RobotWarning")
 def test_reflected_levels_equal_the_general_one_where_the_machine_is_that_simple(name: str) -> None:
     level = DERIVED[name]
     for seed in range(10):
@@ -244,7 +244,7 @@ PRICES = {
 """What leaving out the momentum, and the rotor, costs: the table of docs: fidelity."""
 
 
-@pytest.mark.filterwarnings("ignore::stewart_sym.PhysicalityWarning")
+@pytest.mark.filterwarnings("ignore::stewart_sym.RobotWarning")
 @pytest.mark.parametrize(("name", "lead"), PRICES)
 def test_what_the_momentum_of_rotors_costs_and_what_their_mass(name: str, lead: float) -> None:
     """Shares of the peak force, of rotors of 5e-5 kg m^2 in a brisk motion; docs: fidelity."""

@@ -65,7 +65,7 @@ def test_reactions_that_overflow_are_reported(backend, shape: tuple[int, ...]) -
     assert np.all(found.status == results.NOT_FINITE)
     for name in ("F_s", "F_u", "F_p", "F_c", "M_p", "M_u"):
         assert np.isnan(getattr(found, name)).all()
-    rejects("a result overflows", ss.joint_reactions, robot, motion, backend=backend, bearing=1e308)
+    rejects("a result overflows", ss.joint_reactions, robot, motion, backend=backend, bearing_distance=1e308)
 
 
 @pytest.mark.parametrize("backend", BACKENDS)

@@ -28,7 +28,7 @@ def level(request: pytest.FixtureRequest) -> Fidelity:
     return request.param
 
 
-@pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.PhysicalityWarning")
+@pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.RobotWarning")
 def test_reduction_equals_the_general_kernel_where_the_machine_is_that_simple(level: Fidelity) -> None:
     rng = np.random.default_rng(11)
     for _ in range(6):

@@ -99,7 +99,7 @@ def test_a_machine_turned_in_its_file_has_its_home_there(foreign: ss.ImportedMod
     found = imported(turned, tmp_path)
     assert "axes those of the base in the pose in the file" in "".join(found.assumptions)
     robot, R = foreign.robot, np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
-    for name in ("b", "p", "home", "R_0"):
+    for name in ("b", "p", "home_position", "R_0"):
         np.testing.assert_allclose(getattr(found.robot, name), getattr(robot, name) @ R.T, atol=1e-12)
     np.testing.assert_allclose(found.robot.I_p, R @ robot.I_p @ R.T, atol=1e-12)
     F = [

@@ -22,7 +22,7 @@ FORMATS = ("mjcf", "sdf", "urdf")
 NOT_POSSIBLE = ("I_p", "I_d0", "I_u0")
 pytestmark = [
     pytest.mark.filterwarnings("ignore:.*(noted only|left out)"),
-    pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.PhysicalityWarning"),
+    pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.RobotWarning"),
 ]
 
 
@@ -30,7 +30,12 @@ pytestmark = [
 MOTION_SIMULATOR = {
     "schema": 2,
     "name": "motion simulator",
-    **{"length_unit": "mm", "angle_unit": "deg", "gravity": [0.0, 0.0, 9.81], "home": [0.0, 0.0, -900.0]},
+    **{
+        "length_unit": "mm",
+        "angle_unit": "deg",
+        "gravity": [0.0, 0.0, 9.81],
+        "home_position": [0.0, 0.0, -900.0],
+    },
     "base": {"radius": 800.0, "angles": [-10.0, 10.0, 110.0, 130.0, 230.0, 250.0], "z": 0.0},
     "platform": {
         **{"radius": 600.0, "angles": [-50.0, 50.0, 70.0, 170.0, 190.0, 290.0], "z": 0.0},
@@ -44,8 +49,19 @@ MOTION_SIMULATOR = {
         **{"stroke": [-200.0, 200.0], "force_limit": 6e3, "speed_limit": 600.0},
         "joint_angle_limit": [40.0, 35.0],
         "drive": {
-            **{"lead": -10.0, "gear": 2.0, "efficiency": 0.9, "back_efficiency": 0.8, "rotor_inertia": 3e-4},
-            **{"motor_coulomb": 0.1, "screw_coulomb": 40.0, "smoothing": 1.0, "torque_constant": 0.6},
+            **{
+                "lead": -10.0,
+                "gear_ratio": 2.0,
+                "efficiency": 0.9,
+                "backdrive_efficiency": 0.8,
+                "rotor_inertia": 3e-4,
+            },
+            **{
+                "motor_coulomb": 0.1,
+                "screw_coulomb": 40.0,
+                "regularization_speed": 1.0,
+                "torque_constant": 0.6,
+            },
             **{"resistance": 0.8, "rated_torque": 3.0, "torque_limit": 9.0, "current_limit": 18.0},
             **{"speed_limit": 27e3, "power_limit": 2e3},
         },
@@ -63,11 +79,15 @@ def robots() -> dict[str, ss.Robot]:
         "speed_limit": np.linspace(0.1, 0.6, 6),
         "force_limit": np.array([1.0, 2.0, 3.0, 4.0, 5.0, np.inf]),
     }
-    poses = {"home": np.array([0.01, 0.02, 0.7]), "tool": np.array([0.0, 0.0, 0.3]), "lengths": "relative"}
-    kept = {"euler_order": "xyz", "accept": ("mass", "friction")}
+    poses = {
+        "home_position": np.array([0.01, 0.02, 0.7]),
+        "tool": np.array([0.0, 0.0, 0.3]),
+        "length_mode": "relative",
+    }
+    kept = {"euler_order": "xyz", "suppressed_warnings": ("mass", "friction")}
     drive = ss.Drive(lead=np.linspace(0.004, 0.01, 6), rotor_inertia=2e-5, efficiency=0.9, torque_limit=3.0)
     rest = {"g": np.array([1.0, -2.0, 9.0]), "drive": drive}
-    angles = {"home": np.array([0.0, 0.0, 0.65]), "joint_angle_limit": np.full((6, 2), 0.7)}
+    angles = {"home_position": np.array([0.0, 0.0, 0.65]), "joint_angle_limit": np.full((6, 2), 0.7)}
     return found | {
         "hexapod": hexapod,
         "joint angles": dataclasses.replace(hexapod, **angles),
@@ -212,7 +232,7 @@ def test_bodies_and_joints_alone_are_the_robot_to_rounding(name: str, form: str,
     unstated = {"mjcf": {"C_s", "speed_limit"}, "sdf": {"C_s"}, "urdf": set()}[form]
     unstated |= {"lower_length", "upper_length"}
     unstated |= {"C_u"} if form == "sdf" and robot.base_joint == "spherical" else set()
-    for field in set(differences(again, robot)) - unstated - {"home"}:
+    for field in set(differences(again, robot)) - unstated - {"home_position"}:
         value = np.asarray(getattr(robot, field))
         np.testing.assert_allclose(
             getattr(again, field), value, rtol=0, atol=1e-12 * max(1.0, np.abs(value).max()), err_msg=field
@@ -266,10 +286,13 @@ def test_an_inertia_of_no_body_that_is_accepted_is_written_as_the_nearest_possib
 
 
 def test_without_a_home_pose_what_is_told_from_it_is_left_out() -> None:
-    angles = noted({"joint_angle_limit": ROBOTS["joint angles"].joint_angle_limit, "lengths": "relative"})
+    angles = noted({"joint_angle_limit": ROBOTS["joint angles"].joint_angle_limit, "length_mode": "relative"})
     robot, said = with_notes(ROBOTS["hexapod"], Model("tilted", np.zeros(3), (), (), notes=angles))
     assert robot.to_dict() == ROBOTS["hexapod"].to_dict()
-    assert [line.partition(": from the home pose")[0] for line in said] == ["lengths", "joint_angle_limit"]
+    assert [line.partition(": from the home pose")[0] for line in said] == [
+        "length_mode",
+        "joint_angle_limit",
+    ]
 
 
 @pytest.mark.parametrize(

@@ -61,7 +61,7 @@ NAME = b'name = "x"\n'
 MASS = b"mass = 40.0"
 MILLIONS = 5_000_000
 
-pytestmark = pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.PhysicalityWarning")
+pytestmark = pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.RobotWarning")
 
 
 def rejected(read: Callable[[Any], Any], path: Path) -> str:

@@ -110,7 +110,7 @@ def test_without_offsets_all_is_as_in_ordinary_legs(joint: str) -> None:
 
 def test_offsets_that_are_left_out_change_the_forces() -> None:
     robot, motion, truth = _case(0, "spherical")
-    for name in ("cross", "along", "across", "cross_mass", "cross_inertia"):
+    for name in ("axis_offset", "slide_offset_y", "slide_offset_z", "cross_mass", "cross_inertia"):
         without = dataclasses.replace(robot.offsets, **{name: np.zeros(6)})
         changed = ss.ForceKernel(dataclasses.replace(robot, offsets=without)).forces(motion)
         assert _error(changed, truth.F) > 1e-6, name
@@ -213,11 +213,11 @@ def _tip_of_leg_1(robot: ss.Robot, tip: np.ndarray) -> ss.Motion:
 @pytest.mark.parametrize(
     ("name", "offsets", "along", "out", "status"),
     [
-        ("nearer the axis than along", {"along": 0.2}, 0.5, 0.1, UNREACHABLE),
-        ("nearer than across", {"across": 0.3}, 0.1, 0.2, UNREACHABLE),
-        ("on the axis", {"cross": 0.2}, 0.4, 0.0, JOINT_SINGULAR),
-        ("r = 0", {"along": 0.2}, 0.5, 0.2, JOINT_SINGULAR),
-        ("no length", {"cross": 0.2}, 0.0, 0.2, ZERO_LENGTH),
+        ("nearer the axis than along", {"slide_offset_y": 0.2}, 0.5, 0.1, UNREACHABLE),
+        ("nearer than across", {"slide_offset_z": 0.3}, 0.1, 0.2, UNREACHABLE),
+        ("on the axis", {"axis_offset": 0.2}, 0.4, 0.0, JOINT_SINGULAR),
+        ("r = 0", {"slide_offset_y": 0.2}, 0.5, 0.2, JOINT_SINGULAR),
+        ("no length", {"axis_offset": 0.2}, 0.0, 0.2, ZERO_LENGTH),
     ],
     ids=str,
 )
@@ -289,9 +289,9 @@ def test_the_offsets_of_a_machine_scale_with_it() -> None:
 def test_offsets_are_checked() -> None:
     rng = np.random.default_rng(0)
     robot = random_robot(rng)
-    rejects("cross: expected", ss.JointOffsets, cross=np.zeros(5))
+    rejects("cross: expected", ss.JointOffsets, axis_offset=np.zeros(5))
     rejects("cross_mass: leg 2", ss.JointOffsets, cross_mass=[0, -1, 0, 0, 0, 0])
-    rejects("platform_joint", ss.JointOffsets, wrist=np.ones(6))
+    rejects("platform_joint", ss.JointOffsets, wrist_offset=np.ones(6))
     rejects("platform_axis", ss.JointOffsets, platform_joint="universal")
     spherical = random_robot(rng, base_joint="spherical")
     rejects("offsets", dataclasses.replace, spherical, offsets=ss.JointOffsets())

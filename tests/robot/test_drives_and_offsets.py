@@ -124,12 +124,12 @@ BAD = {
         "legs.drive.radius: expected lead or radius, got both (at line 20)"
     ),
     "[legs.drive]\nradius = -9\n": "legs.drive.radius: expected a number > 0, got -9 (at line 19)",
-    "[legs.drive]\nlead = 5\ngear_ratio = 0\n": "legs.drive.gear: expected a number > 0, got 0 (at line 20)",
+    "[legs.drive]\nlead = 5\ngear_ratio = 0\n": "legs.drive.gear_ratio: expected a number > 0, got 0 (at line 20)",
     "[legs.drive]\nlead = 5\nefficiency = 90\n": (
         "legs.drive.efficiency: expected a number > 0 and <= 1, got 90 (at line 20)"
     ),
     "[legs.drive]\nlead = 5\nbackdrive_efficiency = 1.5\n": (
-        "legs.drive.back_efficiency: expected a number <= 1, got 1.5 (at line 20)"
+        "legs.drive.backdrive_efficiency: expected a number <= 1, got 1.5 (at line 20)"
     ),
     "[legs.drive]\nlead = 5\n[leg.2.drive]\nrotor_inertia = -1e-5\n": (
         "leg.2.drive.rotor_inertia: expected a number >= 0, got -1e-05 (at line 21)"
@@ -139,7 +139,7 @@ BAD = {
         'legs.drive.inertia: unknown key, did you mean "rotor_inertia"? (at line 20)'
     ),
     "[legs.drive]\nlead = 5\nstribeck_force = 3\n": (
-        "legs.drive.stribeck: expected a stribeck_speed > 0 beside it (at line 20)"
+        "legs.drive.stribeck_force: expected a stribeck_speed > 0 beside it (at line 20)"
     ),
     "[legs.drive]\nlead = 5\ncurrent_limit = 3\n": (
         "legs.drive.current_limit: expected a torque_constant > 0 beside it (at line 20)"
@@ -182,8 +182,12 @@ def test_fields_are_checked_by_name() -> None:
     for field, value, words in (
         ("efficiency", 0.0, "efficiency: expected a number > 0 and <= 1, got 0"),
         ("torque_limit", [1.0, 2.0], r"torque_limit: expected one number or six, got \[1.0, 2.0\]"),
-        ("smoothing", [0, 0, 0, math.nan, 0, 0], "smoothing: leg 4: expected a finite number"),
-        ("stribeck", 1.0, "stribeck: leg 1: expected a stribeck_speed"),
+        (
+            "regularization_speed",
+            [0, 0, 0, math.nan, 0, 0],
+            "regularization_speed: leg 4: expected a finite number",
+        ),
+        ("stribeck_force", 1.0, "stribeck_force: leg 1: expected a stribeck_speed"),
     ):
         rejects(words, ss.Drive, lead=5e-3, **{field: value})
     with pytest.raises(ValueError, match="robot: drive: expected a Drive or None, got 3"):
@@ -195,17 +199,17 @@ EXAMPLE = DOCS / "examples" / "offset-joints.toml"
 SERVED = {
     *("inverse_dynamics", "joint_reactions", "massless_forces", "dynamic_fraction", "equations_of_motion"),
     *("forward_dynamics", "joint_space_inertia", "inverse_kinematics", "wrench_matrix", "forward_kinematics"),
-    *("forward_velocity", "forward_acceleration", "motion_from_lengths", "array_kernel", "ArrayKernel"),
+    *("forward_velocity", "forward_acceleration", "motion_from_lengths", "ArrayKernel", "ArrayKernel"),
     *("prepare", "LegSprings", "LegSprings.balanced", "ComputedTorque", "simulate", "singularity"),
     *(
         "force_deviations",
         "motor_angles",
         "pose_from_motor_angles",
-        "capability",
+        "capability_polytope",
         "drive_effort",
         "motor_forces",
     ),
-    *("view", "export_model", "joint_angles", "size", "wrench_matrix_rate"),
+    *("view", "export_model", "joint_angles", "actuator_requirements", "wrench_matrix_rate"),
 }
 """Functions that compute offset joints."""
 OF_POINTS = {"up_direction", "characteristic_length", "read_trajectory"}
@@ -228,7 +232,7 @@ def test_a_file_in_millimeters_is_read() -> None:
 
 def test_a_leg_has_offsets_of_its_own() -> None:
     d = _example()
-    d["leg"] = {"3": {"offsets": {"cross": 12.0}, "cross": {"mass": 0.2}}}
+    d["leg"] = {"3": {"offsets": {"axis_offset": 12.0}, "cross": {"mass": 0.2}}}
     offsets = ss.Robot.from_dict(d).offsets
     np.testing.assert_allclose(offsets.axis_offset, [0.01, 0.01, 0.012, 0.01, 0.01, 0.01])
     np.testing.assert_allclose(offsets.slide_offset_z, 0.004)
@@ -250,17 +254,17 @@ def test_what_to_dict_writes_is_read_to_the_bit(joint: str) -> None:
     )
 
 
-UNIVERSAL = {"platform_joint": "universal", "platform_axis": [0, 1, 0], "wrist": 3.0}
+UNIVERSAL = {"platform_joint": "universal", "platform_axis": [0, 1, 0], "wrist_offset": 3.0}
 
 
 @pytest.mark.parametrize(
     ("table", "value", "message"),
     [
         ("offsets", {"cros": 1.0}, "legs.offsets.cros"),
-        ("offsets", {"cross": "10"}, "legs.offsets.cross: expected a finite number"),
-        ("offsets", {"cross": math.inf}, "legs.offsets.cross: expected a finite number"),
-        ("offsets", {"cross": [1.0] * 6}, "legs.offsets.cross: expected a finite number"),
-        ("offsets", {"wrist": 1.0}, "legs.offsets.wrist: expected none unless"),
+        ("offsets", {"axis_offset": "10"}, "legs.offsets.axis_offset: expected a finite number"),
+        ("offsets", {"axis_offset": math.inf}, "legs.offsets.axis_offset: expected a finite number"),
+        ("offsets", {"axis_offset": [1.0] * 6}, "legs.offsets.axis_offset: expected a finite number"),
+        ("offsets", {"wrist_offset": 1.0}, "legs.offsets.wrist_offset: expected none unless"),
         ("offsets", {"platform_axis": [0, 0, 1]}, "legs.offsets.platform_axis: expected none unless"),
         ("offsets", {"platform_joint": "hooke"}, "legs.offsets.platform_joint: expected"),
         ("offsets", {"platform_joint": "universal"}, "legs.offsets.platform_axis: missing"),
@@ -280,7 +284,7 @@ def test_bad_files_give_one_line_with_the_key(table: str, value: object, message
 
 def test_a_rack_moves_no_leg_whose_upper_part_turns() -> None:
     d = _example()
-    d["legs"]["drive"] = {"radius": 12.0, "gear": 5.0}
+    d["legs"]["drive"] = {"radius": 12.0, "gear_ratio": 5.0}
     assert ss.Robot.from_dict(d).drive is not None
     d["legs"]["offsets"] |= UNIVERSAL
     rejects(r'\Arobot: legs\.drive\.radius: expected lead where .* "universal"', ss.Robot.from_dict, d)
@@ -299,7 +303,7 @@ def test_a_stroke_is_about_the_length_along_the_line_of_sliding(joint: dict[str,
     np.testing.assert_allclose(robot.length_limits, np.stack([L - 0.05, L + 0.03], axis=-1), rtol=1e-14)
     plain = np.linalg.norm(robot.home_position + robot.p - robot.b, axis=-1)
     assert np.abs(L - plain).min() > 1e-3
-    d["legs"]["offsets"]["across"] = 5000.0
+    d["legs"]["offsets"]["slide_offset_z"] = 5000.0
     rejects(r"legs\.stroke: .* which the offsets cannot reach", ss.Robot.from_dict, d)
 
 

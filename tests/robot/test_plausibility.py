@@ -189,7 +189,10 @@ def test_check_writes_a_range_below_zero_in_words(check: Check) -> None:
 
 
 def test_check_tells_what_a_robot_states_of_its_drives(tmp_path: Path, run: Run) -> None:
-    path, numbers = tmp_path / "robot.toml", {"screw_coulomb": 40.0, "motor_coulomb": 0.08, "stribeck": 5.0}
+    path, numbers = (
+        tmp_path / "robot.toml",
+        {"screw_coulomb": 40.0, "motor_coulomb": 0.08, "stribeck_force": 5.0},
+    )
     numbers |= {"torque_limit": 12.0, "rated_torque": 4.0, "speed_limit": 628.0, "power_limit": 900.0}
     numbers |= {"current_limit": 15.0, "torque_constant": 0.9, "stribeck_speed": 0.1}
     lead = 0.005 * np.array([1, 1, 1, -1, 1, 1])
@@ -262,7 +265,7 @@ def test_motors_that_friction_or_a_self_locking_screw_relieves_are_not_said_to_b
         return [doubt.name for doubt in doubts(dataclasses.replace(sound(), drive=drive))]
 
     assert names() == ["drive-limit"]
-    assert names(efficiency=0.3, back_efficiency=-0.1) == []
+    assert names(efficiency=0.3, backdrive_efficiency=-0.1) == []
     assert names(screw_coulomb=2e3) == []
     assert (
         "rated_torque of the drives of "

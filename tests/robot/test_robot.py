@@ -218,15 +218,15 @@ WRONG: list[tuple[tuple[str | int, ...], Any, str]] = [
         math.inf,
         "legs.damping.spherical: expected a finite",
     ),
-    (("leg",), {}, "leg: expected six [[leg]] tables"),
-    (("leg", 3), "x", "leg.4.expected a table, got 'x'"),
+    (("leg",), [], "leg: expected tables [leg.1] to [leg.6], got []"),
+    (("leg", "4"), "x", "leg.4: expected a table, got 'x'"),
     (
         ("leg", "3", "universal_axis"),
         [0, 0, 0],
         "leg.3.universal_axis: expected a non-zero direction, got (0, 0, 0)",
     ),
     (("leg", "1", "base_point"), [0, 0], "leg.1.base_point: expected 3 finite numbers, got [0, 0]"),
-    (("leg", "6", "platform_point", 2), False, "leg.6.platform_point: expected 3 finite numbers, got False"),
+    (("platform", "points", 5, 2), False, "platform.points 6: expected 3 finite numbers, got False"),
     (("leg", "3", "lower", "mass"), -2.5, "leg.3.lower.mass: expected a number > 0, got -2.5"),
     (("leg", "3", "damping", "prismatic"), "high", "leg.3.damping.prismatic: expected a finite number"),
     (
@@ -244,26 +244,25 @@ MISSING: list[tuple[tuple[str | int, ...], str]] = [
     (("schema",), "schema: missing"),
     (("name",), "name: missing"),
     (("platform",), "platform: missing"),
-    (("leg",), "leg: missing"),
+    (("base",), "base: missing"),
+    (("base", "points"), "base.points: missing, and leg.1.base_point as well"),
+    (("platform", "points"), "platform.points: missing, and leg.1.platform_point as well"),
     (("platform", "body", "mass"), "platform.body.mass: missing"),
     (("platform", "body", "center_of_mass"), "platform.body.center_of_mass: missing"),
     (("platform", "body", "inertia"), "platform.body.inertia: missing"),
-    (("legs",), "leg.1.lower.mass: missing, here and in legs"),
-    (("legs", "upper"), "leg.1.upper.mass: missing, here and in legs"),
-    (("legs", "lower", "inertia"), "leg.1.lower.inertia: missing, here and in legs"),
-    (("legs", "damping"), "leg.1.damping.universal: missing, here and in legs"),
-    (("leg", "2", "base_point"), "leg.2.base_point: missing"),
-    (("leg", "5", "platform_point"), "leg.5.platform_point: missing"),
-    (("leg", "6", "universal_axis"), "leg.6.universal_axis: missing"),
+    (("legs",), "legs.lower: missing"),
+    (("legs", "upper"), "legs.upper: missing"),
+    (("legs", "lower", "inertia"), "legs.lower.inertia: missing"),
+    (("leg", "6", "universal_axis"), "legs.universal_axis: missing"),
 ]
 
 
 MISSPELT: list[tuple[tuple[str | int, ...], str]] = [
     (("gravitation",), 'gravitation: unknown key, did you mean "gravity"?'),
-    (("legs",), 'legs: unknown key, did you mean "leg"?'),
+    (("leg_defaults",), 'leg_defaults: unknown key, did you mean "legs"?'),
     (
-        ("platform", "body", "center_of_mass"),
-        'platform.body.center_of_mass: unknown key, did you mean "center_of_mass"?',
+        ("platform", "body", "centre_of_mass"),
+        'platform.body.centre_of_mass: unknown key, did you mean "center_of_mass"?',
     ),
     (("legs", "lowr"), 'legs.lowr: unknown key, did you mean "lower"?'),
     (("legs", "base_point"), "legs.base_point: unknown key"),
@@ -273,7 +272,7 @@ MISSPELT: list[tuple[tuple[str | int, ...], str]] = [
     ),
     (("leg", "3", "universal_axes"), 'leg.3.universal_axes: unknown key, did you mean "universal_axis"?'),
     (("leg", "3", "lower", "mas"), 'leg.3.lower.mas: unknown key, did you mean "mass"?'),
-    (("platform", "qqq"), "platform.qqq: unknown key, expected one of mass, center_of_mass, inertia"),
+    (("platform", "qqq"), "platform.qqq: unknown key, expected one of points, radius"),
     (("two\nlines",), "'two\\nlines': unknown key"),
 ]
 
@@ -303,32 +302,32 @@ def test_what_is_wrong_missing_or_misspelt_is_named(
 
 
 @pytest.mark.parametrize("count", [0, 5, 7])
-def test_exactly_six_legs(count: int) -> None:
+def test_exactly_six_points(count: int) -> None:
     d = machine()
-    d["leg"] = (d["leg"] * 2)[:count]
+    d["base"]["points"] = (d["base"]["points"] * 2)[:count]
     message = error_of(lambda: Robot.from_dict(d))
-    assert message == f"robot: leg: expected exactly six [[leg]] tables, got {count}"
+    assert message.startswith("robot: base.points: expected ")
 
 
 def test_spherical_base_joint_rejects_axes_and_asymmetric_legs() -> None:
     d = spherical_machine()
-    d["leg"][1]["universal_axis"] = [1, 0, 0]
-    assert error_of(lambda: Robot.from_dict(d)).startswith("robot: leg 2: universal_axis: expected none")
+    d["leg"]["2"]["universal_axis"] = [1, 0, 0]
+    assert error_of(lambda: Robot.from_dict(d)).startswith("robot: leg.2.universal_axis: expected none")
     d = spherical_machine()
-    d["leg"][4]["upper"] = {"center_of_mass": [-0.6, 0.0, 0.001]}
+    d["leg"]["5"]["upper"] = {"center_of_mass": [-0.6, 0.0, 0.001]}
     assert error_of(lambda: Robot.from_dict(d)).startswith(
-        "robot: leg 5: upper.center_of_mass: expected (x, 0, 0)"
+        "robot: leg.5.upper: expected (x, 0, 0)"
     )
     d = spherical_machine()
-    d["leg"][4]["lower"] = {"inertia": [[0.02, 0, 0], [0, 0.3, 0], [0, 0, 0.31]]}
+    d["leg"]["5"]["lower"] = {"inertia": [[0.02, 0, 0], [0, 0.3, 0], [0, 0, 0.31]]}
     assert error_of(lambda: Robot.from_dict(d)).startswith(
-        "robot: leg 5: lower.inertia: expected diag(Ia, It, It)"
+        "robot: leg.5.lower: expected diag(Ia, It, It)"
     )
 
 
 def test_asymmetry_of_rounding_size_is_evened_out() -> None:
     d = machine()
-    d["platform"]["inertia"][0][2] *= 1.0 + 1e-12
+    d["platform"]["body"]["inertia"][0][2] *= 1.0 + 1e-12
     I_p = Robot.from_dict(d).I_p
     np.testing.assert_array_equal(I_p, I_p.T)
 
@@ -362,7 +361,7 @@ def test_paper_machine_is_silent_for_its_file_accepts_what_it_is() -> None:
 
 @pytest.mark.parametrize("accepted", ["platform-inertia", "lower-inertia", "upper-inertia"])
 def test_a_file_accepts_the_warnings_that_it_names_and_no_other(accepted: str) -> None:
-    d = robots.dasgupta1998().to_dict() | {"accept": [accepted]}
+    d = robots.dasgupta1998().to_dict() | {"suppress_warnings": [accepted]}
     with pytest.warns(RobotWarning) as caught:
         Robot.from_dict(d)
     assert len(caught) == 2
@@ -374,8 +373,8 @@ def test_a_file_accepts_the_warnings_that_it_names_and_no_other(accepted: str) -
     [("mass", "'mass'"), (["masses"], "'masses'"), ([1], "1"), ({"mass": 1}, "{'mass': 1}")],
 )
 def test_names_of_no_warning_are_not_accepted(accept: object, got: str) -> None:
-    message = error_of(lambda: Robot.from_dict(machine() | {"accept": accept}))
-    assert message.startswith("robot: accept: expected ")
+    message = error_of(lambda: Robot.from_dict(machine() | {"suppress_warnings": accept}))
+    assert message.startswith("robot: suppress_warnings: expected ")
     assert message.endswith(f", got {got}")
 
 
@@ -423,14 +422,14 @@ def test_possible_inertias_are_those_of_bodies(moments: tuple[float, float, floa
 
 def test_physicality_names_the_legs() -> None:
     d = machine()
-    for i in (1, 4):
+    for i in ("2", "5"):
         d["leg"][i]["upper"] = {"inertia": [[1, 0, 0], [0, 1, 0], [0, 0, 5]]}
     with pytest.warns(RobotWarning, match=r"robot: upper part of legs 2, 5: inertia"):
         robot = Robot.from_dict(d)
     assert len(robot.find_invalid_inertias()) == 1
 
 
-@pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.PhysicalityWarning")
+@pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.RobotWarning")
 def test_file_error_begins_with_the_path(tmp_path: Path) -> None:
     path = tmp_path / "hexapod.toml"
     path.write_text(
@@ -439,7 +438,7 @@ def test_file_error_begins_with_the_path(tmp_path: Path) -> None:
         )
     )
     message = error_of(lambda: Robot.from_toml(path))
-    told = "leg 4: universal_axis: expected a non-zero direction, got (0, 0, 0) (at line 52)"
+    told = "leg.4.universal_axis: expected a non-zero direction, got (0, 0, 0) (at line 64)"
     assert message == f"{path}: {told}"
 
 

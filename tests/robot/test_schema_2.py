@@ -300,7 +300,7 @@ MISTAKES: list[tuple[str, str, str, str]] = [
         "units",
     ),
     ('angle_unit = "deg"\n', "", "base.angles: expected at most 2 turns, got 350 rad: is angle_unit", "350]"),
-    ("[0, 0, 700]", "[0, 700]", "home: expected 3 finite numbers, got [0, 700]", "home"),
+    ("[0, 0, 700]", "[0, 700]", "home_position: expected 3 finite numbers, got [0, 700]", "home"),
     ("[base]", "[bas]", 'bas: unknown key, did you mean "base"?', "[bas]"),
     ("radius = 600", "radius = 0", "base.radius: expected a number > 0, got 0", "radius = 0"),
     ("radius = 600\n", "", "base.radius: missing", "[base]"),
@@ -332,7 +332,12 @@ MISTAKES: list[tuple[str, str, str, str]] = [
         "legs.stroke: expected a leg that is longer at home than it can retract, ",
         "stroke",
     ),
-    ("home_position = [0, 0, 700]\n", "", 'trajectory.lengths: "relative" is to the home pose', "lengths"),
+    (
+        "home_position = [0, 0, 700]\n",
+        "",
+        'trajectory.length_mode: "relative" is to the home pose',
+        "lengths",
+    ),
     (
         "stroke = [",
         "length_limits = [500, 900]\nstroke = [",

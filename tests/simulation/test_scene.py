@@ -52,7 +52,7 @@ model_formulation = "paper"
 rate = 500.0
 """
 
-pytestmark = pytest.mark.filterwarnings("ignore::stewart_sym.PhysicalityWarning")
+pytestmark = pytest.mark.filterwarnings("ignore::stewart_sym.RobotWarning")
 
 
 @pytest.fixture

@@ -20,7 +20,7 @@ from stewart_sym.simulation.actuator_models import along
 from stewart_sym.simulation.scene import read_scene
 from stewart_sym.studies.reports.run import report, summary
 
-pytestmark = pytest.mark.filterwarnings("ignore::stewart_sym.PhysicalityWarning")
+pytestmark = pytest.mark.filterwarnings("ignore::stewart_sym.RobotWarning")
 ZERO = np.zeros(3)
 TRACK = """
 schema = 1

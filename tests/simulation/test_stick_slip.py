@@ -19,8 +19,8 @@ from stewart_sym.simulation.actuator_models import ForceLaw
 from stewart_sym.simulation.stick_slip import StickSlip
 
 DRIVE = ss.Drive(
-    **{"lead": 5e-3, "efficiency": 0.9, "back_efficiency": 0.8},
-    **{"screw_coulomb": 20.0, "screw_viscous": 50.0, "stribeck": 10.0, "stribeck_speed": 5e-3},
+    **{"lead": 5e-3, "efficiency": 0.9, "backdrive_efficiency": 0.8},
+    **{"screw_coulomb": 20.0, "screw_viscous": 50.0, "stribeck_force": 10.0, "stribeck_speed": 5e-3},
 )
 HOME = ss.Motion(R=np.eye(3), t=np.array([0.0, 0.0, 0.7]), omega=np.zeros(3), v=np.zeros(3))
 

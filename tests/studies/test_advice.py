@@ -62,7 +62,7 @@ from stewart_sym.studies.accuracy.charts import full_report
 from stewart_sym.studies.accuracy.cost import Candidate, candidate_of, cost, entry_of, worst
 from stewart_sym.studies.common.output import Figures
 
-pytestmark = pytest.mark.filterwarnings("ignore::stewart_sym.PhysicalityWarning")
+pytestmark = pytest.mark.filterwarnings("ignore::stewart_sym.RobotWarning")
 
 
 # the advice

@@ -307,10 +307,13 @@ def offsets_of(
 ) -> JointOffsets:
     """Every offset and a cross; share: of the machine's size."""
     size = machine_size(robot)
-    parts = {name: share * size * rng.normal(size=6) for name in ("cross", "along", "across")}
+    parts = {
+        name: share * size * rng.normal(size=6)
+        for name in ("axis_offset", "slide_offset_y", "slide_offset_z")
+    }
     if joint == "universal":
         parts["platform_axis"] = robot.k + 0.3 * rng.normal(size=(6, 3))
-        parts["wrist"] = share * size * rng.normal(size=6)
+        parts["wrist_offset"] = share * size * rng.normal(size=6)
     return JointOffsets(
         platform_joint=joint,
         cross_mass=0.3 * robot.m_d,

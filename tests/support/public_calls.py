@@ -17,29 +17,55 @@ from stewart_sym.robot.offsets import SHAPES
 
 # Of a class or a module that is no function: records that the package fills, types and constants.
 RECORDS = {
-    *("BaseParametersResult", "EquationsByParameterResult", "EquationsOfMotion", "Estimate", "Excitation"),
+    *(
+        "BaseParametersResult",
+        "EquationsByParameterResult",
+        "EquationsOfMotionResult",
+        "IdentificationResult",
+        "Excitation",
+    ),
     *(
         "Experiment",
         "ForceDerivativesResult",
-        "Forces",
+        "InverseDynamicsResult",
         "LinearizationResult",
-        "Parameters",
+        "ParameterVector",
         "ForwardKinematicsResult",
     ),
     *(
-        "Reactions",
-        "Simulation",
-        "Stop",
-        "Trace",
-        "Approach",
-        "Certificate",
-        "Crossing",
+        "JointReactionsResult",
+        "SimulationResult",
+        "StopEvent",
+        "StateHistory",
+        "SingularityApproach",
+        "PoseCertificate",
+        "SingularityCrossing",
         "ForceErrorBoundsResult",
     ),
-    *("LegExtreme", "PathSingularitiesResult", "Singularity", "Capability", "JointAnglesResult", "Needs"),
-    *("Workspace", "WorkspaceWarning", "DriveEffortResult", "DriveIdentificationResult", "DriveLimitWarning"),
-    *("ImportedModel", "TrajectoryWarning", "ExportedModel", "MotorAnglesResult", "Saturation", "Smooth"),
-    *("PlanCertificate", "PlannedPath", "PosePath", "TimedPath", "View", "PATHS", "RobotWarning"),
+    *(
+        "LegExtreme",
+        "PathSingularitiesResult",
+        "SingularityResult",
+        "Polytope",
+        "JointAnglesResult",
+        "ActuatorRequirementsResult",
+    ),
+    *(
+        "WorkspaceResult",
+        "WorkspaceWarning",
+        "DriveEffortResult",
+        "DriveIdentificationResult",
+        "DriveLimitWarning",
+    ),
+    *(
+        "ImportedModel",
+        "TrajectoryWarning",
+        "ExportedModel",
+        "MotorAnglesResult",
+        "ForceSaturation",
+        "SmoothSamplesResult",
+    ),
+    *("PlanCertificate", "PlannedPath", "PosePath", "TimedPath", "Viewer", "PAPER_PATHS", "RobotWarning"),
     *("AssemblyModeWarning", "SingularPoseWarning", "results", "robots"),
 }
 
@@ -114,7 +140,7 @@ def calls() -> dict[str, Call]:
     add(ss.FourierPath(**fourier).sample, tau=0.5)
     add(ss.FourierPath(**fourier).time_grid, samples=3)
     add(ss.inverse_dynamics, **both, **options)
-    add(ss.joint_reactions, **both, bearing=0.1, **options)
+    add(ss.joint_reactions, **both, bearing_distance=0.1, **options)
     add(ss.massless_forces, **both)
     add(ss.leg_dynamics_fraction, **both, F=F)
     add(ss.equations_of_motion, **both, **options)
@@ -127,7 +153,7 @@ def calls() -> dict[str, Call]:
     add(ss.wrench_matrix_rate, **both)
     add(ss.inverse_jacobian, **both)
     add(ss.jacobian, **both)
-    add(ss.forward_kinematics, robot=robot, L=legs.L, guess=guess, on_failure="raise", limits=True)
+    add(ss.forward_kinematics, robot=robot, L=legs.L, guess=guess, on_failure="raise", check_limits=True)
     add(ss.forward_velocity, **pose, L_dot=legs.L_dot, on_failure="raise")
     add(ss.forward_acceleration, **pose, v=vector, omega=vector, L_ddot=legs.L_ddot, on_failure="raise")
     add(ss.motion_from_lengths, robot=robot, L=legs.L[None], L_dot=legs.L_dot[None], L_ddot=legs.L_ddot[None])
@@ -138,18 +164,18 @@ def calls() -> dict[str, Call]:
     add(ss.regressor, **both, on_singular="raise", columns=[0, 147], backend="c")
     add(ss.equations_by_parameter, **both, on_singular="raise", backend="c")
     add(ss.inertial_parameters, robot=robot)
-    add(ss.symbolic, robot=robot, what="H", formulation="exact")
+    add(ss.symbolic, robot=robot, quantity="H", formulation="exact")
     found["Symbolic.derivative"] = Call(derivative, {"by": sp.Symbol("t_x", real=True)})
-    add(ss.casadi_function, robot=robot, what="forces", formulation="exact", checked=False)
+    add(ss.casadi_function, robot=robot, quantity="forces", formulation="exact", checked=False)
     add(ss.ArrayKernel, robot=robot, xp=np, formulation="exact", dtype=None, free=("dtype",))
     add(ss.ArrayKernel, robot=robot, xp=np, formulation="exact", dtype=None, free=("dtype",))
     log = {
         "path": "no.csv",
-        "form": ss.TrajectoryFormat(),
+        "file_format": ss.TrajectoryFormat(),
         "smoothing": ss.SmoothingOptions(),
         "guess": guess,
     }
-    add(ss.read_trajectory, robot=robot, **log, free=("form", "guess"))
+    add(ss.read_trajectory, robot=robot, **log, free=("file_format", "guess"))
     add(ss.export_model, robot=robot, format="mjcf")
     add(ss.import_model, path="no.xml")
     add(ss.ForceKernel, robot=robot, formulation="exact", precision="double", fidelity="general")
@@ -169,31 +195,31 @@ def calls() -> dict[str, Call]:
         "atol": 1e-6,
         "output_step": 1e-3,
     }
-    add(ss.simulate, **start, **steps, formulation="exact", backend="c", thresholds=ss.StopConditions())
+    add(ss.simulate, **start, **steps, formulation="exact", backend="c", stop_conditions=ss.StopConditions())
     add(ss.force_error_bounds, **both, precision="double", on_singular="raise")
     add(ss.singularity, robot=robot, pose=motion)
-    add(ss.singularity_crossings, robot=robot, path=path.sample, times=[0.0, 1.0])
-    add(ss.path_singularities, robot=robot, path=path.sample, times=[0.0, 1.0])
+    add(ss.singularity_crossings, robot=robot, path=path.sample, time=[0.0, 1.0])
+    add(ss.path_singularities, robot=robot, path=path.sample, time=[0.0, 1.0])
     add(ss.singular_force_residue, **both, formulation="exact")
-    add(ss.damped_least_squares, H=H, c=np.ones(6), length=1.0, share=1e-4)
+    add(ss.damped_least_squares, H=H, c=np.ones(6), length=1.0, rcond=1e-4)
     add(ss.certify_pose, robot=robot, L=legs.L, pose=(motion.R, motion.t))
     add(ss.joint_angles, robot=at_home, motion=motion)
     add(ss.leg_distances, **both)
     add(ss.PoseLimits, lengths=True, joint_angles=True, forces=True, condition=9.0, clearance=0.01)
     region = {"position": motion.t, "angles": vector, "box": ends, "turns": ends, "poses": 200, "seed": 0}
     add(ss.workspace, robot=at_home, kind="total", limits=ss.PoseLimits(), **region)
-    add(ss.capability_polytope, robot=at_home, motion=motion, what="force", others="zero")
+    add(ss.capability_polytope, robot=at_home, motion=motion, quantity="force", complement="zero")
     needs = {"motions": [([0.0], motion[None])], "margin": 0.1, "quantiles": [0.5, 1.0]}
     add(ss.actuator_requirements, robot=robot, **needs, formulation="exact")
     add(ss.drive_effort, robot=driven, motion=motion, time=None, formulation="exact", backend="c")
     add(ss.motor_forces, robot=driven, current=F)
-    add(ss.motor_angles, robot=driven, motion=motion, L_0=legs.L)
-    add(ss.pose_from_motor_angles, robot=driven, angle=np.zeros(6), guess=guess, L_0=legs.L)
+    add(ss.motor_angles, robot=driven, motion=motion, reference_length=legs.L)
+    add(ss.pose_from_motor_angles, robot=driven, angle=np.zeros(6), guess=guess, reference_length=legs.L)
     offsets = {name: np.zeros(shape) for name, shape in SHAPES.items()}
     add(ss.JointOffsets, **offsets | {"platform_axis": np.ones((6, 3))}, platform_joint="universal")
     add(ss.Drive, **dict.fromkeys(NUMBERS, 1.0))
     add(ss.rotor_regressor, **both, on_singular="raise")
-    add(ss.view, **both, times=None)
+    add(ss.view, **both, time=None)
     ends_of_via = dict.fromkeys(("low", "high"), np.zeros(6))
     add(ss.ViaPose, R=motion.R, t=motion.t, **ends_of_via, other={"R": "pose", "t": "pose"})
     limited = ("force", "speed", "acceleration", "platform_speed", "platform_turn_rate")
@@ -205,14 +231,21 @@ def calls() -> dict[str, Call]:
     aim = {"limits": None, "objective": "mean", "price": 0.5}
     add(ss.plan_path, robot=robot, **via, **aim, other={"poses": "via pose"})
     along = {"path": shifted, "span": (0.0, 1.0)}
-    add(ss.parameterize_path, robot=robot, **along, limits=limits, formulation="exact", cells=10)
+    add(ss.parameterize_path, robot=robot, **along, limits=limits, formulation="exact", grid_size=10)
     add(ss.certify_plan, plan=ss.parameterize_path(robot, shifted, limits=limits, grid_size=10))
     add(ss.UnitScaling, length=1.0, mass=2.0, time=0.5)
     add(ss.interpolate, trajectory=trajectory)
     add(ss.resample, trajectory=trajectory, rate=20.0)
     add(ss.force_std, robot=robot, trajectory=trajectory, formulation="exact", backend="numpy")
-    add(ss.smooth_samples, time=np.arange(20.0), values=rng.normal(size=(20, 2)), sigma=0.1, cutoff=0.2)
-    add(ss.SmoothingOptions, position=1e-4, angle=1e-4, cutoff=5.0, on=True, free=("on",))
+    add(ss.smooth_samples, time=np.arange(20.0), values=rng.normal(size=(20, 2)), noise_std=0.1, cutoff=0.2)
+    add(
+        ss.SmoothingOptions,
+        position_std=1e-4,
+        angle_std=1e-4,
+        cutoff_frequency=5.0,
+        enabled=True,
+        free=("on",),
+    )
     units = {"length_unit": "mm", "angle_unit": "deg", "time_unit": "ms"}
     add(ss.TrajectoryFormat, columns={"t_x": "X"}, **units, delimiter=";", decimal=",", euler_order="zyx")
     add(ss.base_parameters, robot=robot, motion=motion[None])
@@ -229,7 +262,7 @@ def calls() -> dict[str, Call]:
         v=excited.motion.v,
     )
     add(ss.estimate_pose_noise, time=excited.time, motion=rough, period=excited.path.period, harmonics=3)
-    add(ss.simulate_experiment, robot=robot, excited=excited, sigma=1.0, seed=0)
+    add(ss.simulate_experiment, robot=robot, excitation=excited, force_std=1.0, seed=0)
     return found
 
 

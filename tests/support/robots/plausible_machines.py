@@ -328,7 +328,7 @@ BY_DOUBT: dict[str, dict[str, tuple[Change, str]]] = {
         "limits in centimeters": (scaled(length_limits=1e2), "in centimeters"),
         "the stroke for limits": (of(length_limits=np.tile([0.0, 0.2], (6, 1))), "the stroke given"),
     },
-    "home": {"home of another point": (of(home=np.array([0.0, 0.0, 1.7])), "home of another point")},
+    "home": {"home of another point": (of(home_position=np.array([0.0, 0.0, 1.7])), "home of another point")},
     "force-limit": {"force limit in kN": (scaled(force_limit=1e-3), "force_limit in kN")},
     "drive-limit": {"motors without their gear": (driven(torque_limit=1e-4), "motors too weak")},
     "drive-speed": {
