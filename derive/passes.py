@@ -58,7 +58,7 @@ _ORDER: tuple[tuple[str, str, Callable[[bool], ForceKernel]], ...] = (
     ),
     (
         "shared pose",
-        "S_ddot = B q + a, the platform's inertia about its centre of mass",
+        "S_ddot = B q + a, the platform's inertia about its center of mass",
         lambda friction: shared_blocks(with_shared_pose(EXACT, friction)),
     ),
     (

@@ -22,11 +22,11 @@ class Leg:
         self.p: Any = [0.0] * 3  # m: platform point, platform frame
         self.k: Any = [0.0] * 3  # 1: unit vector along the fixed axis of the universal joint, base frame
         self.m_d: Any = 0.0  # kg: mass of the lower part
-        self.r_d0: Any = [0.0] * 3  # m: centre of mass of the lower part, frame D
-        self.I_d0: Any = [0.0] * 6  # kg m^2: inertia of the lower part about its centre of mass, frame D
+        self.r_d0: Any = [0.0] * 3  # m: center of mass of the lower part, frame D
+        self.I_d0: Any = [0.0] * 6  # kg m^2: inertia of the lower part about its center of mass, frame D
         self.m_u: Any = 0.0  # kg: mass of the upper part
-        self.r_u0: Any = [0.0] * 3  # m: centre of mass of the upper part, frame U
-        self.I_u0: Any = [0.0] * 6  # kg m^2: inertia of the upper part about its centre of mass, frame U
+        self.r_u0: Any = [0.0] * 3  # m: center of mass of the upper part, frame U
+        self.I_u0: Any = [0.0] * 6  # kg m^2: inertia of the upper part about its center of mass, frame U
         self.C_u: Any = 0.0  # N m s: viscous friction of the universal joint
         self.C_p: Any = 0.0  # N s/m: viscous friction of the prismatic joint
         self.C_s: Any = 0.0  # N m s: viscous friction of the spherical joint
@@ -37,8 +37,8 @@ class Robot:
 
     def __init__(self) -> None:
         self.M: Any = 0.0  # kg: mass of the platform with its payload
-        self.R_0: Any = [0.0] * 3  # m: centre of mass of the platform, platform frame
-        # kg m^2: inertia of the platform about its centre of mass, platform frame
+        self.R_0: Any = [0.0] * 3  # m: center of mass of the platform, platform frame
+        # kg m^2: inertia of the platform about its center of mass, platform frame
         self.I_p: Any = [0.0] * 6
         self.g: Any = [0.0] * 3  # m/s^2: acceleration due to gravity, base frame
         self.leg: Any = Leg()  # the legs, in each number one value for each leg
@@ -89,14 +89,14 @@ def platform_wrench(on: Arithmetic, robot: Any, motion: Any) -> Any:
     R_0_x, R_0_y, R_0_z = robot.R_0
     I_p_xx, I_p_xy, I_p_xz, I_p_yy, I_p_yz, I_p_zz = robot.I_p
     g_x, g_y, g_z = robot.g
-    # (30) centre of mass from the reference point, base frame
+    # (30) center of mass from the reference point, base frame
     R_G_x = R_0_x * R_xx + R_0_y * R_xy + R_0_z * R_xz
     R_G_y = R_0_x * R_yx + R_0_y * R_yy + R_0_z * R_yz
     R_G_z = R_0_x * R_zx + R_0_y * R_zy + R_0_z * R_zz
     c1 = R_G_y * omega_x - R_G_x * omega_y
     c2 = R_G_x * omega_z - R_G_z * omega_x
     c3 = R_G_z * omega_y - R_G_y * omega_z
-    # (31) acceleration of the centre of mass
+    # (31) acceleration of the center of mass
     a_G_x = a_x + R_G_z * alpha_y - R_G_y * alpha_z + c1 * omega_y - c2 * omega_z
     a_G_y = a_y + R_G_x * alpha_z - R_G_z * alpha_x + c3 * omega_z - c1 * omega_x
     a_G_z = a_z + R_G_y * alpha_x - R_G_x * alpha_y + c2 * omega_x - c3 * omega_y
@@ -254,7 +254,7 @@ def singular_status(on: Arithmetic, H: Any, arm: Any, L: Any, reach: Any, tip: A
 
 def per_length_of(on: Arithmetic, size: Any, smallest: Any) -> Any:
     """What moments are multiplied by in the solve where no coordinate of their arms exceeds `size`, 1/m:
-    1 for arms of about a metre, `smallest` and more, else one over the least power of two, from
+    1 for arms of about a meter, `smallest` and more, else one over the least power of two, from
     2^-100 to 2^100, that is as large.
     """
     per_length = 1.0

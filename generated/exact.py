@@ -215,16 +215,16 @@ def leg_dynamics(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:
     c8 = 2.0 * c7
     # (9) angular acceleration of the leg, leg frame
     A_x = kappa * (A_z_own - c8) - c6
-    # (12) centre of mass of the upper part from the base point
+    # (12) center of mass of the upper part from the base point
     r_u_x = r_u0_x + L
     c9 = W_x * W_z
     c10 = 2.0 * c9
     c11 = W_x * W_x
-    # (11), (13) acceleration of the lower centre of mass
+    # (11), (13) acceleration of the lower center of mass
     a_d_x = A_y_own * r_d0_z - c1 * r_d0_x - c2 * r_d0_x + c10 * r_d0_z + c8 * r_d0_y - A_z_own * r_d0_y
     a_d_y = W_y * W_z * r_d0_z - c11 * r_d0_y - c2 * r_d0_y + A_z_own * r_d0_x - A_x * r_d0_z
     a_d_z = W_y * W_z * r_d0_y - c1 * r_d0_z - c11 * r_d0_z - A_y_own * r_d0_x + A_x * r_d0_y
-    # (14) acceleration of the upper centre of mass
+    # (14) acceleration of the upper center of mass
     a_u_x = (L_ddot - c1 * r_u_x - c2 * r_u_x + A_y_own * r_u0_z + c10 * r_u0_z + c8 * r_u0_y - A_z_own * r_u0_y)
     a_u_y = c4 - c11 * r_u0_y - c2 * r_u0_y + W_y * W_z * r_u0_z + A_z_own * r_u_x - A_x * r_u0_z
     a_u_z = W_y * W_z * r_u0_y - c1 * r_u0_z - c11 * r_u0_z - c5 - A_y_own * r_u_x + A_x * r_u0_y
@@ -389,16 +389,16 @@ def leg_reactions(on: Arithmetic, leg: Any, robot: Any, motion: Any, x: Any, bea
     c8 = 2.0 * c7
     # (9) angular acceleration of the leg, leg frame
     A_x = kappa * (A_z_own - c8) - c6
-    # (12) centre of mass of the upper part from the base point
+    # (12) center of mass of the upper part from the base point
     r_u_x = r_u0_x + L
     c9 = W_x * W_z
     c10 = 2.0 * c9
     c11 = W_x * W_x
-    # (11), (13) acceleration of the lower centre of mass
+    # (11), (13) acceleration of the lower center of mass
     a_d_x = A_y_own * r_d0_z - c1 * r_d0_x - c2 * r_d0_x + c10 * r_d0_z + c8 * r_d0_y - A_z_own * r_d0_y
     a_d_y = W_y * W_z * r_d0_z - c11 * r_d0_y - c2 * r_d0_y + A_z_own * r_d0_x - A_x * r_d0_z
     a_d_z = W_y * W_z * r_d0_y - c1 * r_d0_z - c11 * r_d0_z - A_y_own * r_d0_x + A_x * r_d0_y
-    # (14) acceleration of the upper centre of mass
+    # (14) acceleration of the upper center of mass
     a_u_x = (L_ddot - c1 * r_u_x - c2 * r_u_x + A_y_own * r_u0_z + c10 * r_u0_z + c8 * r_u0_y - A_z_own * r_u0_y)
     a_u_y = c4 - c11 * r_u0_y - c2 * r_u0_y + W_y * W_z * r_u0_z + A_z_own * r_u_x - A_x * r_u0_z
     a_u_z = W_y * W_z * r_u0_y - c1 * r_u0_z - c11 * r_u0_z - c5 - A_y_own * r_u_x + A_x * r_u0_y

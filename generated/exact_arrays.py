@@ -10,7 +10,7 @@ selections, square roots and constants. Where a status is not 0, the other numbe
 
 from typing import Any
 
-from .arithmetic import INDEFINITE, JOINT_SINGULAR, NOT_FINITE, OK, SINGULAR, ZERO_LENGTH, Arithmetic
+from .arithmetic import JOINT_SINGULAR, MASS_MATRIX_INDEFINITE, NOT_FINITE, OK, SINGULAR, ZERO_LENGTH, Arithmetic
 
 
 class Leg:
@@ -21,11 +21,11 @@ class Leg:
         self.p: Any = [0.0] * 3  # m: platform point, platform frame
         self.k: Any = [0.0] * 3  # 1: unit vector along the fixed axis of the universal joint, base frame
         self.m_d: Any = 0.0  # kg: mass of the lower part
-        self.r_d0: Any = [0.0] * 3  # m: centre of mass of the lower part, frame D
-        self.I_d0: Any = [0.0] * 6  # kg m^2: inertia of the lower part about its centre of mass, frame D
+        self.r_d0: Any = [0.0] * 3  # m: center of mass of the lower part, frame D
+        self.I_d0: Any = [0.0] * 6  # kg m^2: inertia of the lower part about its center of mass, frame D
         self.m_u: Any = 0.0  # kg: mass of the upper part
-        self.r_u0: Any = [0.0] * 3  # m: centre of mass of the upper part, frame U
-        self.I_u0: Any = [0.0] * 6  # kg m^2: inertia of the upper part about its centre of mass, frame U
+        self.r_u0: Any = [0.0] * 3  # m: center of mass of the upper part, frame U
+        self.I_u0: Any = [0.0] * 6  # kg m^2: inertia of the upper part about its center of mass, frame U
         self.C_u: Any = 0.0  # N m s: viscous friction of the universal joint
         self.C_p: Any = 0.0  # N s/m: viscous friction of the prismatic joint
         self.C_s: Any = 0.0  # N m s: viscous friction of the spherical joint
@@ -36,8 +36,8 @@ class Robot:
 
     def __init__(self) -> None:
         self.M: Any = 0.0  # kg: mass of the platform with its payload
-        self.R_0: Any = [0.0] * 3  # m: centre of mass of the platform, platform frame
-        # kg m^2: inertia of the platform about its centre of mass, platform frame
+        self.R_0: Any = [0.0] * 3  # m: center of mass of the platform, platform frame
+        # kg m^2: inertia of the platform about its center of mass, platform frame
         self.I_p: Any = [0.0] * 6
         self.g: Any = [0.0] * 3  # m/s^2: acceleration due to gravity, base frame
         self.leg: Any = [Leg() for _ in range(6)]  # the legs
@@ -100,14 +100,14 @@ class Platform:
 
     def __init__(self) -> None:
         self.M_P: Any = 0.0  # kg: mass of the platform with the upper parts
-        self.r_C: Any = [0.0] * 3  # m: its centre of mass, platform frame
-        self.J_C: Any = [0.0] * 6  # kg m^2: its inertia about its centre of mass, platform frame
+        self.r_C: Any = [0.0] * 3  # m: its center of mass, platform frame
+        self.J_C: Any = [0.0] * 6  # kg m^2: its inertia about its center of mass, platform frame
         self.dJ_C: Any = [0.0] * 3  # kg m^2: J_C_zz - J_C_yy, J_C_xx - J_C_zz, J_C_yy - J_C_xx
         self.C_P: Any = 0.0  # N m s: friction of all spherical joints
         self.g: Any = [0.0] * 3  # m/s^2: acceleration due to gravity, base frame
         self.M: Any = 0.0  # kg: mass of the platform with its payload
-        self.R_0: Any = [0.0] * 3  # m: centre of mass of the platform, platform frame
-        # kg m^2: inertia of the platform about its centre of mass, platform frame
+        self.R_0: Any = [0.0] * 3  # m: center of mass of the platform, platform frame
+        # kg m^2: inertia of the platform about its center of mass, platform frame
         self.I_p: Any = [0.0] * 6
         self.h_P: Any = [0.0] * 3  # kg m: its first moment, platform frame
         self.J_P: Any = [0.0] * 6  # kg m^2: its inertia about the reference point, platform frame
@@ -189,7 +189,8 @@ class Equations:
         self.C: Any = [[0.0] * 6 for _ in range(6)]  # kg/s, kg m/s, kg m^2/s: Coriolis matrix
         self.g: Any = [0.0] * 6  # N, N m: gravity
         self.friction: Any = [0.0] * 6  # N, N m: friction
-        self.bias: Any = [0.0] * 6  # N, N m: C [v; omega] + g + friction
+        self.bias: Any = [0.0] * 6  # N, N m: C [v; omega] + g
+        self.bias_and_friction: Any = [0.0] * 6  # N, N m: C [v; omega] + g + friction
         self.H: Any = [[0.0] * 6 for _ in range(6)]  # 1 and m: from F to the wrench on the platform
         self.H_dot: Any = [[0.0] * 6 for _ in range(6)]  # 1/s and m/s: its rate
         self.status: Any = 0  # 0, or what is wrong
@@ -200,7 +201,7 @@ class LegInputs:
 
     def __init__(self) -> None:
         self.F: Any = 0.0  # N: actuator force of the leg
-        # N, N m: generalised forces of the leg less the actuator's, along L, theta, phi
+        # N, N m: generalized forces of the leg less the actuator's, along L, theta, phi
         self.net: Any = [0.0] * 3
         # m/s^2, 1/s^2: accelerations of L, theta, phi by those of the platform alone
         self.turned: Any = [0.0] * 3
@@ -276,11 +277,11 @@ class EquationsPose:
         self.friction_moment: Any = [0.0] * 3  # N m: friction, moment
 
 
-class Bias:
+class BiasAndFriction:
     """C [v; omega] + g + friction."""
 
     def __init__(self) -> None:
-        self.bias: Any = [0.0] * 6  # N, N m: the sum
+        self.bias_and_friction: Any = [0.0] * 6  # N, N m: the sum
         self.status: Any = 0  # 0, or what is wrong
 
 
@@ -417,7 +418,7 @@ class JointRowsLeg:
         self.M_xi: Any = [0.0] * 6  # kg, kg m, kg m^2: inertia of the joint coordinates, rows L, theta, phi
         self.row_v: Any = [0.0] * 9  # 1, 1/m: gradients of L, theta, phi by position
         self.row_w: Any = [0.0] * 9  # m, 1: gradients of L, theta, phi by rotation
-        # N, N m: generalised forces less the actuator's without accelerations of the platform
+        # N, N m: generalized forces less the actuator's without accelerations of the platform
         self.tau: Any = [0.0] * 3
         self.q: Any = [0.0] * 3  # m: platform point from the reference point, base frame
         self.L: Any = 0.0  # m: length of the leg
@@ -545,8 +546,8 @@ class DerivativesPose:
         self.W_mw: Any = [0.0] * 9  # N m s: moment by omega
 
 
-class Linearisation:
-    """Forward dynamics and its linearisation."""
+class LinearizationResult:
+    """Forward dynamics and its linearization."""
 
     def __init__(self) -> None:
         self.a: Any = [0.0] * 3  # m/s^2: acceleration of the reference point
@@ -557,7 +558,7 @@ class Linearisation:
 
 
 class SlopesApart:
-    """What the rows give of a linearisation."""
+    """What the rows give of a linearization."""
 
     def __init__(self) -> None:
         self.x: Any = [0.0] * 6  # m/s^2, rad/s^2: a and alpha
@@ -580,10 +581,10 @@ class JointSlopesLeg:
         self.W_fw: Any = [0.0] * 9  # N s: force by omega
         self.W_mv: Any = [0.0] * 9  # N s: moment by v
         self.W_mw: Any = [0.0] * 9  # N m s: moment by omega
-        self.tau_t: Any = [0.0] * 9  # N, N m per unit: generalised forces by dt, row for row
-        self.tau_r: Any = [0.0] * 9  # N, N m per unit: generalised forces by dphi, row for row
-        self.tau_v: Any = [0.0] * 9  # N, N m per unit: generalised forces by v, row for row
-        self.tau_w: Any = [0.0] * 9  # N, N m per unit: generalised forces by omega, row for row
+        self.tau_t: Any = [0.0] * 9  # N, N m per unit: generalized forces by dt, row for row
+        self.tau_r: Any = [0.0] * 9  # N, N m per unit: generalized forces by dphi, row for row
+        self.tau_v: Any = [0.0] * 9  # N, N m per unit: generalized forces by v, row for row
+        self.tau_w: Any = [0.0] * 9  # N, N m per unit: generalized forces by omega, row for row
         self.H_force: Any = [0.0] * 3  # 1: the leg's column of H, force rows
         self.H_moment: Any = [0.0] * 3  # m: the leg's column of H, moment rows
         self.q: Any = [0.0] * 3  # m: platform point from the reference point, base frame
@@ -736,11 +737,11 @@ def prepare_platform(on: Arithmetic, robot: Any, p_1: Any, total: Any) -> Any:
     C_add = total.C_add
     p_1_x, p_1_y, p_1_z = p_1[0], p_1[1], p_1[2]
     M_P = M + M_add
-    # the platform's own centre of mass from platform point 1
+    # the platform's own center of mass from platform point 1
     arm_x = R_0_x - p_1_x
     arm_y = R_0_y - p_1_y
     arm_z = R_0_z - p_1_z
-    # first moment of what is lumped with it about that centre
+    # first moment of what is lumped with it about that center
     e_x = h_add_x - M_add * arm_x
     e_y = h_add_y - M_add * arm_y
     e_z = h_add_z - M_add * arm_z
@@ -873,7 +874,7 @@ def size_of(on: Arithmetic, model: Any) -> Any:
 
 def per_length_of(on: Arithmetic, size: Any, smallest: Any) -> Any:
     """What moments are multiplied by in the solve where no coordinate of their arms exceeds `size`, 1/m:
-    1 for arms of about a metre, `smallest` and more, else one over the least power of two, from
+    1 for arms of about a meter, `smallest` and more, else one over the least power of two, from
     2^-100 to 2^100, that is as large.
     """
     per_length = 1.0
@@ -947,7 +948,7 @@ def shared_terms(on: Arithmetic, platform: Any, motion: Any) -> Any:
     B_zx = omega_xz - alpha_y
     B_zy = alpha_x + omega_yz
     B_zz = -omega_xx - omega_yy
-    # (30) centre of mass from the reference point, base frame
+    # (30) center of mass from the reference point, base frame
     R_C_x = R_xx * r_C_x + R_xy * r_C_y + R_xz * r_C_z
     R_C_y = R_yx * r_C_x + R_yy * r_C_y + R_yz * r_C_z
     R_C_z = R_zx * r_C_x + R_zy * r_C_y + R_zz * r_C_z
@@ -1222,7 +1223,7 @@ def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any)
     # first moment along k and against k x y
     w_k = k3 * w_z + k1 * w_x
     w_n = k3 * w_x - k1 * w_z
-    # (20) generalised forces about y and about k
+    # (20) generalized forces about y and about k
     tau_y = (L_ddot * h_z + g_k * w_n + gamma_n * w_k + C_us * theta_dot - C_s * (omega_x * y_x + omega_y * y_y
         + omega_z * y_z) - M_phi_theta * phi_dot2 + bend * h2_x + M_mixed * phi_ddot + M_theta * theta_ddot)
     tau_k = (M_mixed_theta * theta_dot2 - C_s * (k_x * omega_x + k_y * omega_y + k_z * omega_z) - L_ddot * k3_h
@@ -1493,7 +1494,7 @@ def leg_near_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared:
     # first moment along k and against k x y
     w_k = k3 * w_z + k1 * w_x
     w_n = k3 * w_x - k1 * w_z
-    # (20) generalised forces about y and about k
+    # (20) generalized forces about y and about k
     tau_y = (L_ddot * h_z + g_k * w_n + phi_dot2 * (k13 * (J_yy - dJ_zx) - c3 * (0.5 - k33)) + C_us * theta_dot
         + bend * h2_x + gamma_n * w_k - C_s * (omega_x * y_x + omega_y * y_y + omega_z * y_z) + M_theta * own_theta_ddot
         + M_mixed * phi_ddot)
@@ -2348,6 +2349,8 @@ def check_equations(on: Arithmetic, out: Any) -> None:
     for i in range(6):
         lost = lost + 0.0 * out.bias[i]
     for i in range(6):
+        lost = lost + 0.0 * out.bias_and_friction[i]
+    for i in range(6):
         for j in range(6):
             lost = lost + 0.0 * out.H[i][j]
     for i in range(6):
@@ -2366,6 +2369,8 @@ def check_equations(on: Arithmetic, out: Any) -> None:
         out.friction[i] = on.where(out.status == OK, out.friction[i], on.NAN)
     for i in range(6):
         out.bias[i] = on.where(out.status == OK, out.bias[i], on.NAN)
+    for i in range(6):
+        out.bias_and_friction[i] = on.where(out.status == OK, out.bias_and_friction[i], on.NAN)
     for i in range(6):
         for j in range(6):
             out.H[i][j] = on.where(out.status == OK, out.H[i][j], on.NAN)
@@ -2398,10 +2403,11 @@ def equations(on: Arithmetic, model: Any, motion: Any) -> Any:
             out.H_dot[i][j] = legs.leg[j].H_dot_force[i]
             out.H_dot[i + 3][j] = legs.leg[j].H_dot_moment[i]
     for i in range(6):
-        total_bias = out.g[i] + out.friction[i]
+        total_bias = out.g[i]
         for j in range(3):
             total_bias = total_bias + out.C[i][j] * motion.v[j] + out.C[i][j + 3] * motion.omega[j]
         out.bias[i] = total_bias
+        out.bias_and_friction[i] = total_bias + out.friction[i]
     out.status = legs.status
     check_equations(on, out)
     return out
@@ -2590,7 +2596,7 @@ def bias_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, gi
     # first moment along k and against k x y
     w_k = k3 * w_z + k1 * w_x
     w_n = k3 * w_x - k1 * w_z
-    # (20) generalised forces about y and about k
+    # (20) generalized forces about y and about k
     tau_y = (L_ddot * h_z + g_k * w_n + phi_dot2 * (k13 * (J_yy - dJ_zx) - c3 * (0.5 - k33)) + C_us * theta_dot
         + bend * h2_x + gamma_n * w_k - C_s * (omega_x * y_x + omega_y * y_y + omega_z * y_z) + M_theta * own_theta_ddot
         + M_mixed * phi_ddot)
@@ -2654,30 +2660,30 @@ def bias_sums(on: Arithmetic, model: Any, motion: Any, legs: Any, summed: Any) -
     bias_total(on, pose, legs, summed)
 
 
-def check_bias(on: Arithmetic, out: Any) -> None:
+def check_bias_and_friction(on: Arithmetic, out: Any) -> None:
     """Says where a number of a result is not finite, and puts NaN for all where the status is not OK."""
     lost = 0.0
     for i in range(6):
-        lost = lost + 0.0 * out.bias[i]
+        lost = lost + 0.0 * out.bias_and_friction[i]
     out.status = on.where((out.status != OK) | (lost == 0.0), out.status, NOT_FINITE)
     for i in range(6):
-        out.bias[i] = on.where(out.status == OK, out.bias[i], on.NAN)
+        out.bias_and_friction[i] = on.where(out.status == OK, out.bias_and_friction[i], on.NAN)
 
 
-def bias(on: Arithmetic, model: Any, motion: Any) -> Any:
+def bias_and_friction(on: Arithmetic, model: Any, motion: Any) -> Any:
     """C [v; omega] + g + friction without C."""
     model = on.arrays(on.checked(Model(), "model", model))
     motion = on.arrays(on.checked(Motion(), "motion", motion))
     on.agree(motion=motion)
-    out = Bias()
+    out = BiasAndFriction()
     legs = BiasLegs()
     summed = BiasSums()
     bias_sums(on, model, motion, legs, summed)
     for i in range(3):
-        out.bias[i] = summed.bias_force[i]
-        out.bias[i + 3] = summed.bias_moment[i]
+        out.bias_and_friction[i] = summed.bias_force[i]
+        out.bias_and_friction[i + 3] = summed.bias_moment[i]
     out.status = legs.status
-    check_bias(on, out)
+    check_bias_and_friction(on, out)
     return out
 
 
@@ -2873,7 +2879,7 @@ def forward_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any,
     # first moment along k and against k x y
     w_k = k3 * w_z + k1 * w_x
     w_n = k3 * w_x - k1 * w_z
-    # (20) generalised forces about y and about k
+    # (20) generalized forces about y and about k
     tau_y = (L_ddot * h_z + g_k * w_n + phi_dot2 * (k13 * (J_yy - dJ_zx) - c3 * (0.5 - k33)) + C_us * theta_dot
         + bend * h2_x + gamma_n * w_k - C_s * (omega_x * y_x + omega_y * y_y + omega_z * y_z) + M_theta * own_theta_ddot
         + M_mixed * phi_ddot)
@@ -2993,7 +2999,7 @@ def forward_sums(on: Arithmetic, model: Any, motion: Any, legs: Any, summed: Any
 
 
 def accelerations_of(on: Arithmetic, legs: Any, summed: Any, out: Any) -> None:
-    """The accelerations of a pose; INDEFINITE where elimination leaves too little of M."""
+    """The accelerations of a pose; MASS_MATRIX_INDEFINITE where elimination leaves too little of M."""
     status = OK
     y_0 = summed.right_force[0]
     a_0_0, a_0_1, a_0_2 = summed.M_vv[0], summed.M_vv[1], summed.M_vv[2]
@@ -3018,7 +3024,7 @@ def accelerations_of(on: Arithmetic, legs: Any, summed: Any, out: Any) -> None:
     a_4_5 = summed.M_ww[4]
     y_5 = summed.right_moment[2]
     a_5_5 = summed.M_ww[5]
-    fault = on.where(on.size(a_0_0) <= on.MAX, INDEFINITE, NOT_FINITE)
+    fault = on.where(on.size(a_0_0) <= on.MAX, MASS_MATRIX_INDEFINITE, NOT_FINITE)
     fault = on.where(a_0_0 > on.KEPT * summed.M_vv[0], OK, fault)
     status = on.where(status == OK, fault, status)
     inverse_0 = 1.0 / a_0_0
@@ -3047,7 +3053,7 @@ def accelerations_of(on: Arithmetic, legs: Any, summed: Any, out: Any) -> None:
     factor_0_5 = a_0_5 * inverse_0
     a_5_5 = a_5_5 - factor_0_5 * a_0_5
     y_5 = y_5 - factor_0_5 * y_0
-    fault = on.where(on.size(a_1_1) <= on.MAX, INDEFINITE, NOT_FINITE)
+    fault = on.where(on.size(a_1_1) <= on.MAX, MASS_MATRIX_INDEFINITE, NOT_FINITE)
     fault = on.where(a_1_1 > on.KEPT * summed.M_vv[3], OK, fault)
     status = on.where(status == OK, fault, status)
     inverse_1 = 1.0 / a_1_1
@@ -3069,7 +3075,7 @@ def accelerations_of(on: Arithmetic, legs: Any, summed: Any, out: Any) -> None:
     factor_1_5 = a_1_5 * inverse_1
     a_5_5 = a_5_5 - factor_1_5 * a_1_5
     y_5 = y_5 - factor_1_5 * y_1
-    fault = on.where(on.size(a_2_2) <= on.MAX, INDEFINITE, NOT_FINITE)
+    fault = on.where(on.size(a_2_2) <= on.MAX, MASS_MATRIX_INDEFINITE, NOT_FINITE)
     fault = on.where(a_2_2 > on.KEPT * summed.M_vv[5], OK, fault)
     status = on.where(status == OK, fault, status)
     inverse_2 = 1.0 / a_2_2
@@ -3085,7 +3091,7 @@ def accelerations_of(on: Arithmetic, legs: Any, summed: Any, out: Any) -> None:
     factor_2_5 = a_2_5 * inverse_2
     a_5_5 = a_5_5 - factor_2_5 * a_2_5
     y_5 = y_5 - factor_2_5 * y_2
-    fault = on.where(on.size(a_3_3) <= on.MAX, INDEFINITE, NOT_FINITE)
+    fault = on.where(on.size(a_3_3) <= on.MAX, MASS_MATRIX_INDEFINITE, NOT_FINITE)
     fault = on.where(a_3_3 > on.KEPT * summed.M_ww[0], OK, fault)
     status = on.where(status == OK, fault, status)
     inverse_3 = 1.0 / a_3_3
@@ -3096,14 +3102,14 @@ def accelerations_of(on: Arithmetic, legs: Any, summed: Any, out: Any) -> None:
     factor_3_5 = a_3_5 * inverse_3
     a_5_5 = a_5_5 - factor_3_5 * a_3_5
     y_5 = y_5 - factor_3_5 * y_3
-    fault = on.where(on.size(a_4_4) <= on.MAX, INDEFINITE, NOT_FINITE)
+    fault = on.where(on.size(a_4_4) <= on.MAX, MASS_MATRIX_INDEFINITE, NOT_FINITE)
     fault = on.where(a_4_4 > on.KEPT * summed.M_ww[3], OK, fault)
     status = on.where(status == OK, fault, status)
     inverse_4 = 1.0 / a_4_4
     factor_4_5 = a_4_5 * inverse_4
     a_5_5 = a_5_5 - factor_4_5 * a_4_5
     y_5 = y_5 - factor_4_5 * y_4
-    fault = on.where(on.size(a_5_5) <= on.MAX, INDEFINITE, NOT_FINITE)
+    fault = on.where(on.size(a_5_5) <= on.MAX, MASS_MATRIX_INDEFINITE, NOT_FINITE)
     fault = on.where(a_5_5 > on.KEPT * summed.M_ww[5], OK, fault)
     status = on.where(status == OK, fault, status)
     inverse_5 = 1.0 / a_5_5
@@ -3233,7 +3239,7 @@ def joint_rows_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
 
 
 def joint_rows_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, given: Any) -> Any:
-    """One leg's inertia and generalised forces in its joint coordinates, and their gradients: 341 (207
+    """One leg's inertia and generalized forces in its joint coordinates, and their gradients: 341 (207
     mul, 130 add, 2 div, 2 sqrt).
     """
     b_x, b_y, b_z = leg.b
@@ -3358,7 +3364,7 @@ def joint_rows_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
     # first moment along k and against k x y
     w_k = k3 * w_z + k1 * w_x
     w_n = k3 * w_x - k1 * w_z
-    # (20) generalised forces about y and about k
+    # (20) generalized forces about y and about k
     tau_y = (L_ddot * h_z + g_k * w_n + phi_dot2 * (k13 * (J_yy - dJ_zx) - c7 * (0.5 - k33)) + C_us * theta_dot
         + bend * h2_x + gamma_n * w_k - C_s * (omega_x * y_x + omega_y * y_y + omega_z * y_z) + M_theta * own_theta_ddot
         + M_mixed * phi_ddot)
@@ -3645,7 +3651,7 @@ def balance_rows(on: Arithmetic, by: Any, force: Any, moved: Any, balanced: Any)
 def row_right(on: Arithmetic, by: Any, force: Any, held: Any, start: Any, rest: Any, right: Any) -> None:
     """What the six coordinates' accelerations must balance, of the rows' forces and a wrench, ``held``.
 
-    force: of each row, as its generalised force over its size, without accelerations. start:
+    force: of each row, as its generalized force over its size, without accelerations. start:
     accelerations of the coordinates that balance their own large forces, from which the unknown ones
     are measured; rest: the rows' forces there.
     """
@@ -3701,7 +3707,7 @@ def clear_below_8(on: Arithmetic, A: Any, k: Any, inverse: Any) -> None:
 def solve_definite_8(on: Arithmetic, A: Any, kept: Any) -> Any:
     """Solves the rows [M | Y] for X, left in place of Y, by L D L^T.
 
-    INDEFINITE where a pivot is not more than ``kept`` of its diagonal number.
+    MASS_MATRIX_INDEFINITE where a pivot is not more than ``kept`` of its diagonal number.
     """
     scale = [0.0] * 6
     inverse = [0.0] * 6
@@ -3709,7 +3715,7 @@ def solve_definite_8(on: Arithmetic, A: Any, kept: Any) -> Any:
     for k in range(6):
         scale[k] = A[k][k]
     for k in range(6):
-        fault = on.where(on.size(A[k][k]) <= on.MAX, INDEFINITE, NOT_FINITE)
+        fault = on.where(on.size(A[k][k]) <= on.MAX, MASS_MATRIX_INDEFINITE, NOT_FINITE)
         fault = on.where(A[k][k] > kept * scale[k], OK, fault)
         status = on.where(status == OK, fault, status)
         inverse[k] = 1.0 / A[k][k]
@@ -3733,7 +3739,7 @@ def row_back(on: Arithmetic, by: Any, found: Any, start: Any, acceleration: Any)
 
 
 def rows_held(on: Arithmetic, legs: Any, by: Any, found: Any, start: Any, rest: Any, held: Any) -> None:
-    """Of each leg the generalised forces, the accelerations that those of the platform give to it, and
+    """Of each leg the generalized forces, the accelerations that those of the platform give to it, and
     whether it is thin: most of what resists turning by phi is then k3 times its turning by theta. A
     share between the two would have the rounding of both.
 
@@ -3825,10 +3831,10 @@ def forward_dynamics(on: Arithmetic, model: Any, motion: Any, F: Any) -> Any:
         legs.given[i].F = F[i]
     forward_sums(on, model, motion, legs, summed)
     accelerations_of(on, legs, summed, out)
-    if on.anywhere(out.status == INDEFINITE):
+    if on.anywhere(out.status == MASS_MATRIX_INDEFINITE):
         by = Rows()
         apart = forward_apart(on, model, motion, F, by)
-        lost = on.where(out.status == INDEFINITE, 1, 0)
+        lost = on.where(out.status == MASS_MATRIX_INDEFINITE, 1, 0)
         for i in range(3):
             out.a[i] = on.where(lost == 1, apart.x[i], out.a[i])
             out.alpha[i] = on.where(lost == 1, apart.x[i + 3], out.alpha[i])
@@ -5565,7 +5571,7 @@ def with_acceleration(on: Arithmetic, motion: Any, a: Any, alpha: Any) -> Any:
 def solve_definite_24(on: Arithmetic, A: Any, kept: Any) -> Any:
     """Solves the rows [M | Y] for X, left in place of Y, by L D L^T.
 
-    INDEFINITE where a pivot is not more than ``kept`` of its diagonal number.
+    MASS_MATRIX_INDEFINITE where a pivot is not more than ``kept`` of its diagonal number.
     """
     scale = [0.0] * 6
     inverse = [0.0] * 6
@@ -5573,7 +5579,7 @@ def solve_definite_24(on: Arithmetic, A: Any, kept: Any) -> Any:
     for k in range(6):
         scale[k] = A[k][k]
     for k in range(6):
-        fault = on.where(on.size(A[k][k]) <= on.MAX, INDEFINITE, NOT_FINITE)
+        fault = on.where(on.size(A[k][k]) <= on.MAX, MASS_MATRIX_INDEFINITE, NOT_FINITE)
         fault = on.where(A[k][k] > kept * scale[k], OK, fault)
         status = on.where(status == OK, fault, status)
         inverse[k] = 1.0 / A[k][k]
@@ -5582,7 +5588,7 @@ def solve_definite_24(on: Arithmetic, A: Any, kept: Any) -> Any:
     return status
 
 
-def check_linearisation(on: Arithmetic, out: Any) -> None:
+def check_linearization(on: Arithmetic, out: Any) -> None:
     """Says where a number of a result is not finite, and puts NaN for all where the status is not OK."""
     lost = 0.0
     for i in range(3):
@@ -5783,7 +5789,7 @@ def joint_slopes_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
 
 
 def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, given: Any) -> Any:
-    """One leg's part of the derivatives of the wrench, and its generalised forces' derivatives: 2040
+    """One leg's part of the derivatives of the wrench, and its generalized forces' derivatives: 2040
     (1287 mul, 749 add, 2 div, 2 sqrt).
     """
     b_x, b_y, b_z = leg.b
@@ -6148,7 +6154,7 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
         * c176 * k1 + c161 * c170 + c174 * c2 + c197 * c78 - c136 * c191 + c137 * k1 * theta_dot + c184 * c88
         - c124 - c140 - c16 * c199 + c172 * c180 + c196 - J_xx * c162 - c109 * c147 * c50 - c127 * own_z - c16
         * c202 + c196 * c50 - c177 * c42 - c128 * c40)
-    # generalised forces by the tip's motion
+    # generalized forces by the tip's motion
     tau_S_xx = s_x * tau_S_leg_11 + tau_S_leg_13 * z_x + tau_S_leg_12 * y_x
     tau_S_xy = s_y * tau_S_leg_11 + tau_S_leg_13 * z_y + tau_S_leg_12 * y_y
     tau_S_xz = s_z * tau_S_leg_11 + tau_S_leg_13 * z_z + tau_S_leg_12 * y_z
@@ -6176,7 +6182,7 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
         * k1 - c113 * c16 * inv_k3 - c132 * c53 + 2.0 * h_z * inv_k3 * theta_dot - c187 * c88 - W_z * c178 - c113
         * c182 * c88 - c18 * inv_k3 + 2.0 * J_xy * W_z * inv_L * inv_k3 + 2.0 * J_yz * W_z * inv_L * k1)
     tau_S_dot_leg_33 = c16 * c200 + c111 - c205 + 2.0 * c198 * c88 + c113 * c157 * c40 + c199 * inv_L - c174
-    # generalised forces by the tip's motion
+    # generalized forces by the tip's motion
     tau_S_dot_xx = s_x * tau_S_dot_leg_11 + tau_S_dot_leg_13 * z_x + tau_S_dot_leg_12 * y_x
     tau_S_dot_xy = s_y * tau_S_dot_leg_11 + tau_S_dot_leg_13 * z_y + tau_S_dot_leg_12 * y_y
     tau_S_dot_xz = s_z * tau_S_dot_leg_11 + tau_S_dot_leg_13 * z_z + tau_S_dot_leg_12 * y_z
@@ -6195,7 +6201,7 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     tau_S_ddot_leg_31 = -c208
     tau_S_ddot_leg_32 = c166 + c207 * k3 + c171 - c194 * c91 + c172 * c40 - c193
     tau_S_ddot_leg_33 = h_y * k1 - c173 - c99
-    # generalised forces by the tip's motion
+    # generalized forces by the tip's motion
     tau_S_ddot_xx = m_u * s_x + tau_S_ddot_leg_13 * z_x + tau_S_ddot_leg_12 * y_x
     tau_S_ddot_xy = m_u * s_y + tau_S_ddot_leg_13 * z_y + tau_S_ddot_leg_12 * y_y
     tau_S_ddot_xz = m_u * s_z + tau_S_ddot_leg_13 * z_z + tau_S_ddot_leg_12 * y_z
@@ -6228,7 +6234,7 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     c217 = inv_rho * k3
     bent_leg_32 = L * k3 * (c217 * net_x + c214 * c40 * inv_rho)
     bent_leg_33 = c216 * kappa
-    # generalised forces by the tip's place, as the rows turn
+    # generalized forces by the tip's place, as the rows turn
     tau_place_xx = bent_leg_13 * z_x + tau_S_xx + bent_leg_12 * y_x
     tau_place_xy = bent_leg_13 * z_y + tau_S_xy + bent_leg_12 * y_y
     tau_place_xz = bent_leg_13 * z_z + tau_S_xz + bent_leg_12 * y_z
@@ -6534,13 +6540,13 @@ def slopes_apart(on: Arithmetic, model: Any, motion: Any, moving: Any, F: Any) -
     return out
 
 
-def linearisation(on: Arithmetic, model: Any, motion: Any, F: Any) -> Any:
+def linearization(on: Arithmetic, model: Any, motion: Any, F: Any) -> Any:
     """Forward dynamics, and d/dt [dt; dphi; dv; domega] = A [dt; dphi; dv; domega] + B dF about it."""
     model = on.arrays(on.checked(Model(), "model", model))
     motion = on.arrays(on.checked(Motion(), "motion", motion))
     F = on.arrays(on.checked([0.0] * 6, "F", F))
     on.agree(motion=motion, F=F)
-    out = Linearisation()
+    out = LinearizationResult()
     legs = DerivativesLegs()
     summed = DerivativesSums()
     A = [[0.0] * 24 for _ in range(6)]
@@ -6558,15 +6564,15 @@ def linearisation(on: Arithmetic, model: Any, motion: Any, F: Any) -> Any:
             A[i][j + 18] = legs.leg[j].H_force[i]
             A[i + 3][j + 18] = legs.leg[j].H_moment[i]
     fault = solve_definite_24(on, A, on.KEPT)
-    if on.anywhere((status == OK) & (fault == INDEFINITE)):
+    if on.anywhere((status == OK) & (fault == MASS_MATRIX_INDEFINITE)):
         apart = slopes_apart(on, model, motion, moving, F)
         for i in range(6):
             for j in range(6, 24):
-                A[i][j] = on.where(fault == INDEFINITE, apart.A[i][j], A[i][j])
+                A[i][j] = on.where(fault == MASS_MATRIX_INDEFINITE, apart.A[i][j], A[i][j])
         for i in range(3):
-            moved.a[i] = on.where(fault == INDEFINITE, apart.x[i], moved.a[i])
-            moved.alpha[i] = on.where(fault == INDEFINITE, apart.x[i + 3], moved.alpha[i])
-        fault = on.where(fault == INDEFINITE, apart.status, fault)
+            moved.a[i] = on.where(fault == MASS_MATRIX_INDEFINITE, apart.x[i], moved.a[i])
+            moved.alpha[i] = on.where(fault == MASS_MATRIX_INDEFINITE, apart.x[i + 3], moved.alpha[i])
+        fault = on.where(fault == MASS_MATRIX_INDEFINITE, apart.status, fault)
     for i in range(3):
         out.a[i] = moved.a[i]
         out.alpha[i] = moved.alpha[i]
@@ -6585,7 +6591,7 @@ def linearisation(on: Arithmetic, model: Any, motion: Any, F: Any) -> Any:
     out.A[5][3] = -motion.omega[1]
     out.A[5][4] = motion.omega[0]
     out.status = on.where(status == OK, fault, status)
-    check_linearisation(on, out)
+    check_linearization(on, out)
     return out
 
 

@@ -10,18 +10,19 @@ selections, square roots and constants. Where a status is not 0, the other numbe
 
 from typing import Any
 
-from .arithmetic import INDEFINITE, NOT_FINITE, OK, Arithmetic
+from .arithmetic import MASS_MATRIX_INDEFINITE, NOT_FINITE, OK, Arithmetic
 from .exact_arrays import (
-    Accelerations, Added, Apart, Bias, BiasLeg, BiasLegs, BiasSums, Derivatives, DerivativesLeg,
-    DerivativesLegs, DerivativesSums, Equations, EquationsLeg, EquationsLegs, EquationsSums, Forces,
-    ForwardLeg, ForwardLegs, ForwardSums, JointInertia, JointRowsLeg, JointRowsLegs, JointRowsSums,
-    JointSlopesLeg, JointSlopesLegs, JointSlopesSums, LegTerms, Linearisation, MomentTerms, Motion,
-    Platform, Rows, SlopesApart, Sums, accelerations_of, add_up, bias_pose, bias_total, by_rows,
-    check_bias, check_derivatives, check_equations, check_forward_dynamics, check_joint_inertia,
-    check_linearisation, columns_status, cube_of, derivatives_pose, derivatives_total, equations_pose,
-    equations_total, fault_of, forward_pose, forward_total, joint_rows_pose, joint_rows_total,
-    joint_slopes_pose, joint_slopes_total, largest_component, make_rows, moments_of, per_length_of,
-    pick_rows, place_blocks_24, place_blocks_6, place_inertia_12, place_inertia_24, place_inertia_6,
+    Accelerations, Added, Apart, BiasAndFriction, BiasLeg, BiasLegs, BiasSums, Derivatives,
+    DerivativesLeg, DerivativesLegs, DerivativesSums, Equations, EquationsLeg, EquationsLegs,
+    EquationsSums, Forces, ForwardLeg, ForwardLegs, ForwardSums, JointInertia, JointRowsLeg,
+    JointRowsLegs, JointRowsSums, JointSlopesLeg, JointSlopesLegs, JointSlopesSums, LegTerms,
+    LinearizationResult, MomentTerms, Motion, Platform, Rows, SlopesApart, Sums, accelerations_of,
+    add_up, bias_pose, bias_total, by_rows, check_bias_and_friction, check_derivatives,
+    check_equations, check_forward_dynamics, check_joint_inertia, check_linearization, columns_status,
+    cube_of, derivatives_pose, derivatives_total, equations_pose, equations_total, fault_of,
+    forward_pose, forward_total, joint_rows_pose, joint_rows_total, joint_slopes_pose,
+    joint_slopes_total, largest_component, make_rows, moments_of, per_length_of, pick_rows,
+    place_blocks_24, place_blocks_6, place_inertia_12, place_inertia_24, place_inertia_6,
     prepare_platform, reach_of, row_back, row_right, rows_held, scale_moments_12, scale_moments_24,
     shared_terms, shift, singular_status, size_of, solve_definite_24, solve_definite_8, solve_legs,
     solve_pivoted_12, solve_pivoted_24, weigh_rows, with_acceleration,
@@ -36,11 +37,11 @@ class Leg:
         self.p: Any = [0.0] * 3  # m: platform point, platform frame
         self.k: Any = [0.0] * 3  # 1: unit vector along the fixed axis of the universal joint, base frame
         self.m_d: Any = 0.0  # kg: mass of the lower part
-        self.r_d0: Any = [0.0] * 3  # m: centre of mass of the lower part, frame D
-        self.I_d0: Any = [0.0] * 6  # kg m^2: inertia of the lower part about its centre of mass, frame D
+        self.r_d0: Any = [0.0] * 3  # m: center of mass of the lower part, frame D
+        self.I_d0: Any = [0.0] * 6  # kg m^2: inertia of the lower part about its center of mass, frame D
         self.m_u: Any = 0.0  # kg: mass of the upper part
-        self.r_u0: Any = [0.0] * 3  # m: centre of mass of the upper part, frame U
-        self.I_u0: Any = [0.0] * 6  # kg m^2: inertia of the upper part about its centre of mass, frame U
+        self.r_u0: Any = [0.0] * 3  # m: center of mass of the upper part, frame U
+        self.I_u0: Any = [0.0] * 6  # kg m^2: inertia of the upper part about its center of mass, frame U
         self.C_u: Any = 0.0  # N m s: viscous friction of the universal joint
         self.C_p: Any = 0.0  # N s/m: viscous friction of the prismatic joint
         self.C_s: Any = 0.0  # N m s: viscous friction of the spherical joint
@@ -54,8 +55,8 @@ class Robot:
 
     def __init__(self) -> None:
         self.M: Any = 0.0  # kg: mass of the platform with its payload
-        self.R_0: Any = [0.0] * 3  # m: centre of mass of the platform, platform frame
-        # kg m^2: inertia of the platform about its centre of mass, platform frame
+        self.R_0: Any = [0.0] * 3  # m: center of mass of the platform, platform frame
+        # kg m^2: inertia of the platform about its center of mass, platform frame
         self.I_p: Any = [0.0] * 6
         self.g: Any = [0.0] * 3  # m/s^2: acceleration due to gravity, base frame
         self.leg: Any = [Leg() for _ in range(6)]  # the legs
@@ -378,7 +379,7 @@ def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any)
     c2 = j_r * k3
     c3 = c2 * phi_dot
     c4 = j_r * k1 - k3_h
-    # (20) generalised forces about y and about k
+    # (20) generalized forces about y and about k
     tau_y = (L_ddot * h_z + g_k * w_n + gamma_n * w_k + C_us * theta_dot - C_s * (omega_x * y_x + omega_y * y_y
         + omega_z * y_z) - M_phi_theta * phi_dot2 + L_dot * c3 + bend * h2_x + M_mixed * phi_ddot + M_theta
         * theta_ddot)
@@ -530,7 +531,7 @@ def leg_near_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared:
     c5 = j_r * k3
     c6 = c5 * phi_dot
     c7 = j_r * k1 - k3_h
-    # (20) generalised forces about y and about k
+    # (20) generalized forces about y and about k
     tau_y = (L_ddot * h_z + g_k * w_n + phi_dot2 * (k13 * (J_yy - dJ_zx) - c3 * (0.5 - k33)) + C_us * theta_dot
         + bend * h2_x + gamma_n * w_k - C_s * (omega_x * y_x + omega_y * y_y + omega_z * y_z) + L_dot * c6 + M_theta
         * own_theta_ddot + M_mixed * phi_ddot)
@@ -1267,10 +1268,11 @@ def equations(on: Arithmetic, model: Any, motion: Any) -> Any:
             out.H_dot[i][j] = legs.leg[j].H_dot_force[i]
             out.H_dot[i + 3][j] = legs.leg[j].H_dot_moment[i]
     for i in range(6):
-        total_bias = out.g[i] + out.friction[i]
+        total_bias = out.g[i]
         for j in range(3):
             total_bias = total_bias + out.C[i][j] * motion.v[j] + out.C[i][j + 3] * motion.omega[j]
         out.bias[i] = total_bias
+        out.bias_and_friction[i] = total_bias + out.friction[i]
     out.status = legs.status
     check_equations(on, out)
     return out
@@ -1402,7 +1404,7 @@ def bias_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, gi
     c5 = j_r * k3
     c6 = c5 * phi_dot
     c7 = j_r * k1 - k3_h
-    # (20) generalised forces about y and about k
+    # (20) generalized forces about y and about k
     tau_y = (L_ddot * h_z + g_k * w_n + phi_dot2 * (k13 * (J_yy - dJ_zx) - c3 * (0.5 - k33)) + C_us * theta_dot
         + bend * h2_x + gamma_n * w_k - C_s * (omega_x * y_x + omega_y * y_y + omega_z * y_z) + L_dot * c6 + M_theta
         * own_theta_ddot + M_mixed * phi_ddot)
@@ -1457,20 +1459,20 @@ def bias_sums(on: Arithmetic, model: Any, motion: Any, legs: Any, summed: Any) -
     bias_total(on, pose, legs, summed)
 
 
-def bias(on: Arithmetic, model: Any, motion: Any) -> Any:
+def bias_and_friction(on: Arithmetic, model: Any, motion: Any) -> Any:
     """C [v; omega] + g + friction without C."""
     model = on.arrays(on.checked(Model(), "model", model))
     motion = on.arrays(on.checked(Motion(), "motion", motion))
     on.agree(motion=motion)
-    out = Bias()
+    out = BiasAndFriction()
     legs = BiasLegs()
     summed = BiasSums()
     bias_sums(on, model, motion, legs, summed)
     for i in range(3):
-        out.bias[i] = summed.bias_force[i]
-        out.bias[i + 3] = summed.bias_moment[i]
+        out.bias_and_friction[i] = summed.bias_force[i]
+        out.bias_and_friction[i + 3] = summed.bias_moment[i]
     out.status = legs.status
-    check_bias(on, out)
+    check_bias_and_friction(on, out)
     return out
 
 
@@ -1601,7 +1603,7 @@ def forward_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any,
     c5 = j_r * k3
     c6 = c5 * phi_dot
     c7 = j_r * k1 - k3_h
-    # (20) generalised forces about y and about k
+    # (20) generalized forces about y and about k
     tau_y = (L_ddot * h_z + g_k * w_n + phi_dot2 * (k13 * (J_yy - dJ_zx) - c3 * (0.5 - k33)) + C_us * theta_dot
         + bend * h2_x + gamma_n * w_k - C_s * (omega_x * y_x + omega_y * y_y + omega_z * y_z) + L_dot * c6 + M_theta
         * own_theta_ddot + M_mixed * phi_ddot)
@@ -1703,7 +1705,7 @@ def forward_sums(on: Arithmetic, model: Any, motion: Any, legs: Any, summed: Any
 
 
 def joint_rows_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, given: Any) -> Any:
-    """One leg's inertia and generalised forces in its joint coordinates, and their gradients: 354 (214
+    """One leg's inertia and generalized forces in its joint coordinates, and their gradients: 354 (214
     mul, 136 add, 2 div, 2 sqrt).
     """
     b_x, b_y, b_z = leg.b
@@ -1832,7 +1834,7 @@ def joint_rows_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
     c9 = j_r * k3
     c10 = c9 * phi_dot
     c11 = j_r * k1 - k3_h
-    # (20) generalised forces about y and about k
+    # (20) generalized forces about y and about k
     tau_y = (L_ddot * h_z + g_k * w_n + phi_dot2 * (k13 * (J_yy - dJ_zx) - c7 * (0.5 - k33)) + C_us * theta_dot
         + bend * h2_x + gamma_n * w_k - C_s * (omega_x * y_x + omega_y * y_y + omega_z * y_z) + L_dot * c10
         + M_theta * own_theta_ddot + M_mixed * phi_ddot)
@@ -1966,10 +1968,10 @@ def forward_dynamics(on: Arithmetic, model: Any, motion: Any, F: Any) -> Any:
         legs.given[i].F = F[i]
     forward_sums(on, model, motion, legs, summed)
     accelerations_of(on, legs, summed, out)
-    if on.anywhere(out.status == INDEFINITE):
+    if on.anywhere(out.status == MASS_MATRIX_INDEFINITE):
         by = Rows()
         apart = forward_apart(on, model, motion, F, by)
-        lost = on.where(out.status == INDEFINITE, 1, 0)
+        lost = on.where(out.status == MASS_MATRIX_INDEFINITE, 1, 0)
         for i in range(3):
             out.a[i] = on.where(lost == 1, apart.x[i], out.a[i])
             out.alpha[i] = on.where(lost == 1, apart.x[i + 3], out.alpha[i])
@@ -3306,7 +3308,7 @@ def derivatives(on: Arithmetic, model: Any, motion: Any) -> Any:
 
 
 def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, given: Any) -> Any:
-    """One leg's part of the derivatives of the wrench, and its generalised forces' derivatives: 2220
+    """One leg's part of the derivatives of the wrench, and its generalized forces' derivatives: 2220
     (1410 mul, 806 add, 2 div, 2 sqrt).
     """
     b_x, b_y, b_z = leg.b
@@ -3691,7 +3693,7 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
         * own_y + c118 * k3 + c144 * k1 * theta_dot + c16 * c194 - c128 - c146 - c181 * c190 + c181 * c189 + c206
         * c209 + c206 * c47 - J_xx * c168 - c131 * own_z - c151 * c28 * c85 - c20 * c211 - c205 * c49 - c132
         * c47)
-    # generalised forces by the tip's motion
+    # generalized forces by the tip's motion
     tau_S_xx = s_x * tau_S_leg_11 + tau_S_leg_13 * z_x + tau_S_leg_12 * y_x
     tau_S_xy = s_y * tau_S_leg_11 + tau_S_leg_13 * z_y + tau_S_leg_12 * y_y
     tau_S_xz = s_z * tau_S_leg_11 + tau_S_leg_13 * z_z + tau_S_leg_12 * y_z
@@ -3725,7 +3727,7 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
         * c171)
     tau_S_dot_leg_33 = (c185 * c2 + c169 * c191 + c218 - c217 + c17 * c210 - c18 * c44 + W_z * c117 * c209 + c181
         * c219 - c184)
-    # generalised forces by the tip's motion
+    # generalized forces by the tip's motion
     tau_S_dot_xx = s_x * tau_S_dot_leg_11 + tau_S_dot_leg_12 * y_x + tau_S_dot_leg_13 * z_x
     tau_S_dot_xy = s_y * tau_S_dot_leg_11 + tau_S_dot_leg_12 * y_y + tau_S_dot_leg_13 * z_y
     tau_S_dot_xz = s_z * tau_S_dot_leg_11 + tau_S_dot_leg_12 * y_z + tau_S_dot_leg_13 * z_z
@@ -3745,7 +3747,7 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     tau_S_ddot_leg_31 = j_r * k1 - c221
     tau_S_ddot_leg_32 = c175 + c220 * k3 + c180 - c104 * c203 + c182 - c202
     tau_S_ddot_leg_33 = h_y * k1 - c183 - c109
-    # generalised forces by the tip's motion
+    # generalized forces by the tip's motion
     tau_S_ddot_xx = s_x * tau_S_ddot_leg_11 + tau_S_ddot_leg_13 * z_x + tau_S_ddot_leg_12 * y_x
     tau_S_ddot_xy = s_y * tau_S_ddot_leg_11 + tau_S_ddot_leg_13 * z_y + tau_S_ddot_leg_12 * y_y
     tau_S_ddot_xz = s_z * tau_S_ddot_leg_11 + tau_S_ddot_leg_13 * z_z + tau_S_ddot_leg_12 * y_z
@@ -3779,7 +3781,7 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     c230 = inv_rho * k3
     bent_leg_32 = L * k3 * (c230 * net_x + c227 * c47 * inv_rho)
     bent_leg_33 = c229 * kappa
-    # generalised forces by the tip's place, as the rows turn
+    # generalized forces by the tip's place, as the rows turn
     tau_place_xx = bent_leg_13 * z_x + tau_S_xx + bent_leg_12 * y_x
     tau_place_xy = bent_leg_13 * z_y + tau_S_xy + bent_leg_12 * y_y
     tau_place_xz = bent_leg_13 * z_z + tau_S_xz + bent_leg_12 * y_z
@@ -4048,13 +4050,13 @@ def slopes_apart(on: Arithmetic, model: Any, motion: Any, moving: Any, F: Any) -
     return out
 
 
-def linearisation(on: Arithmetic, model: Any, motion: Any, F: Any) -> Any:
+def linearization(on: Arithmetic, model: Any, motion: Any, F: Any) -> Any:
     """Forward dynamics, and d/dt [dt; dphi; dv; domega] = A [dt; dphi; dv; domega] + B dF about it."""
     model = on.arrays(on.checked(Model(), "model", model))
     motion = on.arrays(on.checked(Motion(), "motion", motion))
     F = on.arrays(on.checked([0.0] * 6, "F", F))
     on.agree(motion=motion, F=F)
-    out = Linearisation()
+    out = LinearizationResult()
     legs = DerivativesLegs()
     summed = DerivativesSums()
     A = [[0.0] * 24 for _ in range(6)]
@@ -4072,15 +4074,15 @@ def linearisation(on: Arithmetic, model: Any, motion: Any, F: Any) -> Any:
             A[i][j + 18] = legs.leg[j].H_force[i]
             A[i + 3][j + 18] = legs.leg[j].H_moment[i]
     fault = solve_definite_24(on, A, on.KEPT)
-    if on.anywhere((status == OK) & (fault == INDEFINITE)):
+    if on.anywhere((status == OK) & (fault == MASS_MATRIX_INDEFINITE)):
         apart = slopes_apart(on, model, motion, moving, F)
         for i in range(6):
             for j in range(6, 24):
-                A[i][j] = on.where(fault == INDEFINITE, apart.A[i][j], A[i][j])
+                A[i][j] = on.where(fault == MASS_MATRIX_INDEFINITE, apart.A[i][j], A[i][j])
         for i in range(3):
-            moved.a[i] = on.where(fault == INDEFINITE, apart.x[i], moved.a[i])
-            moved.alpha[i] = on.where(fault == INDEFINITE, apart.x[i + 3], moved.alpha[i])
-        fault = on.where(fault == INDEFINITE, apart.status, fault)
+            moved.a[i] = on.where(fault == MASS_MATRIX_INDEFINITE, apart.x[i], moved.a[i])
+            moved.alpha[i] = on.where(fault == MASS_MATRIX_INDEFINITE, apart.x[i + 3], moved.alpha[i])
+        fault = on.where(fault == MASS_MATRIX_INDEFINITE, apart.status, fault)
     for i in range(3):
         out.a[i] = moved.a[i]
         out.alpha[i] = moved.alpha[i]
@@ -4099,7 +4101,7 @@ def linearisation(on: Arithmetic, model: Any, motion: Any, F: Any) -> Any:
     out.A[5][3] = -motion.omega[1]
     out.A[5][4] = motion.omega[0]
     out.status = on.where(status == OK, fault, status)
-    check_linearisation(on, out)
+    check_linearization(on, out)
     return out
 
 

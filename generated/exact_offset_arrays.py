@@ -25,11 +25,11 @@ class Leg:
         self.p: Any = [0.0] * 3  # m: platform point, platform frame
         self.k: Any = [0.0] * 3  # 1: unit vector along the fixed axis of the universal joint, base frame
         self.m_d: Any = 0.0  # kg: mass of the lower part
-        self.r_d0: Any = [0.0] * 3  # m: centre of mass of the lower part, frame D
-        self.I_d0: Any = [0.0] * 6  # kg m^2: inertia of the lower part about its centre of mass, frame D
+        self.r_d0: Any = [0.0] * 3  # m: center of mass of the lower part, frame D
+        self.I_d0: Any = [0.0] * 6  # kg m^2: inertia of the lower part about its center of mass, frame D
         self.m_u: Any = 0.0  # kg: mass of the upper part
-        self.r_u0: Any = [0.0] * 3  # m: centre of mass of the upper part, frame U
-        self.I_u0: Any = [0.0] * 6  # kg m^2: inertia of the upper part about its centre of mass, frame U
+        self.r_u0: Any = [0.0] * 3  # m: center of mass of the upper part, frame U
+        self.I_u0: Any = [0.0] * 6  # kg m^2: inertia of the upper part about its center of mass, frame U
         self.C_u: Any = 0.0  # N m s: viscous friction of the universal joint
         self.C_p: Any = 0.0  # N s/m: viscous friction of the prismatic joint
         self.C_s: Any = 0.0  # N m s: viscous friction of the spherical joint
@@ -40,8 +40,8 @@ class Leg:
         self.along: Any = 0.0  # m: from where o meets the moving axis to the line of sliding, along y
         self.across: Any = 0.0  # m: the same along z = s x y
         self.cross_mass: Any = 0.0  # kg: mass of the body between fixed and moving axis
-        self.cross_center: Any = [0.0] * 3  # m: its centre of mass from the base point, along o, y and k
-        self.cross_inertia: Any = 0.0  # kg m^2: its inertia about k through its centre of mass
+        self.cross_center: Any = [0.0] * 3  # m: its center of mass from the base point, along o, y and k
+        self.cross_inertia: Any = 0.0  # kg m^2: its inertia about k through its center of mass
 
 
 class Robot:
@@ -49,8 +49,8 @@ class Robot:
 
     def __init__(self) -> None:
         self.M: Any = 0.0  # kg: mass of the platform with its payload
-        self.R_0: Any = [0.0] * 3  # m: centre of mass of the platform, platform frame
-        # kg m^2: inertia of the platform about its centre of mass, platform frame
+        self.R_0: Any = [0.0] * 3  # m: center of mass of the platform, platform frame
+        # kg m^2: inertia of the platform about its center of mass, platform frame
         self.I_p: Any = [0.0] * 6
         self.g: Any = [0.0] * 3  # m/s^2: acceleration due to gravity, base frame
         self.leg: Any = [Leg() for _ in range(6)]  # the legs
@@ -98,8 +98,8 @@ class Platform:
 
     def __init__(self) -> None:
         self.M_P: Any = 0.0  # kg: mass of the platform with the upper parts
-        self.r_C: Any = [0.0] * 3  # m: its centre of mass, platform frame
-        self.J_C: Any = [0.0] * 6  # kg m^2: its inertia about its centre of mass, platform frame
+        self.r_C: Any = [0.0] * 3  # m: its center of mass, platform frame
+        self.J_C: Any = [0.0] * 6  # kg m^2: its inertia about its center of mass, platform frame
         self.dJ_C: Any = [0.0] * 3  # kg m^2: J_C_zz - J_C_yy, J_C_xx - J_C_zz, J_C_yy - J_C_xx
         self.C_P: Any = 0.0  # N m s: friction of all spherical joints
         self.g: Any = [0.0] * 3  # m/s^2: acceleration due to gravity, base frame
@@ -239,11 +239,11 @@ def prepare_platform(on: Arithmetic, robot: Any, p_1: Any, total: Any) -> Any:
     C_add = total.C_add
     p_1_x, p_1_y, p_1_z = p_1[0], p_1[1], p_1[2]
     M_P = M + M_add
-    # the platform's own centre of mass from platform point 1
+    # the platform's own center of mass from platform point 1
     arm_x = R_0_x - p_1_x
     arm_y = R_0_y - p_1_y
     arm_z = R_0_z - p_1_z
-    # first moment of what is lumped with it about that centre
+    # first moment of what is lumped with it about that center
     e_x = h_add_x - M_add * arm_x
     e_y = h_add_y - M_add * arm_y
     e_z = h_add_z - M_add * arm_z
@@ -412,7 +412,7 @@ def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any)
     y_x = k_cross_S_x * r_share + S_across_x * e_share
     y_y = k_cross_S_y * r_share + S_across_y * e_share
     y_z = k_cross_S_z * r_share + S_across_z * e_share
-    # (10) from the fixed axis towards the platform
+    # (10) from the fixed axis toward the platform
     o_x = k_z * y_y - k_y * y_z
     o_y = k_x * y_z - k_z * y_x
     o_z = k_y * y_x - k_x * y_y
@@ -504,7 +504,7 @@ def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any)
     c3 = j_r * k3
     c4 = c3 * phi_dot
     c5 = j_r * k1 - k3_h
-    # (20) generalised forces about y and about k
+    # (20) generalized forces about y and about k
     tau_y = (g_k * w_n + gamma_n * w_k - M_phi_theta_offset * phi_dot2 - C_s * (omega_x * y_x + omega_y * y_y
         + omega_z * y_z) + C_us * theta_dot + M_mixed_offset * phi_ddot + L_dot * c4 + bend * h2_x + M_theta
         * theta_ddot + L_ddot * h_z)

@@ -25,11 +25,11 @@ class LegConstants:
         self.b: Any = [0.0] * 3  # m: base point, base frame
         self.p: Any = [0.0] * 3  # m: platform point, platform frame
         self.m_d: Any = 0.0  # kg: mass of the lower part
-        self.r_d0: Any = [0.0] * 3  # m: centre of mass of the lower part, frame D
-        self.I_d0: Any = [0.0] * 6  # kg m^2: inertia of the lower part about its centre of mass, frame D
+        self.r_d0: Any = [0.0] * 3  # m: center of mass of the lower part, frame D
+        self.I_d0: Any = [0.0] * 6  # kg m^2: inertia of the lower part about its center of mass, frame D
         self.m_u: Any = 0.0  # kg: mass of the upper part
-        self.r_u0: Any = [0.0] * 3  # m: centre of mass of the upper part, frame U
-        self.I_u0: Any = [0.0] * 6  # kg m^2: inertia of the upper part about its centre of mass, frame U
+        self.r_u0: Any = [0.0] * 3  # m: center of mass of the upper part, frame U
+        self.I_u0: Any = [0.0] * 6  # kg m^2: inertia of the upper part about its center of mass, frame U
         self.C_u: Any = 0.0  # N m s: viscous friction of the universal joint
         self.C_p: Any = 0.0  # N s/m: viscous friction of the prismatic joint
         self.C_s: Any = 0.0  # N m s: viscous friction of the spherical joint
@@ -44,8 +44,8 @@ class Platform:
 
     def __init__(self) -> None:
         self.M_P: Any = 0.0  # kg: mass of the platform with the upper parts
-        self.r_C: Any = [0.0] * 3  # m: its centre of mass, platform frame
-        self.J_C: Any = [0.0] * 6  # kg m^2: its inertia about its centre of mass, platform frame
+        self.r_C: Any = [0.0] * 3  # m: its center of mass, platform frame
+        self.J_C: Any = [0.0] * 6  # kg m^2: its inertia about its center of mass, platform frame
         self.dJ_C: Any = [0.0] * 3  # kg m^2: J_C_zz - J_C_yy, J_C_xx - J_C_zz, J_C_yy - J_C_xx
         self.g: Any = [0.0] * 3  # m/s^2: acceleration due to gravity, base frame
 
@@ -104,11 +104,11 @@ def prepare_platform(on: Arithmetic, robot: Any, p_1: Any, total: Any) -> Any:
     J_add_xx, J_add_xy, J_add_xz, J_add_yy, J_add_yz, J_add_zz = total.J_add
     p_1_x, p_1_y, p_1_z = p_1[0], p_1[1], p_1[2]
     M_P = M + M_add
-    # the platform's own centre of mass from platform point 1
+    # the platform's own center of mass from platform point 1
     arm_x = R_0_x - p_1_x
     arm_y = R_0_y - p_1_y
     arm_z = R_0_z - p_1_z
-    # first moment of what is lumped with it about that centre
+    # first moment of what is lumped with it about that center
     e_x = h_add_x - M_add * arm_x
     e_y = h_add_y - M_add * arm_y
     e_z = h_add_z - M_add * arm_z
@@ -231,7 +231,7 @@ def shared_terms(on: Arithmetic, platform: Any, motion: Any) -> Any:
     B_zx = omega_xz - alpha_y
     B_zy = alpha_x + omega_yz
     B_zz = -omega_xx - omega_yy
-    # (30) centre of mass from the reference point, base frame
+    # (30) center of mass from the reference point, base frame
     R_C_x = R_xx * r_C_x + R_xy * r_C_y + R_xz * r_C_z
     R_C_y = R_yx * r_C_x + R_yy * r_C_y + R_yz * r_C_z
     R_C_z = R_zx * r_C_x + R_zy * r_C_y + R_zz * r_C_z

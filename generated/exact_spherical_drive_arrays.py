@@ -26,11 +26,11 @@ class Leg:
         self.p: Any = [0.0] * 3  # m: platform point, platform frame
         self.k: Any = [0.0] * 3  # 1: unit vector along the fixed axis of the universal joint, base frame
         self.m_d: Any = 0.0  # kg: mass of the lower part
-        self.r_d0: Any = [0.0] * 3  # m: centre of mass of the lower part, frame D
-        self.I_d0: Any = [0.0] * 6  # kg m^2: inertia of the lower part about its centre of mass, frame D
+        self.r_d0: Any = [0.0] * 3  # m: center of mass of the lower part, frame D
+        self.I_d0: Any = [0.0] * 6  # kg m^2: inertia of the lower part about its center of mass, frame D
         self.m_u: Any = 0.0  # kg: mass of the upper part
-        self.r_u0: Any = [0.0] * 3  # m: centre of mass of the upper part, frame U
-        self.I_u0: Any = [0.0] * 6  # kg m^2: inertia of the upper part about its centre of mass, frame U
+        self.r_u0: Any = [0.0] * 3  # m: center of mass of the upper part, frame U
+        self.I_u0: Any = [0.0] * 6  # kg m^2: inertia of the upper part about its center of mass, frame U
         self.C_u: Any = 0.0  # N m s: viscous friction of the universal joint
         self.C_p: Any = 0.0  # N s/m: viscous friction of the prismatic joint
         self.C_s: Any = 0.0  # N m s: viscous friction of the spherical joint
@@ -44,8 +44,8 @@ class Robot:
 
     def __init__(self) -> None:
         self.M: Any = 0.0  # kg: mass of the platform with its payload
-        self.R_0: Any = [0.0] * 3  # m: centre of mass of the platform, platform frame
-        # kg m^2: inertia of the platform about its centre of mass, platform frame
+        self.R_0: Any = [0.0] * 3  # m: center of mass of the platform, platform frame
+        # kg m^2: inertia of the platform about its center of mass, platform frame
         self.I_p: Any = [0.0] * 6
         self.g: Any = [0.0] * 3  # m/s^2: acceleration due to gravity, base frame
         self.leg: Any = [Leg() for _ in range(6)]  # the legs
@@ -58,11 +58,11 @@ class LegConstants:
         self.b: Any = [0.0] * 3  # m: base point, base frame
         self.p: Any = [0.0] * 3  # m: platform point, platform frame
         self.m_d: Any = 0.0  # kg: mass of the lower part
-        self.r_d0: Any = [0.0] * 3  # m: centre of mass of the lower part, frame D
-        self.I_d0: Any = [0.0] * 6  # kg m^2: inertia of the lower part about its centre of mass, frame D
+        self.r_d0: Any = [0.0] * 3  # m: center of mass of the lower part, frame D
+        self.I_d0: Any = [0.0] * 6  # kg m^2: inertia of the lower part about its center of mass, frame D
         self.m_u: Any = 0.0  # kg: mass of the upper part
-        self.r_u0: Any = [0.0] * 3  # m: centre of mass of the upper part, frame U
-        self.I_u0: Any = [0.0] * 6  # kg m^2: inertia of the upper part about its centre of mass, frame U
+        self.r_u0: Any = [0.0] * 3  # m: center of mass of the upper part, frame U
+        self.I_u0: Any = [0.0] * 6  # kg m^2: inertia of the upper part about its center of mass, frame U
         self.C_u: Any = 0.0  # N m s: viscous friction of the universal joint
         self.C_p: Any = 0.0  # N s/m: viscous friction of the prismatic joint
         self.C_s: Any = 0.0  # N m s: viscous friction of the spherical joint

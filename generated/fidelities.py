@@ -109,7 +109,7 @@ FIDELITIES: dict[str, dict[str, Any]] = {
     },
     "slender_static": {
         "kernel": "exact_slender_static",
-        "meaning": "at rest, centres of mass on the legs' axes",
+        "meaning": "at rest, centers of mass on the legs' axes",
         "universal": False,
         "operations": {
             "leg": 40, "platform": 72, "moments": 21, "sum of c": 33, "solve": 262, "forces": 6,

@@ -14,7 +14,7 @@ STATUS: dict[str, tuple[int, str]] = {
     "JOINT_SINGULAR": (3, "a leg lies along the fixed axis of its universal joint"),
     "SINGULAR": (4, "H is singular: no leg forces can hold the platform"),
     "BAD_ARGUMENT": (5, "a pointer that must not be null is null"),
-    "INDEFINITE": (6, "the inertia matrix M is not positive definite: no body has such inertias"),
+    "MASS_MATRIX_INDEFINITE": (6, "the inertia matrix M is not positive definite: no body has such inertias"),
     "NOT_CONVERGED": (7, "no pose with these leg lengths was found"),
 }
 
@@ -98,6 +98,7 @@ STRUCTS: dict[str, dict[str, Shape]] = {
         "g": (6,),
         "friction": (6,),
         "bias": (6,),
+        "bias_and_friction": (6,),
         "H": (6, 6),
         "H_dot": (6, 6),
     },
@@ -107,7 +108,7 @@ STRUCTS: dict[str, dict[str, Shape]] = {
         "by_twist": (6, 6),
         "by_acceleration": (6, 6),
     },
-    "linearisation": {
+    "linearization": {
         "acceleration": (6,),
         "A": (12, 12),
         "B": (12, 6),
@@ -148,11 +149,12 @@ OUTPUTS: dict[str, dict[str, Shape]] = {
         "g": (6,),
         "friction": (6,),
         "bias": (6,),
+        "bias_and_friction": (6,),
         "H": (6, 6),
         "H_dot": (6, 6),
     },
-    "bias": {
-        "bias": (6,),
+    "bias_and_friction": {
+        "bias_and_friction": (6,),
     },
     "forward_dynamics": {
         "acceleration": (6,),
@@ -166,7 +168,7 @@ OUTPUTS: dict[str, dict[str, Shape]] = {
         "by_twist": (6, 6),
         "by_acceleration": (6, 6),
     },
-    "linearisation": {
+    "linearization": {
         "acceleration": (6,),
         "A": (12, 12),
         "B": (12, 6),

@@ -213,14 +213,14 @@ def leg_dynamics(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:
     # (9) angular acceleration of the leg but for its spin, leg frame
     A_z_own = inv_L * (e_y - c4)
     A_y_own = inv_L * (-e_z - c5)
-    # (12) centre of mass of the upper part from the base point
+    # (12) center of mass of the upper part from the base point
     r_u_x = r_u0_x + L
     c6 = W_y * W_z
-    # (11), (13) acceleration of the lower centre of mass
+    # (11), (13) acceleration of the lower center of mass
     a_d_x = A_y_own * r_d0_z - c1 * r_d0_x - c2 * r_d0_x - A_z_own * r_d0_y
     a_d_y = c6 * r_d0_z - c2 * r_d0_y + A_z_own * r_d0_x
     a_d_z = W_y * W_z * r_d0_y - c1 * r_d0_z - A_y_own * r_d0_x
-    # (14) acceleration of the upper centre of mass
+    # (14) acceleration of the upper center of mass
     a_u_x = L_ddot - c1 * r_u_x - c2 * r_u_x + A_y_own * r_u0_z - A_z_own * r_u0_y
     a_u_y = c4 - c2 * r_u0_y + c6 * r_u0_z + A_z_own * r_u_x
     a_u_z = W_y * W_z * r_u0_y - c1 * r_u0_z - c5 - A_y_own * r_u_x
@@ -378,14 +378,14 @@ def leg_reactions(on: Arithmetic, leg: Any, robot: Any, motion: Any, x: Any, bea
     # (9) angular acceleration of the leg but for its spin, leg frame
     A_z_own = inv_L * (e_y - c4)
     A_y_own = inv_L * (-e_z - c5)
-    # (12) centre of mass of the upper part from the base point
+    # (12) center of mass of the upper part from the base point
     r_u_x = r_u0_x + L
     c6 = W_y * W_z
-    # (11), (13) acceleration of the lower centre of mass
+    # (11), (13) acceleration of the lower center of mass
     a_d_x = A_y_own * r_d0_z - c1 * r_d0_x - c2 * r_d0_x - A_z_own * r_d0_y
     a_d_y = c6 * r_d0_z - c2 * r_d0_y + A_z_own * r_d0_x
     a_d_z = W_y * W_z * r_d0_y - c1 * r_d0_z - A_y_own * r_d0_x
-    # (14) acceleration of the upper centre of mass
+    # (14) acceleration of the upper center of mass
     a_u_x = L_ddot - c1 * r_u_x - c2 * r_u_x + A_y_own * r_u0_z - A_z_own * r_u0_y
     a_u_y = c4 - c2 * r_u0_y + c6 * r_u0_z + A_z_own * r_u_x
     a_u_z = W_y * W_z * r_u0_y - c1 * r_u0_z - c5 - A_y_own * r_u_x

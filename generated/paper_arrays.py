@@ -44,8 +44,8 @@ class Platform:
 
     def __init__(self) -> None:
         self.M_P: Any = 0.0  # kg: mass of the platform with the upper parts
-        self.r_C: Any = [0.0] * 3  # m: its centre of mass, platform frame
-        self.J_C: Any = [0.0] * 6  # kg m^2: its inertia about its centre of mass, platform frame
+        self.r_C: Any = [0.0] * 3  # m: its center of mass, platform frame
+        self.J_C: Any = [0.0] * 6  # kg m^2: its inertia about its center of mass, platform frame
         self.dJ_C: Any = [0.0] * 3  # kg m^2: J_C_zz - J_C_yy, J_C_xx - J_C_zz, J_C_yy - J_C_xx
         self.C_P: Any = 0.0  # N m s: friction of all spherical joints
         self.g: Any = [0.0] * 3  # m/s^2: acceleration due to gravity, base frame
@@ -149,11 +149,11 @@ def prepare_platform(on: Arithmetic, robot: Any, p_1: Any, total: Any) -> Any:
     C_add = total.C_add
     p_1_x, p_1_y, p_1_z = p_1[0], p_1[1], p_1[2]
     M_P = M + M_add
-    # the platform's own centre of mass from platform point 1
+    # the platform's own center of mass from platform point 1
     arm_x = R_0_x - p_1_x
     arm_y = R_0_y - p_1_y
     arm_z = R_0_z - p_1_z
-    # first moment of what is lumped with it about that centre
+    # first moment of what is lumped with it about that center
     e_x = h_add_x - M_add * arm_x
     e_y = h_add_y - M_add * arm_y
     e_z = h_add_z - M_add * arm_z

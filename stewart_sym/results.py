@@ -9,7 +9,7 @@ from typing import NamedTuple
 from .generated.interface import STATUS
 from .io.array_types import Array, Codes
 
-OK, NOT_FINITE, ZERO_LENGTH, JOINT_SINGULAR, SINGULAR, BAD_ARGUMENT, INDEFINITE, NOT_CONVERGED = (
+OK, NOT_FINITE, ZERO_LENGTH, JOINT_SINGULAR, SINGULAR, BAD_ARGUMENT, MASS_MATRIX_INDEFINITE, NOT_CONVERGED = (
     code for code, _ in STATUS.values()
 )
 OUT_OF_LIMITS, UNREACHABLE = 8, 9
@@ -22,7 +22,7 @@ STATUS_TEXT = dict(STATUS.values()) | {
 
 
 @dataclass(frozen=True, eq=False)
-class Forces:
+class InverseDynamicsResult:
     """Inverse dynamics of one or many poses; a leading shape ``(...)`` is that of the motion.
 
     Attributes
@@ -57,7 +57,7 @@ class Forces:
 
 
 @dataclass(frozen=True, eq=False)
-class Reactions:
+class JointReactionsResult:
     """Joint reactions of one or many poses, base frame; a leading shape ``(...)`` is that of the motion.
 
     Attributes
@@ -79,7 +79,7 @@ class Reactions:
         Constraint moment on the leg at the universal joint, N m, (..., 6), (29), along k x y, y the moving
         axis; in `paper` along the leg.
     status : ndarray of int
-        As in ``Forces``.
+        As in ``InverseDynamicsResult``.
     M_s : ndarray, optional
         Constraint moment on the leg at a universal platform joint, about the platform point, N m,
         (..., 6, 3); None where the joint is spherical.
@@ -96,7 +96,7 @@ class Reactions:
 
 
 @dataclass(frozen=True, eq=False)
-class EquationsOfMotion:
+class EquationsOfMotionResult:
     """M [a; alpha] + C [v; omega] + g + friction = H F + W_ext, of one or many poses; (...) is the motion's.
 
     Wrenches are [force; moment], twists [v; omega], both at the platform's reference point in base axes;
@@ -113,9 +113,11 @@ class EquationsOfMotion:
     friction : ndarray
         Wrench that overcomes the friction of the eighteen joints, N and N m, (..., 6).
     bias : ndarray
+        C [v; omega] + g, N and N m, (..., 6).
+    bias_and_friction : ndarray
         C [v; omega] + g + friction, N and N m, (..., 6).
     status : ndarray of int
-        As in ``Forces``; all else is NaN where it is not 0.
+        As in ``InverseDynamicsResult``; all else is NaN where it is not 0.
     """
 
     M: Array
@@ -123,11 +125,12 @@ class EquationsOfMotion:
     g: Array
     friction: Array
     bias: Array
+    bias_and_friction: Array
     status: Codes
 
 
 @dataclass(frozen=True, eq=False)
-class ForceDerivatives:
+class ForceDerivativesResult:
     """Actuator forces of inverse dynamics and their derivatives, of one or many poses; (...) is the motion's.
 
     Rows are legs. Poses move by [dt; dphi], m and rad, base axes, R becoming exp([dphi]x) R.
@@ -143,7 +146,7 @@ class ForceDerivatives:
     by_acceleration : ndarray
         dF by [a; alpha], kg and kg m, (..., 6, 6): H^-1 M.
     status : ndarray of int
-        As in ``Forces``; all else is NaN where it is not 0.
+        As in ``InverseDynamicsResult``; all else is NaN where it is not 0.
     """
 
     F: Array
@@ -154,10 +157,10 @@ class ForceDerivatives:
 
 
 @dataclass(frozen=True, eq=False)
-class Linearisation:
+class LinearizationResult:
     """Forward dynamics and its derivatives, of one or many poses; (...) is the motion's.
 
-    With the state x = [dt; dphi; dv; domega] about the motion, poses moving as in ``ForceDerivatives``, dx/dt
+    With the state x = [dt; dphi; dv; domega] about the motion, poses moving as in ``ForceDerivativesResult``, dx/dt
     = A x + B dF.
 
     Attributes
@@ -169,7 +172,7 @@ class Linearisation:
     B : ndarray
         (..., 12, 6).
     status : ndarray of int
-        As in ``Forces``; all else is NaN where it is not 0.
+        As in ``InverseDynamicsResult``; all else is NaN where it is not 0.
     """
 
     acceleration: Array
@@ -195,7 +198,7 @@ class Accelerations(NamedTuple):
     alpha: Array
 
 
-class DampedSolution(NamedTuple):
+class DampedLeastSquaresResult(NamedTuple):
     """Axial forces x, N, (..., 6), and wrench_error = c - H x, N and N m, (..., 6)."""
 
     x: Array

@@ -1,4 +1,4 @@
-"""A drawing of the conventions: frames, fixed axis, leg frame, centres of mass, sign of F.
+"""A drawing of the conventions: frames, fixed axis, leg frame, centers of mass, sign of F.
 
 Everything drawn comes from the kinematics of a machine with few clear proportions; the page
 ``.docs/conventions.md`` explains it.
@@ -70,7 +70,7 @@ def figure() -> "Figure":
 
 
 def _leg(axes: Any, base: Array, tip: Array) -> None:
-    """One leg: its ends, fixed axis k, frame, centres of mass and actuator force."""
+    """One leg: its ends, fixed axis k, frame, centers of mass and actuator force."""
     S = tip - base
     L = float(np.linalg.norm(S))
     s = S / L
@@ -86,7 +86,7 @@ def _leg(axes: Any, base: Array, tip: Array) -> None:
     for share, part, place in ((0.36, "lower", "x > 0 from b$_1$"), (0.72, "upper", "x < 0 from p$_1$")):
         at = base + share * S
         axes.scatter(*at[:, None], color="white", edgecolors=_LEG_COLOR, s=70, linewidths=2.0)
-        _label(axes, at + left, f"centre of mass, {part} part:\n{place}", _LEG_COLOR, "right")
+        _label(axes, at + left, f"center of mass, {part} part:\n{place}", _LEG_COLOR, "right")
     _arrow(axes, tip, tip + 0.34 * s, _FORCE_COLOR, "")
     _arrow(axes, base, base - 0.22 * s, _FORCE_COLOR, "")
     _label(

@@ -1,4 +1,4 @@
-"""C99 of the closed form: equations of motion, bias, forward dynamics, derivatives, linearisation.
+"""C99 of the closed form: equations of motion, bias and friction, forward dynamics, derivatives, linearization.
 
 The trees of ``kernel.outputs`` with the legs in lanes (``kernel.legs_in_lanes``), on the prepared model of
 the force kernel, with ``written.motion`` for what only C has; batches are those of ``closed_form_blocks``.
@@ -94,7 +94,7 @@ class _Source(blocks.Batches):
         super().__init__(model, asked, kernels)
         # What is needed of the functions that serve other languages as well.
         texts = [each for each in asked if each not in blocks.OWN]
-        texts += [f"{each}_sums" for each in asked if each in blocks.OWN]
+        texts += [f"{o.PREFIX.get(each, each)}_sums" for each in asked if each in blocks.OWN]
         texts += ["place_inertia_40"] if "derivatives" in asked else []
         self.program = o.program_in_lanes(model, kernels, texts)
         named = {each.name: each for each in self.program.structures}

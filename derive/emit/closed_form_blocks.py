@@ -22,10 +22,10 @@ from ..mechanics.closed_form.terms import BY_POSE, BY_TWIST, CORIOLIS, F_LEG, Su
 from ..program.block import Quantity
 from .closed_form_interface import OF_BATCHES, STRUCTS, arrays_of, in_place, members_in_order, struct_of
 
-OUTPUTS = ("equations", "bias", "forward_dynamics", "derivatives")
+OUTPUTS = ("equations", "bias_and_friction", "forward_dynamics", "derivatives")
 """Functions whose batch takes eight poses at a time."""
 
-OWN = ("equations", "bias", "derivatives")
+OWN = ("equations", "bias_and_friction", "derivatives")
 """Functions whose C of one pose has a text of its own; the others share theirs with other languages."""
 
 LEGS = 6
@@ -114,13 +114,13 @@ class Results:
     @property
     def base(self) -> int:
         """Where the numbers begin that legs keep."""
-        return 90 if self.what == "equations" else self.count
+        return 96 if self.what == "equations" else self.count
 
     @property
     def width(self) -> int:
         """How many numbers a pose hands on."""
         slots = LEGS * sum(len(q.keys) for q in self.kept)
-        return LEGS if self.what in ("bias", "forward_dynamics") else self.base + slots
+        return LEGS if self.what in ("bias_and_friction", "forward_dynamics") else self.base + slots
 
     @property
     def has_f(self) -> bool:
@@ -180,7 +180,15 @@ class Results:
     def _places(self) -> dict[str, read.Given]:
         """Where numbers are."""
         if self.what == "equations":
-            places = {"C": 36, "G": 72, "FRICTION": 78, "BIAS": 84, "RESULTS": 162, "ALL": 168}
+            places = {
+                "C": 36,
+                "G": 72,
+                "FRICTION": 78,
+                "BIAS": 84,
+                "WITH_FRICTION": 90,
+                "RESULTS": 168,
+                "ALL": 168,
+            }
             return {**places, "SYMMETRIC": _symmetric(self.first)}
         if self.what == "derivatives":
             at = offsets(self.kernel.summed)
@@ -201,7 +209,7 @@ class Results:
         forced = self.has_f and not self.forces_first
         of_block: dict[str, read.Given] = {
             "equations": texts.finished_equations,
-            "bias": texts.finished_in_lanes,
+            "bias_and_friction": texts.finished_in_lanes,
             "forward_dynamics": texts.finished_accelerations,
             "derivatives": texts.finished_forces,
         }
@@ -305,14 +313,14 @@ class Batches:
             yield self.read(texts.load_forces)
         yield self.read(texts.add_two, apart=True)
         yield self.read(texts.in_rows, apart=True)
-        if {"equations", "bias", "forward_dynamics"} & set(self.asked):
+        if {"equations", "bias_and_friction", "forward_dynamics"} & set(self.asked):
             yield self.read(texts.any_of)
 
     def _results(self, what: str) -> tuple[Results, dict[str, t.Structure]]:
         """What is known of an output, and the structures of its functions."""
         prefix = o.PREFIX.get(what, what)
         kernel = self.kernels[prefix]
-        made = Results(prefix, what, kernel, [] if what == "bias" else kept(kernel))
+        made = Results(prefix, what, kernel, [] if what == "bias_and_friction" else kept(kernel))
         structures = {
             "Pose": self.pose_structure(prefix),
             "Legs": self.legs_structure(prefix),

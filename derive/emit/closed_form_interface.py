@@ -19,14 +19,14 @@ STRUCTS = {
     "equations": "H_dot: rate of H; the others as above.",
     "derivatives": "Actuator forces of inverse dynamics and their derivatives by [dt; dphi], [v; omega], "
     "[a; alpha].",
-    "linearisation": "Forward dynamics, and d/dt [dt; dphi; dv; domega] = A [dt; dphi; dv; domega] + B dF "
+    "linearization": "Forward dynamics, and d/dt [dt; dphi; dv; domega] = A [dt; dphi; dv; domega] + B dF "
     "about the motion.",
 }
 """Functions that fill a structure, and what it says."""
 
 PARTS = {
     (structure, part): ("acceleration", first)
-    for structure in ("Accelerations", "Linearisation")
+    for structure in ("Accelerations", "LinearizationResult")
     for part, first in (("a", 0), ("alpha", 3))
 }
 

@@ -98,7 +98,8 @@ STRUCTS: dict[str, tuple[Member, ...]] = {
         _flat("C", (6, 6), "the same over s", "Coriolis and centrifugal matrix, row-major"),
         _flat("g", (6,), _WRENCH, "gravity"),
         _flat("friction", (6,), _WRENCH, "friction of the joints"),
-        _flat("bias", (6,), _WRENCH, "C [v; omega] + g + friction"),
+        _flat("bias", (6,), _WRENCH, "C [v; omega] + g"),
+        _flat("bias_and_friction", (6,), _WRENCH, "C [v; omega] + g + friction"),
         _flat("H", (6, 6), "1 and m", "from actuator forces to the wrench, row-major"),
         _flat("H_dot", (6, 6), "1/s and m/s", "rate of H, row-major"),
     ),
@@ -108,7 +109,7 @@ STRUCTS: dict[str, tuple[Member, ...]] = {
         _flat("by_twist", (6, 6), "N s/m and N s/rad", "row-major"),
         _flat("by_acceleration", (6, 6), "N s^2/m and N s^2/rad", "row-major"),
     ),
-    "linearisation": (
+    "linearization": (
         _ACCELERATION,
         _flat("A", (12, 12), "mixed", "12 by 12, row-major"),
         _flat("B", (12, 6), "mixed", "12 by 6, row-major"),
@@ -309,9 +310,9 @@ CALLS: dict[str, Call] = {
         (_MOTION, _struct("equations")),
         True,
     ),
-    "bias": Call(
+    "bias_and_friction": Call(
         "C [v; omega] + g + friction alone.",
-        (_MOTION, _out(_flat("bias", (6,), _WRENCH, "force and moment, base frame"))),
+        (_MOTION, _out(_flat("bias_and_friction", (6,), _WRENCH, "force and moment, base frame"))),
         True,
     ),
     "forward_dynamics": Call(
@@ -329,9 +330,9 @@ CALLS: dict[str, Call] = {
         (_MOTION, _struct("derivatives")),
         True,
     ),
-    "linearisation": Call(
+    "linearization": Call(
         "Forward dynamics and d/dt [dt; dphi; dv; domega] = A [dt; dphi; dv; domega] + B dF.",
-        (_MOTION, _GIVEN_F, _struct("linearisation")),
+        (_MOTION, _GIVEN_F, _struct("linearization")),
         True,
     ),
     "inverse_kinematics": Call(

@@ -276,7 +276,7 @@ def _complete(block: Block, quantities: tuple[Quantity, ...]) -> Block:
 # ---------------------------------------------------------------- closed form
 
 
-PREFIX = {"forward_dynamics": "forward"}
+PREFIX = {"forward_dynamics": "forward", "bias_and_friction": "bias"}
 """Prefix of the names of a kernel's functions, where it is not the name of the kernel."""
 
 
@@ -340,11 +340,16 @@ RESULTS = {
         Field("C", _numbers(6, 6), "kg/s, kg m/s, kg m^2/s: Coriolis matrix"),
         Field("g", _numbers(6), "N, N m: gravity"),
         Field("friction", _numbers(6), "N, N m: friction"),
-        Field("bias", _numbers(6), "N, N m: C [v; omega] + g + friction"),
+        Field("bias", _numbers(6), "N, N m: C [v; omega] + g"),
+        Field("bias_and_friction", _numbers(6), "N, N m: C [v; omega] + g + friction"),
         Field("H", _numbers(6, 6), "1 and m: from F to the wrench on the platform"),
         Field("H_dot", _numbers(6, 6), "1/s and m/s: its rate"),
     ),
-    "bias": _result("Bias", "C [v; omega] + g + friction.", Field("bias", _numbers(6), "N, N m: the sum")),
+    "bias_and_friction": _result(
+        "BiasAndFriction",
+        "C [v; omega] + g + friction.",
+        Field("bias_and_friction", _numbers(6), "N, N m: the sum"),
+    ),
     "forward_dynamics": _result(
         "Accelerations",
         "Accelerations of the platform.",
@@ -364,9 +369,9 @@ RESULTS = {
         Field("by_twist", _numbers(6, 6), "N s/m, N s: by [v; omega]"),
         Field("by_acceleration", _numbers(6, 6), "kg, kg m: by [a; alpha]"),
     ),
-    "linearisation": _result(
-        "Linearisation",
-        "Forward dynamics and its linearisation.",
+    "linearization": _result(
+        "LinearizationResult",
+        "Forward dynamics and its linearization.",
         Field("a", _numbers(3), "m/s^2: acceleration of the reference point"),
         Field("alpha", _numbers(3), "rad/s^2: angular acceleration"),
         Field("A", _numbers(12, 12), "by [dt; dphi; dv; domega]"),
@@ -392,7 +397,7 @@ def check_arrays(results: Mapping[str, Structure]) -> None:
 
 check_arrays(RESULTS)
 OUTPUTS = tuple(RESULTS)
-FORCED = ("forward_dynamics", "linearisation")
+FORCED = ("forward_dynamics", "linearization")
 """Outputs that take the actuator forces."""
 
 _STRUCTURES = (
@@ -415,7 +420,7 @@ _STRUCTURES = (
     _result("Apart", "What the rows give.", Field("x", _numbers(6), "m/s^2, rad/s^2: a and alpha")),
     _result(
         "SlopesApart",
-        "What the rows give of a linearisation.",
+        "What the rows give of a linearization.",
         Field("x", _numbers(6), "m/s^2, rad/s^2: a and alpha"),
         Field("A", _numbers(6, 24), "the rows solved"),
     ),

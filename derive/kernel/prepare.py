@@ -2,8 +2,8 @@
 
 Every operation of a kernel but one is homogeneous in the units of length, mass and time, so that units that
 are powers of two change no bit of it: the choice of a pivot compares force rows, without unit, with moment
-rows, in metres. The length is a power of two as well, so that it changes no bit but through that choice. On
-platforms of about a metre it is 1, and no solve multiplies by it.
+rows, in meters. The length is a power of two as well, so that it changes no bit but through that choice. On
+platforms of about a meter it is 1, and no solve multiplies by it.
 """
 
 import math

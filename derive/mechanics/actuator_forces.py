@@ -8,7 +8,7 @@ Each change leaves the forces as they are:
 - ``exact`` legs are written in the coordinates of their joints (``joint_coordinates``), `paper` legs in their
   frame (``printed``); legs with spherical base joints stay as ``inverse_dynamics`` has them;
 - the force K on the leg may carry any part along s, since x takes up the rest: F = D - x with D to match;
-- the platform's inertia is about the centre of mass of all that it moves, so that a reference point far away
+- the platform's inertia is about the center of mass of all that it moves, so that a reference point far away
   costs no digits;
 - moments are taken about platform point 1, so that leg 1 has none, elimination begins with three rows, and
   no moment is larger than the platform, however long the legs are.
@@ -356,7 +356,7 @@ def shared(friction: bool) -> Block:
     build = Builder()
     R, omega, alpha = n.R.value, n.omega.value, n.alpha.value
     turn = rotary(build, omega, alpha)
-    R_C = build.vector("R_C", R * p.r_C.value, "(30)", "centre of mass from the reference point, base frame")
+    R_C = build.vector("R_C", R * p.r_C.value, "(30)", "center of mass from the reference point, base frame")
     N = build.vector("N", p.M_P.value * (n.g.value - n.a.value - turn * R_C), "(33)", "M_P (g - a_C)")
     force = R * n.F_ext.value + N
     omega_P = build.vector("omega_P", R.T * omega, "", "angular velocity, platform frame")

@@ -14,7 +14,7 @@ import sympy as sp
 from mpmath import mp, mpf
 
 from ..program.block import Block, Output, Quantity, rebuilt
-from ..program.cse import specialised
+from ..program.cse import specialized
 from . import quantities as n
 from .actuator_forces import ForceKernel, without_zeros
 from .lumped_constants import ADDED
@@ -52,7 +52,7 @@ def baked(kernel: ForceKernel, robot: Numbers, name: str) -> ForceKernel:
     simple = {symbol: sp.Integer(int(value)) for symbol, value in shared.items() if value in (-1, 0, 1)}
 
     def change(block: Block) -> Block:
-        given = specialised(block, simple)
+        given = specialized(block, simple)
         # Near a joint singularity speed hardly matters; with constants of its own that block would have to be
         # tested for each, where rounding errors are largest.
         return given if block is kernel.leg_near_singular else _folded(given, constants)

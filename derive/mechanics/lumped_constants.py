@@ -56,8 +56,8 @@ M_P = Quantity("M_P", (), "kg", "mass of the platform with the upper parts")
 W_P = Quantity("W_P", (3,), "N", "weight of the platform with the upper parts, base frame")
 h_P = Quantity("h_P", (3,), "kg m", "its first moment, platform frame")
 J_P = Quantity("J_P", (3, 3), "kg m^2", "its inertia about the reference point, platform frame", True)
-r_C = Quantity("r_C", (3,), "m", "its centre of mass, platform frame")
-J_C = Quantity("J_C", (3, 3), "kg m^2", "its inertia about its centre of mass, platform frame", True)
+r_C = Quantity("r_C", (3,), "m", "its center of mass, platform frame")
+J_C = Quantity("J_C", (3, 3), "kg m^2", "its inertia about its center of mass, platform frame", True)
 dJ_C = Quantity("dJ_C", (3,), "kg m^2", "J_C_zz - J_C_yy, J_C_xx - J_C_zz, J_C_yy - J_C_xx")
 C_P = Quantity("C_P", (), "N m s", "friction of all spherical joints")
 
@@ -161,12 +161,12 @@ def prepare_platform(needed: Iterable[Quantity]) -> Block:
     M, R_0, h = n.M.value, n.R_0.value, h_add.value
     mass = build.scalar("M_P", M + M_add.value)
     arm = build.vector(
-        "arm", R_0 - n.p_1.value, "", "the platform's own centre of mass from platform point 1"
+        "arm", R_0 - n.p_1.value, "", "the platform's own center of mass from platform point 1"
     )
     e = build.vector(
-        "e", h - M_add.value * arm, "", "first moment of what is lumped with it about that centre"
+        "e", h - M_add.value * arm, "", "first moment of what is lumped with it about that center"
     )
-    # Each term as exact as its inputs: a centre from another one cancels where either mass is small.
+    # Each term as exact as its inputs: a center from another one cancels where either mass is small.
     first = build.vector(
         "h_P", M * R_0 + (h + M_add.value * n.p_1.value), "", "first moment about the reference point"
     )

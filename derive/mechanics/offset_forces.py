@@ -57,7 +57,7 @@ def prepare_leg(needed: Iterable[Quantity], lumped: p.Lumped) -> Block:
     d, a, e = o.d.value, o.a.value, o.e.value
     z = sp.Matrix([0, 0, 1])
     about_k = sp.Symbol("I_k", real=True)
-    # What the arm d z of the upper part's centre adds, and what turns about k alone.
+    # What the arm d z of the upper part's center adds, and what turns about k alone.
     added_J = d * (2 * h[2] * sp.eye(3) - z * h.T - h * z.T) + about_k * sp.diag(1, 0, 1)
     added_w = sp.Matrix([0, m_c * r_c[1], 0])
     more_of = dict(zip(p.J.names, (added_J[key] for key in p.J.keys), strict=True))

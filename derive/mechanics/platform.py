@@ -47,7 +47,7 @@ def equations_of_motion(
 ) -> PlatformEquations:
     """Newton's and Euler's equations with F_s = x s + K of every leg, solved for H and c.
 
-    N: M (g - a_G); R_G: centre of mass from the reference point; F_load, M_load: external force and moment;
+    N: M (g - a_G); R_G: center of mass from the reference point; F_load, M_load: external force and moment;
     E: I alpha + omega x I omega. All 3x1, base frame.
     """
     force = N + F_load
@@ -86,12 +86,12 @@ def platform() -> tuple[Block, LegShare]:
     """The block of the platform's part of c, and the share of one leg."""
     build = Builder()
     R, omega, alpha = n.R.value, n.omega.value, n.alpha.value
-    R_G = build.vector("R_G", R * n.R_0.value, "(30)", "centre of mass from the reference point, base frame")
+    R_G = build.vector("R_G", R * n.R_0.value, "(30)", "center of mass from the reference point, base frame")
     a_G = build.vector(
         "a_G",
         cross(alpha, R_G) + cross(omega, cross(omega, R_G)) + n.a.value,
         "(31)",
-        "acceleration of the centre of mass",
+        "acceleration of the center of mass",
     )
     inertia = build.tensor("I", R * n.I_p.value * R.T, "(32)", "inertia of the platform, base frame")
     N = build.vector("N", n.M.value * (n.g.value - a_G), "(33)", "M (g - a_G)")

@@ -24,11 +24,11 @@ b = Quantity("b", (3,), "m", "base point, base frame")
 p = Quantity("p", (3,), "m", "platform point, platform frame")
 k = Quantity("k", (3,), "1", "unit vector along the fixed axis of the universal joint, base frame")
 m_d = Quantity("m_d", (), "kg", "mass of the lower part")
-r_d0 = Quantity("r_d0", (3,), "m", "centre of mass of the lower part, frame D")
-I_d0 = Quantity("I_d0", (3, 3), "kg m^2", "inertia of the lower part about its centre of mass, frame D", True)
+r_d0 = Quantity("r_d0", (3,), "m", "center of mass of the lower part, frame D")
+I_d0 = Quantity("I_d0", (3, 3), "kg m^2", "inertia of the lower part about its center of mass, frame D", True)
 m_u = Quantity("m_u", (), "kg", "mass of the upper part")
-r_u0 = Quantity("r_u0", (3,), "m", "centre of mass of the upper part, frame U")
-I_u0 = Quantity("I_u0", (3, 3), "kg m^2", "inertia of the upper part about its centre of mass, frame U", True)
+r_u0 = Quantity("r_u0", (3,), "m", "center of mass of the upper part, frame U")
+I_u0 = Quantity("I_u0", (3, 3), "kg m^2", "inertia of the upper part about its center of mass, frame U", True)
 C_u = Quantity("C_u", (), "N m s", "viscous friction of the universal joint")
 C_p = Quantity("C_p", (), "N s/m", "viscous friction of the prismatic joint")
 C_s = Quantity("C_s", (), "N m s", "viscous friction of the spherical joint")
@@ -49,9 +49,9 @@ def of_leg(numbers: Container[str]) -> tuple[Quantity, ...]:
 
 # Constants of the platform and of the place it stands in.
 M = Quantity("M", (), "kg", "mass of the platform with its payload")
-R_0 = Quantity("R_0", (3,), "m", "centre of mass of the platform, platform frame")
+R_0 = Quantity("R_0", (3,), "m", "center of mass of the platform, platform frame")
 I_p = Quantity(
-    "I_p", (3, 3), "kg m^2", "inertia of the platform about its centre of mass, platform frame", True
+    "I_p", (3, 3), "kg m^2", "inertia of the platform about its center of mass, platform frame", True
 )
 g = Quantity("g", (3,), "m/s^2", "acceleration due to gravity, base frame")
 PLATFORM = (M, R_0, I_p, g)

@@ -12,7 +12,7 @@ from functools import cache
 import sympy as sp
 
 from ..program.block import Block, Builder, Quantity, rebuilt
-from ..program.cse import specialised
+from ..program.cse import specialized
 from . import actuator_forces
 from . import lumped_constants as p
 from . import quantities as n
@@ -32,7 +32,7 @@ MASSLESS = "massless"
 class Fidelity:
     """One level.
 
-    legs: ``general``; ``axisymmetric``, centres of mass on the axis and equal transverse inertias;
+    legs: ``general``; ``axisymmetric``, centers of mass on the axis and equal transverse inertias;
     ``slender``, also no inertia about the axis; ``point_masses``, no inertia but that of the masses;
     ``massless``. friction: of all joints. moving: False for no velocities and no accelerations. rotor: of the
     legs' drives.
@@ -62,7 +62,7 @@ FIDELITIES = {
         Fidelity("massless_friction", MASSLESS, True, True, "legs without mass, with friction"),
         Fidelity("massless", MASSLESS, False, True, "legs without mass, (41)"),
         Fidelity("general_static", GENERAL, False, False, "at rest"),
-        Fidelity("slender_static", SLENDER, False, False, "at rest, centres of mass on the legs' axes"),
+        Fidelity("slender_static", SLENDER, False, False, "at rest, centers of mass on the legs' axes"),
         Fidelity("massless_static", MASSLESS, False, False, "at rest, legs without mass"),
     )
 }
@@ -115,7 +115,7 @@ def fidelity_kernel(form: Formulation, level: Fidelity) -> ForceKernel:
     near = _leg(level, near_singular=True) if n.k in kernel.leg.inputs else None
     kernel = actuator_forces.about_tip(replace(kernel, leg_near_singular=near))
     if not level.moving:
-        kernel = kernel.changed(lambda block: _weighed(specialised(block, _AT_REST)))
+        kernel = kernel.changed(lambda block: _weighed(specialized(block, _AT_REST)))
     kernel = actuator_forces.without_zeros(kernel)
     final = actuator_forces.with_constants(form, level.friction, kernel.shared, kernel.leg, lumped)
     return replace(
@@ -151,7 +151,7 @@ def _leg(level: Fidelity, near_singular: bool = False) -> Block:
         return actuator_forces.joint_leg(level.friction, near_singular, level.rotor)
     if level.legs == AXISYMMETRIC or level.friction:
         leg = actuator_forces.joint_leg(level.friction, near_singular, level.rotor)
-        return specialised(leg, _constants(level.legs), p.LEG)
+        return specialized(leg, _constants(level.legs), p.LEG)
     return _leg_on_axis(level)
 
 

@@ -1,6 +1,6 @@
 """Where a kit's C departs from MISRA C:2012, rule by rule, with the reason.
 
-Data for a kit's README: every rule for which the MISRA addon of cppcheck 2.10 reports something, summarised
+Data for a kit's README: every rule for which the MISRA addon of cppcheck 2.10 reports something, summarized
 in words of our own.
 """
 
@@ -47,7 +47,7 @@ DEVIATIONS = (
     Deviation(
         "8.7",
         "functions with external linkage called in their own source alone",
-        "the interface: batches and the linearisation call functions that users call as well",
+        "the interface: batches and the linearization call functions that users call as well",
         (*LANES, *CLOSED_FORM),
     ),
     Deviation(
@@ -65,7 +65,7 @@ DEVIATIONS = (
     ),
     Deviation(
         "9.3",
-        "arrays initialised in part",
+        "arrays initialized in part",
         "there is none: the checker takes a structure that a call returns for a list",
         CLOSED_FORM,
     ),

@@ -104,7 +104,7 @@ _PRINTED: dict[str, tuple[tuple[str, str, int], ...]] = {
     "forward_dynamics": (("a, m/s^2, alpha, rad/s^2", "acceleration", 6),),
     "joint_inertia": (("joint inertia, first row, kg", "inertia", 6),),
     "derivatives": (("dF by pose, first row", "found.by_pose", 6),),
-    "linearisation": (("A, row of a, by dt", "found.A + 72", 6),),
+    "linearization": (("A, row of a, by dt", "found.A + 72", 6),),
     "forward_kinematics": (("R", "pose.R", 9), ("t, m", "pose.t", 3)),
     "axial_forces": (("axial forces, N", "axial", 6), ("L_dot, m/s", "L_dot", 6)),
     "motion_from_rpy": _TURNED,

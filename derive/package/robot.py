@@ -36,7 +36,7 @@ class Machine:
     def digest(self) -> str:
         """SHA-256 of name and constants, as hexadecimal digits; errors as of ``robot_files``."""
         of_drives = "" if self.drives is None else f"\n{_six(self.drives, 'drives')}"
-        return hashlib.sha256(f"{self.name}\n{_initialiser(self.numbers)}{of_drives}".encode()).hexdigest()
+        return hashlib.sha256(f"{self.name}\n{_initializer(self.numbers)}{of_drives}".encode()).hexdigest()
 
 
 def robot_files(machine: Machine) -> dict[str, str]:
@@ -50,7 +50,7 @@ def robot_files(machine: Machine) -> dict[str, str]:
         "guard": f"{machine.symbol.upper()}_H",
         "version": machine.version,
         "digest": machine.digest,
-        "robot": _initialiser(machine.numbers),
+        "robot": _initializer(machine.numbers),
         "arithmetic": template("kit/arithmetic.h"),
         "limits": _six(machine.limits, "limits"),
         "drives": "",
@@ -73,7 +73,7 @@ def _six(numbers: Mapping[str, Sequence[float]], struct: str) -> str:
     )
 
 
-def _initialiser(robot: Numbers) -> str:
+def _initializer(robot: Numbers) -> str:
     legs = [
         "\n".join(
             [

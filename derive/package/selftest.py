@@ -36,7 +36,7 @@ def selftest(
         "includes": includes(functions),
         "robot": _constants(machine) if reads_robot(functions) else "",
         "models": "".join(template("kit/selftest_model.c", {"prefix": p}) for p in _prefixes(functions)),
-        "motions": _initialisers(motions or [_ZERO]),
+        "motions": _initializers(motions or [_ZERO]),
         "motion_count": str(len(motions or [_ZERO])),
         "pointers": template("kit/selftest_pointers.c") if any(f.batch for f in functions) else "",
         "calls": "\n".join(text for function in functions for text in (_call(function), _batch(function))),
@@ -194,13 +194,13 @@ def _columns(function: Function) -> list[str]:
 def _rejected_motions(rejected: Sequence[Vector]) -> str:
     values = {
         "count": str(len(rejected)),
-        "motions": _initialisers([each.motion or _ZERO for each in rejected]),
+        "motions": _initializers([each.motion or _ZERO for each in rejected]),
         "statuses": ", ".join(str(each.status) for each in rejected),
     }
     return template("kit/selftest_rejected.c", values)
 
 
-def _initialisers(motions: Sequence[Numbers]) -> str:
+def _initializers(motions: Sequence[Numbers]) -> str:
     return ",\n".join(f"    {{\n{motion_members(motion, ' ' * 8)}\n    }}" for motion in motions)
 
 

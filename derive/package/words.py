@@ -85,7 +85,7 @@ def stored(numbers: Numbers, quantity: Quantity, owner: str, leg: int | None = N
 
 
 def member(quantity: Quantity, numbers: Sequence[float], indent: str) -> str:
-    """One member of an initialiser, with what it is."""
+    """One member of an initializer, with what it is."""
     order = ", order xx xy xz yy yz zz" if quantity.symmetric else ""
     literals = [literal(number, quantity.name) for number in numbers]
     value = braces(literals, indent) if quantity.shape else literals[0]
@@ -99,7 +99,7 @@ def braces(literals: Sequence[str], indent: str) -> str:
 
 
 def motion_members(motion: Numbers, indent: str) -> str:
-    """Initialiser of a ``stewart_motion``, without its braces; R is (3, 3), the rest (3,)."""
+    """Initializer of a ``stewart_motion``, without its braces; R is (3, 3), the rest (3,)."""
     return "\n".join(member(q, stored(motion, q, "motion"), indent) for q in n.MOTION)
 
 

@@ -367,7 +367,7 @@ def wrapped(declaration: str) -> list[str]:
 
 
 def _called_apart(statements: Iterable[t.Statement]) -> Iterator[t.Statement]:
-    """Structures that functions return assigned: initialised, MISRA C's checker takes them for parts."""
+    """Structures that functions return assigned: initialized, MISRA C's checker takes them for parts."""
     for node in statements:
         match node:
             case t.Let(value=t.Call(), type=t.Record()) | t.Variable(value=t.Call(), type=t.Record()):

@@ -14,7 +14,7 @@ import sympy as sp
 from .block import Block, Builder, Output, Quantity, Step, count, rebuilt
 
 
-def specialised(block: Block, values: Mapping[sp.Symbol, sp.Expr], new: Iterable[Quantity] = ()) -> Block:
+def specialized(block: Block, values: Mapping[sp.Symbol, sp.Expr], new: Iterable[Quantity] = ()) -> Block:
     """The block with some inputs replaced; steps that become a number or a symbol disappear.
 
     values: input symbol -> a number or an expression of inputs, of the block's or the ``new`` ones.

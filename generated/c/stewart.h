@@ -53,7 +53,7 @@ typedef double stewart_real;
 #define STEWART_JOINT_SINGULAR 3 /* a leg lies along the fixed axis of its universal joint */
 #define STEWART_SINGULAR 4 /* H is singular: no leg forces can hold the platform */
 #define STEWART_BAD_ARGUMENT 5 /* a pointer that must not be null is null */
-#define STEWART_INDEFINITE 6 /* the inertia matrix M is not positive definite: no body has such inertias */
+#define STEWART_MASS_MATRIX_INDEFINITE 6 /* the inertia matrix M is not positive definite: no body has such inertias */
 #define STEWART_NOT_CONVERGED 7 /* no pose with these leg lengths was found */
 
 /* Where a status begins, and the worst error seen on this side of it among 10^6
@@ -70,11 +70,11 @@ typedef struct {
     stewart_real p[3]; /* m: platform point, platform frame */
     stewart_real k[3]; /* 1: unit vector along the fixed axis of the universal joint, base frame */
     stewart_real m_d; /* kg: mass of the lower part */
-    stewart_real r_d0[3]; /* m: centre of mass of the lower part, frame D */
-    stewart_real I_d0[6]; /* kg m^2: inertia of the lower part about its centre of mass, frame D, order xx xy xz yy yz zz */
+    stewart_real r_d0[3]; /* m: center of mass of the lower part, frame D */
+    stewart_real I_d0[6]; /* kg m^2: inertia of the lower part about its center of mass, frame D, order xx xy xz yy yz zz */
     stewart_real m_u; /* kg: mass of the upper part */
-    stewart_real r_u0[3]; /* m: centre of mass of the upper part, frame U */
-    stewart_real I_u0[6]; /* kg m^2: inertia of the upper part about its centre of mass, frame U, order xx xy xz yy yz zz */
+    stewart_real r_u0[3]; /* m: center of mass of the upper part, frame U */
+    stewart_real I_u0[6]; /* kg m^2: inertia of the upper part about its center of mass, frame U, order xx xy xz yy yz zz */
     stewart_real C_u; /* N m s: viscous friction of the universal joint */
     stewart_real C_p; /* N s/m: viscous friction of the prismatic joint */
     stewart_real C_s; /* N m s: viscous friction of the spherical joint */
@@ -88,8 +88,8 @@ typedef struct {
 typedef struct {
     stewart_leg leg[6];
     stewart_real M; /* kg: mass of the platform with its payload */
-    stewart_real R_0[3]; /* m: centre of mass of the platform, platform frame */
-    stewart_real I_p[6]; /* kg m^2: inertia of the platform about its centre of mass, platform frame, order xx xy xz yy yz zz */
+    stewart_real R_0[3]; /* m: center of mass of the platform, platform frame */
+    stewart_real I_p[6]; /* kg m^2: inertia of the platform about its center of mass, platform frame, order xx xy xz yy yz zz */
     stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */
 } stewart_robot;
 

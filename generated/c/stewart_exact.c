@@ -146,19 +146,19 @@ static void leg_dynamics(
     const stewart_real c8 = REAL(2)*c7;
     /* (9) angular acceleration of the leg, leg frame */
     const stewart_real A_x = STEWART_FMA(kappa, A_z_own - c8, -c6);
-    /* (12) centre of mass of the upper part from the base point */
+    /* (12) center of mass of the upper part from the base point */
     const stewart_real r_u_x = r_u0_x + L;
     const stewart_real c9 = W_x*W_z;
     const stewart_real c10 = REAL(2)*c9;
     const stewart_real c11 = W_x*W_x;
-    /* (11), (13) acceleration of the lower centre of mass */
+    /* (11), (13) acceleration of the lower center of mass */
     const stewart_real a_d_x = STEWART_FMA(-A_z_own, r_d0_y, STEWART_FMA(c8, r_d0_y, STEWART_FMA(c10,
         r_d0_z, STEWART_FMA(-c2, r_d0_x, STEWART_FMA(-c1, r_d0_x, A_y_own*r_d0_z)))));
     const stewart_real a_d_y = STEWART_FMA(-A_x, r_d0_z, STEWART_FMA(A_z_own, r_d0_x, STEWART_FMA(-c2,
         r_d0_y, STEWART_FMA(-c11, r_d0_y, W_y*W_z*r_d0_z))));
     const stewart_real a_d_z = STEWART_FMA(A_x, r_d0_y, STEWART_FMA(-A_y_own, r_d0_x, STEWART_FMA(-c11,
         r_d0_z, STEWART_FMA(-c1, r_d0_z, W_y*W_z*r_d0_y))));
-    /* (14) acceleration of the upper centre of mass */
+    /* (14) acceleration of the upper center of mass */
     const stewart_real a_u_x = STEWART_FMA(-A_z_own, r_u0_y, STEWART_FMA(c8, r_u0_y, STEWART_FMA(c10,
         r_u0_z, STEWART_FMA(A_y_own, r_u0_z, STEWART_FMA(-c2, r_u_x, STEWART_FMA(-c1, r_u_x, L_ddot))))));
     const stewart_real a_u_y = STEWART_FMA(-A_x, r_u0_z, STEWART_FMA(A_z_own, r_u_x, STEWART_FMA(W_y*W_z,
@@ -353,19 +353,19 @@ static void leg_reactions(
     const stewart_real c8 = REAL(2)*c7;
     /* (9) angular acceleration of the leg, leg frame */
     const stewart_real A_x = STEWART_FMA(kappa, A_z_own - c8, -c6);
-    /* (12) centre of mass of the upper part from the base point */
+    /* (12) center of mass of the upper part from the base point */
     const stewart_real r_u_x = r_u0_x + L;
     const stewart_real c9 = W_x*W_z;
     const stewart_real c10 = REAL(2)*c9;
     const stewart_real c11 = W_x*W_x;
-    /* (11), (13) acceleration of the lower centre of mass */
+    /* (11), (13) acceleration of the lower center of mass */
     const stewart_real a_d_x = STEWART_FMA(-A_z_own, r_d0_y, STEWART_FMA(c8, r_d0_y, STEWART_FMA(c10,
         r_d0_z, STEWART_FMA(-c2, r_d0_x, STEWART_FMA(-c1, r_d0_x, A_y_own*r_d0_z)))));
     const stewart_real a_d_y = STEWART_FMA(-A_x, r_d0_z, STEWART_FMA(A_z_own, r_d0_x, STEWART_FMA(-c2,
         r_d0_y, STEWART_FMA(-c11, r_d0_y, W_y*W_z*r_d0_z))));
     const stewart_real a_d_z = STEWART_FMA(A_x, r_d0_y, STEWART_FMA(-A_y_own, r_d0_x, STEWART_FMA(-c11,
         r_d0_z, STEWART_FMA(-c1, r_d0_z, W_y*W_z*r_d0_y))));
-    /* (14) acceleration of the upper centre of mass */
+    /* (14) acceleration of the upper center of mass */
     const stewart_real a_u_x = STEWART_FMA(-A_z_own, r_u0_y, STEWART_FMA(c8, r_u0_y, STEWART_FMA(c10,
         r_u0_z, STEWART_FMA(A_y_own, r_u0_z, STEWART_FMA(-c2, r_u_x, STEWART_FMA(-c1, r_u_x, L_ddot))))));
     const stewart_real a_u_y = STEWART_FMA(-A_x, r_u0_z, STEWART_FMA(A_z_own, r_u_x, STEWART_FMA(W_y*W_z,

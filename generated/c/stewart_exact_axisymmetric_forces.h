@@ -41,8 +41,8 @@ typedef struct {
     stewart_real J_t[8]; /* kg m^2: inertias about base and platform point across the leg, mean of two axes */
     stewart_real J_ts[8]; /* kg m^2: J_t - J_s */
     stewart_real M_P; /* kg: mass of the platform with the upper parts */
-    stewart_real r_C[3]; /* m: its centre of mass, platform frame */
-    stewart_real J_C[6]; /* kg m^2: its inertia about its centre of mass, platform frame */
+    stewart_real r_C[3]; /* m: its center of mass, platform frame */
+    stewart_real J_C[6]; /* kg m^2: its inertia about its center of mass, platform frame */
     stewart_real dJ_C[3]; /* kg m^2: J_C_zz - J_C_yy, J_C_xx - J_C_zz, J_C_yy - J_C_xx */
     stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */
     /* 1/m: by which the solve multiplies moments, 18 to 21 multiplications, unless it is 1: for

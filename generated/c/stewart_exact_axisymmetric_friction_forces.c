@@ -157,11 +157,11 @@ static void prepare_platform(
         J_add_yy = sum->J_add[3], J_add_yz = sum->J_add[4], J_add_zz = sum->J_add[5];
     const stewart_real C_add = sum->C_add;
     const stewart_real M_P = M + M_add;
-    /* the platform's own centre of mass from platform point 1 */
+    /* the platform's own center of mass from platform point 1 */
     const stewart_real arm_x = R_0_x - p_1_x;
     const stewart_real arm_y = R_0_y - p_1_y;
     const stewart_real arm_z = R_0_z - p_1_z;
-    /* first moment of what is lumped with it about that centre */
+    /* first moment of what is lumped with it about that center */
     const stewart_real e_x = h_add_x - M_add*arm_x;
     const stewart_real e_y = h_add_y - M_add*arm_y;
     const stewart_real e_z = h_add_z - M_add*arm_z;
@@ -294,7 +294,7 @@ static void shared_of_pose(
     const stewart_real B_zx = omega_xz - alpha_y;
     const stewart_real B_zy = alpha_x + omega_yz;
     const stewart_real B_zz = -omega_xx - omega_yy;
-    /* (30) centre of mass from the reference point, base frame */
+    /* (30) center of mass from the reference point, base frame */
     const stewart_real R_C_x = STEWART_FMA(R_xz, r_C_z, STEWART_FMA(R_xy, r_C_y, R_xx*r_C_x));
     const stewart_real R_C_y = STEWART_FMA(R_yz, r_C_z, STEWART_FMA(R_yy, r_C_y, R_yx*r_C_x));
     const stewart_real R_C_z = STEWART_FMA(R_zz, r_C_z, STEWART_FMA(R_zy, r_C_y, R_zx*r_C_x));
@@ -472,7 +472,7 @@ static void legs_of_pose(
         /* first moment along k and against k x y */
         const stewart_real w_k = k1*w_s;
         const stewart_real w_n = k3*w_s;
-        /* (20) generalised forces about y and about k */
+        /* (20) generalized forces about y and about k */
         const stewart_real tau_y = STEWART_FMA(M_theta, theta_ddot, STEWART_FMA(bend, c1, STEWART_FMA(-C_s,
             STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y, omega_x*y_x)), STEWART_FMA(C_us, theta_dot,
             STEWART_FMA(-M_phi_theta, phi_dot2, STEWART_FMA(gamma_n, w_k, g_k*w_n))))));
@@ -644,7 +644,7 @@ static void legs_near_singular(
         /* first moment along k and against k x y */
         const stewart_real w_k = k1*w_s;
         const stewart_real w_n = k3*w_s;
-        /* (20) generalised forces about y and about k */
+        /* (20) generalized forces about y and about k */
         const stewart_real tau_y = STEWART_FMA(M_theta, own_theta_ddot, STEWART_FMA(-C_s,
             STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y, omega_x*y_x)), STEWART_FMA(gamma_n, w_k,
             STEWART_FMA(bend, c1, STEWART_FMA(C_us, theta_dot, STEWART_FMA(k13*phi_dot2, J_t - J_ts,
@@ -835,7 +835,7 @@ static void shared_of_block(
         const stewart_real B_zx = omega_xz - alpha_y;
         const stewart_real B_zy = alpha_x + omega_yz;
         const stewart_real B_zz = -omega_xx - omega_yy;
-        /* (30) centre of mass from the reference point, base frame */
+        /* (30) center of mass from the reference point, base frame */
         const stewart_real R_C_x = STEWART_FMA(R_xz, r_C_z, STEWART_FMA(R_xy, r_C_y, R_xx*r_C_x));
         const stewart_real R_C_y = STEWART_FMA(R_yz, r_C_z, STEWART_FMA(R_yy, r_C_y, R_yx*r_C_x));
         const stewart_real R_C_z = STEWART_FMA(R_zz, r_C_z, STEWART_FMA(R_zy, r_C_y, R_zx*r_C_x));
@@ -1060,7 +1060,7 @@ static void leg_of_block(
         const stewart_real C_s = model->C_s[leg];
         const stewart_real g_k = model->g_k[leg];
         const stewart_real C_us = model->C_us[leg];
-        /* (20) generalised forces about y and about k */
+        /* (20) generalized forces about y and about k */
         const stewart_real tau_y = STEWART_FMA(M_theta, theta_ddot, STEWART_FMA(bend, c1, STEWART_FMA(C_s,
             -STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y, omega_x*y_x)), STEWART_FMA(C_us, theta_dot,
             STEWART_FMA(-M_phi_theta, phi_dot2, STEWART_FMA(gamma_n, w_k, g_k*w_n))))));

@@ -61,9 +61,9 @@ typedef struct {
 typedef struct {
     stewart_real M_P; /* kg: mass of the platform with the upper parts */
     stewart_real M_P_err;
-    stewart_real r_C[3]; /* m: its centre of mass, platform frame */
+    stewart_real r_C[3]; /* m: its center of mass, platform frame */
     stewart_real r_C_err[3];
-    stewart_real J_C[6]; /* kg m^2: its inertia about its centre of mass, platform frame */
+    stewart_real J_C[6]; /* kg m^2: its inertia about its center of mass, platform frame */
     stewart_real J_C_err[6];
     stewart_real dJ_C[3]; /* kg m^2: J_C_zz - J_C_yy, J_C_xx - J_C_zz, J_C_yy - J_C_xx */
     stewart_real dJ_C_err[3];

@@ -51,14 +51,14 @@ typedef struct {
     stewart_real C_us[8]; /* N m s: C_u + C_s */
     stewart_real m_u[8]; /* kg: mass of the upper part */
     stewart_real M_P; /* kg: mass of the platform with the upper parts */
-    stewart_real r_C[3]; /* m: its centre of mass, platform frame */
-    stewart_real J_C[6]; /* kg m^2: its inertia about its centre of mass, platform frame */
+    stewart_real r_C[3]; /* m: its center of mass, platform frame */
+    stewart_real J_C[6]; /* kg m^2: its inertia about its center of mass, platform frame */
     stewart_real dJ_C[3]; /* kg m^2: J_C_zz - J_C_yy, J_C_xx - J_C_zz, J_C_yy - J_C_xx */
     stewart_real C_P; /* N m s: friction of all spherical joints */
     stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */
     stewart_real M; /* kg: mass of the platform with its payload */
-    stewart_real R_0[3]; /* m: centre of mass of the platform, platform frame */
-    stewart_real I_p[6]; /* kg m^2: inertia of the platform about its centre of mass, platform frame */
+    stewart_real R_0[3]; /* m: center of mass of the platform, platform frame */
+    stewart_real I_p[6]; /* kg m^2: inertia of the platform about its center of mass, platform frame */
     stewart_real h_P[3]; /* kg m: its first moment, platform frame */
     stewart_real J_P[6]; /* kg m^2: its inertia about the reference point, platform frame */
     /* 1/m: by which the solve multiplies moments, 18 to 21 multiplications, unless it is 1: for

@@ -47,7 +47,7 @@ typedef struct {
 /* What a leg's blocks are given. */
 typedef struct {
     stewart_real F; /* N: actuator force of the leg */
-    stewart_real net[3]; /* N, N m: generalised forces of the leg less the actuator's, along L, theta, phi */
+    stewart_real net[3]; /* N, N m: generalized forces of the leg less the actuator's, along L, theta, phi */
     stewart_real turned[3]; /* m/s^2, 1/s^2: accelerations of L, theta, phi by those of the platform alone */
     stewart_real axial; /* 1: 0 of a leaning leg with little inertia about its own axis, else 1 */
 } leg_inputs;
@@ -77,13 +77,13 @@ typedef struct {
     int status; /* 0, or what is wrong */
 } joint_inertia_found;
 
-/* Forward dynamics and its linearisation. */
+/* Forward dynamics and its linearization. */
 typedef struct {
-    stewart_linearisation of;
+    stewart_linearization of;
     int status; /* 0, or what is wrong */
-} linearisation_found;
+} linearization_found;
 
-/* What the rows give of a linearisation. */
+/* What the rows give of a linearization. */
 typedef struct {
     stewart_real x[6]; /* m/s^2, rad/s^2: a and alpha */
     stewart_real A[144]; /* the rows solved */
@@ -445,7 +445,7 @@ STEWART_APART static void forward_of_leg(
         const stewart_real c5 = j_r*k3;
         const stewart_real c6 = c5*phi_dot;
         const stewart_real c7 = STEWART_FMA(j_r, k1, -k3_h);
-        /* (20) generalised forces about y and about k */
+        /* (20) generalized forces about y and about k */
         const stewart_real tau_y = STEWART_FMA(M_mixed, phi_ddot, STEWART_FMA(M_theta, own_theta_ddot,
             STEWART_FMA(L_dot, c6, STEWART_FMA(-C_s, STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y,
             omega_x*y_x)), STEWART_FMA(gamma_n, w_k, STEWART_FMA(bend, h2_x, STEWART_FMA(C_us, theta_dot,
@@ -737,7 +737,7 @@ static STEWART_INLINE void solve_inertia(
     }
 }
 
-/* The accelerations of a pose; INDEFINITE where elimination leaves too little of M. */
+/* The accelerations of a pose; MASS_MATRIX_INDEFINITE where elimination leaves too little of M. */
 static void accelerations_of(
     const forward_legs *legs, const stewart_real summed[27], forward_dynamics_found *out)
 {
@@ -746,22 +746,22 @@ static void accelerations_of(
     if (legs->status == STEWART_OK) {
         solve_inertia(summed, 1, out->acceleration, pivot);
         if (out->status == STEWART_OK && !(pivot[0] > STEWART_KEPT*summed[0])) {
-            out->status = STEWART_FABS(pivot[0]) <= STEWART_MAX ? STEWART_INDEFINITE : STEWART_NOT_FINITE;
+            out->status = STEWART_FABS(pivot[0]) <= STEWART_MAX ? STEWART_MASS_MATRIX_INDEFINITE : STEWART_NOT_FINITE;
         }
         if (out->status == STEWART_OK && !(pivot[1] > STEWART_KEPT*summed[3])) {
-            out->status = STEWART_FABS(pivot[1]) <= STEWART_MAX ? STEWART_INDEFINITE : STEWART_NOT_FINITE;
+            out->status = STEWART_FABS(pivot[1]) <= STEWART_MAX ? STEWART_MASS_MATRIX_INDEFINITE : STEWART_NOT_FINITE;
         }
         if (out->status == STEWART_OK && !(pivot[2] > STEWART_KEPT*summed[5])) {
-            out->status = STEWART_FABS(pivot[2]) <= STEWART_MAX ? STEWART_INDEFINITE : STEWART_NOT_FINITE;
+            out->status = STEWART_FABS(pivot[2]) <= STEWART_MAX ? STEWART_MASS_MATRIX_INDEFINITE : STEWART_NOT_FINITE;
         }
         if (out->status == STEWART_OK && !(pivot[3] > STEWART_KEPT*summed[15])) {
-            out->status = STEWART_FABS(pivot[3]) <= STEWART_MAX ? STEWART_INDEFINITE : STEWART_NOT_FINITE;
+            out->status = STEWART_FABS(pivot[3]) <= STEWART_MAX ? STEWART_MASS_MATRIX_INDEFINITE : STEWART_NOT_FINITE;
         }
         if (out->status == STEWART_OK && !(pivot[4] > STEWART_KEPT*summed[18])) {
-            out->status = STEWART_FABS(pivot[4]) <= STEWART_MAX ? STEWART_INDEFINITE : STEWART_NOT_FINITE;
+            out->status = STEWART_FABS(pivot[4]) <= STEWART_MAX ? STEWART_MASS_MATRIX_INDEFINITE : STEWART_NOT_FINITE;
         }
         if (out->status == STEWART_OK && !(pivot[5] > STEWART_KEPT*summed[20])) {
-            out->status = STEWART_FABS(pivot[5]) <= STEWART_MAX ? STEWART_INDEFINITE : STEWART_NOT_FINITE;
+            out->status = STEWART_FABS(pivot[5]) <= STEWART_MAX ? STEWART_MASS_MATRIX_INDEFINITE : STEWART_NOT_FINITE;
         }
     }
 }
@@ -1064,7 +1064,7 @@ STEWART_APART static void joint_rows_of_leg(
         const stewart_real c9 = j_r*k3;
         const stewart_real c10 = c9*phi_dot;
         const stewart_real c11 = STEWART_FMA(j_r, k1, -k3_h);
-        /* (20) generalised forces about y and about k */
+        /* (20) generalized forces about y and about k */
         const stewart_real tau_y = STEWART_FMA(M_mixed, phi_ddot, STEWART_FMA(M_theta, own_theta_ddot,
             STEWART_FMA(L_dot, c10, STEWART_FMA(-C_s, STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y,
             omega_x*y_x)), STEWART_FMA(gamma_n, w_k, STEWART_FMA(bend, h2_x, STEWART_FMA(C_us, theta_dot,
@@ -1474,7 +1474,7 @@ static void balance_rows(
 
 /* What the six coordinates' accelerations must balance, of the rows' forces and a wrench, ``held``.
  *
- * force: of each row, as its generalised force over its size, without accelerations. start:
+ * force: of each row, as its generalized force over its size, without accelerations. start:
  * accelerations of the coordinates that balance their own large forces, from which the unknown ones are
  * measured; rest: the rows' forces there. */
 static void row_right(
@@ -1552,7 +1552,7 @@ static void clear_below_8(stewart_real A[48], int k, stewart_real inverse)
 
 /* Solves the rows [M | Y] for X, left in place of Y, by L D L^T.
  *
- * INDEFINITE where a pivot is not more than ``kept`` of its diagonal number. */
+ * MASS_MATRIX_INDEFINITE where a pivot is not more than ``kept`` of its diagonal number. */
 static int solve_definite_8(stewart_real A[48], stewart_real kept)
 {
     int k;
@@ -1563,7 +1563,7 @@ static int solve_definite_8(stewart_real A[48], stewart_real kept)
         scale[k] = A[8*k + k];
     }
     for (k = 0; k < 6; ++k) {
-        int fault = STEWART_FABS(A[8*k + k]) <= STEWART_MAX ? STEWART_INDEFINITE : STEWART_NOT_FINITE;
+        int fault = STEWART_FABS(A[8*k + k]) <= STEWART_MAX ? STEWART_MASS_MATRIX_INDEFINITE : STEWART_NOT_FINITE;
         fault = A[8*k + k] > kept*scale[k] ? STEWART_OK : fault;
         status = status == STEWART_OK ? fault : status;
         inverse[k] = REAL(1)/A[8*k + k];
@@ -1594,7 +1594,7 @@ static void row_back(
     }
 }
 
-/* Of each leg the generalised forces, the accelerations that those of the platform give to it, and
+/* Of each leg the generalized forces, the accelerations that those of the platform give to it, and
  * whether it is thin: most of what resists turning by phi is then k3 times its turning by theta. A share
  * between the two would have the rounding of both.
  *
@@ -1712,10 +1712,10 @@ static void find_forward_dynamics(
     }
     forward_sums(model, motion, &legs, summed);
     accelerations_of(&legs, summed, out);
-    if (out->status == STEWART_INDEFINITE) {
+    if (out->status == STEWART_MASS_MATRIX_INDEFINITE) {
         rows by;
         const apart_found apart = forward_apart(model, motion, F, &by);
-        const int lost = out->status == STEWART_INDEFINITE ? 1 : 0;
+        const int lost = out->status == STEWART_MASS_MATRIX_INDEFINITE ? 1 : 0;
         for (i = 0; i < 3; ++i) {
             out->acceleration[i] = lost == 1 ? apart.x[i] : out->acceleration[i];
             out->acceleration[3 + i] = lost == 1 ? apart.x[i + 3] : out->acceleration[3 + i];
@@ -4908,7 +4908,7 @@ static void clear_below_24(stewart_real A[144], int k, stewart_real inverse)
 
 /* Solves the rows [M | Y] for X, left in place of Y, by L D L^T.
  *
- * INDEFINITE where a pivot is not more than ``kept`` of its diagonal number. */
+ * MASS_MATRIX_INDEFINITE where a pivot is not more than ``kept`` of its diagonal number. */
 static int solve_definite_24(stewart_real A[144], stewart_real kept)
 {
     int k;
@@ -4919,7 +4919,7 @@ static int solve_definite_24(stewart_real A[144], stewart_real kept)
         scale[k] = A[24*k + k];
     }
     for (k = 0; k < 6; ++k) {
-        int fault = STEWART_FABS(A[24*k + k]) <= STEWART_MAX ? STEWART_INDEFINITE : STEWART_NOT_FINITE;
+        int fault = STEWART_FABS(A[24*k + k]) <= STEWART_MAX ? STEWART_MASS_MATRIX_INDEFINITE : STEWART_NOT_FINITE;
         fault = A[24*k + k] > kept*scale[k] ? STEWART_OK : fault;
         status = status == STEWART_OK ? fault : status;
         inverse[k] = REAL(1)/A[24*k + k];
@@ -4930,7 +4930,7 @@ static int solve_definite_24(stewart_real A[144], stewart_real kept)
 }
 
 /* Says where a number of a result is not finite. */
-static void check_linearisation(linearisation_found *out)
+static void check_linearization(linearization_found *out)
 {
     int i;
     if (out->status != STEWART_OK) {
@@ -5666,7 +5666,7 @@ STEWART_APART static void joint_slopes_of_leg(
             STEWART_FMA(c126, k3, STEWART_FMA(c185, c196, STEWART_FMA(-c149, c28, STEWART_FMA(c207, c3,
             STEWART_FMA(c158, c28, STEWART_FMA(-c191, c66, STEWART_FMA(-c141, k3, STEWART_FMA(c185, c3,
             c127*c205))) - c157))) + c142)))) + c154))) - c125)))))))))) - c128 - c146))))))))));
-        /* generalised forces by the tip's motion */
+        /* generalized forces by the tip's motion */
         const stewart_real tau_S_xx = STEWART_FMA(tau_S_leg_12, y_x, STEWART_FMA(tau_S_leg_13, z_x,
             s_x*tau_S_leg_11));
         const stewart_real tau_S_xy = STEWART_FMA(tau_S_leg_12, y_y, STEWART_FMA(tau_S_leg_13, z_y,
@@ -5719,7 +5719,7 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real tau_S_dot_leg_33 = STEWART_FMA(c181, c219, STEWART_FMA(W_z*c117, c209,
             STEWART_FMA(-c18, c44, STEWART_FMA(c17, c210, STEWART_FMA(c169, c191, c185*c2) + c218 - c217))))
             - c184;
-        /* generalised forces by the tip's motion */
+        /* generalized forces by the tip's motion */
         const stewart_real tau_S_dot_xx = STEWART_FMA(tau_S_dot_leg_13, z_x, STEWART_FMA(tau_S_dot_leg_12,
             y_x, s_x*tau_S_dot_leg_11));
         const stewart_real tau_S_dot_xy = STEWART_FMA(tau_S_dot_leg_13, z_y, STEWART_FMA(tau_S_dot_leg_12,
@@ -5749,7 +5749,7 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real tau_S_ddot_leg_32 = STEWART_FMA(-c104, c203, STEWART_FMA(c220, k3, c175) + c180)
             + c182 - c202;
         const stewart_real tau_S_ddot_leg_33 = STEWART_FMA(h_y, k1, -c183) - c109;
-        /* generalised forces by the tip's motion */
+        /* generalized forces by the tip's motion */
         const stewart_real tau_S_ddot_xx = STEWART_FMA(tau_S_ddot_leg_12, y_x,
             STEWART_FMA(tau_S_ddot_leg_13, z_x, s_x*tau_S_ddot_leg_11));
         const stewart_real tau_S_ddot_xy = STEWART_FMA(tau_S_ddot_leg_12, y_y,
@@ -5799,7 +5799,7 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real c230 = inv_rho*k3;
         const stewart_real bent_leg_32 = L*k3*STEWART_FMA(c227*c47, inv_rho, c230*net_x);
         const stewart_real bent_leg_33 = c229*kappa;
-        /* generalised forces by the tip's place, as the rows turn */
+        /* generalized forces by the tip's place, as the rows turn */
         const stewart_real tau_place_xx = STEWART_FMA(bent_leg_12, y_x, STEWART_FMA(bent_leg_13, z_x,
             tau_S_xx));
         const stewart_real tau_place_xy = STEWART_FMA(bent_leg_12, y_y, STEWART_FMA(bent_leg_13, z_y,
@@ -6249,9 +6249,9 @@ static slopes_found slopes_apart(
 }
 
 /* Forward dynamics, and d/dt [dt; dphi; dv; domega] = A [dt; dphi; dv; domega] + B dF about it. */
-static void find_linearisation(
+static void find_linearization(
     const stewart_exact_drive_model *model, const stewart_motion *motion, const stewart_real F[6],
-    linearisation_found *out)
+    linearization_found *out)
 {
     int i, j;
     derivatives_legs legs;
@@ -6275,7 +6275,7 @@ static void find_linearisation(
         }
     }
     int fault = solve_definite_24(A, STEWART_KEPT);
-    if (status == STEWART_OK && fault == STEWART_INDEFINITE) {
+    if (status == STEWART_OK && fault == STEWART_MASS_MATRIX_INDEFINITE) {
         const slopes_found apart = slopes_apart(model, motion, &moving, F);
         for (i = 0; i < 6; ++i) {
             for (j = 6; j < 24; ++j) {
@@ -6310,18 +6310,18 @@ static void find_linearisation(
     out->of.A[63] = -motion->omega[1];
     out->of.A[64] = motion->omega[0];
     out->status = status == STEWART_OK ? fault : status;
-    check_linearisation(out);
+    check_linearization(out);
 }
 
-int stewart_exact_drive_linearisation(
+int stewart_exact_drive_linearization(
     const stewart_exact_drive_model *model, const stewart_motion *motion, const stewart_real F[6],
-    stewart_linearisation *out)
+    stewart_linearization *out)
 {
-    linearisation_found found;
+    linearization_found found;
     if (model == NULL || motion == NULL || F == NULL || out == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
-    find_linearisation(model, motion, F, &found);
+    find_linearization(model, motion, F, &found);
     if (found.status == STEWART_OK) {
         *out = found.of;
     }
@@ -6564,7 +6564,7 @@ STEWART_APART static void bias_of_leg(
         const stewart_real c5 = j_r*k3;
         const stewart_real c6 = c5*phi_dot;
         const stewart_real c7 = STEWART_FMA(j_r, k1, -k3_h);
-        /* (20) generalised forces about y and about k */
+        /* (20) generalized forces about y and about k */
         const stewart_real tau_y = STEWART_FMA(M_mixed, phi_ddot, STEWART_FMA(M_theta, own_theta_ddot,
             STEWART_FMA(L_dot, c6, STEWART_FMA(-C_s, STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y,
             omega_x*y_x)), STEWART_FMA(gamma_n, w_k, STEWART_FMA(bend, h2_x, STEWART_FMA(C_us, theta_dot,
@@ -6748,7 +6748,7 @@ static STEWART_INLINE void matrices(
     }
     for (i = 0; i < 6; ++i) {
         for (l = 0; l < lanes; ++l) {
-            stewart_real total = number[(72 + i)*lanes + l] + number[(78 + i)*lanes + l];
+            stewart_real total = number[(72 + i)*lanes + l];
             total = STEWART_FMA(number[(36 + 6*i + 0)*lanes + l], v[0*lanes + l], total);
             total = STEWART_FMA(number[(36 + 6*i + 0 + 3)*lanes + l], omega[0*lanes + l], total);
             total = STEWART_FMA(number[(36 + 6*i + 1)*lanes + l], v[1*lanes + l], total);
@@ -6756,6 +6756,7 @@ static STEWART_INLINE void matrices(
             total = STEWART_FMA(number[(36 + 6*i + 2)*lanes + l], v[2*lanes + l], total);
             total = STEWART_FMA(number[(36 + 6*i + 2 + 3)*lanes + l], omega[2*lanes + l], total);
             number[(84 + i)*lanes + l] = total;
+            number[(90 + i)*lanes + l] = total + number[(78 + i)*lanes + l];
         }
     }
 }
@@ -6775,21 +6776,21 @@ int stewart_exact_drive_equations(
         return legs.status;
     }
     for (leg = 0; leg < 6; ++leg) {
-        number[90 + leg] = legs.H_force[0][leg];
-        number[96 + leg] = legs.H_force[1][leg];
-        number[102 + leg] = legs.H_force[2][leg];
-        number[108 + leg] = legs.H_moment[0][leg];
-        number[114 + leg] = legs.H_moment[1][leg];
-        number[120 + leg] = legs.H_moment[2][leg];
-        number[126 + leg] = legs.H_dot_force[0][leg];
-        number[132 + leg] = legs.H_dot_force[1][leg];
-        number[138 + leg] = legs.H_dot_force[2][leg];
-        number[144 + leg] = legs.H_dot_moment[0][leg];
-        number[150 + leg] = legs.H_dot_moment[1][leg];
-        number[156 + leg] = legs.H_dot_moment[2][leg];
+        number[96 + leg] = legs.H_force[0][leg];
+        number[102 + leg] = legs.H_force[1][leg];
+        number[108 + leg] = legs.H_force[2][leg];
+        number[114 + leg] = legs.H_moment[0][leg];
+        number[120 + leg] = legs.H_moment[1][leg];
+        number[126 + leg] = legs.H_moment[2][leg];
+        number[132 + leg] = legs.H_dot_force[0][leg];
+        number[138 + leg] = legs.H_dot_force[1][leg];
+        number[144 + leg] = legs.H_dot_force[2][leg];
+        number[150 + leg] = legs.H_dot_moment[0][leg];
+        number[156 + leg] = legs.H_dot_moment[1][leg];
+        number[162 + leg] = legs.H_dot_moment[2][leg];
     }
     matrices(&motion->v[0], &motion->omega[0], 1, number);
-    for (i = 162; i < 168; ++i) {
+    for (i = 168; i < 168; ++i) {
         number[i] = REAL(0);
     }
     not_finite(number, 168/8, none);
@@ -6811,16 +6812,19 @@ int stewart_exact_drive_equations(
     for (i = 0; i < 6; ++i) {
         out->bias[i] = number[84 + i];
     }
-    for (i = 0; i < 36; ++i) {
-        out->H[i] = number[90 + i];
+    for (i = 0; i < 6; ++i) {
+        out->bias_and_friction[i] = number[90 + i];
     }
     for (i = 0; i < 36; ++i) {
-        out->H_dot[i] = number[126 + i];
+        out->H[i] = number[96 + i];
+    }
+    for (i = 0; i < 36; ++i) {
+        out->H_dot[i] = number[132 + i];
     }
     return STEWART_OK;
 }
 
-int stewart_exact_drive_bias(
+int stewart_exact_drive_bias_and_friction(
     const stewart_exact_drive_model *model, const stewart_motion *motion, stewart_real out[6])
 {
     int i;
@@ -7135,7 +7139,7 @@ static int any_of(const stewart_real bad[LANES])
 
 /* Numbers of eight poses. */
 typedef struct {
-    stewart_real number[1296];
+    stewart_real number[1344];
     stewart_real bad[LANES]; /* 1 where a pose is left to the function of one, else 0 */
 } STEWART_ALIGNED equations_block;
 
@@ -7149,18 +7153,18 @@ static void equations_leg_of_block(
     spread_leg(model, leg, one);
     equations_of_leg(one, at, pose, legs);
     for (l = 0; l < LANES; ++l) {
-        out->number[8*(90 + leg) + l] = legs->H_force[0][l];
-        out->number[8*(96 + leg) + l] = legs->H_force[1][l];
-        out->number[8*(102 + leg) + l] = legs->H_force[2][l];
-        out->number[8*(108 + leg) + l] = legs->H_moment[0][l];
-        out->number[8*(114 + leg) + l] = legs->H_moment[1][l];
-        out->number[8*(120 + leg) + l] = legs->H_moment[2][l];
-        out->number[8*(126 + leg) + l] = legs->H_dot_force[0][l];
-        out->number[8*(132 + leg) + l] = legs->H_dot_force[1][l];
-        out->number[8*(138 + leg) + l] = legs->H_dot_force[2][l];
-        out->number[8*(144 + leg) + l] = legs->H_dot_moment[0][l];
-        out->number[8*(150 + leg) + l] = legs->H_dot_moment[1][l];
-        out->number[8*(156 + leg) + l] = legs->H_dot_moment[2][l];
+        out->number[8*(96 + leg) + l] = legs->H_force[0][l];
+        out->number[8*(102 + leg) + l] = legs->H_force[1][l];
+        out->number[8*(108 + leg) + l] = legs->H_force[2][l];
+        out->number[8*(114 + leg) + l] = legs->H_moment[0][l];
+        out->number[8*(120 + leg) + l] = legs->H_moment[1][l];
+        out->number[8*(126 + leg) + l] = legs->H_moment[2][l];
+        out->number[8*(132 + leg) + l] = legs->H_dot_force[0][l];
+        out->number[8*(138 + leg) + l] = legs->H_dot_force[1][l];
+        out->number[8*(144 + leg) + l] = legs->H_dot_force[2][l];
+        out->number[8*(150 + leg) + l] = legs->H_dot_moment[0][l];
+        out->number[8*(156 + leg) + l] = legs->H_dot_moment[1][l];
+        out->number[8*(162 + leg) + l] = legs->H_dot_moment[2][l];
         stewart_real fault = STEWART_LARGER(legs->checked.bad[l], out->bad[l]);
         fault = legs->checked.k3[l] > STEWART_LEANING ? fault : REAL(1);
         out->bad[l] = fault;
@@ -7200,7 +7204,7 @@ int stewart_exact_drive_equations_batch(
     motion_in_lanes at;
     leg_in_lanes of_leg;
     equations_block block;
-    STEWART_ALIGNED stewart_real row[1296];
+    STEWART_ALIGNED stewart_real row[1344];
     stewart_motion one;
     if (model == NULL || motions == NULL || out == NULL || motions->R == NULL || motions->t == NULL || motions->omega == NULL
         || motions->v == NULL) {
@@ -7214,7 +7218,7 @@ int stewart_exact_drive_equations_batch(
         equations_of_block(model, &at, &of_leg.model, &block);
         matrices(at.v[0], at.omega[0], LANES, block.number);
         stewart_real none[LANES];
-        not_finite(block.number, 162, none);
+        not_finite(block.number, 168, none);
         for (l = 0; l < LANES; ++l) {
             block.bad[l] = none[l] == REAL(0) ? block.bad[l] : REAL(1);
         }
@@ -7234,11 +7238,14 @@ int stewart_exact_drive_equations_batch(
             if (out->bias != NULL) {
                 in_rows(&block.number[8*84], 6, &out->bias[6U*first]);
             }
+            if (out->bias_and_friction != NULL) {
+                in_rows(&block.number[8*90], 6, &out->bias_and_friction[6U*first]);
+            }
             if (out->H != NULL) {
-                in_rows(&block.number[8*90], 36, &out->H[36U*first]);
+                in_rows(&block.number[8*96], 36, &out->H[36U*first]);
             }
             if (out->H_dot != NULL) {
-                in_rows(&block.number[8*126], 36, &out->H_dot[36U*first]);
+                in_rows(&block.number[8*132], 36, &out->H_dot[36U*first]);
             }
             if (status != NULL) {
                 for (l = 0; l < LANES; ++l) {
@@ -7246,21 +7253,22 @@ int stewart_exact_drive_equations_batch(
                 }
             }
         } else {
-            in_rows(block.number, 162, row);
+            in_rows(block.number, 168, row);
             for (l = 0; l < LANES; ++l) {
                 if (!(first + (size_t)l < count)) {
                     break;
                 }
                 const size_t pose = first + (size_t)l;
-                int code = block.bad[l] > REAL(0) ? STEWART_INDEFINITE : STEWART_OK;
+                int code = block.bad[l] > REAL(0) ? STEWART_MASS_MATRIX_INDEFINITE : STEWART_OK;
                 if (code == STEWART_OK) {
-                    copy(out->M, pose, &row[l*162 + 0], 36U);
-                    copy(out->C, pose, &row[l*162 + 36], 36U);
-                    copy(out->g, pose, &row[l*162 + 72], 6U);
-                    copy(out->friction, pose, &row[l*162 + 78], 6U);
-                    copy(out->bias, pose, &row[l*162 + 84], 6U);
-                    copy(out->H, pose, &row[l*162 + 90], 36U);
-                    copy(out->H_dot, pose, &row[l*162 + 126], 36U);
+                    copy(out->M, pose, &row[l*168 + 0], 36U);
+                    copy(out->C, pose, &row[l*168 + 36], 36U);
+                    copy(out->g, pose, &row[l*168 + 72], 6U);
+                    copy(out->friction, pose, &row[l*168 + 78], 6U);
+                    copy(out->bias, pose, &row[l*168 + 84], 6U);
+                    copy(out->bias_and_friction, pose, &row[l*168 + 90], 6U);
+                    copy(out->H, pose, &row[l*168 + 96], 36U);
+                    copy(out->H_dot, pose, &row[l*168 + 132], 36U);
                 } else {
                     load_pose(motions, pose, &one);
                     code = stewart_exact_drive_equations(model, &one, &found);
@@ -7270,6 +7278,7 @@ int stewart_exact_drive_equations_batch(
                         copy(out->g, pose, found.g, 6U);
                         copy(out->friction, pose, found.friction, 6U);
                         copy(out->bias, pose, found.bias, 6U);
+                        copy(out->bias_and_friction, pose, found.bias_and_friction, 6U);
                         copy(out->H, pose, found.H, 36U);
                         copy(out->H_dot, pose, found.H_dot, 36U);
                     }
@@ -7387,7 +7396,7 @@ int stewart_exact_drive_derivatives_batch(
                 break;
             }
             const size_t pose = first + (size_t)l;
-            int code = block.bad[l] > REAL(0) ? STEWART_INDEFINITE : STEWART_OK;
+            int code = block.bad[l] > REAL(0) ? STEWART_MASS_MATRIX_INDEFINITE : STEWART_OK;
             if (code == STEWART_OK) {
                 code = slopes(model->per_length, &row[l*129], &F[l*6], &found);
             }
@@ -7415,13 +7424,13 @@ int stewart_exact_drive_derivatives_batch(
     return result;
 }
 
-int stewart_exact_drive_linearisation_batch(
+int stewart_exact_drive_linearization_batch(
     const stewart_exact_drive_model *model, size_t count, const stewart_motions *motions,
-    const stewart_real *F, const stewart_linearisation_arrays *out, int *status)
+    const stewart_real *F, const stewart_linearization_arrays *out, int *status)
 {
     size_t pose;
     stewart_motion one;
-    stewart_linearisation found;
+    stewart_linearization found;
     if (model == NULL || motions == NULL || out == NULL || F == NULL || motions->R == NULL || motions->t == NULL
         || motions->omega == NULL || motions->v == NULL) {
         return STEWART_BAD_ARGUMENT;
@@ -7429,7 +7438,7 @@ int stewart_exact_drive_linearisation_batch(
     int result = STEWART_OK;
     for (pose = 0; pose < count; ++pose) {
         load_pose(motions, pose, &one);
-        const int code = stewart_exact_drive_linearisation(model, &one, &F[pose*6U], &found);
+        const int code = stewart_exact_drive_linearization(model, &one, &F[pose*6U], &found);
         if (code == STEWART_OK) {
             copy(out->acceleration, pose, found.acceleration, 6U);
             copy(out->A, pose, found.A, 144U);
@@ -7487,7 +7496,7 @@ static void bias_of_block(
     }
 }
 
-int stewart_exact_drive_bias_batch(
+int stewart_exact_drive_bias_and_friction_batch(
     const stewart_exact_drive_model *model, size_t count, const stewart_motions *motions, stewart_real *out,
     int *status)
 {
@@ -7527,12 +7536,12 @@ int stewart_exact_drive_bias_batch(
                     break;
                 }
                 const size_t pose = first + (size_t)l;
-                int code = block.bad[l] > REAL(0) ? STEWART_INDEFINITE : STEWART_OK;
+                int code = block.bad[l] > REAL(0) ? STEWART_MASS_MATRIX_INDEFINITE : STEWART_OK;
                 if (code == STEWART_OK) {
                     copy(out, pose, &row[l*6 + 0], 6U);
                 } else {
                     load_pose(motions, pose, &one);
-                    code = stewart_exact_drive_bias(model, &one, found);
+                    code = stewart_exact_drive_bias_and_friction(model, &one, found);
                     if (code == STEWART_OK) {
                         copy(out, pose, found, 6U);
                     }
@@ -7652,7 +7661,7 @@ int stewart_exact_drive_forward_dynamics_batch(
                     break;
                 }
                 const size_t pose = first + (size_t)l;
-                int code = block.bad[l] > REAL(0) ? STEWART_INDEFINITE : STEWART_OK;
+                int code = block.bad[l] > REAL(0) ? STEWART_MASS_MATRIX_INDEFINITE : STEWART_OK;
                 if (code == STEWART_OK) {
                     copy(out, pose, &row[l*6 + 0], 6U);
                 } else {

@@ -99,11 +99,11 @@ static void prepare_platform(
     const stewart_real J_add_xx = sum->J_add[0], J_add_xy = sum->J_add[1], J_add_xz = sum->J_add[2],
         J_add_yy = sum->J_add[3], J_add_yz = sum->J_add[4], J_add_zz = sum->J_add[5];
     const stewart_real M_P = M + M_add;
-    /* the platform's own centre of mass from platform point 1 */
+    /* the platform's own center of mass from platform point 1 */
     const stewart_real arm_x = R_0_x - p_1_x;
     const stewart_real arm_y = R_0_y - p_1_y;
     const stewart_real arm_z = R_0_z - p_1_z;
-    /* first moment of what is lumped with it about that centre */
+    /* first moment of what is lumped with it about that center */
     const stewart_real e_x = h_add_x - M_add*arm_x;
     const stewart_real e_y = h_add_y - M_add*arm_y;
     const stewart_real e_z = h_add_z - M_add*arm_z;
@@ -234,7 +234,7 @@ static void shared_of_pose(
     const stewart_real B_zx = omega_xz - alpha_y;
     const stewart_real B_zy = alpha_x + omega_yz;
     const stewart_real B_zz = -omega_xx - omega_yy;
-    /* (30) centre of mass from the reference point, base frame */
+    /* (30) center of mass from the reference point, base frame */
     const stewart_real R_C_x = STEWART_FMA(R_xz, r_C_z, STEWART_FMA(R_xy, r_C_y, R_xx*r_C_x));
     const stewart_real R_C_y = STEWART_FMA(R_yz, r_C_z, STEWART_FMA(R_yy, r_C_y, R_yx*r_C_x));
     const stewart_real R_C_z = STEWART_FMA(R_zz, r_C_z, STEWART_FMA(R_zy, r_C_y, R_zx*r_C_x));
@@ -496,7 +496,7 @@ static void shared_of_block(
         const stewart_real B_zx = omega_xz - alpha_y;
         const stewart_real B_zy = alpha_x + omega_yz;
         const stewart_real B_zz = -omega_xx - omega_yy;
-        /* (30) centre of mass from the reference point, base frame */
+        /* (30) center of mass from the reference point, base frame */
         const stewart_real R_C_x = STEWART_FMA(R_xz, r_C_z, STEWART_FMA(R_xy, r_C_y, R_xx*r_C_x));
         const stewart_real R_C_y = STEWART_FMA(R_yz, r_C_z, STEWART_FMA(R_yy, r_C_y, R_yx*r_C_x));
         const stewart_real R_C_z = STEWART_FMA(R_zz, r_C_z, STEWART_FMA(R_zy, r_C_y, R_zx*r_C_x));

@@ -123,11 +123,11 @@ static void prepare_platform(
         J_add_yy = sum->J_add[3], J_add_yz = sum->J_add[4], J_add_zz = sum->J_add[5];
     const stewart_real C_add = sum->C_add;
     const stewart_real M_P = M + M_add;
-    /* the platform's own centre of mass from platform point 1 */
+    /* the platform's own center of mass from platform point 1 */
     const stewart_real arm_x = R_0_x - p_1_x;
     const stewart_real arm_y = R_0_y - p_1_y;
     const stewart_real arm_z = R_0_z - p_1_z;
-    /* first moment of what is lumped with it about that centre */
+    /* first moment of what is lumped with it about that center */
     const stewart_real e_x = h_add_x - M_add*arm_x;
     const stewart_real e_y = h_add_y - M_add*arm_y;
     const stewart_real e_z = h_add_z - M_add*arm_z;
@@ -261,7 +261,7 @@ static void shared_of_pose(
     const stewart_real B_zx = omega_xz - alpha_y;
     const stewart_real B_zy = alpha_x + omega_yz;
     const stewart_real B_zz = -omega_xx - omega_yy;
-    /* (30) centre of mass from the reference point, base frame */
+    /* (30) center of mass from the reference point, base frame */
     const stewart_real R_C_x = STEWART_FMA(R_xz, r_C_z, STEWART_FMA(R_xy, r_C_y, R_xx*r_C_x));
     const stewart_real R_C_y = STEWART_FMA(R_yz, r_C_z, STEWART_FMA(R_yy, r_C_y, R_yx*r_C_x));
     const stewart_real R_C_z = STEWART_FMA(R_zz, r_C_z, STEWART_FMA(R_zy, r_C_y, R_zx*r_C_x));
@@ -401,7 +401,7 @@ static void legs_of_pose(
         /* (8) accelerations of the joint coordinates */
         const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
             STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
-        /* (20) generalised forces about y and about k */
+        /* (20) generalized forces about y and about k */
         const stewart_real tau_y = STEWART_FMA(-C_s, STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y,
             omega_x*y_x)), C_us*theta_dot);
         const stewart_real tau_k = STEWART_FMA(-C_s, STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y,
@@ -538,7 +538,7 @@ static void legs_near_singular(
         /* (8) accelerations of the joint coordinates */
         const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
             STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
-        /* (20) generalised forces about y and about k */
+        /* (20) generalized forces about y and about k */
         const stewart_real tau_y = STEWART_FMA(-C_s, STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y,
             omega_x*y_x)), C_us*theta_dot);
         const stewart_real tau_k = STEWART_FMA(-C_s, STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y,
@@ -727,7 +727,7 @@ static void shared_of_block(
         const stewart_real B_zx = omega_xz - alpha_y;
         const stewart_real B_zy = alpha_x + omega_yz;
         const stewart_real B_zz = -omega_xx - omega_yy;
-        /* (30) centre of mass from the reference point, base frame */
+        /* (30) center of mass from the reference point, base frame */
         const stewart_real R_C_x = STEWART_FMA(R_xz, r_C_z, STEWART_FMA(R_xy, r_C_y, R_xx*r_C_x));
         const stewart_real R_C_y = STEWART_FMA(R_yz, r_C_z, STEWART_FMA(R_yy, r_C_y, R_yx*r_C_x));
         const stewart_real R_C_z = STEWART_FMA(R_zz, r_C_z, STEWART_FMA(R_zy, r_C_y, R_zx*r_C_x));
@@ -912,7 +912,7 @@ static void leg_of_block(
             STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
         const stewart_real C_s = model->C_s[leg];
         const stewart_real C_us = model->C_us[leg];
-        /* (20) generalised forces about y and about k */
+        /* (20) generalized forces about y and about k */
         const stewart_real tau_y = STEWART_FMA(C_s, -STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y,
             omega_x*y_x)), C_us*theta_dot);
         const stewart_real tau_k = STEWART_FMA(C_s, -STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y,

@@ -41,8 +41,8 @@ typedef struct {
     stewart_real m_r[8]; /* kg: reflected mass of the leg's rotor, J_r N^2 with N its turn per length, rad/m */
     stewart_real C_us[8]; /* N m s: C_u + C_s */
     stewart_real M_P; /* kg: mass of the platform with the upper parts */
-    stewart_real r_C[3]; /* m: its centre of mass, platform frame */
-    stewart_real J_C[6]; /* kg m^2: its inertia about its centre of mass, platform frame */
+    stewart_real r_C[3]; /* m: its center of mass, platform frame */
+    stewart_real J_C[6]; /* kg m^2: its inertia about its center of mass, platform frame */
     stewart_real dJ_C[3]; /* kg m^2: J_C_zz - J_C_yy, J_C_xx - J_C_zz, J_C_yy - J_C_xx */
     stewart_real C_P; /* N m s: friction of all spherical joints */
     stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */

@@ -36,7 +36,7 @@ typedef struct {
     stewart_real w[3][8]; /* kg m: first moments of both parts, about the base and the platform point, leg frame */
     stewart_real g_k[8]; /* m/s^2: gravity along the fixed axis */
     stewart_real g_x_k[3][8]; /* m/s^2: g x k, base frame */
-    stewart_real r_C[3]; /* m: its centre of mass, platform frame */
+    stewart_real r_C[3]; /* m: its center of mass, platform frame */
     stewart_real W_P[3]; /* N: weight of the platform with the upper parts, base frame */
     stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */
     /* 1/m: by which the solve multiplies moments, 18 to 21 multiplications, unless it is 1: for

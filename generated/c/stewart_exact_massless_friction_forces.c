@@ -118,11 +118,11 @@ static void prepare_platform(
         J_add_yy = sum->J_add[3], J_add_yz = sum->J_add[4], J_add_zz = sum->J_add[5];
     const stewart_real C_add = sum->C_add;
     const stewart_real M_P = M + M_add;
-    /* the platform's own centre of mass from platform point 1 */
+    /* the platform's own center of mass from platform point 1 */
     const stewart_real arm_x = R_0_x - p_1_x;
     const stewart_real arm_y = R_0_y - p_1_y;
     const stewart_real arm_z = R_0_z - p_1_z;
-    /* first moment of what is lumped with it about that centre */
+    /* first moment of what is lumped with it about that center */
     const stewart_real e_x = h_add_x - M_add*arm_x;
     const stewart_real e_y = h_add_y - M_add*arm_y;
     const stewart_real e_z = h_add_z - M_add*arm_z;
@@ -381,7 +381,7 @@ static void legs_of_pose(
             S_dot_x*y_x));
         const stewart_real theta_dot = inv_rho*STEWART_FMA(-S_dot_z, k_z, STEWART_FMA(-S_dot_y, k_y,
             STEWART_FMA(-S_dot_x, k_x, L_dot*k1)));
-        /* (20) generalised forces about y and about k */
+        /* (20) generalized forces about y and about k */
         const stewart_real tau_y = STEWART_FMA(-C_s, STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y,
             omega_x*y_x)), C_us*theta_dot);
         const stewart_real tau_k = STEWART_FMA(-C_s, STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y,
@@ -502,7 +502,7 @@ static void legs_near_singular(
             S_dot_x*y_x));
         const stewart_real theta_dot = -inv_L*STEWART_FMA(S_dot_z, z_z, STEWART_FMA(S_dot_y, z_y,
             S_dot_x*z_x));
-        /* (20) generalised forces about y and about k */
+        /* (20) generalized forces about y and about k */
         const stewart_real tau_y = STEWART_FMA(-C_s, STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y,
             omega_x*y_x)), C_us*theta_dot);
         const stewart_real tau_k = STEWART_FMA(-C_s, STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y,
@@ -862,7 +862,7 @@ static void leg_of_block(
             STEWART_FMA(-S_dot_x, k_x, L_dot*k1)));
         const stewart_real C_s = model->C_s[leg];
         const stewart_real C_us = model->C_us[leg];
-        /* (20) generalised forces about y and about k */
+        /* (20) generalized forces about y and about k */
         const stewart_real tau_y = STEWART_FMA(C_s, -STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y,
             omega_x*y_x)), C_us*theta_dot);
         const stewart_real tau_k = STEWART_FMA(C_s, -STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y,

@@ -32,7 +32,7 @@ extern "C" {
 typedef struct {
     stewart_real b[3][8]; /* m: base point, base frame */
     stewart_real p[3][8]; /* m: platform point, platform frame */
-    stewart_real r_C[3]; /* m: its centre of mass, platform frame */
+    stewart_real r_C[3]; /* m: its center of mass, platform frame */
     stewart_real W_P[3]; /* N: weight of the platform with the upper parts, base frame */
     /* 1/m: by which the solve multiplies moments, 18 to 21 multiplications, unless it is 1: for
      * platforms of 0.125 to 16 m. Otherwise one over the least power of two that no arm exceeds. */

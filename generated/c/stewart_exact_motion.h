@@ -7,7 +7,7 @@
  *
  * Wrenches [force; moment] and twists [v; omega] in base axes about the platform's reference point. M is
  * symmetric and, with physical inertias, positive definite; its rate less 2 C is skew. bias is
- * C [v; omega] + g + friction. Matrices are row-major. Poses move by [dt; dphi], R becoming exp([dphi]x) R.
+ * C [v; omega] + g. Matrices are row-major. Poses move by [dt; dphi], R becoming exp([dphi]x) R.
  * Link with stewart_exact_forces.c, whose prepared model is used; accelerations in the motion are read by
  * `derivatives` alone.
  *
@@ -33,6 +33,7 @@ typedef struct {
     stewart_real g[6];
     stewart_real friction[6];
     stewart_real bias[6];
+    stewart_real bias_and_friction[6];
     stewart_real H[36];
     stewart_real H_dot[36];
 } stewart_equations;
@@ -50,7 +51,7 @@ typedef struct {
     stewart_real acceleration[6];
     stewart_real A[144];
     stewart_real B[72];
-} stewart_linearisation;
+} stewart_linearization;
 
 /* The same of `count` poses. Any pointer may be null: not wanted. */
 typedef struct {
@@ -59,6 +60,7 @@ typedef struct {
     stewart_real *g; /* [count][6] */
     stewart_real *friction; /* [count][6] */
     stewart_real *bias; /* [count][6] */
+    stewart_real *bias_and_friction; /* [count][6] */
     stewart_real *H; /* [count][36] */
     stewart_real *H_dot; /* [count][36] */
 } stewart_equations_arrays;
@@ -74,13 +76,13 @@ typedef struct {
     stewart_real *acceleration; /* [count][6] */
     stewart_real *A; /* [count][144] */
     stewart_real *B; /* [count][72] */
-} stewart_linearisation_arrays;
+} stewart_linearization_arrays;
 
 /* One pose. All return a status; outputs are written only if it is STEWART_OK. */
 STEWART_NODISCARD int stewart_exact_equations(
     const stewart_exact_model *model, const stewart_motion *motion, stewart_equations *out);
-STEWART_NODISCARD int stewart_exact_bias(
-    const stewart_exact_model *model, const stewart_motion *motion, stewart_real bias[6]);
+STEWART_NODISCARD int stewart_exact_bias_and_friction(
+    const stewart_exact_model *model, const stewart_motion *motion, stewart_real bias_and_friction[6]);
 STEWART_NODISCARD int stewart_exact_forward_dynamics(
     const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6],
     stewart_real acceleration[6]);
@@ -89,9 +91,9 @@ STEWART_NODISCARD int stewart_exact_joint_inertia(
     const stewart_exact_model *model, const stewart_motion *motion, stewart_real inertia[36]);
 STEWART_NODISCARD int stewart_exact_derivatives(
     const stewart_exact_model *model, const stewart_motion *motion, stewart_derivatives *out);
-STEWART_NODISCARD int stewart_exact_linearisation(
+STEWART_NODISCARD int stewart_exact_linearization(
     const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6],
-    stewart_linearisation *out);
+    stewart_linearization *out);
 
 /* `count` poses; F is [count][6]. Of the motions, F_ext and M_ext may be null, alpha and a where they are not
  * read. `status` takes one code for each pose; null: not wanted. Return the first
@@ -102,10 +104,10 @@ STEWART_NODISCARD int stewart_exact_equations_batch(
 STEWART_NODISCARD int stewart_exact_derivatives_batch(
     const stewart_exact_model *model, size_t count, const stewart_motions *motions,
     const stewart_derivatives_arrays *out, int *status);
-STEWART_NODISCARD int stewart_exact_linearisation_batch(
+STEWART_NODISCARD int stewart_exact_linearization_batch(
     const stewart_exact_model *model, size_t count, const stewart_motions *motions, const stewart_real *F,
-    const stewart_linearisation_arrays *out, int *status);
-STEWART_NODISCARD int stewart_exact_bias_batch(
+    const stewart_linearization_arrays *out, int *status);
+STEWART_NODISCARD int stewart_exact_bias_and_friction_batch(
     const stewart_exact_model *model, size_t count, const stewart_motions *motions, stewart_real *out,
     int *status);
 STEWART_NODISCARD int stewart_exact_forward_dynamics_batch(

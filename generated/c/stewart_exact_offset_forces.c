@@ -211,11 +211,11 @@ static void prepare_platform(
         J_add_yy = sum->J_add[3], J_add_yz = sum->J_add[4], J_add_zz = sum->J_add[5];
     const stewart_real C_add = sum->C_add;
     const stewart_real M_P = M + M_add;
-    /* the platform's own centre of mass from platform point 1 */
+    /* the platform's own center of mass from platform point 1 */
     const stewart_real arm_x = R_0_x - p_1_x;
     const stewart_real arm_y = R_0_y - p_1_y;
     const stewart_real arm_z = R_0_z - p_1_z;
-    /* first moment of what is lumped with it about that centre */
+    /* first moment of what is lumped with it about that center */
     const stewart_real e_x = h_add_x - M_add*arm_x;
     const stewart_real e_y = h_add_y - M_add*arm_y;
     const stewart_real e_z = h_add_z - M_add*arm_z;
@@ -347,7 +347,7 @@ static void shared_of_pose(
     const stewart_real B_zx = omega_xz - alpha_y;
     const stewart_real B_zy = alpha_x + omega_yz;
     const stewart_real B_zz = -omega_xx - omega_yy;
-    /* (30) centre of mass from the reference point, base frame */
+    /* (30) center of mass from the reference point, base frame */
     const stewart_real R_C_x = STEWART_FMA(R_xz, r_C_z, STEWART_FMA(R_xy, r_C_y, R_xx*r_C_x));
     const stewart_real R_C_y = STEWART_FMA(R_yz, r_C_z, STEWART_FMA(R_yy, r_C_y, R_yx*r_C_x));
     const stewart_real R_C_z = STEWART_FMA(R_zz, r_C_z, STEWART_FMA(R_zy, r_C_y, R_zx*r_C_x));
@@ -477,7 +477,7 @@ static void legs_of_pose(
         const stewart_real y_x = STEWART_FMA(S_across_x, e_share, k_cross_S_x*r_share);
         const stewart_real y_y = STEWART_FMA(S_across_y, e_share, k_cross_S_y*r_share);
         const stewart_real y_z = STEWART_FMA(S_across_z, e_share, k_cross_S_z*r_share);
-        /* (10) from the fixed axis towards the platform */
+        /* (10) from the fixed axis toward the platform */
         const stewart_real o_x = STEWART_FMA(-k_y, y_z, k_z*y_y);
         const stewart_real o_y = STEWART_FMA(-k_z, y_x, k_x*y_z);
         const stewart_real o_z = STEWART_FMA(-k_x, y_y, k_y*y_x);
@@ -579,7 +579,7 @@ static void legs_of_pose(
         const stewart_real c3 = j_r*k3;
         const stewart_real c4 = c3*phi_dot;
         const stewart_real c5 = STEWART_FMA(j_r, k1, -k3_h);
-        /* (20) generalised forces about y and about k */
+        /* (20) generalized forces about y and about k */
         const stewart_real tau_y = STEWART_FMA(L_ddot, h_z, STEWART_FMA(M_theta, theta_ddot,
             STEWART_FMA(bend, h2_x, STEWART_FMA(L_dot, c4, STEWART_FMA(M_mixed_offset, phi_ddot,
             STEWART_FMA(C_us, theta_dot, STEWART_FMA(-C_s, STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y,
@@ -775,7 +775,7 @@ static void shared_of_block(
         const stewart_real B_zx = omega_xz - alpha_y;
         const stewart_real B_zy = alpha_x + omega_yz;
         const stewart_real B_zz = -omega_xx - omega_yy;
-        /* (30) centre of mass from the reference point, base frame */
+        /* (30) center of mass from the reference point, base frame */
         const stewart_real R_C_x = STEWART_FMA(R_xz, r_C_z, STEWART_FMA(R_xy, r_C_y, R_xx*r_C_x));
         const stewart_real R_C_y = STEWART_FMA(R_yz, r_C_z, STEWART_FMA(R_yy, r_C_y, R_yx*r_C_x));
         const stewart_real R_C_z = STEWART_FMA(R_zz, r_C_z, STEWART_FMA(R_zy, r_C_y, R_zx*r_C_x));
@@ -936,7 +936,7 @@ static void leg_of_block(
         const stewart_real y_x = STEWART_FMA(S_across_x, e_share, k_cross_S_x*r_share);
         const stewart_real y_y = STEWART_FMA(S_across_y, e_share, k_cross_S_y*r_share);
         const stewart_real y_z = STEWART_FMA(S_across_z, e_share, k_cross_S_z*r_share);
-        /* (10) from the fixed axis towards the platform */
+        /* (10) from the fixed axis toward the platform */
         const stewart_real o_x = STEWART_FMA(k_y, -y_z, k_z*y_y);
         const stewart_real o_y = STEWART_FMA(k_z, -y_x, k_x*y_z);
         const stewart_real o_z = STEWART_FMA(k_x, -y_y, k_y*y_x);
@@ -1061,7 +1061,7 @@ static void leg_of_block(
         const stewart_real h2_y = model->h2_y[leg];
         const stewart_real g_k = model->g_k[leg];
         const stewart_real C_us = model->C_us[leg];
-        /* (20) generalised forces about y and about k */
+        /* (20) generalized forces about y and about k */
         const stewart_real tau_y = STEWART_FMA(L_ddot, h_z, STEWART_FMA(M_theta, theta_ddot,
             STEWART_FMA(bend, h2_x, STEWART_FMA(L_dot, c4, STEWART_FMA(M_mixed_offset, phi_ddot,
             STEWART_FMA(C_us, theta_dot, STEWART_FMA(C_s, -STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y,

@@ -34,11 +34,11 @@ typedef struct {
     stewart_real p[3]; /* m: platform point, platform frame */
     stewart_real k[3]; /* 1: unit vector along the fixed axis of the universal joint, base frame */
     stewart_real m_d; /* kg: mass of the lower part */
-    stewart_real r_d0[3]; /* m: centre of mass of the lower part, frame D */
-    stewart_real I_d0[6]; /* kg m^2: inertia of the lower part about its centre of mass, frame D */
+    stewart_real r_d0[3]; /* m: center of mass of the lower part, frame D */
+    stewart_real I_d0[6]; /* kg m^2: inertia of the lower part about its center of mass, frame D */
     stewart_real m_u; /* kg: mass of the upper part */
-    stewart_real r_u0[3]; /* m: centre of mass of the upper part, frame U */
-    stewart_real I_u0[6]; /* kg m^2: inertia of the upper part about its centre of mass, frame U */
+    stewart_real r_u0[3]; /* m: center of mass of the upper part, frame U */
+    stewart_real I_u0[6]; /* kg m^2: inertia of the upper part about its center of mass, frame U */
     stewart_real C_u; /* N m s: viscous friction of the universal joint */
     stewart_real C_p; /* N s/m: viscous friction of the prismatic joint */
     stewart_real C_s; /* N m s: viscous friction of the spherical joint */
@@ -48,16 +48,16 @@ typedef struct {
     stewart_real along; /* m: from where o meets the moving axis to the line of sliding, along y */
     stewart_real across; /* m: the same along z = s x y */
     stewart_real cross_mass; /* kg: mass of the body between fixed and moving axis */
-    stewart_real cross_center[3]; /* m: its centre of mass from the base point, along o, y and k */
-    stewart_real cross_inertia; /* kg m^2: its inertia about k through its centre of mass */
+    stewart_real cross_center[3]; /* m: its center of mass from the base point, along o, y and k */
+    stewart_real cross_inertia; /* kg m^2: its inertia about k through its center of mass */
 } stewart_offset_leg;
 
 /* The machine. */
 typedef struct {
     stewart_offset_leg leg[6];
     stewart_real M; /* kg: mass of the platform with its payload */
-    stewart_real R_0[3]; /* m: centre of mass of the platform, platform frame */
-    stewart_real I_p[6]; /* kg m^2: inertia of the platform about its centre of mass, platform frame */
+    stewart_real R_0[3]; /* m: center of mass of the platform, platform frame */
+    stewart_real I_p[6]; /* kg m^2: inertia of the platform about its center of mass, platform frame */
     stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */
 } stewart_offset_robot;
 
@@ -89,8 +89,8 @@ typedef struct {
     stewart_real cross2[8]; /* m: 2 cross */
     stewart_real w_o[8]; /* kg m: first moment along o of what turns about k alone */
     stewart_real M_P; /* kg: mass of the platform with the upper parts */
-    stewart_real r_C[3]; /* m: its centre of mass, platform frame */
-    stewart_real J_C[6]; /* kg m^2: its inertia about its centre of mass, platform frame */
+    stewart_real r_C[3]; /* m: its center of mass, platform frame */
+    stewart_real J_C[6]; /* kg m^2: its inertia about its center of mass, platform frame */
     stewart_real dJ_C[3]; /* kg m^2: J_C_zz - J_C_yy, J_C_xx - J_C_zz, J_C_yy - J_C_xx */
     stewart_real C_P; /* N m s: friction of all spherical joints */
     stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */

@@ -7,7 +7,7 @@
  * vector instructions of the loops over lanes (gcc and clang: -O3 -std=c99 -fno-math-errno, and -march for the
  * machine; with -ffp-contract=off one pose and a batch agree to the last bit).
  *
- * Fidelity: at rest, centres of mass on the legs' axes.
+ * Fidelity: at rest, centers of mass on the legs' axes.
  *
  * Operations of one pose of inverse dynamics, six legs, solve included, checks left out
  * leg      40 (22 mul, 16 add, 1 div, 1 sqrt)
@@ -33,7 +33,7 @@ typedef struct {
     stewart_real b[3][8]; /* m: base point, base frame */
     stewart_real p[3][8]; /* m: platform point, platform frame */
     stewart_real w_s[8]; /* kg m: first moments of both parts, along the leg */
-    stewart_real r_C[3]; /* m: its centre of mass, platform frame */
+    stewart_real r_C[3]; /* m: its center of mass, platform frame */
     stewart_real W_P[3]; /* N: weight of the platform with the upper parts, base frame */
     stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */
     /* 1/m: by which the solve multiplies moments, 18 to 21 multiplications, unless it is 1: for

@@ -31,17 +31,17 @@ typedef struct {
     stewart_real b[3][8]; /* m: base point, base frame */
     stewart_real p[3][8]; /* m: platform point, platform frame */
     stewart_real m_d[8]; /* kg: mass of the lower part */
-    stewart_real r_d0[3][8]; /* m: centre of mass of the lower part, frame D */
-    stewart_real I_d0[6][8]; /* kg m^2: inertia of the lower part about its centre of mass, frame D */
+    stewart_real r_d0[3][8]; /* m: center of mass of the lower part, frame D */
+    stewart_real I_d0[6][8]; /* kg m^2: inertia of the lower part about its center of mass, frame D */
     stewart_real m_u[8]; /* kg: mass of the upper part */
-    stewart_real r_u0[3][8]; /* m: centre of mass of the upper part, frame U */
-    stewart_real I_u0[6][8]; /* kg m^2: inertia of the upper part about its centre of mass, frame U */
+    stewart_real r_u0[3][8]; /* m: center of mass of the upper part, frame U */
+    stewart_real I_u0[6][8]; /* kg m^2: inertia of the upper part about its center of mass, frame U */
     stewart_real C_u[8]; /* N m s: viscous friction of the universal joint */
     stewart_real C_p[8]; /* N s/m: viscous friction of the prismatic joint */
     stewart_real C_s[8]; /* N m s: viscous friction of the spherical joint */
     stewart_real M_P; /* kg: mass of the platform with the upper parts */
-    stewart_real r_C[3]; /* m: its centre of mass, platform frame */
-    stewart_real J_C[6]; /* kg m^2: its inertia about its centre of mass, platform frame */
+    stewart_real r_C[3]; /* m: its center of mass, platform frame */
+    stewart_real J_C[6]; /* kg m^2: its inertia about its center of mass, platform frame */
     stewart_real dJ_C[3]; /* kg m^2: J_C_zz - J_C_yy, J_C_xx - J_C_zz, J_C_yy - J_C_xx */
     stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */
     /* 1/m: by which the solve multiplies moments, 18 to 21 multiplications, unless it is 1: for

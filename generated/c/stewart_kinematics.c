@@ -344,7 +344,7 @@ static int is_open(legs_at_pose *legs)
     return ((regular == 1) && ((REAL(256)*STEWART_EPSILON*total*of_inverse) <= REAL(1))) ? 0 : 1;
 }
 
-/* One of Newton's steps towards the rotation nearest to R, R <- R + R (E - R^T R) / 2, or none where
+/* One of Newton's steps toward the rotation nearest to R, R <- R + R (E - R^T R) / 2, or none where
  * ``half`` is 0; returns how far an entry of R^T R was from E. */
 static stewart_real polish(stewart_real R[9], stewart_real half)
 {

@@ -30,14 +30,14 @@ STEWART_SHARED void platform_wrench(
     const stewart_real I_p_xx = robot->I_p[0], I_p_xy = robot->I_p[1], I_p_xz = robot->I_p[2], I_p_yy = robot->I_p[3],
         I_p_yz = robot->I_p[4], I_p_zz = robot->I_p[5];
     const stewart_real g_x = robot->g[0], g_y = robot->g[1], g_z = robot->g[2];
-    /* (30) centre of mass from the reference point, base frame */
+    /* (30) center of mass from the reference point, base frame */
     const stewart_real R_G_x = STEWART_FMA(R_0_z, R_xz, STEWART_FMA(R_0_y, R_xy, R_0_x*R_xx));
     const stewart_real R_G_y = STEWART_FMA(R_0_z, R_yz, STEWART_FMA(R_0_y, R_yy, R_0_x*R_yx));
     const stewart_real R_G_z = STEWART_FMA(R_0_z, R_zz, STEWART_FMA(R_0_y, R_zy, R_0_x*R_zx));
     const stewart_real c1 = STEWART_FMA(-R_G_x, omega_y, R_G_y*omega_x);
     const stewart_real c2 = STEWART_FMA(-R_G_z, omega_x, R_G_x*omega_z);
     const stewart_real c3 = STEWART_FMA(-R_G_y, omega_z, R_G_z*omega_y);
-    /* (31) acceleration of the centre of mass */
+    /* (31) acceleration of the center of mass */
     const stewart_real a_G_x = STEWART_FMA(-c2, omega_z, STEWART_FMA(c1, omega_y, STEWART_FMA(-R_G_y,
         alpha_z, STEWART_FMA(R_G_z, alpha_y, a_x))));
     const stewart_real a_G_y = STEWART_FMA(-c1, omega_x, STEWART_FMA(c3, omega_z, STEWART_FMA(-R_G_z,

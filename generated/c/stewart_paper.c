@@ -136,15 +136,15 @@ static void leg_dynamics(
     /* (9) angular acceleration of the leg but for its spin, leg frame */
     const stewart_real A_z_own = inv_L*(e_y - c4);
     const stewart_real A_y_own = inv_L*(-e_z - c5);
-    /* (12) centre of mass of the upper part from the base point */
+    /* (12) center of mass of the upper part from the base point */
     const stewart_real r_u_x = r_u0_x + L;
     const stewart_real c6 = W_y*W_z;
-    /* (11), (13) acceleration of the lower centre of mass */
+    /* (11), (13) acceleration of the lower center of mass */
     const stewart_real a_d_x = STEWART_FMA(-A_z_own, r_d0_y, STEWART_FMA(-c2, r_d0_x, STEWART_FMA(-c1,
         r_d0_x, A_y_own*r_d0_z)));
     const stewart_real a_d_y = STEWART_FMA(A_z_own, r_d0_x, STEWART_FMA(-c2, r_d0_y, c6*r_d0_z));
     const stewart_real a_d_z = STEWART_FMA(-A_y_own, r_d0_x, STEWART_FMA(-c1, r_d0_z, W_y*W_z*r_d0_y));
-    /* (14) acceleration of the upper centre of mass */
+    /* (14) acceleration of the upper center of mass */
     const stewart_real a_u_x = STEWART_FMA(-A_z_own, r_u0_y, STEWART_FMA(A_y_own, r_u0_z, STEWART_FMA(-c2,
         r_u_x, STEWART_FMA(-c1, r_u_x, L_ddot))));
     const stewart_real a_u_y = STEWART_FMA(A_z_own, r_u_x, STEWART_FMA(c6, r_u0_z, STEWART_FMA(-c2, r_u0_y,
@@ -321,15 +321,15 @@ static void leg_reactions(
     /* (9) angular acceleration of the leg but for its spin, leg frame */
     const stewart_real A_z_own = inv_L*(e_y - c4);
     const stewart_real A_y_own = inv_L*(-e_z - c5);
-    /* (12) centre of mass of the upper part from the base point */
+    /* (12) center of mass of the upper part from the base point */
     const stewart_real r_u_x = r_u0_x + L;
     const stewart_real c6 = W_y*W_z;
-    /* (11), (13) acceleration of the lower centre of mass */
+    /* (11), (13) acceleration of the lower center of mass */
     const stewart_real a_d_x = STEWART_FMA(-A_z_own, r_d0_y, STEWART_FMA(-c2, r_d0_x, STEWART_FMA(-c1,
         r_d0_x, A_y_own*r_d0_z)));
     const stewart_real a_d_y = STEWART_FMA(A_z_own, r_d0_x, STEWART_FMA(-c2, r_d0_y, c6*r_d0_z));
     const stewart_real a_d_z = STEWART_FMA(-A_y_own, r_d0_x, STEWART_FMA(-c1, r_d0_z, W_y*W_z*r_d0_y));
-    /* (14) acceleration of the upper centre of mass */
+    /* (14) acceleration of the upper center of mass */
     const stewart_real a_u_x = STEWART_FMA(-A_z_own, r_u0_y, STEWART_FMA(A_y_own, r_u0_z, STEWART_FMA(-c2,
         r_u_x, STEWART_FMA(-c1, r_u_x, L_ddot))));
     const stewart_real a_u_y = STEWART_FMA(A_z_own, r_u_x, STEWART_FMA(c6, r_u0_z, STEWART_FMA(-c2, r_u0_y,

@@ -25,7 +25,7 @@ STEWART_SHARED stewart_real cube_of(stewart_real arm)
 }
 
 /* What moments are multiplied by in the solve where no coordinate of their arms exceeds `size`, 1/m: 1
- * for arms of about a metre, `smallest` and more, else one over the least power of two, from 2^-100 to
+ * for arms of about a meter, `smallest` and more, else one over the least power of two, from 2^-100 to
  * 2^100, that is as large. */
 STEWART_SHARED stewart_real per_length_of(stewart_real size, stewart_real smallest)
 {

@@ -15,7 +15,7 @@ from ..generated.interface import HEADERS, OUTPUTS
 from ..io.array_types import Array
 from ..io.frozen import Frozen, read_only
 from ..motion.motion import Motion
-from ..results import OK, Forces, Reactions
+from ..results import OK, InverseDynamicsResult, JointReactionsResult
 from ..robot.robot import Robot
 from . import native
 from .kernel import MOTION, defines_of, offset_numbers, overflows, robot_kernel, robot_numbers, takes_rotors
@@ -55,13 +55,13 @@ class CKernel(Frozen):
         library(name)
         return cls(name, read_only(robot_numbers(robot, takes_rotors(name))))
 
-    def forces(self, motion: Motion) -> Forces:
+    def forces(self, motion: Motion) -> InverseDynamicsResult:
         """Inverse dynamics of every pose; NaN where the status is not 0."""
-        return Forces(**self._run("inverse_dynamics", motion))
+        return InverseDynamicsResult(**self._run("inverse_dynamics", motion))
 
-    def reactions(self, motion: Motion, bearing: Array) -> Reactions:
+    def reactions(self, motion: Motion, bearing: Array) -> JointReactionsResult:
         """Joint reactions of every pose; ``bearing`` (6,), m. NaN where the status is not 0."""
-        return Reactions(**self._run("joint_reactions", motion, np.ascontiguousarray(bearing)))
+        return JointReactionsResult(**self._run("joint_reactions", motion, np.ascontiguousarray(bearing)))
 
     def _run(self, function: str, motion: Motion, *given: Array) -> dict[str, Any]:
         code = getattr(library(self.name), f"stewart_{self.name}_{function}_batch")

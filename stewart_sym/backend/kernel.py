@@ -9,8 +9,8 @@ import numpy as np
 from ..generated.interface import STRUCTS
 from ..io.arguments import option
 from ..io.array_types import Array
-from ..robot.offsets import Offsets, need_no_offsets
-from ..robot.robot import Robot
+from ..robot.offsets import JointOffsets, need_no_offsets
+from ..robot.robot import Robot, of_symbol
 
 FORMULATIONS = ("exact", "paper")
 MOTION = STRUCTS["motion"]
@@ -53,7 +53,7 @@ def offset_kernel(robot: Robot, formulation: str) -> str:
     Raises ValueError for another formulation than "exact" and for universal platform joints.
     """
     need_offset_formulation(formulation)
-    if robot.offsets is not None and robot.offsets.spins:
+    if robot.offsets is not None and robot.offsets.has_spinning_parts:
         raise ValueError(
             'robot: offsets: platform_joint: expected "spherical", since no kernel has other ones; '
             "inverse_dynamics computes them"
@@ -87,19 +87,19 @@ def robot_numbers(robot: Robot, rotors: bool = False) -> Array:
     """The robot as the numbers of ``struct stewart_robot``, in its order; rotors: with those of its legs."""
     need_no_offsets(robot)
     names = (*LEG, *ROTOR) if rotors else LEG
-    return _numbers(robot, [columns(getattr(robot, name)) for name in names])
+    return _numbers(robot, [columns(of_symbol(robot, name)) for name in names])
 
 
 def offset_numbers(robot: Robot) -> Array:
     """The robot as the numbers of ``struct stewart_offset_robot``, in its order."""
-    offsets = Offsets() if robot.offsets is None else robot.offsets
-    own = [columns(getattr(robot, name)) for name in (*LEG, *ROTOR)]
-    return _numbers(robot, own + [columns(getattr(offsets, name)) for name in OFFSETS])
+    offsets = JointOffsets() if robot.offsets is None else robot.offsets
+    own = [columns(of_symbol(robot, name)) for name in (*LEG, *ROTOR)]
+    return _numbers(robot, own + [columns(of_symbol(offsets, name)) for name in OFFSETS])
 
 
 def _numbers(robot: Robot, of_legs: Sequence[Array]) -> Array:
     legs = np.concatenate(of_legs, axis=1)
-    platform = [np.ravel(stored(np.asarray(getattr(robot, name)))) for name in PLATFORM]
+    platform = [np.ravel(stored(np.asarray(of_symbol(robot, name)))) for name in PLATFORM]
     return np.concatenate([legs.ravel(), *platform])
 
 
@@ -107,7 +107,7 @@ def need_representable(robot: Robot, precision: str) -> None:
     """Raise ValueError naming the first constant that is too large for ``precision``, "double" or "float"."""
     largest = float(np.finfo(np.float64 if precision == "double" else np.float32).max)
     for name in (*LEG, *ROTOR, *PLATFORM):
-        values = np.asarray(getattr(robot, name))
+        values = np.asarray(of_symbol(robot, name))
         for index in np.argwhere(np.abs(values) > largest):
             where = f"leg {index[0] + 1}: {name}" if name in (*LEG, *ROTOR) else name
             got = f"{values[tuple(index)]:g}"

@@ -12,9 +12,9 @@ import numpy as np
 from ..generated.interface import OUTPUTS
 from ..io.array_types import Array, Codes
 from ..motion.motion import Motion
-from ..results import OK, Forces, Reactions
+from ..results import OK, InverseDynamicsResult, JointReactionsResult
 from ..robot.offsets import need_no_offsets
-from ..robot.robot import Robot
+from ..robot.robot import Robot, of_symbol
 from .kernel import LEG, MOTION, PLATFORM, ROTOR, columns, module, robot_kernel, stored
 
 # Poses that the NumPy kernels take at once: larger arrays do not fit into the cache.
@@ -33,7 +33,7 @@ class NumpyKernel:
         """Choose the module."""
         return cls(robot_kernel(robot, formulation), robot)
 
-    def forces(self, motion: Motion) -> Forces:
+    def forces(self, motion: Motion) -> InverseDynamicsResult:
         """Inverse dynamics of every pose; NaN where the status is not 0."""
         source, suspect = module(self.name), np.zeros(math.prod(motion.shape), dtype=np.bool_)
 
@@ -48,10 +48,10 @@ class NumpyKernel:
         found, status = on_arrays(solved, self._robot, motion, OUTPUTS["inverse_dynamics"])
         if suspect.any():
             close = suspect.reshape(motion.shape)
-            few = Motion.unchecked(**{name: value[close] for name, value in vars(loaded(motion)).items()})
+            few = Motion._unchecked(**{name: value[close] for name, value in vars(loaded(motion)).items()})
             status[close] = on_arrays(checked, self._robot, few, {})[1]
             _blank(found, status)
-        return Forces(**found, status=status)
+        return InverseDynamicsResult(**found, status=status)
 
     def terms(self, motion: Motion) -> dict[str, Array]:
         """D, K, H and c of every pose, nothing solved: numbers where H is singular, no status."""
@@ -78,12 +78,12 @@ class NumpyKernel:
 
         return on_arrays(run, self._robot, motion, OUTPUTS["joint_reactions"])[0]
 
-    def reactions(self, motion: Motion, bearing: Array) -> Reactions:
+    def reactions(self, motion: Motion, bearing: Array) -> JointReactionsResult:
         """Joint reactions of every pose; ``bearing`` (6,), m. NaN where the status is not 0."""
         forces = self.forces(motion)
         found = self.reactions_of(motion, forces.x, bearing)
         _blank(found, forces.status)
-        return Reactions(**found, status=forces.status)
+        return JointReactionsResult(**found, status=forces.status)
 
     @functools.cached_property
     def _robot(self) -> SimpleNamespace:
@@ -134,9 +134,11 @@ def _arithmetic() -> Any:
 def legs_side_by_side(robot: Robot) -> SimpleNamespace:
     """The robot as a structure of a generated module, a number of the legs as (6, 1)."""
     need_no_offsets(robot)
-    legs = {name: columns(getattr(robot, name)).T[..., None] for name in (*LEG, *ROTOR)}
-    leg = {name: list(rows) if np.ndim(getattr(robot, name)) > 1 else rows[0] for name, rows in legs.items()}
-    platform = {name: stored(np.asarray(getattr(robot, name))) for name in PLATFORM}
+    legs = {name: columns(of_symbol(robot, name)).T[..., None] for name in (*LEG, *ROTOR)}
+    leg = {
+        name: list(rows) if np.ndim(of_symbol(robot, name)) > 1 else rows[0] for name, rows in legs.items()
+    }
+    platform = {name: stored(np.asarray(of_symbol(robot, name))) for name in PLATFORM}
     parts = {name: list(each) if each.shape else each for name, each in platform.items()}
     return SimpleNamespace(leg=SimpleNamespace(**leg), **parts)
 

@@ -8,7 +8,7 @@ from ..io.error_policy import warn
 from ..io.progress import Progress
 
 if TYPE_CHECKING:
-    from ..motion.logs import LogFormat
+    from ..motion.logs import TrajectoryFormat
     from ..motion.trajectory import JointTrajectory, PoseLog, Trajectory
     from ..robot.robot import Robot
 
@@ -29,10 +29,10 @@ def robot_of(source: Path) -> "Robot":
 def warn_of_doubts(robot: "Robot", source: Path) -> None:
     """Warn of a robot's doubtful numbers, in one line each; ``source``: the file that gives or names it."""
     from ..plausibility.plausibility import doubts
-    from ..robot.robot import PhysicalityWarning
+    from ..robot.robot import RobotWarning
 
     for name, text in doubts(robot):
-        warn(f"{source}: {text} [{name}]", PhysicalityWarning)
+        warn(f"{source}: {text} [{name}]", RobotWarning)
 
 
 def trajectory_of(
@@ -40,8 +40,8 @@ def trajectory_of(
 ) -> "Trajectory | PoseLog":
     """Poses over time from a CSV file of poses or of leg lengths, read as the options say."""
     from ..kinematics.robot_logs import read_log_of
-    from ..motion.interpolation import resampled
-    from ..motion.trajectory import Smoothing
+    from ..motion.interpolation import resample
+    from ..motion.trajectory import SmoothingOptions
 
     if not arguments.smoothing:
         for name in ("noise_position", "noise_angle", "cutoff"):
@@ -49,12 +49,12 @@ def trajectory_of(
                 option = name.replace("_", "-")
                 raise ValueError(f"--{option}: is for smoothing, expected no --no-smoothing beside it")
     form = log_format(arguments, source)
-    smoothing = Smoothing(*stated_noise(arguments, form), arguments.cutoff, arguments.smoothing)
+    smoothing = SmoothingOptions(*stated_noise(arguments, form), arguments.cutoff, arguments.smoothing)
     log = read_log_of(robot, source, log_format(arguments), smoothing, progress)
     trajectory = poses_of(robot, log, arguments, progress)
     if arguments.rate is None:
         return trajectory
-    few = resampled(trajectory, arguments.rate)
+    few = resample(trajectory, arguments.rate)
     if len(few.time) < min(FEW_ROWS, len(trajectory.time)):
         warn(
             f"{source}: {len(few.time)} instant{'s' * (len(few.time) > 1)} of "
@@ -64,25 +64,29 @@ def trajectory_of(
     return few
 
 
-def stated_noise(arguments: argparse.Namespace, form: "LogFormat") -> "tuple[float | None, float | None]":
+def stated_noise(
+    arguments: argparse.Namespace, form: "TrajectoryFormat"
+) -> "tuple[float | None, float | None]":
     """Stated noise of positions, m, and of angles, rad: the options are in the units of the log."""
     position, angle = arguments.noise_position, arguments.noise_angle
     return (
-        None if position is None else position * form.metres,
-        None if angle is None else angle * form.radians,
+        None if position is None else position * form.meters_per_unit,
+        None if angle is None else angle * form.radians_per_unit,
     )
 
 
-def log_format(arguments: argparse.Namespace, source: Path | None = None) -> "LogFormat":
+def log_format(arguments: argparse.Namespace, source: Path | None = None) -> "TrajectoryFormat":
     """How the options say that a trajectory's file is read.
 
     source: a file whose row of units states the units that no option does; without it these are open.
     """
     from ..motion.log_reader import with_units_of
-    from ..motion.logs import LogFormat
+    from ..motion.logs import TrajectoryFormat
 
     names = ("columns", "length_unit", "angle_unit", "time_unit", "delimiter", "decimal")
-    form = LogFormat(**{name: getattr(arguments, name) for name in (*names, "euler_order", "lengths")})
+    form = TrajectoryFormat(
+        **{name: getattr(arguments, name) for name in (*names, "euler_order")}, length_mode=arguments.lengths
+    )
     return form if source is None else with_units_of(source, form)
 
 

@@ -118,7 +118,7 @@ class _Parser(argparse.ArgumentParser):
     def parse_known_args(self, args: Any = None, namespace: Any = None) -> tuple[Any, list[str]]:
         """Reject unknown arguments here: a subparser would hand them on to the main one.
 
-        Options come first: what is missing may be one of them, misspelt.
+        Options come first: what is missing may be one of them, misspelled.
         """
         words = list(itertools.takewhile("--".__ne__, args or ()))
         if self._subparsers:

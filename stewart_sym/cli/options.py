@@ -12,7 +12,7 @@ PAPERS = "the paper's machine"
 
 def robot_file(parser: argparse.ArgumentParser, name: str = "robot", default: str = "", **more: Any) -> None:
     """Name of the robot file; default: in words, where there is one."""
-    text = f"robot file, schema 1 or 2; default: {default}" if default else "robot file, schema 1 or 2"
+    text = f"robot file, schema 2; default: {default}" if default else "robot file, schema 2"
     parser.add_argument(name, metavar="ROBOT.toml", type=Path, help=text, **more)
 
 

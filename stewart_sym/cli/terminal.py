@@ -107,7 +107,7 @@ def one_line(error: object, options: Collection[str] | None = None) -> str:
 
 
 # What the library's messages give as an argument in Python is an option of the same name here.
-_ARGUMENT = re.compile(r"LogFormat\((\w+)=('\w+'|\{[^}]*\})\)")
+_ARGUMENT = re.compile(r"TrajectoryFormat\((\w+)=('\w+'|\{[^}]*\})\)")
 
 
 def _as_option(options: Collection[str] | None, found: re.Match[str]) -> str:

@@ -45,12 +45,12 @@ _SAME = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
-class Capability(Frozen):
+class Polytope(Frozen):
     """Vectors x, base frame, within the force limits at poses ``(...)``: a convex polytope for each.
 
     Attributes
     ----------
-    what, unit : str
+    quantity, unit : str
         What x is, and its unit.
     normals : ndarray
         Unit normals of the polytope's facets, outward, (..., m, d); d is 3, or 6 for both parts together.
@@ -58,12 +58,12 @@ class Capability(Frozen):
         x is within the limits where normals @ x <= offsets, (..., m); nan at unsolvable poses.
     """
 
-    what: str
+    quantity: str
     unit: str
     normals: Array
     offsets: Array
 
-    def largest(self, direction: ArrayLike) -> Array:
+    def max_along(self, direction: ArrayLike) -> Array:
         """Largest factor >= 0 of a direction within the limits.
 
         Parameters
@@ -89,7 +89,7 @@ class Capability(Frozen):
         return _farthest(self.normals, self.offsets, given)
 
     @property
-    def guaranteed(self) -> Array:
+    def inscribed_radius(self) -> Array:
         """Size of x that is within the limits in whatever direction, (...); below 0 where not even x = 0 is.
 
         Raises
@@ -98,7 +98,7 @@ class Capability(Frozen):
             For d = 6, whose parts have different units.
         """
         if self.normals.shape[-1] == 6:
-            raise ValueError(f"guaranteed: expected d = 3, {self.what} has parts of different units")
+            raise ValueError(f"inscribed_radius: expected d = 3, {self.quantity} has parts of different units")
         return np.asarray(self.offsets.min(axis=-1))
 
     def vertices(self) -> Array:
@@ -121,7 +121,9 @@ class Capability(Frozen):
         return _vertices(self.normals, self.offsets)
 
 
-def capability(robot: Robot, motion: Motion, what: What = "force", others: Others = "zero") -> Capability:
+def capability_polytope(
+    robot: Robot, motion: Motion, quantity: What = "force", complement: Others = "zero"
+) -> Polytope:
     """Return which wrenches or accelerations the actuators reach within the robot's force limits.
 
     Parameters
@@ -131,16 +133,16 @@ def capability(robot: Robot, motion: Motion, what: What = "force", others: Other
     motion : Motion
         Poses, any leading shape, and what goes on there: rates and load always count, accelerations for
         wrenches.
-    what : str, optional
+    quantity : str, optional
         "force" or "moment" that the platform exerts on its surroundings beside the load, about the reference
         point, or both as "wrench"; "acceleration" of the reference point or "angular_acceleration" of the
         platform, or both as "platform_acceleration"; base frame.
-    others : {"zero", "free"}, optional
+    complement : {"zero", "free"}, optional
         Whether the other part, the moment beside a force and so on, has to be zero or may be anything.
 
     Returns
     -------
-    Capability
+    Polytope
         A polytope for each pose.
 
     Raises
@@ -150,17 +152,17 @@ def capability(robot: Robot, motion: Motion, what: What = "force", others: Other
     """
     instance(robot, Robot, "robot")
     instance(motion, Motion, "motion")
-    option(what, tuple(WHAT), "what")
-    option(others, ("zero", "free"), "others")
+    option(quantity, tuple(WHAT), "quantity")
+    option(complement, ("zero", "free"), "complement")
     unlimited = np.flatnonzero(np.isinf(robot.force_limit)).tolist()
     if unlimited:
         raise ValueError(f"robot: force_limit: expected one for every leg, {legs_text(unlimited)} have none")
-    unit, part = WHAT[what]
-    accelerates = what.endswith("acceleration")
+    unit, part = WHAT[quantity]
+    accelerates = quantity.endswith("acceleration")
     if accelerates:
         rest = np.zeros_like(motion.t)
         given = motion.omega, motion.v, rest, rest, motion.F_ext, motion.M_ext
-        motion = Motion.unchecked(motion.R, motion.t, *given)
+        motion = Motion._unchecked(motion.R, motion.t, *given)
     found = inverse_dynamics(robot, motion, on_singular="nan")
     solved = found.status == OK
     A = np.full((*motion.shape, 6, 6), np.nan)
@@ -168,11 +170,11 @@ def capability(robot: Robot, motion: Motion, what: What = "force", others: Other
     gained = equations_of_motion(robot, motion[solved]).M if accelerates else np.eye(6)
     A[solved] = np.linalg.solve(H, np.broadcast_to(gained, H.shape))
     F = np.where(solved[..., None], found.F, np.nan)
-    if others == "zero" or part == slice(0, 6):
-        return Capability(what, unit, *_cut(A[..., part], F, robot.force_limit))
+    if complement == "zero" or part == slice(0, 6):
+        return Polytope(quantity, unit, *_cut(A[..., part], F, robot.force_limit))
     B = np.full_like(A, np.nan)
     B[solved] = np.linalg.solve(np.broadcast_to(gained, H.shape), H)
-    return Capability(what, unit, *_projected(B[..., part, :], F, robot.force_limit))
+    return Polytope(quantity, unit, *_projected(B[..., part, :], F, robot.force_limit))
 
 
 # Polytopes by half-spaces
@@ -200,10 +202,10 @@ def _projected(B: Array, forces: Array, limits: Array) -> tuple[Array, Array]:
     parallel = np.linalg.norm(normals, axis=-1, keepdims=True) <= _PARALLEL * largest**2
     normals = np.where(parallel, 0.0, normals)
     reach = np.abs(normals @ np.swapaxes(generators, -1, -2)).sum(axis=-1)
-    centre = -(normals @ (B @ forces[..., None]))[..., 0]
+    center = -(normals @ (B @ forces[..., None]))[..., 0]
     return _unit_normals(
         np.concatenate([normals, -normals], axis=-2),
-        np.concatenate([reach + centre, reach - centre], axis=-1),
+        np.concatenate([reach + center, reach - center], axis=-1),
     )
 
 

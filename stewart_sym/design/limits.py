@@ -10,7 +10,7 @@ import numpy as np
 from ..drives.verdicts import EXCEEDED, WITHIN, Sides, amount_text, farthest, verdicts
 from ..io.array_types import Array
 from ..robot.robot import LEGS, Robot
-from .size import Needs, sides
+from .size import ActuatorRequirementsResult, sides
 
 _DEGREES = 180.0 / np.pi
 
@@ -55,11 +55,11 @@ class Compared(NamedTuple):
             possible.append(f"{margin}{verdict}: {line}")
 
 
-def compared(robot: Robot, needs: Needs) -> Compared:
+def compared(robot: Robot, needs: ActuatorRequirementsResult) -> Compared:
     """Return how the needs keep a robot's limits, and, where they do, whether also with the margin."""
     found, more = Compared([], [], [], []), 1.0 + needs.margin
     for limited in _limited(robot, needs):
-        there = needs.course.replaced if len(limited.sizes) > 1 else None
+        there = needs.history.replaced if len(limited.sizes) > 1 else None
         alone, margin = (
             verdicts(limited.sizes, limited.limits / share, limited.sd, there) for share in (1.0, more)
         )
@@ -73,7 +73,7 @@ def compared(robot: Robot, needs: Needs) -> Compared:
     return found
 
 
-def states_limits(robot: Robot, needs: Needs) -> bool:
+def states_limits(robot: Robot, needs: ActuatorRequirementsResult) -> bool:
     """Whether there is a limit that needs can exceed."""
     shortest = bool(np.any(robot.length_limits[:, 0] > 0.0))
     return shortest or any(np.isfinite(each.limits).any() for each in _limited(robot, needs))
@@ -93,39 +93,39 @@ def _line(limited: _Limited, leg: int, verdict: str, more: float | None = None) 
     return line if more is None else f"{line}, with the margin {amount(more * scale)}"
 
 
-def _lengths(robot: Robot, needs: Needs) -> Iterator[tuple[str, str]]:
+def _lengths(robot: Robot, needs: ActuatorRequirementsResult) -> Iterator[tuple[str, str]]:
     """Verdict on the lengths of each leg, and a line about them."""
-    (low, high), course = robot.length_limits.T, needs.course
-    sd = None if course.deviations is None else np.tile(course.deviations["L"], (2, 1))
+    (low, high), course = robot.length_limits.T, needs.history
+    sd = None if course.std is None else np.tile(course.std["L"], (2, 1))
     there = None if course.replaced is None else np.tile(course.replaced, 2)
     beyond = np.concatenate([low - course.L, course.L - high])
     for leg, verdict in enumerate(verdicts(beyond, np.zeros(LEGS), sd, there)):
-        off = (None, None) if needs.deviations is None else needs.deviations["length"][leg]
+        off = (None, None) if needs.std is None else needs.std["length"][leg]
         least, most = (amount_text(*each) for each in zip(needs.length[leg], off, strict=True))
         limits = f"{low[leg]:g} to {high[leg]:g} m"
         yield verdict, f"length_limits of leg {leg + 1}: {limits}, needed {least} to {most} m"
 
 
-def _limited(robot: Robot, needs: Needs) -> Iterator[_Limited]:
+def _limited(robot: Robot, needs: ActuatorRequirementsResult) -> Iterator[_Limited]:
     """What a robot may limit."""
-    course, drive = needs.course, robot.drive
+    course, drive = needs.history, robot.drive
     low, high = robot.length_limits.T
 
     def peak(name: str) -> tuple[Array, Sides | None]:
         values = getattr(course, name)
         sizes = np.zeros((1, 6)) if values is None else np.abs(values)
-        sd = None if course.deviations is None or values is None else sides(course.deviations, name)
+        sd = None if course.std is None or values is None else sides(course.std, name)
         return sizes, sd
 
     def whole(need: Array, name: str) -> tuple[Array, Sides | None]:
-        sd = None if needs.deviations is None else needs.deviations[name][None]
+        sd = None if needs.std is None else needs.std[name][None]
         return need[None], None if sd is None else (sd, sd)
 
     yield _Limited("force_limit", "N", 1.0, *peak("F"), robot.force_limit)
     yield _Limited("speed_limit", "m/s", 1.0, *peak("L_dot"), robot.speed_limit)
     yield _Limited("stroke", "m", 1.0, *whole(needs.stroke, "stroke"), high - low)
     for end, limits in zip(("base", "platform"), robot.joint_angle_limit.T, strict=True):
-        yield _Limited(f"joint_angle_limit at the {end}", "degrees", _DEGREES, *peak(end), limits)
+        yield _Limited(f"joint_angle_limit at the {end}", "degrees", _DEGREES, *peak(f"{end}_angle"), limits)
     if drive is not None and needs.rms_torque is not None:
         rms = whole(needs.rms_torque, "rms_torque")
         yield _Limited("drive.torque_limit", "N m", 1.0, *peak("torque"), np.asarray(drive.torque_limit))

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ..dynamics.forces import prepare
+from ..dynamics.forces import ForceKernel
 from ..dynamics.home_pose import home_pose
 from ..dynamics.inverse import inverse_dynamics, with_compiler
 from ..io.arguments import finite_array, instance, number_in, truth
@@ -23,8 +23,8 @@ from ..motion.motion import Motion
 from ..robot.robot import Robot, legs_text
 
 REASONS = (
-    *("inside", "other side of the base", "leg length", "joint angle"),
-    *("leg clearance", "condition number", "actuator force"),
+    *("feasible", "assembly_mode", "leg_length", "joint_angle"),
+    *("leg_clearance", "condition_number", "actuator_force"),
 )
 """What a code of ``broken_limits`` means."""
 INSIDE, SIDE, LENGTH, ANGLE, CLEARANCE, CONDITION, FORCE = range(len(REASONS))
@@ -48,7 +48,7 @@ class PoseLimits(Frozen):
         Largest scaled condition number of H. Where it is finite, a pose where det H has another sign than at
         the home pose breaks it as well: it can't be reached but through a singular pose.
     clearance : float, optional
-        Least distance between the centre lines of two legs, m; legs that share a joint are left out.
+        Least distance between the center lines of two legs, m; legs that share a joint are left out.
     load : array_like, optional
         External wrench on the platform as in ``Motion``, [F_ext; M_ext], N and N m, platform frame, (6,),
         under which the actuators hold the pose at rest.
@@ -83,7 +83,7 @@ def at_reference(robot: Robot, limits: PoseLimits) -> PoseLimits:
 
 
 def need_clearance(robot: Robot, clearance: float) -> None:
-    """Reject a clearance, m, that two neighbouring joints leave in no pose."""
+    """Reject a clearance, m, that two neighboring joints leave in no pose."""
     distances = joined(robot)
     tight = np.flatnonzero((distances < clearance) & _apart(robot))
     if tight.size:
@@ -170,7 +170,7 @@ class PoseExaminer(Frozen):
         if limits.lengths:
             low, high = robot.length_limits.T
             keep(np.all((low <= L[left]) & (L[left] <= high), axis=-1), LENGTH)
-        if limits.joint_angles and robot.limits_joint_angles:
+        if limits.joint_angles and robot.has_joint_angle_limits:
             keep(self._angles_kept(R[left], S[left], L[left]), ANGLE)
         if limits.clearance > 0.0:
             apart = _apart(robot)
@@ -212,9 +212,9 @@ class PoseExaminer(Frozen):
         """Whether actuators hold the poses at rest; not at singular ones."""
         robot, load, zero = self.robot, self.limits.load, np.zeros_like(t)
         loads = (np.broadcast_to(part, t.shape) for part in (load[:3], load[3:]))
-        motion = Motion.unchecked(R, t, zero, zero, zero, zero, *loads)
+        motion = Motion._unchecked(R, t, zero, zero, zero, zero, *loads)
         F = with_compiler(
-            lambda: prepare(robot).forces_and_status(motion)[0],
+            lambda: ForceKernel(robot).forces_and_status(motion)[0],
             lambda: inverse_dynamics(robot, motion, backend="numpy", on_singular="nan").F,
         )
         return np.asarray(np.all(np.abs(F) <= robot.force_limit, axis=-1))

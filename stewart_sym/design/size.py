@@ -31,41 +31,41 @@ QUANTILES = (0.5, 0.9, 0.99, 1.0)
 
 
 @dataclass(frozen=True, eq=False)
-class Course(Frozen):
+class ActuatorHistory(Frozen):
     """What each leg does over time; n instants.
 
     Attributes
     ----------
-    weight : ndarray
+    time_weight : ndarray
         Time that each instant stands for, s, (n,).
     F : ndarray
         Actuator forces, N, (n, 6), positive when they extend the leg.
     L, L_dot : ndarray
         Lengths, m, and their rates, m/s, (n, 6).
-    base, platform : ndarray
+    base_angle, platform_angle : ndarray
         Angles of the joints at both ends from their neutral directions, rad, (n, 6).
     torque, motor_speed, motor_power : ndarray, optional
         Of the motors, N m, rad/s and W, (n, 6); None of a robot without drives.
     current : ndarray, optional
         Of the motors, A, (n, 6); NaN of one without a torque_constant, None where none has one.
-    deviations : dict, optional
+    std : dict, optional
         Standard deviations of the fields above and of power by noise of logs, arrays by their names; with
         _rise and _fall those of the sizes of torque and current upward and downward. None without noise.
     replaced : ndarray of bool, optional
         Instants, (n,), whose deviations are those of replaced rows of a log; None without noise.
     """
 
-    weight: Array
+    time_weight: Array
     F: Array
     L: Array
     L_dot: Array
-    base: Array
-    platform: Array
+    base_angle: Array
+    platform_angle: Array
     torque: Array | None = None
     motor_speed: Array | None = None
     motor_power: Array | None = None
     current: Array | None = None
-    deviations: Mapping[str, Array] | None = None
+    std: Mapping[str, Array] | None = None
     replaced: Flags | None = None
 
     @property
@@ -75,7 +75,7 @@ class Course(Frozen):
 
 
 @dataclass(frozen=True, eq=False)
-class Needs(Frozen):
+class ActuatorRequirementsResult(Frozen):
     """What motions need of every leg, without the margin.
 
     Attributes
@@ -87,11 +87,11 @@ class Needs(Frozen):
     force, speed, power : ndarray
         Sizes of F, N, of L_dot, m/s, and of F L_dot, W, that are not exceeded for these shares of the time,
         (q, 6).
-    push, pull : ndarray
+    max_push_force, max_pull_force : ndarray
         Largest forces that extend and that shorten the leg, N, (6,), 0 where there are none.
     rms_force : ndarray
         Root mean square of F, N, (6,).
-    driving, braking : ndarray
+    max_driving_power, max_braking_power : ndarray
         Largest power into and out of the leg, W, (6,).
     length : ndarray
         Shortest and longest leg, m, (6, 2).
@@ -106,9 +106,9 @@ class Needs(Frozen):
         where none has one.
     rms_torque : ndarray, optional
         Root mean square of the torque, N m, (6,).
-    course : Course
+    history : ActuatorHistory
         All of it over time.
-    deviations : dict, optional
+    std : dict, optional
         Standard deviations of the fields above and of stroke by noise of logs, arrays by their names: the
         largest that errors at single instants can make, however these go together. None without noise.
     crossings : tuple of str
@@ -120,11 +120,11 @@ class Needs(Frozen):
     force: Array
     speed: Array
     power: Array
-    push: Array
-    pull: Array
+    max_push_force: Array
+    max_pull_force: Array
     rms_force: Array
-    driving: Array
-    braking: Array
+    max_driving_power: Array
+    max_braking_power: Array
     length: Array
     base_angle: Array
     platform_angle: Array
@@ -133,8 +133,8 @@ class Needs(Frozen):
     motor_power: Array | None
     current: Array | None
     rms_torque: Array | None
-    course: Course
-    deviations: Mapping[str, Array] | None = None
+    history: ActuatorHistory
+    std: Mapping[str, Array] | None = None
     crossings: tuple[str, ...] = ()
 
     @property
@@ -143,14 +143,14 @@ class Needs(Frozen):
         return np.asarray(self.length[:, 1] - self.length[:, 0])
 
 
-def size(
+def actuator_requirements(
     robot: Robot,
     motions: Sequence[tuple[ArrayLike, Motion] | Trajectory | PoseLog],
     margin: float = 0.25,
     quantiles: Sequence[float] = QUANTILES,
     formulation: Formulation = "exact",
     progress: Progress = silent,
-) -> Needs:
+) -> ActuatorRequirementsResult:
     """Return what motions and their loads need of every actuator and joint.
 
     Warns of motions that cross singular poses: logs between their rows too, others by the signs of det H.
@@ -173,7 +173,7 @@ def size(
 
     Returns
     -------
-    Needs
+    ActuatorRequirementsResult
         Shapes and units are documented there.
 
     Raises
@@ -256,36 +256,36 @@ def _course(robot: Robot, time: Array, motion: Motion, formulation: Formulation)
             motors["current"] = effort.current
     return {
         **motors,
-        "weight": trapezoids(time) if len(time) > 1 else np.ones(1),
+        "time_weight": trapezoids(time) if len(time) > 1 else np.ones(1),
         "F": F,
         "L": legs.L,
         "L_dot": legs.L_dot,
-        "base": legs.s,
-        "platform": legs.s @ motion.R,
+        "base_angle": legs.s,
+        "platform_angle": legs.s @ motion.R,
     }
 
 
 def _joined(
     robot: Robot, courses: Sequence[dict[str, Array]], given: Sequence[_Given], formulation: Formulation
-) -> Course:
+) -> ActuatorHistory:
     """All motions as one, with their deviations if any has them."""
     every: dict[str, Any] = {
         name: np.concatenate([course[name] for course in courses]) for name in courses[0]
     }
     neutral = []
-    for end in ("base", "platform"):
+    for end in ("base_angle", "platform_angle"):
         s = every[end]
-        mean = np.average(s, axis=0, weights=every["weight"])
-        neutral.append(mean if robot.home is None else neutral_directions(robot))
+        mean = np.average(s, axis=0, weights=every["time_weight"])
+        neutral.append(mean if robot.home_position is None else neutral_directions(robot))
         every[end] = angles_between(s, neutral[-1])
     if all(each.log is None or each.log.noise is None for each in given):
-        return Course(**every)
+        return ActuatorHistory(**every)
     parts = [
         _noise(robot, each, course, formulation, np.array(neutral))
         for each, course in zip(given, courses, strict=True)
     ]
     sd = {name: read_only(np.concatenate([part[name] for part, _ in parts])) for name in parts[0][0]}
-    return Course(**every, deviations=sd, replaced=np.concatenate([flags for _, flags in parts]))
+    return ActuatorHistory(**every, std=sd, replaced=np.concatenate([flags for _, flags in parts]))
 
 
 def _noise(
@@ -294,7 +294,9 @@ def _noise(
     """Deviations of a motion's course by its names, and which are those of replaced rows."""
     trajectory = Trajectory(given.time, given.motion, "", ()) if given.log is None else given.log
     found = all_deviations(robot, trajectory, formulation, neutral=neutral)
-    sd = {name: values for name, values in found._asdict().items() if name in (*course, "power")}
+    ends = {"base": "base_angle", "platform": "platform_angle"}
+    named = {ends.get(name, name): values for name, values in found._asdict().items()}
+    sd = {name: values for name, values in named.items() if name in (*course, "power")}
     if found.motors is not None and robot.drive is not None:
         motors = found.motors
         sd |= {"torque": motors.torque, "motor_speed": motors.speed, "motor_power": motors.power}
@@ -310,31 +312,36 @@ _OVER_TIME = {"force": "F", "speed": "L_dot", "power": "power", "torque": "torqu
     name: name for name in ("motor_speed", "motor_power", "current")
 }
 """Needs for shares of the time, with what they are sizes of."""
-_LARGEST = {"push": ("F", 1), "pull": ("F", -1), "driving": ("power", 1), "braking": ("power", -1)}
+_LARGEST = {
+    "max_push_force": ("F", 1),
+    "max_pull_force": ("F", -1),
+    "max_driving_power": ("power", 1),
+    "max_braking_power": ("power", -1),
+}
 """Needs that are the largest of something, 0 at least, with its sign."""
 
 
-def _needs(course: Course, margin: float, shares: Array) -> Needs:
+def _needs(course: ActuatorHistory, margin: float, shares: Array) -> ActuatorRequirementsResult:
     over_time: dict[str, Any] = dict.fromkeys(_OVER_TIME)
     for need, name in _OVER_TIME.items():
         values = getattr(course, name)
         if values is not None:
-            over_time[need] = weighted_quantiles(np.abs(values), course.weight, shares)
+            over_time[need] = weighted_quantiles(np.abs(values), course.time_weight, shares)
     largest: dict[str, Any] = {
         need: _largest(sign * getattr(course, name)) for need, (name, sign) in _LARGEST.items()
     }
-    return Needs(
+    return ActuatorRequirementsResult(
         margin=margin,
         quantiles=shares,
         **over_time,
         **largest,
-        rms_force=_rms(course.F, course.weight),
+        rms_force=_rms(course.F, course.time_weight),
         length=np.stack([course.L.min(axis=0), course.L.max(axis=0)], axis=-1),
-        base_angle=course.base.max(axis=0),
-        platform_angle=course.platform.max(axis=0),
-        rms_torque=None if course.torque is None else _rms(course.torque, course.weight),
-        course=course,
-        deviations=None if course.deviations is None else _deviations(course, course.deviations, shares),
+        base_angle=course.base_angle.max(axis=0),
+        platform_angle=course.platform_angle.max(axis=0),
+        rms_torque=None if course.torque is None else _rms(course.torque, course.time_weight),
+        history=course,
+        std=None if course.std is None else _deviations(course, course.std, shares),
     )
 
 
@@ -351,7 +358,7 @@ def sides(sd: Mapping[str, Array], name: str) -> tuple[Array, Array]:
     return sd.get(f"{name}_rise", sd[name]), sd.get(f"{name}_fall", sd[name])
 
 
-def _deviations(course: Course, sd: Mapping[str, Array], shares: Array) -> dict[str, Array]:
+def _deviations(course: ActuatorHistory, sd: Mapping[str, Array], shares: Array) -> dict[str, Array]:
     """Of needs, by their names: what errors of one deviation at every instant change at most.
 
     Those of ``SURE`` deviations count as well, over ``SURE``: friction that steps leaves gaps between values.
@@ -366,7 +373,7 @@ def _deviations(course: Course, sd: Mapping[str, Array], shares: Array) -> dict[
         return np.asarray(found)
 
     def over_time(sizes: Array) -> Array:
-        return weighted_quantiles(sizes.clip(min=0.0), course.weight, shares)
+        return weighted_quantiles(sizes.clip(min=0.0), course.time_weight, shares)
 
     found = {
         need: change(over_time, np.abs(getattr(course, name)), name)
@@ -379,10 +386,10 @@ def _deviations(course: Course, sd: Mapping[str, Array], shares: Array) -> dict[
     found |= {
         "length": np.stack(ends, axis=-1),
         "stroke": ends[0] + ends[1],
-        "rms_force": _rms(sd["F"], course.weight),
+        "rms_force": _rms(sd["F"], course.time_weight),
     }
-    found |= {f"{end}_angle": change(_largest, getattr(course, end), end) for end in ("base", "platform")}
-    found |= {"rms_torque": _rms(sd["torque"], course.weight)} if "torque" in sd else {}
+    found |= {end: change(_largest, getattr(course, end), end) for end in ("base_angle", "platform_angle")}
+    found |= {"rms_torque": _rms(sd["torque"], course.time_weight)} if "torque" in sd else {}
     return {name: read_only(values) for name, values in found.items()}
 
 

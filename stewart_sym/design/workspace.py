@@ -24,10 +24,10 @@ from . import cells, jobs
 from .cells import Cells, Tally
 from .pose_limits import REASONS, PoseExaminer, PoseLimits, at_reference
 
-Kind = Literal["constant", "orientation", "total"]
+Kind = Literal["constant_orientation", "orientation", "six_dof"]
 
-KINDS = ("constant", "orientation", "total")
-UNITS = {"constant": "m^3", "orientation": "rad^3", "total": "m^3 rad^3"}
+KINDS = ("constant_orientation", "orientation", "six_dof")
+UNITS = {"constant_orientation": "m^3", "orientation": "rad^3", "six_dof": "m^3 rad^3"}
 """Units of the volume. The measure of rotations does not depend on the axes; all of them are 8 pi^2."""
 
 WHOLE_TURN = np.array([[-math.pi, math.pi], [-0.5 * math.pi, 0.5 * math.pi], [-math.pi, math.pi]])
@@ -42,35 +42,35 @@ class WorkspaceWarning(UserWarning):
 
 
 @dataclass(frozen=True, eq=False)
-class Workspace(Frozen):
+class WorkspaceResult(Frozen):
     """The set of poses within the limits.
 
     Attributes
     ----------
     kind : str
-        ``"constant"``: positions at one orientation; ``"orientation"``: rotations at one position;
-        ``"total"``: both.
+        ``"constant_orientation"``: positions at one orientation; ``"orientation"``: rotations at one position;
+        ``"six_dof"``: both.
     volume : float
         Its size, in ``unit``. Of rotations that is the integral of cos(theta_y) over roll, pitch and yaw.
     error : float
         Three standard deviations of the volume, in ``unit``; three cells of two poses at least.
     unit : str
         m^3, rad^3, or m^3 rad^3.
-    box : ndarray
+    bounds : ndarray
         Where poses were looked for: least and greatest t_x, t_y, t_z, m, and theta_x, theta_y, theta_z, rad,
         those of them that vary, (3, 2) or (6, 2).
     extent : ndarray
-        Least and greatest coordinates of poses found within the limits, as ``box``; nan without any. The
+        Least and greatest coordinates of poses found within the limits, as ``bounds``; nan without any. The
         workspace reaches at least so far.
-    position, angles : ndarray
+    position, rpy : ndarray
         Pose in the middle: position of the tool (m), (3,), and roll, pitch, and yaw (rad), (3,).
-    clear : float
+    distance_to_limit : float
         From the pose in the middle to the nearest examined one that breaks a limit, m, or rad for rotations:
         a nearer one may have been missed, more poses come closer. 0 where itself does, inf where none was
         found, nan of the total workspace.
-    reasons : dict
+    limit_fractions : dict
         Share of the examined poses by the first limit that each breaks, of ``REASONS``.
-    poses : int
+    samples : int
         How many were examined for the volume.
     tool : ndarray
         Platform point whose positions are given (m), platform frame, (3,).
@@ -80,13 +80,13 @@ class Workspace(Frozen):
     volume: float
     error: float
     unit: str
-    box: Array
+    bounds: Array
     extent: Array
     position: Array
-    angles: Array
-    clear: float
-    reasons: dict[str, float]
-    poses: int
+    rpy: Array
+    distance_to_limit: float
+    limit_fractions: dict[str, float]
+    samples: int
     tool: Array
 
     @property
@@ -97,17 +97,17 @@ class Workspace(Frozen):
 
 def workspace(
     robot: Robot,
-    kind: Kind = "constant",
+    kind: Kind = "constant_orientation",
     limits: PoseLimits | None = None,
     position: ArrayLike | None = None,
-    angles: ArrayLike = (0.0, 0.0, 0.0),
-    box: ArrayLike | None = None,
-    turns: ArrayLike | None = None,
-    poses: int = 1_000_000,
+    rpy: ArrayLike = (0.0, 0.0, 0.0),
+    position_bounds: ArrayLike | None = None,
+    rpy_bounds: ArrayLike | None = None,
+    samples: int = 1_000_000,
     seed: int = 0,
     scheduler: str | None = None,
     progress: Progress = silent,
-) -> Workspace:
+) -> WorkspaceResult:
     """Return the size of a workspace, with its error, and what bounds it.
 
     The box is halved until there is a cell for each two poses, without cells beyond the leg lengths or on the
@@ -118,19 +118,19 @@ def workspace(
     ----------
     robot : Robot
         The machine.
-    kind : {"constant", "orientation", "total"}, optional
+    kind : {"constant_orientation", "orientation", "six_dof"}, optional
         What varies: positions, rotations or both.
     limits : PoseLimits, optional
         Limits to keep; by default those that the robot states.
     position : array_like, optional
         Position of the tool in the middle pose (m), (3,); default: the home pose.
-    angles : array_like, optional
+    rpy : array_like, optional
         Its roll, pitch and yaw, rad, (3,); default: parallel to the base.
-    box : array_like, optional
+    position_bounds : array_like, optional
         Least and greatest t_x, t_y, t_z, m, (3, 2); default: where the longest legs reach.
-    turns : array_like, optional
+    rpy_bounds : array_like, optional
         Least and greatest roll, pitch and yaw, rad, (3, 2); default: all rotations.
-    poses : int, optional
+    samples : int, optional
         How many to examine; the error of positions falls with its power -2/3.
     seed : int, optional
         Of the random numbers: the same seed gives the same bits, on whatever scheduler.
@@ -141,7 +141,7 @@ def workspace(
 
     Returns
     -------
-    Workspace
+    WorkspaceResult
         Shapes and units are documented there.
 
     Raises
@@ -152,12 +152,12 @@ def workspace(
     instance(robot, Robot, "robot")
     option(kind, KINDS, "kind")
     limits = PoseLimits() if limits is None else limits
-    count = whole_number(poses, "poses", 100, "a whole number from 100 to 10^12", _MOST)
+    count = whole_number(samples, "samples", 100, "a whole number from 100 to 10^12", _MOST)
     seed = whole_number(seed, "seed", 0, "a whole number from 0 to 2^63 - 1", 2**63 - 1)
     examined = Region(
-        PoseExaminer(robot, at_reference(robot, limits)), kind, *middle(robot, position, angles)
+        PoseExaminer(robot, at_reference(robot, limits)), kind, *middle(robot, position, rpy)
     )
-    search = examined.box(box, turns)
+    search = examined.box(position_bounds, rpy_bounds)
     progress("leaving out what legs can't reach")
     grid = cells.cells_of(search, count, examined.weights, examined.surely_broken)
     look = functools.partial(cells.tally, examine=examined.examine, codes=len(REASONS))
@@ -165,11 +165,11 @@ def workspace(
     found = cells.total(tallies, len(search), len(REASONS))
     if not found.codes[0]:
         warn("workspace: no pose within the limits was found", WorkspaceWarning)
-    result = examined.workspace(grid, found, box is None)
+    result = examined.workspace(grid, found, position_bounds is None)
     if found.codes[0] and not result.is_known:
         sizes = f"{result.error:.2g} and {result.volume:.2g} {result.unit}"
         warn(
-            f"workspace: the error exceeds the volume ({sizes}), {found.codes[0]} of {result.poses} poses "
+            f"workspace: the error exceeds the volume ({sizes}), {found.codes[0]} of {result.samples} poses "
             "are within the limits; volume and extents are unknown; "
             "examine more poses, or give narrower ranges of positions and rotations",
             WorkspaceWarning,
@@ -177,13 +177,13 @@ def workspace(
     return result
 
 
-def middle(robot: Robot, position: ArrayLike | None, angles: ArrayLike) -> tuple[Array, Array]:
+def middle(robot: Robot, position: ArrayLike | None, rpy: ArrayLike) -> tuple[Array, Array]:
     """Return the tool's position (m) and roll, pitch, and yaw (rad) of the pose in the middle, both (3,)."""
     if position is None:
         t = home_pose(robot).t + robot.tool
     else:
         t = finite_array(position, (3,), "position", batch=False)
-    return t.copy(), finite_array(angles, (3,), "angles", batch=False)
+    return t.copy(), finite_array(rpy, (3,), "rpy", batch=False)
 
 
 @dataclass(frozen=True, eq=False)
@@ -204,13 +204,13 @@ class Region(Frozen):
         """Where coordinates are looked for, (3, 2) or (6, 2)."""
         if box is not None and self.kind == "orientation":
             raise ValueError("box: is for positions, which do not vary here")
-        if turns is not None and self.kind == "constant":
+        if turns is not None and self.kind == "constant_orientation":
             raise ValueError("turns: is for rotations, which do not vary here")
         parts = []
         if self.kind != "orientation":
-            parts.append(self._reach() if box is None else _ranges(box, "box", "m"))
-        if self.kind != "constant":
-            given = WHOLE_TURN if turns is None else _ranges(turns, "turns", "rad")
+            parts.append(self._reach() if box is None else _ranges(box, "position_bounds", "m"))
+        if self.kind != "constant_orientation":
+            given = WHOLE_TURN if turns is None else _ranges(turns, "rpy_bounds", "rad")
             if np.any(given < WHOLE_TURN[:, :1]) or np.any(given > WHOLE_TURN[:, 1:]):
                 raise ValueError(
                     "turns: expected roll and yaw within -pi and pi, pitch within -pi/2 and pi/2"
@@ -223,10 +223,10 @@ class Region(Frozen):
         robot, limits = self.examiner.robot, self.examiner.limits
         longest = robot.length_limits[:, 1] if limits.lengths else np.full(len(robot.b), math.inf)
         arm = (robot.p - robot.tool) @ self.rotation.T
-        centres, radii = robot.b - arm, longest
-        if self.kind == "total":
-            centres, radii = robot.b, longest + np.linalg.norm(arm, axis=-1)
-        low, high = np.max(centres - radii[:, None], axis=0), np.min(centres + radii[:, None], axis=0)
+        centers, radii = robot.b - arm, longest
+        if self.kind == "six_dof":
+            centers, radii = robot.b, longest + np.linalg.norm(arm, axis=-1)
+        low, high = np.max(centers - radii[:, None], axis=0), np.min(centers + radii[:, None], axis=0)
         if not np.all(np.isfinite(low) & np.isfinite(high)):
             raise ValueError("robot: length_limits: no leg has an upper limit that counts, expected a box")
         if np.any(high <= low):
@@ -237,7 +237,7 @@ class Region(Frozen):
         """Return R (n, 3, 3) and t of the reference point, (n, 3), for coordinates (n, d)."""
         n = len(coordinates)
         at_tool = np.broadcast_to(self.position, (n, 3)) if self.kind == "orientation" else coordinates[:, :3]
-        if self.kind == "constant":
+        if self.kind == "constant_orientation":
             return np.broadcast_to(self.rotation, (n, 3, 3)), at_tool - self.arm
         theta = coordinates[:, -3:].copy()
         theta[:, 1] = _pitch(theta[:, 1])
@@ -255,7 +255,7 @@ class Region(Frozen):
         return np.asarray(self.rotation @ self.examiner.robot.tool)
 
     def _distances(self, R: Array, t: Array) -> Array:
-        if self.kind == "constant":
+        if self.kind == "constant_orientation":
             return np.asarray(np.linalg.norm(t + self.arm - self.position, axis=-1))
         if self.kind == "orientation":
             # |R - R_0| in Frobenius' norm is 2 sqrt(2) sin(angle / 2).
@@ -267,48 +267,48 @@ class Region(Frozen):
     def weights(self) -> Array:
         """Distance by which a unit of each coordinate moves the platform's joints, m, (d,)."""
         arm = characteristic_length(self.examiner.robot) or 1.0
-        parts = {"constant": [1.0], "orientation": [arm], "total": [1.0, arm]}[self.kind]
+        parts = {"constant_orientation": [1.0], "orientation": [arm], "six_dof": [1.0, arm]}[self.kind]
         return np.repeat(parts, 3)
 
     def surely_broken(self, low: Array, high: Array) -> Flags:
         """Whether every pose with coordinates between low and high, (n, d) each, breaks a limit, (n,)."""
         middle, half = 0.5 * (low + high), 0.5 * (high - low)
         turn = np.zeros(len(low))
-        if self.kind != "constant":
+        if self.kind != "constant_orientation":
             pitch = _pitch(np.stack([low[:, -2], high[:, -2]]))
             middle[:, -2] = np.sin(pitch.mean(axis=0))
             turn = half[:, -3] + 0.5 * (pitch[1] - pitch[0]) + half[:, -1]
         shift = turn * 0.0 if self.kind == "orientation" else np.linalg.norm(half[:, :3], axis=-1)
         return self.examiner.surely_broken(*self.poses(middle), shift, turn, self.examiner.robot.tool)
 
-    def workspace(self, grid: Cells, found: Tally, within_reach: bool) -> Workspace:
+    def workspace(self, grid: Cells, found: Tally, within_reach: bool) -> WorkspaceResult:
         """What was found in words of the user; within_reach: whether no leg reaches beyond the grid."""
         size, error = cells.volume(grid, found)
         examined = max(1, int(found.codes.sum()))
         own = self.examiner.broken_limits(self.rotation[None], (self.position - self.arm)[None])[0]
         clear = 0.0 if own else found.nearest
-        if within_reach and self.kind == "constant":
+        if within_reach and self.kind == "constant_orientation":
             clear = min(clear, float(np.min(np.abs(grid.box - self.position[:, None]))))
-        return Workspace(
+        return WorkspaceResult(
             kind=self.kind,
             volume=size,
             error=error,
             unit=UNITS[self.kind],
-            box=self._as_angles(grid.box),
+            bounds=self._as_angles(grid.box),
             extent=self._as_angles(np.where(np.isfinite(found.extent), found.extent, math.nan)),
             position=self.position.copy(),
-            angles=self.angles.copy(),
-            clear=math.nan if self.kind == "total" else clear,
-            reasons={
+            rpy=self.angles.copy(),
+            distance_to_limit=math.nan if self.kind == "six_dof" else clear,
+            limit_fractions={
                 name: count / examined for name, count in zip(REASONS, found.codes.tolist(), strict=True)
             },
-            poses=examined,
+            samples=examined,
             tool=self.examiner.robot.tool.copy(),
         )
 
     def _as_angles(self, box: Array) -> Array:
         """Coordinates (d, 2) with the pitch in place of its sine."""
-        return box.copy() if self.kind == "constant" else _with_pitch(box, _pitch)
+        return box.copy() if self.kind == "constant_orientation" else _with_pitch(box, _pitch)
 
 
 def _ranges(value: ArrayLike, name: str, unit: str) -> Array:

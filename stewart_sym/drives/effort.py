@@ -30,7 +30,7 @@ class DriveLimitWarning(UserWarning):
 
 
 @dataclass(frozen=True, eq=False)
-class DriveEffort(Frozen):
+class DriveEffortResult(Frozen):
     """What a motion takes of six motors; (...) is the motion's shape, SI units.
 
     Attributes
@@ -49,7 +49,7 @@ class DriveEffort(Frozen):
         A, (..., 6); NaN of a motor without a torque_constant, None where none has one.
     power : ndarray
         Mechanical, at the motor's shaft, W, (..., 6); negative where the leg drives the motor.
-    electrical : ndarray
+    electrical_power : ndarray
         power and the heat of the winding, W, (..., 6).
     rms_torque : ndarray
         Root mean square over the motion, N m, (6,).
@@ -57,10 +57,10 @@ class DriveEffort(Frozen):
         Largest sizes, N m, rad/s, A and W, (6,); 0 of a current that is not known.
     energy : ndarray, optional
         Electrical, J, (6,), by the trapezoidal rule; None without times.
-    exceeded : tuple
+    limit_messages : tuple
         A line for each limit that is exceeded, or not decided at the noise of a log: by which legs, by how
         much and when.
-    deviations : dict, optional
+    std : dict, optional
         Standard deviations by noise of a log, arrays by the names of the fields above; those of rms_torque
         and energy, whose errors at different times need not cancel, at most so large. None without noise.
     """
@@ -72,15 +72,15 @@ class DriveEffort(Frozen):
     speed: Array
     current: Array | None
     power: Array
-    electrical: Array
+    electrical_power: Array
     rms_torque: Array
     peak_torque: Array
     peak_speed: Array
     peak_current: Array
     peak_power: Array
     energy: Array | None
-    exceeded: tuple[str, ...]
-    deviations: Mapping[str, Array] | None = None
+    limit_messages: tuple[str, ...]
+    std: Mapping[str, Array] | None = None
 
 
 def drive_effort(
@@ -89,7 +89,7 @@ def drive_effort(
     time: ArrayLike | None = None,
     formulation: Formulation = "exact",
     backend: Backend = "c",
-) -> DriveEffort:
+) -> DriveEffortResult:
     """Torque, speed, current, power and energy of the motors along a motion.
 
     Warns of limits exceeded, and of a singular pose between two instants, where no torque suffices.
@@ -114,7 +114,7 @@ def drive_effort(
 
     Returns
     -------
-    DriveEffort
+    DriveEffortResult
         Its arrays are described there.
 
     Raises
@@ -147,13 +147,13 @@ def drive_effort(
         warn(line, DriveLimitWarning)
     if when is not None:
         _warn_of_crossing(robot, motion, when)
-    return DriveEffort(
+    return DriveEffortResult(
         **found._asdict(),
         rms_torque=summary.rms_torque,
         **{f"peak_{name}": summary.peaks[name] for name in PEAKS},
         energy=None if when is None else summary.energy,
-        exceeded=lines,
-        deviations=None if sd is None else _deviations(sd, summary),
+        limit_messages=lines,
+        std=None if sd is None else _deviations(sd, summary),
     )
 
 
@@ -197,7 +197,7 @@ def motor_forces(robot: Robot, current: ArrayLike) -> Array:
     if robot.drive is None or not np.all(robot.drive.torque_constant > 0.0):
         raise ValueError("robot: expected a drive with a torque_constant of every leg")
     given = finite_array(current, (LEGS,), "current")
-    return np.asarray(robot.drive.turns * robot.drive.torque_constant * given)
+    return np.asarray(robot.drive.transmission_ratio * robot.drive.torque_constant * given)
 
 
 def trapezoids(time: Array) -> Array:
@@ -255,13 +255,13 @@ class Summary:
         flat = Instants(*(None if x is None else x.reshape(-1, LEGS) for x in part))  # type: ignore[arg-type]
         good = np.isfinite(flat.torque)
         each = weights.ravel()[:, None] * good
-        self.energy = self.energy + np.sum(each * np.where(good, flat.electrical, 0.0), axis=0)
+        self.energy = self.energy + np.sum(each * np.where(good, flat.electrical_power, 0.0), axis=0)
         self.squares = self.squares + np.sum(each * np.where(good, flat.torque, 0.0) ** 2, axis=0)
         self.span += float(weights.sum())
         if sd is not None:
             self.noisy = True
             counted = each > 0.0
-            self.energy_sd = self.energy_sd + np.sum(each * np.where(counted, sd.electrical, 0.0), axis=0)
+            self.energy_sd = self.energy_sd + np.sum(each * np.where(counted, sd.electrical_power, 0.0), axis=0)
             self._square_sd = self._square_sd + np.sum(each * np.where(counted, sd.torque, 0.0) ** 2, axis=0)
 
         def when(instants: list[int]) -> list[str]:

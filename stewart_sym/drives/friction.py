@@ -26,21 +26,23 @@ def smooth_sign(rate: Array, within: Array) -> Array:
 def load_share(drive: Drive, F: Array, sign: Array) -> Array:
     """Friction per size of the leg's force, mu: (...,  6), for forces F and signs of the rate, (..., 6)."""
     driving = F * sign > 0.0
-    return np.where(driving, 1.0 / drive.efficiency - 1.0, 1.0 - drive.back_efficiency)
+    return np.where(driving, 1.0 / drive.efficiency - 1.0, 1.0 - drive.backdrive_efficiency)
 
 
 def constant_part(drive: Drive, L_dot: Array) -> Array:
     """Size of the friction that depends neither on force nor, but for Stribeck's part, on the rate, N."""
     with np.errstate(divide="ignore", invalid="ignore"):
-        decay = np.where(drive.stribeck > 0.0, np.exp(-((L_dot / drive.stribeck_speed) ** 2)), 0.0)
+        decay = np.where(drive.stribeck_force > 0.0, np.exp(-((L_dot / drive.stribeck_speed) ** 2)), 0.0)
     return np.asarray(
-        drive.screw_coulomb + np.abs(drive.turns) * drive.motor_coulomb + drive.stribeck * decay
+        drive.screw_coulomb
+        + np.abs(drive.transmission_ratio) * drive.motor_coulomb
+        + drive.stribeck_force * decay
     )
 
 
 def viscous(drive: Drive) -> Array:
     """Friction per rate of length, N s/m, (6,)."""
-    return np.asarray(drive.screw_viscous + drive.turns**2 * drive.motor_viscous)
+    return np.asarray(drive.screw_viscous + drive.transmission_ratio**2 * drive.motor_viscous)
 
 
 def friction_force(drive: Drive, F: Array, L_dot: Array, sign: Array | None = None) -> Array:
@@ -51,16 +53,16 @@ def friction_force(drive: Drive, F: Array, L_dot: Array, sign: Array | None = No
     that of the rate.
     """
     if sign is None:
-        sign = smooth_sign(L_dot, np.asarray(drive.smoothing))
+        sign = smooth_sign(L_dot, np.asarray(drive.regularization_speed))
     dry = constant_part(drive, L_dot) + load_share(drive, F, sign) * np.abs(F)
     return np.asarray(sign * dry + viscous(drive) * L_dot)
 
 
 def losses(drive: Drive) -> list[str]:
     """Names of the fields by which something is lost between force and motor."""
-    lossless = dict.fromkeys(("efficiency", "back_efficiency"), 1.0)
+    lossless = dict.fromkeys(("efficiency", "backdrive_efficiency"), 1.0)
     lossless |= dict.fromkeys(
-        ("screw_coulomb", "screw_viscous", "motor_coulomb", "motor_viscous", "stribeck"), 0.0
+        ("screw_coulomb", "screw_viscous", "motor_coulomb", "motor_viscous", "stribeck_force"), 0.0
     )
     return [name for name, value in lossless.items() if np.any(getattr(drive, name) != value)]
 
@@ -68,11 +70,11 @@ def losses(drive: Drive) -> list[str]:
 def drive_numbers(drive: Drive) -> dict[str, Array]:
     """Members of the C struct ``stewart_drives``: what torques are computed with, (6,) each."""
     lumped = {
-        "turns": drive.turns,
+        "turns": drive.transmission_ratio,
         "driving": 1.0 / drive.efficiency - 1.0,
-        "driven": 1.0 - drive.back_efficiency,
-        "coulomb": drive.screw_coulomb + np.abs(drive.turns) * drive.motor_coulomb,
+        "driven": 1.0 - drive.backdrive_efficiency,
+        "coulomb": drive.screw_coulomb + np.abs(drive.transmission_ratio) * drive.motor_coulomb,
         "viscous": viscous(drive),
     }
-    alone = ("stribeck", "stribeck_speed", "smoothing", "torque_constant")
+    alone = ("stribeck_force", "stribeck_speed", "smoothing", "torque_constant")
     return lumped | {name: np.asarray(getattr(drive, name)) for name in alone}

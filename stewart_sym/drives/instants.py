@@ -14,7 +14,7 @@ from .friction import friction_force
 
 
 class Instants(NamedTuple):
-    """Fields of ``DriveEffort`` that are given at every instant, (..., 6)."""
+    """Fields of ``DriveEffortResult`` that are given at every instant, (..., 6)."""
 
     force: Array
     friction: Array
@@ -23,7 +23,7 @@ class Instants(NamedTuple):
     speed: Array
     current: Array | None
     power: Array
-    electrical: Array
+    electrical_power: Array
 
 
 def at_instants(robot: Robot, drive: Drive, motion: Motion, F: Array, L_dot: Array) -> Instants:
@@ -53,8 +53,8 @@ def of_motor_forces(robot: Robot, drive: Drive, motion: Motion, force: Array, L_
 
 
 def _instants(drive: Drive, force: Array, friction: Array, rotor: Array, L_dot: Array) -> Instants:
-    torque = force / drive.turns
-    speed = drive.turns * L_dot
+    torque = force / drive.transmission_ratio
+    speed = drive.transmission_ratio * L_dot
     power = electrical = torque * speed
     current = None
     if np.any(drive.torque_constant):
@@ -72,4 +72,4 @@ def motor_rates(robot: Robot, drive: Drive, motion: Motion, L_dot: Array) -> Arr
     if robot.offsets is None:
         return L_dot
     with np.errstate(all="ignore"):
-        return motor_motion(robot, joint_motion(robot, motion).rates) / np.asarray(drive.turns)
+        return motor_motion(robot, joint_motion(robot, motion).rates) / np.asarray(drive.transmission_ratio)

@@ -66,7 +66,7 @@ def limited_angles(robot: Robot, motion: Motion) -> dict[str, Array]:
 
     NaN where a leg has no direction.
     """
-    if not robot.limits_joint_angles:
+    if not robot.has_joint_angle_limits:
         return {}
     angles = angles_from(neutral_directions(robot), reached_legs(robot, motion)[2], motion.R)
     return dict(zip(("base", "platform"), angles, strict=True))

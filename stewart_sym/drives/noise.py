@@ -38,7 +38,7 @@ class MotorDeviations(NamedTuple):
     speed: Array
     current: Array | None
     power: Array
-    electrical: Array
+    electrical_power: Array
     torque_rise: Array
     torque_fall: Array
 
@@ -72,7 +72,7 @@ def deviations_in_parts(
     those of a robot that limits these angles.
     """
     forces = forces_of(robot, formulation, backend)
-    if neutral is None and robot.limits_joint_angles:
+    if neutral is None and robot.has_joint_angle_limits:
         neutral = neutral_directions(robot)
 
     def deviations(part: slice) -> Deviations:
@@ -146,9 +146,9 @@ class _State:
         if self.drive is not None:
             self.rate = motor_rates(robot, self.drive, motion, self.L_dot)
             if sign is None:
-                self.sign = smooth_sign(self.rate, np.asarray(self.drive.smoothing))
+                self.sign = smooth_sign(self.rate, np.asarray(self.drive.regularization_speed))
             # Without losses in proportion to the force it does not matter which part of it turns the rotor.
-            losses = np.any(self.drive.efficiency != 1.0) or np.any(self.drive.back_efficiency != 1.0)
+            losses = np.any(self.drive.efficiency != 1.0) or np.any(self.drive.backdrive_efficiency != 1.0)
             self.through = self.F - rotor_force(robot, motion) if losses else self.F
             self.force = self.F + friction_force(self.drive, self.through, self.rate, self.sign)
             self.values |= {"force": self.force, "rate": self.rate}
@@ -187,7 +187,7 @@ def reached_legs(robot: Robot, motion: Motion) -> tuple[Array, Array, Array]:
 
 def _heat(drive: Drive) -> Array:
     """Heat of the windings per square of the motor's force along the leg, W/N^2, (6,)."""
-    constant = np.asarray(drive.turns * drive.torque_constant)
+    constant = np.asarray(drive.transmission_ratio * drive.torque_constant)
     known = constant != 0.0
     heat = np.where(known, np.asarray(drive.resistance), 0.0) / np.where(known, constant, 1.0) ** 2
     return np.asarray(heat)
@@ -199,7 +199,7 @@ def _finished(robot: Robot, at: _State, sd: dict[str, Array], products: dict[str
     found = Deviations(sd["F"], sd["L"], sd["L_dot"], power, sd.get("base"), sd.get("platform"))
     if robot.drive is None:
         return found
-    drive, turns = robot.drive, np.abs(robot.drive.turns)
+    drive, turns = robot.drive, np.abs(robot.drive.transmission_ratio)
     step, rise, fall = _steps(drive, at, sd["rate"])
     force = np.hypot(sd["force"], step)
     shaft = np.hypot(products["shaft"], _times(step, np.abs(at.rate)))
@@ -223,7 +223,7 @@ def _steps(drive: Drive, at: _State, sd: Array) -> Array:
     """
     found = np.zeros((3, *at.force.shape))
     for side in (-SURE, SURE):
-        sign = smooth_sign(at.rate + side * sd, np.asarray(drive.smoothing))
+        sign = smooth_sign(at.rate + side * sd, np.asarray(drive.regularization_speed))
         other = at.F + friction_force(drive, at.through, at.rate, sign)
         larger = np.abs(other) - np.abs(at.force)
         found = np.maximum(found, [np.abs(other - at.force), larger, -larger])

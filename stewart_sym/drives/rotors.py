@@ -47,7 +47,7 @@ def rotors_by_acceleration(robot: Robot, legs: LegRates) -> tuple[Array, Array]:
 
     By Lddot, (8), and by the leg's spin about itself, (k.s) (y.sdot) / y^2 with y = k x s, and its rate.
     """
-    k, m_r, j_r = robot.k, robot.m_r, robot.j_r
+    k, m_r, j_r = robot.k, robot.reflected_mass, robot.rotor_momentum
     alone, per = m_r * legs.own, m_r[:, None] * legs.J
     if robot.base_joint == "spherical":
         return alone, per

@@ -15,8 +15,8 @@ SURE = 3.0
 USED_UP = 1e-6
 """Share of a limit by which a motion planned at it, or stopped by it, exceeds it by its own rounding."""
 
-WITHIN, EXCEEDED, NOT_DECIDED = "kept", "exceeded", "not decided at this noise"
-AT_REPLACED = "not decided at replaced rows"
+WITHIN, EXCEEDED, NOT_DECIDED = "within_limit", "exceeded", "inconclusive_noise"
+AT_REPLACED = "inconclusive_replaced_rows"
 VERDICTS = (WITHIN, AT_REPLACED, NOT_DECIDED, EXCEEDED)
 """By their codes: that of several instants is the largest of theirs."""
 

@@ -15,7 +15,7 @@ from ..io.arguments import instance, leading_shape
 from ..io.frozen import Frozen
 from ..results import OK
 from ..robot.offsets import need_no_offsets
-from ..robot.robot import Robot
+from ..robot.robot import Robot, of_symbol
 from .inverse import Formulation
 
 
@@ -29,7 +29,7 @@ class ArrayForces(NamedTuple):
 class ArrayEquations(NamedTuple):
     """M [a; alpha] + C [v; omega] + g + friction = H F + [R F_ext; R M_ext], and status (...).
 
-    M, C, H: (..., 6, 6); g, friction, bias = C [v; omega] + g + friction: (..., 6). N and N m, base frame.
+    M, C, H: (..., 6, 6); g, friction, bias = C [v; omega] + g, bias_and_friction: (..., 6). N and N m, base frame.
     """
 
     M: Any
@@ -37,6 +37,7 @@ class ArrayEquations(NamedTuple):
     g: Any
     friction: Any
     bias: Any
+    bias_and_friction: Any
     H: Any
     status: Any
 
@@ -147,7 +148,7 @@ class ArrayKernel(Frozen):
         return self._run("forces", ArrayForces, given | {"F_ext": F_ext, "M_ext": M_ext})
 
     def equations(self, R: Any, t: Any, omega: Any = None, v: Any = None) -> ArrayEquations:
-        """Terms of the equations of motion: M, C, g, friction, bias and H.
+        """Terms of the equations of motion: M, C, g, friction, bias, bias_and_friction, and H.
 
         Parameters
         ----------
@@ -250,35 +251,6 @@ def _prepared(robot: Robot, library: str, formulation: Formulation, dtype: Any) 
     return ArrayKernel(robot, import_module(library), formulation, dtype)
 
 
-def array_kernel(robot: Robot, xp: Any, formulation: Formulation = "exact", dtype: Any = None) -> ArrayKernel:
-    """Forces, equations of motion and forward dynamics on the arrays of a library.
-
-    Parameters
-    ----------
-    robot : Robot
-        The machine.
-    xp : object
-        An array namespace: ``numpy``, ``jax.numpy``, ``torch``, or another that follows the array API
-        standard.
-    formulation : {"exact", "paper"}, optional
-        The corrected equations or those printed.
-    dtype : object, optional
-        Type of real numbers; None for ``xp.float64`` or what the library puts in its place, as JAX
-        without ``jax_enable_x64`` does.
-
-    Returns
-    -------
-    ArrayKernel
-        The functions ``forces``, ``equations`` and ``forward_dynamics``.
-
-    Raises
-    ------
-    ValueError
-        For an unknown formulation, for no namespace, and for constants whose products overflow.
-    """
-    return ArrayKernel(robot, xp, formulation, dtype)
-
-
 def robot_structure(made: Any, robot: Any) -> Any:
     """A generated module's structure filled with a robot's numbers, legs first; (6,) of symmetric tensors."""
     for i, leg in enumerate(made.leg):
@@ -286,9 +258,9 @@ def robot_structure(made: Any, robot: Any) -> Any:
             need_no_offsets(robot)
         for name in vars(leg):
             owner = robot.offsets if name in OFFSETS else robot
-            setattr(leg, name, _components(getattr(owner, name)[i]))
+            setattr(leg, name, _components(of_symbol(owner, name)[i]))
     for name in vars(made).keys() - {"leg"}:
-        setattr(made, name, _components(getattr(robot, name)))
+        setattr(made, name, _components(of_symbol(robot, name)))
     return made
 
 

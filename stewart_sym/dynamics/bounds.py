@@ -23,7 +23,7 @@ Array = NDArray[Any]
 
 
 @dataclass(frozen=True, eq=False)
-class ForceBounds:
+class ForceErrorBoundsResult:
     """Forces of one or many poses and what can be said of their rounding; ``(...)`` is the motion's shape.
 
     Of the precision's type; NaN where the status is not 0.
@@ -48,9 +48,9 @@ class ForceBounds:
     status: NDArray[np.int32]
 
 
-def forces_with_bounds(
+def force_error_bounds(
     robot: Robot, motion: Motion, precision: Precision = "double", on_singular: OnFault = "raise"
-) -> ForceBounds:
+) -> ForceErrorBoundsResult:
     """Actuator forces of ``motion`` by the ``exact`` kernel, each with a bound of its rounding error.
 
     The bound is rigorous, short of overflow and underflow. It counts every operation from the robot's numbers
@@ -73,7 +73,7 @@ def forces_with_bounds(
 
     Returns
     -------
-    ForceBounds
+    ForceErrorBoundsResult
         Forces, bounds, reciprocal condition numbers and statuses.
 
     Raises
@@ -91,6 +91,6 @@ def forces_with_bounds(
     model = prepared_model(prepare, robot, MODELS[f"{name}_bounds"], precision, takes_rotors(name))
     code = function(name, "bounds", precision, "forces_bounded_batch")
     shapes = {"F": (6,), "bound": (6,), "rcond": ()}
-    found = ForceBounds(**results_of(code, model, motion, shapes, apart=True))
+    found = ForceErrorBoundsResult(**results_of(code, model, motion, shapes, apart=True))
     report_faults(found.status, robot, motion, on_singular)
     return found

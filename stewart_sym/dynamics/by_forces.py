@@ -11,7 +11,7 @@ from ..kinematics.conditioning import characteristic_length
 from ..motion.motion import Motion
 from ..reference.equations_of_motion import bare_robot
 from ..robot.robot import Robot
-from .forces import prepare
+from .forces import ForceKernel
 
 _MOST_CONDITION = 1e5
 """Condition number of A, turns times the characteristic length, to which its inverse has digits enough."""
@@ -22,7 +22,7 @@ class ForwardByForces:
 
     def __init__(self, robot: Robot) -> None:
         """Raise ValueError for a robot without a force kernel, ``CompilerError`` without a compiler."""
-        self._moving, self._still = (prepare(each).one_pose() for each in (robot, bare_robot(robot)))
+        self._moving, self._still = (ForceKernel(each).single_pose() for each in (robot, bare_robot(robot)))
         self._length = np.repeat([1.0, 1.0 / characteristic_length(robot)], 3)
 
     def solve(self, motion: Motion, F: Array) -> Array | None:

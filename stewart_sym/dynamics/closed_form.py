@@ -22,11 +22,18 @@ from ..motion.motion import Motion
 from ..results import OK
 from ..robot.robot import Robot
 from .arrays import robot_structure, stacked
-from .forces import prepare
+from .forces import ForceKernel
 
 OUTPUTS: Mapping[str, Mapping[str, tuple[int, ...]]] = {
     what: _OUTPUTS[what]
-    for what in ("equations", "bias", "forward_dynamics", "joint_inertia", "derivatives", "linearisation")
+    for what in (
+        "equations",
+        "bias_and_friction",
+        "forward_dynamics",
+        "joint_inertia",
+        "derivatives",
+        "linearization",
+    )
 }
 """What the functions hand out that sweeps hold against wider arithmetic, with the shape of a pose's part."""
 
@@ -51,7 +58,7 @@ class CClosedForm:
     def __init__(self, robot: Robot) -> None:
         self._name = robot_kernel(robot, "exact")
         library(self._name)
-        self._model = prepare(robot, "exact").model
+        self._model = ForceKernel(robot, "exact").model
 
     def run(self, what: str, motion: Motion, F: Array | None = None) -> dict[str, Any]:
         """Results by name and status (...), NaN where that is not 0.

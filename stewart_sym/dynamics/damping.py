@@ -12,14 +12,16 @@ from numpy.typing import ArrayLike
 
 from ..io.arguments import number_in, real_array
 from ..kinematics.conditioning import moments_over
-from ..results import DampedSolution
+from ..results import DampedLeastSquaresResult
 
 SHARE = float(np.finfo(np.float64).eps) ** 0.25
 """Share of the largest singular value below which one is damped: rounding in a singular value of 0 then moves
 the forces by sqrt(eps) of what the same wrench needs with a well-conditioned H."""
 
 
-def damped_solution(H: ArrayLike, c: ArrayLike, length: float, share: float = SHARE) -> DampedSolution:
+def damped_least_squares(
+    H: ArrayLike, c: ArrayLike, length: float, rcond: float = SHARE
+) -> DampedLeastSquaresResult:
     """Return x, N, (..., 6), that least violates H x = c with forces kept within bounds, and c - H x.
 
     With the moment rows of H and c divided by ``length``, m (``characteristic_length``), H = sum s_i u_i
@@ -35,12 +37,12 @@ def damped_solution(H: ArrayLike, c: ArrayLike, length: float, share: float = SH
         N and N m, (..., 6).
     length : float
         Characteristic length, m.
-    share : float, optional
+    rcond : float, optional
         Smallest singular value that is not damped, over the largest, > 0 and < 1.
 
     Returns
     -------
-    DampedSolution
+    DampedLeastSquaresResult
         Forces x and the residual c - H x, N and N m, (..., 6): the error of the wrench.
         NaN where H or c is not finite.
 
@@ -49,17 +51,17 @@ def damped_solution(H: ArrayLike, c: ArrayLike, length: float, share: float = SH
     ValueError
         Naming the argument.
     """
-    share = number_in(share, "share", "a number > 0 and < 1", high=1.0)
+    rcond = number_in(rcond, "rcond", "a number > 0 and < 1", high=1.0)
     scaled, wrench = moments_over(H, length), real_array(c, "c", "wrenches of shape (..., 6)")
     if wrench.shape[-1:] != (6,):
         raise ValueError(f"c: expected wrenches of shape (..., 6), got shape {wrench.shape}")
     unit = np.repeat([1.0, length], 3)
     finite = np.asarray(np.isfinite(scaled).all(axis=(-2, -1)))
     U, s, V_T = np.linalg.svd(np.where(finite[..., None, None], scaled, 0.0))
-    s_0 = share * s[..., :1]
+    s_0 = rcond * s[..., :1]
     square = np.maximum(s, s_0) ** 2
     gain = np.divide(s, square, out=np.zeros_like(s), where=square > 0.0)
     along = np.einsum("...ij,...i->...j", U, wrench / unit)
     x = np.einsum("...ij,...i->...j", V_T, gain * along)
     x = np.where(finite[..., None] & np.isfinite(wrench).all(axis=-1, keepdims=True), x, np.nan)
-    return DampedSolution(x, np.asarray(wrench - unit * np.einsum("...ij,...j->...i", scaled, x)))
+    return DampedLeastSquaresResult(x, np.asarray(wrench - unit * np.einsum("...ij,...j->...i", scaled, x)))

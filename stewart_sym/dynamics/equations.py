@@ -23,14 +23,14 @@ from ..reference import equations_of_motion as reference_equations
 from ..reference import newton_euler, offset_joints
 from ..reference.equations_of_motion import ActuatorWrench, by_linearity, inertia_and_bias
 from ..results import (
-    INDEFINITE,
+    MASS_MATRIX_INDEFINITE,
     NOT_FINITE,
     OK,
     SINGULAR,
     Accelerations,
-    EquationsOfMotion,
-    ForceDerivatives,
-    Linearisation,
+    EquationsOfMotionResult,
+    ForceDerivativesResult,
+    LinearizationResult,
 )
 from ..robot.robot import Robot
 from . import inverse
@@ -44,7 +44,7 @@ def equations_of_motion(
     formulation: inverse.Formulation = "exact",
     backend: inverse.Backend = "c",
     on_singular: OnFault = "raise",
-) -> EquationsOfMotion:
+) -> EquationsOfMotionResult:
     """M, C, g and friction of M [a; alpha] + C [v; omega] + g + friction = H F + W_ext.
 
     Parameters
@@ -60,7 +60,7 @@ def equations_of_motion(
 
     Returns
     -------
-    EquationsOfMotion
+    EquationsOfMotionResult
         Shapes and units are documented there.
 
     Raises
@@ -74,17 +74,17 @@ def equations_of_motion(
         found = _by_linearity(robot, motion, formulation, backend)
     else:
         terms = closed.run("equations", motion)
-        found = EquationsOfMotion(**{name: terms[name] for name in _TERMS}, status=terms["status"])
+        found = EquationsOfMotionResult(**{name: terms[name] for name in _TERMS}, status=terms["status"])
     inverse.report_faults(found.status, robot, motion, on_singular)
     return found
 
 
-_TERMS = ("M", "C", "g", "friction", "bias")
+_TERMS = ("M", "C", "g", "friction", "bias", "bias_and_friction")
 
 
 def force_derivatives(
     robot: Robot, motion: Motion, backend: Literal["c", "numpy"] = "c", on_singular: OnFault = "raise"
-) -> ForceDerivatives:
+) -> ForceDerivativesResult:
     """Derivatives of the `exact` actuator forces by pose, twist and acceleration.
 
     Parameters
@@ -99,7 +99,7 @@ def force_derivatives(
 
     Returns
     -------
-    ForceDerivatives
+    ForceDerivativesResult
         Shapes and units are documented there.
 
     Raises
@@ -111,16 +111,16 @@ def force_derivatives(
     inverse.need_motion(robot, motion)
     found = _with_closed_form(robot, backend, on_singular).run("derivatives", motion)
     inverse.report_faults(found["status"], robot, motion, on_singular)
-    return ForceDerivatives(**found)
+    return ForceDerivativesResult(**found)
 
 
-def linearise(
+def linearize(
     robot: Robot,
     motion: Motion,
     F: ArrayLike,
     backend: Literal["c", "numpy"] = "c",
     on_singular: OnFault = "raise",
-) -> Linearisation:
+) -> LinearizationResult:
     """Linear state equations of the `exact` machine about a motion under actuator forces F, N, (..., 6).
 
     Parameters
@@ -137,15 +137,15 @@ def linearise(
 
     Returns
     -------
-    Linearisation
+    LinearizationResult
         Shapes and units are documented there.
     """
     _need(robot, motion, on_singular)
     closed = _with_closed_form(robot, backend, on_singular)
     motion, forces = _together(motion, F)
-    found = closed.run("linearisation", motion, forces)
+    found = closed.run("linearization", motion, forces)
     inverse.report_faults(found["status"], robot, motion, on_singular)
-    return Linearisation(**found)
+    return LinearizationResult(**found)
 
 
 def forward_dynamics(
@@ -164,7 +164,7 @@ def forward_dynamics(
         The machine.
     motion : Motion
         Poses, rates and load F_ext, M_ext; accelerations don't count. The leading shapes of motion and F
-        broadcast. Other arguments: as for ``inverse_dynamics``. M is factorised by Cholesky's method, so a
+        broadcast. Other arguments: as for ``inverse_dynamics``. M is factorized by Cholesky's method, so a
         machine whose inertias belong to no body may be unsolvable.
     F : array_like
         Actuator forces, N, (..., 6).
@@ -264,7 +264,7 @@ class ForwardDynamics:
             x, definite = solve_positive(M, rest)
             if self.backend == "reference" and self.robot.offsets is None:
                 x, definite = self._at_50_digits(motion, F, M, x, definite & (status == OK), status == OK)
-            status = np.where((status == OK) & ~definite, INDEFINITE, status)
+            status = np.where((status == OK) & ~definite, MASS_MATRIX_INDEFINITE, status)
             status = _not_finite(status, np.isfinite(x).all(axis=-1))
             x = np.where((status == OK)[..., None], x, np.nan)
         return x[..., :3], x[..., 3:], status
@@ -288,7 +288,11 @@ class ForwardDynamics:
         if isinstance(self.closed, CClosedForm):
             return self.closed.one_state()
         by_forces: ForwardByForces | None = None
-        if self.backend == "c" and self.robot.offsets is not None and not self.robot.offsets.spins:
+        if (
+            self.backend == "c"
+            and self.robot.offsets is not None
+            and not self.robot.offsets.has_spinning_parts
+        ):
             by_forces = inverse.with_compiler(lambda: ForwardByForces(self.robot), lambda: None)
 
         def solve(motion: Motion, F: Array) -> tuple[Array, int]:
@@ -316,7 +320,7 @@ def _digits_lost(robot: Robot, motion: Motion, M: Array, faults: frozenset[int])
     return np.asarray(near | ~(digits_kept(M) > _KEPT))
 
 
-def _by_linearity(robot: Robot, motion: Motion, formulation: str, backend: str) -> EquationsOfMotion:
+def _by_linearity(robot: Robot, motion: Motion, formulation: str, backend: str) -> EquationsOfMotionResult:
     """The terms drawn from inverse dynamics; the reference's at 50 digits where it loses its own."""
     found = by_linearity(_actuator_wrench(robot, formulation, backend), robot, motion)
     if backend != "reference" or robot.offsets is not None:
@@ -329,12 +333,12 @@ def _by_linearity(robot: Robot, motion: Motion, formulation: str, backend: str) 
             robot, motion[i], inverse.faults_of(formulation)
         ).items():
             parts[name][i] = value
-    return EquationsOfMotion(**parts, status=found.status)
+    return EquationsOfMotionResult(**parts, status=found.status)
 
 
 def _at_rest(motion: Motion) -> Motion:
     none = np.zeros_like(motion.t)
-    return Motion.unchecked(motion.R, motion.t, none, none, none, none)
+    return Motion._unchecked(motion.R, motion.t, none, none, none, none)
 
 
 def digits_kept(M: Array) -> Array:
@@ -452,4 +456,4 @@ def _broadcast(motion: Motion, shape: tuple[int, ...]) -> Motion:
         for name, value in vars(motion).items()
         if name not in ("alpha", "a")
     }
-    return Motion.unchecked(**wide)
+    return Motion._unchecked(**wide)

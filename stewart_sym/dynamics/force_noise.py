@@ -18,14 +18,14 @@ from ..motion.motion import Motion
 from ..motion.rotation import motion_about_axes, orthonormal, rotation_from_vector
 from ..motion.trajectory import PoseLog, Trajectory, Uncertainty, need_trajectory
 from ..robot.robot import Robot
-from .forces import prepare
+from .forces import ForceKernel
 from .inverse import Backend, Formulation, inverse_dynamics, with_compiler
 
 CHUNK = 16_384
 """Instants at a time: their eighteen deviations fit into memory whatever the length of the log."""
 
 
-def force_deviations(
+def force_std(
     robot: Robot, trajectory: Trajectory | PoseLog, formulation: Formulation = "exact", backend: Backend = "c"
 ) -> Array:
     """Return the standard deviation of each actuator force, N, (n, 6), from the noise of a log.
@@ -78,9 +78,13 @@ def forces_of(robot: Robot, formulation: Formulation, backend: Backend) -> Calla
     def full(motion: Motion) -> Array:
         return inverse_dynamics(robot, motion, formulation, backend, on_singular="nan").F
 
-    if not isinstance(backend, str) or backend != "c" or (robot.offsets is not None and robot.offsets.spins):
+    if (
+        not isinstance(backend, str)
+        or backend != "c"
+        or (robot.offsets is not None and robot.offsets.has_spinning_parts)
+    ):
         return full  # which checks the options, and computes what no kernel does
-    kernel = with_compiler(lambda: prepare(robot, formulation), lambda: None)
+    kernel = with_compiler(lambda: ForceKernel(robot, formulation), lambda: None)
     return full if kernel is None else lambda motion: kernel.forces_and_status(motion)[0]
 
 
@@ -115,7 +119,7 @@ def displaced(robot: Robot, trajectory: Trajectory | PoseLog, part: slice) -> It
     motion, tool = trajectory.at(part), trajectory.noise.tool
     coordinates = trajectory.noise.coordinates[:, part]
     inverse = inverse_jacobian(robot, motion.R, motion.t) if trajectory.noise.in_joints else None
-    motion = motion if tool is None else motion.about_point(tool)
+    motion = motion if tool is None else motion.at_point(tool)
     for i in range(6):
         for k in range(3):
             if not L[:, i, :, k].any():
@@ -131,7 +135,7 @@ def displaced(robot: Robot, trajectory: Trajectory | PoseLog, part: slice) -> It
                 theta, theta_dot, theta_ddot = moved[..., 3:]
                 R, omega, alpha = motion_about_axes(theta, theta_dot, theta_ddot, trajectory.noise.order)
                 other = _moved(motion, R=R, omega=omega, alpha=alpha)
-            yield other if tool is None else other.about_point(-tool)
+            yield other if tool is None else other.at_point(-tool)
 
 
 def _on_legs(robot: Robot, motion: Motion, inverse: Array, shift: Array, legs: Array) -> Motion:
@@ -147,10 +151,10 @@ def _on_legs(robot: Robot, motion: Motion, inverse: Array, shift: Array, legs: A
     twist = np.einsum("nij,nj->ni", inverse, legs[1])
     # Without accelerations of the platform, what remains of L_ddot is what its velocities make of it.
     none = np.zeros(t.shape)
-    own = legs_or_overflow(robot, Motion.unchecked(R, t, twist[:, 3:], twist[:, :3], none, none)).L_ddot
+    own = legs_or_overflow(robot, Motion._unchecked(R, t, twist[:, 3:], twist[:, :3], none, none)).L_ddot
     rate = np.einsum("nij,nj->ni", inverse, legs[2] - np.asarray(own))
     return _moved(motion, R=R, t=t, v=twist[:, :3], omega=twist[:, 3:], a=rate[:, :3], alpha=rate[:, 3:])
 
 
 def _moved(motion: Motion, **changes: Array) -> Motion:
-    return Motion.unchecked(**{**vars(motion), **changes})
+    return Motion._unchecked(**{**vars(motion), **changes})

@@ -50,7 +50,7 @@ class ForceKernel(Frozen):
     Safe to share between threads.
 
     In float the solve takes its moments over a length, a power of two near the size of the platform, so that
-    pivots are as good on a machine of a millimetre as on one of ten metres; motions and forces are in SI
+    pivots are as good on a machine of a millimeter as on one of ten meters; motions and forces are in SI
     units.
 
     Attributes
@@ -78,10 +78,21 @@ class ForceKernel(Frozen):
         option(self.formulation, FORMULATIONS, "formulation")
         option(self.precision, ("double", "float"), "precision")
         rotors, offsets = takes_rotors(self.name), self.robot.offsets is not None
-        prepare = self.function("prepare")
+        prepare = self.c_function("prepare")
         model = prepared_model(prepare, self.robot, MODELS[self.name], self.precision, rotors, offsets)
         # As it lies in memory; a copy would be slower.
         object.__setattr__(self, "model", model)
+        self._warn_of_omitted_rotors()
+
+    def _warn_of_omitted_rotors(self) -> None:
+        """Warn if the fidelity level omits the rotors of the robot's drives."""
+        robot, fidelity = self.robot, self.fidelity
+        if robot.has_rotors and rotor_of(robot, fidelity) == "none" and fidelity != "no_rotor":
+            moving = robot.M + float(robot.m_d.sum() + robot.m_u.sum())
+            warn(
+                f"fidelity {fidelity}: omits rotors with up to {robot.reflected_mass.max():.3g} kg of reflected "
+                f"mass in each leg, platform and legs have {moving:.3g} kg; forces lack as much at accelerations"
+            )
 
     @property
     def dtype(self) -> type[np.floating[Any]]:
@@ -147,7 +158,7 @@ class ForceKernel(Frozen):
         need_motion(self.robot, motion)
         return self.forces_and_status(motion, threads)[1]
 
-    def one_pose(self) -> "OnePose":
+    def single_pose(self) -> "OnePose":
         """Buffers for one pose at a time, for loops where every microsecond counts.
 
         Returns
@@ -219,7 +230,7 @@ class ForceKernel(Frozen):
         need_apart(arrays, F, status)
         self._shared(count, threads, lambda start, n: self._run(arrays, F, status, start, n, stride))
 
-    def forces_of_columns(
+    def forces_soa(
         self,
         R: ArrayLike,
         t: ArrayLike,
@@ -354,7 +365,7 @@ class ForceKernel(Frozen):
         widths = WIDTHS if stride is None else [1] * len(WIDTHS)
         places = [address(array, start * n) for array, n in zip((*arrays, F), widths, strict=True)]
         counts = [count] if stride is None else [count, stride]
-        self.function("forces_batch" if stride is None else "forces_columns")(
+        self.c_function("forces_batch" if stride is None else "forces_columns")(
             address(self.model),
             *map(ctypes.c_size_t, counts),
             (ctypes.c_void_p * len(arrays))(*places[:-1]),
@@ -367,7 +378,7 @@ class ForceKernel(Frozen):
         """Name of the generated kernel, as in ``stewart_<name>_forces.c``."""
         return force_kernel_name(self.robot, self.formulation, self.fidelity)
 
-    def function(self, what: str) -> Any:
+    def c_function(self, name: str) -> Any:
         """A C function of the kernel's compiled library.
 
         Parameters
@@ -380,7 +391,7 @@ class ForceKernel(Frozen):
         callable
             A function of ``ctypes``.
         """
-        return function(self.name, "forces", self.precision, what)
+        return function(self.name, "forces", self.precision, name)
 
 
 @dataclass(frozen=True, eq=False)
@@ -405,7 +416,7 @@ class OnePose:
             if array.dtype != wanted or array.shape != (size,) or not array.flags.carray:
                 raise ValueError(f"{name}: expected {size} writeable numbers of {wanted}")
         addresses = tuple(address(array, 0) for array in (self.kernel.model, self.numbers, self.F))
-        object.__setattr__(self, "_call", self.kernel.function("forces"))
+        object.__setattr__(self, "_call", self.kernel.c_function("forces"))
         object.__setattr__(self, "_addresses", addresses)
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -422,50 +433,6 @@ class OnePose:
         at = list(MOTION).index(name)
         start = sum(_WIDTHS[:at])
         return self.numbers[start : start + _WIDTHS[at]].reshape(MOTION[name])
-
-
-def prepare(
-    robot: Robot,
-    formulation: Formulation = "exact",
-    precision: Precision = "double",
-    fidelity: str = "general",
-) -> ForceKernel:
-    """Prepare a robot's constants for the fast force kernel, compiling it on first use.
-
-    Parameters
-    ----------
-    robot : Robot
-        The machine.
-    formulation : {"exact", "paper"}, optional
-        The corrected equations or those printed.
-    precision : {"double", "float"}, optional
-        Of the numbers in C.
-    fidelity : str, optional
-        How much of the legs' physics, one of ``fidelity.FIDELITIES``.
-
-    Returns
-    -------
-    ForceKernel
-        The robot with its prepared constants.
-
-    Raises
-    ------
-    ValueError
-        For an unknown formulation, precision or fidelity, native.CompilerError without a C compiler.
-
-    Warns
-    -----
-    UserWarning
-        If the fidelity omits the rotors of the robot's drives.
-    """
-    kernel = ForceKernel(robot, formulation, precision, fidelity)
-    if robot.has_rotors and rotor_of(robot, fidelity) == "none" and fidelity != "no_rotor":
-        moving = robot.M + float(robot.m_d.sum() + robot.m_u.sum())
-        warn(
-            f"fidelity {fidelity}: omits rotors with up to {robot.m_r.max():.3g} kg of reflected mass "
-            f"in each leg, platform and legs have {moving:.3g} kg; forces lack as much at accelerations"
-        )
-    return kernel
 
 
 def _parts(count: int, threads: int) -> list[tuple[int, int]]:

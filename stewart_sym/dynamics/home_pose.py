@@ -17,7 +17,7 @@ __all__ = ["HomePose", "home_pose", "platform_side", "radius", "up_direction", "
 
 @dataclass(frozen=True, eq=False)
 class HomePose:
-    """The level platform at rest: where the robot states it, else its points centred above the base points.
+    """The level platform at rest: where the robot states it, else its points centered above the base points.
 
     side: which side of the base that is. rule: how the position was chosen. t: position of the reference
     point, m, (3,). L: leg lengths, m, (6,). F: forces that hold it there, N, (6,), NaN if none can.
@@ -37,9 +37,13 @@ class HomePose:
 def home_pose(robot: Robot) -> HomePose:
     """Take the stated one, or choose a height: legs amid their limits, or without any H at its best."""
     length = characteristic_length(robot)
-    t = level_positions(robot, up_direction(robot)) if robot.home is None else robot.home[None]
+    t = (
+        level_positions(robot, up_direction(robot))
+        if robot.home_position is None
+        else robot.home_position[None]
+    )
     L = level_lengths(robot, t)
-    if robot.home is not None:
+    if robot.home_position is not None:
         rule = "as the robot file states"
     elif np.all(np.isfinite(robot.length_limits)):
         rule = "the height that puts the legs, on average, in the middle of their length limits"

@@ -27,7 +27,7 @@ from ..motion.motion import Motion
 from ..reference import newton_euler, offset_joints
 from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot
-from .damping import damped_solution
+from .damping import damped_least_squares
 
 Formulation = Literal["exact", "paper"]
 Backend = Literal["c", "numpy", "reference"]
@@ -87,14 +87,14 @@ def inverse_dynamics(
     on_singular : {"raise", "nan", "warn", "damped"}, optional
         What to do about unsolvable poses: "raise" ValueError, "warn" and return NaN there, or return
         "nan" without a warning; ``status`` is that of each pose. "damped": where H is singular, F by damped
-        least squares (``damped_solution``) with the status as it is, and ``wrench_error`` is the part of the
+        least squares (``damped_least_squares``) with the status as it is, and ``wrench_error`` is the part of the
         wrench that F does not balance. Legs of length zero or along their universal axis have no damped
         forces: NaN, and a warning. All other poses
         are the same bits as without it.
 
     Returns
     -------
-    Forces
+    InverseDynamicsResult
         Shapes and units are documented there.
 
     Raises
@@ -116,7 +116,7 @@ def joint_reactions(
     motion: Motion,
     formulation: Formulation = "exact",
     backend: Backend = "c",
-    bearing: ArrayLike | None = None,
+    bearing_distance: ArrayLike | None = None,
     on_singular: OnSingular = "raise",
 ) -> results.Reactions:
     """Forces and moments in the joints, (21), (26)-(29) and M_p of (17).
@@ -129,7 +129,7 @@ def joint_reactions(
         Motion of the platform, any leading shape.
     formulation, backend : str, optional
         As for ``inverse_dynamics``.
-    bearing : array_like, optional
+    bearing_distance : array_like, optional
         Where M_p is taken, distance along each leg from its base point, with offset joints along the line of
         sliding from where the length is 0, m, scalar or (6,); None: at that point.
     on_singular : str, optional
@@ -138,11 +138,11 @@ def joint_reactions(
 
     Returns
     -------
-    Reactions
+    JointReactionsResult
         Shapes and units are documented there.
     """
     kernel = _prepared(robot, motion, formulation, backend, on_singular)
-    where = _bearing(bearing)
+    where = _bearing(bearing_distance)
     found = _without_overflow(kernel.reactions(motion, where))
     if on_singular == "damped":
         found = _damped(found, motion, lambda poses: _damped_reactions(robot, poses, formulation, where))
@@ -172,7 +172,7 @@ def massless_forces(robot: Robot, motion: Motion) -> Array:
     return np.where(np.isfinite(F0).all(axis=-1, keepdims=True), F0, np.nan)
 
 
-def dynamic_fraction(robot: Robot, motion: Motion, F: ArrayLike) -> Array:
+def leg_dynamics_fraction(robot: Robot, motion: Motion, F: ArrayLike) -> Array:
     """F_d / F of (42) and section 4.4, (..., 6): the share of leg and rotor inertia, leg weight and friction.
 
     Parameters
@@ -257,7 +257,7 @@ def _say_once(text: str) -> None:
 
 def _bearing(bearing: ArrayLike | None) -> Array:
     expected = "one finite distance or six"
-    values = np.zeros(6) if bearing is None else real_array(bearing, "bearing", expected)
+    values = np.zeros(6) if bearing is None else real_array(bearing, "bearing_distance", expected)
     if values.shape not in ((), (6,)):
         raise ValueError(f"bearing: expected {expected}, got shape {values.shape}")
     if not np.isfinite(values).all():
@@ -271,11 +271,11 @@ def _without_overflow(found: results.Reactions) -> results.Reactions:
     status = newton_euler.without_overflow(values, found.status)
     if (status == found.status).all():
         return found
-    return results.Reactions(**newton_euler.with_status(values, status))
+    return results.JointReactionsResult(**newton_euler.with_status(values, status))
 
 
 def damped_terms(robot: Robot, motion: Motion, formulation: str) -> dict[str, Array]:
-    """F, D, x, K, H, c and wrench_error by ``damped_solution``, of poses that may be singular; no status.
+    """F, D, x, K, H, c and wrench_error by ``damped_least_squares``, of poses that may be singular; no status.
 
     By the NumPy kernel, whatever backend rejected the poses. NaN where a leg has no direction.
     """
@@ -284,7 +284,7 @@ def damped_terms(robot: Robot, motion: Motion, formulation: str) -> dict[str, Ar
     else:
         terms = NumpyKernel.prepare(robot, formulation).terms(motion)
     with np.errstate(over="ignore", invalid="ignore"):
-        x, error = damped_solution(terms["H"], terms["c"], characteristic_length(robot) or 1.0)
+        x, error = damped_least_squares(terms["H"], terms["c"], characteristic_length(robot) or 1.0)
         F = terms["D"] - x
     return terms | {"F": F, "x": x, "wrench_error": error}
 
@@ -296,7 +296,7 @@ def _damped_reactions(robot: Robot, motion: Motion, formulation: str, bearing: A
     return NumpyKernel.prepare(robot, formulation).reactions_of(motion, x, bearing)
 
 
-Result = TypeVar("Result", results.Forces, results.Reactions)
+Result = TypeVar("Result", results.InverseDynamicsResult, results.JointReactionsResult)
 
 
 def _damped(found: Result, motion: Motion, values: Callable[[Motion], dict[str, Array]]) -> Result:

@@ -54,7 +54,7 @@ class Body:
     """A rigid body.
 
     R, t: axes in columns, (3, 3), and origin, (3,). mass: kg, 0 of what only joins others. center, inertia:
-    centre of mass, m, and inertia about it, kg m^2, body frame.
+    center of mass, m, and inertia about it, kg m^2, body frame.
     """
 
     name: str

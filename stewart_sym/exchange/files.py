@@ -12,7 +12,7 @@ from ..drives.friction import losses
 from ..io.arguments import instance, option, shown
 from ..io.error_policy import errors_of, warn
 from ..io.tables import file_name, read_text
-from ..robot.robot import PhysicalityWarning, Robot, impossible_inertias
+from ..robot.robot import Robot, RobotWarning, impossible_inertias
 from .chain import Model
 from .formats import mjcf_in, mjcf_out, sdf_in, sdf_out, urdf_in, urdf_out, usd_out
 from .formats.xml_text import HEADER, at_line, line_named, parsed
@@ -39,20 +39,20 @@ _MOST_BYTES = 1 << 24
 
 
 @dataclass(frozen=True)
-class ModelFile:
+class ExportedModel:
     """A machine in another program's format.
 
     Attributes
     ----------
     text : str
         The file.
-    loops : str or None
+    loop_closures : str or None
         Of URDF, a second file beside it, as JSON: what closes the loops, gravity, and friction and drives,
         for which URDF has no place; None of other formats.
     """
 
     text: str
-    loops: str | None = None
+    loop_closures: str | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,7 +71,7 @@ class ImportedModel:
     assumptions: tuple[str, ...]
 
 
-def export_model(robot: Robot, format: str) -> ModelFile:  # noqa: A002 # the option's name
+def export_model(robot: Robot, format: str) -> ExportedModel:  # noqa: A002 # the option's name
     """Write a robot in another program's format.
 
     The machine stands at its home pose: legs with two axes at the base, a sliding actuator and a spherical
@@ -88,7 +88,7 @@ def export_model(robot: Robot, format: str) -> ModelFile:  # noqa: A002 # the op
 
     Returns
     -------
-    ModelFile
+    ExportedModel
         Text of the file, and of a second one beside it where there is one.
 
     Raises
@@ -100,7 +100,7 @@ def export_model(robot: Robot, format: str) -> ModelFile:  # noqa: A002 # the op
     """
     instance(robot, Robot, "robot")
     option(format, tuple(PROGRAMS), "format")
-    if robot.offsets is not None and robot.offsets.spins:
+    if robot.offsets is not None and robot.offsets.has_spinning_parts:
         # No format has an actuator whose force turns what it pushes.
         raise ValueError(
             f'{format}: offsets.platform_joint: expected "spherical", upper parts that turn in the lower '
@@ -111,10 +111,10 @@ def export_model(robot: Robot, format: str) -> ModelFile:  # noqa: A002 # the op
     _warn_of_losses(robot, format)
     text, loops = _WRITERS[format](model)
     if format == "usd":
-        return ModelFile(text)
+        return ExportedModel(text)
     # What is read back differently, by rounding or for want of a place, stands in the notes.
     again, _ = robot_of(_read(parsed(text), loops))
-    return ModelFile(*_WRITERS[format](replace(model, notes=noted(differences(written, again)))))
+    return ExportedModel(*_WRITERS[format](replace(model, notes=noted(differences(written, again)))))
 
 
 def import_model(path: str | os.PathLike[str]) -> ImportedModel:
@@ -142,7 +142,7 @@ def import_model(path: str | os.PathLike[str]) -> ImportedModel:
 
     Warns
     -----
-    PhysicalityWarning
+    RobotWarning
         For an inertia that no rigid body has.
     """
     source = file_name(path)
@@ -156,8 +156,8 @@ def import_model(path: str | os.PathLike[str]) -> ImportedModel:
         line = line_named(str(error), root)
         raise ValueError(f"{source}: {error}{'' if line is None else f' (at line {line})'}") from None
     for name, text in impossible_inertias(robot):
-        if name not in robot.accept:
-            warn(f"{source}: {text} [{name}]", PhysicalityWarning)
+        if name not in robot.suppressed_warnings:
+            warn(f"{source}: {text} [{name}]", RobotWarning)
     return ImportedModel(robot, said)
 
 

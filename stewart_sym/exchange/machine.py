@@ -11,7 +11,7 @@ from ..plausibility.level_poses import level_home
 from ..robot.bodies import tensors_of_bodies
 from ..robot.fields import LEGS, legs_text
 from ..robot.offset_positions import Chains
-from ..robot.robot import PhysicalityWarning, Robot, impossible_inertias, inertia_fault
+from ..robot.robot import Robot, RobotWarning, impossible_inertias, inertia_fault
 from .chain import WORLD, Body, Joint, Model, Shape, frame_along
 from .offset_legs import base_joints, chains_at, cross_of, noted_offsets
 
@@ -67,14 +67,14 @@ def possible(robot: Robot, reader: str) -> Robot:
     """
     faults = impossible_inertias(robot)
     for name, text in faults:
-        if name not in robot.accept:
+        if name not in robot.suppressed_warnings:
             raise ValueError(
                 f'{text}: {reader} rejects it; correct it, or let the robot file accept "{name}" '
                 "to have the nearest possible tensor written"
             )
         warn(
             f"{text}: {reader} rejects it, the nearest possible tensor is written [{name}]",
-            PhysicalityWarning,
+            RobotWarning,
         )
     return robot_of_bodies(robot)
 
@@ -111,7 +111,7 @@ def _parts(robot: Robot, i: int, frame: Array, length: float, at: Chains | None)
         np.array([float(stated[i]) or part, 0.0, 0.0]) for stated in (robot.lower_length, robot.upper_length)
     )
     if at is not None and robot.offsets is not None:
-        start = np.array([0.0, robot.offsets.along[i], robot.offsets.across[i]])
+        start = np.array([0.0, robot.offsets.slide_offset_y[i], robot.offsets.slide_offset_z[i]])
     shape = Shape(_short(_LOWER * length), start, start + up)
     foot = robot.b[i] if at is None else robot.b[i] + at.A[i]
     inertia = float(robot.m_d[i]), robot.r_d0[i], robot.I_d0[i]

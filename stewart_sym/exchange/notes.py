@@ -14,7 +14,7 @@ from ..io.error_policy import errors_of
 from ..io.json_text import json_text
 from ..robot.drive import Drive, drive_of_tables, drive_tables
 from ..robot.fields import LEGS, LegTables
-from ..robot.offsets import Offsets
+from ..robot.offsets import JointOffsets
 from ..robot.robot import Robot
 from .chain import Model
 from .offset_legs import noted_offsets, restored_offsets, same_offsets
@@ -22,11 +22,19 @@ from .offset_legs import noted_offsets, restored_offsets, same_offsets
 _ROUNDING = 1e-9
 _FIELDS = tuple(field.name for field in fields(Robot))
 _SILENT = (
-    *("name", "accept", "home", "tool", "euler_order", "lengths", "joint_angle_limit"),
+    *(
+        "name",
+        "suppressed_warnings",
+        "home_position",
+        "tool",
+        "euler_order",
+        "length_mode",
+        "joint_angle_limit",
+    ),
     *("lower_length", "upper_length"),
 )
 """Fields of which bodies and joints say nothing: the note counts."""
-_FROM_HOME = {"lengths": "absolute", "joint_angle_limit": np.inf}
+_FROM_HOME = {"length_mode": "absolute", "joint_angle_limit": np.inf}
 """Fields that need a home pose, and what they are without one."""
 _LIMITS = ("length_limits", "force_limit", "speed_limit", "joint_angle_limit")
 _UNSTATED = {"C_u": 0.0, "C_p": 0.0, "C_s": 0.0, "force_limit": np.inf, "speed_limit": np.inf}
@@ -63,7 +71,7 @@ def noted(found: Mapping[str, Any]) -> dict[str, Any]:
     given = dict(found)
     if isinstance(drive := given.get("drive"), Drive):
         given["drive"] = drive_tables(drive)
-    if isinstance(offsets := given.get("offsets"), Offsets):
+    if isinstance(offsets := given.get("offsets"), JointOffsets):
         given["offsets"] = noted_offsets(offsets)
     plain: dict[str, Any] = json.loads(json_text(given))
     return plain
@@ -79,7 +87,7 @@ def with_notes(robot: Robot, model: Model) -> tuple[Robot, list[str]]:
         found = getattr(robot, name)
         if isinstance(noted, Drive) and found is None and model.armatures:
             found = replace(noted, rotor_inertia=np.zeros(LEGS))
-        near = same_offsets(robot, noted) if isinstance(noted, Offsets) else _near(found, noted)
+        near = same_offsets(robot, noted) if isinstance(noted, JointOffsets) else _near(found, noted)
         if isinstance(found, Drive) and not near:
             # The armature is all that a model says of a drive.
             taken[name] = replace(noted, rotor_inertia=found.reflected_mass / noted.turns**2)
@@ -87,7 +95,7 @@ def with_notes(robot: Robot, model: Model) -> tuple[Robot, list[str]]:
         elif name not in _SILENT and not near and not _unstated(name, found):
             del taken[name]
             said.append(f"{name}: the model says otherwise than the note, the model is taken")
-    if taken.get("home", robot.home) is None:
+    if taken.get("home_position", robot.home_position) is None:
         for name in [
             name for name in _FROM_HOME if name in taken and np.any(taken[name] != _FROM_HOME[name])
         ]:
@@ -109,7 +117,7 @@ def _restored(name: str, noted: Any) -> Any:
         return drive_of_tables(legs, float, False)
     if name == "offsets":
         return restored_offsets(noted)
-    return tuple(noted) if name == "accept" and isinstance(noted, list) else noted
+    return tuple(noted) if name == "suppressed_warnings" and isinstance(noted, list) else noted
 
 
 def _near(found: Any, noted: Any) -> bool:

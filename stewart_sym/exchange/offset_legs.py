@@ -11,7 +11,7 @@ from ..motion.motion import at_rest
 from ..robot.fields import LEGS, LegTables, legs_text
 from ..robot.offset_chains import chains
 from ..robot.offset_positions import Chains
-from ..robot.offsets import SHAPES, Offsets, offset_tables, offsets_of_tables
+from ..robot.offsets import SHAPES, JointOffsets, offset_tables, offsets_of_tables
 from ..robot.robot import Robot
 from .chain import WORLD, Body, Joint, Shape
 
@@ -30,7 +30,7 @@ def chains_at(robot: Robot, t: Array) -> Chains:
     return at
 
 
-def cross_of(robot: Robot, offsets: Offsets, i: int, at: Chains, radius: float) -> Body:
+def cross_of(robot: Robot, offsets: JointOffsets, i: int, at: Chains, radius: float) -> Body:
     """The body between both axes of leg i, its frame o, y, k at the base point.
 
     It turns about k alone, so that only its inertia about k counts, which stands for all three. Without a
@@ -38,7 +38,7 @@ def cross_of(robot: Robot, offsets: Offsets, i: int, at: Chains, radius: float) 
     """
     frame = np.stack([at.o[i], at.y[i], robot.k[i]], axis=-1)
     mass, inertia = float(offsets.cross_mass[i]), float(offsets.cross_inertia[i])
-    reach = np.array([float(offsets.cross[i]), 0.0, 0.0])
+    reach = np.array([float(offsets.axis_offset[i]), 0.0, 0.0])
     return Body(
         f"cross_{i + 1}",
         frame,
@@ -81,26 +81,26 @@ class OffsetLines:
         """Lengths of the offsets with the line of sliding along s, outward."""
         r, o = self.tip - self.A, np.cross(self.y, self.k)
         return {
-            "cross": float((self.A - self.b) @ o),
-            "along": float(r @ self.y),
-            "across": float(r @ np.cross(s, self.y)),
+            "axis_offset": float((self.A - self.b) @ o),
+            "slide_offset_y": float(r @ self.y),
+            "slide_offset_z": float(r @ np.cross(s, self.y)),
         }
 
     def cross(self, body: Body) -> dict[str, Any]:
-        """Mass, centre of mass from the base point along o, y, k, and inertia of what is between the axes."""
+        """Mass, center of mass from the base point along o, y, k, and inertia of what is between the axes."""
         frame = np.stack([np.cross(self.y, self.k), self.y, self.k], axis=-1)
         center = (body.placed(body.center) - self.b) @ frame
         about = self.k @ body.R @ body.inertia @ body.R.T @ self.k
         return {"cross_mass": body.mass, "cross_center": center, "cross_inertia": float(about)}
 
 
-def noted_offsets(offsets: Offsets) -> dict[str, Any]:
+def noted_offsets(offsets: JointOffsets) -> dict[str, Any]:
     """Offsets as the tables of a robot file."""
     shared, legs = offset_tables(offsets)
     return {"legs": shared, "leg": legs}
 
 
-def restored_offsets(value: Any) -> Offsets:
+def restored_offsets(value: Any) -> JointOffsets:
     """Undo ``noted_offsets``; ValueError of one line."""
     tables = value if isinstance(value, Mapping) else {}
     shared, legs = tables.get("legs"), tables.get("leg")
@@ -114,7 +114,7 @@ def restored_offsets(value: Any) -> Offsets:
     return found
 
 
-def same_offsets(robot: Robot, noted: Offsets) -> bool:
+def same_offsets(robot: Robot, noted: JointOffsets) -> bool:
     """Whether a robot has these offsets but for rounding, and for the least mass and inertia of a cross."""
     found = robot.offsets
     if found is None or found.platform_joint != noted.platform_joint:

@@ -12,7 +12,7 @@ from ..io.error_policy import errors_of
 from ..motion import rotation
 from ..robot.drive import Drive
 from ..robot.fields import DEFAULT_GRAVITY
-from ..robot.offsets import Offsets
+from ..robot.offsets import JointOffsets
 from ..robot.robot import Robot
 from .chain import WORLD, Body, Joint, Model, same_frame
 from .crosses import LOWER, PLATFORM, UPPER, Cross, crosses_of, largest_error, lines_of, with_crosses
@@ -77,13 +77,13 @@ def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
         "M": platform.mass,
         "R_0": R @ platform.center,
         "I_p": R @ platform.inertia @ R.T,
-        "home": platform.t,
+        "home_position": platform.t,
         **{key: [leg.values[key] for leg in legs] for key in legs[0].values},
         "p": [R @ leg.p for leg in legs],
     }
     if offset:
         offsets: dict[str, Any] = {key: [leg.offset[key] for leg in legs] for key in legs[0].offset}
-        found["offsets"] = Offsets(**offsets)
+        found["offsets"] = JointOffsets(**offsets)
     drive = _drive(legs)
     robot = Robot(**found, drive=drive)
     lines.append(_mass_kept(machine, model, robot))
@@ -91,7 +91,7 @@ def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
     robot, kept = with_notes(robot, model)
     if drive is not None and robot.drive is drive:
         said.append(f"armatures of the slides: rotors behind screws with a lead of {_LEAD:g} m")
-    if robot.home is not None:
+    if robot.home_position is not None:
         lines.append("home: the pose in the file")
     lines += [text for name, text in model.assumed.items() if machine.members[name] != WORLD]
     left_out = [f"left out: {text}" for text in _grouped([*model.left_out, *_beside_slides(model)])]
@@ -333,7 +333,7 @@ class _Leg:
         return np.stack([self.s, y, rotation.cross(self.s, y)], axis=-1)
 
     def _part(self, body: Body, ends: Sequence[Step], part: str) -> dict[str, Any]:
-        """Mass, centre of mass and inertia of the lower part, "d", or the upper one, "u", in its frame."""
+        """Mass, center of mass and inertia of the lower part, "d", or the upper one, "u", in its frame."""
         step = ends[-1] if part == "d" else ends[0]
         origin = self.machine.point(step, body.name) if len(ends) == 1 else None
         if origin is None:

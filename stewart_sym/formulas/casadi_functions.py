@@ -1,4 +1,4 @@
-"""The equations of one machine as CasADi functions, for optimisers such as IPOPT and acados.
+"""The equations of one machine as CasADi functions, for optimizers such as IPOPT and acados.
 
 Derives when it is called.
 """
@@ -26,7 +26,7 @@ ARGUMENTS = {
 
 
 def casadi_function(
-    robot: Robot, what: str = "forces", formulation: Formulation = "exact", checked: bool = True
+    robot: Robot, quantity: str = "forces", formulation: Formulation = "exact", checked: bool = True
 ) -> "casadi.Function":
     """Forces, equations of motion or forward dynamics of one machine as a CasADi function of SX.
 
@@ -34,7 +34,7 @@ def casadi_function(
     ----------
     robot : Robot
         The machine.
-    what : str, optional
+    quantity : str, optional
         "forces" of R (3, 3), t, omega, v, alpha, a, F_ext, M_ext (3,) gives F (6,), N; "equations" of R, t,
         omega, v gives M, C (6, 6), g, friction, bias (6,), H and its rate H_dot (6, 6); "forward_dynamics" of
         R, t, omega, v, F, F_ext, M_ext gives a and alpha (3,). Arguments and results have these names.
@@ -58,24 +58,24 @@ def casadi_function(
     ValueError
         For other names and an unknown formulation, and MissingExtraError without CasADi.
     """
-    option(what, tuple(ARGUMENTS), "what")
+    option(quantity, tuple(ARGUMENTS), "quantity")
     truth(checked, "checked")
     with needed_for("a CasADi function"):
         import casadi
     from ..derive.kernel.tree.interpret import Interpreter
 
-    program, _, model = prepared(robot, what, what, formulation)
+    program, _, model = prepared(robot, quantity, quantity, formulation)
     given = {name: casadi.SX.sym(name, 3, 3 if name == "R" else 1) for name in MOTION}
     # Components in storage order: CasADi's own is by columns.
     parts = {name: casadi.vertsplit(casadi.vec(value.T)) for name, value in given.items()}
     motion = SimpleNamespace(**parts)
     given["F"] = casadi.SX.sym("F", 6)
-    more = [casadi.vertsplit(given["F"])] if what == "forward_dynamics" else []
-    found = Interpreter(program, _arithmetic(checked)).run(what, model, motion, *more)
+    more = [casadi.vertsplit(given["F"])] if quantity == "forward_dynamics" else []
+    found = Interpreter(program, _arithmetic(checked)).run(quantity, model, motion, *more)
     results = {name: _matrix(value) for name, value in vars(found).items() if checked or name != "status"}
-    names = ARGUMENTS[what]
+    names = ARGUMENTS[quantity]
     return casadi.Function(
-        what, [given[name] for name in names], list(results.values()), list(names), list(results)
+        quantity, [given[name] for name in names], list(results.values()), list(names), list(results)
     )
 
 

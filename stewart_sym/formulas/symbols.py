@@ -26,7 +26,7 @@ Expression = Any
 FUNCTIONS = {
     "F": "forces",
     **dict.fromkeys(("D", "K", "H", "c"), "terms"),
-    **dict.fromkeys(("M", "C", "g", "friction", "bias"), "equations"),
+    **dict.fromkeys(("M", "C", "g", "friction", "bias", "bias_and_friction"), "equations"),
     **dict.fromkeys(("a", "alpha"), "forward_dynamics"),
 }
 """What there are formulas of, and the function of the kernel trees that computes it."""
@@ -38,7 +38,7 @@ _FOUND = ("alpha", "a")
 
 
 @dataclass(frozen=True, eq=False)
-class Symbolic:
+class SymbolicResult:
     """A matrix of one machine as formulas.
 
     Attributes
@@ -67,7 +67,7 @@ class Symbolic:
     arguments: Mapping[str, Matrix]
     meanings: Mapping[str, tuple[str, str]]
 
-    def whole(self) -> Matrix:
+    def substituted(self) -> Matrix:
         """The matrix in the arguments alone: numbers for the constants, every step substituted back.
 
         Expressions grow with every step: F takes half a minute, a and alpha longer. To print them or to
@@ -83,7 +83,7 @@ class Symbolic:
             known[symbol] = expr.xreplace(known)
         return self.result.xreplace(known)
 
-    def derivative(self, by: Symbol) -> "Symbolic":
+    def derivative(self, by: Symbol) -> "SymbolicResult":
         """The derivative by a component of an argument or by a constant.
 
         Parameters
@@ -93,7 +93,7 @@ class Symbolic:
 
         Returns
         -------
-        Symbolic
+        SymbolicResult
             Of the name ``d_...``; its steps are those of the matrix and their derivatives, named so too.
 
         Raises
@@ -167,15 +167,15 @@ class Symbolic:
         return typeset(self.name, self.result, self.steps, self.constants, self.meanings)
 
 
-def symbolic(robot: Robot, what: str, formulation: Formulation = "exact") -> Symbolic:
+def symbolic(robot: Robot, quantity: str, formulation: Formulation = "exact") -> SymbolicResult:
     """One matrix of one machine's equations as formulas, with their steps.
 
     Parameters
     ----------
     robot : Robot
         The machine.
-    what : str
-        "F", "D", "K", "H" or "c" of (21), (24), (36), (37); "M", "C", "g", "friction" or "bias" of the
+    quantity : str
+        "F", "D", "K", "H" or "c" of (21), (24), (36), (37); "M", "C", "g", "friction", "bias", or "bias_and_friction" of the
         equations of motion; "a" or "alpha" of forward dynamics. Those of the last two are of `exact` and
         universal base joints. The formulas are those of a regular pose: no leg near the fixed axis of its
         universal joint, status 0, and no exchange of rows in the solves for F, a and alpha, so that F has a
@@ -185,7 +185,7 @@ def symbolic(robot: Robot, what: str, formulation: Formulation = "exact") -> Sym
 
     Returns
     -------
-    Symbolic
+    SymbolicResult
         Matrix, steps, constants and arguments.
 
     Raises
@@ -193,20 +193,20 @@ def symbolic(robot: Robot, what: str, formulation: Formulation = "exact") -> Sym
     ValueError
         For other names and an unknown formulation.
     """
-    option(what, tuple(FUNCTIONS), "what")
+    option(quantity, tuple(FUNCTIONS), "quantity")
     from ..derive.kernel.trace import described, needed, renamed, trace
 
-    found = trace(*prepared(robot, what, FUNCTIONS[what], formulation))
-    steps = needed(found.steps, found.results[what])
+    found = trace(*prepared(robot, quantity, FUNCTIONS[quantity], formulation))
+    steps = needed(found.steps, found.results[quantity])
     names = renamed(steps)
     steps = tuple((symbol.xreplace(names), expr.xreplace(names)) for symbol, expr in steps)
-    result = found.results[what].xreplace(names)
+    result = found.results[quantity].xreplace(names)
     used = set().union(result.free_symbols, *(expr.free_symbols for _, expr in steps))
     constants = {symbol: value for symbol, value in found.constants.items() if symbol in used}
     meanings = described(symbol.name for symbol in constants)
     given = found.arguments
     arguments = {name: given[name] for name in given if "F" not in given or name not in _FOUND}
-    return Symbolic(what, result, steps, constants, arguments, meanings)
+    return SymbolicResult(quantity, result, steps, constants, arguments, meanings)
 
 
 def _of_one_pose(name: str, value: Any, symbols: Matrix) -> NDArray[np.float64]:

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from ..dynamics.home_pose import home_pose, radius, upright
 from ..dynamics.inverse import need_universal
 from ..generated import exact_regressor
-from ..io.arguments import instance, option, truth
+from ..io.arguments import instance, truth
 from ..io.array_types import Array, Flags
 from ..kinematics.conditioning import characteristic_length
 from ..kinematics.inverse import inverse_kinematics, joint_sines
@@ -46,25 +46,21 @@ _MOST_DRAWS = 20
 _REGULAR = 0.1
 
 
-SHARED = ("legs",)
-"""What parameters may be shared by."""
-
-
 @dataclass(frozen=True, eq=False)
-class BaseParameters:
+class BaseParametersResult:
     """The combinations of pi that a machine's wrench depends on: Y pi = Y lift (matrix pi).
 
     Attributes
     ----------
     rank : int
         How many there are.
-    kept : ndarray of int
+    independent_columns : ndarray of int
         Columns of Y that stay, int, (rank,): Y lift = Y[..., kept]. Where legs share their parameters, those
         of leg 1, to which the others' are added.
     matrix : ndarray
         From pi to the base parameters, (rank, 148); 1 at the kept ones. Where legs share their parameters,
         these are the means of the legs'.
-    lift : ndarray
+    expansion : ndarray
         From base parameters to one of the pi that have them, (148, rank).
     names : tuple
         Of the kept parameters.
@@ -74,56 +70,60 @@ class BaseParameters:
         Of each.
     singular_values : ndarray
         Of the stack with columns of length 1, falling, (148,), or (33,) where legs share their parameters.
-    gap : float
+    rank_gap : float
         Ratio of the last that counts to the first that is rounding error; below about 1e3 the rank is not to
         be trusted.
-    shared : str, optional
-        ``"legs"`` where all legs share their parameters, whose names have no number then.
+    identical_legs : bool
+        Whether all legs share their parameters, whose names have no number then.
     robot : Robot
         The machine, of which geometry and gravity count.
     """
 
     rank: int
-    kept: NDArray[np.intp]
+    independent_columns: NDArray[np.intp]
     matrix: Array
     names: tuple[str, ...]
     formulas: tuple[str, ...]
     units: tuple[str, ...]
     singular_values: Array
-    gap: float
-    lift: Array
-    shared: str | None
+    rank_gap: float
+    expansion: Array
+    identical_legs: bool
     robot: Robot
 
-    def columns(self) -> NDArray[np.intp]:
+    def required_columns(self) -> NDArray[np.intp]:
         """Which columns of Y count.
 
         Returns
         -------
         ndarray of int
-            Their indices, (n,): ``kept``, or where legs share their parameters also those of the other legs.
+            Their indices, (n,): ``independent_columns``, or where legs share their parameters also those of the other legs.
         """
-        return self.kept if self.shared is None else np.flatnonzero(self.lift.any(axis=1))
+        return (
+            self.independent_columns
+            if not self.identical_legs
+            else np.flatnonzero(self.expansion.any(axis=1))
+        )
 
-    def reduced(self, Y: Array) -> Array:
+    def reduce(self, Y: Array) -> Array:
         """Y of the base parameters, from the columns of Y that count.
 
         Parameters
         ----------
         Y : ndarray
-            Those columns of Y that ``columns`` names, (..., 6, n).
+            Those columns of Y that ``required_columns`` names, (..., 6, n).
 
         Returns
         -------
         ndarray
             Columns of the base parameters, (..., 6, rank).
         """
-        return Y if self.shared is None else np.asarray(Y @ self.lift[self.columns()])
+        return Y if not self.identical_legs else np.asarray(Y @ self.expansion[self.required_columns()])
 
 
 def base_parameters(
-    robot: Robot, motion: Motion | None = None, friction: bool = True, shared: str | None = None
-) -> BaseParameters:
+    robot: Robot, motion: Motion | None = None, friction: bool = True, identical_legs: bool = False
+) -> BaseParametersResult:
     """Find the base parameters by the singular values of Y, stacked over many poses.
 
     Parameters that merge on every machine are given up first (m_d, J_d, m_u of each leg), so that the names
@@ -138,13 +138,13 @@ def base_parameters(
         home pose with random rates and accelerations, fixed seed: what any motion can excite.
     friction : bool, optional
         False for a model whose joints have none.
-    shared : {"legs"}, optional
+    identical_legs : bool, optional
         For legs that are built alike, with the same parameters in the leg frame: these are sought once, not
         leg by leg.
 
     Returns
     -------
-    BaseParameters
+    BaseParametersResult
         Combinations of the parameters that the forces depend on.
 
     Raises
@@ -159,12 +159,11 @@ def base_parameters(
         instance(motion, Motion, "motion")
         if 0 in motion.shape:
             raise ValueError("motion: expected poses, got none")
-    if shared is not None:
-        option(shared, SHARED, "shared")
+    truth(identical_legs, "identical_legs")
     stack = _stacked(robot, _random_motion(robot) if motion is None else motion)
     names, units = parameter_names()
     spread, dependent = np.eye(len(names)), _of_all_legs(exact_regressor.DEPENDENT)
-    if shared is not None:
+    if identical_legs:
         spread, names, units = _shared_by_legs()
         stack, dependent = stack @ spread, set(exact_regressor.DEPENDENT)
     if not friction:
@@ -180,24 +179,26 @@ def base_parameters(
     matrix = np.zeros((rank, len(names)))
     matrix[np.arange(rank), kept] = 1.0
     matrix[:, lost] = shares * lengths[lost] / lengths[kept, None]
-    return BaseParameters(
+    return BaseParametersResult(
         rank=rank,
-        kept=np.argmax(spread[:, kept], axis=0),
-        matrix=matrix if shared is None else matrix @ (spread / spread.sum(axis=0)).T,
+        independent_columns=np.argmax(spread[:, kept], axis=0),
+        matrix=matrix if not identical_legs else matrix @ (spread / spread.sum(axis=0)).T,
         names=tuple(names[i] for i in kept),
         formulas=tuple(_formula(i, row, names) for i, row in zip(kept.tolist(), matrix, strict=True)),
         units=tuple(units[i] for i in kept),
         singular_values=values,
-        gap=float(values[rank - 1] / values[rank]) if 0 < rank < len(values) and values[rank] else math.inf,
-        lift=spread[:, kept],
-        shared=shared,
+        rank_gap=float(values[rank - 1] / values[rank])
+        if 0 < rank < len(values) and values[rank]
+        else math.inf,
+        expansion=spread[:, kept],
+        identical_legs=identical_legs,
         robot=robot,
     )
 
 
-def need_base(base: BaseParameters, robot: Robot) -> None:
+def need_base(base: BaseParametersResult, robot: Robot) -> None:
     """Reject base parameters of a machine of other geometry or gravity."""
-    instance(base, BaseParameters, "base")
+    instance(base, BaseParametersResult, "base_parameters")
     for name in ("b", "p", "k", "g"):
         own, other = (np.asarray(getattr(each, name)) for each in (robot, base.robot))
         if name == "k":
@@ -287,12 +288,12 @@ def _random_motion(robot: Robot) -> Motion:
     for _ in range(_MOST_DRAWS):
         theta, t, omega, v, alpha, a = rng.normal(size=(6, 2 * _POSES, 3)) @ upright(robot).T
         motion = Motion(
-            rotation_from_rpy(0.2 * theta),
-            home + 0.15 * size * t,
-            0.5 * rate * omega,
-            0.5 * rate * size * v,
-            0.5 * rate**2 * alpha,
-            0.5 * rate**2 * size * a,
+            R=rotation_from_rpy(0.2 * theta),
+            t=home + 0.15 * size * t,
+            omega=0.5 * rate * omega,
+            v=0.5 * rate * size * v,
+            alpha=0.5 * rate**2 * alpha,
+            a=0.5 * rate**2 * size * a,
         )
         regular = motion[_regular(robot, motion, size)]
         if regular.shape[0] >= _POSES:

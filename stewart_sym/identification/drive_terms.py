@@ -34,7 +34,7 @@ _SURE = 4.0
 
 
 @dataclass(frozen=True, eq=False)
-class DriveEstimate(Frozen):
+class DriveIdentificationResult(Frozen):
     """Terms of the drives identified from forces of the motors.
 
     The motor's force is that of the bodies and reflected_mass L_ddot + coulomb sgn(L_dot) + offset +
@@ -49,10 +49,10 @@ class DriveEstimate(Frozen):
     values : ndarray
         (n,); NaN where the motion does not tell.
     covariance : ndarray
-        (n, n), as that of ``Estimate``; inf on its diagonal where the motion does not tell.
+        (n, n), as that of ``IdentificationResult``; inf on its diagonal where the motion does not tell.
     identifiable : ndarray of bool
         Which terms the motion tells apart from all else, (n,).
-    confused : tuple
+    unidentifiable : tuple
         A line for each other one: which terms and parameters do the same.
     """
 
@@ -61,15 +61,15 @@ class DriveEstimate(Frozen):
     values: Array
     covariance: Array
     identifiable: Flags
-    confused: tuple[str, ...]
+    unidentifiable: tuple[str, ...]
 
     @property
-    def sigma(self) -> Array:
+    def std(self) -> Array:
         """Standard deviation of each value, (n,)."""
         return np.sqrt(np.diagonal(self.covariance))
 
-    def departure(self, given: Array) -> tuple[Array, float]:
-        """How far the values are from given ones, as ``Estimate.departure`` of the bodies.
+    def compare_with(self, given: Array) -> tuple[Array, float]:
+        """How far the values are from given ones, as ``IdentificationResult.departure`` of the bodies.
 
         Parameters
         ----------
@@ -83,7 +83,7 @@ class DriveEstimate(Frozen):
         p : float
             The p-value of all; NaN where nothing is compared.
         """
-        compared = self.identifiable & np.isfinite(given) & np.isfinite(self.sigma)
+        compared = self.identifiable & np.isfinite(given) & np.isfinite(self.std)
         off, p = np.zeros(len(self.values)), math.nan
         if compared.any():
             spread = self.covariance[np.ix_(compared, compared)]
@@ -127,15 +127,17 @@ class Terms(NamedTuple):
         own = [each.startswith(name) for each in self.names]
         return np.broadcast_to(found[own] if any(own) else 0.0, LEGS)
 
-    def estimate(self, values: Array, covariance: Array) -> DriveEstimate:
+    def estimate(self, values: Array, covariance: Array) -> DriveIdentificationResult:
         """The estimate by values, (m,), and covariance, (m, m), of the identifiable terms."""
         found, spread = np.full(len(self.names), np.nan), np.diag(np.full(len(self.names), np.inf))
         found[self.identifiable] = values
         spread[np.ix_(self.identifiable, self.identifiable)] = covariance
-        return DriveEstimate(self.names, self.units, found, spread, self.identifiable, self.confused)
+        return DriveIdentificationResult(
+            self.names, self.units, found, spread, self.identifiable, self.confused
+        )
 
 
-def need_terms(drive: object, where: str = "drive") -> tuple[str, ...]:
+def need_terms(drive: object, where: str = "drive_terms") -> tuple[str, ...]:
     """Names of terms in the order of ``DRIVE_TERMS``, each once; ValueError for what is none."""
     expected = f"some of {', '.join(DRIVE_TERMS)}"
     if isinstance(drive, str) or not isinstance(drive, Sequence) or not drive:
@@ -149,7 +151,7 @@ def need_terms(drive: object, where: str = "drive") -> tuple[str, ...]:
 def drive_terms(robot: Robot, motion: Motion, drive: Sequence[str], shared: bool) -> Terms:
     """Forces of the terms along a motion; ``shared``: all legs have the same."""
     legs = inverse_kinematics(robot, motion)
-    within = np.zeros(LEGS) if robot.drive is None else np.asarray(robot.drive.smoothing)
+    within = np.zeros(LEGS) if robot.drive is None else np.asarray(robot.drive.regularization_speed)
     factors = {
         "reflected_mass": legs.L_ddot,
         "coulomb": smooth_sign(legs.L_dot, within),
@@ -187,7 +189,7 @@ def seen_by_motors(robot: Robot) -> Robot:
 
 
 def terms_of(robot: Robot, names: Sequence[str]) -> Array:
-    """What terms, named as those of ``DriveEstimate``, are of a robot's drives, (n,); NaN for a shared one
+    """What terms, named as those of ``DriveIdentificationResult``, are of a robot's drives, (n,); NaN for a shared one
     that is not that of all legs."""
     if robot.drive is None:
         return np.full(len(names), np.nan)
@@ -210,7 +212,7 @@ def rotor_forces(robot: Robot, motion: Motion, drive: Drive) -> Array:
     """Forces of rotors of 1 kg of reflected mass each, moments on the legs included, (..., 6, 6)."""
     Y = rotor_regressor(robot, motion)
     H = inverse_dynamics(robot, motion).H
-    return np.asarray(np.linalg.solve(H, Y[..., :LEGS] + Y[..., LEGS:] / drive.turns))
+    return np.asarray(np.linalg.solve(H, Y[..., :LEGS] + Y[..., LEGS:] / drive.transmission_ratio))
 
 
 def told_apart(terms: Terms, A: Array, names: Sequence[str]) -> Terms:

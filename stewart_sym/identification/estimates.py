@@ -15,11 +15,11 @@ import numpy as np
 from ..io.array_types import Array
 from ..motion.motion import Motion
 from ..robot.robot import LEGS, Robot
-from .base_parameters import BaseParameters
-from .drive_terms import DriveEstimate, seen_by_motors
+from .base_parameters import BaseParametersResult
+from .drive_terms import DriveIdentificationResult, seen_by_motors
 from .fits import LOAD, Data, Fit, fitted_forces, linear_system
 from .least_squares import departure, tail
-from .parameters import Parameters, inertial_parameters
+from .parameters import ParameterVector, inertial_parameters
 from .physical import Negative, negative
 
 # By how many of its deviations a fit may be off as it is not linear within these.
@@ -47,19 +47,19 @@ EXACT = ("motion: is taken as exact, expected its noise if its poses were measur
 
 
 @dataclass(frozen=True, eq=False)
-class Estimate:
+class IdentificationResult:
     """Base parameters identified from forces, and whether model and stated noise explain the measurement.
 
     Attributes
     ----------
-    base : BaseParameters
+    base : BaseParametersResult
         What they are.
     values : ndarray
         SI, (rank,).
     covariance : ndarray
-        (rank, rank), inflated by the square of ``inflation``; infinite on its diagonal if the fit is
+        (rank, rank), inflated by the square of ``inflation_factor``; infinite on its diagonal if the fit is
         rejected.
-    misfit : float
+    normalized_residual : float
         RMS of the residual over its expectation, near 1 if model and noise are right.
     p_noise : float
         Probability of so large a residual under the stated noise.
@@ -67,54 +67,54 @@ class Estimate:
         Probability of so large a smooth part of the residual, or of one that a changing load, forces that
         drift or forces that lag measured poses explain so well; it does not depend on the stated size of the
         noise.
-    inflation : float
+    inflation_factor : float
         Factor on the deviations, at least 1, from the residual.
     verdict : str
         "consistent"; "misfit": one of the two is below 0.001; "rejected": inflation would be above 3, or the
         fit did not converge or is not linear within its deviations; "untested": no more forces than unknowns.
-    doubts : tuple
+    warnings : tuple
         A line for each reason.
-    impossible : tuple
+    nonphysical : tuple
         A line for each value that no machine can have, more than four deviations below zero.
     near_zero : tuple
         A line for each value that is below zero by less: not distinguishable from 0.
     motion : Motion
         Along which the parameters were estimated, (...).
-    parameters : Parameters, optional
+    parameters : ParameterVector, optional
         Of possible bodies that have these values, (148,), if they were requested.
-    free : Estimate, optional
+    unconstrained : IdentificationResult, optional
         The estimate that was not kept to possible bodies, then.
-    drive : DriveEstimate, optional
+    drive : DriveIdentificationResult, optional
         Terms of the drives, if they were sought.
-    lag : tuple of float, optional
+    force_lag : tuple of float, optional
         By how much the forces lag the poses, s, as the residual shows it, and its standard deviation; of
         measured poses alone. The values are those of no lag.
     """
 
-    base: BaseParameters
+    base: BaseParametersResult
     values: Array
     covariance: Array
-    misfit: float
+    normalized_residual: float
     p_noise: float
     p_model: float
-    inflation: float
+    inflation_factor: float
     verdict: str
-    doubts: tuple[str, ...]
-    impossible: tuple[str, ...]
+    warnings: tuple[str, ...]
+    nonphysical: tuple[str, ...]
     near_zero: tuple[str, ...]
     motion: Motion
-    parameters: Parameters | None = None
-    free: Estimate | None = None
-    drive: DriveEstimate | None = None
-    lag: tuple[float, float] | None = None
+    parameters: ParameterVector | None = None
+    unconstrained: IdentificationResult | None = None
+    drive: DriveIdentificationResult | None = None
+    force_lag: tuple[float, float] | None = None
 
     @property
-    def sigma(self) -> Array:
+    def std(self) -> Array:
         """Standard deviation of each value, (rank,)."""
         return np.sqrt(np.diagonal(self.covariance))
 
-    def departure(self, robot: Robot) -> tuple[Array, float]:
-        """How far the values, of ``free`` where there is one, are from a robot's.
+    def compare_with(self, robot: Robot) -> tuple[Array, float]:
+        """How far the values, of ``unconstrained`` where there is one, are from a robot's.
 
         Parameters
         ----------
@@ -131,8 +131,8 @@ class Estimate:
             The p-value of all: the probability that a robot with its own parameters would be identified so
             far from these or farther; 1 if the fit is rejected.
         """
-        if self.free is not None:
-            return self.free.departure(robot)
+        if self.unconstrained is not None:
+            return self.unconstrained.compare_with(robot)
         robot = robot if self.drive is None else seen_by_motors(robot)
         off = self.values - self.base.matrix @ inertial_parameters(robot).values
         if not np.isfinite(self.covariance).all():
@@ -140,7 +140,7 @@ class Estimate:
         return departure(off, self.covariance)
 
 
-def tested_estimate(data: Data, fit: Fit, remedy: tuple[str, ...]) -> Estimate:
+def tested_estimate(data: Data, fit: Fit, remedy: tuple[str, ...]) -> IdentificationResult:
     """The estimate of a fit whose residual was tested; ``remedy``: doubts to give where it fails."""
     r = np.concatenate([part.ravel() for part in fit.parts])
     spare = len(r) - data.left_out - fit.unknowns
@@ -185,23 +185,23 @@ def tested_estimate(data: Data, fit: Fit, remedy: tuple[str, ...]) -> Estimate:
     values, own = fit.values[:rank], covariance[:rank, :rank]
     below = Negative((), ()) if rejected else negative(data.robot, data.base, values, own)
     terms = data.terms
-    return Estimate(
+    return IdentificationResult(
         base=data.base,
         values=values,
         covariance=own,
-        misfit=misfit,
+        normalized_residual=misfit,
         p_noise=p_noise,
         p_model=min(
             1.0, *(tests * p for p in (p_smooth, *(p for _, p in changes), 1.0 if lag is None else lag.p))
         ),
-        inflation=inflation,
+        inflation_factor=inflation,
         verdict=verdict,
-        doubts=(*doubts, *(remedy if doubts else ())),
-        impossible=below.impossible,
+        warnings=(*doubts, *(remedy if doubts else ())),
+        nonphysical=below.impossible,
         near_zero=below.near_zero,
         motion=fit.motion,
         drive=None if terms is None else terms.estimate(fit.values[rank:], covariance[rank:, rank:]),
-        lag=None if lag is None else (lag.time, lag.sigma),
+        force_lag=None if lag is None else (lag.time, lag.sigma),
     )
 
 

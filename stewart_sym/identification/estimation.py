@@ -5,7 +5,7 @@
 is linear in the base parameters, so weighted least squares finds them along a motion that is known exactly.
 Poses measured with noise are errors in the regressor: there the motion is a series with unknown
 coefficients, fitted together with the parameters to poses and forces (maximum likelihood). Of the robot
-file only geometry and gravity are used. Every fit is tested by its residual; ``Estimate.verdict`` says with
+file only geometry and gravity are used. Every fit is tested by its residual; ``IdentificationResult.verdict`` says with
 what result.
 """
 
@@ -26,9 +26,11 @@ from ..motion.motion import Motion
 from ..motion.rotation import rotation_from_vector
 from ..motion.smooth_motion import WITHOUT_PERIOD, PoseNoise, smoothed
 from ..robot.robot import LEGS, Robot
-from .base_parameters import BaseParameters, base_parameters, need_base
-from .drive_terms import drive_terms, need_terms, told_apart, turning_legs
-from .estimates import EXACT, LEVEL, Estimate, tested_estimate
+from .base_parameters import BaseParametersResult, need_base
+from .base_parameters import base_parameters as parameters_of
+from .drive_terms import drive_terms as terms_along
+from .drive_terms import need_terms, told_apart, turning_legs
+from .estimates import EXACT, LEVEL, IdentificationResult, tested_estimate
 from .excitation import Excitation, force_regressor, need_seed
 from .fits import Data, exact_fit, joint_fit
 from .least_squares import tail
@@ -44,46 +46,48 @@ class Experiment:
     ----------
     excitation : Excitation
         The motion.
-    measured : Motion
+    measured_motion : Motion
         Its poses as measured, with noise if there is any.
     F : ndarray
         Noisy forces, N, (n, 6).
-    sigma : float
+    force_std : float
         Their standard deviation, N.
-    noise : PoseNoise
+    pose_noise : PoseNoise
         Of the poses, None if they are exact.
-    truth : ndarray
+    true_values : ndarray
         The base parameters of the robot, (rank,).
-    estimate : Estimate
+    estimate : IdentificationResult
         From F.
     """
 
     excitation: Excitation
-    measured: Motion
+    measured_motion: Motion
     F: Array
-    sigma: float
-    noise: PoseNoise | None
-    truth: Array
-    estimate: Estimate
+    force_std: float
+    pose_noise: PoseNoise | None
+    true_values: Array
+    estimate: IdentificationResult
 
     @property
-    def deviation(self) -> Array:
+    def z_scores(self) -> Array:
         """Error of each estimate in its standard deviations, (rank,); NaN where the fit gives none."""
-        sigma = self.estimate.sigma
-        return np.asarray((self.estimate.values - self.truth) / np.where(np.isfinite(sigma), sigma, np.nan))
+        sigma = self.estimate.std
+        return np.asarray(
+            (self.estimate.values - self.true_values) / np.where(np.isfinite(sigma), sigma, np.nan)
+        )
 
 
 def identify(
     robot: Robot,
     motion: Motion,
     F: ArrayLike,
-    sigma: ArrayLike,
-    base: BaseParameters | None = None,
-    noise: PoseNoise | None = None,
-    physical: bool = False,
-    shared: str | None = None,
-    drive: Sequence[str] | None = None,
-) -> Estimate:
+    force_std: ArrayLike,
+    base_parameters: BaseParametersResult | None = None,
+    pose_noise: PoseNoise | None = None,
+    enforce_physical: bool = False,
+    identical_legs: bool = False,
+    drive_terms: Sequence[str] | None = None,
+) -> IdentificationResult:
     """Estimate the base parameters by weighted least squares, and test the residual.
 
     All noise is taken as normal and independent.
@@ -96,28 +100,28 @@ def identify(
         Measured, with any load, (...).
     F : array_like
         Measured actuator forces, N, (..., 6); where the robot has rotors the motors', N times torque.
-    sigma : array_like
+    force_std : array_like
         Standard deviation of each force, N, broadcasts to F's shape.
-    base : BaseParameters, optional
+    base_parameters : BaseParametersResult, optional
         None for ``base_parameters(robot)``; of a machine of the same geometry and gravity.
-    noise : PoseNoise, optional
+    pose_noise : PoseNoise, optional
         Of the poses at n instants, of which only these and the load then count; the rates are those of the
         smooth motion that explains poses and forces best, and the deviations hold the noise of both. None:
         the motion, with its accelerations, is taken as exact.
-    physical : bool, optional
+    enforce_physical : bool, optional
         Keep to bodies that can exist; what the forces do not decide is then as near as can be to the robot's
         own bodies, all 148 parameters are given, and the deviations take that into account. Needs SciPy.
-    shared : {"legs"}, optional
-        As for ``base_parameters``, without ``base``.
-    drive : sequence of str, optional
+    identical_legs : bool, optional
+        As for ``base_parameters``, without ``base_parameters``.
+    drive_terms : sequence of str, optional
         Terms of the drives to seek as well, where F are forces of the motors, N times torque: some of
         "reflected_mass", "coulomb", "offset" and "viscous", which is the same as ``C_p`` where that is
-        sought; ``Estimate.drive`` has what is identifiable. With ``noise`` and "coulomb", a force does not
+        sought; ``IdentificationResult.drive`` has what is identifiable. With ``pose_noise`` and "coulomb", a force does not
         count where the direction of its leg is not sure.
 
     Returns
     -------
-    Estimate
+    IdentificationResult
         Values with their covariance, and what the residual shows.
 
     Raises
@@ -127,38 +131,38 @@ def identify(
         base parameter; pass ``base_parameters(robot, motion)`` to identify what it does excite.
     """
     need_universal(robot)
-    truth(physical, "physical")
-    if physical:
+    truth(enforce_physical, "enforce_physical")
+    if enforce_physical:
         need("scipy", POSSIBLE)
-    if isinstance(noise, PoseNoise) and noise.period is None:
+    if isinstance(pose_noise, PoseNoise) and pose_noise.period is None:
         need("scipy", WITHOUT_PERIOD)
-    if noise is None:
+    if pose_noise is None:
         need_motion(robot, motion)
-    if base is not None and shared is not None:
-        raise ValueError(f'shared: expected None beside base, got "{shared}"')
-    if base is None:
-        base = base_parameters(robot, shared=shared)
+    if base_parameters is not None and identical_legs:
+        raise ValueError("identical_legs: expected False with base_parameters, which state it")
+    if base_parameters is None:
+        base_parameters = parameters_of(robot, identical_legs=identical_legs)
     instance(motion, Motion, "motion")
-    need_base(base, robot)
+    need_base(base_parameters, robot)
     forces = finite_array(F, (LEGS,), "F")
     if forces.shape != (*motion.shape, LEGS):
         raise ValueError(f"F: expected forces of shape {(*motion.shape, LEGS)}, got {forces.shape}")
-    if noise is not None:
-        instance(noise, PoseNoise, "noise")
+    if pose_noise is not None:
+        instance(pose_noise, PoseNoise, "pose_noise")
     data = Data(
         robot,
         motion,
         forces,
-        deviations(sigma, forces.shape, f"> 0 N that broadcast with F, {forces.shape}"),
-        base,
+        deviations(force_std, forces.shape, f"> 0 N that broadcast with F, {forces.shape}"),
+        base_parameters,
     )
-    if drive is not None:
-        data = _with_terms(data, need_terms(drive), noise)
-    if noise is not None:
-        found = tested_estimate(data, joint_fit(data, noise), ())
+    if drive_terms is not None:
+        data = _with_terms(data, need_terms(drive_terms), pose_noise)
+    if pose_noise is not None:
+        found = tested_estimate(data, joint_fit(data, pose_noise), ())
     else:
         found = tested_estimate(data, exact_fit(data, motion), EXACT)
-    return _possible(robot, found) if physical and found.verdict != "rejected" else found
+    return _possible(robot, found) if enforce_physical and found.verdict != "rejected" else found
 
 
 def _with_terms(data: Data, drive: tuple[str, ...], noise: PoseNoise | None) -> Data:
@@ -174,20 +178,20 @@ def _with_terms(data: Data, drive: tuple[str, ...], noise: PoseNoise | None) -> 
             if not counted.any():
                 said = "the noise of the poses hides every direction"
                 raise ValueError(f'motion: expected legs that move, for "coulomb": {said}')
-    terms = drive_terms(data.robot, along, drive, data.base.shared is not None)
+    terms = terms_along(data.robot, along, drive, data.base.identical_legs)
     terms = terms._replace(columns=terms.columns * counted[..., None])
     A = force_regressor(data.robot, along, data.base) * counted[..., None]
     deviations = np.where(counted > 0.0, data.deviations, np.inf)
     return data._replace(terms=told_apart(terms, A, data.base.names), deviations=deviations)
 
 
-def simulated_experiment(
+def simulate_experiment(
     robot: Robot,
-    excited: Excitation,
-    sigma: float,
+    excitation: Excitation,
+    force_std: float,
     seed: int = 0,
-    noise_position: float = 0.0,
-    noise_angle: float = 0.0,
+    position_std: float = 0.0,
+    angle_std: float = 0.0,
 ) -> Experiment:
     """Measure the robot's forces along a motion with normal noise and identify it from them.
 
@@ -195,13 +199,13 @@ def simulated_experiment(
     ----------
     robot : Robot
         The machine.
-    excited : Excitation
+    excitation : Excitation
         Motion, as from ``choose_excitation``.
-    sigma : float
+    force_std : float
         Standard deviation of every force, N, > 0.
     seed : int, optional
         Of the noise, which is independent of what ``choose_excitation`` draws from the same seed.
-    noise_position, noise_angle : float, optional
+    position_std, angle_std : float, optional
         Of the measured poses, m and rad, both 0 or both > 0; with noise, only poses are measured.
 
     Returns
@@ -209,28 +213,28 @@ def simulated_experiment(
     Experiment
         Motion, forces, estimate and true values.
     """
-    instance(excited, Excitation, "excited")
+    instance(excitation, Excitation, "excitation")
     need_seed(seed)
-    exact = inverse_dynamics(robot, excited.motion).F
-    deviation = float(deviations(sigma, (), "> 0 N that broadcast with F"))
+    exact = inverse_dynamics(robot, excitation.motion).F
+    deviation = float(deviations(force_std, (), "> 0 N that broadcast with F"))
     rng = np.random.default_rng((seed, 1))
     F = exact + deviation * rng.normal(size=exact.shape)
-    motion, path, noise = excited.motion, excited.path, None
-    if noise_position != 0.0 or noise_angle != 0.0:
-        noise = PoseNoise(excited.time, noise_position, noise_angle, path.period, len(path.sine))
-        shift, turn = rng.normal(size=(2, len(excited.time), 3))
+    motion, path, noise = excitation.motion, excitation.path, None
+    if position_std != 0.0 or angle_std != 0.0:
+        noise = PoseNoise(excitation.time, position_std, angle_std, path.period, len(path.sine))
+        shift, turn = rng.normal(size=(2, len(excitation.time), 3))
         R = rotation_from_vector(noise.angle * turn) @ motion.R
-        motion = Motion(R, motion.t + noise.position * shift, motion.omega, motion.v)
-    estimate = identify(robot, motion, F, deviation, excited.base, noise)
-    right = excited.base.matrix @ inertial_parameters(robot).values
-    return Experiment(excited, motion, F, deviation, noise, right, estimate)
+        motion = Motion(R=R, t=motion.t + noise.position * shift, omega=motion.omega, v=motion.v)
+    estimate = identify(robot, motion, F, deviation, excitation.base, noise)
+    right = excitation.base.matrix @ inertial_parameters(robot).values
+    return Experiment(excitation, motion, F, deviation, noise, right, estimate)
 
 
-def _possible(robot: Robot, found: Estimate) -> Estimate:
+def _possible(robot: Robot, found: IdentificationResult) -> IdentificationResult:
     """The estimate kept to possible bodies; a misfit if these explain the forces much worse."""
     fit = possible_fit(robot, found.base, found.values, found.covariance)
     ratio = fit.squares / found.base.rank
-    verdict, doubts = found.verdict, found.doubts
+    verdict, doubts = found.verdict, found.warnings
     if tail(ratio, found.base.rank) < LEVEL:
         verdict = "misfit"
         doubts = (
@@ -242,9 +246,9 @@ def _possible(robot: Robot, found: Estimate) -> Estimate:
         values=fit.values,
         covariance=fit.covariance,
         verdict=verdict,
-        doubts=doubts,
-        impossible=(),
+        warnings=doubts,
+        nonphysical=(),
         near_zero=(),
         parameters=fit.parameters,
-        free=found,
+        unconstrained=found,
     )

@@ -21,7 +21,7 @@ from ..kinematics.conditioning import characteristic_length, scaled_condition_nu
 from ..kinematics.inverse import inverse_kinematics
 from ..motion.motion import Motion
 from ..robot.robot import Robot
-from .base_parameters import BaseParameters, base_parameters
+from .base_parameters import BaseParametersResult, base_parameters
 from .parameters import regressor
 
 # Widths of the first harmonic's coefficients: share of the base's radius, and rad.
@@ -71,7 +71,7 @@ class FourierPath(Frozen):
             raise ValueError(f"cosine: expected the shape {self.sine.shape} of sine, got {self.cosine.shape}")
         number_in(self.period, "period", "a duration > 0 s")
 
-    def times(self, samples: int) -> Array:
+    def time_grid(self, samples: int) -> Array:
         """Instants of one period, equally spaced.
 
         Parameters
@@ -156,7 +156,7 @@ class Excitation:
         Instants of one period, s, (n,).
     motion : Motion
         At these, (n,).
-    base : BaseParameters
+    base : BaseParametersResult
         The machine's base parameters.
     condition : float
         Condition number of the forces' regressor H^-1 Y over these instants, its columns of length 1.
@@ -165,7 +165,7 @@ class Excitation:
     path: FourierPath
     time: Array
     motion: Motion
-    base: BaseParameters
+    base: BaseParametersResult
     condition: float
 
 
@@ -177,7 +177,7 @@ def choose_excitation(
     candidates: int = 50,
     seed: int = 0,
     progress: Progress = silent,
-    shared: str | None = None,
+    identical_legs: bool = False,
 ) -> Excitation:
     """Draw Fourier series about the home pose and keep the one whose regressor is best conditioned.
 
@@ -203,7 +203,7 @@ def choose_excitation(
         Of the draws.
     progress : Progress, optional
         Called with what is being done and the share of the candidates that is done, 0 to 1.
-    shared : {"legs"}, optional
+    identical_legs : bool, optional
         As for ``base_parameters``.
 
     Returns
@@ -221,7 +221,11 @@ def choose_excitation(
         _count(value, name)
     need_seed(seed)
     period = _own_period(robot) if period is None else number_in(period, "period", "a duration > 0 s")
-    base, home, size = base_parameters(robot, shared=shared), home_pose(robot), radius(robot.b)
+    base, home, size = (
+        base_parameters(robot, identical_legs=identical_legs),
+        home_pose(robot),
+        radius(robot.b),
+    )
     width = _WIDTH * np.array([size, size, size, 1.0, 1.0, 1.0]) / np.arange(1, harmonics + 1)[:, None]
     rng, turn = np.random.default_rng(seed), upright(robot)
     best: Excitation | None = None
@@ -232,10 +236,10 @@ def choose_excitation(
         path = _within_limits(robot, home.t, sine, cosine, period, samples, _REGULAR * home.scaled_condition)
         if path is None:
             continue
-        motion = path.sample(path.times(samples))
+        motion = path.sample(path.time_grid(samples))
         condition = _condition(force_regressor(robot, motion, base))
         if best is None or condition < best.condition:
-            best = Excitation(path, path.times(samples), motion, base, condition)
+            best = Excitation(path, path.time_grid(samples), motion, base, condition)
     if best is None:
         raise ValueError(
             "robot: found no motion about its home pose within the limits of its legs and motors: "
@@ -244,13 +248,13 @@ def choose_excitation(
     return best
 
 
-def force_regressor(robot: Robot, motion: Motion, base: BaseParameters) -> Array:
+def force_regressor(robot: Robot, motion: Motion, base: BaseParametersResult) -> Array:
     """H^-1 Y of the base parameters, (..., 6, rank): the actuator forces of each, without load.
 
     Raises ValueError for poses in which H is singular.
     """
     H = inverse_dynamics(robot, motion).H
-    Y = base.reduced(regressor(robot, motion, columns=base.columns()))
+    Y = base.reduce(regressor(robot, motion, columns=base.required_columns()))
     return np.asarray(np.linalg.solve(H, Y))
 
 
@@ -260,7 +264,7 @@ def _within_limits(
     """The candidate, smaller if need be; None if it still is not within the limits."""
     for scale in _SMALLER ** np.arange(_TIMES):
         path = FourierPath(t, np.zeros(3), scale * sine, scale * cosine, period)
-        if _allowed(robot, path.sample(path.times(samples)), condition):
+        if _allowed(robot, path.sample(path.time_grid(samples)), condition):
             return path
     return None
 

@@ -24,7 +24,7 @@ from ..motion.smooth_motion import (
 )
 from ..robot.drive import Drive
 from ..robot.robot import LEGS, Robot
-from .base_parameters import BaseParameters
+from .base_parameters import BaseParametersResult
 from .drive_terms import Terms, rotor_forces
 from .excitation import force_regressor
 from .least_squares import Arrow, Factors, factors, solution
@@ -43,7 +43,7 @@ class Data(NamedTuple):
     motion: Motion
     forces: Array
     deviations: Array
-    base: BaseParameters
+    base: BaseParametersResult
     terms: Terms | None = None
 
     @property
@@ -122,7 +122,7 @@ def linear_system(data: Data, motion: Motion) -> tuple[Array, Array]:
         known = _load_forces(data.robot, motion) - _forces_of_rotors(data, motion)
         y = (data.forces + known) / data.deviations
     if not (np.isfinite(A).all() and np.isfinite(y).all()):
-        raise ValueError("sigma: expected standard deviations beside which the forces do not overflow")
+        raise ValueError("force_std: expected standard deviations beside which the forces do not overflow")
     return A, y
 
 
@@ -139,7 +139,7 @@ def _forces_of_rotors(data: Data, motion: Motion) -> Array:
     robot = data.robot
     if robot.drive is None or not robot.has_rotors or (data.terms is not None and data.terms.of_rotors):
         return np.zeros((*motion.shape, LEGS))
-    return np.asarray(rotor_forces(robot, motion, robot.drive) @ robot.m_r)
+    return np.asarray(rotor_forces(robot, motion, robot.drive) @ robot.reflected_mass)
 
 
 # Joint fit by Gauss-Newton steps
@@ -239,18 +239,18 @@ def _curvature(data: Data, noise: PoseNoise, found: _Solution, solved: Factors) 
     Seen over opposite errors drawn as the fit states them; inf where such an error makes a pose unsolvable.
     """
     basis, values, c, parts, _ = found
-    unknowns, centre, shifts = data.unknowns, np.concatenate([part.ravel() for part in parts]), []
+    unknowns, center, shifts = data.unknowns, np.concatenate([part.ravel() for part in parts]), []
     sigma = np.sqrt(np.diagonal(solved.covariance(unknowns)))
     rng = np.random.default_rng(0)
     for _ in range(_DRAWS):
-        drawn = solved.solve(rng.normal(size=len(centre)))
+        drawn = solved.solve(rng.normal(size=len(center)))
         for step in (drawn, -drawn):
             shifted = values + step[:unknowns], c + step[unknowns:].reshape(-1, 6)
             try:
                 changed = np.concatenate([part.ravel() for part in _residuals(data, noise, basis, *shifted)])
             except ValueError:
                 return math.inf
-            shifts.append((solved.solve(changed - centre) + step)[:unknowns] / sigma)
+            shifts.append((solved.solve(changed - center) + step)[:unknowns] / sigma)
     return float(np.max(np.sqrt(np.mean(np.square(shifts), axis=0))))
 
 
@@ -293,7 +293,7 @@ def _force_derivatives(data: Data, motion: Motion, values: Array) -> tuple[Array
     so they are the difference of two machines that exist; rotors and load are the first one's, unless rotors
     are sought.
     """
-    lifted = data.base.lift @ values[: data.base.rank]
+    lifted = data.base.expansion @ values[: data.base.rank]
     own = inertial_parameters(data.robot)
     mass = own.names.index("M")
     if data.terms is not None:
@@ -301,7 +301,7 @@ def _force_derivatives(data: Data, motion: Motion, values: Array) -> tuple[Array
         lifted[along_leg] += data.terms.by_leg("viscous", values[data.base.rank :])
     lesser = np.where(is_friction(own.names), np.abs(lifted), own.values)
     lesser[mass] += abs(lifted[mass])
-    unloaded = Motion(motion.R, motion.t, motion.omega, motion.v, motion.alpha, motion.a)
+    unloaded = Motion(R=motion.R, t=motion.t, omega=motion.omega, v=motion.v, alpha=motion.alpha, a=motion.a)
     greater = with_parameters(data.robot, lesser + lifted)
     bodies = replace(with_parameters(data.robot, lesser), drive=None)
     if data.terms is not None and data.terms.of_rotors:
@@ -317,4 +317,4 @@ def _force_derivatives(data: Data, motion: Motion, values: Array) -> tuple[Array
 def _with_rotors(robot: Robot, drive: Drive | None, reflected: Array) -> Robot:
     """The robot with drives, of a fine screw without ones, whose rotors resist as so many kg, (6,)."""
     given = Drive(lead=_FINE) if drive is None else drive  # type: ignore[arg-type]
-    return replace(robot, drive=replace(given, rotor_inertia=reflected / given.turns**2))
+    return replace(robot, drive=replace(given, rotor_inertia=reflected / given.transmission_ratio**2))

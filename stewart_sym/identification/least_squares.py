@@ -1,7 +1,7 @@
 """Least squares whose unknowns are few that every row may hold, and many of which a row holds few.
 
 The first are parameters, the others coefficients of a motion. Those of a spline at one instant are
-neighbours, so that the normal equations of the many are a band, beside which only the few remain.
+neighbors, so that the normal equations of the many are a band, beside which only the few remain.
 """
 
 import math

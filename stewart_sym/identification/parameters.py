@@ -2,7 +2,7 @@
 
     H F + [R F_ext; R M_ext] = Y pi
 
-Y depends on the points, the axes, gravity and the motion alone, pi on masses, centres of mass, inertias and
+Y depends on the points, the axes, gravity and the motion alone, pi on masses, centers of mass, inertias and
 friction alone.
 """
 
@@ -38,7 +38,7 @@ _COLUMNS = LEGS * len(exact_regressor.LEG_PARAMETERS) + len(exact_regressor.PLAT
 
 
 @dataclass(frozen=True, eq=False)
-class Parameters:
+class ParameterVector:
     """Inertial and friction parameters of the thirteen bodies, in the order of the columns of Y.
 
     Leg after leg, 23 each: m_d, first moment h_d = m_d r_d0 and inertia J_d (xx, xy, xz, yy, yz, zz) of the
@@ -71,7 +71,7 @@ def regressor(
     """Y of H F + [R F_ext; R M_ext] = Y pi, (..., 6, 148); formulation `exact`, universal base joints.
 
     Rows 0-2 are forces, N, rows 3-5 moments about the reference point, N m, base frame, each over the unit of
-    its parameter; columns as in ``Parameters``. Equal and zero columns are meant (``base_parameters``). The
+    its parameter; columns as in ``ParameterVector``. Equal and zero columns are meant (``base_parameters``). The
     load of the motion has no part in Y; rotors of the legs have columns of their own (``rotor_regressor``).
 
     Parameters
@@ -83,7 +83,7 @@ def regressor(
     on_singular : {"raise", "nan", "warn"}, optional
         As for ``inverse_dynamics``, but singular H is no fault.
     columns : array_like of int, optional
-        Numbers of the columns to compute, (n,), such as ``BaseParameters.kept``. None: all.
+        Numbers of the columns to compute, (n,), such as ``BaseParametersResult.kept``. None: all.
     backend : {"c", "numpy", "reference"}, optional
         As for ``inverse_dynamics``.
 
@@ -220,7 +220,7 @@ def rotor_regressor(robot: Robot, motion: Motion, on_singular: OnFault = "raise"
 
 
 @dataclass(frozen=True, eq=False)
-class EquationsByParameter:
+class EquationsByParameterResult:
     """Terms of M [a; alpha] + C [v; omega] + g + friction = Y pi for each parameter, in the last axis.
 
     A term times ``inertial_parameters(robot).values`` is that of ``equations_of_motion`` of a robot without
@@ -242,7 +242,7 @@ class EquationsByParameter:
 
 def equations_by_parameter(
     robot: Robot, motion: Motion, on_singular: OnFault = "raise", backend: Backend = "c"
-) -> EquationsByParameter:
+) -> EquationsByParameterResult:
     """M, C, g and friction of each parameter, from the regressor at chosen rates and accelerations.
 
     g is Y at rest. Without gravity a column of M is Y at rest under a unit acceleration, friction what the
@@ -260,8 +260,8 @@ def equations_by_parameter(
 
     Returns
     -------
-    EquationsByParameter
-        Terms, the parameters as in ``Parameters``; NaN where a pose has no regressor.
+    EquationsByParameterResult
+        Terms, the parameters as in ``ParameterVector``; NaN where a pose has no regressor.
 
     Raises
     ------
@@ -299,10 +299,10 @@ def equations_by_parameter(
     for each in terms.values():
         each[:, status != OK] = np.nan
     report_faults(status, robot, motion, on_singular)
-    return EquationsByParameter(**{name: np.moveaxis(each, 0, -1) for name, each in terms.items()})
+    return EquationsByParameterResult(**{name: np.moveaxis(each, 0, -1) for name, each in terms.items()})
 
 
-def inertial_parameters(robot: Robot) -> Parameters:
+def inertial_parameters(robot: Robot) -> ParameterVector:
     """The robot's pi, by Steiner's theorem about each part's joint point.
 
     Parameters
@@ -327,18 +327,18 @@ def inertial_parameters(robot: Robot) -> Parameters:
     platform = body_parameters(np.array([robot.M]), robot.R_0[None], robot.I_p[None])
     legs = np.hstack([lower, upper, friction])
     names, units = parameter_names()
-    return Parameters(np.concatenate([legs.ravel(), platform.ravel()]), names, units)
+    return ParameterVector(np.concatenate([legs.ravel(), platform.ravel()]), names, units)
 
 
 def with_parameters(robot: Robot, values: Array) -> Robot:
-    """The robot with inertial and friction parameters, (148,), as in ``Parameters``, in place of its own.
+    """The robot with inertial and friction parameters, (148,), as in ``ParameterVector``, in place of its own.
 
     Raises ValueError as ``Robot`` for masses not > 0 and friction < 0; inertias are not checked.
     """
     legs, platform = values[:-_BODY].reshape(LEGS, -1), values[-_BODY:]
-    m_d, r_d0, I_d0 = _about_centre(legs[:, :_BODY])
-    m_u, r_u0, I_u0 = _about_centre(legs[:, _BODY : 2 * _BODY])
-    M, R_0, I_p = (part[0] for part in _about_centre(platform[None]))
+    m_d, r_d0, I_d0 = _about_center(legs[:, :_BODY])
+    m_u, r_u0, I_u0 = _about_center(legs[:, _BODY : 2 * _BODY])
+    M, R_0, I_p = (part[0] for part in _about_center(platform[None]))
     C_u, C_p, C_s = legs[:, 2 * _BODY :].T
     return replace(
         robot,
@@ -379,8 +379,8 @@ def symmetric(six: Array) -> Array:
     return full
 
 
-def _about_centre(bodies: Array) -> tuple[Array, Array, Array]:
-    """Masses, centres of mass and inertias about them of bodies as in ``Parameters``, (n, 10)."""
+def _about_center(bodies: Array) -> tuple[Array, Array, Array]:
+    """Masses, centers of mass and inertias about them of bodies as in ``ParameterVector``, (n, 10)."""
     m = bodies[:, 0]
     r = bodies[:, 1:4] / m[:, None]
     at_point = body_parameters(m, r, np.zeros((len(m), 3, 3)))[:, 4:]

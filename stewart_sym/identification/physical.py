@@ -21,9 +21,9 @@ from ..generated import exact_regressor
 from ..io.array_types import Array
 from ..io.extras import needed_for
 from ..robot.robot import LEGS, Robot
-from .base_parameters import BaseParameters, alike
+from .base_parameters import BaseParametersResult, alike
 from .parameters import (
-    Parameters,
+    ParameterVector,
     body_parameters,
     inertial_parameters,
     is_friction,
@@ -73,13 +73,13 @@ class PossibleFit(NamedTuple):
     squares: how much worse they explain the measurement: sum of squares over the deviations.
     """
 
-    parameters: Parameters
+    parameters: ParameterVector
     values: Array
     covariance: Array
     squares: float
 
 
-def negative(robot: Robot, base: BaseParameters, values: Array, covariance: Array) -> Negative:
+def negative(robot: Robot, base: BaseParametersResult, values: Array, covariance: Array) -> Negative:
     """Identified results below zero that no machine has there, by the size of their noise.
 
     Friction below zero; the inertia of a leg's two parts about their joints without positive second moments;
@@ -87,7 +87,7 @@ def negative(robot: Robot, base: BaseParameters, values: Array, covariance: Arra
     not positive definite. If every base parameter is the one of ``MERGED``, these conditions are sufficient
     too.
     """
-    if base.shared is not None:
+    if base.identical_legs:
         return _negative_alike(robot, base, values, covariance)
     impossible, near_zero = [], []
     for text, unit, condition in _conditions(robot, base, values):
@@ -109,7 +109,7 @@ def negative(robot: Robot, base: BaseParameters, values: Array, covariance: Arra
     return Negative(*(tuple(line for _, line in sorted(found)) for found in (impossible, near_zero)))
 
 
-def _negative_alike(robot: Robot, base: BaseParameters, values: Array, covariance: Array) -> Negative:
+def _negative_alike(robot: Robot, base: BaseParametersResult, values: Array, covariance: Array) -> Negative:
     """``negative`` of legs that share their parameters: lines about leg 1 are about all."""
     of_any = (*exact_regressor.LEG_PARAMETERS, *exact_regressor.PLATFORM_PARAMETERS)
     general = {name for name, _ in of_any} - set(exact_regressor.DEPENDENT)
@@ -124,9 +124,9 @@ def _negative_alike(robot: Robot, base: BaseParameters, values: Array, covarianc
         names=tuple(kept),
         units=tuple(unit_of[name] for name in kept),
         matrix=np.array([rows[name] for name in kept]),
-        shared=None,
+        identical_legs=False,
     )
-    apart = full.matrix @ base.lift
+    apart = full.matrix @ base.expansion
     found = negative(robot, full, apart @ values, apart @ covariance @ apart.T)
     own = ([line for line in lines if not _OTHERS.match(line)] for lines in found)
     return Negative(*(tuple(map(_of_all_legs, lines)) for lines in own))
@@ -137,7 +137,7 @@ def _of_all_legs(line: str) -> str:
     return re.sub(r"^(C_[ups])1\b", r"\1", re.sub(r"^leg 1\b", "all legs", line))
 
 
-def possible_fit(robot: Robot, base: BaseParameters, values: Array, covariance: Array) -> PossibleFit:
+def possible_fit(robot: Robot, base: BaseParametersResult, values: Array, covariance: Array) -> PossibleFit:
     """Fit bodies that are possible to an estimate.
 
     values, covariance: base parameters and their covariance, finite. The robot's own bodies, made possible
@@ -150,7 +150,7 @@ def possible_fit(robot: Robot, base: BaseParameters, values: Array, covariance: 
     bodies, friction = _split(own.values)
     roots = np.array([_root(body) for body in bodies])
     sigma = np.sqrt(np.diagonal(covariance))
-    measured = base.lift @ (np.abs(values) + sigma)
+    measured = base.expansion @ (np.abs(values) + sigma)
     _, unit = _split(measured)
     unit = np.where(np.maximum(unit, friction) > 0.0, np.maximum(unit, friction), 1.0)
     share, vectors = np.linalg.eigh(covariance / np.outer(sigma, sigma))
@@ -193,16 +193,18 @@ def possible_fit(robot: Robot, base: BaseParameters, values: Array, covariance: 
         x = found.x
     pi = all_parameters(found.x)
     # Where legs share their parameters, their mean is possible too and explains as much.
-    pi = pi if base.shared is None else alike(pi)
+    pi = pi if not base.identical_legs else alike(pi)
     spread = base.matrix @ jacobian(found.x) @ np.linalg.inv(np.linalg.qr(found.jac, mode="r"))
     squares = float(np.sum(found.fun[: base.rank] ** 2))
-    return PossibleFit(Parameters(pi, own.names, own.units), base.matrix @ pi, spread @ spread.T, squares)
+    return PossibleFit(
+        ParameterVector(pi, own.names, own.units), base.matrix @ pi, spread @ spread.T, squares
+    )
 
 
 # Conditions
 
 
-def _conditions(robot: Robot, base: BaseParameters, values: Array) -> list[Condition]:
+def _conditions(robot: Robot, base: BaseParametersResult, values: Array) -> list[Condition]:
     """Texts, units and functions of the base parameters that no machine makes negative."""
     usual = _usual(robot, base)
     friction = [name for name in base.names if is_friction([name])[0]]
@@ -257,7 +259,7 @@ def _platform_condition(
     return text, "kg m^2", lambda x: float(v @ rest(x) @ v)
 
 
-def _usual(robot: Robot, base: BaseParameters) -> Callable[[Sequence[str]], list[int] | None]:
+def _usual(robot: Robot, base: BaseParametersResult) -> Callable[[Sequence[str]], list[int] | None]:
     """A function: places of base parameters if all of them are the combinations that ``MERGED`` names."""
     rows = _general_rows(robot)
     place = {name: i for i, name in enumerate(base.names)}

@@ -6,9 +6,9 @@ import numpy as np
 
 from ..io.array_types import Array
 from ..robot.robot import Robot
-from .base_parameters import BaseParameters
-from .estimates import Estimate
-from .parameters import Parameters, symmetric
+from .base_parameters import BaseParametersResult
+from .estimates import IdentificationResult
+from .parameters import ParameterVector, symmetric
 from .physical import negative
 
 _PLATFORM = slice(-10, None)
@@ -17,34 +17,40 @@ _UPPER = np.triu_indices(3)
 
 def about_point(robot: Robot, point: Array) -> Robot:
     """The same machine with a point of the platform, m, platform frame, (3,), as its reference point."""
-    home = None if robot.home is None else robot.home + point
-    return replace(robot, p=robot.p - point, R_0=robot.R_0 - point, tool=robot.tool - point, home=home)
+    home = None if robot.home_position is None else robot.home_position + point
+    return replace(
+        robot, p=robot.p - point, R_0=robot.R_0 - point, tool=robot.tool - point, home_position=home
+    )
 
 
-def about_reference(robot: Robot, base: BaseParameters, found: Estimate, point: Array) -> Estimate:
+def about_reference(
+    robot: Robot, base: BaseParametersResult, found: IdentificationResult, point: Array
+) -> IdentificationResult:
     """The estimate of ``about_point(robot, point)`` as one of the robot, with its base parameters."""
     back = _shifted(-point)
-    change = base.matrix @ back @ found.base.lift
+    change = base.matrix @ back @ found.base.expansion
     values, covariance = change @ found.values, found.covariance
-    impossible, near_zero = found.impossible, found.near_zero
+    impossible, near_zero = found.nonphysical, found.near_zero
     if np.isfinite(covariance).all():
         covariance = change @ covariance @ change.T
         below = negative(robot, base, values, covariance)
         impossible, near_zero = below.impossible, below.near_zero
     parameters = found.parameters
     if parameters is not None:
-        parameters = Parameters(back @ parameters.values, parameters.names, parameters.units)
+        parameters = ParameterVector(back @ parameters.values, parameters.names, parameters.units)
         impossible, near_zero = (), ()
     return replace(
         found,
         base=base,
         values=values,
         covariance=covariance,
-        impossible=impossible,
+        nonphysical=impossible,
         near_zero=near_zero,
-        motion=found.motion.about_point(-point),
+        motion=found.motion.at_point(-point),
         parameters=parameters,
-        free=None if found.free is None else about_reference(robot, base, found.free, point),
+        unconstrained=None
+        if found.unconstrained is None
+        else about_reference(robot, base, found.unconstrained, point),
     )
 
 

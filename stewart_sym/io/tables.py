@@ -154,7 +154,7 @@ def _is_utf8(data: bytes) -> bool:
 
 _KINDS = {
     "robot file": ({"platform", "leg"}, {"platform", "base"}),
-    "scene of simulate": ({"duration", "legs"},),
+    "scene of simulate": ({"duration", "actuation"},),
     "scene of advise": ({"motions", "tolerance"},),
     "file of via poses": ({"robot", "via"}, {"robot", "via_file"}),
 }
@@ -226,6 +226,34 @@ def _key_twice(error: str, text: str) -> str:
     return f"{safe_text(key.strip())}: given twice: " if equals else ""
 
 
+_RENAMED = {
+    "accept": "suppress_warnings",
+    "home": "home_position",
+    "friction": "damping",
+    "lengths": "length_mode",
+    "leg_defaults": "legs",
+    "gear": "gear_ratio",
+    "stribeck": "stribeck_force",
+    "smoothing": "regularization_speed",
+    "back_efficiency": "backdrive_efficiency",
+    "cross": "axis_offset",
+    "along": "slide_offset_y",
+    "across": "slide_offset_z",
+    "wrist": "wrist_offset",
+    "legs": "actuation",
+    "law": "type",
+    "model": "model_formulation",
+    "start": "initial_state",
+    "thresholds": "stop_conditions",
+    "price": "smoothness_weight",
+    "least": "minimize",
+    "free": "tolerance",
+    "condition": "max_condition",
+    "clearance": "min_clearance",
+}
+"""Former keys of files, and their present names."""
+
+
 def checked_table(
     value: object, prefix: str, known: Sequence[str], required: Sequence[str] = ()
 ) -> dict[str, Any]:
@@ -242,8 +270,10 @@ def checked_table(
 
 
 def _meant(key: str, known: Sequence[str]) -> str:
-    """The known key that an unknown one is a plural of, those that have it as a word, or the one spelt most
-    like it; or nothing."""
+    """Return the key that an unknown one is a former name or a plural of, those that have it as a word, or the
+    one spelled most like it; or nothing."""
+    if _RENAMED.get(key) in known:
+        return f'"{_RENAMED[key]}"'
     word = f"{key[:-3]}y" if key.endswith("ies") else key.removesuffix("s")
     near = [word] if word in known else [each for each in known if word in each.removesuffix("s").split("_")]
     near = near or difflib.get_close_matches(key, known, n=1, cutoff=0.65)

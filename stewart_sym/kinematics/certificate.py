@@ -34,30 +34,30 @@ Rationals = NDArray[np.object_]
 
 
 @dataclass(frozen=True, eq=False)
-class Certificate:
+class PoseCertificate:
     """What is proven of poses; a leading shape ``(...)`` is that of the poses and lengths.
 
     Attributes
     ----------
     proven : ndarray of bool
         Whether a pose with exactly these lengths lies within the error below; bool, (...).
-    position : ndarray
+    position_bound : ndarray
         Its distance from the given t is at most this, m, (...).
-    angle : ndarray
+    angle_bound : ndarray
         It is turned from the given R by at most this, rad, (...), besides what R itself is off a rotation.
-    alone : ndarray
+    uniqueness_radius : ndarray
         No other pose with these lengths has position error / length and angle together, as the root of the
         sum of squares, below this, (...); length: see ``characteristic_length``. All are nan where nothing is
         proven.
     """
 
     proven: Flags
-    position: Array
-    angle: Array
-    alone: Array
+    position_bound: Array
+    angle_bound: Array
+    uniqueness_radius: Array
 
 
-def certify_pose(robot: Robot, L: ArrayLike, pose: tuple[ArrayLike, ArrayLike]) -> Certificate:
+def certify_pose(robot: Robot, L: ArrayLike, pose: tuple[ArrayLike, ArrayLike]) -> PoseCertificate:
     """Prove, if it can be proven, that a pose with exactly the leg lengths L lies next to the given one.
 
     Parameters
@@ -73,7 +73,7 @@ def certify_pose(robot: Robot, L: ArrayLike, pose: tuple[ArrayLike, ArrayLike]) 
 
     Returns
     -------
-    Certificate
+    PoseCertificate
         What is proven, and the bounds.
 
     Raises
@@ -93,7 +93,7 @@ def certify_pose(robot: Robot, L: ArrayLike, pose: tuple[ArrayLike, ArrayLike]) 
         results[(0, *where)] = found is not None
         if found is not None:
             results[(slice(1, None), *where)] = found
-    return Certificate(results[0] == 1.0, results[1], results[2], results[3])
+    return PoseCertificate(results[0] == 1.0, results[1], results[2], results[3])
 
 
 def _pose(pose: object) -> tuple[Array, Array]:

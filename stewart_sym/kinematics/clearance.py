@@ -20,7 +20,7 @@ _ONE, _OTHER = np.array(PAIRS).T
 
 
 def leg_distances(robot: Robot, motion: Motion) -> Array:
-    """Return the least distance between the centre lines of each two legs, m, (..., 15).
+    """Return the least distance between the center lines of each two legs, m, (..., 15).
 
     Legs of diameter d are clear of each other where it is more than d.
 
@@ -96,7 +96,7 @@ def _dot(x: Array, y: Array) -> Array:
 
 
 @dataclass(frozen=True, eq=False)
-class JointAngles:
+class JointAnglesResult:
     """Angles between legs and their neutral directions, rad, 0 to pi; ``(...)`` is the poses' shape.
 
     Attributes
@@ -113,7 +113,7 @@ class JointAngles:
     platform: Array
 
 
-def joint_angles(robot: Robot, motion: Motion) -> JointAngles:
+def joint_angles(robot: Robot, motion: Motion) -> JointAnglesResult:
     """Return how far the joints of each leg are from where the home pose has them.
 
     A joint is mounted so that its neutral direction is that of the leg at the home pose, at both ends.
@@ -127,7 +127,7 @@ def joint_angles(robot: Robot, motion: Motion) -> JointAngles:
 
     Returns
     -------
-    JointAngles
+    JointAnglesResult
         Angles, rad.
 
     Raises
@@ -137,7 +137,7 @@ def joint_angles(robot: Robot, motion: Motion) -> JointAngles:
     """
     instance(robot, Robot, "robot")
     instance(motion, Motion, "motion")
-    return JointAngles(*angles_from(neutral_directions(robot), _along_legs(robot, motion), motion.R))
+    return JointAnglesResult(*angles_from(neutral_directions(robot), _along_legs(robot, motion), motion.R))
 
 
 def angles_from(neutral: Array, S: Array, R: Array) -> tuple[Array, Array]:
@@ -147,9 +147,9 @@ def angles_from(neutral: Array, S: Array, R: Array) -> tuple[Array, Array]:
 
 def neutral_directions(robot: Robot) -> Array:
     """Unit vectors of the legs at the home pose, (6, 3), in both frames; ValueError where none is stated."""
-    if robot.home is None:
+    if robot.home_position is None:
         raise ValueError("robot: home: joint angles are from the home pose, expected home")
-    S = _along_legs(robot, at_rest(np.eye(3), robot.home))
+    S = _along_legs(robot, at_rest(np.eye(3), robot.home_position))
     return np.asarray(S / np.linalg.norm(S, axis=-1, keepdims=True))
 
 

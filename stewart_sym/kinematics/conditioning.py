@@ -15,7 +15,7 @@ from ..robot.robot import Robot
 def condition_number(H: ArrayLike) -> Array:
     """Return the ratio of the largest to the smallest singular value, (...), of H, (..., 6, 6).
 
-    This is the paper's number; it mixes unitless rows with rows in metres, so it changes with the unit of
+    This is the paper's number; it mixes unitless rows with rows in meters, so it changes with the unit of
     length. inf where H is singular to rounding (smallest <= 6 eps largest), nan where H is not finite.
 
     Parameters

@@ -52,7 +52,7 @@ _MOST_CONDITION = 1.0 / (16.0 * math.sqrt(EPS))
 
 
 @dataclass(frozen=True, eq=False)
-class PlatformPose:
+class ForwardKinematicsResult:
     """Poses found from leg lengths; a leading shape ``(...)`` is that of the lengths and the guess.
 
     Attributes
@@ -82,8 +82,8 @@ def forward_kinematics(
     L: ArrayLike,
     guess: Guess | None = None,
     on_failure: OnFault = "raise",
-    limits: bool = True,
-) -> PlatformPose:
+    check_limits: bool = True,
+) -> ForwardKinematicsResult:
     """Return the poses in which the legs have the lengths L, by damped Newton steps on (2).
 
     A pose with status 0 has lengths within 16 rounding units of the largest component of the terms of S = q +
@@ -103,12 +103,12 @@ def forward_kinematics(
     on_failure : {"raise", "nan", "warn"}, optional
         What to do about lengths without a pose: "raise" ValueError, "warn" and return nan there, or return
         "nan" without a warning; ``status`` is that of each pose.
-    limits : bool, optional
+    check_limits : bool, optional
         Whether lengths outside the robot's length_limits count as a failure.
 
     Returns
     -------
-    PlatformPose
+    ForwardKinematicsResult
         Poses, residuals, iterations and statuses.
 
     Raises
@@ -118,7 +118,7 @@ def forward_kinematics(
     """
     instance(robot, Robot, "robot")
     option(on_failure, ON_FAULT, "on_failure")
-    truth(limits, "limits")
+    truth(check_limits, "check_limits")
     lengths = checked_lengths(L)
     shape = lengths.shape[:-1]
     poses = None
@@ -136,12 +136,12 @@ def forward_kinematics(
     R, t, residual, iterations, found = ends
     status = np.full(len(flat), NOT_CONVERGED)
     status[found] = np.where(_unsettled(robot, jacobian(robot, R[found], t[found])), SINGULAR, OK)
-    if limits:
+    if check_limits:
         low, high = robot.length_limits.T
         status = np.where(np.any((flat < low) | (flat > high), axis=-1), OUT_OF_LIMITS, status)
     bad = status != OK
     R[bad], t[bad] = np.nan, np.nan
-    result = PlatformPose(
+    result = ForwardKinematicsResult(
         R.reshape(*shape, 3, 3),
         t.reshape(*shape, 3),
         residual.reshape(shape),
@@ -273,7 +273,7 @@ def _rates(
     instance(robot, Robot, "robot")
     option(on_failure, ON_FAULT, "on_failure")
     v, omega = twist
-    motion = Motion(R, t, omega, v, np.zeros(3), np.zeros(3))  # type: ignore[arg-type]
+    motion = Motion(R=R, t=t, omega=omega, v=v, alpha=np.zeros(3), a=np.zeros(3))  # type: ignore[arg-type]
     wanted = finite_array(rates, (6,), name)
     shape = leading_shape({"R": motion.shape, name: wanted.shape[:-1]})
     with np.errstate(over="ignore", invalid="ignore"):

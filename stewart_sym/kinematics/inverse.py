@@ -34,7 +34,7 @@ the C computes them, where there is a compiler."""
 
 
 @dataclass(frozen=True, eq=False)
-class LegKinematics:
+class InverseKinematicsResult:
     """Kinematics of the six legs; a leading shape ``(...)`` is that of the motion.
 
     L: lengths, m, (..., 6), (2).
@@ -51,7 +51,7 @@ class LegKinematics:
     S: Array
 
 
-def inverse_kinematics(robot: Robot, motion: Motion) -> LegKinematics:
+def inverse_kinematics(robot: Robot, motion: Motion) -> InverseKinematicsResult:
     """Return lengths, rates and directions of the legs.
 
     The spin of a leg about its own axis has no part in these, so they are the same in both formulations and
@@ -67,7 +67,7 @@ def inverse_kinematics(robot: Robot, motion: Motion) -> LegKinematics:
 
     Returns
     -------
-    LegKinematics
+    InverseKinematicsResult
         Lengths, rates, second rates and directions.
 
     Raises
@@ -81,14 +81,14 @@ def inverse_kinematics(robot: Robot, motion: Motion) -> LegKinematics:
     return legs
 
 
-def legs_or_overflow(robot: Robot, motion: Motion) -> LegKinematics:
+def legs_or_overflow(robot: Robot, motion: Motion) -> InverseKinematicsResult:
     """As ``inverse_kinematics``, but with infinities and NaN where a result overflows."""
     instance(robot, Robot, "robot")
     instance(motion, Motion, "motion")
     if robot.offsets is not None:
         moving = checked_motion(robot, motion)
         seconds = moving.accelerations
-        return LegKinematics(
+        return InverseKinematicsResult(
             L=moving.at.L[..., 0],
             L_dot=moving.rates[..., SLIDING],
             L_ddot=None if seconds is None else seconds[..., SLIDING],
@@ -96,7 +96,11 @@ def legs_or_overflow(robot: Robot, motion: Motion) -> LegKinematics:
             S=moving.at.P,
         )
     found = _compiled_legs(robot, motion) if math.prod(motion.shape) >= BLOCK // 2 else None
-    return LegKinematics(**found) if found else LegKinematics(*_in_blocks(_legs, robot, motion))
+    return (
+        InverseKinematicsResult(**found)
+        if found
+        else InverseKinematicsResult(*_in_blocks(_legs, robot, motion))
+    )
 
 
 _SHAPES = STRUCTS["legs"]
@@ -207,7 +211,7 @@ def tip_velocities(motion: Motion, q: Array) -> Array:
     return cross(motion.omega[..., None, :], q) + motion.v[..., None, :]
 
 
-def clear_of_joint_singularities(robot: Robot, legs: LegKinematics) -> Flags:
+def clear_of_joint_singularities(robot: Robot, legs: InverseKinematicsResult) -> Flags:
     """Whether all six legs are clear of their universal axes k, (...,); always with spherical base joints.
 
     Clear: the sine of the angle between k and s is ``MIN_JOINT_SINE`` or more.
@@ -253,7 +257,7 @@ def _rows_of_H_dot(robot: Robot, motion: Motion, start: int) -> tuple[Array, Arr
 
 
 def _legs(robot: Robot, motion: Motion, start: int) -> tuple[Array | None, ...]:
-    """Fields of ``LegKinematics``."""
+    """Fields of ``InverseKinematicsResult``."""
     q, S, L = _vectors(robot, motion, start)
     s = S / L[..., None]
     S_dot = tip_velocities(motion, q)

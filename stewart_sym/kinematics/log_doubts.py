@@ -18,7 +18,7 @@ from .pose_search import jacobian
 
 # Instants that show in which unit a log is, and on which side of the base its platform.
 _SOME = 64
-# Factors of a mistaken unit: metres read as millimetres, metres as centimetres, centimetres as millimetres. A
+# Factors of a mistaken unit: meters read as millimeters, meters as centimeters, centimeters as millimeters. A
 # platform nearer to the base than this share of the base's size is doubtful.
 _TIMES, _NEAR = (1000, 100, 10), 0.2
 # Leg lengths outside these ranges, shares of the machine's size or of its longest leg, are doubtful; usual
@@ -111,21 +111,21 @@ def length_doubt(robot: Robot, lengths: Array, unit: str = "m") -> str | None:
     low, high = _USUAL
     written = typical / LENGTH_UNITS[unit]
     units = [name for name, factor in LENGTH_UNITS.items() if low * size <= factor * written <= high * size]
-    hints = [f"LogFormat(length_unit={name!r})" for name in units]
+    hints = [f"TrajectoryFormat(length_unit={name!r})" for name in units]
     cause = (
         f"are they in another unit ({' or '.join(hints)})"
         if units
-        else f"is LogFormat(length_unit={unit!r}) right, and are those of the robot file in metres"
+        else f"is TrajectoryFormat(length_unit={unit!r}) right, and are those of the robot file in meters"
         if typical < size
-        else "is it the log of another machine, or are those of the robot file not in metres"
+        else "is it the log of another machine, or are those of the robot file not in meters"
     )
     return f"{text}: {cause}?"
 
 
-def metres_doubt(robot: Robot, lengths: Array) -> str | None:
+def meters_doubt(robot: Robot, lengths: Array) -> str | None:
     """One line about leg lengths, m, far above those of the robot's size; None for others."""
     typical, size, (_, far), text = _beside_size(robot, lengths)
-    return None if typical <= far * size else f"{text}: in millimetres, expected metres?"
+    return None if typical <= far * size else f"{text}: in millimeters, expected meters?"
 
 
 def _beside_size(robot: Robot, lengths: Array) -> tuple[float, float, tuple[float, float], str]:
@@ -152,7 +152,7 @@ def angle_doubt(robot: Robot, log: PoseLog, some: NDArray[np.int64]) -> str | No
         return None
     return (
         f"{angle_range(theta, axis)} leads {how}, in degrees it does not: "
-        "are angles in degrees (LogFormat(angle_unit='deg'))?"
+        "are angles in degrees (TrajectoryFormat(angle_unit='deg'))?"
     )
 
 
@@ -194,8 +194,8 @@ def side_change(robot: Robot, motion: Motion) -> int | None:
 def side_doubt(robot: Robot, motion: Motion) -> str | None:
     """One line about poses (n,) all on the other side of the base than gravity or home says; None else."""
     side = platform_side(robot)
-    centre = motion.t + motion.R @ robot.p.mean(axis=0) - robot.b.mean(axis=0)
-    if not side.certain or np.any(centre @ side.direction >= 0.0):
+    center = motion.t + motion.R @ robot.p.mean(axis=0) - robot.b.mean(axis=0)
+    if not side.certain or np.any(center @ side.direction >= 0.0):
         return None
     where, unless = ("on the other side of the base than at home", "")
     if side.by_gravity:

@@ -13,7 +13,7 @@ import numpy as np
 from ..io.arguments import instance
 from ..io.array_types import Array
 from ..io.error_policy import warn
-from ..motion.straight_line import PATHS, PaperPath
+from ..motion.straight_line import PAPER_PATHS, PaperPath
 from ..robot.robot import Robot
 from .conditioning import characteristic_length, scaled_condition_number
 from .inverse import leg_vectors, length_rows
@@ -89,8 +89,8 @@ def platform_side(robot: Robot) -> Side:
     """
     instance(robot, Robot, "robot")
     axis = _axis(robot.b)
-    if robot.home is not None:
-        along = float((robot.home + robot.p.mean(axis=0) - robot.b.mean(axis=0)) @ axis)
+    if robot.home_position is not None:
+        along = float((robot.home_position + robot.p.mean(axis=0) - robot.b.mean(axis=0)) @ axis)
         if abs(along) > _EQUAL * (radius(robot.b) + radius(robot.p)):
             return Side(-axis if along < 0.0 else axis, _AT_HOME, True)
     g = robot.g / (np.abs(robot.g).max() or 1.0)
@@ -120,13 +120,13 @@ def upright(robot: Robot) -> Array:
 
 
 def level_positions(robot: Robot, direction: Array, count: int = 400) -> Array:
-    """Return positions, m, (count, 3), that centre the level platform's points on a line above the base's."""
-    centre = robot.b.mean(axis=0) - robot.p.mean(axis=0)
+    """Return positions, m, (count, 3), that center the level platform's points on a line above the base's."""
+    center = robot.b.mean(axis=0) - robot.p.mean(axis=0)
     size = radius(robot.b) + radius(robot.p)
     # What the means of symmetric points leave for rounding is 0.
     largest = max(float(np.abs(robot.b).max()), float(np.abs(robot.p).max()))
-    centre[np.abs(centre) < _ROUNDING * largest] = 0.0
-    return np.asarray(centre + np.linspace(0.05, 3.0, count)[:, None] * size * direction)
+    center[np.abs(center) < _ROUNDING * largest] = 0.0
+    return np.asarray(center + np.linspace(0.05, 3.0, count)[:, None] * size * direction)
 
 
 def radius(points: Array) -> float:
@@ -169,13 +169,13 @@ def _level_scores(robot: Robot, direction: Array) -> tuple[float, float]:
 
 
 def path_for(robot: Robot, name: str) -> PaperPath:
-    """Return Path ``name`` of ``PATHS`` with its z to the platform's side of the base.
+    """Return Path ``name`` of ``PAPER_PATHS`` with its z to the platform's side of the base.
 
     That is the side of the home pose that the robot states, else the one against gravity; where neither
     settles it, z is the base frame's. Of a machine with z up it is the path itself.
     """
-    path, dtau = PATHS[name]
+    path, dtau = PAPER_PATHS[name]
     if not platform_side(robot).certain:
-        return PATHS[name]
+        return PAPER_PATHS[name]
     x, y, z = (tuple(row) for row in upright(robot).tolist())
     return PaperPath(replace(path, axes=(x, y, z)), dtau)

@@ -22,7 +22,7 @@ _GOAL = 4 * np.finfo(np.float64).eps
 
 
 @dataclass(frozen=True, eq=False)
-class MotorMotion:
+class MotorAnglesResult:
     """Turns of the motors; a leading shape ``(...)`` is that of the motion.
 
     Attributes
@@ -40,7 +40,9 @@ class MotorMotion:
     acceleration: Array | None
 
 
-def motor_angles(robot: Robot, motion: Motion, L_0: ArrayLike | None = None) -> MotorMotion:
+def motor_angles(
+    robot: Robot, motion: Motion, reference_length: ArrayLike | None = None
+) -> MotorAnglesResult:
     """Turns of the motors that move the legs, with what the turning of upper parts in their nuts adds.
 
     Parameters
@@ -50,12 +52,12 @@ def motor_angles(robot: Robot, motion: Motion, L_0: ArrayLike | None = None) -> 
         universal, the upper part turns by its spin against the nut; elsewhere it does not.
     motion : Motion
         Motion of the platform, any leading shape.
-    L_0 : array_like, optional
+    reference_length : array_like, optional
         Lengths at which the angles are of the spins alone, m, (6,); None: 0.
 
     Returns
     -------
-    MotorMotion
+    MotorAnglesResult
         Angles, rates and accelerations.
 
     Raises
@@ -64,22 +66,25 @@ def motor_angles(robot: Robot, motion: Motion, L_0: ArrayLike | None = None) -> 
         For a robot without a drive, and where a leg has no solution.
     """
     instance(motion, Motion, "motion")
-    zero = _reference_lengths(robot, L_0)
+    zero = _reference_lengths(robot, reference_length)
     moving = checked_motion(robot, motion)
     joints = np.zeros_like(moving.rates)
     joints[..., SLIDING] = moving.at.L[..., 0] - zero
     if joints.shape[-1] > SLIDING + 1:
         joints[..., SLIDING + 1] = moving.at.spin[..., 0]
     seconds = moving.accelerations
-    return MotorMotion(
+    return MotorAnglesResult(
         chain.motor_motion(robot, joints),
         chain.motor_motion(robot, moving.rates),
         None if seconds is None else chain.motor_motion(robot, seconds),
     )
 
 
-def pose_of_motors(
-    robot: Robot, angle: ArrayLike, guess: tuple[ArrayLike, ArrayLike], L_0: ArrayLike | None = None
+def pose_from_motor_angles(
+    robot: Robot,
+    angle: ArrayLike,
+    guess: tuple[ArrayLike, ArrayLike],
+    reference_length: ArrayLike | None = None,
 ) -> tuple[Array, Array]:
     """Pose (R, t) at which the motors have turned by given angles, (..., 3, 3) and m, (..., 3).
 
@@ -91,7 +96,7 @@ def pose_of_motors(
         Turns of the motors as ``motor_angles`` gives them, rad, (..., 6).
     guess : tuple
         Pose (R, t) to start from, (..., 3, 3) and m, (..., 3).
-    L_0 : array_like, optional
+    reference_length : array_like, optional
         As for ``motor_angles``.
 
     Returns
@@ -104,7 +109,7 @@ def pose_of_motors(
     ValueError
         For a robot without a drive, and where Newton's steps find no pose.
     """
-    zero = _reference_lengths(robot, L_0)
+    zero = _reference_lengths(robot, reference_length)
     assert robot.drive is not None
     turned = finite_array(angle, (6,), "angle")
     shape = turned.shape[:-1]
@@ -112,18 +117,20 @@ def pose_of_motors(
     shape = leading_shape({"angle": shape, "guess": start.shape})
     R, t = np.broadcast_to(start.R, (*shape, 3, 3)), np.broadcast_to(start.t, (*shape, 3))
     turned = np.broadcast_to(turned, (*shape, 6))
-    wanted = (zero + turned / robot.drive.turns).reshape(-1, 6)
+    wanted = (zero + turned / robot.drive.transmission_ratio).reshape(-1, 6)
     R, t, found, _, _ = search(robot, wanted, R.reshape(-1, 3, 3), t.reshape(-1, 3), screws=True)
     if not found.all():
         raise ValueError(f"angle: no pose found from the guess for {np.count_nonzero(~found)} of {len(t)}")
     return R.reshape(*shape, 3, 3), t.reshape(*shape, 3)
 
 
-def _reference_lengths(robot: Robot, L_0: ArrayLike | None) -> Array:
+def _reference_lengths(robot: Robot, reference_length: ArrayLike | None) -> Array:
     instance(robot, Robot, "robot")
     if robot.drive is None:
         raise ValueError("robot: drive: expected one, whose lead turns lengths into angles, got none")
-    return np.zeros(6) if L_0 is None else finite_array(L_0, (6,), "L_0")
+    return (
+        np.zeros(6) if reference_length is None else finite_array(reference_length, (6,), "reference_length")
+    )
 
 
 def checked_motion(robot: Robot, motion: Motion) -> JointMotion:
@@ -159,7 +166,7 @@ def _at_twist(robot: Robot, motion: Motion, twist: Array) -> Array:
     R, none = np.broadcast_to(motion.R[..., None, :, :], (*v.shape, 3)), np.zeros_like(v)
     t = np.broadcast_to(motion.t[..., None, :], v.shape)
     with np.errstate(all="ignore"):
-        found = joint_motion(robot, Motion.unchecked(R, t, omega, v, none, none)).accelerations
+        found = joint_motion(robot, Motion._unchecked(R, t, omega, v, none, none)).accelerations
     assert found is not None
     return found
 
@@ -232,7 +239,7 @@ def search(
 
 def _still(R: Array, t: Array) -> Motion:
     none = np.zeros_like(t)
-    return Motion.unchecked(R, t, none, none, None, None)
+    return Motion._unchecked(R, t, none, none, None, None)
 
 
 def without_offsets(robot: Robot) -> Robot:

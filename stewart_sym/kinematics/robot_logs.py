@@ -10,25 +10,25 @@ from ..io.array_types import Array
 from ..io.error_policy import warn
 from ..io.progress import Progress, silent
 from ..motion.log_reader import AS_SHOWN, PLAIN, read_log, trajectory_from, with_units_of
-from ..motion.logs import LogFormat
-from ..motion.noise_level import LogWarning
-from ..motion.trajectory import JointTrajectory, PoseLog, Smoothing, Trajectory
+from ..motion.logs import TrajectoryFormat
+from ..motion.noise_level import TrajectoryWarning
+from ..motion.trajectory import JointTrajectory, PoseLog, SmoothingOptions, Trajectory
 from ..robot.robot import Robot
 from .log_doubts import log_doubts, need_units
 from .offset_legs import leg_lengths
 
 
-def form_of(robot: Robot, form: LogFormat = PLAIN) -> LogFormat:
+def form_of(robot: Robot, form: TrajectoryFormat = PLAIN) -> TrajectoryFormat:
     """How the robot's logs are written, where the form does not say otherwise."""
-    order, lengths = form.euler_order or robot.euler_order, form.lengths or robot.lengths
-    return dataclasses.replace(form, euler_order=order, lengths=lengths)
+    order, lengths = form.euler_order or robot.euler_order, form.length_mode or robot.length_mode
+    return dataclasses.replace(form, euler_order=order, length_mode=lengths)
 
 
 def read_log_of(
     robot: Robot,
     path: str | os.PathLike[str],
-    form: LogFormat = PLAIN,
-    smoothing: Smoothing = AS_SHOWN,
+    form: TrajectoryFormat = PLAIN,
+    smoothing: SmoothingOptions = AS_SHOWN,
     progress: Progress = silent,
 ) -> PoseLog | JointTrajectory:
     """Read a log whose poses and loads are those of the robot's tool; relative lengths become absolute.
@@ -44,7 +44,7 @@ def read_log_of(
     else:
         log = _loaded_at(robot.tool, _absolute(robot, log) if log.relative else log)
     for doubt in log_doubts(robot, log, with_units_of(path, form).length_unit or "m"):
-        warn(f"{log.source}: {doubt}", LogWarning)
+        warn(f"{log.source}: {doubt}", TrajectoryWarning)
     return log
 
 
@@ -57,7 +57,10 @@ def _loaded_at(tool: Array, log: JointTrajectory) -> JointTrajectory:
 
 
 def trajectory_for(
-    robot: Robot, path: str | os.PathLike[str], form: LogFormat = PLAIN, smoothing: Smoothing = AS_SHOWN
+    robot: Robot,
+    path: str | os.PathLike[str],
+    form: TrajectoryFormat = PLAIN,
+    smoothing: SmoothingOptions = AS_SHOWN,
 ) -> Trajectory | JointTrajectory:
     """Read a log as ``read_log_of``, of poses as a motion of the reference point."""
     log = read_log_of(robot, path, form, smoothing)
@@ -66,9 +69,9 @@ def trajectory_for(
 
 def _absolute(robot: Robot, log: JointTrajectory) -> JointTrajectory:
     """The log with the lengths at the home pose added."""
-    if robot.home is None:
+    if robot.home_position is None:
         raise ValueError(f"{log.source}: relative lengths: expected a robot file with a key home")
-    L = log.L + leg_lengths(robot, np.eye(3), robot.home)
+    L = log.L + leg_lengths(robot, np.eye(3), robot.home_position)
     if np.any(L <= 0.0):
         i, leg = (int(index) for index in np.argwhere(L <= 0.0)[0])
         raise ValueError(

@@ -20,7 +20,7 @@ TORQUE = "torque"
 FUNCTIONS = ("forces", "reactions", "motion", "derivatives", "kinematics", TORQUE)
 """Groups of functions that a kit may hold, in the order in which it lists them."""
 
-_DERIVATIVES = ("derivatives", "linearisation")
+_DERIVATIVES = ("derivatives", "linearization")
 STEMS: dict[str, tuple[str, ...]] = {
     "forces": ("forces",),
     "reactions": ("inverse_dynamics", "joint_reactions"),

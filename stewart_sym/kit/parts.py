@@ -36,7 +36,7 @@ from ..derive.package.words import Numbers, robot_symbol
 from ..derive.program.cse import shared_blocks
 from ..precision.truth import form_and_level
 from ..robot.offsets import need_no_offsets
-from ..robot.robot import Robot
+from ..robot.robot import Robot, of_symbol
 from .choice import STEMS, TORQUE, Choice
 
 _KINEMATICS = "kinematics"
@@ -86,7 +86,7 @@ def robot_numbers(robot: Robot, rotors: bool | None = None) -> Numbers:
     """Fields of ``stewart_robot`` as nested lists; rotors: with those of rotors, None for where there are."""
     need_no_offsets(robot)
     names = fields(robot.has_rotors if rotors is None else rotors)
-    return {name: np.asarray(getattr(robot, name)).tolist() for name in names}
+    return {name: np.asarray(of_symbol(robot, name)).tolist() for name in names}
 
 
 def parts(robot: Robot, choice: Choice) -> Parts:
@@ -223,7 +223,7 @@ def _torques(robot: Robot, choice: Choice) -> list[Part]:
         prefix = file.removesuffix("_axial")
         found.append(_part(file, costs, ROBOT, ("axial",), says, prefix, files=made))
     assert robot.drive is not None
-    costs = {"motor_torques": f"{torque_operations(bool(np.any(robot.drive.stribeck))).total:,}"}
+    costs = {"motor_torques": f"{torque_operations(bool(np.any(robot.drive.stribeck_force))).total:,}"}
     says = "Torques and currents of the motors, from forces of the legs and rates of their lengths."
     if robot.has_rotors and rotor == "none":
         says += (

@@ -20,7 +20,7 @@ from ..kinematics.conditioning import characteristic_length, scaled_condition_nu
 from ..kinematics.inverse import clear_of_joint_singularities, inverse_kinematics
 from ..kinematics.mounting import platform_side, radius
 from ..motion.motion import Motion
-from ..results import Forces
+from ..results import InverseDynamicsResult
 from ..robot.robot import Robot
 
 GOOD_CONDITION = 50.0
@@ -85,7 +85,7 @@ def poses(robot: Robot, formulation: str, count: int) -> Motion:
     backwards or without load. A machine may have fewer than requested. Raises ValueError as ``sample``.
     """
     first = sample(robot, formulation)
-    around, condition, clear, within = _checked(robot, _neighbours(robot, first), formulation)
+    around, condition, clear, within = _checked(robot, _neighbors(robot, first), formulation)
     fit = clear & (condition <= MAX_CONDITION)
     # The order of numbers is kept within a rank: the sort is stable.
     rank = 2 * ~within + (condition > GOOD_CONDITION)
@@ -99,7 +99,7 @@ def poses(robot: Robot, formulation: str, count: int) -> Motion:
     )
 
 
-def neighbour(robot: Robot, R: Array, t: Array, closeness: int) -> tuple[Array, Array]:
+def neighbor(robot: Robot, R: Array, t: Array, closeness: int) -> tuple[Array, Array]:
     """A pose beside R (3, 3), t (3,): by a third of a radian over ``closeness``, and shifted."""
     turn, over = whole_turn(10 * closeness, 1, -1, 1)
     # Summed by hand: products by the library round one way on one machine and another way on the next.
@@ -131,7 +131,7 @@ def _checked(robot: Robot, motions: Motion, formulation: str) -> tuple[Motion, A
     return solved, condition, clear_of_joint_singularities(robot, legs), within.all(axis=-1)
 
 
-def _forces(robot: Robot, motion: Motion, formulation: str) -> Forces:
+def _forces(robot: Robot, motion: Motion, formulation: str) -> InverseDynamicsResult:
     return inverse_dynamics(robot, motion, cast(Formulation, formulation), "numpy", "nan")
 
 
@@ -155,16 +155,16 @@ def _candidates(robot: Robot) -> Motion:
     return _motion(robot, R, off, np.ones(1), np.ones(1))
 
 
-def _neighbours(robot: Robot, first: Motion) -> Motion:
+def _neighbors(robot: Robot, first: Motion) -> Motion:
     """Motions around the example's, (n,), in numbers of few digits; some are at rest."""
     # Whole numbers, so that no machine's products round R in another way than others.
     turned = np.rint(first.R * WHOLE)
     R, off = [], []
-    centre = first.t + first.R @ robot.p.mean(axis=0) - robot.b.mean(axis=0)
+    center = first.t + first.R @ robot.p.mean(axis=0) - robot.b.mean(axis=0)
     for (w, x, y, z), shift in zip(_TURNS * len(_SHIFTS), itertools.cycle(_SHIFTS), strict=False):
         turn, over = whole_turn(w, x, y, z)
         R.append((turn @ turned) / (over * WHOLE))
-        off.append(centre + size_of(robot) * np.array(shift))
+        off.append(center + size_of(robot) * np.array(shift))
     paces, loads = (
         np.array(list(itertools.islice(itertools.cycle(values), len(R)))) for values in (_PACES, _LOADS)
     )
@@ -184,8 +184,8 @@ def _motion(robot: Robot, R: Array, off: Array, pace: Array, load: Array) -> Mot
         return significant(factors[:, None] * vector, 3) + 0.0
 
     return Motion(
-        R,
-        np.round(t, 3 - math.floor(math.log10(size))) + 0.0,
+        R=R,
+        t=np.round(t, 3 - math.floor(math.log10(size))) + 0.0,
         omega=times(pace, _OMEGA),
         v=times(pace, size * _V),
         alpha=times(pace, _ALPHA),

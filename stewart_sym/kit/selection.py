@@ -24,7 +24,7 @@ from ..io.array_types import Array
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
 from ..kinematics.inverse import inverse_kinematics, wrench_matrix
 from ..motion.motion import Motion
-from ..robot.robot import Robot
+from ..robot.robot import Robot, of_symbol
 from .choice import PRECISIONS
 from .interpreter import NEAR_JOINT_SINGULAR
 from .parts import fields, folded_kernel
@@ -79,7 +79,7 @@ class Numbered:
     def of(cls, robot: Robot) -> Self:
         """The robot by its numbers, limits among them."""
         names = (*fields(robot.has_rotors), "length_limits")
-        numbers = [np.asarray(getattr(robot, name)) for name in names]
+        numbers = [np.asarray(of_symbol(robot, name)) for name in names]
         numbers += [] if robot.drive is None else [*drive_numbers(robot.drive).values()]
         return cls(robot, tuple(each.tobytes() for each in numbers), robot.base_joint)
 
@@ -195,7 +195,7 @@ class _Search:
         pool = {name: rounded(value, kind) for name, value in pool.items()}
         good = np.all([np.isfinite(pool[name].reshape(len(pool["t"]), -1)).all(axis=1) for name in MOTION], 0)
         pool = _some(pool, good)
-        motion = Motion.unchecked(**{name: pool[name] for name in MOTION})
+        motion = Motion._unchecked(**{name: pool[name] for name in MOTION})
         legs = inverse_kinematics(self.robot, motion)
         with np.errstate(all="ignore"):
             H = wrench_matrix(self.robot, motion)
@@ -264,12 +264,12 @@ class _Search:
 
     def _places(self, draw: Any, count: int, near: bool) -> Iterator[tuple[Array, Array]]:
         """Turns, and positions about the example's; near: with a leg near the fixed axis of its joint."""
-        centre = self.robot.p.mean(axis=0)
+        center = self.robot.p.mean(axis=0)
         for _ in range(count):
             turn, over = whole_turn(int(draw.randint(3, 31)), *map(int, draw.randint(-4, 5, 3)))
             R = (turn @ np.rint(self.first.R * WHOLE)) / (over * WHOLE)
             if not near:
-                t = self.first.t + (self.first.R - R) @ centre + self._size * draw.randint(-16, 17, 3) / 20.0
+                t = self.first.t + (self.first.R - R) @ center + self._size * draw.randint(-16, 17, 3) / 20.0
                 yield R, significant(t, 6)
                 continue
             leg, end = int(draw.randint(6)), 2.0 * draw.randint(2) - 1.0

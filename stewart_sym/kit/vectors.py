@@ -26,11 +26,11 @@ from ..kinematics.inverse import wrench_matrix
 from ..motion.motion import Motion
 from ..motion.rotation import orthonormal
 from ..results import JOINT_SINGULAR, SINGULAR, ZERO_LENGTH
-from ..robot.robot import LEGS, Robot
+from ..robot.robot import LEGS, Robot, of_symbol
 from .choice import PRECISIONS, STEMS
 from .interpreter import Found, KitInterpreter, Numbers
 from .parts import fields as fields_of
-from .poses import neighbour, poses, rounded, significant
+from .poses import neighbor, poses, rounded, significant
 from .running import FORCES_MARGIN, MARGIN, errors, values
 from .selection import Numbered, selection
 
@@ -44,7 +44,7 @@ FEW = 3
 """Poses of the functions with many answers."""
 
 _BACKWARD = ("forward_kinematics", "forward_velocity")
-_LARGE = ("equations", "joint_inertia", "derivatives", "linearisation", *ROTATION)
+_LARGE = ("equations", "joint_inertia", "derivatives", "linearization", *ROTATION)
 # How near a guess is to its pose, from far to near; what counts as the same pose, rad and m over a length.
 _CLOSENESS = (1, 4, 16, 64)
 _SAME = 1e-3
@@ -91,7 +91,7 @@ def _made(
 ) -> tuple[Vector, ...]:
     robot, kind = numbered.robot, PRECISIONS[precision]
     constants = {
-        name: np.asarray(getattr(robot, name), dtype=np.float64) for name in fields_of(robot.has_rotors)
+        name: np.asarray(of_symbol(robot, name), dtype=np.float64) for name in fields_of(robot.has_rotors)
     }
     if not baked:
         constants = {name: rounded(value, kind) for name, value in constants.items()}
@@ -141,7 +141,7 @@ def _settled(robot: Robot, motion: Numbers, kind: type) -> bool:
 
     Forward kinematics needs a condition number, by Frobenius norms, of 1 / (16 sqrt(eps)) at most.
     """
-    pose = Motion.unchecked(motion["R"].reshape(3, 3), *(motion[name] for name in list(MOTION)[1:]))
+    pose = Motion._unchecked(motion["R"].reshape(3, 3), *(motion[name] for name in list(MOTION)[1:]))
     H = moments_over(wrench_matrix(robot, pose), characteristic_length(robot))
     condition = float(np.linalg.norm(H) * np.linalg.norm(np.linalg.inv(H)))
     return 2.0 * condition <= 1.0 / (16.0 * math.sqrt(np.finfo(kind).eps))
@@ -212,9 +212,9 @@ def _guess(robot: Robot, R: Array, t: Array, L: Array) -> tuple[Array, Array]:
     """A pose near R, t from which the lengths L lead back to it."""
     size = characteristic_length(robot)
     for closeness in _CLOSENESS:
-        guess = neighbour(robot, R, t, closeness)
+        guess = neighbor(robot, R, t, closeness)
         start = orthonormal(guess[0]), guess[1]
-        found = forward_kinematics(robot, L, start, "nan", limits=False)
+        found = forward_kinematics(robot, L, start, "nan", check_limits=False)
         # From lengths in float the pose comes out as good as float, far from any other assembly mode.
         if max(np.abs(found.R - R).max(), np.abs(found.t - t).max() / size) < _SAME:
             return guess

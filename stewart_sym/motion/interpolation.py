@@ -29,7 +29,7 @@ Path = Callable[[Array], Motion]
 """Times, s, (n,) -> the motion there, of shape (n,)."""
 
 
-def between(trajectory: Trajectory | PoseLog) -> Path:
+def interpolate(trajectory: Trajectory | PoseLog) -> Path:
     """Return the trajectory as a motion at any times from its first instant to its last, s, (...).
 
     Positions and, from each instant to the next, the rotation vector are polynomials of degree 5 in time;
@@ -74,15 +74,15 @@ def between(trajectory: Trajectory | PoseLog) -> Path:
             name: None if load is None or after is None else load + share * (after - load)
             for name, load, after in (("F_ext", start.F_ext, end.F_ext), ("M_ext", start.M_ext, end.M_ext))
         }
-        return Motion(rotation.orthonormal(R), t, omega, v, alpha, a, **loads)
+        return Motion(R=rotation.orthonormal(R), t=t, omega=omega, v=v, alpha=alpha, a=a, **loads)
 
     return at
 
 
 def followed(trajectory: Trajectory) -> Callable[[float], Motion]:
-    """Return ``between`` for one time after the other, s since the first instant: at rest after the last.
+    """Return ``interpolate`` for one time after the other, s since the first instant: at rest after the last.
 
-    The polynomials of all steps are made once, which takes as much room as the motion. Raises as ``between``.
+    The polynomials of all steps are made once, which takes as much room as the motion. Raises as ``interpolate``.
     """
     _need_interpolable(trajectory)
     motion, time = trajectory.motion, elapsed(trajectory.time)
@@ -98,7 +98,7 @@ def followed(trajectory: Trajectory) -> Callable[[float], Motion]:
         i = max(int(np.searchsorted(time, when, side="right")) - 1, 0)
         share = (when - float(time[i])) / float(h[i, 0])
         now = {name: load[i] + share * (load[i + 1] - load[i]) for name, load in loads.items()}
-        return Motion.unchecked(*_moved(c[:, i], share, h[i], motion.R[i]), **now)
+        return Motion._unchecked(*_moved(c[:, i], share, h[i], motion.R[i]), **now)
 
     return at
 
@@ -115,7 +115,7 @@ def _need_interpolable(trajectory: Trajectory | PoseLog) -> None:
         raise ValueError(f"{trajectory.source}: expected a motion with accelerations, got none")
 
 
-def resampled(trajectory: Trajectory | PoseLog, rate: float) -> Trajectory:
+def resample(trajectory: Trajectory | PoseLog, rate: float) -> Trajectory:
     """Return the trajectory at even times from its first instant on, ``rate`` of them per second, Hz.
 
     Each takes the row of the instant before it. In long gaps of a log of poses, or of one with noise,
@@ -137,7 +137,7 @@ def resampled(trajectory: Trajectory | PoseLog, rate: float) -> Trajectory:
     Raises
     ------
     ValueError
-        For a rate that is not > 0 or makes too many instants, and as ``between``.
+        For a rate that is not > 0 or makes too many instants, and as ``interpolate``.
     """
     _need_interpolable(trajectory)
     rate = positive(rate, "rate")
@@ -146,7 +146,7 @@ def resampled(trajectory: Trajectory | PoseLog, rate: float) -> Trajectory:
     count = float(since[-1]) * rate * (1.0 + 1e-12)
     if not count < MOST_STEPS:
         raise ValueError(f"rate: expected > 0 Hz and at most {MOST_STEPS:,} instants, got {rate:g}")
-    path = between(trajectory)
+    path = interpolate(trajectory)
     when = np.minimum(time[0] + np.arange(int(count) + 1) / rate, time[-1])
     i, share = _steps(time, when)
     rows = tuple(trajectory.rows[int(k)] for k in i)
@@ -281,13 +281,13 @@ def b_splines(u: Array, degree: int, rate: int = 0) -> Array:
     for k in range(1, degree - rate + 1):
         starts = np.arange(1 - k, 1)[:, None]
         rise, fall = (u - starts) / k * N, (starts + k - u) / k * N
-        N = _sum_of_neighbours(rise, fall)
+        N = _sum_of_neighbors(rise, fall)
     for _ in range(rate):
-        N = _sum_of_neighbours(N, -N)
+        N = _sum_of_neighbors(N, -N)
     return N.T
 
 
-def _sum_of_neighbours(before: Array, here: Array) -> Array:
+def _sum_of_neighbors(before: Array, here: Array) -> Array:
     """Rows, one more than given, of what stands before each and at it."""
     rows = np.zeros((len(here) + 1, here.shape[1]))
     rows[1:] = before

@@ -248,7 +248,7 @@ def tell_faults(log: Log, found: Sequence[Fault]) -> None:
     more = len(by_rows) - len(lines)
     ending = f"; and {more} more" if more > 0 else ""
     done = "left as they are"
-    if log.smoothing.on or log.smoothing.repair:
+    if log.smoothing.enabled or log.smoothing.repair:
         done = "replaced, and deviations there hold what this changes"
     cause = " (rows repeated or missing?)" if any(len(texts) >= _MANY for texts in by_rows.values()) else ""
     log.warn(f"numbers are off as no motion makes them{cause}: {'; '.join(lines)}{ending}: {done}")
@@ -420,10 +420,10 @@ def _clipped(time: Array, column: Array, extreme: float, step: float) -> Rows:
     usual = float(np.median(speeds[speeds > 0.0]))
     low, high = _AT_FULL_SPEED
 
-    def kinked(at: int, towards: int) -> bool:
+    def kinked(at: int, toward: int) -> bool:
         """Whether row ``at``, the last one that is clipped, is left at full speed."""
-        i, j, k = at, at + 2 * towards, at + 4 * towards
-        beyond = at + towards * np.arange(_GOES_ON)
+        i, j, k = at, at + 2 * toward, at + 4 * toward
+        beyond = at + toward * np.arange(_GOES_ON)
         # A short step between rests is none.
         if not 0 <= beyond[-1] < len(time) or np.ptp(column[beyond[-_STILL:]]) == 0.0:
             return False

@@ -34,8 +34,8 @@ def rates_of(log: Log, values: Array, steps: Array) -> tuple[Array, Uncertainty 
     """
     steps = np.maximum(steps, _lost_steps(log, values))
     parts = _measured_rows(log, values, steps)
-    cutoff = log.smoothing.cutoff
-    if cutoff is not None and log.smoothing.on:
+    cutoff = log.smoothing.cutoff_frequency
+    if cutoff is not None and log.smoothing.enabled:
         for _, rows in parts:
             if len(rows) >= in_log.MIN_SPLINE_POINTS:
                 check_cutoff(log.time[rows], cutoff)
@@ -58,7 +58,7 @@ def _measured_rows(log: Log, values: Array, steps: Array) -> list[tuple[slice, l
     Positions and angles may be of two sensors of which one is slower, or both.
     """
     rows, kinds = np.arange(len(values)), log.kinds()
-    if not log.smoothing.on:
+    if not log.smoothing.enabled:
         return [(slice(0, 6), rows)]
     whole = log_faults.slower_sampling(log.time, values, steps)
     if whole is not None:
@@ -158,7 +158,7 @@ def _replaced(log: Log, values: Array, steps: Array) -> tuple[Array, Uncertainty
     bad = log_faults.faults(log.time, values, sigma)
     if bad:
         log_faults.tell_faults(log, bad)
-    if not bad or not (log.smoothing.on or log.smoothing.repair):
+    if not bad or not (log.smoothing.enabled or log.smoothing.repair):
         return _curve(log, values, steps, level, held)
     good = values - log_faults.offsets(bad, values.shape)
     log_faults.tell_no_repair(log, good, bad)
@@ -184,7 +184,7 @@ def _curve(
     Numbers that stand still are all off alike; lines may be motion.
     """
     found, noise = _derivatives(log, values, level)
-    if log.smoothing.on and log.smoothing.cutoff is None and len(values) >= FEWEST:
+    if log.smoothing.enabled and log.smoothing.cutoff_frequency is None and len(values) >= FEWEST:
         off = end_errors(log, found)
         if off is not None:
             noise = _with_changes(log.time, found, noise, off, _near(off))
@@ -194,7 +194,7 @@ def _curve(
         off = held_offsets(values, held, noise.sigma)
         changed = _derivatives(log, values + off, level, tell=False)[0] - found
         noise = _with_changes(log.time, found, noise, changed, _near(changed))
-    if log.smoothing.cutoff is None:
+    if log.smoothing.cutoff_frequency is None:
         left = (values - found[0]) / (1.0 if level.scale is None else level.scale)
         # Rounded numbers of a periodic motion have lines of their own, and so has what noise stated too
         # small leaves.
@@ -231,9 +231,9 @@ def _derivatives(
     noisy = level.sigma > 0.0
     if level.scale is None and len(log.time) >= in_log.MIN_SPLINE_POINTS and not absent("scipy"):
         noisy = level.sigma > _least_noise(log, values)
-    if log.smoothing.cutoff is not None:
+    if log.smoothing.cutoff_frequency is not None:
         noisy[:] = True
-    if len(log.time) < in_log.MIN_SPLINE_POINTS or not log.smoothing.on:
+    if len(log.time) < in_log.MIN_SPLINE_POINTS or not log.smoothing.enabled:
         noisy[:] = False
     found = np.empty((3, *values.shape))
     if not noisy.all():
@@ -246,7 +246,7 @@ def _derivatives(
             for part in (slice(i, min(i + _PART, end)) for i in range(first, end, _PART)):
                 for order in (1, 2):
                     found[order, part][:, ~noisy] = spline(since[part], order)
-    fine = np.where(noisy | (not log.smoothing.on), 0.0, level.sigma)
+    fine = np.where(noisy | (not log.smoothing.enabled), 0.0, level.sigma)
     noises: list[tuple[slice, Uncertainty | None]] = [
         (slice(i, i + 1), _of_spline(log, found, np.where(np.arange(6) == i, fine, 0.0)))
         for i in np.flatnonzero(fine)
@@ -259,15 +259,17 @@ def _derivatives(
         chosen = Level(level.sigma[own], level.least[own])
         known = chosen if chosen.sigma.all() else None
         scale = None if level.scale is None else level.scale[:, own[0]]
-        smooth = smoothed(log.time, values[:, own], known, log.smoothing.cutoff, scale)
-        found[..., own] = [smooth.values, smooth.rates, smooth.second_rates]
-        covariance, sigma = np.zeros((len(smooth.grid), 6, 6)), np.zeros(6)
-        covariance[:, own], sigma[own] = smooth.covariance, smooth.sigma
-        noises.append((part, Uncertainty(found, smooth.grid, covariance, sigma, "L" in log.written)))
+        smooth = smoothed(log.time, values[:, own], known, log.smoothing.cutoff_frequency, scale)
+        found[..., own] = [smooth.values, smooth.derivatives, smooth.second_derivatives]
+        covariance, sigma = np.zeros((len(smooth.covariance_time), 6, 6)), np.zeros(6)
+        covariance[:, own], sigma[own] = smooth.covariance, smooth.noise_std
+        noises.append(
+            (part, Uncertainty(found, smooth.covariance_time, covariance, sigma, "L" in log.written))
+        )
     noise = _joined(found, noises, "L" in log.written)
     if noise is None:
         return found, None
-    if tell and log.smoothing.cutoff is None:
+    if tell and log.smoothing.cutoff_frequency is None:
         left = values - found[0]
         _warn_of_jumps(log, left if level.scale is None else left / level.scale, noise)
     elif tell:
@@ -293,7 +295,7 @@ def _least_noise(log: Log, values: Array) -> Array:
     before, after = steps[:-1], steps[1:]
     for _, part in log.kinds():
         change = np.diff(values[:, part], axis=0)
-        # Twice how far a row is off the line of its neighbours, as even rows have it: a gap bends no more.
+        # Twice how far a row is off the line of its neighbors, as even rows have it: a gap bends no more.
         bent = 2.0 * np.abs(change[1:] * before - change[:-1] * after) / (before + after)
         bend = float(np.max(bent * step**2 / np.maximum(before * after, step**2), initial=0.0))
         least[part] = _LITTLE / _AT_END[1] * max(bend, _GRAVITY * step**2)
@@ -341,7 +343,7 @@ _NOT_NOISE, _MISSED = 3.0, 0.01
 
 def _warn_of_cutoff(log: Log, values: Array, found: Array) -> None:
     """Warn of a cut-off below frequencies of the motion; found: coordinates and rates, (3, n, 6)."""
-    assert log.smoothing.cutoff is not None
+    assert log.smoothing.cutoff_frequency is not None
     removed = values - found[0]
     missed = np.sqrt(np.mean(removed**2, axis=0))
     # White noise changes by the root of 2 of its deviation.
@@ -350,13 +352,13 @@ def _warn_of_cutoff(log: Log, values: Array, found: Array) -> None:
     for name, part in log.kinds():
         # Not the largest: at the ends it is that of what is lost.
         usual = float(np.quantile(np.abs(found[2][:, part]), 0.9))
-        least = _MISSED * usual / (2.0 * math.pi * log.smoothing.cutoff) ** 2
+        least = _MISSED * usual / (2.0 * math.pi * log.smoothing.cutoff_frequency) ** 2
         most = float(np.max(missed[part] * slow[part]))
         if most > least:
             what, in_unit = log.kind(name)
             parts.append(f"of {what} of {in_unit(most)}")
     if parts:
-        text = f"the cut-off of {log.smoothing.cutoff:g} Hz removes changes {' and '.join(parts)}"
+        text = f"the cut-off of {log.smoothing.cutoff_frequency:g} Hz removes changes {' and '.join(parts)}"
         log.warn(f"{text}: motion, not noise, and the forces lack it")
 
 
@@ -392,14 +394,14 @@ def noise_text(noise: Uncertainty) -> str:
 
 def as_given(log: Log, found: Array, steps: Sequence[Array]) -> Uncertainty | None:
     """Uncertainty of coordinates and rates, (3, n, 6), all of them measured and rounded to steps, (3, 6)."""
-    if log.smoothing.cutoff is not None:
+    if log.smoothing.cutoff_frequency is not None:
         text = "the file has rates, which are taken as they are: the cut-off changes nothing"
         log.warn(text)
     known = in_log.stated_noise(log)
     in_log.warn_of_stated(log, found[0], steps[0])
     sigma = np.array(steps) / math.sqrt(12.0)
     sigma[0] = np.where(known > 0.0, known, sigma[0])
-    if not sigma.any() or not log.smoothing.on:
+    if not sigma.any() or not log.smoothing.enabled:
         return None
     covariance = np.zeros((2, 6, 6))
     covariance[:, :, [0, 2, 5]] = sigma.T**2

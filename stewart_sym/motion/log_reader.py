@@ -14,7 +14,7 @@ from ..io.instants import Clock, even_clock
 from ..io.progress import Progress, silent
 from ..io.tables import file_name, opened
 from .log_rates import SPLINE, as_given, rates_of
-from .logs import LogFormat, need_columns, read_columns, stated_units
+from .logs import TrajectoryFormat, need_columns, read_columns, stated_units
 from .noise_level import scatter
 from .rate_doubts import angular_velocity_doubt, rate_doubts
 from .rotation import rotation_about_axes
@@ -26,7 +26,7 @@ from .trajectory import (
     JointTrajectory,
     Log,
     PoseLog,
-    Smoothing,
+    SmoothingOptions,
     Trajectory,
     turn_doubt,
 )
@@ -36,22 +36,22 @@ _MOST_BYTES = 1 << 30
 QUATERNION = ("t", "q")
 _LENGTHS = ("L",)
 _LENGTH_DERIVATIVES = ("L_dot", "L_ddot")
-FORCES = ("F1", "F2", "F3", "F4", "F5", "F6")
+FORCES = ("F_1", "F_2", "F_3", "F_4", "F_5", "F_6")
 """Columns of actuator forces."""
-CURRENTS = ("current1", "current2", "current3", "current4", "current5", "current6")
+CURRENTS = ("current_1", "current_2", "current_3", "current_4", "current_5", "current_6")
 """Columns of the motors' currents."""
 # Columns in words.
 _KNOWN = (
     "time and either t_x t_y t_z with theta_x theta_y theta_z or q_w q_x q_y q_z, v_*, theta_dot_*, a_*, "
     "theta_ddot_*, or L_1 to L_6, L_dot_*, L_ddot_*; F_ext_*, M_ext_*"
 )
-_OTHER_NAMES = "; for other names give LogFormat(columns={NAME: HEADER, ...})"
-PLAIN = LogFormat()
-AS_SHOWN = Smoothing()
+_OTHER_NAMES = "; for other names give TrajectoryFormat(columns={NAME: HEADER, ...})"
+PLAIN = TrajectoryFormat()
+AS_SHOWN = SmoothingOptions()
 
 
 def read_csv(
-    path: str | os.PathLike[str], form: LogFormat = PLAIN, smoothing: Smoothing = AS_SHOWN
+    path: str | os.PathLike[str], form: TrajectoryFormat = PLAIN, smoothing: SmoothingOptions = AS_SHOWN
 ) -> Trajectory:
     """Read a trajectory of poses, as ``read_trajectory`` does without regard to a robot.
 
@@ -66,18 +66,18 @@ def read_csv(
 
 def read_log(
     path: str | os.PathLike[str],
-    form: LogFormat = PLAIN,
-    smoothing: Smoothing = AS_SHOWN,
+    form: TrajectoryFormat = PLAIN,
+    smoothing: SmoothingOptions = AS_SHOWN,
     progress: Progress = silent,
     check: Callable[[Log], None] = lambda log: None,
 ) -> PoseLog | JointTrajectory:
     """Read poses as coordinates, or leg lengths, with progress: the header tells which.
 
-    Without derivatives, columns that show rounding or noise are smoothed, with a ``LogWarning``, and all
+    Without derivatives, columns that show rounding or noise are smoothed, with a ``TrajectoryWarning``, and all
     others interpolated by a spline of degree 5 (of degree 3 with 4 or 5 rows); angles are unwrapped first.
     Rows that no motion makes are named and replaced, what this changes counts in ``noise``; rows that repeat
     or interpolate those of a slower sensor don't count; gaps in time are named. Times of an even clock that
-    are rounded, such as to milliseconds, are taken from it, with a ``LogWarning``. ``check`` may reject the
+    are rounded, such as to milliseconds, are taken from it, with a ``TrajectoryWarning``. ``check`` may reject the
     log before its rates are computed. Raises as ``read_csv``.
     """
     log = _read(path, form, smoothing, progress)
@@ -87,7 +87,7 @@ def read_log(
     return _joint_trajectory(log) if "L" in log.written else _pose_log(log)
 
 
-def read_poses(path: str | os.PathLike[str], form: LogFormat = PLAIN) -> tuple[Array, Array]:
+def read_poses(path: str | os.PathLike[str], form: TrajectoryFormat = PLAIN) -> tuple[Array, Array]:
     """Read the poses of a trajectory and nothing of its rates: R (n, 3, 3) and t, m, (n, 3).
 
     Raises ValueError of one line as ``read_csv``, and for leg lengths.
@@ -100,7 +100,9 @@ def read_poses(path: str | os.PathLike[str], form: LogFormat = PLAIN) -> tuple[A
     return rotation_about_axes(theta, order), log.vector("t")
 
 
-def _read(path: str | os.PathLike[str], form: LogFormat, smoothing: Smoothing, progress: Progress) -> Log:
+def _read(
+    path: str | os.PathLike[str], form: TrajectoryFormat, smoothing: SmoothingOptions, progress: Progress
+) -> Log:
     source = file_name(path)
     if form.columns:
         _check_header([*form.columns], "columns", "")
@@ -112,7 +114,7 @@ def _read(path: str | os.PathLike[str], form: LogFormat, smoothing: Smoothing, p
     return Log(source, rows, columns["time"], written, form, smoothing, given_units)
 
 
-def with_units_of(path: str | os.PathLike[str], form: LogFormat) -> LogFormat:
+def with_units_of(path: str | os.PathLike[str], form: TrajectoryFormat) -> TrajectoryFormat:
     """The form with all units: given ones, else those of the file's row of units, else SI; a pipe is SI."""
     source = file_name(path)
     if not os.path.isfile(source):
@@ -162,7 +164,7 @@ def trajectory_from(log: PoseLog) -> Trajectory:
 
 
 def read_leg_columns(
-    path: str | os.PathLike[str], form: LogFormat, groups: Sequence[tuple[str, ...]]
+    path: str | os.PathLike[str], form: TrajectoryFormat, groups: Sequence[tuple[str, ...]]
 ) -> tuple[Array, Array, tuple[str, ...], Sequence[int]]:
     """Read six columns over ``time`` (s), increasing: those of the first group that the file has.
 
@@ -177,6 +179,9 @@ def read_leg_columns(
         nonlocal group
         group = next((each for each in groups if each[0] in header), group)
         wanted = ["time", *group]
+        former = next((old for names in groups for old in map(_former, names) if old in header), None)
+        if former is not None and group[0] not in header:
+            raise ValueError(f"{source}: column {former}: renamed; write {former[:-1]}_{former[-1]}")
         _check_names(header, [*wanted, *header], source)
         need_columns(header, wanted, source)
 
@@ -196,7 +201,12 @@ def read_leg_columns(
     return columns["time"] if clock is None else clock.times, values, group, rows
 
 
-# Accelerations that no platform has, m/s^2, or m/s^2 per metre of a log's lengths where these are larger; and
+def _former(name: str) -> str:
+    """Return the former name of a column, without its last underscore."""
+    return "".join(name.rsplit("_", 1))
+
+
+# Accelerations that no platform has, m/s^2, or m/s^2 per meter of a log's lengths where these are larger; and
 # the steps, s, of a log of so slow a motion that time must be in milli- or microseconds.
 _MOST_ACCELERATION, _LEAST_ACCELERATION = 1e5, 1e-4
 
@@ -206,7 +216,11 @@ def _warn_of_angles(log: Log) -> None:
     if "theta" in log.written:
         doubt = turn_doubt(np.unwrap(log.vector("theta"), axis=0))
         if doubt is not None:
-            hint = ": are angles in degrees (LogFormat(angle_unit='deg'))?" if log.form.radians == 1.0 else ""
+            hint = (
+                ": are angles in degrees (TrajectoryFormat(angle_unit='deg'))?"
+                if log.form.radians_per_unit == 1.0
+                else ""
+            )
             log.warn(f"{doubt}{hint}")
     if "q" in log.written:
         q = np.abs(log.vector("q"))
@@ -215,7 +229,7 @@ def _warn_of_angles(log: Log) -> None:
         ):
             log.warn(
                 "q_z is the largest component: half a turn about z, or quaternions whose scalar comes last? "
-                "(LogFormat(columns={'q_w': 'q_z', 'q_x': 'q_w', 'q_y': 'q_x', 'q_z': 'q_y', ...}))",
+                "(TrajectoryFormat(columns={'q_w': 'q_z', 'q_x': 'q_w', 'q_y': 'q_x', 'q_z': 'q_y', ...}))",
             )
 
 
@@ -223,19 +237,19 @@ def _warn_of_units(log: Log, coordinates: Array) -> None:
     """Warn of times and lengths, (3, n, 6), that no machine makes."""
     lengths = coordinates[..., : 6 if "L" in log.written else 3]
     largest = float(np.abs(lengths[2]).max())
-    # In millimetres lengths and accelerations are a thousand times as large: both tell of time alone.
+    # In millimeters lengths and accelerations are a thousand times as large: both tell of time alone.
     unit = max(1.0, float(np.median(np.linalg.norm(lengths[0], axis=-1))))
     step = float(np.median(np.diff(log.time))) if len(log.time) > 1 else 0.0
     moves = float(np.ptp(coordinates[0], axis=0).max()) > 0.0
     slow = [name for name, least in LONG_STEPS.items() if step >= least]
     if largest > _MOST_ACCELERATION * unit:
         hint = (
-            "are time or lengths in another unit (LogFormat(time_unit='ms'), LogFormat(length_unit='mm'))"
+            "are time or lengths in another unit (TrajectoryFormat(time_unit='ms'), TrajectoryFormat(length_unit='mm'))"
             if log.form.time_unit in (None, "s")
-            else f"is time in seconds, expected {log.form.time_unit} (LogFormat(time_unit='s'))"
+            else f"is time in seconds, expected {log.form.time_unit} (TrajectoryFormat(time_unit='s'))"
         )
     elif moves and slow and largest < _LEAST_ACCELERATION * unit:
-        hint = f"is time in another unit (LogFormat(time_unit='{slow[-1]}'))"
+        hint = f"is time in another unit (TrajectoryFormat(time_unit='{slow[-1]}'))"
     else:
         return
     log.warn(f"steps of {step:.4g} s and accelerations up to {largest:.2g} m/s^2: {hint}?")
@@ -262,7 +276,7 @@ def _warn_of_rates(log: Log, coordinates: Array, names: Sequence[str]) -> None:
     if nearest and abs(decades - nearest) < _NEAR_UNIT:
         unit = {-3: "ms", -6: "us"}.get(nearest)
         hint = (
-            f"is time in another unit (LogFormat(time_unit='{unit}'))"
+            f"is time in another unit (TrajectoryFormat(time_unit='{unit}'))"
             if unit
             else "are rates in another unit"
         )
@@ -276,7 +290,7 @@ def _warn_of_rates(log: Log, coordinates: Array, names: Sequence[str]) -> None:
 
 def _joint_trajectory(log: Log) -> JointTrajectory:
     L = log.vector("L")
-    relative = log.form.lengths == "relative"
+    relative = log.form.length_mode == "relative"
     if np.any(L <= 0.0) and not relative:
         i, leg = (int(index) for index in np.argwhere(L <= 0.0)[0])
         raise ValueError(
@@ -299,7 +313,7 @@ def _pose_log(log: Log) -> PoseLog:
     _warn_of_angles(log)
     order = "zyx"
     if "v" in log.written:
-        order, names = log.form.order, (*POSE, *DERIVATIVES)
+        order, names = log.form.rotation_order, (*POSE, *DERIVATIVES)
         # Before there are the other numbers: of a long log it takes half their room.
         theta = np.unwrap(log.vector("theta"), axis=0)
         found = np.empty((3, len(log.time), 6))
@@ -322,7 +336,9 @@ def _pose_log(log: Log) -> PoseLog:
     noise = None if noise is None else noise._replace(order=order)
     _warn_of_units(log, found)
     F_ext, M_ext = (log.load(name) for name in LOADS)
-    in_radians = "theta" in log.written and log.form.radians == 1.0 and order == log.form.order
+    in_radians = (
+        "theta" in log.written and log.form.radians_per_unit == 1.0 and order == log.form.rotation_order
+    )
     return PoseLog(log.time, found, F_ext, M_ext, log.source, log.rows, noise, in_radians, order=order)
 
 
@@ -336,16 +352,16 @@ def _components(*names: str) -> list[str]:
     ]
 
 
-def _check_log(header: list[str], source: str, smoothing: Smoothing) -> None:
+def _check_log(header: list[str], source: str, smoothing: SmoothingOptions) -> None:
     """Reject a header, and rows that nothing will differentiate, before they are read."""
     _check_header(header, source)
-    if not smoothing.on and not {"v_x", "L_dot_1"} & set(header):
+    if not smoothing.enabled and not {"v_x", "L_dot_1"} & set(header):
         need("scipy", *SPLINE)
 
 
 def _check_header(header: list[str], source: str, otherwise: str = _OTHER_NAMES) -> None:
     """Reject names that are no log's; ``source``: what gives them, ``otherwise``: what else can be done."""
-    if {"omega_x", "kinetic"} <= set(header):
+    if {"omega_x", "kinetic_energy"} <= set(header):
         raise ValueError(
             f"{source}: expected a log, got a run of simulate, which view reads: its poses are those of the "
             "reference point, its angles roll, pitch, yaw, whatever the robot's tool and euler_order"
@@ -371,7 +387,7 @@ def _check_header(header: list[str], source: str, otherwise: str = _OTHER_NAMES)
     missing = [c for c in _components(*derivatives) if c not in header]
     if missing and len(missing) < len(_components(*derivatives)):
         kept = ", ".join(f"{name!r}: {name!r}" for name in required)
-        remedy = f": LogFormat(columns={{{kept}}}) reads none" if otherwise else ""
+        remedy = f": TrajectoryFormat(columns={{{kept}}}) reads none" if otherwise else ""
         raise ValueError(
             f"{source}: missing column {missing[0]}: expected velocities and accelerations "
             f"({', '.join(derivatives)}) all, or none of them{remedy}"

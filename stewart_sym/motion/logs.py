@@ -24,7 +24,7 @@ from ..io.error_policy import warn
 from ..io.instants import time_text
 from ..io.progress import Progress, silent
 from ..io.tables import table_as_utf8
-from .noise_level import LogWarning
+from .noise_level import TrajectoryWarning
 from .text.clock import READ, Clock, instant
 from .text.head import MARKS, Head, is_value, read_head, without_row
 from .text.unit_row import ANGLE_UNITS, LENGTH_UNITS, TIME_UNITS, UNITS, units_of
@@ -51,7 +51,7 @@ class HeaderError(ValueError):
 
 
 @dataclass(frozen=True)
-class LogFormat:
+class TrajectoryFormat:
     """How a log is written.
 
     Attributes
@@ -66,7 +66,7 @@ class LogFormat:
     euler_order : str, optional
         Of the rotations multiplied, "zyx" for R = Rz Ry Rx, (38); rates are those of its angles. None: that
         of the robot, "zyx" where a log is read without one.
-    lengths : str, optional
+    length_mode : str, optional
         Leg lengths: of ``LENGTHS``; relative ones are less those of the robot's home pose. None: those of
         the robot, "absolute" where a log is read without one.
 
@@ -83,7 +83,7 @@ class LogFormat:
     delimiter: str | None = None
     decimal: str | None = None
     euler_order: str | None = None
-    lengths: str | None = None
+    length_mode: str | None = None
 
     def __post_init__(self) -> None:
         texts = [*self.columns, *self.columns.values()] if isinstance(self.columns, Mapping) else [None]
@@ -91,7 +91,7 @@ class LogFormat:
             raise ValueError(f"columns: expected a mapping of names, got {shown(self.columns)}")
         choices: dict[str, Iterable[str]] = {name: UNITS[name] for name in _SI}
         choices |= {"delimiter": DELIMITERS, "decimal": DECIMALS}
-        choices |= {"euler_order": EULER_ORDERS, "lengths": LENGTHS}
+        choices |= {"euler_order": EULER_ORDERS, "length_mode": LENGTHS}
         for name, known in choices.items():
             if getattr(self, name) is not None:
                 option(getattr(self, name), tuple(known), name)
@@ -102,17 +102,17 @@ class LogFormat:
         return {name: getattr(self, name) for name in _SI}
 
     @property
-    def order(self) -> str:
+    def rotation_order(self) -> str:
         """Order of the rotations."""
         return self.euler_order or "zyx"
 
     @property
-    def metres(self) -> float:
-        """Metres in the unit of length."""
+    def meters_per_unit(self) -> float:
+        """Meters in the unit of length."""
         return LENGTH_UNITS[self.length_unit or "m"]
 
     @property
-    def radians(self) -> float:
+    def radians_per_unit(self) -> float:
         """Radians in the unit of angle."""
         return ANGLE_UNITS[self.angle_unit or "rad"]
 
@@ -126,7 +126,7 @@ class LogFormat:
 
         Returns
         -------
-        LogFormat
+        TrajectoryFormat
             With all units.
         """
         chosen: dict[str, Any]
@@ -143,7 +143,7 @@ class Table(NamedTuple):
 
     columns: dict[str, Array]
     rows: Sequence[int]
-    form: LogFormat
+    form: TrajectoryFormat
     dated: bool
     given_units: frozenset[str]
 
@@ -152,7 +152,7 @@ def read_columns(
     stream: BinaryIO,
     source: str,
     check_header: Callable[[list[str], str], None],
-    form: LogFormat,
+    form: TrajectoryFormat,
     progress: Progress = silent,
 ) -> Table:
     """Return the columns of a CSV file, and its format with the units that a row of it states.
@@ -191,7 +191,7 @@ def read_columns(
             warn(
                 f"{source}: line {rows[-1]}: expected as many decimals as above or a line ending: "
                 "the file may be cut off",
-                LogWarning,
+                TrajectoryWarning,
             )
     # Divided, times are the nearest doubles of what is written.
     columns["time"] /= round(1.0 / TIME_UNITS[form.time_unit or "s"])
@@ -206,8 +206,8 @@ def read_columns(
     return Table(columns, rows, form, clock is not None, given_units)
 
 
-def stated_units(stream: BinaryIO, source: str, form: LogFormat) -> dict[str, str]:
-    """Units by kind, as in ``LogFormat``, that the file's row of units states; errors are its reader's."""
+def stated_units(stream: BinaryIO, source: str, form: TrajectoryFormat) -> dict[str, str]:
+    """Units by kind, as in ``TrajectoryFormat``, that the file's row of units states; errors are its reader's."""
     with contextlib.suppress(ValueError), table_as_utf8(stream, source) as text:
         head = _head(text, source, form)
         return units_of(head, _expected_names(head.names, source, form), source, {}) or {}
@@ -227,7 +227,7 @@ def _without_repeated(
     warn(
         f"{source}: {many} the time and all numbers of the row above, the first is line {rows[again[0]]}: "
         "taken once",
-        LogWarning,
+        TrajectoryWarning,
     )
     kept = np.delete(np.array(rows), again)
     return {name: np.delete(column, again) for name, column in columns.items()}, kept.tolist()
@@ -240,7 +240,7 @@ def need_columns(header: Sequence[str], columns: Sequence[str], source: str) -> 
             raise ValueError(f"{source}: missing column {column}")
 
 
-def _head(stream: BinaryIO, source: str, form: LogFormat) -> Head:
+def _head(stream: BinaryIO, source: str, form: TrajectoryFormat) -> Head:
     delimiter = None if form.delimiter is None else DELIMITERS[form.delimiter]
     head = read_head(stream, source, form.columns.values(), delimiter)
     if len(head.names) == 1 and form.columns.get("time", "time") in head.names[0].split()[:-1]:
@@ -248,7 +248,7 @@ def _head(stream: BinaryIO, source: str, form: LogFormat) -> Head:
     return head
 
 
-def _clock(head: Head, header: list[str | None], source: str, form: LogFormat) -> Clock | None:
+def _clock(head: Head, header: list[str | None], source: str, form: TrajectoryFormat) -> Clock | None:
     """What reads the times where the first row has a date or a time of day."""
     text = dict(zip(header, head.first, strict=False)).get("time", "")
     if instant(text) is None:
@@ -256,7 +256,7 @@ def _clock(head: Head, header: list[str | None], source: str, form: LogFormat) -
     if form.time_unit not in (None, "s"):
         raise ValueError(
             f"{source}: line {head.above + 1}: time: expected {form.time_unit} "
-            f"(LogFormat(time_unit={form.time_unit!r})), got {text!r}: dates and times of day have no unit"
+            f"(TrajectoryFormat(time_unit={form.time_unit!r})), got {text!r}: dates and times of day have no unit"
         )
     return Clock()
 
@@ -325,7 +325,7 @@ def _cut_off(stream: BinaryIO, head: Head, decimal: str) -> bool:
     )
 
 
-def _decimal(stream: BinaryIO, head: Head, form: LogFormat, dated: bool) -> str:
+def _decimal(stream: BinaryIO, head: Head, form: TrajectoryFormat, dated: bool) -> str:
     """Decimal mark: a comma where there is one below the header that can't be the delimiter, and no point.
 
     dated: the first row tells by numbers alone, since dates and times of day have points anyway.
@@ -344,7 +344,7 @@ def _decimal(stream: BinaryIO, head: Head, form: LogFormat, dated: bool) -> str:
     return "," if comma else "."
 
 
-def _expected_names(header: list[str], source: str, form: LogFormat) -> list[str | None]:
+def _expected_names(header: list[str], source: str, form: TrajectoryFormat) -> list[str | None]:
     """Names of the columns as expected; None for one that is skipped."""
     if not form.columns:
         # A controller that ends every line with a delimiter writes a last column without a name.
@@ -420,7 +420,9 @@ def _cause(text: str, decimal: str) -> str:
     if "." in text and "," in text:
         return ": thousands separators are not read"
     if "." in text and decimal == ",":
-        return ": decimals have a comma (LogFormat(decimal='comma')), thousands separators are not read"
+        return (
+            ": decimals have a comma (TrajectoryFormat(decimal='comma')), thousands separators are not read"
+        )
     if "," in text and decimal == ".":
-        return ": is its decimal mark a comma (LogFormat(decimal='comma'))?"
+        return ": is its decimal mark a comma (TrajectoryFormat(decimal='comma'))?"
     return ""

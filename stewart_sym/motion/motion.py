@@ -20,7 +20,7 @@ FLOAT_TOLERANCE = 16.0 * float(np.finfo(np.float32).eps)
 """Of R given as float32: its own rounding and that of the few operations that made it."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, kw_only=True)
 class Motion(Frozen):
     """Motion of the platform's reference point and frame; SI units, base frame unless said otherwise.
 
@@ -84,7 +84,7 @@ class Motion(Frozen):
     @classmethod
     def _sound(cls, arrays: dict[str, Array]) -> Motion:
         """Make a motion of arrays already known to be finite, R a rotation, which nobody else holds."""
-        motion = cls.unchecked(*(np.empty(0),) * 4)
+        motion = cls._unchecked(*(np.empty(0),) * 4)
         motion._spread(arrays)
         return motion
 
@@ -96,14 +96,14 @@ class Motion(Frozen):
     def __getitem__(self, index: Any) -> Motion:
         """Slice the leading shape, as a NumPy array of ``shape`` would be sliced."""
         index = index if isinstance(index, tuple) else (index,)
-        # The vectors' own axes are spelt out, so that no index can reach them.
+        # The vectors' own axes are spelled out, so that no index can reach them.
         rest = () if any(item is Ellipsis for item in index) else (Ellipsis,)
         picked: dict[str, Any] = {}
         for field in fields(self):
             value = getattr(self, field.name)
             own = (slice(None),) * (2 if field.name == "R" else 1)
             picked[field.name] = None if value is None else value[(*index, *rest, *own)]
-        return Motion.unchecked(**picked)
+        return Motion._unchecked(**picked)
 
     def external_wrench(self) -> Array:
         """External load in base axes, [R F_ext; R M_ext].
@@ -117,7 +117,7 @@ class Motion(Frozen):
         turned = [np.einsum("...ij,...j->...i", self.R, vector) for vector in load]
         return np.concatenate(turned, axis=-1)
 
-    def in_axes(self, Q: ArrayLike) -> Motion:
+    def in_rotated_frames(self, Q: ArrayLike) -> Motion:
         """Return the motion in base and platform frames turned by a rotation: x becomes Q x.
 
         Parameters
@@ -143,7 +143,7 @@ class Motion(Frozen):
         }
         return Motion(R=Q @ self.R @ Q.T, **vectors)
 
-    def about_point(self, point: ArrayLike) -> Motion:
+    def at_point(self, point: ArrayLike) -> Motion:
         """Return the motion of another point of the platform in place of the reference point.
 
         ``motion.about_point(robot.tool)`` is the tool's, ``.about_point(-robot.tool)`` undoes it. Of a load
@@ -178,7 +178,7 @@ class Motion(Frozen):
         return (self[i] for i in range(self.shape[0]))
 
     @classmethod
-    def unchecked(
+    def _unchecked(
         cls,
         R: Array,
         t: Array,
@@ -364,7 +364,9 @@ class Motion(Frozen):
         omega, alpha = rotation.angular_motion_from_vector(turns[0], turns[1], second)
         R = rotation.rotation_from_vector(turns[0])
         second_rate = None if a is None else alpha
-        return cls(R, t, omega, v, second_rate, a, F_ext, M_ext)  # type: ignore[arg-type]
+        return cls(  # type: ignore[arg-type]
+            R=R, t=t, omega=omega, v=v, alpha=second_rate, a=a, F_ext=F_ext, M_ext=M_ext
+        )
 
 
 def at_rest(
@@ -372,7 +374,7 @@ def at_rest(
 ) -> Motion:
     """Poses at rest, under a load: all rates and accelerations are 0."""
     zero = np.zeros(3)
-    return Motion(R, t, zero, zero, zero, zero, F_ext, M_ext)  # type: ignore[arg-type]
+    return Motion(R=R, t=t, omega=zero, v=zero, alpha=zero, a=zero, F_ext=F_ext, M_ext=M_ext)  # type: ignore[arg-type]
 
 
 def pose_of(value: object, name: str, expected: str) -> Motion:
@@ -381,7 +383,7 @@ def pose_of(value: object, name: str, expected: str) -> Motion:
         raise ValueError(f"{name}: expected {expected}, got {type(value).__name__}")
     R, t = value
     with errors_of(f"{name}: "):
-        return Motion(R, t, np.zeros(3), np.zeros(3))
+        return Motion(R=R, t=t, omega=np.zeros(3), v=np.zeros(3))
 
 
 def _turns(core: tuple[int, ...], given: dict[str, ArrayLike | None], a: ArrayLike | None) -> list[Array]:

@@ -13,7 +13,7 @@ from ..io.array_types import Array, Flags
 from ..io.instants import elapsed
 
 
-class LogWarning(UserWarning):
+class TrajectoryWarning(UserWarning):
     """Noise in a log, or numbers in it that no machine makes."""
 
 

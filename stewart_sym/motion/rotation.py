@@ -1,6 +1,6 @@
 """Rotations by angles, (38) and other orders, and by rotation vectors: matrices, rates, second rates.
 
-Plain vectorised functions; angles are ``theta = (theta_x, theta_y, theta_z)``, a rotation vector is the
+Plain vectorized functions; angles are ``theta = (theta_x, theta_y, theta_z)``, a rotation vector is the
 axis times the angle, base axes.
 """
 

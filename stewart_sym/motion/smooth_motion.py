@@ -126,7 +126,7 @@ class Basis(NamedTuple):
         return Motion.from_rpy(t, theta, v, theta_dot, a, theta_ddot, load.F_ext, load.M_ext)
 
 
-def estimated_noise(
+def estimate_pose_noise(
     time: ArrayLike, motion: Motion, period: float | None = None, harmonics: int | None = None
 ) -> PoseNoise:
     """Estimate the noise of measured poses from their scatter about the smooth motion fitted to them.

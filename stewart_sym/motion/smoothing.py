@@ -1,6 +1,6 @@
 """Smoothing splines of noisy samples: values, rates, second rates and their covariance; NumPy alone.
 
-A spline of degree 5 on even knots minimises squared residuals over the noise's variance plus the squared
+A spline of degree 5 on even knots minimizes squared residuals over the noise's variance plus the squared
 differences of order d of its coefficients over a variance of their own: a Gaussian prior. Marginal likelihood
 chooses that variance and d, so the spread of the posterior is what noise and unresolved motion leave open; in
 windows for which it chooses accelerations that jump, what a jump may be is added. The knots are refined until
@@ -64,33 +64,33 @@ _CLEARLY = 10.0
 _LEAST_BENT = 1e-6
 
 
-class Smooth(NamedTuple):
+class SmoothSamplesResult(NamedTuple):
     """Columns of samples smoothed: (n, c) each, and what noise leaves open.
 
     Attributes
     ----------
-    values, rates, second_rates : ndarray
+    values, derivatives, second_derivatives : ndarray
         Of the spline at the samples' times.
-    sigma : ndarray
+    noise_std : ndarray
         Standard deviation of the noise, (c,).
-    grid : ndarray
+    covariance_time : ndarray
         Times, (g,), at which covariance, (g, c, 6), is given: of value, rate and second rate, the lower
         triangle row by row.
     covariance : ndarray
-        Of value, rate and second rate at the times of ``grid``, (g, c, 6).
+        Of value, rate and second rate at the times of ``covariance_time``, (g, c, 6).
     """
 
     values: Array
-    rates: Array
-    second_rates: Array
-    sigma: Array
-    grid: Array
+    derivatives: Array
+    second_derivatives: Array
+    noise_std: Array
+    covariance_time: Array
     covariance: Array
 
 
-def smooth(
-    time: ArrayLike, values: ArrayLike, sigma: ArrayLike | None = None, cutoff: float | None = None
-) -> Smooth:
+def smooth_samples(
+    time: ArrayLike, values: ArrayLike, noise_std: ArrayLike | None = None, cutoff: float | None = None
+) -> SmoothSamplesResult:
     """Smooth columns of samples, zero phase, right up to both ends.
 
     Parameters
@@ -99,7 +99,7 @@ def smooth(
         Increasing, s, (n,), n > 3.
     values : array_like
         (n, c).
-    sigma : array_like, optional
+    noise_std : array_like, optional
         Standard deviation of the noise of each column, (c,) or one for all, > 0; None: as ``noise_level`` and
         the samples show it.
     cutoff : float, optional
@@ -108,7 +108,7 @@ def smooth(
 
     Returns
     -------
-    Smooth
+    SmoothSamplesResult
         Smoothed columns with rates, second rates and covariances.
 
     Raises
@@ -123,25 +123,25 @@ def smooth(
         raise ValueError(f"values: expected finite columns ({len(when)}, c), got shape {columns.shape}")
     cutoff = None if cutoff is None else positive(cutoff, "cutoff")
     level = shown_noise(when, columns)
-    if sigma is not None:
-        given = real_array(sigma, "sigma")
+    if noise_std is not None:
+        given = real_array(noise_std, "noise_std")
         if given.shape not in ((), columns.shape[1:]):
-            raise ValueError(f"sigma: expected one number or {columns.shape[1]}, got shape {given.shape}")
+            raise ValueError(f"noise_std: expected one number or {columns.shape[1]}, got shape {given.shape}")
         known = np.array(np.broadcast_to(given, columns.shape[1:]))
         level = Level(known, known)
-    if sigma is not None or cutoff is None:
+    if noise_std is not None or cutoff is None:
         bad = ~(np.isfinite(level.sigma) & (level.sigma > 0.0))
-        if bad.any() and sigma is None:
+        if bad.any() and noise_std is None:
             text = "shows no noise: expected sigma, or columns to be smoothed"
             raise ValueError(f"values: column {int(np.argmax(bad)) + 1} {text}")
         if bad.any():
-            raise ValueError(f"sigma: expected deviations > 0, got {level.sigma[bad][0]:g}")
-    return smoothed(when, columns, None if sigma is None and cutoff is not None else level, cutoff)
+            raise ValueError(f"noise_std: expected deviations > 0, got {level.sigma[bad][0]:g}")
+    return smoothed(when, columns, None if noise_std is None and cutoff is not None else level, cutoff)
 
 
 def smoothed(
     time: Array, columns: Array, level: Level | None, cutoff: float | None, scale: Array | None = None
-) -> Smooth:
+) -> SmoothSamplesResult:
     """``smooth`` of checked arrays; without a level the noise is that of the residuals about the cut-off.
 
     scale: times the level of the noise of each sample, (n,).
@@ -155,8 +155,10 @@ def smoothed(
     if len(parts) == 1:
         return parts[0]
     shares = np.diff(ends)[:, None] / len(time)
-    sigma = np.sqrt(np.sum(shares * np.square([part.sigma for part in parts]), axis=0))
-    return Smooth(*(np.concatenate(each) for each in zip(*parts, strict=True)))._replace(sigma=sigma)
+    sigma = np.sqrt(np.sum(shares * np.square([part.noise_std for part in parts]), axis=0))
+    return SmoothSamplesResult(*(np.concatenate(each) for each in zip(*parts, strict=True)))._replace(
+        noise_std=sigma
+    )
 
 
 def shown_noise(time: Array, values: Array, step: Array | None = None) -> Level:
@@ -184,7 +186,9 @@ def likeliest_noise(time: Array, values: Array, least: Array) -> tuple[Array, Ar
     return window.noise(_orders(instants.since, knots.step), least)
 
 
-def _part(instants: Instants, columns: Array, level: Level | None, cutoff: float | None) -> Smooth:
+def _part(
+    instants: Instants, columns: Array, level: Level | None, cutoff: float | None
+) -> SmoothSamplesResult:
     """``smoothed`` of samples without a long gap."""
     ones = np.ones(columns.shape[1])
     if cutoff is not None:
@@ -203,17 +207,17 @@ def _part(instants: Instants, columns: Array, level: Level | None, cutoff: float
     likely = np.where(still, level.sigma, np.clip(seen, level.least, 1.5 * level.sigma))
     known = level.least == level.sigma
     found = _smoothed(instants, columns, np.where(known, level.sigma, likely), knots, orders, None)
-    sigma = np.where(still, level.least, found.sigma)
+    sigma = np.where(still, level.least, found.noise_std)
     most = np.max(found.covariance[:, :, 0], axis=0)
     share = np.where(still, np.minimum(1.0, sigma**2 / np.where(most > 0.0, most, 1.0)), 1.0)
-    return found._replace(sigma=sigma, covariance=found.covariance * share[:, None])
+    return found._replace(noise_std=sigma, covariance=found.covariance * share[:, None])
 
 
-def _scaled(unit: Smooth, columns: Array) -> Smooth:
+def _scaled(unit: SmoothSamplesResult, columns: Array) -> SmoothSamplesResult:
     """A fit under noise of deviation 1 with the deviation that its residuals show."""
     leverage = np.mean(unit.covariance[..., 0], axis=0)
     left = np.mean((columns - unit.values) ** 2, axis=0) / np.maximum(1.0 - leverage, 1.0 / len(columns))
-    return unit._replace(sigma=np.sqrt(left), covariance=unit.covariance * left[:, None])
+    return unit._replace(noise_std=np.sqrt(left), covariance=unit.covariance * left[:, None])
 
 
 # Knots
@@ -447,7 +451,7 @@ def _smoothed(
     knots: Knots,
     orders: NDArray[np.int64],
     weight: float | None,
-) -> Smooth:
+) -> SmoothSamplesResult:
     count, step = values.shape[1], instants.unit * knots.step
     jumping = ORDERS[0] if weight is None else CUTOFF_ORDER
     coefficients = np.zeros((knots.cells + DEGREE, count))
@@ -459,8 +463,8 @@ def _smoothed(
         width = knots.width(start)
         inside = slice(2 * start, 2 * (start + width) + 1)
         share = knots.share(start, grid[inside])
-        centres = np.clip(np.arange(window.size) - DEGREE // 2, 0, width)
-        blend = knots.share(start, (start + centres).astype(np.float64))
+        centers = np.clip(np.arange(window.size) - DEGREE // 2, 0, width)
+        blend = knots.share(start, (start + centers).astype(np.float64))
         fits = {order: window.likeliest(order, sigma, weight) for order in {jumping, *orders.tolist()}}
         usual = np.array([fits[order].cost[i] for i, order in enumerate(orders.tolist())])
         likely = np.where(fits[jumping].cost < usual - _CLEARLY, jumping, orders)
@@ -482,4 +486,4 @@ def _smoothed(
         for rate in range(3):
             N = b_splines(u, DEGREE, rate) / step**rate
             found[rate, part] = along(N, cell, coefficients)
-    return Smooth(found[0], found[1], found[2], sigma, instants.start + step * grid, covariance)
+    return SmoothSamplesResult(found[0], found[1], found[2], sigma, instants.start + step * grid, covariance)

@@ -94,7 +94,7 @@ class StraightLinePath:
         """Duration of each blend of the angles, s, as (39); 0 when the angles rest."""
         return _blend(self.angle, self.Omega, self.tau_f)
 
-    def breaks(self) -> Array:
+    def breakpoints(self) -> Array:
         """Return the times at which an acceleration jumps, with 0 and tau_f.
 
         Returns
@@ -110,7 +110,7 @@ class StraightLinePath:
         distinct = every[np.diff(every, prepend=-np.inf) > _ROUNDING * self.tau_f]
         return np.append(distinct[:-1], self.tau_f)
 
-    def times(self, dtau: float) -> Array:
+    def time_grid(self, dtau: float) -> Array:
         """Return the times 0, dtau, 2 dtau, ..., and tau_f as the last.
 
         Parameters
@@ -167,7 +167,7 @@ class StraightLinePath:
         )
         motion = Motion.from_rpy(t, theta, v, theta_dot, a, theta_ddot)
         Q = np.array(self.axes)
-        return motion if np.array_equal(Q, np.eye(3)) else motion.in_axes(Q)
+        return motion if np.array_equal(Q, np.eye(3)) else motion.in_rotated_frames(Q)
 
     def _checked(self, tau: ArrayLike) -> Array:
         time = real_array(tau, "tau", "times")
@@ -255,7 +255,7 @@ _THIRD = StraightLinePath(
     V=0.2,
     Omega=0.08,
 )
-PATHS: Mapping[str, PaperPath] = MappingProxyType(
+PAPER_PATHS: Mapping[str, PaperPath] = MappingProxyType(
     {
         "I": PaperPath(_FIRST, dtau=0.1),
         "II": PaperPath(replace(_FIRST, tau_f=0.6, V=0.8, Omega=0.8), dtau=0.01),

@@ -16,9 +16,9 @@ from ..io.array_types import Array
 from ..io.error_policy import warn
 from ..io.tables import number
 from . import rotation
-from .logs import LogFormat
+from .logs import TrajectoryFormat
 from .motion import Motion
-from .noise_level import LogWarning, grid_steps, rounding_step
+from .noise_level import TrajectoryWarning, grid_steps, rounding_step
 
 # Trajectories from CSV
 
@@ -31,17 +31,17 @@ _LIMITS = 8
 
 
 @dataclass(frozen=True)
-class Smoothing:
+class SmoothingOptions:
     """What is known of a log's noise, and what is done about it.
 
     Attributes
     ----------
-    position, angle : float, optional
+    position_std, angle_std : float, optional
         Standard deviation of each coordinate, m and rad; leg lengths count as positions. None: as the
         decimals and the scatter of the numbers show.
-    cutoff : float, optional
+    cutoff_frequency : float, optional
         Frequency, Hz, at which the amplitude is halved; None: the likeliest.
-    on : bool, optional
+    enabled : bool, optional
         False interpolates whatever the noise.
     repair : bool, optional
         True replaces rows that no motion makes even without smoothing.
@@ -52,14 +52,14 @@ class Smoothing:
         Naming the argument.
     """
 
-    position: float | None = None
-    angle: float | None = None
-    cutoff: float | None = None
-    on: bool = True
+    position_std: float | None = None
+    angle_std: float | None = None
+    cutoff_frequency: float | None = None
+    enabled: bool = True
     repair: bool = False
 
     def __post_init__(self) -> None:
-        for name in ("position", "angle", "cutoff"):
+        for name in ("position_std", "angle_std", "cutoff_frequency"):
             if getattr(self, name) is not None and number(getattr(self, name), name) <= 0.0:
                 raise ValueError(f"{name}: expected a number > 0, got {getattr(self, name):g}")
 
@@ -74,9 +74,9 @@ class Smoothing:
         Returns
         -------
         float or None
-            Standard deviation, ``angle``, rad, of ``theta``, else ``position``, m; None where none is stated.
+            Standard deviation, ``angle_std``, rad, of ``theta``, else ``position_std``, m; None where none is stated.
         """
-        return self.angle if name == "theta" else self.position
+        return self.angle_std if name == "theta" else self.position_std
 
 
 class Replaced(NamedTuple):
@@ -169,7 +169,7 @@ class PoseLog(NamedTuple):
         except ValueError as error:
             row = _first_bad_row(numbers, np.asarray(self.rows)[index], self.order)
             raise ValueError(f"{self.source}: {row}{error}") from None
-        return motion if self.tool is None else motion.about_point(-self.tool)
+        return motion if self.tool is None else motion.at_point(-self.tool)
 
     def of_tool(self, tool: Array) -> PoseLog:
         """The same log, its rows being poses of a point, m, platform frame, (3,)."""
@@ -210,7 +210,7 @@ class JointTrajectory(NamedTuple):
     relative: bool = False
 
 
-IN_SI = LogFormat().with_units({})
+IN_SI = TrajectoryFormat().with_units({})
 """How a log in SI units is written."""
 
 
@@ -225,15 +225,15 @@ class Log:
     rows: Sequence[int]
     time: Array
     written: Mapping[str, Sequence[Array]]
-    form: LogFormat = IN_SI
-    smoothing: Smoothing = dataclasses.field(default_factory=Smoothing)
+    form: TrajectoryFormat = IN_SI
+    smoothing: SmoothingOptions = dataclasses.field(default_factory=SmoothingOptions)
     given_units: frozenset[str] = frozenset()
 
     def scale(self, name: str) -> float:
         """SI units in the unit in which vectors of that name are written."""
         if name in ("q", *LOADS):
             return 1.0
-        return self.form.radians if name in ANGLES else self.form.metres
+        return self.form.radians_per_unit if name in ANGLES else self.form.meters_per_unit
 
     def vector(self, name: str) -> Array:
         """A vector in SI units, (n, 3), (n, 4) or (n, 6)."""
@@ -255,7 +255,7 @@ class Log:
 
     def warn(self, text: str) -> None:
         """Warn of the log."""
-        warn(f"{self.source}: {text}", LogWarning)
+        warn(f"{self.source}: {text}", TrajectoryWarning)
 
     def load(self, name: str) -> Array | None:
         """An external force or moment, (n, 3)."""
@@ -282,7 +282,7 @@ class Log:
 
         The order is the log's own, of quaternions (38), unless two turns of it come near to one axis.
         """
-        order = self.form.order
+        order = self.form.rotation_order
         if "q" in self.written:
             q = self.vector("q")
             norms = np.linalg.norm(q, axis=-1)

@@ -13,10 +13,10 @@ from ..io.arguments import instance
 from ..io.array_types import Array
 from ..kinematics.clearance import joint_angles
 from ..kinematics.inverse import inverse_kinematics
-from ..singularities.along_path import Crossing, LegExtreme, extremes, singularities_along
+from ..singularities.along_path import LegExtreme, SingularityCrossing, extremes, path_singularities
 from .time_path import TimedPath
 from .timing.path_rates import need_rates
-from .timing.path_terms import force_limits, leg_accelerations, limited_speeds, travelled
+from .timing.path_terms import force_limits, leg_accelerations, limited_speeds, traveled
 
 FINER = 100
 """Instants in each cell of the plan's grid at which limits are checked."""
@@ -44,7 +44,7 @@ class PlanCertificate:
 
     Attributes
     ----------
-    instants : int
+    samples : int
         On the finer grid.
     shortest, longest : LegExtreme
         Least and greatest length of each leg, m, and when.
@@ -52,16 +52,16 @@ class PlanCertificate:
         Greatest speed of each leg, m/s, and when.
     force : LegExtreme
         Greatest force of each leg, N, without its sign, and when.
-    used : float
+    max_utilization : float
         Largest share of any limit of force, speed, acceleration, jerk or of the motors.
-    lengths_kept : bool
+    lengths_ok : bool
         Whether all legs stay within their lengths.
     base_angle, platform_angle : LegExtreme, optional
         Greatest angle of each joint at both ends, rad, and when, found between the instants as lengths are;
         None of a robot that states no home pose, from which they are.
-    angles_kept : bool
+    angles_ok : bool
         Whether all of these are within the robot's ``joint_angle_limit``.
-    active : float
+    active_fraction : float
         Share of the duration in which a limit is used to more than 99.9 %.
     crossings : tuple
         Singular poses that the path crosses.
@@ -69,24 +69,24 @@ class PlanCertificate:
         The nearest approach to one.
     """
 
-    instants: int
+    samples: int
     shortest: LegExtreme
     longest: LegExtreme
     speed: LegExtreme
     force: LegExtreme
-    used: float
-    lengths_kept: bool
+    max_utilization: float
+    lengths_ok: bool
     base_angle: LegExtreme | None
     platform_angle: LegExtreme | None
-    angles_kept: bool
-    active: float
-    crossings: tuple[Crossing, ...]
+    angles_ok: bool
+    active_fraction: float
+    crossings: tuple[SingularityCrossing, ...]
     nearest: Approached
 
     @property
-    def holds(self) -> bool:
+    def is_valid(self) -> bool:
         """Whether every limit is kept, to 1e-6 of it, and no singular pose is crossed."""
-        kept = self.used <= 1.0 + ROUNDING and self.lengths_kept and self.angles_kept
+        kept = self.max_utilization <= 1.0 + ROUNDING and self.lengths_ok and self.angles_ok
         return kept and not self.crossings
 
 
@@ -106,12 +106,12 @@ def certify_plan(plan: TimedPath) -> PlanCertificate:
     Raises
     ------
     ValueError
-        For a path whose rates contradict its poses, or jump, as ``time_path`` does, on the finer grid.
+        For a path whose rates contradict its poses, or jump, as ``parameterize_path`` does, on the finer grid.
     """
     instance(plan, TimedPath, "plan")
     robot, profile = plan.robot, plan.profile
     nodes = profile.nodes
-    along = singularities_along(robot, plan.path, nodes.s)
+    along = path_singularities(robot, plan.path, nodes.s)
     shares = (np.arange(FINER) + 0.5) / FINER
     s, square, second = (
         np.append(x.ravel(), end)
@@ -131,25 +131,28 @@ def certify_plan(plan: TimedPath) -> PlanCertificate:
     angles = [LegExtreme(when(found.time), found.value) for found in _angles(plan)]
     (low, high), most_angles = robot.length_limits.T, robot.joint_angle_limit.T * (1.0 + ROUNDING)
     return PlanCertificate(
-        instants=len(s),
-        shortest=LegExtreme(when(along.shortest.time), along.shortest.value),
-        longest=LegExtreme(when(along.longest.time), along.longest.value),
+        samples=len(s),
+        shortest=LegExtreme(when(along.min_length.time), along.min_length.value),
+        longest=LegExtreme(when(along.max_length.time), along.max_length.value),
         speed=_extreme(times, speed),
         force=_extreme(times, force),
-        used=max(float(most.max()), float(_jerk(plan, len(s)).max())),
-        lengths_kept=bool((along.shortest.value >= low).all() and (along.longest.value <= high).all()),
+        max_utilization=max(float(most.max()), float(_jerk(plan, len(s)).max())),
+        lengths_ok=bool((along.min_length.value >= low).all() and (along.max_length.value <= high).all()),
         base_angle=angles[0] if angles else None,
         platform_angle=angles[1] if angles else None,
-        angles_kept=all((a.value <= most).all() for a, most in zip(angles, most_angles, strict=False)),
-        active=_active(plan),
+        angles_ok=all((a.value <= most).all() for a, most in zip(angles, most_angles, strict=False)),
+        active_fraction=_active(plan),
         crossings=along.crossings,
-        nearest=Approached(float(when(np.array(along.nearest.time))), float(along.nearest.at.smallest)),
+        nearest=Approached(
+            float(when(np.array(along.nearest.time))),
+            float(along.nearest.singularity.smallest_singular_value),
+        ),
     )
 
 
 def _angles(plan: TimedPath) -> list[LegExtreme]:
     """Greatest angles of the joints at base and platform along s; none without a home pose."""
-    if plan.robot.home is None:
+    if plan.robot.home_position is None:
         return []
 
     def sought(s: Array) -> Array:
@@ -183,7 +186,7 @@ def _jerk(plan: TimedPath, count: int) -> Array:
 def _part(plan: TimedPath, s: Array, square: Array, second: Array) -> tuple[Array, Array, Array]:
     """Leg speeds, forces and the largest share of a limit at some places of the path."""
     by_parameter = plan.path(s)
-    motion = travelled(by_parameter, np.sqrt(square), second)
+    motion = traveled(by_parameter, np.sqrt(square), second)
     F = inverse_dynamics(plan.robot, motion, plan.formulation).F
     legs = inverse_kinematics(plan.robot, motion)
     speeds, allowed = limited_speeds(plan.robot, motion, legs.L_dot, plan.limits)

@@ -17,33 +17,33 @@ from ..io.array_types import Array
 from ..io.error_policy import errors_of, warn
 from ..kinematics.robot_logs import form_of
 from ..motion.log_reader import read_poses
-from ..motion.noise_level import LogWarning
+from ..motion.noise_level import TrajectoryWarning
 from ..motion.rotation import rotation_about_axes
 from ..motion.trajectory import turn_doubt
 from ..robot.robot import Robot
 from .plan_path import OBJECTIVES, PRICE, Objective, need_poses
 from .pose_path import COORDINATES, ViaPose
-from .time_path import LEAST, Least
-from .timing.path_terms import Limits, six_positive
+from .time_path import MINIMIZE, Minimize
+from .timing.path_terms import PathLimits, six_positive
 
 SCHEMA = 1
 RATE = 100.0
 """Default rate of the trajectory, Hz."""
 
 _TOP_KEYS = (
-    *("schema", "robot", "formulation", "objective", "price", "rate", "least", "duration"),
+    *("schema", "robot", "formulation", "objective", "smoothness_weight", "rate", "minimize", "duration"),
     *("limits", "load", "via", "via_file"),
 )
-_POSE_LIMITS = ("condition", "clearance")
+_POSE_LIMITS = {"max_condition": "condition", "min_clearance": "clearance"}
 _LEG_LIMITS = ("force", "speed", "acceleration", "jerk")
 _LIMIT_KEYS = (*_POSE_LIMITS, *_LEG_LIMITS, "platform_speed", "platform_turn_rate")
 _LOAD_KEYS = ("F_ext", "M_ext")
-_VIA_KEYS = ("t", "theta", "free")
+_VIA_KEYS = ("t", "theta", "tolerance")
 
 
 @dataclass(frozen=True, eq=False)
 class PlanRequest:
-    """What is to be planned; names and units are those of ``plan_path`` and ``time_path``.
+    """What is to be planned; names and units are those of ``plan_path`` and ``parameterize_path``.
 
     rate: of the trajectory, Hz. files: from which it was read: its own, the robot's, that of via poses
     apart. stated: keys of its own. doubt: what is doubtful about the via poses, a line or nothing.
@@ -52,13 +52,13 @@ class PlanRequest:
     robot: Robot
     poses: tuple[ViaPose, ...]
     path_limits: PoseLimits
-    limits: Limits
+    limits: PathLimits
     objective: Objective
-    price: float
+    smoothness_weight: float
     load: Array
     formulation: Formulation
     rate: float
-    least: Least
+    minimize: Minimize
     duration: float | None
     files: tuple[Path, ...]
     stated: frozenset[str]
@@ -90,9 +90,11 @@ def _request(d: Mapping[str, Any], source: str) -> PlanRequest:
         raise ValueError(f"{file}via: expected either via poses or via_file")
     options: dict[str, Any] = {
         key: tables.choice(top.get(key, known[0]), known, file + key)
-        for key, known in (("formulation", FORMULATIONS), ("objective", OBJECTIVES), ("least", LEAST))
+        for key, known in (("formulation", FORMULATIONS), ("objective", OBJECTIVES), ("minimize", MINIMIZE))
     }
-    options["price"] = tables.not_negative(top.get("price", PRICE), f"{file}price")
+    options["smoothness_weight"] = tables.not_negative(
+        top.get("smoothness_weight", PRICE), f"{file}smoothness_weight"
+    )
     options["rate"] = tables.positive(top.get("rate", RATE), f"{file}rate")
     options["duration"] = tables.positive(top["duration"], f"{file}duration") if "duration" in top else None
     path_limits, limits = _limits(top.get("limits", {}), f"{file}limits.")
@@ -110,7 +112,7 @@ def _request(d: Mapping[str, Any], source: str) -> PlanRequest:
     else:
         doubt = _angle_doubt(given)
         if doubt:
-            warn(f"{source}: via: {doubt}", LogWarning)
+            warn(f"{source}: via: {doubt}", TrajectoryWarning)
         poses = tuple(
             ViaPose(rotation_about_axes(theta, robot.euler_order), t, *box) for t, theta, box in given
         )
@@ -137,15 +139,15 @@ def _of_poses(text: str, files: Sequence[Path]) -> str:
     return f"{files[-1]}: {text}" if apart else f"{files[0]}: {text.replace('via pose ', 'via ', 1)}"
 
 
-def _limits(value: object, prefix: str) -> tuple[PoseLimits, Limits]:
+def _limits(value: object, prefix: str) -> tuple[PoseLimits, PathLimits]:
     table = tables.checked_table(value, prefix, _LIMIT_KEYS)
     found: dict[str, Any] = {}
     for key, given in table.items():
         check = six_positive if key in _LEG_LIMITS else tables.positive
         found[key] = check(given, prefix + key)
-    own = {key: found.pop(key) for key in _POSE_LIMITS if key in found}
+    own = {name: found.pop(key) for key, name in _POSE_LIMITS.items() if key in found}
     with errors_of(prefix):
-        return PoseLimits(**own), Limits(**found)
+        return PoseLimits(**own), PathLimits(**found)
 
 
 def _load(value: object, prefix: str) -> Array:
@@ -164,7 +166,7 @@ def _via_tables(value: object, where: str) -> list[tuple[Array, Array, tuple[Arr
         prefix = f"{where} {i + 1}: "
         table = tables.checked_table(entry, prefix, _VIA_KEYS, ("t", "theta"))
         t, theta = (tables.vector(table[key], prefix + key) for key in ("t", "theta"))
-        found.append((t, theta, _box(table.get("free", {}), f"{prefix}free.")))
+        found.append((t, theta, _box(table.get("tolerance", {}), f"{prefix}tolerance.")))
     return found
 
 

@@ -19,7 +19,7 @@ from ..io.progress import Progress, silent
 from ..io.tables import not_negative
 from ..motion.motion import Motion
 from ..robot.robot import Robot
-from ..singularities.along_path import crossings
+from ..singularities.along_path import singularity_crossings
 from .pose_costs import ROOM, PoseCosts
 from .pose_path import Family, PosePath, ViaPose, by_coordinates, poses_of, scales
 
@@ -74,28 +74,28 @@ class PlannedPath:
     ----------
     path : PosePath
         The path.
-    straight : PosePath
+    initial_path : PosePath
         Spline of least bending through the via poses as they are given.
-    given, poses : tuple of ViaPose
+    requested_poses, reached_poses : tuple of ViaPose
         The via poses as they are given, and as the path passes them.
-    conditions, straight_conditions : Conditions
+    condition_numbers, initial_condition_numbers : Conditions
         Condition numbers along both.
     """
 
     path: PosePath
-    straight: PosePath
-    given: tuple[ViaPose, ...]
-    poses: tuple[ViaPose, ...]
-    conditions: Conditions
-    straight_conditions: Conditions
+    initial_path: PosePath
+    requested_poses: tuple[ViaPose, ...]
+    reached_poses: tuple[ViaPose, ...]
+    condition_numbers: Conditions
+    initial_condition_numbers: Conditions
 
 
 def plan_path(
     robot: Robot,
-    poses: Sequence[ViaPose],
+    via_poses: Sequence[ViaPose],
     limits: PoseLimits | None = None,
     objective: Objective = "mean",
-    price: float = PRICE,
+    smoothness_weight: float = PRICE,
     load: ArrayLike = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
     progress: Progress = silent,
 ) -> PlannedPath:
@@ -105,16 +105,16 @@ def plan_path(
     ----------
     robot : Robot
         The machine with its leg lengths, joint angles and tool.
-    poses : sequence of ViaPose
+    via_poses : sequence of ViaPose
         At least two; each is passed in this order.
     limits : PoseLimits, optional
         Of leg lengths, joint angles, condition number and clearance. ``forces`` and ``load`` have no effect:
-        forces along a path are bounded by ``time_path``.
+        forces along a path are bounded by ``parameterize_path``.
     objective : {"mean", "peak"}, optional
         What is made small: the condition number's mean or its peak. Neither rises above that of the straight
         spline where that one keeps the limits.
-    price : float, optional
-        Weight of length and bending: what is made small is the condition number plus ``price`` times the mean
+    smoothness_weight : float, optional
+        Weight of length and bending: what is made small is the condition number plus ``smoothness_weight`` times the mean
         squares of first and second derivatives, each over its value on the straight path. With a price of 0
         the path bends more, and forces rise.
     load : array_like, optional
@@ -137,13 +137,13 @@ def plan_path(
     limits = PoseLimits() if limits is None else limits
     instance(limits, PoseLimits, "limits")
     need_clearance(robot, limits.clearance)
-    price = not_negative(price, "price")
+    smoothness_weight = not_negative(smoothness_weight, "smoothness_weight")
     wrench = finite_array(load, (6,), "load")
-    if not isinstance(poses, Sequence):
-        raise ValueError(f"poses: expected a list of ViaPose, got {shown(poses)}")
-    poses = tuple(poses)
-    need_poses(poses)
-    search = _Search.of(robot, poses, limits, objective, price)
+    if not isinstance(via_poses, Sequence):
+        raise ValueError(f"via_poses: expected a list of ViaPose, got {shown(via_poses)}")
+    via_poses = tuple(via_poses)
+    need_poses(via_poses)
+    search = _Search.of(robot, via_poses, limits, objective, smoothness_weight)
     straight = search.path(search.nothing, wrench)
     at_first = conditions_along(robot, straight)
     x = search.best(progress)
@@ -155,8 +155,8 @@ def plan_path(
             break
     need_passed(path, search.costs.length)
     shifts = search.family.shifts(search.split(share * x)[0])
-    passed = tuple(pose.moved(shift) for pose, shift in zip(poses, shifts, strict=True))
-    return PlannedPath(path, straight, poses, passed, found, at_first)
+    passed = tuple(pose.shifted(shift) for pose, shift in zip(via_poses, shifts, strict=True))
+    return PlannedPath(path, straight, via_poses, passed, found, at_first)
 
 
 def need_poses(poses: Sequence[ViaPose]) -> None:
@@ -203,7 +203,7 @@ def conditions_along(robot: Robot, path: PosePath, count: int = _FINE) -> Condit
 
 @dataclass(frozen=True, eq=False)
 class _Search:
-    """The optimisation of one path: its variables are free coordinates of via poses, then w."""
+    """The optimization of one path: its variables are free coordinates of via poses, then w."""
 
     family: Family
     costs: PoseCosts
@@ -220,7 +220,7 @@ class _Search:
         family = Family.of(poses, at.length)
         R, t = poses_of(family.rows)
         values, signs, smallest = at.plain_conditions(R, t)
-        fixed = np.array([not pose.free for pose in poses])
+        fixed = np.array([not pose.has_tolerance for pose in poses])
         need_reachable(at, poses, values, signs)
         chosen = signs[fixed] if fixed.any() else signs
         side = float(chosen[0])
@@ -257,7 +257,7 @@ class _Search:
             broken = self.broken(x)
             if not broken:
                 path = self.path(x, np.zeros(6))
-                crossed = crossings(self.costs.robot, path, np.union1d(self.family.s, [0.0, 1.0]))
+                crossed = singularity_crossings(self.costs.robot, path, np.union1d(self.family.s, [0.0, 1.0]))
                 if not crossed:
                     return x
                 broken = [(math.inf, "a singular pose", crossed[0].time)]
@@ -339,23 +339,23 @@ def need_reachable(costs: PoseCosts, poses: Sequence[ViaPose], values: Array, si
     """
     reach = replace(costs, limits=replace(costs.limits, condition=math.inf))
     for number, pose in enumerate(poses, start=1):
-        if not pose.free and not values[number - 1] < 1e12:
+        if not pose.has_tolerance and not values[number - 1] < 1e12:
             raise ValueError(f"via pose {number}: expected a regular pose, it is singular")
         nearest = _nearest(reach, pose)
-        who = "the nearest that its freedom allows" if pose.free else "it"
+        who = "the nearest that its freedom allows" if pose.has_tolerance else "it"
         for name, excess, _ in reach.excesses(nearest.R[None], nearest.t[None]):
-            if excess.max() > ROOM + (_TOUCHES if pose.free else 0.0):
+            if excess.max() > ROOM + (_TOUCHES if pose.has_tolerance else 0.0):
                 leg = f" of leg {int(np.argmax(excess[0])) + 1}" if excess.shape[1] == 6 else ""
                 out, far = "", ""
                 if name == "leg length":
                     out, far = "out of reach, ", f", {np.linalg.norm(nearest.t):.4g} m from the base's origin"
                 raise ValueError(f"via pose {number}: {out}{who} breaks the limit of {name}{leg}{far}")
-        if not pose.free and values[number - 1] > costs.limits.condition:
+        if not pose.has_tolerance and values[number - 1] > costs.limits.condition:
             raise ValueError(
                 f"via pose {number}: expected a condition number of at most {costs.limits.condition:g}, "
                 f"got {values[number - 1]:.4g}"
             )
-    fixed = [k for k, pose in enumerate(poses) if not pose.free]
+    fixed = [k for k, pose in enumerate(poses) if not pose.has_tolerance]
     for before, after in itertools.pairwise(fixed):
         if signs[before] != signs[after]:
             raise ValueError(
@@ -366,17 +366,17 @@ def need_reachable(costs: PoseCosts, poses: Sequence[ViaPose], values: Array, si
 
 def _nearest(costs: PoseCosts, pose: ViaPose) -> ViaPose:
     """Of the poses that its freedom allows, the one that breaks limits least, by a few starts."""
-    if not pose.free:
+    if not pose.has_tolerance:
         return pose
     with needed_for("a path"):
         from scipy.optimize import minimize
-    free = pose.high > pose.low
-    low, high = pose.low[free], pose.high[free]
+    free = pose.tolerance_high > pose.tolerance_low
+    low, high = pose.tolerance_low[free], pose.tolerance_high[free]
 
     def moved(x: Array) -> ViaPose:
         shift = np.zeros(len(free))
         shift[free] = np.clip(x, low, high)
-        return pose.moved(shift)
+        return pose.shifted(shift)
 
     def broken(x: Array) -> float:
         at = moved(x)

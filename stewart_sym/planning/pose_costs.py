@@ -99,7 +99,7 @@ class PoseCosts(Frozen):
             found += [("leg length", *part) for part in self._lengths(q, s, L)]
         if self.robot.base_joint == "universal":
             found.append(("angle to the fixed axis of its universal joint", *self._axes(q, s, L)))
-        if self.limits.joint_angles and self.robot.limits_joint_angles:
+        if self.limits.joint_angles and self.robot.has_joint_angle_limits:
             found += [("joint angle", *part) for part in self._angles(R, q, s, L)]
         if self.limits.clearance > 0.0:
             found.append(("leg clearance", *self._clearances(q, S)))

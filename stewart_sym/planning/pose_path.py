@@ -1,7 +1,7 @@
 """Via poses and paths through them: position and quaternion of a platform point as one spline of degree 5.
 
 The quaternion is made a unit one, so no orientation is special; rates up to the fourth are continuous. Paths
-through via poses are a family: the few numbers that an optimisation changes.
+through via poses are a family: the few numbers that an optimization changes.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ class ViaPose(Frozen):
         Orientation, platform to base, (3, 3).
     t : array_like
         Position of the tool, m, base frame, (3,).
-    low, high : array_like, optional
+    tolerance_low, tolerance_high : array_like, optional
         By how much the pose may differ, (6,): shifts along base axes, m, and a rotation vector in the
         platform's axes, rad: R becomes R exp([phi]x). Low is at most 0 and high at least 0.
 
@@ -55,35 +55,40 @@ class ViaPose(Frozen):
 
     R: Array
     t: Array
-    low: Array = field(default_factory=lambda: np.zeros(6))
-    high: Array = field(default_factory=lambda: np.zeros(6))
+    tolerance_low: Array = field(default_factory=lambda: np.zeros(6))
+    tolerance_high: Array = field(default_factory=lambda: np.zeros(6))
 
     def __post_init__(self) -> None:
         for name, core in (("R", (3, 3)), ("t", (3,))):
             finite_array(getattr(self, name), core, name, batch=False)
         motion = pose_of((self.R, self.t), "pose", "a pose (R, t)")
-        low, high = (finite_array(getattr(self, name), (6,), name, batch=False) for name in ("low", "high"))
+        low, high = (
+            finite_array(getattr(self, name), (6,), name, batch=False)
+            for name in ("tolerance_low", "tolerance_high")
+        )
         if (low > 0.0).any() or (high < 0.0).any():
-            raise ValueError("low, high: expected six numbers <= 0 and six >= 0")
-        self._set({"R": np.array(motion.R), "t": np.array(motion.t), "low": low, "high": high})
+            raise ValueError("tolerance_low, tolerance_high: expected six numbers <= 0 and six >= 0")
+        self._set(
+            {"R": np.array(motion.R), "t": np.array(motion.t), "tolerance_low": low, "tolerance_high": high}
+        )
 
     @property
-    def free(self) -> bool:
+    def has_tolerance(self) -> bool:
         """Whether the pose may differ at all."""
-        return bool((self.high > self.low).any())
+        return bool((self.tolerance_high > self.tolerance_low).any())
 
-    def moved(self, shift: Array) -> ViaPose:
+    def shifted(self, shift: Array) -> ViaPose:
         """The pose that differs by a shift, with no freedom left.
 
         Parameters
         ----------
         shift : ndarray
-            By how much it differs, in the coordinates of ``low`` and ``high``, m and rad, (6,).
+            By how much it differs, in the coordinates of ``tolerance_low`` and ``tolerance_high``, m and rad, (6,).
 
         Returns
         -------
         ViaPose
-            Its ``low`` and ``high`` are 0.
+            Its ``tolerance_low`` and ``tolerance_high`` are 0.
         """
         return ViaPose(self.R @ rotation.rotation_from_vector(shift[3:]), self.t + shift[:3])
 
@@ -150,11 +155,11 @@ class PosePath(Frozen):
         at = np.clip(at, 0.0, 1.0)
         y, y_1, y_2 = (spline_values(self.knots, self.coefficients, at, order) for order in range(3))
         motion = Motion.from_quaternion(y[:, :3], y[:, 3:], y_1[:, :3], y_1[:, 3:], y_2[:, :3], y_2[:, 3:])
-        motion = motion.about_point(-self.tool) if self.tool.any() else motion
+        motion = motion.at_point(-self.tool) if self.tool.any() else motion
         if not self.load.any():
             return motion
         F_ext, M_ext = (np.broadcast_to(part, motion.t.shape) for part in (self.load[:3], self.load[3:]))
-        return Motion.unchecked(**(vars(motion) | {"F_ext": F_ext, "M_ext": M_ext}))
+        return Motion._unchecked(**(vars(motion) | {"F_ext": F_ext, "M_ext": M_ext}))
 
 
 def spline_values(knots: Array, coefficients: Array, s: Array, order: int) -> Array:
@@ -221,12 +226,17 @@ class Family:
     def free(self) -> list[tuple[int, int]]:
         """Numbers of via pose and coordinate that are free."""
         return [
-            (k, i) for k, pose in enumerate(self.poses) for i in np.flatnonzero(pose.high > pose.low).tolist()
+            (k, i)
+            for k, pose in enumerate(self.poses)
+            for i in np.flatnonzero(pose.tolerance_high > pose.tolerance_low).tolist()
         ]
 
     def box(self) -> list[tuple[float, float]]:
         """Bounds of the free coordinates."""
-        return [(float(self.poses[k].low[i]), float(self.poses[k].high[i])) for k, i in self.free]
+        return [
+            (float(self.poses[k].tolerance_low[i]), float(self.poses[k].tolerance_high[i]))
+            for k, i in self.free
+        ]
 
     def shifts(self, values: Array) -> Array:
         """Shifts of all via poses, (k, 6), of values of the free coordinates."""

@@ -27,11 +27,11 @@ from .smooth.costs import EnergyCost
 from .smooth.smooth_time import SmoothPath, eased, length_rates
 from .timing.grid import AIM, Grid, Source
 from .timing.path_rates import need_motions, need_rates
-from .timing.path_terms import Limits, Path, Terms, force_limits, terms_along, travelled
+from .timing.path_terms import Path, PathLimits, Terms, force_limits, terms_along, traveled
 from .timing.phase_plane import Ease, Profile
 
-Least = Literal["time", "energy", "peak-force"]
-LEAST: tuple[Least, ...] = ("time", "energy", "peak-force")
+Minimize = Literal["time", "energy", "peak_force"]
+MINIMIZE: tuple[Minimize, ...] = ("time", "energy", "peak_force")
 """What a motion along a path can have least of."""
 
 CELLS = 400
@@ -63,7 +63,7 @@ _SAME_TIME = 1e-12
 
 @dataclass(frozen=True, eq=False)
 class TimedPath:
-    """A path and how fast it is travelled.
+    """A path and how fast it is traveled.
 
     Attributes
     ----------
@@ -71,7 +71,7 @@ class TimedPath:
         The machine.
     path : callable
         Parameters s, (n,), -> motion whose rates are derivatives by s.
-    limits : Limits
+    limits : PathLimits
         What was kept to, beside the robot's own limits.
     formulation : str
         Of the forces.
@@ -81,7 +81,7 @@ class TimedPath:
 
     robot: Robot
     path: Path
-    limits: Limits
+    limits: PathLimits
     formulation: Formulation
     profile: Profile
 
@@ -90,7 +90,7 @@ class TimedPath:
         """Duration of the motion, s."""
         return self.profile.duration
 
-    def instants(self, count: int) -> Array:
+    def time_grid(self, count: int) -> Array:
         """Return even instants, and both sides of every jump of the accelerations between them.
 
         Parameters
@@ -107,12 +107,12 @@ class TimedPath:
         even = np.linspace(0.0, self.duration, count)
         return np.unique(np.concatenate([even, np.nextafter(nodes, 0.0), nodes]))
 
-    def sample(self, times: ArrayLike) -> Motion:
+    def sample(self, time: ArrayLike) -> Motion:
         """Return the motion at given times.
 
         Parameters
         ----------
-        times : array_like
+        time : array_like
             From 0 to the duration, s, (...).
 
         Returns
@@ -125,24 +125,24 @@ class TimedPath:
         ValueError
             For times outside.
         """
-        when = real_array(times, "times")
+        when = real_array(time, "time")
         # A duration that was asked for is kept to rounding.
         if when.size and not (when.min() >= 0.0 and when.max() <= self.duration * (1.0 + _SAME_TIME)):
-            raise ValueError(f"times: expected times in [0, {self.duration:.9g}] s")
+            raise ValueError(f"time: expected times in [0, {self.duration:.9g}] s")
         place = self.profile.at(np.minimum(when.ravel(), self.duration))
-        motion = travelled(self.path(place.s), place.rate, place.second)
+        motion = traveled(self.path(place.s), place.rate, place.second)
         return motion[np.arange(when.size).reshape(when.shape)]
 
 
-def time_path(
+def parameterize_path(
     robot: Robot,
     path: Path,
     span: tuple[float, float] = (0.0, 1.0),
-    limits: Limits | None = None,
+    limits: PathLimits | None = None,
     formulation: Formulation = "exact",
-    cells: int = CELLS,
+    grid_size: int = CELLS,
     progress: Progress = silent,
-    least: Least = "time",
+    minimize: Minimize = "time",
     duration: float | None = None,
 ) -> TimedPath:
     """Find the best motion along a path, from rest to rest, within all limits: the fastest, or of a duration.
@@ -160,16 +160,16 @@ def time_path(
         such as a ``PosePath``; its loads are kept. It rests nowhere, and its rates do not jump.
     span : tuple of float, optional
         First and last s, the first less than the last.
-    limits : Limits, optional
+    limits : PathLimits, optional
         Limits that replace or add to the robot's.
     formulation : {"exact", "paper"}, optional
         The corrected equations or those printed.
-    cells : int, optional
+    grid_size : int, optional
         Of the first grid, 10 to 100,000.
     progress : callable, optional
         Called with what is being done.
 
-    least : {"time", "energy", "peak-force"}, optional
+    minimize : {"time", "energy", "peak_force"}, optional
         What is made least. Energy: electrical, as ``drive_effort`` states it, work at the motors' shafts,
         given back where it is negative, and heat of their windings; without a drive the work of the leg
         forces. Peak force: the largest of any leg while the machine moves, which may be less than at rest.
@@ -202,14 +202,14 @@ def time_path(
     if not ends[0] < ends[1]:
         raise ValueError(f"span: expected a first s less than the last, got {shown(span)}")
     option(formulation, FORMULATIONS, "formulation")
-    limits = Limits() if limits is None else limits
-    instance(limits, Limits, "limits")
-    whole_number(cells, "cells", 10, "a whole number from 10 to 100,000", 100_000)
-    option(least, LEAST, "least")
-    need_duration(least, duration)
+    limits = PathLimits() if limits is None else limits
+    instance(limits, PathLimits, "limits")
+    whole_number(grid_size, "grid_size", 10, "a whole number from 10 to 100,000", 100_000)
+    option(minimize, MINIMIZE, "minimize")
+    need_duration(minimize, duration)
     need_motions(path, ends)
-    task = _Task(robot, path, (float(ends[0]), float(ends[1])), limits, formulation, cells, progress)
-    if not task.need_possible() and least == "time":
+    task = _Task(robot, path, (float(ends[0]), float(ends[1])), limits, formulation, grid_size, progress)
+    if not task.need_possible() and minimize == "time":
         warn(
             "limits: expected a limit of force, acceleration or jerk beside that of speed, there is none: "
             "forces of the fastest motion have no bound"
@@ -221,35 +221,35 @@ def time_path(
             raise ValueError(
                 f"duration: expected at least the least time, {profile.duration:.6g} s, got {given:g}"
             )
-        found = task.thriftiest(given) if least == "energy" else task.gentlest(profile, given)
+        found = task.thriftiest(given) if minimize == "energy" else task.gentlest(profile, given)
         slow = profile if found is None else found
         profile = slow.slowed(slow.duration / given)
     return TimedPath(robot, path, limits, formulation, profile)
 
 
 class _Task(NamedTuple):
-    """What is to be timed; arguments of ``time_path``."""
+    """What is to be timed; arguments of ``parameterize_path``."""
 
     robot: Robot
     path: Path
     span: tuple[float, float]
-    limits: Limits
+    limits: PathLimits
     formulation: Formulation
     cells: int
     progress: Progress
 
-    def source(self, limits: Limits) -> Source:
+    def source(self, limits: PathLimits) -> Source:
         return lambda s: terms_along(self.robot, self.path, s, limits, self.formulation)
 
     def need_possible(self) -> bool:
-        """Reject a path that cannot be travelled or limits nothing; whether more than speeds is limited."""
+        """Reject a path that cannot be traveled or limits nothing; whether more than speeds is limited."""
         nodes, jerk = _first_nodes(*self.span, self.cells), self.limits.jerk is not None
         terms = self.source(self.limits)(nodes)
         need_bounded(terms, nodes, jerk)
         need_rates(self.robot, self.path, np.linspace(*self.span, _PLACES))
         return jerk or terms.motors is not None or bool(np.isfinite(terms.limit).any())
 
-    def fastest(self, limits: Limits) -> Profile:
+    def fastest(self, limits: PathLimits) -> Profile:
         found = None
         if limits.jerk is None:
             grid, found = self._in_phase_plane(limits)
@@ -260,7 +260,7 @@ class _Task(NamedTuple):
         other = smooth.profile(smooth.fastest(partial(self.progress, "finding the fastest smooth motion")))
         return other if found is None or other.duration < found.duration else found
 
-    def _in_phase_plane(self, limits: Limits) -> tuple[Grid, Profile | None]:
+    def _in_phase_plane(self, limits: PathLimits) -> tuple[Grid, Profile | None]:
         """The fastest motion without a limit of jerk, None where it exceeds others, and its grid."""
         grid = Grid.of(self.source(limits), _first_nodes(*self.span, self.cells))
         if grid.terms.motors is not None:
@@ -277,7 +277,7 @@ class _Task(NamedTuple):
                 grid = grid.tightened(used, turn + 1 - _DIVISIONS)
         return grid, None
 
-    def smooth(self, limits: Limits) -> SmoothPath:
+    def smooth(self, limits: PathLimits) -> SmoothPath:
         """What the path takes of the machine, by an eased parameter."""
         cells = min(self.cells, SMOOTH_CELLS)
         ease = Ease(*self.span, 1 if limits.jerk is None else 2)
@@ -321,7 +321,7 @@ class _Task(NamedTuple):
         highest = self._peak(quickest)
         tries = itertools.count(1)
 
-        def limited(force: float) -> tuple[_Task, Limits]:
+        def limited(force: float) -> tuple[_Task, PathLimits]:
             text = f"finding the motion of least peak force, try {next(tries)}"
             self.progress(text)
             task = self._replace(progress=lambda _, share=None: self.progress(text, share))
@@ -370,16 +370,16 @@ class _Task(NamedTuple):
         values = self.source(self.limits)(nodes.s).values(nodes.rate**2, nodes.second)
         return float(np.abs(values[:, :LEGS]).max())
 
-    def rough(self, limits: Limits) -> Profile:
+    def rough(self, limits: PathLimits) -> Profile:
         if limits.jerk is not None:
             return self.fastest(limits)
         return Grid.at(self.source(limits), _first_nodes(*self.span, self.cells)).fastest()[1]
 
 
-def need_duration(least: Least, duration: float | None) -> None:
+def need_duration(least: Minimize, duration: float | None) -> None:
     """Reject a duration of a motion of least time, and another motion without one."""
     if least == "time" and duration is not None:
-        raise ValueError(f'duration: expected least "energy" or "peak-force" beside it, got "{least}"')
+        raise ValueError(f'duration: expected minimize "energy" or "peak_force" beside it, got "{least}"')
     if least != "time" and duration is None:
         raise ValueError(f'least: expected a duration beside "{least}"')
 
@@ -388,7 +388,7 @@ def need_losses(robot: Robot) -> None:
     """Reject a machine whose every motion takes the same energy, but for Stribeck's part of friction."""
     losses, drive = [robot.C_u, robot.C_p, robot.C_s], robot.drive
     if drive is not None:
-        losses += [drive.resistance, viscous(drive), 1.0 - drive.efficiency, 1.0 - drive.back_efficiency]
+        losses += [drive.resistance, viscous(drive), 1.0 - drive.efficiency, 1.0 - drive.backdrive_efficiency]
     if not any(np.any(loss) for loss in losses):
         raise ValueError(
             "robot: expected viscous friction, a resistance of windings or an efficiency below 1, without "

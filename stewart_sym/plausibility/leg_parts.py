@@ -30,9 +30,9 @@ def of_torques(robot: Robot, F: Array) -> Iterator[Doubt]:
     drive = robot.drive
     if drive is None:
         return
-    turns = np.abs(drive.turns)
-    friction = drive.screw_coulomb + drive.stribeck + turns * drive.motor_coulomb
-    torque = (drive.back_efficiency * np.abs(F) - friction) / turns
+    turns = np.abs(drive.transmission_ratio)
+    friction = drive.screw_coulomb + drive.stribeck_force + turns * drive.motor_coulomb
+    torque = (drive.backdrive_efficiency * np.abs(F) - friction) / turns
     for name in ("torque_limit", "rated_torque"):
         limit = getattr(drive, name)
         with np.errstate(invalid="ignore"):
@@ -67,7 +67,7 @@ def of_drive_friction(robot: Robot) -> Iterator[Doubt]:
     drive = robot.drive
     if drive is None:
         return
-    turns = np.abs(drive.turns)
+    turns = np.abs(drive.transmission_ratio)
     at_rest = constant_part(drive, np.zeros(len(turns))) / turns
     speed = np.minimum(robot.speed_limit, drive.speed_limit / turns)
     moving = np.where(np.isfinite(speed), viscous(drive) / turns * speed, 0.0)
@@ -143,7 +143,7 @@ def of_speeds(robot: Robot) -> Iterator[Doubt]:
             f"speed_limit of the drives of {legs_text(fast)}: {most:.4g} rad/s, {most * 30.0 / np.pi:.4g} "
             "revolutions a minute; likely cause: revolutions a minute given, expected angle_unit a second",
         )
-    speed = limit / np.abs(robot.drive.turns)
+    speed = limit / np.abs(robot.drive.transmission_ratio)
     slow = np.flatnonzero((speed < SLOW * robot.speed_limit) & np.isfinite(robot.speed_limit)).tolist()
     if slow:
         i = min(slow, key=lambda leg: float(speed[leg] / robot.speed_limit[leg]))
@@ -163,7 +163,7 @@ def of_currents(robot: Robot) -> Iterator[Doubt]:
     constant = np.where(drive.torque_constant > 0.0, drive.torque_constant, np.nan)
     torque = np.minimum(drive.torque_limit, drive.rated_torque)
     current = np.where(np.isfinite(torque), torque / constant, np.nan)
-    speed = np.minimum(drive.speed_limit, np.abs(drive.turns) * robot.speed_limit)
+    speed = np.minimum(drive.speed_limit, np.abs(drive.transmission_ratio) * robot.speed_limit)
     voltage = np.where(np.isfinite(speed), constant * speed, np.nan)
     drop = current * drive.resistance
     of_torque = ("torque_constant", constant, "N m/A")

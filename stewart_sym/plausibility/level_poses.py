@@ -42,7 +42,7 @@ class Home:
     fits: bool
 
 
-def centred_H(b: Array, q: Array, t: Array, unit: float) -> tuple[Array, Array]:
+def centered_H(b: Array, q: Array, t: Array, unit: float) -> tuple[Array, Array]:
     """H with moments about the middle of the platform points over a unit, m, (..., 6, 6), and L, (..., 6).
 
     q: from the reference point to the platform points, base frame, m, (..., 6, 3). t: (..., 3).
@@ -60,13 +60,13 @@ def level_home(robot: Robot) -> Array:
     are no length limits, whose home pose is a guess, at the best height at which the legs' parts do not
     overlap.
     """
-    if robot.home is not None:
-        return robot.home
+    if robot.home_position is not None:
+        return robot.home_position
     t = home_pose(robot).t
     condition = float(level_conditions(robot.b, robot.p, t[None])[0])
     limited = np.all(np.isfinite(robot.length_limits))
-    towards = t + robot.p.mean(axis=0) - robot.b.mean(axis=0)
-    directions = [towards / np.linalg.norm(towards)]
+    toward = t + robot.p.mean(axis=0) - robot.b.mean(axis=0)
+    directions = [toward / np.linalg.norm(toward)]
     if not condition <= GOOD_CONDITION:
         normal = np.linalg.svd(robot.b - robot.b.mean(axis=0))[2][2]
         directions += [normal, -normal]
@@ -101,7 +101,7 @@ def home_of(robot: Robot, t: Array) -> Home:
 
 
 def parts_of(robot: Robot) -> Array:
-    """Distances of both centres of mass from their joints along each leg, together, m, (6,)."""
+    """Distances of both centers of mass from their joints along each leg, together, m, (6,)."""
     return np.asarray(robot.r_d0[:, 0] - robot.r_u0[:, 0])
 
 
@@ -110,7 +110,7 @@ def level_conditions(b: Array, p: Array, t: Array) -> Array:
 
     p: (6, 3), or the same points in several orders, (..., 1, 6, 3).
     """
-    H, _ = centred_H(b, p, t, radius(p.reshape(-1, 3)))
+    H, _ = centered_H(b, p, t, radius(p.reshape(-1, 3)))
     return scaled_condition_number(H, 1.0)
 
 

@@ -18,13 +18,13 @@ from ..motion.rotation import rotation_from_quaternion
 from ..robot.robot import LEGS, Robot, legs_text
 from . import leg_parts
 from .leg_order import of_order
-from .level_poses import Doubt, Home, centred_H, home_of, level_home, parts_of
+from .level_poses import Doubt, Home, centered_H, home_of, level_home, parts_of
 from .points import MOST_LEGS, of_coincidence, of_exchange, of_limits, of_place, of_tool
 
 MOST_GRAVITY = 50.0
 """m/s^2: twice Jupiter's; in mm/s^2 or cm/s^2 the Moon's is 1,620 or 162."""
 MOST_SIZE = 50.0
-"""m, RMS radius of points: larger machines are rarer than files in millimetres."""
+"""m, RMS radius of points: larger machines are rarer than files in millimeters."""
 LEAST_SIZE = 1e-4
 MOST_PROPORTION = (2.5, 200.0)
 """Platform over base: an exchange of the two, and points in another unit."""
@@ -32,7 +32,7 @@ STRAY = 50.0
 DENSEST = 22590.0
 """kg/m^3: of osmium, all over a ball around the platform points. In grams light platforms exceed it too."""
 LEAST_DENSITY = 0.01
-"""kg/m^3: a hundredth of air's. In millimetres a platform is a thousand million times too large."""
+"""kg/m^3: a hundredth of air's. In millimeters a platform is a thousand million times too large."""
 MOST_GYRATION = 5.0
 """Radius of gyration over the machine's size: kg cm^2 for kg m^2 makes it 100 times too large."""
 LEAST_GYRATION = (0.02, 0.002)
@@ -51,15 +51,15 @@ LEAST_SINE, LEAST_SINES = 0.03, 0.1
 """Of the angle between a leg and its universal axis at the home pose, of any leg where length
 limits say where home is, and of all six."""
 MOST_OFFSET = (0.5, 0.15, 5.0)
-"""Distance of a centre of mass from the leg's axis, over the leg, and over the leg where it is also this many
+"""Distance of a center of mass from the leg's axis, over the leg, and over the leg where it is also this many
 times its place along the axis."""
 LEAST_OFFSET = (1e-6, 1e-3)
-"""Distance of a part's centre of mass from its joint, over the leg: metres in a file of millimetres; below
+"""Distance of a part's center of mass from its joint, over the leg: meters in a file of millimeters; below
 it, zero but for rounding."""
 BEYOND = 0.05
-"""Distance of a part's centre of mass beyond its joint, over the leg."""
+"""Distance of a part's center of mass beyond its joint, over the leg."""
 MOST_OVERLAP = 1.25
-"""Distances of both centres of mass from their joints, over the leg: parts that just slide past each other
+"""Distances of both centers of mass from their joints, over the leg: parts that just slide past each other
 have 1 when the leg is shortest."""
 
 
@@ -82,7 +82,7 @@ def doubts(robot: Robot) -> list[Doubt]:
 
 def _found(robot: Robot) -> list[Doubt]:
     def left(found: Iterable[Doubt]) -> list[Doubt]:
-        return [doubt for doubt in found if doubt.name not in robot.accept]
+        return [doubt for doubt in found if doubt.name not in robot.suppressed_warnings]
 
     base, platform = radius(robot.b), radius(robot.p)
     if not np.isfinite(base + platform):
@@ -141,12 +141,12 @@ def _of_lengths(robot: Robot) -> Iterator[Doubt]:
         yield Doubt(
             "stray-point",
             f"{', '.join(strays)}: more than {STRAY:g} times as far out as the others; likely cause: given "
-            "in millimetres, or a decimal point lost",
+            "in millimeters, or a decimal point lost",
         )
     elif max(base, platform) > MOST_SIZE and min(base, platform) * MOST_PROPORTION[1] > max(base, platform):
-        yield Doubt("length-unit", f"{sizes}; likely cause: points in millimetres, expected metres")
+        yield Doubt("length-unit", f"{sizes}; likely cause: points in millimeters, expected meters")
     elif 0.0 < max(base, platform) < LEAST_SIZE:
-        yield Doubt("length-unit", f"{sizes}; likely cause: points in kilometres, expected metres")
+        yield Doubt("length-unit", f"{sizes}; likely cause: points in kilometers, expected meters")
     elif platform > 0.0 and base > 0.0:
         said = list(_of_proportion(platform / base, sizes)) or list(of_exchange(robot, sizes))
         yield from said or _of_lightness(robot, sizes)
@@ -167,7 +167,7 @@ def _of_proportion(ratio: float, sizes: str) -> Iterator[Doubt]:
     exchanged, unit = MOST_PROPORTION
     if ratio > unit or ratio < 1.0 / unit:
         larger, smaller = ("platform", "base") if ratio > unit else ("base", "platform")
-        cause = f"{larger} points in millimetres, or {smaller} points in metres in a file of millimetres"
+        cause = f"{larger} points in millimeters, or {smaller} points in meters in a file of millimeters"
         yield Doubt("proportion", f"{sizes}; likely cause: {cause}")
     elif ratio > exchanged:
         yield Doubt(
@@ -182,7 +182,7 @@ def _of_lightness(robot: Robot, sizes: str) -> Iterator[Doubt]:
         yield Doubt(
             "length-unit",
             f"{sizes}, platform {robot.M:g} kg, {density:.2g} kg/m^3 all over a ball around its points; "
-            "likely cause: points in millimetres or centimetres, expected metres",
+            "likely cause: points in millimeters or centimeters, expected meters",
         )
 
 
@@ -216,13 +216,13 @@ def _of_friction(robot: Robot, size: float) -> Iterator[Doubt]:
 def _of_rotors(robot: Robot) -> Iterator[Doubt]:
     """Rotors beside which platform and legs do not count."""
     moving = robot.M + float(robot.m_d.sum() + robot.m_u.sum())
-    legs = np.flatnonzero(robot.m_r > MOST_REFLECTED * moving).tolist()
+    legs = np.flatnonzero(robot.reflected_mass > MOST_REFLECTED * moving).tolist()
     if robot.drive is not None and legs:
-        worst = int(np.argmax(robot.m_r))
+        worst = int(np.argmax(robot.reflected_mass))
         yield Doubt(
             "rotor-inertia",
             f"rotor_inertia of {legs_text(legs)}: {robot.drive.rotor_inertia[worst]:.3g} kg m^2 resists as "
-            f"{robot.m_r[worst]:.3g} kg along the leg, platform and legs have {moving:.3g} kg; likely cause: "
+            f"{robot.reflected_mass[worst]:.3g} kg along the leg, platform and legs have {moving:.3g} kg; likely cause: "
             "given in kg cm^2 or g cm^2, expected kg m^2, or a lead in another unit",
         )
 
@@ -238,7 +238,7 @@ def _of_masses(robot: Robot, size: float) -> Iterator[Doubt]:
         legs = np.flatnonzero(wide if wide.any() else narrow).tolist()
         where = f"{name}: " if name == "platform" else f"{name} of {legs_text(legs)}: "
         cause = (
-            "inertia in kg mm^2, g cm^2 or kg cm^2, or about a point that is not the centre of mass"
+            "inertia in kg mm^2, g cm^2 or kg cm^2, or about a point that is not the center of mass"
             if wide.any()
             else "inertia converted from kg mm^2 twice, or masses in grams"
         )
@@ -263,7 +263,7 @@ def _of_masses(robot: Robot, size: float) -> Iterator[Doubt]:
         yield Doubt(
             "center-of-mass",
             f"platform: center_of_mass {far:.3g} m from the middle of the platform points, on a machine of "
-            f"{size:.3g} m; likely cause: given in millimetres or in the base frame",
+            f"{size:.3g} m; likely cause: given in millimeters or in the base frame",
         )
 
 
@@ -297,7 +297,7 @@ def _singular_shares(robot: Robot) -> tuple[Array, Array]:
     R = rotation_from_quaternion(rng.normal(size=(count, 4)))
     middle = robot.b.mean(axis=0) + size * rng.normal(size=(count, 3))
     t = middle - R @ robot.p.mean(axis=0)
-    H, L = centred_H(robot.b, robot.p @ np.swapaxes(R, -1, -2), t, radius(robot.p))
+    H, L = centered_H(robot.b, robot.p @ np.swapaxes(R, -1, -2), t, radius(robot.p))
     values = np.linalg.svd(H, compute_uv=False)
     reach = np.abs(t).max(axis=-1) + np.abs(robot.p).max() + np.abs(robot.b).max()
     shares = np.nan_to_num(values[:, -1] / values[:, 0])
@@ -389,7 +389,7 @@ def _of_limits(robot: Robot, home: Home) -> Doubt:
     ratio = float(np.mean(high[finite]) / np.mean(home.L[finite]))
     unit = next((unit for unit, share in _UNITS if _fits(robot, robot.length_limits * share)), "")
     if unit or ratio > MOST_SIZE:
-        cause = f"limits in {unit or 'millimetres'}"
+        cause = f"limits in {unit or 'millimeters'}"
     elif ratio < 0.9:
         cause = "the stroke given, expected the length from joint to joint"
     else:
@@ -405,7 +405,7 @@ def _of_limits(robot: Robot, home: Home) -> Doubt:
     return Doubt("length-limits", f"{limits}: {where}; likely cause: {cause}")
 
 
-_UNITS = (("millimetres", 1e-3), ("centimetres", 1e-2), ("inches", 0.0254))
+_UNITS = (("millimeters", 1e-3), ("centimeters", 1e-2), ("inches", 0.0254))
 
 
 def _fits(robot: Robot, limits: Array) -> bool:
@@ -415,7 +415,7 @@ def _fits(robot: Robot, limits: Array) -> bool:
 
 
 def _of_parts(robot: Robot, home: Home) -> Iterator[Doubt]:
-    """Centres of mass of a leg's parts that lie beyond the leg, on the wrong side or far away."""
+    """Centers of mass of a leg's parts that lie beyond the leg, on the wrong side or far away."""
     off, least_off, times = MOST_OFFSET
     for part, r, sign, joint in (
         ("upper", robot.r_u0, "negative", "platform joint"),
@@ -433,10 +433,10 @@ def _of_parts(robot: Robot, home: Home) -> Iterator[Doubt]:
         long = f"legs {home.L[legs].max():.3g} m long"
         if far.any():
             text = f"{away[legs].max():.3g} m from the {joint}, {long}"
-            cause = "given in millimetres or in the base frame"
+            cause = "given in millimeters or in the base frame"
         elif near.any():
             text = f"{away[legs].min():.3g} m from the {joint}, {long}"
-            cause = "given in metres in a file of millimetres"
+            cause = "given in meters in a file of millimeters"
         elif beside.any():
             text = f"{across[legs].max():.3g} m off the leg's axis, {long}"
             cause = "components in another order or in the base frame, expected the first along the leg"
@@ -455,7 +455,7 @@ def _of_overlap(robot: Robot, home: Home) -> Iterator[Doubt]:
         i = max(legs, key=lambda leg: float(parts_of(robot)[leg] / home.L[leg]))
         yield Doubt(
             "overlap",
-            f"lower and upper parts overlap at the home pose in {legs_text(legs)}: centres of mass "
+            f"lower and upper parts overlap at the home pose in {legs_text(legs)}: centers of mass "
             f"{lower[i]:.3g} m above the base joint and {upper[i]:.3g} m below the platform joint, leg "
             f"{home.L[i]:.3g} m; likely cause: both measured from one end, expected lower from the base, "
             "upper from the platform point",

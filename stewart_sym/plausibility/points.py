@@ -73,9 +73,9 @@ _PARALLEL = 0.3
 
 def of_place(robot: Robot) -> Iterator[Doubt]:
     """A home pose at which no machine of this size is, or at which its legs lie in one plane."""
-    if robot.home is None:
+    if robot.home_position is None:
         return
-    S = robot.p + robot.home - robot.b
+    S = robot.p + robot.home_position - robot.b
     L = np.linalg.norm(S, axis=-1)
     size = radius(robot.b) + radius(robot.p)
     another = "home of another point than the platform frame's origin"
@@ -100,9 +100,9 @@ def of_place(robot: Robot) -> Iterator[Doubt]:
 
 def of_limits(robot: Robot) -> Iterator[Doubt]:
     """A home pose beyond the length limits."""
-    if robot.home is None:
+    if robot.home_position is None:
         return
-    L, (low, high) = level_lengths(robot, robot.home), robot.length_limits.T
+    L, (low, high) = level_lengths(robot, robot.home_position), robot.length_limits.T
     legs = np.flatnonzero((low > L) | (high < L)).tolist()
     if legs:
         i = max(legs, key=lambda leg: float(max(low[leg] - L[leg], L[leg] - high[leg]) / L[leg]))
@@ -117,9 +117,9 @@ def of_limits(robot: Robot) -> Iterator[Doubt]:
 # The tool of trajectories
 
 FAR = 10.0
-"""Distance from the platform over the machine's size: millimetres read as metres make it 50 and more."""
+"""Distance from the platform over the machine's size: millimeters read as meters make it 50 and more."""
 NEAR = (1e-6, 1e-3)
-"""The same from the frame's origin: metres in a file of millimetres; below it, zero but for rounding."""
+"""The same from the frame's origin: meters in a file of millimeters; below it, zero but for rounding."""
 
 
 def of_tool(robot: Robot) -> Iterator[Doubt]:
@@ -131,11 +131,11 @@ def of_tool(robot: Robot) -> Iterator[Doubt]:
         yield Doubt(
             "tool",
             f"tool: {apart:.3g} m from the platform, on a machine of {size:.3g} m; likely cause: given in "
-            "millimetres, or in micrometres in a file of millimetres",
+            "millimeters, or in micrometers in a file of millimeters",
         )
     elif NEAR[0] * size < away < NEAR[1] * size:
         yield Doubt(
             "tool",
             f"tool: {away:.3g} m from the origin of the platform frame, on a machine of {size:.3g} m; likely "
-            "cause: given in metres in a file of millimetres",
+            "cause: given in meters in a file of millimeters",
         )

@@ -13,7 +13,7 @@ static void widen(__float128 *to, const double *from, size_t count)
     }
 }
 
-static void normalise(__float128 k[3])
+static void normalize(__float128 k[3])
 {
     const __float128 size = sqrtq(k[0] * k[0] + k[1] * k[1] + k[2] * k[2]);
     int i;
@@ -54,7 +54,7 @@ void quad_forces(
     int i;
     widen((__float128 *)&robot, numbers, sizeof robot / sizeof robot.M);
     for (i = 0; i < 6 && ideal; ++i) {
-        normalise(robot.leg[i].k);
+        normalize(robot.leg[i].k);
     }
     for (pose = 0; pose < count; ++pose) {
         stewart_motion at;

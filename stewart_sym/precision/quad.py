@@ -26,7 +26,7 @@ _MACROS = {
     "STEWART_EPSILON": "FLT128_EPSILON",
     "STEWART_MAX": "FLT128_MAX",
 }
-# Optimising does not shorten operations that are calls of a library. A library named before the sources is
+# Optimizing does not shorten operations that are calls of a library. A library named before the sources is
 # dropped, as nothing needs it yet, unless the linker must keep it.
 _FLAGS = ("-O1", "-include", "quadmath.h", "-Wl,--no-as-needed", "-lquadmath")
 

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from ..motion.motion import Motion
-from ..results import OK, EquationsOfMotion
+from ..results import OK, EquationsOfMotionResult
 from ..robot.robot import LEGS, Robot
 from . import newton_euler
 from .newton_euler import Array, Codes
@@ -25,7 +25,7 @@ ActuatorWrench = Callable[[Robot, Motion], tuple[Array, Codes]]
 
 def equations_of_motion(
     robot: Robot, motion: Motion, faults: frozenset[int] = newton_euler.EXACT
-) -> EquationsOfMotion:
+) -> EquationsOfMotionResult:
     """M, C, g, friction and bias of the vector reference; any load and accelerations don't count.
 
     faults: numbers of the printed faults to keep, as for ``reference.inverse_dynamics``.
@@ -33,12 +33,12 @@ def equations_of_motion(
     return by_linearity(functools.partial(newton_euler.actuator_wrench, faults=faults), robot, motion)
 
 
-def by_linearity(wrench: ActuatorWrench, robot: Robot, motion: Motion) -> EquationsOfMotion:
+def by_linearity(wrench: ActuatorWrench, robot: Robot, motion: Motion) -> EquationsOfMotionResult:
     """M, C, g, friction and bias of whatever inverse dynamics ``wrench`` computes."""
     with np.errstate(all="ignore"):
         parts, status = _terms(wrench, robot, motion)
     status = newton_euler.without_overflow(parts, status)
-    return EquationsOfMotion(**newton_euler.with_status(parts, status))
+    return EquationsOfMotionResult(**newton_euler.with_status(parts, status))
 
 
 def _terms(wrench: ActuatorWrench, robot: Robot, motion: Motion) -> tuple[dict[str, Array], Codes]:
@@ -52,7 +52,9 @@ def _terms(wrench: ActuatorWrench, robot: Robot, motion: Motion) -> tuple[dict[s
     C = coriolis(
         lambda v, omega: wrench(bare, with_rates(motion, v, omega, still, still))[0], robot, motion, M
     )
-    return {"M": M, "C": C, "g": g, "friction": (resisted - inertial) / _SLOWLY, "bias": bias}, status
+    friction = (resisted - inertial) / _SLOWLY
+    terms = {"M": M, "C": C, "g": g, "friction": friction, "bias": bias - friction}
+    return terms | {"bias_and_friction": bias}, status
 
 
 _SLOWLY = 2.0**-100
@@ -118,7 +120,7 @@ def _wide_motion(motion: Motion) -> Motion:
     none = np.zeros_like(motion.t)
     R, t, omega, v = (_wide(value) for value in (motion.R, motion.t, motion.omega, motion.v))
     load = (None if value is None else _wide(value) for value in (motion.F_ext, motion.M_ext))
-    return Motion.unchecked(R, t, omega, v, none, none, *load)
+    return Motion._unchecked(R, t, omega, v, none, none, *load)
 
 
 @functools.cache
@@ -139,7 +141,7 @@ def _wide(values: Any) -> Any:
 GEOMETRY = ("g", "b", "p", "k")
 INERTIAL = (
     *("M", "R_0", "I_p", "m_d", "r_d0", "I_d0", "m_u", "r_u0", "I_u0"),
-    *("C_u", "C_p", "C_s", "m_r", "j_r"),
+    *("C_u", "C_p", "C_s", "reflected_mass", "rotor_momentum"),
 )
 """Numbers of a robot that its forces depend on: gravity and geometry, and those in which they are linear."""
 
@@ -147,7 +149,7 @@ INERTIAL = (
 def coriolis(h: Callable[[Array, Array], Array], robot: Robot, motion: Motion, M: Array) -> Array:
     """C, (..., 6, 6), of the Levi-Civita connection of M in the frame of twists [v; omega].
 
-    The quadratic wrench h of the rates, of v and omega (..., 6, 3), gives by polarisation the part of C that
+    The quadratic wrench h of the rates, of v and omega (..., 6, 3), gives by polarization the part of C that
     is symmetric in twist and direction. Twists are no rates of coordinates: the fields of two constant twists
     have the Lie bracket [0; -omega_1 x omega_2], base axes, and half of it goes through M. With that dM/dt =
     C + C^T. h and M may have axes before those of the motion.
@@ -172,7 +174,7 @@ def with_rates(motion: Motion, v: Array, omega: Array, a: Array, alpha: Array) -
     if v.ndim > t.ndim:
         R = np.broadcast_to(R[..., None, :, :], (*v.shape, 3))
         t = np.broadcast_to(t[..., None, :], v.shape)
-    return Motion.unchecked(R, t, omega, v, alpha, a)
+    return Motion._unchecked(R, t, omega, v, alpha, a)
 
 
 def _size(vectors: Array) -> Array:
@@ -200,7 +202,7 @@ def _zeroed(robot: Robot, names: tuple[str, ...]) -> Robot:
 # The regressor
 
 # A machine all of whose parameters but one are zero needs the wrench that is this parameter's column. A first
-# moment without a mass is the difference of two bodies of 1 kg, one with its centre of mass at 1 m and no
+# moment without a mass is the difference of two bodies of 1 kg, one with its center of mass at 1 m and no
 # inertia about the joint point, and one at the joint point.
 
 
@@ -208,7 +210,7 @@ def regressor(robot: Robot, motion: Motion) -> tuple[Array, Codes]:
     """Y, (..., 6, 148), formulation `exact`, and status, (...); NaN where that is not 0."""
     zeros = {name: np.zeros_like(np.asarray(getattr(robot, name))) for name in INERTIAL}
     given = {name: getattr(robot, name) for name in ("base_joint", *GEOMETRY)}
-    unloaded = Motion.unchecked(motion.R, motion.t, motion.omega, motion.v, motion.alpha, motion.a)
+    unloaded = Motion._unchecked(motion.R, motion.t, motion.omega, motion.v, motion.alpha, motion.a)
 
     def wrench(where: Any, numbers: dict[str, Any]) -> Array:
         machine: Any = SimpleNamespace(**given, **{name: value.copy() for name, value in zeros.items()})
@@ -228,7 +230,7 @@ def regressor(robot: Robot, motion: Motion) -> tuple[Array, Codes]:
 
 
 def _body(wrench: Callable[..., Array]) -> Iterator[Array]:
-    """Columns of a body's mass, first moment and inertia; wrench: of its mass, centre of mass and inertia."""
+    """Columns of a body's mass, first moment and inertia; wrench: of its mass, center of mass and inertia."""
     none, of_mass = np.zeros(3), wrench(1.0, np.zeros(3), np.zeros((3, 3)))
     yield of_mass
     for axis in np.eye(3):

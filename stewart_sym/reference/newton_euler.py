@@ -16,7 +16,15 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..motion.motion import Motion
 from ..motion.rotation import cross as _cross
-from ..results import JOINT_SINGULAR, NOT_FINITE, OK, SINGULAR, ZERO_LENGTH, Forces, Reactions
+from ..results import (
+    JOINT_SINGULAR,
+    NOT_FINITE,
+    OK,
+    SINGULAR,
+    ZERO_LENGTH,
+    InverseDynamicsResult,
+    JointReactionsResult,
+)
 from ..robot.offset_chains import applied as _mul
 from ..robot.offset_chains import transposed as _transpose
 from ..robot.offset_positions import dot as _dot
@@ -99,7 +107,7 @@ class Legs(_Velocities):
     D: Array
 
 
-def inverse_dynamics(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT) -> Forces:
+def inverse_dynamics(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT) -> InverseDynamicsResult:
     """Actuator forces of the prescribed motion, (1)-(24) and (30)-(37).
 
     robot: any machine; with base joint "spherical" the legs don't spin and faults 1 and 2 say nothing.
@@ -114,17 +122,17 @@ def inverse_dynamics(robot: Robot, motion: Motion, faults: frozenset[int] = EXAC
 
 
 def joint_reactions(
-    robot: Robot, motion: Motion, faults: frozenset[int] = EXACT, bearing: ArrayLike | None = None
-) -> Reactions:
+    robot: Robot, motion: Motion, faults: frozenset[int] = EXACT, bearing_distance: ArrayLike | None = None
+) -> JointReactionsResult:
     """Forces and moments in the joints, by (21), (25)-(29) and (17).
 
     robot, motion, faults: as for `inverse_dynamics`.
-    bearing: where M_p is taken, m along the leg from its base point, one number or (6,); None is 0.
+    bearing_distance: where M_p is taken, m along the leg from its base point, one number or (6,); None is 0.
 
-    Returns `Reactions`, base frame; M_u is along s with fault 2 and along n = k x y without.
+    Returns `JointReactionsResult`, base frame; M_u is along s with fault 2 and along n = k x y without.
     Raises ValueError when the motion has no accelerations or a fault has an unknown number.
     """
-    l = np.broadcast_to(0.0 if bearing is None else np.asarray(bearing), 6)[:, None]  # noqa: E741
+    l = np.broadcast_to(0.0 if bearing_distance is None else np.asarray(bearing_distance), 6)[:, None]  # noqa: E741
     with np.errstate(all="ignore"):
         leg, forces = _solve(robot, motion, faults)
         g, s = robot.g, leg.s
@@ -148,7 +156,7 @@ def joint_reactions(
             - C_u * leg.W
         )
         found = {"F_s": F_s, "F_u": F_u, "F_p": F_p, "F_c": F_c, "M_p": M_p, "M_u": leg.M_u[..., 0]}
-        return Reactions(**with_status(found, forces.status))
+        return JointReactionsResult(**with_status(found, forces.status))
 
 
 def actuator_wrench(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT) -> tuple[Array, Codes]:
@@ -200,8 +208,8 @@ def energy(robot: Robot, motion: Motion) -> Array:
             + robot.m_u[:, None] * _dot(v_u, v_u)
             + _dot(W, _mul(leg.I_d, W))
             + _dot(W, _mul(leg.I_u, W))
-            + robot.m_r[:, None] * leg.Ldot**2
-        ) / 2 + robot.j_r[:, None] * leg.Ldot * _dot(W, leg.s)
+            + robot.reflected_mass[:, None] * leg.Ldot**2
+        ) / 2 + robot.rotor_momentum[:, None] * leg.Ldot * _dot(W, leg.s)
         potential_legs = -_dot(
             robot.m_d[:, None] * (robot.b + leg.r_d) + robot.m_u[:, None] * (robot.b + leg.r_u), robot.g
         )
@@ -307,7 +315,7 @@ def _seconds(robot: Robot, motion: Motion, leg: _Turning, faults: frozenset[int]
 
 
 def _rotor_force(robot: Robot, leg: _Turning, Lddot: Array, A: Array) -> Array:
-    return robot.m_r[:, None] * Lddot + robot.j_r[:, None] * _dot(leg.s, A)
+    return robot.reflected_mass[:, None] * Lddot + robot.rotor_momentum[:, None] * _dot(leg.s, A)
 
 
 @np.errstate(all="ignore")
@@ -333,7 +341,7 @@ def legs(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT) -> Legs:
     f = robot.C_s[:, None] * (W - motion.omega[..., None, :])  # friction in (18)
     I_du = leg.I_d + leg.I_u
     F_rotor = _rotor_force(robot, leg, Lddot, A)
-    h_rotor = robot.j_r[:, None] * (Lddot * s + Ldot * _cross(W, s))
+    h_rotor = robot.rotor_momentum[:, None] * (Lddot * s + Ldot * _cross(W, s))
     C = (  # right side of (20)
         m_d * _cross(leg.r_d, a_d)
         + m_u * _cross(leg.r_u, a_u)
@@ -352,13 +360,15 @@ def legs(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT) -> Legs:
     return Legs(**vars(leg), **moving, f=f, M_u=M_u, K=K, D=D)
 
 
-def _solve(robot: Robot, motion: Motion, faults: frozenset[int]) -> tuple[Legs, Forces]:
+def _solve(robot: Robot, motion: Motion, faults: frozenset[int]) -> tuple[Legs, InverseDynamicsResult]:
     """The legs and then the platform's six equations, (33)-(37)."""
     leg, H, c, status = _equations(robot, motion, faults)
     x, status = solve_linear(robot, H, c, status)  # (36)
     D = leg.D[..., 0]
     F = D - x  # (37)
-    return leg, Forces(**with_status({"F": F, "D": D, "x": x, "K": leg.K, "H": H, "c": c}, status))
+    return leg, InverseDynamicsResult(
+        **with_status({"F": F, "D": D, "x": x, "K": leg.K, "H": H, "c": c}, status)
+    )
 
 
 def _equations(robot: Robot, motion: Motion, faults: frozenset[int]) -> tuple[Legs, Array, Array, Codes]:
@@ -388,7 +398,7 @@ def _H(leg: _Positions) -> Array:
 
 
 def platform_inertia(robot: Robot, motion: Motion) -> tuple[Array, Array]:
-    """Centre of mass from the reference point and inertia, base axes."""
+    """Center of mass from the reference point and inertia, base axes."""
     R = _mul(motion.R, robot.R_0)  # (30)
     I = motion.R @ robot.I_p @ _transpose(motion.R)  # (32)  # noqa: E741
     return R, I

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 
 from ..motion.motion import Motion
 from ..motion.rotation import cross as vector_product
-from ..results import OK, Forces, Reactions
+from ..results import OK, InverseDynamicsResult, JointReactionsResult
 from ..robot import offset_chains as chain
 from ..robot.offset_chains import SLIDING, SPIN, JointMotion, applied, transposed
 from ..robot.offset_positions import Chains, dot
@@ -25,8 +25,8 @@ from .newton_euler import Array, Codes, all_finite, platform_wrench, solve_linea
 
 @dataclass(frozen=True, eq=False)
 class _Body:
-    """One part: mass, centre from the base point, its acceleration, and rate of angular momentum; with the
-    velocity of the centre and the angular velocity by each joint's rate, (..., 6, n, 3)."""
+    """One part: mass, center from the base point, its acceleration, and rate of angular momentum; with the
+    velocity of the center and the angular velocity by each joint's rate, (..., 6, n, 3)."""
 
     m: Array
     c: Array
@@ -43,7 +43,7 @@ class _Body:
 class Legs:
     """Motion of the chains and the forces that it needs.
 
-    tau: generalised forces of the joints that inertia, weight and friction need, (..., 6, n). column: those
+    tau: generalized forces of the joints that inertia, weight and friction need, (..., 6, n). column: those
     of a unit force of the actuator. f: friction moment at the platform joint. W: angular velocity of the
     lower part. bodies: cross, lower and upper part. F_rotor: force that turns the motor, N, (..., 6).
     """
@@ -67,7 +67,7 @@ class Legs:
         return self.moving.rates
 
 
-def inverse_dynamics(robot: Robot, motion: Motion) -> Forces:
+def inverse_dynamics(robot: Robot, motion: Motion) -> InverseDynamicsResult:
     """Actuator forces of a machine with offset joints.
 
     H has the columns that the rates of the legs' lengths are made with; F = D - x as ever, and K is what of
@@ -77,15 +77,19 @@ def inverse_dynamics(robot: Robot, motion: Motion) -> Forces:
         return _solved(robot, motion)[1]
 
 
-def joint_reactions(robot: Robot, motion: Motion, bearing: ArrayLike | None = None) -> Reactions:
+def joint_reactions(
+    robot: Robot, motion: Motion, bearing_distance: ArrayLike | None = None
+) -> JointReactionsResult:
     """Forces and moments in the joints.
 
     F_s: on the leg at the platform joint; F_u: on the cross at the fixed axis; M_u: on the lower part at the
-    moving axis, along k x y. M_p is about the point at ``bearing`` on the line of sliding, m.
+    moving axis, along k x y. M_p is about the point at ``bearing_distance`` on the line of sliding, m.
     """
     with np.errstate(all="ignore"):
         legs, forces = _solved(robot, motion)
-        return Reactions(**with_status(_reactions(robot, legs, forces.F, bearing), forces.status))
+        return JointReactionsResult(
+            **with_status(_reactions(robot, legs, forces.F, bearing_distance), forces.status)
+        )
 
 
 def reactions_of(
@@ -184,7 +188,7 @@ def worst_leg(code: int, robot: Robot, motion: Motion) -> int:
 
 @np.errstate(all="ignore")
 def legs(robot: Robot, motion: Motion) -> Legs:
-    """Motion of the chains and generalised forces; NaN where the offsets leave no solution."""
+    """Motion of the chains and generalized forces; NaN where the offsets leave no solution."""
     moving = chain.joint_motion(robot, motion)
     if moving.accelerations is None:
         raise ValueError("motion: accelerations expected, but alpha or a is None")
@@ -198,10 +202,10 @@ def legs(robot: Robot, motion: Motion) -> Legs:
     for body in bodies:
         tau = tau + applied(body.v_of, body.m * (body.a - robot.g)) + applied(body.omega_of, body.spun)
     tau[..., SLIDING] += robot.C_p * rates[..., SLIDING]
-    F_rotor = torque * (0.0 if robot.drive is None else robot.drive.turns)
+    F_rotor = torque * (0.0 if robot.drive is None else robot.drive.transmission_ratio)
     tau[..., SLIDING] += F_rotor
     if rates.shape[-1] > SPIN and robot.drive is not None:
-        tau[..., SPIN] += torque * robot.drive.gear
+        tau[..., SPIN] += torque * robot.drive.gear_ratio
     return Legs(moving, tau, chain.actuated(robot, rates.shape[-1]), f, W, bodies, F_rotor)
 
 
@@ -290,12 +294,14 @@ def _equations(robot: Robot, motion: Motion) -> tuple[Legs, Array, Array, Array,
     return found, H, D, K, c, status
 
 
-def _solved(robot: Robot, motion: Motion) -> tuple[Legs, Forces]:
+def _solved(robot: Robot, motion: Motion) -> tuple[Legs, InverseDynamicsResult]:
     found, H, D, K, c, status = _equations(robot, motion)
     x, status = solve_linear(robot, H, c, status)
-    return found, Forces(**with_status({"F": D - x, "D": D, "x": x, "K": K, "H": H, "c": c}, status))
+    return found, InverseDynamicsResult(
+        **with_status({"F": D - x, "D": D, "x": x, "K": K, "H": H, "c": c}, status)
+    )
 
 
 def _without_accelerations(motion: Motion) -> Motion:
     none = np.zeros_like(motion.t)
-    return Motion.unchecked(motion.R, motion.t, motion.omega, motion.v, none, none)
+    return Motion._unchecked(motion.R, motion.t, motion.omega, motion.v, none, none)

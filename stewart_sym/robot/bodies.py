@@ -1,4 +1,4 @@
-"""Bodies by their inertia or as parts of plain shapes: mass, centre of mass and inertia about it."""
+"""Bodies by their inertia or as parts of plain shapes: mass, center of mass and inertia about it."""
 
 import math
 from collections.abc import Callable, Mapping
@@ -28,32 +28,32 @@ LEAST_DENSITY = {"platform": 25.0, "legs": 100.0}
 _ROUNDING = 1e-9
 """Second moments of mass below this share of the largest count as none."""
 
-Metres = Callable[[Any], Any]
+Meters = Callable[[Any], Any]
 """From a length or an array of lengths in the file's unit to m."""
 
 
 class Body(NamedTuple):
-    """Mass, kg, centre of mass, m, and inertia about it, kg m^2, (3, 3), in axes of the body's frame."""
+    """Mass, kg, center of mass, m, and inertia about it, kg m^2, (3, 3), in axes of the body's frame."""
 
     mass: float
     center_of_mass: Array
     inertia: Array
 
 
-def body(value: object, where: str, metres: Metres, along: float | None) -> dict[str, Any]:
-    """Mass, centre of mass and inertia, as far as given: by themselves, as a shape or as a list of parts.
+def body(value: object, where: str, meters: Meters, along: float | None) -> dict[str, Any]:
+    """Mass, center of mass and inertia, as far as given: by themselves, as a shape or as a list of parts.
 
     Of a leg's part the length as well, m, from its joint to its other end: the key, or where its shapes end.
-    metres: of lengths of the file. along: 1 or -1 for a leg's part, which lies along its x from the joint on
+    meters: of lengths of the file. along: 1 or -1 for a leg's part, which lies along its x from the joint on
     that side; None for the platform, whose shapes are placed.
     """
     if isinstance(value, list | tuple):
         if not value:
             raise ValueError(f"{where}: expected a body or a list of parts, got []")
-        parts = [_one(part, f"{where} {i}: ", metres, along, True) for i, part in enumerate(value, 1)]
+        parts = [_one(part, f"{where} {i}: ", meters, along, True) for i, part in enumerate(value, 1)]
         length = max(part.pop("length", 0.0) for part in parts)
         return joined([Body(**part) for part in parts])._asdict() | ({"length": length} if along else {})
-    return _one(value, f"{where}.", metres, along, False)
+    return _one(value, f"{where}.", meters, along, False)
 
 
 def low_densities(table: Mapping[str, Any], prefix: str = "") -> dict[str, float]:
@@ -113,19 +113,19 @@ def tensors_of_bodies(inertia: Array, least: float = 1e-2) -> Array:
     return np.where(impossible, _trace(second) * unit - second, inertia)
 
 
-def _one(value: object, prefix: str, metres: Metres, along: float | None, whole: bool) -> dict[str, Any]:
+def _one(value: object, prefix: str, meters: Meters, along: float | None, whole: bool) -> dict[str, Any]:
     """A body given by itself; ``whole``: with nothing missing."""
     place = _PLACES["platform" if along is None else "leg"]
     of_shapes = (*dict.fromkeys(key for sizes in SHAPES.values() for key in sizes), "density", *place)
     table = tables.checked_table(value, prefix, (*INERTIA_KEYS, "shape", *of_shapes))
     own = () if along is None else ("length",)
     if "shape" in table or any(key in table for key in of_shapes if key not in own):
-        return _by_shape(table, prefix, metres, along, place)
-    return _by_inertia(table, prefix, metres, whole)
+        return _by_shape(table, prefix, meters, along, place)
+    return _by_inertia(table, prefix, meters, whole)
 
 
 def _by_shape(
-    table: dict[str, Any], prefix: str, metres: Metres, along: float | None, place: tuple[str, ...]
+    table: dict[str, Any], prefix: str, meters: Meters, along: float | None, place: tuple[str, ...]
 ) -> dict[str, Any]:
     tables.require(table, ("shape",), prefix, "missing")
     shape = tables.choice(table["shape"], tuple(SHAPES), f"{prefix}shape")
@@ -134,7 +134,7 @@ def _by_shape(
     known = tuple(key for key in known if (shape, key) != ("box", "axis"))
     tables.checked_table(table, prefix, known, SHAPES[shape])
     if shape == "box":
-        size = metres(tables.vector(table["size"], f"{prefix}size"))
+        size = meters(tables.vector(table["size"], f"{prefix}size"))
         if np.any(size <= 0.0):
             raise ValueError(f"{prefix}size: expected three numbers > 0, got {shown(table['size'])}")
         length, volume = float(size[0]), float(size[0] * size[1] * size[2])
@@ -143,28 +143,28 @@ def _by_shape(
         # Of a leg's part along x, of the platform's along z unless an axis is given.
         own = (0.0, 0.0, 1.0) if along is None else (1.0, 0.0, 0.0)
         axis = direction(table.get("axis", own), f"{prefix}axis")
-        length, volume, tensor = _cylinder(table, prefix, metres, axis)
+        length, volume, tensor = _cylinder(table, prefix, meters, axis)
     mass = _mass(table, prefix, volume)
     if along is None:
-        center = metres(tables.vector(table.get("center", (0.0, 0.0, 0.0)), f"{prefix}center"))
+        center = meters(tables.vector(table.get("center", (0.0, 0.0, 0.0)), f"{prefix}center"))
         return Body(mass, np.asarray(center), mass * tensor)._asdict()
-    start = float(metres(tables.number(table.get("start", 0.0), f"{prefix}start")))
+    start = float(meters(tables.number(table.get("start", 0.0), f"{prefix}start")))
     center = np.array([along * (start + 0.5 * length), 0.0, 0.0])
     return Body(mass, center, mass * tensor)._asdict() | {"length": max(0.0, start + length)}
 
 
-def _by_inertia(table: dict[str, Any], prefix: str, metres: Metres, whole: bool) -> dict[str, Any]:
+def _by_inertia(table: dict[str, Any], prefix: str, meters: Meters, whole: bool) -> dict[str, Any]:
     if whole:
         tables.require(table, INERTIA_KEYS, prefix, "missing")
     found: dict[str, Any] = {}
     if "mass" in table:
         found["mass"] = tables.positive(table["mass"], f"{prefix}mass")
     if "center_of_mass" in table:
-        found["center_of_mass"] = metres(tables.vector(table["center_of_mass"], f"{prefix}center_of_mass"))
+        found["center_of_mass"] = meters(tables.vector(table["center_of_mass"], f"{prefix}center_of_mass"))
     if "inertia" in table:
         found["inertia"] = _tensor(table["inertia"], f"{prefix}inertia")
     if "length" in table:
-        found["length"] = float(metres(tables.positive(table["length"], f"{prefix}length")))
+        found["length"] = float(meters(tables.positive(table["length"], f"{prefix}length")))
     return found
 
 
@@ -174,11 +174,11 @@ def _tensor(given: Any, where: str) -> Array:
     return np.diag(tables.vector(given, where)) if plain else inertia(given, where)
 
 
-def _cylinder(table: dict[str, Any], prefix: str, metres: Metres, axis: Array) -> tuple[float, float, Array]:
+def _cylinder(table: dict[str, Any], prefix: str, meters: Meters, axis: Array) -> tuple[float, float, Array]:
     """Length, m, volume, m^3, and inertia over mass, m^2, of a cylinder with or without a bore."""
     key = "thickness" if "thickness" in table else "length"
-    length, outer = (metres(tables.positive(table[name], prefix + name)) for name in (key, "radius"))
-    inner = metres(tables.not_negative(table.get("inner_radius", 0.0), f"{prefix}inner_radius"))
+    length, outer = (meters(tables.positive(table[name], prefix + name)) for name in (key, "radius"))
+    inner = meters(tables.not_negative(table.get("inner_radius", 0.0), f"{prefix}inner_radius"))
     if inner >= outer:
         got = f"{table['inner_radius']:g} in {table['radius']:g}"
         raise ValueError(f"{prefix}inner_radius: expected a radius below that of the outside, got {got}")

@@ -76,7 +76,7 @@ class Draft:
             z="down" if self.z_down else "up",
             height=_number(-self.height if self.z_down else self.height),
             base_radius=_number(self.base_radius),
-            # Neighbours of different pairs of the base meet in a pair of the platform.
+            # Neighbors of different pairs of the base meet in a pair of the platform.
             base_angles=_angles((0.0, 120.0, 240.0), self.base_angle, 0),
             platform_radius=_number(self.platform_radius),
             platform_angles=_angles((-60.0, 60.0, 180.0), self.platform_angle, 1),

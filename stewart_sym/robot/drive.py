@@ -1,6 +1,6 @@
 """Drives of the legs: screw or rack, rotor, friction, motor and its limits; and the tables that give them.
 
-A motor turns by ``turns`` times the change of its leg's length. Of that the equations of motion have
+A motor turns by ``transmission_ratio`` times the change of its leg's length. Of that the equations of motion have
 the rotor alone; friction, efficiency and the motor's own numbers act between the leg's force F and the motor.
 """
 
@@ -35,14 +35,14 @@ NUMBERS: Mapping[str, _Key] = {
     "lead": _Key(tables.number_that(lambda x: x != 0.0, "other than 0"), math.nan, "length"),
     "rotor_inertia": _Key(tables.not_negative, 0.0),
     "efficiency": _Key(tables.number_that(lambda x: 0.0 < x <= 1.0, "> 0 and <= 1"), 1.0),
-    "back_efficiency": _Key(tables.number_that(lambda x: x <= 1.0, "<= 1"), 1.0),
+    "backdrive_efficiency": _Key(tables.number_that(lambda x: x <= 1.0, "<= 1"), 1.0),
     "screw_coulomb": _Key(tables.not_negative, 0.0),
     "screw_viscous": _Key(tables.not_negative, 0.0),
     "motor_coulomb": _Key(tables.not_negative, 0.0),
     "motor_viscous": _Key(tables.not_negative, 0.0),
-    "stribeck": _Key(tables.not_negative, 0.0),
+    "stribeck_force": _Key(tables.not_negative, 0.0),
     "stribeck_speed": _Key(tables.not_negative, 0.0, "length"),
-    "smoothing": _Key(tables.not_negative, 0.0, "length"),
+    "regularization_speed": _Key(tables.not_negative, 0.0, "length"),
     "torque_constant": _Key(tables.not_negative, 0.0),
     "resistance": _Key(tables.not_negative, 0.0),
     "rated_torque": _Key(tables.positive, math.inf),
@@ -50,11 +50,11 @@ NUMBERS: Mapping[str, _Key] = {
     "speed_limit": _Key(tables.positive, math.inf, "angle"),
     "current_limit": _Key(tables.positive, math.inf),
     "power_limit": _Key(tables.positive, math.inf),
-    "gear": _Key(tables.positive, 1.0),
+    "gear_ratio": _Key(tables.positive, 1.0),
 }
 """Of each field of a drive; a lead has no default."""
 
-KEYS = ("lead", "radius", "gear", *(name for name in NUMBERS if name not in ("lead", "gear")))
+KEYS = ("lead", "radius", "gear_ratio", *(name for name in NUMBERS if name not in ("lead", "gear_ratio")))
 """Of a table of a drive in a robot file of schema 2."""
 
 
@@ -69,7 +69,7 @@ _OF_EFFICIENCY: Any = None
 class Drive(Frozen):
     """Drives of six legs, SI units; each field is one number for all legs or six, kept as (6,), read-only.
 
-    The motor's angle grows with its leg's length, by ``turns``; torques and speeds are the motor's.
+    The motor's angle grows with its leg's length, by ``transmission_ratio``; torques and speeds are the motor's.
 
     Attributes
     ----------
@@ -77,17 +77,17 @@ class Drive(Frozen):
         Change of the leg's length for one turn of the screw, m; negative for a left-handed screw.
     rotor_inertia : ndarray
         Of what turns with the motor, about its axis, kg m^2.
-    efficiency, back_efficiency : ndarray
+    efficiency, backdrive_efficiency : ndarray
         Of the transmission where the motor drives the leg, in (0, 1], and where the leg drives the motor,
         at most 1; a back efficiency of 0 or less is self-locking. None, the default: 2 - 1 / ``efficiency``.
     screw_coulomb, screw_viscous : ndarray
         Friction along the leg, N and N s/m; apart from the robot's ``C_p``.
     motor_coulomb, motor_viscous : ndarray
         Friction of the motor, N m and N m s.
-    stribeck, stribeck_speed : ndarray
+    stribeck_force, stribeck_speed : ndarray
         Force, N, by which friction at rest is above ``screw_coulomb``, and the rate of length, m/s, in which
         it decays to 1/e.
-    smoothing : ndarray
+    regularization_speed : ndarray
         Rate of length, m/s, within which the sign of a rate is smoothed; 0 for a sign with a step.
     torque_constant : ndarray
         Torque per current, N m/A; 0 where it is not given.
@@ -97,7 +97,7 @@ class Drive(Frozen):
         Limit of the root mean square of torque, N m; inf means no limit.
     torque_limit, speed_limit, current_limit, power_limit : ndarray
         Peaks, N m, rad/s, A and W; inf means no limit.
-    gear : ndarray
+    gear_ratio : ndarray
         Turns of the motor for one of the screw.
 
     Raises
@@ -109,14 +109,14 @@ class Drive(Frozen):
     lead: Array
     rotor_inertia: Array = _ZERO
     efficiency: Array = _ONE
-    back_efficiency: Array = _OF_EFFICIENCY
+    backdrive_efficiency: Array = _OF_EFFICIENCY
     screw_coulomb: Array = _ZERO
     screw_viscous: Array = _ZERO
     motor_coulomb: Array = _ZERO
     motor_viscous: Array = _ZERO
-    stribeck: Array = _ZERO
+    stribeck_force: Array = _ZERO
     stribeck_speed: Array = _ZERO
-    smoothing: Array = _ZERO
+    regularization_speed: Array = _ZERO
     torque_constant: Array = _ZERO
     resistance: Array = _ZERO
     rated_torque: Array = _UNLIMITED
@@ -124,11 +124,11 @@ class Drive(Frozen):
     speed_limit: Array = _UNLIMITED
     current_limit: Array = _UNLIMITED
     power_limit: Array = _UNLIMITED
-    gear: Array = _ONE
+    gear_ratio: Array = _ONE
 
     def __post_init__(self) -> None:
-        if self.back_efficiency is None:
-            self._set({"back_efficiency": _driven_back(_six(self.efficiency, "efficiency"))})
+        if self.backdrive_efficiency is None:
+            self._set({"backdrive_efficiency": _driven_back(_six(self.efficiency, "efficiency"))})
         checked = {each.name: _six(getattr(self, each.name), each.name) for each in fields(self)}
         for i in range(LEGS):
             leg = {name: float(values[i]) for name, values in checked.items()}
@@ -141,19 +141,19 @@ class Drive(Frozen):
         return all(np.array_equal(getattr(self, name), getattr(other, name)) for name in NUMBERS)
 
     @property
-    def turns(self) -> Array:
-        """N, turn of the motor per change of length, rad/m, (6,): 2 pi ``gear`` / ``lead``."""
-        return np.asarray(_ONE_TURN * self.gear / self.lead)
+    def transmission_ratio(self) -> Array:
+        """N, turn of the motor per change of length, rad/m, (6,): 2 pi ``gear_ratio`` / ``lead``."""
+        return np.asarray(_ONE_TURN * self.gear_ratio / self.lead)
 
     @property
-    def momentum(self) -> Array:
+    def rotor_momentum(self) -> Array:
         """J_r N: angular momentum of the rotor about the leg per rate of its length, kg m, (6,)."""
-        return np.asarray(self.rotor_inertia * self.turns)
+        return np.asarray(self.rotor_inertia * self.transmission_ratio)
 
     @property
     def reflected_mass(self) -> Array:
         """J_r N^2: mass that resists a change of length as the rotor does, kg, (6,)."""
-        return np.asarray(self.momentum * self.turns)
+        return np.asarray(self.rotor_momentum * self.transmission_ratio)
 
 
 def _driven_back(efficiency: Any) -> Any:
@@ -181,12 +181,12 @@ def _six(value: object, name: str) -> Array:
 
 def _need_sound(leg: Mapping[str, float], where: Callable[[str], str]) -> None:
     """Reject numbers of one drive that are possible each but not together; ``where`` one of them stands."""
-    turns = _ONE_TURN * leg["gear"] / leg["lead"]
+    turns = _ONE_TURN * leg["gear_ratio"] / leg["lead"]
     # Python raises OverflowError where NumPy would give inf.
     if not (1e-100 < abs(turns) < 1e100 and math.isfinite(leg["rotor_inertia"] * turns * turns)):
         raise ValueError(f"{where('lead')}: expected a lead with which the rotor's inertia is a finite mass")
-    if leg["stribeck"] > 0.0 and leg["stribeck_speed"] == 0.0:
-        raise ValueError(f"{where('stribeck')}: expected a stribeck_speed > 0 beside it")
+    if leg["stribeck_force"] > 0.0 and leg["stribeck_speed"] == 0.0:
+        raise ValueError(f"{where('stribeck_force')}: expected stribeck_speed > 0 beside it")
     for name in ("current_limit", "resistance"):
         if leg["torque_constant"] == 0.0 and leg[name] != NUMBERS[name].default:
             raise ValueError(f"{where(name)}: expected a torque_constant > 0 beside it")
@@ -201,11 +201,11 @@ def _need_sound(leg: Mapping[str, float], where: Callable[[str], str]) -> None:
 
 
 def drive_of_tables(
-    legs: LegTables, metres: Callable[[Any], Any], degrees: bool, spins: bool = False
+    legs: LegTables, meters: Callable[[Any], Any], degrees: bool, spins: bool = False
 ) -> Drive | None:
     """The drives of a robot file of schema 2; None where no leg has one.
 
-    metres: from lengths of the file. degrees: whether angles of the file are in degrees. spins: whether the
+    meters: from lengths of the file. degrees: whether angles of the file are in degrees. spins: whether the
     legs' upper parts turn in the lower ones.
     """
     if not any("drive" in table for table in legs.tables):
@@ -219,12 +219,12 @@ def drive_of_tables(
         raise ValueError(
             f"{prefix}: expected a drive of every leg, or a table legs.drive with keys; missing for {without}"
         )
-    found = [_leg(drives, i, metres, degrees, spins) for i in range(LEGS)]
+    found = [_leg(drives, i, meters, degrees, spins) for i in range(LEGS)]
     return Drive(**{name: np.array([leg[name] for leg in found]) for name in NUMBERS})
 
 
 def _leg(
-    drives: LegTables, i: int, metres: Callable[[Any], Any], degrees: bool, spins: bool
+    drives: LegTables, i: int, meters: Callable[[Any], Any], degrees: bool, spins: bool
 ) -> dict[str, float]:
     """Numbers of the drive of one leg, counted from 0."""
     given, mine = drives.of_leg(i), drives.tables[i + 1]
@@ -239,7 +239,7 @@ def _leg(
         raise ValueError(
             f'{where("radius")}: expected lead where platform_joint is "universal", a rack cannot turn'
         )
-    found = {"lead": _lead(given, where, metres)}
+    found = {"lead": _lead(given, where, meters)}
     for name, key in NUMBERS.items():
         if name == "lead":
             continue
@@ -248,25 +248,25 @@ def _leg(
             continue
         value = key.check(given[name], where(name))
         if key.unit == "length":
-            value = float(metres(value))
+            value = float(meters(value))
         found[name] = math.radians(value) if key.unit == "angle" and degrees else value
-    if "back_efficiency" not in given:
-        found["back_efficiency"] = _driven_back(found["efficiency"])
+    if "backdrive_efficiency" not in given:
+        found["backdrive_efficiency"] = _driven_back(found["efficiency"])
     _need_sound(found, where)
     return found
 
 
-def _lead(given: Mapping[str, Any], where: Callable[[str], str], metres: Callable[[Any], Any]) -> float:
+def _lead(given: Mapping[str, Any], where: Callable[[str], str], meters: Callable[[Any], Any]) -> float:
     """Change of length per turn, m: of a screw, or of a pinion on its rack."""
     if "lead" in given and "radius" in given:
         raise ValueError(f"{where('radius')}: expected lead or radius, got both")
     if "radius" in given:
-        return _ONE_TURN * float(metres(tables.positive(given["radius"], where("radius"))))
+        return _ONE_TURN * float(meters(tables.positive(given["radius"], where("radius"))))
     if "lead" not in given:
         raise ValueError(f"{where('lead')}: missing, and radius as well")
     check = NUMBERS["lead"].check
-    # What is next to nothing in millimetres is nothing in metres.
-    return float(check(metres(check(given["lead"], where("lead"))), where("lead")))
+    # What is next to nothing in millimeters is nothing in meters.
+    return float(check(meters(check(given["lead"], where("lead"))), where("lead")))
 
 
 def drive_tables(drive: Drive) -> list[dict[str, float]]:
@@ -275,5 +275,5 @@ def drive_tables(drive: Drive) -> list[dict[str, float]]:
     for i in range(LEGS):
         found = {name: float(getattr(drive, name)[i]) for name in NUMBERS}
         kept = {name: value for name, value in found.items() if value != NUMBERS[name].default}
-        legs.append(kept | {"back_efficiency": found["back_efficiency"]})
+        legs.append(kept | {"backdrive_efficiency": found["backdrive_efficiency"]})
     return legs

@@ -28,7 +28,7 @@ DOUBTS = (
     *("home", "length-limits", "part-length", "force-limit", "speed-limit"),
     *("drive-limit", "drive-speed", "torque-constant", "joint-angle"),
 )
-"""Names of all warnings about a robot's numbers, as ``accept`` takes them: the first four are given on
+"""Names of all warnings about a robot's numbers, as ``suppress_warnings`` takes them: the first four are given on
 loading, the others by ``plausibility.doubts``."""
 
 UNSTATED: dict[str, Any] = {
@@ -201,7 +201,7 @@ FIELDS: dict[str, tuple[str, Check]] = {
     "R_0": ("platform.center_of_mass", tables.vector),
     "I_p": ("platform.inertia", inertia),
 }
-"""Path in a robot file of schema 1 and check of each field."""
+"""Path in a robot file, without the folder of the body, and check of each field."""
 
 LEG_FIELDS: dict[str, tuple[str, Check]] = {
     "b": ("base_point", tables.vector),
@@ -213,9 +213,9 @@ LEG_FIELDS: dict[str, tuple[str, Check]] = {
     "m_u": ("upper.mass", tables.positive),
     "r_u0": ("upper.center_of_mass", tables.vector),
     "I_u0": ("upper.inertia", inertia),
-    "C_u": ("friction.universal", tables.not_negative),
-    "C_p": ("friction.prismatic", tables.not_negative),
-    "C_s": ("friction.spherical", tables.not_negative),
+    "C_u": ("damping.universal", tables.not_negative),
+    "C_p": ("damping.prismatic", tables.not_negative),
+    "C_s": ("damping.spherical", tables.not_negative),
     "length_limits": ("length_limits", _or_unlimited("length_limits", limits)),
     "force_limit": ("force_limit", _or_unlimited("force_limit", tables.positive)),
     "speed_limit": ("speed_limit", _or_unlimited("speed_limit", tables.positive)),
@@ -226,19 +226,19 @@ LEG_FIELDS: dict[str, tuple[str, Check]] = {
 """The same of the fields with an entry for each leg, path in a leg's table."""
 
 POSE_FIELDS: dict[str, Check] = {
-    "home": lambda value, where: None if value is None else tables.vector(value, where),
+    "home_position": lambda value, where: None if value is None else tables.vector(value, where),
     "tool": tables.vector,
     "euler_order": lambda value, where: tables.choice(value, EULER_ORDERS, where),
-    "lengths": lambda value, where: tables.choice(value, LENGTHS, where),
+    "length_mode": lambda value, where: tables.choice(value, LENGTHS, where),
 }
-"""Check of the fields that say how poses of the machine are given; schema 1 has none of them."""
+"""Check of the fields that say how poses of the machine are given."""
 
 DEFAULTS: dict[str, Any] = {
-    "home": None,
+    "home_position": None,
     "tool": np.zeros(3),
     "euler_order": "zyx",
-    "lengths": LENGTHS[0],
+    "length_mode": LENGTHS[0],
     "drive": None,
     "offsets": None,
 }
-"""Fields that schema 1 does not have."""
+"""Values of the fields that a robot file may leave out."""

@@ -16,7 +16,7 @@ from ..motion.rotation import cross as vector_product
 from ..motion.rotation import cross_matrix
 from ..results import JOINT_SINGULAR, NOT_FINITE, OK, UNREACHABLE, ZERO_LENGTH
 from .offset_positions import Chains, chains_to, dot
-from .offsets import Offsets
+from .offsets import JointOffsets
 from .robot import Robot
 
 ROUNDING = 16 * np.finfo(np.float64).eps
@@ -50,7 +50,7 @@ def joint_motion(robot: Robot, motion: Motion) -> JointMotion:
     inverse[bad] = np.nan
     X = np.zeros((*at.P.shape[:-1], J.shape[-1], 6))
     X[..., :3, :3], X[..., :3, 3:] = np.eye(3), -cross_matrix(at.q)
-    if offsets.spins:
+    if offsets.has_spinning_parts:
         X[..., 3:, 3:] = np.eye(3)
     rates = applied(inverse, _with_turn(offsets, motion.v[..., None, :] + vector_product(omega, at.q), omega))
     if motion.a is None or motion.alpha is None:
@@ -61,9 +61,9 @@ def joint_motion(robot: Robot, motion: Motion) -> JointMotion:
     return JointMotion(at, rates, applied(inverse, _with_turn(offsets, quick, alpha) - drift), J, inverse @ X)
 
 
-def _with_turn(offsets: Offsets, vector: Array, turn: Array) -> Array:
+def _with_turn(offsets: JointOffsets, vector: Array, turn: Array) -> Array:
     """Motion of the end of a leg: of the platform point, and of U-C-U legs of the platform as a body."""
-    if not offsets.spins:
+    if not offsets.has_spinning_parts:
         return vector
     return np.concatenate([vector, np.broadcast_to(turn, vector.shape)], axis=-1)
 
@@ -73,7 +73,7 @@ def lead_share(robot: Robot) -> Array:
 
     Zero where nothing turns, and without a drive: the actuator then acts on the lengths alone.
     """
-    if robot.drive is None or not offsets_of(robot).spins:
+    if robot.drive is None or not offsets_of(robot).has_spinning_parts:
         return np.zeros(6)
     return np.asarray(robot.drive.lead / (2.0 * math.pi))
 
@@ -84,8 +84,10 @@ def motor_motion(robot: Robot, joints: Array) -> Array:
     Needs a robot with a drive.
     """
     assert robot.drive is not None
-    turned = robot.drive.turns * joints[..., SLIDING]
-    return np.asarray(turned + robot.drive.gear * joints[..., SPIN] if joints.shape[-1] > SPIN else turned)
+    turned = robot.drive.transmission_ratio * joints[..., SLIDING]
+    return np.asarray(
+        turned + robot.drive.gear_ratio * joints[..., SPIN] if joints.shape[-1] > SPIN else turned
+    )
 
 
 def actuated(robot: Robot, joints: int) -> Array:
@@ -125,13 +127,13 @@ def codes_of(robot: Robot, motion: Motion, at: Chains) -> Codes:
     known = np.isfinite(at.P).all(axis=-1, keepdims=True)
     code = np.where(ROUNDING * reach >= at.L, ZERO_LENGTH, OK)
     # Near the least distance from the fixed axis the square of of_tip is known to rounding, not itself.
-    beside = offsets_of(robot).along[:, None] ** 2
+    beside = offsets_of(robot).slide_offset_y[:, None] ** 2
     share = at.of_tip / at.L * (at.of_tip**2 / (at.of_tip**2 + beside))
     code = np.where((code == OK) & ~(share > ROUNDING), JOINT_SINGULAR, code)
     lost = ~(np.isfinite(at.L) & np.isfinite(at.U).all(axis=-1).all(axis=-1, keepdims=True))
     meets = np.sqrt(dot(vector_product(robot.k, at.P), vector_product(robot.k, at.P))) <= ROUNDING * reach
     # Without a distance from the fixed axis there is no direction: the same as in legs without offsets.
-    along_axis = meets & (offsets_of(robot).along[:, None] == 0.0)
+    along_axis = meets & (offsets_of(robot).slide_offset_y[:, None] == 0.0)
     code = np.where(lost, np.where(along_axis, JOINT_SINGULAR, UNREACHABLE), code)
     return np.where(known, code, NOT_FINITE)[..., 0].astype(np.int32)
 
@@ -199,9 +201,9 @@ def upper_motion(robot: Robot, at: Chains, rates: Array, seconds: Array) -> Movi
     return Moving(lower.omega + turn, alpha, v, a)
 
 
-def offsets_of(robot: Robot) -> Offsets:
+def offsets_of(robot: Robot) -> JointOffsets:
     """Those of the robot, zeros where it has none."""
-    return Offsets() if robot.offsets is None else robot.offsets
+    return JointOffsets() if robot.offsets is None else robot.offsets
 
 
 def swung(omega: Array, alpha: Array, r: Array) -> Array:

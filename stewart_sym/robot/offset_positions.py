@@ -10,7 +10,7 @@ import numpy as np
 
 from ..io.array_types import Array
 from ..motion.rotation import cross as vector_product
-from .offsets import Offsets
+from .offsets import JointOffsets
 
 _MOST_STEPS = 60
 # Share of the leg by which the end still moves when it is found.
@@ -43,14 +43,14 @@ class Chains:
     k_w: Array | None = None
 
 
-def chains_to(offsets: Offsets, k: Array, k_w: Array, q: Array, P: Array) -> Chains:
+def chains_to(offsets: JointOffsets, k: Array, k_w: Array, q: Array, P: Array) -> Chains:
     """Where the joints are, from their axes k and k_w on base and platform, q and P; NaN without a solution.
 
     All are in the base frame, k_w (..., 6, 3) zeros with spherical platform joints.
     """
-    if not offsets.spins:
+    if not offsets.has_spinning_parts:
         return _lower(k, offsets, q, P, P)
-    w = offsets.wrist[:, None]
+    w = offsets.wrist_offset[:, None]
     T = P
     # Each step brings the end of the leg nearer by the wrist's share of the leg's length.
     for _ in range(_MOST_STEPS):
@@ -70,17 +70,17 @@ def chains_to(offsets: Offsets, k: Array, k_w: Array, q: Array, P: Array) -> Cha
     return Chains(**{**vars(at), "spin": spin, "U": U, "y_w": y_w, "k_w": k_w})
 
 
-def lengths_at_home(offsets: Offsets, k: Array, S: Array) -> Array:
+def lengths_at_home(offsets: JointOffsets, k: Array, S: Array) -> Array:
     """Lengths along the line of sliding, m, (6,), from base to platform points by S, both frames parallel."""
     axes = k / np.linalg.norm(k, axis=-1, keepdims=True)
     with np.errstate(all="ignore"):
         return np.asarray(chains_to(offsets, axes, offsets.platform_axis, S, S).L[..., 0])
 
 
-def _lower(k: Array, offsets: Offsets, q: Array, P: Array, T: Array) -> Chains:
-    """The lower part from the end T of the line of sliding: of the solutions, o towards T and s outward."""
+def _lower(k: Array, offsets: JointOffsets, q: Array, P: Array, T: Array) -> Chains:
+    """The lower part from the end T of the line of sliding: of the solutions, o toward T and s outward."""
     k = np.broadcast_to(k, T.shape)
-    a, d, e = (x[:, None] for x in (offsets.cross, offsets.across, offsets.along))
+    a, d, e = (x[:, None] for x in (offsets.axis_offset, offsets.slide_offset_z, offsets.slide_offset_y))
     zeta, normal = dot(k, T), vector_product(k, T)
     rho2 = dot(normal, normal)
     of_tip = np.sqrt(rho2 - e * e)

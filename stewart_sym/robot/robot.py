@@ -15,19 +15,17 @@ from ..io.arguments import shown
 from ..io.array_types import Array
 from ..io.error_policy import warn
 from ..io.frozen import Frozen
-from . import fields, schema_1, schema_2
+from . import fields, schema_2
 from .bodies import inertias_of_parts, low_densities
 from .drive import Drive
 from .fields import DOUBTS as DOUBTS
 from .fields import LEGS as LEGS
 from .fields import base_joint
 from .fields import legs_text as legs_text
-from .offsets import Offsets
-
-_SCHEMAS = {1: schema_1, 2: schema_2}
+from .offsets import JointOffsets
 
 
-class PhysicalityWarning(UserWarning):
+class RobotWarning(UserWarning):
     """Numbers that no machine, or hardly one, can have; the robot is loaded all the same."""
 
 
@@ -48,9 +46,9 @@ class Robot(Frozen):
     M : float
         Platform mass with payload, kg.
     R_0 : ndarray
-        Centre of mass of the platform, m, platform frame, (3,).
+        Center of mass of the platform, m, platform frame, (3,).
     I_p : ndarray
-        Its inertia about that centre of mass, kg m^2, platform frame, (3, 3).
+        Its inertia about that center of mass, kg m^2, platform frame, (3, 3).
     b : ndarray
         Base points, m, base frame, (6, 3).
     p : ndarray
@@ -60,11 +58,11 @@ class Robot(Frozen):
     m_d, m_u : ndarray
         Masses of the lower and upper parts, kg, (6,).
     r_d0 : ndarray
-        Centres of mass of the lower parts, m, frame D (origin at the base point), (6, 3).
+        Centers of mass of the lower parts, m, frame D (origin at the base point), (6, 3).
     I_d0, I_u0 : ndarray
-        Inertias about those centres of mass, kg m^2, frames D and U, (6, 3, 3).
+        Inertias about those centers of mass, kg m^2, frames D and U, (6, 3, 3).
     r_u0 : ndarray
-        Centres of mass of the upper parts, m, frame U (origin at the platform point), (6, 3).
+        Centers of mass of the upper parts, m, frame U (origin at the platform point), (6, 3).
     C_u, C_p, C_s : ndarray
         Viscous friction of the base joint (N m s), prismatic joint (N s/m) and spherical joint (N m s), (6,).
     length_limits : ndarray, optional
@@ -77,27 +75,27 @@ class Robot(Frozen):
     lower_length, upper_length : ndarray, optional
         Of the parts, from the base point and from the platform point to the other end, m, (6,); 0 where not
         stated. For drawings: forces do not depend on them.
-    accept : tuple, optional
+    suppressed_warnings : tuple, optional
         Names, of ``DOUBTS``, of warnings that are known of this robot and not given.
-    home : ndarray, optional
+    home_position : ndarray, optional
         Home pose: position of the platform's reference point, m, base frame, (3,), the platform parallel to
         the base; None where none is stated.
     tool : ndarray, optional
         Point whose poses the rows of its trajectory files give, m, platform frame, (3,).
     euler_order : str, optional
         Order in which these files multiply rotations, ``"zyx"`` for R = Rz Ry Rx.
-    lengths : str, optional
+    length_mode : str, optional
         Leg lengths in these files: ``"absolute"``, or ``"relative"`` to those of the home pose.
     drive : Drive, optional
         What moves the legs; None where nothing is stated of it.
-    offsets : Offsets, optional
+    offsets : JointOffsets, optional
         Offset joints; None for legs whose axes meet.
 
     Raises
     ------
     ValueError
         Naming the field when a value breaks a rule of the robot file. ``dataclasses.replace`` makes a changed
-        copy and checks it again, but for what no body can be: see ``physicality``.
+        copy and checks it again, but for what no body can be: see ``find_invalid_inertias``.
     """
 
     name: str
@@ -124,18 +122,20 @@ class Robot(Frozen):
     joint_angle_limit: Array = field(default_factory=lambda: np.full((LEGS, 2), math.inf))
     lower_length: Array = field(default_factory=lambda: np.zeros(LEGS))
     upper_length: Array = field(default_factory=lambda: np.zeros(LEGS))
-    accept: tuple[str, ...] = ()
-    home: Array | None = None
+    suppressed_warnings: tuple[str, ...] = ()
+    home_position: Array | None = None
     tool: Array = field(default_factory=lambda: np.zeros(3))
     euler_order: str = "zyx"
-    lengths: str = "absolute"
+    length_mode: str = "absolute"
     drive: Drive | None = None
-    offsets: Offsets | None = None
+    offsets: JointOffsets | None = None
 
     def __post_init__(self) -> None:
         base_joint(self.base_joint, "robot: base_joint")
         checked: dict[str, Any] = {"name": tables.title(self.name, "robot: name")}
-        checked["accept"] = fields.accepted(self.accept, "robot: accept")
+        checked["suppressed_warnings"] = fields.accepted(
+            self.suppressed_warnings, "robot: suppressed_warnings"
+        )
         for name, check in (
             {name: check for name, (_, check) in fields.FIELDS.items()} | fields.POSE_FIELDS
         ).items():
@@ -143,14 +143,14 @@ class Robot(Frozen):
         spherical = self.base_joint == "spherical"
         for name, (_, check) in fields.LEG_FIELDS.items():
             checked[name] = self._per_leg(name, fields.no_direction if spherical and name == "k" else check)
-        if self.lengths == "relative" and checked["home"] is None:
-            raise ValueError('robot: lengths: "relative" is to the home pose, expected home')
-        if np.isfinite(checked["joint_angle_limit"]).any() and checked["home"] is None:
-            raise ValueError("robot: joint_angle_limit: is from the home pose, expected home")
+        if self.length_mode == "relative" and checked["home_position"] is None:
+            raise ValueError('robot: length_mode: "relative" is to the home pose, expected home_position')
+        if np.isfinite(checked["joint_angle_limit"]).any() and checked["home_position"] is None:
+            raise ValueError("robot: joint_angle_limit: is from the home pose, expected home_position")
         if not isinstance(self.drive, Drive | None):
             raise ValueError(f"robot: drive: expected a Drive or None, got {shown(self.drive)}")
         self._set(checked)
-        if not isinstance(self.offsets, Offsets | None):
+        if not isinstance(self.offsets, JointOffsets | None):
             raise ValueError(f"robot: offsets: expected Offsets or None, got {shown(self.offsets)}")
         if self.offsets is not None and spherical:
             raise ValueError('robot: offsets: expected none when base_joint is "spherical"')
@@ -171,7 +171,7 @@ class Robot(Frozen):
 
     @classmethod
     def from_toml(cls, path: str | os.PathLike[str]) -> Robot:
-        """Read a robot file (TOML, schema 1 or 2).
+        """Read a robot file (TOML, schema 2).
 
         Parameters
         ----------
@@ -191,7 +191,7 @@ class Robot(Frozen):
 
         Warns
         -----
-        PhysicalityWarning
+        RobotWarning
             About inertias that no body can have and densities that hardly any has, unless the file accepts
             them.
         """
@@ -222,7 +222,7 @@ class Robot(Frozen):
 
         Warns
         -----
-        PhysicalityWarning
+        RobotWarning
             As ``from_toml``.
         """
         robot = cls._read(d, "robot")
@@ -236,10 +236,10 @@ class Robot(Frozen):
         if not isinstance(d, Mapping):
             raise ValueError(f"{source}: expected a table, got {shown(d)}")
         tables.require(d, ("schema",), file, "missing")
-        schema = _SCHEMAS[tables.need_schema(d["schema"], tuple(_SCHEMAS), f"{file}schema")]
+        _need_schema(d["schema"], f"{file}schema")
         # Checked where a message can name the key, and so not again as fields.
         robot = object.__new__(cls)
-        robot._set(fields.DEFAULTS | schema.values(d, file))
+        robot._set(fields.DEFAULTS | schema_2.values(d, file))
         return robot
 
     def to_dict(self) -> dict[str, Any]:
@@ -248,29 +248,71 @@ class Robot(Frozen):
         Returns
         -------
         dict
-            Of schema 1 where that has all that the robot is, else of schema 2; SI units. ``from_dict`` undoes
-            it to the bit.
+            Tables of schema 2 in SI units. ``from_dict`` undoes the conversion to the bit.
         """
-        plain = self.home is None and self.lengths == "absolute" and self.euler_order == "zyx"
-        plain = plain and self.drive is None and self.offsets is None
-        plain = plain and not (self.lower_length.any() or self.upper_length.any())
-        tables_of = schema_1.tables_of if plain and not self.tool.any() else schema_2.tables_of
-        return tables_of(vars(self))
+        return schema_2.tables_of(vars(self))
+
+    # Readable names of the paper's symbols.
 
     @property
-    def m_r(self) -> Array:
+    def platform_mass(self) -> float:
+        """Platform mass with payload (kg)."""
+        return self.M
+
+    @property
+    def platform_com(self) -> Array:
+        """Center of mass of the platform (m), platform frame, shape (3,)."""
+        return self.R_0
+
+    @property
+    def platform_inertia(self) -> Array:
+        """Inertia of the platform about its center of mass (kg m^2), platform frame, shape (3, 3)."""
+        return self.I_p
+
+    @property
+    def base_points(self) -> Array:
+        """Base points (m), base frame, shape (6, 3)."""
+        return self.b
+
+    @property
+    def platform_points(self) -> Array:
+        """Platform points (m), platform frame, shape (6, 3)."""
+        return self.p
+
+    @property
+    def universal_axes(self) -> Array:
+        """Unit fixed axes of the universal joints, base frame, shape (6, 3)."""
+        return self.k
+
+    @property
+    def lower_mass(self) -> Array:
+        """Masses of the lower parts (kg), shape (6,)."""
+        return self.m_d
+
+    @property
+    def upper_mass(self) -> Array:
+        """Masses of the upper parts (kg), shape (6,)."""
+        return self.m_u
+
+    @property
+    def gravity(self) -> Array:
+        """Gravity (m/s^2), base frame, shape (3,)."""
+        return self.g
+
+    @property
+    def reflected_mass(self) -> Array:
         """Reflected masses of the rotors, J_r N^2, kg, (6,); zero without a drive."""
         return np.zeros(LEGS) if self.drive is None else self.drive.reflected_mass
 
     @property
-    def j_r(self) -> Array:
+    def rotor_momentum(self) -> Array:
         """Angular momenta of the rotors per rate of length, J_r N, kg m, (6,); zero without a drive.
 
         Zero as well with spherical base joints: nothing fixes the spin of the legs, on which they act.
         """
         if self.drive is None or self.base_joint != "universal":
             return np.zeros(LEGS)
-        return self.drive.momentum
+        return self.drive.rotor_momentum
 
     @property
     def has_rotors(self) -> bool:
@@ -278,11 +320,11 @@ class Robot(Frozen):
         return self.drive is not None and bool(np.any(self.drive.rotor_inertia))
 
     @property
-    def limits_joint_angles(self) -> bool:
+    def has_joint_angle_limits(self) -> bool:
         """Whether any joint's angle has a limit."""
         return bool(np.isfinite(self.joint_angle_limit).any())
 
-    def physicality(self) -> list[str]:
+    def find_invalid_inertias(self) -> list[str]:
         """Find the parts whose inertia no rigid body can have.
 
         Principal moments A <= B <= C of a body satisfy A >= 0 and A + B >= C.
@@ -294,6 +336,20 @@ class Robot(Frozen):
             What the robot accepts is reported as well.
         """
         return [message for _, message in impossible_inertias(self)]
+
+
+_SYMBOLS = {
+    "m_r": "reflected_mass",
+    "j_r": "rotor_momentum",
+    "cross": "axis_offset",
+    "along": "slide_offset_y",
+    "across": "slide_offset_z",
+}
+
+
+def of_symbol(owner: Any, symbol: str) -> Any:
+    """Return the attribute of a robot or of its offsets for a symbol of the generated code."""
+    return getattr(owner, _SYMBOLS.get(symbol, symbol))
 
 
 # Physicality
@@ -325,6 +381,17 @@ def inertia_fault(inertia: Array) -> list[str]:
     return []
 
 
+def _need_schema(value: object, where: str) -> None:
+    """Reject every schema but the one that is read, with the remedy for files of schema 1."""
+    if type(value) is int and value == 1:
+        remedy = (
+            "write schema = 2, six points in [base] and [platform], the inertia in [platform.body], what legs "
+            "share in [legs], and [leg.1] to [leg.6] in place of [[leg]]"
+        )
+        raise ValueError(f"{where}: schema 1 is no longer read; {remedy}")
+    tables.need_schema(value, (schema_2.SCHEMA,), where)
+
+
 def _warn(robot: Robot, d: Mapping[str, Any], source: str) -> None:
     """Warn of what is doubtful in the tables alone, or impossible."""
     of_parts: list[tuple[str, str]] = []
@@ -339,5 +406,5 @@ def _warn(robot: Robot, d: Mapping[str, Any], source: str) -> None:
         text = f"{', '.join(low)}: {min(low.values()):g} kg/m^3; likely cause: given in g/cm^3"
         found.append(("density", text))
     for name, message in found:
-        if name not in robot.accept:
-            warn(f"{source}: {message} [{name}]", PhysicalityWarning)
+        if name not in robot.suppressed_warnings:
+            warn(f"{source}: {message} [{name}]", RobotWarning)

@@ -1,6 +1,6 @@
 """Tables of a robot file of schema 2, as people write it, as fields of a robot.
 
-Points by radius and angles, bodies by shape and density, millimetres and degrees, what legs share once.
+Points by radius and angles, bodies by shape and density, millimeters and degrees, what legs share once.
 """
 
 import math
@@ -14,29 +14,29 @@ from ..io import tables
 from ..io.arguments import shown
 from ..io.array_types import Array
 from ..motion.text.unit_row import LENGTH_UNITS
-from . import fields, schema_1
-from .bodies import INERTIA_KEYS, Metres, body
+from . import fields
+from .bodies import INERTIA_KEYS, Meters, body
 from .drive import drive_of_tables, drive_tables
 from .offset_positions import lengths_at_home
-from .offsets import TABLES, Offsets, offset_tables, offsets_of_tables
+from .offsets import TABLES, JointOffsets, offset_tables, offsets_of_tables
 
 SCHEMA = 2
 
 _TOP_KEYS = (
-    *("schema", "name", "length_unit", "angle_unit", "base_joint", "gravity", "accept"),
-    *("base", "platform", "legs", "leg", "home", "trajectory"),
+    *("schema", "name", "length_unit", "angle_unit", "base_joint", "gravity", "suppress_warnings"),
+    *("base", "platform", "legs", "leg", "home_position", "trajectory"),
 )
 _NEEDED = ("schema", "name", "base", "platform")
 RING_KEYS = ("radius", "angles", "z")
 _POINT_KEYS = ("points", *RING_KEYS)
 _PARTS = {"lower": 1.0, "upper": -1.0}
 """Parts of a leg, and to which side along x they lie from their joint."""
-_FRICTION_KEYS = ("universal", "prismatic", "spherical")
+_DAMPING_KEYS = ("universal", "prismatic", "spherical")
 _LIMIT_KEYS = ("length_limits", "stroke", "force_limit", "speed_limit", "joint_angle_limit")
-_SHARED_KEYS = ("universal_axis", *_PARTS, "friction", "drive", *TABLES, *_LIMIT_KEYS)
+_SHARED_KEYS = ("universal_axis", *_PARTS, "damping", "drive", *TABLES, *_LIMIT_KEYS)
 _LEG_KEYS = ("base_point", "platform_point", *_SHARED_KEYS)
 _NUMBERS = tuple(str(i + 1) for i in range(fields.LEGS))
-_TRAJECTORY_KEYS = ("tool", "euler_order", "lengths")
+_TRAJECTORY_KEYS = ("tool", "euler_order", "length_mode")
 AXES = ("tangential", "radial", "horizontal")
 """Fixed axes by name: along the circle about z whose middle is the mean of the base points, to that middle,
 and across z and the leg of the home pose."""
@@ -49,32 +49,36 @@ _MOST_TURNS = 2.0
 def values(d: object, file: str) -> dict[str, Any]:
     """Fields of a robot by name, checked; ``file`` begins every message."""
     top = tables.checked_table(d, file, _TOP_KEYS, _NEEDED)
-    metres = _metres(tables.choice(top.get("length_unit", "m"), tuple(LENGTH_UNITS), f"{file}length_unit"))
+    meters = _meters(tables.choice(top.get("length_unit", "m"), tuple(LENGTH_UNITS), f"{file}length_unit"))
     degrees = tables.choice(top.get("angle_unit", "rad"), ("rad", "deg"), f"{file}angle_unit") == "deg"
     joint = fields.base_joint(top.get("base_joint", "universal"), f"{file}base_joint")
-    home = metres(tables.vector(top["home"], f"{file}home")) if "home" in top else None
+    home = (
+        meters(tables.vector(top["home_position"], f"{file}home_position"))
+        if "home_position" in top
+        else None
+    )
     own = {
         "name": tables.title(top["name"], f"{file}name"),
         "base_joint": joint,
         "g": tables.vector(top.get("gravity", fields.DEFAULT_GRAVITY), f"{file}gravity"),
-        "accept": fields.accepted(top.get("accept", ()), f"{file}accept"),
-        "home": home,
-        **_trajectory(top.get("trajectory", {}), f"{file}trajectory.", metres, home),
+        "suppressed_warnings": fields.accepted(top.get("suppress_warnings", ()), f"{file}suppress_warnings"),
+        "home_position": home,
+        **_trajectory(top.get("trajectory", {}), f"{file}trajectory.", meters, home),
     }
     platform = tables.checked_table(top["platform"], f"{file}platform.", (*_POINT_KEYS, "body"), ("body",))
     base = tables.checked_table(top["base"], f"{file}base.", _POINT_KEYS)
     rings = [
-        points(table, f"{file}{name}.", metres, degrees)
+        points(table, f"{file}{name}.", meters, degrees)
         for name, table in (("base", base), ("platform", platform))
     ]
-    on_top = body(platform["body"], f"{file}platform.body", metres, None)
+    on_top = body(platform["body"], f"{file}platform.body", meters, None)
     tables.require(on_top, INERTIA_KEYS, f"{file}platform.body.", "missing")
     own |= {"M": on_top["mass"], "R_0": on_top["center_of_mass"], "I_p": on_top["inertia"]}
-    legs = _Legs(top, file, metres, degrees, joint, home)
-    offsets = offsets_of_tables(legs.tables, metres)
+    legs = _Legs(top, file, meters, degrees, joint, home)
+    offsets = offsets_of_tables(legs.tables, meters)
     if offsets is not None and joint == "spherical":
         raise ValueError(f'{file}legs.offsets: expected none when base_joint is "spherical"')
-    drive = drive_of_tables(legs.tables, metres, degrees, offsets is not None and offsets.spins)
+    drive = drive_of_tables(legs.tables, meters, degrees, offsets is not None and offsets.has_spinning_parts)
     found = own | legs.values(rings[0], rings[1], offsets) | {"drive": drive, "offsets": offsets}
     # Conversions and sums may have overflown.
     for name, value in found.items():
@@ -88,24 +92,24 @@ def values(d: object, file: str) -> dict[str, Any]:
     return found
 
 
-def _metres(unit: str) -> Metres:
+def _meters(unit: str) -> Meters:
     """From lengths in a unit to m: the doubles next to the decimals that are written, as NumPy's numbers."""
     factor = Decimal(repr(LENGTH_UNITS[unit]))
     exact = np.vectorize(lambda x: float(Decimal(repr(float(x))) * factor), otypes=[np.float64])
     return lambda length: np.asarray(length if unit == "m" else exact(length))[()]
 
 
-def _trajectory(value: object, prefix: str, metres: Metres, home: Array | None) -> dict[str, Any]:
+def _trajectory(value: object, prefix: str, meters: Meters, home: Array | None) -> dict[str, Any]:
     """How poses of the machine are given."""
     table = tables.checked_table(value, prefix, _TRAJECTORY_KEYS)
     found = {key: fields.POSE_FIELDS[key](given, prefix + key) for key, given in table.items()}
-    if found.get("lengths") == "relative" and home is None:
-        raise ValueError(f'{prefix}lengths: "relative" is to the home pose, expected a key home')
-    return found | ({"tool": metres(found["tool"])} if "tool" in found else {})
+    if found.get("length_mode") == "relative" and home is None:
+        raise ValueError(f'{prefix}length_mode: "relative" is to the home pose, expected a key home_position')
+    return found | ({"tool": meters(found["tool"])} if "tool" in found else {})
 
 
 _SECTIONS = {"b": "base", "p": "platform", "M": "platform", "R_0": "platform", "I_p": "platform"}
-_SECTIONS |= {"home": "home", "tool": "trajectory", "g": "gravity"}
+_SECTIONS |= {"home_position": "home_position", "tool": "trajectory", "g": "gravity"}
 
 
 class _Legs:
@@ -115,12 +119,12 @@ class _Legs:
         self,
         top: Mapping[str, Any],
         file: str,
-        metres: Metres,
+        meters: Meters,
         degrees: bool,
         joint: str,
         home: Array | None,
     ) -> None:
-        self.file, self.metres, self.degrees, self.joint, self.home = file, metres, degrees, joint, home
+        self.file, self.meters, self.degrees, self.joint, self.home = file, meters, degrees, joint, home
         shared = tables.checked_table(top.get("legs", {}), f"{file}legs.", _SHARED_KEYS)
         given = top.get("leg", {})
         if not isinstance(given, Mapping):
@@ -128,9 +132,11 @@ class _Legs:
         some = tables.checked_table(given, f"{file}leg.", _NUMBERS)
         own = [tables.checked_table(some.get(n, {}), f"{file}leg.{n}.", _LEG_KEYS) for n in _NUMBERS]
         self.tables = fields.LegTables.of(shared, own, file)
-        self.friction = self.tables.inner("friction", _FRICTION_KEYS)
+        self.damping = self.tables.inner("damping", _DAMPING_KEYS)
 
-    def values(self, base: Array | None, platform: Array | None, offsets: Offsets | None) -> dict[str, Any]:
+    def values(
+        self, base: Array | None, platform: Array | None, offsets: JointOffsets | None
+    ) -> dict[str, Any]:
         """Fields with an entry for each leg, from the points of both rings, None for those not given."""
         ends = [
             np.array([self._point(i, key, ring) for i in range(fields.LEGS)])
@@ -155,7 +161,7 @@ class _Legs:
     def _point(self, i: int, key: str, ring: Array | None) -> Array:
         own = self.tables.tables[i + 1]
         if key in own:
-            return np.asarray(self.metres(tables.vector(own[key], self.tables.where(i, key))))
+            return np.asarray(self.meters(tables.vector(own[key], self.tables.where(i, key))))
         if ring is None:
             section = key.partition("_")[0]
             raise ValueError(f"{self.file}{section}.points: missing, and leg.{i + 1}.{key} as well")
@@ -180,21 +186,21 @@ class _Legs:
         found: dict[str, Any] = {}
         for part in _PARTS:
             found |= {f"{part}.{key}": value for key, value in self._part(i, part).items()}
-        for name in _FRICTION_KEYS:
-            found[f"friction.{name}"] = self.friction.get(i, name, tables.not_negative, 0.0)
+        for name in _DAMPING_KEYS:
+            found[f"damping.{name}"] = self.damping.get(i, name, tables.not_negative, 0.0)
         for name in ("force_limit", "speed_limit"):
             found[name] = self.tables.get(i, name, tables.positive, fields.UNSTATED[name])
-        found["speed_limit"] = self.metres(found["speed_limit"])
+        found["speed_limit"] = self.meters(found["speed_limit"])
         angles = self._joint_angles(i, at_home)
         return found | {"length_limits": self._length_limits(i, at_home), "joint_angle_limit": angles}
 
     def _part(self, i: int, part: str) -> dict[str, Any]:
-        """Mass, centre of mass, inertia and length of the lower or upper part."""
+        """Mass, center of mass, inertia and length of the lower or upper part."""
         side, shared, found, reason = _PARTS[part], self.tables.tables[0].get(part), {}, "missing"
         if shared is not None:
-            found = body(shared, f"{self.file}legs.{part}", self.metres, side)
+            found = body(shared, f"{self.file}legs.{part}", self.meters, side)
         if part in self.tables.tables[i + 1]:
-            own = body(self.tables.tables[i + 1][part], self.tables.where(i, part), self.metres, side)
+            own = body(self.tables.tables[i + 1][part], self.tables.where(i, part), self.meters, side)
             # A mass that is not that of the shapes would leave their inertia wrong.
             if isinstance(shared, list | tuple) or (isinstance(shared, Mapping) and "shape" in shared):
                 found, reason = own, f"missing, since legs.{part} is by shape"
@@ -213,7 +219,7 @@ class _Legs:
                 raise ValueError(f"{prefix}stroke: expected stroke or length_limits, got both")
             if "length_limits" in table:
                 return np.asarray(
-                    self.metres(fields.limits(table["length_limits"], f"{prefix}length_limits"))
+                    self.meters(fields.limits(table["length_limits"], f"{prefix}length_limits"))
                 )
             if "stroke" in table:
                 return self._about_home(table["stroke"], f"{prefix}stroke", at_home)
@@ -226,15 +232,17 @@ class _Legs:
             return np.array(fields.UNSTATED["joint_angle_limit"])
         found = fields.joint_angles(given["joint_angle_limit"], where, 180.0 if self.degrees else np.pi)
         if at_home is None:
-            raise ValueError(f"{where}: is from the leg's direction at the home pose, expected a key home")
+            raise ValueError(
+                f"{where}: is from the leg's direction at the home pose, expected a key home_position"
+            )
         return np.radians(found) if self.degrees else found
 
     def _about_home(self, value: object, where: str, length: float | None) -> Array:
-        stroke = self.metres(tables.numbers(value, (2,), where))
+        stroke = self.meters(tables.numbers(value, (2,), where))
         if stroke[0] >= stroke[1]:
             raise ValueError(f"{where}: expected [least, most] with least < most, got {shown(value)}")
         if length is None:
-            raise ValueError(f"{where}: is about the length at the home pose, expected a key home")
+            raise ValueError(f"{where}: is about the length at the home pose, expected a key home_position")
         if np.isnan(length):
             raise ValueError(f"{where}: is about the length at the home pose, which the offsets cannot reach")
         if length + stroke[0] < 0.0:
@@ -246,42 +254,63 @@ class _Legs:
 
 
 def tables_of(given: Mapping[str, Any]) -> dict[str, Any]:
-    """The tables of a robot file, plain values alone and SI units; ``values`` undoes it to the bit."""
-    plain = schema_1.tables_of(given)
-    legs = plain.pop("leg")
-    platform = {"points": np.asarray(given["p"]).tolist(), "body": plain.pop("platform")}
-    ends = ("base_point", "platform_point")
-    home = given["home"]
+    """Return the tables of a robot file, plain values in SI units; ``values`` undoes it to the bit."""
+    body = _nested(
+        {name.partition(".")[2]: given[key] for key, (name, _) in fields.FIELDS.items() if key != "g"}
+    )
+    home, drive, offsets = given["home_position"], given["drive"], given["offsets"]
     trajectory = {key: np.asarray(given[key]).tolist() for key in _TRAJECTORY_KEYS}
-    drive = given["drive"]
     drives = [{}] * fields.LEGS if drive is None else [{"drive": table} for table in drive_tables(drive)]
-    offsets = given["offsets"]
     shared, joints = ({}, [{}] * fields.LEGS) if offsets is None else offset_tables(offsets)
+    accepted = given["suppressed_warnings"]
     return {
-        **plain,
         "schema": SCHEMA,
-        **({} if home is None else {"home": home.tolist()}),
+        "name": given["name"],
+        "base_joint": given["base_joint"],
+        "gravity": np.asarray(given["g"]).tolist(),
+        **({"suppress_warnings": list(accepted)} if accepted else {}),
+        **({} if home is None else {"home_position": home.tolist()}),
         "base": {"points": np.asarray(given["b"]).tolist()},
-        "platform": platform,
+        "platform": {"points": np.asarray(given["p"]).tolist(), "body": body},
         "legs": shared,
         "leg": {
-            n: {key: value for key, value in leg.items() if key not in ends} | own | joint
-            for n, leg, own, joint in zip(_NUMBERS, legs, drives, joints, strict=True)
+            n: _leg_table(given, i) | own | joint
+            for i, (n, own, joint) in enumerate(zip(_NUMBERS, drives, joints, strict=True))
         },
         "trajectory": trajectory,
     }
 
 
+def _leg_table(given: Mapping[str, Any], i: int) -> dict[str, Any]:
+    """Return the table of one leg, counted from 0, without its points."""
+    found = {path: given[name][i] for name, (path, _) in fields.LEG_FIELDS.items() if name not in ("b", "p")}
+    if given["base_joint"] == "spherical":
+        del found["universal_axis"]
+    stated = (
+        path for path, value in found.items() if not np.array_equal(value, fields.UNSTATED.get(path, np.nan))
+    )
+    return _nested({path: found[path] for path in stated})
+
+
+def _nested(found: Mapping[str, Any]) -> dict[str, Any]:
+    """Return tables of plain values by their paths."""
+    top: dict[str, Any] = {}
+    for path, value in found.items():
+        table, _, key = path.rpartition(".")
+        (top.setdefault(table, {}) if table else top)[key] = np.asarray(value).tolist()
+    return top
+
+
 # Points and axes
 
 
-def points(table: Mapping[str, Any], prefix: str, metres: Metres, degrees: bool) -> Array | None:
+def points(table: Mapping[str, Any], prefix: str, meters: Meters, degrees: bool) -> Array | None:
     """Six points, m, (6, 3), by ``points`` or by ``radius``, ``angles`` and ``z``; None without any."""
     ring = [key for key in RING_KEYS if key in table]
     if "points" in table:
         if ring:
             raise ValueError(f"{prefix}{ring[0]}: expected points or radius and angles, got both")
-        return _listed(table["points"], f"{prefix}points", metres)
+        return _listed(table["points"], f"{prefix}points", meters)
     if not ring:
         return None
     tables.require(table, RING_KEYS[:2], prefix, "missing")
@@ -304,14 +333,14 @@ def points(table: Mapping[str, Any], prefix: str, metres: Metres, degrees: bool)
         )
     c, s = np.array([cosine_and_sine(angle, degrees) for angle in angles]).T
     z = tables.per_leg(table.get("z", 0.0), f"{prefix}z")
-    radius = metres(radius)
-    return np.stack([radius * c, radius * s, metres(z)], axis=-1)
+    radius = meters(radius)
+    return np.stack([radius * c, radius * s, meters(z)], axis=-1)
 
 
-def _listed(value: object, where: str, metres: Metres) -> Array:
+def _listed(value: object, where: str, meters: Meters) -> Array:
     if not isinstance(value, list | tuple) or len(value) != fields.LEGS:
         raise ValueError(f"{where}: expected six points, got {shown(value)}")
-    return np.stack([metres(tables.vector(point, f"{where} {i}")) for i, point in enumerate(value, 1)])
+    return np.stack([meters(tables.vector(point, f"{where} {i}")) for i, point in enumerate(value, 1)])
 
 
 def cosine_and_sine(angle: float, degrees: bool) -> tuple[float, float]:
@@ -335,7 +364,9 @@ def axis(value: object, where: str, b: Array, middle: Array, home: Array | None)
     along = b - middle
     if name == "horizontal":
         if home is None:
-            raise ValueError(f'{where}: "{name}" is across the leg at the home pose, expected a key home')
+            raise ValueError(
+                f'{where}: "{name}" is across the leg at the home pose, expected a key home_position'
+            )
         along = home
     x, y, _ = along
     if x == y == 0.0:

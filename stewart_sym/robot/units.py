@@ -21,7 +21,7 @@ from .robot import Robot
 Array = NDArray[Any]
 
 ROBOT: Mapping[str, tuple[int, int, int]] = {
-    **dict.fromkeys(("b", "p", "r_d0", "r_u0", "R_0", "home", "tool"), (1, 0, 0)),
+    **dict.fromkeys(("b", "p", "r_d0", "r_u0", "R_0", "home_position", "tool"), (1, 0, 0)),
     **dict.fromkeys(("length_limits", "lower_length", "upper_length"), (1, 0, 0)),
     **dict.fromkeys(("M", "m_d", "m_u"), (0, 1, 0)),
     **dict.fromkeys(("I_p", "I_d0", "I_u0"), (2, 1, 0)),
@@ -36,18 +36,20 @@ ROBOT: Mapping[str, tuple[int, int, int]] = {
 DRIVE: Mapping[str, tuple[int, int, int]] = {
     "lead": (1, 0, 0),
     "rotor_inertia": (2, 1, 0),
-    **dict.fromkeys(("screw_coulomb", "stribeck"), (1, 1, -2)),
+    **dict.fromkeys(("screw_coulomb", "stribeck_force"), (1, 1, -2)),
     "screw_viscous": (0, 1, -1),
     **dict.fromkeys(("motor_coulomb", "torque_constant", "rated_torque", "torque_limit"), (2, 1, -2)),
     "motor_viscous": (2, 1, -1),
-    **dict.fromkeys(("stribeck_speed", "smoothing"), (1, 0, -1)),
+    **dict.fromkeys(("stribeck_speed", "regularization_speed"), (1, 0, -1)),
     "speed_limit": (0, 0, -1),
     **dict.fromkeys(("resistance", "power_limit"), (2, 1, -3)),
 }
 """The same of a drive; the unit of current stays."""
 
 OFFSETS: Mapping[str, tuple[int, int, int]] = {
-    **dict.fromkeys(("cross", "along", "across", "wrist", "cross_center"), (1, 0, 0)),
+    **dict.fromkeys(
+        ("axis_offset", "slide_offset_y", "slide_offset_z", "wrist_offset", "cross_center"), (1, 0, 0)
+    ),
     "cross_mass": (0, 1, 0),
     "cross_inertia": (2, 1, 0),
 }
@@ -69,7 +71,7 @@ _FORCE = (1, 1, -2)
 
 
 @dataclass(frozen=True)
-class Units:
+class UnitScaling:
     """Units of length, m, mass, kg, and time, s: powers of two from 2^-100 to 2^100.
 
     A change of units multiplies by powers of two alone, so it is exact, and undone to the bit by ``inverse``,
@@ -103,7 +105,7 @@ class Units:
                 raise ValueError(f"{field.name}: expected {wanted}, got {shown(unit)}")
 
     @classmethod
-    def of(cls, robot: Robot) -> "Units":
+    def for_robot(cls, robot: Robot) -> "UnitScaling":
         """Units in which the numbers of a robot are near 1.
 
         Parameters
@@ -113,7 +115,7 @@ class Units:
 
         Returns
         -------
-        Units
+        UnitScaling
             Length: the least power of two that no coordinate of the platform points exceeds, as in the float
             force kernels. Mass: the least that no part's mass exceeds. Time: the least not below
             sqrt(length / largest component of gravity), 1 s without gravity.
@@ -125,9 +127,9 @@ class Units:
         return cls(length, _power_of_two(heaviest), time)
 
     @property
-    def inverse(self) -> "Units":
+    def inverse(self) -> "UnitScaling":
         """The units that undo a change to these."""
-        return Units(1 / self.length, 1 / self.mass, 1 / self.time)
+        return UnitScaling(1 / self.length, 1 / self.mass, 1 / self.time)
 
     def robot(self, robot: Robot) -> Robot:
         """A robot in these units.
@@ -158,7 +160,7 @@ class Units:
             In these; shapes and types stay.
         """
         changed = _rescaled(motion, MOTION, (1 / self.length, 1 / self.mass, 1 / self.time))
-        return Motion.unchecked(**{**vars(motion), **changed})
+        return Motion._unchecked(**{**vars(motion), **changed})
 
     def forces(self, F: Array) -> Array:
         """Forces in N.

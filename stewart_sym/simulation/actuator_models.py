@@ -67,7 +67,7 @@ class LegSprings(Frozen):
             self._set({name: of_six(getattr(self, name), name)})
 
     @classmethod
-    def balanced(
+    def in_equilibrium(
         cls, robot: Robot, pose: Motion, stiffness: ArrayLike, damping: ArrayLike = 0.0
     ) -> LegSprings:
         """Springs that hold the machine at rest in a pose, against its weight and the pose's load.
@@ -171,7 +171,7 @@ class ModelTorque:
         a, alpha = feedback(wanted, state, self.k_p, self.k_d)
         a, alpha = wanted.a + a, wanted.alpha + alpha
         rates = state.omega, state.v, alpha, a
-        return self.model(Motion.unchecked(state.R, state.t, *rates, wanted.F_ext, wanted.M_ext))
+        return self.model(Motion._unchecked(state.R, state.t, *rates, wanted.F_ext, wanted.M_ext))
 
 
 @dataclass(frozen=True, eq=False)
@@ -182,7 +182,7 @@ class ComputedTorque:
     ----------
     robot : Robot
         The model.
-    wanted : Wanted
+    reference : Wanted
         Time, s -> Motion with accelerations, whose load the model bears.
     k_p : float
         Gain of position, 1/s^2.
@@ -193,7 +193,7 @@ class ComputedTorque:
     """
 
     robot: Robot
-    wanted: Wanted
+    reference: Wanted
     k_p: float
     k_d: float
     formulation: Formulation = "exact"
@@ -205,13 +205,13 @@ class ComputedTorque:
         instance(self.robot, Robot, "robot")
         _gains(self.k_p, self.k_d)
         kernel = prepared_kernel(self.robot, self.formulation, self.backend)
-        law = ModelTorque(lambda motion: kernel.forces(motion).F, self.wanted, self.k_p, self.k_d)
+        law = ModelTorque(lambda motion: kernel.forces(motion).F, self.reference, self.k_p, self.k_d)
         object.__setattr__(self, "_law", law)
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Copies and pickles prepare a model of their own."""
         numbers = self.k_p, self.k_d, self.formulation, self.backend
-        return ComputedTorque, (self.robot, self.wanted, *numbers)
+        return ComputedTorque, (self.robot, self.reference, *numbers)
 
     def __call__(self, time: float, state: Motion) -> Array:
         """Forces, N, (6,), of a state."""
@@ -220,7 +220,7 @@ class ComputedTorque:
 
 @dataclass(frozen=True, eq=False)
 class GravityCompensation(Frozen):
-    """Hold the machine's weight and push towards a wanted motion: H F = g + M_0 [k_p e + k_d e'].
+    """Hold the machine's weight and push toward a wanted motion: H F = g + M_0 [k_p e + k_d e'].
 
     Errors as in ``ModelTorque``; no inertia is computed, and the wanted accelerations don't count.
 
@@ -251,7 +251,7 @@ class GravityCompensation(Frozen):
         # The wrench commanded is what the legs would hold if its opposite lay on the platform.
         load = -wrench.reshape(2, 3) @ state.R
         zero = np.zeros(3)
-        return self.model(Motion.unchecked(state.R, state.t, zero, zero, zero, zero, load[0], load[1]))
+        return self.model(Motion._unchecked(state.R, state.t, zero, zero, zero, zero, load[0], load[1]))
 
 
 def feedback(wanted: Motion, state: Motion, k_p: float, k_d: float) -> tuple[Array, Array]:

@@ -57,4 +57,4 @@ def _step(plant: ForwardDynamics, start: Motion, F: Array, h: float) -> tuple[Mo
     k_4 = rates(y + h * k_3)
     end = motion_of(y + h / 6.0 * (k_1 + 2.0 * (k_2 + k_3) + k_4), start.R)
     R = orthonormal(end.R)
-    return Motion.unchecked(R, end.t, end.omega, end.v, F_ext=start.F_ext, M_ext=start.M_ext), first
+    return Motion._unchecked(R, end.t, end.omega, end.v, F_ext=start.F_ext, M_ext=start.M_ext), first

@@ -17,14 +17,14 @@ from ..kinematics.pose_search import platform_size
 from ..motion.motion import Motion
 from ..motion.rotation import cross
 from ..robot.robot import Robot
-from .trace import WATCHED, Actuators, LegStates, Piece, Stop, leg_states, motion_of
+from .trace import WATCHED, Actuators, LegStates, Piece, StopEvent, leg_states, motion_of
 
 NEAR_SINGULAR, CROSSING = 48, 49
 """Columns of the watched margins: condition number of H, and det H on the side where the run began."""
 
 
 @dataclass(frozen=True)
-class Thresholds:
+class StopConditions:
     """Where a run stops because the model ends, besides the robot's own limits.
 
     Attributes
@@ -69,11 +69,11 @@ class Watch:
     """
 
     robot: Robot
-    thresholds: Thresholds
+    thresholds: StopConditions
     force_limit: Array
     side: float
 
-    def first(self, piece: Piece, actuators: Actuators) -> Stop | None:
+    def first(self, piece: Piece, actuators: Actuators) -> StopEvent | None:
         """The first stop in a piece, None if there is none."""
         when = np.linspace(piece.start, piece.end, WATCHED + 1)
         margins = self._margins(when, piece, actuators)
@@ -130,7 +130,7 @@ class Watch:
 
     def _angles(self, legs: LegStates, state: Motion) -> Array:
         """Angles of the joints at base and platform, (2, n, 6); 0 where none has a limit."""
-        if not self.robot.limits_joint_angles:
+        if not self.robot.has_joint_angle_limits:
             return np.zeros((2, *legs.L.shape))
         return np.stack(angles_from(self._neutral, legs.s, state.R))
 
@@ -146,7 +146,7 @@ class Watch:
         near = 1.0 / condition_number(H) - 1.0 / self.thresholds.max_condition
         return near[:, None], self.side * np.linalg.det(H)[:, None]
 
-    def _stop(self, time: float, row: int, piece: Piece, actuators: Actuators) -> Stop:
+    def _stop(self, time: float, row: int, piece: Piece, actuators: Actuators) -> StopEvent:
         robot, leg = self.robot, row % 6
         at = np.array([time])
         state = motion_of(piece.interpolant(at).T, piece.center)
@@ -157,7 +157,7 @@ class Watch:
         if row >= NEAR_SINGULAR:
             condition = condition_number(_scaled_H(legs, platform_size(robot)))[0]
             text = f"condition number of H reaches {condition:.4g} at {time:.9g} s"
-            return Stop("singular", time, None, f"near a singular pose: {text}")
+            return StopEvent("singular", time, None, f"near a singular pose: {text}")
         kind, text = (
             ("length_limits", f"length {length} reaches its lower limit {low:g} m"),
             ("length_limits", f"length {length} reaches its upper limit {high:g} m"),
@@ -171,7 +171,7 @@ class Watch:
                 f"{robot.force_limit[leg]:g} N",
             ),
             ("zero_length", f"length {length} is near zero"),
-            ("joint singularity", "lies nearly along the fixed axis of its universal joint"),
+            ("joint_singularity", "lies nearly along the fixed axis of its universal joint"),
             *(
                 (
                     "joint_angle_limit",
@@ -180,7 +180,7 @@ class Watch:
                 for end, (angle, most) in zip(("base", "platform"), angles, strict=True)
             ),
         )[row // 6]
-        return Stop(kind, time, leg + 1, f"leg {leg + 1}: {text} at {time:.9g} s")
+        return StopEvent(kind, time, leg + 1, f"leg {leg + 1}: {text} at {time:.9g} s")
 
 
 def _scaled_H(legs: LegStates, size: float) -> Array:

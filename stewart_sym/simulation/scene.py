@@ -19,13 +19,13 @@ from ..kinematics.mounting import path_for
 from ..kinematics.robot_logs import trajectory_for
 from ..motion.interpolation import followed
 from ..motion.motion import Motion
-from ..motion.noise_level import LogWarning
+from ..motion.noise_level import TrajectoryWarning
 from ..motion.rotation import rotation_from_rpy
-from ..motion.straight_line import PATHS
+from ..motion.straight_line import PAPER_PATHS
 from ..motion.trajectory import JointTrajectory
 from ..robot.robot import Robot
 from .actuator_models import ComputedTorque, ForceLaw, LegSprings, Wanted, along
-from .limits import Thresholds
+from .limits import StopConditions
 from .simulation import (
     METHODS,
     ON_FORCE_LIMIT,
@@ -37,30 +37,43 @@ from .simulation import (
     check_rtol,
     simulate,
 )
-from .trace import Load, Simulation
+from .trace import Load, SimulationResult
 
 SCHEMA = 1
 STARTS = ("path",)
 
 _TOP_KEYS = (
-    *("schema", "robot", "formulation", "duration", "output_step", "method", "rtol", "start"),
-    *("on_force_limit", "state", "load", "legs", "thresholds"),
+    *("schema", "robot", "formulation", "duration", "output_step", "method", "rtol", "initial_state"),
+    *("on_force_limit", "state", "load", "actuation", "stop_conditions"),
 )
-_OPTIONS = ("rate", "load", "formulation", "method", "rtol", "output_step", "thresholds", "on_force_limit")
+_OPTIONS = (
+    "control_rate",
+    "load",
+    "formulation",
+    "method",
+    "rtol",
+    "output_step",
+    "stop_conditions",
+    "on_force_limit",
+)
 """What a scene hands on to ``simulate`` by these names."""
 # Rates at which a path's end is one at rest, m/s and rad/s.
 _RESTS = 1e-4
 _STATE_KEYS = ("t", "theta", "v", "omega")
 _LOAD_KEYS = ("F_ext", "M_ext")
 _THRESHOLD_KEYS = ("max_condition", "min_length", "min_joint_sine")
-_LAW_NEEDS = {"forces": ("forces",), "springs": ("stiffness",), "tracking": ("path", "k_p", "k_d")}
+_LAW_NEEDS = {
+    "constant_force": ("forces",),
+    "spring": ("stiffness",),
+    "computed_torque": ("path", "k_p", "k_d"),
+}
 
 
 @dataclass(frozen=True, eq=False)
 class Scene:
     """A simulation to be run; names and units are those of ``simulate``.
 
-    law: with ``rate``, Hz, its forces are held between samples. load: of the file of a tracked path, None for
+    law: with ``control_rate``, Hz, its forces are held between samples. load: of the file of a tracked path, None for
     the state's. files: from which it was read. stated: what the file says of the start and of the legs by
     key, such as ``state.theta``.
     """
@@ -68,19 +81,19 @@ class Scene:
     robot: Robot
     state: Motion
     law: ForceLaw
-    rate: float | None
+    control_rate: float | None
     formulation: Formulation
     duration: float
     output_step: float | None
     method: Method
     rtol: float
-    thresholds: Thresholds
+    stop_conditions: StopConditions
     on_force_limit: OnForceLimit = "stop"
     load: Load | None = None
     files: tuple[Path, ...] = ()
     stated: Mapping[str, Any] = field(default_factory=dict)
 
-    def run(self, progress: Progress | None = None) -> Simulation:
+    def run(self, progress: Progress | None = None) -> SimulationResult:
         """Run the simulation; progress and what is raised: as for ``simulate``, with the scene's file."""
         options = {name: getattr(self, name) for name in _OPTIONS}
         with errors_of("".join(f"{file}: " for file in self.files[:1])):
@@ -101,10 +114,10 @@ def read_scene(path: str | os.PathLike[str]) -> Scene:
 
 def _scene(d: Mapping[str, Any], source: str) -> Scene:
     file = f"{source}: "
-    top = tables.checked_table(d, file, _TOP_KEYS, ("schema", "robot", "duration", "legs"))
+    top = tables.checked_table(d, file, _TOP_KEYS, ("schema", "robot", "duration", "actuation"))
     tables.need_schema(top["schema"], (SCHEMA,), f"{file}schema")
     # What is wrong in this file comes before what is wrong in another.
-    legs = _legs(top["legs"], f"{file}legs.")
+    legs = _actuation(top["actuation"], f"{file}actuation.")
     options: dict[str, Any] = {
         key: tables.positive(top[key], file + key) if key in top else default
         for key, default in (("duration", None), ("output_step", None), ("rtol", 1e-9))
@@ -116,47 +129,49 @@ def _scene(d: Mapping[str, Any], source: str) -> Scene:
     choices = {"method": METHODS, "formulation": FORMULATIONS, "on_force_limit": ON_FORCE_LIMIT}
     for key, known in choices.items():
         options[key] = tables.choice(top.get(key, known[0]), known, file + key)
-    thresholds = _thresholds(top.get("thresholds", {}), f"{file}thresholds.")
+    thresholds = _thresholds(top.get("stop_conditions", {}), f"{file}stop_conditions.")
     load = _vectors(top.get("load", {}), _LOAD_KEYS, (), f"{file}load.")
-    _check_start(top, legs["law"], file)
+    _check_start(top, legs["type"], file)
     given = _vectors(top["state"], _STATE_KEYS, ("t", "theta"), f"{file}state.") if "state" in top else None
     read = [Path(source), tables.file_beside(top["robot"], source, "robot")]
     robot = Robot.from_toml(read[1])
-    tracked = legs["path"] if legs["law"] == "tracking" else None
-    if tracked is not None and tracked not in PATHS:
-        read.append(tables.file_beside(tracked, source, "legs.path"))
+    tracked = legs["path"] if legs["type"] == "computed_torque" else None
+    if tracked is not None and tracked not in PAPER_PATHS:
+        read.append(tables.file_beside(tracked, source, "actuation.path"))
     wanted = None if tracked is None else _wanted(robot, tracked, read[-1], options["duration"])
     state = _state(given, wanted, load)
-    with errors_of(f"{file}legs: "):
+    with errors_of(f"{file}actuation: "):
         law = _law(robot, legs, state, wanted)
     rate = legs.get("rate")
-    options |= {"thresholds": thresholds, "files": tuple(read)}
+    options |= {"stop_conditions": thresholds, "files": tuple(read)}
     if wanted is not None and "load" not in top and _load_of(wanted(0.0)) is not None:
         options["load"] = lambda time, state: _load_of(wanted(time))
     stated = {f"state.{key}": value for key, value in (given or {}).items()}
-    stated |= {f"legs.{key}": value for key, value in legs.items()}
+    stated |= {f"actuation.{key}": value for key, value in legs.items()}
     return Scene(robot, state, law, rate, stated=stated, **options)
 
 
 def _check_start(top: Mapping[str, Any], law: str, file: str) -> None:
     """Reject a scene that starts nowhere or in two places; a tracking one starts on its path by itself."""
-    if "start" in top:
-        start = tables.choice(top["start"], STARTS, f"{file}start")
-        if law != "tracking":
-            raise ValueError(f'{file}start: expected [legs] law = "tracking" with "{start}", got "{law}"')
+    if "initial_state" in top:
+        start = tables.choice(top["initial_state"], STARTS, f"{file}initial_state")
+        if law != "computed_torque":
+            raise ValueError(
+                f'{file}initial_state: expected [actuation] law = "tracking" with "{start}", got "{law}"'
+            )
         if "state" in top:
-            raise ValueError(f'{file}start: expected no [state] beside "{start}"')
-    elif "state" not in top and law != "tracking":
+            raise ValueError(f'{file}initial_state: expected no [state] beside "{start}"')
+    elif "state" not in top and law != "computed_torque":
         raise ValueError(f"{file}state: missing")
 
 
-def _legs(value: object, prefix: str) -> dict[str, Any]:
+def _actuation(value: object, prefix: str) -> dict[str, Any]:
     """The law of the legs, its numbers checked; which keys there may be depends on the law."""
-    every = ("law", *(key for checks in _LAW_KEYS.values() for key in checks))
+    every = ("type", *(key for checks in _LAW_KEYS.values() for key in checks))
     law = tables.choice(
-        tables.checked_table(value, prefix, every, ("law",))["law"], tuple(_LAW_KEYS), f"{prefix}law"
+        tables.checked_table(value, prefix, every, ("type",))["type"], tuple(_LAW_KEYS), f"{prefix}type"
     )
-    checks = {"law": tables.one_line} | _LAW_KEYS[law]
+    checks = {"type": tables.one_line} | _LAW_KEYS[law]
     legs = tables.checked_table(value, prefix, tuple(checks), _LAW_NEEDS[law])
     return {key: checks[key](given, prefix + key) for key, given in legs.items()}
 
@@ -169,24 +184,24 @@ def _not_negative(value: object, where: str) -> Any:
 
 
 _LAW_KEYS: dict[str, dict[str, Callable[[object, str], Any]]] = {
-    "forces": {"forces": lambda value, where: tables.numbers(value, (6,), where)},
-    "springs": {"stiffness": _not_negative, "rest_length": tables.per_leg, "damping": _not_negative},
-    "tracking": {
+    "constant_force": {"forces": lambda value, where: tables.numbers(value, (6,), where)},
+    "spring": {"stiffness": _not_negative, "rest_length": tables.per_leg, "damping": _not_negative},
+    "computed_torque": {
         "path": tables.one_line,
         "k_p": tables.not_negative,
         "k_d": tables.not_negative,
-        "model": lambda value, where: tables.choice(value, FORMULATIONS, where),
+        "model_formulation": lambda value, where: tables.choice(value, FORMULATIONS, where),
         "rate": tables.positive,
     },
 }
 """By law: its keys, each with the check of its value."""
 
 
-def _thresholds(value: object, prefix: str) -> Thresholds:
+def _thresholds(value: object, prefix: str) -> StopConditions:
     table = tables.checked_table(value, prefix, _THRESHOLD_KEYS)
     numbers = {key: tables.positive(given, prefix + key) for key, given in table.items()}
     with errors_of(prefix):
-        return Thresholds(**numbers)
+        return StopConditions(**numbers)
 
 
 def _vectors(value: object, keys: tuple[str, ...], needed: tuple[str, ...], prefix: str) -> dict[str, Array]:
@@ -196,7 +211,7 @@ def _vectors(value: object, keys: tuple[str, ...], needed: tuple[str, ...], pref
 
 def _wanted(robot: Robot, path: str, file: Path, duration: float) -> Wanted:
     """The motion along a path or that of a file; warns of one that ends in motion before the run does."""
-    if path in PATHS:
+    if path in PAPER_PATHS:
         return along(path_for(robot, path).path)
     found = trajectory_for(robot, file)
     if isinstance(found, JointTrajectory):
@@ -206,7 +221,7 @@ def _wanted(robot: Robot, path: str, file: Path, duration: float) -> Wanted:
     if whole < duration and max(speed, turning) > _RESTS:
         rates = f"{speed:.2g} m/s and {turning:.2g} rad/s, at {whole:.6g} s of a run of {duration:g} s"
         text = f"ends in motion, {rates}: the law then wants rest at once"
-        warn(f"{found.source}: {text}", LogWarning)
+        warn(f"{found.source}: {text}", TrajectoryWarning)
     return followed(found)
 
 
@@ -215,10 +230,10 @@ def _state(given: Mapping[str, Array] | None, wanted: Wanted | None, load: Mappi
     if given is None:
         assert wanted is not None
         start = wanted(0.0)
-        return Motion(start.R, start.t, start.omega, start.v, **load)
+        return Motion(R=start.R, t=start.t, omega=start.omega, v=start.v, **load)
     zero = np.zeros(3)
     R = rotation_from_rpy(given["theta"])
-    return Motion(R, given["t"], given.get("omega", zero), given.get("v", zero), **load)
+    return Motion(R=R, t=given["t"], omega=given.get("omega", zero), v=given.get("v", zero), **load)
 
 
 def _load_of(motion: Motion) -> Array | None:
@@ -230,13 +245,15 @@ def _load_of(motion: Motion) -> Array | None:
 
 
 def _law(robot: Robot, legs: Mapping[str, Any], state: Motion, wanted: Wanted | None) -> ForceLaw:
-    if legs["law"] == "forces":
+    if legs["type"] == "constant_force":
         constant: Array = legs["forces"]
         return lambda time, state: constant
-    if legs["law"] == "springs":
+    if legs["type"] == "spring":
         stiffness, damping = legs["stiffness"], legs.get("damping", 0.0)
         if "rest_length" in legs:
             return LegSprings(robot, stiffness, legs["rest_length"], damping)
-        return LegSprings.balanced(robot, state, stiffness, damping)
+        return LegSprings.in_equilibrium(robot, state, stiffness, damping)
     assert wanted is not None
-    return ComputedTorque(robot, wanted, legs["k_p"], legs["k_d"], legs.get("model", FORMULATIONS[0]))
+    return ComputedTorque(
+        robot, wanted, legs["k_p"], legs["k_d"], legs.get("model_formulation", FORMULATIONS[0])
+    )

@@ -1,6 +1,6 @@
 """Simulation: the machine set free under the forces of its legs, integrated until a time or a limit.
 
-Orientation lives in a local chart, the rotation vector from a centre that moves along, so that no attitude
+Orientation lives in a local chart, the rotation vector from a center that moves along, so that no attitude
 is special and R stays orthonormal to rounding.
 """
 
@@ -25,14 +25,14 @@ from ..motion.rotation import one_vector_rate, orthonormal, rotation_from_vector
 from ..results import STATUS_TEXT
 from ..robot.robot import Robot
 from .actuator_models import ForceLaw
-from .limits import Thresholds, Watch, det_sign, need_between
+from .limits import StopConditions, Watch, det_sign, need_between
 from .stick_slip import StickSlip
 from .trace import (
     Actuators,
     Load,
     Piece,
-    Simulation,
-    Stop,
+    SimulationResult,
+    StopEvent,
     motion_of,
     output_times,
     sampled_at,
@@ -47,7 +47,7 @@ OnForceLimit = Literal["stop", "saturate"]
 METHODS = ("DOP853", "Radau")
 ON_FORCE_LIMIT = ("stop", "saturate")
 CHART_RADIUS = 1.0
-"""Angle from its centre, rad, at which a chart is left for a new one; charts end at 2 pi."""
+"""Angle from its center, rad, at which a chart is left for a new one; charts end at 2 pi."""
 LONGEST = 86_400.0
 """Longest duration of a run, s: a day, which takes hours."""
 MOST_INSTANTS = 10_000_000
@@ -63,7 +63,7 @@ def simulate(
     forces: ArrayLike | ForceLaw,
     duration: float,
     *,
-    rate: float | None = None,
+    control_rate: float | None = None,
     load: Load | None = None,
     formulation: Formulation = "exact",
     backend: Backend = "c",
@@ -71,10 +71,10 @@ def simulate(
     rtol: float = 1e-9,
     atol: float = 1e-12,
     output_step: float | None = None,
-    thresholds: Thresholds | None = None,
+    stop_conditions: StopConditions | None = None,
     on_force_limit: OnForceLimit = "stop",
     progress: Progress | None = None,
-) -> Simulation:
+) -> SimulationResult:
     """Integrate the machine's motion from a state, under actuator forces, for a duration, s.
 
     A run stops before its end where a leg or the angle of a joint reaches a limit of the robot, or a leg a
@@ -84,7 +84,7 @@ def simulate(
     seen however short the time near it; the run then ends where the condition number passes its threshold.
 
     Where the robot's drives have friction or an efficiency below 1, forces are those of the motors, N times
-    torque, and legs stick and slip: one that sticks does not move at all. ``Simulation.drives`` has what they
+    torque, and legs stick and slip: one that sticks does not move at all. ``SimulationResult.drives`` has what they
     lost.
 
     Parameters
@@ -99,7 +99,7 @@ def simulate(
         a rate: then it is called at 0, 1/rate, 2/rate, ... s, once each, and its forces are held between.
     duration : float
         Length of the run, s, at most ``LONGEST``.
-    rate : float, optional
+    control_rate : float, optional
         Of the calls of a law, Hz, at most ``MOST_INSTANTS`` of them; None: as often as the integration needs.
     load : Load, optional
         (time, state) -> [F_ext; M_ext], platform frame, in place of the state's load.
@@ -115,7 +115,7 @@ def simulate(
         Absolute error of a step, in m, rad, m/s and rad/s.
     output_step : float, optional
         s, between instants of the trace, at most ``MOST_INSTANTS``; None: as integrated.
-    thresholds : Thresholds, optional
+    stop_conditions : StopConditions, optional
         None for the default ones.
     on_force_limit : OnForceLimit, optional
         Where a force reaches the robot's force_limit, the run ends ("stop"), or the force is clipped to it
@@ -125,7 +125,7 @@ def simulate(
 
     Returns
     -------
-    Simulation
+    SimulationResult
         Shapes and units are documented there.
 
     Raises
@@ -141,12 +141,12 @@ def simulate(
     option(on_force_limit, ON_FORCE_LIMIT, "on_force_limit")
     need_between(atol, "atol", 0.0, math.inf)
     check_duration(duration)
-    if rate is not None:
-        need_between(rate, "rate", 0.0, math.inf)
-        if duration * rate > MOST_INSTANTS:
+    if control_rate is not None:
+        need_between(control_rate, "control_rate", 0.0, math.inf)
+        if duration * control_rate > MOST_INSTANTS:
             raise ValueError(
                 f"rate: expected at most {MOST_INSTANTS / duration:g} Hz, for at most {MOST_INSTANTS} calls "
-                f"in {duration:g} s, got {shown(rate)}"
+                f"in {duration:g} s, got {shown(control_rate)}"
             )
     check_rtol(rtol)
     check_output_step(output_step, duration)
@@ -156,8 +156,8 @@ def simulate(
     ):
         if function is not None and not callable(function):
             raise ValueError(f"{name}: expected a function {call}, got {type(function).__name__}")
-    if thresholds is not None:
-        instance(thresholds, Thresholds, "thresholds")
+    if stop_conditions is not None:
+        instance(stop_conditions, StopConditions, "stop_conditions")
     unlimited = np.full(6, math.inf)
     clips = on_force_limit == "saturate"
     actuators = Actuators(law, robot.force_limit if clips else unlimited)
@@ -170,7 +170,7 @@ def simulate(
         constant=(start.F_ext, start.M_ext),
         solver=_solver(method),
         tolerances={"rtol": float(rtol), "atol": float(atol)},
-        watch=Watch(robot, thresholds or Thresholds(), stops_at, det_sign(robot, start)),
+        watch=Watch(robot, stop_conditions or StopConditions(), stops_at, det_sign(robot, start)),
         reached=lambda time: None if progress is None else progress(time / duration),
     )
     if robot.drive is not None and losses(robot.drive):
@@ -180,19 +180,19 @@ def simulate(
                 "without offsets"
             )
         run.sticking = StickSlip(robot, robot.drive, run.accelerations, run._loaded)
-    stop = run.through(start, float(duration), rate)
+    stop = run.through(start, float(duration), control_rate)
     pieces = tuple(run.pieces)
     times = output_times(pieces, stop.time, output_step)
     trace = sampled_at(robot, actuators, pieces, times)
-    return Simulation(
+    return SimulationResult(
         **vars(trace),
         stop=stop,
         saturation=saturation_of(actuators, pieces),
         _robot=robot,
         _actuators=actuators,
         _pieces=pieces,
-        drives=None if run.sticking is None else run.sticking.results(pieces, actuators, times),
-        loaded=load is not None or any(each is not None and np.any(each) for each in run.constant),
+        drive_work=None if run.sticking is None else run.sticking.results(pieces, actuators, times),
+        has_load=load is not None or any(each is not None and np.any(each) for each in run.constant),
     )
 
 
@@ -200,7 +200,7 @@ def simulate(
 class _Run:
     """One run's parts, and the integration from state to state.
 
-    y, center: numbers of the chart at ``time``, s, and its centre. step: that which is tried next, s, None
+    y, center: numbers of the chart at ``time``, s, and its center. step: that which is tried next, s, None
     where the solver finds one. sampled: what the law commanded last, N, (6,), None unless it is sampled.
     fault: the last status that is not 0. unknown: which input left the last accelerations without numbers.
     """
@@ -224,7 +224,7 @@ class _Run:
     y: Array = field(init=False)
     center: Array = field(init=False)
 
-    def through(self, state: Motion, duration: float, rate: float | None) -> Stop:
+    def through(self, state: Motion, duration: float, rate: float | None) -> StopEvent:
         """Go from sample to sample of the law, or in one go, until the end or a stop."""
         self.y = np.concatenate([state.t, np.zeros(3), state.v, state.omega])
         self.center = np.array(state.R)
@@ -243,9 +243,9 @@ class _Run:
                 stop = self._chart(end)
                 if stop is not None:
                     return stop
-        return Stop("duration", duration, None, f"ran to its end at {duration:g} s")
+        return StopEvent("completed", duration, None, f"ran to its end at {duration:g} s")
 
-    def _chart(self, end: float) -> Stop | None:
+    def _chart(self, end: float) -> StopEvent | None:
         """Integrate in one chart, to its rim or to ``end``, and go over to a chart of its own."""
         first = None if self.step is None else min(self.step, end - self.time)
         modes = () if self.sticking is None else self.sticking.modes
@@ -256,7 +256,7 @@ class _Run:
                 text = f"no step is small enough at {solver.t:.9g} s: {self._reason()}"
                 if not self.pieces:
                     raise ValueError(self.unknown or f"initial_state: {text}")
-                return Stop("failed", solver.t, None, text)
+                return StopEvent("step_failed", solver.t, None, text)
             dense = solver.dense_output()
             piece = Piece(solver.t_old, solver.t, dense, self.center, self.sampled, modes)
             change = None if self.sticking is None else self.sticking.first_change(piece, self.actuators)
@@ -273,24 +273,24 @@ class _Run:
             if change is not None:
                 return self._changed(piece)
         self.time, self.step = float(solver.t), float(solver.h_abs)
-        self._recentre(solver.y)
+        self._recenter(solver.y)
         return None
 
-    def _changed(self, piece: Piece) -> Stop | None:
+    def _changed(self, piece: Piece) -> StopEvent | None:
         """Go on after a leg has come to rest or broken away at the end of a piece."""
         assert self.sticking is not None
         self.time, self.step = piece.end, None
-        self._recentre(piece.interpolant(piece.end))
+        self._recenter(piece.interpolant(piece.end))
         if piece.end <= piece.start and len(self.pieces) > 1:
             self.pieces.pop()
         if self.sticking.stalled:
             text = f"legs stick and slip without end at {piece.end:.9g} s"
-            return Stop("failed", piece.end, None, text)
+            return StopEvent("step_failed", piece.end, None, text)
         self._settle()
         return None
 
-    def _recentre(self, y: Array) -> None:
-        """Go over to a chart whose centre is where the state is."""
+    def _recenter(self, y: Array) -> None:
+        """Go over to a chart whose center is where the state is."""
         self.center = orthonormal(rotation_from_vector(y[3:6]) @ self.center)
         self.y = np.concatenate([y[:3], np.zeros(3), y[6:]])
 
@@ -310,7 +310,7 @@ class _Run:
         if not np.abs(y).max() < _SQUARES_FINITE:
             # A step that is far too long, which the solver shortens.
             return np.full_like(y, math.nan)
-        state = Motion.unchecked(turned_by(y[3:6], self.center), y[:3], omega=y[9:], v=y[6:9])
+        state = Motion._unchecked(turned_by(y[3:6], self.center), y[:3], omega=y[9:], v=y[6:9])
         if self.sticking is not None:
             state = self.sticking.moving(state)
         F = self.actuators.at(time, state, self.sampled)
@@ -332,7 +332,7 @@ class _Run:
             if wrench.shape != (6,):
                 raise ValueError(f"load: expected six numbers, [F_ext; M_ext], got shape {wrench.shape}")
             F_ext, M_ext = wrench[:3], wrench[3:]
-        return Motion.unchecked(state.R, state.t, state.omega, state.v, F_ext=F_ext, M_ext=M_ext)
+        return Motion._unchecked(state.R, state.t, state.omega, state.v, F_ext=F_ext, M_ext=M_ext)
 
     def _reason(self) -> str:
         if self.unknown:
@@ -388,7 +388,9 @@ def _state(given: Motion | str, law: ForceLaw) -> Motion:
             text = 'a Motion, or "path" with a law that follows one'
             raise ValueError(f"initial_state: expected {text}, got {shown(given)}")
         start: Motion = wanted(0.0)
-        return Motion(start.R, start.t, start.omega, start.v, F_ext=start.F_ext, M_ext=start.M_ext)
+        return Motion(
+            R=start.R, t=start.t, omega=start.omega, v=start.v, F_ext=start.F_ext, M_ext=start.M_ext
+        )
     instance(given, Motion, "initial_state")
     if given.shape != ():
         raise ValueError(f"initial_state: expected one state, of shape (), got {given.shape}")

@@ -75,10 +75,10 @@ class StickSlip:
 
     def __post_init__(self) -> None:
         """Reject screws that only their rotor's inertia moves."""
-        for leg in np.flatnonzero(self.drive.back_efficiency <= 0.0).tolist():
+        for leg in np.flatnonzero(self.drive.backdrive_efficiency <= 0.0).tolist():
             raise ValueError(
                 f"robot: drive: leg {leg + 1}: back_efficiency: expected a number > 0 in a simulation, "
-                f"got {self.drive.back_efficiency[leg]:g}, of a screw that locks itself"
+                f"got {self.drive.backdrive_efficiency[leg]:g}, of a screw that locks itself"
             )
 
     # State of the legs
@@ -114,7 +114,7 @@ class StickSlip:
             twist = np.concatenate([state.v, state.omega], axis=-1)
             twist = twist - product(np.asarray(np.linalg.pinv(J)), product(J, twist))
         v, omega = twist[..., :3], twist[..., 3:]
-        return Motion.unchecked(state.R, state.t, omega, v, F_ext=state.F_ext, M_ext=state.M_ext)
+        return Motion._unchecked(state.R, state.t, omega, v, F_ext=state.F_ext, M_ext=state.M_ext)
 
     def _decided(self, state: Motion, motor: Array, modes: list[int], resting: list[int]) -> Modes:
         """Consistent modes of legs at rest: first all stick, then the worst one changes, one by one."""
@@ -232,7 +232,7 @@ class StickSlip:
     def _rotors_count(self) -> bool:
         """Whether the force between a leg's parts differs from its actuator's, and friction goes by it."""
         drive = self.drive
-        lossy = np.any(drive.efficiency != 1.0) or np.any(drive.back_efficiency != 1.0)
+        lossy = np.any(drive.efficiency != 1.0) or np.any(drive.backdrive_efficiency != 1.0)
         return bool(lossy and np.any(drive.rotor_inertia))
 
     @cached_property
@@ -320,7 +320,7 @@ class StickSlip:
             for name in ("F_ext", "M_ext")
             if getattr(rows[0], name) is not None
         }
-        states = Motion.unchecked(states.R, states.t, states.omega, states.v, **load)
+        states = Motion._unchecked(states.R, states.t, states.omega, states.v, **load)
         return states, actuators.forces(when, states, piece.sampled)
 
     def moving(self, state: Motion, modes: Modes | None = None) -> Motion:

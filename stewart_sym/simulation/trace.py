@@ -33,43 +33,43 @@ _WEIGHTS = np.concatenate([_SHARES, _SHARES[::-1]])
 
 
 @dataclass(frozen=True)
-class Stop:
+class StopEvent:
     """Why and when a run ended.
 
     Attributes
     ----------
-    kind : str
-        "duration" (it ran to its end), "length_limits", "speed_limit", "force_limit",
-        "joint_angle_limit", "singular", "zero_length", "joint singularity" or "failed" (no step is small
+    reason : str
+        "completed" (it ran to its end), "length_limits", "speed_limit", "force_limit",
+        "joint_angle_limit", "singular", "zero_length", "joint_singularity" or "step_failed" (no step is small
         enough).
     time : float
         s.
     leg : int
         Its number from 1, None where no leg is to blame.
-    text : str
+    message : str
         All of it in one line.
     """
 
-    kind: str
+    reason: str
     time: float
     leg: int | None
-    text: str
+    message: str
 
 
 @dataclass(frozen=True, eq=False)
-class Saturation:
+class ForceSaturation:
     """How long and by how much each leg's actuator was commanded more than its limit; zeros if it never was.
 
     Attributes
     ----------
-    time : ndarray
+    duration : ndarray
         s, (6,); where the law is not sampled, right to a small part of a step.
-    excess : ndarray
+    max_excess : ndarray
         The largest force beyond the limit, N, (6,).
     """
 
-    time: Array
-    excess: Array
+    duration: Array
+    max_excess: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -95,12 +95,12 @@ class DriveWork:
 
 
 @dataclass(frozen=True, eq=False)
-class Trace:
+class StateHistory:
     """States and forces at n instants; SI units, base frame.
 
     Attributes
     ----------
-    times : ndarray
+    time : ndarray
         s, (n,).
     R : ndarray
         (n, 3, 3).
@@ -112,31 +112,31 @@ class Trace:
         Actuator forces, N, (n, 6); of a robot whose drives have friction those of the motors, N times torque.
     L : ndarray
         Leg lengths, m, (n, 6).
-    kinetic, potential : ndarray
+    kinetic_energy, potential_energy : ndarray
         Energy of the platform, the twelve leg parts and the drives' rotors, J, (n,), with the exact
         kinematics of the legs in either formulation; the potential energy is that of weight, zero at the base
         frame's origin.
     """
 
-    times: Array
+    time: Array
     R: Array
     t: Array
     v: Array
     omega: Array
     F: Array
     L: Array
-    kinetic: Array
-    potential: Array
+    kinetic_energy: Array
+    potential_energy: Array
 
     @property
     def energy(self) -> Array:
         """Kinetic and potential energy, J, (n,)."""
-        return self.kinetic + self.potential
+        return self.kinetic_energy + self.potential_energy
 
     @property
     def motion(self) -> Motion:
         """The states as a Motion of shape (n,) without accelerations."""
-        return Motion(self.R, self.t, self.omega, self.v)
+        return Motion(R=self.R, t=self.t, omega=self.omega, v=self.v)
 
 
 class Actuators(NamedTuple):
@@ -166,7 +166,7 @@ class Actuators(NamedTuple):
 
 
 class Piece(NamedTuple):
-    """An accepted step: its times, the interpolant of the chart's numbers, the centre, the sampled forces.
+    """An accepted step: its times, the interpolant of the chart's numbers, the center, the sampled forces.
 
     sampled: as the law commanded them; None where the law is not sampled. modes: which legs stick and slip.
     """
@@ -180,36 +180,36 @@ class Piece(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class Simulation(Trace):
+class SimulationResult(StateHistory):
     """A run: its trace, why it stopped, how its forces saturated, and any instant between by ``at``.
 
     Attributes
     ----------
-    stop : Stop
+    stop : StopEvent
         Why and where the run ended.
-    saturation : Saturation
+    saturation : ForceSaturation
         What clipping left out, by leg.
-    drives : DriveWork, optional
+    drive_work : DriveWork, optional
         Work of the motors and what friction took of it; None for a robot whose drives have none.
-    loaded : bool
+    has_load : bool
         Whether an external wrench acted on the platform.
     """
 
-    stop: Stop
-    saturation: Saturation
+    stop: StopEvent
+    saturation: ForceSaturation
     _robot: Robot
     _actuators: Actuators
     _pieces: tuple[Piece, ...]
-    drives: DriveWork | None = None
-    loaded: bool = False
+    drive_work: DriveWork | None = None
+    has_load: bool = False
 
     @property
-    def steps(self) -> int:
+    def step_count(self) -> int:
         """How many steps the integration took."""
         return len(self._pieces)
 
     @property
-    def within_steps(self) -> Trace:
+    def dense_history(self) -> StateHistory:
         """States and forces at six instants of each step: for peaks and integrals, whatever the rows are.
 
         Where one step ends and the next begins an instant stands twice, with the forces of either.
@@ -222,11 +222,11 @@ class Simulation(Trace):
         return sampled_at(self._robot, self._actuators, self._pieces, np.concatenate(when), of)
 
     @property
-    def weights_within_steps(self) -> Array:
-        """Weights, s, (n,), whose sum with numbers at the instants of ``within_steps`` is their integral."""
+    def dense_weights(self) -> Array:
+        """Weights, s, (n,), whose sum with numbers at the instants of ``dense_history`` is their integral."""
         return np.concatenate([0.5 * (piece.end - piece.start) * _WEIGHTS for piece in self._pieces])
 
-    def at(self, times: ArrayLike) -> Trace:
+    def at(self, times: ArrayLike) -> StateHistory:
         """States and forces at given times, interpolated to the accuracy of the run.
 
         Parameters
@@ -236,7 +236,7 @@ class Simulation(Trace):
 
         Returns
         -------
-        Trace
+        StateHistory
             Shapes and units are documented there.
 
         Raises
@@ -257,7 +257,7 @@ class Simulation(Trace):
 def motion_of(y: Array, center: Array, F_ext: Array | None = None, M_ext: Array | None = None) -> Motion:
     """The chart's numbers [t; phi; v; omega], (..., 12), as states under a load."""
     R = rotation_from_vector(y[..., 3:6]) @ center
-    return Motion.unchecked(R, y[..., :3], y[..., 9:], y[..., 6:9], F_ext=F_ext, M_ext=M_ext)
+    return Motion._unchecked(R, y[..., :3], y[..., 9:], y[..., 6:9], F_ext=F_ext, M_ext=M_ext)
 
 
 class LegStates(NamedTuple):
@@ -291,7 +291,7 @@ def sampled_at(
     pieces: tuple[Piece, ...],
     when: Array,
     of: NDArray[np.intp] | None = None,
-) -> Trace:
+) -> StateHistory:
     """The trace at times within the pieces; of: the piece of each, None for the last that has begun."""
     n = len(when)
     y, centers, F = np.empty((n, 12)), np.empty((n, 3, 3)), np.empty((n, 6))
@@ -306,15 +306,15 @@ def sampled_at(
     motion = motion_of(y, centers)
     if pieces[0].sampled is None:
         F = actuators.forces(when, motion, None)
-    rest = Motion.unchecked(motion.R, motion.t, np.zeros((n, 3)), np.zeros((n, 3)))
+    rest = Motion._unchecked(motion.R, motion.t, np.zeros((n, 3)), np.zeros((n, 3)))
     energy = newton_euler.energy if robot.offsets is None else offset_joints.energy
     potential = energy(robot, rest)
     kinetic = energy(robot, motion) - potential
     L = leg_states(robot, motion).L
-    return Trace(when, motion.R, motion.t, motion.v, motion.omega, F, L, kinetic, potential)
+    return StateHistory(when, motion.R, motion.t, motion.v, motion.omega, F, L, kinetic, potential)
 
 
-def saturation_of(actuators: Actuators, pieces: Sequence[Piece]) -> Saturation:
+def saturation_of(actuators: Actuators, pieces: Sequence[Piece]) -> ForceSaturation:
     """What the commanded forces exceed their limits by, in all pieces."""
     time, excess = np.zeros(6), np.zeros(6)
     for piece in pieces if np.isfinite(actuators.limit).any() else ():
@@ -323,7 +323,7 @@ def saturation_of(actuators: Actuators, pieces: Sequence[Piece]) -> Saturation:
         beyond = np.abs(actuators.commanded(when, state, piece.sampled)) - actuators.limit
         excess = np.maximum(excess, beyond.max(axis=0))
         time += np.diff(when) @ _share_above_zero(beyond[:-1], beyond[1:])
-    return Saturation(time, excess)
+    return ForceSaturation(time, excess)
 
 
 def _share_above_zero(start: Array, end: Array) -> Array:

@@ -24,7 +24,7 @@ from ..motion.motion import Motion
 from ..motion.rotation import cross
 from ..robot.robot import Robot
 from .search import at_each, minima, minimum, root, runs, turning_points
-from .singular_poses import Singularity, last_directions, singularity
+from .singular_poses import SingularityResult, last_directions, singularity
 
 # Intervals are searched unless the singular values at both ends exceed what twice the rate of H there allows.
 _CARE = 2.0
@@ -44,42 +44,42 @@ _CHUNK = 1 << 13
 
 
 @dataclass(frozen=True, eq=False)
-class Crossing:
+class SingularityCrossing:
     """A time at which det H changes its sign, between or at the samples of a path.
 
     Attributes
     ----------
     time : float
         s.
-    uncertainty : float
+    time_error : float
         What rounding in H leaves open of it, s; inf where the path rests there.
-    before, after : int
+    sign_before, sign_after : int
         Sign of det H, -1 or 1.
-    at : Singularity
+    singularity : SingularityResult
         The singular pose there.
     """
 
     time: float
-    uncertainty: float
-    before: int
-    after: int
-    at: Singularity
+    time_error: float
+    sign_before: int
+    sign_after: int
+    singularity: SingularityResult
 
 
 @dataclass(frozen=True, eq=False)
-class Approach:
+class SingularityApproach:
     """A time at which the smallest singular value of the scaled H is least, s, and the pose there.
 
     Attributes
     ----------
     time : float
         s.
-    at : Singularity
+    singularity : SingularityResult
         How near it is to a singular pose.
     """
 
     time: float
-    at: Singularity
+    singularity: SingularityResult
 
 
 class LegExtreme(NamedTuple):
@@ -98,7 +98,7 @@ class LegExtreme(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class PathSingularities:
+class PathSingularitiesResult:
     """How a path passes singular poses and limits.
 
     Attributes
@@ -111,27 +111,27 @@ class PathSingularities:
         The other local minima of the smallest singular value, in order of time.
     spans : tuple
         Times (from, to), s, through which H is singular to rounding.
-    nearest : Approach
+    nearest : SingularityApproach
         Of all times, ends and crossings included, the one with the smallest singular value.
-    joint_sine : LegExtreme
+    min_joint_sine : LegExtreme
         Least sine of the angle between each leg and its universal joint's fixed axis; 1 with spherical base
         joints.
-    shortest, longest : LegExtreme
+    min_length, max_length : LegExtreme
         Least and greatest length of each leg, m.
     """
 
     start: float
     end: float
-    crossings: tuple[Crossing, ...]
-    approaches: tuple[Approach, ...]
+    crossings: tuple[SingularityCrossing, ...]
+    approaches: tuple[SingularityApproach, ...]
     spans: tuple[tuple[float, float], ...]
-    nearest: Approach
-    joint_sine: LegExtreme
-    shortest: LegExtreme
-    longest: LegExtreme
+    nearest: SingularityApproach
+    min_joint_sine: LegExtreme
+    min_length: LegExtreme
+    max_length: LegExtreme
 
 
-def crossings(robot: Robot, path: Path, times: ArrayLike) -> tuple[Crossing, ...]:
+def singularity_crossings(robot: Robot, path: Path, time: ArrayLike) -> tuple[SingularityCrossing, ...]:
     """Return the times at which a path crosses singular poses, in order, each to rounding.
 
     Parameters
@@ -139,9 +139,9 @@ def crossings(robot: Robot, path: Path, times: ArrayLike) -> tuple[Crossing, ...
     robot : Robot
         The machine.
     path : Path
-        Times, s, (n,) -> Motion of shape (n,), such as ``StraightLinePath.sample`` or ``between``; its rates
+        Times, s, (n,) -> Motion of shape (n,), such as ``StraightLinePath.sample`` or ``interpolate``; its rates
         must be those of its poses.
-    times : array_like
+    time : array_like
         Where to begin, s, (n,), increasing, at least two: the first and the last, and between them the
         samples or wherever an acceleration jumps. Two crossings between two times are found as well, though
         the determinant of H has the same sign at both.
@@ -149,7 +149,7 @@ def crossings(robot: Robot, path: Path, times: ArrayLike) -> tuple[Crossing, ...
     Returns
     -------
     tuple
-        One ``Crossing`` for each time.
+        One ``SingularityCrossing`` for each time.
 
     Raises
     ------
@@ -157,13 +157,13 @@ def crossings(robot: Robot, path: Path, times: ArrayLike) -> tuple[Crossing, ...
         Naming the argument.
     """
     with np.errstate(over="ignore", invalid="ignore"):
-        return _Search(robot, path, _checked(robot, path, times), everywhere=False).crossings
+        return _Search(robot, path, _checked(robot, path, time), everywhere=False).crossings
 
 
-def singularities_along(robot: Robot, path: Path, times: ArrayLike) -> PathSingularities:
+def path_singularities(robot: Robot, path: Path, time: ArrayLike) -> PathSingularitiesResult:
     """Return how a path passes singular poses, singularities of the universal joints and the legs' limits.
 
-    Arguments and errors as for ``crossings``. Times of minima are accurate to about 1e-8 of the
+    Arguments and errors as for ``singularity_crossings``. Times of minima are accurate to about 1e-8 of the
     interval between two times.
 
     Parameters
@@ -172,38 +172,45 @@ def singularities_along(robot: Robot, path: Path, times: ArrayLike) -> PathSingu
         The machine.
     path : Path
         Function of times that returns motions.
-    times : array_like
+    time : array_like
         Instants between which the path is smooth, s, (n,).
 
     Returns
     -------
-    PathSingularities
+    PathSingularitiesResult
         Crossings, nearest approaches and extremes of the legs.
     """
     with np.errstate(over="ignore", invalid="ignore"):
-        search = _Search(robot, path, _checked(robot, path, times))
+        search = _Search(robot, path, _checked(robot, path, time))
         approaches = search.approaches()
-    ends = [Approach(time, search.at(time)) for time in (float(search.times[0]), float(search.times[-1]))]
-    known = [*ends, *approaches, *(Approach(found.time, found.at) for found in search.crossings)]
+    ends = [
+        SingularityApproach(time, search.at(time))
+        for time in (float(search.times[0]), float(search.times[-1]))
+    ]
+    known = [
+        *ends,
+        *approaches,
+        *(SingularityApproach(found.time, found.singularity) for found in search.crossings),
+    ]
     joint_sine, shortest, longest = _leg_extremes(robot, path, search.times)
-    return PathSingularities(
+    return PathSingularitiesResult(
         start=ends[0].time,
         end=ends[1].time,
         crossings=search.crossings,
         approaches=approaches,
         spans=search.spans,
-        nearest=min(known, key=lambda approach: float(approach.at.smallest)),
-        joint_sine=joint_sine,
-        shortest=shortest,
-        longest=longest,
+        nearest=min(known, key=lambda approach: float(approach.singularity.smallest_singular_value)),
+        min_joint_sine=joint_sine,
+        min_length=shortest,
+        max_length=longest,
     )
 
 
-def force_residue(robot: Robot, motion: Motion, formulation: Formulation = "exact") -> Array:
+def singular_force_residue(robot: Robot, motion: Motion, formulation: Formulation = "exact") -> Array:
     """Return the actuator forces' residue, N s, (..., 6), where ``motion`` crosses a singular pose.
 
-    Within a crossing at time t_0 they go as F = force_residue / (t - t_0): to one infinity before and to the
-    other after. It is -v_6 (u_6 . c) / (u_6 . H' v_6), see ``Singularity``; not finite where the motion rests
+    Within a crossing at time t_0 they go as F = singular_force_residue / (t - t_0): to one infinity before and to the
+    other after. It is -v_6 (u_6 . c) / (u_6 . H' v_6), see ``SingularityResult``; not finite where the motion rests
     or moves along singular poses, 0 where nothing loads the unconstrained twist.
 
     Parameters
@@ -266,11 +273,11 @@ class _Search:
         self.spans = tuple((float(self.points[i]), float(self.points[j])) for i, j in runs(self.singular))
         self.crossings = tuple(self._crossings())
 
-    def at(self, time: float) -> Singularity:
+    def at(self, time: float) -> SingularityResult:
         """The pose at a time; a leg of length zero has no direction there."""
         return singularity(self.robot, self.path(np.array([time]))[0])
 
-    def approaches(self) -> tuple[Approach, ...]:
+    def approaches(self) -> tuple[SingularityApproach, ...]:
         """Local minima of the smallest singular value that are no crossings and in no singular span."""
         times = np.array([found.time for found in self.crossings])
         order = np.argsort(np.concatenate([self.points, times]), kind="stable")
@@ -283,7 +290,7 @@ class _Search:
             inside = any(start <= points[i] <= end for start, end in self.spans)
             if not crossed and not inside:
                 time = minimum(self._smallest, low, high)
-                found.append(Approach(time, self.at(time)))
+                found.append(SingularityApproach(time, self.at(time)))
         return tuple(found)
 
     def _inner_points(self, at_times: Array) -> Array:
@@ -329,7 +336,7 @@ class _Search:
         found[near, 3] = np.einsum("ni,nij,nj->n", u, H_dot[near], v)
         return found
 
-    def _crossings(self) -> list[Crossing]:
+    def _crossings(self) -> list[SingularityCrossing]:
         """One in each change of sign between points; points where H is singular tell no sign."""
         known = np.flatnonzero(~self.singular & np.isfinite(self.samples.determinant))
         signs = np.sign(self.samples.determinant[known])
@@ -344,12 +351,14 @@ class _Search:
                 found.append(self._crossing(time, ends[1] - ends[0], int(signs[i])))
         return found
 
-    def _crossing(self, time: float, width: float, before: int) -> Crossing:
+    def _crossing(self, time: float, width: float, before: int) -> SingularityCrossing:
         motion = self.path(np.array([time]))
         u, s, v = last_directions(self._scaled_H(motion)[0])
         rate = abs(float(u[0] @ _scaled_rate(self.robot, motion, self.length)[0] @ v[0]))
         open_ = ROUNDING * float(s[0, 0]) / rate if rate else np.inf
-        return Crossing(time, max(width, open_), before, -before, singularity(self.robot, motion[0]))
+        return SingularityCrossing(
+            time, max(width, open_), before, -before, singularity(self.robot, motion[0])
+        )
 
     def _short(self, time: float) -> bool:
         L = leg_vectors(self.robot, *_pose(self.path(np.array([time]))))[2]
@@ -459,7 +468,7 @@ def _checked(robot: Robot, path: Path, times: ArrayLike) -> Array:
     instance(robot, Robot, "robot")
     if not callable(path):
         raise ValueError(f"path: expected a function of times, got {type(path).__name__}")
-    when = real_array(times, "times", "increasing times")
+    when = real_array(times, "time", "increasing times")
     if when.ndim != 1 or len(when) < 2 or not np.all(np.isfinite(when)) or np.any(np.diff(when) <= 0.0):
         raise ValueError("times: expected at least two finite times, increasing, of shape (n,)")
     first = path(when[:1])

@@ -33,17 +33,17 @@ from ..kinematics.forward import (
 )
 from ..kinematics.pose_search import newton
 from ..kinematics.robot_logs import read_log_of
-from ..motion.interpolation import between
+from ..motion.interpolation import interpolate
 from ..motion.log_reader import AS_SHOWN, PLAIN, trajectory_from
-from ..motion.logs import LogFormat
+from ..motion.logs import TrajectoryFormat
 from ..motion.motion import Motion
 from ..motion.noise_level import LEAST_SAMPLES, rounding_steps, white_noise
 from ..motion.rate_doubts import rate_doubts
-from ..motion.trajectory import JointTrajectory, Smoothing, Trajectory
+from ..motion.trajectory import JointTrajectory, SmoothingOptions, Trajectory
 from ..results import SINGULAR
 from ..robot.robot import Robot
 from . import length_steps
-from .along_path import crossings
+from .along_path import singularity_crossings
 from .length_steps import CROSSED, NO_WAY, UNDECIDED, Legs, LostError, at_rest, pose_of, walked
 
 JUMPED = "the lengths jump here: no motion with the accelerations of the samples around it makes this step"
@@ -69,7 +69,7 @@ def motion_from_lengths(
     F_ext: ArrayLike | None = None,
     M_ext: ArrayLike | None = None,
     time: ArrayLike | None = None,
-    sigma: ArrayLike | None = None,
+    length_std: ArrayLike | None = None,
     progress: Progress = silent,
 ) -> Motion:
     """Return the platform's motion, of shape (n,), from that of its legs, (n, 6), sample after sample.
@@ -92,7 +92,7 @@ def motion_from_lengths(
         As in ``Motion``.
     time : array_like, optional
         Of the samples, s, (n,), increasing; None: the steps that fit L and L_dot.
-    sigma : array_like, optional
+    length_std : array_like, optional
         Standard deviation of each length, m, broadcasts to (n, 6); None: what rounding or scatter of the
         numbers show, from 40 samples on.
     progress : Progress, optional
@@ -129,8 +129,8 @@ def motion_from_lengths(
             raise ValueError(f"time: expected {n} finite times, increasing, of shape ({n},)")
     noise = (
         None
-        if sigma is None
-        else deviations(sigma, lengths.shape, f">= 0 m that broadcast to {lengths.shape}")
+        if length_std is None
+        else deviations(length_std, lengths.shape, f">= 0 m that broadcast to {lengths.shape}")
     )
     R, t = _follow(robot, when, lengths, rates["L_dot"], rates.get("L_ddot"), guess, noise, progress)
     v, omega = _in_parts(lambda i: forward_velocity(robot, R[i], t[i], rates["L_dot"][i], "nan"), len(t))
@@ -145,7 +145,7 @@ def motion_from_lengths(
     # Copies of the arguments would be in memory beside those of the motion.
     rates.clear()
     del lengths
-    return Motion(R, t, omega, v, alpha, a, F_ext, M_ext)  # type: ignore[arg-type]
+    return Motion(R=R, t=t, omega=omega, v=v, alpha=alpha, a=a, F_ext=F_ext, M_ext=M_ext)  # type: ignore[arg-type]
 
 
 def on_platform(
@@ -176,8 +176,8 @@ def on_platform(
 def read_trajectory(
     robot: Robot,
     path: str | os.PathLike[str],
-    form: LogFormat | None = None,
-    smoothing: Smoothing = AS_SHOWN,
+    file_format: TrajectoryFormat | None = None,
+    smoothing: SmoothingOptions = AS_SHOWN,
     guess: Guess | None = None,
 ) -> Trajectory:
     """Read a log of the robot, poses or leg lengths, as the motion of its reference point.
@@ -192,10 +192,10 @@ def read_trajectory(
     path : path-like
         CSV file, a row per instant: ``time`` and either ``t_x`` to ``t_z`` with ``theta_x`` to ``theta_z`` or
         ``q_w`` to ``q_z``, or ``L_1`` to ``L_6``; optionally all rates and second rates, and loads.
-    form : LogFormat, optional
+    file_format : TrajectoryFormat, optional
         Names, units and marks of the file, None: SI units; an ``euler_order`` or ``lengths`` of None is the
         robot's.
-    smoothing : Smoothing, optional
+    smoothing : SmoothingOptions, optional
         What is known of the noise.
     guess : tuple, optional
         Of leg lengths: R and t near the first pose, as for ``forward_kinematics``.
@@ -211,10 +211,10 @@ def read_trajectory(
         Of one line that names the file and the row or column.
     """
     instance(robot, Robot, "robot")
-    instance(smoothing, Smoothing, "smoothing")
-    form = PLAIN if form is None else form
-    instance(form, LogFormat, "form")
-    log = read_log_of(robot, path, form, smoothing)
+    instance(smoothing, SmoothingOptions, "smoothing")
+    file_format = PLAIN if file_format is None else file_format
+    instance(file_format, TrajectoryFormat, "file_format")
+    log = read_log_of(robot, path, file_format, smoothing)
     if isinstance(log, JointTrajectory):
         return on_platform(robot, log, guess)
     if guess is not None:
@@ -250,7 +250,7 @@ def _follow(
     progress: Progress,
 ) -> tuple[Array, Array]:
     """Return R, (n, 3, 3), and t, (n, 3), along lengths (n, 6)."""
-    start = forward_kinematics(robot, L[:1], guess, on_failure="nan", limits=False)
+    start = forward_kinematics(robot, L[:1], guess, on_failure="nan", check_limits=False)
     if start.status.any():
         raise LostError(0, fault(robot, L[0], int(start.status[0]), guess is not None))
     first = pose_of(robot, start.R, start.t, L[:1])
@@ -323,8 +323,10 @@ def _reject_crossings(robot: Robot, time: Array, R: Array, t: Array, twist: Arra
     known = int(bad[0]) if bad.size else len(twist)
     if known > 1:
         arrays = (R, t, twist[:, 3:], twist[:, :3], rate[:, 3:], rate[:, :3])
-        motion = Motion.unchecked(*(x[:known] for x in arrays))
-        found = crossings(robot, between(Trajectory(time[:known], motion, "L", range(known))), time[:known])
+        motion = Motion._unchecked(*(x[:known] for x in arrays))
+        found = singularity_crossings(
+            robot, interpolate(Trajectory(time[:known], motion, "L", range(known))), time[:known]
+        )
         if found:
             raise LostError(int(np.searchsorted(time[:known], found[0].time)), CROSSED)
     if bad.size:

@@ -312,7 +312,7 @@ def against_rates(L: Array, L_dot: Array) -> bool:
 
 
 def accelerations(time: Array, L: Array, L_dot: Array) -> Array:
-    """Return L_ddot, m/s^2, (n, 6), of the polynomials of degree 5 through each sample and its neighbours.
+    """Return L_ddot, m/s^2, (n, 6), of the polynomials of degree 5 through each sample and its neighbors.
 
     At the first and the last sample the polynomial is of degree 3.
     """

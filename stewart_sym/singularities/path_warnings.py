@@ -6,18 +6,18 @@ import numpy as np
 
 from ..io.array_types import Array
 from ..kinematics.log_doubts import side_change
-from ..motion.interpolation import between
+from ..motion.interpolation import interpolate
 from ..motion.trajectory import PoseLog, Trajectory
 from ..robot.robot import Robot
-from .along_path import crossings
-from .singular_poses import Singularity
+from .along_path import singularity_crossings
+from .singular_poses import SingularityResult
 
 
 def crossing_warning(robot: Robot, log: Trajectory | PoseLog) -> str | None:
     """One line about the singular poses that a log's path crosses; None if it crosses none."""
     if robot.offsets is not None:
         return row_warning(robot, log)
-    found = crossings(robot, between(log), log.time) if len(log.time) > 1 else ()
+    found = singularity_crossings(robot, interpolate(log), log.time) if len(log.time) > 1 else ()
     if not found:
         return None
     first = found[0]
@@ -28,9 +28,9 @@ def crossing_warning(robot: Robot, log: Trajectory | PoseLog) -> str | None:
     of = " of the reference point" if robot.tool.any() else ""
     return (
         f"{log.source}: the path crosses a singular pose at {first.time:.9f} s, between lines "
-        f"{rows[0]} and {rows[1]}: det H goes from {sign_text(first.before)} to {sign_text(first.after)}, "
-        f"scaled condition number {float(first.at.condition):.3g}, leg forces grow without bound; "
-        f"unconstrained twist{of} {twist_text(first.at)}{more}"
+        f"{rows[0]} and {rows[1]}: det H goes from {sign_text(first.sign_before)} to {sign_text(first.sign_after)}, "
+        f"scaled condition number {float(first.singularity.condition_number):.3g}, leg forces grow without bound; "
+        f"unconstrained twist{of} {twist_text(first.singularity)}{more}"
     )
 
 
@@ -46,7 +46,7 @@ def row_warning(robot: Robot, log: Trajectory | PoseLog, places: str = "lines") 
     )
 
 
-def twist_text(at: Singularity) -> str:
+def twist_text(at: SingularityResult) -> str:
     """The unconstrained twist in words: [v; omega]."""
     return f"v = {triple_text(at.twist[:3])} m/s, omega = {triple_text(at.twist[3:])} rad/s"
 

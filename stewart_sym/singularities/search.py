@@ -66,7 +66,7 @@ def minima(function: Function, low: Array, high: Array) -> Array:
         high = np.where(points > best, points, np.inf).min(axis=0)
         low, high = (np.where(np.isfinite(end), end, best) for end in (low, high))
         inner = _between(low, high)
-        # Neighbouring numbers have nothing new between them.
+        # Neighboring numbers have nothing new between them.
         new = np.any((inner > low) & (inner < high) & (inner != best), axis=0)
         if not np.any((high - low > goal) & new):
             return np.asarray(best)

@@ -21,25 +21,25 @@ _TRANSLATION = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
-class Singularity:
+class SingularityResult:
     """How near poses are to a singular one, and what is lost; a leading shape ``(...)`` is that of the poses.
 
-    With the moment rows of H divided by ``length``, H = sum s_i u_i v_i^T, s_1 >= ... >= s_6. Base frame,
+    With the moment rows of H divided by ``characteristic_length``, H = sum s_i u_i v_i^T, s_1 >= ... >= s_6. Base frame,
     wrenches and twists about the platform's reference point. Twist and wrench have the sign that makes the
     entry of u_6 of largest magnitude positive.
 
     Attributes
     ----------
-    length : float
+    characteristic_length : float
         Characteristic length, m, a float.
-    condition : ndarray
+    condition_number : ndarray
         Scaled condition number s_1 / s_6, (...); inf where H is singular to rounding.
-    smallest : ndarray
+    smallest_singular_value : ndarray
         s_6, no unit, (...).
     determinant : ndarray
         Of the scaled H, no unit, (...); its sign is that of det H, one on each side
         of a singular pose.
-    lost : ndarray of int
+    lost_dof : ndarray of int
         Number of degrees of freedom lost to rounding, int, (...); with several, the twist is one of them.
     twist : ndarray
         [v; omega], m/s and rad/s, (..., 6), with norm(v)^2 + norm(length omega)^2 = 1: of all such twists
@@ -48,31 +48,31 @@ class Singularity:
     wrench : ndarray
         [force; moment], N and N m, (..., 6), with norm(force)^2 + norm(moment / length)^2 = 1: the one that
         costs the largest leg forces, 1 / s_6 N; at a singular pose no leg forces hold it.
-    forces : ndarray
+    leg_forces : ndarray
         v_6, leg forces, N, (..., 6), of magnitude 1 whose wrench is least; at a singular pose it is none.
-    pitch : ndarray
+    screw_pitch : ndarray
         Of the twist as a screw, m/rad, (...); 0 for a turn, inf where it does not turn.
-    axis : ndarray
+    screw_axis : ndarray
         Direction of the screw, (..., 3), along omega, along v where it does not turn.
-    point : ndarray
+    screw_point : ndarray
         Of its axis the one nearest to the reference point, m, (..., 3); that point itself where the twist
         does not turn.
     """
 
-    length: float
-    condition: Array
-    smallest: Array
+    characteristic_length: float
+    condition_number: Array
+    smallest_singular_value: Array
     determinant: Array
-    lost: NDArray[np.int64]
+    lost_dof: NDArray[np.int64]
     twist: Array
     wrench: Array
-    forces: Array
-    pitch: Array
-    axis: Array
-    point: Array
+    leg_forces: Array
+    screw_pitch: Array
+    screw_axis: Array
+    screw_point: Array
 
 
-def singularity(robot: Robot, pose: Pose) -> Singularity:
+def singularity(robot: Robot, pose: Pose) -> SingularityResult:
     """Return how near poses are to a singular one and the motion that is lost there.
 
     Parameters
@@ -84,7 +84,7 @@ def singularity(robot: Robot, pose: Pose) -> Singularity:
 
     Returns
     -------
-    Singularity
+    SingularityResult
         Condition, twist and wrench of each pose.
 
     Raises
@@ -100,18 +100,18 @@ def singularity(robot: Robot, pose: Pose) -> Singularity:
     u, s, v = last_directions(H)
     twist = u / unit
     pitch, axis, arm = screw(twist, length)
-    return Singularity(
-        length=length,
-        condition=condition_number(H),
-        smallest=s[..., -1],
+    return SingularityResult(
+        characteristic_length=length,
+        condition_number=condition_number(H),
+        smallest_singular_value=s[..., -1],
         determinant=np.asarray(np.linalg.det(H)),
-        lost=np.count_nonzero(s <= ROUNDING * s[..., :1], axis=-1),
+        lost_dof=np.count_nonzero(s <= ROUNDING * s[..., :1], axis=-1),
         twist=twist,
         wrench=u * unit,
-        forces=v,
-        pitch=pitch,
-        axis=axis,
-        point=motion.t + arm,
+        leg_forces=v,
+        screw_pitch=pitch,
+        screw_axis=axis,
+        screw_point=motion.t + arm,
     )
 
 
@@ -130,7 +130,7 @@ def last_directions(H: Array) -> tuple[Array, Array, Array]:
 def screw(twist: Array, length: float) -> tuple[Array, Array, Array]:
     """Return pitch, m/rad, (...), axis, (..., 3), and the arm to it from the reference point, m, (..., 3).
 
-    twist: [v; omega], m/s and rad/s, (..., 6). length: what a turn is measured by, m. As in ``Singularity``.
+    twist: [v; omega], m/s and rad/s, (..., 6). length: what a turn is measured by, m. As in ``SingularityResult``.
     """
     v, omega = twist[..., :3], twist[..., 3:]
     turns = length * _size(omega) > _TRANSLATION * _size(v)

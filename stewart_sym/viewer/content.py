@@ -35,11 +35,11 @@ _THICK_OF_LEG = 0.06
 _LOWER, _LOWER_OF_LONGEST = 0.9, 0.62
 # How far an upper part stays within the lower one, and how long it is at most, over the shortest leg.
 _WITHIN, _UPPER = 0.15, 0.93
-# Where the largest force exceeds the quantile by this factor, as beside a singular pose, colours end there.
+# Where the largest force exceeds the quantile by this factor, as beside a singular pose, colors end there.
 _QUANTILE, _PEAK = 0.9, 4.0
 # Digits that are shown of values, of lengths one more.
 _DIGITS = 5
-# Size below which machines are shown in millimetres, m.
+# Size below which machines are shown in millimeters, m.
 _SMALL = 2.0
 
 
@@ -56,7 +56,7 @@ def content(robot: Robot, shown: Instants, limits: Limits) -> dict[str, Any]:
         **{f"F_{name}": _column(F) for name, F in shown.forces.items()},
         **_chain_columns(robot, shown),
         **_motor_columns(robot, shown, limits),
-        **{f"{name}_sd": _column(sd) for name, sd in _deviations(robot, shown, limits)},
+        **{f"{name}_std": _column(sd) for name, sd in _deviations(robot, shown, limits)},
     }
     return {
         "machine": _machine(robot, shown),
@@ -72,7 +72,7 @@ def content(robot: Robot, shown: Instants, limits: Limits) -> dict[str, Any]:
 
 
 def units(robot: Robot) -> dict[str, Any]:
-    """Unit in which lengths are shown, and how many of it are a metre."""
+    """Unit in which lengths are shown, and how many of it are a meter."""
     small = _size(robot) < _SMALL
     return {"length": 1e3 if small else 1.0, "lengthName": "mm" if small else "m"}
 
@@ -176,7 +176,7 @@ def _motors(limits: Limits) -> dict[str, Any] | None:
         return None
     drive, known = found.drive, np.isfinite(limits.F).any(axis=0) & (found.span > 0.0)
     return {
-        "turns": drive.turns,
+        "turns": drive.transmission_ratio,
         "constant": drive.torque_constant,
         "limits": {name: getattr(drive, f"{name}_limit") for name in PEAKS},
         "rated": drive.rated_torque,
@@ -265,7 +265,7 @@ def around(points: Array) -> NDArray[np.int64]:
 
 
 def _scale(shown: Instants) -> tuple[float, float | None]:
-    """Force at which the colours end, N, and the force at which curves are cut, None where none is."""
+    """Force at which the colors end, N, and the force at which curves are cut, None where none is."""
     sizes = np.abs(np.concatenate([F.ravel() for F in shown.forces.values()] or [np.zeros(1)]))
     sizes = sizes[np.isfinite(sizes)]
     if not sizes.size:
@@ -278,12 +278,12 @@ def _scale(shown: Instants) -> tuple[float, float | None]:
 
 def _event(event: Event, step: float, units: dict[str, Any]) -> dict[str, Any]:
     at, length, unit = event.at, units["length"], units["lengthName"]
-    turns = bool(np.isfinite(at.pitch))
+    turns = bool(np.isfinite(at.screw_pitch))
     screw = (
-        f"turn about {_triple(at.axis)} through {_triple(length * at.point)} {unit}, "
-        f"pitch {length * float(at.pitch):.4g} {unit}/rad"
+        f"turn about {_triple(at.screw_axis)} through {_triple(length * at.screw_point)} {unit}, "
+        f"pitch {length * float(at.screw_pitch):.4g} {unit}/rad"
         if turns
-        else f"translation along {_triple(at.axis)}"
+        else f"translation along {_triple(at.screw_axis)}"
     )
     return {
         "time": event.time,
@@ -291,10 +291,10 @@ def _event(event: Event, step: float, units: dict[str, Any]) -> dict[str, Any]:
         "singular": event.singular,
         "pose": {"t": event.motion.t, "R": event.motion.R},
         "twist": at.twist,
-        "axis": at.axis if turns else None,
-        "point": at.point if turns else None,
+        "axis": at.screw_axis if turns else None,
+        "point": at.screw_point if turns else None,
         "words": f"{'unconstrained' if event.singular else 'least held'} twist: {screw}; condition number "
-        f"{float(at.condition):.4g}".replace("inf", "\u221e"),
+        f"{float(at.condition_number):.4g}".replace("inf", "\u221e"),
     }
 
 

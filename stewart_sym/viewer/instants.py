@@ -11,7 +11,7 @@ import numpy as np
 
 from ..drives.leg_limits import replaced_names, replaced_rows
 from ..drives.noise import Deviations, all_deviations, at_replaced
-from ..dynamics.force_noise import force_deviations
+from ..dynamics.force_noise import force_std
 from ..dynamics.inverse import inverse_dynamics
 from ..io.arguments import real_array
 from ..io.array_types import Array, Flags
@@ -20,19 +20,19 @@ from ..kinematics.conditioning import characteristic_length, scaled_condition_nu
 from ..kinematics.inverse import inverse_kinematics
 from ..kinematics.mounting import path_for
 from ..kinematics.pose_search import jacobian
-from ..motion.interpolation import Path, between
+from ..motion.interpolation import Path, interpolate
 from ..motion.log_rates import noise_text
 from ..motion.log_reader import PLAIN
 from ..motion.logs import need_columns, read_columns
 from ..motion.motion import Motion, at_rest
 from ..motion.rotation import rotation_from_rpy
-from ..motion.straight_line import PATHS, StraightLinePath
+from ..motion.straight_line import PAPER_PATHS, StraightLinePath
 from ..motion.trajectory import PoseLog, Replaced, Trajectory
 from ..results import OK
 from ..robot.robot import Robot
-from ..simulation.trace import Simulation, Trace, leg_states
-from ..singularities.along_path import crossings
-from ..singularities.singular_poses import Singularity, singularity
+from ..simulation.trace import SimulationResult, StateHistory, leg_states
+from ..singularities.along_path import singularity_crossings
+from ..singularities.singular_poses import SingularityResult, singularity
 
 FORMULATIONS = ("exact", "paper")
 STEPS_PER_PATH = 600
@@ -55,7 +55,7 @@ class Event:
 
     time: float
     motion: Motion
-    at: Singularity
+    at: SingularityResult
     singular: bool
 
 
@@ -105,37 +105,37 @@ def at_home(robot: Robot, home: Array) -> Instants:
 def of_path(robot: Robot, path: str | StraightLinePath) -> Instants:
     """A straight line, or by its name, I, II or III, one of the paper's."""
     if isinstance(path, str):
-        if path not in PATHS:
+        if path not in PAPER_PATHS:
             raise ValueError(f"motion: expected I, II or III, or a motion, got {path!r}")
         name, path = f"Path {path} of the paper", path_for(robot, path).path
     else:
         name = "straight line"
-    time = path.times(path.tau_f / STEPS_PER_PATH)
-    return _instants(robot, name, time, path.sample(time), path.sample, path.breaks())
+    time = path.time_grid(path.tau_f / STEPS_PER_PATH)
+    return _instants(robot, name, time, path.sample(time), path.sample, path.breakpoints())
 
 
 def of_trajectory(robot: Robot, trajectory: Trajectory | PoseLog) -> Instants:
     """A trajectory read from a file, by whose name it is called."""
-    path = between(trajectory) if len(trajectory.time) > 1 else None
+    path = interpolate(trajectory) if len(trajectory.time) > 1 else None
     name = os.path.basename(trajectory.source)
     found = _instants(robot, name, trajectory.time, trajectory.motion, path, trajectory.time)
     return replace(found, noise=_noise(robot, trajectory, list(found.forces)))
 
 
-def of_run(robot: Robot, run: Trace) -> Instants:
+def of_run(robot: Robot, run: StateHistory) -> Instants:
     """A simulated run, with the forces that acted."""
-    path = _path_of(run.times, run.motion)
-    if isinstance(run, Simulation):
+    path = _path_of(run.time, run.motion)
+    if isinstance(run, SimulationResult):
 
         def path(times: Array) -> Motion:
             return run.at(times).motion
 
-    return _instants(robot, "simulated run", run.times, run.motion, path, run.times, {"run": run.F})
+    return _instants(robot, "simulated run", run.time, run.motion, path, run.time, {"run": run.F})
 
 
 def of_motion(robot: Robot, motion: Motion, times: object, name: str = "motion") -> Instants:
     """A motion of shape (n,) at times, s, (n,), increasing; without accelerations there are no forces."""
-    time = np.arange(1.0) if times is None and motion.shape in ((), (1,)) else real_array(times, "times")
+    time = np.arange(1.0) if times is None and motion.shape in ((), (1,)) else real_array(times, "time")
     if motion.shape == ():
         motion = motion[None]
     if time.shape != motion.shape or time.ndim != 1 or not len(time):
@@ -159,7 +159,7 @@ def read_run(path: str | os.PathLike[str]) -> tuple[Array, Motion, Array, Array]
     with opened(source, "run", _MOST_BYTES) as stream:
         columns = read_columns(stream, source, check, PLAIN).columns
     t, theta, v, omega, F, L = (np.stack([columns[c] for c in names], axis=-1) for names in _NAMES.values())
-    return columns["time"], Motion(rotation_from_rpy(theta), t, omega, v), F, L
+    return columns["time"], Motion(R=rotation_from_rpy(theta), t=t, omega=omega, v=v), F, L
 
 
 def of_run_file(robot: Robot, path: str | os.PathLike[str]) -> Instants:
@@ -185,7 +185,7 @@ def _instants(
     breaks: Array | None,
     forces: Mapping[str, Array] | None = None,
 ) -> Instants:
-    """All of it; forces: None for those of the formulations. path, breaks: as ``crossings`` takes them."""
+    """All of it; forces: None for those of the formulations. path, breaks: as ``singularity_crossings`` takes them."""
     with np.errstate(all="ignore"):
         legs = leg_states(robot, motion)
         length = characteristic_length(robot) or 1.0
@@ -205,7 +205,7 @@ def _noise(robot: Robot, trajectory: Trajectory | PoseLog, formulations: list[st
         return None
     first, *others = formulations
     sd = all_deviations(robot, trajectory, first)  # type: ignore[arg-type]
-    forces = {name: force_deviations(robot, trajectory, name) for name in others}  # type: ignore[arg-type]
+    forces = {name: force_std(robot, trajectory, name) for name in others}  # type: ignore[arg-type]
     replaced, said = replaced_rows(trajectory), []
     if trajectory.noise.sigma.any():
         said.append(f"{noise_text(trajectory.noise)}: smoothed")
@@ -228,13 +228,13 @@ def _events(
         return ()
     found = []
     if path is not None and breaks is not None and len(breaks) > 1:
-        for each in crossings(robot, path, breaks):
-            found.append(Event(each.time, path(np.array([each.time]))[0], each.at, True))
+        for each in singularity_crossings(robot, path, breaks):
+            found.append(Event(each.time, path(np.array([each.time]))[0], each.singularity, True))
     known = np.nan_to_num(condition, nan=0.0)
     if not found and len(time) > 1 and known.any():
         i = int(np.argmax(known))
         at = singularity(robot, motion[i])
-        found.append(Event(float(time[i]), motion[i], at, bool(at.lost)))
+        found.append(Event(float(time[i]), motion[i], at, bool(at.lost_dof)))
     return tuple(found)
 
 
@@ -245,5 +245,5 @@ def _path_of(time: Array, motion: Motion) -> Path | None:
     a, alpha = motion.a, motion.alpha
     if a is None or alpha is None:
         a, alpha = (np.gradient(rate, time, axis=0) for rate in (motion.v, motion.omega))
-    full = Motion.unchecked(motion.R, motion.t, motion.omega, motion.v, alpha, a)
-    return between(Trajectory(time, full, "motion", range(len(time))))
+    full = Motion._unchecked(motion.R, motion.t, motion.omega, motion.v, alpha, a)
+    return interpolate(Trajectory(time, full, "motion", range(len(time))))

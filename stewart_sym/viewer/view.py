@@ -17,7 +17,7 @@ from ..motion.motion import Motion
 from ..motion.straight_line import StraightLinePath
 from ..motion.trajectory import PoseLog, Trajectory
 from ..robot.robot import Robot
-from ..simulation.trace import Trace
+from ..simulation.trace import StateHistory
 from .content import content, data_text, limits_html, noise_html, parts_text, units
 from .instants import Instants, at_home, of_motion, of_path, of_run, of_trajectory
 from .limits import Limits, limits
@@ -27,7 +27,7 @@ _HEIGHT = 900
 
 
 @dataclass(frozen=True, eq=False)
-class View:
+class Viewer:
     """A machine in motion as one HTML file; in a notebook it is shown where it stands at a cell's end.
 
     Attributes
@@ -92,7 +92,7 @@ class View:
         return frame(self)
 
 
-def frame(view: View, height: int = _HEIGHT) -> str:
+def frame(view: Viewer, height: int = _HEIGHT) -> str:
     """The page as a frame within another; height: of the frame, pixels."""
     values = {"title": html.escape(view.title), "page": html.escape(view.html), "height": str(height)}
     return filled("frame.html", values)
@@ -100,13 +100,13 @@ def frame(view: View, height: int = _HEIGHT) -> str:
 
 def view(
     robot: Robot,
-    motion: Motion | Trace | Trajectory | PoseLog | StraightLinePath | str | None = None,
-    times: Any = None,
-) -> View:
+    motion: Motion | StateHistory | Trajectory | PoseLog | StraightLinePath | str | None = None,
+    time: Any = None,
+) -> Viewer:
     """Return a machine in motion, to be looked at in a notebook or saved as one HTML file.
 
     The file needs no network and no other file. It shows the machine in three dimensions with its legs
-    coloured by force, and forces, lengths, speeds and condition number over time, beside the limits of legs
+    colored by force, and forces, lengths, speeds and condition number over time, beside the limits of legs
     and motors; of a log with noise with the deviations that it leaves. Forces are of both formulations, of
     ``exact`` alone for a robot whose drive has rotor inertia.
 
@@ -114,16 +114,16 @@ def view(
     ----------
     robot : Robot
         The machine.
-    motion : Motion, Trace, Trajectory, PoseLog, StraightLinePath or str, optional
-        A motion of shape (n,) at ``times``; what ``simulate`` returns, with the forces that acted; a
+    motion : Motion, StateHistory, Trajectory, PoseLog, StraightLinePath or str, optional
+        A motion of shape (n,) at ``time``; what ``simulate`` returns, with the forces that acted; a
         trajectory; a straight line; I, II or III, a path of the paper. None: at rest at the home pose. A
         motion without accelerations is shown without forces.
-    times : array_like, optional
+    time : array_like, optional
         Of a Motion, s, (n,), increasing. None: for a motion of one pose.
 
     Returns
     -------
-    View
+    Viewer
         Shown by a notebook; ``save(path)`` writes the file, ``html`` is its text.
 
     Raises
@@ -132,9 +132,9 @@ def view(
         Naming the argument.
     """
     instance(robot, Robot, "robot")
-    if times is not None and not isinstance(motion, Motion):
-        raise ValueError("times: are for a Motion, expected none")
-    return View(robot, _instants(robot, motion, times))
+    if time is not None and not isinstance(motion, Motion):
+        raise ValueError("time: are for a Motion, expected none")
+    return Viewer(robot, _instants(robot, motion, time))
 
 
 def _instants(robot: Robot, motion: object, times: object) -> Instants:
@@ -144,7 +144,7 @@ def _instants(robot: Robot, motion: object, times: object) -> Instants:
         return of_path(robot, motion)
     if isinstance(motion, Trajectory | PoseLog):
         return of_trajectory(robot, motion)
-    if isinstance(motion, Trace):
+    if isinstance(motion, StateHistory):
         return of_run(robot, motion)
     instance(motion, Motion, "motion")
     if times is None and cast(Motion, motion).shape not in ((), (1,)):

@@ -19,6 +19,7 @@ from machines import dasgupta, random_motion, random_robot
 
 import stewart_sym as ss
 from stewart_sym.backend import native
+from stewart_sym.backend.kernel import MOTION
 from stewart_sym.motion.motion import Motion
 from stewart_sym.studies.reports.workspace import grid, map_block, workspace_map
 
@@ -106,13 +107,13 @@ def test_a_prepared_kernel_runs_unchanged_under_map_blocks_and_apply_gufunc(
 
     rng = np.random.default_rng(30)
     robot = random_robot(rng)
-    kernel = ss.prepare(robot, precision=precision)
+    kernel = ss.ForceKernel(robot, precision=precision)
     motion = random_motion(rng, robot, (300,))
     expected = kernel.forces(motion)
     arrays = [getattr(motion, field.name) for field in dataclasses.fields(motion)]
     blocks = [da.from_array(array, chunks=(37, *array.shape[1:])) for array in arrays]
     by_gufunc = da.apply_gufunc(
-        lambda *block: kernel.forces(Motion(*block), threads=2),
+        lambda *block: kernel.forces(Motion(**dict(zip(MOTION, block, strict=True))), threads=2),
         "(i,i)" + 7 * ",(i)" + "->(j)",
         *blocks,
         output_dtypes=kernel.dtype,
@@ -120,14 +121,16 @@ def test_a_prepared_kernel_runs_unchanged_under_map_blocks_and_apply_gufunc(
     )
     rest = np.zeros(3)
     by_blocks = da.map_blocks(
-        lambda t: kernel.forces(Motion(np.eye(3), t, rest, rest, rest, rest), on_singular="nan"),
+        lambda t: kernel.forces(
+            Motion(R=np.eye(3), t=t, omega=rest, v=rest, alpha=rest, a=rest), on_singular="nan"
+        ),
         blocks[1],
         chunks=(blocks[1].chunks[0], (6,)),
         meta=np.empty((0, 6), kernel.dtype),
     )
     far = cluster.compute(by_gufunc, by_blocks)
     assert same_bits(far[0], expected)
-    still = Motion(np.eye(3), motion.t, rest, rest, rest, rest)
+    still = Motion(R=np.eye(3), t=motion.t, omega=rest, v=rest, alpha=rest, a=rest)
     assert same_bits(far[1], kernel.forces(still, on_singular="nan"))
 
 
@@ -135,7 +138,7 @@ def test_a_prepared_kernel_runs_unchanged_under_map_blocks_and_apply_gufunc(
 def test_a_pickled_kernel_comes_back_the_same(formulation: str) -> None:
     rng = np.random.default_rng(31)
     robot = random_robot(rng)
-    kernel = ss.prepare(robot, formulation)
+    kernel = ss.ForceKernel(robot, formulation)
     motion = random_motion(rng, robot, (20,))
     back = pickle.loads(pickle.dumps(kernel))
     assert (back.formulation, back.precision) == (formulation, "double")
@@ -146,7 +149,7 @@ def test_a_scheduler_without_a_compiler_may_unpickle_a_kernel(tmp_path: Path) ->
     """Dask unpickles the graph on the scheduler, which never runs a block."""
     code = "import pickle, sys; print(pickle.load(sys.stdin.buffer).formulation)"
     env = {**os.environ, "CC": str(tmp_path / "none"), "STEWART_SYM_CACHE": str(tmp_path / "cache")}
-    kernel = pickle.dumps(ss.prepare(dasgupta()))
+    kernel = pickle.dumps(ss.ForceKernel(dasgupta()))
     run = [sys.executable, "-c", code]
     done = subprocess.run(run, input=kernel, env=env, check=True, capture_output=True, timeout=WAIT)
     assert done.stdout.split() == [b"exact"]
@@ -160,7 +163,9 @@ def test_a_block_agrees_with_the_dynamics_and_leaves_poses_without_an_answer_nan
     condition, peak = map_block(t, np.zeros(3), robot)
     assert list(np.flatnonzero(np.isnan(peak))) == list(np.flatnonzero(np.isnan(condition))) == [7]
     rest = np.zeros(3)
-    found = ss.inverse_dynamics(robot, Motion(np.eye(3), t, rest, rest, rest, rest), on_singular="nan")
+    found = ss.inverse_dynamics(
+        robot, Motion(R=np.eye(3), t=t, omega=rest, v=rest, alpha=rest, a=rest), on_singular="nan"
+    )
     good = np.arange(20) != 7
     np.testing.assert_allclose(peak[good], np.abs(found.F[good]).max(axis=-1), rtol=1e-9)
     np.testing.assert_allclose(condition[good], ss.condition_number(found.H)[good], rtol=1e-9)

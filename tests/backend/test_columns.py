@@ -52,7 +52,7 @@ def with_faults(rng: np.random.Generator, robot: Robot, count: int) -> Motion:
             else:
                 along = {2: np.zeros(3), 3: robot.k[2], 4: robot.k[2] + [0.01, 0.01, -0.01]}[kind]
                 parts["t"][place] = reach + along
-    return Motion.unchecked(**parts)
+    return Motion._unchecked(**parts)
 
 
 def columns(motion: Motion, dtype: Any, stride: int | None = None) -> list[Array]:
@@ -72,7 +72,7 @@ def check(kernel: ForceKernel, motion: Motion, stride: int | None = None, thread
     """The columns' bits and statuses are those of the ordinary batch."""
     with np.errstate(over="ignore"):
         F, status = kernel.forces_and_status(motion)
-    found, codes = kernel.forces_of_columns(*columns(motion, kernel.dtype, stride), threads=threads)
+    found, codes = kernel.forces_soa(*columns(motion, kernel.dtype, stride), threads=threads)
     assert found.shape == (6, len(status))
     assert (codes == status).all()
     assert np.ascontiguousarray(found.T).tobytes() == F.tobytes()
@@ -85,12 +85,12 @@ def test_columns_have_the_bits_and_statuses_of_the_batch(count: int, precision: 
     robot = flat(rng)
     motion = with_faults(rng, robot, count)
     for formulation in ("exact", "paper"):
-        kernel = ss.prepare(robot, formulation, precision)
+        kernel = ss.ForceKernel(robot, formulation, precision)
         check(kernel, motion)
         check(kernel, motion, stride=1024)
     if count >= 100:
         with np.errstate(over="ignore"):
-            codes = set(ss.prepare(robot, precision=precision).forces_and_status(motion)[1])
+            codes = set(ss.ForceKernel(robot, precision=precision).forces_and_status(motion)[1])
         assert codes >= {0, 1, 2} | ({3, 4} if precision == "double" else set())
 
 
@@ -98,14 +98,14 @@ def test_columns_have_the_bits_and_statuses_of_the_batch(count: int, precision: 
 def test_columns_of_reduced_kernels_do_too(fidelity: str) -> None:
     rng = np.random.default_rng(161)
     robot = flat(rng)
-    check(ss.prepare(robot, fidelity=fidelity), with_faults(rng, robot, 109))
+    check(ss.ForceKernel(robot, fidelity=fidelity), with_faults(rng, robot, 109))
 
 
 def test_columns_of_other_base_joints_do_too() -> None:
     rng = np.random.default_rng(162)
     for formulation in ("exact", "paper"):
         robot = flat(rng, "spherical")
-        check(ss.prepare(robot, formulation), with_faults(rng, robot, 109))
+        check(ss.ForceKernel(robot, formulation), with_faults(rng, robot, 109))
 
 
 @pytest.mark.parametrize("threads", [2, 3, 64])
@@ -115,11 +115,11 @@ def test_threads_and_parts_of_longer_arrays_change_no_bit(
     monkeypatch.setattr(forces, "LEAST_SHARE", 10)
     rng = np.random.default_rng(163)
     robot = flat(rng)
-    motion, kernel = with_faults(rng, robot, 203), ss.prepare(robot)
+    motion, kernel = with_faults(rng, robot, 203), ss.ForceKernel(robot)
     check(kernel, motion, threads=threads)
     whole = columns(motion, np.float64)
-    F, status = kernel.forces_of_columns(*whole)
-    part, codes = kernel.forces_of_columns(*(array[:, 5:97] for array in whole))
+    F, status = kernel.forces_soa(*whole)
+    part, codes = kernel.forces_soa(*(array[:, 5:97] for array in whole))
     assert part.tobytes() == np.ascontiguousarray(F[:, 5:97]).tobytes()
     assert (codes == status[5:97]).all()
 
@@ -127,9 +127,9 @@ def test_threads_and_parts_of_longer_arrays_change_no_bit(
 def test_no_load_is_none_and_unsolvable_poses_keep_what_they_had() -> None:
     rng = np.random.default_rng(164)
     robot = flat(rng)
-    kernel, motion = ss.prepare(robot), with_faults(rng, robot, 19)
+    kernel, motion = ss.ForceKernel(robot), with_faults(rng, robot, 19)
     arrays: list[Array | None] = [*columns(motion, np.float64, 24)[:-2], None, None]
-    unloaded = Motion.unchecked(**{name: getattr(motion, name) for name in FIELDS if name not in LOADS})
+    unloaded = Motion._unchecked(**{name: getattr(motion, name) for name in FIELDS if name not in LOADS})
     expected, wanted = kernel.forces_and_status(unloaded)
     F, status = np.full((6, 24), 7.5), np.full(19, -1, dtype=np.int32)
     kernel.columns_into(arrays, F[:, :19], status)
@@ -143,22 +143,22 @@ def test_no_load_is_none_and_unsolvable_poses_keep_what_they_had() -> None:
 def test_matrices_lists_and_mixed_layouts_are_taken_as_well() -> None:
     rng = np.random.default_rng(165)
     robot = random_robot(rng)
-    kernel, motion = ss.prepare(robot), random_motion(rng, robot, (11,))
+    kernel, motion = ss.ForceKernel(robot), random_motion(rng, robot, (11,))
     arrays = columns(motion, np.float64)
-    F, _ = kernel.forces_of_columns(*arrays)
+    F, _ = kernel.forces_soa(*arrays)
     mixed = [arrays[0].reshape(3, 3, 11), np.asfortranarray(arrays[1]), arrays[2].tolist(), *arrays[3:]]
-    assert (kernel.forces_of_columns(*mixed)[0] == F).all()
+    assert (kernel.forces_soa(*mixed)[0] == F).all()
 
 
 def test_arrays_that_do_not_fit_are_named_in_one_line() -> None:
     rng = np.random.default_rng(166)
     robot = random_robot(rng)
-    kernel, motion = ss.prepare(robot), random_motion(rng, robot, (4,))
+    kernel, motion = ss.ForceKernel(robot), random_motion(rng, robot, (4,))
     arrays = columns(motion, np.float64)
     for place, name in enumerate(FIELDS[:-2]):
         for bad in (arrays[place].T, arrays[place][:-1], arrays[place][:, 0], "forces", None):
             with pytest.raises(ValueError, match=rf"^{name}: expected .*, got .*\Z"):
-                kernel.forces_of_columns(*arrays[:place], bad, *arrays[place + 1 :])
+                kernel.forces_soa(*arrays[:place], bad, *arrays[place + 1 :])
     F, status = np.zeros((6, 4)), np.zeros(4, dtype=np.int32)
     frozen = np.zeros((6, 4))
     frozen.setflags(write=False)
@@ -181,7 +181,7 @@ def test_arrays_that_do_not_fit_are_named_in_one_line() -> None:
 def test_what_is_wrong_with_an_array_is_told() -> None:
     rng = np.random.default_rng(168)
     robot = random_robot(rng)
-    kernel, motion = ss.prepare(robot), random_motion(rng, robot, (4,))
+    kernel, motion = ss.ForceKernel(robot), random_motion(rng, robot, (4,))
     arrays = columns(motion, np.float64)
     F, status = np.zeros((6, 4)), np.zeros(4, dtype=np.int32)
     moved = np.zeros(3 * 4 * 8 + 1, dtype=np.uint8)[1:].view(np.float64).reshape(3, 4)
@@ -204,24 +204,24 @@ def test_what_is_wrong_with_an_array_is_told() -> None:
         pattern = re.escape(said).replace(r"\.\*", ".*")
         rejects(rf"^{pattern}.*\Z", kernel.columns_into, *arguments)
     with pytest.raises(ValueError, match=r"^t: expected an array of real numbers, got one of complex128\Z"):
-        kernel.forces_of_columns(arrays[0], 1j * arrays[1], *arrays[2:])
+        kernel.forces_soa(arrays[0], 1j * arrays[1], *arrays[2:])
     with pytest.raises(ValueError, match=r"^F: expected memory of its own, got some of R\Z"):
         kernel.forces_into(plain, plain[0].reshape(-1)[:24].reshape(4, 6), status)
     # Interleaved rows share none.
     halves[:, :4] = arrays[0]
     others = [np.hstack([array, array])[:, :4] for array in arrays[1:]]
     kernel.columns_into([halves[:, :4], *others], halves[:6, 4:], status)
-    assert (halves[:6, 4:] == kernel.forces_of_columns(*arrays)[0]).all()
+    assert (halves[:6, 4:] == kernel.forces_soa(*arrays)[0]).all()
 
 
 def test_c_rejects_null_and_strides_below_the_count() -> None:
     rng = np.random.default_rng(167)
     robot = random_robot(rng)
-    kernel, motion = ss.prepare(robot), random_motion(rng, robot, (3,))
+    kernel, motion = ss.ForceKernel(robot), random_motion(rng, robot, (3,))
     arrays, F = columns(motion, np.float64), np.zeros((6, 3))
 
     def code(count: int, stride: int, given: list[Any]) -> int:
-        call = kernel.function("forces_columns")
+        call = kernel.c_function("forces_columns")
         sizes = ctypes.c_size_t(count), ctypes.c_size_t(stride)
         return int(call(address(kernel.model), *sizes, pointers(given), address(F), None))
 

@@ -60,7 +60,7 @@ class Figures:
 def figures(robot: ss.Robot, motion: ss.Motion, precision: str) -> Figures | None:
     """None where H is singular to the rounding of float."""
     on_singular = "nan" if precision == "float" else "raise"
-    found = ss.forces_with_bounds(robot, motion, precision, on_singular)
+    found = ss.force_error_bounds(robot, motion, precision, on_singular)
     if found.status == SINGULAR:
         return None
     errors = np.abs(error(found.F, quad_forces(robot, motion, DTYPE[precision])))
@@ -110,8 +110,8 @@ def test_forces_are_those_of_the_prepared_kernel_to_the_last_bit(precision: Any)
     for robot in (dasgupta(), random_robot(rng), random_robot(rng, friction=False)):
         for load in (True, False):
             motion = random_motion(rng, robot, (3, 7), load)
-            found = ss.forces_with_bounds(robot, motion, precision)
-            wanted = ss.prepare(robot, precision=precision).forces(motion)
+            found = ss.force_error_bounds(robot, motion, precision)
+            wanted = ss.ForceKernel(robot, precision=precision).forces(motion)
             assert found.F.dtype == found.bound.dtype == found.rcond.dtype == wanted.dtype
             np.testing.assert_array_equal(found.F, wanted)
 
@@ -133,7 +133,7 @@ def test_bound_holds_for_wild_rates_and_loads_and_legs_near_their_axes(precision
     rng = np.random.default_rng(11)
     for number in range(100):
         robot, motion = wild(rng, *case(rng, number))
-        found = ss.forces_with_bounds(robot, motion, precision, on_singular="nan")
+        found = ss.force_error_bounds(robot, motion, precision, on_singular="nan")
         if found.status == OK:
             errors = np.abs(error(found.F, quad_forces(robot, motion, DTYPE[precision])))
             assert (errors <= found.bound).all()
@@ -143,10 +143,10 @@ def test_bound_counts_how_far_R_is_from_a_rotation() -> None:
     rng = np.random.default_rng(2)
     robot, motion = machine_in_motion(rng)
     off = ss.Motion(
-        motion.R + 1e-10 * rng.uniform(-1, 1, (3, 3)),
-        *(getattr(motion, name) for name in ("t", "omega", "v", "alpha", "a", "F_ext", "M_ext")),
+        R=motion.R + 1e-10 * rng.uniform(-1, 1, (3, 3)),
+        **{name: getattr(motion, name) for name in ("t", "omega", "v", "alpha", "a", "F_ext", "M_ext")},
     )
-    near, far = (ss.forces_with_bounds(robot, m) for m in (motion, off))
+    near, far = (ss.force_error_bounds(robot, m) for m in (motion, off))
     errors = np.abs(error(far.F, quad_forces(robot, off)))
     assert (errors <= far.bound).all()
     assert errors.max() > 100 * near.bound.max()
@@ -154,14 +154,14 @@ def test_bound_counts_how_far_R_is_from_a_rotation() -> None:
 
 
 def test_bound_is_infinite_where_float_is_too_coarse_for_any() -> None:
-    """Towards a singular pose the bound grows until there is none: sooner in float than in double."""
+    """Toward a singular pose the bound grows until there is none: sooner in float than in double."""
     robot, at = singular()
     away = np.array([1e-2, 1e-4, 1e-6])
     theta = np.outer(np.pi / 2 - away, [0.0, 0.0, 1.0])
     zero = np.zeros(3)
     motion = ss.Motion.from_rpy(at.t, theta, zero, zero, zero, zero)
-    coarse = ss.forces_with_bounds(robot, motion, "float", on_singular="nan")
-    fine = ss.forces_with_bounds(robot, motion)
+    coarse = ss.force_error_bounds(robot, motion, "float", on_singular="nan")
+    fine = ss.force_error_bounds(robot, motion)
     assert (coarse.status[:2] == OK).all()
     assert np.isfinite(coarse.bound[0]).all()
     assert not np.isfinite(coarse.bound[2]).any()
@@ -180,7 +180,7 @@ def test_rcond_is_that_of_the_wrench_matrix_about_the_reference_point(precision:
         robot, motion = case(rng, number)
         scale = np.array([1.0, 1.0, 1.0, *[ss.characteristic_length(robot)] * 3])[:, None]
         wanted = 1 / np.linalg.cond(ss.wrench_matrix(robot, motion) / scale, 1)
-        found = float(ss.forces_with_bounds(robot, motion, precision).rcond)
+        found = float(ss.force_error_bounds(robot, motion, precision).rcond)
         assert found == pytest.approx(wanted, rel=100 * np.finfo(DTYPE[precision]).eps / wanted)
 
 
@@ -189,22 +189,22 @@ def test_any_leading_shape_with_and_without_load() -> None:
     robot = random_robot(rng)
     for load in (True, False):
         motion = random_motion(rng, robot, (2, 3), load)
-        found = ss.forces_with_bounds(robot, motion)
+        found = ss.force_error_bounds(robot, motion)
         assert (found.F.shape, found.bound.shape) == ((2, 3, 6), (2, 3, 6))
         assert (found.rcond.shape, found.status.shape) == ((2, 3), (2, 3))
-        one = ss.forces_with_bounds(robot, motion[1, 2])
+        one = ss.force_error_bounds(robot, motion[1, 2])
         np.testing.assert_array_equal(one.bound, found.bound[1, 2])
-    none = ss.forces_with_bounds(robot, motion[:0])
+    none = ss.force_error_bounds(robot, motion[:0])
     assert none.bound.shape == (0, 3, 6)
 
 
 def test_poses_without_an_answer_raise_warn_or_are_nan() -> None:
     robot, bad = singular()
-    rejects(re.escape("motion: H is singular"), ss.forces_with_bounds, robot, bad)
+    rejects(re.escape("motion: H is singular"), ss.force_error_bounds, robot, bad)
     with pytest.warns(ss.SingularPoseWarning, match="H is singular") as caught:
-        ss.forces_with_bounds(robot, bad, on_singular="warn")
+        ss.force_error_bounds(robot, bad, on_singular="warn")
     assert caught[0].filename == __file__
-    found = ss.forces_with_bounds(robot, bad, on_singular="nan")
+    found = ss.force_error_bounds(robot, bad, on_singular="nan")
     assert found.status == SINGULAR
     for values in (found.F, found.bound, found.rcond):
         assert np.isnan(values).all()
@@ -214,12 +214,12 @@ def test_robots_that_float_cannot_hold_are_rejected() -> None:
     rng = np.random.default_rng(9)
     robot = random_robot(rng, scale=1e20)
     with pytest.raises(ValueError, match=r"robot: .*expected .* float can hold"):
-        ss.forces_with_bounds(robot, random_motion(rng, robot), "float")
+        ss.force_error_bounds(robot, random_motion(rng, robot), "float")
 
 
 def test_c_takes_one_pose_and_outputs_that_nobody_wants() -> None:
     robot, motion = machine_in_motion(10)
-    wanted = ss.forces_with_bounds(robot, motion)
+    wanted = ss.force_error_bounds(robot, motion)
     prepare = bounds.function("exact", "bounds", "double", "bounds_prepare")
     model = prepared_model(prepare, robot, MODELS["exact_bounds"], "double")
     call = library("exact_bounds").stewart_exact_forces_bounded
@@ -304,8 +304,8 @@ def swept_near_joint(precision: Any, cases: int) -> dict[str, int]:
     seen = {"near": 0, "far": 0, "singular": 0}
     for _ in range(cases):
         robot, motion, sine = drawn(rng, precision)
-        found = ss.forces_with_bounds(robot, motion, precision, on_singular="nan")
-        kernel = ss.prepare(robot, precision=precision)
+        found = ss.force_error_bounds(robot, motion, precision, on_singular="nan")
+        kernel = ss.ForceKernel(robot, precision=precision)
         assert found.status == kernel.status(motion)
         if found.status != OK:
             assert found.status == JOINT_SINGULAR

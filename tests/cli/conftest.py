@@ -42,8 +42,8 @@ def trajectory(tmp_path: Path) -> Path:
 def crossing(tmp_path: Path) -> Path:
     """Path III with its rates every 0.3 s; H is singular between lines 14 and 15."""
     target = tmp_path / "crossing.csv"
-    path = ss.PATHS["III"].path
-    time = path.times(0.3)
+    path = ss.PAPER_PATHS["III"].path
+    time = path.time_grid(0.3)
     motion = path.sample(time)
     theta = rpy_from_rotation(motion.R)
     rates = np.gradient(theta, time, axis=0, edge_order=2)

@@ -31,7 +31,7 @@ def test_reproduce_writes_tables_and_curves_without_matplotlib(
     assert (target / "report.txt").read_text() in captured.out
     rows = read(target / "path_I_paper.csv")
     assert len(rows) == 61
-    assert float(rows[0]["F3"]) == pytest.approx(1419.36, abs=0.005)
+    assert float(rows[0]["F_3"]) == pytest.approx(1419.36, abs=0.005)
 
 
 @pytest.mark.parametrize(("command", "instead"), [("reproduce", ", or give --no-pictures"), ("bench", "")])
@@ -78,7 +78,7 @@ def test_reproduce_interrupted_is_quiet_and_leaves_nothing(
 
 def test_check_describes_the_papers_machine_and_warns_in_one_line_each(robot: Path, run: Run) -> None:
     assert run("check", robot).err == ""
-    accepted = 'accept = ["platform-inertia", "lower-inertia", "upper-inertia"]\n'
+    accepted = 'suppress_warnings = ["platform-inertia", "lower-inertia", "upper-inertia"]\n'
     text = robot.read_text(encoding="utf-8")
     assert accepted in text
     robot.write_text(text.replace(accepted, ""), encoding="utf-8")
@@ -97,7 +97,7 @@ def test_check_describes_the_papers_machine_and_warns_in_one_line_each(robot: Pa
 
 
 def test_check_puts_the_home_pose_in_the_middle_of_the_length_limits(robot: Path, run: Run) -> None:
-    edit(robot, "[leg_defaults.lower]", "[leg_defaults]\nlength_limits = [0.8, 1.2]\n\n[leg_defaults.lower]")
+    edit(robot, "[legs.lower]", "[legs]\nlength_limits = [0.8, 1.2]\n\n[legs.lower]")
     out = run("check", robot).out
     assert "length 0.8 to 1.2 m" in out
     lengths = next(line for line in out.splitlines() if line.startswith("leg lengths"))

@@ -31,9 +31,9 @@ def test_forces_writes_what_the_library_computes(robot: Path, trajectory: Path) 
     expected = ss.inverse_dynamics(ss.Robot.from_toml(robot), motion)
     for i, row in enumerate(rows):
         assert float(row["time"]) == time[i]
-        assert [float(row[f"F{leg}"]) for leg in range(1, 7)] == expected.F[i].tolist()
+        assert [float(row[f"F_{leg}"]) for leg in range(1, 7)] == expected.F[i].tolist()
         assert row["status"] == "0"
-    assert list(rows[0])[7:] == [*(f"L{leg}" for leg in range(1, 7)), "condition_number", "status"]
+    assert list(rows[0])[7:] == [*(f"L_{leg}" for leg in range(1, 7)), "condition_number", "status"]
     assert len(rows) == len(time)
 
 
@@ -51,20 +51,20 @@ def test_forces_takes_formulation_backend_and_reactions(
     np.testing.assert_allclose(values[1:], np.broadcast_to(values[0], values[1:].shape), rtol=1e-9, atol=1e-9)
     motion = read_csv(trajectory)[1]
     reactions = ss.joint_reactions(ss.Robot.from_toml(robot), motion, formulation)  # type: ignore[arg-type]
-    np.testing.assert_array_equal(values[0][:, header.index("F_u3_y")], reactions.F_u[:, 2, 1])
-    np.testing.assert_array_equal(values[0][:, header.index("M_u5")], reactions.M_u[:, 4])
+    np.testing.assert_array_equal(values[0][:, header.index("F_u_3_y")], reactions.F_u[:, 2, 1])
+    np.testing.assert_array_equal(values[0][:, header.index("M_u_5")], reactions.M_u[:, 4])
 
 
 def test_forces_warns_of_each_limit_in_one_line_with_its_legs_and_the_worst(
     robot: Path, trajectory: Path, run: Run
 ) -> None:
-    limits = "[leg_defaults]\nlength_limits = [0.45, 5]\nforce_limit = 1000\nspeed_limit = 0.01\n"
-    edit(robot, "[leg_defaults.lower]", f"{limits}\n[leg_defaults.lower]")
+    limits = "[legs]\nlength_limits = [0.45, 5]\nforce_limit = 1000\nspeed_limit = 0.01\n"
+    edit(robot, "[legs.lower]", f"{limits}\n[legs.lower]")
     told = run("forces", robot, trajectory, "-o", robot.parent / "f.csv").err
     lines = [line for line in told.splitlines() if "exceeded" in line]
     rows = read(robot.parent / "f.csv")
     time = np.array([float(row["time"]) for row in rows])
-    F = np.array([[float(row[f"F{leg}"]) for leg in range(1, 7)] for row in rows])
+    F = np.array([[float(row[f"F_{leg}"]) for leg in range(1, 7)] for row in rows])
     over = np.flatnonzero((np.abs(F) > 1000.0).any(axis=0))
     legs = f"leg{'s' if len(over) > 1 else ''} {', '.join(str(leg + 1) for leg in over)}"
     assert [line.split(": warning: ")[1].split(":")[0] for line in lines if "force_limit" in line] == [
@@ -85,7 +85,7 @@ def test_times_since_1970_are_printed_in_full(robot: Path, trajectory: Path, run
     cells = [row.split(",", 1) for row in rows]
     moved = [f"{1_700_000_000.5 + float(time):.2f},{rest}" for time, rest in cells]
     trajectory.write_text("\n".join([header, *moved]) + "\n")
-    edit(robot, "[leg_defaults.lower]", "[leg_defaults]\nforce_limit = 1.0\n[leg_defaults.lower]")
+    edit(robot, "[legs.lower]", "[legs]\nforce_limit = 1.0\n[legs.lower]")
     asked = ["forces", str(robot), str(trajectory), "-o", str(trajectory.with_name("f.csv"))]
     found = run(*asked)
     assert "21 instants, 1700000000.5 to 1700000002.5 s; " in found.out
@@ -120,8 +120,8 @@ def test_a_pose_without_an_answer_is_rejected_unless_allowed(robot: Path, run: R
     assert f"{trajectory}: line 3: a leg has length zero (leg 1)" in told
     rows = read(output)
     assert [row["status"] for row in rows] == ["0", "2", "0"]
-    assert (rows[1]["F1"], rows[1]["L1"], rows[1]["M_u1"]) == ("nan", "nan", "nan")
-    assert np.isfinite(float(rows[2]["L1"]))
+    assert (rows[1]["F_1"], rows[1]["L_1"], rows[1]["M_u_1"]) == ("nan", "nan", "nan")
+    assert np.isfinite(float(rows[2]["L_1"]))
 
 
 def test_an_output_that_cannot_be_written_is_named_before_work(robot: Path, fails: Fails) -> None:
@@ -153,7 +153,7 @@ def test_a_full_standard_output_is_one_line(robot: Path, trajectory: Path, argum
 
 
 def test_warnings_come_before_the_error_that_ends_a_command(robot: Path, trajectory: Path, run: Run) -> None:
-    # Millimetres as leg lengths in m: the likely cause is a warning, what came of it the error.
+    # Millimeters as leg lengths in m: the likely cause is a warning, what came of it the error.
     lengths = [f"{time},{','.join(6 * [str(900 + time)])}" for time in range(8)]
     header = ",".join(["time", *(f"L_{leg}" for leg in range(1, 7))])
     trajectory.write_text("\n".join([header, *lengths]) + "\n")
@@ -181,8 +181,8 @@ def test_reactions_that_overflow_are_a_pose_without_an_answer(
 ) -> None:
     real = track.joint_reactions
 
-    def far(*arguments: object, **options: object) -> ss.Reactions:
-        return real(*arguments, **options, bearing=1e308)  # type: ignore[arg-type]
+    def far(*arguments: object, **options: object) -> ss.JointReactionsResult:
+        return real(*arguments, **options, bearing_distance=1e308)  # type: ignore[arg-type]
 
     monkeypatch.setattr(track, "joint_reactions", far)
     read_back = read_csv(trajectory)
@@ -192,7 +192,7 @@ def test_reactions_that_overflow_are_a_pose_without_an_answer(
     with pytest.warns(ss.SingularPoseWarning, match=r"csv: line 2: "):
         columns = whole_track.track(machine, read_back, reactions=True, allow_singular=True).columns
     assert np.all(columns["status"] == 1)
-    assert np.all(np.isnan(columns["M_p1_x"]))
+    assert np.all(np.isnan(columns["M_p_1_x"]))
 
 
 @pytest.mark.parametrize("big", [{"M": 1e308}, {"g": [0.0, 0.0, -1e308]}, {"C_p": np.full(6, 1e307)}])
@@ -271,7 +271,9 @@ def test_singularities_reports_time_twist_and_signs(robot: Path, run: Run) -> No
     (event,) = read(folder / "events.csv")
     assert (event["crossing"], event["side_before"], event["side_after"]) == ("1", "-1", "1")
     assert float(event["A1"]) == pytest.approx(-27554.33, rel=1e-6)
-    sides = [float(row["F2"]) for row in read(folder / "path.csv") if abs(float(row["time"]) - 3.6705) < 0.05]
+    sides = [
+        float(row["F_2"]) for row in read(folder / "path.csv") if abs(float(row["time"]) - 3.6705) < 0.05
+    ]
     assert min(sides) < -1e6
     assert max(sides) > 1e6
 

@@ -50,7 +50,7 @@ def test_a_file_has_the_figures_beside_the_text(robot: Path, trajectory: Path, r
     for leg, row in zip(found["legs"], printed.splitlines()[3:], strict=False):
         assert row.split()[:2] == [str(leg["leg"]), f"{leg['peak_force_N']:.6g}"]
     written = np.genfromtxt(csv, delimiter=",", names=True)
-    assert abs(found["legs"][2]["peak_force_N"]) == np.abs(written["F3"]).max()
+    assert abs(found["legs"][2]["peak_force_N"]) == np.abs(written["F_3"]).max()
 
 
 def test_a_folder_has_the_same_figures(robot: Path, trajectory: Path, run: Run) -> None:

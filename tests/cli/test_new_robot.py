@@ -34,10 +34,10 @@ def test_a_new_file_has_the_numbers_given_and_no_doubt(tmp_path: Path, run: Run)
     assert robot.name == 'a "quoted\\" name'
     assert np.linalg.norm(robot.b, axis=-1) == pytest.approx(0.6, rel=1e-15)
     assert np.linalg.norm(robot.p, axis=-1) == pytest.approx(0.3, rel=1e-15)
-    assert (robot.M, robot.home.tolist()) == (40.0, [0.0, 0.0, 0.7])
+    assert (robot.M, robot.home_position.tolist()) == (40.0, [0.0, 0.0, 0.7])
     assert robot.m_d + robot.m_u == pytest.approx(4.0)
     assert np.ptp(robot.length_limits, axis=-1) == pytest.approx(0.3)
-    L = np.linalg.norm(robot.home + robot.p - robot.b, axis=-1)
+    L = np.linalg.norm(robot.home_position + robot.p - robot.b, axis=-1)
     assert robot.length_limits.mean(axis=-1) == pytest.approx(L)
     assert np.ptp(L) < 1e-15
     assert f"{float(f'{L[0]:.4g}')!r} m from joint to joint" in path.read_text()
@@ -85,14 +85,14 @@ def test_new_files_of_many_machines_pass_check(tmp_path: Path, run: Run) -> None
         assert run("check", path).err == "", numbers
 
 
-def test_millimetres_and_metres_make_the_same_machine(tmp_path: Path) -> None:
+def test_millimeters_and_meters_make_the_same_machine(tmp_path: Path) -> None:
     made = []
     for unit, factor in (("m", 1.0), ("mm", 1000.0)):
         numbers = {name: value * (1.0 if "mass" in name else factor) for name, value in NUMBERS.items()}
         path = tmp_path / f"{unit}.toml"
         assert main(["new", "-o", str(path), "--length-unit", unit, *options(numbers)]) == 0
         made.append(ss.Robot.from_toml(path))
-    for name in ("b", "p", "M", "I_p", "m_d", "I_d0", "r_u0", "I_u0", "length_limits", "home"):
+    for name in ("b", "p", "M", "I_p", "m_d", "I_d0", "r_u0", "I_u0", "length_limits", "home_position"):
         np.testing.assert_allclose(getattr(made[0], name), getattr(made[1], name), rtol=1e-14, atol=1e-16)
 
 
@@ -107,7 +107,7 @@ def test_z_may_point_down(tmp_path: Path, run: Run) -> None:
     for path, upward in ((up, 1.0), (down, -1.0)):
         robot = ss.Robot.from_toml(path)
         a = np.array([0.0, 0.0, 2.0 * upward])
-        motion = ss.Motion.from_rpy(robot.home, [0.0] * 3, [0.0] * 3, [0.0] * 3, a, [0.0] * 3)
+        motion = ss.Motion.from_rpy(robot.home_position, [0.0] * 3, [0.0] * 3, [0.0] * 3, a, [0.0] * 3)
         forces.append(ss.inverse_dynamics(robot, motion).F)
     np.testing.assert_allclose(*forces, rtol=1e-12)
 
@@ -167,7 +167,7 @@ def test_what_is_not_given_is_asked_for_on_a_terminal(
     assert asked.count("radius of the platform joints' circle, mm: ") == 1
     assert asked.count("at home, mm: ") == 2
     assert "expected a finite number, got '700 mm'" in asked
-    assert ss.Robot.from_toml(path).home[2] == 0.7
+    assert ss.Robot.from_toml(path).home_position[2] == 0.7
     monkeypatch.setattr(sys, "stdin", Terminal("300\n"))
     assert run("new", "-o", tmp_path / "other.toml", *options(given), code=2).err.endswith(
         "--height: missing, the answers ended\n"

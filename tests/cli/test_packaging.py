@@ -16,7 +16,7 @@ warnings.simplefilter("ignore")
 import stewart_sym as ss
 assert pathlib.Path(ss.__file__).is_relative_to(sys.argv[1]), ss.__file__
 from stewart_sym.derive.generate import generated_files
-path, _ = ss.PATHS["I"]
+path, _ = ss.PAPER_PATHS["I"]
 print(ss.inverse_dynamics(ss.robots.dasgupta1998(), path.sample([0.0, 1.0])).F.shape)
 """
 

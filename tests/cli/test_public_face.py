@@ -15,7 +15,7 @@ from machines import machine_in_motion
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
-from stewart_sym.results import Accelerations, DampedSolution, Velocities
+from stewart_sym.results import Accelerations, DampedLeastSquaresResult, Velocities
 
 
 def test_dir_shows_what_is_public_and_nothing_else() -> None:
@@ -146,8 +146,8 @@ def test_pairs_of_results_say_which_is_which() -> None:
         assert alpha is pair.alpha
     assert velocity.v == pytest.approx(motion.v)
     assert velocity.omega == pytest.approx(motion.omega)
-    solution = ss.damped_solution(found.H, found.c, 1.0)
-    assert isinstance(solution, DampedSolution)
+    solution = ss.damped_least_squares(found.H, found.c, 1.0)
+    assert isinstance(solution, DampedLeastSquaresResult)
     assert found.H @ solution.x + solution.wrench_error == pytest.approx(found.c)
 
 

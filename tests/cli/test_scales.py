@@ -14,8 +14,8 @@ from sweeps import slow_but
 
 EXAMPLES = Path(__file__).parents[2] / ".docs" / "examples"
 DRIVE = {
-    **{"lead": 0.005, "efficiency": 0.9, "back_efficiency": 0.8, "rotor_inertia": 1.73e-5},
-    **{"motor_coulomb": 0.05, "screw_coulomb": 12.0, "screw_viscous": 30.0, "smoothing": 0.001},
+    **{"lead": 0.005, "efficiency": 0.9, "backdrive_efficiency": 0.8, "rotor_inertia": 1.73e-5},
+    **{"motor_coulomb": 0.05, "screw_coulomb": 12.0, "screw_viscous": 30.0, "regularization_speed": 0.001},
     **{"torque_constant": 0.5, "resistance": 2.0, "torque_limit": 3.82, "current_limit": 8.5},
     "motor_speed_limit": 523.6,
 }
@@ -28,7 +28,7 @@ POWERS = {
     **dict.fromkeys(("inertia", "rotor_inertia"), (2.0, 1)),
     **dict.fromkeys(("universal", "spherical"), (1.5, 1)),
     **dict.fromkeys(("prismatic", "screw_viscous"), (-0.5, 1)),
-    **dict.fromkeys(("speed_limit", "smoothing", "v", "duration", "time"), (0.5, 0)),
+    **dict.fromkeys(("speed_limit", "regularization_speed", "v", "duration", "time"), (0.5, 0)),
     **dict.fromkeys(("motor_coulomb", "torque_constant", "torque_limit"), (1.0, 1)),
     **dict.fromkeys(("motor_speed_limit", "rate"), (-0.5, 0)),
     **{"resistance": (0.5, 1), "stiffness": (-1.0, 1), "clearance": (1.0, 0)},

@@ -39,8 +39,8 @@ def test_c_equals_50_digit_truth_to_rounding(form: Formulation, seed: int) -> No
     robot = dasgupta() if seed == 0 and form in (EXACT, PAPER) else random_robot_of(rng, form)
     motion = random_motion(rng, robot)
     found = ss.inverse_dynamics(robot, motion, form.name)  # type: ignore[arg-type]
-    kernel = ss.prepare(robot, form.name)  # type: ignore[arg-type]
-    slot = kernel.one_pose()
+    kernel = ss.ForceKernel(robot, form.name)  # type: ignore[arg-type]
+    slot = kernel.single_pose()
     slot.numbers[:] = np.concatenate([np.ravel(getattr(motion, name)) for name in FIELDS])
     assert slot.solve() == 0
     condition = ss.condition_number(found.H)

@@ -20,7 +20,7 @@ name = "hanging"
 length_unit = "mm"
 angle_unit = "deg"
 gravity = [0.0, 0.0, 9.81]
-home = [0.0, 0.0, 700.0]
+home_position = [0.0, 0.0, 700.0]
 base = { radius = 500.0, angles = [-10.0, 10.0, 110.0, 130.0, 230.0, 250.0] }
 
 [platform]
@@ -48,7 +48,7 @@ def hanging(folder: Path) -> None:
 @pytest.mark.slow
 def test_a_workspace_is_written_as_text_table_and_picture(folder: Path, run: Run) -> None:
     ranges = ("--turns", -0.3, 0.3, -0.3, 0.3, -0.3, 0.3, "--box", -0.2, 0.2, -0.2, 0.2, 0.55, 0.85)
-    options = ("--kind", "total", *ranges, "--clearance", 0.07)
+    options = ("--kind", "six_dof", *ranges, "--clearance", 0.07)
     run("workspace", "hanging.toml", *options, "--condition", 20, *FEW)
     assert results(folder / "workspace") == ["report.json", "report.txt", "slices.csv", "slices.png"]
     report = (folder / "workspace" / "report.txt").read_text()
@@ -61,7 +61,7 @@ def test_a_workspace_is_written_as_text_table_and_picture(folder: Path, run: Run
     assert {row["first_limit"] for row in rows} >= {"inside", "leg length", "joint angle"}
 
 
-def test_a_middle_beyond_the_limits_and_metres_read_as_millimetres_are_doubted(run: Run) -> None:
+def test_a_middle_beyond_the_limits_and_meters_read_as_millimeters_are_doubted(run: Run) -> None:
     few = ("--poses", 500, "--no-pictures")
     for position, doubted in ((0.7, False), (700.0, True)):
         told = run("workspace", "hanging.toml", *few, "--position", 0, 0, position).err
@@ -158,10 +158,10 @@ def test_noise_that_hides_the_forces_exceeds_no_limit_and_is_told(folder: Path, 
     for name in limits:
         assert f"{name} not decided at this noise by " in told
     found = json.loads((folder / "F.json").read_text())["legs"]
-    assert {leg["motor_torque_limit"] for leg in found} == {"not decided at this noise"}
+    assert {leg["motor_torque_limit"] for leg in found} == {"inconclusive_noise"}
     assert all(leg["motor_peak_torque_sd_N_m"] > 0.0 and leg["motor_energy_sd_J"] > 0.0 for leg in found)
     header = (folder / "F.csv").read_text().splitlines()[0].split(",")
-    assert {"F1_sd", "torque1_sd", "motor_speed6_sd", "power3_sd"} < set(header)
+    assert {"F_1_std", "torque_1_std", "motor_speed_6_std", "power_3_std"} < set(header)
 
 
 DRIVE = """
@@ -174,10 +174,10 @@ speed_limit = 120.0
 
 
 def test_joint_angles_are_compared_by_forces_and_view_as_by_size(folder: Path, run: Run) -> None:
-    file, home = folder / "hexapod.toml", "home = [0.0, 0.0, 0.65]\n"
+    file, home = folder / "hexapod.toml", "home_position = [0.0, 0.0, 0.65]\n"
     edit(file, 'name = "hexapod"\n', f'name = "hexapod"\n{home}')
     log = read_csv(folder / "trajectory.csv")
-    needs = ss.size(ss.Robot.from_toml(file), [log])
+    needs = ss.actuator_requirements(ss.Robot.from_toml(file), [log])
     peaks = {"base": needs.base_angle, "platform": needs.platform_angle}
     limits = [float(np.median(each)) for each in peaks.values()]
     edit(file, "speed_limit", f"joint_angle_limit = {limits}\nspeed_limit")
@@ -234,7 +234,7 @@ def test_bad_input_is_one_line_and_leaves_nothing(
         ("[30.0, 22.0]", "[30.0, 0.0]", "legs.joint_angle_limit: expected angles > 0 and <= 180, got [30.0"),
         ("[30.0, 22.0]", "200.0", "legs.joint_angle_limit: expected angles > 0 and <= 180"),
         ("[30.0, 22.0]", '"wide"', "legs.joint_angle_limit: expected"),
-        ("home = [0.0, 0.0, 700.0]\n", "", "expected a key home"),
+        ("home_position = [0.0, 0.0, 700.0]\n", "", "expected a key home"),
     ],
 )
 def test_a_joint_angle_limit_that_is_none_is_named_with_its_line(

@@ -31,20 +31,22 @@ def along(seed: int, count: int = 200) -> tuple[ss.Robot, np.ndarray, ss.Motion]
 
 def test_peaks_are_those_of_inverse_dynamics_and_kinematics() -> None:
     robot, time, motion = along(1)
-    needs = ss.size(robot, [(time, motion)])
+    needs = ss.actuator_requirements(robot, [(time, motion)])
     F = ss.inverse_dynamics(robot, motion).F
     legs = ss.inverse_kinematics(robot, motion)
     np.testing.assert_allclose(needs.force[-1], np.abs(F).max(axis=0), rtol=1e-12)
     np.testing.assert_allclose(needs.speed[-1], np.abs(legs.L_dot).max(axis=0), rtol=1e-12)
     power = F * legs.L_dot
     np.testing.assert_allclose(needs.power[-1], np.abs(power).max(axis=0), rtol=1e-12)
-    np.testing.assert_allclose(needs.driving, np.maximum(power.max(axis=0), 0.0), rtol=1e-12)
-    np.testing.assert_allclose(needs.braking, np.maximum(-power.min(axis=0), 0.0), rtol=1e-12)
-    np.testing.assert_allclose(np.maximum(needs.push, needs.pull), needs.force[-1], rtol=1e-12)
+    np.testing.assert_allclose(needs.max_driving_power, np.maximum(power.max(axis=0), 0.0), rtol=1e-12)
+    np.testing.assert_allclose(needs.max_braking_power, np.maximum(-power.min(axis=0), 0.0), rtol=1e-12)
+    np.testing.assert_allclose(
+        np.maximum(needs.max_push_force, needs.max_pull_force), needs.force[-1], rtol=1e-12
+    )
     np.testing.assert_allclose(needs.stroke, np.ptp(legs.L, axis=0), rtol=1e-12)
     # Work is power over time.
     work = trapezoid(power, time, axis=0)
-    np.testing.assert_allclose(needs.course.weight @ needs.course.power, work, rtol=1e-9)
+    np.testing.assert_allclose(needs.history.time_weight @ needs.history.power, work, rtol=1e-9)
 
 
 def test_a_quantile_is_of_the_time_and_not_of_the_rows() -> None:
@@ -55,17 +57,19 @@ def test_a_quantile_is_of_the_time_and_not_of_the_rows() -> None:
 
 def test_rows_that_are_denser_somewhere_change_no_quantile_much() -> None:
     robot, time, motion = along(2, 4001)
-    even = ss.size(robot, [(time, motion)], quantiles=[0.5, 0.9])
+    even = ss.actuator_requirements(robot, [(time, motion)], quantiles=[0.5, 0.9])
     uneven = np.concatenate([np.arange(0, 2000), np.arange(2000, 4001, 10)])
-    other = ss.size(robot, [(time[uneven], motion[uneven])], quantiles=[0.5, 0.9])
+    other = ss.actuator_requirements(robot, [(time[uneven], motion[uneven])], quantiles=[0.5, 0.9])
     np.testing.assert_allclose(other.force, even.force, rtol=0.02)
 
 
 def test_without_a_home_pose_joint_angles_do_not_depend_on_how_dense_the_rows_are() -> None:
     robot, time, motion = along(2, 4001)
-    robot = dataclasses.replace(robot, home=None)
+    robot = dataclasses.replace(robot, home_position=None)
     uneven = np.concatenate([np.arange(0, 1000), np.arange(1000, 4001, 20)])
-    even, other = (ss.size(robot, [(time[rows], motion[rows])]) for rows in (np.arange(4001), uneven))
+    even, other = (
+        ss.actuator_requirements(robot, [(time[rows], motion[rows])]) for rows in (np.arange(4001), uneven)
+    )
     for name in ("base_angle", "platform_angle"):
         np.testing.assert_allclose(getattr(other, name), getattr(even, name), rtol=5e-3)
 
@@ -73,18 +77,18 @@ def test_without_a_home_pose_joint_angles_do_not_depend_on_how_dense_the_rows_ar
 def test_motions_count_together() -> None:
     robot, time, motion = along(3)
     one, other = (time[:90], motion[:90]), (time[90:], motion[90:])
-    both = ss.size(robot, [one, other])
-    apart = [ss.size(robot, [each]) for each in (one, other)]
+    both = ss.actuator_requirements(robot, [one, other])
+    apart = [ss.actuator_requirements(robot, [each]) for each in (one, other)]
     np.testing.assert_array_equal(both.force[-1], np.maximum(*(each.force[-1] for each in apart)))
     np.testing.assert_array_equal(both.length[:, 0], np.minimum(*(each.length[:, 0] for each in apart)))
 
 
 def test_joint_angles_are_from_the_home_pose() -> None:
     robot, time, motion = along(4)
-    robot = dataclasses.replace(robot, home=motion.t[0] + 0.05)
-    needs = ss.size(robot, [(time, motion)])
+    robot = dataclasses.replace(robot, home_position=motion.t[0] + 0.05)
+    needs = ss.actuator_requirements(robot, [(time, motion)])
     angles = ss.joint_angles(robot, motion)
-    neutral = robot.home + robot.p - robot.b
+    neutral = robot.home_position + robot.p - robot.b
     neutral /= np.linalg.norm(neutral, axis=-1, keepdims=True)
     s = ss.inverse_kinematics(robot, motion).s
     np.testing.assert_allclose(angles.base, np.arccos(np.sum(s * neutral, axis=-1)), atol=1e-7)
@@ -100,18 +104,18 @@ def names(lines: list[str]) -> list[str]:
 
 def test_limits_that_are_exceeded_or_kept_without_the_margin_are_named() -> None:
     robot, time, motion = along(5)
-    needs = ss.size(robot, [(time, motion)], margin=0.5)
+    needs = ss.actuator_requirements(robot, [(time, motion)], margin=0.5)
     assert compared(robot, needs) == ([], [], [], [])
     enough, few = 1.5 * needs.force[-1], needs.length + np.array([-1e-9, 1e-9])
     limited = dataclasses.replace(
         robot,
-        home=motion.t[0],
+        home_position=motion.t[0],
         force_limit=np.where(np.arange(6) == 2, 0.99, 1.01) * enough,
         speed_limit=np.where(np.arange(6) == 4, 0.99, 1.01) * 1.5 * needs.speed[-1],
         length_limits=few,
         joint_angle_limit=np.full((6, 2), [np.pi, 1e-3]),
     )
-    needs = ss.size(limited, [(time, motion)], margin=0.5)
+    needs = ss.actuator_requirements(limited, [(time, motion)], margin=0.5)
     found = compared(limited, needs)
     over, short = names(found.exceeded), names(found.margin_missing)
     assert over == [f"joint_angle_limit at the platform of leg {leg}" for leg in range(1, 7)]
@@ -126,10 +130,10 @@ def test_limits_that_are_exceeded_or_kept_without_the_margin_are_named() -> None
 
 def test_motors_are_sized_where_there_are_drives() -> None:
     robot, time, motion = along(6)
-    assert ss.size(robot, [(time, motion)]).torque is None
+    assert ss.actuator_requirements(robot, [(time, motion)]).torque is None
     drive = ss.Drive(lead=np.full(6, 5e-3), rotor_inertia=1e-6, efficiency=0.9, torque_limit=1e-9)
     driven = dataclasses.replace(robot, drive=drive)
-    needs = ss.size(driven, [(time, motion)])
+    needs = ss.actuator_requirements(driven, [(time, motion)])
     with pytest.warns(ss.DriveLimitWarning):
         effort = ss.drive_effort(driven, motion, time)
     np.testing.assert_allclose(needs.torque[-1], effort.peak_torque, rtol=1e-12)
@@ -145,7 +149,7 @@ def test_currents_are_needs_of_the_motors_that_have_a_torque_constant() -> None:
         current_limit=np.array([np.inf, 1e-9, *[1e9] * 4]),
     )
     driven = dataclasses.replace(robot, drive=drive)
-    needs = ss.size(driven, [(time, motion)])
+    needs = ss.actuator_requirements(driven, [(time, motion)])
     np.testing.assert_allclose(needs.current[:, 1:], needs.torque[:, 1:] / 0.5, rtol=1e-12)
     assert np.isnan(needs.current[:, 0]).all()
     assert [line[:28] for line in compared(driven, needs).exceeded] == ["drive.current_limit of leg 2"]
@@ -166,13 +170,15 @@ def test_what_is_no_question_is_one_line() -> None:
         ([(time, motion), (time[::-1], motion)], "motions[1]: time: expected finite, rising"),
         ([([0.0, np.nan, 1.0], motion)], "motions[0]: time: expected finite"),
     ):
-        assert error_of(lambda motions=motions: ss.size(robot, motions)).startswith(message)
+        assert error_of(lambda motions=motions: ss.actuator_requirements(robot, motions)).startswith(message)
     pairs = [(time, motion)]
-    assert error_of(lambda: ss.size(robot, pairs, margin=-0.1)).startswith("margin: expected")
+    assert error_of(lambda: ss.actuator_requirements(robot, pairs, margin=-0.1)).startswith(
+        "margin: expected"
+    )
     for quantiles in ([], [0.0], [1.1], [0.5, np.nan], "half"):
-        assert error_of(lambda quantiles=quantiles: ss.size(robot, pairs, quantiles=quantiles)).startswith(
-            "quantiles: expected"
-        )
+        assert error_of(
+            lambda quantiles=quantiles: ss.actuator_requirements(robot, pairs, quantiles=quantiles)
+        ).startswith("quantiles: expected")
 
 
 SIZES = {
@@ -199,14 +205,14 @@ def driven(one: Case) -> ss.Robot:
         torque_constant=0.3,
         resistance=0.5,
     )
-    return dataclasses.replace(one.robot, drive=drive, home=one.true[0, 0, :3])
+    return dataclasses.replace(one.robot, drive=drive, home_position=one.true[0, 0, :3])
 
 
 class Noisy(NamedTuple):
     robot: ss.Robot
-    true: ss.Needs
+    true: ss.ActuatorRequirementsResult
     log: Trajectory
-    needs: ss.Needs
+    needs: ss.ActuatorRequirementsResult
 
 
 @pytest.fixture(scope="module", params=[3, pytest.param(share(100, 10), marks=pytest.mark.slow)])
@@ -216,18 +222,18 @@ def noisy(request: pytest.FixtureRequest) -> list[Noisy]:
     for seed in range(request.param):
         one = case(seed)
         robot = driven(one)
-        true = ss.size(robot, [(one.time, motion_of(one.true))])
+        true = ss.actuator_requirements(robot, [(one.time, motion_of(one.true))])
         for noise in ("3", "4", "white"):
             log, _ = read(one.time, logged(one, noise, seed))
-            found.append(Noisy(robot, true, log, ss.size(robot, [log], margin=0.5)))
+            found.append(Noisy(robot, true, log, ss.actuator_requirements(robot, [log], margin=0.5)))
     return found
 
 
 def test_deviations_of_needs_cover_the_errors_that_noise_makes(noisy: list[Noisy]) -> None:
     off: dict[str, list[np.ndarray]] = {}
     for _, true, _, needs in noisy:
-        for where, found, exact in (("course.", needs.course, true.course), ("", needs, true)):
-            for name, sd in found.deviations.items():
+        for where, found, exact in (("course.", needs.history, true.history), ("", needs, true)):
+            for name, sd in found.std.items():
                 if name.endswith(("_rise", "_fall")):
                     continue
                 errors = np.abs(getattr(found, name) - getattr(exact, name))
@@ -258,7 +264,7 @@ def test_noise_makes_no_wrong_verdict_and_every_command_has_the_same(noisy: list
             digest.add(part)
         told = " ".join(digest.doubts(1e9))
         with warnings.catch_warnings(action="ignore", category=ss.DriveLimitWarning):
-            assert set(ss.drive_effort(limited, log).exceeded) <= set(digest.doubts(1e9))
+            assert set(ss.drive_effort(limited, log).limit_messages) <= set(digest.doubts(1e9))
         for name, verdict in {(name, verdict) for (name, _), verdict in lines.items()}:
             legs = [leg for leg in range(6) if lines.get((name, leg)) == verdict]
             assert f"{name} {verdict} by {legs_text(legs)}: " in told
@@ -291,7 +297,7 @@ def test_noise_makes_no_wrong_verdict_about_the_margin(noisy: list[Noisy]) -> No
 @pytest.mark.parametrize("seed", range(4))
 def test_the_picture_has_room_for_a_stroke_with_its_margin_where_the_limits_do(seed: int) -> None:
     robot, time, motion = along(seed)
-    needs, rng = ss.size(robot, [(time, motion)], margin=0.5), np.random.default_rng(seed)
+    needs, rng = ss.actuator_requirements(robot, [(time, motion)], margin=0.5), np.random.default_rng(seed)
     room = needs.stroke[:, None] * rng.uniform(0.0, 0.5, (6, 2)) * [-1.0, 1.0]
     limited = dataclasses.replace(robot, length_limits=needs.length + room)
     short = names(compared(limited, needs).margin_missing)
@@ -306,7 +312,7 @@ def test_the_picture_has_room_for_a_stroke_with_its_margin_where_the_limits_do(s
 
 
 def limited_near(
-    rng: np.random.Generator, robot: ss.Robot, true: ss.Needs, factor: float = 1.0
+    rng: np.random.Generator, robot: ss.Robot, true: ss.ActuatorRequirementsResult, factor: float = 1.0
 ) -> tuple[dict[str, np.ndarray], dict[str, np.ndarray], ss.Robot]:
     """Peaks of the needs times a factor, limits beside them, and the robot with these limits."""
     peaks = {name: factor * np.atleast_2d(getattr(true, need))[-1] for name, (need, _) in SIZES.items()}
@@ -319,7 +325,7 @@ def limited_near(
     return peaks, limits, dataclasses.replace(robot, drive=drive, **stated)
 
 
-def verdicts_of_size(robot: ss.Robot, needs: ss.Needs) -> dict[tuple[str, int], str]:
+def verdicts_of_size(robot: ss.Robot, needs: ss.ActuatorRequirementsResult) -> dict[tuple[str, int], str]:
     """By limit and leg, as the lines of ``size`` have them."""
     lines, found = compared(robot, needs), {}
     for line in [*(f"{EXCEEDED}: {line}" for line in lines.exceeded), *lines.not_decided]:
@@ -331,14 +337,14 @@ def verdicts_of_size(robot: ss.Robot, needs: ss.Needs) -> dict[tuple[str, int], 
 
 @pytest.mark.parametrize("in_log", [False, True])
 def test_no_limit_suffices_for_a_motion_through_a_singular_pose(in_log: bool) -> None:
-    path = ss.PATHS["III"].path
-    time = path.times(0.3)
+    path = ss.PAPER_PATHS["III"].path
+    time = path.time_grid(0.3)
     motion, rows = path.sample(time), range(2, len(time) + 2)
     given: Any = Trajectory(time, motion, "III", rows) if in_log else (time, motion)
     strong = dataclasses.replace(ss.robots.dasgupta1998(), force_limit=1e9, drive=ss.Drive(lead=0.005))
     where = "at 3.67" if in_log else "between instants 12 and 13, where det H changes its sign"
     with pytest.warns(ss.SingularPoseWarning, match=f"the path crosses a singular pose {where}"):
-        needs = ss.size(strong, [given])
+        needs = ss.actuator_requirements(strong, [given])
     written = report(strong, ["III"], needs)
     assert written.data["crossings"] == list(needs.crossings)
     assert needs.crossings[0] in written.text
@@ -349,6 +355,6 @@ def test_no_limit_suffices_for_a_motion_through_a_singular_pose(in_log: bool) ->
 
 def test_a_robot_without_limits_is_told_of_none() -> None:
     time = np.linspace(0.0, 1.0, 5)
-    robot, motion = ss.robots.dasgupta1998(), ss.PATHS["I"].path.sample(time)
-    text = report(robot, ["I"], ss.size(robot, [(time, motion)])).text
+    robot, motion = ss.robots.dasgupta1998(), ss.PAPER_PATHS["I"].path.sample(time)
+    text = report(robot, ["I"], ss.actuator_requirements(robot, [(time, motion)])).text
     assert text.endswith("The robot file states no limit.")

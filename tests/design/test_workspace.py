@@ -13,7 +13,7 @@ from machines import (
     machine_size,
     random_motion,
     random_robot,
-    upside_down_in_millimetres,
+    upside_down_in_millimeters,
 )
 from scipy.optimize import linprog
 from scipy.spatial.transform import Rotation
@@ -53,7 +53,7 @@ def deviations(seeds: range, poses: int) -> list[float]:
     for seed in seeds:
         rng = np.random.default_rng(seed)
         robot, angles = limited(rng), rng.uniform(-0.2, 0.2, 3)
-        made = ss.workspace(robot, angles=angles, poses=poses, seed=seed)
+        made = ss.workspace(robot, rpy=angles, samples=poses, seed=seed)
         found.append((made.volume - exact_volume(robot, angles)) / made.error)
         assert made.error < 3.0 / np.sqrt(poses) * made.volume
     return found
@@ -69,23 +69,25 @@ def test_the_exact_volume_is_within_the_error() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("kind", ["orientation", "total"])
+@pytest.mark.parametrize("kind", ["orientation", "six_dof"])
 def test_volumes_of_rotations_are_those_of_independent_random_poses(kind: Kind) -> None:
     rng = np.random.default_rng(8)
     robot = limited(rng)
     limits = ss.PoseLimits(forces=False)
     t = home_position(robot.b, machine_size(robot))
     box = np.stack([t - 0.3 * machine_size(robot), t + 0.3 * machine_size(robot)], axis=-1)
-    made = ss.workspace(robot, kind, limits, position=t, box=box if kind == "total" else None, poses=200_000)
+    made = ss.workspace(
+        robot, kind, limits, position=t, position_bounds=box if kind == "six_dof" else None, samples=200_000
+    )
     count = 400_000
     R = Rotation.random(count, random_state=1).as_matrix()
-    places = rng.uniform(*box.T, size=(count, 3)) if kind == "total" else np.tile(t, (count, 1))
+    places = rng.uniform(*box.T, size=(count, 3)) if kind == "six_dof" else np.tile(t, (count, 1))
     q = np.einsum("nij,kj->nki", R, robot.p)
     L = np.linalg.norm(places[:, None] + q - robot.b, axis=-1)
     over = (q.mean(axis=1) + places - robot.b.mean(axis=0)) @ upright(robot)[:, 2] >= 0.0
     inside = over & np.all((robot.length_limits[:, 0] <= L) & (robot.length_limits[:, 1] >= L), axis=-1)
     share = inside.mean()
-    whole = 8.0 * np.pi**2 * (np.prod(box[:, 1] - box[:, 0]) if kind == "total" else 1.0)
+    whole = 8.0 * np.pi**2 * (np.prod(box[:, 1] - box[:, 0]) if kind == "six_dof" else 1.0)
     deviation = np.sqrt(share / count)
     assert abs(made.volume - whole * share) < made.error + 3.0 * whole * deviation
     assert made.unit == ("rad^3" if kind == "orientation" else "m^3 rad^3")
@@ -147,7 +149,7 @@ def test_a_pose_breaks_the_first_limit_that_it_breaks() -> None:
     weight = 9.81 * (robot.M + robot.m_d.sum() + robot.m_u.sum())
     robot = dataclasses.replace(
         robot,
-        home=t,
+        home_position=t,
         length_limits=wide,
         joint_angle_limit=np.column_stack([np.full(6, 0.7), np.full(6, 0.75)]),
         force_limit=np.full(6, weight),
@@ -218,12 +220,12 @@ def test_the_error_of_cells_is_that_of_their_estimates() -> None:
 
 
 @pytest.mark.slow
-def test_a_machine_in_millimetres_that_hangs_has_the_volume_of_its_image_in_metres() -> None:
-    robot = upside_down_in_millimetres()
+def test_a_machine_in_millimeters_that_hangs_has_the_volume_of_its_image_in_meters() -> None:
+    robot = upside_down_in_millimeters()
     # A robot of 1e3 times the lengths, z pointing down: its home is on the other side.
     L = np.linalg.norm(robot.p - robot.b + ss.up_direction(robot) * 1.1 * machine_size(robot), axis=-1)
     robot = dataclasses.replace(robot, length_limits=L[:, None] * np.array([0.9, 1.15]))
-    made = ss.workspace(robot, poses=50_000)
+    made = ss.workspace(robot, samples=50_000)
     assert made.extent[2, 1] < 0.0
     assert abs(made.volume - exact_volume(robot, np.zeros(3))) < made.error
     small = dataclasses.replace(
@@ -234,7 +236,7 @@ def test_a_machine_in_millimetres_that_hangs_has_the_volume_of_its_image_in_metr
         },
         **{name: getattr(robot, name) * 1e-6 for name in ("I_p", "I_d0", "I_u0", "C_u", "C_s")},
     )
-    other = ss.workspace(small, poses=50_000)
+    other = ss.workspace(small, samples=50_000)
     assert other.volume == pytest.approx(1e-9 * made.volume, rel=1e-3)
 
 
@@ -243,7 +245,7 @@ def test_a_cluster_of_workers_gives_the_same_bits() -> None:
     robot = ss.robots.rubin_m2()
     limits = ss.PoseLimits(condition=10.0, clearance=0.01)
     here, there = (
-        ss.workspace(robot, limits=limits, poses=150_000, scheduler=scheduler)
+        ss.workspace(robot, limits=limits, samples=150_000, scheduler=scheduler)
         for scheduler in (None, "local")
     )
     for field in dataclasses.fields(here):
@@ -257,8 +259,8 @@ def test_a_cluster_of_workers_gives_the_same_bits() -> None:
 def test_more_poses_than_cells_are_shared_out_evenly(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(cells, "MOST_KEPT", 1 << 12)
     robot = limited(np.random.default_rng(1))
-    coarse, fine = (ss.workspace(robot, poses=poses) for poses in (8_000, 400_000))
-    assert fine.poses > 20 * coarse.poses
+    coarse, fine = (ss.workspace(robot, samples=poses) for poses in (8_000, 400_000))
+    assert fine.samples > 20 * coarse.samples
     assert fine.error < 0.3 * coarse.error
     assert abs(fine.volume - coarse.volume) < coarse.error + fine.error
 
@@ -267,8 +269,8 @@ def test_where_nothing_is_in_reach_that_is_said() -> None:
     robot = limited(np.random.default_rng(1))
     far = [[5.0, 5.1], [5.0, 5.1], [5.0, 5.1]]
     with pytest.warns(ss.WorkspaceWarning, match="no pose within the limits"):
-        made = ss.workspace(robot, box=100.0 * np.array(far), poses=1000)
-    assert (made.volume, made.error, made.clear) == (0.0, 0.0, made.clear)
+        made = ss.workspace(robot, position_bounds=100.0 * np.array(far), samples=1000)
+    assert (made.volume, made.error, made.distance_to_limit) == (0.0, 0.0, made.distance_to_limit)
     assert np.isnan(made.extent).all()
 
 
@@ -279,7 +281,9 @@ def test_of_a_box_only_poses_that_break_a_limit_bound_what_is_clear(
     """Whether the pose in the middle is at its corner or far from its faces."""
     robot = ss.Robot.from_toml(HEXAPOD)
     box = home_pose(robot).t[:, None] + np.array(reach)
-    assert ss.workspace(robot, box=box, poses=20_000).clear == pytest.approx(clear, rel=0.05)
+    assert ss.workspace(robot, position_bounds=box, samples=20_000).distance_to_limit == pytest.approx(
+        clear, rel=0.05
+    )
 
 
 def test_distances_of_legs_are_the_least_of_their_points() -> None:
@@ -303,15 +307,21 @@ def test_what_is_no_question_is_one_line(monkeypatch: pytest.MonkeyPatch) -> Non
     free = dataclasses.replace(robot, length_limits=np.tile([0.0, math.inf], (6, 1)))
     assert "expected a box" in error_of(lambda: ss.workspace(free))
     assert error_of(lambda: ss.workspace(robot, "all")).startswith("kind: expected")
-    assert error_of(lambda: ss.workspace(robot, poses=3)).startswith("poses: expected")
+    assert error_of(lambda: ss.workspace(robot, samples=3)).startswith("poses: expected")
     assert error_of(lambda: ss.workspace(robot, position=[0.0, math.nan, 0.0])).startswith(
         "position: expected"
     )
-    assert error_of(lambda: ss.workspace(robot, box=[[0.0, 1.0], [1.0, 0.0], [0.0, 1.0]])).startswith("box:")
-    assert error_of(lambda: ss.workspace(robot, turns=WHOLE_TURN)).startswith("turns: is for rotations")
+    assert error_of(
+        lambda: ss.workspace(robot, position_bounds=[[0.0, 1.0], [1.0, 0.0], [0.0, 1.0]])
+    ).startswith("box:")
+    assert error_of(lambda: ss.workspace(robot, rpy_bounds=WHOLE_TURN)).startswith("turns: is for rotations")
     wide = np.array([[-4.0, 4.0]] * 3)
-    assert error_of(lambda: ss.workspace(robot, "total", turns=wide)).startswith("turns: expected roll")
-    assert error_of(lambda: ss.workspace(robot, "orientation", box=wide)).startswith("box: is for positions")
+    assert error_of(lambda: ss.workspace(robot, "six_dof", rpy_bounds=wide)).startswith(
+        "turns: expected roll"
+    )
+    assert error_of(lambda: ss.workspace(robot, "orientation", position_bounds=wide)).startswith(
+        "box: is for positions"
+    )
     assert error_of(lambda: ss.PoseLimits(condition=0.5)).startswith("condition: expected")
     assert error_of(lambda: ss.PoseLimits(clearance=-1.0)).startswith("clearance: expected")
     assert error_of(lambda: ss.PoseLimits(load=[1.0])).startswith("load: expected")
@@ -370,9 +380,9 @@ def compared(seed: int, count: int) -> tuple[int, int]:
         robot = with_limits(rng)
         motion = random_motion(rng, robot)
         what, others = kinds[number % len(kinds)]
-        found = ss.capability(robot, motion, what, others)
+        found = ss.capability_polytope(robot, motion, what, others)
         direction = rng.normal(size=found.normals.shape[-1])
-        largest = float(found.largest(direction))
+        largest = float(found.max_along(direction))
         expected = program(robot, motion, what, others, direction)
         if np.isnan(expected) or np.isnan(largest):
             assert np.isnan([expected, largest]).all(), (number, what, others, largest, expected)
@@ -397,13 +407,13 @@ def test_corners_are_in_reach_and_nothing_beyond_them_is(others: str) -> None:
     robot = dataclasses.replace(with_limits(rng), g=np.zeros(3))
     motion = random_motion(rng, robot, load=False)
     still = dataclasses.replace(motion, v=np.zeros(3), omega=np.zeros(3))
-    found = ss.capability(robot, still, "acceleration", others)
+    found = ss.capability_polytope(robot, still, "acceleration", others)
     corners = found.vertices()
     assert len(corners) >= 4
-    sizes = found.largest(corners)
+    sizes = found.max_along(corners)
     np.testing.assert_allclose(sizes, 1.0, rtol=1e-9)
-    least = np.min(found.largest(found.normals[: len(found.offsets)]))
-    assert least == pytest.approx(float(found.guaranteed), rel=1e-12)
+    least = np.min(found.max_along(found.normals[: len(found.offsets)]))
+    assert least == pytest.approx(float(found.inscribed_radius), rel=1e-12)
     # The forces of an acceleration just within the limits are within theirs, just beyond not.
     if others == "zero":
         for share, kept in ((1.0 - 1e-9, True), (1.0 + 1e-9, False)):
@@ -417,7 +427,7 @@ def test_an_exerted_force_is_the_load_that_fills_the_limits() -> None:
     robot = with_limits(rng)
     motion = random_motion(rng, robot, (7,), load=False)
     direction = np.array([0.0, 0.0, 1.0])
-    size = ss.capability(robot, motion).largest(direction)
+    size = ss.capability_polytope(robot, motion).max_along(direction)
     assert np.isfinite(size).any()
     for i in np.flatnonzero(np.isfinite(size)):
         load = -size[i] * motion.R[i].T @ direction
@@ -428,9 +438,9 @@ def test_an_exerted_force_is_the_load_that_fills_the_limits() -> None:
 def test_a_singular_pose_has_none() -> None:
     robot = dataclasses.replace(dasgupta(), force_limit=np.full(6, 1e4))
     t = np.stack([np.array([0.0, 0.0, 0.6]), robot.b[2] - robot.p[2]])
-    found = ss.capability(robot, at_rest(np.eye(3), t))
-    assert np.isfinite(found.guaranteed).tolist() == [True, False]
-    assert np.isnan(found.largest([0.0, 0.0, 1.0])).tolist() == [False, True]
+    found = ss.capability_polytope(robot, at_rest(np.eye(3), t))
+    assert np.isfinite(found.inscribed_radius).tolist() == [True, False]
+    assert np.isnan(found.max_along([0.0, 0.0, 1.0])).tolist() == [False, True]
 
 
 def test_what_is_no_question_of_capability_is_one_line() -> None:
@@ -438,13 +448,15 @@ def test_what_is_no_question_of_capability_is_one_line() -> None:
     robot = with_limits(rng)
     motion = random_motion(rng, robot)
     free = dataclasses.replace(robot, force_limit=np.array([1.0, np.inf, 1.0, 1.0, np.inf, 1.0]))
-    assert "legs 2, 5 have none" in error_of(lambda: ss.capability(free, motion))
-    assert error_of(lambda: ss.capability(robot, motion, "torque")).startswith("what: expected")
-    assert error_of(lambda: ss.capability(robot, motion, others="any")).startswith("others: expected")
-    found = ss.capability(robot, motion)
-    assert error_of(lambda: found.largest([0.0, 0.0, 0.0])).startswith("direction: expected")
-    assert error_of(lambda: found.largest([0.0, np.nan, 0.0])).startswith("direction: expected")
-    wrench = ss.capability(robot, motion, "wrench")
-    assert error_of(lambda: wrench.guaranteed).startswith("guaranteed: expected")
-    batch = ss.capability(robot, random_motion(rng, robot, (2,)))
+    assert "legs 2, 5 have none" in error_of(lambda: ss.capability_polytope(free, motion))
+    assert error_of(lambda: ss.capability_polytope(robot, motion, "torque")).startswith("what: expected")
+    assert error_of(lambda: ss.capability_polytope(robot, motion, complement="any")).startswith(
+        "others: expected"
+    )
+    found = ss.capability_polytope(robot, motion)
+    assert error_of(lambda: found.max_along([0.0, 0.0, 0.0])).startswith("direction: expected")
+    assert error_of(lambda: found.max_along([0.0, np.nan, 0.0])).startswith("direction: expected")
+    wrench = ss.capability_polytope(robot, motion, "wrench")
+    assert error_of(lambda: wrench.inscribed_radius).startswith("guaranteed: expected")
+    batch = ss.capability_polytope(robot, random_motion(rng, robot, (2,)))
     assert error_of(lambda: batch.vertices()).startswith("vertices: expected a single pose")

@@ -120,9 +120,9 @@ def docstrings(path: Path) -> Iterator[str]:
 
 def test_a_call_that_may_be_swapped_is_found() -> None:
     assert swappable("m = ss.Motion(R, t, omega, v)") == ["ss.Motion(R, t, omega, v)"]
-    assert swappable("ss.linearise(robot, motion, F)") == ["ss.linearise(robot, motion, F)"]
+    assert swappable("ss.linearize(robot, motion, F)") == ["ss.linearize(robot, motion, F)"]
     assert not swappable(
-        "ss.linearise(robot, motion, F=F), ss.Motion(R=R, t=t, omega=w, v=v), print(1, 2, 3)"
+        "ss.linearize(robot, motion, F=F), ss.Motion(R=R, t=t, omega=w, v=v), print(1, 2, 3)"
     )
 
 

@@ -43,8 +43,8 @@ def rms(difference: NDArray[np.float64], truth: NDArray[np.float64]) -> float:
 @pytest.mark.parametrize("name", ["I", "II"])
 def test_paper_differs_from_pinocchio_on_the_paths_by_what_the_page_says(name: str) -> None:
     robot = dasgupta(friction=False)
-    path, step = ss.PATHS[name]
-    motion = path.sample(path.times(step))
+    path, step = ss.PAPER_PATHS[name]
+    motion = path.sample(path.time_grid(step))
     truth = np.array([pinocchio_inverse_dynamics(robot, motion[i]).F for i in range(motion.shape[0])])
     paper, exact = (rms(ss.inverse_dynamics(robot, motion, f).F - truth, truth) for f in ("paper", "exact"))
     assert table_row(FAULTS, name)[:2] == [f"{paper:.2f} %", "below 1e-10 %"]
@@ -315,7 +315,7 @@ def test_the_committed_chart_is_what_the_code_computes() -> None:
         assert each["operations"] == fidelity.operations(robot, *how)
         for path, motion in motions.items():
             true = newton_euler.inverse_dynamics(robot, motion).F
-            off = np.abs(ss.prepare(robot, how[0], "double", how[1]).forces(motion) - true).max()
+            off = np.abs(ss.ForceKernel(robot, how[0], "double", how[1]).forces(motion) - true).max()
             assert off / np.abs(true).max() == pytest.approx(
                 each["errors"][path]["model"], rel=1e-6, abs=1e-12
             )

@@ -28,9 +28,9 @@ from stewart_sym.viewer.instants import of_trajectory
 from stewart_sym.viewer.limits import limits
 
 LOSSY: dict[str, Any] = {
-    "efficiency": 0.9, "back_efficiency": 0.8, "screw_coulomb": 20.0, "screw_viscous": 150.0,
-    "motor_coulomb": 0.02, "motor_viscous": 2e-4, "stribeck": 8.0, "stribeck_speed": 5e-3,
-    "smoothing": 1e-3, "torque_constant": 0.5, "resistance": 2.0, "rotor_inertia": 3e-5,
+    "efficiency": 0.9, "backdrive_efficiency": 0.8, "screw_coulomb": 20.0, "screw_viscous": 150.0,
+    "motor_coulomb": 0.02, "motor_viscous": 2e-4, "stribeck_force": 8.0, "stribeck_speed": 5e-3,
+    "regularization_speed": 1e-3, "torque_constant": 0.5, "resistance": 2.0, "rotor_inertia": 3e-5,
 }  # fmt: skip
 
 
@@ -54,13 +54,13 @@ def robot() -> ss.Robot:
 @pytest.mark.parametrize("F", [800.0, -800.0])
 @pytest.mark.parametrize("rate", [0.1, -0.1])
 def test_torque_is_what_the_formulas_of_a_screw_give(lead: float, F: float, rate: float) -> None:
-    drive = ss.Drive(lead=lead, **{**LOSSY, "smoothing": 0.0, "stribeck": 0.0})
+    drive = ss.Drive(lead=lead, **{**LOSSY, "regularization_speed": 0.0, "stribeck_force": 0.0})
     sign, turns = math.copysign(1.0, rate), 2 * math.pi / lead
     ideal = F / (turns * 0.9) if F * rate > 0 else F * 0.8 / turns
     screw = (20.0 * sign + 150.0 * rate) / turns
     speed = turns * rate
     motor = 0.02 * math.copysign(1.0, speed) + 2e-4 * speed
-    found = (F + friction_force(drive, np.full(6, F), np.full(6, rate))) / drive.turns
+    found = (F + friction_force(drive, np.full(6, F), np.full(6, rate))) / drive.transmission_ratio
     np.testing.assert_allclose(found, ideal + screw + motor, rtol=1e-13)
 
 
@@ -73,7 +73,9 @@ def test_friction_never_gives_power_and_is_smooth_within_the_velocity_given() ->
         step = np.abs(np.diff(lost, axis=0)).max()
         assert step < 2.0 * np.abs(lost).max() * 1e-6 / 1e-3 * 1.5
     beyond = friction_force(drive, np.full(6, 300.0), np.full(6, 1e-3))
-    sharp = friction_force(dataclasses.replace(drive, smoothing=0.0), np.full(6, 300.0), np.full(6, 1e-3))
+    sharp = friction_force(
+        dataclasses.replace(drive, regularization_speed=0.0), np.full(6, 300.0), np.full(6, 1e-3)
+    )
     np.testing.assert_array_equal(beyond, sharp)
 
 
@@ -85,7 +87,7 @@ def test_a_drive_without_losses_turns_forces_into_torques(robot: ss.Robot) -> No
     np.testing.assert_array_equal(found.force, F)
     np.testing.assert_allclose(found.torque, F * 5e-3 / (2 * math.pi), rtol=1e-14)
     np.testing.assert_allclose(found.power, F * L_dot, rtol=1e-12, atol=1e-12)
-    np.testing.assert_array_equal(found.electrical, found.power)
+    np.testing.assert_array_equal(found.electrical_power, found.power)
     assert found.current is None
     assert found.energy is None
 
@@ -130,7 +132,7 @@ def test_limits_are_named_with_leg_value_and_time(robot: ss.Robot) -> None:
     time = np.linspace(0.0, 2.0, 41)
     motion = swing(robot, time, 2.0)
     free = ss.drive_effort(with_drive(robot), motion, time)
-    assert free.exceeded == ()
+    assert free.limit_messages == ()
     worst = int(np.argmax(free.peak_torque))
     limit = np.full(6, math.inf)
     limit[worst] = 0.9 * free.peak_torque[worst]
@@ -139,7 +141,7 @@ def test_limits_are_named_with_leg_value_and_time(robot: ss.Robot) -> None:
     peak = f"{free.peak_torque[worst]:.6g} N m"
     words = rf"drive\.torque_limit exceeded by leg {worst + 1}: torque {peak} at {time[at]:g}\d* s"
     with pytest.warns(ss.DriveLimitWarning, match=words):
-        assert len(ss.drive_effort(tight, motion, time).exceeded) == 1
+        assert len(ss.drive_effort(tight, motion, time).limit_messages) == 1
     with pytest.warns(ss.DriveLimitWarning, match=f"at instant {at}, limit"):
         ss.drive_effort(tight, motion)
     rated = with_drive(robot, rated_torque=0.9 * free.rms_torque.max())
@@ -266,11 +268,11 @@ def test_dry_friction_is_as_unsure_as_the_direction_of_the_leg(robot: ss.Robot) 
         log = Trajectory(np.arange(n) * 1.0, up, "log.csv", range(n), noise)
         effort = ss.drive_effort(driven, log)
         # Joints' friction is in both.
-        through = ss.drive_effort(with_drive(robot), log).deviations
-        step = np.sqrt(effort.deviations["torque"] ** 2 - through["torque"] ** 2)
+        through = ss.drive_effort(with_drive(robot), log).std
+        step = np.sqrt(effort.std["torque"] ** 2 - through["torque"] ** 2)
         np.testing.assert_array_less(least * 2.0 * coulomb / 3.0 / turns * (1.0 - 1e-6), step + 1e-12)
         np.testing.assert_array_less(step, most * 2.0 * coulomb / 3.0 / turns * (1.0 + 1e-6) + 1e-6)
-        assert np.all(effort.deviations["speed"] > 0.0)
+        assert np.all(effort.std["speed"] > 0.0)
 
 
 def test_a_trajectory_has_its_own_times(robot: ss.Robot) -> None:
@@ -279,7 +281,7 @@ def test_a_trajectory_has_its_own_times(robot: ss.Robot) -> None:
     driven = with_drive(robot, **LOSSY)
     log = Trajectory(time, motion, "log.csv", range(50))
     effort, same = ss.drive_effort(driven, log), ss.drive_effort(driven, motion, time)
-    assert effort.deviations is None
+    assert effort.std is None
     np.testing.assert_array_equal(effort.energy, same.energy)
     rejects(r"^time: expected None beside a trajectory", ss.drive_effort, driven, log, time)
 
@@ -290,7 +292,7 @@ def test_limits_of_legs_at_which_a_motion_stops_are_kept_but_for_its_rounding(ro
         length_limits=np.tile([0.4, 0.9], (6, 1)),
         force_limit=np.full(6, 500.0),
         speed_limit=np.full(6, 0.3),
-        home=np.array([0.0, 0.0, 0.6]),
+        home_position=np.array([0.0, 0.0, 0.6]),
         joint_angle_limit=np.full((6, 2), 0.5),
     )
     for limit in LEG_LIMITS:

@@ -52,8 +52,8 @@ def test_the_kernels_of_the_forces_alone_are_right_and_their_bounds_hold() -> No
         robot, motion, truth = _case(seed)
         expected = np.array([answer.F for answer in truth])
         peak = np.abs(expected).max()
-        assert np.abs(ss.prepare(robot).forces(motion) - expected).max() < RELATIVE * peak
-        bounded = ss.forces_with_bounds(robot, motion)
+        assert np.abs(ss.ForceKernel(robot).forces(motion) - expected).max() < RELATIVE * peak
+        bounded = ss.force_error_bounds(robot, motion)
         assert np.all(np.abs(bounded.F - expected) < bounded.bound + 1e-13 * peak)
         assert bounded.bound.max() < 1e-9 * peak
 
@@ -64,7 +64,7 @@ def test_equations_of_motion_are_those_of_rotors_as_bodies(backend: Any) -> None
         robot, motion, _ = _case(seed)
         found = ss.equations_of_motion(robot, motion[:1], backend=backend)
         expected = _pinocchio_equations(seed)
-        for name in ("M", "C", "g", "friction", "bias"):
+        for name in ("M", "C", "g", "friction", "bias", "bias_and_friction"):
             a, b = getattr(found, name), getattr(expected, name)
             assert np.abs(a - b).max() < RELATIVE * np.abs(b).max(), (seed, name)
         F = ss.inverse_dynamics(robot, motion[:1], backend=backend).F
@@ -118,7 +118,7 @@ def test_derivatives_are_those_of_the_reference(backend: Any) -> None:
 
 
 @pytest.mark.parametrize("backend", ["c", "numpy"])
-def test_linearised_motion_is_that_of_forward_dynamics(backend: Any) -> None:
+def test_linearized_motion_is_that_of_forward_dynamics(backend: Any) -> None:
     for seed in range(3):
         robot, motion, truth = _case(seed)
         motion, forces = motion[0], truth[0].F
@@ -127,7 +127,7 @@ def test_linearised_motion_is_that_of_forward_dynamics(backend: Any) -> None:
             a, alpha = ss.forward_dynamics(robot, motion, forces, backend="reference")[:2]
             return np.concatenate([a, alpha])
 
-        found = ss.linearise(robot, motion, forces, backend=backend)
+        found = ss.linearize(robot, motion, forces, backend=backend)
         expected = np.column_stack(
             [
                 _slope(solved, robot, motion, field, axis)
@@ -157,7 +157,7 @@ def test_a_drive_without_rotor_inertia_changes_no_bit() -> None:
     robot, motion, _ = _case(0)
     plain = dataclasses.replace(robot, drive=None)
     driven = dataclasses.replace(robot, drive=ss.Drive(lead=0.01))
-    assert ss.prepare(driven).name == ss.prepare(plain).name == "exact"
+    assert ss.ForceKernel(driven).name == ss.ForceKernel(plain).name == "exact"
     for found in (ss.inverse_dynamics, ss.equations_of_motion, ss.force_derivatives):
         one, other = found(plain, motion), found(driven, motion)
         for name, values in vars(one).items():
@@ -177,13 +177,13 @@ def test_of_legs_that_may_spin_the_reflected_mass_is_left(backend: Any) -> None:
         rng = np.random.default_rng(seed)
         plain = random_robot(rng, "spherical")
         robot, motion = with_random_rotors(rng, plain), random_motion(rng, plain, (POSES,))
-        assert not np.any(robot.j_r)
+        assert not np.any(robot.rotor_momentum)
         found = ss.inverse_dynamics(robot, motion, backend=backend)
         bare = ss.inverse_dynamics(plain, motion, backend=backend)
-        needed = robot.m_r * ss.inverse_kinematics(robot, motion).L_ddot
+        needed = robot.reflected_mass * ss.inverse_kinematics(robot, motion).L_ddot
         np.testing.assert_allclose(found.F, bare.F + needed, rtol=0, atol=1e-12 * np.abs(found.F).max())
         np.testing.assert_allclose(found.K, bare.K, rtol=0, atol=1e-12 * np.abs(found.F).max())
-        assert np.abs(ss.prepare(robot).forces(motion) - found.F).max() < 1e-12 * np.abs(found.F).max()
+        assert np.abs(ss.ForceKernel(robot).forces(motion) - found.F).max() < 1e-12 * np.abs(found.F).max()
         F_p = ss.joint_reactions(robot, motion, backend=backend).F_p
         assert (
             np.abs(F_p - ss.joint_reactions(plain, motion, backend=backend).F_p).max()
@@ -192,14 +192,17 @@ def test_of_legs_that_may_spin_the_reflected_mass_is_left(backend: Any) -> None:
 
 
 @pytest.mark.parametrize("name", [each for each in DRIVE_FIDELITIES if each.startswith("reflected")])
-@pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.PhysicalityWarning")
+@pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.RobotWarning")
 def test_reflected_levels_equal_the_general_one_where_the_machine_is_that_simple(name: str) -> None:
     level = DERIVED[name]
     for seed in range(10):
         robot, _, _ = _case(seed)
         robot = _without_momentum(as_simple_as(robot, level))
         motion = random_motion(np.random.default_rng(seed), robot)
-        found, expected = ss.prepare(robot, fidelity=name).forces(motion), ss.inverse_dynamics(robot, motion)
+        found, expected = (
+            ss.ForceKernel(robot, fidelity=name).forces(motion),
+            ss.inverse_dynamics(robot, motion),
+        )
         size = max(np.abs(values).max() for values in (expected.F, expected.D, expected.x))
         assert np.abs(found - expected.F).max() <= 1e-8 * size
 
@@ -212,7 +215,7 @@ def test_levels_without_rotors_are_those_of_the_robot_without_a_drive() -> None:
         ("slender", "slender"),
         ("general_static", "general_static"),
     ):
-        found, expected = ss.prepare(robot, fidelity=name), ss.prepare(plain, fidelity=other)
+        found, expected = ss.ForceKernel(robot, fidelity=name), ss.ForceKernel(plain, fidelity=other)
         np.testing.assert_array_equal(found.forces(motion), expected.forces(motion))
 
 
@@ -223,7 +226,9 @@ def test_the_regressor_of_rotors_stands_beside_that_of_the_bodies() -> None:
         F = np.array([answer.F for answer in truth])
         needed = (H @ F[..., None])[..., 0] + motion.external_wrench()
         bodies = ss.regressor(robot, motion) @ ss.inertial_parameters(robot).values
-        rotors = ss.rotor_regressor(robot, motion) @ np.concatenate([robot.m_r, robot.j_r])
+        rotors = ss.rotor_regressor(robot, motion) @ np.concatenate(
+            [robot.reflected_mass, robot.rotor_momentum]
+        )
         assert np.abs(bodies + rotors - needed).max() < RELATIVE * np.abs(needed).max()
         assert np.abs(rotors).max() > 1e-3 * np.abs(needed).max()
 
@@ -239,16 +244,16 @@ PRICES = {
 """What leaving out the momentum, and the rotor, costs: the table of docs: fidelity."""
 
 
-@pytest.mark.filterwarnings("ignore::stewart_sym.PhysicalityWarning")
+@pytest.mark.filterwarnings("ignore::stewart_sym.RobotWarning")
 @pytest.mark.parametrize(("name", "lead"), PRICES)
 def test_what_the_momentum_of_rotors_costs_and_what_their_mass(name: str, lead: float) -> None:
     """Shares of the peak force, of rotors of 5e-5 kg m^2 in a brisk motion; docs: fidelity."""
     plain = ss.robots.load(name)
     robot = dataclasses.replace(plain, drive=ss.Drive(lead=lead, rotor_inertia=5e-5))
     motion = brisk_motion(robot)
-    F = ss.prepare(robot).forces(motion)
+    F = ss.ForceKernel(robot).forces(motion)
     shares = [
-        np.abs(ss.prepare(robot, fidelity=level).forces(motion) - F).max() / np.abs(F).max()
+        np.abs(ss.ForceKernel(robot, fidelity=level).forces(motion) - F).max() / np.abs(F).max()
         for level in ("reflected", "no_rotor")
     ]
     print(name, lead, shares)

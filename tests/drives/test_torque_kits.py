@@ -82,7 +82,10 @@ def test_torques_are_those_of_the_python_layer(case: tuple[ss.Robot, Compiled]) 
             rates = slowness * L_dot[i]
             status, torque, current = torques(F[i], F[i] - expected.rotor[i], rates)
             assert status == 0
-            assert np.all(np.abs(torque - expected.torque[i]) * np.abs(drive.turns) <= 8 * EPSILON * size[i])
+            assert np.all(
+                np.abs(torque - expected.torque[i]) * np.abs(drive.transmission_ratio)
+                <= 8 * EPSILON * size[i]
+            )
             assert np.all(current[~known] == 0.0)
             np.testing.assert_allclose(current[known], expected.current[i, known], rtol=1e-12)
 
@@ -90,7 +93,7 @@ def test_torques_are_those_of_the_python_layer(case: tuple[ss.Robot, Compiled]) 
 def test_stribecks_decay_is_the_exponential_to_rounding() -> None:
     ones = np.ones(6)
     robot = dataclasses.replace(
-        dasgupta(), name="turned", drive=ss.Drive(2 * np.pi, stribeck=ones, stribeck_speed=ones)
+        dasgupta(), name="turned", drive=ss.Drive(2 * np.pi, stribeck_force=ones, stribeck_speed=ones)
     )
     torques = Compiled(robot)
     ratios = np.concatenate([np.linspace(-9.0, 9.0, 3001), np.geomspace(1e-200, 1.0, 101)])
@@ -224,7 +227,7 @@ def test_axial_forces_of_reflected_masses_leave_these_out_alone() -> None:
     assert "stewart_exact_drive_reflected_axial.c" in names
     assert "stewart_exact_drive_axial.c" not in names
     motion = random_motion(np.random.default_rng(8), robot, (3,))
-    F = ss.prepare(robot, fidelity="reflected_slender").forces(motion)
+    F = ss.ForceKernel(robot, fidelity="reflected_slender").forces(motion)
     numbers = {name: np.asarray(getattr(robot, name)) for name in fields(True)}
     interpreter = KitInterpreter(numbers, robot.base_joint, fidelity="reflected_slender")
     expected = F - robot.drive.reflected_mass * ss.inverse_kinematics(robot, motion).L_ddot

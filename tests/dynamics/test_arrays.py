@@ -9,7 +9,7 @@ import array_api_strict
 import numpy as np
 import pytest
 from command_line import rejects
-from machines import MACHINES, dasgupta, machine_in_motion, random_motion, upside_down_in_millimetres
+from machines import MACHINES, dasgupta, machine_in_motion, random_motion, upside_down_in_millimeters
 from motion_fields import FIELDS
 from sweeps import FULL
 
@@ -29,18 +29,18 @@ def fields(motion: ss.Motion, names: tuple[str, ...] = FIELDS) -> dict[str, Any]
 def test_numbers_on_arrays_are_those_of_the_c(xp: Any, machine: str) -> None:
     robot = MACHINES[machine]()
     motion = random_motion(np.random.default_rng(32), robot, (3, 2))
-    kernel = ss.array_kernel(robot, xp)
+    kernel = ss.ArrayKernel(robot, xp)
     F = kernel.forces(**fields(motion))
-    np.testing.assert_array_equal(np.asarray(F.F), ss.prepare(robot).forces(motion))
+    np.testing.assert_array_equal(np.asarray(F.F), ss.ForceKernel(robot).forces(motion))
     assert F.status.shape == (3, 2)
     found, expected = kernel.equations(**fields(motion, RATES)), ss.equations_of_motion(robot, motion)
-    for name in ("M", "C", "g", "friction", "bias"):
+    for name in ("M", "C", "g", "friction", "bias", "bias_and_friction"):
         answer = getattr(expected, name)
         np.testing.assert_allclose(
             np.asarray(getattr(found, name)), answer, rtol=0, atol=1e-14 * np.abs(answer).max()
         )
     moved = kernel.forward_dynamics(F=F.F, **fields(motion, (*RATES, "F_ext", "M_ext")))
-    by_force = np.abs(ss.linearise(robot, motion, np.asarray(F.F)).B).max() * np.abs(np.asarray(F.F)).max()
+    by_force = np.abs(ss.linearize(robot, motion, np.asarray(F.F)).B).max() * np.abs(np.asarray(F.F)).max()
     np.testing.assert_allclose(np.asarray(moved.a), motion.a, rtol=0, atol=30 * EPSILON * by_force)
 
 
@@ -50,9 +50,9 @@ def test_formulations_and_spherical_joints_have_their_forces_on_arrays() -> None
     for joint in ("universal", "spherical"):
         for formulation in ("exact", "paper"):
             robot, motion = machine_in_motion(rng, (4,), joint)
-            F = ss.array_kernel(robot, np, formulation=formulation).forces(**fields(motion)).F
-            np.testing.assert_array_equal(F, ss.prepare(robot, formulation).forces(motion))
-    kernel = ss.array_kernel(robot, np)
+            F = ss.ArrayKernel(robot, np, formulation=formulation).forces(**fields(motion)).F
+            np.testing.assert_array_equal(F, ss.ForceKernel(robot, formulation).forces(motion))
+    kernel = ss.ArrayKernel(robot, np)
     with pytest.raises(
         ValueError, match=r'^equations: expected formulation "exact" and universal base joints'
     ):
@@ -65,28 +65,28 @@ def test_statuses_on_arrays_are_those_of_the_c_and_numbers_are_nan_there() -> No
     t[0, 0] = np.inf
     t[1] = robot.b[2] - motion.R[1] @ robot.p[2]
     given = fields(motion) | {"t": t}
-    found = ss.array_kernel(robot, np).forces(**given)
-    codes = ss.prepare(robot).status(ss.Motion.unchecked(**given))
+    found = ss.ArrayKernel(robot, np).forces(**given)
+    codes = ss.ForceKernel(robot).status(ss.Motion._unchecked(**given))
     np.testing.assert_array_equal(found.status, codes)
     assert list(codes) == [1, 2, 0]
     np.testing.assert_array_equal(np.isnan(found.F).all(axis=-1), codes != 0)
     flat = replace(robot, b=robot.b * [1.0, 0.0, 0.0])
-    np.testing.assert_array_equal(ss.array_kernel(flat, np).forces(**fields(motion)).status, 4)
+    np.testing.assert_array_equal(ss.ArrayKernel(flat, np).forces(**fields(motion)).status, 4)
 
 
 @pytest.mark.usefixtures("rounded_twice")
 def test_leading_shapes_broadcast_and_what_is_not_given_is_zero() -> None:
     robot = dasgupta()
-    kernel = ss.array_kernel(robot, np)
+    kernel = ss.ArrayKernel(robot, np)
     t = np.array([[0.1, 0.0, 0.4], [0.0, 0.1, 0.5]])
     found = kernel.forces(R=np.eye(3), t=t[:, None], a=np.zeros((3, 3)))
     still = ss.Motion(R=np.eye(3), t=t[1], omega=np.zeros(3), v=np.zeros(3), alpha=np.zeros(3), a=np.zeros(3))
     assert found.F.shape == (2, 3, 6)
-    np.testing.assert_array_equal(found.F[1, 2], ss.prepare(robot).forces(still))
+    np.testing.assert_array_equal(found.F[1, 2], ss.ForceKernel(robot).forces(still))
 
 
 def test_copies_and_pickles_have_the_same_numbers() -> None:
-    kernel = ss.array_kernel(dasgupta(), np)
+    kernel = ss.ArrayKernel(dasgupta(), np)
     poses = {"R": np.eye(3), "t": [0.2, 0.0, 0.8]}
     for other in (pickle.loads(pickle.dumps(kernel)), copy.deepcopy(kernel)):
         np.testing.assert_array_equal(other.forces(**poses).F, kernel.forces(**poses).F)
@@ -96,14 +96,14 @@ def test_numbers_in_another_order_of_bytes_are_the_same() -> None:
     motion, found = random_motion(np.random.default_rng(33), dasgupta(), (4,)), []
     for order in "<>":
         R, t, a = (getattr(motion, name).astype(f"{order}f8") for name in ("R", "t", "a"))
-        found.append(ss.array_kernel(dasgupta(), np).forces(R, t, a=a).F)
+        found.append(ss.ArrayKernel(dasgupta(), np).forces(R, t, a=a).F)
     np.testing.assert_array_equal(*found)
 
 
 @pytest.mark.parametrize("dtype", [np.int64, np.complex128])
 def test_a_type_of_no_real_numbers_is_named(dtype: type) -> None:
     with pytest.raises(ValueError, match=r"^dtype: expected a type of real numbers, got <class 'numpy"):
-        ss.array_kernel(dasgupta(), np, dtype=dtype)
+        ss.ArrayKernel(dasgupta(), np, dtype=dtype)
 
 
 @pytest.mark.parametrize(
@@ -115,7 +115,7 @@ def test_a_type_of_no_real_numbers_is_named(dtype: type) -> None:
     ],
 )
 def test_wrong_shapes_are_one_line(given: dict[str, Any], line: str) -> None:
-    kernel = ss.array_kernel(dasgupta(), np)
+    kernel = ss.ArrayKernel(dasgupta(), np)
     rejects(f"^{line}", kernel.forward_dynamics, **{"R": np.eye(3), "t": [0.0, 0.0, 0.5], **given})
 
 
@@ -123,16 +123,16 @@ def test_what_is_no_namespace_and_constants_that_overflow_are_one_line() -> None
     with pytest.raises(
         ValueError, match=r"^xp: expected an array namespace such as numpy or jax\.numpy, got str"
     ):
-        ss.array_kernel(dasgupta(), "numpy")
+        ss.ArrayKernel(dasgupta(), "numpy")
     with pytest.raises(ValueError, match=r"^robot: "), np.errstate(all="ignore"):
-        ss.array_kernel(replace(dasgupta(), R_0=np.full(3, 1e200)), np)
+        ss.ArrayKernel(replace(dasgupta(), R_0=np.full(3, 1e200)), np)
 
 
 def test_single_precision_on_arrays_errs_as_single_precision_does() -> None:
     robot, motion = machine_in_motion(35, (20,))
-    found = ss.array_kernel(robot, np, dtype=np.float32).forces(**fields(motion))
+    found = ss.ArrayKernel(robot, np, dtype=np.float32).forces(**fields(motion))
     assert found.F.dtype == np.float32
-    expected = ss.prepare(robot).forces(motion)
+    expected = ss.ForceKernel(robot).forces(motion)
     assert 0 < np.abs(found.F - expected).max() < 1e-3 * np.abs(expected).max()
 
 
@@ -143,9 +143,9 @@ def test_gradients_by_jax_of_mapped_poses_are_the_derivatives_of_the_forces() ->
 
     rng = np.random.default_rng(36)
     with jax.enable_x64(True):
-        for robot in (upside_down_in_millimetres(), *([dasgupta()] if FULL else [])):
+        for robot in (upside_down_in_millimeters(), *([dasgupta()] if FULL else [])):
             motion = random_motion(rng, robot, (5,))
-            kernel = ss.array_kernel(robot, jnp)
+            kernel = ss.ArrayKernel(robot, jnp)
             weights = rng.normal(size=(5, 6))
 
             def weighed(step: Any, twist: Any, rate: Any, at: Any, weights: Any, of: Any = kernel) -> Any:
@@ -182,5 +182,5 @@ def test_gradients_by_jax_of_mapped_poses_are_the_derivatives_of_the_forces() ->
 def test_numbers_that_are_not_real_and_flat_rotations_are_one_line(
     xp: Any, given: dict[str, Any], line: str
 ) -> None:
-    kernel = ss.array_kernel(dasgupta(), xp)
+    kernel = ss.ArrayKernel(dasgupta(), xp)
     rejects(f"^{line}$", kernel.forces, **{"R": np.eye(3), "t": [0.0, 0.0, 0.5], **given})

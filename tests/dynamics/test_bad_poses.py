@@ -27,7 +27,7 @@ from stewart_sym.results import JOINT_SINGULAR, NOT_FINITE, SINGULAR, ZERO_LENGT
 
 @pytest.mark.parametrize("backend", BACKENDS)
 @pytest.mark.parametrize("case", CASES)
-def test_a_pose_without_an_answer_is_one_clear_line_or_nan_that_leaves_its_neighbours(
+def test_a_pose_without_an_answer_is_one_clear_line_or_nan_that_leaves_its_neighbors(
     backend, case: str
 ) -> None:
     make, code, text = CASES[case]
@@ -52,13 +52,20 @@ def test_a_pose_without_an_answer_is_one_clear_line_or_nan_that_leaves_its_neigh
 @pytest.mark.parametrize("shape", [(), (3,)])
 def test_reactions_that_overflow_are_reported(backend, shape: tuple[int, ...]) -> None:
     robot = dasgupta()
-    motion = ss.Motion(np.eye(3), np.broadcast_to([0.13, 0.04, 0.6], (*shape, 3)), *np.zeros((4, 3)))
+    motion = ss.Motion(
+        R=np.eye(3),
+        t=np.broadcast_to([0.13, 0.04, 0.6], (*shape, 3)),
+        omega=np.zeros(3),
+        v=np.zeros(3),
+        alpha=np.zeros(3),
+        a=np.zeros(3),
+    )
     with warnings.catch_warnings(action="error"):
-        found = ss.joint_reactions(robot, motion, backend=backend, bearing=1e308, on_singular="nan")
+        found = ss.joint_reactions(robot, motion, backend=backend, bearing_distance=1e308, on_singular="nan")
     assert np.all(found.status == results.NOT_FINITE)
     for name in ("F_s", "F_u", "F_p", "F_c", "M_p", "M_u"):
         assert np.isnan(getattr(found, name)).all()
-    rejects("a result overflows", ss.joint_reactions, robot, motion, backend=backend, bearing=1e308)
+    rejects("a result overflows", ss.joint_reactions, robot, motion, backend=backend, bearing_distance=1e308)
 
 
 @pytest.mark.parametrize("backend", BACKENDS)
@@ -78,7 +85,7 @@ def test_a_leg_of_length_zero_is_seen_wherever_the_base_stands(backend, base_joi
 def test_inverse_dynamics_needs_accelerations() -> None:
     still = at_rest([0.1, 0, 0.5])
     with pytest.raises(ValueError, match="motion: expected accelerations"):
-        ss.inverse_dynamics(dasgupta(), ss.Motion(still.R, still.t, still.omega, still.v))
+        ss.inverse_dynamics(dasgupta(), ss.Motion(R=still.R, t=still.t, omega=still.omega, v=still.v))
 
 
 def test_without_a_compiler_numpy_serves_and_says_so_once(monkeypatch) -> None:
@@ -101,7 +108,7 @@ def test_without_a_compiler_numpy_serves_and_says_so_once(monkeypatch) -> None:
 
 
 POSES = 1003
-FORCED = ("forward_dynamics", "linearisation")
+FORCED = ("forward_dynamics", "linearization")
 
 
 def machine() -> ss.Robot:
@@ -140,7 +147,7 @@ def poisoned(robot: ss.Robot) -> tuple[ss.Motion, ss.Motion, NDArray[np.int32]]:
         else:
             parts["t"][i] = 1e200
             status[i] = NOT_FINITE
-    return sound, ss.Motion.unchecked(**parts), status
+    return sound, ss.Motion._unchecked(**parts), status
 
 
 ROBOT = machine()
@@ -171,7 +178,7 @@ def test_forces_of_sound_poses_keep_every_bit(
     precision: Any, threads: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(forces, "LEAST_SHARE", 100)
-    kernel = ss.prepare(ROBOT, precision=precision)
+    kernel = ss.ForceKernel(ROBOT, precision=precision)
 
     def run(motion: ss.Motion) -> tuple[dict[str, Any], NDArray[np.int32]]:
         with np.errstate(all="ignore"):
@@ -184,7 +191,7 @@ def test_forces_of_sound_poses_keep_every_bit(
 
 @pytest.mark.parametrize("fidelity", [name for name in available(ROBOT) if name != "general"])
 def test_reduced_kernels_keep_every_bit(fidelity: str) -> None:
-    kernel = ss.prepare(ROBOT, fidelity=fidelity)
+    kernel = ss.ForceKernel(ROBOT, fidelity=fidelity)
     clean, none = kernel.forces_and_status(SOUND)
     spoilt, status = kernel.forces_and_status(POISONED)
     assert not none.any()
@@ -266,7 +273,7 @@ def test_threads_share_force_kernels_whose_batches_are_shared_themselves(
 ) -> None:
     monkeypatch.setattr(forces, "LEAST_SHARE", 50)
     kernels = [
-        ss.prepare(robot, precision=precision)
+        ss.ForceKernel(robot, precision=precision)
         for robot in (ROBOT, dasgupta())
         for precision in ("double", "float")
     ]
@@ -282,12 +289,12 @@ def test_threads_share_force_kernels_whose_batches_are_shared_themselves(
 
 
 def test_each_thread_has_its_own_buffers_of_one_pose() -> None:
-    kernel = ss.prepare(ROBOT)
+    kernel = ss.ForceKernel(ROBOT)
     numbers = [np.concatenate([np.ravel(getattr(SOUND[i], name)) for name in FIELDS]) for i in range(8)]
 
     def call(i: int) -> Callable[[], bytes]:
         def bits() -> bytes:
-            slot = kernel.one_pose()
+            slot = kernel.single_pose()
             slot.numbers[...] = numbers[i]
             return bytes([slot.solve()]) + slot.F.tobytes()
 

@@ -12,7 +12,7 @@ from mpmath import mp
 from unsolvable_poses import BACKENDS, at_rest, leg_along_its_axis, singular, zero_length_leg
 
 import stewart_sym as ss
-from stewart_sym.dynamics.damping import SHARE, damped_solution
+from stewart_sym.dynamics.damping import SHARE, damped_least_squares
 from stewart_sym.results import JOINT_SINGULAR, OK, SINGULAR, ZERO_LENGTH
 
 
@@ -68,7 +68,7 @@ def test_without_singular_poses_nothing_changes(base_joint: str) -> None:
     damped = ss.inverse_dynamics(robot, motion, on_singular="damped")
     np.testing.assert_array_equal(damped.F, ss.inverse_dynamics(robot, motion).F)
     np.testing.assert_array_equal(damped.wrench_error, np.zeros((2, 5, 6)))
-    fast = ss.prepare(robot)
+    fast = ss.ForceKernel(robot)
     np.testing.assert_array_equal(fast.forces(motion, on_singular="damped"), fast.forces(motion))
 
 
@@ -84,7 +84,7 @@ def test_legs_without_direction_or_frame_are_still_rejected(make, code: int, tex
     assert list(found.status) == [OK, code]
     assert np.isnan(found.F[1]).all()
     assert np.isnan(found.wrench_error[1]).all()
-    for function in (ss.joint_reactions, ss.prepare(robot).forces):
+    for function in (ss.joint_reactions, ss.ForceKernel(robot).forces):
         arguments = (robot, both) if function is ss.joint_reactions else (both,)
         with pytest.warns(ss.SingularPoseWarning, match=rf"motion\[1\].*{text}"):
             function(*arguments, on_singular="damped")
@@ -94,7 +94,7 @@ def test_legs_without_direction_or_frame_are_still_rejected(make, code: int, tex
 def test_the_force_kernel_takes_damped_forces_from_the_full_road(precision) -> None:
     robot, bad = singular()
     mixed = together(at_rest([0.1, 0.0, 0.6]), bad)
-    kernel = ss.prepare(robot, precision=precision)
+    kernel = ss.ForceKernel(robot, precision=precision)
     F = kernel.forces(mixed, on_singular="damped")
     assert F.dtype == kernel.dtype
     expected = ss.inverse_dynamics(robot, mixed, on_singular="damped").F
@@ -106,7 +106,7 @@ def test_the_force_kernel_takes_damped_forces_from_the_full_road(precision) -> N
 def test_the_force_kernel_damps_no_reduced_physics() -> None:
     robot, bad = singular()
     with pytest.raises(ValueError, match=r'^on_singular: "damped" needs fidelity "general", this one is'):
-        ss.prepare(robot, fidelity="massless").forces(bad, on_singular="damped")
+        ss.ForceKernel(robot, fidelity="massless").forces(bad, on_singular="damped")
 
 
 @pytest.mark.parametrize("backend", BACKENDS)
@@ -137,7 +137,7 @@ def matrices(smallest: float, count: int = 40) -> tuple[Array, Array, Array]:
 @pytest.mark.parametrize("smallest", [1e-1, 1e-2, 2e-4])
 def test_above_its_threshold_the_solution_is_the_plain_one(smallest: float) -> None:
     H, c, _ = matrices(smallest)
-    x, error = damped_solution(H, c, 1.0)
+    x, error = damped_least_squares(H, c, 1.0)
     np.testing.assert_allclose(x, np.linalg.solve(H, c[..., None])[..., 0], rtol=1e-9)
     assert np.abs(error).max() < 1e-10
 
@@ -145,21 +145,21 @@ def test_above_its_threshold_the_solution_is_the_plain_one(smallest: float) -> N
 @pytest.mark.parametrize("smallest", [1e-4, 1e-6, 1e-10, 1e-17, 0.0])
 def test_below_it_forces_stay_bounded_and_only_the_lost_wrench_is_missing(smallest: float) -> None:
     H, c, u = matrices(smallest)
-    x, error = damped_solution(H, c, 1.0)
+    x, error = damped_least_squares(H, c, 1.0)
     assert (np.linalg.norm(x, axis=-1) <= np.linalg.norm(c, axis=-1) * (1 / SHARE + 5.0)).all()
     missing = np.sum(u * c, axis=-1) * (1.0 - (smallest / SHARE) ** 2)
     np.testing.assert_allclose(error, missing[..., None] * u, atol=1e-9)
 
 
 def test_damping_sets_in_without_a_jump() -> None:
-    solutions = [damped_solution(*matrices(SHARE * (1.0 + side * 1e-9))[:2], 1.0)[0] for side in (-1, 1)]
+    solutions = [damped_least_squares(*matrices(SHARE * (1.0 + side * 1e-9))[:2], 1.0)[0] for side in (-1, 1)]
     np.testing.assert_allclose(*solutions, rtol=1e-6)
 
 
 def test_the_solution_is_that_of_50_digits() -> None:
     H, c, _ = (part[0] for part in matrices(1e-5, 1))
     share = 1e-3
-    x, error = damped_solution(H, c, 1.0, share)
+    x, error = damped_least_squares(H, c, 1.0, share)
     with mp.workdps(50):
         A, right = mp.matrix(H.tolist()), mp.matrix(c.tolist())
         U, s, V_T = mp.svd_r(A)
@@ -174,17 +174,17 @@ def test_the_solution_is_that_of_50_digits() -> None:
 def test_the_unit_of_length_does_not_matter() -> None:
     H, c, _ = matrices(1e-8)
     mm = np.repeat([1.0, 1e3], 3)
-    x, error = damped_solution(H, c, 0.5)
-    x_mm, error_mm = damped_solution(H * mm[:, None], c * mm, 500.0)
+    x, error = damped_least_squares(H, c, 0.5)
+    x_mm, error_mm = damped_least_squares(H * mm[:, None], c * mm, 500.0)
     np.testing.assert_allclose(x_mm, x, atol=1e-7)
     np.testing.assert_allclose(error_mm / mm, error, atol=1e-11)
 
 
 def test_nothing_comes_of_nothing() -> None:
-    x, error = damped_solution(np.zeros((6, 6)), np.ones(6), 1.0)
+    x, error = damped_least_squares(np.zeros((6, 6)), np.ones(6), 1.0)
     assert (x == 0.0).all()
     assert (error == 1.0).all()
-    x, error = damped_solution(np.full((6, 6), np.nan), np.ones(6), 1.0)
+    x, error = damped_least_squares(np.full((6, 6), np.nan), np.ones(6), 1.0)
     assert np.isnan(x).all()
     assert np.isnan(error).all()
 
@@ -201,7 +201,7 @@ def test_nothing_comes_of_nothing() -> None:
     ],
 )
 def test_bad_arguments_are_one_line(arguments: tuple[object, ...], text: str) -> None:
-    rejects(rf"\A{text}.*\Z", damped_solution, *arguments)
+    rejects(rf"\A{text}.*\Z", damped_least_squares, *arguments)
 
 
 def test_functions_without_a_solve_for_forces_know_no_damping() -> None:

@@ -57,7 +57,8 @@ def test_the_terms_add_up_to_inverse_dynamics(backend: Any, formulation: Any, ba
         left = times(e.M, acceleration(motion)) + times(e.C, twist(motion)) + e.g + e.friction
         right = times(r.H, r.F) + load_of(motion)
         assert worst(robot, left, right) < 1e-13 * ss.condition_number(r.H).max()
-        assert worst(robot, times(e.C, twist(motion)) + e.g + e.friction, e.bias) < 1e-12
+        assert worst(robot, times(e.C, twist(motion)) + e.g, e.bias) < 1e-12
+        assert worst(robot, e.bias + e.friction, e.bias_and_friction) < 1e-12
 
 
 @pytest.mark.parametrize("base_joint", JOINTS)
@@ -68,7 +69,7 @@ def test_backends_agree_with_the_oracle(backend: Any, formulation: Any, base_joi
     for robot, motion in machines(base_joint):
         found = ss.equations_of_motion(robot, motion, formulation, backend)
         true = oracle(robot, motion, faults)
-        for name in ("M", "g", "friction", "bias"):
+        for name in ("M", "g", "friction", "bias", "bias_and_friction"):
             a, b = getattr(found, name), getattr(true, name)
             np.testing.assert_allclose(a, b, rtol=1e-11, atol=1e-12 * np.abs(b).max(), err_msg=name)
 
@@ -82,7 +83,7 @@ def test_exact_M_is_symmetric_positive_definite_and_makes_the_kinetic_energy(
         M = ss.equations_of_motion(robot, motion, backend=backend).M
         np.testing.assert_allclose(M, np.swapaxes(M, -1, -2), rtol=1e-12, atol=1e-13 * np.abs(M).max())
         assert np.linalg.eigvalsh(M).min() > 0
-        rest = ss.Motion(motion.R, motion.t, 0 * motion.omega, 0 * motion.v)
+        rest = ss.Motion(R=motion.R, t=motion.t, omega=0 * motion.omega, v=0 * motion.v)
         kinetic = newton_euler.energy(robot, motion) - newton_euler.energy(robot, rest)
         of_M = np.einsum("ni,nij,nj->n", twist(motion), M, twist(motion)) / 2
         np.testing.assert_allclose(of_M, kinetic, rtol=1e-10)
@@ -114,7 +115,7 @@ def test_rate_of_exact_M_is_C_plus_its_transpose(backend: Any, base_joint: str) 
 
         def at(time: float, motion: ss.Motion = motion, robot: ss.Robot = robot) -> Array:
             R = rotation(time * motion.omega) @ motion.R
-            moved = ss.Motion(R, motion.t + time * motion.v, motion.omega, motion.v)
+            moved = ss.Motion(R=R, t=motion.t + time * motion.v, omega=motion.omega, v=motion.v)
             return ss.equations_of_motion(robot, moved, backend=backend).M
 
         rate = (8 * (at(h) - at(-h)) - (at(2 * h) - at(-2 * h))) / (12 * h)
@@ -134,10 +135,10 @@ def test_g_is_the_slope_of_the_potential_and_friction_takes_its_power(backend: A
         newton_euler.energy(
             robot,
             ss.Motion(
-                np.array([rotation(x * w) @ R for w, R in zip(motion.omega, motion.R, strict=True)]),
-                motion.t + x * motion.v,
-                0 * motion.omega,
-                0 * motion.v,
+                R=np.array([rotation(x * w) @ R for w, R in zip(motion.omega, motion.R, strict=True)]),
+                t=motion.t + x * motion.v,
+                omega=0 * motion.omega,
+                v=0 * motion.v,
             ),
         )
         for x in (-h, h)
@@ -151,7 +152,7 @@ def test_g_is_the_slope_of_the_potential_and_friction_takes_its_power(backend: A
 def test_at_rest_there_is_no_coriolis_matrix_and_no_friction(backend: Any) -> None:
     robot = random_robot(np.random.default_rng(4))
     moving = random_motion(np.random.default_rng(4), robot, (3,))
-    rest = ss.Motion(moving.R, moving.t, 0 * moving.omega, 0 * moving.v)
+    rest = ss.Motion(R=moving.R, t=moving.t, omega=0 * moving.omega, v=0 * moving.v)
     e = ss.equations_of_motion(robot, rest, backend=backend)
     assert not e.C.any()
     assert not e.friction.any()
@@ -172,7 +173,7 @@ def test_forward_dynamics_inverts_inverse_dynamics(backend: Any, formulation: An
         condition = np.linalg.cond(e.M / np.outer(size, size))
         found, true = (np.concatenate(x, axis=-1) * size for x in ((a, alpha), (motion.a, motion.alpha)))
         error = np.abs(found - true).max(axis=-1) / np.abs(true).max(axis=-1)
-        held = in_one_unit(robot, e.bias - load_of(motion))
+        held = in_one_unit(robot, e.bias_and_friction - load_of(motion))
         # What cancels may be larger than what remains.
         large = 1 + np.abs(held).max(axis=-1) / np.abs(
             in_one_unit(robot, times(e.M, acceleration(motion)))
@@ -184,7 +185,7 @@ def test_the_reference_has_equations_where_H_is_singular() -> None:
     """Parallel legs: nothing holds the platform sideways, yet forces and masses have their accelerations."""
     robot = random_robot(np.random.default_rng(7), scale=1.0)
     robot = dataclasses.replace(robot, p=robot.b, k=np.tile([1.0, 0.0, 0.0], (6, 1)))
-    motion = ss.Motion(np.eye(3), [0.0, 0.0, 1.5], np.zeros(3), np.zeros(3))
+    motion = ss.Motion(R=np.eye(3), t=[0.0, 0.0, 1.5], omega=np.zeros(3), v=np.zeros(3))
     a, _ = ss.forward_dynamics(robot, motion, np.zeros(6), backend="reference")
     assert np.isfinite(a).all()
     rejects(r"^motion: H is singular", ss.joint_space_inertia, robot, motion, backend="reference")
@@ -195,7 +196,7 @@ def test_the_reference_has_equations_where_H_is_singular() -> None:
 def test_poses_without_an_answer_are_named_or_nan(backend: Any) -> None:
     robot, good = machine_in_motion(8, scale=1.0)
     t = np.stack([good.t, robot.b[3] - good.R @ robot.p[3]])
-    motion = ss.Motion(good.R, t, good.omega, good.v)
+    motion = ss.Motion(R=good.R, t=t, omega=good.omega, v=good.v)
     F = np.ones(6)
     with pytest.raises(ValueError, match=r"^motion\[1\]: a leg has length zero \(leg 4\)$"):
         ss.forward_dynamics(robot, motion, F, backend=backend)

@@ -28,14 +28,14 @@ def level(request: pytest.FixtureRequest) -> Fidelity:
     return request.param
 
 
-@pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.PhysicalityWarning")
+@pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.RobotWarning")
 def test_reduction_equals_the_general_kernel_where_the_machine_is_that_simple(level: Fidelity) -> None:
     rng = np.random.default_rng(11)
     for _ in range(6):
         robot = as_simple_as(random_robot(rng), level)
         motion = random_motion(rng, robot)
         same = motion if level.moving else at_rest(motion)
-        found = ss.prepare(robot, fidelity=level.name).forces(motion)
+        found = ss.ForceKernel(robot, fidelity=level.name).forces(motion)
         expected = ss.inverse_dynamics(robot, same)
         size = max(np.abs(values).max() for values in (expected.F, expected.D, expected.x))
         condition = ss.condition_number(expected.H)
@@ -46,9 +46,9 @@ def test_one_pose_and_batch_agree_to_the_last_bit(level: Fidelity) -> None:
     rng = np.random.default_rng(2)
     robot = random_robot(rng)
     poses = [random_motion(rng, robot) for _ in range(11)]
-    kernel = ss.prepare(robot, fidelity=level.name)
+    kernel = ss.ForceKernel(robot, fidelity=level.name)
     batch = kernel.forces(stacked(poses))
-    slot = kernel.one_pose()
+    slot = kernel.single_pose()
     for pose, expected in zip(poses, batch, strict=True):
         slot.numbers[:] = np.concatenate([np.ravel(getattr(pose, name)) for name in FIELDS])
         assert slot.solve() == 0
@@ -78,8 +78,8 @@ def test_at_rest_axisymmetric_legs_and_point_masses_are_slender_ones() -> None:
             found = forces(other, robot, motion)
             assert mp.mnorm(found - expected, mp.inf) <= 1e-13 * mp.mnorm(expected, mp.inf)
     for name in ("axisymmetric_static", "point_masses_static"):
-        same = ss.prepare(robot, fidelity=name).forces(motion)
-        np.testing.assert_array_equal(same, ss.prepare(robot, fidelity="slender_static").forces(motion))
+        same = ss.ForceKernel(robot, fidelity=name).forces(motion)
+        np.testing.assert_array_equal(same, ss.ForceKernel(robot, fidelity="slender_static").forces(motion))
 
 
 @pytest.mark.parametrize("name", ["slender", "point_masses", "massless", "slender_static", "massless_static"])
@@ -90,7 +90,7 @@ def test_spherical_base_joints_have_the_levels_that_know_no_universal_joint(name
     same = at_rest(motion) if name.endswith("static") else motion
     expected = ss.inverse_dynamics(robot, same).F
     np.testing.assert_allclose(
-        ss.prepare(robot, fidelity=name).forces(motion),
+        ss.ForceKernel(robot, fidelity=name).forces(motion),
         expected,
         rtol=1e-10,
         atol=1e-10 * np.abs(expected).max(),
@@ -100,10 +100,10 @@ def test_spherical_base_joints_have_the_levels_that_know_no_universal_joint(name
 def test_what_there_is_not_is_rejected_in_one_line() -> None:
     rng = np.random.default_rng(0)
     with pytest.raises(ValueError, match=r"^fidelity: expected one of general, .* got 'stiff'$"):
-        ss.prepare(random_robot(rng), fidelity="stiff")
+        ss.ForceKernel(random_robot(rng), fidelity="stiff")
     with pytest.raises(ValueError, match=r"^fidelity: expected one of general for paper, got 'slender'$"):
-        ss.prepare(random_robot(rng), "paper", fidelity="slender")
+        ss.ForceKernel(random_robot(rng), "paper", fidelity="slender")
     with pytest.raises(ValueError, match=r"^fidelity: .* with spherical base joints, got 'axisymmetric'$"):
-        ss.prepare(random_robot(rng, "spherical"), fidelity="axisymmetric")
+        ss.ForceKernel(random_robot(rng, "spherical"), fidelity="axisymmetric")
     with pytest.raises(ValueError, match=r"^fidelity: slender is a reduction of exact, not of paper$"):
         fidelity_kernel(PAPER, FIDELITIES["slender"])

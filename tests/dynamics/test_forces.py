@@ -1,4 +1,4 @@
-"""The fast force kernels: right, the same whatever the batch, and never disturbed by a bad neighbour."""
+"""The fast force kernels: right, the same whatever the batch, and never disturbed by a bad neighbor."""
 
 import copy
 import dataclasses
@@ -31,7 +31,7 @@ def test_forces_agree_with_the_reference_to_rounding(formulation, base_joint: st
         for _ in range(4):
             robot, motion = machine_in_motion(rng, (9,), base_joint, friction=friction)
             truth = ss.inverse_dynamics(robot, motion, formulation, "reference")
-            found = ss.prepare(robot, formulation).forces(motion)
+            found = ss.ForceKernel(robot, formulation).forces(motion)
             assert (relative(found, truth.F) <= 1e-13 * ss.condition_number(truth.H)).all()
 
 
@@ -41,7 +41,7 @@ def test_float_forces_agree_to_float_rounding(formulation) -> None:
     for _ in range(4):
         robot, motion = machine_in_motion(rng, (9,), scale=1.0)
         truth = ss.inverse_dynamics(robot, motion, formulation)
-        found = ss.prepare(robot, formulation, "float").forces(motion)
+        found = ss.ForceKernel(robot, formulation, "float").forces(motion)
         assert found.dtype == np.float32
         assert (relative(found, truth.F) <= 2e-5 * ss.condition_number(truth.H)).all()
 
@@ -53,7 +53,7 @@ def test_results_are_bit_identical_whatever_batch_position_and_threads(
 ) -> None:
     monkeypatch.setattr(forces, "LEAST_SHARE", 1)
     robot, motion = machine_in_motion(22, (37,), base_joint)
-    kernel = ss.prepare(robot, precision=precision)
+    kernel = ss.ForceKernel(robot, precision=precision)
     whole = kernel.forces(motion)
     assert all((kernel.forces(motion[i]) == whole[i]).all() for i in range(37))
     for start, stop in ((0, 1), (1, 10), (5, 37), (8, 16), (30, 37)):
@@ -70,7 +70,7 @@ def test_a_batch_is_shared_in_parts_of_thousands_four_a_thread_at_most(
     count: int, threads: int, expected: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     robot, some = machine_in_motion(30, (50,))
-    kernel = ss.prepare(robot)
+    kernel = ss.ForceKernel(robot)
     arrays = [np.resize(getattr(some, name), (count, *getattr(some, name).shape[1:])) for name in FIELDS]
     run = forces.ForceKernel._run
     parts: list[tuple[int, int]] = []
@@ -92,9 +92,9 @@ def test_a_batch_is_shared_in_parts_of_thousands_four_a_thread_at_most(
 @pytest.mark.parametrize("precision", ["double", "float"])
 def test_one_pose_is_bit_identical_to_the_batch(precision) -> None:
     robot, motion = machine_in_motion(23, (20,))
-    kernel = ss.prepare(robot, precision=precision)
+    kernel = ss.ForceKernel(robot, precision=precision)
     whole = kernel.forces(motion)
-    slot = kernel.one_pose()
+    slot = kernel.single_pose()
     for i in range(20):
         for name in FIELDS:
             getattr(slot, name)[...] = getattr(motion, name)[i]
@@ -106,7 +106,7 @@ def test_one_pose_is_bit_identical_to_the_batch(precision) -> None:
 def test_a_bad_pose_has_its_status_in_a_batch_and_alone(case: str) -> None:
     make, code, _ = CASES[case]
     robot, bad = make()
-    kernel, good = ss.prepare(robot), [at_rest([0.1 + 0.01 * i, 0.04, 0.6]) for i in range(11)]
+    kernel, good = ss.ForceKernel(robot), [at_rest([0.1 + 0.01 * i, 0.04, 0.6]) for i in range(11)]
     for place in (0, 3, 7, 8, 10):
         motion = stacked([*good[:place], bad, *good[place + 1 :]], UNLOADED)
         assert kernel.status(motion).tolist() == [code if i == place else 0 for i in range(11)]
@@ -114,7 +114,7 @@ def test_a_bad_pose_has_its_status_in_a_batch_and_alone(case: str) -> None:
         rejects(rf"motion\[{place}\]", kernel.forces, motion)
         with pytest.warns(ss.SingularPoseWarning):
             kernel.forces(motion, on_singular="warn")
-    slot = kernel.one_pose()
+    slot = kernel.single_pose()
     for name in UNLOADED:
         getattr(slot, name)[...] = getattr(bad, name)
     slot.F[...] = 7.0
@@ -125,7 +125,7 @@ def test_a_bad_pose_has_its_status_in_a_batch_and_alone(case: str) -> None:
 def test_empty_and_many_dimensional_batches_work() -> None:
     rng = np.random.default_rng(25)
     robot = random_robot(rng)
-    kernel = ss.prepare(robot)
+    kernel = ss.ForceKernel(robot)
     assert kernel.forces(random_motion(rng, robot, (0,))).shape == (0, 6)
     motion = random_motion(rng, robot, (2, 3, 5))
     flat = kernel.forces(motion, threads=2).reshape(-1, 6)
@@ -134,7 +134,7 @@ def test_empty_and_many_dimensional_batches_work() -> None:
 
 @pytest.mark.parametrize("threads", [0, -1, 1.5, True, "two"])
 def test_bad_thread_counts_are_named(threads) -> None:
-    rejects(r"^threads: expected", ss.prepare(dasgupta()).forces, at_rest([0.1, 0, 0.5]), threads=threads)
+    rejects(r"^threads: expected", ss.ForceKernel(dasgupta()).forces, at_rest([0.1, 0, 0.5]), threads=threads)
 
 
 @pytest.mark.parametrize(
@@ -142,15 +142,15 @@ def test_bad_thread_counts_are_named(threads) -> None:
 )
 def test_batches_take_no_memory_beyond_inputs_and_outputs(how: str) -> None:
     count = 400_000
-    path, _ = ss.PATHS["I"]
+    path, _ = ss.PAPER_PATHS["I"]
     motion = path.sample(np.linspace(0, 6, count))
     if how == "broadcast":
         rest = np.broadcast_to(np.zeros(3), (count, 3))
-        motion = ss.Motion.unchecked(R=motion.R, t=motion.t, omega=rest, v=rest, alpha=rest, a=rest)
+        motion = ss.Motion._unchecked(R=motion.R, t=motion.t, omega=rest, v=rest, alpha=rest, a=rest)
     if how == "in columns":
         fields = {name: getattr(motion, name) for name in FIELDS}
-        motion = ss.Motion.unchecked(**{**fields, "t": np.asfortranarray(motion.t)})
-    kernel = ss.prepare(dasgupta(), precision="float" if how == "float" else "double")
+        motion = ss.Motion._unchecked(**{**fields, "t": np.asfortranarray(motion.t)})
+    kernel = ss.ForceKernel(dasgupta(), precision="float" if how == "float" else "double")
     kernel.forces(motion[:8])
     tracemalloc.start()
     F, status = kernel.forces_and_status(motion)
@@ -162,7 +162,7 @@ def test_batches_take_no_memory_beyond_inputs_and_outputs(how: str) -> None:
 
 def test_buffers_live_as_long_as_the_bound_call_and_copies_have_their_own() -> None:
     robot, motion = machine_in_motion(27)
-    slot = ss.prepare(robot).one_pose()
+    slot = ss.ForceKernel(robot).single_pose()
     for name in FIELDS:
         getattr(slot, name)[...] = getattr(motion, name)
     twin = copy.deepcopy(slot)
@@ -171,7 +171,7 @@ def test_buffers_live_as_long_as_the_bound_call_and_copies_have_their_own() -> N
     assert slot.solve() != 0
     for other in (twin, sent):
         assert other.solve() == 0
-        assert (other.F == ss.prepare(robot).forces(motion)).all()
+        assert (other.F == ss.ForceKernel(robot).forces(motion)).all()
     solve = twin.solve
     del twin
     # Of the young: all that the process holds takes a second.
@@ -183,16 +183,16 @@ def test_a_changed_copy_of_a_kernel_is_prepared_anew() -> None:
     rng = np.random.default_rng(28)
     robot, other = random_robot(rng), random_robot(rng)
     motion = random_motion(rng, robot, (3,))
-    kernel = ss.prepare(robot)
+    kernel = ss.ForceKernel(robot)
     changed = dataclasses.replace(kernel, formulation="paper")
-    assert (changed.forces(motion) == ss.prepare(robot, "paper").forces(motion)).all()
+    assert (changed.forces(motion) == ss.ForceKernel(robot, "paper").forces(motion)).all()
     moved = dataclasses.replace(kernel, robot=other)
-    assert (moved.forces(motion, on_singular="nan") == ss.prepare(other).forces(motion)).all()
+    assert (moved.forces(motion, on_singular="nan") == ss.ForceKernel(other).forces(motion)).all()
 
 
 def test_given_arrays_that_do_not_fit_are_named() -> None:
     robot, motion = machine_in_motion(29, (4,))
-    kernel = ss.prepare(robot)
+    kernel = ss.ForceKernel(robot)
     arrays = [np.ascontiguousarray(getattr(motion, name)) for name in FIELDS]
     F, status = np.zeros((4, 6)), np.zeros(4, dtype=np.int32)
     kernel.forces_into(arrays, F, status)
@@ -212,7 +212,7 @@ def test_given_arrays_that_do_not_fit_are_named() -> None:
 
 def test_a_warning_points_at_the_line_of_the_caller() -> None:
     robot, bad = CASES["short"][0]()
-    kernel = ss.prepare(robot)
+    kernel = ss.ForceKernel(robot)
     with pytest.warns(ss.SingularPoseWarning) as fast:
         kernel.forces(bad, on_singular="warn")
     with pytest.warns(ss.SingularPoseWarning) as full:
@@ -223,12 +223,12 @@ def test_a_warning_points_at_the_line_of_the_caller() -> None:
 def test_constants_that_overflow_the_precision_are_rejected() -> None:
     robot = dasgupta()
     heavy = dataclasses.replace(robot, M=1e39)
-    ss.prepare(heavy)
-    rejects("robot: M: expected a number that float can hold", ss.prepare, heavy, precision="float")
+    ss.ForceKernel(heavy)
+    rejects("robot: M: expected a number that float can hold", ss.ForceKernel, heavy, precision="float")
 
 
 def test_buffers_that_do_not_fit_are_named() -> None:
-    kernel = ss.prepare(dasgupta())
+    kernel = ss.ForceKernel(dasgupta())
     with pytest.raises(ValueError, match="F: expected 6 writeable numbers"):
         forces.OnePose(kernel, np.zeros(6, dtype=np.float32), np.zeros(30))
     rejects("numbers: expected 30 writeable numbers", forces.OnePose, kernel, np.zeros(6), np.zeros(29))
@@ -240,22 +240,22 @@ def test_c_takes_axes_of_any_length_but_zero(exponent: float, precision: forces.
     """To 1e-300 and 1e300 in double, 1e-37 and 1e37 in float."""
     size = 10.0 ** (exponent * {"double": 300, "float": 37}[precision])
     robot = random_robot(np.random.default_rng(15))
-    kernel = ss.prepare(robot, precision=precision)
+    kernel = ss.ForceKernel(robot, precision=precision)
     numbers = robot_numbers(robot)
     legs = numbers[:-13].reshape(6, -1)  # the platform's own: M, R_0, I_p, g
     assert np.array_equal(legs[:, 6:9], robot.k)
     legs[:, 6:9] *= size
     numbers = numbers.astype(kernel.dtype)
     model = np.zeros_like(kernel.model)
-    assert kernel.function("prepare")(address(numbers), address(model)) == 0
+    assert kernel.c_function("prepare")(address(numbers), address(model)) == 0
     unit = 64 * np.finfo(kernel.dtype).eps
     np.testing.assert_allclose(model, kernel.model, rtol=unit, atol=unit * 9.81)
     numbers[6:9] = 0.0
-    assert kernel.function("prepare")(address(numbers), address(model)) == ss.results.NOT_FINITE
+    assert kernel.c_function("prepare")(address(numbers), address(model)) == ss.results.NOT_FINITE
 
 
 @pytest.mark.parametrize("precision", ["double", "float"])
 def test_prepared_constants_begin_where_a_line_of_the_cache_does_and_stay_as_they_are(precision: str) -> None:
-    prepared = ss.prepare(ss.robots.dasgupta1998(), precision=precision)
+    prepared = ss.ForceKernel(ss.robots.dasgupta1998(), precision=precision)
     assert prepared.model.ctypes.data % 64 == 0
     rejects("cannot set WRITEABLE", prepared.model.setflags, write=True)

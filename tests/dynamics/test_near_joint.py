@@ -127,9 +127,9 @@ def test_a_batch_of_calm_and_stiff_poses_gives_what_each_pose_gives() -> None:
     t[1:] += 1e-3 * np.arange(1, 4)[:, None] * np.ptp(robot.b)
     poses = ss.Motion(R=R, t=t, omega=omega, v=v)
     for form in FORMS.values():
-        whole = form(robot).run("linearisation", poses, np.stack([F] * 4))
+        whole = form(robot).run("linearization", poses, np.stack([F] * 4))
         for i in range(4):
-            one = form(robot).run("linearisation", poses[i], F)
+            one = form(robot).run("linearization", poses[i], F)
             for name in ("acceleration", "A", "B"):
                 np.testing.assert_allclose(
                     whole[name][i], one[name], rtol=1e-12, atol=1e-12 * np.abs(one[name]).max()
@@ -158,7 +158,7 @@ def test_a_machine_that_does_not_feel_the_joint_singularity_keeps_its_digits(sin
     size = max(np.abs(values).max() for values in (whole.F, whole.D, whole.x))
     bound = UNITS * EPSILON * ss.condition_number(whole.H) * size
     names = [name for name in fidelity.FIDELITIES if not name.startswith(("massless", "point"))]
-    found = [ss.prepare(robot, fidelity=name).forces(motion) for name in names]
+    found = [ss.ForceKernel(robot, fidelity=name).forces(motion) for name in names]
     found += [ss.inverse_dynamics(robot, motion, backend=backend).F for backend in ("c", "numpy")]
     for F in found:
         assert np.abs(F - expected).max() <= bound
@@ -170,9 +170,9 @@ def test_moving_legs_without_axial_inertia_do_not_feel_the_joint_singularity_eit
     robot = as_simple_as(random_robot(rng), FIDELITIES["slender"])
     motion = random_motion(rng, robot)
     calm, near = leaning(robot, motion, 0.9), leaning(robot, motion, sine)
-    F = ss.prepare(calm).forces(motion)
+    F = ss.ForceKernel(calm).forces(motion)
     bound = UNITS * EPSILON * ss.condition_number(ss.wrench_matrix(robot, motion))
-    paths = [ss.prepare(near).forces(motion)]
+    paths = [ss.ForceKernel(near).forces(motion)]
     paths += [ss.inverse_dynamics(near, motion, backend=backend).F for backend in ("c", "numpy")]
     for path in paths:
         assert np.abs(path - F).max() <= bound * np.abs(F).max()
@@ -189,7 +189,7 @@ def test_a_general_machine_loses_no_more_than_its_own_sensitivity(formulation: s
     with mp.workdps(50):
         expected = np.array([float(F) for F in true_forces(form, robot, motion)["F"]])
     # The leg's spin grows like the inverse sine, and with it what the error of a number does to the forces.
-    kernel = ss.prepare(robot, formulation)
+    kernel = ss.ForceKernel(robot, formulation)
     error = np.abs(kernel.forces(motion) - expected).max() / np.abs(expected).max()
     assert error <= UNITS * EPSILON * 60 / sine
 
@@ -198,7 +198,7 @@ def test_one_pose_and_batch_take_the_same_code_path_near_the_joint_singularity()
     robot, motion = machine_in_motion(5, (9,))
     robot = leaning(robot, motion[4], 1e-3)
     for formulation in ("exact", "paper"):
-        kernel = ss.prepare(robot, formulation)
+        kernel = ss.ForceKernel(robot, formulation)
         batch = kernel.forces(motion)
         for i in range(9):
             np.testing.assert_array_equal(kernel.forces(motion[i]), batch[i])
@@ -209,7 +209,7 @@ def test_the_joint_singularity_itself_is_said_by_every_kernel() -> None:
     for sine, status in ((3e-12, OK), (3e-13, JOINT_SINGULAR), (0.0, JOINT_SINGULAR)):
         leaned = leaning(robot, motion, sine)
         for name in ("general", "axisymmetric", "general_static"):
-            assert ss.prepare(leaned, fidelity=name).status(motion) == status
+            assert ss.ForceKernel(leaned, fidelity=name).status(motion) == status
         for backend in ("c", "numpy"):
             found = ss.inverse_dynamics(leaned, motion, backend=backend, on_singular="nan")
             assert found.status == status

@@ -90,4 +90,4 @@ def test_bounds_are_no_wider_from_a_far_reference_point() -> None:
         robot, motion, far_robot, far_motion = far_off(np.random.default_rng(seed))
         near, far = check_poses([robot, far_robot], [motion, far_motion])
         unit = np.finfo(float).eps * far["size"] * max(far["own"], near["scaled"])
-        assert ss.forces_with_bounds(far_robot, far_motion).bound.max() <= WIDEST * unit
+        assert ss.force_error_bounds(far_robot, far_motion).bound.max() <= WIDEST * unit

@@ -18,7 +18,7 @@ from machines import (
 from motion_fields import balance_of, breaks_of
 from unsolvable_poses import at_rest
 
-from stewart_sym.dynamics.forces import prepare
+from stewart_sym.dynamics.forces import ForceKernel
 from stewart_sym.dynamics.inverse import inverse_dynamics
 from stewart_sym.motion.motion import Motion
 from stewart_sym.reference import newton_euler
@@ -179,7 +179,7 @@ def exact(robot: Robot) -> Callable[[Motion], Array]:
     """Power of the compiled kernel's forces, which are those of all outputs."""
 
     def power(motion: Motion) -> Array:
-        F = prepare(robot).forces(motion)
+        F = ForceKernel(robot).forces(motion)
         off = newton_euler.actuator_power(robot, motion, F - inverse_dynamics(robot, motion).F)
         assert np.abs(off).max() <= RELATIVE * np.abs(F).max()
         return newton_euler.actuator_power(robot, motion, F)
@@ -236,6 +236,8 @@ def test_every_fault_breaks_the_balance(fault: int, seed: int) -> None:
 def test_power_of_a_load_is_taken_in_the_platform_frame() -> None:
     quarter_turn = np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
     x, y, z = np.eye(3)
-    motion = Motion(quarter_turn, 0 * x, 2 * z, 3 * y, 0 * x, 0 * x, F_ext=5 * x, M_ext=7 * z)
+    motion = Motion(
+        R=quarter_turn, t=0 * x, omega=2 * z, v=3 * y, alpha=0 * x, a=0 * x, F_ext=5 * x, M_ext=7 * z
+    )
     robot = random_robot(np.random.default_rng(0))
     assert newton_euler.external_power(robot, motion) == 3 * 5 + 2 * 7

@@ -1,4 +1,4 @@
-"""Masses, centres of mass, inertias and limits of force of imported models are those of MuJoCo."""
+"""Masses, centers of mass, inertias and limits of force of imported models are those of MuJoCo."""
 
 import re
 from pathlib import Path

@@ -237,7 +237,7 @@ BROKEN: dict[str, tuple[str, Change, str]] = {
 
 
 @pytest.fixture(scope="module")
-def exported() -> dict[str, ss.ModelFile]:
+def exported() -> dict[str, ss.ExportedModel]:
     robot = ss.Robot.from_toml(HEXAPOD)
     with warnings.catch_warnings(record=True, action="always") as caught:
         found = {name: ss.export_model(robot, name) for name in ("mjcf", "sdf", "urdf", "usd")}
@@ -255,12 +255,12 @@ def exported() -> dict[str, ss.ModelFile]:
 
 @pytest.mark.parametrize("name", BROKEN)
 def test_a_broken_model_gives_one_line_that_says_what_and_where(
-    name: str, exported: dict[str, ss.ModelFile], tmp_path: Path
+    name: str, exported: dict[str, ss.ExportedModel], tmp_path: Path
 ) -> None:
     form, change, said = BROKEN[name]
     path = tmp_path / "model.xml"
     path.write_text(change(exported[form].text), encoding="utf-8")
-    (tmp_path / "model.loops.json").write_text(exported["urdf"].loops or "", encoding="utf-8")
+    (tmp_path / "model.loops.json").write_text(exported["urdf"].loop_closures or "", encoding="utf-8")
     with pytest.raises(ValueError, match=r"model\.xml: ") as caught:
         ss.import_model(path)
     text = str(caught.value)
@@ -285,17 +285,17 @@ LOOPS: dict[str, tuple[Change, str]] = {
 
 @pytest.mark.parametrize("name", LOOPS)
 def test_broken_loops_of_urdf_are_one_line(
-    name: str, exported: dict[str, ss.ModelFile], tmp_path: Path
+    name: str, exported: dict[str, ss.ExportedModel], tmp_path: Path
 ) -> None:
     change, said = LOOPS[name]
     path = tmp_path / "model.urdf"
     path.write_text(exported["urdf"].text, encoding="utf-8")
-    (tmp_path / "model.loops.json").write_text(change(exported["urdf"].loops or ""), encoding="utf-8")
+    (tmp_path / "model.loops.json").write_text(change(exported["urdf"].loop_closures or ""), encoding="utf-8")
     rejects(re.escape(said), ss.import_model, path)
 
 
 def test_a_urdf_without_its_loops_says_where_they_are_looked_for(
-    exported: dict[str, ss.ModelFile], tmp_path: Path
+    exported: dict[str, ss.ExportedModel], tmp_path: Path
 ) -> None:
     path = tmp_path / "model.urdf"
     balls = "<drake:ball_constraint>.*</drake:ball_constraint>"
@@ -304,7 +304,7 @@ def test_a_urdf_without_its_loops_says_where_they_are_looked_for(
     rejects(said, ss.import_model, path)
 
 
-def test_a_note_against_the_model_is_not_taken(exported: dict[str, ss.ModelFile], tmp_path: Path) -> None:
+def test_a_note_against_the_model_is_not_taken(exported: dict[str, ss.ExportedModel], tmp_path: Path) -> None:
     robot = ss.Robot.from_toml(HEXAPOD)
     path = tmp_path / "model.xml"
     text = exported["mjcf"].text

@@ -274,13 +274,15 @@ def test_another_machine_is_found_out(name: str) -> None:
 def test_a_machine_that_its_forces_hold_does_not_drift_in_ten_seconds() -> None:
     robot = ss.Robot.from_toml(HEXAPOD)
     model = mujoco.MjModel.from_xml_string(ss.export_model(robot, "mjcf").text)
-    data, kernel, zero = mujoco.MjData(model), ss.prepare(robot), np.zeros(3)
+    data, kernel, zero = mujoco.MjData(model), ss.ForceKernel(robot), np.zeros(3)
     mujoco.mj_forward(model, data)
     platform = data.body("platform")
     start, turn, farthest = platform.xpos.copy(), platform.xmat.copy(), 0.0
     # Forces of the pose as it is: constant ones hold a platform as a hand does a broom.
     while data.time < 10.0:
-        pose = ss.Motion(platform.xmat.reshape(3, 3), platform.xpos, zero, zero, zero, zero)
+        pose = ss.Motion(
+            R=platform.xmat.reshape(3, 3), t=platform.xpos, omega=zero, v=zero, alpha=zero, a=zero
+        )
         data.ctrl[:] = kernel.forces(pose)
         mujoco.mj_step(model, data, 2)
         farthest = max(farthest, np.abs(platform.xpos - start).max(), np.abs(platform.xmat - turn).max())
@@ -292,8 +294,10 @@ def test_the_exported_machine_stands_assembled_at_its_home_pose() -> None:
     model = mujoco.MjModel.from_xml_string(ss.export_model(robot, "mjcf").text)
     data = mujoco.MjData(model)
     mujoco.mj_forward(model, data)
-    np.testing.assert_allclose(data.body("platform").xpos, robot.home)
+    np.testing.assert_allclose(data.body("platform").xpos, robot.home_position)
     assert np.abs(data.efc_pos).max() < 1e-12
     assert data.ncon == 0
     lengths = [data.joint(f"leg_{i}").qpos[0] for i in range(1, 7)]
-    np.testing.assert_allclose(lengths, np.linalg.norm(robot.home + robot.p - robot.b, axis=-1), rtol=1e-12)
+    np.testing.assert_allclose(
+        lengths, np.linalg.norm(robot.home_position + robot.p - robot.b, axis=-1), rtol=1e-12
+    )

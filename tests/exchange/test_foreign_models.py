@@ -85,8 +85,8 @@ def test_points_axes_and_limits_are_found_whatever_the_frames(foreign: ss.Import
     np.testing.assert_allclose(np.abs(robot.k), np.tile([0.0, 0.0, 1.0], (6, 1)), atol=1e-12)
     # The platform's frame is that of the body, in the point that leg 6 carries.
     np.testing.assert_allclose(robot.p, PLATFORM - PLATFORM[5], atol=1e-12)
-    np.testing.assert_allclose(robot.home, [0.0, 0.0, HEIGHT] + PLATFORM[5], atol=1e-12)
-    L = np.linalg.norm(robot.home + robot.p - robot.b, axis=-1)
+    np.testing.assert_allclose(robot.home_position, [0.0, 0.0, HEIGHT] + PLATFORM[5], atol=1e-12)
+    L = np.linalg.norm(robot.home_position + robot.p - robot.b, axis=-1)
     np.testing.assert_allclose(robot.length_limits, np.stack([L - 0.1, L + 0.2], axis=-1))
     np.testing.assert_array_equal(robot.force_limit, 500.0)
     np.testing.assert_array_equal(robot.g, [0.0, 0.0, 9.81])
@@ -99,11 +99,16 @@ def test_a_machine_turned_in_its_file_has_its_home_there(foreign: ss.ImportedMod
     found = imported(turned, tmp_path)
     assert "axes those of the base in the pose in the file" in "".join(found.assumptions)
     robot, R = foreign.robot, np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
-    for name in ("b", "p", "home", "R_0"):
+    for name in ("b", "p", "home_position", "R_0"):
         np.testing.assert_allclose(getattr(found.robot, name), getattr(robot, name) @ R.T, atol=1e-12)
     np.testing.assert_allclose(found.robot.I_p, R @ robot.I_p @ R.T, atol=1e-12)
     F = [
-        ss.inverse_dynamics(each, ss.Motion(np.eye(3), each.home, zero := np.zeros(3), zero, zero, zero)).F
+        ss.inverse_dynamics(
+            each,
+            ss.Motion(
+                R=np.eye(3), t=each.home_position, omega=(zero := np.zeros(3)), v=zero, alpha=zero, a=zero
+            ),
+        ).F
         for each in (robot, found.robot)
     ]
     np.testing.assert_allclose(F[1], F[0], rtol=1e-9)
@@ -283,7 +288,9 @@ def altered(folder: Path, form: str, *change: str) -> ss.ImportedModel:
     """The exported hexapod after a change of its text, in one place."""
     file = exported(form)
     assert change[0] in file.text
-    return ss.import_model(written(ss.ModelFile(file.text.replace(*change, 1), file.loops), folder / "model"))
+    return ss.import_model(
+        written(ss.ExportedModel(file.text.replace(*change, 1), file.loop_closures), folder / "model")
+    )
 
 
 @pytest.mark.parametrize("name", LEFT_OUT)
@@ -323,9 +330,7 @@ def test_a_link_of_sdf_without_an_inertial_has_the_mass_that_drake_gives_it(tmp_
 
 
 def test_an_inertia_that_no_body_has_is_warned_of(tmp_path: Path) -> None:
-    with pytest.warns(
-        ss.PhysicalityWarning, match=r"model: platform: inertia: .*\[platform-inertia\]"
-    ) as caught:
+    with pytest.warns(ss.RobotWarning, match=r"model: platform: inertia: .*\[platform-inertia\]") as caught:
         altered(tmp_path, "urdf", 'ixx="0.9"', 'ixx="-0.9"')
     assert len(caught) == 1
     assert caught[0].filename == __file__
@@ -335,7 +340,7 @@ def test_shapes_outside_the_groups_that_count_have_no_mass(tmp_path: Path) -> No
     geoms = '<geom size="0.1" mass="4" group="1"/><geom size="0.2" mass="9" group="3"/>'
     counting = '<compiler inertiagrouprange="0 1" inertiafromgeom="true" '
     text = exported().text.replace("<compiler ", counting).replace("<inertial ", f"{geoms}<inertial ")
-    robot = ss.import_model(written(ss.ModelFile(text, None), tmp_path / "model")).robot
+    robot = ss.import_model(written(ss.ExportedModel(text, None), tmp_path / "model")).robot
     np.testing.assert_allclose([robot.M, *robot.m_d, *robot.m_u], 4.0)
 
 
@@ -447,7 +452,7 @@ def test_an_old_version_is_the_machine_that_drake_takes_it_for(name: str, tmp_pa
     found, expected = (imported(text, tmp_path).robot for text in (old, new))
     assert found.to_dict() == expected.to_dict()
     np.testing.assert_allclose(np.einsum("ij,ij->i", found.k, axes[:, 0]), 1.0, rtol=1e-12)
-    S = found.home + found.p - found.b
+    S = found.home_position + found.p - found.b
     L = np.linalg.norm(S, axis=-1)
     np.testing.assert_allclose(np.einsum("ij,ij->i", S, axes[:, 2]) / L, 1.0, rtol=1e-12)
 

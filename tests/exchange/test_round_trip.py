@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from command_line import rejects
 from exported_models import HEXAPOD, imported, written
-from machines import offset_case, random_robot, upside_down_in_millimetres
+from machines import offset_case, random_robot, upside_down_in_millimeters
 
 import stewart_sym as ss
 from stewart_sym.exchange.chain import Model
@@ -22,7 +22,7 @@ FORMATS = ("mjcf", "sdf", "drake", "urdf")
 NOT_POSSIBLE = ("I_p", "I_d0", "I_u0")
 pytestmark = [
     pytest.mark.filterwarnings("ignore:.*(noted only|left out)"),
-    pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.PhysicalityWarning"),
+    pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.RobotWarning"),
 ]
 
 
@@ -30,7 +30,12 @@ pytestmark = [
 MOTION_SIMULATOR = {
     "schema": 2,
     "name": "motion simulator",
-    **{"length_unit": "mm", "angle_unit": "deg", "gravity": [0.0, 0.0, 9.81], "home": [0.0, 0.0, -900.0]},
+    **{
+        "length_unit": "mm",
+        "angle_unit": "deg",
+        "gravity": [0.0, 0.0, 9.81],
+        "home_position": [0.0, 0.0, -900.0],
+    },
     "base": {"radius": 800.0, "angles": [-10.0, 10.0, 110.0, 130.0, 230.0, 250.0], "z": 0.0},
     "platform": {
         **{"radius": 600.0, "angles": [-50.0, 50.0, 70.0, 170.0, 190.0, 290.0], "z": 0.0},
@@ -44,8 +49,19 @@ MOTION_SIMULATOR = {
         **{"stroke": [-200.0, 200.0], "force_limit": 6e3, "speed_limit": 600.0},
         "joint_angle_limit": [40.0, 35.0],
         "drive": {
-            **{"lead": -10.0, "gear": 2.0, "efficiency": 0.9, "back_efficiency": 0.8, "rotor_inertia": 3e-4},
-            **{"motor_coulomb": 0.1, "screw_coulomb": 40.0, "smoothing": 1.0, "torque_constant": 0.6},
+            **{
+                "lead": -10.0,
+                "gear_ratio": 2.0,
+                "efficiency": 0.9,
+                "backdrive_efficiency": 0.8,
+                "rotor_inertia": 3e-4,
+            },
+            **{
+                "motor_coulomb": 0.1,
+                "screw_coulomb": 40.0,
+                "regularization_speed": 1.0,
+                "torque_constant": 0.6,
+            },
             **{"resistance": 0.8, "rated_torque": 3.0, "torque_limit": 9.0, "current_limit": 18.0},
             **{"speed_limit": 27e3, "power_limit": 2e3},
         },
@@ -57,17 +73,21 @@ def robots() -> dict[str, ss.Robot]:
     """Machines of all kinds, one with every field that no format has a place for."""
     found = {name: ss.robots.load(name) for name in ss.robots.NAMES}
     found |= {f"random {i}": random_robot(np.random.default_rng(i), kind) for i, kind in enumerate(KINDS)}
-    found["upside down, mm"] = upside_down_in_millimetres()
+    found["upside down, mm"] = upside_down_in_millimeters()
     hexapod = ss.Robot.from_toml(HEXAPOD)
     limits = {
         "speed_limit": np.linspace(0.1, 0.6, 6),
         "force_limit": np.array([1.0, 2.0, 3.0, 4.0, 5.0, np.inf]),
     }
-    poses = {"home": np.array([0.01, 0.02, 0.7]), "tool": np.array([0.0, 0.0, 0.3]), "lengths": "relative"}
-    kept = {"euler_order": "xyz", "accept": ("mass", "friction")}
+    poses = {
+        "home_position": np.array([0.01, 0.02, 0.7]),
+        "tool": np.array([0.0, 0.0, 0.3]),
+        "length_mode": "relative",
+    }
+    kept = {"euler_order": "xyz", "suppressed_warnings": ("mass", "friction")}
     drive = ss.Drive(lead=np.linspace(0.004, 0.01, 6), rotor_inertia=2e-5, efficiency=0.9, torque_limit=3.0)
     rest = {"g": np.array([1.0, -2.0, 9.0]), "drive": drive}
-    angles = {"home": np.array([0.0, 0.0, 0.65]), "joint_angle_limit": np.full((6, 2), 0.7)}
+    angles = {"home_position": np.array([0.0, 0.0, 0.65]), "joint_angle_limit": np.full((6, 2), 0.7)}
     return found | {
         "hexapod": hexapod,
         "joint angles": dataclasses.replace(hexapod, **angles),
@@ -80,11 +100,13 @@ KINDS = ("universal", "spherical")
 ROBOTS = robots()
 
 
-def without_notes(file: ss.ModelFile) -> ss.ModelFile:
+def without_notes(file: ss.ExportedModel) -> ss.ExportedModel:
     notes = r"<custom>.*?</custom>|<stewart_sym:notes>.*?</stewart_sym:notes>"
     text = re.sub(notes, "", file.text, flags=re.DOTALL)
-    loops = None if file.loops is None else json.dumps({**json.loads(file.loops), "notes": {}})
-    return ss.ModelFile(text, loops)
+    loops = (
+        None if file.loop_closures is None else json.dumps({**json.loads(file.loop_closures), "notes": {}})
+    )
+    return ss.ExportedModel(text, loops)
 
 
 PARTICULAR = ("dasgupta1998", "random 0", "random 1", "upside down, mm", "motion simulator", "all")
@@ -119,14 +141,14 @@ def test_notes_are_of_the_leg_they_name_in_files_of_any_order(form: str, moved: 
     parent.insert(next(i for i, child in enumerate(parent) if child.tag == element.tag), element)
     changed = ET.tostring(root, encoding="unicode")
     assert form != "sdf" or "<ns0:notes>" in changed
-    path = written(ss.ModelFile(changed, file.loops), tmp_path / "model")
+    path = written(ss.ExportedModel(changed, file.loop_closures), tmp_path / "model")
     found = ss.import_model(path)
     assert found.assumptions[0].startswith("legs in the order of the notes: 1 'lower_1' 'upper_1', 2 ")
     assert differences(found.robot, robot) == {}
     # Legs of other names are those of the file.
     renamed = changed.replace("leg_", "strut_")
-    loops = None if file.loops is None else file.loops.replace("leg_", "strut_")
-    other = ss.import_model(written(ss.ModelFile(renamed, loops), tmp_path / "renamed"))
+    loops = None if file.loop_closures is None else file.loop_closures.replace("leg_", "strut_")
+    other = ss.import_model(written(ss.ExportedModel(renamed, loops), tmp_path / "renamed"))
     assert any("notes: legs in the order of the file" in line for line in other.assumptions)
 
 
@@ -138,7 +160,7 @@ def test_a_machine_in_a_room_has_a_link_called_world_that_is_not_the_root(tmp_pa
         '<origin xyz="1 2 3"/></joint></robot>'
     )
     text = file.text.replace("</robot>", bolts)
-    found = ss.import_model(written(ss.ModelFile(text, file.loops), tmp_path / "room")).robot
+    found = ss.import_model(written(ss.ExportedModel(text, file.loop_closures), tmp_path / "room")).robot
     np.testing.assert_allclose(found.b - robot.b, np.tile([1.0, 2.0, 3.0], (6, 1)), atol=1e-12)
     np.testing.assert_allclose(found.p - found.p[0], robot.p - robot.p[0], atol=1e-12)
 
@@ -155,15 +177,17 @@ def test_a_changed_armature_is_a_rotor_of_the_noted_drive(tmp_path: Path) -> Non
     assert dataclasses.replace(found.robot.drive, rotor_inertia=robot.drive.rotor_inertia) == robot.drive
 
 
-def without_armatures(file: ss.ModelFile, table: bool = True) -> ss.ModelFile:
+def without_armatures(file: ss.ExportedModel, table: bool = True) -> ss.ExportedModel:
     """A file without armatures; ``table``: whether that of them stays, empty."""
     text = re.sub(r' armature=".*?"', "", file.text)
-    if file.loops is None:
-        return ss.ModelFile(text, None)
-    loops = {key: {} if key == "armature_kg" else value for key, value in json.loads(file.loops).items()}
+    if file.loop_closures is None:
+        return ss.ExportedModel(text, None)
+    loops = {
+        key: {} if key == "armature_kg" else value for key, value in json.loads(file.loop_closures).items()
+    }
     if not table:
         del loops["armature_kg"]
-    return ss.ModelFile(text, json.dumps(loops))
+    return ss.ExportedModel(text, json.dumps(loops))
 
 
 @pytest.mark.parametrize(("form", "table"), [("mjcf", True), ("urdf", True), ("urdf", False)])
@@ -208,7 +232,7 @@ def test_bodies_and_joints_alone_are_the_robot_to_rounding(name: str, form: str,
     unstated = {"mjcf": {"C_s", "speed_limit"}, "sdf": {"C_s"}, "drake": {"C_s"}, "urdf": set()}[form]
     unstated |= {"lower_length", "upper_length"}
     unstated |= {"C_u"} if form in ("sdf", "drake") and robot.base_joint == "spherical" else set()
-    for field in set(differences(again, robot)) - unstated - {"home"}:
+    for field in set(differences(again, robot)) - unstated - {"home_position"}:
         value = np.asarray(getattr(robot, field))
         np.testing.assert_allclose(
             getattr(again, field), value, rtol=0, atol=1e-12 * max(1.0, np.abs(value).max()), err_msg=field
@@ -246,14 +270,14 @@ def test_marks_that_turn_text_round_in_a_models_name_are_shown_as_their_numbers(
 
 
 def test_an_inertia_of_no_body_is_rejected_in_one_line_that_says_what_to_do() -> None:
-    robot = dataclasses.replace(ROBOTS["dasgupta1998"], accept=())
+    robot = dataclasses.replace(ROBOTS["dasgupta1998"], suppressed_warnings=())
     for form in ("mjcf", "sdf", "drake", "usd"):
         rejects(r'platform: .* break A .* accept "platform-inertia"', ss.export_model, robot, form)
     assert ss.export_model(robot, "urdf").text == ss.export_model(ROBOTS["dasgupta1998"], "urdf").text
 
 
 def test_an_inertia_of_no_body_that_is_accepted_is_written_as_the_nearest_possible() -> None:
-    with pytest.warns(ss.PhysicalityWarning) as caught:
+    with pytest.warns(ss.RobotWarning) as caught:
         file = ss.export_model(ROBOTS["dasgupta1998"], "mjcf")
     assert len([each for each in caught if "nearest possible" in str(each.message)]) == 3
     model = mujoco.MjModel.from_xml_string(file.text)
@@ -262,10 +286,13 @@ def test_an_inertia_of_no_body_that_is_accepted_is_written_as_the_nearest_possib
 
 
 def test_without_a_home_pose_what_is_told_from_it_is_left_out() -> None:
-    angles = noted({"joint_angle_limit": ROBOTS["joint angles"].joint_angle_limit, "lengths": "relative"})
+    angles = noted({"joint_angle_limit": ROBOTS["joint angles"].joint_angle_limit, "length_mode": "relative"})
     robot, said = with_notes(ROBOTS["hexapod"], Model("tilted", np.zeros(3), (), (), notes=angles))
     assert robot.to_dict() == ROBOTS["hexapod"].to_dict()
-    assert [line.partition(": from the home pose")[0] for line in said] == ["lengths", "joint_angle_limit"]
+    assert [line.partition(": from the home pose")[0] for line in said] == [
+        "length_mode",
+        "joint_angle_limit",
+    ]
 
 
 @pytest.mark.parametrize(
@@ -302,7 +329,7 @@ def test_shapes_have_the_lengths_of_the_parts_that_the_robot_states(tmp_path: Pa
 OFFSETS = {
     "example": ss.Robot.from_toml(HEXAPOD.with_name("offset-joints.toml")),
     "without crosses": dataclasses.replace(
-        ROBOTS["mathworks2002"], offsets=ss.Offsets(cross=0.01, across=-0.02)
+        ROBOTS["mathworks2002"], offsets=ss.JointOffsets(axis_offset=0.01, slide_offset_z=-0.02)
     ),
     **{f"random {seed}": offset_case(seed)[0] for seed in range(2)},
 }
@@ -315,7 +342,7 @@ def test_offset_joints_come_back_and_go_out_to_the_same_bytes(name: str, form: s
     file = ss.export_model(robot, form)
     found = ss.import_model(written(file, tmp_path / "model"))
     assert set(differences(found.robot, robot)) == {"offsets"}
-    for each in dataclasses.fields(ss.Offsets):
+    for each in dataclasses.fields(ss.JointOffsets):
         np.testing.assert_array_equal(
             getattr(found.robot.offsets, each.name), getattr(robot.offsets, each.name)
         )
@@ -330,7 +357,7 @@ def test_offsets_of_the_model_count_where_its_note_says_otherwise(tmp_path: Path
     with pytest.raises(ValueError, match="joint 'tip_1': expected a loop that is closed"):
         imported(re.sub(lower, r"\g<1>0.012", text), tmp_path)
     found = imported(re.sub(lower, r"\g<1>0.0101", text), tmp_path)
-    assert found.robot.offsets.cross[0] == pytest.approx(0.0101)
+    assert found.robot.offsets.axis_offset[0] == pytest.approx(0.0101)
     assert "offsets: the model says otherwise than the note, the model is taken" in found.assumptions
 
 
@@ -352,7 +379,7 @@ def test_a_note_of_offsets_that_is_none_is_rejected_in_one_line(tmp_path: Path) 
 
 def test_a_leg_along_its_fixed_axis_is_rejected() -> None:
     robot = ROBOTS["mathworks2002"]
-    leg = robot.home + robot.p - robot.b
+    leg = robot.home_position + robot.p - robot.b
     k = np.array([*leg[:1], *robot.k[1:]])
     with pytest.raises(ValueError, match="leg 1: expected a fixed axis across the leg at home"):
         ss.export_model(dataclasses.replace(robot, k=k), "mjcf")

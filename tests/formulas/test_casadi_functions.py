@@ -40,7 +40,7 @@ def test_values_are_those_of_the_c(machine: str, checked: bool) -> None:
     )
     terms = called(ss.casadi_function(robot, "equations", checked=checked), motion)
     answers = ss.equations_of_motion(robot, motion)
-    for name in ("M", "C", "g", "friction", "bias"):
+    for name in ("M", "C", "g", "friction", "bias", "bias_and_friction"):
         answer = getattr(answers, name)
         np.testing.assert_allclose(terms[name], answer, rtol=0, atol=1e-14 * np.abs(answer).max())
     moved = called(ss.casadi_function(robot, "forward_dynamics", checked=checked), motion, F=expected.F)
@@ -59,7 +59,7 @@ def test_statuses_are_those_of_the_c_and_numbers_are_nan_there() -> None:
     upright, motion = machine_in_motion(rng)
     for sine, status in ((0.01, 0), (1e-5, 0), (1e-14, 3)):
         robot = leaning(upright, motion, sine, 2, rng.normal(size=3))
-        F, codes = ss.prepare(robot).forces_and_status(motion)
+        F, codes = ss.ForceKernel(robot).forces_and_status(motion)
         found = called(ss.casadi_function(robot), motion)
         assert found["status"] == codes == status
         np.testing.assert_allclose(found["F"], F, rtol=1e-9, equal_nan=True)
@@ -88,17 +88,17 @@ def test_jacobians_are_our_derivatives(machine: str, checked: bool) -> None:
         np.testing.assert_allclose(slope, answer, rtol=0, atol=1e-9 * np.abs(answer).max())
 
 
-def test_jacobians_of_forward_dynamics_are_the_linearisation() -> None:
+def test_jacobians_of_forward_dynamics_are_the_linearization() -> None:
     robot = MACHINES["random"]()
     motion = random_motion(np.random.default_rng(53), robot)
-    F = ss.prepare(robot).forces(motion)
+    F = ss.ForceKernel(robot).forces(motion)
     force = casadi.SX.sym("force", 6)
     function = ss.casadi_function(robot, "forward_dynamics", checked=False)
     found, (step, twist, _), at = moved(function, robot, motion, F=force)
     rates = casadi.vertcat(found["a"], found["alpha"])
     by = [step, twist, force]
     slopes = casadi.Function("slopes", by, [casadi.jacobian(rates, each) for each in by])(*at[:2], F)
-    expected = ss.linearise(robot, motion, F)
+    expected = ss.linearize(robot, motion, F)
     answers = (expected.A[6:, :6], expected.A[6:, 6:], expected.B[6:])
     for slope, answer in zip(slopes, answers, strict=True):
         np.testing.assert_allclose(slope, answer, rtol=0, atol=1e-9 * np.abs(answer).max())
@@ -119,7 +119,7 @@ def test_ipopt_finds_the_height_of_least_forces() -> None:
     rest = np.zeros((601, 3))
     t = np.column_stack([np.full(601, 0.1), np.zeros(601), heights])
     along = ss.Motion(R=np.broadcast_to(np.eye(3), (601, 3, 3)), t=t, omega=rest, v=rest, alpha=rest, a=rest)
-    squares = (ss.prepare(robot).forces(along) ** 2).sum(axis=1)
+    squares = (ss.ForceKernel(robot).forces(along) ** 2).sum(axis=1)
     assert float(found["f"]) <= squares.min() * (1 + 1e-6)
     assert abs(float(found["x"]) - heights[squares.argmin()]) < 2e-3
 

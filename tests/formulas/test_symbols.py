@@ -14,10 +14,10 @@ from motion_fields import FIELDS
 import stewart_sym as ss
 
 OF_FORCES = ("F", "D", "K", "H", "c")
-OF_MOTION = ("M", "C", "g", "friction", "bias")
+OF_MOTION = ("M", "C", "g", "friction", "bias", "bias_and_friction")
 
 
-def value(formulas: ss.Symbolic, motion: ss.Motion, **more: Any) -> np.ndarray:
+def value(formulas: ss.SymbolicResult, motion: ss.Motion, **more: Any) -> np.ndarray:
     given = {name: getattr(motion, name) for name in FIELDS if name in formulas.arguments}
     return formulas.function()(**given, **more)
 
@@ -33,7 +33,7 @@ def test_formulas_of_the_papers_machine_have_the_values_of_the_c(what: str) -> N
     source = ss.equations_of_motion if what == "M" else ss.inverse_dynamics
     # Offsets of zero are none.
     close(
-        value(ss.symbolic(replace(robot, offsets=ss.Offsets()), what), motion),
+        value(ss.symbolic(replace(robot, offsets=ss.JointOffsets()), what), motion),
         getattr(source(robot, motion), what),
     )
 
@@ -67,7 +67,7 @@ def test_whole_formulas_hold_the_arguments_alone_and_the_same_values() -> None:
     robot = dasgupta()
     motion = random_motion(np.random.default_rng(42), robot)
     H = ss.symbolic(robot, "H")
-    whole = H.whole()
+    whole = H.substituted()
     pose = [symbol for name in ("R", "t") for symbol in H.arguments[name]]
     assert whole.free_symbols <= set(pose)
     numbers = [*motion.R.ravel(), *motion.t]

@@ -1,4 +1,4 @@
-"""The generated C under sanitizers and a fuzzer: no undefined behaviour, and every output keeps its contract.
+"""The generated C under sanitizers and a fuzzer: no undefined behavior, and every output keeps its contract.
 
 Oracles in tests/support/c: status in the known set, outputs untouched on a status other than 0 and finite
 on 0, one pose equal to the batch bit for bit, null pointers rejected, no byte beside an array.
@@ -25,7 +25,7 @@ FLOAT = ["-DSTEWART_FLOAT"]
 SOME, SOME_WITH_ROTORS = (None, None) if FULL else (attack_build.SOME, attack_build.SOME_WITH_ROTORS)
 OTHERS = SOME and [stem for stem in SOME if stem not in attack_build.FEW]
 KERNELS = len(attack_build.oracles() if SOME is None else SOME)
-# To compile optimised takes ten times as long as a twentieth of the runs.
+# To compile optimized takes ten times as long as a twentieth of the runs.
 LEVEL = "-O1" if FULL else "-O0"
 SEEDS = attack_build.ATTACK / "seeds.txt"
 
@@ -40,7 +40,7 @@ def need(folder: Path, compiler: str, flags: list[str]) -> None:
 WAYS = {
     "gcc-double": ("gcc", ["-O0", *SANITIZED], 2_000, attack_build.FEW),
     "gcc-float": ("gcc", ["-O0", *SANITIZED, *FLOAT], share(20_000), attack_build.FEW),
-    "clang-uninitialised": ("clang", [LEVEL, *MEMORY], share(10_000), SOME),
+    "clang-uninitialized": ("clang", [LEVEL, *MEMORY], share(10_000), SOME),
 }
 
 
@@ -61,7 +61,7 @@ def test_random_cases_keep_the_contract(way: str, tmp_path: Path) -> None:
         pytest.param(FLOAT, SOME_WITH_ROTORS, True, id="float-rotors"),
     ],
 )
-def test_what_ships_gives_the_bits_of_c_that_is_not_optimised(
+def test_what_ships_gives_the_bits_of_c_that_is_not_optimized(
     flags: list[str], chosen: Sequence[str] | None, rotors: bool, tmp_path: Path
 ) -> None:
     """Vector instructions, where one pose and a batch take different ways to the same bits."""
@@ -129,7 +129,7 @@ def test_every_kernel_has_an_oracle(rotors: bool) -> None:
     assert set(attack_build.SOME_WITH_ROTORS if rotors else attack_build.SOME) <= set(attacked)
     for stem, (kernel, kind) in attacked.items():
         header = (attack_build.GENERATED / f"{stem}.h").read_text()
-        entries = {"forces": "_prepare", "dynamics": "_joint_reactions_batch", "motion": "_bias"}
+        entries = {"forces": "_prepare", "dynamics": "_joint_reactions_batch", "motion": "_bias_and_friction"}
         entries |= {"bounds": "_forces_bounded_batch", "legs": "_batch", "regressor": "_regressor_batch"}
         entries |= {"axial": "_axial_forces"}
         if kind == "torque":

@@ -37,7 +37,7 @@ def baked_forces(robot: Robot, motion: Motion) -> Array:
 def motions(robot: Robot, count: int = 9) -> Motion:
     rng = np.random.default_rng(8)
     poses = [random_motion(rng, robot) for _ in range(count)]
-    return Motion(*(np.stack([getattr(pose, name) for pose in poses]) for name in MOTION))
+    return Motion(**{name: np.stack([getattr(pose, name) for pose in poses]) for name in MOTION})
 
 
 def simple_robot() -> Robot:
@@ -74,7 +74,7 @@ def test_baking_the_papers_machine_saves_operations(level: str) -> None:
     assert made.baked_operations < made.operations
 
 
-@pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.PhysicalityWarning")
+@pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.RobotWarning")
 def test_terms_that_are_zero_for_a_robot_disappear_from_its_kernel() -> None:
     robot = simple_robot()
     cost = functools.partial(_baked_operations, robot)

@@ -34,7 +34,7 @@ from stewart_sym.generated.fidelities import DRIVE_FIDELITIES, FIDELITIES
 from stewart_sym.motion.motion import Motion
 from stewart_sym.results import OK
 from stewart_sym.robot.robot import Robot
-from stewart_sym.robot.units import Units
+from stewart_sym.robot.units import UnitScaling
 from stewart_sym.studies.accuracy import scales
 
 SOURCES = sorted(path.name for path in GENERATED.glob("*.c"))
@@ -140,7 +140,7 @@ def test_float_compiles_without_a_silent_conversion(source: str) -> None:
 
 
 def in_lanes(robot: Robot, motion: Motion, formulation: str) -> NDArray[Any]:
-    return ss.prepare(robot, formulation, "float").forces(motion)
+    return ss.ForceKernel(robot, formulation, "float").forces(motion)
 
 
 def one_pose(robot: Robot, motion: Motion, formulation: str) -> NDArray[Any]:
@@ -177,8 +177,8 @@ def test_every_level_in_float_is_within_100_units_times_condition_of_its_double(
         if rotors:
             robot = with_random_drives(rng, robot)
         motion = random_motion(rng, robot, (20,))
-        expected = ss.prepare(robot, fidelity=fidelity).forces(motion)
-        found = ss.prepare(robot, precision="float", fidelity=fidelity).forces(motion)
+        expected = ss.ForceKernel(robot, fidelity=fidelity).forces(motion)
+        found = ss.ForceKernel(robot, precision="float", fidelity=fidelity).forces(motion)
         full = ss.inverse_dynamics(robot, motion)
         condition = ss.scaled_condition_number(full.H, ss.characteristic_length(robot))
         largest = np.max([np.abs(values).max(axis=-1) for values in (full.F, full.D, full.x)], axis=0)
@@ -206,7 +206,7 @@ def test_units_are_powers_of_two_near_the_machine_and_change_back_to_the_bit(bas
     rng = np.random.default_rng(62)
     for scale in (1e-4, 1e-3, 0.1, 1.0, 10.0, 1e3):
         robot, motion = machine_in_motion(rng, (4,), base_joint, scale=scale)
-        own = Units.of(robot)
+        own = UnitScaling.for_robot(robot)
         assert all(math.frexp(unit)[0] == 0.5 for unit in dataclasses.astuple(own))
         small, moved = own.robot(robot), own.motion(motion)
         for number in (np.abs(small.p).max(), max(small.M, small.m_d.max(), small.m_u.max())):
@@ -230,10 +230,10 @@ def test_no_unit_changes_a_bit_of_the_forces(base_joint: str, precision: Any) ->
     rng = np.random.default_rng(63)
     for scale, other in ((1e-3, 2.0**-20), (1e-3, 2.0**20), (1e3, 2.0**-8), (1.0, 2.0**10)):
         robot, motion = machine_in_motion(rng, (20,), base_joint, scale=scale)
-        # Both outside the sizes at which moments stay in metres, but for the last.
-        unit = Units(other, 2.0**-20, 2.0**5)
+        # Both outside the sizes at which moments stay in meters, but for the last.
+        unit = UnitScaling(other, 2.0**-20, 2.0**5)
         given = [(robot, motion), (unit.robot(robot), unit.motion(motion))]
-        found, there = (ss.prepare(each, precision=precision).forces(moving) for each, moving in given)
+        found, there = (ss.ForceKernel(each, precision=precision).forces(moving) for each, moving in given)
         if scale != 1.0:
             assert same_bits(unit.forces(there), found)
         else:
@@ -256,7 +256,7 @@ def per_length(size: float) -> float:
 
 
 @pytest.mark.parametrize("precision", ["double", "float"])
-def test_moments_are_taken_over_a_power_of_two_unless_the_platform_is_of_about_a_metre(
+def test_moments_are_taken_over_a_power_of_two_unless_the_platform_is_of_about_a_meter(
     precision: Any,
 ) -> None:
     robot = random_robot(np.random.default_rng(64))
@@ -266,7 +266,7 @@ def test_moments_are_taken_over_a_power_of_two_unless_the_platform_is_of_about_a
         # A size that is a power of two itself is the last that has it as its length.
         similar = dataclasses.replace(robot, p=(robot.p - robot.p[0]) / size * wanted)
         expected = per_length(np.abs(similar.p).max())
-        assert ss.prepare(similar, precision=precision).model[-3] == expected
+        assert ss.ForceKernel(similar, precision=precision).model[-3] == expected
         by = scale_of(np.abs(similar.p).max())
         assert by == (1.0 if 0.0625 <= wanted <= 0.125 else expected)
         folded = shared_blocks(
@@ -287,9 +287,9 @@ def plain(robot: Robot) -> dict[str, Any]:
 
 def test_a_machine_without_gravity_or_load_has_units() -> None:
     robot = dataclasses.replace(dasgupta(), g=np.zeros(3))
-    own = Units.of(robot)
+    own = UnitScaling.for_robot(robot)
     assert own.time == 1.0
-    motion = Motion(np.eye(3), np.array([0.1, 0.0, 0.5]), np.zeros(3), np.zeros(3))
+    motion = Motion(R=np.eye(3), t=np.array([0.1, 0.0, 0.5]), omega=np.zeros(3), v=np.zeros(3))
     changed = own.motion(motion)
     assert changed.a is None
     assert changed.F_ext is None
@@ -298,7 +298,7 @@ def test_a_machine_without_gravity_or_load_has_units() -> None:
 @pytest.mark.parametrize("bad", [0.0, -2.0, 3.0, math.inf, math.nan, 2, 2.0**200])
 @pytest.mark.parametrize("name", ["length", "mass", "time"])
 def test_a_unit_that_is_no_power_of_two_is_named(name: str, bad: float) -> None:
-    rejects(rf"^{name}: expected a power of two", Units, **{name: bad})
+    rejects(rf"^{name}: expected a power of two", UnitScaling, **{name: bad})
 
 
 # --- study ------------------------------------------------------------------------------------

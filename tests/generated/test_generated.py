@@ -59,12 +59,12 @@ SHORT = ("exact_forces", "exact_massless_static_forces", "kinematics", "legs", "
 
 
 @pytest.mark.parametrize("kernel", slow_but(SHORT, OF_EACH_KIND))
-def test_optimised_c_compiles_silently_and_calls_nothing_but_square_roots(
+def test_optimized_c_compiles_silently_and_calls_nothing_but_square_roots(
     kernel: str, tmp_path: Path
 ) -> None:
     """No heap, no I/O, no pow: gcc turns sqrt into an instruction, so nothing is left to link.
 
-    Warnings that come from optimising show here; all others need no code. Float: ``test_float``.
+    Warnings that come from optimizing show here; all others need no code. Float: ``test_float``.
     """
     target = str(tmp_path / "k.o")
     compiled_silently("gcc", "double", "c99", kernel, "-O1", "-c", "-o", target)

@@ -38,7 +38,7 @@ def test_many_poses_are_those_of_numpy(
 ) -> None:
     robot, motion = machine_in_motion(5, (3, MANY // 3 + 1), scale=scale)
     if not accelerations:
-        motion = ss.Motion(motion.R, motion.t, motion.omega, motion.v)
+        motion = ss.Motion(R=motion.R, t=motion.t, omega=motion.omega, v=motion.v)
     assert inverse._compiled_legs(robot, motion) is not None
     found = ss.inverse_kinematics(robot, motion)
     with numpy_alone(monkeypatch):
@@ -55,8 +55,10 @@ def test_a_fault_in_a_late_pose_is_named_as_numpy_names_it(monkeypatch: pytest.M
     n = MANY
     t = np.tile(home_position(robot.b, machine_size(robot)), (n, 1))
     t[n - 2] = robot.b[3] - robot.p[3]
-    short = ss.Motion(np.eye(3), t, np.zeros(3), np.zeros(3))
-    far = ss.Motion(np.eye(3), np.where(np.arange(n)[:, None] == n - 2, 1e200, t), np.zeros(3), np.zeros(3))
+    short = ss.Motion(R=np.eye(3), t=t, omega=np.zeros(3), v=np.zeros(3))
+    far = ss.Motion(
+        R=np.eye(3), t=np.where(np.arange(n)[:, None] == n - 2, 1e200, t), omega=np.zeros(3), v=np.zeros(3)
+    )
     for motion, message in ((short, rf"leg 4 has length zero at motion\[{n - 2}\]"), (far, "leg|overflow")):
         with pytest.raises(ValueError, match=message) as in_c:
             ss.inverse_kinematics(robot, motion)

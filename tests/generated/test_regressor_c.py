@@ -53,7 +53,7 @@ def faulty(robot: Robot) -> tuple[Motion, list[int]]:
     t[1], t[2] = robot.b[3] - robot.p[3], robot.b[4] - robot.p[4] + robot.k[4]
     t[3], omega[4], v[5] = np.nan, np.inf, 1e300
     statuses = [OK, ZERO_LENGTH, JOINT_SINGULAR, NOT_FINITE, NOT_FINITE, NOT_FINITE]
-    return Motion.unchecked(np.tile(np.eye(3), (6, 1, 1)), t, omega, v, a, a, a, a), statuses
+    return Motion._unchecked(np.tile(np.eye(3), (6, 1, 1)), t, omega, v, a, a, a, a), statuses
 
 
 @pytest.mark.parametrize("seed", range(8))
@@ -150,7 +150,7 @@ def test_a_pose_without_a_regressor_has_a_status_and_is_left_as_it_was(columns: 
     assert np.isfinite(Y[0]).all()
     assert (Y[1:] == UNTOUCHED).all()
     for i, code in enumerate(expected):
-        pose = Motion.unchecked(**{name: getattr(motion, name)[i] for name in MOTION})
+        pose = Motion._unchecked(**{name: getattr(motion, name)[i] for name in MOTION})
         found, alone = one_pose(robot, pose, columns)
         assert alone == code
         np.testing.assert_array_equal(found, Y[i])

@@ -43,12 +43,12 @@ def baked_kernel(robot: Robot, level: str, precision: str = "double") -> Kernel:
 
 def joined(motions: list[Motion]) -> Motion:
     poses = [loaded(motion) for motion in motions]
-    return Motion(*(np.stack([getattr(pose, name) for pose in poses]) for name in MOTION))
+    return Motion(**{name: np.stack([getattr(pose, name) for pose in poses]) for name in MOTION})
 
 
 def agree(kernel: Kernel, robot: Robot, motion: Motion, formulation: str, level: str) -> None:
     """Same statuses as with lanes; forces within units of rounding, condition and largest force."""
-    lanes = ss.prepare(robot, formulation, kernel.precision, level)  # type: ignore[arg-type]
+    lanes = ss.ForceKernel(robot, formulation, kernel.precision, level)  # type: ignore[arg-type]
     F, status = kernel.forces_and_status(motion)
     expected, codes = lanes.forces_and_status(motion)
     np.testing.assert_array_equal(status, codes)
@@ -102,7 +102,7 @@ def test_near_a_joint_singularity_status_and_code_path_are_those_of_the_lanes(
         robot, motion = machine_in_motion(rng)
         robot = leaning(robot, motion, float(sine))
         kernel = prepared(robot, formulation, "general", precision)
-        lanes = ss.prepare(robot, formulation, precision)  # type: ignore[arg-type]
+        lanes = ss.ForceKernel(robot, formulation, precision)  # type: ignore[arg-type]
         status, F = kernel.one(numbers(motion))
         expected, code = lanes.forces_and_status(motion)
         assert status == code
@@ -140,7 +140,7 @@ def test_zero_length_legs_have_the_status_of_the_lanes_at_every_length(level: st
         along = rng.normal(size=3)
         t = robot.b[leg] - motion.R @ robot.p[leg] + length * along / np.linalg.norm(along)
         motion = dataclasses.replace(motion, t=t)
-        lanes = ss.prepare(robot, "exact", precision, level)  # type: ignore[arg-type]
+        lanes = ss.ForceKernel(robot, "exact", precision, level)  # type: ignore[arg-type]
         status, _ = prepared(robot, "exact", level, precision).one(numbers(motion))
         assert status == lanes.status(motion)
         seen.add(int(status))
@@ -152,7 +152,7 @@ def test_zero_length_legs_have_the_status_of_the_lanes_at_every_length(level: st
 def test_failures_have_the_status_of_the_lanes(make: Any, precision: str) -> None:
     robot, motion = make()
     for level in ("general", "massless_static"):
-        lanes = ss.prepare(robot, "exact", precision, level)  # type: ignore[arg-type]
+        lanes = ss.ForceKernel(robot, "exact", precision, level)  # type: ignore[arg-type]
         kernels = [prepared(robot, "exact", level, precision)]
         if (level == "general") == (precision == "double"):
             kernels.append(baked_kernel(robot, level, precision))
@@ -166,7 +166,7 @@ def test_failures_have_the_status_of_the_lanes(make: Any, precision: str) -> Non
 def test_numbers_that_are_not_finite_or_overflow_have_the_status_of_the_lanes(level: str) -> None:
     robot = random_robot(np.random.default_rng(12))
     motion = numbers(random_motion(np.random.default_rng(13), robot))
-    lanes = ss.prepare(robot, fidelity=level).one_pose()
+    lanes = ss.ForceKernel(robot, fidelity=level).single_pose()
     kernels = [prepared(robot, "exact", level), baked_kernel(robot, level)]
     statuses = set()
     for where in range(motion.size):
@@ -212,7 +212,7 @@ def test_a_robot_that_is_not_finite_is_rejected_and_the_model_left_alone(level: 
     call = getattr(kernel.library, f"{kernel.prefix}_prepare")
     numbers = robot_numbers(robot)
     model = np.full(1000, UNTOUCHED)
-    lanes = ss.prepare(robot, fidelity=level).function("prepare")
+    lanes = ss.ForceKernel(robot, fidelity=level).c_function("prepare")
     other, rejected = np.full(5000, UNTOUCHED), 0
     for where in range(numbers.size):
         for value in (np.nan, np.inf, 1e308):

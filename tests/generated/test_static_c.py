@@ -102,10 +102,10 @@ def test_no_long_text_of_another_language_stands_in_python(folder: str) -> None:
 
 SUPPRESSED = {
     "cppcheck": {
-        "ctuuninitvar": "a structure assigned member by member; the analysers of gcc and clang follow it",
+        "ctuuninitvar": "a structure assigned member by member; the analyzers of gcc and clang follow it",
         "duplicateValueTernary": "pairs of choices exchange rows; cppcheck takes both rows for the same",
         "variableScope": "declarations stand at the head of a function, as in all of the emitted C",
-        "missingIncludeSystem": "system headers are not analysed",
+        "missingIncludeSystem": "system headers are not analyzed",
         "redundantAssignment": "the search of a pivot is unrolled: the next column's begins by an assignment",
         "unusedStructMember": "C has no structure without members",
     },
@@ -114,7 +114,7 @@ SUPPRESSED = {
         "bugprone-implicit-widening-of-multiplication-result": "an index of lane or row times a width",
         "bugprone-suspicious-memory-comparison": "the self-test holds a rejected call to leaving every byte",
         "clang-analyzer-core.uninitialized.Assign": "`fault_of` repeats the test that led to it, which is "
-        "not followed; gcc's analyser and MemorySanitizer see reads of what is not set",
+        "not followed; gcc's analyzer and MemorySanitizer see reads of what is not set",
         "cert-exp42-c": "the same",
         "cert-flp37-c": "the same",
     },
@@ -161,7 +161,7 @@ def test_cppcheck_finds_nothing(source: str, folder: Path) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("source", SHORT)
-def test_the_analyser_of_gcc_finds_nothing(source: str, folder: Path) -> None:
+def test_the_analyzer_of_gcc_finds_nothing(source: str, folder: Path) -> None:
     needed("gcc")
     command = ["gcc", "-std=c99", "-O2", "-fanalyzer", "-S", "-o", "/dev/null", f"{source}.c"]
     assert attack_build.ran(command, folder) == ""

@@ -23,29 +23,31 @@ SIGMA = 0.5
 
 def test_identified_parameters_are_within_three_sigma() -> None:
     for seed in range(3):
-        found = ss.simulated_experiment(robot(seed), excited(seed), SIGMA)
-        assert np.max(np.abs(found.deviation)) < 3.0
-        assert found.estimate.misfit == pytest.approx(1.0, abs=0.15)
+        found = ss.simulate_experiment(robot(seed), excited(seed), SIGMA)
+        assert np.max(np.abs(found.z_scores)) < 3.0
+        assert found.estimate.normalized_residual == pytest.approx(1.0, abs=0.15)
         pi = ss.inertial_parameters(robot(seed))
-        assert np.array_equal(found.truth, found.estimate.base.matrix @ pi.values)
+        assert np.array_equal(found.true_values, found.estimate.base.matrix @ pi.values)
 
 
 @pytest.mark.parametrize(("most", "verdict"), [(0.0, "consistent"), (6.0, "misfit")])
 def test_forces_of_one_leg_that_drift_are_named(most: float, verdict: str) -> None:
     machine, way = robot(0), excited(0)
-    F = ss.simulated_experiment(machine, way, SIGMA).F
+    F = ss.simulate_experiment(machine, way, SIGMA).F
     F[:, 0] += most * SIGMA * np.linspace(0.0, 1.0, len(F))
     found = ss.identify(machine, way.motion, F, SIGMA, way.base)
     assert found.verdict == verdict
-    assert [line.startswith("drift: ") for line in found.doubts[:1]] == [True] * (verdict == "misfit")
+    assert [line.startswith("drift: ") for line in found.warnings[:1]] == [True] * (verdict == "misfit")
 
 
 def test_without_noise_to_speak_of_the_parameters_come_back() -> None:
     machine, way = robot(0), excited(0)
-    found = ss.simulated_experiment(machine, way, 1e-9)
-    lengths = np.linalg.norm(ss.regressor(machine, way.motion)[..., way.base.kept], axis=(0, 1))
-    error = np.abs(found.estimate.values - found.truth) * lengths
-    assert np.max(error) <= 1e-8 * np.max(np.abs(found.truth) * lengths)
+    found = ss.simulate_experiment(machine, way, 1e-9)
+    lengths = np.linalg.norm(
+        ss.regressor(machine, way.motion)[..., way.base.independent_columns], axis=(0, 1)
+    )
+    error = np.abs(found.estimate.values - found.true_values) * lengths
+    assert np.max(error) <= 1e-8 * np.max(np.abs(found.true_values) * lengths)
 
 
 def test_masses_and_friction_of_the_robot_file_may_be_wrong_and_load_is_taken_off() -> None:
@@ -61,29 +63,29 @@ def test_masses_and_friction_of_the_robot_file_may_be_wrong_and_load_is_taken_of
     sigma = rng.uniform(0.5, 2.0, 6)
     base = ss.base_parameters(machine)
     right, wrong = (ss.identify(given, motion, F, sigma) for given in (machine, guess))
-    assert np.allclose(right.values, wrong.values, rtol=0, atol=1e-6 * np.max(right.sigma))
+    assert np.allclose(right.values, wrong.values, rtol=0, atol=1e-6 * np.max(right.std))
     truth = base.matrix @ ss.inertial_parameters(machine).values
-    assert np.max(np.abs(right.values - truth) / right.sigma) < 1e-3
+    assert np.max(np.abs(right.values - truth) / right.std) < 1e-3
 
 
 def test_a_force_counts_as_much_as_its_deviation_says() -> None:
     machine, way = robot(0), excited(0)
     F = ss.inverse_dynamics(machine, way.motion).F
     same, double = (ss.identify(machine, way.motion, F, sigma) for sigma in (1.0, 2.0))
-    assert np.allclose(double.sigma, 2.0 * same.sigma, rtol=1e-9)
+    assert np.allclose(double.std, 2.0 * same.std, rtol=1e-9)
     unknown = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1e6])
     off = F + np.array([0.0, 0.0, 0.0, 0.0, 0.0, 100.0])
     right, wrong = (ss.identify(machine, way.motion, forces, unknown) for forces in (F, off))
-    assert np.all(right.sigma > same.sigma)
-    assert np.max(np.abs(wrong.values - right.values) / right.sigma) < 1e-2
+    assert np.all(right.std > same.std)
+    assert np.max(np.abs(wrong.values - right.values) / right.std) < 1e-2
     believed = ss.identify(machine, way.motion, off, 1.0)
-    assert np.max(np.abs(believed.values - same.values) / same.sigma) > 10.0
+    assert np.max(np.abs(believed.values - same.values) / same.std) > 10.0
 
 
 def test_what_a_motion_does_excite_can_be_identified() -> None:
     machine = dasgupta()
-    path, step = ss.PATHS["II"]
-    motion = path.sample(path.times(step))
+    path, step = ss.PAPER_PATHS["II"]
+    motion = path.sample(path.time_grid(step))
     F = ss.inverse_dynamics(machine, motion).F
     base = ss.base_parameters(machine, motion)
     rejects(r"motion: excites \d+ of 100 base parameters", ss.identify, machine, motion[:10], F[:10], 1.0)
@@ -91,7 +93,7 @@ def test_what_a_motion_does_excite_can_be_identified() -> None:
     rejects("base: found for a machine of another b", ss.identify, other, motion, F, 1.0, base)
     found = ss.identify(machine, motion, F, 1.0, base)
     truth = base.matrix @ ss.inertial_parameters(machine).values
-    assert np.max(np.abs(found.values - truth) / found.sigma) < 0.01
+    assert np.max(np.abs(found.values - truth) / found.std) < 0.01
 
 
 def test_excitation_keeps_within_the_limits_and_tells_more_the_more_is_tried() -> None:
@@ -103,9 +105,9 @@ def test_excitation_keeps_within_the_limits_and_tells_more_the_more_is_tried() -
     limited = dataclasses.replace(
         machine, length_limits=limits, speed_limit=0.4 * np.max(np.abs(legs.L_dot), axis=0)
     )
-    angles = ss.joint_angles(dataclasses.replace(machine, home=home_pose(machine).t), free.motion)
+    angles = ss.joint_angles(dataclasses.replace(machine, home_position=home_pose(machine).t), free.motion)
     narrow = np.stack([0.2 * angles.base.max(axis=0), 0.3 * angles.platform.max(axis=0)], axis=-1)
-    stiff = dataclasses.replace(machine, home=home_pose(machine).t, joint_angle_limit=narrow)
+    stiff = dataclasses.replace(machine, home_position=home_pose(machine).t, joint_angle_limit=narrow)
     swung = ss.joint_angles(stiff, ss.choose_excitation(stiff, samples=100, candidates=3).motion)
     assert np.all(swung.base <= narrow[:, 0])
     assert np.all(swung.platform <= narrow[:, 1])
@@ -123,7 +125,9 @@ def test_excitation_keeps_within_the_limits_and_tells_more_the_more_is_tried() -
 def test_condition_is_that_of_the_singular_values() -> None:
     way = excited(2)
     H = ss.inverse_dynamics(robot(2), way.motion).H
-    A = np.linalg.solve(H, ss.regressor(robot(2), way.motion)[..., way.base.kept]).reshape(-1, way.base.rank)
+    A = np.linalg.solve(H, ss.regressor(robot(2), way.motion)[..., way.base.independent_columns]).reshape(
+        -1, way.base.rank
+    )
     assert way.condition == pytest.approx(np.linalg.cond(A / np.linalg.norm(A, axis=0)), rel=1e-6)
 
 
@@ -197,7 +201,7 @@ def test_wrong_rows_of_a_log_are_left_out_of_the_fit(noisy: bool, tmp_path: Path
     t[[150, 400], 0] += 0.02
     for name, columns, values in (
         ("log.csv", "t_x,t_y,t_z,theta_x,theta_y,theta_z", np.hstack([t, theta])),
-        ("forces.csv", "F1,F2,F3,F4,F5,F6", F),
+        ("forces.csv", "F_1,F_2,F_3,F_4,F_5,F_6", F),
     ):
         rows = np.column_stack([chosen.time, values])
         np.savetxt(tmp_path / name, rows, "%.17g", ",", header=f"time,{columns}", comments="")
@@ -231,8 +235,8 @@ def test_measured_forces_are_identified_beside_a_wrong_file(
 @pytest.mark.parametrize(
     ("old", "new", "words"),
     [
-        ("time,F1", "time,G1", "missing column F1"),
-        ("time,F1,F2", "time,F1,F1", "column F1 is given twice"),
+        ("time,F_1", "time,G1", "missing column F_1"),
+        ("time,F_1,F_2", "time,F_1,F_1", "column F_1 is given twice"),
         ("\n0.0,", "\n0.001,", "line 2: time: expected the time 0"),
         ("\n0.0,", "\nms,N,N,N,N,N,N\n0.0,", "all 0.001 times as large, expected their unit in"),
         ("\n0.0,", "\nzero,", "line 2: time: expected a finite number"),

@@ -31,9 +31,9 @@ def moved(machine: ss.Robot, share: float = MOVED) -> ss.Robot:
 
 def differentiated(found: ss.Experiment) -> ss.Motion:
     """The measured poses with the derivatives of an interpolating spline."""
-    q = smooth_motion.coordinates(found.measured, found.noise)
-    spline = make_interp_spline(found.noise.time, q, 5)
-    parts = [spline(found.noise.time, order) for order in range(3)]
+    q = smooth_motion.coordinates(found.measured_motion, found.pose_noise)
+    spline = make_interp_spline(found.pose_noise.time, q, 5)
+    parts = [spline(found.pose_noise.time, order) for order in range(3)]
     return ss.Motion.from_rpy(*(part for y in parts for part in (y[:, :3], y[:, 3:])))
 
 
@@ -41,39 +41,41 @@ def test_noise_of_poses_is_part_of_the_deviations_and_no_longer_bias() -> None:
     for seed in range(2):
         found = experiment(seed)
         assert found.estimate.verdict == "consistent"
-        assert found.estimate.doubts == ()
-        assert found.estimate.misfit == pytest.approx(1.0, abs=0.15)
-        assert np.max(np.abs(found.deviation)) < 4.0
-        exact = ss.simulated_experiment(robot(seed), excited(seed), 1.0, seed)
-        assert np.all(found.estimate.sigma > exact.estimate.sigma)
+        assert found.estimate.warnings == ()
+        assert found.estimate.normalized_residual == pytest.approx(1.0, abs=0.15)
+        assert np.max(np.abs(found.z_scores)) < 4.0
+        exact = ss.simulate_experiment(robot(seed), excited(seed), 1.0, seed)
+        assert np.all(found.estimate.std > exact.estimate.std)
         still = differentiated(found)
         believed = ss.identify(robot(seed), still, found.F, 1.0, excited(seed).base)
         assert believed.verdict == "rejected"
-        assert believed.misfit > 10.0
-        assert np.all(np.isinf(believed.sigma))
-        assert any("taken as exact" in line for line in believed.doubts)
+        assert believed.normalized_residual > 10.0
+        assert np.all(np.isinf(believed.std))
+        assert any("taken as exact" in line for line in believed.warnings)
 
 
 def test_motion_without_period_or_stated_noise_is_identified_as_well() -> None:
     found = experiment(0)
-    motion = dataclasses.replace(found.measured, omega=0 * found.measured.omega, v=0 * found.measured.v)
+    motion = dataclasses.replace(
+        found.measured_motion, omega=0 * found.measured_motion.omega, v=0 * found.measured_motion.v
+    )
     for period in (None, found.excitation.path.period):
-        noise = ss.estimated_noise(found.excitation.time, motion, period)
+        noise = ss.estimate_pose_noise(found.excitation.time, motion, period)
         drawn = float(np.sqrt(np.mean((motion.t - found.excitation.motion.t) ** 2)))
         assert noise.position == pytest.approx(drawn, rel=0.1)
         # Three standard deviations of an estimate from 3 SAMPLES values.
         assert noise.angle == pytest.approx(NOISE, rel=3 / np.sqrt(6 * SAMPLES))
-        seen = ss.identify(robot(0), motion, found.F, 1.0, noise=noise)
+        seen = ss.identify(robot(0), motion, found.F, 1.0, pose_noise=noise)
         assert seen.verdict == "consistent"
-        assert np.max(np.abs(seen.values - found.truth) / seen.sigma) < 4.0
+        assert np.max(np.abs(seen.values - found.true_values) / seen.std) < 4.0
 
 
 def test_the_basis_of_a_motion_does_not_grow_with_a_noise_that_is_stated_too_small() -> None:
     """The largest, of three quarters of the instants, takes minutes."""
     found = experiment(0)
-    right = dataclasses.replace(found.noise, period=None, harmonics=None)
+    right = dataclasses.replace(found.pose_noise, period=None, harmonics=None)
     small = dataclasses.replace(right, position=right.position / 6, angle=right.angle / 6)
-    q = smooth_motion.coordinates(found.measured, right)
+    q = smooth_motion.coordinates(found.measured_motion, right)
     sizes = [next(smooth_motion.from_best(noise, q)).size for noise in (right, small)]
     assert sizes[0] == sizes[1]
 
@@ -82,10 +84,10 @@ def test_load_is_taken_off_along_the_smooth_motion() -> None:
     found, rng = experiment(1), np.random.default_rng(5)
     load = {name: 100.0 * rng.normal(size=(SAMPLES, 3)) for name in ("F_ext", "M_ext")}
     more = change_by_load(robot(1), excited(1).motion, load)
-    motion = dataclasses.replace(found.measured, **load)
-    seen = ss.identify(robot(1), motion, found.F + more, 1.0, noise=found.noise)
+    motion = dataclasses.replace(found.measured_motion, **load)
+    seen = ss.identify(robot(1), motion, found.F + more, 1.0, pose_noise=found.pose_noise)
     assert seen.verdict == "consistent"
-    assert np.max(np.abs(seen.values - found.truth) / seen.sigma) < 4.0
+    assert np.max(np.abs(seen.values - found.true_values) / seen.std) < 4.0
 
 
 def change_by_load(machine: ss.Robot, motion: ss.Motion, load: dict[str, Array]) -> Array:
@@ -93,14 +95,16 @@ def change_by_load(machine: ss.Robot, motion: ss.Motion, load: dict[str, Array])
     return ss.inverse_dynamics(machine, loaded).F - ss.inverse_dynamics(machine, motion).F
 
 
-def misfits(machine: ss.Robot, found: ss.Experiment) -> dict[str, ss.Estimate]:
+def misfits(machine: ss.Robot, found: ss.Experiment) -> dict[str, ss.IdentificationResult]:
     """Estimates from models that are wrong."""
     without = ss.base_parameters(machine, friction=False)
     F = found.F + moved_halfway(machine, found, LEAST)
     base = found.estimate.base
     return {
-        "friction left out": ss.identify(machine, found.measured, found.F, 1.0, without, found.noise),
-        "mass moved on the way": ss.identify(machine, found.measured, F, 1.0, base, found.noise),
+        "friction left out": ss.identify(
+            machine, found.measured_motion, found.F, 1.0, without, found.pose_noise
+        ),
+        "mass moved on the way": ss.identify(machine, found.measured_motion, F, 1.0, base, found.pose_noise),
     }
 
 
@@ -116,43 +120,43 @@ class Shift(NamedTuple):
     beyond: how far, in deviations, it moves a parameter out of the range between before and after.
     """
 
-    estimate: ss.Estimate
+    estimate: ss.IdentificationResult
     squares: float
     beyond: float
 
 
 def barely_moved(machine: ss.Robot, found: ss.Experiment) -> Shift:
     F, base = moved_halfway(machine, found, BARELY), found.estimate.base
-    data = fits.Data(machine, found.measured, found.F + F, np.ones_like(F), base)
-    fit = fits.joint_fit(data, found.noise)
+    data = fits.Data(machine, found.measured_motion, found.F + F, np.ones_like(F), base)
+    fit = fits.joint_fit(data, found.pose_noise)
     added = np.zeros(2 * fit.parts[0].size)
     added[: F.size] = F.ravel()
     estimate = estimates.tested_estimate(data, fit, ())
     shift = estimate.values - found.estimate.values
-    after = base.matrix @ ss.inertial_parameters(moved(machine, BARELY)).values - found.truth
+    after = base.matrix @ ss.inertial_parameters(moved(machine, BARELY)).values - found.true_values
     out = np.maximum(shift - np.maximum(after, 0.0), np.minimum(after, 0.0) - shift)
     squares = float(np.sum(fit.unexplained(added) ** 2))
-    return Shift(estimate, squares, float(np.max(out / estimate.sigma)))
+    return Shift(estimate, squares, float(np.max(out / estimate.std)))
 
 
 def test_wrong_models_are_named() -> None:
     for seed in (0, 1):
         for estimate in misfits(robot(seed), experiment(seed)).values():
             assert estimate.verdict in ("misfit", "rejected")
-            assert estimate.inflation > 1.0
-            assert any(line.startswith("forces: differ smoothly") for line in estimate.doubts)
+            assert estimate.inflation_factor > 1.0
+            assert any(line.startswith("forces: differ smoothly") for line in estimate.warnings)
 
 
 def test_a_payload_that_moves_a_little_is_named_where_slow_changes_of_any_force_are_not() -> None:
     for seed in (18, 81):
         machine = robot(seed)
-        found = ss.simulated_experiment(
+        found = ss.simulate_experiment(
             machine, ss.choose_excitation(machine, candidates=5), 1.0, seed, NOISE, NOISE
         )
         estimate = barely_moved(machine, found).estimate
-        assert [line.split(":")[0] for line in estimate.doubts] == ["load"]
+        assert [line.split(":")[0] for line in estimate.warnings] == ["load"]
         assert estimate.verdict == "misfit"
-        assert 1.0 < estimate.inflation <= 3.0
+        assert 1.0 < estimate.inflation_factor <= 3.0
 
 
 @pytest.mark.parametrize(("scale", "verdict"), [(NOISE, "consistent"), (30 * NOISE, "rejected")])
@@ -164,29 +168,29 @@ def test_a_fit_that_is_not_linear_within_its_deviations_is_rejected(scale: float
     t = exact.t + scale * rng.normal(size=(150, 3))
     R = rotation_from_vector(scale * rng.normal(size=(150, 3))) @ exact.R
     noise = ss.PoseNoise(time, scale, scale, path_period(machine), 2)
-    seen = ss.identify(machine, ss.Motion(R, t, exact.omega, exact.v), F, 1.0, noise=noise)
+    seen = ss.identify(machine, ss.Motion(R=R, t=t, omega=exact.omega, v=exact.v), F, 1.0, pose_noise=noise)
     assert seen.verdict == verdict
-    assert [line[:4] for line in seen.doubts] == ["fit:"] * (verdict == "rejected")
+    assert [line[:4] for line in seen.warnings] == ["fit:"] * (verdict == "rejected")
     _, right = truth(machine)
-    assert np.max(np.abs(seen.values - right) / seen.sigma) < 4.0
+    assert np.max(np.abs(seen.values - right) / seen.std) < 4.0
 
 
 def test_noise_beyond_the_stated_one_inflates_the_deviations() -> None:
     found = experiment(0)
-    stated = dataclasses.replace(found.noise, position=NOISE / 2, angle=NOISE / 2)
-    seen = ss.identify(robot(0), found.measured, found.F, 0.5, excited(0).base, stated)
+    stated = dataclasses.replace(found.pose_noise, position=NOISE / 2, angle=NOISE / 2)
+    seen = ss.identify(robot(0), found.measured_motion, found.F, 0.5, excited(0).base, stated)
     assert seen.verdict == "misfit"
-    assert seen.inflation == pytest.approx(2.0, abs=0.2)
-    assert np.allclose(seen.sigma, found.estimate.sigma, rtol=0.15)
-    assert {line.split(":")[0] for line in seen.doubts} == {"forces", "poses"}
+    assert seen.inflation_factor == pytest.approx(2.0, abs=0.2)
+    assert np.allclose(seen.std, found.estimate.std, rtol=0.15)
+    assert {line.split(":")[0] for line in seen.warnings} == {"forces", "poses"}
 
 
 def test_a_robot_file_that_is_off_is_named() -> None:
     found = experiment(1)
-    deviation, p = found.estimate.departure(robot(1))
+    deviation, p = found.estimate.compare_with(robot(1))
     assert p > 1e-3
-    assert np.allclose(deviation, found.deviation)
-    other, p = found.estimate.departure(moved(robot(1)))
+    assert np.allclose(deviation, found.z_scores)
+    other, p = found.estimate.compare_with(moved(robot(1)))
     assert p < 1e-3
     far = {name for name, off in zip(found.estimate.base.names, other, strict=True) if abs(off) > 4.0}
     assert far & {"h_P_x", "h_P_y", "h_P_z"}
@@ -195,14 +199,14 @@ def test_a_robot_file_that_is_off_is_named() -> None:
 def test_joint_fit_has_the_slopes_of_its_residual() -> None:
     found = experiment(0)
     base = found.estimate.base
-    data = fits.Data(robot(0), found.measured, found.F, np.ones_like(found.F), base)
-    (basis,) = smooth_motion.bases(found.noise)
-    c = smooth_motion.pose_fit(basis, smooth_motion.coordinates(found.measured, found.noise))
+    data = fits.Data(robot(0), found.measured_motion, found.F, np.ones_like(found.F), base)
+    (basis,) = smooth_motion.bases(found.pose_noise)
+    c = smooth_motion.pose_fit(basis, smooth_motion.coordinates(found.measured_motion, found.pose_noise))
     # Of no machine: friction and the platform's mass are below zero.
-    values = np.where([name[0] in "CM" for name in base.names], -found.truth, found.truth)
+    values = np.where([name[0] in "CM" for name in base.names], -found.true_values, found.true_values)
     # The pose's residual is small beside its deviation only if the measured poses are those of c.
-    data = data._replace(motion=basis.motion(c, found.measured))
-    J = fits._jacobian(data, found.noise, basis, values, c)
+    data = data._replace(motion=basis.motion(c, found.measured_motion))
+    J = fits._jacobian(data, found.pose_noise, basis, values, c)
     rng = np.random.default_rng(1)
     for _ in range(3):
         by_values, by_c = rng.normal(size=len(values)) * np.abs(values), rng.normal(size=c.shape)
@@ -212,7 +216,7 @@ def test_joint_fit_has_the_slopes_of_its_residual() -> None:
             side: float, by_values: Array = by_values, by_c: Array = by_c, step: float = step
         ) -> Array:
             parts = fits._residuals(
-                data, found.noise, basis, values + side * step * by_values, c + side * step * by_c
+                data, found.pose_noise, basis, values + side * step * by_values, c + side * step * by_c
             )
             return np.concatenate([part.ravel() for part in parts])
 
@@ -272,11 +276,13 @@ def test_bases_are_tried_beyond_those_that_poses_tell() -> None:
 def test_poses_that_no_noise_fits_are_named() -> None:
     way = excited(0)
     with pytest.raises(ValueError, match=r"^motion: expected measured poses that scatter"):
-        ss.estimated_noise(way.time, way.motion, way.path.period, 5)
-    rejects(rf"^motion: expected {SAMPLES} instants", ss.estimated_noise, way.time, way.motion[1:])
-    rejects(r"^motion: expected more than 7 poses, got 7", ss.estimated_noise, way.time[:7], way.motion[:7])
+        ss.estimate_pose_noise(way.time, way.motion, way.path.period, 5)
+    rejects(rf"^motion: expected {SAMPLES} instants", ss.estimate_pose_noise, way.time, way.motion[1:])
+    rejects(
+        r"^motion: expected more than 7 poses, got 7", ss.estimate_pose_noise, way.time[:7], way.motion[:7]
+    )
     steep = ss.Motion.from_rpy(np.zeros((9, 3)), np.tile([0.0, 1.5, 0.0], (9, 1)), *np.zeros((2, 9, 3)))
-    rejects(r"^motion: expected theta_y within", ss.estimated_noise, np.arange(9.0), steep)
+    rejects(r"^motion: expected theta_y within", ss.estimate_pose_noise, np.arange(9.0), steep)
 
 
 # The hundred experiments
@@ -291,14 +297,14 @@ def test_experiments_with_noisy_poses_are_consistent_and_wrong_models_named() ->
     for seed in range(count):
         machine = dasgupta() if seed % 10 == 0 else robot(seed)
         way = ss.choose_excitation(machine, candidates=5)
-        found = ss.simulated_experiment(machine, way, 1.0, seed, NOISE, NOISE)
-        size = np.abs(found.deviation)
+        found = ss.simulate_experiment(machine, way, 1.0, seed, NOISE, NOISE)
+        size = np.abs(found.z_scores)
         assert np.max(size) <= 4.0
         largest.append(np.max(size))
         inside.append([np.mean(size <= width) for width in (1, 2)])
         consistent += found.estimate.verdict == "consistent"
-        agreeing += found.estimate.departure(machine)[1] >= 1e-3
-        assert found.estimate.departure(moved(machine))[1] < 1e-3
+        agreeing += found.estimate.compare_with(machine)[1] >= 1e-3
+        assert found.estimate.compare_with(moved(machine))[1] < 1e-3
         named = misfits(machine, found)
         if np.max(np.abs(machine.C_p)) < 1.0:
             # The paper's friction makes a tenth of a newton: nothing tells it from none.
@@ -328,41 +334,43 @@ def test_experiments_with_noisy_poses_are_consistent_and_wrong_models_named() ->
 @pytest.mark.parametrize("seed", [0, 1])
 def test_forces_that_lag_the_poses_are_named_with_their_lag(seed: int) -> None:
     found, machine = experiment(seed), robot(seed)
-    own, sigma = found.estimate.lag
+    own, sigma = found.estimate.force_lag
     assert abs(own) < 4.0 * sigma
     exact = ss.inverse_dynamics(machine, found.excitation.motion).F
     for lag, words in ((10.0 * sigma, "lag"), (-10.0 * sigma, "are ahead of")):
-        late = ss.inverse_dynamics(machine, found.excitation.path.sample(found.noise.time - lag)).F
+        late = ss.inverse_dynamics(machine, found.excitation.path.sample(found.pose_noise.time - lag)).F
         F, base = found.F + late - exact, found.estimate.base
-        seen = ss.identify(machine, found.measured, F, 1.0, base, found.noise)
+        seen = ss.identify(machine, found.measured_motion, F, 1.0, base, found.pose_noise)
         assert seen.verdict in ("misfit", "rejected")
-        assert seen.doubts[0].startswith(f"times: the forces {words} the poses by ")
-        assert seen.lag[0] == pytest.approx(lag, abs=4.0 * sigma)
-        assert seen.lag[1] == pytest.approx(sigma, rel=0.2)
+        assert seen.warnings[0].startswith(f"times: the forces {words} the poses by ")
+        assert seen.force_lag[0] == pytest.approx(lag, abs=4.0 * sigma)
+        assert seen.force_lag[1] == pytest.approx(sigma, rel=0.2)
         # What the lag changes of the values is in their deviations.
-        off = np.abs(seen.values - found.estimate.values) / found.estimate.sigma
-        assert np.sqrt(np.mean(off**2)) < seen.inflation
-    assert ss.identify(machine, found.excitation.motion, found.F, 1.0, base).lag is None
+        off = np.abs(seen.values - found.estimate.values) / found.estimate.std
+        assert np.sqrt(np.mean(off**2)) < seen.inflation_factor
+    assert ss.identify(machine, found.excitation.motion, found.F, 1.0, base).force_lag is None
 
 
 def test_a_lag_that_explains_a_part_is_named_after_what_is_missing() -> None:
     found, machine = experiment(0), robot(0)
-    lag = 60.0 * found.estimate.lag[1]
-    late = ss.inverse_dynamics(machine, found.excitation.path.sample(found.noise.time - lag)).F
+    lag = 60.0 * found.estimate.force_lag[1]
+    late = ss.inverse_dynamics(machine, found.excitation.path.sample(found.pose_noise.time - lag)).F
     F = found.F + late - ss.inverse_dynamics(machine, found.excitation.motion).F
     missing = np.zeros_like(F)
     missing[:, 2] = 8.0 * np.cos(17.0 * np.pi * np.arange(len(F)) / len(F))
     for off, place, words in ((0.0, 0, "shift those of one by it"), (missing, -1, "a part of it")):
-        doubts = ss.identify(machine, found.measured, F + off, 1.0, found.estimate.base, found.noise).doubts
+        doubts = ss.identify(
+            machine, found.measured_motion, F + off, 1.0, found.estimate.base, found.pose_noise
+        ).warnings
         assert doubts[place].startswith("times: ")
         assert words in doubts[place]
 
 
 def test_a_fit_that_misses_the_forces_by_far_ends_where_steps_are_small_beside_its_residual() -> None:
     found, machine = experiment(0), robot(0)
-    assert found.noise is not None
-    late = ss.inverse_dynamics(machine, found.excitation.path.sample(found.noise.time - 0.0423)).F
+    assert found.pose_noise is not None
+    late = ss.inverse_dynamics(machine, found.excitation.path.sample(found.pose_noise.time - 0.0423)).F
     F = found.F + late - ss.inverse_dynamics(machine, found.excitation.motion).F
-    seen = ss.identify(machine, found.measured, F, 1.0, found.estimate.base, found.noise)
+    seen = ss.identify(machine, found.measured_motion, F, 1.0, found.estimate.base, found.pose_noise)
     assert seen.verdict == "rejected"
-    assert not any(line.startswith("fit: did not converge") for line in seen.doubts)
+    assert not any(line.startswith("fit: did not converge") for line in seen.warnings)

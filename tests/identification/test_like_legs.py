@@ -30,16 +30,16 @@ def robot(seed: int) -> ss.Robot:
 
 @cache
 def excited(seed: int) -> ss.Excitation:
-    return ss.choose_excitation(robot(seed), samples=60, candidates=3, shared="legs")
+    return ss.choose_excitation(robot(seed), samples=60, candidates=3, identical_legs=True)
 
 
 @pytest.mark.parametrize("seed", range(3))
 def test_legs_alike_have_22_combinations_and_three_of_friction(seed: int) -> None:
-    base = ss.base_parameters(robot(seed), shared="legs")
+    base = ss.base_parameters(robot(seed), identical_legs=True)
     assert base.rank == 25
-    assert base.gap > 1e9
+    assert base.rank_gap > 1e9
     assert [name for name in base.names if name.startswith("C_")] == ["C_u", "C_p", "C_s"]
-    assert ss.base_parameters(robot(seed), friction=False, shared="legs").rank == 22
+    assert ss.base_parameters(robot(seed), friction=False, identical_legs=True).rank == 22
     assert not any(character.isdigit() for name in base.names for character in name)
     assert "M + 6*m_u" in base.formulas
 
@@ -47,48 +47,48 @@ def test_legs_alike_have_22_combinations_and_three_of_friction(seed: int) -> Non
 @pytest.mark.parametrize("seed", range(3))
 def test_they_give_the_wrench_of_any_motion(seed: int) -> None:
     rng = np.random.default_rng(seed)
-    base, pi = ss.base_parameters(robot(seed), shared="legs"), ss.inertial_parameters(robot(seed))
+    base, pi = ss.base_parameters(robot(seed), identical_legs=True), ss.inertial_parameters(robot(seed))
     motion = random_motion(rng, robot(seed), (20,))
     Y = ss.regressor(robot(seed), motion)
     values = base.matrix @ pi.values
     wrench = Y @ pi.values
     within = 1e-11 * np.max(np.abs(Y) @ np.abs(pi.values))
-    np.testing.assert_allclose(Y @ base.lift @ values, wrench, rtol=0, atol=within)
-    reduced = base.reduced(ss.regressor(robot(seed), motion, columns=base.columns()))
+    np.testing.assert_allclose(Y @ base.expansion @ values, wrench, rtol=0, atol=within)
+    reduced = base.reduce(ss.regressor(robot(seed), motion, columns=base.required_columns()))
     np.testing.assert_allclose(reduced @ values, wrench, rtol=0, atol=within)
-    np.testing.assert_allclose(base.matrix @ base.lift, np.eye(25), atol=1e-15)
+    np.testing.assert_allclose(base.matrix @ base.expansion, np.eye(25), atol=1e-15)
 
 
 def test_what_every_leg_has_of_its_own_is_as_before() -> None:
     base = ss.base_parameters(robot(0))
-    assert base.shared is None
-    np.testing.assert_array_equal(base.columns(), base.kept)
-    np.testing.assert_array_equal(base.lift, np.eye(148)[:, base.kept])
+    assert not base.identical_legs
+    np.testing.assert_array_equal(base.required_columns(), base.independent_columns)
+    np.testing.assert_array_equal(base.expansion, np.eye(148)[:, base.independent_columns])
 
 
 def test_noisy_forces_give_them_within_what_the_covariance_says() -> None:
-    runs = [ss.simulated_experiment(robot(1), excited(1), SIGMA, noise) for noise in range(40)]
-    off = [run.estimate.values - run.truth for run in runs]
+    runs = [ss.simulate_experiment(robot(1), excited(1), SIGMA, noise) for noise in range(40)]
+    off = [run.estimate.values - run.true_values for run in runs]
     weighed = [x @ np.linalg.solve(run.estimate.covariance, x) for x, run in zip(off, runs, strict=True)]
     assert np.mean(weighed) == pytest.approx(25, abs=4.0 * np.sqrt(2.0 * 25 / len(runs)))
-    assert np.mean([np.max(np.abs(run.deviation)) < 4.0 for run in runs]) >= 0.95
+    assert np.mean([np.max(np.abs(run.z_scores)) < 4.0 for run in runs]) >= 0.95
     assert np.mean([run.estimate.verdict == "consistent" for run in runs]) >= 0.95
 
 
 def test_sharing_makes_deviations_smaller() -> None:
     machine, way = robot(2), excited(2)
     F = ss.inverse_dynamics(machine, way.motion).F
-    once, apart = (ss.identify(machine, way.motion, F, SIGMA, shared=how) for how in ("legs", None))
+    once, apart = (ss.identify(machine, way.motion, F, SIGMA, identical_legs=how) for how in (True, False))
     place = {name: i for i, name in enumerate(apart.base.names)}
-    for name, sigma in zip(once.base.names, once.sigma, strict=True):
+    for name, sigma in zip(once.base.names, once.std, strict=True):
         if name.startswith(("h_d", "h_u", "J_u", "C_")):
-            assert all(sigma < apart.sigma[place[leg_name(name, leg)]] for leg in range(1, 7)), name
+            assert all(sigma < apart.std[place[leg_name(name, leg)]] for leg in range(1, 7)), name
 
 
 def test_noisy_poses_are_taken_into_account() -> None:
-    found = ss.simulated_experiment(robot(0), excited(0), 1.0, 3, 1e-4, 1e-4)
+    found = ss.simulate_experiment(robot(0), excited(0), 1.0, 3, 1e-4, 1e-4)
     assert found.estimate.verdict == "consistent"
-    assert np.max(np.abs(found.deviation)) < 4.0
+    assert np.max(np.abs(found.z_scores)) < 4.0
 
 
 def test_a_leg_that_differs_is_seen_in_the_residual() -> None:
@@ -96,7 +96,7 @@ def test_a_leg_that_differs_is_seen_in_the_residual() -> None:
     odd = dataclasses.replace(machine, m_u=machine.m_u * [1, 1, 1.5, 1, 1, 1])
     assert np.abs(change(machine, odd, way.motion)).max() > 10.0 * SIGMA
     F = ss.inverse_dynamics(odd, way.motion).F + SIGMA * np.random.default_rng(4).normal(size=(60, 6))
-    assert ss.identify(odd, way.motion, F, SIGMA, shared="legs").verdict in ("misfit", "rejected")
+    assert ss.identify(odd, way.motion, F, SIGMA, identical_legs=True).verdict in ("misfit", "rejected")
 
 
 def test_possible_bodies_are_the_same_in_every_leg() -> None:
@@ -104,21 +104,21 @@ def test_possible_bodies_are_the_same_in_every_leg() -> None:
     F = ss.inverse_dynamics(machine, way.motion).F + SIGMA * np.random.default_rng(5).normal(size=(60, 6))
     # The robot file's legs differ: they are where the fit begins.
     other = dataclasses.replace(machine, m_u=machine.m_u * np.linspace(0.8, 1.2, 6))
-    found = ss.identify(other, way.motion, F, SIGMA, physical=True, shared="legs")
+    found = ss.identify(other, way.motion, F, SIGMA, enforce_physical=True, identical_legs=True)
     np.testing.assert_allclose(alike(found.parameters.values), found.parameters.values, rtol=1e-12)
     np.testing.assert_allclose(found.base.matrix @ found.parameters.values, found.values, rtol=1e-9)
-    assert with_parameters(other, found.parameters.values).physicality() == []
+    assert with_parameters(other, found.parameters.values).find_invalid_inertias() == []
 
 
 def test_values_below_zero_are_named_once_for_all_legs() -> None:
     machine, way = robot(0), excited(0)
     F = ss.inverse_dynamics(machine, way.motion).F
-    friction = ss.regressor(machine, way.motion) @ ss.base_parameters(machine, shared="legs").lift
-    place = ss.base_parameters(machine, shared="legs").names.index("C_p")
+    friction = ss.regressor(machine, way.motion) @ ss.base_parameters(machine, identical_legs=True).expansion
+    place = ss.base_parameters(machine, identical_legs=True).names.index("C_p")
     H = ss.inverse_dynamics(machine, way.motion).H
     F = F - 2.0 * machine.C_p[0] * np.linalg.solve(H, friction[..., place, None])[..., 0]
-    found = ss.identify(machine, way.motion, F, 1e-3, shared="legs")
-    assert [line.partition(":")[0] for line in found.impossible] == ["C_p"]
+    found = ss.identify(machine, way.motion, F, 1e-3, identical_legs=True)
+    assert [line.partition(":")[0] for line in found.nonphysical] == ["C_p"]
 
 
 def test_the_flag_reports_shared_parameters(tmp_path: Path, run: Run) -> None:
@@ -128,7 +128,7 @@ def test_the_flag_reports_shared_parameters(tmp_path: Path, run: Run) -> None:
     assert "25 base parameters of 148" in told
     assert "all legs have the same" in told
     data = json.loads((tmp_path / "out" / "report.json").read_text())
-    assert (data["shared"], len(data["parameters"])) == ("legs", 25)
+    assert (data["identical_legs"], len(data["parameters"])) == (True, 25)
     measured = ["--measured", *(str(tmp_path / "out" / name) for name in ("trajectory.csv", "forces.csv"))]
     again = ["-o", str(tmp_path / "again"), "--sigma", "0.5", "--shared", "legs", *measured]
     assert "verdict: consistent" in run("identify", file, *again).out
@@ -136,7 +136,12 @@ def test_the_flag_reports_shared_parameters(tmp_path: Path, run: Run) -> None:
 
 def test_wrong_ways_of_sharing_are_named() -> None:
     base = ss.base_parameters(robot(0))
-    rejects("shared: expected \"legs\", got 'arms'", ss.base_parameters, robot(0), shared="arms")
+    rejects(
+        "identical_legs: expected True or False, got 'arms'",
+        ss.base_parameters,
+        robot(0),
+        identical_legs="arms",
+    )
     motion = excited(0).motion
-    with pytest.raises(ValueError, match="shared: expected None beside base"):
-        ss.identify(robot(0), motion, np.zeros((60, 6)), 1.0, base, shared="legs")
+    with pytest.raises(ValueError, match="identical_legs: expected False with base_parameters"):
+        ss.identify(robot(0), motion, np.zeros((60, 6)), 1.0, base, identical_legs=True)

@@ -62,11 +62,11 @@ def test_a_value_below_zero_by_noise_is_not_distinguishable_from_0(deviations: f
 
 def test_a_right_experiment_calls_no_result_impossible() -> None:
     machine = dataclasses.replace(robot(0), C_u=np.zeros(6), C_p=np.zeros(6), C_s=np.zeros(6))
-    found = ss.simulated_experiment(machine, excited(0), 30.0).estimate
-    assert found.impossible == ()
+    found = ss.simulate_experiment(machine, excited(0), 30.0).estimate
+    assert found.nonphysical == ()
     assert found.near_zero
     assert all("not distinguishable from 0" in line for line in found.near_zero)
-    assert identify.doubts(found) == list(found.doubts)
+    assert identify.doubts(found) == list(found.warnings)
 
 
 def test_no_machine_has_less_upper_mass_than_its_first_moments_call_for() -> None:
@@ -93,18 +93,20 @@ def test_physical_estimates_belong_to_bodies_also_from_a_wrong_robot_file() -> N
     machine, found = robot(1), experiment(1)
     guess = dataclasses.replace(machine, M=3.0 * machine.M, m_u=2.0 * machine.m_u, C_p=0.0 * machine.C_p)
     base = found.estimate.base
-    seen = ss.identify(guess, found.measured, found.F, 1.0, base, found.noise, physical=True)
+    seen = ss.identify(
+        guess, found.measured_motion, found.F, 1.0, base, found.pose_noise, enforce_physical=True
+    )
     assert seen.verdict == "consistent"
-    assert seen.impossible == ()
+    assert seen.nonphysical == ()
     assert np.allclose(base.matrix @ seen.parameters.values, seen.values)
-    assert np.max(np.abs(seen.values - found.truth) / seen.sigma) < 4.0
-    assert np.all(seen.sigma <= found.estimate.sigma * 1.001)
-    assert seen.departure(guess)[1] < 1e-3 < seen.departure(machine)[1]
+    assert np.max(np.abs(seen.values - found.true_values) / seen.std) < 4.0
+    assert np.all(seen.std <= found.estimate.std * 1.001)
+    assert seen.compare_with(guess)[1] < 1e-3 < seen.compare_with(machine)[1]
     made = with_parameters(guess, seen.parameters.values)
-    assert made.physicality() == []
+    assert made.find_invalid_inertias() == []
     off = change(machine, made, excited(1).motion)
     A = force_regressor(machine, excited(1).motion, base)
-    assert np.mean(off**2) < 1.2 * np.mean((A @ (found.estimate.values - found.truth)) ** 2)
+    assert np.mean(off**2) < 1.2 * np.mean((A @ (found.estimate.values - found.true_values)) ** 2)
 
 
 @pytest.mark.slow
@@ -115,11 +117,11 @@ def test_forces_of_impossible_bodies_are_a_misfit_of_possible_ones() -> None:
     values = pi.values.copy()
     values[[place["J_u1_yy"], place["J_d1_yy"]]] *= -1.0
     impossible = with_parameters(machine, values)
-    found = ss.simulated_experiment(impossible, excited(0), 30.0)
-    assert any(line.startswith("leg 1: second moment") for line in found.estimate.impossible)
-    kept = ss.identify(machine, excited(0).motion, found.F, 30.0, excited(0).base, physical=True)
+    found = ss.simulate_experiment(impossible, excited(0), 30.0)
+    assert any(line.startswith("leg 1: second moment") for line in found.estimate.nonphysical)
+    kept = ss.identify(machine, excited(0).motion, found.F, 30.0, excited(0).base, enforce_physical=True)
     assert kept.verdict == "misfit"
-    assert any(line.startswith("bodies: ") for line in kept.doubts)
+    assert any(line.startswith("bodies: ") for line in kept.warnings)
 
 
 STATED = ("--noise-position", "1e-4", "--noise-angle", "1e-4")

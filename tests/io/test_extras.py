@@ -150,7 +150,7 @@ sys.modules["scipy"] = None
 import numpy as np, stewart_sym as ss
 from stewart_sym.identification import estimation as identification
 robot = ss.robots.dasgupta1998()
-path = ss.PATHS["I"].path
+path = ss.PAPER_PATHS["I"].path
 motion = path.sample(np.linspace(0.0, 6.0, 50))
 noise = ss.PoseNoise(np.linspace(0.0, 6.0, 50), 1e-4, 1e-4)
 identification.base_parameters = None  # nothing is computed

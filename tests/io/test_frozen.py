@@ -35,8 +35,10 @@ def records() -> dict[str, Frozen]:
         "Robot": robot,
         "Motion": random_motion(rng, robot, (3,)),
         "Motion of one instant": random_motion(rng, robot),
-        "Motion, broadcast": ss.Motion(np.eye(3), rng.normal(size=(4, 3)), *np.zeros((2, 3))),
-        "ForceKernel": ss.prepare(robot, precision="float"),
+        "Motion, broadcast": ss.Motion(
+            R=np.eye(3), t=rng.normal(size=(4, 3)), omega=np.zeros(3), v=np.zeros(3)
+        ),
+        "ForceKernel": ss.ForceKernel(robot, precision="float"),
         "FourierPath": ss.FourierPath([0, 0, 1], [0, 0, 0], np.ones((2, 6)), np.ones((2, 6)), 2.0),
         "LegSprings": ss.LegSprings(robot, 1e6, 1.0, np.arange(6.0)),
         "GravityCompensation": GravityCompensation(len, np.eye(6), len, 1.0, 1.0),
@@ -90,12 +92,12 @@ def test_what_a_record_was_made_of_stays_the_callers_own() -> None:
     masses[0] = 7.0
     assert changed.m_u[0] == robot.m_u[0]
     t = np.zeros(3)
-    own = ss.Motion(np.eye(3), t, t, t)
+    own = ss.Motion(R=np.eye(3), t=t, omega=t, v=t)
     t[0] = 1.0
     assert own.t[0] == 0.0
     # A shallow copy of a motion made for an inner loop must not close the caller's arrays.
     t = np.zeros(3)
-    loose = ss.Motion.unchecked(np.eye(3), t, t.copy(), t.copy())
+    loose = ss.Motion._unchecked(np.eye(3), t, t.copy(), t.copy())
     assert not copy.copy(loose).t.flags.writeable
     t[0] = 1.0
     assert loose.t[0] == 1.0

@@ -69,7 +69,9 @@ def test_a_marked_name_is_shown_as_text(arguments: Sequence[str], folder: Path, 
     robot = ss.Robot.from_toml("marked.toml")
     time = np.linspace(0.0, 1.0, 20)
     turned = 0.01 * np.sin(time)[:, None] * np.ones(6)
-    home = np.concatenate([robot.home if robot.home is not None else np.zeros(3), np.zeros(3)])
+    home = np.concatenate(
+        [robot.home_position if robot.home_position is not None else np.zeros(3), np.zeros(3)]
+    )
     write(folder / "log.csv", NAMES, np.column_stack([time, turned + home]))
     out, err = run(*arguments)
     texts = written(folder) | {"terminal": out, "warnings": err}

@@ -38,15 +38,15 @@ duration = 2.0
 [state]
 t = [0.2, 0.0, 0.5]
 theta = [0.0, 0.0, 0.0]
-[legs]
-law = "springs"
+[actuation]
+type = "spring"
 stiffness = 2e5
 """
 POSES = b"time,t_x,t_y,t_z,theta_x,theta_y,theta_z\n" + b"".join(
     b"%d,0.2,0,0.5,0,0,0\n" % i for i in range(6)
 )
 read_forces = functools.partial(read_leg_columns, form=PLAIN, groups=(FORCE_NAMES,))
-FORCES = b"time,F1,F2,F3,F4,F5,F6\n0,1,2,3,4,5,6\n"
+FORCES = b"time,F_1,F_2,F_3,F_4,F_5,F_6\n0,1,2,3,4,5,6\n"
 
 READERS: dict[str, tuple[Callable[[Any], Any], bytes]] = {
     "robot": (ss.Robot.from_toml, ROBOT),
@@ -61,7 +61,7 @@ NAME = b'name = "x"\n'
 MASS = b"mass = 40.0"
 MILLIONS = 5_000_000
 
-pytestmark = pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.PhysicalityWarning")
+pytestmark = pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.RobotWarning")
 
 
 def rejected(read: Callable[[Any], Any], path: Path) -> str:
@@ -340,7 +340,7 @@ ODD = st.one_of(
 def sound_tables(schema: int) -> dict[str, Any]:
     if schema == 1:
         return ss.robots.dasgupta1998().to_dict()
-    tables = tomllib.loads(PRESS + "friction = { prismatic = 3.0 }\nstroke = [-150, 150]\n")
+    tables = tomllib.loads(PRESS + "damping = { prismatic = 3.0 }\nstroke = [-150, 150]\n")
     tables["leg"] = {"3": {"lower": {"mass": 2.0, "center_of_mass": [300, 0, 0], "inertia": [0.1, 0.2, 0.2]}}}
     plate = {**tables["platform"]["body"], "inner_radius": 10.0, "axis": [1, 0, 0]}
     box = {"shape": "box", "size": [100.0, 100.0, 50.0], "density": 2700.0, "center": [0.0, 0.0, 30.0]}
@@ -416,7 +416,7 @@ def test_an_empty_file_is_called_empty(name: str, text: bytes, tmp_path: Path) -
 KINDS = {
     "robot file": (ROBOT.decode(), ["check"]),
     "scene of simulate": (
-        'schema = 1\nrobot = "robot.toml"\nduration = 1.0\n[legs]\nlaw = "forces"\n',
+        'schema = 1\nrobot = "robot.toml"\nduration = 1.0\n[actuation]\ntype = "constant_force"\n',
         ["simulate", "-o", "out"],
     ),
     "scene of advise": ('schema = 1\nrobot = "robot.toml"\nmotions = ["I"]\ntolerance = 0.01\n', ["advise"]),

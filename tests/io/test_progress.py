@@ -23,7 +23,7 @@ def reading(folder: Path, progress: Progress, last: str = "") -> list[np.ndarray
     header += [f"{rate}_{axis}" for rate in ("a", "theta_ddot") for axis in "xyz"]
     rows = [",".join([f"{t:.3f}", *(f"{x:.9f}" for x in each)]) for t, each in zip(time, waves, strict=True)]
     path.write_text("\n".join([",".join(header), last + rows[0], *rows[1:], ""]))
-    return [read_log(path, smoothing=ss.Smoothing(on=False), progress=progress).coordinates]
+    return [read_log(path, smoothing=ss.SmoothingOptions(enabled=False), progress=progress).coordinates]
 
 
 def reading_cells(folder: Path, progress: Progress) -> list[np.ndarray]:
@@ -31,7 +31,7 @@ def reading_cells(folder: Path, progress: Progress) -> list[np.ndarray]:
 
 
 def finding_poses(_: Path, progress: Progress) -> list[np.ndarray]:
-    path = ss.PATHS["I"].path
+    path = ss.PAPER_PATHS["I"].path
     time = np.linspace(0.0, path.tau_f, 700)
     legs = ss.inverse_kinematics(ROBOT, path.sample(time))
     found = ss.motion_from_lengths(ROBOT, legs.L, legs.L_dot, legs.L_ddot, time=time, progress=progress)
@@ -39,7 +39,7 @@ def finding_poses(_: Path, progress: Progress) -> list[np.ndarray]:
 
 
 def finding_poses_at_rest(_: Path, progress: Progress) -> list[np.ndarray]:
-    legs = ss.inverse_kinematics(ROBOT, ss.PATHS["I"].path.sample(np.linspace(0.0, 6.0, 30)))
+    legs = ss.inverse_kinematics(ROBOT, ss.PAPER_PATHS["I"].path.sample(np.linspace(0.0, 6.0, 30)))
     return [ss.motion_from_lengths(ROBOT, legs.L, 0.0 * legs.L, progress=progress).t]
 
 
@@ -49,8 +49,10 @@ def exciting(_: Path, progress: Progress) -> list[np.ndarray]:
 
 
 def timing(_: Path, progress: Progress) -> list[np.ndarray]:
-    limits = ss.Limits(speed=1.0, jerk=20.0)
-    timed = ss.time_path(ROBOT, ss.PATHS["I"].path.sample, (1.0, 5.0), limits, cells=10, progress=progress)
+    limits = ss.PathLimits(speed=1.0, jerk=20.0)
+    timed = ss.parameterize_path(
+        ROBOT, ss.PAPER_PATHS["I"].path.sample, (1.0, 5.0), limits, grid_size=10, progress=progress
+    )
     return [timed.sample(np.linspace(0.0, timed.duration, 9)).t]
 
 

@@ -50,7 +50,7 @@ def test_a_file_of_others_is_not_replaced_without_force(
 ) -> None:
     (at_robot / "swing.toml").write_text(
         'schema = 1\nrobot = "robot.toml"\nduration = 0.01\n[state]\nt = [0.2, 0.0, 0.5]\n'
-        'theta = [0.0, 0.0, 0.0]\n[legs]\nlaw = "springs"\nstiffness = 2e5\n'
+        'theta = [0.0, 0.0, 0.0]\n[actuation]\ntype = "spring"\nstiffness = 2e5\n'
     )
     (at_robot / name).write_text("mine")
     before = folder_state(at_robot)
@@ -70,7 +70,9 @@ TO_ONE_FILE = {
 
 
 @pytest.mark.parametrize("name", TO_ONE_FILE)
-@pytest.mark.parametrize("content", ["mine\n", "time,F1,F2,F3,F4,F5,F6\n0,1,2,3,4,5,6\n", '{"mine": 1}\n'])
+@pytest.mark.parametrize(
+    "content", ["mine\n", "time,F_1,F_2,F_3,F_4,F_5,F_6\n0,1,2,3,4,5,6\n", '{"mine": 1}\n']
+)
 def test_a_single_file_of_others_is_not_replaced_without_force(
     at_robot: Path, name: str, content: str, fails: Fails
 ) -> None:
@@ -179,8 +181,8 @@ def test_no_file_that_a_subcommand_read_is_replaced_by_force(
     (at_robot / name).write_text(RISING)
     shared = 'schema = 1\nrobot = "robot.toml"\n'
     (at_robot / "track.toml").write_text(
-        f'{shared}duration = 0.01\nstart = "path"\n'
-        f'[legs]\nlaw = "tracking"\npath = "{name}"\nk_p = 900.0\nk_d = 60.0\n'
+        f'{shared}duration = 0.01\ninitial_state = "path"\n'
+        f'[actuation]\ntype = "computed_torque"\npath = "{name}"\nk_p = 900.0\nk_d = 60.0\n'
     )
     (at_robot / "enough.toml").write_text(f'{shared}motions = ["{name}"]\ntolerance = 0.01\n')
     before = folder_state(at_robot)

@@ -47,7 +47,7 @@ def test_forces_are_those_of_the_c_batch_to_the_bit(form: Any) -> None:
     for _ in range(4):
         robot = random_robot_of(rng, form)
         motion = random_motion(rng, robot, (9,))
-        kernel = ss.prepare(robot, form.name)
+        kernel = ss.ForceKernel(robot, form.name)
         F, status = forces_of(tree, robot, motion)
         expected, codes = kernel.forces_and_status(motion)
         np.testing.assert_array_equal(status, codes)
@@ -63,7 +63,7 @@ def test_near_and_at_a_joint_singularity_forces_and_statuses_are_those_of_the_c(
         robot = random_robot(rng)
         motion = beside_the_joint_axis(rng, robot, sine)
         F, status = forces_of(tree, robot, motion)
-        expected, codes = ss.prepare(robot).forces_and_status(motion)
+        expected, codes = ss.ForceKernel(robot).forces_and_status(motion)
         np.testing.assert_array_equal(status, codes)
         np.testing.assert_array_equal(F, expected)
         seen.add(int(codes))
@@ -75,7 +75,7 @@ def test_fidelities_have_trees_as_well() -> None:
     robot, motion = machine_in_motion(8, (5,))
     for name in ("slender_friction",) if not FULL else set(FIDELITIES) - {"general"}:
         F, status = forces_of(program(reduced_fidelity(EXACT, FIDELITIES[name])), robot, motion)
-        expected, codes = ss.prepare(robot, fidelity=name).forces_and_status(motion)
+        expected, codes = ss.ForceKernel(robot, fidelity=name).forces_and_status(motion)
         np.testing.assert_array_equal(status, codes)
         np.testing.assert_array_equal(F, expected, name)
 
@@ -111,7 +111,7 @@ def test_jax_compiles_and_differentiates_the_forces(tmp_path: Path) -> None:
         others = {name: jnp.asarray(getattr(motion, name)) for name in FIELDS if name not in ("a", "alpha")}
         both = jax.jit(jax.vmap(jax.jacfwd(forces, has_aux=True)), compiler_options=UNFUSED)
         slopes, compiled = both(acceleration, others)
-    kernel, zero = ss.prepare(robot, fidelity="massless"), np.zeros((7, 3))
+    kernel, zero = ss.ForceKernel(robot, fidelity="massless"), np.zeros((7, 3))
     answer = kernel.forces(motion)
     np.testing.assert_allclose(compiled, answer, rtol=0, atol=1e-12 * np.abs(answer).max())
     # Forces are linear in the accelerations.

@@ -13,12 +13,12 @@ from stewart_sym import results
 from stewart_sym.backend.c_kernel import address, call, pointers
 from stewart_sym.backend.kernel import MOTION
 from stewart_sym.dynamics.closed_form import OUTPUTS, library
-from stewart_sym.dynamics.forces import prepare
+from stewart_sym.dynamics.forces import ForceKernel
 from stewart_sym.generated.interface import STRUCTS
 from stewart_sym.io.array_types import Array
 
-WHAT = ("equations", "bias", "forward_dynamics", "derivatives", "linearisation", "joint_inertia")
-FORCED = ("forward_dynamics", "linearisation")
+WHAT = ("equations", "bias_and_friction", "forward_dynamics", "derivatives", "linearization", "joint_inertia")
+FORCED = ("forward_dynamics", "linearization")
 COUNT = 27
 """Three blocks of eight poses, and three more."""
 UNTOUCHED = -1.5
@@ -38,7 +38,7 @@ def cases() -> list[tuple[ss.Robot, ss.Motion]]:
         if seed > 1:
             for kind, i in enumerate(rng.permutation(COUNT)[:14]):
                 spoil(robot, parts, kind, i)
-        found.append((robot, ss.Motion.unchecked(**parts)))
+        found.append((robot, ss.Motion._unchecked(**parts)))
     return found
 
 
@@ -101,7 +101,7 @@ def test_a_pose_of_a_batch_has_every_bit_and_status_of_one(what: str) -> None:
     codes = set()
     for robot, motion in CASES:
         F = 1e2 * np.random.default_rng(1).normal(size=(COUNT, 6))
-        model = prepare(robot, "exact").model
+        model = ForceKernel(robot, "exact").model
         found, status, first = batch(model, what, motion, F)
         assert first == next((code for code in status if code), results.OK)
         for i in range(COUNT):
@@ -118,7 +118,7 @@ def test_a_pose_of_a_batch_has_every_bit_and_status_of_one(what: str) -> None:
 def test_a_pose_has_the_same_bits_wherever_it_is(what: str) -> None:
     robot, motion = CASES[3]
     F = 1e2 * np.random.default_rng(2).normal(size=(COUNT, 6))
-    model = prepare(robot, "exact").model
+    model = ForceKernel(robot, "exact").model
     found, status, _ = batch(model, what, motion, F)
     for first, last in ((0, 1), (0, 8), (1, 9), (5, 27), (26, 27), (0, 0)):
         part, codes, _ = batch(model, what, motion[first:last], F[first:last])
@@ -131,7 +131,7 @@ def test_a_pose_has_the_same_bits_wherever_it_is(what: str) -> None:
 def test_what_is_not_wanted_changes_nothing_else(what: str) -> None:
     robot, motion = CASES[2]
     F = 1e2 * np.random.default_rng(3).normal(size=(COUNT, 6))
-    model = prepare(robot, "exact").model
+    model = ForceKernel(robot, "exact").model
     whole, status, _ = batch(model, what, motion, F)
     for name in OUTPUTS[what]:
         part, codes, _ = batch(model, what, motion, F, (name,))
@@ -144,11 +144,11 @@ def test_what_is_not_wanted_changes_nothing_else(what: str) -> None:
 def test_loads_and_unread_accelerations_may_be_null_and_are_zero(what: str) -> None:
     robot, motion = CASES[1]
     F = 1e2 * np.random.default_rng(4).normal(size=(COUNT, 6))
-    model = prepare(robot, "exact").model
+    model = ForceKernel(robot, "exact").model
     absent = {"F_ext", "M_ext"} | (set() if what == "derivatives" else {"alpha", "a"})
     parts = {name: np.array(getattr(motion, name)) for name in MOTION}
     parts |= {name: np.zeros((COUNT, 3)) for name in absent}
-    expected, _, _ = batch(model, what, ss.Motion.unchecked(**parts), F)
+    expected, _, _ = batch(model, what, ss.Motion._unchecked(**parts), F)
     made = {name: np.full((COUNT, *shape), UNTOUCHED) for name, shape in OUTPUTS[what].items()}
     given = (ctypes.c_void_p * len(MOTION))(
         *(None if name in absent else parts[name].ctypes.data for name in MOTION)

@@ -17,12 +17,12 @@ from stewart_sym.dynamics.closed_form import OUTPUTS, CClosedForm, NumpyClosedFo
 from stewart_sym.kit.interpreter import KitInterpreter
 from stewart_sym.kit.running import values
 from stewart_sym.motion.motion import Motion
-from stewart_sym.results import INDEFINITE, JOINT_SINGULAR, OK, SINGULAR
+from stewart_sym.results import JOINT_SINGULAR, MASS_MATRIX_INDEFINITE, OK, SINGULAR
 from stewart_sym.robot.robot import Robot
 
 Array = NDArray[np.float64]
 EPSILON = np.finfo(np.float64).eps
-FORCED = ("forward_dynamics", "linearisation")
+FORCED = ("forward_dynamics", "linearization")
 
 
 def forces(robot: Robot, motion: Motion) -> Array:
@@ -31,7 +31,7 @@ def forces(robot: Robot, motion: Motion) -> Array:
 
 def check_bits(robot: Robot, motion: Motion) -> set[int]:
     """Every output of C and of NumPy, and the statuses, are the same numbers; the statuses."""
-    F = ss.prepare(robot).forces_and_status(motion)[0]
+    F = ss.ForceKernel(robot).forces_and_status(motion)[0]
     F = np.where(np.isfinite(F), F, 1.0)
     of_c, of_numpy = CClosedForm(robot), NumpyClosedForm(robot)
     seen = set()
@@ -57,7 +57,7 @@ def test_numpy_has_the_bits_of_the_c_batch_near_joint_singularities() -> None:
     rng = np.random.default_rng(17)
     robot = random_robot(rng)
     motions = [beside_the_joint_axis(rng, robot, sine) for sine in (0.12, 0.015, 1e-5, 1e-10, 0.0)]
-    motion = Motion(*(np.stack([getattr(each, name) for each in motions]) for name in FIELDS))
+    motion = Motion(**{name: np.stack([getattr(each, name) for each in motions]) for name in FIELDS})
     assert check_bits(robot, motion) == {0, JOINT_SINGULAR}
 
 
@@ -131,7 +131,7 @@ def test_inertias_of_no_body_have_a_status_of_their_own(backend: str) -> None:
     motion = random_motion(rng, robot)
     rejects("not positive definite", ss.forward_dynamics, impossible, motion, np.zeros(6), backend=backend)
     kernel = {"c": CClosedForm, "numpy": NumpyClosedForm}[backend](impossible)
-    assert kernel.run("forward_dynamics", motion, np.zeros(6))["status"] == INDEFINITE
+    assert kernel.run("forward_dynamics", motion, np.zeros(6))["status"] == MASS_MATRIX_INDEFINITE
 
 
 def test_one_state_gives_what_the_batch_gives() -> None:

@@ -44,9 +44,9 @@ def test_the_exact_pose_lies_within_what_is_proven(off: float) -> None:
     for i in range(3):
         turn, place = _exact_pose(robot, L[i], R[i], t[i])
         distance = mpmath.sqrt(sum((place[j] - float(t[i, j])) ** 2 for j in range(3)))
-        assert float(distance) <= proof.position[i]
-        assert turn_between(turn, R[i]) <= proof.angle[i] + 1e-15
-        assert proof.position[i] < 100 * (off + 1e-14)
+        assert float(distance) <= proof.position_bound[i]
+        assert turn_between(turn, R[i]) <= proof.angle_bound[i] + 1e-15
+        assert proof.position_bound[i] < 100 * (off + 1e-14)
 
 
 def test_answers_of_forward_kinematics_are_proven_to_rounding() -> None:
@@ -57,7 +57,7 @@ def test_answers_of_forward_kinematics_are_proven_to_rounding() -> None:
         found = ss.forward_kinematics(robot, L, (motion.R, motion.t))
         proof = ss.certify_pose(robot, L, (found.R, found.t))
         assert proof.proven.all()
-        assert proof.position.max() < 1e-12 * np.abs(robot.b).max()
+        assert proof.position_bound.max() < 1e-12 * np.abs(robot.b).max()
 
 
 def test_what_is_no_pose_of_the_lengths_is_not_proven() -> None:
@@ -85,7 +85,7 @@ def test_lengths_that_no_pose_has_prove_nothing() -> None:
 
 def test_two_poses_with_the_same_lengths_are_proven_apart() -> None:
     robot = dasgupta()
-    home = ss.PATHS["I"].path.sample(0.0)
+    home = ss.PAPER_PATHS["I"].path.sample(0.0)
     L = lengths(robot, home.R, home.t)
     starts = rotation_from_vector(np.linspace(-3, 3, 13)[:, None] * np.array([1.0, 0.3, 0.0])) @ home.R
     R, t, _, _, found = newton(robot, np.tile(L, (13, 1)), starts, np.tile(home.t, (13, 1)))
@@ -99,7 +99,7 @@ def test_two_poses_with_the_same_lengths_are_proven_apart() -> None:
     length = ss.characteristic_length(robot)
     turns = np.linalg.norm(R[found][:, None] - R[found], axis=(-2, -1)) / np.sqrt(2)
     distance = np.sqrt((gaps / length) ** 2 + (2 * np.arcsin(np.minimum(turns / 2, 1.0))) ** 2)
-    assert np.all(distance[apart] > np.broadcast_to(proof.alone[:, None], gaps.shape)[apart])
+    assert np.all(distance[apart] > np.broadcast_to(proof.uniqueness_radius[:, None], gaps.shape)[apart])
 
 
 def test_the_middle_between_two_poses_near_a_singular_one_is_not_proven_as_either() -> None:
@@ -107,7 +107,7 @@ def test_the_middle_between_two_poses_near_a_singular_one_is_not_proven_as_eithe
     near, nearer = motions[20], motions[30]
     L = lengths(robots[0], near.R, near.t)
     proof = ss.certify_pose(robots[0], L, (nearer.R, nearer.t))
-    assert not proof.proven or proof.position >= np.linalg.norm(nearer.t - near.t)
+    assert not proof.proven or proof.position_bound >= np.linalg.norm(nearer.t - near.t)
 
 
 def test_an_error_of_the_lengths_shows_in_the_bound() -> None:
@@ -116,7 +116,7 @@ def test_an_error_of_the_lengths_shows_in_the_bound() -> None:
     for error in (1e-12, 1e-9, 1e-6):
         proof = ss.certify_pose(robot, L + error, (motion.R, motion.t))
         assert proof.proven
-        assert error / 10 < proof.position < 1e3 * error
+        assert error / 10 < proof.position_bound < 1e3 * error
 
 
 def test_no_pose_proves_nothing_and_bad_arguments_are_named() -> None:
@@ -124,7 +124,7 @@ def test_no_pose_proves_nothing_and_bad_arguments_are_named() -> None:
     L = np.ones((2, 6))
     nothing = ss.certify_pose(robot, L, (np.full((2, 3, 3), np.nan), np.full((2, 3), np.nan)))
     assert not nothing.proven.any()
-    assert np.isnan(nothing.position).all()
+    assert np.isnan(nothing.position_bound).all()
     rejects(r"^pose: expected a pose", ss.certify_pose, robot, L, np.eye(3))
     rejects(r"^pose: R: expected a rotation", ss.certify_pose, robot, L, (2.0 * np.eye(3), np.zeros(3)))
     rejects(r"^L: expected lengths > 0", ss.certify_pose, robot, -L, (np.eye(3), np.zeros(3)))
@@ -137,7 +137,7 @@ def test_scale_does_not_matter_to_a_proof() -> None:
         t = scale * motion.t
         proof = ss.certify_pose(scaled, lengths(scaled, motion.R, t), (motion.R, t))
         assert proof.proven
-        assert proof.position < 1e-13 * scale
+        assert proof.position_bound < 1e-13 * scale
 
 
 Poses = tuple[Array, Array]
@@ -148,7 +148,7 @@ def wide_poses(rng: np.random.Generator, robot: ss.Robot, count: int, width: flo
     size = machine_size(robot)
     R = rotation_from_rpy(rng.uniform(-width, width, (count, 3)))
     t = home_position(robot.b, size) + 0.5 * size * rng.uniform(-width, width, (count, 3))
-    L = ss.inverse_kinematics(robot, ss.Motion(R, t, np.zeros(3), np.zeros(3))).L
+    L = ss.inverse_kinematics(robot, ss.Motion(R=R, t=t, omega=np.zeros(3), v=np.zeros(3))).L
     return (R, t), L
 
 

@@ -24,7 +24,7 @@ from stewart_sym.motion.rotation import rotation_from_rpy
 EPS = float(np.finfo(np.float64).eps)
 
 
-def same_pose(robot: ss.Robot, found: ss.PlatformPose, R: Array, t: Array) -> NDArray[np.bool_]:
+def same_pose(robot: ss.Robot, found: ss.ForwardKinematicsResult, R: Array, t: Array) -> NDArray[np.bool_]:
     """Where what was found is the pose itself and no other assembly mode."""
     size = machine_size(robot)
     return np.asarray(
@@ -32,7 +32,7 @@ def same_pose(robot: ss.Robot, found: ss.PlatformPose, R: Array, t: Array) -> ND
     )
 
 
-def assert_nothing_is_silent(robot: ss.Robot, L: Array, found: ss.PlatformPose) -> None:
+def assert_nothing_is_silent(robot: ss.Robot, L: Array, found: ss.ForwardKinematicsResult) -> None:
     """A pose with status 0 has the lengths asked for to rounding and a rotation; any other is nan."""
     ok = found.status == results.OK
     reach = max(np.abs(robot.b).max(), np.abs(robot.p).max(), np.abs(found.t[ok]).max(initial=0.0))
@@ -177,7 +177,7 @@ def test_rotation_is_orthonormal_though_the_guess_is_only_nearly_so() -> None:
 @functools.cache
 def singular_pose() -> Poses:
     """The pose of Path III at which J's determinant changes sign, to rounding of the time."""
-    path = ss.PATHS["III"].path
+    path = ss.PAPER_PATHS["III"].path
     low, high = 3.6, 3.8
 
     def sign(time: float) -> float:
@@ -205,7 +205,7 @@ def test_rates_are_found_up_to_a_condition_number() -> None:
     assert 10 < settled.sum() < 190
 
 
-def test_a_singular_pose_has_a_status_and_leaves_its_neighbours_alone() -> None:
+def test_a_singular_pose_has_a_status_and_leaves_its_neighbors_alone() -> None:
     robot, R, t, _ = paper_case(9, 3)
     R[1], t[1] = singular_pose()
     L = lengths(robot, R, t)
@@ -262,7 +262,7 @@ def test_limits_of_the_legs_are_heeded_unless_told_otherwise() -> None:
     found = ss.forward_kinematics(limited, L, on_failure="nan")
     assert found.status.tolist() == [results.OK, results.OK, results.OUT_OF_LIMITS]
     rejects(r"^L\[2\]: leg \d: expected a length from .* to .* m, got .*$", ss.forward_kinematics, limited, L)
-    np.testing.assert_allclose(ss.forward_kinematics(limited, L, limits=False).t, t, atol=1e-12)
+    np.testing.assert_allclose(ss.forward_kinematics(limited, L, check_limits=False).t, t, atol=1e-12)
 
 
 # Velocity and acceleration

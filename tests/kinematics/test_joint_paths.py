@@ -98,8 +98,8 @@ def test_jumps_are_named_and_not_followed_into_another_mode() -> None:
 
 def test_a_longer_step_between_rows_is_no_jump_and_hides_none() -> None:
     robot = dasgupta()
-    path, step = ss.PATHS["I"]
-    time = np.delete(path.times(step), 20)
+    path, step = ss.PAPER_PATHS["I"]
+    time = np.delete(path.time_grid(step), 20)
     motion = path.sample(time)
     legs = ss.inverse_kinematics(robot, motion)
     found = ss.motion_from_lengths(robot, legs.L, legs.L_dot, legs.L_ddot, time=time)
@@ -149,12 +149,12 @@ def written(path: Path) -> dict[str, Array]:
 
 
 def forces_of(table: dict[str, Array]) -> Array:
-    return np.column_stack([table[f"F{leg}"] for leg in range(1, 7)])
+    return np.column_stack([table[f"F_{leg}"] for leg in range(1, 7)])
 
 
 @pytest.mark.parametrize("loads", [True, False])
 def test_forces_takes_leg_lengths(tmp_path: Path, loads: bool) -> None:
-    path, _ = ss.PATHS["I"]
+    path, _ = ss.PAPER_PATHS["I"]
     time = np.linspace(0.0, 6.0, 41)
     motion = path.sample(time)
     if loads:
@@ -181,12 +181,12 @@ def test_lengths_without_rates_are_differentiated(tmp_path: Path) -> None:
     output = tmp_path / "forces.csv"
     assert main(["forces", str(PAPERS), str(trajectory), "-o", str(output)]) == 0
     table = written(output)
-    np.testing.assert_allclose(np.column_stack([table[f"L{leg}"] for leg in range(1, 7)]), L, atol=1e-13)
+    np.testing.assert_allclose(np.column_stack([table[f"L_{leg}"] for leg in range(1, 7)]), L, atol=1e-13)
     assert np.isfinite(forces_of(table)).all()
 
 
 def test_start_chooses_the_assembly_mode(tmp_path: Path, run: Run) -> None:
-    path, _ = ss.PATHS["I"]
+    path, _ = ss.PAPER_PATHS["I"]
     time = np.linspace(0.0, 6.0, 13)
     motion = path.sample(time)
     trajectory = joint_csv(tmp_path / "legs.csv", motion, time, rates=True)
@@ -245,8 +245,8 @@ def test_bad_lengths_are_one_line(tmp_path: Path, fails: Fails, text: str, expec
 
 
 def test_a_row_without_a_pose_is_one_line(tmp_path: Path, fails: Fails) -> None:
-    path, step = ss.PATHS["I"]
-    time = path.times(step)
+    path, step = ss.PAPER_PATHS["I"]
+    time = path.time_grid(step)
     trajectory = joint_csv(tmp_path / "legs.csv", path.sample(time), time, rates=True)
     lines = trajectory.read_text().splitlines()
     cells = lines[20].split(",")

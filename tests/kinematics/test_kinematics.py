@@ -67,17 +67,17 @@ def test_zero_length_is_checked_beside_the_terms_of_the_leg() -> None:
     robot = random_robot(np.random.default_rng(11), scale=1.0)
     still, far = np.zeros(3), np.array([1e4, 0.0, 0.0])
     gap = np.array([0.0, 0.0, 1e-12])
-    near = Motion(np.eye(3), robot.b[3] - robot.p[3] + gap, still, still)
+    near = Motion(R=np.eye(3), t=robot.b[3] - robot.p[3] + gap, omega=still, v=still)
     assert inverse_kinematics(robot, near).L[3] == pytest.approx(1e-12, rel=1e-3)
     away = dataclasses.replace(robot, b=robot.b + far)
     with pytest.raises(ValueError, match=r"^motion: leg 4 has length zero$"):
-        inverse_kinematics(away, Motion(np.eye(3), away.b[3] - away.p[3] + gap, still, still))
+        inverse_kinematics(away, Motion(R=np.eye(3), t=away.b[3] - away.p[3] + gap, omega=still, v=still))
 
 
 def test_leg_of_length_zero_is_named() -> None:
     robot = random_robot(np.random.default_rng(10), scale=1.0)
     still = np.zeros(3)
-    on_base = Motion(np.eye(3), np.stack([np.ones(3), robot.b[3] - robot.p[3]]), still, still)
+    on_base = Motion(R=np.eye(3), t=np.stack([np.ones(3), robot.b[3] - robot.p[3]]), omega=still, v=still)
     rejects(r"^motion: leg 4 has length zero at motion\[1\]$", inverse_kinematics, robot, on_base)
     rejects(r"^motion: leg 4 has length zero$", inverse_kinematics, robot, on_base[1])
 
@@ -101,7 +101,7 @@ def test_H_maps_the_twist_to_leg_rates_and_its_rate_to_their_accelerations(seed:
 
 def test_a_leg_near_its_universal_axis_is_not_clear_of_it() -> None:
     robot = dasgupta()
-    motion = Motion(np.eye(3), np.array([0.1, 0.0, 0.5]), np.zeros(3), np.zeros(3))
+    motion = Motion(R=np.eye(3), t=np.array([0.1, 0.0, 0.5]), omega=np.zeros(3), v=np.zeros(3))
     legs = inverse_kinematics(robot, motion)
     across = np.cross(legs.s, [1.0, 0.0, 0.0])
     across /= np.linalg.norm(across, axis=-1)[:, None]
@@ -145,11 +145,11 @@ def test_scaled_number_does_not_change_with_the_unit_of_length() -> None:
     rng = np.random.default_rng(6)
     robot = random_robot(rng, scale=1.0)
     motion = Motion.from_rpy([0.1, 0.0, 1.5], 0.2 * rng.normal(size=3), np.zeros(3), np.zeros(3))
-    millimetres = dataclasses.replace(robot, b=1e3 * robot.b, p=1e3 * robot.p)
-    in_millimetres = dataclasses.replace(motion, t=1e3 * motion.t)
-    H, H_mm = wrench_matrix(robot, motion), wrench_matrix(millimetres, in_millimetres)
+    millimeters = dataclasses.replace(robot, b=1e3 * robot.b, p=1e3 * robot.p)
+    in_millimeters = dataclasses.replace(motion, t=1e3 * motion.t)
+    H, H_mm = wrench_matrix(robot, motion), wrench_matrix(millimeters, in_millimeters)
     scaled = scaled_condition_number(H, characteristic_length(robot))
-    assert scaled_condition_number(H_mm, characteristic_length(millimetres)) == pytest.approx(float(scaled))
+    assert scaled_condition_number(H_mm, characteristic_length(millimeters)) == pytest.approx(float(scaled))
     assert condition_number(H_mm) > 10.0 * condition_number(H)
     assert scaled_condition_number(H, 1.0) == condition_number(H)
 

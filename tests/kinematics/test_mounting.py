@@ -105,7 +105,7 @@ def test_subcommands_give_the_mirrored_result_with_z_down(tmp_path: Path, run: R
     time = np.linspace(0.0, path_period(robot), 60)
     motion = random_path(np.random.default_rng(seed), robot, load=False)(time)
     up = outcomes(robot, time, motion, tmp_path / "up", run)
-    down = outcomes(in_axes(robot, Z_DOWN), time, motion.in_axes(Z_DOWN), tmp_path / "down", run)
+    down = outcomes(in_axes(robot, Z_DOWN), time, motion.in_rotated_frames(Z_DOWN), tmp_path / "down", run)
     assert len(up.check) == 3
     assert down.check == up.check
     for name, columns in up.tables.items():
@@ -137,7 +137,7 @@ def outcomes(robot: ss.Robot, time: Array, motion: ss.Motion, folder: Path, run:
     state = f"[state]\nt = {motion.t[0].tolist()}\ntheta = {theta[0].tolist()}\n"
     Path(scene).write_text(
         f'schema = 1\nrobot = "robot.toml"\nduration = {0.02 * time[-1]}\n{state}'
-        f'[legs]\nlaw = "forces"\nforces = {F}\n'
+        f'[actuation]\ntype = "constant_force"\nforces = {F}\n'
     )
     small = ["--harmonics", "2", "--samples", "30", "--candidates", "2"]
     calls = {
@@ -198,12 +198,12 @@ def compare_estimates(one: list[str], other: list[str]) -> None:
 def test_the_papers_paths_are_on_the_side_of_the_platform(tmp_path: Path) -> None:
     robot = dasgupta()
     for unturned in (robot, dataclasses.replace(robot, g=np.zeros(3))):
-        assert path_for(unturned, "I") == ss.PATHS["I"]
-    path = ss.PATHS["I"].path
-    F = ss.inverse_dynamics(robot, path.sample(path.breaks())).F
+        assert path_for(unturned, "I") == ss.PAPER_PATHS["I"]
+    path = ss.PAPER_PATHS["I"].path
+    F = ss.inverse_dynamics(robot, path.sample(path.breakpoints())).F
     for Q in (Z_DOWN, *ON_ITS_SIDE):
         other = in_axes(robot, Q)
-        motion = path_for(other, "I").path.sample(path.breaks())
+        motion = path_for(other, "I").path.sample(path.breakpoints())
         np.testing.assert_allclose(ss.inverse_dynamics(other, motion).F, F, rtol=1e-9)
     up, down = (named_paths(machine, tmp_path) for machine in (robot, in_axes(robot, Z_DOWN)))
     for one, there in zip(up, down, strict=True):
@@ -228,7 +228,7 @@ def named_paths(robot: ss.Robot, folder: Path) -> list[Array]:
     assert main(["singularities", file, "III", "-o", str(folder / "III"), "--force", "--no-pictures"]) == 0
     crossing = np.loadtxt(folder / "III/events.csv", delimiter=",", skiprows=1, usecols=0)
     head = 'schema = 1\nrobot = "robot.toml"\n'
-    legs = '[legs]\nlaw = "tracking"\npath = "I"\nk_p = 100.0\nk_d = 20.0\n'
+    legs = '[actuation]\ntype = "computed_torque"\npath = "I"\nk_p = 100.0\nk_d = 20.0\n'
     (folder / "scene.toml").write_text(f"{head}duration = 0.05\n{legs}")
     (folder / "budget.toml").write_text(f'{head}motions = ["I"]\ntolerance = 1.0\n')
     tracked = read_scene(folder / "scene.toml").run().F
@@ -246,7 +246,7 @@ def test_gravity_settles_the_side_and_then_limits_and_then_the_condition() -> No
     for direction in (1.0, -1.0):
         # Limits that the level platform keeps on one side only.
         L = ss.inverse_kinematics(
-            robot, ss.Motion(np.eye(3), [0.0, 0.0, 0.5 * direction], np.zeros(3), np.zeros(3))
+            robot, ss.Motion(R=np.eye(3), t=[0.0, 0.0, 0.5 * direction], omega=np.zeros(3), v=np.zeros(3))
         ).L
         limited = dataclasses.replace(afloat, length_limits=np.stack([L - 1e-2, L + 1e-2], axis=-1))
         found = platform_side(limited)
@@ -260,7 +260,9 @@ def test_two_sides_as_plausible_as_each_other_are_both_named() -> None:
     flat = np.array([1.0, 1.0, 0.0])
     robot = dataclasses.replace(dasgupta(), b=dasgupta().b * flat, p=dasgupta().p * flat, g=np.zeros(3))
     text = r"robot: gravity is 0, the side \(0, 0, 1\) of the base is taken; \(0, 0, -1\) is as plausible"
-    L = ss.inverse_kinematics(robot, ss.Motion(np.eye(3), [0.0, 0.0, 0.5], np.zeros(3), np.zeros(3))).L
+    L = ss.inverse_kinematics(
+        robot, ss.Motion(R=np.eye(3), t=[0.0, 0.0, 0.5], omega=np.zeros(3), v=np.zeros(3))
+    ).L
     for call in (lambda: home_pose(robot), lambda: ss.forward_kinematics(robot, L)):
         with pytest.warns(ss.AssemblyModeWarning, match=f"^{text}$"):
             call()
@@ -302,7 +304,7 @@ def test_a_stated_home_pose_settles_the_side_and_is_the_home_pose() -> None:
     middle = robot.b.mean(axis=0) - robot.p.mean(axis=0)
     for sign in (1.0, -1.0):
         place = middle + sign * np.array([0.0, 0.0, 1.2 * machine_size(robot)])
-        stated = dataclasses.replace(robot, home=place)
+        stated = dataclasses.replace(robot, home_position=place)
         side = platform_side(stated)
         assert side.direction.tolist() == [0.0, 0.0, sign]
         assert (side.settled, side.by_gravity, side.certain) == (True, False, True)

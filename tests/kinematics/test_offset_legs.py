@@ -33,9 +33,9 @@ def test_the_rate_of_h_without_offsets_is_that_of_ordinary_legs() -> None:
     robot, motion = offset_case(0)
     plain = dataclasses.replace(robot, offsets=None)
     wanted = ss.wrench_matrix_rate(plain, motion)
-    found = ss.wrench_matrix_rate(dataclasses.replace(robot, offsets=ss.Offsets()), motion)
+    found = ss.wrench_matrix_rate(dataclasses.replace(robot, offsets=ss.JointOffsets()), motion)
     np.testing.assert_allclose(found, wanted, rtol=0, atol=1e-13 * np.abs(wanted).max())
-    still = ss.Motion(motion.R, motion.t, *np.zeros((2, *motion.t.shape)))
+    still = ss.Motion(R=motion.R, t=motion.t, omega=np.zeros(motion.t.shape), v=np.zeros(motion.t.shape))
     assert not ss.wrench_matrix_rate(robot, still).any()
 
 
@@ -50,10 +50,12 @@ def test_poses_come_back_from_lengths_and_from_motors(joint: str) -> None:
         np.testing.assert_allclose(found.R, motion.R, atol=1e-12)
         np.testing.assert_allclose(found.t, motion.t, atol=1e-12 * size)
         first = ss.forward_kinematics(robot, legs.L)
-        lengths = ss.inverse_kinematics(robot, ss.Motion(first.R, first.t, 0 * first.t, 0 * first.t)).L
+        lengths = ss.inverse_kinematics(
+            robot, ss.Motion(R=first.R, t=first.t, omega=0 * first.t, v=0 * first.t)
+        ).L
         np.testing.assert_allclose(lengths, legs.L, atol=1e-12 * size)
-        angle = ss.motor_angles(robot, motion, L_0=0.9 * legs.L[0]).angle
-        R, t = ss.pose_of_motors(robot, angle, near, L_0=0.9 * legs.L[0])
+        angle = ss.motor_angles(robot, motion, reference_length=0.9 * legs.L[0]).angle
+        R, t = ss.pose_from_motor_angles(robot, angle, near, reference_length=0.9 * legs.L[0])
         np.testing.assert_allclose(R, motion.R, atol=1e-11)
         np.testing.assert_allclose(t, motion.t, atol=1e-11 * size)
 
@@ -73,20 +75,20 @@ def test_velocities_and_accelerations_come_back(joint: str) -> None:
 def test_the_spin_of_the_upper_part_is_what_lengths_do_not_show() -> None:
     robot, motion = offset_case(1, "universal", screws=True)
     legs, motors = ss.inverse_kinematics(robot, motion), ss.motor_angles(robot, motion)
-    spin = (motors.angle - robot.drive.turns * legs.L) / robot.drive.gear
+    spin = (motors.angle - robot.drive.transmission_ratio * legs.L) / robot.drive.gear_ratio
     assert np.abs(spin).min() > 1e-4
     assert np.abs(spin).max() < np.pi
     keyed, motion = offset_case(1, "spherical", screws=True)
     legs, motors = ss.inverse_kinematics(keyed, motion), ss.motor_angles(keyed, motion)
-    np.testing.assert_array_equal(motors.rate, keyed.drive.turns * legs.L_dot)
+    np.testing.assert_array_equal(motors.rate, keyed.drive.transmission_ratio * legs.L_dot)
 
 
 def test_ordinary_legs_have_motors_too() -> None:
     robot, motion = offset_case(2, screws=True)
     plain = dataclasses.replace(robot, offsets=None)
     legs, motors = ss.inverse_kinematics(plain, motion), ss.motor_angles(plain, motion)
-    np.testing.assert_allclose(motors.angle, robot.drive.turns * legs.L, rtol=1e-13)
-    np.testing.assert_allclose(motors.acceleration, robot.drive.turns * legs.L_ddot, rtol=1e-9)
+    np.testing.assert_allclose(motors.angle, robot.drive.transmission_ratio * legs.L, rtol=1e-13)
+    np.testing.assert_allclose(motors.acceleration, robot.drive.transmission_ratio * legs.L_ddot, rtol=1e-9)
 
 
 def test_what_cannot_be_found_is_said() -> None:
@@ -95,7 +97,7 @@ def test_what_cannot_be_found_is_said() -> None:
         ss.forward_kinematics(robot, np.full(6, 50 * machine_size(robot)), guess=(motion.R, motion.t))
     without, motion = offset_case(0)
     rejects("drive: expected one", ss.motor_angles, without, motion)
-    rejects("angle: no pose", ss.pose_of_motors, robot, np.full(6, 1e5), (motion.R, motion.t))
+    rejects("angle: no pose", ss.pose_from_motor_angles, robot, np.full(6, 1e5), (motion.R, motion.t))
 
 
 @pytest.mark.parametrize("joint", PLATFORM_JOINTS)
@@ -104,7 +106,7 @@ def test_the_effort_of_the_drives_is_of_the_motors_speed(joint: str) -> None:
     effort, motors = ss.drive_effort(robot, motion), ss.motor_angles(robot, motion)
     np.testing.assert_allclose(effort.speed, motors.rate, rtol=1e-11)
     F = ss.inverse_dynamics(robot, motion).F
-    np.testing.assert_allclose(effort.torque, F / robot.drive.turns, rtol=1e-12)
+    np.testing.assert_allclose(effort.torque, F / robot.drive.transmission_ratio, rtol=1e-12)
     heavier = dataclasses.replace(robot.drive, rotor_inertia=2 * robot.drive.rotor_inertia)
     found = ss.drive_effort(dataclasses.replace(robot, drive=heavier), motion)
     np.testing.assert_allclose(found.rotor, 2 * effort.rotor, rtol=1e-11)

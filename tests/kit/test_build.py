@@ -169,7 +169,7 @@ def python_loop(robot: Robot, cycles: int) -> Motion:
     plant = ForwardDynamics(robot)
     begin = wanted(0.0)
     off = np.full(3, 1e-4)
-    state = Motion(rotation_from_vector(off) @ begin.R, begin.t + off, begin.omega, begin.v)
+    state = Motion(R=rotation_from_vector(off) @ begin.R, t=begin.t + off, omega=begin.omega, v=begin.v)
     for cycle in range(cycles):
         state, status = fixed_step.advance(plant, state, law(cycle * 1e-3, state), 1e-3, 2)
         assert int(status) == 0
@@ -183,7 +183,7 @@ def wanted(time: float) -> Motion:
     x_dot, x_ddot = amplitude * rate * np.cos(rate * time), -(rate**2) * x
     t = np.array([0.0, 0.0, 0.7]) + x[:3]
     R = rotation_from_vector(axis * x[3])
-    return Motion(R, t, axis * x_dot[3], x_dot[:3], axis * x_ddot[3], x_ddot[:3])
+    return Motion(R=R, t=t, omega=axis * x_dot[3], v=x_dot[:3], alpha=axis * x_ddot[3], a=x_ddot[:3])
 
 
 @pytest.mark.slow
@@ -284,7 +284,7 @@ def test_wrong_calls_are_told(tmp_path: Path, generator: Path) -> None:
     package = Path(cli.__file__).parents[1] / "cmake"
     for call, said in {
         "kit": "expected ROBOT <file>",
-        "kit ROBOT x.toml COLOUR red": "not understood: COLOUR red;",
+        "kit ROBOT x.toml COLOR red": "not understood: COLOR red;",
         "kit ROBOT x.toml FIDELITY": "without a value: FIDELITY",
         "kit ROBOT missing.toml": "missing.toml: cannot read the robot file: No such file",
         f"kit ROBOT x.toml EXECUTABLE {tmp_path}/nowhere": "nowhere",

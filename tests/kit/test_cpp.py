@@ -60,8 +60,8 @@ int main()
     if (!(std::fabs(acceleration[0] - 2) < off) || !(std::fabs(acceleration[5]) < off)) return 7;
     stewart_equations equations;
     if (kernel.equations(motion, equations) != status::ok) return 8;
-    if (kernel.bias(motion, bias) != status::ok) return 9;
-    if (!(std::fabs(bias[2] - equations.bias[2]) <= off * std::fabs(bias[2]))) return 10;
+    if (kernel.bias_and_friction(motion, bias) != status::ok) return 9;
+    if (!(std::fabs(bias[2] - equations.bias_and_friction[2]) <= off * std::fabs(bias[2]))) return 10;
 
     const stewart::reactions_kernel whole({SYMBOL});
     stewart_forces forces;
@@ -97,7 +97,7 @@ int main()
     motion.t[0] = std::numeric_limits<stewart::real>::quiet_NaN();
     if (kernel(motion, F) != status::not_finite || F[0] != -1) return 20;
     const stewart::motion_kernel empty;
-    if (empty.prepared() != status::bad_argument || empty.bias(motion, F) != status::bad_argument) return 21;
+    if (empty.prepared() != status::bad_argument || empty.bias_and_friction(motion, F) != status::bad_argument) return 21;
     stewart_robot broken = {SYMBOL};
     broken.M = motion.t[0];
     if (stewart::forces_kernel(broken)(motion, F) != status::not_finite || F[0] != -1) return 22;

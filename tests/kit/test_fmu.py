@@ -36,7 +36,7 @@ from fmu_units import (
     unit,
 )
 
-from stewart_sym import PATHS
+from stewart_sym import PAPER_PATHS
 from stewart_sym.dynamics.home_pose import home_pose
 from stewart_sym.kit import Choice, kit
 
@@ -59,7 +59,7 @@ def test_path_gives_the_forces_of_the_kernel_to_the_bit(case: str) -> None:
     interval, count = 0.05, 40
     times = interval * np.arange(count + 1)
     names = list(references(case))
-    rows = rows_of(PATHS["I"].path.sample(times))
+    rows = rows_of(PAPER_PATHS["I"].path.sample(times))
     signals = np.zeros(count + 1, dtype=[("time", float), *((name, float) for name in names[:30])])
     signals["time"] = times
     for name, column in zip(names[:30], rows.T, strict=True):
@@ -92,7 +92,7 @@ def test_unit_runs_at_rest_before_anything_is_connected(case: str) -> None:
         assert status(slave, case) == 0
 
 
-def test_outputs_follow_inputs_in_initialisation_and_steps_afterwards() -> None:
+def test_outputs_follow_inputs_in_initialization_and_steps_afterwards() -> None:
     first, second, _ = some_rows()
     with loaded("lanes") as slave:
         slave.instantiate()

@@ -166,7 +166,7 @@ def test_sanitizers_find_nothing_in_a_life_of_two_instances(case: str, tmp_path:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("case", ["lanes", "baked"])
-def test_analysers_find_nothing(case: str) -> None:
+def test_analyzers_find_nothing(case: str) -> None:
     where = folder(case) / "sources"
     checks = ["--enable=warning,style,performance,portability", "--std=c99", "--quiet", "--error-exitcode=3"]
     # The standard gives the signatures; declarations stand at the head of a function, as in all the C.

@@ -207,7 +207,7 @@ def test_outputs_of_one_pose_may_overlap_the_motion(tmp_path: Path) -> None:
     assert library.stewart_exact_prepare(c_kernel.address(constants), c_kernel.address(model)) == 0
     functions = {
         "stewart_exact_forces": (model, 6),
-        "stewart_exact_bias": (model, 6),
+        "stewart_exact_bias_and_friction": (model, 6),
         "stewart_exact_joint_inertia": (model, 36),
         "stewart_exact_equations": (model, 162),
         "stewart_exact_inverse_dynamics": (constants, 78),

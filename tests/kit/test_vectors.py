@@ -78,8 +78,11 @@ def test_closed_form_is_the_inverse_dynamics_to_45_digits() -> None:
     M, H = terms["M"].reshape(6, 6), terms["H"].reshape(6, 6)
     acceleration = np.concatenate([at["a"], at["alpha"]])
     load = np.concatenate([at["R"].reshape(3, 3) @ at[name] for name in ("F_ext", "M_ext")])
-    assert off(M @ acceleration + terms["bias"], H @ F + load) < 1e-45
-    assert off(interpreter.found("bias", at)["bias"], terms["bias"]) < 1e-45
+    assert off(M @ acceleration + terms["bias_and_friction"], H @ F + load) < 1e-45
+    assert (
+        off(interpreter.found("bias_and_friction", at)["bias_and_friction"], terms["bias_and_friction"])
+        < 1e-45
+    )
     held = {**at, "F": np.array([number.value for number in F])}
     back = interpreter.found("forward_dynamics", held)["acceleration"]
     assert off(back, np.array([Running(number) for number in acceleration])) < 1e-45
@@ -103,11 +106,11 @@ def test_derivatives_are_differences_of_the_forces_to_25_digits() -> None:
         assert off((there - back) / (2 * step), by[:, column]) < 1e-25
 
 
-def test_linearisation_is_that_of_forward_dynamics_to_25_digits() -> None:
+def test_linearization_is_that_of_forward_dynamics_to_25_digits() -> None:
     numbers, at = exactly_orthonormal()
     at["F"] = np.array([*map(digits.mpf, (10, -20, 30, 40, -50, 60))])
     interpreter = KitInterpreter(numbers, "universal")
-    found = interpreter.found("linearisation", at)
+    found = interpreter.found("linearization", at)
     A, B = found["A"].reshape(12, 12), found["B"].reshape(12, 6)
     step = digits.mpf("1e-15")
     for column in (1, 3, 5, 7, 9, 11):
@@ -196,10 +199,10 @@ def test_numbers_of_float_vectors_fit_into_floats_and_answers_are_of_these() -> 
             np.testing.assert_array_equal(values, values.astype(np.float32))
     vector = vectors(robot, ("forces",), precision="float", count=1)[0]
     shaped = {name: vector.inputs[name].reshape(shape) for name, shape in MOTION.items()}
-    F = newton_euler.inverse_dynamics(rounded, Motion.unchecked(**shaped), newton_euler.EXACT).F
+    F = newton_euler.inverse_dynamics(rounded, Motion._unchecked(**shaped), newton_euler.EXACT).F
     np.testing.assert_allclose(vector.answers["F"], F, rtol=0, atol=1e-6 * np.abs(F).max())
     baked = vectors(robot, ("forces",), precision="float", count=1, baked=True)[0]
-    F = newton_euler.inverse_dynamics(robot, Motion.unchecked(**shaped), newton_euler.EXACT).F
+    F = newton_euler.inverse_dynamics(robot, Motion._unchecked(**shaped), newton_euler.EXACT).F
     assert np.abs(baked.answers["F"] - F).max() < np.abs(vector.answers["F"] - F).max()
 
 
@@ -212,7 +215,7 @@ def test_bounds_are_positive_and_of_two_digits_and_large_functions_have_few_vect
     counts = {
         function: sum(v.function == function and v.ordinary for v in made) for function in WITHOUT_DRIVE
     }
-    assert {counts[f] for f in ("equations", "joint_inertia", "derivatives", "linearisation")} == {FEW}
+    assert {counts[f] for f in ("equations", "joint_inertia", "derivatives", "linearization")} == {FEW}
     assert counts["forces"] == counts["forward_kinematics"] == 8
     assert {v.function for v in made if not v.ordinary} == {"forces"}
 

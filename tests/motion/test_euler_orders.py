@@ -47,7 +47,7 @@ def in_order(motion: ss.Motion, order: str) -> Array:
 def test_angular_velocities_are_those_of_rotations_that_the_log_passes(tmp_path: Path, order: str) -> None:
     time, h = np.linspace(0.0, 3.0, 61), 1e-4
     path = saved(tmp_path / "log.csv", time, waving(time))
-    motion = read_csv(path, ss.LogFormat(euler_order=order)).motion
+    motion = read_csv(path, ss.TrajectoryFormat(euler_order=order)).motion
     before, R, after = (rotation_about_axes(waving(time + k * h)[0, :, 3:], order) for k in (-1, 0, 1))
     np.testing.assert_allclose(motion.R, R, atol=1e-14)
     rate, second = (after - before) / (2.0 * h), (after - 2.0 * R + before) / h**2
@@ -64,7 +64,7 @@ def test_one_motion_is_the_same_in_every_order(tmp_path: Path, order: str) -> No
     expected = motion_of(waving(time))
     found = in_order(expected, order)
     found[..., 3:] = np.degrees(found[..., 3:])
-    form = ss.LogFormat(euler_order=order, angle_unit="deg")
+    form = ss.TrajectoryFormat(euler_order=order, angle_unit="deg")
     motion = read_csv(saved(tmp_path / "log.csv", time, found), form).motion
     for name in UNLOADED:
         np.testing.assert_allclose(getattr(motion, name), getattr(expected, name), atol=1e-12)
@@ -73,12 +73,14 @@ def test_one_motion_is_the_same_in_every_order(tmp_path: Path, order: str) -> No
 @pytest.mark.parametrize("order", EULER_ORDERS)
 def test_rates_are_doubted_beside_angles_of_their_own_order(tmp_path: Path, order: str) -> None:
     time = np.linspace(0.0, 4.0, 161)
-    path, form = tmp_path / "log.csv", ss.LogFormat(euler_order=order)
+    path, form = tmp_path / "log.csv", ss.TrajectoryFormat(euler_order=order)
     found = waving(time)
     with warnings.catch_warnings(action="error"):
         read_csv(saved(path, time, found), form)
     found[1:, :, 3:] *= -1.0
-    with pytest.warns(ss.LogWarning, match="theta_x, theta_y, theta_z change by -1 times what theta_dot_x"):
+    with pytest.warns(
+        ss.TrajectoryWarning, match="theta_x, theta_y, theta_z change by -1 times what theta_dot_x"
+    ):
         read_csv(saved(path, time, found), form)
 
 
@@ -88,7 +90,7 @@ def test_angles_whose_rates_are_without_bounds_as_roll_pitch_yaw_are_read(tmp_pa
     found[0, 0, 3:] = 0.5 * np.pi, 0.0, 0.5 * np.pi
     found[1, 0, 3:], found[2, 0, 3:] = [0.5, 0.0, 0.0], [5.0, 0.0, 0.0]
     path = saved(tmp_path / "row.csv", np.zeros(1), found)
-    motion = read_csv(path, ss.LogFormat(euler_order="xyz")).motion
+    motion = read_csv(path, ss.TrajectoryFormat(euler_order="xyz")).motion
     assert abs(motion.R[0, 2, 0]) == pytest.approx(1.0)
     np.testing.assert_allclose([motion.omega[0], motion.alpha[0]], found[1:, 0, 3:], atol=1e-14)
 
@@ -98,13 +100,17 @@ def test_deviations_are_those_of_noisy_angles_of_the_order(
     tmp_path: Path, robot: ss.Robot, order: str
 ) -> None:
     time, sigma = np.linspace(0.0, 1.0, 21), 1e-5
-    found, form = waving(time), ss.LogFormat(euler_order=order)
+    found, form = waving(time), ss.TrajectoryFormat(euler_order=order)
     found[..., 3:] *= 0.3
-    log = read_log_of(robot, saved(tmp_path / "log.csv", time, found), form, ss.Smoothing(angle=sigma))
+    log = read_log_of(
+        robot, saved(tmp_path / "log.csv", time, found), form, ss.SmoothingOptions(angle_std=sigma)
+    )
 
     def forces(x: Array) -> Array:
         R, omega, alpha = motion_about_axes(*x[..., 3:], order)
-        return ss.inverse_dynamics(robot, ss.Motion(R, x[0, :, :3], omega, x[1, :, :3], alpha, x[2, :, :3])).F
+        return ss.inverse_dynamics(
+            robot, ss.Motion(R=R, t=x[0, :, :3], omega=omega, v=x[1, :, :3], alpha=alpha, a=x[2, :, :3])
+        ).F
 
     shifts = sigma * np.eye(6)[3:]
     changes = [
@@ -112,7 +118,7 @@ def test_deviations_are_those_of_noisy_angles_of_the_order(
         for shift in shifts
     ]
     expected = np.sqrt(np.sum(np.square(changes), axis=0))
-    np.testing.assert_allclose(ss.force_deviations(robot, log), expected, rtol=1e-3)
+    np.testing.assert_allclose(ss.force_std(robot, log), expected, rtol=1e-3)
 
 
 @pytest.fixture

@@ -19,7 +19,7 @@ import stewart_sym as ss
 from stewart_sym.cli.terminal import one_line
 from stewart_sym.kinematics.log_doubts import angle_doubt, length_doubt, side_doubt
 from stewart_sym.motion.log_reader import FORCES, PLAIN, read_csv, read_leg_columns
-from stewart_sym.motion.logs import EULER_ORDERS, LENGTH_UNITS, LogFormat
+from stewart_sym.motion.logs import EULER_ORDERS, LENGTH_UNITS, TrajectoryFormat
 from stewart_sym.motion.rotation import quaternion_from_rotation, rotation_from_rpy
 from stewart_sym.motion.trajectory import PoseLog, Trajectory
 from stewart_sym.studies.reports.track import peak_noise
@@ -37,7 +37,7 @@ def test_delimiter_and_decimal_comma_are_detected(tmp_path: Path, delimiter: str
     odd = write(tmp_path / "odd.csv", NAMES, poses(), delimiter, decimal)
     same(read_csv(odd), plain, 0.0)
     marks = {",": "comma", ";": "semicolon", "\t": "tab"}[delimiter], {".": "point", ",": "comma"}[decimal]
-    same(read_csv(odd, LogFormat(delimiter=marks[0], decimal=marks[1])), plain, 0.0)
+    same(read_csv(odd, TrajectoryFormat(delimiter=marks[0], decimal=marks[1])), plain, 0.0)
 
 
 @pytest.mark.parametrize("read", [read_csv, lambda log: ss.read_trajectory(dasgupta(), log)])
@@ -47,7 +47,7 @@ def test_rows_that_are_off_are_told_at_the_line_that_reads_the_log(
     rows = poses(121)
     rows[60, 1] += 0.01
     log = write(tmp_path / "spike.csv", NAMES, rows)
-    with pytest.warns(ss.LogWarning, match="numbers are off as no motion makes them: line 62") as told:
+    with pytest.warns(ss.TrajectoryWarning, match="numbers are off as no motion makes them: line 62") as told:
         read(log)
     assert {each.filename for each in told} == {__file__}
 
@@ -58,12 +58,12 @@ def test_names_are_mapped_and_other_columns_skipped(tmp_path: Path) -> None:
     lines = write(tmp_path / "own.csv", given, poses()).read_text().splitlines()
     path = tmp_path / "more.csv"
     path.write_text("\n".join([lines[0] + ",mode", *(f"{line},auto" for line in lines[1:])]))
-    form = LogFormat(dict(zip(NAMES, given, strict=True)))
+    form = TrajectoryFormat(dict(zip(NAMES, given, strict=True)))
     same(read_csv(path, form), plain, 0.0)
     with pytest.raises(
         ValueError, match=r"more.csv: expected a column 'Roll' for theta_x, got Time \[ms\], X"
     ):
-        read_csv(path, LogFormat({**form.columns, "theta_x": "Roll"}))
+        read_csv(path, TrajectoryFormat({**form.columns, "theta_x": "Roll"}))
 
 
 @pytest.mark.parametrize(
@@ -81,14 +81,14 @@ def test_mistakes_among_given_names_are_theirs(tmp_path: Path, change: dict[str,
     given = ["Time [ms]", "X", "Y", "Z", "roll", "pitch", "yaw"]
     path = write(tmp_path / "own.csv", given, poses())
     columns = dict(zip(NAMES, given, strict=True)) | change
-    rejects(f"^columns: {words}", lambda: read_csv(path, LogFormat(columns)))
+    rejects(f"^columns: {words}", lambda: read_csv(path, TrajectoryFormat(columns)))
 
 
 def test_units_are_converted(tmp_path: Path) -> None:
     table = poses()
     plain = read_csv(write(tmp_path / "plain.csv", NAMES, table))
     scaled = table / np.array([1e-3, 1e-3, 1e-3, 1e-3, *[np.pi / 180.0] * 3])
-    form = LogFormat(length_unit="mm", angle_unit="deg", time_unit="ms")
+    form = TrajectoryFormat(length_unit="mm", angle_unit="deg", time_unit="ms")
     same(read_csv(write(tmp_path / "mm.csv", NAMES, scaled), form), plain)
 
 
@@ -97,7 +97,7 @@ def test_euler_orders_multiply_the_turns_in_that_order(tmp_path: Path, order: st
     table = poses()
     single = [rotation_from_rpy(table[:, 4 + i, None] * np.eye(3)[i]) for i in range(3)]
     a, b, c = (single["xyz".index(axis)] for axis in order)
-    found = read_csv(write(tmp_path / "e.csv", NAMES, table), LogFormat(euler_order=order))
+    found = read_csv(write(tmp_path / "e.csv", NAMES, table), TrajectoryFormat(euler_order=order))
     np.testing.assert_allclose(found.motion.R, a @ b @ c, atol=1e-14)
 
 
@@ -118,17 +118,17 @@ def test_quaternions_are_poses(tmp_path: Path) -> None:
         ((1e3, 1.0, 1.0), "is time in another unit .LogFormat.time_unit='ms'"),
         ((1e3, 1e3, 1.0), "is time in another unit .LogFormat.time_unit='ms'"),
         ((1e3, 1e3, 1e2), "is time in another unit .LogFormat.time_unit='ms'"),
-        ((1e6, 1.0, 1.0), "LogFormat.time_unit='us'"),
-        ((1.0, 1.0, 50 * 180.0 / np.pi), "LogFormat.angle_unit='deg'"),
-        ((1e-6, 1.0, 1.0), "LogFormat.time_unit"),
+        ((1e6, 1.0, 1.0), "TrajectoryFormat.time_unit='us'"),
+        ((1.0, 1.0, 50 * 180.0 / np.pi), "TrajectoryFormat.angle_unit='deg'"),
+        ((1e-6, 1.0, 1.0), "TrajectoryFormat.time_unit"),
     ],
 )
 def test_units_that_no_machine_has_are_warned_of(
     tmp_path: Path, factors: tuple[float, float, float], words: str
 ) -> None:
     odd = write(tmp_path / "odd.csv", NAMES, poses() * np.repeat(factors, [1, 3, 3]))
-    with pytest.warns(ss.LogWarning, match=words):
-        read_csv(odd, smoothing=ss.Smoothing(on=False))
+    with pytest.warns(ss.TrajectoryWarning, match=words):
+        read_csv(odd, smoothing=ss.SmoothingOptions(enabled=False))
     with warnings.catch_warnings(action="error"):
         read_csv(write(tmp_path / "good.csv", NAMES, poses()))
 
@@ -146,11 +146,11 @@ def test_the_unit_of_lengths_is_told_by_the_machines_size(limits: bool) -> None:
     assert length_doubt(robot, L) is None
     for unit in ("mm", "cm", "in"):
         told = str(length_doubt(robot, L / LENGTH_UNITS[unit]))
-        assert re.search(rf"another unit \(.*LogFormat\(length_unit='{unit}'\)", told), told
-    assert "another unit (LogFormat(length_unit='m')" in str(length_doubt(robot, 1e-3 * L, "mm"))
+        assert re.search(rf"another unit \(.*TrajectoryFormat\(length_unit='{unit}'\)", told), told
+    assert "another unit (TrajectoryFormat(length_unit='m')" in str(length_doubt(robot, 1e-3 * L, "mm"))
     beyond = 25.4 if limits else 100.0
-    assert "another unit (LogFormat(length_unit='mm'))" in str(length_doubt(robot, beyond * L, "in"))
-    assert "those of the robot file in metres" in str(length_doubt(robot, 1e-3 * L))
+    assert "another unit (TrajectoryFormat(length_unit='mm'))" in str(length_doubt(robot, beyond * L, "in"))
+    assert "those of the robot file in meters" in str(length_doubt(robot, 1e-3 * L))
     assert "the log of another machine" in str(length_doubt(robot, 1e5 * L))
 
 
@@ -190,7 +190,7 @@ def test_quaternions_with_their_scalar_last_under_other_names_are_warned_of(tmp_
     table = poses()
     e = quaternion_from_rotation(rotation_from_rpy(table[:, 4:]))
     names = [*NAMES[:4], "q_w", "q_x", "q_y", "q_z"]
-    with pytest.warns(ss.LogWarning, match="quaternions whose scalar comes last"):
+    with pytest.warns(ss.TrajectoryWarning, match="quaternions whose scalar comes last"):
         read_csv(write(tmp_path / "q.csv", names, np.hstack([table[:, :4], np.roll(e, -1, axis=1)])))
 
 
@@ -198,7 +198,7 @@ def test_quaternions_with_their_scalar_last_under_other_names_are_warned_of(tmp_
     ("mark", "words"),
     [
         ("", "expected 7 columns, got 14: are commas its decimal marks too"),
-        ('"', "LogFormat.decimal='comma'"),
+        ('"', "TrajectoryFormat.decimal='comma'"),
     ],
 )
 def test_decimal_commas_between_commas_are_named(tmp_path: Path, mark: str, words: str) -> None:
@@ -215,7 +215,7 @@ def test_poses_on_the_other_side_of_the_base_are_doubted(gravity: float, where: 
         robot = random_robot(rng, scale=float(rng.choice([0.2, 1.0, 3.0])))
         above = home_position(robot.b, machine_size(robot)) - robot.p.mean(axis=0)
         home = above if gravity > 0.0 else None
-        robot = dataclasses.replace(robot, g=[0.0, 0.0, gravity], home=home)
+        robot = dataclasses.replace(robot, g=[0.0, 0.0, gravity], home_position=home)
         t = above + 0.01 * machine_size(robot) * rng.normal(size=(9, 3))
         below = t - [0.0, 0.0, 2.2 * machine_size(robot)]
         still = np.zeros((9, 3))
@@ -229,9 +229,9 @@ def test_poses_on_the_other_side_of_the_base_are_doubted(gravity: float, where: 
 def limited(folder: Path, limit: float) -> Path:
     """The paper's robot file with a limit of its forces."""
     text = PAPERS.read_text(encoding="utf-8")
-    limits = f"[leg_defaults]\nforce_limit = {limit!r}\n[leg_defaults.lower]"
+    limits = f"[legs]\nforce_limit = {limit!r}\n[legs.lower]"
     path = folder / "robot.toml"
-    path.write_text(text.replace("[leg_defaults.lower]", limits), encoding="utf-8")
+    path.write_text(text.replace("[legs.lower]", limits), encoding="utf-8")
     return path
 
 
@@ -247,7 +247,7 @@ def test_forces_reads_a_foreign_log_and_sums_up(tmp_path: Path, run: Run) -> Non
     assert "101 instants, 0 to 2 s" in told.out
     assert "100000 kept" in told.out
     header = out.read_text().splitlines()[0].split(",")
-    assert header[7:13] == [f"F{leg}_sd" for leg in range(1, 7)]
+    assert header[7:13] == [f"F_{leg}_std" for leg in range(1, 7)]
 
 
 def test_a_rate_that_leaves_few_instants_is_warned_of(tmp_path: Path, run: Run) -> None:
@@ -261,7 +261,7 @@ def test_a_rate_that_leaves_few_instants_is_warned_of(tmp_path: Path, run: Run) 
 def test_the_share_by_which_a_peak_may_be_higher_follows_from_the_numbers_beside_it(tmp_path: Path) -> None:
     table = poses(400)
     rough = write(tmp_path / "log.csv", NAMES, np.column_stack([table[:, 0], np.round(table[:, 1:], 3)]))
-    with pytest.warns(ss.LogWarning, match="smoothed"):
+    with pytest.warns(ss.TrajectoryWarning, match="smoothed"):
         trajectory = read_csv(rough)
     (line,) = (text for text in track(dasgupta(), trajectory, noise_share=1e-4).doubts if "noise" in text)
     pattern = (
@@ -274,7 +274,7 @@ def test_the_share_by_which_a_peak_may_be_higher_follows_from_the_numbers_beside
     share /= 100.0
     assert (possible - peak) / peak == pytest.approx(share, rel=0.02)
     F = ss.inverse_dynamics(dasgupta(), trajectory.motion).F
-    assert share == pytest.approx(peak_noise(F, ss.force_deviations(dasgupta(), trajectory)).max(), rel=0.01)
+    assert share == pytest.approx(peak_noise(F, ss.force_std(dasgupta(), trajectory)).max(), rel=0.01)
 
 
 def test_noise_that_no_force_shows_is_a_line_of_the_summary(tmp_path: Path, run: Run) -> None:
@@ -286,7 +286,7 @@ def test_noise_that_no_force_shows_is_a_line_of_the_summary(tmp_path: Path, run:
 
 
 def test_hints_name_a_row_of_units_where_no_option_has_them() -> None:
-    text = "log.csv: is it another unit (LogFormat(length_unit='mm'))?"
+    text = "log.csv: is it another unit (TrajectoryFormat(length_unit='mm'))?"
     assert one_line(text, ["--length-unit"]) == "log.csv: is it another unit (--length-unit mm)?"
     assert (
         one_line(text, ["--json"]) == "log.csv: is it another unit (mm in a row of units below the header)?"
@@ -295,7 +295,7 @@ def test_hints_name_a_row_of_units_where_no_option_has_them() -> None:
 
 def test_hints_name_arguments_in_python_and_options_on_the_command_line(tmp_path: Path, run: Run) -> None:
     log = write(tmp_path / "log.csv", ["ms", *NAMES[1:]], poses())
-    with pytest.raises(ValueError, match=r"give LogFormat\(columns=\{NAME: HEADER, ...\}\)$") as error:
+    with pytest.raises(ValueError, match=r"give TrajectoryFormat\(columns=\{NAME: HEADER, ...\}\)$") as error:
         read_csv(log)
     assert "--" not in str(error.value)
     told = run("forces", PAPERS, log, "-o", tmp_path / "f.csv", code=2).err
@@ -335,7 +335,7 @@ def shortest(table: Array) -> str:
 
 def cut_warnings(path: Path) -> list[str]:
     with warnings.catch_warnings(record=True, action="always") as caught:
-        read_csv(path, smoothing=ss.Smoothing(on=False))
+        read_csv(path, smoothing=ss.SmoothingOptions(enabled=False))
     return [str(each.message) for each in caught if "cut off" in str(each.message)]
 
 
@@ -372,10 +372,12 @@ def test_times_rounded_to_milliseconds_are_those_of_their_even_clock(tmp_path: P
     rows = poses(121)
     plain = read_csv(write(tmp_path / "plain.csv", NAMES, rows))
     rows[:, 0] = np.round(rows[:, 0], 3)
-    with pytest.warns(ss.LogWarning, match=r"time: rounded to 1 ms: rows are taken every 16\.66\d* ms$"):
+    with pytest.warns(
+        ss.TrajectoryWarning, match=r"time: rounded to 1 ms: rows are taken every 16\.66\d* ms$"
+    ):
         found = read_csv(write(tmp_path / "log.csv", NAMES, rows))
     np.testing.assert_allclose(found.time, plain.time, rtol=0.0, atol=1e-5)
     np.testing.assert_allclose(found.motion.a, plain.motion.a, atol=1e-3 * np.abs(plain.motion.a).max())
-    names = ["time", *(f"F{leg}" for leg in range(1, 7))]
+    names = ["time", *(f"F_{leg}" for leg in range(1, 7))]
     time, *_ = read_leg_columns(write(tmp_path / "forces.csv", names, rows), PLAIN, (FORCES,))
     np.testing.assert_array_equal(time, found.time)

@@ -19,7 +19,7 @@ from robot_files import PAPERS
 import stewart_sym as ss
 from stewart_sym.cli.main import main
 from stewart_sym.motion.log_reader import read_csv, read_log
-from stewart_sym.motion.logs import LogFormat, read_columns
+from stewart_sym.motion.logs import TrajectoryFormat, read_columns
 from stewart_sym.motion.trajectory import Trajectory
 from stewart_sym.robots import dasgupta1998
 from stewart_sym.singularities import along_path, joint_space
@@ -38,7 +38,7 @@ def peak(action: object) -> tuple[object, int]:
 
 
 def trajectory(count: int) -> Trajectory:
-    path = ss.PATHS["I"].path
+    path = ss.PAPER_PATHS["I"].path
     time = np.linspace(0.0, path.tau_f, count)
     return Trajectory(time, path.sample(time), "path", range(2, count + 2))
 
@@ -90,7 +90,7 @@ def test_every_number_is_read_back_as_it_was() -> None:
 
 def test_a_path_between_many_instants_takes_no_room_of_its_own() -> None:
     given = trajectory(50_000)
-    path, most = peak(lambda: ss.between(given))
+    path, most = peak(lambda: ss.interpolate(given))
     assert most < given.time.nbytes
     assert path(given.time[7:9]).t == pytest.approx(given.motion.t[7:9], abs=1e-12)
 
@@ -164,12 +164,12 @@ def test_an_unsolvable_pose_deep_in_a_log_leaves_no_output(tmp_path: Path, run: 
 
 def test_blank_lines_and_quoted_cells_deep_in_a_log_keep_numbers_and_rows(tmp_path: Path) -> None:
     log = full_log(tmp_path / "log.csv", 10_000)
-    plain = read_columns(BytesIO(log.read_bytes()), "log", lambda *_: None, LogFormat())
+    plain = read_columns(BytesIO(log.read_bytes()), "log", lambda *_: None, TrajectoryFormat())
     lines = log.read_text().splitlines()
     lines[9000] = ",".join(f'"{cell}"' for cell in lines[9000].split(","))
     lines.insert(9500, "")
     odd, rows, *_ = read_columns(
-        BytesIO("\n".join([*lines, "", ""]).encode()), "log", lambda *_: None, LogFormat()
+        BytesIO("\n".join([*lines, "", ""]).encode()), "log", lambda *_: None, TrajectoryFormat()
     )
     for name, column in plain[0].items():
         assert np.array_equal(column, odd[name]), name
@@ -208,7 +208,7 @@ def test_columns_limits_and_peaks_of_parts_are_those_of_the_whole(monkeypatch: p
 def joint_log(path: Path, count: int) -> Path:
     """A log of leg lengths with rates and accelerations."""
     time = np.linspace(0.0, 6.0, count)
-    motion = ss.PATHS["I"].path.sample(time)
+    motion = ss.PAPER_PATHS["I"].path.sample(time)
     legs = ss.inverse_kinematics(dasgupta1998(), motion)
     names = [f"{name}_{i}" for name in ("L", "L_dot", "L_ddot") for i in range(1, 7)]
     table = np.hstack([legs.L, legs.L_dot, legs.L_ddot])

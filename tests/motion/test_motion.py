@@ -36,17 +36,19 @@ def test_rotations_in_float_are_taken_to_the_nearest_rotation_in_double() -> Non
     rng = np.random.default_rng(32)
     exact = rotation_from_rpy(rng.uniform(-4.0, 4.0, (1000, 3)))
     rounded = exact.astype(np.float32)
-    motion = Motion(rounded, *np.zeros((3, 3)))
+    motion = Motion(R=rounded, t=np.zeros(3), omega=np.zeros(3), v=np.zeros(3))
     assert motion.R.dtype == np.float64
     assert np.abs(motion.R - exact).max() < np.finfo(np.float32).eps
     product = np.swapaxes(motion.R, -1, -2) @ motion.R
     assert np.abs(product - np.eye(3)).max() < 8 * np.finfo(np.float64).eps
     # A slice and a second Motion of what is stored leave its bits alone.
-    assert np.array_equal(Motion(motion.R, *np.zeros((3, 3)))[3:7].R, motion.R[3:7])
+    assert np.array_equal(
+        Motion(R=motion.R, t=np.zeros(3), omega=np.zeros(3), v=np.zeros(3))[3:7].R, motion.R[3:7]
+    )
     for bad in (rounded.astype(np.float64), rounded * np.float32(1.0 + 1e-5), -rounded):
         rejects(r"R.*: expected a rotation matrix", Motion, bad, *np.zeros((3, 3)))
     with pytest.raises(ValueError, match=r"numbers of single precision, give R as an array of float32$"):
-        Motion(rounded.tolist(), *np.zeros((3, 3)))
+        Motion(R=rounded.tolist(), t=np.zeros(3), omega=np.zeros(3), v=np.zeros(3))
 
 
 @pytest.mark.parametrize("size", [5e-324, 1e-200, 1e200, 4e307])
@@ -119,17 +121,17 @@ def test_alpha_is_the_derivative_of_omega(
 
 
 def test_absent_parts_stay_none() -> None:
-    motion = Motion(E, ZERO, ZERO, ZERO)
+    motion = Motion(R=E, t=ZERO, omega=ZERO, v=ZERO)
     assert motion.alpha is motion.a is motion.F_ext is motion.M_ext is None
     assert motion.shape == ()
     assert Motion.from_rpy(ZERO, ZERO, ZERO, ZERO)[...].alpha is None
-    one_load = Motion(E, ZERO, ZERO, ZERO, F_ext=np.ones((4, 3)))
+    one_load = Motion(R=E, t=ZERO, omega=ZERO, v=ZERO, F_ext=np.ones((4, 3)))
     assert one_load.M_ext is None
     assert one_load.shape == (4,)
 
 
 def test_leading_shapes_broadcast() -> None:
-    motion = Motion(E, np.zeros((5, 3)), np.zeros((4, 1, 3)), np.array([1.0, 2.0, 3.0]))
+    motion = Motion(R=E, t=np.zeros((5, 3)), omega=np.zeros((4, 1, 3)), v=np.array([1.0, 2.0, 3.0]))
     assert motion.shape == (4, 5)
     assert motion.R.shape == (4, 5, 3, 3)
     np.testing.assert_array_equal(motion.v[3, 4], [1.0, 2.0, 3.0])
@@ -163,7 +165,7 @@ def test_slices_are_those_of_the_leading_shape(index: Any) -> None:
 
 
 def test_no_index_reaches_the_vectors() -> None:
-    motion = Motion(E, np.zeros((5, 3)), ZERO, ZERO)
+    motion = Motion(R=E, t=np.zeros((5, 3)), omega=ZERO, v=ZERO)
     with pytest.raises(IndexError):
         motion[0, 0]
     with pytest.raises(IndexError):
@@ -172,15 +174,15 @@ def test_no_index_reaches_the_vectors() -> None:
 
 def test_iteration_goes_along_the_first_axis() -> None:
     t = np.arange(30.0).reshape(5, 2, 3)
-    for i, part in enumerate(Motion(E, t, ZERO, ZERO)):
+    for i, part in enumerate(Motion(R=E, t=t, omega=ZERO, v=ZERO)):
         np.testing.assert_array_equal(part.t, t[i])
     assert i == 4
     with pytest.raises(TypeError, match="one instant"):
-        iter(Motion(E, ZERO, ZERO, ZERO))
+        iter(Motion(R=E, t=ZERO, omega=ZERO, v=ZERO))
 
 
 def test_empty_batch() -> None:
-    motion = Motion(np.zeros((0, 3, 3)), np.zeros((0, 3)), np.zeros((0, 3)), np.zeros((0, 3)))
+    motion = Motion(R=np.zeros((0, 3, 3)), t=np.zeros((0, 3)), omega=np.zeros((0, 3)), v=np.zeros((0, 3)))
     assert motion.shape == motion[:0].shape == (0,)
 
 
@@ -227,7 +229,7 @@ def test_what_is_no_motion_is_named(wrong: dict[str, Any], expected: str) -> Non
 )
 def test_axes_that_no_rotation_turns_are_rejected(Q: Array, expected: str) -> None:
     motion = Motion(R=E, t=ZERO, omega=[0.0, 0.0, 1.0], v=ZERO)
-    assert error_of(lambda: motion.in_axes(Q)) == expected
+    assert error_of(lambda: motion.in_rotated_frames(Q)) == expected
 
 
 @pytest.mark.parametrize(

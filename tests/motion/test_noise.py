@@ -36,7 +36,7 @@ def sweep(request: pytest.FixtureRequest) -> dict[str, list[tuple[Case, Array, A
         for noise in NOISES:
             trajectory, _ = read(one.time, logged(one, noise, seed))
             F = ss.inverse_dynamics(one.robot, trajectory.motion).F
-            found[noise].append((one, F, ss.force_deviations(one.robot, trajectory)))
+            found[noise].append((one, F, ss.force_std(one.robot, trajectory)))
     return found
 
 
@@ -73,17 +73,17 @@ def test_peaks_without_a_warning_are_within_two_percent_and_verdicts_hold(
 
 def test_a_clean_log_is_interpolated_and_has_no_deviations() -> None:
     one = case(0)
-    with warnings.catch_warnings(action="error", category=ss.LogWarning):
+    with warnings.catch_warnings(action="error", category=ss.TrajectoryWarning):
         trajectory = from_poses(one.time, one.true[0, :, :3], one.true[0, :, 3:])
     assert trajectory.noise is None
     np.testing.assert_array_equal(trajectory.motion.t, one.true[0, :, :3])
-    assert not ss.force_deviations(one.robot, trajectory).any()
+    assert not ss.force_std(one.robot, trajectory).any()
 
 
-@pytest.mark.parametrize("name", list(ss.PATHS))
+@pytest.mark.parametrize("name", list(ss.PAPER_PATHS))
 def test_accelerations_that_jump_are_no_noise(name: str) -> None:
-    path, step = ss.PATHS[name]
-    times = path.times(step / 4)
+    path, step = ss.PAPER_PATHS[name]
+    times = path.time_grid(step / 4)
     found = path.sample(times)
     values = np.hstack([found.t, rpy_from_rotation(found.R)])
     assert not white_noise(times, values).any()
@@ -162,7 +162,7 @@ def test_columns_are_smoothed_beside_others_and_gaps_and_deviations_hold_all_of_
 ) -> None:
     robot, true, trajectory = with_gap(sigma, slice(260, 260 + missing), 0.8)
     true = np.delete(true, slice(260, 260 + missing), axis=1)
-    F, sd = ss.inverse_dynamics(robot, motion_of(true)).F, ss.force_deviations(robot, trajectory)
+    F, sd = ss.inverse_dynamics(robot, motion_of(true)).F, ss.force_std(robot, trajectory)
     assert np.abs((ss.inverse_dynamics(robot, trajectory.motion).F - F) / sd).max() < 6.0
     assert np.median(sd) < 1e-3 * np.abs(F).max()
 
@@ -176,8 +176,8 @@ def test_deviations_hold_what_a_bridge_over_a_gap_leaves_open(
 ) -> None:
     gap = slice(260, 260 + missing)
     robot, true, trajectory = with_gap((sigma, sigma), gap, highest)
-    found = ss.resampled(trajectory, 200.0)
-    F, sd = ss.inverse_dynamics(robot, motion_of(true)).F, ss.force_deviations(robot, found)
+    found = ss.resample(trajectory, 200.0)
+    F, sd = ss.inverse_dynamics(robot, motion_of(true)).F, ss.force_std(robot, found)
     z = (ss.inverse_dynamics(robot, found.motion).F - F)[gap] / sd[gap]
     assert 0.2 < np.sqrt(np.mean(z**2)) < 2.0
     assert np.abs(z).max() < 6.0
@@ -203,7 +203,7 @@ def test_noise_of_few_rows_is_found_and_its_deviations_cover_the_errors(count: i
         one = first_rows(seed, count)
         trajectory, _ = read(one.time, np.round(logged(one, "white", seed), 7))
         F = ss.inverse_dynamics(one.robot, trajectory.motion).F
-        runs.append((one, F, ss.force_deviations(one.robot, trajectory)))
+        runs.append((one, F, ss.force_std(one.robot, trajectory)))
         found.append(trajectory.noise.sigma)
     assert np.median(found) == pytest.approx(WHITE, rel=0.3)
     assert np.mean(np.array(found) > 0.2 * WHITE) > 0.95
@@ -229,7 +229,7 @@ def test_few_rows_without_noise_have_none(count: int, digits: int) -> None:
 def test_too_few_rows_to_look_for_noise_are_named(count: int, known: float | None) -> None:
     one = first_rows(0, count)
     with warnings.catch_warnings(record=True, action="always") as caught:
-        from_poses(one.time, *np.hsplit(logged(one, "white", 0), 2), ss.Smoothing(known, known))
+        from_poses(one.time, *np.hsplit(logged(one, "white", 0), 2), ss.SmoothingOptions(known, known))
     named = [each for each in caught if "8 rows are too few to distinguish noise" in str(each.message)]
     assert len(named) == (count == 8 and known is None)
 
@@ -240,7 +240,7 @@ def test_a_cutoff_halves_the_amplitude_there_without_a_phase(even: bool) -> None
     time = np.linspace(0.0, 20.0, 4001) if even else np.sort(rng.uniform(0.0, 20.0, 4001))
     for frequency, gain in ((0.2, 1.0), (2.0, 0.5), (10.0, 0.0)):
         wave = np.exp(2j * np.pi * frequency * time)
-        found = ss.smooth(time, np.stack([wave.real, wave.imag], -1), cutoff=2.0).values
+        found = ss.smooth_samples(time, np.stack([wave.real, wave.imag], -1), cutoff=2.0).values
         inside = (time > 2.0) & (time < 18.0)
         ratio = np.mean((found @ [1.0, 1.0j] / wave)[inside])
         assert ratio == pytest.approx(gain, abs=0.03)
@@ -251,15 +251,15 @@ def test_one_window_and_many_agree() -> None:
     one = case(3)
     values = logged(one, "4", 3)
     cutoff = 60.0 / float(np.ptp(one.time))
-    both = [ss.smooth(one.time, values, cutoff=cutoff)]
+    both = [ss.smooth_samples(one.time, values, cutoff=cutoff)]
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(interpolation, "WINDOW", 4 * interpolation.WINDOW)
-        both.append(ss.smooth(one.time, values, cutoff=cutoff))
-    assert len(both[0].grid) > 2 * interpolation.WINDOW
-    sd = np.sqrt([np.interp(one.time, found.grid, found.covariance[:, 0, 5]) for found in both])
+        both.append(ss.smooth_samples(one.time, values, cutoff=cutoff))
+    assert len(both[0].covariance_time) > 2 * interpolation.WINDOW
+    sd = np.sqrt([np.interp(one.time, found.covariance_time, found.covariance[:, 0, 5]) for found in both])
     np.testing.assert_allclose(sd[0][2:-2], sd[1][2:-2], rtol=0.02)
     np.testing.assert_allclose(sd[0], sd[1], rtol=0.05)  # the last knots are not the same
-    assert np.all(np.abs(both[0].second_rates - both[1].second_rates)[:, 0] < 0.05 * sd[0])
+    assert np.all(np.abs(both[0].second_derivatives - both[1].second_derivatives)[:, 0] < 0.05 * sd[0])
 
 
 @pytest.mark.slow
@@ -269,7 +269,7 @@ def test_logs_of_any_length_are_smoothed() -> None:
         time = 1e-3 * np.arange(count)
         values = np.sin(np.outer(time, [9.0, 7.0])) + 1e-4 * rng.normal(size=(count, 2))
         for cutoff in (None, 20.0):
-            found = smoothing.smooth(time, values, 1e-4, cutoff)
+            found = smoothing.smooth_samples(time, values, 1e-4, cutoff)
             assert (np.abs(found.values - values) < 1e-3).all()
             assert found.covariance[..., 0].min() > 0.0
 
@@ -279,7 +279,7 @@ def test_given_rates_count_as_measured_with_their_own_rounding(tmp_path: Path) -
     table = np.round(np.hstack([one.time[:, None], *one.true]), 4)
     trajectory = read_csv(write(tmp_path / "log.csv", [*NAMES, *RATES], table))
     F = ss.inverse_dynamics(one.robot, trajectory.motion).F
-    runs = [(one, F, ss.force_deviations(one.robot, trajectory))]
+    runs = [(one, F, ss.force_std(one.robot, trajectory))]
     assert coverage(runs, 1.0) == pytest.approx(0.68, abs=0.05)
 
 
@@ -290,12 +290,12 @@ def test_deviations_of_leg_lengths_reach_the_forces(tmp_path: Path) -> None:
         legs = ss.inverse_kinematics(one.robot, motion_of(one.true))
         table = np.round(np.hstack([one.time[:, None], legs.L]), 5)
         path = write(tmp_path / "log.csv", ["time", *LENGTHS], table)
-        with pytest.warns(ss.LogWarning, match="smoothed"):
+        with pytest.warns(ss.TrajectoryWarning, match="smoothed"):
             log = read_log(path)
         log = log._replace(time=one.time)
         trajectory = on_platform(one.robot, log, (motion_of(one.true).R[0], one.true[0, 0, :3]))
         F = ss.inverse_dynamics(one.robot, trajectory.motion).F
-        runs.append((one, F, ss.force_deviations(one.robot, trajectory)))
+        runs.append((one, F, ss.force_std(one.robot, trajectory)))
     assert coverage(runs, 1.0) == pytest.approx(0.68, abs=0.1)
     assert coverage(runs, 1.96) == pytest.approx(0.95, abs=0.06)
 
@@ -308,15 +308,15 @@ def test_deviations_of_leg_lengths_are_those_of_displaced_legs() -> None:
     covariance = np.broadcast_to((spread @ spread.T)[np.tril_indices(3)], (n, 6, 6))
     values = np.array([legs.L, legs.L_dot, legs.L_ddot])
     noise = Uncertainty(values, one.time[:n], covariance, np.full(6, 2e-6), in_joints=True)
-    found = ss.force_deviations(robot, Trajectory(one.time[:n], state, "log.csv", range(n), noise))
+    found = ss.force_std(robot, Trajectory(one.time[:n], state, "log.csv", range(n), noise))
     F, variance = ss.inverse_dynamics(robot, state).F, np.zeros((n, 6))
     for leg in range(6):
         for column in spread.T:
             L, L_dot, L_ddot = values + column[:, None, None] * np.eye(6)[leg]
-            pose = ss.forward_kinematics(robot, L, (state.R, state.t), limits=False)
+            pose = ss.forward_kinematics(robot, L, (state.R, state.t), check_limits=False)
             v, omega = ss.forward_velocity(robot, pose.R, pose.t, L_dot)
             a, alpha = ss.forward_acceleration(robot, pose.R, pose.t, v, omega, L_ddot)
-            moved = ss.Motion(pose.R, pose.t, omega, v, alpha, a)
+            moved = ss.Motion(R=pose.R, t=pose.t, omega=omega, v=v, alpha=alpha, a=a)
             variance += (ss.inverse_dynamics(robot, moved).F - F) ** 2
     np.testing.assert_allclose(found, np.sqrt(variance), rtol=1e-4)
 
@@ -325,13 +325,13 @@ def test_resampling_keeps_the_path_and_its_deviations() -> None:
     one = case(2)
     trajectory, _ = read(one.time, logged(one, "4", 2))
     rate = 3.0 / float(np.median(np.diff(one.time)))
-    found = ss.resampled(trajectory, rate)
+    found = ss.resample(trajectory, rate)
     np.testing.assert_allclose(np.diff(found.time), 1.0 / rate)
-    sd = ss.force_deviations(one.robot, found)[::3]
+    sd = ss.force_std(one.robot, found)[::3]
     count = min(len(sd), len(one.time))
-    np.testing.assert_allclose(sd[:count], ss.force_deviations(one.robot, trajectory)[:count], rtol=1e-3)
+    np.testing.assert_allclose(sd[:count], ss.force_std(one.robot, trajectory)[:count], rtol=1e-3)
     for rate in (0.0, 1e12):
-        rejects(r"^rate: expected ", ss.resampled, trajectory, rate)
+        rejects(r"^rate: expected ", ss.resample, trajectory, rate)
 
 
 def test_where_accelerations_jump_a_curve_is_said_to_overshoot(tmp_path: Path) -> None:
@@ -342,7 +342,9 @@ def test_where_accelerations_jump_a_curve_is_said_to_overshoot(tmp_path: Path) -
     table[:, 2] = np.cumsum(1.0 + np.cumsum(a) * 0.005) * 0.005 + 0.1 * np.sin(3.0 * time)
     log = tmp_path / "stop.csv"
     write(log, NAMES, np.column_stack([time, np.round(table, 5)]))
-    with pytest.warns(ss.LogWarning, match=r"near (1.9|2.0)\d* s a smooth motion is .* of the noise off"):
+    with pytest.warns(
+        ss.TrajectoryWarning, match=r"near (1.9|2.0)\d* s a smooth motion is .* of the noise off"
+    ):
         found = read_csv(log)
     off = np.abs(found.motion.a[405, 2] - a[405] + 0.9 * np.sin(3.0 * time[405]))
     grid, variance = found.noise.grid, found.noise.covariance[:, 2, 5]
@@ -359,9 +361,9 @@ def test_deviations_hold_where_accelerations_of_a_trapezoid_jump(rate: int, nois
     sides = 2.0 * np.array([1, -1, -1, 1, -1, 1, 1, -1])
     ramps = np.maximum(time[:, None] - since, 0.0)
     noisy = 0.5 * ramps**2 @ sides + noise * np.random.default_rng(rate).normal(size=time.shape)
-    found = ss.smooth(time, noisy[:, None])
-    sd = np.sqrt(np.interp(time, found.grid, found.covariance[:, 0, 5]))
-    off = np.abs(found.second_rates[:, 0] - (ramps > 0.0) @ sides)
+    found = ss.smooth_samples(time, noisy[:, None])
+    sd = np.sqrt(np.interp(time, found.covariance_time, found.covariance[:, 0, 5]))
+    off = np.abs(found.second_derivatives[:, 0] - (ramps > 0.0) @ sides)
     assert np.mean(off > 3.0 * np.maximum(sd, 5e-3)) < 2e-3
     assert np.mean(off < sd) < 0.9
 
@@ -374,10 +376,10 @@ def test_deviations_hold_at_rest_between_moves_whose_accelerations_jump(rate: in
     true, beyond = ramps**2 @ np.array([1.0, -1.0, -1.0, 1.0]), []
     for seed in range(6):
         noisy = true + noise * np.random.default_rng(seed).normal(size=time.shape)
-        found = ss.smooth(time, noisy[:, None])
-        sd = np.sqrt(np.interp(time, found.grid, found.covariance[:, 0, 5]))
+        found = ss.smooth_samples(time, noisy[:, None])
+        sd = np.sqrt(np.interp(time, found.covariance_time, found.covariance[:, 0, 5]))
         rest = (time < 0.95) | (time > 1.95)
-        beyond.append(np.mean(np.abs(found.second_rates[rest, 0]) > 4.0 * sd[rest]))
+        beyond.append(np.mean(np.abs(found.second_derivatives[rest, 0]) > 4.0 * sd[rest]))
     assert np.mean(beyond) < 1e-3
 
 
@@ -390,11 +392,11 @@ def test_deviations_hold_about_an_emergency_stop_of_a_smooth_motion(rate: int, n
     speed = 0.08 * turn * np.cos(turn * 3.1)
     rng = np.random.default_rng(rate)
     noisy = before + speed * (since - 0.5 * since**2 / 0.08) + noise * rng.normal(size=time.shape)
-    found = ss.smooth(time, noisy[:, None])
+    found = ss.smooth_samples(time, noisy[:, None])
     stops = -speed / 0.08 * ((time > 3.1) & (time < 3.18))
     true = np.where(time < 3.1, -(turn**2) * before, stops)
-    sd = np.sqrt(np.interp(time, found.grid, found.covariance[:, 0, 5]))
-    off = np.abs(found.second_rates[:, 0] - true)
+    sd = np.sqrt(np.interp(time, found.covariance_time, found.covariance[:, 0, 5]))
+    off = np.abs(found.second_derivatives[:, 0] - true)
     assert np.mean(off > 4.0 * np.maximum(sd, 0.03)) < 2e-3
     assert np.median(sd[time < 2.5]) < 0.1 * sd.max()
 
@@ -402,23 +404,38 @@ def test_deviations_hold_about_an_emergency_stop_of_a_smooth_motion(rate: int, n
 @pytest.mark.parametrize("count", [200, 20_000])
 def test_numbers_that_stay_the_same_are_off_by_their_rounding_however_many_they_are(count: int) -> None:
     values = np.array([[0.65, 0.1235]]) * np.ones((count, 1))
-    found = ss.smooth(np.arange(count) * 0.01, values)
+    found = ss.smooth_samples(np.arange(count) * 0.01, values)
     step = np.array([1e-2, 1e-4])
-    np.testing.assert_allclose(found.sigma, step / np.sqrt(12.0), rtol=1e-9)
-    np.testing.assert_allclose(np.sqrt(found.covariance[:, :, 0].max(axis=0)), found.sigma, rtol=1e-9)
+    np.testing.assert_allclose(found.noise_std, step / np.sqrt(12.0), rtol=1e-9)
+    np.testing.assert_allclose(np.sqrt(found.covariance[:, :, 0].max(axis=0)), found.noise_std, rtol=1e-9)
 
 
 @pytest.mark.parametrize(
     ("call", "text"),
     [
-        (lambda: ss.smooth([0, 1, 1, 2], np.zeros((4, 1))), "time: expected at least 4 increasing"),
-        (lambda: ss.smooth(np.arange(5.0), np.zeros((4, 1))), r"values: expected finite columns \(5, c\)"),
-        (lambda: ss.smooth(np.arange(5.0), np.zeros((5, 0))), r"values: expected finite columns \(5, c\)"),
-        (lambda: ss.smooth(np.arange(5.0), np.full((5, 2), np.pi)), "values: column 1 shows no noise"),
-        (lambda: ss.smooth(np.arange(5.0), np.ones((5, 1)), sigma=-1.0), "sigma: expected deviations > 0"),
-        (lambda: ss.smooth(np.arange(5.0), np.ones((5, 1)), cutoff=2.0), "cutoff: expected a frequency"),
-        (lambda: ss.Smoothing(position=-1.0), "position: expected a number > 0, got -1"),
-        (lambda: ss.LogFormat(length_unit="mile"), 'length_unit: expected "m", "cm", "mm" or "in"'),
+        (lambda: ss.smooth_samples([0, 1, 1, 2], np.zeros((4, 1))), "time: expected at least 4 increasing"),
+        (
+            lambda: ss.smooth_samples(np.arange(5.0), np.zeros((4, 1))),
+            r"values: expected finite columns \(5, c\)",
+        ),
+        (
+            lambda: ss.smooth_samples(np.arange(5.0), np.zeros((5, 0))),
+            r"values: expected finite columns \(5, c\)",
+        ),
+        (
+            lambda: ss.smooth_samples(np.arange(5.0), np.full((5, 2), np.pi)),
+            "values: column 1 shows no noise",
+        ),
+        (
+            lambda: ss.smooth_samples(np.arange(5.0), np.ones((5, 1)), noise_std=-1.0),
+            "sigma: expected deviations > 0",
+        ),
+        (
+            lambda: ss.smooth_samples(np.arange(5.0), np.ones((5, 1)), cutoff=2.0),
+            "cutoff: expected a frequency",
+        ),
+        (lambda: ss.SmoothingOptions(position_std=-1.0), "position: expected a number > 0, got -1"),
+        (lambda: ss.TrajectoryFormat(length_unit="mile"), 'length_unit: expected "m", "cm", "mm" or "in"'),
     ],
 )
 def test_bad_arguments_are_named(call: Callable[[], object], text: str) -> None:
@@ -432,8 +449,8 @@ def test_rows_beside_gaps_of_any_length_err_by_what_their_deviations_say(decimal
     time = np.delete(np.arange(801) / 200, slice(200, 200 + missing))
     size, frequency = np.array([0.05, 0.04, 0.03, 0.1]), np.array([5.0, 4.0, 5.6, 4.4])
     turns = np.sin(np.outer(time, frequency))
-    found = ss.smooth(time, np.round(size * turns, decimals), sigma=10.0**-decimals / 12.0**0.5)
-    error = np.abs(found.second_rates + size * frequency**2 * turns).max(axis=0)
+    found = ss.smooth_samples(time, np.round(size * turns, decimals), noise_std=10.0**-decimals / 12.0**0.5)
+    error = np.abs(found.second_derivatives + size * frequency**2 * turns).max(axis=0)
     assert (error < 5.0 * np.sqrt(found.covariance[:, :, 5].max(axis=0))).all()
     assert error.max() < 1e4 * 10.0**-decimals + 1e-4
 
@@ -447,8 +464,8 @@ def test_accelerations_under_a_cutoff_err_by_their_deviations_at_both_ends_too(c
         turn, shift = 2.0 * np.pi * rng.uniform(0.1, 0.9, (3, 4)), rng.uniform(0.0, 6.28, (3, 4))
         waves = 0.03 * np.sin(turn * time[:, None, None] + shift)
         values = waves.sum(axis=1) + rng.normal(0.0, 1e-4, (801, 4))
-        found = ss.smooth(time, values, sigma=1e-4, cutoff=cutoff)
-        error = np.abs(found.second_rates + (turn**2 * waves).sum(axis=1))
+        found = ss.smooth_samples(time, values, noise_std=1e-4, cutoff=cutoff)
+        error = np.abs(found.second_derivatives + (turn**2 * waves).sum(axis=1))
         shares.append(error[[0, -1]] / np.sqrt(found.covariance[[0, -1], :, 5]))
     assert np.mean(np.array(shares) < 1.0) == pytest.approx(0.68, abs=0.08)
     assert np.mean(np.array(shares) < 2.0) == pytest.approx(0.95, abs=0.05)

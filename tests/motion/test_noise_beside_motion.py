@@ -183,7 +183,7 @@ def test_rounding_that_no_acceleration_shows_is_not_smoothed_beside_jumps(decima
     assert rest < 0.005 * np.abs(trajectory.motion.a).max()
 
 
-FORM = ss.LogFormat(length_unit="mm", angle_unit="deg")
+FORM = ss.TrajectoryFormat(length_unit="mm", angle_unit="deg")
 
 
 def written(folder: Path, sigma: float, angle: float) -> Path:
@@ -195,7 +195,7 @@ def written(folder: Path, sigma: float, angle: float) -> Path:
     return write(folder / "log.csv", NAMES, np.column_stack([time, values + noise]))
 
 
-def told(log: Path, known: ss.Smoothing, words: str, form: ss.LogFormat = FORM) -> list[str]:
+def told(log: Path, known: ss.SmoothingOptions, words: str, form: ss.TrajectoryFormat = FORM) -> list[str]:
     """Warnings with these words when the log is read with what is known of its noise."""
     with warnings.catch_warnings(record=True, action="always") as caught:
         read_csv(log, form, known)
@@ -249,7 +249,7 @@ def test_noise_that_a_filter_cut_off_is_not_compared(share: float) -> None:
 def test_a_statement_far_from_the_scatter_is_a_warning_naming_both(
     tmp_path: Path, position: float, angle: float, words: str | None
 ) -> None:
-    stated = ss.Smoothing(position * 1e-3, np.radians(angle))
+    stated = ss.SmoothingOptions(position * 1e-3, np.radians(angle))
     found = told(written(tmp_path, 0.1, 0.02), stated, "stated")
     assert len(found) == (words is not None)
     if words is not None:
@@ -261,17 +261,17 @@ def test_a_statement_is_compared_with_motion_without_scatter(tmp_path: Path, dec
     time = np.linspace(0.0, 4.0, 401)
     table = np.column_stack([time, [0.2, 0.0, 0.5, 0, 0, 0] + 0.05 * np.sin(time[:, None] + np.arange(6))])
     log = write(tmp_path / "log.csv", NAMES, table if decimals is None else np.round(table, decimals))
-    metres = ss.LogFormat()
+    meters = ss.TrajectoryFormat()
     words = "stated noise of positions of 0.1 m, but they move over 0.1 m in all: is its unit right?"
-    assert words in told(log, ss.Smoothing(0.1), "stated", metres)[0]
-    assert not told(log, ss.Smoothing(1e-3, 1e-3), "stated", metres)
-    found = told(log, ss.Smoothing(5e-5, 5e-5), "stated", metres)
+    assert words in told(log, ss.SmoothingOptions(0.1), "stated", meters)[0]
+    assert not told(log, ss.SmoothingOptions(1e-3, 1e-3), "stated", meters)
+    found = told(log, ss.SmoothingOptions(5e-5, 5e-5), "stated", meters)
     if decimals == 3:
         words = "noise of positions of 5e-05 m, but they are rounded to 0.001 m, which alone makes 0.00029 m"
         assert words in found[0]
     assert len(found) == (2 if decimals == 3 else 0)
     with pytest.raises(ValueError, match=r"noise of positions of 1e\+300 m: expected less than 10 m"):
-        read_csv(log, metres, ss.Smoothing(1e300))
+        read_csv(log, meters, ss.SmoothingOptions(1e300))
 
 
 def test_options_of_noise_are_in_the_units_of_the_log(tmp_path: Path, run: Run) -> None:
@@ -282,14 +282,16 @@ def test_options_of_noise_are_in_the_units_of_the_log(tmp_path: Path, run: Run) 
     assert "noise of 0.0001 m and 0.00035 rad in the log" in told.err
     assert "stated" not in told.err
     with warnings.catch_warnings(action="ignore"):
-        noise = read_csv(log, FORM, ss.Smoothing(1e-4, np.radians(0.02)))
-    expected = ss.force_deviations(ss.robots.dasgupta1998(), noise)
+        noise = read_csv(log, FORM, ss.SmoothingOptions(1e-4, np.radians(0.02)))
+    expected = ss.force_std(ss.robots.dasgupta1998(), noise)
     table = np.genfromtxt(tmp_path / "f.csv", delimiter=",", names=True)
-    np.testing.assert_allclose(table["F1_sd"], expected[:, 0], rtol=1e-9)
+    np.testing.assert_allclose(table["F_1_std"], expected[:, 0], rtol=1e-9)
 
 
-@pytest.mark.parametrize("known", [ss.Smoothing(cutoff=3.0), ss.Smoothing(2e-5, np.radians(0.004))])
-def test_no_row_is_wrong_that_is_within_the_scatter(tmp_path: Path, known: ss.Smoothing) -> None:
+@pytest.mark.parametrize(
+    "known", [ss.SmoothingOptions(cutoff_frequency=3.0), ss.SmoothingOptions(2e-5, np.radians(0.004))]
+)
+def test_no_row_is_wrong_that_is_within_the_scatter(tmp_path: Path, known: ss.SmoothingOptions) -> None:
     """Whatever is stated of the noise, and whatever the cut-off."""
     assert not told(written(tmp_path, 0.1, 0.02), known, "off as no motion makes them")
 
@@ -299,9 +301,9 @@ def test_a_cutoff_that_removes_motion_is_a_warning(tmp_path: Path, sigma: float)
     """The fastest motion is of 0.5 Hz."""
     log = written(tmp_path, sigma, 0.2 * sigma)
     words = "the cut-off of 0.3 Hz removes changes of positions of 11 mm and of angles of 0.25 deg: motion"
-    assert words in told(log, ss.Smoothing(cutoff=0.3), "cut-off")[0]
+    assert words in told(log, ss.SmoothingOptions(cutoff_frequency=0.3), "cut-off")[0]
     for cutoff in (1.0, 2.0, 10.0, 50.0):
-        assert not told(log, ss.Smoothing(cutoff=cutoff), "cut-off")
+        assert not told(log, ss.SmoothingOptions(cutoff_frequency=cutoff), "cut-off")
 
 
 def test_vibration_may_be_cut_off(tmp_path: Path) -> None:
@@ -309,7 +311,7 @@ def test_vibration_may_be_cut_off(tmp_path: Path) -> None:
     table = np.loadtxt(log, delimiter=",", skiprows=1)
     table[:, 1:4] += np.sin(2.0 * np.pi * 40.0 * table[:, :1])
     write(log, NAMES, table)
-    assert not told(log, ss.Smoothing(cutoff=5.0), "cut-off")
+    assert not told(log, ss.SmoothingOptions(cutoff_frequency=5.0), "cut-off")
 
 
 def test_a_cutoff_beyond_half_the_rate_is_the_error_alone(tmp_path: Path) -> None:
@@ -318,7 +320,7 @@ def test_a_cutoff_beyond_half_the_rate_is_the_error_alone(tmp_path: Path) -> Non
     log.write_text("".join(rows[:300] + rows[340:]))
     words = "cutoff: expected a frequency > 0 and < 100 Hz"
     with warnings.catch_warnings(action="error"), pytest.raises(ValueError, match=words):
-        read_csv(log, FORM, ss.Smoothing(1e-6, cutoff=1000.0))
+        read_csv(log, FORM, ss.SmoothingOptions(1e-6, cutoff_frequency=1000.0))
 
 
 @pytest.mark.parametrize("option", ["--noise-position", "--noise-angle", "--cutoff"])

@@ -36,7 +36,7 @@ def test_rates_of_another_unit_of_time_are_told(tmp_path: Path, unit: float, wor
     names, table = with_rates(np.linspace(0.0, 2.0, 41), legs)
     table[:, 0] *= unit
     with pytest.warns(
-        ss.LogWarning, match=f"odd.csv: coordinates change by .* what their rates say: .*{words}"
+        ss.TrajectoryWarning, match=f"odd.csv: coordinates change by .* what their rates say: .*{words}"
     ):
         read_log(write(tmp_path / "odd.csv", names, table))
 
@@ -173,7 +173,7 @@ def test_an_angular_velocity_in_place_of_rates_of_angles_is_told_from_them(
     angles = slice(4, 7), slice(10, 13), slice(16, 19)
     for columns in angles:
         table[:, columns] *= 5.0
-    form = ss.LogFormat(euler_order=order)
+    form = ss.TrajectoryFormat(euler_order=order)
     path = write(tmp_path / "log.csv", names, table)
     with warnings.catch_warnings(action="error"):
         read_csv(path, form)
@@ -181,14 +181,16 @@ def test_an_angular_velocity_in_place_of_rates_of_angles_is_told_from_them(
     turn = np.eye(3) if frame == "base" else R.swapaxes(-1, -2)
     table[:, 10:13], table[:, 16:19] = ((turn @ each[..., None])[..., 0] for each in (omega, alpha))
     expected = f"log.csv: theta_x to theta_z change as if .* were an angular velocity, {frame} frame: exp"
-    with pytest.warns(ss.LogWarning, match=expected):
+    with pytest.warns(ss.TrajectoryWarning, match=expected):
         read_csv(write(path, names, table), form)
 
 
 def test_accelerations_of_none_beside_velocities_are_warned_of(tmp_path: Path) -> None:
     names, table = with_rates(np.linspace(0.0, 4.0, 161))
     table[:, 13:] = 0.0
-    with pytest.warns(ss.LogWarning, match=r"v_x, v_y, v_z, .* do not change as a_x, a_y, a_z, .* say"):
+    with pytest.warns(
+        ss.TrajectoryWarning, match=r"v_x, v_y, v_z, .* do not change as a_x, a_y, a_z, .* say"
+    ):
         read_csv(write(tmp_path / "odd.csv", names, table))
     table[:, 7:] = 0.0
     with warnings.catch_warnings(action="error"):
@@ -213,7 +215,9 @@ def test_rates_behind_a_filter_are_said_to_be_late(tmp_path: Path, lag: float) -
     for column in table[:, 7:].T:
         for i in range(1, len(column)):
             column[i] = column[i - 1] + late * (column[i] - column[i - 1])
-    with pytest.warns(ss.LogWarning, match=r"v_x, .* say up to .* % other changes .*: are they .* ms late"):
+    with pytest.warns(
+        ss.TrajectoryWarning, match=r"v_x, .* say up to .* % other changes .*: are they .* ms late"
+    ):
         read_csv(write(tmp_path / "odd.csv", names, table))
 
 
@@ -248,6 +252,6 @@ def test_rates_of_sparse_logs_and_of_rest_are_not_warned_of(tmp_path: Path, step
 def test_a_cutoff_beside_rates_is_said_to_change_nothing(tmp_path: Path) -> None:
     log = write(tmp_path / "rates.csv", *with_rates(np.linspace(0.0, 4.0, 161)))
     expected = "rates.csv: the file has rates, which are taken as they are: the cut-off changes nothing"
-    with pytest.warns(ss.LogWarning, match=expected) as told:
-        read_csv(log, smoothing=ss.Smoothing(cutoff=3.0))
+    with pytest.warns(ss.TrajectoryWarning, match=expected) as told:
+        read_csv(log, smoothing=ss.SmoothingOptions(cutoff_frequency=3.0))
     assert {each.filename for each in told} == {__file__}

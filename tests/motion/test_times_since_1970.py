@@ -13,9 +13,9 @@ from noisy_logs import WHITE, Array, coordinates
 import stewart_sym as ss
 from stewart_sym.io.instants import elapsed, lost
 from stewart_sym.kinematics.inverse import leg_vectors
-from stewart_sym.motion.interpolation import between, followed, resampled
+from stewart_sym.motion.interpolation import followed, interpolate, resample
 from stewart_sym.motion.log_reader import read_csv, read_log, trajectory_from
-from stewart_sym.motion.logs import TIME_UNITS, LogFormat
+from stewart_sym.motion.logs import TIME_UNITS, TrajectoryFormat
 from stewart_sym.motion.trajectory import JointTrajectory, Trajectory
 from stewart_sym.singularities.joint_space import on_platform
 
@@ -51,8 +51,8 @@ def read(path: Path, kind: str, rate: int, unit: str, start: int, noise: float =
         for time, row in zip(times, values(kind, rate, noise).tolist(), strict=True)
     ]
     path.write_text("\n".join([header, *rows]) + "\n")
-    with warnings.catch_warnings(action="ignore", category=ss.LogWarning):
-        found = read_log(path, LogFormat(time_unit=unit))
+    with warnings.catch_warnings(action="ignore", category=ss.TrajectoryWarning):
+        found = read_log(path, TrajectoryFormat(time_unit=unit))
     np.testing.assert_array_equal(
         found.time, [float(TEXTS["s"](10**6 * start + 10**6 // rate * i)) for i in range(400)]
     )
@@ -82,17 +82,17 @@ def test_forces_and_deviations_are_those_of_times_from_0(
     np.testing.assert_allclose(forces(late), F, rtol=0.0, atol=1e-6 * np.abs(F).max())
     assert (late.noise is None) == (early.noise is None) == (noise == 0.0)
     if noise:
-        sd = ss.force_deviations(ROBOT, early)
-        np.testing.assert_allclose(ss.force_deviations(ROBOT, late), sd, rtol=1e-4)
+        sd = ss.force_std(ROBOT, early)
+        np.testing.assert_allclose(ss.force_std(ROBOT, late), sd, rtol=1e-4)
 
 
 @pytest.mark.parametrize("unit", list(TIME_UNITS))
 def test_between_instants_the_motion_is_that_of_times_from_0(tmp_path: Path, unit: str) -> None:
     late, early = (read(tmp_path / "log.csv", "poses", 1000, unit, start) for start in (START, 0))
     # A time since 1970 itself is off by a double's resolution, in which a force changes little.
-    F = forces(resampled(early, 3000.0))
-    np.testing.assert_allclose(forces(resampled(late, 3000.0)), F, rtol=0.0, atol=1e-5 * np.abs(F).max())
-    np.testing.assert_array_equal(between(late)(late.time).t, late.motion.t)
+    F = forces(resample(early, 3000.0))
+    np.testing.assert_allclose(forces(resample(late, 3000.0)), F, rtol=0.0, atol=1e-5 * np.abs(F).max())
+    np.testing.assert_array_equal(interpolate(late)(late.time).t, late.motion.t)
     a, b = (np.asarray(followed(each)(0.12345).a) for each in (late, early))
     np.testing.assert_allclose(a, b, rtol=0.0, atol=1e-9 * np.abs(b).max())
 
@@ -108,11 +108,11 @@ def test_digits_beyond_a_double_count_as_noise(tmp_path: Path) -> None:
         for when, row in zip(time.tolist(), q[0].tolist(), strict=True)
     )
     path.write_text("\n".join([",".join(["time", *POSE]), *rows]) + "\n")
-    with warnings.catch_warnings(action="ignore", category=ss.LogWarning):
+    with warnings.catch_warnings(action="ignore", category=ss.TrajectoryWarning):
         late = read_csv(path)
     assert (late.noise.sigma > 0.0).all()
     off = np.abs(forces(late) - ss.inverse_dynamics(ROBOT, motion_of(q)).F)
-    assert (off < 5.0 * ss.force_deviations(ROBOT, late)).mean() > 0.99
+    assert (off < 5.0 * ss.force_std(ROBOT, late)).mean() > 0.99
 
 
 @pytest.mark.parametrize("start", [0.0, 0.5, 1e3, START, START + 0.123, START + 0.123456])
@@ -125,7 +125,7 @@ def test_elapsed_times_are_decimals(start: float) -> None:
     np.testing.assert_allclose(elapsed(written), (whole - whole[0]) / 1000.0, rtol=0.0, atol=3e-7)
 
 
-def test_elapsed_times_of_neighbouring_doubles_differ() -> None:
+def test_elapsed_times_of_neighboring_doubles_differ() -> None:
     for start in (1.0, 1e3, float(START)):
         times = np.array([start, np.nextafter(start, np.inf)])
         np.testing.assert_array_equal(elapsed(times), [0.0, np.spacing(start)])

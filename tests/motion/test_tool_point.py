@@ -24,7 +24,7 @@ LOADS = [f"{name}_{axis}" for name in ("F_ext", "M_ext") for axis in "xyz"]
 @pytest.fixture
 def robot() -> ss.Robot:
     plain = ss.Robot.from_toml(Path(__file__).parents[2] / ".docs" / "examples" / "hexapod.toml")
-    return dataclasses.replace(plain, tool=TOOL, home=np.array([0.0, 0.0, 0.65]))
+    return dataclasses.replace(plain, tool=TOOL, home_position=np.array([0.0, 0.0, 0.65]))
 
 
 RATES, TURNS = np.array([3.0, 2.0, 1.5]), np.array([0.1, 0.08, 0.12])
@@ -38,7 +38,7 @@ def waving(time: np.ndarray) -> ss.Motion:
 
 def tool_poses(time: np.ndarray) -> np.ndarray:
     """The same motion as rows of a log of the tool, (n, 6)."""
-    return np.hstack([waving(time).about_point(TOOL).t, TURNS * np.cos(np.outer(time, RATES))])
+    return np.hstack([waving(time).at_point(TOOL).t, TURNS * np.cos(np.outer(time, RATES))])
 
 
 def saved_poses(path: Path, time: np.ndarray, poses: np.ndarray) -> Path:
@@ -47,7 +47,7 @@ def saved_poses(path: Path, time: np.ndarray, poses: np.ndarray) -> Path:
 
 def test_the_motion_of_another_point_has_the_rates_of_its_place() -> None:
     step = 1e-5
-    at = waving(np.array([0.4 - step, 0.4, 0.4 + step])).about_point(TOOL)
+    at = waving(np.array([0.4 - step, 0.4, 0.4 + step])).at_point(TOOL)
     np.testing.assert_allclose((at.t[2] - at.t[0]) / (2 * step), at.v[1], atol=1e-9)
     np.testing.assert_allclose((at.v[2] - at.v[0]) / (2 * step), at.a[1], atol=1e-8)
 
@@ -55,10 +55,10 @@ def test_the_motion_of_another_point_has_the_rates_of_its_place() -> None:
 def test_about_a_point_and_back_is_the_motion() -> None:
     rng = np.random.default_rng(30)
     motion = random_motion(rng, random_robot(rng), (4,))
-    back = motion.about_point(TOOL).about_point(-TOOL)
+    back = motion.at_point(TOOL).at_point(-TOOL)
     for name in FIELDS:
         np.testing.assert_allclose(getattr(back, name), getattr(motion, name), rtol=1e-12, atol=1e-12)
-    bare = ss.Motion(motion.R, motion.t, motion.omega, motion.v).about_point(TOOL)
+    bare = ss.Motion(R=motion.R, t=motion.t, omega=motion.omega, v=motion.v).at_point(TOOL)
     assert bare.a is bare.alpha is bare.F_ext is bare.M_ext is None
     with pytest.raises(ValueError, match="read-only"):
         bare.t[...] = 0.0
@@ -71,7 +71,7 @@ def test_a_machine_named_by_another_reference_point_needs_the_same_forces() -> N
         robot, motion = machine_in_motion(rng, (3,))
         other = dataclasses.replace(robot, p=robot.p - TOOL, R_0=robot.R_0 - TOOL)
         expected = ss.inverse_dynamics(robot, motion).F
-        found = ss.inverse_dynamics(other, motion.about_point(TOOL)).F
+        found = ss.inverse_dynamics(other, motion.at_point(TOOL)).F
         np.testing.assert_allclose(found, expected, rtol=1e-9, atol=1e-9 * np.abs(expected).max())
 
 
@@ -82,7 +82,9 @@ def test_rows_are_poses_of_the_tool(robot: ss.Robot, tmp_path: Path) -> None:
     for found in (read_log_of(robot, path), trajectory_for(robot, path)):
         np.testing.assert_allclose(found.motion.t, motion.t, atol=1e-15)
         np.testing.assert_allclose(found.motion.a, motion.a, atol=1e-5)
-        np.testing.assert_allclose(ss.between(found)(0.5025).t, waving(np.array([0.5025])).t[0], atol=1e-9)
+        np.testing.assert_allclose(
+            ss.interpolate(found)(0.5025).t, waving(np.array([0.5025])).t[0], atol=1e-9
+        )
     plain = dataclasses.replace(robot, tool=np.zeros(3))
     np.testing.assert_array_equal(trajectory_for(plain, path).motion.t, read_csv(path).motion.t)
 
@@ -115,10 +117,10 @@ def test_deviations_of_forces_are_those_of_noise_at_the_tool(robot: ss.Robot, tm
     noisy = tool_poses(time) + 1e-4 * rng.normal(size=(201, 6))
     path = saved_poses(tmp_path / "log.csv", time, noisy)
     there = dataclasses.replace(robot, p=robot.p - TOOL, R_0=robot.R_0 - TOOL, tool=np.zeros(3))
-    with pytest.warns(ss.LogWarning):
-        expected = ss.force_deviations(there, trajectory_for(there, path))
-    with pytest.warns(ss.LogWarning):
-        found = ss.force_deviations(robot, read_log_of(robot, path))
+    with pytest.warns(ss.TrajectoryWarning):
+        expected = ss.force_std(there, trajectory_for(there, path))
+    with pytest.warns(ss.TrajectoryWarning):
+        found = ss.force_std(robot, read_log_of(robot, path))
     assert expected.min() > 0.0
     np.testing.assert_allclose(found, expected, rtol=1e-6)
 
@@ -128,10 +130,10 @@ def test_the_robot_file_says_in_which_order_rotations_are_multiplied(robot: ss.R
     poses = np.hstack([np.tile([0.0, 0.0, 0.6], (20, 1)), theta])
     path = saved_poses(tmp_path / "log.csv", np.linspace(0.0, 1.0, 20), poses)
     own = dataclasses.replace(robot, euler_order="xyz")
-    for form in (ss.LogFormat(), ss.LogFormat(angle_unit="rad")):
+    for form in (ss.TrajectoryFormat(), ss.TrajectoryFormat(angle_unit="rad")):
         found = trajectory_for(own, path, form).motion.R
         np.testing.assert_allclose(found, rotation_about_axes(theta, "xyz"), atol=1e-14)
-    stated = trajectory_for(own, path, ss.LogFormat(euler_order="zyx"))
+    stated = trajectory_for(own, path, ss.TrajectoryFormat(euler_order="zyx"))
     np.testing.assert_allclose(stated.motion.R, rotation_about_axes(theta, "zyx"), atol=1e-14)
 
 
@@ -139,21 +141,21 @@ def test_relative_lengths_are_less_those_of_the_home_pose(robot: ss.Robot, tmp_p
     time = np.linspace(0.0, 1.0, 101)
     motion = waving(time)
     L = ss.inverse_kinematics(robot, motion).L
-    home = np.linalg.norm(robot.home + robot.p - robot.b, axis=-1)
+    home = np.linalg.norm(robot.home_position + robot.p - robot.b, axis=-1)
     path = write(tmp_path / "log.csv", ["time", *LENGTHS], np.column_stack([time, L - home]))
-    own = dataclasses.replace(robot, lengths="relative")
-    for form in (ss.LogFormat(), ss.LogFormat(length_unit="m")):
+    own = dataclasses.replace(robot, length_mode="relative")
+    for form in (ss.TrajectoryFormat(), ss.TrajectoryFormat(length_unit="m")):
         np.testing.assert_allclose(read_log_of(own, path, form).L, L, rtol=1e-14)
     file, out = written(own, tmp_path / "robot.toml"), tmp_path / "forces.csv"
     run("forces", file, path, "-o", out)
     forces = np.genfromtxt(out, delimiter=",", names=True)
     expected = ss.inverse_dynamics(robot, motion).F
-    np.testing.assert_allclose(forces["F1"][10:-10], expected[10:-10, 0], rtol=1e-3)
+    np.testing.assert_allclose(forces["F_1"][10:-10], expected[10:-10, 0], rtol=1e-3)
     told = run("forces", file, path, "-o", out, "--lengths", "absolute", code=2).err
     assert "expected a length > 0 m" in told
-    bare = dataclasses.replace(robot, home=None)
+    bare = dataclasses.replace(robot, home_position=None)
     with pytest.raises(ValueError, match=r"log\.csv: relative lengths: expected a robot file with a key"):
-        read_log_of(bare, path, ss.LogFormat(lengths="relative"))
+        read_log_of(bare, path, ss.TrajectoryFormat(length_mode="relative"))
 
 
 def test_the_motions_of_a_budget_are_those_of_the_reference_point(robot: ss.Robot, tmp_path: Path) -> None:
@@ -184,11 +186,15 @@ def test_the_motion_that_identify_writes_is_read_as_the_robot_says(
 def test_subcommands_read_poses_of_the_tool(command: str, robot: ss.Robot, tmp_path: Path, run: Run) -> None:
     """As they read the same rows for the machine whose reference point is the tool."""
     there = dataclasses.replace(
-        robot, p=robot.p - TOOL, R_0=robot.R_0 - TOOL, tool=np.zeros(3), home=robot.home + TOOL
+        robot,
+        p=robot.p - TOOL,
+        R_0=robot.R_0 - TOOL,
+        tool=np.zeros(3),
+        home_position=robot.home_position + TOOL,
     )
     time = np.linspace(0.0, 1.0, 101)
     log = str(saved_poses(tmp_path / "log.csv", time, tool_poses(time)))
-    legs = '[legs]\nlaw = "tracking"\npath = "log.csv"\nk_p = 100.0\nk_d = 20.0\n'
+    legs = '[actuation]\ntype = "computed_torque"\npath = "log.csv"\nk_p = 100.0\nk_d = 20.0\n'
     written(robot, tmp_path / "tool.toml")
     written(there, tmp_path / "there.toml")
     results = []
@@ -201,5 +207,5 @@ def test_subcommands_read_poses_of_the_tool(command: str, robot: ss.Robot, tmp_p
         run(command, *inputs, "--no-pictures", "-o", out)
         read = np.genfromtxt(out / table, delimiter=",", names=True)
         # Instants between the ends of a path are where it bends, as seen from its point.
-        results.append([read[f"L{i + 1}"][[0, -1]] for i in range(6)])
+        results.append([read[f"L_{i + 1}"][[0, -1]] for i in range(6)])
     np.testing.assert_allclose(results[0], results[1], rtol=1e-8)

@@ -16,7 +16,7 @@ from motion_fields import FIELDS, UNLOADED, skew_part
 
 import stewart_sym as ss
 from stewart_sym.io.extras import install
-from stewart_sym.motion.interpolation import between, followed
+from stewart_sym.motion.interpolation import followed, interpolate
 from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.motion.rotation import (
     rotation_from_rpy,
@@ -46,9 +46,9 @@ def line(**changes: Any) -> ss.StraightLinePath:
 # Straight lines
 
 
-@pytest.mark.parametrize("name", list(ss.PATHS))
+@pytest.mark.parametrize("name", list(ss.PAPER_PATHS))
 def test_path_starts_and_ends_at_rest_in_the_given_poses(name: str) -> None:
-    path, _ = ss.PATHS[name]
+    path, _ = ss.PAPER_PATHS[name]
     ends = path.sample([0.0, path.tau_f])
     np.testing.assert_array_equal(ends.t, [path.t0, path.t1])
     np.testing.assert_array_equal(ends.R, rotation_from_rpy([path.theta0, path.theta1]))
@@ -57,19 +57,19 @@ def test_path_starts_and_ends_at_rest_in_the_given_poses(name: str) -> None:
 
 
 def test_paper_paths_have_the_paper_blends() -> None:
-    path, dtau = ss.PATHS["I"]
+    path, dtau = ss.PAPER_PATHS["I"]
     assert path.tau_t == pytest.approx(6.0 - np.sqrt(0.08) / 0.08)
     assert path.tau_theta == pytest.approx(1.0)
     assert dtau == 0.1
-    slow, fast = ss.PATHS["I"].path, ss.PATHS["II"].path
-    np.testing.assert_allclose(fast.breaks(), slow.breaks() / 10.0, atol=1e-15)
+    slow, fast = ss.PAPER_PATHS["I"].path, ss.PAPER_PATHS["II"].path
+    np.testing.assert_allclose(fast.breakpoints(), slow.breakpoints() / 10.0, atol=1e-15)
     np.testing.assert_allclose(
         accelerations(fast.sample(0.05))[0], 100.0 * accelerations(slow.sample(0.5))[0]
     )
-    np.testing.assert_allclose(ss.PATHS["III"].path.sample(6.0).t, [0.8, 1.8, 1.8])
+    np.testing.assert_allclose(ss.PAPER_PATHS["III"].path.sample(6.0).t, [0.8, 1.8, 1.8])
 
 
-@pytest.mark.parametrize("path", [line(), *(p.path for p in ss.PATHS.values())])
+@pytest.mark.parametrize("path", [line(), *(p.path for p in ss.PAPER_PATHS.values())])
 def test_sample_follows_39_and_40(path: ss.StraightLinePath) -> None:
     direction = np.subtract(path.t1, path.t0) / path.distance
     blend = path.tau_f - path.distance / path.V
@@ -83,9 +83,9 @@ def test_sample_follows_39_and_40(path: ss.StraightLinePath) -> None:
     np.testing.assert_allclose(start.v, 0.3 * path.V * direction, rtol=1e-12, atol=1e-15)
 
 
-@pytest.mark.parametrize("path", [line(), *(p.path for p in ss.PATHS.values())])
+@pytest.mark.parametrize("path", [line(), *(p.path for p in ss.PAPER_PATHS.values())])
 def test_velocity_and_pose_are_continuous_at_the_breaks(path: ss.StraightLinePath) -> None:
-    inner = path.breaks()[1:-1]
+    inner = path.breakpoints()[1:-1]
     h = 1e-9 * path.tau_f
     before, after = path.sample(inner - h), path.sample(inner + h)
     for name in ("t", "R", "v", "omega"):
@@ -94,10 +94,10 @@ def test_velocity_and_pose_are_continuous_at_the_breaks(path: ss.StraightLinePat
     assert np.all(jumps > 1e-2 * path.V)
 
 
-@pytest.mark.parametrize("path", [line(), *(p.path for p in ss.PATHS.values())])
+@pytest.mark.parametrize("path", [line(), *(p.path for p in ss.PAPER_PATHS.values())])
 def test_between_breaks_accelerations_integrate_to_velocities(path: ss.StraightLinePath) -> None:
     nodes, weights = np.polynomial.legendre.leggauss(12)
-    times = path.breaks()
+    times = path.breakpoints()
     half, middle = 0.5 * np.diff(times), 0.5 * (times[1:] + times[:-1])
     inside = path.sample(middle[:, None] + half[:, None] * nodes)
     at = path.sample(times)
@@ -133,38 +133,38 @@ def test_part_without_distance_rests() -> None:
     np.testing.assert_array_equal(motion.R, np.tile(rotation_from_rpy(path.theta0), (4, 1, 1)))
     np.testing.assert_array_equal(motion.omega, np.zeros((4, 3)))
     np.testing.assert_array_equal(accelerations(motion)[1], np.zeros((4, 3)))
-    np.testing.assert_allclose(path.breaks(), [0.0, path.tau_t, 2.0 - path.tau_t, 2.0])
+    np.testing.assert_allclose(path.breakpoints(), [0.0, path.tau_t, 2.0 - path.tau_t, 2.0])
     at_rest = line(t1=(0.1, 0.2, 0.3), theta1=(0.0, -0.1, 0.2))
-    np.testing.assert_array_equal(at_rest.breaks(), [0.0, 2.0])
+    np.testing.assert_array_equal(at_rest.breakpoints(), [0.0, 2.0])
     np.testing.assert_array_equal(at_rest.sample(1.0).t, at_rest.t0)
 
 
 def test_breaks_are_where_the_accelerations_jump() -> None:
     path = line()
     expected = [0.0, path.tau_t, path.tau_theta, 2.0 - path.tau_theta, 2.0 - path.tau_t, 2.0]
-    np.testing.assert_allclose(path.breaks(), np.sort(expected))
+    np.testing.assert_allclose(path.breakpoints(), np.sort(expected))
     triangle = line(V=path.distance, Omega=path.angle)
-    np.testing.assert_allclose(triangle.breaks(), [0.0, 1.0, 2.0])
+    np.testing.assert_allclose(triangle.breakpoints(), [0.0, 1.0, 2.0])
 
 
 def test_at_a_break_the_acceleration_is_the_following_one() -> None:
-    path, _ = ss.PATHS["II"]
+    path, _ = ss.PAPER_PATHS["II"]
     alpha = accelerations(path.sample([0.0, 0.1, 0.5, 0.6]))[1]
     np.testing.assert_allclose(alpha[:, 2], [8.0, 0.0, -8.0, -8.0])
 
 
-@pytest.mark.parametrize("name", list(ss.PATHS))
+@pytest.mark.parametrize("name", list(ss.PAPER_PATHS))
 def test_grid_of_the_paper_has_61_times(name: str) -> None:
-    path, dtau = ss.PATHS[name]
-    times = path.times(dtau)
+    path, dtau = ss.PAPER_PATHS[name]
+    times = path.time_grid(dtau)
     assert len(times) == 61
     np.testing.assert_allclose(times, np.arange(61) * dtau, rtol=1e-15)
     assert times[-1] == path.tau_f
 
 
 def test_grid_ends_at_tau_f_when_the_step_does_not_fit() -> None:
-    np.testing.assert_allclose(line().times(0.6), [0.0, 0.6, 1.2, 1.8, 2.0])
-    np.testing.assert_array_equal(line().times(2.0), [0.0, 2.0])
+    np.testing.assert_allclose(line().time_grid(0.6), [0.0, 0.6, 1.2, 1.8, 2.0])
+    np.testing.assert_array_equal(line().time_grid(2.0), [0.0, 2.0])
 
 
 @pytest.mark.parametrize(
@@ -337,7 +337,7 @@ def test_bad_csv_is_named(tmp_path: Path, text: str, expected: str) -> None:
         "t_x t_y t_z",
         "q_w q_x q_y q_z",
         "L_1 to L_6, L_dot_*, L_ddot_*",
-        "LogFormat(columns={NAME: HEADER, ...})",
+        "TrajectoryFormat(columns={NAME: HEADER, ...})",
     ],
 )
 def test_an_unknown_column_is_answered_with_all_that_are_known(tmp_path: Path, known: str) -> None:
@@ -384,19 +384,20 @@ def wild(count: int = 7) -> Trajectory:
     rng = np.random.default_rng(0)
     R = np.array([rotation(vector) for vector in rng.normal(size=(count, 3))])
     time = np.cumsum(rng.uniform(0.3, 1.0, count))
-    motion = ss.Motion(R, *rng.normal(size=(5, count, 3)), *rng.normal(size=(2, count, 3)))
+    names = ("t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
+    motion = ss.Motion(R=R, **dict(zip(names, rng.normal(size=(7, count, 3)), strict=True)))
     return Trajectory(time, motion, "wild.csv", tuple(range(2, count + 2)))
 
 
 def test_instants_are_kept() -> None:
     trajectory = wild()
-    found = between(trajectory)(trajectory.time)
+    found = interpolate(trajectory)(trajectory.time)
     for name in FIELDS:
         np.testing.assert_allclose(getattr(found, name), getattr(trajectory.motion, name), atol=1e-12)
 
 
 def test_rates_and_accelerations_are_those_of_the_poses() -> None:
-    path, h = between(wild()), 1e-5
+    path, h = interpolate(wild()), 1e-5
     times = np.linspace(1.0, 3.5, 301)
     before, at, after = path(times - h), path(times), path(times + h)
     np.testing.assert_allclose((after.t - before.t) / (2 * h), at.v, atol=1e-6)
@@ -407,9 +408,9 @@ def test_rates_and_accelerations_are_those_of_the_poses() -> None:
 
 
 def test_the_papers_path_comes_back_between_its_samples() -> None:
-    path = ss.PATHS["III"].path
-    time = path.times(0.1)
-    found = between(Trajectory(time, path.sample(time), "III", tuple(range(61))))
+    path = ss.PAPER_PATHS["III"].path
+    time = path.time_grid(0.1)
+    found = interpolate(Trajectory(time, path.sample(time), "III", tuple(range(61))))
     inside = np.linspace(3.6, 4.1, 101)
     for name, tolerance in zip(UNLOADED, (1e-14, 1e-14, 1e-13, 1e-13, 1e-11, 1e-11), strict=True):
         expected = getattr(path.sample(inside), name)
@@ -422,7 +423,7 @@ def test_positions_are_the_spline_that_gave_the_rates(tmp_path) -> None:
     rng = np.random.default_rng(1)
     time, t = np.cumsum(rng.uniform(0.1, 0.3, 9)), rng.normal(size=(9, 3))
     log = write(tmp_path / "t.csv", NAMES, np.hstack([time[:, None], t, 0.1 * t]))
-    path = between(read_csv(log))
+    path = interpolate(read_csv(log))
     times = np.linspace(time[0], time[-1], 200)
     spline = make_interp_spline(time - time[0], t, k=5)
     np.testing.assert_allclose(path(times).t, spline(times - time[0]), atol=1e-9)
@@ -430,24 +431,24 @@ def test_positions_are_the_spline_that_gave_the_rates(tmp_path) -> None:
 
 def test_times_outside_and_single_instants_are_rejected() -> None:
     trajectory = wild(2)
-    path = between(trajectory)
+    path = interpolate(trajectory)
     for time in (trajectory.time[0] - 1e-3, trajectory.time[1] + 1e-3, np.nan):
         rejects(r"^times: expected times in \[", path, np.array([time]))
     motion = trajectory.motion
-    still = ss.Motion(motion.R, motion.t, motion.omega, motion.v)
+    still = ss.Motion(R=motion.R, t=motion.t, omega=motion.omega, v=motion.v)
     for time, at, text in (
         (trajectory.time[:1], motion[:1], "at least 2 instants, got 1"),
         (np.array([1.0, 1.0]), motion, "increasing times"),
         (trajectory.time, still, "a motion with accelerations, got none"),
     ):
         odd = Trajectory(time, at, "odd.csv", (2, 3)[: len(time)])
-        for function in (between, followed, lambda odd: ss.resampled(odd, 10.0)):
+        for function in (interpolate, followed, lambda odd: ss.resample(odd, 10.0)):
             rejects(f"^odd.csv: expected {text}$", function, odd)
 
 
 def test_one_time_after_the_other_gives_the_same_motion_since_the_first_instant() -> None:
     trajectory = wild()
-    path, one = between(trajectory), followed(trajectory)
+    path, one = interpolate(trajectory), followed(trajectory)
     for time in np.linspace(*trajectory.time[[0, -1]], 23)[:-1]:
         expected, found = path(time), one(time - trajectory.time[0])
         for name in FIELDS:

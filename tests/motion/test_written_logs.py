@@ -11,12 +11,12 @@ from robot_files import PAPERS
 
 from stewart_sym.cli.main import main
 from stewart_sym.motion.log_reader import FORCES, PLAIN, read_csv, read_leg_columns
-from stewart_sym.motion.logs import LogFormat
-from stewart_sym.motion.noise_level import LogWarning
+from stewart_sym.motion.logs import TrajectoryFormat
+from stewart_sym.motion.noise_level import TrajectoryWarning
 from stewart_sym.motion.trajectory import Trajectory
 
 OWN = ["Zeit [s]", "X [mm]", "Y [mm]", "Z [mm]", "Roll [°]", "Pitch [°]", "Yaw [°]"]
-MARKED = LogFormat(dict(zip(NAMES, OWN, strict=True)))
+MARKED = TrajectoryFormat(dict(zip(NAMES, OWN, strict=True)))
 
 
 def lines(names: list[str] = NAMES, delimiter: str = ",", decimal: str = ".", count: int = 41) -> list[str]:
@@ -25,10 +25,10 @@ def lines(names: list[str] = NAMES, delimiter: str = ",", decimal: str = ".", co
     return [delimiter.join(names), *rows]
 
 
-def read(folder: Path, text: list[str] | bytes, form: LogFormat | None = None) -> Trajectory:
+def read(folder: Path, text: list[str] | bytes, form: TrajectoryFormat | None = None) -> Trajectory:
     path = folder / "log.csv"
     path.write_bytes(text if isinstance(text, bytes) else ("\n".join(text) + "\n").encode())
-    return read_csv(path, form or LogFormat())
+    return read_csv(path, form or TrajectoryFormat())
 
 
 def alike(found: Trajectory, plain: Trajectory) -> None:
@@ -67,7 +67,7 @@ def test_names_in_a_comment_above_bare_numbers_are_the_header(tmp_path: Path, ma
     header, *rows = lines()
     alike(read(tmp_path, ["# run 7", mark + header, *rows]), read(tmp_path, [header, *rows]))
     own = dict(zip(NAMES, [mark + "time", *NAMES[1:]], strict=True))
-    alike(read(tmp_path, [mark + header, *rows], LogFormat(own)), read(tmp_path, [header, *rows]))
+    alike(read(tmp_path, [mark + header, *rows], TrajectoryFormat(own)), read(tmp_path, [header, *rows]))
 
 
 def test_a_separator_that_is_none_is_named(tmp_path: Path) -> None:
@@ -75,14 +75,14 @@ def test_a_separator_that_is_none_is_named(tmp_path: Path) -> None:
         read(tmp_path, ["sep=|", *lines(NAMES, "|")])
 
 
-UNITS = LogFormat(length_unit="mm", angle_unit="deg", time_unit="ms")
+UNITS = TrajectoryFormat(length_unit="mm", angle_unit="deg", time_unit="ms")
 
 
 @pytest.mark.parametrize(
     "units", ["ms,mm,mm,mm,°,°,°", "[ms],[mm],[mm],[mm],[deg],[deg],[deg]", "(ms),mm,,,,degrees,"]
 )
-@pytest.mark.parametrize("form", [LogFormat(), UNITS])
-def test_a_row_of_units_is_as_if_they_were_given(tmp_path: Path, units: str, form: LogFormat) -> None:
+@pytest.mark.parametrize("form", [TrajectoryFormat(), UNITS])
+def test_a_row_of_units_is_as_if_they_were_given(tmp_path: Path, units: str, form: TrajectoryFormat) -> None:
     header, *rows = lines()
     plain = read(tmp_path, [header, *rows], UNITS)
     found = read(tmp_path, [header, "", units, *rows], form)
@@ -119,13 +119,13 @@ def test_rates_and_loads_have_units_too(tmp_path: Path) -> None:
         ("s,m,mm,m,rad,rad,rad", "t_y: expected one length_unit in the row of units, got mm and m$"),
         (
             "s,mm,mm,mm,rad,rad,rad",
-            r"the row of units says mm, expected that of LogFormat\(length_unit='cm'\)$",
+            r"the row of units says mm, expected that of TrajectoryFormat\(length_unit='cm'\)$",
         ),
     ],
 )
 def test_units_that_are_none_or_others_are_named(tmp_path: Path, units: str, told: str) -> None:
     header, *rows = lines()
-    form = LogFormat(length_unit="cm" if "cm" in told else "m")
+    form = TrajectoryFormat(length_unit="cm" if "cm" in told else "m")
     rejects(f"line 2: {told}", read, tmp_path, [header, units, *rows], form)
 
 
@@ -145,7 +145,7 @@ def test_rows_written_twice_are_taken_once_and_counted(tmp_path: Path) -> None:
     header, *rows = lines()
     plain = read(tmp_path, [header, *rows])
     with pytest.warns(
-        LogWarning, match=r": 3 rows have the time and .* the first is line 7: taken once$"
+        TrajectoryWarning, match=r": 3 rows have the time and .* the first is line 7: taken once$"
     ) as told:
         found = read(tmp_path, [header, *rows[:5], rows[4], *rows[5:9], *rows[8:], rows[-1]])
     alike(found, plain)
@@ -156,8 +156,10 @@ def test_rows_written_twice_are_taken_once_and_counted(tmp_path: Path) -> None:
         read(tmp_path, [header, *rows[:6], other, *rows[6:]])
 
 
-@pytest.mark.parametrize(("form", "row"), [(LogFormat(), 2), (LogFormat(decimal="comma"), 5)])
-def test_thousands_separators_are_named_in_their_own_cell(tmp_path: Path, form: LogFormat, row: int) -> None:
+@pytest.mark.parametrize(("form", "row"), [(TrajectoryFormat(), 2), (TrajectoryFormat(decimal="comma"), 5)])
+def test_thousands_separators_are_named_in_their_own_cell(
+    tmp_path: Path, form: TrajectoryFormat, row: int
+) -> None:
     text = lines(NAMES, ";", ",")
     cells = text[row - 1].split(";")
     cells[3] = "3.400,00"
@@ -169,7 +171,7 @@ def test_a_point_beside_decimal_commas_is_no_decimal_mark(tmp_path: Path) -> Non
     header, *rows = lines(NAMES, ";", ",")
     rows[3] = rows[3].replace(",", ".", 2)
     with pytest.raises(ValueError, match=r"line 5: time: .*: decimals have a comma .*, thousands"):
-        read(tmp_path, [header, *rows], LogFormat(decimal="comma"))
+        read(tmp_path, [header, *rows], TrajectoryFormat(decimal="comma"))
 
 
 START = datetime.datetime(2026, 11, 26, 23, 59, 30, 125_000)
@@ -212,12 +214,12 @@ def test_dates_and_times_of_day_are_seconds_since_the_first_row(
         (["0.5", "10:00:00"], "line 3: time: expected a finite number, got '10:00:00': dates as"),
         (["2026-11-26 10:00", "10:01"], "line 3: time: expected a date and time as in the first"),
         (["2026-13-26 10:00"], "line 2: time: expected a finite number, got '2026-13-26 10:00'"),
-        (["10:00:00"], "line 2: time: expected ms .LogFormat.time_unit='ms'"),
+        (["10:00:00"], "line 2: time: expected ms .TrajectoryFormat.time_unit='ms'"),
     ],
 )
 def test_times_that_are_not_read_are_named(tmp_path: Path, times: list[str], told: str) -> None:
     rows = [f"{time};0.2;0;0.5;0;0;0" for time in times]
-    form = LogFormat(time_unit="ms" if "ms" in told else "s")
+    form = TrajectoryFormat(time_unit="ms" if "ms" in told else "s")
     rejects(told, read, tmp_path, [";".join(NAMES), *rows], form)
 
 
@@ -226,13 +228,13 @@ def test_forces_are_of_the_unit_of_time_of_their_own_row_of_units_or_else_of_the
     tmp_path: Path, row: str, step: float
 ) -> None:
     path = tmp_path / "forces.csv"
-    path.write_text(f"time,F1,F2,F3,F4,F5,F6\n{row}0,1,2,3,4,5,6\n1,1,2,3,4,5,7\n")
-    assert read_leg_columns(path, LogFormat(time_unit="ms"), (FORCES,))[0].tolist() == [0.0, step]
+    path.write_text(f"time,F_1,F_2,F_3,F_4,F_5,F_6\n{row}0,1,2,3,4,5,6\n1,1,2,3,4,5,7\n")
+    assert read_leg_columns(path, TrajectoryFormat(time_unit="ms"), (FORCES,))[0].tolist() == [0.0, step]
 
 
 def test_dated_forces_are_rejected_since_their_start_is_not_that_of_the_poses(tmp_path: Path) -> None:
     path = tmp_path / "forces.csv"
-    path.write_text("time,F1,F2,F3,F4,F5,F6\n10:00:00,1,2,3,4,5,6\n")
+    path.write_text("time,F_1,F_2,F_3,F_4,F_5,F_6\n10:00:00,1,2,3,4,5,6\n")
     rejects("line 2: time: expected seconds as in the trajectory", read_leg_columns, path, PLAIN, (FORCES,))
 
 

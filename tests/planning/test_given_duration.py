@@ -16,8 +16,8 @@ from stewart_sym.dynamics.inverse import inverse_dynamics
 from stewart_sym.kinematics.clearance import joint_angles
 from stewart_sym.kinematics.inverse import inverse_kinematics
 from stewart_sym.planning.certificate import certify_plan
-from stewart_sym.planning.time_path import TimedPath, time_path
-from stewart_sym.planning.timing.path_terms import Limits, travelled
+from stewart_sym.planning.time_path import TimedPath, parameterize_path
+from stewart_sym.planning.timing.path_terms import PathLimits, traveled
 from stewart_sym.robot.drive import Drive
 from stewart_sym.studies.reports.plan import Plan
 
@@ -29,7 +29,7 @@ LONGER = 1.5
 def case(seed: int):
     """A machine with limits of force, a path, and its least time."""
     robot, path = limited_case(seed)
-    return robot, path, time_path(robot, path, cells=100)
+    return robot, path, parameterize_path(robot, path, grid_size=100)
 
 
 def jerk_of(seed: int) -> float:
@@ -51,7 +51,7 @@ def work(plan: TimedPath, motion=None) -> float:
 def test_joint_angles_of_a_plan_are_held_against_their_limits_between_its_nodes() -> None:
     robot, path, _ = case(2)
     robot = dataclasses.replace(robot, home=path(np.zeros(1)).t[0])
-    plan = time_path(robot, path, cells=20)
+    plan = parameterize_path(robot, path, grid_size=20)
     free = certify_plan(plan)
     dense = joint_angles(robot, plan.sample(np.linspace(0.0, plan.duration, 20_001)))
     nodes = joint_angles(robot, path(plan.profile.nodes.s))
@@ -65,7 +65,7 @@ def test_joint_angles_of_a_plan_are_held_against_their_limits_between_its_nodes(
             limit[leg, side] = most
             limited = dataclasses.replace(robot, joint_angle_limit=limit)
             proof = certify_plan(dataclasses.replace(plan, robot=limited))
-            assert (proof.angles_kept, proof.holds) == (kept, kept)
+            assert (proof.angles_ok, proof.is_valid) == (kept, kept)
     assert certify_plan(dataclasses.replace(plan, robot=case(2)[0])).base_angle is None
 
 
@@ -92,7 +92,7 @@ def simpler(plan: TimedPath, quick: TimedPath):
     x = np.linspace(0.0, 1.0, 8001)
     s = x**3 * (10.0 - 15.0 * x + 6.0 * x**2)
     rate, second = 30.0 * (x * (1.0 - x)) ** 2, 60.0 * x * (1.0 - x) * (1.0 - 2.0 * x)
-    quintic = travelled(plan.path(s), rate / plan.duration, second / plan.duration**2)
+    quintic = traveled(plan.path(s), rate / plan.duration, second / plan.duration**2)
     return slow.sample(x * slow.duration), quintic
 
 
@@ -100,19 +100,19 @@ def simpler(plan: TimedPath, quick: TimedPath):
 def test_least_time_within_jerk_is_that_of_collocation_and_begins_and_ends_without_acceleration() -> None:
     robot, path, quick = case(1)
     jerk = jerk_of(1)
-    plan = time_path(robot, path, limits=Limits(jerk=jerk))
+    plan = parameterize_path(robot, path, limits=PathLimits(jerk=jerk))
     assert plan.duration > quick.duration
     assert plan.duration == pytest.approx(smooth_optimum(robot, plan, 200, jerk=jerk), rel=1e-3)
     proof = certify_plan(plan)
-    assert proof.holds
-    assert proof.used > 1.0 - 1e-3
+    assert proof.is_valid
+    assert proof.max_utilization > 1.0 - 1e-3
     times = np.linspace(0.0, plan.duration, 40_001)
     seconds = inverse_kinematics(robot, plan.sample(times)).L_ddot
     found = np.abs(np.diff(seconds, axis=0)).max() / times[1]
     assert 0.99 * jerk < found <= (1.0 + 1e-6) * jerk
     assert np.abs(seconds[[0, -1]]).max() < 1e-9 * np.abs(seconds).max()
     faster = dataclasses.replace(plan, profile=plan.profile.slowed(1.001))
-    assert not certify_plan(faster).holds
+    assert not certify_plan(faster).is_valid
 
 
 @pytest.mark.slow
@@ -120,10 +120,10 @@ def test_least_time_within_jerk_is_that_of_collocation_and_begins_and_ends_witho
 def test_least_energy_is_that_of_collocation_and_below_that_of_simpler_motions(seed: int) -> None:
     robot, path, quick = case(seed)
     duration = LONGER * quick.duration
-    plan = time_path(robot, path, least="energy", duration=duration, cells=150)
+    plan = parameterize_path(robot, path, minimize="energy", duration=duration, grid_size=150)
     assert plan.duration == pytest.approx(duration, rel=1e-12)
     assert work(plan) == pytest.approx(smooth_optimum(robot, plan, 200, duration=duration), rel=1e-3)
-    assert certify_plan(plan).holds
+    assert certify_plan(plan).is_valid
     for motion in simpler(plan, quick):
         assert work(plan) < 0.99 * work(plan, motion)
 
@@ -136,14 +136,14 @@ def test_least_electrical_energy_has_friction_and_heat_of_windings_in_it() -> No
     drive = Drive(
         lead=lead,
         efficiency=0.8,
-        back_efficiency=0.7,
+        backdrive_efficiency=0.7,
         screw_coulomb=0.02 * force,
         torque_constant=1e-3 * force * lead,
         resistance=1e-4 * force * lead / duration,
     )
     robot = dataclasses.replace(robot, drive=drive)
-    plan = time_path(robot, path, least="energy", duration=duration, cells=50)
-    assert certify_plan(plan).holds
+    plan = parameterize_path(robot, path, minimize="energy", duration=duration, grid_size=50)
+    assert certify_plan(plan).is_valid
     x = np.linspace(0.0, 1.0, 8001) * duration
 
     def energy(motion) -> float:
@@ -153,13 +153,13 @@ def test_least_electrical_energy_has_friction_and_heat_of_windings_in_it() -> No
     for motion in simpler(plan, quick):
         assert own < 0.995 * energy(motion)
     free = dataclasses.replace(robot, drive=dataclasses.replace(drive, resistance=0.0, efficiency=1.0))
-    cold = time_path(free, path, least="energy", duration=duration, cells=50)
+    cold = parameterize_path(free, path, minimize="energy", duration=duration, grid_size=50)
     assert own < energy(cold.sample(x)) * (1.0 - 1e-4)
     # What is lost by an efficiency alone depends on the motion as well.
     robot = dataclasses.replace(
         free, C_u=0.0, C_p=0.0, C_s=0.0, drive=dataclasses.replace(drive, resistance=0.0)
     )
-    worn = time_path(robot, path, least="energy", duration=duration, cells=50)
+    worn = parameterize_path(robot, path, minimize="energy", duration=duration, grid_size=50)
     assert energy(worn.sample(x)) < 0.995 * min(energy(motion) for motion in simpler(worn, quick))
 
 
@@ -172,8 +172,8 @@ def test_least_peak_force_is_that_of_collocation_and_below_that_of_simpler_motio
     def progress(text: str, share: float | None = None) -> None:
         shown.append(text)
 
-    options = {"least": "peak-force", "duration": duration, "progress": progress}
-    plan = time_path(robot, path, cells=100, **options)
+    options = {"least": "peak_force", "duration": duration, "progress": progress}
+    plan = parameterize_path(robot, path, grid_size=100, **options)
     tries = [text for text in shown if "least peak force, try " in text]
     assert len(set(tries)) > 3
     assert shown[-len(tries) :] == tries
@@ -182,7 +182,7 @@ def test_least_peak_force_is_that_of_collocation_and_below_that_of_simpler_motio
     assert peak(plan) == pytest.approx(expected, rel=1e-3)
     for motion in simpler(plan, quick):
         assert peak(plan) < np.abs(inverse_dynamics(robot, motion).F).max()
-    assert certify_plan(plan).holds
+    assert certify_plan(plan).is_valid
 
 
 @pytest.mark.slow
@@ -190,31 +190,31 @@ def test_least_peak_force_is_that_of_collocation_and_below_that_of_simpler_motio
 def test_least_peak_force_is_below_that_at_rest_where_the_machine_moves_on(longer: float) -> None:
     robot, path, quick = case(3)
     duration = longer * quick.duration
-    plan = time_path(robot, path, cells=100, least="peak-force", duration=duration)
-    at_rest = np.abs(inverse_dynamics(robot, travelled(path(np.linspace(0.0, 1.0, 801)), 0.0, 0.0)).F)
+    plan = parameterize_path(robot, path, grid_size=100, minimize="peak_force", duration=duration)
+    at_rest = np.abs(inverse_dynamics(robot, traveled(path(np.linspace(0.0, 1.0, 801)), 0.0, 0.0)).F)
     assert peak(plan) < 0.99 * at_rest.max()
     assert plan.duration == pytest.approx(duration, rel=1e-12)
     assert peak(plan) == pytest.approx(extrapolated(lambda cells: peak_force(plan, cells), 100), rel=1e-3)
-    assert certify_plan(plan).holds
+    assert certify_plan(plan).is_valid
 
 
 def test_the_least_time_is_named_where_a_duration_is_shorter() -> None:
     robot, path, quick = case(0)
     with pytest.raises(ValueError, match=f"duration: expected at least the least time, {quick.duration:.3g}"):
-        time_path(robot, path, least="energy", duration=0.5 * quick.duration, cells=100)
+        parameterize_path(robot, path, minimize="energy", duration=0.5 * quick.duration, grid_size=100)
 
 
 @pytest.mark.slow
 def test_in_the_least_time_there_is_one_motion() -> None:
     robot, path, quick = case(0)
-    plan = time_path(robot, path, least="energy", duration=quick.duration, cells=100)
+    plan = parameterize_path(robot, path, minimize="energy", duration=quick.duration, grid_size=100)
     assert work(plan) == pytest.approx(work(quick), rel=1e-6)
 
 
 def test_what_every_motion_takes_as_much_of_is_one_line() -> None:
     robot, path = limited_case(0, friction=False)
     with pytest.raises(ValueError, match="expected viscous friction, a resistance of windings or an efficie"):
-        time_path(robot, path, least="energy", duration=1e3, cells=50)
-    rejects('least: expected a duration beside "energy"', time_path, robot, path, least="energy")
-    with pytest.raises(ValueError, match='duration: expected least "energy" or "peak-force" beside it'):
-        time_path(robot, path, duration=4.0)
+        parameterize_path(robot, path, minimize="energy", duration=1e3, grid_size=50)
+    rejects('least: expected a duration beside "energy"', parameterize_path, robot, path, minimize="energy")
+    with pytest.raises(ValueError, match='duration: expected minimize "energy" or "peak_force" beside it'):
+        parameterize_path(robot, path, duration=4.0)

@@ -17,9 +17,9 @@ from stewart_sym.drives.effort import drive_effort
 from stewart_sym.dynamics.inverse import inverse_dynamics
 from stewart_sym.kinematics.inverse import inverse_kinematics
 from stewart_sym.planning.certificate import certify_plan
-from stewart_sym.planning.time_path import time_path
+from stewart_sym.planning.time_path import parameterize_path
 from stewart_sym.planning.timing.grid import Grid
-from stewart_sym.planning.timing.path_terms import Limits, terms_along
+from stewart_sym.planning.timing.path_terms import PathLimits, terms_along
 from stewart_sym.planning.timing.phase_plane import highest, lowest
 
 
@@ -33,7 +33,7 @@ from stewart_sym.planning.timing.phase_plane import highest, lowest
 )
 def test_least_time_is_that_of_collocation_with_viscous_friction_or_none(seed: int, friction: bool) -> None:
     robot, path = limited_case(seed, friction=friction)
-    found = time_path(robot, path, cells=150)
+    found = parameterize_path(robot, path, grid_size=150)
     expected = extrapolated(lambda cells: collocation_duration(found, cells), 125)
     assert found.duration == pytest.approx(expected, rel=3e-4)
 
@@ -41,29 +41,29 @@ def test_least_time_is_that_of_collocation_with_viscous_friction_or_none(seed: i
 @pytest.mark.slow
 def test_limits_hold_between_the_nodes_and_one_is_active() -> None:
     robot, path = planned_case(7)
-    found = certify_plan(time_path(robot, path, cells=1000))
-    assert found.instants >= 100_000
-    assert found.used <= 1.0 + 1e-6
-    assert found.active >= 0.99
-    assert found.holds
+    found = certify_plan(parameterize_path(robot, path, grid_size=1000))
+    assert found.samples >= 100_000
+    assert found.max_utilization <= 1.0 + 1e-6
+    assert found.active_fraction >= 0.99
+    assert found.is_valid
     assert found.crossings == ()
 
 
 @pytest.mark.slow
 def test_all_kinds_of_limits_are_kept_in_time() -> None:
     robot, path = limited_case(4)
-    free = time_path(robot, path, cells=100)
+    free = parameterize_path(robot, path, grid_size=100)
     legs = inverse_kinematics(robot, free.sample(np.linspace(0.0, free.duration, 2001)))
     motion = free.sample(np.linspace(0.0, free.duration, 2001))
-    limits = Limits(
+    limits = PathLimits(
         speed=0.8 * np.abs(legs.L_dot).max(),
         acceleration=0.7 * np.abs(legs.L_ddot).max(),
         platform_speed=0.8 * float(np.linalg.norm(motion.v, axis=-1).max()),
         platform_turn_rate=0.8 * float(np.linalg.norm(motion.omega, axis=-1).max()),
     )
-    plan = time_path(robot, path, limits=limits, cells=100)
+    plan = parameterize_path(robot, path, limits=limits, grid_size=100)
     assert plan.duration > free.duration
-    assert certify_plan(plan).used <= 1.0 + 1e-6
+    assert certify_plan(plan).max_utilization <= 1.0 + 1e-6
     motion = plan.sample(np.linspace(0.0, plan.duration, 20_001))
     legs = inverse_kinematics(robot, motion)
     assert np.abs(inverse_dynamics(robot, motion).F / robot.force_limit).max() <= 1.0 + 1e-6
@@ -76,7 +76,7 @@ def test_all_kinds_of_limits_are_kept_in_time() -> None:
 @pytest.mark.slow
 def test_the_motion_in_time_has_the_rates_of_its_poses() -> None:
     robot, path = limited_case(5)
-    plan = time_path(robot, path, cells=100)
+    plan = parameterize_path(robot, path, grid_size=100)
     times, h = np.linspace(0.05, 0.95, 41) * plan.duration, 1e-6 * plan.duration
     at, before, after = (plan.sample(times + shift) for shift in (0.0, -h, h))
     np.testing.assert_allclose(at.v, (after.t - before.t) / (2 * h), atol=1e-6 * np.abs(at.v).max())
@@ -90,23 +90,23 @@ def test_the_motion_in_time_has_the_rates_of_its_poses() -> None:
 
 def test_a_faster_motion_breaks_a_limit() -> None:
     robot, path = limited_case(0)
-    plan = time_path(robot, path, cells=50)
+    plan = parameterize_path(robot, path, grid_size=50)
     phase = plan.profile.phase
     faster = phase._replace(x=phase.x * 1.001, first=phase.first * 1.001, last=phase.last * 1.001)
     quick = dataclasses.replace(plan, profile=type(plan.profile).of(faster))
-    assert not certify_plan(quick).holds
+    assert not certify_plan(quick).is_valid
 
 
 @pytest.mark.parametrize(
     ("limits", "message"),
     [
-        (Limits(force=1e-3), "at rest at s ="),
-        (Limits(force=np.inf), "expected a limit of force, speed or acceleration, there is none"),
+        (PathLimits(force=1e-3), "at rest at s ="),
+        (PathLimits(force=np.inf), "expected a limit of force, speed or acceleration, there is none"),
     ],
 )
-def test_what_bounds_no_motion_or_allows_none_is_one_line(limits: Limits, message: str) -> None:
+def test_what_bounds_no_motion_or_allows_none_is_one_line(limits: PathLimits, message: str) -> None:
     robot, poses = via_case(1)
-    rejects(message, time_path, robot, straight(robot, poses), limits=limits)
+    rejects(message, parameterize_path, robot, straight(robot, poses), limits=limits)
 
 
 @pytest.mark.parametrize(
@@ -114,22 +114,27 @@ def test_what_bounds_no_motion_or_allows_none_is_one_line(limits: Limits, messag
     [
         (np.zeros((2, 6)), "path: expected a Motion, got ndarray"),
         (
-            ss.Motion(np.eye(3), np.zeros((2, 3)), np.zeros(3), np.zeros(3)),
+            ss.Motion(R=np.eye(3), t=np.zeros((2, 3)), omega=np.zeros(3), v=np.zeros(3)),
             "path: expected motions with accel",
         ),
-        (ss.Motion(np.eye(3), *np.zeros((5, 3))), "path: expected a motion of shape"),
+        (
+            ss.Motion(
+                R=np.eye(3), t=np.zeros(3), omega=np.zeros(3), v=np.zeros(3), alpha=np.zeros(3), a=np.zeros(3)
+            ),
+            "path: expected a motion of shape",
+        ),
     ],
 )
 def test_a_path_that_gives_something_else_is_one_line(found: object, words: str) -> None:
     robot, _ = limited_case(0)
-    rejects(words, time_path, robot, lambda s: found)
+    rejects(words, parameterize_path, robot, lambda s: found)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", range(share(10, 10)))
 def test_least_time_within_the_motors_limits_is_that_of_collocation(seed: int) -> None:
     robot, path = motor_case(seed)
-    found = time_path(robot, path, cells=100)
+    found = parameterize_path(robot, path, grid_size=100)
     expected = extrapolated(lambda cells: motor_duration(found, cells), 125)
     assert found.duration == pytest.approx(expected, rel=1e-3)
 
@@ -138,10 +143,10 @@ def test_least_time_within_the_motors_limits_is_that_of_collocation(seed: int) -
 @pytest.mark.parametrize("quantity", ["speed", "current", "power"])
 def test_each_limit_of_the_motors_is_reached_and_kept_between_the_nodes(quantity: str) -> None:
     robot, path = motor_case(1, (quantity,))
-    plan = time_path(robot, path, cells=100)
+    plan = parameterize_path(robot, path, grid_size=100)
     proof = certify_plan(plan)
-    assert proof.used <= 1.0 + 1e-6
-    assert proof.active >= 0.95
+    assert proof.max_utilization <= 1.0 + 1e-6
+    assert proof.active_fraction >= 0.95
     times = np.linspace(0.0, plan.duration, 4001)
     found = drive_effort(robot, plan.sample(times), times)
     share = getattr(found, f"peak_{quantity}") / getattr(robot.drive, f"{quantity}_limit")
@@ -156,17 +161,17 @@ def test_motors_that_hold_the_machine_with_nearly_all_their_torque_move_it_as_fa
 ) -> None:
     """Not slower than the motion of stronger motors played more slowly."""
     robot, path = motor_case(seed, ("torque",))
-    quick = time_path(robot, path, cells=50)
+    quick = parameterize_path(robot, path, grid_size=50)
     if jerk:
         jerk *= 1e3 * machine_size(robot) / quick.duration**3
-    motors = terms_along(robot, path, np.linspace(0.0, 1.0, 2001), Limits(), "exact").motors
+    motors = terms_along(robot, path, np.linspace(0.0, 1.0, 2001), PathLimits(), "exact").motors
     held = motors.at_rest()[:, :6].max(axis=0)
     weak = dataclasses.replace(robot.drive, torque_limit=1.02 * held * robot.drive.torque_limit)
     robot = dataclasses.replace(robot, drive=weak)
-    plan = time_path(robot, path, limits=Limits(jerk=jerk), cells=100)
+    plan = parameterize_path(robot, path, limits=PathLimits(jerk=jerk), grid_size=100)
     proof = certify_plan(plan)
-    assert proof.holds
-    assert proof.active > 0.5
+    assert proof.is_valid
+    assert proof.active_fraction > 0.5
     slow, times = 1.0, np.linspace(0.0, 1.0, 2001)
     while True:
         played = dataclasses.replace(quick, profile=quick.profile.slowed(slow))
@@ -182,7 +187,7 @@ def test_bounds_where_a_leg_turns_back_are_those_of_either_side() -> None:
     robot, path = motor_case(1, ("torque",))
 
     def source(s: np.ndarray):
-        return terms_along(robot, path, s, Limits(), "exact")
+        return terms_along(robot, path, s, PathLimits(), "exact")
 
     def room(low: np.ndarray, high: np.ndarray, x: float) -> np.ndarray:
         return np.array([lowest(low, x), highest(high, x)])
@@ -215,4 +220,4 @@ def test_a_motor_that_cannot_move_the_machine_slowly_is_named() -> None:
     with pytest.raises(
         ValueError, match=r"limits: torque of the motor of leg \d is .* times its limit at rest"
     ):
-        time_path(dataclasses.replace(robot, drive=drive), path)
+        parameterize_path(dataclasses.replace(robot, drive=drive), path)

@@ -14,11 +14,11 @@ from via_cases import straight, via_case, with_limits
 from stewart_sym.kinematics.inverse import inverse_kinematics
 from stewart_sym.motion.motion import Motion
 from stewart_sym.motion.rotation import rotation_from_vector
-from stewart_sym.motion.straight_line import PATHS
+from stewart_sym.motion.straight_line import PAPER_PATHS
 from stewart_sym.planning.certificate import certify_plan
-from stewart_sym.planning.time_path import TimedPath, time_path
+from stewart_sym.planning.time_path import TimedPath, parameterize_path
 from stewart_sym.planning.timing.path_rates import need_rates
-from stewart_sym.planning.timing.path_terms import Limits, Path
+from stewart_sym.planning.timing.path_terms import Path, PathLimits
 from stewart_sym.robots import dasgupta1998
 
 ROBOT = random_robot(np.random.default_rng(1))
@@ -74,19 +74,19 @@ def changed(**factors: float) -> Path:
 
 def within_a_straight_line(s: np.ndarray) -> Motion:
     """Path II without its ends, at which it rests, moved to the machine's home."""
-    line = PATHS["II"].path
+    line = PAPER_PATHS["II"].path
     motion = line.sample(line.tau_f * (0.05 + 0.9 * s))
     names = ("omega", "v", "alpha", "a")
     rates = {name: getattr(motion, name) * (0.9 * line.tau_f) ** (1 + (name[0] == "a")) for name in names}
-    return Motion(motion.R, motion.t - line.t0 + home_position(ROBOT.b, machine_size(ROBOT)), **rates)
+    return Motion(R=motion.R, t=motion.t - line.t0 + home_position(ROBOT.b, machine_size(ROBOT)), **rates)
 
 
 @functools.cache
 def own_plan() -> TimedPath:
-    return time_path(ROBOT, through(smooth()), limits=LIMITS, cells=10)
+    return parameterize_path(ROBOT, through(smooth()), limits=LIMITS, grid_size=10)
 
 
-LIMITS = Limits(speed=1.0, acceleration=50.0)
+LIMITS = PathLimits(speed=1.0, acceleration=50.0)
 RATES = (
     r"^path: expected rates by s that are those of the poses: the length of leg \d changes by \S+ m from s = "
 )
@@ -104,7 +104,7 @@ JUMP = r"^path: expected rates by s that do not jump, and accelerations that are
 )
 def test_rates_that_contradict_the_poses_or_jump_are_named(path: Path, message: str) -> None:
     with pytest.raises(ValueError, match=message) as error:
-        time_path(ROBOT, path, limits=LIMITS, cells=10)
+        parameterize_path(ROBOT, path, limits=LIMITS, grid_size=10)
     assert "\n" not in str(error.value)
     with pytest.raises(ValueError, match=message):
         certify_plan(dataclasses.replace(own_plan(), path=path))
@@ -133,13 +133,13 @@ def test_limits_of_speed_alone_give_the_least_time_and_a_warning_that_names_the_
     path = straight(robot, poses)
     with warnings.catch_warnings(record=True) as found:
         warnings.simplefilter("always")
-        plan = time_path(robot, path, limits=Limits(speed=0.1), cells=100)
+        plan = parameterize_path(robot, path, limits=PathLimits(speed=0.1), grid_size=100)
     assert [each.category for each in found] == [UserWarning]
     expected = "limits: expected a limit of force, acceleration or jerk beside that of speed, there is none: "
     assert str(found[0].message).startswith(expected)
     L = inverse_kinematics(robot, path(np.linspace(0.0, 1.0, 20_001))).L
     assert plan.duration == pytest.approx(np.abs(np.diff(L, axis=0)).max(axis=-1).sum() / 0.1, rel=1e-3)
-    assert certify_plan(plan).holds
+    assert certify_plan(plan).is_valid
 
 
 def test_a_singular_pose_between_the_nodes_is_named_by_the_force_that_it_takes() -> None:
@@ -148,13 +148,20 @@ def test_a_singular_pose_between_the_nodes_is_named_by_the_force_that_it_takes()
     def path(s: np.ndarray) -> Motion:
         still = np.zeros((len(s), 3))
         home = still + np.array([0.0, 0.0, 0.65])
-        return Motion(rotation_from_vector(np.outer(s, turn)), home, still + turn, still, still, still)
+        return Motion(
+            R=rotation_from_vector(np.outer(s, turn)),
+            t=home,
+            omega=still + turn,
+            v=still,
+            alpha=still,
+            a=still,
+        )
 
     message = (
         r"^limits: force of leg 1 is \S+ at rest at s = 0.553907 of the path, expected less than its limit,"
     )
     with pytest.raises(ValueError, match=message):
-        time_path(dasgupta1998(), path, limits=Limits(force=1e5), cells=10)
+        parameterize_path(dasgupta1998(), path, limits=PathLimits(force=1e5), grid_size=10)
 
 
 def test_the_limit_that_no_slow_motion_keeps_is_named_with_its_place() -> None:
@@ -165,4 +172,4 @@ def test_the_limit_that_no_slow_motion_keeps_is_named_with_its_place() -> None:
         ValueError,
         match=r"none was found: force of leg 1 is \S+ times its limit near s = 0\.\d+ of the path$",
     ):
-        time_path(robot, path, limits=Limits(jerk=1e3), cells=10)
+        parameterize_path(robot, path, limits=PathLimits(jerk=1e3), grid_size=10)

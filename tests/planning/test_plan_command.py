@@ -62,12 +62,12 @@ def test_joint_angles_are_reported_beside_their_limits_and_named_where_these_are
     folder: Path, monkeypatch: pytest.MonkeyPatch, run: Run
 ) -> None:
     file = folder / "hexapod.toml"
-    text = file.read_text().replace("[base]", "home = [0.0, 0.0, 0.65]\n[base]")
+    text = file.read_text().replace("[base]", "home_position = [0.0, 0.0, 0.65]\n[base]")
     file.write_text(text.replace("force_limit", "joint_angle_limit = [0.5, 0.6]\nforce_limit"))
     found = []
 
     def beyond(plan: TimedPath) -> PlanCertificate:
-        found.append(dataclasses.replace(certify_plan(plan), angles_kept=False))
+        found.append(dataclasses.replace(certify_plan(plan), angles_ok=False))
         return found[0]
 
     monkeypatch.setattr(certificate, "certify_plan", beyond)
@@ -131,7 +131,7 @@ def test_a_duration_has_a_motion_of_least_energy_or_peak_force(
     thrifty = found("--least", "energy", "--duration", "3")
     for stated, reported in zip(tomllib.loads(SHORT)["via"], thrifty["via_poses"], strict=True):
         np.testing.assert_allclose(reported["theta_rad"], stated["theta"], atol=1e-15)
-    in_file = found(text='least = "peak-force"\nduration = 3.0\n' + SHORT)
+    in_file = found(text='minimize = "peak_force"\nduration = 3.0\n' + SHORT)
     assert thrifty["energy_J"] < in_file["energy_J"]
     assert peak(in_file) < peak(thrifty)
 
@@ -141,7 +141,7 @@ def test_a_duration_has_a_motion_of_least_energy_or_peak_force(
     [
         (["--least", "energy", "--duration", "0.01"], "--duration: expected at least the least time, "),
         (["--least", "energy"], '--least: expected a duration beside "energy"'),
-        (["--duration", "2"], '--duration: expected least "energy" or "peak-force" beside it, got "time"'),
+        (["--duration", "2"], '--duration: expected minimize "energy" or "peak_force" beside it, got "time"'),
     ],
 )
 def test_an_error_about_an_option_names_it(folder: Path, run: Run, options: list[str], words: str) -> None:
@@ -175,7 +175,7 @@ def test_a_rate_that_leaves_a_few_rows_is_a_warning(folder: Path, run: Run) -> N
 
 
 def test_a_free_pose_may_be_given_out_of_reach(folder: Path) -> None:
-    text = HEAD + FIRST + SECOND.replace("0.1", "1.0") + "free.x = [-0.95, 0.0]\n"
+    text = HEAD + FIRST + SECOND.replace("0.1", "1.0") + "tolerance.x = [-0.95, 0.0]\n"
     assert main(["plan", via(folder, text), "-o", str(folder / "out"), "--no-pictures"]) == 0
 
 
@@ -189,10 +189,10 @@ def test_angles_that_must_be_degrees_are_a_warning(folder: Path, run: Run) -> No
     )
 
 
-def test_poses_that_must_be_in_millimetres_are_a_warning(folder: Path, run: Run) -> None:
+def test_poses_that_must_be_in_millimeters_are_a_warning(folder: Path, run: Run) -> None:
     text = PLAN.replace("0.65]", "650.0]")
     warning, error = run("plan", via(folder, text), "-o", folder / "out", code=2).err.splitlines()
-    assert warning.endswith("m beside legs of up to 0.95 m: in millimetres, expected metres?")
+    assert warning.endswith("m beside legs of up to 0.95 m: in millimeters, expected meters?")
     assert "via.toml: via 1: out of reach" in error
 
 
@@ -236,37 +236,37 @@ def limited(limit: str) -> str:
         (HEAD + FIRST + SECOND.replace("0.1", "nan"), "via 2: t: expected 3 finite numbers"),
         (PLAN.replace("0.1", "9.0"), "via 2: out of reach, it breaks the limit of leg length of leg"),
         (
-            limited("condition = 12.0").replace("[0.1", "[900.0"),
+            limited("max_condition = 12.0").replace("[0.1", "[900.0"),
             "via 2: out of reach, it breaks the limit of leg length of leg",
         ),
         *(
             (
-                PLAN.replace("0.1", x) + "free.yaw = [-0.2, 0.2]\nfree.x = [-0.1, 0.0]\n",
+                PLAN.replace("0.1", x) + "tolerance.yaw = [-0.2, 0.2]\ntolerance.x = [-0.1, 0.0]\n",
                 "via 2: out of reach, the nearest that its freedom allows breaks the limit of",
             )
             for x in ("9.0", "900.0")
         ),
         (PLAN + FIRST, "via 2: expected a path through it, the one found turns back"),
-        ('least = "energy"\n' + PLAN, 'via.toml: least: expected a duration beside "energy" (at line 1)'),
+        ('minimize = "energy"\n' + PLAN, 'via.toml: least: expected a duration beside "energy" (at line 1)'),
         (
-            'least = "energy"\nduration = 1e9\n' + PLAN,
+            'minimize = "energy"\nduration = 1e9\n' + PLAN,
             "via.toml: duration: expected at most 10,000,000 instants, got 1e+09 s at a rate of",
         ),
         ("rate = 1e9\n" + PLAN, "via.toml: rate: expected at most 10,000,000 instants, got "),
         (
             "duration = 2.0\n" + PLAN,
-            'via.toml: duration: expected least "energy" or "peak-force" beside it, got "time" (at line 1)',
+            'via.toml: duration: expected minimize "energy" or "peak_force" beside it, got "time" (at line 1)',
         ),
         (HEAD + FIRST + FIRST, "via 2: expected another pose than via pose 1 (at line 6)"),
         (limited("force = 10.0"), "at rest at s ="),
         (limited("force = -1.0"), "limits.force: expected a number > 0, got -1 (at line 4)"),
-        (limited("condition = 1.1"), "via 1: expected a condition number of at most 1.1"),
+        (limited("max_condition = 1.1"), "via 1: expected a condition number of at most 1.1"),
         (
-            limited("clearance = 60.0"),
+            limited("min_clearance = 60.0"),
             "limits.clearance: expected less than 0.1039 m, the distance of joints of legs 1, 2, got 60 m",
         ),
         (limited("forces = 1.0"), 'did you mean "force"?'),
-        (PLAN + "free.yaw = [0.1, 0.3]\n", "free.yaw: expected [low, high] with low <= 0 <= high"),
+        (PLAN + "tolerance.yaw = [0.1, 0.3]\n", "tolerance.yaw: expected [low, high] with low <= 0 <= high"),
         (PLAN.replace("hexapod", "nothing"), "via.toml: robot: expected a file, there is no "),
         (HEAD + 'via_file = "none.csv"\n', "via.toml: via_file: expected a file, there is no "),
         ("", "the file is empty"),
@@ -336,4 +336,4 @@ def test_forces_of_the_written_trajectory_are_the_plans_own(tmp_path: Path) -> N
         np.genfromtxt(path, delimiter=",", names=True) for path in (out / "path.csv", Path(forces))
     )
     for leg in range(1, 7):
-        np.testing.assert_allclose(found[f"F{leg}"], expected[f"F{leg}"], rtol=0.0, atol=1e-9)
+        np.testing.assert_allclose(found[f"F_{leg}"], expected[f"F_{leg}"], rtol=0.0, atol=1e-9)

@@ -14,13 +14,13 @@ from stewart_sym.kinematics.conditioning import characteristic_length, scaled_co
 from stewart_sym.kinematics.inverse import inverse_kinematics, wrench_matrix
 from stewart_sym.motion.motion import at_rest
 from stewart_sym.motion.rotation import rotation_from_rpy, rotation_from_vector, vector_from_rotation
-from stewart_sym.motion.straight_line import PATHS
+from stewart_sym.motion.straight_line import PAPER_PATHS
 from stewart_sym.planning.plan_path import plan_path
 from stewart_sym.planning.pose_costs import PoseCosts
 from stewart_sym.planning.pose_path import Family, ViaPose, by_coordinates, poses_of
-from stewart_sym.planning.time_path import time_path
-from stewart_sym.planning.timing.path_terms import Limits
-from stewart_sym.singularities.along_path import crossings
+from stewart_sym.planning.time_path import parameterize_path
+from stewart_sym.planning.timing.path_terms import PathLimits
+from stewart_sym.singularities.along_path import singularity_crossings
 
 S = np.linspace(0.0, 1.0, 501)
 NOTHING = np.zeros(6)
@@ -37,9 +37,11 @@ def test_condition_numbers_are_lower_and_never_above_those_of_the_straight_splin
     for seed in range(5):
         robot, poses = via_case(seed)
         found = plan_path(robot, poses, objective=objective)
-        at_first = found.straight_conditions
+        at_first = found.initial_condition_numbers
         assert conditions(robot, found.path(S)).max() <= at_first.peak * (1.0 + 1e-9)
-        ratios.append([found.conditions.mean / at_first.mean, found.conditions.peak / at_first.peak])
+        ratios.append(
+            [found.condition_numbers.mean / at_first.mean, found.condition_numbers.peak / at_first.peak]
+        )
     assert np.max(ratios) <= 1.0
     assert np.median(ratios, axis=0)[0] < 0.99
 
@@ -58,8 +60,10 @@ def test_parameters_and_times_off_a_path_are_named() -> None:
     for s in ([-0.01], [1.1], [np.nan], 0.5, [[0.5]]):
         rejects(r"^s: expected parameters in \[0, 1\], \(n,\), got", path, s)
     for span in ((1.0, 0.0), (0.5, 0.5), (0.0, 2.0)):
-        rejects(r"^span: expected a first s less|^s: expected parameters in", time_path, robot, path, span)
-    timed = time_path(robot, path, limits=Limits(acceleration=1.0), cells=10)
+        rejects(
+            r"^span: expected a first s less|^s: expected parameters in", parameterize_path, robot, path, span
+        )
+    timed = parameterize_path(robot, path, limits=PathLimits(acceleration=1.0), grid_size=10)
     times = timed.duration * np.array([[0.1, 0.4], [0.6, 1.0]])
     np.testing.assert_allclose(timed.sample(times).t[1, 0], timed.sample(times[1, 0]).t, rtol=1e-12)
 
@@ -83,7 +87,7 @@ def test_costs_have_the_derivatives_of_their_values() -> None:
     robot, poses = via_case(9)
     robot = dataclasses.replace(
         robot,
-        home=poses[0].t,
+        home_position=poses[0].t,
         joint_angle_limit=np.full((6, 2), 0.3),
         length_limits=np.tile([2.0, 2.1], (6, 1)) * machine_size(robot),
     )
@@ -136,7 +140,7 @@ def crossed_pairs(count: int):
             line = family.path(
                 family.coefficients(np.zeros(0), np.zeros((family.rest.shape[1], 7))), np.zeros(3), NOTHING
             )
-            if crossings(robot, line, S[::5]):
+            if singularity_crossings(robot, line, S[::5]):
                 found.append((robot, poses))
         if len(found) == count:
             return found
@@ -145,11 +149,11 @@ def crossed_pairs(count: int):
 
 def test_detours_around_singular_poses_are_found() -> None:
     for robot, poses in crossed_pairs(5):
-        assert crossings(robot, plan_path(robot, poses).path, S) == ()
+        assert singularity_crossings(robot, plan_path(robot, poses).path, S) == ()
 
 
 def ends_of_path_III():
-    motion = PATHS["III"].path.sample(np.array([0.0, 6.0]))
+    motion = PAPER_PATHS["III"].path.sample(np.array([0.0, 6.0]))
     return tuple(ViaPose(R, t) for R, t in zip(motion.R, motion.t, strict=True))
 
 
@@ -157,7 +161,7 @@ def test_no_path_joins_the_ends_of_path_III() -> None:
     """det H is continuous and has other signs at the ends, a long way from its rounding."""
     robot = dasgupta()
     first, last = ends_of_path_III()
-    motion = PATHS["III"].path.sample(np.array([0.0, 6.0]))
+    motion = PAPER_PATHS["III"].path.sample(np.array([0.0, 6.0]))
     H = wrench_matrix(robot, motion)
     determinants = np.linalg.det(H)
     bound = 1e-12 * np.prod(np.linalg.norm(H, axis=-2), axis=-1)
@@ -174,9 +178,9 @@ def test_path_III_is_planned_anew_where_its_end_may_be_yawed() -> None:
     first, last = ends_of_path_III()
     free = np.array([0.0, 0.0, 0.0, 0.0, 0.0, 0.3])
     found = plan_path(robot, (first, ViaPose(last.R, last.t, -free, free)))
-    assert crossings(robot, found.path, S) == ()
-    np.testing.assert_allclose(found.poses[1].t, last.t)
-    turn = vector_from_rotation(last.R.T @ found.poses[1].R)
+    assert singularity_crossings(robot, found.path, S) == ()
+    np.testing.assert_allclose(found.reached_poses[1].t, last.t)
+    turn = vector_from_rotation(last.R.T @ found.reached_poses[1].R)
     assert np.abs(turn[:2]).max() < 1e-12
     assert abs(turn[2]) <= 0.3 + 1e-12
 
@@ -184,7 +188,7 @@ def test_path_III_is_planned_anew_where_its_end_may_be_yawed() -> None:
 @pytest.mark.slow
 def test_limits_of_lengths_clearance_and_condition_are_kept() -> None:
     robot, poses = via_case(11, 3)
-    free = plan_path(robot, poses, price=0.0)
+    free = plan_path(robot, poses, smoothness_weight=0.0)
     motion = free.path(S)
     L = inverse_kinematics(robot, motion).L
     via = free.path(free.path.via)
@@ -201,7 +205,9 @@ def test_limits_of_lengths_clearance_and_condition_are_kept() -> None:
     assert (L > tight[:, 1]).any()
     clearance = 0.9 * float(leg_distances(robot, via).min())
     highest = 1.02 * float(conditions(robot, via).max())
-    found = plan_path(limited, poses, PoseLimits(condition=highest, clearance=clearance), price=0.0)
+    found = plan_path(
+        limited, poses, PoseLimits(condition=highest, clearance=clearance), smoothness_weight=0.0
+    )
     motion = found.path(S)
     L = inverse_kinematics(robot, motion).L
     assert (L >= tight[:, 0]).all()
@@ -215,8 +221,8 @@ def test_a_free_coordinate_lowers_the_condition_number() -> None:
     box = np.array([0.0, 0.0, 0.0, 0.0, 0.0, 0.4])
     freed = (poses[0], *(ViaPose(pose.R, pose.t, -box, box) for pose in poses[1:-1]), poses[-1])
     fixed, free = plan_path(robot, poses), plan_path(robot, freed)
-    assert free.conditions.mean < fixed.conditions.mean
-    for given, passed in zip(freed, free.poses, strict=True):
+    assert free.condition_numbers.mean < fixed.condition_numbers.mean
+    for given, passed in zip(freed, free.reached_poses, strict=True):
         turn = vector_from_rotation(given.R.T @ passed.R)
         np.testing.assert_allclose(turn[:2], 0.0, atol=1e-12)
         assert abs(turn[2]) <= 0.4 + 1e-12
@@ -226,9 +232,9 @@ def test_a_path_through_an_upright_pitch_is_smooth() -> None:
     """No orientation is special: a pitch of 90 degrees on the way changes nothing but the numbers."""
     robot, poses = via_case(5)
     turn = rotation_from_rpy([0.0, np.pi / 2, 0.0])
-    plain, turned = (plan_path(robot, poses).straight(S), None)
+    plain, turned = (plan_path(robot, poses).initial_path(S), None)
     moved = dataclasses.replace(robot, b=robot.b @ turn.T, k=robot.k @ turn.T, g=turn @ robot.g)
-    turned = plan_path(moved, tuple(ViaPose(turn @ pose.R, turn @ pose.t) for pose in poses)).straight(S)
+    turned = plan_path(moved, tuple(ViaPose(turn @ pose.R, turn @ pose.t) for pose in poses)).initial_path(S)
     np.testing.assert_allclose(turned.alpha, plain.alpha @ turn.T, atol=1e-9 * np.abs(plain.alpha).max())
 
 

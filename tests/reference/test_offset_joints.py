@@ -67,10 +67,10 @@ def test_the_kernel_agrees_with_pinocchio(backend: str) -> None:
     for seed in MACHINES:
         robot, motion, truth = _case(seed, "spherical")
         if backend == "c":
-            F = ss.prepare(robot).forces(motion)
+            F = ss.ForceKernel(robot).forces(motion)
         else:
             parts = {name: getattr(motion, name) for name in ("R", "t", "omega", "v", "alpha", "a")}
-            F = ss.array_kernel(robot, np).forces(**parts, F_ext=motion.F_ext, M_ext=motion.M_ext).F
+            F = ss.ArrayKernel(robot, np).forces(**parts, F_ext=motion.F_ext, M_ext=motion.M_ext).F
         assert _error(F, truth.F) < RELATIVE, seed
 
 
@@ -94,15 +94,15 @@ def test_lengths_and_spins_with_their_rates_agree_with_pinocchio(joint: str) -> 
 def test_without_offsets_all_is_as_in_ordinary_legs(joint: str) -> None:
     for seed in range(6):
         robot, motion = machine_in_motion(seed, (4,))
-        with_zeros = dataclasses.replace(robot, offsets=ss.Offsets())
-        fast = ss.prepare(with_zeros).forces(motion) - ss.prepare(robot).forces(motion)
+        with_zeros = dataclasses.replace(robot, offsets=ss.JointOffsets())
+        fast = ss.ForceKernel(with_zeros).forces(motion) - ss.ForceKernel(robot).forces(motion)
         forces, plain = ss.inverse_dynamics(with_zeros, motion), ss.inverse_dynamics(robot, motion)
         assert np.all(np.abs(fast) <= 100 * EPS * np.abs(plain.F).max(axis=-1, keepdims=True)), seed
         for name in ("F", "D", "x", "K", "H", "c"):
             assert _error(getattr(forces, name), getattr(plain, name)) < 1e-13, (seed, name)
         found, wanted = (
-            ss.joint_reactions(with_zeros, motion, bearing=0.1),
-            ss.joint_reactions(robot, motion, bearing=0.1),
+            ss.joint_reactions(with_zeros, motion, bearing_distance=0.1),
+            ss.joint_reactions(robot, motion, bearing_distance=0.1),
         )
         for name in ("F_s", "F_u", "F_p", "F_c", "M_p", "M_u"):
             assert _error(getattr(found, name), getattr(wanted, name)) < 1e-12, (seed, name)
@@ -110,9 +110,9 @@ def test_without_offsets_all_is_as_in_ordinary_legs(joint: str) -> None:
 
 def test_offsets_that_are_left_out_change_the_forces() -> None:
     robot, motion, truth = _case(0, "spherical")
-    for name in ("cross", "along", "across", "cross_mass", "cross_inertia"):
+    for name in ("axis_offset", "slide_offset_y", "slide_offset_z", "cross_mass", "cross_inertia"):
         without = dataclasses.replace(robot.offsets, **{name: np.zeros(6)})
-        changed = ss.prepare(dataclasses.replace(robot, offsets=without)).forces(motion)
+        changed = ss.ForceKernel(dataclasses.replace(robot, offsets=without)).forces(motion)
         assert _error(changed, truth.F) > 1e-6, name
 
 
@@ -126,7 +126,7 @@ def test_work_is_energy(joint: str, screws: bool) -> None:
         def power(motion: ss.Motion, robot: ss.Robot = robot) -> np.ndarray:
             F = ss.inverse_dynamics(robot, motion).F
             if joint == "spherical":
-                fast = ss.prepare(robot).forces(motion)
+                fast = ss.ForceKernel(robot).forces(motion)
                 np.testing.assert_allclose(fast, F, rtol=0, atol=1e-12 * np.abs(F).max())
             twist = np.concatenate([motion.v, motion.omega], axis=-1)
             return np.einsum("...i,...ji,...j->...", F, ss.wrench_matrix(robot, motion), twist)
@@ -142,7 +142,7 @@ def test_equations_of_motion_and_forward_dynamics_undo_inverse_dynamics(joint: s
     forces = ss.inverse_dynamics(robot, motion)
     e = ss.equations_of_motion(robot, motion)
     acceleration = np.concatenate([motion.a, motion.alpha], axis=-1)
-    needed = np.einsum("...ij,...j->...i", e.M, acceleration) + e.bias
+    needed = np.einsum("...ij,...j->...i", e.M, acceleration) + e.bias_and_friction
     given = np.einsum("...ij,...j->...i", forces.H, forces.F) + motion.external_wrench()
     assert _error(given, needed) < 1e-12
     assert _error(ss.forward_dynamics(robot, motion, F=forces.F).a, motion.a) < 1e-11
@@ -165,7 +165,7 @@ def test_compiled_forces_tell_accelerations_but_at_singular_poses() -> None:
     told = [ForwardByForces(robot).solve(motion, truth.F) is not None for robot, motion, truth in cases]
     assert sum(told) > 0.8 * len(told)
     robot, motion, truth = cases[0]
-    plane = {"b": robot.b * [1.0, 1.0, 0.0], "p": robot.p * [1.0, 1.0, 0.0], "offsets": ss.Offsets()}
+    plane = {"b": robot.b * [1.0, 1.0, 0.0], "p": robot.p * [1.0, 1.0, 0.0], "offsets": ss.JointOffsets()}
     flat = dataclasses.replace(robot, **plane)
     pose = dataclasses.replace(motion, R=np.eye(3), t=np.zeros(3))
     assert ForwardByForces(flat).solve(pose, truth.F) is None
@@ -173,7 +173,7 @@ def test_compiled_forces_tell_accelerations_but_at_singular_poses() -> None:
 
 def test_one_pose_and_a_batch_agree_and_threads_as_well() -> None:
     robot, motion = offset_case(3, "spherical", (19,))
-    kernel = ss.prepare(robot)
+    kernel = ss.ForceKernel(robot)
     F = kernel.forces(motion)
     for i in (0, 7, 18):
         np.testing.assert_array_equal(kernel.forces(motion[i]), F[i])
@@ -181,8 +181,8 @@ def test_one_pose_and_a_batch_agree_and_threads_as_well() -> None:
 
 def test_float_has_the_digits_of_float() -> None:
     robot, motion = offset_case(4, "spherical", (8,))
-    F = ss.prepare(robot, precision="float").forces(motion)
-    assert _error(F, ss.prepare(robot).forces(motion)) < 1e-3
+    F = ss.ForceKernel(robot, precision="float").forces(motion)
+    assert _error(F, ss.ForceKernel(robot).forces(motion)) < 1e-3
 
 
 def test_operations_are_stated() -> None:
@@ -201,23 +201,23 @@ def test_operations_are_stated() -> None:
 def _bare(**offsets: float) -> ss.Robot:
     robot = random_robot(np.random.default_rng(1), scale=1.0)
     every = {name: np.full(6, value) for name, value in offsets.items()}
-    return dataclasses.replace(robot, offsets=ss.Offsets(**every))
+    return dataclasses.replace(robot, offsets=ss.JointOffsets(**every))
 
 
 def _tip_of_leg_1(robot: ss.Robot, tip: np.ndarray) -> ss.Motion:
     """The platform level, so that leg 1 goes from its base point by ``tip``."""
     none = np.zeros(3)
-    return ss.Motion(np.eye(3), robot.b[0] + tip - robot.p[0], none, none, none, none)
+    return ss.Motion(R=np.eye(3), t=robot.b[0] + tip - robot.p[0], omega=none, v=none, alpha=none, a=none)
 
 
 @pytest.mark.parametrize(
     ("name", "offsets", "along", "out", "status"),
     [
-        ("nearer the axis than along", {"along": 0.2}, 0.5, 0.1, UNREACHABLE),
-        ("nearer than across", {"across": 0.3}, 0.1, 0.2, UNREACHABLE),
-        ("on the axis", {"cross": 0.2}, 0.4, 0.0, JOINT_SINGULAR),
-        ("r = 0", {"along": 0.2}, 0.5, 0.2, JOINT_SINGULAR),
-        ("no length", {"cross": 0.2}, 0.0, 0.2, ZERO_LENGTH),
+        ("nearer the axis than along", {"slide_offset_y": 0.2}, 0.5, 0.1, UNREACHABLE),
+        ("nearer than across", {"slide_offset_z": 0.3}, 0.1, 0.2, UNREACHABLE),
+        ("on the axis", {"axis_offset": 0.2}, 0.4, 0.0, JOINT_SINGULAR),
+        ("r = 0", {"slide_offset_y": 0.2}, 0.5, 0.2, JOINT_SINGULAR),
+        ("no length", {"axis_offset": 0.2}, 0.0, 0.2, ZERO_LENGTH),
     ],
     ids=str,
 )
@@ -233,7 +233,7 @@ def test_what_is_wrong_with_a_leg(
     found = ss.inverse_dynamics(robot, motion, on_singular="nan")
     assert int(found.status) in status_set
     assert np.isnan(found.F).all()
-    assert int(ss.prepare(robot).status(motion)) in {*status_set, SINGULAR}
+    assert int(ss.ForceKernel(robot).status(motion)) in {*status_set, SINGULAR}
     rejects(r"leg 1", ss.inverse_dynamics, robot, motion)
     rejects(r"leg 1", ss.inverse_kinematics, robot, motion)
 
@@ -249,22 +249,31 @@ def test_of_the_solutions_the_outward_one_is_taken() -> None:
         np.testing.assert_allclose(np.einsum("ij,ij->i", s, y), 0, atol=1e-14)
         offsets = robot.offsets
         S = (
-            offsets.cross[:, None] * o
-            + offsets.along[:, None] * y
-            + offsets.across[:, None] * at.z
+            offsets.axis_offset[:, None] * o
+            + offsets.slide_offset_y[:, None] * y
+            + offsets.slide_offset_z[:, None] * at.z
             + at.L * s
         )
         np.testing.assert_allclose(S, at.P, atol=1e-13 * machine_size(robot))
 
 
-def test_bad_poses_do_not_touch_their_neighbours() -> None:
+def test_bad_poses_do_not_touch_their_neighbors() -> None:
     robot, motion = offset_case(5, "spherical", (20,))
-    good = ss.prepare(robot).forces(motion)
+    good = ss.ForceKernel(robot).forces(motion)
     t = motion.t.copy()
     far = robot.b[2] - motion.R[6] @ robot.p[2]
     t[6] = far
-    bad = ss.Motion(motion.R, t, motion.omega, motion.v, motion.alpha, motion.a, motion.F_ext, motion.M_ext)
-    F, status = ss.prepare(robot).forces_and_status(bad)
+    bad = ss.Motion(
+        R=motion.R,
+        t=t,
+        omega=motion.omega,
+        v=motion.v,
+        alpha=motion.alpha,
+        a=motion.a,
+        F_ext=motion.F_ext,
+        M_ext=motion.M_ext,
+    )
+    F, status = ss.ForceKernel(robot).forces_and_status(bad)
     assert status[6] != OK
     keep = np.arange(20) != 6
     np.testing.assert_array_equal(F[keep], good[keep])
@@ -272,18 +281,18 @@ def test_bad_poses_do_not_touch_their_neighbours() -> None:
 
 def test_the_offsets_of_a_machine_scale_with_it() -> None:
     robot, motion = offset_case(2)
-    units = ss.Units.of(robot)
-    F = ss.prepare(units.robot(robot)).forces(units.motion(motion))
-    np.testing.assert_allclose(units.forces(F), ss.prepare(robot).forces(motion), rtol=1e-11)
+    units = ss.UnitScaling.for_robot(robot)
+    F = ss.ForceKernel(units.robot(robot)).forces(units.motion(motion))
+    np.testing.assert_allclose(units.forces(F), ss.ForceKernel(robot).forces(motion), rtol=1e-11)
 
 
 def test_offsets_are_checked() -> None:
     rng = np.random.default_rng(0)
     robot = random_robot(rng)
-    rejects("cross: expected", ss.Offsets, cross=np.zeros(5))
-    rejects("cross_mass: leg 2", ss.Offsets, cross_mass=[0, -1, 0, 0, 0, 0])
-    rejects("platform_joint", ss.Offsets, wrist=np.ones(6))
-    rejects("platform_axis", ss.Offsets, platform_joint="universal")
+    rejects("cross: expected", ss.JointOffsets, axis_offset=np.zeros(5))
+    rejects("cross_mass: leg 2", ss.JointOffsets, cross_mass=[0, -1, 0, 0, 0, 0])
+    rejects("platform_joint", ss.JointOffsets, wrist_offset=np.ones(6))
+    rejects("platform_axis", ss.JointOffsets, platform_joint="universal")
     spherical = random_robot(rng, base_joint="spherical")
-    rejects("offsets", dataclasses.replace, spherical, offsets=ss.Offsets())
-    assert offsets_of(rng, robot).cross.flags.writeable is False
+    rejects("offsets", dataclasses.replace, spherical, offsets=ss.JointOffsets())
+    assert offsets_of(rng, robot).axis_offset.flags.writeable is False

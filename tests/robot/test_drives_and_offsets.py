@@ -26,16 +26,16 @@ from stewart_sym.robot.drive import NUMBERS
 SHARED = """\
 [legs.drive]
 lead = 5
-gear = 2.0
+gear_ratio = 2.0
 rotor_inertia = 4e-5
 efficiency = 0.9
 screw_coulomb = 30.0
 screw_viscous = 200.0
 motor_coulomb = 0.02
 motor_viscous = 1e-4
-stribeck = 10.0
+stribeck_force = 10.0
 stribeck_speed = 3
-smoothing = 0.1
+regularization_speed = 0.1
 torque_constant = 0.6
 resistance = 2.5
 rated_torque = 1.3
@@ -69,10 +69,12 @@ def drive(text: str, folder: Path) -> ss.Drive:
 
 def test_a_drive_has_the_back_efficiency_of_a_file_without_it(tmp_path: Path) -> None:
     made = ss.Drive(lead=5e-3, efficiency=[0.8, 0.9, 1.0, 0.5, 0.4, 0.9])
-    np.testing.assert_allclose(made.back_efficiency, [0.75, 2.0 - 1.0 / 0.9, 1.0, 0.0, -0.5, 2.0 - 1.0 / 0.9])
+    np.testing.assert_allclose(
+        made.backdrive_efficiency, [0.75, 2.0 - 1.0 / 0.9, 1.0, 0.0, -0.5, 2.0 - 1.0 / 0.9]
+    )
     of_file = drive("[legs.drive]\nlead = 5\nefficiency = 0.8\n", tmp_path)
     assert of_file == ss.Drive(lead=of_file.lead, efficiency=0.8)
-    np.testing.assert_array_equal(ss.Drive(lead=5e-3, back_efficiency=0.7).back_efficiency, 0.7)
+    np.testing.assert_array_equal(ss.Drive(lead=5e-3, backdrive_efficiency=0.7).backdrive_efficiency, 0.7)
 
 
 def test_numbers_of_a_file_are_in_si_units_and_a_leg_may_have_its_own(tmp_path: Path) -> None:
@@ -81,15 +83,15 @@ def test_numbers_of_a_file_are_in_si_units_and_a_leg_may_have_its_own(tmp_path: 
     np.testing.assert_allclose(found.lead[ordinary], 5e-3, rtol=1e-15)
     assert found.lead[2] == pytest.approx(2 * math.pi * 12e-3)
     assert found.lead[4] == -5e-3
-    np.testing.assert_array_equal(found.gear, 2.0)
+    np.testing.assert_array_equal(found.gear_ratio, 2.0)
     np.testing.assert_array_equal(found.screw_coulomb, [30, 30, 45, 30, 30, 30])
-    np.testing.assert_allclose(found.back_efficiency, [2 - 1 / 0.9] * 4 + [-0.1] + [2 - 1 / 0.9])
+    np.testing.assert_allclose(found.backdrive_efficiency, [2 - 1 / 0.9] * 4 + [-0.1] + [2 - 1 / 0.9])
     np.testing.assert_allclose(found.speed_limit, 100 * math.pi)
     np.testing.assert_allclose(found.stribeck_speed, 3e-3)
-    np.testing.assert_allclose(found.smoothing, 1e-4)
-    np.testing.assert_allclose(found.turns[0], 2 * math.pi / 2.5e-3)
+    np.testing.assert_allclose(found.regularization_speed, 1e-4)
+    np.testing.assert_allclose(found.transmission_ratio[0], 2 * math.pi / 2.5e-3)
     np.testing.assert_allclose(found.reflected_mass[0], 4e-5 * (2 * math.pi / 2.5e-3) ** 2)
-    np.testing.assert_allclose(found.momentum[4], -4e-5 * 2 * math.pi / 2.5e-3)
+    np.testing.assert_allclose(found.rotor_momentum[4], -4e-5 * 2 * math.pi / 2.5e-3)
 
 
 def test_what_is_not_given_is_absent(tmp_path: Path) -> None:
@@ -104,7 +106,7 @@ def test_a_drive_goes_through_tables_files_and_units_to_the_bit(tmp_path: Path) 
     robot = read(SHARED + OWN, tmp_path)
     assert ss.Robot.from_dict(json.loads(json.dumps(robot.to_dict()))).drive == robot.drive
     assert ss.Robot.from_toml(written(robot, tmp_path / "again.toml")).drive == robot.drive
-    units = ss.Units.of(robot)
+    units = ss.UnitScaling.for_robot(robot)
     assert units.robot(robot).drive != robot.drive
     assert units.inverse.robot(units.robot(robot)).drive == robot.drive
     for other in (copy.deepcopy(robot), pickle.loads(pickle.dumps(robot)), dataclasses.replace(robot, M=9.0)):
@@ -122,12 +124,12 @@ BAD = {
         "legs.drive.radius: expected lead or radius, got both (at line 20)"
     ),
     "[legs.drive]\nradius = -9\n": "legs.drive.radius: expected a number > 0, got -9 (at line 19)",
-    "[legs.drive]\nlead = 5\ngear = 0\n": "legs.drive.gear: expected a number > 0, got 0 (at line 20)",
+    "[legs.drive]\nlead = 5\ngear_ratio = 0\n": "legs.drive.gear_ratio: expected a number > 0, got 0 (at line 20)",
     "[legs.drive]\nlead = 5\nefficiency = 90\n": (
         "legs.drive.efficiency: expected a number > 0 and <= 1, got 90 (at line 20)"
     ),
-    "[legs.drive]\nlead = 5\nback_efficiency = 1.5\n": (
-        "legs.drive.back_efficiency: expected a number <= 1, got 1.5 (at line 20)"
+    "[legs.drive]\nlead = 5\nbackdrive_efficiency = 1.5\n": (
+        "legs.drive.backdrive_efficiency: expected a number <= 1, got 1.5 (at line 20)"
     ),
     "[legs.drive]\nlead = 5\n[leg.2.drive]\nrotor_inertia = -1e-5\n": (
         "leg.2.drive.rotor_inertia: expected a number >= 0, got -1e-05 (at line 21)"
@@ -136,8 +138,8 @@ BAD = {
     "[legs.drive]\nlead = 5\ninertia = 3\n": (
         'legs.drive.inertia: unknown key, did you mean "rotor_inertia"? (at line 20)'
     ),
-    "[legs.drive]\nlead = 5\nstribeck = 3\n": (
-        "legs.drive.stribeck: expected a stribeck_speed > 0 beside it (at line 20)"
+    "[legs.drive]\nlead = 5\nstribeck_force = 3\n": (
+        "legs.drive.stribeck_force: expected a stribeck_speed > 0 beside it (at line 20)"
     ),
     "[legs.drive]\nlead = 5\ncurrent_limit = 3\n": (
         "legs.drive.current_limit: expected a torque_constant > 0 beside it (at line 20)"
@@ -180,8 +182,12 @@ def test_fields_are_checked_by_name() -> None:
     for field, value, words in (
         ("efficiency", 0.0, "efficiency: expected a number > 0 and <= 1, got 0"),
         ("torque_limit", [1.0, 2.0], r"torque_limit: expected one number or six, got \[1.0, 2.0\]"),
-        ("smoothing", [0, 0, 0, math.nan, 0, 0], "smoothing: leg 4: expected a finite number"),
-        ("stribeck", 1.0, "stribeck: leg 1: expected a stribeck_speed"),
+        (
+            "regularization_speed",
+            [0, 0, 0, math.nan, 0, 0],
+            "regularization_speed: leg 4: expected a finite number",
+        ),
+        ("stribeck_force", 1.0, "stribeck_force: leg 1: expected a stribeck_speed"),
     ):
         rejects(words, ss.Drive, lead=5e-3, **{field: value})
     with pytest.raises(ValueError, match="robot: drive: expected a Drive or None, got 3"):
@@ -193,10 +199,17 @@ EXAMPLE = DOCS / "examples" / "offset-joints.toml"
 SERVED = {
     *("inverse_dynamics", "joint_reactions", "massless_forces", "dynamic_fraction", "equations_of_motion"),
     *("forward_dynamics", "joint_space_inertia", "inverse_kinematics", "wrench_matrix", "forward_kinematics"),
-    *("forward_velocity", "forward_acceleration", "motion_from_lengths", "array_kernel", "ArrayKernel"),
+    *("forward_velocity", "forward_acceleration", "motion_from_lengths", "ArrayKernel", "ArrayKernel"),
     *("prepare", "LegSprings", "LegSprings.balanced", "ComputedTorque", "simulate", "singularity"),
-    *("force_deviations", "motor_angles", "pose_of_motors", "capability", "drive_effort", "motor_forces"),
-    *("view", "export_model", "joint_angles", "size", "wrench_matrix_rate"),
+    *(
+        "force_deviations",
+        "motor_angles",
+        "pose_from_motor_angles",
+        "capability_polytope",
+        "drive_effort",
+        "motor_forces",
+    ),
+    *("view", "export_model", "joint_angles", "actuator_requirements", "wrench_matrix_rate"),
 }
 """Functions that compute offset joints."""
 OF_POINTS = {"up_direction", "characteristic_length", "read_trajectory"}
@@ -207,11 +220,11 @@ def _example() -> dict[str, Any]:
     return tomllib.loads(EXAMPLE.read_text(encoding="utf-8"))
 
 
-def test_a_file_in_millimetres_is_read() -> None:
+def test_a_file_in_millimeters_is_read() -> None:
     robot = ss.Robot.from_toml(EXAMPLE)
     offsets = robot.offsets
-    np.testing.assert_allclose(offsets.cross, 0.01, rtol=1e-15)
-    np.testing.assert_allclose(offsets.across, 0.004, rtol=1e-15)
+    np.testing.assert_allclose(offsets.axis_offset, 0.01, rtol=1e-15)
+    np.testing.assert_allclose(offsets.slide_offset_z, 0.004, rtol=1e-15)
     np.testing.assert_allclose(offsets.cross_center, np.tile([0.005, 0, 0], (6, 1)), rtol=1e-15)
     assert offsets.cross_mass.tolist() == [0.15] * 6
     assert offsets.cross_inertia.tolist() == [2e-5] * 6
@@ -219,10 +232,10 @@ def test_a_file_in_millimetres_is_read() -> None:
 
 def test_a_leg_has_offsets_of_its_own() -> None:
     d = _example()
-    d["leg"] = {"3": {"offsets": {"cross": 12.0}, "cross": {"mass": 0.2}}}
+    d["leg"] = {"3": {"offsets": {"axis_offset": 12.0}, "cross": {"mass": 0.2}}}
     offsets = ss.Robot.from_dict(d).offsets
-    np.testing.assert_allclose(offsets.cross, [0.01, 0.01, 0.012, 0.01, 0.01, 0.01])
-    np.testing.assert_allclose(offsets.across, 0.004)
+    np.testing.assert_allclose(offsets.axis_offset, [0.01, 0.01, 0.012, 0.01, 0.01, 0.01])
+    np.testing.assert_allclose(offsets.slide_offset_z, 0.004)
     assert offsets.cross_mass[2] == 0.2
 
 
@@ -230,7 +243,7 @@ def test_a_leg_has_offsets_of_its_own() -> None:
 def test_what_to_dict_writes_is_read_to_the_bit(joint: str) -> None:
     robot, _ = offset_case(0, joint, screws=True)
     again = ss.Robot.from_dict(robot.to_dict())
-    for each in dataclasses.fields(ss.Offsets):
+    for each in dataclasses.fields(ss.JointOffsets):
         np.testing.assert_array_equal(getattr(again.offsets, each.name), getattr(robot.offsets, each.name))
     assert (
         ss.Robot.from_dict(
@@ -241,17 +254,17 @@ def test_what_to_dict_writes_is_read_to_the_bit(joint: str) -> None:
     )
 
 
-UNIVERSAL = {"platform_joint": "universal", "platform_axis": [0, 1, 0], "wrist": 3.0}
+UNIVERSAL = {"platform_joint": "universal", "platform_axis": [0, 1, 0], "wrist_offset": 3.0}
 
 
 @pytest.mark.parametrize(
     ("table", "value", "message"),
     [
         ("offsets", {"cros": 1.0}, "legs.offsets.cros"),
-        ("offsets", {"cross": "10"}, "legs.offsets.cross: expected a finite number"),
-        ("offsets", {"cross": math.inf}, "legs.offsets.cross: expected a finite number"),
-        ("offsets", {"cross": [1.0] * 6}, "legs.offsets.cross: expected a finite number"),
-        ("offsets", {"wrist": 1.0}, "legs.offsets.wrist: expected none unless"),
+        ("offsets", {"axis_offset": "10"}, "legs.offsets.axis_offset: expected a finite number"),
+        ("offsets", {"axis_offset": math.inf}, "legs.offsets.axis_offset: expected a finite number"),
+        ("offsets", {"axis_offset": [1.0] * 6}, "legs.offsets.axis_offset: expected a finite number"),
+        ("offsets", {"wrist_offset": 1.0}, "legs.offsets.wrist_offset: expected none unless"),
         ("offsets", {"platform_axis": [0, 0, 1]}, "legs.offsets.platform_axis: expected none unless"),
         ("offsets", {"platform_joint": "hooke"}, "legs.offsets.platform_joint: expected"),
         ("offsets", {"platform_joint": "universal"}, "legs.offsets.platform_axis: missing"),
@@ -271,7 +284,7 @@ def test_bad_files_give_one_line_with_the_key(table: str, value: object, message
 
 def test_a_rack_moves_no_leg_whose_upper_part_turns() -> None:
     d = _example()
-    d["legs"]["drive"] = {"radius": 12.0, "gear": 5.0}
+    d["legs"]["drive"] = {"radius": 12.0, "gear_ratio": 5.0}
     assert ss.Robot.from_dict(d).drive is not None
     d["legs"]["offsets"] |= UNIVERSAL
     rejects(r'\Arobot: legs\.drive\.radius: expected lead where .* "universal"', ss.Robot.from_dict, d)
@@ -284,11 +297,13 @@ def test_a_stroke_is_about_the_length_along_the_line_of_sliding(joint: dict[str,
     del d["legs"]["length_limits"]
     d["legs"]["stroke"] = [-50.0, 30.0]
     robot = ss.Robot.from_dict(d)
-    L = ss.inverse_kinematics(robot, ss.Motion(np.eye(3), robot.home, *np.zeros((2, 3)))).L
+    L = ss.inverse_kinematics(
+        robot, ss.Motion(R=np.eye(3), t=robot.home_position, omega=np.zeros(3), v=np.zeros(3))
+    ).L
     np.testing.assert_allclose(robot.length_limits, np.stack([L - 0.05, L + 0.03], axis=-1), rtol=1e-14)
-    plain = np.linalg.norm(robot.home + robot.p - robot.b, axis=-1)
+    plain = np.linalg.norm(robot.home_position + robot.p - robot.b, axis=-1)
     assert np.abs(L - plain).min() > 1e-3
-    d["legs"]["offsets"]["across"] = 5000.0
+    d["legs"]["offsets"]["slide_offset_z"] = 5000.0
     rejects(r"legs\.stroke: .* which the offsets cannot reach", ss.Robot.from_dict, d)
 
 
@@ -297,7 +312,9 @@ def test_joints_swing_as_the_lines_of_sliding_do() -> None:
     d["legs"]["offsets"] |= UNIVERSAL
     robot = ss.Robot.from_dict(d)
     R = rotation_from_rpy(np.array([0.1, -0.05, 0.2]))
-    home, away = (ss.Motion(turn, robot.home, *np.zeros((2, 3))) for turn in (np.eye(3), R))
+    home, away = (
+        ss.Motion(R=turn, t=robot.home_position, omega=np.zeros(3), v=np.zeros(3)) for turn in (np.eye(3), R)
+    )
     s, neutral = (ss.inverse_kinematics(robot, pose).s for pose in (away, home))
     found = ss.joint_angles(robot, away)
     np.testing.assert_allclose(np.cos(found.base), np.sum(s * neutral, axis=-1), rtol=1e-12)
@@ -321,7 +338,8 @@ def test_every_public_function_computes_offsets_or_rejects_them() -> None:
     for name in seen - OF_POINTS:
         call = every[name]
         robot = dataclasses.replace(
-            call.arguments["robot"], offsets=ss.Offsets(cross=np.full(6, 0.02), along=np.full(6, 0.01))
+            call.arguments["robot"],
+            offsets=ss.JointOffsets(axis_offset=np.full(6, 0.02), slide_offset_y=np.full(6, 0.01)),
         )
         given = {**call.arguments, "robot": robot}
         if name in SERVED:
@@ -341,10 +359,12 @@ def test_results_are_those_of_offsets() -> None:
     inverse = np.linalg.inv(H)
     felt = ss.joint_space_inertia(robot, motion)
     np.testing.assert_allclose(felt, inverse @ e.M @ inverse.T, rtol=1e-9, atol=1e-9 * np.abs(felt).max())
-    assert ss.singularity(robot, motion).condition != ss.singularity(plain, motion).condition
-    fixed = ss.Motion(motion.R, motion.t, 0 * motion.t, 0 * motion.t)
-    springs = ss.LegSprings.balanced(robot, fixed, 1e6)
-    held = ss.Motion(motion.R, motion.t, *np.zeros((4, 3)))
+    assert ss.singularity(robot, motion).condition_number != ss.singularity(plain, motion).condition_number
+    fixed = ss.Motion(R=motion.R, t=motion.t, omega=0 * motion.t, v=0 * motion.t)
+    springs = ss.LegSprings.in_equilibrium(robot, fixed, 1e6)
+    held = ss.Motion(
+        R=motion.R, t=motion.t, omega=np.zeros(3), v=np.zeros(3), alpha=np.zeros(3), a=np.zeros(3)
+    )
     np.testing.assert_allclose(springs(0.0, fixed), ss.inverse_dynamics(robot, held).F, rtol=1e-6)
     rejects("offsets", robot_numbers, robot)
 
@@ -352,10 +372,10 @@ def test_results_are_those_of_offsets() -> None:
 def test_paper_and_levels_are_rejected() -> None:
     robot, motion = offset_case(0)
     rejects("formulation: expected", ss.inverse_dynamics, robot, motion, formulation="paper")
-    rejects("formulation: expected", ss.prepare, robot, formulation="paper")
-    rejects("with offset joints, got 'slender'", ss.prepare, robot, fidelity="slender")
+    rejects("formulation: expected", ss.ForceKernel, robot, formulation="paper")
+    rejects("with offset joints, got 'slender'", ss.ForceKernel, robot, fidelity="slender")
     universal, _ = offset_case(0, "universal")
-    rejects("platform_joint", ss.prepare, universal)
+    rejects("platform_joint", ss.ForceKernel, universal)
 
 
 def test_subcommands_say_so_in_one_line(tmp_path: Path, run: Run) -> None:
@@ -363,7 +383,7 @@ def test_subcommands_say_so_in_one_line(tmp_path: Path, run: Run) -> None:
     assert "offsets      10 mm from the fixed to the moving axis, 4 mm across it" in out
     assert "crosses      0.15 kg" in out
     lines = EXAMPLE.read_text(encoding="utf-8")
-    offsets = 'platform_joint = "universal"\nplatform_axis = [0, 1, 0]\nwrist = 3.0\n'
+    offsets = 'platform_joint = "universal"\nplatform_axis = [0, 1, 0]\nwrist_offset = 3.0\n'
     path = tmp_path / "turning.toml"
     path.write_text(lines.replace("[legs.offsets]\n", f"[legs.offsets]\n{offsets}"), encoding="utf-8")
     log = str(DOCS / "examples" / "trajectory.csv")

@@ -43,7 +43,7 @@ def virtual_work_forces(robot: ss.Robot, motion: ss.Motion) -> np.ndarray:
     """Tsai's equations: spherical joints at both ends, legs that don't spin, axisymmetric parts.
 
     tau = -J_p^-T (F_p + sum of J_1^T F_1 + J_2^T F_2), with the wrenches of applied and inertial forces F of
-    platform, lower and upper part at their centres of mass, and Jacobians J from the platform's velocity to
+    platform, lower and upper part at their centers of mass, and Jacobians J from the platform's velocity to
     theirs. His leg frame has z along the leg; any vectors do as well.
     """
     E, g = np.eye(3), robot.g
@@ -115,7 +115,7 @@ def held(robot: ss.Robot, t: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
 
 def test_the_simulink_platform_has_its_lengths_and_masses() -> None:
     robot = ss.robots.mathworks2002()
-    L, F = held(robot, robot.home)
+    L, F = held(robot, robot.home_position)
     np.testing.assert_allclose(L, 3.153801, atol=5e-7)
     np.testing.assert_allclose(robot.r_d0[:, 0], 3.0 / 8.0 * L, rtol=1e-6)
     np.testing.assert_allclose(
@@ -139,6 +139,6 @@ def test_rubin_hexapods_have_the_strut_lengths_of_their_documentation(name: str)
     R = rotation_about_axes(theta, robot.euler_order)
     ends = (x + robot.tool)[:, None] + (robot.p - robot.tool) @ np.swapaxes(R, -1, -2)
     expected = np.linalg.norm(ends - robot.b, axis=-1) - np.linalg.norm(robot.p - robot.b, axis=-1)
-    poses = at_rest(R, x + robot.tool).about_point(-robot.tool)
+    poses = at_rest(R, x + robot.tool).at_point(-robot.tool)
     found = ss.inverse_kinematics(robot, poses).L
     np.testing.assert_allclose(found - robot.length_limits.mean(axis=-1), expected, atol=1e-15)

@@ -47,7 +47,9 @@ def test_check_warns_of_no_sound_machine(check: Check) -> None:
 
 def test_check_names_both_sides_where_nothing_settles_which(check: Check) -> None:
     flat = ss.robots.dasgupta1998()
-    flat = dataclasses.replace(flat, b=flat.b * [1, 1, 0], p=flat.p * [1, 1, 0], g=np.zeros(3), accept=())
+    flat = dataclasses.replace(
+        flat, b=flat.b * [1, 1, 0], p=flat.p * [1, 1, 0], g=np.zeros(3), suppressed_warnings=()
+    )
     told = check(flat)
     assert "gravity is 0, the side (0, 0, 1) of the base is taken; (0, 0, -1) is as plausible" in told.out
     assert "as plausible" not in told.err
@@ -137,7 +139,7 @@ def test_check_warns_in_one_line_and_the_file_may_accept_it(tmp_path: Path, run:
     robot = ABSURD["gravity in mm/s^2"][0](dataclasses.replace(sound(), force_limit=np.full(6, np.inf)))
     path = tmp_path / "robot.toml"
     for accept in ((), ("gravity",)):
-        written(dataclasses.replace(robot, accept=accept), path)
+        written(dataclasses.replace(robot, suppressed_warnings=accept), path)
         lines = run("check", path).err.splitlines()
         assert len(lines) == (not accept)
         for line in lines:
@@ -151,7 +153,7 @@ def arguments_of(command: str, robot: Path, folder: Path) -> list[str]:
     rows = "".join(f"{0.1 * i},0,0,{0.7 + 0.001 * i},0,0,0\n" for i in range(8))
     log.write_text("time,t_x,t_y,t_z,theta_x,theta_y,theta_z\n" + rows)
     scene = folder / "scene.toml"
-    legs = '[legs]\nlaw = "forces"\nforces = [0, 0, 0, 0, 0, 0]\n'
+    legs = '[actuation]\ntype = "constant_force"\nforces = [0, 0, 0, 0, 0, 0]\n'
     state = "[state]\nt = [0.0, 0.0, 0.7]\ntheta = [0.0, 0.0, 0.0]\n"
     scene.write_text(f'schema = 1\nrobot = "{robot.name}"\nduration = 0.001\n{state}{legs}')
     out = ["-o", str(folder / f"{command}.out")]
@@ -187,14 +189,21 @@ def test_check_writes_a_range_below_zero_in_words(check: Check) -> None:
 
 
 def test_check_tells_what_a_robot_states_of_its_drives(tmp_path: Path, run: Run) -> None:
-    path, numbers = tmp_path / "robot.toml", {"screw_coulomb": 40.0, "motor_coulomb": 0.08, "stribeck": 5.0}
+    path, numbers = (
+        tmp_path / "robot.toml",
+        {"screw_coulomb": 40.0, "motor_coulomb": 0.08, "stribeck_force": 5.0},
+    )
     numbers |= {"torque_limit": 12.0, "rated_torque": 4.0, "speed_limit": 628.0, "power_limit": 900.0}
     numbers |= {"current_limit": 15.0, "torque_constant": 0.9, "stribeck_speed": 0.1}
     lead = 0.005 * np.array([1, 1, 1, -1, 1, 1])
     drive = ss.Drive(lead=lead, **numbers)
     angles = np.tile([0.5, 0.6], (6, 1))
     robot = dataclasses.replace(
-        sound(), drive=drive, home=[0.0, 0.0, 0.7], joint_angle_limit=angles, accept=("drive-limit",)
+        sound(),
+        drive=drive,
+        home_position=[0.0, 0.0, 0.7],
+        joint_angle_limit=angles,
+        suppressed_warnings=("drive-limit",),
     )
     written(robot, path)
     told = run("check", path, "-o", tmp_path / "out", "--no-pictures").out
@@ -229,7 +238,7 @@ def test_check_says_on_which_side_of_the_base_a_platform_stands(
     assert f"(0, 0, {sign:g}) of the base, against gravity: the platform stands on its legs" in side
     assert side.endswith(f"on the other side, (0, 0, {-sign:g}), it hangs below its base")
     assert told.err == ""
-    there = dataclasses.replace(sound(), g=[0.0, 0.0, gravity], home=[0.0, 0.0, -0.4 * sign])
+    there = dataclasses.replace(sound(), g=[0.0, 0.0, gravity], home_position=[0.0, 0.0, -0.4 * sign])
     stated = f"(0, 0, {-sign:g}) of the base, where the robot file states the home pose: "
     assert f"{stated}the platform hangs below its base; on the other side, " in check(there).out
 
@@ -256,7 +265,7 @@ def test_motors_that_friction_or_a_self_locking_screw_relieves_are_not_said_to_b
         return [doubt.name for doubt in doubts(dataclasses.replace(sound(), drive=drive))]
 
     assert names() == ["drive-limit"]
-    assert names(efficiency=0.3, back_efficiency=-0.1) == []
+    assert names(efficiency=0.3, backdrive_efficiency=-0.1) == []
     assert names(screw_coulomb=2e3) == []
     assert (
         "rated_torque of the drives of "
@@ -270,7 +279,9 @@ def test_an_accepted_doubt_hides_no_other() -> None:
     robot = ss.robots.dasgupta1998()
     weak = dataclasses.replace(robot, g=10.0 * robot.g, force_limit=np.full(6, 10.0))
     assert [doubt.name for doubt in doubts(weak)] == ["gravity"]
-    assert [doubt.name for doubt in doubts(dataclasses.replace(weak, accept=("gravity",)))] == ["force-limit"]
+    assert [doubt.name for doubt in doubts(dataclasses.replace(weak, suppressed_warnings=("gravity",)))] == [
+        "force-limit"
+    ]
 
 
 @pytest.mark.parametrize(
@@ -284,7 +295,7 @@ def test_a_stated_home_where_no_machine_is_stands_for_what_follows_from_it(heigh
         robot,
         b=robot.b * [1.0, 1.0, 0.1],
         p=robot.p * [1.0, 1.0, 0.1],
-        home=middle * [1.0, 1.0, 0.1] + np.array([0.0, 0.0, height]),
+        home_position=middle * [1.0, 1.0, 0.1] + np.array([0.0, 0.0, height]),
     )
     (found,) = doubts(flat)
     assert found.name == "home"
@@ -295,5 +306,5 @@ def test_a_stated_home_where_no_machine_is_stands_for_what_follows_from_it(heigh
 def test_a_stated_home_of_a_machine_is_not_doubted_for_its_height(height: float) -> None:
     robot = dasgupta1998()
     middle = robot.b.mean(axis=0) - robot.p.mean(axis=0)
-    stated = dataclasses.replace(robot, home=middle + np.array([0.0, 0.0, height]))
+    stated = dataclasses.replace(robot, home_position=middle + np.array([0.0, 0.0, height]))
     assert not [doubt for doubt in doubts(stated) if doubt.text.startswith("home:")]

@@ -50,10 +50,13 @@ def results(robot: Robot, motion: Motion, backend: Any = "c") -> Results:
     legs = ss.inverse_kinematics(robot, motion)
     closed = "c" if backend == "reference" else backend
     derivatives = ss.force_derivatives(robot, motion, backend=closed)
-    linear = ss.linearise(robot, motion, dynamics.F, backend=closed)
+    linear = ss.linearize(robot, motion, dynamics.F, backend=closed)
     return {
         **{name: getattr(dynamics, name) for name in ("F", "D", "x", "K", "H", "c")},
-        **{name: getattr(equations, name) for name in ("M", "C", "g", "friction", "bias")},
+        **{
+            name: getattr(equations, name)
+            for name in ("M", "C", "g", "friction", "bias", "bias_and_friction")
+        },
         **{name: getattr(reactions, name) for name in ("F_s", "F_u", "F_p", "F_c", "M_p", "M_u")},
         **{name: getattr(legs, name) for name in ("L", "L_dot", "L_ddot", "s", "S")},
         **{name: getattr(derivatives, name) for name in ("by_pose", "by_twist", "by_acceleration")},
@@ -85,7 +88,12 @@ def test_a_batch_is_its_poses_to_the_last_bit(seed: int, shape: tuple[int, ...])
 def test_arguments_broadcast(seed: int) -> None:
     robot, motion = machine(seed, (3,))
     column = Motion(
-        motion.R[:, None], motion.t[0], motion.omega[0], motion.v, motion.alpha[0], motion.a[:, None]
+        R=motion.R[:, None],
+        t=motion.t[0],
+        omega=motion.omega[0],
+        v=motion.v,
+        alpha=motion.alpha[0],
+        a=motion.a[:, None],
     )
     assert column.shape == (3, 3)
     F = ss.inverse_dynamics(robot, column).F
@@ -172,7 +180,7 @@ def test_results_turn_with_the_base_frame(seed: int, turn: tuple, shift: tuple) 
     away = np.array(shift)
     turned = dataclasses.replace(robot, b=robot.b @ Q.T + away, k=robot.k @ Q.T, g=Q @ robot.g)
     vectors = {name: Q @ getattr(motion, name) for name in ("omega", "v", "alpha", "a")}
-    moved = Motion(Q @ motion.R, Q @ motion.t + away, **vectors, F_ext=motion.F_ext, M_ext=motion.M_ext)
+    moved = Motion(R=Q @ motion.R, t=Q @ motion.t + away, **vectors, F_ext=motion.F_ext, M_ext=motion.M_ext)
     found, expected = results(turned, moved), results(robot, motion)
     for name in VECTORS:
         expected[name] = expected[name] @ Q.T
@@ -188,7 +196,7 @@ def test_results_follow_the_order_of_the_legs(seed: int, order: list[int]) -> No
     robot, motion = machine(seed)
     other = dataclasses.replace(robot, **{name: getattr(robot, name)[order] for name in PER_LEG})
     found, expected = results(other, motion), results(robot, motion)
-    of_platform = ("a", "alpha", "M", "C", "g", "friction", "bias", "c")
+    of_platform = ("a", "alpha", "M", "C", "g", "friction", "bias", "bias_and_friction", "c")
     for name in (set(SCALARS) | set(VECTORS)) - set(of_platform):
         expected[name] = expected[name][order]
     expected["joint_inertia"] = expected["joint_inertia"][:, order]
@@ -211,7 +219,7 @@ def test_a_mirrored_machine_has_mirrored_results(seed: int) -> None:
     )
     axial = {name: -mirror @ getattr(motion, name) for name in ("omega", "alpha", "M_ext")}
     polar = {name: mirror @ getattr(motion, name) for name in ("t", "v", "a", "F_ext")}
-    found = results(other, Motion(mirror @ motion.R @ mirror, **polar, **axial))
+    found = results(other, Motion(R=mirror @ motion.R @ mirror, **polar, **axial))
     expected = results(robot, motion)
     for name in VECTORS:
         expected[name] = expected[name] @ (-mirror if name in ("alpha", "M_p") else mirror)
@@ -274,7 +282,7 @@ def test_results_are_finite_or_have_a_status(seed: int, sizes: tuple, backend: A
     ]
     if backend != "reference":
         found.append(ss.force_derivatives(robot, extreme, backend=backend, **options))
-        found.append(ss.linearise(robot, extreme, F, backend=backend, **options))
+        found.append(ss.linearize(robot, extreme, F, backend=backend, **options))
     for result in found:
         parts, status = outputs(result)
         for name, value in parts.items():
@@ -340,7 +348,7 @@ WRONG: dict[str, Any] = {
 # A law or a load may be any function; what it makes of its arguments is its own.
 CALLABLE = {
     ("crossings", "path"),
-    ("singularities_along", "path"),
+    ("path_singularities", "path"),
     ("simulate", "forces"),
     ("simulate", "load"),
     ("time_path", "path"),
@@ -351,7 +359,7 @@ CHOICES = ("formulation", "backend", "precision", "on_singular", "on_failure")
 
 
 OF_UNIVERSAL_JOINTS = (
-    *("forces_with_bounds", "force_derivatives", "linearise", "regressor", "equations_by_parameter"),
+    *("force_error_bounds", "force_derivatives", "linearize", "regressor", "equations_by_parameter"),
     *("inertial_parameters", "base_parameters"),
 )
 

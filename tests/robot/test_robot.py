@@ -18,7 +18,7 @@ from hypothesis import strategies as st
 from robot_files import PAPERS, same
 
 from stewart_sym import robots
-from stewart_sym.robot.robot import PhysicalityWarning, Robot
+from stewart_sym.robot.robot import Robot, RobotWarning
 
 Tables = dict[str, Any]
 
@@ -29,27 +29,26 @@ def part(mass: float, x: float) -> Tables:
 
 
 def machine() -> Tables:
-    """A possible machine with distinct legs; leg 3 overrides the defaults in part."""
+    """Return a possible machine with distinct legs; leg 3 overrides in part what legs share."""
     angles = np.arange(6) * np.pi / 3
-    legs: list[Tables] = [
-        {
-            "base_point": [math.cos(a), math.sin(a), 0.01 * i],
-            "platform_point": [0.5 * math.cos(a + 0.4), 0.5 * math.sin(a + 0.4), 0.0],
-            "universal_axis": [-3.0 * math.sin(a), 3.0 * math.cos(a), 0.1],
-        }
-        for i, a in enumerate(angles)
-    ]
-    legs[2] |= {"lower": {"mass": 7.5}, "friction": {"prismatic": 2.0}, "length_limits": [0.5, 2.0]}
-    legs[2] |= {"force_limit": 900.0, "speed_limit": 0.7}
+    legs: Tables = {
+        str(i): {"universal_axis": [-3.0 * math.sin(a), 3.0 * math.cos(a), 0.1]}
+        for i, a in enumerate(angles, 1)
+    }
+    legs["3"] |= {"lower": {"mass": 7.5}, "damping": {"prismatic": 2.0}, "length_limits": [0.5, 2.0]}
+    legs["3"] |= {"force_limit": 900.0, "speed_limit": 0.7}
+    body = {**part(40.0, 0.04), "inertia": [[1.0, 0.0, 0.1], [0.0, 1.1, 0.0], [0.1, 0.0, 1.5]]}
+    above = [[0.5 * math.cos(a + 0.4), 0.5 * math.sin(a + 0.4), 0.0] for a in angles]
     return {
-        "schema": 1,
+        "schema": 2,
         "name": "test machine",
         "gravity": [0.1, -0.2, -9.7],
-        "platform": {**part(40.0, 0.04), "inertia": [[1.0, 0.0, 0.1], [0.0, 1.1, 0.0], [0.1, 0.0, 1.5]]},
-        "leg_defaults": {
+        "base": {"points": [[math.cos(a), math.sin(a), 0.01 * i] for i, a in enumerate(angles)]},
+        "platform": {"points": above, "body": body},
+        "legs": {
             "lower": part(3.0, 0.4),
             "upper": part(1.0, -0.6),
-            "friction": {"universal": 0.1, "prismatic": 1, "spherical": 0.0},
+            "damping": {"universal": 0.1, "prismatic": 1, "spherical": 0.0},
         },
         "leg": legs,
     }
@@ -57,10 +56,10 @@ def machine() -> Tables:
 
 def spherical_machine() -> Tables:
     d = machine() | {"base_joint": "spherical"}
-    for leg in d["leg"]:
+    for leg in d["leg"].values():
         del leg["universal_axis"]
     for name in ("lower", "upper"):
-        body = d["leg_defaults"][name]
+        body = d["legs"][name]
         body["center_of_mass"][1:] = [0.0, 0.0]
         body["inertia"] = [[0.02, 0.0, 0.0], [0.0, 0.3, 0.0], [0.0, 0.0, 0.3]]
     return d
@@ -83,7 +82,7 @@ def test_values_stand_where_the_contract_puts_them() -> None:
 @pytest.mark.parametrize("scale", [5e-324, 1e-200, 1e-3, 1e200, 1e308])
 def test_axis_of_any_length_is_a_direction(scale: float) -> None:
     d = machine()
-    d["leg"][0]["universal_axis"] = [0.0, scale, -scale]
+    d["leg"]["1"]["universal_axis"] = [0.0, scale, -scale]
     np.testing.assert_allclose(Robot.from_dict(d).k[0], [0.0, math.sqrt(0.5), -math.sqrt(0.5)], rtol=1e-15)
 
 
@@ -95,8 +94,8 @@ def test_gravity_defaults_to_minus_z() -> None:
 
 def test_legs_need_no_defaults() -> None:
     d = machine()
-    defaults = d.pop("leg_defaults")
-    for leg in d["leg"]:
+    defaults = d.pop("legs")
+    for leg in d["leg"].values():
         for key, table in defaults.items():
             leg[key] = {**table, **leg.get(key, {})}
     assert same(Robot.from_dict(d), Robot.from_dict(machine()))
@@ -114,7 +113,7 @@ def test_to_dict_round_trips_exactly(tables: Callable[[], Tables]) -> None:
 @given(axis=st.tuples(*[st.floats(-1e6, 1e6)] * 3).filter(any))
 def test_any_axis_round_trips_exactly(axis: tuple[float, float, float]) -> None:
     d = machine()
-    d["leg"][4]["universal_axis"] = list(axis)
+    d["leg"]["5"]["universal_axis"] = list(axis)
     robot = Robot.from_dict(d)
     assert np.linalg.norm(robot.k[4]) == pytest.approx(1.0, abs=1e-15)
     assert same(robot, Robot.from_dict(robot.to_dict()))
@@ -156,7 +155,7 @@ def test_replace_makes_a_checked_copy() -> None:
     ],
 )
 def test_one_entry_is_that_of_all_legs(name: str, one: Any) -> None:
-    robot = dataclasses.replace(Robot.from_dict(machine()), home=[0.0, 0.0, 1.0])
+    robot = dataclasses.replace(Robot.from_dict(machine()), home_position=[0.0, 0.0, 1.0])
     found = dataclasses.replace(robot, **{name: one})
     assert same(found, dataclasses.replace(robot, **{name: [one] * 6}))
     message = error_of(lambda: dataclasses.replace(robot, **{name: [one] * 5}))
@@ -172,7 +171,8 @@ def test_spherical_base_joint_has_no_axes() -> None:
 
 # Every wrong value: where it stands, what it is, what the message must hold.
 WRONG: list[tuple[tuple[str | int, ...], Any, str]] = [
-    (("schema",), 3, "schema: expected 1 or 2, got 3"),
+    (("schema",), 3, "schema: expected 2, got 3"),
+    (("schema",), 1, "schema: schema 1 is no longer read; write schema = 2, "),
     (("name",), 5, "name: expected one line of text, got 5"),
     (("name",), "", "name: expected text that is not blank, got ''"),
     (("name",), "two\nlines", "name: expected one line of text"),
@@ -182,49 +182,61 @@ WRONG: list[tuple[tuple[str | int, ...], Any, str]] = [
     (("gravity",), [0.0, -9.81], "gravity: expected 3 finite numbers"),
     (("gravity",), [0.0, 0.0, math.inf], "gravity: expected 3 finite numbers, got inf"),
     (("platform",), 40.0, "platform: expected a table, got 40.0"),
-    (("platform", "mass"), 0.0, "platform.mass: expected a number > 0, got 0"),
-    (("platform", "mass"), "40", "platform.mass: expected a finite number, got '40'"),
-    (("platform", "mass"), math.nan, "platform.mass: expected a finite number, got nan"),
-    (("platform", "mass"), 10**400, "platform.mass: expected a finite number"),
-    (("platform", "center_of_mass"), [0, 0, 0, 0], "platform.center_of_mass: expected 3 finite numbers"),
-    (("platform", "inertia"), [[1, 0, 0], [0, 1, 0]], "platform.inertia: expected 3 x 3 finite numbers"),
+    (("platform", "body", "mass"), 0.0, "platform.body.mass: expected a number > 0, got 0"),
+    (("platform", "body", "mass"), "40", "platform.body.mass: expected a finite number, got '40'"),
+    (("platform", "body", "mass"), math.nan, "platform.body.mass: expected a finite number, got nan"),
+    (("platform", "body", "mass"), 10**400, "platform.body.mass: expected a finite number"),
     (
-        ("platform", "inertia"),
+        ("platform", "body", "center_of_mass"),
+        [0, 0, 0, 0],
+        "platform.body.center_of_mass: expected 3 finite numbers",
+    ),
+    (
+        ("platform", "body", "inertia"),
+        [[1, 0, 0], [0, 1, 0]],
+        "platform.body.inertia: expected 3 x 3 finite numbers",
+    ),
+    (
+        ("platform", "body", "inertia"),
         [[1, 0.2, 0], [0.1, 1, 0], [0, 0, 1]],
-        "platform.inertia: expected a symmetric tensor, got 0.2 at (1, 2) and 0.1 at (2, 1)",
+        "platform.body.inertia: expected a symmetric tensor, got 0.2 at (1, 2) and 0.1 at (2, 1)",
     ),
-    (("platform", "inertia", 1, 1), math.nan, "platform.inertia: expected 3 x 3 finite numbers, got nan"),
-    (("leg_defaults",), 1, "leg_defaults: expected a table"),
-    (("leg_defaults", "lower", "inertia", 0, 1), 0.5, "leg_defaults.lower.inertia: expected a symmetric"),
     (
-        ("leg_defaults", "friction", "universal"),
+        ("platform", "body", "inertia", 1, 1),
+        math.nan,
+        "platform.body.inertia: expected 3 x 3 finite numbers, got nan",
+    ),
+    (("legs",), 1, "legs: expected a table"),
+    (("legs", "lower", "inertia", 0, 1), 0.5, "legs.lower.inertia: expected a symmetric"),
+    (
+        ("legs", "damping", "universal"),
         -1e-9,
-        "leg_defaults.friction.universal: expected a number >= 0",
+        "legs.damping.universal: expected a number >= 0",
     ),
     (
-        ("leg_defaults", "friction", "spherical"),
+        ("legs", "damping", "spherical"),
         math.inf,
-        "leg_defaults.friction.spherical: expected a finite",
+        "legs.damping.spherical: expected a finite",
     ),
-    (("leg",), {}, "leg: expected six [[leg]] tables"),
-    (("leg", 3), "x", "leg 4: expected a table, got 'x'"),
+    (("leg",), [], "leg: expected tables [leg.1] to [leg.6], got []"),
+    (("leg", "4"), "x", "leg.4: expected a table, got 'x'"),
     (
-        ("leg", 2, "universal_axis"),
+        ("leg", "3", "universal_axis"),
         [0, 0, 0],
-        "leg 3: universal_axis: expected a non-zero direction, got (0, 0, 0)",
+        "leg.3.universal_axis: expected a non-zero direction, got (0, 0, 0)",
     ),
-    (("leg", 0, "base_point"), [0, 0], "leg 1: base_point: expected 3 finite numbers, got [0, 0]"),
-    (("leg", 5, "platform_point", 2), False, "leg 6: platform_point: expected 3 finite numbers, got False"),
-    (("leg", 2, "lower", "mass"), -2.5, "leg 3: lower.mass: expected a number > 0, got -2.5"),
-    (("leg", 2, "friction", "prismatic"), "high", "leg 3: friction.prismatic: expected a finite number"),
+    (("leg", "1", "base_point"), [0, 0], "leg.1.base_point: expected 3 finite numbers, got [0, 0]"),
+    (("platform", "points", 5, 2), False, "platform.points 6: expected 3 finite numbers, got False"),
+    (("leg", "3", "lower", "mass"), -2.5, "leg.3.lower.mass: expected a number > 0, got -2.5"),
+    (("leg", "3", "damping", "prismatic"), "high", "leg.3.damping.prismatic: expected a finite number"),
     (
-        ("leg", 2, "length_limits"),
+        ("leg", "3", "length_limits"),
         [2.0, 0.5],
-        "leg 3: length_limits: expected [min, max] with 0 <= min < max",
+        "leg.3.length_limits: expected [min, max] with 0 <= min < max",
     ),
-    (("leg", 2, "length_limits"), [-0.1, 0.5], "leg 3: length_limits: expected [min, max]"),
-    (("leg", 2, "length_limits"), [0.5], "leg 3: length_limits: expected 2 finite numbers"),
-    (("leg", 2, "force_limit"), 0, "leg 3: force_limit: expected a number > 0"),
+    (("leg", "3", "length_limits"), [-0.1, 0.5], "leg.3.length_limits: expected [min, max]"),
+    (("leg", "3", "length_limits"), [0.5], "leg.3.length_limits: expected 2 finite numbers"),
+    (("leg", "3", "force_limit"), 0, "leg.3.force_limit: expected a number > 0"),
 ]
 
 
@@ -232,33 +244,35 @@ MISSING: list[tuple[tuple[str | int, ...], str]] = [
     (("schema",), "schema: missing"),
     (("name",), "name: missing"),
     (("platform",), "platform: missing"),
-    (("leg",), "leg: missing"),
-    (("platform", "mass"), "platform.mass: missing"),
-    (("platform", "center_of_mass"), "platform.center_of_mass: missing"),
-    (("platform", "inertia"), "platform.inertia: missing"),
-    (("leg_defaults",), "leg 1: lower.mass: missing, here and in leg_defaults"),
-    (("leg_defaults", "upper"), "leg 1: upper.mass: missing, here and in leg_defaults"),
-    (("leg_defaults", "lower", "inertia"), "leg 1: lower.inertia: missing, here and in leg_defaults"),
-    (("leg_defaults", "friction"), "leg 1: friction.universal: missing, here and in leg_defaults"),
-    (("leg", 1, "base_point"), "leg 2: base_point: missing"),
-    (("leg", 4, "platform_point"), "leg 5: platform_point: missing"),
-    (("leg", 5, "universal_axis"), "leg 6: universal_axis: missing"),
+    (("base",), "base: missing"),
+    (("base", "points"), "base.points: missing, and leg.1.base_point as well"),
+    (("platform", "points"), "platform.points: missing, and leg.1.platform_point as well"),
+    (("platform", "body", "mass"), "platform.body.mass: missing"),
+    (("platform", "body", "center_of_mass"), "platform.body.center_of_mass: missing"),
+    (("platform", "body", "inertia"), "platform.body.inertia: missing"),
+    (("legs",), "legs.lower: missing"),
+    (("legs", "upper"), "legs.upper: missing"),
+    (("legs", "lower", "inertia"), "legs.lower.inertia: missing"),
+    (("leg", "6", "universal_axis"), "legs.universal_axis: missing"),
 ]
 
 
 MISSPELT: list[tuple[tuple[str | int, ...], str]] = [
     (("gravitation",), 'gravitation: unknown key, did you mean "gravity"?'),
-    (("legs",), 'legs: unknown key, did you mean "leg"?'),
-    (("platform", "centre_of_mass"), 'platform.centre_of_mass: unknown key, did you mean "center_of_mass"?'),
-    (("leg_defaults", "lowr"), 'leg_defaults.lowr: unknown key, did you mean "lower"?'),
-    (("leg_defaults", "base_point"), "leg_defaults.base_point: unknown key"),
+    (("leg_defaults",), 'leg_defaults: unknown key, did you mean "legs"?'),
     (
-        ("leg_defaults", "friction", "prism"),
-        'leg_defaults.friction.prism: unknown key, did you mean "prismatic"?',
+        ("platform", "body", "centre_of_mass"),
+        'platform.body.centre_of_mass: unknown key, did you mean "center_of_mass"?',
     ),
-    (("leg", 2, "universal_axes"), 'leg 3: universal_axes: unknown key, did you mean "universal_axis"?'),
-    (("leg", 2, "lower", "mas"), 'leg 3: lower.mas: unknown key, did you mean "mass"?'),
-    (("platform", "qqq"), "platform.qqq: unknown key, expected one of mass, center_of_mass, inertia"),
+    (("legs", "lowr"), 'legs.lowr: unknown key, did you mean "lower"?'),
+    (("legs", "base_point"), "legs.base_point: unknown key"),
+    (
+        ("legs", "damping", "prism"),
+        'legs.damping.prism: unknown key, did you mean "prismatic"?',
+    ),
+    (("leg", "3", "universal_axes"), 'leg.3.universal_axes: unknown key, did you mean "universal_axis"?'),
+    (("leg", "3", "lower", "mas"), 'leg.3.lower.mas: unknown key, did you mean "mass"?'),
+    (("platform", "qqq"), "platform.qqq: unknown key, expected one of points, radius"),
     (("two\nlines",), "'two\\nlines': unknown key"),
 ]
 
@@ -288,32 +302,32 @@ def test_what_is_wrong_missing_or_misspelt_is_named(
 
 
 @pytest.mark.parametrize("count", [0, 5, 7])
-def test_exactly_six_legs(count: int) -> None:
+def test_exactly_six_points(count: int) -> None:
     d = machine()
-    d["leg"] = (d["leg"] * 2)[:count]
+    d["base"]["points"] = (d["base"]["points"] * 2)[:count]
     message = error_of(lambda: Robot.from_dict(d))
-    assert message == f"robot: leg: expected exactly six [[leg]] tables, got {count}"
+    assert message.startswith("robot: base.points: expected ")
 
 
 def test_spherical_base_joint_rejects_axes_and_asymmetric_legs() -> None:
     d = spherical_machine()
-    d["leg"][1]["universal_axis"] = [1, 0, 0]
-    assert error_of(lambda: Robot.from_dict(d)).startswith("robot: leg 2: universal_axis: expected none")
+    d["leg"]["2"]["universal_axis"] = [1, 0, 0]
+    assert error_of(lambda: Robot.from_dict(d)).startswith("robot: leg.2.universal_axis: expected none")
     d = spherical_machine()
-    d["leg"][4]["upper"] = {"center_of_mass": [-0.6, 0.0, 0.001]}
+    d["leg"]["5"]["upper"] = {"center_of_mass": [-0.6, 0.0, 0.001]}
     assert error_of(lambda: Robot.from_dict(d)).startswith(
-        "robot: leg 5: upper.center_of_mass: expected (x, 0, 0)"
+        "robot: leg.5.upper: expected (x, 0, 0)"
     )
     d = spherical_machine()
-    d["leg"][4]["lower"] = {"inertia": [[0.02, 0, 0], [0, 0.3, 0], [0, 0, 0.31]]}
+    d["leg"]["5"]["lower"] = {"inertia": [[0.02, 0, 0], [0, 0.3, 0], [0, 0, 0.31]]}
     assert error_of(lambda: Robot.from_dict(d)).startswith(
-        "robot: leg 5: lower.inertia: expected diag(Ia, It, It)"
+        "robot: leg.5.lower: expected diag(Ia, It, It)"
     )
 
 
 def test_asymmetry_of_rounding_size_is_evened_out() -> None:
     d = machine()
-    d["platform"]["inertia"][0][2] *= 1.0 + 1e-12
+    d["platform"]["body"]["inertia"][0][2] *= 1.0 + 1e-12
     I_p = Robot.from_dict(d).I_p
     np.testing.assert_array_equal(I_p, I_p.T)
 
@@ -341,14 +355,14 @@ def test_paper_machine_is_silent_for_its_file_accepts_what_it_is() -> None:
     with warnings.catch_warnings(action="error"):
         robot = robots.dasgupta1998()
         assert same(Robot.from_dict(robot.to_dict()), robot)
-    assert robot.accept == ("platform-inertia", "lower-inertia", "upper-inertia")
-    assert len(robot.physicality()) == 3
+    assert robot.suppressed_warnings == ("platform-inertia", "lower-inertia", "upper-inertia")
+    assert len(robot.find_invalid_inertias()) == 3
 
 
 @pytest.mark.parametrize("accepted", ["platform-inertia", "lower-inertia", "upper-inertia"])
 def test_a_file_accepts_the_warnings_that_it_names_and_no_other(accepted: str) -> None:
-    d = robots.dasgupta1998().to_dict() | {"accept": [accepted]}
-    with pytest.warns(PhysicalityWarning) as caught:
+    d = robots.dasgupta1998().to_dict() | {"suppress_warnings": [accepted]}
+    with pytest.warns(RobotWarning) as caught:
         Robot.from_dict(d)
     assert len(caught) == 2
     assert not any(accepted in str(w.message) for w in caught)
@@ -359,19 +373,21 @@ def test_a_file_accepts_the_warnings_that_it_names_and_no_other(accepted: str) -
     [("mass", "'mass'"), (["masses"], "'masses'"), ([1], "1"), ({"mass": 1}, "{'mass': 1}")],
 )
 def test_names_of_no_warning_are_not_accepted(accept: object, got: str) -> None:
-    message = error_of(lambda: Robot.from_dict(machine() | {"accept": accept}))
-    assert message.startswith("robot: accept: expected ")
+    message = error_of(lambda: Robot.from_dict(machine() | {"suppress_warnings": accept}))
+    assert message.startswith("robot: suppress_warnings: expected ")
     assert message.endswith(f", got {got}")
 
 
 def test_paper_machine_warns_once_for_each_part_where_nothing_is_accepted(tmp_path: Path) -> None:
     path = tmp_path / "dasgupta1998.toml"
-    path.write_text(re.sub(r"accept = .*\n", "", PAPERS.read_text(encoding="utf-8")), encoding="utf-8")
+    path.write_text(
+        re.sub(r"suppress_warnings = .*\n", "", PAPERS.read_text(encoding="utf-8")), encoding="utf-8"
+    )
     with warnings.catch_warnings(record=True, action="always") as caught:
         robot = Robot.from_toml(path)
     messages = [str(w.message) for w in caught]
-    assert all(w.category is PhysicalityWarning for w in caught)
-    assert len(messages) == len(robot.physicality()) == 3
+    assert all(w.category is RobotWarning for w in caught)
+    assert len(messages) == len(robot.find_invalid_inertias()) == 3
     for message, part_name in zip(
         messages, ("platform:", "lower part of all legs:", "upper part of all legs:"), strict=True
     ):
@@ -383,7 +399,7 @@ def test_paper_machine_warns_once_for_each_part_where_nothing_is_accepted(tmp_pa
 def test_possible_machine_is_silent() -> None:
     with warnings.catch_warnings(action="error"):
         robot = Robot.from_dict(machine())
-    assert robot.physicality() == []
+    assert robot.find_invalid_inertias() == []
 
 
 @pytest.mark.parametrize(
@@ -401,19 +417,19 @@ def test_possible_inertias_are_those_of_bodies(moments: tuple[float, float, floa
     c, s = math.cos(0.6), math.sin(0.6)
     turn = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
     robot = dataclasses.replace(Robot.from_dict(machine()), I_p=turn @ np.diag(moments) @ turn.T)
-    assert (robot.physicality() == []) == possible
+    assert (robot.find_invalid_inertias() == []) == possible
 
 
 def test_physicality_names_the_legs() -> None:
     d = machine()
-    for i in (1, 4):
+    for i in ("2", "5"):
         d["leg"][i]["upper"] = {"inertia": [[1, 0, 0], [0, 1, 0], [0, 0, 5]]}
-    with pytest.warns(PhysicalityWarning, match=r"robot: upper part of legs 2, 5: inertia"):
+    with pytest.warns(RobotWarning, match=r"robot: upper part of legs 2, 5: inertia"):
         robot = Robot.from_dict(d)
-    assert len(robot.physicality()) == 1
+    assert len(robot.find_invalid_inertias()) == 1
 
 
-@pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.PhysicalityWarning")
+@pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.RobotWarning")
 def test_file_error_begins_with_the_path(tmp_path: Path) -> None:
     path = tmp_path / "hexapod.toml"
     path.write_text(
@@ -422,7 +438,7 @@ def test_file_error_begins_with_the_path(tmp_path: Path) -> None:
         )
     )
     message = error_of(lambda: Robot.from_toml(path))
-    told = "leg 4: universal_axis: expected a non-zero direction, got (0, 0, 0) (at line 52)"
+    told = "leg.4.universal_axis: expected a non-zero direction, got (0, 0, 0) (at line 64)"
     assert message == f"{path}: {told}"
 
 

@@ -20,7 +20,7 @@ schema = 2
 name = "press"
 length_unit = "mm"
 angle_unit = "deg"
-home = [0, 0, 700]
+home_position = [0, 0, 700]
 
 [base]
 radius = 600
@@ -39,7 +39,7 @@ body = [
 universal_axis = "tangential"
 lower = { shape = "tube", radius = 30, inner_radius = 25, length = 500, density = 7800 }
 upper = { shape = "rod", radius = 20, length = 450, mass = 3.5 }
-friction = { prismatic = 20.0 }
+damping = { prismatic = 20.0 }
 stroke = [-150, 150]
 force_limit = 500.0
 speed_limit = 600
@@ -51,7 +51,7 @@ friction.universal = 0.1
 [trajectory]
 tool = [0, 0, 300]
 euler_order = "xyz"
-lengths = "relative"
+length_mode = "relative"
 """
 
 
@@ -71,20 +71,20 @@ def robot(tmp_path: Path) -> ss.Robot:
 
 
 def test_home_and_tool_are_lengths_in_other_units(robot: ss.Robot) -> None:
-    units = ss.Units.of(robot)
+    units = ss.UnitScaling.for_robot(robot)
     small = units.robot(robot)
-    np.testing.assert_array_equal(small.home, robot.home / units.length)
+    np.testing.assert_array_equal(small.home_position, robot.home_position / units.length)
     np.testing.assert_array_equal(small.tool, robot.tool / units.length)
     assert same(units.inverse.robot(small), robot)
 
 
-def test_points_stand_on_their_circle_in_metres(robot: ss.Robot) -> None:
+def test_points_stand_on_their_circle_in_meters(robot: ss.Robot) -> None:
     turn = np.radians([10, 110, 130, 230, 250, 350])
     expected = np.stack([0.6 * np.cos(turn), 0.6 * np.sin(turn), 0 * turn], axis=-1)
     np.testing.assert_allclose(robot.b, expected, atol=1e-15)
     assert robot.p[:, 2] == pytest.approx(-0.05, abs=0.0)
     np.testing.assert_array_equal(robot.b[0] * [1, -1, 1], robot.b[5])
-    np.testing.assert_array_equal(robot.home, [0.0, 0.0, 0.7])
+    np.testing.assert_array_equal(robot.home_position, [0.0, 0.0, 0.7])
     np.testing.assert_array_equal(robot.tool, [0.0, 0.0, 0.3])
 
 
@@ -130,11 +130,11 @@ def test_legs_may_be_described_one_by_one_alone(robot: ss.Robot) -> None:
 
 
 def test_the_stroke_is_about_the_length_at_home(robot: ss.Robot) -> None:
-    L = np.linalg.norm(robot.home + robot.p - robot.b, axis=-1)
+    L = np.linalg.norm(robot.home_position + robot.p - robot.b, axis=-1)
     np.testing.assert_allclose(robot.length_limits, np.stack([L - 0.15, L + 0.15], axis=-1), rtol=1e-15)
 
 
-def test_metres_and_radians_say_the_same(robot: ss.Robot, tmp_path: Path) -> None:
+def test_meters_and_radians_say_the_same(robot: ss.Robot, tmp_path: Path) -> None:
     turns = {"[10, 110, 130, 230, 250, 350]": np.radians([10, 110, 130, 230, 250, 350])}
     turns["[50, 70, 170, 190, 290, 310]"] = np.radians([50, 70, 170, 190, 290, 310])
     text = TEXT.replace('"mm"', '"m"').replace('"deg"', '"rad"')
@@ -158,16 +158,21 @@ def test_metres_and_radians_say_the_same(robot: ss.Robot, tmp_path: Path) -> Non
 
 @pytest.mark.parametrize("joint", ["universal", "spherical"])
 def test_a_robot_goes_through_tables_and_files_to_the_bit(joint: str, tmp_path: Path) -> None:
-    text = TEXT.replace("home = ", f'base_joint = "{joint}"\nhome = ')
+    text = TEXT.replace("home_position = ", f'base_joint = "{joint}"\nhome_position = ')
     if joint == "spherical":
         text = text.replace('universal_axis = "tangential"\n', "")
     found = robot_of(text, tmp_path)
     assert same(ss.Robot.from_dict(json.loads(json.dumps(found.to_dict()))), found)
     assert found.to_dict()["schema"] == 2
     assert same(ss.Robot.from_toml(written(found, tmp_path / "again.toml")), found)
-    none = {"lower_length": np.zeros(6), "upper_length": np.zeros(6), "home": None, "tool": np.zeros(3)}
-    plain = dataclasses.replace(found, **none, euler_order="zyx", lengths="absolute")
-    assert plain.to_dict()["schema"] == 1
+    none = {
+        "lower_length": np.zeros(6),
+        "upper_length": np.zeros(6),
+        "home_position": None,
+        "tool": np.zeros(3),
+    }
+    plain = dataclasses.replace(found, **none, euler_order="zyx", length_mode="absolute")
+    assert plain.to_dict()["schema"] == 2
     assert same(ss.Robot.from_dict(plain.to_dict()), plain)
 
 
@@ -192,7 +197,7 @@ def test_a_length_that_no_part_has_is_rejected(length: str, tmp_path: Path) -> N
 def test_axes_by_name_are_what_the_name_says(tmp_path: Path) -> None:
     for name in ("tangential", "radial", "horizontal"):
         found = robot_of(TEXT.replace('"tangential"', f'"{name}"'), tmp_path)
-        legs = found.home + found.p - found.b
+        legs = found.home_position + found.p - found.b
         across = {"tangential": found.b, "radial": np.cross([0, 0, 1], found.b), "horizontal": legs}[name]
         np.testing.assert_allclose(np.sum(found.k * across, axis=-1), 0.0, atol=1e-15)
         np.testing.assert_array_equal(found.k[:, 2], np.zeros(6))
@@ -210,8 +215,8 @@ def test_points_one_by_one_and_of_one_leg_stand_in_for_the_circle(robot: ss.Robo
 
 USED = {
     "a 6-3 machine": ("[50, 70, 170, 190, 290, 310]", "[60, 60, 180, 180, 300, 300]"),
-    "z down": ("home = [0, 0, 700]", "gravity = [0, 0, 9.81]\nhome = [0, 0, -700]"),
-    "hanging": ("home = [0, 0, 700]", "home = [0, 0, -700]"),
+    "z down": ("home_position = [0, 0, 700]", "gravity = [0, 0, 9.81]\nhome_position = [0, 0, -700]"),
+    "hanging": ("home_position = [0, 0, 700]", "home_position = [0, 0, -700]"),
     "spherical": ('universal_axis = "tangential"\n', ""),
 }
 
@@ -225,7 +230,7 @@ def test_check_has_no_doubt_about_what_people_build(use: str, tmp_path: Path, ru
 
 DOUBTFUL = {
     # what is wrong: what is replaced by what, name of the doubt, words of it
-    "millimetres": ('length_unit = "mm"\n', "", "length-unit", "points in millimetres, expected metres"),
+    "millimeters": ('length_unit = "mm"\n', "", "length-unit", "points in millimeters, expected meters"),
     "counted the other way": ("[50, 70, 170, 190, 290, 310]", "[310, 290, 190, 170, 70, 50]", "", "mirrored"),
     "shifted": ("[50, 70, 170, 190, 290, 310]", "[170, 190, 290, 310, 50, 70]", "leg-order", "shifted by 2"),
     "two legs exchanged": ("[50, 70, 170,", "[70, 50, 170,", "crossing", "legs 1, 2 cross"),
@@ -245,9 +250,9 @@ DOUBTFUL = {
         "density",
         "platform.body 1: density: 2.7 kg/m",
     ),
-    "tool in micrometres": ("[0, 0, 300]", "[0, 0, 3e5]", "tool", "in micrometres in a file of millimetres"),
-    "tool in metres": ("[0, 0, 300]", "[0, 0, 0.3]", "tool", "given in metres in a file of millimetres"),
-    "centre of mass in metres": ("[250, 0, 0]", "[0.25, 0, 0]", "center-of-mass", "part of leg 3: center_of"),
+    "tool in micrometers": ("[0, 0, 300]", "[0, 0, 3e5]", "tool", "in micrometers in a file of millimeters"),
+    "tool in meters": ("[0, 0, 300]", "[0, 0, 0.3]", "tool", "given in meters in a file of millimeters"),
+    "center of mass in meters": ("[250, 0, 0]", "[0.25, 0, 0]", "center-of-mass", "part of leg 3: center_of"),
     "speed in mm/s": ("speed_limit = 600", "speed_limit = 6e5", "speed-limit", "given in mm/s"),
 }
 
@@ -259,7 +264,7 @@ def test_check_warns_of_what_is_likely_wrong(wrong: str, tmp_path: Path, run: Ru
     line, *more = run("check", path).err.splitlines()
     assert words in line
     assert line.endswith(f"{name}]")
-    assert len(more) == (wrong == "millimetres")
+    assert len(more) == (wrong == "millimeters")
 
 
 def test_every_point_may_have_a_radius_and_a_height_of_its_own(tmp_path: Path) -> None:
@@ -271,13 +276,15 @@ def test_every_point_may_have_a_radius_and_a_height_of_its_own(tmp_path: Path) -
 
 def test_a_body_that_cannot_be_is_warned_of_and_may_be_accepted(tmp_path: Path) -> None:
     wrong = TEXT.replace("[0.005, 0.2, 0.2]", "[0.5, 0.2, 0.2]")
-    with pytest.warns(ss.PhysicalityWarning, match=r"lower part of leg 3: inertia.* \[lower-inertia\]"):
+    with pytest.warns(ss.RobotWarning, match=r"lower part of leg 3: inertia.* \[lower-inertia\]"):
         robot_of(wrong, tmp_path)
     with warnings.catch_warnings(action="error"):
-        robot_of(wrong.replace("home =", 'accept = ["lower-inertia"]\nhome ='), tmp_path)
+        robot_of(wrong.replace("home =", 'suppress_warnings = ["lower-inertia"]\nhome ='), tmp_path)
         foam = TEXT.replace("2700", "40")
         robot_of(foam, tmp_path)
-        robot_of(foam.replace("7800", "40").replace("home =", 'accept = ["density"]\nhome ='), tmp_path)
+        robot_of(
+            foam.replace("7800", "40").replace("home =", 'suppress_warnings = ["density"]\nhome ='), tmp_path
+        )
 
 
 # Every mistake: what is replaced by what, the message, and words of the line that it names.
@@ -293,7 +300,7 @@ MISTAKES: list[tuple[str, str, str, str]] = [
         "units",
     ),
     ('angle_unit = "deg"\n', "", "base.angles: expected at most 2 turns, got 350 rad: is angle_unit", "350]"),
-    ("[0, 0, 700]", "[0, 700]", "home: expected 3 finite numbers, got [0, 700]", "home"),
+    ("[0, 0, 700]", "[0, 700]", "home_position: expected 3 finite numbers, got [0, 700]", "home"),
     ("[base]", "[bas]", 'bas: unknown key, did you mean "base"?', "[bas]"),
     ("radius = 600", "radius = 0", "base.radius: expected a number > 0, got 0", "radius = 0"),
     ("radius = 600\n", "", "base.radius: missing", "[base]"),
@@ -317,7 +324,7 @@ MISTAKES: list[tuple[str, str, str, str]] = [
         "tube",
     ),
     ('shape = "rod", ', "", "legs.upper.shape: missing", "upper ="),
-    ("prismatic = 20.0", "prismatic = -20.0", "legs.friction.prismatic: expected a number >= 0", "-20.0"),
+    ("prismatic = 20.0", "prismatic = -20.0", "legs.damping.prismatic: expected a number >= 0", "-20.0"),
     ("[-150, 150]", "[150, -150]", "legs.stroke: expected [least, most] with least < most", "stroke"),
     (
         "[-150, 150]",
@@ -325,7 +332,12 @@ MISTAKES: list[tuple[str, str, str, str]] = [
         "legs.stroke: expected a leg that is longer at home than it can retract, ",
         "stroke",
     ),
-    ("home = [0, 0, 700]\n", "", 'trajectory.lengths: "relative" is to the home pose', "lengths"),
+    (
+        "home_position = [0, 0, 700]\n",
+        "",
+        'trajectory.length_mode: "relative" is to the home pose',
+        "lengths",
+    ),
     (
         "stroke = [",
         "length_limits = [500, 900]\nstroke = [",
@@ -341,10 +353,10 @@ MISTAKES: list[tuple[str, str, str, str]] = [
     ("[leg.3]", "[leg.7]", "leg.7: unknown key, expected one of 1, 2, 3, 4, 5, 6", "[leg.7]"),
     ("[leg.3]", "[[leg]]", "leg: expected tables [leg.1] to [leg.6], got ", "[[leg]]"),
     ("mass = 9.0, ", "", "leg.3.lower.mass: missing, since legs.lower is by shape", "= [250"),
-    ("schema = 2", "schema = 1", "base: expected schema = 2 beside it, got schema = 1", "[base]"),
+    ("schema = 2", "schema = 1", "schema: schema 1 is no longer read; write schema = 2", "schema = 1"),
     ("[250, 0, 0]", "[250, 0]", "leg.3.lower.center_of_mass: expected 3 finite numbers", "[250, 0]"),
     ("[0.005, 0.2, 0.2]", "[[1, 2, 0], [0, 1, 0], [0, 0, 1]]", "leg.3.lower.inertia: expected a sym", "9.0"),
-    ("friction.universal = 0.1", "friction.universal = true", "leg.3.friction.universal: expected a", "true"),
+    ("friction.universal = 0.1", "friction.universal = true", "leg.3.damping.universal: expected a", "true"),
     ('"xyz"', '"zz"', "trajectory.euler_order: expected ", "euler_order"),
     (
         "tool =",
@@ -385,7 +397,7 @@ def test_a_mistake_is_one_line_with_key_and_line(
 def test_tables_without_a_file_name_the_key_alone() -> None:
     rejects(r"\Arobot: base: missing\Z", ss.Robot.from_dict, {"schema": 2, "name": "x"})
     with pytest.raises(ValueError, match=r"\Arobot: lengths: \"relative\" is to the home pose"):
-        dataclasses.replace(ss.robots.dasgupta1998(), lengths="relative")
+        dataclasses.replace(ss.robots.dasgupta1998(), length_mode="relative")
 
 
 def made(value: Any, along: float | None = None) -> Body:

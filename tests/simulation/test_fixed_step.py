@@ -20,8 +20,8 @@ def swinging(robot: ss.Robot, count: int = 1, load: bool = False) -> ss.Motion:
     rng = np.random.default_rng(5)
     wrench = robot.M * rng.normal(size=(2, count, 3))
     return ss.Motion(
-        rotation_from_vector(0.2 * rng.normal(size=(count, 3))),
-        home_position(robot.b, machine_size(robot)) + 0.05 * rng.normal(size=(count, 3)),
+        R=rotation_from_vector(0.2 * rng.normal(size=(count, 3))),
+        t=home_position(robot.b, machine_size(robot)) + 0.05 * rng.normal(size=(count, 3)),
         omega=2.0 * rng.normal(size=(count, 3)),
         v=0.5 * rng.normal(size=(count, 3)),
         F_ext=wrench[0] if load else None,
@@ -35,7 +35,9 @@ def machine() -> ss.Robot:
 
 def holding(robot: ss.Robot, state: ss.Motion) -> np.ndarray:
     zero = np.zeros_like(state.t)
-    return ss.inverse_dynamics(robot, ss.Motion(state.R, state.t, zero, zero, zero, zero)).F
+    return ss.inverse_dynamics(
+        robot, ss.Motion(R=state.R, t=state.t, omega=zero, v=zero, alpha=zero, a=zero)
+    ).F
 
 
 def distance(one: ss.Motion, other: ss.Motion) -> float:

@@ -33,8 +33,8 @@ t = [0.2, 0.0, 0.8]
 theta = [0.1, 0.0, 0.2]
 v = [0.05, 0.02, 0.03]
 
-[legs]
-law = "springs"
+[actuation]
+type = "spring"
 stiffness = 4e4
 """
 TRACK = """
@@ -43,16 +43,16 @@ robot = "robots/robot.toml"
 duration = 0.05
 formulation = "paper"
 
-[legs]
-law = "tracking"
+[actuation]
+type = "computed_torque"
 path = "II"
 k_p = 400
 k_d = 40
-model = "paper"
+model_formulation = "paper"
 rate = 500.0
 """
 
-pytestmark = pytest.mark.filterwarnings("ignore::stewart_sym.PhysicalityWarning")
+pytestmark = pytest.mark.filterwarnings("ignore::stewart_sym.RobotWarning")
 
 
 @pytest.fixture
@@ -73,12 +73,14 @@ def test_a_scene_runs_as_the_library_does(scene: Path, run: Run) -> None:
     assert (output / "summary.txt").read_text() in captured.out
     assert "ran to its end at 0.1 s" in captured.out
     robot = ss.Robot.from_toml(scene.parent / "robots" / "robot.toml")
-    state = ss.Motion(rotation_from_rpy([0.1, 0.0, 0.2]), [0.2, 0.0, 0.8], np.zeros(3), [0.05, 0.02, 0.03])
-    law = ss.LegSprings.balanced(robot, state, 4e4)
+    state = ss.Motion(
+        R=rotation_from_rpy([0.1, 0.0, 0.2]), t=[0.2, 0.0, 0.8], omega=np.zeros(3), v=[0.05, 0.02, 0.03]
+    )
+    law = ss.LegSprings.in_equilibrium(robot, state, 4e4)
     run = ss.simulate(robot, state, law, 0.1, output_step=0.01)
     rows = read(output / "run.csv")
     assert [float(row["time"]) for row in rows] == run.times.tolist()
-    expected = {"t_x": run.t[:, 0], "v_z": run.v[:, 2], "F5": run.F[:, 4], "L2": run.L[:, 1]}
+    expected = {"t_x": run.t[:, 0], "v_z": run.v[:, 2], "F_5": run.F[:, 4], "L_2": run.L[:, 1]}
     for name, values in expected.items():
         assert [float(row[name]) for row in rows] == values.tolist()
     theta = [[float(row[f"theta_{axis}"]) for axis in "xyz"] for row in rows]
@@ -131,7 +133,7 @@ def test_tracking_starts_on_its_path_and_stays_there(scene: Path) -> None:
     done = read_scene(scene)
     assert (done.formulation, done.rate) == ("paper", 500.0)
     run = done.run()
-    path = ss.PATHS["II"].path
+    path = ss.PAPER_PATHS["II"].path
     np.testing.assert_array_equal(run.t[0], path.sample(0.0).t)
     np.testing.assert_allclose(run.t[-1], path.sample(0.05).t, atol=1e-4)
 
@@ -154,12 +156,12 @@ def test_tracking_takes_a_path_from_csv(scene: Path) -> None:
     scene.write_text(text.replace('"II"', '"path.csv"'))
     done = read_scene(scene)
     np.testing.assert_allclose(done.state.t, wanted(0.0).t)
-    assert done.run().stop.kind == "duration"
+    assert done.run().stop.reason == "completed"
 
 
 def test_tracking_takes_rates_and_loads_as_the_file_has_them(scene: Path) -> None:
     """As `forces` does: those of rows so far apart that no curve through the poses has their rates."""
-    motion = ss.PATHS["II"].path.sample([0.0, 0.2, 0.4])
+    motion = ss.PAPER_PATHS["II"].path.sample([0.0, 0.2, 0.4])
     F_ext, M_ext = np.array([[3.0, 1.0, -40.0]] * 3) * [[1.0], [0.5], [0.0]], np.full((3, 3), 2.0)
     loaded = dataclasses.replace(motion, F_ext=F_ext, M_ext=M_ext)
     robot = ss.Robot.from_toml(scene.parent / "robots" / "robot.toml")
@@ -189,7 +191,9 @@ def test_a_run_is_no_log(scene: Path, run: Run, fails: Fails) -> None:
 
 
 def test_constant_forces_and_a_load(scene: Path) -> None:
-    legs = '[legs]\nlaw = "forces"\nforces = [1, 2, 3, 4, 5, 6]\n[load]\nF_ext = [0.0, 0.0, 392.4]'
+    legs = (
+        '[actuation]\ntype = "constant_force"\nforces = [1, 2, 3, 4, 5, 6]\n[load]\nF_ext = [0.0, 0.0, 392.4]'
+    )
     scene.write_text(SWING.partition("[legs]")[0] + legs)
     run = read_scene(scene).run()
     assert run.F[3].tolist() == [1, 2, 3, 4, 5, 6]
@@ -200,8 +204,8 @@ def test_constant_forces_and_a_load(scene: Path) -> None:
 
 def test_a_run_that_stops_says_which_leg_and_when(scene: Path, run: Run) -> None:
     robot = scene.parent / "robots" / "robot.toml"
-    limits = "[leg_defaults]\nspeed_limit = 0.157\n\n[leg_defaults.lower]"
-    robot.write_text(robot.read_text().replace("[leg_defaults.lower]", limits))
+    limits = "[legs]\nspeed_limit = 0.157\n\n[legs.lower]"
+    robot.write_text(robot.read_text().replace("[legs.lower]", limits))
     scene.write_text(SWING.replace("duration = 0.1", "duration = 9").replace("v = [0.05", "v = [0.25"))
     out = run("simulate", scene, "-o", scene.parent / "out", "--no-pictures").out
     assert "stopped    leg " in out
@@ -250,8 +254,8 @@ def test_a_start_that_is_no_machines_is_warned_of(
         ("t = [0.2, 0.0, 0.8]", "", "state.t: missing"),
         ("theta = [0.1, 0.0, 0.2]", "theta = [0.1, 0.0, inf]", "state.theta: expected 3 finite numbers"),
         ("v = [", "w = [", "state.w: unknown key"),
-        ('law = "springs"', 'law = "spring"', 'legs.law: expected "forces", "springs" or "tracking"'),
-        ('law = "springs"', "", "legs.law: missing"),
+        ('type = "spring"', 'law = "spring"', 'legs.law: expected "forces", "springs" or "tracking"'),
+        ('type = "spring"', "", "legs.law: missing"),
         ("stiffness = 4e4", "stiffness = [1, 2]", "legs.stiffness: expected 6 finite numbers, got [1, 2]"),
         ("stiffness = 4e4", "stiffness = 0", "legs: stiffness: expected numbers > 0"),
         ("stiffness = 4e4", "stiffness = -1", "legs.stiffness: expected numbers >= 0, got -1"),
@@ -260,7 +264,7 @@ def test_a_start_that_is_no_machines_is_warned_of(
         ("output_step = 0.01", "rtol = 0.5", "rtol: expected a number in [1e-13, 0.01], got 0.5"),
         ("stiffness = 4e4", "", "legs.stiffness: missing"),
         ("stiffness = 4e4", "stiffness = 4e4\nrate = 9", "legs.rate: unknown key"),
-        ("[legs]", "[thresholds]\nmax_condition = 0.5\n[legs]", "thresholds.max_condition: expected"),
+        ("[legs]", "[stop_conditions]\nmax_condition = 0.5\n[legs]", "thresholds.max_condition: expected"),
         ("[legs]", "[load]\nF_ext = 3\n[legs]", "load.F_ext: expected 3 finite numbers, got 3"),
         ("robots/robot.toml", "robots/none.toml", "robot: expected a file, there is no "),
         ('"robots/robot.toml"', "7", "robot: expected one line of text, got 7"),
@@ -285,7 +289,7 @@ def test_bad_scenes_are_rejected_in_one_line_and_leave_nothing(
         ('path = "II"', "", "legs.path: missing"),
         ("k_p = 400", "k_p = -1", "legs.k_p: expected a number >= 0, got -1"),
         ("rate = 500.0", "rate = 1e9", "rate: expected at most 2e+08 Hz, for at most 10000000 calls"),
-        ('model = "paper"', 'model = "best"', 'legs.model: expected "exact" or "paper"'),
+        ('model_formulation = "paper"', 'model = "best"', 'legs.model: expected "exact" or "paper"'),
     ],
 )
 def test_bad_tracking_is_rejected(scene: Path, fails: Fails, old: str, new: str, words: str) -> None:
@@ -295,7 +299,7 @@ def test_bad_tracking_is_rejected(scene: Path, fails: Fails, old: str, new: str,
 
 
 def test_what_goes_wrong_in_the_run_leaves_nothing(scene: Path, fails: Fails) -> None:
-    legs = '[legs]\nlaw = "forces"\nforces = [0, 0, 0, 0, 0, 0]\n'
+    legs = '[actuation]\ntype = "constant_force"\nforces = [0, 0, 0, 0, 0, 0]\n'
     # Platform point 2 on base point 2.
     state = SWING.partition("[legs]")[0].replace("[0.2, 0.0, 0.8]", "[-0.2, 0.3, 0.1]")
     scene.write_text(state.replace("[0.1, 0.0, 0.2]", "[0.0, 0.0, 0.0]") + legs)

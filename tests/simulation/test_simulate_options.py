@@ -20,16 +20,16 @@ from stewart_sym.simulation.actuator_models import along
 from stewart_sym.simulation.scene import read_scene
 from stewart_sym.studies.reports.run import report, summary
 
-pytestmark = pytest.mark.filterwarnings("ignore::stewart_sym.PhysicalityWarning")
+pytestmark = pytest.mark.filterwarnings("ignore::stewart_sym.RobotWarning")
 ZERO = np.zeros(3)
 TRACK = """
 schema = 1
 robot = "robot.toml"
 duration = 0.02
-start = "path"
+initial_state = "path"
 on_force_limit = "saturate"
-[legs]
-law = "tracking"
+[actuation]
+type = "computed_torque"
 path = "I"
 k_p = 400
 k_d = 40
@@ -46,13 +46,13 @@ def scene(tmp_path: Path) -> Path:
 
 
 def limit_forces(scene: Path, limit: float) -> None:
-    defaults = "[leg_defaults.lower]\n"
-    edit(scene.parent / "robot.toml", defaults, f"[leg_defaults]\nforce_limit = {limit}\n{defaults}")
+    defaults = "[legs.lower]\n"
+    edit(scene.parent / "robot.toml", defaults, f"[legs]\nforce_limit = {limit}\n{defaults}")
 
 
 def machine() -> tuple[ss.Robot, ss.Motion]:
     robot = random_robot(np.random.default_rng(3), scale=1.0)
-    return robot, ss.Motion(np.eye(3), home_position(robot.b, machine_size(robot)), ZERO, ZERO)
+    return robot, ss.Motion(R=np.eye(3), t=home_position(robot.b, machine_size(robot)), omega=ZERO, v=ZERO)
 
 
 @pytest.mark.parametrize("size", [0.0, 1e-12, 1e-5, 0.04, 0.06, 0.9, 3.0])
@@ -67,17 +67,19 @@ def test_plain_numbers_turn_as_arrays_do(size: float) -> None:
 
 def test_springs_so_stiff_that_trial_states_are_infinite_stop_at_the_force_limit() -> None:
     robot = ss.Robot.from_toml(DOCS / "examples" / "hexapod.toml")
-    start = ss.Motion(np.eye(3), [0.03, 0.0, 0.65], omega=ZERO, v=[0.0, 0.2, 0.0])
-    springs = ss.LegSprings.balanced(robot, start, stiffness=2e12, damping=0.0)
+    start = ss.Motion(R=np.eye(3), t=[0.03, 0.0, 0.65], omega=ZERO, v=[0.0, 0.2, 0.0])
+    springs = ss.LegSprings.in_equilibrium(robot, start, stiffness=2e12, damping=0.0)
     run = ss.simulate(robot, start, springs, 1.0)
-    assert "force 500 N reaches its limit 500 N" in run.stop.text
+    assert "force 500 N reaches its limit 500 N" in run.stop.message
 
 
 @pytest.mark.parametrize("rate", [None, 200.0])
 def test_clipped_forces_move_the_machine_as_given_ones_do(rate: float | None) -> None:
     """A law beyond its limits in legs 2 and 5, one after the other: the run of the clipped law itself."""
     robot, state = machine()
-    hold = ss.inverse_dynamics(robot, ss.Motion(state.R, state.t, ZERO, ZERO, ZERO, ZERO)).F
+    hold = ss.inverse_dynamics(
+        robot, ss.Motion(R=state.R, t=state.t, omega=ZERO, v=ZERO, alpha=ZERO, a=ZERO)
+    ).F
     limit = np.abs(hold) + 50.0
     limited = dataclasses.replace(robot, force_limit=limit)
 
@@ -87,33 +89,42 @@ def test_clipped_forces_move_the_machine_as_given_ones_do(rate: float | None) ->
         F[4] = -limit[4] - 100.0 * (time - 0.05) if time >= 0.05 else hold[4]
         return F
 
-    run = ss.simulate(limited, state, law, 0.1, rate=rate, on_force_limit="saturate", output_step=0.01)
-    clipped = ss.simulate(
-        robot, state, lambda time, at: np.clip(law(time, at), -limit, limit), 0.1, rate=rate, output_step=0.01
+    run = ss.simulate(
+        limited, state, law, 0.1, control_rate=rate, on_force_limit="saturate", output_step=0.01
     )
-    assert run.stop.kind == "duration"
+    clipped = ss.simulate(
+        robot,
+        state,
+        lambda time, at: np.clip(law(time, at), -limit, limit),
+        0.1,
+        control_rate=rate,
+        output_step=0.01,
+    )
+    assert run.stop.reason == "completed"
     np.testing.assert_allclose(run.t, clipped.t, atol=1e-9)
     assert (np.abs(run.F) <= limit).all()
-    np.testing.assert_allclose(run.saturation.excess[[1, 4]], [30.0, 5.0 if rate is None else 4.5], rtol=1e-6)
-    np.testing.assert_allclose(run.saturation.time[[1, 4]], 0.05, atol=5e-3)
-    assert not run.saturation.excess[[0, 2, 3, 5]].any()
-    assert not run.saturation.time[[0, 2, 3, 5]].any()
-    assert "saturated  leg 2 for 0.05" in summary(run, run.within_steps, law)
-    stopped = ss.simulate(limited, state, law, 0.1, rate=rate)
-    assert (stopped.stop.kind, stopped.stop.leg, stopped.stop.time) == ("force_limit", 2, 0.0)
-    assert not stopped.saturation.excess.any()
+    np.testing.assert_allclose(
+        run.saturation.max_excess[[1, 4]], [30.0, 5.0 if rate is None else 4.5], rtol=1e-6
+    )
+    np.testing.assert_allclose(run.saturation.duration[[1, 4]], 0.05, atol=5e-3)
+    assert not run.saturation.max_excess[[0, 2, 3, 5]].any()
+    assert not run.saturation.duration[[0, 2, 3, 5]].any()
+    assert "saturated  leg 2 for 0.05" in summary(run, run.dense_history, law)
+    stopped = ss.simulate(limited, state, law, 0.1, control_rate=rate)
+    assert (stopped.stop.reason, stopped.stop.leg, stopped.stop.time) == ("force_limit", 2, 0.0)
+    assert not stopped.saturation.max_excess.any()
 
 
 def test_peaks_of_the_summary_do_not_depend_on_the_rows() -> None:
     robot, state = machine()
     k = 1e3 * robot.M * 9.81 / machine_size(robot)
-    law = ss.LegSprings.balanced(robot, state, k)
+    law = ss.LegSprings.in_equilibrium(robot, state, k)
     start = dataclasses.replace(state, v=np.array([0.3, 0.2, 0.1]))
     runs = [ss.simulate(robot, start, law, 0.2, output_step=step) for step in (None, 0.2, 2e-4)]
     coarse, few, dense = (report(robot, run, law, {}).data for run in runs)
     for data in (coarse, few):
         for leg, true in zip(data["legs"], dense["legs"], strict=True):
-            for name in ("peak_force_N", "least_length_m", "greatest_length_m"):
+            for name in ("peak_force_N", "min_length_m", "max_length_m"):
                 assert leg[name] == pytest.approx(true[name], rel=1e-3), name
         for name in ("kinetic_energy_peak_J", "springs_energy_drift"):
             assert data[name] == pytest.approx(dense[name], rel=1e-3), name
@@ -127,15 +138,17 @@ def test_motors_of_held_forces_do_the_work_of_each_held_force(output_step: float
     robot, state = machine()
     drive = ss.Drive(lead=5e-3, torque_constant=0.5, resistance=2.0)
     robot = dataclasses.replace(robot, drive=drive)
-    hold = ss.inverse_dynamics(robot, ss.Motion(state.R, state.t, ZERO, ZERO, ZERO, ZERO)).F
+    hold = ss.inverse_dynamics(
+        robot, ss.Motion(R=state.R, t=state.t, omega=ZERO, v=ZERO, alpha=ZERO, a=ZERO)
+    ).F
 
     def law(time: float, _: ss.Motion) -> np.ndarray:
         return hold * (1.0 + 0.3 * np.sin(40.0 * time + np.arange(6)))
 
-    run = ss.simulate(robot, state, law, 0.1, rate=50.0, output_step=output_step, rtol=rtol)
+    run = ss.simulate(robot, state, law, 0.1, control_rate=50.0, output_step=output_step, rtol=rtol)
     samples = np.linspace(0.0, 0.1, 6)
     L, F = run.at(samples).L, np.array([law(time, state) for time in samples[:-1]])
-    heat = 2.0 * (F / drive.turns / 0.5) ** 2 * 0.02
+    heat = 2.0 * (F / drive.transmission_ratio / 0.5) ** 2 * 0.02
     expected = np.sum(F * np.diff(L, axis=0) + heat, axis=0)
     found = [leg["motor_energy_J"] for leg in report(robot, run, law, {}).data["legs"]]
     np.testing.assert_allclose(found, expected, rtol=0, atol=1e-6 * np.abs(expected).max())
@@ -143,9 +156,9 @@ def test_motors_of_held_forces_do_the_work_of_each_held_force(output_step: float
 
 def test_a_law_that_follows_a_path_starts_on_it() -> None:
     robot = dasgupta()
-    path = ss.PATHS["I"].path
+    path = ss.PAPER_PATHS["I"].path
     law = ss.ComputedTorque(robot, along(path), k_p=400.0, k_d=40.0)
-    run = ss.simulate(robot, "path", law, 0.02, rate=500.0)
+    run = ss.simulate(robot, "path", law, 0.02, control_rate=500.0)
     sent = pickle.loads(pickle.dumps(ss.ComputedTorque(robot, path.sample, k_p=400.0, k_d=40.0)))
     np.testing.assert_array_equal(sent(0.01, run.motion[1]), law(0.01, run.motion[1]))
     np.testing.assert_array_equal(run.t[0], path.sample(0.0).t)
@@ -163,21 +176,21 @@ def test_a_scene_starts_on_its_path_and_saturates(scene: Path, run: Run) -> None
     limit_forces(scene, limit)
     done = read_scene(scene)
     assert done.on_force_limit == "saturate"
-    np.testing.assert_array_equal(done.state.t, ss.PATHS["I"].path.sample(0.0).t)
+    np.testing.assert_array_equal(done.state.t, ss.PAPER_PATHS["I"].path.sample(0.0).t)
     assert "N beyond its limit" in run("simulate", scene, "-o", scene.parent / "out", "--no-pictures").out
 
 
 @pytest.mark.parametrize(
     ("old", "new", "words"),
     [
-        ('start = "path"', 'start = "home"', "start: expected"),
+        ('initial_state = "path"', 'start = "home"', "start: expected"),
         (
-            'start = "path"',
-            'start = "path"\nstate = {t = [0, 0, 1], theta = [0, 0, 0]}',
+            'initial_state = "path"',
+            'initial_state = "path"\nstate = {t = [0, 0, 1], theta = [0, 0, 0]}',
             "start: expected no",
         ),
         ('"saturate"', '"clip"', "on_force_limit: expected"),
-        (TRACK[TRACK.index("[legs]") :], '[legs]\nlaw = "springs"\nstiffness = 1e4', "start: expected"),
+        (TRACK[TRACK.index("[legs]") :], '[actuation]\ntype = "spring"\nstiffness = 1e4', "start: expected"),
     ],
 )
 def test_bad_starts_are_named(scene: Path, run: Run, old: str, new: str, words: str) -> None:
@@ -189,7 +202,7 @@ def test_bad_starts_are_named(scene: Path, run: Run, old: str, new: str, words: 
 def test_progress_is_told_in_shares_that_end_at_one(rate: float | None) -> None:
     robot, state = machine()
     shares: list[float] = []
-    ss.simulate(robot, state, np.zeros(6), 0.05, rate=rate, progress=shares.append)
+    ss.simulate(robot, state, np.zeros(6), 0.05, control_rate=rate, progress=shares.append)
     assert len(shares) > 1
     assert shares == sorted(shares)
     assert shares[0] > 0.0
@@ -212,7 +225,7 @@ def test_no_picture_of_empty_axes() -> None:
     robot, state = machine()
     limited = dataclasses.replace(robot, force_limit=np.ones(6))
     found = ss.simulate(limited, state, np.full(6, 2.0), 0.1)
-    assert len(found.times) == 1
+    assert len(found.time) == 1
     assert not report(limited, found, np.ones(6), {}).figures
 
 
@@ -235,10 +248,10 @@ def test_a_sampled_run_asks_the_machine_a_dozen_times_a_sample_and_each_instant_
         return count
 
     monkeypatch.setattr(CClosedForm, "one_state", counted)
-    run = ss.simulate(robot, state, np.zeros(6), 0.02, rate=1000.0)
+    run = ss.simulate(robot, state, np.zeros(6), 0.02, control_rate=1000.0)
     # A first step is found from nothing; the others are a sample long.
-    assert run.steps <= 20 + 2
-    assert asked <= 17 * run.steps
+    assert run.step_count <= 20 + 2
+    assert asked <= 17 * run.step_count
     order = np.random.default_rng(0).permutation(50)
     times = np.linspace(0.0, 0.02, 50)
     np.testing.assert_array_equal(run.at(times[order]).t, run.at(times).t[order])

@@ -25,7 +25,7 @@ def machine(seed: int = 3, **options: Any) -> ss.Robot:
 
 
 def home(robot: ss.Robot, v: Any = ZERO, omega: Any = ZERO) -> ss.Motion:
-    return ss.Motion(np.eye(3), home_position(robot.b, machine_size(robot)), omega, v)
+    return ss.Motion(R=np.eye(3), t=home_position(robot.b, machine_size(robot)), omega=omega, v=v)
 
 
 def stiffness(robot: ss.Robot, frequency: float) -> float:
@@ -38,16 +38,16 @@ def test_springs_that_push_away_are_rejected_in_one_line() -> None:
     robot = machine()
     for k, shown in (([1e4] * 5 + [-2e4], "-20000"), (0.0, "0")):
         with pytest.raises(ValueError, match=f"^stiffness: expected numbers > 0, .*, got {shown}$"):
-            ss.LegSprings.balanced(robot, home(robot), k)
+            ss.LegSprings.in_equilibrium(robot, home(robot), k)
 
 
 def test_exact_keeps_the_energy_and_paper_does_not() -> None:
     """Over 4 s: `exact` to 1e-9 of the mean kinetic energy; `paper` is off by more than 0.1 of it."""
     robot = machine(friction=False)
     state = home(robot, v=[0.5, 0.2, 0.2], omega=[0.5, -0.5, 0.5])
-    springs = ss.LegSprings.balanced(robot, state, stiffness(robot, 1.6))
+    springs = ss.LegSprings.in_equilibrium(robot, state, stiffness(robot, 1.6))
     found = energy_drift.energy_drift(springs, state, duration=4.0, rtol=3e-9)
-    assert {drift.stop.kind for drift in found.values()} == {"duration"}
+    assert {drift.stop.reason for drift in found.values()} == {"completed"}
     assert found["exact"].worst < 1e-9
     assert found["paper"].worst > 0.1
     assert found["paper"].worst > 100 * found["exact"].worst
@@ -56,19 +56,19 @@ def test_exact_keeps_the_energy_and_paper_does_not() -> None:
 @pytest.mark.filterwarnings("error")
 def test_a_machine_at_rest_has_no_drift_and_says_that_nothing_moved() -> None:
     robot = machine(friction=False)
-    springs = ss.LegSprings.balanced(robot, home(robot), stiffness(robot, 1.6))
+    springs = ss.LegSprings.in_equilibrium(robot, home(robot), stiffness(robot, 1.6))
     found = energy_drift.energy_drift(springs, home(robot), duration=0.5)
     assert [drift.worst for drift in found.values()] == [0.0, 0.0]
     assert energy_drift.summary(found).count("nothing moved") == 2
     done = ss.simulate(robot, home(robot), springs, 0.5)
-    assert "nothing moved" in run_summary(done, done.within_steps, springs)
+    assert "nothing moved" in run_summary(done, done.dense_history, springs)
 
 
 def test_friction_and_dampers_take_the_energy_they_should() -> None:
     robot = machine()
     state = home(robot, v=[0.5, 0.2, 0.2])
     k = stiffness(robot, 2.0)
-    springs = ss.LegSprings.balanced(robot, state, k, damping=0.01 * k)
+    springs = ss.LegSprings.in_equilibrium(robot, state, k, damping=0.01 * k)
     run = ss.simulate(robot, state, springs, 0.5)
     nodes, weights = np.polynomial.legendre.leggauss(60)
     at = run.at(0.25 * (nodes + 1))
@@ -76,22 +76,22 @@ def test_friction_and_dampers_take_the_energy_they_should() -> None:
         robot, at.motion, at.F
     )
     lost = run.energy[0] - run.energy[-1]
-    assert 0.25 * weights @ taken == pytest.approx(lost, rel=1e-7, abs=1e-8 * run.kinetic.max())
-    assert run_summary(run, run.within_steps, springs).endswith(
+    assert 0.25 * weights @ taken == pytest.approx(lost, rel=1e-7, abs=1e-8 * run.kinetic_energy.max())
+    assert run_summary(run, run.dense_history, springs).endswith(
         "of the mean kinetic energy, by dampers and friction"
     )
     pushed = ss.simulate(robot, dataclasses.replace(state, F_ext=np.array([1.0, 0.0, 0.0])), springs, 0.01)
-    assert run_summary(pushed, pushed.within_steps, springs).endswith(", by dampers, friction and the load")
+    assert run_summary(pushed, pushed.dense_history, springs).endswith(", by dampers, friction and the load")
 
 
 def test_a_still_machine_stays_still_under_the_forces_that_hold_it() -> None:
     robot = machine()
     rest = home(robot)
-    F = ss.inverse_dynamics(robot, ss.Motion(rest.R, rest.t, ZERO, ZERO, ZERO, ZERO)).F
+    F = ss.inverse_dynamics(robot, ss.Motion(R=rest.R, t=rest.t, omega=ZERO, v=ZERO, alpha=ZERO, a=ZERO)).F
     run = ss.simulate(robot, rest, F, 0.2)
     np.testing.assert_allclose(run.t[-1], rest.t, atol=1e-10)
     np.testing.assert_allclose(run.R[-1], rest.R, atol=1e-10)
-    assert run.stop.kind == "duration"
+    assert run.stop.reason == "completed"
     np.testing.assert_array_equal(run.F, np.broadcast_to(F, run.F.shape))
 
 
@@ -115,7 +115,7 @@ def test_start_and_accelerations_are_those_asked_for() -> None:
 def test_runs_of_twice_the_accuracy_agree() -> None:
     robot = machine()
     state = home(robot, v=[0.5, 0.2, 0.2], omega=[0.5, -0.5, 0.5])
-    springs = ss.LegSprings.balanced(robot, state, stiffness(robot, 2.0))
+    springs = ss.LegSprings.in_equilibrium(robot, state, stiffness(robot, 2.0))
     runs = [
         ss.simulate(robot, state, springs, 0.2, **options)
         for options in (
@@ -140,8 +140,8 @@ def test_orientation_passes_gimbal_lock_of_roll_pitch_yaw() -> None:
         robot, g=ZERO, p=0.1 * robot.p, b=10 * robot.b, R_0=ZERO, m_d=robot.m_d / 1e6, m_u=robot.m_u / 1e6
     )
     state = home(robot, omega=[0.0, 2.0, 0.0])
-    run = ss.simulate(robot, state, np.zeros(6), 1.4, thresholds=ss.Thresholds(max_condition=np.inf))
-    assert run.stop.kind == "duration"
+    run = ss.simulate(robot, state, np.zeros(6), 1.4, stop_conditions=ss.StopConditions(max_condition=np.inf))
+    assert run.stop.reason == "completed"
     pitch = np.arctan2(-run.R[:, 2, 0], run.R[:, 0, 0])
     assert pitch[-1] > np.radians(140)
     np.testing.assert_allclose(
@@ -150,7 +150,7 @@ def test_orientation_passes_gimbal_lock_of_roll_pitch_yaw() -> None:
     at = run.at(np.linspace(0, run.stop.time, 500))
     assert np.abs(np.swapaxes(at.R, -1, -2) @ at.R - np.eye(3)).max() < 1e-14
     energy = run.energy
-    assert np.ptp(energy) < 1e-9 * run.kinetic.max()
+    assert np.ptp(energy) < 1e-9 * run.kinetic_energy.max()
 
 
 @pytest.mark.parametrize("size", [1e-8, 0.01, 0.049, 0.051, 1.0, 3.0])
@@ -169,7 +169,7 @@ def test_rate_of_the_rotation_vector_turns_the_rotation_with_omega(size: float) 
 # Limits
 
 
-def falling(robot: ss.Robot, **limits: Any) -> ss.Simulation:
+def falling(robot: ss.Robot, **limits: Any) -> ss.SimulationResult:
     """The machine let go, with the limits given."""
     robot = dataclasses.replace(robot, **limits)
     return ss.simulate(robot, home(robot), np.zeros(6), 3.0)
@@ -180,27 +180,27 @@ def test_a_leg_at_its_shortest_stops_the_run_at_the_root() -> None:
     L = ss.inverse_kinematics(robot, home(robot)).L
     low = np.where(np.arange(6) == 2, L - 0.05, 0.0)
     run = falling(robot, length_limits=np.stack([low, np.full(6, 99.0)], axis=-1))
-    assert (run.stop.kind, run.stop.leg) == ("length_limits", 3)
-    assert run.times[-1] == run.stop.time
+    assert (run.stop.reason, run.stop.leg) == ("length_limits", 3)
+    assert run.time[-1] == run.stop.time
     assert run.L[-1, 2] == pytest.approx(low[2], abs=1e-13)
     assert (run.L[:-1, 2] > low[2]).all()
-    assert run.stop.text.startswith(f"leg 3: length {low[2]:.6g} m reaches its lower limit")
-    assert f"{run.stop.time:.9g} s" in run.stop.text
+    assert run.stop.message.startswith(f"leg 3: length {low[2]:.6g} m reaches its lower limit")
+    assert f"{run.stop.time:.9g} s" in run.stop.message
 
 
 def test_a_leg_at_its_longest_stops_the_run() -> None:
     robot = dataclasses.replace(machine(), g=np.array([0.0, 0.0, 9.81]))
     L = ss.inverse_kinematics(robot, home(robot)).L
     run = falling(robot, length_limits=np.stack([0 * L, L + 0.05], axis=-1))
-    assert run.stop.kind == "length_limits"
+    assert run.stop.reason == "length_limits"
     assert run.stop.leg is not None
     assert run.L[-1, run.stop.leg - 1] == pytest.approx(L[run.stop.leg - 1] + 0.05, abs=1e-13)
-    assert "upper limit" in run.stop.text
+    assert "upper limit" in run.stop.message
 
 
 def test_a_leg_at_its_speed_limit_stops_the_run() -> None:
     run = falling(machine(), speed_limit=np.full(6, 0.5))
-    assert run.stop.kind == "speed_limit"
+    assert run.stop.reason == "speed_limit"
     assert run.stop.leg is not None
     L_dot = ss.inverse_kinematics(machine(), run.motion).L_dot
     assert abs(L_dot[-1, run.stop.leg - 1]) == pytest.approx(0.5, abs=1e-12)
@@ -213,17 +213,17 @@ def test_a_joint_at_its_largest_angle_stops_the_run_at_the_root(end: str, joint:
     robot = machine(base_joint="spherical") if joint is None else offset_case(3, joint)[0]
     at_home = home_position(robot.b, machine_size(robot))
     limits = np.full((6, 2), [np.pi, 0.1] if end == "platform" else [0.1, np.pi])
-    robot = dataclasses.replace(robot, home=at_home, joint_angle_limit=limits)
+    robot = dataclasses.replace(robot, home_position=at_home, joint_angle_limit=limits)
     speed = 0.1 * machine_size(robot)
-    state = ss.Motion(np.eye(3), at_home, [0.0, 0.3, 1.0], [speed, 0.0, 0.0])
+    state = ss.Motion(R=np.eye(3), t=at_home, omega=[0.0, 0.3, 1.0], v=[speed, 0.0, 0.0])
     run = ss.simulate(robot, state, np.zeros(6), 3.0)
-    assert run.stop.kind == "joint_angle_limit"
+    assert run.stop.reason == "joint_angle_limit"
     assert run.stop.leg is not None
     angles = getattr(ss.joint_angles(robot, run.motion), end)
     assert angles[-1, run.stop.leg - 1] == pytest.approx(0.1, abs=1e-12)
     assert angles[:-1].max() < 0.1
     text = f"leg {run.stop.leg}: joint angle at the {end} 5.72958 degrees reaches its limit 5.72958 degrees"
-    assert run.stop.text == f"{text} at {run.stop.time:.9g} s"
+    assert run.stop.message == f"{text} at {run.stop.time:.9g} s"
 
 
 def test_a_law_at_its_force_limit_stops_the_run() -> None:
@@ -231,15 +231,15 @@ def test_a_law_at_its_force_limit_stops_the_run() -> None:
     state = home(robot)
     limited = dataclasses.replace(robot, force_limit=np.full(6, 1e3))
     run = ss.simulate(limited, state, lambda time, _: np.array([0, 0, 0, 0, -4e4 * time, 0]), 1.0)
-    assert (run.stop.kind, run.stop.leg) == ("force_limit", 5)
+    assert (run.stop.reason, run.stop.leg) == ("force_limit", 5)
     assert run.stop.time == pytest.approx(0.025, abs=1e-12)
-    assert "leg 5: force -1000 N reaches its limit 1000 N at 0.025 s" in run.stop.text
+    assert "leg 5: force -1000 N reaches its limit 1000 N at 0.025 s" in run.stop.message
 
 
 def test_held_forces_above_the_limit_stop_the_run_when_they_are_given() -> None:
     robot = dataclasses.replace(machine(), force_limit=np.full(6, 1e3))
-    run = ss.simulate(robot, home(robot), lambda time, _: np.full(6, 2e4 * time), 1.0, rate=100.0)
-    assert run.stop.kind == "force_limit"
+    run = ss.simulate(robot, home(robot), lambda time, _: np.full(6, 2e4 * time), 1.0, control_rate=100.0)
+    assert run.stop.reason == "force_limit"
     assert run.stop.time == pytest.approx(0.05, abs=1e-15)
 
 
@@ -247,8 +247,8 @@ def test_a_singular_pose_stops_the_run() -> None:
     """The platform is twisted about the vertical by a moment until the legs' lines meet."""
     robot = dataclasses.replace(machine(friction=False), g=ZERO)
     state = dataclasses.replace(home(robot), M_ext=np.array([0.0, 0.0, 500.0]))
-    run = ss.simulate(robot, state, np.zeros(6), 20.0, thresholds=ss.Thresholds(max_condition=50.0))
-    assert (run.stop.kind, run.stop.leg) == ("singular", None)
+    run = ss.simulate(robot, state, np.zeros(6), 20.0, stop_conditions=ss.StopConditions(max_condition=50.0))
+    assert (run.stop.reason, run.stop.leg) == ("singular", None)
     H = ss.wrench_matrix(robot, run.motion)
     condition = ss.scaled_condition_number(H, ss.characteristic_length(robot))
     assert condition[-1] == pytest.approx(50.0, rel=1e-9)
@@ -258,10 +258,10 @@ def test_a_singular_pose_stops_the_run() -> None:
 def test_tracking_path_III_stops_at_its_singular_pose() -> None:
     """The crossing is far shorter than a step; the run begins on the way, a third of a second before."""
     robot = dasgupta()
-    wanted = along(ss.PATHS["III"].path)
+    wanted = along(ss.PAPER_PATHS["III"].path)
     law = ss.ComputedTorque(robot, lambda time: wanted(time + 3.35), k_p=900.0, k_d=60.0)
     run = ss.simulate(robot, "path", law, 1.0)
-    assert run.stop.kind == "singular"
+    assert run.stop.reason == "singular"
     assert 0.31 < run.stop.time < 0.33
     H = ss.wrench_matrix(robot, run.motion)[-1]
     condition = ss.scaled_condition_number(H, ss.characteristic_length(robot))
@@ -273,13 +273,15 @@ def test_a_machine_that_falls_stops_where_det_H_first_changes_its_sign() -> None
     state = home(robot, v=[0.5, 0.2, 0.2], omega=[0.5, -0.5, 0.5])
     law = ss.LegSprings(robot, 100.0, ss.inverse_kinematics(robot, state).L)
     run = ss.simulate(robot, state, law, 5.0)
-    assert run.stop.kind == "singular"
+    assert run.stop.reason == "singular"
     at = run.at(np.linspace(0.0, run.stop.time, 5000))
     sides = np.sign(np.linalg.det(ss.wrench_matrix(robot, at.motion)))
     assert (sides == sides[0]).all()
     # Just after the stop the other side is reached.
-    last = ss.Motion(run.R[-1], run.t[-1], run.omega[-1], run.v[-1])
-    after = ss.Motion(rotation_from_vector(1e-4 * last.omega) @ last.R, last.t + 1e-4 * last.v, ZERO, ZERO)
+    last = ss.Motion(R=run.R[-1], t=run.t[-1], omega=run.omega[-1], v=run.v[-1])
+    after = ss.Motion(
+        R=rotation_from_vector(1e-4 * last.omega) @ last.R, t=last.t + 1e-4 * last.v, omega=ZERO, v=ZERO
+    )
     assert np.sign(np.linalg.det(ss.wrench_matrix(robot, after))) == -sides[0]
 
 
@@ -287,15 +289,17 @@ def test_zero_length_legs_and_legs_along_their_axes_stop_the_run() -> None:
     robot = machine()
     L = ss.inverse_kinematics(robot, home(robot)).L
     short = ss.simulate(
-        robot, home(robot), np.zeros(6), 3.0, thresholds=ss.Thresholds(min_length=L.min() - 0.02)
+        robot, home(robot), np.zeros(6), 3.0, stop_conditions=ss.StopConditions(min_length=L.min() - 0.02)
     )
-    assert short.stop.kind == "zero_length"
+    assert short.stop.reason == "zero_length"
     assert short.L[-1].min() == pytest.approx(L.min() - 0.02, abs=1e-13)
     sine = np.linalg.norm(np.cross(robot.k, ss.inverse_kinematics(robot, home(robot)).s), axis=-1)
     limit = sine.min() - 1e-3
     state = home(robot, v=[3.0, 0.0, 0.0])
-    near_joint = ss.simulate(robot, state, np.zeros(6), 3.0, thresholds=ss.Thresholds(min_joint_sine=limit))
-    assert near_joint.stop.kind == "joint singularity"
+    near_joint = ss.simulate(
+        robot, state, np.zeros(6), 3.0, stop_conditions=ss.StopConditions(min_joint_sine=limit)
+    )
+    assert near_joint.stop.reason == "joint_singularity"
     leg = near_joint.stop.leg
     assert leg is not None
     s = ss.inverse_kinematics(robot, near_joint.motion).s[-1, leg - 1]
@@ -306,7 +310,7 @@ def test_a_limit_broken_at_the_start_stops_there() -> None:
     robot = dataclasses.replace(machine(), length_limits=np.tile([0.01, 0.02], (6, 1)))
     run = ss.simulate(robot, home(robot), np.zeros(6), 1.0)
     assert run.stop.time == 0.0
-    assert run.times.tolist() == [0.0]
+    assert run.time.tolist() == [0.0]
 
 
 # Laws
@@ -314,28 +318,30 @@ def test_a_limit_broken_at_the_start_stops_there() -> None:
 
 def test_computed_torque_follows_a_path_and_takes_an_error_away() -> None:
     robot = dasgupta()
-    path = ss.PATHS["I"].path
+    path = ss.PAPER_PATHS["I"].path
     law = ss.ComputedTorque(robot, along(path), k_p=400.0, k_d=40.0)
     start = path.sample(0.0)
-    state = ss.Motion(start.R, start.t + np.array([0.01, 0.0, 0.0]), start.omega, start.v)
+    state = ss.Motion(R=start.R, t=start.t + np.array([0.01, 0.0, 0.0]), omega=start.omega, v=start.v)
     run = ss.simulate(robot, state, law, 0.5, rtol=1e-8)
-    wanted = path.sample(run.times)
+    wanted = path.sample(run.time)
     error = np.linalg.norm(run.t - wanted.t, axis=-1)
     # Both eigenvalues are -20 1/s.
-    np.testing.assert_allclose(error, 0.01 * (1 + 20 * run.times) * np.exp(-20 * run.times), atol=1e-7)
+    np.testing.assert_allclose(error, 0.01 * (1 + 20 * run.time) * np.exp(-20 * run.time), atol=1e-7)
     np.testing.assert_allclose(run.R, wanted.R, atol=1e-6)
 
 
 def test_computed_torque_turns_back_about_the_axis_of_the_error() -> None:
     """The error is a turn about an axis of the base, while the platform stands askew."""
     robot = machine()
-    wanted = ss.Motion(rotation_from_vector([0.0, 0.0, 0.4]), home(robot).t, ZERO, ZERO, ZERO, ZERO)
+    wanted = ss.Motion(
+        R=rotation_from_vector([0.0, 0.0, 0.4]), t=home(robot).t, omega=ZERO, v=ZERO, alpha=ZERO, a=ZERO
+    )
     off = np.array([0.2, 0.0, 0.0])
-    state = ss.Motion(rotation_from_vector(off) @ wanted.R, wanted.t, ZERO, ZERO)
+    state = ss.Motion(R=rotation_from_vector(off) @ wanted.R, t=wanted.t, omega=ZERO, v=ZERO)
     law = ss.ComputedTorque(robot, lambda _: wanted, k_p=400.0, k_d=40.0)
     run = ss.simulate(robot, state, law, 0.2, rtol=1e-8)
     turn = vector_from_rotation(run.R @ wanted.R.T)
-    decay = (1 + 20 * run.times) * np.exp(-20 * run.times)
+    decay = (1 + 20 * run.time) * np.exp(-20 * run.time)
     np.testing.assert_allclose(turn, decay[:, None] * off, atol=1e-7)
 
 
@@ -347,7 +353,7 @@ def test_a_sampled_law_is_asked_once_a_period_and_held_between() -> None:
         asked.append(time)
         return np.full(6, 100.0 * len(asked))
 
-    run = ss.simulate(robot, home(robot), law, 0.05, rate=100.0)
+    run = ss.simulate(robot, home(robot), law, 0.05, control_rate=100.0)
     assert asked == [0.0, 0.01, 0.02, 0.03, 0.04]
     F = run.at([0.0, 0.0099, 0.0101, 0.045, 0.05]).F[:, 0]
     assert F.tolist() == [100.0, 100.0, 200.0, 500.0, 500.0]
@@ -359,10 +365,10 @@ def test_forces_and_loads_that_are_no_numbers_end_the_run_by_name(name: str, rat
     robot = machine()
     odd = {name: lambda time, _: np.full(6, np.nan if time > 0.099 else 0.0)}
     run = ss.simulate(robot, home(robot), **{"forces": np.zeros(6), "duration": 1.0, "rate": rate} | odd)
-    assert run.stop.kind == "failed"
+    assert run.stop.reason == "step_failed"
     assert run.stop.time == pytest.approx(0.1 if rate and name == "forces" else 0.099, abs=1e-9)
-    assert "no step is small enough" in run.stop.text
-    assert f"{name}: expected six finite numbers at {run.stop.time:.6g}" in run.stop.text
+    assert "no step is small enough" in run.stop.message
+    assert f"{name}: expected six finite numbers at {run.stop.time:.6g}" in run.stop.message
 
 
 def test_a_constant_load_is_the_same_as_one_by_function() -> None:
@@ -379,9 +385,9 @@ def test_a_constant_load_is_the_same_as_one_by_function() -> None:
 def test_output_is_on_the_grid_and_ends_with_the_run() -> None:
     robot = machine()
     run = ss.simulate(robot, home(robot), np.zeros(6), 0.25, output_step=0.1)
-    np.testing.assert_allclose(run.times, [0.0, 0.1, 0.2, 0.25], atol=1e-15)
+    np.testing.assert_allclose(run.time, [0.0, 0.1, 0.2, 0.25], atol=1e-15)
     for name in ("R", "t", "v", "omega", "F", "L", "kinetic", "potential"):
-        np.testing.assert_array_equal(getattr(run.at(run.times), name), getattr(run, name))
+        np.testing.assert_array_equal(getattr(run.at(run.time), name), getattr(run, name))
 
 
 @pytest.mark.parametrize(
@@ -394,7 +400,10 @@ def test_output_is_on_the_grid_and_ends_with_the_run() -> None:
         ({"output_step": 1e-12}, r"^output_step: expected at least 1e-08 s, for at most 10000000 instants"),
         ({"rtol": 1e-14}, r"^rtol: expected a number in \[1e-13, 0.01\], got 1e-14$"),
         ({"rtol": 0.1}, r"^rtol: expected"),
-        ({"initial_state": ss.PATHS["I"].path.sample([0.0, 1.0])}, r"^initial_state: expected one state"),
+        (
+            {"initial_state": ss.PAPER_PATHS["I"].path.sample([0.0, 1.0])},
+            r"^initial_state: expected one state",
+        ),
         ({"load": lambda time, state: 1.0}, r"^load: expected six numbers"),
     ],
 )
@@ -433,4 +442,4 @@ def test_times_outside_a_run_are_rejected() -> None:
     ],
 )
 def test_bad_thresholds_are_named(wrong: dict[str, Any], words: str) -> None:
-    rejects(words, ss.Thresholds, **wrong)
+    rejects(words, ss.StopConditions, **wrong)

@@ -15,7 +15,7 @@ import stewart_sym as ss
 
 Path = Callable[[Array], ss.Motion]
 E = np.eye(3)
-III = ss.PATHS["III"].path
+III = ss.PAPER_PATHS["III"].path
 
 
 @pytest.fixture(scope="module")
@@ -71,7 +71,7 @@ def reshaped(share: Callable[[Array], Array], rate: Callable[[Array], Array], se
         motion, pace = III.sample(share(times)), rate(times)[:, None]
         rates = (motion.omega * pace, motion.v * pace)
         seconds = (motion.alpha * pace**2 + motion.omega * second, motion.a * pace**2 + motion.v * second)
-        return ss.Motion(motion.R, motion.t, *rates, *seconds)
+        return ss.Motion(R=motion.R, t=motion.t, omega=rates[0], v=rates[1], alpha=seconds[0], a=seconds[1])
 
     return path
 
@@ -79,7 +79,9 @@ def reshaped(share: Callable[[Array], Array], rate: Callable[[Array], Array], se
 def along_line(start: ArrayLike, v: ArrayLike, R: ArrayLike = E) -> Path:
     """A translation at constant speed."""
     zero = np.zeros(3)
-    return lambda times: ss.Motion(R, start + np.multiply.outer(times, v), zero, v, zero, zero)
+    return lambda times: ss.Motion(
+        R=R, t=start + np.multiply.outer(times, v), omega=zero, v=v, alpha=zero, a=zero
+    )
 
 
 def there_and_back(root: float, depth: float) -> Path:
@@ -88,19 +90,19 @@ def there_and_back(root: float, depth: float) -> Path:
 
 
 def test_the_crossing_of_path_iii_is_located_to_a_nanosecond(root: float) -> None:
-    for times in (III.breaks(), III.times(0.1), [0.0, 6.0], [3.6, 3.7], np.linspace(0.0, 6.0, 601)):
-        (found,) = ss.crossings(dasgupta(), III.sample, times)
-        assert abs(found.time - root) <= min(1e-9, 10 * found.uncertainty)
-        assert found.uncertainty < 1e-11
-        assert (found.before, found.after) == (-1, 1)
-        assert found.at.lost == 1
+    for times in (III.breakpoints(), III.time_grid(0.1), [0.0, 6.0], [3.6, 3.7], np.linspace(0.0, 6.0, 601)):
+        (found,) = ss.singularity_crossings(dasgupta(), III.sample, times)
+        assert abs(found.time - root) <= min(1e-9, 10 * found.time_error)
+        assert found.time_error < 1e-11
+        assert (found.sign_before, found.sign_after) == (-1, 1)
+        assert found.singularity.lost_dof == 1
 
 
 @pytest.mark.parametrize("formulation", ["exact", "paper"])
 def test_forces_go_to_one_infinity_before_and_to_the_other_after(root: float, formulation: str) -> None:
     robot = dasgupta()
-    (found,) = ss.crossings(robot, III.sample, III.breaks())
-    A = ss.force_residue(robot, III.sample(found.time), formulation)
+    (found,) = ss.singularity_crossings(robot, III.sample, III.breakpoints())
+    A = ss.singular_force_residue(robot, III.sample(found.time), formulation)
     for distance in (1e-3, 1e-5, 1e-7):
         times = root + np.array([-distance, distance])
         before, after = ss.inverse_dynamics(robot, III.sample(times), formulation).F
@@ -116,17 +118,19 @@ def test_forces_go_to_one_infinity_before_and_to_the_other_after(root: float, fo
 def test_forces_need_known_options_and_accelerations() -> None:
     motion = III.sample(1.0)
     with pytest.raises(ValueError, match=r'^formulation: expected "exact" or "paper", got "?\'?printed'):
-        ss.force_residue(dasgupta(), motion, "printed")
+        ss.singular_force_residue(dasgupta(), motion, "printed")
     with pytest.raises(ValueError, match=r"^motion: expected accelerations"):
-        ss.force_residue(dasgupta(), ss.Motion(motion.R, motion.t, motion.omega, motion.v))
+        ss.singular_force_residue(
+            dasgupta(), ss.Motion(R=motion.R, t=motion.t, omega=motion.omega, v=motion.v)
+        )
 
 
 @pytest.mark.parametrize("half", [0.5, 1e-2, 1e-3, 1e-4])
 def test_two_crossings_between_two_samples_are_both_found(root: float, half: float) -> None:
     path = there_and_back(root, half**2)
-    found = ss.crossings(dasgupta(), path, [-0.9, 1.1])
+    found = ss.singularity_crossings(dasgupta(), path, [-0.9, 1.1])
     np.testing.assert_allclose([item.time for item in found], [-half, half], atol=1e-12 / half + 1e-12)
-    assert [(item.before, item.after) for item in found] == [(1, -1), (-1, 1)]
+    assert [(item.sign_before, item.sign_after) for item in found] == [(1, -1), (-1, 1)]
 
 
 def test_many_crossings_between_two_samples_are_all_found(root: float) -> None:
@@ -135,17 +139,19 @@ def test_many_crossings_between_two_samples_are_all_found(root: float) -> None:
     def path(times: Array) -> ss.Motion:
         motion, zero = III.sample(root + 0.3 * np.sin(w * times)), np.zeros((len(times), 3))
         pace = 0.3 * w * np.cos(w * times)[:, None]
-        return ss.Motion(motion.R, motion.t, motion.omega * pace, motion.v * pace, zero, zero)
+        return ss.Motion(
+            R=motion.R, t=motion.t, omega=motion.omega * pace, v=motion.v * pace, alpha=zero, a=zero
+        )
 
     expected = np.pi * np.arange(1, 13) / w
     for times in ([0.01, 1.0], np.linspace(0.01, 1.0, 17), np.linspace(0.01, 1.0, 401)):
-        found = ss.crossings(dasgupta(), path, times)
+        found = ss.singularity_crossings(dasgupta(), path, times)
         np.testing.assert_allclose([item.time for item in found], expected, atol=1e-12)
 
 
 def test_a_sample_on_the_singular_pose_is_one_crossing(root: float) -> None:
     for times in ([3.0, root, 4.0], [3.0, np.nextafter(root, 4.0), 4.0]):
-        (found,) = ss.crossings(dasgupta(), III.sample, times)
+        (found,) = ss.singularity_crossings(dasgupta(), III.sample, times)
         assert abs(found.time - root) <= 1e-11
 
 
@@ -153,18 +159,20 @@ def test_a_sample_on_the_singular_pose_is_one_crossing(root: float) -> None:
 def test_a_path_that_only_comes_near_reports_its_nearest_approach(root: float, depth: float) -> None:
     robot, path = dasgupta(), there_and_back(root, -depth)
     for times in ([-0.9, 1.1], np.linspace(-0.9, 1.1, 12), np.linspace(-0.9, 1.1, 201)):
-        found = ss.singularities_along(robot, path, times)
+        found = ss.path_singularities(robot, path, times)
         assert found.crossings == ()
         (approach,) = found.approaches
         assert approach is found.nearest
         assert abs(approach.time) < 1e-6
-        least = float(ss.singularity(robot, path(np.zeros(1))[0]).smallest)
-        assert float(approach.at.smallest) == pytest.approx(least, rel=1e-6)
-        assert float(approach.at.determinant) > 0.0
+        least = float(ss.singularity(robot, path(np.zeros(1))[0]).smallest_singular_value)
+        assert float(approach.singularity.smallest_singular_value) == pytest.approx(least, rel=1e-6)
+        assert float(approach.singularity.determinant) > 0.0
 
 
 def test_a_path_nearest_at_its_end_says_so() -> None:
-    found = ss.singularities_along(dasgupta(), ss.PATHS["I"].path.sample, ss.PATHS["I"].path.breaks())
+    found = ss.path_singularities(
+        dasgupta(), ss.PAPER_PATHS["I"].path.sample, ss.PAPER_PATHS["I"].path.breakpoints()
+    )
     assert (found.crossings, found.approaches, found.nearest.time) == ((), (), 6.0)
 
 
@@ -174,10 +182,10 @@ def test_minima_of_random_paths_are_those_of_dense_samples() -> None:
         robot = random_robot(rng)
         path, period = random_path(rng, robot), 1.0
         times = np.linspace(0.0, period, 4001)
-        dense = ss.singularity(robot, path(times)).smallest
+        dense = ss.singularity(robot, path(times)).smallest_singular_value
         inner = np.flatnonzero((dense[1:-1] < dense[:-2]) & (dense[1:-1] < dense[2:])) + 1
         for given in ([0.0, period], np.linspace(0.0, period, 9), np.linspace(0.0, period, 101)):
-            found = ss.singularities_along(robot, path, given)
+            found = ss.path_singularities(robot, path, given)
             np.testing.assert_allclose(
                 [approach.time for approach in found.approaches], times[inner], atol=period / 4000
             )
@@ -186,11 +194,11 @@ def test_minima_of_random_paths_are_those_of_dense_samples() -> None:
 def test_a_path_along_singular_poses_is_a_span_and_no_crossing() -> None:
     robot, R = hexagons(np.pi / 2)
     path = along_line([0.0, 0.0, 1.0], [0.0, 0.0, 0.1], R)
-    found = ss.singularities_along(robot, path, [0.0, 1.0, 2.0])
+    found = ss.path_singularities(robot, path, [0.0, 1.0, 2.0])
     assert found.crossings == ()
     assert found.approaches == ()
     assert found.spans == ((0.0, 2.0),)
-    assert found.nearest.at.lost == 1
+    assert found.nearest.singularity.lost_dof == 1
 
 
 def test_a_leg_that_passes_through_length_zero_is_no_crossing() -> None:
@@ -198,15 +206,15 @@ def test_a_leg_that_passes_through_length_zero_is_no_crossing() -> None:
     robot = dasgupta()
     path = along_line(robot.b[2] - robot.p[2], [0.3, 0.1, 0.7])
     for times in ([-0.5, 0.3], [-0.5, 0.0, 0.3]):
-        found = ss.singularities_along(robot, path, times)
+        found = ss.path_singularities(robot, path, times)
         assert found.crossings == ()
-        assert abs(found.shortest.time[2]) < 1e-7
-        assert found.shortest.value[2] < 1e-7
+        assert abs(found.min_length.time[2]) < 1e-7
+        assert found.min_length.value[2] < 1e-7
 
 
 def test_a_path_at_rest_has_no_minima() -> None:
     path = along_line([0.1, 0.0, 0.5], np.zeros(3))
-    found = ss.singularities_along(dasgupta(), path, [0.0, 1.0, 2.0])
+    found = ss.path_singularities(dasgupta(), path, [0.0, 1.0, 2.0])
     assert (found.crossings, found.approaches, found.spans) == ((), (), ())
 
 
@@ -214,19 +222,19 @@ def test_leg_extremes_are_those_of_dense_samples() -> None:
     rng = np.random.default_rng(3)
     robot = random_robot(rng)
     path = random_path(rng, robot)
-    found = ss.singularities_along(robot, path, np.linspace(0.0, 1.0, 7))
+    found = ss.path_singularities(robot, path, np.linspace(0.0, 1.0, 7))
     legs = ss.inverse_kinematics(robot, path(np.linspace(0.0, 1.0, 20001)))
     sine = np.linalg.norm(np.cross(robot.k, legs.s), axis=-1)
     for extreme, expected in (
-        (found.shortest, legs.L.min(axis=0)),
-        (found.longest, legs.L.max(axis=0)),
-        (found.joint_sine, sine.min(axis=0)),
+        (found.min_length, legs.L.min(axis=0)),
+        (found.max_length, legs.L.max(axis=0)),
+        (found.min_joint_sine, sine.min(axis=0)),
     ):
         np.testing.assert_allclose(extreme.value, expected, rtol=1e-6)
-    at = [ss.inverse_kinematics(robot, path(found.shortest.time[[leg]])).L[0, leg] for leg in range(6)]
-    np.testing.assert_allclose(found.shortest.value, at, rtol=1e-15)
+    at = [ss.inverse_kinematics(robot, path(found.min_length.time[[leg]])).L[0, leg] for leg in range(6)]
+    np.testing.assert_allclose(found.min_length.value, at, rtol=1e-15)
     assert (
-        ss.singularities_along(random_robot(rng, "spherical"), path, [0.0, 0.1]).joint_sine.value == 1.0
+        ss.path_singularities(random_robot(rng, "spherical"), path, [0.0, 0.1]).min_joint_sine.value == 1.0
     ).all()
 
 
@@ -235,7 +243,7 @@ def test_a_leg_through_its_joint_singularity_is_found_between_samples() -> None:
     axes = robot.k.copy()
     axes[4] = robot.p[4] + start + 0.123 * v - robot.b[4]
     robot = dataclasses.replace(robot, k=axes)
-    sine = ss.singularities_along(robot, along_line(start, v), [0.0, 1.0]).joint_sine
+    sine = ss.path_singularities(robot, along_line(start, v), [0.0, 1.0]).min_joint_sine
     assert sine.time[4] == pytest.approx(0.123, abs=1e-6)
     assert sine.value[4] < 1e-6
 
@@ -254,7 +262,7 @@ def test_a_leg_through_its_joint_singularity_is_found_between_samples() -> None:
     ],
 )
 def test_bad_arguments_are_one_line(arguments: tuple[object, ...], text: str) -> None:
-    for function in (ss.crossings, ss.singularities_along):
+    for function in (ss.singularity_crossings, ss.path_singularities):
         rejects(rf"\A{text}.*\Z", function, *arguments)
 
 
@@ -270,8 +278,8 @@ def test_times_since_1970_cost_no_more_and_change_nothing() -> None:
         return III.sample(np.clip(times - 1.7e9, 0.0, III.tau_f))
 
     times = np.linspace(0.0, III.tau_f, 401)
-    one = ss.singularities_along(dasgupta(), from_zero, times)
-    other = ss.singularities_along(dasgupta(), since_1970, 1.7e9 + times)
+    one = ss.path_singularities(dasgupta(), from_zero, times)
+    other = ss.path_singularities(dasgupta(), since_1970, 1.7e9 + times)
     assert asked["1970"] < 2 * asked["0"]
     assert [found.time for found in other.crossings] == pytest.approx(
         [1.7e9 + found.time for found in one.crossings], rel=0.0, abs=1e-6

@@ -50,7 +50,7 @@ UNLIKE = ("proportions", FAR)
 """Kinds whose moments count over a length."""
 KINDS = (*NEAR_JOINT, *UNLIKE)
 MACHINES = 2 * len(LEGS)
-"""Of all kinds of legs, of one metre and of any size."""
+"""Of all kinds of legs, of one meter and of any size."""
 FAR_WITHIN = 100.0
 
 # --- machines that are singular at every pose -----------------------------------------------------
@@ -130,7 +130,7 @@ def answered_with_limit(
         for family in FAMILIES:
             robot = singular_machine(rng, family, *_size_and_mass(rng, number), LEGS[number % len(LEGS)])
             motion = joined([random_motion(rng, robot) for _ in range(poses)])
-            status = ss.prepare(robot, "exact", precision).forces_and_status(motion)[1]
+            status = ss.ForceKernel(robot, "exact", precision).forces_and_status(motion)[1]
             answered += int(np.sum(status == OK))
     return answered
 
@@ -164,10 +164,10 @@ def statuses(robot: ss.Robot, motion: ss.Motion) -> list[tuple[str, NDArray[Any]
         found.append((f"force_derivatives, {backend}", derivatives.status))
     for precision in PRECISIONS:
         for formulation in ("exact", "paper"):
-            kernel = ss.prepare(robot, formulation, precision)
+            kernel = ss.ForceKernel(robot, formulation, precision)
             found.append((f"forces, {precision}, {formulation}", kernel.forces_and_status(motion)[1]))
-        bounds = ss.forces_with_bounds(robot, motion, precision, on_singular="nan")
-        found.append((f"forces_with_bounds, {precision}", bounds.status))
+        bounds = ss.force_error_bounds(robot, motion, precision, on_singular="nan")
+        found.append((f"force_error_bounds, {precision}", bounds.status))
         found.append(
             (f"scalar, {precision}", prepared(robot, precision=precision).forces_and_status(motion)[1])
         )

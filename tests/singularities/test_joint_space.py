@@ -83,7 +83,7 @@ def rounded_outcome(seed: int, most: int, rates: str, folder: Path) -> str:
     except ValueError as error:
         sample = sample_of(error) - (2 if rates == "log" else 0)
         passed = np.isfinite(crossing) and abs(sample - int(np.searchsorted(time, crossing))) <= 1
-        undecided = "not decided at this noise" in str(error) and near[sample]
+        undecided = "inconclusive_noise" in str(error) and near[sample]
         return "named" if passed else "undecided" if undecided else f"rejected: {error}"
     if np.isfinite(crossing):
         return "missed"
@@ -95,7 +95,7 @@ def logged(time: Array, L: Array, folder: Path) -> JointTrajectory:
     header = "time," + ",".join(f"L_{leg}" for leg in range(1, 7))
     table = np.hstack([time[:, None], L])
     np.savetxt(folder / "log.csv", table, fmt="%.12g", delimiter=",", header=header, comments="")
-    with warnings.catch_warnings(action="ignore", category=ss.LogWarning):
+    with warnings.catch_warnings(action="ignore", category=ss.TrajectoryWarning):
         log = read_log(folder / "log.csv")
     return log
 
@@ -148,22 +148,22 @@ def test_noise_of_lengths_is_that_stated_and_its_bad_values_are_named() -> None:
     robot, time, motion, legs = wave(60)
     first = (motion.R[0], motion.t[0])
     for sigma in (0.0, 1e-6, np.full(6, 1e-5)):
-        found = ss.motion_from_lengths(robot, *legs, first, time=time, sigma=sigma)
+        found = ss.motion_from_lengths(robot, *legs, first, time=time, length_std=sigma)
         np.testing.assert_allclose(found.t, motion.t, atol=1e-9)
     with pytest.raises(
         ValueError, match=r"^L\[1\]: a singular pose is as near as the noise of the lengths, 1 m"
     ):
-        ss.motion_from_lengths(robot, *legs, first, time=time, sigma=1.0)
+        ss.motion_from_lengths(robot, *legs, first, time=time, length_std=1.0)
     for bad in (-1.0, np.nan, np.zeros(5)):
         with pytest.raises(
             ValueError, match=r"^sigma: expected standard deviations >= 0 m that broadcast to"
         ):
-            ss.motion_from_lengths(robot, *legs, first, time=time, sigma=bad)
+            ss.motion_from_lengths(robot, *legs, first, time=time, length_std=bad)
 
 
 def wave(samples: int) -> tuple[ss.Robot, Array, ss.Motion, tuple[Array, ...]]:
     """The paper's machine and its legs along a motion that keeps clear of singular poses."""
-    robot, (path, _) = dasgupta(), ss.PATHS["I"]
+    robot, (path, _) = dasgupta(), ss.PAPER_PATHS["I"]
     time = np.linspace(0.0, path.tau_f, samples)
     motion = path.sample(time)
     legs = ss.inverse_kinematics(robot, motion)
@@ -287,7 +287,7 @@ def test_times_are_checked() -> None:
 
 
 def test_a_motion_found_in_parts_is_that_of_the_whole(monkeypatch: pytest.MonkeyPatch) -> None:
-    machine, path = dasgupta(), ss.PATHS["I"].path
+    machine, path = dasgupta(), ss.PAPER_PATHS["I"].path
     legs = ss.inverse_kinematics(machine, path.sample(np.linspace(0.0, 6.0, 5500)))
     found = []
     for size in (6000, 2500):

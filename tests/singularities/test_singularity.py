@@ -23,18 +23,18 @@ ROUNDING = 1e-14
 
 
 def crossing_pose() -> tuple[ss.Robot, ss.Motion]:
-    robot, path = dasgupta(), ss.PATHS["III"].path
-    return robot, path.sample(ss.crossings(robot, path.sample, path.breaks())[0].time)
+    robot, path = dasgupta(), ss.PAPER_PATHS["III"].path
+    return robot, path.sample(ss.singularity_crossings(robot, path.sample, path.breakpoints())[0].time)
 
 
 def test_no_leg_moves_under_the_lost_motion_and_no_forces_hold_the_lost_wrench() -> None:
     robot, pose = crossing_pose()
     found, H = ss.singularity(robot, pose), ss.wrench_matrix(robot, pose)
     assert np.abs(H.T @ found.twist).max() <= ROUNDING
-    assert np.abs(H @ found.forces).max() <= ROUNDING
+    assert np.abs(H @ found.leg_forces).max() <= ROUNDING
     held = H @ np.linalg.lstsq(H, found.wrench, rcond=1e-12)[0]
     assert np.linalg.norm(held - found.wrench) > 0.1
-    assert (found.lost, found.condition) == (1, np.inf)
+    assert (found.lost_dof, found.condition_number) == (1, np.inf)
     assert found.twist @ found.wrench == pytest.approx(1.0, abs=1e-14)
 
 
@@ -44,18 +44,18 @@ def test_a_regular_pose_has_the_motion_that_its_legs_feel_least(base_joint: str)
     robot, motion = machine_in_motion(rng, (4, 3), base_joint)
     found, H = ss.singularity(robot, motion), ss.wrench_matrix(robot, motion)
     rates = np.einsum("...ij,...i->...j", H, found.twist)
-    np.testing.assert_allclose(rates, found.smallest[..., None] * found.forces, atol=1e-13)
+    np.testing.assert_allclose(rates, found.smallest_singular_value[..., None] * found.leg_forces, atol=1e-13)
     length = ss.characteristic_length(robot)
     sizes = np.linalg.norm(found.twist * np.repeat([1.0, length], 3), axis=-1)
     np.testing.assert_allclose(sizes, 1.0, rtol=1e-13)
-    np.testing.assert_allclose(found.condition, ss.scaled_condition_number(H, length))
+    np.testing.assert_allclose(found.condition_number, ss.scaled_condition_number(H, length))
     np.testing.assert_allclose(found.determinant * length**3, np.linalg.det(H), rtol=1e-11)
     assert found.twist.shape == (4, 3, 6)
-    assert not found.lost.any()
+    assert not found.lost_dof.any()
     others = rng.normal(size=(200, 4, 3, 6))
     others /= np.linalg.norm(others * np.repeat([1.0, length], 3), axis=-1, keepdims=True)
     felt = np.linalg.norm(np.einsum("...ij,k...i->k...j", H, others), axis=-1)
-    assert (felt >= found.smallest * (1 - 1e-12)).all()
+    assert (felt >= found.smallest_singular_value * (1 - 1e-12)).all()
 
 
 def test_poses_are_taken_one_by_one_and_as_a_pair() -> None:
@@ -72,10 +72,12 @@ def test_the_screw_has_the_twists_velocities() -> None:
     robot, motion = machine_in_motion(7, (20,))
     found = ss.singularity(robot, motion)
     v, omega = found.twist[:, :3], found.twist[:, 3:]
-    on_axis = v + np.cross(omega, found.point - motion.t)
-    np.testing.assert_allclose(on_axis, found.pitch[:, None] * omega, atol=1e-12 / machine_size(robot))
-    np.testing.assert_allclose(np.cross(found.axis, omega), 0.0, atol=1e-13 / machine_size(robot))
-    np.testing.assert_allclose(np.sum((found.point - motion.t) * found.axis, axis=-1), 0.0, atol=1e-12)
+    on_axis = v + np.cross(omega, found.screw_point - motion.t)
+    np.testing.assert_allclose(on_axis, found.screw_pitch[:, None] * omega, atol=1e-12 / machine_size(robot))
+    np.testing.assert_allclose(np.cross(found.screw_axis, omega), 0.0, atol=1e-13 / machine_size(robot))
+    np.testing.assert_allclose(
+        np.sum((found.screw_point - motion.t) * found.screw_axis, axis=-1), 0.0, atol=1e-12
+    )
 
 
 def test_a_twist_that_does_not_turn_is_a_translation() -> None:
@@ -94,19 +96,19 @@ def test_similar_hexagons_turned_by_90_degrees_are_singular_at_every_height(
 ) -> None:
     robot, R = hexagons(np.radians(turn))
     found = ss.singularity(robot, (R, [0.0, 0.0, height]))
-    assert found.lost == 1
+    assert found.lost_dof == 1
     assert np.abs(ss.wrench_matrix(robot, at_rest(R, [0.0, 0.0, height])).T @ found.twist).max() <= ROUNDING
     # A screw along the axis of symmetry, as Fichter (1986) found.
-    np.testing.assert_allclose(np.abs(found.axis), [0.0, 0.0, 1.0], atol=1e-10)
-    np.testing.assert_allclose(found.point[:2], 0.0, atol=1e-10)
+    np.testing.assert_allclose(np.abs(found.screw_axis), [0.0, 0.0, 1.0], atol=1e-10)
+    np.testing.assert_allclose(found.screw_point[:2], 0.0, atol=1e-10)
 
 
 def test_the_same_hexagons_turned_otherwise_are_not() -> None:
     for turn in (-60.0, -30.0, 30.0, 60.0, 85.0):
         robot, R = hexagons(np.radians(turn))
         found = ss.singularity(robot, (R, [0.0, 0.0, 1.0]))
-        assert found.lost == 0
-        assert found.condition < 1e4
+        assert found.lost_dof == 0
+        assert found.condition_number < 1e4
 
 
 @pytest.mark.parametrize("turn", [0.3, 1.0, 2.0])
@@ -114,14 +116,14 @@ def test_legs_between_corresponding_corners_of_similar_hexagons_are_singular_eve
     corners = semiregular([-12, 12, 108, 132, 228, 252], 1.0)
     robot = dataclasses.replace(dasgupta(), b=corners, p=0.6 * corners)
     found = ss.singularity(robot, (rotation(np.array([0.1, -0.2, turn])), [0.1, 0.2, 1.0]))
-    assert found.lost >= 1
+    assert found.lost_dof >= 1
 
 
 def test_a_flat_machine_has_lost_three_degrees_of_freedom() -> None:
     robot, R = hexagons(0.3)
     found = ss.singularity(robot, (R, np.zeros(3)))
-    assert found.lost == 3
-    assert found.smallest <= ROUNDING
+    assert found.lost_dof == 3
+    assert found.smallest_singular_value <= ROUNDING
 
 
 def test_a_leg_of_length_zero_has_no_direction() -> None:
@@ -169,13 +171,13 @@ def statuses(robot: ss.Robot, motion: ss.Motion) -> dict[str, Array]:
                 robot, motion, formulation=formulation, backend=backend, on_singular="nan"
             ).status
         for precision in ("double", "float"):
-            kernel = ss.prepare(robot, formulation=formulation, precision=precision)
+            kernel = ss.ForceKernel(robot, formulation=formulation, precision=precision)
             found[f"{precision} forces {formulation}"] = kernel.status(motion)
     for fidelity in ("slender", "massless_static"):
         for precision in ("double", "float"):
-            kernel = ss.prepare(robot, precision=precision, fidelity=fidelity)
+            kernel = ss.ForceKernel(robot, precision=precision, fidelity=fidelity)
             found[f"{precision} forces {fidelity}"] = kernel.status(motion)
-    found["double bounds"] = ss.forces_with_bounds(robot, motion, on_singular="nan").status
+    found["double bounds"] = ss.force_error_bounds(robot, motion, on_singular="nan").status
     for backend in ("c", "numpy"):
         inertia = ss.joint_space_inertia(robot, motion, on_singular="nan", backend=backend)
         lost = np.isnan(inertia).any(axis=(-2, -1))

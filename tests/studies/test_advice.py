@@ -62,7 +62,7 @@ from stewart_sym.studies.accuracy.charts import full_report
 from stewart_sym.studies.accuracy.cost import Candidate, candidate_of, cost, entry_of, worst
 from stewart_sym.studies.common.output import Figures
 
-pytestmark = pytest.mark.filterwarnings("ignore::stewart_sym.PhysicalityWarning")
+pytestmark = pytest.mark.filterwarnings("ignore::stewart_sym.RobotWarning")
 
 
 # the advice
@@ -80,7 +80,7 @@ def brute_force(tolerance: float) -> tuple[str, str, str]:
             counts = {"exact": exact, "paper": paper}[formulation].FORCE_OPERATIONS["friction"]
             operations = sum(counts["total"]) if level == "general" else TABLE[level]["operations"]["total"]
             for width, precision in ((4, "float"), (8, "double")):
-                F = ss.prepare(robot, formulation, precision, level).forces(motion)  # type: ignore[arg-type]
+                F = ss.ForceKernel(robot, formulation, precision, level).forces(motion)  # type: ignore[arg-type]
                 error = np.abs(F - true).max() / peak
                 good = error * MARGIN <= tolerance
                 if good and (best is None or (operations, width) < best):
@@ -268,7 +268,7 @@ def test_rotors_get_the_cheapest_that_serves_and_a_reason(monkeypatch: pytest.Mo
         good = {}
         for level in available(robot):
             for width, precision in ((4, "float"), (8, "double")):
-                F = ss.prepare(robot, "exact", precision, level).forces(motion)  # type: ignore[arg-type]
+                F = ss.ForceKernel(robot, "exact", precision, level).forces(motion)  # type: ignore[arg-type]
                 if np.abs(F - true).max() / peak * MARGIN <= tolerance:
                     good[level, precision] = (operations(robot, fidelity=level), width)
         given = advice(found, Budget(robot, {"motion": motion}, tolerance))
@@ -358,7 +358,7 @@ def test_advise_prints_and_writes_its_answer(scene: Path, run: Run) -> None:
     output = scene.parent / "advice.json"
     captured = run("advise", scene, "--json", output)
     assert "Cheapest that is good enough: exact general_static, float" in captured.out
-    assert "Forced by centres of mass off the legs' axes" in captured.out
+    assert "Forced by centers of mass off the legs' axes" in captured.out
     written = json.loads(output.read_text())
     assert written["chosen"]["fidelity"] == "general_static"
     assert (written["tolerance"], written["margin"], written["rate_Hz"]) == (0.05, 2.0, 1000.0)

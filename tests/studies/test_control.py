@@ -22,7 +22,7 @@ from stewart_sym.studies.control.control import CONTROLLERS, PreparedModel, Run,
 Array = NDArray[np.float64]
 ZERO = np.zeros(3)
 STEADY = Settings(offset_t=(0.0, 0.0, 0.0), offset_phi=(0.0, 0.0, 0.0))
-FAST = ss.PATHS["II"].path
+FAST = ss.PAPER_PATHS["II"].path
 
 
 def gap(one: Run, other: Run) -> float:
@@ -39,7 +39,7 @@ def test_half_the_step_changes_nothing_that_tells_controllers_apart() -> None:
     """Over a quarter of Path II, in which its acceleration changes."""
     robot = dasgupta()
     duration = 0.15
-    assert any(0.0 < time < duration for time in FAST.breaks())
+    assert any(0.0 < time < duration for time in FAST.breakpoints())
     runs, fine = (
         follow(robot, FAST, dataclasses.replace(STEADY, step=step), duration) for step in (1e-3, 5e-4)
     )
@@ -53,8 +53,8 @@ def test_runs_are_those_of_the_adaptive_integration(controller: str) -> None:
     robot, settings = dasgupta(), Settings()
     run = follow(robot, FAST, settings, 0.03)[controller]
     law = control.controllers(robot, along(FAST), settings)[controller]
-    state = ss.Motion(run.R[0], run.t[0], FAST.sample(0.0).omega, FAST.sample(0.0).v)
-    true = ss.simulate(robot, state, law, 0.03, rate=settings.rate, rtol=1e-10, output_step=1e-3)
+    state = ss.Motion(R=run.R[0], t=run.t[0], omega=FAST.sample(0.0).omega, v=FAST.sample(0.0).v)
+    true = ss.simulate(robot, state, law, 0.03, control_rate=settings.rate, rtol=1e-10, output_step=1e-3)
     np.testing.assert_allclose(run.t, true.t, atol=1e-9)
     np.testing.assert_allclose(run.R, true.R, atol=1e-9)
     np.testing.assert_allclose(run.F[:-1], true.F[:-1], rtol=1e-6)
@@ -65,8 +65,10 @@ def test_a_perfect_model_tracks_to_rounding_when_its_forces_are_not_held() -> No
     robot = dasgupta()
     law = ModelTorque(PreparedModel(robot), along(FAST), STEADY.k_p, STEADY.k_d)
     start = FAST.sample(0.0)
-    run = ss.simulate(robot, ss.Motion(start.R, start.t, ZERO, ZERO), law, 0.02, rtol=1e-12, atol=1e-15)
-    wanted = FAST.sample(run.times)
+    run = ss.simulate(
+        robot, ss.Motion(R=start.R, t=start.t, omega=ZERO, v=ZERO), law, 0.02, rtol=1e-12, atol=1e-15
+    )
+    wanted = FAST.sample(run.time)
     assert np.abs(run.t - wanted.t).max() < 1e-12
     assert np.abs(run.R - wanted.R).max() < 1e-11
 
@@ -105,7 +107,9 @@ def test_models_are_the_inverse_dynamics_they_are_named_after() -> None:
         "exact": ss.inverse_dynamics(robot, motion).F,
         "paper": ss.inverse_dynamics(robot, motion, "paper").F,
         "massless": ss.massless_forces(robot, motion),
-        "gravity": ss.inverse_dynamics(robot, ss.Motion(motion.R, motion.t, ZERO, ZERO, ZERO, ZERO)).F,
+        "gravity": ss.inverse_dynamics(
+            robot, ss.Motion(R=motion.R, t=motion.t, omega=ZERO, v=ZERO, alpha=ZERO, a=ZERO)
+        ).F,
     }
     assert tuple(expected) == CONTROLLERS
     for name, F in expected.items():
@@ -117,7 +121,7 @@ def test_gravity_compensation_pushes_by_the_wrench_of_its_gains() -> None:
     rng = np.random.default_rng(7)
     robot, state = machine_in_motion(rng, load=False)
     off = 0.01 * rng.normal(size=3)
-    wanted = ss.Motion(state.R, state.t + off, ZERO, ZERO, ZERO, ZERO)
+    wanted = ss.Motion(R=state.R, t=state.t + off, omega=ZERO, v=ZERO, alpha=ZERO, a=ZERO)
     inertia = ss.equations_of_motion(robot, state).M
     law = GravityCompensation(PreparedModel(robot), inertia, lambda _: wanted, k_p=50.0, k_d=3.0)
     asked = inertia @ np.concatenate([50.0 * off - 3.0 * state.v, -3.0 * state.omega])
@@ -193,7 +197,9 @@ def test_control_writes_tables_curves_and_pictures_that_agree(tmp_path: Path, ru
 
 
 def test_control_takes_a_robot_and_warns_of_its_limits(tmp_path: Path, run: RunCommand) -> None:
-    text = PAPERS.read_text(encoding="utf-8").replace("[[leg]]", "[[leg]]\nforce_limit = 1000.0")
+    text = PAPERS.read_text(encoding="utf-8").replace(
+        "[legs.lower]", "[legs]\nforce_limit = 1000.0\n\n[legs.lower]"
+    )
     file = tmp_path / "weak.toml"
     file.write_text(text.replace('Dasgupta & Mruthyunjaya 1998"', 'weak"'))
     out = tmp_path / "out"

@@ -158,7 +158,7 @@ def test_every_fidelity_is_within_rounding_of_its_own_truth(level: str) -> None:
     motion = random_motion(rng, robot, (2,))
     condition = float(ss.condition_number(ss.wrench_matrix(robot, motion)).max())
     for precision, epsilon in (("double", EPSILON), ("float", np.finfo(np.float32).eps)):
-        F = ss.prepare(robot, "exact", precision, level).forces(motion)  # type: ignore[arg-type]
+        F = ss.ForceKernel(robot, "exact", precision, level).forces(motion)  # type: ignore[arg-type]
         off = np.abs(Truth(robot, "exact", level).deviation(F, motion)).max()
         assert 0.0 < off <= 100 * epsilon * condition * np.abs(F).max()
 
@@ -233,7 +233,7 @@ def test_rounding_errors_are_those_beside_50_digits(found: Figures) -> None:
     for name in ("general", "slender", "massless_static"):
         for precision, epsilon in (("double", EPSILON), ("float", np.finfo(np.float32).eps)):
             errors, peak = entry_of(found, "exact", name, precision)["errors"]["I"], peak_of(found, "I")
-            F = ss.prepare(robot, "exact", precision, name).forces(motions["I"][:3])  # type: ignore[arg-type]
+            F = ss.ForceKernel(robot, "exact", precision, name).forces(motions["I"][:3])  # type: ignore[arg-type]
             off = np.abs(Truth(robot, "exact", name).deviation(F, motions["I"][:3])).max()
             # Three poses of those that were sampled or are like them.
             assert 0.2 * off <= errors["rounding"] * peak <= 100 * epsilon * peak
@@ -242,7 +242,7 @@ def test_rounding_errors_are_those_beside_50_digits(found: Figures) -> None:
 def test_rounding_in_float_is_the_worst_of_all_poses(found: Figures) -> None:
     robot, motions = dasgupta(), papers_motions()
     for path, motion in motions.items():
-        one, other = (ss.prepare(robot, "exact", p).forces(motion) for p in ("float", "double"))  # type: ignore[arg-type]
+        one, other = (ss.ForceKernel(robot, "exact", p).forces(motion) for p in ("float", "double"))  # type: ignore[arg-type]
         largest = np.abs(one - other).max() / peak_of(found, path)
         errors = entry_of(found, "exact", "general", "float")["errors"][path]
         assert errors["rounding"] == pytest.approx(largest, rel=1e-6)
@@ -306,5 +306,5 @@ def test_one_pose_runs_the_kernel_it_is_named_after() -> None:
     robot, motion = dasgupta(), papers_motions()["II"]
     poses = study._poses([motion], 64)
     for precision in ("double", "float"):
-        kernel = ss.prepare(robot, "exact", precision, "slender")  # type: ignore[arg-type]
+        kernel = ss.ForceKernel(robot, "exact", precision, "slender")  # type: ignore[arg-type]
         assert study._one_pose(kernel, poses)(2) == 0

@@ -45,14 +45,14 @@ def _drift() -> Figure:
 
 @functools.cache
 def _run() -> Figure:
-    start = ss.PATHS["I"].path.sample([3.0])[0]
-    law = ss.LegSprings.balanced(dasgupta1998(), start, stiffness=5e4)
+    start = ss.PAPER_PATHS["I"].path.sample([3.0])[0]
+    law = ss.LegSprings.in_equilibrium(dasgupta1998(), start, stiffness=5e4)
     return run.figure(ss.simulate(dasgupta1998(), start, law, duration=0.05), law)
 
 
 def _path() -> Figure:
-    path = ss.PATHS["I"].path
-    found = singularities.examine(dasgupta1998(), "I", path.sample, path.breaks())
+    path = ss.PAPER_PATHS["I"].path
+    found = singularities.examine(dasgupta1998(), "I", path.sample, path.breakpoints())
     return singularities_plot.path_figure(found, singularities.curves(found))
 
 
@@ -191,7 +191,9 @@ TURNS = {"z": np.eye(3), "-z": HALF, "-x": THIRD @ HALF, "y": THIRD @ THIRD}
 def _turned(name: str, Q: Array) -> ss.Robot:
     robot = ss.robots.load(name)
     vectors = {each: getattr(robot, each) @ Q for each in ("g", "R_0", "b", "p", "k", "tool")}
-    return dataclasses.replace(robot, **vectors, home=home_pose(robot).t @ Q, I_p=Q.T @ robot.I_p @ Q)
+    return dataclasses.replace(
+        robot, **vectors, home_position=home_pose(robot).t @ Q, I_p=Q.T @ robot.I_p @ Q
+    )
 
 
 def _at_home(robot: ss.Robot) -> Figure:
@@ -206,7 +208,9 @@ def _nearest(robot: ss.Robot) -> Figure:
 
     found = singularities.examine(robot, "outwards", path, np.array([0.0, 1.0]))
     at = found.along.nearest
-    return singularities_plot.pose_figure(found, singularities.curves(found), at.time, at.at, "outwards")
+    return singularities_plot.pose_figure(
+        found, singularities.curves(found), at.time, at.singularity, "outwards"
+    )
 
 
 def _in_space(figure: Figure, laid_out: bool = True) -> Axes3D:
@@ -290,7 +294,9 @@ def test_planes_through_a_workspace_have_up_upwards(upright: str) -> None:
         workspace.Slice(axes, ends, ends, np.zeros((2, 2), dtype=np.int8), np.ones((2, 2)))
         for axes in ((0, 1), (0, 2), (1, 2))
     ]
-    panels = workspace.figure(robot, ss.workspace(robot, poses=100, box=[[-0.1, 0.1]] * 3), planes).axes
+    panels = workspace.figure(
+        robot, ss.workspace(robot, samples=100, position_bounds=[[-0.1, 0.1]] * 3), planes
+    ).axes
     for axes, down in zip(panels, [False] + [upright == "-z"] * 2, strict=False):
         assert axes.yaxis_inverted() == down
         assert ("z points down" in axes.get_ylabel()) == down

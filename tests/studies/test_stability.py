@@ -51,7 +51,7 @@ def test_the_check_agrees_with_fifty_digits() -> None:
     assert np.abs(deviation(high, truth) + low).max() < 1e-26 * np.abs(high).max()
     checked = oracle.check_poses([robot] * 3, [motion[i] for i in range(3)])
     for i in range(3):
-        F, status = ss.prepare(robot).forces_and_status(motion[i])
+        F, status = ss.ForceKernel(robot).forces_and_status(motion[i])
         assert status == OK
         units = np.abs(deviation(F, truth[i])).max() / (np.finfo(float).eps * checked["size"][i])
         assert checked["error"][i, 0] == pytest.approx(units, rel=1e-9)
@@ -62,7 +62,7 @@ def test_the_check_sees_an_error_of_a_few_units() -> None:
     wrong = dataclasses.replace(robot, M=robot.M * (1.0 + 1e-9))
     truth = Truth(wrong).forces(motion)
     checked = oracle.check_poses([robot], [motion])
-    F, _ = ss.prepare(robot).forces_and_status(motion)
+    F, _ = ss.ForceKernel(robot).forces_and_status(motion)
     assert np.abs(deviation(F, truth)).max() / checked["size"][0] > 1e4 * checked["error"][0, 0] * 2e-16
 
 
@@ -121,7 +121,7 @@ def test_an_error_of_a_code_path_is_no_status(path: str, monkeypatch: pytest.Mon
 
     monkeypatch.setattr(shipped, "equations_of_motion", wrong)
     robot, none = ss.robots.dasgupta1998(), np.zeros(3)
-    unmoved = ss.Motion(np.eye(3), np.array([0.1, 0.0, 0.5]), none, none)
+    unmoved = ss.Motion(R=np.eye(3), t=np.array([0.1, 0.0, 0.5]), omega=none, v=none)
     with pytest.raises(ValueError, match=r"wrong|accelerations"):
         getattr(shipped, path)(robot, unmoved)
     with np.errstate(all="ignore"):

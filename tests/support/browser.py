@@ -23,13 +23,13 @@ DOTS = 2
 """Dots of a pixel in either direction, so that ends are found to less than one."""
 FIELD = np.radians(32.0)
 """Angle of view, of the smaller side of a picture."""
-COLOURS = np.array(
+COLORS = np.array(
     [
         [*bytes.fromhex(each)]
         for each in ("2166ac", "67a9cf", "d1e5f0", "f7f7f7", "fddbc7", "ef8a62", "b2182b")
     ]
 )
-"""Colours of forces from -scale to scale, at even steps."""
+"""Colors of forces from -scale to scale, at even steps."""
 
 
 @contextmanager
@@ -87,10 +87,10 @@ class Opened:
         self.context.close()
 
 
-def colour(force: float, scale: float) -> Array:
-    """Colour of a force, 0 to 255, (3,)."""
+def color(force: float, scale: float) -> Array:
+    """Color of a force, 0 to 255, (3,)."""
     at = (np.clip(force / scale, -1.0, 1.0) + 1.0) * 3.0
-    return np.array([np.interp(at, np.arange(7), column) for column in COLOURS.T])
+    return np.array([np.interp(at, np.arange(7), column) for column in COLORS.T])
 
 
 def pixels(points: Array, camera: dict[str, Any], picture: dict[str, float]) -> Array:

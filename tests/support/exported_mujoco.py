@@ -15,7 +15,7 @@ Array = NDArray[np.float64]
 
 _CORRECTIONS = 3
 _STIFFNESS = 1e8
-"""1/s^2: acceleration of a closed point for each metre that it is open."""
+"""1/s^2: acceleration of a closed point for each meter that it is open."""
 
 
 class Exported:

@@ -19,7 +19,7 @@ Array = NDArray[np.float64]
 def accelerations(robot: ss.Robot, motion: ss.Motion, F: Array) -> Array:
     """[a; alpha], (6,), base frame, under actuator forces F, friction and the motion's load."""
     file = ss.export_model(robot, "urdf")
-    model, loops = pin.buildModelFromXML(file.text), json.loads(file.loops)
+    model, loops = pin.buildModelFromXML(file.text), json.loads(file.loop_closures)
     model.gravity = pin.Motion(np.array(loops["gravity_m_s2"]), np.zeros(3))
     q, v = _state(robot, motion, model)
     data = model.createData()
@@ -88,7 +88,7 @@ def _state(robot: ss.Robot, motion: ss.Motion, model: pin.Model) -> tuple[Array,
 
 
 def _moments(motion: ss.Motion, loops: Any, model: pin.Model, data: pin.Data, q: Array, v: Array) -> Array:
-    """Generalised forces of the closures' friction and of the load."""
+    """Generalized forces of the closures' friction and of the load."""
     pin.computeJointJacobians(model, data, q)
     frame, tau = pin.ReferenceFrame.LOCAL_WORLD_ALIGNED, np.zeros(model.nv)
     platform = model.frames[model.getFrameId("platform")].parentJoint

@@ -15,7 +15,7 @@ from stewart_sym.derive.mechanics.formulation import Formulation
 from stewart_sym.motion.motion import Motion
 from stewart_sym.motion.rotation import cross
 from stewart_sym.robot.drive import Drive
-from stewart_sym.robot.offsets import Offsets
+from stewart_sym.robot.offsets import JointOffsets
 from stewart_sym.robot.robot import Robot
 
 Array = NDArray[np.float64]
@@ -108,19 +108,19 @@ def with_random_drives(rng: np.random.Generator, robot: Robot, rotors: bool = Tr
     def some(scale: float, share: Array | float = 1.0) -> Array:
         return np.asarray(scale * share * rng.uniform(0.5, 1.5, 6))
 
-    turns = np.abs(rotor.turns)
+    turns = np.abs(rotor.transmission_ratio)
     drive = dataclasses.replace(
         rotor,
         rotor_inertia=rotor.rotor_inertia * rotors,
         efficiency=rng.uniform(0.3, 0.95, 6),
-        back_efficiency=rng.uniform(-0.5, 0.9, 6),
+        backdrive_efficiency=rng.uniform(-0.5, 0.9, 6),
         screw_coulomb=some(0.05 * force),
         screw_viscous=some(0.05 * force / speed),
         motor_coulomb=some(0.05 * force) / turns,
         motor_viscous=some(0.05 * force / speed) / turns**2,
-        stribeck=some(0.05 * force, half),
+        stribeck_force=some(0.05 * force, half),
         stribeck_speed=some(0.1 * speed),
-        smoothing=some(0.01 * speed, rng.permutation(half)),
+        regularization_speed=some(0.01 * speed, rng.permutation(half)),
         torque_constant=some(0.1, rng.permutation(half)),
     )
     return dataclasses.replace(robot, drive=drive)
@@ -154,8 +154,8 @@ def random_motion(
         return scale * rng.normal(size=(*shape, 3))
 
     return Motion(
-        R.reshape(*shape, 3, 3),
-        t.reshape(*shape, 3),
+        R=R.reshape(*shape, 3, 3),
+        t=t.reshape(*shape, 3),
         omega=vectors(0.5 * rate),
         v=vectors(0.5 * rate * size),
         alpha=vectors(0.5 * rate**2),
@@ -283,8 +283,8 @@ def _unit(vector: Array) -> Array:
     return np.asarray(vector / np.linalg.norm(vector))
 
 
-def upside_down_in_millimetres() -> Robot:
-    """A machine in millimetres, gravity along +z."""
+def upside_down_in_millimeters() -> Robot:
+    """A machine in millimeters, gravity along +z."""
     robot = random_robot(np.random.default_rng(31))
     lengths = {name: 1e3 * getattr(robot, name) for name in ("b", "p", "R_0", "r_d0", "r_u0", "g")}
     inertias = {name: 1e6 * getattr(robot, name) for name in ("I_p", "I_d0", "I_u0", "C_u", "C_s")}
@@ -295,7 +295,7 @@ def upside_down_in_millimetres() -> Robot:
 MACHINES: dict[str, Callable[[], Robot]] = {
     "paper": dasgupta,
     "random": lambda: random_robot(np.random.default_rng(30)),
-    "upside down, mm": upside_down_in_millimetres,
+    "upside down, mm": upside_down_in_millimeters,
 }
 
 
@@ -304,14 +304,17 @@ PLATFORM_JOINTS = ("spherical", "universal")
 
 def offsets_of(
     rng: np.random.Generator, robot: Robot, joint: str = "spherical", share: float = 0.05
-) -> Offsets:
+) -> JointOffsets:
     """Every offset and a cross; share: of the machine's size."""
     size = machine_size(robot)
-    parts = {name: share * size * rng.normal(size=6) for name in ("cross", "along", "across")}
+    parts = {
+        name: share * size * rng.normal(size=6)
+        for name in ("axis_offset", "slide_offset_y", "slide_offset_z")
+    }
     if joint == "universal":
         parts["platform_axis"] = robot.k + 0.3 * rng.normal(size=(6, 3))
-        parts["wrist"] = share * size * rng.normal(size=6)
-    return Offsets(
+        parts["wrist_offset"] = share * size * rng.normal(size=6)
+    return JointOffsets(
         platform_joint=joint,
         cross_mass=0.3 * robot.m_d,
         cross_center=share * size * rng.normal(size=(6, 3)),
@@ -332,5 +335,5 @@ def offset_case(
         size = machine_size(plain)
         lead = size * rng.uniform(0.02, 0.1, 6) * np.tile([1.0, -1.0], 3)
         gear = rng.uniform(0.5, 3.0, 6)
-        drive = Drive(lead=lead, rotor_inertia=1e-5 * plain.M * size**2, gear=gear)
+        drive = Drive(lead=lead, rotor_inertia=1e-5 * plain.M * size**2, gear_ratio=gear)
     return dataclasses.replace(plain, offsets=offsets_of(rng, plain, joint), drive=drive), motion

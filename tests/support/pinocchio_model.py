@@ -209,13 +209,13 @@ class _Chain(ABC):
         return columns[:, : len(self.tip_jacobian)]
 
     def actuated(self, share: float) -> Array:
-        """Generalised forces of a unit force of the actuator; share: lead over 2 pi, of parts that turn."""
+        """Generalized forces of a unit force of the actuator; share: lead over 2 pi, of parts that turn."""
         e = np.zeros(self.model.nv)
         e[self.slide] = 1.0
         return e
 
     def sliding_friction(self) -> Array:
-        """Generalised force against the friction of sliding."""
+        """Generalized force against the friction of sliding."""
         return self.robot.C_p[self.i] * self.v[self.slide] * self.actuated(0.0)
 
     def moved(self, joint: int) -> Array:
@@ -263,12 +263,12 @@ class OffsetChain(UniversalChain):
         at = pin.SE3(self.frame, self.robot.b[self.i])
         first = self.model.addJoint(0, pin.JointModelRX(), at, "fixed axis")
         # The moving axis is y of the first joint's frame, o = y x k its -z.
-        at = pin.SE3(np.eye(3), np.array([0.0, 0.0, -self.o.cross[self.i]]))
+        at = pin.SE3(np.eye(3), np.array([0.0, 0.0, -self.o.axis_offset[self.i]]))
         return int(self.model.addJoint(first, pin.JointModelRY(), at, "moving axis"))
 
     def _upper_joints(self) -> tuple[int, int]:
         model, o, i, none = self.model, self.o, self.i, pin.SE3.Identity()
-        at = pin.SE3(np.eye(3), np.array([0.0, o.along[i], o.across[i]]))
+        at = pin.SE3(np.eye(3), np.array([0.0, o.slide_offset_y[i], o.slide_offset_z[i]]))
         upper = model.addJoint(self.lower, pin.JointModelPX(), at, "sliding")
         if not self.spins:
             return upper, upper
@@ -276,7 +276,7 @@ class OffsetChain(UniversalChain):
         self.on = self.motion.R @ frame_along(o.platform_axis[i])
         upper = model.addJoint(upper, pin.JointModelRX(), none, "spin")
         wrist = model.addJoint(upper, pin.JointModelRY(), none, "first axis of the platform joint")
-        at = pin.SE3(np.eye(3), np.array([0.0, 0.0, -o.wrist[i]]))
+        at = pin.SE3(np.eye(3), np.array([0.0, 0.0, -o.wrist_offset[i]]))
         return upper, model.addJoint(wrist, pin.JointModelRX(), at, "second axis")
 
     def _append_lower(self, body: pin.Inertia) -> None:

@@ -17,13 +17,55 @@ from stewart_sym.robot.offsets import SHAPES
 
 # Of a class or a module that is no function: records that the package fills, types and constants.
 RECORDS = {
-    *("BaseParameters", "EquationsByParameter", "EquationsOfMotion", "Estimate", "Excitation"),
-    *("Experiment", "ForceDerivatives", "Forces", "Linearisation", "Parameters", "PlatformPose"),
-    *("Reactions", "Simulation", "Stop", "Trace", "Approach", "Certificate", "Crossing", "ForceBounds"),
-    *("LegExtreme", "PathSingularities", "Singularity", "Capability", "JointAngles", "Needs"),
-    *("Workspace", "WorkspaceWarning", "DriveEffort", "DriveEstimate", "DriveLimitWarning"),
-    *("ImportedModel", "LogWarning", "ModelFile", "MotorMotion", "Saturation", "Smooth"),
-    *("PlanCertificate", "PlannedPath", "PosePath", "TimedPath", "View", "PATHS", "PhysicalityWarning"),
+    *(
+        "BaseParametersResult",
+        "EquationsByParameterResult",
+        "EquationsOfMotionResult",
+        "IdentificationResult",
+        "Excitation",
+    ),
+    *(
+        "Experiment",
+        "ForceDerivativesResult",
+        "InverseDynamicsResult",
+        "LinearizationResult",
+        "ParameterVector",
+        "ForwardKinematicsResult",
+    ),
+    *(
+        "JointReactionsResult",
+        "SimulationResult",
+        "StopEvent",
+        "StateHistory",
+        "SingularityApproach",
+        "PoseCertificate",
+        "SingularityCrossing",
+        "ForceErrorBoundsResult",
+    ),
+    *(
+        "LegExtreme",
+        "PathSingularitiesResult",
+        "SingularityResult",
+        "Polytope",
+        "JointAnglesResult",
+        "ActuatorRequirementsResult",
+    ),
+    *(
+        "WorkspaceResult",
+        "WorkspaceWarning",
+        "DriveEffortResult",
+        "DriveIdentificationResult",
+        "DriveLimitWarning",
+    ),
+    *(
+        "ImportedModel",
+        "TrajectoryWarning",
+        "ExportedModel",
+        "MotorAnglesResult",
+        "ForceSaturation",
+        "SmoothSamplesResult",
+    ),
+    *("PlanCertificate", "PlannedPath", "PosePath", "TimedPath", "Viewer", "PAPER_PATHS", "RobotWarning"),
     *("AssemblyModeWarning", "SingularPoseWarning", "results", "robots"),
 }
 
@@ -50,24 +92,24 @@ def calls() -> dict[str, Call]:
     guess = (motion.R, motion.t)
     pose = {"robot": robot, "R": motion.R, "t": motion.t}
     both = {"robot": robot, "motion": motion}
-    limits = ss.Limits(force=1e6, speed=1.0)
+    limits = ss.PathLimits(force=1e6, speed=1.0)
 
     def shifted(s: np.ndarray) -> ss.Motion:
         """A straight path with its derivatives by s."""
         along = np.broadcast_to(np.array([0.01, 0.0, 0.0]), (len(s), 3))
         still = np.zeros((len(s), 3))
         R = np.broadcast_to(motion.R, (len(s), 3, 3))
-        return ss.Motion(R, motion.t + s[:, None] * along, still, along, still, still)
+        return ss.Motion(R=R, t=motion.t + s[:, None] * along, omega=still, v=along, alpha=still, a=still)
 
     options = {"formulation": "exact", "backend": "c", "on_singular": "raise"}
     vector = [0.1, 0.2, 0.3]
-    path = ss.PATHS["I"].path
+    path = ss.PAPER_PATHS["I"].path
     zeros = np.zeros((2, 6))
     fourier = {"t0": vector, "theta0": vector, "sine": zeros, "cosine": zeros, "period": 2.0}
     lines = {"t0": vector, "theta0": vector, "t1": (1.0, 0.2, 0.3), "theta1": vector}
-    at_home = dataclasses.replace(robot, home=motion.t, force_limit=np.full(6, 1e5))
+    at_home = dataclasses.replace(robot, home_position=motion.t, force_limit=np.full(6, 1e5))
     ends = [[-1.0, 1.0], [-1.0, 1.0], [0.5, 1.5]]
-    state = ss.Motion(motion.R, motion.t, np.zeros(3), np.zeros(3))
+    state = ss.Motion(R=motion.R, t=motion.t, omega=np.zeros(3), v=np.zeros(3))
     springs = {"robot": robot, "stiffness": 1e6, "rest_length": 1.0, "damping": 10.0}
     tracking = {"robot": robot, "wanted": lambda time: motion, "k_p": 1.0, "k_d": 1.0}
     trajectory = Trajectory(np.arange(3.0), path.sample(np.arange(3.0)), "three", (2, 3, 4))
@@ -93,23 +135,25 @@ def calls() -> dict[str, Call]:
     add(ss.Robot.from_toml, path="no.toml")
     add(ss.StraightLinePath, **lines, tau_f=1.0, V=1.5, Omega=1.0)
     add(path.sample, tau=0.5)
-    add(path.times, dtau=0.5)
+    add(path.time_grid, dtau=0.5)
     add(ss.FourierPath, **fourier)
     add(ss.FourierPath(**fourier).sample, tau=0.5)
-    add(ss.FourierPath(**fourier).times, samples=3)
+    add(ss.FourierPath(**fourier).time_grid, samples=3)
     add(ss.inverse_dynamics, **both, **options)
-    add(ss.joint_reactions, **both, bearing=0.1, **options)
+    add(ss.joint_reactions, **both, bearing_distance=0.1, **options)
     add(ss.massless_forces, **both)
-    add(ss.dynamic_fraction, **both, F=F)
+    add(ss.leg_dynamics_fraction, **both, F=F)
     add(ss.equations_of_motion, **both, **options)
     add(ss.forward_dynamics, **both, F=F, **options)
     add(ss.joint_space_inertia, **both, **options)
     add(ss.force_derivatives, **both, backend="c", on_singular="raise")
-    add(ss.linearise, **both, F=F, backend="c", on_singular="raise")
+    add(ss.linearize, **both, F=F, backend="c", on_singular="raise")
     add(ss.inverse_kinematics, **both)
     add(ss.wrench_matrix, **both)
     add(ss.wrench_matrix_rate, **both)
-    add(ss.forward_kinematics, robot=robot, L=legs.L, guess=guess, on_failure="raise", limits=True)
+    add(ss.inverse_jacobian, **both)
+    add(ss.jacobian, **both)
+    add(ss.forward_kinematics, robot=robot, L=legs.L, guess=guess, on_failure="raise", check_limits=True)
     add(ss.forward_velocity, **pose, L_dot=legs.L_dot, on_failure="raise")
     add(ss.forward_acceleration, **pose, v=vector, omega=vector, L_ddot=legs.L_ddot, on_failure="raise")
     add(ss.motion_from_lengths, robot=robot, L=legs.L[None], L_dot=legs.L_dot[None], L_ddot=legs.L_ddot[None])
@@ -120,23 +164,28 @@ def calls() -> dict[str, Call]:
     add(ss.regressor, **both, on_singular="raise", columns=[0, 147], backend="c")
     add(ss.equations_by_parameter, **both, on_singular="raise", backend="c")
     add(ss.inertial_parameters, robot=robot)
-    add(ss.symbolic, robot=robot, what="H", formulation="exact")
+    add(ss.symbolic, robot=robot, quantity="H", formulation="exact")
     found["Symbolic.derivative"] = Call(derivative, {"by": sp.Symbol("t_x", real=True)})
-    add(ss.casadi_function, robot=robot, what="forces", formulation="exact", checked=False)
-    add(ss.array_kernel, robot=robot, xp=np, formulation="exact", dtype=None, free=("dtype",))
+    add(ss.casadi_function, robot=robot, quantity="forces", formulation="exact", checked=False)
     add(ss.ArrayKernel, robot=robot, xp=np, formulation="exact", dtype=None, free=("dtype",))
-    log = {"path": "no.csv", "form": ss.LogFormat(), "smoothing": ss.Smoothing(), "guess": guess}
-    add(ss.read_trajectory, robot=robot, **log, free=("form", "guess"))
+    add(ss.ArrayKernel, robot=robot, xp=np, formulation="exact", dtype=None, free=("dtype",))
+    log = {
+        "path": "no.csv",
+        "file_format": ss.TrajectoryFormat(),
+        "smoothing": ss.SmoothingOptions(),
+        "guess": guess,
+    }
+    add(ss.read_trajectory, robot=robot, **log, free=("file_format", "guess"))
     add(ss.export_model, robot=robot, format="mjcf")
     add(ss.import_model, path="no.xml")
-    add(ss.prepare, robot=robot, formulation="exact", precision="double", fidelity="general")
-    add(ss.prepare(robot).forces, motion=motion, threads=1, on_singular="raise")
-    add(ss.prepare(robot).status, motion=motion, threads=1)
+    add(ss.ForceKernel, robot=robot, formulation="exact", precision="double", fidelity="general")
+    add(ss.ForceKernel(robot).forces, motion=motion, threads=1, on_singular="raise")
+    add(ss.ForceKernel(robot).status, motion=motion, threads=1)
     add(ss.LegSprings, **springs)
-    add(ss.LegSprings.balanced, robot=robot, pose=motion, stiffness=1e6, damping=1.0)
+    add(ss.LegSprings.in_equilibrium, robot=robot, pose=motion, stiffness=1e6, damping=1.0)
     add(ss.LegSprings(**springs).energy, L=legs.L)
     add(ss.ComputedTorque, **tracking, formulation="exact", backend="c", free=("wanted",))
-    add(ss.Thresholds, max_condition=1e6, min_length=0.1, min_joint_sine=1e-3)
+    add(ss.StopConditions, max_condition=1e6, min_length=0.1, min_joint_sine=1e-3)
     start = {"robot": robot, "initial_state": state, "forces": F, "load": lambda time, state: np.zeros(6)}
     steps = {
         "duration": 1e-3,
@@ -146,35 +195,35 @@ def calls() -> dict[str, Call]:
         "atol": 1e-6,
         "output_step": 1e-3,
     }
-    add(ss.simulate, **start, **steps, formulation="exact", backend="c", thresholds=ss.Thresholds())
-    add(ss.forces_with_bounds, **both, precision="double", on_singular="raise")
+    add(ss.simulate, **start, **steps, formulation="exact", backend="c", stop_conditions=ss.StopConditions())
+    add(ss.force_error_bounds, **both, precision="double", on_singular="raise")
     add(ss.singularity, robot=robot, pose=motion)
-    add(ss.crossings, robot=robot, path=path.sample, times=[0.0, 1.0])
-    add(ss.singularities_along, robot=robot, path=path.sample, times=[0.0, 1.0])
-    add(ss.force_residue, **both, formulation="exact")
-    add(ss.damped_solution, H=H, c=np.ones(6), length=1.0, share=1e-4)
+    add(ss.singularity_crossings, robot=robot, path=path.sample, time=[0.0, 1.0])
+    add(ss.path_singularities, robot=robot, path=path.sample, time=[0.0, 1.0])
+    add(ss.singular_force_residue, **both, formulation="exact")
+    add(ss.damped_least_squares, H=H, c=np.ones(6), length=1.0, rcond=1e-4)
     add(ss.certify_pose, robot=robot, L=legs.L, pose=(motion.R, motion.t))
     add(ss.joint_angles, robot=at_home, motion=motion)
     add(ss.leg_distances, **both)
     add(ss.PoseLimits, lengths=True, joint_angles=True, forces=True, condition=9.0, clearance=0.01)
     region = {"position": motion.t, "angles": vector, "box": ends, "turns": ends, "poses": 200, "seed": 0}
     add(ss.workspace, robot=at_home, kind="total", limits=ss.PoseLimits(), **region)
-    add(ss.capability, robot=at_home, motion=motion, what="force", others="zero")
+    add(ss.capability_polytope, robot=at_home, motion=motion, quantity="force", complement="zero")
     needs = {"motions": [([0.0], motion[None])], "margin": 0.1, "quantiles": [0.5, 1.0]}
-    add(ss.size, robot=robot, **needs, formulation="exact")
+    add(ss.actuator_requirements, robot=robot, **needs, formulation="exact")
     add(ss.drive_effort, robot=driven, motion=motion, time=None, formulation="exact", backend="c")
     add(ss.motor_forces, robot=driven, current=F)
-    add(ss.motor_angles, robot=driven, motion=motion, L_0=legs.L)
-    add(ss.pose_of_motors, robot=driven, angle=np.zeros(6), guess=guess, L_0=legs.L)
+    add(ss.motor_angles, robot=driven, motion=motion, reference_length=legs.L)
+    add(ss.pose_from_motor_angles, robot=driven, angle=np.zeros(6), guess=guess, reference_length=legs.L)
     offsets = {name: np.zeros(shape) for name, shape in SHAPES.items()}
-    add(ss.Offsets, **offsets | {"platform_axis": np.ones((6, 3))}, platform_joint="universal")
+    add(ss.JointOffsets, **offsets | {"platform_axis": np.ones((6, 3))}, platform_joint="universal")
     add(ss.Drive, **dict.fromkeys(NUMBERS, 1.0))
     add(ss.rotor_regressor, **both, on_singular="raise")
-    add(ss.view, **both, times=None)
+    add(ss.view, **both, time=None)
     ends_of_via = dict.fromkeys(("low", "high"), np.zeros(6))
     add(ss.ViaPose, R=motion.R, t=motion.t, **ends_of_via, other={"R": "pose", "t": "pose"})
     limited = ("force", "speed", "acceleration", "platform_speed", "platform_turn_rate")
-    add(ss.Limits, **dict.fromkeys(limited, 1.0))
+    add(ss.PathLimits, **dict.fromkeys(limited, 1.0))
     via = {
         "poses": [ss.ViaPose(motion.R, motion.t), ss.ViaPose(motion.R, motion.t + 0.01)],
         "load": np.zeros(6),
@@ -182,16 +231,23 @@ def calls() -> dict[str, Call]:
     aim = {"limits": None, "objective": "mean", "price": 0.5}
     add(ss.plan_path, robot=robot, **via, **aim, other={"poses": "via pose"})
     along = {"path": shifted, "span": (0.0, 1.0)}
-    add(ss.time_path, robot=robot, **along, limits=limits, formulation="exact", cells=10)
-    add(ss.certify_plan, plan=ss.time_path(robot, shifted, limits=limits, cells=10))
-    add(ss.Units, length=1.0, mass=2.0, time=0.5)
-    add(ss.between, trajectory=trajectory)
-    add(ss.resampled, trajectory=trajectory, rate=20.0)
-    add(ss.force_deviations, robot=robot, trajectory=trajectory, formulation="exact", backend="numpy")
-    add(ss.smooth, time=np.arange(20.0), values=rng.normal(size=(20, 2)), sigma=0.1, cutoff=0.2)
-    add(ss.Smoothing, position=1e-4, angle=1e-4, cutoff=5.0, on=True, free=("on",))
+    add(ss.parameterize_path, robot=robot, **along, limits=limits, formulation="exact", grid_size=10)
+    add(ss.certify_plan, plan=ss.parameterize_path(robot, shifted, limits=limits, grid_size=10))
+    add(ss.UnitScaling, length=1.0, mass=2.0, time=0.5)
+    add(ss.interpolate, trajectory=trajectory)
+    add(ss.resample, trajectory=trajectory, rate=20.0)
+    add(ss.force_std, robot=robot, trajectory=trajectory, formulation="exact", backend="numpy")
+    add(ss.smooth_samples, time=np.arange(20.0), values=rng.normal(size=(20, 2)), noise_std=0.1, cutoff=0.2)
+    add(
+        ss.SmoothingOptions,
+        position_std=1e-4,
+        angle_std=1e-4,
+        cutoff_frequency=5.0,
+        enabled=True,
+        free=("on",),
+    )
     units = {"length_unit": "mm", "angle_unit": "deg", "time_unit": "ms"}
-    add(ss.LogFormat, columns={"t_x": "X"}, **units, delimiter=";", decimal=",", euler_order="zyx")
+    add(ss.TrajectoryFormat, columns={"t_x": "X"}, **units, delimiter=";", decimal=",", euler_order="zyx")
     add(ss.base_parameters, robot=robot, motion=motion[None])
     add(ss.choose_excitation, robot=robot, period=4.0, harmonics=1, samples=3, candidates=1, seed=0)
     excited = ss.choose_excitation(robot, harmonics=3, samples=60, candidates=1)
@@ -200,13 +256,13 @@ def calls() -> dict[str, Call]:
     poses = {"time": np.arange(9.0), "position": 1e-4, "angle": 1e-4, "period": 9.0, "harmonics": 2}
     add(ss.PoseNoise, **poses)
     rough = ss.Motion(
-        excited.motion.R,
-        excited.motion.t + 1e-4 * rng.normal(size=(60, 3)),
-        excited.motion.omega,
-        excited.motion.v,
+        R=excited.motion.R,
+        t=excited.motion.t + 1e-4 * rng.normal(size=(60, 3)),
+        omega=excited.motion.omega,
+        v=excited.motion.v,
     )
-    add(ss.estimated_noise, time=excited.time, motion=rough, period=excited.path.period, harmonics=3)
-    add(ss.simulated_experiment, robot=robot, excited=excited, sigma=1.0, seed=0)
+    add(ss.estimate_pose_noise, time=excited.time, motion=rough, period=excited.path.period, harmonics=3)
+    add(ss.simulate_experiment, robot=robot, excitation=excited, force_std=1.0, seed=0)
     return found
 
 

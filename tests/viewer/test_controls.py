@@ -264,7 +264,7 @@ def test_print_is_light_and_shows_machine_and_curves(browser: Browser, path: Pat
 
 @pytest.mark.slow
 def test_twenty_thousand_instants_keep_every_number_and_every_peak(browser: Browser, tmp_path: Path) -> None:
-    robot, (path, _) = dasgupta(), ss.PATHS["I"]
+    robot, (path, _) = dasgupta(), ss.PAPER_PATHS["I"]
     time = np.linspace(0.0, path.tau_f, 20_000)
     shown = ss.view(robot, path.sample(time), time)
     peak, leg = 13_415, 2

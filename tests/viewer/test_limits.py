@@ -20,7 +20,7 @@ from playwright.sync_api import Browser
 import stewart_sym as ss
 from stewart_sym.cli.main import main
 from stewart_sym.drives.verdicts import EXCEEDED, NOT_DECIDED, SURE, WITHIN
-from stewart_sym.viewer.view import View
+from stewart_sym.viewer.view import Viewer
 
 EXAMPLES = Path(__file__).parents[2] / ".docs" / "examples"
 POSE = ("t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z")
@@ -30,7 +30,7 @@ DRIVE = """
 lead = 0.01
 efficiency = 0.9
 screw_coulomb = 3.0
-smoothing = 0.01
+regularization_speed = 0.01
 torque_constant = 0.1
 resistance = 1.0
 """
@@ -115,7 +115,7 @@ def limited(text: str, legs: list[dict[str, Any]], noisy: bool) -> str:
 
     for name, peak in LEGS.items():
         text = re.sub(rf"^{name} = .*$", f"{name} = {limit(peak)!r}", text, flags=re.MULTILINE)
-    ends = [limit("least_length_m", -1.0), limit("greatest_length_m")]
+    ends = [limit("min_length_m", -1.0), limit("max_length_m")]
     text = re.sub(r"^length_limits = .*$", f"length_limits = {ends}", text, flags=re.MULTILINE)
     return text + "".join(f"{name} = {limit(peak)!r}\n" for name, (peak, _) in MOTORS.items())
 
@@ -153,7 +153,7 @@ def test_the_page_says_what_the_command_warns_of(case: Case, opened: Opened) -> 
     assert lines.all_inner_texts() == case.warned
     classes = [line.get_attribute("class") for line in lines.all()]
     assert classes == ["beyond" if f" {EXCEEDED} by " in line else "doubtful" for line in case.warned]
-    # Of the one limit of all legs on the scale of colours, on either side.
+    # Of the one limit of all legs on the scale of colors, on either side.
     assert opened.page.locator("#bar i").count() == 2
     noise = opened.page.locator("#noise")
     assert noise.count() == case.noisy
@@ -281,7 +281,7 @@ def test_a_path_and_a_machine_without_limits_say_nothing_of_limits() -> None:
     free = dataclasses.replace(dasgupta(), length_limits=np.tile([0.0, np.inf], (6, 1)))
     assert 'id="limits"' not in ss.view(free, "I").html
     wide = dataclasses.replace(free, force_limit=np.full(6, 1e5))
-    shown: View = ss.view(wide, "I")
+    shown: Viewer = ss.view(wide, "I")
     assert (
         "The limits of forces, lengths, speeds and motors that the robot file states are kept." in shown.html
     )

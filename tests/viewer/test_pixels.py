@@ -1,4 +1,4 @@
-"""What is drawn is what was computed: legs have the colours of their forces and end where they project."""
+"""What is drawn is what was computed: legs have the colors of their forces and end where they project."""
 
 import dataclasses
 from collections.abc import Iterator
@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from browser import DOTS, Opened, colour, pixels
+from browser import DOTS, Opened, color, pixels
 from machines import dasgupta
 from numpy.typing import NDArray
 from playwright.sync_api import Browser
@@ -76,21 +76,21 @@ def off(points: Array, line: Array) -> Array:
 def legs_seen(
     opened: Opened, robot: Robot, instants: Instants
 ) -> Iterator[tuple[NDArray[np.int64], Array, int, Array]]:
-    """At some instants the picture and the projected legs; each leg, and the colour of its force."""
+    """At some instants the picture and the projected legs; each leg, and the color of its force."""
     for i in np.linspace(0, len(instants.time) - 1, INSTANTS).astype(int):
         opened.do(f"viewer.clock.seek({float(instants.time[i])!r})")
         picture, lines = opened.drawn(), projected(opened, robot, instants, i)
         for leg in range(6):
-            yield picture, lines, leg, force_colour(instants, "exact", i, leg)
+            yield picture, lines, leg, force_color(instants, "exact", i, leg)
 
 
-def force_colour(instants: Instants, name: str, i: int, leg: int) -> Array:
+def force_color(instants: Instants, name: str, i: int, leg: int) -> Array:
     """On the scale of the largest force of the motion."""
     scale = max(float(np.abs(F).max()) for F in instants.forces.values())
-    return colour(float(instants.forces[name][i, leg]), scale)
+    return color(float(instants.forces[name][i, leg]), scale)
 
 
-def test_pixels_of_lines_have_the_colours_of_the_forces_and_end_at_the_joints(
+def test_pixels_of_lines_have_the_colors_of_the_forces_and_end_at_the_joints(
     opened: Opened, shown: tuple[Robot, Instants, str]
 ) -> None:
     opened.do(LINES)
@@ -113,7 +113,7 @@ def still(browser: Browser, path: Path, robot: Robot, more: str = "") -> tuple[O
 
 
 def test_lines_of_sliding_are_drawn_where_the_offsets_put_them(browser: Browser, tmp_path: Path) -> None:
-    robot = dataclasses.replace(dasgupta(), offsets=ss.Offsets(cross=np.full(6, 0.25)))
+    robot = dataclasses.replace(dasgupta(), offsets=ss.JointOffsets(axis_offset=np.full(6, 0.25)))
     opened, F = still(browser, tmp_path / "offsets.html", robot, LINES)
     picture, at = opened.drawn(), chains(robot, REST)
     lines = robot.b[:, None] + np.stack([at.T - at.L * at.s, at.T], axis=-2)[0]
@@ -121,8 +121,8 @@ def test_lines_of_sliding_are_drawn_where_the_offsets_put_them(browser: Browser,
     straight = pixels(np.stack([robot.b, robot.p + REST.t[0]], axis=1).reshape(-1, 3), *eye(opened))
     apart: list[float] = []
     for leg, (line, plain) in enumerate(zip(seen, straight.reshape(6, 2, 2), strict=True)):
-        wanted = colour(float(F[leg]), float(np.abs(F).max()))
-        found = of_colour(picture, wanted)
+        wanted = color(float(F[leg]), float(np.abs(F).max()))
+        found = of_color(picture, wanted)
         there = found[off(found, line) < 1.5]
         assert len(there) > DOTS * 0.5 * np.linalg.norm(line[1] - line[0])
         apart.append(off(line[:1], plain)[0])
@@ -137,12 +137,12 @@ def test_lower_parts_end_where_the_robot_states(browser: Browser, tmp_path: Path
     picture, thick = opened.drawn(), opened.do("return viewer.page.machine.thick")
     S = robot.p + REST.t[0] - robot.b
     s = S / np.linalg.norm(S, axis=-1, keepdims=True)
-    # The collar at the end is of another colour.
+    # The collar at the end is of another color.
     tips = robot.b + (lengths[:, None] - 0.7 * thick) * s
     seen = pixels(np.stack([robot.b, tips], axis=1).reshape(-1, 3), *eye(opened)).reshape(6, 2, 2)
     missed = []
     for leg, line in enumerate(seen):
-        found = of_colour(picture, colour(float(F[leg]), float(np.abs(F).max())))
+        found = of_color(picture, color(float(F[leg]), float(np.abs(F).max())))
         way = (line[1] - line[0]) / np.linalg.norm(line[1] - line[0])
         far = np.abs((found - line[0]) @ np.array([-way[1], way[0]]))
         far[off(found, np.stack([line[0], 2.0 * line[1] - line[0]])) > 12.0] = 0.0
@@ -153,17 +153,17 @@ def test_lower_parts_end_where_the_robot_states(browser: Browser, tmp_path: Path
     opened.close()
 
 
-def of_colour(picture: NDArray[np.int64], wanted: Array) -> Array:
-    """Middles of the dots of a colour, pixels, (n, 2)."""
+def of_color(picture: NDArray[np.int64], wanted: Array) -> Array:
+    """Middles of the dots of a color, pixels, (n, 2)."""
     rows, columns = np.nonzero(np.abs(picture - wanted).max(axis=-1) <= 2)
     return (np.stack([columns, rows], axis=-1) + 0.5) / DOTS
 
 
 def ends_off(picture: NDArray[np.int64], wanted: Array, lines: Array, leg: int) -> float:
-    """How far from a leg's projected ends its colour ends, pixels; ends beside other legs don't count."""
+    """How far from a leg's projected ends its color ends, pixels; ends beside other legs don't count."""
     line = lines[leg]
     way = (line[1] - line[0]) / np.linalg.norm(line[1] - line[0])
-    middles = of_colour(picture, wanted)
+    middles = of_color(picture, wanted)
     away = np.abs((middles - line[0]) @ [-way[1], way[0]])
     at = (middles[(away < 1.5) & (off(middles, line) < NEAR)] - line[0]) @ way
     # Half a dot from the middle of the last one to its far side.
@@ -175,25 +175,25 @@ def ends_off(picture: NDArray[np.int64], wanted: Array, lines: Array, leg: int) 
     return max(abs(float(each)) for each, skip in zip(found, crowded, strict=True) if not skip)
 
 
-def test_bodies_of_legs_have_the_forces_colours(opened: Opened, shown: tuple[Robot, Instants, str]) -> None:
+def test_bodies_of_legs_have_the_forces_colors(opened: Opened, shown: tuple[Robot, Instants, str]) -> None:
     for picture, lines, leg, wanted in legs_seen(opened, *shown[:2]):
-        on = off(of_colour(picture, wanted), lines[leg]) < 12.0
+        on = off(of_color(picture, wanted), lines[leg]) < 12.0
         assert on.sum() > 100, (leg, on.sum())
 
 
-def test_formulations_have_colours_side_by_side(opened: Opened, shown: tuple[Robot, Instants, str]) -> None:
+def test_formulations_have_colors_side_by_side(opened: Opened, shown: tuple[Robot, Instants, str]) -> None:
     robot, instants, _ = shown
     opened.page.select_option("#sets", "side by side")
     opened.do(LINES)
     i, leg = 0, int(np.argmax(np.abs(instants.forces["exact"][0] - instants.forces["paper"][0])))
     opened.do("viewer.clock.seek(0)")
     picture = opened.drawn()
-    colours = [force_colour(instants, name, i, leg) for name in ("exact", "paper")]
-    assert np.abs(colours[0] - colours[1]).max() > 4
+    colors = [force_color(instants, name, i, leg) for name in ("exact", "paper")]
+    assert np.abs(colors[0] - colors[1]).max() > 4
     for which in (0, 1):
         line = projected(opened, robot, instants, i, which)[leg]
         x, y = np.floor(DOTS * (line[0] + 0.1 * (line[1] - line[0]))).astype(int)
-        assert np.abs(picture[y, x] - colours[which]).max() <= 2
+        assert np.abs(picture[y, x] - colors[which]).max() <= 2
     opened.page.select_option("#sets", "exact")
     opened.do(LINES)
 
@@ -210,6 +210,6 @@ def test_other_machines_project_too(browser: Browser, tmp_path: Path, name: str)
     inside = (lines > 0.0).all() and (lines < np.array(picture.shape[1::-1]) / DOTS).all()
     assert inside
     for leg in range(6):
-        wanted = force_colour(found.instants, "exact", 0, leg)
+        wanted = force_color(found.instants, "exact", 0, leg)
         assert ends_off(picture, wanted, lines, leg) <= 1.0
     page.close()

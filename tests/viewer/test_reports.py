@@ -76,7 +76,7 @@ def test_a_plan_has_the_planned_motion(browser: Browser, folder: Path) -> None:
 def test_axe_finds_nothing_in_a_report(browser: Browser, tmp_path: Path) -> None:
     figure = Picture(lambda: Figure(figsize=(5.0, 2.0)))
     lists = {"legs": [{"leg": leg, "peak_force_N": 7.0 * leg, "known": leg > 1} for leg in range(3)]}
-    columns = {"time": np.arange(5.0), "F1": np.arange(5.0)}
+    columns = {"time": np.arange(5.0), "F_1": np.arange(5.0)}
     report = Report(
         "words", {"run": columns}, lists, {"run": figure}, {"Path I": lambda: ss.view(dasgupta(), "I")}
     )
@@ -176,7 +176,7 @@ def test_the_example_opens_a_browser_or_says_the_path(
 
 def test_what_cannot_be_shown_is_named() -> None:
     robot = ss.robots.dasgupta1998()
-    path, _ = ss.PATHS["I"]
+    path, _ = ss.PAPER_PATHS["I"]
     time = np.linspace(0.0, 6.0, 5)
     with pytest.raises(ValueError, match="times: expected shape"):
         ss.view(robot, path.sample(time), time[:3])
@@ -191,10 +191,10 @@ def test_what_cannot_be_shown_is_named() -> None:
 
 def test_a_motion_without_accelerations_is_shown_without_forces() -> None:
     robot = ss.robots.dasgupta1998()
-    path, _ = ss.PATHS["III"]
+    path, _ = ss.PAPER_PATHS["III"]
     time = np.linspace(0.0, 6.0, 61)
     full = path.sample(time)
-    shown = ss.view(robot, ss.Motion(full.R, full.t, full.omega, full.v), time).instants
+    shown = ss.view(robot, ss.Motion(R=full.R, t=full.t, omega=full.omega, v=full.v), time).instants
     assert shown.forces == {}
     (event,) = shown.events
     assert event.time == pytest.approx(3.6705041, abs=1e-3)
@@ -236,14 +236,14 @@ def test_with_z_down_the_same_is_shown_upside_down() -> None:
 def test_the_chains_of_offset_joints_are_as_long_as_stated() -> None:
     from stewart_sym.viewer.content import content
 
-    offsets = ss.Offsets(
+    offsets = ss.JointOffsets(
         platform_joint="universal",
         platform_axis=np.tile([1.0, 0.0, 0.0], (6, 1)),
-        wrist=np.full(6, 0.03),
-        cross=np.linspace(0.01, 0.06, 6),
+        wrist_offset=np.full(6, 0.03),
+        axis_offset=np.linspace(0.01, 0.06, 6),
     )
     robot = dataclasses.replace(dasgupta(), offsets=offsets)
-    path, _ = ss.PATHS["I"]
+    path, _ = ss.PAPER_PATHS["I"]
     time = np.linspace(0.0, 6.0, 7)
     view = ss.view(robot, path.sample(time), time)
     shown = view.instants
@@ -255,10 +255,10 @@ def test_the_chains_of_offset_joints_are_as_long_as_stated() -> None:
     )
     tips = shown.motion.t[:, None] + robot.p @ np.swapaxes(shown.motion.R, -1, -2)
     for points, length in (
-        (moving - robot.b, offsets.cross),
+        (moving - robot.b, offsets.axis_offset),
         (foot - moving, 0.0),
         (end - foot, shown.L),
-        (tips - end, offsets.wrist),
+        (tips - end, offsets.wrist_offset),
     ):
         assert np.allclose(np.linalg.norm(points, axis=-1), length, atol=1e-6)
     assert np.allclose(np.sum(y * robot.k, axis=-1), 0.0, atol=1e-6)
@@ -283,7 +283,7 @@ def test_limits_far_from_the_curves_are_said(browser: Browser, tmp_path: Path) -
     limits = {"force_limit": np.full(6, 4e4), "speed_limit": np.full(6, 30.0)}
     robot = dataclasses.replace(dasgupta(), **limits)
     time = np.linspace(0.0, 2.0, 41)
-    path, _ = ss.PATHS["I"]
+    path, _ = ss.PAPER_PATHS["I"]
     ss.view(robot, path.sample(time), time).save(tmp_path / "out.html")
     page = Opened(browser, tmp_path / "out.html")
     heads = page.page.locator("figcaption").all_inner_texts()

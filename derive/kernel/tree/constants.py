@@ -9,7 +9,7 @@ STATUSES = (
     ("JOINT_SINGULAR", 3, "a leg lies along the fixed axis of its universal joint"),
     ("SINGULAR", 4, "H is singular: no leg forces can hold the platform"),
     ("BAD_ARGUMENT", 5, "a pointer that must not be null is null"),
-    ("INDEFINITE", 6, "the inertia matrix M is not positive definite: no body has such inertias"),
+    ("MASS_MATRIX_INDEFINITE", 6, "the inertia matrix M is not positive definite: no body has such inertias"),
     ("NOT_CONVERGED", 7, "no pose with these leg lengths was found"),
 )
 """Name, code and meaning of each status."""
@@ -28,7 +28,7 @@ INTEGERS = STATUS | SEARCH
 """Whole numbers that written functions may use."""
 
 SMALLEST, LARGEST = 0.125, 16.0
-"""Sizes of platforms, m, between which forces and moments in metres compare well enough.
+"""Sizes of platforms, m, between which forces and moments in meters compare well enough.
 
 Of 10^4 poses none loses more than 6.1 rounding units times its condition number at 1/8 m, 2 at 1 m and above,
 but 10 at 1/16 m. In float, pivots that are rounding error of moments come near

@@ -66,26 +66,27 @@ def equations(model: "Model", motion: "Motion") -> "Equations":
             out.H_dot[i][j] = legs.leg[j].H_dot_force[i]
             out.H_dot[i + 3][j] = legs.leg[j].H_dot_moment[i]
     for i in range(6):
-        total_bias = out.g[i] + out.friction[i]
+        total_bias = out.g[i]
         for j in range(3):
             total_bias = total_bias + out.C[i][j] * motion.v[j] + out.C[i][j + 3] * motion.omega[j]
         out.bias[i] = total_bias
+        out.bias_and_friction[i] = total_bias + out.friction[i]
     out.status = legs.status
     check_equations(out)
     return out
 
 
-def bias(model: "Model", motion: "Motion") -> "Bias":
+def bias_and_friction(model: "Model", motion: "Motion") -> "BiasAndFriction":
     """C [v; omega] + g + friction without C."""
-    out = blank(Bias)
+    out = blank(BiasAndFriction)
     legs = blank(BiasLegs)
     summed = blank(BiasSums)
     bias_sums(model, motion, legs, summed)
     for i in range(3):
-        out.bias[i] = summed.bias_force[i]
-        out.bias[i + 3] = summed.bias_moment[i]
+        out.bias_and_friction[i] = summed.bias_force[i]
+        out.bias_and_friction[i + 3] = summed.bias_moment[i]
     out.status = legs.status
-    check_bias(out)
+    check_bias_and_friction(out)
     return out
 
 
@@ -98,10 +99,10 @@ def forward_dynamics(model: "Model", motion: "Motion", F: "array(6)") -> "Accele
         legs.given[i].F = F[i]
     forward_sums(model, motion, legs, summed)
     accelerations_of(legs, summed, out)
-    if anywhere(out.status == INDEFINITE):
+    if anywhere(out.status == MASS_MATRIX_INDEFINITE):
         by = blank(Rows)
         apart = forward_apart(model, motion, F, by)
-        lost = where(out.status == INDEFINITE, 1, 0)
+        lost = where(out.status == MASS_MATRIX_INDEFINITE, 1, 0)
         for i in range(3):
             out.a[i] = where(lost == 1, apart.x[i], out.a[i])
             out.alpha[i] = where(lost == 1, apart.x[i + 3], out.alpha[i])
@@ -111,7 +112,7 @@ def forward_dynamics(model: "Model", motion: "Motion", F: "array(6)") -> "Accele
 
 
 def accelerations_of(legs: "ForwardLegs", summed: "ForwardSums", out: "Accelerations") -> None:
-    """The accelerations of a pose; INDEFINITE where elimination leaves too little of M."""
+    """The accelerations of a pose; MASS_MATRIX_INDEFINITE where elimination leaves too little of M."""
     status = OK
     definite_six()
     for i in each(3):
@@ -204,9 +205,9 @@ def derivatives(model: "Model", motion: "Motion") -> "Derivatives":
     return out
 
 
-def linearisation(model: "Model", motion: "Motion", F: "array(6)") -> "Linearisation":
+def linearization(model: "Model", motion: "Motion", F: "array(6)") -> "LinearizationResult":
     """Forward dynamics, and d/dt [dt; dphi; dv; domega] = A [dt; dphi; dv; domega] + B dF about it."""
-    out = blank(Linearisation)
+    out = blank(LinearizationResult)
     legs = blank(DerivativesLegs)
     summed = blank(DerivativesSums)
     A = blank(array(6, 24))
@@ -224,15 +225,15 @@ def linearisation(model: "Model", motion: "Motion", F: "array(6)") -> "Linearisa
             A[i][j + 18] = legs.leg[j].H_force[i]
             A[i + 3][j + 18] = legs.leg[j].H_moment[i]
     fault = solve_definite_24(A, KEPT)
-    if anywhere((status == OK) & (fault == INDEFINITE)):
+    if anywhere((status == OK) & (fault == MASS_MATRIX_INDEFINITE)):
         apart = slopes_apart(model, motion, moving, F)
         for i in range(6):
             for j in range(6, 24):
-                A[i][j] = where(fault == INDEFINITE, apart.A[i][j], A[i][j])
+                A[i][j] = where(fault == MASS_MATRIX_INDEFINITE, apart.A[i][j], A[i][j])
         for i in range(3):
-            moved.a[i] = where(fault == INDEFINITE, apart.x[i], moved.a[i])
-            moved.alpha[i] = where(fault == INDEFINITE, apart.x[i + 3], moved.alpha[i])
-        fault = where(fault == INDEFINITE, apart.status, fault)
+            moved.a[i] = where(fault == MASS_MATRIX_INDEFINITE, apart.x[i], moved.a[i])
+            moved.alpha[i] = where(fault == MASS_MATRIX_INDEFINITE, apart.x[i + 3], moved.alpha[i])
+        fault = where(fault == MASS_MATRIX_INDEFINITE, apart.status, fault)
     for i in range(3):
         out.a[i] = moved.a[i]
         out.alpha[i] = moved.alpha[i]
@@ -251,7 +252,7 @@ def linearisation(model: "Model", motion: "Motion", F: "array(6)") -> "Linearisa
     out.A[5][3] = -motion.omega[1]
     out.A[5][4] = motion.omega[0]
     out.status = where(status == OK, fault, status)
-    check_linearisation(out)
+    check_linearization(out)
     return out
 
 

@@ -182,7 +182,7 @@ def regular(k) -> None:
 
 def definite(k) -> None:
     """Whether enough remains of a diagonal number of a symmetric matrix, whose rows stay in place."""
-    fault = where(size(a[k, k]) <= MAX, INDEFINITE, NOT_FINITE)
+    fault = where(size(a[k, k]) <= MAX, MASS_MATRIX_INDEFINITE, NOT_FINITE)
     fault = where(a[k, k] > kept * scale[k,], OK, fault)
     status = where(status == OK, fault, status)
 

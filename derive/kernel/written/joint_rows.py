@@ -1,4 +1,4 @@
-"""Forward dynamics and linearisation where M's factors lose digits, for ``read``.
+"""Forward dynamics and linearization where M's factors lose digits, for ``read``.
 
 Near a joint singularity, or with a very short or very heavy leg, the legs' inertia stays in their joint
 coordinates: M = A^T W A with three rows of A for each leg and six of the platform, and weights W of about
@@ -300,7 +300,7 @@ def row_right(
 ) -> None:
     """What the six coordinates' accelerations must balance, of the rows' forces and a wrench, ``held``.
 
-    force: of each row, as its generalised force over its size, without accelerations. start: accelerations of
+    force: of each row, as its generalized force over its size, without accelerations. start: accelerations of
     the coordinates that balance their own large forces, from which the unknown ones are measured; rest: the
     rows' forces there.
     """
@@ -348,7 +348,7 @@ def rows_held(
     rest: "array(24)",
     held: "array(6)",
 ) -> None:
-    """Of each leg the generalised forces, the accelerations that those of the platform give to it, and
+    """Of each leg the generalized forces, the accelerations that those of the platform give to it, and
     whether it is thin: most of what resists turning by phi is then k3 times its turning by theta. A share
     between the two would have the rounding of both.
 

@@ -150,7 +150,7 @@ def is_open(legs: "LegsAtPose") -> "Integer":
 
 
 def polish(R: "array(9)", half: "Real") -> "Real":
-    """One of Newton's steps towards the rotation nearest to R, R <- R + R (E - R^T R) / 2, or none where
+    """One of Newton's steps toward the rotation nearest to R, R <- R + R (E - R^T R) / 2, or none where
     ``half`` is 0; returns how far an entry of R^T R was from E."""
     lack = array(9)
     skew = 0.0

@@ -74,7 +74,7 @@ def singular_status(
 def solve_definite(A: "array(6, WIDTH)", kept: "Real") -> "Integer":
     """Solves the rows [M | Y] for X, left in place of Y, by L D L^T.
 
-    INDEFINITE where a pivot is not more than ``kept`` of its diagonal number.
+    MASS_MATRIX_INDEFINITE where a pivot is not more than ``kept`` of its diagonal number.
     """
     scale = blank(array(6))
     inverse = blank(array(6))
@@ -123,7 +123,7 @@ def substitute_back(A: "array(6, WIDTH)", inverse: "array(6)") -> None:
 
 def per_length_of(size: "Real", smallest: "Real") -> "Real":
     """What moments are multiplied by in the solve where no coordinate of their arms exceeds `size`, 1/m: 1
-    for arms of about a metre, `smallest` and more, else one over the least power of two, from 2^-100 to
+    for arms of about a meter, `smallest` and more, else one over the least power of two, from 2^-100 to
     2^100, that is as large."""
     per_length = 1.0
     if anywhere((size < smallest) | (size > LARGEST)):

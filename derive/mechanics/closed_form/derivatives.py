@@ -103,7 +103,7 @@ def derivatives_of_leg(near: bool, rotor: Rotor) -> Block:
 
 @dataclass(frozen=True)
 class _TorqueSlopes:
-    """Derivatives of the leg's generalised forces, 3x3, leg frame: by S, S_dot and S_ddot.
+    """Derivatives of the leg's generalized forces, 3x3, leg frame: by S, S_dot and S_ddot.
 
     inertia: M of the joint coordinates; bend: sum of the net forces times the Hessians of L, theta, phi;
     force: Gamma^T net, base frame; normal: k x y.
@@ -120,7 +120,7 @@ class _TorqueSlopes:
 def _torque_slopes(build: Builder, leg: parts.Leg, near: bool, net: sp.Matrix | None = None) -> _TorqueSlopes:
     """See ``tip`` for the formulas. near: everything in the symbols of ``tip.gathered``, and without names.
 
-    net: generalised forces less the actuator's, where they are given.
+    net: generalized forces less the actuator's, where they are given.
     """
     rotor = leg.at.rotor
     inner, raw, M = tip.gradients(), tip.torques(True, rotor), tip.inertia(rotor)
@@ -258,7 +258,7 @@ def joint_slopes_kernel(rotor: Rotor) -> SumKernel:
             name,
             parts.local_matrix(build, f"{name}_leg", tip.gathered(value)) * T.T,
             "",
-            "generalised forces by the tip's motion",
+            "generalized forces by the tip's motion",
         )
         for name, value in (
             ("tau_S", by.S + turning),
@@ -269,7 +269,7 @@ def joint_slopes_kernel(rotor: Rotor) -> SumKernel:
     # Not gathered with the rest of S: what AXIAL = 1 takes out of it would stay as rounding.
     bent = parts.local_matrix(build, "bent_leg", parts.by_joints(leg.at).T * bend)
     S = build.matrix(
-        "tau_place", S + bent * T.T, "", "generalised forces by the tip's place, as the rows turn"
+        "tau_place", S + bent * T.T, "", "generalized forces by the tip's place, as the rows turn"
     )
     W, w_q = skew(n.omega.value), build.vector("w_q", cross(n.omega.value, q), "(4)", "omega x q")
     reach = build.matrix("X", S + S_dot * W + S_ddot * p.B.value)
@@ -279,7 +279,7 @@ def joint_slopes_kernel(rotor: Rotor) -> SumKernel:
     by_omega = -n.C_s.value * sp.Matrix.vstack(sp.zeros(1, 3), leg.at.y.T, n.k.value.T)
     block = build.block(
         "joint_slopes_of_leg",
-        "one leg's part of the derivatives of the wrench, and its generalised forces' derivatives",
+        "one leg's part of the derivatives of the wrench, and its generalized forces' derivatives",
         parts.LEG_INPUTS,
         [
             *((quantity, zero) for quantity in INERTIA),
@@ -297,7 +297,7 @@ def joint_slopes_kernel(rotor: Rotor) -> SumKernel:
 
 
 def _turning_with_leg(fall: sp.Matrix, net: sp.Matrix, forces: sp.Matrix) -> tuple[sp.Matrix, sp.Matrix]:
-    """What turning adds to the derivatives by S: of the generalised forces by a mass at the tip, of the rows.
+    """What turning adds to the derivatives by S: of the generalized forces by a mass at the tip, of the rows.
 
     Near the joint singularity the leg frame turns fast about the leg. Both parts are then large, and what
     a thin rod's forces across the leg add to them cancels: with AXIAL = 0 it is in neither. Of a leg with

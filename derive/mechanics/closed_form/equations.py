@@ -96,7 +96,7 @@ def joint_rows_kernel(rotor: Rotor) -> terms.SumKernel:
     nothing = [(q, sp.zeros(*q.shape)) for q in terms.INERTIA]
     block = build.block(
         "joint_rows_of_leg",
-        "one leg's inertia and generalised forces in its joint coordinates, and their gradients",
+        "one leg's inertia and generalized forces in its joint coordinates, and their gradients",
         parts.LEG_INPUTS,
         [
             *nothing,

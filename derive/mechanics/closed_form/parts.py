@@ -167,7 +167,7 @@ def wrench(force: sp.Matrix, q: sp.Matrix, less: sp.Matrix | None = None) -> lis
 
 
 def tip_bias(build: Builder, leg: Leg) -> tuple[JointForces, sp.Matrix]:
-    """Generalised forces and f of the leg without accelerations of the platform."""
+    """Generalized forces and f of the leg without accelerations of the platform."""
     at = leg.at
     rates = joint_rates(build, at, leg.S_dot)
     S_ddot = build.vector(

@@ -54,7 +54,7 @@ BY_TWIST = (
 B_0 = _matrix("B_0", "1/s^2", "[omega]x [omega]x")
 F_LEG = Quantity("F", (), "N", "actuator force of the leg")
 NET = Quantity(
-    "net", (3,), "N, N m", "generalised forces of the leg less the actuator's, along L, theta, phi"
+    "net", (3,), "N, N m", "generalized forces of the leg less the actuator's, along L, theta, phi"
 )
 H_DOT = (
     _vector("H_dot_force", "1/s", "rate of the leg's column of H, force rows"),
@@ -68,15 +68,15 @@ TURNED = Quantity(
 AXIAL = Quantity("axial", (), "1", "0 of a leaning leg with little inertia about its own axis, else 1")
 
 # A leg's inertia kept apart from the directions in which it acts: M of (L, theta, phi), the gradients of
-# L, theta, phi by the platform's position and rotation, generalised forces and their derivatives.
+# L, theta, phi by the platform's position and rotation, generalized forces and their derivatives.
 M_XI = _matrix("M_xi", "kg, kg m, kg m^2", "inertia of the joint coordinates, rows L, theta, phi", True)
 ROWS = (
     _matrix("row_v", "1, 1/m", "gradients of L, theta, phi by position"),
     _matrix("row_w", "m, 1", "gradients of L, theta, phi by rotation"),
 )
-TAU = _vector("tau", "N, N m", "generalised forces less the actuator's without accelerations of the platform")
+TAU = _vector("tau", "N, N m", "generalized forces less the actuator's without accelerations of the platform")
 TAU_BY = tuple(
-    _matrix(f"tau_{by}", "N, N m per unit", f"generalised forces by {meaning}, row for row")
+    _matrix(f"tau_{by}", "N, N m per unit", f"generalized forces by {meaning}, row for row")
     for by, meaning in (("t", "dt"), ("r", "dphi"), ("v", "v"), ("w", "omega"))
 )
 

@@ -104,7 +104,7 @@ class JointInertia:
 
 @dataclass(frozen=True)
 class JointForces:
-    """Generalised forces: along L without the part of theta, about y, about k."""
+    """Generalized forces: along L without the part of theta, about y, about k."""
 
     along: sp.Expr
     about_y: sp.Expr
@@ -331,7 +331,7 @@ def joint_forces(
         about_y += C_us * rates.theta - C_s * at.y.dot(omega)
         about_k += C_us * rates.phi - C_s * n.k.value.dot(omega)
         along += n.C_p.value * rates.L
-    meaning = "generalised forces about y and about k"
+    meaning = "generalized forces about y and about k"
     return JointForces(
         along,
         about_y=build.scalar("tau_y", about_y, "(20)", meaning),

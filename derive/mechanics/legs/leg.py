@@ -91,7 +91,7 @@ def constants(friction: bool = True, axisymmetric: bool = False, rotor: Rotor = 
 
 
 def _about_axis(value: sp.Matrix) -> sp.Matrix:
-    """What axial symmetry leaves of a centre of mass or of an inertia."""
+    """What axial symmetry leaves of a center of mass or of an inertia."""
     if value.shape == (3, 1):
         return sp.Matrix([value[0], 0, 0])
     return sp.diag(value[0, 0], value[1, 1], value[1, 1])
@@ -245,7 +245,7 @@ def _tidy(expr: sp.Expr, m: LegFrameMotion) -> sp.Expr:
 class PartForces:
     """Newton's and Euler's right-hand sides of the two parts, leg frame.
 
-    N_d, N_u: m (a - g), N; r_d, r_u: centres of mass from the base point, m;
+    N_d, N_u: m (a - g), N; r_d, r_u: centers of mass from the base point, m;
     E_d, E_u: I A + W x I W, and the rotor's part, N m; f: friction moment at the spherical joint, N m.
     """
 
@@ -263,7 +263,7 @@ def inertias(form: Formulation, c: LegConstants, L: sp.Expr) -> tuple[sp.Matrix,
     return c.I_d0, c.I_u0 + (c.m_u * L**2 * sp.diag(0, 1, 1) if form.transport_twice else sp.zeros(3))
 
 
-def centre_forces(
+def center_forces(
     build: Builder,
     c: LegConstants,
     m: LegFrameMotion,
@@ -275,13 +275,13 @@ def centre_forces(
     """r_d, r_u, N_d, N_u and f: (11)-(14), then m (a - g), and the friction of (18)."""
     r_d = c.r_d0
     r_u = build.vector(
-        "r_u", m.L * X_AXIS + c.r_u0, "(12)", "centre of mass of the upper part from the base point"
+        "r_u", m.L * X_AXIS + c.r_u0, "(12)", "center of mass of the upper part from the base point"
     )
     a_d = build.vector(
         "a_d",
         _spin_gathered(cross(A, r_d) + cross(W, cross(W, r_d)), W),
         "(11), (13)",
-        "acceleration of the lower centre of mass",
+        "acceleration of the lower center of mass",
     )
     a_u = build.vector(
         "a_u",
@@ -289,7 +289,7 @@ def centre_forces(
         + _spin_gathered(cross(A, r_u) + cross(W, cross(W, r_u)), W)
         + 2 * L_dot * cross(W, X_AXIS),
         "(14)",
-        "acceleration of the upper centre of mass",
+        "acceleration of the upper center of mass",
     )
     N_d = build.vector("N_d", c.m_d * (a_d - m.gamma), "(25)", "m_d (a_d - g)")
     N_u = build.vector("N_u", c.m_u * (a_u - m.gamma), "(23)", "m_u (a_u - g)")
@@ -401,7 +401,7 @@ def leg_dynamics(
     with_reactions: name E_d by itself, which M_p needs; otherwise I_d + I_u is formed at once, as in (19).
     """
     L_dot, W, L_ddot, A = rotation(build, form, m)
-    r_d, r_u, N_d, N_u, f = centre_forces(build, c, m, L_dot, W, L_ddot, A)
+    r_d, r_u, N_d, N_u, f = center_forces(build, c, m, L_dot, W, L_ddot, A)
     I_d, I_u = inertias(form, c, m.L)
     inertia = build.tensor("I", I_d + I_u, "(15), (16), (19)", "I_d + I_u")
     E = build.vector("E", euler_term(inertia, A, W), "(19)", "I A + W x I W")

@@ -31,8 +31,8 @@ a = Quantity("cross", (), "m", "from the fixed to the moving axis, along o = y x
 e = Quantity("along", (), "m", "from where o meets the moving axis to the line of sliding, along y")
 d = Quantity("across", (), "m", "the same along z = s x y")
 m_c = Quantity("cross_mass", (), "kg", "mass of the body between fixed and moving axis")
-r_c = Quantity("cross_center", (3,), "m", "its centre of mass from the base point, along o, y and k")
-I_c = Quantity("cross_inertia", (), "kg m^2", "its inertia about k through its centre of mass")
+r_c = Quantity("cross_center", (3,), "m", "its center of mass from the base point, along o, y and k")
+I_c = Quantity("cross_inertia", (), "kg m^2", "its inertia about k through its center of mass")
 RAW = (a, e, d, m_c, r_c, I_c)
 
 # Prepared constants.
@@ -74,7 +74,7 @@ def offset_frame(build: Builder) -> OffsetFrame:
         for name, expr in (("r_share", r * inv_rho2), ("e_share", e.value * inv_rho2))
     )
     y = build.vector("y", share * normal + along * beside, "(10)", "moving axis of the universal joint")
-    o = build.vector("o", cross(y, k), "(10)", "from the fixed axis towards the platform")
+    o = build.vector("o", cross(y, k), "(10)", "from the fixed axis toward the platform")
     out = build.scalar("r_out", r - a.value, "", "tip from the moving axis: along o, and squared")
     reach2 = build.scalar("reach2", out**2 + zeta**2)
     L = build.scalar("L", sp.sqrt(reach2 - d2.value), "(2)", "leg length")

@@ -62,7 +62,7 @@ def christoffel(M: sp.Matrix) -> sp.Matrix:
 
 
 def gravity() -> sp.Matrix:
-    """Generalised force that holds the leg against gravity, 3x1; gamma as in ``joint_coordinates``."""
+    """Generalized force that holds the leg against gravity, 3x1; gamma as in ``joint_coordinates``."""
     wx, wy, wz = p.w.value
     w_k, w_n = k1 * wx + k3 * wz, k3 * wx - k1 * wz
     return sp.Matrix([0, w_n * p.g_k.value + w_k * GAMMA_N, -wy * GAMMA_N - w_n * GAMMA_Y])
@@ -73,7 +73,7 @@ OMEGA_N, OMEGA_Y, OMEGA_K = sp.symbols("w_n_omega w_y_omega w_k_omega", real=Tru
 
 
 def friction() -> sp.Matrix:
-    """Generalised force of the joints' friction, 3x1; OMEGA_Y, OMEGA_K: omega along y and k."""
+    """Generalized force of the joints' friction, 3x1; OMEGA_Y, OMEGA_K: omega along y and k."""
     C_s, C_us = n.C_s.value, p.C_us.value
     return sp.Matrix(
         [
@@ -85,14 +85,14 @@ def friction() -> sp.Matrix:
 
 
 def torques(with_friction: bool, rotor: Rotor = NONE) -> sp.Matrix:
-    """Lagrange's generalised forces, 3x1: M xi_ddot + C_xi xi_dot + gravity + friction."""
+    """Lagrange's generalized forces, 3x1: M xi_ddot + C_xi xi_dot + gravity + friction."""
     M = inertia(rotor)
     tau = M * sp.Matrix(accelerations) + christoffel(M) * sp.Matrix(rates) + gravity()
     return tau + friction() if with_friction else tau
 
 
 def place(expr: sp.Matrix) -> sp.Matrix:
-    """Slopes of generalised forces along L, theta, phi at fixed rates and accelerations, 3x3.
+    """Slopes of generalized forces along L, theta, phi at fixed rates and accelerations, 3x3.
 
     What points in the base frame turns against the leg as phi grows: d gamma_y / d phi = gamma_n and
     d gamma_n / d phi = -gamma_y, and alike for omega; d gamma / d theta = 0.
@@ -107,7 +107,7 @@ def place(expr: sp.Matrix) -> sp.Matrix:
 
 
 def of_rod(forces: sp.Matrix) -> sp.Matrix:
-    """The generalised forces of ``torques`` that a thin rod along the leg would have: no friction in them."""
+    """The generalized forces of ``torques`` that a thin rod along the leg would have: no friction in them."""
     (_, hy, hz), (_, wy, wz), J = p.h.value, p.w.value, p.J.value
     others = (hy, hz, wy, wz, J[0, 0], J[0, 1], J[0, 2], J[1, 2], p.C_us.value, n.C_s.value, n.C_p.value)
     return forces.xreplace(dict.fromkeys((*others, n.j_r.value), sp.S.Zero))
@@ -128,7 +128,7 @@ def of_tip() -> sp.Matrix:
 
 
 def by_place_of_force(force: sp.Matrix) -> sp.Matrix:
-    """Derivative by S of the generalised forces Gamma^-T force, 3x3, leg frame.
+    """Derivative by S of the generalized forces Gamma^-T force, 3x3, leg frame.
 
     force: at the tip, fixed in the base frame; Gamma^-1 turns and grows with the leg.
     """

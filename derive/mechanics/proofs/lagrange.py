@@ -60,7 +60,7 @@ def energies() -> Energies:
 
 
 def torques(gamma: sp.Matrix, omega: sp.Matrix) -> sp.Matrix:
-    """Generalised forces along L, theta, phi, 3x1, in the symbols of ``tip`` and in normal form.
+    """Generalized forces along L, theta, phi, 3x1, in the symbols of ``tip`` and in normal form.
 
     gamma, omega: gravity and the platform's angular velocity in the leg frame, 3x1.
     """

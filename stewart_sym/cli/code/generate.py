@@ -23,7 +23,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="LIST",
         default="forces",
         help="some of forces, reactions (in C alone), motion (M, C, g, friction, bias, H, forward dynamics, "
-        "inertia at the actuators), derivatives (of the forces; linearisation), both for universal base "
+        "inertia at the actuators), derivatives (of the forces; linearization), both for universal base "
         "joints, kinematics (inverse, forward, velocities), torque (of the motors of a robot with a drive, "
         "in C alone), with commas; default: forces",
     )

@@ -48,7 +48,9 @@ def run(arguments: argparse.Namespace) -> int:
             text = str(error)
             where = "" if text.startswith(str(arguments.robot)) else f"{arguments.robot}: "
             raise ValueError(f"{where}{text}") from None
-        texts = {path: file.text} | ({} if file.loops is None else {loops_path(path): file.loops})
+        texts = {path: file.text} | (
+            {} if file.loop_closures is None else {loops_path(path): file.loop_closures}
+        )
         for name, text in texts.items():
             stack.enter_context(result_file(name, BEGINNINGS, arguments.force)).write(text)
         written = [str(name) for name in texts]

@@ -18,11 +18,11 @@ MORE = (
     "The trajectory's first line names its columns: time, t_x t_y t_z (m), theta_x theta_y theta_z (rad) or "
     "q_w q_x q_y q_z; optionally v_*, theta_dot_*, a_* and theta_ddot_* together (else a spline is fitted), "
     "F_ext_* and M_ext_* (platform frame). Or, in joint space: time, L_1 to L_6 (m), optionally L_dot_* and "
-    "L_ddot_* together. SI units by default. Columns that show rounding or noise are smoothed; F1_sd to "
-    "F6_sd are the standard deviations of the forces due to the noise that remains, and what is within three "
+    "L_ddot_* together. SI units by default. Columns that show rounding or noise are smoothed; F_1_std to "
+    "F_6_std are the standard deviations of the forces due to the noise that remains, and what is within three "
     "deviations of its limit is reported as not decided. Moments M_p are taken about the base points. A "
-    "robot with a drive has columns torque1 (N m), motor_speed1 (rad/s), current1 (A) and power1 (W), with "
-    "noise torque1_sd and so on, as well."
+    "robot with a drive has columns torque_1 (N m), motor_speed_1 (rad/s), current_1 (A) and power_1 (W), with "
+    "noise torque_1_std and so on, as well."
 )
 
 
@@ -60,7 +60,7 @@ def run(arguments: argparse.Namespace) -> int:
     from ...studies.common.report import Picture, Report, draw
     from ...studies.reports.track import Digest, header_lines, in_parts
     from ...viewer.instants import of_trajectory
-    from ...viewer.view import View
+    from ...viewer.view import Viewer
 
     robot = robot_of(arguments.robot)
     if arguments.picture is not None:
@@ -102,8 +102,8 @@ def run(arguments: argparse.Namespace) -> int:
                 figures["motor_torque"] = Picture(digest.drive.figure)
                 draw(figures["motor_torque"], arguments.picture.with_suffix(""))
         doubts = digest.doubts(arguments.noise_share)
-        views = {"motion": lambda: View(robot, of_trajectory(robot, trajectory))}
-        data = {**digest.as_json(), "doubts": doubts}
+        views = {"motion": lambda: Viewer(robot, of_trajectory(robot, trajectory))}
+        data = {**digest.as_json(), "warnings": doubts}
         take(Report("\n".join(lines), tables, data, figures, views))
     for line in doubts:
         warn(line)

@@ -13,7 +13,7 @@ from ..options import finite, log_form, noise_options, output, positive, robot_f
 from ..results import results
 
 if TYPE_CHECKING:
-    from ...identification.estimates import Estimate
+    from ...identification.estimates import IdentificationResult
     from ...motion.trajectory import Trajectory
     from ...studies.common.report import Report
 
@@ -33,11 +33,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         nargs=2,
         type=Path,
         metavar=("TRAJECTORY.csv", "FORCES.csv"),
-        help="the motion, as for forces, and columns time, F1 to F6 (N) at the same times, or else current1 "
-        "to current6 (A), signed as the torque, of a machine whose drives have a torque_constant; of the "
+        help="the motion, as for forces, and columns time, F_1 to F_6 (N) at the same times, or else current_1 "
+        "to current_6 (A), signed as the torque, of a machine whose drives have a torque_constant; of the "
         "options of the trajectory's file --delimiter, --decimal and, where no row of units states it, "
         "--time-unit are the second file's too; of the robot file only geometry, gravity and drives are "
-        "used: where these have a rotor_inertia, F1 to F6 are forces of the motors (N times torque); --seed, "
+        "used: where these have a rotor_inertia, F_1 to F_6 are forces of the motors (N times torque); --seed, "
         "--samples and --candidates are not used",
     )
     text = "standard deviation of measured forces, N, or of measured currents, A"
@@ -70,7 +70,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--drive",
         metavar="TERM,...",
-        help="F1 to F6 are forces of the motors (N times torque), as currents always are: seek terms of the "
+        help="F_1 to F_6 are forces of the motors (N times torque), as currents always are: seek terms of the "
         "drives as well, some of reflected_mass, coulomb, offset, viscous",
     )
     valued(parser, "samples", whole, "instants of one period", 200)
@@ -91,7 +91,7 @@ def run(arguments: argparse.Namespace) -> int:
     return 1 if found.verdict == "rejected" else 0
 
 
-def _measured(arguments: argparse.Namespace, progress: Progress) -> "tuple[Report, Estimate]":
+def _measured(arguments: argparse.Namespace, progress: Progress) -> "tuple[Report, IdentificationResult]":
     import numpy as np
 
     from ...drives.effort import motor_forces
@@ -101,7 +101,7 @@ def _measured(arguments: argparse.Namespace, progress: Progress) -> "tuple[Repor
     from ...motion.log_reader import CURRENTS, FORCES, read_leg_columns
     from ...motion.logs import HeaderError
     from ...motion.smooth_motion import WITHOUT_PERIOD, PoseNoise
-    from ...motion.trajectory import Smoothing
+    from ...motion.trajectory import SmoothingOptions
     from ...robot.robot import LEGS
     from ...studies.reports.identify import from_measurement, measured_report
 
@@ -118,13 +118,13 @@ def _measured(arguments: argparse.Namespace, progress: Progress) -> "tuple[Repor
     form = log_format(arguments, poses)
     try:
         # The fit has its own noise: what is stated is compared with the log alone.
-        smoothing = Smoothing(*stated_noise(arguments, form), on=False, repair=True)
+        smoothing = SmoothingOptions(*stated_noise(arguments, form), enabled=False, repair=True)
         log = trajectory_for(robot, poses, log_format(arguments), smoothing)
     except HeaderError as error:
         if not set(FORCES) <= set(error.header):
             raise
         raise ValueError(
-            f"{poses}: expected poses or leg lengths, got forces F1 to F6: "
+            f"{poses}: expected poses or leg lengths, got forces F_1 to F_6: "
             "the two files of --measured look swapped"
         ) from None
     trajectory = cast("Trajectory", poses_of(robot, log, arguments, progress))
@@ -141,21 +141,21 @@ def _measured(arguments: argparse.Namespace, progress: Progress) -> "tuple[Repor
         )
     model = (not arguments.no_friction, arguments.physical)
     found = from_measurement(
-        robot, trajectory, time, F, sigma, str(forces), noise, *model, form, arguments.shared, terms, lines
+        robot, trajectory, time, F, sigma, str(forces), noise, *model, form, arguments.shared == "legs", terms, lines
     )
     return measured_report(robot, found, sigma, noise, columns == CURRENTS), found
 
 
-def _simulated(arguments: argparse.Namespace, progress: Progress) -> "tuple[Report, Estimate]":
-    from ...identification.estimation import simulated_experiment
+def _simulated(arguments: argparse.Namespace, progress: Progress) -> "tuple[Report, IdentificationResult]":
+    from ...identification.estimation import simulate_experiment
     from ...identification.excitation import choose_excitation
-    from ...motion.logs import LogFormat
+    from ...motion.logs import TrajectoryFormat
     from ...studies.reports.identify import simulated_report
 
     for option in ("no_friction", "physical", "drive"):
         if getattr(arguments, option):
             raise ValueError(f"--{option.replace('_', '-')}: is for measured forces, expected --measured")
-    if log_format(arguments) != LogFormat() or arguments.start is not None:
+    if log_format(arguments) != TrajectoryFormat() or arguments.start is not None:
         raise ValueError(
             "--start and options of the trajectory's file: are for measured forces, expected --measured"
         )
@@ -166,7 +166,7 @@ def _simulated(arguments: argparse.Namespace, progress: Progress) -> "tuple[Repo
     harmonics = 5 if arguments.harmonics is None else arguments.harmonics
     excited = choose_excitation(robot, harmonics=harmonics, progress=progress, **options)
     progress("identifying")
-    found = simulated_experiment(robot, excited, arguments.sigma, arguments.seed, *noise)
+    found = simulate_experiment(robot, excited, arguments.sigma, arguments.seed, *noise)
     return simulated_report(robot, found), found.estimate
 
 

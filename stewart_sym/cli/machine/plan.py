@@ -23,8 +23,8 @@ MORE = (
     "The file of via poses is TOML: schema = 1, robot (a file beside it), and [[via]] with t, theta (roll, "
     "pitch, yaw, of the tool) and optionally free: how far x, y, z (m, base axes) and roll, pitch, yaw (rad, "
     "tool axes) may differ, as in free.yaw = [-0.5, 0.5]; or via_file, a CSV file of poses in order of time. "
-    'Optionally objective ("mean" or "peak" of the condition number), price of a longer path, rate (Hz), '
-    'formulation, least ("time", "energy" or "peak-force") with duration (s); [limits]: condition, clearance '
+    'Optionally objective ("mean" or "peak" of the condition number), smoothness_weight of a longer path, rate (Hz), '
+    'formulation, minimize ("time", "energy" or "peak_force") with duration (s); [limits]: max_condition, min_clearance '
     "(m), force (N), speed (m/s), acceleration (m/s^2), jerk (m/s^3) of the legs, platform_speed, "
     "platform_turn_rate; [load]: F_ext, M_ext, platform frame, at the reference point. Writes the trajectory "
     "as `forces` reads it, a report with a certificate that limits hold between the samples too (exit code 1 "
@@ -33,7 +33,7 @@ MORE = (
 # Share of a motor's limit by which it may be exceeded between the instants that the certificate checks, where
 # a leg turns back and its friction jumps.
 _BETWEEN = 1e-4
-_LEAST = ("time", "energy", "peak-force")
+_LEAST = ("time", "energy", "peak_force")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -69,31 +69,31 @@ def _plan(arguments: argparse.Namespace, request: "PlanRequest") -> int:
     import numpy as np
 
     from ...drives.effort import DriveLimitWarning
-    from ...kinematics.log_doubts import metres_doubt
+    from ...kinematics.log_doubts import meters_doubt
     from ...kinematics.offset_legs import leg_lengths
     from ...planning.certificate import certify_plan
-    from ...planning.time_path import need_duration, time_path
+    from ...planning.time_path import need_duration, parameterize_path
     from ...studies.reports import plan
 
-    robot, least = request.robot, arguments.least or request.least
+    robot, least = request.robot, arguments.least or request.minimize
     duration = request.duration if arguments.duration is None else arguments.duration
     need_duration(least, duration)
     if duration is not None:
         plan.need_instants(duration, request.rate)
     warn_of_doubts(robot, request.files[1])
     t, R = (np.array([getattr(pose, name) for pose in request.poses]) for name in ("t", "R"))
-    if (doubt := metres_doubt(robot, leg_lengths(robot, R, t))) is not None:
+    if (doubt := meters_doubt(robot, leg_lengths(robot, R, t))) is not None:
         warn(request.of_poses(f"via poses: {doubt}"))
     tables = ("trajectory.csv", "path.csv")
     with results(arguments, "report", *tables, read=request.files) as (take, progress):
         planned = _planned(request, progress)
-        timed = time_path(
+        timed = parameterize_path(
             robot,
             planned.path,
             limits=request.limits,
             formulation=request.formulation,
             progress=progress,
-            least=least,
+            minimize=least,
             duration=duration,
         )
         progress("checking the plan")
@@ -106,9 +106,9 @@ def _plan(arguments: argparse.Namespace, request: "PlanRequest") -> int:
             f"{arguments.via}: rate: expected {FEW_ROWS} or more rows in trajectory.csv of a motion of "
             f"{timed.duration:.4g} s, got {len(found.times)} at {request.rate:g} Hz"
         )
-    if not found.certificate.holds:
+    if not found.certificate.is_valid:
         warn(f"{arguments.via}: the certificate does not hold, see the report")
-    return 0 if found.certificate.holds else 1
+    return 0 if found.certificate.is_valid else 1
 
 
 def _planned(request: "PlanRequest", progress: Progress) -> "PlannedPath":
@@ -121,7 +121,7 @@ def _planned(request: "PlanRequest", progress: Progress) -> "PlannedPath":
             request.poses,
             request.path_limits,
             request.objective,
-            request.price,
+            request.smoothness_weight,
             request.load,
             progress,
         )

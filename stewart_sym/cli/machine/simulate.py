@@ -16,9 +16,9 @@ MORE = (
     "The scene is a TOML file: schema = 1, robot (a file beside it), duration (s), and optionally "
     'formulation, output_step (s), method, rtol, start ("path": at the beginning of the path that is '
     'tracked, instead of [state]), on_force_limit ("stop", or "saturate": forces are clipped). [state]: t, '
-    "theta (roll, pitch, yaw), v, omega. [load]: F_ext, M_ext, platform frame. [thresholds]: max_condition, "
-    'min_length, min_joint_sine. [legs]: law = "forces" with forces; "springs" with stiffness, damping, '
-    'rest_length (without it they balance the weight at the start); "tracking" by computed torque with path '
+    "theta (roll, pitch, yaw), v, omega. [load]: F_ext, M_ext, platform frame. [stop_conditions]: max_condition, "
+    'min_length, min_joint_sine. [actuation]: type = "constant_force" with forces; "spring" with stiffness, damping, '
+    'rest_length (without it they balance the weight at the start); "computed_torque" by computed torque with path '
     "(I, II, III or a CSV file as for `forces`), gains k_p and k_d, model, rate (Hz). SI units. A run stops "
     "where a leg reaches a limit of length, speed, force or joint angle, which is an error at the start."
 )
@@ -41,7 +41,7 @@ def run(arguments: argparse.Namespace) -> int:
     from ...studies.reports.doubts import start_doubts
     from ...studies.reports.energy_drift import energy_drift
     from ...viewer.instants import of_run
-    from ...viewer.view import View
+    from ...viewer.view import Viewer
 
     need("scipy", "simulation")
     scene = read_scene(arguments.scene)
@@ -60,6 +60,6 @@ def run(arguments: argparse.Namespace) -> int:
             progress("comparing the formulations")
             drifts = energy_drift(scene.law, scene.state, scene.duration, scene.rtol, scene.thresholds)
         report = run.report(scene.robot, done, scene.law, drifts or {})
-        views = {"run": lambda: View(scene.robot, of_run(scene.robot, done))}
+        views = {"run": lambda: Viewer(scene.robot, of_run(scene.robot, done))}
         take(dataclasses.replace(report, views=views))
     return 0

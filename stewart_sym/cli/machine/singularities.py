@@ -27,27 +27,27 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     from ...kinematics.mounting import path_for
     from ...motion.interpolation import Path as MotionPath
-    from ...motion.interpolation import between
-    from ...motion.straight_line import PATHS
+    from ...motion.interpolation import interpolate
+    from ...motion.straight_line import PAPER_PATHS
     from ...studies.reports import singularities
     from ...studies.reports.singularities_plot import pictures
 
     robot = robot_of(arguments.robot)
     name = arguments.path
-    read = [] if name in PATHS else [Path(name)]
+    read = [] if name in PAPER_PATHS else [Path(name)]
     tables = ("events.csv", "path.csv")
     with results(arguments, "report", *tables, read=read) as (take, progress):
-        if name in PATHS:
+        if name in PAPER_PATHS:
             if arguments.start is not None:
                 raise ValueError("--start: is for a trajectory of leg lengths, this one is of poses")
             line = path_for(robot, name).path
             path: MotionPath = line.sample
-            times = line.breaks()
+            times = line.breakpoints()
         else:
             if not Path(name).exists():
                 raise ValueError(f"{name}: expected I, II, III or a CSV file, there is no such file")
             trajectory = trajectory_of(robot, Path(name), arguments, progress)
-            path, times, name = between(trajectory), trajectory.time, Path(name).name
+            path, times, name = interpolate(trajectory), trajectory.time, Path(name).name
         progress("looking for singular poses")
         found = singularities.examine(robot, name, path, times, arguments.formulation)
         take(singularities.full_report(found, pictures(found)))

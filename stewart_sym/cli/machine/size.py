@@ -46,7 +46,7 @@ _MOST_MARGIN = 5.0
 
 def run(arguments: argparse.Namespace) -> int:
     from ...design.limits import compared
-    from ...design.size import QUANTILES, checked_quantiles, size
+    from ...design.size import QUANTILES, actuator_requirements, checked_quantiles
     from ...studies.design.size import doubt, report, views
 
     quantiles = arguments.quantiles or QUANTILES
@@ -57,7 +57,9 @@ def run(arguments: argparse.Namespace) -> int:
     robot = robot_of(arguments.robot)
     with results(arguments, "report", "needs.csv") as (take, progress):
         read = [trajectory_of(robot, path, arguments, progress) for path in arguments.trajectories]
-        needs = size(robot, read, arguments.margin, quantiles, arguments.formulation, progress)
+        needs = actuator_requirements(
+            robot, read, arguments.margin, quantiles, arguments.formulation, progress
+        )
         names = [path.name for path in arguments.trajectories]
         found = report(robot, names, needs)
         take(dataclasses.replace(found, views=views(robot, names, read)))

@@ -17,7 +17,7 @@ from ..results import need_html, reject_inputs, results
 if TYPE_CHECKING:
     from ...robot.robot import Robot
     from ...viewer.instants import Instants
-    from ...viewer.view import View
+    from ...viewer.view import Viewer
 
 HELP = "show a machine in motion: one HTML file for any browser, without a network"
 EXAMPLE = "stewart-sym view hexapod.toml trajectory.csv -o machine.html"
@@ -47,7 +47,7 @@ def run(arguments: argparse.Namespace) -> int:
     from ...robots import dasgupta1998
     from ...studies.common.report import Report
     from ...viewer.page import BEGINNING
-    from ...viewer.view import View
+    from ...viewer.view import Viewer
 
     if arguments.example and arguments.robot is not None:
         raise ValueError("--example: is of the paper's machine, expected no ROBOT.toml beside it")
@@ -64,7 +64,7 @@ def run(arguments: argparse.Namespace) -> int:
         result_file(path, [BEGINNING], arguments.force) as stream,
     ):
         robot = dasgupta1998() if arguments.example else robot_of(arguments.robot)
-        shown = View(robot, _motion(robot, arguments, progress))
+        shown = Viewer(robot, _motion(robot, arguments, progress))
         progress("writing the page")
         stream.write(shown.html)
         said = [] if str(path) == "-" else [f"{shown.title}", f"Written to {path}"]
@@ -78,13 +78,13 @@ def run(arguments: argparse.Namespace) -> int:
 
 def _motion(robot: "Robot", arguments: argparse.Namespace, progress: Progress) -> "Instants":
     from ...dynamics.home_pose import home_pose
-    from ...motion.straight_line import PATHS
+    from ...motion.straight_line import PAPER_PATHS
     from ...viewer import instants
 
     name = "I" if arguments.example else arguments.motion
     if name is None:
         return instants.at_home(robot, home_pose(robot).t)
-    if name in PATHS:
+    if name in PAPER_PATHS:
         return instants.of_path(robot, name)
     path = Path(name)
     if path.is_dir():
@@ -105,10 +105,10 @@ def _is_run(path: Path) -> bool:
     """Whether a table has the states and the forces of a simulated run."""
     with open(path, encoding="utf-8", errors="replace", newline="") as stream:
         header = next(csv.reader(stream), [])
-    return {"omega_x", "F1", "kinetic"} <= {name.strip() for name in header}
+    return {"omega_x", "F_1", "kinetic_energy"} <= {name.strip() for name in header}
 
 
-def _data(view: "View") -> dict[str, object]:
+def _data(view: "Viewer") -> dict[str, object]:
     import numpy as np
 
     shown = view.instants
@@ -117,13 +117,13 @@ def _data(view: "View") -> dict[str, object]:
         peaks = {name: np.nanmax(np.abs(F), axis=0) for name, F in shown.forces.items()}
     return {
         "motion": shown.name,
-        "instants": len(shown.time),
+        "samples": len(shown.time),
         "start_s": shown.time[0],
         "end_s": shown.time[-1],
         "scaled_condition_number_peak": shown.condition.max(),
         "peak_force_N": peaks,
         "legs": _legs(view),
-        "doubts": [line for _, line in view.limits.told],
+        "warnings": [line for _, line in view.limits.told],
         "marked": [
             {"time_s": event.time, "singular": event.singular, "twist": event.at.twist}
             for event in shown.events
@@ -132,7 +132,7 @@ def _data(view: "View") -> dict[str, object]:
     }
 
 
-def _legs(view: "View") -> object:
+def _legs(view: "Viewer") -> object:
     """Peaks of each leg beside its limits, with deviations and verdicts, as ``forces`` has them."""
     import numpy as np
 

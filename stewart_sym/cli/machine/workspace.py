@@ -12,7 +12,7 @@ from ..results import results
 
 if TYPE_CHECKING:
     from ...design.pose_limits import PoseExaminer
-    from ...design.workspace import Workspace
+    from ...design.workspace import WorkspaceResult
 
 HELP = "how far a machine reaches: volume of its workspace with an error, what bounds it, and slices"
 EXAMPLE = "stewart-sym workspace hexapod.toml --condition 20 -o workspace"
@@ -32,7 +32,7 @@ _RANGES = ("X", "X", "Y", "Y", "Z", "Z")
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     robot_file(parser)
     text = "what varies: positions (constant orientation), rotations, or both"
-    chosen(parser, "kind", ("constant", "orientation", "total"), text)
+    chosen(parser, "kind", ("constant_orientation", "orientation", "six_dof"), text)
     for name, nargs, metavar, text in (
         ("position", 3, _TRIPLE, "position of the tool in the middle pose (m); default: the home pose"),
         ("angles", 3, _TRIPLE, "its roll, pitch and yaw, rad; default: parallel to the base"),
@@ -48,7 +48,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         parser.add_argument(f"--{name}", nargs=nargs, type=finite, metavar=metavar, help=text)
     text = "largest scaled condition number of H; leaves out what lies beyond a singular pose as well"
     valued(parser, "condition", positive, text, metavar="NUMBER")
-    valued(parser, "clearance", positive, "least distance of the legs' centre lines, m", metavar="M")
+    valued(parser, "clearance", positive, "least distance of the legs' center lines, m", metavar="M")
     parser.add_argument(
         "--ignore",
         action="append",
@@ -85,34 +85,34 @@ def run(arguments: argparse.Namespace) -> int:
             arguments.kind,
             limits,
             position=arguments.position,
-            angles=arguments.angles or (0.0, 0.0, 0.0),
-            box=_pairs(arguments.box),
-            turns=_pairs(arguments.turns),
-            poses=arguments.poses,
+            rpy=arguments.angles or (0.0, 0.0, 0.0),
+            position_bounds=_pairs(arguments.box),
+            rpy_bounds=_pairs(arguments.turns),
+            samples=arguments.poses,
             seed=arguments.seed,
             scheduler=arguments.scheduler,
             progress=progress,
         )
-        if found.clear == 0.0:
+        if found.distance_to_limit == 0.0:
             what = _broken(PoseExaminer(robot, at_reference(robot, limits)), found)
             warn(f"the pose in the middle breaks a limit, {what}")
         take(report(robot, limits, found, slices(robot, limits, found, progress)))
     return 0
 
 
-def _broken(examiner: "PoseExaminer", found: "Workspace") -> str:
+def _broken(examiner: "PoseExaminer", found: "WorkspaceResult") -> str:
     """Which limit the pose in the middle breaks, and what is known of it."""
     from ...design.pose_limits import CONDITION, LENGTH, REASONS
     from ...kinematics.offset_legs import leg_lengths
     from ...motion.rotation import rotation_from_rpy
 
-    R = rotation_from_rpy(found.angles[None])
+    R = rotation_from_rpy(found.rpy[None])
     t = found.position - R @ found.tool
     code = int(examiner.broken_limits(R, t)[0])
     if code == LENGTH:
         L = leg_lengths(examiner.robot, R, t)
         legs = f"its legs are {L.min():.4g} to {L.max():.4g} m long"
-        return f"{legs}: expected one within the limits, --position in metres"
+        return f"{legs}: expected one within the limits, --position in meters"
     number, most = float(examiner.conditions(R, t)[0]), examiner.limits.condition
     if code == CONDITION and number > most:
         return f"{REASONS[code]}: expected at most {most:g}, got {number:.4g}"

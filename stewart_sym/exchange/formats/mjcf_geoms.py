@@ -76,7 +76,7 @@ def _volume(kind: str, size: Array) -> tuple[float, Array]:
     squares = cylinder * np.array([r**2 / 4.0, r**2 / 4.0, half**2 / 3.0])
     if kind == "cylinder":
         return cylinder, squares / cylinder
-    # Two half spheres, their centres of mass 3/8 of the radius outside the ends.
+    # Two half spheres, their centers of mass 3/8 of the radius outside the ends.
     ball = 4.0 / 3.0 * math.pi * r**3
     squares += ball * np.array([r**2 / 5.0, r**2 / 5.0, r**2 / 5.0 + half**2 + 0.75 * r * half])
     return cylinder + ball, squares / (cylinder + ball)

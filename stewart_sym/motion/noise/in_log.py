@@ -75,14 +75,14 @@ def shown_level(log: Log, values: Array, steps: Array, held: Flags, tell: bool =
     if noisy.any() and scale is None:
         # What a curve through these rows alone leaves: through all of them it would be less.
         own = Level(level.sigma[noisy], level.least[noisy])
-        sigma[noisy] = smoothed(time, values[:, noisy], own, None).sigma
+        sigma[noisy] = smoothed(time, values[:, noisy], own, None).noise_std
     return level._replace(sigma=sigma, least=sigma, scale=scale)
 
 
 def chosen_level(log: Log, shown: Level) -> Level:
     """Noise of six coordinates as stated or shown; with a cut-off only as stated."""
     known = stated_noise(log)
-    if log.smoothing.cutoff is not None:
+    if log.smoothing.cutoff_frequency is not None:
         return Level(known, known)
     return Level(
         np.where(known > 0.0, known, shown.sigma),
@@ -94,7 +94,7 @@ def chosen_level(log: Log, shown: Level) -> Level:
 
 def with_scale(log: Log, values: Array, level: Level, tell: bool = False) -> Level:
     """The level of the noise with its scale where it changes along the log, of each sensor by itself."""
-    if level.correlation > 1.0 or log.smoothing.cutoff is not None or not log.smoothing.on:
+    if level.correlation > 1.0 or log.smoothing.cutoff_frequency is not None or not log.smoothing.enabled:
         return level
     for name, part in log.kinds():
         varies = None
@@ -145,7 +145,9 @@ def warn_of_stated(log: Log, values: Array, steps: Array) -> None:
     """Warn of stated noise that is far from what the log shows beyond doubt, in the log's own units."""
     for name, part in log.kinds():
         known = log.smoothing.stated(name)
-        if known is None or (name == "L" and not log.smoothing.on):  # without it a noise of poses is stated
+        if known is None or (
+            name == "L" and not log.smoothing.enabled
+        ):  # without it a noise of poses is stated
             continue
         what, text = log.kind(name)
         statement = f"stated noise of {what} of {text(known)}"
@@ -161,7 +163,9 @@ def warn_of_stated(log: Log, values: Array, steps: Array) -> None:
 
 def too_few(log: Log) -> bool:
     """Whether rows are too few to look for noise that is not stated."""
-    looked_for = log.smoothing.on and log.smoothing.cutoff is None and not stated_noise(log).all()
+    looked_for = (
+        log.smoothing.enabled and log.smoothing.cutoff_frequency is None and not stated_noise(log).all()
+    )
     return looked_for and len(log.time) < FEWEST_SAMPLES
 
 

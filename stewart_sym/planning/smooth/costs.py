@@ -42,7 +42,7 @@ class EnergyCost:
         one = np.ones(LEGS)
         p, q = 1.0 + load_share(drive, one, one), 1.0 - load_share(drive, -one, one)
         known = drive.torque_constant > 0.0
-        per_force = drive.turns * np.where(known, drive.torque_constant, np.inf)
+        per_force = drive.transmission_ratio * np.where(known, drive.torque_constant, np.inf)
         still = np.full(LEGS, np.inf)
         return cls(
             axial=np.stack([in_cells(x) for x in axial]),

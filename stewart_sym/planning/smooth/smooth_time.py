@@ -16,7 +16,7 @@ from ...motion.motion import Motion
 from ...robot.robot import LEGS, Robot
 from ..timing.grid import Source
 from ..timing.motor_terms import beside
-from ..timing.path_terms import Path, Terms, leg_accelerations, travelled
+from ..timing.path_terms import Path, Terms, leg_accelerations, traveled
 from ..timing.phase_plane import Ease, Profile
 from .costs import PeakCost
 from .rate_spline import PARTS, Cost, RateSpline, Rooms, duration, in_cells, least
@@ -164,7 +164,7 @@ class SmoothPath:
         return np.asarray(c * (duration(self.spline, self.spline.values(c))[0] / time) ** 2)
 
     def _between(self, start: Array, c: Array, time: float) -> Array:
-        """Coefficients as near to c as limits allow, towards those of a motion far within them."""
+        """Coefficients as near to c as limits allow, toward those of a motion far within them."""
         share = 0.0
         while share < 1.0:
             found = self._lasting((1.0 - share) * c + share * start, time)
@@ -212,7 +212,7 @@ def eased(path: Path, ease: Ease) -> Path:
 
     def by_x(x: Array) -> Motion:
         s, rate, second = ease(x, np.ones_like(x), np.zeros_like(x))
-        return travelled(path(s), rate, second)
+        return traveled(path(s), rate, second)
 
     return by_x
 

@@ -20,7 +20,7 @@ AIM = 1.0 - 4e-6
 """Largest share of a limit at the places of a cell that are checked: between them a little more is used."""
 IDLE = 1e-3
 """A limit is active from this share below it on."""
-# Places of a cell that are checked: denser towards the ends, where friction grows as the root of the way, and
+# Places of a cell that are checked: denser toward the ends, where friction grows as the root of the way, and
 # never at a node, where friction may change its sign.
 _SHARES = np.clip(0.5 - 0.5 * np.cos(np.linspace(0.0, np.pi, 25)), 1e-5, 1.0 - 1e-5)
 _PARTS = 4

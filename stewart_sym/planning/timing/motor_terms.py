@@ -79,7 +79,7 @@ class MotorTerms(NamedTuple):
         """Terms of a motion by parameter; without a drive the motor's torque is the force of its leg."""
         drive = Drive(lead=np.array(2.0 * np.pi)) if robot.drive is None else robot.drive
         by_current = np.where(drive.torque_constant > 0.0, drive.torque_constant, 1.0) * drive.current_limit
-        effort = np.abs(drive.turns) * np.minimum(drive.torque_limit, by_current)
+        effort = np.abs(drive.transmission_ratio) * np.minimum(drive.torque_limit, by_current)
         return cls(drive, force, rotor_terms(robot, by_parameter), rate, effort, drive.power_limit)
 
     def at(self, index: Indices) -> "MotorTerms":
@@ -173,7 +173,7 @@ class MotorTerms(NamedTuple):
     @property
     def _lossy(self) -> bool:
         """Whether the branches differ."""
-        return bool(np.any(self.drive.efficiency != 1.0) or np.any(self.drive.back_efficiency != 1.0))
+        return bool(np.any(self.drive.efficiency != 1.0) or np.any(self.drive.backdrive_efficiency != 1.0))
 
     def _slopes(self, size: Array) -> tuple[Array, Array]:
         """p and q at sizes of the smoothed sign."""
@@ -188,8 +188,8 @@ class MotorTerms(NamedTuple):
         still = still & ~still.all(axis=-1, keepdims=True)
         # At rest the sign is that with which the motion begins or ends.
         away = np.abs(self.rate * np.maximum(rate, np.finfo(np.float64).tiny)[:, None])
-        smoothed = smooth_sign(away, np.asarray(self.drive.smoothing))
-        size = np.where(still | (np.asarray(self.drive.smoothing) == 0.0), 1.0, smoothed)
+        smoothed = smooth_sign(away, np.asarray(self.drive.regularization_speed))
+        size = np.where(still | (np.asarray(self.drive.regularization_speed) == 0.0), 1.0, smoothed)
         dry = size * constant_part(self.drive, self.rate * rate[:, None])
         side = np.where(still, 1.0, signs)
         return side, size, still, dry, viscous(self.drive) * np.abs(self.rate)

@@ -1,4 +1,4 @@
-"""What a path takes of a machine: forces and leg rates as functions of how fast the path is travelled.
+"""What a path takes of a machine: forces and leg rates as functions of how fast the path is traveled.
 
 Along a path of parameter s each limited quantity is
 
@@ -34,7 +34,7 @@ Path = Callable[[Array], Motion]
 
 
 @dataclass(frozen=True)
-class Limits:
+class PathLimits:
     """Limits of a plan beside those of the robot; None: no limit.
 
     Attributes
@@ -154,18 +154,18 @@ class Terms(NamedTuple):
         return Rows.together([own, self.motors.rows(rate, second, room[:, count:-1], signs)])
 
 
-def travelled(motion: Motion, rate: Array | float, second: Array | float) -> Motion:
+def traveled(motion: Motion, rate: Array | float, second: Array | float) -> Motion:
     """Motion in time of a motion by parameter, at s' and s'', (n,)."""
     z, u = (np.broadcast_to(np.asarray(x, dtype=np.float64), motion.shape)[..., None] for x in (rate, second))
     assert motion.a is not None
     assert motion.alpha is not None
     alpha, a = motion.alpha * z**2 + motion.omega * u, motion.a * z**2 + motion.v * u
     rates = motion.omega * z, motion.v * z, alpha, a
-    return Motion.unchecked(motion.R, motion.t, *rates, motion.F_ext, motion.M_ext)
+    return Motion._unchecked(motion.R, motion.t, *rates, motion.F_ext, motion.M_ext)
 
 
 def terms_along(
-    robot: Robot, path: Path, s: Array, limits: Limits, formulation: Formulation, motors: bool = False
+    robot: Robot, path: Path, s: Array, limits: PathLimits, formulation: Formulation, motors: bool = False
 ) -> Terms:
     """Coefficients at parameters s, (n,): of forces, of leg accelerations and motors where they are limited.
 
@@ -174,7 +174,7 @@ def terms_along(
     motion, forces_along = path(s), forces_of(robot, formulation, "c")
 
     def forces(rate: float, second: float) -> Array:
-        return forces_along(travelled(motion, rate, second))
+        return forces_along(traveled(motion, rate, second))
 
     still, ahead, back = forces(0.0, 0.0), forces(1.0, 0.0), forces(-1.0, 0.0)
     if not np.isfinite(still).all():
@@ -198,7 +198,7 @@ def terms_along(
     return Terms(a, b, d, e, np.concatenate(limit), caps, tuple(names), counted)
 
 
-def force_limits(robot: Robot, limits: Limits) -> Array:
+def force_limits(robot: Robot, limits: PathLimits) -> Array:
     """Force limits of the actuators, N, (6,)."""
     return robot.force_limit if limits.force is None else np.array(limits.force)
 
@@ -210,7 +210,7 @@ def leg_accelerations(robot: Robot, motion: Motion) -> Array:
     return found
 
 
-def limited_speeds(robot: Robot, motion: Motion, L_dot: Array, limits: Limits) -> tuple[Array, Array]:
+def limited_speeds(robot: Robot, motion: Motion, L_dot: Array, limits: PathLimits) -> tuple[Array, Array]:
     """Sizes of the rates that are limited, m/s and rad/s, (n, m), and their limits, (m,), inf for none.
 
     Those of the legs and of the drives' motors, of the reference point and of the platform's rotation.
@@ -220,5 +220,5 @@ def limited_speeds(robot: Robot, motion: Motion, L_dot: Array, limits: Limits) -
     most = [legs, [limits.platform_speed or math.inf, limits.platform_turn_rate or math.inf]]
     if robot.drive is not None:
         speeds.append(motor_rates(robot, robot.drive, motion, L_dot))
-        most.append(robot.drive.speed_limit / np.abs(robot.drive.turns))
+        most.append(robot.drive.speed_limit / np.abs(robot.drive.transmission_ratio))
     return np.abs(np.concatenate(speeds, axis=-1)), np.concatenate(most)

@@ -20,7 +20,7 @@ from .cost import SAMPLED, Candidate, candidate_of, worst
 
 TERMS: Mapping[str, str] = {
     "friction": "joint friction",
-    "off-axis": "centres of mass off the legs' axes and unequal transverse inertias",
+    "off-axis": "centers of mass off the legs' axes and unequal transverse inertias",
     "axial": "the legs' inertia about their own axes",
     "rods": "the legs' inertia as rods",
     "masses": "the legs' masses",

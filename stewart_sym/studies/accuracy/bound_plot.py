@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from ...dynamics.bounds import forces_with_bounds
+from ...dynamics.bounds import force_error_bounds
 from ...dynamics.forces import Precision
 from ...dynamics.home_pose import radius
 from ...io.array_types import Array, Flags
@@ -76,7 +76,7 @@ def bounds_study(
     for precision, dtype in tracked(
         progress, _PRECISIONS.items(), lambda each: f"bounding the rounding errors of {each[0]}"
     ):
-        given = forces_with_bounds(robot, motion, precision, on_singular="nan")
+        given = force_error_bounds(robot, motion, precision, on_singular="nan")
         errors = np.abs(error(given.F, quad_forces(robot, motion, dtype)))
         bound = given.bound.astype(np.float64)
         kept = (given.status == OK) & np.isfinite(bound).all(axis=-1) & np.isfinite(errors).all(axis=-1)

@@ -12,7 +12,7 @@ from ...io.arguments import shown
 from ...io.error_policy import SingularPoseWarning, warn
 from ...kinematics.mounting import path_for
 from ...motion.motion import Motion
-from ...motion.straight_line import PATHS
+from ...motion.straight_line import PAPER_PATHS
 from ...motion.trajectory import Trajectory
 from ...reference.newton_euler import inverse_dynamics
 from ...robot.robot import Robot
@@ -70,7 +70,7 @@ def _budget(d: Mapping[str, Any], source: str) -> Budget:
         raise ValueError(f"{file}margin: expected a number >= 1, got {margin:g}")
     rate = tables.positive(top["rate"], f"{file}rate") if "rate" in top else None
     robot_file = tables.file_beside(top["robot"], source, "robot")
-    logs = {name: tables.file_beside(name, source, "motions") for name in names if name not in PATHS}
+    logs = {name: tables.file_beside(name, source, "motions") for name in names if name not in PAPER_PATHS}
     robot = Robot.from_toml(robot_file)
     motions = {name: _motion(robot, name, logs.get(name), f"{file}motions: ") for name in names}
     return Budget(robot, motions, tolerance, margin, rate, (Path(source), robot_file, *logs.values()))
@@ -78,11 +78,11 @@ def _budget(d: Mapping[str, Any], source: str) -> Budget:
 
 def papers_motions() -> dict[str, Motion]:
     """Paths I, II and III of the paper at its own time steps, by name."""
-    return {name: path.sample(path.times(dtau)) for name, (path, dtau) in PATHS.items()}
+    return {name: path.sample(path.time_grid(dtau)) for name, (path, dtau) in PAPER_PATHS.items()}
 
 
 def _names(value: object, where: str) -> list[str]:
-    expected = f"one or more of {', '.join(PATHS)} or CSV files"
+    expected = f"one or more of {', '.join(PAPER_PATHS)} or CSV files"
     if not isinstance(value, list) or not value:
         raise ValueError(f"{where}: expected a list of {expected}, got {shown(value)}")
     names = [tables.one_line(name, where) for name in value]
@@ -95,7 +95,7 @@ def _names(value: object, where: str) -> list[str]:
 def _motion(robot: Robot, name: str, log: Path | None, prefix: str) -> Motion:
     if log is None:
         path, dtau = path_for(robot, name)
-        times = path.times(dtau)
+        times = path.time_grid(dtau)
         found = Trajectory(times, path.sample(times), f"{prefix}path {name}", range(len(times)))
     else:
         found = read_trajectory(robot, log)

@@ -20,7 +20,7 @@ from ...backend import fidelity, native
 from ...backend.c_kernel import address
 from ...backend.kernel import FORMULATIONS, MOTION
 from ...backend.numpy_kernel import loaded
-from ...dynamics.forces import CORES, ForceKernel, Precision, prepare
+from ...dynamics.forces import CORES, ForceKernel, Precision
 from ...dynamics.inverse import Backend, prepared_kernel
 from ...io.array_types import Array
 from ...io.progress import Progress, silent, tracked
@@ -211,7 +211,7 @@ def _kernel(robot: Robot, candidate: Candidate) -> ForceKernel | None:
     """The kernel with the robot's constants, None if its precision can't hold them."""
     formulation, precision = cast(Any, candidate.formulation), cast(Precision, candidate.precision)
     try:
-        return prepare(robot, formulation, precision, candidate.fidelity)
+        return ForceKernel(robot, formulation, precision, candidate.fidelity)
     except ValueError:
         if precision == "double":
             raise
@@ -242,7 +242,7 @@ class _Case:
 
     @classmethod
     def of(cls, robot: Robot, motion: Motion, name: str) -> "_Case":
-        F = prepare(robot).forces(motion)
+        F = ForceKernel(robot).forces(motion)
         peak = float(np.abs(F).max())
         if peak == 0.0:
             raise ValueError(f"{name}: all forces are zero, errors can't be shares of them")
@@ -312,7 +312,7 @@ def _tasks(
         F, status = np.zeros((MANY, 6), dtype=kernel.dtype), np.zeros(MANY, dtype=np.int32)
         batch = functools.partial(kernel.forces_into, arrays, F, status)
         tasks[candidate, "batch"] = Task(repeated(batch), MANY)
-    motion = Motion(*slow)
+    motion = Motion(**dict(zip(MOTION, slow, strict=True)))
     for name, forces in ways.items():
         tasks[name, ""] = Task(repeated(functools.partial(forces, motion)), SLOW)
     return tasks
@@ -332,7 +332,7 @@ def _one_pose(kernel: ForceKernel, poses: Sequence[Array]) -> Callable[[int], ob
     count = len(poses[0])
     rows = np.concatenate([array.reshape(count, -1) for array in poses], axis=1).astype(kernel.dtype)
     F = np.zeros(6, dtype=kernel.dtype)
-    function = ctypes.cast(kernel.function("forces"), ctypes.c_void_p)
+    function = ctypes.cast(kernel.c_function("forces"), ctypes.c_void_p)
     row_bytes = ctypes.c_size_t(rows.strides[0])
 
     def run(repeats: int) -> object:

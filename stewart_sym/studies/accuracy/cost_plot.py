@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence, Set
 from dataclasses import dataclass
 from typing import Any
 
-from ...motion.straight_line import PATHS
+from ...motion.straight_line import PAPER_PATHS
 from ..common.drawing import (
     BLUE,
     RED,
@@ -212,7 +212,7 @@ def _legend(picture: Figure, marks: Mapping[str, str], drawn: Set[str]) -> None:
     colors = {"exact, double": _EXACT, "paper, double": _PAPER, "float": _FLOAT, "other code": _OTHER}
     handles = [
         *(
-            legend_line(f"Path {name}" if name in PATHS else name, marker=mark, **dots)
+            legend_line(f"Path {name}" if name in PAPER_PATHS else name, marker=mark, **dots)
             for name, mark in marks.items()
         ),
         *(

@@ -66,7 +66,7 @@ _ARITHMETIC: Mapping[str, tuple[type[np.floating[Any]], Mapping[str, str | int],
             "STEWART_EPSILON": "LDBL_EPSILON",
             "STEWART_MAX": "LDBL_MAX",
         },
-        # The x87 unit gains little by optimisation, and compilers take long.
+        # The x87 unit gains little by optimization, and compilers take long.
         ("-include", "float.h", "-include", "math.h", "-O0"),
     ),
 }
@@ -174,7 +174,7 @@ def _scaled(robot: Robot, motion: Motion, size: float, platform: float) -> tuple
     longer = size / radius(robot.b)
     slower = float(np.sqrt(longer))
     given = loaded(motion)
-    moved = Motion.unchecked(
+    moved = Motion._unchecked(
         R=motion.R,
         t=motion.t * longer,
         omega=motion.omega / slower,
@@ -185,7 +185,7 @@ def _scaled(robot: Robot, motion: Motion, size: float, platform: float) -> tuple
         M_ext=given.M_ext * platform * longer,
     )
     rounded = {name: _rounded(getattr(moved, name)) for name in MOTION}
-    return rescaled(robot, longer, platform / robot.M, slower), Motion.unchecked(**rounded)
+    return rescaled(robot, longer, platform / robot.M, slower), Motion._unchecked(**rounded)
 
 
 def _rounded(array: Array) -> Array:
@@ -258,7 +258,7 @@ def csv_rows(data: Scales) -> str:
     return csv_text([header, *((*place, *values) for place, values in rows)])
 
 
-# Okabe and Ito's colours, told apart by marks and dashes as well.
+# Okabe and Ito's colors, told apart by marks and dashes as well.
 _STYLE: Mapping[str, Mapping[str, Any]] = {
     FLOAT: {"color": "#0072b2", "marker": "o", "linestyle": "-"},
     DOUBLE: {"color": "#555555", "marker": "s", "linestyle": (0, (1.2, 1.2))},

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from ...backend import kernel, native
 from ...backend.c_kernel import address, pointers
-from ...dynamics.arrays import array_kernel
+from ...dynamics.arrays import ArrayKernel
 from ...io.array_types import Array, Codes
 from ...io.progress import Progress, silent
 from ...reference import newton_euler
@@ -222,7 +222,7 @@ def _jax_forces(poses: Poses) -> Callable[[Any], Any]:
     import jax.numpy as jnp
 
     jax.config.update("jax_enable_x64", True)  # type: ignore[no-untyped-call]
-    prepared = array_kernel(poses.robot, jnp, formulation=NAME)
+    prepared = ArrayKernel(poses.robot, jnp, formulation=NAME)
     return lambda pose: prepared.forces(*pose).F
 
 

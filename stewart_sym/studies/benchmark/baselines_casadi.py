@@ -105,7 +105,7 @@ def _forces(robot: Matrix, numbers: Matrix, equations: LegEquations) -> Matrix:
         moment -= casadi.cross(leg.q, leg.K) - leg.f
     H = casadi.horzcat(*(casadi.vertcat(leg.s, casadi.cross(leg.q, leg.s)) for leg in done))  # (36)
     D = casadi.vertcat(*(leg.D for leg in done))
-    # For SX, CasADi's own solve is a QR factorisation written out. Faster than its inverse by minors and
+    # For SX, CasADi's own solve is a QR factorization written out. Faster than its inverse by minors and
     # than its run-time QR; its LDL^T takes symmetric matrices only.
     return D - casadi.solve(H, casadi.vertcat(force, moment))  # (37)
 

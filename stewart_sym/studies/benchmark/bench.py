@@ -101,7 +101,7 @@ def _fast_pose(poses: Poses, flags: Flags) -> Runner:
     """``stewart_exact_forces`` with prepared constants, called from a C loop."""
     sources = c_kernel.c_sources(f"{NAME}_forces") | forces_loop()
     library = native.load("bench_fast_pose", sources, flags)
-    return c_loop(library, forces.prepare(poses.robot, NAME).model, poses)
+    return c_loop(library, forces.ForceKernel(poses.robot, NAME).model, poses)
 
 
 def _batch(precision: forces.Precision, threads: int) -> _Make:
@@ -145,7 +145,7 @@ def _compiled(library: ctypes.CDLL, robot: Robot, precision: forces.Precision) -
     """The prepared kernel whose functions are those of a library."""
 
     class Compiled(forces.ForceKernel):
-        def function(self, what: str) -> Any:
+        def c_function(self, what: str) -> Any:
             return getattr(library, f"stewart_{self.name}_{what}")
 
     return Compiled(robot, NAME, precision)
@@ -153,7 +153,7 @@ def _compiled(library: ctypes.CDLL, robot: Robot, precision: forces.Precision) -
 
 def _prepared_call(poses: Poses, _: Flags) -> Runner:
     """``OnePose.solve``, one pose a call, numbers and forces in place."""
-    slot = forces.prepare(poses.robot, NAME).one_pose()
+    slot = forces.ForceKernel(poses.robot, NAME).single_pose()
     slot.numbers[...] = poses.rows[0]
 
     def found() -> Array:
@@ -209,7 +209,7 @@ OURS = (
     Candidate(
         "every output", "C, D K H c x F", "one pose", FEW, _one_pose, operations=_operations, function="drive"
     ),
-    Candidate("NumPy kernel", "vectorised", "batch", SLOW, _numpy, operations=_operations),
+    Candidate("NumPy kernel", "vectorized", "batch", SLOW, _numpy, operations=_operations),
 )
 CALLS = (
     Candidate("prepared, one pose", "Python", "call", 1, _prepared_call),

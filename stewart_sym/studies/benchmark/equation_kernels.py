@@ -56,7 +56,7 @@ SOLVED = 1e-8
 
 
 def _model(robot: Robot) -> Array:
-    return forces.prepare(robot, NAME).model
+    return forces.ForceKernel(robot, NAME).model
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,7 +88,7 @@ class Function:
 def _expected_equations(robot: Robot, motion: Motion, F: Array) -> Sequence[Array]:
     found = equations_of_motion(robot, motion)
     H, H_dot = wrench_matrix(robot, motion), wrench_matrix_rate(robot, motion)
-    return found.M, found.C, found.g, found.friction, found.bias, H, H_dot
+    return found.M, found.C, found.g, found.friction, found.bias, found.bias_and_friction, H, H_dot
 
 
 def _expected_derivatives(robot: Robot, motion: Motion, F: Array) -> tuple[Array, ...]:
@@ -123,7 +123,7 @@ def _other_rates(linear: str, angular: str) -> Callable[[Motion, Array], Motion]
     return moved
 
 
-def _expected_linearisation(robot: Robot, motion: Motion, F: Array) -> Sequence[Array]:
+def _expected_linearization(robot: Robot, motion: Motion, F: Array) -> Sequence[Array]:
     """Acceleration, A and B: at constant forces dF is zero, and [dphi] turns with the platform."""
     _, by_pose, by_twist, by_acceleration = _expected_derivatives(robot, motion, F)
     inverse = np.linalg.inv(by_acceleration)
@@ -143,7 +143,11 @@ def acceleration(motion: Motion) -> Array:
 
 FUNCTIONS = (
     Function(INVERSE, "forces", lambda robot, motion, F: (F,)),
-    Function("bias", "bias", lambda robot, motion, F: (equations_of_motion(robot, motion).bias,)),
+    Function(
+        "bias",
+        "bias_and_friction",
+        lambda robot, motion, F: (equations_of_motion(robot, motion).bias_and_friction,),
+    ),
     Function(EQUATIONS, "equations", _expected_equations, struct="stewart_equations"),
     Function(
         FORWARD, "forward_dynamics", lambda robot, motion, F: (acceleration(motion),), SOLVED, before=("F",)
@@ -155,12 +159,12 @@ FUNCTIONS = (
     ),
     Function(DERIVATIVES, "derivatives", _expected_derivatives, DIFFERENCES, struct="stewart_derivatives"),
     Function(
-        "linearisation",
-        "linearisation",
-        _expected_linearisation,
+        "linearization",
+        "linearization",
+        _expected_linearization,
         DIFFERENCES,
         before=("F",),
-        struct="stewart_linearisation",
+        struct="stewart_linearization",
     ),
     Function(
         REGRESSOR,

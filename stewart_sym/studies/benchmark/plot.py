@@ -280,7 +280,7 @@ def _baselines_note(found: Figures) -> str:
     return (
         " Baselines: forward dynamics over a tree of all 13 bodies, five points closed by constraints, same "
         "friction, load and gravity; called from Python, less a call over a model without bodies "
-        f"({taken}); joint coordinates, rates and generalised forces are given to them. Their accelerations "
+        f"({taken}); joint coordinates, rates and generalized forces are given to them. Their accelerations "
         f"agree with the motion's to {baselines} of a pose's largest."
     )
 

@@ -5,11 +5,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ...backend.kernel import MOTION
 from ...io.array_types import Array
 from ...io.error_policy import warn
 from ...motion.motion import Motion
 from ...motion.rotation import rotation_from_rpy
-from ...motion.straight_line import PATHS
+from ...motion.straight_line import PAPER_PATHS
 from ...reference import newton_euler as reference
 from ...robot.robot import Robot
 from ...robots import dasgupta1998
@@ -35,7 +36,7 @@ class Poses:
     @functools.cached_property
     def motion(self) -> Motion:
         """The same as a Motion."""
-        return Motion(*self.arrays)
+        return Motion(**dict(zip(MOTION, self.arrays, strict=True)))
 
     @functools.cached_property
     def rows(self) -> Array:
@@ -72,7 +73,7 @@ def bench_poses(robot: Robot | None, count: int) -> Poses:
 
 def _near_the_paths(rng: np.random.Generator, count: int) -> tuple[Array, ...]:
     """Instants of Paths I and II by turns, each moved a little."""
-    paths = [PATHS[name].path for name in ("I", "II")]
+    paths = [PAPER_PATHS[name].path for name in ("I", "II")]
     at = [path.sample(path.tau_f * rng.uniform(size=count)) for path in paths]
     turn = np.arange(count) % len(paths)
 
@@ -88,10 +89,10 @@ def _near_the_paths(rng: np.random.Generator, count: int) -> tuple[Array, ...]:
 
 def _near_the_middle(rng: np.random.Generator, count: int, robot: Robot) -> tuple[Array, ...]:
     """Poses about the one where the platform is above the base by as much as the base is wide."""
-    centre = robot.b.mean(axis=0)
-    size = float(np.linalg.norm(robot.b - centre, axis=-1).mean())
+    center = robot.b.mean(axis=0)
+    size = float(np.linalg.norm(robot.b - center, axis=-1).mean())
     up = -robot.g / np.linalg.norm(robot.g) if robot.g.any() else np.array([0.0, 0.0, 1.0])
-    home = centre + size * up - robot.p.mean(axis=0)
+    home = center + size * up - robot.p.mean(axis=0)
     rate = np.sqrt(9.81 / size)
 
     def some(scale: float) -> Array:

@@ -201,7 +201,7 @@ def motion(found: Figures, rounds: int) -> str:
         f"Forward dynamics is {found['times_faster']:.1f} times as fast as the better of the two baselines, "
         f"{better['name']} (target {found['target_times_faster']:g}). The baselines are {names} over all 13 "
         "bodies as a tree with five points closed by constraints, same load and friction, called from "
-        "Python, less a call over a model without bodies; their state and generalised forces are given to "
+        "Python, less a call over a model without bodies; their state and generalized forces are given to "
         f"them, and their accelerations agree with ours to {agreement} of a pose's largest (MuJoCo's "
         "constraints give way; their springs hold with the loops open by "
         f"{1e9 * found['loops_open_m']:.0f} nm). The paper's inertia tensors belong to no body and MuJoCo "

@@ -1,4 +1,4 @@
-"""What pictures share: empty figures, colours, legends, names of points, numbers of logarithmic axes.
+"""What pictures share: empty figures, colors, legends, names of points, numbers of logarithmic axes.
 
 Matplotlib, of the extra ``plot``, is imported when something is drawn: modules that draw import without it.
 """
@@ -56,7 +56,7 @@ def as_written(name: str) -> str:
 
 
 def legend_below(figure: Figure, handles: list[Any] | None = None, **style: Any) -> None:
-    """A legend of the handles, or of the labelled curves of all axes once each, in as many columns as fit."""
+    """A legend of the handles, or of the labeled curves of all axes once each, in as many columns as fit."""
     if handles is None:
         found = [axes.get_legend_handles_labels() for axes in figure.axes]
         named = {label: one for ones, labels in found for one, label in zip(ones, labels, strict=True)}
@@ -84,7 +84,7 @@ def name_points(
     bars: Sequence[tuple[Place, Place]] = (),
     size: float = 7.5,
 ) -> None:
-    """Write names, each with its point and colour, beside the points, with thin lines to them.
+    """Write names, each with its point and color, beside the points, with thin lines to them.
 
     markers: everything that is drawn as a point; names keep off them. bars: ends of drawn lines, from which
     they keep off as well. size: of the font. The layout of the figure is fixed from here on. Raises

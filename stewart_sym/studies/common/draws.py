@@ -40,8 +40,8 @@ def random_motions(
         return np.asarray(scale * rng.normal(size=(count, 3)))
 
     return Motion(
-        rotation_from_rpy(vectors(spread.turn)),
-        home + vectors(spread.shift * size),
+        R=rotation_from_rpy(vectors(spread.turn)),
+        t=home + vectors(spread.shift * size),
         omega=vectors(spread.rate * rate),
         v=vectors(spread.rate * rate * size),
         alpha=vectors(spread.rate * rate**2),

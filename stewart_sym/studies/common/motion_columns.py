@@ -18,7 +18,7 @@ def trajectory_columns(robot: Robot, times: Array, motion: Motion) -> Columns:
     Angles are of the robot's ``euler_order``; where the motion comes near their gimbal lock, quaternions
     without rates.
     """
-    at_tool = motion.about_point(robot.tool) if robot.tool.any() else motion
+    at_tool = motion.at_point(robot.tool) if robot.tool.any() else motion
     theta = np.unwrap(angles_from_rotation(at_tool.R, robot.euler_order), axis=0)
     columns: Columns = {"time": times, **of_axes("t", at_tool.t)}
     if distance_from_lock(theta, robot.euler_order).min() < _PLAIN:

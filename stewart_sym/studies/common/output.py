@@ -25,8 +25,8 @@ Figures = dict[str, Any]
 
 
 def of_legs(name: str, values: NDArray[Any], ending: str = "") -> Columns:
-    """Columns of each leg, ``name1`` to ``name6``, from (n, 6)."""
-    return {f"{name}{leg + 1}{ending}": column for leg, column in enumerate(values.T)}
+    """Columns of each leg, ``name_1`` to ``name_6``, from (n, 6)."""
+    return {f"{name}_{leg + 1}{ending}": column for leg, column in enumerate(values.T)}
 
 
 def by_leg(columns: Mapping[str, Any]) -> list[Figures]:

@@ -15,7 +15,7 @@ from .output import csv_lines
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from ...viewer.view import View
+    from ...viewer.view import Viewer
 
 Table = str | Mapping[str, NDArray[Any]]
 """CSV text, or columns (n,) by name."""
@@ -59,7 +59,7 @@ class Report:
     tables: Mapping[str, Table] = field(default_factory=dict)
     data: Mapping[str, Any] = field(default_factory=dict)
     figures: Mapping[str, Picture] = field(default_factory=dict)
-    views: "Mapping[str, Callable[[], View]]" = field(default_factory=dict)
+    views: "Mapping[str, Callable[[], Viewer]]" = field(default_factory=dict)
 
 
 def write(report: Report, folder: Path, name: str, progress: Progress = silent) -> None:

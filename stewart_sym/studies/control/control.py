@@ -14,7 +14,7 @@ import numpy as np
 
 from ...drives.leg_limits import LegLimits, limited_angles
 from ...dynamics.equations import ForwardDynamics, equations_of_motion
-from ...dynamics.forces import OnePose, prepare
+from ...dynamics.forces import ForceKernel, OnePose
 from ...dynamics.inverse import Formulation
 from ...io.array_types import Array
 from ...io.error_policy import errors_of
@@ -139,7 +139,7 @@ class PreparedModel:
 
     def __init__(self, robot: Robot, formulation: Formulation = "exact", fidelity: str = "general") -> None:
         """Prepare the kernel and its buffers; raises as ``prepare``."""
-        self._slot: OnePose = prepare(robot, formulation, fidelity=fidelity).one_pose()
+        self._slot: OnePose = ForceKernel(robot, formulation, fidelity=fidelity).single_pose()
         self._views = {each.name: getattr(self._slot, each.name) for each in fields(Motion)}
 
     def __call__(self, motion: Motion) -> Array:
@@ -199,7 +199,7 @@ def follow(
 
     Raises ValueError for a path or a run that comes to an unsolvable pose.
     """
-    times = path.times(1.0 / settings.rate)
+    times = path.time_grid(1.0 / settings.rate)
     if duration is not None:
         times = times[times <= duration]
     motion = path.sample(times)
@@ -224,7 +224,7 @@ def _runs(
     for i, time in enumerate(times.tolist()):
         t[i], R[i] = state.t, state.R
         for j, law in enumerate(laws.values()):
-            F[i, j] = law(time, Motion.unchecked(state.R[j], state.t[j], state.omega[j], state.v[j]))
+            F[i, j] = law(time, Motion._unchecked(state.R[j], state.t[j], state.omega[j], state.v[j]))
         _reject(laws, time, ["" if np.isfinite(of_law).all() else "no finite forces" for of_law in F[i]])
         if i + 1 < len(times):
             state, status = advance(plant, state, F[i], times[i + 1] - time, steps)
@@ -243,7 +243,10 @@ def _start(wanted: Motion, axes: Array, settings: Settings, count: int) -> Motio
     R = rotation_from_vector(axes @ settings.offset_phi) @ wanted.R
     t = wanted.t + axes @ settings.offset_t
     return Motion(
-        np.tile(R, (count, 1, 1)), np.tile(t, (count, 1)), np.array(wanted.omega), np.array(wanted.v)
+        R=np.tile(R, (count, 1, 1)),
+        t=np.tile(t, (count, 1)),
+        omega=np.array(wanted.omega),
+        v=np.array(wanted.v),
     )
 
 

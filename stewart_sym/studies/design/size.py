@@ -11,20 +11,28 @@ from typing import Any
 import numpy as np
 
 from ...design.limits import Compared, compared, states_limits
-from ...design.size import Needs
+from ...design.size import ActuatorRequirementsResult
 from ...drives.verdicts import shows, spread_text, unknown_forces
 from ...io.array_types import Array
 from ...motion.trajectory import PoseLog, Trajectory
 from ...robot.robot import LEGS, Robot
 from ...viewer.instants import of_trajectory
-from ...viewer.view import View
+from ...viewer.view import Viewer
 from ..common.drawing import DARK, LEG_COLORS, Axes, Figure, as_written, legend_below, new_figure
 from ..common.output import aligned, csv_text
 from ..common.report import SMALL, Picture, Report
 
 _UNITS = (
-    {"force": "N", "speed": "m/s", "power": "W", "push": "N", "pull": "N", "rms_force": "N", "driving": "W"}
-    | {"braking": "W", "length": "m", "stroke": "m", "base_angle": "rad", "platform_angle": "rad"}
+    {
+        "force": "N",
+        "speed": "m/s",
+        "power": "W",
+        "max_push_force": "N",
+        "max_pull_force": "N",
+        "rms_force": "N",
+        "max_driving_power": "W",
+    }
+    | {"max_braking_power": "W", "length": "m", "stroke": "m", "base_angle": "rad", "platform_angle": "rad"}
     | {"torque": "N m", "motor_speed": "rad/s", "current": "A", "motor_power": "W", "rms_torque": "N m"}
 )
 """Of what is given for programs."""
@@ -36,7 +44,7 @@ _MOST = 4000
 """Points of a leg that are drawn."""
 
 
-def report(robot: Robot, sources: Sequence[str], needs: Needs) -> Report:
+def report(robot: Robot, sources: Sequence[str], needs: ActuatorRequirementsResult) -> Report:
     """Text, figures for programs, a row for each need as a table, and a picture."""
     text, tables = _text(robot, sources, needs), {"needs": _table(needs)}
     figures = {"size": Picture(lambda: figure(robot, needs), SMALL)}
@@ -45,24 +53,24 @@ def report(robot: Robot, sources: Sequence[str], needs: Needs) -> Report:
 
 def views(
     robot: Robot, sources: Sequence[str], read: Sequence[Trajectory | PoseLog]
-) -> dict[str, Callable[[], View]]:
+) -> dict[str, Callable[[], Viewer]]:
     """What makes the view of each motion; files of the same name get numbers."""
-    made: dict[str, Callable[[], View]] = {}
+    made: dict[str, Callable[[], Viewer]] = {}
     for number, (source, trajectory) in enumerate(zip(sources, read, strict=True), 1):
         name = f"{source}, motion {number}" if sources.count(source) > 1 else source
-        made[name] = functools.partial(lambda each: View(robot, of_trajectory(robot, each)), trajectory)
+        made[name] = functools.partial(lambda each: Viewer(robot, of_trajectory(robot, each)), trajectory)
     return made
 
 
-def doubt(needs: Needs) -> str | None:
+def doubt(needs: ActuatorRequirementsResult) -> str | None:
     """One line about forces that the noise of logs leaves unknown; None without."""
-    course = needs.course
-    if course.deviations is None or course.replaced is None:
+    course = needs.history
+    if course.std is None or course.replaced is None:
         return None
-    return unknown_forces(course.F, np.where(course.replaced[:, None], 0.0, course.deviations["F"]))
+    return unknown_forces(course.F, np.where(course.replaced[:, None], 0.0, course.std["F"]))
 
 
-def rows(needs: Needs | SimpleNamespace) -> Iterator[tuple[str, str, Array]]:
+def rows(needs: ActuatorRequirementsResult | SimpleNamespace) -> Iterator[tuple[str, str, Array]]:
     """Name, unit and value for each leg, (6,), of every need, without the margin; or their deviations."""
     for name in ("force", "speed", "power", "torque", "motor_speed", "current", "motor_power"):
         unit, values = _UNITS[name], getattr(needs, name)
@@ -71,11 +79,11 @@ def rows(needs: Needs | SimpleNamespace) -> Iterator[tuple[str, str, Array]]:
             yield f"{name.replace('_', ' ')}, {words}", unit, at
         if name == "force":
             yield "force, rms", unit, needs.rms_force
-            yield "push", unit, needs.push
-            yield "pull", unit, needs.pull
+            yield "max_push_force", unit, needs.max_push_force
+            yield "max_pull_force", unit, needs.max_pull_force
         if name == "power":
-            yield "power into the leg", unit, needs.driving
-            yield "power out of the leg", unit, needs.braking
+            yield "power into the leg", unit, needs.max_driving_power
+            yield "power out of the leg", unit, needs.max_braking_power
         if name == "torque" and needs.rms_torque is not None:
             yield "torque, rms", unit, needs.rms_torque
     yield "stroke", "m", needs.stroke
@@ -85,17 +93,17 @@ def rows(needs: Needs | SimpleNamespace) -> Iterator[tuple[str, str, Array]]:
     yield "platform joint", "degrees", np.degrees(needs.platform_angle)
 
 
-def _deviations(needs: Needs) -> Iterator[Array | None]:
+def _deviations(needs: ActuatorRequirementsResult) -> Iterator[Array | None]:
     """Those of ``rows``, (6,); None without noise."""
-    if needs.deviations is None:
+    if needs.std is None:
         yield from (None for _ in rows(needs))
         return
     optional = dict.fromkeys(("torque", "motor_speed", "motor_power", "current", "rms_torque"))
-    sd = SimpleNamespace(quantiles=needs.quantiles, **(optional | dict(needs.deviations)))
+    sd = SimpleNamespace(quantiles=needs.quantiles, **(optional | dict(needs.std)))
     yield from (values for _, _, values in rows(sd))
 
 
-def _text(robot: Robot, sources: Sequence[str], needs: Needs) -> str:
+def _text(robot: Robot, sources: Sequence[str], needs: ActuatorRequirementsResult) -> str:
     no_margin = ("shortest leg", "longest leg")
     more = 1.0 + needs.margin
     cells, noisy = [], False
@@ -109,10 +117,10 @@ def _text(robot: Robot, sources: Sequence[str], needs: Needs) -> str:
                 ("  +-", *(spread_text(off) if each else "" for off, each in zip(sd, seen, strict=True)), "")
             )
     legs = [f"leg {leg + 1}" for leg in range(LEGS)]
-    neutral = "the home pose" if robot.home is not None else "the mean direction of each leg"
+    neutral = "the home pose" if robot.home_position is not None else "the mean direction of each leg"
     lines = [
         f"robot   {robot.name}",
-        f"motions {', '.join(sources)}: {needs.course.weight.sum():.6g} s",
+        f"motions {', '.join(sources)}: {needs.history.time_weight.sum():.6g} s",
         f"margin  {100.0 * needs.margin:g} %: the last column is the largest of a row with it",
         "",
         aligned(("need", *legs, "with margin"), cells),
@@ -135,7 +143,7 @@ def _text(robot: Robot, sources: Sequence[str], needs: Needs) -> str:
     return "\n".join([*lines, *told])
 
 
-def _data(robot: Robot, sources: Sequence[str], needs: Needs) -> dict[str, Any]:
+def _data(robot: Robot, sources: Sequence[str], needs: ActuatorRequirementsResult) -> dict[str, Any]:
     found = compared(robot, needs)
     kept = {name: getattr(needs, name) for name in _UNITS if getattr(needs, name) is not None}
     return {
@@ -152,22 +160,22 @@ def _data(robot: Robot, sources: Sequence[str], needs: Needs) -> dict[str, Any]:
     }
 
 
-def _data_of_noise(found: Compared, needs: Needs) -> dict[str, Any]:
+def _data_of_noise(found: Compared, needs: ActuatorRequirementsResult) -> dict[str, Any]:
     """What the noise of logs leaves open, for programs; nothing without noise."""
-    if needs.deviations is None:
+    if needs.std is None:
         return {}
     unknown = doubt(needs)
     return {
-        "deviations": dict(needs.deviations),
+        "std": dict(needs.std),
         "not_decided": found.not_decided,
         "margin_not_decided": found.margin_not_decided,
-        "doubts": [] if unknown is None else [unknown],
+        "warnings": [] if unknown is None else [unknown],
     }
 
 
-def _table(needs: Needs) -> str:
+def _table(needs: ActuatorRequirementsResult) -> str:
     legs = [f"leg{leg + 1}" for leg in range(LEGS)]
-    header = ("need", "unit", *legs, *(f"{leg}_sd" for leg in legs if needs.deviations is not None))
+    header = ("need", "unit", *legs, *(f"{leg}_std" for leg in legs if needs.std is not None))
     found = [
         (name, unit, *values.tolist(), *([] if sd is None else sd.tolist()))
         for (name, unit, values), sd in zip(rows(needs), _deviations(needs), strict=True)
@@ -175,15 +183,15 @@ def _table(needs: Needs) -> str:
     return csv_text([header, *found])
 
 
-def figure(robot: Robot, needs: Needs) -> Figure:
+def figure(robot: Robot, needs: ActuatorRequirementsResult) -> Figure:
     """Four panels; of a robot with drives six."""
-    driven = needs.course.torque is not None
+    driven = needs.history.torque is not None
     drawn = new_figure(15.5 if driven else 11.0, 8.2)
     panels = drawn.subplots(2, 3 if driven else 2)
-    course = needs.course
+    course = needs.history
     _plane(panels[0, 0], course.L_dot, course.F, robot.speed_limit, robot.force_limit)
     panels[0, 0].set(xlabel="rate of length, m/s", ylabel="actuator force, N")
-    _shares(panels[0, 1], np.abs(course.F), course.weight, robot.force_limit)
+    _shares(panels[0, 1], np.abs(course.F), course.time_weight, robot.force_limit)
     panels[0, 1].set(xlabel="share of the time, %", ylabel="size of the force exceeded, N")
     _strokes(panels[1, 0], robot, needs)
     _angles(panels[1, 1], robot, needs)
@@ -192,7 +200,7 @@ def figure(robot: Robot, needs: Needs) -> Figure:
         speed, torque = (np.asarray(limit) for limit in (drive.speed_limit, drive.torque_limit))
         _plane(panels[0, 2], course.motor_speed, course.torque, speed, torque)
         panels[0, 2].set(xlabel="motor speed, rad/s", ylabel="motor torque, N m")
-        _shares(panels[1, 2], np.abs(course.torque), course.weight, torque)
+        _shares(panels[1, 2], np.abs(course.torque), course.time_weight, torque)
         panels[1, 2].set(xlabel="share of the time, %", ylabel="size of the torque exceeded, N m")
     margin = f"margin {100.0 * needs.margin:g} %: pale" if needs.margin else "no margin"
     drawn.suptitle(f"{as_written(robot.name)}: what the motions need; limits dashed; {margin}", fontsize=10.0)
@@ -231,7 +239,7 @@ def _shares(axes: Axes, sizes: Array, weight: Array, limit: Array) -> None:
     axes.set_ylim(bottom=0.0)
 
 
-def _strokes(axes: Axes, robot: Robot, needs: Needs) -> None:
+def _strokes(axes: Axes, robot: Robot, needs: ActuatorRequirementsResult) -> None:
     """Lengths that each leg takes, its stroke with the margin, and the limits, between which that may lie."""
     strokes = (1.0 + needs.margin) * needs.stroke
     for leg, (color, stroke) in enumerate(zip(LEG_COLORS, strokes, strict=True)):
@@ -250,7 +258,7 @@ def _strokes(axes: Axes, robot: Robot, needs: Needs) -> None:
     axes.margins(y=0.08)
 
 
-def _angles(axes: Axes, robot: Robot, needs: Needs) -> None:
+def _angles(axes: Axes, robot: Robot, needs: ActuatorRequirementsResult) -> None:
     """Largest angles of the joints at the base, left, and at the platform, right and hatched."""
     ends = ((needs.base_angle, -0.2, ""), (needs.platform_angle, 0.2, "///"))
     for end, (angles, shift, hatch) in enumerate(ends):

@@ -32,9 +32,9 @@ _ENDS[4] *= 0.5
 _MARGIN = 0.12
 
 _OUTSIDE = ("#ffffff", "#d9d9d9", "#c6d8ee", "#e6cfe8", "#f3d9b1", "#f4c2c2", "#d5e8c8")
-"""Colours of the limits, in the order of ``REASONS``; what is inside is coloured by its condition number."""
+"""Colors of the limits, in the order of ``REASONS``; what is inside is colored by its condition number."""
 _MOST = 100.0
-# The colours span at least this ratio of condition numbers.
+# The colors span at least this ratio of condition numbers.
 _LEAST_RATIO = 1.5
 # Width of a row of panels, inches; least and greatest width over height of a panel.
 _WIDTH, _SHAPES = 9.4, (0.4, 2.5)
@@ -55,16 +55,16 @@ class Slice:
     condition: Array
 
 
-def slices(robot: Robot, limits: PoseLimits, found: Workspace, progress: Progress) -> list[Slice]:
+def slices(robot: Robot, limits: PoseLimits, found: WorkspaceResult, progress: Progress) -> list[Slice]:
     """Planes through the pose in the middle, of each two positions and of each two angles that vary."""
-    varying = {"constant": [0], "orientation": [3], "total": [0, 3]}[found.kind]
+    varying = {"constant_orientation": [0], "orientation": [3], "six_dof": [0, 3]}[found.kind]
     pairs = [(i + start, j + start) for start in varying for i, j in itertools.combinations(range(3), 2)]
     examiner, first = PoseExaminer(robot, at_reference(robot, limits)), varying[0]
     made = []
     for axes in tracked(progress, pairs, lambda axes: f"plane of {' and '.join(AXES[i] for i in axes)}"):
         ends = [_ends(found, axis, axis - first) for axis in axes]
         one, other = (np.linspace(low, high, POINTS) for low, high in ends)
-        poses = np.tile(np.concatenate([found.position, found.angles]), (POINTS, POINTS, 1))
+        poses = np.tile(np.concatenate([found.position, found.rpy]), (POINTS, POINTS, 1))
         poses[..., axes[0]], poses[..., axes[1]] = one[:, None], other
         flat = poses.reshape(-1, 6)
         R = rotation_from_rpy(flat[:, 3:])
@@ -75,16 +75,16 @@ def slices(robot: Robot, limits: PoseLimits, found: Workspace, progress: Progres
     return made
 
 
-def _ends(found: Workspace, axis: int, row: int) -> Array:
+def _ends(found: WorkspaceResult, axis: int, row: int) -> Array:
     """Where a slice begins and ends along an axis."""
-    extent = found.box[row] if np.isnan(found.extent[row]).any() else found.extent[row]
-    middle = float(np.concatenate([found.position, found.angles])[axis])
+    extent = found.bounds[row] if np.isnan(found.extent[row]).any() else found.extent[row]
+    middle = float(np.concatenate([found.position, found.rpy])[axis])
     low, high = min(extent[0], middle), max(extent[1], middle)
     wider = _MARGIN * (high - low)
     return np.asarray(np.clip([low - wider, high + wider], *_ENDS[axis]))
 
 
-def report(robot: Robot, limits: PoseLimits, found: Workspace, planes: list[Slice]) -> Report:
+def report(robot: Robot, limits: PoseLimits, found: WorkspaceResult, planes: list[Slice]) -> Report:
     """Text, figures for programs, and the planes as a table and a picture."""
     data = {
         "robot": robot.name,
@@ -100,51 +100,51 @@ def report(robot: Robot, limits: PoseLimits, found: Workspace, planes: list[Slic
         "volume": found.volume,
         "error": found.error,
         "unit": found.unit,
-        "box": found.box,
+        "bounds": found.bounds,
         "extent": found.extent,
         "tool_m": found.tool,
         "position_m": found.position,
-        "angles_rad": found.angles,
-        "clear": found.clear,
-        "reasons": found.reasons,
-        "poses": found.poses,
-        "units": {"box": _names(found), "extent": _names(found), "clear": _clear_unit(found)},
+        "rpy_rad": found.rpy,
+        "distance_to_limit": found.distance_to_limit,
+        "limit_fractions": found.limit_fractions,
+        "samples": found.samples,
+        "units": {"bounds": _names(found), "extent": _names(found), "distance_to_limit": _clear_unit(found)},
     }
     figures = {"slices": Picture(lambda: figure(robot, found, planes), SMALL)}
     return Report(_text(robot, limits, found), {"slices": _table(planes)}, data, figures)
 
 
-def _title(found: Workspace) -> str:
+def _title(found: WorkspaceResult) -> str:
     """Which workspace it is, in words."""
-    t, theta = (", ".join(f"{x:.4g}" for x in values) for values in (found.position, found.angles))
+    t, theta = (", ".join(f"{x:.4g}" for x in values) for values in (found.position, found.rpy))
     return {
-        "constant": f"constant orientation, roll, pitch, yaw ({theta}) rad",
+        "constant_orientation": f"constant orientation, roll, pitch, yaw ({theta}) rad",
         "orientation": f"orientation, at ({t}) m",
-        "total": "total, positions and orientations",
+        "six_dof": "six degrees of freedom, positions and orientations",
     }[found.kind]
 
 
-def _text(robot: Robot, limits: PoseLimits, found: Workspace) -> str:
+def _text(robot: Robot, limits: PoseLimits, found: WorkspaceResult) -> str:
     lines = [
         f"robot      {robot.name}",
         f"workspace  {_title(found)}",
         f"limits     {', '.join(_limits(robot, limits)) or 'none'}",
-        f"volume     {_size(found)}, of {found.poses:,} poses",
+        f"volume     {_size(found)}, of {found.samples:,} poses",
     ]
     if found.tool.any():
         point = ", ".join(f"{x:.4g}" for x in found.tool)
         lines.insert(2, f"point      tool of the robot file, ({point}) m, platform frame: positions and load")
-    if found.kind != "total":
-        clear = f"at most {found.clear:.4g} {_clear_unit(found)} from the pose in the middle, to the nearest"
-        clear = f"{clear} that" if np.isfinite(found.clear) else "no pose"
+    if found.kind != "six_dof":
+        clear = f"at most {found.distance_to_limit:.4g} {_clear_unit(found)} from the pose in the middle, to the nearest"
+        clear = f"{clear} that" if np.isfinite(found.distance_to_limit) else "no pose"
         lines.append(f"clear      {clear} was found beyond a limit")
     rows = [
         (name, f"{low:.4g}", f"{high:.4g}", f"{least:.4g}", f"{most:.4g}")
-        for name, (low, high), (least, most) in zip(_names(found), found.extent, found.box, strict=True)
+        for name, (low, high), (least, most) in zip(_names(found), found.extent, found.bounds, strict=True)
     ]
     header = ("coordinate", "at least from", "to", "searched from", "to")
     lines += ["", aligned(header, rows), ""]
-    shares = [(name, f"{100.0 * share:.2f}") for name, share in found.reasons.items()]
+    shares = [(name, f"{100.0 * share:.2f}") for name, share in found.limit_fractions.items()]
     return "\n".join([*lines, aligned(("first limit that breaks", "% of poses"), shares)])
 
 
@@ -158,7 +158,7 @@ def _size(found: Workspace) -> str:
 def _limits(robot: Robot, limits: PoseLimits) -> Iterator[str]:
     if limits.lengths and np.any((robot.length_limits[:, 0] > 0.0) | np.isfinite(robot.length_limits[:, 1])):
         yield "leg lengths"
-    if limits.joint_angles and robot.limits_joint_angles:
+    if limits.joint_angles and robot.has_joint_angle_limits:
         yield "joint angles"
     if limits.clearance > 0.0:
         yield f"leg clearance {limits.clearance:g} m"
@@ -168,13 +168,13 @@ def _limits(robot: Robot, limits: PoseLimits) -> Iterator[str]:
         yield "actuator forces at rest" + (" under the load" if limits.load.any() else "")
 
 
-def _names(found: Workspace) -> list[str]:
+def _names(found: WorkspaceResult) -> list[str]:
     names = [f"{name}, {'m' if name[1] == '_' else 'rad'}" for name in AXES]
-    return {"constant": names[:3], "orientation": names[3:], "total": names}[found.kind]
+    return {"constant_orientation": names[:3], "orientation": names[3:], "six_dof": names}[found.kind]
 
 
-def _clear_unit(found: Workspace) -> str:
-    return {"constant": "m", "orientation": "rad", "total": ""}[found.kind]
+def _clear_unit(found: WorkspaceResult) -> str:
+    return {"constant_orientation": "m", "orientation": "rad", "six_dof": ""}[found.kind]
 
 
 def _table(planes: list[Slice]) -> str:
@@ -188,7 +188,7 @@ def _table(planes: list[Slice]) -> str:
     return csv_text(rows)
 
 
-def figure(robot: Robot, found: Workspace, planes: list[Slice]) -> Figure:
+def figure(robot: Robot, found: WorkspaceResult, planes: list[Slice]) -> Figure:
     """A panel for each plane, t_z upright as gravity says."""
     shapes = np.array([_shape(plane) for plane in planes]).reshape(-1, 3)
     # A row is as wide as the picture; a picture of one row has panels of one height.
@@ -208,7 +208,7 @@ def figure(robot: Robot, found: Workspace, planes: list[Slice]) -> Figure:
         if plane.axes[1] == AXES.index("t_z") and vertical(robot) == Z_DOWN:
             axes.invert_yaxis()
             axes.set_ylabel("t_z, m (z points down)")
-        middle = np.concatenate([found.position, found.angles])
+        middle = np.concatenate([found.position, found.rpy])
         scale = _scale(plane)
         axes.plot(*(scale * middle[list(plane.axes)]), marker="+", color=DARK, markersize=9.0)
     bar = drawn.colorbar(mesh, ax=panels, label="scaled condition number", shrink=0.8, extend="max")

@@ -280,7 +280,7 @@ def _rates(robot: Robot, tests: Sequence[Vector]) -> str:
     rows = []
     for test in tests:
         at = {name: test.inputs[name].reshape(shape) for name, shape in MOTION.items()}
-        rows.append(inverse_kinematics(robot, Motion.unchecked(**at)).L_dot)
+        rows.append(inverse_kinematics(robot, Motion._unchecked(**at)).L_dot)
     return _nested(np.array(rows), "REAL({})")
 
 

@@ -8,7 +8,7 @@ from collections.abc import Callable
 import numpy as np
 
 from ...io.array_types import Array
-from ...motion.straight_line import PATHS
+from ...motion.straight_line import PAPER_PATHS
 from ..common.output import Figures
 from .reproduce import LIGHT_PLATFORM, PathRun, Reproduction
 
@@ -184,7 +184,7 @@ def _faster_fractions(found: Reproduction, form: str) -> tuple[object, ...]:
 def _steep(found: Reproduction, form: str) -> tuple[object, ...]:
     run = found.runs["II", form]
     step = np.max(np.abs(np.diff(run.F, axis=0)), axis=-1)
-    jumps = PATHS["II"].path.breaks()[1:-1]
+    jumps = PAPER_PATHS["II"].path.breakpoints()[1:-1]
     # A sample at the instant of a jump has the value that follows it: the step that ends there jumps.
     at = np.unique(np.searchsorted(run.time, jumps - 1e-9) - 1)
     least, elsewhere = float(step[at].min()), float(np.delete(step, at).max())
@@ -234,9 +234,9 @@ def _near_singular(found: Reproduction, form: str) -> tuple[object, ...]:
     "more than half of all on every path (partly: a quarter on one)",
 )
 def _generally(found: Reproduction, form: str) -> tuple[object, ...]:
-    fractions = (counted_fractions(found.runs[name, form]) for name in PATHS)
+    fractions = (counted_fractions(found.runs[name, form]) for name in PAPER_PATHS)
     shares = [float(np.mean((each >= 0.2) & (each <= 0.5))) for each in fractions]
-    parts = ", ".join(f"{name} {share:.0%}" for name, share in zip(PATHS, shares, strict=True))
+    parts = ", ".join(f"{name} {share:.0%}" for name, share in zip(PAPER_PATHS, shares, strict=True))
     return f"share of all within 20 to 50%: {parts}", min(shares) > 0.5, max(shares) > 0.25
 
 
@@ -259,7 +259,7 @@ def _more(found: Reproduction, form: str) -> tuple[object, ...]:
 )
 def _relation(found: Reproduction, form: str) -> tuple[object, ...]:
     ranks = {}
-    for name in PATHS:
+    for name in PAPER_PATHS:
         run = found.runs[name, form]
         ranks[name] = rank_correlation(run.condition, np.max(np.abs(run.F), axis=-1))
     text = "rank correlation of condition number and largest |F|: "

@@ -18,7 +18,7 @@ _EXACT_LINE: dict[str, Any] = {"linewidth": 3.6, "alpha": 0.35, "zorder": 2, "so
 
 @dataclass(frozen=True)
 class _Curve:
-    """One of the paper's letters: what it is, and its colour and dash."""
+    """One of the paper's letters: what it is, and its color and dash."""
 
     letter: str
     meaning: str
@@ -171,8 +171,8 @@ def _fraction_limits(runs: tuple[PathRun, ...], leg: int) -> tuple[float, float]
 
 
 def _formulation_handles(note: str) -> list[Any]:
-    grey = "#555555"
+    gray = "#555555"
     return [
-        legend_line("thin: paper, as printed", color=grey, **_PAPER_LINE),
-        legend_line(f"band: exact ({note})", color=grey, **_EXACT_LINE),
+        legend_line("thin: paper, as printed", color=gray, **_PAPER_LINE),
+        legend_line(f"band: exact ({note})", color=gray, **_EXACT_LINE),
     ]

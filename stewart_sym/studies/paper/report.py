@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from ...motion.straight_line import PATHS
+from ...motion.straight_line import PAPER_PATHS
 from ...reference.newton_euler import EXACT, PAPER
 from ...viewer.view import view
 from ..common.output import Figures, aligned
@@ -31,7 +31,7 @@ _FAULT_NAMES = {
 def full_report(found: Reproduction) -> Report:
     """All tables, the runs over time, the pictures of Figs. 4-10 and a view of each path."""
     tables = {f"path_{path}_{form}": run_columns(run) for (path, form), run in found.runs.items()}
-    views = {f"Path {path}": functools.partial(view, found.robot, path) for path in PATHS}
+    views = {f"Path {path}": functools.partial(view, found.robot, path) for path in PAPER_PATHS}
     return Report(report(found), tables, _data(found), pictures(found), views)
 
 
@@ -39,7 +39,7 @@ def _data(found: Reproduction) -> dict[str, Any]:
     return {
         "robot": found.robot.name,
         "computed_by": found.backend,
-        "impossible_inertias": found.robot.physicality(),
+        "impossible_inertias": found.robot.find_invalid_inertias(),
         "claims": claims(found),
         "fault_costs": found.fault_costs,
         "work_and_energy": found.work_energy,
@@ -55,7 +55,7 @@ def _data(found: Reproduction) -> dict[str, Any]:
 
 def report(found: Reproduction) -> str:
     """All tables, with units and definitions, as one text."""
-    physicality = [f"  {line}" for line in found.robot.physicality()]
+    physicality = [f"  {line}" for line in found.robot.find_invalid_inertias()]
     head = [
         "Dasgupta & Mruthyunjaya (1998), section 5, computed again",
         "",
@@ -102,11 +102,15 @@ def _verdict(row: Figures) -> str:
 
 
 def _fault_table(found: Reproduction) -> str:
-    header = ("fault kept", *(f"Path {name}" for name in PATHS), *(f"{name} at rest" for name in PATHS))
+    header = (
+        "fault kept",
+        *(f"Path {name}" for name in PAPER_PATHS),
+        *(f"{name} at rest" for name in PAPER_PATHS),
+    )
     cells = [
         (
             _FAULT_NAMES[frozenset(cost["faults"])],
-            *(_percent(cost[how][name]) for how in ("moving", "at_rest") for name in PATHS),
+            *(_percent(cost[how][name]) for how in ("moving", "at_rest") for name in PAPER_PATHS),
         )
         for cost in found.fault_costs
     ]

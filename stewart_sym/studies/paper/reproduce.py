@@ -14,11 +14,11 @@ from ...io.array_types import Array
 from ...io.progress import Progress, silent, tracked
 from ...kinematics.conditioning import characteristic_length, condition_number, scaled_condition_number
 from ...motion.motion import Motion, at_rest
-from ...motion.straight_line import PATHS
+from ...motion.straight_line import PAPER_PATHS
 from ...reference import newton_euler
 from ...robot.robot import Robot
 from ...robots import dasgupta1998
-from ...singularities.along_path import crossings
+from ...singularities.along_path import singularity_crossings
 from ..common.output import Columns, Figures, of_legs
 
 LIGHT_PLATFORM = 4.0
@@ -91,15 +91,15 @@ class Reproduction:
 
 def reproduce(progress: Progress = silent) -> Reproduction:
     """Compute everything on the paper's machine; ``progress`` is given what is being computed."""
-    robot, path = dasgupta1998(), PATHS["III"].path
+    robot, path = dasgupta1998(), PAPER_PATHS["III"].path
     progress("compiling the kernels")
     backend = _backend(robot)
     progress("running Paths I-III")
     lighter = dataclasses.replace(robot, M=LIGHT_PLATFORM)
-    runs = {(name, form): run_path(robot, name, form) for name in PATHS for form in FORMULATIONS}
+    runs = {(name, form): run_path(robot, name, form) for name in PAPER_PATHS for form in FORMULATIONS}
     every = tracked(progress, FAULTS, lambda _: "measuring the printed faults")
     costs = [fault_cost(robot, faults) for faults in every]
-    kept = [(name, faults) for name in PATHS for faults in (newton_euler.EXACT, *FAULTS)]
+    kept = [(name, faults) for name in PAPER_PATHS for faults in (newton_euler.EXACT, *FAULTS)]
     each = tracked(progress, kept, lambda _: "comparing work and energy")
     work = [work_energy(robot, *of_path) for of_path in each]
     return Reproduction(
@@ -108,7 +108,7 @@ def reproduce(progress: Progress = silent) -> Reproduction:
         runs=runs,
         light={form: run_path(lighter, "I", form) for form in FORMULATIONS},
         rest={form: run_path(robot, "I", form, rest=True) for form in FORMULATIONS},
-        singular_time=crossings(robot, path.sample, path.breaks())[0].time,
+        singular_time=singularity_crossings(robot, path.sample, path.breakpoints())[0].time,
         fault_costs=costs,
         work_energy=work,
         operations=operations(),
@@ -116,9 +116,9 @@ def reproduce(progress: Progress = silent) -> Reproduction:
 
 
 def run_path(robot: Robot, name: str, formulation: Formulation | str, rest: bool = False) -> PathRun:
-    """Run a path of ``PATHS`` at the paper's time step, or rest at each of its poses."""
-    path, dtau = PATHS[name]
-    time = path.times(dtau)
+    """Run a path of ``PAPER_PATHS`` at the paper's time step, or rest at each of its poses."""
+    path, dtau = PAPER_PATHS[name]
+    time = path.time_grid(dtau)
     motion = path.sample(time)
     motion = at_rest(motion.R, motion.t) if rest else motion
     forces = inverse_dynamics(robot, motion, formulation)  # type: ignore[arg-type]
@@ -154,8 +154,8 @@ def fault_cost(robot: Robot, faults: frozenset[int]) -> Figures:
     """
     frictionless = without_friction(robot)
     moving, resting = {}, {}
-    for name, (path, dtau) in PATHS.items():
-        motion = path.sample(path.times(dtau))
+    for name, (path, dtau) in PAPER_PATHS.items():
+        motion = path.sample(path.time_grid(dtau))
         moving[name] = _difference(frictionless, motion, faults)
         resting[name] = _difference(frictionless, at_rest(motion.R, motion.t), faults)
     return {"faults": sorted(faults), "moving": moving, "at_rest": resting}
@@ -172,8 +172,8 @@ def work_energy(robot: Robot, name: str, faults: frozenset[int]) -> Figures:
     F.Ldot = D.Ldot - c.twist does not.
     """
     frictionless = without_friction(robot)
-    path = PATHS[name].path
-    breaks = path.breaks()
+    path = PAPER_PATHS[name].path
+    breaks = path.breakpoints()
     half = np.diff(breaks)[:, None] / 2
     motion = path.sample((breaks[:-1, None] + half * (_NODES + 1)).ravel())
     if (formulation := _FORMULATION.get(faults)) is None:

@@ -21,14 +21,14 @@ from ...kinematics.conditioning import characteristic_length, scaled_condition_n
 from ...kinematics.inverse import inverse_kinematics, wrench_matrix
 from ...motion.motion import at_rest
 from ...motion.rotation import rotation_from_vector, vector_from_rotation
-from ...motion.straight_line import PATHS
+from ...motion.straight_line import PAPER_PATHS
 from ...planning.plan_path import PlannedPath, conditions_along, plan_path
 from ...planning.pose_path import Family, PosePath, ViaPose
-from ...planning.time_path import LEAST, time_path
-from ...planning.timing.path_terms import Limits, travelled
+from ...planning.time_path import MINIMIZE, parameterize_path
+from ...planning.timing.path_terms import PathLimits, traveled
 from ...robot.robot import Robot
 from ...robots import dasgupta1998
-from ...singularities.along_path import crossings
+from ...singularities.along_path import singularity_crossings
 from ..common.drawing import BLUE, DARK, GREY, RED, Figure, legend_below, log_numbers, new_figure
 from ..common.output import Figures, paragraph, table
 from ..common.report import SMALL, Picture, draw
@@ -59,7 +59,7 @@ def along(robot: Robot, path: PosePath, duration: float) -> tuple[Array, Array]:
     s = x**3 * (10.0 - 15.0 * x + 6.0 * x**2)
     rate = 30.0 * x**2 * (1.0 - x) ** 2 / duration
     second = 60.0 * x * (1.0 - x) * (1.0 - 2.0 * x) / duration**2
-    motion = travelled(path(s), rate, second)
+    motion = traveled(path(s), rate, second)
     forces = inverse_dynamics(robot, motion).F
     condition = scaled_condition_number(wrench_matrix(robot, motion), characteristic_length(robot))
     return condition, np.abs(forces).max(axis=-1)
@@ -131,9 +131,9 @@ def gains(count: int = MACHINE_COUNT) -> dict[str, Any]:
         robot = random_machine(rng)
         poses = via_poses(rng, robot, VIA_COUNT)
         found = plan_path(robot, poses)
-        before, after = found.straight_conditions, found.conditions
+        before, after = found.initial_condition_numbers, found.condition_numbers
         duration = 2.0 * VIA_COUNT * np.sqrt(1.0 / GRAVITY)
-        forces = [float(along(robot, path, duration)[1].max()) for path in (found.straight, found.path)]
+        forces = [float(along(robot, path, duration)[1].max()) for path in (found.initial_path, found.path)]
         ratios = [after.mean / before.mean, after.peak / before.peak, forces[1] / forces[0]]
         rows.append([*ratios, after.length / before.length])
     return dict(zip(("mean", "peak", "peak_force", "length"), np.array(rows).T, strict=True)) | {
@@ -144,15 +144,20 @@ def gains(count: int = MACHINE_COUNT) -> dict[str, Any]:
 def path_III() -> dict[str, Any]:
     """Path III between its own ends, and where its end may be yawed; forces of both in 6 s."""
     robot, planned = dasgupta1998(), planned_path_III()
-    motion = PATHS["III"].path.sample(np.array([0.0, DURATION]))
-    paths = {"straight": planned.straight, "planned": planned.path}
+    motion = PAPER_PATHS["III"].path.sample(np.array([0.0, DURATION]))
+    paths = {"straight": planned.initial_path, "planned": planned.path}
     on = {name: along(robot, path, DURATION) for name, path in paths.items()}
     s = np.linspace(0.0, 1.0, 1001)
     return {
         "signs_of_det_H": np.sign(np.linalg.det(wrench_matrix(robot, motion))),
-        "yaw_rad": float(vector_from_rotation(planned.given[1].R.T @ planned.poses[1].R)[2]),
-        "crossings": {name: len(crossings(robot, path, s)) for name, path in paths.items()},
-        "conditions": {"straight": vars(planned.straight_conditions), "planned": vars(planned.conditions)},
+        "yaw_rad": float(
+            vector_from_rotation(planned.requested_poses[1].R.T @ planned.reached_poses[1].R)[2]
+        ),
+        "crossings": {name: len(singularity_crossings(robot, path, s)) for name, path in paths.items()},
+        "conditions": {
+            "straight": vars(planned.initial_condition_numbers),
+            "planned": vars(planned.condition_numbers),
+        },
         "force_N": {name: force for name, (_, force) in on.items()},
         "condition": {name: condition for name, (condition, _) in on.items()},
     }
@@ -160,7 +165,7 @@ def path_III() -> dict[str, Any]:
 
 def planned_path_III() -> PlannedPath:
     """Path III planned anew, with its end free to be yawed."""
-    motion = PATHS["III"].path.sample(np.array([0.0, DURATION]))
+    motion = PAPER_PATHS["III"].path.sample(np.array([0.0, DURATION]))
     free = np.array([0.0, 0.0, 0.0, 0.0, 0.0, YAW])
     ends = (ViaPose(motion.R[0], motion.t[0]), ViaPose(motion.R[1], motion.t[1], -free, free))
     return plan_path(dasgupta1998(), ends)
@@ -171,20 +176,20 @@ def durations() -> dict[str, Any]:
     robot, path = dasgupta1998(), planned_path_III().path
     poses = path(np.linspace(0.0, 1.0, _SAMPLES))
     weight = np.abs(inverse_dynamics(robot, at_rest(poses.R, poses.t)).F).max()
-    limits = Limits(force=FORCE_OVER_REST * float(weight))
-    quick = time_path(robot, path, limits=limits)
+    limits = PathLimits(force=FORCE_OVER_REST * float(weight))
+    quick = parameterize_path(robot, path, limits=limits)
     duration = LONGER * quick.duration
     slow = replace(quick, profile=quick.profile.slowed(1.0 / LONGER))
     plans = {"least time, slowed": slow} | {
-        f"least {least.replace('-', ' ')}": time_path(
-            robot, path, limits=limits, least=least, duration=duration
+        f"least {least.replace('-', ' ')}": parameterize_path(
+            robot, path, limits=limits, minimize=least, duration=duration
         )
-        for least in LEAST[1:]
+        for least in MINIMIZE[1:]
     }
     time = np.linspace(0.0, duration, _SAMPLES)
     found: dict[str, Any] = {"least_time_s": quick.duration, "time_s": time, "motions": {}}
     for name, plan in plans.items():
-        instants = plan.instants(_INSTANTS)
+        instants = plan.time_grid(_INSTANTS)
         motion = plan.sample(instants)
         F = inverse_dynamics(robot, motion).F
         power = np.sum(F * inverse_kinematics(robot, motion).L_dot, axis=-1)

@@ -25,12 +25,12 @@ class _Unit(NamedTuple):
     """Of lengths in the text."""
 
     name: str
-    metres: float
+    meters: float
 
     def vector(self, values: Array) -> str:
-        """Lengths, m, in this unit, to a tenth of a millimetre or finer."""
-        digits = 4 if self.metres == 1.0 else 5 + round(math.log10(self.metres))
-        return _vector(values / self.metres, digits)
+        """Lengths, m, in this unit, to a tenth of a millimeter or finer."""
+        digits = 4 if self.meters == 1.0 else 5 + round(math.log10(self.meters))
+        return _vector(values / self.meters, digits)
 
 
 def report(robot: Robot, length_unit: str = "m") -> Report:
@@ -57,7 +57,7 @@ def _data(robot: Robot) -> dict[str, Any]:
         **_offset_data(robot),
         "gravity_m_per_s2": robot.g,
         "platform_mass_kg": robot.M,
-        "platform_centre_of_mass_m": robot.R_0,
+        "platform_center_of_mass_m": robot.R_0,
         "lower_mass_kg": robot.m_d,
         "upper_mass_kg": robot.m_u,
         "mass_ratio_platform_to_leg": robot.M / np.mean(robot.m_d + robot.m_u),
@@ -68,13 +68,13 @@ def _data(robot: Robot) -> dict[str, Any]:
         "friction_spherical_N_m_s": robot.C_s,
         "tool_m": robot.tool,
         "euler_order": robot.euler_order,
-        "trajectory_lengths": robot.lengths,
+        "trajectory_lengths": robot.length_mode,
         "length_limits_m": robot.length_limits,
         "force_limit_N": robot.force_limit,
         "speed_limit_m_per_s": robot.speed_limit,
         "joint_angle_limit_rad": robot.joint_angle_limit,
         **_drive_data(robot),
-        "impossible_inertias": robot.physicality(),
+        "impossible_inertias": robot.find_invalid_inertias(),
     }
 
 
@@ -82,7 +82,7 @@ def _drive_data(robot: Robot) -> dict[str, Any]:
     """Drives, for programs; nothing without any."""
     if robot.drive is None:
         return {}
-    names = {"lead": "m", "reflected_mass": "kg", "efficiency": "", "back_efficiency": ""}
+    names = {"lead": "m", "reflected_mass": "kg", "efficiency": "", "backdrive_efficiency": ""}
     names |= {name: unit for name, (_, unit) in _DRIVE_FRICTION.items()}
     names |= {name: unit for name, (_, unit) in _DRIVE_LIMITS.items()}
     return {
@@ -96,7 +96,7 @@ def _offset_data(robot: Robot) -> dict[str, Any]:
     if robot.offsets is None:
         return {}
     names = {"cross_mass": "kg", "cross_inertia": "kg_m2", "cross_center": "m"}
-    names |= dict.fromkeys(("cross", "along", "across", "wrist"), "m")
+    names |= dict.fromkeys(("axis_offset", "slide_offset_y", "slide_offset_z", "wrist_offset"), "m")
     return {f"offset_{name}_{unit}": getattr(robot.offsets, name) for name, unit in names.items()}
 
 
@@ -115,14 +115,14 @@ def _home_data(robot: Robot, home: HomePose) -> dict[str, Any]:
 
 
 def _description(robot: Robot, home: HomePose, unit: _Unit) -> str:
-    bodies = dict.fromkeys(line.partition(": inertia")[0] for line in robot.physicality())
+    bodies = dict.fromkeys(line.partition(": inertia")[0] for line in robot.find_invalid_inertias())
     rows = [
         ("name", robot.name),
         ("joints", f"{robot.base_joint} at the base, {_platform_joint(robot)} at the platform"),
         *_offsets(robot, unit),
         ("gravity", f"{_vector(robot.g)} m/s^2"),
         *_sides(robot),
-        ("platform", f"{robot.M:g} kg, centre of mass {unit.vector(robot.R_0)} {unit.name}"),
+        ("platform", f"{robot.M:g} kg, center of mass {unit.vector(robot.R_0)} {unit.name}"),
         (
             "legs",
             f"{_range(robot.m_d + robot.m_u)} kg each (lower {_range(robot.m_d)}, upper {_range(robot.m_u)})",
@@ -130,8 +130,8 @@ def _description(robot: Robot, home: HomePose, unit: _Unit) -> str:
         ("mass ratio", f"platform to one leg {robot.M / np.mean(robot.m_d + robot.m_u):.3g}"),
         (
             "size",
-            f"base points {radius(robot.b) / unit.metres:.4g} {unit.name}, "
-            f"platform points {radius(robot.p) / unit.metres:.4g} {unit.name} (RMS radius)",
+            f"base points {radius(robot.b) / unit.meters:.4g} {unit.name}, "
+            f"platform points {radius(robot.p) / unit.meters:.4g} {unit.name} (RMS radius)",
         ),
         *_conventions(robot, unit),
         ("friction", _friction(robot)),
@@ -164,8 +164,12 @@ def _platform_joint(robot: Robot) -> str:
     return "spherical" if robot.offsets is None else robot.offsets.platform_joint
 
 
-_OFFSETS = {"cross": "from the fixed to the moving axis", "along": "along it", "across": "across it"}
-_OFFSETS |= {"wrist": "in the platform joint"}
+_OFFSETS = {
+    "axis_offset": "from the fixed to the moving axis",
+    "slide_offset_y": "along it",
+    "slide_offset_z": "across it",
+}
+_OFFSETS |= {"wrist_offset": "in the platform joint"}
 
 
 def _offsets(robot: Robot, unit: _Unit) -> list[tuple[str, str]]:
@@ -174,7 +178,7 @@ def _offsets(robot: Robot, unit: _Unit) -> list[tuple[str, str]]:
     if offsets is None:
         return []
     parts = [
-        f"{_range(getattr(offsets, name) / unit.metres)} {unit.name} {where}"
+        f"{_range(getattr(offsets, name) / unit.meters)} {unit.name} {where}"
         for name, where in _OFFSETS.items()
         if np.any(getattr(offsets, name))
     ]
@@ -192,7 +196,7 @@ def _conventions(robot: Robot, unit: _Unit) -> list[tuple[str, str]]:
         parts.append(f"poses of the point {unit.vector(robot.tool)} {unit.name} of the platform")
     if robot.euler_order != "zyx":
         parts.append(f"R = {' '.join(f'R{axis}' for axis in robot.euler_order)}")
-    if robot.lengths == "relative":
+    if robot.length_mode == "relative":
         parts.append("leg lengths less those of the home pose")
     return [("trajectories", ", ".join(parts))] if parts else []
 
@@ -211,23 +215,23 @@ def _home_lines(robot: Robot, home: HomePose, unit: _Unit) -> list[str]:
     ]
     if np.isfinite(longest).all() and not legs:
         back, forth = np.min(home.L - shortest), np.min(longest - home.L)
-        span = f"{-back / unit.metres:.4g} to {forth / unit.metres:+.4g} {unit.name}"
+        span = f"{-back / unit.meters:.4g} to {forth / unit.meters:+.4g} {unit.name}"
         rows.append(("stroke left", span))
     parts = robot.r_d0[:, 0] - robot.r_u0[:, 0]
     short = np.flatnonzero(home.L < parts).tolist()
     if short:
         named = legs_text(short)
-        rows.append(("overlap", f"lower and upper centres of mass pass each other in {named}: a low pose"))
+        rows.append(("overlap", f"lower and upper centers of mass pass each other in {named}: a low pose"))
     if home.status:
         rows.append(("condition", f"unsolvable: {STATUS_TEXT[home.status]}"))
     else:
         length = characteristic_length(robot)
-        by = f"{length / unit.metres:.4g} {unit.name}"
+        by = f"{length / unit.meters:.4g} {unit.name}"
         scaled = f"{home.scaled_condition:.4g} with moments divided by {by}"
         rows.append(("condition", f"condition number of H {home.condition:.4g}; {scaled}"))
         holding = ", ".join(f"{force:.6g}" for force in home.F.tolist())
         rows.append(("holding", f"({holding}) N"))
-    what = "platform centred above the base; " if robot.home is None else ""
+    what = "platform centered above the base; " if robot.home_position is None else ""
     return [f"home pose: {what}{home.rule}", *_rows(rows)]
 
 
@@ -259,7 +263,7 @@ def _friction(robot: Robot) -> str:
 
 _DRIVE_FRICTION = {
     "screw_coulomb": ("dry friction along the leg", "N"),
-    "stribeck": ("more at rest", "N"),
+    "stribeck_force": ("more at rest", "N"),
     "motor_coulomb": ("dry friction of the motor", "N m"),
 }
 _DRIVE_LIMITS = {
@@ -274,14 +278,16 @@ _DRIVE_LIMITS = {
 
 def _drives(drive: Drive, unit: _Unit) -> list[tuple[str, str]]:
     """Rows on the drives and, where any are stated, on the limits of their motors."""
-    lead = drive.lead / drive.gear / unit.metres
+    lead = drive.lead / drive.gear_ratio / unit.meters
     most = lead > 0.0 if 2 * np.count_nonzero(lead > 0.0) >= len(lead) else lead < 0.0
     turn = f"{_range(lead[most])} {unit.name} per turn of the motor"
     if not most.all():
         turn += f" ({legs_text(np.flatnonzero(~most).tolist())}: {_range(lead[~most])})"
     parts = [turn]
     parts.append(f"reflected mass {_short_range(drive.reflected_mass)} kg")
-    parts.append(f"efficiency {_range(drive.efficiency)} driving, {_short_range(drive.back_efficiency)} back")
+    parts.append(
+        f"efficiency {_range(drive.efficiency)} driving, {_short_range(drive.backdrive_efficiency)} back"
+    )
     for name, (words, per) in _DRIVE_FRICTION.items():
         if np.any(getattr(drive, name)):
             parts.append(f"{words} {_range(getattr(drive, name))} {per}")
@@ -296,9 +302,9 @@ def _drives(drive: Drive, unit: _Unit) -> list[tuple[str, str]]:
 def _limits(robot: Robot, length: _Unit) -> str:
     parts = []
     for name, limits, unit in (
-        ("length", (robot.length_limits / length.metres).T, length.name),
+        ("length", (robot.length_limits / length.meters).T, length.name),
         ("force", robot.force_limit[None], "N"),
-        ("speed", robot.speed_limit[None] / length.metres, f"{length.name}/s"),
+        ("speed", robot.speed_limit[None] / length.meters, f"{length.name}/s"),
     ):
         given = np.isfinite(limits[-1])
         legs = int(np.count_nonzero(given))

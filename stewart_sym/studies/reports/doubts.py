@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from ...kinematics.log_doubts import LEAST_TURN, impossible, metres_doubt
+from ...kinematics.log_doubts import LEAST_TURN, impossible, meters_doubt
 from ...kinematics.mounting import platform_side
 from ...kinematics.offset_legs import leg_lengths
 from ...motion.rotation import rotation_from_rpy
@@ -24,11 +24,11 @@ def start_doubts(scene: Scene) -> list[str]:
     # Of a path that is read from a file its reader has warned.
     lengths = {"state.t": L} if "state.t" in stated else {}
     lengths |= {key: stated[key] for key in ("legs.rest_length",) if key in stated}
-    found = {key: doubt for key, each in lengths.items() if (doubt := metres_doubt(robot, each))}
+    found = {key: doubt for key, each in lengths.items() if (doubt := meters_doubt(robot, each))}
     lines = [f"{key}: {doubt}" for key, doubt in found.items()]
     side, start = platform_side(robot), "state.t"
-    centre = state.t + state.R @ robot.p.mean(axis=0) - robot.b.mean(axis=0)
-    if start in stated and start not in found and side.certain and centre @ side.direction < 0.0:
+    center = state.t + state.R @ robot.p.mean(axis=0) - robot.b.mean(axis=0)
+    if start in stated and start not in found and side.certain and center @ side.direction < 0.0:
         lines.append(
             f"{start}: the platform starts on the other side of the base than "
             f"{vector_text(side.direction + 0.0)}, {side.rule}: does z point the other way than in the "

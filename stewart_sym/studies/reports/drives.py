@@ -25,7 +25,7 @@ def drive_columns(part: Instants, sd: MotorDeviations | None = None) -> Columns:
     """Columns by name as written, N m, rad/s, A and W; the current where there is one, deviations if any."""
     found: Columns = {}
     for name, column in _COLUMNS.items():
-        for ending, values in (("", getattr(part, name)), ("_sd", getattr(sd, name, None))):
+        for ending, values in (("", getattr(part, name)), ("_std", getattr(sd, name, None))):
             if values is not None:
                 found |= of_legs(column, values, ending)
     return found
@@ -96,8 +96,8 @@ class DriveDigest:
         if summary.noisy:
             found |= {f"motor_peak_{name}_sd_{units[name]}": sd for name, sd in summary.peak_sd.items()}
             known = self.lasts and summary.rms_torque_sd is not None
-            found["motor_rms_torque_sd_N_m"] = summary.rms_torque_sd if known else none
-            found["motor_energy_sd_J"] = summary.energy_sd if self.lasts else none
+            found["motor_rms_torque_std_N_m"] = summary.rms_torque_sd if known else none
+            found["motor_energy_std_J"] = summary.energy_sd if self.lasts else none
         return found
 
     def verdicts(self) -> dict[str, Any]:

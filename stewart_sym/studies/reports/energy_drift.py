@@ -15,9 +15,9 @@ from ...dynamics.inverse import Formulation
 from ...io.array_types import Array
 from ...motion.motion import Motion
 from ...simulation.actuator_models import LegSprings
-from ...simulation.limits import Thresholds
+from ...simulation.limits import StopConditions
 from ...simulation.simulation import simulate
-from ...simulation.trace import Simulation, Stop, Trace
+from ...simulation.trace import SimulationResult, StateHistory, StopEvent
 from ..common.drawing import BLUE, RED, Figure, legend_below, log_numbers, new_figure
 from ..paper.reproduce import without_friction
 
@@ -40,7 +40,7 @@ class Drift:
     times: Array
     drift: Array
     scale: float
-    stop: Stop
+    stop: StopEvent
 
     @property
     def worst(self) -> float:
@@ -60,7 +60,7 @@ def energy_drift(
     state: Motion,
     duration: float = 10.0,
     rtol: float = 1e-9,
-    thresholds: Thresholds | None = None,
+    thresholds: StopConditions | None = None,
 ) -> dict[Formulation, Drift]:
     """Set the springs' machine swinging and return its drift in each formulation.
 
@@ -71,10 +71,10 @@ def energy_drift(
     """
     robot = without_friction(springs.robot)
     springs = dataclasses.replace(springs, robot=robot, damping=0.0)
-    state = Motion(state.R, state.t, state.omega, state.v)
+    state = Motion(R=state.R, t=state.t, omega=state.omega, v=state.v)
     runs = {
         formulation: simulate(
-            robot, state, springs, duration, formulation=formulation, rtol=rtol, thresholds=thresholds
+            robot, state, springs, duration, formulation=formulation, rtol=rtol, stop_conditions=thresholds
         )
         for formulation in cast(tuple[Formulation, ...], FORMULATIONS)
     }
@@ -82,28 +82,28 @@ def energy_drift(
     return {formulation: drift_of(run, run.stop, springs, scale) for formulation, run in runs.items()}
 
 
-def drift_of(run: Trace, stop: Stop, springs: LegSprings, scale: float) -> Drift:
+def drift_of(run: StateHistory, stop: StopEvent, springs: LegSprings, scale: float) -> Drift:
     """Drift of the energy of machine and springs along a run, measured by a scale, J; stop: why it ended."""
     energy = run.energy + springs.energy(run.L)
     drift = (energy - energy[0]) / scale if scale else np.zeros_like(energy)
-    return Drift(run.times, drift, scale, stop)
+    return Drift(run.time, drift, scale, stop)
 
 
-def energy_scale(run: Simulation, springs: LegSprings) -> float:
+def energy_scale(run: SimulationResult, springs: LegSprings) -> float:
     """Mean kinetic energy over a run's time, J, which no short peak makes large.
 
     0 where it is below ``STILL`` of the energy of weight and springs: nothing moved but by rounding.
     """
     even = run.at(np.linspace(0.0, run.stop.time, INSTANTS))
-    mean = float(even.kinetic.mean())
-    stored = float((np.abs(even.potential) + np.abs(springs.energy(even.L))).max())
+    mean = float(even.kinetic_energy.mean())
+    stored = float((np.abs(even.potential_energy) + np.abs(springs.energy(even.L))).max())
     return mean if mean > STILL * stored else 0.0
 
 
 def summary(drifts: Mapping[Formulation, Drift]) -> str:
     """One line for each formulation: the worst drift and why the run ended."""
     return "\n".join(
-        f"{name:<9}  without friction: {drift.text}; {drift.stop.text}" for name, drift in drifts.items()
+        f"{name:<9}  without friction: {drift.text}; {drift.stop.message}" for name, drift in drifts.items()
     )
 
 

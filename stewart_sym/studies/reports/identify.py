@@ -10,16 +10,16 @@ from numpy.typing import ArrayLike
 
 from ...drives.noise import at_replaced
 from ...dynamics.inverse import inverse_dynamics
-from ...identification.base_parameters import BaseParameters, base_parameters
-from ...identification.drive_terms import DriveEstimate, seen_by_motors, terms_of
-from ...identification.estimates import Estimate
+from ...identification.base_parameters import BaseParametersResult, base_parameters
+from ...identification.drive_terms import DriveIdentificationResult, seen_by_motors, terms_of
+from ...identification.estimates import IdentificationResult
 from ...identification.estimation import Experiment, identify
 from ...identification.parameters import inertial_parameters
 from ...identification.tool_point import about_point, about_reference
 from ...io.array_types import Array
 from ...io.instants import time_text
-from ...motion.logs import LogFormat
-from ...motion.smooth_motion import PoseNoise, estimated_noise, smoothed
+from ...motion.logs import TrajectoryFormat
+from ...motion.smooth_motion import PoseNoise, estimate_pose_noise, smoothed
 from ...motion.trajectory import IN_SI, Trajectory
 from ...robot.robot import Robot
 from ..common.motion_columns import trajectory_columns
@@ -52,11 +52,11 @@ def from_measurement(
     noise: PoseNoise | None = None,
     friction: bool = True,
     physical: bool = False,
-    form: LogFormat = IN_SI,
-    shared: str | None = None,
+    form: TrajectoryFormat = IN_SI,
+    identical_legs: bool = False,
     drive: Sequence[str] | None = None,
     lines: Sequence[int] | None = None,
-) -> Estimate:
+) -> IdentificationResult:
     """Identify what the motion of a trajectory excites from forces measured at the same times.
 
     time, F: instants, s, (n,), and forces, N, (n, 6), as read from ``source``. sigma, noise, physical, drive:
@@ -87,33 +87,33 @@ def from_measurement(
     moved, motion, of_tool = robot, trajectory.motion, noise is not None and robot.tool.any()
     if of_tool:
         # The noise is that of the measured poses, which are poses of the tool.
-        moved, motion = about_point(robot, robot.tool), motion.about_point(robot.tool)
+        moved, motion = about_point(robot, robot.tool), motion.at_point(robot.tool)
     smooth = motion if noise is None else smoothed(motion, noise)[0]
-    base = base_parameters(moved, smooth, friction, shared)
-    found = identify(moved, motion, F, sigma, base, noise, physical, drive=drive)
+    base = base_parameters(moved, smooth, friction, identical_legs)
+    found = identify(moved, motion, F, sigma, base, noise, physical, drive_terms=drive)
     if bad.any():
         said = f"motion: {np.count_nonzero(bad)} of {len(bad)} instants at wrong rows are left out of the fit"
-        found = replace(found, doubts=(*found.doubts, f"{said}; check these rows"))
+        found = replace(found, warnings=(*found.warnings, f"{said}; check these rows"))
     if of_tool:
-        base = base_parameters(robot, smooth.about_point(-robot.tool), friction, shared)
+        base = base_parameters(robot, smooth.at_point(-robot.tool), friction, identical_legs)
         return about_reference(robot, base, found, robot.tool)
     if noise is None and found.verdict in ("misfit", "rejected"):
-        found = replace(found, doubts=(*found.doubts, *_scatter(trajectory, form)))
+        found = replace(found, warnings=(*found.warnings, *_scatter(trajectory, form)))
     dry_sought = drive is not None and "coulomb" in drive
     if not dry_sought and found.verdict in ("misfit", "rejected") and robot.drive is not None:
         dry = terms_of(robot, [f"coulomb{leg}" for leg in range(1, 7)]).max()
         if dry > 0.0:
             said = f"drives: dry friction of up to {dry:.4g} N in the robot file: forces of motors have it"
-            found = replace(found, doubts=(*found.doubts, f"{said}, --drive coulomb seeks it"))
-    return replace(found, doubts=(*found.doubts, *_unlike_forces(robot, found, F)))
+            found = replace(found, warnings=(*found.warnings, f"{said}, --drive coulomb seeks it"))
+    return replace(found, warnings=(*found.warnings, *_unlike_forces(robot, found, F)))
 
 
-def _unlike_forces(robot: Robot, found: Estimate, F: Array) -> tuple[str, ...]:
+def _unlike_forces(robot: Robot, found: IdentificationResult, F: Array) -> tuple[str, ...]:
     """Forces of another size than the robot file's, and a noise that is not theirs."""
     said = []
-    if found.misfit < _LEAST_MISFIT:
+    if found.normalized_residual < _LEAST_MISFIT:
         said.append(
-            f"sigma: the forces scatter by {found.misfit:.2g} of it about the model: expected their standard "
+            f"sigma: the forces scatter by {found.normalized_residual:.2g} of it about the model: expected their standard "
             "deviation, deviations of the results are too large"
         )
     got, expected = (
@@ -127,56 +127,64 @@ def _unlike_forces(robot: Robot, found: Estimate, F: Array) -> tuple[str, ...]:
     return tuple(said)
 
 
-def _scatter(trajectory: Trajectory, form: LogFormat) -> tuple[str, ...]:
+def _scatter(trajectory: Trajectory, form: TrajectoryFormat) -> tuple[str, ...]:
     """What the noise of the poses seems to be, in the units of their file."""
     try:
-        seen = estimated_noise(trajectory.time, trajectory.motion)
+        seen = estimate_pose_noise(trajectory.time, trajectory.motion)
     except (ValueError, ImportError):
         return ()
     if seen.position <= _DIGITS * np.abs(trajectory.motion.t).max() and seen.angle <= _DIGITS:
         return ()
     form = form.with_units({})
-    position = f"{seen.position / form.metres:.2g}"
-    angle = f"{seen.angle / form.radians:.2g}"
+    position = f"{seen.position / form.meters_per_unit:.2g}"
+    angle = f"{seen.angle / form.radians_per_unit:.2g}"
     return (
         f"motion: its poses scatter by {position} {form.length_unit} and {angle} {form.angle_unit} about a "
         f"smooth motion: --noise-position {position} --noise-angle {angle} takes that into account",
     )
 
 
-def doubts(found: Estimate) -> list[str]:
+def doubts(found: IdentificationResult) -> list[str]:
     """One line for each doubt about an estimate: the verdict's reasons, and impossible results if any."""
-    if not found.impossible:
-        return list(found.doubts)
-    many = len(found.impossible)
+    if not found.nonphysical:
+        return list(found.warnings)
+    many = len(found.nonphysical)
     remedy = "--physical keeps to bodies that can exist"
     return [
-        *found.doubts,
-        f"results that no machine can have: {many}; farthest off: {found.impossible[0]}; {remedy}",
+        *found.warnings,
+        f"results that no machine can have: {many}; farthest off: {found.nonphysical[0]}; {remedy}",
     ]
 
 
-def verdict(found: Estimate) -> list[str]:
+def verdict(found: IdentificationResult) -> list[str]:
     """Lines on the residual: its size, the verdict and the doubts."""
     text = {
         "consistent": "consistent with the model and the stated noise",
         "misfit": "misfit; deviations "
-        + (f"inflated {found.inflation:.3g} times" if found.inflation > 1.0 else "those of the stated noise"),
+        + (
+            f"inflated {found.inflation_factor:.3g} times"
+            if found.inflation_factor > 1.0
+            else "those of the stated noise"
+        ),
         "rejected": "rejected; no deviations can be given",
         "untested": "untested, no more forces than unknowns",
     }[found.verdict]
     return [
-        f"residual: {found.misfit:.3f} of its expectation; probability of so large a one "
+        f"residual: {found.normalized_residual:.3f} of its expectation; probability of so large a one "
         f"{found.p_noise:.2g}, of so smooth a one {found.p_model:.2g}",
         f"verdict: {text}",
-        *found.doubts,
-        *(f"impossible: {line}" for line in found.impossible),
+        *found.warnings,
+        *(f"impossible: {line}" for line in found.nonphysical),
         *found.near_zero,
     ]
 
 
 def measured_report(
-    robot: Robot, found: Estimate, sigma: ArrayLike, noise: PoseNoise | None, currents: bool = False
+    robot: Robot,
+    found: IdentificationResult,
+    sigma: ArrayLike,
+    noise: PoseNoise | None,
+    currents: bool = False,
 ) -> Report:
     """What follows from measured forces: parameters, and bodies if the fit kept to possible ones.
 
@@ -185,14 +193,14 @@ def measured_report(
     base, given = found.base, robot
     if currents or found.drive is not None:
         robot = seen_by_motors(robot)
-    departure, p = found.departure(robot)
+    departure, p = found.compare_with(robot)
     file = base.matrix @ inertial_parameters(robot).values
     far = [name for name, off in zip(base.names, departure, strict=True) if abs(off) > _FAR]
     if found.drive is not None:
         # In viscous terms friction of the joints may be too.
         of_joints = np.array([name.startswith("viscous") for name in found.drive.names])
         of_drives = np.where(of_joints, np.nan, terms_of(given, found.drive.names))
-        off, p_terms = found.drive.departure(of_drives)
+        off, p_terms = found.drive.compare_with(of_drives)
         far += [name for name, each in zip(found.drive.names, off, strict=True) if abs(each) > _FAR]
         # The smaller one of two.
         p = p if isnan(p_terms) else min(1.0, 2.0 * min(p, p_terms))
@@ -222,7 +230,7 @@ def measured_report(
             *drive_lines(given, found.drive),
         ],
         base,
-        {"estimated": found.values, "sigma": found.sigma, "robot_file": file, "departure": departure},
+        {"estimated": found.values, "std": found.std, "robot_file": file, "departure": departure},
         tables,
         {
             **_data(robot, found, sigma, noise),
@@ -232,40 +240,40 @@ def measured_report(
     )
 
 
-def drive_lines(robot: Robot, found: DriveEstimate | None) -> list[str]:
+def drive_lines(robot: Robot, found: DriveIdentificationResult | None) -> list[str]:
     """A table of the drives' terms, and what is not identifiable."""
     if found is None:
         return []
     rows = [
         (
-            *(row["name"], row["unit"], f"{row['estimated']:.6g}", f"{row['sigma']:.2g}"),
+            *(row["name"], row["unit"], f"{row['estimated']:.6g}", f"{row['std']:.2g}"),
             "-" if isnan(row["robot_file"]) else f"{row['robot_file']:.6g}",
         )
         for row in _drive_rows(robot, found)
         if row["identifiable"]
     ]
-    unsure = found.identifiable & (np.abs(found.values) < _TOLD * found.sigma) & np.isfinite(found.sigma)
+    unsure = found.identifiable & (np.abs(found.values) < _TOLD * found.std) & np.isfinite(found.std)
     names = ", ".join(name for name, each in zip(found.names, unsure, strict=True) if each)
     said = [f"within {_TOLD} sigma of zero, so that the motion does not tell them: {names}"] if names else []
     return [
         "",
-        aligned(("drives", "unit", "estimated", "sigma", "robot file"), rows, left=2),
+        aligned(("drives", "unit", "estimated", "std", "robot file"), rows, left=2),
         *said,
-        *found.confused,
+        *found.unidentifiable,
     ]
 
 
-def _drive_rows(robot: Robot, found: DriveEstimate) -> list[dict[str, Any]]:
+def _drive_rows(robot: Robot, found: DriveIdentificationResult) -> list[dict[str, Any]]:
     """The same for programs."""
     of_file = terms_of(robot, found.names)
-    columns = (each.tolist() for each in (found.values, found.sigma, of_file, found.identifiable))
-    head = ("name", "unit", "estimated", "sigma", "robot_file", "identifiable")
+    columns = (each.tolist() for each in (found.values, found.std, of_file, found.identifiable))
+    head = ("name", "unit", "estimated", "std", "robot_file", "identifiable")
     return [dict(zip(head, row, strict=True)) for row in zip(found.names, found.units, *columns, strict=True)]
 
 
 def _report(
     lines: list[str],
-    base: BaseParameters,
+    base: BaseParametersResult,
     numbers: Mapping[str, Array],
     tables: Mapping[str, str | Mapping[str, Array]],
     data: Mapping[str, Any],
@@ -293,39 +301,45 @@ def _report(
 
 
 _SHOWN = {
-    "sigma": ("sigma", ".2g"),
+    "std": ("std", ".2g"),
     "robot_file": ("robot file", ".6g"),
-    "departure": ("off/sigma", "+.2f"),
-    "deviation": ("error/sigma", "+.2f"),
+    "departure": ("off/std", "+.2f"),
+    "z_score": ("error/std", "+.2f"),
 }
 """Title and digits of columns of the table in the text."""
 
 
-def _data(robot: Robot, found: Estimate, sigma: ArrayLike, noise: PoseNoise | None) -> dict[str, Any]:
+def _data(
+    robot: Robot, found: IdentificationResult, sigma: ArrayLike, noise: PoseNoise | None
+) -> dict[str, Any]:
     """What the lines above the table say, for programs."""
     return {
         "robot": robot.name,
         "base_parameters": found.base.rank,
         "of_parameters": found.base.matrix.shape[1],
-        "gap": found.base.gap,
-        "shared": found.base.shared,
+        "rank_gap": found.base.rank_gap,
+        "identical_legs": found.base.identical_legs,
         "force_noise_N": np.asarray(sigma).tolist(),
         "position_noise_m": 0.0 if noise is None else noise.position,
         "angle_noise_rad": 0.0 if noise is None else noise.angle,
         "verdict": found.verdict,
-        "residual": found.misfit,
+        "normalized_residual": found.normalized_residual,
         "residual_probability": found.p_noise,
         "smooth_residual_probability": found.p_model,
-        "inflation": found.inflation,
-        **({} if found.lag is None else {"force_lag_s": found.lag[0], "force_lag_sigma_s": found.lag[1]}),
-        "doubts": found.doubts,
-        "impossible": found.impossible,
+        "inflation_factor": found.inflation_factor,
+        **(
+            {}
+            if found.force_lag is None
+            else {"force_lag_s": found.force_lag[0], "force_lag_std_s": found.force_lag[1]}
+        ),
+        "warnings": found.warnings,
+        "nonphysical": found.nonphysical,
         "near_zero": found.near_zero,
         "units": {
-            "residual": "of its expectation",
-            "inflation": "of the standard deviations",
+            "normalized_residual": "of its expectation",
+            "inflation_factor": "of the standard deviations",
             "departure": "standard deviations",
-            "deviation": "standard deviations",
+            "z_score": "standard deviations",
         },
     }
 
@@ -339,7 +353,7 @@ def _noise(sigma: ArrayLike, noise: PoseNoise | None) -> str:
 def simulated_report(robot: Robot, found: Experiment) -> Report:
     """A simulated measurement: parameters beside the true ones, the motion and its forces."""
     excited, estimate = found.excitation, found.estimate
-    size = np.abs(found.deviation)
+    size = np.abs(found.z_scores)
     shares = ", ".join(
         f"{100 * np.mean(size <= width):.0f} % ({100 * normal:.1f} %) within {width}"
         for width, normal in zip((1, 2, 3), NORMAL, strict=True)
@@ -351,31 +365,31 @@ def simulated_report(robot: Robot, found: Experiment) -> Report:
             _count(robot, estimate.base),
             f"motion: {harmonics} harmonics, period {period:.4g} s, {len(excited.time)} instants; "
             f"condition number {excited.condition:.4g}",
-            _noise(found.sigma, found.noise),
+            _noise(found.force_std, found.pose_noise),
             *verdict(estimate),
             *([] if estimate.verdict == "rejected" else [f"{errors}: {shares}; largest {np.max(size):.2f}"]),
         ],
         estimate.base,
         {
-            "true": found.truth,
+            "true": found.true_values,
             "estimated": estimate.values,
-            "sigma": estimate.sigma,
-            "deviation": found.deviation,
+            "std": estimate.std,
+            "z_score": found.z_scores,
         },
         {
-            "trajectory": trajectory_columns(robot, excited.time, found.measured),
+            "trajectory": trajectory_columns(robot, excited.time, found.measured_motion),
             "forces": {"time": excited.time} | of_legs("F", found.F),
         },
         {
-            **_data(robot, estimate, found.sigma, found.noise),
+            **_data(robot, estimate, found.force_std, found.pose_noise),
             "period_s": period,
             "harmonics": harmonics,
-            "instants": len(excited.time),
+            "samples": len(excited.time),
             "condition_number": excited.condition,
         },
     )
 
 
-def _count(robot: Robot, base: BaseParameters) -> str:
-    text = f"{robot.name}: {base.rank} base parameters of {base.matrix.shape[1]}, gap {base.gap:.2g}"
-    return text if base.shared is None else f"{text}; all legs have the same"
+def _count(robot: Robot, base: BaseParametersResult) -> str:
+    text = f"{robot.name}: {base.rank} base parameters of {base.matrix.shape[1]}, gap {base.rank_gap:.2g}"
+    return text if not base.identical_legs else f"{text}; all legs have the same"

@@ -128,7 +128,7 @@ def _fit(axes: Any, sides: Array) -> None:
 
 
 def _marks_in_space(axes: Any, robot: Robot, home: HomePose, tips: Array) -> list[Array]:
-    """Draw fixed axes of the universal joints, centre of mass with gravity and the tool point."""
+    """Draw fixed axes of the universal joints, center of mass with gravity and the tool point."""
     size = radius(robot.b) + radius(robot.p)
     bars = np.stack([robot.b - _AXIS * size * robot.k, robot.b + _AXIS * size * robot.k], axis=1)
     for bar in bars if robot.base_joint == "universal" else ():
@@ -139,7 +139,7 @@ def _marks_in_space(axes: Any, robot: Robot, home: HomePose, tips: Array) -> lis
     drawn = [bars.reshape(-1, 3), center[None], *drawn_joints]
     text = "red: fixed axes of the universal joints\n" if robot.base_joint == "universal" else ""
     text += "green: lines of sliding and the offsets to them\n" if drawn_joints else ""
-    text += "dot: centre of mass of the platform"
+    text += "dot: center of mass of the platform"
     if np.any(robot.g):
         arrow = 3.0 * _AXIS * size * robot.g / np.linalg.norm(robot.g)
         axes.quiver(*center, *arrow, color=BASE, linewidth=1.2, arrow_length_ratio=0.25)
@@ -162,7 +162,7 @@ def _offset_legs(axes: Any, robot: Robot, home: HomePose) -> list[Array]:
     if robot.offsets is None:
         return []
     still = np.zeros(3)
-    at = chains(robot, Motion.unchecked(np.eye(3), home.t, still, still))
+    at = chains(robot, Motion._unchecked(np.eye(3), home.t, still, still))
     foot = at.T - at.L * at.s
     corners = robot.b[:, None] + np.stack([np.zeros_like(at.A), at.A, foot, at.T, at.P], axis=1)
     for leg in corners if np.isfinite(corners).all() else ():

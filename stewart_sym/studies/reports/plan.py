@@ -23,7 +23,7 @@ from ...planning.time_path import TimedPath
 from ...planning.timing.path_terms import force_limits
 from ...robot.robot import Robot
 from ...viewer.instants import of_motion
-from ...viewer.view import View
+from ...viewer.view import Viewer
 from ..common.drawing import BLUE, GREY, LEG_COLORS, RED, Figure, legend_below, log_numbers, new_figure
 from ..common.motion_columns import trajectory_columns
 from ..common.output import Columns, by_leg, of_legs
@@ -38,7 +38,7 @@ _DRAWN, _POSES = 4001, 801
 
 @dataclass(frozen=True, eq=False)
 class Plan:
-    """A path, how fast it is travelled, and what was found of it; rate: of its trajectory, Hz."""
+    """A path, how fast it is traveled, and what was found of it; rate: of its trajectory, Hz."""
 
     robot: Robot
     planned: PlannedPath
@@ -51,7 +51,7 @@ class Plan:
         """What the plan takes of the motors, between the trajectory's instants too; None without a drive."""
         if self.robot.drive is None:
             return None
-        times = np.union1d(self.times, self.timed.instants(_INSTANTS))
+        times = np.union1d(self.times, self.timed.time_grid(_INSTANTS))
         motion, found = self.timed.sample(times), DriveDigest(self.robot, times)
         F = inverse_dynamics(self.robot, motion, self.timed.formulation).F
         L_dot = inverse_kinematics(self.robot, motion).L_dot
@@ -63,7 +63,7 @@ class Plan:
         """Electrical energy that the plan takes, J; without a drive the work of the leg forces."""
         if self.motors is not None:
             return float(self.motors.summary.energy.sum())
-        times = self.timed.instants(_INSTANTS)
+        times = self.timed.time_grid(_INSTANTS)
         motion = self.timed.sample(times)
         F = inverse_dynamics(self.robot, motion, self.timed.formulation).F
         return float(trapezoids(times) @ np.sum(F * inverse_kinematics(self.robot, motion).L_dot, axis=-1))
@@ -118,7 +118,7 @@ def report(plan: Plan) -> Report:
         "forces": Picture(lambda: forces_figure(plan)),
         "phase_plane": Picture(lambda: phase_figure(plan)),
     }
-    view = {"motion": lambda: View(plan.robot, of_motion(plan.robot, motion, plan.times, "planned motion"))}
+    view = {"motion": lambda: Viewer(plan.robot, of_motion(plan.robot, motion, plan.times, "planned motion"))}
     return Report(text, tables, data(plan), figures, view)
 
 
@@ -127,20 +127,20 @@ def summary(plan: Plan) -> str:
     found, planned = plan.certificate, plan.planned
     leg = int(np.argmax(found.force.value))
     fast = int(np.argmax(found.speed.value))
-    longer = planned.conditions.length / planned.straight_conditions.length
+    longer = planned.condition_numbers.length / planned.initial_condition_numbers.length
     lines = [
         f"duration   {plan.timed.duration:.6g} s, from rest to rest",
         f"path       {longer:.4g} times as long as the straight one",
-        f"condition  {_conditions(planned.conditions)}",
-        f"straight   {_conditions(planned.straight_conditions)}",
+        f"condition  {_conditions(planned.condition_numbers)}",
+        f"straight   {_conditions(planned.initial_condition_numbers)}",
         f"force      up to {found.force.value[leg]:.6g} N, leg {leg + 1} at {found.force.time[leg]:.6g} s",
         f"speed      up to {found.speed.value[fast]:.6g} m/s, leg {fast + 1} "
         f"at {found.speed.time[fast]:.6g} s",
         f"energy     {plan.energy:.6g} J{'' if plan.motors is not None else ', work of the leg forces'}",
         f"length     {found.shortest.value.min():.6g} to {found.longest.value.max():.6g} m",
         *_angles(found),
-        f"limits     used to {100.0 * found.used:.5f} % at {found.instants:,} instants, "
-        f"one is active in {100.0 * found.active:.4g} % of the time",
+        f"limits     used to {100.0 * found.max_utilization:.5f} % at {found.samples:,} instants, "
+        f"one is active in {100.0 * found.active_fraction:.4g} % of the time",
         f"crossings  {len(found.crossings)}; nearest to a singular pose at {found.nearest.time:.6g} s, "
         f"smallest singular value {found.nearest.smallest:.4g}",
         f"certificate  {_verdict(found)}",
@@ -159,9 +159,9 @@ def _angles(found: PlanCertificate) -> Iterator[str]:
 
 def _verdict(found: PlanCertificate) -> str:
     """Whether the certificate holds, and what is beyond its limit if it is no share of one."""
-    beyond = {"leg lengths": not found.lengths_kept, "joint angles": not found.angles_kept}
+    beyond = {"leg lengths": not found.lengths_ok, "joint angles": not found.angles_ok}
     names = " and ".join(name for name, over in beyond.items() if over)
-    return "holds" if found.holds else f"does not hold{names and f': {names} beyond their limits'}"
+    return "holds" if found.is_valid else f"does not hold{names and f': {names} beyond their limits'}"
 
 
 def _conditions(found: Conditions) -> str:
@@ -172,8 +172,10 @@ def _conditions(found: Conditions) -> str:
 def _freed(planned: PlannedPath) -> Sequence[tuple[int, str]]:
     """Number of each via pose that was free, and by how much the path passes it elsewhere."""
     found = []
-    for number, (given, passed) in enumerate(zip(planned.given, planned.poses, strict=True), start=1):
-        if given.free:
+    for number, (given, passed) in enumerate(
+        zip(planned.requested_poses, planned.reached_poses, strict=True), start=1
+    ):
+        if given.has_tolerance:
             moves = np.concatenate([passed.t - given.t, vector_from_rotation(given.R.T @ passed.R)])
             # Rounding turns by a little.
             moves[3:][np.abs(moves[3:]) <= 1e-12] = 0.0
@@ -187,8 +189,8 @@ def data(plan: Plan) -> dict[str, Any]:
     """What the summary says, for programs."""
     found, planned = plan.certificate, plan.planned
     legs = {
-        "least_length_m": found.shortest.value,
-        "greatest_length_m": found.longest.value,
+        "min_length_m": found.shortest.value,
+        "max_length_m": found.longest.value,
         "peak_speed_m_per_s": found.speed.value,
         "peak_force_N": found.force.value,
         "peak_force_time_s": found.force.time,
@@ -203,28 +205,28 @@ def data(plan: Plan) -> dict[str, Any]:
         "duration_s": plan.timed.duration,
         "energy_J": plan.energy,
         "rate_Hz": plan.rate,
-        "condition": vars(planned.conditions),
-        "straight_condition": vars(planned.straight_conditions),
+        "condition_numbers": vars(planned.condition_numbers),
+        "initial_condition_numbers": vars(planned.initial_condition_numbers),
         "via_poses": [
             {"t_m": pose.t, "theta_rad": angles_from_rotation(pose.R, plan.robot.euler_order) + 0.0}
-            for pose in planned.poses
+            for pose in planned.reached_poses
         ],
         "legs": by_leg(legs | ({} if plan.motors is None else plan.motors.columns())),
         "certificate": {
-            "holds": found.holds,
-            "instants": found.instants,
-            "limit_used": found.used,
-            "lengths_kept": found.lengths_kept,
-            "joint_angles_kept": found.angles_kept,
-            "active_time": found.active,
+            "is_valid": found.is_valid,
+            "samples": found.samples,
+            "max_utilization": found.max_utilization,
+            "lengths_ok": found.lengths_ok,
+            "angles_ok": found.angles_ok,
+            "active_fraction": found.active_fraction,
             "crossings_s": [crossing.time for crossing in found.crossings],
             "nearest_singular_pose_time_s": found.nearest.time,
             "smallest_singular_value": found.nearest.smallest,
         },
         "units": {
-            "condition": "of H with moments over the characteristic length; length of the path over that",
-            "limit_used": "share of a limit",
-            "active_time": "share of the duration",
+            "condition_numbers": "of H with moments over the characteristic length; length of the path over that",
+            "max_utilization": "share of a limit",
+            "active_fraction": "share of the duration",
         },
     }
 
@@ -235,7 +237,10 @@ def condition_figure(plan: Plan) -> Figure:
     axes = figure.subplots()
     planned = plan.planned
     s = np.linspace(0.0, 1.0, _POSES)
-    for path, name, color in ((planned.straight, "straight spline", GREY), (planned.path, "planned", BLUE)):
+    for path, name, color in (
+        (planned.initial_path, "straight spline", GREY),
+        (planned.path, "planned", BLUE),
+    ):
         axes.semilogy(s, conditions(plan.robot, path(s)), color=color, linewidth=1.4, label=name)
     for via in planned.path.via:
         axes.axvline(via, color=GREY, linewidth=0.7, linestyle=(0, (4, 3)))
@@ -254,7 +259,7 @@ def forces_figure(plan: Plan) -> Figure:
     bounded = bool(np.isfinite(limits).all())
     columns = along(plan, np.linspace(0.0, plan.timed.duration, _DRAWN))
     for leg, color in enumerate(LEG_COLORS):
-        values = columns[f"F{leg + 1}"] / (limits[leg] if bounded else 1.0)
+        values = columns[f"F_{leg + 1}"] / (limits[leg] if bounded else 1.0)
         axes.plot(columns["time"], values, color=color, linewidth=1.2, label=f"leg {leg + 1}")
     for bound in (-1.0, 1.0) if bounded else ():
         axes.axhline(bound, color=RED, linewidth=0.9, linestyle=(0, (4, 2)))

@@ -12,7 +12,7 @@ from ...io.instants import least_step, time_text
 from ...motion.rotation import rpy_from_rotation
 from ...robot.robot import Robot
 from ...simulation.actuator_models import ForceLaw, LegSprings
-from ...simulation.trace import Simulation, Trace, leg_states
+from ...simulation.trace import SimulationResult, StateHistory, leg_states
 from ..common.drawing import Figure, new_figure
 from ..common.output import Columns, by_leg, of_axes, of_legs
 from ..common.report import Picture, Report
@@ -21,27 +21,27 @@ from .drives import DriveDigest
 from .energy_drift import Drift, drift_of, energy_scale
 
 
-def run_columns(run: Simulation) -> Columns:
+def run_columns(run: SimulationResult) -> Columns:
     """Columns (n,) in SI units: time, pose (angles of (38), |theta_y| <= pi/2), rates, F, L and energies."""
     vectors = {"t": run.t, "theta": rpy_from_rotation(run.R), "v": run.v, "omega": run.omega}
-    columns: Columns = {"time": run.times}
+    columns: Columns = {"time": run.time}
     for name, values in vectors.items():
         columns |= of_axes(name, values)
     columns |= of_legs("F", run.F) | of_legs("L", run.L)
-    return columns | {"kinetic": run.kinetic, "potential": run.potential}
+    return columns | {"kinetic_energy": run.kinetic_energy, "potential_energy": run.potential_energy}
 
 
-def report(robot: Robot, run: Simulation, law: ForceLaw, drifts: Mapping[Formulation, Drift]) -> Report:
+def report(robot: Robot, run: SimulationResult, law: ForceLaw, drifts: Mapping[Formulation, Drift]) -> Report:
     """Everything about a run; ``drifts``: of its energy, as ``energy_drift`` gives them, or none.
 
     Without a picture of what has one instant alone. Of a robot with a drive, the motors beside their limits.
     """
-    fine = run.within_steps
+    fine = run.dense_history
     text, figures = summary(run, fine, law), {}
-    motors = motors_of(robot, fine, run.weights_within_steps)
+    motors = motors_of(robot, fine, run.dense_weights)
     if motors is not None:
         text = "\n".join([text, "", motors.table(), *motors.summary.exceeded()])
-    if len(run.times) > 1:
+    if len(run.time) > 1:
         figures["run"] = Picture(lambda: figure(run, law))
     if drifts:
         text += "\n" + energy_drift.summary(drifts)
@@ -53,46 +53,51 @@ def report(robot: Robot, run: Simulation, law: ForceLaw, drifts: Mapping[Formula
     return Report(text, {"run": run_columns(run), **tables}, _data(run, fine, law, drifts, motors), figures)
 
 
-def motors_of(robot: Robot, run: Trace, weights: Array | None = None) -> DriveDigest | None:
+def motors_of(robot: Robot, run: StateHistory, weights: Array | None = None) -> DriveDigest | None:
     """What a run takes of the motors, at the instants of a trace; None without a drive.
 
     weights: as of ``DriveDigest``.
     """
     if robot.drive is None:
         return None
-    found = DriveDigest(robot, run.times, weights)
+    found = DriveDigest(robot, run.time, weights)
     L_dot = leg_states(robot, run.motion).L_dot
     found.add(of_motor_forces(robot, robot.drive, run.motion, run.F, L_dot), slice(None))
     return found
 
 
 def _data(
-    run: Simulation,
-    fine: Trace,
+    run: SimulationResult,
+    fine: StateHistory,
     law: ForceLaw,
     drifts: Mapping[Formulation, Drift],
     motors: DriveDigest | None,
 ) -> dict[str, Any]:
-    peaks, drift, drives = np.argmax(np.abs(fine.F), axis=0), _drift(run, fine, law), run.drives
+    peaks, drift, drives = np.argmax(np.abs(fine.F), axis=0), _drift(run, fine, law), run.drive_work
     legs = {
         "peak_force_N": np.take_along_axis(fine.F, peaks[None], axis=0)[0],
-        "peak_force_time_s": fine.times[peaks],
-        "least_length_m": fine.L.min(axis=0),
-        "greatest_length_m": fine.L.max(axis=0),
-        "saturated_s": run.saturation.time,
-        "saturation_excess_N": run.saturation.excess,
+        "peak_force_time_s": fine.time[peaks],
+        "min_length_m": fine.L.min(axis=0),
+        "max_length_m": fine.L.max(axis=0),
+        "saturated_s": run.saturation.duration,
+        "saturation_max_excess_N": run.saturation.max_excess,
         **({} if motors is None else motors.columns()),
     }
     work = (
         {} if drives is None else {"motors_work_J": drives.done.sum(), "drive_friction_J": drives.lost.sum()}
     )
     return {
-        "stop": {"kind": run.stop.kind, "time_s": run.stop.time, "leg": run.stop.leg, "text": run.stop.text},
-        "steps": run.steps,
+        "stop": {
+            "reason": run.stop.reason,
+            "time_s": run.stop.time,
+            "leg": run.stop.leg,
+            "message": run.stop.message,
+        },
+        "steps": run.step_count,
         "legs": by_leg(legs),
         "energy_start_J": run.energy[0],
         "energy_end_J": run.energy[-1],
-        "kinetic_energy_peak_J": fine.kinetic.max(),
+        "kinetic_energy_peak_J": fine.kinetic_energy.max(),
         "springs_energy_drift": None if drift is None else drift.worst,
         "energy_drift": {name: drift.worst for name, drift in drifts.items()},
         **work,
@@ -103,35 +108,35 @@ def _data(
     }
 
 
-def _drift(run: Simulation, fine: Trace, law: ForceLaw) -> Drift | None:
+def _drift(run: SimulationResult, fine: StateHistory, law: ForceLaw) -> Drift | None:
     """Drift of machine and springs; None for other laws, and for springs whose forces are clipped."""
-    if not isinstance(law, LegSprings) or (run.saturation.excess > 0.0).any():
+    if not isinstance(law, LegSprings) or (run.saturation.max_excess > 0.0).any():
         return None
     return drift_of(fine, run.stop, law, energy_scale(run, law))
 
 
-def summary(run: Simulation, fine: Trace, law: ForceLaw) -> str:
+def summary(run: SimulationResult, fine: StateHistory, law: ForceLaw) -> str:
     """A few lines: why the run ended, the largest force, the legs' travel, the energy and its drift.
 
     fine: the run within its steps.
     """
     i, leg = np.unravel_index(int(np.argmax(np.abs(fine.F))), fine.F.shape)
-    first, last, most = run.energy[0], run.energy[-1], fine.kinetic.max()
-    when = time_text(fine.times[i], least_step(fine.times))
+    first, last, most = run.energy[0], run.energy[-1], fine.kinetic_energy.max()
+    when = time_text(fine.time[i], least_step(fine.time))
     lines = [
-        f"stopped    {run.stop.text}",
-        f"steps      {run.steps}",
+        f"stopped    {run.stop.message}",
+        f"steps      {run.step_count}",
         f"force      up to {fine.F[i, leg]:.6g} N, leg {leg + 1} at {when} s",
         f"length     {fine.L.min():.6g} to {fine.L.max():.6g} m",
         f"energy     {first:.6g} J at the start, {last:.6g} J at the end, kinetic up to {most:.6g} J",
     ]
-    if run.drives is not None:
-        done, lost = run.drives.done.sum(), run.drives.lost.sum()
+    if run.drive_work is not None:
+        done, lost = run.drive_work.done.sum(), run.drive_work.lost.sum()
         lines.append(f"motors     work of {done:.6g} J, friction of the drives took {lost:.6g} J")
     lines += [
-        f"saturated  leg {i + 1} for {time:.6g} s, up to {run.saturation.excess[i]:.6g} N beyond its limit"
-        for i, time in enumerate(run.saturation.time)
-        if run.saturation.excess[i] > 0.0
+        f"saturated  leg {i + 1} for {time:.6g} s, up to {run.saturation.max_excess[i]:.6g} N beyond its limit"
+        for i, time in enumerate(run.saturation.duration)
+        if run.saturation.max_excess[i] > 0.0
     ]
     drift = _drift(run, fine, law)
     if drift is not None and isinstance(law, LegSprings):
@@ -139,13 +144,13 @@ def summary(run: Simulation, fine: Trace, law: ForceLaw) -> str:
     return "\n".join(lines)
 
 
-def _taken(run: Simulation, law: LegSprings) -> str:
+def _taken(run: SimulationResult, law: LegSprings) -> str:
     """What changes the energy of a machine on springs, so that its change is no error, or nothing."""
     robot = law.robot
     friction = any(np.any(getattr(robot, name)) for name in ("C_u", "C_p", "C_s"))
     damped = bool(np.any(getattr(law, "damping", 0.0)))
-    lossy = run.drives is not None
-    sources = (("dampers", damped), ("friction", friction), ("drives", lossy), ("the load", run.loaded))
+    lossy = run.drive_work is not None
+    sources = (("dampers", damped), ("friction", friction), ("drives", lossy), ("the load", run.has_load))
     found = [name for name, changes in sources if changes]
     if not found:
         return ""
@@ -153,7 +158,7 @@ def _taken(run: Simulation, law: LegSprings) -> str:
     return f", by {', '.join(others)}{' and ' if others else ''}{last}"
 
 
-def figure(run: Simulation, law: ForceLaw) -> Figure:
+def figure(run: SimulationResult, law: ForceLaw) -> Figure:
     """Motion since the start, rates, forces, lengths and energies over time."""
     legs = tuple(f"leg {leg + 1}" for leg in range(6))
     # An angle that leaps by a turn is not drawn as a line across the panel.
@@ -165,27 +170,27 @@ def figure(run: Simulation, law: ForceLaw) -> Figure:
         (run.omega, tuple("xyz"), "angular velocity, rad/s"),
         (run.F, legs, "force, N"),
         (1e3 * (run.L - run.L[0]), legs, "leg length since start, mm"),
-        (run.kinetic[:, None], ("kinetic",), "kinetic energy, J"),
+        (run.kinetic_energy[:, None], ("kinetic",), "kinetic energy, J"),
         (*_gained(run, law), "energy since start, J"),
     )
     picture = new_figure(10.0, 10.0)
     grid = picture.subplots(4, 2, sharex=True)
     for axes, (values, names, label) in zip(grid.flat, panels, strict=True):
         for name, column in zip(names, values.T, strict=True):
-            axes.plot(run.times, column, linewidth=1.1, label=name)
+            axes.plot(run.time, column, linewidth=1.1, label=name)
         axes.set_ylabel(label)
         axes.margins(x=0.0)
         # Beside the panel, where no curve can run through it.
         axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=8.0)
     for axes in grid[-1]:
         axes.set_xlabel("time, s")
-    picture.suptitle(run.stop.text, fontsize=10.0)
+    picture.suptitle(run.stop.message, fontsize=10.0)
     return picture
 
 
-def _gained(run: Simulation, law: ForceLaw) -> tuple[Array, tuple[str, ...]]:
+def _gained(run: SimulationResult, law: ForceLaw) -> tuple[Array, tuple[str, ...]]:
     """Energies since the start, J, (n, k), with their names; of springs where the legs are some."""
-    parts = {"kinetic": run.kinetic, "potential": run.potential}
+    parts = {"kinetic": run.kinetic_energy, "potential": run.potential_energy}
     if isinstance(law, LegSprings):
         parts["springs"] = law.energy(run.L)
     gained = np.stack([energy - energy[0] for energy in parts.values()], axis=-1)

@@ -16,14 +16,14 @@ from ...motion.interpolation import Path
 from ...results import OK
 from ...robot.robot import LEGS, Robot
 from ...singularities.along_path import (
-    Crossing,
     LegExtreme,
-    PathSingularities,
-    force_residue,
-    singularities_along,
+    PathSingularitiesResult,
+    SingularityCrossing,
+    path_singularities,
+    singular_force_residue,
 )
 from ...singularities.path_warnings import sign_text, triple_text, twist_text
-from ...singularities.singular_poses import Singularity
+from ...singularities.singular_poses import SingularityResult
 from ..common.output import Columns, aligned, by_leg, of_axes, of_legs
 from ..common.report import Picture, Report
 
@@ -64,15 +64,15 @@ class Examination:
     name: str
     path: Path
     formulation: Formulation
-    along: PathSingularities
+    along: PathSingularitiesResult
     sides: tuple[Sides, ...]
 
 
 def examine(
     robot: Robot, name: str, path: Path, times: Array, formulation: Formulation = "exact"
 ) -> Examination:
-    """Find where a path, called ``name``, passes singular poses; path, times as for ``crossings``."""
-    along = singularities_along(robot, path, times)
+    """Find where a path, called ``name``, passes singular poses; path, times as for ``singularity_crossings``."""
+    along = path_singularities(robot, path, times)
     sides = tuple(_sides(robot, path, along, found, formulation) for found in along.crossings)
     return Examination(robot, name, path, formulation, along, sides)
 
@@ -84,20 +84,24 @@ def report(found: Examination) -> str:
         f"robot      {found.robot.name}",
         f"path       {found.name}, {time_text(along.start)} s to {time_text(along.end)} s",
         f"crossings  {len(along.crossings)}",
-        f"nearest    {_near(along.nearest.time, along.nearest.at)}",
+        f"nearest    {_near(along.nearest.time, along.nearest.singularity)}",
     ]
     if found.robot.tool.any():
         lines.append("twists     velocities of the reference point, not of the tool of the robot file")
     lines += [f"singular   from {start:.9f} s to {end:.9f} s throughout" for start, end in along.spans]
     for number, (crossing, sides) in enumerate(zip(along.crossings, found.sides, strict=True), 1):
-        at = f"{crossing.time:.12f} s (rounding leaves {crossing.uncertainty:.1e} s open)"
+        at = f"{crossing.time:.12f} s (rounding leaves {crossing.time_error:.1e} s open)"
         lines += ["", f"Crossing {number} at {at}", *_crossing_lines(found, crossing, sides)]
     if not along.crossings:
-        lines += ["", f"Nearest approach at {along.nearest.time:.9f} s", *_pose_lines(along.nearest.at)]
+        lines += [
+            "",
+            f"Nearest approach at {along.nearest.time:.9f} s",
+            *_pose_lines(along.nearest.singularity),
+        ]
     others = [approach for approach in along.approaches if approach is not along.nearest]
     if others:
         lines += ["", "Other minima of the smallest singular value"]
-        lines += [f"  {_near(approach.time, approach.at)}" for approach in others]
+        lines += [f"  {_near(approach.time, approach.singularity)}" for approach in others]
     return "\n".join([*lines, "", _legs_table(found)])
 
 
@@ -117,44 +121,44 @@ def _data(found: Examination) -> dict[str, Any]:
         "crossings": [
             {
                 "time_s": crossing.time,
-                "uncertainty_s": crossing.uncertainty,
-                "side_before": crossing.before,
-                "side_after": crossing.after,
+                "uncertainty_s": crossing.time_error,
+                "side_before": crossing.sign_before,
+                "side_after": crossing.sign_after,
                 "residue_N_s": sides.residue,
-                **_pose_data(crossing.at),
+                **_pose_data(crossing.singularity),
             }
             for crossing, sides in zip(along.crossings, found.sides, strict=True)
         ],
-        "nearest": {"time_s": along.nearest.time, **_pose_data(along.nearest.at)},
-        "minima": [{"time_s": each.time, **_pose_data(each.at)} for each in along.approaches],
+        "nearest": {"time_s": along.nearest.time, **_pose_data(along.nearest.singularity)},
+        "minima": [{"time_s": each.time, **_pose_data(each.singularity)} for each in along.approaches],
         "singular_throughout_s": along.spans,
         "legs": by_leg(
             {
-                "least_joint_sine": along.joint_sine.value,
-                "least_joint_sine_time_s": along.joint_sine.time,
-                "least_length_m": along.shortest.value,
-                "least_length_time_s": along.shortest.time,
-                "greatest_length_m": along.longest.value,
-                "greatest_length_time_s": along.longest.time,
+                "min_joint_sine": along.min_joint_sine.value,
+                "min_joint_sine_time_s": along.min_joint_sine.time,
+                "min_length_m": along.min_length.value,
+                "min_length_time_s": along.min_length.time,
+                "max_length_m": along.max_length.value,
+                "max_length_time_s": along.max_length.time,
             }
         ),
     }
 
 
-def _pose_data(at: Singularity) -> dict[str, Any]:
+def _pose_data(at: SingularityResult) -> dict[str, Any]:
     return {
-        "scaled_condition_number": at.condition,
-        "characteristic_length_m": at.length,
-        "smallest_singular_value": at.smallest,
-        "degrees_of_freedom_lost": at.lost,
+        "scaled_condition_number": at.condition_number,
+        "characteristic_length_m": at.characteristic_length,
+        "smallest_singular_value": at.smallest_singular_value,
+        "lost_dof": at.lost_dof,
         "twist_v_m_per_s": at.twist[:3],
         "twist_omega_rad_per_s": at.twist[3:],
-        "pitch_m_per_rad": at.pitch,
-        "axis": at.axis,
-        "axis_point_m": at.point,
+        "screw_pitch_m_per_rad": at.screw_pitch,
+        "screw_axis": at.screw_axis,
+        "screw_point_m": at.screw_point,
         "lost_force_N": at.wrench[:3],
         "lost_moment_N_m": at.wrench[3:],
-        "idle_forces_N": at.forces,
+        "leg_forces_N": at.leg_forces,
     }
 
 
@@ -162,33 +166,33 @@ def events(found: Examination) -> Columns:
     """Columns (n,), one row for each crossing (crossing 1) and each local minimum (0), in order of time."""
     along, none = found.along, np.full(LEGS, np.nan)
     rows = [
-        (item.time, 1, item.uncertainty, item.before, item.after, item.at, sides.residue)
+        (item.time, 1, item.time_error, item.sign_before, item.sign_after, item.singularity, sides.residue)
         for item, sides in zip(along.crossings, found.sides, strict=True)
     ]
     minima = [*along.approaches, *([] if along.crossings else [along.nearest])]
     for approach in {item.time: item for item in minima}.values():
-        side = int(np.sign(approach.at.determinant))
-        rows.append((approach.time, 0, np.nan, side, side, approach.at, none))
+        side = int(np.sign(approach.singularity.determinant))
+        rows.append((approach.time, 0, np.nan, side, side, approach.singularity, none))
     rows.sort(key=lambda row: row[0])
     poses = [row[5] for row in rows]
     columns: Columns = {
         name: np.array([row[i] for row in rows])
-        for i, name in enumerate(("time", "crossing", "uncertainty", "side_before", "side_after"))
+        for i, name in enumerate(("time", "crossing", "time_error", "sign_before", "sign_after"))
     }
-    for name in ("condition", "smallest", "lost", "pitch"):
+    for name in ("condition_number", "smallest_singular_value", "lost_dof", "screw_pitch"):
         columns[name] = np.array([getattr(pose, name) for pose in poses])
     for name, part in (("v", slice(0, 3)), ("omega", slice(3, 6))):
         columns |= of_axes(name, _stacked([pose.twist[part] for pose in poses]))
-    for name in ("axis", "point"):
+    for name in ("screw_axis", "screw_point"):
         columns |= of_axes(name, _stacked([getattr(pose, name) for pose in poses]))
     return columns | of_legs("A", np.array([row[6] for row in rows]).reshape(-1, LEGS))
 
 
 def curves(found: Examination) -> Columns:
-    """Columns (n,) over time, denser towards each crossing and minimum; nan where a pose is unsolvable.
+    """Columns (n,) over time, denser toward each crossing and minimum; nan where a pose is unsolvable.
 
-    time; smallest_singular_value with the sign of det H; scaled_condition, inf where that is 0; F1..F6;
-    joint_sine1..6; L1..L6.
+    time; smallest_singular_value with the sign of det H; scaled_condition, inf where that is 0; F_1..F6;
+    joint_sine_1..6; L_1..L6.
     """
     robot, along = found.robot, found.along
     duration = along.end - along.start
@@ -222,24 +226,28 @@ def curves(found: Examination) -> Columns:
 
 
 def _sides(
-    robot: Robot, path: Path, along: PathSingularities, crossing: Crossing, formulation: Formulation
+    robot: Robot,
+    path: Path,
+    along: PathSingularitiesResult,
+    crossing: SingularityCrossing,
+    formulation: Formulation,
 ) -> Sides:
     room = min(crossing.time - along.start, along.end - crossing.time)
-    distances = np.array([d for d in DISTANCES if d <= room and d > 10.0 * crossing.uncertainty])
+    distances = np.array([d for d in DISTANCES if d <= room and d > 10.0 * crossing.time_error])
     solved = inverse_dynamics(
         robot, path(crossing.time + np.concatenate([-distances, distances])), formulation, on_singular="nan"
     )
     F = np.where((solved.status == OK)[:, None], solved.F, np.nan)
-    residue = force_residue(robot, path(np.array([crossing.time])), formulation)[0]
+    residue = singular_force_residue(robot, path(np.array([crossing.time])), formulation)[0]
     return Sides(residue, distances, F[: len(distances)], F[len(distances) :])
 
 
-def _crossing_lines(found: Examination, crossing: Crossing, sides: Sides) -> list[str]:
+def _crossing_lines(found: Examination, crossing: SingularityCrossing, sides: Sides) -> list[str]:
     robot, leg = found.robot, sides.leg
-    rates = wrench_matrix(robot, found.path(np.array([crossing.time])))[0].T @ crossing.at.twist
+    rates = wrench_matrix(robot, found.path(np.array([crossing.time])))[0].T @ crossing.singularity.twist
     lines = [
-        f"  det H          {sign_text(crossing.before)} before, {sign_text(crossing.after)} after",
-        *_pose_lines(crossing.at),
+        f"  det H          {sign_text(crossing.sign_before)} before, {sign_text(crossing.sign_after)} after",
+        *_pose_lines(crossing.singularity),
         f"  leg rates      at most {np.max(np.abs(rates)):.1e} m/s under this motion",
     ]
     if not np.isfinite(sides.residue).all():
@@ -255,27 +263,27 @@ def _crossing_lines(found: Examination, crossing: Crossing, sides: Sides) -> lis
         for d, before, after in zip(sides.distances, sides.before, sides.after, strict=True)
     ]
     if rows:
-        header = ("|t - t_0|, s", f"F{leg + 1} before, N", f"F{leg + 1} after, N", "A / |t - t_0|, N")
+        header = ("|t - t_0|, s", f"F_{leg + 1} before, N", f"F_{leg + 1} after, N", "A / |t - t_0|, N")
         lines += ["", *(f"  {line}" for line in aligned(header, rows).splitlines())]
     return lines
 
 
-def _pose_lines(at: Singularity) -> list[str]:
-    pitch, axis = float(at.pitch), triple_text(at.axis)
-    motion, wrench, idle = ("unconstrained", "lost wrench", "idle forces") if at.lost else NEAREST
+def _pose_lines(at: SingularityResult) -> list[str]:
+    pitch, axis = float(at.screw_pitch), triple_text(at.screw_axis)
+    motion, wrench, idle = ("unconstrained", "lost wrench", "idle forces") if at.lost_dof else NEAREST
     screw = f"translation along {axis}"
     if np.isfinite(pitch):
-        screw = f"turn about {axis} through {triple_text(at.point)} m, pitch {pitch:.6g} m/rad"
+        screw = f"turn about {axis} through {triple_text(at.screw_point)} m, pitch {pitch:.6g} m/rad"
     lines = [
-        f"  condition      {float(at.condition):.6g} with moments divided by {at.length:.6g} m, smallest "
-        f"singular value {float(at.smallest):.3g}",
+        f"  condition      {float(at.condition_number):.6g} with moments divided by {at.characteristic_length:.6g} m, smallest "
+        f"singular value {float(at.smallest_singular_value):.3g}",
         f"  {motion:<14} {twist_text(at)}",
         f"  as a screw     {screw}",
         f"  {wrench:<14} force {triple_text(at.wrench[:3])} N, moment {triple_text(at.wrench[3:])} N m",
-        f"  {idle:<14} {triple_text(at.forces)} N",
+        f"  {idle:<14} {triple_text(at.leg_forces)} N",
     ]
-    if int(at.lost) > 1:
-        lines.append(f"  degrees of freedom lost  {int(at.lost)}; the twist is one of them")
+    if int(at.lost_dof) > 1:
+        lines.append(f"  degrees of freedom lost  {int(at.lost_dof)}; the twist is one of them")
     return lines
 
 
@@ -286,11 +294,11 @@ def _legs_table(found: Examination) -> str:
         low, high = limits[leg]
         rows.append((
             str(leg + 1),
-            *_cells(along.joint_sine, leg),
-            *_cells(along.shortest, leg),
-            f"{along.shortest.value[leg] - low:.4g}" if low > 0.0 else "none",
-            *_cells(along.longest, leg),
-            f"{high - along.longest.value[leg]:.4g}" if np.isfinite(high) else "none",
+            *_cells(along.min_joint_sine, leg),
+            *_cells(along.min_length, leg),
+            f"{along.min_length.value[leg] - low:.4g}" if low > 0.0 else "none",
+            *_cells(along.max_length, leg),
+            f"{high - along.max_length.value[leg]:.4g}" if np.isfinite(high) else "none",
         ))  # fmt: skip
     of_lengths = ("least L, m", "at, s", "to limit", "most L, m", "at, s", "to limit")
     header = ("leg", "|k x s|", "at, s", *of_lengths)
@@ -301,10 +309,10 @@ def _cells(extreme: LegExtreme, leg: int) -> tuple[str, str]:
     return f"{extreme.value[leg]:.6f}", f"{extreme.time[leg]:.6f}"
 
 
-def _near(time: float, at: Singularity) -> str:
+def _near(time: float, at: SingularityResult) -> str:
     return (
-        f"{time:.9f} s: smallest singular value {float(at.smallest):.6g}, "
-        f"scaled condition number {float(at.condition):.6g}"
+        f"{time:.9f} s: smallest singular value {float(at.smallest_singular_value):.6g}, "
+        f"scaled condition number {float(at.condition_number):.6g}"
     )
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from ...io.array_types import Array
 from ...motion.motion import Motion
 from ...robot.robot import LEGS, Robot
-from ...singularities.singular_poses import Singularity
+from ...singularities.singular_poses import SingularityResult
 from ..common.drawing import BLUE, DARK, LEG_COLORS, RED, Axes, Figure, as_written, log_numbers, new_figure
 from ..common.output import Columns
 from ..common.report import Picture
@@ -63,7 +63,9 @@ def path_figure(found: Examination, columns: Columns) -> Figure:
     return figure
 
 
-def pose_figure(found: Examination, columns: Columns, time: float, at: Singularity, title: str) -> Figure:
+def pose_figure(
+    found: Examination, columns: Columns, time: float, at: SingularityResult, title: str
+) -> Figure:
     """Smallest singular value and leg forces close by, and the machine with its unconstrained twist."""
     figure = new_figure(12.0, 5.8)
     panes: Any = figure.subfigures(1, 2, width_ratios=(1.0, 1.05))
@@ -100,7 +102,7 @@ def pose_figure(found: Examination, columns: Columns, time: float, at: Singulari
     return figure
 
 
-def draw_machine(axes: Any, robot: Robot, pose: Motion, at: Singularity) -> None:
+def draw_machine(axes: Any, robot: Robot, pose: Motion, at: SingularityResult) -> None:
     """The machine at a pose, velocities of the platform points under the twist as arrows, the screw axis."""
     points = pose.t + robot.p @ pose.R.T
     both = np.concatenate([robot.b, points])
@@ -111,31 +113,31 @@ def draw_machine(axes: Any, robot: Robot, pose: Motion, at: Singularity) -> None
     arrows = velocities * _ARROW * size / np.max(np.linalg.norm(velocities, axis=-1))
     axes.quiver(*points.T, *arrows.T, color=RED, linewidth=1.6, arrow_length_ratio=0.25)
     extent = [both, points + arrows]
-    if np.isfinite(at.pitch) and np.linalg.norm(at.point - pose.t) < size:
-        line = at.point + np.outer([-0.45 * size, 0.45 * size], at.axis)
+    if np.isfinite(at.screw_pitch) and np.linalg.norm(at.screw_point - pose.t) < size:
+        line = at.screw_point + np.outer([-0.45 * size, 0.45 * size], at.screw_axis)
         axes.plot(*line.T, color=RED, linewidth=1.0, linestyle=(0, (4, 2)))
         extent.append(line)
     screw = "a translation"
-    if np.isfinite(at.pitch):
-        screw = f"screw axis dashed, pitch {float(at.pitch):.4g} m/rad"
-    motion = "unconstrained twist" if at.lost else "twist that the legs resist least"
+    if np.isfinite(at.screw_pitch):
+        screw = f"screw axis dashed, pitch {float(at.screw_pitch):.4g} m/rad"
+    motion = "unconstrained twist" if at.lost_dof else "twist that the legs resist least"
     axes.set_title(f"{motion}: velocities of the platform points\n{screw}", fontsize=9.0)
     frame(axes, robot, np.concatenate(extent))
 
 
-def _poses(found: Examination) -> Iterator[tuple[str, float, Singularity, str]]:
+def _poses(found: Examination) -> Iterator[tuple[str, float, SingularityResult, str]]:
     """Name of the file, time, pose and title of each picture of the machine."""
     along = found.along
     for number, crossing in enumerate(along.crossings[:MOST], 1):
         title = f"path {found.name}: H singular at {crossing.time:.9f} s"
-        yield f"crossing_{number}", crossing.time, crossing.at, title
+        yield f"crossing_{number}", crossing.time, crossing.singularity, title
     if not along.crossings:
         title = f"path {found.name}: nearest to a singular pose at {along.nearest.time:.6f} s"
-        yield "nearest", along.nearest.time, along.nearest.at, title
+        yield "nearest", along.nearest.time, along.nearest.singularity, title
 
 
 def _forces(columns: Columns) -> Array:
-    return np.stack([columns[f"F{leg + 1}"] for leg in range(LEGS)], axis=-1)
+    return np.stack([columns[f"F_{leg + 1}"] for leg in range(LEGS)], axis=-1)
 
 
 def _broken(breaks: list[float], time: Array, *values: Array) -> tuple[Array, ...]:

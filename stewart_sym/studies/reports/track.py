@@ -29,10 +29,10 @@ from ...io.array_types import Array, Codes, Flags
 from ...io.error_policy import SingularPoseWarning
 from ...io.instants import least_step, time_text
 from ...kinematics.conditioning import condition_number
-from ...kinematics.inverse import LegKinematics, inverse_kinematics
+from ...kinematics.inverse import InverseKinematicsResult, inverse_kinematics
 from ...motion.motion import Motion
 from ...motion.trajectory import PoseLog, Replaced, Trajectory
-from ...results import NOT_FINITE, OK, ZERO_LENGTH, Reactions
+from ...results import NOT_FINITE, OK, ZERO_LENGTH, JointReactionsResult
 from ...robot.robot import LEGS, Robot
 from ..common.output import Columns, aligned, by_leg, csv_lines, of_axes, of_legs
 from .drives import DriveDigest, drive_columns
@@ -67,7 +67,7 @@ class Part(NamedTuple):
     L_dot: Array
     condition: Array
     status: Codes
-    reactions: Reactions | None = None
+    reactions: JointReactionsResult | None = None
     effort: Instants | None = None
     sd: Deviations | None = None
     there: Flags | None = None
@@ -82,14 +82,14 @@ class Part(NamedTuple):
     def columns(self) -> Columns:
         """Columns (n,) by name, as written.
 
-        In SI units: time, F1..F6, with noise in the log F1_sd..F6_sd, L1..L6, condition_number, status; with
-        a drive torque1.., motor_speed1.., current1.. and power1.., with noise torque1_sd.. and so on; with
+        In SI units: time, F_1..F6, with noise in the log F_1_std..F_6_std, L_1..L6, condition_number, status; with
+        a drive torque_1.., motor_speed_1.., current_1.. and power_1.., with noise torque_1_std.. and so on; with
         reactions the components of F_s, F_u, F_p, F_c, M_p (about the base point), of U-C-U legs M_s, and M_u
         leg by leg.
         """
         sd = self.sd
         found: Columns = {"time": self.time} | of_legs("F", self.F)
-        found |= {} if sd is None else of_legs("F", sd.F, "_sd")
+        found |= {} if sd is None else of_legs("F", sd.F, "_std")
         found |= of_legs("L", self.L) | {"condition_number": self.condition, "status": self.status}
         if self.effort is not None:
             found |= drive_columns(self.effort, None if sd is None else sd.motors)
@@ -100,7 +100,7 @@ def header_lines() -> list[str]:
     """First line of the CSV file of each kind of run: with deviations or not, with reactions or not."""
     none, legs, vectors = np.zeros(0), np.zeros((0, LEGS)), np.zeros((0, LEGS, 3))
     status = none.astype(np.int32)
-    reactions = Reactions(vectors, vectors, vectors, vectors, vectors, legs, status)
+    reactions = JointReactionsResult(vectors, vectors, vectors, vectors, vectors, legs, status)
     drives: list[tuple[Instants | None, MotorDeviations | None]] = [(None, None)]
     for current in (None, legs):
         effort = Instants(*(legs,) * len(Instants._fields))._replace(current=current)
@@ -230,7 +230,7 @@ class Digest:
         peak, robot = _largest(F), self.robot
         legs = {
             "peak_force_N": np.take_along_axis(F, peak[None], axis=0)[0],
-            "peak_force_sd_N": [None] * LEGS if F_sd is None else np.take_along_axis(F_sd, peak[None], 0)[0],
+            "peak_force_std_N": [None] * LEGS if F_sd is None else np.take_along_axis(F_sd, peak[None], 0)[0],
             "peak_force_time_s": time[peak],
             "force_limit_N": robot.force_limit,
             **low.data("least_length", "m"),
@@ -246,7 +246,7 @@ class Digest:
         legs |= {name: self.legs.verdicts(limit) for name, limit in _LIMITS.items()}
         legs |= {} if self.drive is None else self.drive.columns() | self.drive.verdicts()
         return {
-            "instants": len(self.time),
+            "samples": len(self.time),
             "start_s": self.time[0],
             "end_s": self.time[-1],
             "condition_number_peak": condition,
@@ -260,7 +260,7 @@ class Digest:
 
     def _angles(self) -> "dict[LegLimit, _Extreme]":
         """Largest angles of the joints, rad; none of a robot that limits none."""
-        limits = (BASE, PLATFORM) if self.robot.limits_joint_angles else ()
+        limits = (BASE, PLATFORM) if self.robot.has_joint_angle_limits else ()
         return {limit: _Extreme(*self.legs.peaks(limit)) for limit in limits}
 
     def _worst_condition(self) -> tuple[float, float]:
@@ -325,7 +325,9 @@ def _noisy(when: list[str], F: Array, F_sd: Array, share: float, cause: str, the
 def _need_forces(robot: Robot, where: str) -> None:
     """Reject a robot whose numbers are so large that forces overflow at home, at rates of 1 in SI units."""
     with warnings.catch_warnings(action="ignore"):
-        slow = Motion(np.eye(3), home_pose(robot).t, *np.ones((4, 3)))
+        slow = Motion(
+            R=np.eye(3), t=home_pose(robot).t, omega=np.ones(3), v=np.ones(3), alpha=np.ones(3), a=np.ones(3)
+        )
         found = inverse_dynamics(robot, slow, backend="numpy", on_singular="nan")
     if found.status == NOT_FINITE:
         raise ValueError(
@@ -336,15 +338,15 @@ def _need_forces(robot: Robot, where: str) -> None:
 def _lengths_and_rates(robot: Robot, motion: Motion, good: Flags) -> tuple[Array, Array]:
     L, L_dot = np.full((2, *motion.shape, 6), np.nan)
     if np.any(good):
-        legs: LegKinematics = inverse_kinematics(robot, motion[good])
+        legs: InverseKinematicsResult = inverse_kinematics(robot, motion[good])
         L[good], L_dot[good] = legs.L, legs.L_dot
     return L, L_dot
 
 
-def _reaction_columns(found: Reactions) -> Columns:
+def _reaction_columns(found: JointReactionsResult) -> Columns:
     columns: Columns = {}
     for name in ("F_s", "F_u", "F_p", "F_c", "M_p", "M_s"):
         values = getattr(found, name)
         for leg in range(0 if values is None else 6):
-            columns |= of_axes(f"{name}{leg + 1}", values[:, leg])
+            columns |= of_axes(f"{name}_{leg + 1}", values[:, leg])
     return columns | of_legs("M_u", found.M_u)

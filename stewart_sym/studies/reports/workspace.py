@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...dynamics.forces import prepare
+from ...dynamics.forces import ForceKernel
 from ...dynamics.inverse import Formulation
 from ...io.array_types import Array, Codes
 from ...io.extras import needed_for
@@ -86,7 +86,7 @@ def map_block(
     rest = np.zeros(3)
     motion = Motion.from_rpy(t, theta, rest, rest, rest, rest)
     # Prepared here, in a fraction of a millisecond, so that only the robot travels.
-    kernel = prepare(robot, formulation)
+    kernel = ForceKernel(robot, formulation)
     F, status = kernel.forces_and_status(motion)
     return _condition(robot, motion, status), np.abs(F).max(axis=-1)
 

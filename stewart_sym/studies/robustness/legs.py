@@ -58,7 +58,7 @@ def _family(
 
 
 def _walk(seed: int, legs: str, rest: bool) -> tuple[list[Robot], list[Motion]]:
-    """A machine whose first fixed axis turns towards the leg."""
+    """A machine whose first fixed axis turns toward the leg."""
     rng = np.random.default_rng(seed)
     robot = random_machine(rng, legs=legs)
     motion = random_motion(rng, robot)

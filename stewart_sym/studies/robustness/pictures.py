@@ -1,6 +1,6 @@
 """Pictures of the study, one for each family, and the basins of forward kinematics; needs Matplotlib.
 
-Colours are Okabe and Ito's, distinct to the colour blind; no method is marked by its colour alone.
+Colors are Okabe and Ito's, distinct to the color blind; no method is marked by its color alone.
 """
 
 import functools

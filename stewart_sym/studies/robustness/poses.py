@@ -1,4 +1,4 @@
-"""Family 5: forward kinematics towards a singular pose, its certificate, and the basins of Newton's steps."""
+"""Family 5: forward kinematics toward a singular pose, its certificate, and the basins of Newton's steps."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -13,7 +13,7 @@ from ...kinematics.forward import forward_kinematics
 from ...kinematics.inverse import leg_vectors
 from ...kinematics.pose_search import jacobian, newton, solve
 from ...motion.rotation import orthonormal, rotation_from_vector
-from ...motion.straight_line import PATHS
+from ...motion.straight_line import PAPER_PATHS
 from ...precision.truth import digits
 from ...robot.robot import Robot
 from ...robots import dasgupta1998
@@ -65,7 +65,7 @@ def families() -> list[Family]:
         error[i] = _distance(robot, _exact_pose(robot, L, found.R, found.t), (found.R, found.t))
         proof = certify_pose(robot, L, (found.R, found.t))
         if proof.proven:
-            position[i], asked[i] = proof.position, proof.angle
+            position[i], asked[i] = proof.position_bound, proof.angle_bound
     size = float(np.abs(robot.b).max())
     held = bool(np.all(~np.isfinite(position) | (error * size <= position + size * asked)))
     nearest = distances()[np.isfinite(position)].min()
@@ -73,7 +73,7 @@ def families() -> list[Family]:
     return [
         Family(
             "forward_kinematics",
-            "Forward kinematics towards the crossing of Path III",
+            "Forward kinematics toward the crossing of Path III",
             "forward kinematics where two poses meet",
             "status 4 from a condition number of 4e6; `certify_pose` proves a pose",
             "time from the crossing, s",
@@ -93,7 +93,7 @@ def families() -> list[Family]:
 def basins(grid: int = GRID, proofs: int = 40) -> Basins:
     """Turn the start about x and z away from a pose of the paper's machine, all round."""
     robot = dasgupta1998()
-    motion = PATHS["I"].path.sample(0.0)
+    motion = PAPER_PATHS["I"].path.sample(0.0)
     L = leg_vectors(robot, motion.R, motion.t)[2]
     angles = np.linspace(-np.pi, np.pi, grid)
     yaw, roll = (axis.ravel() for axis in np.meshgrid(angles, angles, indexing="ij"))

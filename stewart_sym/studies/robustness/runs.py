@@ -10,14 +10,14 @@ from ...dynamics.home_pose import home_pose
 from ...io.array_types import Array
 from ...kinematics.inverse import leg_vectors
 from ...motion.motion import Motion
-from ...motion.straight_line import PATHS
+from ...motion.straight_line import PAPER_PATHS
 from ...reference import newton_euler
 from ...results import NOT_FINITE, OK
 from ...robot.robot import Robot
 from ...robots import dasgupta1998
 from ...simulation.actuator_models import LegSprings
 from ...simulation.fixed_step import advance
-from ...simulation.limits import Thresholds
+from ...simulation.limits import StopConditions
 from ...simulation.simulation import METHODS, Method, simulate
 from ..paper.reproduce import without_friction
 from .family import EPS, Curve, Family
@@ -34,7 +34,7 @@ LONG_RTOL: dict[str, float] = {"DOP853": 1e-9, "Radau": 1e-5}
 FIXED = f"RK4, {1e3 * STEP:g} ms"
 HELD = f"{FIXED}, forces held"
 INTEGRATORS = cast(tuple[Method, ...], METHODS)
-NOT_STOPPED = Thresholds(max_condition=float("inf"))
+NOT_STOPPED = StopConditions(max_condition=float("inf"))
 
 
 def families() -> list[Family]:
@@ -45,19 +45,26 @@ def families() -> list[Family]:
 def _across() -> Family:
     """Without forces the paper's machine falls over the crossing of Path III; error against the tolerance."""
     robot = dasgupta1998()
-    path, crossing = PATHS["III"].path, crossing_of_path_III()
+    path, crossing = PAPER_PATHS["III"].path, crossing_of_path_III()
     moving = path.sample(crossing - 0.1)
-    start = Motion(moving.R, moving.t, moving.omega, moving.v)
+    start = Motion(R=moving.R, t=moving.t, omega=moving.omega, v=moving.v)
     F = np.zeros(6)
     duration = 0.2
-    truth = simulate(robot, start, F, duration, rtol=1e-13, atol=1e-15, thresholds=NOT_STOPPED)
+    truth = simulate(robot, start, F, duration, rtol=1e-13, atol=1e-15, stop_conditions=NOT_STOPPED)
     tolerances = np.logspace(-3, -10, 15)
     curves = []
     for method in INTEGRATORS:
         error = []
         for rtol in tolerances:
             run = simulate(
-                robot, start, F, duration, method=method, rtol=rtol, atol=1e-3 * rtol, thresholds=NOT_STOPPED
+                robot,
+                start,
+                F,
+                duration,
+                method=method,
+                rtol=rtol,
+                atol=1e-3 * rtol,
+                stop_conditions=NOT_STOPPED,
             )
             error.append(np.abs(run.t[-1] - truth.t[-1]).max() / machine_size(robot))
         curves.append(Curve(method, np.array(error), tolerances / EPS, shipped=True))
@@ -70,7 +77,7 @@ def _across() -> Family:
         "relative tolerance of a step",
         tuple(curves),
         tolerances,
-        notes=(f"with the thresholds as they are the run ends: {stopped.stop.text}.",),
+        notes=(f"with the thresholds as they are the run ends: {stopped.stop.message}.",),
         error_axis="error of the position over the machine's size",
     )
 
@@ -93,7 +100,7 @@ def _stiff() -> Family:
             run = simulate(machine, start, F, duration, method=method)
             curves[method].append(_off(run.t[-1], truth.t[-1], machine))
             status[method].append(OK)
-            steps[method].append(float(run.steps))
+            steps[method].append(float(run.step_count))
         with np.errstate(all="ignore"):
             end, codes = advance(ForwardDynamics(machine), start, F, duration, round(duration / STEP))
         curves[FIXED].append(_off(end.t, truth.t[-1], machine))
@@ -127,7 +134,7 @@ def _long() -> Family:
     """Energy of a frictionless machine on springs: its largest change until a time, over the kinetic one."""
     robot = without_friction(random_machine(np.random.default_rng(8)))
     start = _moving(robot)
-    springs = LegSprings.balanced(robot, start, stiffness=1e2 * robot.M * GRAVITY / machine_size(robot))
+    springs = LegSprings.in_equilibrium(robot, start, stiffness=1e2 * robot.M * GRAVITY / machine_size(robot))
     times = np.logspace(np.log10(LONGEST), -2, 25)
     even = np.linspace(0.0, LONGEST, round(LONGEST / STEP) + 1)
     drifts: dict[str, Array] = {}
@@ -136,7 +143,7 @@ def _long() -> Family:
         run = simulate(robot, start, springs, LONGEST, method=method, rtol=LONG_RTOL[method])
         trace = run.at(even)
         energy = trace.energy + springs.energy(trace.L)
-        scale = scale or float(trace.kinetic.mean())
+        scale = scale or float(trace.kinetic_energy.mean())
         drifts[f"{method}, rtol {LONG_RTOL[method]:.0e}"] = np.abs(energy - energy[0]) / scale
     drifts[HELD] = _fixed_drift(robot, start, springs, len(even)) / scale
     curves = []
@@ -170,7 +177,9 @@ def _fixed_drift(robot: Robot, state: Motion, springs: LegSprings, count: int) -
 
 
 def _moving(robot: Robot) -> Motion:
-    return Motion(np.eye(3), home_pose(robot).t, np.array([0.2, -0.1, 0.3]), np.array([0.1, 0.2, -0.1]))
+    return Motion(
+        R=np.eye(3), t=home_pose(robot).t, omega=np.array([0.2, -0.1, 0.3]), v=np.array([0.1, 0.2, -0.1])
+    )
 
 
 def _off(found: Array, truth: Array, robot: Robot) -> float:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from ...backend.kernel import robot_numbers
 from ...dynamics.equations import equations_of_motion
-from ...dynamics.forces import prepare
+from ...dynamics.forces import ForceKernel
 from ...dynamics.inverse import inverse_dynamics
 from ...io.array_types import Array
 from ...kinematics.inverse import wrench_matrix
@@ -131,7 +131,7 @@ _prepared_truth = lru_cache(maxsize=1)(Truth)
 def _forces(robot: Robot, motion: Motion) -> tuple[Array, NDArray[np.int32]]:
     """Forces and statuses; a robot whose constants overflow, which is an error, has none."""
     try:
-        kernel = prepare(robot)
+        kernel = ForceKernel(robot)
     except ValueError:
         return np.full((*motion.shape, 6), np.nan), np.full(motion.shape, NOT_FINITE, np.int32)
     return kernel.forces_and_status(motion)
@@ -160,7 +160,7 @@ def _every(robot: Robot, motion: Motion, backend: Any) -> tuple[Array, int]:
 def _closed_form(robot: Robot, motion: Motion) -> tuple[Array, int]:
     """F of H F = M [a; alpha] + bias - W_ext, by NumPy's elimination, which assumes nothing of H."""
     try:
-        prepare(robot)
+        ForceKernel(robot)
     except ValueError:
         return np.full(6, np.nan), NOT_FINITE
     found = equations_of_motion(robot, motion, on_singular="nan")
@@ -169,7 +169,7 @@ def _closed_form(robot: Robot, motion: Motion) -> tuple[Array, int]:
     load = np.concatenate(
         [motion.R @ (np.zeros(3) if part is None else part) for part in (motion.F_ext, motion.M_ext)]
     )
-    wrench = found.M @ np.concatenate([motion.a, motion.alpha]) + found.bias - load
+    wrench = found.M @ np.concatenate([motion.a, motion.alpha]) + found.bias_and_friction - load
     try:
         return np.linalg.solve(wrench_matrix(robot, motion), wrench), OK
     except (np.linalg.LinAlgError, ValueError):

@@ -7,18 +7,18 @@ from dataclasses import replace
 import mpmath
 import numpy as np
 
-from ...dynamics.damping import damped_solution
+from ...dynamics.damping import damped_least_squares
 from ...io.array_types import Array
 from ...kinematics.conditioning import characteristic_length, moments_over
 from ...kinematics.inverse import wrench_matrix
 from ...motion.motion import Motion
 from ...motion.rotation import rotation_from_rpy, rotation_from_vector, rpy_from_rotation
-from ...motion.straight_line import PATHS
+from ...motion.straight_line import PAPER_PATHS
 from ...precision.truth import digits
 from ...reference.newton_euler import actuator_wrench
 from ...robot.robot import Robot
 from ...robots import dasgupta1998
-from ...singularities.along_path import crossings
+from ...singularities.along_path import singularity_crossings
 from . import shipped
 from .family import Curve, Family, distances
 from .sweep.machines import flat, meeting_one_line, random_machine, random_motion, similar_hexagons
@@ -62,7 +62,7 @@ def solve_curves(robots_: list[Robot], motions: list[Motion]) -> list[Curve]:
             if x is None:
                 continue
             with np.errstate(all="ignore"):
-                got = damped_solution(H, c, lengths[i])[0] if name == DAMPED else CANDIDATES[name](H, c)
+                got = damped_least_squares(H, c, lengths[i])[0] if name == DAMPED else CANDIDATES[name](H, c)
             if np.isfinite(got).all():
                 worst = max(abs(digits.mpf(float(a)) - b) for a, b in zip(got, x, strict=True))
                 error[i] = float(worst / max(abs(b) for b in x))
@@ -72,13 +72,13 @@ def solve_curves(robots_: list[Robot], motions: list[Motion]) -> list[Curve]:
 
 def crossing_of_path_III() -> float:
     """Time, s, at which Path III crosses a singular pose, to rounding."""
-    path = PATHS["III"].path
-    return crossings(dasgupta1998(), path.sample, path.breaks())[0].time
+    path = PAPER_PATHS["III"].path
+    return singularity_crossings(dasgupta1998(), path.sample, path.breakpoints())[0].time
 
 
 def path_III() -> tuple[list[Robot], list[Motion]]:
     """Poses of the paper's machine ever nearer to the crossing, on the tangent of Path III before it."""
-    robot, path, crossing = dasgupta1998(), PATHS["III"].path, crossing_of_path_III()
+    robot, path, crossing = dasgupta1998(), PAPER_PATHS["III"].path, crossing_of_path_III()
     moving = path.sample(crossing)
     theta = rpy_from_rotation(moving.R)
     # Along the tangent, beyond the ends of the path too.

@@ -1,7 +1,7 @@
 // Curves over time under the machine: forces, lengths, speeds and the condition number, with limits. Drawn with the
 // least and the largest value of each column of pixels, so that no peak of a long run is missed.
 
-import { themeText } from "./colours.js";
+import { themeText } from "./colors.js";
 import { shown, ticks, tickTexts } from "./numbers.js";
 import { amount } from "./quantities.js";
 
@@ -12,7 +12,7 @@ const BOTTOM = 26;
 const SUPERSCRIPTS = "\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079";
 
 export class Panel {
-  // figure: an element with a canvas; series: { name, column, deviations, factor, colour, dashed, leg }, whose values are
+  // figure: an element with a canvas; series: { name, column, deviations, factor, color, dashed, leg }, whose values are
   // those of the column, of the leg where there is one, times the factor; limits: numbers.
   constructor(figure, motion, clock, { series, limits = [], logarithmic = false, unit, digits = 5 }) {
     Object.assign(this, { figure, motion, clock, series, limits, logarithmic, unit, digits });
@@ -237,8 +237,8 @@ export class Panel {
     pen.setLineDash([]);
   }
 
-  curve(pen, { columns, colour, dashed }) {
-    pen.strokeStyle = themeText(colour);
+  curve(pen, { columns, color, dashed }) {
+    pen.strokeStyle = themeText(color);
     pen.lineWidth = 1.6;
     pen.setLineDash(dashed ? [5, 3] : []);
     pen.beginPath();

@@ -1,5 +1,5 @@
 // WebGL 2: draws solids with an outline, surfaces and lines of a width in pixels. Solids that are not lit have exactly
-// the colour they are given, so that the colour of a leg is that of its force. Edges are smooth where there is time.
+// the color they are given, so that the color of a leg is that of its force. Edges are smooth where there is time.
 
 import { ball, bar, tube } from "./shapes.js";
 
@@ -11,14 +11,14 @@ const MANY = { tube: 18, ball: 18 };
 
 const SOLID = `#version 300 es
 in vec3 position; in vec3 normal; in vec3 hull;
-in mat4 model; in vec4 colour; in float lit;
+in mat4 model; in vec4 color; in float lit;
 uniform mat4 eye; uniform vec2 pixels; uniform float outline;
 out vec3 turned; out vec4 paint; out float light;
 void main() {
   mat3 axes = mat3(model);
   vec3 squares = vec3(dot(axes[0], axes[0]), dot(axes[1], axes[1]), dot(axes[2], axes[2]));
   turned = axes * (normal / squares);
-  paint = colour;
+  paint = color;
   light = lit;
   gl_Position = eye * (model * vec4(position, 1.0));
   vec2 away = (eye * vec4(axes * (hull / sqrt(squares)), 0.0)).xy * pixels;
@@ -26,12 +26,12 @@ void main() {
 }`;
 
 const SURFACE = `#version 300 es
-in vec3 position; in vec3 normal; in vec4 colour;
+in vec3 position; in vec3 normal; in vec4 color;
 uniform mat4 eye;
 out vec3 turned; out vec4 paint; out float light;
 void main() {
   turned = normal;
-  paint = colour;
+  paint = color;
   light = 1.0;
   gl_Position = eye * vec4(position, 1.0);
 }`;
@@ -48,7 +48,7 @@ void main() {
 }`;
 
 const LINE = `#version 300 es
-in vec2 corner; in vec3 start; in vec3 end; in vec4 colour; in float wide;
+in vec2 corner; in vec3 start; in vec3 end; in vec4 color; in float wide;
 uniform mat4 eye; uniform vec2 pixels;
 out vec4 paint;
 void main() {
@@ -58,7 +58,7 @@ void main() {
   vec2 side = vec2(-way.y, way.x) / max(length(way), 1e-6) * wide;
   gl_Position = corner.x < 0.5 ? a : b;
   gl_Position.xy += corner.y * side / pixels * gl_Position.w;
-  paint = colour;
+  paint = color;
 }`;
 
 const PLAIN = `#version 300 es
@@ -69,9 +69,9 @@ void main() { seen = paint; }`;
 
 // Floats of an instance or a vertex, and where each attribute stands in it.
 const PARTS = {
-  solid: { size: 21, at: { model: [0, 16], colour: [16, 4], lit: [20, 1] } },
-  line: { size: 11, at: { start: [0, 3], end: [3, 3], colour: [6, 4], wide: [10, 1] } },
-  surface: { size: 10, at: { position: [0, 3], normal: [3, 3], colour: [6, 4] } },
+  solid: { size: 21, at: { model: [0, 16], color: [16, 4], lit: [20, 1] } },
+  line: { size: 11, at: { start: [0, 3], end: [3, 3], color: [6, 4], wide: [10, 1] } },
+  surface: { size: 10, at: { position: [0, 3], normal: [3, 3], color: [6, 4] } },
 };
 
 export class Pen {
@@ -99,7 +99,7 @@ export class Pen {
     gl.bindVertexArray(this.sheet);
     gl.bindBuffer(gl.ARRAY_BUFFER, this.sheetBuffer);
     attributes(gl, this.programs.surface, PARTS.surface.at, PARTS.surface.size, 0);
-    this.smooth = { frame: gl.createFramebuffer(), colour: gl.createRenderbuffer(), depth: gl.createRenderbuffer() };
+    this.smooth = { frame: gl.createFramebuffer(), color: gl.createRenderbuffer(), depth: gl.createRenderbuffer() };
     this.smoothSize = "";
     gl.enable(gl.DEPTH_TEST);
     gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
@@ -153,7 +153,7 @@ export class Pen {
     if (size === this.smoothSize) return;
     this.smoothSize = size;
     for (const [buffer, format, place] of [
-      [smooth.colour, gl.RGB8, gl.COLOR_ATTACHMENT0],
+      [smooth.color, gl.RGB8, gl.COLOR_ATTACHMENT0],
       [smooth.depth, gl.DEPTH_COMPONENT24, gl.DEPTH_ATTACHMENT],
     ]) {
       gl.bindRenderbuffer(gl.RENDERBUFFER, buffer);

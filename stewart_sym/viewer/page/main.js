@@ -2,7 +2,7 @@
 
 import { Camera, handle } from "./camera.js";
 import { Clock } from "./clock.js";
-import { forceColour, gradient, themeColour, themeText } from "./colours.js";
+import { forceColor, gradient, themeColor, themeText } from "./colors.js";
 import { drawStrip, Panel } from "./curves.js";
 import { Motion, readPage } from "./data.js";
 import { Pen } from "./draw.js";
@@ -93,11 +93,11 @@ try {
 
 let style = null;
 function readStyle() {
-  const colours = {};
+  const colors = {};
   for (const name of ["paper", "ink", "base", "platform", "joint", "fixed", "ghost", "ribbon", "warn", "open"])
-    colours[name] = themeColour(`--${name}`);
-  colours.axes = ["--axis-x", "--axis-y", "--axis-z"].map((name) => themeColour(name));
-  style = { colours, ink: colours.ink };
+    colors[name] = themeColor(`--${name}`);
+  colors.axes = ["--axis-x", "--axis-y", "--axis-z"].map((name) => themeColor(name));
+  style = { colors, ink: colors.ink };
 }
 
 // Parts of the canvas, one for each set of forces that is shown.
@@ -124,15 +124,15 @@ function paint() {
   const sun = unit(add(add(times(back, 1), times(upward, 0.7)), times(right, -0.35)));
   const smooth = !pace.rough();
   pace.drawnRough = !smooth;
-  pen.begin(style.colours.paper, smooth);
+  pen.begin(style.colors.paper, smooth);
   parts.forEach((picture, k) => {
     const set = state.shown[k];
     const force = Array.from({ length: 6 }, (_, leg) => {
-      const rgb = set ? forceColour(forceOf(set, clock.index, leg), page.scale) : [150, 150, 150];
+      const rgb = set ? forceColor(forceOf(set, clock.index, leg), page.scale) : [150, 150, 150];
       return [...rgb.map((each) => each / 255), 1];
     });
-    const scene = sceneAt(machine, pose, { ...state, colours: style.colours, force, verdicts: verdicts(set) });
-    if (state.ribbon && motion.count > 1) ribbon.add(scene, clock.index, style.colours.ribbon);
+    const scene = sceneAt(machine, pose, { ...state, colors: style.colors, force, verdicts: verdicts(set) });
+    if (state.ribbon && motion.count > 1) ribbon.add(scene, clock.index, style.colors.ribbon);
     pen.draw(scene, picture, camera.matrix(picture.width / picture.height), { ...style, sun });
   });
   pen.end();
@@ -216,16 +216,16 @@ canvas.addEventListener("pointerleave", () => (tip.hidden = true));
 
 // Curves
 
-const LEG_COLOURS = ["--leg-1", "--leg-2", "--leg-3", "--leg-4", "--leg-5", "--leg-6"];
+const LEG_COLORS = ["--leg-1", "--leg-2", "--leg-3", "--leg-4", "--leg-5", "--leg-6"];
 const distinct = (values) => [...new Set(values.filter((each) => Number.isFinite(each) && each !== 0))];
 const perLeg = (name, factor = 1, dashed = false, ending = "") =>
   legs.map((leg) => ({
     name: `leg ${leg + 1}${ending}`,
     leg,
-    colour: LEG_COLOURS[leg],
+    color: LEG_COLORS[leg],
     dashed,
     column: motion.columns[name],
-    deviations: motion.columns[`${name}_sd`],
+    deviations: motion.columns[`${name}_std`],
     factor,
   }));
 const panels = [];
@@ -241,7 +241,7 @@ const lengthLimit = distinct(lengthLimits.flat()).map((each) => each * units.len
 addPanel("lengths", { series: perLeg("L", units.length), limits: lengthLimit, unit: units.lengthName, digits: 6 });
 const speeds = distinct(speedLimits.flatMap((each) => [each, -each])).map((each) => each * units.length);
 addPanel("speeds", { series: perLeg("L_dot", units.length), limits: speeds, unit: `${units.lengthName}/s` });
-const conditions = [{ name: "condition number", colour: "--text", column: motion.columns.condition, factor: 1 }];
+const conditions = [{ name: "condition number", color: "--text", column: motion.columns.condition, factor: 1 }];
 addPanel("conditions", { series: conditions, logarithmic: true, unit: "" });
 
 for (const leg of legs) {
@@ -280,7 +280,7 @@ if (sets.length && distinct(forceLimits).length)
 columns.push(asCell(quantities.length), asCell(quantities.speed));
 const fillLegs = legTable(find("now"), columns);
 // Many columns, and numbers with deviations, take the width of the page.
-const noisy = Object.keys(motion.columns).some((name) => name.endsWith("_sd"));
+const noisy = Object.keys(motion.columns).some((name) => name.endsWith("_std"));
 find("now").closest(".tables").classList.toggle("single", noisy || columns.length > 4);
 // The largest of the whole motion, with its verdict, and in words what more is to be said.
 const asPeak = (quantity, more) => {
@@ -476,7 +476,7 @@ for (const limit of distinct(forceLimits))
 const limits = distinct(forceLimits);
 find("limit").textContent = limits.length ? `limit ${limits.map((each) => shown(each, 4)).join(", ")} N` : "no force limit";
 
-// Colours of limits that are not kept, of those verdicts that the motion has.
+// Colors of limits that are not kept, of those verdicts that the motion has.
 const found = new Set([...forces, ...others].flatMap((each) => legs.map((leg) => each.worst(leg))));
 for (const [name, words, has] of [
   ["--warn", "limit exceeded", found.has(EXCEEDED)],

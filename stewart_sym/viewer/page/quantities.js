@@ -20,7 +20,7 @@ export class Quantity {
 
   // NaN without noise that digits show.
   deviation(i, leg) {
-    return this.motion.ofLeg(`${this.column}_sd`, i, leg) * Math.abs(this.factors[leg]);
+    return this.motion.ofLeg(`${this.column}_std`, i, leg) * Math.abs(this.factors[leg]);
   }
 
   verdict(i, leg) {

@@ -7,7 +7,7 @@
 #define MOST_ARRAYS 8
 
 static const unsigned POSE_STATUS = ALLOWED(STEWART_OK) | ALLOWED(STEWART_NOT_FINITE) | ALLOWED(STEWART_ZERO_LENGTH)
-    | ALLOWED(STEWART_JOINT_SINGULAR) | ALLOWED(STEWART_SINGULAR) | ALLOWED(STEWART_INDEFINITE);
+    | ALLOWED(STEWART_JOINT_SINGULAR) | ALLOWED(STEWART_SINGULAR) | ALLOWED(STEWART_MASS_MATRIX_INDEFINITE);
 
 enum { EQUATIONS, BIAS, FORWARD_DYNAMICS, JOINT_INERTIA, DERIVATIVES, LINEARISATION, FUNCTIONS };
 
@@ -20,11 +20,11 @@ static int one(int what, const MODEL *model, const stewart_motion *motion, const
 {
     switch (what) {
     case EQUATIONS: return KERNEL_NAME(_equations)(model, motion, (stewart_equations *)(void *)out);
-    case BIAS: return KERNEL_NAME(_bias)(model, motion, out);
+    case BIAS: return KERNEL_NAME(_bias_and_friction)(model, motion, out);
     case FORWARD_DYNAMICS: return KERNEL_NAME(_forward_dynamics)(model, motion, F, out);
     case JOINT_INERTIA: return KERNEL_NAME(_joint_inertia)(model, motion, out);
     case DERIVATIVES: return KERNEL_NAME(_derivatives)(model, motion, (stewart_derivatives *)(void *)out);
-    default: return KERNEL_NAME(_linearisation)(model, motion, F, (stewart_linearisation *)(void *)out);
+    default: return KERNEL_NAME(_linearization)(model, motion, F, (stewart_linearization *)(void *)out);
     }
 }
 
@@ -34,11 +34,11 @@ static int many(
 {
     stewart_equations_arrays equations;
     stewart_derivatives_arrays derivatives;
-    stewart_linearisation_arrays linearisation;
+    stewart_linearization_arrays linearization;
     stewart_real *single = missing ? 0 : out[0];
     memcpy(&equations, out, sizeof equations);
     memcpy(&derivatives, out, sizeof derivatives);
-    memcpy(&linearisation, out, sizeof linearisation);
+    memcpy(&linearization, out, sizeof linearization);
     switch (what) {
     case EQUATIONS: return KERNEL_NAME(_equations_batch)(model, count, motions, missing ? 0 : &equations, status);
     case BIAS: return KERNEL_NAME(_bias_batch)(model, count, motions, single, status);
@@ -46,7 +46,7 @@ static int many(
     case JOINT_INERTIA: return KERNEL_NAME(_joint_inertia_batch)(model, count, motions, single, status);
     case DERIVATIVES: return KERNEL_NAME(_derivatives_batch)(model, count, motions, missing ? 0 : &derivatives, status);
     default:
-        return KERNEL_NAME(_linearisation_batch)(model, count, motions, F, missing ? 0 : &linearisation, status);
+        return KERNEL_NAME(_linearization_batch)(model, count, motions, F, missing ? 0 : &linearization, status);
     }
 }
 

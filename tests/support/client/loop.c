@@ -83,7 +83,7 @@ static void turn_between(const double q_w[4], const double q[4], double e[3])
     e[2] = factor * d[3];
 }
 
-static void normalise(double q[4])
+static void normalize(double q[4])
 {
     const double size = sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
     int i;
@@ -177,7 +177,7 @@ static int step(const stewart_exact_model *model, double h, const double F[6], d
         for (i = 0; i < STATE; ++i) {
             at[i] = state[i] + AHEAD[stage] * h * rate[i];
         }
-        normalise(at + Q);
+        normalize(at + Q);
         status = rates(model, at, F, rate);
         if (status != STEWART_OK) {
             return status;
@@ -189,7 +189,7 @@ static int step(const stewart_exact_model *model, double h, const double F[6], d
     for (i = 0; i < STATE; ++i) {
         state[i] += h * sum[i];
     }
-    normalise(state + Q);
+    normalize(state + Q);
     return STEWART_OK;
 }
 

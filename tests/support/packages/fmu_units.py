@@ -175,7 +175,7 @@ def told_to(log: Callable[[int, bytes, bytes], object]) -> fmi2CallbackFunctions
 def running(
     case: str, log: list[tuple[int, str, str]] | None = None, place: Path | None = None
 ) -> Iterator[FMU2Slave]:
-    """An initialised instance; with a log, logging is on."""
+    """An initialized instance; with a log, logging is on."""
 
     def note(status: int, category: bytes, message: bytes) -> None:
         assert log is not None

@@ -54,7 +54,7 @@ def sound() -> dict[str, Array]:
     pose = np.concatenate([motion.R.ravel(), motion.t])
     return {
         "motion": np.concatenate([np.ravel(getattr(motion, name)) for name in MOTION]),
-        "F": 1.5 * ss.prepare(robot).forces(motion),
+        "F": 1.5 * ss.ForceKernel(robot).forces(motion),
         "L": legs.L,
         "guess": pose + 0.01 * np.r_[np.zeros(9), np.ones(3)],
         "pose": pose,

@@ -12,7 +12,7 @@ from stewart_sym.backend.c_kernel import address
 from stewart_sym.backend.kernel import kernel_name, robot_numbers
 from stewart_sym.derive.kernel.interface import CALLS, STRUCTS
 from stewart_sym.dynamics import closed_form
-from stewart_sym.dynamics.forces import prepare
+from stewart_sym.dynamics.forces import ForceKernel
 from stewart_sym.kit.choice import STEMS, TORQUE
 from stewart_sym.kit.vectors import CLOSED_FORM, FUNCTIONS, KINEMATICS, ROTATION, Vector, vectors
 from stewart_sym.robot.robot import Robot
@@ -49,8 +49,8 @@ def in_c(robot: Robot, vector: Vector, formulation: str, precision: str, fidelit
         first = [] if function in ROTATION else first
     else:
         level = fidelity if function == "forces" else "general"
-        prepared = prepare(robot, formulation, precision=precision, fidelity=level)
-        first, call = [prepared.model], prepared.function("forces")
+        prepared = ForceKernel(robot, formulation, precision=precision, fidelity=level)
+        first, call = [prepared.model], prepared.c_function("forces")
         if function in CLOSED_FORM:
             call = getattr(motion_library(precision), f"stewart_{prepared.name}_{function}")
     passed = [each.astype(kind) for each in first]

@@ -7,14 +7,14 @@ import numpy as np
 
 from stewart_sym.dynamics.inverse import inverse_dynamics
 from stewart_sym.planning.time_path import TimedPath
-from stewart_sym.planning.timing.path_terms import Path, travelled
+from stewart_sym.planning.timing.path_terms import Path, traveled
 from stewart_sym.robot.robot import Robot
 
 _NO_SPEED_LIMIT = 1e6
 
 
 def graded(cells: int) -> np.ndarray:
-    """Nodes from 0 to 1, denser towards the ends, where friction grows as the root of the way."""
+    """Nodes from 0 to 1, denser toward the ends, where friction grows as the root of the way."""
     return 0.5 - 0.5 * np.cos(np.linspace(0.0, np.pi, cells + 1))
 
 
@@ -35,7 +35,7 @@ def coefficients(robot: Robot, path: Path, s: np.ndarray) -> tuple[np.ndarray, .
     motion = path(s)
 
     def forces(rate: float, second: float) -> np.ndarray:
-        return inverse_dynamics(robot, travelled(motion, rate, second), backend="reference").F
+        return inverse_dynamics(robot, traveled(motion, rate, second), backend="reference").F
 
     still, ahead, back = forces(0.0, 0.0), forces(1.0, 0.0), forces(-1.0, 0.0)
     return forces(0.0, 1.0) - still, 0.5 * (ahead + back) - still, 0.5 * (ahead - back), still

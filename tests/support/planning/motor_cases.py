@@ -6,9 +6,9 @@ from functools import cache
 import numpy as np
 from via_cases import straight, via_case, with_limits
 
-from stewart_sym.drives.effort import DriveEffort, drive_effort
+from stewart_sym.drives.effort import DriveEffortResult, drive_effort
 from stewart_sym.planning.pose_path import PosePath
-from stewart_sym.planning.time_path import time_path
+from stewart_sym.planning.time_path import parameterize_path
 from stewart_sym.robot.drive import Drive
 from stewart_sym.robot.robot import Robot
 
@@ -16,7 +16,7 @@ QUANTITIES = ("torque", "speed", "current", "power")
 
 
 @cache
-def unlimited_case(seed: int) -> tuple[Robot, PosePath, DriveEffort]:
+def unlimited_case(seed: int) -> tuple[Robot, PosePath, DriveEffortResult]:
     """A machine whose drives have no limits, a path, and what the fastest motion takes of the motors."""
     rng = np.random.default_rng(100 + seed)
     robot, poses = via_case(seed)
@@ -26,24 +26,24 @@ def unlimited_case(seed: int) -> tuple[Robot, PosePath, DriveEffort]:
     lead = 0.01 * float(np.linalg.norm(robot.b, axis=-1).mean())
     turns = 2.0 * np.pi / lead
     mass = robot.m_u.mean() * rng.uniform(0.05, 0.3)
-    free = time_path(robot, path, cells=50)
+    free = parameterize_path(robot, path, grid_size=50)
     speed = np.abs(free.sample(np.linspace(0.0, free.duration, 400)).v).max()
     drive = Drive(
         lead=lead * rng.permutation([1, 1, 1, -1, -1, -1]),
         rotor_inertia=mass / turns**2,
         efficiency=rng.uniform(0.6, 0.95, 6),
-        back_efficiency=rng.uniform(0.3, 0.9, 6),
+        backdrive_efficiency=rng.uniform(0.3, 0.9, 6),
         screw_coulomb=0.02 * force,
         motor_viscous=0.02 * force.mean() / speed / turns**2,
         motor_coulomb=0.01 * force / turns,
-        stribeck=0.01 * force,
+        stribeck_force=0.01 * force,
         stribeck_speed=0.05 * speed,
-        smoothing=0.0 if seed % 2 else 0.02 * speed,
+        regularization_speed=0.0 if seed % 2 else 0.02 * speed,
         torque_constant=0.1,
         resistance=0.2,
     )
     robot = dataclasses.replace(robot, drive=drive)
-    free = time_path(robot, path, cells=50)
+    free = parameterize_path(robot, path, grid_size=50)
     times = np.linspace(0.0, free.duration, 801)
     return robot, path, drive_effort(robot, free.sample(times), times)
 
@@ -52,7 +52,7 @@ def motor_case(seed: int, binding: tuple[str, ...] = QUANTITIES) -> tuple[Robot,
     """A machine whose motors' limits are below what its fastest motion within limits of force takes."""
     robot, path, found = unlimited_case(seed)
     assert robot.drive is not None
-    weight = 2.0 * robot.force_limit / np.abs(robot.drive.turns)
+    weight = 2.0 * robot.force_limit / np.abs(robot.drive.transmission_ratio)
     shares = {"torque": 0.9, "current": 0.85, "speed": 0.8, "power": 0.6}
     limits = {f"{name}_limit": shares[name] * getattr(found, f"peak_{name}") for name in binding}
     for name, unit in (("torque", 1.0), ("current", 0.1)):

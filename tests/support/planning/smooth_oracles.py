@@ -12,7 +12,7 @@ from scipy.optimize import brentq
 from stewart_sym.dynamics.inverse import inverse_dynamics
 from stewart_sym.kinematics.inverse import inverse_kinematics
 from stewart_sym.planning.time_path import TimedPath
-from stewart_sym.planning.timing.path_terms import Path, travelled
+from stewart_sym.planning.timing.path_terms import Path, traveled
 from stewart_sym.reference.newton_euler import rotor_force
 from stewart_sym.robot.robot import Robot
 
@@ -21,7 +21,7 @@ def _efforts(robot: Robot, path: Path, s: np.ndarray, side: np.ndarray):
     """N times torque, by branch of the efficiency, of s'' and s'; side: sign of L_dot, (n, 6)."""
     drive, motion = robot.drive, path(s)
     a, b, d, e = coefficients(robot, path, s)
-    r_a, r_b = (rotor_force(robot, travelled(motion, rate, second)) for rate, second in ((0, 1), (1, 0)))
+    r_a, r_b = (rotor_force(robot, traveled(motion, rate, second)) for rate, second in ((0, 1), (1, 0)))
     rate = inverse_kinematics(robot, motion).L_dot
     n = 2.0 * np.pi / drive.lead
     viscous = drive.screw_viscous + n**2 * drive.motor_viscous
@@ -33,17 +33,17 @@ def _efforts(robot: Robot, path: Path, s: np.ndarray, side: np.ndarray):
         axial = casadi.DM(a - r_a) * u + casadi.DM(b - r_b) * z**2 + casadi.DM(d) * z + casadi.DM(e)
         speed = casadi.DM(np.abs(rate)) * z
         sign = casadi.DM(np.ones_like(rate))
-        within = np.broadcast_to(drive.smoothing, rate.shape)
+        within = np.broadcast_to(drive.regularization_speed, rate.shape)
         if np.all(within > 0.0):
             x = casadi.fmin(speed / casadi.DM(within), 1.0)
             sign = 0.5 * x * (3.0 - x**2)
         slow = casadi.exp(-((speed / casadi.DM(np.broadcast_to(drive.stribeck_speed, rate.shape))) ** 2))
         loss = sign * (
             casadi.DM(np.broadcast_to(dry, rate.shape))
-            + casadi.repmat(casadi.DM(drive.stribeck).T, len(s), 1) * slow
+            + casadi.repmat(casadi.DM(drive.stribeck_force).T, len(s), 1) * slow
         )
         out = []
-        for share in (1.0 / drive.efficiency - 1.0, drive.back_efficiency - 1.0):
+        for share in (1.0 / drive.efficiency - 1.0, drive.backdrive_efficiency - 1.0):
             slope = 1.0 + sign * casadi.repmat(casadi.DM(share).T, len(s), 1)
             out.append(
                 casadi.DM(side) * (rotor + slope * axial)
@@ -190,6 +190,6 @@ def _work(robot: Robot, path: Path, x: np.ndarray, steps: int, duration: float) 
     t = (np.arange(20) + 0.5) / 20 * h
     place = s[:-1] + v[:-1] * t + a[:-1] * t**2 / 2 + jerk * t**3 / 6
     rate, second = v[:-1] + a[:-1] * t + jerk * t**2 / 2, a[:-1] + jerk * t
-    motion = travelled(path(np.clip(place, 0.0, 1.0).ravel()), rate.ravel(), second.ravel())
+    motion = traveled(path(np.clip(place, 0.0, 1.0).ravel()), rate.ravel(), second.ravel())
     F = inverse_dynamics(robot, motion, backend="reference").F
     return float(np.sum(F * inverse_kinematics(robot, motion).L_dot) * h / 20)

@@ -7,7 +7,7 @@ from machines import machine_in_motion
 
 from stewart_sym.planning.plan_path import plan_path
 from stewart_sym.planning.pose_path import Family, PosePath, ViaPose
-from stewart_sym.planning.timing.path_terms import Limits, terms_along
+from stewart_sym.planning.timing.path_terms import PathLimits, terms_along
 from stewart_sym.robot.robot import Robot
 
 ROOM = 2.5
@@ -29,7 +29,7 @@ def straight(robot: Robot, poses: tuple[ViaPose, ...]) -> PosePath:
 
 def with_limits(robot: Robot, path: PosePath) -> Robot:
     """The machine with limits of force of the path."""
-    terms = terms_along(robot, path, np.linspace(0.0, 1.0, 201), Limits(acceleration=1.0), "exact")
+    terms = terms_along(robot, path, np.linspace(0.0, 1.0, 201), PathLimits(acceleration=1.0), "exact")
     return dataclasses.replace(robot, force_limit=ROOM * np.abs(terms.e[:, :6]).max(axis=0))
 
 

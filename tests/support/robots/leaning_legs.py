@@ -1,4 +1,4 @@
-"""Legs that lean towards their universal joint's fixed axis."""
+"""Legs that lean toward their universal joint's fixed axis."""
 
 import dataclasses
 
@@ -13,7 +13,7 @@ from stewart_sym.robot.robot import Robot
 def leaning(
     robot: Robot, motion: Motion, sine: float, leg: int = 0, about: ArrayLike = (0.3, -0.5, 0.8)
 ) -> Robot:
-    """The machine with the fixed axis of a leg turned towards the leg."""
+    """The machine with the fixed axis of a leg turned toward the leg."""
     s = ss.inverse_kinematics(robot, motion).s[leg]
     across = np.cross(s, about)
     k = robot.k.copy()

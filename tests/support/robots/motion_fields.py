@@ -31,7 +31,7 @@ def motion_of(values: Array, **loads: ArrayLike) -> Motion:
 def stacked(motions: Iterable[Motion], names: tuple[str, ...] = FIELDS) -> Motion:
     """Motions of one instant as a batch."""
     every = list(motions)
-    return Motion(*(np.stack([getattr(motion, name) for motion in every]) for name in names))
+    return Motion(**{name: np.stack([getattr(motion, name) for motion in every]) for name in names})
 
 
 def skew_part(matrix: Array) -> Array:

@@ -26,7 +26,7 @@ def excited(seed: int) -> ss.Excitation:
 
 @cache
 def experiment(seed: int) -> ss.Experiment:
-    return ss.simulated_experiment(robot(seed), excited(seed), 1.0, seed, NOISE, NOISE)
+    return ss.simulate_experiment(robot(seed), excited(seed), 1.0, seed, NOISE, NOISE)
 
 
 def change(machine: Robot, other: Robot, motion: ss.Motion) -> Array:
@@ -37,6 +37,6 @@ def change(machine: Robot, other: Robot, motion: ss.Motion) -> Array:
 # Bodies
 
 
-def truth(machine: Robot) -> tuple[ss.BaseParameters, Array]:
+def truth(machine: Robot) -> tuple[ss.BaseParametersResult, Array]:
     base = ss.base_parameters(machine)
     return base, base.matrix @ ss.inertial_parameters(machine).values

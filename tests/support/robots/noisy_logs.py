@@ -56,7 +56,7 @@ def logged(found: Case, noise: str, seed: int) -> Array:
     return np.round(values, int(noise))
 
 
-def from_poses(time: Array, t: Array, theta: Array, smoothing: ss.Smoothing = AS_SHOWN) -> Trajectory:
+def from_poses(time: Array, t: Array, theta: Array, smoothing: ss.SmoothingOptions = AS_SHOWN) -> Trajectory:
     """The trajectory of poses over time, differentiated as those of a file."""
     written = {"t": [*t.T], "theta": [*theta.T]}
     log = Log("poses", range(len(time)), time, written, smoothing=smoothing)

@@ -123,7 +123,7 @@ def published() -> dict[str, tuple[Array, Array, Array]]:
 
     up = np.array([0.0, 0.0, 1.0])
     ours = [ss.robots.load(name) for name in ss.robots.NAMES if name != "dasgupta1998"]
-    return {robot.name: (robot.b, robot.p, robot.home) for robot in ours} | {
+    return {robot.name: (robot.b, robot.p, robot.home_position) for robot in ours} | {
         "krex4715": (
             ring(0.12, [20, 100, 140, 220, 260, 340]),
             ring(0.095, [40, 80, 160, 200, 280, 320]),
@@ -197,7 +197,7 @@ def same(*legs: int, of_base: bool = True, of_platform: bool = True) -> Change:
 MIRROR, SECOND, OPPOSITE = [0, 5, 4, 3, 2, 1], [1, 0, 2, 3, 4, 5], [0, 4, 2, 3, 1, 5]
 STROKE = np.tile([0.5, 0.9], (6, 1))
 FLAT = np.array([[0.6, 0.2, 0.1], [0.0, 0.4, -0.1], [0.0, 0.0, 0.0]])
-OF_MILLIMETRES = "given in metres in a file of millimetres"
+OF_MILLIMETERS = "given in meters in a file of millimeters"
 TWICE = "converted from kg mm^2 twice"
 
 
@@ -219,11 +219,11 @@ def along_legs(robot: Robot) -> Robot:
 def few_degrees(robot: Robot) -> Robot:
     """Joint angles in radians in a file of degrees."""
     limits = {"length_limits": STROKE, "joint_angle_limit": np.full((6, 2), np.radians(0.6))}
-    return replace(robot, home=np.array([0.0, 0.0, 0.6]), **limits)
+    return replace(robot, home_position=np.array([0.0, 0.0, 0.6]), **limits)
 
 
 def from_one_end(robot: Robot) -> Robot:
-    """Centres of mass of both parts measured from one end of the leg."""
+    """Centers of mass of both parts measured from one end of the leg."""
     return replace(robot, r_d0=np.tile([0.55, 0, 0], (6, 1)), r_u0=np.tile([-0.65, 0, 0], (6, 1)))
 
 
@@ -239,12 +239,12 @@ def slow_by_friction(robot: Robot) -> Robot:
 BY_DOUBT: dict[str, dict[str, tuple[Change, str]]] = {
     # name of the doubt -> what is wrong: change of a sound machine, words of its cause
     "length-unit": {
-        "millimetres": (scaled(b=1e3, p=1e3), "points in millimetres"),
-        "20 mm in millimetres": (scaled(b=20.0, p=20.0, M=1e-5), "points in millimetres"),
+        "millimeters": (scaled(b=1e3, p=1e3), "points in millimeters"),
+        "20 mm in millimeters": (scaled(b=20.0, p=20.0, M=1e-5), "points in millimeters"),
     },
     "proportion": {
-        "base in millimetres": (scaled(b=1e3), "base points in millimetres"),
-        "platform in millimetres": (scaled(p=1e3), "platform points in millimetres"),
+        "base in millimeters": (scaled(b=1e3), "base points in millimeters"),
+        "platform in millimeters": (scaled(p=1e3), "platform points in millimeters"),
         "exchanged": (
             lambda robot: replace(robot, b=0.6 * robot.p, p=robot.b),
             "base_point and platform_point exchanged",
@@ -252,7 +252,7 @@ BY_DOUBT: dict[str, dict[str, tuple[Change, str]]] = {
         "exchanged, body": (like_base, "which fits the base points; likely cause: base_point and platform"),
         "exchanged, axes": (along_base, "fixed axes along or across the ring of the platform points"),
     },
-    "stray-point": {"one point in millimetres": (one_leg("b", 2, 1e3), "base_point of leg 3")},
+    "stray-point": {"one point in millimeters": (one_leg("b", 2, 1e3), "base_point of leg 3")},
     "coincident": {
         "point copied": (same(0, 1, 1, 3, 4, 5, of_platform=False), "base_point of legs 2, 3 in one place")
     },
@@ -273,7 +273,7 @@ BY_DOUBT: dict[str, dict[str, tuple[Change, str]]] = {
     "center-of-mass": {
         "platform's in mm": (of(R_0=lambda R_0: 1e3 * (R_0 + 0.1)), "platform: center_of_mass"),
         "lower ones in mm": (scaled(r_d0=1e3), "lower part of all legs: center_of_mass"),
-        "lower one in m in a file of mm": (one_leg("r_d0", 1, 1e-3), OF_MILLIMETRES),
+        "lower one in m in a file of mm": (one_leg("r_d0", 1, 1e-3), OF_MILLIMETERS),
         "upper ones of the wrong sign": (scaled(r_u0=-1.0), "wrong sign, expected a negative"),
         "lower ones of the wrong sign": (scaled(r_d0=-0.5), "wrong sign, expected a positive"),
         "lower one beside the leg": (
@@ -286,8 +286,8 @@ BY_DOUBT: dict[str, dict[str, tuple[Change, str]]] = {
         ),
     },
     "tool": {
-        "tool in millimetres": (of(tool=[150.0, 0.0, -600.0]), "given in millimetres"),
-        "tool in metres in a file of millimetres": (of(tool=[1.5e-4, 0.0, -6e-4]), OF_MILLIMETRES),
+        "tool in millimeters": (of(tool=[150.0, 0.0, -600.0]), "given in millimeters"),
+        "tool in meters in a file of millimeters": (of(tool=[1.5e-4, 0.0, -6e-4]), OF_MILLIMETERS),
     },
     "friction": {
         "C_p in another unit": (scaled(C_p=1e5), "C_p of all legs"),
@@ -328,14 +328,14 @@ BY_DOUBT: dict[str, dict[str, tuple[Change, str]]] = {
     },
     "joint-singularity": {"universal axis along the leg": (along_legs, "across the leg")},
     "length-limits": {
-        "limits in millimetres, alike": (alike(1e3), "limits in millimetres"),
-        "limits in centimetres, alike": (alike(1e2), "limits in centimetres"),
-        "limits in millimetres": (scaled(length_limits=1e3), "in millimetres"),
-        "limits in centimetres": (scaled(length_limits=1e2), "in centimetres"),
-        "a stroke in metres in a file of millimetres": (short_stroke, "a stroke of 0.0003 m in legs of"),
+        "limits in millimeters, alike": (alike(1e3), "limits in millimeters"),
+        "limits in centimeters, alike": (alike(1e2), "limits in centimeters"),
+        "limits in millimeters": (scaled(length_limits=1e3), "in millimeters"),
+        "limits in centimeters": (scaled(length_limits=1e2), "in centimeters"),
+        "a stroke in meters in a file of millimeters": (short_stroke, "a stroke of 0.0003 m in legs of"),
         "the stroke for limits": (of(length_limits=np.tile([0.0, 0.2], (6, 1))), "the stroke given"),
     },
-    "home": {"home of another point": (of(home=np.array([0.0, 0.0, 1.7])), "home of another point")},
+    "home": {"home of another point": (of(home_position=np.array([0.0, 0.0, 1.7])), "home of another point")},
     "force-limit": {"force limit in kN": (scaled(force_limit=1e-3), "force_limit in kN")},
     "drive-limit": {"motors without their gear": (driven(torque_limit=1e-4), "motors too weak")},
     "drive-speed": {
@@ -352,11 +352,11 @@ BY_DOUBT: dict[str, dict[str, tuple[Change, str]]] = {
     },
     "speed-limit": {
         "speed limit in mm/s": (scaled(speed_limit=1e3), "given in mm/s"),
-        "speed limit in m/s in a file of millimetres": (
+        "speed limit in m/s in a file of millimeters": (
             of(length_limits=STROKE, speed_limit=np.full(6, 6e-4)),
             "0.4 m of stroke take 667 s",
         ),
-        "speed limit far below the motors' in a file of millimetres": (
+        "speed limit far below the motors' in a file of millimeters": (
             driven(2.4e-3, speed_limit=np.radians(18000.0)),
             "the motor drives leg 1 at up to 0.25 m/s",
         ),
@@ -383,7 +383,7 @@ BY_DOUBT: dict[str, dict[str, tuple[Change, str]]] = {
         "parallel legs": (of(p=ring(0.5, BASE)), "similar hexagons"),
     },
     "part-length": {
-        "lower part in centimetres": (of(lower_length=np.full(6, 30.0)), "another unit"),
+        "lower part in centimeters": (of(lower_length=np.full(6, 30.0)), "another unit"),
         "parts that do not meet": (
             of(lower_length=np.full(6, 0.1), upper_length=np.full(6, 0.1)),
             "not measured from its joint",

@@ -28,10 +28,10 @@ def as_simple_as(robot: Robot, level: Fidelity) -> Robot:
         heavy = 1e-40 if level.legs == "massless" else 1.0
         thick = 1.0 if level.legs == "axisymmetric" else 0.0
         long = 0.0 if level.legs in ("massless", "point_masses") else 1.0
-        for mass, centre, inertia in (("m_d", "r_d0", "I_d0"), ("m_u", "r_u0", "I_u0")):
+        for mass, center, inertia in (("m_d", "r_d0", "I_d0"), ("m_u", "r_u0", "I_u0")):
             tensors = getattr(robot, inertia)
             changes[mass] = heavy * getattr(robot, mass)
-            changes[centre] = on_axis(getattr(robot, centre))
+            changes[center] = on_axis(getattr(robot, center))
             changes[inertia] = diagonal(thick * tensors[:, 0, 0], long * tensors[:, 1, 1])
     if not level.friction:
         changes |= {name: np.zeros(6) for name in ("C_u", "C_p", "C_s")}

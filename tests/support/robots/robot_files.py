@@ -15,7 +15,7 @@ schema = 2
 name = "press"
 length_unit = "mm"
 angle_unit = "deg"
-home = [0, 0, 700]
+home_position = [0, 0, 700]
 base = { radius = 600, angles = [10, 110, 130, 230, 250, 350] }
 
 [platform]

@@ -39,7 +39,9 @@ class SmoothPath:
         x_1 = (self.change + (rate * np.cos(angle)) @ self.sine) / self.duration
         x_2 = -((rate**2 * np.sin(angle)) @ self.sine) / self.duration**2
         omega, alpha = angular_motion_from_vector(x[:, 3:], x_1[:, 3:], x_2[:, 3:])
-        return ss.Motion(rotation_from_vector(x[:, 3:]), x[:, :3], omega, x_1[:, :3], alpha, x_2[:, :3])
+        return ss.Motion(
+            R=rotation_from_vector(x[:, 3:]), t=x[:, :3], omega=omega, v=x_1[:, :3], alpha=alpha, a=x_2[:, :3]
+        )
 
 
 def random_case(rng: np.random.Generator) -> tuple[ss.Robot, SmoothPath]:

@@ -27,13 +27,13 @@ def paper_case(rng: int | np.random.Generator, count: int) -> tuple[ss.Robot, Ar
 
 def paper_legs(name: str = "I") -> tuple[ss.Robot, ss.Motion, Any]:
     """The paper's machine along one of its paths, and its legs."""
-    robot, (path, step) = dasgupta(), ss.PATHS[name]
-    motion = path.sample(path.times(step))
+    robot, (path, step) = dasgupta(), ss.PAPER_PATHS[name]
+    motion = path.sample(path.time_grid(step))
     return robot, motion, ss.inverse_kinematics(robot, motion)
 
 
 def lengths(robot: ss.Robot, R: Array, t: Array) -> Array:
-    return ss.inverse_kinematics(robot, ss.Motion(R, t, STILL, STILL)).L
+    return ss.inverse_kinematics(robot, ss.Motion(R=R, t=t, omega=STILL, v=STILL)).L
 
 
 def nudged(rng: np.random.Generator, R: Array, t: Array, angle: float, way: float) -> Poses:

@@ -161,8 +161,16 @@ def of_reference(robot: Robot, motion: Motion, F: Array) -> tuple[dict[str, Arra
     terms = ss.equations_of_motion(robot, motion, backend="reference", on_singular="nan")
     inertia = ss.joint_space_inertia(robot, motion, backend="reference", on_singular="nan")
     a, alpha = ss.forward_dynamics(robot, motion, F, backend="reference", on_singular="nan")
-    found = {f"equations.{name}": getattr(terms, name) for name in ("M", "C", "g", "friction", "bias")}
-    found |= {"bias.bias": terms.bias, "joint_inertia.inertia": inertia}
+    found = {
+        f"equations.{name}": getattr(terms, name)
+        for name in ("M", "C", "g", "friction", "bias", "bias_and_friction")
+    }
+    found |= {
+        "bias_and_friction.bias_and_friction": terms.bias_and_friction,
+        "joint_inertia.inertia": inertia,
+    }
     found |= {"forward_dynamics.acceleration": np.concatenate([a, alpha])}
-    status = dict.fromkeys(("equations", "bias", "joint_inertia", "forward_dynamics"), int(terms.status))
+    status = dict.fromkeys(
+        ("equations", "bias_and_friction", "joint_inertia", "forward_dynamics"), int(terms.status)
+    )
     return found, status

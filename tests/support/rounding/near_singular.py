@@ -29,9 +29,16 @@ def near_singular_motion(rng: np.random.Generator, robot: Robot) -> Motion:
         R, t = pose(singular * (1 - 10 ** rng.uniform(np.log10(NEAREST), np.log10(0.3))))
         if _clear_of_joint_singularities(robot, R, t):
             return Motion(
-                R, t, start.omega, start.v, start.alpha, start.a, F_ext=start.F_ext, M_ext=start.M_ext
+                R=R,
+                t=t,
+                omega=start.omega,
+                v=start.v,
+                alpha=start.alpha,
+                a=start.a,
+                F_ext=start.F_ext,
+                M_ext=start.M_ext,
             )
-    raise RuntimeError("no motion towards a singular pose found in 1000 draws")
+    raise RuntimeError("no motion toward a singular pose found in 1000 draws")
 
 
 def _on_the_way(start: Motion, turn: Array, shift: Array, way: float) -> tuple[Array, Array]:
@@ -86,5 +93,5 @@ def wild(rng: np.random.Generator, robot: Robot, motion: Motion) -> tuple[Robot,
     }
     return (
         dataclasses.replace(robot, k=k / np.linalg.norm(k, axis=-1, keepdims=True)),
-        Motion(motion.R, motion.t, **vectors),
+        Motion(R=motion.R, t=motion.t, **vectors),
     )

@@ -82,7 +82,7 @@ def fifty_digits(robot: ss.Robot, motion: ss.Motion, F: Array) -> dict[str, Arra
     return {
         "M": M,
         "H": H,
-        "bias": bias,
+        "bias and friction": bias,
         "forward dynamics": acceleration,
         "joint inertia": inverse * M * inverse.T,
         "F": inverse * (M * moving + loaded_bias),
@@ -105,7 +105,7 @@ BLOCK_H = slice(oracle.BLOCKS["H"][1], oracle.BLOCKS["H"][1] + 36)
 
 
 def machines_of(seed: int, count: int) -> tuple[Array, Array, list[ss.Robot]]:
-    """Numbers, sizes and the machines of one metre that they belong to, whose numbers change case by case."""
+    """Numbers, sizes and the machines of one meter that they belong to, whose numbers change case by case."""
     rng = np.random.default_rng(seed)
     robots = [random_machine(rng, legs=LEGS[number % len(LEGS)]) for number in range(count)]
     return np.array([robot_numbers(robot) for robot in robots]), np.ones(count), robots
@@ -149,7 +149,7 @@ def robot_of(robot: ss.Robot, numbers: Array) -> ss.Robot:
 def motion_of(numbers: Array) -> ss.Motion:
     """The motion of shape () with the numbers of the C structure."""
     parts = np.split(numbers, np.cumsum([9, *[3] * 6]))
-    return ss.Motion(parts[0].reshape(3, 3), *parts[1:])
+    return ss.Motion(R=parts[0].reshape(3, 3), **dict(zip(list(MOTION)[1:], parts[1:], strict=True)))
 
 
 def joined(motions: list[ss.Motion]) -> ss.Motion:
@@ -181,7 +181,7 @@ def outputs(closed: Any, motion: ss.Motion, F: Array) -> tuple[dict[str, Array],
     """Every output of a closed form's kernels by function and name, and each function's status."""
     found, status = {}, {}
     for what in OUTPUTS:
-        result = closed.run(what, motion, F if what in ("forward_dynamics", "linearisation") else None)
+        result = closed.run(what, motion, F if what in ("forward_dynamics", "linearization") else None)
         status[what] = int(result.pop("status"))
         found |= {f"{what}.{name}": value for name, value in result.items()}
     return found, status
@@ -223,7 +223,7 @@ def _given(values: Array) -> NDArray[np.int64]:
 
 
 def _size_and_mass(rng: np.random.Generator, number: int) -> tuple[float, float]:
-    """One metre and ten kilograms, or anything."""
+    """One meter and ten kilograms, or anything."""
     return (
         (1.0, 10.0) if number % 2 else (float(10.0 ** rng.uniform(-3, 2)), float(10.0 ** rng.uniform(-3, 3)))
     )

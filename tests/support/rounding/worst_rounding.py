@@ -274,7 +274,7 @@ static Number epsilon_here() { return Number(counted() ? 2 * unit : 0); }
 
 _RUN = """\
 #include "traced.h"
-/* Thousands of calls in a row: to optimise them takes longer than to run them. */
+/* Thousands of calls in a row: to optimize them takes longer than to run them. */
 #pragma GCC push_options
 #pragma GCC optimize("O0")
 #include "stewart_exact_bounds.c"

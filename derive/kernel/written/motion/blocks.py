@@ -155,7 +155,7 @@ def one_by_one() -> None:
         if not first + l < count:
             break
         pose = first + l
-        code = where(block.bad[l] > 0.0, INDEFINITE, OK)
+        code = where(block.bad[l] > 0.0, MASS_MATRIX_INDEFINITE, OK)
         if FORCES_FIRST:
             if code == OK:
                 code = slopes(model.per_length, row[l * WIDTH :], F[l * 6 :], found)

@@ -35,11 +35,12 @@ def matrices(
         SYMMETRIC
     for i in range(6):
         for l in range(lanes):
-            total = number[(G + i) * lanes + l] + number[(FRICTION + i) * lanes + l]
+            total = number[(G + i) * lanes + l]
             for j in each(3):
                 total = total + number[(C + 6 * i + j) * lanes + l] * v[j * lanes + l]
                 total = total + number[(C + 6 * i + j + 3) * lanes + l] * omega[j * lanes + l]
             number[(BIAS + i) * lanes + l] = total
+            number[(WITH_FRICTION + i) * lanes + l] = total + number[(FRICTION + i) * lanes + l]
 
 
 def not_finite(number: "alone(Pointer(Real))", count: "Integer", none: "alone(array(LANES))") -> None:
@@ -51,8 +52,8 @@ def not_finite(number: "alone(Pointer(Real))", count: "Integer", none: "alone(ar
             none[l] = none[l] + 0.0 * number[LANES * i + l]
 
 
-def bias(model: "Model", motion: "Motion", out: "array(6)") -> "Integer":
-    """Bias of one pose."""
+def bias_and_friction(model: "Model", motion: "Motion", out: "array(6)") -> "Integer":
+    """Bias of one pose, with friction."""
     legs = blank(Legs)
     number = blank(array(6))
     none = 0.0
@@ -87,14 +88,14 @@ def solve_inertia(
 
 
 def accelerations_of(legs: "Legs", summed: "array(COUNT)", out: "Found") -> None:
-    """The accelerations of a pose; INDEFINITE where elimination leaves too little of M."""
+    """The accelerations of a pose; MASS_MATRIX_INDEFINITE where elimination leaves too little of M."""
     pivot = blank(array(6))
     out.status = legs.status
     if legs.status == OK:
         solve_inertia(summed, 1, out.acceleration, pivot)
         for k in each(6):
             if out.status == OK and not pivot[k] > KEPT * inertia[k, k]:
-                out.status = where(size(pivot[k]) <= MAX, INDEFINITE, NOT_FINITE)
+                out.status = where(size(pivot[k]) <= MAX, MASS_MATRIX_INDEFINITE, NOT_FINITE)
 
 
 # ---------------------------------------------------------------- derivatives

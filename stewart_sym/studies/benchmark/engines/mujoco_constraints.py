@@ -18,9 +18,9 @@ with needed_for("the comparison with MuJoCo"):
 
 
 STIFFNESS = 1e7
-"""1/s^2: MuJoCo's acceleration of a closed point for each metre that it is open.
+"""1/s^2: MuJoCo's acceleration of a closed point for each meter that it is open.
 
-So large that nanometres hold the loops together, so small that rounding of joint coordinates doesn't matter.
+So large that nanometers hold the loops together, so small that rounding of joint coordinates doesn't matter.
 """
 
 _CORRECTIONS = 3
@@ -31,7 +31,7 @@ def mujoco_engine(robot: Robot, tree: Tree) -> Called:
     """``mj_forward`` with five ``connect`` constraints, one step of Newton's method on dense matrices.
 
     Its constraints give way in proportion to their force. That is made up for: the legs are moved by
-    nanometres, beforehand, so that the constraints' springs push as much as is missing.
+    nanometers, beforehand, so that the constraints' springs push as much as is missing.
     """
     model = mujoco.MjModel.from_xml_string(_xml(robot))
     nothing = mujoco.MjModel.from_xml_string(f"<mujoco>{_option(np.zeros(3))}</mujoco>")
@@ -68,7 +68,7 @@ def _xml(robot: Robot) -> str:
     legs = ""
     for i, quaternion in enumerate(quaternions):
         tip = platform if i == CARRIER else f'<site name="tip{i}"/>'
-        slide = f'<joint type="slide" axis="1 0 0" armature="{_text(robot.m_r[i])}"/>'
+        slide = f'<joint type="slide" axis="1 0 0" armature="{_text(robot.reflected_mass[i])}"/>'
         upper = _body(slide, robot.m_u[i], robot.r_u0[i], robot.I_u0[i], tip)
         hinges = '<joint type="hinge" axis="1 0 0"/><joint type="hinge" axis="0 1 0"/>'
         place = f' pos="{_text(robot.b[i])}" quat="{_text(quaternion)}"'

@@ -2,7 +2,7 @@
 
 Six legs, each revolute about k, revolute about y, prismatic along s. For forward dynamics the platform hangs
 on the last leg by a spherical joint, and five points remain to be closed; for inverse dynamics it is free,
-and the loops are closed after it. Joint coordinates, rates, accelerations, friction, generalised forces and
+and the loops are closed after it. Joint coordinates, rates, accelerations, friction, generalized forces and
 Jacobians of the closed loops are prepared beforehand and not timed. Engines share no equation with the
 generated kernels.
 """
@@ -135,7 +135,7 @@ def tree(robot: Robot, motion: Motion, F: Array) -> Tree:
 
 
 def _forces(robot: Robot, motion: Motion, F: Array, legs: Legs) -> Array:
-    """Generalised forces of the joints, (n, 21)."""
+    """Generalized forces of the joints, (n, 21)."""
     R, omega = motion.R, motion.omega
     friction = robot.C_s[:, None] * (legs.W - omega[:, None])
     joints = np.concatenate([-robot.C_u[:, None] * legs.rates[..., :2], np.zeros_like(F)[..., None]], axis=-1)
@@ -188,7 +188,7 @@ def newton_euler(
 ) -> Called:
     """A baseline made of a call of an engine's inverse dynamics and a solve.
 
-    tau: generalised forces that the engine found, (n, 24), those of the legs first; rates: of the platform's
+    tau: generalized forces that the engine found, (n, 24), those of the legs first; rates: of the platform's
     joint by its twist [v; omega], (n, 6, 6); run, empty: the engine's call over all poses, and over nothing.
     """
     legs = states.legs

@@ -6,7 +6,7 @@
 #include <float.h>
 
 #if defined(__OPTIMIZE__) && (defined(WIDE) || defined(QUAD))
-/* The truth is made in calls of a library or by the x87 unit: optimising it gains little and takes compilers long. */
+/* The truth is made in calls of a library or by the x87 unit: optimizing it gains little and takes compilers long. */
 #pragma GCC optimize("O1")
 #endif
 
@@ -42,16 +42,16 @@
 #define stewart_exact_forces_batch OWN(stewart_exact_forces_batch)
 #define stewart_exact_forces_columns OWN(stewart_exact_forces_columns)
 #define stewart_exact_equations OWN(stewart_exact_equations)
-#define stewart_exact_bias OWN(stewart_exact_bias)
+#define stewart_exact_bias_and_friction OWN(stewart_exact_bias_and_friction)
 #define stewart_exact_forward_dynamics OWN(stewart_exact_forward_dynamics)
 #define stewart_exact_joint_inertia OWN(stewart_exact_joint_inertia)
 #define stewart_exact_derivatives OWN(stewart_exact_derivatives)
-#define stewart_exact_linearisation OWN(stewart_exact_linearisation)
+#define stewart_exact_linearization OWN(stewart_exact_linearization)
 #define stewart_exact_equations_batch OWN(stewart_exact_equations_batch)
-#define stewart_exact_bias_batch OWN(stewart_exact_bias_batch)
+#define stewart_exact_bias_and_friction_batch OWN(stewart_exact_bias_and_friction_batch)
 #define stewart_exact_forward_dynamics_batch OWN(stewart_exact_forward_dynamics_batch)
 #define stewart_exact_joint_inertia_batch OWN(stewart_exact_joint_inertia_batch)
 #define stewart_exact_derivatives_batch OWN(stewart_exact_derivatives_batch)
-#define stewart_exact_linearisation_batch OWN(stewart_exact_linearisation_batch)
+#define stewart_exact_linearization_batch OWN(stewart_exact_linearization_batch)
 
 #endif

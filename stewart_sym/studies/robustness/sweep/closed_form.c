@@ -38,11 +38,11 @@ static void solved(
             continue;
         }
         status[k] = k == 0 ? stewart_exact_equations(&model, &at, &out->equations)
-            : k == 1       ? stewart_exact_bias(&model, &at, out->bias)
+            : k == 1       ? stewart_exact_bias_and_friction(&model, &at, out->bias)
             : k == 2       ? stewart_exact_forward_dynamics(&model, &at, F, out->acceleration)
             : k == 3       ? stewart_exact_joint_inertia(&model, &at, out->inertia)
             : k == 4       ? stewart_exact_derivatives(&model, &at, &out->derivatives)
-                           : stewart_exact_linearisation(&model, &at, F, &out->linearisation);
+                           : stewart_exact_linearization(&model, &at, F, &out->linearization);
     }
 }
 
@@ -53,7 +53,7 @@ void OWN(closed_form)(
     uint64_t seed, double *high, double *low, double *change, int *status)
 {
     static const int of_kernel[CLOSED_KERNELS] = {
-        NUMBERS(stewart_equations), 6, 6, 36, NUMBERS(stewart_derivatives), NUMBERS(stewart_linearisation)
+        NUMBERS(stewart_equations), 6, 6, 36, NUMBERS(stewart_derivatives), NUMBERS(stewart_linearization)
     };
     union {
         outputs of;

@@ -66,8 +66,8 @@ def random_motion(rng: np.random.Generator, robot: Robot) -> Motion:
     rate = float(np.sqrt(GRAVITY / size))
     at_home = robot.b.mean(axis=0) + np.array([0.0, 0.0, 1.1 * size])
     return Motion(
-        rotation_from_vector(0.2 * rng.normal(size=3)),
-        at_home + 0.15 * size * rng.normal(size=3),
+        R=rotation_from_vector(0.2 * rng.normal(size=3)),
+        t=at_home + 0.15 * size * rng.normal(size=3),
         omega=0.5 * rate * rng.normal(size=3),
         v=0.5 * rate * size * rng.normal(size=3),
         alpha=0.5 * rate**2 * rng.normal(size=3),

@@ -72,7 +72,7 @@ of itself do to it; of kinds "proportions" and "far reference point" at least th
 
 _POWERS = {
     **dict.fromkeys(("M", "C"), (-1, -1)),
-    **dict.fromkeys(("g", "friction", "bias", "H", "H_dot"), (-1, 0)),
+    **dict.fromkeys(("g", "friction", "bias", "bias_and_friction", "H", "H_dot"), (-1, 0)),
     "acceleration": (1, 0),
     "inertia": (0, 0),
     "F": (0, 0),

@@ -20,7 +20,7 @@ typedef struct {
     stewart_equations equations;
     stewart_real bias[6], acceleration[6], inertia[36];
     stewart_derivatives derivatives;
-    stewart_linearisation linearisation;
+    stewart_linearization linearization;
 } outputs;
 #define CLOSED_NUMBERS NUMBERS(outputs)
 

@@ -163,7 +163,7 @@ def report(found: Sweep) -> str:
 
 
 def random_machines(rng: np.random.Generator, count: int, singular: bool) -> tuple[Array, Array]:
-    """Numbers (count, 205) and sizes (count,), half of one metre's order, half anywhere in the extremes.
+    """Numbers (count, 205) and sizes (count,), half of one meter's order, half anywhere in the extremes.
 
     singular: machines of the families of ``singular_machines`` in turn.
     """

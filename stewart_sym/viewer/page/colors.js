@@ -1,4 +1,4 @@
-// Colours of forces: blue where a leg pulls, red where it pushes, light where it does neither.
+// Colors of forces: blue where a leg pulls, red where it pushes, light where it does neither.
 
 const STEPS = [
   [33, 102, 172],
@@ -11,8 +11,8 @@ const STEPS = [
 ];
 const UNKNOWN = [128, 128, 128];
 
-// Colour, 0 to 255, of a force on a scale from -scale to scale, N; what is beyond has the colour of the end.
-export function forceColour(force, scale) {
+// Color, 0 to 255, of a force on a scale from -scale to scale, N; what is beyond has the color of the end.
+export function forceColor(force, scale) {
   if (!Number.isFinite(force)) return UNKNOWN;
   const share = scale > 0 ? Math.max(-1, Math.min(1, force / scale)) : 0;
   const at = ((share + 1) / 2) * (STEPS.length - 1);
@@ -25,8 +25,8 @@ export function gradient() {
   return `linear-gradient(to right, ${STEPS.map((rgb) => `rgb(${rgb.join(" ")})`).join(", ")})`;
 }
 
-// A colour of the style sheet's variables as numbers 0 to 1; the theme decides.
-export function themeColour(name, opacity = 1) {
+// A color of the style sheet's variables as numbers 0 to 1; the theme decides.
+export function themeColor(name, opacity = 1) {
   const text = getComputedStyle(document.documentElement).getPropertyValue(name).trim();
   const value = parseInt(text.slice(1), 16);
   return [((value >> 16) & 255) / 255, ((value >> 8) & 255) / 255, (value & 255) / 255, opacity];
