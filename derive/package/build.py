@@ -6,7 +6,7 @@ The switches are those under which the kernels' error bounds hold.
 import re
 from collections.abc import Sequence
 
-from .words import template
+from .text_format import template
 
 FILES = ("CMakeLists.txt", "Config.cmake.in", "Makefile")
 """The second is what ``find_package(<symbol>)`` runs, as a template that the first reads."""

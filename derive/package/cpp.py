@@ -12,7 +12,7 @@ from ..kernel.interface import Argument
 from ..kernel.outputs import FORCES, OUTPUTS
 from ..kernel.tree.constants import STATUSES
 from .functions import DRIVES, MODEL, NOTHING, ROBOT, Function
-from .words import template
+from .text_format import template
 
 _CLASSES = {
     ROBOT: "class_of_robot",

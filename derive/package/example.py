@@ -9,7 +9,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from ..kernel.interface import Argument
 from .functions import MODEL, Function, Vector, flat, includes
 from .robot import Machine
-from .words import braces, in_comment, literal, motion_members, template
+from .text_format import braces, in_comment, literal, motion_members, template
 
 
 def example(machine: Machine, functions: Sequence[Function], vectors: Mapping[str, Sequence[Vector]]) -> str:

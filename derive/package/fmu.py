@@ -19,7 +19,7 @@ from ..program.block import AXES, Quantity
 from . import licence
 from .functions import Function, Part
 from .robot import Machine
-from .words import Numbers, stored, template
+from .text_format import Numbers, stored, template
 
 STEP = 0.001
 """Step that the description proposes, s."""

@@ -2,7 +2,7 @@
 
 from .functions import MODEL, Function
 from .robot import HEADER, Machine
-from .words import in_comment, template
+from .text_format import in_comment, template
 
 FORCES_HEADER = "stewart_kit.h"
 """File name of the header."""

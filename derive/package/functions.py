@@ -7,7 +7,7 @@ from typing import Any
 from ..kernel.interface import CALLS, Call, Member
 from ..mechanics import quantities as n
 from .robot import HEADER
-from .words import Numbers
+from .text_format import Numbers
 
 ROBOT, MODEL, DRIVES, NOTHING = "robot", "model", "drives", ""
 

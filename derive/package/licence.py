@@ -1,6 +1,6 @@
 """The terms under which generated code may be used: free of any condition."""
 
-from .words import template
+from .text_format import template
 
 SAYS = "Generated code: use, change and pass it on without any condition; no warranty (SPDX: 0BSD)."
 

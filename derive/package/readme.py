@@ -9,11 +9,11 @@ from ..kernel.tree.constants import STATUSES
 from ..mechanics import quantities as n
 from ..print.c import wrapped
 from . import licence
-from .deviations import deviations
 from .forces_name import FORCES_HEADER
 from .functions import DRIVES, MODEL, Function, Part, reads_robot
+from .misra_deviations import deviations
 from .robot import Machine
-from .words import in_markdown, table, template
+from .text_format import in_markdown, table, template
 
 
 @dataclass(frozen=True)

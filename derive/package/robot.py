@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from ..kernel.interface import STRUCTS
 from ..mechanics import quantities as n
-from .words import Numbers, braces, in_comment, literals_of_legs, member, robot_symbol, stored, template
+from .text_format import Numbers, braces, in_comment, literals_of_legs, member, robot_symbol, stored, template
 
 HEADER, SOURCE = "stewart_robot.h", "stewart_robot.c"
 """File names of the constants: not the commonplace robot.h."""

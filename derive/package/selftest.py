@@ -9,7 +9,7 @@ from ..kernel.interface import STRUCTS, Member
 from ..mechanics import quantities as n
 from .functions import MODEL, ROBOT, Function, Vector, flat, includes, reads_robot
 from .robot import Machine
-from .words import Numbers, in_comment, literal, literals_of_legs, motion_members, stored, template
+from .text_format import Numbers, in_comment, literal, literals_of_legs, motion_members, stored, template
 
 PER_LINE = 4
 _ZERO = {q.name: [[0.0] * 3] * 3 if len(q.shape) == 2 else [0.0] * 3 for q in n.MOTION}

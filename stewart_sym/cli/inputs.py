@@ -28,10 +28,10 @@ def robot_of(source: Path) -> "Robot":
 
 def warn_of_doubts(robot: "Robot", source: Path) -> None:
     """Warn of a robot's doubtful numbers, in one line each; ``source``: the file that gives or names it."""
-    from ..plausibility.plausibility import doubts
+    from ..plausibility.plausibility import find_implausible
     from ..robot.robot import RobotWarning
 
-    for name, text in doubts(robot):
+    for name, text in find_implausible(robot):
         warn(f"{source}: {text} [{name}]", RobotWarning)
 
 
@@ -44,7 +44,7 @@ def trajectory_of(
     from ..motion.trajectory import SmoothingOptions
 
     if not arguments.smoothing:
-        for name in ("noise_position", "noise_angle", "cutoff"):
+        for name in ("position_std", "angle_std", "cutoff"):
             if getattr(arguments, name) is not None:
                 option = name.replace("_", "-")
                 raise ValueError(f"--{option}: is for smoothing, expected no --no-smoothing beside it")
@@ -68,7 +68,7 @@ def stated_noise(
     arguments: argparse.Namespace, form: "TrajectoryFormat"
 ) -> "tuple[float | None, float | None]":
     """Stated noise of positions, m, and of angles, rad: the options are in the units of the log."""
-    position, angle = arguments.noise_position, arguments.noise_angle
+    position, angle = arguments.position_std, arguments.angle_std
     return (
         None if position is None else position * form.meters_per_unit,
         None if angle is None else angle * form.radians_per_unit,
@@ -99,18 +99,18 @@ def poses_of(
     """Poses of a log that was read as the options say, found from leg lengths if it holds these."""
     import numpy as np
 
-    from ..kinematics.log_doubts import side_doubt
+    from ..kinematics.trajectory_checks import side_doubt
     from ..motion.rotation import rotation_from_rpy
     from ..motion.trajectory import JointTrajectory
     from ..singularities.joint_space import on_platform
 
-    start = None if arguments.start is None else np.asarray(arguments.start)
+    start = None if arguments.pose_guess is None else np.asarray(arguments.pose_guess)
     if isinstance(log, JointTrajectory):
         guess = None if start is None else (rotation_from_rpy(start[3:]), start[:3])
         poses = on_platform(robot, log, guess, progress)
         if start is not None and (doubt := side_doubt(robot, poses.motion)) is not None:
-            warn(f"--start: {doubt}")
+            warn(f"--pose-guess: {doubt}")
         return poses
     if start is not None:
-        raise ValueError("--start: is for a trajectory of leg lengths, this one is of poses")
+        raise ValueError("--pose-guess: is for a trajectory of leg lengths, this one is of poses")
     return log

@@ -18,10 +18,10 @@ from typing import Any, NoReturn
 
 from ..backend.native import CompilerError
 from ..io.arguments import no_option, shown
+from ..io.atomic_write import named
 from ..io.blas import take_work_area
 from ..io.extras import needed_for
 from ..io.interrupts import as_interrupts, exit_code
-from ..io.writing import named
 from .terminal import PROGRAM, give_up_stdout, one_line, warnings_in_lines
 
 SUBCOMMANDS = {
@@ -34,19 +34,19 @@ SUBCOMMANDS = {
     "forces": "machine.forces",
     "singularities": "machine.singularities",
     "workspace": "machine.workspace",
-    "size": "machine.size",
+    "size-actuators": "machine.size_actuators",
     "plan": "machine.plan",
     "simulate": "machine.simulate",
     "view": "machine.view",
     "control": "studies.control",
     "controller": "studies.controller",
-    "advise": "studies.advise",
+    "choose-fidelity": "studies.choose_fidelity",
     "chart": "studies.chart",
     "derive": "code.derive",
     "generate": "code.generate",
     "cmake-dir": "code.cmake_dir",
     "identify": "machine.identify",
-    "bench": "studies.bench",
+    "benchmark": "studies.benchmark",
     "stability": "studies.stability",
 }
 """Module of each subcommand, in the order of the help.

@@ -21,10 +21,10 @@ def output(
     metavar: str,
     what: str,
     default: Path | str | None,
-    pictures: bool = False,
+    plots: bool = False,
     html: bool = False,
 ) -> None:
-    """``-o``, ``--json`` and ``--force``; with ``pictures`` ``--no-pictures``, with ``html`` ``--html``.
+    """``-o``, ``--json`` and ``--force``; with ``plots`` ``--no-plots``, with ``html`` ``--html``.
 
     ``default``: a path, words for what happens without the option, or None where it must be given.
     """
@@ -34,9 +34,9 @@ def output(
     parser.add_argument(
         "-o", "--output", metavar=metavar, type=kind, required=default is None, default=path, help=text
     )
-    if pictures:
+    if plots:
         text = "tables and CSV only, without Matplotlib"
-        parser.add_argument("--no-pictures", dest="pictures", action="store_false", help=text)
+        parser.add_argument("--no-plots", dest="plots", action="store_false", help=text)
     if html:
         text = "also write text, tables, figures and motions as one HTML file that needs no network"
         parser.add_argument("--html", metavar="FILE", type=path_name, help=text)
@@ -140,16 +140,16 @@ def log_options(parser: argparse.ArgumentParser) -> None:
 
 
 def noise_options(parser: argparse._ActionsContainer, text: str, position: str, angle: str) -> None:
-    """``--noise-position`` and ``--noise-angle``; ``text``: of the help, with what is meant and its unit."""
+    """``--position-std`` and ``--angle-std``; ``text``: of the help, with what is meant and its unit."""
     for name, kind, what in (("position", "length", position), ("angle", "angle", angle)):
-        valued(parser, f"noise-{name}", positive, text.format(what, kind), metavar="SIGMA")
+        valued(parser, f"{name}-std", positive, text.format(what, kind), metavar="STD")
 
 
 def log_form(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:
     """Options of names, units and marks in a trajectory's file, and the pose near its first leg lengths."""
     group = parser.add_argument_group("the trajectory's file")
     group.add_argument(
-        "--start",
+        "--pose-guess",
         nargs=6,
         type=finite,
         metavar=("t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z"),
@@ -177,7 +177,7 @@ def log_form(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:
         help="order in which the rotations are multiplied; default: the robot file's, else zyx, R = Rz Ry Rx",
     )
     group.add_argument(
-        "--lengths",
+        "--length-mode",
         choices=("absolute", "relative"),
         help="whether leg lengths are less those of the home pose; default: the robot file's, else absolute",
     )

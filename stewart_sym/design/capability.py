@@ -15,11 +15,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..dynamics.equations import equations_of_motion
-from ..dynamics.inverse import inverse_dynamics
+from ..dynamics.inverse_dynamics import inverse_dynamics
 from ..io.arguments import finite_array, instance, option
 from ..io.array_types import Array
 from ..io.frozen import Frozen
-from ..kinematics.inverse import wrench_matrix
+from ..kinematics.inverse_kinematics import wrench_matrix
 from ..motion.motion import Motion
 from ..results import OK
 from ..robot.robot import Robot, legs_text
@@ -98,7 +98,9 @@ class Polytope(Frozen):
             For d = 6, whose parts have different units.
         """
         if self.normals.shape[-1] == 6:
-            raise ValueError(f"inscribed_radius: expected d = 3, {self.quantity} has parts of different units")
+            raise ValueError(
+                f"inscribed_radius: expected d = 3, {self.quantity} has parts of different units"
+            )
         return np.asarray(self.offsets.min(axis=-1))
 
     def vertices(self) -> Array:

@@ -11,13 +11,13 @@ from numpy.typing import NDArray
 
 from ..dynamics.forces import ForceKernel
 from ..dynamics.home_pose import home_pose
-from ..dynamics.inverse import inverse_dynamics, with_compiler
+from ..dynamics.inverse_dynamics import inverse_dynamics, with_compiler
 from ..io.arguments import finite_array, instance, number_in, truth
 from ..io.array_types import Array, Flags
 from ..io.frozen import Frozen
 from ..kinematics.clearance import PAIRS, distances_of, joined, neutral_directions
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
-from ..kinematics.inverse import leg_vectors, length_rows
+from ..kinematics.inverse_kinematics import leg_vectors, length_rows
 from ..kinematics.mounting import up_direction
 from ..motion.motion import Motion
 from ..robot.robot import Robot, legs_text

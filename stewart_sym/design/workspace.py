@@ -20,9 +20,9 @@ from ..io.progress import Progress, silent
 from ..kinematics.conditioning import characteristic_length
 from ..motion.rotation import rotation_from_rpy
 from ..robot.robot import Robot
-from . import cells, jobs
-from .cells import Cells, Tally
+from . import parallel, stratified_sampling
 from .pose_limits import REASONS, PoseExaminer, PoseLimits, at_reference
+from .stratified_sampling import Cells, Tally
 
 Kind = Literal["constant_orientation", "orientation", "six_dof"]
 
@@ -154,15 +154,15 @@ def workspace(
     limits = PoseLimits() if limits is None else limits
     count = whole_number(samples, "samples", 100, "a whole number from 100 to 10^12", _MOST)
     seed = whole_number(seed, "seed", 0, "a whole number from 0 to 2^63 - 1", 2**63 - 1)
-    examined = Region(
-        PoseExaminer(robot, at_reference(robot, limits)), kind, *middle(robot, position, rpy)
-    )
+    examined = Region(PoseExaminer(robot, at_reference(robot, limits)), kind, *middle(robot, position, rpy))
     search = examined.box(position_bounds, rpy_bounds)
     progress("leaving out what legs can't reach")
-    grid = cells.cells_of(search, count, examined.weights, examined.surely_broken)
-    look = functools.partial(cells.tally, examine=examined.examine, codes=len(REASONS))
-    tallies = jobs.run(cells.jobs_of(grid, seed), look, scheduler, progress, f"examining {count} poses")
-    found = cells.total(tallies, len(search), len(REASONS))
+    grid = stratified_sampling.cells_of(search, count, examined.weights, examined.surely_broken)
+    look = functools.partial(stratified_sampling.tally, examine=examined.examine, codes=len(REASONS))
+    tallies = parallel.run(
+        stratified_sampling.jobs_of(grid, seed), look, scheduler, progress, f"examining {count} poses"
+    )
+    found = stratified_sampling.total(tallies, len(search), len(REASONS))
     if not found.codes[0]:
         warn("workspace: no pose within the limits was found", WorkspaceWarning)
     result = examined.workspace(grid, found, position_bounds is None)
@@ -283,7 +283,7 @@ class Region(Frozen):
 
     def workspace(self, grid: Cells, found: Tally, within_reach: bool) -> WorkspaceResult:
         """What was found in words of the user; within_reach: whether no leg reaches beyond the grid."""
-        size, error = cells.volume(grid, found)
+        size, error = stratified_sampling.volume(grid, found)
         examined = max(1, int(found.codes.sum()))
         own = self.examiner.broken_limits(self.rotation[None], (self.position - self.arm)[None])[0]
         clear = 0.0 if own else found.nearest

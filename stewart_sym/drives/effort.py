@@ -8,21 +8,21 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..dynamics.inverse import Backend, Formulation, inverse_dynamics
+from ..dynamics.inverse_dynamics import Backend, Formulation, inverse_dynamics
 from ..io.arguments import finite_array, instance, real_array
 from ..io.array_types import Array, Flags
 from ..io.error_policy import SingularPoseWarning, warn
 from ..io.frozen import Frozen, read_only
-from ..io.instants import least_step, time_text
-from ..kinematics.inverse import inverse_kinematics
-from ..kinematics.log_doubts import side_change
+from ..io.sample_times import least_step, time_text
+from ..kinematics.inverse_kinematics import inverse_kinematics
+from ..kinematics.trajectory_checks import side_change
 from ..motion.motion import Motion
 from ..motion.trajectory import PoseLog, Trajectory
 from ..robot.drive import Drive
 from ..robot.robot import LEGS, Robot
-from .instants import Instants, at_instants
+from .limit_status import USED_UP, Beyond, Extremes, Sides, amount_text, limit_status, status_codes
+from .motor_states import MotorStates, motor_states
 from .noise import MotorDeviations, all_deviations, at_replaced
-from .verdicts import USED_UP, Beyond, Extremes, Sides, amount_text, codes, verdicts
 
 
 class DriveLimitWarning(UserWarning):
@@ -134,7 +134,7 @@ def drive_effort(
     instance(motion, Motion, "motion")
     when = None if time is None else _times(time, motion)
     F = inverse_dynamics(robot, motion, formulation, backend).F
-    found = at_instants(robot, robot.drive, motion, F, inverse_kinematics(robot, motion).L_dot)
+    found = motor_states(robot, robot.drive, motion, F, inverse_kinematics(robot, motion).L_dot)
     weights = np.full(motion.shape, 1.0) if when is None else trapezoids(when)
     summary = Summary(robot.drive, 0.0 if when is None else least_step(when))
     sd = there = None
@@ -240,7 +240,7 @@ class Summary:
 
     def add(
         self,
-        part: Instants,
+        part: MotorStates,
         weights: Array,
         time: Array | None,
         sd: MotorDeviations | None = None,
@@ -252,7 +252,7 @@ class Summary:
         """
         if not part.torque.size:
             return
-        flat = Instants(*(None if x is None else x.reshape(-1, LEGS) for x in part))  # type: ignore[arg-type]
+        flat = MotorStates(*(None if x is None else x.reshape(-1, LEGS) for x in part))  # type: ignore[arg-type]
         good = np.isfinite(flat.torque)
         each = weights.ravel()[:, None] * good
         self.energy = self.energy + np.sum(each * np.where(good, flat.electrical_power, 0.0), axis=0)
@@ -261,7 +261,9 @@ class Summary:
         if sd is not None:
             self.noisy = True
             counted = each > 0.0
-            self.energy_sd = self.energy_sd + np.sum(each * np.where(counted, sd.electrical_power, 0.0), axis=0)
+            self.energy_sd = self.energy_sd + np.sum(
+                each * np.where(counted, sd.electrical_power, 0.0), axis=0
+            )
             self._square_sd = self._square_sd + np.sum(each * np.where(counted, sd.torque, 0.0) ** 2, axis=0)
 
         def when(instants: list[int]) -> list[str]:
@@ -321,20 +323,20 @@ class Summary:
         """Of each leg's limit of one of ``PEAKS``, or of "rated_torque"."""
         if name == "rated_torque":
             limits = self.drive.rated_torque * (1.0 + USED_UP)
-            return verdicts(self.rms_torque[None], limits, _row(self.rms_torque_sd))
+            return limit_status(self.rms_torque[None], limits, _row(self.rms_torque_sd))
         return self.extremes[name].verdicts(getattr(self.drive, f"{name}_limit") * (1.0 + USED_UP))
 
 
 def motor_codes(
-    drive: Drive, part: Instants, sd: MotorDeviations | None = None, there: Flags | None = None
+    drive: Drive, part: MotorStates, sd: MotorDeviations | None = None, there: Flags | None = None
 ) -> dict[str, NDArray[np.uint8]]:
-    """``codes`` at instants by the names of ``PEAKS``, (n, 6); arguments as of ``Summary.add``."""
+    """``status_codes`` at instants by the names of ``PEAKS``, (n, 6); arguments as of ``Summary.add``."""
     found = {}
     for name in PEAKS:
         values = getattr(part, name)
         if values is not None:
             limits = getattr(drive, f"{name}_limit") * (1.0 + USED_UP)
-            found[name] = codes(np.abs(values), limits, _sides(drive, sd, name), there)
+            found[name] = status_codes(np.abs(values), limits, _sides(drive, sd, name), there)
     return found
 
 

@@ -8,14 +8,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..io.array_types import Array, Flags
-from ..io.instants import elapsed, least_step, time_text
+from ..io.sample_times import elapsed, least_step, time_text
 from ..kinematics.clearance import angles_from, neutral_directions
 from ..motion.motion import Motion
 from ..motion.trajectory import PoseLog, Replaced, Trajectory
 from ..robot.robot import LEGS, Robot
 from .effort import trapezoids
+from .limit_status import AT_REPLACED, USED_UP, Beyond, Extremes, amount_text, status_codes
 from .noise import Deviations, reached_legs
-from .verdicts import AT_REPLACED, USED_UP, Beyond, Extremes, amount_text, codes
 
 # One line names at most so many replaced rows.
 _MOST_NAMED = 4
@@ -75,9 +75,9 @@ def limited_angles(robot: Robot, motion: Motion) -> dict[str, Array]:
 def leg_codes(
     robot: Robot, name: str, values: Array, sd: Array | None = None, there: Flags | None = None
 ) -> NDArray[np.uint8]:
-    """``codes`` of the values at instants, (n, 6), named as a limit's; sd, there: as of ``codes``."""
+    """``status_codes`` of the values at instants, (n, 6), named as a limit's; sd, there: as of ``status_codes``."""
     found = [
-        codes(limit.sizes(values), limit.most(robot), sd, there)
+        status_codes(limit.sizes(values), limit.most(robot), sd, there)
         for limit in LEG_LIMITS
         if limit.values == name
     ]
@@ -103,7 +103,7 @@ class LegLimits:
     ) -> None:
         """Take in F, L, L_dot and ``limited_angles``, (n, 6), at some of the instants.
 
-        sd, there: as of ``codes``.
+        sd, there: as of ``status_codes``.
         """
         time = self.time[where]
         for k, limit in enumerate(LEG_LIMITS):

@@ -10,25 +10,25 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..dynamics.force_noise import CHUNK, displaced, forces_of
-from ..dynamics.inverse import Backend, Formulation
+from ..dynamics.inverse_dynamics import Backend, Formulation
 from ..io.array_types import Array, Flags
 from ..kinematics.clearance import angles_between, neutral_directions
-from ..kinematics.inverse import inverse_kinematics, leg_vectors
+from ..kinematics.inverse_kinematics import inverse_kinematics, leg_vectors
 from ..motion.motion import Motion
 from ..motion.rotation import cross
 from ..motion.trajectory import PoseLog, Trajectory
 from ..robot.drive import Drive
 from ..robot.robot import Robot
 from .friction import friction_force, smooth_sign
-from .instants import motor_rates, rotor_force
-from .verdicts import SURE
+from .limit_status import SURE
+from .motor_states import motor_rates, rotor_force
 
 # Mean square of the product of two normal errors of deviation 1, at most.
 _PRODUCT = 3.0
 
 
 class MotorDeviations(NamedTuple):
-    """Standard deviations of fields of ``Instants`` of the same name, (n, 6).
+    """Standard deviations of fields of ``MotorStates`` of the same name, (n, 6).
 
     torque_rise, torque_fall: of the torque's size upward and downward: the other direction of dry friction
     makes it either larger or smaller.

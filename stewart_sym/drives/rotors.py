@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..io.array_types import Array
-from ..kinematics.inverse import leg_vectors, length_rows
+from ..kinematics.inverse_kinematics import leg_vectors, length_rows
 from ..motion.motion import Motion
 from ..motion.rotation import cross
 from ..robot.robot import Robot

@@ -16,7 +16,7 @@ from ..io.frozen import Frozen
 from ..results import OK
 from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot, of_symbol
-from .inverse import Formulation
+from .inverse_dynamics import Formulation
 
 
 class ArrayForces(NamedTuple):

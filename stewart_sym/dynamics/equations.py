@@ -16,7 +16,7 @@ from ..backend.kernel import FORMULATIONS
 from ..io.arguments import instance, leading_shape, option, real_array
 from ..io.array_types import Array, Codes, Flags
 from ..io.error_policy import ON_FAULT, OnFault
-from ..kinematics.inverse import leg_vectors, wrench_matrix
+from ..kinematics.inverse_kinematics import leg_vectors, wrench_matrix
 from ..motion.motion import Motion
 from ..motion.rotation import cross
 from ..reference import equations_of_motion as reference_equations
@@ -33,16 +33,16 @@ from ..results import (
     LinearizationResult,
 )
 from ..robot.robot import Robot
-from . import inverse
-from .by_forces import ForwardByForces
+from . import inverse_dynamics
 from .closed_form import CClosedForm, ClosedForm, NumpyClosedForm
+from .forward_from_inverse import ForwardFromInverse
 
 
 def equations_of_motion(
     robot: Robot,
     motion: Motion,
-    formulation: inverse.Formulation = "exact",
-    backend: inverse.Backend = "c",
+    formulation: inverse_dynamics.Formulation = "exact",
+    backend: inverse_dynamics.Backend = "c",
     on_singular: OnFault = "raise",
 ) -> EquationsOfMotionResult:
     """M, C, g and friction of M [a; alpha] + C [v; omega] + g + friction = H F + W_ext.
@@ -75,7 +75,7 @@ def equations_of_motion(
     else:
         terms = closed.run("equations", motion)
         found = EquationsOfMotionResult(**{name: terms[name] for name in _TERMS}, status=terms["status"])
-    inverse.report_faults(found.status, robot, motion, on_singular)
+    inverse_dynamics.report_faults(found.status, robot, motion, on_singular)
     return found
 
 
@@ -108,9 +108,9 @@ def force_derivatives(
         For unknown options, for spherical base joints, for a motion without accelerations, and for unsolvable
         poses.
     """
-    inverse.need_motion(robot, motion)
+    inverse_dynamics.need_motion(robot, motion)
     found = _with_closed_form(robot, backend, on_singular).run("derivatives", motion)
-    inverse.report_faults(found["status"], robot, motion, on_singular)
+    inverse_dynamics.report_faults(found["status"], robot, motion, on_singular)
     return ForceDerivativesResult(**found)
 
 
@@ -144,7 +144,7 @@ def linearize(
     closed = _with_closed_form(robot, backend, on_singular)
     motion, forces = _together(motion, F)
     found = closed.run("linearization", motion, forces)
-    inverse.report_faults(found["status"], robot, motion, on_singular)
+    inverse_dynamics.report_faults(found["status"], robot, motion, on_singular)
     return LinearizationResult(**found)
 
 
@@ -152,8 +152,8 @@ def forward_dynamics(
     robot: Robot,
     motion: Motion,
     F: ArrayLike,
-    formulation: inverse.Formulation = "exact",
-    backend: inverse.Backend = "c",
+    formulation: inverse_dynamics.Formulation = "exact",
+    backend: inverse_dynamics.Backend = "c",
     on_singular: OnFault = "raise",
 ) -> Accelerations:
     """(a, alpha), a named tuple, m/s^2 and rad/s^2, (..., 3), under actuator forces F, N, (..., 6).
@@ -184,15 +184,15 @@ def forward_dynamics(
     _need(robot, motion, on_singular)
     motion, forces = _together(motion, F)
     a, alpha, status = ForwardDynamics(robot, formulation, backend).solve(motion, forces)
-    inverse.report_faults(status, robot, motion, on_singular)
+    inverse_dynamics.report_faults(status, robot, motion, on_singular)
     return Accelerations(a, alpha)
 
 
 def joint_space_inertia(
     robot: Robot,
     motion: Motion,
-    formulation: inverse.Formulation = "exact",
-    backend: inverse.Backend = "c",
+    formulation: inverse_dynamics.Formulation = "exact",
+    backend: inverse_dynamics.Backend = "c",
     on_singular: OnFault = "raise",
 ) -> Array:
     """H^-1 M H^-T, kg, (..., 6, 6): actuator forces that leg accelerations cost, for legs as coordinates.
@@ -217,7 +217,7 @@ def joint_space_inertia(
     closed = _closed_form(robot, formulation, backend)
     if closed is not None:
         direct = closed.run("joint_inertia", motion)
-        inverse.report_faults(direct["status"], robot, motion, on_singular)
+        inverse_dynamics.report_faults(direct["status"], robot, motion, on_singular)
         return np.asarray(direct["inertia"])
     found = _by_linearity(robot, motion, formulation, backend)
     ok = found.status == OK
@@ -228,7 +228,7 @@ def joint_space_inertia(
     status[ok] = np.where(regular, OK, SINGULAR)
     half = np.linalg.solve(H[regular], M[regular])
     inertia[status == OK] = np.swapaxes(np.linalg.solve(H[regular], np.swapaxes(half, -1, -2)), -1, -2)
-    inverse.report_faults(status, robot, motion, on_singular)
+    inverse_dynamics.report_faults(status, robot, motion, on_singular)
     return inertia
 
 
@@ -237,8 +237,8 @@ class ForwardDynamics:
     """A robot prepared for many evaluations of its forward dynamics, as a simulation makes them."""
 
     robot: Robot
-    formulation: inverse.Formulation = "exact"
-    backend: inverse.Backend = "c"
+    formulation: inverse_dynamics.Formulation = "exact"
+    backend: inverse_dynamics.Backend = "c"
     closed: ClosedForm | None = field(init=False, repr=False)
     _wrench: ActuatorWrench = field(init=False, repr=False)
 
@@ -273,7 +273,7 @@ class ForwardDynamics:
         self, motion: Motion, F: Array, M: Array, x: Array, definite: Array, good: Flags
     ) -> tuple[Array, Flags]:
         """x and where M is definite, with 50 digits at the good poses where M has lost digits."""
-        faults = inverse.faults_of(self.formulation)
+        faults = inverse_dynamics.faults_of(self.formulation)
         x, known = x.copy(), np.array(definite, dtype=np.bool_)
         for i in map(tuple, np.argwhere(good & _digits_lost(self.robot, motion, M, faults))):
             x[i] = reference_equations.forward_dynamics(self.robot, motion[i], F[i], faults)
@@ -287,13 +287,13 @@ class ForwardDynamics:
         """
         if isinstance(self.closed, CClosedForm):
             return self.closed.one_state()
-        by_forces: ForwardByForces | None = None
+        by_forces: ForwardFromInverse | None = None
         if (
             self.backend == "c"
             and self.robot.offsets is not None
             and not self.robot.offsets.has_spinning_parts
         ):
-            by_forces = inverse.with_compiler(lambda: ForwardByForces(self.robot), lambda: None)
+            by_forces = inverse_dynamics.with_compiler(lambda: ForwardFromInverse(self.robot), lambda: None)
 
         def solve(motion: Motion, F: Array) -> tuple[Array, int]:
             quick = None if by_forces is None else by_forces.solve(motion, F)
@@ -327,10 +327,12 @@ def _by_linearity(robot: Robot, motion: Motion, formulation: str, backend: str) 
         return found
     parts = {name: np.array(getattr(found, name)) for name in _TERMS}
     with np.errstate(all="ignore"):
-        lost = (found.status == OK) & _digits_lost(robot, motion, found.M, inverse.faults_of(formulation))
+        lost = (found.status == OK) & _digits_lost(
+            robot, motion, found.M, inverse_dynamics.faults_of(formulation)
+        )
     for i in map(tuple, np.argwhere(lost)):
         for name, value in reference_equations.at_50_digits(
-            robot, motion[i], inverse.faults_of(formulation)
+            robot, motion[i], inverse_dynamics.faults_of(formulation)
         ).items():
             parts[name][i] = value
     return EquationsOfMotionResult(**parts, status=found.status)
@@ -387,17 +389,17 @@ def _wrench_of(robot: Robot, motion: Motion, F: Array) -> Array:
 
 def _actuator_wrench(robot: Robot, formulation: str, backend: str) -> ActuatorWrench:
     """H F = H D - c of any robot that differs from this one in numbers alone."""
-    first = inverse.prepared_kernel(robot, formulation, backend)
+    first = inverse_dynamics.prepared_kernel(robot, formulation, backend)
     if robot.offsets is not None:
         return offset_joints.actuator_wrench
     if backend == "reference":
-        faults = inverse.faults_of(formulation)
+        faults = inverse_dynamics.faults_of(formulation)
         return lambda robot, motion: newton_euler.actuator_wrench(robot, motion, faults)
-    kernels: dict[Robot, inverse.DynamicsKernel] = {robot: first}
+    kernels: dict[Robot, inverse_dynamics.DynamicsKernel] = {robot: first}
 
     def wrench(robot: Robot, motion: Motion) -> tuple[Array, Codes]:
         if robot not in kernels:
-            kernels[robot] = inverse.prepared_kernel(robot, formulation, backend)
+            kernels[robot] = inverse_dynamics.prepared_kernel(robot, formulation, backend)
         found = kernels[robot].forces(motion)
         return np.einsum("...ij,...j->...i", found.H, found.D) - found.c, found.status
 
@@ -414,7 +416,9 @@ def _closed_form(robot: Robot, formulation: str, backend: str) -> ClosedForm | N
         return None
     if backend == "numpy":
         return NumpyClosedForm(robot)
-    found: ClosedForm = inverse.with_compiler(lambda: CClosedForm(robot), lambda: NumpyClosedForm(robot))
+    found: ClosedForm = inverse_dynamics.with_compiler(
+        lambda: CClosedForm(robot), lambda: NumpyClosedForm(robot)
+    )
     return found
 
 
@@ -422,7 +426,7 @@ def _with_closed_form(robot: Robot, backend: str, on_singular: str) -> ClosedFor
     """``_closed_form`` where there must be one."""
     option(backend, ("c", "numpy"), "backend")
     option(on_singular, ON_FAULT, "on_singular")
-    inverse.need_universal(robot)
+    inverse_dynamics.need_universal(robot)
     closed = _closed_form(robot, "exact", backend)
     assert closed is not None
     return closed

@@ -12,14 +12,14 @@ import numpy as np
 
 from ..io.arguments import instance
 from ..io.array_types import Array
-from ..kinematics.forward import inverse_jacobian
-from ..kinematics.inverse import legs_or_overflow
+from ..kinematics.forward_kinematics import inverse_jacobian
+from ..kinematics.inverse_kinematics import legs_or_overflow
 from ..motion.motion import Motion
 from ..motion.rotation import motion_about_axes, orthonormal, rotation_from_vector
 from ..motion.trajectory import PoseLog, Trajectory, Uncertainty, need_trajectory
 from ..robot.robot import Robot
 from .forces import ForceKernel
-from .inverse import Backend, Formulation, inverse_dynamics, with_compiler
+from .inverse_dynamics import Backend, Formulation, inverse_dynamics, with_compiler
 
 CHUNK = 16_384
 """Instants at a time: their eighteen deviations fit into memory whatever the length of the log."""

@@ -24,7 +24,7 @@ from ..results import NOT_FINITE, OK, SINGULAR, UNREACHABLE
 from ..robot.offset_chains import codes
 from ..robot.robot import Robot
 from .columns import WIDTHS, as_columns, need_apart, need_rows, need_status, stride_of
-from .inverse import Formulation, damped_terms, need_motion, report_faults
+from .inverse_dynamics import Formulation, damped_terms, need_motion, report_faults
 
 Array = NDArray[Any]
 Precision = Literal["double", "float"]

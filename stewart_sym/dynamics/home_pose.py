@@ -10,7 +10,7 @@ from ..kinematics.mounting import Side, level_positions, platform_side, radius, 
 from ..kinematics.offset_legs import leg_lengths
 from ..motion.motion import at_rest
 from ..robot.robot import Robot
-from .inverse import inverse_dynamics
+from .inverse_dynamics import inverse_dynamics
 
 __all__ = ["HomePose", "home_pose", "platform_side", "radius", "up_direction", "upright"]
 

@@ -8,7 +8,7 @@ import numpy as np
 from ..io.array_types import Array
 from ..motion.rotation import cross
 from ..robot import bodies
-from .chain import Body
+from .model import Body
 from .topology import Leg, Machine
 
 LOWER, UPPER, PLATFORM = "lower part", "upper part", "platform"

@@ -11,14 +11,14 @@ import numpy as np
 from ..drives.friction import losses
 from ..io.arguments import instance, option, shown
 from ..io.error_policy import errors_of, warn
-from ..io.tables import file_name, read_text
+from ..io.toml_reader import file_name, read_text
 from ..robot.robot import Robot, RobotWarning, impossible_inertias
-from .chain import Model
 from .formats import mjcf_in, mjcf_out, sdf_in, sdf_out, urdf_in, urdf_out, usd_out
 from .formats.xml_text import HEADER, at_line, line_named, parsed
-from .machine import model_of, possible
+from .model import Model
+from .model_from_robot import model_of, possible
 from .notes import differences, noted
-from .robots import robot_of
+from .robot_from_model import robot_of
 
 PROGRAMS = {"mjcf": "MuJoCo", "sdf": "Gazebo", "drake": "Drake", "urdf": "Pinocchio", "usd": "Isaac Sim"}
 """Formats, and a program that reads each."""

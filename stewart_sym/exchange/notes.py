@@ -16,7 +16,7 @@ from ..robot.drive import Drive, drive_of_tables, drive_tables
 from ..robot.fields import LEGS, LegTables
 from ..robot.offsets import JointOffsets
 from ..robot.robot import Robot
-from .chain import Model
+from .model import Model
 from .offset_legs import noted_offsets, restored_offsets, same_offsets
 
 _ROUNDING = 1e-9

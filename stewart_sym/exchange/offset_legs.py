@@ -13,7 +13,7 @@ from ..robot.offset_chains import chains
 from ..robot.offset_positions import Chains
 from ..robot.offsets import SHAPES, JointOffsets, offset_tables, offsets_of_tables
 from ..robot.robot import Robot
-from .chain import WORLD, Body, Joint, Shape
+from .model import WORLD, Body, Joint, Shape
 
 _LEAST = 1e-9
 """Mass and inertia of a cross that has none over those of the lower part: simulators need some."""

@@ -8,7 +8,7 @@ import numpy as np
 from ..io.array_types import Array
 from ..robot import bodies
 from ..robot.fields import LEGS
-from .chain import BETWEEN, WORLD, Body, Joint, Model
+from .model import BETWEEN, WORLD, Body, Joint, Model
 
 _EXPECTED = (
     "a universal or spherical joint, a prismatic joint and a spherical joint from the base to the platform"

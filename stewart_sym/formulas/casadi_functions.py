@@ -7,7 +7,7 @@ from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
 from ..backend.kernel import MOTION
-from ..dynamics.inverse import Formulation
+from ..dynamics.inverse_dynamics import Formulation
 from ..io.arguments import option, truth
 from ..io.extras import needed_for
 from ..robot.robot import Robot

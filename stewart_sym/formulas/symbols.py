@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..backend.kernel import overflows, robot_kernel
-from ..dynamics.inverse import Formulation
+from ..dynamics.inverse_dynamics import Formulation
 from ..io.arguments import finite_array, instance, option, shown
 from ..results import OK
 from ..robot.robot import Robot

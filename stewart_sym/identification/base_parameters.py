@@ -17,12 +17,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..dynamics.home_pose import home_pose, radius, upright
-from ..dynamics.inverse import need_universal
+from ..dynamics.inverse_dynamics import need_universal
 from ..generated import exact_regressor
 from ..io.arguments import instance, truth
 from ..io.array_types import Array, Flags
 from ..kinematics.conditioning import characteristic_length
-from ..kinematics.inverse import inverse_kinematics, joint_sines
+from ..kinematics.inverse_kinematics import inverse_kinematics, joint_sines
 from ..motion.motion import Motion
 from ..motion.rotation import rotation_from_rpy
 from ..robot.robot import LEGS, Robot

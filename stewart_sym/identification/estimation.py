@@ -18,7 +18,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..dynamics.inverse import inverse_dynamics, need_motion, need_universal
+from ..dynamics.inverse_dynamics import inverse_dynamics, need_motion, need_universal
 from ..io.arguments import deviations, finite_array, instance, truth
 from ..io.array_types import Array
 from ..io.extras import need

@@ -9,16 +9,16 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..drives.effort import Summary
-from ..drives.instants import at_instants
 from ..drives.leg_limits import LEG_LIMITS, limited_angles
+from ..drives.motor_states import motor_states
 from ..dynamics.home_pose import home_pose, radius, upright
-from ..dynamics.inverse import inverse_dynamics, need_universal
+from ..dynamics.inverse_dynamics import inverse_dynamics, need_universal
 from ..io.arguments import finite_array, number_in, real_array, whole_number
 from ..io.array_types import Array
 from ..io.frozen import Frozen
 from ..io.progress import Progress, silent, tracked
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
-from ..kinematics.inverse import inverse_kinematics
+from ..kinematics.inverse_kinematics import inverse_kinematics
 from ..motion.motion import Motion
 from ..robot.robot import Robot
 from .base_parameters import BaseParametersResult, base_parameters
@@ -288,7 +288,7 @@ def _limits_kept(robot: Robot, motion: Motion, F: Array) -> bool:
     if robot.drive is None:
         return True
     used = Summary(robot.drive, 0.0)
-    used.add(at_instants(robot, robot.drive, motion, F, legs.L_dot), np.ones(len(F)), None)
+    used.add(motor_states(robot, robot.drive, motion, F, legs.L_dot), np.ones(len(F)), None)
     return not used.exceeded(0.0)
 
 

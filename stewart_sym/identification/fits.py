@@ -7,9 +7,9 @@ from typing import NamedTuple
 import numpy as np
 
 from ..dynamics.equations import force_derivatives
-from ..dynamics.inverse import inverse_dynamics
+from ..dynamics.inverse_dynamics import inverse_dynamics
 from ..io.array_types import Array
-from ..io.instants import elapsed
+from ..io.sample_times import elapsed
 from ..motion.motion import Motion
 from ..motion.smooth_motion import (
     Basis,

@@ -19,7 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..backend.c_kernel import address, call, library
 from ..backend.kernel import robot_numbers
 from ..backend.numpy_kernel import legs_side_by_side, on_arrays
-from ..dynamics.inverse import Backend, need_motion, need_universal, report_faults, with_compiler
+from ..dynamics.inverse_dynamics import Backend, need_motion, need_universal, report_faults, with_compiler
 from ..generated import exact_regressor
 from ..generated import rotor_regressor as exact_rotors
 from ..io.arguments import instance, option, real_array, shown

@@ -11,7 +11,7 @@ from ..io.arguments import instance
 from ..io.array_types import Array
 from ..motion.motion import Motion, at_rest
 from ..robot.robot import LEGS, Robot
-from .inverse import inverse_kinematics, leg_vectors
+from .inverse_kinematics import inverse_kinematics, leg_vectors
 
 PAIRS = tuple(itertools.combinations(range(LEGS), 2))
 """Pairs of legs, counted from 0, in the order of ``leg_distances``."""

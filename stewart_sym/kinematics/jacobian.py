@@ -5,7 +5,7 @@ import numpy as np
 from ..io.array_types import Array
 from ..motion.motion import Motion
 from ..robot.robot import Robot
-from .inverse import wrench_matrix
+from .inverse_kinematics import wrench_matrix
 
 
 def inverse_jacobian(robot: Robot, motion: Motion) -> Array:

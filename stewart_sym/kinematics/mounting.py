@@ -16,7 +16,7 @@ from ..io.error_policy import warn
 from ..motion.straight_line import PAPER_PATHS, PaperPath
 from ..robot.robot import Robot
 from .conditioning import characteristic_length, scaled_condition_number
-from .inverse import leg_vectors, length_rows
+from .inverse_kinematics import leg_vectors, length_rows
 from .offset_legs import without_offsets
 
 DECISIVE = 0.1

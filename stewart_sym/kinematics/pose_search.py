@@ -11,7 +11,7 @@ from ..io.array_types import Array, Flags
 from ..motion import rotation
 from ..robot.robot import Robot
 from .conditioning import characteristic_length
-from .inverse import ROUNDING, leg_vectors, length_rows
+from .inverse_kinematics import ROUNDING, leg_vectors, length_rows
 from .mounting import base_normal, upright
 from .offset_legs import length_jacobian, search
 

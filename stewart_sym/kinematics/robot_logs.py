@@ -14,8 +14,8 @@ from ..motion.logs import TrajectoryFormat
 from ..motion.noise_level import TrajectoryWarning
 from ..motion.trajectory import JointTrajectory, PoseLog, SmoothingOptions, Trajectory
 from ..robot.robot import Robot
-from .log_doubts import log_doubts, need_units
 from .offset_legs import leg_lengths
+from .trajectory_checks import log_doubts, need_units
 
 
 def form_of(robot: Robot, form: TrajectoryFormat = PLAIN) -> TrajectoryFormat:

@@ -4,8 +4,8 @@ Takes a checked Robot and a ``Choice``; gathers kernels (``parts``), test vector
 texts of ``derive.package``, and has the files put in place all at once or not at all.
 """
 
-from .choice import FUNCTIONS, Choice
 from .files import Kit, kit, kit_names
+from .kit_options import FUNCTIONS, Choice
 from .write import put, write_kit
 
 __all__ = ["FUNCTIONS", "Choice", "Kit", "kit", "kit_names", "put", "write_kit"]

@@ -31,11 +31,11 @@ from ..motion.motion import Motion, at_rest
 from ..results import OK
 from ..robot.robot import Robot
 from . import languages
-from .choice import DEFAULT, PRECISIONS, STEMS, TORQUE, Choice, check, options, robot_toml
 from .fmu import packed
+from .kit_options import DEFAULT, PRECISIONS, STEMS, TORQUE, Choice, check, options, robot_toml
 from .left_out import left_out
 from .parts import Parts, generator, parts, robot_numbers
-from .poses import sample
+from .sample_poses import sample
 from .selection import SHARE, Numbered, selection
 from .vectors import rejected, vectors
 

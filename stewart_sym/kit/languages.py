@@ -10,7 +10,7 @@ from ..derive.package.robot import Machine
 from ..io.arguments import option, shown
 from ..precision.truth import form_and_level
 from ..robot.robot import Robot
-from .choice import STEMS, Choice, options, robot_toml
+from .kit_options import STEMS, Choice, options, robot_toml
 from .parts import generator, robot_numbers
 from .vectors import rejected, vectors
 

@@ -7,8 +7,8 @@ import numpy as np
 from ..backend import fidelity
 from ..precision.truth import Truth
 from ..robot.robot import Robot
-from .choice import Choice
-from .poses import poses
+from .kit_options import Choice
+from .sample_poses import poses
 
 _POSES = 8
 """Motions about the home pose by whose forces the effect is estimated."""

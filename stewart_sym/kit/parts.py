@@ -32,12 +32,12 @@ from ..derive.mechanics.baked_constants import baked
 from ..derive.mechanics.formulation import BY_KERNEL, EXACT, EXACT_DRIVE
 from ..derive.mechanics.reduced_models import fidelity_kernel
 from ..derive.package.functions import DRIVES, MODEL, NOTHING, ROBOT, Function, Part
-from ..derive.package.words import Numbers, robot_symbol
+from ..derive.package.text_format import Numbers, robot_symbol
 from ..derive.program.cse import shared_blocks
 from ..precision.truth import form_and_level
 from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot, of_symbol
-from .choice import STEMS, TORQUE, Choice
+from .kit_options import STEMS, TORQUE, Choice
 
 _KINEMATICS = "kinematics"
 

@@ -22,14 +22,14 @@ from ..derive.mechanics.actuator_forces import ForceKernel
 from ..drives.friction import drive_numbers
 from ..io.array_types import Array
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
-from ..kinematics.inverse import inverse_kinematics, wrench_matrix
+from ..kinematics.inverse_kinematics import inverse_kinematics, wrench_matrix
 from ..motion.motion import Motion
 from ..robot.robot import Robot, of_symbol
-from .choice import PRECISIONS
 from .interpreter import NEAR_JOINT_SINGULAR
+from .kit_options import PRECISIONS
 from .parts import fields, folded_kernel
-from .poses import MAX_CONDITION, WHOLE, rounded, sample, significant, size_of, whole_turn
 from .running import FORCES_MARGIN
+from .sample_poses import MAX_CONDITION, WHOLE, rounded, sample, significant, size_of, whole_turn
 from .sensitivity import Change, Forces, changes
 
 Arrays = dict[str, Array]

@@ -21,17 +21,17 @@ from ..derive.package.functions import Vector
 from ..drives.friction import drive_numbers
 from ..io.array_types import Array
 from ..kinematics.conditioning import characteristic_length, moments_over
-from ..kinematics.forward import forward_kinematics
-from ..kinematics.inverse import wrench_matrix
+from ..kinematics.forward_kinematics import forward_kinematics
+from ..kinematics.inverse_kinematics import wrench_matrix
 from ..motion.motion import Motion
 from ..motion.rotation import orthonormal
 from ..results import JOINT_SINGULAR, SINGULAR, ZERO_LENGTH
 from ..robot.robot import LEGS, Robot, of_symbol
-from .choice import PRECISIONS, STEMS
 from .interpreter import Found, KitInterpreter, Numbers
+from .kit_options import PRECISIONS, STEMS
 from .parts import fields as fields_of
-from .poses import neighbor, poses, rounded, significant
 from .running import FORCES_MARGIN, MARGIN, errors, values
+from .sample_poses import neighbor, poses, rounded, significant
 from .selection import Numbered, selection
 
 KINEMATICS = STEMS["kinematics"]

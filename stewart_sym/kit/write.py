@@ -3,11 +3,11 @@
 from collections.abc import Iterable
 from pathlib import Path
 
+from ..io.atomic_write import digest, must_replace, recorded, staged_folder
 from ..io.progress import Progress, silent
-from ..io.writing import digest, must_replace, recorded, staged_folder
 from ..robot.robot import Robot
-from .choice import DEFAULT, Choice
 from .files import MANIFEST, Kit, kit
+from .kit_options import DEFAULT, Choice
 
 
 def write_kit(

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..io.array_types import Array
-from ..io.instants import elapsed, least_step, time_text
+from ..io.sample_times import elapsed, least_step, time_text
 from .interpolation import quintic, values
 from .trajectory import Log
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from ..io.array_types import Array, Flags
 from ..io.extras import absent, needed_for
-from ..io.instants import elapsed, lost, time_text
+from ..io.sample_times import elapsed, lost, time_text
 from . import log_faults
 from .interpolation import PAIRS, breaks, check_cutoff
 from .noise import in_log

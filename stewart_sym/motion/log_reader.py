@@ -10,9 +10,9 @@ import numpy as np
 
 from ..io.array_types import Array
 from ..io.extras import need
-from ..io.instants import Clock, even_clock
 from ..io.progress import Progress, silent
-from ..io.tables import file_name, opened
+from ..io.sample_times import Clock, even_clock
+from ..io.toml_reader import file_name, opened
 from .log_rates import SPLINE, as_given, rates_of
 from .logs import TrajectoryFormat, need_columns, read_columns, stated_units
 from .noise_level import scatter

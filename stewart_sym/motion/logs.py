@@ -21,9 +21,9 @@ import numpy as np
 from ..io.arguments import option, shown
 from ..io.array_types import Array
 from ..io.error_policy import warn
-from ..io.instants import time_text
 from ..io.progress import Progress, silent
-from ..io.tables import table_as_utf8
+from ..io.sample_times import time_text
+from ..io.toml_reader import table_as_utf8
 from .noise_level import TrajectoryWarning
 from .text.clock import READ, Clock, instant
 from .text.head import MARKS, Head, is_value, read_head, without_row

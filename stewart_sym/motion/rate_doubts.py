@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..io.array_types import Array, Flags
-from ..io.instants import elapsed
+from ..io.sample_times import elapsed
 from .noise_level import rounding_step
 from .rotation import angle_rates, distance_from_lock, rotation_about_axes
 

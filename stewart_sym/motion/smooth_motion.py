@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike
 from ..io.arguments import instance, number_in, real_array, shown, whole_number
 from ..io.array_types import Array, Indices
 from ..io.extras import needed_for
-from ..io.instants import elapsed
+from ..io.sample_times import elapsed
 from .motion import Motion
 from .rotation import cross_matrix, rpy_from_rotation, vector_from_rotation
 

@@ -23,7 +23,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..io.arguments import real_array, shown
 from ..io.array_types import Array
-from ..io.tables import positive
+from ..io.toml_reader import positive
 from .interpolation import (
     DEGREE,
     PAIRS,

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from ..io.arguments import real_array, shown
 from ..io.array_types import Array
-from ..io.tables import number
+from ..io.toml_reader import number
 from .motion import Motion, rotations
 
 Vector = tuple[float, float, float]

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from ..io.arguments import instance
 from ..io.array_types import Array
 from ..io.error_policy import warn
-from ..io.tables import number
+from ..io.toml_reader import number
 from . import rotation
 from .logs import TrajectoryFormat
 from .motion import Motion

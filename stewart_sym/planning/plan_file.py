@@ -11,8 +11,8 @@ import numpy as np
 
 from ..backend.kernel import FORMULATIONS
 from ..design.pose_limits import PoseLimits, need_clearance
-from ..dynamics.inverse import Formulation
-from ..io import tables
+from ..dynamics.inverse_dynamics import Formulation
+from ..io import toml_reader
 from ..io.array_types import Array
 from ..io.error_policy import errors_of, warn
 from ..kinematics.robot_logs import form_of
@@ -21,9 +21,9 @@ from ..motion.noise_level import TrajectoryWarning
 from ..motion.rotation import rotation_about_axes
 from ..motion.trajectory import turn_doubt
 from ..robot.robot import Robot
+from .path_parameterization import MINIMIZE, Minimize
 from .plan_path import OBJECTIVES, PRICE, Objective, need_poses
 from .pose_path import COORDINATES, ViaPose
-from .time_path import MINIMIZE, Minimize
 from .timing.path_terms import PathLimits, six_positive
 
 SCHEMA = 1
@@ -77,32 +77,34 @@ def read_plan(path: str | os.PathLike[str]) -> Iterator[PlanRequest]:
     read and for every break of the schema, of this file or of one it names. The line is added to what the
     block raises about a key of the file, too.
     """
-    source = tables.file_name(path)
-    with tables.toml_tables(source, "file of via poses") as d:
+    source = toml_reader.file_name(path)
+    with toml_reader.toml_tables(source, "file of via poses") as d:
         yield _request(d, source)
 
 
 def _request(d: Mapping[str, Any], source: str) -> PlanRequest:
     file = f"{source}: "
-    top = tables.checked_table(d, file, _TOP_KEYS, ("schema", "robot"))
-    tables.need_schema(top["schema"], (SCHEMA,), f"{file}schema")
+    top = toml_reader.checked_table(d, file, _TOP_KEYS, ("schema", "robot"))
+    toml_reader.need_schema(top["schema"], (SCHEMA,), f"{file}schema")
     if ("via" in top) == ("via_file" in top):
         raise ValueError(f"{file}via: expected either via poses or via_file")
     options: dict[str, Any] = {
-        key: tables.choice(top.get(key, known[0]), known, file + key)
+        key: toml_reader.choice(top.get(key, known[0]), known, file + key)
         for key, known in (("formulation", FORMULATIONS), ("objective", OBJECTIVES), ("minimize", MINIMIZE))
     }
-    options["smoothness_weight"] = tables.not_negative(
+    options["smoothness_weight"] = toml_reader.not_negative(
         top.get("smoothness_weight", PRICE), f"{file}smoothness_weight"
     )
-    options["rate"] = tables.positive(top.get("rate", RATE), f"{file}rate")
-    options["duration"] = tables.positive(top["duration"], f"{file}duration") if "duration" in top else None
+    options["rate"] = toml_reader.positive(top.get("rate", RATE), f"{file}rate")
+    options["duration"] = (
+        toml_reader.positive(top["duration"], f"{file}duration") if "duration" in top else None
+    )
     path_limits, limits = _limits(top.get("limits", {}), f"{file}limits.")
     load = _load(top.get("load", {}), f"{file}load.")
-    files = [Path(source), tables.file_beside(top["robot"], source, "robot")]
+    files = [Path(source), toml_reader.file_beside(top["robot"], source, "robot")]
     given = _via_tables(top["via"], f"{file}via") if "via" in top else None
     if given is None:
-        files.append(tables.file_beside(top["via_file"], source, "via_file"))
+        files.append(toml_reader.file_beside(top["via_file"], source, "via_file"))
     robot = Robot.from_toml(files[1])
     with errors_of(f"{file}limits."):
         need_clearance(robot, path_limits.clearance)
@@ -140,10 +142,10 @@ def _of_poses(text: str, files: Sequence[Path]) -> str:
 
 
 def _limits(value: object, prefix: str) -> tuple[PoseLimits, PathLimits]:
-    table = tables.checked_table(value, prefix, _LIMIT_KEYS)
+    table = toml_reader.checked_table(value, prefix, _LIMIT_KEYS)
     found: dict[str, Any] = {}
     for key, given in table.items():
-        check = six_positive if key in _LEG_LIMITS else tables.positive
+        check = six_positive if key in _LEG_LIMITS else toml_reader.positive
         found[key] = check(given, prefix + key)
     own = {name: found.pop(key) for key, name in _POSE_LIMITS.items() if key in found}
     with errors_of(prefix):
@@ -151,8 +153,8 @@ def _limits(value: object, prefix: str) -> tuple[PoseLimits, PathLimits]:
 
 
 def _load(value: object, prefix: str) -> Array:
-    table = tables.checked_table(value, prefix, _LOAD_KEYS)
-    parts = [tables.vector(table.get(key, [0.0, 0.0, 0.0]), prefix + key) for key in _LOAD_KEYS]
+    table = toml_reader.checked_table(value, prefix, _LOAD_KEYS)
+    parts = [toml_reader.vector(table.get(key, [0.0, 0.0, 0.0]), prefix + key) for key in _LOAD_KEYS]
     return np.concatenate(parts)
 
 
@@ -164,8 +166,8 @@ def _via_tables(value: object, where: str) -> list[tuple[Array, Array, tuple[Arr
     found = []
     for i, entry in enumerate(value):
         prefix = f"{where} {i + 1}: "
-        table = tables.checked_table(entry, prefix, _VIA_KEYS, ("t", "theta"))
-        t, theta = (tables.vector(table[key], prefix + key) for key in ("t", "theta"))
+        table = toml_reader.checked_table(entry, prefix, _VIA_KEYS, ("t", "theta"))
+        t, theta = (toml_reader.vector(table[key], prefix + key) for key in ("t", "theta"))
         found.append((t, theta, _box(table.get("tolerance", {}), f"{prefix}tolerance.")))
     return found
 
@@ -179,9 +181,9 @@ def _angle_doubt(given: Sequence[tuple[Array, Array, tuple[Array, Array]]]) -> s
 
 def _box(value: object, prefix: str) -> tuple[Array, Array]:
     low, high = np.zeros(6), np.zeros(6)
-    for key, given in tables.checked_table(value, prefix, COORDINATES).items():
+    for key, given in toml_reader.checked_table(value, prefix, COORDINATES).items():
         i = COORDINATES.index(key)
-        low[i], high[i] = tables.numbers(given, (2,), prefix + key)
+        low[i], high[i] = toml_reader.numbers(given, (2,), prefix + key)
         if not low[i] <= 0.0 <= high[i]:
             raise ValueError(f"{prefix}{key}: expected [low, high] with low <= 0 <= high, got {given}")
     return low, high

@@ -16,10 +16,10 @@ from ..io.arguments import finite_array, instance, option, shown
 from ..io.array_types import Array
 from ..io.extras import needed_for
 from ..io.progress import Progress, silent
-from ..io.tables import not_negative
+from ..io.toml_reader import not_negative
 from ..motion.motion import Motion
 from ..robot.robot import Robot
-from ..singularities.along_path import singularity_crossings
+from ..singularities.path_singularities import singularity_crossings
 from .pose_costs import ROOM, PoseCosts
 from .pose_path import Family, PosePath, ViaPose, by_coordinates, poses_of, scales
 

@@ -13,7 +13,7 @@ from ..io.array_types import Array
 from ..io.frozen import Frozen
 from ..kinematics.clearance import PAIRS, joined, nearest_shares, neutral_directions
 from ..kinematics.conditioning import characteristic_length
-from ..kinematics.inverse import leg_vectors
+from ..kinematics.inverse_kinematics import leg_vectors
 from ..motion.rotation import cross
 from ..robot.robot import Robot
 

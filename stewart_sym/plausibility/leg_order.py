@@ -17,7 +17,7 @@ from .level_poses import (
     MISPAIRED,
     MOST_CONDITION,
     TWISTED,
-    Doubt,
+    Finding,
     level_conditions,
 )
 
@@ -26,7 +26,7 @@ EXCHANGED = -0.5
 seen along the machine's axis: negative where they cross, and no sound machine's are below this."""
 
 
-def of_order(robot: Robot, t: Array) -> Iterator[Doubt]:
+def of_order(robot: Robot, t: Array) -> Iterator[Finding]:
     """Doubts about which base point belongs to which platform point.
 
     Legs are sorted by the angle of their base points; platform points are paired with these in their own
@@ -50,7 +50,7 @@ def of_order(robot: Robot, t: Array) -> Iterator[Doubt]:
         yield better
         return
     if given > MOST_CONDITION:
-        yield Doubt(
+        yield Finding(
             "condition",
             f"{_level(given)} with the platform parallel to the base, at any height; likely cause: points of "
             f"wrong legs, or nearly parallel or concurrent legs",
@@ -62,7 +62,7 @@ def of_order(robot: Robot, t: Array) -> Iterator[Doubt]:
         yield _crossing(*crossed[0], cause="platform points in another order than base points, or mirrored")
 
 
-def _better_order(b: Array, p: Array, heights: Array, given: float, twisted: bool) -> Doubt | None:
+def _better_order(b: Array, p: Array, heights: Array, given: float, twisted: bool) -> Finding | None:
     """A doubt where another of the twelve orders has better level poses than that whose best is ``given``."""
     ways = {(turn, k): np.roll(p[::turn], k, axis=0) for turn in (1, -1) for k in range(LEGS)}
     conditions = level_conditions(b, np.array(list(ways.values()))[:, None], heights).min(axis=-1)
@@ -74,7 +74,7 @@ def _better_order(b: Array, p: Array, heights: Array, given: float, twisted: boo
         return None
     shift = min(k, LEGS - k)
     cause = "in the opposite sense (mirrored)" if turn < 0 else f"shifted by {shift} of six places"
-    return Doubt(
+    return Finding(
         "leg-order",
         f"{_level(given)} with the platform parallel to the base, {conditions[least]:.2g} with its points in "
         f"another order; likely cause: platform points {cause} against the base points, or a platform "
@@ -82,8 +82,8 @@ def _better_order(b: Array, p: Array, heights: Array, given: float, twisted: boo
     )
 
 
-def _crossing(i: int, j: int, cause: str = "their platform points exchanged") -> Doubt:
-    return Doubt("crossing", f"legs {i + 1}, {j + 1} cross at the home pose; likely cause: {cause}")
+def _crossing(i: int, j: int, cause: str = "their platform points exchanged") -> Finding:
+    return Finding("crossing", f"legs {i + 1}, {j + 1} cross at the home pose; likely cause: {cause}")
 
 
 def _crossed(b: NDArray[np.complex128], p: NDArray[np.complex128]) -> tuple[tuple[int, int], bool] | None:

@@ -7,7 +7,7 @@ import numpy as np
 from ..drives.friction import constant_part, viscous
 from ..io.array_types import Array
 from ..robot.robot import Robot, legs_text
-from .level_poses import Doubt, Home
+from .level_poses import Finding, Home
 
 SLOW = 0.3
 """Of a leg's speed limit: a motor chosen for its leg drives it faster than this."""
@@ -25,7 +25,7 @@ LEAST_CURRENT, MOST_CURRENT, MOST_VOLTAGE = 0.005, 3e3, 5e3
 """A and V of a motor at its limits of torque and speed; mN m/A for N m/A makes them 1000 times off."""
 
 
-def of_torques(robot: Robot, F: Array) -> Iterator[Doubt]:
+def of_torques(robot: Robot, F: Array) -> Iterator[Finding]:
     """Motors that cannot hold the machine at rest by forces F, N, (6,), whatever friction does for them."""
     drive = robot.drive
     if drive is None:
@@ -39,7 +39,7 @@ def of_torques(robot: Robot, F: Array) -> Iterator[Doubt]:
             weak = np.flatnonzero(torque > limit).tolist()
         if weak:
             worst = max(weak, key=lambda i: float(torque[i] / limit[i]))
-            yield Doubt(
+            yield Finding(
                 "drive-limit",
                 f"{name} of the drives of {legs_text(weak)}: {limit[worst]:.4g} N m, but {torque[worst]:.4g} "
                 "N m hold the machine at rest at the home pose; likely cause: a gear left out, lead in "
@@ -48,21 +48,21 @@ def of_torques(robot: Robot, F: Array) -> Iterator[Doubt]:
             return
 
 
-def of_slowness(robot: Robot) -> Iterator[Doubt]:
+def of_slowness(robot: Robot) -> Iterator[Finding]:
     """Legs whose viscous friction alone takes their force limits before they reach their speed limits."""
     with np.errstate(invalid="ignore"):
         force = robot.C_p * robot.speed_limit
     slow = np.flatnonzero((force > robot.force_limit) & np.isfinite(robot.speed_limit)).tolist()
     if slow:
         i = slow[0]
-        yield Doubt(
+        yield Finding(
             "friction",
             f"C_p of {legs_text(slow)}: {robot.C_p[i]:.4g} N s/m, {force[i]:.4g} N at the speed_limit, where "
             f"force_limit is {robot.force_limit[i]:.4g} N; likely cause: another unit",
         )
 
 
-def of_drive_friction(robot: Robot) -> Iterator[Doubt]:
+def of_drive_friction(robot: Robot) -> Iterator[Finding]:
     """Motors whose friction alone takes their torque limits, dry or at their speed limits."""
     drive = robot.drive
     if drive is None:
@@ -76,7 +76,7 @@ def of_drive_friction(robot: Robot) -> Iterator[Doubt]:
         if legs:
             i = legs[0]
             where = "" if which == "dry" else " at the speed limit"
-            yield Doubt(
+            yield Finding(
                 "friction",
                 f"{which} friction of the drives of {legs_text(legs)}: {torque[i]:.4g} N m of the "
                 f"motor{where}, where torque_limit is {drive.torque_limit[i]:.4g} N m; likely cause: another "
@@ -85,14 +85,14 @@ def of_drive_friction(robot: Robot) -> Iterator[Doubt]:
             return
 
 
-def of_stroke(robot: Robot) -> Iterator[Doubt]:
+def of_stroke(robot: Robot) -> Iterator[Finding]:
     """Yield doubts about strokes, about speeds that take long for them, and about joints that hardly turn."""
     low, high = robot.length_limits.T
     stroke = np.where(np.isfinite(high), high - low, 0.0)
     short = np.flatnonzero((stroke > 0.0) & (stroke < LEAST_STROKE * high)).tolist()
     if short:
         i = short[0]
-        yield Doubt(
+        yield Finding(
             "length-limits",
             f"length_limits of {legs_text(short)}: a stroke of {stroke[i]:.3g} m in legs of {high[i]:.4g} m; "
             "likely cause: stroke or limits given in m in a file of another length_unit",
@@ -101,7 +101,7 @@ def of_stroke(robot: Robot) -> Iterator[Doubt]:
     slow = np.flatnonzero(stroke > LONGEST_STROKE * robot.speed_limit).tolist()
     if slow:
         i = slow[0]
-        yield Doubt(
+        yield Finding(
             "speed-limit",
             f"speed_limit of {legs_text(slow)}: {robot.speed_limit[i]:.4g} m/s, {stroke[i]:.4g} m of stroke "
             f"take {stroke[i] / robot.speed_limit[i]:.3g} s; likely cause: given in m/s in a file of another "
@@ -112,7 +112,7 @@ def of_stroke(robot: Robot) -> Iterator[Doubt]:
         slow = np.flatnonzero(np.isfinite(speed) & (speed > FASTER * robot.speed_limit)).tolist()
         if slow:
             i = slow[0]
-            yield Doubt(
+            yield Finding(
                 "speed-limit",
                 f"speed_limit of {legs_text(slow)}: {robot.speed_limit[i]:.4g} m/s, the motor drives leg "
                 f"{i + 1} at up to {speed[i]:.4g} m/s; likely cause: given in m/s in a file of another "
@@ -123,14 +123,14 @@ def of_stroke(robot: Robot) -> Iterator[Doubt]:
     tight = np.flatnonzero((least < LEAST_ANGLE) & (least < LEAST_SHARE * share)).tolist()
     if tight:
         i = tight[0]
-        yield Doubt(
+        yield Finding(
             "joint-angle",
             f"joint_angle_limit of {legs_text(tight)}: {np.degrees(least[i]):.3g} degrees beside a stroke of "
             f"{stroke[i]:.4g} m; likely cause: radians given, expected angle_unit",
         )
 
 
-def of_speeds(robot: Robot) -> Iterator[Doubt]:
+def of_speeds(robot: Robot) -> Iterator[Finding]:
     """Motors whose speed limits leave the legs a small share of their own, or are those of no motor."""
     if robot.drive is None:
         return
@@ -138,7 +138,7 @@ def of_speeds(robot: Robot) -> Iterator[Doubt]:
     fast = np.flatnonzero((limit > MOST_MOTOR_SPEED) & np.isfinite(limit)).tolist()
     if fast:
         most = float(limit[fast].max())
-        yield Doubt(
+        yield Finding(
             "drive-speed",
             f"speed_limit of the drives of {legs_text(fast)}: {most:.4g} rad/s, {most * 30.0 / np.pi:.4g} "
             "revolutions a minute; likely cause: revolutions a minute given, expected angle_unit a second",
@@ -147,7 +147,7 @@ def of_speeds(robot: Robot) -> Iterator[Doubt]:
     slow = np.flatnonzero((speed < SLOW * robot.speed_limit) & np.isfinite(robot.speed_limit)).tolist()
     if slow:
         i = min(slow, key=lambda leg: float(speed[leg] / robot.speed_limit[leg]))
-        yield Doubt(
+        yield Finding(
             "drive-speed",
             f"speed_limit of the drives of {legs_text(slow)}: {speed[i]:.4g} m/s of leg {i + 1}, whose "
             f"speed_limit is {robot.speed_limit[i]:.4g} m/s; likely cause: revolutions given, expected "
@@ -155,7 +155,7 @@ def of_speeds(robot: Robot) -> Iterator[Doubt]:
         )
 
 
-def of_currents(robot: Robot) -> Iterator[Doubt]:
+def of_currents(robot: Robot) -> Iterator[Finding]:
     """Torque constants by which motors need currents and voltages that those of machines do not."""
     drive = robot.drive
     if drive is None:
@@ -175,7 +175,7 @@ def of_currents(robot: Robot) -> Iterator[Doubt]:
         legs = np.flatnonzero(unlike).tolist()
         if legs:
             i = legs[0]
-            yield Doubt(
+            yield Finding(
                 "torque-constant",
                 f"{name} of the drives of {legs_text(legs)}: {values[i]:.4g} {unit}, by which "
                 f"{given[0][i]:.4g} {given[1]} need {need[0][i]:.3g} {need[1]}; likely cause: another unit",
@@ -190,7 +190,7 @@ LEAST_REACH, MOST_LENGTH = 0.8, 1.0 + 1e-9
 one part over the shortest leg."""
 
 
-def of_part_lengths(robot: Robot, home: Home) -> Iterator[Doubt]:
+def of_part_lengths(robot: Robot, home: Home) -> Iterator[Finding]:
     """Parts that come apart in the longest leg, or of which one is longer than the shortest.
 
     Of the limits, and of the leg at home where there is none; with offsets, of the limits alone.
@@ -204,7 +204,7 @@ def of_part_lengths(robot: Robot, home: Home) -> Iterator[Doubt]:
     short = np.flatnonzero(stated & (lower + upper < LEAST_REACH * longest)).tolist()
     if short:
         i = short[0]
-        yield Doubt(
+        yield Finding(
             "part-length",
             f"lower and upper parts of {legs_text(short)}: {lower[i]:.4g} m and {upper[i]:.4g} m long, which "
             f"do not reach through a leg of {longest[i]:.4g} m; likely cause: the length of a part left out, "
@@ -214,7 +214,7 @@ def of_part_lengths(robot: Robot, home: Home) -> Iterator[Doubt]:
         long = np.flatnonzero(length > MOST_LENGTH * shortest).tolist()
         if long:
             i = long[0]
-            yield Doubt(
+            yield Finding(
                 "part-length",
                 f"{part} part of {legs_text(long)}: {length[i]:.4g} m long, longer than a leg of "
                 f"{shortest[i]:.4g} m; likely cause: the length in another unit, or of the whole leg",

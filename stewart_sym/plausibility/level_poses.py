@@ -6,10 +6,10 @@ from typing import NamedTuple
 import numpy as np
 
 from ..dynamics.home_pose import home_pose, level_lengths, radius
-from ..dynamics.inverse import inverse_dynamics
+from ..dynamics.inverse_dynamics import inverse_dynamics
 from ..io.array_types import Array
 from ..kinematics.conditioning import scaled_condition_number
-from ..kinematics.inverse import length_rows
+from ..kinematics.inverse_kinematics import length_rows
 from ..kinematics.mounting import level_positions
 from ..motion.motion import at_rest
 from ..motion.rotation import rotation_from_vector
@@ -24,7 +24,7 @@ HEIGHTS = 50
 """Level poses that are looked at on a line above the base."""
 
 
-class Doubt(NamedTuple):
+class Finding(NamedTuple):
     """One line about a robot: name, as ``accept`` takes it, and text with the likely cause."""
 
     name: str

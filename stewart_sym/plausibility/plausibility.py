@@ -18,7 +18,7 @@ from ..motion.rotation import rotation_from_quaternion
 from ..robot.robot import LEGS, Robot, legs_text
 from . import leg_parts
 from .leg_order import of_order
-from .level_poses import Doubt, Home, centered_H, home_of, level_home, parts_of
+from .level_poses import Finding, Home, centered_H, home_of, level_home, parts_of
 from .points import MOST_LEGS, of_coincidence, of_exchange, of_limits, of_place, of_tool
 
 MOST_GRAVITY = 50.0
@@ -67,7 +67,7 @@ _OF_SPEED = ("drive-speed", "torque-constant")
 """Doubts that explain none about a machine at rest."""
 
 
-def doubts(robot: Robot) -> list[Doubt]:
+def find_implausible(robot: Robot) -> list[Finding]:
     """Doubts about a robot but those that it accepts; impossible inertias are not among them.
 
     A doubt that explains others stands for them: where a unit is wrong or all poses are singular, nothing is
@@ -80,8 +80,8 @@ def doubts(robot: Robot) -> list[Doubt]:
     return found
 
 
-def _found(robot: Robot) -> list[Doubt]:
-    def left(found: Iterable[Doubt]) -> list[Doubt]:
+def _found(robot: Robot) -> list[Finding]:
+    def left(found: Iterable[Finding]) -> list[Finding]:
         return [doubt for doubt in found if doubt.name not in robot.suppressed_warnings]
 
     base, platform = radius(robot.b), radius(robot.p)
@@ -89,7 +89,7 @@ def _found(robot: Robot) -> list[Doubt]:
         text = (
             "base or platform points so far out that distances overflow; likely cause: a slip in an exponent"
         )
-        return left([Doubt("length-unit", text)])
+        return left([Finding("length-unit", text)])
     reach = float(max(np.abs(robot.b).max(), np.abs(robot.p).max()))
     collapsed = min(base, platform) <= max(_SAME**2 * max(base, platform), _ROUNDING * reach)
     of_numbers = [] if collapsed else left(_of_numbers(robot))
@@ -106,10 +106,10 @@ def _found(robot: Robot) -> list[Doubt]:
 # Single numbers
 
 
-def _of_numbers(robot: Robot) -> Iterator[Doubt]:
+def _of_numbers(robot: Robot) -> Iterator[Finding]:
     gravity = float(np.linalg.norm(robot.g))
     if gravity > MOST_GRAVITY:
-        yield Doubt("gravity", f"gravity: {gravity:g} m/s^2; likely cause: given in mm/s^2 or cm/s^2")
+        yield Finding("gravity", f"gravity: {gravity:g} m/s^2; likely cause: given in mm/s^2 or cm/s^2")
     lengths = list(_of_lengths(robot))
     yield from lengths
     if not lengths:
@@ -122,14 +122,14 @@ def _of_numbers(robot: Robot) -> Iterator[Doubt]:
         yield from leg_parts.of_currents(robot)
     fast = np.flatnonzero(np.isfinite(robot.speed_limit) & (robot.speed_limit > MOST_SPEED))
     if fast.size:
-        yield Doubt(
+        yield Finding(
             "speed-limit",
             f"speed_limit of {legs_text(fast.tolist())}: {robot.speed_limit[fast].max():g} m/s; likely "
             "cause: given in mm/s",
         )
 
 
-def _of_lengths(robot: Robot) -> Iterator[Doubt]:
+def _of_lengths(robot: Robot) -> Iterator[Finding]:
     base, platform = radius(robot.b), radius(robot.p)
     sizes = f"base points {base:.3g} m, platform points {platform:.3g} m in RMS radius"
     strays = [
@@ -138,15 +138,15 @@ def _of_lengths(robot: Robot) -> Iterator[Doubt]:
         for i in _strays(points)
     ]
     if strays:
-        yield Doubt(
+        yield Finding(
             "stray-point",
             f"{', '.join(strays)}: more than {STRAY:g} times as far out as the others; likely cause: given "
             "in millimeters, or a decimal point lost",
         )
     elif max(base, platform) > MOST_SIZE and min(base, platform) * MOST_PROPORTION[1] > max(base, platform):
-        yield Doubt("length-unit", f"{sizes}; likely cause: points in millimeters, expected meters")
+        yield Finding("length-unit", f"{sizes}; likely cause: points in millimeters, expected meters")
     elif 0.0 < max(base, platform) < LEAST_SIZE:
-        yield Doubt("length-unit", f"{sizes}; likely cause: points in kilometers, expected meters")
+        yield Finding("length-unit", f"{sizes}; likely cause: points in kilometers, expected meters")
     elif platform > 0.0 and base > 0.0:
         said = list(_of_proportion(platform / base, sizes)) or list(of_exchange(robot, sizes))
         yield from said or _of_lightness(robot, sizes)
@@ -163,23 +163,23 @@ def _strays(points: Array) -> list[int]:
     return found
 
 
-def _of_proportion(ratio: float, sizes: str) -> Iterator[Doubt]:
+def _of_proportion(ratio: float, sizes: str) -> Iterator[Finding]:
     exchanged, unit = MOST_PROPORTION
     if ratio > unit or ratio < 1.0 / unit:
         larger, smaller = ("platform", "base") if ratio > unit else ("base", "platform")
         cause = f"{larger} points in millimeters, or {smaller} points in meters in a file of millimeters"
-        yield Doubt("proportion", f"{sizes}; likely cause: {cause}")
+        yield Finding("proportion", f"{sizes}; likely cause: {cause}")
     elif ratio > exchanged:
-        yield Doubt(
+        yield Finding(
             "proportion",
             f"{sizes}; likely cause: base_point and platform_point exchanged (the base is fixed)",
         )
 
 
-def _of_lightness(robot: Robot, sizes: str) -> Iterator[Doubt]:
+def _of_lightness(robot: Robot, sizes: str) -> Iterator[Finding]:
     density = _density(robot.M, _reach(robot))
     if density < LEAST_DENSITY:
-        yield Doubt(
+        yield Finding(
             "length-unit",
             f"{sizes}, platform {robot.M:g} kg, {density:.2g} kg/m^3 all over a ball around its points; "
             "likely cause: points in millimeters or centimeters, expected meters",
@@ -196,7 +196,7 @@ def _density(mass: float, r: float) -> float:
     return float(mass / (4.0 / 3.0 * np.pi * np.float64(r) ** 3))
 
 
-def _of_friction(robot: Robot, size: float) -> Iterator[Doubt]:
+def _of_friction(robot: Robot, size: float) -> Iterator[Finding]:
     """Viscous friction that would stop the machine at once, N s/m or N m s."""
     weight = 9.81 * (robot.M + robot.m_d.sum() + robot.m_u.sum())
     most = MOST_FRICTION * weight / np.sqrt(9.81 * size) if size > 0.0 else np.inf
@@ -205,7 +205,7 @@ def _of_friction(robot: Robot, size: float) -> Iterator[Doubt]:
     for name, values, unit, lever in joints:
         legs = np.flatnonzero(values > most * lever).tolist()
         if legs:
-            yield Doubt(
+            yield Finding(
                 "friction",
                 f"{name} of {legs_text(legs)}: {values[legs].max():.3g} {unit}, {MOST_FRICTION:g} times the "
                 f"weight and more at {np.sqrt(9.81 * size):.2g} m/s; likely cause: another unit, or dry "
@@ -213,13 +213,13 @@ def _of_friction(robot: Robot, size: float) -> Iterator[Doubt]:
             )
 
 
-def _of_rotors(robot: Robot) -> Iterator[Doubt]:
+def _of_rotors(robot: Robot) -> Iterator[Finding]:
     """Rotors beside which platform and legs do not count."""
     moving = robot.M + float(robot.m_d.sum() + robot.m_u.sum())
     legs = np.flatnonzero(robot.reflected_mass > MOST_REFLECTED * moving).tolist()
     if robot.drive is not None and legs:
         worst = int(np.argmax(robot.reflected_mass))
-        yield Doubt(
+        yield Finding(
             "rotor-inertia",
             f"rotor_inertia of {legs_text(legs)}: {robot.drive.rotor_inertia[worst]:.3g} kg m^2 resists as "
             f"{robot.reflected_mass[worst]:.3g} kg along the leg, platform and legs have {moving:.3g} kg; likely cause: "
@@ -227,7 +227,7 @@ def _of_rotors(robot: Robot) -> Iterator[Doubt]:
         )
 
 
-def _of_masses(robot: Robot, size: float) -> Iterator[Doubt]:
+def _of_masses(robot: Robot, size: float) -> Iterator[Finding]:
     bodies = [("platform", np.array([robot.M]), robot.I_p[None])]
     bodies += [("lower part", robot.m_d, robot.I_d0), ("upper part", robot.m_u, robot.I_u0)]
     for name, masses, inertias in bodies:
@@ -245,14 +245,14 @@ def _of_masses(robot: Robot, size: float) -> Iterator[Doubt]:
         reach = max(_reach(robot), 2.0 * float(gyration[0]))
         density = _density(robot.M, reach)
         if name == "platform" and density > DENSEST and reach > 0.0 and not wide.any():
-            yield Doubt(
+            yield Finding(
                 "mass",
                 f"platform: {robot.M:g} kg within {reach:.3g} m, {density / DENSEST:.2g} times as dense as "
                 "the densest metal; likely cause: mass in grams",
             )
             return
         if legs and size > 0.0:
-            yield Doubt(
+            yield Finding(
                 "inertia-size",
                 f"{where}inertia {largest[legs[0]]:.3g} kg m^2 at {masses[legs[0]]:g} kg is that of a body "
                 f"{gyration[legs[0]]:.3g} m in radius of gyration, on a machine of {size:.3g} m; likely "
@@ -260,7 +260,7 @@ def _of_masses(robot: Robot, size: float) -> Iterator[Doubt]:
             )
     far = np.linalg.norm(robot.R_0 - robot.p.mean(axis=0))
     if far > 10.0 * size > 0.0:
-        yield Doubt(
+        yield Finding(
             "center-of-mass",
             f"platform: center_of_mass {far:.3g} m from the middle of the platform points, on a machine of "
             f"{size:.3g} m; likely cause: given in millimeters or in the base frame",
@@ -270,14 +270,14 @@ def _of_masses(robot: Robot, size: float) -> Iterator[Doubt]:
 # Geometry in all poses
 
 
-def _of_geometry(robot: Robot) -> Iterator[Doubt]:
+def _of_geometry(robot: Robot) -> Iterator[Finding]:
     shares, rounding = _singular_shares(robot)
     if np.max(shares) < SINGULAR_SHARE:
         exact = bool(np.all(shares <= rounding))
         how = (
             "singular in every pose" if exact else "singular in every pose but for a few digits of its points"
         )
-        yield Doubt(
+        yield Finding(
             "singular-everywhere",
             f"{how}: at {len(shares)} random poses the least singular value of H is at most "
             f"{np.max(shares):.1g} of the largest; likely cause: {_why_singular(robot)}",
@@ -340,7 +340,7 @@ def _near(points: Array, i: int) -> list[int]:
 # The home pose
 
 
-def _of_home(robot: Robot, home: Home) -> Iterator[Doubt]:
+def _of_home(robot: Robot, home: Home) -> Iterator[Finding]:
     if robot.base_joint == "universal":
         yield from _of_axes(robot, home)
     # Legs that are no machine's of this size, though far away a pose has them.
@@ -357,7 +357,7 @@ def _of_home(robot: Robot, home: Home) -> Iterator[Doubt]:
         weak = np.flatnonzero(np.abs(home.F) > robot.force_limit).tolist()
     if weak:
         worst = max(weak, key=lambda i: abs(home.F[i]) / robot.force_limit[i])
-        yield Doubt(
+        yield Finding(
             "force-limit",
             f"force_limit of {legs_text(weak)}: {robot.force_limit[worst]:.4g} N, but "
             f"{abs(home.F[worst]):.4g} N hold the machine at rest at the home pose; likely cause: "
@@ -369,13 +369,13 @@ def _of_home(robot: Robot, home: Home) -> Iterator[Doubt]:
     yield from leg_parts.of_stroke(robot)
 
 
-def _of_axes(robot: Robot, home: Home) -> Iterator[Doubt]:
+def _of_axes(robot: Robot, home: Home) -> Iterator[Finding]:
     s = (home.t + robot.p @ home.R.T - robot.b) / home.L[:, None]
     limited = bool(np.all(np.isfinite(robot.length_limits)))
     sine = np.linalg.norm(np.cross(s, robot.k), axis=-1)
     along = np.flatnonzero((sine < LEAST_SINE) & limited | np.all(sine < LEAST_SINES)).tolist()
     if along:
-        yield Doubt(
+        yield Finding(
             "joint-singularity",
             f"universal_axis of {legs_text(along)}: {np.degrees(np.arcsin(sine[along].min())):.2g} degrees "
             "from the leg at the home pose, a joint singularity; likely cause: the leg's direction given, "
@@ -383,7 +383,7 @@ def _of_axes(robot: Robot, home: Home) -> Iterator[Doubt]:
         )
 
 
-def _of_limits(robot: Robot, home: Home) -> Doubt:
+def _of_limits(robot: Robot, home: Home) -> Finding:
     low, high = robot.length_limits.T
     finite = np.isfinite(high)
     ratio = float(np.mean(high[finite]) / np.mean(home.L[finite]))
@@ -402,7 +402,7 @@ def _of_limits(robot: Robot, home: Home) -> Doubt:
         f"{home.L.min():.4g} to {home.L.max():.4g} m long at the home pose"
     )
     limits = f"length_limits {low[finite].min():.4g} to {high[finite].max():.4g} m"
-    return Doubt("length-limits", f"{limits}: {where}; likely cause: {cause}")
+    return Finding("length-limits", f"{limits}: {where}; likely cause: {cause}")
 
 
 _UNITS = (("millimeters", 1e-3), ("centimeters", 1e-2), ("inches", 0.0254))
@@ -414,7 +414,7 @@ def _fits(robot: Robot, limits: Array) -> bool:
     return home_of(other, level_home(other)).fits
 
 
-def _of_parts(robot: Robot, home: Home) -> Iterator[Doubt]:
+def _of_parts(robot: Robot, home: Home) -> Iterator[Finding]:
     """Centers of mass of a leg's parts that lie beyond the leg, on the wrong side or far away."""
     off, least_off, times = MOST_OFFSET
     for part, r, sign, joint in (
@@ -444,16 +444,16 @@ def _of_parts(robot: Robot, home: Home) -> Iterator[Doubt]:
             text = f"{along[legs].max():.3g} m beyond the {joint}, outside of the leg"
             cause = f"wrong sign, expected a {sign} first component, or a motor behind the joint"
         text = f"{part} part of {legs_text(legs)}: center_of_mass {text}; likely cause: {cause}"
-        yield Doubt("center-of-mass", text)
+        yield Finding("center-of-mass", text)
 
 
-def _of_overlap(robot: Robot, home: Home) -> Iterator[Doubt]:
+def _of_overlap(robot: Robot, home: Home) -> Iterator[Finding]:
     lower, upper = robot.r_d0[:, 0], -robot.r_u0[:, 0]
     over = parts_of(robot) > MOST_OVERLAP * home.L
     legs = np.flatnonzero(over).tolist()
     if legs:
         i = max(legs, key=lambda leg: float(parts_of(robot)[leg] / home.L[leg]))
-        yield Doubt(
+        yield Finding(
             "overlap",
             f"lower and upper parts overlap at the home pose in {legs_text(legs)}: centers of mass "
             f"{lower[i]:.3g} m above the base joint and {upper[i]:.3g} m below the platform joint, leg "

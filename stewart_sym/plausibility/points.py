@@ -7,7 +7,7 @@ import numpy as np
 from ..dynamics.home_pose import level_lengths, radius
 from ..io.array_types import Array
 from ..robot.robot import LEGS, Robot, legs_text
-from .level_poses import Doubt
+from .level_poses import Finding
 
 LEAST_LARGER = 1.1
 """Platform over base from which on an exchange of the two is looked for by their axes."""
@@ -21,7 +21,7 @@ SAME = 1e-3
 """Distance over the radius of the ring."""
 
 
-def of_exchange(robot: Robot, sizes: str) -> Iterator[Doubt]:
+def of_exchange(robot: Robot, sizes: str) -> Iterator[Finding]:
     """Base and platform exchanged: a larger platform, and axes or a body that belong to the other ring."""
     ratio = radius(robot.p) / radius(robot.b)
     gyration = float(np.sqrt(np.linalg.eigvalsh(robot.I_p)[-1].clip(min=0.0) / robot.M))
@@ -32,7 +32,7 @@ def of_exchange(robot: Robot, sizes: str) -> Iterator[Doubt]:
     if ratio > larger and gyration < thin * radius(robot.p) and low < gyration / radius(robot.b) < high:
         signs.append(f"a platform of radius of gyration {gyration:.3g} m, which fits the base points")
     if signs:
-        yield Doubt(
+        yield Finding(
             "proportion",
             f"{sizes}, {' and '.join(signs)}; likely cause: base_point and platform_point exchanged "
             "(the base is fixed)",
@@ -50,12 +50,12 @@ def _laid(k: Array, points: Array) -> float:
     return min(across, along)
 
 
-def of_coincidence(robot: Robot) -> Iterator[Doubt]:
+def of_coincidence(robot: Robot) -> Iterator[Finding]:
     """Base joints in one place; three pairs of them are meant, as an idealisation."""
     near = np.linalg.norm(robot.b[:, None] - robot.b, axis=-1) < SAME * radius(robot.b)
     legs = np.flatnonzero(near.sum(axis=0) > 1).tolist()
     if legs and not (len(legs) == LEGS and (near.sum(axis=0) == 2).all()):
-        yield Doubt(
+        yield Finding(
             "coincident",
             f"base_point of {legs_text(legs)} in one place; likely cause: a point copied and not changed",
         )
@@ -71,7 +71,7 @@ _PARALLEL = 0.3
 """The same of the second direction, over which legs that stand side by side have as little of it."""
 
 
-def of_place(robot: Robot) -> Iterator[Doubt]:
+def of_place(robot: Robot) -> Iterator[Finding]:
     """A home pose at which no machine of this size is, or at which its legs lie in one plane."""
     if robot.home_position is None:
         return
@@ -80,7 +80,7 @@ def of_place(robot: Robot) -> Iterator[Doubt]:
     size = radius(robot.b) + radius(robot.p)
     another = "home of another point than the platform frame's origin"
     if L.min() > MOST_LEGS * size:
-        yield Doubt(
+        yield Finding(
             "home",
             f"home: legs {L.min():.4g} to {L.max():.4g} m long on a machine of {size:.3g} m; likely cause: "
             f"another unit than that of the file's points, or {another}",
@@ -90,7 +90,7 @@ def of_place(robot: Robot) -> Iterator[Doubt]:
         np.linalg.svd(S / L[:, None], compute_uv=False) / np.sqrt(len(L)) if L.min() > 0.0 else np.zeros(3)
     )
     if shares[2] < FLAT and shares[2] <= _PARALLEL * shares[1]:
-        yield Doubt(
+        yield Finding(
             "home",
             f"home: all legs lie within {np.degrees(np.arcsin(shares[2])):.2g} degrees (RMS) of one plane, "
             "across which they hold next to nothing; likely cause: home at the height of the base, or "
@@ -98,7 +98,7 @@ def of_place(robot: Robot) -> Iterator[Doubt]:
         )
 
 
-def of_limits(robot: Robot) -> Iterator[Doubt]:
+def of_limits(robot: Robot) -> Iterator[Finding]:
     """A home pose beyond the length limits."""
     if robot.home_position is None:
         return
@@ -106,7 +106,7 @@ def of_limits(robot: Robot) -> Iterator[Doubt]:
     legs = np.flatnonzero((low > L) | (high < L)).tolist()
     if legs:
         i = max(legs, key=lambda leg: float(max(low[leg] - L[leg], L[leg] - high[leg]) / L[leg]))
-        yield Doubt(
+        yield Finding(
             "home",
             f"{legs_text(legs)} beyond length_limits at the home pose: {L[i]:.4g} m, limits {low[i]:.4g} to "
             f"{high[i]:.4g} m; likely cause: home of another point than the platform frame's origin, a "
@@ -122,19 +122,19 @@ NEAR = (1e-6, 1e-3)
 """The same from the frame's origin: meters in a file of millimeters; below it, zero but for rounding."""
 
 
-def of_tool(robot: Robot) -> Iterator[Doubt]:
+def of_tool(robot: Robot) -> Iterator[Finding]:
     """A tool far from the machine, or next to the origin of the platform frame but not there."""
     size = radius(robot.b) + radius(robot.p)
     away = float(np.linalg.norm(robot.tool))
     apart = min(away, float(np.linalg.norm(robot.tool - robot.p.mean(axis=0))))
     if apart > FAR * size:
-        yield Doubt(
+        yield Finding(
             "tool",
             f"tool: {apart:.3g} m from the platform, on a machine of {size:.3g} m; likely cause: given in "
             "millimeters, or in micrometers in a file of millimeters",
         )
     elif NEAR[0] * size < away < NEAR[1] * size:
-        yield Doubt(
+        yield Finding(
             "tool",
             f"tool: {away:.3g} m from the origin of the platform frame, on a machine of {size:.3g} m; likely "
             "cause: given in meters in a file of millimeters",

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..io import tables
+from ..io import toml_reader
 from ..io.arguments import shown
 from ..io.array_types import Array
 from .fields import direction, inertia
@@ -117,7 +117,7 @@ def _one(value: object, prefix: str, meters: Meters, along: float | None, whole:
     """A body given by itself; ``whole``: with nothing missing."""
     place = _PLACES["platform" if along is None else "leg"]
     of_shapes = (*dict.fromkeys(key for sizes in SHAPES.values() for key in sizes), "density", *place)
-    table = tables.checked_table(value, prefix, (*INERTIA_KEYS, "shape", *of_shapes))
+    table = toml_reader.checked_table(value, prefix, (*INERTIA_KEYS, "shape", *of_shapes))
     own = () if along is None else ("length",)
     if "shape" in table or any(key in table for key in of_shapes if key not in own):
         return _by_shape(table, prefix, meters, along, place)
@@ -127,14 +127,14 @@ def _one(value: object, prefix: str, meters: Meters, along: float | None, whole:
 def _by_shape(
     table: dict[str, Any], prefix: str, meters: Meters, along: float | None, place: tuple[str, ...]
 ) -> dict[str, Any]:
-    tables.require(table, ("shape",), prefix, "missing")
-    shape = tables.choice(table["shape"], tuple(SHAPES), f"{prefix}shape")
+    toml_reader.require(table, ("shape",), prefix, "missing")
+    shape = toml_reader.choice(table["shape"], tuple(SHAPES), f"{prefix}shape")
     known = ("shape", *SHAPES[shape], *_MATTER, *place)
     known += ("inner_radius",) if shape == "plate" else ()
     known = tuple(key for key in known if (shape, key) != ("box", "axis"))
-    tables.checked_table(table, prefix, known, SHAPES[shape])
+    toml_reader.checked_table(table, prefix, known, SHAPES[shape])
     if shape == "box":
-        size = meters(tables.vector(table["size"], f"{prefix}size"))
+        size = meters(toml_reader.vector(table["size"], f"{prefix}size"))
         if np.any(size <= 0.0):
             raise ValueError(f"{prefix}size: expected three numbers > 0, got {shown(table['size'])}")
         length, volume = float(size[0]), float(size[0] * size[1] * size[2])
@@ -146,39 +146,41 @@ def _by_shape(
         length, volume, tensor = _cylinder(table, prefix, meters, axis)
     mass = _mass(table, prefix, volume)
     if along is None:
-        center = meters(tables.vector(table.get("center", (0.0, 0.0, 0.0)), f"{prefix}center"))
+        center = meters(toml_reader.vector(table.get("center", (0.0, 0.0, 0.0)), f"{prefix}center"))
         return Body(mass, np.asarray(center), mass * tensor)._asdict()
-    start = float(meters(tables.number(table.get("start", 0.0), f"{prefix}start")))
+    start = float(meters(toml_reader.number(table.get("start", 0.0), f"{prefix}start")))
     center = np.array([along * (start + 0.5 * length), 0.0, 0.0])
     return Body(mass, center, mass * tensor)._asdict() | {"length": max(0.0, start + length)}
 
 
 def _by_inertia(table: dict[str, Any], prefix: str, meters: Meters, whole: bool) -> dict[str, Any]:
     if whole:
-        tables.require(table, INERTIA_KEYS, prefix, "missing")
+        toml_reader.require(table, INERTIA_KEYS, prefix, "missing")
     found: dict[str, Any] = {}
     if "mass" in table:
-        found["mass"] = tables.positive(table["mass"], f"{prefix}mass")
+        found["mass"] = toml_reader.positive(table["mass"], f"{prefix}mass")
     if "center_of_mass" in table:
-        found["center_of_mass"] = meters(tables.vector(table["center_of_mass"], f"{prefix}center_of_mass"))
+        found["center_of_mass"] = meters(
+            toml_reader.vector(table["center_of_mass"], f"{prefix}center_of_mass")
+        )
     if "inertia" in table:
         found["inertia"] = _tensor(table["inertia"], f"{prefix}inertia")
     if "length" in table:
-        found["length"] = float(meters(tables.positive(table["length"], f"{prefix}length")))
+        found["length"] = float(meters(toml_reader.positive(table["length"], f"{prefix}length")))
     return found
 
 
 def _tensor(given: Any, where: str) -> Array:
     """Return an inertia (kg m^2), (3, 3), from three moments or a matrix."""
     plain = isinstance(given, list | tuple) and not any(isinstance(row, list | tuple) for row in given)
-    return np.diag(tables.vector(given, where)) if plain else inertia(given, where)
+    return np.diag(toml_reader.vector(given, where)) if plain else inertia(given, where)
 
 
 def _cylinder(table: dict[str, Any], prefix: str, meters: Meters, axis: Array) -> tuple[float, float, Array]:
     """Length, m, volume, m^3, and inertia over mass, m^2, of a cylinder with or without a bore."""
     key = "thickness" if "thickness" in table else "length"
-    length, outer = (meters(tables.positive(table[name], prefix + name)) for name in (key, "radius"))
-    inner = meters(tables.not_negative(table.get("inner_radius", 0.0), f"{prefix}inner_radius"))
+    length, outer = (meters(toml_reader.positive(table[name], prefix + name)) for name in (key, "radius"))
+    inner = meters(toml_reader.not_negative(table.get("inner_radius", 0.0), f"{prefix}inner_radius"))
     if inner >= outer:
         got = f"{table['inner_radius']:g} in {table['radius']:g}"
         raise ValueError(f"{prefix}inner_radius: expected a radius below that of the outside, got {got}")
@@ -194,7 +196,7 @@ def _mass(table: dict[str, Any], prefix: str, volume: float) -> float:
         raise ValueError(f"{prefix}mass: missing, expected mass or density")
     if len(given) > 1:
         raise ValueError(f"{prefix}density: expected mass or density, got both")
-    amount = tables.positive(table[given[0]], prefix + given[0])
+    amount = toml_reader.positive(table[given[0]], prefix + given[0])
     mass = float(amount if given[0] == "mass" else amount * volume)
     if not 0.0 < mass < math.inf:
         raise ValueError(f"{prefix}{given[0]}: expected a body with a mass, got {mass:g} kg")

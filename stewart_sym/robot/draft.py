@@ -7,7 +7,7 @@ from importlib.resources import files
 from string import Template
 
 from ..io.arguments import number_in, option, safe_text
-from ..io.tables import one_line
+from ..io.toml_reader import one_line
 from ..motion.text.unit_row import LENGTH_UNITS
 
 # Shares of a leg: of its mass in the lower part; of its greatest length that each part is long, and of its

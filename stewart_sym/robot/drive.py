@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..io import tables
+from ..io import toml_reader
 from ..io.arguments import shown
 from ..io.array_types import Array
 from ..io.frozen import Frozen
@@ -32,25 +32,25 @@ class _Key(NamedTuple):
 
 
 NUMBERS: Mapping[str, _Key] = {
-    "lead": _Key(tables.number_that(lambda x: x != 0.0, "other than 0"), math.nan, "length"),
-    "rotor_inertia": _Key(tables.not_negative, 0.0),
-    "efficiency": _Key(tables.number_that(lambda x: 0.0 < x <= 1.0, "> 0 and <= 1"), 1.0),
-    "backdrive_efficiency": _Key(tables.number_that(lambda x: x <= 1.0, "<= 1"), 1.0),
-    "screw_coulomb": _Key(tables.not_negative, 0.0),
-    "screw_viscous": _Key(tables.not_negative, 0.0),
-    "motor_coulomb": _Key(tables.not_negative, 0.0),
-    "motor_viscous": _Key(tables.not_negative, 0.0),
-    "stribeck_force": _Key(tables.not_negative, 0.0),
-    "stribeck_speed": _Key(tables.not_negative, 0.0, "length"),
-    "regularization_speed": _Key(tables.not_negative, 0.0, "length"),
-    "torque_constant": _Key(tables.not_negative, 0.0),
-    "resistance": _Key(tables.not_negative, 0.0),
-    "rated_torque": _Key(tables.positive, math.inf),
-    "torque_limit": _Key(tables.positive, math.inf),
-    "speed_limit": _Key(tables.positive, math.inf, "angle"),
-    "current_limit": _Key(tables.positive, math.inf),
-    "power_limit": _Key(tables.positive, math.inf),
-    "gear_ratio": _Key(tables.positive, 1.0),
+    "lead": _Key(toml_reader.number_that(lambda x: x != 0.0, "other than 0"), math.nan, "length"),
+    "rotor_inertia": _Key(toml_reader.not_negative, 0.0),
+    "efficiency": _Key(toml_reader.number_that(lambda x: 0.0 < x <= 1.0, "> 0 and <= 1"), 1.0),
+    "backdrive_efficiency": _Key(toml_reader.number_that(lambda x: x <= 1.0, "<= 1"), 1.0),
+    "screw_coulomb": _Key(toml_reader.not_negative, 0.0),
+    "screw_viscous": _Key(toml_reader.not_negative, 0.0),
+    "motor_coulomb": _Key(toml_reader.not_negative, 0.0),
+    "motor_viscous": _Key(toml_reader.not_negative, 0.0),
+    "stribeck_force": _Key(toml_reader.not_negative, 0.0),
+    "stribeck_speed": _Key(toml_reader.not_negative, 0.0, "length"),
+    "regularization_speed": _Key(toml_reader.not_negative, 0.0, "length"),
+    "torque_constant": _Key(toml_reader.not_negative, 0.0),
+    "resistance": _Key(toml_reader.not_negative, 0.0),
+    "rated_torque": _Key(toml_reader.positive, math.inf),
+    "torque_limit": _Key(toml_reader.positive, math.inf),
+    "speed_limit": _Key(toml_reader.positive, math.inf, "angle"),
+    "current_limit": _Key(toml_reader.positive, math.inf),
+    "power_limit": _Key(toml_reader.positive, math.inf),
+    "gear_ratio": _Key(toml_reader.positive, 1.0),
 }
 """Of each field of a drive; a lead has no default."""
 
@@ -261,7 +261,7 @@ def _lead(given: Mapping[str, Any], where: Callable[[str], str], meters: Callabl
     if "lead" in given and "radius" in given:
         raise ValueError(f"{where('radius')}: expected lead or radius, got both")
     if "radius" in given:
-        return _ONE_TURN * float(meters(tables.positive(given["radius"], where("radius"))))
+        return _ONE_TURN * float(meters(toml_reader.positive(given["radius"], where("radius"))))
     if "lead" not in given:
         raise ValueError(f"{where('lead')}: missing, and radius as well")
     check = NUMBERS["lead"].check

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..io import tables
+from ..io import toml_reader
 from ..io.arguments import shown
 from ..io.array_types import Array
 from ..motion.logs import EULER_ORDERS, LENGTHS
@@ -19,7 +19,7 @@ SYMMETRY_TOLERANCE = 1e-9
 Check = Callable[[object, str], Any]
 """From a value and where it stands, for messages, to the value as it is kept."""
 
-DOUBTS = (
+WARNING_NAMES = (
     *("platform-inertia", "lower-inertia", "upper-inertia", "density"),
     *("gravity", "length-unit", "stray-point", "proportion", "mass", "inertia-size"),
     *("center-of-mass", "friction", "rotor-inertia", "tool"),
@@ -56,19 +56,19 @@ def vector_text(vector: Array) -> str:
 
 def base_joint(value: object, where: str) -> str:
     """Kind of the joints at the base."""
-    return tables.choice(value, BASE_JOINTS, where)
+    return toml_reader.choice(value, BASE_JOINTS, where)
 
 
 def accepted(value: object, where: str) -> tuple[str, ...]:
     """Names of warnings."""
     if not isinstance(value, list | tuple):
         raise ValueError(f"{where}: expected a list of names of warnings, got {shown(value)}")
-    return tuple(tables.choice(name, DOUBTS, where) for name in value)
+    return tuple(toml_reader.choice(name, WARNING_NAMES, where) for name in value)
 
 
 def limits(value: object, where: str) -> Array:
     """Shortest and longest leg, (2,)."""
-    found = tables.numbers(value, (2,), where)
+    found = toml_reader.numbers(value, (2,), where)
     if not 0.0 <= found[0] < found[1]:
         raise ValueError(f"{where}: expected [min, max] with 0 <= min < max, got {shown(found.tolist())}")
     return found
@@ -80,7 +80,7 @@ def joint_angles(value: object, where: str, straight: float = math.pi) -> Array:
     straight: half a turn, in the unit of the value.
     """
     both = isinstance(value, list | tuple | np.ndarray)
-    found = tables.numbers(value if both else [value, value], (2,), where)
+    found = toml_reader.numbers(value if both else [value, value], (2,), where)
     if not np.all((found > 0.0) & (found <= straight)):
         raise ValueError(f"{where}: expected angles > 0 and <= {straight:g}, got {shown(found.tolist())}")
     return found
@@ -101,7 +101,7 @@ def _or_unlimited(key: str, check: Check) -> Check:
 
 def direction(value: object, where: str) -> Array:
     """Unit vector of a direction, (3,)."""
-    vector = tables.vector(value, where)
+    vector = toml_reader.vector(value, where)
     largest = float(np.max(np.abs(vector)))
     if largest == 0.0:
         raise ValueError(f"{where}: expected a non-zero direction, got {vector_text(vector)}")
@@ -115,7 +115,7 @@ def direction(value: object, where: str) -> Array:
 
 def no_direction(value: object, where: str) -> Array:
     """Three zeros, (3,)."""
-    vector = tables.vector(value, where)
+    vector = toml_reader.vector(value, where)
     if np.any(vector != 0.0):
         raise ValueError(
             f'{where}: expected (0, 0, 0) when base_joint is "spherical", got {vector_text(vector)}'
@@ -125,7 +125,7 @@ def no_direction(value: object, where: str) -> Array:
 
 def inertia(value: object, where: str) -> Array:
     """A symmetric tensor, (3, 3)."""
-    tensor = tables.numbers(value, (3, 3), where)
+    tensor = toml_reader.numbers(value, (3, 3), where)
     if (tensor == tensor.T).all():
         return tensor
     skew = np.abs(tensor - tensor.T)
@@ -174,7 +174,7 @@ class LegTables(NamedTuple):
         """The tables of a name in these, empty where there is none, with known keys alone."""
         prefixes = tuple(f"{prefix}{name}." for prefix in self.prefixes)
         pairs = zip(self.tables, prefixes, strict=True)
-        found = (tables.checked_table(table.get(name, {}), prefix, keys) for table, prefix in pairs)
+        found = (toml_reader.checked_table(table.get(name, {}), prefix, keys) for table, prefix in pairs)
         return LegTables(tuple(found), prefixes)
 
     def of_leg(self, i: int) -> dict[str, Any]:
@@ -196,40 +196,40 @@ class LegTables(NamedTuple):
 
 
 FIELDS: dict[str, tuple[str, Check]] = {
-    "g": ("gravity", tables.vector),
-    "M": ("platform.mass", tables.positive),
-    "R_0": ("platform.center_of_mass", tables.vector),
+    "g": ("gravity", toml_reader.vector),
+    "M": ("platform.mass", toml_reader.positive),
+    "R_0": ("platform.center_of_mass", toml_reader.vector),
     "I_p": ("platform.inertia", inertia),
 }
 """Path in a robot file, without the folder of the body, and check of each field."""
 
 LEG_FIELDS: dict[str, tuple[str, Check]] = {
-    "b": ("base_point", tables.vector),
-    "p": ("platform_point", tables.vector),
+    "b": ("base_point", toml_reader.vector),
+    "p": ("platform_point", toml_reader.vector),
     "k": ("universal_axis", direction),
-    "m_d": ("lower.mass", tables.positive),
-    "r_d0": ("lower.center_of_mass", tables.vector),
+    "m_d": ("lower.mass", toml_reader.positive),
+    "r_d0": ("lower.center_of_mass", toml_reader.vector),
     "I_d0": ("lower.inertia", inertia),
-    "m_u": ("upper.mass", tables.positive),
-    "r_u0": ("upper.center_of_mass", tables.vector),
+    "m_u": ("upper.mass", toml_reader.positive),
+    "r_u0": ("upper.center_of_mass", toml_reader.vector),
     "I_u0": ("upper.inertia", inertia),
-    "C_u": ("damping.universal", tables.not_negative),
-    "C_p": ("damping.prismatic", tables.not_negative),
-    "C_s": ("damping.spherical", tables.not_negative),
+    "C_u": ("damping.universal", toml_reader.not_negative),
+    "C_p": ("damping.prismatic", toml_reader.not_negative),
+    "C_s": ("damping.spherical", toml_reader.not_negative),
     "length_limits": ("length_limits", _or_unlimited("length_limits", limits)),
-    "force_limit": ("force_limit", _or_unlimited("force_limit", tables.positive)),
-    "speed_limit": ("speed_limit", _or_unlimited("speed_limit", tables.positive)),
+    "force_limit": ("force_limit", _or_unlimited("force_limit", toml_reader.positive)),
+    "speed_limit": ("speed_limit", _or_unlimited("speed_limit", toml_reader.positive)),
     "joint_angle_limit": ("joint_angle_limit", _or_unlimited("joint_angle_limit", joint_angles)),
-    "lower_length": ("lower.length", tables.not_negative),
-    "upper_length": ("upper.length", tables.not_negative),
+    "lower_length": ("lower.length", toml_reader.not_negative),
+    "upper_length": ("upper.length", toml_reader.not_negative),
 }
 """The same of the fields with an entry for each leg, path in a leg's table."""
 
 POSE_FIELDS: dict[str, Check] = {
-    "home_position": lambda value, where: None if value is None else tables.vector(value, where),
-    "tool": tables.vector,
-    "euler_order": lambda value, where: tables.choice(value, EULER_ORDERS, where),
-    "length_mode": lambda value, where: tables.choice(value, LENGTHS, where),
+    "home_position": lambda value, where: None if value is None else toml_reader.vector(value, where),
+    "tool": toml_reader.vector,
+    "euler_order": lambda value, where: toml_reader.choice(value, EULER_ORDERS, where),
+    "length_mode": lambda value, where: toml_reader.choice(value, LENGTHS, where),
 }
 """Check of the fields that say how poses of the machine are given."""
 

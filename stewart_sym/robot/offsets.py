@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ..io import tables
+from ..io import toml_reader
 from ..io.array_types import Array
 from ..io.frozen import Frozen
 from .fields import LEGS, LegTables, direction
@@ -66,11 +66,11 @@ class JointOffsets(Frozen):
     cross_inertia: Array = field(default_factory=lambda: np.zeros(LEGS))
 
     def __post_init__(self) -> None:
-        tables.choice(self.platform_joint, PLATFORM_JOINTS, "platform_joint")
+        toml_reader.choice(self.platform_joint, PLATFORM_JOINTS, "platform_joint")
         found = {name: _six(getattr(self, name), shape, name) for name, shape in SHAPES.items()}
         for name in ("cross_mass", "cross_inertia"):
             for i in range(LEGS):
-                tables.not_negative(found[name][i], f"{name}: leg {i + 1}")
+                toml_reader.not_negative(found[name][i], f"{name}: leg {i + 1}")
         if self.platform_joint == "universal":
             axes = found["platform_axis"]
             found["platform_axis"] = np.array(
@@ -96,7 +96,7 @@ class JointOffsets(Frozen):
 def _six(value: Any, shape: tuple[int, ...], name: str) -> Array:
     """Numbers of each leg, checked; one number may stand for those of all."""
     alone = isinstance(value, int | float) and not isinstance(value, bool) and shape == (LEGS,)
-    return tables.numbers([value] * LEGS if alone else value, shape, name)
+    return toml_reader.numbers([value] * LEGS if alone else value, shape, name)
 
 
 SHAPES: dict[str, tuple[int, ...]] = {
@@ -133,8 +133,8 @@ def offsets_of_tables(legs: LegTables, meters: Callable[[Any], Any]) -> JointOff
             raise ValueError(f"{prefix}platform_joint: expected it in legs.offsets, for all legs")
     of_all, none = joints.prefixes[0], np.zeros(3)
     joint = joints.tables[0].get("platform_joint", "spherical")
-    joint = tables.choice(joint, PLATFORM_JOINTS, f"{of_all}platform_joint")
-    found = {name: meters(joints.each(name, tables.number, 0.0)) for name in LENGTHS}
+    joint = toml_reader.choice(joint, PLATFORM_JOINTS, f"{of_all}platform_joint")
+    found = {name: meters(joints.each(name, toml_reader.number, 0.0)) for name in LENGTHS}
     if joint == "universal":
         for i in range(LEGS):
             if "platform_axis" not in joints.of_leg(i):
@@ -149,9 +149,9 @@ def offsets_of_tables(legs: LegTables, meters: Callable[[Any], Any]) -> JointOff
     return JointOffsets(
         **found,
         platform_joint=joint,
-        cross_mass=crosses.each("mass", tables.not_negative, 0.0),
-        cross_center=meters(crosses.each("center_of_mass", tables.vector, none)),
-        cross_inertia=crosses.each("inertia", tables.not_negative, 0.0),
+        cross_mass=crosses.each("mass", toml_reader.not_negative, 0.0),
+        cross_center=meters(crosses.each("center_of_mass", toml_reader.vector, none)),
+        cross_inertia=crosses.each("inertia", toml_reader.not_negative, 0.0),
     )
 
 

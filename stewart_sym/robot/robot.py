@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from ..io import tables
+from ..io import toml_reader
 from ..io.arguments import shown
 from ..io.array_types import Array
 from ..io.error_policy import warn
@@ -18,8 +18,8 @@ from ..io.frozen import Frozen
 from . import fields, schema_2
 from .bodies import inertias_of_parts, low_densities
 from .drive import Drive
-from .fields import DOUBTS as DOUBTS
 from .fields import LEGS as LEGS
+from .fields import WARNING_NAMES as WARNING_NAMES
 from .fields import base_joint
 from .fields import legs_text as legs_text
 from .offsets import JointOffsets
@@ -76,7 +76,7 @@ class Robot(Frozen):
         Of the parts, from the base point and from the platform point to the other end, m, (6,); 0 where not
         stated. For drawings: forces do not depend on them.
     suppressed_warnings : tuple, optional
-        Names, of ``DOUBTS``, of warnings that are known of this robot and not given.
+        Names, of ``WARNING_NAMES``, of warnings that are known of this robot and not given.
     home_position : ndarray, optional
         Home pose: position of the platform's reference point, m, base frame, (3,), the platform parallel to
         the base; None where none is stated.
@@ -132,7 +132,7 @@ class Robot(Frozen):
 
     def __post_init__(self) -> None:
         base_joint(self.base_joint, "robot: base_joint")
-        checked: dict[str, Any] = {"name": tables.title(self.name, "robot: name")}
+        checked: dict[str, Any] = {"name": toml_reader.title(self.name, "robot: name")}
         checked["suppressed_warnings"] = fields.accepted(
             self.suppressed_warnings, "robot: suppressed_warnings"
         )
@@ -195,8 +195,8 @@ class Robot(Frozen):
             About inertias that no body can have and densities that hardly any has, unless the file accepts
             them.
         """
-        source = tables.file_name(path)
-        with tables.toml_tables(source, "robot file") as d:
+        source = toml_reader.file_name(path)
+        with toml_reader.toml_tables(source, "robot file") as d:
             robot = cls._read(d, source)
         _warn(robot, d, source)
         return robot
@@ -235,7 +235,7 @@ class Robot(Frozen):
         file = f"{source}: "
         if not isinstance(d, Mapping):
             raise ValueError(f"{source}: expected a table, got {shown(d)}")
-        tables.require(d, ("schema",), file, "missing")
+        toml_reader.require(d, ("schema",), file, "missing")
         _need_schema(d["schema"], f"{file}schema")
         # Checked where a message can name the key, and so not again as fields.
         robot = object.__new__(cls)
@@ -356,7 +356,7 @@ def of_symbol(owner: Any, symbol: str) -> Any:
 
 
 def impossible_inertias(robot: Robot) -> list[tuple[str, str]]:
-    """Name, of ``DOUBTS``, and line of each impossible inertia."""
+    """Name, of ``WARNING_NAMES``, and line of each impossible inertia."""
     found = [("platform-inertia", f"platform: inertia: {fault}") for fault in inertia_fault(robot.I_p)]
     for part, tensors in (("lower", robot.I_d0), ("upper", robot.I_u0)):
         alike: dict[bytes, list[int]] = {}
@@ -389,7 +389,7 @@ def _need_schema(value: object, where: str) -> None:
             "share in [legs], and [leg.1] to [leg.6] in place of [[leg]]"
         )
         raise ValueError(f"{where}: schema 1 is no longer read; {remedy}")
-    tables.need_schema(value, (schema_2.SCHEMA,), where)
+    toml_reader.need_schema(value, (schema_2.SCHEMA,), where)
 
 
 def _warn(robot: Robot, d: Mapping[str, Any], source: str) -> None:

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from ..io import tables
+from ..io import toml_reader
 from ..io.arguments import shown
 from ..io.array_types import Array
 from ..motion.text.unit_row import LENGTH_UNITS
@@ -48,31 +48,35 @@ _MOST_TURNS = 2.0
 @np.errstate(over="ignore", invalid="ignore")
 def values(d: object, file: str) -> dict[str, Any]:
     """Fields of a robot by name, checked; ``file`` begins every message."""
-    top = tables.checked_table(d, file, _TOP_KEYS, _NEEDED)
-    meters = _meters(tables.choice(top.get("length_unit", "m"), tuple(LENGTH_UNITS), f"{file}length_unit"))
-    degrees = tables.choice(top.get("angle_unit", "rad"), ("rad", "deg"), f"{file}angle_unit") == "deg"
+    top = toml_reader.checked_table(d, file, _TOP_KEYS, _NEEDED)
+    meters = _meters(
+        toml_reader.choice(top.get("length_unit", "m"), tuple(LENGTH_UNITS), f"{file}length_unit")
+    )
+    degrees = toml_reader.choice(top.get("angle_unit", "rad"), ("rad", "deg"), f"{file}angle_unit") == "deg"
     joint = fields.base_joint(top.get("base_joint", "universal"), f"{file}base_joint")
     home = (
-        meters(tables.vector(top["home_position"], f"{file}home_position"))
+        meters(toml_reader.vector(top["home_position"], f"{file}home_position"))
         if "home_position" in top
         else None
     )
     own = {
-        "name": tables.title(top["name"], f"{file}name"),
+        "name": toml_reader.title(top["name"], f"{file}name"),
         "base_joint": joint,
-        "g": tables.vector(top.get("gravity", fields.DEFAULT_GRAVITY), f"{file}gravity"),
+        "g": toml_reader.vector(top.get("gravity", fields.DEFAULT_GRAVITY), f"{file}gravity"),
         "suppressed_warnings": fields.accepted(top.get("suppress_warnings", ()), f"{file}suppress_warnings"),
         "home_position": home,
         **_trajectory(top.get("trajectory", {}), f"{file}trajectory.", meters, home),
     }
-    platform = tables.checked_table(top["platform"], f"{file}platform.", (*_POINT_KEYS, "body"), ("body",))
-    base = tables.checked_table(top["base"], f"{file}base.", _POINT_KEYS)
+    platform = toml_reader.checked_table(
+        top["platform"], f"{file}platform.", (*_POINT_KEYS, "body"), ("body",)
+    )
+    base = toml_reader.checked_table(top["base"], f"{file}base.", _POINT_KEYS)
     rings = [
         points(table, f"{file}{name}.", meters, degrees)
         for name, table in (("base", base), ("platform", platform))
     ]
     on_top = body(platform["body"], f"{file}platform.body", meters, None)
-    tables.require(on_top, INERTIA_KEYS, f"{file}platform.body.", "missing")
+    toml_reader.require(on_top, INERTIA_KEYS, f"{file}platform.body.", "missing")
     own |= {"M": on_top["mass"], "R_0": on_top["center_of_mass"], "I_p": on_top["inertia"]}
     legs = _Legs(top, file, meters, degrees, joint, home)
     offsets = offsets_of_tables(legs.tables, meters)
@@ -101,7 +105,7 @@ def _meters(unit: str) -> Meters:
 
 def _trajectory(value: object, prefix: str, meters: Meters, home: Array | None) -> dict[str, Any]:
     """How poses of the machine are given."""
-    table = tables.checked_table(value, prefix, _TRAJECTORY_KEYS)
+    table = toml_reader.checked_table(value, prefix, _TRAJECTORY_KEYS)
     found = {key: fields.POSE_FIELDS[key](given, prefix + key) for key, given in table.items()}
     if found.get("length_mode") == "relative" and home is None:
         raise ValueError(f'{prefix}length_mode: "relative" is to the home pose, expected a key home_position')
@@ -125,12 +129,12 @@ class _Legs:
         home: Array | None,
     ) -> None:
         self.file, self.meters, self.degrees, self.joint, self.home = file, meters, degrees, joint, home
-        shared = tables.checked_table(top.get("legs", {}), f"{file}legs.", _SHARED_KEYS)
+        shared = toml_reader.checked_table(top.get("legs", {}), f"{file}legs.", _SHARED_KEYS)
         given = top.get("leg", {})
         if not isinstance(given, Mapping):
             raise ValueError(f"{file}leg: expected tables [leg.1] to [leg.6], got {shown(given)}")
-        some = tables.checked_table(given, f"{file}leg.", _NUMBERS)
-        own = [tables.checked_table(some.get(n, {}), f"{file}leg.{n}.", _LEG_KEYS) for n in _NUMBERS]
+        some = toml_reader.checked_table(given, f"{file}leg.", _NUMBERS)
+        own = [toml_reader.checked_table(some.get(n, {}), f"{file}leg.{n}.", _LEG_KEYS) for n in _NUMBERS]
         self.tables = fields.LegTables.of(shared, own, file)
         self.damping = self.tables.inner("damping", _DAMPING_KEYS)
 
@@ -161,7 +165,7 @@ class _Legs:
     def _point(self, i: int, key: str, ring: Array | None) -> Array:
         own = self.tables.tables[i + 1]
         if key in own:
-            return np.asarray(self.meters(tables.vector(own[key], self.tables.where(i, key))))
+            return np.asarray(self.meters(toml_reader.vector(own[key], self.tables.where(i, key))))
         if ring is None:
             section = key.partition("_")[0]
             raise ValueError(f"{self.file}{section}.points: missing, and leg.{i + 1}.{key} as well")
@@ -187,9 +191,9 @@ class _Legs:
         for part in _PARTS:
             found |= {f"{part}.{key}": value for key, value in self._part(i, part).items()}
         for name in _DAMPING_KEYS:
-            found[f"damping.{name}"] = self.damping.get(i, name, tables.not_negative, 0.0)
+            found[f"damping.{name}"] = self.damping.get(i, name, toml_reader.not_negative, 0.0)
         for name in ("force_limit", "speed_limit"):
-            found[name] = self.tables.get(i, name, tables.positive, fields.UNSTATED[name])
+            found[name] = self.tables.get(i, name, toml_reader.positive, fields.UNSTATED[name])
         found["speed_limit"] = self.meters(found["speed_limit"])
         angles = self._joint_angles(i, at_home)
         return found | {"length_limits": self._length_limits(i, at_home), "joint_angle_limit": angles}
@@ -208,7 +212,7 @@ class _Legs:
                 found = found | own
         elif shared is None:
             raise ValueError(f"{self.file}legs.{part}: missing")
-        tables.require(found, INERTIA_KEYS, f"{self.tables.where(i, part)}.", reason)
+        toml_reader.require(found, INERTIA_KEYS, f"{self.tables.where(i, part)}.", reason)
         return {"length": fields.UNSTATED[f"{part}.length"]} | found
 
     def _length_limits(self, i: int, at_home: float | None) -> Array:
@@ -238,7 +242,7 @@ class _Legs:
         return np.radians(found) if self.degrees else found
 
     def _about_home(self, value: object, where: str, length: float | None) -> Array:
-        stroke = self.meters(tables.numbers(value, (2,), where))
+        stroke = self.meters(toml_reader.numbers(value, (2,), where))
         if stroke[0] >= stroke[1]:
             raise ValueError(f"{where}: expected [least, most] with least < most, got {shown(value)}")
         if length is None:
@@ -313,11 +317,11 @@ def points(table: Mapping[str, Any], prefix: str, meters: Meters, degrees: bool)
         return _listed(table["points"], f"{prefix}points", meters)
     if not ring:
         return None
-    tables.require(table, RING_KEYS[:2], prefix, "missing")
-    radius = tables.per_leg(table["radius"], f"{prefix}radius")
+    toml_reader.require(table, RING_KEYS[:2], prefix, "missing")
+    radius = toml_reader.per_leg(table["radius"], f"{prefix}radius")
     if np.any(radius <= 0.0):
         raise ValueError(f"{prefix}radius: expected a number > 0, got {shown(table['radius'])}")
-    angles = tables.numbers(table["angles"], (fields.LEGS,), f"{prefix}angles")
+    angles = toml_reader.numbers(table["angles"], (fields.LEGS,), f"{prefix}angles")
     turns = np.abs(angles) / (360.0 if degrees else 2.0 * math.pi)
     if np.any(turns > _MOST_TURNS):
         i = int(np.argmax(turns))
@@ -332,7 +336,7 @@ def points(table: Mapping[str, Any], prefix: str, meters: Meters, degrees: bool)
             f"{prefix}angles: expected degrees all round, got at most {most:g}: are they in rad?"
         )
     c, s = np.array([cosine_and_sine(angle, degrees) for angle in angles]).T
-    z = tables.per_leg(table.get("z", 0.0), f"{prefix}z")
+    z = toml_reader.per_leg(table.get("z", 0.0), f"{prefix}z")
     radius = meters(radius)
     return np.stack([radius * c, radius * s, meters(z)], axis=-1)
 
@@ -340,7 +344,7 @@ def points(table: Mapping[str, Any], prefix: str, meters: Meters, degrees: bool)
 def _listed(value: object, where: str, meters: Meters) -> Array:
     if not isinstance(value, list | tuple) or len(value) != fields.LEGS:
         raise ValueError(f"{where}: expected six points, got {shown(value)}")
-    return np.stack([meters(tables.vector(point, f"{where} {i}")) for i, point in enumerate(value, 1)])
+    return np.stack([meters(toml_reader.vector(point, f"{where} {i}")) for i, point in enumerate(value, 1)])
 
 
 def cosine_and_sine(angle: float, degrees: bool) -> tuple[float, float]:
@@ -360,7 +364,7 @@ def axis(value: object, where: str, b: Array, middle: Array, home: Array | None)
     """
     if not isinstance(value, str):
         return fields.direction(value, where)
-    name = tables.choice(value, AXES, where)
+    name = toml_reader.choice(value, AXES, where)
     along = b - middle
     if name == "horizontal":
         if home is None:

@@ -13,11 +13,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..dynamics.inverse import Backend, Formulation, inverse_dynamics, prepared_kernel
+from ..dynamics.inverse_dynamics import Backend, Formulation, inverse_dynamics, prepared_kernel
 from ..io.arguments import instance, number_in, real_array, shown
 from ..io.array_types import Array
 from ..io.frozen import Frozen
-from ..kinematics.inverse import inverse_kinematics, leg_vectors, tip_velocities
+from ..kinematics.inverse_kinematics import inverse_kinematics, leg_vectors, tip_velocities
 from ..motion.motion import Motion, at_rest
 from ..motion.rotation import vector_from_rotation
 from ..motion.straight_line import StraightLinePath

@@ -10,7 +10,7 @@ from ..io.arguments import shown
 from ..io.array_types import Array, Codes
 from ..motion.motion import Motion
 from ..motion.rotation import orthonormal, vector_rate
-from .trace import motion_of
+from .state_history import motion_of
 
 
 def advance(

@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 
 from ..backend.kernel import FORMULATIONS
-from ..dynamics.inverse import Formulation
-from ..io import tables
+from ..dynamics.inverse_dynamics import Formulation
+from ..io import toml_reader
 from ..io.arguments import shown
 from ..io.array_types import Array
 from ..io.error_policy import errors_of, warn
-from ..io.instants import elapsed
+from ..io.sample_times import elapsed
 from ..kinematics.mounting import path_for
 from ..kinematics.robot_logs import trajectory_for
 from ..motion.interpolation import followed
@@ -25,7 +25,6 @@ from ..motion.straight_line import PAPER_PATHS
 from ..motion.trajectory import JointTrajectory
 from ..robot.robot import Robot
 from .actuator_models import ComputedTorque, ForceLaw, LegSprings, Wanted, along
-from .limits import StopConditions
 from .simulation import (
     METHODS,
     ON_FORCE_LIMIT,
@@ -37,7 +36,8 @@ from .simulation import (
     check_rtol,
     simulate,
 )
-from .trace import Load, SimulationResult
+from .state_history import Load, SimulationResult
+from .stop_conditions import StopConditions
 
 SCHEMA = 1
 STARTS = ("path",)
@@ -107,19 +107,19 @@ def read_scene(path: str | os.PathLike[str]) -> Scene:
     read and for every break of the schema, of this file or of one it names; ImportError where a spline needs
     SciPy.
     """
-    source = tables.file_name(path)
-    with tables.toml_tables(source, "scene of simulate") as d:
+    source = toml_reader.file_name(path)
+    with toml_reader.toml_tables(source, "scene of simulate") as d:
         return _scene(d, source)
 
 
 def _scene(d: Mapping[str, Any], source: str) -> Scene:
     file = f"{source}: "
-    top = tables.checked_table(d, file, _TOP_KEYS, ("schema", "robot", "duration", "actuation"))
-    tables.need_schema(top["schema"], (SCHEMA,), f"{file}schema")
+    top = toml_reader.checked_table(d, file, _TOP_KEYS, ("schema", "robot", "duration", "actuation"))
+    toml_reader.need_schema(top["schema"], (SCHEMA,), f"{file}schema")
     # What is wrong in this file comes before what is wrong in another.
     legs = _actuation(top["actuation"], f"{file}actuation.")
     options: dict[str, Any] = {
-        key: tables.positive(top[key], file + key) if key in top else default
+        key: toml_reader.positive(top[key], file + key) if key in top else default
         for key, default in (("duration", None), ("output_step", None), ("rtol", 1e-9))
     }
     with errors_of(file):
@@ -128,16 +128,16 @@ def _scene(d: Mapping[str, Any], source: str) -> Scene:
         check_output_step(options["output_step"], options["duration"])
     choices = {"method": METHODS, "formulation": FORMULATIONS, "on_force_limit": ON_FORCE_LIMIT}
     for key, known in choices.items():
-        options[key] = tables.choice(top.get(key, known[0]), known, file + key)
+        options[key] = toml_reader.choice(top.get(key, known[0]), known, file + key)
     thresholds = _thresholds(top.get("stop_conditions", {}), f"{file}stop_conditions.")
     load = _vectors(top.get("load", {}), _LOAD_KEYS, (), f"{file}load.")
     _check_start(top, legs["type"], file)
     given = _vectors(top["state"], _STATE_KEYS, ("t", "theta"), f"{file}state.") if "state" in top else None
-    read = [Path(source), tables.file_beside(top["robot"], source, "robot")]
+    read = [Path(source), toml_reader.file_beside(top["robot"], source, "robot")]
     robot = Robot.from_toml(read[1])
     tracked = legs["path"] if legs["type"] == "computed_torque" else None
     if tracked is not None and tracked not in PAPER_PATHS:
-        read.append(tables.file_beside(tracked, source, "actuation.path"))
+        read.append(toml_reader.file_beside(tracked, source, "actuation.path"))
     wanted = None if tracked is None else _wanted(robot, tracked, read[-1], options["duration"])
     state = _state(given, wanted, load)
     with errors_of(f"{file}actuation: "):
@@ -154,7 +154,7 @@ def _scene(d: Mapping[str, Any], source: str) -> Scene:
 def _check_start(top: Mapping[str, Any], law: str, file: str) -> None:
     """Reject a scene that starts nowhere or in two places; a tracking one starts on its path by itself."""
     if "initial_state" in top:
-        start = tables.choice(top["initial_state"], STARTS, f"{file}initial_state")
+        start = toml_reader.choice(top["initial_state"], STARTS, f"{file}initial_state")
         if law != "computed_torque":
             raise ValueError(
                 f'{file}initial_state: expected [actuation] law = "tracking" with "{start}", got "{law}"'
@@ -168,45 +168,45 @@ def _check_start(top: Mapping[str, Any], law: str, file: str) -> None:
 def _actuation(value: object, prefix: str) -> dict[str, Any]:
     """The law of the legs, its numbers checked; which keys there may be depends on the law."""
     every = ("type", *(key for checks in _LAW_KEYS.values() for key in checks))
-    law = tables.choice(
-        tables.checked_table(value, prefix, every, ("type",))["type"], tuple(_LAW_KEYS), f"{prefix}type"
+    law = toml_reader.choice(
+        toml_reader.checked_table(value, prefix, every, ("type",))["type"], tuple(_LAW_KEYS), f"{prefix}type"
     )
-    checks = {"type": tables.one_line} | _LAW_KEYS[law]
-    legs = tables.checked_table(value, prefix, tuple(checks), _LAW_NEEDS[law])
+    checks = {"type": toml_reader.one_line} | _LAW_KEYS[law]
+    legs = toml_reader.checked_table(value, prefix, tuple(checks), _LAW_NEEDS[law])
     return {key: checks[key](given, prefix + key) for key, given in legs.items()}
 
 
 def _not_negative(value: object, where: str) -> Any:
-    numbers = tables.per_leg(value, where)
+    numbers = toml_reader.per_leg(value, where)
     if (np.asarray(numbers) < 0.0).any():
         raise ValueError(f"{where}: expected numbers >= 0, got {shown(value)}")
     return numbers
 
 
 _LAW_KEYS: dict[str, dict[str, Callable[[object, str], Any]]] = {
-    "constant_force": {"forces": lambda value, where: tables.numbers(value, (6,), where)},
-    "spring": {"stiffness": _not_negative, "rest_length": tables.per_leg, "damping": _not_negative},
+    "constant_force": {"forces": lambda value, where: toml_reader.numbers(value, (6,), where)},
+    "spring": {"stiffness": _not_negative, "rest_length": toml_reader.per_leg, "damping": _not_negative},
     "computed_torque": {
-        "path": tables.one_line,
-        "k_p": tables.not_negative,
-        "k_d": tables.not_negative,
-        "model_formulation": lambda value, where: tables.choice(value, FORMULATIONS, where),
-        "rate": tables.positive,
+        "path": toml_reader.one_line,
+        "k_p": toml_reader.not_negative,
+        "k_d": toml_reader.not_negative,
+        "model_formulation": lambda value, where: toml_reader.choice(value, FORMULATIONS, where),
+        "rate": toml_reader.positive,
     },
 }
 """By law: its keys, each with the check of its value."""
 
 
 def _thresholds(value: object, prefix: str) -> StopConditions:
-    table = tables.checked_table(value, prefix, _THRESHOLD_KEYS)
-    numbers = {key: tables.positive(given, prefix + key) for key, given in table.items()}
+    table = toml_reader.checked_table(value, prefix, _THRESHOLD_KEYS)
+    numbers = {key: toml_reader.positive(given, prefix + key) for key, given in table.items()}
     with errors_of(prefix):
         return StopConditions(**numbers)
 
 
 def _vectors(value: object, keys: tuple[str, ...], needed: tuple[str, ...], prefix: str) -> dict[str, Array]:
-    table = tables.checked_table(value, prefix, keys, needed)
-    return {key: tables.vector(given, prefix + key) for key, given in table.items()}
+    table = toml_reader.checked_table(value, prefix, keys, needed)
+    return {key: toml_reader.vector(given, prefix + key) for key, given in table.items()}
 
 
 def _wanted(robot: Robot, path: str, file: Path, duration: float) -> Wanted:

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 
 from ..drives.friction import losses
 from ..dynamics.equations import ForwardDynamics
-from ..dynamics.inverse import Backend, Formulation
+from ..dynamics.inverse_dynamics import Backend, Formulation
 from ..io.arguments import instance, number_in, option, real_array, shown
 from ..io.array_types import Array
 from ..io.extras import needed_for
@@ -25,9 +25,7 @@ from ..motion.rotation import one_vector_rate, orthonormal, rotation_from_vector
 from ..results import STATUS_TEXT
 from ..robot.robot import Robot
 from .actuator_models import ForceLaw
-from .limits import StopConditions, Watch, det_sign, need_between
-from .stick_slip import StickSlip
-from .trace import (
+from .state_history import (
     Actuators,
     Load,
     Piece,
@@ -39,6 +37,8 @@ from .trace import (
     saturation_of,
     six_forces,
 )
+from .stick_slip import StickSlip
+from .stop_conditions import StopConditions, Watch, det_sign, need_between
 
 Method = Literal["DOP853", "Radau"]
 Progress = Callable[[float], None]

@@ -23,7 +23,7 @@ from ..motion.motion import Motion
 from ..results import SINGULAR
 from ..robot.drive import Drive
 from ..robot.robot import LEGS, Robot
-from .trace import WATCHED, Actuators, DriveWork, Piece, motion_of
+from .state_history import WATCHED, Actuators, DriveWork, Piece, motion_of
 
 Plant = Callable[[Motion, Array], tuple[Array, int]]
 """(state, forces of the legs, N, (6,)) -> [a; alpha], (6,), status."""

@@ -20,9 +20,9 @@ from numpy.typing import ArrayLike
 
 from ..io.arguments import deviations, finite_array, instance, real_array
 from ..io.array_types import Array
-from ..io.instants import elapsed
 from ..io.progress import Progress, silent
-from ..kinematics.forward import (
+from ..io.sample_times import elapsed
+from ..kinematics.forward_kinematics import (
     REASONS,
     Guess,
     checked_lengths,
@@ -43,8 +43,8 @@ from ..motion.trajectory import JointTrajectory, SmoothingOptions, Trajectory
 from ..results import SINGULAR
 from ..robot.robot import Robot
 from . import length_steps
-from .along_path import singularity_crossings
 from .length_steps import CROSSED, NO_WAY, UNDECIDED, Legs, LostError, at_rest, pose_of, walked
+from .path_singularities import singularity_crossings
 
 JUMPED = "the lengths jump here: no motion with the accelerations of the samples around it makes this step"
 OFF_RATES = "the step in lengths from the sample before is not what the rates at both samples make of it"

@@ -9,10 +9,10 @@ from typing import Any, NamedTuple, TypeVar
 import numpy as np
 
 from ..io.array_types import Array, Flags
-from ..io.instants import elapsed
 from ..io.progress import Progress, tracked
+from ..io.sample_times import elapsed
 from ..kinematics.conditioning import characteristic_length
-from ..kinematics.inverse import leg_vectors
+from ..kinematics.inverse_kinematics import leg_vectors
 from ..kinematics.pose_search import ToSingular, jacobian, newton, other_side, solve, way_to_singular
 from ..motion import rotation
 from ..robot.robot import Robot

@@ -5,11 +5,11 @@ from collections.abc import Sequence
 import numpy as np
 
 from ..io.array_types import Array
-from ..kinematics.log_doubts import side_change
+from ..kinematics.trajectory_checks import side_change
 from ..motion.interpolation import interpolate
 from ..motion.trajectory import PoseLog, Trajectory
 from ..robot.robot import Robot
-from .along_path import singularity_crossings
+from .path_singularities import singularity_crossings
 from .singular_poses import SingularityResult
 
 

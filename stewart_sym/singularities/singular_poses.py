@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..io.arguments import instance
 from ..io.array_types import Array
 from ..kinematics.conditioning import characteristic_length, condition_number, moments_over
-from ..kinematics.inverse import ROUNDING, wrench_matrix
+from ..kinematics.inverse_kinematics import ROUNDING, wrench_matrix
 from ..motion.motion import Motion, pose_of
 from ..robot.robot import Robot
 

@@ -1,7 +1,7 @@
 """Writes the tables of the documentation from the figures that studies wrote.
 
 ``python -m stewart_sym.studies.published [RUN]``, in the top folder of the source. RUN is a folder that
-``bench``, ``chart``, ``control``, ``controller``, ``stability`` or ``planning.study`` wrote: its figures and
+``benchmark``, ``chart``, ``control``, ``controller``, ``stability`` or ``planning.study`` wrote: its figures and
 pictures replace those in ``.docs``. Tables go to ``.docs/tables``, those of the README between their marks.
 """
 
@@ -16,7 +16,7 @@ from .accuracy import charts
 from .benchmark import published as benchmark
 from .common.output import Figures
 from .control import report as control
-from .microcontroller import report as microcontroller
+from .microcontroller import microcontroller_report as microcontroller
 from .planning import study as planning
 from .robustness import study as robustness
 

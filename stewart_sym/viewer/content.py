@@ -13,18 +13,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..drives.effort import PEAKS
-from ..drives.verdicts import EXCEEDED, VERDICTS, shows
+from ..drives.limit_status import EXCEEDED, VERDICTS, shows
 from ..io.arguments import safe_text
 from ..io.array_types import Array
-from ..io.instants import least_step, time_text
 from ..io.json_text import plain
+from ..io.sample_times import least_step, time_text
 from ..kinematics.conditioning import characteristic_length
 from ..kinematics.mounting import platform_side, radius
 from ..motion.rotation import quaternion_from_rotation
 from ..robot.offset_chains import chains
 from ..robot.robot import Robot
-from .instants import Event, Instants
-from .limits import Limits
+from .limit_report import LimitReport
+from .motion_history import Event, MotionHistory
 
 # Radius of a lower part and length of the axes as drawn, over the machine's size; how far a twist swings the
 # platform, over its characteristic length.
@@ -43,7 +43,7 @@ _DIGITS = 5
 _SMALL = 2.0
 
 
-def content(robot: Robot, shown: Instants, limits: Limits) -> dict[str, Any]:
+def content(robot: Robot, shown: MotionHistory, limits: LimitReport) -> dict[str, Any]:
     """Everything that the page's scripts read."""
     scale, cut = _scale(shown)
     columns = {
@@ -92,7 +92,7 @@ def parts_text(robot: Robot) -> str:
     return f"{which} of the legs' parts are assumed: the robot file states none."
 
 
-def noise_html(shown: Instants) -> str:
+def noise_html(shown: MotionHistory) -> str:
     """A paragraph about what noise a log was found to have; nothing without."""
     if shown.noise is None or not shown.noise.text:
         return ""
@@ -100,7 +100,7 @@ def noise_html(shown: Instants) -> str:
     return f'<p id="noise">{text}; \u00b1 is the standard deviation that this leaves</p>'
 
 
-def limits_html(limits: Limits) -> str:
+def limits_html(limits: LimitReport) -> str:
     """A section about the limits of the robot file that are not kept; nothing of a robot without limits."""
     if not limits.stated:
         return ""
@@ -121,7 +121,7 @@ def _column(values: Array, kind: str = "f4") -> dict[str, str]:
     return {"kind": kind, "data": base64.b64encode(numbers.tobytes()).decode()}
 
 
-def _chain_columns(robot: Robot, shown: Instants) -> dict[str, dict[str, str]]:
+def _chain_columns(robot: Robot, shown: MotionHistory) -> dict[str, dict[str, str]]:
     """Points and axes of the legs' chains, base frame, (n, 6, 3), of a robot with offset joints.
 
     moving: where the moving axis meets the common normal; foot, end: of the line of sliding; lower, upper:
@@ -136,7 +136,7 @@ def _chain_columns(robot: Robot, shown: Instants) -> dict[str, dict[str, str]]:
     return columns | {"lower": _column(at.y), "upper": _column(at.U[..., 1])}
 
 
-def _motor_columns(robot: Robot, shown: Instants, limits: Limits) -> dict[str, dict[str, str]]:
+def _motor_columns(robot: Robot, shown: MotionHistory, limits: LimitReport) -> dict[str, dict[str, str]]:
     """Torque of the motors, of which the page makes current and power, and speed where lengths don't tell."""
     if limits.motors is None:
         return {}
@@ -144,7 +144,7 @@ def _motor_columns(robot: Robot, shown: Instants, limits: Limits) -> dict[str, d
     return found if robot.offsets is None else found | {"speed": _column(limits.motors.speed)}
 
 
-def _deviations(robot: Robot, shown: Instants, limits: Limits) -> Iterator[tuple[str, Array]]:
+def _deviations(robot: Robot, shown: MotionHistory, limits: LimitReport) -> Iterator[tuple[str, Array]]:
     """Names of columns and their deviations, of those that these change in digits that are shown."""
     if shown.noise is None:
         return
@@ -169,7 +169,7 @@ def _runs(codes: NDArray[np.uint8]) -> Iterator[list[int]]:
                 yield [leg, first, after, int(column[first])]
 
 
-def _motors(limits: Limits) -> dict[str, Any] | None:
+def _motors(limits: LimitReport) -> dict[str, Any] | None:
     """Of the motors: what makes speeds of those of legs and currents of torques, limits, and mean torques."""
     found = limits.summary
     if found is None:
@@ -186,7 +186,7 @@ def _motors(limits: Limits) -> dict[str, Any] | None:
     }
 
 
-def _machine(robot: Robot, shown: Instants) -> dict[str, Any]:
+def _machine(robot: Robot, shown: MotionHistory) -> dict[str, Any]:
     size = _size(robot)
     lower, upper = _parts(robot, shown.L)
     extent = _extent(robot, shown)
@@ -240,7 +240,7 @@ def _parts(robot: Robot, L: Array) -> tuple[Array, Array]:
     return lower, np.where(robot.upper_length > 0.0, robot.upper_length, assumed)
 
 
-def _extent(robot: Robot, shown: Instants) -> Array:
+def _extent(robot: Robot, shown: MotionHistory) -> Array:
     """Points that must be seen, m, (n, 3): joints, tool and axes in some of the poses."""
     some = np.linspace(0, len(shown.time) - 1, min(len(shown.time), 16)).astype(np.int64)
     R, t = shown.motion.R[some], shown.motion.t[some]
@@ -249,7 +249,7 @@ def _extent(robot: Robot, shown: Instants) -> Array:
     return np.concatenate([robot.b, tips.reshape(-1, 3)])
 
 
-def _across(robot: Robot, shown: Instants) -> Array:
+def _across(robot: Robot, shown: MotionHistory) -> Array:
     """Directions across the legs of the first pose, (6, 3): legs with spherical joints don't show a spin."""
     S = shown.motion.R[0] @ robot.p.T + shown.motion.t[0][:, None] - robot.b.T
     least = np.eye(3)[np.argmin(np.abs(S), axis=0)]
@@ -264,7 +264,7 @@ def around(points: Array) -> NDArray[np.int64]:
     return np.argsort(np.arctan2(across[:, 1], across[:, 0]), kind="stable")
 
 
-def _scale(shown: Instants) -> tuple[float, float | None]:
+def _scale(shown: MotionHistory) -> tuple[float, float | None]:
     """Force at which the colors end, N, and the force at which curves are cut, None where none is."""
     sizes = np.abs(np.concatenate([F.ravel() for F in shown.forces.values()] or [np.zeros(1)]))
     sizes = sizes[np.isfinite(sizes)]

@@ -11,16 +11,16 @@ from typing import Any, cast
 
 from ..dynamics.home_pose import home_pose
 from ..io.arguments import instance, safe_text
-from ..io.writing import replaced_file
+from ..io.atomic_write import replaced_file
 from ..kinematics.conditioning import characteristic_length
 from ..motion.motion import Motion
 from ..motion.straight_line import StraightLinePath
 from ..motion.trajectory import PoseLog, Trajectory
 from ..robot.robot import Robot
-from ..simulation.trace import StateHistory
+from ..simulation.state_history import StateHistory
 from .content import content, data_text, limits_html, noise_html, parts_text, units
-from .instants import Instants, at_home, of_motion, of_path, of_run, of_trajectory
-from .limits import Limits, limits
+from .limit_report import LimitReport, limits
+from .motion_history import MotionHistory, at_home, of_motion, of_path, of_run, of_trajectory
 from .page import document, filled, generator
 
 _HEIGHT = 900
@@ -39,7 +39,7 @@ class Viewer:
     """
 
     robot: Robot
-    instants: Instants
+    instants: MotionHistory
 
     @property
     def title(self) -> str:
@@ -47,7 +47,7 @@ class Viewer:
         return f"{safe_text(self.robot.name)}: {safe_text(self.instants.name)}"
 
     @cached_property
-    def limits(self) -> Limits:
+    def limits(self) -> LimitReport:
         """The machine's limits beside the motion."""
         return limits(self.robot, self.instants)
 
@@ -137,7 +137,7 @@ def view(
     return Viewer(robot, _instants(robot, motion, time))
 
 
-def _instants(robot: Robot, motion: object, times: object) -> Instants:
+def _instants(robot: Robot, motion: object, times: object) -> MotionHistory:
     if motion is None:
         return at_home(robot, home_pose(robot).t)
     if isinstance(motion, str | StraightLinePath):

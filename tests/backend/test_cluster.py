@@ -21,7 +21,7 @@ import stewart_sym as ss
 from stewart_sym.backend import native
 from stewart_sym.backend.kernel import MOTION
 from stewart_sym.motion.motion import Motion
-from stewart_sym.studies.reports.workspace import grid, map_block, workspace_map
+from stewart_sym.studies.reports.workspace_map import grid, map_block, workspace_map
 
 WAIT = 300
 """Seconds after which a cluster that does not answer is given up; a busy machine may be slow."""

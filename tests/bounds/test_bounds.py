@@ -29,7 +29,7 @@ from stewart_sym.backend import native
 from stewart_sym.backend.c_kernel import address, c_sources, library, prepared_model
 from stewart_sym.backend.kernel import MOTION
 from stewart_sym.derive.mechanics.formulation import EXACT
-from stewart_sym.dynamics import bounds
+from stewart_sym.dynamics import force_error_bounds
 from stewart_sym.generated.interface import MODELS
 from stewart_sym.precision.quad import error, quad_forces
 from stewart_sym.results import BAD_ARGUMENT, JOINT_SINGULAR, OK, SINGULAR
@@ -121,7 +121,9 @@ def test_bound_holds_where_products_are_fused_into_sums(monkeypatch: pytest.Monk
     """In float, whose bounds round as coarsely as the forces."""
     flags = ("-O1", "-ffp-contract=fast")
     fused = native.load("fused", c_sources("exact_bounds"), flags, {"STEWART_FLOAT": 1})
-    monkeypatch.setattr(bounds, "function", lambda *names: getattr(fused, f"stewart_{names[0]}_{names[-1]}"))
+    monkeypatch.setattr(
+        force_error_bounds, "function", lambda *names: getattr(fused, f"stewart_{names[0]}_{names[-1]}")
+    )
     rng = np.random.default_rng(1)
     for number in range(20):
         found = figures(*case(rng, number), "float")
@@ -220,7 +222,7 @@ def test_robots_that_float_cannot_hold_are_rejected() -> None:
 def test_c_takes_one_pose_and_outputs_that_nobody_wants() -> None:
     robot, motion = machine_in_motion(10)
     wanted = ss.force_error_bounds(robot, motion)
-    prepare = bounds.function("exact", "bounds", "double", "bounds_prepare")
+    prepare = force_error_bounds.function("exact", "bounds", "double", "bounds_prepare")
     model = prepared_model(prepare, robot, MODELS["exact_bounds"], "double")
     call = library("exact_bounds").stewart_exact_forces_bounded
     numbers = np.concatenate([np.ravel(getattr(motion, name)) for name in MOTION])

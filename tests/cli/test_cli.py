@@ -24,7 +24,7 @@ def test_reproduce_writes_tables_and_curves_without_matplotlib(
 ) -> None:
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     target = tmp_path / "deep" / "out"
-    captured = run("reproduce", "--no-pictures", "-o", target)
+    captured = run("reproduce", "--no-plots", "-o", target)
     assert captured.err == ""
     names = [f"path_{p}_{f}.csv" for p in ("I", "II", "III") for f in ("exact", "paper")]
     assert results(target) == sorted([*names, "report.json", "report.txt"])
@@ -34,7 +34,7 @@ def test_reproduce_writes_tables_and_curves_without_matplotlib(
     assert float(rows[0]["F_3"]) == pytest.approx(1419.36, abs=0.005)
 
 
-@pytest.mark.parametrize(("command", "instead"), [("reproduce", ", or give --no-pictures"), ("bench", "")])
+@pytest.mark.parametrize(("command", "instead"), [("reproduce", ", or give --no-plots"), ("benchmark", "")])
 def test_without_matplotlib_a_study_says_how_to_get_it_and_writes_nothing(
     tmp_path: Path,
     fails: Fails,
@@ -56,7 +56,7 @@ def test_reproduce_rejects_a_folder_it_cannot_write_before_computing(
 
     monkeypatch.setattr("stewart_sym.studies.paper.reproduce.reproduce", unreachable)
     (tmp_path / "file").write_text("x")
-    line = fails("reproduce", "--no-pictures", "-o", tmp_path / "file" / "out")
+    line = fails("reproduce", "--no-plots", "-o", tmp_path / "file" / "out")
     assert str(tmp_path / "file" / "out") in line
     assert folder_state(tmp_path) == {"file": b"x"}
 
@@ -68,7 +68,7 @@ def test_reproduce_interrupted_is_quiet_and_leaves_nothing(
         raise KeyboardInterrupt
 
     monkeypatch.setattr("stewart_sym.studies.paper.reproduce.reproduce", interrupted)
-    captured = run("reproduce", "--no-pictures", "-o", tmp_path / "out", code=130)
+    captured = run("reproduce", "--no-plots", "-o", tmp_path / "out", code=130)
     assert (captured.out, captured.err) == ("", "")
     assert not list(tmp_path.iterdir())
 
@@ -249,7 +249,10 @@ def test_numbers_with_a_sign_and_an_exponent_are_no_options(fails: Fails) -> Non
 @pytest.mark.parametrize(
     ("arguments", "text"),
     [
-        (["bench", "--quik"], "unrecognized arguments: --quik, did you mean --quick? (see {} bench --help)"),
+        (
+            ["benchmark", "--quik"],
+            "unrecognized arguments: --quik, did you mean --quick? (see {} benchmark --help)",
+        ),
         (["check", "a.toml", "b.toml"], "unrecognized arguments: b.toml (see {} check --help)"),
         (
             ["generate", "a", "-o", "b", "--precision", "half"],
@@ -260,7 +263,7 @@ def test_numbers_with_a_sign_and_an_exponent_are_no_options(fails: Fails) -> Non
             'argument --language: expected "c", "python", "matlab" or "rust", '
             "got 'julia' (see {} generate --help)",
         ),
-        (["bench", "--rounds", "x"], "unrecognized arguments: --rounds (see {} bench --help)"),
+        (["benchmark", "--rounds", "x"], "unrecognized arguments: --rounds (see {} benchmark --help)"),
         (
             ["generate", "a", "--ouput", "b"],
             "unrecognized arguments: --ouput, did you mean --output? (see {} generate --help)",
@@ -268,7 +271,7 @@ def test_numbers_with_a_sign_and_an_exponent_are_no_options(fails: Fails) -> Non
         (["plan", "-x"], "unrecognized arguments: -x (see {} plan --help)"),
         (["--vresion"], "unrecognized arguments: --vresion, did you mean --version? (see {} --help)"),
         (
-            ["plann", "--least"],
+            ["plann", "--minimize"],
             "argument SUBCOMMAND: expected a subcommand, got 'plann', did you mean plan? (see {} --help)",
         ),
     ],

@@ -90,7 +90,7 @@ def test_times_since_1970_are_printed_in_full(robot: Path, trajectory: Path, run
     found = run(*asked)
     assert "21 instants, 1700000000.5 to 1700000002.5 s; " in found.out
     assert re.search(r" at 170000000[012]\.\d s, limit 1 N; beyond it for 2 s, at 21 of 21 ins", found.err)
-    found = run("singularities", *asked[1:3], "-o", trajectory.parent / "s", "--no-pictures")
+    found = run("singularities", *asked[1:3], "-o", trajectory.parent / "s", "--no-plots")
     assert "1700000000.5 s to 1700000002.5 s" in found.out
     assert "e+09" not in found.out + found.err
 
@@ -116,7 +116,7 @@ def test_a_pose_without_an_answer_is_rejected_unless_allowed(robot: Path, run: R
     line = fails("forces", robot, trajectory, "-o", output)
     assert line.endswith(f"{trajectory}: line 3: a leg has length zero (leg 1)")
     assert not output.exists()
-    told = run("forces", robot, trajectory, "-o", output, "--allow-singular", "--reactions").err
+    told = run("forces", robot, trajectory, "-o", output, "--on-singular", "nan", "--reactions").err
     assert f"{trajectory}: line 3: a leg has length zero (leg 1)" in told
     rows = read(output)
     assert [row["status"] for row in rows] == ["0", "2", "0"]
@@ -280,7 +280,7 @@ def test_singularities_reports_time_twist_and_signs(robot: Path, run: Run) -> No
 
 def test_singularities_of_a_path_that_crosses_none(robot: Path, trajectory: Path, run: Run) -> None:
     folder = robot.parent / "found"
-    out = run("singularities", robot, trajectory, "-o", folder, "--no-pictures").out
+    out = run("singularities", robot, trajectory, "-o", folder, "--no-plots").out
     assert results(folder) == ["events.csv", "path.csv", "report.json", "report.txt"]
     assert "crossings  0" in out
     assert "Nearest approach at" in out
@@ -292,10 +292,10 @@ def test_singularities_fails_in_one_line(robot: Path, trajectory: Path, crossing
     folder = robot.parent / "found"
     line = fails("singularities", robot, "IV", "-o", folder)
     assert line.endswith("IV: expected I, II, III or a CSV file, there is no such file")
-    start = ["--start", *"000000"]
+    start = ["--pose-guess", *"000000"]
     for path in (trajectory, "III"):
         line = fails("singularities", robot, path, "-o", folder, *start)
-        assert "--start: is for a trajectory of leg lengths" in line
+        assert "--pose-guess: is for a trajectory of leg lengths" in line
     crossing.write_text("".join(crossing.read_text().splitlines(keepends=True)[:2]))
     line = fails("singularities", robot, crossing, "-o", folder)
     assert line.endswith("expected at least 2 instants, got 1")

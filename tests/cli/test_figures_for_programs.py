@@ -55,7 +55,7 @@ def test_a_file_has_the_figures_beside_the_text(robot: Path, trajectory: Path, r
 
 def test_a_folder_has_the_same_figures(robot: Path, trajectory: Path, run: Run) -> None:
     folder = robot.parent / "out"
-    asked = ["singularities", str(robot), str(trajectory), "-o", str(folder), "--no-pictures", "--json"]
+    asked = ["singularities", str(robot), str(trajectory), "-o", str(folder), "--no-plots", "--json"]
     text = run(*asked).out
     found = strict(text)
     assert isinstance(found, dict)

@@ -200,7 +200,7 @@ def test_check_draws_the_machine_into_a_folder(tmp_path: Path, run: Run) -> None
     }
     assert (tmp_path / "out" / "machine.png").read_bytes().startswith(b"\x89PNG")
     assert (tmp_path / "out" / "report.txt").read_text() in text
-    assert main(["check", str(file), "-o", str(tmp_path / "bare"), "--no-pictures"]) == 0
+    assert main(["check", str(file), "-o", str(tmp_path / "bare"), "--no-plots"]) == 0
     assert not (tmp_path / "bare" / "machine.png").exists()
 
 

@@ -98,10 +98,10 @@ def off(one: float, other: float) -> float:
 
 
 COMMANDS = {
-    "size": ("hexapod.toml", "trajectory.csv", "-o", "out", "--no-pictures"),
-    "workspace": ("hexapod.toml", "--poses", "20000", "-o", "out", "--no-pictures"),
-    "simulate": ("swing.toml", "-o", "out", "--no-pictures"),
-    "plan": ("via.toml", "-o", "out", "--no-pictures"),
+    "size-actuators": ("hexapod.toml", "trajectory.csv", "-o", "out", "--no-plots"),
+    "workspace": ("hexapod.toml", "--samples", "20000", "-o", "out", "--no-plots"),
+    "simulate": ("swing.toml", "-o", "out", "--no-plots"),
+    "plan": ("via.toml", "-o", "out", "--no-plots"),
     "forces": ("hexapod.toml", "trajectory.csv", "-o", "out.csv"),
 }
 FREE = ("condition_number", "_sd_", "/deviations/", "time_s", "/steps", "certificate/instants")

@@ -36,8 +36,20 @@ stroke = [-150.0, 150.0]
 force_limit = 300.0
 joint_angle_limit = [30.0, 22.0]
 """
-FEW = ("--poses", 4000)
-FREE = ("--ignore", "lengths", "--ignore", "joint-angles", "--box", -0.1, 0.1, -0.1, 0.1, 0.6, 0.8)
+FEW = ("--samples", 4000)
+FREE = (
+    "--ignore",
+    "lengths",
+    "--ignore",
+    "joint-angles",
+    "--position-bounds",
+    -0.1,
+    0.1,
+    -0.1,
+    0.1,
+    0.6,
+    0.8,
+)
 
 
 @pytest.fixture(autouse=True)
@@ -47,9 +59,24 @@ def hanging(folder: Path) -> None:
 
 @pytest.mark.slow
 def test_a_workspace_is_written_as_text_table_and_picture(folder: Path, run: Run) -> None:
-    ranges = ("--turns", -0.3, 0.3, -0.3, 0.3, -0.3, 0.3, "--box", -0.2, 0.2, -0.2, 0.2, 0.55, 0.85)
-    options = ("--kind", "six_dof", *ranges, "--clearance", 0.07)
-    run("workspace", "hanging.toml", *options, "--condition", 20, *FEW)
+    ranges = (
+        "--rpy-bounds",
+        -0.3,
+        0.3,
+        -0.3,
+        0.3,
+        -0.3,
+        0.3,
+        "--position-bounds",
+        -0.2,
+        0.2,
+        -0.2,
+        0.2,
+        0.55,
+        0.85,
+    )
+    options = ("--kind", "six_dof", *ranges, "--min-clearance", 0.07)
+    run("workspace", "hanging.toml", *options, "--max-condition", 20, *FEW)
     assert results(folder / "workspace") == ["report.json", "report.txt", "slices.csv", "slices.png"]
     report = (folder / "workspace" / "report.txt").read_text()
     assert "leg lengths, joint angles, leg clearance 0.07 m, scaled condition number 20, actuator" in report
@@ -62,7 +89,7 @@ def test_a_workspace_is_written_as_text_table_and_picture(folder: Path, run: Run
 
 
 def test_a_middle_beyond_the_limits_and_meters_read_as_millimeters_are_doubted(run: Run) -> None:
-    few = ("--poses", 500, "--no-pictures")
+    few = ("--samples", 500, "--no-plots")
     for position, doubted in ((0.7, False), (700.0, True)):
         told = run("workspace", "hanging.toml", *few, "--position", 0, 0, position).err
         assert ("the pose in the middle breaks a limit" in told) == doubted
@@ -76,25 +103,25 @@ def test_a_middle_beyond_the_limits_and_meters_read_as_millimeters_are_doubted(r
     ("options", "words"),
     [
         (("--position", 0, 0, 700), "its legs are 700 to 700 m long: expected one within the limits, "),
-        (("--condition", 1.5), "condition number: expected at most 1.5, got "),
+        (("--max-condition", 1.5), "condition number: expected at most 1.5, got "),
         (
-            (*FREE, "--condition", 20, "--angles", 0, 0, 2.5),
+            (*FREE, "--max-condition", 20, "--rpy", 0, 0, 2.5),
             "condition number: det H has another sign than at the home pose",
         ),
-        ((*FREE, "--clearance", 0.08, "--angles", 0, 0, 2.5), "leg clearance"),
+        ((*FREE, "--min-clearance", 0.08, "--rpy", 0, 0, 2.5), "leg clearance"),
         (("--load", 0, 0, 9000, 0, 0, 0), "actuator force"),
         (("--position", 0, 0, -0.7), "other side of the base"),
-        (("--angles", 0, 0, 0.6), "joint angle"),
+        (("--rpy", 0, 0, 0.6), "joint angle"),
     ],
 )
 def test_the_limit_that_the_middle_breaks_is_named(options: tuple, words: str, run: Run) -> None:
-    errors = run("workspace", "hanging.toml", "--poses", 100, "--no-pictures", *options).err
+    errors = run("workspace", "hanging.toml", "--samples", 100, "--no-plots", *options).err
     assert f"the pose in the middle breaks a limit, {words}" in errors
     assert ("--position" in errors) == (words.startswith("its legs"))
 
 
 def test_shares_given_in_per_cent_are_named(run: Run) -> None:
-    size = ("size", "hexapod.toml", "trajectory.csv", "--no-pictures")
+    size = ("size-actuators", "hexapod.toml", "trajectory.csv", "--no-plots")
     assert "--margin: 25 is a share, 2500 %: expected 0.25 for 25 %" in run(*size, "--margin", 25).err
     assert "--quantile: expected shares > 0 and <= 1, got" in run(*size, "--quantile", 95, code=2).err
 
@@ -102,14 +129,14 @@ def test_shares_given_in_per_cent_are_named(run: Run) -> None:
 def test_ignored_limits_do_not_count(folder: Path, run: Run) -> None:
     volumes = []
     for ignored in ((), ("--ignore", "joint-angles")):
-        told = run("workspace", "hanging.toml", *FEW, *ignored, "--no-pictures", "--json", "-").out
+        told = run("workspace", "hanging.toml", *FEW, *ignored, "--no-plots", "--json", "-").out
         volumes.append(json.loads(told)["volume"])
     assert volumes[0] < 0.9 * volumes[1]
 
 
 def test_sizes_are_written_and_limits_that_do_not_suffice_are_named(folder: Path, run: Run) -> None:
     edit(folder / "hexapod.toml", "force_limit = 500.0", "force_limit = 150.0")
-    captured = run("size", "hexapod.toml", "trajectory.csv", "trajectory.csv", "--quantile", 1)
+    captured = run("size-actuators", "hexapod.toml", "trajectory.csv", "trajectory.csv", "--quantile", 1)
     assert results(folder / "size") == ["needs.csv", "report.json", "report.txt", "size.png"]
     (line,) = captured.err.splitlines()
     assert line.startswith(
@@ -135,7 +162,7 @@ def test_noise_that_hides_the_forces_exceeds_no_limit_and_is_told(folder: Path, 
     write(folder / "noisy.csv", NAMES, np.column_stack([time, rows]))
     text = (folder / "hexapod.toml").read_text()
     (folder / "hexapod.toml").write_text(text + DRIVE)
-    captured = run("size", "hexapod.toml", "noisy.csv", "--cutoff", 20, "--no-pictures")
+    captured = run("size-actuators", "hexapod.toml", "noisy.csv", "--cutoff", 20, "--no-plots")
     assert "the log's noise leaves the forces of all legs unknown: " in captured.err
     data = json.loads((folder / "size" / "report.json").read_text())
     assert data["exceeded"] == []
@@ -181,7 +208,7 @@ def test_joint_angles_are_compared_by_forces_and_view_as_by_size(folder: Path, r
     peaks = {"base": needs.base_angle, "platform": needs.platform_angle}
     limits = [float(np.median(each)) for each in peaks.values()]
     edit(file, "speed_limit", f"joint_angle_limit = {limits}\nspeed_limit")
-    run("size", "hexapod.toml", "trajectory.csv", "--no-pictures")
+    run("size-actuators", "hexapod.toml", "trajectory.csv", "--no-plots")
     exceeded = json.loads((folder / "size" / "report.json").read_text())["exceeded"]
     told, tables = [], []
     for name, output in (("forces", "F.csv"), ("view", "F.html")):
@@ -211,13 +238,16 @@ def test_joint_angles_are_compared_by_forces_and_view_as_by_size(folder: Path, r
     [
         (("workspace", "none.toml"), "none.toml"),
         (("workspace", "trajectory.csv"), "trajectory.csv"),
-        (("workspace", "hexapod.toml", "--box", 1, 0, 0, 1, 0, 1), "box: expected least < greatest"),
-        (("workspace", "hexapod.toml", "--angles", 1, 2, "nan"), "expected a finite number"),
+        (
+            ("workspace", "hexapod.toml", "--position-bounds", 1, 0, 0, 1, 0, 1),
+            "box: expected least < greatest",
+        ),
+        (("workspace", "hexapod.toml", "--rpy", 1, 2, "nan"), "expected a finite number"),
         (("workspace", "hexapod.toml", "--kind", "every"), "--kind"),
-        (("size", "hexapod.toml"), "TRAJECTORY.csv"),
-        (("size", "hexapod.toml", "none.csv"), "none.csv"),
-        (("size", "hexapod.toml", "trajectory.csv", "--quantile", 2), "--quantile: expected"),
-        (("size", "hexapod.toml", "hexapod.toml"), "hexapod.toml"),
+        (("size-actuators", "hexapod.toml"), "TRAJECTORY.csv"),
+        (("size-actuators", "hexapod.toml", "none.csv"), "none.csv"),
+        (("size-actuators", "hexapod.toml", "trajectory.csv", "--quantile", 2), "--quantile: expected"),
+        (("size-actuators", "hexapod.toml", "hexapod.toml"), "hexapod.toml"),
     ],
 )
 def test_bad_input_is_one_line_and_leaves_nothing(

@@ -14,11 +14,11 @@ from scipy.integrate import trapezoid
 from sweeps import share
 
 import stewart_sym as ss
-from stewart_sym.design.limits import compared
-from stewart_sym.design.size import weighted_quantiles
-from stewart_sym.drives.verdicts import EXCEEDED, NOT_DECIDED, WITHIN, legs_text
+from stewart_sym.design.actuator_requirements import weighted_quantiles
+from stewart_sym.design.limit_margins import compared
+from stewart_sym.drives.limit_status import EXCEEDED, NOT_DECIDED, WITHIN, legs_text
 from stewart_sym.motion.trajectory import Trajectory
-from stewart_sym.studies.design.size import figure, report
+from stewart_sym.studies.design.actuator_report import figure, report
 from stewart_sym.studies.reports.track import Digest, in_parts
 
 

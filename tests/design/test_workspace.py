@@ -21,7 +21,7 @@ from shells import shell_volume
 from sweeps import share, sweep
 
 import stewart_sym as ss
-from stewart_sym.design import cells, jobs
+from stewart_sym.design import parallel, stratified_sampling
 from stewart_sym.design.capability import WHAT
 from stewart_sym.design.pose_limits import REASONS, PoseExaminer, at_reference
 from stewart_sym.design.workspace import WHOLE_TURN, Kind, WorkspaceWarning
@@ -137,7 +137,7 @@ def test_a_volume_below_its_error_is_doubted() -> None:
     t, size = home_position(robot.b, machine_size(robot)), machine_size(robot)
     box = np.stack([t - 0.3 * size, t + 0.3 * size], axis=-1)
     with pytest.warns(WorkspaceWarning, match="the error exceeds the volume"):
-        found = ss.workspace(robot, "total", position=t, box=box, poses=2000)
+        found = ss.workspace(robot, "six_dof", position=t, box=box, poses=2000)
     assert not found.is_known
 
 
@@ -206,11 +206,17 @@ def test_the_error_of_cells_is_that_of_their_estimates() -> None:
         radius = np.linalg.norm(points, axis=-1)
         return (radius > 0.9).astype(np.int8), radius
 
-    grid = cells.cells_of(box, 20_000, np.ones(3), lambda low, _: np.zeros(len(low), dtype=bool))
+    grid = stratified_sampling.cells_of(
+        box, 20_000, np.ones(3), lambda low, _: np.zeros(len(low), dtype=bool)
+    )
     volumes, errors = [], []
     for seed in range(60):
-        found = cells.total([cells.tally(job, examine, 2) for job in cells.jobs_of(grid, seed)], 3, 2)
-        volume, error = cells.volume(grid, found)
+        found = stratified_sampling.total(
+            [stratified_sampling.tally(job, examine, 2) for job in stratified_sampling.jobs_of(grid, seed)],
+            3,
+            2,
+        )
+        volume, error = stratified_sampling.volume(grid, found)
         volumes.append(volume)
         errors.append(error)
         assert found.nearest >= 0.9
@@ -257,7 +263,7 @@ def test_a_cluster_of_workers_gives_the_same_bits() -> None:
 
 
 def test_more_poses_than_cells_are_shared_out_evenly(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(cells, "MOST_KEPT", 1 << 12)
+    monkeypatch.setattr(stratified_sampling, "MOST_KEPT", 1 << 12)
     robot = limited(np.random.default_rng(1))
     coarse, fine = (ss.workspace(robot, samples=poses) for poses in (8_000, 400_000))
     assert fine.samples > 20 * coarse.samples
@@ -327,7 +333,7 @@ def test_what_is_no_question_is_one_line(monkeypatch: pytest.MonkeyPatch) -> Non
     assert error_of(lambda: ss.PoseLimits(load=[1.0])).startswith("load: expected")
     tight = ss.PoseLimits(clearance=10.0 * machine_size(robot))
     assert error_of(lambda: ss.workspace(robot, limits=tight)).startswith("clearance: expected less than")
-    monkeypatch.setattr(jobs, "_WAIT", "0.2s")
+    monkeypatch.setattr(parallel, "_WAIT", "0.2s")
     assert error_of(lambda: ss.workspace(robot, scheduler="tcp://127.0.0.1:1")).startswith("scheduler: none")
 
 

@@ -57,7 +57,7 @@ def test_an_excerpt_shows_where_lines_are_left_out() -> None:
 def test_examples_run_in_order_and_give_what_the_page_says(
     page: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    if "stewart-sym advise" in text_of(page):
+    if "stewart-sym choose-fidelity" in text_of(page):
         hasty(monkeypatch)
     monkeypatch.chdir(prepared(page, tmp_path))
     run_page(page, tmp_path)

@@ -158,7 +158,9 @@ def test_times_on_the_page_are_those_of_the_benchmark() -> None:
 
 
 def test_the_committed_run_was_not_disturbed_by_others() -> None:
-    assert figures()["machine"]["taken_by_others"] <= DISTURBED, "run `stewart-sym bench` on a quiet machine"
+    assert figures()["machine"]["taken_by_others"] <= DISTURBED, (
+        "run `stewart-sym benchmark` on a quiet machine"
+    )
 
 
 def test_the_committed_run_keeps_what_the_kernels_promise() -> None:
@@ -178,7 +180,7 @@ def test_the_committed_run_keeps_what_the_kernels_promise() -> None:
 
 
 def motion_figures() -> dict[str, Any]:
-    """The second group as ``bench`` writes it, from figures made up."""
+    """The second group as ``benchmark`` writes it, from figures made up."""
     raw: dict[Timed, tuple[float]] = {}
 
     def timed(name: str, time: float, **more: Any) -> Timed:
@@ -210,7 +212,7 @@ def test_motion_has_every_figure_with_its_target() -> None:
 
 
 def made_up_builds() -> dict[str, Any]:
-    """Shares, compiled C and the processor as ``bench`` writes them."""
+    """Shares, compiled C and the processor as ``benchmark`` writes them."""
     ratios = {"ratio_to_closed_form": 0.5, "ratio_to_casadi": 0.25}
     build = {"name": "one pose", "vectors": "AVX2, 256 bit", "flags": ["-mno-avx512f"], "median": 9.0}
     peak = {"instructions": "AVX2", "numbers_in_a_vector": 4, "vectors_in_a_cycle": 2.0}

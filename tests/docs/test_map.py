@@ -52,7 +52,7 @@ def defined(name: str, path: Path) -> bool:
 
 def test_the_map_answers_what_is_asked_first() -> None:
     (questions,) = re.findall(r"\| question \| answer \|\n(.*?)\n\n", (TOP / WHERE).read_text(), re.DOTALL)
-    for words in ("equation (21)", "stewart_exact_forces.c", "status", "`advise`", "add a robot"):
+    for words in ("equation (21)", "stewart_exact_forces.c", "status", "`choose-fidelity`", "add a robot"):
         assert words in questions
     assert "(21)" in (TOP / "derive/mechanics/legs/leg.py").read_text(encoding="utf-8")
 

@@ -17,15 +17,15 @@ from robot_files import written
 
 import stewart_sym as ss
 from stewart_sym.drives.friction import friction_force
-from stewart_sym.drives.instants import Instants
 from stewart_sym.drives.leg_limits import LEG_LIMITS, LegLimits
+from stewart_sym.drives.motor_states import MotorStates
 from stewart_sym.dynamics.home_pose import home_pose
 from stewart_sym.motion.rotation import rpy_from_rotation
 from stewart_sym.motion.trajectory import Trajectory, Uncertainty
 from stewart_sym.reference import newton_euler
 from stewart_sym.studies.reports.drives import DriveDigest
-from stewart_sym.viewer.instants import of_trajectory
-from stewart_sym.viewer.limits import limits
+from stewart_sym.viewer.limit_report import limits
+from stewart_sym.viewer.motion_history import of_trajectory
 
 LOSSY: dict[str, Any] = {
     "efficiency": 0.9, "backdrive_efficiency": 0.8, "screw_coulomb": 20.0, "screw_viscous": 150.0,
@@ -190,7 +190,7 @@ def test_forces_has_columns_table_and_picture_of_the_motors_and_so_has_its_page(
     machine = with_drive(robot, **LOSSY, torque_limit=1.2, speed_limit=450.0)
     picture = tmp_path / "motors.png"
     more = ("--json", str(tmp_path / "F.json"), "--html", str(tmp_path / "F.html"))
-    command = forces(tmp_path, machine, time, "--picture", str(picture), *more)
+    command = forces(tmp_path, machine, time, "--plot", str(picture), *more)
     out, err = run(*command)
     table = np.genfromtxt(tmp_path / "F.csv", delimiter=",", names=True)
     with pytest.warns(ss.DriveLimitWarning, match=r"\Adrive\.(speed|torque)_limit exceeded"):
@@ -233,14 +233,14 @@ def test_motors_have_the_times_of_the_log_in_warnings_views_and_pictures(
     digest = DriveDigest(machine, time)
     with pytest.warns(ss.DriveLimitWarning):
         effort = ss.drive_effort(machine, trajectory)
-    digest.add(Instants(**{name: getattr(effort, name) for name in Instants._fields}), slice(None))
+    digest.add(MotorStates(**{name: getattr(effort, name) for name in MotorStates._fields}), slice(None))
     assert digest.figure().axes[0].get_xlim() == (time[0], time[-1])
     np.testing.assert_allclose(digest.summary.energy, effort.energy, rtol=1e-12)
 
 
 def test_forces_without_a_drive_has_no_motors(robot: ss.Robot, tmp_path: Path, run: Run) -> None:
     command = forces(tmp_path, robot, np.linspace(0.0, 2.0, 81))
-    told = run(*command, "--picture", tmp_path / "motors.png", code=2).err
+    told = run(*command, "--plot", tmp_path / "motors.png", code=2).err
     assert "expected a robot with a drive" in told
     assert not (tmp_path / "F.csv").exists()
     run(*command)

@@ -16,11 +16,11 @@ from stewart_sym.backend import native
 from stewart_sym.backend.kernel import MOTION
 from stewart_sym.derive.kernel.interface import STRUCTS
 from stewart_sym.drives.friction import losses
-from stewart_sym.drives.instants import at_instants
+from stewart_sym.drives.motor_states import motor_states
 from stewart_sym.kit import Choice, kit, write_kit
-from stewart_sym.kit.choice import check
 from stewart_sym.kit.files import kit_names
 from stewart_sym.kit.interpreter import KitInterpreter
+from stewart_sym.kit.kit_options import check
 from stewart_sym.kit.parts import fields
 from stewart_sym.kit.running import values
 from stewart_sym.reference import newton_euler
@@ -75,7 +75,7 @@ def test_torques_are_those_of_the_python_layer(case: tuple[ss.Robot, Compiled]) 
     # From rates within the smoothing, where friction is as at rest, to those of the motion.
     for slowness in (0.0, 1e-5, 1e-2, 0.1, 0.3, 1.0):
         slow = dataclasses.replace(motion, v=slowness * motion.v, omega=slowness * motion.omega)
-        expected = at_instants(robot, drive, slow, F, slowness * L_dot)
+        expected = motor_states(robot, drive, slow, F, slowness * L_dot)
         size = np.abs(F) + np.abs(expected.friction) + np.abs(expected.rotor)
         known = drive.torque_constant > 0.0
         for i in range(50):

@@ -19,7 +19,7 @@ from motion_fields import balance_of, breaks_of
 from unsolvable_poses import at_rest
 
 from stewart_sym.dynamics.forces import ForceKernel
-from stewart_sym.dynamics.inverse import inverse_dynamics
+from stewart_sym.dynamics.inverse_dynamics import inverse_dynamics
 from stewart_sym.motion.motion import Motion
 from stewart_sym.reference import newton_euler
 from stewart_sym.reference.newton_euler import EXACT, PAPER

@@ -15,7 +15,7 @@ from exported_models import HEXAPOD, imported, written
 from machines import offset_case, random_robot, upside_down_in_millimeters
 
 import stewart_sym as ss
-from stewart_sym.exchange.chain import Model
+from stewart_sym.exchange.model import Model
 from stewart_sym.exchange.notes import differences, noted, with_notes
 
 FORMATS = ("mjcf", "sdf", "drake", "urdf")

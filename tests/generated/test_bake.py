@@ -13,7 +13,7 @@ import stewart_sym as ss
 from stewart_sym.backend import fidelity, native
 from stewart_sym.backend.c_kernel import address
 from stewart_sym.backend.kernel import MOTION
-from stewart_sym.derive.package.words import robot_symbol
+from stewart_sym.derive.package.text_format import robot_symbol
 from stewart_sym.kit import Choice
 from stewart_sym.kit.parts import parts
 from stewart_sym.motion.motion import Motion

@@ -13,11 +13,11 @@ from stewart_sym import results
 from stewart_sym.backend import native
 from stewart_sym.backend.c_kernel import address, contiguous, library
 from stewart_sym.backend.kernel import MOTION, robot_numbers
-from stewart_sym.kinematics import inverse
+from stewart_sym.kinematics import inverse_kinematics
 from stewart_sym.motion import rotation
 
 HUGE = [1.7e308, -1.7e308, 1.7e308]
-MANY = inverse.BLOCK + 3
+MANY = inverse_kinematics.BLOCK + 3
 ERROR = 64 * np.finfo(np.float64).eps
 
 
@@ -27,7 +27,7 @@ def numpy_alone(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
         raise native.CompilerError("none")
 
     with monkeypatch.context() as patch:
-        patch.setattr(inverse, "library", nothing)
+        patch.setattr(inverse_kinematics, "library", nothing)
         yield
 
 
@@ -39,7 +39,7 @@ def test_many_poses_are_those_of_numpy(
     robot, motion = machine_in_motion(5, (3, MANY // 3 + 1), scale=scale)
     if not accelerations:
         motion = ss.Motion(R=motion.R, t=motion.t, omega=motion.omega, v=motion.v)
-    assert inverse._compiled_legs(robot, motion) is not None
+    assert inverse_kinematics._compiled_legs(robot, motion) is not None
     found = ss.inverse_kinematics(robot, motion)
     with numpy_alone(monkeypatch):
         expected = ss.inverse_kinematics(robot, motion)
@@ -77,13 +77,15 @@ def test_each_output_may_be_left_out_and_each_status_is_its_pose_s() -> None:
     arrays[1] = t
     numbers = robot_numbers(robot)
     expected = ss.inverse_kinematics(robot, motion[:2])
-    for name, shape in inverse._SHAPES.items():
+    for name, shape in inverse_kinematics._SHAPES.items():
         out, status = np.full((4, *shape), -1.0), np.full(4, -1, dtype=np.int32)
         first = library("legs").stewart_legs_batch(
             address(numbers),
             ctypes.c_size_t(4),
             (ctypes.c_void_p * len(arrays))(*[address(array) for array in arrays]),
-            (ctypes.c_void_p * 5)(*[address(out if name == other else None) for other in inverse._SHAPES]),
+            (ctypes.c_void_p * 5)(
+                *[address(out if name == other else None) for other in inverse_kinematics._SHAPES]
+            ),
             address(status),
         )
         assert first == results.NOT_FINITE

@@ -19,7 +19,7 @@ from sweeps import FULL, slow_but
 
 from stewart_sym.derive.emit.header import common_header
 from stewart_sym.derive.generate import motion_files
-from stewart_sym.derive.package.deviations import DEVIATIONS, KINDS, deviations
+from stewart_sym.derive.package.misra_deviations import DEVIATIONS, KINDS, deviations
 from stewart_sym.generated.interface import HEADERS
 from stewart_sym.kit import Choice
 

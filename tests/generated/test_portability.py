@@ -20,7 +20,7 @@ from sweeps import slow_but
 
 import stewart_sym as ss
 from stewart_sym.kit import Choice, Kit, kit, put
-from stewart_sym.kit.choice import FUNCTIONS, TORQUE
+from stewart_sym.kit.kit_options import FUNCTIONS, TORQUE
 
 WARNINGS = ["-Wall", "-Wextra", "-pedantic", "-Wconversion", "-Wdouble-promotion", "-Wshadow", "-Wundef"]
 WARNINGS += ["-Wstrict-prototypes", "-Wold-style-definition", "-Wmissing-prototypes", "-Wvla", "-Werror"]

@@ -16,7 +16,7 @@ import stewart_sym as ss
 from stewart_sym.backend import native
 from stewart_sym.backend.c_kernel import address, contiguous, library
 from stewart_sym.backend.kernel import MOTION, robot_numbers
-from stewart_sym.dynamics import inverse
+from stewart_sym.dynamics import inverse_dynamics
 from stewart_sym.identification import parameters
 from stewart_sym.motion.motion import Motion
 from stewart_sym.results import BAD_ARGUMENT, JOINT_SINGULAR, NOT_FINITE, OK, ZERO_LENGTH
@@ -197,7 +197,7 @@ def test_without_a_compiler_numpy_serves_and_says_so(monkeypatch: pytest.MonkeyP
     robot, motion = machine_in_motion(1, (2,))
     expected = ss.regressor(robot, motion)
     monkeypatch.setattr(parameters, "library", nothing)
-    inverse._say_once.cache_clear()
+    inverse_dynamics._say_once.cache_clear()
     with pytest.warns(RuntimeWarning, match="NumPy kernels serve"):
         np.testing.assert_array_equal(ss.regressor(robot, motion), expected)
 

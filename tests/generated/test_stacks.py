@@ -22,8 +22,8 @@ from stewart_sym.backend.native import CompilerError
 from stewart_sym.io.json_text import json_text
 from stewart_sym.io.progress import Progress, silent
 from stewart_sym.kit import Choice
-from stewart_sym.kit.choice import check
 from stewart_sym.kit.files import stack_key
+from stewart_sym.kit.kit_options import check
 from stewart_sym.kit.parts import Parts, parts
 from stewart_sym.robot.robot import Robot
 from stewart_sym.studies.microcontroller import toolchain

@@ -324,8 +324,8 @@ def test_command_takes_currents(robot: ss.Robot, excited: ss.Excitation, tmp_pat
     noisy = ss.drive_effort(machine, excited.motion).current
     noisy = noisy + 0.01 * np.random.default_rng(2).normal(size=noisy.shape)
     given = tables(excited, tmp_path, {f"current_{leg + 1}": noisy[:, leg] for leg in range(6)})
-    words = ["identify", str(written(machine, tmp_path / "robot.toml")), *given, "--drive", "coulomb"]
-    out = ["--sigma", "0.01", "--json", "-", "-o", str(tmp_path / "found")]
+    words = ["identify", str(written(machine, tmp_path / "robot.toml")), *given, "--drive-terms", "coulomb"]
+    out = ["--force-std", "0.01", "--json", "-", "-o", str(tmp_path / "found")]
     found = json.loads(run(*words, *out).out)
     np.testing.assert_allclose(found["force_noise_N"], 0.01 * 0.5 * np.abs(drive.transmission_ratio))
     assert found["verdict"] == "consistent"
@@ -335,7 +335,7 @@ def test_command_takes_currents(robot: ss.Robot, excited: ss.Excitation, tmp_pat
     assert found["robot_file"]["agreement"] == "agrees"
     found = json.loads(run(*words[:-2], *out, code=1).out)
     assert any("dry friction of up to 30 N in the robot file" in line for line in found["doubts"])
-    assert not any("--noise-position" in line for line in found["doubts"])
+    assert not any("--position-std" in line for line in found["doubts"])
     assert found["robot_file"] == {"agreement": "not compared", "probability": None}
     words[1] = str(written(robot, tmp_path / "plain.toml"))
     assert "expected a drive with a torque_constant of every leg" in run(*words, *out, code=2).err
@@ -347,18 +347,20 @@ def test_the_command_seeks_terms_of_measured_forces(
     F = motor_forces(robot, excited.motion) + SIGMA * np.random.default_rng(1).normal(size=(120, 6))
     given = tables(excited, tmp_path, {f"F_{leg + 1}": F[:, leg] for leg in range(6)})
     command = ["identify", str(written(robot, tmp_path / "robot.toml")), *given]
-    command += ["--sigma", str(SIGMA), "--json", "-", "-o", str(tmp_path / "found")]
+    command += ["--force-std", str(SIGMA), "--json", "-", "-o", str(tmp_path / "found")]
     found = {
         row["name"]: row
-        for row in json.loads(run(*command, "--drive", "coulomb,reflected_mass,viscous,offset").out)["drive"]
+        for row in json.loads(run(*command, "--drive-terms", "coulomb,reflected_mass,viscous,offset").out)[
+            "drive"
+        ]
     }
     for name, values in TRUE.items():
         for leg in range(6):
             row = found[f"{name}{leg + 1}"]
             assert abs(row["estimated"] - values[leg]) < 5.0 * row["sigma"]
     assert not found["viscous3"]["identifiable"]
-    told = run(*command, "--drive", "coulomb,stiction", code=2).err
-    assert "--drive: expected some of reflected_mass" in told
+    told = run(*command, "--drive-terms", "coulomb,stiction", code=2).err
+    assert "--drive-terms: expected some of reflected_mass" in told
 
 
 def test_a_term_that_is_no_name_is_one_line() -> None:

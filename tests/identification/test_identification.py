@@ -170,7 +170,7 @@ def simulated(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_identify_writes_a_table_a_trajectory_and_forces(tmp_path: Path, run: Run) -> None:
     target = tmp_path / "out"
-    printed = run("identify", PAPERS, *FEW, "--sigma", "0.1", "-o", target).out
+    printed = run("identify", PAPERS, *FEW, "--force-std", "0.1", "-o", target).out
     assert (target / "report.txt").read_text() in printed
     assert sorted(p.name for p in target.glob("[!.]*")) == [
         "forces.csv",
@@ -205,8 +205,8 @@ def test_wrong_rows_of_a_log_are_left_out_of_the_fit(noisy: bool, tmp_path: Path
     ):
         rows = np.column_stack([chosen.time, values])
         np.savetxt(tmp_path / name, rows, "%.17g", ",", header=f"time,{columns}", comments="")
-    noise = ["--noise-position", "1e-5", "--noise-angle", "1e-5"] * noisy
-    measured = ("--measured", tmp_path / "log.csv", tmp_path / "forces.csv", "--sigma", "0.5")
+    noise = ["--position-std", "1e-5", "--angle-std", "1e-5"] * noisy
+    measured = ("--measured", tmp_path / "log.csv", tmp_path / "forces.csv", "--force-std", "0.5")
     told = run("identify", PAPERS, *measured, *noise, "-o", tmp_path / "out")
     found = json.loads((tmp_path / "out" / "report.json").read_text())
     assert found["verdict"] == "consistent"
@@ -268,8 +268,8 @@ def test_swapped_measurements_are_told(simulated: Path, tmp_path: Path, fails: F
 @pytest.mark.parametrize(
     ("options", "words"),
     [
-        (("--sigma", "0"), "sigma: expected"),
-        (("--sigma", "nan"), "--sigma"),
+        (("--force-std", "0"), "sigma: expected"),
+        (("--force-std", "nan"), "--force-std"),
         (("--seed", "-1"), "--seed"),
         (("--samples", "5"), "motion: excites"),
         (("--harmonics", "0"), "harmonics: expected"),

@@ -123,14 +123,14 @@ def test_values_below_zero_are_named_once_for_all_legs() -> None:
 
 def test_the_flag_reports_shared_parameters(tmp_path: Path, run: Run) -> None:
     file = written(robot(1), tmp_path / "robot.toml")
-    out = ["-o", str(tmp_path / "out"), "--samples", "60", "--candidates", "2", "--sigma", "0.5"]
-    told = run("identify", file, "--shared", "legs", *out).out
+    out = ["-o", str(tmp_path / "out"), "--samples", "60", "--candidates", "2", "--force-std", "0.5"]
+    told = run("identify", file, "--identical-legs", *out).out
     assert "25 base parameters of 148" in told
     assert "all legs have the same" in told
     data = json.loads((tmp_path / "out" / "report.json").read_text())
     assert (data["identical_legs"], len(data["parameters"])) == (True, 25)
     measured = ["--measured", *(str(tmp_path / "out" / name) for name in ("trajectory.csv", "forces.csv"))]
-    again = ["-o", str(tmp_path / "again"), "--sigma", "0.5", "--shared", "legs", *measured]
+    again = ["-o", str(tmp_path / "again"), "--force-std", "0.5", "--identical-legs", *measured]
     assert "verdict: consistent" in run("identify", file, *again).out
 
 

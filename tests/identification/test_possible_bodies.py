@@ -124,7 +124,7 @@ def test_forces_of_impossible_bodies_are_a_misfit_of_possible_ones() -> None:
     assert any(line.startswith("bodies: ") for line in kept.warnings)
 
 
-STATED = ("--noise-position", "1e-4", "--noise-angle", "1e-4")
+STATED = ("--position-std", "1e-4", "--angle-std", "1e-4")
 
 
 def test_command_states_noise_and_verdict(tmp_path: Path, run: Run) -> None:
@@ -146,7 +146,7 @@ def test_command_states_noise_and_verdict(tmp_path: Path, run: Run) -> None:
         assert float(after["robot_file"]) == pytest.approx(float(before["true"]))
     assert "robot file: agrees with the forces" in (right / "report.txt").read_text()
     wrong = tmp_path / "wrong"
-    assert "--noise-position" in run("identify", PAPERS, *measured, "-o", wrong, code=1).err
+    assert "--position-std" in run("identify", PAPERS, *measured, "-o", wrong, code=1).err
     assert {row["sigma"] for row in read(wrong / "parameters.csv")} == {"inf"}
     report = (wrong / "report.txt").read_text()
     assert "verdict: rejected" in report
@@ -183,7 +183,9 @@ def test_command_keeps_to_possible_bodies(tmp_path: Path) -> None:
     assert main(["identify", str(PAPERS), *few, "-o", str(tmp_path)]) == 0
     measured = ["--measured", *(str(tmp_path / name) for name in ("trajectory.csv", "forces.csv"))]
     out = tmp_path / "out"
-    assert main(["identify", str(PAPERS), *measured, "--physical", "--no-friction", "-o", str(out)]) == 0
+    assert (
+        main(["identify", str(PAPERS), *measured, "--enforce-physical", "--no-friction", "-o", str(out)]) == 0
+    )
     rows = read(out / "bodies.csv")
     assert [row["name"] for row in rows] == list(ss.inertial_parameters(dasgupta()).names)
     assert not any(row["name"].startswith("C_") for row in read(out / "parameters.csv"))
@@ -192,11 +194,14 @@ def test_command_keeps_to_possible_bodies(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("options", "words"),
     [
-        (("--noise-position", "1e-4"), "--noise-angle"),
-        (("--noise-angle", "0", "--noise-position", "1"), "--noise-angle"),
-        (("--physical",), "--physical: is for measured forces"),
+        (("--position-std", "1e-4"), "--angle-std"),
+        (("--angle-std", "0", "--position-std", "1"), "--angle-std"),
+        (("--enforce-physical",), "--enforce-physical: is for measured forces"),
         (("--no-friction",), "--no-friction: is for measured forces"),
-        (("--length-unit", "mm"), "--start and options of the trajectory's file: are for measured forces"),
+        (
+            ("--length-unit", "mm"),
+            "--pose-guess and options of the trajectory's file: are for measured forces",
+        ),
     ],
 )
 def test_command_names_bad_options_in_one_line(

@@ -51,7 +51,7 @@ def test_every_module_imports_with_numpy_sympy_and_scipy_alone_or_names_its_extr
     for name, error in errors.items():
         assert error.startswith("MissingExtraError: "), f"{name}: {error}"
         assert " needs " in error, f"{name}: {error}"
-    comparing = ("bench", "workspace")
+    comparing = ("benchmark", "workspace")
     assert not [name for name in errors if not any(part in name for part in comparing)]
 
 
@@ -102,13 +102,11 @@ def test_a_missing_scipy_is_said_in_one_line_before_the_work(tmp_path: Path) -> 
         "a trajectory without derivatives": [
             ["forces", robot, str(log), "--no-smoothing", *out],
             ["forces", robot, str(log), *out],
-            ["singularities", robot, str(log), "--no-pictures", *out],
+            ["singularities", robot, str(log), "--no-plots", *out],
         ],
         "simulation": [["simulate", str(scene), *out]],
-        "an estimate kept to bodies that can exist": [[*measured, "--physical"]],
-        "a smooth motion without a period": [
-            [*measured, "--noise-position", "1e-4", "--noise-angle", "1e-4"]
-        ],
+        "an estimate kept to bodies that can exist": [[*measured, "--enforce-physical"]],
+        "a smooth motion without a period": [[*measured, "--position-std", "1e-4", "--angle-std", "1e-4"]],
     }
     hidden = [sorted(set(EXTRAS)), [command for group in commands.values() for command in group]]
     command = [sys.executable, "-c", RUN_ALL, json.dumps(hidden)]

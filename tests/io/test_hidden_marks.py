@@ -60,7 +60,7 @@ def test_a_name_is_read_with_the_numbers_of_what_is_not_seen(folder: Path) -> No
         ["export", "marked.toml", "--format", "urdf", "-o", "out.urdf"],
         ["export", "marked.toml", "--format", "usd", "-o", "out.usda"],
         ["generate", "marked.toml", "-o", "kit"],
-        ["size", "marked.toml", "log.csv", "-o", "out", "--html", "out.html"],
+        ["size-actuators", "marked.toml", "log.csv", "-o", "out", "--html", "out.html"],
     ],
     ids=" ".join,
 )

@@ -419,7 +419,10 @@ KINDS = {
         'schema = 1\nrobot = "robot.toml"\nduration = 1.0\n[actuation]\ntype = "constant_force"\n',
         ["simulate", "-o", "out"],
     ),
-    "scene of advise": ('schema = 1\nrobot = "robot.toml"\nmotions = ["I"]\ntolerance = 0.01\n', ["advise"]),
+    "scene of choose-fidelity": (
+        'schema = 1\nrobot = "robot.toml"\nmotions = ["I"]\ntolerance = 0.01\n',
+        ["choose-fidelity"],
+    ),
 }
 
 

@@ -19,9 +19,9 @@ from robot_files import PAPERS
 from sweeps import FULL
 
 from stewart_sym.cli.main import main
+from stewart_sym.io import atomic_write as publish
 from stewart_sym.io import interrupts
-from stewart_sym.io import writing as publish
-from stewart_sym.io.writing import RECORD, replaced_file, result_file, result_folder, staged_folder
+from stewart_sym.io.atomic_write import RECORD, replaced_file, result_file, result_folder, staged_folder
 from stewart_sym.robot.robot import Robot
 
 
@@ -38,11 +38,11 @@ def at_robot(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     [
         (["identify", "robot.toml", "-o", "."], "trajectory.csv"),
         (["identify", "robot.toml", "-o", "."], "report.txt"),
-        (["singularities", "robot.toml", "I", "-o", ".", "--no-pictures"], "path.csv"),
-        (["simulate", "swing.toml", "-o", ".", "--no-pictures"], "run.csv"),
-        (["reproduce", "-o", ".", "--no-pictures"], "report.txt"),
-        (["control", "-o", ".", "--no-pictures"], "control.csv"),
-        (["stability", "-o", ".", "--no-pictures"], "stability.txt"),
+        (["singularities", "robot.toml", "I", "-o", ".", "--no-plots"], "path.csv"),
+        (["simulate", "swing.toml", "-o", ".", "--no-plots"], "run.csv"),
+        (["reproduce", "-o", ".", "--no-plots"], "report.txt"),
+        (["control", "-o", ".", "--no-plots"], "control.csv"),
+        (["stability", "-o", ".", "--no-plots"], "stability.txt"),
     ],
 )
 def test_a_file_of_others_is_not_replaced_without_force(
@@ -186,7 +186,7 @@ def test_no_file_that_a_subcommand_read_is_replaced_by_force(
     )
     (at_robot / "enough.toml").write_text(f'{shared}motions = ["{name}"]\ntolerance = 0.01\n')
     before = folder_state(at_robot)
-    told = run(*command, "-o", ".", "--force", "--no-pictures", code=2).err
+    told = run(*command, "-o", ".", "--force", "--no-plots", code=2).err
     assert told.endswith(f"error: {name}: is an input, name another folder\n")
     assert folder_state(at_robot) == before
 
@@ -226,7 +226,7 @@ def test_the_longest_file_name_and_what_a_killed_run_left_behind_are_no_hindranc
 WRITING = """
 import sys, time
 from pathlib import Path
-from stewart_sym.io.writing import replaced_file, staged_folder
+from stewart_sym.io.atomic_write import replaced_file, staged_folder
 with replaced_file(Path(sys.argv[1]) / "file"), staged_folder(Path(sys.argv[1])) as staged:
     (staged / "x").write_text("x")
     print("writing", flush=True)

@@ -18,7 +18,7 @@ from stewart_sym.derive.kernel.tree.constants import STATUS, STATUSES
 from stewart_sym.derive.mechanics.formulation import FORMULATIONS
 from stewart_sym.derive.package.functions import DRIVES, MODEL, NOTHING, ROBOT, Function
 from stewart_sym.generated import interface
-from stewart_sym.kit.choice import STEMS
+from stewart_sym.kit.kit_options import STEMS
 
 ROTATION = ("motion_from_rpy", "motion_from_quaternion")
 

@@ -17,7 +17,7 @@ from sweeps import share
 
 import stewart_sym as ss
 from stewart_sym import results
-from stewart_sym.kinematics.forward import inverse_jacobian
+from stewart_sym.kinematics.forward_kinematics import inverse_jacobian
 from stewart_sym.kinematics.pose_search import jacobian
 from stewart_sym.motion.rotation import rotation_from_rpy
 

@@ -193,8 +193,8 @@ def test_start_chooses_the_assembly_mode(tmp_path: Path, run: Run) -> None:
     legs = ss.inverse_kinematics(dasgupta(), motion)
     start = ["0.1", "0", "-0.4", "0", "0", "-0.2"]
     output = tmp_path / "forces.csv"
-    told = run("forces", PAPERS, trajectory, "-o", output, "--start", *start).err
-    assert "--start: the platform is below the base, where gravity pulls" in told
+    told = run("forces", PAPERS, trajectory, "-o", output, "--pose-guess", *start).err
+    assert "--pose-guess: the platform is below the base, where gravity pulls" in told
     guess = rotation_from_rpy([0.0, 0.0, -0.2]), np.array([0.1, 0.0, -0.4])
     below = ss.motion_from_lengths(dasgupta(), legs.L, legs.L_dot, legs.L_ddot, guess)
     assert np.all(below.t[:, 2] < 0.0)
@@ -204,8 +204,11 @@ def test_start_chooses_the_assembly_mode(tmp_path: Path, run: Run) -> None:
     poses = tmp_path / "poses.csv"
     poses.write_text("time,t_x,t_y,t_z,theta_x,theta_y,theta_z\n" + "0,0.1,0,0.5,0,0,0\n")
     for arguments, expected in (
-        ([trajectory, "--start", *start[:5], "nan"], "--start: expected a finite number, got 'nan'"),
-        ([poses, "--start", *start], "spline"),
+        (
+            [trajectory, "--pose-guess", *start[:5], "nan"],
+            "--pose-guess: expected a finite number, got 'nan'",
+        ),
+        ([poses, "--pose-guess", *start], "spline"),
     ):
         assert expected in run("forces", PAPERS, *arguments, "-o", output, code=2).err
 

@@ -9,13 +9,13 @@ from command_line import rejects
 from machines import Array, dasgupta, random_robot
 from motion_fields import motion_of
 
-from stewart_sym.dynamics.inverse import inverse_dynamics
+from stewart_sym.dynamics.inverse_dynamics import inverse_dynamics
 from stewart_sym.kinematics.conditioning import (
     characteristic_length,
     condition_number,
     scaled_condition_number,
 )
-from stewart_sym.kinematics.inverse import (
+from stewart_sym.kinematics.inverse_kinematics import (
     MIN_JOINT_SINE,
     clear_of_joint_singularities,
     inverse_kinematics,

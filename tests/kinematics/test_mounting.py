@@ -28,7 +28,7 @@ import stewart_sym as ss
 from stewart_sym.cli.main import main
 from stewart_sym.dynamics.home_pose import home_pose
 from stewart_sym.kinematics.mounting import path_for, platform_side, upright
-from stewart_sym.kit.poses import sample
+from stewart_sym.kit.sample_poses import sample
 from stewart_sym.motion.rotation import rpy_from_rotation
 from stewart_sym.simulation.scene import read_scene
 from stewart_sym.studies.accuracy.budget import read_budget
@@ -143,8 +143,8 @@ def outcomes(robot: ss.Robot, time: Array, motion: ss.Motion, folder: Path, run:
     calls = {
         "forces.csv": ["forces", file, legs],
         "reactions.csv": ["forces", file, poses, "--reactions"],
-        "along/path.csv": ["singularities", file, poses, "--no-pictures"],
-        "simulated/run.csv": ["simulate", scene, "--no-pictures"],
+        "along/path.csv": ["singularities", file, poses, "--no-plots"],
+        "simulated/run.csv": ["simulate", scene, "--no-plots"],
         "excited/parameters.csv": ["identify", file, *small],
         "measured/parameters.csv": ["identify", file, "--measured", poses, str(folder / "reactions.csv")],
     }
@@ -225,7 +225,7 @@ def test_controllers_track_the_papers_paths_on_the_side_of_the_platform() -> Non
 def named_paths(robot: ss.Robot, folder: Path) -> list[Array]:
     """Time of the crossing, s, and forces along named paths by subcommands."""
     file = str(written(robot, folder / "robot.toml"))
-    assert main(["singularities", file, "III", "-o", str(folder / "III"), "--force", "--no-pictures"]) == 0
+    assert main(["singularities", file, "III", "-o", str(folder / "III"), "--force", "--no-plots"]) == 0
     crossing = np.loadtxt(folder / "III/events.csv", delimiter=",", skiprows=1, usecols=0)
     head = 'schema = 1\nrobot = "robot.toml"\n'
     legs = '[actuation]\ntype = "computed_torque"\npath = "I"\nk_p = 100.0\nk_d = 20.0\n'

@@ -14,7 +14,7 @@ from robot_files import written
 import stewart_sym as ss
 from stewart_sym.kit import Choice
 from stewart_sym.kit.left_out import left_out
-from stewart_sym.kit.poses import poses
+from stewart_sym.kit.sample_poses import poses
 from stewart_sym.robot.robot import Robot
 
 

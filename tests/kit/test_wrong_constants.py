@@ -14,9 +14,9 @@ from sweeps import slow_but
 
 from stewart_sym.backend import native
 from stewart_sym.derive.kernel.interface import STRUCTS
-from stewart_sym.derive.package.words import robot_symbol
+from stewart_sym.derive.package.text_format import robot_symbol
 from stewart_sym.kit import Choice, kit
-from stewart_sym.kit.choice import PRECISIONS
+from stewart_sym.kit.kit_options import PRECISIONS
 from stewart_sym.kit.parts import folded_kernel
 from stewart_sym.kit.running import FORCES_MARGIN
 from stewart_sym.kit.selection import SHARE, Numbered, selection

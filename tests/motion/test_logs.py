@@ -17,7 +17,7 @@ from whole_track import track
 
 import stewart_sym as ss
 from stewart_sym.cli.terminal import one_line
-from stewart_sym.kinematics.log_doubts import angle_doubt, length_doubt, side_doubt
+from stewart_sym.kinematics.trajectory_checks import angle_doubt, length_doubt, side_doubt
 from stewart_sym.motion.log_reader import FORCES, PLAIN, read_csv, read_leg_columns
 from stewart_sym.motion.logs import EULER_ORDERS, LENGTH_UNITS, TrajectoryFormat
 from stewart_sym.motion.rotation import quaternion_from_rotation, rotation_from_rpy
@@ -267,7 +267,7 @@ def test_the_share_by_which_a_peak_may_be_higher_follows_from_the_numbers_beside
     pattern = (
         r"may be (\S+) % higher than computed because of noise in the log: (\S+) N computed .*, "
         r"up to (\S+) N possible \((\S+) N with 3 standard deviations of (\S+) N "
-        r"at .* 0.01 % \(--noise-share 0.0001\)"
+        r"at .* 0.01 % \(--noise-threshold 0.0001\)"
     )
     share, peak, possible, force, sd = map(float, re.findall(pattern, line)[0])
     assert abs(force) + 3.0 * sd == pytest.approx(possible, rel=1e-3)
@@ -312,7 +312,7 @@ def test_hints_name_arguments_in_python_and_options_on_the_command_line(tmp_path
         (["--cutoff", "1e6"], "error: --cutoff: expected a frequency > 0 and <"),
         (["--rate", "1e9"], "error: --rate: expected > 0 Hz and at most"),
         (["--columns", "yaw=theta_z"], "error: --columns: unknown column 'yaw', expected time"),
-        (["--noise-angle", "0"], "expected a number > 0"),
+        (["--angle-std", "0"], "expected a number > 0"),
     ],
 )
 def test_bad_options_are_one_line(tmp_path: Path, run: Run, options: list[str], words: str) -> None:

@@ -22,7 +22,7 @@ from stewart_sym.motion.log_reader import read_csv, read_log
 from stewart_sym.motion.logs import TrajectoryFormat, read_columns
 from stewart_sym.motion.trajectory import Trajectory
 from stewart_sym.robots import dasgupta1998
-from stewart_sym.singularities import along_path, joint_space
+from stewart_sym.singularities import joint_space, path_singularities
 from stewart_sym.studies.common.output import csv_lines
 from stewart_sym.studies.reports import track
 
@@ -220,7 +220,7 @@ def joint_log(path: Path, count: int) -> Path:
 def test_forces_of_leg_lengths_take_a_few_numbers_of_room_for_each_row(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    for module, name in ((joint_space, "_PART"), (track, "_PART"), (along_path, "_CHUNK")):
+    for module, name in ((joint_space, "_PART"), (track, "_PART"), (path_singularities, "_CHUNK")):
         monkeypatch.setattr(module, name, 256)
     # Of some ten thousand samples at most, whatever the number of rows.
     monkeypatch.setattr(joint_space, "_noise", lambda time, L: np.broadcast_to(np.zeros(6), L.shape))

@@ -277,7 +277,7 @@ def test_a_statement_is_compared_with_motion_without_scatter(tmp_path: Path, dec
 def test_options_of_noise_are_in_the_units_of_the_log(tmp_path: Path, run: Run) -> None:
     log = written(tmp_path, 0.1, 0.02)
     units = ["--length-unit", "mm", "--angle-unit", "deg"]
-    stated = ["--noise-position", "0.1", "--noise-angle", "0.02"]
+    stated = ["--position-std", "0.1", "--angle-std", "0.02"]
     told = run("forces", PAPERS, log, "-o", tmp_path / "f.csv", *units, *stated)
     assert "noise of 0.0001 m and 0.00035 rad in the log" in told.err
     assert "stated" not in told.err
@@ -323,7 +323,7 @@ def test_a_cutoff_beyond_half_the_rate_is_the_error_alone(tmp_path: Path) -> Non
         read_csv(log, FORM, ss.SmoothingOptions(1e-6, cutoff_frequency=1000.0))
 
 
-@pytest.mark.parametrize("option", ["--noise-position", "--noise-angle", "--cutoff"])
+@pytest.mark.parametrize("option", ["--position-std", "--angle-std", "--cutoff"])
 def test_what_is_known_of_noise_is_not_silently_ignored(tmp_path: Path, run: Run, option: str) -> None:
     log = written(tmp_path, 0.1, 0.02)
     out = ["-o", str(tmp_path / "f.csv"), "--no-smoothing", option, "0.1"]

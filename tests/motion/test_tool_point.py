@@ -151,7 +151,7 @@ def test_relative_lengths_are_less_those_of_the_home_pose(robot: ss.Robot, tmp_p
     forces = np.genfromtxt(out, delimiter=",", names=True)
     expected = ss.inverse_dynamics(robot, motion).F
     np.testing.assert_allclose(forces["F_1"][10:-10], expected[10:-10, 0], rtol=1e-3)
-    told = run("forces", file, path, "-o", out, "--lengths", "absolute", code=2).err
+    told = run("forces", file, path, "-o", out, "--length-mode", "absolute", code=2).err
     assert "expected a length > 0 m" in told
     bare = dataclasses.replace(robot, home_position=None)
     with pytest.raises(ValueError, match=r"log\.csv: relative lengths: expected a robot file with a key"):
@@ -173,12 +173,12 @@ def test_the_motion_that_identify_writes_is_read_as_the_robot_says(
 ) -> None:
     file = str(written(dataclasses.replace(robot, euler_order=order), tmp_path / "robot.toml"))
     out = [str(tmp_path / "out" / name) for name in ("trajectory.csv", "forces.csv")]
-    options = ["--sigma", "1", "--samples", "80", "--candidates", "2", "-o", str(tmp_path / "out")]
+    options = ["--force-std", "1", "--samples", "80", "--candidates", "2", "-o", str(tmp_path / "out")]
     run("identify", file, *options)
     poses = trajectory_for(ss.Robot.from_toml(file), out[0])
     L = ss.inverse_kinematics(robot, poses.motion).L
     assert np.all((L >= robot.length_limits[:, 0]) & (L <= robot.length_limits[:, 1]))
-    told = run("identify", file, "--sigma", "1", "-o", tmp_path / "again", "--measured", *out).out
+    told = run("identify", file, "--force-std", "1", "-o", tmp_path / "again", "--measured", *out).out
     assert "verdict: consistent" in told
 
 
@@ -204,7 +204,7 @@ def test_subcommands_read_poses_of_the_tool(command: str, robot: ss.Robot, tmp_p
         inputs, table = {"singularities": ([file, log], "path.csv"), "simulate": ([scene], "run.csv")}[
             command
         ]
-        run(command, *inputs, "--no-pictures", "-o", out)
+        run(command, *inputs, "--no-plots", "-o", out)
         read = np.genfromtxt(out / table, delimiter=",", names=True)
         # Instants between the ends of a path are where it bends, as seen from its point.
         results.append([read[f"L_{i + 1}"][[0, -1]] for i in range(6)])

@@ -135,7 +135,7 @@ def test_stated_noise_is_in_the_unit_of_the_row_of_units(tmp_path: Path) -> None
     for head, options in (([header], ["--length-unit", "mm"]), ([header, "s,mm,mm,mm,rad,rad,rad"], [])):
         log.write_text("\n".join([*head, *rows]) + "\n")
         out = tmp_path / "forces.csv"
-        more = ["--noise-position", "0.001", "--noise-angle", "1e-4"]
+        more = ["--position-std", "0.001", "--angle-std", "1e-4"]
         assert main(["forces", str(PAPERS), str(log), "-o", str(out), *options, *more]) in (0, 1)
         sizes.append(out.read_text())
     assert sizes[0] == sizes[1]

@@ -12,11 +12,11 @@ from sweeps import share
 from via_cases import limited_case
 
 from stewart_sym.drives.effort import drive_effort
-from stewart_sym.dynamics.inverse import inverse_dynamics
+from stewart_sym.dynamics.inverse_dynamics import inverse_dynamics
 from stewart_sym.kinematics.clearance import joint_angles
-from stewart_sym.kinematics.inverse import inverse_kinematics
-from stewart_sym.planning.certificate import certify_plan
-from stewart_sym.planning.time_path import TimedPath, parameterize_path
+from stewart_sym.kinematics.inverse_kinematics import inverse_kinematics
+from stewart_sym.planning.path_parameterization import TimedPath, parameterize_path
+from stewart_sym.planning.plan_certificate import certify_plan
 from stewart_sym.planning.timing.path_terms import PathLimits, traveled
 from stewart_sym.robot.drive import Drive
 from stewart_sym.studies.reports.plan import Plan

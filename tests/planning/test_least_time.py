@@ -14,10 +14,10 @@ from via_cases import limited_case, planned_case, straight, via_case
 
 import stewart_sym as ss
 from stewart_sym.drives.effort import drive_effort
-from stewart_sym.dynamics.inverse import inverse_dynamics
-from stewart_sym.kinematics.inverse import inverse_kinematics
-from stewart_sym.planning.certificate import certify_plan
-from stewart_sym.planning.time_path import parameterize_path
+from stewart_sym.dynamics.inverse_dynamics import inverse_dynamics
+from stewart_sym.kinematics.inverse_kinematics import inverse_kinematics
+from stewart_sym.planning.path_parameterization import parameterize_path
+from stewart_sym.planning.plan_certificate import certify_plan
 from stewart_sym.planning.timing.grid import Grid
 from stewart_sym.planning.timing.path_terms import PathLimits, terms_along
 from stewart_sym.planning.timing.phase_plane import highest, lowest

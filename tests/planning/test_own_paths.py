@@ -11,12 +11,12 @@ from machines import home_position, machine_size, random_robot
 from scipy.interpolate import PchipInterpolator, make_interp_spline
 from via_cases import straight, via_case, with_limits
 
-from stewart_sym.kinematics.inverse import inverse_kinematics
+from stewart_sym.kinematics.inverse_kinematics import inverse_kinematics
 from stewart_sym.motion.motion import Motion
 from stewart_sym.motion.rotation import rotation_from_vector
 from stewart_sym.motion.straight_line import PAPER_PATHS
-from stewart_sym.planning.certificate import certify_plan
-from stewart_sym.planning.time_path import TimedPath, parameterize_path
+from stewart_sym.planning.path_parameterization import TimedPath, parameterize_path
+from stewart_sym.planning.plan_certificate import certify_plan
 from stewart_sym.planning.timing.path_rates import need_rates
 from stewart_sym.planning.timing.path_terms import Path, PathLimits
 from stewart_sym.robots import dasgupta1998

@@ -16,15 +16,15 @@ from pages import DOCS
 
 from stewart_sym.cli.main import main
 from stewart_sym.drives.effort import DriveLimitWarning, drive_effort
-from stewart_sym.dynamics.inverse import inverse_dynamics
-from stewart_sym.kinematics.inverse import inverse_kinematics
+from stewart_sym.dynamics.inverse_dynamics import inverse_dynamics
+from stewart_sym.kinematics.inverse_kinematics import inverse_kinematics
 from stewart_sym.kinematics.robot_logs import read_log_of
 from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.motion.logs import EULER_ORDERS
 from stewart_sym.motion.motion import Motion
-from stewart_sym.planning import certificate
-from stewart_sym.planning.certificate import PlanCertificate, certify_plan
-from stewart_sym.planning.time_path import TimedPath
+from stewart_sym.planning import plan_certificate
+from stewart_sym.planning.path_parameterization import TimedPath
+from stewart_sym.planning.plan_certificate import PlanCertificate, certify_plan
 from stewart_sym.robot.robot import Robot
 from stewart_sym.studies.common.motion_columns import trajectory_columns
 from stewart_sym.studies.common.output import csv_lines
@@ -45,7 +45,7 @@ def via(folder: Path, text: str = VIA) -> str:
 
 def test_the_example_is_planned_and_its_trajectory_keeps_the_limits(folder: Path) -> None:
     out = folder / "out"
-    assert main(["plan", via(folder), "-o", str(out), "--no-pictures"]) == 0
+    assert main(["plan", via(folder), "-o", str(out), "--no-plots"]) == 0
     found = json.loads((out / "report.json").read_text())
     assert found["certificate"]["holds"]
     assert found["certificate"]["crossings_s"] == []
@@ -70,8 +70,8 @@ def test_joint_angles_are_reported_beside_their_limits_and_named_where_these_are
         found.append(dataclasses.replace(certify_plan(plan), angles_ok=False))
         return found[0]
 
-    monkeypatch.setattr(certificate, "certify_plan", beyond)
-    out = run("plan", via(folder, SHORT), "-o", folder / "out", "--no-pictures", code=1).out
+    monkeypatch.setattr(plan_certificate, "certify_plan", beyond)
+    out = run("plan", via(folder, SHORT), "-o", folder / "out", "--no-plots", code=1).out
     assert "certificate  does not hold: joint angles beyond their limits\n" in out
     report = json.loads((folder / "out" / "report.json").read_text())
     assert report["certificate"]["lengths_kept"]
@@ -93,7 +93,7 @@ def test_limits_of_motors_bound_the_plan_and_their_rated_torque_is_checked(folde
     drive += "rated_torque = 0.02\n"
     file.write_text(free + drive)
     out = folder / "out"
-    shown = run("plan", via(folder, SHORT), "-o", out, "--no-pictures")
+    shown = run("plan", via(folder, SHORT), "-o", out, "--no-plots")
     found = json.loads((out / "report.json").read_text())
     speeds = [leg["motor_peak_speed_rad_per_s"] for leg in found["legs"]]
     assert 99.0 < max(speeds) <= 100.0 * (1.0 + 1e-9)
@@ -117,7 +117,7 @@ def test_a_duration_has_a_motion_of_least_energy_or_peak_force(
 ) -> None:
     def found(*options: str, text: str = SHORT) -> dict:
         out = folder / "-".join(("out", *options))
-        assert main(["plan", via(folder, text), "-o", str(out), "--no-pictures", *options]) == 0
+        assert main(["plan", via(folder, text), "-o", str(out), "--no-plots", *options]) == 0
         report = json.loads((out / "report.json").read_text())
         assert report["certificate"]["holds"]
         assert report["duration_s"] == pytest.approx(3.0)
@@ -128,7 +128,7 @@ def test_a_duration_has_a_motion_of_least_energy_or_peak_force(
 
     with (folder / "hexapod.toml").open("a") as file:
         file.write('\n[trajectory]\neuler_order = "xyz"\n')
-    thrifty = found("--least", "energy", "--duration", "3")
+    thrifty = found("--minimize", "energy", "--duration", "3")
     for stated, reported in zip(tomllib.loads(SHORT)["via"], thrifty["via_poses"], strict=True):
         np.testing.assert_allclose(reported["theta_rad"], stated["theta"], atol=1e-15)
     in_file = found(text='minimize = "peak_force"\nduration = 3.0\n' + SHORT)
@@ -139,8 +139,8 @@ def test_a_duration_has_a_motion_of_least_energy_or_peak_force(
 @pytest.mark.parametrize(
     ("options", "words"),
     [
-        (["--least", "energy", "--duration", "0.01"], "--duration: expected at least the least time, "),
-        (["--least", "energy"], '--least: expected a duration beside "energy"'),
+        (["--minimize", "energy", "--duration", "0.01"], "--duration: expected at least the least time, "),
+        (["--minimize", "energy"], '--minimize: expected a duration beside "energy"'),
         (["--duration", "2"], '--duration: expected minimize "energy" or "peak_force" beside it, got "time"'),
     ],
 )
@@ -153,7 +153,7 @@ def test_an_error_about_an_option_names_it(folder: Path, run: Run, options: list
 @pytest.mark.slow
 def test_a_limit_of_jerk_stands_beside_the_others(folder: Path) -> None:
     text = SHORT.replace("[limits]", "[limits]\njerk = 200.0")
-    assert main(["plan", via(folder, text), "-o", str(folder / "out"), "--no-pictures"]) == 0
+    assert main(["plan", via(folder, text), "-o", str(folder / "out"), "--no-plots"]) == 0
     found = json.loads((folder / "out" / "report.json").read_text())
     assert found["certificate"]["holds"]
     assert found["certificate"]["limit_used"] > 0.99
@@ -165,7 +165,7 @@ def test_a_limit_of_jerk_stands_beside_the_others(folder: Path) -> None:
 
 def test_a_rate_that_leaves_a_few_rows_is_a_warning(folder: Path, run: Run) -> None:
     text = "rate = 2.0\n" + PLAN
-    (line,) = run("plan", via(folder, text), "-o", folder / "out", "--no-pictures").err.splitlines()
+    (line,) = run("plan", via(folder, text), "-o", folder / "out", "--no-plots").err.splitlines()
     duration = json.loads((folder / "out" / "report.json").read_text())["duration_s"]
     rows = len(read_csv(folder / "out" / "trajectory.csv").time)
     assert line.endswith(
@@ -176,7 +176,7 @@ def test_a_rate_that_leaves_a_few_rows_is_a_warning(folder: Path, run: Run) -> N
 
 def test_a_free_pose_may_be_given_out_of_reach(folder: Path) -> None:
     text = HEAD + FIRST + SECOND.replace("0.1", "1.0") + "tolerance.x = [-0.95, 0.0]\n"
-    assert main(["plan", via(folder, text), "-o", str(folder / "out"), "--no-pictures"]) == 0
+    assert main(["plan", via(folder, text), "-o", str(folder / "out"), "--no-plots"]) == 0
 
 
 def test_angles_that_must_be_degrees_are_a_warning(folder: Path, run: Run) -> None:
@@ -200,7 +200,7 @@ def test_via_poses_may_stand_in_a_csv_file(folder: Path) -> None:
     rows = ["time,t_x,t_y,t_z,theta_x,theta_y,theta_z", "0,0,0,0.65,0,0,0", "1,0.1,0.05,0.7,0.1,-0.1,0.2"]
     (folder / "poses.csv").write_text("\n".join(rows) + "\n")
     text = 'schema = 1\nrobot = "hexapod.toml"\nvia_file = "poses.csv"\n'
-    assert main(["plan", via(folder, text), "-o", str(folder / "out"), "--no-pictures"]) == 0
+    assert main(["plan", via(folder, text), "-o", str(folder / "out"), "--no-plots"]) == 0
     (folder / "poses.csv").write_text("\n".join([rows[0], rows[2], rows[1]]) + "\n")
     check_rejected(folder, text, "expected increasing times", out="other")
     (folder / "poses.csv").write_text("\n".join([*rows[:2], "1,0.1,0.05,70,0.1,-0.1,0.2"]) + "\n")
@@ -215,7 +215,7 @@ def check_rejected(folder: Path, text: str, words: str, out: str = "out") -> Non
     before = sorted(path.name for path in folder.iterdir() if path.name != "via.toml")
     source, errors = via(folder, text), io.StringIO()
     with contextlib.redirect_stderr(errors):
-        assert main(["plan", source, "-o", str(folder / out), "--no-pictures"]) == 2
+        assert main(["plan", source, "-o", str(folder / out), "--no-plots"]) == 2
     lines = errors.getvalue().splitlines()
     assert [line for line in lines if "error:" in line] == lines[-1:], lines
     assert words in lines[-1]
@@ -329,7 +329,7 @@ def test_forces_of_the_written_trajectory_are_the_plans_own(tmp_path: Path) -> N
     file.write_text(file.read_text(encoding="utf-8") + more, encoding="utf-8")
     (tmp_path / "via.toml").write_text(SHORT.replace("0.65]", "0.75]") + LOAD, encoding="utf-8")
     out = tmp_path / "out"
-    assert main(["plan", str(tmp_path / "via.toml"), "-o", str(out), "--no-pictures"]) == 0
+    assert main(["plan", str(tmp_path / "via.toml"), "-o", str(out), "--no-plots"]) == 0
     forces = str(tmp_path / "forces.csv")
     assert main(["forces", str(file), str(out / "trajectory.csv"), "-o", forces]) == 0
     expected, found = (

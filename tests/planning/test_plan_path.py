@@ -11,16 +11,16 @@ from via_cases import via_case
 from stewart_sym.design.pose_limits import PoseLimits
 from stewart_sym.kinematics.clearance import leg_distances
 from stewart_sym.kinematics.conditioning import characteristic_length, scaled_condition_number
-from stewart_sym.kinematics.inverse import inverse_kinematics, wrench_matrix
+from stewart_sym.kinematics.inverse_kinematics import inverse_kinematics, wrench_matrix
 from stewart_sym.motion.motion import at_rest
 from stewart_sym.motion.rotation import rotation_from_rpy, rotation_from_vector, vector_from_rotation
 from stewart_sym.motion.straight_line import PAPER_PATHS
+from stewart_sym.planning.path_parameterization import parameterize_path
 from stewart_sym.planning.plan_path import plan_path
 from stewart_sym.planning.pose_costs import PoseCosts
 from stewart_sym.planning.pose_path import Family, ViaPose, by_coordinates, poses_of
-from stewart_sym.planning.time_path import parameterize_path
 from stewart_sym.planning.timing.path_terms import PathLimits
-from stewart_sym.singularities.along_path import singularity_crossings
+from stewart_sym.singularities.path_singularities import singularity_crossings
 
 S = np.linspace(0.0, 1.0, 501)
 NOTHING = np.zeros(6)

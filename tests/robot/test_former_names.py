@@ -240,8 +240,8 @@ def test_a_former_attribute_is_none_of_its_class(name: str) -> None:
 
 def find_class(name: str) -> Any:
     """Return a public class, or one of a result that has no public name."""
-    from stewart_sym.design.size import ActuatorHistory
-    from stewart_sym.kinematics.inverse import InverseKinematicsResult
+    from stewart_sym.design.actuator_requirements import ActuatorHistory
+    from stewart_sym.kinematics.inverse_kinematics import InverseKinematicsResult
 
     inner = {"ActuatorHistory": ActuatorHistory, "InverseKinematicsResult": InverseKinematicsResult}
     return inner.get(name) or getattr(ss, name)

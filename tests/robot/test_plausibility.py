@@ -26,8 +26,8 @@ from sweeps import share
 
 import stewart_sym as ss
 from stewart_sym.plausibility import plausibility
-from stewart_sym.plausibility.plausibility import doubts
-from stewart_sym.robot.robot import DOUBTS
+from stewart_sym.plausibility.plausibility import find_implausible
+from stewart_sym.robot.robot import WARNING_NAMES
 from stewart_sym.robots import dasgupta1998
 
 Check = Callable[[ss.Robot], Told]
@@ -60,7 +60,7 @@ def test_check_names_both_sides_where_nothing_settles_which(check: Check) -> Non
 def test_published_machines_are_not_doubted(name: str, limited: bool) -> None:
     rng = np.random.default_rng(1)
     for joint in ("universal", "spherical"):
-        assert doubts(machine_of(rng, *published()[name], joint, limited)) == []
+        assert find_implausible(machine_of(rng, *published()[name], joint, limited)) == []
 
 
 # Without limits nothing says where the machine stands and what it carries.
@@ -72,9 +72,9 @@ BY_LIMITS |= {wrong for wrong, (_, name, _) in ABSURD.items() if name.endswith("
 def test_absurd_machines_are_doubted_with_their_likely_cause_most_without_limits_too(wrong: str) -> None:
     change, name, cause = ABSURD[wrong]
     for robot in (sound(),) if wrong in BY_LIMITS else (sound(), unlimited()):
-        (said,) = doubts(change(robot))
+        (said,) = find_implausible(change(robot))
         assert said.name == name or not name
-        assert said.name in DOUBTS
+        assert said.name in WARNING_NAMES
         assert cause in said.text
         assert "; likely cause: " in said.text
         assert "\n" not in said.text
@@ -90,7 +90,7 @@ def test_any_two_platform_points_exchanged_are_doubted_unless_they_are_close() -
             if apart > 0.9 * size * np.linalg.norm(robot.b - robot.b.mean(axis=0), axis=-1).max():
                 p = robot.p.copy()
                 p[[i, j]] = p[[j, i]]
-                (said,) = doubts(dataclasses.replace(robot, p=p))
+                (said,) = find_implausible(dataclasses.replace(robot, p=p))
                 named += f"legs {i + 1}, {j + 1} cross" in said.text
                 count += 1
     assert count > 20
@@ -102,7 +102,7 @@ def test_any_two_platform_points_exchanged_are_doubted_unless_they_are_close() -
 def test_a_machine_of_that_size_is_not_doubted(size: float, limited: bool) -> None:
     rng = np.random.default_rng(10)
     b, p, t = ring(size, BASE), ring(0.6 * size, PLATFORM), np.array([0.0, 0.0, 1.4 * size])
-    assert doubts(machine_of(rng, b, p, t, limited=limited)) == []
+    assert find_implausible(machine_of(rng, b, p, t, limited=limited)) == []
 
 
 @pytest.mark.parametrize("size", [5e-324, 1e-200, 1e-100, 1e100, 1e160, 1e308])
@@ -111,8 +111,8 @@ def test_numbers_near_the_ends_of_double_are_doubted_and_nothing_else_happens(si
         values = np.asarray(getattr(unlimited(), name))
         changed = np.where(values != 0.0, np.clip(np.sign(values) * size, -1e308, 1e308), 0.0)
         robot = dataclasses.replace(unlimited(), **{name: float(changed) if name == "M" else changed})
-        for said in doubts(robot):
-            assert said.name in DOUBTS
+        for said in find_implausible(robot):
+            assert said.name in WARNING_NAMES
 
 
 def test_the_rank_of_singular_machines_is_told_by_the_bound_of_rounding() -> None:
@@ -161,8 +161,8 @@ def arguments_of(command: str, robot: Path, folder: Path) -> list[str]:
         "check": [command, str(robot)],
         "generate": [command, str(robot), "--list", *out],
         "forces": [command, str(robot), str(log), *out],
-        "singularities": [command, str(robot), str(log), "--no-pictures", *out],
-        "simulate": [command, str(scene), "--no-pictures", *out],
+        "singularities": [command, str(robot), str(log), "--no-plots", *out],
+        "simulate": [command, str(scene), "--no-plots", *out],
     }[command]
 
 
@@ -206,7 +206,7 @@ def test_check_tells_what_a_robot_states_of_its_drives(tmp_path: Path, run: Run)
         suppressed_warnings=("drive-limit",),
     )
     written(robot, path)
-    told = run("check", path, "-o", tmp_path / "out", "--no-pictures").out
+    told = run("check", path, "-o", tmp_path / "out", "--no-plots").out
     assert "drives       0.005 m per turn of the motor (leg 4: -0.005), reflected mass 0 kg, " in told
     assert "dry friction along the leg 40 N, more at rest 5 N, dry friction of the motor 0.08 N m\n" in told
     assert (
@@ -251,25 +251,25 @@ def test_check_names_no_side_where_gravity_is_not_across_the_base(gravity: list[
 def test_every_name_that_a_file_may_accept_is_one_of_an_absurd_machine() -> None:
     on_loading = {"platform-inertia", "lower-inertia", "upper-inertia", "density"}
     named = {name for _, name, _ in ABSURD.values()}
-    assert set(DOUBTS) - on_loading - named == {"condition"}
+    assert set(WARNING_NAMES) - on_loading - named == {"condition"}
 
 
 def test_motors_too_slow_and_too_weak_are_said_to_be_both() -> None:
     robot = driven(0.4, speed_limit=np.radians(5000.0), torque_limit=1e-4)(sound())
-    assert [doubt.name for doubt in doubts(robot)] == ["drive-speed", "drive-limit"]
+    assert [doubt.name for doubt in find_implausible(robot)] == ["drive-speed", "drive-limit"]
 
 
 def test_motors_that_friction_or_a_self_locking_screw_relieves_are_not_said_to_be_weak() -> None:
     def names(**numbers: float) -> list[str]:
         drive = ss.Drive(lead=0.005, torque_limit=2.0, rated_torque=1e-4, **numbers)
-        return [doubt.name for doubt in doubts(dataclasses.replace(sound(), drive=drive))]
+        return [doubt.name for doubt in find_implausible(dataclasses.replace(sound(), drive=drive))]
 
     assert names() == ["drive-limit"]
     assert names(efficiency=0.3, backdrive_efficiency=-0.1) == []
     assert names(screw_coulomb=2e3) == []
     assert (
         "rated_torque of the drives of "
-        in doubts(
+        in find_implausible(
             dataclasses.replace(sound(), drive=ss.Drive(lead=0.005, torque_limit=2.0, rated_torque=1e-4))
         )[0].text
     )
@@ -278,10 +278,10 @@ def test_motors_that_friction_or_a_self_locking_screw_relieves_are_not_said_to_b
 def test_an_accepted_doubt_hides_no_other() -> None:
     robot = ss.robots.dasgupta1998()
     weak = dataclasses.replace(robot, g=10.0 * robot.g, force_limit=np.full(6, 10.0))
-    assert [doubt.name for doubt in doubts(weak)] == ["gravity"]
-    assert [doubt.name for doubt in doubts(dataclasses.replace(weak, suppressed_warnings=("gravity",)))] == [
-        "force-limit"
-    ]
+    assert [doubt.name for doubt in find_implausible(weak)] == ["gravity"]
+    assert [
+        doubt.name for doubt in find_implausible(dataclasses.replace(weak, suppressed_warnings=("gravity",)))
+    ] == ["force-limit"]
 
 
 @pytest.mark.parametrize(
@@ -297,7 +297,7 @@ def test_a_stated_home_where_no_machine_is_stands_for_what_follows_from_it(heigh
         p=robot.p * [1.0, 1.0, 0.1],
         home_position=middle * [1.0, 1.0, 0.1] + np.array([0.0, 0.0, height]),
     )
-    (found,) = doubts(flat)
+    (found,) = find_implausible(flat)
     assert found.name == "home"
     assert found.text.startswith(words)
 
@@ -307,4 +307,4 @@ def test_a_stated_home_of_a_machine_is_not_doubted_for_its_height(height: float)
     robot = dasgupta1998()
     middle = robot.b.mean(axis=0) - robot.p.mean(axis=0)
     stated = dataclasses.replace(robot, home_position=middle + np.array([0.0, 0.0, height]))
-    assert not [doubt for doubt in doubts(stated) if doubt.text.startswith("home:")]
+    assert not [doubt for doubt in find_implausible(stated) if doubt.text.startswith("home:")]

@@ -90,7 +90,7 @@ def test_a_scene_runs_as_the_library_does(scene: Path, run: Run) -> None:
 def test_a_run_is_shown_on_its_own_machine_alone(scene: Path, run: Run) -> None:
     folder, robot = scene.parent, ss.Robot.from_toml(scene.parent / "robots" / "robot.toml")
     other = written(dataclasses.replace(robot, p=1.01 * robot.p), folder / "other.toml")
-    assert main(["simulate", str(scene), "-o", str(folder / "out"), "--no-pictures"]) == 0
+    assert main(["simulate", str(scene), "-o", str(folder / "out"), "--no-plots"]) == 0
     run("view", folder / "robots" / "robot.toml", folder / "out", "-o", folder / "own.html")
     assert (
         "got one of another machine: at 0 s leg 1 is "
@@ -120,7 +120,7 @@ def test_tables_need_no_matplotlib(scene: Path, fails: Fails, monkeypatch: pytes
     before = folder_state(scene.parent)
     assert install("plot") in fails("simulate", scene, "-o", scene.parent / "out")
     assert folder_state(scene.parent) == before
-    assert main(["simulate", str(scene), "-o", str(scene.parent / "out"), "--no-pictures"]) == 0
+    assert main(["simulate", str(scene), "-o", str(scene.parent / "out"), "--no-plots"]) == 0
     assert sorted(path.name for path in (scene.parent / "out").glob("[!.]*")) == [
         "run.csv",
         "summary.json",
@@ -184,7 +184,7 @@ def test_tracking_takes_rates_and_loads_as_the_file_has_them(scene: Path) -> Non
 
 def test_a_run_is_no_log(scene: Path, run: Run, fails: Fails) -> None:
     out = scene.parent / "out"
-    run("simulate", scene, "-o", out, "--no-pictures")
+    run("simulate", scene, "-o", out, "--no-plots")
     robot = str(scene.parent / "robots" / "robot.toml")
     line = fails("forces", robot, str(out / "run.csv"), "-o", str(out / "f.csv"))
     assert "run.csv: expected a log, got a run of simulate, which view reads" in line
@@ -207,7 +207,7 @@ def test_a_run_that_stops_says_which_leg_and_when(scene: Path, run: Run) -> None
     limits = "[legs]\nspeed_limit = 0.157\n\n[legs.lower]"
     robot.write_text(robot.read_text().replace("[legs.lower]", limits))
     scene.write_text(SWING.replace("duration = 0.1", "duration = 9").replace("v = [0.05", "v = [0.25"))
-    out = run("simulate", scene, "-o", scene.parent / "out", "--no-pictures").out
+    out = run("simulate", scene, "-o", scene.parent / "out", "--no-plots").out
     assert "stopped    leg " in out
     assert "reaches its limit 0.157 m/s at " in out
 
@@ -231,7 +231,7 @@ def test_a_start_that_is_no_machines_is_warned_of(
     scene.write_text(SWING.replace(old, new, 1).replace("duration = 0.1", "duration = 0.01"))
     told = [
         line
-        for line in run("simulate", scene, "-o", scene.parent / "out", "--no-pictures").err.splitlines()
+        for line in run("simulate", scene, "-o", scene.parent / "out", "--no-plots").err.splitlines()
         if str(scene) in line
     ]
     assert len(told) == bool(words)

@@ -177,7 +177,7 @@ def test_a_scene_starts_on_its_path_and_saturates(scene: Path, run: Run) -> None
     done = read_scene(scene)
     assert done.on_force_limit == "saturate"
     np.testing.assert_array_equal(done.state.t, ss.PAPER_PATHS["I"].path.sample(0.0).t)
-    assert "N beyond its limit" in run("simulate", scene, "-o", scene.parent / "out", "--no-pictures").out
+    assert "N beyond its limit" in run("simulate", scene, "-o", scene.parent / "out", "--no-plots").out
 
 
 @pytest.mark.parametrize(
@@ -214,7 +214,7 @@ def test_progress_is_told_in_shares_that_end_at_one(rate: float | None) -> None:
 def test_a_run_that_stops_at_its_start_is_an_error_and_writes_nothing(scene: Path, fails: Fails) -> None:
     limit_forces(scene, 1e-3)
     scene.write_text(TRACK.replace('"saturate"', '"stop"'))
-    line = fails("simulate", scene, "-o", scene.parent / "out", "--no-pictures")
+    line = fails("simulate", scene, "-o", scene.parent / "out", "--no-plots")
     assert line.startswith(f"stewart-sym: error: {scene}: ")
     assert "reaches its limit 0.001 N at 0 s" in line
     assert not (scene.parent / "out").exists()

@@ -13,7 +13,7 @@ from unsolvable_poses import hexagons, semiregular
 import stewart_sym as ss
 from stewart_sym import results
 from stewart_sym.kinematics.conditioning import characteristic_length, scaled_condition_number
-from stewart_sym.kinematics.inverse import wrench_matrix
+from stewart_sym.kinematics.inverse_kinematics import wrench_matrix
 from stewart_sym.motion.motion import at_rest
 from stewart_sym.singularities.singular_poses import screw
 from stewart_sym.studies.robustness.sweep.machines import random_machine, random_motion

@@ -297,7 +297,7 @@ def test_the_report_has_every_figure(on_path_i: Figures) -> None:
 
 def test_report_and_help_say_where_rounding_is_measured(on_path_i: Figures, run: Run) -> None:
     said = f"Rounding is measured at {study.SAMPLED} poses spread over each motion and where force"
-    for text in (run("advise", "--help").out, report(advice(on_path_i, budget(0.05)))):
+    for text in (run("choose-fidelity", "--help").out, report(advice(on_path_i, budget(0.05)))):
         assert said in " ".join(text.split())
 
 
@@ -356,7 +356,7 @@ def test_pictures_that_a_machine_cannot_have_are_left_out_with_a_warning(
 @pytest.mark.usefixtures("quick")
 def test_advise_prints_and_writes_its_answer(scene: Path, run: Run) -> None:
     output = scene.parent / "advice.json"
-    captured = run("advise", scene, "--json", output)
+    captured = run("choose-fidelity", scene, "--json", output)
     assert "Cheapest that is good enough: exact general_static, float" in captured.out
     assert "Forced by centers of mass off the legs' axes" in captured.out
     written = json.loads(output.read_text())
@@ -366,14 +366,14 @@ def test_advise_prints_and_writes_its_answer(scene: Path, run: Run) -> None:
 
 def test_advise_runs_the_whole_study(scene: Path, run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     hasty(monkeypatch)
-    assert "Cheapest that is good enough: exact general_static, float" in run("advise", scene).out
+    assert "Cheapest that is good enough: exact general_static, float" in run("choose-fidelity", scene).out
 
 
 @pytest.mark.usefixtures("quick")
 def test_advise_without_an_answer_prints_the_table_and_fails_in_one_line(scene: Path, run: Run) -> None:
     scene.write_text(SCENE.replace("0.05", "1e-17"))
     output, kit = scene.parent / "advice.json", scene.parent / "kit"
-    captured = run("advise", scene, "--json", output, "--generate", kit, code=2)
+    captured = run("choose-fidelity", scene, "--json", output, "--generate", kit, code=2)
     assert captured.out.count("\n") > 28
     (line,) = captured.err.splitlines()
     assert f"{scene}: nothing keeps the budget; closest: exact general, double" in line
@@ -387,7 +387,7 @@ def test_every_long_part_of_advise_is_shown_and_its_share_where_it_is_known(
     monkeypatch: pytest.MonkeyPatch, scene: Path, run: Run
 ) -> None:
     monkeypatch.setattr(sys.stderr, "isatty", lambda: True, raising=False)
-    shown = run("advise", scene, "--generate", scene.parent / "kit").err
+    shown = run("choose-fidelity", scene, "--generate", scene.parent / "kit").err
     for part in ("reading the motions", "generating kernels", "computing test vectors"):
         assert f"{part} ..." in shown
     hasty(monkeypatch)
@@ -409,14 +409,14 @@ def test_every_long_part_of_advise_is_shown_and_its_share_where_it_is_known(
 @few_vectors()
 def test_advise_generates_the_kernel_that_it_chose(scene: Path, run: Run, fails: Fails) -> None:
     kit = scene.parent / "kit"
-    printed = run("advise", scene, "--generate", kit).out
+    printed = run("choose-fidelity", scene, "--generate", kit).out
     names = sorted(path.name for path in kit.iterdir())
     assert "stewart_exact_general_static_forces.c" in names
     assert all(str(kit / name) in printed for name in names)
     # Nothing is replaced unasked.
     (kit / "stewart_robot.c").write_text("mine")
-    assert "use --force" in fails("advise", scene, "--generate", kit)
-    run("advise", scene, "--generate", kit, "--force", "--bake")
+    assert "use --force" in fails("choose-fidelity", scene, "--generate", kit)
+    run("choose-fidelity", scene, "--generate", kit, "--force", "--bake")
 
 
 @pytest.mark.slow
@@ -427,7 +427,7 @@ def test_chart_writes_tables_without_matplotlib(
     few(monkeypatch)
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     output = scene.parent / "out"
-    told = run("chart", scene, "-o", output, "--no-pictures").out
+    told = run("chart", scene, "-o", output, "--no-plots").out
     assert sorted(path.name for path in output.glob("[!.]*")) == TABLES
     assert (output / "chart.txt").read_text() in told
 

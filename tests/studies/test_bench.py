@@ -1,4 +1,4 @@
-"""`bench`: everybody takes part and computes the same forces, and figures are what they say. No timing."""
+"""`benchmark`: everybody takes part and computes the same forces, and figures are what they say. No timing."""
 
 import dataclasses
 import gc

@@ -38,7 +38,7 @@ def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
     file.write_text(PAPERS.read_text().replace('name = "Dasgupta & Mruthyunjaya 1998"', 'name = "mine"'))
     with pytest.MonkeyPatch.context() as patch:
         shorten(patch)
-        assert main(["bench", "--quick", "--robot", str(file), "-o", str(folder / "new")]) == 0
+        assert main(["benchmark", "--quick", "--robot", str(file), "-o", str(folder / "new")]) == 0
     return folder / "new"
 
 

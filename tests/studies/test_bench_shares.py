@@ -1,4 +1,4 @@
-"""`bench`: shares of the baselines' times and of the processor's limit, and the processor."""
+"""`benchmark`: shares of the baselines' times and of the processor's limit, and the processor."""
 
 import shutil
 

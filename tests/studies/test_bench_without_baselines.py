@@ -1,4 +1,4 @@
-"""`bench` without CasADi, Pinocchio, Drake or MuJoCo leaves them out, says so in a line, keeps the rest."""
+"""`benchmark` without CasADi, Pinocchio, Drake or MuJoCo leaves them out, says so in a line, keeps the rest."""
 
 import contextlib
 import io
@@ -49,7 +49,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
         patch.setattr(compile_times, "text_size", lambda: None)
         patch.setattr(bench, "QUICK_SIZES", (8, 10**12))
         patch.setattr(host, "_work_of_others", lambda: next(at))
-        assert main(["bench", "--quick", "-o", str(folder)]) == 0
+        assert main(["benchmark", "--quick", "-o", str(folder)]) == 0
     assert told.getvalue() == ""
     return folder
 

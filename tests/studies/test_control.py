@@ -204,7 +204,7 @@ def test_control_takes_a_robot_and_warns_of_its_limits(tmp_path: Path, run: RunC
     file.write_text(text.replace('Dasgupta & Mruthyunjaya 1998"', 'weak"'))
     out = tmp_path / "out"
     arguments = ["control", "-o", out, "--path", "II", "--rate", "100", "--robot", file]
-    told = run(*arguments, "--no-pictures").err
+    told = run(*arguments, "--no-plots").err
     assert {path.name for path in out.glob("[!.]*")} == {
         "control.csv",
         "control.json",

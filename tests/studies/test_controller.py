@@ -19,7 +19,7 @@ from stewart_sym.io.json_text import json_text
 from stewart_sym.results import JOINT_SINGULAR
 from stewart_sym.robot.robot import Robot
 from stewart_sym.studies.common.output import Figures
-from stewart_sym.studies.microcontroller import measure, report, toolchain
+from stewart_sym.studies.microcontroller import measure, microcontroller_report, toolchain
 from stewart_sym.studies.microcontroller.measure import right
 
 INSTRUCTIONS = {"double": 3300, "float": 2850}
@@ -113,10 +113,10 @@ def test_objects_ask_for_no_heap_no_libm_and_no_double(row: Figures) -> None:
 
 
 def test_the_report_and_the_published_table_say_what_was_found(found: Figures) -> None:
-    text = report.report(found)
+    text = microcontroller_report.report(found)
     assert text.count("poses right") == len(found["rows"])
-    again = json.loads(json_text(report.full_report(found).data))
-    said = report.tables(again)["controller"]
+    again = json.loads(json_text(microcontroller_report.full_report(found).data))
+    said = microcontroller_report.tables(again)["controller"]
     for each in found["rows"]:
         assert f"{each['instructions']:,}" in text
         assert f"| {each['instructions']:,} |" in said
@@ -156,13 +156,13 @@ def test_what_torques_take_is_measured_and_published(tmp_path: Path) -> None:
     rows = [measure.measured(robot, "general", baked, precision) for precision, baked in OPPOSITE]
     found = measure.of_rows(robot, "general", rows)
     assert all(map(right, rows))
-    said = report.drive_tables(json.loads(json_text(found)))["controller_drive"]
+    said = microcontroller_report.drive_tables(json.loads(json_text(found)))["controller_drive"]
     for each in found["rows"]:
         # No more than the forces: what a controller adds to them.
         assert 0 < each["drive"]["motor_torques"] < each["instructions"]
         assert 0 < each["drive"]["axial_forces"] < each["instructions"]
         assert f" {each['drive']['motor_torques']:,} |" in said
-        assert f"{each['drive']['motor_torques']:,}" in report.report(found)
+        assert f"{each['drive']['motor_torques']:,}" in microcontroller_report.report(found)
     agrees_with_the_committed(found, "controller_drive.json")
 
 
@@ -251,11 +251,11 @@ def test_the_command_writes_the_table_and_the_figures(
 ) -> None:
     monkeypatch.setattr(measure, "study", lambda *_: found)
     printed = run("controller", "-o", tmp_path / "out").out
-    assert report.report(found) in printed
+    assert microcontroller_report.report(found) in printed
     assert json.loads((tmp_path / "out" / "controller.json").read_text()) == json.loads(
-        json_text({"generator": "stewart-sym controller", **report.full_report(found).data})
+        json_text({"generator": "stewart-sym controller", **microcontroller_report.full_report(found).data})
     )
-    assert (tmp_path / "out" / "controller.txt").read_text() == report.report(found) + "\n"
+    assert (tmp_path / "out" / "controller.txt").read_text() == microcontroller_report.report(found) + "\n"
 
 
 @pytest.mark.slow

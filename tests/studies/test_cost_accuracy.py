@@ -101,14 +101,14 @@ def test_margin_and_rate_have_defaults(scene: Path) -> None:
         ("rate = 1000.0", "rate = inf", "rate: expected a finite number, got inf"),
     ],
 )
-@pytest.mark.parametrize("subcommand", ["advise", "chart"])
+@pytest.mark.parametrize("subcommand", ["choose-fidelity", "chart"])
 def test_bad_scenes_are_rejected_in_one_line_and_leave_nothing(
     scene: Path, capsys: pytest.CaptureFixture[str], subcommand: str, old: str, new: str, words: str
 ) -> None:
     assert old in SCENE
     scene.write_text(SCENE.replace(old, new, 1))
     before = folder_state(scene.parent)
-    more = {"advise": ["--json", scene.parent / "out.json"], "chart": ["-o", scene.parent / "out"]}[
+    more = {"choose-fidelity": ["--json", scene.parent / "out.json"], "chart": ["-o", scene.parent / "out"]}[
         subcommand
     ]
     line = fails_in_one_line(capsys, subcommand, scene, *more)
@@ -118,7 +118,7 @@ def test_bad_scenes_are_rejected_in_one_line_and_leave_nothing(
 
 
 def test_a_missing_scene_is_one_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    line = fails_in_one_line(capsys, "advise", tmp_path / "none.toml")
+    line = fails_in_one_line(capsys, "choose-fidelity", tmp_path / "none.toml")
     assert "none.toml: cannot read the scene of advise: No such file" in line
 
 
@@ -131,7 +131,7 @@ def test_a_pose_without_an_answer_is_named(scene: Path, capsys: pytest.CaptureFi
     columns |= {"t_z": np.array([0.5, 0.1, 0.5])}
     (scene.parent / "poses.csv").write_text("".join(csv_lines(columns)))
     scene.write_text(SCENE.replace('"I"', '"poses.csv"'))
-    line = fails_in_one_line(capsys, "advise", scene)
+    line = fails_in_one_line(capsys, "choose-fidelity", scene)
     assert "poses.csv: line 3: a leg has length zero" in line
 
 

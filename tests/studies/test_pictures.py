@@ -25,7 +25,7 @@ from stewart_sym.robots import dasgupta1998
 from stewart_sym.studies.accuracy import bound_plot
 from stewart_sym.studies.common.drawing import legend_below, log_numbers
 from stewart_sym.studies.control import report
-from stewart_sym.studies.design import workspace
+from stewart_sym.studies.design import workspace_report
 from stewart_sym.studies.reports import energy_drift, machine_plot, run, singularities, singularities_plot
 
 Array = NDArray[np.float64]
@@ -291,10 +291,10 @@ def test_planes_through_a_workspace_have_up_upwards(upright: str) -> None:
     robot = _turned("unal", TURNS[upright])
     ends = np.array([0.0, 0.1])
     planes = [
-        workspace.Slice(axes, ends, ends, np.zeros((2, 2), dtype=np.int8), np.ones((2, 2)))
+        workspace_report.Slice(axes, ends, ends, np.zeros((2, 2), dtype=np.int8), np.ones((2, 2)))
         for axes in ((0, 1), (0, 2), (1, 2))
     ]
-    panels = workspace.figure(
+    panels = workspace_report.figure(
         robot, ss.workspace(robot, samples=100, position_bounds=[[-0.1, 0.1]] * 3), planes
     ).axes
     for axes, down in zip(panels, [False] + [upright == "-z"] * 2, strict=False):

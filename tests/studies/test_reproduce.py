@@ -8,7 +8,7 @@ import pytest
 from pages import DOCS, same_picture
 
 from stewart_sym.backend.kernel import FORMULATIONS
-from stewart_sym.dynamics.inverse import inverse_dynamics
+from stewart_sym.dynamics.inverse_dynamics import inverse_dynamics
 from stewart_sym.motion.straight_line import PAPER_PATHS
 from stewart_sym.reference.newton_euler import EXACT, PAPER
 from stewart_sym.robots import dasgupta1998
@@ -25,7 +25,7 @@ from stewart_sym.studies.paper.claims import (
     crossing_legs,
     rank_correlation,
 )
-from stewart_sym.studies.paper.report import WIDTH, report
+from stewart_sym.studies.paper.paper_report import WIDTH, report
 from stewart_sym.studies.paper.reproduce import Reproduction, reproduce, run_columns, work_energy
 
 

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import stewart_sym as ss
-from stewart_sym.exchange.machine import model_of
+from stewart_sym.exchange.model_from_robot import model_of
 from stewart_sym.motion.rotation import quaternion_from_rotation, rotation_from_vector
 from stewart_sym.robot.offset_chains import JointMotion, joint_motion
 

@@ -207,7 +207,7 @@ def calls() -> dict[str, Call]:
     add(ss.leg_distances, **both)
     add(ss.PoseLimits, lengths=True, joint_angles=True, forces=True, condition=9.0, clearance=0.01)
     region = {"position": motion.t, "angles": vector, "box": ends, "turns": ends, "poses": 200, "seed": 0}
-    add(ss.workspace, robot=at_home, kind="total", limits=ss.PoseLimits(), **region)
+    add(ss.workspace, robot=at_home, kind="six_dof", limits=ss.PoseLimits(), **region)
     add(ss.capability_polytope, robot=at_home, motion=motion, quantity="force", complement="zero")
     needs = {"motions": [([0.0], motion[None])], "margin": 0.1, "quantiles": [0.5, 1.0]}
     add(ss.actuator_requirements, robot=robot, **needs, formulation="exact")

@@ -19,7 +19,7 @@ from playwright.sync_api import Browser
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
-from stewart_sym.drives.verdicts import EXCEEDED, NOT_DECIDED, SURE, WITHIN
+from stewart_sym.drives.limit_status import EXCEEDED, NOT_DECIDED, SURE, WITHIN
 from stewart_sym.viewer.view import Viewer
 
 EXAMPLES = Path(__file__).parents[2] / ".docs" / "examples"
@@ -94,7 +94,7 @@ class Case:
         text = (EXAMPLES / "hexapod.toml").read_text(encoding="utf-8") + DRIVE
         robot.write_text(text, encoding="utf-8")
         files = {name: folder / f"{name}.json" for name in ("free", "forces", "view")}
-        forces = ("forces", robot, log, "-o", folder / "out.csv", "--noise-share", "10", "--json")
+        forces = ("forces", robot, log, "-o", folder / "out.csv", "--noise-threshold", "10", "--json")
         said(*forces, files["free"])
         robot.write_text(limited(text, legs_of(files["free"]), noisy), encoding="utf-8")
         self.warned_by_forces = said(*forces, files["forces"])
@@ -237,7 +237,7 @@ def test_deviations_that_no_digit_shows_stand_nowhere_but_in_json(
         for command, *more in (
             ("forces", "-o", "F.csv"),
             ("view", "-o", "F.html"),
-            ("size", "--no-pictures"),
+            ("size-actuators", "--no-plots"),
         ):
             whole = [command, "robot.toml", "log.csv", *more, "--json", f"{command}.json"]
             assert main(whole) == 0

@@ -16,7 +16,7 @@ import stewart_sym as ss
 from stewart_sym.motion.motion import at_rest
 from stewart_sym.robot.offset_chains import chains
 from stewart_sym.robot.robot import Robot
-from stewart_sym.viewer.instants import Instants
+from stewart_sym.viewer.motion_history import MotionHistory
 from stewart_sym.viewer.view import view
 
 Array = NDArray[np.float64]
@@ -32,7 +32,7 @@ LINES = "for (const id of ['frames', 'ribbon', 'skeleton']) document.getElementB
 
 
 @pytest.fixture(scope="module")
-def shown() -> tuple[Robot, Instants, str]:
+def shown() -> tuple[Robot, MotionHistory, str]:
     robot = dasgupta()
     found = view(robot, "I")
     return robot, found.instants, found.html
@@ -40,7 +40,7 @@ def shown() -> tuple[Robot, Instants, str]:
 
 @pytest.fixture(scope="module")
 def opened(
-    browser: Browser, shown: tuple[Robot, Instants, str], tmp_path_factory: pytest.TempPathFactory
+    browser: Browser, shown: tuple[Robot, MotionHistory, str], tmp_path_factory: pytest.TempPathFactory
 ) -> Iterator[Opened]:
     path = tmp_path_factory.mktemp("page") / "I.html"
     path.write_text(shown[2], encoding="utf-8")
@@ -55,13 +55,13 @@ def eye(opened: Opened, which: int = 0) -> tuple[dict[str, Any], dict[str, float
     return camera, opened.do(f"return viewer.pictures()[{which}];")
 
 
-def ends(robot: Robot, instants: Instants, i: int) -> Array:
+def ends(robot: Robot, instants: MotionHistory, i: int) -> Array:
     """Base and platform points, (6, 2, 3)."""
     tips = robot.p @ instants.motion.R[i].T + instants.motion.t[i]
     return np.stack([robot.b, tips], axis=1)
 
 
-def projected(opened: Opened, robot: Robot, instants: Instants, i: int, which: int = 0) -> Array:
+def projected(opened: Opened, robot: Robot, instants: MotionHistory, i: int, which: int = 0) -> Array:
     """Their pixels, (6, 2, 2)."""
     return pixels(ends(robot, instants, i).reshape(-1, 3), *eye(opened, which)).reshape(6, 2, 2)
 
@@ -74,7 +74,7 @@ def off(points: Array, line: Array) -> Array:
 
 
 def legs_seen(
-    opened: Opened, robot: Robot, instants: Instants
+    opened: Opened, robot: Robot, instants: MotionHistory
 ) -> Iterator[tuple[NDArray[np.int64], Array, int, Array]]:
     """At some instants the picture and the projected legs; each leg, and the color of its force."""
     for i in np.linspace(0, len(instants.time) - 1, INSTANTS).astype(int):
@@ -84,14 +84,14 @@ def legs_seen(
             yield picture, lines, leg, force_color(instants, "exact", i, leg)
 
 
-def force_color(instants: Instants, name: str, i: int, leg: int) -> Array:
+def force_color(instants: MotionHistory, name: str, i: int, leg: int) -> Array:
     """On the scale of the largest force of the motion."""
     scale = max(float(np.abs(F).max()) for F in instants.forces.values())
     return color(float(instants.forces[name][i, leg]), scale)
 
 
 def test_pixels_of_lines_have_the_colors_of_the_forces_and_end_at_the_joints(
-    opened: Opened, shown: tuple[Robot, Instants, str]
+    opened: Opened, shown: tuple[Robot, MotionHistory, str]
 ) -> None:
     opened.do(LINES)
     for picture, lines, leg, wanted in legs_seen(opened, *shown[:2]):
@@ -175,13 +175,17 @@ def ends_off(picture: NDArray[np.int64], wanted: Array, lines: Array, leg: int) 
     return max(abs(float(each)) for each, skip in zip(found, crowded, strict=True) if not skip)
 
 
-def test_bodies_of_legs_have_the_forces_colors(opened: Opened, shown: tuple[Robot, Instants, str]) -> None:
+def test_bodies_of_legs_have_the_forces_colors(
+    opened: Opened, shown: tuple[Robot, MotionHistory, str]
+) -> None:
     for picture, lines, leg, wanted in legs_seen(opened, *shown[:2]):
         on = off(of_color(picture, wanted), lines[leg]) < 12.0
         assert on.sum() > 100, (leg, on.sum())
 
 
-def test_formulations_have_colors_side_by_side(opened: Opened, shown: tuple[Robot, Instants, str]) -> None:
+def test_formulations_have_colors_side_by_side(
+    opened: Opened, shown: tuple[Robot, MotionHistory, str]
+) -> None:
     robot, instants, _ = shown
     opened.page.select_option("#sets", "side by side")
     opened.do(LINES)

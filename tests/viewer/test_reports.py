@@ -46,8 +46,8 @@ def test_forces_have_their_motion_and_a_table_that_sorts(browser: Browser, folde
 def test_size_has_its_needs_as_a_table_and_every_motion(folder: Path) -> None:
     (folder / "other").mkdir()
     shutil.copy(folder / "trajectory.csv", folder / "other")
-    given = ["trajectory.csv", "other/trajectory.csv", "-o", "size", "--no-pictures"]
-    assert main(["size", "hexapod.toml", *given, "--html", "size.html"]) == 0
+    given = ["trajectory.csv", "other/trajectory.csv", "-o", "size", "--no-plots"]
+    assert main(["size-actuators", "hexapod.toml", *given, "--html", "size.html"]) == 0
     text = (folder / "size.html").read_text(encoding="utf-8")
     needs = (folder / "size" / "needs.csv").read_text(encoding="utf-8").splitlines()
     assert f"needs: {len(needs) - 1} rows" in text
@@ -61,7 +61,7 @@ def test_a_plan_has_the_planned_motion(browser: Browser, folder: Path) -> None:
     poses = "[[via]]\nt = [{}, 0.0, 0.65]\ntheta = [0.0, 0.0, 0.0]\n"
     head = 'schema = 1\nrobot = "hexapod.toml"\n'
     (folder / "via.toml").write_text(head + poses.format(0.0) + poses.format(0.1))
-    assert main(["plan", "via.toml", "-o", "plan", "--no-pictures", "--html", "plan.html"]) == 0
+    assert main(["plan", "via.toml", "-o", "plan", "--no-plots", "--html", "plan.html"]) == 0
     found = json.loads((folder / "plan" / "report.json").read_text(encoding="utf-8"))
     page = Opened(browser, folder / "plan.html", (1000, 800))
     inside = page.page.frame_locator("iframe")
@@ -91,7 +91,7 @@ def test_axe_finds_nothing_in_a_report(browser: Browser, tmp_path: Path) -> None
 
 @pytest.mark.slow
 def test_the_run_that_simulate_wrote_is_shown_with_its_own_forces(folder: Path) -> None:
-    simulate = ["simulate", "swing.toml", "-o", "swing", "--no-pictures"]
+    simulate = ["simulate", "swing.toml", "-o", "swing", "--no-plots"]
     assert main([*simulate, "--html", "report.html"]) == 0
     assert "run.csv: 325 rows" in (folder / "report.html").read_text(encoding="utf-8")
     assert main(["view", "hexapod.toml", "swing", "-o", "swing.html"]) == 0

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from ...mechanics import quantities as n
 from ..functions import Vector
-from ..words import in_markdown, stored, template
+from ..text_format import in_markdown, stored, template
 from .contents import Contents, Value
 
 

@@ -6,7 +6,7 @@ from ...kernel.tree.constants import constants
 from ...kernel.tree.settle import of_one_pose
 from ...print.matlab import Matlab
 from ..functions import Vector
-from ..words import template
+from ..text_format import template
 from .contents import Contents, Value
 from .language import Language, array, spoilt
 

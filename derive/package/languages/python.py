@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 
 from ...emit.arrays import arithmetic, module
-from ..words import template
+from ..text_format import template
 from .contents import Contents, Value, compared
 from .language import Language
 

@@ -8,7 +8,7 @@ from ...mechanics import quantities as n
 from ...print.rust import Rust
 from ...program.block import Quantity
 from ..functions import Vector
-from ..words import Numbers, stored, template
+from ..text_format import Numbers, stored, template
 from .contents import Contents, Value, compared
 from .language import Language, array, spoilt
 

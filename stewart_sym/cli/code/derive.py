@@ -7,7 +7,7 @@ from typing import Any
 
 from ...io.progress import Progress
 from ..options import output
-from ..results import results
+from ..output import results
 
 HELP = "derive the kernels again and write them"
 EXAMPLE = "stewart-sym derive --check"
@@ -21,7 +21,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    from ...io.writing import result_folder, staged_folder
+    from ...io.atomic_write import result_folder, staged_folder
     from ...studies.common.report import Report
 
     directory = arguments.output or Path(str(files("stewart_sym.generated")))

@@ -6,7 +6,7 @@ from pathlib import Path
 from ...io.arguments import no_option
 from ..inputs import robot_of
 from ..options import chosen, formulation, output, robot_file
-from ..results import results
+from ..output import results
 
 HELP = "write a kit of one robot in C, Python, MATLAB or Rust: kernels, constants, self-test, example"
 EXAMPLE = "stewart-sym generate hexapod.toml -o kit --functions forces,kinematics && make -C kit"

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from ..inputs import robot_of
 from ..options import output, robot_file
-from ..results import results
+from ..output import results
 
 HELP = "validate, describe and draw a robot file"
 EXAMPLE = "stewart-sym check hexapod.toml -o hexapod"
@@ -22,7 +22,7 @@ MORE = (
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     robot_file(parser)
-    output(parser, "DIR", "folder for the report and a picture", "none is written", pictures=True)
+    output(parser, "DIR", "folder for the report and a picture", "none is written", plots=True)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -35,7 +35,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 def _length_unit(robot: Path) -> str:
     """Unit of lengths in a robot file; m where it cannot be read a second time, as from a pipe."""
-    from ...io.tables import toml_tables
+    from ...io.toml_reader import toml_tables
 
     with contextlib.suppress(ValueError), toml_tables(str(robot), "robot file") as tables:
         return str(tables.get("length_unit", "m"))

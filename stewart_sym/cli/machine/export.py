@@ -6,7 +6,7 @@ from pathlib import Path
 
 from ..inputs import robot_of
 from ..options import output, robot_file
-from ..results import reject_inputs, results
+from ..output import reject_inputs, results
 
 HELP = "write the machine for MuJoCo, Gazebo, Drake, ROS, Pinocchio, or Isaac Sim"
 EXAMPLE = "stewart-sym export hexapod.toml --format mjcf -o hexapod.xml"
@@ -32,7 +32,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     from ...exchange.files import BEGINNINGS, export_model, loops_path
-    from ...io.writing import result_file
+    from ...io.atomic_write import result_file
     from ...studies.common.report import Report
 
     path: Path = arguments.output

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from ...io.error_policy import SingularPoseWarning, warn
 from ..inputs import robot_of, trajectory_of
 from ..options import chosen, formulation, log_options, output, positive, robot_file, valued
-from ..results import reject_inputs, results
+from ..output import reject_inputs, results
 
 if TYPE_CHECKING:
     from ...robot.robot import Robot
@@ -35,36 +35,37 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     chosen(parser, "backend", ("c", "numpy", "reference"))
     parser.add_argument("--reactions", action="store_true", help="write the joint reactions as well")
     parser.add_argument(
-        "--picture",
+        "--plot",
         type=Path,
         metavar="FILE.png",
         help="draw the torques of the motors, of a robot with a drive; needs Matplotlib",
     )
     parser.add_argument(
-        "--allow-singular",
-        action="store_true",
-        help="write nan and a status for unsolvable poses instead of rejecting the trajectory",
+        "--on-singular",
+        choices=("raise", "nan"),
+        default="raise",
+        help="raise: an unsolvable pose is an error; nan: its row has nan and a status; default: raise",
     )
     text = "warn where three standard deviations exceed this share of a leg's peak force"
-    valued(parser, "noise-share", positive, text, 0.02, "SHARE")
+    valued(parser, "noise-threshold", positive, text, 0.02, "SHARE")
     log_options(parser)
     output(parser, "FILE.csv", "file to write, - for standard output", None, html=True)
 
 
 def run(arguments: argparse.Namespace) -> int:
     from ...drives.leg_limits import replaced_rows
-    from ...io.writing import result_file
+    from ...io.atomic_write import result_file
     from ...motion.log_rates import noise_text
     from ...singularities.path_warnings import crossing_warning
     from ...studies.common.output import csv_lines
     from ...studies.common.report import Picture, Report, draw
     from ...studies.reports.track import Digest, header_lines, in_parts
-    from ...viewer.instants import of_trajectory
+    from ...viewer.motion_history import of_trajectory
     from ...viewer.view import Viewer
 
     robot = robot_of(arguments.robot)
-    if arguments.picture is not None:
-        _need_picture(arguments, robot)
+    if arguments.plot is not None:
+        _need_plot(arguments, robot)
     with (
         results(arguments) as (take, progress),
         result_file(arguments.output, header_lines(), arguments.force) as stream,
@@ -79,7 +80,7 @@ def run(arguments: argparse.Namespace) -> int:
             arguments.formulation,
             arguments.backend,
             arguments.reactions,
-            arguments.allow_singular,
+            arguments.on_singular == "nan",
         ):
             stream.writelines(csv_lines(part.columns, header=part.where.start == 0))
             digest.add(part)
@@ -91,17 +92,17 @@ def run(arguments: argparse.Namespace) -> int:
         lines = []
         if str(arguments.output) != "-":
             lines = [digest.summary(), f"Written to {arguments.output}"]
-            if arguments.picture is not None:
-                lines.append(f"Drawn as {arguments.picture}")
+            if arguments.plot is not None:
+                lines.append(f"Drawn as {arguments.plot}")
             if trajectory.noise is not None and trajectory.noise.sigma.any():
                 lines.insert(1, f"{noise_text(trajectory.noise)}: F_sd is what it leaves")
         tables, figures = {}, {}
         if digest.drive is not None:
             tables["motors"] = digest.drive.csv()
-            if arguments.picture is not None:
+            if arguments.plot is not None:
                 figures["motor_torque"] = Picture(digest.drive.figure)
-                draw(figures["motor_torque"], arguments.picture.with_suffix(""))
-        doubts = digest.doubts(arguments.noise_share)
+                draw(figures["motor_torque"], arguments.plot.with_suffix(""))
+        doubts = digest.doubts(arguments.noise_threshold)
         views = {"motion": lambda: Viewer(robot, of_trajectory(robot, trajectory))}
         data = {**digest.as_json(), "warnings": doubts}
         take(Report("\n".join(lines), tables, data, figures, views))
@@ -110,16 +111,16 @@ def run(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def _need_picture(arguments: argparse.Namespace, robot: "Robot") -> None:
+def _need_plot(arguments: argparse.Namespace, robot: "Robot") -> None:
     """Reject a picture of motors that there are not, of another kind, or in place of another file."""
     from ...io.extras import need
 
     need("matplotlib", "drawing")
-    path = arguments.picture
+    path = arguments.plot
     if robot.drive is None:
-        raise ValueError(f"--picture {path}: expected a robot with a drive ([legs.drive])")
+        raise ValueError(f"--plot {path}: expected a robot with a drive ([legs.drive])")
     if path.suffix != ".png":
-        raise ValueError(f"--picture {path}: expected a file that ends in .png")
-    reject_inputs("--picture", path, arguments.robot, arguments.trajectory)
+        raise ValueError(f"--plot {path}: expected a file that ends in .png")
+    reject_inputs("--plot", path, arguments.robot, arguments.trajectory)
     if path.exists() and not arguments.force:
-        raise ValueError(f"--picture {path}: exists; use --force to overwrite")
+        raise ValueError(f"--plot {path}: exists; use --force to overwrite")

@@ -10,7 +10,7 @@ from ...io.extras import need
 from ...io.progress import Progress
 from ..inputs import log_format, poses_of, robot_of, stated_noise
 from ..options import finite, log_form, noise_options, output, positive, robot_file, valued, whole
-from ..results import results
+from ..output import results
 
 if TYPE_CHECKING:
     from ...identification.estimates import IdentificationResult
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 HELP = "identify inertial parameters from measured forces, or from a simulated measurement"
-EXAMPLE = "stewart-sym identify hexapod.toml --sigma 0.5 -o identified"
+EXAMPLE = "stewart-sym identify hexapod.toml --force-std 0.5 -o identified"
 MORE = (
     "Without --measured the motion is the best of random Fourier series about the home pose, within "
     "the limits of legs and motors in the robot file, and the table gives the true values as well. SI units."
@@ -41,7 +41,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--samples and --candidates are not used",
     )
     text = "standard deviation of measured forces, N, or of measured currents, A"
-    valued(parser, "sigma", positive, text, 1.0)
+    valued(parser, "force-std", positive, text, 1.0)
     noise_options(
         parser,
         "standard deviation of the measured {}, in --{}-unit: only the poses are used, and a smooth motion "
@@ -60,15 +60,17 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="fit measured forces with a model whose joints have no friction",
     )
     parser.add_argument(
-        "--physical",
+        "--enforce-physical",
         action="store_true",
         help="fit measured forces by physically possible bodies, and write their parameters to bodies.csv",
     )
     parser.add_argument(
-        "--shared", choices=("legs",), help="legs: all legs are built alike, their parameters are sought once"
+        "--identical-legs",
+        action="store_true",
+        help="seek the parameters of one leg for all six, built alike",
     )
     parser.add_argument(
-        "--drive",
+        "--drive-terms",
         metavar="TERM,...",
         help="F_1 to F_6 are forces of the motors (N times torque), as currents always are: seek terms of the "
         "drives as well, some of reflected_mass, coulomb, offset, viscous",
@@ -105,10 +107,10 @@ def _measured(arguments: argparse.Namespace, progress: Progress) -> "tuple[Repor
     from ...robot.robot import LEGS
     from ...studies.reports.identify import from_measurement, measured_report
 
-    terms = None if arguments.drive is None else tuple(arguments.drive.split(","))
+    terms = None if arguments.drive_terms is None else tuple(arguments.drive_terms.split(","))
     if terms is not None:
-        need_terms(terms, "--drive")
-    if arguments.physical:
+        need_terms(terms, "--drive-terms")
+    if arguments.enforce_physical:
         need("scipy", POSSIBLE)
     noisy = _pose_noise(arguments)
     if noisy and arguments.period is None:
@@ -130,18 +132,29 @@ def _measured(arguments: argparse.Namespace, progress: Progress) -> "tuple[Repor
     trajectory = cast("Trajectory", poses_of(robot, log, arguments, progress))
     of_forces = dataclasses.replace(log_format(arguments), columns={})
     time, F, columns, lines = read_leg_columns(forces, of_forces, (FORCES, CURRENTS))
-    sigma = np.asarray(arguments.sigma)
+    sigma = np.asarray(arguments.force_std)
     if columns == CURRENTS:
-        F, sigma = motor_forces(robot, F), np.abs(motor_forces(robot, np.full(LEGS, arguments.sigma)))
+        F, sigma = motor_forces(robot, F), np.abs(motor_forces(robot, np.full(LEGS, arguments.force_std)))
     noise = None
     if noisy:
         series = (arguments.period, arguments.harmonics if arguments.period is not None else None)
         noise = PoseNoise(
             trajectory.time, *cast("tuple[float, float]", stated_noise(arguments, form)), *series
         )
-    model = (not arguments.no_friction, arguments.physical)
+    model = (not arguments.no_friction, arguments.enforce_physical)
     found = from_measurement(
-        robot, trajectory, time, F, sigma, str(forces), noise, *model, form, arguments.shared == "legs", terms, lines
+        robot,
+        trajectory,
+        time,
+        F,
+        sigma,
+        str(forces),
+        noise,
+        *model,
+        form,
+        _shared(arguments) == "legs",
+        terms,
+        lines,
     )
     return measured_report(robot, found, sigma, noise, columns == CURRENTS), found
 
@@ -152,27 +165,32 @@ def _simulated(arguments: argparse.Namespace, progress: Progress) -> "tuple[Repo
     from ...motion.logs import TrajectoryFormat
     from ...studies.reports.identify import simulated_report
 
-    for option in ("no_friction", "physical", "drive"):
+    for option in ("no_friction", "enforce_physical", "drive_terms"):
         if getattr(arguments, option):
             raise ValueError(f"--{option.replace('_', '-')}: is for measured forces, expected --measured")
-    if log_format(arguments) != TrajectoryFormat() or arguments.start is not None:
+    if log_format(arguments) != TrajectoryFormat() or arguments.pose_guess is not None:
         raise ValueError(
-            "--start and options of the trajectory's file: are for measured forces, expected --measured"
+            "--pose-guess and options of the trajectory's file: are for measured forces, expected --measured"
         )
     robot = robot_of(arguments.robot)
-    noise = (arguments.noise_position, arguments.noise_angle) if _pose_noise(arguments) else (0.0, 0.0)
-    names = ("period", "samples", "candidates", "seed", "shared")
-    options = {name: getattr(arguments, name) for name in names}
+    noise = (arguments.position_std, arguments.angle_std) if _pose_noise(arguments) else (0.0, 0.0)
+    names = ("period", "samples", "candidates", "seed")
+    options = {name: getattr(arguments, name) for name in names} | {"shared": _shared(arguments)}
     harmonics = 5 if arguments.harmonics is None else arguments.harmonics
     excited = choose_excitation(robot, harmonics=harmonics, progress=progress, **options)
     progress("identifying")
-    found = simulate_experiment(robot, excited, arguments.sigma, arguments.seed, *noise)
+    found = simulate_experiment(robot, excited, arguments.force_std, arguments.seed, *noise)
     return simulated_report(robot, found), found.estimate
+
+
+def _shared(arguments: argparse.Namespace) -> str | None:
+    """Return the argument ``shared`` of the fits."""
+    return "legs" if arguments.identical_legs else None
 
 
 def _pose_noise(arguments: argparse.Namespace) -> bool:
     """Whether the noise of poses is stated: both of it or neither."""
-    given = [getattr(arguments, name) is not None for name in ("noise_position", "noise_angle")]
+    given = [getattr(arguments, name) is not None for name in ("position_std", "angle_std")]
     if given[0] != given[1]:
-        raise ValueError("--noise-position: expected --noise-angle beside it, and none without it")
+        raise ValueError("--position-std: expected --angle-std beside it, and none without it")
     return given[0]

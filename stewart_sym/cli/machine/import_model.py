@@ -5,7 +5,7 @@ from pathlib import Path
 
 from ..inputs import warn_of_doubts
 from ..options import output
-from ..results import results
+from ..output import results
 
 HELP = "make a robot file of a model in MJCF, SDF or URDF"
 EXAMPLE = "stewart-sym import hexapod.xml -o imported.toml"
@@ -26,8 +26,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     from ...exchange.files import import_model
     from ...io.arguments import safe_text
+    from ...io.atomic_write import result_file
     from ...io.toml_text import toml_text
-    from ...io.writing import result_file
     from ...studies.common.report import Report
 
     path: Path = arguments.output

@@ -6,7 +6,7 @@ import tomllib
 
 from ..inputs import warn_of_doubts
 from ..options import chosen, finite, output, positive, valued
-from ..results import results
+from ..output import results
 
 HELP = "write a commented robot file from a few numbers"
 EXAMPLE = (
@@ -46,7 +46,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    from ...io.writing import result_file
+    from ...io.atomic_write import result_file
     from ...robot.draft import Draft
     from ...robot.robot import Robot
     from ...studies.common.report import Report

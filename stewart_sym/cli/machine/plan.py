@@ -11,7 +11,7 @@ from ...io.extras import need
 from ...io.progress import Progress
 from ..inputs import FEW_ROWS, warn_of_doubts
 from ..options import output, positive, valued
-from ..results import results
+from ..output import results
 
 if TYPE_CHECKING:
     from ...planning.plan_file import PlanRequest
@@ -39,10 +39,10 @@ _LEAST = ("time", "energy", "peak_force")
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("via", metavar="VIA.toml", type=Path, help="file of via poses, schema 1")
     parser.add_argument(
-        "--least", choices=_LEAST, help="what is made least, in place of the file's least; default: time"
+        "--minimize", choices=_LEAST, help="what is made least, in place of the file's least; default: time"
     )
     valued(parser, "duration", positive, "of a motion of least energy or peak force", metavar="SECONDS")
-    output(parser, "DIR", "folder to write to", Path("plan"), pictures=True, html=True)
+    output(parser, "DIR", "folder to write to", Path("plan"), plots=True, html=True)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -69,13 +69,13 @@ def _plan(arguments: argparse.Namespace, request: "PlanRequest") -> int:
     import numpy as np
 
     from ...drives.effort import DriveLimitWarning
-    from ...kinematics.log_doubts import meters_doubt
     from ...kinematics.offset_legs import leg_lengths
-    from ...planning.certificate import certify_plan
-    from ...planning.time_path import need_duration, parameterize_path
+    from ...kinematics.trajectory_checks import meters_doubt
+    from ...planning.path_parameterization import need_duration, parameterize_path
+    from ...planning.plan_certificate import certify_plan
     from ...studies.reports import plan
 
-    robot, least = request.robot, arguments.least or request.minimize
+    robot, least = request.robot, arguments.minimize or request.minimize
     duration = request.duration if arguments.duration is None else arguments.duration
     need_duration(least, duration)
     if duration is not None:

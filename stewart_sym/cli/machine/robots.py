@@ -3,7 +3,7 @@
 import argparse
 
 from ..options import output
-from ..results import results
+from ..output import results
 
 HELP = "list, show or copy the machines that come with the package"
 EXAMPLE = "stewart-sym robots --show tsai2000 -o tsai2000.toml"
@@ -17,7 +17,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     from ...io.arguments import option
-    from ...io.writing import result_file
+    from ...io.atomic_write import result_file
     from ...robots import NAMES, load, text
     from ...studies.common.output import aligned
     from ...studies.common.report import Report

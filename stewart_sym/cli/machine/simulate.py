@@ -8,7 +8,7 @@ from ...io.error_policy import warn
 from ...io.extras import need
 from ..inputs import warn_of_doubts
 from ..options import output
-from ..results import results
+from ..output import results
 
 HELP = "let a machine move under its legs' forces: a table, a summary and pictures"
 EXAMPLE = "stewart-sym simulate swing.toml -o swing"
@@ -31,16 +31,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         action="store_true",
         help="compare the energy in both formulations, without friction and dampers (springs only)",
     )
-    output(parser, "DIR", "folder to write to", Path("simulation"), pictures=True, html=True)
+    output(parser, "DIR", "folder to write to", Path("simulation"), plots=True, html=True)
 
 
 def run(arguments: argparse.Namespace) -> int:
     from ...simulation.actuator_models import LegSprings
     from ...simulation.scene import read_scene
     from ...studies.reports import run
-    from ...studies.reports.doubts import start_doubts
     from ...studies.reports.energy_drift import energy_drift
-    from ...viewer.instants import of_run
+    from ...studies.reports.scene_checks import start_doubts
+    from ...viewer.motion_history import of_run
     from ...viewer.view import Viewer
 
     need("scipy", "simulation")

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from ..inputs import robot_of, trajectory_of
 from ..options import formulation, log_options, output, robot_file
-from ..results import results
+from ..output import results
 
 HELP = "where a path crosses singular poses, between samples too, and which twist is unconstrained there"
 EXAMPLE = "stewart-sym singularities hexapod.toml trajectory.csv -o singularities"
@@ -21,7 +21,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("path", metavar="PATH", help="I, II or III of the paper, or a CSV file as for forces")
     formulation(parser)
     log_options(parser)
-    output(parser, "DIR", "folder to write to", Path("singularities"), pictures=True)
+    output(parser, "DIR", "folder to write to", Path("singularities"), plots=True)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -38,8 +38,8 @@ def run(arguments: argparse.Namespace) -> int:
     tables = ("events.csv", "path.csv")
     with results(arguments, "report", *tables, read=read) as (take, progress):
         if name in PAPER_PATHS:
-            if arguments.start is not None:
-                raise ValueError("--start: is for a trajectory of leg lengths, this one is of poses")
+            if arguments.pose_guess is not None:
+                raise ValueError("--pose-guess: is for a trajectory of leg lengths, this one is of poses")
             line = path_for(robot, name).path
             path: MotionPath = line.sample
             times = line.breakpoints()

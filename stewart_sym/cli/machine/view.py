@@ -12,11 +12,11 @@ from ...io.error_policy import warn
 from ...io.progress import Progress
 from ..inputs import robot_of, trajectory_of
 from ..options import log_options, output, robot_file
-from ..results import need_html, reject_inputs, results
+from ..output import need_html, reject_inputs, results
 
 if TYPE_CHECKING:
     from ...robot.robot import Robot
-    from ...viewer.instants import Instants
+    from ...viewer.motion_history import MotionHistory
     from ...viewer.view import Viewer
 
 HELP = "show a machine in motion: one HTML file for any browser, without a network"
@@ -43,7 +43,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    from ...io.writing import result_file
+    from ...io.atomic_write import result_file
     from ...robots import dasgupta1998
     from ...studies.common.report import Report
     from ...viewer.page import BEGINNING
@@ -76,16 +76,16 @@ def run(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def _motion(robot: "Robot", arguments: argparse.Namespace, progress: Progress) -> "Instants":
+def _motion(robot: "Robot", arguments: argparse.Namespace, progress: Progress) -> "MotionHistory":
     from ...dynamics.home_pose import home_pose
     from ...motion.straight_line import PAPER_PATHS
-    from ...viewer import instants
+    from ...viewer import motion_history
 
     name = "I" if arguments.example else arguments.motion
     if name is None:
-        return instants.at_home(robot, home_pose(robot).t)
+        return motion_history.at_home(robot, home_pose(robot).t)
     if name in PAPER_PATHS:
-        return instants.of_path(robot, name)
+        return motion_history.of_path(robot, name)
     path = Path(name)
     if path.is_dir():
         path = path / _RUN
@@ -95,10 +95,10 @@ def _motion(robot: "Robot", arguments: argparse.Namespace, progress: Progress) -
         )
     if _is_run(path):
         progress("reading the run")
-        return instants.of_run_file(robot, path)
+        return motion_history.of_run_file(robot, path)
     trajectory = trajectory_of(robot, path, arguments, progress)
     progress("computing forces and singular instants")
-    return instants.of_trajectory(robot, trajectory)
+    return motion_history.of_trajectory(robot, trajectory)
 
 
 def _is_run(path: Path) -> bool:

@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING
 from ...io.error_policy import warn
 from ..inputs import robot_of
 from ..options import chosen, finite, output, positive, robot_file, valued, whole
-from ..results import results
+from ..output import results
 
 if TYPE_CHECKING:
     from ...design.pose_limits import PoseExaminer
     from ...design.workspace import WorkspaceResult
 
 HELP = "how far a machine reaches: volume of its workspace with an error, what bounds it, and slices"
-EXAMPLE = "stewart-sym workspace hexapod.toml --condition 20 -o workspace"
+EXAMPLE = "stewart-sym workspace hexapod.toml --max-condition 20 -o workspace"
 MORE = (
     "Limits of the robot file count: leg lengths, joint angles, and forces that hold the machine at rest. "
     "Positions are those of the robot file's tool, by default the reference point. "
@@ -35,9 +35,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     chosen(parser, "kind", ("constant_orientation", "orientation", "six_dof"), text)
     for name, nargs, metavar, text in (
         ("position", 3, _TRIPLE, "position of the tool in the middle pose (m); default: the home pose"),
-        ("angles", 3, _TRIPLE, "its roll, pitch and yaw, rad; default: parallel to the base"),
-        ("box", 6, _RANGES, "least and greatest t_x, t_y, t_z, m; default: where the longest legs reach"),
-        ("turns", 6, _RANGES, "least and greatest roll, pitch and yaw, rad; default: all rotations"),
+        ("rpy", 3, _TRIPLE, "its roll, pitch and yaw, rad; default: parallel to the base"),
+        (
+            "position-bounds",
+            6,
+            _RANGES,
+            "least and greatest t_x, t_y, t_z, m; default: where the longest legs reach",
+        ),
+        ("rpy-bounds", 6, _RANGES, "least and greatest roll, pitch and yaw, rad; default: all rotations"),
         (
             "load",
             6,
@@ -47,8 +52,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     ):
         parser.add_argument(f"--{name}", nargs=nargs, type=finite, metavar=metavar, help=text)
     text = "largest scaled condition number of H; leaves out what lies beyond a singular pose as well"
-    valued(parser, "condition", positive, text, metavar="NUMBER")
-    valued(parser, "clearance", positive, "least distance of the legs' center lines, m", metavar="M")
+    valued(parser, "max-condition", positive, text, metavar="NUMBER")
+    valued(parser, "min-clearance", positive, "least distance of the legs' center lines, m", metavar="M")
     parser.add_argument(
         "--ignore",
         action="append",
@@ -56,11 +61,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         default=[],
         help="limits of the robot file to leave out",
     )
-    valued(parser, "poses", whole, "how many to examine", 1_000_000, "N")
+    valued(parser, "samples", whole, "how many to examine", 1_000_000, "N")
     valued(parser, "seed", whole, "of the random poses", 0, "N")
     text = "run on a Dask scheduler, as tcp://host:8786, or local: a worker on each core; the same bits"
     valued(parser, "scheduler", str, text, metavar="ADDRESS")
-    output(parser, "DIR", "folder to write to", Path("workspace"), pictures=True)
+    output(parser, "DIR", "folder to write to", Path("workspace"), plots=True)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -68,15 +73,15 @@ def run(arguments: argparse.Namespace) -> int:
 
     from ...design.pose_limits import PoseExaminer, PoseLimits, at_reference
     from ...design.workspace import workspace
-    from ...studies.design.workspace import report, slices
+    from ...studies.design.workspace_report import report, slices
 
     robot = robot_of(arguments.robot)
     limits = PoseLimits(
         lengths="lengths" not in arguments.ignore,
         joint_angles="joint-angles" not in arguments.ignore,
         forces="forces" not in arguments.ignore,
-        condition=arguments.condition or math.inf,
-        clearance=arguments.clearance or 0.0,
+        condition=arguments.max_condition or math.inf,
+        clearance=arguments.min_clearance or 0.0,
         load=np.array(arguments.load or [0.0] * 6),
     )
     with results(arguments, "report", "slices.csv") as (take, progress):
@@ -85,10 +90,10 @@ def run(arguments: argparse.Namespace) -> int:
             arguments.kind,
             limits,
             position=arguments.position,
-            rpy=arguments.angles or (0.0, 0.0, 0.0),
-            position_bounds=_pairs(arguments.box),
-            rpy_bounds=_pairs(arguments.turns),
-            samples=arguments.poses,
+            rpy=arguments.rpy or (0.0, 0.0, 0.0),
+            position_bounds=_pairs(arguments.position_bounds),
+            rpy_bounds=_pairs(arguments.rpy_bounds),
+            samples=arguments.samples,
             seed=arguments.seed,
             scheduler=arguments.scheduler,
             progress=progress,

@@ -5,21 +5,21 @@ from pathlib import Path
 
 from ..inputs import warn_of_doubts
 from ..options import output
-from ..results import results
+from ..output import results
 
 HELP = "draw time per pose over error, of the model and of rounding: pictures, CSV, JSON, table"
 EXAMPLE = "stewart-sym chart enough.toml -o chart"
 MORE = (
     "chart.png: every fidelity and implementation is a point; scales.png: rounding over size and mass"
     " of machines like this one; bounds.png: rounding and its bound. Each as SVG and CSV, too. The "
-    "scene is one of `advise`; without it: the paper's machine on its Paths I, II and III. Takes "
+    "scene is one of `choose-fidelity`; without it: the paper's machine on its Paths I, II and III. Takes "
     "about a minute."
 )
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("scene", metavar="SCENE.toml", type=Path, nargs="?", help="scene file, schema 1")
-    output(parser, "DIR", "folder to write to", Path("chart"), pictures=True)
+    output(parser, "DIR", "folder to write to", Path("chart"), plots=True)
 
 
 def run(arguments: argparse.Namespace) -> int:

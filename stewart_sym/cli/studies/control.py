@@ -6,7 +6,7 @@ from pathlib import Path
 from ...io.error_policy import warn
 from ..inputs import robot_of
 from ..options import PAPERS, output, positive, robot_file, valued
-from ..results import results
+from ..output import results
 
 HELP = "track the paper's paths with controllers that differ in their model: table, CSV, JSON, pictures"
 EXAMPLE = "stewart-sym control -o control --path II"
@@ -22,7 +22,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--path", choices=("I", "II"), help="track this path alone; default: both")
     robot_file(parser, "--robot", PAPERS)
     valued(parser, "rate", positive, "of the controllers, Hz", 1000.0, "HZ")
-    output(parser, "DIR", "folder to write to", Path("control"), pictures=True)
+    output(parser, "DIR", "folder to write to", Path("control"), plots=True)
 
 
 def run(arguments: argparse.Namespace) -> int:

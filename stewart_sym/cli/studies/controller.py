@@ -4,7 +4,7 @@ import argparse
 
 from ..inputs import robot_of
 from ..options import PAPERS, output, robot_file, valued
-from ..results import results
+from ..output import results
 
 HELP = "kernels for a machine on a microcontroller, under emulation: forces, instructions, flash, stack"
 EXAMPLE = "stewart-sym controller hexapod.toml -o controller"
@@ -27,7 +27,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     from ...robots import dasgupta1998
     from ...studies.microcontroller import measure
-    from ...studies.microcontroller.report import full_report
+    from ...studies.microcontroller.microcontroller_report import full_report
 
     robot = dasgupta1998() if arguments.robot is None else robot_of(arguments.robot)
     with results(arguments, "controller") as (take, progress):

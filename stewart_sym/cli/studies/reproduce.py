@@ -4,18 +4,18 @@ import argparse
 from pathlib import Path
 
 from ..options import output
-from ..results import results
+from ..output import results
 
 HELP = "compute section 5 of the paper again: tables, CSV, and the pictures of Figs. 4-10"
 EXAMPLE = "stewart-sym reproduce -o reproduce"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    output(parser, "DIR", "folder to write to", Path("reproduce"), pictures=True, html=True)
+    output(parser, "DIR", "folder to write to", Path("reproduce"), plots=True, html=True)
 
 
 def run(arguments: argparse.Namespace) -> int:
-    from ...studies.paper.report import full_report
+    from ...studies.paper.paper_report import full_report
     from ...studies.paper.reproduce import reproduce
 
     with results(arguments, "report") as (take, progress):

@@ -4,7 +4,7 @@ import argparse
 from pathlib import Path
 
 from ..options import output, valued, whole
-from ..results import results
+from ..output import results
 
 HELP = "approach every degenerate configuration with every method: tables, CSV, JSON, pictures"
 EXAMPLE = "stewart-sym stability -o stability"
@@ -22,7 +22,7 @@ CASES = 1_000_000
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     valued(parser, "cases", whole, f"random cases near failure; with -o {CASES:,}", metavar="N")
     valued(parser, "seed", whole, "of the random cases", 0)
-    output(parser, "DIR", "folder to write to", "stability", pictures=True, html=True)
+    output(parser, "DIR", "folder to write to", "stability", plots=True, html=True)
 
 
 def run(arguments: argparse.Namespace) -> int:

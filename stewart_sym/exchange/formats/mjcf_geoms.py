@@ -9,7 +9,7 @@ from ...io.arguments import shown
 from ...io.array_types import Array
 from ...robot.bodies import Body as Solid
 from ...robot.fields import direction
-from ..chain import frame_along
+from ..model import frame_along
 from .xml_text import number, numbers
 
 _SIZES = {"sphere": 1, "capsule": 2, "cylinder": 2, "box": 3, "ellipsoid": 3}

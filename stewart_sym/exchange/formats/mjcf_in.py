@@ -6,14 +6,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...io import tables
+from ...io import toml_reader
 from ...io.arguments import shown
 from ...io.array_types import Array
 from ...motion.rotation import rotation_from_quaternion, rotation_from_vector, vector_from_rotation
 from ...robot.bodies import Body as Solid
 from ...robot.bodies import joined
 from ...robot.fields import direction
-from ..chain import BETWEEN, WORLD, Body, Joint, Model, after
+from ..model import BETWEEN, WORLD, Body, Joint, Model, after
 from ..notes import json_table
 from .mjcf_attributes import (
     MOTOR,
@@ -231,7 +231,7 @@ class _Reader:
     def _joint(self, given: Attributes, kind: str, parent: str, child: str, R: Array, where: str) -> Joint:
         name = given.get("name") or f"joint {len(self.joints) + 1}"
         where = f"{where}: joint {name!r}"
-        tables.checked_table(given, f"{where}: ", _JOINT_KEYS)
+        toml_reader.checked_table(given, f"{where}: ", _JOINT_KEYS)
         axes = np.zeros((0, 3))
         if kind in ("revolute", "prismatic"):
             axis = numbers(given.get("axis"), 3, f"{where}: axis", (0.0, 0.0, 1.0))

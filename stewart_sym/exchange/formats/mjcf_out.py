@@ -6,7 +6,7 @@ import xml.etree.ElementTree as ET
 import numpy as np
 
 from ...motion.rotation import quaternion_from_rotation
-from ..chain import WORLD, Body, Joint, Model, Shape
+from ..model import WORLD, Body, Joint, Model, Shape
 from .xml_text import added, document
 
 TIMESTEP = 0.0005

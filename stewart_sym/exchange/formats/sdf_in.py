@@ -10,7 +10,7 @@ from ...io.arguments import shown
 from ...io.array_types import Array
 from ...motion.rotation import rotation_from_quaternion, rotation_from_rpy
 from ...robot.fields import LEGS, direction
-from ..chain import WORLD, Body, Joint, Model, after
+from ..model import WORLD, Body, Joint, Model, after
 from ..notes import json_table
 from .sdf_out import BALL, NOTES, SPACE
 from .xml_text import (

@@ -10,7 +10,7 @@ import numpy as np
 
 from ...io.array_types import Array
 from ...motion.rotation import rpy_from_rotation
-from ..chain import WORLD, Body, Joint, Model, Shape
+from ..model import WORLD, Body, Joint, Model, Shape
 from .xml_text import NO_LIMIT, TENSOR, added, document
 
 SPACE = "urn:stewart-sym"

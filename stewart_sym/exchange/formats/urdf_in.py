@@ -7,11 +7,11 @@ from typing import Any
 
 import numpy as np
 
-from ...io import tables
+from ...io import toml_reader
 from ...io.array_types import Array
 from ...motion.rotation import rotation_from_rpy
 from ...robot.fields import direction
-from ..chain import WORLD, Body, Joint, Model, after
+from ..model import WORLD, Body, Joint, Model, after
 from ..notes import json_table
 from .sdf_out import BALL
 from .xml_text import (
@@ -52,14 +52,14 @@ def model(root: ET.Element, loops: str | None) -> Model:
     if "closures" not in given:
         closures = [_ball(each, i, names, apart) for i, each in enumerate(balls, 1)]
     known = [joint.name for joint in joints]
-    armature = tables.checked_table(given.get("armature_kg", {}), "loops: armature_kg: ", known)
+    armature = toml_reader.checked_table(given.get("armature_kg", {}), "loops: armature_kg: ", known)
     joints = [
-        replace(joint, armature=tables.not_negative(armature[joint.name], f"armature_kg: {joint.name}"))
+        replace(joint, armature=toml_reader.not_negative(armature[joint.name], f"armature_kg: {joint.name}"))
         if joint.name in armature
         else joint
         for joint in joints
     ]
-    gravity = tables.vector(given["gravity_m_s2"], "gravity_m_s2") if "gravity_m_s2" in given else None
+    gravity = toml_reader.vector(given["gravity_m_s2"], "gravity_m_s2") if "gravity_m_s2" in given else None
     notes = given.get("notes", {})
     left_out = tuple(_left_out(root))
     if loops is None:
@@ -101,7 +101,7 @@ def _left_out(root: ET.Element) -> Iterator[str]:
 
 
 def _loops(text: str) -> dict[str, Any]:
-    found = tables.checked_table(json_table(text, "loops"), "loops: ", _FILE_KEYS)
+    found = toml_reader.checked_table(json_table(text, "loops"), "loops: ", _FILE_KEYS)
     if not isinstance(found.get("closures", []), list):
         raise ValueError("loops: closures: expected a list")
     if not isinstance(found.get("notes", {}), dict):
@@ -111,8 +111,10 @@ def _loops(text: str) -> dict[str, Any]:
 
 def _closure(given: object, number_: int, names: set[str], apart: dict[str, str]) -> Joint:
     where = f"loops: closure {number_}: "
-    table = tables.checked_table(given, where, _CLOSURE_KEYS, ("link_1", "point_1_m", "link_2", "point_2_m"))
-    kind = tables.choice(table.get("type", "spherical"), ("spherical", "fixed"), f"{where}type")
+    table = toml_reader.checked_table(
+        given, where, _CLOSURE_KEYS, ("link_1", "point_1_m", "link_2", "point_2_m")
+    )
+    kind = toml_reader.choice(table.get("type", "spherical"), ("spherical", "fixed"), f"{where}type")
     for key in ("link_1", "link_2"):
         table = {**table, key: apart.get(str(table[key]), table[key])}
         if table[key] not in names:
@@ -122,10 +124,10 @@ def _closure(given: object, number_: int, names: set[str], apart: dict[str, str]
         kind,
         table["link_1"],
         table["link_2"],
-        tables.vector(table["point_2_m"], f"{where}point_2_m"),
-        damping=tables.not_negative(table.get("damping_N_m_s", 0.0), f"{where}damping_N_m_s"),
+        toml_reader.vector(table["point_2_m"], f"{where}point_2_m"),
+        damping=toml_reader.not_negative(table.get("damping_N_m_s", 0.0), f"{where}damping_N_m_s"),
         cut=True,
-        parent_point=tables.vector(table["point_1_m"], f"{where}point_1_m"),
+        parent_point=toml_reader.vector(table["point_1_m"], f"{where}point_1_m"),
     )
 
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from ...io.json_text import json_text
 from ...motion.rotation import rpy_from_rotation
-from ..chain import WORLD, Body, Joint, Model, Shape, in_single_axes
+from ..model import WORLD, Body, Joint, Model, Shape, in_single_axes
 from .sdf_out import BALL, DRAKE
 from .xml_text import NO_LIMIT, TENSOR, added, document
 

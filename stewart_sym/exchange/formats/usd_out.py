@@ -13,7 +13,7 @@ import numpy as np
 
 from ...io.array_types import Array
 from ...motion.rotation import quaternion_from_rotation
-from ..chain import WORLD, Body, Joint, Model, Shape, frame_along, in_single_axes
+from ..model import WORLD, Body, Joint, Model, Shape, frame_along, in_single_axes
 from .xml_text import spelled
 
 _ROOT, _BASE = "machine", "base"

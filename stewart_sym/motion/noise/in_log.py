@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from ...io.array_types import Array, Flags
-from ...io.instants import elapsed, time_text
+from ...io.sample_times import elapsed, time_text
 from ..noise_level import (
     FEWEST_SAMPLES,
     LEAST_SAMPLES,
@@ -175,7 +175,7 @@ def warn_of_few(log: Log, values: Array) -> None:
         text = (
             f"{len(log.time)} rows are too few to distinguish noise from motion: forces and deviations are "
             "those without noise beyond rounding; where there is more, state it "
-            "(--noise-position, --noise-angle; in Python Smoothing)"
+            "(--position-std, --angle-std; in Python Smoothing)"
         )
         log.warn(text)
 

@@ -7,7 +7,7 @@ import itertools
 import numpy as np
 
 from ...io.array_types import Array
-from ...io.instants import elapsed, time_text
+from ...io.sample_times import elapsed, time_text
 from ..interpolation import breaks
 from ..trajectory import Log
 

@@ -8,7 +8,7 @@ import math
 import numpy as np
 
 from ...io.array_types import Array, Flags
-from ...io.instants import time_text
+from ...io.sample_times import time_text
 from ..log_faults import column_of
 from ..noise_level import LEAST_SAMPLES, white_noise
 from ..trajectory import Log

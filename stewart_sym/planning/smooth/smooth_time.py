@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...io.array_types import Array
-from ...kinematics.inverse import inverse_kinematics
+from ...kinematics.inverse_kinematics import inverse_kinematics
 from ...motion.motion import Motion
 from ...robot.robot import LEGS, Robot
 from ..timing.grid import Source

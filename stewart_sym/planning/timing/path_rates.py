@@ -6,7 +6,7 @@ import numpy as np
 
 from ...io.arguments import instance
 from ...io.array_types import Array
-from ...kinematics.inverse import inverse_kinematics
+from ...kinematics.inverse_kinematics import inverse_kinematics
 from ...motion.motion import Motion
 from ...robot.robot import Robot
 from .path_terms import Path

@@ -18,13 +18,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...drives.instants import motor_rates
+from ...drives.motor_states import motor_rates
 from ...dynamics.force_noise import forces_of
-from ...dynamics.inverse import Formulation, inverse_dynamics
+from ...dynamics.inverse_dynamics import Formulation, inverse_dynamics
 from ...io.arguments import shown
 from ...io.array_types import Array, Indices
-from ...io.tables import positive
-from ...kinematics.inverse import inverse_kinematics
+from ...io.toml_reader import positive
+from ...kinematics.inverse_kinematics import inverse_kinematics
 from ...motion.motion import Motion
 from ...robot.robot import LEGS, Robot
 from .motor_terms import MotorTerms, Rows

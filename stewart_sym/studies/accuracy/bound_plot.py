@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from ...dynamics.bounds import force_error_bounds
+from ...dynamics.force_error_bounds import force_error_bounds
 from ...dynamics.forces import Precision
 from ...dynamics.home_pose import radius
 from ...io.array_types import Array, Flags
@@ -19,8 +19,8 @@ from ...results import OK
 from ...robot.robot import Robot
 from ...robots import dasgupta1998
 from ..common.drawing import BLUE, DARK, RED, Axes, Figure, as_written, legend_below, log_numbers, new_figure
-from ..common.draws import Spread, random_motions
 from ..common.output import csv_text
+from ..common.random_motions import Spread, random_motions
 
 CASES = 2000
 SPREAD = Spread(0.3, 0.5, 0.5)

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from ...dynamics.inverse import first_fault
-from ...io import tables
+from ...dynamics.inverse_dynamics import first_fault
+from ...io import toml_reader
 from ...io.arguments import shown
 from ...io.error_policy import SingularPoseWarning, warn
 from ...kinematics.mounting import path_for
@@ -44,7 +44,7 @@ class Budget:
 
 
 def read_budget(path: str | os.PathLike[str]) -> Budget:
-    """Read a scene file of ``advise`` (TOML, schema 1); the files that it names are looked for beside it.
+    """Read a scene file of ``choose-fidelity`` (TOML, schema 1); the files that it names are looked for beside it.
 
     Keys: ``robot`` (file), ``motions`` (names of the paper's paths or CSV files, as ``read_trajectory``),
     ``tolerance``, and optionally ``margin`` (>= 1) and ``rate`` (Hz).
@@ -54,23 +54,25 @@ def read_budget(path: str | os.PathLike[str]) -> Budget:
     ImportError where a spline needs SciPy.
     """
     source = os.fspath(path)
-    with tables.toml_tables(source, "scene of advise") as d:
+    with toml_reader.toml_tables(source, "scene of choose-fidelity") as d:
         return _budget(d, source)
 
 
 def _budget(d: Mapping[str, Any], source: str) -> Budget:
     file = f"{source}: "
     needed = ("schema", "robot", "motions", "tolerance")
-    top = tables.checked_table(d, file, _KEYS, needed)
-    tables.need_schema(top["schema"], (SCHEMA,), f"{file}schema")
+    top = toml_reader.checked_table(d, file, _KEYS, needed)
+    toml_reader.need_schema(top["schema"], (SCHEMA,), f"{file}schema")
     names = _names(top["motions"], f"{file}motions")
-    tolerance = tables.positive(top["tolerance"], f"{file}tolerance")
-    margin = tables.number(top.get("margin", MARGIN), f"{file}margin")
+    tolerance = toml_reader.positive(top["tolerance"], f"{file}tolerance")
+    margin = toml_reader.number(top.get("margin", MARGIN), f"{file}margin")
     if margin < 1.0:
         raise ValueError(f"{file}margin: expected a number >= 1, got {margin:g}")
-    rate = tables.positive(top["rate"], f"{file}rate") if "rate" in top else None
-    robot_file = tables.file_beside(top["robot"], source, "robot")
-    logs = {name: tables.file_beside(name, source, "motions") for name in names if name not in PAPER_PATHS}
+    rate = toml_reader.positive(top["rate"], f"{file}rate") if "rate" in top else None
+    robot_file = toml_reader.file_beside(top["robot"], source, "robot")
+    logs = {
+        name: toml_reader.file_beside(name, source, "motions") for name in names if name not in PAPER_PATHS
+    }
     robot = Robot.from_toml(robot_file)
     motions = {name: _motion(robot, name, logs.get(name), f"{file}motions: ") for name in names}
     return Budget(robot, motions, tolerance, margin, rate, (Path(source), robot_file, *logs.values()))
@@ -85,7 +87,7 @@ def _names(value: object, where: str) -> list[str]:
     expected = f"one or more of {', '.join(PAPER_PATHS)} or CSV files"
     if not isinstance(value, list) or not value:
         raise ValueError(f"{where}: expected a list of {expected}, got {shown(value)}")
-    names = [tables.one_line(name, where) for name in value]
+    names = [toml_reader.one_line(name, where) for name in value]
     for name in names:
         if names.count(name) > 1:
             raise ValueError(f"{where}: expected each motion once, {shown(name)} is given twice")

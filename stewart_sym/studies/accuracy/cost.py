@@ -21,11 +21,11 @@ from ...backend.c_kernel import address
 from ...backend.kernel import FORMULATIONS, MOTION
 from ...backend.numpy_kernel import loaded
 from ...dynamics.forces import CORES, ForceKernel, Precision
-from ...dynamics.inverse import Backend, prepared_kernel
+from ...dynamics.inverse_dynamics import Backend, prepared_kernel
 from ...io.array_types import Array
 from ...io.progress import Progress, silent, tracked
 from ...kinematics.conditioning import characteristic_length, scaled_condition_number
-from ...kinematics.inverse import wrench_matrix
+from ...kinematics.inverse_kinematics import wrench_matrix
 from ...motion.motion import Motion
 from ...precision.truth import Truth, deviation
 from ...robot.robot import Robot

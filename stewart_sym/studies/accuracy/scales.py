@@ -20,18 +20,18 @@ from ...backend.c_kernel import address, c_sources, pointers
 from ...backend.kernel import MOTION, kernel_name, robot_numbers
 from ...backend.numpy_kernel import loaded
 from ...dynamics.home_pose import radius
-from ...dynamics.inverse import inverse_dynamics
+from ...dynamics.inverse_dynamics import inverse_dynamics
 from ...generated.interface import MODELS
 from ...io.progress import Progress, silent, tracked
 from ...kinematics.conditioning import characteristic_length, scaled_condition_number
-from ...kinematics.inverse import clear_of_joint_singularities, inverse_kinematics
+from ...kinematics.inverse_kinematics import clear_of_joint_singularities, inverse_kinematics
 from ...motion.motion import Motion
 from ...results import OK
 from ...robot.robot import Robot
 from ...robot.units import rescaled
 from ..common.drawing import Axes, Figure, as_written, legend_below, log_numbers, new_figure
-from ..common.draws import Spread, random_motions
 from ..common.output import csv_text
+from ..common.random_motions import Spread, random_motions
 
 Array = NDArray[Any]
 

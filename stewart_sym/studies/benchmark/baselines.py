@@ -1,4 +1,4 @@
-"""What a candidate of ``bench`` is, and those that are not ours: a reference, CasADi, JAX, passes."""
+"""What a candidate of ``benchmark`` is, and those that are not ours: a reference, CasADi, JAX, passes."""
 
 import ctypes
 import functools

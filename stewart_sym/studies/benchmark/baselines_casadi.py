@@ -1,4 +1,4 @@
-"""CasADi as a candidate of ``bench``: the `exact` equations in its symbols, emitted by it as C.
+"""CasADi as a candidate of ``benchmark``: the `exact` equations in its symbols, emitted by it as C.
 
 The equations are written out here again, plainly; shared terms and the linear solve are CasADi's own. Must
 not depend on the derivation and the generated kernels.

@@ -21,7 +21,7 @@ import numpy as np
 
 from ...backend import c_kernel, kernel, native, numpy_kernel
 from ...dynamics import forces
-from ...dynamics.inverse import inverse_dynamics
+from ...dynamics.inverse_dynamics import inverse_dynamics
 from ...io.array_types import Array
 from ...io.extras import EXTRAS, absent
 from ...io.progress import Progress, silent

@@ -1,4 +1,4 @@
-"""The second group of ``bench``: equations of motion, one pose a call, and the baselines of forward dynamics.
+"""The second group of ``benchmark``: equations of motion, one pose a call, and the baselines of forward dynamics.
 
 All of the group share one machine, whose inertia tensors are those of bodies: MuJoCo takes no others.
 """
@@ -14,10 +14,10 @@ from ...backend import c_kernel, native
 from ...backend.kernel import robot_numbers
 from ...dynamics import forces
 from ...dynamics.equations import joint_space_inertia
-from ...exchange.machine import robot_of_bodies
+from ...exchange.model_from_robot import robot_of_bodies
 from ...io.array_types import Array
 from ...io.extras import absent
-from ...kinematics.inverse import wrench_matrix, wrench_matrix_rate
+from ...kinematics.inverse_kinematics import wrench_matrix, wrench_matrix_rate
 from ...motion.motion import Motion
 from ...motion.rotation import cross_matrix, rotation_from_vector
 from ...reference import newton_euler

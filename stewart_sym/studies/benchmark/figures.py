@@ -1,4 +1,4 @@
-"""What ``bench`` measured, as JSON takes it: samples with their medians, ratios, shares with targets."""
+"""What ``benchmark`` measured, as JSON takes it: samples with their medians, ratios, shares with targets."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ...dynamics.inverse import Formulation
+from ...dynamics.inverse_dynamics import Formulation
 from ..common.output import Figures
 from ..common.timing import Task
 

@@ -1,4 +1,4 @@
-"""What ``bench`` measured, as tables for the terminal and as a picture."""
+"""What ``benchmark`` measured, as tables for the terminal and as a picture."""
 
 import functools
 import math

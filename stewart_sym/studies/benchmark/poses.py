@@ -1,4 +1,4 @@
-"""Poses for ``bench``: of the paper's machine near its paths, of another one about its middle."""
+"""Poses for ``benchmark``: of the paper's machine near its paths, of another one about its middle."""
 
 import functools
 from dataclasses import dataclass, replace

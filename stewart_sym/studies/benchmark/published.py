@@ -23,7 +23,7 @@ def tables(found: Figures) -> dict[str, str]:
         missing = ", ".join(found["left_out"])
         raise ValueError(
             f"bench.json: expected figures of all software that is compared, got none of {missing}: "
-            f"{install('bench')} and run `stewart-sym bench` again"
+            f"{install('bench')} and run `stewart-sym benchmark` again"
         )
     return {
         "bench_shares": _shares(found),
@@ -113,7 +113,7 @@ def _times(found: Figures) -> str:
     ]
     return paragraph(
         f"Nanoseconds per pose, `{found['formulation']}` with friction and load, printed by `stewart-sym "
-        f"bench` on {machine['cores']} cores of an {machine['processor']}{vectors}, {compiler}, medians of "
+        f"benchmark` on {machine['cores']} cores of an {machine['processor']}{vectors}, {compiler}, medians of "
         f"{found['rounds']} rounds; ratios to CasADi's C of the closed form in the leg frame, and of the "
         "equations as stated:"
     ) + table(("", "ns per pose", "of the closed form", "of the plain C", "vectors"), rows)

@@ -7,9 +7,9 @@ from typing import IO, TYPE_CHECKING, Any
 
 from numpy.typing import NDArray
 
+from ...io.atomic_write import replaced_file
 from ...io.json_text import json_text
 from ...io.progress import Progress, silent
-from ...io.writing import replaced_file
 from .output import csv_lines
 
 if TYPE_CHECKING:

@@ -15,11 +15,11 @@ import numpy as np
 from ...drives.leg_limits import LegLimits, limited_angles
 from ...dynamics.equations import ForwardDynamics, equations_of_motion
 from ...dynamics.forces import ForceKernel, OnePose
-from ...dynamics.inverse import Formulation
+from ...dynamics.inverse_dynamics import Formulation
 from ...io.array_types import Array
 from ...io.error_policy import errors_of
 from ...io.progress import Progress, silent, tracked
-from ...kinematics.inverse import inverse_kinematics
+from ...kinematics.inverse_kinematics import inverse_kinematics
 from ...kinematics.mounting import path_for
 from ...motion.motion import Motion
 from ...motion.rotation import rotation_from_vector, vector_from_rotation

@@ -9,7 +9,7 @@ import numpy as np
 from ...backend import native
 from ...backend.c_kernel import library
 from ...backend.kernel import FORMULATIONS, kernel_name, module
-from ...dynamics.inverse import Formulation, inverse_dynamics, massless_forces
+from ...dynamics.inverse_dynamics import Formulation, inverse_dynamics, massless_forces
 from ...io.array_types import Array
 from ...io.progress import Progress, silent, tracked
 from ...kinematics.conditioning import characteristic_length, condition_number, scaled_condition_number
@@ -18,7 +18,7 @@ from ...motion.straight_line import PAPER_PATHS
 from ...reference import newton_euler
 from ...robot.robot import Robot
 from ...robots import dasgupta1998
-from ...singularities.along_path import singularity_crossings
+from ...singularities.path_singularities import singularity_crossings
 from ..common.output import Columns, Figures, of_legs
 
 LIGHT_PLATFORM = 4.0

@@ -13,22 +13,22 @@ from typing import Any
 import numpy as np
 from scipy.stats import spearmanr
 
-from ...dynamics.inverse import inverse_dynamics
+from ...dynamics.inverse_dynamics import inverse_dynamics
 from ...io.array_types import Array
+from ...io.atomic_write import replaced_file
 from ...io.json_text import json_text
-from ...io.writing import replaced_file
 from ...kinematics.conditioning import characteristic_length, scaled_condition_number
-from ...kinematics.inverse import inverse_kinematics, wrench_matrix
+from ...kinematics.inverse_kinematics import inverse_kinematics, wrench_matrix
 from ...motion.motion import at_rest
 from ...motion.rotation import rotation_from_vector, vector_from_rotation
 from ...motion.straight_line import PAPER_PATHS
+from ...planning.path_parameterization import MINIMIZE, parameterize_path
 from ...planning.plan_path import PlannedPath, conditions_along, plan_path
 from ...planning.pose_path import Family, PosePath, ViaPose
-from ...planning.time_path import MINIMIZE, parameterize_path
 from ...planning.timing.path_terms import PathLimits, traveled
 from ...robot.robot import Robot
 from ...robots import dasgupta1998
-from ...singularities.along_path import singularity_crossings
+from ...singularities.path_singularities import singularity_crossings
 from ..common.drawing import BLUE, DARK, GREY, RED, Figure, legend_below, log_numbers, new_figure
 from ..common.output import Figures, paragraph, table
 from ..common.report import SMALL, Picture, draw

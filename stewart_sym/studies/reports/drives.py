@@ -6,11 +6,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...drives.effort import PEAKS, Summary, trapezoids
-from ...drives.instants import Instants
+from ...drives.limit_status import amount_text
+from ...drives.motor_states import MotorStates
 from ...drives.noise import MotorDeviations
-from ...drives.verdicts import amount_text
 from ...io.array_types import Array, Flags
-from ...io.instants import elapsed, least_step
+from ...io.sample_times import elapsed, least_step
 from ...robot.robot import LEGS, Robot
 from ..common.drawing import DARK, LEG_COLORS, Figure, as_written, new_figure
 from ..common.output import Columns, aligned, csv_text, of_legs
@@ -21,7 +21,7 @@ _HEADINGS = {"power": "shaft power"}
 _FAR = 3.0
 
 
-def drive_columns(part: Instants, sd: MotorDeviations | None = None) -> Columns:
+def drive_columns(part: MotorStates, sd: MotorDeviations | None = None) -> Columns:
     """Columns by name as written, N m, rad/s, A and W; the current where there is one, deviations if any."""
     found: Columns = {}
     for name, column in _COLUMNS.items():
@@ -47,7 +47,7 @@ class DriveDigest:
 
     def add(
         self,
-        part: Instants,
+        part: MotorStates,
         where: slice,
         sd: MotorDeviations | None = None,
         there: Flags | None = None,

@@ -11,13 +11,13 @@ from typing import cast
 import numpy as np
 
 from ...backend.kernel import FORMULATIONS
-from ...dynamics.inverse import Formulation
+from ...dynamics.inverse_dynamics import Formulation
 from ...io.array_types import Array
 from ...motion.motion import Motion
 from ...simulation.actuator_models import LegSprings
-from ...simulation.limits import StopConditions
 from ...simulation.simulation import simulate
-from ...simulation.trace import SimulationResult, StateHistory, StopEvent
+from ...simulation.state_history import SimulationResult, StateHistory, StopEvent
+from ...simulation.stop_conditions import StopConditions
 from ..common.drawing import BLUE, RED, Figure, legend_below, log_numbers, new_figure
 from ..paper.reproduce import without_friction
 

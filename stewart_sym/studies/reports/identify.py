@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ...drives.noise import at_replaced
-from ...dynamics.inverse import inverse_dynamics
+from ...dynamics.inverse_dynamics import inverse_dynamics
 from ...identification.base_parameters import BaseParametersResult, base_parameters
 from ...identification.drive_terms import DriveIdentificationResult, seen_by_motors, terms_of
 from ...identification.estimates import IdentificationResult
@@ -17,7 +17,7 @@ from ...identification.estimation import Experiment, identify
 from ...identification.parameters import inertial_parameters
 from ...identification.tool_point import about_point, about_reference
 from ...io.array_types import Array
-from ...io.instants import time_text
+from ...io.sample_times import time_text
 from ...motion.logs import TrajectoryFormat
 from ...motion.smooth_motion import PoseNoise, estimate_pose_noise, smoothed
 from ...motion.trajectory import IN_SI, Trajectory
@@ -104,7 +104,7 @@ def from_measurement(
         dry = terms_of(robot, [f"coulomb{leg}" for leg in range(1, 7)]).max()
         if dry > 0.0:
             said = f"drives: dry friction of up to {dry:.4g} N in the robot file: forces of motors have it"
-            found = replace(found, warnings=(*found.warnings, f"{said}, --drive coulomb seeks it"))
+            found = replace(found, warnings=(*found.warnings, f"{said}, --drive-terms coulomb seeks it"))
     return replace(found, warnings=(*found.warnings, *_unlike_forces(robot, found, F)))
 
 
@@ -140,7 +140,7 @@ def _scatter(trajectory: Trajectory, form: TrajectoryFormat) -> tuple[str, ...]:
     angle = f"{seen.angle / form.radians_per_unit:.2g}"
     return (
         f"motion: its poses scatter by {position} {form.length_unit} and {angle} {form.angle_unit} about a "
-        f"smooth motion: --noise-position {position} --noise-angle {angle} takes that into account",
+        f"smooth motion: --position-std {position} --angle-std {angle} takes that into account",
     )
 
 
@@ -149,7 +149,7 @@ def doubts(found: IdentificationResult) -> list[str]:
     if not found.nonphysical:
         return list(found.warnings)
     many = len(found.nonphysical)
-    remedy = "--physical keeps to bodies that can exist"
+    remedy = "--enforce-physical keeps to bodies that can exist"
     return [
         *found.warnings,
         f"results that no machine can have: {many}; farthest off: {found.nonphysical[0]}; {remedy}",

@@ -8,21 +8,21 @@ from typing import Any
 import numpy as np
 
 from ...drives.effort import trapezoids
-from ...drives.instants import at_instants
-from ...dynamics.inverse import inverse_dynamics
+from ...drives.motor_states import motor_states
+from ...dynamics.inverse_dynamics import inverse_dynamics
 from ...io.array_types import Array
 from ...kinematics.conditioning import characteristic_length, scaled_condition_number
-from ...kinematics.inverse import inverse_kinematics, wrench_matrix
+from ...kinematics.inverse_kinematics import inverse_kinematics, wrench_matrix
 from ...motion.motion import Motion
 from ...motion.rotation import angles_from_rotation, vector_from_rotation
 from ...motion.straight_line import MOST_STEPS
-from ...planning.certificate import PlanCertificate
+from ...planning.path_parameterization import TimedPath
+from ...planning.plan_certificate import PlanCertificate
 from ...planning.plan_file import RATE
 from ...planning.plan_path import Conditions, PlannedPath
-from ...planning.time_path import TimedPath
 from ...planning.timing.path_terms import force_limits
 from ...robot.robot import Robot
-from ...viewer.instants import of_motion
+from ...viewer.motion_history import of_motion
 from ...viewer.view import Viewer
 from ..common.drawing import BLUE, GREY, LEG_COLORS, RED, Figure, legend_below, log_numbers, new_figure
 from ..common.motion_columns import trajectory_columns
@@ -55,7 +55,7 @@ class Plan:
         motion, found = self.timed.sample(times), DriveDigest(self.robot, times)
         F = inverse_dynamics(self.robot, motion, self.timed.formulation).F
         L_dot = inverse_kinematics(self.robot, motion).L_dot
-        found.add(at_instants(self.robot, self.robot.drive, motion, F, L_dot), slice(None))
+        found.add(motor_states(self.robot, self.robot.drive, motion, F, L_dot), slice(None))
         return found
 
     @cached_property

@@ -5,14 +5,14 @@ from typing import Any
 
 import numpy as np
 
-from ...drives.instants import of_motor_forces
-from ...dynamics.inverse import Formulation
+from ...drives.motor_states import of_motor_forces
+from ...dynamics.inverse_dynamics import Formulation
 from ...io.array_types import Array
-from ...io.instants import least_step, time_text
+from ...io.sample_times import least_step, time_text
 from ...motion.rotation import rpy_from_rotation
 from ...robot.robot import Robot
 from ...simulation.actuator_models import ForceLaw, LegSprings
-from ...simulation.trace import SimulationResult, StateHistory, leg_states
+from ...simulation.state_history import SimulationResult, StateHistory, leg_states
 from ..common.drawing import Figure, new_figure
 from ..common.output import Columns, by_leg, of_axes, of_legs
 from ..common.report import Picture, Report

@@ -6,16 +6,16 @@ from typing import Any
 
 import numpy as np
 
-from ...dynamics.inverse import Formulation, inverse_dynamics
+from ...dynamics.inverse_dynamics import Formulation, inverse_dynamics
 from ...io.array_types import Array
-from ...io.instants import time_text
+from ...io.sample_times import time_text
 from ...kinematics.conditioning import characteristic_length, moments_over
-from ...kinematics.inverse import ROUNDING, leg_vectors, wrench_matrix
+from ...kinematics.inverse_kinematics import ROUNDING, leg_vectors, wrench_matrix
 from ...kinematics.pose_search import jacobian
 from ...motion.interpolation import Path
 from ...results import OK
 from ...robot.robot import LEGS, Robot
-from ...singularities.along_path import (
+from ...singularities.path_singularities import (
     LegExtreme,
     PathSingularitiesResult,
     SingularityCrossing,

@@ -8,7 +8,6 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ...drives.instants import Instants, at_instants
 from ...drives.leg_limits import (
     BASE,
     FORCE,
@@ -21,15 +20,16 @@ from ...drives.leg_limits import (
     limited_angles,
     replaced_names,
 )
+from ...drives.limit_status import SURE, amount_text, unknown_forces
+from ...drives.motor_states import MotorStates, motor_states
 from ...drives.noise import Deviations, MotorDeviations, at_replaced, deviations_in_parts
-from ...drives.verdicts import SURE, amount_text, unknown_forces
 from ...dynamics.home_pose import home_pose
-from ...dynamics.inverse import Backend, Formulation, first_fault, inverse_dynamics, joint_reactions
+from ...dynamics.inverse_dynamics import Backend, Formulation, first_fault, inverse_dynamics, joint_reactions
 from ...io.array_types import Array, Codes, Flags
 from ...io.error_policy import SingularPoseWarning
-from ...io.instants import least_step, time_text
+from ...io.sample_times import least_step, time_text
 from ...kinematics.conditioning import condition_number
-from ...kinematics.inverse import InverseKinematicsResult, inverse_kinematics
+from ...kinematics.inverse_kinematics import InverseKinematicsResult, inverse_kinematics
 from ...motion.motion import Motion
 from ...motion.trajectory import PoseLog, Replaced, Trajectory
 from ...results import NOT_FINITE, OK, ZERO_LENGTH, JointReactionsResult
@@ -68,7 +68,7 @@ class Part(NamedTuple):
     condition: Array
     status: Codes
     reactions: JointReactionsResult | None = None
-    effort: Instants | None = None
+    effort: MotorStates | None = None
     sd: Deviations | None = None
     there: Flags | None = None
     angles: Mapping[str, Array] | None = None
@@ -101,9 +101,9 @@ def header_lines() -> list[str]:
     none, legs, vectors = np.zeros(0), np.zeros((0, LEGS)), np.zeros((0, LEGS, 3))
     status = none.astype(np.int32)
     reactions = JointReactionsResult(vectors, vectors, vectors, vectors, vectors, legs, status)
-    drives: list[tuple[Instants | None, MotorDeviations | None]] = [(None, None)]
+    drives: list[tuple[MotorStates | None, MotorDeviations | None]] = [(None, None)]
     for current in (None, legs):
-        effort = Instants(*(legs,) * len(Instants._fields))._replace(current=current)
+        effort = MotorStates(*(legs,) * len(MotorStates._fields))._replace(current=current)
         drives.append((effort, MotorDeviations(*(legs,) * 7)._replace(current=current)))
     return [
         next(csv_lines(Part(slice(0), none, legs, legs, legs, none, status, more, effort, sd).columns))
@@ -150,7 +150,7 @@ def in_parts(
             told = True
         sd = None if deviations is None else deviations(where)
         time, condition = trajectory.time[where], condition_number(found.H)
-        effort = None if robot.drive is None else at_instants(robot, robot.drive, motion, found.F, L_dot)
+        effort = None if robot.drive is None else motor_states(robot, robot.drive, motion, found.F, L_dot)
         there = None if sd is None else at_replaced(trajectory, time)
         angles = limited_angles(robot, motion)
         yield Part(where, time, found.F, L, L_dot, condition, status, more, effort, sd, there, angles)
@@ -288,7 +288,7 @@ class _Extreme(NamedTuple):
 
 
 def _largest(values: Array) -> NDArray[np.int64]:
-    """Instants, (...), of the largest magnitudes of values (n, ...)."""
+    """MotorStates, (...), of the largest magnitudes of values (n, ...)."""
     return np.asarray(np.argmax(np.nan_to_num(np.abs(values), nan=-1.0), axis=0))
 
 
@@ -317,7 +317,7 @@ def _noisy(when: list[str], F: Array, F_sd: Array, share: float, cause: str, the
         f"leg {leg + 1}: the peak force may be {much} higher than computed because of {cause}: "
         f"{largest[peak]:.6g} N computed (at {when[peak]} s), up to {possible[i]:.6g} N possible "
         f"({F[i, leg]:.6g} N with {SURE:g} standard deviations of {F_sd[i, leg]:.3g} N at {when[i]} s); "
-        f"a warning beyond {100.0 * share:.3g} % (--noise-share {share:g})"
+        f"a warning beyond {100.0 * share:.3g} % (--noise-threshold {share:g})"
         + (f"; {others} more leg{'s' if others > 1 else ''} likewise" if others else "")
     )
 

@@ -8,7 +8,7 @@ import dataclasses
 import numpy as np
 
 from ...backend.numpy_kernel import loaded
-from ...dynamics.inverse import inverse_dynamics
+from ...dynamics.inverse_dynamics import inverse_dynamics
 from ...io.array_types import Array
 from ...motion.motion import Motion
 from ...motion.rotation import (

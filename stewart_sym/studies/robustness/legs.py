@@ -8,8 +8,8 @@ import mpmath
 import numpy as np
 
 from ...io.array_types import Array
-from ...kinematics.forward import forward_kinematics
-from ...kinematics.inverse import leg_vectors
+from ...kinematics.forward_kinematics import forward_kinematics
+from ...kinematics.inverse_kinematics import leg_vectors
 from ...motion.motion import Motion, at_rest
 from ...precision.truth import digits
 from ...results import OK, OUT_OF_LIMITS

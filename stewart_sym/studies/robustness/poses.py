@@ -7,10 +7,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...io.array_types import Array, Flags
-from ...kinematics.certificate import certify_pose
 from ...kinematics.conditioning import characteristic_length, scaled_condition_number
-from ...kinematics.forward import forward_kinematics
-from ...kinematics.inverse import leg_vectors
+from ...kinematics.forward_kinematics import forward_kinematics
+from ...kinematics.inverse_kinematics import leg_vectors
+from ...kinematics.pose_certificate import certify_pose
 from ...kinematics.pose_search import jacobian, newton, solve
 from ...motion.rotation import orthonormal, rotation_from_vector
 from ...motion.straight_line import PAPER_PATHS

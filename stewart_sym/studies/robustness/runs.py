@@ -8,7 +8,7 @@ import numpy as np
 from ...dynamics.equations import ForwardDynamics
 from ...dynamics.home_pose import home_pose
 from ...io.array_types import Array
-from ...kinematics.inverse import leg_vectors
+from ...kinematics.inverse_kinematics import leg_vectors
 from ...motion.motion import Motion
 from ...motion.straight_line import PAPER_PATHS
 from ...reference import newton_euler
@@ -17,8 +17,8 @@ from ...robot.robot import Robot
 from ...robots import dasgupta1998
 from ...simulation.actuator_models import LegSprings
 from ...simulation.fixed_step import advance
-from ...simulation.limits import StopConditions
 from ...simulation.simulation import METHODS, Method, simulate
+from ...simulation.stop_conditions import StopConditions
 from ..paper.reproduce import without_friction
 from .family import EPS, Curve, Family
 from .singular import crossing_of_path_III

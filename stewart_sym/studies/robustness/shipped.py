@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from ...backend.kernel import robot_numbers
 from ...dynamics.equations import equations_of_motion
 from ...dynamics.forces import ForceKernel
-from ...dynamics.inverse import inverse_dynamics
+from ...dynamics.inverse_dynamics import inverse_dynamics
 from ...io.array_types import Array
-from ...kinematics.inverse import wrench_matrix
+from ...kinematics.inverse_kinematics import wrench_matrix
 from ...motion.motion import Motion
 from ...precision.quad import error as quad_error
 from ...precision.quad import quad_forces

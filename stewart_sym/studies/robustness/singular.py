@@ -10,7 +10,7 @@ import numpy as np
 from ...dynamics.damping import damped_least_squares
 from ...io.array_types import Array
 from ...kinematics.conditioning import characteristic_length, moments_over
-from ...kinematics.inverse import wrench_matrix
+from ...kinematics.inverse_kinematics import wrench_matrix
 from ...motion.motion import Motion
 from ...motion.rotation import rotation_from_rpy, rotation_from_vector, rpy_from_rotation
 from ...motion.straight_line import PAPER_PATHS
@@ -18,7 +18,7 @@ from ...precision.truth import digits
 from ...reference.newton_euler import actuator_wrench
 from ...robot.robot import Robot
 from ...robots import dasgupta1998
-from ...singularities.along_path import singularity_crossings
+from ...singularities.path_singularities import singularity_crossings
 from . import shipped
 from .family import Curve, Family, distances
 from .sweep.machines import flat, meeting_one_line, random_machine, random_motion, similar_hexagons

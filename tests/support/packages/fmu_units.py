@@ -25,7 +25,7 @@ from stewart_sym.backend.kernel import MOTION, robot_numbers
 from stewart_sym.derive.package import fmu
 from stewart_sym.derive.package.functions import Part
 from stewart_sym.derive.package.robot import Machine
-from stewart_sym.derive.package.words import robot_symbol
+from stewart_sym.derive.package.text_format import robot_symbol
 from stewart_sym.dynamics.home_pose import home_pose
 from stewart_sym.kit import Choice, kit
 from stewart_sym.kit.fmu import packed

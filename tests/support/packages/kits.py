@@ -15,7 +15,7 @@ import pytest
 
 from stewart_sym.kit import Choice, Kit, files, kit, languages
 from stewart_sym.kit import vectors as made_vectors
-from stewart_sym.kit.choice import DEFAULT
+from stewart_sym.kit.kit_options import DEFAULT
 from stewart_sym.kit.selection import Selection
 from stewart_sym.kit.vectors import Vector, vectors
 from stewart_sym.robot.robot import Robot

@@ -13,7 +13,7 @@ from stewart_sym.backend.kernel import kernel_name, robot_numbers
 from stewart_sym.derive.kernel.interface import CALLS, STRUCTS
 from stewart_sym.dynamics import closed_form
 from stewart_sym.dynamics.forces import ForceKernel
-from stewart_sym.kit.choice import STEMS, TORQUE
+from stewart_sym.kit.kit_options import STEMS, TORQUE
 from stewart_sym.kit.vectors import CLOSED_FORM, FUNCTIONS, KINEMATICS, ROTATION, Vector, vectors
 from stewart_sym.robot.robot import Robot
 

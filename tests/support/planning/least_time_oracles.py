@@ -5,8 +5,8 @@ from collections.abc import Callable
 import casadi
 import numpy as np
 
-from stewart_sym.dynamics.inverse import inverse_dynamics
-from stewart_sym.planning.time_path import TimedPath
+from stewart_sym.dynamics.inverse_dynamics import inverse_dynamics
+from stewart_sym.planning.path_parameterization import TimedPath
 from stewart_sym.planning.timing.path_terms import Path, traveled
 from stewart_sym.robot.robot import Robot
 

@@ -9,9 +9,9 @@ import numpy as np
 from least_time_oracles import Cells, begun, coefficients, graded, solved
 from scipy.optimize import brentq
 
-from stewart_sym.dynamics.inverse import inverse_dynamics
-from stewart_sym.kinematics.inverse import inverse_kinematics
-from stewart_sym.planning.time_path import TimedPath
+from stewart_sym.dynamics.inverse_dynamics import inverse_dynamics
+from stewart_sym.kinematics.inverse_kinematics import inverse_kinematics
+from stewart_sym.planning.path_parameterization import TimedPath
 from stewart_sym.planning.timing.path_terms import Path, traveled
 from stewart_sym.reference.newton_euler import rotor_force
 from stewart_sym.robot.robot import Robot

@@ -1,1 +1,1 @@
-"""Engines of rigid bodies as baselines of ``bench``: the machine as their tree of joints."""
+"""Engines of rigid bodies as baselines of ``benchmark``: the machine as their tree of joints."""

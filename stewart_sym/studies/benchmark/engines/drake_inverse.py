@@ -1,4 +1,4 @@
-"""Drake as a candidate of ``bench``: ``CalcInverseDynamics`` over the machine's tree, then a 6x6 solve.
+"""Drake as a candidate of ``benchmark``: ``CalcInverseDynamics`` over the machine's tree, then a 6x6 solve.
 
 Gravity, load and friction are prepared as forces on the bodies, which is how the call takes them.
 """

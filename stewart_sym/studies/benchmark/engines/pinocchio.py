@@ -1,4 +1,4 @@
-"""Pinocchio as a candidate of ``bench``: of the forces, and of the equations of motion.
+"""Pinocchio as a candidate of ``benchmark``: of the forces, and of the equations of motion.
 
 Forces: recursive Newton-Euler over the machine's tree, then a 6x6 solve. Forward dynamics:
 ``constraintDynamics``.

@@ -10,11 +10,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...dynamics.forces import ForceKernel
-from ...dynamics.inverse import Formulation
+from ...dynamics.inverse_dynamics import Formulation
 from ...io.array_types import Array, Codes
 from ...io.extras import needed_for
 from ...kinematics.conditioning import condition_number
-from ...kinematics.inverse import wrench_matrix
+from ...kinematics.inverse_kinematics import wrench_matrix
 from ...motion.motion import Motion
 from ...results import NOT_FINITE, ZERO_LENGTH
 from ...robot.robot import Robot

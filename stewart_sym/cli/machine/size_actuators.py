@@ -1,4 +1,4 @@
-"""``stewart-sym size``: what motions and their loads need of every actuator and joint."""
+"""``stewart-sym size-actuators``: what motions and their loads need of every actuator and joint."""
 
 import argparse
 import dataclasses
@@ -7,10 +7,10 @@ from pathlib import Path
 from ...io.error_policy import warn
 from ..inputs import robot_of, trajectory_of
 from ..options import finite, formulation, log_options, output, positive, robot_file, valued
-from ..results import results
+from ..output import results
 
 HELP = "which force, speed, power, stroke and joint angles motions need of every leg, beside its limits"
-EXAMPLE = "stewart-sym size hexapod.toml trajectory.csv -o size --margin 0.3"
+EXAMPLE = "stewart-sym size-actuators hexapod.toml trajectory.csv -o size --margin 0.3"
 MORE = (
     "Trajectories as for forces, with their loads; all of them count together. Peaks, what is not exceeded "
     "for shares of the time, and the largest of each with a margin; limits of the robot file that are "
@@ -37,7 +37,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     formulation(parser)
     log_options(parser)
-    output(parser, "DIR", "folder to write to", Path("size"), pictures=True, html=True)
+    output(parser, "DIR", "folder to write to", Path("size"), plots=True, html=True)
 
 
 # A margin beyond it was meant in per cent.
@@ -45,9 +45,9 @@ _MOST_MARGIN = 5.0
 
 
 def run(arguments: argparse.Namespace) -> int:
-    from ...design.limits import compared
-    from ...design.size import QUANTILES, actuator_requirements, checked_quantiles
-    from ...studies.design.size import doubt, report, views
+    from ...design.actuator_requirements import QUANTILES, actuator_requirements, checked_quantiles
+    from ...design.limit_margins import compared
+    from ...studies.design.actuator_report import doubt, report, views
 
     quantiles = arguments.quantiles or QUANTILES
     checked_quantiles(quantiles, "--quantile")

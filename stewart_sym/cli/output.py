@@ -40,15 +40,15 @@ def results(
     OSError
         Naming the file or folder that can't be written.
     """
+    from ..io.atomic_write import result_file, result_folder
     from ..io.json_text import json_text
-    from ..io.writing import result_file, result_folder
 
     inputs, lines = [*_paths(arguments), *read], []
     made_by = {"generator": f"{PROGRAM} {arguments.subcommand}"}
     output: Path | None = getattr(arguments, "output", None)
-    drawn = stem is not None and output is not None and getattr(arguments, "pictures", False)
+    drawn = stem is not None and output is not None and getattr(arguments, "plots", False)
     if drawn:
-        need_drawing(", or give --no-pictures")
+        need_drawing(", or give --no-plots")
     with contextlib.ExitStack() as stack:
         stream = folder = page = None
         target: Path | None = getattr(arguments, "html", None)
@@ -75,7 +75,7 @@ def results(
         progress = stack.enter_context(progress_line())
 
         def take(report: Report) -> None:
-            figures = report.figures if getattr(arguments, "pictures", True) else {}
+            figures = report.figures if getattr(arguments, "plots", True) else {}
             report = dataclasses.replace(report, data={**made_by, **report.data}, figures=figures)
             if report.text:
                 lines.append(report.text.rstrip("\n"))

@@ -25,8 +25,8 @@ from ..io.array_types import Array, Flags
 from ..motion.motion import pose_of
 from ..robot.robot import Robot
 from .conditioning import characteristic_length
-from .forward import checked_lengths
-from .inverse import leg_vectors
+from .forward_kinematics import checked_lengths
+from .inverse_kinematics import leg_vectors
 from .pose_search import jacobian
 
 Rationals = NDArray[np.object_]

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..io.arguments import real_array
 from ..io.array_types import Array, Flags
-from ..kinematics.inverse import leg_vectors, tip_velocities
+from ..kinematics.inverse_kinematics import leg_vectors, tip_velocities
 from ..motion.motion import Motion
 from ..motion.rotation import rotation_from_vector
 from ..reference import newton_euler, offset_joints

@@ -10,17 +10,17 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..drives.effort import trapezoids
-from ..drives.instants import at_instants
+from ..drives.limit_status import SURE
+from ..drives.motor_states import motor_states
 from ..drives.noise import all_deviations, at_replaced
-from ..drives.verdicts import SURE
-from ..dynamics.inverse import Formulation, inverse_dynamics, need_motion
+from ..dynamics.inverse_dynamics import Formulation, inverse_dynamics, need_motion
 from ..io.arguments import instance, number_in, real_array, shown
 from ..io.array_types import Array, Flags
 from ..io.error_policy import SingularPoseWarning, warn
 from ..io.frozen import Frozen, read_only
 from ..io.progress import Progress, silent
 from ..kinematics.clearance import angles_between, neutral_directions
-from ..kinematics.inverse import inverse_kinematics
+from ..kinematics.inverse_kinematics import inverse_kinematics
 from ..motion.motion import Motion
 from ..motion.trajectory import PoseLog, Trajectory
 from ..robot.robot import Robot
@@ -250,7 +250,7 @@ def _course(robot: Robot, time: Array, motion: Motion, formulation: Formulation)
     F = inverse_dynamics(robot, motion, formulation).F
     motors = {}
     if robot.drive is not None:
-        effort = at_instants(robot, robot.drive, motion, F, legs.L_dot)
+        effort = motor_states(robot, robot.drive, motion, F, legs.L_dot)
         motors = {"torque": effort.torque, "motor_speed": effort.speed, "motor_power": effort.power}
         if effort.current is not None:
             motors["current"] = effort.current

@@ -29,7 +29,7 @@ Sides = tuple[Array, Array]
 """Deviations upward and downward."""
 
 
-def codes(
+def status_codes(
     sizes: Array, limits: Array, sd: Array | Sides | None = None, there: Flags | None = None
 ) -> NDArray[np.uint8]:
     """Places in ``VERDICTS``, (n, m), of sizes at instants, (n, m), for limits, (m,).
@@ -45,11 +45,11 @@ def codes(
     return np.where(sure, VERDICTS.index(EXCEEDED), found).astype(np.uint8)
 
 
-def verdicts(
+def limit_status(
     sizes: Array, limits: Array, sd: Array | Sides | None = None, there: Flags | None = None
 ) -> list[str]:
-    """The verdict of each column, (n, m), for limits, (m,); arguments as of ``codes``."""
-    return [VERDICTS[code] for code in codes(sizes, limits, sd, there).max(axis=0, initial=0)]
+    """The verdict of each column, (n, m), for limits, (m,); arguments as of ``status_codes``."""
+    return [VERDICTS[code] for code in status_codes(sizes, limits, sd, there).max(axis=0, initial=0)]
 
 
 def _sides(sd: Array | Sides | None) -> Sides:
@@ -113,7 +113,7 @@ class Extremes:
     ) -> None:
         """Take in instants, (n, 6), n > 0, NaN where there are none; when: what names some of them.
 
-        sd, there: as for ``verdicts``.
+        sd, there: as for ``limit_status``.
         """
         sizes = np.where(np.isnan(sizes), -np.inf, sizes)
         scores, flags = [sizes], np.zeros(len(sizes), dtype=bool) if there is None else there
@@ -158,10 +158,12 @@ class Extremes:
         return np.asarray(np.maximum(*sd)[at, np.arange(LEGS)])
 
     def verdicts(self, limits: Array) -> list[str]:
-        """As ``verdicts``, for limits (6,)."""
+        """As ``limit_status``, for limits (6,)."""
         if not self._sizes:
             return [WITHIN] * LEGS
-        return verdicts(np.concatenate(self._sizes), limits, self._deviations(), np.concatenate(self._there))
+        return limit_status(
+            np.concatenate(self._sizes), limits, self._deviations(), np.concatenate(self._there)
+        )
 
     def beyond(self, limits: Array) -> Iterator[Beyond]:
         """Every verdict but ``WITHIN`` that holds for a leg."""

@@ -12,12 +12,12 @@ import numpy as np
 from ..drives.leg_limits import replaced_names, replaced_rows
 from ..drives.noise import Deviations, all_deviations, at_replaced
 from ..dynamics.force_noise import force_std
-from ..dynamics.inverse import inverse_dynamics
+from ..dynamics.inverse_dynamics import inverse_dynamics
 from ..io.arguments import real_array
 from ..io.array_types import Array, Flags
-from ..io.tables import file_name, opened
+from ..io.toml_reader import file_name, opened
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
-from ..kinematics.inverse import inverse_kinematics
+from ..kinematics.inverse_kinematics import inverse_kinematics
 from ..kinematics.mounting import path_for
 from ..kinematics.pose_search import jacobian
 from ..motion.interpolation import Path, interpolate
@@ -30,8 +30,8 @@ from ..motion.straight_line import PAPER_PATHS, StraightLinePath
 from ..motion.trajectory import PoseLog, Replaced, Trajectory
 from ..results import OK
 from ..robot.robot import Robot
-from ..simulation.trace import SimulationResult, StateHistory, leg_states
-from ..singularities.along_path import singularity_crossings
+from ..simulation.state_history import SimulationResult, StateHistory, leg_states
+from ..singularities.path_singularities import singularity_crossings
 from ..singularities.singular_poses import SingularityResult, singularity
 
 FORMULATIONS = ("exact", "paper")
@@ -76,7 +76,7 @@ class Noise:
 
 
 @dataclass(frozen=True, eq=False)
-class Instants:
+class MotionHistory:
     """A machine's motion at n instants, to be looked at; SI units, base frame.
 
     name: of the motion, in words. time: s, (n,). motion: poses and rates, (n,). L, L_dot: m and m/s, (n, 6).
@@ -96,13 +96,13 @@ class Instants:
     noise: Noise | None = None
 
 
-def at_home(robot: Robot, home: Array) -> Instants:
+def at_home(robot: Robot, home: Array) -> MotionHistory:
     """The machine at rest at its home pose, whose position is given, m, (3,)."""
     motion = at_rest(np.eye(3)[None], home[None])
     return _instants(robot, "home pose", np.zeros(1), motion, None, None)
 
 
-def of_path(robot: Robot, path: str | StraightLinePath) -> Instants:
+def of_path(robot: Robot, path: str | StraightLinePath) -> MotionHistory:
     """A straight line, or by its name, I, II or III, one of the paper's."""
     if isinstance(path, str):
         if path not in PAPER_PATHS:
@@ -114,7 +114,7 @@ def of_path(robot: Robot, path: str | StraightLinePath) -> Instants:
     return _instants(robot, name, time, path.sample(time), path.sample, path.breakpoints())
 
 
-def of_trajectory(robot: Robot, trajectory: Trajectory | PoseLog) -> Instants:
+def of_trajectory(robot: Robot, trajectory: Trajectory | PoseLog) -> MotionHistory:
     """A trajectory read from a file, by whose name it is called."""
     path = interpolate(trajectory) if len(trajectory.time) > 1 else None
     name = os.path.basename(trajectory.source)
@@ -122,7 +122,7 @@ def of_trajectory(robot: Robot, trajectory: Trajectory | PoseLog) -> Instants:
     return replace(found, noise=_noise(robot, trajectory, list(found.forces)))
 
 
-def of_run(robot: Robot, run: StateHistory) -> Instants:
+def of_run(robot: Robot, run: StateHistory) -> MotionHistory:
     """A simulated run, with the forces that acted."""
     path = _path_of(run.time, run.motion)
     if isinstance(run, SimulationResult):
@@ -133,7 +133,7 @@ def of_run(robot: Robot, run: StateHistory) -> Instants:
     return _instants(robot, "simulated run", run.time, run.motion, path, run.time, {"run": run.F})
 
 
-def of_motion(robot: Robot, motion: Motion, times: object, name: str = "motion") -> Instants:
+def of_motion(robot: Robot, motion: Motion, times: object, name: str = "motion") -> MotionHistory:
     """A motion of shape (n,) at times, s, (n,), increasing; without accelerations there are no forces."""
     time = np.arange(1.0) if times is None and motion.shape in ((), (1,)) else real_array(times, "time")
     if motion.shape == ():
@@ -162,7 +162,7 @@ def read_run(path: str | os.PathLike[str]) -> tuple[Array, Motion, Array, Array]
     return columns["time"], Motion(R=rotation_from_rpy(theta), t=t, omega=omega, v=v), F, L
 
 
-def of_run_file(robot: Robot, path: str | os.PathLike[str]) -> Instants:
+def of_run_file(robot: Robot, path: str | os.PathLike[str]) -> MotionHistory:
     """A run as ``simulate`` wrote it into ``run.csv``; ValueError where its lengths are of another robot."""
     time, motion, F, L = read_run(path)
     own = inverse_kinematics(robot, motion).L
@@ -184,7 +184,7 @@ def _instants(
     path: Path | None,
     breaks: Array | None,
     forces: Mapping[str, Array] | None = None,
-) -> Instants:
+) -> MotionHistory:
     """All of it; forces: None for those of the formulations. path, breaks: as ``singularity_crossings`` takes them."""
     with np.errstate(all="ignore"):
         legs = leg_states(robot, motion)
@@ -197,7 +197,7 @@ def _instants(
         formulations = FORMULATIONS[:1] if exact_alone else FORMULATIONS
         forces = {each: _forces(robot, motion, each) for each in formulations}
     events = _events(robot, time, motion, condition, path, breaks)
-    return Instants(name, time, motion, legs.L, legs.L_dot, forces, condition, events)
+    return MotionHistory(name, time, motion, legs.L, legs.L_dot, forces, condition, events)
 
 
 def _noise(robot: Robot, trajectory: Trajectory | PoseLog, formulations: list[str]) -> Noise | None:

@@ -9,21 +9,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..drives.effort import Summary, motor_codes, trapezoids
-from ..drives.instants import Instants as Motors
-from ..drives.instants import at_instants, of_motor_forces
 from ..drives.leg_limits import LegLimits, leg_codes, limited_angles
-from ..drives.verdicts import NOT_DECIDED, unknown_forces
+from ..drives.limit_status import NOT_DECIDED, unknown_forces
+from ..drives.motor_states import MotorStates as Motors
+from ..drives.motor_states import motor_states, of_motor_forces
 from ..io.array_types import Array
-from ..io.instants import elapsed, least_step
+from ..io.sample_times import elapsed, least_step
 from ..robot.robot import Robot
-from .instants import FORMULATIONS, Instants
+from .motion_history import FORMULATIONS, MotionHistory
 
 _OF_LEGS = ("force_limit", "speed_limit", "length_limits", "joint_angle_limit")
 _OF_MOTORS = ("torque_limit", "speed_limit", "current_limit", "power_limit", "rated_torque")
 
 
 @dataclass(frozen=True, eq=False)
-class Limits:
+class LimitReport:
     """Limits of a machine beside its motion.
 
     stated: whether it has any. told: verdicts and lines about those that are not kept, as ``forces`` says
@@ -40,7 +40,7 @@ class Limits:
     summary: Summary | None
 
 
-def limits(robot: Robot, shown: Instants) -> Limits:
+def limits(robot: Robot, shown: MotionHistory) -> LimitReport:
     """Compare a motion with all limits; without forces with those of lengths and speeds."""
     name, noise = next(iter(shown.forces), None), shown.noise
     F = np.full_like(shown.L, np.nan) if name is None else shown.forces[name]
@@ -52,17 +52,17 @@ def limits(robot: Robot, shown: Instants) -> Limits:
     told = [*([] if unknown is None else [(NOT_DECIDED, unknown)]), *legs.told()]
     codes = dict(_leg_codes(robot, shown))
     if robot.drive is None:
-        return Limits(_stated(robot), tuple(told), codes, F, None, None)
-    of = at_instants if name in FORMULATIONS else of_motor_forces
+        return LimitReport(_stated(robot), tuple(told), codes, F, None, None)
+    of = motor_states if name in FORMULATIONS else of_motor_forces
     motors = of(robot, robot.drive, shown.motion, F, shown.L_dot)
     motors_sd = None if sd is None else sd.motors
     summary = Summary(robot.drive, least_step(shown.time))
     summary.add(motors, trapezoids(elapsed(shown.time)), shown.time, motors_sd, there)
     codes |= motor_codes(robot.drive, motors, motors_sd, there)
-    return Limits(_stated(robot), (*told, *summary.told()), codes, F, motors, summary)
+    return LimitReport(_stated(robot), (*told, *summary.told()), codes, F, motors, summary)
 
 
-def _leg_codes(robot: Robot, shown: Instants) -> Iterator[tuple[str, NDArray[np.uint8]]]:
+def _leg_codes(robot: Robot, shown: MotionHistory) -> Iterator[tuple[str, NDArray[np.uint8]]]:
     noise = shown.noise
     there = None if noise is None else noise.there
     for name, F in shown.forces.items():

@@ -13,7 +13,7 @@ from ..robot.robot import Robot
 from .friction import friction_force
 
 
-class Instants(NamedTuple):
+class MotorStates(NamedTuple):
     """Fields of ``DriveEffortResult`` that are given at every instant, (..., 6)."""
 
     force: Array
@@ -26,7 +26,7 @@ class Instants(NamedTuple):
     electrical_power: Array
 
 
-def at_instants(robot: Robot, drive: Drive, motion: Motion, F: Array, L_dot: Array) -> Instants:
+def motor_states(robot: Robot, drive: Drive, motion: Motion, F: Array, L_dot: Array) -> MotorStates:
     """What each instant takes, from forces of ``inverse_dynamics``, N, and rates of length, m/s, (..., 6).
 
     NaN where these are.
@@ -43,7 +43,7 @@ def rotor_force(robot: Robot, motion: Motion) -> Array:
         return np.asarray(of.rotor_force(robot, motion))
 
 
-def of_motor_forces(robot: Robot, drive: Drive, motion: Motion, force: Array, L_dot: Array) -> Instants:
+def of_motor_forces(robot: Robot, drive: Drive, motion: Motion, force: Array, L_dot: Array) -> MotorStates:
     """What each instant of a run takes whose forces are those of the motors, N times torque, N, (..., 6).
 
     Such are the forces of a simulation. Friction and rotors' parts are not told apart: NaN.
@@ -52,7 +52,7 @@ def of_motor_forces(robot: Robot, drive: Drive, motion: Motion, force: Array, L_
     return _instants(drive, force, unknown, unknown, motor_rates(robot, drive, motion, L_dot))
 
 
-def _instants(drive: Drive, force: Array, friction: Array, rotor: Array, L_dot: Array) -> Instants:
+def _instants(drive: Drive, force: Array, friction: Array, rotor: Array, L_dot: Array) -> MotorStates:
     torque = force / drive.transmission_ratio
     speed = drive.transmission_ratio * L_dot
     power = electrical = torque * speed
@@ -61,7 +61,7 @@ def _instants(drive: Drive, force: Array, friction: Array, rotor: Array, L_dot: 
         known = drive.torque_constant > 0.0
         current = torque / np.where(known, drive.torque_constant, np.nan)
         electrical = power + np.where(known, np.asarray(drive.resistance) * current**2, 0.0)
-    return Instants(force, friction, rotor, torque, speed, current, power, electrical)
+    return MotorStates(force, friction, rotor, torque, speed, current, power, electrical)
 
 
 def motor_rates(robot: Robot, drive: Drive, motion: Motion, L_dot: Array) -> Array:

@@ -12,12 +12,12 @@ from ..io.arguments import number_in
 from ..io.array_types import Array
 from ..kinematics.clearance import angles_from, neutral_directions
 from ..kinematics.conditioning import condition_number
-from ..kinematics.inverse import joint_sines
+from ..kinematics.inverse_kinematics import joint_sines
 from ..kinematics.pose_search import platform_size
 from ..motion.motion import Motion
 from ..motion.rotation import cross
 from ..robot.robot import Robot
-from .trace import WATCHED, Actuators, LegStates, Piece, StopEvent, leg_states, motion_of
+from .state_history import WATCHED, Actuators, LegStates, Piece, StopEvent, leg_states, motion_of
 
 NEAR_SINGULAR, CROSSING = 48, 49
 """Columns of the watched margins: condition number of H, and det H on the side where the run began."""

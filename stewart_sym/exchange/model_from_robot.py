@@ -12,7 +12,7 @@ from ..robot.bodies import tensors_of_bodies
 from ..robot.fields import LEGS, legs_text
 from ..robot.offset_positions import Chains
 from ..robot.robot import Robot, RobotWarning, impossible_inertias, inertia_fault
-from .chain import WORLD, Body, Joint, Model, Shape, frame_along
+from .model import WORLD, Body, Joint, Model, Shape, frame_along
 from .offset_legs import base_joints, chains_at, cross_of, noted_offsets
 
 _LEAST_SINE = 1e-6

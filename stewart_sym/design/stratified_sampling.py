@@ -121,7 +121,7 @@ def jobs_of(cells: Cells, seed: int) -> list[Job]:
 
 
 def tally(job: Job, examine: Examine, codes: int) -> Tally:
-    """Examine two points in each of the job's cells; ``codes``: how many there are."""
+    """Examine two points in each of the job's cells; ``status_codes``: how many there are."""
     cells = job.cells
     within = np.array(list(itertools.product(*map(range, cells.splits))), dtype=np.int64)
     places = (cells.places[:, None] * np.array(cells.splits) + within).reshape(-1, len(cells.box))

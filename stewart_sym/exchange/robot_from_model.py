@@ -14,9 +14,9 @@ from ..robot.drive import Drive
 from ..robot.fields import DEFAULT_GRAVITY
 from ..robot.offsets import JointOffsets
 from ..robot.robot import Robot
-from .chain import WORLD, Body, Joint, Model, same_frame
 from .crosses import LOWER, PLATFORM, UPPER, Cross, crosses_of, largest_error, lines_of, with_crosses
-from .machine import SLIDES
+from .model import WORLD, Body, Joint, Model, same_frame
+from .model_from_robot import SLIDES
 from .notes import with_notes
 from .offset_legs import OffsetLines
 from .topology import Leg, Machine, Step, machine_of

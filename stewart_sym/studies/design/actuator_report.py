@@ -10,13 +10,13 @@ from typing import Any
 
 import numpy as np
 
-from ...design.limits import Compared, compared, states_limits
-from ...design.size import ActuatorRequirementsResult
-from ...drives.verdicts import shows, spread_text, unknown_forces
+from ...design.actuator_requirements import ActuatorRequirementsResult
+from ...design.limit_margins import LimitMargins, compared, states_limits
+from ...drives.limit_status import shows, spread_text, unknown_forces
 from ...io.array_types import Array
 from ...motion.trajectory import PoseLog, Trajectory
 from ...robot.robot import LEGS, Robot
-from ...viewer.instants import of_trajectory
+from ...viewer.motion_history import of_trajectory
 from ...viewer.view import Viewer
 from ..common.drawing import DARK, LEG_COLORS, Axes, Figure, as_written, legend_below, new_figure
 from ..common.output import aligned, csv_text
@@ -160,7 +160,7 @@ def _data(robot: Robot, sources: Sequence[str], needs: ActuatorRequirementsResul
     }
 
 
-def _data_of_noise(found: Compared, needs: ActuatorRequirementsResult) -> dict[str, Any]:
+def _data_of_noise(found: LimitMargins, needs: ActuatorRequirementsResult) -> dict[str, Any]:
     """What the noise of logs leaves open, for programs; nothing without noise."""
     if needs.std is None:
         return {}

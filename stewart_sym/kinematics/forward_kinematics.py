@@ -29,7 +29,7 @@ from ..results import (
 )
 from ..robot.robot import Robot
 from .conditioning import condition_number, moments_over
-from .inverse import legs_or_overflow
+from .inverse_kinematics import legs_or_overflow
 from .offset_legs import without_offsets
 from .pose_search import (
     EPS,

@@ -7,14 +7,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..drives.instants import at_instants
-from ..dynamics.inverse import inverse_dynamics
+from ..drives.motor_states import motor_states
+from ..dynamics.inverse_dynamics import inverse_dynamics
 from ..io.arguments import instance
 from ..io.array_types import Array
 from ..kinematics.clearance import joint_angles
-from ..kinematics.inverse import inverse_kinematics
-from ..singularities.along_path import LegExtreme, SingularityCrossing, extremes, path_singularities
-from .time_path import TimedPath
+from ..kinematics.inverse_kinematics import inverse_kinematics
+from ..singularities.path_singularities import LegExtreme, SingularityCrossing, extremes, path_singularities
+from .path_parameterization import TimedPath
 from .timing.path_rates import need_rates
 from .timing.path_terms import force_limits, leg_accelerations, limited_speeds, traveled
 
@@ -193,7 +193,7 @@ def _part(plan: TimedPath, s: Array, square: Array, second: Array) -> tuple[Arra
     used = [np.abs(F) / force_limits(plan.robot, plan.limits), speeds / allowed]
     drive = plan.robot.drive
     if drive is not None:
-        motors = at_instants(plan.robot, drive, motion, F, legs.L_dot)
+        motors = motor_states(plan.robot, drive, motion, F, legs.L_dot)
         used += [np.abs(motors.torque) / drive.torque_limit, np.abs(motors.power) / drive.power_limit]
         if motors.current is not None:
             used.append(np.nan_to_num(np.abs(motors.current) / drive.current_limit))

@@ -13,13 +13,13 @@ from numpy.typing import ArrayLike
 
 from ..backend.kernel import FORMULATIONS
 from ..drives.friction import viscous
-from ..dynamics.inverse import Formulation
+from ..dynamics.inverse_dynamics import Formulation
 from ..io.arguments import finite_array, instance, option, real_array, shown, whole_number
 from ..io.array_types import Array
 from ..io.error_policy import warn
 from ..io.extras import needed_for
 from ..io.progress import Progress, silent
-from ..io.tables import positive
+from ..io.toml_reader import positive
 from ..motion.motion import Motion
 from ..robot.offsets import need_no_offsets
 from ..robot.robot import LEGS, Robot

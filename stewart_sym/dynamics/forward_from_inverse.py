@@ -17,7 +17,7 @@ _MOST_CONDITION = 1e5
 """Condition number of A, turns times the characteristic length, to which its inverse has digits enough."""
 
 
-class ForwardByForces:
+class ForwardFromInverse:
     """A robot prepared for its accelerations; buffers of its own, so one for each thread."""
 
     def __init__(self, robot: Robot) -> None:

@@ -1,15 +1,15 @@
-"""``stewart-sym advise``: the cheapest kernel that suffices."""
+"""``stewart-sym choose-fidelity``: the cheapest kernel that suffices."""
 
 import argparse
 from pathlib import Path
 
 from ..inputs import warn_of_doubts
 from ..options import folder_name, json_file
-from ..results import results
+from ..output import results
 from ..terminal import progress_line
 
 HELP = "the cheapest kernel that is good enough for a machine's motions, and what physics it needs"
-EXAMPLE = "stewart-sym advise enough.toml --generate kernel"
+EXAMPLE = "stewart-sym choose-fidelity enough.toml --generate kernel"
 MORE = (
     'The scene is a TOML file: schema = 1, robot (a file beside it), motions (a list of "I", "II", "III" '
     "and of CSV files as for `forces`), tolerance (of the forces, share of a motion's peak force), "

@@ -17,7 +17,7 @@ from ..io.error_policy import ON_FAULT, OnFault
 from ..motion.motion import Motion
 from ..robot.robot import Robot
 from .forces import Precision
-from .inverse import need_motion, need_universal, report_faults
+from .inverse_dynamics import need_motion, need_universal, report_faults
 
 Array = NDArray[Any]
 

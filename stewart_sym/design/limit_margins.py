@@ -7,10 +7,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..drives.verdicts import EXCEEDED, WITHIN, Sides, amount_text, farthest, verdicts
+from ..drives.limit_status import EXCEEDED, WITHIN, Sides, amount_text, farthest, limit_status
 from ..io.array_types import Array
 from ..robot.robot import LEGS, Robot
-from .size import ActuatorRequirementsResult, sides
+from .actuator_requirements import ActuatorRequirementsResult, sides
 
 _DEGREES = 180.0 / np.pi
 
@@ -26,7 +26,7 @@ class _Limited(NamedTuple):
     limits: Array
 
 
-class Compared(NamedTuple):
+class LimitMargins(NamedTuple):
     """Lines about limits that do not surely suffice with the margin, legs numbered from 1.
 
     Attributes
@@ -55,13 +55,13 @@ class Compared(NamedTuple):
             possible.append(f"{margin}{verdict}: {line}")
 
 
-def compared(robot: Robot, needs: ActuatorRequirementsResult) -> Compared:
+def compared(robot: Robot, needs: ActuatorRequirementsResult) -> LimitMargins:
     """Return how the needs keep a robot's limits, and, where they do, whether also with the margin."""
-    found, more = Compared([], [], [], []), 1.0 + needs.margin
+    found, more = LimitMargins([], [], [], []), 1.0 + needs.margin
     for limited in _limited(robot, needs):
         there = needs.history.replaced if len(limited.sizes) > 1 else None
         alone, margin = (
-            verdicts(limited.sizes, limited.limits / share, limited.sd, there) for share in (1.0, more)
+            limit_status(limited.sizes, limited.limits / share, limited.sd, there) for share in (1.0, more)
         )
         for leg in range(LEGS):
             if alone[leg] == WITHIN:
@@ -99,7 +99,7 @@ def _lengths(robot: Robot, needs: ActuatorRequirementsResult) -> Iterator[tuple[
     sd = None if course.std is None else np.tile(course.std["L"], (2, 1))
     there = None if course.replaced is None else np.tile(course.replaced, 2)
     beyond = np.concatenate([low - course.L, course.L - high])
-    for leg, verdict in enumerate(verdicts(beyond, np.zeros(LEGS), sd, there)):
+    for leg, verdict in enumerate(limit_status(beyond, np.zeros(LEGS), sd, there)):
         off = (None, None) if needs.std is None else needs.std["length"][leg]
         least, most = (amount_text(*each) for each in zip(needs.length[leg], off, strict=True))
         limits = f"{low[leg]:g} to {high[leg]:g} m"

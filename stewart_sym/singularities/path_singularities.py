@@ -14,16 +14,16 @@ from numpy.typing import ArrayLike
 
 from ..backend.kernel import FORMULATIONS
 from ..backend.numpy_kernel import NumpyKernel
-from ..dynamics.inverse import Formulation, need_motion
+from ..dynamics.inverse_dynamics import Formulation, need_motion
 from ..io.arguments import instance, option, real_array
 from ..io.array_types import Array, Flags
 from ..kinematics.conditioning import characteristic_length, moments_over
-from ..kinematics.inverse import ROUNDING, joint_sines, leg_vectors, wrench_matrix_rate
+from ..kinematics.inverse_kinematics import ROUNDING, joint_sines, leg_vectors, wrench_matrix_rate
 from ..motion.interpolation import Path
 from ..motion.motion import Motion
 from ..motion.rotation import cross
 from ..robot.robot import Robot
-from .search import at_each, minima, minimum, root, runs, turning_points
+from .root_finding import at_each, minima, minimum, root, runs, turning_points
 from .singular_poses import SingularityResult, last_directions, singularity
 
 # Intervals are searched unless the singular values at both ends exceed what twice the rate of H there allows.

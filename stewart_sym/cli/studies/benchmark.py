@@ -1,14 +1,14 @@
-"""``stewart-sym bench``: times of the kernels and of the baselines."""
+"""``stewart-sym benchmark``: times of the kernels and of the baselines."""
 
 import argparse
 from pathlib import Path
 
 from ..inputs import robot_of
 from ..options import PAPERS, output, robot_file
-from ..results import need_drawing, results
+from ..output import need_drawing, results
 
 HELP = "time the kernels beside CasADi, Drake, Pinocchio, MuJoCo, JAX and the processor's limit"
-EXAMPLE = "stewart-sym bench -o bench"
+EXAMPLE = "stewart-sym benchmark -o bench"
 MORE = (
     "Results are compared before anything is timed. Whichever of CasADi, Drake, Pinocchio, MuJoCo and JAX "
     "(extra bench) is not installed is left out. Takes three minutes or four on an otherwise idle machine."

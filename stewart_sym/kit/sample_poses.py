@@ -14,10 +14,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..backend.kernel import MOTION
 from ..dynamics.home_pose import home_pose
-from ..dynamics.inverse import Formulation, inverse_dynamics
+from ..dynamics.inverse_dynamics import Formulation, inverse_dynamics
 from ..io.array_types import Array, Flags
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
-from ..kinematics.inverse import clear_of_joint_singularities, inverse_kinematics
+from ..kinematics.inverse_kinematics import clear_of_joint_singularities, inverse_kinematics
 from ..kinematics.mounting import platform_side, radius
 from ..motion.motion import Motion
 from ..results import InverseDynamicsResult

@@ -5,9 +5,9 @@ from typing import Any
 
 import numpy as np
 
-from ...kinematics.log_doubts import LEAST_TURN, impossible, meters_doubt
 from ...kinematics.mounting import platform_side
 from ...kinematics.offset_legs import leg_lengths
+from ...kinematics.trajectory_checks import LEAST_TURN, impossible, meters_doubt
 from ...motion.rotation import rotation_from_rpy
 from ...motion.trajectory import MOST_TURNS
 from ...robot.fields import DEFAULT_GRAVITY, vector_text

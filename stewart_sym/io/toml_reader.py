@@ -155,7 +155,7 @@ def _is_utf8(data: bytes) -> bool:
 _KINDS = {
     "robot file": ({"platform", "leg"}, {"platform", "base"}),
     "scene of simulate": ({"duration", "actuation"},),
-    "scene of advise": ({"motions", "tolerance"},),
+    "scene of choose-fidelity": ({"motions", "tolerance"},),
     "file of via poses": ({"robot", "via"}, {"robot", "via_file"}),
 }
 """Kinds of files, each with sets of keys: a file of this kind has one of the sets, others have none."""

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..backend.kernel import robot_kernel
 from ..derive.kernel.outputs import FORCES, OUTPUTS
-from ..derive.package.words import template
+from ..derive.package.text_format import template
 from ..io.arguments import option, shown
 from ..io.toml_text import toml_text
 from ..robot.offsets import need_no_offsets
