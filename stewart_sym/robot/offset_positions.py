@@ -72,8 +72,8 @@ def chains_to(offsets: Offsets, k: Array, k_w: Array, q: Array, P: Array) -> Cha
 def _to_wrist(offsets: Offsets, k: Array, k_w: Array, q: Array, P: Array) -> tuple[Chains, Array]:
     """Solve for the lower part and the axis y_w of a universal platform joint; NaN without a solution.
 
-    The end of the leg lies on a circle, T = P - wrist n with n at a right angle to k_w and y_w = k_w x n. The
-    leg meets the axis at a right angle where s y_w = 0, which Newton's method solves for the angle of n.
+    The end of the leg lies on a circle, T = P - wrist n with n at a right angle to k_w and y_w = k_w x n.
+    Newton's method solves s y_w = 0 for the angle of n.
     """
     w = offsets.wrist[:, None]
     n_0 = P - dot(k_w, P) * k_w
@@ -101,7 +101,7 @@ def _to_wrist(offsets: Offsets, k: Array, k_w: Array, q: Array, P: Array) -> tup
 
 
 def _right_angle(end: Callable[[Array], _End], k: Array, w: Array, reach: Array, angle: Array) -> Array:
-    """Angle at which the leg meets y_w at a right angle, by Newton's method with shortened steps."""
+    """Find the angle of n at which s is at a right angle to y_w, by Newton's method with shortened steps."""
     now = end(angle)
     for _ in range(_MOST_STEPS):
         slope = dot(_rate_of_s(k, now.at, -w * now.y_w), now.y_w) - dot(now.at.s, now.n)
@@ -122,7 +122,7 @@ def _right_angle(end: Callable[[Array], _End], k: Array, w: Array, reach: Array,
 
 
 def _rate_of_s(k: Array, at: Chains, T_dot: Array) -> Array:
-    """Rate of s if the end of the leg moves with T_dot, m/s."""
+    """Return the rate of s if the end of the leg moves with T_dot, m/s."""
     phi_dot = dot(at.y, T_dot) / at.of_tip
     theta_dot = -dot(at.z, T_dot - phi_dot * vector_product(np.broadcast_to(k, at.T.shape), at.T)) / at.L
     return phi_dot * vector_product(np.broadcast_to(k, at.s.shape), at.s) - theta_dot * at.z

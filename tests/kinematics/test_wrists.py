@@ -6,9 +6,11 @@ import numpy as np
 from machines import Array, machine_in_motion, offsets_of
 from pinocchio_model import pinocchio_inverse_dynamics
 from scipy.optimize import least_squares
+from scipy.spatial.transform import Rotation
 from sweeps import share
 
 import stewart_sym as ss
+from stewart_sym.motion.motion import at_rest
 from stewart_sym.results import UNREACHABLE
 from stewart_sym.robot.offset_chains import chains
 
@@ -144,3 +146,44 @@ def _right_angles(robot: ss.Robot, motion: ss.Motion, i: int, angles: Array) -> 
     miss, outward = np.sum(s * np.cross(axis, n), axis=1), np.sum(s * n, axis=1)
     crossed = (np.sign(miss[1:]) != np.sign(miss[:-1])) & (outward[1:] > 0) & (outward[:-1] > 0)
     return bool((crossed & np.isfinite(miss[1:] + miss[:-1])).any())
+
+
+def test_upper_parts_lie_in_the_frame_that_the_pages_define() -> None:
+    for seed in range(4):
+        rng = np.random.default_rng(seed)
+        robot, motion = machine_in_motion(rng, friction=False, load=False)
+        robot = dataclasses.replace(robot, offsets=offsets_of(rng, robot, "universal"))
+
+        def at(step: Array, robot: ss.Robot = robot, motion: ss.Motion = motion) -> tuple[Array, float]:
+            """Lengths, and potential energy with parts placed as the pages say, after a step of the pose."""
+            turn = Rotation.from_rotvec(step[3:]).as_matrix()
+            pose = at_rest(turn @ motion.R, motion.t + step[:3])
+            return ss.inverse_kinematics(robot, pose).L, _energy(robot, pose)
+
+        h = 1e-5
+        pairs = [(at(h * each), at(-h * each)) for each in np.eye(6)]
+        rates = np.array([(one[0] - other[0]) / (2 * h) for one, other in pairs])
+        lift = np.array([(one[1] - other[1]) / (2 * h) for one, other in pairs])
+        F = ss.inverse_dynamics(robot, at_rest(motion.R, motion.t)).F
+        np.testing.assert_allclose(rates @ F, lift, rtol=0, atol=1e-6 * np.abs(lift).max())
+
+
+def _energy(robot: ss.Robot, pose: ss.Motion) -> float:
+    o, s = robot.offsets, ss.inverse_kinematics(robot, pose).s
+    k_P = o.platform_axis @ pose.R.T
+    y_U = np.cross(k_P, s)
+    y_U /= np.linalg.norm(y_U, axis=1, keepdims=True)
+    end = robot.p @ pose.R.T + pose.t - o.wrist[:, None] * np.cross(y_U, k_P)
+    upper = end + _placed(robot.r_u0, s, y_U, np.cross(s, y_U))
+    y = np.cross(robot.k, s)
+    y /= np.linalg.norm(y, axis=1, keepdims=True)
+    outward = np.cross(y, robot.k)
+    lower = robot.b + o.cross[:, None] * outward + _placed(robot.r_d0, s, y, np.cross(s, y))
+    cross = robot.b + _placed(o.cross_center, outward, y, robot.k)
+    moments = robot.m_u @ upper + robot.m_d @ lower + o.cross_mass @ cross
+    return float(-robot.g @ (moments + robot.M * (pose.t + pose.R @ robot.R_0)))
+
+
+def _placed(parts: Array, *axes: Array) -> Array:
+    """Points of the six legs by their components along axes, (6, 3) each."""
+    return np.asarray(np.einsum("ij,jik->ik", parts, np.array(axes)))
