@@ -16,6 +16,7 @@ from ..kernel.batches import BATCH, LOADS, MOTIONS, loaded_block, missing
 from ..kernel.operations import force_operations
 from ..kernel.shared import by_shape, legs_in_lanes, shared
 from ..kernel.tree import nodes as t
+from ..kernel.tree.fused import with_products_in_sums
 from ..kernel.tree.lower import expression, steps_of
 from ..kernel.tree.read import LANES, POSES, Given
 from ..kernel.written import lanes as written
@@ -203,7 +204,9 @@ class _Source(Source):
             yield p.size_of(self.texts, by_legs=False)
             given = p.HANDED_OVER | {"COUNT": model_numbers(kernel)}
             yield read(written.prepare, f"{name}_prepare", public=True, given=given)
-        shared = (*lay.lines(kernel.shared, self._place("at")), *lay.stores(kernel.shared.outputs, _out()))
+        shared = with_products_in_sums(
+            (*lay.lines(kernel.shared, self._place("at")), *lay.stores(kernel.shared.outputs, _out()))
+        )
         yield read(written.shared_of_pose, given={"SHARED": shared}, count=kernel.shared.operations())
         yield from self._legs_of_pose()
         of_pose = legs_in_lanes("legs", "A") | self.flags | self._public("motion", "F")
@@ -288,7 +291,8 @@ class _Source(Source):
             *lay.stores(kept, _out(lay.LANE)),
             *lay.set_in_order(t.Name("c"), right, lay.LANE),
         )
-        given: dict[str, Given] = {"OUTSIDE": outside, "INSIDE": body, "BASE_REACH": self._base_reach()}
+        inside = with_products_in_sums(body)
+        given: dict[str, Given] = {"OUTSIDE": outside, "INSIDE": inside, "BASE_REACH": self._base_reach()}
         return self.texts.function(written.shared_of_block, given=given)
 
     def _base_reach(self) -> t.Expression:

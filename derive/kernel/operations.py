@@ -20,9 +20,9 @@ from .prepare import is_scaled
 from .shared import FORCE
 from .tree import read
 from .tree.counted import counted
-from .tree.fused import fused
+from .tree.fused import fused, with_products_in_sums
 from .tree.lower import expression, steps_of
-from .tree.nodes import Function, Let, Name, Program, Return, calls_in
+from .tree.nodes import Binary, Function, Name, Node, Program, Return, calls_in, parts_of
 from .tree.read import POSES, Given
 from .written import lanes, scalar, solve
 
@@ -33,7 +33,7 @@ NOTHING = Operations()
 @dataclass(frozen=True)
 class KernelOperations:
     """Counts of one pose of inverse dynamics, part by part; moments: of one leg; arms: of how many legs
-    they are made. fused: products that a processor with fused multiply-add takes together with a sum."""
+    they are made. fused: operations that fused multiply-adds save."""
 
     leg: Operations
     platform: Operations
@@ -90,15 +90,24 @@ def _solve(name: str) -> tuple[Function, Function, int]:
     return force, read.function(text, {}, {force.name: force}, given=given), count
 
 
-def _fused(function: Function) -> int:
-    """Products that a sum takes with it."""
-    return sum(each.function == "fma" for each in calls_in(fused(function)))
+def _fused(function: Function, named: bool = False) -> int:
+    """Count the operations that fused multiply-adds save; named: with named products fused as well."""
+    body = with_products_in_sums(function.body) if named else function.body
+    return _instructions(function) - _instructions(fused(replace(function, body=body)))
+
+
+def _instructions(function: Function) -> int:
+    """Count sums, products that are read, and fused multiply-adds."""
+    unread = [each for each in calls_in(function.body) if each.function == "(void)"]
+    nodes = list(parts_of(function.body, Node))
+    sums = sum(isinstance(each, Binary) and each.operator in ("+", "-", "*") for each in nodes)
+    return sums + sum(each.function in ("fma", "fma_of") for each in calls_in(function.body)) - len(unread)
 
 
 @cache
-def _fused_in(block: Block) -> int:
-    results = [Let("", expression(expr)) for out in block.outputs for expr in out.exprs]
-    return _fused(Function("", "", (), None, (*steps_of(block.steps), *results)))
+def _fused_in(block: Block, named: bool = False) -> int:
+    results = [Return(expression(expr)) for out in block.outputs for expr in out.exprs]
+    return _fused(Function("", "", (), None, (*steps_of(block.steps), *results)), named)
 
 
 def kernel_operations(kernel: Kernel) -> KernelOperations:
@@ -137,7 +146,7 @@ def force_operations(kernel: ForceKernel, scalar_text: bool = False) -> KernelOp
         moments=moments,
         arms=arms,
         fused=LEGS * _fused_in(kernel.leg)
-        + _fused_in(kernel.shared)
+        + _fused_in(kernel.shared, named=not scalar_text)
         + (_fused_in(kernel.shift) + arms * _fused_in(kernel.moments) if kernel.about_tip else 0)
         + (_fused_in(point) if scalar_text else 0)
         + _fused(_solve(solve)[1]),

@@ -13,6 +13,7 @@ _BUILT_IN = {
     "size": "STEWART_FABS",
     "larger": "STEWART_LARGER",
     "fma": "STEWART_FMA",
+    "fma_of": "STEWART_FMA_OF",
 }
 _PLAIN = {name: name for name in ("NULL", "LANES", "POSES")}
 _NAMES = {t.Real: "stewart_real", t.Integer: "int", t.Count: "size_t", t.Truth: "int"}

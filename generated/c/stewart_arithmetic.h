@@ -36,7 +36,14 @@
 #endif
 #else
 #define STEWART_FMA(a, b, c) ((a) * (b) + (c))
+#define STEWART_FMA_OF(product, a, b, c) ((product) + (c))
 #endif
+#endif
+
+/* The same of a known product a b, which is not computed again. gcc 12 fuses some of those that stand in sums by
+ * themselves, even with -ffp-contract=off, and not in every function. */
+#if !defined(STEWART_FMA_OF)
+#define STEWART_FMA_OF(product, a, b, c) STEWART_FMA(a, b, c)
 #endif
 
 /* A length or sine below this many rounding units of its terms is rounding error and nothing else. */

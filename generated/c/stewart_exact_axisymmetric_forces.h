@@ -17,7 +17,7 @@
  * solve    262 (158 mul, 102 add, 2 div, 0 sqrt)
  * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)
  * total    1756 (1010 mul, 720 add, 14 div, 12 sqrt)
- * With products and the sums that they feed in one instruction 1173.
+ * With products and the sums that they feed in one instruction 1169.
  */
 #ifndef STEWART_EXACT_AXISYMMETRIC_FORCES_H
 #define STEWART_EXACT_AXISYMMETRIC_FORCES_H

@@ -15,7 +15,7 @@
  * solve    262 (158 mul, 102 add, 2 div, 0 sqrt)
  * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)
  * total    2278 (1295 mul, 957 add, 14 div, 12 sqrt)
- * With products and the sums that they feed in one instruction 1482.
+ * With products and the sums that they feed in one instruction 1478.
  */
 #ifndef STEWART_EXACT_DRIVE_FORCES_H
 #define STEWART_EXACT_DRIVE_FORCES_H

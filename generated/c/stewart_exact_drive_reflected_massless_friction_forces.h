@@ -17,7 +17,7 @@
  * solve    262 (158 mul, 102 add, 2 div, 0 sqrt)
  * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)
  * total    1564 (881 mul, 657 add, 14 div, 12 sqrt)
- * With products and the sums that they feed in one instruction 1038.
+ * With products and the sums that they feed in one instruction 1034.
  */
 #ifndef STEWART_EXACT_DRIVE_REFLECTED_MASSLESS_FRICTION_FORCES_H
 #define STEWART_EXACT_DRIVE_REFLECTED_MASSLESS_FRICTION_FORCES_H

@@ -17,7 +17,7 @@
  * solve    262 (158 mul, 102 add, 2 div, 0 sqrt)
  * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)
  * total    1288 (704 mul, 570 add, 8 div, 6 sqrt)
- * With products and the sums that they feed in one instruction 831.
+ * With products and the sums that they feed in one instruction 827.
  */
 #ifndef STEWART_EXACT_DRIVE_REFLECTED_SLENDER_FORCES_H
 #define STEWART_EXACT_DRIVE_REFLECTED_SLENDER_FORCES_H

@@ -17,7 +17,7 @@
  * solve    262 (158 mul, 102 add, 2 div, 0 sqrt)
  * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)
  * total    1966 (1133 mul, 807 add, 14 div, 12 sqrt)
- * With products and the sums that they feed in one instruction 1308.
+ * With products and the sums that they feed in one instruction 1304.
  */
 #ifndef STEWART_EXACT_DRIVE_REFLECTED_SLENDER_FRICTION_FORCES_H
 #define STEWART_EXACT_DRIVE_REFLECTED_SLENDER_FRICTION_FORCES_H

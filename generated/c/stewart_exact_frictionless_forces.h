@@ -17,7 +17,7 @@
  * solve    262 (158 mul, 102 add, 2 div, 0 sqrt)
  * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)
  * total    1996 (1136 mul, 834 add, 14 div, 12 sqrt)
- * With products and the sums that they feed in one instruction 1305.
+ * With products and the sums that they feed in one instruction 1301.
  */
 #ifndef STEWART_EXACT_FRICTIONLESS_FORCES_H
 #define STEWART_EXACT_FRICTIONLESS_FORCES_H

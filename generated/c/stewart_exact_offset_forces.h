@@ -17,7 +17,7 @@
  * solve    262 (158 mul, 102 add, 2 div, 0 sqrt)
  * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)
  * total    2890 (1649 mul, 1203 add, 26 div, 12 sqrt)
- * With products and the sums that they feed in one instruction 1860.
+ * With products and the sums that they feed in one instruction 1856.
  */
 #ifndef STEWART_EXACT_OFFSET_FORCES_H
 #define STEWART_EXACT_OFFSET_FORCES_H

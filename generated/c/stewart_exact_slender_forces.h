@@ -17,7 +17,7 @@
  * solve    262 (158 mul, 102 add, 2 div, 0 sqrt)
  * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)
  * total    1234 (674 mul, 546 add, 8 div, 6 sqrt)
- * With products and the sums that they feed in one instruction 801.
+ * With products and the sums that they feed in one instruction 797.
  */
 #ifndef STEWART_EXACT_SLENDER_FORCES_H
 #define STEWART_EXACT_SLENDER_FORCES_H

@@ -15,7 +15,7 @@
  * solve    262 (158 mul, 102 add, 2 div, 0 sqrt)
  * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)
  * total    1966 (1100 mul, 852 add, 8 div, 6 sqrt)
- * With products and the sums that they feed in one instruction 1317.
+ * With products and the sums that they feed in one instruction 1313.
  */
 #ifndef STEWART_EXACT_SPHERICAL_DRIVE_FORCES_H
 #define STEWART_EXACT_SPHERICAL_DRIVE_FORCES_H

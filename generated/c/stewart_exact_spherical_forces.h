@@ -15,7 +15,7 @@
  * solve    262 (158 mul, 102 add, 2 div, 0 sqrt)
  * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)
  * total    1936 (1082 mul, 840 add, 8 div, 6 sqrt)
- * With products and the sums that they feed in one instruction 1299.
+ * With products and the sums that they feed in one instruction 1295.
  */
 #ifndef STEWART_EXACT_SPHERICAL_FORCES_H
 #define STEWART_EXACT_SPHERICAL_FORCES_H

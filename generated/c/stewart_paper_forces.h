@@ -16,7 +16,7 @@
  * solve    262 (158 mul, 102 add, 2 div, 0 sqrt)     262 (158 mul, 102 add, 2 div, 0 sqrt)
  * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)           6 (0 mul, 6 add, 0 div, 0 sqrt)
  * total    2074 (1169 mul, 879 add, 14 div, 12 sqrt) 1864 (1052 mul, 786 add, 14 div, 12 sqrt)
- * With products and the sums that they feed in one instruction 1332 and 1197.
+ * With products and the sums that they feed in one instruction 1328 and 1193.
  */
 #ifndef STEWART_PAPER_FORCES_H
 #define STEWART_PAPER_FORCES_H

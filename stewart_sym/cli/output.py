@@ -9,6 +9,7 @@ from pathlib import Path
 
 from ..io.arguments import safe_text
 from ..io.extras import need
+from ..io.not_finite import in_figures, in_text, note_not_finite
 from ..io.progress import Progress
 from ..studies.common.report import Report, write
 from .terminal import PROGRAM, progress_line
@@ -79,6 +80,9 @@ def results(
             report = dataclasses.replace(report, data={**made_by, **report.data}, figures=figures)
             if report.text:
                 lines.append(report.text.rstrip("\n"))
+            texts = [report.text, *(each for each in report.tables.values() if isinstance(each, str))]
+            if in_figures(report.data) or any(map(in_text, texts)):
+                note_not_finite()
             if folder is not None and stem is not None:
                 write(report, folder, stem, progress)
                 written = sorted(path.name for path in folder.iterdir())

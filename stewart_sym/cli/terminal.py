@@ -11,6 +11,7 @@ from collections.abc import Collection, Iterator
 from functools import partial
 
 from ..io.arguments import safe_text
+from ..io.not_finite import results_noted
 from ..io.progress import Progress, silent
 
 PROGRAM = "stewart-sym"
@@ -72,8 +73,8 @@ def _time(seconds: float) -> str:
 def warnings_in_lines(*sources: object, options: Collection[str] | None = None) -> Iterator[None]:
     """Show the block's warnings at its end, one line each; those of an error come before it.
 
-    NumPy's of single operations that overflow are one line together, of the inputs ``sources``, and none
-    where an error says more. options: as of ``one_line``.
+    NumPy's warnings of operations that overflow are one line together, of the inputs ``sources``, if a result
+    of the block contains a number that is not finite. options: as of ``one_line``.
     """
     lines: list[str] = []
     overflows: list[str] = []
@@ -85,8 +86,9 @@ def warnings_in_lines(*sources: object, options: Collection[str] | None = None) 
     with warnings.catch_warnings():
         warnings.showwarning = keep
         try:
-            yield
-            if overflows:
+            with results_noted() as noted:
+                yield
+            if overflows and noted:
                 of = ", ".join(map(str, sources))
                 text = "numbers overflow on the way: do not rely on results that are inf or nan"
                 lines.append(one_line(f"{of}: {text}" if of else text))

@@ -23,6 +23,15 @@ def smooth_sign(rate: Array, within: Array) -> Array:
     return np.asarray(0.5 * x * (3.0 - x * x))
 
 
+def dry_sign(drive: Drive, L_dot: Array, side: Array) -> Array:
+    """Return the sign of dry friction from the signs of the rates next to an instant, ``side``, (..., 6).
+
+    A leg that turns back has another sign before the instant than after it. Smoothed signs have no sides.
+    """
+    within = np.asarray(drive.smoothing)
+    return np.where(within > 0.0, smooth_sign(L_dot, within), side)
+
+
 def load_share(drive: Drive, F: Array, sign: Array) -> Array:
     """Friction per size of the leg's force, mu: (...,  6), for forces F and signs of the rate, (..., 6)."""
     driving = F * sign > 0.0

@@ -10,7 +10,7 @@ from ..reference import newton_euler, offset_joints
 from ..robot.drive import Drive
 from ..robot.offset_chains import joint_motion, motor_motion
 from ..robot.robot import Robot
-from .friction import friction_force
+from .friction import dry_sign, friction_force
 
 
 class MotorStates(NamedTuple):
@@ -26,13 +26,17 @@ class MotorStates(NamedTuple):
     electrical_power: Array
 
 
-def motor_states(robot: Robot, drive: Drive, motion: Motion, F: Array, L_dot: Array) -> MotorStates:
-    """What each instant takes, from forces of ``inverse_dynamics``, N, and rates of length, m/s, (..., 6).
+def motor_states(
+    robot: Robot, drive: Drive, motion: Motion, F: Array, L_dot: Array, side: Array | None = None
+) -> MotorStates:
+    """Compute the motors' effort from forces of ``inverse_dynamics``, N, and rates of length, m/s, (..., 6).
 
-    NaN where these are.
+    side: signs of the rates just before or after each instant, (..., 6); None: signs at the instant. NaN
+    forces give a NaN effort.
     """
     rotor, L_dot = rotor_force(robot, motion), motor_rates(robot, drive, motion, L_dot)
-    friction = friction_force(drive, F - rotor, L_dot)
+    sign = None if side is None else dry_sign(drive, L_dot, side)
+    friction = friction_force(drive, F - rotor, L_dot, sign)
     return _instants(drive, F + friction, friction, rotor, L_dot)
 
 

@@ -93,7 +93,7 @@ class CClosedForm:
 
 
 class NumpyClosedForm:
-    """The NumPy kernels of the closed form with one robot: those of arrays, with the C's bits."""
+    """NumPy kernels of the closed form with one robot; they have the bits of C without fused multiply-add."""
 
     def __init__(self, robot: Robot) -> None:
         self._source: Any = module(f"{robot_kernel(robot, 'exact')}_arrays")

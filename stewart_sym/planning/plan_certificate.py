@@ -7,24 +7,20 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..drives.motor_states import motor_states
 from ..dynamics.inverse_dynamics import inverse_dynamics
 from ..io.arguments import instance
 from ..io.array_types import Array
 from ..kinematics.clearance import joint_angles
 from ..kinematics.inverse_kinematics import inverse_kinematics
 from ..singularities.path_singularities import LegExtreme, SingularityCrossing, extremes, path_singularities
+from .places import BLOCK, Places, places_along, places_at
 from .path_parameterization import TimedPath
 from .timing.path_rates import need_rates
-from .timing.path_terms import force_limits, leg_accelerations, limited_speeds, traveled
-
-FINER = 100
-"""Instants in each cell of the plan's grid at which limits are checked."""
+from .timing.path_terms import force_limits, leg_accelerations, limited_speeds
 
 ROUNDING = 1e-6
 """Share of a limit by which it may be exceeded."""
 
-_BLOCK = 1 << 14
 # Places at which the path's rates are held against its poses.
 _MOST_PLACES = 200_000
 _ACTIVE = 1e-3
@@ -45,13 +41,13 @@ class PlanCertificate:
     Attributes
     ----------
     samples : int
-        On the finer grid.
+        Number of places on the finer grid, both sides of nodes and turning points included.
     shortest, longest : LegExtreme
         Least and greatest length of each leg, m, and when.
     speed : LegExtreme
         Greatest speed of each leg, m/s, and when.
     force : LegExtreme
-        Greatest force of each leg, N, without its sign, and when.
+        Greatest force of each leg, N, without its sign, and when, also at rest before and after the motion.
     max_utilization : float
         Largest share of any limit of force, speed, acceleration, jerk or of the motors.
     lengths_ok : bool
@@ -112,18 +108,12 @@ def certify_plan(plan: TimedPath) -> PlanCertificate:
     robot, profile = plan.robot, plan.profile
     nodes = profile.nodes
     along = path_singularities(robot, plan.path, nodes.s)
-    shares = (np.arange(FINER) + 0.5) / FINER
-    s, square, second = (
-        np.append(x.ravel(), end)
-        for x, end in zip(profile.inside(shares), (nodes.s[-1], 0.0, nodes.second[-1]), strict=True)
-    )
-    need_rates(robot, plan.path, s[:: 1 + len(s) // _MOST_PLACES])
-    parts = [slice(i, i + _BLOCK) for i in range(0, len(s), _BLOCK)]
-    legs, forces, used = zip(*(_part(plan, s[p], square[p], second[p]) for p in parts), strict=True)
+    places = places_along(plan)
+    different = np.unique(places.s)
+    need_rates(robot, plan.path, different[:: 1 + len(different) // _MOST_PLACES])
+    legs, forces, used = zip(*(_part(plan, part) for part in places.blocks()), strict=True)
     speed, force, most = np.abs(np.concatenate(legs)), np.abs(np.concatenate(forces)), np.concatenate(used)
-    times = np.append(
-        (profile.times[:-1, None] + np.diff(profile.times)[:, None] * shares).ravel(), plan.duration
-    )
+    times, count = places.time, len(places.time)
 
     def when(s: Array) -> Array:
         return np.asarray(np.interp(s, nodes.s, profile.times))
@@ -131,12 +121,12 @@ def certify_plan(plan: TimedPath) -> PlanCertificate:
     angles = [LegExtreme(when(found.time), found.value) for found in _angles(plan)]
     (low, high), most_angles = robot.length_limits.T, robot.joint_angle_limit.T * (1.0 + ROUNDING)
     return PlanCertificate(
-        samples=len(s),
+        samples=count,
         shortest=LegExtreme(when(along.min_length.time), along.min_length.value),
         longest=LegExtreme(when(along.max_length.time), along.max_length.value),
         speed=_extreme(times, speed),
         force=_extreme(times, force),
-        max_utilization=max(float(most.max()), float(_jerk(plan, len(s)).max())),
+        max_utilization=max(float(most.max()), float(_jerk(plan, count).max())),
         lengths_ok=bool((along.min_length.value >= low).all() and (along.max_length.value <= high).all()),
         base_angle=angles[0] if angles else None,
         platform_angle=angles[1] if angles else None,
@@ -165,8 +155,8 @@ def _angles(plan: TimedPath) -> list[LegExtreme]:
 
 def _active(plan: TimedPath) -> float:
     """Share of the time in which a limit is active."""
-    place = plan.profile.at(np.linspace(0.0, plan.duration, _INSTANTS))
-    used = np.maximum(_part(plan, place.s, place.rate**2, place.second)[2], _jerk(plan, _INSTANTS))
+    time = np.linspace(0.0, plan.duration, _INSTANTS)
+    used = np.maximum(_part(plan, places_at(plan, time))[2], _jerk(plan, _INSTANTS))
     return float(np.mean(used > 1.0 - _ACTIVE))
 
 
@@ -176,24 +166,23 @@ def _jerk(plan: TimedPath, count: int) -> Array:
     if plan.limits.jerk is None:
         return found
     times = np.linspace(0.0, plan.duration, count)
-    parts = [slice(i, i + _BLOCK) for i in range(0, count, _BLOCK)]
+    parts = [slice(i, i + BLOCK) for i in range(0, count, BLOCK)]
     seconds = np.concatenate([leg_accelerations(plan.robot, plan.sample(times[part])) for part in parts])
     rates = np.abs(np.diff(seconds, axis=0)) / np.diff(times)[:, None]
     found[1:] = (rates / np.array(plan.limits.jerk)).max(axis=-1)
     return found
 
 
-def _part(plan: TimedPath, s: Array, square: Array, second: Array) -> tuple[Array, Array, Array]:
+def _part(plan: TimedPath, places: Places) -> tuple[Array, Array, Array]:
     """Leg speeds, forces and the largest share of a limit at some places of the path."""
-    by_parameter = plan.path(s)
-    motion = traveled(by_parameter, np.sqrt(square), second)
+    motion = places.motion(plan)
     F = inverse_dynamics(plan.robot, motion, plan.formulation).F
     legs = inverse_kinematics(plan.robot, motion)
     speeds, allowed = limited_speeds(plan.robot, motion, legs.L_dot, plan.limits)
     used = [np.abs(F) / force_limits(plan.robot, plan.limits), speeds / allowed]
     drive = plan.robot.drive
     if drive is not None:
-        motors = motor_states(plan.robot, drive, motion, F, legs.L_dot)
+        motors = places.motors(plan, motion, F, legs.L_dot)
         used += [np.abs(motors.torque) / drive.torque_limit, np.abs(motors.power) / drive.power_limit]
         if motors.current is not None:
             used.append(np.nan_to_num(np.abs(motors.current) / drive.current_limit))

@@ -4,6 +4,7 @@ Shapes: ``(...)`` is a leading shape of poses; a quantity of the legs is (..., 6
 (..., 6, 1) as a scalar.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,9 +13,21 @@ from ..io.array_types import Array
 from ..motion.rotation import cross as vector_product
 from .offsets import JointOffsets
 
-_MOST_STEPS = 60
-# Share of the leg by which the end still moves when it is found.
-_SETTLED = 8 * np.finfo(np.float64).eps
+_MOST_STEPS, _MOST_HALVINGS = 60, 12
+_LONGEST_STEP = 0.5
+_TURNS = 0.25 * np.pi * np.array([0, 1, -1, 2, -2, 3, -3, 4])
+# Shares of the leg by which it may miss the right angle: where Newton's method stops, and at most.
+_SETTLED, _CLOSED = (share * np.finfo(np.float64).eps for share in (4, 256))
+
+
+@dataclass(frozen=True, eq=False)
+class _End:
+    """An end of the leg on the circle of the wrist: its chain, n, y_w, and s y_w."""
+
+    at: "Chains"
+    n: Array
+    y_w: Array
+    miss: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,24 +63,69 @@ def chains_to(offsets: JointOffsets, k: Array, k_w: Array, q: Array, P: Array) -
     """
     if not offsets.has_spinning_parts:
         return _lower(k, offsets, q, P, P)
-    w = offsets.wrist_offset[:, None]
-    T = P
-    # Each step brings the end of the leg nearer by the wrist's share of the leg's length.
-    for _ in range(_MOST_STEPS):
-        at = _lower(k, offsets, q, P, T)
-        y_w = vector_product(k_w, at.s)
-        y_w = y_w / np.sqrt(dot(y_w, y_w))
-        end = P - w * vector_product(y_w, k_w)
-        step = np.abs(end - T).max(axis=-1, keepdims=True)
-        moved = step > _SETTLED * np.abs(P).max(axis=-1, keepdims=True)
-        if not moved.any():
-            break
-        T = end
-    else:
-        at = _lower(k, offsets, q, P, np.where(moved, np.nan, T))
+    at, y_w = _to_wrist(offsets, k, k_w, q, P)
     spin = np.arctan2(dot(at.z, y_w), dot(at.y, y_w))
     U = np.stack([at.s, y_w, vector_product(at.s, y_w)], axis=-1)
     return Chains(**{**vars(at), "spin": spin, "U": U, "y_w": y_w, "k_w": k_w})
+
+
+def _to_wrist(offsets: JointOffsets, k: Array, k_w: Array, q: Array, P: Array) -> tuple[Chains, Array]:
+    """Solve for the lower part and the axis y_w of a universal platform joint; NaN without a solution.
+
+    The end of the leg lies on a circle, T = P - wrist n with n at a right angle to k_w and y_w = k_w x n.
+    Newton's method solves s y_w = 0 for the angle of n.
+    """
+    w = offsets.wrist_offset[:, None]
+    n_0 = P - dot(k_w, P) * k_w
+    n_0 = n_0 / np.sqrt(dot(n_0, n_0))
+    y_0 = vector_product(k_w, n_0)
+
+    def end(angle: Array) -> _End:
+        n = np.cos(angle) * n_0 + np.sin(angle) * y_0
+        y_w = vector_product(k_w, n)
+        at = _lower(k, offsets, q, P, P - w * n)
+        return _End(at, n, y_w, dot(at.s, y_w))
+
+    # The direction that the leg has without the wrist, then others around the circle, the nearest first.
+    s = _lower(k, offsets, q, P, P).s
+    start = np.nan_to_num(np.arctan2(dot(s, y_0), dot(s, n_0)))
+    reach = np.abs(P).max(axis=-1, keepdims=True)
+    found, lost = start, np.isfinite(n_0[..., :1])
+    for turn in _TURNS:
+        found = np.where(lost, _right_angle(end, k, w, reach, start + turn), found)
+        best = end(found)
+        lost &= ~((np.abs(best.miss) * best.at.L <= _CLOSED * reach) & (dot(best.at.s, best.n) > 0.0))
+        if not lost.any():
+            break
+    return _lower(k, offsets, q, P, np.where(lost, np.nan, best.at.T)), best.y_w
+
+
+def _right_angle(end: Callable[[Array], _End], k: Array, w: Array, reach: Array, angle: Array) -> Array:
+    """Find the angle of n at which s is at a right angle to y_w, by Newton's method with shortened steps."""
+    now = end(angle)
+    for _ in range(_MOST_STEPS):
+        slope = dot(_rate_of_s(k, now.at, -w * now.y_w), now.y_w) - dot(now.at.s, now.n)
+        step = np.clip(-now.miss / slope, -_LONGEST_STEP, _LONGEST_STEP)
+        step = np.where(np.isfinite(step) & (np.abs(now.miss) * now.at.L > _SETTLED * reach), step, 0.0)
+        for _ in range(_MOST_HALVINGS):
+            worse = (step != 0.0) & ~(np.abs(end(angle + step).miss) < np.abs(now.miss))
+            if not worse.any():
+                break
+            step = np.where(worse, 0.5 * step, step)
+        else:
+            step = np.where(worse, 0.0, step)
+        if not step.any():
+            break
+        angle = angle + step
+        now = end(angle)
+    return angle
+
+
+def _rate_of_s(k: Array, at: Chains, T_dot: Array) -> Array:
+    """Return the rate of s if the end of the leg moves with T_dot, m/s."""
+    phi_dot = dot(at.y, T_dot) / at.of_tip
+    theta_dot = -dot(at.z, T_dot - phi_dot * vector_product(np.broadcast_to(k, at.T.shape), at.T)) / at.L
+    return phi_dot * vector_product(np.broadcast_to(k, at.s.shape), at.s) - theta_dot * at.z
 
 
 def lengths_at_home(offsets: JointOffsets, k: Array, S: Array) -> Array:

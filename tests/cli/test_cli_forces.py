@@ -213,14 +213,17 @@ def test_numbers_of_a_robot_that_overflow_are_not_blamed_on_the_trajectory(
         assert "C_p" in big
 
 
-def test_overflow_on_the_way_is_one_warning_none_beside_an_error(
+def test_an_overflow_that_affects_results_is_one_warning_and_none_with_an_error(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     large = np.array([1e300])
     with warnings_in_lines("a.toml", "b.csv"):
-        large**2, large * large
+        list(csv_lines({"F1": large**2, "F2": large * large}))
     (line,) = capsys.readouterr().err.splitlines()
     assert line.startswith("stewart-sym: warning: a.toml, b.csv: numbers overflow on the way: ")
+    with warnings_in_lines("a.toml"):
+        list(csv_lines({"F1": 1.0 / large**2}))
+    assert capsys.readouterr().err == ""
     with pytest.raises(ValueError, match="inf"), warnings_in_lines():
         raise ValueError(large**3)
     assert capsys.readouterr().err == ""

@@ -3,6 +3,7 @@
 import contextlib
 import ctypes
 import os
+import platform
 import re
 import shlex
 import subprocess
@@ -19,7 +20,7 @@ from stewart_sym.backend import c_kernel, kernel, native
 from stewart_sym.cli.main import main
 from stewart_sym.derive.package.text_format import robot_symbol
 from stewart_sym.dynamics.home_pose import home_pose
-from stewart_sym.generated.interface import HEADERS
+from stewart_sym.generated.interface import HEADERS, MODELS
 from stewart_sym.kit import Choice, Kit, kit, put, write_kit
 from stewart_sym.kit.sample_poses import sample
 from stewart_sym.motion.motion import Motion, at_rest
@@ -326,3 +327,27 @@ def test_the_example_is_at_the_home_pose_under_about_the_weight(name: str) -> No
     np.testing.assert_array_equal(motion.R, np.eye(3))
     weight = 9.81 * robot.M
     assert 0.1 * weight < np.linalg.norm(motion.F_ext) < weight
+
+
+@pytest.mark.parametrize("flags", ["", "-march=native -DSTEWART_NO_FMA"], ids=["Makefile", "no fused"])
+def test_kits_without_fused_multiply_add_have_the_bits_of_numpy(flags: str, tmp_path: Path) -> None:
+    """A plain build has none on x86-64; elsewhere the macro leaves them apart."""
+    put(kit_of(), tmp_path)
+    (archive,) = re.findall(r"^LIBRARY = (\S+)", (tmp_path / "Makefile").read_text(), re.MULTILINE)
+    plain = "" if platform.machine() in ("x86_64", "AMD64") else "-DSTEWART_NO_FMA"
+    for command in (
+        ["make", f"CFLAGS=-O2 -fPIC {flags or plain}", archive],
+        ["cc", "-shared", "-Wl,--whole-archive", archive, "-Wl,--no-whole-archive", "-lm", "-o", "kit.so"],
+    ):
+        subprocess.run(command, cwd=tmp_path, check=True, capture_output=True)
+    library, robot, count = ctypes.CDLL(str(tmp_path / "kit.so")), machines.dasgupta(), 500
+    motion = machines.random_motion(np.random.default_rng(46), robot, (count,))
+    numbers = c_kernel.prepared_model(library.stewart_exact_prepare, robot, MODELS["exact"], "double")
+    arrays = [np.ascontiguousarray(getattr(motion, name)) for name in kernel.MOTION]
+    F = np.empty((count, 6))
+    of_poses = ctypes.byref(c_kernel.pointers(arrays))
+    address = c_kernel.address
+    given = (address(numbers), ctypes.c_size_t(count), of_poses, address(F), None)
+    assert library.stewart_exact_forces_batch(*given) == 0
+    fields = dict(zip(kernel.MOTION, arrays, strict=True))
+    np.testing.assert_array_equal(ss.array_kernel(robot, np).forces(**fields).F, F)

@@ -147,7 +147,8 @@ def test_each_limit_of_the_motors_is_reached_and_kept_between_the_nodes(quantity
     proof = certify_plan(plan)
     assert proof.max_utilization <= 1.0 + 1e-6
     assert proof.active_fraction >= 0.95
-    times = np.linspace(0.0, plan.duration, 4001)
+    # At rest itself there is no friction, but the acceleration of the motion.
+    times = np.linspace(0.0, plan.duration, 4001)[1:-1]
     found = drive_effort(robot, plan.sample(times), times)
     share = getattr(found, f"peak_{quantity}") / getattr(robot.drive, f"{quantity}_limit")
     assert 1.0 - 5e-3 < share.max() <= 1.0 + 1e-6

@@ -186,10 +186,12 @@ BUILT_IN: dict[str, Type] = {
     "size": Real(),
     "larger": Real(),
     "fma": Real(),
+    "fma_of": Real(),
     "anywhere": Truth(),
 }
 """Functions that every language has: square root, absolute value, the larger of two, a product and a sum
-rounded once where that costs no more, and whether a test holds for any of the poses side by side."""
+rounded once if that costs no more, the same of a product that is known otherwise (in C alone), and whether a
+test holds for any of the poses side by side."""
 
 
 # ---------------------------------------------------------------- statements

@@ -30,9 +30,6 @@ MORE = (
     "as `forces` reads it, a report with a certificate that limits hold between the samples too (exit code 1 "
     "where it does not hold), and pictures. SI units."
 )
-# Share of a motor's limit by which it may be exceeded between the instants that the certificate checks, where
-# a leg turns back and its friction jumps.
-_BETWEEN = 1e-4
 _LEAST = ("time", "energy", "peak_force")
 
 
@@ -99,7 +96,7 @@ def _plan(arguments: argparse.Namespace, request: "PlanRequest") -> int:
         progress("checking the plan")
         found = plan.Plan(robot, planned, timed, certify_plan(timed), request.rate)
         take(plan.report(found))
-    for line in [] if found.motors is None else found.motors.summary.exceeded(_BETWEEN):
+    for line in [] if found.motors is None else found.motors.summary.exceeded():
         warn(f"drive: {line}", DriveLimitWarning)
     if len(found.times) < FEW_ROWS:
         warn(

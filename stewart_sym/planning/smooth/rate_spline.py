@@ -126,6 +126,8 @@ def duration(spline: RateSpline, v: Array) -> tuple[float, Array, Array]:
     return float(np.sum(weight * v[..., 0] ** -0.5)), by, twice
 
 
+# Ratios of steps may overflow, and costs of steps that are too long have no value: such steps are left out.
+@np.errstate(over="ignore", divide="ignore", invalid="ignore")
 def least(spline: RateSpline, c: Array, rooms: Rooms, cost: Cost, time: float | None = None) -> Array:
     """Coefficients of least cost from some that keep all limits; time: the duration, where it is given."""
     with needed_for("a motion"):

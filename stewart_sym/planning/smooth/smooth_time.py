@@ -72,14 +72,18 @@ class SmoothPath:
         """The motion of coefficients."""
         return Profile.of(self.spline.phase(c), self.ease)
 
+    @np.errstate(invalid="ignore")
     def used(self, c: Array) -> Array:
-        """Shares of the limits that are used in every cell, (cells, m): of the terms, then of jerk."""
-        v = self.spline.values(c, _BETWEEN).reshape(-1, 3)
-        parts = [self.between.used(v[:, 0], 0.5 * v[:, 1])]
+        """Compute the used shares of the limits in every cell, (cells, m): of the terms, then of jerk.
+
+        NaN if the spline is below 0 in a cell.
+        """
+        v = self.spline.values(c, _BETWEEN)
+        parts = [self.between.used(v[..., 0], 0.5 * v[..., 1])]
         if np.isfinite(self.jerk).any():
-            parts.append(np.abs(_jerk(self.legs[1], v)) / self.jerk)
-        shares = np.concatenate(parts, axis=-1).reshape(self.spline.cells, len(_BETWEEN), -1)
-        return np.asarray(shares.max(axis=1))
+            jerk = np.abs(_jerk(self.legs[1], v.reshape(-1, 3))) / self.jerk
+            parts.append(jerk.reshape(*v.shape[:2], -1))
+        return np.asarray(np.concatenate(parts, axis=-1).max(axis=1))
 
     def rooms(self, c: Array, margin: Array) -> Rooms:
         """Limits at the samples, less a margin, (4 cells + 1, m), friction as at the rates of c."""

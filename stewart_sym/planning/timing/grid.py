@@ -20,9 +20,8 @@ AIM = 1.0 - 4e-6
 """Largest share of a limit at the places of a cell that are checked: between them a little more is used."""
 IDLE = 1e-3
 """A limit is active from this share below it on."""
-# Places of a cell that are checked: denser toward the ends, where friction grows as the root of the way, and
-# never at a node, where friction may change its sign.
-_SHARES = np.clip(0.5 - 0.5 * np.cos(np.linspace(0.0, np.pi, 25)), 1e-5, 1.0 - 1e-5)
+# Places of a cell that are checked: denser toward the ends, where friction grows as the root of the way.
+_SHARES = 0.5 - 0.5 * np.cos(np.linspace(0.0, np.pi, 25))
 _PARTS = 4
 # Limits are tightened by this times the excess, so that few rounds suffice.
 _MORE = 1.25
@@ -69,7 +68,7 @@ class Grid(NamedTuple):
         terms = source(s)
         none = np.zeros(len(s))
         margin = np.full((len(s), terms.quantities), _MARGIN)
-        places = s[:-1, None] + np.diff(s)[:, None] * _shares(len(s) - 1)
+        places = s[:-1, None] + np.diff(s)[:, None] * _SHARES
         between = functools.cache(lambda: source(places.ravel()))
         return cls(source, s, terms, between, margin, none, none)
 
@@ -117,26 +116,13 @@ class Grid(NamedTuple):
         excess = np.maximum(used.max(axis=1) - AIM, 0.0)
         none = np.zeros((1, excess.shape[1]))
         beside = np.maximum(np.concatenate([excess, none]), np.concatenate([none, excess]))
-        # At rest, where friction ends, a limit is exceeded by a jump: each round adds more.
-        again = np.where(beside > _ROUGH, self.margin, 0.0)
-        again[2:-2] = 0.0
         most = _FREE * np.maximum(1.0 - self.terms.held(), 0.0)
-        return self._replace(margin=np.minimum(self.margin + _MORE**turn * beside + again, most))
+        return self._replace(margin=np.minimum(self.margin + _MORE**turn * beside, most))
 
     def used(self, profile: Profile) -> Array:
         """Shares of the limits that are used in every cell, (cells, shares, m), that of speed last."""
-        shares = _shares(len(self.s) - 1)
-        s, square, second = profile.inside(shares)
-        square[0, 0] = square[-1, -1] = 0.0
-        return self.between().used(square.ravel(), second.ravel()).reshape(*s.shape, -1)
-
-
-def _shares(cells: int) -> Array:
-    """Where the places of each cell are, from 0 to 1."""
-    shares = np.tile(_SHARES, (cells, 1))
-    # At rest itself, where there is no friction, whatever rounding leaves of the rate.
-    shares[0, 0], shares[-1, -1] = 0.0, 1.0
-    return shares
+        _, square, second = profile.inside(_SHARES)
+        return self.between().used(square, second)
 
 
 def _zeros(source: Source, s: Array) -> Array:

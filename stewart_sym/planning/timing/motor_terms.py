@@ -17,7 +17,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...drives.friction import constant_part, friction_force, load_share, losses, smooth_sign, viscous
+from ...drives.friction import (
+    constant_part,
+    dry_sign,
+    friction_force,
+    load_share,
+    losses,
+    smooth_sign,
+    viscous,
+)
 from ...drives.rotors import leg_rates, product, rotors_by_acceleration
 from ...io.array_types import Array, Flags, Indices
 from ...motion.motion import Motion
@@ -112,23 +120,43 @@ class MotorTerms(NamedTuple):
         slopes = [self.rotor[0] + x * (self.force[0] - self.rotor[0]) for x in self._slopes(np.array(1.0))]
         return np.concatenate([self.rate, *slopes], axis=-1)
 
-    def efforts(self, square: Array, second: Array) -> Array:
-        """N times the torques, N, (n, 6), at s'^2 and s'', (n,), by the law of the drives."""
-        x, u = square[:, None], second[:, None]
-        a, b, d, e = self.force
-        F, rotor = a * u + b * x + d * np.sqrt(x) + e, self.rotor[0] * u + self.rotor[1] * x
-        return np.asarray(F + friction_force(self.drive, F - rotor, self.rate * np.sqrt(x)))
-
     def used(self, square: Array, second: Array) -> Array:
-        """Shares of the limits that are used, (n, 12): of torque or current, of power."""
-        effort = np.abs(self.efforts(square, second))
-        power = effort * np.abs(self.rate) * np.sqrt(square)[:, None]
-        return np.concatenate([effort / self.effort, power / self.power], axis=-1)
+        """Compute the shares of the limits of torque or current and of power at places of cells, (c, k, 12).
+
+        square, second: s'^2 and s'', (c, k), from one end of each cell to the other. Both ends belong to the
+        cell: friction has the sign that it has inside. A place includes the points between it and the next
+        one at which the efficiency changes or a leg turns back.
+        """
+        x, u = square[..., None], second[..., None]
+        (a, b, d, e), (r_a, r_b), rate = (
+            part.reshape(*part.shape[:-2], *square.shape, LEGS)
+            for part in (self.force, self.rotor, self.rate)
+        )
+        rotor, speed, sides = r_a * u + r_b * x, rate * np.sqrt(x), directions(rate)
+        through = a * u + b * x + d * np.sqrt(x) + e - rotor
+
+        def effort(sides: Array, load: Array) -> Array:
+            sign = dry_sign(self.drive, speed, sides)
+            return np.asarray(rotor + load + friction_force(self.drive, load, speed, sign))
+
+        found, unloaded, size = effort(sides, through), effort(sides, np.zeros_like(through)), np.abs(speed)
+        torque, power = np.abs(found), np.abs(found) * size
+        torque[:, :-1] = np.maximum(torque[:, :-1], _at_zeros(through, unloaded, unloaded))
+        power[:, :-1] = np.maximum(power[:, :-1], _at_zeros(through, *[unloaded * size] * 2))
+        if np.any(sides[:, 1:] != sides[:, :-1]):
+            before = effort(np.concatenate([sides[:, :1], sides[:, :-1]], axis=1), through)
+            after = effort(np.concatenate([sides[:, 1:], sides[:, -1:]], axis=1), through)
+            for first, last in ((found, before), (after, found)):
+                torque[:, :-1] = np.maximum(torque[:, :-1], _at_zeros(rate, first, last))
+        return np.concatenate([torque / self.effort, power / self.power], axis=-1)
 
     def share_within_power(self, x: Array, second: Array) -> float:
         """A factor on s' at the nodes with which the limits of power are kept; x: s'^2."""
         share = 1.0
-        while share > _SLOWEST and self.used(share**2 * x, share**2 * second)[:, LEGS:].max() > 1.0:
+        while (
+            share > _SLOWEST
+            and self.used(*(share**2 * part[None] for part in (x, second)))[..., LEGS:].max() > 1.0
+        ):
             share *= _SLOWER
         return share
 
@@ -208,6 +236,29 @@ class MotorTerms(NamedTuple):
         with np.errstate(divide="ignore", invalid="ignore"):
             second = -((b - r_b) * z**2 + d * z + e) / (a - r_a)
             return np.asarray(side * (r_a * second + r_b * z**2) + dry + damping * z)
+
+
+def directions(rate: Array) -> Array:
+    """Return the signs of rates by s at places of cells, (c, k, 6), at both ends those inside the cell.
+
+    Legs whose rate is rounding all along have the sign 0.
+    """
+    size, signs = np.abs(rate), np.sign(rate)
+    still = _STILL * size.max()
+    for end, inner in ((0, 1), (-1, -2)):
+        signs[:, end] = np.where(size[:, end] <= still, signs[:, inner], signs[:, end])
+    return np.where(size.max(axis=(0, 1)) <= still, 0.0, signs)
+
+
+def _at_zeros(zero: Array, first: Array, last: Array) -> Array:
+    """Interpolate sizes at zeros of ``zero``, (c, k, 6), between places, (c, k - 1, 6); 0 without a zero.
+
+    first, last: values at each place as the first and as the last of two.
+    """
+    low, high = zero[:, :-1], zero[:, 1:]
+    passes = low * high < 0.0
+    share = low / np.where(passes, low - high, 1.0)
+    return np.where(passes, np.abs(first[:, :-1] + share * (last[:, 1:] - first[:, :-1])), 0.0)
 
 
 def beside(signs: Array) -> tuple[Array, Array]:

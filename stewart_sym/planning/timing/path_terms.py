@@ -117,11 +117,16 @@ class Terms(NamedTuple):
         return np.asarray(self.a * second[:, None] + self.b * x + self.d * np.sqrt(x) + self.e)
 
     def used(self, square: Array, second: Array) -> Array:
-        """Shares of the limits that are used at s'^2 and s'', (n, quantities), that of speed last."""
-        parts = [np.abs(self.values(square, second)) / self.limit]
+        """Compute the used shares of the limits at places of cells, (c, k, quantities), of speed last.
+
+        square, second: s'^2 and s'', (c, k), from one end of each cell to the other.
+        """
+        values = self.values(square.ravel(), second.ravel())
+        parts = [(np.abs(values) / self.limit).reshape(*square.shape, -1)]
         if self.motors is not None:
             parts.append(self.motors.used(square, second))
-        return np.concatenate([*parts, np.sqrt(square / self.caps)[:, None]], axis=-1)
+        speed = np.sqrt(square / self.caps.reshape(square.shape))
+        return np.concatenate([*parts, speed[..., None]], axis=-1)
 
     def held(self) -> Array:
         """Shares of the limits that are used at rest or in slow motion, (n, quantities)."""

@@ -331,20 +331,43 @@ class Profile(NamedTuple):
 
     def inside(self, shares: Array) -> tuple[Array, Array, Array]:
         """s, s'^2 and s'' at shares of every cell, (cells, shares)."""
-        phase, h = self.phase, np.diff(self.phase.s)[:, None]
-        slope = (phase.last - phase.first)[:, None] / h
-        step = h * shares
-        second = phase.first[:, None] + slope * step
-        square = phase.x[:-1, None] + (phase.first[:, None] + second) * step
-        place = self._eased(phase.s[:-1, None] + step, np.sqrt(np.maximum(square, 0.0)), second)
+        step, rate, second = self._steps(shares)
+        place = self._eased(self.phase.s[:-1, None] + step, rate, second)
         return place.s, place.rate**2, place.second
+
+    def times_inside(self, shares: Array) -> Array:
+        """Return the times of shares of every cell, s, (cells, shares)."""
+        step, rate, second = self._steps(shares)
+        first = self.phase.first[:, None]
+        return self.times[:-1, None] + _durations(
+            step, rate + np.sqrt(self.phase.x[:-1, None]), second - first
+        )
+
+    def _steps(self, shares: Array) -> tuple[Array, Array, Array]:
+        """Return way since the start of the cell, s' and s'' of the phase plane at shares of every cell."""
+        phase, h = self.phase, np.diff(self.phase.s)[:, None]
+        step = h * shares
+        second = phase.first[:, None] + (phase.last - phase.first)[:, None] * shares
+        square = phase.x[:-1, None] + (phase.first[:, None] + second) * step
+        if phase.x[-1] == 0.0:
+            # The motion ends at rest: remove the rate that rounding leaves.
+            square[-1] = np.where(np.broadcast_to(shares, square.shape)[-1] == 1.0, 0.0, square[-1])
+        return step, np.sqrt(np.maximum(square, 0.0)), second
 
 
 def durations(phase: PhasePath) -> Array:
-    """Time of each cell, s: 2 artanh(sqrt(c) h / (s'_0 + s'_1)) / sqrt(c), c the slope of s'' in s."""
-    h, rate = np.diff(phase.s), np.sqrt(phase.x)
-    plain = 2.0 * h / (rate[:-1] + rate[1:])
-    y = (phase.last - phase.first) * h / (rate[:-1] + rate[1:]) ** 2
+    """Return the time of each cell, s."""
+    rate = np.sqrt(phase.x)
+    return _durations(np.diff(phase.s), rate[:-1] + rate[1:], phase.last - phase.first)
+
+
+def _durations(h: Array, rates: Array, change: Array) -> Array:
+    """Return the times of steps h, s: 2 artanh(sqrt(c) h / rates) / sqrt(c), c = change / h.
+
+    rates: sum of s' at both ends. change: of s'', linear in s, along the step.
+    """
+    moving = np.where(rates > 0.0, rates, 1.0)
+    plain, y = 2.0 * h / moving, change * h / moving**2
     root = np.sqrt(np.abs(y))
     safe = np.where(root > 0.0, root, 1.0)
     with np.errstate(invalid="ignore"):

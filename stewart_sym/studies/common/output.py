@@ -11,6 +11,7 @@ import numpy as np
 import orjson
 from numpy.typing import NDArray
 
+from ...io.not_finite import note_not_finite
 from ...motion.rotation import quaternion_from_rotation
 from ...robot.robot import LEGS
 
@@ -58,8 +59,11 @@ def csv_lines(columns: Mapping[str, NDArray[Any]], header: bool = True) -> Itera
 
 def _numbers(values: NDArray[Any]) -> list[Any]:
     """As Python's own, those that JSON does not know as text."""
-    found = values.tolist()
-    return found if np.isfinite(values).all() else [x if math.isfinite(x) else repr(x) for x in found]
+    found: list[Any] = values.tolist()
+    if np.isfinite(values).all():
+        return found
+    note_not_finite()
+    return [x if math.isfinite(x) else repr(x) for x in found]
 
 
 def csv_text(rows: Iterable[Sequence[object]]) -> str:

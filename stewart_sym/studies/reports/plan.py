@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 
 from ...drives.effort import trapezoids
-from ...drives.motor_states import motor_states
 from ...dynamics.inverse_dynamics import inverse_dynamics
 from ...io.array_types import Array
 from ...kinematics.conditioning import characteristic_length, scaled_condition_number
@@ -16,8 +15,8 @@ from ...kinematics.inverse_kinematics import inverse_kinematics, wrench_matrix
 from ...motion.motion import Motion
 from ...motion.rotation import angles_from_rotation, vector_from_rotation
 from ...motion.straight_line import MOST_STEPS
-from ...planning.path_parameterization import TimedPath
 from ...planning.plan_certificate import PlanCertificate
+from ...planning.places import places_along
 from ...planning.plan_file import RATE
 from ...planning.plan_path import Conditions, PlannedPath
 from ...planning.timing.path_terms import force_limits
@@ -30,7 +29,7 @@ from ..common.output import Columns, by_leg, of_legs
 from ..common.report import Picture, Report
 from .drives import DriveDigest
 
-# At so many instants the motors are computed: accelerations jump where another limit becomes active.
+# Samples of the work: accelerations jump between them when another limit becomes active.
 _INSTANTS = 10_001
 # So many are drawn of the forces, and so many poses of a path's condition numbers.
 _DRAWN, _POSES = 4001, 801
@@ -48,14 +47,17 @@ class Plan:
 
     @cached_property
     def motors(self) -> DriveDigest | None:
-        """What the plan takes of the motors, between the trajectory's instants too; None without a drive."""
+        """Motors' effort at the places of the certificate; None without a drive."""
         if self.robot.drive is None:
             return None
-        times = np.union1d(self.times, self.timed.time_grid(_INSTANTS))
-        motion, found = self.timed.sample(times), DriveDigest(self.robot, times)
-        F = inverse_dynamics(self.robot, motion, self.timed.formulation).F
-        L_dot = inverse_kinematics(self.robot, motion).L_dot
-        found.add(motor_states(self.robot, self.robot.drive, motion, F, L_dot), slice(None))
+        places, first = places_along(self.timed), 0
+        found = DriveDigest(self.robot, places.time)
+        for part in places.blocks():
+            motion, last = part.motion(self.timed), first + len(part.time)
+            F = inverse_dynamics(self.robot, motion, self.timed.formulation).F
+            L_dot = inverse_kinematics(self.robot, motion).L_dot
+            found.add(part.motors(self.timed, motion, F, L_dot), slice(first, last))
+            first = last
         return found
 
     @cached_property
