@@ -13,8 +13,8 @@ from ..io.array_types import Array
 from ..kinematics.clearance import joint_angles
 from ..kinematics.inverse_kinematics import inverse_kinematics
 from ..singularities.path_singularities import LegExtreme, SingularityCrossing, extremes, path_singularities
-from .places import BLOCK, Places, places_along, places_at
 from .path_parameterization import TimedPath
+from .places import BLOCK, Places, places_along, places_at
 from .timing.path_rates import need_rates
 from .timing.path_terms import force_limits, leg_accelerations, limited_speeds
 

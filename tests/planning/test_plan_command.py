@@ -23,8 +23,8 @@ from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.motion.logs import EULER_ORDERS
 from stewart_sym.motion.motion import Motion
 from stewart_sym.planning import path_parameterization, plan_certificate
-from stewart_sym.planning.plan_certificate import PlanCertificate, certify_plan
 from stewart_sym.planning.path_parameterization import TimedPath
+from stewart_sym.planning.plan_certificate import PlanCertificate, certify_plan
 from stewart_sym.robot.robot import Robot
 from stewart_sym.studies.common.motion_columns import trajectory_columns
 from stewart_sym.studies.common.output import csv_lines

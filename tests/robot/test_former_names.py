@@ -12,16 +12,7 @@ import stewart_sym as ss
 from stewart_sym.planning.plan_file import read_plan
 from stewart_sym.simulation.scene import read_scene
 
-PUBLIC = """
-Approach BaseParameters Capability Certificate Course Crossing DampedSolution DriveEffort
-DriveEstimate EquationsByParameter EquationsOfMotion Estimate ForceBounds ForceDerivatives Forces
-JointAngles LegKinematics Limits Linearisation LogFormat LogWarning ModelFile MotorMotion Needs
-Offsets PATHS Parameters PathSingularities PhysicalityWarning PlatformPose Reactions Saturation
-Simulation Singularity Smooth Smoothing Stop Symbolic Thresholds Trace Units View Workspace
-array_kernel between capability crossings damped_solution dynamic_fraction estimated_noise
-force_deviations force_residue forces_with_bounds linearise pose_of_motors prepare resampled
-simulated_experiment singularities_along size smooth time_path
-""".split()
+PUBLIC = ["Approach", "BaseParameters", "Capability", "Certificate", "Course", "Crossing", "DampedSolution", "DriveEffort", "DriveEstimate", "EquationsByParameter", "EquationsOfMotion", "Estimate", "ForceBounds", "ForceDerivatives", "Forces", "JointAngles", "LegKinematics", "Limits", "Linearisation", "LogFormat", "LogWarning", "ModelFile", "MotorMotion", "Needs", "Offsets", "PATHS", "Parameters", "PathSingularities", "PhysicalityWarning", "PlatformPose", "Reactions", "Saturation", "Simulation", "Singularity", "Smooth", "Smoothing", "Stop", "Symbolic", "Thresholds", "Trace", "Units", "View", "Workspace", "array_kernel", "between", "capability", "crossings", "damped_solution", "dynamic_fraction", "estimated_noise", "force_deviations", "force_residue", "forces_with_bounds", "linearise", "pose_of_motors", "prepare", "resampled", "simulated_experiment", "singularities_along", "size", "smooth", "time_path"]
 """Functions, classes, and constants that have another name or are constructors now."""
 
 ATTRIBUTES = {

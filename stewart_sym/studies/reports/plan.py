@@ -15,8 +15,8 @@ from ...kinematics.inverse_kinematics import inverse_kinematics, wrench_matrix
 from ...motion.motion import Motion
 from ...motion.rotation import angles_from_rotation, vector_from_rotation
 from ...motion.straight_line import MOST_STEPS
-from ...planning.plan_certificate import PlanCertificate
 from ...planning.places import places_along
+from ...planning.plan_certificate import PlanCertificate
 from ...planning.plan_file import RATE
 from ...planning.plan_path import Conditions, PlannedPath
 from ...planning.timing.path_terms import force_limits

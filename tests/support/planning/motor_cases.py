@@ -10,8 +10,7 @@ from via_cases import straight, via_case, with_limits
 from stewart_sym.drives.effort import DriveEffortResult, drive_effort
 from stewart_sym.planning.path_parameterization import parameterize_path
 from stewart_sym.planning.pose_path import PosePath
-from stewart_sym.planning.path_parameterization import parameterize_path
-from stewart_sym.planning.timing.path_terms import PathLimits, terms_along
+from stewart_sym.planning.timing.path_terms import terms_along
 from stewart_sym.robot.drive import Drive
 from stewart_sym.robot.robot import Robot
 
