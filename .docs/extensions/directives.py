@@ -64,7 +64,7 @@ class Subcommands(SphinxDirective):
 
     def _section(self, name: str, parser: argparse.ArgumentParser) -> nodes.section:
         section = nodes.section("", nodes.title(text=name), ids=[nodes.make_id(f"stewart-sym-{name}")])
-        section += nodes.paragraph(text=parser.description)
+        section += [nodes.paragraph(text=line) for line in parser.description.splitlines()]
         section += _code(parser.format_usage().removeprefix("usage: "))
         for group in parser._action_groups:
             shown = [each for each in group._group_actions if each.dest != "help"]

@@ -47,7 +47,7 @@ def trajectory_of(
         for name in ("position_std", "angle_std", "cutoff"):
             if getattr(arguments, name) is not None:
                 option = name.replace("_", "-")
-                raise ValueError(f"--{option}: is for smoothing, expected no --no-smoothing beside it")
+                raise ValueError(f"--{option} and --no-smoothing cannot be given together")
     form = log_format(arguments, source)
     smoothing = SmoothingOptions(*stated_noise(arguments, form), arguments.cutoff, arguments.smoothing)
     log = read_log_of(robot, source, log_format(arguments), smoothing, progress)
@@ -112,5 +112,5 @@ def poses_of(
             warn(f"--pose-guess: {doubt}")
         return poses
     if start is not None:
-        raise ValueError("--pose-guess: is for a trajectory of leg lengths, this one is of poses")
+        raise ValueError("--pose-guess: the trajectory contains poses; omit the option")
     return log

@@ -1,4 +1,4 @@
-"""Options that several subcommands have, and the kinds of their values."""
+"""Options common to several subcommands, and the types of their values."""
 
 import argparse
 import contextlib
@@ -7,12 +7,12 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
-PAPERS = "the paper's machine"
+PAPERS = "the robot of the paper"
 
 
 def robot_file(parser: argparse.ArgumentParser, name: str = "robot", default: str = "", **more: Any) -> None:
-    """Name of the robot file; default: in words, where there is one."""
-    text = f"robot file, schema 2; default: {default}" if default else "robot file, schema 2"
+    """Add the robot file; ``default`` is a description."""
+    text = f"robot file; default: {default}" if default else "robot file"
     parser.add_argument(name, metavar="ROBOT.toml", type=Path, help=text, **more)
 
 
@@ -35,10 +35,10 @@ def output(
         "-o", "--output", metavar=metavar, type=kind, required=default is None, default=path, help=text
     )
     if plots:
-        text = "tables and CSV only, without Matplotlib"
+        text = "write tables and CSV files only, without Matplotlib"
         parser.add_argument("--no-plots", dest="plots", action="store_false", help=text)
     if html:
-        text = "also write text, tables, figures and motions as one HTML file that needs no network"
+        text = "HTML file of text, tables, figures, and motions; requires no network"
         parser.add_argument("--html", metavar="FILE", type=path_name, help=text)
     json_file(parser)
 
@@ -51,14 +51,13 @@ def json_file(parser: argparse.ArgumentParser) -> None:
         nargs="?",
         type=path_name,
         const=Path("-"),
-        help="write all figures to a file as JSON, units in the keys or under `units`, null for what is not "
-        "finite; without FILE or with -: to standard output, instead of the text",
+        help="JSON file of all numbers; units are in the keys or under `units`, non-finite numbers are null; "
+        "without FILE or with -, standard output instead of the text",
     )
     parser.add_argument(
         "--force",
         action="store_true",
-        help="also replace files that do not begin as this program's do, and edited ones of its folders; "
-        "never an input",
+        help="replace also files of other programs and edited files, except inputs",
     )
 
 
@@ -125,17 +124,26 @@ def whole(text: str) -> int:
 def log_options(parser: argparse.ArgumentParser) -> None:
     """Options of how a trajectory's file is read."""
     group = log_form(parser)
-    valued(group, "rate", positive, "resample; default: the log's own times", metavar="HZ")
+    valued(
+        group,
+        "rate",
+        positive,
+        "sampling rate of the resampled log (Hz); default: no resampling",
+        metavar="HZ",
+    )
     noise_options(
         group,
-        "standard deviation of the log's {}, in --{}-unit; default: estimated",
+        "standard deviation of the {} of the log (--{}-unit); default: estimated",
         "positions or leg lengths",
         "angles",
     )
-    text = "frequency at which smoothing halves the amplitude; default: the most likely"
+    text = "frequency at half amplitude of the smoothing filter (Hz); default: the most likely"
     valued(group, "cutoff", positive, text, metavar="HZ")
     group.add_argument(
-        "--no-smoothing", dest="smoothing", action="store_false", help="interpolate the rows as they are"
+        "--no-smoothing",
+        dest="smoothing",
+        action="store_false",
+        help="interpolate the samples without smoothing",
     )
 
 
@@ -147,39 +155,41 @@ def noise_options(parser: argparse._ActionsContainer, text: str, position: str, 
 
 def log_form(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:
     """Options of names, units and marks in a trajectory's file, and the pose near its first leg lengths."""
-    group = parser.add_argument_group("the trajectory's file")
+    group = parser.add_argument_group("trajectory file")
     group.add_argument(
         "--pose-guess",
         nargs=6,
         type=finite,
         metavar=("t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z"),
-        help="pose near the first leg lengths, m and rad; default: above the base, nearly parallel to it",
+        help="pose near the first leg lengths (m and rad); default: above the base, nearly parallel to it",
     )
     group.add_argument(
         "--columns",
         type=column_names,
         default={},
         metavar="NAME=HEADER,...",
-        help="header of each column, as in time=ms,t_x=X; all other columns are skipped",
+        help="names of the columns in the header, as in time=ms,t_x=X; all other columns are ignored",
     )
     for name, choices in (
-        ("length-unit", ("m", "cm", "mm", "in")),
-        ("angle-unit", ("rad", "deg")),
-        ("time-unit", ("s", "ms", "us")),
+        ("length", ("m", "cm", "mm", "in")),
+        ("angle", ("rad", "deg")),
+        ("time", ("s", "ms", "us")),
     ):
-        text = f"default: that of the row of units below the header, else {choices[0]}"
-        group.add_argument(f"--{name}", choices=choices, help=text)
-    group.add_argument("--delimiter", choices=("comma", "semicolon", "tab"), help="default: detected")
-    group.add_argument("--decimal", choices=("point", "comma"), help="default: detected")
+        text = f"unit of {name}; default: the unit row below the header, otherwise {choices[0]}"
+        group.add_argument(f"--{name}-unit", choices=choices, help=text)
+    group.add_argument(
+        "--delimiter", choices=("comma", "semicolon", "tab"), help="delimiter; default: detected"
+    )
+    group.add_argument("--decimal", choices=("point", "comma"), help="decimal mark; default: detected")
     group.add_argument(
         "--euler-order",
         choices=("xyz", "xzy", "yxz", "yzx", "zxy", "zyx"),
-        help="order in which the rotations are multiplied; default: the robot file's, else zyx, R = Rz Ry Rx",
+        help="order of the rotation product; default: from the robot file, otherwise zyx (R = Rz Ry Rx)",
     )
     group.add_argument(
         "--length-mode",
         choices=("absolute", "relative"),
-        help="whether leg lengths are less those of the home pose; default: the robot file's, else absolute",
+        help="zero of the leg lengths, absolute or the home pose; default: from the robot file or absolute",
     )
     return group
 
@@ -197,4 +207,4 @@ def column_names(text: str) -> dict[str, str]:
 
 def formulation(parser: argparse.ArgumentParser) -> None:
     """``--formulation``."""
-    chosen(parser, "formulation", ("exact", "paper"), "exact, or paper: the equations as printed")
+    chosen(parser, "formulation", ("exact", "paper"), "equations: exact (corrected), or paper (as printed)")

@@ -49,7 +49,7 @@ def results(
     output: Path | None = getattr(arguments, "output", None)
     drawn = stem is not None and output is not None and getattr(arguments, "plots", False)
     if drawn:
-        need_drawing(", or give --no-plots")
+        need_drawing(", or use --no-plots")
     with contextlib.ExitStack() as stack:
         stream = folder = page = None
         target: Path | None = getattr(arguments, "html", None)
@@ -66,7 +66,7 @@ def results(
             _need_another("--json", arguments.json, output)
             reject_inputs("--json", arguments.json, *inputs)
             if arguments.json.suffix in (".toml", ".csv"):
-                text = "expected a file for JSON, got one of input: name inputs before --json"
+                text = "expected a JSON file, got an input; put inputs before --json"
                 raise ValueError(f"--json {arguments.json}: {text}")
             beginning = json_text(made_by).removesuffix("\n}\n") + ","
             stream = stack.enter_context(result_file(arguments.json, [beginning], arguments.force))
@@ -104,13 +104,13 @@ def results(
 def _need_another(option: str, path: Path, *others: Path | None) -> None:
     """ValueError if another result goes to the file to write."""
     if path in others:
-        raise ValueError(f"{option} {path}: is where another result goes, name another file")
+        raise ValueError(f"{option} {path}: another result has the same file; name another file")
 
 
 def need_html(option: str, target: Path) -> None:
     """ValueError if the name of a file for HTML says that it is of another kind."""
     if target.suffix.lower() not in ("", ".html", ".htm"):
-        raise ValueError(f"{option} {target}: expected a file that ends in .html")
+        raise ValueError(f"{option} {target}: the file name must end in .html")
 
 
 def _paths(arguments: argparse.Namespace) -> list[Path]:
@@ -126,7 +126,7 @@ def reject_inputs(option: str, output: Path, *inputs: Path) -> None:
     """ValueError if the file to write is one of the inputs; ``option``: by which it is named."""
     for path in inputs:
         if output.exists() and path.exists() and output.samefile(path):
-            raise ValueError(f"{option} {output}: is an input, name another file")
+            raise ValueError(f"{option} {output}: the file is an input; name another file")
 
 
 def need_drawing(otherwise: str = "") -> None:

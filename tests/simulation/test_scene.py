@@ -11,7 +11,6 @@ from command_line import Fails, Run, folder_state, read
 from robot_files import scene_of, written
 
 import stewart_sym as ss
-from stewart_sym.cli.machine.simulate import MORE
 from stewart_sym.cli.main import main
 from stewart_sym.io.extras import install
 from stewart_sym.motion.interpolation import followed
@@ -314,7 +313,8 @@ def test_what_goes_wrong_in_the_run_leaves_nothing(scene: Path, fails: Fails) ->
     assert folder_state(scene.parent).keys() == before.keys()
 
 
-def test_the_help_of_simulate_names_every_key_of_a_scene() -> None:
+def test_the_page_about_files_names_every_key_of_a_scene() -> None:
+    page = (Path(__file__).parents[2] / ".docs" / "reference" / "files.md").read_text(encoding="utf-8")
     laws = [key for keys in scenes._LAW_KEYS.values() for key in keys]
     keys = (*scenes._TOP_KEYS, *scenes._STATE_KEYS, *scenes._LOAD_KEYS, *scenes._THRESHOLD_KEYS, *laws)
-    assert [key for key in keys if not re.search(rf"\b{key}\b", MORE)] == []
+    assert [key for key in keys if not re.search(rf"\b{key}\b", page)] == []

@@ -1,10 +1,10 @@
-"""``stewart-sym cmake-dir``: print the folder of the CMake package that brings stewart_generate()."""
+"""``stewart-sym cmake-dir``: print the folder of the CMake package with stewart_generate()."""
 
 import argparse
 from importlib.resources import files
 from pathlib import Path
 
-HELP = "print the folder of the CMake package that brings stewart_generate()"
+HELP = "print the folder of the CMake package with stewart_generate()"
 EXAMPLE = "cmake -S . -B build -Dstewart-sym_DIR=$(stewart-sym cmake-dir)"
 
 

@@ -1,4 +1,4 @@
-"""``stewart-sym derive``: derive the kernels again and write them."""
+"""``stewart-sym derive``: derive the kernels and write their files."""
 
 import argparse
 from importlib.resources import files
@@ -9,15 +9,14 @@ from ...io.progress import Progress
 from ..options import output
 from ..output import results
 
-HELP = "derive the kernels again and write them"
+HELP = "derive the kernels and write their files"
 EXAMPLE = "stewart-sym derive --check"
+MORE = "Exit code: 0, 1 if --check finds differences, 2 for an error."
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument(
-        "--check", action="store_true", help="write nothing; exit 1 with the names of files that differ"
-    )
-    output(parser, "DIR", "folder to write to", "the installed kernels")
+    parser.add_argument("--check", action="store_true", help="write no files, and list files that differ")
+    output(parser, "DIR", "folder of the kernels", "the installed kernels")
 
 
 def run(arguments: argparse.Namespace) -> int:

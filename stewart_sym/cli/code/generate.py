@@ -1,4 +1,4 @@
-"""``stewart-sym generate``: a kit of one robot."""
+"""``stewart-sym generate``: write a kit for one robot."""
 
 import argparse
 from pathlib import Path
@@ -8,11 +8,11 @@ from ..inputs import robot_of
 from ..options import chosen, formulation, output, robot_file
 from ..output import results
 
-HELP = "write a kit of one robot in C, Python, MATLAB or Rust: kernels, constants, self-test, example"
+HELP = "write a kit for one robot in C, Python, MATLAB, or Rust"
 EXAMPLE = "stewart-sym generate hexapod.toml -o kit --functions forces,kinematics && make -C kit"
 MORE = (
-    "The kit tests itself where it runs: in C, `make` builds it and runs its self-test; in another "
-    "language its README names the command."
+    "A kit contains kernels, the constants of the robot, a self-test, an example, and a README.\n"
+    "In C, `make` builds the kit and runs its self-test; for other languages see its README."
 )
 
 
@@ -22,40 +22,40 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--functions",
         metavar="LIST",
         default="forces",
-        help="some of forces, reactions (in C alone), motion (M, C, g, friction, bias, H, forward dynamics, "
-        "inertia at the actuators), derivatives (of the forces; linearization), both for universal base "
-        "joints, kinematics (inverse, forward, velocities), torque (of the motors of a robot with a drive, "
-        "in C alone), with commas; default: forces",
+        help="functions, with commas: forces, reactions (C), motion (M, C, g, friction, bias, H, forward "
+        "dynamics, inertia at the actuators), derivatives (of the forces; linearization), kinematics "
+        "(inverse, forward, velocities), torque (motors, C). motion and derivatives require universal base "
+        "joints; default: forces",
     )
     formulation(parser)
     parser.add_argument(
         "--fidelity",
         metavar="LEVEL",
-        help="how much of the legs' physics the forces contain: general, frictionless, axisymmetric, "
-        "slender, point_masses, massless, the last four also with _friction; general_static, slender_static, "
-        "massless_static; general of legs with rotors has them too, and for these legs there are also "
-        "no_rotor and, with the rotors' mass alone, reflected, reflected_slender, reflected_massless, the "
-        "last two also with _friction; default: general",
+        help="leg physics in the forces: general, frictionless, axisymmetric, slender, point_masses, "
+        "massless (the last four also with _friction); general_static, slender_static, massless_static. "
+        "Robots with rotors: also no_rotor, reflected, reflected_slender, reflected_massless (the last two "
+        "also with _friction); default: general",
     )
-    parser.add_argument("--bake", action="store_true", help="fold the robot's numbers into the forces")
+    parser.add_argument(
+        "--bake", action="store_true", help="insert the constants of the robot into the kernel"
+    )
     parser.add_argument(
         "--scalar",
         action="store_true",
-        help="forces of one pose, legs one after the other: for processors without vector registers",
+        help="process the legs of one pose in sequence, for processors without vector registers",
     )
-    chosen(parser, "precision", ("double", "float"))
-    parser.add_argument("--fmu", action="store_true", help="add a co-simulation unit, FMI 2.0, of the forces")
+    chosen(parser, "precision", ("double", "float"), "floating-point type")
+    parser.add_argument("--fmu", action="store_true", help="add an FMI 2.0 co-simulation unit of the forces")
     parser.add_argument(
         "--language",
         type=_language,
         default="c",
-        help="c; python: one module on arrays of NumPy, JAX, PyTorch; matlab: a package of functions, for "
-        "Octave as well; rust: a crate, without its standard library as well; each with the robot's "
-        "constants, self-test, example and README, of forces, motion, derivatives, kinematics, without "
-        "--bake, --scalar and --fmu, and with --precision float in rust alone; default: c",
+        help="language: c, python (arrays of NumPy, JAX, PyTorch), matlab (also Octave), or rust (also "
+        "without std). Only C has reactions, torque, --bake, --scalar, and --fmu; only C and Rust have "
+        "--precision float; default: c",
     )
-    parser.add_argument("--list", action="store_true", help="print the names of the files, write none")
-    output(parser, "DIR", "folder to write to", None)
+    parser.add_argument("--list", action="store_true", help="print the file names without writing files")
+    output(parser, "DIR", "folder of the kit", None)
 
 
 def _language(name: str) -> str:

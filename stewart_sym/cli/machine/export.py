@@ -8,13 +8,12 @@ from ..inputs import robot_of
 from ..options import output, robot_file
 from ..output import reject_inputs, results
 
-HELP = "write the machine for MuJoCo, Gazebo, Drake, ROS, Pinocchio, or Isaac Sim"
+HELP = "write a robot for MuJoCo, Gazebo, Drake, ROS, Pinocchio, or Isaac Sim"
 EXAMPLE = "stewart-sym export hexapod.toml --format mjcf -o hexapod.xml"
 MORE = (
-    "The machine stands at its home pose, the platform free, closed by six spherical joints. Friction, "
-    "limits, actuators, shapes and gravity are written where the format has a place for them; the rest is a "
-    "note in the file, which import reads and the other program does not. A URDF gets a second file with its "
-    "loops, NAME.loops.json."
+    "The model is at the home pose, with a free platform and six spherical loop closures.\n"
+    "Quantities without a place in the format are stored in a note, which only `import` reads.\n"
+    "Loops of a URDF file are written to NAME.loops.json."
 )
 
 
@@ -24,10 +23,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--format",
         choices=("mjcf", "sdf", "drake", "urdf", "usd"),
         required=True,
-        help="mjcf: MuJoCo; sdf: Gazebo; drake: Drake, as SDF with its ball constraints; "
+        help="format; mjcf: MuJoCo; sdf: Gazebo; drake: Drake (SDF with ball constraints); "
         "urdf: ROS, Pinocchio, Drake; usd: Isaac Sim, as text",
     )
-    output(parser, "FILE", "file to write, - for standard output", None)
+    output(parser, "FILE", "model file; - for standard output", None)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -38,7 +37,7 @@ def run(arguments: argparse.Namespace) -> int:
     path: Path = arguments.output
     printed = str(path) == "-"
     if printed and arguments.format == "urdf":
-        raise ValueError("-o -: expected a file, a URDF is two files")
+        raise ValueError("-o -: a URDF model consists of two files; name a file")
     with results(arguments) as (take, _), contextlib.ExitStack() as stack:
         if arguments.format == "urdf":
             reject_inputs("-o", loops_path(path), arguments.robot)

@@ -12,44 +12,35 @@ from ..output import reject_inputs, results
 if TYPE_CHECKING:
     from ...robot.robot import Robot
 
-HELP = "actuator forces along a trajectory"
+HELP = "compute the actuator forces along a trajectory"
 EXAMPLE = "stewart-sym forces hexapod.toml log.csv -o forces.csv --length-unit mm --angle-unit deg"
 MORE = (
-    "The trajectory's first line names its columns: time, t_x t_y t_z (m), theta_x theta_y theta_z (rad) or "
-    "q_w q_x q_y q_z; optionally v_*, theta_dot_*, a_* and theta_ddot_* together (else a spline is fitted), "
-    "F_ext_* and M_ext_* (platform frame). Or, in joint space: time, L_1 to L_6 (m), optionally L_dot_* and "
-    "L_ddot_* together. SI units by default. Columns that show rounding or noise are smoothed; F_1_std to "
-    "F_6_std are the standard deviations of the forces due to the noise that remains, and what is within three "
-    "deviations of its limit is reported as not decided. Moments M_p are taken about the base points. A "
-    "robot with a drive has columns torque_1 (N m), motor_speed_1 (rad/s), current_1 (A) and power_1 (W), with "
-    "noise torque_1_std and so on, as well."
+    "Input columns: time, t_x t_y t_z, and theta_x theta_y theta_z or q_w q_x q_y q_z; or time and L_1 to L_6.\n"
+    "Optional: rates, accelerations, F_ext_*, M_ext_*. Default units: SI.\n"
+    "Noisy columns are smoothed; F_1_std to F_6_std are the standard deviations of the forces.\n"
+    "A drive adds motor columns."
 )
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     robot_file(parser)
     parser.add_argument(
-        "trajectory", metavar="TRAJECTORY.csv", type=Path, help="times and poses, or leg lengths"
+        "trajectory", metavar="TRAJECTORY.csv", type=Path, help="CSV file of times and poses or leg lengths"
     )
     formulation(parser)
-    chosen(parser, "backend", ("c", "numpy", "reference"))
-    parser.add_argument("--reactions", action="store_true", help="write the joint reactions as well")
+    chosen(parser, "backend", ("c", "numpy", "reference"), "implementation")
+    parser.add_argument("--reactions", action="store_true", help="add columns of the joint reactions")
     parser.add_argument(
         "--plot",
         type=Path,
         metavar="FILE.png",
-        help="draw the torques of the motors, of a robot with a drive; needs Matplotlib",
+        help="drawing of the motor torques, for a robot with a drive; requires Matplotlib",
     )
-    parser.add_argument(
-        "--on-singular",
-        choices=("raise", "nan"),
-        default="raise",
-        help="raise: an unsolvable pose is an error; nan: its row has nan and a status; default: raise",
-    )
-    text = "warn where three standard deviations exceed this share of a leg's peak force"
-    valued(parser, "noise-threshold", positive, text, 0.02, "SHARE")
+    chosen(parser, "on-singular", ("raise", "nan"), "treatment of unsolvable poses: an error, or rows of nan")
+    text = "fraction of the peak force of a leg that three standard deviations may reach without a warning"
+    valued(parser, "noise-threshold", positive, text, 0.02, "FRACTION")
     log_options(parser)
-    output(parser, "FILE.csv", "file to write, - for standard output", None, html=True)
+    output(parser, "FILE.csv", "CSV file; - for standard output", None, html=True)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -95,7 +86,7 @@ def run(arguments: argparse.Namespace) -> int:
             if arguments.plot is not None:
                 lines.append(f"Drawn as {arguments.plot}")
             if trajectory.noise is not None and trajectory.noise.sigma.any():
-                lines.insert(1, f"{noise_text(trajectory.noise)}: F_sd is what it leaves")
+                lines.insert(1, f"{noise_text(trajectory.noise)}; F_sd is the remaining standard deviation")
         tables, figures = {}, {}
         if digest.drive is not None:
             tables["motors"] = digest.drive.csv()
@@ -118,9 +109,9 @@ def _need_plot(arguments: argparse.Namespace, robot: "Robot") -> None:
     need("matplotlib", "drawing")
     path = arguments.plot
     if robot.drive is None:
-        raise ValueError(f"--plot {path}: expected a robot with a drive ([legs.drive])")
+        raise ValueError(f"--plot {path}: the robot has no drive; add [legs.drive]")
     if path.suffix != ".png":
-        raise ValueError(f"--plot {path}: expected a file that ends in .png")
+        raise ValueError(f"--plot {path}: the file name must end in .png")
     reject_inputs("--plot", path, arguments.robot, arguments.trajectory)
     if path.exists() and not arguments.force:
-        raise ValueError(f"--plot {path}: exists; use --force to overwrite")
+        raise ValueError(f"--plot {path}: the file exists; use --force to overwrite it")

@@ -18,11 +18,13 @@ if TYPE_CHECKING:
     from ...studies.common.report import Report
 
 
-HELP = "identify inertial parameters from measured forces, or from a simulated measurement"
+HELP = "identify inertial parameters from measured or simulated forces"
 EXAMPLE = "stewart-sym identify hexapod.toml --force-std 0.5 -o identified"
 MORE = (
-    "Without --measured the motion is the best of random Fourier series about the home pose, within "
-    "the limits of legs and motors in the robot file, and the table gives the true values as well. SI units."
+    "Without --measured, the motion is the best of random Fourier series within the limits, and the table\n"
+    "includes the true values.\n"
+    "Output: report, trajectory.csv, and parameters. SI units.\n"
+    "Exit code: 0, 1 if the fit is rejected, 2 for an error."
 )
 
 
@@ -33,52 +35,42 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         nargs=2,
         type=Path,
         metavar=("TRAJECTORY.csv", "FORCES.csv"),
-        help="the motion, as for forces, and columns time, F_1 to F_6 (N) at the same times, or else current_1 "
-        "to current_6 (A), signed as the torque, of a machine whose drives have a torque_constant; of the "
-        "options of the trajectory's file --delimiter, --decimal and, where no row of units states it, "
-        "--time-unit are the second file's too; of the robot file only geometry, gravity and drives are "
-        "used: where these have a rotor_inertia, F_1 to F_6 are forces of the motors (N times torque); --seed, "
-        "--samples and --candidates are not used",
+        help="files of the motion, as for `forces`, and of time with F_1 to F_6 (N) or current_1 to current_6 "
+        "(A, sign of the torque). The robot file provides geometry, gravity, and drives. If a drive has a "
+        "rotor_inertia, F_1 to F_6 are motor forces (N times torque)",
     )
-    text = "standard deviation of measured forces, N, or of measured currents, A"
+    text = "standard deviation of the measured forces (N) or currents (A)"
     valued(parser, "force-std", positive, text, 1.0)
     noise_options(
         parser,
-        "standard deviation of the measured {}, in --{}-unit: only the poses are used, and a smooth motion "
-        "is fitted together with the parameters; default: the motion is exact",
-        "position",
-        "rotation about each axis",
+        "standard deviation of the measured {} (--{}-unit): fit a smooth motion to the poses; default: exact",
+        "positions",
+        "rotations about each axis",
     )
-    valued(parser, "seed", whole, "of the random candidates and the simulated noise", 0)
-    text = "of the motion, s; default: accelerations of the order of gravity, or for measured poses with "
-    valued(parser, "period", finite, f"{text}noise a motion without a period")
-    text = "of the Fourier series; default: 5, for measured poses chosen from the data"
+    valued(parser, "seed", whole, "random seed", 0)
+    text = "period of the motion (s); default: from gravity, or none for measured poses with noise"
+    valued(parser, "period", finite, text)
+    text = "number of Fourier harmonics; default: 5, or from the data for measured poses"
     valued(parser, "harmonics", whole, text)
-    parser.add_argument(
-        "--no-friction",
-        action="store_true",
-        help="fit measured forces with a model whose joints have no friction",
-    )
+    parser.add_argument("--no-friction", action="store_true", help="fit a model without joint friction")
     parser.add_argument(
         "--enforce-physical",
         action="store_true",
-        help="fit measured forces by physically possible bodies, and write their parameters to bodies.csv",
+        help="fit physically possible bodies, and write their parameters to bodies.csv",
     )
     parser.add_argument(
-        "--identical-legs",
-        action="store_true",
-        help="seek the parameters of one leg for all six, built alike",
+        "--identical-legs", action="store_true", help="fit one common set of parameters for all six legs"
     )
     parser.add_argument(
         "--drive-terms",
         metavar="TERM,...",
-        help="F_1 to F_6 are forces of the motors (N times torque), as currents always are: seek terms of the "
-        "drives as well, some of reflected_mass, coulomb, offset, viscous",
+        help="drive terms to identify: reflected_mass, coulomb, offset, viscous; F_1 to F_6 are then motor "
+        "forces (N times torque)",
     )
-    valued(parser, "samples", whole, "instants of one period", 200)
-    valued(parser, "candidates", whole, "random series to try", 50)
+    valued(parser, "samples", whole, "number of samples per period", 200)
+    valued(parser, "candidates", whole, "number of random Fourier series", 50)
     log_form(parser)
-    output(parser, "DIR", "folder to write to", None)
+    output(parser, "DIR", "folder of the results", None)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -126,8 +118,7 @@ def _measured(arguments: argparse.Namespace, progress: Progress) -> "tuple[Repor
         if not set(FORCES) <= set(error.header):
             raise
         raise ValueError(
-            f"{poses}: expected poses or leg lengths, got forces F_1 to F_6: "
-            "the two files of --measured look swapped"
+            f"{poses}: expected poses or leg lengths, got forces F_1 to F_6; exchange the files of --measured"
         ) from None
     trajectory = cast("Trajectory", poses_of(robot, log, arguments, progress))
     of_forces = dataclasses.replace(log_format(arguments), columns={})
@@ -167,10 +158,10 @@ def _simulated(arguments: argparse.Namespace, progress: Progress) -> "tuple[Repo
 
     for option in ("no_friction", "enforce_physical", "drive_terms"):
         if getattr(arguments, option):
-            raise ValueError(f"--{option.replace('_', '-')}: is for measured forces, expected --measured")
+            raise ValueError(f"--{option.replace('_', '-')}: applies to measured forces; add --measured")
     if log_format(arguments) != TrajectoryFormat() or arguments.pose_guess is not None:
         raise ValueError(
-            "--pose-guess and options of the trajectory's file: are for measured forces, expected --measured"
+            "--pose-guess and options of the trajectory file: apply to measured forces; add --measured"
         )
     robot = robot_of(arguments.robot)
     noise = (arguments.position_std, arguments.angle_std) if _pose_noise(arguments) else (0.0, 0.0)
@@ -184,13 +175,13 @@ def _simulated(arguments: argparse.Namespace, progress: Progress) -> "tuple[Repo
 
 
 def _shared(arguments: argparse.Namespace) -> str | None:
-    """Return the argument ``shared`` of the fits."""
+    """Return the legs that share parameters, or None."""
     return "legs" if arguments.identical_legs else None
 
 
 def _pose_noise(arguments: argparse.Namespace) -> bool:
-    """Whether the noise of poses is stated: both of it or neither."""
+    """Return True if the options state the noise of poses."""
     given = [getattr(arguments, name) is not None for name in ("position_std", "angle_std")]
     if given[0] != given[1]:
-        raise ValueError("--position-std: expected --angle-std beside it, and none without it")
+        raise ValueError("--position-std and --angle-std must be given together")
     return given[0]

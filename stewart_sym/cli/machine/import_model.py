@@ -1,4 +1,4 @@
-"""``stewart-sym import``: make a robot file of a model of another program."""
+"""``stewart-sym import``: write a robot file from a model of another program."""
 
 import argparse
 from pathlib import Path
@@ -7,20 +7,20 @@ from ..inputs import warn_of_doubts
 from ..options import output
 from ..output import results
 
-HELP = "make a robot file of a model in MJCF, SDF or URDF"
+HELP = "write a robot file from a model in MJCF, SDF, or URDF"
 EXAMPLE = "stewart-sym import hexapod.xml -o imported.toml"
 MORE = (
-    "Base, platform and legs are found by how bodies are joined; what was found and what had to be assumed "
-    "is printed and stands in the robot file as comments. The loops of a URDF are read from NAME.loops.json, "
-    "or from its drake:ball_constraint elements."
+    "Base, platform, and legs are recognized from the joints between the bodies.\n"
+    "The terminal and comments in the robot file list the findings and assumptions.\n"
+    "Loops of a URDF file are read from NAME.loops.json or its drake:ball_constraint elements."
 )
 
 _BEGINNING = "# Imported by stewart-sym"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("model", metavar="MODEL", type=Path, help="model in MJCF, SDF or URDF")
-    output(parser, "ROBOT.toml", "file to write, - for standard output", None)
+    parser.add_argument("model", metavar="MODEL", type=Path, help="model in MJCF, SDF, or URDF")
+    output(parser, "ROBOT.toml", "robot file; - for standard output", None)
 
 
 def run(arguments: argparse.Namespace) -> int:

@@ -1,4 +1,4 @@
-"""``stewart-sym new``: write a robot file from a few numbers, given as options or asked for."""
+"""``stewart-sym new``: write a robot file from a few numbers, given as options or on the terminal."""
 
 import argparse
 import sys
@@ -14,35 +14,36 @@ EXAMPLE = (
     "--platform-mass 40 --leg-mass 4 --stroke 0.3"
 )
 MORE = (
-    "Joints in pairs round three axes, a plate on top, legs of a tube and a rod: a beginning; what is "
-    "assumed is marked. On a terminal, numbers that are not given are asked for."
+    "Joints are in pairs around three axes; legs are a tube and a rod.\n"
+    "Comments in the file mark every assumption.\n"
+    "On a terminal, the command prompts for missing numbers."
 )
 
 _NUMBERS = {
-    "base_radius": "radius of the base joints' circle",
-    "platform_radius": "radius of the platform joints' circle",
-    "height": "height of the platform's joints above the base's at home",
-    "platform_mass": "mass of the platform with payload, kg",
-    "leg_mass": "mass of a leg, kg",
-    "stroke": "stroke: longest less shortest leg",
+    "base_radius": "radius of the circle of the base joints",
+    "platform_radius": "radius of the circle of the platform joints",
+    "height": "height of the platform joints above the base joints at home",
+    "platform_mass": "mass of the platform with payload (kg)",
+    "leg_mass": "mass of a leg (kg)",
+    "stroke": "stroke, longest minus shortest leg length",
 }
 _ANGLES = {
-    "base_angle": "angle between the base joints of a pair, deg",
-    "platform_angle": "angle between the platform joints of a pair, deg",
+    "base_angle": "angle between the base joints of a pair (deg)",
+    "platform_angle": "angle between the platform joints of a pair (deg)",
 }
 _ANGLE = 20.0
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    valued(parser, "name", str, "of the machine", "robot")
-    chosen(parser, "length-unit", ("m", "cm", "mm", "in"), "of all lengths")
+    valued(parser, "name", str, "name of the machine", "robot")
+    chosen(parser, "length-unit", ("m", "cm", "mm", "in"), "unit of all lengths")
     for name, text in _NUMBERS.items():
-        unit = "" if text.endswith("kg") else ", in --length-unit"
+        unit = "" if text.endswith("(kg)") else " (unit: --length-unit)"
         parser.add_argument(_option(name), type=positive, metavar="X", help=f"{text}{unit}")
-    parser.add_argument("--z-down", action="store_true", help="z points down; default: up")
+    parser.add_argument("--z-down", action="store_true", help="let the z axis point down; default: up")
     for name, text in _ANGLES.items():
         valued(parser, name.replace("_", "-"), finite, text, _ANGLE, "DEG")
-    output(parser, "ROBOT.toml", "file to write, - for standard output", None)
+    output(parser, "ROBOT.toml", "robot file; - for standard output", None)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -73,7 +74,7 @@ def _numbers(arguments: argparse.Namespace) -> dict[str, float]:
     found = {name: getattr(arguments, name) for name in (*_NUMBERS, *_ANGLES)}
     missing = [name for name in _NUMBERS if found[name] is None]
     if missing and not sys.stdin.isatty():
-        raise ValueError(f"{_option(missing[0])}: missing, and standard input is no terminal to ask on")
+        raise ValueError(f"{_option(missing[0])}: missing; standard input is not a terminal")
     for name in missing:
         found[name] = _asked(name, arguments.length_unit)
     return found
@@ -81,12 +82,12 @@ def _numbers(arguments: argparse.Namespace) -> dict[str, float]:
 
 def _asked(name: str, unit: str) -> float:
     """A number > 0 from the terminal."""
-    question = _NUMBERS[name] + ("" if _NUMBERS[name].endswith("kg") else f", {unit}")
+    question = _NUMBERS[name] + ("" if _NUMBERS[name].endswith("(kg)") else f" ({unit})")
     while True:
         print(f"{question}: ", end="", file=sys.stderr, flush=True)
         line = sys.stdin.readline()
         if not line:
-            raise ValueError(f"{_option(name)}: missing, the answers ended")
+            raise ValueError(f"{_option(name)}: missing; standard input has ended")
         try:
             return positive(line.strip())
         except argparse.ArgumentTypeError as error:

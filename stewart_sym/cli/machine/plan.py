@@ -1,4 +1,4 @@
-"""``stewart-sym plan``: a path through via poses away from singular ones, and the fastest motion along it."""
+"""``stewart-sym plan``: plan a well-conditioned path through via poses, and a motion along it."""
 
 import argparse
 import contextlib
@@ -17,29 +17,22 @@ if TYPE_CHECKING:
     from ...planning.plan_file import PlanRequest
     from ...planning.plan_path import PlannedPath
 
-HELP = "a path through via poses with a low condition number, and the fastest motion along it"
+HELP = "plan a well-conditioned path through via poses and an optimal motion along it"
 EXAMPLE = "stewart-sym plan via.toml -o plan"
 MORE = (
-    "The file of via poses is TOML: schema = 1, robot (a file beside it), and [[via]] with t, theta (roll, "
-    "pitch, yaw, of the tool) and optionally free: how far x, y, z (m, base axes) and roll, pitch, yaw (rad, "
-    "tool axes) may differ, as in free.yaw = [-0.5, 0.5]; or via_file, a CSV file of poses in order of time. "
-    'Optionally objective ("mean" or "peak" of the condition number), smoothness_weight of a longer path, rate (Hz), '
-    'formulation, minimize ("time", "energy" or "peak_force") with duration (s); [limits]: max_condition, min_clearance '
-    "(m), force (N), speed (m/s), acceleration (m/s^2), jerk (m/s^3) of the legs, platform_speed, "
-    "platform_turn_rate; [load]: F_ext, M_ext, platform frame, at the reference point. Writes the trajectory "
-    "as `forces` reads it, a report with a certificate that limits hold between the samples too (exit code 1 "
-    "where it does not hold), and pictures. SI units."
+    'The keys of the file of via poses are on page "Files" of the documentation.\n'
+    "Output: trajectory.csv for `forces`, a report with the certificate of the limits, and drawings.\n"
+    "Exit code: 0, 1 if the certificate is not valid, 2 for an error. SI units."
 )
 _LEAST = ("time", "energy", "peak_force")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("via", metavar="VIA.toml", type=Path, help="file of via poses, schema 1")
-    parser.add_argument(
-        "--minimize", choices=_LEAST, help="what is made least, in place of the file's least; default: time"
-    )
-    valued(parser, "duration", positive, "of a motion of least energy or peak force", metavar="SECONDS")
-    output(parser, "DIR", "folder to write to", Path("plan"), plots=True, html=True)
+    text = "objective, overrides the key of the file; default: time"
+    parser.add_argument("--minimize", choices=_LEAST, help=text)
+    valued(parser, "duration", positive, "duration (s), for energy and peak force", metavar="SECONDS")
+    output(parser, "DIR", "folder of the results", Path("plan"), plots=True, html=True)
 
 
 def run(arguments: argparse.Namespace) -> int:

@@ -1,18 +1,18 @@
-"""``stewart-sym robots``: machines that come with the package."""
+"""``stewart-sym robots``: robots of the package."""
 
 import argparse
 
 from ..options import output
 from ..output import results
 
-HELP = "list, show or copy the machines that come with the package"
+HELP = "list, print, or copy the robots of the package"
 EXAMPLE = "stewart-sym robots --show tsai2000 -o tsai2000.toml"
-MORE = "Each file cites its source and says what is assumed. In Python: ss.robots.NAME()."
+MORE = "Each file cites its source and marks its assumptions.\nIn Python: ss.robots.NAME()."
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--show", metavar="NAME", help="print the robot file of this machine")
-    output(parser, "ROBOT.toml", "with --show: file to write a copy to", "standard output")
+    parser.add_argument("--show", metavar="NAME", help="name of the robot whose file is printed")
+    output(parser, "ROBOT.toml", "copy of the file of --show", "standard output")
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -24,7 +24,7 @@ def run(arguments: argparse.Namespace) -> int:
 
     if arguments.show is None:
         if arguments.output is not None:
-            raise ValueError("-o: is for a copy of one machine, expected --show NAME")
+            raise ValueError("-o: requires the name of a robot; add --show NAME")
         robots = {name: load(name) for name in NAMES}
         rows = [[name, robot.name, f"{robot.M:.4g}"] for name, robot in robots.items()]
         data = {name: {"name": robot.name, "platform_mass_kg": robot.M} for name, robot in robots.items()}

@@ -1,4 +1,4 @@
-"""``stewart-sym simulate``: let a machine move under its legs' forces: a table, a summary and pictures."""
+"""``stewart-sym simulate``: simulate the motion of a machine under its actuator forces."""
 
 import argparse
 import dataclasses
@@ -10,17 +10,13 @@ from ..inputs import warn_of_doubts
 from ..options import output
 from ..output import results
 
-HELP = "let a machine move under its legs' forces: a table, a summary and pictures"
+HELP = "simulate the motion of a machine under its actuator forces"
 EXAMPLE = "stewart-sym simulate swing.toml -o swing"
 MORE = (
-    "The scene is a TOML file: schema = 1, robot (a file beside it), duration (s), and optionally "
-    'formulation, output_step (s), method, rtol, start ("path": at the beginning of the path that is '
-    'tracked, instead of [state]), on_force_limit ("stop", or "saturate": forces are clipped). [state]: t, '
-    "theta (roll, pitch, yaw), v, omega. [load]: F_ext, M_ext, platform frame. [stop_conditions]: max_condition, "
-    'min_length, min_joint_sine. [actuation]: type = "constant_force" with forces; "spring" with stiffness, damping, '
-    'rest_length (without it they balance the weight at the start); "computed_torque" by computed torque with path '
-    "(I, II, III or a CSV file as for `forces`), gains k_p and k_d, model, rate (Hz). SI units. A run stops "
-    "where a leg reaches a limit of length, speed, force or joint angle, which is an error at the start."
+    'All keys of the scene are on page "Files" of the documentation.\n'
+    "Actuation: constant forces, springs, or computed torque along a path.\n"
+    "A run stops at a limit of leg length, speed, force, or joint angle.\n"
+    "Output: summary.txt, run.csv, and drawings. SI units."
 )
 
 
@@ -29,9 +25,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--energy-drift",
         action="store_true",
-        help="compare the energy in both formulations, without friction and dampers (springs only)",
+        help="compare the energy drift of both formulations, without friction and damping (springs only)",
     )
-    output(parser, "DIR", "folder to write to", Path("simulation"), plots=True, html=True)
+    output(parser, "DIR", "folder of the results", Path("simulation"), plots=True, html=True)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -49,7 +45,7 @@ def run(arguments: argparse.Namespace) -> int:
     for doubt in start_doubts(scene):
         warn(f"{arguments.scene}: {doubt}")
     if arguments.energy_drift and not isinstance(scene.law, LegSprings):
-        raise ValueError("energy drift: expected a scene whose legs are springs")
+        raise ValueError("--energy-drift: the actuation of the scene is not springs; change the scene")
     with results(arguments, "summary", "run.csv", read=scene.files) as (take, progress):
         done = scene.run(lambda share: progress("simulating", share))
         if done.stop.kind != "duration" and done.stop.time == 0.0:

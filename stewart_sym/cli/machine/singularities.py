@@ -7,21 +7,22 @@ from ..inputs import robot_of, trajectory_of
 from ..options import formulation, log_options, output, robot_file
 from ..output import results
 
-HELP = "where a path crosses singular poses, between samples too, and which twist is unconstrained there"
+HELP = "find singular poses along a path and their unconstrained twists"
 EXAMPLE = "stewart-sym singularities hexapod.toml trajectory.csv -o singularities"
 MORE = (
-    "Writes a report, tables of events and of the path, and pictures of forces and of the machine "
-    "with the unconstrained twist. Between the rows of a trajectory the path is the quintic through "
-    "their poses, rates and accelerations. SI units."
+    "Between samples of a trajectory, the path is the quintic through poses, rates, and accelerations.\n"
+    "Output: report, tables of events and of the path, and drawings. SI units."
 )
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     robot_file(parser)
-    parser.add_argument("path", metavar="PATH", help="I, II or III of the paper, or a CSV file as for forces")
+    parser.add_argument(
+        "path", metavar="PATH", help="I, II, or III (paths of the paper), or a CSV file as for `forces`"
+    )
     formulation(parser)
     log_options(parser)
-    output(parser, "DIR", "folder to write to", Path("singularities"), plots=True)
+    output(parser, "DIR", "folder of the results", Path("singularities"), plots=True)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -39,13 +40,13 @@ def run(arguments: argparse.Namespace) -> int:
     with results(arguments, "report", *tables, read=read) as (take, progress):
         if name in PAPER_PATHS:
             if arguments.pose_guess is not None:
-                raise ValueError("--pose-guess: is for a trajectory of leg lengths, this one is of poses")
+                raise ValueError("--pose-guess: the trajectory contains poses; omit the option")
             line = path_for(robot, name).path
             path: MotionPath = line.sample
             times = line.breakpoints()
         else:
             if not Path(name).exists():
-                raise ValueError(f"{name}: expected I, II, III or a CSV file, there is no such file")
+                raise ValueError(f"{name}: expected I, II, III, or a CSV file; the file does not exist")
             trajectory = trajectory_of(robot, Path(name), arguments, progress)
             path, times, name = interpolate(trajectory), trajectory.time, Path(name).name
         progress("looking for singular poses")

@@ -1,4 +1,4 @@
-"""``stewart-sym size-actuators``: what motions and their loads need of every actuator and joint."""
+"""``stewart-sym size-actuators``: required force, speed, power, and stroke of each actuator."""
 
 import argparse
 import dataclasses
@@ -9,35 +9,38 @@ from ..inputs import robot_of, trajectory_of
 from ..options import finite, formulation, log_options, output, positive, robot_file, valued
 from ..output import results
 
-HELP = "which force, speed, power, stroke and joint angles motions need of every leg, beside its limits"
+HELP = "compute the force, speed, power, and stroke that motions require of each leg"
 EXAMPLE = "stewart-sym size-actuators hexapod.toml trajectory.csv -o size --margin 0.3"
 MORE = (
-    "Trajectories as for forces, with their loads; all of them count together. Peaks, what is not exceeded "
-    "for shares of the time, and the largest of each with a margin; limits of the robot file that are "
-    "exceeded, or kept without the margin, are named. Of a robot with drives: torque, speed and power of the "
-    "motors as well. With noise in a log, needs have standard deviations, and limits within three of them, "
-    "without or with the margin, are reported as not decided. SI units, degrees."
+    "All trajectories count together; columns as for `forces`.\n"
+    "The report lists peaks, quantiles over time, and largest values with a margin, also for motors.\n"
+    "It names limits that are exceeded, lack the margin, or are undecided due to noise. SI units, degrees."
 )
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     robot_file(parser)
     parser.add_argument(
-        "trajectories", metavar="TRAJECTORY.csv", nargs="+", type=Path, help="times and poses, or leg lengths"
+        "trajectories",
+        metavar="TRAJECTORY.csv",
+        nargs="+",
+        type=Path,
+        help="CSV files of times and poses or leg lengths",
     )
-    valued(parser, "margin", finite, "share that a limit should exceed the need by", 0.25, "SHARE")
+    text = "fraction by which each limit should exceed the required value"
+    valued(parser, "margin", finite, text, 0.25, "FRACTION")
     parser.add_argument(
         "--quantile",
         dest="quantiles",
         action="append",
         type=positive,
-        metavar="SHARE",
-        help="share of the time, 1 at most, for which sizes are not exceeded; may be repeated; "
-        "default: 0.5, 0.9, 0.99 and 1",
+        metavar="FRACTION",
+        help="fraction of the time (at most 1) for which the listed value is sufficient; may be repeated; "
+        "default: 0.5, 0.9, 0.99, and 1",
     )
     formulation(parser)
     log_options(parser)
-    output(parser, "DIR", "folder to write to", Path("size"), plots=True, html=True)
+    output(parser, "DIR", "folder of the results", Path("size"), plots=True, html=True)
 
 
 # A margin beyond it was meant in per cent.
@@ -52,8 +55,8 @@ def run(arguments: argparse.Namespace) -> int:
     quantiles = arguments.quantiles or QUANTILES
     checked_quantiles(quantiles, "--quantile")
     if arguments.margin > _MOST_MARGIN:
-        share = f"{arguments.margin:g} is a share, {100.0 * arguments.margin:g} %"
-        warn(f"--margin: {share}: expected 0.25 for 25 %")
+        fraction = f"{arguments.margin:g} means {100.0 * arguments.margin:g} %"
+        warn(f"--margin: {fraction}; use 0.25 for 25 %")
     robot = robot_of(arguments.robot)
     with results(arguments, "report", "needs.csv") as (take, progress):
         read = [trajectory_of(robot, path, arguments, progress) for path in arguments.trajectories]

@@ -19,13 +19,13 @@ if TYPE_CHECKING:
     from ...viewer.motion_history import MotionHistory
     from ...viewer.view import Viewer
 
-HELP = "show a machine in motion: one HTML file for any browser, without a network"
+HELP = "show a machine in motion as one HTML file"
 EXAMPLE = "stewart-sym view hexapod.toml trajectory.csv -o machine.html"
 MORE = (
-    "The motion is I, II or III of the paper, a CSV file as for `forces`, or a folder or run.csv that "
-    "`simulate` wrote, whose own forces are shown; without one the machine is at its home pose. Limits of "
-    "legs and motors are compared as `forces` does, with the deviations that noise of a log leaves. Without "
-    "-o the file is opened in a browser, where there is a screen."
+    "MOTION is a path of the paper (I, II, III), a CSV file as for `forces`, or the results of `simulate`.\n"
+    "The default is the home pose.\n"
+    "Without -o, the file is opened in a browser.\n"
+    "Limits of legs and motors are compared as in `forces`."
 )
 
 _RUN = "run.csv"
@@ -35,11 +35,11 @@ _DEFAULT = Path("machine.html")
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     robot_file(parser, nargs="?")
     parser.add_argument(
-        "motion", metavar="MOTION", nargs="?", help="I, II, III, a CSV file, or what simulate wrote"
+        "motion", metavar="MOTION", nargs="?", help="I, II, III, a CSV file, or the folder of a simulation"
     )
-    parser.add_argument("--example", action="store_true", help="the paper's machine on its Path I")
+    parser.add_argument("--example", action="store_true", help="show the robot of the paper on its Path I")
     log_options(parser)
-    output(parser, "FILE.html", "file to write, - for standard output", str(_DEFAULT))
+    output(parser, "FILE.html", "HTML file; - for standard output", str(_DEFAULT))
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -50,15 +50,15 @@ def run(arguments: argparse.Namespace) -> int:
     from ...viewer.view import Viewer
 
     if arguments.example and arguments.robot is not None:
-        raise ValueError("--example: is of the paper's machine, expected no ROBOT.toml beside it")
+        raise ValueError("--example: shows the robot of the paper; omit ROBOT.toml")
     if not arguments.example and arguments.robot is None:
-        raise ValueError("ROBOT.toml: missing; or give --example")
+        raise ValueError("ROBOT.toml: missing; name a robot file, or use --example")
     path = _DEFAULT if arguments.output is None else arguments.output
     read = [] if arguments.motion is None else [Path(arguments.motion)]
     reject_inputs("-o", path, *([] if arguments.robot is None else [arguments.robot]), *read)
     need_html("-o", path)
     if path == arguments.json:
-        raise ValueError(f"--json {arguments.json}: is where the page goes (-o), name another file")
+        raise ValueError(f"--json {arguments.json}: the same file as -o; name another file")
     with (
         results(arguments, read=read) as (take, progress),
         result_file(path, [BEGINNING], arguments.force) as stream,
@@ -72,7 +72,7 @@ def run(arguments: argparse.Namespace) -> int:
     for _, line in shown.limits.told:
         warn(line)
     if arguments.output is None and not _opened(path):
-        print(f"No screen was found: open {path.resolve()} in a browser", file=sys.stderr)
+        print(f"no screen found; open {path.resolve()} in a browser", file=sys.stderr)
     return 0
 
 
@@ -91,7 +91,7 @@ def _motion(robot: "Robot", arguments: argparse.Namespace, progress: Progress) -
         path = path / _RUN
     if not path.exists():
         raise ValueError(
-            f"{path}: expected I, II, III, a CSV file or a folder with {_RUN}, there is no such file"
+            f"{path}: expected I, II, III, a CSV file, or a folder with {_RUN}; the file does not exist"
         )
     if _is_run(path):
         progress("reading the run")

@@ -1,4 +1,4 @@
-"""``stewart-sym workspace``: how large the set of poses within the limits is, and what bounds it."""
+"""``stewart-sym workspace``: volume of the set of poses within all limits, and its limiting constraints."""
 
 import argparse
 import math
@@ -14,14 +14,12 @@ if TYPE_CHECKING:
     from ...design.pose_limits import PoseExaminer
     from ...design.workspace import WorkspaceResult
 
-HELP = "how far a machine reaches: volume of its workspace with an error, what bounds it, and slices"
+HELP = "compute the volume, limiting constraints, and slices of a workspace"
 EXAMPLE = "stewart-sym workspace hexapod.toml --max-condition 20 -o workspace"
 MORE = (
-    "Limits of the robot file count: leg lengths, joint angles, and forces that hold the machine at rest. "
-    "Positions are those of the robot file's tool, by default the reference point. "
-    "Positions at one orientation, rotations at one position, or both; the volume of rotations is the "
-    "integral of cos(theta_y) over roll, pitch and yaw, rad^3, of 8 pi^2 in all. The error is three standard "
-    "deviations. m, rad and N."
+    "Limits: leg lengths, joint angles, and actuator forces at rest, from the robot file.\n"
+    "The volume of rotations is the integral of cos(theta_y) over roll, pitch, and yaw (rad^3).\n"
+    "The error is three standard deviations. Positions are those of the tool."
 )
 
 _IGNORED = ("lengths", "joint-angles", "forces")
@@ -31,41 +29,41 @@ _RANGES = ("X", "X", "Y", "Y", "Z", "Z")
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     robot_file(parser)
-    text = "what varies: positions (constant orientation), rotations, or both"
+    text = "coordinates that vary: positions, rotations, or both"
     chosen(parser, "kind", ("constant_orientation", "orientation", "six_dof"), text)
     for name, nargs, metavar, text in (
-        ("position", 3, _TRIPLE, "position of the tool in the middle pose (m); default: the home pose"),
-        ("rpy", 3, _TRIPLE, "its roll, pitch and yaw, rad; default: parallel to the base"),
+        ("position", 3, _TRIPLE, "position of the tool in the center pose (m); default: the home pose"),
+        ("rpy", 3, _TRIPLE, "roll, pitch, and yaw of the center pose (rad); default: 0 0 0"),
         (
             "position-bounds",
             6,
             _RANGES,
-            "least and greatest t_x, t_y, t_z, m; default: where the longest legs reach",
+            "lower and upper bounds of t_x, t_y, t_z (m); default: reach of the legs",
         ),
-        ("rpy-bounds", 6, _RANGES, "least and greatest roll, pitch and yaw, rad; default: all rotations"),
         (
-            "load",
+            "rpy-bounds",
             6,
-            ("FX", "FY", "FZ", "MX", "MY", "MZ"),
-            "load on the tool at rest (N and N m), platform frame",
+            _RANGES,
+            "lower and upper bounds of roll, pitch, yaw (rad); default: all rotations",
         ),
+        ("load", 6, ("FX", "FY", "FZ", "MX", "MY", "MZ"), "load on the tool at rest (N and N m, platform frame)"),
     ):
         parser.add_argument(f"--{name}", nargs=nargs, type=finite, metavar=metavar, help=text)
-    text = "largest scaled condition number of H; leaves out what lies beyond a singular pose as well"
+    text = "largest scaled condition number of H; excludes also all poses beyond a singular pose"
     valued(parser, "max-condition", positive, text, metavar="NUMBER")
-    valued(parser, "min-clearance", positive, "least distance of the legs' center lines, m", metavar="M")
+    valued(parser, "min-clearance", positive, "smallest distance between leg center lines (m)", metavar="M")
     parser.add_argument(
         "--ignore",
         action="append",
         choices=_IGNORED,
         default=[],
-        help="limits of the robot file to leave out",
+        help="limits of the robot file to ignore; may be repeated",
     )
-    valued(parser, "samples", whole, "how many to examine", 1_000_000, "N")
-    valued(parser, "seed", whole, "of the random poses", 0, "N")
-    text = "run on a Dask scheduler, as tcp://host:8786, or local: a worker on each core; the same bits"
+    valued(parser, "samples", whole, "number of random poses", 1_000_000, "N")
+    valued(parser, "seed", whole, "random seed", 0, "N")
+    text = "address of a Dask scheduler (tcp://host:8786), or local: one worker per core; identical results"
     valued(parser, "scheduler", str, text, metavar="ADDRESS")
-    output(parser, "DIR", "folder to write to", Path("workspace"), plots=True)
+    output(parser, "DIR", "folder of the results", Path("workspace"), plots=True)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -100,7 +98,7 @@ def run(arguments: argparse.Namespace) -> int:
         )
         if found.distance_to_limit == 0.0:
             what = _broken(PoseExaminer(robot, at_reference(robot, limits)), found)
-            warn(f"the pose in the middle breaks a limit, {what}")
+            warn(f"center pose: violates a limit, {what}")
         take(report(robot, limits, found, slices(robot, limits, found, progress)))
     return 0
 
@@ -117,7 +115,7 @@ def _broken(examiner: "PoseExaminer", found: "WorkspaceResult") -> str:
     if code == LENGTH:
         L = leg_lengths(examiner.robot, R, t)
         legs = f"its legs are {L.min():.4g} to {L.max():.4g} m long"
-        return f"{legs}: expected one within the limits, --position in meters"
+        return f"{legs}: change --position (m)"
     number, most = float(examiner.conditions(R, t)[0]), examiner.limits.condition
     if code == CONDITION and number > most:
         return f"{REASONS[code]}: expected at most {most:g}, got {number:.4g}"

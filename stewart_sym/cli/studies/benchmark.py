@@ -1,4 +1,4 @@
-"""``stewart-sym benchmark``: times of the kernels and of the baselines."""
+"""``stewart-sym benchmark``: execution times of the kernels and of the baselines."""
 
 import argparse
 from pathlib import Path
@@ -7,18 +7,19 @@ from ..inputs import robot_of
 from ..options import PAPERS, output, robot_file
 from ..output import need_drawing, results
 
-HELP = "time the kernels beside CasADi, Drake, Pinocchio, MuJoCo, JAX and the processor's limit"
+HELP = "compare kernel times with CasADi, Drake, Pinocchio, MuJoCo, JAX, and the processor limit"
 EXAMPLE = "stewart-sym benchmark -o bench"
 MORE = (
-    "Results are compared before anything is timed. Whichever of CasADi, Drake, Pinocchio, MuJoCo and JAX "
-    "(extra bench) is not installed is left out. Takes three minutes or four on an otherwise idle machine."
+    "All results are compared before the timing.\n"
+    "Packages that are not installed (extra `bench`) are omitted.\n"
+    "The study takes about four minutes on an idle machine."
 )
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--quick", action="store_true", help="fewer rounds and smaller batches")
+    parser.add_argument("--quick", action="store_true", help="use fewer rounds and smaller batches")
     robot_file(parser, "--robot", PAPERS)
-    output(parser, "DIR", "folder to write to", Path("bench"), html=True)
+    output(parser, "DIR", "folder of the results", Path("bench"), html=True)
 
 
 def run(arguments: argparse.Namespace) -> int:

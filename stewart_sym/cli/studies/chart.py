@@ -1,4 +1,4 @@
-"""``stewart-sym chart``: cost and accuracy as pictures."""
+"""``stewart-sym chart``: charts of cost and accuracy."""
 
 import argparse
 from pathlib import Path
@@ -7,19 +7,25 @@ from ..inputs import warn_of_doubts
 from ..options import output
 from ..output import results
 
-HELP = "draw time per pose over error, of the model and of rounding: pictures, CSV, JSON, table"
+HELP = "draw time per pose over the error of model and rounding"
 EXAMPLE = "stewart-sym chart enough.toml -o chart"
 MORE = (
-    "chart.png: every fidelity and implementation is a point; scales.png: rounding over size and mass"
-    " of machines like this one; bounds.png: rounding and its bound. Each as SVG and CSV, too. The "
-    "scene is one of `choose-fidelity`; without it: the paper's machine on its Paths I, II and III. Takes "
-    "about a minute."
+    "chart.png: all fidelity levels and implementations.\n"
+    "scales.png: rounding errors over size and mass of the machine.\n"
+    "bounds.png: rounding errors and their bounds.\n"
+    "Each chart is also written as SVG and CSV. The study takes about a minute."
 )
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("scene", metavar="SCENE.toml", type=Path, nargs="?", help="scene file, schema 1")
-    output(parser, "DIR", "folder to write to", Path("chart"), plots=True)
+    parser.add_argument(
+        "scene",
+        metavar="SCENE.toml",
+        type=Path,
+        nargs="?",
+        help="scene file of `choose-fidelity`; default: the robot of the paper on Paths I, II, and III",
+    )
+    output(parser, "DIR", "folder of the results", Path("chart"), plots=True)
 
 
 def run(arguments: argparse.Namespace) -> int:

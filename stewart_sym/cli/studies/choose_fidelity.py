@@ -1,4 +1,4 @@
-"""``stewart-sym choose-fidelity``: the cheapest kernel that suffices."""
+"""``stewart-sym choose-fidelity``: find the cheapest kernel within a tolerance."""
 
 import argparse
 from pathlib import Path
@@ -8,17 +8,12 @@ from ..options import folder_name, json_file
 from ..output import results
 from ..terminal import progress_line
 
-HELP = "the cheapest kernel that is good enough for a machine's motions, and what physics it needs"
+HELP = "find the cheapest kernel within a tolerance of the forces, and the physics that it requires"
 EXAMPLE = "stewart-sym choose-fidelity enough.toml --generate kernel"
 MORE = (
-    'The scene is a TOML file: schema = 1, robot (a file beside it), motions (a list of "I", "II", "III" '
-    "and of CSV files as for `forces`), tolerance (of the forces, share of a motion's peak force), "
-    "optionally margin (default 3: errors times this must be within the tolerance) and rate (Hz: the forces "
-    "of one pose must not take longer than a period). Runs the motions at every fidelity, formulation and "
-    "precision; the cheapest is the one with the fewest operations, float before double. Rounding is "
-    "measured at 12 poses spread over each motion and where force and condition number are largest, the "
-    "model error at all poses. Exit code 2 where nothing is good enough. Takes about a minute, half of it "
-    "when the kernels are compiled."
+    'All keys of the scene are on page "Files" of the documentation.\n'
+    "The study runs its motions at every fidelity, formulation, and precision, in about a minute.\n"
+    "Exit code: 0, or 2 if no kernel is within the tolerance or for an error."
 )
 
 
@@ -26,12 +21,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("scene", metavar="SCENE.toml", type=Path, help="scene file, schema 1")
     json_file(parser)
     parser.add_argument(
-        "--generate",
-        metavar="DIR",
-        type=folder_name,
-        help="write the chosen kernel for this robot, as generate",
+        "--generate", metavar="DIR", type=folder_name, help="folder of a kit with the chosen kernel"
     )
-    parser.add_argument("--bake", action="store_true", help="fold the robot's numbers into that kernel")
+    parser.add_argument(
+        "--bake", action="store_true", help="insert the constants of the robot into that kernel"
+    )
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -54,5 +48,7 @@ def run(arguments: argparse.Namespace) -> int:
             _, written = write_kit(budget.robot, to, choice, arguments.force, budget.files, progress)
         take(Report("\n".join([advice.report(found), *map(str, written)]), data=advice.as_json(found)))
     if found.chosen is None:
-        raise ValueError(f"{arguments.scene}: nothing keeps the budget; closest: {advice.closest(found)}")
+        raise ValueError(
+            f"{arguments.scene}: no kernel is within the tolerance; closest: {advice.closest(found)}"
+        )
     return 0

@@ -8,21 +8,19 @@ from ..inputs import robot_of
 from ..options import PAPERS, output, positive, robot_file, valued
 from ..output import results
 
-HELP = "track the paper's paths with controllers that differ in their model: table, CSV, JSON, pictures"
+HELP = "compare controllers with different models on the paths of the paper"
 EXAMPLE = "stewart-sym control -o control --path II"
 MORE = (
-    "The plant is `exact`; forces are held between samples. Computed torque by `exact`, by `paper` "
-    "and by the platform alone (massless legs), and PD with gravity compensation: the same gains, the"
-    " same start a little off the path. Without --robot: the paper's machine, as printed and with "
-    "friction large enough to matter. Takes about half a minute."
+    "The plant is `exact`. Models: `exact`, `paper`, the platform alone, and gravity compensation.\n"
+    "Default: the robot of the paper, as printed and with larger friction. The study takes half a minute."
 )
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--path", choices=("I", "II"), help="track this path alone; default: both")
+    parser.add_argument("--path", choices=("I", "II"), help="path of the paper; default: both")
     robot_file(parser, "--robot", PAPERS)
-    valued(parser, "rate", positive, "of the controllers, Hz", 1000.0, "HZ")
-    output(parser, "DIR", "folder to write to", Path("control"), plots=True)
+    valued(parser, "rate", positive, "sampling rate of the controllers (Hz)", 1000.0, "HZ")
+    output(parser, "DIR", "folder of the results", Path("control"), plots=True)
 
 
 def run(arguments: argparse.Namespace) -> int:

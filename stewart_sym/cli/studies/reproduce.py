@@ -1,4 +1,4 @@
-"""``stewart-sym reproduce``: section 5 of the paper again."""
+"""``stewart-sym reproduce``: reproduce section 5 of the paper."""
 
 import argparse
 from pathlib import Path
@@ -6,12 +6,12 @@ from pathlib import Path
 from ..options import output
 from ..output import results
 
-HELP = "compute section 5 of the paper again: tables, CSV, and the pictures of Figs. 4-10"
+HELP = "reproduce section 5 of the paper: tables, CSV files, and Figs. 4-10"
 EXAMPLE = "stewart-sym reproduce -o reproduce"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    output(parser, "DIR", "folder to write to", Path("reproduce"), plots=True, html=True)
+    output(parser, "DIR", "folder of the results", Path("reproduce"), plots=True, html=True)
 
 
 def run(arguments: argparse.Namespace) -> int:

@@ -1,4 +1,4 @@
-"""``stewart-sym stability``: every method near degenerate configurations."""
+"""``stewart-sym stability``: test all methods near degenerate configurations."""
 
 import argparse
 from pathlib import Path
@@ -6,13 +6,13 @@ from pathlib import Path
 from ..options import output, valued, whole
 from ..output import results
 
-HELP = "approach every degenerate configuration with every method: tables, CSV, JSON, pictures"
+HELP = "test all methods near degenerate configurations against 50-digit arithmetic"
 EXAMPLE = "stewart-sym stability -o stability"
 MORE = (
-    "Errors are against 50-digit arithmetic. With --cases and no -o only the sweep of random cases "
-    "near failure is made; it exits with 1 if an answer is wrong with status ok or a good pose is "
-    "rejected. Needs a compiler with __float128. The families take about two minutes, a million cases"
-    " another."
+    "--cases without -o runs only random cases; exit code 1 if a result with status OK is wrong or a\n"
+    "solvable pose is rejected.\n"
+    "Requires a compiler with __float128.\n"
+    "The families take about two minutes, and a million random cases another minute."
 )
 
 CASES = 1_000_000
@@ -20,9 +20,9 @@ CASES = 1_000_000
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    valued(parser, "cases", whole, f"random cases near failure; with -o {CASES:,}", metavar="N")
-    valued(parser, "seed", whole, "of the random cases", 0)
-    output(parser, "DIR", "folder to write to", "stability", plots=True, html=True)
+    valued(parser, "cases", whole, f"number of random cases; default with -o: {CASES:,}", metavar="N")
+    valued(parser, "seed", whole, "random seed", 0)
+    output(parser, "DIR", "folder of the results", "stability", plots=True, html=True)
 
 
 def run(arguments: argparse.Namespace) -> int:
